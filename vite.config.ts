@@ -1,0 +1,70 @@
+/// <reference types="vitest/config" />
+import { defineConfig } from 'vite';
+import type { UserConfig } from 'vite';
+
+const BROWSER_TESTS = 'test/browser/**/*.test.ts';
+
+const page: UserConfig = {
+  root: 'src/playground',
+  publicDir: '../../public',
+  // Relative addresses: the built page works from any static host and any sub-path.
+  base: './',
+  cacheDir: '../../node_modules/.vite',
+  build: {
+    target: 'es2022',
+    outDir: '../../dist/page',
+    emptyOutDir: true,
+    // `default-src 'self'` blocks data: addresses and inline scripts.
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+  },
+  worker: { format: 'es' },
+};
+
+const library: UserConfig = {
+  publicDir: false,
+  build: {
+    target: 'es2022',
+    outDir: 'dist/lib',
+    emptyOutDir: true,
+    minify: false,
+    sourcemap: true,
+    lib: { entry: 'src/index.ts', formats: ['es'], fileName: 'touchdown' },
+    rolldownOptions: { external: [/^three($|\/)/, /^gl-matrix($|\/)/, /^protobufjs($|\/)/, /^uplot($|\/)/] },
+  },
+  worker: { format: 'es' },
+};
+
+const tests: UserConfig = {
+  publicDir: false,
+  test: {
+    projects: [
+      {
+        test: {
+          name: 'node',
+          environment: 'node',
+          include: ['test/**/*.test.ts'],
+          exclude: [BROWSER_TESTS],
+          sequence: { groupOrder: 0 },
+        },
+      },
+      {
+        test: {
+          name: 'browser',
+          environment: 'node',
+          include: [BROWSER_TESTS],
+          // After the node project and one file at a time: a software-rendered page takes a whole core.
+          sequence: { groupOrder: 1 },
+          fileParallelism: false,
+          testTimeout: 60_000,
+          hookTimeout: 120_000,
+        },
+      },
+    ],
+  },
+};
+
+export default defineConfig(({ mode }) => {
+  if (mode === 'test') return tests;
+  return mode === 'lib' ? library : page;
+});

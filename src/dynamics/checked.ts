@@ -1,0 +1,43 @@
+/** What a validation gives: the checked value, or a reason that names the field. Nothing here throws. */
+export type Checked<T> =
+  { readonly ok: true; readonly value: T } | { readonly ok: false; readonly reason: string };
+
+export function accepted<T>(value: T): Checked<T> {
+  return { ok: true, value };
+}
+
+export function refused(reason: string): { readonly ok: false; readonly reason: string } {
+  return { ok: false, reason };
+}
+
+/** [x, y, z] */
+export type Vec3 = readonly [number, number, number];
+/** [x, y, z, w], unit: rotates body axes into ICRF. */
+export type Quat = readonly [number, number, number, number];
+/** Row by row. */
+export type Mat3 = readonly [Vec3, Vec3, Vec3];
+
+/** The reason why `value` is not a finite number, or null. */
+export function notFinite(field: string, value: unknown): string | null {
+  if (typeof value === 'number' && Number.isFinite(value)) return null;
+  return `${field}: expected a finite number, got ${describe(value)}`;
+}
+
+/** The reason why `value` is not `length` finite numbers, or null. */
+export function notFiniteTuple(field: string, value: unknown, length: number): string | null {
+  if (!Array.isArray(value) || value.length !== length) {
+    return `${field}: expected ${String(length)} numbers, got ${describe(value)}`;
+  }
+  for (let i = 0; i < length; i++) {
+    const reason = notFinite(`${field}[${String(i)}]`, value[i]);
+    if (reason !== null) return reason;
+  }
+  return null;
+}
+
+function describe(value: unknown): string {
+  if (value === null) return 'null';
+  if (typeof value === 'number') return String(value);
+  if (Array.isArray(value)) return `a list of ${String(value.length)}`;
+  return typeof value;
+}

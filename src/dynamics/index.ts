@@ -1,0 +1,50 @@
+/** The law of motion and contact: what the server computes and the client computes the same. See DYNAMICS.md here. */
+
+/** Columns of a ship's and a body's row, states, modes, events. */
+export * from './layout';
+/** Validation results and tuples. */
+export { accepted, type Checked, type Mat3, type Quat, refused, type Vec3 } from './checked';
+/** The server's contact settings. */
+export { DEFAULT_SETTINGS, loadSettings, type LoadedSettings, type Settings } from './settings';
+/** Ship classes: plain data in, constants out. */
+export { loadShipClass, type LoadedShipClass, type ShipClass, STANDARD_GRAVITY } from './shipClass';
+/** Bodies: plain data in, constants out, motion in rows. */
+export {
+  type Body,
+  type BodyMotion,
+  GRAVITATIONAL_CONSTANT,
+  loadBody,
+  type LoadedBody,
+  readBodyMotion,
+  turnBodies,
+  settleBodies,
+  moveBodies,
+  writeBodyMotion,
+} from './body';
+/** The game's ship classes and bodies. */
+export { BODIES, SHIP_CLASSES } from './catalogue';
+/** What a pilot commands. */
+export { type Controls, loadControls, NEUTRAL_CONTROLS, readControls, writeControls } from './controls';
+/** Between a row and a plain record. */
+export { landedBodyName, readShip, type ShipRecord, spawnShip, writeShip } from './ship';
+/** The step of one ship. */
+export { substep } from './substep';
+/** The step of a world, and how ticks are cut. */
+export {
+  beginTick,
+  endTick,
+  loadTiming,
+  stepWorld,
+  type TerrainHeight,
+  type Timing,
+  timingOfTick,
+  type World,
+} from './world';
+/** Re-choosing the reference body at a tick's start. */
+export { chooseReferenceBody } from './referenceBody';
+/** Which state may follow which. */
+export { isLegalMove } from './legalMoves';
+/** One number for a trajectory's bits. */
+export { hashRows } from './hash';
+/** Terrain made of + − × ÷ √. */
+export { flatTerrain, proceduralTerrain, TERRAINS } from './terrain';

@@ -1,0 +1,106 @@
+/**
+ * One ship is one row of a Float64Array, one body is another: history, copy, hash, compare and transfer are then a line each.
+ * The columns are named here and nowhere else. SI units, radians; vectors in ICRF axes unless said; quaternions (x, y, z, w).
+ */
+
+/** Centre of mass relative to the reference body's centre, m, in the frame that falls with that centre and keeps ICRF's axes. */
+export const POSITION = 0;
+/** Velocity in that frame, m/s. */
+export const VELOCITY = 3;
+/** Rotates body axes into ICRF, unit. */
+export const ATTITUDE = 6;
+/** rad/s, ICRF axes. */
+export const ANGULAR_VELOCITY = 10;
+/** kg. */
+export const FUEL = 13;
+/** Speed at the touch that began this contact, m/s; 0 in flight. */
+export const IMPACT_SPEED = 14;
+/** One of FLYING, CONTACT, LANDED, TIPPED. */
+export const SURFACE_STATE = 15;
+/** Index into World.bodies; in ground states it is the body landed on. */
+export const REFERENCE_BODY = 16;
+/** 1 once crashed: the ship is out of the simulation until respawned. */
+export const CRASHED = 17;
+/** Index into World.shipClasses. */
+export const SHIP_CLASS = 18;
+/** 0 … 1. */
+export const THRUST_LEVEL = 19;
+/** −1 … 1 along body x, y, z. */
+export const TRANSLATION_INPUT = 20;
+/** −1 … 1 about body x (pitch), y (yaw), z (roll). */
+export const ROTATION_INPUT = 23;
+/** 1 = rate damping. */
+export const ATTITUDE_HOLD = 26;
+/** Index into ATTITUDE_MODES. */
+export const ATTITUDE_MODE = 27;
+/** For attitude mode hold: rotates body axes into ICRF, unit. */
+export const TARGET_ATTITUDE = 28;
+export const SHIP_STRIDE = 32;
+
+/** The columns the law moves; from SHIP_CLASS on stand the class and the controls, which only inputs change. */
+export const SIMULATED_COLUMNS = SHIP_CLASS;
+
+export const FLYING = 0;
+export const CONTACT = 1;
+export const LANDED = 2;
+export const TIPPED = 3;
+
+/** The game's `surface_contact_state` of each state. */
+export const SURFACE_STATES = ['', 'contact', 'landed', 'tipped'] as const;
+export type SurfaceState = (typeof SURFACE_STATES)[number];
+
+export const ATTITUDE_MODES = [
+  'none',
+  'hold',
+  'prograde',
+  'retrograde',
+  'normal',
+  'antinormal',
+  'radial',
+  'antiradial',
+] as const;
+export type AttitudeMode = (typeof ATTITUDE_MODES)[number];
+export const MODE_NONE = 0;
+export const MODE_HOLD = 1;
+export const MODE_PROGRADE = 2;
+export const MODE_RETROGRADE = 3;
+export const MODE_NORMAL = 4;
+export const MODE_ANTINORMAL = 5;
+export const MODE_RADIAL = 6;
+export const MODE_ANTIRADIAL = 7;
+
+/** What a substep can report of a ship, at most one a substep. */
+export const NO_EVENT = 0;
+export const EVENT_CONTACT = 1;
+export const EVENT_LANDED = 2;
+export const EVENT_TIPPED = 3;
+export const EVENT_RIGHTED = 4;
+export const EVENT_CRASHED = 5;
+/** The game's event names; index 0 is no event. */
+export const EVENT_NAMES = [
+  '',
+  'ship.contact',
+  'ship.landed',
+  'ship.tipped',
+  'ship.righted',
+  'ship.crashed',
+] as const;
+export type ShipEventName = Exclude<(typeof EVENT_NAMES)[number], ''>;
+
+/** Body row: centre in ICRF, m; moves once a tick, made for the wire and for changes of reference body alone. */
+export const BODY_POSITION = 0;
+/** m/s, ICRF. */
+export const BODY_VELOCITY = 3;
+/** Rotates body axes (Y pole, Z prime meridian, X 90° E) into ICRF, at the substep's start. */
+export const BODY_ATTITUDE = 6;
+/** Ω, rad/s, ICRF axes. */
+export const BODY_ANGULAR_VELOCITY = 10;
+/** The attitude at the substep's end; equal to BODY_ATTITUDE between substeps. */
+export const BODY_END_ATTITUDE = 13;
+/** Rotation matrix of BODY_ATTITUDE, row by row. */
+export const BODY_AXES = 17;
+/** Rotation matrix of BODY_END_ATTITUDE, row by row. */
+export const BODY_END_AXES = 26;
+/** normalize(Ω dt/2, 1): how ground-bound ships turn in this substep. */
+export const BODY_TURN = 35;
+export const BODY_STRIDE = 39;

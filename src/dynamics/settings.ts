@@ -1,0 +1,98 @@
+import { accepted, type Checked, notFinite, refused } from './checked';
+import { cosineOfDegrees } from './cosine';
+
+/** The server's contact settings under the design's names (DYNAMICS, Settings). SI units, degrees where the name says so. */
+export interface Settings {
+  /** Impact above which a ship crashes, m/s. */
+  readonly contactCrashSpeed: number;
+  /** Impact up to which a ship settles without a bounce, m/s. */
+  readonly contactBounceSpeed: number;
+  readonly contactSettleTiltDeg: number;
+  /** rad/s */
+  readonly contactSettleAngularVel: number;
+  /** m/s */
+  readonly contactSettleLinearVel: number;
+  readonly contactTippedAngleDeg: number;
+  /** ζ of a bouncing impact. */
+  readonly contactDampingRatio: number;
+  readonly contactFrictionStatic: number;
+  readonly contactFrictionKinetic: number;
+  /** What a touch does to attitude and spin: aligned with the surface normal and stilled, or kept as they are. */
+  readonly touchdownAttitude: 'aligned' | 'kept';
+}
+
+export const DEFAULT_SETTINGS: Settings = Object.freeze({
+  contactCrashSpeed: 50,
+  contactBounceSpeed: 10,
+  contactSettleTiltDeg: 5,
+  contactSettleAngularVel: 0.01,
+  contactSettleLinearVel: 0.5,
+  contactTippedAngleDeg: 80,
+  contactDampingRatio: 0.3,
+  contactFrictionStatic: 0.8,
+  contactFrictionKinetic: 0.5,
+  touchdownAttitude: 'aligned',
+});
+
+/** Checked settings and what a substep needs of them: angles as cosines. */
+export interface LoadedSettings extends Settings {
+  readonly cosSettleTilt: number;
+  readonly cosTippedAngle: number;
+}
+
+/** Settings as loaded, or a reason that names the first setting out of its range, and the range. Absent settings keep their defaults. */
+export function loadSettings(given: Partial<Settings>): Checked<LoadedSettings> {
+  const s: Settings = { ...DEFAULT_SETTINGS, ...given };
+  for (const [name, value] of Object.entries(s)) {
+    if (name === 'touchdownAttitude') continue;
+    if (!(name in DEFAULT_SETTINGS)) return refused(`${name}: no such setting`);
+    const reason = notFinite(name, value);
+    if (reason !== null) return refused(reason);
+  }
+  const outOfRange = firstOutOfRange(s);
+  if (outOfRange !== null) return refused(outOfRange);
+  return accepted(
+    Object.freeze({
+      ...s,
+      cosSettleTilt: cosineOfDegrees(s.contactSettleTiltDeg),
+      cosTippedAngle: cosineOfDegrees(s.contactTippedAngleDeg),
+    }),
+  );
+}
+
+function firstOutOfRange(s: Settings): string | null {
+  const ranges: readonly (readonly [keyof Settings, boolean, string])[] = [
+    ['contactCrashSpeed', s.contactCrashSpeed > 0, '> 0 m/s'],
+    ['contactBounceSpeed', s.contactBounceSpeed > 0, '> 0 m/s'],
+    [
+      'contactBounceSpeed',
+      s.contactBounceSpeed < s.contactCrashSpeed,
+      `< contactCrashSpeed (${String(s.contactCrashSpeed)} m/s)`,
+    ],
+    ['contactSettleAngularVel', s.contactSettleAngularVel > 0, '> 0 rad/s'],
+    ['contactSettleLinearVel', s.contactSettleLinearVel > 0, '> 0 m/s'],
+    ['contactSettleTiltDeg', s.contactSettleTiltDeg > 0, '> 0°'],
+    [
+      'contactSettleTiltDeg',
+      s.contactSettleTiltDeg < s.contactTippedAngleDeg,
+      `< contactTippedAngleDeg (${String(s.contactTippedAngleDeg)}°)`,
+    ],
+    ['contactTippedAngleDeg', s.contactTippedAngleDeg < 90, '< 90°'],
+    ['contactDampingRatio', s.contactDampingRatio > 0 && s.contactDampingRatio <= 1, '> 0 and ≤ 1'],
+    ['contactFrictionStatic', s.contactFrictionStatic >= 0 && s.contactFrictionStatic <= 2, '≥ 0 and ≤ 2'],
+    [
+      'contactFrictionKinetic',
+      s.contactFrictionKinetic >= 0 && s.contactFrictionKinetic <= s.contactFrictionStatic,
+      `≥ 0 and ≤ contactFrictionStatic (${String(s.contactFrictionStatic)})`,
+    ],
+    [
+      'touchdownAttitude',
+      s.touchdownAttitude === 'aligned' || s.touchdownAttitude === 'kept',
+      "'aligned' or 'kept'",
+    ],
+  ];
+  for (const [name, inRange, range] of ranges) {
+    if (!inRange) return `${name}: expected ${range}, got ${String(s[name])}`;
+  }
+  return null;
+}

@@ -1,0 +1,112 @@
+import { accepted, type Checked, notFinite, notFiniteTuple, type Quat, refused, type Vec3 } from './checked';
+import { NEUTRAL_CONTROLS, writeControls } from './controls';
+import {
+  ANGULAR_VELOCITY,
+  ATTITUDE,
+  CRASHED,
+  FLYING,
+  FUEL,
+  IMPACT_SPEED,
+  POSITION,
+  REFERENCE_BODY,
+  SHIP_CLASS,
+  SURFACE_STATE,
+  SURFACE_STATES,
+  type SurfaceState,
+  VELOCITY,
+} from './layout';
+import type { World } from './world';
+
+/** A ship's simulated state as a plain record: units and frames as in layout.ts. */
+export interface ShipRecord {
+  readonly shipClass: string;
+  readonly referenceBody: string;
+  /** Relative to the reference body, ICRF axes, m. */
+  readonly relativePosition: Vec3;
+  /** m/s */
+  readonly relativeVelocity: Vec3;
+  readonly attitude: Quat;
+  /** rad/s, ICRF */
+  readonly angularVelocity: Vec3;
+  /** kg */
+  readonly fuel: number;
+  readonly surfaceContactState: SurfaceState;
+  /** m/s */
+  readonly contactImpactSpeed: number;
+  readonly crashed: boolean;
+}
+
+/** Writes a ship's state (not its controls); a reason that names the field leaves the row as it was. */
+export function writeShip(ships: Float64Array, at: number, ship: ShipRecord, world: World): string | null {
+  const checked = checkShip(ship, world);
+  if (!checked.ok) return checked.reason;
+  const { shipClass, referenceBody } = checked.value;
+  ships.set(ship.relativePosition, at + POSITION);
+  ships.set(ship.relativeVelocity, at + VELOCITY);
+  ships.set(ship.attitude, at + ATTITUDE);
+  ships.set(ship.angularVelocity, at + ANGULAR_VELOCITY);
+  ships[at + FUEL] = ship.fuel;
+  ships[at + IMPACT_SPEED] = ship.contactImpactSpeed;
+  ships[at + SURFACE_STATE] = SURFACE_STATES.indexOf(ship.surfaceContactState);
+  ships[at + REFERENCE_BODY] = referenceBody;
+  ships[at + CRASHED] = ship.crashed ? 1 : 0;
+  ships[at + SHIP_CLASS] = shipClass;
+  return null;
+}
+
+/** Like writeShip, with the controls of a spawn: all neutral. */
+export function spawnShip(ships: Float64Array, at: number, ship: ShipRecord, world: World): string | null {
+  const reason = writeShip(ships, at, ship, world);
+  if (reason === null) writeControls(ships, at, NEUTRAL_CONTROLS);
+  return reason;
+}
+
+export function readShip(ships: Float64Array, at: number, world: World): ShipRecord {
+  const tuple = (from: number, length: number) => Array.from(ships.subarray(at + from, at + from + length));
+  return {
+    shipClass: world.shipClasses[ships[at + SHIP_CLASS]!]!.name,
+    referenceBody: world.bodies[ships[at + REFERENCE_BODY]!]!.name,
+    relativePosition: tuple(POSITION, 3) as unknown as Vec3,
+    relativeVelocity: tuple(VELOCITY, 3) as unknown as Vec3,
+    attitude: tuple(ATTITUDE, 4) as unknown as Quat,
+    angularVelocity: tuple(ANGULAR_VELOCITY, 3) as unknown as Vec3,
+    fuel: ships[at + FUEL]!,
+    surfaceContactState: SURFACE_STATES[ships[at + SURFACE_STATE]!]!,
+    contactImpactSpeed: ships[at + IMPACT_SPEED]!,
+    crashed: ships[at + CRASHED] === 1,
+  };
+}
+
+/** The game's landed_body_name: empty in flight and once crashed. */
+export function landedBodyName(ship: ShipRecord): string {
+  return ship.surfaceContactState === SURFACE_STATES[FLYING] ? '' : ship.referenceBody;
+}
+
+function checkShip(ship: ShipRecord, world: World): Checked<{ shipClass: number; referenceBody: number }> {
+  const malformed =
+    notFiniteTuple('relativePosition', ship.relativePosition, 3) ??
+    notFiniteTuple('relativeVelocity', ship.relativeVelocity, 3) ??
+    notFiniteTuple('attitude', ship.attitude, 4) ??
+    notFiniteTuple('angularVelocity', ship.angularVelocity, 3) ??
+    notFinite('fuel', ship.fuel) ??
+    notFinite('contactImpactSpeed', ship.contactImpactSpeed);
+  if (malformed !== null) return refused(malformed);
+  const shipClass = world.shipClasses.findIndex((c) => c.name === ship.shipClass);
+  if (shipClass < 0) return refused(`shipClass: no class named ${ship.shipClass}`);
+  const referenceBody = world.bodies.findIndex((b) => b.name === ship.referenceBody);
+  if (referenceBody < 0) return refused(`referenceBody: no body named ${ship.referenceBody}`);
+  if (!SURFACE_STATES.includes(ship.surfaceContactState))
+    return refused('surfaceContactState: no such state');
+  const [x, y, z] = ship.relativePosition;
+  // Less than a metre from the centre the radial direction, and so gravity, has no meaning.
+  if (!(x * x + y * y + z * z >= 1))
+    return refused('relativePosition: expected ≥ 1 m from the body’s centre');
+  const [qx, qy, qz, qw] = ship.attitude;
+  const length = Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
+  if (!(Math.abs(length - 1) <= 1e-3))
+    return refused(`attitude: expected length 1 within 1e-3, got ${String(length)}`);
+  if (!(ship.fuel >= 0)) return refused(`fuel: expected ≥ 0 kg, got ${String(ship.fuel)}`);
+  if (!(ship.contactImpactSpeed >= 0))
+    return refused(`contactImpactSpeed: expected ≥ 0 m/s, got ${String(ship.contactImpactSpeed)}`);
+  return accepted({ shipClass, referenceBody });
+}

@@ -1,0 +1,123 @@
+import type {
+  Body,
+  BodyMotion,
+  Controls,
+  LoadedSettings,
+  LoadedShipClass,
+  ShipEventName,
+  SurfaceState,
+} from '../dynamics';
+
+/** What `view(now)` gives: plain records, owned and reused by the predictor, valid until the next call. SI units. */
+
+/** How far a shown state can be trusted. */
+export type Provenance =
+  /** The server's own newest state of this ship says the same; `age` wall s since that state's instant. */
+  | 'confirmed'
+  /** Predicted past the server's newest state, or against it until it answers; `age` wall s since the state began. */
+  | 'predicted'
+  /** No server state for two ticks or more. */
+  | 'stale'
+  /** Time scale outruns the budget: the server's last state, not carried on. */
+  | 'off';
+
+export interface ShipView {
+  readonly shipId: string;
+  name: string;
+  own: boolean;
+  shipClass: LoadedShipClass;
+  /** Index into WorldView.bodies. */
+  body: number;
+
+  /** Predicted truth at the present: relative to the body's centre, ICRF axes. HUD numbers come from these. */
+  readonly position: Float64Array;
+  readonly velocity: Float64Array;
+  /** [x, y, z, w] */
+  readonly attitude: Float64Array;
+  readonly angularVelocity: Float64Array;
+  fuel: number;
+  /** m/s */
+  impactSpeed: number;
+  surfaceState: SurfaceState;
+  crashed: boolean;
+  controls: Controls;
+  /** N, ICRF axes: what engine and thrusters give now. */
+  readonly thrust: Float64Array;
+
+  /** What is drawn: predicted + fading offset. Nothing computes with it but the view. */
+  readonly drawnPosition: Float64Array;
+  readonly drawnAttitude: Float64Array;
+
+  /** Surface state to show: CONTACT dwells 300 ms so that a bounce can be read. 'crashed' only once the server confirmed it. */
+  shownState: SurfaceState | 'crashed';
+  provenance: Provenance;
+  /** Wall s, see Provenance. */
+  age: number;
+  /** A predicted state the server did not have: shown for 2 s, else ''. */
+  withdrawn: '' | 'contact' | 'landed' | 'tipped' | 'righted' | 'crashed';
+
+  /** The server's newest state of this ship (for the ghost): relative to the body at that tick. */
+  readonly serverPosition: Float64Array;
+  readonly serverAttitude: Float64Array;
+  /** false before the first state of this ship. */
+  serverKnown: boolean;
+}
+
+/** A predicted or server-told event, in the order of its birth. */
+export interface EventNotice {
+  readonly kind: 'predicted' | 'confirmed' | 'retracted';
+  readonly type: ShipEventName;
+  readonly shipId: string;
+  readonly tick: number;
+  readonly substep: number;
+}
+
+export interface WorldView {
+  /** The present that is drawn: server tick boundary and game seconds since it. */
+  tick: number;
+  sinceTick: number;
+  tickRate: number;
+  timeScale: number;
+  paused: boolean;
+  /** False until a hello (or defaults) and a first frame have come. */
+  ready: boolean;
+  settings: LoadedSettings;
+  readonly bodies: (Body & BodyMotion)[];
+  readonly ships: ShipView[];
+  /** The client's own ship in `ships`, or null. */
+  own: ShipView | null;
+  diagnosis: Diagnosis;
+}
+
+/** Counters and gauges, monotone unless said. */
+export interface Diagnosis {
+  framesAccepted: number;
+  framesDuplicate: number;
+  framesOutOfOrder: number;
+  framesTooOld: number;
+  framesFromFuture: number;
+  framesRefused: number;
+  /** Corrections by kind. */
+  correctionsLateInput: number;
+  correctionsLostInput: number;
+  correctionsOtherPilot: number;
+  correctionsMismatch: number;
+  /** '' or the first field that differed in the last mismatch, with both values. */
+  lastMismatch: string;
+  replayedSubsteps: number;
+  budgetOverruns: number;
+  snaps: number;
+  resyncs: number;
+  /** Gauges, wall s: */
+  clockOffset: number;
+  /** 0.9 … 1.1 */
+  clockRate: number;
+  roundTrip: number;
+  jitter: number;
+  lead: number;
+  /** Arrival margin of the last acknowledged input. */
+  margin: number;
+  /** Size of the offset being eased on the own ship, m and rad. */
+  offsetPosition: number;
+  offsetAngle: number;
+}

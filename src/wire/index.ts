@@ -1,0 +1,2 @@
+/** Bytes and the game's JSON <-> checked plain records. */
+export type * from './records';

@@ -1,0 +1,132 @@
+import type {
+  AttitudeMode,
+  Body,
+  BodyMotion,
+  Controls,
+  Quat,
+  Settings,
+  ShipClass,
+  ShipEventName,
+  SurfaceState,
+  Vec3,
+} from '../dynamics';
+
+/** Checked, finite and plain: what everything behind the wire sees. SI units, ICRF, quaternions [x, y, z, w]. */
+
+/** The game's ShipState. */
+export interface ShipState {
+  readonly shipId: string;
+  readonly playerId: string;
+  readonly name: string;
+  readonly shipClass: string;
+  readonly position: Vec3;
+  readonly velocity: Vec3;
+  readonly attitude: Quat;
+  readonly angularVelocity: Vec3;
+  readonly rotationInput: Vec3;
+  readonly translationInput: Vec3;
+  readonly thrustLevel: number;
+  readonly attitudeHold: boolean;
+  readonly attitudeMode: AttitudeMode;
+  readonly targetAttitude: Quat;
+  /** kg */
+  readonly fuel: number;
+  /** kg */
+  readonly mass: number;
+  readonly landedBodyName: string;
+  readonly surfaceContactState: SurfaceState;
+  /** m/s; null when the server does not send field 31 (it sent no relative position either, and the field reads 0). */
+  readonly contactImpactSpeed: number | null;
+  /** Empty when the server does not send field 32. */
+  readonly referenceBody: string;
+  /** Relative to the reference body's centre, ICRF axes; null when the server does not send fields 33 and 34. */
+  readonly relativePosition: Vec3 | null;
+  readonly relativeVelocity: Vec3 | null;
+  readonly crashed: boolean;
+}
+
+/** A body's constants and its motion at the frame's tick. */
+export interface BodyState extends Body, BodyMotion {}
+
+/** Something that happened in substep `substep` (from 0) of the interval that begins at tick `tick`. */
+export interface WorldEvent {
+  readonly type: ShipEventName;
+  readonly shipId: string;
+  readonly tick: number;
+  readonly substep: number;
+}
+
+/** From the server, once: what a client may not assume. */
+export interface Hello {
+  readonly kind: 'hello';
+  readonly playerId: string;
+  /** The client's own ship; empty for a spectator. */
+  readonly shipId: string;
+  readonly settings: Settings;
+  readonly shipClasses: readonly ShipClass[];
+  readonly bodies: readonly BodyState[];
+  /** One of TERRAINS in dynamics. */
+  readonly terrain: string;
+  readonly tick: number;
+  /** Hz */
+  readonly tickRate: number;
+  readonly timeScale: number;
+  readonly inputGranularity: 'substep' | 'tick';
+}
+
+/** The last of this client's inputs that the server applied. */
+export interface InputAcknowledgement {
+  readonly seq: number;
+  /** Where it was applied; later than its stamp when it came late. */
+  readonly tick: number;
+  readonly substep: number;
+  /** Wall seconds before the server simulated its stamp's substep that it arrived; negative: late. */
+  readonly margin: number;
+}
+
+/** From the server, once a tick: the world at tick boundary `tick`. */
+export interface ServerFrame {
+  readonly kind: 'frame';
+  readonly tick: number;
+  /** Hz; these three hold from this tick to the next. */
+  readonly tickRate: number;
+  readonly timeScale: number;
+  readonly paused: boolean;
+  readonly bodies: readonly BodyState[];
+  readonly ships: readonly ShipState[];
+  /** Of the interval that ended at `tick`. */
+  readonly events: readonly WorldEvent[];
+  readonly lastInput: InputAcknowledgement | null;
+}
+
+/** A pilot's controls from the start of substep `substep` of the interval that begins at tick `tick`. */
+export interface InputRecord {
+  /** 1, 2, 3, … */
+  readonly seq: number;
+  readonly tick: number;
+  readonly substep: number;
+  readonly controls: Controls;
+}
+
+export interface Pong {
+  readonly kind: 'pong';
+  /** The ping's id. */
+  readonly id: number;
+  /** Server time when it answered: tick, and wall seconds since that tick boundary. */
+  readonly tick: number;
+  readonly sinceTick: number;
+}
+
+/** From the client. */
+export interface ClientFrame {
+  readonly kind: 'inputs';
+  readonly inputs: readonly InputRecord[];
+}
+
+export interface Ping {
+  readonly kind: 'ping';
+  readonly id: number;
+}
+
+export type ServerMessage = Hello | ServerFrame | Pong;
+export type ClientMessage = ClientFrame | Ping;

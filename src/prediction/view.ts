@@ -43,6 +43,8 @@ export interface ShipView {
   controls: Controls;
   /** N, ICRF axes: what engine and thrusters give now. */
   readonly thrust: Float64Array;
+  /** Body radius + terrain height along the ship's own radial direction, m: heights above ground come from it. */
+  groundRadius: number;
 
   /** What is drawn: predicted + fading offset. Nothing computes with it but the view. */
   readonly drawnPosition: Float64Array;

@@ -1,0 +1,59 @@
+import type { Authority } from './authority';
+
+/**
+ * When an authority's ticks are due on a wall clock that is handed in: shared by the page's worker, tests and benchmarks.
+ * Wall seconds, monotonic.
+ */
+export interface Loop {
+  /** When the next boundary is due. */
+  nextAt: number;
+  /** A frozen server neither ticks nor sends; it goes on where it stood. */
+  frozen: boolean;
+  /** Boundaries that came later than the schedule because the host slept: moved, not made up for. */
+  slipped: number;
+}
+
+/** Ticks made up for at once after a stall; the schedule of the rest moves. A server that bursts on is a server that spirals. */
+export const MOST_CATCH_UP = 5;
+
+/** A loop whose present boundary is at `now`. */
+export function startLoop(authority: Authority, now: number): Loop {
+  authority.startAt(now);
+  return { nextAt: now + 1 / authority.tempo.tickRate(), frozen: false, slipped: 0 };
+}
+
+/**
+ * Advances the authority over every boundary due by `now`; `sent(at)` is called after each, for the frames.
+ * @returns the number of boundaries passed
+ */
+export function runDueTicks(
+  loop: Loop,
+  authority: Authority,
+  now: number,
+  sent: (at: number) => void,
+): number {
+  let passed = 0;
+  while (!loop.frozen && loop.nextAt <= now) {
+    if (passed === MOST_CATCH_UP) {
+      const behind = Math.floor((now - loop.nextAt) * authority.tempo.tickRate()) + 1;
+      loop.slipped += behind;
+      loop.nextAt += behind / authority.tempo.tickRate();
+      break;
+    }
+    const at = loop.nextAt;
+    authority.tick(at);
+    loop.nextAt = at + 1 / authority.tempo.tickRate();
+    passed += 1;
+    sent(at);
+  }
+  return passed;
+}
+
+/** Stops or resumes ticking; after a freeze the next boundary is one tick away. */
+export function setFrozen(loop: Loop, authority: Authority, frozen: boolean, now: number): void {
+  if (loop.frozen && !frozen) {
+    authority.startAt(now);
+    loop.nextAt = now + 1 / authority.tempo.tickRate();
+  }
+  loop.frozen = frozen;
+}

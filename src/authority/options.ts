@@ -1,0 +1,100 @@
+import {
+  accepted,
+  type Body,
+  BODY_STRIDE,
+  type Checked,
+  loadBody,
+  type LoadedBody,
+  type LoadedShipClass,
+  loadSettings,
+  loadShipClass,
+  loadTiming,
+  refused,
+  type Settings,
+  type ShipClass,
+  type TerrainHeight,
+  type Timing,
+  type World,
+  writeBodyMotion,
+} from '../dynamics';
+import type { BodyState } from '../wire';
+
+/** What an authority is made of. */
+export interface AuthorityOptions {
+  /** Settings that differ from the defaults. */
+  readonly settings?: Partial<Settings>;
+  readonly shipClasses: readonly ShipClass[];
+  /** At the first tick; from then on each moves by its velocity and turns by its angular velocity. */
+  readonly bodies: readonly BodyState[];
+  /** The name the hello tells, and the key into `terrains`. */
+  readonly terrain: string;
+  readonly terrains: Readonly<Record<string, TerrainHeight>>;
+  /** Hz, 0.1–100. */
+  readonly tickRate: number;
+  /** 0.1–100. */
+  readonly timeScale: number;
+  /** The number of the first tick boundary; 0 unless said. */
+  readonly tick?: number;
+  /** 'tick': inputs act at tick starts alone. 'substep' unless said. */
+  readonly inputGranularity?: 'substep' | 'tick';
+  /** Speaks as the game's own server does: no hello, no ShipState fields 31–34, no acknowledgements, whole-tick inputs. */
+  readonly legacy?: boolean;
+}
+
+/** The checked options: the world as constants, the bodies as rows. */
+export interface LoadedOptions {
+  readonly world: World;
+  readonly bodies: Float64Array;
+  readonly timing: Timing;
+}
+
+const MOST_BODIES = 256;
+const MOST_CLASSES = 256;
+
+/** The world an authority simulates, or a reason that names the first field that cannot be used. */
+export function loadOptions(options: AuthorityOptions): Checked<LoadedOptions> {
+  const settings = loadSettings(options.settings ?? {});
+  if (!settings.ok) return refused(`settings.${settings.reason}`);
+  const timing = loadTiming(options.tickRate, options.timeScale);
+  if (!timing.ok) return timing;
+  const tick = options.tick ?? 0;
+  if (!Number.isSafeInteger(tick) || tick < 0)
+    return refused(`tick: expected a whole number ≥ 0, got ${String(tick)}`);
+  const shipClasses = loadAll('shipClasses', options.shipClasses, MOST_CLASSES, loadShipClass);
+  if (!shipClasses.ok) return shipClasses;
+  const bodies = loadAll('bodies', options.bodies, MOST_BODIES, (body: Body) => loadBody(body));
+  if (!bodies.ok) return bodies;
+  const rows = new Float64Array(options.bodies.length * BODY_STRIDE);
+  for (const [i, body] of options.bodies.entries()) {
+    const reason = writeBodyMotion(rows, i * BODY_STRIDE, body);
+    if (reason !== null) return refused(`bodies[${i}] (${body.name}): ${reason}`);
+  }
+  if (!Object.hasOwn(options.terrains, options.terrain))
+    return refused(`terrain: no terrain named ${options.terrain}`);
+  const world: World = {
+    settings: settings.value,
+    shipClasses: shipClasses.value,
+    bodies: bodies.value,
+    terrainHeight: options.terrains[options.terrain]!,
+  };
+  return accepted({ world, bodies: rows, timing: timing.value });
+}
+
+function loadAll<Given extends { name: string }, Loaded extends LoadedBody | LoadedShipClass>(
+  field: string,
+  given: readonly Given[],
+  most: number,
+  load: (one: Given) => Checked<Loaded>,
+): Checked<readonly Loaded[]> {
+  if (given.length === 0 || given.length > most)
+    return refused(`${field}: expected 1 to ${most}, got ${given.length}`);
+  const loaded: Loaded[] = [];
+  for (const [i, one] of given.entries()) {
+    const checked = load(one);
+    if (!checked.ok) return refused(`${field}[${i}]: ${checked.reason}`);
+    if (loaded.some((other) => other.name === one.name))
+      return refused(`${field}[${i}]: name: ${one.name} is there twice`);
+    loaded.push(checked.value);
+  }
+  return accepted(loaded);
+}

@@ -1,0 +1,92 @@
+import type { Provenance, ShipView, WorldView } from '../prediction';
+import { length } from './axes';
+import { type StatusId, statusOf } from './status';
+
+/** One ship's row. */
+export interface FleetRow {
+  shipId: string;
+  name: string;
+  own: boolean;
+  status: StatusId;
+  provenance: Provenance;
+  withdrawn: ShipView['withdrawn'];
+  /** Height above ground at which it would touch, m; 0 on the ground, NaN without a recent state. */
+  height: number;
+}
+
+/** All ships, those that need help first (HUD, Fleet). */
+export interface FleetReadout {
+  /** In the order shown; only the first `count` are ships of now. */
+  readonly rows: FleetRow[];
+  count: number;
+  /** Ships by status. */
+  readonly counts: Record<StatusId, number>;
+  timeScale: number;
+}
+
+/** TIPPED first, then CONTACT, then the rest; ships of one status keep the view's order. */
+export const FLEET_ORDER: readonly StatusId[] = ['tipped', 'contact', 'crashed', 'flight', 'landed', 'none'];
+
+export function createFleetReadout(): FleetReadout {
+  return {
+    rows: [],
+    count: 0,
+    counts: { none: 0, flight: 0, contact: 0, landed: 0, tipped: 0, crashed: 0 },
+    timeScale: 1,
+  };
+}
+
+/** Fills `out` in two passes over the ships: count, then place. Allocates only where the fleet has grown. */
+export function fleetReadout(view: WorldView, out: FleetReadout): FleetReadout {
+  const ships = view.ready ? view.ships : NO_SHIPS;
+  const { rows, counts } = out;
+  for (const status of FLEET_ORDER) counts[status] = 0;
+  for (const ship of ships) counts[statusOf(ship.shownState)]++;
+  let from = 0;
+  for (const status of FLEET_ORDER) {
+    nextRow[status] = from;
+    from += counts[status];
+  }
+  while (rows.length < ships.length) rows.push(createRow());
+  for (const ship of ships) fillRow(rows[nextRow[statusOf(ship.shownState)]++]!, ship);
+  out.count = ships.length;
+  out.timeScale = view.timeScale;
+  return out;
+}
+
+const NO_SHIPS: readonly ShipView[] = [];
+const nextRow: Record<StatusId, number> = {
+  none: 0,
+  flight: 0,
+  contact: 0,
+  landed: 0,
+  tipped: 0,
+  crashed: 0,
+};
+
+function createRow(): FleetRow {
+  return {
+    shipId: '',
+    name: '',
+    own: false,
+    status: 'none',
+    provenance: 'stale',
+    withdrawn: '',
+    height: NaN,
+  };
+}
+
+function fillRow(row: FleetRow, ship: ShipView): void {
+  row.shipId = ship.shipId;
+  row.name = ship.name;
+  row.own = ship.own;
+  row.status = statusOf(ship.shownState);
+  row.provenance = ship.provenance;
+  row.withdrawn = ship.withdrawn;
+  row.height = ship.provenance === 'stale' ? NaN : heightOf(ship);
+}
+
+function heightOf(ship: ShipView): number {
+  const above = length(ship.position) - ship.groundRadius - ship.shipClass.groundContactOffset;
+  return ship.surfaceState !== '' || above < 0 ? 0 : above;
+}

@@ -1,0 +1,27 @@
+/** Numbers a pilot reads, computed from a view by pure functions: painting decides nothing. */
+
+/** The own ship's landing. */
+export { createLandingReadout, landingReadout, type LandingReadout } from './landing';
+/** All ships, those that need help first. */
+export { createFleetReadout, fleetReadout, type FleetReadout, type FleetRow, FLEET_ORDER } from './fleet';
+/** Status: word, shape and colour together. */
+export { STATUS_LOOKS, type StatusId, type StatusLook } from './status';
+/** Parts of a landing. */
+export { type Descent, DESCENT_CEILING } from './descent';
+export type { Drift } from './drift';
+export type { Gate, Gates } from './gates';
+export type { Righting } from './righting';
+export type { Tilt } from './tilt';
+export type { TipMargin } from './tipping';
+export type { Touchdown } from './touchdown';
+/** What keys are bound to, for hints that name them. */
+export {
+  ROTATION_ACTIONS,
+  type RotationAction,
+  TRANSLATION_ACTIONS,
+  type TranslationAction,
+} from './actions';
+/** Texts of numbers. */
+export * from './formats';
+/** Where a state comes from, in words. */
+export { provenanceText, withdrawnText } from './provenance';

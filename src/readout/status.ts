@@ -1,0 +1,27 @@
+import type { ShipView } from '../prediction';
+
+/** What the one status slot can show (HUD, the design's states). 'none': no ship or no data yet. */
+export type StatusId = 'none' | 'flight' | 'contact' | 'landed' | 'tipped' | 'crashed';
+
+/** Word, shape and colour together, so that none of them alone carries the meaning. */
+export interface StatusLook {
+  readonly id: StatusId;
+  readonly word: string;
+  readonly shape: '◌' | '◇' | '▲' | '■' | '✖';
+  /** Named, not mixed: the style sheet knows the values of both colour schemes. */
+  readonly colour: 'quiet' | 'neutral' | 'yellow' | 'cyan' | 'red';
+}
+
+export const STATUS_LOOKS: Readonly<Record<StatusId, StatusLook>> = Object.freeze({
+  none: { id: 'none', word: 'NO DATA', shape: '◌', colour: 'quiet' },
+  flight: { id: 'flight', word: 'FLIGHT', shape: '◇', colour: 'neutral' },
+  contact: { id: 'contact', word: 'CONTACT', shape: '▲', colour: 'yellow' },
+  landed: { id: 'landed', word: 'LANDED', shape: '■', colour: 'cyan' },
+  tipped: { id: 'tipped', word: 'TIPPED', shape: '✖', colour: 'red' },
+  crashed: { id: 'crashed', word: 'CRASHED', shape: '✖', colour: 'red' },
+});
+
+/** The status of a ship's shown state: the dwelled one; crashed only once the server confirmed it. */
+export function statusOf(shownState: ShipView['shownState']): StatusId {
+  return shownState === '' ? 'flight' : shownState;
+}

@@ -1,0 +1,130 @@
+import { type Body, type BodyMotion, GRAVITATIONAL_CONSTANT, type LoadedShipClass } from '../dynamics';
+import type { ShipView } from '../prediction';
+import { cross, dot, length, toBodyAxes, toInertial } from './axes';
+
+/**
+ * A ship against the ground beneath it: the quantities of DYNAMICS ("Quantities, at the start of a substep"; step 3),
+ * recomputed from a view. SI units, radians, ICRF axes unless said. Nothing here goes back into the simulation, so
+ * Math.atan2 and friends are allowed.
+ */
+export interface Surface {
+  /** n: local up and surface normal, unit. */
+  readonly normal: Float64Array;
+  /** The ship's +Z. */
+  readonly up: Float64Array;
+  /** Local up in ship axes. */
+  readonly normalInShip: Float64Array;
+  /** ‖r‖, m. */
+  distance: number;
+  /** m/s², m/s² · kg = N */
+  gravity: number;
+  mass: number;
+  weight: number;
+  /** thrust · n, N. */
+  lift: number;
+  /** Positive below the surface, m. */
+  penetration: number;
+  /** v_rel · n: positive = rising, m/s. */
+  radialSpeed: number;
+  /** Along the ground, relative to the turning ground, m/s. */
+  readonly tangential: Float64Array;
+  tangentialSpeed: number;
+  /** √(v_radial² + 100 (penetration − depth)²), m/s (step 3). */
+  vertical: number;
+  /** ‖w − Ω‖, rad/s. */
+  spin: number;
+  /** 0 … π. */
+  tilt: number;
+  /** rad/s, positive = leaning over further. */
+  tiltRate: number;
+  /** Height of the lowest foot above the ground, m; 0 while the ground carries the ship. */
+  feetHeight: number;
+  /** Height of the law's own contact height above the ground, m: ‖r‖ − surface_r, negative when sunk in. */
+  clearance: number;
+}
+
+export function createSurface(): Surface {
+  return {
+    normal: new Float64Array(3),
+    up: new Float64Array(3),
+    normalInShip: new Float64Array(3),
+    distance: 0,
+    gravity: 0,
+    mass: 0,
+    weight: 0,
+    lift: 0,
+    penetration: 0,
+    radialSpeed: 0,
+    tangential: new Float64Array(3),
+    tangentialSpeed: 0,
+    vertical: 0,
+    spin: 0,
+    tilt: 0,
+    tiltRate: 0,
+    feetHeight: 0,
+    clearance: 0,
+  };
+}
+
+/** Fills `out` from a ship's predicted truth and its reference body. */
+export function measureSurface(out: Surface, ship: ShipView, body: Body & BodyMotion): void {
+  measurePlace(out, ship, body);
+  measureMotion(out, ship, body);
+  measureLean(out, ship, body);
+  measureHeight(out, ship);
+}
+
+const BODY_UP = Float64Array.of(0, 0, 1);
+const bodySpin = new Float64Array(3);
+const groundVelocity = new Float64Array(3);
+const spinAgainstGround = new Float64Array(3);
+const tiltAxis = new Float64Array(3);
+
+function measurePlace(out: Surface, ship: ShipView, body: Body): void {
+  const r = ship.position;
+  out.distance = length(r);
+  for (let k = 0; k < 3; k++) out.normal[k] = r[k]! / out.distance;
+  out.gravity = (GRAVITATIONAL_CONSTANT * body.mass) / (out.distance * out.distance);
+  out.mass = ship.shipClass.dryMass + ship.fuel;
+  out.weight = out.mass * out.gravity;
+  out.lift = dot(ship.thrust, out.normal);
+  out.clearance = out.distance - (ship.groundRadius + ship.shipClass.groundContactOffset);
+  out.penetration = -out.clearance;
+}
+
+function measureMotion(out: Surface, ship: ShipView, body: BodyMotion): void {
+  for (let k = 0; k < 3; k++) bodySpin[k] = body.angularVelocity[k]!;
+  cross(groundVelocity, bodySpin, ship.position);
+  for (let k = 0; k < 3; k++) out.tangential[k] = ship.velocity[k]! - groundVelocity[k]!;
+  out.radialSpeed = dot(out.tangential, out.normal);
+  for (let k = 0; k < 3; k++) out.tangential[k]! -= out.radialSpeed * out.normal[k]!;
+  out.tangentialSpeed = length(out.tangential);
+  const depth = Math.max(0, out.weight - out.lift) / (100 * out.mass);
+  const stored = out.penetration - depth;
+  out.vertical = Math.sqrt(out.radialSpeed * out.radialSpeed + 100 * stored * stored);
+}
+
+function measureLean(out: Surface, ship: ShipView, body: BodyMotion): void {
+  toInertial(out.up, ship.attitude, BODY_UP);
+  toBodyAxes(out.normalInShip, ship.attitude, out.normal);
+  cross(tiltAxis, out.normal, out.up);
+  const sine = length(tiltAxis);
+  // atan2 keeps its precision at 0 and 90°, where acos and asin lose half the digits.
+  out.tilt = Math.atan2(sine, dot(out.normal, out.up));
+  for (let k = 0; k < 3; k++) spinAgainstGround[k] = ship.angularVelocity[k]! - body.angularVelocity[k]!;
+  out.spin = length(spinAgainstGround);
+  out.tiltRate = sine > 1e-9 ? dot(spinAgainstGround, tiltAxis) / sine : 0;
+}
+
+/** On the ground the drawn legs stand on it, whatever the law's depth (PREDICTION, "nothing is drawn underground"). */
+function measureHeight(out: Surface, ship: ShipView): void {
+  const { groundContactOffset: h, legRadius } = ship.shipClass;
+  const lowestFoot = h * Math.cos(out.tilt) + legRadius * Math.sin(out.tilt);
+  const above = out.distance - ship.groundRadius - lowestFoot;
+  out.feetHeight = ship.surfaceState !== '' || above < 0 ? 0 : above;
+}
+
+/** arctan(leg_radius / h): past it the centre of mass is outside the feet, rad. */
+export function pointOfNoReturn(shipClass: LoadedShipClass): number {
+  return Math.atan2(shipClass.legRadius, shipClass.groundContactOffset);
+}

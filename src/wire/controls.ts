@@ -1,0 +1,40 @@
+import { ATTITUDE_MODES, type Controls, loadControls, NEUTRAL_CONTROLS } from '../dynamics';
+import type { galaxy } from './generated/codec.js';
+import { FINITE } from './limits';
+import { choiceIn, type Fields, flagIn, numberIn, type Reading, refuse } from './reading';
+import { optionalQuaternionIn, optionalVectorIn, quaternionFields, vectorFields } from './vectors';
+
+/**
+ * The six fields of Controls, which ShipState has too. One that is not sent is neutral; what is out of range is clamped
+ * (DYNAMICS, Actuators).
+ */
+export function readControlFields(r: Reading, from: Fields): Controls {
+  const neutral = NEUTRAL_CONTROLS;
+  const sent: Controls = {
+    thrustLevel: numberIn(r, from, 'thrust_level', FINITE, 0),
+    translationInput: optionalVectorIn(r, from, 'translation_input', FINITE) ?? neutral.translationInput,
+    rotationInput: optionalVectorIn(r, from, 'rotation_input', FINITE) ?? neutral.rotationInput,
+    attitudeHold: flagIn(r, from, 'attitude_hold'),
+    attitudeMode: choiceIn(r, from, 'attitude_mode', ATTITUDE_MODES, true),
+    targetAttitude: optionalQuaternionIn(r, from, 'target_attitude') ?? neutral.targetAttitude,
+  };
+  const loaded = loadControls(sent);
+  if (!loaded.ok) {
+    refuse(r, '', loaded.reason);
+    return neutral;
+  }
+  // The target is unit already; normalised once more it could change in the last bit, and client and server would
+  // then apply different inputs.
+  return { ...loaded.value, targetAttitude: sent.targetAttitude };
+}
+
+export function controlFields(controls: Controls): galaxy.stream.Controls.$Properties {
+  return {
+    thrust_level: controls.thrustLevel,
+    translation_input: vectorFields(controls.translationInput),
+    rotation_input: vectorFields(controls.rotationInput),
+    attitude_hold: controls.attitudeHold,
+    attitude_mode: controls.attitudeMode,
+    target_attitude: quaternionFields(controls.targetAttitude),
+  };
+}

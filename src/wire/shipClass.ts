@@ -1,0 +1,54 @@
+import { loadShipClass, type Mat3, type ShipClass } from '../dynamics';
+import type { galaxy } from './generated/codec.js';
+import { CLASS_FIGURE } from './limits';
+import { refuseLoaded } from './loaders';
+import { type Fields, messageIn, nameIn, numberIn, type Reading } from './reading';
+import { vectorFields, vectorIn } from './vectors';
+
+/** A ship class as DYNAMICS, Settings asks of one. */
+export function readShipClass(r: Reading, from: Fields): ShipClass {
+  const shipClass: ShipClass = {
+    name: nameIn(r, from, 'name'),
+    dryMass: numberIn(r, from, 'dry_mass', CLASS_FIGURE),
+    fuelCapacity: numberIn(r, from, 'fuel_capacity', CLASS_FIGURE),
+    inertiaTensor: messageIn(r, from, 'inertia_tensor', readTensor),
+    groundContactOffset: numberIn(r, from, 'ground_contact_offset', CLASS_FIGURE),
+    legRadius: numberIn(r, from, 'leg_radius', CLASS_FIGURE),
+    mainEngineThrust: numberIn(r, from, 'main_engine_thrust', CLASS_FIGURE),
+    mainEngineIsp: numberIn(r, from, 'main_engine_isp', CLASS_FIGURE),
+    rcsThrust: vectorIn(r, from, 'rcs_thrust', CLASS_FIGURE),
+    rcsTorque: vectorIn(r, from, 'rcs_torque', CLASS_FIGURE),
+    rcsLever: numberIn(r, from, 'rcs_lever', CLASS_FIGURE),
+    rcsIsp: numberIn(r, from, 'rcs_isp', CLASS_FIGURE),
+    reactionWheelTorque: vectorIn(r, from, 'reaction_wheel_torque', CLASS_FIGURE),
+  };
+  refuseLoaded(r, loadShipClass(shipClass), `ship class ${shipClass.name}: `);
+  return shipClass;
+}
+
+function readTensor(r: Reading, from: Fields): Mat3 {
+  return [
+    vectorIn(r, from, 'x', CLASS_FIGURE),
+    vectorIn(r, from, 'y', CLASS_FIGURE),
+    vectorIn(r, from, 'z', CLASS_FIGURE),
+  ];
+}
+
+export function shipClassFields(c: ShipClass): galaxy.stream.ShipClass.$Properties {
+  const [x, y, z] = c.inertiaTensor;
+  return {
+    name: c.name,
+    dry_mass: c.dryMass,
+    fuel_capacity: c.fuelCapacity,
+    inertia_tensor: { x: vectorFields(x), y: vectorFields(y), z: vectorFields(z) },
+    ground_contact_offset: c.groundContactOffset,
+    leg_radius: c.legRadius,
+    main_engine_thrust: c.mainEngineThrust,
+    main_engine_isp: c.mainEngineIsp,
+    rcs_thrust: vectorFields(c.rcsThrust),
+    rcs_torque: vectorFields(c.rcsTorque),
+    rcs_lever: c.rcsLever,
+    rcs_isp: c.rcsIsp,
+    reaction_wheel_torque: vectorFields(c.reactionWheelTorque),
+  };
+}

@@ -53,6 +53,7 @@ const tests: UserConfig = {
           name: 'browser',
           environment: 'node',
           include: [BROWSER_TESTS],
+          globalSetup: ['test/browser/globalSetup.ts'],
           // After the node project and one file at a time: a software-rendered page takes a whole core.
           sequence: { groupOrder: 1 },
           fileParallelism: false,

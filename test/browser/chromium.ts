@@ -1,0 +1,154 @@
+/**
+ * Finds a Chromium for the browser tests: the one named by the environment variable CHROMIUM, an installed
+ * Chromium, Chrome or Edge, else the one that @sparticuz/chromium brings through npm (linux on x64 alone).
+ */
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { delimiter, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import type { Browser } from 'playwright-core';
+
+/** A browser to start: its program and what its environment needs beyond ours. */
+export interface ChromiumProgram {
+  readonly path: string;
+  readonly env: Readonly<Record<string, string>>;
+}
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+
+const LINUX_NAMES = [
+  'chromium-headless-shell',
+  'chromium',
+  'chromium-browser',
+  'google-chrome-stable',
+  'google-chrome',
+  'microsoft-edge-stable',
+  'microsoft-edge',
+];
+const MAC_NAMES = ['Google Chrome', 'Chromium', 'Microsoft Edge'];
+const WINDOWS_PATHS = [
+  'Google/Chrome/Application/chrome.exe',
+  'Chromium/Application/chrome.exe',
+  'Microsoft/Edge/Application/msedge.exe',
+];
+
+/** SwiftShader draws the same bits on every machine; the rest keeps the browser from calling home. */
+const ARGS = [
+  '--no-sandbox',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--ignore-gpu-blocklist',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--disable-quic',
+  '--no-first-run',
+];
+
+function installedCandidates(): string[] {
+  const env = process.env;
+  if (process.platform === 'win32') {
+    const folders = [env['ProgramFiles'], env['ProgramFiles(x86)'], env['LocalAppData']];
+    return folders.flatMap((folder) => (folder ? WINDOWS_PATHS.map((path) => join(folder, path)) : []));
+  }
+  if (process.platform === 'darwin') {
+    const folders = ['/Applications', join(env['HOME'] ?? '', 'Applications')];
+    return folders.flatMap((folder) =>
+      MAC_NAMES.map((name) => join(folder, `${name}.app/Contents/MacOS`, name)),
+    );
+  }
+  const folders = (env['PATH'] ?? '').split(delimiter).filter((folder) => folder !== '');
+  return LINUX_NAMES.flatMap((name) => folders.map((folder) => join(folder, name)));
+}
+
+/** Some systems install a `chromium-browser` that only tells where to get one. Windows' browsers print no version. */
+function starts({ path, env }: ChromiumProgram): boolean {
+  if (process.platform === 'win32') return true;
+  return spawnSync(path, ['--version'], { timeout: 20_000, env: { ...process.env, ...env } }).status === 0;
+}
+
+/** Whether the system lacks a library that the program at `path` is linked with. */
+function lacksLibraries(path: string): boolean {
+  const ldd = spawnSync('ldd', [path], { encoding: 'utf8' });
+  return ldd.status !== 0 || ldd.stdout.includes('not found');
+}
+
+/** Runs `work` with environment variables set for its duration. */
+async function withEnv<T>(changes: Record<string, string>, work: () => Promise<T>): Promise<T> {
+  const before = Object.keys(changes).map((key) => [key, process.env[key]] as const);
+  Object.assign(process.env, changes);
+  try {
+    return await work();
+  } finally {
+    for (const [key, value] of before) {
+      if (value === undefined) Reflect.deleteProperty(process.env, key);
+      else process.env[key] = value;
+    }
+  }
+}
+
+/**
+ * Unpacks the npm Chromium into `dir`. The package unpacks into os.tmpdir() and takes whatever lies there for
+ * whole, so this unpacks aside and renames. Told that it is on Amazon's system, the package also unpacks nss,
+ * nspr and expat, for systems without them.
+ */
+async function unpack(dir: string): Promise<void> {
+  const aside = `${dir}.${process.pid}`;
+  mkdirSync(aside, { recursive: true });
+  const told = {
+    TMPDIR: aside,
+    AWS_EXECUTION_ENV: 'AWS_Lambda_nodejs20.x',
+    LD_LIBRARY_PATH: '',
+    FONTCONFIG_PATH: '',
+  };
+  await withEnv(told, async () => {
+    const { default: packed } = await import('@sparticuz/chromium');
+    await packed.executablePath();
+  });
+  const fonts = `<?xml version="1.0"?><fontconfig><dir>${dir}/fonts</dir><cachedir>${dir}/fonts-cache</cachedir></fontconfig>`;
+  writeFileSync(join(aside, 'fonts/fonts.conf'), fonts);
+  renameSync(aside, dir);
+}
+
+/** The Chromium that came with npm, unpacked once per version, or null where it does not run. */
+async function npmChromium(): Promise<ChromiumProgram | null> {
+  if (process.platform !== 'linux' || process.arch !== 'x64') return null;
+  const manifest = join(ROOT, 'node_modules/@sparticuz/chromium/package.json');
+  if (!existsSync(manifest)) return null;
+  const { version } = JSON.parse(readFileSync(manifest, 'utf8')) as { version: string };
+  const dir = join(ROOT, 'node_modules/.cache/touchdown', `chromium-${version}`);
+  if (!existsSync(dir)) await unpack(dir);
+  const path = join(dir, 'chromium');
+  const env: Record<string, string> = {};
+  if (lacksLibraries(path)) env['LD_LIBRARY_PATH'] = join(dir, 'al2023/lib');
+  if (!existsSync('/etc/fonts/fonts.conf')) env['FONTCONFIG_PATH'] = join(dir, 'fonts');
+  const program = { path, env };
+  return starts(program) ? program : null;
+}
+
+/**
+ * The Chromium to test with, or null when the machine has none and npm brings none for it.
+ * @throws when CHROMIUM names a file that is not there: a wish that cannot be met is not passed over.
+ */
+export async function findChromium(): Promise<ChromiumProgram | null> {
+  const wished = process.env['CHROMIUM'];
+  if (wished) {
+    if (!existsSync(wished)) throw new Error(`CHROMIUM names ${wished}, which does not exist`);
+    return { path: wished, env: {} };
+  }
+  const installed = installedCandidates().find((path) => existsSync(path) && starts({ path, env: {} }));
+  return installed ? { path: installed, env: {} } : npmChromium();
+}
+
+/** Starts the browser, headless, drawing in software. */
+export function launchChromium(program: ChromiumProgram): Promise<Browser> {
+  const inherited = Object.entries(process.env).filter(
+    (pair): pair is [string, string] => pair[1] !== undefined,
+  );
+  return chromium.launch({
+    executablePath: program.path,
+    args: ARGS,
+    env: { ...Object.fromEntries(inherited), ...program.env },
+  });
+}

@@ -1,0 +1,78 @@
+/**
+ * Before the browser tests: finds a Chromium, builds the page and serves it, and starts a development server
+ * for the pages of test/browser/pages. Without a Chromium the tests are skipped, and the count of them is said.
+ */
+import { spawnSync } from 'node:child_process';
+import { fileURLToPath } from 'node:url';
+import { createServer } from 'vite';
+import type { ViteDevServer } from 'vite';
+import type { TestProject } from 'vitest/node';
+import { findChromium } from './chromium';
+import type { ChromiumProgram } from './chromium';
+import { serveFolder } from './staticServer';
+
+declare module 'vitest' {
+  interface ProvidedContext {
+    /** The browser to test with; null: there is none, the browser tests are skipped. */
+    chromium: ChromiumProgram | null;
+    /** Address of the built page under the strict content security policy, ending with a slash. */
+    builtPage: string;
+    /** Address of the development server whose root is the repository, ending with a slash. */
+    devServer: string;
+  }
+}
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+
+/** Builds as `npm run build` does, in a process of its own: vitest's NODE_ENV would make it a test build. */
+function buildPage(): void {
+  const env = { ...process.env };
+  for (const key of Object.keys(env)) if (/^(NODE_ENV|VITEST.*)$/.test(key)) Reflect.deleteProperty(env, key);
+  const run = spawnSync(process.execPath, ['.ci/build.mjs', 'page'], { cwd: ROOT, env, encoding: 'utf8' });
+  if (run.status !== 0) throw new Error(`the page does not build:\n${run.stdout}${run.stderr}`);
+}
+
+function startDevServer(): Promise<ViteDevServer> {
+  return createServer({
+    configFile: false,
+    root: ROOT,
+    publicDir: 'public',
+    logLevel: 'error',
+    cacheDir: 'node_modules/.cache/touchdown/dev-server',
+    // Found one after the other, each of these would reload the page under a running test.
+    optimizeDeps: { include: ['three', 'gl-matrix', 'protobufjs/minimal', 'uplot'], entries: [] },
+    server: { host: '127.0.0.1', port: 0, hmr: false, watch: null },
+    appType: 'mpa',
+  }).then((server) => server.listen());
+}
+
+/** Says how many tests had no browser; where nothing may be skipped there is none to count. */
+function skipped(project: TestProject): () => void {
+  return () => {
+    const modules = project.vitest.state.getTestModules().filter((module) => module.project === project);
+    const count = modules.flatMap((module) => [...module.children.allTests('skipped')]).length;
+    console.log(`browser tests: ${count} skipped, no Chromium found (install one, or name one in CHROMIUM)`);
+  };
+}
+
+export default async function setup(project: TestProject): Promise<() => void | Promise<void>> {
+  const program = await findChromium();
+  project.provide('chromium', program);
+  if (program === null) {
+    if (process.env['CI'] || process.env['TOUCHDOWN_NO_SKIP']) {
+      throw new Error(
+        'no Chromium found, and nothing may be skipped here: install one, or name one in CHROMIUM',
+      );
+    }
+    project.provide('builtPage', '');
+    project.provide('devServer', '');
+    return skipped(project);
+  }
+  buildPage();
+  const [built, dev] = await Promise.all([serveFolder(`${ROOT}dist/page`), startDevServer()]);
+  project.provide('builtPage', built.url);
+  project.provide('devServer', dev.resolvedUrls?.local[0] ?? '');
+  return async () => {
+    await Promise.all([built.close(), dev.close()]);
+  };
+}

@@ -1,0 +1,75 @@
+/**
+ * Opens pages in the real browser for a test:
+ *   describeInBrowser('…', () => { it('…', async () => { const page = await openBuiltPage('?scenario=settle'); … }) })
+ * A page opened inside a test closes with the test, one opened in beforeAll with its file.
+ */
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, describe, expect, inject, onTestFinished } from 'vitest';
+import { launchChromium } from './chromium';
+
+export interface PageOptions {
+  /** Size of the window in CSS pixels; 1280 × 720 unless told. */
+  readonly viewport?: { readonly width: number; readonly height: number };
+  /** 'light' unless told. */
+  readonly colorScheme?: 'light' | 'dark';
+  readonly reducedMotion?: 'reduce' | 'no-preference';
+}
+
+const program = inject('chromium');
+const problems = new WeakMap<Page, string[]>();
+let browser: Promise<Browser> | undefined;
+
+/** `describe`, skipped (and counted as such) on a machine without a Chromium. */
+export const describeInBrowser = describe.skipIf(program === null);
+
+/** The browser of this test file, started at first use. */
+export function theBrowser(): Promise<Browser> {
+  if (program === null) throw new Error('there is no Chromium: put the test into describeInBrowser');
+  browser ??= launchChromium(program);
+  return browser;
+}
+
+afterAll(async () => {
+  await (await browser)?.close();
+  browser = undefined;
+});
+
+/** What went wrong on the page so far: uncaught errors, console errors (policy violations too), failed requests. */
+export function problemsOf(page: Page): readonly string[] {
+  return problems.get(page) ?? [];
+}
+
+function watchForProblems(page: Page): void {
+  const found: string[] = [];
+  problems.set(page, found);
+  page.on('pageerror', (error) => found.push(`uncaught: ${error.message}`));
+  page.on('crash', () => found.push('the page crashed'));
+  page.on('console', (message) => {
+    if (message.type() === 'error') found.push(`console: ${message.text()}`);
+  });
+  page.on('requestfailed', (request) => {
+    found.push(`request: ${request.url()} ${request.failure()?.errorText ?? ''}`);
+  });
+}
+
+/** Opens any address; resolves when the page's load event has fired. */
+export async function openUrl(url: string, options: PageOptions = {}): Promise<Page> {
+  const context = await (
+    await theBrowser()
+  ).newContext({ viewport: { width: 1280, height: 720 }, colorScheme: 'light', ...options });
+  if (expect.getState().currentTestName !== undefined) onTestFinished(() => context.close());
+  const page = await context.newPage();
+  watchForProblems(page);
+  await page.goto(url);
+  return page;
+}
+
+/** Opens the built page under the strict content security policy. `query` is like "?scenario=settle&freeze=3". */
+export function openBuiltPage(query = '', options: PageOptions = {}): Promise<Page> {
+  return openUrl(inject('builtPage') + query, options);
+}
+
+/** Opens test/browser/pages/`name` (like "hud.html?state=tipped") from the development server: TypeScript runs as it is. */
+export function openTestPage(name: string, options: PageOptions = {}): Promise<Page> {
+  return openUrl(`${inject('devServer')}test/browser/pages/${name}`, options);
+}

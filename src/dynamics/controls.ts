@@ -26,7 +26,7 @@ export interface Controls {
 }
 
 /** The controls at spawn. */
-export const NEUTRAL_CONTROLS: Controls = Object.freeze({
+export const NEUTRAL_CONTROLS: Controls = Object.freeze<Controls>({
   thrustLevel: 0,
   translationInput: [0, 0, 0],
   rotationInput: [0, 0, 0],

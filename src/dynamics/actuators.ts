@@ -1,0 +1,58 @@
+import { controlAttitude } from './attitudeControl';
+import { FUEL, LANDED, SURFACE_STATE, THRUST_LEVEL, TRANSLATION_INPUT } from './layout';
+import {
+  AXES,
+  DT,
+  LIFT,
+  MASS,
+  MASS_RATIO,
+  NORMAL,
+  quantity as q,
+  RCS_TORQUE_SUM,
+  START,
+  type Step,
+  THRUST,
+  TORQUE,
+} from './quantities';
+
+/** Step 1: torque in body axes, thrust in ICRF, fuel burnt. Mass and inertia are those from before the burn. */
+export function actuate(step: Step): void {
+  const { ships, at, shipClass } = step;
+  q[MASS] = shipClass.dryMass + ships[at + FUEL]!;
+  q[MASS_RATIO] = q[MASS] / shipClass.fullMass;
+  q[TORQUE] = 0;
+  q[TORQUE + 1] = 0;
+  q[TORQUE + 2] = 0;
+  q[RCS_TORQUE_SUM] = 0;
+  // A landed ship is attached: no torque, nothing burnt for attitude.
+  if (ships[at + SURFACE_STATE] !== LANDED) controlAttitude(step);
+  push(step);
+  q[LIFT] =
+    q[THRUST]! * q[START + NORMAL]! +
+    q[THRUST + 1]! * q[START + NORMAL + 1]! +
+    q[THRUST + 2]! * q[START + NORMAL + 2]!;
+}
+
+/** Main engine and translation thrusters, and the fuel that they and the RCS torque burn. */
+function push(step: Step): void {
+  const { ships, at, shipClass } = step;
+  const fuel = ships[at + FUEL]!;
+  if (!(fuel > 0)) {
+    q[THRUST] = 0;
+    q[THRUST + 1] = 0;
+    q[THRUST + 2] = 0;
+    return;
+  }
+  const main = ships[at + THRUST_LEVEL]! * shipClass.mainEngineThrust;
+  const fx = ships[at + TRANSLATION_INPUT]! * shipClass.rcsThrust[0];
+  const fy = ships[at + TRANSLATION_INPUT + 1]! * shipClass.rcsThrust[1];
+  const fz = ships[at + TRANSLATION_INPUT + 2]! * shipClass.rcsThrust[2];
+  const along = fz + main;
+  q[THRUST] = q[AXES]! * fx + q[AXES + 1]! * fy + q[AXES + 2]! * along;
+  q[THRUST + 1] = q[AXES + 3]! * fx + q[AXES + 4]! * fy + q[AXES + 5]! * along;
+  q[THRUST + 2] = q[AXES + 6]! * fx + q[AXES + 7]! * fy + q[AXES + 8]! * along;
+
+  const rcs = Math.abs(fx) + Math.abs(fy) + Math.abs(fz) + q[RCS_TORQUE_SUM]! * shipClass.forcePerTorque;
+  const left = fuel - (main * shipClass.mainEngineFlow + rcs * shipClass.rcsFlow) * q[DT]!;
+  ships[at + FUEL] = left > 0 ? left : 0;
+}

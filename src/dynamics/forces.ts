@@ -1,0 +1,158 @@
+import {
+  BODY_ANGULAR_VELOCITY,
+  CONTACT,
+  FLYING,
+  IMPACT_SPEED,
+  POSITION,
+  SURFACE_STATE,
+  TIPPED,
+  VELOCITY,
+} from './layout';
+import {
+  DEPTH,
+  DT,
+  LIFT,
+  MASS,
+  NORMAL,
+  NORMAL_FORCE,
+  PENETRATION,
+  quantity as q,
+  RADIAL_SPEED,
+  START,
+  type Step,
+  TANGENTIAL_SPEED,
+  TANGENTIAL_VELOCITY,
+  THRUST,
+  WEIGHT,
+} from './quantities';
+
+/** k / m, s⁻²: the contact spring (DYNAMICS, Normal force). */
+export const STIFFNESS = 100;
+
+/** Static penetration under `load` newtons of net weight on mass `mass`, m. */
+export function staticDepth(load: number, mass: number): number {
+  return load > 0 ? load / (STIFFNESS * mass) : 0;
+}
+
+/** v_radial² + 100 (penetration − depth)²: vertical speed squared, the spring's stored energy counted in. */
+export function verticalSquared(surface: number, depth: number): number {
+  const sunk = q[surface + PENETRATION]! - depth;
+  return q[surface + RADIAL_SPEED]! * q[surface + RADIAL_SPEED]! + STIFFNESS * (sunk * sunk);
+}
+
+/** Step 3: the depth it would rest at, and whether the ground holds a tipped ship where it stands. */
+export function isPinned(step: Step): boolean {
+  const { ships, at } = step;
+  const state = ships[at + SURFACE_STATE]!;
+  if (state === FLYING) return false;
+  const load = q[WEIGHT]! - q[LIFT]!;
+  q[DEPTH] = staticDepth(load, q[MASS]!);
+  if (state !== TIPPED || !(q[START + PENETRATION]! > 0)) return false;
+  const { contactSettleLinearVel, contactFrictionStatic } = step.world.settings;
+  if (!(verticalSquared(START, q[DEPTH]) < contactSettleLinearVel * contactSettleLinearVel)) return false;
+  if (!(q[START + TANGENTIAL_SPEED]! < contactSettleLinearVel)) return false;
+  const lift = q[LIFT]!;
+  const px = q[THRUST]! - lift * q[START + NORMAL]!;
+  const py = q[THRUST + 1]! - lift * q[START + NORMAL + 1]!;
+  const pz = q[THRUST + 2]! - lift * q[START + NORMAL + 2]!;
+  return Math.sqrt(px * px + py * py + pz * pz) <= contactFrictionStatic * (load > 0 ? load : 0);
+}
+
+/** Step 4: F_n. Spring and damper of a ship in the ground; what is left of the weight where it is pinned. */
+export function normalForce(step: Step, pinned: boolean): void {
+  const { ships, at } = step;
+  if (pinned) {
+    const load = q[WEIGHT]! - q[LIFT]!;
+    q[NORMAL_FORCE] = load > 0 ? load : 0;
+  } else if (ships[at + SURFACE_STATE] !== FLYING && q[START + PENETRATION]! > 0) {
+    // c = 2 ζ √(k m) with k = 100 m.
+    const damping = settlesWithoutBounce(step) ? 20 : 20 * step.world.settings.contactDampingRatio;
+    const force = q[MASS]! * (STIFFNESS * q[START + PENETRATION]! - damping * q[START + RADIAL_SPEED]!);
+    q[NORMAL_FORCE] = force > 0 ? force : 0;
+  } else {
+    q[NORMAL_FORCE] = 0;
+  }
+}
+
+/** Tipped, or in the contact of a touch not above contact_bounce_speed. Asked of grounded ships. */
+function settlesWithoutBounce(step: Step): boolean {
+  const { ships, at } = step;
+  return (
+    ships[at + SURFACE_STATE] === TIPPED ||
+    ships[at + IMPACT_SPEED]! <= step.world.settings.contactBounceSpeed
+  );
+}
+
+/** Step 5: friction, semi-implicit Euler, and no bounce out of a settling contact. */
+export function moveByForces(step: Step): void {
+  const { ships, at } = step;
+  const dt = q[DT]!;
+  const nx = q[START + NORMAL]!;
+  const ny = q[START + NORMAL + 1]!;
+  const nz = q[START + NORMAL + 2]!;
+  const perMass = dt / q[MASS]!;
+  const radial = q[NORMAL_FORCE]! - q[WEIGHT]!;
+  const friction = frictionPerSpeed(step);
+  const ux =
+    ships[at + VELOCITY]! + (radial * nx - friction * q[START + TANGENTIAL_VELOCITY]! + q[THRUST]!) * perMass;
+  const uy =
+    ships[at + VELOCITY + 1]! +
+    (radial * ny - friction * q[START + TANGENTIAL_VELOCITY + 1]! + q[THRUST + 1]!) * perMass;
+  const uz =
+    ships[at + VELOCITY + 2]! +
+    (radial * nz - friction * q[START + TANGENTIAL_VELOCITY + 2]! + q[THRUST + 2]!) * perMass;
+  ships[at + VELOCITY] = ux;
+  ships[at + VELOCITY + 1] = uy;
+  ships[at + VELOCITY + 2] = uz;
+  if (risesFromSettling(step)) capRise(step);
+  ships[at + POSITION] = ships[at + POSITION]! + ships[at + VELOCITY]! * dt;
+  ships[at + POSITION + 1] = ships[at + POSITION + 1]! + ships[at + VELOCITY + 1]! * dt;
+  ships[at + POSITION + 2] = ships[at + POSITION + 2]! + ships[at + VELOCITY + 2]! * dt;
+}
+
+/** Size of the friction over ‖v_tangential‖, N s/m. Above 1 cm/s kinetic, and never more than stops the slide in this substep. */
+function frictionPerSpeed(step: Step): number {
+  const force = q[NORMAL_FORCE]!;
+  const speed = q[START + TANGENTIAL_SPEED]!;
+  if (!(force > 0 && speed > 0)) return 0;
+  const { contactFrictionKinetic, contactFrictionStatic } = step.world.settings;
+  const stop = (q[MASS]! * speed) / q[DT]!;
+  const kinetic = contactFrictionKinetic * force;
+  if (speed > 0.01) return (kinetic < stop ? kinetic : stop) / speed;
+  return (stop <= contactFrictionStatic * force ? stop : kinetic) / speed;
+}
+
+function risesFromSettling(step: Step): boolean {
+  const state = step.ships[step.at + SURFACE_STATE]!;
+  return (
+    (state === CONTACT || state === TIPPED) &&
+    q[START + PENETRATION]! > 0 &&
+    q[LIFT]! <= q[WEIGHT]! &&
+    settlesWithoutBounce(step)
+  );
+}
+
+/** The upward speed of a settling ship ends at the static depth: the excess is taken off along n. */
+function capRise(step: Step): void {
+  const { ships, at, bodies, bodyAt } = step;
+  const nx = q[START + NORMAL]!;
+  const ny = q[START + NORMAL + 1]!;
+  const nz = q[START + NORMAL + 2]!;
+  const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const rx = ships[at + POSITION]!;
+  const ry = ships[at + POSITION + 1]!;
+  const rz = ships[at + POSITION + 2]!;
+  const vx = ships[at + VELOCITY]! - (oy * rz - oz * ry);
+  const vy = ships[at + VELOCITY + 1]! - (oz * rx - ox * rz);
+  const vz = ships[at + VELOCITY + 2]! - (ox * ry - oy * rx);
+  const rise = vx * nx + vy * ny + vz * nz;
+  const toRest = (q[START + PENETRATION]! - q[DEPTH]!) / q[DT]!;
+  const most = toRest > 0 ? toRest : 0;
+  if (!(rise > most)) return;
+  const excess = rise - most;
+  ships[at + VELOCITY] = ships[at + VELOCITY]! - excess * nx;
+  ships[at + VELOCITY + 1] = ships[at + VELOCITY + 1]! - excess * ny;
+  ships[at + VELOCITY + 2] = ships[at + VELOCITY + 2]! - excess * nz;
+}

@@ -1,0 +1,96 @@
+import { ANGULAR_VELOCITY, BODY_ANGULAR_VELOCITY } from './layout';
+import { AXES, AXIS, DT, END, FROM, NORMAL, quantity as q, ROTATION, type Step, TO } from './quantities';
+import { perpendicularAxis, rotateAttitude, shortestRotation } from './rotations';
+import { cosTilt, readAxes } from './surface';
+
+/**
+ * Step 8: the hull of a tipped ship rests on its side. Past 90° of tilt the ground's impulse stops it from turning further,
+ * and it is turned back, at 1 rad/s or by what is left. Reads END and AXES as they are after the step; leaves AXES current.
+ */
+export function restOnSide(step: Step): void {
+  const cos = cosTilt(END);
+  if (!(cos < 0)) return;
+  findAxis();
+  stopFurtherTilt(step);
+  const { ships, at } = step;
+  const dt = q[DT]!;
+  if (-cos > dt) {
+    const half = -0.5 * dt;
+    const x = half * q[AXIS]!;
+    const y = half * q[AXIS + 1]!;
+    const z = half * q[AXIS + 2]!;
+    const perLength = 1 / Math.sqrt(x * x + y * y + z * z + 1);
+    q[ROTATION] = x * perLength;
+    q[ROTATION + 1] = y * perLength;
+    q[ROTATION + 2] = z * perLength;
+    q[ROTATION + 3] = perLength;
+  } else {
+    layFlat(cos);
+  }
+  rotateAttitude(ships, at);
+  readAxes(step);
+}
+
+/** AXIS = unit(n × up), the axis the ship tips about; any level one where it stands on its head. */
+function findAxis(): void {
+  const nx = q[END + NORMAL]!;
+  const ny = q[END + NORMAL + 1]!;
+  const nz = q[END + NORMAL + 2]!;
+  const x = ny * q[AXES + 8]! - nz * q[AXES + 5]!;
+  const y = nz * q[AXES + 2]! - nx * q[AXES + 8]!;
+  const z = nx * q[AXES + 5]! - ny * q[AXES + 2]!;
+  const length = Math.sqrt(x * x + y * y + z * z);
+  if (length <= 1e-6) {
+    perpendicularAxis(END + NORMAL);
+    return;
+  }
+  const perLength = 1 / length;
+  q[AXIS] = x * perLength;
+  q[AXIS + 1] = y * perLength;
+  q[AXIS + 2] = z * perLength;
+}
+
+/**
+ * w −= j s / (j · axis), j = I_world⁻¹ axis: the ground's impulse about the axis. The mass ratio in I cancels.
+ * Along the axis alone it would feed the other axes of a full tensor for ever.
+ */
+function stopFurtherTilt(step: Step): void {
+  const { ships, at, bodies, bodyAt } = step;
+  const ax = q[AXIS]!;
+  const ay = q[AXIS + 1]!;
+  const az = q[AXIS + 2]!;
+  const wx = ships[at + ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  const wy = ships[at + ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  const wz = ships[at + ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const speed = wx * ax + wy * ay + wz * az;
+  if (!(speed > 0)) return;
+  const inverse = step.shipClass.inverseInertia;
+  const bx = q[AXES]! * ax + q[AXES + 3]! * ay + q[AXES + 6]! * az;
+  const by = q[AXES + 1]! * ax + q[AXES + 4]! * ay + q[AXES + 7]! * az;
+  const bz = q[AXES + 2]! * ax + q[AXES + 5]! * ay + q[AXES + 8]! * az;
+  const ix = inverse[0]! * bx + inverse[1]! * by + inverse[2]! * bz;
+  const iy = inverse[3]! * bx + inverse[4]! * by + inverse[5]! * bz;
+  const iz = inverse[6]! * bx + inverse[7]! * by + inverse[8]! * bz;
+  const jx = q[AXES]! * ix + q[AXES + 1]! * iy + q[AXES + 2]! * iz;
+  const jy = q[AXES + 3]! * ix + q[AXES + 4]! * iy + q[AXES + 5]! * iz;
+  const jz = q[AXES + 6]! * ix + q[AXES + 7]! * iy + q[AXES + 8]! * iz;
+  const impulse = speed / (jx * ax + jy * ay + jz * az);
+  ships[at + ANGULAR_VELOCITY] = ships[at + ANGULAR_VELOCITY]! - jx * impulse;
+  ships[at + ANGULAR_VELOCITY + 1] = ships[at + ANGULAR_VELOCITY + 1]! - jy * impulse;
+  ships[at + ANGULAR_VELOCITY + 2] = ships[at + ANGULAR_VELOCITY + 2]! - jz * impulse;
+}
+
+/** ROTATION = the shortest rotation that takes up to unit(up − cos_tilt n). */
+function layFlat(cos: number): void {
+  q[FROM] = q[AXES + 2]!;
+  q[FROM + 1] = q[AXES + 5]!;
+  q[FROM + 2] = q[AXES + 8]!;
+  const x = q[FROM] - cos * q[END + NORMAL]!;
+  const y = q[FROM + 1]! - cos * q[END + NORMAL + 1]!;
+  const z = q[FROM + 2]! - cos * q[END + NORMAL + 2]!;
+  const perLength = 1 / Math.sqrt(x * x + y * y + z * z);
+  q[TO] = x * perLength;
+  q[TO + 1] = y * perLength;
+  q[TO + 2] = z * perLength;
+  shortestRotation();
+}

@@ -1,0 +1,91 @@
+import { actuate } from './actuators';
+import { isPinned, moveByForces, normalForce } from './forces';
+import {
+  BODY_AXES,
+  BODY_END_AXES,
+  BODY_STRIDE,
+  CRASHED,
+  FLYING,
+  IMPACT_SPEED,
+  LANDED,
+  NO_EVENT,
+  REFERENCE_BODY,
+  SHIP_CLASS,
+  SURFACE_STATE,
+  TIPPED,
+} from './layout';
+import { DT, END, GRAVITY, LIFT, MASS, quantity as q, START, type Step, WEIGHT } from './quantities';
+import { restOnSide } from './rest';
+import { turnAttitudeWithGround, turnPlaceWithGround } from './rotations';
+import { readAxes, readSurface } from './surface';
+import { turnByTorques } from './topple';
+import { makeTransition } from './transitions';
+import type { World } from './world';
+
+/**
+ * One substep of one ship, in the order of DYNAMICS ("One substep, in this order").
+ * @param ships rows; the one at `at` is changed
+ * @param bodies rows, turned for this substep by `turnBodies` (step 7)
+ * @param dt game seconds, at most 0.01
+ * @returns what happened, an index into EVENT_NAMES
+ */
+export function substep(
+  ships: Float64Array,
+  at: number,
+  bodies: Float64Array,
+  world: World,
+  dt: number,
+): number {
+  if (ships[at + CRASHED] === 1) return NO_EVENT; // 0
+  const step = begin(ships, at, bodies, world);
+  q[DT] = dt;
+  readAxes(step);
+  readSurface(START, step, BODY_AXES);
+  actuate(step); // 1
+  if (staysLanded(step)) return NO_EVENT; // 2
+  const pinned = isPinned(step); // 3
+  normalForce(step, pinned); // 4
+  if (!pinned) moveByForces(step); // 5
+  turnByTorques(step); // 6
+  if (pinned) turnPlaceWithGround(step); // 8
+  readAxes(step);
+  readSurface(END, step, BODY_END_AXES);
+  if (ships[at + SURFACE_STATE] === TIPPED) restOnSide(step); // 8
+  return makeTransition(step); // 9
+}
+
+const step: Step = {
+  ships: new Float64Array(0),
+  at: 0,
+  bodies: new Float64Array(0),
+  bodyAt: 0,
+} as Step;
+
+function begin(ships: Float64Array, at: number, bodies: Float64Array, world: World): Step {
+  const reference = ships[at + REFERENCE_BODY]!;
+  step.ships = ships;
+  step.at = at;
+  step.bodies = bodies;
+  step.bodyAt = reference * BODY_STRIDE;
+  step.body = world.bodies[reference]!;
+  step.shipClass = world.shipClasses[ships[at + SHIP_CLASS]!]!;
+  step.world = world;
+  return step;
+}
+
+/** Step 2: lift above the weight launches a landed or tipped ship; one that stays landed turns with the ground. */
+function staysLanded(step: Step): boolean {
+  const { ships, at } = step;
+  const state = ships[at + SURFACE_STATE]!;
+  q[WEIGHT] = q[MASS]! * q[START + GRAVITY]!;
+  if (state !== LANDED && state !== TIPPED) return false;
+  if (q[LIFT]! > q[WEIGHT]) {
+    ships[at + SURFACE_STATE] = FLYING;
+    ships[at + IMPACT_SPEED] = 0;
+    return false;
+  }
+  if (state === TIPPED) return false;
+  turnPlaceWithGround(step);
+  turnAttitudeWithGround(step);
+  return true;
+}

@@ -1,0 +1,98 @@
+/** Where the eye is, around a point that follows the ship. Angles in radians, lengths in metres, local axes. */
+export interface CameraRig {
+  azimuth: number;
+  elevation: number;
+  distance: number;
+  /** Local, doubles. */
+  readonly focus: Float64Array;
+  readonly eye: Float64Array;
+}
+
+interface Motion {
+  readonly velocity: Float64Array;
+  azimuth: number;
+  elevation: number;
+  distance: number;
+  started: boolean;
+}
+
+/** 1/s: how fast the view follows the ship and the hand. */
+const FOLLOW = 5;
+const HAND = 9;
+/** Beyond this the ship has been put elsewhere: m. */
+const JUMP = 60;
+
+export type MovingRig = CameraRig & { readonly motion: Motion };
+
+export function createRig(azimuth: number, elevation: number, distance: number): MovingRig {
+  return {
+    azimuth,
+    elevation,
+    distance,
+    focus: new Float64Array(3),
+    eye: new Float64Array(3),
+    motion: { velocity: new Float64Array(3), azimuth, elevation, distance, started: false },
+  };
+}
+
+export function turnRig(rig: MovingRig, azimuth: number, elevation: number): void {
+  rig.azimuth += azimuth;
+  rig.elevation = Math.min(Math.max(rig.elevation + elevation, -0.25), 1.5);
+}
+
+export function zoomRig(rig: MovingRig, factor: number, closest: number): void {
+  rig.distance = Math.min(Math.max(rig.distance * factor, closest), 4000);
+}
+
+/** The next update takes the ship's place at once. */
+export function releaseRig(rig: MovingRig): void {
+  rig.motion.started = false;
+}
+
+/**
+ * Follows by a critically damped spring towards the drawn ship that knows the ship's own velocity: it does not lag behind a
+ * steady flight, and neither a correction nor a bounce makes the picture jump.
+ */
+export function updateRig(
+  rig: MovingRig,
+  target: Float64Array,
+  velocity: Float64Array,
+  seconds: number,
+): void {
+  const { focus, motion } = rig;
+  const far = Math.hypot(target[0]! - focus[0]!, target[1]! - focus[1]!, target[2]! - focus[2]!) > JUMP;
+  if (!motion.started || far) {
+    focus.set(target);
+    motion.velocity.set(velocity);
+    motion.azimuth = rig.azimuth;
+    motion.elevation = rig.elevation;
+    motion.distance = rig.distance;
+    motion.started = true;
+  }
+  const steps = Math.max(1, Math.ceil(seconds / 0.02));
+  const dt = seconds / steps;
+  for (let n = 0; n < steps; n++) {
+    for (let i = 0; i < 3; i++) {
+      // The target as it was while this step ran.
+      const then = target[i]! - velocity[i]! * (seconds - dt * (n + 1));
+      const pull = FOLLOW * FOLLOW * (then - focus[i]!) + 2 * FOLLOW * (velocity[i]! - motion.velocity[i]!);
+      motion.velocity[i] = motion.velocity[i]! + pull * dt;
+      focus[i] = focus[i]! + motion.velocity[i]! * dt;
+    }
+  }
+  const ease = 1 - Math.exp(-HAND * seconds);
+  motion.azimuth += (rig.azimuth - motion.azimuth) * ease;
+  motion.elevation += (rig.elevation - motion.elevation) * ease;
+  motion.distance += (rig.distance - motion.distance) * ease;
+}
+
+/** The eye around the focus, never lower than `ground(x, z)` + 1 m. */
+export function placeEye(rig: MovingRig, ground: (x: number, z: number) => number): void {
+  const { focus, eye, motion } = rig;
+  const cos = Math.cos(motion.elevation);
+  eye[0] = focus[0]! + motion.distance * cos * Math.cos(motion.azimuth);
+  eye[1] = focus[1]! + motion.distance * Math.sin(motion.elevation);
+  eye[2] = focus[2]! + motion.distance * cos * Math.sin(motion.azimuth);
+  const lowest = ground(eye[0], eye[2]) + 1;
+  if (eye[1] < lowest) eye[1] = lowest;
+}

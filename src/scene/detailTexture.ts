@@ -1,0 +1,113 @@
+import { DataTexture, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, RGBAFormat } from 'three';
+import { cellNoise, tiledNoise } from './noise';
+
+const SIZE = 256;
+
+/**
+ * What the terrain callback does not know: grain, pebbles and small pits, as slopes (R, G; 0.5 = level), brightness (B) and
+ * stoniness (A). It repeats; the ground samples it at several scales. Only light plays on it: nothing stands on it.
+ */
+export function createDetailTexture(): DataTexture {
+  const heights = new Float32Array(SIZE * SIZE);
+  grain(heights);
+  pits(heights, { count: 90, seed: 3, largest: 26 });
+  const stones = pebbles(heights);
+  const texture = new DataTexture(toBytes(heights, stones), SIZE, SIZE, RGBAFormat);
+  texture.wrapS = RepeatWrapping;
+  texture.wrapT = RepeatWrapping;
+  texture.magFilter = LinearFilter;
+  texture.minFilter = LinearMipmapLinearFilter;
+  texture.generateMipmaps = true;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+function grain(heights: Float32Array): void {
+  for (let k = 0; k < SIZE; k++) {
+    for (let i = 0; i < SIZE; i++) {
+      let sum = 0;
+      let size = 1;
+      for (let period = 4; period <= 128; period *= 2) {
+        sum += size * (tiledNoise((i / SIZE) * period, (k / SIZE) * period, period, period) - 0.5);
+        size *= 0.53;
+      }
+      heights[k * SIZE + i] = sum * 9;
+    }
+  }
+}
+
+interface Pits {
+  readonly count: number;
+  readonly seed: number;
+  readonly largest: number;
+}
+
+/** Bowls with a raised rim; many small ones, few large. */
+function pits(heights: Float32Array, { count, seed, largest }: Pits): void {
+  for (let n = 0; n < count; n++) {
+    const x = cellNoise(n, 1, seed) * SIZE;
+    const y = cellNoise(n, 2, seed) * SIZE;
+    const radius = 2 + largest * cellNoise(n, 3, seed) ** 5;
+    stamp(heights, { x, y, reach: radius * 1.6 }, (d) => {
+      const t = d / radius;
+      return t < 1 ? radius * 0.28 * (t * t - 0.75) : radius * 0.07 * Math.max(0, 1 - (t - 1) / 0.6);
+    });
+  }
+}
+
+/** Small stones; gives how stony each texel is. */
+function pebbles(heights: Float32Array): Float32Array {
+  const stones = new Float32Array(SIZE * SIZE);
+  for (let n = 0; n < 620; n++) {
+    const x = cellNoise(n, 7, 11) * SIZE;
+    const y = cellNoise(n, 8, 11) * SIZE;
+    const radius = 0.8 + 2.6 * cellNoise(n, 9, 11) ** 4;
+    const dome = (d: number) => (d < radius ? Math.sqrt(radius * radius - d * d) * 0.9 : 0);
+    stamp(heights, { x, y, reach: radius }, dome);
+    stamp(stones, { x, y, reach: radius }, (d) => (d < radius ? 1 : 0));
+  }
+  return stones;
+}
+
+interface Spot {
+  readonly x: number;
+  readonly y: number;
+  readonly reach: number;
+}
+
+function stamp(field: Float32Array, { x, y, reach }: Spot, height: (distance: number) => number): void {
+  const from = Math.ceil(-reach);
+  for (let dk = from; dk <= reach; dk++) {
+    for (let di = from; di <= reach; di++) {
+      const i = Math.round(x) + di;
+      const k = Math.round(y) + dk;
+      const d = Math.hypot(i - x, k - y);
+      if (d > reach) continue;
+      const at = ((k + SIZE) % SIZE) * SIZE + ((i + SIZE) % SIZE);
+      field[at] = field[at]! + height(d);
+    }
+  }
+}
+
+function toBytes(heights: Float32Array, stones: Float32Array): Uint8Array {
+  const bytes = new Uint8Array(SIZE * SIZE * 4);
+  const at = (i: number, k: number) => heights[((k + SIZE) % SIZE) * SIZE + ((i + SIZE) % SIZE)]!;
+  for (let k = 0; k < SIZE; k++) {
+    for (let i = 0; i < SIZE; i++) {
+      const slopeX = (at(i + 1, k) - at(i - 1, k)) / 2;
+      const slopeY = (at(i, k + 1) - at(i, k - 1)) / 2;
+      const patch = tiledNoise((i / SIZE) * 8, (k / SIZE) * 8, 8, 41) * 0.6;
+      const fine = tiledNoise((i / SIZE) * 64, (k / SIZE) * 64, 64, 43) * 0.4;
+      const to = (k * SIZE + i) * 4;
+      bytes[to] = toByte(0.5 + slopeX * 0.35);
+      bytes[to + 1] = toByte(0.5 + slopeY * 0.35);
+      bytes[to + 2] = toByte(patch + fine);
+      bytes[to + 3] = toByte(stones[k * SIZE + i]!);
+    }
+  }
+  return bytes;
+}
+
+function toByte(value: number): number {
+  return Math.round(255 * Math.min(Math.max(value, 0), 1));
+}

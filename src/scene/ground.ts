@@ -1,0 +1,153 @@
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  Group,
+  Mesh,
+  type ShaderMaterial,
+  Sphere,
+  Vector3,
+} from 'three';
+import type { TerrainHeight } from '../dynamics';
+import { GRAIN_PERIOD } from './groundMaterial';
+import type { LocalFrame } from './localFrame';
+import {
+  CELLS,
+  cornerFor,
+  createLevel,
+  layOutLevel,
+  moveLevel,
+  shadeLevel,
+  type TerrainLevel,
+  writeTriangles,
+} from './terrainLevel';
+
+/** Spacing of the finest level, m: between its vertices the drawn ground is within a millimetre of smooth terrain. */
+const FINEST = 0.4;
+/** A level moves when the ship is this many cells from its centre. */
+const SLACK = 6;
+
+export interface Ground {
+  readonly group: Group;
+  /** Lays the ground for another frame or terrain at once. */
+  lay(frame: LocalFrame, terrainHeight: TerrainHeight): void;
+  /** Follows a local point: a few levels a call move, coarsest first. */
+  follow(x: number, z: number, levelsAtOnce: number): void;
+  /** Places the meshes relative to the eye (local, m). */
+  place(eye: Float64Array): void;
+  dispose(): void;
+}
+
+interface Ring {
+  readonly level: TerrainLevel;
+  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
+  readonly indices: Uint16Array;
+  holeKey: number;
+}
+
+/** How many levels reach the horizon of a body as seen from some kilometres above it. */
+function levelCount(radius: number): number {
+  const reach = Math.min(3 * radius, 260_000);
+  return Math.ceil(Math.log2(reach / ((CELLS / 2) * FINEST))) + 1;
+}
+
+export function createGround(material: ShaderMaterial): Ground {
+  const group = new Group();
+  let rings: Ring[] = [];
+  let place: { frame: LocalFrame; terrainHeight: TerrainHeight } | null = null;
+
+  const drop = () => {
+    for (const ring of rings) {
+      group.remove(ring.mesh);
+      ring.mesh.geometry.dispose();
+    }
+    rings = [];
+  };
+
+  const follow = (x: number, z: number, levelsAtOnce: number) => {
+    if (place === null) return;
+    let left = levelsAtOnce;
+    let changed = false;
+    for (let n = rings.length - 1; n >= 0 && left > 0; n--) {
+      const { level, mesh } = rings[n]!;
+      const cornerX = cornerFor(level, x);
+      const cornerZ = cornerFor(level, z);
+      const off = Math.max(Math.abs(cornerX - level.cornerX), Math.abs(cornerZ - level.cornerZ));
+      if (level.filled && off <= SLACK) continue;
+      moveLevel(level, [cornerX, cornerZ], place.frame, place.terrainHeight);
+      shadeLevel(level, rings[n + 1]?.level ?? null, place.frame);
+      layOutLevel(level);
+      upload(mesh.geometry);
+      left--;
+      changed = true;
+    }
+    if (changed) rings.forEach((ring, n) => cutHole(ring, rings[n - 1] ?? null));
+  };
+
+  return {
+    group,
+    lay(frame, terrainHeight) {
+      drop();
+      place = { frame, terrainHeight };
+      rings = Array.from({ length: levelCount(frame.radius) }, (_, n) =>
+        createRing(FINEST * 2 ** n, material),
+      );
+      for (const ring of rings) group.add(ring.mesh);
+    },
+    follow,
+    place(eye) {
+      for (const { level, mesh } of rings) {
+        const { origin } = level;
+        mesh.position.set(origin[0]! - eye[0]!, origin[1]! - eye[1]!, origin[2]! - eye[2]!);
+      }
+    },
+    dispose: drop,
+  };
+}
+
+function createRing(spacing: number, material: ShaderMaterial): Ring {
+  const level = createLevel(spacing);
+  const geometry = new BufferGeometry();
+  const indices = new Uint16Array(CELLS * CELLS * 6);
+  const dynamic = (array: Float32Array | Uint16Array, size: number) =>
+    new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
+  geometry.setAttribute('position', dynamic(level.positions, 3));
+  geometry.setAttribute('normal', dynamic(level.normals, 3));
+  geometry.setAttribute('sunlit', dynamic(level.sunlit, 1));
+  geometry.setIndex(dynamic(indices, 1));
+  geometry.boundingSphere = new Sphere(new Vector3(), CELLS * spacing);
+  const mesh = new Mesh(geometry, material);
+  mesh.receiveShadow = true;
+  mesh.frustumCulled = false;
+  // The grain's origin per level: kept small, so that it stays exact far from the frame's origin.
+  mesh.onBeforeRender = () => {
+    const { origin } = level;
+    const [x, z] = [origin[0]!, origin[2]!];
+    const small = GRAIN_PERIOD / 128;
+    const grain = material.uniforms['grainOrigin']!.value as number[];
+    grain[0] = x % small;
+    grain[1] = z % small;
+    grain[2] = x % GRAIN_PERIOD;
+    grain[3] = z % GRAIN_PERIOD;
+    material.uniformsNeedUpdate = true;
+  };
+  return { level, mesh, indices, holeKey: NaN };
+}
+
+function upload(geometry: BufferGeometry): void {
+  for (const name of ['position', 'normal', 'sunlit']) geometry.getAttribute(name).needsUpdate = true;
+}
+
+/** Leaves out what the finer level covers, where that changed. */
+function cutHole(ring: Ring, finer: Ring | null): void {
+  const { level } = ring;
+  const key =
+    finer === null
+      ? 0
+      : (finer.level.cornerX / 2 - level.cornerX) * 4096 + (finer.level.cornerZ / 2 - level.cornerZ);
+  if (key === ring.holeKey) return;
+  ring.holeKey = key;
+  const { geometry } = ring.mesh;
+  geometry.setDrawRange(0, writeTriangles(ring.indices, level, finer?.level ?? null));
+  geometry.index!.needsUpdate = true;
+}

@@ -1,0 +1,155 @@
+import { type BufferGeometry, type Group, Mesh, type ShaderMaterial } from 'three';
+import { quat } from 'gl-matrix';
+import type { ShipView, WorldView } from '../prediction';
+import { createDustState, type DustState } from './dustSources';
+import { askedTurn, buildJets, canBurn, firePower, writePower } from './jets';
+import { type LocalFrame, rotate, toLocalPoint, type Turn } from './localFrame';
+import { buildShip } from './models';
+import type { ShipMaterial } from './shipMaterial';
+import type { ShipModel } from './shipModel';
+
+/** How the drawn ship stands on the drawn ground (PREDICTION, What is drawn): what standOnGround gives. */
+export interface Standing {
+  /** m along the local up by which the drawn pose is moved. */
+  lift: number;
+  /** How far each of the four legs is pushed in, m; feet at azimuths 0°, 90°, 180°, 270°. */
+  readonly legs: Float64Array;
+}
+
+export type StandOnGround = (out: Standing, ship: ShipView, view: WorldView) => void;
+
+/** One ship on the stage. Places and velocities in local axes, doubles. */
+export interface ShipActor {
+  readonly className: string;
+  readonly model: ShipModel;
+  readonly mesh: Mesh<BufferGeometry>;
+  readonly jets: Mesh<BufferGeometry, ShaderMaterial>;
+  readonly power: Float32Array;
+  readonly standing: Standing;
+  readonly place: Float64Array;
+  readonly velocity: Float64Array;
+  readonly turn: Float64Array;
+  readonly blows: Float64Array;
+  readonly dust: DustState;
+  seen: number;
+}
+
+/** Geometries by class and air: built once, shared by all ships of the class. */
+export interface ModelShelf {
+  model(ship: ShipView): ShipModel;
+  jets(ship: ShipView, inAir: boolean): BufferGeometry;
+  dispose(): void;
+}
+
+export function createShelf(): ModelShelf {
+  const models = new Map<string, ShipModel>();
+  const jets = new Map<string, BufferGeometry>();
+  const model = (ship: ShipView) => {
+    const { name } = ship.shipClass;
+    const known = models.get(name) ?? buildShip(ship.shipClass);
+    models.set(name, known);
+    return known;
+  };
+  return {
+    model,
+    jets(ship, inAir) {
+      const key = `${ship.shipClass.name} ${inAir}`;
+      const known = jets.get(key) ?? buildJets(model(ship), inAir);
+      jets.set(key, known);
+      return known;
+    },
+    dispose() {
+      for (const known of models.values()) known.geometry.dispose();
+      for (const known of jets.values()) known.dispose();
+    },
+  };
+}
+
+export interface Wardrobe {
+  readonly shelf: ModelShelf;
+  readonly own: ShipMaterial;
+  readonly others: ShipMaterial;
+  readonly jet: ShaderMaterial;
+}
+
+export function createActor(ship: ShipView, wardrobe: Wardrobe, inAir: boolean): ShipActor {
+  const model = wardrobe.shelf.model(ship);
+  const material = ship.own ? wardrobe.own : wardrobe.others;
+  const mesh = new Mesh(model.geometry, material.surface);
+  mesh.customDepthMaterial = material.shadow;
+  mesh.castShadow = true;
+  mesh.receiveShadow = true;
+  const standing: Standing = { lift: 0, legs: new Float64Array(4) };
+  const power = new Float32Array(36);
+  const jets = new Mesh(wardrobe.shelf.jets(ship, inAir), wardrobe.jet);
+  jets.frustumCulled = false;
+  jets.renderOrder = 3;
+  firePower(jets, power);
+  mesh.add(jets);
+  return {
+    className: ship.shipClass.name,
+    model,
+    mesh,
+    jets,
+    power,
+    standing,
+    place: new Float64Array(3),
+    velocity: new Float64Array(3),
+    turn: new Float64Array(4),
+    blows: new Float64Array(3),
+    dust: createDustState(),
+    seen: 0,
+  };
+}
+
+export function removeActor(actor: ShipActor, group: Group): void {
+  group.remove(actor.mesh);
+}
+
+const rates = new Float64Array(3);
+const asked = new Float64Array(3);
+const spin = new Float64Array(3);
+const inverse = new Float64Array(4);
+
+/** Where the ship is drawn and what its nozzles do. */
+export function poseActor(
+  actor: ShipActor,
+  ship: ShipView,
+  view: WorldView,
+  frame: LocalFrame,
+  turn: Turn,
+): void {
+  toLocalPoint(actor.place, frame, turn, ship.drawnPosition);
+  actor.place[1] = actor.place[1]! + actor.standing.lift;
+  quat.multiply(actor.turn, turn.quaternion, ship.drawnAttitude);
+  const [wx, wy, wz] = view.bodies[ship.body]!.angularVelocity;
+  const [x, y, z] = [ship.position[0]!, ship.position[1]!, ship.position[2]!];
+  spin[0] = ship.velocity[0]! - (wy * z - wz * y);
+  spin[1] = ship.velocity[1]! - (wz * x - wx * z);
+  spin[2] = ship.velocity[2]! - (wx * y - wy * x);
+  rotate(actor.velocity, turn.matrix, spin);
+
+  const burns = !ship.crashed && canBurn(ship.shipClass, ship.fuel);
+  actor.jets.visible = burns;
+  if (!burns) return;
+  quat.conjugate(inverse, ship.attitude);
+  rotateByQuat(rates, inverse, ship.angularVelocity);
+  askedTurn(asked, ship.controls, rates);
+  if (ship.surfaceState === 'landed') asked.fill(0);
+  writePower(actor.power, actor.model, ship.controls, asked);
+  actor.blows.fill(0);
+  actor.blows[2] = -1;
+  rotateByQuat(actor.blows, actor.turn, actor.blows);
+}
+
+/** out = q · v · q⁻¹; `out` may be `v`. */
+export function rotateByQuat(out: Float64Array, q: Float64Array, v: ArrayLike<number>): void {
+  const [qx, qy, qz, qw] = [q[0]!, q[1]!, q[2]!, q[3]!];
+  const [x, y, z] = [v[0]!, v[1]!, v[2]!];
+  const tx = 2 * (qy * z - qz * y);
+  const ty = 2 * (qz * x - qx * z);
+  const tz = 2 * (qx * y - qy * x);
+  out[0] = x + qw * tx + (qy * tz - qz * ty);
+  out[1] = y + qw * ty + (qz * tx - qx * tz);
+  out[2] = z + qw * tz + (qx * ty - qy * tx);
+}

@@ -1,0 +1,349 @@
+import {
+  ACESFilmicToneMapping,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Quaternion,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { flatTerrain, GRAVITATIONAL_CONSTANT, type TerrainHeight } from '../dynamics';
+import type { ShipView, WorldView } from '../prediction';
+import { type BodyLook, lookOf } from './bodyLook';
+import { createRig, placeEye, releaseRig, turnRig, updateRig, zoomRig } from './cameraRig';
+import { createDetailTexture } from './detailTexture';
+import { createDust } from './dust';
+import { raiseDust } from './dustSources';
+import { createGround } from './ground';
+import { createGroundMaterial, paintGround } from './groundMaterial';
+import { createJetMaterial } from './jets';
+import { createTurn, layFrame, type LocalFrame, rotate, toLocalPoint, turnOfFrame } from './localFrame';
+import { createOverlays, type OverlayChoice, type OverlayPlaces } from './overlays';
+import { createRocks } from './rocks';
+import {
+  createActor,
+  createShelf,
+  poseActor,
+  removeActor,
+  type ShipActor,
+  type StandOnGround,
+} from './shipActor';
+import { createShipMaterial } from './shipMaterial';
+import { createSky } from './sky';
+import { createSunlight } from './sunlight';
+import { groundPoint } from './terrainLevel';
+
+export interface StageOptions {
+  readonly canvas: HTMLCanvasElement;
+  /** Lifts drawn poses onto the drawn ground and presses their legs in. */
+  readonly standOnGround: StandOnGround;
+}
+
+/** The picture: owns the WebGL context. Made by createStage, which throws where there is no WebGL 2. */
+export interface Stage {
+  /** What lies over the picture; change it at will. */
+  readonly overlays: OverlayChoice;
+  /** The ground of the next draw; before the first call it is flat. */
+  setTerrain(terrainHeight: TerrainHeight): void;
+  /** Draws a ready view. `seconds` is a clock for easing and effects: monotone, and still while time stands still. */
+  draw(view: WorldView, seconds: number): void;
+  /** CSS pixels and device pixels a CSS pixel. */
+  resize(width: number, height: number, pixelRatio: number): void;
+  /** rad; positive turns the eye to the right and up. */
+  turnCamera(azimuth: number, elevation: number): void;
+  /** Multiplies the distance. */
+  zoomCamera(factor: number): void;
+  /** Back to the first view, at once. */
+  resetCamera(): void;
+  dispose(): void;
+}
+
+/** Where the eye starts: from the shadow's side, a little above the ground. */
+const FIRST_AZIMUTH = 2.05;
+const FIRST_ELEVATION = 0.16;
+/** Distance in heights of the centre of mass over the feet. */
+const FIRST_DISTANCE = 5.2;
+/** A frame is laid anew this far from its origin, m: the tangent plane still fits the ground. */
+const FRAME_REACH = 20_000;
+
+export function createStage(options: StageOptions): Stage {
+  const renderer = new WebGLRenderer({
+    canvas: options.canvas,
+    antialias: true,
+    reversedDepthBuffer: true,
+    powerPreference: 'high-performance',
+  });
+  renderer.toneMapping = ACESFilmicToneMapping;
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.type = PCFShadowMap;
+  const scene = new Scene();
+  const camera = new PerspectiveCamera(48, 16 / 9, 0.4, 600_000);
+  const detail = createDetailTexture();
+  const groundMaterial = createGroundMaterial(detail);
+  const ground = createGround(groundMaterial);
+  const sky = createSky(detail);
+  const light = createSunlight();
+  const rocks = createRocks();
+  const dust = createDust();
+  const overlays = createOverlays();
+  const wardrobe = {
+    shelf: createShelf(),
+    own: createShipMaterial(),
+    others: createShipMaterial(),
+    jet: createJetMaterial(),
+  };
+  scene.add(sky.group, ground.group, light.group, rocks.mesh, dust.points, overlays.group);
+  const rig = createRig(FIRST_AZIMUTH, FIRST_ELEVATION, 24);
+  const choice: OverlayChoice = {
+    ghost: false,
+    errorSegment: false,
+    contactNormal: false,
+    footprint: false,
+    forces: false,
+  };
+
+  let terrain = flatTerrain;
+  let frame: LocalFrame | null = null;
+  let look: BodyLook = lookOf('');
+  let watchedClass = '';
+  let before = NaN;
+  let count = 0;
+  const turn = createTurn();
+  const actors = new Map<string, ShipActor>();
+  const point = new Float64Array(3);
+  const places = createPlaces();
+
+  const lay = (view: WorldView, ship: ShipView) => {
+    const body = view.bodies[ship.body]!;
+    look = lookOf(body.name);
+    // The attitude's inverse turns the ship's place into body axes.
+    const axes = turnOfFrame(
+      createTurn(),
+      { bodyName: '', radius: 0, axes: Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1), sunSlope: 0 },
+      body.attitude,
+    );
+    rotate(point, axes.matrix, ship.drawnPosition);
+    frame = layFrame(body, point, look.sun);
+    ground.lay(frame, terrain);
+    rocks.lay(frame, terrain);
+    light.paint(look, frame);
+    paintGround(groundMaterial, look, light.direction);
+    sky.paint(look, light.direction);
+    wardrobe.own.paint(look);
+    wardrobe.others.paint(look);
+    rocks.paint(look);
+    dust.paint(look);
+    dust.clear();
+    releaseRig(rig);
+    for (const [id, actor] of actors) {
+      removeActor(actor, ground.group);
+      actors.delete(id);
+    }
+  };
+
+  const groundY = (x: number, z: number) => {
+    groundPoint(point, 0, x, z, { frame: frame!, terrainHeight: terrain });
+    return point[1]!;
+  };
+
+  const drawShips = (view: WorldView, body: number, seconds: number) => {
+    count++;
+    for (const ship of view.ships) {
+      if (ship.body !== body) continue;
+      let actor = actors.get(ship.shipId);
+      if (actor === undefined || actor.className !== ship.shipClass.name) {
+        if (actor !== undefined) removeActor(actor, ground.group);
+        actor = createActor(ship, wardrobe, look.air !== null);
+        actors.set(ship.shipId, actor);
+        ground.group.add(actor.mesh);
+      }
+      actor.seen = count;
+      options.standOnGround(actor.standing, ship, view);
+      poseActor(actor, ship, view, frame!, turn);
+      if (ship.own || view.ships.length < 12) raise(actor, ship, seconds);
+    }
+    for (const [id, actor] of actors) {
+      if (actor.seen === count) continue;
+      removeActor(actor, ground.group);
+      actors.delete(id);
+    }
+  };
+
+  const raise = (actor: ShipActor, ship: ShipView, seconds: number) => {
+    const [x, z] = [actor.place[0]!, actor.place[2]!];
+    raiseDust(
+      dust,
+      actor.dust,
+      {
+        place: actor.place,
+        velocity: actor.velocity,
+        groundY: groundY(x, z),
+        feetHeight: 0,
+        legRadius: ship.shipClass.legRadius,
+        grounded: ship.surfaceState !== '' && !ship.crashed,
+        impactSpeed: ship.impactSpeed,
+        thrust: ship.crashed ? 0 : ship.shipClass.mainEngineThrust * ship.controls.thrustLevel,
+        blows: actor.blows,
+      },
+      seconds,
+    );
+  };
+
+  const seat = (actor: ShipActor, eye: Float64Array) => {
+    const { place, turn: q } = actor;
+    actor.mesh.position.set(place[0]! - eye[0]!, place[1]! - eye[1]!, place[2]! - eye[2]!);
+    actor.mesh.quaternion.set(q[0]!, q[1]!, q[2]!, q[3]!);
+  };
+
+  const layOverlays = (view: WorldView, ship: ShipView, actor: ShipActor) => {
+    const { eye } = rig;
+    places.ship.copy(actor.mesh.position);
+    places.ghostKnown = ship.serverKnown;
+    toLocalPoint(point, frame!, turn, ship.serverPosition);
+    places.ghost.set(point[0]! - eye[0]!, point[1]! - eye[1]!, point[2]! - eye[2]!);
+    places.ghostTurn.set(turn.quaternion[0]!, turn.quaternion[1]!, turn.quaternion[2]!, turn.quaternion[3]!);
+    const [gx, gy, gz, gw] = [0, 1, 2, 3].map((i) => ship.serverAttitude[i]!);
+    places.ghostTurn.multiply(ghostAttitude.set(gx!, gy!, gz!, gw!));
+    const [x, z] = [actor.place[0]!, actor.place[2]!];
+    places.foot.set(x - eye[0]!, groundY(x, z) - eye[1]!, z - eye[2]!);
+    places.legRadius = ship.shipClass.legRadius;
+    const mass = ship.shipClass.dryMass + ship.fuel;
+    const body = view.bodies[ship.body]!;
+    const range = Math.hypot(ship.position[0]!, ship.position[1]!, ship.position[2]!);
+    const gravity = (GRAVITATIONAL_CONSTANT * body.mass) / (range * range);
+    rotate(point, turn.matrix, ship.thrust);
+    places.thrust.set(point[0]! / mass, point[1]! / mass, point[2]! / mass);
+    rotate(point, turn.matrix, ship.position);
+    places.up.set(point[0]!, point[1]!, point[2]!).normalize();
+    places.weight.copy(places.up).multiplyScalar(-gravity);
+    const carried = ship.surfaceState === '' ? 0 : Math.max(0, gravity - places.thrust.dot(places.up));
+    places.support.copy(places.up).multiplyScalar(carried);
+  };
+  const ghostAttitude = new Quaternion();
+
+  return {
+    overlays: choice,
+    setTerrain(terrainHeight) {
+      terrain = terrainHeight;
+      frame = null;
+    },
+    draw(view, seconds) {
+      const watched = view.own ?? view.ships[0];
+      if (!view.ready || watched === undefined) return;
+      const body = view.bodies[watched.body]!;
+      const passed = Number.isNaN(before) ? 0 : Math.min(Math.max(seconds - before, 0), 0.25);
+      before = seconds;
+      if (frame?.bodyName !== body.name || frame.radius !== body.radius) lay(view, watched);
+      turnOfFrame(turn, frame!, body.attitude);
+      toLocalPoint(point, frame!, turn, watched.drawnPosition);
+      if (Math.hypot(point[0]!, point[2]!) > FRAME_REACH) {
+        lay(view, watched);
+        turnOfFrame(turn, frame!, body.attitude);
+      }
+      if (watched.shipClass.name !== watchedClass) {
+        watchedClass = watched.shipClass.name;
+        rig.distance = FIRST_DISTANCE * watched.shipClass.groundContactOffset;
+        overlays.wear(wardrobe.shelf.model(watched).geometry);
+        releaseRig(rig);
+      }
+      const gravity = (GRAVITATIONAL_CONSTANT * body.mass) / body.radius ** 2;
+      dust.update(
+        seconds,
+        gravity,
+        renderer.domElement.height / (2 * Math.tan((camera.fov * Math.PI) / 360)),
+      );
+      drawShips(view, watched.body, passed);
+      const actor = actors.get(watched.shipId)!;
+      updateRig(rig, actor.place, actor.velocity, passed);
+      placeEye(rig, groundY);
+      const { eye, focus } = rig;
+      const first = count === 1;
+      ground.follow(actor.place[0]!, actor.place[2]!, first ? Infinity : 2);
+      rocks.follow(actor.place[0]!, actor.place[2]!);
+      ground.place(eye);
+      rocks.place(eye);
+      dust.points.position.set(-eye[0]!, -eye[1]!, -eye[2]!);
+      for (const each of actors.values()) seat(each, eye);
+      const height = actor.place[1]! - groundY(actor.place[0]!, actor.place[2]!);
+      const size = watched.shipClass.groundContactOffset * 2.2;
+      light.follow(actor.place, eye, size, size * 2 + Math.max(height, 0) / light.direction.y);
+      sky.look(eye[1]!, body.radius, turn.quaternion);
+      if (anyChosen(choice)) layOverlays(view, watched, actor);
+      const { legs } = actor.standing;
+      wardrobe.own.compression.set(legs[0]!, legs[1]!, legs[2]!, legs[3]!);
+      overlays.group.visible = anyChosen(choice);
+      if (overlays.group.visible) overlays.update(choice, places);
+      camera.up.set(0, 1, 0);
+      camera.lookAt(focus[0]! - eye[0]!, focus[1]! - eye[1]!, focus[2]! - eye[2]!);
+      shineOnGround(actor, watched);
+      wardrobe.jet.uniforms['flicker']!.value = 0.92 + 0.08 * Math.sin(seconds * 61) * Math.sin(seconds * 37);
+      renderer.render(scene, camera);
+    },
+    resize(width, height, pixelRatio) {
+      renderer.setPixelRatio(pixelRatio);
+      renderer.setSize(width, height, false);
+      camera.aspect = width / height;
+      // A tall window sees as much to the sides as a square one.
+      camera.fov = camera.aspect >= 1 ? 48 : 62;
+      camera.updateProjectionMatrix();
+    },
+    turnCamera(azimuth, elevation) {
+      turnRig(rig, azimuth, elevation);
+    },
+    zoomCamera(factor) {
+      zoomRig(rig, factor, 8);
+    },
+    resetCamera() {
+      rig.azimuth = FIRST_AZIMUTH;
+      rig.elevation = FIRST_ELEVATION;
+      watchedClass = '';
+    },
+    dispose() {
+      for (const owned of [
+        ground,
+        sky,
+        light,
+        rocks,
+        dust,
+        overlays,
+        wardrobe.shelf,
+        wardrobe.own,
+        wardrobe.others,
+      ])
+        owned.dispose();
+      wardrobe.jet.dispose();
+      groundMaterial.dispose();
+      detail.dispose();
+      renderer.dispose();
+    },
+  };
+
+  function shineOnGround(actor: ShipActor, ship: ShipView): void {
+    const flame = groundMaterial.uniforms['flame']!.value as number[];
+    const { position } = actor.mesh;
+    const reach = ship.shipClass.groundContactOffset * 0.8;
+    flame[0] = position.x + actor.blows[0]! * reach;
+    flame[1] = position.y + actor.blows[1]! * reach;
+    flame[2] = position.z + actor.blows[2]! * reach;
+    flame[3] = actor.jets.visible ? ship.controls.thrustLevel * 60 : 0;
+  }
+}
+
+function anyChosen(choice: OverlayChoice): boolean {
+  return choice.ghost || choice.errorSegment || choice.contactNormal || choice.footprint || choice.forces;
+}
+
+function createPlaces(): OverlayPlaces & { ghostKnown: boolean; legRadius: number } {
+  return {
+    ship: new Vector3(),
+    ghost: new Vector3(),
+    ghostTurn: new Quaternion(),
+    ghostKnown: false,
+    foot: new Vector3(),
+    up: new Vector3(),
+    legRadius: 1,
+    thrust: new Vector3(),
+    weight: new Vector3(),
+    support: new Vector3(),
+  };
+}

@@ -1,0 +1,12 @@
+/** Both HUDs: painting only. What they show is decided in readout. */
+import './hud.css';
+
+export {
+  createCockpitLandingHud,
+  createCockpitLandingHud as cockpitLandingHud,
+  type Hud,
+  type LandingHudOptions,
+} from './landingHud';
+export { createFleetHud, createFleetHud as fleetHud } from './fleetHud';
+/** Names keys in hints. */
+export type { KeyLabel } from './rightingPanel';

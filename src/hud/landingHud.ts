@@ -1,0 +1,64 @@
+import type { LandingReadout } from '../readout';
+import { createAnnouncer } from './announcer';
+import { createCrossPointer } from './crossPointer';
+import { createDescentPanel } from './descentPanel';
+import { append } from './elements';
+import { createGatesPanel } from './gatesPanel';
+import { createRightingPanel, type KeyLabel } from './rightingPanel';
+import { showPart } from './shown';
+import { createStatusSlot } from './statusSlot';
+import { createTiltPanel } from './tiltPanel';
+import { createTouchdownCard } from './touchdownCard';
+
+/** Paints one readout after the other; holds DOM until disposed. */
+export interface Hud<Readout> {
+  /** Touches the DOM only where what is shown changed. */
+  readonly paint: (readout: Readout) => void;
+  /** Takes everything out of the host again. */
+  readonly dispose: () => void;
+}
+
+export interface LandingHudOptions {
+  /** Names the keys in the righting help; without it the help names the axes alone. */
+  readonly keyLabel?: KeyLabel;
+}
+
+/**
+ * The cockpit's landing HUD, appended to `host` (HUD, the design and beyond it). Needs the page to load hud.css, and no
+ * permission of a content security policy.
+ */
+export function createCockpitLandingHud(
+  document: Document,
+  host: Element,
+  options: LandingHudOptions = {},
+): Hud<LandingReadout> {
+  const root = document.createElement('section');
+  root.className = 'hud hud-landing';
+  root.setAttribute('aria-label', 'Landing');
+  const paintStatus = createStatusSlot(root);
+  const instruments = append(root, 'div', 'hud-instruments');
+  const paintTilt = createTiltPanel(instruments);
+  const paintDrift = createCrossPointer(instruments);
+  const paintDescent = createDescentPanel(instruments);
+  const landed = append(root, 'p', 'hud-landed', 'Landed');
+  const paintLanded = showPart(landed);
+  const paintGates = createGatesPanel(root);
+  const paintRighting = createRightingPanel(root, options.keyLabel ?? (() => ''));
+  const paintCard = createTouchdownCard(root);
+  const announce = createAnnouncer(root);
+  host.append(root);
+  return {
+    paint: (readout) => {
+      paintStatus(readout);
+      paintTilt(readout);
+      paintDrift(readout.drift, readout.tilt);
+      paintDescent(readout.descent);
+      paintLanded(readout.status === 'landed');
+      paintGates(readout.gates);
+      paintRighting(readout.righting);
+      paintCard(readout);
+      announce(readout);
+    },
+    dispose: () => root.remove(),
+  };
+}

@@ -1,0 +1,151 @@
+import {
+  DURATION,
+  MASS,
+  type Righting,
+  type RotationAction,
+  TORQUE,
+  type TranslationAction,
+} from '../readout';
+import { append } from './elements';
+import { showAttribute, showNumber, showPart, showText } from './shown';
+
+/** The text on the key that an action is bound to now; '' when it has none. Asked anew at every paint. */
+export type KeyLabel = (action: RotationAction | TranslationAction) => string;
+
+/** The design's words. */
+const HINT = 'Use RCS rotation to right the ship';
+
+const ACTION_WORDS: Readonly<Record<RotationAction | TranslationAction, string>> = {
+  pitchPlus: 'pitch +',
+  pitchMinus: 'pitch −',
+  yawPlus: 'yaw +',
+  yawMinus: 'yaw −',
+  rollPlus: 'roll +',
+  rollMinus: 'roll −',
+  translateXPlus: 'thrusters +X',
+  translateXMinus: 'thrusters −X',
+  translateYPlus: 'thrusters +Y',
+  translateYMinus: 'thrusters −Y',
+  translateZPlus: 'thrusters +Z',
+  translateZMinus: 'thrusters −Z',
+};
+
+/** What to press, whether it suffices, and if not what else may help (HUD, Righting help). */
+export function createRightingPanel(parent: Element, keyLabel: KeyLabel): (righting: Righting) => void {
+  const panel = append(parent, 'div', 'hud-righting');
+  append(panel, 'p', 'hud-hint', HINT);
+  const hold = append(panel, 'p', 'hud-hold');
+  append(hold, 'span', 'hud-label', 'HOLD');
+  const paintFirst = createKey(hold, keyLabel);
+  const paintSecond = createKey(hold, keyLabel);
+  const paintTorque = createTorque(panel);
+  const paintFuel = createFuel(panel);
+  const paintVerdict = createVerdict(panel, keyLabel);
+  const paintShown = showPart(panel);
+  return (righting) => {
+    paintShown(righting.shown);
+    if (!righting.shown) return;
+    paintFirst(righting.actions[0] ?? '');
+    paintSecond(righting.actions[1] ?? '');
+    paintTorque(righting);
+    paintFuel(righting);
+    paintVerdict(righting);
+  };
+}
+
+function createKey(
+  parent: Element,
+  keyLabel: KeyLabel,
+): (action: RotationAction | TranslationAction | '') => void {
+  const holder = append(parent, 'span', 'hud-action');
+  const cap = append(holder, 'kbd');
+  const paintCapShown = showPart(cap);
+  const paintCap = showText(cap);
+  const paintAxis = showText(append(holder, 'span'));
+  const paintShown = showPart(holder);
+  return (action) => {
+    paintShown(action !== '');
+    if (action === '') return;
+    const label = keyLabel(action);
+    paintCapShown(label !== '');
+    paintCap(label);
+    paintAxis(ACTION_WORDS[action]);
+  };
+}
+
+function createTorque(parent: Element): (righting: Righting) => void {
+  const line = append(parent, 'p', 'hud-need');
+  append(line, 'span', 'hud-label', 'TORQUE');
+  const values = append(line, 'span', 'hud-value');
+  const paintAvailable = showNumber(values, TORQUE);
+  append(values, 'span', 'hud-of', ' of ');
+  const paintNeeded = showNumber(values, TORQUE);
+  const paintMark = createMark(line);
+  return (righting) => {
+    paintAvailable(righting.torqueAvailable);
+    paintNeeded(righting.torqueNeeded);
+    paintMark(righting.possible ? 'true' : 'false');
+  };
+}
+
+/** `39 kg of 7 200 kg, 12.3 s` from the law run ahead. */
+function createFuel(parent: Element): (righting: Righting) => void {
+  const line = append(parent, 'p', 'hud-need');
+  append(line, 'span', 'hud-label', 'FUEL');
+  const values = append(line, 'span', 'hud-value');
+  const paintNeeded = showNumber(values, MASS);
+  append(values, 'span', 'hud-of', ' of ');
+  const paintAboard = showNumber(values, MASS);
+  const paintMark = createMark(line);
+  const time = append(line, 'span', 'hud-value hud-seconds');
+  const paintTime = showNumber(time, DURATION);
+  const paintTimeShown = showPart(time);
+  return (righting) => {
+    paintNeeded(righting.fuelNeeded);
+    paintAboard(righting.fuel);
+    paintTime(righting.seconds);
+    paintTimeShown(righting.outcome === 'stands');
+    paintMark(righting.outcome === 'working' ? 'unknown' : righting.outcome === 'stands' ? 'true' : 'false');
+  };
+}
+
+function createMark(line: Element): (met: 'true' | 'false' | 'unknown') => void {
+  const mark = append(line, 'span', 'hud-tick');
+  mark.setAttribute('role', 'img');
+  const paintMark = showText(mark);
+  const paintLabel = showAttribute(mark, 'aria-label');
+  const paintMet = showAttribute(line, 'data-met');
+  return (met) => {
+    paintMet(met);
+    paintMark(met === 'unknown' ? '' : met === 'true' ? '✓' : '✗');
+    paintLabel(met === 'unknown' ? 'not known' : met === 'true' ? 'enough' : 'not enough');
+  };
+}
+
+/** Only where the ship cannot be righted as it is: that it cannot, and what may help. */
+function createVerdict(parent: Element, keyLabel: KeyLabel): (righting: Righting) => void {
+  const line = append(parent, 'p', 'hud-verdict');
+  const paintText = showText(append(line, 'span'));
+  const paintKey = createKey(line, keyLabel);
+  const mass = append(line, 'span');
+  const paintMass = showNumber(mass, MASS);
+  const paintMassShown = showPart(mass);
+  const paintShown = showPart(line);
+  return (righting) => {
+    const stuck = !righting.possible || righting.outcome === 'fails';
+    paintShown(stuck);
+    if (!stuck) return;
+    paintText(verdict(righting));
+    paintKey(righting.possible ? '' : righting.helpAction);
+    const lighter = !righting.possible && righting.help === 'lighter';
+    paintMassShown(lighter);
+    if (lighter) paintMass(righting.helpMass);
+  };
+}
+
+function verdict({ possible, help }: Righting): string {
+  if (possible) return 'Too little fuel to stand up again.';
+  if (help === 'translation') return 'Too heavy as it lies. Take weight off its feet with';
+  if (help === 'lighter') return 'Too heavy as it is. Burn fuel until it weighs less than';
+  return 'It cannot be righted here: nothing aboard turns this weight.';
+}

@@ -1,0 +1,89 @@
+import { ANGLE, type Tilt } from '../readout';
+import { append, appendPicture, appendSvg } from './elements';
+import { showAttribute, showFigures } from './shown';
+
+/** The dial is true to angle: straight up is 0°, lying flat is 90°, and the needle leans as the ship does. */
+const PIVOT_X = 26;
+const PIVOT_Y = 108;
+const RADIUS = 92;
+/** Degrees the needle can show; beyond them the number tells. */
+const DIAL_END = 96;
+
+/** Arc gauge of the tilt, with the settle, no-return and tipped marks (HUD, Tilt). */
+export function createTiltGauge(parent: Element): (tilt: Tilt) => void {
+  const gauge = append(parent, 'div', 'hud-tilt-gauge');
+  gauge.setAttribute('role', 'meter');
+  gauge.setAttribute('aria-label', 'Tilt');
+  gauge.setAttribute('aria-valuemin', '0');
+  gauge.setAttribute('aria-valuemax', '180');
+  const picture = appendPicture(gauge, 'hud-dial', '0 0 150 122');
+  const zones = ['settled', 'leaning', 'toppling', 'tipped'].map((zone) =>
+    appendSvg(picture, 'path', { class: `hud-zone hud-zone-${zone}` }),
+  );
+  appendSvg(picture, 'path', { class: 'hud-ground', d: `M4 ${PIVOT_Y}H146` });
+  const marks = [createMark(picture), createMark(picture), createMark(picture)];
+  const needle = createNeedle(picture);
+  const paintNow = showFigures(gauge, 'aria-valuenow', 1, String);
+  const paintText = showAttribute(gauge, 'aria-valuetext');
+  const paintKnown = showAttribute(gauge, 'data-known');
+  let shownText = Infinity;
+  const shown = { settle: NaN, noReturn: NaN, tipped: NaN };
+  return (tilt) => {
+    const known = !Number.isNaN(tilt.degrees);
+    paintKnown(known ? 'true' : 'false');
+    if (tilt.settle !== shown.settle || tilt.noReturn !== shown.noReturn || tilt.tipped !== shown.tipped) {
+      shown.settle = tilt.settle;
+      shown.noReturn = tilt.noReturn;
+      shown.tipped = tilt.tipped;
+      paintZones(zones, tilt);
+      [tilt.settle, tilt.noReturn, tilt.tipped].forEach((angle, i) => marks[i]!(angle));
+    }
+    needle(known ? Math.min(tilt.degrees, DIAL_END) : 0);
+    const whole = Math.round(tilt.degrees);
+    if (Object.is(whole, shownText)) return;
+    shownText = whole;
+    paintNow(known ? whole : 0);
+    paintText(known ? `${ANGLE.text(whole * 10)} of tilt` : 'not known');
+  };
+}
+
+/** The arc in four parts: settles, rocks back, topples, lies. */
+function paintZones(zones: readonly SVGPathElement[], { settle, noReturn, tipped }: Tilt): void {
+  const from = [0, settle, Math.max(settle, Math.min(noReturn, tipped)), tipped];
+  zones.forEach((zone, i) => zone.setAttribute('d', arc(from[i]!, from[i + 1] ?? DIAL_END)));
+}
+
+function createMark(picture: Element): (angle: number) => void {
+  const line = appendSvg(picture, 'path', { class: 'hud-mark' });
+  const label = appendSvg(picture, 'text', { class: 'hud-mark-text' });
+  return (angle) => {
+    line.setAttribute('d', `M${point(angle, RADIUS - 8)}L${point(angle, RADIUS + 6)}`);
+    label.setAttribute('transform', `translate(${point(angle, RADIUS + 15)})`);
+    label.textContent = `${String(Math.round(angle))}°`;
+  };
+}
+
+/** A lander on its feet, seen from the side it leans to, with its axis drawn out to the scale. */
+function createNeedle(picture: Element): (angle: number) => void {
+  const needle = appendSvg(picture, 'g', { class: 'hud-needle' });
+  appendSvg(needle, 'path', { class: 'hud-needle-axis', d: `M0 -34V${String(4 - RADIUS)}` });
+  appendSvg(needle, 'path', { class: 'hud-needle-legs', d: 'M-6 -14L-14 0M6 -14L14 0M-17 0H-11M11 0H17' });
+  appendSvg(needle, 'path', { class: 'hud-needle-hull', d: 'M-8 -8H8L10 -18L6 -31H-6L-10 -18Z' });
+  return showFigures(
+    needle,
+    'transform',
+    5,
+    (angle) => `translate(${String(PIVOT_X)} ${String(PIVOT_Y)}) rotate(${String(angle)})`,
+  );
+}
+
+function arc(from: number, to: number): string {
+  return `M${point(from, RADIUS)}A${String(RADIUS)} ${String(RADIUS)} 0 0 1 ${point(to, RADIUS)}`;
+}
+
+function point(angle: number, radius: number): string {
+  const radians = (angle * Math.PI) / 180;
+  const x = PIVOT_X + radius * Math.sin(radians);
+  const y = PIVOT_Y - radius * Math.cos(radians);
+  return `${x.toFixed(1)} ${y.toFixed(1)}`;
+}

@@ -107,7 +107,8 @@ function setUp(purpose) {
   // `npm ci` empties node_modules: whoever has the test packages keeps them.
   const hasTestPackages = versionAt('node_modules/vitest') !== undefined;
   const scope = purpose === 'test' || hasTestPackages ? ['--include=dev'] : ['--omit=dev'];
-  console.log(`set-up: ${missing.length} packages are missing; npm ci ${scope[0]} …`);
+  const count = missing.length === 1 ? '1 package is' : `${missing.length} packages are`;
+  console.log(`set-up: ${count} missing; npm ci ${scope[0]} …`);
   const started = Date.now();
   const run = npm(root, ['ci', ...scope, '--no-audit', '--no-fund', '--loglevel=error']);
   if (run.stderr) process.stderr.write(run.stderr);

@@ -1,0 +1,48 @@
+// Runs `npm start` as a newcomer would, waits for the address that it prints, and asks for the page and its script.
+import { spawn } from 'node:child_process';
+
+const WAIT_MS = 180_000;
+
+const child = spawn('npm', ['start', '--', '--host', '127.0.0.1'], {
+  stdio: ['ignore', 'pipe', 'inherit'],
+  detached: true,
+  shell: process.platform === 'win32',
+});
+
+function stop(code, message) {
+  console.log(message);
+  try {
+    process.kill(process.platform === 'win32' ? child.pid : -child.pid);
+  } catch {
+    // It has ended by itself.
+  }
+  process.exit(code);
+}
+
+async function check(address) {
+  const page = await fetch(address);
+  const html = await page.text();
+  const script = /<script type="module" src="([^"]+)"/g;
+  const scripts = [...html.matchAll(script)].map((match) => new URL(match[1], address).href);
+  if (page.status !== 200 || scripts.length === 0) stop(1, `npm start: ${address} gave no page`);
+  for (const url of scripts) {
+    const { status, headers } = await fetch(url);
+    const type = headers.get('content-type') ?? '';
+    if (status !== 200 || !type.includes('javascript')) stop(1, `npm start: ${url} gave ${status} ${type}`);
+  }
+  stop(0, `npm start: serves ${scripts.length} scripts and the page`);
+}
+
+setTimeout(() => stop(1, `npm start: no address within ${WAIT_MS / 1000} s`), WAIT_MS);
+child.on('exit', (code) => stop(1, `npm start: ended with ${code}`));
+let printed = '';
+child.stdout.setEncoding('utf8').on('data', (text) => {
+  process.stdout.write(text);
+  const known = printed.length;
+  printed += text;
+  // vite colours the port.
+  const address = (t) => /http:\/\/[\d.]+:\d+\//.exec(t.replace(/\u001b\[[\d;]*m/g, ''))?.[0];
+  if (address(printed) && !address(printed.slice(0, known))) {
+    check(address(printed)).catch((error) => stop(1, `npm start: ${error.message}`));
+  }
+});

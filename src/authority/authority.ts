@@ -202,7 +202,9 @@ export function createAuthority(options: AuthorityOptions): Checked<Authority> {
       return reason === null ? accepted(null) : refused(reason);
     },
 
-    startAt: (now) => void (latestAt = now),
+    startAt(now) {
+      latestAt = now;
+    },
     tick(at) {
       latestAt = at;
       happened = [];

@@ -112,7 +112,7 @@ export function kick(roster: Roster, shipId: string, dv: Vec3, spin: Vec3): stri
     ['dv', dv],
     ['spin', spin],
   ] as const) {
-    if (vector.length !== 3 || !vector.every((value) => Math.abs(value) <= LARGEST_KICK))
+    if (!vector.every((value) => Math.abs(value) <= LARGEST_KICK))
       return `${name}: expected 3 numbers of at most ${LARGEST_KICK}`;
   }
   for (let k = 0; k < 3; k++) {

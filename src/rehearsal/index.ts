@@ -1,0 +1,36 @@
+/** Scenarios, simulated network, recordings: shared by tests, benchmarks and page. */
+
+/** Landings as data, and what they come to on the dynamics alone. */
+export { SCENARIOS } from './scenarios';
+export {
+  type Scenario,
+  type ScenarioInput,
+  stage,
+  type StagedInput,
+  type StagedScenario,
+  ticksOf,
+} from './scenario';
+export { rehearse, type Rehearsed, type RehearsedEvent } from './rehearse';
+/** Local east, north, up at a place on a body. */
+export {
+  type Craft,
+  fromBodyRelative,
+  type Ground,
+  type LocalState,
+  type SeenFromSite,
+  type Site,
+  toBodyRelative,
+} from './site';
+/** Seeded numbers, the same in every engine. */
+export { bell, createDice, type Dice } from './random';
+/** Trajectories of other implementations, and how far this one is from them. */
+export type { Fixture, FixtureEvent, FixtureInput, FixtureState, FixtureTerrain } from './fixture';
+export { readFixture } from './readFixture';
+export {
+  agrees,
+  compareFixture,
+  type Comparison,
+  type DifferenceField,
+  type Differences,
+  TOLERANCES,
+} from './compareFixture';

@@ -1,0 +1,127 @@
+import {
+  accepted,
+  BODIES,
+  type Body,
+  type BodyMotion,
+  type Checked,
+  type Controls,
+  loadControls,
+  loadTiming,
+  NEUTRAL_CONTROLS,
+  refused,
+  type Settings,
+  SHIP_CLASSES,
+  type ShipClass,
+  type ShipEventName,
+  type ShipRecord,
+  type SurfaceState,
+  type TerrainHeight,
+  TERRAINS,
+  type Timing,
+} from '../dynamics';
+import { type LocalState, type Site, toBodyRelative } from './site';
+
+/** One landing as data: tests, golden hashes, benchmarks and the page run the same. SI units, degrees where said. */
+export interface Scenario {
+  readonly name: string;
+  /** For people. */
+  readonly title: string;
+  readonly about: string;
+  /** A name in BODIES. Alone in its world: the law re-chooses a flying ship's body by gravity, and over Phobos Mars's is stronger. */
+  readonly body: string;
+  /** A name in SHIP_CLASSES. */
+  readonly shipClass: string;
+  readonly settings: Partial<Settings>;
+  /** A name in TERRAINS. */
+  readonly terrain: string;
+  /** Hz */
+  readonly tickRate: number;
+  readonly timeScale: number;
+  readonly site: Site;
+  readonly initial: LocalState & {
+    /** 0 … 1 of the fuel capacity. */
+    readonly fuelFraction: number;
+    readonly surfaceContactState: SurfaceState;
+    readonly contactImpactSpeed: number;
+  };
+  /** In the order of their time. */
+  readonly inputs: readonly ScenarioInput[];
+  /** Game seconds. */
+  readonly duration: number;
+  /** The events of the whole duration in their order. */
+  readonly expected: readonly ShipEventName[];
+}
+
+/** Controls from a moment on; what is absent keeps its value. */
+export interface ScenarioInput {
+  /** Game seconds since the start: taken to the nearest substep, so that it means the same at every tick rate. */
+  readonly at: number;
+  readonly controls: Partial<Controls>;
+}
+
+/** A scenario's data looked up and checked: what a world is made of. */
+export interface StagedScenario {
+  readonly scenario: Scenario;
+  readonly body: Body & BodyMotion;
+  readonly shipClass: ShipClass;
+  readonly terrainHeight: TerrainHeight;
+  readonly timing: Timing;
+  readonly ship: ShipRecord;
+  readonly inputs: readonly StagedInput[];
+}
+
+/** Full controls from the start of a substep. */
+export interface StagedInput {
+  readonly tick: number;
+  readonly substep: number;
+  readonly controls: Controls;
+}
+
+/** Looks a scenario's names up and places its ship; a reason that names the field when that cannot be done. */
+export function stage(scenario: Scenario): Checked<StagedScenario> {
+  const body = BODIES.find((candidate) => candidate.name === scenario.body);
+  if (body === undefined) return refused(`body: no body named ${scenario.body}`);
+  const shipClass = SHIP_CLASSES.find((candidate) => candidate.name === scenario.shipClass);
+  if (shipClass === undefined) return refused(`shipClass: no class named ${scenario.shipClass}`);
+  if (!Object.hasOwn(TERRAINS, scenario.terrain))
+    return refused(`terrain: no terrain named ${scenario.terrain}`);
+  const terrainHeight = TERRAINS[scenario.terrain]!;
+  const timing = loadTiming(scenario.tickRate, scenario.timeScale);
+  if (!timing.ok) return timing;
+  const inputs = stageInputs(scenario.inputs, timing.value);
+  if (!inputs.ok) return inputs;
+  const { initial, site } = scenario;
+  const fuel = initial.fuelFraction * shipClass.fuelCapacity;
+  const ship = toBodyRelative(initial, { ...initial, shipClass, fuel }, { body, site, terrainHeight });
+  return accepted({
+    scenario,
+    body,
+    shipClass,
+    terrainHeight,
+    timing: timing.value,
+    ship,
+    inputs: inputs.value,
+  });
+}
+
+/** The whole ticks that hold a scenario's duration. */
+export function ticksOf({ scenario, timing }: StagedScenario): number {
+  return Math.ceil(scenario.duration / timing.tickSeconds - 1e-9);
+}
+
+function stageInputs(inputs: readonly ScenarioInput[], timing: Timing): Checked<StagedInput[]> {
+  const staged: StagedInput[] = [];
+  let controls = NEUTRAL_CONTROLS;
+  for (const [i, input] of inputs.entries()) {
+    const checked = loadControls({ ...controls, ...input.controls });
+    if (!checked.ok) return refused(`inputs[${i}].${checked.reason}`);
+    controls = checked.value;
+    const substeps = Math.round(input.at / timing.dt);
+    staged.push({
+      tick: Math.floor(substeps / timing.substeps),
+      substep: substeps % timing.substeps,
+      controls,
+    });
+  }
+  return accepted(staged);
+}

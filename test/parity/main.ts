@@ -1,0 +1,42 @@
+import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parityLine } from './parityLine';
+
+// npm run parity -- FILE…: how far the dynamics are from each file's trajectory. No FILE: every fixture of the repository.
+// Exit 1 if one is out of tolerance, disagrees, or cannot be read; the others still run.
+
+const FIXTURES = join(dirname(fileURLToPath(import.meta.url)), 'fixtures');
+
+function filesOf(path: string): string[] {
+  if (!statSync(path).isDirectory()) return [path];
+  return readdirSync(path)
+    .filter((name) => /\.jsonl?$/.test(name))
+    .sort()
+    .map((name) => join(path, name));
+}
+
+function check(path: string): boolean {
+  try {
+    const { line, passed } = parityLine(basename(path), readFileSync(path, 'utf8'));
+    (passed ? console.log : console.error)(line);
+    return passed;
+  } catch (error) {
+    console.error(`${path}: cannot be read: ${error instanceof Error ? error.message : String(error)}`);
+    return false;
+  }
+}
+
+function expand(path: string): string[] {
+  try {
+    return filesOf(path);
+  } catch {
+    return [path];
+  }
+}
+
+const given = process.argv.slice(2);
+const files = (given.length > 0 ? given : [FIXTURES]).flatMap(expand);
+const failed = files.filter((file) => !check(file));
+console.log(`${files.length - failed.length} of ${files.length} files agree`);
+process.exitCode = failed.length === 0 && files.length > 0 ? 0 : 1;

@@ -36,13 +36,11 @@ export function actuate(step: Step): void {
 /** Main engine and translation thrusters, and the fuel that they and the RCS torque burn. */
 function push(step: Step): void {
   const { ships, at, shipClass } = step;
+  q[THRUST] = 0;
+  q[THRUST + 1] = 0;
+  q[THRUST + 2] = 0;
   const fuel = ships[at + FUEL]!;
-  if (!(fuel > 0)) {
-    q[THRUST] = 0;
-    q[THRUST + 1] = 0;
-    q[THRUST + 2] = 0;
-    return;
-  }
+  if (!(fuel > 0) || !isCommanded(ships, at)) return;
   const main = ships[at + THRUST_LEVEL]! * shipClass.mainEngineThrust;
   const fx = ships[at + TRANSLATION_INPUT]! * shipClass.rcsThrust[0];
   const fy = ships[at + TRANSLATION_INPUT + 1]! * shipClass.rcsThrust[1];
@@ -55,4 +53,15 @@ function push(step: Step): void {
   const rcs = Math.abs(fx) + Math.abs(fy) + Math.abs(fz) + q[RCS_TORQUE_SUM]! * shipClass.forcePerTorque;
   const left = fuel - (main * shipClass.mainEngineFlow + rcs * shipClass.rcsFlow) * q[DT]!;
   ships[at + FUEL] = left > 0 ? left : 0;
+}
+
+/** Whether anything burns in this substep: most ships coast. */
+function isCommanded(ships: Float64Array, at: number): boolean {
+  return (
+    ships[at + THRUST_LEVEL] !== 0 ||
+    ships[at + TRANSLATION_INPUT] !== 0 ||
+    ships[at + TRANSLATION_INPUT + 1] !== 0 ||
+    ships[at + TRANSLATION_INPUT + 2] !== 0 ||
+    q[RCS_TORQUE_SUM] !== 0
+  );
 }

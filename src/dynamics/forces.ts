@@ -1,6 +1,5 @@
 import {
   BODY_ANGULAR_VELOCITY,
-  CONTACT,
   FLYING,
   IMPACT_SPEED,
   POSITION,
@@ -87,49 +86,37 @@ function settlesWithoutBounce(step: Step): boolean {
 export function moveByForces(step: Step): void {
   const { ships, at } = step;
   const dt = q[DT]!;
+  const mass = q[MASS]!;
+  const perMass = dt / mass;
+  const force = q[NORMAL_FORCE]!;
+  const radial = force - q[WEIGHT]!;
+  const speed = q[START + TANGENTIAL_SPEED]!;
+  // Size of the friction over ‖v_tangential‖, N s/m. Above 1 cm/s kinetic, and never more than stops the slide in this substep.
+  let friction = 0;
+  if (force > 0 && speed > 0) {
+    const { contactFrictionKinetic, contactFrictionStatic } = step.world.settings;
+    const stop = (mass * speed) / dt;
+    const kinetic = contactFrictionKinetic * force;
+    const holds = speed > 0.01 ? stop < kinetic : stop <= contactFrictionStatic * force;
+    friction = (holds ? stop : kinetic) / speed;
+  }
   const nx = q[START + NORMAL]!;
   const ny = q[START + NORMAL + 1]!;
   const nz = q[START + NORMAL + 2]!;
-  const perMass = dt / q[MASS]!;
-  const radial = q[NORMAL_FORCE]! - q[WEIGHT]!;
-  const friction = frictionPerSpeed(step);
-  const ux =
+  ships[at + VELOCITY] =
     ships[at + VELOCITY]! + (radial * nx - friction * q[START + TANGENTIAL_VELOCITY]! + q[THRUST]!) * perMass;
-  const uy =
+  ships[at + VELOCITY + 1] =
     ships[at + VELOCITY + 1]! +
     (radial * ny - friction * q[START + TANGENTIAL_VELOCITY + 1]! + q[THRUST + 1]!) * perMass;
-  const uz =
+  ships[at + VELOCITY + 2] =
     ships[at + VELOCITY + 2]! +
     (radial * nz - friction * q[START + TANGENTIAL_VELOCITY + 2]! + q[THRUST + 2]!) * perMass;
-  ships[at + VELOCITY] = ux;
-  ships[at + VELOCITY + 1] = uy;
-  ships[at + VELOCITY + 2] = uz;
-  if (risesFromSettling(step)) capRise(step);
+  if (q[START + PENETRATION]! > 0 && ships[at + SURFACE_STATE] !== FLYING) {
+    if (q[LIFT]! <= q[WEIGHT]! && settlesWithoutBounce(step)) capRise(step);
+  }
   ships[at + POSITION] = ships[at + POSITION]! + ships[at + VELOCITY]! * dt;
   ships[at + POSITION + 1] = ships[at + POSITION + 1]! + ships[at + VELOCITY + 1]! * dt;
   ships[at + POSITION + 2] = ships[at + POSITION + 2]! + ships[at + VELOCITY + 2]! * dt;
-}
-
-/** Size of the friction over ‖v_tangential‖, N s/m. Above 1 cm/s kinetic, and never more than stops the slide in this substep. */
-function frictionPerSpeed(step: Step): number {
-  const force = q[NORMAL_FORCE]!;
-  const speed = q[START + TANGENTIAL_SPEED]!;
-  if (!(force > 0 && speed > 0)) return 0;
-  const { contactFrictionKinetic, contactFrictionStatic } = step.world.settings;
-  const stop = (q[MASS]! * speed) / q[DT]!;
-  const kinetic = contactFrictionKinetic * force;
-  if (speed > 0.01) return (kinetic < stop ? kinetic : stop) / speed;
-  return (stop <= contactFrictionStatic * force ? stop : kinetic) / speed;
-}
-
-function risesFromSettling(step: Step): boolean {
-  const state = step.ships[step.at + SURFACE_STATE]!;
-  return (
-    (state === CONTACT || state === TIPPED) &&
-    q[START + PENETRATION]! > 0 &&
-    q[LIFT]! <= q[WEIGHT]! &&
-    settlesWithoutBounce(step)
-  );
 }
 
 /** The upward speed of a settling ship ends at the static depth: the excess is taken off along n. */

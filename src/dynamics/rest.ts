@@ -1,15 +1,16 @@
 import { ANGULAR_VELOCITY, BODY_ANGULAR_VELOCITY } from './layout';
 import { AXES, AXIS, DT, END, FROM, NORMAL, quantity as q, ROTATION, type Step, TO } from './quantities';
 import { perpendicularAxis, rotateAttitude, shortestRotation } from './rotations';
-import { cosTilt, readAxes } from './surface';
+import { cosTilt, readAxes, readUp } from './surface';
 
 /**
  * Step 8: the hull of a tipped ship rests on its side. Past 90° of tilt the ground's impulse stops it from turning further,
- * and it is turned back, at 1 rad/s or by what is left. Reads END and AXES as they are after the step; leaves AXES current.
+ * and it is turned back, at 1 rad/s or by what is left. Reads END and `up` as they are after the step; leaves `up` current.
  */
 export function restOnSide(step: Step): void {
   const cos = cosTilt(END);
   if (!(cos < 0)) return;
+  readAxes(step);
   findAxis();
   stopFurtherTilt(step);
   const { ships, at } = step;
@@ -28,7 +29,7 @@ export function restOnSide(step: Step): void {
     layFlat(cos);
   }
   rotateAttitude(ships, at);
-  readAxes(step);
+  readUp(step);
 }
 
 /** AXIS = unit(n × up), the axis the ship tips about; any level one where it stands on its head. */

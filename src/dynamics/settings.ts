@@ -61,6 +61,7 @@ export function loadSettings(given: Partial<Settings>): Checked<LoadedSettings> 
 }
 
 function firstOutOfRange(s: Settings): string | null {
+  const attitude: string = s.touchdownAttitude;
   const ranges: readonly (readonly [keyof Settings, boolean, string])[] = [
     ['contactCrashSpeed', s.contactCrashSpeed > 0, '> 0 m/s'],
     ['contactBounceSpeed', s.contactBounceSpeed > 0, '> 0 m/s'],
@@ -85,11 +86,7 @@ function firstOutOfRange(s: Settings): string | null {
       s.contactFrictionKinetic >= 0 && s.contactFrictionKinetic <= s.contactFrictionStatic,
       `≥ 0 and ≤ contactFrictionStatic (${String(s.contactFrictionStatic)})`,
     ],
-    [
-      'touchdownAttitude',
-      s.touchdownAttitude === 'aligned' || s.touchdownAttitude === 'kept',
-      "'aligned' or 'kept'",
-    ],
+    ['touchdownAttitude', attitude === 'aligned' || attitude === 'kept', "'aligned' or 'kept'"],
   ];
   for (const [name, inRange, range] of ranges) {
     if (!inRange) return `${name}: expected ${range}, got ${String(s[name])}`;

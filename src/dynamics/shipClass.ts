@@ -51,7 +51,7 @@ export const STANDARD_GRAVITY = 9.80665;
 /** The class with its constants, or a reason that names the field and its range. */
 export function loadShipClass(given: ShipClass): Checked<LoadedShipClass> {
   const reason = malformed(given) ?? outOfRange(given);
-  if (reason !== null) return refused(`ship class ${String(given.name)}: ${reason}`);
+  if (reason !== null) return refused(`ship class ${given.name}: ${reason}`);
   const fullMass = given.dryMass + given.fuelCapacity;
   const inertia = Float64Array.from(given.inertiaTensor.flat());
   const burnsMain = given.mainEngineThrust > 0;
@@ -92,10 +92,10 @@ function malformed(c: ShipClass): string | null {
     const reason = notFiniteTuple(field, c[field], 3);
     if (reason !== null) return reason;
   }
-  if (!Array.isArray(c.inertiaTensor) || c.inertiaTensor.length !== 3)
-    return 'inertiaTensor: expected 3 rows of 3 numbers';
+  const rows: readonly unknown[] = Array.isArray(c.inertiaTensor) ? c.inertiaTensor : [];
+  if (rows.length !== 3) return 'inertiaTensor: expected 3 rows of 3 numbers';
   for (let row = 0; row < 3; row++) {
-    const reason = notFiniteTuple(`inertiaTensor[${String(row)}]`, c.inertiaTensor[row], 3);
+    const reason = notFiniteTuple(`inertiaTensor[${String(row)}]`, rows[row], 3);
     if (reason !== null) return reason;
   }
   return null;

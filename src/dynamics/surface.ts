@@ -78,6 +78,21 @@ export function readAxes(step: Step): void {
   q[AXES + 8] = 1 - (x * x2 + y * y2);
 }
 
+/** Fills the third column of AXES alone: `up` of the attitude as it is now. */
+export function readUp(step: Step): void {
+  const { ships, at } = step;
+  const x = ships[at + ATTITUDE]!;
+  const y = ships[at + ATTITUDE + 1]!;
+  const z = ships[at + ATTITUDE + 2]!;
+  const w = ships[at + ATTITUDE + 3]!;
+  const x2 = x + x;
+  const y2 = y + y;
+  const z2 = z + z;
+  q[AXES + 2] = x * z2 + w * y2;
+  q[AXES + 5] = y * z2 - w * x2;
+  q[AXES + 8] = 1 - (x * x2 + y * y2);
+}
+
 /** n · up, from AXES: the cosine of the tilt. */
 export function cosTilt(surface: number): number {
   return (

@@ -22,23 +22,45 @@ const SCRUB_DAMPING = 20;
 export function turnByTorques(step: Step): void {
   const { ships, at } = step;
   if (ships[at + SURFACE_STATE] !== FLYING && q[START + PENETRATION]! > 0) addGroundTorques(step);
+  const dt = q[DT]!;
   const tx = q[TORQUE]!;
   const ty = q[TORQUE + 1]!;
   const tz = q[TORQUE + 2]!;
+  let wx = ships[at + ANGULAR_VELOCITY]!;
+  let wy = ships[at + ANGULAR_VELOCITY + 1]!;
+  let wz = ships[at + ANGULAR_VELOCITY + 2]!;
   if (tx !== 0 || ty !== 0 || tz !== 0) {
     const inverse = step.shipClass.inverseInertia;
-    const scaled = q[DT]! / q[MASS_RATIO]!;
+    const scaled = dt / q[MASS_RATIO]!;
     const bx = (inverse[0]! * tx + inverse[1]! * ty + inverse[2]! * tz) * scaled;
     const by = (inverse[3]! * tx + inverse[4]! * ty + inverse[5]! * tz) * scaled;
     const bz = (inverse[6]! * tx + inverse[7]! * ty + inverse[8]! * tz) * scaled;
-    ships[at + ANGULAR_VELOCITY] =
-      ships[at + ANGULAR_VELOCITY]! + (q[AXES]! * bx + q[AXES + 1]! * by + q[AXES + 2]! * bz);
-    ships[at + ANGULAR_VELOCITY + 1] =
-      ships[at + ANGULAR_VELOCITY + 1]! + (q[AXES + 3]! * bx + q[AXES + 4]! * by + q[AXES + 5]! * bz);
-    ships[at + ANGULAR_VELOCITY + 2] =
-      ships[at + ANGULAR_VELOCITY + 2]! + (q[AXES + 6]! * bx + q[AXES + 7]! * by + q[AXES + 8]! * bz);
+    wx += q[AXES]! * bx + q[AXES + 1]! * by + q[AXES + 2]! * bz;
+    wy += q[AXES + 3]! * bx + q[AXES + 4]! * by + q[AXES + 5]! * bz;
+    wz += q[AXES + 6]! * bx + q[AXES + 7]! * by + q[AXES + 8]! * bz;
+    ships[at + ANGULAR_VELOCITY] = wx;
+    ships[at + ANGULAR_VELOCITY + 1] = wy;
+    ships[at + ANGULAR_VELOCITY + 2] = wz;
   }
-  turnBySpin(ships, at);
+
+  // q = normalize(q + ½ dt (w, 0) q): no sine, no cosine.
+  const half = 0.5 * dt;
+  const hx = wx * half;
+  const hy = wy * half;
+  const hz = wz * half;
+  const qx = ships[at + ATTITUDE]!;
+  const qy = ships[at + ATTITUDE + 1]!;
+  const qz = ships[at + ATTITUDE + 2]!;
+  const qw = ships[at + ATTITUDE + 3]!;
+  const x = qx + (hx * qw + hy * qz - hz * qy);
+  const y = qy + (hy * qw + hz * qx - hx * qz);
+  const z = qz + (hz * qw + hx * qy - hy * qx);
+  const w = qw - (hx * qx + hy * qy + hz * qz);
+  const perLength = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
+  ships[at + ATTITUDE] = x * perLength;
+  ships[at + ATTITUDE + 1] = y * perLength;
+  ships[at + ATTITUDE + 2] = z * perLength;
+  ships[at + ATTITUDE + 3] = w * perLength;
 }
 
 /** Gravity about the feet, the legs' support and the feet's scrub, all in body axes, where up is z. */
@@ -102,25 +124,4 @@ function addGroundTorques(step: Step): void {
   q[TORQUE] = q[TORQUE]! + toppling * bny + sx + kx;
   q[TORQUE + 1] = q[TORQUE + 1]! - toppling * bnx + sy + ky;
   q[TORQUE + 2] = q[TORQUE + 2]! + sz + kz;
-}
-
-/** q = normalize(q + ½ dt (w, 0) q): no sine, no cosine. */
-function turnBySpin(ships: Float64Array, at: number): void {
-  const half = 0.5 * q[DT]!;
-  const tx = ships[at + ANGULAR_VELOCITY]! * half;
-  const ty = ships[at + ANGULAR_VELOCITY + 1]! * half;
-  const tz = ships[at + ANGULAR_VELOCITY + 2]! * half;
-  const qx = ships[at + ATTITUDE]!;
-  const qy = ships[at + ATTITUDE + 1]!;
-  const qz = ships[at + ATTITUDE + 2]!;
-  const qw = ships[at + ATTITUDE + 3]!;
-  const x = qx + (tx * qw + ty * qz - tz * qy);
-  const y = qy + (ty * qw + tz * qx - tx * qz);
-  const z = qz + (tz * qw + tx * qy - ty * qx);
-  const w = qw - (tx * qx + ty * qy + tz * qz);
-  const perLength = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
-  ships[at + ATTITUDE] = x * perLength;
-  ships[at + ATTITUDE + 1] = y * perLength;
-  ships[at + ATTITUDE + 2] = z * perLength;
-  ships[at + ATTITUDE + 3] = w * perLength;
 }

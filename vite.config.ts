@@ -17,6 +17,8 @@ const page: UserConfig = {
     // `default-src 'self'` blocks data: addresses and inline scripts.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
+    // three alone is most of a megabyte, and a page that draws from its first frame cannot put it off.
+    chunkSizeWarningLimit: 1500,
   },
   worker: { format: 'es' },
 };

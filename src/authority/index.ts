@@ -2,7 +2,15 @@
 
 export { type Authority, createAuthority } from './authority';
 /** When its ticks are due. */
-export { type Loop, MOST_CATCH_UP, runDueTicks, setFrozen, startLoop } from './loop';
+export {
+  type Loop,
+  MOST_CATCH_UP,
+  runDueTicks,
+  runNextTick,
+  setFrozen,
+  skipBacklog,
+  startLoop,
+} from './loop';
 export { type AuthorityOptions } from './options';
 export { type Counters, MOST_QUEUED } from './pilots';
 /** Ships as they are put into a world. */

@@ -33,20 +33,30 @@ export function runDueTicks(
   sent: (at: number) => void,
 ): number {
   let passed = 0;
+  skipBacklog(loop, authority, now);
   while (!loop.frozen && loop.nextAt <= now) {
-    if (passed === MOST_CATCH_UP) {
-      const behind = Math.floor((now - loop.nextAt) * authority.tempo.tickRate()) + 1;
-      loop.slipped += behind;
-      loop.nextAt += behind / authority.tempo.tickRate();
-      break;
-    }
-    const at = loop.nextAt;
-    authority.tick(at);
-    loop.nextAt = at + 1 / authority.tempo.tickRate();
+    sent(runNextTick(loop, authority));
     passed += 1;
-    sent(at);
   }
   return passed;
+}
+
+/** Moves a schedule that is too far behind, so that at most MOST_CATCH_UP boundaries are due by `now`. */
+export function skipBacklog(loop: Loop, authority: Authority, now: number): void {
+  if (loop.frozen) return;
+  const tickRate = authority.tempo.tickRate();
+  const due = Math.floor((now - loop.nextAt) * tickRate) + 1;
+  if (due <= MOST_CATCH_UP) return;
+  loop.slipped += due - MOST_CATCH_UP;
+  loop.nextAt += (due - MOST_CATCH_UP) / tickRate;
+}
+
+/** Advances the authority over the next boundary; the wall second at which that was due. */
+export function runNextTick(loop: Loop, authority: Authority): number {
+  const at = loop.nextAt;
+  authority.tick(at);
+  loop.nextAt = at + 1 / authority.tempo.tickRate();
+  return at;
 }
 
 /** Stops or resumes ticking; after a freeze the next boundary is one tick away. */

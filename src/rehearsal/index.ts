@@ -5,6 +5,7 @@ export { SCENARIOS } from './scenarios';
 export {
   type Scenario,
   type ScenarioInput,
+  pilotAt,
   stage,
   type StagedInput,
   type StagedScenario,
@@ -19,6 +20,7 @@ export {
   type LocalState,
   type SeenFromSite,
   type Site,
+  siteToIcrf,
   toBodyRelative,
 } from './site';
 /** Seeded numbers, the same in every engine. */
@@ -34,3 +36,17 @@ export {
   type Differences,
   TOLERANCES,
 } from './compareFixture';
+/** A WebSocket's delays, simulated; and an authority with clients behind them. */
+export {
+  createLink,
+  type Delivery,
+  type Link,
+  type LinkCounters,
+  loadNetwork,
+  NETWORK_PRESETS,
+  type NetworkNumbers,
+  type NetworkPreset,
+} from './network';
+export { createExchange, type Exchange, type ExchangeCounters } from './exchange';
+/** Other players' ships around a scenario. */
+export { fleetOrders } from './fleet';

@@ -203,7 +203,7 @@ function readInput(fields: Fields, { value, path }: { value: unknown; path: stri
   return {
     tick: fields.whole(given['tick'], `${path}.tick`, 0),
     substep: given['substep'] === undefined ? 0 : fields.whole(given['substep'], `${path}.substep`, 0),
-    controls: controls as Partial<Controls>,
+    controls,
   };
 }
 

@@ -109,6 +109,16 @@ export function ticksOf({ scenario, timing }: StagedScenario): number {
   return Math.ceil(scenario.duration / timing.tickSeconds - 1e-9);
 }
 
+/** The controls a scenario's pilot gives at `seconds` of game time since its start; neutral before the first input. */
+export function pilotAt({ scenario, inputs }: StagedScenario, seconds: number): Controls {
+  let controls = NEUTRAL_CONTROLS;
+  for (const [i, input] of scenario.inputs.entries()) {
+    if (input.at > seconds) break;
+    controls = inputs[i]!.controls;
+  }
+  return controls;
+}
+
 function stageInputs(inputs: readonly ScenarioInput[], timing: Timing): Checked<StagedInput[]> {
   const staged: StagedInput[] = [];
   let controls = NEUTRAL_CONTROLS;

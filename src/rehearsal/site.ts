@@ -95,6 +95,11 @@ export function fromBodyRelative(ship: ShipRecord, shipClass: ShipClass, ground:
   };
 }
 
+/** A vector of the site's [east, north, up] in ICRF axes; `ground.body` as it is turned at that instant. */
+export function siteToIcrf(vector: Vec3, ground: Ground): Vec3 {
+  return rotate(localAxes(ground), vector);
+}
+
 /** Turns [east, north, up] of the site into ICRF: body attitude · longitude about Y · −latitude about X. */
 function localAxes({ body, site }: Ground): Quat {
   const meridian = rotationAbout([0, 1, 0], site.longitude);

@@ -1,0 +1,124 @@
+import type { Operation } from './operation';
+import type { SessionStatus } from './session';
+
+/**
+ * The page's side of a server: the one in the worker, or a real one at ws://… (`?server=`). The page needs this file alone:
+ *
+ *   const connection = openWorker(handlers)            // then connection.operate({ kind: 'load', … })
+ *   const connection = openSocket('ws://…', handlers)
+ *   connection.send(encodeClientMessage(message))
+ *
+ * Nothing throws; what fails is told to `onClosed` or `onRefused`.
+ */
+export interface Connection {
+  /** Bytes of the protocol to the server; dropped while closed. */
+  readonly send: (bytes: Uint8Array) => void;
+  /** Asks the operator of the worker's server; a real server has none, which onRefused says. */
+  readonly operate: (operation: Operation) => void;
+  /** After onClosed: tries again. The worker's server: after { kind: 'drop' }. */
+  readonly reconnect: () => void;
+  /** Ends it for good. */
+  readonly dispose: () => void;
+}
+
+export interface ConnectionHandlers {
+  /** A connection stands: after a load of a new world, or a reconnect. What it carries comes after this. */
+  readonly onOpen: (what: 'world' | 'again') => void;
+  /** Bytes of the protocol from the server. */
+  readonly onBytes: (bytes: Uint8Array) => void;
+  readonly onClosed: (reason: string) => void;
+  /** An operation was refused. */
+  readonly onRefused: (reason: string) => void;
+  /** How the worker's server stands, after everything that happened in it; a real server tells nothing. */
+  readonly onStatus: (status: SessionStatus) => void;
+}
+
+/** Page → worker. */
+export type ToServer =
+  | { readonly kind: 'bytes'; readonly bytes: Uint8Array }
+  | { readonly kind: 'operate'; readonly operation: Operation };
+
+/** Worker → page. */
+export type FromServer =
+  | { readonly kind: 'open'; readonly what: 'world' | 'again' }
+  | { readonly kind: 'bytes'; readonly bytes: Uint8Array }
+  | { readonly kind: 'closed'; readonly reason: string }
+  | { readonly kind: 'refused'; readonly reason: string }
+  | { readonly kind: 'status'; readonly status: SessionStatus };
+
+/** The server in a Web Worker; it has no world before it is told to load one. */
+export function openWorker(handlers: ConnectionHandlers): Connection {
+  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+  const post = (message: ToServer) => worker.postMessage(message);
+  worker.onmessage = ({ data }: MessageEvent<FromServer>) => dispatch(data, handlers);
+  worker.onerror = ({ message }) => handlers.onClosed(`the server in the page failed: ${message}`);
+  return {
+    send: (bytes) => post({ kind: 'bytes', bytes }),
+    operate: (operation) => post({ kind: 'operate', operation }),
+    reconnect: () => post({ kind: 'operate', operation: { kind: 'reconnect' } }),
+    dispose: () => worker.terminate(),
+  };
+}
+
+function dispatch(message: FromServer, handlers: ConnectionHandlers): void {
+  switch (message.kind) {
+    case 'open':
+      handlers.onOpen(message.what);
+      break;
+    case 'bytes':
+      handlers.onBytes(message.bytes);
+      break;
+    case 'closed':
+      handlers.onClosed(message.reason);
+      break;
+    case 'refused':
+      handlers.onRefused(message.reason);
+      break;
+    case 'status':
+      handlers.onStatus(message.status);
+      break;
+  }
+}
+
+/** A real server. An address that is none is told like a connection that failed. */
+export function openSocket(address: string, handlers: ConnectionHandlers): Connection {
+  let socket: WebSocket | null = null;
+  let opened = false;
+
+  function connect(): void {
+    try {
+      socket = new WebSocket(address);
+    } catch (error) {
+      handlers.onClosed(`${address}: ${error instanceof Error ? error.message : String(error)}`);
+      return;
+    }
+    const own = socket;
+    own.binaryType = 'arraybuffer';
+    own.onopen = () => {
+      handlers.onOpen(opened ? 'again' : 'world');
+      opened = true;
+    };
+    own.onmessage = ({ data }: MessageEvent<unknown>) => {
+      if (data instanceof ArrayBuffer) handlers.onBytes(new Uint8Array(data));
+      else handlers.onRefused(`${address} sent text; the protocol is bytes`);
+    };
+    own.onclose = ({ code, reason }) => {
+      if (socket !== own) return;
+      handlers.onClosed(`${address}: ${reason === '' ? `closed with code ${code}` : reason}`);
+    };
+  }
+
+  connect();
+  return {
+    send(bytes) {
+      if (socket?.readyState === WebSocket.OPEN) socket.send(new Uint8Array(bytes));
+    },
+    operate: ({ kind }) => handlers.onRefused(`${kind}: only the server in the page takes orders`),
+    reconnect: connect,
+    dispose() {
+      const old = socket;
+      socket = null;
+      old?.close();
+    },
+  };
+}

@@ -1,0 +1,97 @@
+import { accepted, type Checked, refused } from '../../dynamics';
+import { loadNetwork, type NetworkNumbers } from '../../rehearsal';
+
+/** What the page's operator asks of the server in the worker, beside the protocol. */
+export type Operation =
+  | LoadOperation
+  /** Holds from the next tick. */
+  | { readonly kind: 'pause'; readonly paused: boolean }
+  /** Only while paused. */
+  | { readonly kind: 'step'; readonly unit: 'substep' | 'tick' }
+  /** Hz, from the next tick. */
+  | { readonly kind: 'tickRate'; readonly tickRate: number }
+  | { readonly kind: 'timeScale'; readonly timeScale: number }
+  | { readonly kind: 'network'; readonly numbers: NetworkNumbers }
+  /** The own ship as it was at the start. */
+  | { readonly kind: 'restart' }
+  /** Pushes the own ship: [east, north, up] at the scenario's site, m/s and rad/s. */
+  | { readonly kind: 'kick'; readonly velocity: Triple; readonly spin: Triple }
+  | { readonly kind: 'freeze'; readonly frozen: boolean }
+  | { readonly kind: 'drop' }
+  | { readonly kind: 'reconnect' };
+
+type Triple = readonly [number, number, number];
+
+/** A new world: everything before it is gone, and `onOpen` comes before its first bytes. */
+export interface LoadOperation {
+  readonly kind: 'load';
+  /** A name in SCENARIOS. */
+  readonly scenario: string;
+  /** Instead of the scenario's own, where not ''. */
+  readonly body: string;
+  readonly shipClass: string;
+  readonly terrain: string;
+  /** Hz */
+  readonly tickRate: number;
+  readonly timeScale: number;
+  readonly network: NetworkNumbers;
+  /** A whole number ≥ 0. */
+  readonly seed: number;
+  /** As the game's own server speaks: no hello, no fields 31–34, whole-tick inputs. */
+  readonly legacy: boolean;
+  /** Ships of other players, 0 … 1000. */
+  readonly others: number;
+}
+
+const MOST_OTHERS = 1000;
+
+/** The operation, or a reason that names the field. What the world itself checks (names, rates) is left to it. */
+export function loadOperation(given: unknown): Checked<Operation> {
+  if (typeof given !== 'object' || given === null) return refused('operation: expected an object');
+  const operation = given as Operation;
+  switch (operation.kind) {
+    case 'load':
+      return loadLoad(operation);
+    case 'pause':
+      return flag('paused', operation.paused, operation);
+    case 'freeze':
+      return flag('frozen', operation.frozen, operation);
+    case 'step':
+      return operation.unit === 'tick' || (operation.unit as unknown) === 'substep'
+        ? accepted(operation)
+        : refused("unit: expected 'tick' or 'substep'");
+    case 'network': {
+      const numbers = loadNetwork(operation.numbers);
+      return numbers.ok ? accepted({ kind: 'network', numbers: numbers.value }) : numbers;
+    }
+    case 'kick':
+      if (!isTriple(operation.velocity)) return refused('velocity: expected 3 finite numbers');
+      return isTriple(operation.spin) ? accepted(operation) : refused('spin: expected 3 finite numbers');
+    case 'tickRate':
+    case 'timeScale':
+    case 'restart':
+    case 'drop':
+    case 'reconnect':
+      return accepted(operation);
+    default:
+      return refused(`kind: no operation ${String((given as { kind: unknown }).kind)}`);
+  }
+}
+
+function loadLoad(given: LoadOperation): Checked<Operation> {
+  const network = loadNetwork(given.network);
+  if (!network.ok) return refused(`network.${network.reason}`);
+  if (!Number.isSafeInteger(given.seed) || given.seed < 0)
+    return refused(`seed: expected a whole number ≥ 0, got ${String(given.seed)}`);
+  if (!Number.isSafeInteger(given.others) || given.others < 0 || given.others > MOST_OTHERS)
+    return refused(`others: expected 0 to ${MOST_OTHERS}, got ${String(given.others)}`);
+  return accepted({ ...given, network: network.value });
+}
+
+function flag(name: string, value: unknown, operation: Operation): Checked<Operation> {
+  return typeof value === 'boolean' ? accepted(operation) : refused(`${name}: expected true or false`);
+}
+
+function isTriple(value: unknown): boolean {
+  return Array.isArray(value) && value.length === 3 && value.every((item) => Number.isFinite(item));
+}

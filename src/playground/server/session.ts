@@ -1,0 +1,179 @@
+import { createAuthority } from '../../authority';
+import { type Checked, refused, SHIP_CLASSES, TERRAINS, type Vec3 } from '../../dynamics';
+import {
+  createExchange,
+  type Delivery,
+  type Exchange,
+  fleetOrders,
+  SCENARIOS,
+  siteToIcrf,
+  stage,
+  type StagedScenario,
+} from '../../rehearsal';
+import { loadOperation, type LoadOperation, type Operation } from './operation';
+
+/**
+ * The server the page plays against: a scenario's authority behind a simulated connection, with an operator. No clock: wall
+ * seconds are handed in, so that a test plays it as the worker does.
+ */
+export interface Session {
+  /** Does what the operator asks, or says why not. */
+  readonly operate: (operation: unknown, now: number) => string | null;
+  /** Bytes from the page's client; nothing before a world is loaded. */
+  readonly send: (bytes: Uint8Array, now: number) => void;
+  /** Lets everything up to `now` happen; what has come to the client by then. */
+  readonly run: (now: number) => Delivery[];
+  /** When something happens next, wall seconds; Infinity when nothing will. */
+  readonly nextAt: () => number;
+  /** For the page's panel; null before a world is loaded. */
+  readonly status: () => SessionStatus | null;
+}
+
+export interface SessionStatus {
+  readonly tick: number;
+  readonly tickRate: number;
+  readonly timeScale: number;
+  readonly paused: boolean;
+  readonly frozen: boolean;
+  readonly connected: boolean;
+  /** Messages of the client that were refused, and why the last. */
+  readonly refused: number;
+  readonly lastRefusal: string;
+  /** Ticks the host was too slow for. */
+  readonly slipped: number;
+}
+
+export const OWN_PLAYER = 'pilot';
+export const OWN_SHIP = 'own';
+
+interface Loaded {
+  readonly staged: StagedScenario;
+  readonly exchange: Exchange;
+  connected: boolean;
+}
+
+export function createSession(): Session {
+  let loaded: Loaded | null = null;
+
+  function operate(given: unknown, now: number): string | null {
+    const checked = loadOperation(given);
+    if (!checked.ok) return checked.reason;
+    const operation = checked.value;
+    if (operation.kind !== 'load')
+      return loaded === null ? 'no world is loaded' : operateWorld(loaded, operation, now);
+    const world = load(operation, now);
+    if (!world.ok) return world.reason;
+    loaded = world.value;
+    return null;
+  }
+
+  return {
+    operate,
+    send: (bytes, now) => loaded?.exchange.send(OWN_PLAYER, bytes, now),
+    run(now) {
+      loaded?.exchange.run(now);
+      return loaded?.exchange.deliver(OWN_PLAYER, now) ?? [];
+    },
+    nextAt: () => loaded?.exchange.nextAt() ?? Infinity,
+    status: () => (loaded === null ? null : statusOf(loaded)),
+  };
+}
+
+function load(operation: LoadOperation, now: number): Checked<Loaded> {
+  const staged = stageOperation(operation);
+  if (!staged.ok) return staged;
+  const { scenario, body, ship } = staged.value;
+  const authority = createAuthority({
+    settings: scenario.settings,
+    shipClasses: SHIP_CLASSES,
+    bodies: [body],
+    terrain: scenario.terrain,
+    terrains: TERRAINS,
+    tickRate: scenario.tickRate,
+    timeScale: scenario.timeScale,
+    legacy: operation.legacy,
+  });
+  if (!authority.ok) return authority;
+  const own = { shipId: OWN_SHIP, playerId: OWN_PLAYER, name: 'Touchdown', ship };
+  for (const order of [own, ...fleetOrders(staged.value, operation.others, operation.seed)]) {
+    const reason = authority.value.spawn(order);
+    if (reason !== null) return refused(`${order.shipId}.${reason}`);
+  }
+  const exchange = createExchange(authority.value, operation.network, operation.seed, now);
+  const reason = exchange.connect(OWN_PLAYER, OWN_SHIP, now);
+  if (reason !== null) return refused(reason);
+  return { ok: true, value: { staged: staged.value, exchange, connected: true } };
+}
+
+function stageOperation(operation: LoadOperation): Checked<StagedScenario> {
+  const scenario = SCENARIOS.find(({ name }) => name === operation.scenario);
+  if (scenario === undefined) return refused(`scenario: no scenario named ${operation.scenario}`);
+  const { body, shipClass, terrain, tickRate, timeScale } = operation;
+  return stage({
+    ...scenario,
+    body: body === '' ? scenario.body : body,
+    shipClass: shipClass === '' ? scenario.shipClass : shipClass,
+    terrain: terrain === '' ? scenario.terrain : terrain,
+    tickRate,
+    timeScale,
+  });
+}
+
+function operateWorld(
+  loaded: Loaded,
+  operation: Exclude<Operation, LoadOperation>,
+  now: number,
+): string | null {
+  const { exchange } = loaded;
+  const { authority } = exchange;
+  switch (operation.kind) {
+    case 'pause':
+      authority.setPaused(operation.paused);
+      return null;
+    case 'step':
+      return exchange.step(operation.unit, now);
+    case 'tickRate':
+      return authority.setTickRate(operation.tickRate);
+    case 'timeScale':
+      return authority.setTimeScale(operation.timeScale);
+    case 'network':
+      exchange.setNetwork(operation.numbers);
+      return null;
+    case 'restart':
+      return authority.respawn(OWN_SHIP);
+    case 'kick':
+      return kick(loaded, operation.velocity, operation.spin);
+    case 'freeze':
+      exchange.setFrozen(operation.frozen, now);
+      return null;
+    case 'drop':
+      exchange.drop(OWN_PLAYER);
+      loaded.connected = false;
+      return null;
+    case 'reconnect':
+      exchange.reconnect(OWN_PLAYER, now);
+      loaded.connected = true;
+      return null;
+  }
+}
+
+function kick({ staged, exchange }: Loaded, velocity: Vec3, spin: Vec3): string | null {
+  const motion = exchange.authority.frameFor(OWN_PLAYER)?.bodies[0] ?? staged.body;
+  const ground = { body: motion, site: staged.scenario.site, terrainHeight: staged.terrainHeight };
+  return exchange.authority.kick(OWN_SHIP, siteToIcrf(velocity, ground), siteToIcrf(spin, ground));
+}
+
+function statusOf({ exchange, connected }: Loaded): SessionStatus {
+  const { authority, loop, counters } = exchange;
+  return {
+    tick: authority.tickNumber(),
+    tickRate: authority.tempo.tickRate(),
+    timeScale: authority.tempo.timeScale(),
+    paused: authority.tempo.paused(),
+    frozen: loop.frozen,
+    connected,
+    refused: counters.refused,
+    lastRefusal: counters.lastRefusal,
+    slipped: loop.slipped,
+  };
+}

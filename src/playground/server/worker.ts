@@ -1,0 +1,50 @@
+import type { FromServer, ToServer } from './connection';
+import type { Operation } from './operation';
+import { createSession } from './session';
+
+// The server in a Web Worker: the clock, the timer and the two message channels around a Session. Bytes are the protocol's own.
+
+const session = createSession();
+let timer: ReturnType<typeof setTimeout> | undefined;
+
+/** Wall seconds, monotonic. */
+function clock(): number {
+  return performance.now() / 1000;
+}
+
+function post(message: FromServer, transfer: Transferable[] = []): void {
+  self.postMessage(message, { transfer });
+}
+
+function run(): void {
+  const now = clock();
+  for (const { bytes } of session.run(now)) {
+    // A copy of its own: the buffer goes over to the page, and a duplicate on the line must not lose it.
+    const copy = bytes.slice();
+    post({ kind: 'bytes', bytes: copy }, [copy.buffer]);
+  }
+  const status = session.status();
+  if (status !== null) post({ kind: 'status', status });
+  schedule(now);
+}
+
+function schedule(now: number): void {
+  clearTimeout(timer);
+  const wait = session.nextAt() - now;
+  // A freeze has nothing to wait for; setTimeout holds at most 2³¹ ms.
+  if (Number.isFinite(wait)) timer = setTimeout(run, Math.min(Math.max(0, wait * 1000), 60_000));
+}
+
+self.onmessage = ({ data }: MessageEvent<ToServer>) => {
+  if (data.kind === 'bytes') session.send(data.bytes, clock());
+  else operate(data.operation);
+  run();
+};
+
+function operate(operation: Operation): void {
+  const reason = session.operate(operation, clock());
+  if (reason !== null) post({ kind: 'refused', reason });
+  else if (operation.kind === 'load') post({ kind: 'open', what: 'world' });
+  else if (operation.kind === 'reconnect') post({ kind: 'open', what: 'again' });
+  else if (operation.kind === 'drop') post({ kind: 'closed', reason: 'the connection was dropped' });
+}

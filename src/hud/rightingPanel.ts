@@ -1,21 +1,14 @@
-import {
-  DURATION,
-  MASS,
-  type Righting,
-  type RotationAction,
-  TORQUE,
-  type TranslationAction,
-} from '../readout';
+import { ANGLE, DURATION, type HintAction, MASS, type Righting, TORQUE } from '../readout';
 import { append } from './elements';
 import { showAttribute, showNumber, showPart, showText } from './shown';
 
 /** The text on the key that an action is bound to now; '' when it has none. Asked anew at every paint. */
-export type KeyLabel = (action: RotationAction | TranslationAction) => string;
+export type KeyLabel = (action: HintAction) => string;
 
 /** The design's words. */
 const HINT = 'Use RCS rotation to right the ship';
 
-const ACTION_WORDS: Readonly<Record<RotationAction | TranslationAction, string>> = {
+const ACTION_WORDS: Readonly<Record<HintAction, string>> = {
   pitchPlus: 'pitch +',
   pitchMinus: 'pitch −',
   yawPlus: 'yaw +',
@@ -28,6 +21,7 @@ const ACTION_WORDS: Readonly<Record<RotationAction | TranslationAction, string>>
   translateYMinus: 'thrusters −Y',
   translateZPlus: 'thrusters +Z',
   translateZMinus: 'thrusters −Z',
+  rateDamping: 'rate damping',
 };
 
 /** What to press, whether it suffices, and if not what else may help (HUD, Righting help). */
@@ -38,6 +32,12 @@ export function createRightingPanel(parent: Element, keyLabel: KeyLabel): (right
   append(hold, 'span', 'hud-label', 'HOLD');
   const paintFirst = createKey(hold, keyLabel);
   const paintSecond = createKey(hold, keyLabel);
+  const then = append(panel, 'p', 'hud-hold');
+  append(then, 'span', 'hud-label', 'THEN');
+  const paintHoldShown = showPart(hold);
+  const paintThenShown = showPart(then);
+  const paintUntil = createUntil(then);
+  const paintDamping = createKey(then, keyLabel);
   const paintTorque = createTorque(panel);
   const paintFuel = createFuel(panel);
   const paintVerdict = createVerdict(panel, keyLabel);
@@ -45,18 +45,19 @@ export function createRightingPanel(parent: Element, keyLabel: KeyLabel): (right
   return (righting) => {
     paintShown(righting.shown);
     if (!righting.shown) return;
+    paintHoldShown(righting.possible);
+    paintThenShown(righting.possible);
     paintFirst(righting.actions[0] ?? '');
     paintSecond(righting.actions[1] ?? '');
+    paintUntil(righting);
+    paintDamping('rateDamping');
     paintTorque(righting);
     paintFuel(righting);
     paintVerdict(righting);
   };
 }
 
-function createKey(
-  parent: Element,
-  keyLabel: KeyLabel,
-): (action: RotationAction | TranslationAction | '') => void {
+function createKey(parent: Element, keyLabel: KeyLabel): (action: HintAction | '') => void {
   const holder = append(parent, 'span', 'hud-action');
   const cap = append(holder, 'kbd');
   const paintCapShown = showPart(cap);
@@ -70,6 +71,20 @@ function createKey(
     paintCapShown(label !== '');
     paintCap(label);
     paintAxis(ACTION_WORDS[action]);
+  };
+}
+
+/** `below 37° (1.4 s)`: where to let go, or the swing carries the ship over to its other side. */
+function createUntil(parent: Element): (righting: Righting) => void {
+  const words = append(parent, 'span', 'hud-until', 'below ');
+  const paintAngle = showNumber(words, ANGLE);
+  const time = append(words, 'span', 'hud-of', ', ');
+  const paintTime = showNumber(time, DURATION);
+  const paintTimeShown = showPart(time);
+  return (righting) => {
+    paintAngle(righting.holdUntil);
+    paintTime(righting.holdSeconds);
+    paintTimeShown(righting.outcome === 'lands');
   };
 }
 
@@ -88,7 +103,7 @@ function createTorque(parent: Element): (righting: Righting) => void {
   };
 }
 
-/** `39 kg of 7 200 kg, 12.3 s` from the law run ahead. */
+/** `39 kg of 7 200 kg` from the law run ahead. */
 function createFuel(parent: Element): (righting: Righting) => void {
   const line = append(parent, 'p', 'hud-need');
   append(line, 'span', 'hud-label', 'FUEL');
@@ -97,15 +112,10 @@ function createFuel(parent: Element): (righting: Righting) => void {
   append(values, 'span', 'hud-of', ' of ');
   const paintAboard = showNumber(values, MASS);
   const paintMark = createMark(line);
-  const time = append(line, 'span', 'hud-value hud-seconds');
-  const paintTime = showNumber(time, DURATION);
-  const paintTimeShown = showPart(time);
   return (righting) => {
     paintNeeded(righting.fuelNeeded);
     paintAboard(righting.fuel);
-    paintTime(righting.seconds);
-    paintTimeShown(righting.outcome === 'stands');
-    paintMark(righting.outcome === 'working' ? 'unknown' : righting.outcome === 'stands' ? 'true' : 'false');
+    paintMark(righting.outcome === 'working' ? 'unknown' : righting.outcome === 'lands' ? 'true' : 'false');
   };
 }
 
@@ -144,7 +154,7 @@ function createVerdict(parent: Element, keyLabel: KeyLabel): (righting: Righting
 }
 
 function verdict({ possible, help }: Righting): string {
-  if (possible) return 'Too little fuel to stand up again.';
+  if (possible) return 'Run ahead, this does not land it: too little fuel, or it falls over again.';
   if (help === 'translation') return 'Too heavy as it lies. Take weight off its feet with';
   if (help === 'lighter') return 'Too heavy as it is. Burn fuel until it weighs less than';
   return 'It cannot be righted here: nothing aboard turns this weight.';

@@ -3,9 +3,9 @@ import { append, appendPicture, appendSvg } from './elements';
 import { showAttribute, showFigures } from './shown';
 
 /** The dial is true to angle: straight up is 0°, lying flat is 90°, and the needle leans as the ship does. */
-const PIVOT_X = 26;
-const PIVOT_Y = 108;
-const RADIUS = 92;
+const PIVOT_X = 28;
+const PIVOT_Y = 100;
+const RADIUS = 79;
 /** Degrees the needle can show; beyond them the number tells. */
 const DIAL_END = 96;
 
@@ -20,7 +20,6 @@ export function createTiltGauge(parent: Element): (tilt: Tilt) => void {
   const zones = ['settled', 'leaning', 'toppling', 'tipped'].map((zone) =>
     appendSvg(picture, 'path', { class: `hud-zone hud-zone-${zone}` }),
   );
-  appendSvg(picture, 'path', { class: 'hud-ground', d: `M4 ${PIVOT_Y}H146` });
   const marks = [createMark(picture), createMark(picture), createMark(picture)];
   const needle = createNeedle(picture);
   const paintNow = showFigures(gauge, 'aria-valuenow', 1, String);
@@ -63,12 +62,12 @@ function createMark(picture: Element): (angle: number) => void {
   };
 }
 
-/** A lander on its feet, seen from the side it leans to, with its axis drawn out to the scale. */
+/** A lander seen from the side, its axis drawn out to the scale. */
 function createNeedle(picture: Element): (angle: number) => void {
   const needle = appendSvg(picture, 'g', { class: 'hud-needle' });
-  appendSvg(needle, 'path', { class: 'hud-needle-axis', d: `M0 -34V${String(4 - RADIUS)}` });
-  appendSvg(needle, 'path', { class: 'hud-needle-legs', d: 'M-6 -14L-14 0M6 -14L14 0M-17 0H-11M11 0H17' });
-  appendSvg(needle, 'path', { class: 'hud-needle-hull', d: 'M-8 -8H8L10 -18L6 -31H-6L-10 -18Z' });
+  appendSvg(needle, 'path', { class: 'hud-needle-axis', d: `M0 -10V${String(5 - RADIUS)}` });
+  appendSvg(needle, 'path', { class: 'hud-needle-legs', d: 'M-6 4L-13 17M6 4L13 17M-16 17H-10M10 17H16' });
+  appendSvg(needle, 'path', { class: 'hud-needle-hull', d: 'M-8 9H8L10 0L6 -12H-6L-10 0Z' });
   return showFigures(
     needle,
     'transform',

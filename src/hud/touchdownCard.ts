@@ -4,14 +4,16 @@ import { showNumber, showPart } from './shown';
 
 /** How the touchdown went, once the ship has landed or tipped (HUD, touchdown card). */
 export function createTouchdownCard(parent: Element): (readout: LandingReadout) => void {
-  const card = append(parent, 'dl', 'hud-card');
-  const paintVertical = createEntry(card, 'Vertical at touch', SPEED);
-  const paintHorizontal = createEntry(card, 'Horizontal at touch', SPEED);
+  const part = append(parent, 'div', 'hud-touchdown');
+  append(part, 'p', 'hud-label', 'TOUCHDOWN');
+  const card = append(part, 'dl', 'hud-card');
+  const paintVertical = createEntry(card, 'Vertical', SPEED);
+  const paintHorizontal = createEntry(card, 'Horizontal', SPEED);
   const paintBounces = createEntry(card, 'Bounces', COUNT);
   const paintSlide = createEntry(card, 'Slide', DISTANCE);
-  const paintSettle = createEntry(card, 'Touch to rest', DURATION);
+  const paintSettle = createEntry(card, 'To rest', DURATION);
   const paintTilt = createEntry(card, 'Largest tilt', ANGLE);
-  const paintShown = showPart(card);
+  const paintShown = showPart(part);
   return ({ touchdown, touchdownShown }) => {
     paintShown(touchdownShown);
     if (!touchdownShown) return;

@@ -21,3 +21,6 @@ export const TRANSLATION_ACTIONS: readonly (readonly [TranslationAction, Transla
   ['translateYPlus', 'translateYMinus'],
   ['translateZPlus', 'translateZMinus'],
 ];
+
+/** Every action that a hint may name; 'rateDamping' is the game's attitude_hold. */
+export type HintAction = RotationAction | TranslationAction | 'rateDamping';

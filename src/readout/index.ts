@@ -16,6 +16,7 @@ export type { TipMargin } from './tipping';
 export type { Touchdown } from './touchdown';
 /** What keys are bound to, for hints that name them. */
 export {
+  type HintAction,
   ROTATION_ACTIONS,
   type RotationAction,
   TRANSLATION_ACTIONS,

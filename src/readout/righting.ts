@@ -6,7 +6,7 @@ import {
   type TranslationAction,
 } from './actions';
 import { createRightingRun, forgetRightingRun, type RightingRun, runRighting } from './rightingRun';
-import type { Surface } from './surface';
+import { pointOfNoReturn, type Surface } from './surface';
 
 /** How a tipped ship gets up again, or why it cannot (HUD, righting help; DYNAMICS, "What this gives"). */
 export interface Righting {
@@ -22,11 +22,16 @@ export interface Righting {
   possible: boolean;
   /** kg aboard. */
   fuel: number;
-  /** The law run ahead with those actions held: 'fails' when fuel or a minute ran out before the ship stood. */
-  outcome: 'working' | 'stands' | 'fails';
-  /** Game s and kg until it stands; NaN unless outcome is 'stands'. */
-  seconds: number;
+  /**
+   * The law run ahead: those actions held until the ship leans less than its point of no return, then rate damping.
+   * 'fails': it does not land so within a minute (fuel ran out, or it falls over again).
+   */
+  outcome: 'working' | 'lands' | 'fails';
+  /** Game s to hold, and kg until landed; NaN unless outcome is 'lands'. */
+  holdSeconds: number;
   fuelNeeded: number;
+  /** The point of no return, degrees: hold until the tilt is below it. */
+  holdUntil: number;
   /** Where the torque does not suffice: what else may help. */
   help: 'none' | 'translation' | 'lighter';
   /** For help 'translation': the thruster that takes the most weight off the feet. */
@@ -53,8 +58,9 @@ export function createRighting(): Righting {
     possible: false,
     fuel: 0,
     outcome: 'working',
-    seconds: NaN,
+    holdSeconds: NaN,
     fuelNeeded: NaN,
+    holdUntil: 0,
     help: 'none',
     helpAction: '',
     helpMass: NaN,
@@ -82,7 +88,8 @@ export function measureRighting(
   if (out.possible) runRighting(memory.run, memory.inputs, surface.tilt, view, ship);
   else forgetRightingRun(memory.run);
   out.outcome = memory.run.outcome;
-  out.seconds = memory.run.seconds;
+  out.holdSeconds = memory.run.holdSeconds;
+  out.holdUntil = (pointOfNoReturn(ship.shipClass) * 180) / Math.PI;
   out.fuelNeeded = memory.run.fuelNeeded;
 }
 

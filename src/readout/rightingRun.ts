@@ -1,4 +1,13 @@
-import { type Controls, CONTACT, CRASHED, FUEL, LANDED, NEUTRAL_CONTROLS, SURFACE_STATE } from '../dynamics';
+import {
+  type Controls,
+  CRASHED,
+  FUEL,
+  LANDED,
+  NEUTRAL_CONTROLS,
+  SURFACE_STATE,
+  TIPPED,
+  writeControls,
+} from '../dynamics';
 import type { ShipView, WorldView } from '../prediction';
 import {
   createProjection,
@@ -9,13 +18,19 @@ import {
 } from './projection';
 import { pointOfNoReturn } from './surface';
 
-/** The law run ahead of a tipped ship with the righting keys held: whether it stands, after how long, on how much fuel. */
+/**
+ * The law run ahead of a tipped ship as its pilot is told to fly it: the righting keys held until it leans less than its
+ * point of no return, then rate damping alone until it has landed. Without damping the swing that lifts a ship usually
+ * carries it over to its other side.
+ */
 export interface RightingRun {
   readonly projection: Projection;
-  outcome: 'working' | 'stands' | 'fails';
-  /** Game s; NaN unless it stands. */
-  seconds: number;
-  /** kg; NaN unless it stands. */
+  outcome: 'working' | 'lands' | 'fails';
+  /** Game s of holding, in this run; NaN while the keys are held. */
+  released: number;
+  /** Game s to hold the keys; NaN unless it lands. */
+  holdSeconds: number;
+  /** kg until it has landed; NaN unless it does. */
   fuelNeeded: number;
   /** What the run was started for; a new one starts only where these differ. */
   startInputX: number;
@@ -30,6 +45,7 @@ export interface RightingRun {
 const HORIZON = 60;
 /** Some 40 µs a call. */
 const SUBSTEPS_A_CALL = 200;
+const DAMPED: Controls = { ...NEUTRAL_CONTROLS, attitudeHold: true };
 /** Differences that would hardly show in the answer, kg and rad. */
 const SAME_FUEL = 10;
 const SAME_TILT = 0.035;
@@ -38,7 +54,8 @@ export function createRightingRun(): RightingRun {
   return {
     projection: createProjection(),
     outcome: 'working',
-    seconds: NaN,
+    released: NaN,
+    holdSeconds: NaN,
     fuelNeeded: NaN,
     startInputX: NaN,
     startInputY: NaN,
@@ -50,7 +67,7 @@ export function createRightingRun(): RightingRun {
 export function forgetRightingRun(run: RightingRun): void {
   run.projection.running = false;
   run.outcome = 'working';
-  run.seconds = NaN;
+  run.holdSeconds = NaN;
   run.fuelNeeded = NaN;
   run.startInputX = NaN;
 }
@@ -69,6 +86,7 @@ export function runRighting(
     run.startFuel = ship.fuel;
     run.startTilt = tilt;
     const controls: Controls = { ...NEUTRAL_CONTROLS, rotationInput: [inputs[0]!, inputs[1]!, 0] };
+    run.released = NaN;
     startProjection(run.projection, ship, view.bodies[ship.body]!, view.settings, controls);
   }
   if (run.projection.running) runAhead(run, Math.cos(pointOfNoReturn(ship.shipClass)));
@@ -85,20 +103,19 @@ function differs(run: RightingRun, inputs: Float64Array, tilt: number, fuel: num
 
 function runAhead(run: RightingRun, cosStanding: number): void {
   const { projection } = run;
+  const { ships } = projection;
   for (let i = 0; i < SUBSTEPS_A_CALL && projection.running; i++) {
     stepProjection(projection);
-    const stands = standing(projection, cosStanding);
-    const over = projection.elapsed >= HORIZON || projection.ships[CRASHED] === 1;
-    if (!stands && !over) continue;
+    if (Number.isNaN(run.released) && projectedCosTilt(projection) > cosStanding) {
+      run.released = projection.elapsed;
+      writeControls(ships, 0, DAMPED);
+    }
+    const landed = ships[SURFACE_STATE] === LANDED;
+    const fallen = ships[SURFACE_STATE] === TIPPED && !Number.isNaN(run.released);
+    if (!landed && !fallen && ships[CRASHED] === 0 && projection.elapsed < HORIZON) continue;
     projection.running = false;
-    run.outcome = stands ? 'stands' : 'fails';
-    run.seconds = stands ? projection.elapsed : NaN;
-    run.fuelNeeded = stands ? run.startFuel - projection.ships[FUEL]! : NaN;
+    run.outcome = landed ? 'lands' : 'fails';
+    run.holdSeconds = landed ? run.released : NaN;
+    run.fuelNeeded = landed ? run.startFuel - ships[FUEL]! : NaN;
   }
-}
-
-/** In contact inside its feet again: from there its legs bring it upright. */
-function standing(projection: Projection, cosStanding: number): boolean {
-  const state = projection.ships[SURFACE_STATE];
-  return state === LANDED || (state === CONTACT && projectedCosTilt(projection) > cosStanding);
 }

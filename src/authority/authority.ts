@@ -91,13 +91,16 @@ export function createAuthority(options: AuthorityOptions): Checked<Authority> {
   let happened: WorldEvent[] = [];
   let shared: Omit<ServerFrame, 'lastInput'> | null = null;
   const boundaries = new Float64Array(BOUNDARIES_KEPT).fill(Number.NaN);
+  /** The newest boundary that has been due, and when. */
+  let latest = tick;
   let latestAt = 0;
 
-  /** Wall seconds at which the interval of `t` was, or will be, simulated; good for the last intervals, else by the present rate. */
+  /** Wall seconds at which the interval of `t` was simulated, or will be; for long ago and for the future by the present rate. */
   function simulatedAt(t: number): number {
-    const known = t + 1 > tick - BOUNDARIES_KEPT && t + 1 <= tick;
-    const at = known ? boundaries[(t + 1) % BOUNDARIES_KEPT]! : Number.NaN;
-    return Number.isNaN(at) ? latestAt + (t + 1 - tick) / tempo.tickRate() : at;
+    const boundary = t + 1;
+    const known = boundary <= latest && boundary > latest - BOUNDARIES_KEPT;
+    const at = known ? boundaries[boundary % BOUNDARIES_KEPT]! : Number.NaN;
+    return Number.isNaN(at) ? latestAt + (boundary - latest) / tempo.tickRate() : at;
   }
 
   function present(): Present {
@@ -209,11 +212,13 @@ export function createAuthority(options: AuthorityOptions): Checked<Authority> {
       latestAt = at;
       happened = [];
       if (!tempo.paused()) {
-        boundaries[(tick + 1) % BOUNDARIES_KEPT] = at;
+        latest = tick + 1;
+        boundaries[latest % BOUNDARIES_KEPT] = at;
         simulate();
         tick += 1;
       }
-      ordered(tempo.settle());
+      tempo.settle();
+      shared = null;
     },
     frameFor(playerId) {
       const pilot = pilots.get(playerId);

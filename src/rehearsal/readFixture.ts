@@ -4,7 +4,6 @@ import {
   type Body,
   type BodyMotion,
   type Checked,
-  type Controls,
   DEFAULT_SETTINGS,
   EVENT_NAMES,
   type Mat3,

@@ -1,0 +1,227 @@
+import { describe, expect, it } from 'vitest';
+import { createAuthority } from '../../src/authority';
+import {
+  BODY_STRIDE,
+  readBodyMotion,
+  readShip,
+  SHIP_CLASSES,
+  SHIP_STRIDE,
+  TERRAINS,
+} from '../../src/dynamics';
+import { rehearse, type Scenario, SCENARIOS } from '../../src/rehearsal';
+import { decodeServerMessage, encodeServerMessage } from '../../src/wire';
+import { frameOf, input, MOON, moonWith, runTo, shipOf, valueOf } from './moon';
+
+/** The scenario played through messages: inputs sent as a client's records, states read from frames. */
+function play(scenario: Scenario) {
+  const rehearsed = valueOf(rehearse(scenario));
+  const { staged, world } = rehearsed;
+  const authority = valueOf(
+    createAuthority({
+      settings: scenario.settings,
+      shipClasses: SHIP_CLASSES,
+      bodies: [staged.body],
+      terrain: scenario.terrain,
+      terrains: TERRAINS,
+      tickRate: scenario.tickRate,
+      timeScale: scenario.timeScale,
+    }),
+  );
+  expect(authority.spawn({ shipId: 's', playerId: 'p', name: 'n', ship: staged.ship })).toBeNull();
+  valueOf(authority.join('p', 's'));
+  const frames = [frameOf(authority, 'p')];
+  const ticks = rehearsed.ships.length / SHIP_STRIDE - 1;
+  let next = 0;
+  for (let tick = 0; tick < ticks; tick++) {
+    // Sent a tick ahead, so that none is refused as too far in the future.
+    while (next < staged.inputs.length && staged.inputs[next]!.tick <= tick) {
+      const { substep, controls } = staged.inputs[next++]!;
+      const inputs = [{ seq: next, tick: staged.inputs[next - 1]!.tick, substep, controls }];
+      valueOf(authority.receive('p', { kind: 'inputs', inputs }, tick));
+    }
+    authority.tick(tick + 1);
+    frames.push(frameOf(authority, 'p'));
+  }
+  return { rehearsed, world, frames };
+}
+
+describe('the world loop', () => {
+  it.each(SCENARIOS.map((scenario) => [scenario.name, scenario] as const))(
+    'plays %s to the same bits and events as the dynamics alone',
+    (_name, scenario) => {
+      const { rehearsed, world, frames } = play(scenario);
+      for (const [tick, frame] of frames.entries()) {
+        const expected = readShip(rehearsed.ships, tick * SHIP_STRIDE, world);
+        const ship = frame.ships[0]!;
+        expect({
+          shipClass: ship.shipClass,
+          referenceBody: ship.referenceBody,
+          relativePosition: ship.relativePosition,
+          relativeVelocity: ship.relativeVelocity,
+          attitude: ship.attitude,
+          angularVelocity: ship.angularVelocity,
+          fuel: ship.fuel,
+          surfaceContactState: ship.surfaceContactState,
+          contactImpactSpeed: ship.contactImpactSpeed,
+          crashed: ship.crashed,
+        }).toEqual(expected);
+        expect(frame.bodies[0]).toMatchObject(readBodyMotion(rehearsed.bodies, tick * BODY_STRIDE));
+      }
+      const events = frames.flatMap((frame) => frame.events);
+      expect(events.map(({ type, tick, substep }) => ({ type, tick, substep }))).toEqual(rehearsed.events);
+    },
+  );
+
+  it('makes ICRF position and velocity from the body and the relative state', () => {
+    const authority = moonWith('opening');
+    runTo(authority, 3);
+    const { bodies, ships } = frameOf(authority);
+    const [body, ship] = [bodies[0]!, ships[0]!];
+    for (let k = 0; k < 3; k++) {
+      expect(ship.position[k]).toBe(body.position[k]! + ship.relativePosition![k]!);
+      expect(ship.velocity[k]).toBe(body.velocity[k]! + ship.relativeVelocity![k]!);
+    }
+    expect(body.position[0]).toBeCloseTo(MOON.bodies[0]!.position[0] + 3 * MOON.bodies[0]!.velocity[0], 3);
+    expect(ship.mass).toBe(8000 + ship.fuel);
+  });
+
+  it('tells a hello and frames that survive the wire unchanged', () => {
+    const authority = moonWith('opening');
+    const hello = valueOf(authority.join('ann', 'own'));
+    expect(hello).toMatchObject({
+      kind: 'hello',
+      shipId: 'own',
+      terrain: 'flat',
+      inputGranularity: 'substep',
+    });
+    expect(valueOf(decodeServerMessage(encodeServerMessage(hello!)))).toEqual(hello);
+    runTo(authority, 2);
+    const frame = frameOf(authority);
+    expect(frame.events.map(({ type }) => type)).toEqual(['ship.contact']);
+    expect(valueOf(decodeServerMessage(encodeServerMessage(frame)))).toEqual(frame);
+  });
+
+  it('hands the events of an interval out with the boundary that ends it, once', () => {
+    const authority = moonWith('opening');
+    runTo(authority, 2);
+    expect(frameOf(authority).events).toHaveLength(1);
+    expect(frameOf(authority).events[0]!.tick).toBe(1);
+    runTo(authority, 3);
+    expect(frameOf(authority).events).toHaveLength(0);
+  });
+
+  it('knows no frame for one who has not joined, and joins nobody to a ship that is flown', () => {
+    const authority = moonWith('opening');
+    expect(authority.frameFor('bob')).toBeNull();
+    expect(authority.join('bob', 'own')).toEqual({
+      ok: false,
+      reason: 'shipId: own is flown by another player',
+    });
+    valueOf(authority.join('bob', ''));
+    expect(frameOf(authority, 'bob').ships).toHaveLength(1);
+    expect(authority.leave('bob')).toBeNull();
+    expect(authority.leave('bob')).toContain('bob');
+  });
+
+  it.each([
+    ['settings.contactCrashSpeed', { settings: { contactCrashSpeed: Number.NaN } }],
+    ['tickRate', { tickRate: 200 }],
+    ['timeScale', { timeScale: 0 }],
+    ['terrain', { terrain: 'toString' }],
+    ['tick', { tick: -1 }],
+    ['bodies[0]', { bodies: [{ ...MOON.bodies[0]!, radius: 0 }] }],
+    ['bodies[1]', { bodies: [MOON.bodies[0]!, MOON.bodies[0]!] }],
+    ['bodies', { bodies: [] }],
+    ['shipClasses[0]', { shipClasses: [{ ...SHIP_CLASSES[0]!, dryMass: -1 }] }],
+  ])('refuses %s by name', (field, options) => {
+    const made = createAuthority({ ...MOON, ...options });
+    expect(made.ok ? '' : made.reason).toContain(field);
+  });
+});
+
+describe('a game server of today', () => {
+  it('says no hello, leaves out fields 31 to 34, acknowledges nothing and takes whole ticks', () => {
+    const authority = moonWith('launch', { legacy: true });
+    expect(valueOf(authority.join('ann', 'own'))).toBeNull();
+    valueOf(authority.receive('ann', { kind: 'inputs', inputs: [input(1, 0, 30, { thrustLevel: 1 })] }, 0.1));
+    runTo(authority, 1);
+    expect(frameOf(authority)).toMatchObject({ lastInput: null });
+    expect(frameOf(authority).ships[0]).toMatchObject({
+      contactImpactSpeed: null,
+      referenceBody: '',
+      relativePosition: null,
+      relativeVelocity: null,
+      surfaceContactState: 'landed',
+      thrustLevel: 0,
+    });
+    runTo(authority, 2);
+    expect(frameOf(authority).ships[0]).toMatchObject({ surfaceContactState: '', thrustLevel: 1 });
+  });
+});
+
+describe('ships', () => {
+  it('refuses a spawn by name and leaves the world as it was', () => {
+    const authority = moonWith('opening');
+    const order = { shipId: 'two', playerId: 'bob', name: 'Two', ship: shipOf('settle') };
+    expect(authority.spawn({ ...order, shipId: 'own' })).toContain('shipId');
+    expect(authority.spawn({ ...order, shipId: '' })).toContain('shipId');
+    expect(authority.spawn({ ...order, ship: { ...order.ship, shipClass: 'brick' } })).toContain('shipClass');
+    expect(authority.spawn({ ...order, ship: { ...order.ship, fuel: Number.NaN } })).toContain('fuel');
+    expect(frameOf(authority).ships).toHaveLength(1);
+    expect(authority.spawn(order)).toBeNull();
+    expect(frameOf(authority).ships.map(({ shipId }) => shipId)).toEqual(['own', 'two']);
+  });
+
+  it('takes one ship out without touching the others', () => {
+    const authority = moonWith('opening');
+    const ship = shipOf('settle');
+    for (const shipId of ['two', 'three'])
+      expect(authority.spawn({ shipId, playerId: 'bob', name: shipId, ship })).toBeNull();
+    runTo(authority, 1);
+    const [own, , three] = frameOf(authority).ships;
+    expect(authority.despawn('two')).toBeNull();
+    expect(frameOf(authority).ships).toEqual([own, three]);
+    expect(authority.despawn('two')).toContain('two');
+    runTo(authority, 3);
+    expect(frameOf(authority).ships.map(({ surfaceContactState }) => surfaceContactState)).toEqual([
+      '',
+      'landed',
+    ]);
+  });
+
+  it('takes a crashed ship out of the simulation until it is respawned, over the same ground', () => {
+    const authority = moonWith('crash');
+    const start = frameOf(authority).ships[0]!;
+    runTo(authority, 2);
+    expect(frameOf(authority).events.map(({ type }) => type)).toEqual(['ship.crashed']);
+    const wreck = frameOf(authority).ships[0]!;
+    expect(wreck).toMatchObject({ crashed: true, surfaceContactState: '', landedBodyName: '' });
+    runTo(authority, 500);
+    expect(frameOf(authority).ships[0]!.relativePosition).toEqual(wreck.relativePosition);
+    expect(authority.respawn('own')).toBeNull();
+    const { ships, bodies } = frameOf(authority);
+    expect(ships[0]).toMatchObject({ crashed: false, fuel: start.fuel });
+    // The Moon has turned by 1.33 mrad about its pole, Y, in 500 s: so has the place, 1,633 km from the axis.
+    const moved = Math.hypot(
+      ...ships[0]!.relativePosition!.map((value, k) => value - start.relativePosition![k]!),
+    );
+    expect(moved).toBeCloseTo(1737464.56 * Math.cos((20 * Math.PI) / 180) * 2.6617e-6 * 500, 0);
+    expect(bodies[0]!.attitude[1]).toBeCloseTo(Math.sin(2.6617e-6 * 250), 9);
+    runTo(authority, 503);
+    expect(frameOf(authority).ships[0]!.crashed).toBe(true);
+  });
+
+  it('kicks a ship, waking it from the ground; refuses a kick that is none', () => {
+    const authority = moonWith('launch');
+    expect(authority.kick('own', [0, 0, Number.NaN], [0, 0, 0])).toContain('dv');
+    expect(authority.kick('own', [0, 0, 0], [1e9, 0, 0])).toContain('spin');
+    expect(authority.kick('nobody', [0, 0, 0], [0, 0, 0])).toContain('nobody');
+    expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('landed');
+    const up = frameOf(authority).ships[0]!.relativePosition!.map((value) => (value * 3) / 1737404.56);
+    expect(authority.kick('own', [up[0]!, up[1]!, up[2]!], [0, 0, 0])).toBeNull();
+    runTo(authority, 1);
+    expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('');
+    runTo(authority, 6);
+    expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('landed');
+  });
+});

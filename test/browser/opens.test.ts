@@ -1,0 +1,50 @@
+/** The built page as a static host gives it: it opens, draws, obeys the policy, and is light. */
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import type { Page } from 'playwright-core';
+import { PNG } from 'pngjs';
+import { expect, it } from 'vitest';
+import { describeInBrowser, openBuiltPage, problemsOf } from './pages';
+
+/** The most that the page's code may weigh, in bytes as sent with gzip, terrain and models apart. */
+const HEAVIEST = 250_000;
+
+/** How many different colours the stage alone shows, of the pixels on a grid of 16 pixels. */
+async function coloursOf(page: Page): Promise<number> {
+  await page.locator('#stage').evaluate((stage) => {
+    document.body.style.visibility = 'hidden';
+    stage.style.visibility = 'visible';
+  });
+  const { width, height, data } = PNG.sync.read(await page.locator('#stage').screenshot());
+  const colours = new Set<number>();
+  for (let y = 0; y < height; y += 16) {
+    for (let x = 0; x < width; x += 16) colours.add(data.readUInt32BE((y * width + x) * 4));
+  }
+  return colours.size;
+}
+
+describeInBrowser('the built page', () => {
+  it('opens under the strict policy, below the root of its host, and draws a scene', async () => {
+    const page = await openBuiltPage();
+    expect(await page.title()).toBe('Touchdown');
+    // A cleared canvas has one colour, a sky without a ground few.
+    await expect.poll(() => coloursOf(page), { timeout: 30_000 }).toBeGreaterThan(50);
+    const hasWebGL2 = await page
+      .locator('#stage')
+      .evaluate((stage) => (stage as HTMLCanvasElement).getContext('webgl2') !== null);
+    expect(hasWebGL2).toBe(true);
+    expect(problemsOf(page)).toEqual([]);
+  });
+
+  it(`weighs at most ${HEAVIEST / 1000} kB`, () => {
+    const folder = fileURLToPath(new URL('../../dist/page', import.meta.url));
+    const code = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) =>
+      /\.(html|js|css)$/.test(name),
+    );
+    expect(code.length).toBeGreaterThan(2);
+    const bytes = code.map((name) => gzipSync(readFileSync(join(folder, name)), { level: 9 }).length);
+    expect(bytes.reduce((sum, one) => sum + one, 0)).toBeLessThanOrEqual(HEAVIEST);
+  });
+});

@@ -1,6 +1,6 @@
 import { ATTITUDE, BODY_TURN, POSITION } from './layout';
 import { AXIS, FROM, quantity as q, ROTATION, type Step, TO } from './quantities';
-import { moveWithGround } from './surface';
+import { moveWithGround, spinWithGround } from './surface';
 
 /** Landed or pinned: the ship's place turns with the ground over the substep; u = Ω × r. */
 export function turnPlaceWithGround(step: Step): void {
@@ -23,11 +23,12 @@ export function turnPlaceWithGround(step: Step): void {
   moveWithGround(step);
 }
 
-/** Landed: the attitude turns with the ground too. */
+/** Landed: the attitude turns with the ground too; w = Ω. */
 export function turnAttitudeWithGround(step: Step): void {
   const { ships, at, bodies, bodyAt } = step;
   for (let k = 0; k < 4; k++) q[ROTATION + k] = bodies[bodyAt + BODY_TURN + k]!;
   rotateAttitude(ships, at);
+  spinWithGround(step);
 }
 
 /** q = normalize(ROTATION q): a rotation in ICRF axes, on the left. */

@@ -1,0 +1,142 @@
+import { describe, expect, it } from 'vitest';
+import { EVENT_LANDED, EVENT_TIPPED, LANDED, SHIP_CLASSES, type ShipClass, TIPPED } from '../../src/dynamics';
+import {
+  bodyNamed,
+  classNamed,
+  command,
+  createTrial,
+  gravityOn,
+  LANDER,
+  run,
+  see,
+  still,
+  type Trial,
+} from './provingGround';
+
+const DEGREES = 180 / Math.PI;
+const KEPT = { touchdownAttitude: 'kept' } as const;
+
+/** At rest on its legs at static depth, leaning; `roll` degrees turn the ship's own axes against the lean. */
+function letGo(bodyName: string, shipClass: ShipClass, tilt: number, roll = 0): Trial {
+  const body = still(bodyName);
+  const height = -gravityOn(body, shipClass.groundContactOffset) / 100;
+  const place = [0, 0, 1] as const;
+  return createTrial({ body, shipClass, settings: KEPT, height, place, tilt, roll, state: 'contact' });
+}
+
+function settled(event: number): boolean {
+  return event === EVENT_LANDED || event === EVENT_TIPPED;
+}
+
+describe('the tilt of no return', () => {
+  const classes = [LANDER, ...SHIP_CLASSES].map((shipClass) => shipClass.name);
+
+  /** Degrees between the tilt from which the ship topples, found by halving, and arctan(leg_radius / h). */
+  function missOf(className: string, bodyName: string, roll: number): number {
+    const shipClass = classNamed(className);
+    let [low, high] = [30, 45];
+    while (high - low > 1e-3) {
+      const tilt = (low + high) / 2;
+      const trial = letGo(bodyName, shipClass, tilt, roll);
+      run(trial, 300, settled);
+      expect([LANDED, TIPPED]).toContain(see(trial).state);
+      if (see(trial).state === TIPPED) high = tilt;
+      else low = tilt;
+    }
+    const ideal = Math.atan2(shipClass.legRadius, shipClass.groundContactOffset) * DEGREES;
+    return Math.abs((low + high) / 2 - ideal);
+  }
+
+  // Target: arctan(leg_radius / h), 36.8699° for every class here, to 0.05°. Leaning about an own axis, x or y. Today 0.0005° (the
+  // halving) with a symmetric tensor, 0.0208° fast_frigate, 0.0190° cargo_hauler, whose tensors turn them aside as they rock.
+  it.each(classes.flatMap((name) => ['Moon', 'Earth'].map((body) => [name, body] as const)))(
+    'of %s on %s is arctan(leg radius / h)',
+    (className, bodyName) => {
+      for (const roll of [0, 90, 180]) expect(missOf(className, bodyName, roll)).toBeLessThan(0.022);
+    },
+  );
+
+  // Target 0.05°, missed: leaning between its axes cargo_hauler topples up to 0.21° early. Its tensor (6.03 against 5.33) turns the
+  // support moment 3.5° away from the axis it leans about, and the law caps the whole moment's length, not the part about that axis.
+  it('of cargo_hauler between its axes is up to 0.21° less', () => {
+    const misses = [30, 60, 135, 240, 315].map((roll) => missOf('cargo_hauler', 'Moon', roll));
+    expect(Math.max(...misses)).toBeLessThan(0.215);
+  });
+
+  // Another footprint, so that 36.87° is not the law's own number.
+  it('moves with the footprint', () => {
+    const shipClass = { ...LANDER, legRadius: 1.5 };
+    const ideal = Math.atan(1.5 / 4) * DEGREES;
+    const ends = [ideal - 0.01, ideal + 0.01].map((tilt) => {
+      const trial = letGo('Moon', shipClass, tilt);
+      run(trial, 300, settled);
+      return see(trial).state;
+    });
+    expect(ends).toEqual([LANDED, TIPPED]);
+  });
+});
+
+describe('what DYNAMICS says of the 16 t class', () => {
+  it('rocks back and lands from 36.8°', () => {
+    const trial = letGo('Moon', LANDER, 36.8);
+    run(trial, 60, settled);
+    expect(see(trial).state).toBe(LANDED);
+    expect(see(trial).tilt).toBeLessThan(0.1);
+  });
+
+  it('topples from 36.9°: tipped after 7 s on the Moon, and it lies at 90°', () => {
+    const trial = letGo('Moon', LANDER, 36.9);
+    const seconds = run(trial, 60, settled) * 0.01;
+    expect(see(trial).state).toBe(TIPPED);
+    expect(Math.abs(seconds - 7)).toBeLessThan(0.5);
+    run(trial, 30);
+    expect(see(trial).state).toBe(TIPPED);
+    expect(Math.abs(see(trial).tilt - 90)).toBeLessThan(1e-6);
+    expect(see(trial).spin).toBeLessThan(1e-8);
+  });
+
+  // Touchdown attitude kept, Moon, 1 to 9 m/s: touchdowns tilted by up to 36° land, by 37.5° and more tip.
+  it.each([1, 3, 5, 7, 9])('lands tilted touchdowns at %d m/s up to 36° and tips from 37.5° on', (speed) => {
+    const end = (tilt: number) => {
+      const trial = createTrial({
+        body: bodyNamed('Moon'),
+        settings: KEPT,
+        height: 1e-9,
+        velocity: [0, 0, -speed],
+        tilt,
+        roll: 30,
+      });
+      run(trial, 60, settled);
+      return see(trial).state;
+    };
+    expect([5, 20, 34, 36].map(end)).toEqual([LANDED, LANDED, LANDED, LANDED]);
+    expect([37.5, 40, 60].map(end)).toEqual([TIPPED, TIPPED, TIPPED]);
+  });
+});
+
+describe('righting', () => {
+  /** Whether a torque about body y rights a ship of 12 t that lies on the Moon with its top to the east. */
+  function rights(torque: number): boolean {
+    const body = still('Moon');
+    const shipClass = { ...LANDER, rcsTorque: [0, torque, 0], reactionWheelTorque: [0, 0, 0] } as const;
+    const height = -gravityOn(body) / 100;
+    const place = [0, 0, 1] as const;
+    const setup = { body, shipClass, settings: KEPT, height, place, tilt: 90, fuel: 4000 } as const;
+    const trial = createTrial({ ...setup, state: 'tipped' });
+    command(trial, { rotationInput: [0, -1, 0] });
+    run(trial, 30, () => see(trial).state !== TIPPED);
+    return see(trial).state !== TIPPED;
+  }
+
+  // Target: weight · h, 77.92 kN m for 12 t and 4 m on the Moon. Fuel burnt meanwhile makes it lighter. Today −0.2 %.
+  it('needs a torque above weight · h', () => {
+    let [low, high] = [40_000, 120_000];
+    while (high - low > 10) {
+      const torque = (low + high) / 2;
+      if (rights(torque)) high = torque;
+      else low = torque;
+    }
+    const ideal = 12_000 * gravityOn(still('Moon')) * 4;
+    expect(Math.abs(high / ideal - 1)).toBeLessThan(0.03);
+  });
+});

@@ -125,6 +125,8 @@ function stageInputs(inputs: readonly ScenarioInput[], timing: Timing): Checked<
   for (const [i, input] of inputs.entries()) {
     const checked = loadControls({ ...controls, ...input.controls });
     if (!checked.ok) return refused(`inputs[${i}].${checked.reason}`);
+    if (!(input.at >= (inputs[i - 1]?.at ?? 0)))
+      return refused(`inputs[${i}].at: expected ≥ 0 and in the order of time, got ${input.at}`);
     controls = checked.value;
     const substeps = Math.round(input.at / timing.dt);
     staged.push({

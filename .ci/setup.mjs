@@ -11,6 +11,12 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 /** Oldest minor version of each major version of node that vite runs on; majors above the last are fine. */
 const OLDEST_NODE = { 20: 19, 22: 12 };
 
+/** No advice, no advertisement, and a registry that cannot be reached is given up in seconds instead of a minute and more. */
+const QUIETLY = [
+  ...['--no-audit', '--no-fund', '--loglevel=error'],
+  ...['--fetch-retry-mintimeout=1000', '--fetch-retry-maxtimeout=4000'],
+];
+
 /** What npm's error text means to a person: the first match is printed. */
 const CAUSES = [
   [
@@ -110,7 +116,7 @@ function setUp(purpose) {
   const count = missing.length === 1 ? '1 package is' : `${missing.length} packages are`;
   console.log(`set-up: ${count} missing; npm ci ${scope[0]} …`);
   const started = Date.now();
-  const run = npm(root, ['ci', ...scope, '--no-audit', '--no-fund', '--loglevel=error']);
+  const run = npm(root, ['ci', ...scope, ...QUIETLY]);
   if (run.stderr) process.stderr.write(run.stderr);
   if (run.error)
     stop(`npm cannot be started (${run.error.message}): it comes with node (https://nodejs.org).`);

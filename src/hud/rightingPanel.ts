@@ -50,7 +50,7 @@ export function createRightingPanel(parent: Element, keyLabel: KeyLabel): (right
     paintFirst(righting.actions[0] ?? '');
     paintSecond(righting.actions[1] ?? '');
     paintUntil(righting);
-    paintDamping('rateDamping');
+    paintDamping(righting.damped ? '' : 'rateDamping');
     paintTorque(righting);
     paintFuel(righting);
     paintVerdict(righting);
@@ -76,7 +76,7 @@ function createKey(parent: Element, keyLabel: KeyLabel): (action: HintAction | '
 
 /** `below 37° (1.4 s)`: where to let go, or the swing carries the ship over to its other side. */
 function createUntil(parent: Element): (righting: Righting) => void {
-  const words = append(parent, 'span', 'hud-until', 'below ');
+  const words = append(parent, 'span', 'hud-until', 'let go below ');
   const paintAngle = showNumber(words, ANGLE);
   const time = append(words, 'span', 'hud-of', ', ');
   const paintTime = showNumber(time, DURATION);

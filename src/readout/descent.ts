@@ -24,11 +24,17 @@ export function createDescent(): Descent {
 }
 
 export function measureDescent(out: Descent, surface: Surface, ship: ShipView): void {
-  out.shown = surface.feetHeight < DESCENT_CEILING;
+  const feetHeight = feetAboveGround(ship);
+  out.shown = feetHeight < DESCENT_CEILING;
   out.verticalSpeed = -surface.radialSpeed;
   out.horizontalSpeed = surface.tangentialSpeed;
-  out.feetHeight = surface.feetHeight;
+  out.feetHeight = feetHeight;
   out.timeToImpact = ship.surfaceState === '' && !ship.crashed ? timeToImpact(surface, ship) : NaN;
+}
+
+/** On the ground the drawn legs stand on it, whatever depth the law has (PREDICTION, "nothing is drawn underground"). */
+export function feetAboveGround(ship: ShipView): number {
+  return ship.surfaceState !== '' || ship.feetHeight < 0 ? 0 : ship.feetHeight;
 }
 
 export function forgetDescent(out: Descent): void {

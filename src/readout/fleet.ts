@@ -1,5 +1,5 @@
 import type { Provenance, ShipView, WorldView } from '../prediction';
-import { length } from './axes';
+import { feetAboveGround } from './descent';
 import { type StatusId, statusOf } from './status';
 
 /** One ship's row. */
@@ -10,7 +10,7 @@ export interface FleetRow {
   status: StatusId;
   provenance: Provenance;
   withdrawn: ShipView['withdrawn'];
-  /** Height above ground at which it would touch, m; 0 on the ground, NaN without a recent state. */
+  /** AGL of the feet, m; 0 on the ground, NaN without a recent state. */
   height: number;
 }
 
@@ -83,10 +83,5 @@ function fillRow(row: FleetRow, ship: ShipView): void {
   row.status = statusOf(ship.shownState);
   row.provenance = ship.provenance;
   row.withdrawn = ship.withdrawn;
-  row.height = ship.provenance === 'stale' ? NaN : heightOf(ship);
-}
-
-function heightOf(ship: ShipView): number {
-  const above = length(ship.position) - ship.groundRadius - ship.shipClass.groundContactOffset;
-  return ship.surfaceState !== '' || above < 0 ? 0 : above;
+  row.height = ship.provenance === 'stale' ? NaN : feetAboveGround(ship);
 }

@@ -32,6 +32,8 @@ export interface Righting {
   fuelNeeded: number;
   /** The point of no return, degrees: hold until the tilt is below it. */
   holdUntil: number;
+  /** Rate damping is on already: letting go of the keys suffices. */
+  damped: boolean;
   /** Where the torque does not suffice: what else may help. */
   help: 'none' | 'translation' | 'lighter';
   /** For help 'translation': the thruster that takes the most weight off the feet. */
@@ -61,6 +63,7 @@ export function createRighting(): Righting {
     holdSeconds: NaN,
     fuelNeeded: NaN,
     holdUntil: 0,
+    damped: false,
     help: 'none',
     helpAction: '',
     helpMass: NaN,
@@ -82,6 +85,7 @@ export function measureRighting(
   out.shown = true;
   out.fuel = ship.fuel;
   out.torqueNeeded = surface.weight * ship.shipClass.groundContactOffset;
+  out.damped = ship.controls.attitudeHold && ship.controls.attitudeMode === 'none';
   chooseActions(out, memory.inputs, surface, ship);
   out.possible = out.torqueAvailable > out.torqueNeeded;
   chooseHelp(out, surface, ship);

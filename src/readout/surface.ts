@@ -37,8 +37,6 @@ export interface Surface {
   tilt: number;
   /** rad/s, positive = leaning over further. */
   tiltRate: number;
-  /** Height of the lowest foot above the ground, m; 0 while the ground carries the ship. */
-  feetHeight: number;
   /** Height of the law's own contact height above the ground, m: ‖r‖ − surface_r, negative when sunk in. */
   clearance: number;
 }
@@ -61,7 +59,6 @@ export function createSurface(): Surface {
     spin: 0,
     tilt: 0,
     tiltRate: 0,
-    feetHeight: 0,
     clearance: 0,
   };
 }
@@ -71,7 +68,6 @@ export function measureSurface(out: Surface, ship: ShipView, body: Body & BodyMo
   measurePlace(out, ship, body);
   measureMotion(out, ship, body);
   measureLean(out, ship, body);
-  measureHeight(out, ship);
 }
 
 const BODY_UP = Float64Array.of(0, 0, 1);
@@ -114,14 +110,6 @@ function measureLean(out: Surface, ship: ShipView, body: BodyMotion): void {
   for (let k = 0; k < 3; k++) spinAgainstGround[k] = ship.angularVelocity[k]! - body.angularVelocity[k]!;
   out.spin = length(spinAgainstGround);
   out.tiltRate = sine > 1e-9 ? dot(spinAgainstGround, tiltAxis) / sine : 0;
-}
-
-/** On the ground the drawn legs stand on it, whatever the law's depth (PREDICTION, "nothing is drawn underground"). */
-function measureHeight(out: Surface, ship: ShipView): void {
-  const { groundContactOffset: h, legRadius } = ship.shipClass;
-  const lowestFoot = h * Math.cos(out.tilt) + legRadius * Math.sin(out.tilt);
-  const above = out.distance - ship.groundRadius - lowestFoot;
-  out.feetHeight = ship.surfaceState !== '' || above < 0 ? 0 : above;
 }
 
 /** arctan(leg_radius / h): past it the centre of mass is outside the feet, rad. */

@@ -88,6 +88,9 @@ export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): Ship
     (v, k) => v + tiltAxis[k]! * (pose.tiltRate ?? 0) + NORMAL[k]! * (pose.yawRate ?? 0),
   );
   const state = pose.state ?? '';
+  const { groundContactOffset: h, legRadius } = given;
+  const lean = ((pose.tilt ?? 0) * Math.PI) / 180;
+  const lowestFoot = h * Math.cos(lean) + legRadius * Math.sin(lean);
   return {
     shipId: 'ship-1',
     name: 'Kestrel',
@@ -105,8 +108,11 @@ export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): Ship
     controls: NEUTRAL_CONTROLS,
     thrust: Float64Array.from(scaled(NORMAL, pose.lift ?? 0)),
     groundRadius: ground,
+    feetHeight: (pose.clearance ?? 0) + h - lowestFoot,
     drawnPosition: Float64Array.from(position),
     drawnAttitude: Float64Array.from(attitude),
+    standPosition: Float64Array.from(position),
+    legCompression: new Float64Array(4),
     shownState: state,
     provenance: 'confirmed',
     age: 0.4,
@@ -114,6 +120,7 @@ export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): Ship
     serverPosition: Float64Array.from(position),
     serverAttitude: Float64Array.from(attitude),
     serverKnown: true,
+    missingTicks: 0,
     ...changes,
   };
 }

@@ -1,0 +1,68 @@
+import { describe, expect, it } from 'vitest';
+import { createFleetReadout, fleetReadout } from '../../src/readout';
+import type { ShipView, WorldView } from '../../src/prediction';
+import { makeShip, makeView } from './views';
+
+const STATES = ['', 'landed', 'contact', 'crashed', 'tipped', 'landed', '', 'tipped'] as const;
+
+function fleet(states: readonly ShipView['shownState'][], changes: Partial<ShipView> = {}): WorldView {
+  const ships = states.map((shownState, i) =>
+    makeShip(
+      { clearance: 10 * i },
+      { shipId: `s${String(i)}`, name: `Ship ${String(i)}`, shownState, ...changes },
+    ),
+  );
+  return { ...makeView(), ships, own: null };
+}
+
+describe('fleetReadout', () => {
+  it('puts TIPPED first, then CONTACT, then the rest, each in the view’s order', () => {
+    const out = fleetReadout(fleet(STATES), createFleetReadout());
+    expect(out.rows.slice(0, out.count).map((row) => `${row.shipId} ${row.status}`)).toEqual([
+      's4 tipped',
+      's7 tipped',
+      's2 contact',
+      's3 crashed',
+      's0 flight',
+      's6 flight',
+      's1 landed',
+      's5 landed',
+    ]);
+    expect(out.counts).toEqual({ tipped: 2, contact: 1, crashed: 1, flight: 2, landed: 2, none: 0 });
+  });
+
+  it('follows a fleet that shrinks and grows without new rows for the old', () => {
+    const out = createFleetReadout();
+    fleetReadout(fleet(STATES), out);
+    const rows = [...out.rows];
+    fleetReadout(fleet(['tipped']), out);
+    expect(out.count).toBe(1);
+    expect(out.rows[0]).toBe(rows[0]);
+    expect(out.rows[0]).toMatchObject({ shipId: 's0', status: 'tipped' });
+    expect(out.counts.landed).toBe(0);
+    fleetReadout(fleet([...STATES, '']), out);
+    expect(out.count).toBe(9);
+    expect(out.rows.slice(0, 8)).toEqual(
+      rows.map((row) => expect.objectContaining({ name: row.name }) as unknown),
+    );
+  });
+
+  it('gives heights, and none of a stale ship', () => {
+    const heights = (view: WorldView) => {
+      const out = fleetReadout(view, createFleetReadout());
+      return out.rows.slice(0, out.count).map((row) => row.height);
+    };
+    const [low, high] = heights(fleet(['', '']));
+    expect(low).toBeCloseTo(0, 6);
+    expect(high).toBeCloseTo(10, 6);
+    expect(heights(fleet([''], { provenance: 'stale' }))).toEqual([NaN]);
+  });
+
+  it('has no ships before the view is ready', () => {
+    const out = createFleetReadout();
+    fleetReadout(fleet(STATES), out);
+    fleetReadout({ ...fleet(STATES), ready: false }, out);
+    expect(out.count).toBe(0);
+    expect(out.counts.tipped).toBe(0);
+  });
+});

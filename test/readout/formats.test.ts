@@ -1,0 +1,89 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import {
+  ANGLE,
+  COUNT,
+  DISTANCE,
+  DURATION,
+  FINE_SPEED,
+  type Format,
+  MASS,
+  SPEED,
+  SPIN,
+  TORQUE,
+  VERTICAL_SPEED,
+} from '../../src/readout';
+
+const shown = (format: Format, value: number) => format.text(format.key(value));
+
+describe('formats', () => {
+  it('are the HUD’s own', () => {
+    expect(shown(VERTICAL_SPEED, 12.3)).toBe('↓ 12.3 m/s');
+    expect(shown(VERTICAL_SPEED, -4.56)).toBe('↑ 4.6 m/s');
+    expect(shown(VERTICAL_SPEED, -0.04)).toBe('0.0 m/s');
+    expect(shown(DISTANCE, 0.84)).toBe('0.8 m');
+    expect(shown(DISTANCE, 123.4)).toBe('123 m');
+    expect(shown(DISTANCE, 4321)).toBe('4\u202f321 m');
+    expect(shown(DISTANCE, 49_876)).toBe('49.9 km');
+    expect(shown(DURATION, 4.25)).toBe('4.3 s');
+    expect(shown(DURATION, 125)).toBe('2 min 05 s');
+    expect(shown(DURATION, 1e9)).toBe('> 99 min');
+    expect(shown(ANGLE, 36.87)).toBe('36.9°');
+    expect(shown(SPIN, 0.0094)).toBe('0.009 rad/s');
+    expect(shown(FINE_SPEED, 0.499)).toBe('0.50 m/s');
+    expect(shown(TORQUE, 78_040)).toBe('78.0 kN m');
+    expect(shown(TORQUE, 716_400)).toBe('716 kN m');
+    expect(shown(MASS, 39.14)).toBe('39.1 kg');
+    expect(shown(MASS, 7200)).toBe('7\u202f200 kg');
+    expect(shown(COUNT, 2)).toBe('2');
+  });
+
+  it('dash what is not known', () => {
+    for (const format of [VERTICAL_SPEED, SPEED, DISTANCE, DURATION, ANGLE, SPIN, FINE_SPEED, TORQUE, MASS]) {
+      expect(shown(format, NaN)).toBe('--');
+    }
+  });
+
+  it('show the value itself, to half of the last digit shown', () => {
+    const formats: readonly (readonly [Format, toUnit: number])[] = [
+      [VERTICAL_SPEED, 1],
+      [SPEED, 1],
+      [ANGLE, 1],
+      [SPIN, 1],
+      [FINE_SPEED, 1],
+      [TORQUE, 1000],
+      [MASS, 1],
+    ];
+    fc.assert(
+      fc.property(
+        fc.constantFrom(...formats),
+        fc.double({ min: 0, max: 2e5, noNaN: true }),
+        (pair, value) => {
+          const [format, toUnit] = pair;
+          const digits = shown(format, value).replace(/[^0-9.]/g, '');
+          const lastDigit = toUnit / 10 ** (digits.split('.')[1]?.length ?? 0);
+          expect(Math.abs(Number(digits) * toUnit - value)).toBeLessThanOrEqual(lastDigit * 0.5001);
+        },
+      ),
+    );
+  });
+
+  it('make no "−0.0" of a small negative value', () => {
+    for (const format of [VERTICAL_SPEED, SPEED, DISTANCE, ANGLE, FINE_SPEED]) {
+      expect(shown(format, -0.001)).not.toContain('−');
+    }
+  });
+
+  it('never show a gap in a rising value', () => {
+    let last = -1;
+    for (let metres = 0; metres < 60_000; metres += 0.37) {
+      const key = DISTANCE.key(metres);
+      expect(key).toBeGreaterThanOrEqual(last);
+      // Half of the last digit shown.
+      expect(Math.abs(key / 10 - metres)).toBeLessThanOrEqual(
+        metres < 100 ? 0.051 : metres < 10_000 ? 0.51 : 51,
+      );
+      last = key;
+    }
+  });
+});

@@ -1,0 +1,101 @@
+import { describe, expect, it } from 'vitest';
+import {
+  createLandingReadout,
+  DURATION,
+  landingReadout,
+  type LandingReadout,
+  provenanceText,
+  STATUS_LOOKS,
+  withdrawnText,
+} from '../../src/readout';
+import type { ShipView } from '../../src/prediction';
+import { makeView, type Pose } from './views';
+
+const read = (pose: Pose, changes: Partial<ShipView> = {}): LandingReadout =>
+  landingReadout(makeView(pose, changes), createLandingReadout());
+
+const says = (readout: LandingReadout) => provenanceText(readout, DURATION.key(readout.age));
+
+describe('status', () => {
+  it('has the design’s words, and a shape and a colour to each', () => {
+    const looks = (['', 'contact', 'landed', 'tipped'] as const).map((state) => {
+      const { word, shape, colour } = STATUS_LOOKS[read({ state }).status];
+      return `${shape} ${word} ${colour}`;
+    });
+    expect(looks).toEqual(['◇ FLIGHT neutral', '▲ CONTACT yellow', '■ LANDED cyan', '✖ TIPPED red']);
+    const crashed = STATUS_LOOKS[read({}, { crashed: true, shownState: 'crashed' }).status];
+    expect(`${crashed.shape} ${crashed.word} ${crashed.colour}`).toBe('✖ CRASHED red');
+  });
+
+  it('is the shown state, while the numbers are those of the predicted truth', () => {
+    // A bounce: CONTACT dwells, but the ship is 0.8 m up already.
+    const hop = read({ state: '', clearance: 0.8, up: 3 }, { shownState: 'contact' });
+    expect(hop.status).toBe('contact');
+    expect(hop.descent.feetHeight).toBeCloseTo(0.8, 6);
+  });
+
+  it('does not say CRASHED before the server has', () => {
+    expect(read({}, { crashed: true, shownState: '' }).status).toBe('flight');
+  });
+
+  it('says NO DATA before there is a ship', () => {
+    const out = createLandingReadout();
+    landingReadout(makeView({ state: 'contact', tilt: 20 }), out);
+    for (const view of [
+      { ...makeView(), ready: false },
+      { ...makeView(), own: null },
+    ]) {
+      landingReadout(view, out);
+      expect(out).toMatchObject({ status: 'none', known: false, withdrawn: '', shipName: '' });
+      expect(out.gates.shown).toBe(false);
+      expect(says(out)).toBe('');
+      expect(numbersOf(out).every(Number.isNaN)).toBe(true);
+    }
+  });
+});
+
+const numbersOf = ({ descent, tilt, drift }: LandingReadout) => [
+  descent.verticalSpeed,
+  descent.horizontalSpeed,
+  descent.timeToImpact,
+  descent.feetHeight,
+  tilt.degrees,
+  drift.x,
+  drift.y,
+];
+
+describe('provenance', () => {
+  it('is told in the HUD’s words', () => {
+    expect(says(read({}, { provenance: 'confirmed', age: 0.42 }))).toBe('CONF 0.4 s');
+    expect(says(read({}, { provenance: 'predicted', age: 31 }))).toBe('PRED');
+    expect(says(read({ state: 'contact' }, { provenance: 'predicted', age: 0.31 }))).toBe('PRED 0.3 s');
+    expect(says(read({}, { provenance: 'stale', age: 2.6 }))).toBe('STALE 2.6 s');
+    const fast = { ...makeView({}, { provenance: 'off' }), timeScale: 100 };
+    expect(says(landingReadout(fast, createLandingReadout()))).toBe('PRED OFF ×100');
+  });
+
+  it('dashes every number of a stale state, and brings them back with the next one', () => {
+    const out = createLandingReadout();
+    const pose: Pose = { state: 'tipped', tilt: 88, clearance: -0.02 };
+    landingReadout(makeView(pose), out);
+    expect(numbersOf(out).filter(Number.isNaN)).toHaveLength(1);
+    landingReadout(makeView(pose, { provenance: 'stale', age: 3 }), out);
+    expect(out).toMatchObject({ status: 'tipped', known: false });
+    expect(numbersOf(out).every(Number.isNaN)).toBe(true);
+    expect([out.gates.shown, out.righting.shown, out.touchdownShown]).toEqual([false, false, false]);
+    landingReadout(makeView(pose), out);
+    expect(out.known).toBe(true);
+    expect(numbersOf(out).filter(Number.isNaN)).toHaveLength(1);
+  });
+
+  it('keeps the server’s numbers where prediction is off', () => {
+    const off = read({ clearance: 40, up: -5 }, { provenance: 'off' });
+    expect(off.known).toBe(true);
+    expect(off.descent.verticalSpeed).toBeCloseTo(5, 6);
+  });
+
+  it('says so when a predicted state was taken back', () => {
+    expect(withdrawnText(read({}, { withdrawn: 'landed' }).withdrawn)).toBe('LANDED withdrawn');
+    expect(withdrawnText(read({}).withdrawn)).toBe('');
+  });
+});

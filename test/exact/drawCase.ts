@@ -1,0 +1,170 @@
+/** Draws a whole case: a ship in the air, near the ground, in it, landed, over on its side or on its head, or between bodies. */
+import {
+  type Body,
+  type BodyMotion,
+  loadTiming,
+  type Quat,
+  type ShipClass,
+  type ShipRecord,
+  type Vec3,
+} from '../../src/dynamics';
+import { add, compose, cross, rotate } from '../../src/authority';
+import { createDice, type Dice } from '../../src/rehearsal';
+import { between, chance, pick, tangent, triple, unitQuaternion, unitVector } from './draw';
+import {
+  drawBody,
+  drawInputs,
+  drawNeighbours,
+  drawSettings,
+  drawShipClass,
+  drawTempo,
+  drawTerrain,
+} from './drawCraft';
+import type { CaseTerrain, ExactCase } from './exactCase';
+import { caseTerrain } from './playCase';
+
+/** About as many substeps a case. */
+const LENGTH = 700;
+
+const STARTS = [
+  'flight',
+  'approach',
+  'approach',
+  'contact',
+  'contact',
+  'landed',
+  'tipped',
+  'tipped',
+  'tipped',
+  'head',
+  'transfer',
+] as const;
+type Start = (typeof STARTS)[number];
+
+/** A place on a body. */
+interface Place {
+  readonly body: Body & BodyMotion;
+  readonly terrain: CaseTerrain;
+  /** Unit, ICRF. */
+  readonly normal: Vec3;
+}
+
+/** The case of a seed. */
+export function drawCase(seed: number): ExactCase {
+  const dice = createDice(seed);
+  const start = pick(dice, STARTS);
+  const shipClass = drawShipClass(dice);
+  const settings = drawSettings(dice);
+  const body = start === 'transfer' ? smallBody(dice) : drawBody(dice);
+  const normal = chance(dice, 0.2) ? pick(dice, AXES) : unitVector(dice);
+  const terrain = drawTerrain(dice, normal, body.radius);
+  const ship = drawShip(dice, start, shipClass, { body, terrain, normal });
+  const bodies = start === 'transfer' ? drawNeighbours(dice, body) : [body];
+  const { tickRate, timeScale } = drawTempo(dice);
+  const timing = loadTiming(tickRate, timeScale);
+  const substeps = timing.ok ? timing.value.substeps : 1;
+  const ticks = Math.max(1, Math.round(LENGTH / substeps));
+  const hover =
+    ((shipClass.dryMass + ship.fuel) * 6.6743e-11 * body.mass) /
+    (body.radius * body.radius * (shipClass.mainEngineThrust + 1));
+  const inputs = drawInputs(dice, ticks, substeps, hover);
+  const name = `${start}-${seed}`;
+  return { name, tickRate, timeScale, ticks, settings, terrain, shipClass, bodies, ship, inputs };
+}
+
+/** Directions whose zeros and ones meet the special cases of perpendicular axes. */
+const AXES: readonly Vec3[] = [
+  [1, 0, 0],
+  [-1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+  [0, 0, -1],
+];
+
+function smallBody(dice: Dice): Body & BodyMotion {
+  const radius = between(dice, 5e3, 2e4);
+  return { ...drawBody(dice), name: 'first', radius, mass: radius * radius * between(dice, 1e8, 1e9) };
+}
+
+function drawShip(dice: Dice, start: Start, shipClass: ShipClass, place: Place): ShipRecord {
+  const { body, normal } = place;
+  const height = drawHeight(dice, start, body.radius);
+  const [nx, ny, nz] = rotate(
+    [-body.attitude[0], -body.attitude[1], -body.attitude[2], body.attitude[3]],
+    normal,
+  );
+  const ground = caseTerrain(place.terrain)(body.name, nx, ny, nz);
+  const reach = body.radius + ground + shipClass.groundContactOffset + height;
+  const relativePosition: Vec3 = [normal[0] * reach, normal[1] * reach, normal[2] * reach];
+  const rests = chance(dice, 0.2);
+  const groundBound = start !== 'flight' && start !== 'transfer';
+  const fall = groundBound ? between(dice, -drawSpeed(dice), 1) : between(dice, -300, 300);
+  const slide = rests ? 0 : drawSpeed(dice);
+  const along = tangent(dice, normal);
+  const local: Vec3 = [0, 1, 2].map((k) => normal[k]! * fall + along[k]! * slide) as unknown as Vec3;
+  const spin = rests ? ([0, 0, 0] as const) : triple(dice, pick(dice, [0.01, 0.2, 1.5]));
+  const moves = start !== 'landed';
+  const groundVelocity = cross(body.angularVelocity, relativePosition);
+  const standsStill = start === 'flight' && chance(dice, 0.1);
+  return {
+    shipClass: shipClass.name,
+    referenceBody: body.name,
+    relativePosition,
+    relativeVelocity: standsStill ? [0, 0, 0] : moves ? add(groundVelocity, local) : groundVelocity,
+    attitude: drawAttitude(dice, start, normal),
+    angularVelocity: moves ? add(body.angularVelocity, spin) : body.angularVelocity,
+    fuel: shipClass.fuelCapacity * pick(dice, [0, 1e-6, 1e-5, 1e-4, 0.3, 1]) * between(dice, 0.5, 1),
+    surfaceContactState: stateOf(start),
+    contactImpactSpeed: start === 'contact' ? drawSpeed(dice) : 0,
+    crashed: false,
+  };
+}
+
+function stateOf(start: Start): ShipRecord['surfaceContactState'] {
+  if (start === 'contact' || start === 'landed' || start === 'tipped') return start;
+  return start === 'head' ? 'tipped' : '';
+}
+
+/** Of the feet above the ground, m. */
+function drawHeight(dice: Dice, start: Start, radius: number): number {
+  if (start === 'flight') return between(dice, 100, 4000);
+  if (start === 'approach') return between(dice, 0.01, 15);
+  // About where neighbours pull as hard.
+  if (start === 'transfer') return radius * between(dice, 0.5, 3);
+  return -between(dice, -0.02, 0.3);
+}
+
+function drawSpeed(dice: Dice): number {
+  return between(dice, 0, pick(dice, [0.02, 0.4, 3, 12, 30, 70]));
+}
+
+/** Tilted as the start asks: 2 arctan k, up to about 40°, round 90°, on its head, or any. */
+function drawAttitude(dice: Dice, start: Start, normal: Vec3): Quat {
+  if (start === 'flight' || start === 'transfer')
+    return chance(dice, 0.2) ? [0, 0, 0, 1] : unitQuaternion(dice);
+  const upright = compose(fromZTo(normal), yaw(dice));
+if (start === 'head' && chance(dice, 0.5)) return compose([...tangent(dice, normal), 0], upright);
+  const k =
+    start === 'head'
+      ? between(dice, 2, 9)
+      : start === 'tipped'
+        ? between(dice, 0.5, 1.3)
+        : between(dice, 0, 0.4);
+  const axis = tangent(dice, normal);
+  const length = Math.sqrt(1 + k * k);
+  return compose(
+    [(axis[0] * k) / length, (axis[1] * k) / length, (axis[2] * k) / length, 1 / length],
+    upright,
+  );
+}
+
+function yaw(dice: Dice): Quat {
+  const k = between(dice, -3, 3);
+  const length = Math.sqrt(1 + k * k);
+  return [0, 0, k / length, 1 / length];
+}
+
+/** The rotation that takes z to `n`. */
+function fromZTo([x, y, z]: Vec3): Quat {
+  return z > -0.99 ? compose([-y, x, 0, 1 + z], [0, 0, 0, 1]) : [1, 0, 0, 0];
+}

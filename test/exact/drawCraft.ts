@@ -1,0 +1,165 @@
+/** Draws what a case is made of besides its ship's state: classes, bodies, settings, ticks, what the pilot does. */
+import {
+  ATTITUDE_MODES,
+  BODIES,
+  type Body,
+  type BodyMotion,
+  type Controls,
+  type Settings,
+  SHIP_CLASSES,
+  type ShipClass,
+  type Vec3,
+} from '../../src/dynamics';
+import type { Dice } from '../../src/rehearsal';
+import { between, chance, pick, triple, unitQuaternion, unitVector, whole } from './draw';
+import type { CaseInput, CaseTerrain } from './exactCase';
+
+/** A class of the game, or one with a full tensor; an engine, thrusters or wheels may be missing. */
+export function drawShipClass(dice: Dice): ShipClass {
+  if (chance(dice, 0.3)) return pick(dice, SHIP_CLASSES);
+  const dryMass = pick(dice, [300, 2000, 9000, 70000]) * between(dice, 0.7, 2);
+  const fuelCapacity = chance(dice, 0.05) ? 0 : dryMass * between(dice, 0.05, 1);
+  const mass = dryMass + fuelCapacity;
+  const groundContactOffset = between(dice, 0.8, 9);
+  const scale = mass * groundContactOffset * groundContactOffset * between(dice, 0.2, 0.6);
+  const some = (most: number): Vec3 =>
+    chance(dice, 0.15) ? [0, 0, 0] : [between(dice, 0, most), between(dice, 0, most), between(dice, 0, most)];
+  const [xy, xz, yz] = triple(dice, 0.2 * scale);
+  return {
+    name: 'drawn',
+    dryMass,
+    fuelCapacity,
+    inertiaTensor: [
+      [scale * between(dice, 0.7, 1.4), xy, xz],
+      [xy, scale * between(dice, 0.7, 1.4), yz],
+      [xz, yz, scale * between(dice, 0.7, 1.4)],
+    ],
+    groundContactOffset,
+    legRadius: groundContactOffset * between(dice, 0.4, 1.2),
+    mainEngineThrust: chance(dice, 0.1) ? 0 : mass * between(dice, 0.5, 25),
+    mainEngineIsp: between(dice, 200, 5000),
+    rcsThrust: some(mass * 0.8),
+    rcsTorque: some(scale * 0.6),
+    rcsLever: between(dice, 0.5, 8),
+    rcsIsp: between(dice, 150, 400),
+    reactionWheelTorque: some(scale * 0.05),
+  };
+}
+
+/** A body of the game turned anyhow, or one drawn; its spin about any axis, up to a turn in two minutes. */
+export function drawBody(dice: Dice): Body & BodyMotion {
+  const spin = chance(dice, 0.1) ? 0 : pick(dice, [1e-6, 1e-4, 5e-4, 0.05]);
+  const angularVelocity = chance(dice, 0.2) ? ([0, spin, 0] as const) : triple(dice, spin);
+  const attitude = chance(dice, 0.2) ? ([0, 0, 0, 1] as const) : unitQuaternion(dice);
+  const ours = pick(dice, BODIES);
+  if (chance(dice, 0.5)) return { ...ours, attitude, angularVelocity: triple(dice, 3e-4) };
+  const radius = pick(dice, [2e3, 4e4, 1.7e6, 7e6]) * between(dice, 0.5, 2);
+  // By its gravity at the surface, m/s².
+  const mass = (pick(dice, [0.005, 0.3, 1.6, 9]) * between(dice, 0.5, 2) * radius * radius) / 6.6743e-11;
+  return {
+    name: pick(dice, ['Moon', 'Phobos', 'Nemo']),
+    mass,
+    radius,
+    position: triple(dice, 3e11),
+    velocity: triple(dice, 3e4),
+    attitude,
+    angularVelocity: radius > 1e5 ? triple(dice, 3e-4) : angularVelocity,
+  };
+}
+
+/** The defaults, or any within their ranges. */
+export function drawSettings(dice: Dice): Partial<Settings> {
+  const touchdownAttitude = pick(dice, ['aligned', 'kept', 'kept'] as const);
+  if (chance(dice, 0.4)) return { touchdownAttitude };
+  const contactCrashSpeed = between(dice, 4, 90);
+  const contactTippedAngleDeg = between(dice, 20, 89.9);
+  const contactFrictionStatic = between(dice, 0, 2);
+  return {
+    touchdownAttitude,
+    contactCrashSpeed,
+    contactBounceSpeed: contactCrashSpeed * between(dice, 0.05, 0.95),
+    contactSettleTiltDeg: contactTippedAngleDeg * between(dice, 0.05, 0.95),
+    contactSettleAngularVel: pick(dice, [0.001, 0.01, 0.1, 1]),
+    contactSettleLinearVel: between(dice, 0.02, 3),
+    contactTippedAngleDeg,
+    contactDampingRatio: between(dice, 0.02, 1),
+    contactFrictionStatic,
+    contactFrictionKinetic: contactFrictionStatic * (chance(dice, 0.1) ? 0 : dice()),
+  };
+}
+
+export function drawTerrain(dice: Dice, n: Vec3, radius: number): CaseTerrain {
+  if (chance(dice, 0.45)) return { name: 'flat' };
+  if (chance(dice, 0.35)) return { name: 'hills' };
+  const [x, y, z] = triple(dice, 0.5);
+  const length = Math.sqrt((n[0] + x) * (n[0] + x) + (n[1] + y) * (n[1] + y) + (n[2] + z) * (n[2] + z));
+  const axis: Vec3 = [(n[0] + x) / length, (n[1] + y) / length, (n[2] + z) / length];
+  return { base: between(dice, -50, 50), amplitude: radius * between(dice, -0.4, 0.4), axis };
+}
+
+/** Tick rate 0.1 … 100 Hz and time scale 0.1 … 100, of at most 10 s of game time a tick. */
+export function drawTempo(dice: Dice): { readonly tickRate: number; readonly timeScale: number } {
+  for (;;) {
+    const tickRate = chance(dice, 0.3)
+      ? between(dice, 0.1, 100)
+      : pick(dice, [0.1, 0.5, 1, 2, 5, 10, 20, 30, 60, 100]);
+    const timeScale = chance(dice, 0.2)
+      ? between(dice, 0.1, 100)
+      : pick(dice, [0.1, 0.5, 1, 1, 1, 3, 10, 100]);
+    if (timeScale / tickRate <= 10) return { tickRate, timeScale };
+  }
+}
+
+/** What the pilot commands, in time's order; also out of range, as a client may send it. */
+export function drawInputs(dice: Dice, ticks: number, substeps: number, hover: number): CaseInput[] {
+  const inputs: CaseInput[] = [];
+  for (let count = whole(dice, 0, 8); count > 0; count--) {
+    const controls = drawControls(dice, hover);
+    inputs.push({ tick: whole(dice, 0, ticks - 1), substep: whole(dice, 0, substeps - 1), controls });
+  }
+  return inputs.sort((a, b) => a.tick - b.tick || a.substep - b.substep);
+}
+
+/** @param hover the thrust level that carries the weight */
+function drawControls(dice: Dice, hover: number): Controls {
+  const stick = (calm: number): Vec3 => {
+    if (chance(dice, calm)) return [0, 0, 0];
+    return chance(dice, 0.5)
+      ? triple(dice, 1.2)
+      : pick(dice, [
+          [1, 0, 0],
+          [0, -1, 0],
+          [0, 0, 0.5],
+        ] as const);
+  };
+  const [x, y, z, w] = unitQuaternion(dice);
+  const length = chance(dice, 0.5) ? 1 : between(dice, 0.5, 2);
+  return {
+    thrustLevel: pick(dice, [0, 0, 0, dice(), 1.5, -1, hover * between(dice, 0.5, 1.5)]),
+    translationInput: stick(0.7),
+    rotationInput: stick(0.7),
+    attitudeHold: chance(dice, 0.5),
+    attitudeMode: pick(dice, ATTITUDE_MODES),
+    targetAttitude: [x * length, y * length, z * length, w * length],
+  };
+}
+
+/** Small bodies near each other, moving: a ship between them changes over. */
+export function drawNeighbours(dice: Dice, first: Body & BodyMotion): (Body & BodyMotion)[] {
+  const bodies = [first];
+  for (let i = whole(dice, 1, 2); i > 0; i--) {
+    const [x, y, z] = unitVector(dice);
+    const apart = first.radius * between(dice, 4, 8);
+    const [px, py, pz] = first.position;
+    const [vx, vy, vz] = triple(dice, 100);
+    bodies.push({
+      ...drawBody(dice),
+      name: `neighbour ${i}`,
+      radius: first.radius * between(dice, 0.3, 1),
+      mass: first.mass * between(dice, 0.3, 3),
+      position: [px + x * apart, py + y * apart, pz + z * apart],
+      velocity: [first.velocity[0] + vx, first.velocity[1] + vy, first.velocity[2] + vz],
+    });
+  }
+  return chance(dice, 0.5) ? bodies : bodies.reverse();
+}

@@ -1,0 +1,77 @@
+/** A landing as plain data that every implementation can play: the rehearsals, and cases drawn by a seed. */
+import {
+  accepted,
+  type Body,
+  type BodyMotion,
+  type Checked,
+  type Controls,
+  type Settings,
+  type ShipClass,
+  type ShipRecord,
+  type Vec3,
+} from '../../src/dynamics';
+import { type Scenario, stage, ticksOf } from '../../src/rehearsal';
+
+/** One ship, its world, its pilot. SI units, frames as in ShipRecord. */
+export interface ExactCase {
+  readonly name: string;
+  /** Hz */
+  readonly tickRate: number;
+  readonly timeScale: number;
+  /** How long it is played. */
+  readonly ticks: number;
+  readonly settings: Partial<Settings>;
+  readonly terrain: CaseTerrain;
+  readonly shipClass: ShipClass;
+  readonly bodies: readonly (Body & BodyMotion)[];
+  readonly ship: ShipRecord;
+  /** In the order of their time; each holds from the start of its substep on. */
+  readonly inputs: readonly CaseInput[];
+}
+
+/** A terrain by name, or base + amplitude (n · axis)², m, n in the body's axes. */
+export type CaseTerrain =
+  { readonly name: string } | { readonly base: number; readonly amplitude: number; readonly axis: Vec3 };
+
+export interface CaseInput {
+  readonly tick: number;
+  readonly substep: number;
+  /** As a client sends them: not clamped, the target not of unit length. */
+  readonly controls: Controls;
+}
+
+/** A rehearsal as a case, or the reason why it cannot be staged. */
+export function caseOf(scenario: Scenario): Checked<ExactCase> {
+  const staged = stage(scenario);
+  if (!staged.ok) return staged;
+  const { body, shipClass, ship, inputs } = staged.value;
+  const { name, tickRate, timeScale, settings, terrain } = scenario;
+  const ticks = ticksOf(staged.value);
+  return accepted({
+    name,
+    tickRate,
+    timeScale,
+    ticks,
+    settings,
+    terrain: { name: terrain },
+    shipClass,
+    bodies: [body],
+    ship,
+    inputs,
+  });
+}
+
+/** The same data with the game's names: what test/server/cases.py reads. */
+export function caseToJson(exact: ExactCase): unknown {
+  return withSnakeKeys(exact);
+}
+
+function withSnakeKeys(value: unknown): unknown {
+  if (Array.isArray(value)) return value.map(withSnakeKeys);
+  if (typeof value !== 'object' || value === null) return value;
+  const entries = Object.entries(value).map(([key, held]) => [
+    key.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`),
+    withSnakeKeys(held),
+  ]);
+  return Object.fromEntries(entries);
+}

@@ -1,0 +1,84 @@
+"""Lattice noise and craters from + - * /, floor and 32-bit integers: the same bits in every language (ORDER, Terrain)."""
+
+from functools import lru_cache
+from math import floor
+
+from .vectors import Vec3
+
+MASK = 0xFFFFFFFF
+
+
+def remix(integer: int) -> int:
+    """Mixes the bits of a 32-bit integer."""
+    h = integer & MASK
+    h = (h ^ (h >> 15)) * 0x2C1B3C6D & MASK
+    h = (h ^ (h >> 12)) * 0x297A2D39 & MASK
+    return h ^ (h >> 15)
+
+
+def lattice_hash(i: int, j: int, k: int, seed: int) -> int:
+    return remix((i * 0x8DA6B343 & MASK) ^ (j * 0xD8163841 & MASK) ^ (k * 0xCB1AB31F & MASK) ^ seed)
+
+
+def signed(integer: int) -> float:
+    """-1 to 1"""
+    return integer / 2147483648 - 1
+
+
+def unsigned(integer: int) -> float:
+    """0 to 1"""
+    return integer / 4294967296
+
+
+# A ship stays in one cell for many substeps.
+@lru_cache(maxsize=4096)
+def corners(i: int, j: int, k: int, seed: int) -> tuple[float, ...]:
+    """The cell's values, x running fastest."""
+    return tuple(
+        signed(lattice_hash(i + a, j + b, k + c, seed)) for c in (0, 1) for b in (0, 1) for a in (0, 1)
+    )
+
+
+def fade(f: float) -> float:
+    return f * f * f * (f * (f * 6 - 15) + 10)
+
+
+def noise(point: Vec3, cell: float, seed: int) -> float:
+    """-1 to 1 on cells of `cell` metres, with continuous first and second derivative."""
+    x, y, z = point[0] / cell, point[1] / cell, point[2] / cell
+    i, j, k = floor(x), floor(y), floor(z)
+    tx, ty, tz = fade(x - i), fade(y - j), fade(z - k)
+    c000, c100, c010, c110, c001, c101, c011, c111 = corners(i, j, k, seed)
+    c00 = c000 + (c100 - c000) * tx
+    c10 = c010 + (c110 - c010) * tx
+    c01 = c001 + (c101 - c001) * tx
+    c11 = c011 + (c111 - c011) * tx
+    c0 = c00 + (c10 - c00) * ty
+    c1 = c01 + (c11 - c01) * ty
+    return c0 + (c1 - c0) * tz
+
+
+@lru_cache(maxsize=4096)
+def crater_in_cell(cell: float, i: int, j: int, k: int, seed: int) -> tuple[float, float, float, float]:
+    """Radius and centre, m."""
+    h = lattice_hash(i, j, k, seed)
+    radius = cell * (0.18 + 0.27 * unsigned(h))
+    play = cell - 2 * radius
+    return (
+        radius,
+        i * cell + radius + play * unsigned(remix(h + 1)),
+        j * cell + radius + play * unsigned(remix(h + 2)),
+        k * cell + radius + play * unsigned(remix(h + 3)),
+    )
+
+
+def crater(point: Vec3, cell: float, seed: int) -> float:
+    """Height of the crater in the point's cell, m; 0 outside of it."""
+    px, py, pz = point
+    radius, cx, cy, cz = crater_in_cell(cell, floor(px / cell), floor(py / cell), floor(pz / cell), seed)
+    x = px - cx
+    y = py - cy
+    z = pz - cz
+    a = (x * x + y * y + z * z) / (radius * radius)
+    foot = 1 - a
+    return 0.22 * radius * (foot * foot * (3.5 * a - 1)) if a < 1 else 0.0

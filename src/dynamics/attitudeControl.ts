@@ -20,6 +20,7 @@ import {
   VELOCITY,
 } from './layout';
 import {
+  AVAILABLE,
   AXES,
   AXIS,
   MASS_RATIO,
@@ -41,11 +42,13 @@ export function controlAttitude(step: Step): void {
   const mode = groundedMode(ships, at);
   const damps = mode !== MODE_NONE || ships[at + ATTITUDE_HOLD] === 1 || ships[at + ATTITUDE_MODE] !== mode;
   if (stickX !== 0 || stickY !== 0 || stickZ !== 0) {
-    for (let k = 0; k < 3; k++) q[TORQUE + k] = ships[at + ROTATION_INPUT + k]! * available(step, k);
+    readAvailable(step);
+    for (let k = 0; k < 3; k++) q[TORQUE + k] = ships[at + ROTATION_INPUT + k]! * q[AVAILABLE + k]!;
   } else if (damps) {
     dampRates(ships, at);
     if (mode === MODE_HOLD) steerToTarget(ships, at);
     else if (mode !== MODE_NONE) steerToDirection(ships, at, mode);
+    readAvailable(step);
     wishToTorque(step);
   } else {
     return;
@@ -64,10 +67,13 @@ function groundedMode(ships: Float64Array, at: number): number {
   return byVelocity && ships[at + SURFACE_STATE] !== FLYING ? MODE_NONE : mode;
 }
 
-/** Wheel + RCS torque about body axis k, N m; RCS only while there is fuel. */
-function available(step: Step, k: number): number {
-  const wheel = step.shipClass.reactionWheelTorque[k]!;
-  return step.ships[step.at + FUEL]! > 0 ? wheel + step.shipClass.rcsTorque[k]! : wheel;
+/** AVAILABLE: wheels, and RCS only while there is fuel. */
+function readAvailable(step: Step): void {
+  const hasFuel = step.ships[step.at + FUEL]! > 0;
+  for (let k = 0; k < 3; k++) {
+    const wheel = step.shipClass.reactionWheelTorque[k]!;
+    q[AVAILABLE + k] = hasFuel ? wheel + step.shipClass.rcsTorque[k]! : wheel;
+  }
 }
 
 /** a = −4 w_b */
@@ -159,7 +165,7 @@ function wishToTorque(step: Step): void {
     const asked =
       ratio *
       (inertia[3 * k]! * q[WISH]! + inertia[3 * k + 1]! * q[WISH + 1]! + inertia[3 * k + 2]! * q[WISH + 2]!);
-    const most = available(step, k);
+    const most = q[AVAILABLE + k]!;
     q[TORQUE + k] = asked > most ? most : asked < -most ? -most : asked;
   }
 }

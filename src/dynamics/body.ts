@@ -87,8 +87,8 @@ export function turnBodies(rows: Float64Array, count: number, dt: number): void 
 export function settleBodies(rows: Float64Array, count: number): void {
   for (let i = 0; i < count; i++) {
     const at = i * BODY_STRIDE;
-    for (let k = 0; k < 4; k++) rows[at + BODY_ATTITUDE + k] = rows[at + BODY_END_ATTITUDE + k]!;
-    for (let k = 0; k < 9; k++) rows[at + BODY_AXES + k] = rows[at + BODY_END_AXES + k]!;
+    // Attitude and axes stand side by side, at the start as at the end.
+    for (let k = 0; k < 13; k++) rows[at + BODY_ATTITUDE + k] = rows[at + BODY_END_ATTITUDE + k]!;
   }
 }
 

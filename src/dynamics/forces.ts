@@ -33,10 +33,14 @@ export function staticDepth(load: number, mass: number): number {
   return load > 0 ? load / (STIFFNESS * mass) : 0;
 }
 
-/** v_radial² + 100 (penetration − depth)²: vertical speed squared, the spring's stored energy counted in. */
-export function verticalSquared(surface: number, depth: number): number {
-  const sunk = q[surface + PENETRATION]! - depth;
-  return q[surface + RADIAL_SPEED]! * q[surface + RADIAL_SPEED]! + STIFFNESS * (sunk * sunk);
+/** Whether vertical speed, √(v_radial² + 100 (penetration − DEPTH)²), the spring's stored energy counted in, and slide are small. */
+export function isNearlyAtRest(surface: number, step: Step): boolean {
+  const limit = step.world.settings.contactSettleLinearVel;
+  const radial = q[surface + RADIAL_SPEED]!;
+  const sunk = q[surface + PENETRATION]! - q[DEPTH]!;
+  return (
+    radial * radial + STIFFNESS * (sunk * sunk) < limit * limit && q[surface + TANGENTIAL_SPEED]! < limit
+  );
 }
 
 /** Step 3: the depth it would rest at, and whether the ground holds a tipped ship where it stands. */
@@ -46,15 +50,15 @@ export function isPinned(step: Step): boolean {
   if (state === FLYING) return false;
   const load = q[WEIGHT]! - q[LIFT]!;
   q[DEPTH] = staticDepth(load, q[MASS]!);
-  if (state !== TIPPED || !(q[START + PENETRATION]! > 0)) return false;
-  const { contactSettleLinearVel, contactFrictionStatic } = step.world.settings;
-  if (!(verticalSquared(START, q[DEPTH]) < contactSettleLinearVel * contactSettleLinearVel)) return false;
-  if (!(q[START + TANGENTIAL_SPEED]! < contactSettleLinearVel)) return false;
+  if (state !== TIPPED || !(q[START + PENETRATION]! > 0) || !isNearlyAtRest(START, step)) return false;
   const lift = q[LIFT]!;
   const px = q[THRUST]! - lift * q[START + NORMAL]!;
   const py = q[THRUST + 1]! - lift * q[START + NORMAL + 1]!;
   const pz = q[THRUST + 2]! - lift * q[START + NORMAL + 2]!;
-  return Math.sqrt(px * px + py * py + pz * pz) <= contactFrictionStatic * (load > 0 ? load : 0);
+  return (
+    Math.sqrt(px * px + py * py + pz * pz) <=
+    step.world.settings.contactFrictionStatic * (load > 0 ? load : 0)
+  );
 }
 
 /** Step 4: F_n. Spring and damper of a ship in the ground; what is left of the weight where it is pinned. */

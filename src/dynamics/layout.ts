@@ -91,14 +91,14 @@ export type ShipEventName = Exclude<(typeof EVENT_NAMES)[number], ''>;
 export const BODY_POSITION = 0;
 /** m/s, ICRF. */
 export const BODY_VELOCITY = 3;
-/** Rotates body axes (Y pole, Z prime meridian, X 90° E) into ICRF, at the substep's start. */
-export const BODY_ATTITUDE = 6;
 /** Ω, rad/s, ICRF axes. */
-export const BODY_ANGULAR_VELOCITY = 10;
-/** The attitude at the substep's end; equal to BODY_ATTITUDE between substeps. */
-export const BODY_END_ATTITUDE = 13;
+export const BODY_ANGULAR_VELOCITY = 6;
+/** Rotates body axes (Y pole, Z prime meridian, X 90° E) into ICRF, at the substep's start. */
+export const BODY_ATTITUDE = 9;
 /** Rotation matrix of BODY_ATTITUDE, row by row. */
-export const BODY_AXES = 17;
+export const BODY_AXES = 13;
+/** The attitude at the substep's end; equal to BODY_ATTITUDE between substeps. */
+export const BODY_END_ATTITUDE = 22;
 /** Rotation matrix of BODY_END_ATTITUDE, row by row. */
 export const BODY_END_AXES = 26;
 /** normalize(Ω dt/2, 1): how ground-bound ships turn in this substep. */

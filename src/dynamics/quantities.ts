@@ -52,6 +52,12 @@ export const ROTATION = 57;
 export const FROM = 61;
 export const TO = 64;
 export const AXIS = 67;
+/** n · up at the substep's end. */
+export const COS_TILT = 71;
+/** Speed at which ship and ground close at the substep's end, m/s. */
+export const IMPACT = 72;
+/** Wheel + RCS torque there is about each body axis, N m. */
+export const AVAILABLE = 73;
 /** Seconds of game time a substep. */
 export const DT = 70;
 

@@ -1,14 +1,27 @@
 import { ANGULAR_VELOCITY, BODY_ANGULAR_VELOCITY } from './layout';
-import { AXES, AXIS, DT, END, FROM, NORMAL, quantity as q, ROTATION, type Step, TO } from './quantities';
+import {
+  AXES,
+  AXIS,
+  COS_TILT,
+  DT,
+  END,
+  FROM,
+  NORMAL,
+  quantity as q,
+  ROTATION,
+  type Step,
+  TO,
+} from './quantities';
 import { perpendicularAxis, rotateAttitude, shortestRotation } from './rotations';
-import { cosTilt, readAxes, readUp } from './surface';
+import { readAxes, readTilt, readUp } from './surface';
 
 /**
  * Step 8: the hull of a tipped ship rests on its side. Past 90° of tilt the ground's impulse stops it from turning further,
  * and it is turned back, at 1 rad/s or by what is left. Reads END and `up` as they are after the step; leaves `up` current.
  */
 export function restOnSide(step: Step): void {
-  const cos = cosTilt(END);
+  readTilt();
+  const cos = q[COS_TILT]!;
   if (!(cos < 0)) return;
   readAxes(step);
   findAxis();

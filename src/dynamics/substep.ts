@@ -17,7 +17,7 @@ import {
 import { DT, END, GRAVITY, LIFT, MASS, quantity as q, START, type Step, WEIGHT } from './quantities';
 import { restOnSide } from './rest';
 import { turnAttitudeWithGround, turnPlaceWithGround } from './rotations';
-import { readAxes, readSurface, readUp } from './surface';
+import { readAxes, readSurface } from './surface';
 import { turnByTorques } from './topple';
 import { makeTransition } from './transitions';
 import type { World } from './world';
@@ -48,7 +48,6 @@ export function substep(
   if (!pinned) moveByForces(step); // 5
   turnByTorques(step); // 6
   if (pinned) turnPlaceWithGround(step); // 8
-  readUp(step);
   readSurface(END, step, BODY_END_AXES);
   if (ships[at + SURFACE_STATE] === TIPPED) restOnSide(step); // 8
   return makeTransition(step); // 9

@@ -1,6 +1,8 @@
 import { ANGULAR_VELOCITY, ATTITUDE, BODY_ANGULAR_VELOCITY, POSITION, VELOCITY } from './layout';
 import {
   AXES,
+  COS_TILT,
+  END,
   GRAVITY,
   NORMAL,
   PENETRATION,
@@ -93,13 +95,12 @@ export function readUp(step: Step): void {
   q[AXES + 8] = 1 - (x * x2 + y * y2);
 }
 
-/** n · up, from AXES: the cosine of the tilt. */
-export function cosTilt(surface: number): number {
-  return (
-    q[surface + NORMAL]! * q[AXES + 2]! +
-    q[surface + NORMAL + 1]! * q[AXES + 5]! +
-    q[surface + NORMAL + 2]! * q[AXES + 8]!
-  );
+/** COS_TILT = n · up at the substep's end, from the third column of AXES. */
+export function readTilt(): void {
+  q[COS_TILT] =
+    q[END + NORMAL]! * q[AXES + 2]! +
+    q[END + NORMAL + 1]! * q[AXES + 5]! +
+    q[END + NORMAL + 2]! * q[AXES + 8]!;
 }
 
 /** u = Ω × r: the ship moves as the ground at its centre of mass. */

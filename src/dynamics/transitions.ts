@@ -1,4 +1,4 @@
-import { staticDepth, verticalSquared } from './forces';
+import { isNearlyAtRest, staticDepth } from './forces';
 import {
   ANGULAR_VELOCITY,
   BODY_ANGULAR_VELOCITY,
@@ -19,10 +19,13 @@ import {
 } from './layout';
 import {
   AXES,
+  COS_TILT,
+  DEPTH,
   DT,
   END,
   FROM,
   GRAVITY,
+  IMPACT,
   LIFT,
   NORMAL,
   PENETRATION,
@@ -30,25 +33,27 @@ import {
   RADIAL_SPEED,
   START,
   type Step,
-  TANGENTIAL_SPEED,
   TO,
 } from './quantities';
 import { rotateAttitude, shortestRotation } from './rotations';
-import { cosTilt, moveWithGround, spinWithGround } from './surface';
+import { moveWithGround, readTilt, spinWithGround } from './surface';
 
 /** Step 9: the first transition that applies to the state at the substep's end, at most one. Returns the event. */
 export function makeTransition(step: Step): number {
   const { ships, at } = step;
   const state = ships[at + SURFACE_STATE]!;
   const touching = q[END + PENETRATION]! > 0;
-  if (state === FLYING) return touching ? touch(step) : NO_EVENT;
-  if (touching && impactSpeed() > step.world.settings.contactCrashSpeed) return crash(step);
+  if (state === FLYING && !touching) return NO_EVENT;
+  readImpact();
+  if (touching && q[IMPACT]! > step.world.settings.contactCrashSpeed) return crash(step);
+  if (state === FLYING) return q[IMPACT]! > 0 ? touch(step) : NO_EVENT;
   if (leavesGround()) {
     ships[at + SURFACE_STATE] = FLYING;
     ships[at + IMPACT_SPEED] = 0;
     return NO_EVENT;
   }
-  const cos = cosTilt(END);
+  readTilt();
+  const cos = q[COS_TILT]!;
   if (state === TIPPED)
     return cos > step.world.settings.cosTippedAngle && isRighting(step) ? right(step) : NO_EVENT;
   if (!touching) return NO_EVENT;
@@ -57,13 +62,13 @@ export function makeTransition(step: Step): number {
 }
 
 /**
- * Speed at which ship and ground close, m/s. On level ground the two agree; where ground rises ahead of a fast ship
+ * IMPACT: speed at which ship and ground close, m/s. On level ground the two agree; where ground rises ahead of a fast ship
  * only the second sees it, and a ship that flies into a hill crashes instead of being flung out of it.
  */
-function impactSpeed(): number {
+function readImpact(): void {
   const falling = -q[END + RADIAL_SPEED]!;
   const closing = (q[END + PENETRATION]! - q[START + PENETRATION]!) / q[DT]!;
-  return falling > closing ? falling : closing;
+  q[IMPACT] = falling > closing ? falling : closing;
 }
 
 /** Let go of upward, or the ground fell away by 10 cm. */
@@ -73,11 +78,8 @@ function leavesGround(): boolean {
 }
 
 function touch(step: Step): number {
-  const impact = impactSpeed();
-  if (impact > step.world.settings.contactCrashSpeed) return crash(step);
-  if (!(impact > 0)) return NO_EVENT;
   step.ships[step.at + SURFACE_STATE] = CONTACT;
-  step.ships[step.at + IMPACT_SPEED] = impact;
+  step.ships[step.at + IMPACT_SPEED] = q[IMPACT]!;
   if (step.world.settings.touchdownAttitude === 'aligned') alignWithSurface(step);
   return EVENT_CONTACT;
 }
@@ -131,15 +133,14 @@ function right(step: Step): number {
 /** Spin, vertical speed (the spring's energy counted in) and slide below the settle limits. */
 function isSettled(step: Step): boolean {
   const { ships, at, bodies, bodyAt, shipClass } = step;
-  const { contactSettleAngularVel, contactSettleLinearVel } = step.world.settings;
+  const { contactSettleAngularVel } = step.world.settings;
   const wx = ships[at + ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   const wy = ships[at + ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
   const wz = ships[at + ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
   if (!(wx * wx + wy * wy + wz * wz < contactSettleAngularVel * contactSettleAngularVel)) return false;
-  if (!(q[END + TANGENTIAL_SPEED]! < contactSettleLinearVel)) return false;
   const mass = shipClass.dryMass + ships[at + FUEL]!;
-  const depth = staticDepth(mass * q[END + GRAVITY]! - q[LIFT]!, mass);
-  return verticalSquared(END, depth) < contactSettleLinearVel * contactSettleLinearVel;
+  q[DEPTH] = staticDepth(mass * q[END + GRAVITY]! - q[LIFT]!, mass);
+  return isNearlyAtRest(END, step);
 }
 
 function land(step: Step): number {

@@ -1,2 +1,15 @@
 /** Server truth and own controls -> a pose for now. */
+
+/** The whole of it: receive, advance, view. */
+export { createPredictor, type Defaults, type Predictor, type PredictorOptions } from './predictor';
+/** What it gives. */
 export type * from './view';
+/** A drawn pose on the drawn ground. */
+export {
+  createStandingPose,
+  type GroundPose,
+  type GroundRadius,
+  standOnGround,
+  type StandingPose,
+} from './standOnGround';
+export { type Hull, hullOf, LEGS } from './hull';

@@ -49,6 +49,12 @@ export interface ShipView {
   /** What is drawn: predicted + fading offset. Nothing computes with it but the view. */
   readonly drawnPosition: Float64Array;
   readonly drawnAttitude: Float64Array;
+  /** The drawn place, lifted or lowered along the local up until the drawn attitude stands on the ground (standOnGround), ICRF axes. */
+  readonly standPosition: Float64Array;
+  /** How far each leg is pressed in, m, in the order of the class's hull (hullOf). */
+  readonly legCompression: Float64Array;
+  /** Height of the lowest foot of the predicted pose above the ground beneath it, m; negative while an impact sinks it. */
+  feetHeight: number;
 
   /** Surface state to show: CONTACT dwells 300 ms so that a bounce can be read. 'crashed' only once the server confirmed it. */
   shownState: SurfaceState | 'crashed';
@@ -63,6 +69,8 @@ export interface ShipView {
   readonly serverAttitude: Float64Array;
   /** false before the first state of this ship. */
   serverKnown: boolean;
+  /** Ticks the server has gone on without sending this ship: it leaves the list at 3. A crashed ship says so in shownState. */
+  missingTicks: number;
 }
 
 /** A predicted or server-told event, in the order of its birth. */
@@ -99,6 +107,11 @@ export interface Diagnosis {
   framesTooOld: number;
   framesFromFuture: number;
   framesRefused: number;
+  /** Ships of accepted frames that could not be used, and why the last refusal, of a frame or of a ship, was. */
+  shipsRefused: number;
+  lastRefusal: string;
+  /** False while the server has sent no hello: settings, classes and terrain are then the defaults, not what it told. */
+  helloReceived: boolean;
   /** Corrections by kind. */
   correctionsLateInput: number;
   correctionsLostInput: number;
@@ -107,6 +120,8 @@ export interface Diagnosis {
   /** '' or the first field that differed in the last mismatch, with both values. */
   lastMismatch: string;
   replayedSubsteps: number;
+  /** Ship substeps in step with the present, replays not counted. */
+  steppedSubsteps: number;
   budgetOverruns: number;
   snaps: number;
   resyncs: number;
@@ -117,6 +132,9 @@ export interface Diagnosis {
   roundTrip: number;
   jitter: number;
   lead: number;
+  /** Forced rollbacks (a test mode): compared, and not equal to the bit. */
+  rollbacksCompared: number;
+  rollbacksDifferent: number;
   /** Arrival margin of the last acknowledged input. */
   margin: number;
   /** Size of the offset being eased on the own ship, m and rad. */

@@ -1,0 +1,143 @@
+/**
+ * The drawn offset of one ship (PREDICTION, What is drawn): drawn = predicted + offset, and the offset goes to zero as a
+ * critically damped spring by elapsed time. In the reference body's axes, so that it turns with the ground.
+ * The angular offset is one rotation vector on the left: drawn attitude = exp(offset) · predicted attitude, both as seen from the
+ * body's axes. Simulation never reads any of it.
+ *
+ * The spring's speed is capped at 7.7 % of the correction in a 60 Hz frame, or 1.9 cm and 0.45° where that is more: uncapped, the
+ * springs that come within 5 % in 300 ms (along the ground), 150 ms (along the normal) and 250 ms (in angle) would move by 10,
+ * 19 and 12 % of a correction in one frame. Capped, the first and the last still do; the normal does up to 15 cm, and a larger
+ * correction takes it up to 240 ms, the least that any curve can take at 8 % a frame.
+ */
+export interface Ease {
+  /** m */
+  readonly offset: Float64Array;
+  /** m/s */
+  readonly rate: Float64Array;
+  /** rad */
+  readonly turn: Float64Array;
+  /** rad/s */
+  readonly turnRate: Float64Array;
+  /** How large the correction under way was when it came, m and rad. */
+  size: number;
+  turnSize: number;
+  active: boolean;
+}
+
+/** Stiffness, 1/s, along the ground, along the normal, in angle. Each with its cap leaves less than 5 % at its time. */
+const GROUND = 20;
+const NORMAL = 40;
+const ANGLE = 30;
+/** Of the correction, 1/s: 7.7 % in 1/60 s. */
+const SHARE_CAP = 4.6;
+/** m/s: 1.9 cm in 1/60 s. */
+const SPEED_CAP = 1.15;
+/** rad/s: 0.45° in 1/60 s. */
+const TURN_CAP = 0.47;
+/** s; the caps are applied this often, whatever the frame rate. */
+const SLICE = 1 / 240;
+/** s; nothing visible is left after it. */
+const FORGOTTEN = 2;
+/** m and rad, nothing anyone could see. */
+const NOTHING = 1e-9;
+
+export function createEase(): Ease {
+  return {
+    offset: new Float64Array(3),
+    rate: new Float64Array(3),
+    turn: new Float64Array(3),
+    turnRate: new Float64Array(3),
+    size: 0,
+    turnSize: 0,
+    active: false,
+  };
+}
+
+/** Nothing is offset any more: what is drawn jumps to what is predicted. */
+export function snap(ease: Ease): void {
+  ease.offset.fill(0);
+  ease.rate.fill(0);
+  ease.turn.fill(0);
+  ease.turnRate.fill(0);
+  ease.size = 0;
+  ease.turnSize = 0;
+  ease.active = false;
+}
+
+/** `offset` and `turn` were changed by a correction; their rates go on, so that nothing drawn changes its speed at once. */
+export function restartEase(ease: Ease): void {
+  ease.size = length(ease.offset);
+  ease.turnSize = length(ease.turn);
+  ease.active = true;
+}
+
+/** Lets `elapsed` s pass. `normal` is the local up at the ship, unit, in the body's axes. */
+export function relax(ease: Ease, normal: Float64Array, elapsed: number): void {
+  if (!ease.active || !(elapsed > 0)) return;
+  if (elapsed > FORGOTTEN) {
+    snap(ease);
+    return;
+  }
+  const slices = Math.ceil(elapsed / SLICE);
+  const dt = elapsed / slices;
+  for (let i = 0; i < slices; i++) {
+    moveOffset(ease, normal, dt);
+    moveTurn(ease, dt);
+  }
+  if (length(ease.offset) + length(ease.turn) + length(ease.rate) + length(ease.turnRate) < NOTHING)
+    snap(ease);
+}
+
+function moveOffset(ease: Ease, normal: Float64Array, dt: number): void {
+  const { offset, rate } = ease;
+  const decayGround = Math.exp(-GROUND * dt);
+  const decayNormal = Math.exp(-NORMAL * dt);
+  const high = dot(offset, normal);
+  const climb = dot(rate, normal);
+  const highPush = climb + NORMAL * high;
+  const highNext = (high + highPush * dt) * decayNormal;
+  const climbNext = (climb - NORMAL * highPush * dt) * decayNormal;
+  for (let k = 0; k < 3; k++) {
+    const n = normal[k]!;
+    const x = offset[k]! - high * n;
+    const v = rate[k]! - climb * n;
+    const push = v + GROUND * x;
+    step[k] = (x + push * dt) * decayGround + highNext * n - offset[k]!;
+    speed[k] = (v - GROUND * push * dt) * decayGround + climbNext * n;
+  }
+  take(offset, rate, dt, Math.max(SPEED_CAP, SHARE_CAP * ease.size));
+}
+
+function moveTurn(ease: Ease, dt: number): void {
+  const { turn, turnRate } = ease;
+  const decay = Math.exp(-ANGLE * dt);
+  for (let k = 0; k < 3; k++) {
+    const push = turnRate[k]! + ANGLE * turn[k]!;
+    step[k] = (turn[k]! + push * dt) * decay - turn[k]!;
+    speed[k] = (turnRate[k]! - ANGLE * push * dt) * decay;
+  }
+  take(turn, turnRate, dt, Math.max(TURN_CAP, SHARE_CAP * ease.turnSize));
+}
+
+/** value += step, rate = speed, both no faster than `cap`. */
+function take(value: Float64Array, rate: Float64Array, dt: number, cap: number): void {
+  const stepped = length(step) / dt;
+  const moving = length(speed);
+  const stepShare = stepped > cap ? cap / stepped : 1;
+  const speedShare = moving > cap ? cap / moving : 1;
+  for (let k = 0; k < 3; k++) {
+    value[k] = value[k]! + step[k]! * stepShare;
+    rate[k] = speed[k]! * speedShare;
+  }
+}
+
+const step = new Float64Array(3);
+const speed = new Float64Array(3);
+
+function dot(a: Float64Array, b: Float64Array): number {
+  return a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
+}
+
+function length(v: Float64Array): number {
+  return Math.sqrt(dot(v, v));
+}

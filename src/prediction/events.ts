@@ -1,0 +1,171 @@
+import {
+  EVENT_CONTACT,
+  EVENT_CRASHED,
+  EVENT_LANDED,
+  EVENT_NAMES,
+  EVENT_RIGHTED,
+  EVENT_TIPPED,
+} from '../dynamics';
+import type { ShipEventName } from '../dynamics';
+import { indexOf, isBefore, type Timeline } from './timeline';
+import type { EventNotice } from './view';
+
+/**
+ * The events of one ship, predicted and told (PREDICTION, States and events as predicted things). An event keeps its identity
+ * through replays: the same type within 50 substeps is the same event, and listeners hear of each at most once as predicted, once
+ * as confirmed, once as retracted.
+ */
+export interface Ledger {
+  readonly shipId: string;
+  readonly entries: LedgerEntry[];
+}
+
+export interface LedgerEntry {
+  readonly event: number;
+  /** Its birth: the substep at whose end it happened. */
+  tick: number;
+  substep: number;
+  fate: 'predicted' | 'confirmed' | 'retracted';
+  /** The newest pass over the ship's time that met it: one pass does not meet one event twice. */
+  pass: number;
+}
+
+/** Substeps within which two events of a type are the same one. */
+export const SAME_EVENT = 50;
+/** Entries kept; a ship that rattled faster would lose its oldest. */
+const MOST_ENTRIES = 64;
+
+export function createLedger(shipId: string): Ledger {
+  return { shipId, entries: [] };
+}
+
+/** The simulation met `event` in pass `pass`; a notice if nobody has heard of it. */
+export function predict(
+  ledger: Ledger,
+  event: number,
+  birth: { readonly tick: number; readonly substep: number },
+  timeline: Timeline,
+  pass: number,
+): EventNotice | null {
+  const known = nearest(
+    ledger,
+    event,
+    birth,
+    timeline,
+    (entry) => entry.pass !== pass && entry.fate !== 'retracted',
+  );
+  if (known !== null) {
+    known.pass = pass;
+    if (known.fate === 'predicted') {
+      known.tick = birth.tick;
+      known.substep = birth.substep;
+    }
+    return null;
+  }
+  const entry = add(ledger, event, birth, pass);
+  return noticeOf(ledger, entry);
+}
+
+/** The server told of `event`; a notice unless it had told of it before. */
+export function confirm(
+  ledger: Ledger,
+  event: number,
+  birth: { readonly tick: number; readonly substep: number },
+  timeline: Timeline,
+): EventNotice | null {
+  const told = (entry: LedgerEntry) =>
+    entry.fate === 'confirmed' && entry.tick === birth.tick && entry.substep === birth.substep;
+  if (ledger.entries.some((entry) => entry.event === event && told(entry))) return null;
+  const entry =
+    nearest(ledger, event, birth, timeline, (candidate) => candidate.fate === 'predicted') ??
+    add(ledger, event, birth, -1);
+  entry.fate = 'confirmed';
+  entry.tick = birth.tick;
+  entry.substep = birth.substep;
+  return noticeOf(ledger, entry);
+}
+
+/**
+ * A frame of `tick` has come: the oldest predicted event that it covers, birth + 50 substeps, and that no server event has
+ * confirmed is retracted. Call until null.
+ */
+export function retract(ledger: Ledger, tick: number, timeline: Timeline): EventNotice | null {
+  for (const entry of ledger.entries) {
+    if (entry.fate !== 'predicted') continue;
+    if (indexOf(timeline, tick, 0) - indexOf(timeline, entry.tick, entry.substep) < SAME_EVENT) continue;
+    entry.fate = 'retracted';
+    return noticeOf(ledger, entry);
+  }
+  return null;
+}
+
+/**
+ * A server that sends no events shows its states: the oldest predicted event whose state the frame of `tick` shows counts as
+ * confirmed. Call until null.
+ */
+export function confirmByState(
+  ledger: Ledger,
+  tick: number,
+  state: string,
+  crashed: boolean,
+): EventNotice | null {
+  for (const entry of ledger.entries) {
+    if (entry.fate !== 'predicted' || !isBefore(entry.tick, entry.substep, tick, 0)) continue;
+    if (crashed ? entry.event !== EVENT_CRASHED : !(SHOWN_BY[entry.event] ?? []).includes(state)) continue;
+    entry.fate = 'confirmed';
+    return noticeOf(ledger, entry);
+  }
+  return null;
+}
+
+/** States of a frame that can only follow each event, or that may. */
+const SHOWN_BY: Readonly<Record<number, readonly string[]>> = {
+  [EVENT_CONTACT]: ['contact', 'landed', 'tipped'],
+  [EVENT_LANDED]: ['landed'],
+  [EVENT_TIPPED]: ['tipped'],
+  [EVENT_RIGHTED]: ['contact', 'landed'],
+};
+
+/** Forgets what was settled before `tick`. */
+export function pruneLedger(ledger: Ledger, tick: number): void {
+  const { entries } = ledger;
+  while (entries.length > 0 && entries[0]!.tick < tick && entries[0]!.fate !== 'predicted') entries.shift();
+}
+
+function nearest(
+  ledger: Ledger,
+  event: number,
+  birth: { readonly tick: number; readonly substep: number },
+  timeline: Timeline,
+  may: (entry: LedgerEntry) => boolean,
+): LedgerEntry | null {
+  const at = indexOf(timeline, birth.tick, birth.substep);
+  let found: LedgerEntry | null = null;
+  let least = SAME_EVENT;
+  for (const entry of ledger.entries) {
+    if (entry.event !== event || !may(entry)) continue;
+    const apart = Math.abs(indexOf(timeline, entry.tick, entry.substep) - at);
+    if (apart > least || (apart === least && found !== null)) continue;
+    least = apart;
+    found = entry;
+  }
+  return found;
+}
+
+function add(
+  ledger: Ledger,
+  event: number,
+  birth: { readonly tick: number; readonly substep: number },
+  pass: number,
+): LedgerEntry {
+  const { tick, substep } = birth;
+  const entry: LedgerEntry = { event, tick, substep, fate: 'predicted', pass };
+  ledger.entries.push(entry);
+  if (ledger.entries.length > MOST_ENTRIES) ledger.entries.shift();
+  return entry;
+}
+
+function noticeOf(ledger: Ledger, entry: LedgerEntry): EventNotice {
+  const { tick, substep, fate: kind, event } = entry;
+  return { kind, type: EVENT_NAMES[event] as ShipEventName, shipId: ledger.shipId, tick, substep };
+}

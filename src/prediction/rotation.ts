@@ -1,0 +1,141 @@
+/**
+ * Rotations of doubles in place: vectors [x, y, z], quaternions [x, y, z, w], out first, out may be an argument.
+ * Not part of the law (dynamics has its own, exact): these serve comparing, easing and drawing.
+ */
+
+/** Scratch that is handed to the functions below. */
+export const vector = (): Float64Array => new Float64Array(3);
+export const quaternion = (): Float64Array => Float64Array.of(0, 0, 0, 1);
+
+/** out = rows[at …] */
+export function take(out: Float64Array, rows: Float64Array, at: number): void {
+  for (let k = 0; k < out.length; k++) out[k] = rows[at + k]!;
+}
+
+/** rows[at …] = value */
+export function put(rows: Float64Array, at: number, value: Float64Array): void {
+  for (let k = 0; k < value.length; k++) rows[at + k] = value[k]!;
+}
+
+/** out = q v q⁻¹ */
+export function rotate(out: Float64Array, q: Float64Array, v: Float64Array): void {
+  const qx = q[0]!;
+  const qy = q[1]!;
+  const qz = q[2]!;
+  const qw = q[3]!;
+  const x = v[0]!;
+  const y = v[1]!;
+  const z = v[2]!;
+  const tx = 2 * (qy * z - qz * y);
+  const ty = 2 * (qz * x - qx * z);
+  const tz = 2 * (qx * y - qy * x);
+  out[0] = x + qw * tx + (qy * tz - qz * ty);
+  out[1] = y + qw * ty + (qz * tx - qx * tz);
+  out[2] = z + qw * tz + (qx * ty - qy * tx);
+}
+
+/** out = q⁻¹ v q */
+export function rotateBack(out: Float64Array, q: Float64Array, v: Float64Array): void {
+  const qx = q[0]!;
+  const qy = q[1]!;
+  const qz = q[2]!;
+  const qw = -q[3]!;
+  const x = v[0]!;
+  const y = v[1]!;
+  const z = v[2]!;
+  const tx = 2 * (qy * z - qz * y);
+  const ty = 2 * (qz * x - qx * z);
+  const tz = 2 * (qx * y - qy * x);
+  out[0] = x + qw * tx + (qy * tz - qz * ty);
+  out[1] = y + qw * ty + (qz * tx - qx * tz);
+  out[2] = z + qw * tz + (qx * ty - qy * tx);
+}
+
+/** out = a b: first b, then a. */
+export function compose(out: Float64Array, a: Float64Array, b: Float64Array): void {
+  const ax = a[0]!;
+  const ay = a[1]!;
+  const az = a[2]!;
+  const aw = a[3]!;
+  const bx = b[0]!;
+  const by = b[1]!;
+  const bz = b[2]!;
+  const bw = b[3]!;
+  out[0] = aw * bx + ax * bw + ay * bz - az * by;
+  out[1] = aw * by + ay * bw + az * bx - ax * bz;
+  out[2] = aw * bz + az * bw + ax * by - ay * bx;
+  out[3] = aw * bw - ax * bx - ay * by - az * bz;
+}
+
+/** out = a⁻¹ b: b as seen from a's axes. */
+export function seenFrom(out: Float64Array, a: Float64Array, b: Float64Array): void {
+  const ax = -a[0]!;
+  const ay = -a[1]!;
+  const az = -a[2]!;
+  const aw = a[3]!;
+  const bx = b[0]!;
+  const by = b[1]!;
+  const bz = b[2]!;
+  const bw = b[3]!;
+  out[0] = aw * bx + ax * bw + ay * bz - az * by;
+  out[1] = aw * by + ay * bw + az * bx - ax * bz;
+  out[2] = aw * bz + az * bw + ax * by - ay * bx;
+  out[3] = aw * bw - ax * bx - ay * by - az * bz;
+}
+
+/** out = a b⁻¹: the rotation that leads from b to a, in the axes both are given in. */
+export function turnBetween(out: Float64Array, a: Float64Array, b: Float64Array): void {
+  const ax = a[0]!;
+  const ay = a[1]!;
+  const az = a[2]!;
+  const aw = a[3]!;
+  const bx = -b[0]!;
+  const by = -b[1]!;
+  const bz = -b[2]!;
+  const bw = b[3]!;
+  out[0] = aw * bx + ax * bw + ay * bz - az * by;
+  out[1] = aw * by + ay * bw + az * bx - ax * bz;
+  out[2] = aw * bz + az * bw + ax * by - ay * bx;
+  out[3] = aw * bw - ax * bx - ay * by - az * bz;
+}
+
+export function normalize(q: Float64Array): void {
+  const perLength = 1 / Math.sqrt(q[0]! * q[0]! + q[1]! * q[1]! + q[2]! * q[2]! + q[3]! * q[3]!);
+  for (let k = 0; k < 4; k++) q[k] = q[k]! * perLength;
+}
+
+/** out = the attitude `share` (0 … 1) of the short way from a to b. Normalised lerp: within 1e-8 of the arc below 0.01 rad. */
+export function blend(out: Float64Array, a: Float64Array, b: Float64Array, share: number): void {
+  const dot = a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]! + a[3]! * b[3]!;
+  const toB = dot < 0 ? -share : share;
+  const toA = 1 - share;
+  for (let k = 0; k < 4; k++) out[k] = a[k]! * toA + b[k]! * toB;
+  normalize(out);
+}
+
+/** q = the rotation by |v| rad about v. */
+export function fromRotationVector(q: Float64Array, v: Float64Array): void {
+  const angle = Math.sqrt(v[0]! * v[0]! + v[1]! * v[1]! + v[2]! * v[2]!);
+  const scale = angle < 1e-6 ? 0.5 : Math.sin(angle / 2) / angle;
+  for (let k = 0; k < 3; k++) q[k] = v[k]! * scale;
+  q[3] = Math.cos(angle / 2);
+}
+
+/** v = the rotation vector, at most π long, of unit q. */
+export function toRotationVector(v: Float64Array, q: Float64Array): void {
+  const sine = Math.sqrt(q[0]! * q[0]! + q[1]! * q[1]! + q[2]! * q[2]!);
+  const w = q[3]! < 0 ? -q[3]! : q[3]!;
+  const sign = q[3]! < 0 ? -1 : 1;
+  const scale = sine < 1e-9 ? 2 : (2 * Math.atan2(sine, w)) / sine;
+  for (let k = 0; k < 3; k++) v[k] = q[k]! * scale * sign;
+}
+
+/** The angle of unit q, rad, 0 … π. */
+export function angleOf(q: Float64Array): number {
+  const sine = Math.sqrt(q[0]! * q[0]! + q[1]! * q[1]! + q[2]! * q[2]!);
+  return 2 * Math.atan2(sine, Math.abs(q[3]!));
+}
+
+export function lengthOf(v: Float64Array): number {
+  return Math.sqrt(v[0]! * v[0]! + v[1]! * v[1]! + v[2]! * v[2]!);
+}

@@ -1,0 +1,167 @@
+import {
+  chooseReferenceBody,
+  EVENT_CONTACT,
+  NO_EVENT,
+  ROTATION_INPUT,
+  SHIP_STRIDE,
+  substep,
+  THRUST_LEVEL,
+  TRANSLATION_INPUT,
+  type World,
+} from '../dynamics';
+import { type BodyTrack, boundaryAt, createBodyTrack, cutsOf, resizedBodies, rowsAt } from './bodyTrack';
+import { predict } from './events';
+import { keep, resized, ringLength } from './history';
+import { applyDue, createInputs, type Inputs, seek } from './inputs';
+import { wake, wakesOn } from './landedLock';
+import { easeUprighting } from './pose';
+import { createTimeline, type Position, spanOf, type Timeline } from './timeline';
+import { copyRow, createFleet, type Fleet, type Track } from './track';
+import type { Diagnosis, EventNotice } from './view';
+
+/**
+ * What is simulated: all ships to one front, the first substep boundary at or after the present that is drawn. Plain data; the
+ * predictor owns one and the functions of this folder work on it.
+ */
+export interface Simulation {
+  world: World;
+  readonly timeline: Timeline;
+  bodies: BodyTrack;
+  readonly fleet: Fleet;
+  readonly inputs: Inputs;
+  readonly front: Position;
+  /** Time was cut anew, or jumped: the front is to be put where the present is, and every ship replayed to it. */
+  frontIsStale: boolean;
+  /** 0 … 1: where the present lies between the substep boundary before the front and the front. */
+  alpha: number;
+  ringLength: number;
+  /** Newest tick a frame was accepted of, -1 before the first. */
+  newestTick: number;
+  /** Not yet told to listeners. */
+  readonly notices: EventNotice[];
+  readonly counters: Diagnosis;
+  /** Landed ships that agree cost no substep; off while rollbacks are forced, which compare bits. */
+  readonly locks: boolean;
+}
+
+/** A world of which nothing has been told yet. */
+export function createSimulation(world: World, counters: Diagnosis, locks: boolean): Simulation {
+  return {
+    world,
+    timeline: createTimeline(),
+    bodies: createBodyTrack(world.bodies.length, ringLength(1), 100),
+    fleet: createFleet(),
+    inputs: createInputs(),
+    front: { tick: 0, substep: 0 },
+    frontIsStale: true,
+    alpha: 1,
+    ringLength: ringLength(1),
+    newestTick: -1,
+    notices: [],
+    counters,
+    locks,
+  };
+}
+
+/** Makes the rings fit another tick rate; what they hold stays. */
+export function fitRings(sim: Simulation, tickRate: number, substeps: number): void {
+  const length = ringLength(tickRate);
+  if (length !== sim.ringLength) {
+    sim.ringLength = length;
+    for (const track of sim.fleet.tracks) track.history = resized(track.history, length);
+  }
+  if (length !== sim.bodies.length || sim.bodies.cuts.length !== cutsOf(substeps))
+    sim.bodies = resizedBodies(sim.bodies, length, substeps);
+}
+
+/** Steps every ship in step to `target`, which is not before the front. Calls `boundary` at each tick boundary passed. */
+export function stepFront(sim: Simulation, target: Position, boundary: (tick: number) => void): void {
+  const { front } = sim;
+  let cursor = seek(sim.inputs, front.tick, front.substep);
+  while (front.tick < target.tick || (front.tick === target.tick && front.substep < target.substep)) {
+    cursor = stepOnce(sim, cursor);
+    front.substep += 1;
+    if (front.substep < spanOf(sim.timeline, front.tick).timing.substeps) continue;
+    front.tick += 1;
+    front.substep = 0;
+    keepBoundary(sim);
+    boundary(front.tick);
+  }
+}
+
+function stepOnce(sim: Simulation, cursor: number): number {
+  const { fleet, front, timeline, world } = sim;
+  const { dt } = spanOf(timeline, front.tick).timing;
+  const bodies = rowsAt(sim.bodies, timeline, front.tick, front.substep);
+  const { tracks } = fleet;
+  let next = cursor;
+  fleet.previous.set(fleet.front);
+  for (const track of tracks) {
+    if (track.own) next = applyOwn(sim, track, cursor);
+    if (track.mode !== 'stepping') continue;
+    track.uprighted = false;
+    const rows = fleet.front;
+    if (front.substep === 0) beginTick(sim, rows, track.at, front.tick);
+    if (isReleased(track, front.tick, front.substep)) release(rows, track.at);
+    sim.counters.steppedSubsteps += 1;
+    const event = substep(rows, track.at, bodies, world, dt);
+    if (event !== NO_EVENT) {
+      happened(sim, track, event, front, track.pass);
+      if (event === EVENT_CONTACT) easeUprighting(sim, track, bodies, dt);
+    }
+  }
+  return next;
+}
+
+/** Own controls that act from the front on; what a landed ship's lock cannot hold wakes it. */
+function applyOwn(sim: Simulation, track: Track, cursor: number): number {
+  const { fleet, front, inputs } = sim;
+  if (track.mode === 'locked') {
+    copyRow(probe, 0, fleet.front, track.at);
+    if (applyDue(inputs, cursor, front, probe, 0) > cursor && wakesOn(probe, 0)) wake(sim, track);
+  }
+  return applyDue(inputs, cursor, front, fleet.front, track.at);
+}
+
+const probe = new Float64Array(SHIP_STRIDE);
+
+function keepBoundary(sim: Simulation): void {
+  const { fleet, front } = sim;
+  for (const track of fleet.tracks) {
+    if (track.mode === 'stepping') keep(track.history, front.tick, fleet.front, track.at);
+  }
+}
+
+/** A flying ship re-chooses its reference body at a tick's start, before the tick's own inputs (DYNAMICS, Frame). */
+export function beginTick(sim: Simulation, rows: Float64Array, at: number, tick: number): void {
+  chooseReferenceBody(rows, at, boundaryAt(sim.bodies, sim.timeline, tick), sim.world);
+}
+
+/** Whether another pilot's controls are let go at (tick, substep). */
+export function isReleased(track: Track, tick: number, substep: number): boolean {
+  return track.releaseTick === tick && track.releaseSubstep === substep;
+}
+
+/** Sticks centred and engine off, the attitude mode as it was. */
+export function release(rows: Float64Array, at: number): void {
+  rows[at + THRUST_LEVEL] = 0;
+  for (let k = 0; k < 3; k++) {
+    rows[at + TRANSLATION_INPUT + k] = 0;
+    rows[at + ROTATION_INPUT + k] = 0;
+  }
+}
+
+/** Whether a row commands anything that `release` would end. */
+export function commandsAnything(rows: Float64Array, at: number): boolean {
+  if (rows[at + THRUST_LEVEL] !== 0) return true;
+  for (let k = 0; k < 3; k++) {
+    if (rows[at + TRANSLATION_INPUT + k] !== 0 || rows[at + ROTATION_INPUT + k] !== 0) return true;
+  }
+  return false;
+}
+
+/** The law reported `event` in the substep that begins at `at`, in pass `pass` over this ship's time. */
+export function happened(sim: Simulation, track: Track, event: number, at: Position, pass: number): void {
+  const notice = predict(track.ledger, event, at, sim.timeline, pass);
+  if (notice !== null) sim.notices.push(notice);
+}

@@ -4,9 +4,11 @@ import {
   BODY_STRIDE,
   CONTACT,
   type Controls,
+  FLYING,
   IMPACT_SPEED,
   LANDED,
   loadControls,
+  POSITION,
   type Quat,
   REFERENCE_BODY,
   SHIP_STRIDE,
@@ -44,7 +46,7 @@ interface Berth {
 }
 
 const MOST_SHIPS = 10_000;
-/** A metre a second more or less is a kick; this is an accident of the caller. */
+/** Beyond this a kick is a slip of the caller's, m/s and rad/s. */
 const LARGEST_KICK = 1e4;
 
 export function createRoster(): Roster {
@@ -102,7 +104,7 @@ export function respawn(
 
 /**
  * Adds `dv` (m/s) and `spin` (rad/s), ICRF axes, to a ship: an operator's doing, outside the law. A landed ship is attached to
- * the ground and would feel nothing, so it is set into contact.
+ * the ground and a settling one is held down (DYNAMICS, Linear): pushed upward they fly, pushed otherwise a landed one slides.
  */
 export function kick(roster: Roster, shipId: string, dv: Vec3, spin: Vec3): string | null {
   const at = rowOf(roster, shipId);
@@ -119,8 +121,10 @@ export function kick(roster: Roster, shipId: string, dv: Vec3, spin: Vec3): stri
     rows[at + VELOCITY + k]! += dv[k]!;
     rows[at + ANGULAR_VELOCITY + k]! += spin[k]!;
   }
-  if (rows[at + SURFACE_STATE] === LANDED) {
-    rows[at + SURFACE_STATE] = CONTACT;
+  const [x, y, z] = rows.subarray(at + POSITION, at + POSITION + 3) as unknown as Vec3;
+  const upward = dv[0] * x + dv[1] * y + dv[2] * z > 0;
+  if (upward || rows[at + SURFACE_STATE] === LANDED) {
+    rows[at + SURFACE_STATE] = upward ? FLYING : CONTACT;
     rows[at + IMPACT_SPEED] = 0;
   }
   return null;

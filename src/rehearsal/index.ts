@@ -50,3 +50,14 @@ export {
 export { createExchange, type Exchange, type ExchangeCounters } from './exchange';
 /** Other players' ships around a scenario. */
 export { fleetOrders } from './fleet';
+/** What a client received, sent and was asked for, as JSON lines; and how a recorded server keeps to the law. */
+export {
+  createRecordingWriter,
+  readRecording,
+  type Recording,
+  type RecordingEntry,
+  type RecordingHeader,
+  type RecordingWriter,
+  writeRecording,
+} from './recording';
+export { compareRecording, type RecordingComparison } from './compareRecording';

@@ -1,15 +1,37 @@
-import { agrees, compareFixture, type Comparison, readFixture } from '../../src/rehearsal';
+import {
+  agrees,
+  compareFixture,
+  compareRecording,
+  type Comparison,
+  readFixture,
+  readRecording,
+} from '../../src/rehearsal';
+import type { Checked } from '../../src/dynamics';
 
-/** One file's outcome as `npm run parity` prints it. */
+/** One file's outcome as `npm run parity` prints it: a fixture, or a recording of a server's states if it is JSON lines. */
 export function parityLine(name: string, text: string): { line: string; passed: boolean } {
-  const fixture = readFixture(text);
-  if (!fixture.ok) return { line: `${name}: ${fixture.reason}`, passed: false };
-  const compared = compareFixture(fixture.value);
+  return name.endsWith('.jsonl') ? recordingLine(name, text) : fixtureLine(name, text);
+}
+
+function fixtureLine(name: string, text: string): { line: string; passed: boolean } {
+  const compared = then(readFixture(text), compareFixture);
   if (!compared.ok) return { line: `${name}: ${compared.reason}`, passed: false };
   return { line: describe(name, compared.value), passed: agrees(compared.value) };
 }
 
-export function describe(name: string, comparison: Comparison): string {
+function recordingLine(name: string, text: string): { line: string; passed: boolean } {
+  const compared = then(readRecording(text), compareRecording);
+  if (!compared.ok) return { line: `${name}: ${compared.reason}`, passed: false };
+  const { unknownInputs, withoutRelativeState } = compared.value;
+  const left = `not comparable: ${unknownInputs} by inputs, ${withoutRelativeState} without relative state`;
+  return { line: `${describe(name, compared.value)}  ${left}`, passed: agrees(compared.value) };
+}
+
+function then<A, B>(checked: Checked<A>, next: (value: A) => Checked<B>): Checked<B> {
+  return checked.ok ? next(checked.value) : checked;
+}
+
+function describe(name: string, comparison: Comparison): string {
   const { worst, outOfTolerance, disagreement, ticks, statesCompared } = comparison;
   const columns = [
     name.padEnd(28),

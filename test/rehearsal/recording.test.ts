@@ -100,7 +100,7 @@ describe('a recorded server', () => {
       disagreement: null,
     });
     // The state goes over the wire to the last bit, and the same code runs on both sides.
-    expect(Math.max(...Object.values(comparison.worst))).toBe(0);
+    expect(Math.max(...(Object.values(comparison.worst) as number[]))).toBe(0);
   });
 
   it('is compared where its inputs are known, and the rest is counted', () => {

@@ -118,7 +118,11 @@ function applyOwn(sim: Simulation, track: Track, cursor: number): number {
   const { fleet, front, inputs } = sim;
   if (track.mode === 'locked') {
     copyRow(probe, 0, fleet.front, track.at);
-    if (applyDue(inputs, cursor, front, probe, 0) > cursor && wakesOn(probe, 0)) wake(sim, track);
+    if (applyDue(inputs, cursor, front, probe, 0) > cursor && wakesOn(probe, 0)) {
+      wake(sim, track);
+      // The substep that begins now begins here.
+      copyRow(fleet.previous, track.at, fleet.front, track.at);
+    }
   }
   return applyDue(inputs, cursor, front, fleet.front, track.at);
 }

@@ -1,0 +1,224 @@
+import {
+  type Controls,
+  flatTerrain,
+  loadBody,
+  loadSettings,
+  loadShipClass,
+  POSITION,
+  SHIP_STRIDE,
+  SURFACE_STATE,
+  SURFACE_STATES,
+  type World,
+} from '../../src/dynamics';
+import { type Authority, createAuthority, type SpawnOrder } from '../../src/authority';
+import {
+  createPredictor,
+  type EventNotice,
+  type Predictor,
+  type PredictorOptions,
+  type WorldView,
+} from '../../src/prediction';
+import {
+  createExchange,
+  type Exchange,
+  fleetOrders,
+  type NetworkNumbers,
+  NETWORK_PRESETS,
+  pilotAt,
+  type Scenario,
+  SCENARIOS,
+  stage,
+  type StagedScenario,
+} from '../../src/rehearsal';
+import { decodeServerMessage, encodeClientMessage, type ServerMessage } from '../../src/wire';
+import { type Truth, watch } from './truth';
+
+/** A server, a network and a client on one wall clock that is handed in: what tests and benchmarks fly. */
+export interface Rig {
+  readonly staged: StagedScenario;
+  readonly exchange: Exchange;
+  readonly authority: Authority;
+  readonly truth: Truth;
+  predictor: Predictor;
+  readonly notices: EventNotice[];
+  /** Client wall s. */
+  now: number;
+  readonly view: () => WorldView;
+  /** One display frame. */
+  readonly frame: (controls?: Controls | null) => WorldView;
+  /** Frames until the wall clock has passed `seconds` more. */
+  readonly fly: (seconds: number, each?: (view: WorldView) => void) => void;
+  /** Messages of the server on their way to the predictor; may change, drop or add some. */
+  tamper: (message: ServerMessage) => readonly ServerMessage[];
+}
+
+export interface RigOptions {
+  readonly scenario: string | Scenario;
+  readonly tickRate?: number;
+  readonly timeScale?: number;
+  readonly network?: NetworkNumbers;
+  readonly seed?: number;
+  /** The game's own server: no hello, no acknowledgements, no fields 31–34, whole-tick inputs. */
+  readonly legacy?: boolean;
+  /** Other players' ships around. */
+  readonly others?: number;
+  readonly orders?: readonly SpawnOrder[];
+  /** Frames a second. */
+  readonly hz?: number;
+  readonly pilot?: (game: number) => Controls;
+  readonly predictor?: PredictorOptions;
+  /** Settings of the server that differ from what it tells. */
+  readonly secretSettings?: Scenario['settings'];
+}
+
+export const ME = 'me';
+export const SHIP = 'ship-1';
+
+export function scenarioNamed(name: string): Scenario {
+  const found = SCENARIOS.find((scenario) => scenario.name === name);
+  if (found === undefined) throw new Error(`no scenario named ${name}`);
+  return found;
+}
+
+export function value<T>(checked: { ok: true; value: T } | { ok: false; reason: string }): T {
+  if (!checked.ok) throw new Error(checked.reason);
+  return checked.value;
+}
+
+export function createRig(options: RigOptions): Rig {
+  const given = typeof options.scenario === 'string' ? scenarioNamed(options.scenario) : options.scenario;
+  const scenario = {
+    ...given,
+    tickRate: options.tickRate ?? given.tickRate,
+    timeScale: options.timeScale ?? given.timeScale,
+  };
+  const staged = value(stage(scenario));
+  const bodies = [staged.body];
+  const told = scenario.settings;
+  const settings = { ...told, ...options.secretSettings };
+  const inner = value(
+    createAuthority({
+      settings,
+      shipClasses: [staged.shipClass],
+      bodies,
+      terrain: scenario.terrain,
+      terrains: { [scenario.terrain]: staged.terrainHeight },
+      tickRate: scenario.tickRate,
+      timeScale: scenario.timeScale,
+      legacy: options.legacy ?? false,
+    }),
+  );
+  const world: World = {
+    settings: value(loadSettings(settings)),
+    shipClasses: [value(loadShipClass(staged.shipClass))],
+    bodies: bodies.map((body) => value(loadBody(body))),
+    terrainHeight: staged.terrainHeight,
+  };
+  const truth = watch(inner, world, { [ME]: SHIP }, options.legacy === true ? 'tick' : 'substep');
+  const { authority } = truth;
+  const own: SpawnOrder = { shipId: SHIP, playerId: ME, name: 'Own', ship: staged.ship };
+  for (const order of [own, ...(options.orders ?? fleetOrders(staged, options.others ?? 0, 7))])
+    if (authority.spawn(order) !== null) throw new Error(authority.spawn(order)!);
+
+  const network = options.network ?? NETWORK_PRESETS.fourG;
+  const exchange = createExchange(authority, network, options.seed ?? 1, 0);
+  const predictor = createPredictor({
+    terrains: { [scenario.terrain]: staged.terrainHeight, flat: flatTerrain },
+    ...(options.legacy === true
+      ? { ownShipId: SHIP, defaults: { settings: told, terrain: scenario.terrain, bodies } }
+      : {}),
+    ...options.predictor,
+  });
+  const step = 1 / (options.hz ?? 60);
+  const notices: EventNotice[] = [];
+  predictor.onEvent((notice) => notices.push(notice));
+  exchange.connect(ME, SHIP, 0);
+  const pilot = options.pilot ?? ((game: number) => pilotAt(staged, game));
+  let frames = 0;
+
+  const rig: Rig = {
+    staged,
+    exchange,
+    authority,
+    truth,
+    predictor,
+    notices,
+    now: 0,
+    tamper: (message) => [message],
+    view: () => rig.predictor.view(rig.now),
+    frame(controls) {
+      frames += 1;
+      rig.now = frames * step;
+      exchange.run(rig.now);
+      for (const { bytes } of exchange.deliver(ME, rig.now)) {
+        const message = decodeServerMessage(bytes);
+        if (!message.ok) rig.predictor.refused(message.reason);
+        else for (const tampered of rig.tamper(message.value)) rig.predictor.receive(tampered, rig.now);
+      }
+      const { tick, sinceTick, timeScale, tickRate, ready } = rig.view();
+      const game = ready ? (tick * timeScale) / tickRate + sinceTick : 0;
+      rig.predictor.advance(controls === undefined ? pilot(game) : controls, rig.now);
+      for (const message of rig.predictor.outgoing())
+        exchange.send(ME, encodeClientMessage(message), rig.now);
+      return rig.view();
+    },
+    fly(seconds, each) {
+      const until = rig.now + seconds;
+      while (rig.now < until - 1e-9) {
+        const view = rig.frame();
+        each?.(view);
+      }
+    },
+  };
+  return rig;
+}
+
+/** What was drawn at one frame, kept until the server has simulated it. */
+export interface Sample {
+  readonly wall: number;
+  readonly tick: number;
+  readonly sinceTick: number;
+  readonly shipId: string;
+  readonly drawn: readonly number[];
+  readonly position: readonly number[];
+  readonly state: string;
+  readonly attitude: readonly number[];
+}
+
+export function sampleOf(view: WorldView, wall: number, index = 0): Sample {
+  const ship = view.ships[index]!;
+  return {
+    wall,
+    tick: view.tick,
+    sinceTick: view.sinceTick,
+    shipId: ship.shipId,
+    drawn: [...ship.drawnPosition],
+    position: [...ship.position],
+    state: ship.crashed ? 'crashed' : ship.surfaceState,
+    attitude: [...ship.drawnAttitude],
+  };
+}
+
+/** Where the server really had the ship at a sample's label, linear between substep boundaries; null while it has not come to it. */
+export function truthAt(truth: Truth, sample: Sample): { position: number[]; state: string } | null {
+  const interval = truth.interval(sample.tick);
+  if (interval === undefined) return null;
+  const i = interval.shipIds.indexOf(sample.shipId);
+  if (i < 0) return null;
+  const substeps = Math.min(interval.timing.substeps, sample.sinceTick / interval.timing.dt);
+  // A label on a boundary may be an ulp below it.
+  const whole = Math.min(interval.timing.substeps - 1, Math.floor(substeps + 1e-9));
+  const share = Math.max(0, substeps - whole);
+  const before = interval.rows[whole]!;
+  const after = interval.rows[whole + 1]!;
+  const at = i * SHIP_STRIDE;
+  const position = [0, 1, 2].map((k) => {
+    const from = before[at + POSITION + k]!;
+    return from + (after[at + POSITION + k]! - from) * share;
+  });
+  return { position, state: SURFACE_STATES[before[at + SURFACE_STATE]!]! };
+}
+
+export function distance(a: readonly number[], b: readonly number[]): number {
+  return Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!, a[2]! - b[2]!);
+}

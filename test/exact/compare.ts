@@ -18,14 +18,22 @@ const SHIP_FIELDS = [
   ...named('target_attitude', 'xyzw'),
   'event',
 ];
-const BODY_FIELDS = [...named('body position', 'xyz'), ...named('body velocity', 'xyz'), ...named('body attitude', 'xyzw')];
+const BODY_FIELDS = [
+  ...named('body position', 'xyz'),
+  ...named('body velocity', 'xyz'),
+  ...named('body attitude', 'xyzw'),
+];
 
 function named(field: string, axes: string): string[] {
-  return [...axes].map((axis) => `${field}.${axis}`);
+  return Array.from(axes, (axis) => `${field}.${axis}`);
 }
 
 /** SHA-256 of all rows of a case as TypeScript computes them, and their substeps. @throws when the law refuses the case. */
-export function hashCase(exact: ExactCase, also: TakeRow = () => undefined, terrainOf = caseTerrain): PythonResult {
+export function hashCase(
+  exact: ExactCase,
+  also: TakeRow = () => undefined,
+  terrainOf = caseTerrain,
+): PythonResult {
   const hash = createHash('sha256');
   const played = playCase(
     exact,
@@ -50,7 +58,8 @@ export async function firstDifference(
   const played = playCase(
     exact,
     (row, tick, substep) => {
-      found ??= rowDifference(row, theirs[at++], `${exact.name}: tick ${tick} substep ${substep}`);
+      const their = theirs[at++];
+      found ??= rowDifference(row, their, `${exact.name}: tick ${tick} substep ${substep}`);
     },
     terrainOf,
   );

@@ -58,8 +58,10 @@ export function drawCase(seed: number): ExactCase {
   const body = start === 'transfer' ? smallBody(dice) : drawBody(dice);
   const normal = chance(dice, 0.2) ? pick(dice, AXES) : unitVector(dice);
   const terrain = drawTerrain(dice, normal, body.radius);
-  const ship = drawShip(dice, start, shipClass, { body, terrain, normal });
-  const bodies = start === 'transfer' ? drawNeighbours(dice, body) : [body];
+  const alone = drawShip(dice, start, shipClass, { body, terrain, normal });
+  const neighbours = start === 'transfer' ? drawNeighbours(dice, body) : [];
+  const ship = neighbours[0] === undefined ? alone : betweenBodies(dice, alone, body, neighbours[0]);
+  const bodies = chance(dice, 0.5) ? [body, ...neighbours] : [...neighbours, body];
   const { tickRate, timeScale } = drawTempo(dice);
   const timing = loadTiming(tickRate, timeScale);
   const substeps = timing.ok ? timing.value.substeps : 1;
@@ -82,13 +84,13 @@ const AXES: readonly Vec3[] = [
 ];
 
 function smallBody(dice: Dice): Body & BodyMotion {
-  const radius = between(dice, 5e3, 2e4);
+  const radius = between(dice, 300, 3000);
   return { ...drawBody(dice), name: 'first', radius, mass: radius * radius * between(dice, 1e8, 1e9) };
 }
 
 function drawShip(dice: Dice, start: Start, shipClass: ShipClass, place: Place): ShipRecord {
   const { body, normal } = place;
-  const height = drawHeight(dice, start, body.radius);
+  const height = drawHeight(dice, start);
   const [nx, ny, nz] = rotate(
     [-body.attitude[0], -body.attitude[1], -body.attitude[2], body.attitude[3]],
     normal,
@@ -120,17 +122,24 @@ function drawShip(dice: Dice, start: Start, shipClass: ShipClass, place: Place):
   };
 }
 
+/** Somewhere on the way from its body to the neighbour, about where both pull as hard. */
+function betweenBodies(dice: Dice, ship: ShipRecord, body: BodyMotion, neighbour: BodyMotion): ShipRecord {
+  const way = between(dice, 0.35, 0.65);
+  const [x, y, z] = [0, 1, 2].map(
+    (k) => (neighbour.position[k]! - body.position[k]!) * way,
+  ) as unknown as Vec3;
+  return { ...ship, relativePosition: [x, y, z] };
+}
+
 function stateOf(start: Start): ShipRecord['surfaceContactState'] {
   if (start === 'contact' || start === 'landed' || start === 'tipped') return start;
   return start === 'head' ? 'tipped' : '';
 }
 
 /** Of the feet above the ground, m. */
-function drawHeight(dice: Dice, start: Start, radius: number): number {
+function drawHeight(dice: Dice, start: Start): number {
   if (start === 'flight') return between(dice, 100, 4000);
   if (start === 'approach') return between(dice, 0.01, 15);
-  // About where neighbours pull as hard.
-  if (start === 'transfer') return radius * between(dice, 0.5, 3);
   return -between(dice, -0.02, 0.3);
 }
 
@@ -143,7 +152,7 @@ function drawAttitude(dice: Dice, start: Start, normal: Vec3): Quat {
   if (start === 'flight' || start === 'transfer')
     return chance(dice, 0.2) ? [0, 0, 0, 1] : unitQuaternion(dice);
   const upright = compose(fromZTo(normal), yaw(dice));
-if (start === 'head' && chance(dice, 0.5)) return compose([...tangent(dice, normal), 0], upright);
+  if (start === 'head' && chance(dice, 0.5)) return compose([...tangent(dice, normal), 0], upright);
   const k =
     start === 'head'
       ? between(dice, 2, 9)

@@ -146,13 +146,13 @@ function drawControls(dice: Dice, hover: number): Controls {
 
 /** Small bodies near each other, moving: a ship between them changes over. */
 export function drawNeighbours(dice: Dice, first: Body & BodyMotion): (Body & BodyMotion)[] {
-  const bodies = [first];
+  const neighbours: (Body & BodyMotion)[] = [];
   for (let i = whole(dice, 1, 2); i > 0; i--) {
     const [x, y, z] = unitVector(dice);
     const apart = first.radius * between(dice, 4, 8);
     const [px, py, pz] = first.position;
     const [vx, vy, vz] = triple(dice, 100);
-    bodies.push({
+    neighbours.push({
       ...drawBody(dice),
       name: `neighbour ${i}`,
       radius: first.radius * between(dice, 0.3, 1),
@@ -161,5 +161,5 @@ export function drawNeighbours(dice: Dice, first: Body & BodyMotion): (Body & Bo
       velocity: [first.velocity[0] + vx, first.velocity[1] + vy, first.velocity[2] + vz],
     });
   }
-  return chance(dice, 0.5) ? bodies : bodies.reverse();
+  return neighbours;
 }

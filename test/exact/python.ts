@@ -11,7 +11,8 @@ const PYTHON = process.env['PYTHON'] ?? 'python3';
 
 /** "Python 3.11.7", or null where there is none that is new enough for the server (3.10). */
 export function pythonVersion(): string | null {
-  const program = 'import sys; print("Python %d.%d.%d" % sys.version_info[:3]); sys.exit(sys.version_info < (3, 10))';
+  const program =
+    'import sys; print("Python %d.%d.%d" % sys.version_info[:3]); sys.exit(sys.version_info < (3, 10))';
   const run = spawnSync(PYTHON, ['-c', program], { encoding: 'utf8' });
   return run.status === 0 ? run.stdout.trim() : null;
 }
@@ -32,7 +33,7 @@ export async function replayInPython(
   cases: readonly ExactCase[],
   home: string = SERVER_HOME,
 ): Promise<PythonResult[]> {
-  const lines = await run(cases, [], home);
+  const lines = await run('server.replay', cases.map(caseToJson), { home });
   return lines.map((line) => {
     const [name = '', substeps = '', hash = ''] = line.split(' ');
     return { name, substeps: Number(substeps), hash };
@@ -48,7 +49,7 @@ export interface PythonRow {
 
 /** Every row of one case. */
 export async function rowsInPython(exact: ExactCase, home: string = SERVER_HOME): Promise<PythonRow[]> {
-  const lines = await run([exact], ['--rows'], home);
+  const lines = await run('server.replay', [caseToJson(exact)], { home, options: ['--rows'] });
   return lines.map((line) => {
     const [tick = '', substep = '', bytes = ''] = line.split(' ');
     return { tick: Number(tick), substep: Number(substep), bytes };
@@ -57,17 +58,33 @@ export async function rowsInPython(exact: ExactCase, home: string = SERVER_HOME)
 
 /** Runs `python3 -m server.fixtures`, which writes every rehearsal as a fixture into `folder`. */
 export function writeFixtures(folder: string): void {
-  const { status, stderr } = spawnSync(PYTHON, ['-m', 'server.fixtures', folder], {
+  const { status, stderr } = spawnSync(PYTHON, ['-B', '-m', 'server.fixtures', folder], {
     cwd: SERVER_HOME,
     encoding: 'utf8',
   });
   if (status !== 0) throw new Error(`server.fixtures failed: ${stderr}`);
 }
 
-function run(cases: readonly ExactCase[], options: readonly string[], home: string): Promise<string[]> {
+/** A terrain's name, a body's name, and a unit direction in the body's axes. */
+export type SurveyPoint = readonly [string, string, number, number, number];
+
+/** Terrain heights as the bits of doubles, in hexadecimal, most significant byte first. */
+export function surveyInPython(
+  points: readonly SurveyPoint[],
+  home: string = SERVER_HOME,
+): Promise<string[]> {
+  return run('server.survey', points, { home });
+}
+
+/** Runs a module of the server with `input`, a line of JSON an item; the lines of its answer. */
+function run(
+  module: string,
+  input: readonly unknown[],
+  { home, options = [] }: { readonly home: string; readonly options?: readonly string[] },
+): Promise<string[]> {
   return new Promise((resolve, reject) => {
     // -B: no __pycache__ beside the sources.
-    const child = spawn(PYTHON, ['-B', '-m', 'server.replay', ...options], { cwd: home });
+    const child = spawn(PYTHON, ['-B', '-m', module, ...options], { cwd: home });
     const out: Buffer[] = [];
     const err: Buffer[] = [];
     child.stdout.on('data', (chunk: Buffer) => out.push(chunk));
@@ -75,10 +92,9 @@ function run(cases: readonly ExactCase[], options: readonly string[], home: stri
     child.on('error', reject);
     child.on('close', (code) => {
       if (code === 0) resolve(Buffer.concat(out).toString().trimEnd().split('\n'));
-      else reject(new Error(`server.replay failed (${code}): ${Buffer.concat(err).toString()}`));
+      else reject(new Error(`${module} failed (${code}): ${Buffer.concat(err).toString()}`));
     });
     child.stdin.on('error', reject);
-    for (const exact of cases) child.stdin.write(`${JSON.stringify(caseToJson(exact))}\n`);
-    child.stdin.end();
+    child.stdin.end(input.map((item) => `${JSON.stringify(item)}\n`).join(''));
   });
 }

@@ -1,0 +1,87 @@
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { firstDifference, hashCase } from './compare';
+import { drawCase } from './drawCase';
+import { caseTerrain } from './playCase';
+import { MAY_SKIP, pythonVersion, replayInPython, SERVER_HOME, surveyInPython } from './python';
+import { heightsHere, surveyPoints } from './survey';
+
+// The comparison must notice what it is there for: the same sum, added up in another order.
+const withPython = pythonVersion() === null && MAY_SKIP ? it.skip : it;
+
+const cases = Array.from({ length: 60 }, (_, i) => drawCase(i + 1));
+const ours = cases.map((exact) => hashCase(exact));
+
+let home: string | null = null;
+afterEach(() => {
+  if (home !== null) rmSync(home, { recursive: true });
+  home = null;
+});
+
+/** A copy of the Python server with one expression written in another way. */
+function brokenServer(file: string, expression: string, instead: string): string {
+  home = mkdtempSync(join(tmpdir(), 'twin-'));
+  cpSync(join(SERVER_HOME, 'server'), join(home, 'server'), {
+    recursive: true,
+    filter: (path) => !/fixtures$|__pycache__/.test(path),
+  });
+  const path = join(home, 'server', file);
+  const source = readFileSync(path, 'utf8');
+  expect(source.split(expression), `${expression} stands once in ${file}`).toHaveLength(2);
+  writeFileSync(path, source.replace(expression, instead));
+  return home;
+}
+
+const HEX = String.raw`typescript 0x[0-9a-f]{16} \(.+\), python 0x[0-9a-f]{16} \(.+\)`;
+const REPORT = new RegExp(String.raw`^\S+: tick \d+ substep -?\d+: [a-z_ .]+: ${HEX}$`);
+
+// Other tests may have the machine's cores.
+vi.setConfig({ testTimeout: 120_000 });
+
+describe('a law that adds up in another order is found out', () => {
+  withPython.each([
+    ['surface.py', 'vx * nx + vy * ny + vz * nz', 'vx * nx + (vy * ny + vz * nz)'],
+    ['surface.py', 'x + tx * twice + 2 * cx', 'x + (tx * twice + 2 * cx)'],
+    [
+      'actuators.py',
+      'ship.fuel - (main * cls.main_flow + burn * cls.rcs_flow) * dt',
+      'ship.fuel - main * cls.main_flow * dt - burn * cls.rcs_flow * dt',
+    ],
+    ['forces.py', 'load.mass * speed / dt', 'speed / dt * load.mass'],
+    ['topple.py', 'torque[0] + toppling * by + sx + kx', 'torque[0] + (toppling * by + sx) + kx'],
+    ['vectors.py', 'ay * bw + aw * by + az * bx - ax * bz', 'aw * by + az * bx + ay * bw - ax * bz'],
+    ['vectors.py', 'hx * w + hy * z - hz * y', 'hx * w - hz * y + hy * z'],
+    ['models.py', '(c * h - b * i) / determinant', '(c * h - b * i) * (1 / determinant)'],
+  ])('%s: %s', async (file, expression, instead) => {
+    const broken = brokenServer(file, expression, instead);
+    const theirs = await replayInPython(cases, broken);
+    const differing = cases.filter((_, i) => theirs[i]!.hash !== ours[i]!.hash);
+    expect(differing.length).toBeGreaterThan(0);
+    expect(await firstDifference(differing[0]!, { home: broken })).toMatch(REPORT);
+  });
+
+  withPython('noise.py: c0 + (c1 - c0) * tz', async () => {
+    const broken = brokenServer('noise.py', 'c0 + (c1 - c0) * tz', '(1 - tz) * c0 + c1 * tz');
+    const points = surveyPoints();
+    const theirs = await surveyInPython(points, broken);
+    expect(heightsHere(points).filter((height, i) => height !== theirs[i]).length).toBeGreaterThan(100);
+  });
+
+  withPython('and so is a terrain of ours that does', async () => {
+    const terrainOf: typeof caseTerrain = (terrain) => {
+      if ('name' in terrain) return caseTerrain(terrain);
+      const { base, amplitude, axis } = terrain;
+      return (_body, nx, ny, nz) => {
+        const along = nx * axis[0] + (ny * axis[1] + nz * axis[2]);
+        return base + amplitude * (along * along);
+      };
+    };
+    const differing = cases.filter(
+      (exact, i) => hashCase(exact, undefined, terrainOf).hash !== ours[i]!.hash,
+    );
+    expect(differing.length).toBeGreaterThan(5);
+    expect(await firstDifference(differing[0]!, { terrainOf })).toMatch(REPORT);
+  });
+});

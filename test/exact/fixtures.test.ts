@@ -1,0 +1,50 @@
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { describe, expect, it, vi } from 'vitest';
+import { compareFixture, readFixture, SCENARIOS } from '../../src/rehearsal';
+import { MAY_SKIP, pythonVersion, SERVER_HOME, writeFixtures } from './python';
+import { SCENARIO_FILE, scenarioText } from './scenarioData';
+
+const COMMITTED = join(SERVER_HOME, 'server/fixtures');
+const withPython = pythonVersion() === null && MAY_SKIP ? it.skip : it;
+
+function filesIn(folder: string): Map<string, string> {
+  const names = readdirSync(folder).sort();
+  return new Map(names.map((name) => [name, readFileSync(join(folder, name), 'utf8')]));
+}
+
+// Other tests may have the machine's cores.
+vi.setConfig({ testTimeout: 120_000 });
+
+describe('the Python server’s trajectories', () => {
+  it('are made from the rehearsals as they are (else: node test/run.mjs test/exact/writeScenarios.ts)', () => {
+    expect(readFileSync(SCENARIO_FILE, 'utf8')).toBe(scenarioText());
+  });
+
+  it('are there for every rehearsal', () => {
+    expect([...filesIn(COMMITTED).keys()]).toEqual(SCENARIOS.map(({ name }) => `${name}.json`).sort());
+  });
+
+  withPython('come out byte for byte as committed (else: cd test && python3 -m server.fixtures)', () => {
+    const folder = mkdtempSync(join(tmpdir(), 'fixtures-'));
+    try {
+      writeFixtures(folder);
+      const committed = filesIn(COMMITTED);
+      const made = filesIn(folder);
+      expect([...made.keys()]).toEqual([...committed.keys()]);
+      for (const [name, text] of made) expect(text, name).toBe(committed.get(name));
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  });
+
+  it.each(SCENARIOS.map(({ name }) => name))('%s: the dynamics agree without any difference', (name) => {
+    const fixture = readFixture(readFileSync(join(COMMITTED, `${name}.json`), 'utf8'));
+    if (!fixture.ok) throw new Error(fixture.reason);
+    const compared = compareFixture(fixture.value);
+    if (!compared.ok) throw new Error(compared.reason);
+    expect(Object.values(compared.value.worst)).toEqual(Object.values(compared.value.worst).map(() => 0));
+    expect(compared.value.disagreement).toBeNull();
+  });
+});

@@ -1,0 +1,5 @@
+/** node test/run.mjs test/exact/writeScenarios.ts: brings test/server/scenarios.json up to date with src/rehearsal. */
+import { writeFileSync } from 'node:fs';
+import { SCENARIO_FILE, scenarioText } from './scenarioData';
+
+writeFileSync(SCENARIO_FILE, scenarioText());

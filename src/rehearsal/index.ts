@@ -61,3 +61,6 @@ export {
   writeRecording,
 } from './recording';
 export { compareRecording, type RecordingComparison } from './compareRecording';
+/** A pilot for the last 200 metres. */
+export { approachOf, descend, type Approach, type LandingSite } from './autopilot/descent';
+export { BEGIN_LANDING, continueLanding, type LandingManeuver, type LandingPhase } from './autopilot/landing';

@@ -1,0 +1,128 @@
+import { cross, inverse, rotate } from '../../authority';
+import {
+  type Checked,
+  accepted,
+  type Controls,
+  GRAVITATIONAL_CONSTANT,
+  refused,
+  type ShipClass,
+  type TerrainHeight,
+  type Vec3,
+} from '../../dynamics';
+import type { BodyState, ShipState } from '../../wire';
+
+/** Where a ship is to land. */
+export interface LandingSite {
+  readonly body: BodyState;
+  readonly shipClass: ShipClass;
+  readonly terrainHeight: TerrainHeight;
+}
+
+/** A ship as its pilot over the site feels it. SI units; up is local up, speeds are relative to the turning ground. */
+export interface Approach {
+  /** Of an upright ship's feet above the ground, m. */
+  readonly height: number;
+  /** m/s, positive upward. */
+  readonly climb: number;
+  /** Along the ground, body axes, m/s. */
+  readonly drift: Vec3;
+  /** Cosine of the tilt. */
+  readonly upright: number;
+  /** m/s² */
+  readonly gravity: number;
+}
+
+/** Speed down in the last metres, m/s: below every bounce, above what noise of a slow tick could turn into a hover. */
+const TOUCH_SPEED = 1.5;
+/** Speed down at most, m/s: a second's delay at it is still braked away. */
+const MOST_SPEED = 15;
+/** Height over which it comes down at TOUCH_SPEED, m. */
+const LAST_METRES = 3;
+/** Share of what the engine has over the weight that braking plans with; the rest is for correcting. */
+const BRAKING_SHARE = 0.5;
+/** m/s²: more would come too late for states a second apart, however strong the engine. */
+const MOST_BRAKING = 1;
+/** s⁻¹: speed errors are answered in two seconds, slow enough for states that come once a second and act a second later. */
+const RESPONSE = 0.5;
+/** Tilts past 60° push more along the ground than up: there the engine waits for the ship to come upright. */
+const LEAST_UPRIGHT = 0.5;
+
+/** The approach of a ship, or a reason that names the field that has no finite value. */
+export function approachOf(ship: ShipState, site: LandingSite): Checked<Approach> {
+  const { body, shipClass, terrainHeight } = site;
+  // The game's own server sends ICRF alone: at 1 au good to 15 µm, enough for a pilot.
+  const position = ship.relativePosition ?? minus(ship.position, body.position);
+  const velocity = ship.relativeVelocity ?? minus(ship.velocity, body.velocity);
+  const distance = length(position);
+  if (!(distance >= 1 && distance < Infinity)) return refused('relativePosition: no place over the body');
+  const up = scaled(position, 1 / distance);
+  const overGround = minus(velocity, cross(body.angularVelocity, position));
+  if (!overGround.every(Number.isFinite)) return refused('relativeVelocity: expected finite numbers');
+  if (!ship.attitude.every(Number.isFinite)) return refused('attitude: expected finite numbers');
+  if (!(ship.mass > 0 && ship.mass < Infinity)) return refused('mass: expected a finite number > 0 kg');
+  const ground = terrainHeight(body.name, ...rotate(inverse(body.attitude), up));
+  if (!Number.isFinite(ground)) return refused('terrainHeight: expected a finite number');
+  const climb = dot(overGround, up);
+  return accepted({
+    height: distance - (body.radius + ground + shipClass.groundContactOffset),
+    climb,
+    drift: rotate(inverse(ship.attitude), minus(overGround, scaled(up, climb))),
+    upright: dot(rotate(ship.attitude, [0, 0, 1]), up),
+    gravity: (GRAVITATIONAL_CONSTANT * body.mass) / (distance * distance),
+  });
+}
+
+/**
+ * The controls of a vertical descent: top up, drift along the ground nulled by the thrusters, and down no faster than half of
+ * the engine's reserve can brake. Where gravity is too weak to bring the ship down, the thrusters push it.
+ */
+export function descend(approach: Approach, mass: number, shipClass: ShipClass): Controls {
+  const { height, climb, drift, upright, gravity } = approach;
+  const reserve = shipClass.mainEngineThrust / mass - gravity;
+  const affordable = BRAKING_SHARE * (reserve > 0 ? reserve : 0);
+  const braking = affordable < MOST_BRAKING ? affordable : MOST_BRAKING;
+  const toBrake = height > LAST_METRES ? height - LAST_METRES : 0;
+  const planned = Math.sqrt(TOUCH_SPEED * TOUCH_SPEED + 2 * braking * toBrake);
+  const speed = planned < MOST_SPEED ? planned : MOST_SPEED;
+  // How fast the planned speed falls as the ship does; at the cap and in the last metres it stays.
+  const onCurve = toBrake > 0 && planned < MOST_SPEED && climb < 0;
+  const easing = onCurve ? (braking * -climb) / planned : 0;
+  const wanted = gravity + easing + RESPONSE * (-speed - climb);
+  const push = upright > LEAST_UPRIGHT ? (mass * wanted) / upright : 0;
+  const [rcsX, rcsY, rcsZ] = shipClass.rcsThrust;
+  return {
+    thrustLevel: share(push > 0 ? push : 0, shipClass.mainEngineThrust),
+    translationInput: [
+      share(-RESPONSE * mass * drift[0], rcsX),
+      share(-RESPONSE * mass * drift[1], rcsY),
+      share(push < 0 ? push : 0, rcsZ),
+    ],
+    rotationInput: [0, 0, 0],
+    attitudeHold: true,
+    attitudeMode: 'radial',
+    targetAttitude: [0, 0, 0, 1],
+  };
+}
+
+/** `force` as a share of `most`, −1 … 1; 0 where there is nothing to push with. */
+function share(force: number, most: number): number {
+  if (!(most > 0)) return 0;
+  const part = force / most;
+  return part > 1 ? 1 : part < -1 ? -1 : part;
+}
+
+function dot(a: Vec3, b: Vec3): number {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+function length(a: Vec3): number {
+  return Math.sqrt(dot(a, a));
+}
+
+function minus(a: Vec3, b: Vec3): Vec3 {
+  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+}
+
+function scaled(a: Vec3, s: number): Vec3 {
+  return [a[0] * s, a[1] * s, a[2] * s];
+}

@@ -1,0 +1,70 @@
+import { accepted, type Checked, type Controls, NEUTRAL_CONTROLS } from '../../dynamics';
+import type { ShipState } from '../../wire';
+import { approachOf, descend, type LandingSite } from './descent';
+
+/** How far a landing has come; 'complete' and 'failed' are its ends. */
+export type LandingPhase = 'descent' | 'touchdown' | 'complete' | 'failed';
+
+/** A landing under way, plain data: keep it, and hand it back with the next state. */
+export interface LandingManeuver {
+  readonly phase: LandingPhase;
+  /** Why it failed; else empty. */
+  readonly reason: string;
+  /** To be commanded until the next state. */
+  readonly controls: Controls;
+}
+
+/** A landing that has not yet seen its ship. */
+export const BEGIN_LANDING: LandingManeuver = Object.freeze<LandingManeuver>({
+  phase: 'descent',
+  reason: '',
+  controls: NEUTRAL_CONTROLS,
+});
+
+/** In contact the engine is off and rates are damped; legs, friction and gravity do the rest. */
+const HOLD: Controls = Object.freeze<Controls>({ ...NEUTRAL_CONTROLS, attitudeHold: true });
+
+/** Height below which a hop after contact is left to the ground, m: even from Earth's it comes down below the bounce speed. */
+const LOW_HOP = 3;
+
+/**
+ * The game's maneuver_landing for ships that have legs, a pure step from one ship state to the next: descends, takes contact for
+ * the touchdown (engine off, hold), completes on landed, fails with a reason on tipped or crashed. A high
+ * bounce is flown like the descent. States come as often as they come: at 1 Hz the feet still touch below 3 m/s.
+ * @returns what to keep and command; or a reason that names the field a state has no use for, and `before` stays good
+ */
+export function continueLanding(
+  before: LandingManeuver,
+  ship: ShipState,
+  site: LandingSite,
+): Checked<LandingManeuver> {
+  if (before.phase === 'complete' || before.phase === 'failed') return accepted(before);
+  if (ship.crashed) return accepted(failed(`crashed on ${site.body.name}`));
+  switch (ship.surfaceContactState) {
+    case 'tipped':
+      return accepted(failed(`tipped over on ${site.body.name}`));
+    case 'landed':
+      return accepted({ phase: 'complete', reason: '', controls: NEUTRAL_CONTROLS });
+    case 'contact':
+      return accepted({ phase: 'touchdown', reason: '', controls: HOLD });
+    case '':
+      return fly(before, ship, site);
+  }
+}
+
+function fly(before: LandingManeuver, ship: ShipState, site: LandingSite): Checked<LandingManeuver> {
+  const approach = approachOf(ship, site);
+  if (!approach.ok) return approach;
+  if (before.phase === 'touchdown' && approach.value.height < LOW_HOP)
+    return accepted({ phase: 'touchdown', reason: '', controls: HOLD });
+  const thrust = site.shipClass.mainEngineThrust;
+  const weight = ship.mass * approach.value.gravity;
+  if (!(thrust > weight))
+    return accepted(failed(`mainEngineThrust: ${thrust} N cannot hold a weight of ${Math.round(weight)} N`));
+  const controls = descend(approach.value, ship.mass, site.shipClass);
+  return accepted({ phase: 'descent', reason: '', controls });
+}
+
+function failed(reason: string): LandingManeuver {
+  return { phase: 'failed', reason, controls: HOLD };
+}

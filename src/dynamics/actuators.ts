@@ -40,7 +40,7 @@ function push(step: Step): void {
   q[THRUST + 1] = 0;
   q[THRUST + 2] = 0;
   const fuel = ships[at + FUEL]!;
-  if (!(fuel > 0) || !isCommanded(ships, at)) return;
+  if (!(fuel > 0) || !(commandsThrust(ships, at) || q[RCS_TORQUE_SUM] !== 0)) return;
   const main = ships[at + THRUST_LEVEL]! * shipClass.mainEngineThrust;
   const fx = ships[at + TRANSLATION_INPUT]! * shipClass.rcsThrust[0];
   const fy = ships[at + TRANSLATION_INPUT + 1]! * shipClass.rcsThrust[1];
@@ -55,13 +55,12 @@ function push(step: Step): void {
   ships[at + FUEL] = left > 0 ? left : 0;
 }
 
-/** Whether anything burns in this substep: most ships coast. */
-function isCommanded(ships: Float64Array, at: number): boolean {
+/** Whether engine or translation thrusters are asked for: most ships coast. */
+export function commandsThrust(ships: Float64Array, at: number): boolean {
   return (
     ships[at + THRUST_LEVEL] !== 0 ||
     ships[at + TRANSLATION_INPUT] !== 0 ||
     ships[at + TRANSLATION_INPUT + 1] !== 0 ||
-    ships[at + TRANSLATION_INPUT + 2] !== 0 ||
-    q[RCS_TORQUE_SUM] !== 0
+    ships[at + TRANSLATION_INPUT + 2] !== 0
   );
 }

@@ -47,4 +47,4 @@ export { isLegalMove } from './legalMoves';
 /** One number for a trajectory's bits. */
 export { hashRows } from './hash';
 /** Terrain made of + − × ÷ √. */
-export { flatTerrain, TERRAINS } from './terrain';
+export { flatTerrain, hillsTerrain, LANDING_SITE, TERRAINS } from './terrain';

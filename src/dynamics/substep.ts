@@ -1,4 +1,4 @@
-import { actuate } from './actuators';
+import { actuate, commandsThrust } from './actuators';
 import { isPinned, moveByForces, normalForce } from './forces';
 import {
   BODY_AXES,
@@ -39,10 +39,11 @@ export function substep(
   if (ships[at + CRASHED] === 1) return NO_EVENT; // 0
   const step = begin(ships, at, bodies, world);
   q[DT] = dt;
+  if (ships[at + SURFACE_STATE] === LANDED && !commandsThrust(ships, at)) return stayLanded(step); // 1, 2: no lift to look for
   readAxes(step);
   readSurface(START, step, BODY_AXES);
   actuate(step); // 1
-  if (staysLanded(step)) return NO_EVENT; // 2
+  if (!launches(step) && ships[at + SURFACE_STATE] === LANDED) return stayLanded(step); // 2
   const pinned = isPinned(step); // 3
   normalForce(step, pinned); // 4
   if (!pinned) moveByForces(step); // 5
@@ -72,19 +73,20 @@ function begin(ships: Float64Array, at: number, bodies: Float64Array, world: Wor
   return step;
 }
 
-/** Step 2: lift above the weight launches a landed or tipped ship; one that stays landed turns with the ground. */
-function staysLanded(step: Step): boolean {
+/** Step 2: lift above the weight launches a landed or tipped ship; the substep goes on as flying. */
+function launches(step: Step): boolean {
   const { ships, at } = step;
   const state = ships[at + SURFACE_STATE]!;
   q[WEIGHT] = q[MASS]! * q[START + GRAVITY]!;
-  if (state !== LANDED && state !== TIPPED) return false;
-  if (q[LIFT]! > q[WEIGHT]) {
-    ships[at + SURFACE_STATE] = FLYING;
-    ships[at + IMPACT_SPEED] = 0;
-    return false;
-  }
-  if (state === TIPPED) return false;
+  if ((state !== LANDED && state !== TIPPED) || !(q[LIFT]! > q[WEIGHT])) return false;
+  ships[at + SURFACE_STATE] = FLYING;
+  ships[at + IMPACT_SPEED] = 0;
+  return true;
+}
+
+/** Still landed: the ship turns with the ground, and that is all. */
+function stayLanded(step: Step): number {
   turnPlaceWithGround(step);
   turnAttitudeWithGround(step);
-  return true;
+  return NO_EVENT;
 }

@@ -1,0 +1,61 @@
+import { joltBody } from './jolt';
+import { type Figure, heapGrowth, timed } from './measure';
+import { flying, landed, sliding, type Subject, tipped } from './subjects';
+
+/** `npm run bench`: what the law costs. A table, or with --json a line of JSON a figure. */
+
+/** Substeps a round. */
+const TIMES = 100_000;
+const FLEET = 1000;
+
+function perSubstep(name: string, subject: Subject): Figure {
+  return timed(name, TIMES, 1, (times) => subject.step(times));
+}
+
+/** The server's row adopted, and 100 substeps replayed from it. */
+function adoptAndReplay(): Figure {
+  const subject = sliding();
+  const server = subject.ships.slice();
+  return timed('replay-100', TIMES / 100, 1, (times) => {
+    for (let i = 0; i < times; i++) {
+      subject.ships.set(server);
+      subject.step(100);
+    }
+  });
+}
+
+/** One second of game time of 1,000 ships in contact. */
+function fleetSecond(): Figure {
+  const subject = sliding(FLEET);
+  return timed('fleet-1000', 1, 1, (times) => {
+    for (let i = 0; i < times; i++) subject.step(100);
+  });
+}
+
+function heapPerSubstep(): Figure {
+  const subject = sliding();
+  return heapGrowth('heap-per-substep', 1_000_000, (times) => subject.step(times));
+}
+
+const asJson = process.argv.includes('--json');
+
+function print(figure: Figure): void {
+  if (asJson) console.log(JSON.stringify(figure));
+  else {
+    const { name, unit, median, min, max } = figure;
+    console.log(
+      `${name.padEnd(18)} ${String(median).padStart(14)} ${unit.padEnd(6)} (${String(min)} … ${String(max)})`,
+    );
+  }
+}
+
+if (!asJson) console.log(`${''.padEnd(18)} ${'median'.padStart(14)}        (min … max)`);
+print(perSubstep('contact-substep', sliding()));
+print(perSubstep('flying-substep', flying()));
+print(perSubstep('tipped-substep', tipped()));
+print(perSubstep('landed-substep', landed()));
+print(adoptAndReplay());
+print(fleetSecond());
+print(heapPerSubstep());
+const jolt = await joltBody();
+if (jolt) print(jolt);

@@ -4,7 +4,7 @@ import { SCENARIOS } from '../rehearsal';
 /** What the page can be asked for, all of it in the URL. */
 export interface Choices {
   scenario: string;
-  /** '' = the scenario's own. */
+  /** '' = the scenario's own, here and in the two that follow. */
   body: string;
   shipClass: string;
   terrain: string;
@@ -13,7 +13,7 @@ export interface Choices {
   /** 0 = the scenario's own. */
   timeScale: number;
   network: string;
-  /** Numbers of network 'custom': one-way delay and jitter, ms; share of packets stalled and for how long, ms. */
+  /** Numbers of network 'custom': one-way delay and jitter, ms; per cent of packets stalled, and for how long, ms. */
   delay: number;
   jitter: number;
   stalled: number;
@@ -27,6 +27,8 @@ export interface Choices {
   server: string;
   /** Ships beside one's own. */
   fleet: number;
+  /** 1: the worker speaks like the game's own server of today: no hello, no fields 31–34, whole-tick inputs. */
+  legacy: number;
 }
 
 export const CLIENT_MODES = ['predicted', 'gravity', 'last'] as const;
@@ -40,13 +42,13 @@ export const DEFAULT_CHOICES: Choices = {
   scenario: 'opening',
   body: '',
   shipClass: '',
-  terrain: '',
+  terrain: 'hills',
   tickRate: 0,
   timeScale: 0,
   network: 'broadband',
   delay: 50,
   jitter: 8,
-  stalled: 0.02,
+  stalled: 2,
   stall: 200,
   seed: 1,
   mode: 'predicted',
@@ -54,6 +56,7 @@ export const DEFAULT_CHOICES: Choices = {
   slow: 1,
   server: '',
   fleet: 0,
+  legacy: 0,
 };
 
 interface Field {
@@ -100,7 +103,7 @@ const FIELDS: readonly Field[] = [
   { name: 'network', key: 'net', ...oneOf(NETWORKS) },
   { name: 'delay', key: 'delay', ...between(0, 5000) },
   { name: 'jitter', key: 'jitter', ...between(0, 1000) },
-  { name: 'stalled', key: 'stalled', ...between(0, 0.9) },
+  { name: 'stalled', key: 'stalled', ...between(0, 50) },
   { name: 'stall', key: 'stall', ...between(0, 10_000) },
   { name: 'seed', key: 'seed', ...whole(0, 0xffffffff) },
   { name: 'mode', key: 'mode', ...oneOf(CLIENT_MODES) },
@@ -121,6 +124,7 @@ const FIELDS: readonly Field[] = [
     read: (text) => (text === '' || isSocketAddress(text) ? text : undefined),
   },
   { name: 'fleet', key: 'fleet', ...whole(0, 999) },
+  { name: 'legacy', key: 'legacy', ...whole(0, 1) },
 ];
 
 export function isSocketAddress(text: string): boolean {

@@ -102,7 +102,7 @@ function sweep(dust: Dust, state: DustState, ship: DustyShip, seconds: number): 
 }
 
 function atFoot(ship: DustyShip, state: DustState, foot: number): void {
-  const around = (foot * Math.PI) / 2 + (roll(state) - 0.5) * 0.5;
+  const around = ((foot + 0.5) * Math.PI) / 2 + (roll(state) - 0.5) * 0.5;
   const radius = ship.legRadius * (0.9 + 0.2 * roll(state));
   place[0] = ship.place[0]! + Math.cos(around) * radius;
   place[1] = ship.groundY + 0.08;

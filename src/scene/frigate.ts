@@ -75,7 +75,7 @@ function addCanopy(parts: Parts, m: (share: number) => number): void {
 
 function addFins(parts: Parts, { h, legRadius }: Stance, m: (share: number) => number): void {
   for (let leg = 0; leg < 4; leg++) {
-    const azimuth = (leg * Math.PI) / 2;
+    const azimuth = ((leg + 0.5) * Math.PI) / 2;
     const reach = legRadius;
     const fin = new Shape();
     fin.moveTo(m(1.2), m(1.4));
@@ -94,6 +94,7 @@ function addFins(parts: Parts, { h, legRadius }: Stance, m: (share: number) => n
     // Drawn in (x, z) of body axes and turned to the leg's azimuth.
     plate.translate(0, 0, -m(0.07)).rotateX(Math.PI / 2);
     parts.add(plate, FINISHES.orange, { at: [0, 0, 0], spin: azimuth });
+    parts.add(canard(reach, m), FINISHES.orange, { at: [0, 0, 0], spin: azimuth });
     const at = (r: number, z: number): [number, number, number] => [
       r * Math.cos(azimuth),
       r * Math.sin(azimuth),
@@ -122,4 +123,16 @@ function addFins(parts: Parts, { h, legRadius }: Stance, m: (share: number) => n
       { at: at(reach, -h), flex: { leg, low: 1, high: 1 } },
     );
   }
+}
+
+/** Upper fins as wide as the feet: toppled, the ship lies on them and not on air. */
+function canard(reach: number, m: (share: number) => number): ExtrudeGeometry {
+  const shape = new Shape();
+  shape.moveTo(m(1.1), m(4.2));
+  shape.lineTo(reach * 0.98, m(3.75));
+  shape.lineTo(reach, m(3.3));
+  shape.lineTo(m(1.3), m(3.2));
+  const plate = new ExtrudeGeometry(shape, { depth: m(0.1), bevelEnabled: false });
+  plate.translate(0, 0, -m(0.05)).rotateX(Math.PI / 2);
+  return plate;
 }

@@ -16,7 +16,7 @@ export function buildHauler(stance: Stance): ShipModel {
   addTanks(parts, m);
   addContainers(parts, m);
   addBridge(parts, m);
-  const engines = [45, 135, 225, 315].map((degrees) => {
+  const engines = [0, 90, 180, 270].map((degrees) => {
     const angle = (degrees * Math.PI) / 180;
     const [x, y] = [Math.cos(angle) * m(2.6), Math.sin(angle) * m(2.6)];
     parts.add(tube(m(0.6), m(0.8), m(0.7), 12), FINISHES.grey, { at: [x, y, m(-3.6)] });
@@ -54,7 +54,7 @@ function addTruss(parts: Parts, m: Scale): void {
 
 function addTanks(parts: Parts, m: Scale): void {
   for (let n = 0; n < 4; n++) {
-    const angle = (n * Math.PI) / 2;
+    const angle = ((n + 0.5) * Math.PI) / 2;
     const [x, y] = [Math.cos(angle) * m(2.1), Math.sin(angle) * m(2.1)];
     parts.add(ball(m(1.28), 20), FINISHES.white, { at: [x, y, m(-1.6)] });
     parts.add(ring(m(1.3), m(0.05)), FINISHES.grey, { at: [x, y, m(-1.6)] });

@@ -16,6 +16,7 @@ export function buildLander(stance: Stance): ShipModel {
   addTanks(parts, m);
   addCabin(parts, m);
   addMast(parts, m);
+  addBooms(parts, stance.legRadius, m);
   addLegs(parts, stance, {
     hip: [m(1.86), m(-0.72)],
     brace: [m(1.8), m(-2.1)],
@@ -28,7 +29,7 @@ export function buildLander(stance: Stance): ShipModel {
   return {
     geometry: parts.build(),
     engines: [{ at: [0, 0, m(-3.6)], radius: m(0.72) }],
-    thrusters: thrusterClusters(m(2.05), m(1.55), 0),
+    thrusters: thrusterClusters(stance.legRadius - m(0.1), m(1.55), Math.PI / 4),
   };
 }
 
@@ -36,11 +37,31 @@ type Scale = (share: number) => number;
 
 function addTanks(parts: Parts, m: Scale): void {
   for (let n = 0; n < 4; n++) {
-    const angle = Math.PI / 4 + (n * Math.PI) / 2;
-    const [x, y] = [Math.cos(angle) * m(1.98), Math.sin(angle) * m(1.98)];
-    parts.add(ball(m(0.86), 20), n % 2 === 0 ? FINISHES.white : FINISHES.silver, { at: [x, y, m(0.32)] });
-    parts.add(ring(m(0.87), m(0.04)), FINISHES.grey, { at: [x, y, m(0.32)] });
+    const angle = (n * Math.PI) / 2;
+    const [x, y] = [Math.cos(angle) * m(1.5), Math.sin(angle) * m(1.5)];
+    parts.add(ball(m(0.78), 20), n % 2 === 0 ? FINISHES.white : FINISHES.silver, { at: [x, y, m(0.32)] });
+    parts.add(ring(m(0.79), m(0.04)), FINISHES.grey, { at: [x, y, m(0.32)] });
     addStrut(parts, FINISHES.grey, { from: [x, y, m(-0.6)], to: [x, y, m(-0.4)], radius: m(0.3) });
+  }
+}
+
+/** Thrusters on booms as wide as the feet: toppled, the ship lies on two of them. */
+function addBooms(parts: Parts, reach: number, m: Scale): void {
+  for (let n = 0; n < 4; n++) {
+    const angle = ((n + 0.5) * Math.PI) / 2;
+    const at = (r: number, z: number): [number, number, number] => [
+      Math.cos(angle) * r,
+      Math.sin(angle) * r,
+      z,
+    ];
+    const z = m(1.55);
+    addStrut(parts, FINISHES.grey, { from: at(m(1.3), m(1.75)), to: at(reach, z), radius: m(0.06) });
+    addStrut(parts, FINISHES.grey, { from: at(m(1.3), m(1.05)), to: at(reach * 0.9, z), radius: m(0.045) });
+    parts.add(box(m(0.3), m(0.3), m(0.34)), FINISHES.orange, { at: at(reach - m(0.15), z), spin: angle });
+    for (const dz of [-0.24, 0.24])
+      parts.add(tube(m(dz > 0 ? 0.05 : 0.11), m(dz > 0 ? 0.11 : 0.05), m(0.16), 8), FINISHES.dark, {
+        at: at(reach - m(0.15), z + m(dz)),
+      });
   }
 }
 
@@ -48,10 +69,10 @@ function addCabin(parts: Parts, m: Scale): void {
   parts.add(
     turned(
       [
-        [m(1.3), m(-0.5)],
-        [m(1.52), m(0.2)],
-        [m(1.56), m(1.3)],
-        [m(1.38), m(1.95)],
+        [m(1.2), m(-0.5)],
+        [m(1.3), m(0.2)],
+        [m(1.56), m(1.2)],
+        [m(1.4), m(1.95)],
         [m(0.86), m(2.5)],
         [m(0.52), m(2.62)],
       ],
@@ -71,20 +92,6 @@ function addCabin(parts: Parts, m: Scale): void {
     const at: [number, number, number] = [m(1.36), side * m(0.6), m(1.62)];
     parts.add(tube(m(0.36), m(0.36), m(0.16), 3), FINISHES.grey, { at, along, spin: side > 0 ? 0.5 : -0.5 });
     parts.add(tube(m(0.28), m(0.28), m(0.2), 3), FINISHES.glass, { at, along, spin: side > 0 ? 0.5 : -0.5 });
-  }
-  for (let n = 0; n < 4; n++) {
-    const angle = (n * Math.PI) / 2;
-    const at = (r: number, z: number): [number, number, number] => [
-      Math.cos(angle) * r,
-      Math.sin(angle) * r,
-      z,
-    ];
-    addStrut(parts, FINISHES.grey, { from: at(m(1.4), m(1.55)), to: at(m(2.05), m(1.55)), radius: m(0.06) });
-    parts.add(box(m(0.3), m(0.3), m(0.34)), FINISHES.orange, { at: at(m(2.02), m(1.55)), spin: angle });
-    for (const z of [-0.24, 0.24])
-      parts.add(tube(m(z > 0 ? 0.05 : 0.11), m(z > 0 ? 0.11 : 0.05), m(0.16), 8), FINISHES.dark, {
-        at: at(m(2.05), m(1.55 + z)),
-      });
   }
   parts.add(ball(m(0.09), 8), FINISHES.port, { at: [0, m(1.5), m(1.9)] });
   parts.add(ball(m(0.09), 8), FINISHES.starboard, { at: [0, m(-1.5), m(1.9)] });
@@ -115,18 +122,23 @@ function addMast(parts: Parts, m: Scale): void {
 }
 
 function addLadder(parts: Parts, { h, legRadius }: Stance, m: Scale): void {
-  const top: [number, number, number] = [m(2.08), 0, m(-0.65)];
-  const bottom: [number, number, number] = [legRadius + m(0.12), 0, -h + m(0.9)];
+  // Down the first leg, at 45°.
+  const at = (r: number, side: number, z: number): [number, number, number] => [
+    (r - m(side)) * Math.SQRT1_2,
+    (r + m(side)) * Math.SQRT1_2,
+    z,
+  ];
+  const [top, topZ] = [m(2.08), m(-0.65)];
+  const [bottom, bottomZ] = [legRadius + m(0.12), -h + m(1.3)];
   for (const side of [-0.24, 0.24])
     addStrut(parts, FINISHES.silver, {
-      from: [top[0], m(side), top[2]],
-      to: [bottom[0], m(side), bottom[2]],
+      from: at(top, side, topZ),
+      to: at(bottom, side, bottomZ),
       radius: m(0.028),
     });
-  for (let n = 0; n <= 8; n++) {
-    const t = n / 8;
-    const x = top[0] + (bottom[0] - top[0]) * t;
-    const z = top[2] + (bottom[2] - top[2]) * t;
-    addStrut(parts, FINISHES.silver, { from: [x, m(-0.24), z], to: [x, m(0.24), z], radius: m(0.024) });
+  for (let n = 0; n <= 7; n++) {
+    const r = top + ((bottom - top) * n) / 7;
+    const z = topZ + ((bottomZ - topZ) * n) / 7;
+    addStrut(parts, FINISHES.silver, { from: at(r, -0.24, z), to: at(r, 0.24, z), radius: m(0.024) });
   }
 }

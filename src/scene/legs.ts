@@ -2,7 +2,7 @@ import { FINISHES, type Finish, type Parts } from './parts';
 import { addStrut, tube, turned } from './shapes';
 import type { Stance } from './shipModel';
 
-/** How a class's four legs are made; feet at azimuths 0°, 90°, 180°, 270°. */
+/** How a class's four legs are made; feet at azimuths 45°, 135°, 225°, 315°, where prediction's hull has them. */
 export interface LegStyle {
   /** Where the main strut leaves the hull: distance from the axis and z, m. */
   readonly hip: readonly [number, number];
@@ -18,7 +18,7 @@ export interface LegStyle {
 export function addLegs(parts: Parts, { h, legRadius }: Stance, style: LegStyle): void {
   const { hip, brace, thickness, padRadius, finish } = style;
   for (let leg = 0; leg < 4; leg++) {
-    const azimuth = (leg * Math.PI) / 2;
+    const azimuth = ((leg + 0.5) * Math.PI) / 2;
     const at = (radius: number, z: number, turn = 0): [number, number, number] => [
       radius * Math.cos(azimuth + turn),
       radius * Math.sin(azimuth + turn),

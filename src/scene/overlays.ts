@@ -1,3 +1,4 @@
+import type { Quaternion } from 'three';
 import {
   BufferGeometry,
   Color,
@@ -7,7 +8,6 @@ import {
   type Material,
   Mesh,
   MeshBasicMaterial,
-  Quaternion,
   TorusGeometry,
   Vector3,
 } from 'three';

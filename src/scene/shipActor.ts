@@ -8,24 +8,13 @@ import { buildShip } from './models';
 import type { ShipMaterial } from './shipMaterial';
 import type { ShipModel } from './shipModel';
 
-/** How the drawn ship stands on the drawn ground (PREDICTION, What is drawn): what standOnGround gives. */
-export interface Standing {
-  /** m along the local up by which the drawn pose is moved. */
-  lift: number;
-  /** How far each of the four legs is pushed in, m; feet at azimuths 0°, 90°, 180°, 270°. */
-  readonly legs: Float64Array;
-}
-
-export type StandOnGround = (out: Standing, ship: ShipView, view: WorldView) => void;
-
 /** One ship on the stage. Places and velocities in local axes, doubles. */
 export interface ShipActor {
   readonly className: string;
   readonly model: ShipModel;
-  readonly mesh: Mesh<BufferGeometry>;
+  readonly mesh: Mesh;
   readonly jets: Mesh<BufferGeometry, ShaderMaterial>;
   readonly power: Float32Array;
-  readonly standing: Standing;
   readonly place: Float64Array;
   readonly velocity: Float64Array;
   readonly turn: Float64Array;
@@ -79,7 +68,6 @@ export function createActor(ship: ShipView, wardrobe: Wardrobe, inAir: boolean):
   mesh.customDepthMaterial = material.shadow;
   mesh.castShadow = true;
   mesh.receiveShadow = true;
-  const standing: Standing = { lift: 0, legs: new Float64Array(4) };
   const power = new Float32Array(36);
   const jets = new Mesh(wardrobe.shelf.jets(ship, inAir), wardrobe.jet);
   jets.frustumCulled = false;
@@ -92,7 +80,6 @@ export function createActor(ship: ShipView, wardrobe: Wardrobe, inAir: boolean):
     mesh,
     jets,
     power,
-    standing,
     place: new Float64Array(3),
     velocity: new Float64Array(3),
     turn: new Float64Array(4),
@@ -119,8 +106,7 @@ export function poseActor(
   frame: LocalFrame,
   turn: Turn,
 ): void {
-  toLocalPoint(actor.place, frame, turn, ship.drawnPosition);
-  actor.place[1] = actor.place[1]! + actor.standing.lift;
+  toLocalPoint(actor.place, frame, turn, ship.standPosition);
   quat.multiply(actor.turn, turn.quaternion, ship.drawnAttitude);
   const [wx, wy, wz] = view.bodies[ship.body]!.angularVelocity;
   const [x, y, z] = [ship.position[0]!, ship.position[1]!, ship.position[2]!];

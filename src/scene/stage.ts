@@ -20,24 +20,11 @@ import { createJetMaterial } from './jets';
 import { createTurn, layFrame, type LocalFrame, rotate, toLocalPoint, turnOfFrame } from './localFrame';
 import { createOverlays, type OverlayChoice, type OverlayPlaces } from './overlays';
 import { createRocks } from './rocks';
-import {
-  createActor,
-  createShelf,
-  poseActor,
-  removeActor,
-  type ShipActor,
-  type StandOnGround,
-} from './shipActor';
+import { createActor, createShelf, poseActor, removeActor, type ShipActor } from './shipActor';
 import { createShipMaterial } from './shipMaterial';
 import { createSky } from './sky';
 import { createSunlight } from './sunlight';
 import { groundPoint } from './terrainLevel';
-
-export interface StageOptions {
-  readonly canvas: HTMLCanvasElement;
-  /** Lifts drawn poses onto the drawn ground and presses their legs in. */
-  readonly standOnGround: StandOnGround;
-}
 
 /** The picture: owns the WebGL context. Made by createStage, which throws where there is no WebGL 2. */
 export interface Stage {
@@ -66,9 +53,9 @@ const FIRST_DISTANCE = 5.2;
 /** A frame is laid anew this far from its origin, m: the tangent plane still fits the ground. */
 const FRAME_REACH = 20_000;
 
-export function createStage(options: StageOptions): Stage {
+export function createStage(canvas: HTMLCanvasElement): Stage {
   const renderer = new WebGLRenderer({
-    canvas: options.canvas,
+    canvas,
     antialias: true,
     reversedDepthBuffer: true,
     powerPreference: 'high-performance',
@@ -122,7 +109,7 @@ export function createStage(options: StageOptions): Stage {
       { bodyName: '', radius: 0, axes: Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1), sunSlope: 0 },
       body.attitude,
     );
-    rotate(point, axes.matrix, ship.drawnPosition);
+    rotate(point, axes.matrix, ship.standPosition);
     frame = layFrame(body, point, look.sun);
     ground.lay(frame, terrain);
     rocks.lay(frame, terrain);
@@ -158,7 +145,6 @@ export function createStage(options: StageOptions): Stage {
         ground.group.add(actor.mesh);
       }
       actor.seen = count;
-      options.standOnGround(actor.standing, ship, view);
       poseActor(actor, ship, view, frame!, turn);
       if (ship.own || view.ships.length < 12) raise(actor, ship, seconds);
     }
@@ -214,7 +200,7 @@ export function createStage(options: StageOptions): Stage {
     rotate(point, turn.matrix, ship.thrust);
     places.thrust.set(point[0]! / mass, point[1]! / mass, point[2]! / mass);
     rotate(point, turn.matrix, ship.position);
-    places.up.set(point[0]!, point[1]!, point[2]!).normalize();
+    places.up.set(point[0]!, point[1]!, point[2]).normalize();
     places.weight.copy(places.up).multiplyScalar(-gravity);
     const carried = ship.surfaceState === '' ? 0 : Math.max(0, gravity - places.thrust.dot(places.up));
     places.support.copy(places.up).multiplyScalar(carried);
@@ -235,7 +221,7 @@ export function createStage(options: StageOptions): Stage {
       before = seconds;
       if (frame?.bodyName !== body.name || frame.radius !== body.radius) lay(view, watched);
       turnOfFrame(turn, frame!, body.attitude);
-      toLocalPoint(point, frame!, turn, watched.drawnPosition);
+      toLocalPoint(point, frame!, turn, watched.standPosition);
       if (Math.hypot(point[0]!, point[2]!) > FRAME_REACH) {
         lay(view, watched);
         turnOfFrame(turn, frame!, body.attitude);
@@ -269,7 +255,7 @@ export function createStage(options: StageOptions): Stage {
       light.follow(actor.place, eye, size, size * 2 + Math.max(height, 0) / light.direction.y);
       sky.look(eye[1]!, body.radius, turn.quaternion);
       if (anyChosen(choice)) layOverlays(view, watched, actor);
-      const { legs } = actor.standing;
+      const legs = watched.legCompression;
       wardrobe.own.compression.set(legs[0]!, legs[1]!, legs[2]!, legs[3]!);
       overlays.group.visible = anyChosen(choice);
       if (overlays.group.visible) overlays.update(choice, places);

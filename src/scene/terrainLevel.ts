@@ -2,7 +2,7 @@ import type { TerrainHeight } from '../dynamics';
 import type { LocalFrame } from './localFrame';
 
 /** Cells along a side of a level; a multiple of 4, so that its edges lie on vertices of the next coarser level. */
-export const CELLS = 96;
+export const CELLS = 64;
 /** Vertices along a side, with one more all around for the slopes at the edge. */
 const SIDE = CELLS + 3;
 const VERTICES = CELLS + 1;

@@ -17,6 +17,8 @@ export interface Connection {
   readonly operate: (operation: Operation) => void;
   /** After onClosed: tries again. The worker's server: after { kind: 'drop' }. */
   readonly reconnect: () => void;
+  /** Slow motion: the worker's wall clock runs at this speed from now on; a real server's cannot be changed. */
+  readonly setSpeed: (speed: number) => void;
   /** Ends it for good. */
   readonly dispose: () => void;
 }
@@ -36,7 +38,8 @@ export interface ConnectionHandlers {
 /** Page → worker. */
 export type ToServer =
   | { readonly kind: 'bytes'; readonly bytes: Uint8Array }
-  | { readonly kind: 'operate'; readonly operation: Operation };
+  | { readonly kind: 'operate'; readonly operation: Operation }
+  | { readonly kind: 'speed'; readonly speed: number };
 
 /** Worker → page. */
 export type FromServer =
@@ -56,6 +59,7 @@ export function openWorker(handlers: ConnectionHandlers): Connection {
     send: (bytes) => post({ kind: 'bytes', bytes }),
     operate: (operation) => post({ kind: 'operate', operation }),
     reconnect: () => post({ kind: 'operate', operation: { kind: 'reconnect' } }),
+    setSpeed: (speed) => post({ kind: 'speed', speed }),
     dispose: () => worker.terminate(),
   };
 }
@@ -115,6 +119,9 @@ export function openSocket(address: string, handlers: ConnectionHandlers): Conne
     },
     operate: ({ kind }) => handlers.onRefused(`${kind}: only the server in the page takes orders`),
     reconnect: connect,
+    setSpeed(speed) {
+      if (speed !== 1) handlers.onRefused('slow motion: only the server in the page can be slowed down');
+    },
     dispose() {
       const old = socket;
       socket = null;

@@ -1,5 +1,6 @@
 import type { FromServer, ToServer } from './connection';
 import type { Operation } from './operation';
+import { createPageClock } from '../pageClock';
 import { createSession } from './session';
 
 // The server in a Web Worker: the clock, the timer and the two message channels around a Session. Bytes are the protocol's own.
@@ -7,17 +8,14 @@ import { createSession } from './session';
 const session = createSession();
 let timer: ReturnType<typeof setTimeout> | undefined;
 
-/** Wall seconds, monotonic. */
-function clock(): number {
-  return performance.now() / 1000;
-}
+const clock = createPageClock(() => performance.now() / 1000);
 
 function post(message: FromServer, transfer: Transferable[] = []): void {
   self.postMessage(message, { transfer });
 }
 
 function run(): void {
-  const now = clock();
+  const now = clock.now();
   for (const { bytes } of session.run(now)) {
     // A copy of its own: the buffer goes over to the page, and a duplicate on the line must not lose it.
     const copy = bytes.slice();
@@ -30,19 +28,20 @@ function run(): void {
 
 function schedule(now: number): void {
   clearTimeout(timer);
-  const wait = session.nextAt() - now;
+  const wait = (session.nextAt() - now) / clock.speed();
   // A freeze has nothing to wait for; setTimeout holds at most 2³¹ ms.
   if (Number.isFinite(wait)) timer = setTimeout(run, Math.min(Math.max(0, wait * 1000), 60_000));
 }
 
 self.onmessage = ({ data }: MessageEvent<ToServer>) => {
-  if (data.kind === 'bytes') session.send(data.bytes, clock());
+  if (data.kind === 'speed') clock.setSpeed(data.speed);
+  else if (data.kind === 'bytes') session.send(data.bytes, clock.now());
   else operate(data.operation);
   run();
 };
 
 function operate(operation: Operation): void {
-  const reason = session.operate(operation, clock());
+  const reason = session.operate(operation, clock.now());
   if (reason !== null) post({ kind: 'refused', reason });
   else if (operation.kind === 'load') post({ kind: 'open', what: 'world' });
   else if (operation.kind === 'reconnect') post({ kind: 'open', what: 'again' });

@@ -1,0 +1,4 @@
+import './page.css';
+import { begin } from './page';
+
+begin(document);

@@ -1,0 +1,206 @@
+import { TERRAINS } from '../dynamics';
+import { createCockpitLandingHud, createFleetHud } from '../hud';
+import type { WorldView } from '../prediction';
+import { createFleetReadout, createLandingReadout, fleetReadout, landingReadout } from '../readout';
+import { createStage, type Stage } from '../scene';
+import { SCENARIOS } from '../rehearsal';
+import { createActs } from './actions';
+import { type Choices, OVERLAY_NAMES, readChoices, setChoice, writeChoices } from './choices';
+import { createHelp } from './help';
+import { listenToKeys } from './keyboard';
+import { keyCap, loadKeys, saveKeys } from './keyTable';
+import { createLive, networkOf } from './live';
+import { createNotice } from './notice';
+import { createPads } from './pads';
+import { createPanel } from './panel';
+import { steerCamera } from './pointer';
+import { createResolution } from './resolution';
+import { createTwin } from './twin';
+
+/** Choices that change a running world; the others begin a new one. */
+const LIVE_CHOICES: readonly (keyof Choices)[] = [
+  'mode',
+  'overlays',
+  'slow',
+  'network',
+  'delay',
+  'jitter',
+  'stalled',
+  'stall',
+];
+
+/** The playground: wires hands, server, predictor, HUDs and picture together. */
+export function begin(document: Document): void {
+  const window = document.defaultView!;
+  const part = (id: string) => document.getElementById(id)!;
+  const root = document.documentElement;
+  const canvas = part('stage') as HTMLCanvasElement;
+  const notice = createNotice(part('notice'));
+  const query = new URLSearchParams(window.location.search);
+  const { choices, complaints } = readChoices(query);
+  const freezeAt = Number(query.get('freeze') ?? NaN);
+  if (complaints.length > 0)
+    notice.tell(`The link asks for what cannot be had; the rest of it holds.\n${complaints.join('\n')}`);
+  const store = storeOf(window);
+  let keys = loadKeys(store);
+  const banner = (text: string) => {
+    if (part('banner').textContent !== text) part('banner').textContent = text;
+  };
+
+  const stage = openStage(canvas, notice.tell);
+  const live = createLive({
+    onState: banner,
+    onRefused: (reason) => notice.tell(`The server refused: ${reason}.`),
+    onEvent: () => undefined,
+    onEntry: () => undefined,
+    onBytes: () => undefined,
+  });
+  const landing = createLandingReadout();
+  const fleet = createFleetReadout();
+  const landingHud = createCockpitLandingHud(document, part('hud'), {
+    keyLabel: (action) => (keys.enabled ? keyCap(keys.map[action]) : ''),
+  });
+  const fleetHud = createFleetHud(document, part('hud'));
+  const twin = createTwin(part('twin'));
+  const resolution = createResolution();
+  const panel = createPanel(part('panel'), { change, act: (act) => acts.act(act) });
+  const help = createHelp(
+    document,
+    () => keys,
+    (next) => {
+      keys = next;
+      saveKeys(store, keys);
+    },
+  );
+  const acts = createActs({
+    live,
+    panel,
+    choices: () => choices,
+    choose: (name, text) => {
+      change(name, text);
+      panel.show(choices);
+    },
+    begin: beginWorld,
+    help: help.open,
+    resetCamera: () => stage?.resetCamera(),
+    copyLink,
+    banner,
+    toggleBare: () => document.body.classList.toggle('bare'),
+  });
+
+  listenToKeys(window, () => keys, {
+    pressed: acts.press,
+    released: acts.release,
+    letGo: () => live.stick.held.clear(),
+  });
+  createPads(part('pads'), acts.press, acts.release);
+  if (stage !== null) steerCamera(canvas, stage);
+  new window.ResizeObserver(fit).observe(canvas);
+  fit();
+  panel.show(choices);
+  beginWorld();
+  window.requestAnimationFrame(frame);
+
+  function change(name: keyof Choices, text: string): string | null {
+    const reason = setChoice(choices, name, text);
+    if (reason !== null) return reason;
+    if (LIVE_CHOICES.includes(name)) applyLive(name);
+    else beginWorld();
+    window.history.replaceState(null, '', writeChoices(choices) || window.location.pathname);
+    panel.show(choices);
+    return null;
+  }
+
+  function applyLive(name: keyof Choices): void {
+    if (name === 'slow') live.setSpeed(choices.slow);
+    else if (name !== 'mode' && name !== 'overlays')
+      live.operate({ kind: 'network', numbers: networkOf(choices) });
+    showOverlays();
+  }
+
+  function showOverlays(): void {
+    if (stage !== null)
+      for (const name of OVERLAY_NAMES) stage.overlays[name] = choices.overlays.includes(name);
+  }
+
+  function beginWorld(): void {
+    notice.clear();
+    acts.reset();
+    const scenario = SCENARIOS.find(({ name }) => name === choices.scenario)!;
+    const terrain = choices.terrain === '' ? scenario.terrain : choices.terrain;
+    stage?.setTerrain(TERRAINS[terrain]!);
+    showOverlays();
+    live.begin(choices);
+  }
+
+  function copyLink(): void {
+    const link = window.location.origin + window.location.pathname + writeChoices(choices);
+    window.navigator.clipboard.writeText(link).then(
+      () => banner('The link is on the clipboard.'),
+      () => notice.tell(`The clipboard cannot be had; the link is:\n${link}`),
+    );
+  }
+
+  function fit(): void {
+    const { clientWidth, clientHeight } = canvas;
+    if (clientWidth > 0 && clientHeight > 0)
+      stage?.resize(clientWidth, clientHeight, Math.min(window.devicePixelRatio, 2) * resolution.share());
+  }
+
+  function frame(milliseconds: number): void {
+    const frozen = root.dataset['frozen'] === 'true';
+    if (!frozen) window.requestAnimationFrame(frame);
+    acts.tick(milliseconds / 1000);
+    const view = live.frame();
+    const now = live.clock.now();
+    landingHud.paint(landingReadout(view, landing));
+    fleetHud.paint(fleetReadout(view, fleet));
+    twin.tell(view, landing, now);
+    live.baseline.redraw(view, choices.mode, now);
+    if (view.ready) stage?.draw(view, now);
+    if (Number.isNaN(freezeAt) && resolution.measure(milliseconds / 1000)) fit();
+    report(view);
+  }
+
+  /** What the page shows, for tests and screenshots: on the root element, nowhere else. */
+  function report(view: WorldView): void {
+    const { dataset } = root;
+    const own = view.own;
+    const status = own === null ? '' : own.shownState === '' ? 'flight' : own.shownState;
+    if (dataset['status'] !== status) dataset['status'] = status;
+    const provenance = own?.provenance ?? '';
+    if (dataset['provenance'] !== provenance) dataset['provenance'] = provenance;
+    const run = live.hash();
+    if (dataset['run'] !== run) {
+      dataset['run'] = run;
+      panel.showRun(
+        run === '' ? '' : `Own ship at tick ${run.replace(':', ', bits ')}${live.ended() ? ' (end)' : ''}`,
+      );
+    }
+    if (!view.ready) return;
+    const seconds = (view.tick * view.timeScale) / view.tickRate + view.sinceTick;
+    if (seconds >= freezeAt) dataset['frozen'] = 'true';
+    if (Number.isNaN(freezeAt) || seconds >= freezeAt) dataset['ready'] = 'true';
+  }
+}
+
+function openStage(canvas: HTMLCanvasElement, tell: (text: string) => void): Stage | null {
+  try {
+    return createStage(canvas);
+  } catch {
+    tell(
+      'This browser gives no WebGL 2, so there is no picture. Everything else works: fly by the displays. ' +
+        'To see the ship, allow hardware acceleration in the settings or try another browser.',
+    );
+    return null;
+  }
+}
+
+/** The page's own store; a browser may forbid even asking for it. */
+function storeOf(window: Window): Storage | null {
+  try {
+    return window.localStorage;
+  } catch {
+    return null;
+  }
+}

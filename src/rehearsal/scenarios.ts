@@ -8,11 +8,12 @@ const START: Pick<
   body: 'Moon',
   shipClass: 'planetary_lander',
   settings: {},
-  terrain: 'flat',
+  terrain: 'hills',
   // The game's defaults.
   tickRate: 1,
   timeScale: 1,
-  site: { latitude: 20, longitude: 30 },
+  // LANDING_SITE of the hills, level to 350 m around.
+  site: { latitude: 28.6854, longitude: 43.15239 },
   inputs: [],
 };
 
@@ -181,9 +182,40 @@ export const SCENARIOS: readonly Scenario[] = [
   },
   {
     ...START,
+    name: 'up-a-slope',
+    title: 'Up a slope',
+    about:
+      'Over hills: slides uphill for twenty seconds and lands on the slope, for the normal stays radial.',
+    site: { latitude: 28.56173, longitude: 42.94376 },
+    initial: { ...STILL, height: 1.5, velocity: [15.5, 9.2, -1], heading: 59 },
+    duration: 26,
+    expected: ['ship.contact', 'ship.landed'],
+  },
+  {
+    ...START,
+    name: 'over-the-edge',
+    title: 'Over the edge',
+    about: 'Slides over a crest: the ground falls away, the ship flies, and comes down sixty metres lower.',
+    site: { latitude: 28.55263, longitude: 42.97744 },
+    initial: { ...STILL, height: 1.5, velocity: [-5.2, -10.8, -1], heading: 206 },
+    duration: 20,
+    expected: ['ship.contact', 'ship.contact', 'ship.contact', 'ship.landed'],
+  },
+  {
+    ...START,
+    name: 'into-a-ridge',
+    title: 'Into a ridge',
+    about: 'Level flight at 70 m/s into rising ground: a crash, for the ground comes up faster than 50 m/s.',
+    site: { latitude: 28.45651, longitude: 43.23295 },
+    initial: { ...STILL, height: 85, velocity: [6, -69.7, 0], heading: 175 },
+    duration: 6,
+    expected: ['ship.crashed'],
+  },
+  {
+    ...START,
     name: 'settle-earth',
     title: 'Settle on Earth',
-    about: 'The same touch under six times the gravity, on ground that moves at 437 m/s.',
+    about: 'The same touch under six times the gravity, on ground that moves at 408 m/s.',
     body: 'Earth',
     initial: { ...STILL, height: 1.5, velocity: [0, 0, -1], tilt: 3, leanTo: 200 },
     duration: 6,

@@ -205,7 +205,7 @@ describe('ships', () => {
     const moved = Math.hypot(
       ...ships[0]!.relativePosition!.map((value, k) => value - start.relativePosition![k]!),
     );
-    expect(moved).toBeCloseTo(1737464.56 * Math.cos((20 * Math.PI) / 180) * 2.6617e-6 * 500, 0);
+    expect(moved).toBeCloseTo(1737464.56 * Math.cos((28.6854 * Math.PI) / 180) * 2.6617e-6 * 500, 0);
     expect(bodies[0]!.attitude[1]).toBeCloseTo(Math.sin(2.6617e-6 * 250), 9);
     runTo(authority, 503);
     expect(frameOf(authority).ships[0]!.crashed).toBe(true);

@@ -4,10 +4,6 @@ import {
   loadBody,
   loadSettings,
   loadShipClass,
-  POSITION,
-  SHIP_STRIDE,
-  SURFACE_STATE,
-  SURFACE_STATES,
   type World,
 } from '../../src/dynamics';
 import { type Authority, createAuthority, type SpawnOrder } from '../../src/authority';
@@ -30,7 +26,12 @@ import {
   stage,
   type StagedScenario,
 } from '../../src/rehearsal';
-import { decodeServerMessage, encodeClientMessage, type ServerMessage } from '../../src/wire';
+import {
+  type ClientMessage,
+  decodeServerMessage,
+  encodeClientMessage,
+  type ServerMessage,
+} from '../../src/wire';
 import { type Truth, watch } from './truth';
 
 /** A server, a network and a client on one wall clock that is handed in: what tests and benchmarks fly. */
@@ -69,6 +70,8 @@ export interface RigOptions {
   readonly predictor?: PredictorOptions;
   /** Settings of the server that differ from what it tells. */
   readonly secretSettings?: Scenario['settings'];
+  /** Wall s before which a message to the server does not leave; what is sent after it waits behind it. */
+  readonly holdBack?: (message: ClientMessage, now: number) => number;
 }
 
 export const ME = 'me';
@@ -114,11 +117,14 @@ export function createRig(options: RigOptions): Rig {
     bodies: bodies.map((body) => value(loadBody(body))),
     terrainHeight: staged.terrainHeight,
   };
-  const truth = watch(inner, world, { [ME]: SHIP }, options.legacy === true ? 'tick' : 'substep');
-  const { authority } = truth;
   const own: SpawnOrder = { shipId: SHIP, playerId: ME, name: 'Own', ship: staged.ship };
-  for (const order of [own, ...(options.orders ?? fleetOrders(staged, options.others ?? 0, 7))])
-    if (authority.spawn(order) !== null) throw new Error(authority.spawn(order)!);
+  const orders = [own, ...(options.orders ?? fleetOrders(staged, options.others ?? 0, 7))];
+  const truth = watch(inner, world, orders, options.legacy === true ? 'tick' : 'substep');
+  const { authority } = truth;
+  for (const order of orders) {
+    const reason = authority.spawn(order);
+    if (reason !== null) throw new Error(reason);
+  }
 
   const network = options.network ?? NETWORK_PRESETS.fourG;
   const exchange = createExchange(authority, network, options.seed ?? 1, 0);
@@ -134,6 +140,7 @@ export function createRig(options: RigOptions): Rig {
   predictor.onEvent((notice) => notices.push(notice));
   exchange.connect(ME, SHIP, 0);
   const pilot = options.pilot ?? ((game: number) => pilotAt(staged, game));
+  const waiting: { bytes: Uint8Array; leaves: number }[] = [];
   let frames = 0;
 
   const rig: Rig = {
@@ -158,8 +165,12 @@ export function createRig(options: RigOptions): Rig {
       const { tick, sinceTick, timeScale, tickRate, ready } = rig.view();
       const game = ready ? (tick * timeScale) / tickRate + sinceTick : 0;
       rig.predictor.advance(controls === undefined ? pilot(game) : controls, rig.now);
-      for (const message of rig.predictor.outgoing())
-        exchange.send(ME, encodeClientMessage(message), rig.now);
+      for (const message of rig.predictor.outgoing()) {
+        const leaves = Math.max(options.holdBack?.(message, rig.now) ?? rig.now, waiting.at(-1)?.leaves ?? 0);
+        waiting.push({ bytes: encodeClientMessage(message), leaves });
+      }
+      while (waiting.length > 0 && waiting[0]!.leaves <= rig.now)
+        exchange.send(ME, waiting.shift()!.bytes, rig.now);
       return rig.view();
     },
     fly(seconds, each) {
@@ -171,54 +182,4 @@ export function createRig(options: RigOptions): Rig {
     },
   };
   return rig;
-}
-
-/** What was drawn at one frame, kept until the server has simulated it. */
-export interface Sample {
-  readonly wall: number;
-  readonly tick: number;
-  readonly sinceTick: number;
-  readonly shipId: string;
-  readonly drawn: readonly number[];
-  readonly position: readonly number[];
-  readonly state: string;
-  readonly attitude: readonly number[];
-}
-
-export function sampleOf(view: WorldView, wall: number, index = 0): Sample {
-  const ship = view.ships[index]!;
-  return {
-    wall,
-    tick: view.tick,
-    sinceTick: view.sinceTick,
-    shipId: ship.shipId,
-    drawn: [...ship.drawnPosition],
-    position: [...ship.position],
-    state: ship.crashed ? 'crashed' : ship.surfaceState,
-    attitude: [...ship.drawnAttitude],
-  };
-}
-
-/** Where the server really had the ship at a sample's label, linear between substep boundaries; null while it has not come to it. */
-export function truthAt(truth: Truth, sample: Sample): { position: number[]; state: string } | null {
-  const interval = truth.interval(sample.tick);
-  if (interval === undefined) return null;
-  const i = interval.shipIds.indexOf(sample.shipId);
-  if (i < 0) return null;
-  const substeps = Math.min(interval.timing.substeps, sample.sinceTick / interval.timing.dt);
-  // A label on a boundary may be an ulp below it.
-  const whole = Math.min(interval.timing.substeps - 1, Math.floor(substeps + 1e-9));
-  const share = Math.max(0, substeps - whole);
-  const before = interval.rows[whole]!;
-  const after = interval.rows[whole + 1]!;
-  const at = i * SHIP_STRIDE;
-  const position = [0, 1, 2].map((k) => {
-    const from = before[at + POSITION + k]!;
-    return from + (after[at + POSITION + k]! - from) * share;
-  });
-  return { position, state: SURFACE_STATES[before[at + SURFACE_STATE]!]! };
-}
-
-export function distance(a: readonly number[], b: readonly number[]): number {
-  return Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!, a[2]! - b[2]!);
 }

@@ -1,4 +1,5 @@
 import {
+  ATTITUDE,
   beginTick,
   BODY_STRIDE,
   type Controls,
@@ -6,6 +7,7 @@ import {
   EVENT_NAMES,
   NO_EVENT,
   SHIP_STRIDE,
+  spawnShip,
   stepWorld,
   type Timing,
   timingOfTick,
@@ -14,7 +16,7 @@ import {
   writeControls,
   writeShip,
 } from '../../src/dynamics';
-import type { Authority } from '../../src/authority';
+import type { Authority, SpawnOrder } from '../../src/authority';
 import type { InputRecord, ServerFrame, ShipState, WorldEvent } from '../../src/wire';
 
 /**
@@ -49,13 +51,14 @@ interface Pending {
   readonly record: InputRecord;
 }
 
-/** Watches `authority`, whose clients fly `shipOf[playerId]`. `granularity` as the authority was made. */
+/** Watches `authority`, into which `orders` are about to be spawned; `granularity` as it was made. */
 export function watch(
   authority: Authority,
   world: World,
-  shipOf: Readonly<Record<string, string>>,
+  orders: readonly SpawnOrder[],
   granularity: 'substep' | 'tick' = 'substep',
 ): Truth {
+  const shipOf = Object.fromEntries(orders.map(({ playerId, shipId }) => [playerId, shipId]));
   authority.join(PROBE, '');
   const intervals = new Map<number, Interval>();
   const events: WorldEvent[] = [];
@@ -66,8 +69,10 @@ export function watch(
   function simulate(frame: ServerFrame, at: number): void {
     const timing = timingOfTick(frame.timeScale / frame.tickRate);
     const shipIds = frame.ships.map((ship) => ship.shipId);
-    const rows = rowsOf(frame.ships, world);
-    if (state.expected !== null && !sameRows(state.expected, rows)) state.disagreements += 1;
+    const rows = isTold(frame)
+      ? rowsOf(frame.ships, world)
+      : (state.expected ?? rowsOfOrders(orders, world)).slice();
+    if (state.expected !== null && !agrees(frame, state.expected, rows)) state.disagreements += 1;
     const bodies = new Float64Array(world.bodies.length * BODY_STRIDE);
     for (const [i, body] of frame.bodies.entries()) writeBodyMotion(bodies, i * BODY_STRIDE, body);
     const happened = new Uint8Array(shipIds.length);
@@ -142,6 +147,27 @@ export function watch(
     state.expected = null;
     return result;
   }
+}
+
+/** Whether the server tells relative states at all; the game's own does not, and is believed to keep to the law from its start. */
+function isTold(frame: ServerFrame): boolean {
+  return frame.ships.every((ship) => ship.relativePosition !== null);
+}
+
+/** A told row is compared whole; else what is told, attitude, spin and fuel, which the law makes of everything else. */
+function agrees(frame: ServerFrame, expected: Float64Array, rows: Float64Array): boolean {
+  if (isTold(frame)) return sameRows(expected, rows);
+  return frame.ships.every((ship, i) => {
+    const row = rows.subarray(i * SHIP_STRIDE, (i + 1) * SHIP_STRIDE);
+    const told = [...ship.attitude, ...ship.angularVelocity, ship.fuel];
+    return told.every((value, k) => Object.is(value, row[ATTITUDE + k]));
+  });
+}
+
+function rowsOfOrders(orders: readonly SpawnOrder[], world: World): Float64Array {
+  const rows = new Float64Array(orders.length * SHIP_STRIDE);
+  for (const [i, { ship }] of orders.entries()) spawnShip(rows, i * SHIP_STRIDE, ship, world);
+  return rows;
 }
 
 function rowsOf(ships: readonly ShipState[], world: World): Float64Array {

@@ -17,7 +17,8 @@ export interface Figure {
 /** Percentiles of a list of numbers; the list is sorted. */
 export function spread(values: number[]): { p50: number; p95: number; p99: number; max: number } {
   const sorted = Float64Array.from(values).sort();
-  const at = (share: number) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? Number.NaN;
+  const at = (share: number) =>
+    sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))] ?? Number.NaN;
   return { p50: at(0.5), p95: at(0.95), p99: at(0.99), max: sorted.at(-1) ?? Number.NaN };
 }
 
@@ -31,7 +32,9 @@ export function print(figure: Figure, asJson: boolean): void {
     .filter((key) => figure[key] !== undefined)
     .map((key) => `${key === 'value' ? '' : `${key} `}${shortened(figure[key]!)}`)
     .join(', ');
-  console.log(`${met ? 'ok  ' : 'MISS'} ${name}: ${values} ${unit} (target ${target})${note === undefined ? '' : ` – ${note}`}`);
+  console.log(
+    `${met ? 'ok  ' : 'MISS'} ${name}: ${values} ${unit} (target ${target})${note === undefined ? '' : ` – ${note}`}`,
+  );
 }
 
 function shortened(value: number): string {

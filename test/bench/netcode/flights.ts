@@ -1,49 +1,81 @@
 import type { WorldView } from '../../../src/prediction';
-import { createRig, distance, type Rig, type RigOptions, type Sample, sampleOf, truthAt } from '../../prediction/rig';
+import { createRig, type Rig, type RigOptions } from '../../prediction/rig';
+import {
+  angleBetween,
+  distance,
+  type Sample,
+  sampleOf,
+  type TruePose,
+  truthAt,
+} from '../../prediction/samples';
 
 /** What one flight came to, measured against every substep of the server. */
 export interface Flight {
   readonly rig: Rig;
-  /** |drawn − server| at the label, m, a number a ship and frame. */
-  readonly drawn: number[];
-  /** The same of the predicted pose, without the offset. */
-  readonly predicted: number[];
-  /** Server's speed at those samples, m/s, relative to the body's centre: ICRF axes. */
-  readonly wrongStates: number;
-  /** Label less lead against true server time, s, after the first 5 s. */
+  /** One a ship and frame, in the order of time. */
+  readonly measures: readonly Measure[];
+  /** Label less lead against true server time, s, absolute, after the first 5 s. */
   readonly clock: number[];
-  /** Largest frame-to-frame change of (drawn − server), m. */
-  readonly step: number;
-  /** Frame-to-frame changes as a share of the correction being eased, where beyond 2 cm. */
-  readonly stepShare: number;
 }
 
-/** Flies and measures. The first frame of a ship is where its measuring begins. */
-export function flyMeasured(options: RigOptions, seconds: number, each?: (view: WorldView, rig: Rig) => void): Flight {
+export interface Measure {
+  readonly sample: Sample;
+  readonly truth: TruePose;
+  /** |drawn − server| at the label, m and rad. */
+  readonly drawn: number;
+  readonly drawnAngle: number;
+  /** The same of the prediction, without the offset, m. */
+  readonly predicted: number;
+}
+
+/** Flies and measures. Truth comes a tick after what was drawn, so the last second of a flight is not measured. */
+export function flyMeasured(
+  options: RigOptions,
+  seconds: number,
+  each?: (rig: Rig, view: WorldView) => void,
+): Flight {
   const rig = createRig(options);
-  const flight = { drawn: [] as number[], predicted: [] as number[], wrong: 0, clock: [] as number[] };
+  const measures: Measure[] = [];
+  const clock: number[] = [];
   const waiting: Sample[] = [];
   let head = 0;
   rig.fly(seconds, (view) => {
-    each?.(view, rig);
+    each?.(rig, view);
     if (!view.ready) return;
     for (let i = 0; i < view.ships.length; i++) waiting.push(sampleOf(view, rig.now, i));
-    if (rig.now > 5) flight.clock.push(Math.abs(clockError(view, rig)));
+    if (rig.now > 5) clock.push(Math.abs(clockError(view, rig)));
     for (; head < waiting.length; head++) {
-      const sample = waiting[head]!;
-      const truth = truthAt(rig.truth, sample);
-      if (truth === null) break;
-      flight.drawn.push(distance(sample.drawn, truth.position));
-      flight.predicted.push(distance(sample.position, truth.position));
-      if (sample.state !== truth.state) flight.wrong += 1;
+      const measured = measure(waiting[head]!, rig);
+      if (measured === null) break;
+      measures.push(measured);
     }
   });
-  if (rig.truth.disagreements > 0) throw new Error(`the truth differs from the authority in ${rig.truth.disagreements} ticks`);
-  return { rig, drawn: flight.drawn, predicted: flight.predicted, wrongStates: flight.wrong, clock: flight.clock, step: 0, stepShare: 0 };
+  const { disagreements } = rig.truth;
+  if (disagreements > 0) throw new Error(`the truth differs from the authority in ${disagreements} ticks`);
+  return { rig, measures, clock };
+}
+
+function measure(sample: Sample, rig: Rig): Measure | null {
+  const truth = truthAt(rig.truth, sample);
+  if (truth === null) return null;
+  return {
+    sample,
+    truth,
+    drawn: distance(sample.drawn, truth.position),
+    drawnAngle: angleBetween(sample.attitude, truth.attitude),
+    predicted: distance(sample.position, truth.position),
+  };
 }
 
 /** Label of the present less its lead, as seconds of server wall time, against the wall: server and client share one here. */
-export function clockError(view: WorldView, rig: Rig): number {
+function clockError(view: WorldView, rig: Rig): number {
   const { tick, sinceTick, tickRate, timeScale, diagnosis } = view;
   return tick / tickRate + sinceTick / timeScale - diagnosis.lead - rig.now;
+}
+
+/** All corrections of a client, of whatever kind. */
+export function correctionsOf({ rig }: Flight): number {
+  const { correctionsLateInput, correctionsLostInput, correctionsOtherPilot, correctionsMismatch } =
+    rig.view().diagnosis;
+  return correctionsLateInput + correctionsLostInput + correctionsOtherPilot + correctionsMismatch;
 }

@@ -1,0 +1,26 @@
+import { print } from './netcode/figure';
+import { lawFigures } from './netcode/law';
+import { clockFigures } from './netcode/clock';
+import { costFigures } from './netcode/cost';
+import { fleetFigures } from './netcode/fleet';
+import { hourFigures } from './netcode/hour';
+import { stateFigures } from './netcode/states';
+import { smoothnessFigures } from './netcode/smoothness';
+
+const asJson = process.argv.includes('--json');
+let missed = 0;
+for (const figures of [
+  lawFigures(),
+  clockFigures(),
+  smoothnessFigures(),
+  fleetFigures(),
+  stateFigures(),
+  hourFigures(),
+  costFigures(),
+]) {
+  for (const figure of figures) {
+    print(figure, asJson);
+    if (!figure.met) missed += 1;
+  }
+}
+if (!asJson) console.log(missed === 0 ? 'all targets met' : `${missed} targets missed`);

@@ -1,0 +1,108 @@
+import { createPredictor } from '../../../src/prediction';
+import { BODIES, DEFAULT_SETTINGS, SHIP_CLASSES } from '../../../src/dynamics';
+import { createAuthority } from '../../../src/authority';
+import { stage } from '../../../src/rehearsal';
+import { scenarioNamed, value } from '../../prediction/rig';
+import type { BodyState, ServerFrame } from '../../../src/wire';
+import type { Figure } from './figure';
+
+const HOUR = 3600;
+/** s by which the server's clock is off: its bodies are where they were that much earlier or later. */
+const CLOCK_ERROR = 0.05;
+
+/** A ship at rest on Earth's equator for an hour, told of by a server whose ground is 23 m away from where the client has it. */
+export function* hourFigures(): Generator<Figure> {
+  const earth = BODIES.find(({ name }) => name === 'Earth')!;
+  const scenario = { ...scenarioNamed('settle-earth'), site: { latitude: 0, longitude: 40 } };
+  const staged = value(
+    stage({ ...scenario, initial: { ...scenario.initial, height: 0.5, velocity: [0, 0, -1], tilt: 0 } }),
+  );
+  const authority = value(
+    createAuthority({
+      shipClasses: SHIP_CLASSES,
+      bodies: [earth],
+      terrain: 'flat',
+      terrains: { flat: staged.terrainHeight },
+      tickRate: 1,
+      timeScale: 1,
+    }),
+  );
+  authority.spawn({ shipId: 'ship-1', playerId: 'me', name: 'Own', ship: staged.ship });
+  const predictor = createPredictor();
+  const hello = value(authority.join('me', 'ship-1'))!;
+  predictor.receive({ ...hello, settings: DEFAULT_SETTINGS }, 0);
+  const before = { corrections: 0, substeps: 0 };
+  const total = () => {
+    const { diagnosis: d } = predictor.view(0);
+    const corrections =
+      d.correctionsMismatch + d.correctionsLateInput + d.correctionsLostInput + d.correctionsOtherPilot;
+    return { corrections, substeps: d.steppedSubsteps + d.replayedSubsteps };
+  };
+  for (let second = 1; second <= HOUR + 20; second++) {
+    authority.tick(second);
+    const frame = authority.frameFor('me')!;
+    predictor.receive(second % 2 === 0 ? frame : shifted(frame, earth), second + 0.05);
+    for (let i = 0; i < 5; i++) predictor.advance(null, second + 0.05 + i / 5);
+    if (second === 20) Object.assign(before, total());
+  }
+  const after = total();
+  const state = predictor.view(0).own?.surfaceState ?? 'missing';
+  const note = `an hour at Earth’s equator, ${CLOCK_ERROR * 1000} ms of clock error in every other frame; it is ${state}`;
+  const corrections = after.corrections - before.corrections;
+  const substeps = after.substeps - before.substeps;
+  const landed = state === 'landed';
+  yield {
+    name: 'landed and agreeing: corrections',
+    unit: '',
+    value: corrections,
+    target: '0',
+    met: landed && corrections === 0,
+    note,
+  };
+  yield {
+    name: 'landed and agreeing: substeps',
+    unit: '',
+    value: substeps,
+    target: '0',
+    met: landed && substeps === 0,
+  };
+}
+
+/** The frame as a server whose clock is off tells it: the body turned on by the error, and all that stands on it. */
+function shifted(frame: ServerFrame, { angularVelocity }: Pick<BodyState, 'angularVelocity'>): ServerFrame {
+  const half = (angularVelocity[1] * CLOCK_ERROR) / 2;
+  const turn = [0, Math.sin(half), 0, Math.cos(half)] as const;
+  return {
+    ...frame,
+    bodies: frame.bodies.map((body) => ({ ...body, attitude: compose(turn, body.attitude) })),
+    ships: frame.ships.map((ship) => {
+      const relativePosition = rotate(turn, ship.relativePosition!);
+      const centre = frame.bodies[0]!.position;
+      return {
+        ...ship,
+        relativePosition,
+        relativeVelocity: rotate(turn, ship.relativeVelocity!),
+        position: [0, 1, 2].map((k) => centre[k]! + relativePosition[k]!) as unknown as typeof ship.position,
+        attitude: compose(turn, ship.attitude),
+      };
+    }),
+  };
+}
+
+type Quat = readonly [number, number, number, number];
+type Vec3 = readonly [number, number, number];
+
+/** About the pole alone. */
+function rotate([, y, , w]: Quat, [vx, vy, vz]: Vec3): Vec3 {
+  const [cos, sin] = [1 - 2 * y * y, 2 * y * w];
+  return [cos * vx + sin * vz, vy, cos * vz - sin * vx];
+}
+
+function compose([ax, ay, az, aw]: Quat, [bx, by, bz, bw]: Quat): Quat {
+  return [
+    aw * bx + ax * bw + ay * bz - az * by,
+    aw * by + ay * bw + az * bx - ax * bz,
+    aw * bz + az * bw + ax * by - ay * bx,
+    aw * bw - ax * bx - ay * by - az * bz,
+  ];
+}

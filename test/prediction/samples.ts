@@ -1,0 +1,87 @@
+import {
+  ATTITUDE,
+  CRASHED,
+  POSITION,
+  SHIP_STRIDE,
+  SURFACE_STATE,
+  SURFACE_STATES,
+  VELOCITY,
+} from '../../src/dynamics';
+import type { WorldView } from '../../src/prediction';
+import type { Truth } from './truth';
+
+/** What was drawn at one frame, kept until the server has simulated it. */
+export interface Sample {
+  readonly wall: number;
+  readonly tick: number;
+  readonly sinceTick: number;
+  readonly shipId: string;
+  readonly drawn: readonly number[];
+  /** Predicted, without the offset. */
+  readonly position: readonly number[];
+  readonly attitude: readonly number[];
+  readonly state: string;
+  readonly provenance: string;
+}
+
+export function sampleOf(view: WorldView, wall: number, index = 0): Sample {
+  const ship = view.ships[index]!;
+  return {
+    wall,
+    tick: view.tick,
+    sinceTick: view.sinceTick,
+    shipId: ship.shipId,
+    drawn: [...ship.drawnPosition],
+    position: [...ship.position],
+    attitude: [...ship.drawnAttitude],
+    state: ship.crashed ? 'crashed' : ship.surfaceState,
+    provenance: ship.provenance,
+  };
+}
+
+/** Where the server really had a ship, linear between substep boundaries. */
+export interface TruePose {
+  readonly position: readonly number[];
+  readonly velocity: readonly number[];
+  readonly attitude: readonly number[];
+  readonly state: string;
+}
+
+/** The truth at a sample's label; null while the server has not simulated it, or where it has no such ship. */
+export function truthAt(
+  truth: Truth,
+  sample: Pick<Sample, 'tick' | 'sinceTick' | 'shipId'>,
+): TruePose | null {
+  const interval = truth.interval(sample.tick);
+  if (interval === undefined) return null;
+  const i = interval.shipIds.indexOf(sample.shipId);
+  if (i < 0) return null;
+  const substeps = Math.min(interval.timing.substeps, sample.sinceTick / interval.timing.dt);
+  // A label on a boundary may be an ulp below it.
+  const whole = Math.min(interval.timing.substeps - 1, Math.floor(substeps + 1e-9));
+  const share = Math.max(0, substeps - whole);
+  const before = interval.rows[whole]!.subarray(i * SHIP_STRIDE, (i + 1) * SHIP_STRIDE);
+  const after = interval.rows[whole + 1]!.subarray(i * SHIP_STRIDE, (i + 1) * SHIP_STRIDE);
+  const between = (column: number, count: number) =>
+    Array.from({ length: count }, (_, k) => {
+      const from = before[column + k]!;
+      return from + (after[column + k]! - from) * share;
+    });
+  return {
+    position: between(POSITION, 3),
+    velocity: between(VELOCITY, 3),
+    attitude: between(ATTITUDE, 4),
+    state: before[CRASHED] === 1 ? 'crashed' : SURFACE_STATES[before[SURFACE_STATE]!]!,
+  };
+}
+
+export function distance(a: readonly number[], b: readonly number[]): number {
+  return Math.sqrt((a[0]! - b[0]!) ** 2 + (a[1]! - b[1]!) ** 2 + (a[2]! - b[2]!) ** 2);
+}
+
+/** Angle between two attitudes, rad; from their difference, which keeps small angles. */
+export function angleBetween(a: readonly number[], b: readonly number[]): number {
+  const apart = (sign: number) =>
+    Math.sqrt(a.reduce((sum, value, k) => sum + (value - sign * b[k]!) ** 2, 0));
+  return 4 * Math.asin(Math.min(1, Math.min(apart(1), apart(-1)) / 2));
+}

@@ -1,12 +1,10 @@
 /** Points of the terrains, and their heights as bits: a ship's row holds a height only after a radius was added to it. */
-import { BODIES, TERRAINS } from '../../src/dynamics';
+import { BODIES, LANDING_SITE, TERRAINS } from '../../src/dynamics';
 import { createDice } from '../../src/rehearsal';
 import { triple, unitVector } from './draw';
 import type { SurveyPoint } from './python';
 
 const POINTS = 3000;
-/** Near it the hills level out. */
-const LANDING_SITE = [0.6, 0.48, 0.64] as const;
 
 /** Anywhere on every body and on one that no terrain knows, and as many round the landing site. */
 export function surveyPoints(): SurveyPoint[] {

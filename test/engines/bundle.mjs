@@ -1,0 +1,29 @@
+// Bundles entry.ts into one classic script without imports, in the language of 2015, for shells that know no modules.
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+
+/** Writes the script into the folder `outDir` and returns its path. */
+export async function bundleScript(outDir) {
+  await build({
+    configFile: false,
+    root,
+    logLevel: 'warn',
+    publicDir: false,
+    build: {
+      outDir,
+      emptyOutDir: true,
+      target: 'es2015',
+      minify: false,
+      rolldownOptions: {
+        input: join(root, 'test/engines/entry.ts'),
+        // Only what the hash is made of: the codec and the like stay out.
+        treeshake: { moduleSideEffects: [join(root, 'test/engines/entry.ts')] },
+        output: { format: 'iife', entryFileNames: 'trajectories.js', codeSplitting: false },
+      },
+    },
+  });
+  return join(outDir, 'trajectories.js');
+}

@@ -67,10 +67,13 @@ describe('every scenario', () => {
     },
   );
 
-  it.each(NAMED)('%s has the bits it always had', (name, scenario) => {
-    const { hash } = valueOf(rehearse(scenario));
-    expect(hash.toString(16)).toBe((golden as Record<string, string>)[name]);
-  });
+  it.each(NAMED)(
+    '%s has the bits it always had (else: node test/run.mjs test/rehearsal/writeGolden.ts)',
+    (name, scenario) => {
+      const { hash } = valueOf(rehearse(scenario));
+      expect(hash.toString(16)).toBe((golden as Record<string, string>)[name]);
+    },
+  );
 
   it.each(NAMED)(
     '%s ends somewhere: on the ground, crashed, or where its duration says',

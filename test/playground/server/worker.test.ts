@@ -1,0 +1,119 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import type { FromServer, ToServer } from '../../../src/playground/server/connection';
+import type { Operation } from '../../../src/playground/server/operation';
+import { NETWORK_PRESETS } from '../../../src/rehearsal';
+import { decodeServerMessage, encodeClientMessage } from '../../../src/wire';
+import { input, valueOf } from '../../authority/moon';
+
+const LOAD: Operation = {
+  kind: 'load',
+  scenario: 'opening',
+  body: '',
+  shipClass: '',
+  terrain: '',
+  tickRate: 1,
+  timeScale: 1,
+  network: NETWORK_PRESETS.lan,
+  seed: 1,
+  legacy: false,
+  others: 0,
+};
+
+/** The worker's file with a scope, a clock and timers of our own. */
+interface Scope {
+  onmessage: (event: { data: ToServer }) => void;
+  postMessage: (message: FromServer, options: { transfer: Transferable[] }) => void;
+}
+
+describe('the worker', () => {
+  let scope: Scope;
+  let posted: FromServer[];
+  const post = (data: ToServer) => scope.onmessage({ data });
+  const operate = (operation: Operation) => post({ kind: 'operate', operation });
+
+  /** What has been posted since the last call; messages of the protocol by their kind. */
+  function heard(): string[] {
+    return posted.splice(0).flatMap((message) => {
+      if (message.kind === 'status') return [];
+      if (message.kind !== 'bytes') return [message.kind];
+      return [valueOf(decodeServerMessage(message.bytes)).kind];
+    });
+  }
+
+  beforeEach(async () => {
+    vi.useFakeTimers();
+    vi.resetModules();
+    posted = [];
+    scope = {
+      onmessage: () => undefined,
+      postMessage: (message, { transfer }) => {
+        // As a real one: what is transferred is gone from this side.
+        posted.push(structuredClone(message, { transfer }));
+      },
+    };
+    vi.stubGlobal('self', scope);
+    await import('../../../src/playground/server/worker');
+  });
+  afterEach(() => {
+    vi.useRealTimers();
+    vi.unstubAllGlobals();
+  });
+
+  it('opens a world, then lets bytes come on the page’s clock', () => {
+    operate(LOAD);
+    expect(heard()).toEqual(['open']);
+    vi.advanceTimersByTime(5);
+    expect(heard()).toEqual(['hello', 'frame']);
+    vi.advanceTimersByTime(3000);
+    expect(heard()).toEqual(['frame', 'frame', 'frame']);
+  });
+
+  it('hears the protocol’s bytes and answers', () => {
+    operate(LOAD);
+    post({ kind: 'bytes', bytes: encodeClientMessage({ kind: 'ping', id: 4 }) });
+    const inputs = [input(1, 0, 50, { thrustLevel: 1 })];
+    post({ kind: 'bytes', bytes: encodeClientMessage({ kind: 'inputs', inputs }) });
+    vi.advanceTimersByTime(1010);
+    const frames = posted.flatMap((message) => {
+      const decoded = message.kind === 'bytes' ? valueOf(decodeServerMessage(message.bytes)) : null;
+      return decoded?.kind === 'frame' ? [decoded] : [];
+    });
+    expect(frames.at(-1)).toMatchObject({ tick: 1, lastInput: { seq: 1, substep: 50 } });
+    expect(heard()).toContain('pong');
+  });
+
+  it('refuses an order by name and goes on', () => {
+    operate({ ...LOAD, scenario: 'heist' });
+    expect(posted).toEqual([{ kind: 'refused', reason: 'scenario: no scenario named heist' }]);
+    operate(LOAD);
+    heard();
+    vi.advanceTimersByTime(5);
+    expect(heard()).toEqual(['hello', 'frame']);
+  });
+
+  it('closes and opens a dropped connection', () => {
+    operate(LOAD);
+    vi.advanceTimersByTime(100);
+    heard();
+    operate({ kind: 'drop' });
+    expect(heard()).toEqual(['closed']);
+    vi.advanceTimersByTime(5000);
+    expect(heard()).toEqual([]);
+    operate({ kind: 'reconnect' });
+    expect(heard()).toEqual(['open']);
+    vi.advanceTimersByTime(5);
+    expect(heard()).toEqual(['hello', 'frame']);
+  });
+
+  it('tells how it stands after whatever happened', () => {
+    operate(LOAD);
+    vi.advanceTimersByTime(2500);
+    const statuses = posted.filter((message) => message.kind === 'status');
+    expect(statuses.at(-1)!.status).toMatchObject({ tick: 2, paused: false, refused: 0, slipped: 0 });
+    post({ kind: 'bytes', bytes: Uint8Array.of(255) });
+    vi.advanceTimersByTime(100);
+    const last = posted.filter((message) => message.kind === 'status').at(-1)!;
+    expect(last.status.refused).toBe(1);
+    expect(last.status.lastRefusal).not.toBe('');
+  });
+});

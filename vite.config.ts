@@ -16,7 +16,8 @@ const page: UserConfig = {
     emptyOutDir: true,
     // `default-src 'self'` blocks data: addresses and inline scripts.
     assetsInlineLimit: 0,
-    modulePreload: { polyfill: false },
+    // Its loader asks for the document, which the worker, started from the same program, does not have.
+    modulePreload: false,
     // three alone is most of a megabyte, and a page that draws from its first frame cannot put it off.
     chunkSizeWarningLimit: 1500,
   },

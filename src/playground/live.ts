@@ -57,7 +57,8 @@ export function networkOf(choices: Choices): NetworkNumbers {
 /** Tries again this many wall seconds after a real server was lost. */
 const RETRY = 3;
 
-export function createLive(listeners: LiveListeners): Live {
+/** @param program address of the page's own main module, which the worker runs too */
+export function createLive(program: string, listeners: LiveListeners): Live {
   const clock = createPageClock(() => performance.now() / 1000);
   const stick = createStick();
   const baseline = createBaseline();
@@ -174,7 +175,7 @@ export function createLive(listeners: LiveListeners): Live {
         address = choices.server;
         if (address !== '') listeners.onState(`Calling ${address} …`);
         forgetWorld();
-        connection = address === '' ? openWorker(handlers) : openSocket(address, handlers);
+        connection = address === '' ? openWorker(program, handlers) : openSocket(address, handlers);
       }
       clock.setSpeed(choices.slow);
       if (address !== '') {

@@ -29,8 +29,8 @@ const LIVE_CHOICES: readonly (keyof Choices)[] = [
   'stall',
 ];
 
-/** The playground: wires hands, server, predictor, HUDs and picture together. */
-export function begin(document: Document): void {
+/** The playground: wires hands, server, predictor, HUDs and picture together. `program`: address of the main module. */
+export function begin(document: Document, program: string): void {
   const window = document.defaultView!;
   const part = (id: string) => document.getElementById(id)!;
   const root = document.documentElement;
@@ -48,7 +48,7 @@ export function begin(document: Document): void {
   };
 
   const stage = openStage(canvas, notice.tell);
-  const live = createLive({
+  const live = createLive(program, {
     onState: banner,
     onRefused: (reason) => notice.tell(`The server refused: ${reason}.`),
     onEvent: () => undefined,

@@ -1,6 +1,6 @@
-import { ExtrudeGeometry, Shape } from 'three';
+import type { BufferGeometry } from 'three';
 import { createParts, FINISHES, type Parts } from './parts';
-import { addStrut, ball, bell, box, ring, tube, turned } from './shapes';
+import { addStrut, ball, bell, box, plate, ring, tube, turned } from './shapes';
 import { type ShipModel, type Stance, thrusterClusters } from './shipModel';
 
 /** A tail-sitter: slender hull on four swept fins whose tips are its feet. */
@@ -77,23 +77,21 @@ function addFins(parts: Parts, { h, legRadius }: Stance, m: (share: number) => n
   for (let leg = 0; leg < 4; leg++) {
     const azimuth = ((leg + 0.5) * Math.PI) / 2;
     const reach = legRadius;
-    const fin = new Shape();
-    fin.moveTo(m(1.2), m(1.4));
-    fin.lineTo(reach * 0.94, m(-2.5));
-    fin.lineTo(reach * 1.03, -h + m(0.85));
-    fin.lineTo(reach * 0.95, -h + m(0.75));
-    fin.lineTo(reach * 0.8, m(-2.9));
-    fin.lineTo(m(1.1), m(-2.6));
-    const plate = new ExtrudeGeometry(fin, {
-      depth: m(0.14),
-      bevelEnabled: true,
-      bevelSize: m(0.05),
-      bevelThickness: m(0.05),
-      bevelSegments: 1,
-    });
-    // Drawn in (x, z) of body axes and turned to the leg's azimuth.
-    plate.translate(0, 0, -m(0.07)).rotateX(Math.PI / 2);
-    parts.add(plate, FINISHES.orange, { at: [0, 0, 0], spin: azimuth });
+    // In (x, z) of body axes, turned to the leg's azimuth; two plates, since the whole is not convex.
+    const root: [number, number][] = [
+      [m(1.1), m(-2.6)],
+      [reach * 0.8, m(-2.9)],
+      [reach * 0.94, m(-2.5)],
+      [m(1.2), m(1.4)],
+    ];
+    const tip: [number, number][] = [
+      [reach * 0.8, m(-2.9)],
+      [reach * 0.95, -h + m(0.75)],
+      [reach * 1.03, -h + m(0.85)],
+      [reach * 0.94, m(-2.5)],
+    ];
+    parts.add(plate(root, m(0.2)), FINISHES.orange, { at: [0, 0, 0], spin: azimuth });
+    parts.add(plate(tip, m(0.2)), FINISHES.orange, { at: [0, 0, 0], spin: azimuth });
     parts.add(canard(reach, m), FINISHES.orange, { at: [0, 0, 0], spin: azimuth });
     const at = (r: number, z: number): [number, number, number] => [
       r * Math.cos(azimuth),
@@ -126,13 +124,12 @@ function addFins(parts: Parts, { h, legRadius }: Stance, m: (share: number) => n
 }
 
 /** Upper fins as wide as the feet: toppled, the ship lies on them and not on air. */
-function canard(reach: number, m: (share: number) => number): ExtrudeGeometry {
-  const shape = new Shape();
-  shape.moveTo(m(1.1), m(4.2));
-  shape.lineTo(reach * 0.98, m(3.75));
-  shape.lineTo(reach, m(3.3));
-  shape.lineTo(m(1.3), m(3.2));
-  const plate = new ExtrudeGeometry(shape, { depth: m(0.1), bevelEnabled: false });
-  plate.translate(0, 0, -m(0.05)).rotateX(Math.PI / 2);
-  return plate;
+function canard(reach: number, m: (share: number) => number): BufferGeometry {
+  const outline: [number, number][] = [
+    [m(1.3), m(3.2)],
+    [reach, m(3.3)],
+    [reach * 0.98, m(3.75)],
+    [m(1.1), m(4.2)],
+  ];
+  return plate(outline, m(0.12));
 }

@@ -1,6 +1,7 @@
 import {
   BoxGeometry,
-  type BufferGeometry,
+  BufferAttribute,
+  BufferGeometry,
   CylinderGeometry,
   LatheGeometry,
   SphereGeometry,
@@ -44,6 +45,30 @@ export function bell(radius: number, length: number): BufferGeometry {
   }
   const inside = outside.map(([r, z]): [number, number] => [r * 0.94, z]).reverse();
   return turned([...inside, ...outside], 20);
+}
+
+/** A flat plate across y, `thickness` m, from the corners [x, z] of a convex outline, counter-clockwise. */
+export function plate(outline: readonly (readonly [number, number])[], thickness: number): BufferGeometry {
+  const half = thickness / 2;
+  const corners: number[] = [];
+  const put = (y: number, ...indices: readonly number[]) => {
+    for (const i of indices) corners.push(outline[i]![0], y, outline[i]![1]);
+  };
+  for (let i = 1; i + 1 < outline.length; i++) {
+    put(-half, 0, i, i + 1);
+    put(half, 0, i + 1, i);
+  }
+  for (let i = 0; i < outline.length; i++) {
+    const next = (i + 1) % outline.length;
+    put(-half, next, i);
+    put(half, i);
+    put(-half, next);
+    put(half, i, next);
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(corners), 3));
+  geometry.computeVertexNormals();
+  return geometry;
 }
 
 /** A regular prism with flat sides, crumpled like foil by `crumple` m. */

@@ -4,7 +4,7 @@ import type { SessionStatus } from './session';
 /**
  * The page's side of a server: the one in the worker, or a real one at ws://… (`?server=`). The page needs this file alone:
  *
- *   const connection = openWorker(handlers)            // then connection.operate({ kind: 'load', … })
+ *   const connection = openWorker(program, handlers)          // then connection.operate({ kind: 'load', … })
  *   const connection = openSocket('ws://…', handlers)
  *   connection.send(encodeClientMessage(message))
  *
@@ -49,9 +49,9 @@ export type FromServer =
   | { readonly kind: 'refused'; readonly reason: string }
   | { readonly kind: 'status'; readonly status: SessionStatus };
 
-/** The server in a Web Worker; it has no world before it is told to load one. */
-export function openWorker(handlers: ConnectionHandlers): Connection {
-  const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+/** The server in a Web Worker, whose `program` is the page's own main.ts: it has no world before it is told to load one. */
+export function openWorker(program: string, handlers: ConnectionHandlers): Connection {
+  const worker = new Worker(program, { type: 'module' });
   const post = (message: ToServer) => worker.postMessage(message);
   worker.onmessage = ({ data }: MessageEvent<FromServer>) => dispatch(data, handlers);
   worker.onerror = ({ message }) => handlers.onClosed(`the server in the page failed: ${message}`);

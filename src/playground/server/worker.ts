@@ -1,6 +1,6 @@
+import { createPageClock } from '../pageClock';
 import type { FromServer, ToServer } from './connection';
 import type { Operation } from './operation';
-import { createPageClock } from '../pageClock';
 import { createSession } from './session';
 
 // The server in a Web Worker: the clock, the timer and the two message channels around a Session. Bytes are the protocol's own.
@@ -33,12 +33,18 @@ function schedule(now: number): void {
   if (Number.isFinite(wait)) timer = setTimeout(run, Math.min(Math.max(0, wait * 1000), 60_000));
 }
 
-self.onmessage = ({ data }: MessageEvent<ToServer>) => {
+/** Serves the page; `early` came while this program was still loading. */
+export function serve(early: readonly MessageEvent<ToServer>[]): void {
+  for (const event of early) take(event);
+  self.onmessage = take;
+}
+
+function take({ data }: MessageEvent<ToServer>): void {
   if (data.kind === 'speed') clock.setSpeed(data.speed);
   else if (data.kind === 'bytes') session.send(data.bytes, clock.now());
   else operate(data.operation);
   run();
-};
+}
 
 function operate(operation: Operation): void {
   const reason = session.operate(operation, clock.now());

@@ -28,6 +28,7 @@ interface Scope {
 describe('the worker', () => {
   let scope: Scope;
   let posted: FromServer[];
+  let serve: (early: readonly MessageEvent<ToServer>[]) => void;
   const post = (data: ToServer) => scope.onmessage({ data });
   const operate = (operation: Operation) => post({ kind: 'operate', operation });
 
@@ -52,14 +53,21 @@ describe('the worker', () => {
       },
     };
     vi.stubGlobal('self', scope);
-    await import('../../../src/playground/server/worker');
+    ({ serve } = await import('../../../src/playground/server/worker'));
   });
   afterEach(() => {
     vi.useRealTimers();
     vi.unstubAllGlobals();
   });
 
+  it('takes what came while its program was loading, first', () => {
+    serve([new MessageEvent<ToServer>('message', { data: { kind: 'operate', operation: LOAD } })]);
+    operate({ kind: 'drop' });
+    expect(heard()).toEqual(['open', 'closed']);
+  });
+
   it('opens a world, then lets bytes come on the page’s clock', () => {
+    serve([]);
     operate(LOAD);
     expect(heard()).toEqual(['open']);
     vi.advanceTimersByTime(5);
@@ -69,6 +77,7 @@ describe('the worker', () => {
   });
 
   it('hears the protocol’s bytes and answers', () => {
+    serve([]);
     operate(LOAD);
     post({ kind: 'bytes', bytes: encodeClientMessage({ kind: 'ping', id: 4 }) });
     const inputs = [input(1, 0, 50, { thrustLevel: 1 })];
@@ -83,6 +92,7 @@ describe('the worker', () => {
   });
 
   it('refuses an order by name and goes on', () => {
+    serve([]);
     operate({ ...LOAD, scenario: 'heist' });
     expect(posted).toEqual([{ kind: 'refused', reason: 'scenario: no scenario named heist' }]);
     operate(LOAD);
@@ -92,6 +102,7 @@ describe('the worker', () => {
   });
 
   it('closes and opens a dropped connection', () => {
+    serve([]);
     operate(LOAD);
     vi.advanceTimersByTime(100);
     heard();
@@ -106,6 +117,7 @@ describe('the worker', () => {
   });
 
   it('tells how it stands after whatever happened', () => {
+    serve([]);
     operate(LOAD);
     vi.advanceTimersByTime(2500);
     const statuses = posted.filter((message) => message.kind === 'status');

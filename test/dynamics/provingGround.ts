@@ -42,7 +42,7 @@ export interface Setup {
   readonly shipClass?: ShipClass;
   readonly settings?: Partial<Settings>;
   readonly terrain?: TerrainHeight;
-  /** Up at the ship, in the body's axes. */
+  /** Up at the ship, in the body's axes; not its pole Y, where no way is east. */
   readonly place?: Vec3;
   /** Of the feet of an upright ship above the body's radius, m. */
   readonly height?: number;
@@ -210,8 +210,9 @@ function placed(setup: Setup, body: MovingBody, shipClass: ShipClass) {
   const reach = body.radius + shipClass.groundContactOffset + (setup.height ?? 0);
   const relativePosition = times(up, reach);
   const level = cross([0, 0, 1], up);
+  const overPole: Quat = up[2] > 0 ? [0, 0, 0, 1] : [1, 0, 0, 0];
   const upright: Quat =
-    lengthOf(level) > 0 ? turnAbout(unit(level), Math.atan2(lengthOf(level), up[2])) : [0, 0, 0, 1];
+    lengthOf(level) > 1e-9 ? turnAbout(unit(level), Math.atan2(lengthOf(level), up[2])) : overPole;
   const lean = turnAbout(north, ((setup.tilt ?? 0) * Math.PI) / 180);
   const roll = turnAbout([0, 0, 1], ((setup.roll ?? 0) * Math.PI) / 180);
   return {

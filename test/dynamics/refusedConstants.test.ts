@@ -1,0 +1,202 @@
+import { describe, expect, it } from 'vitest';
+import {
+  DEFAULT_SETTINGS,
+  loadSettings,
+  loadShipClass,
+  type Settings,
+  type ShipClass,
+} from '../../src/dynamics';
+import { NO_NUMBERS, reasonOf } from './hostile';
+import { LANDER } from './provingGround';
+
+describe('settings', () => {
+  const NUMBERS = Object.keys(DEFAULT_SETTINGS).filter((name) => name !== 'touchdownAttitude');
+
+  it('have the design’s defaults', () => {
+    expect(DEFAULT_SETTINGS).toEqual({
+      contactCrashSpeed: 50,
+      contactBounceSpeed: 10,
+      contactSettleTiltDeg: 5,
+      contactSettleAngularVel: 0.01,
+      contactSettleLinearVel: 0.5,
+      contactTippedAngleDeg: 80,
+      contactDampingRatio: 0.3,
+      contactFrictionStatic: 0.8,
+      contactFrictionKinetic: 0.5,
+      touchdownAttitude: 'aligned',
+    });
+    expect(loadSettings({}).ok).toBe(true);
+  });
+
+  it.each(NUMBERS.flatMap((name) => NO_NUMBERS.map((value) => [name, value] as const)))(
+    'refuse %s = %s by name',
+    (name, value) => {
+      expect(reasonOf(loadSettings({ [name]: value }))).toMatch(
+        new RegExp(`^${name}: expected a finite number`),
+      );
+    },
+  );
+
+  it.each<[keyof Settings, Partial<Settings>, string]>([
+    ['contactCrashSpeed', { contactCrashSpeed: 0 }, '> 0 m/s'],
+    ['contactBounceSpeed', { contactBounceSpeed: -1 }, '> 0 m/s'],
+    ['contactBounceSpeed', { contactBounceSpeed: 50 }, '< contactCrashSpeed (50 m/s)'],
+    ['contactSettleAngularVel', { contactSettleAngularVel: 0 }, '> 0 rad/s'],
+    ['contactSettleLinearVel', { contactSettleLinearVel: 0 }, '> 0 m/s'],
+    ['contactSettleTiltDeg', { contactSettleTiltDeg: 0 }, '> 0°'],
+    ['contactSettleTiltDeg', { contactSettleTiltDeg: 80 }, '< contactTippedAngleDeg (80°)'],
+    ['contactTippedAngleDeg', { contactTippedAngleDeg: 90 }, '< 90°'],
+    ['contactDampingRatio', { contactDampingRatio: 0 }, '> 0 and ≤ 1'],
+    ['contactDampingRatio', { contactDampingRatio: 1.001 }, '> 0 and ≤ 1'],
+    ['contactFrictionStatic', { contactFrictionStatic: 2.001 }, '≥ 0 and ≤ 2'],
+    ['contactFrictionKinetic', { contactFrictionKinetic: -0.001 }, '≥ 0 and ≤ contactFrictionStatic (0.8)'],
+    ['contactFrictionKinetic', { contactFrictionKinetic: 0.801 }, '≥ 0 and ≤ contactFrictionStatic (0.8)'],
+    ['touchdownAttitude', { touchdownAttitude: 'upright' as 'kept' }, "'aligned' or 'kept'"],
+  ])('refuse %s with its range', (name, given, range) => {
+    const reason = reasonOf(loadSettings(given));
+    expect(reason).toContain(`${name}: expected ${range}`);
+  });
+
+  it.each<Partial<Settings>>([
+    { contactCrashSpeed: 10.001 },
+    { contactDampingRatio: 1 },
+    { contactFrictionStatic: 2, contactFrictionKinetic: 2 },
+    { contactFrictionStatic: 0, contactFrictionKinetic: 0 },
+    { contactTippedAngleDeg: 89.999 },
+    { contactSettleTiltDeg: 79.999 },
+    { touchdownAttitude: 'kept' },
+  ])('take the ends of the ranges: %j', (given) => {
+    expect(reasonOf(loadSettings(given))).toBe('accepted');
+  });
+
+  it('refuse what they do not know', () => {
+    expect(reasonOf(loadSettings({ contactSprings: 1 } as Partial<Settings>))).toBe(
+      'contactSprings: no such setting',
+    );
+  });
+});
+
+describe('a ship class', () => {
+  const SCALARS = ['dryMass', 'fuelCapacity', 'groundContactOffset', 'legRadius'] as const;
+  const DRIVES = ['mainEngineThrust', 'mainEngineIsp', 'rcsLever', 'rcsIsp'] as const;
+  const TRIPLES = ['rcsThrust', 'rcsTorque', 'reactionWheelTorque'] as const;
+
+  function refusal(given: Partial<Record<keyof ShipClass, unknown>>): string {
+    return reasonOf(loadShipClass({ ...LANDER, ...given } as ShipClass));
+  }
+
+  it.each([...SCALARS, ...DRIVES].flatMap((name) => NO_NUMBERS.map((value) => [name, value] as const)))(
+    'refuses %s = %s by name',
+    (name, value) => {
+      expect(refusal({ [name]: value })).toContain(`lander: ${name}: expected a finite number`);
+    },
+  );
+
+  it.each(TRIPLES.flatMap((name) => NO_NUMBERS.map((value) => [name, value] as const)))(
+    'refuses %s with a %s by name',
+    (name, value) => {
+      expect(refusal({ [name]: [1, value, 1] })).toContain(`${name}[1]: expected a finite number`);
+      expect(refusal({ [name]: value })).toContain(`${name}: expected 3 numbers`);
+      expect(refusal({ [name]: [1, -1, 1] })).toContain(`${name}: expected ≥ 0`);
+    },
+  );
+
+  it.each([
+    ['dryMass', 0, '> 0 kg'],
+    ['dryMass', -1, '> 0 kg'],
+    ['fuelCapacity', -1, '≥ 0 kg'],
+    ['groundContactOffset', 0, '> 0 m'],
+    ['legRadius', 0, '> 0 m'],
+    ['mainEngineThrust', -1, '≥ 0 N'],
+    ['mainEngineIsp', 0, '> 0 s'],
+    ['rcsLever', 0, '> 0 m'],
+    ['rcsIsp', 0, '> 0 s'],
+  ])('refuses %s = %d with its range', (name, value, range) => {
+    expect(refusal({ [name]: value })).toContain(`lander: ${name}: expected ${range}, got ${value}`);
+  });
+
+  it('needs an isp and a lever only for what it has', () => {
+    const without = { mainEngineThrust: 0, mainEngineIsp: 0, rcsThrust: [0, 0, 0], rcsTorque: [0, 0, 0] };
+    expect(refusal({ ...without, rcsLever: 0, rcsIsp: 0 })).toBe('accepted');
+    expect(refusal({ ...without, rcsThrust: [0, 0, 1], rcsIsp: 0 })).toContain('rcsIsp: ');
+    expect(refusal({ ...without, rcsTorque: [0, 1, 0], rcsLever: 0 })).toContain('rcsLever: ');
+  });
+
+  it.each([
+    [
+      'singular',
+      [
+        [1, 1, 0],
+        [1, 1, 0],
+        [0, 0, 1],
+      ],
+      'positive definite',
+    ],
+    [
+      'zero',
+      [
+        [0, 0, 0],
+        [0, 0, 0],
+        [0, 0, 0],
+      ],
+      'positive definite',
+    ],
+    [
+      'negative',
+      [
+        [-1, 0, 0],
+        [0, -1, 0],
+        [0, 0, -1],
+      ],
+      'expected a',
+    ],
+    [
+      'indefinite',
+      [
+        [1, 2, 0],
+        [2, 1, 0],
+        [0, 0, 1],
+      ],
+      'positive definite',
+    ],
+    [
+      'skew',
+      [
+        [2, 0.5, 0],
+        [-0.5, 2, 0],
+        [0, 0, 2],
+      ],
+      'symmetric',
+    ],
+    [
+      'infinite',
+      [
+        [Infinity, 0, 0],
+        [0, 1, 0],
+        [0, 0, 1],
+      ],
+      'inertiaTensor[0][0]: expected a finite number',
+    ],
+    [
+      'short',
+      [
+        [1, 0, 0],
+        [0, 1, 0],
+      ],
+      '3 rows',
+    ],
+    [
+      'ragged',
+      [
+        [1, 0, 0],
+        [0, 1],
+        [0, 0, 1],
+      ],
+      'inertiaTensor[1]',
+    ],
+    ['missing', null, '3 rows'],
+  ])('refuses a %s inertia tensor', (_, inertiaTensor, said) => {
+    expect(refusal({ inertiaTensor })).toContain('inertiaTensor');
+    expect(refusal({ inertiaTensor })).toContain(said);
+  });
+});

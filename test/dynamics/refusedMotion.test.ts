@@ -1,0 +1,137 @@
+import { describe, expect, it } from 'vitest';
+import {
+  type Body,
+  BODY_STRIDE,
+  type BodyMotion,
+  type Controls,
+  loadBody,
+  loadControls,
+  loadTiming,
+  NEUTRAL_CONTROLS,
+  readShip,
+  SHIP_STRIDE,
+  type ShipRecord,
+  spawnShip,
+  writeBodyMotion,
+  writeShip,
+} from '../../src/dynamics';
+import { NO_NUMBERS, reasonOf } from './hostile';
+import { bodyNamed, createTrial, type Trial } from './provingGround';
+
+describe('a body', () => {
+  const MOON = bodyNamed('Moon');
+
+  it.each([...NO_NUMBERS, 0, -1])('refuses mass and radius %s by name', (value) => {
+    expect(reasonOf(loadBody({ ...MOON, mass: value } as Body))).toMatch(/^body Moon: mass: /);
+    expect(reasonOf(loadBody({ ...MOON, radius: value } as Body))).toMatch(/^body Moon: radius: /);
+  });
+
+  it('refuses a name that is none', () => {
+    expect(reasonOf(loadBody({ ...MOON, name: '' }))).toContain('body name');
+  });
+
+  it.each(['position', 'velocity', 'attitude', 'angularVelocity'] as const)(
+    'keeps its last motion where %s is refused',
+    (field) => {
+      const rows = new Float64Array(BODY_STRIDE);
+      expect(writeBodyMotion(rows, 0, MOON)).toBeNull();
+      const before = Array.from(rows);
+      for (const value of NO_NUMBERS) {
+        const motion = { ...MOON, [field]: MOON[field].map((part, k) => (k === 2 ? value : part)) };
+        expect(writeBodyMotion(rows, 0, motion as BodyMotion)).toContain(
+          `${field}[2]: expected a finite number`,
+        );
+      }
+      expect(writeBodyMotion(rows, 0, { ...MOON, [field]: [1, 2] } as unknown as BodyMotion)).toContain(
+        `${field}: `,
+      );
+      expect(Array.from(rows)).toEqual(before);
+    },
+  );
+});
+
+describe('a ship', () => {
+  const { world, ships }: Trial = createTrial({});
+  const good = readShip(ships, 0, world);
+
+  function refusal(given: Partial<Record<keyof ShipRecord, unknown>>): string | null {
+    const rows = new Float64Array(SHIP_STRIDE);
+    rows.set(ships);
+    const reason = writeShip(rows, 0, { ...good, ...given } as ShipRecord, world);
+    if (reason !== null) expect(Array.from(rows)).toEqual(Array.from(ships));
+    expect(spawnShip(new Float64Array(SHIP_STRIDE), 0, { ...good, ...given } as ShipRecord, world)).toBe(
+      reason,
+    );
+    return reason;
+  }
+
+  it('goes in and comes out as it is', () => {
+    expect(refusal({})).toBeNull();
+    expect(readShip(ships, 0, world)).toEqual(good);
+  });
+
+  it.each(['relativePosition', 'relativeVelocity', 'attitude', 'angularVelocity'] as const)(
+    'with a %s of no numbers is refused by name and leaves the row',
+    (field) => {
+      for (const value of NO_NUMBERS) {
+        const parts = good[field].map((part, k) => (k === 1 ? value : part));
+        expect(refusal({ [field]: parts })).toContain(`${field}[1]: expected a finite number`);
+      }
+      expect(refusal({ [field]: [1] })).toContain(`${field}: expected`);
+      expect(refusal({ [field]: null })).toContain(`${field}: expected`);
+    },
+  );
+
+  it.each<[keyof ShipRecord, unknown]>([
+    ['relativePosition', [0, 0, 0]],
+    ['relativePosition', [0.5, 0.5, 0.5]],
+    ['attitude', [0, 0, 0, 0]],
+    ['attitude', [0, 0, 0, 2]],
+    ['fuel', -1],
+    ['fuel', NaN],
+    ['contactImpactSpeed', -1],
+    ['contactImpactSpeed', Infinity],
+    ['shipClass', 'other'],
+    ['referenceBody', 'Vulcan'],
+    ['surfaceContactState', 'hovering'],
+  ])('with %s %j is refused by name', (field, value) => {
+    expect(refusal({ [field]: value })).toMatch(new RegExp(`^${field}: `));
+  });
+});
+
+describe('timing', () => {
+  it.each([...NO_NUMBERS, 0, -1, 0.0999, 100.001])(
+    'refuses a tick rate or time scale of %s by name',
+    (value) => {
+      expect(reasonOf(loadTiming(value as number, 1))).toMatch(/^tickRate: expected/);
+      expect(reasonOf(loadTiming(1, value as number))).toMatch(/^timeScale: expected/);
+    },
+  );
+});
+
+describe('controls', () => {
+  function refusal(given: Partial<Record<keyof Controls, unknown>>): string {
+    return reasonOf(loadControls({ ...NEUTRAL_CONTROLS, ...given } as Controls));
+  }
+
+  it.each(NO_NUMBERS)('refuse %s where it enters, by name', (value) => {
+    expect(refusal({ thrustLevel: value })).toMatch(/^thrustLevel: /);
+    expect(refusal({ translationInput: [0, value, 0] })).toMatch(/^translationInput\[1\]: /);
+    expect(refusal({ rotationInput: [0, 0, value] })).toMatch(/^rotationInput\[2\]: /);
+    expect(refusal({ targetAttitude: [value, 0, 0, 1] })).toMatch(/^targetAttitude\[0\]: /);
+  });
+
+  it.each<[keyof Controls, unknown]>([
+    ['translationInput', [0, 0]],
+    ['rotationInput', null],
+    ['targetAttitude', [0, 0, 0]],
+    ['targetAttitude', [0, 0, 0, 0]],
+    ['targetAttitude', [1e-9, 0, 0, 0]],
+    ['attitudeHold', 1],
+    ['attitudeHold', undefined],
+    ['attitudeMode', 'sideways'],
+    ['attitudeMode', 3],
+  ])('refuse %s = %j by name', (field, value) => {
+    expect(refusal({ [field]: value })).toMatch(new RegExp(`^${field}: `));
+  });
+});

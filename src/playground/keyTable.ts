@@ -105,7 +105,7 @@ export function rebind(map: KeyMap, action: Action, key: string): KeyMap {
 
 /** A single printable character that moves neither focus nor page. */
 export function isBindable(key: string): boolean {
-  return [...key].length === 1 && key === key.toLowerCase() && key !== ' ';
+  return /^[^\s]$/u.test(key) && key === key.toLowerCase();
 }
 
 /** A key's label in help and hints. */

@@ -13,11 +13,12 @@ import { createStick, resetStick, sampleStick, type Stick } from './stick';
 /** What the page is told of a live game. */
 export interface LiveListeners {
   readonly onState: (text: string) => void;
+  /** A new world begins: what was of the old one is gone. */
+  readonly onWorld: () => void;
   readonly onRefused: (reason: string) => void;
   readonly onEvent: (notice: EventNotice) => void;
   /** Everything that goes through the predictor, in its order. */
   readonly onEntry: (entry: RecordingEntry) => void;
-  readonly onBytes: (bytes: number, at: number) => void;
 }
 
 /** A game against a server: connection, predictor, hands. */
@@ -89,7 +90,6 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     onBytes(bytes) {
       const at = clock.now();
       inbox.push({ bytes, at });
-      listeners.onBytes(bytes.length, at);
     },
     onClosed(reason) {
       listeners.onState(`Connection lost: ${reason}.`);
@@ -110,6 +110,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     resetStick(stick);
     hash = '';
     hashedTick = -1;
+    listeners.onWorld();
   }
 
   function receive(bytes: Uint8Array, at: number): void {

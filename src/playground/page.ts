@@ -6,6 +6,7 @@ import { createStage, type Stage } from '../scene';
 import { SCENARIOS } from '../rehearsal';
 import { createActs } from './actions';
 import { type Choices, OVERLAY_NAMES, readChoices, setChoice, writeChoices } from './choices';
+import { createDock } from './dock';
 import { createHelp } from './help';
 import { listenToKeys } from './keyboard';
 import { keyCap, loadKeys, saveKeys } from './keyTable';
@@ -15,6 +16,7 @@ import { createPads } from './pads';
 import { createPanel } from './panel';
 import { steerCamera } from './pointer';
 import { createResolution } from './resolution';
+import { createTheatre, takeDrops } from './theatre';
 import { createTwin } from './twin';
 
 /** Choices that change a running world; the others begin a new one. */
@@ -52,17 +54,36 @@ export function begin(document: Document, program: string): void {
     onState: banner,
     onRefused: (reason) => notice.tell(`The server refused: ${reason}.`),
     onEvent: () => undefined,
-    onEntry: () => undefined,
-    onBytes: () => undefined,
+    onWorld() {
+      theatre.recorder.clear();
+      dock.clear();
+      landing = createLandingReadout();
+    },
+    onEntry: (entry) => theatre.recorder.take(entry),
   });
-  const landing = createLandingReadout();
+  let landing = createLandingReadout();
   const fleet = createFleetReadout();
+  let generation = 0;
+  let before = NaN;
   const landingHud = createCockpitLandingHud(document, part('hud'), {
     keyLabel: (action) => (keys.enabled ? keyCap(keys.map[action]) : ''),
   });
   const fleetHud = createFleetHud(document, part('hud'));
   const twin = createTwin(part('twin'));
   const resolution = createResolution();
+  const theatre = createTheatre({
+    panel: () => dock.recording,
+    note: () => writeChoices(choices),
+    tell: notice.tell,
+    banner,
+    changed(on) {
+      landing = createLandingReadout();
+      live.hold(on);
+      dock.clear();
+    },
+  });
+  const dock = createDock(part('dock'), theatre.listeners);
+  takeDrops(document.body, theatre.load);
   const panel = createPanel(part('panel'), { change, act: (act) => acts.act(act) });
   const help = createHelp(
     document,
@@ -125,6 +146,7 @@ export function begin(document: Document, program: string): void {
 
   function beginWorld(): void {
     notice.clear();
+    theatre.leave();
     acts.reset();
     const scenario = SCENARIOS.find(({ name }) => name === choices.scenario)!;
     const terrain = choices.terrain === '' ? scenario.terrain : choices.terrain;
@@ -151,12 +173,21 @@ export function begin(document: Document, program: string): void {
     const frozen = root.dataset['frozen'] === 'true';
     if (!frozen) window.requestAnimationFrame(frame);
     acts.tick(milliseconds / 1000);
-    const view = live.frame();
     const now = live.clock.now();
+    const passed = Number.isNaN(before) ? 0 : now - before;
+    before = now;
+    const replayed = theatre.frame(passed);
+    const view = replayed ?? live.frame();
+    const replay = theatre.replay();
+    if (replay !== null && replay.generation() !== generation) {
+      generation = replay.generation();
+      landing = createLandingReadout();
+    }
     landingHud.paint(landingReadout(view, landing));
     fleetHud.paint(fleetReadout(view, fleet));
     twin.tell(view, landing, now);
-    live.baseline.redraw(view, choices.mode, now);
+    (replay?.baseline ?? live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
+    dock.follow(view, now);
     if (view.ready) stage?.draw(view, now);
     if (Number.isNaN(freezeAt) && resolution.measure(milliseconds / 1000)) fit();
     report(view);

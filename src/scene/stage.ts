@@ -1,12 +1,4 @@
-import {
-  ACESFilmicToneMapping,
-  PCFShadowMap,
-  PerspectiveCamera,
-  Quaternion,
-  Scene,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
+import { ACESFilmicToneMapping, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { flatTerrain, GRAVITATIONAL_CONSTANT, type TerrainHeight } from '../dynamics';
 import type { ShipView, WorldView } from '../prediction';
 import { type BodyLook, lookOf } from './bodyLook';
@@ -18,7 +10,8 @@ import { createGround } from './ground';
 import { createGroundMaterial, paintGround } from './groundMaterial';
 import { createJetMaterial } from './jets';
 import { createTurn, layFrame, type LocalFrame, rotate, toLocalPoint, turnOfFrame } from './localFrame';
-import { createOverlays, type OverlayChoice, type OverlayPlaces } from './overlays';
+import { createOverlays, type OverlayChoice } from './overlays';
+import { anyChosen, createPlaces, placeOverlays } from './overlayPlaces';
 import { createRocks } from './rocks';
 import { createActor, createShelf, poseActor, removeActor, type ShipActor } from './shipActor';
 import { createShipMaterial } from './shipMaterial';
@@ -181,32 +174,6 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
     actor.mesh.quaternion.set(q[0]!, q[1]!, q[2]!, q[3]!);
   };
 
-  const layOverlays = (view: WorldView, ship: ShipView, actor: ShipActor) => {
-    const { eye } = rig;
-    places.ship.copy(actor.mesh.position);
-    places.ghostKnown = ship.serverKnown;
-    toLocalPoint(point, frame!, turn, ship.serverPosition);
-    places.ghost.set(point[0]! - eye[0]!, point[1]! - eye[1]!, point[2]! - eye[2]!);
-    places.ghostTurn.set(turn.quaternion[0]!, turn.quaternion[1]!, turn.quaternion[2]!, turn.quaternion[3]!);
-    const [gx, gy, gz, gw] = [0, 1, 2, 3].map((i) => ship.serverAttitude[i]!);
-    places.ghostTurn.multiply(ghostAttitude.set(gx!, gy!, gz!, gw!));
-    const [x, z] = [actor.place[0]!, actor.place[2]!];
-    places.foot.set(x - eye[0]!, groundY(x, z) - eye[1]!, z - eye[2]!);
-    places.legRadius = ship.shipClass.legRadius;
-    const mass = ship.shipClass.dryMass + ship.fuel;
-    const body = view.bodies[ship.body]!;
-    const range = Math.hypot(ship.position[0]!, ship.position[1]!, ship.position[2]!);
-    const gravity = (GRAVITATIONAL_CONSTANT * body.mass) / (range * range);
-    rotate(point, turn.matrix, ship.thrust);
-    places.thrust.set(point[0]! / mass, point[1]! / mass, point[2]! / mass);
-    rotate(point, turn.matrix, ship.position);
-    places.up.set(point[0]!, point[1]!, point[2]).normalize();
-    places.weight.copy(places.up).multiplyScalar(-gravity);
-    const carried = ship.surfaceState === '' ? 0 : Math.max(0, gravity - places.thrust.dot(places.up));
-    places.support.copy(places.up).multiplyScalar(carried);
-  };
-  const ghostAttitude = new Quaternion();
-
   return {
     overlays: choice,
     setTerrain(terrainHeight) {
@@ -254,7 +221,8 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
       const size = watched.shipClass.groundContactOffset * 2.2;
       light.follow(actor.place, eye, size, size * 2 + Math.max(height, 0) / light.direction.y);
       sky.look(eye[1]!, body.radius, turn.quaternion);
-      if (anyChosen(choice)) layOverlays(view, watched, actor);
+      if (anyChosen(choice))
+        placeOverlays(places, { view, ship: watched, actor, frame: frame!, turn, eye, groundY });
       const legs = watched.legCompression;
       wardrobe.own.compression.set(legs[0]!, legs[1]!, legs[2]!, legs[3]!);
       overlays.group.visible = anyChosen(choice);
@@ -313,23 +281,4 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
     flame[2] = position.z + actor.blows[2]! * reach;
     flame[3] = actor.jets.visible ? ship.controls.thrustLevel * 60 : 0;
   }
-}
-
-function anyChosen(choice: OverlayChoice): boolean {
-  return choice.ghost || choice.errorSegment || choice.contactNormal || choice.footprint || choice.forces;
-}
-
-function createPlaces(): OverlayPlaces & { ghostKnown: boolean; legRadius: number } {
-  return {
-    ship: new Vector3(),
-    ghost: new Vector3(),
-    ghostTurn: new Quaternion(),
-    ghostKnown: false,
-    foot: new Vector3(),
-    up: new Vector3(),
-    legRadius: 1,
-    thrust: new Vector3(),
-    weight: new Vector3(),
-    support: new Vector3(),
-  };
 }

@@ -1,0 +1,115 @@
+import type { WorldView } from '../prediction';
+import type { Recording } from '../rehearsal';
+import { createRecorder, readFile, type Recorder, writeSlowly } from './recorder';
+import type { RecordingListeners, RecordingPanel } from './recordingPanel';
+import { createReplay, refusalWords, type Replay } from './replay';
+
+/** Recording and replaying: what the page shows instead of the game while a recording plays. */
+export interface Theatre {
+  readonly recorder: Recorder;
+  readonly listeners: RecordingListeners;
+  /** The replay that is on, or null. */
+  readonly replay: () => Replay | null;
+  /** The replay's view after `seconds` of playing, once a frame. */
+  readonly frame: (seconds: number) => WorldView | null;
+  readonly load: (file: File) => void;
+  readonly leave: () => void;
+}
+
+export interface TheatrePlace {
+  readonly panel: () => RecordingPanel;
+  readonly note: () => string;
+  readonly tell: (text: string) => void;
+  readonly banner: (text: string) => void;
+  /** A replay begins or ends. */
+  readonly changed: (on: boolean) => void;
+}
+
+export function createTheatre(place: TheatrePlace): Theatre {
+  const recorder = createRecorder();
+  let replay: Replay | null = null;
+  let playing = true;
+
+  const open = (recording: Recording) => {
+    if (recording.entries.length === 0) {
+      place.tell('Nothing is recorded yet: let the game run for a moment first.');
+      return;
+    }
+    replay = createReplay(recording);
+    playing = true;
+    replay.seek(replay.from);
+    place.panel().showReplay(replay);
+    place.banner('Replay');
+    place.changed(true);
+  };
+  const leave = () => {
+    if (replay === null) return;
+    replay = null;
+    place.panel().showReplay(null);
+    place.banner('');
+    place.changed(false);
+  };
+  const save = async () => {
+    const panel = place.panel();
+    const blob = await writeSlowly(recorder.recording(place.note()), panel.showProgress);
+    panel.showProgress(null);
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(blob);
+    link.download = 'touchdown.jsonl';
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  };
+  const load = async (file: File) => {
+    place.banner(`Reading ${file.name} …`);
+    const read = await readFile(file);
+    place.banner('');
+    if (read.ok) open(read.value);
+    else place.tell(refusalWords(file.name, read));
+  };
+
+  return {
+    recorder,
+    replay: () => replay,
+    leave,
+    load: (file) => void load(file),
+    listeners: {
+      replay: () => open(recorder.recording(place.note())),
+      leave,
+      save: () => void save(),
+      load: (file) => void load(file),
+      seek(at) {
+        playing = false;
+        replay?.seek(at);
+      },
+      play(next) {
+        playing = next;
+        if (playing && replay !== null && replay.position() >= replay.to) replay.seek(replay.from);
+      },
+    },
+    frame(seconds) {
+      if (replay === null) {
+        place.panel().showLength(recorder.seconds(), recorder.full());
+        return null;
+      }
+      const view = replay.seek(replay.position() + (playing ? seconds : 0));
+      if (replay.position() >= replay.to) playing = false;
+      place.panel().showPosition(replay.position(), playing);
+      return view;
+    },
+  };
+}
+
+/** Lets recordings be dropped anywhere on the page. */
+export function takeDrops(body: HTMLElement, load: (file: File) => void): void {
+  body.addEventListener('dragover', (event) => {
+    event.preventDefault();
+    body.classList.add('dropping');
+  });
+  body.addEventListener('dragleave', () => body.classList.remove('dropping'));
+  body.addEventListener('drop', (event) => {
+    event.preventDefault();
+    body.classList.remove('dropping');
+    const file = event.dataTransfer?.files[0];
+    if (file !== undefined) load(file);
+  });
+}

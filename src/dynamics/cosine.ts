@@ -4,19 +4,24 @@
  * where the Taylor terms kept leave less than 1e-17.
  */
 export function cosineOfDegrees(degrees: number): number {
-  return degrees <= 45 ? cosine(degrees * RADIANS_PER_DEGREE) : sine((90 - degrees) * RADIANS_PER_DEGREE);
+  return degrees <= 45
+    ? polynomialCosine(degrees * RADIANS_PER_DEGREE)
+    : polynomialSine((90 - degrees) * RADIANS_PER_DEGREE);
 }
 
-const RADIANS_PER_DEGREE = 3.141592653589793 / 180;
+/** To the last bit the same everywhere. */
+export const RADIANS_PER_DEGREE = 3.141592653589793 / 180;
 
-function cosine(x: number): number {
+/** Taylor, for 0 ≤ x ≤ π/4: the first term left out is below 1e-17. */
+export function polynomialCosine(x: number): number {
   const s = x * x;
   let sum = 0;
   for (let k = 9; k >= 1; k--) sum = ((1 - sum) * s) / ((2 * k - 1) * (2 * k));
   return 1 - sum;
 }
 
-function sine(x: number): number {
+/** As polynomialCosine. */
+export function polynomialSine(x: number): number {
   const s = x * x;
   let sum = 0;
   for (let k = 9; k >= 1; k--) sum = ((1 - sum) * s) / (2 * k * (2 * k + 1));

@@ -30,18 +30,12 @@ export { landedBodyName, readShip, type ShipRecord, spawnShip, writeShip } from 
 /** The step of one ship. */
 export { substep } from './substep';
 /** The step of a world, and how ticks are cut. */
-export {
-  beginTick,
-  endTick,
-  loadTiming,
-  stepWorld,
-  type TerrainHeight,
-  type Timing,
-  timingOfTick,
-  type World,
-} from './world';
+export { beginTick, endTick, loadTiming, stepWorld, type Timing, timingOfTick } from './tick';
+export type { TerrainHeight, World } from './world';
 /** Re-choosing the reference body at a tick's start. */
 export { chooseReferenceBody } from './referenceBody';
+/** Sine and cosine from polynomials, for configuration and scenarios. */
+export { polynomialCosine, polynomialSine, RADIANS_PER_DEGREE } from './cosine';
 /** Which state may follow which. */
 export { isLegalMove } from './legalMoves';
 /** One number for a trajectory's bits. */

@@ -1,0 +1,61 @@
+import { moveBodies, settleBodies, turnBodies } from './body';
+import { accepted, type Checked, notFinite, refused } from './checked';
+import { SHIP_STRIDE } from './layout';
+import { chooseReferenceBody } from './referenceBody';
+import { substep } from './substep';
+import type { World } from './world';
+
+/** How a tick is cut into substeps (DYNAMICS, Time). */
+export interface Timing {
+  /** Game seconds a tick: time scale / tick rate. */
+  readonly tickSeconds: number;
+  readonly substeps: number;
+  /** Game seconds a substep, at most 0.01. */
+  readonly dt: number;
+}
+
+/** Timing of a server's `tickRate` (0.1–100 Hz) and `timeScale` (0.1–100), or a reason that names the one out of range. */
+export function loadTiming(tickRate: number, timeScale: number): Checked<Timing> {
+  const reason = notFinite('tickRate', tickRate) ?? notFinite('timeScale', timeScale);
+  if (reason !== null) return refused(reason);
+  if (tickRate < 0.1 || tickRate > 100)
+    return refused(`tickRate: expected 0.1 to 100 Hz, got ${String(tickRate)}`);
+  if (timeScale < 0.1 || timeScale > 100)
+    return refused(`timeScale: expected 0.1 to 100, got ${String(timeScale)}`);
+  return accepted(timingOfTick(timeScale / tickRate));
+}
+
+/** Timing of a tick of `tickSeconds` > 0 of game time. */
+export function timingOfTick(tickSeconds: number): Timing {
+  const whole = Math.ceil(tickSeconds * 100 - 1e-9);
+  const substeps = whole > 1 ? whole : 1;
+  return { tickSeconds, substeps, dt: tickSeconds / substeps };
+}
+
+/** At a tick's start: flying ships choose their reference body. `ships` holds whole rows. */
+export function beginTick(ships: Float64Array, bodies: Float64Array, world: World): void {
+  for (let at = 0; at < ships.length; at += SHIP_STRIDE) chooseReferenceBody(ships, at, bodies, world);
+}
+
+/**
+ * One substep of all ships and bodies: `events[i]` is what ship i reported (EVENT_NAMES).
+ * Ships do not meet each other, so any subset of them steps to the same bits.
+ */
+export function stepWorld(
+  ships: Float64Array,
+  bodies: Float64Array,
+  events: Uint8Array,
+  world: World,
+  dt: number,
+): void {
+  const count = world.bodies.length;
+  turnBodies(bodies, count, dt);
+  for (let i = 0, at = 0; at < ships.length; i++, at += SHIP_STRIDE)
+    events[i] = substep(ships, at, bodies, world, dt);
+  settleBodies(bodies, count);
+}
+
+/** At a tick's end: the bodies have moved on by the tick. */
+export function endTick(bodies: Float64Array, world: World, timing: Timing): void {
+  moveBodies(bodies, world.bodies.length, timing.tickSeconds);
+}

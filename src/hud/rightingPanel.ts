@@ -112,7 +112,9 @@ function createFuel(parent: Element): (righting: Righting) => void {
   append(values, 'span', 'hud-of', ' of ');
   const paintAboard = showNumber(values, MASS);
   const paintMark = createMark(line);
+  const paintShown = showPart(line);
   return (righting) => {
+    paintShown(righting.possible);
     paintNeeded(righting.fuelNeeded);
     paintAboard(righting.fuel);
     paintMark(righting.outcome === 'working' ? 'unknown' : righting.outcome === 'lands' ? 'true' : 'false');

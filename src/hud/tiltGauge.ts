@@ -17,26 +17,16 @@ export function createTiltGauge(parent: Element): (tilt: Tilt) => void {
   gauge.setAttribute('aria-valuemin', '0');
   gauge.setAttribute('aria-valuemax', '180');
   const picture = appendPicture(gauge, 'hud-dial', '0 0 150 122');
-  const zones = ['settled', 'leaning', 'toppling', 'tipped'].map((zone) =>
-    appendSvg(picture, 'path', { class: `hud-zone hud-zone-${zone}` }),
-  );
-  const marks = [createMark(picture), createMark(picture), createMark(picture)];
+  const paintScale = createScale(picture);
   const needle = createNeedle(picture);
   const paintNow = showFigures(gauge, 'aria-valuenow', 1, String);
   const paintText = showAttribute(gauge, 'aria-valuetext');
   const paintKnown = showAttribute(gauge, 'data-known');
   let shownText = Infinity;
-  const shown = { settle: NaN, noReturn: NaN, tipped: NaN };
   return (tilt) => {
     const known = !Number.isNaN(tilt.degrees);
     paintKnown(known ? 'true' : 'false');
-    if (tilt.settle !== shown.settle || tilt.noReturn !== shown.noReturn || tilt.tipped !== shown.tipped) {
-      shown.settle = tilt.settle;
-      shown.noReturn = tilt.noReturn;
-      shown.tipped = tilt.tipped;
-      paintZones(zones, tilt);
-      [tilt.settle, tilt.noReturn, tilt.tipped].forEach((angle, i) => marks[i]!(angle));
-    }
+    paintScale(tilt);
     needle(known ? Math.min(tilt.degrees, DIAL_END) : 0);
     const whole = Math.round(tilt.degrees);
     if (Object.is(whole, shownText)) return;
@@ -46,10 +36,22 @@ export function createTiltGauge(parent: Element): (tilt: Tilt) => void {
   };
 }
 
-/** The arc in four parts: settles, rocks back, topples, lies. */
-function paintZones(zones: readonly SVGPathElement[], { settle, noReturn, tipped }: Tilt): void {
-  const from = [0, settle, Math.max(settle, Math.min(noReturn, tipped)), tipped];
-  zones.forEach((zone, i) => zone.setAttribute('d', arc(from[i]!, from[i + 1] ?? DIAL_END)));
+/** The arc in four parts, settles, rocks back, topples, lies, with marks between; bare until a ship gives them. */
+function createScale(picture: Element): (tilt: Tilt) => void {
+  appendSvg(picture, 'path', { class: 'hud-zone', d: arc(0, DIAL_END) });
+  const zones = ['settled', 'leaning', 'toppling', 'tipped'].map((zone) =>
+    appendSvg(picture, 'path', { class: `hud-zone hud-zone-${zone}` }),
+  );
+  const marks = [createMark(picture), createMark(picture), createMark(picture)];
+  let shown = [NaN, NaN, NaN];
+  return ({ settle, noReturn, tipped }) => {
+    if (Number.isNaN(settle)) return;
+    if (settle === shown[0] && noReturn === shown[1] && tipped === shown[2]) return;
+    shown = [settle, noReturn, tipped];
+    const from = [0, settle, Math.max(settle, Math.min(noReturn, tipped)), tipped, DIAL_END];
+    zones.forEach((zone, i) => zone.setAttribute('d', arc(from[i]!, from[i + 1]!)));
+    marks.forEach((mark, i) => mark(shown[i]!));
+  };
 }
 
 function createMark(picture: Element): (angle: number) => void {

@@ -10,7 +10,7 @@ export interface Tilt {
   /** Unit, in ship axes (x, y): the side that is lowest; 0, 0 when upright. */
   leanX: number;
   leanY: number;
-  /** Gauge marks: below it settles; arctan(leg_radius / h); above it is tipped. */
+  /** Gauge marks, NaN before the first ship: below it settles; arctan(leg_radius / h); above it is tipped. */
   settle: number;
   noReturn: number;
   tipped: number;
@@ -24,7 +24,16 @@ const STILL = 0.01;
 const UPRIGHT = 0.0017;
 
 export function createTilt(): Tilt {
-  return { degrees: NaN, trend: 0, leanX: 0, leanY: 0, settle: 0, noReturn: 0, tipped: 0, prominent: false };
+  return {
+    degrees: NaN,
+    trend: 0,
+    leanX: 0,
+    leanY: 0,
+    settle: NaN,
+    noReturn: NaN,
+    tipped: NaN,
+    prominent: false,
+  };
 }
 
 export function measureTilt(

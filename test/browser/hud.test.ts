@@ -1,0 +1,285 @@
+/** What the HUDs do in a real browser: when they touch the DOM, what they tell a screen reader, how the fleet scrolls. */
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
+import { describeInBrowser, openTestPage, problemsOf } from './pages';
+
+interface HudWindow {
+  hud: {
+    show: (state: string) => void;
+    showFleet: (size: number) => void;
+    again: (times: number) => void;
+    rebind: (action: string, label: string) => void;
+    landing: { dispose: () => void };
+    fleet: { dispose: () => void };
+  };
+}
+
+let page: Page;
+
+const show = (...states: string[]) =>
+  page.evaluate((names) => {
+    for (const name of names) (window as unknown as HudWindow).hud.show(name);
+  }, states);
+
+const showFleet = (size: number) =>
+  page.evaluate((count) => (window as unknown as HudWindow).hud.showFleet(count), size);
+
+async function open(reducedMotion: 'reduce' | 'no-preference' = 'reduce'): Promise<void> {
+  page = await openTestPage('hud.html', { reducedMotion });
+  await page.waitForSelector('html[data-ready=true]');
+}
+
+describeInBrowser('the landing HUD', () => {
+  beforeAll(() => open());
+  afterAll(() => page.context().close());
+
+  it('says what the design says in each state', async () => {
+    await show('tipped');
+    expect(await page.textContent('.hud-hint')).toBe('Use RCS rotation to right the ship');
+    expect(await page.locator('.hud-hint').isVisible()).toBe(true);
+    await show('landed');
+    expect(await page.locator('.hud-landed').textContent()).toBe('Landed');
+    expect(await page.locator('.hud-hint').isVisible()).toBe(false);
+    await show('flight');
+    expect(await page.locator('.hud-descent').innerText()).toBe(
+      'VSPD\n↓ 12.3 m/s\nHSPD\n7.2 m/s\nTTI\n5.2 s\nAGL\n85.8 m',
+    );
+    await show('withdrawn');
+    expect(await page.textContent('.hud-withdrawn')).toBe('LANDED withdrawn');
+  });
+
+  it('paints the design’s colours', async () => {
+    const look = async (state: string) => {
+      await show(state);
+      return page.locator('.hud-status').evaluate((slot) => {
+        const { color, backgroundColor } = getComputedStyle(slot);
+        return `${color} on ${backgroundColor}`;
+      });
+    };
+    // #ffd24a text; white on #b3261e; cyan.
+    expect(await look('contact')).toMatch(/^rgb\(255, 210, 74\) on rgb\(11, 16, 23\)$/);
+    expect(await look('tipped')).toBe('rgb(255, 255, 255) on rgb(179, 38, 30)');
+    expect(await look('landed')).toBe('rgb(127, 228, 255) on rgb(11, 16, 23)');
+    expect(await look('flight')).toBe('rgb(255, 255, 255) on rgb(11, 16, 23)');
+    const opacity = await page.locator('.hud-landing').evaluate((hud) => {
+      return Number(/([\d.]+)\)$/.exec(getComputedStyle(hud).backgroundColor)?.[1]);
+    });
+    expect(opacity).toBeGreaterThanOrEqual(0.75);
+  });
+
+  it('makes the tilt the largest number in contact and tipped, and the descent in flight', async () => {
+    const largest = async (state: string) => {
+      await show(state);
+      return page.evaluate(() => {
+        const numbers = [
+          ...document.querySelectorAll<HTMLElement>('.hud-landing :is(.hud-value, .hud-tilt-value)'),
+        ];
+        const size = (element: Element) => parseFloat(getComputedStyle(element).fontSize);
+        const [first, second] = numbers
+          .filter((n) => n.offsetParent !== null)
+          .sort((a, b) => size(b) - size(a));
+        return size(first!) > size(second!) ? first!.textContent : 'none';
+      });
+    };
+    expect(await largest('contact')).toBe('7.5°');
+    expect(await largest('tipped')).toBe('89.6°');
+  });
+
+  it('dashes every number when no state has come for two ticks', async () => {
+    await show('contact', 'stale');
+    expect(await page.locator('.hud-descent').innerText()).toBe('VSPD\n--\nHSPD\n--\nTTI\n--\nAGL\n--');
+    expect(await page.textContent('.hud-tilt-value')).toBe('--');
+    expect(await page.locator('.hud-gates').isVisible()).toBe(false);
+    const hatched = await page
+      .locator('.hud-status')
+      .evaluate((slot) => getComputedStyle(slot).backgroundImage);
+    expect(hatched).toContain('repeating-linear-gradient');
+  });
+
+  it('touches the DOM only where what is shown changed', async () => {
+    const changes = (state: string | null) =>
+      page.evaluate((name) => {
+        const { hud } = window as unknown as HudWindow;
+        const watcher = new MutationObserver(() => undefined);
+        const what = { subtree: true, childList: true, characterData: true, attributes: true };
+        watcher.observe(document.querySelector('.hud-landing')!, what);
+        if (name === null) hud.again(100);
+        else hud.show(name);
+        return watcher.takeRecords().map((record) => record.target.nodeName);
+      }, state);
+    for (const state of ['flight', 'contact', 'tipped', 'landed', 'stale']) {
+      await show(state);
+      expect(await changes(null), state).toEqual([]);
+    }
+    // Only provenance differs: its text, the attribute that its style reads, and the announcement of what is confirmed.
+    await show('flight');
+    expect((await changes('confirmed')).sort()).toEqual(['#text', 'P', 'SPAN']);
+  });
+
+  it('names the keys that are bound now', async () => {
+    await show('tipped');
+    expect(await page.locator('.hud-righting kbd:visible').allTextContents()).toEqual(['W', 'T']);
+    await page.evaluate(() => (window as unknown as HudWindow).hud.rebind('pitchMinus', '7'));
+    await show('tipped');
+    expect(await page.locator('.hud-righting kbd:visible').allTextContents()).toEqual(['7', 'T']);
+    await page.evaluate(() => (window as unknown as HudWindow).hud.rebind('pitchMinus', ''));
+    await show('tipped');
+    expect(await page.locator('.hud-righting kbd:visible').allTextContents()).toEqual(['T']);
+    expect(await page.locator('.hud-hold').first().innerText()).toContain('pitch −');
+    await page.evaluate(() => (window as unknown as HudWindow).hud.rebind('pitchMinus', 'W'));
+  });
+
+  it('says that a ship cannot be righted here', async () => {
+    await show('stuck');
+    expect(await page.locator('.hud-verdict').innerText()).toContain('cannot be righted here');
+    expect(await page.locator('.hud-hold:visible').count()).toBe(0);
+    await show('tipped');
+    expect(await page.locator('.hud-verdict').isVisible()).toBe(false);
+  });
+
+  it('announces confirmed transitions once, and alarms for TIPPED and CRASHED alone', async () => {
+    await page.reload();
+    await page.waitForSelector('html[data-ready=true]');
+    const told = async () => [
+      await page.textContent('[role=status]'),
+      await page.textContent('[role=alert]'),
+    ];
+    expect(await page.locator('.hud-landing [role=status]').count()).toBe(1);
+    expect(await page.locator('.hud-landing [role=alert]').count()).toBe(1);
+    await show('confirmed');
+    expect(await told()).toEqual(['', '']);
+    await show('predicted');
+    expect(await told()).toEqual(['', '']);
+    await show('contact');
+    expect(await told()).toEqual(['Kestrel: contact', '']);
+    await show('landed');
+    expect(await told()).toEqual(['Kestrel: landed', '']);
+    await show('tipped');
+    expect(await told()).toEqual(['', 'Kestrel: tipped']);
+    await show('stale', 'off', 'noData');
+    expect(await told()).toEqual(['', 'Kestrel: tipped']);
+    await show('crashed');
+    expect(await told()).toEqual(['', 'Kestrel: crashed']);
+  });
+
+  it('gives its gauges as meters with a text value', async () => {
+    await show('contact');
+    const meters = await page.locator('.hud-landing [role=meter]').evaluateAll((all) =>
+      all.map((meter) => {
+        const text = (name: string) => meter.getAttribute(`aria-${name}`);
+        return `${text('label')!}: ${text('valuetext')!} (${text('valuenow')!} of ${text('valuemax')!})`;
+      }),
+    );
+    expect(meters[0]).toBe('Tilt: 8.0° of tilt (8 of 180)');
+    expect(meters[1]).toMatch(
+      /^Drift along the ground: \d\.0 m\/s along X, \d\.0 m\/s along Y \(\d of 10\)$/,
+    );
+  });
+
+  it('takes itself out of the host', async () => {
+    await page.evaluate(() => {
+      const { hud } = window as unknown as HudWindow;
+      hud.landing.dispose();
+      hud.fleet.dispose();
+    });
+    expect(await page.locator('.hud').count()).toBe(0);
+    expect(problemsOf(page)).toEqual([]);
+  });
+});
+
+describeInBrowser('the pulse', () => {
+  const animation = () =>
+    page.locator('.hud-status').evaluate((slot) => {
+      const { animationName, animationDuration, animationIterationCount } = getComputedStyle(slot);
+      return `${animationName} ${animationDuration} ${animationIterationCount}`;
+    });
+
+  it('is one of 300 ms when a ground state begins', async () => {
+    await open('no-preference');
+    await show('flight');
+    expect(await animation()).toMatch(/^none/);
+    await show('contact');
+    expect(await animation()).toBe('hud-pulse-a 0.3s 1');
+    await show('landed');
+    expect(await animation()).toBe('hud-pulse-b 0.3s 1');
+  });
+
+  it('is not there for those who prefer reduced motion', async () => {
+    await open('reduce');
+    await show('flight', 'contact');
+    expect(await animation()).toMatch(/^none/);
+  });
+});
+
+describeInBrowser('the fleet HUD', () => {
+  beforeEach(() => open());
+
+  it('counts in its header and puts TIPPED first, then CONTACT', async () => {
+    await showFleet(20);
+    expect(await page.locator('.hud-count:visible').allTextContents()).toEqual([
+      '2 tipped',
+      '2 contact',
+      '2 crashed',
+      '6 flight',
+      '8 landed',
+    ]);
+    await page.waitForSelector('.hud-row:nth-child(5)');
+    const words = await page.locator('.hud-row .hud-word').allTextContents();
+    expect(words.slice(0, 5)).toEqual(['TIPPED', 'TIPPED', 'CONTACT', 'CONTACT', 'CRASHED']);
+  });
+
+  it('scrolls through 1,000 ships with at most 30 row elements', async () => {
+    await showFleet(1000);
+    await page.waitForSelector('.hud-row:nth-child(12)');
+    const seen = new Set<string>();
+    const height = await page.locator('.hud-rows').evaluate((list) => list.getBoundingClientRect().height);
+    expect(height).toBe(28_000);
+    for (let top = 0; top <= height; top += 280) {
+      const rows = await page.locator('.hud-scroller').evaluate(async (scroller, to) => {
+        scroller.scrollTop = to;
+        await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+        const { top: from, bottom } = scroller.getBoundingClientRect();
+        return [...scroller.querySelectorAll('.hud-row')].map((row) => {
+          const box = row.getBoundingClientRect();
+          const name = row.querySelector('.hud-name')!.textContent;
+          return {
+            name,
+            place: row.getAttribute('aria-posinset'),
+            inSight: box.bottom > from && box.top < bottom,
+          };
+        });
+      }, top);
+      expect(rows.length).toBeLessThanOrEqual(30);
+      for (const { name, place, inSight } of rows) if (inSight) seen.add(`${place!} ${name}`);
+    }
+    // Every ship came into sight, each at one place.
+    expect(seen.size).toBe(1000);
+  });
+
+  it('scrolls by keyboard', async () => {
+    await showFleet(1000);
+    await page.waitForSelector('.hud-row:nth-child(12)');
+    await page.locator('.hud-scroller').focus();
+    await page.keyboard.press('End');
+    await expect.poll(() => page.locator('.hud-row').last().getAttribute('aria-posinset')).toBe('1000');
+  });
+
+  it('shows names as text, never as markup', async () => {
+    await showFleet(4);
+    await page.waitForSelector('.hud-row:nth-child(4)');
+    expect(await page.locator('.hud-name').allTextContents()).toContain('<b>Aurora</b> & sons');
+    expect(await page.locator('.hud-name b').count()).toBe(0);
+  });
+
+  it('shrinks with its fleet', async () => {
+    await showFleet(1000);
+    await page.waitForSelector('.hud-row:nth-child(12)');
+    await page.locator('.hud-scroller').evaluate((scroller) => (scroller.scrollTop = 20_000));
+    await showFleet(3);
+    await expect.poll(() => page.locator('.hud-row').count()).toBe(3);
+    expect(await page.locator('.hud-row').first().isVisible()).toBe(true);
+    await showFleet(0);
+    await expect.poll(() => page.locator('.hud-row').count()).toBe(0);
+    expect(problemsOf(page)).toEqual([]);
+  });
+});

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createAuthority } from '../../src/authority';
 import {
+  BODIES,
   BODY_STRIDE,
   readBodyMotion,
   readShip,
@@ -108,6 +109,22 @@ describe('the world loop', () => {
     expect(frameOf(authority).events[0]!.tick).toBe(1);
     runTo(authority, 3);
     expect(frameOf(authority).events).toHaveLength(0);
+  });
+
+  it('lets a flying ship fall to the body that pulls it most, from a tick’s start on', () => {
+    const bodies = BODIES.filter(({ name }) => name === 'Earth' || name === 'Moon');
+    const authority = moonWith('opening', { bodies });
+    const earth = bodies.find(({ name }) => name === 'Earth')!;
+    const moon = bodies.find(({ name }) => name === 'Moon')!;
+    // 10,000 km above Earth, told relative to the Moon.
+    const relativePosition = earth.position.map(
+      (value, k) => value - moon.position[k]! + (k === 0 ? 1.6e7 : 0),
+    );
+    const ship = { ...shipOf('opening'), relativePosition: relativePosition as [number, number, number] };
+    expect(authority.spawn({ shipId: 'far', playerId: 'bob', name: 'Far', ship })).toBeNull();
+    runTo(authority, 1);
+    expect(frameOf(authority).ships.map(({ referenceBody }) => referenceBody)).toEqual(['Moon', 'Earth']);
+    expect(Math.hypot(...frameOf(authority).ships[1]!.relativePosition!)).toBeCloseTo(1.6e7, -5);
   });
 
   it('knows no frame for one who has not joined, and joins nobody to a ship that is flown', () => {

@@ -49,6 +49,14 @@ describe('inputs', () => {
     expect(authority.counters).toMatchObject({ inputsApplied: 1, inputsLate: 1 });
   });
 
+  it('has the margin of the boundary as it really was, though the schedule has changed since', () => {
+    const authority = moonWith('opening');
+    for (const at of [1, 2.5, 7, 7.25]) authority.tick(at);
+    valueOf(send(authority, [input(1, 1, 99, {})], 7.3));
+    authority.tick(7.5);
+    expect(frameOf(authority).lastInput!.margin).toBeCloseTo(2.5 - 7.3, 12);
+  });
+
   it('of granularity tick act at tick starts alone', () => {
     const authority = moonWith('opening', { inputGranularity: 'tick' });
     valueOf(send(authority, [input(1, 0, 1, { thrustLevel: 1 })], 0.1));

@@ -75,6 +75,16 @@ describe('a step', () => {
     expect(moonWith('opening').armStep('tick')).toContain('not paused');
   });
 
+  it('pauses again after it, whatever was asked for before', () => {
+    const authority = moonWith('opening');
+    authority.setPaused(true);
+    authority.tick(1);
+    authority.setPaused(false);
+    expect(authority.armStep('tick')).toBeNull();
+    authority.tick(2);
+    expect(frameOf(authority)).toMatchObject({ tick: 2, paused: true });
+  });
+
   it('of a substep is an interval of one substep, told by the frame before it', () => {
     const authority = moonWith('opening');
     authority.setPaused(true);

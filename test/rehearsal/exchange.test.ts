@@ -57,6 +57,16 @@ describe('an exchange', () => {
     expect(margin).toBeCloseTo(101 - 100.202, 9);
   });
 
+  it('takes an input that arrives after the boundary for late, though both are due in one run', () => {
+    const exchange = moonExchange('opening', 'lan');
+    const client = listen(exchange);
+    client.say({ kind: 'inputs', inputs: [input(1, 0, 60, {})] }, 100.999);
+    client.runTo(102.5);
+    const { lastInput } = exchange.authority.frameFor('ann')!;
+    expect(lastInput).toMatchObject({ seq: 1, tick: 1, substep: 0 });
+    expect(lastInput!.margin).toBeCloseTo(-0.001, 9);
+  });
+
   it('says when something happens next, and nothing happens before', () => {
     const exchange = moonExchange('opening', 'broadband');
     const client = listen(exchange);

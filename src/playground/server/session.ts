@@ -1,5 +1,5 @@
 import { createAuthority } from '../../authority';
-import { type Checked, LANDING_SITE, refused, SHIP_CLASSES, TERRAINS, type Vec3 } from '../../dynamics';
+import { type Checked, refused, SHIP_CLASSES, TERRAINS, type Vec3 } from '../../dynamics';
 import {
   createExchange,
   type Delivery,
@@ -42,10 +42,6 @@ export interface SessionStatus {
   /** Ticks the host was too slow for. */
   readonly slipped: number;
 }
-
-const [SITE_X, SITE_Y, SITE_Z] = LANDING_SITE;
-const DEGREES = 180 / Math.PI;
-const LEVEL_SITE = { latitude: Math.asin(SITE_Y) * DEGREES, longitude: Math.atan2(SITE_X, SITE_Z) * DEGREES };
 
 export const OWN_PLAYER = 'pilot';
 export const OWN_SHIP = 'own';
@@ -115,8 +111,6 @@ function stageOperation(operation: LoadOperation): Checked<StagedScenario> {
   const { body, shipClass, terrain, tickRate, timeScale } = operation;
   return stage({
     ...scenario,
-    // Among hills a scenario made for level ground is played where they leave some.
-    site: terrain === 'hills' && scenario.terrain === 'flat' ? LEVEL_SITE : scenario.site,
     body: body === '' ? scenario.body : body,
     shipClass: shipClass === '' ? scenario.shipClass : shipClass,
     terrain: terrain === '' ? scenario.terrain : terrain,

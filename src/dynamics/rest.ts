@@ -21,28 +21,27 @@ import { readAxes, readTilt, readUp } from './surface';
  */
 export function restOnSide(step: Step): void {
   readTilt();
-  const cos = q[COS_TILT]!;
-  if (!(cos < 0)) return;
+  if (!(q[COS_TILT]! < 0)) return;
   readAxes(step);
   findAxis();
   stopFurtherTilt(step);
-  const { ships, at } = step;
-  const dt = q[DT]!;
-  if (-cos > dt) {
-    const half = -0.5 * dt;
-    const x = half * q[AXIS]!;
-    const y = half * q[AXIS + 1]!;
-    const z = half * q[AXIS + 2]!;
-    const perLength = 1 / Math.sqrt(x * x + y * y + z * z + 1);
-    q[ROTATION] = x * perLength;
-    q[ROTATION + 1] = y * perLength;
-    q[ROTATION + 2] = z * perLength;
-    q[ROTATION + 3] = perLength;
-  } else {
-    layFlat(cos);
-  }
-  rotateAttitude(ships, at);
+  if (-q[COS_TILT]! > q[DT]!) turnBack();
+  else layFlat();
+  rotateAttitude(step.ships, step.at);
   readUp(step);
+}
+
+/** ROTATION = normalize(−½ dt axis, 1): back at 1 rad/s. */
+function turnBack(): void {
+  const half = -0.5 * q[DT]!;
+  const x = half * q[AXIS]!;
+  const y = half * q[AXIS + 1]!;
+  const z = half * q[AXIS + 2]!;
+  const perLength = 1 / Math.sqrt(x * x + y * y + z * z + 1);
+  q[ROTATION] = x * perLength;
+  q[ROTATION + 1] = y * perLength;
+  q[ROTATION + 2] = z * perLength;
+  q[ROTATION + 3] = perLength;
 }
 
 /** AXIS = unit(n × up), the axis the ship tips about; any level one where it stands on its head. */
@@ -95,7 +94,8 @@ function stopFurtherTilt(step: Step): void {
 }
 
 /** ROTATION = the shortest rotation that takes up to unit(up − cos_tilt n). */
-function layFlat(cos: number): void {
+function layFlat(): void {
+  const cos = q[COS_TILT]!;
   q[FROM] = q[AXES + 2]!;
   q[FROM + 1] = q[AXES + 5]!;
   q[FROM + 2] = q[AXES + 8]!;

@@ -1,5 +1,6 @@
 /**
- * Bytes of heap that a million substeps leave behind, in every state and mode. Run as a bundle with --expose-gc (test/run.mjs): the
+ * Bytes of heap that a million substeps leave behind, in every state and mode. Run as a bundle with --expose-gc (test/run.mjs) and
+ * a young generation that holds them all: the
  * law as it is shipped; module by module a test runner's own wrappers would be measured too. Prints one number a case as JSON.
  */
 import { createTrial, type Setup, stepOnce } from './provingGround';
@@ -10,7 +11,13 @@ const CASES: Readonly<Record<string, Setup>> = {
   flying: { height: 1e9, controls: { attitudeMode: 'prograde', thrustLevel: 1e-4 } },
   sliding: { settings: SLIPPERY, velocity: [30, 0, 0], state: 'contact', spin: [0, 0, 1e-3] },
   landed: { state: 'landed' },
+  // Lies past 90° again after each substep, so that it is laid flat in each.
   tipped: { state: 'tipped', tilt: 90, controls: { attitudeHold: true } },
+  toppling: {
+    settings: { touchdownAttitude: 'kept', contactTippedAngleDeg: 89 },
+    state: 'contact',
+    tilt: 120,
+  },
 };
 
 declare const gc: () => void;

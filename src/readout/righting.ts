@@ -113,10 +113,12 @@ function chooseActions(out: Righting, inputs: Float64Array, surface: Surface, sh
   inputs[0] = useX ? (x < 0 ? -1 : 1) : 0;
   inputs[1] = useY ? (y < 0 ? -1 : 1) : 0;
   out.torqueAvailable = (useX ? torqueX : 0) + (useY ? torqueY : 0);
-  out.actions.length = 0;
-  if (useX && xFirst) out.actions.push(ROTATION_ACTIONS[0]![x < 0 ? 1 : 0]);
-  if (useY) out.actions.push(ROTATION_ACTIONS[1]![y < 0 ? 1 : 0]);
-  if (useX && !xFirst) out.actions.push(ROTATION_ACTIONS[0]![x < 0 ? 1 : 0]);
+  const pitch = ROTATION_ACTIONS[0]![x < 0 ? 1 : 0];
+  const yaw = ROTATION_ACTIONS[1]![y < 0 ? 1 : 0];
+  // Written in place: an emptied list gives its memory back, and this one is filled again in the next frame.
+  out.actions[0] = xFirst ? pitch : yaw;
+  if (useX && useY) out.actions[1] = xFirst ? yaw : pitch;
+  else if (out.actions.length > 1) out.actions.pop();
 }
 
 /** DYNAMICS, actuators: wheel + RCS, RCS only while there is fuel. */

@@ -1,5 +1,5 @@
 import { readdirSync, readFileSync, statSync } from 'node:fs';
-import { basename, dirname, join } from 'node:path';
+import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parityLine } from './parityLine';
 
@@ -16,13 +16,21 @@ function filesOf(path: string): string[] {
     .map((name) => join(path, name));
 }
 
+/** As seen from where the command runs, where that is shorter. */
+function shortest(path: string): string {
+  const seen = relative(process.cwd(), path);
+  return seen.length < path.length ? seen : path;
+}
+
 function check(path: string): boolean {
   try {
-    const { line, passed } = parityLine(basename(path), readFileSync(path, 'utf8'));
+    const { line, passed } = parityLine(shortest(path), readFileSync(path, 'utf8'));
     (passed ? console.log : console.error)(line);
     return passed;
   } catch (error) {
-    console.error(`${path}: cannot be read: ${error instanceof Error ? error.message : String(error)}`);
+    console.error(
+      `${shortest(path)}: cannot be read: ${error instanceof Error ? error.message : String(error)}`,
+    );
     return false;
   }
 }

@@ -34,7 +34,7 @@ function then<A, B>(checked: Checked<A>, next: (value: A) => Checked<B>): Checke
 function describe(name: string, comparison: Comparison): string {
   const { worst, outOfTolerance, disagreement, ticks, statesCompared } = comparison;
   const columns = [
-    name.padEnd(28),
+    name.padEnd(48),
     `position ${number(worst.relativePosition)} m`,
     `velocity ${number(worst.relativeVelocity)} m/s`,
     `attitude ${number(worst.attitude)}`,

@@ -1,5 +1,5 @@
 import type { WorldView } from '../prediction';
-import { appendDetails } from './elements';
+import { append, appendDetails } from './elements';
 import { createFigures } from './figures';
 import { createNetStrip } from './netStrip';
 import { createPlots } from './plots';
@@ -16,11 +16,12 @@ export interface Dock {
 
 export function createDock(host: Element, listeners: RecordingListeners): Dock {
   const strip = createNetStrip(host);
-  const figuresPart = appendDetails(host, 'Figures', false);
+  const parts = append(host, 'div', 'parts');
+  const figuresPart = appendDetails(parts, 'Figures', false);
   const paintFigures = createFigures(figuresPart);
-  const plotsPart = appendDetails(host, 'Plots', false);
+  const plotsPart = appendDetails(parts, 'Plots', false);
   const paintPlots = createPlots(plotsPart);
-  const recordingPart = appendDetails(host, 'Recording', false);
+  const recordingPart = appendDetails(parts, 'Recording', false);
   const recording = createRecordingPanel(recordingPart, listeners);
   const samples = createSamples();
   return {

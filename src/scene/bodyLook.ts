@@ -51,9 +51,9 @@ const MOON: BodyLook = {
   air: null,
   fill: [0.03, 0.031, 0.034],
   neighbour: {
-    azimuth: 205,
-    elevation: 24,
-    radius: 2.6,
+    azimuth: 283,
+    elevation: 9.5,
+    radius: 1.7,
     day: [0.1, 0.22, 0.55],
     spots: [0.8, 0.85, 0.9],
   },
@@ -70,8 +70,8 @@ const PHOBOS: BodyLook = {
   air: null,
   fill: [0.022, 0.019, 0.018],
   neighbour: {
-    azimuth: 190,
-    elevation: 22,
+    azimuth: 306,
+    elevation: 6,
     radius: 20,
     day: [0.55, 0.24, 0.11],
     spots: [0.3, 0.13, 0.075],
@@ -100,21 +100,21 @@ const MARS: BodyLook = {
 };
 
 const EARTH: BodyLook = {
-  dust: [0.3, 0.235, 0.15],
-  stone: [0.17, 0.17, 0.1],
+  dust: [0.185, 0.145, 0.075],
+  stone: [0.12, 0.11, 0.085],
   regolith: 0,
   sun: { elevation: 21, azimuth: 65 },
   sunColour: [1, 0.93, 0.8],
   sunStrength: 3.4,
   air: {
-    zenith: [0.09, 0.24, 0.56],
-    horizon: [0.56, 0.7, 0.84],
+    zenith: [0.05, 0.17, 0.47],
+    horizon: [0.42, 0.58, 0.76],
     glow: [1, 0.82, 0.55],
     clearness: 26_000,
     scaleHeight: 8500,
     drag: 1.6,
   },
-  fill: [0.17, 0.22, 0.3],
+  fill: [0.075, 0.1, 0.14],
   neighbour: null,
   stoniness: 0.5,
 };

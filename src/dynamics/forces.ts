@@ -28,11 +28,6 @@ import {
 /** k / m, s⁻²: the contact spring (DYNAMICS, Normal force). */
 export const STIFFNESS = 100;
 
-/** Static penetration under `load` newtons of net weight on mass `mass`, m. */
-export function staticDepth(load: number, mass: number): number {
-  return load > 0 ? load / (STIFFNESS * mass) : 0;
-}
-
 /** Whether vertical speed, √(v_radial² + 100 (penetration − DEPTH)²), the spring's stored energy counted in, and slide are small. */
 export function isNearlyAtRest(surface: number, step: Step): boolean {
   const limit = step.world.settings.contactSettleLinearVel;
@@ -49,7 +44,7 @@ export function isPinned(step: Step): boolean {
   const state = ships[at + SURFACE_STATE]!;
   if (state === FLYING) return false;
   const load = q[WEIGHT]! - q[LIFT]!;
-  q[DEPTH] = staticDepth(load, q[MASS]!);
+  q[DEPTH] = load > 0 ? load / (STIFFNESS * q[MASS]!) : 0;
   if (state !== TIPPED || !(q[START + PENETRATION]! > 0) || !isNearlyAtRest(START, step)) return false;
   const lift = q[LIFT]!;
   const px = q[THRUST]! - lift * q[START + NORMAL]!;

@@ -1,4 +1,4 @@
-import { isNearlyAtRest, staticDepth } from './forces';
+import { isNearlyAtRest, STIFFNESS } from './forces';
 import {
   ANGULAR_VELOCITY,
   BODY_ANGULAR_VELOCITY,
@@ -139,7 +139,8 @@ function isSettled(step: Step): boolean {
   const wz = ships[at + ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
   if (!(wx * wx + wy * wy + wz * wz < contactSettleAngularVel * contactSettleAngularVel)) return false;
   const mass = shipClass.dryMass + ships[at + FUEL]!;
-  q[DEPTH] = staticDepth(mass * q[END + GRAVITY]! - q[LIFT]!, mass);
+  const load = mass * q[END + GRAVITY]! - q[LIFT]!;
+  q[DEPTH] = load > 0 ? load / (STIFFNESS * mass) : 0;
   return isNearlyAtRest(END, step);
 }
 

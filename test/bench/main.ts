@@ -1,3 +1,4 @@
+import { cBaseline } from './cBaseline';
 import { joltBody } from './jolt';
 import { type Figure, heapGrowth, timed } from './measure';
 import { flying, landed, sliding, type Subject, tipped } from './subjects';
@@ -51,6 +52,8 @@ function print(figure: Figure): void {
 
 if (!asJson) console.log(`${''.padEnd(18)} ${'median'.padStart(14)}        (min … max)`);
 print(perSubstep('contact-substep', sliding()));
+const scalarC = cBaseline(sliding());
+if (scalarC) print(scalarC);
 print(perSubstep('flying-substep', flying()));
 print(perSubstep('tipped-substep', tipped()));
 print(perSubstep('landed-substep', landed()));

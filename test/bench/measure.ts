@@ -45,7 +45,8 @@ export function heapGrowth(name: string, times: number, run: (times: number) => 
   return figure(name, 'bytes', rounds);
 }
 
-function figure(name: string, unit: string, rounds: number[]): Figure {
+/** The figure of a name from its rounds. */
+export function figure(name: string, unit: string, rounds: readonly number[]): Figure {
   const sorted = [...rounds].sort((a, b) => a - b);
   const at = (share: number) => round(sorted[Math.floor(share * (sorted.length - 1))]!);
   return { name, unit, median: at(0.5), min: at(0), max: at(1) };

@@ -26,7 +26,9 @@ import {
 
 /** A world and a ship in some state, which `step` carries on and `restart` puts back. */
 export interface Subject {
+  readonly world: World;
   readonly ships: Float64Array;
+  readonly bodies: Float64Array;
   readonly state: number;
   step(times: number): void;
 }
@@ -84,7 +86,9 @@ function subject(state: number, start: Start, count = 1): Subject {
   const firstBodies = bodies.slice();
   let left = RUN;
   return {
+    world,
     ships,
+    bodies,
     state,
     step(times) {
       for (let i = 0; i < times; i++) {

@@ -37,7 +37,7 @@ export const AFTER_TICK = -1;
 /** `row` is reused: copy what is to be kept. */
 export type TakeRow = (row: Float64Array, tick: number, substep: number) => void;
 
-interface Playing {
+export interface Playing {
   readonly world: World;
   readonly ship: Float64Array;
   readonly bodies: Float64Array;
@@ -47,7 +47,7 @@ interface Playing {
 
 /** Plays a case from its start; the number of substeps, or the reason why the law refuses the case. */
 export function playCase(exact: ExactCase, take: TakeRow, terrainOf = caseTerrain): Checked<number> {
-  const loaded = load(exact, terrainOf(exact.terrain));
+  const loaded = loadCase(exact, terrainOf(exact.terrain));
   if (!loaded.ok) return loaded;
   const { world, ship, bodies, inputs, timing } = loaded.value;
   const row = new Float64Array(SHIP_ROW);
@@ -85,7 +85,8 @@ function isDue(input: CaseInput | undefined, tick: number, substep: number): boo
   return input !== undefined && (input.tick < tick || (input.tick === tick && input.substep <= substep));
 }
 
-function writeBodyRow(row: Float64Array, bodies: Float64Array, at: number): void {
+/** The row of the body at `at`. */
+export function writeBodyRow(row: Float64Array, bodies: Float64Array, at: number): void {
   for (let k = 0; k < 3; k++) {
     row[k] = bodies[at + BODY_POSITION + k]!;
     row[3 + k] = bodies[at + BODY_VELOCITY + k]!;
@@ -93,7 +94,8 @@ function writeBodyRow(row: Float64Array, bodies: Float64Array, at: number): void
   for (let k = 0; k < 4; k++) row[6 + k] = bodies[at + BODY_ATTITUDE + k]!;
 }
 
-function load(exact: ExactCase, terrainHeight: TerrainHeight): Checked<Playing> {
+/** A case looked up, checked and in rows; the reason why the law refuses it. */
+export function loadCase(exact: ExactCase, terrainHeight: TerrainHeight): Checked<Playing> {
   const settings = loadSettings(exact.settings);
   if (!settings.ok) return settings;
   const shipClass = loadShipClass(exact.shipClass);

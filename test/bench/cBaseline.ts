@@ -1,0 +1,60 @@
+/** The whole law in scalar C, where a compiler is installed: what the law's speed is compared with. */
+import { spawnSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { timingOfTick } from '../../src/dynamics';
+import { figure, type Figure } from './measure';
+import type { Subject } from './subjects';
+import { type Landing, runTwin } from './twin/landing';
+
+const SOURCES = fileURLToPath(new URL('./twin/', import.meta.url));
+const CACHE = fileURLToPath(new URL('../../node_modules/.cache/touchdown/', import.meta.url));
+/** No fused multiply-add: the bits are part of the law. */
+const FLAGS = [
+  '-std=c11',
+  '-D_POSIX_C_SOURCE=199309L',
+  '-O3',
+  '-ffp-contract=off',
+  '-Wall',
+  '-Wextra',
+  '-Werror',
+];
+
+const COMPILERS = [process.env['CC'] ?? 'cc', 'cc', 'gcc', 'clang'];
+
+const ROUNDS = 15;
+const TIMES = 100_000;
+
+/** ns a substep of `subject`'s first ship in C, as `contact-substep` measures it in TypeScript; null without a compiler. */
+export function cBaseline(subject: Subject): Figure | null {
+  const twin = compileTwin();
+  if (twin === null) return null;
+  const rounds = runTwin(twin, ['time', String(ROUNDS), String(TIMES)], [landingOf(subject)]);
+  return figure('contact-substep-c', 'ns', rounds.map(Number));
+}
+
+/** A subject as a landing of `ticks` ticks of one substep, 10 ms each, as the subjects are stepped. */
+export function landingOf({ world, ships, bodies }: Subject, ticks = 1): Landing {
+  const timing = timingOfTick(0.01);
+  return { ticks, timing, world, terrain: { name: 'flat' }, ships, bodies, inputs: [] };
+}
+
+/** The path of the compiled twin, compiled anew when its source changed; null without a compiler. @throws when it does not compile. */
+export function compileTwin(compilers: readonly string[] = COMPILERS): string | null {
+  const compiler = compilers.find((name) => spawnSync(name, ['--version']).status === 0);
+  if (compiler === undefined) return null;
+  const files = readdirSync(SOURCES).filter((name) => /\.[ch]$/.test(name));
+  const hash = createHash('sha256').update(`${compiler} ${FLAGS.join(' ')}`);
+  for (const name of files) hash.update(readFileSync(join(SOURCES, name)));
+  const path = join(CACHE, `twin-${hash.digest('hex').slice(0, 12)}`);
+  if (existsSync(path)) return path;
+  mkdirSync(CACHE, { recursive: true });
+  const made = `${path}-${String(process.pid)}`;
+  const units = files.filter((name) => name.endsWith('.c')).map((name) => join(SOURCES, name));
+  const run = spawnSync(compiler, [...FLAGS, '-o', made, ...units, '-lm'], { encoding: 'utf8' });
+  if (run.status !== 0) throw new Error(`${compiler}: ${run.stderr}`);
+  renameSync(made, path);
+  return path;
+}

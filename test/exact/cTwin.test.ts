@@ -1,0 +1,89 @@
+import { describe, expect, it } from 'vitest';
+import { beginTick, endTick, hashRows, SHIP_STRIDE, stepWorld, timingOfTick } from '../../src/dynamics';
+import { compileTwin, landingOf } from '../bench/cBaseline';
+import { flying, landed, sliding, type Subject, tipped } from '../bench/subjects';
+import { type Landing, runTwin } from '../bench/twin/landing';
+import { drawCase } from './drawCase';
+import type { ExactCase } from './exactCase';
+import { BODY_ROW, caseTerrain, loadCase, playCase, SHIP_ROW, writeBodyRow } from './playCase';
+
+// The bench compares the law with its twin in C: that says something only if both compute the same.
+const twin = compileTwin();
+if (twin === null) console.warn('no C compiler: the law is not compared with its twin in C');
+
+function toLanding(exact: ExactCase): Landing {
+  const loaded = loadCase(exact, caseTerrain(exact.terrain));
+  if (!loaded.ok) throw new Error(loaded.reason);
+  const { ship, ...rest } = loaded.value;
+  return { ...rest, ships: ship, ticks: exact.ticks, terrain: exact.terrain };
+}
+
+/** What main.c prints: the substeps, and the hash of all rows. */
+function here(exact: ExactCase): string {
+  let hash: number | undefined;
+  const played = playCase(exact, (row) => {
+    hash = hashRows(row, hash);
+  });
+  if (!played.ok) throw new Error(played.reason);
+  return lineOf(played.value, hash ?? 0);
+}
+
+function lineOf(substeps: number, hash: number): string {
+  return `${substeps} ${hash.toString(16).padStart(8, '0')}`;
+}
+
+describe('the twin in C', () => {
+  it('is left out where nothing can compile it', () => {
+    expect(compileTwin(['no-such-compiler'])).toBeNull();
+  });
+
+  if (twin !== null) agreesInEveryBit(twin);
+});
+
+function agreesInEveryBit(program: string): void {
+  it('agrees in every bit over 200,000 substeps of drawn cases', () => {
+    const cases = Array.from({ length: 400 }, (_, i) => drawCase(i + 1)).filter(
+      ({ terrain }) => !('name' in terrain && terrain.name === 'hills'),
+    );
+    const lines = runTwin(program, ['replay'], cases.map(toLanding));
+    const ours = cases.map(here);
+    expect(ours.filter((line, i) => line !== lines[i])).toEqual([]);
+    expect(lines).toHaveLength(cases.length);
+    const substeps = lines.reduce((sum, line) => sum + Number(line.split(' ')[0]), 0);
+    expect(substeps).toBeGreaterThan(200_000);
+  });
+
+  it.each([
+    ['sliding', sliding],
+    ['flying', flying],
+    ['tipped', tipped],
+    ['landed', landed],
+  ] satisfies [string, () => Subject][])(
+    'agrees in every bit over what the bench times: %s',
+    (_, subjectOf) => {
+      const ticks = 50;
+      const subject = subjectOf();
+      const [line] = runTwin(program, ['replay'], [landingOf(subject, ticks)]);
+      expect(line).toBe(lineOf(ticks, playSubject(subject, ticks)));
+    },
+  );
+}
+
+/** Steps a subject as a case of one-substep ticks is stepped, and hashes the same rows. */
+function playSubject({ world, ships, bodies }: Subject, ticks: number): number {
+  const row = new Float64Array(SHIP_ROW);
+  const bodyRow = new Float64Array(BODY_ROW);
+  const events = new Uint8Array(1);
+  const timing = timingOfTick(0.01);
+  let hash: number | undefined;
+  for (let tick = 0; tick < ticks; tick++) {
+    beginTick(ships, bodies, world);
+    stepWorld(ships, bodies, events, world, timing.dt);
+    row.set(ships);
+    row[SHIP_STRIDE] = events[0]!;
+    endTick(bodies, world, timing);
+    writeBodyRow(bodyRow, bodies, 0);
+    hash = hashRows(bodyRow, hashRows(row, hash));
+  }
+  return hash ?? 0;
+}

@@ -42,9 +42,7 @@ describe('a body', () => {
           `${field}[2]: expected a finite number`,
         );
       }
-      expect(writeBodyMotion(rows, 0, { ...MOON, [field]: [1, 2] })).toContain(
-        `${field}: `,
-      );
+      expect(writeBodyMotion(rows, 0, { ...MOON, [field]: [1, 2] })).toContain(`${field}: `);
       expect(Array.from(rows)).toEqual(before);
     },
   );

@@ -68,10 +68,13 @@ export function isExact(state: ShipState): boolean {
 }
 
 function writePlace(row: Float64Array, state: ShipState, bodies: Float64Array, body: number): void {
+  const { relativePosition, relativeVelocity, position, velocity } = state;
   const at = body * BODY_STRIDE;
   for (let k = 0; k < 3; k++) {
-    row[POSITION + k] = state.relativePosition?.[k] ?? state.position[k]! - bodies[at + BODY_POSITION + k]!;
-    row[VELOCITY + k] = state.relativeVelocity?.[k] ?? state.velocity[k]! - bodies[at + BODY_VELOCITY + k]!;
+    if (relativePosition !== null) row[POSITION + k] = relativePosition[k]!;
+    else row[POSITION + k] = position[k]! - bodies[at + BODY_POSITION + k]!;
+    if (relativeVelocity !== null) row[VELOCITY + k] = relativeVelocity[k]!;
+    else row[VELOCITY + k] = velocity[k]! - bodies[at + BODY_VELOCITY + k]!;
   }
 }
 

@@ -16,7 +16,7 @@ import {
   THRUST_LEVEL,
   VELOCITY,
 } from '../dynamics';
-import { lengthOf, quaternion, rotateBack, seenFrom, take, vector } from './rotation';
+import { quaternion, rotateBack, seenFrom, take, vector } from './rotation';
 
 /** A row among rows, and the bodies its tick had. */
 export interface Place {
@@ -25,13 +25,11 @@ export interface Place {
   bodies: Float64Array;
 }
 
-/** How far two states of one tick may be apart and still be called equal. */
-export interface Tolerance {
-  /** m */
-  position: number;
-  /** m/s */
-  velocity: number;
-}
+/** How far two states of one tick may be apart and still be called equal: position m, velocity m/s, spin rad/s. */
+export type Tolerance = Float64Array;
+const PLACE = 0;
+const SPEED = 1;
+const SPIN = 2;
 
 /** First field in which two states differ, in the order they are looked at; none where they are equal. */
 export const FIELDS = [
@@ -50,15 +48,13 @@ export type Field = (typeof FIELDS)[number];
 
 /** Component of a quaternion: half the angle, rad. */
 const ATTITUDE_TOLERANCE = 1e-7;
-/** rad/s */
-const SPIN_TOLERANCE = 1e-6;
 /** kg: the law's own fixtures are held to it. */
 const FUEL_TOLERANCE = 1e-6;
 /** Single precision on the wire is no other command. */
 const COMMAND_TOLERANCE = 1e-6;
 
 /** The tolerance of a server that tells the relative state. */
-export const EXACT: Tolerance = { position: 1e-6, velocity: 1e-6 };
+export const EXACT: Tolerance = Float64Array.of(1e-6, 1e-6, 1e-6);
 
 /** The tolerance of a server that tells ICRF alone: 8 ulp of the largest coordinate, and 10 s⁻¹ times that. */
 export function writeInexact(out: Tolerance, server: Place): void {
@@ -68,8 +64,9 @@ export function writeInexact(out: Tolerance, server: Place): void {
     const x = Math.abs(server.bodies[body + k]! + server.rows[server.at + POSITION + k]!);
     if (x > largest) largest = x;
   }
-  out.position = Math.max(EXACT.position, 8 * ulpOf(largest));
-  out.velocity = 10 * out.position;
+  out[PLACE] = Math.max(EXACT[PLACE]!, 8 * ulpOf(largest));
+  out[SPEED] = 10 * out[PLACE];
+  out[SPIN] = EXACT[SPIN]!;
 }
 
 /**
@@ -87,10 +84,10 @@ export function firstDifference(server: Place, predicted: Place, tolerance: Tole
   if (s[i + SURFACE_STATE] !== p[j + SURFACE_STATE]) return 'surfaceContactState';
   seeFromBody(ours, server);
   seeFromBody(theirs, predicted);
-  if (!(apart(ours.place, theirs.place) <= tolerance.position)) return 'position';
-  if (!(apart(ours.velocity, theirs.velocity) <= tolerance.velocity)) return 'velocity';
-  if (!(attitudeApart(ours.attitude, theirs.attitude) <= ATTITUDE_TOLERANCE)) return 'attitude';
-  if (!(apart(ours.spin, theirs.spin) <= SPIN_TOLERANCE)) return 'angularVelocity';
+  if (!near(ours.place, theirs.place, tolerance, PLACE)) return 'position';
+  if (!near(ours.velocity, theirs.velocity, tolerance, SPEED)) return 'velocity';
+  if (!sameAttitude(ours.attitude, theirs.attitude)) return 'attitude';
+  if (!near(ours.spin, theirs.spin, tolerance, SPIN)) return 'angularVelocity';
   if (!(Math.abs(s[i + FUEL]! - p[j + FUEL]!) <= FUEL_TOLERANCE)) return 'fuel';
   return 'none';
 }
@@ -136,22 +133,22 @@ function seeFromBody(out: Seen, { rows, at, bodies }: Place): void {
   rotateBack(out.spin, body, out.spin);
 }
 
-function apart(a: Float64Array, b: Float64Array): number {
-  for (let k = 0; k < 3; k++) difference[k] = a[k]! - b[k]!;
-  return lengthOf(difference);
+function near(a: Float64Array, b: Float64Array, tolerance: Tolerance, which: number): boolean {
+  const x = a[0]! - b[0]!;
+  const y = a[1]! - b[1]!;
+  const z = a[2]! - b[2]!;
+  return x * x + y * y + z * z <= tolerance[which]! * tolerance[which]!;
 }
 
-const difference = vector();
-
-/** The largest component of q − p or q + p, whichever is the less: a sign says nothing. */
-function attitudeApart(q: Float64Array, p: Float64Array): number {
-  let minus = 0;
-  let plus = 0;
+/** Component by component, to q or to −q: a sign says nothing. */
+function sameAttitude(q: Float64Array, p: Float64Array): boolean {
+  let same = true;
+  let opposite = true;
   for (let k = 0; k < 4; k++) {
-    minus = Math.max(minus, Math.abs(q[k]! - p[k]!));
-    plus = Math.max(plus, Math.abs(q[k]! + p[k]!));
+    if (!(Math.abs(q[k]! - p[k]!) <= ATTITUDE_TOLERANCE)) same = false;
+    if (!(Math.abs(q[k]! + p[k]!) <= ATTITUDE_TOLERANCE)) opposite = false;
   }
-  return Math.min(minus, plus);
+  return same || opposite;
 }
 
 function valuesOf(field: Field, server: Place, predicted: Place): [string, string] {

@@ -196,6 +196,7 @@ const word: Word = {
 function takeShip(sim: Simulation, intake: Intake, frame: ServerFrame, state: ShipState): void {
   const track = sim.fleet.byId.get(state.shipId) ?? addTrack(sim.fleet, state.shipId, sim.ringLength);
   track.own = state.shipId === intake.ownShipId;
+  if (track.own) sim.fleet.own = track;
   word.inputs = track.own ? answered(sim, intake, frame, state) : 'asPredicted';
   const reason = reconcile(sim, track, state, word);
   if (reason === null) return;

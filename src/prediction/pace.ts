@@ -102,8 +102,8 @@ function bringBack(sim: Simulation, room: number): void {
 
 /** The own ship first, then by distance from it; ships of another body last. */
 function byDistance(sim: Simulation, tracks: Track[]): void {
-  const own = sim.fleet.tracks.find((track) => track.own);
-  const distances = new Map(tracks.map((track) => [track, own === undefined ? 0 : distance(own, track)]));
+  const { own } = sim.fleet;
+  const distances = new Map(tracks.map((track) => [track, own === null ? 0 : distance(own, track)]));
   tracks.sort((a, b) => distances.get(a)! - distances.get(b)!);
 }
 

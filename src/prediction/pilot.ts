@@ -38,8 +38,8 @@ export function createPilot(): Pilot {
  * for a server of whole ticks from the next tick on. Controls that are not finite are ignored.
  */
 export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, sampling: Sampling): void {
-  const track = sim.fleet.tracks.find((candidate) => candidate.own);
-  if (track === undefined) return;
+  const track = sim.fleet.own;
+  if (track === null) return;
   const { front, inputs, fleet } = sim;
   const newest = inputs.records.at(-1);
   const pending = newest !== undefined && !isBefore(newest.tick, newest.substep, front.tick, front.substep);

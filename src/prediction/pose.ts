@@ -43,14 +43,20 @@ export function writePredicted(out: Pose, sim: Simulation, track: Track): void {
     const from = previous[at + POSITION + k]!;
     out.position[k] = from + (front[at + POSITION + k]! - from) * alpha;
   }
-  take(after, front, at + ATTITUDE);
+  writeAttitude(out.attitude, sim, track);
+}
+
+/** Writes the predicted attitude at the present of a ship whose rows stand at the front. */
+export function writeAttitude(out: Float64Array, sim: Simulation, track: Track): void {
+  const { previous, front } = sim.fleet;
+  take(after, front, track.at + ATTITUDE);
   if (track.uprighted) {
     // The law turned it in an instant, at the substep's end; the offset makes of this the attitude before.
-    out.attitude.set(after);
+    for (let k = 0; k < 4; k++) out[k] = after[k]!;
     return;
   }
-  take(before, previous, at + ATTITUDE);
-  blend(out.attitude, before, after, alpha);
+  take(before, previous, track.at + ATTITUDE);
+  blend(out, before, after, sim.alpha);
 }
 
 const before = quaternion();

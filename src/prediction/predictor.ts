@@ -25,7 +25,7 @@ import { createSimulation, type Simulation, stepFront } from './simulation';
 import { indexOf, type Moment, type Position, spanOf, wallOfTick, writeLater, writeMoment } from './timeline';
 import { loadWorld, sameWorld, type WorldTold } from './told';
 import type { EventNotice, WorldView } from './view';
-import { createShown, fillView } from './worldView';
+import { createShown, fillView, placePresent } from './worldView';
 
 /** What a predictor is made with; everything may be left out. */
 export interface PredictorOptions {
@@ -168,7 +168,13 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
     if (controls !== null) sampleControls(sim, pilot, controls, { now, steer: clock.steer, granularity });
     if (due > 0) stepFront(sim, target, checkBoundary);
     if (replayed < pace.budget) runReplays(sim, pace.budget - replayed);
+    place(clock.present);
     announce();
+  }
+
+  function place(present: number): void {
+    writeMoment(moment, sim.timeline, present);
+    placePresent(sim, moment);
   }
 
   function checkBoundary(tick: number): void {
@@ -197,8 +203,8 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
     view(now) {
       if (Number.isNaN(advancedAt) || sim.newestTick < 0 || sim.frontIsStale) return shown.view;
       const present = clock.present + Math.max(0, now - clock.updatedAt) * clock.rate;
-      writeMoment(moment, sim.timeline, present);
-      fillView(shown, sim, { now, present, moment });
+      place(present);
+      fillView(shown, sim, now, present);
       fillGauges(now);
       return shown.view;
     },

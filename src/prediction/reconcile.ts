@@ -184,7 +184,7 @@ function holdControls(sim: Simulation, track: Track): void {
 const later = { tick: 0, substep: 0 };
 const told = new Float64Array(SHIP_STRIDE);
 const server: Place = { rows: told, at: 0, bodies: told };
-const inexact: Tolerance = { position: 0, velocity: 0 };
+const inexact: Tolerance = new Float64Array(3);
 const locked = new Float64Array(SHIP_STRIDE);
 const posed: Place = { rows: locked, at: 0, bodies: locked };
 const kept: Place = { rows: told, at: 0, bodies: told };

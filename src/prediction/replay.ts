@@ -76,13 +76,13 @@ function replay(sim: Simulation, track: Track, budget: number): number {
     at.tick = track.replayTick;
     at.substep = track.replaySubstep;
     cursor = prepare(sim, track, cursor);
-    const { dt, substeps } = spanOf(timeline, at.tick).timing;
+    const { step, timing } = spanOf(timeline, at.tick);
     const bodies = rowsAt(sim.bodies, timeline, at.tick, at.substep);
-    const event = substep(fleet.replayed, track.at, bodies, sim.world, dt);
+    const event = substep(fleet.replayed, track.at, bodies, sim.world, step[0]);
     if (event !== NO_EVENT) happened(sim, track, event, at, track.replayPass);
     uprights = event === EVENT_CONTACT && sim.world.settings.touchdownAttitude === 'aligned';
     track.replaySubstep += 1;
-    if (track.replaySubstep < substeps) continue;
+    if (track.replaySubstep < timing.substeps) continue;
     track.replayTick += 1;
     track.replaySubstep = 0;
     keep(track.history, track.replayTick, fleet.replayed, track.at);

@@ -90,41 +90,44 @@ export function stepFront(sim: Simulation, target: Position, boundary: (tick: nu
 }
 
 function stepOnce(sim: Simulation, cursor: number): number {
-  const { fleet, front, timeline, world } = sim;
-  const { dt } = spanOf(timeline, front.tick).timing;
-  const bodies = rowsAt(sim.bodies, timeline, front.tick, front.substep);
-  const { tracks } = fleet;
-  let next = cursor;
-  fleet.previous.set(fleet.front);
-  for (const track of tracks) {
-    if (track.own) next = applyOwn(sim, track, cursor);
+  const { front, timeline } = sim;
+  const next = applyOwn(sim, cursor);
+  const [dt] = spanOf(timeline, front.tick).step;
+  stepShips(sim, rowsAt(sim.bodies, timeline, front.tick, front.substep), dt);
+  return next;
+}
+
+/** One substep of every ship in step. */
+function stepShips(sim: Simulation, bodies: Float64Array, dt: number): void {
+  const { fleet, front, world, counters } = sim;
+  const { tracks, front: rows } = fleet;
+  let stepped = 0;
+  for (let i = 0; i < tracks.length; i++) {
+    const track = tracks[i]!;
     if (track.mode !== 'stepping') continue;
     track.uprighted = false;
-    const rows = fleet.front;
     if (front.substep === 0) beginTick(sim, rows, track.at, front.tick);
     if (isReleased(track, front.tick, front.substep)) release(rows, track.at);
-    sim.counters.steppedSubsteps += 1;
+    stepped += 1;
     const event = substep(rows, track.at, bodies, world, dt);
     if (event !== NO_EVENT) {
       happened(sim, track, event, front, track.pass);
       if (event === EVENT_CONTACT) easeUprighting(sim, track, bodies, dt);
     }
   }
-  return next;
+  counters.steppedSubsteps += stepped;
 }
 
-/** Own controls that act from the front on; what a landed ship's lock cannot hold wakes it. */
-function applyOwn(sim: Simulation, track: Track, cursor: number): number {
+/** Own controls that act from the front on; what a landed ship's lock cannot hold wakes it. Returns the cursor behind them. */
+function applyOwn(sim: Simulation, cursor: number): number {
   const { fleet, front, inputs } = sim;
-  if (track.mode === 'locked') {
+  const track = fleet.own;
+  if (track?.mode === 'locked') {
     copyRow(probe, 0, fleet.front, track.at);
-    if (applyDue(inputs, cursor, front, probe, 0) > cursor && wakesOn(probe, 0)) {
-      wake(sim, track);
-      // The substep that begins now begins here.
-      copyRow(fleet.previous, track.at, fleet.front, track.at);
-    }
+    if (applyDue(inputs, cursor, front, probe, 0) > cursor && wakesOn(probe, 0)) wake(sim, track);
   }
-  return applyDue(inputs, cursor, front, fleet.front, track.at);
+  fleet.previous.set(fleet.front);
+  return track === null ? cursor : applyDue(inputs, cursor, front, fleet.front, track.at);
 }
 
 const probe = new Float64Array(SHIP_STRIDE);

@@ -58,7 +58,8 @@ export function standOnGround(
   out.feetHeight = pressLegs(out, pose, hull, { ground, upright });
   out.lift = 0;
   let clearance = lowestPoint(out, pose, hull, ground);
-  const target = pose.grounded || clearance < 0 ? 0 : flyingClearance(clearance, distance, hull, ground);
+  const height = distance - ground(up[0]!, up[1]!, up[2]!) + hull.feet[2]!;
+  const target = pose.grounded || clearance < 0 ? 0 : flyingTarget(clearance, height);
   for (let round = 0; round < ROUNDS && Math.abs(target - clearance) > TOUCHING; round++) {
     const lift = target - clearance;
     out.lift += lift;
@@ -106,10 +107,10 @@ function lowestPoint(out: StandingPose, pose: GroundPose, hull: Hull, ground: Gr
 /**
  * The clearance, m, at which a flying ship is drawn: its own, but for a lying one that has just let go, whose lowest point is
  * higher than an upright ship's would be; it comes up from the ground over the first metre instead of popping up.
+ * @param height of the centre of mass above where the law touches, m
  */
-function flyingClearance(clearance: number, distance: number, hull: Hull, ground: GroundRadius): number {
-  const height = distance - ground(up[0]!, up[1]!, up[2]!) + hull.feet[2]!;
-  const hovering = clearance - Math.max(0, height);
+export function flyingTarget(clearance: number, height: number): number {
+  const hovering = clearance - (height > 0 ? height : 0);
   if (hovering <= 0 || height >= RELEASE_HEIGHT) return clearance;
   return clearance - hovering * (height <= 0 ? 1 : 1 - height / RELEASE_HEIGHT);
 }

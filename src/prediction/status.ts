@@ -11,8 +11,6 @@ import {
   THRUST_LEVEL,
 } from '../dynamics';
 import { take } from './rotation';
-import type { Simulation } from './simulation';
-import { wallOfTick } from './timeline';
 import type { Track } from './track';
 import type { Provenance, ShipView } from './view';
 
@@ -24,9 +22,16 @@ export interface Instant {
   present: number;
   /** Client wall s since the last view. */
   elapsed: number;
-  /** Hz */
-  tickRate: number;
+  /** Silence, s, after which a ship's state is stale. */
+  staleAfter: number;
   paused: boolean;
+  /** Server wall s at a tick boundary. */
+  wallOf: (tick: number) => number;
+}
+
+/** Silence after which a ship's state is stale, s, at a server of `tickRate` Hz. */
+export function staleAfter(tickRate: number): number {
+  return Math.max(STALE_TICKS / tickRate, STALE_AFTER);
 }
 
 /** Least time for which CONTACT is shown once it is, s. */
@@ -38,59 +43,60 @@ const STALE_AFTER = 0.3;
 /** Ticks without a state after which a ship's state is stale. */
 const STALE_TICKS = 2;
 
-/** What is shown of a ship's states, and how far it can be trusted (PREDICTION, States and events as predicted things). */
-export function fillStatus(
-  out: ShipView,
-  sim: Simulation,
-  track: Track,
-  shown: { readonly row: Float64Array; readonly at: Instant },
-): void {
+/**
+ * What is shown of a ship's states, and how far it can be trusted (PREDICTION, States and events as predicted things).
+ * @param rows where the states that hold at the present stand, at `from`
+ */
+export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from: number, at: Instant): void {
   const { status } = track;
-  const { row, at } = shown;
-  const state = row[SURFACE_STATE]!;
+  const state = rows[from + SURFACE_STATE]!;
   if (status.state !== state) {
     if (state === CONTACT) status.contactUntil = at.now + CONTACT_DWELL;
     status.state = state;
     status.since = at.present;
   }
-  fillControls(out, status.commands, row);
+  const crashes = rows[from + CRASHED] === 1;
+  out.shownState = shownState(track, state, crashes, at);
+  out.provenance = provenanceOf(track, state, crashes, at);
+  const age = at.present - (out.provenance === 'predicted' ? status.since : at.wallOf(track.serverTick));
+  out.age = age > 0 ? age : 0;
+  out.withdrawn = at.now < status.withdrawnUntil ? WITHDRAWN[status.withdrawn]! : '';
+}
+
+/** What the server last said of the ship, for its ghost; at a frame's pace, not at the display's. */
+export function fillServerState(out: ShipView, track: Track): void {
+  if (track.status.serverTick === track.serverTick) return;
+  track.status.serverTick = track.serverTick;
   out.serverKnown = track.serverTick >= 0;
   take(out.serverPosition, track.serverRow, POSITION);
   take(out.serverAttitude, track.serverRow, ATTITUDE);
-  out.missingTicks = sim.newestTick - track.serverTick;
-  out.shownState = shownState(track, row, at);
-  out.provenance = provenanceOf(track, row, at);
-  const since = out.provenance === 'predicted' ? status.since : wallOfTick(sim.timeline, track.serverTick);
-  out.age = Math.max(0, at.present - since);
-  const withdrawn = at.now < status.withdrawnUntil ? EVENT_NAMES[status.withdrawn]! : '';
-  out.withdrawn = withdrawn === '' ? '' : (withdrawn.slice('ship.'.length) as ShipView['withdrawn']);
 }
 
+const WITHDRAWN = EVENT_NAMES.map((name) => name.slice('ship.'.length) as ShipView['withdrawn']);
+
 /** Simulation state is never dwelled: only what is shown. A crash is final once the server says so. */
-function shownState(track: Track, row: Float64Array, at: Instant): ShipView['shownState'] {
+function shownState(track: Track, state: number, crashes: boolean, at: Instant): ShipView['shownState'] {
   if (track.serverRow[CRASHED] === 1) return 'crashed';
-  const state = row[SURFACE_STATE]!;
-  if (row[CRASHED] === 1) return 'contact';
+  if (crashes) return 'contact';
   if (state !== TIPPED && at.now < track.status.contactUntil) return 'contact';
   return SURFACE_STATES[state]!;
 }
 
-function provenanceOf(track: Track, row: Float64Array, at: Instant): Provenance {
+function provenanceOf(track: Track, state: number, crashes: boolean, at: Instant): Provenance {
   if (track.off) return 'off';
   const crashed = track.serverRow[CRASHED] === 1;
-  const silent = at.now - track.seenAt;
-  if (!at.paused && !crashed && silent > Math.max(STALE_TICKS / at.tickRate, STALE_AFTER)) return 'stale';
+  if (!at.paused && !crashed && at.now - track.seenAt > at.staleAfter) return 'stale';
   if (crashed) return 'confirmed';
-  const told = track.serverRow[SURFACE_STATE] === row[SURFACE_STATE] && row[CRASHED] === 0;
-  // A flight is confirmed as a flight: nothing of it has a name that could be wrong.
-  return told ? 'confirmed' : 'predicted';
+  return track.serverRow[SURFACE_STATE] === state && !crashes ? 'confirmed' : 'predicted';
 }
 
 /** A new record only where a command has changed. */
-function fillControls(out: ShipView, commands: Float64Array, row: Float64Array): void {
-  let same = true;
-  for (let k = 0; k < commands.length; k++) if (commands[k] !== row[THRUST_LEVEL + k]) same = false;
-  if (same) return;
-  for (let k = 0; k < commands.length; k++) commands[k] = row[THRUST_LEVEL + k]!;
-  out.controls = readControls(row, 0);
+export function fillControls(out: ShipView, commands: Float64Array, rows: Float64Array, from: number): void {
+  const at = from + THRUST_LEVEL;
+  for (let k = 0; k < commands.length; k++) {
+    if (commands[k] === rows[at + k]) continue;
+    for (let i = 0; i < commands.length; i++) commands[i] = rows[at + i]!;
+    out.controls = readControls(rows, from);
+    return;
+  }
 }

@@ -21,6 +21,8 @@ export interface Span extends Tempo {
   /** Substeps from the origin to `fromTick`. */
   readonly fromIndex: number;
   readonly timing: Timing;
+  /** Game s a substep, boxed once: read from a list of mixed kinds it is handed on as it is, read from a field it is boxed at each call. */
+  readonly step: readonly [dt: number, none: null];
 }
 
 export interface Timeline {
@@ -74,7 +76,7 @@ export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: n
 function makeSpan(fromTick: number, tempo: Tempo, fromWall: number, fromIndex: number): Span {
   const { tickRate, timeScale, paused } = tempo;
   const timing = timingOfTick(timeScale / tickRate);
-  return { tickRate, timeScale, paused, fromTick, fromWall, fromIndex, timing };
+  return { tickRate, timeScale, paused, fromTick, fromWall, fromIndex, timing, step: [timing.dt, null] };
 }
 
 /** Server wall s at tick boundary `tick`; for a tick after a pause that has not ended, as if it ended now. */

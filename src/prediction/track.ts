@@ -2,6 +2,7 @@ import { SHIP_STRIDE, THRUST_LEVEL } from '../dynamics';
 import { createEase, type Ease } from './ease';
 import { createLedger, type Ledger } from './events';
 import { createHistory, type History } from './history';
+import type { ShipView } from './view';
 
 /** How a ship's present comes about. */
 export type Mode =
@@ -69,6 +70,8 @@ export interface Track {
   uprighted: boolean;
   readonly ledger: Ledger;
   readonly status: Status;
+  /** What the page sees of it; made when it is first seen. */
+  view: ShipView | null;
 }
 
 /** What is shown of its states. */
@@ -81,12 +84,16 @@ export interface Status {
   /** Event of the last retracted prediction, and until when that is told, client wall s. */
   withdrawn: number;
   withdrawnUntil: number;
+  /** Tick of the server's state that the view shows. */
+  serverTick: number;
   /** The commands that the view's controls were made from. */
   readonly commands: Float64Array;
 }
 
 /** All ships: their tracks, and a row each of three arrays. */
 export interface Fleet {
+  /** The client's own ship, once it is there. */
+  own: Track | null;
   readonly tracks: Track[];
   readonly byId: Map<string, Track>;
   /** One substep before the front. */
@@ -99,6 +106,7 @@ export interface Fleet {
 
 export function createFleet(): Fleet {
   return {
+    own: null,
     tracks: [],
     byId: new Map(),
     previous: new Float64Array(0),
@@ -150,8 +158,10 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
       contactUntil: Number.NEGATIVE_INFINITY,
       withdrawn: 0,
       withdrawnUntil: Number.NEGATIVE_INFINITY,
+      serverTick: -1,
       commands: new Float64Array(SHIP_STRIDE - THRUST_LEVEL).fill(Number.NaN),
     },
+    view: null,
   };
   fleet.tracks.push(track);
   fleet.byId.set(shipId, track);
@@ -162,6 +172,7 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
 export function removeTrack(fleet: Fleet, track: Track): void {
   const last = fleet.tracks.pop()!;
   fleet.byId.delete(track.shipId);
+  if (fleet.own === track) fleet.own = null;
   if (last === track) return;
   for (const rows of [fleet.previous, fleet.front, fleet.replayed])
     rows.copyWithin(track.at, last.at, last.at + SHIP_STRIDE);

@@ -1,8 +1,6 @@
 import {
   ANGULAR_VELOCITY,
   ATTITUDE,
-  BODY_ANGULAR_VELOCITY,
-  BODY_STRIDE,
   CRASHED,
   FUEL,
   IMPACT_SPEED,
@@ -18,16 +16,27 @@ import {
   VELOCITY,
   type World,
 } from '../dynamics';
-import { boundaryAt } from './bodyTrack';
 import { relax } from './ease';
 import { hullOf, LEGS } from './hull';
 import { writeLocked } from './landedLock';
-import { pose, writeBodyAttitude, writePredicted, writeSeen } from './pose';
-import { compose, fromRotationVector, lengthOf, quaternion, rotate, take, vector } from './rotation';
+import { pose, writeAttitude } from './pose';
+import {
+  compose,
+  fromRotationVector,
+  lengthOf,
+  put,
+  quaternion,
+  rotate,
+  rotateBack,
+  seenFrom,
+  take,
+  vector,
+} from './rotation';
 import type { Simulation } from './simulation';
 import { createStandingPose, type GroundPose, standOnGround, type StandingPose } from './standOnGround';
+import { standOnLevel } from './standOnLevel';
+import { fillControls, fillServerState, fillStatus, type Instant } from './status';
 import { copyRow, type Track } from './track';
-import { fillStatus, type Instant } from './status';
 import type { ShipView } from './view';
 
 export function createShipView(track: Track, world: World): ShipView {
@@ -65,154 +74,162 @@ export function createShipView(track: Track, world: World): ShipView {
   };
 }
 
+/** What all ships of one view share. */
+export interface Scene {
+  readonly world: World;
+  /** Attitude and spin of each body at the present, ICRF. */
+  bodyAttitudes: Float64Array[];
+  bodySpins: Float64Array[];
+  /** Ships that still may be stood point by point: beyond them the ground counts as level under a ship. */
+  standings: number;
+  readonly at: Instant;
+}
+
 /** Fills a ship's view: predicted truth, the drawn pose, where it stands, what is shown of its state. */
-export function fillShipView(out: ShipView, sim: Simulation, track: Track, at: Instant): void {
-  const row = rowShown(sim, track);
-  const index = row[REFERENCE_BODY]!;
-  writeBodyAttitude(bodyAttitude, sim, index, sim.alpha);
-  fillTruth(out, sim, track, row);
-  relax(track.ease, normalOf(out), at.elapsed);
-  fillDrawn(out, track);
-  fillStanding(out, sim.world);
-  fillThrust(out, row);
-  fillStatus(out, sim, track, { row, at });
-}
-
-/** The row whose states hold at the present: the last substep boundary passed, or what stands in for it. */
-function rowShown(sim: Simulation, track: Track): Float64Array {
-  const { fleet } = sim;
-  if (track.mode === 'stepping') {
-    copyRow(shown, 0, sim.alpha === 1 ? fleet.front : fleet.previous, track.at);
-    return shown;
-  }
-  const fromServer = track.mode === 'held' || (track.mode === 'waiting' && !track.hasHeld);
-  if (fromServer) copyRow(shown, 0, track.serverRow, 0);
-  else copyRow(shown, 0, fleet.front, track.at);
-  return shown;
-}
-
-const shown = new Float64Array(SHIP_STRIDE);
-
-function fillTruth(out: ShipView, sim: Simulation, track: Track, row: Float64Array): void {
-  if (track.mode === 'stepping') {
-    between(row, sim, track, VELOCITY, 3);
-    between(row, sim, track, ANGULAR_VELOCITY, 3);
-    between(row, sim, track, FUEL, 1);
-    writePredicted(predicted, sim, track);
-    for (let k = 0; k < 3; k++) row[POSITION + k] = predicted.position[k]!;
-    for (let k = 0; k < 4; k++) row[ATTITUDE + k] = predicted.attitude[k]!;
-  } else if (track.mode === 'locked') {
-    const bodies = boundaryAt(sim.bodies, sim.timeline, sim.front.tick);
-    take(spin, bodies, row[REFERENCE_BODY]! * BODY_STRIDE + BODY_ANGULAR_VELOCITY);
-    writeLocked(row, 0, track, bodyAttitude, spin);
-  } else if (track.hasHeld) {
-    rotate(held, bodyAttitude, track.heldPlace);
-    for (let k = 0; k < 3; k++) row[POSITION + k] = held[k]!;
-    compose(heldTurn, bodyAttitude, track.heldAttitude);
-    for (let k = 0; k < 4; k++) row[ATTITUDE + k] = heldTurn[k]!;
-  }
-  take(out.position, row, POSITION);
-  take(out.velocity, row, VELOCITY);
-  take(out.attitude, row, ATTITUDE);
-  take(out.angularVelocity, row, ANGULAR_VELOCITY);
-  out.fuel = row[FUEL]!;
-  out.impactSpeed = row[IMPACT_SPEED]!;
-  out.surfaceState = SURFACE_STATES[row[SURFACE_STATE]!]!;
-  out.crashed = row[CRASHED] === 1;
-  out.body = row[REFERENCE_BODY]!;
-  out.shipClass = sim.world.shipClasses[row[SHIP_CLASS]!]!;
+export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene: Scene): void {
+  const stepping = track.mode === 'stepping';
+  const { fleet, alpha } = sim;
+  // The states that hold at the present are those of the last substep boundary passed.
+  const rows = stepping ? (alpha === 1 ? fleet.front : fleet.previous) : standIn(sim, track, scene);
+  const from = stepping ? track.at : 0;
+  if (stepping) fillBetween(out, sim, track);
+  else fillFromRow(out, rows);
+  out.fuel = rows[from + FUEL]!;
+  out.impactSpeed = rows[from + IMPACT_SPEED]!;
+  out.surfaceState = SURFACE_STATES[rows[from + SURFACE_STATE]!]!;
+  out.crashed = rows[from + CRASHED] === 1;
+  out.body = rows[from + REFERENCE_BODY]!;
+  out.shipClass = scene.world.shipClasses[rows[from + SHIP_CLASS]!]!;
   out.name = track.name;
   out.own = track.own;
+  out.missingTicks = sim.newestTick - track.serverTick;
+  const attitude = scene.bodyAttitudes[out.body]!;
+  seeFromBody(out, attitude);
+  if (track.ease.active) relax(track.ease, normal, scene.at.elapsed);
+  fillDrawn(out, track, attitude);
+  fillStanding(out, scene, attitude);
+  fillThrust(out, rows, from);
+  fillControls(out, track.status.commands, rows, from);
+  fillServerState(out, track);
+  fillStatus(out, track, rows, from, scene.at);
 }
 
-const held = vector();
-const heldTurn = quaternion();
-const predicted = pose();
-const spin = vector();
-const bodyAttitude = quaternion();
-
-/** Interpolates columns of a stepping ship between the boundaries around the present. */
-function between(row: Float64Array, sim: Simulation, track: Track, column: number, count: number): void {
+/** Predicted truth between the substep boundaries around the present. */
+function fillBetween(out: ShipView, sim: Simulation, track: Track): void {
   const { previous, front } = sim.fleet;
-  for (let k = column; k < column + count; k++) {
-    const from = previous[track.at + k]!;
-    row[k] = from + (front[track.at + k]! - from) * sim.alpha;
+  const { alpha } = sim;
+  const { position, velocity, angularVelocity } = out;
+  const place = track.at + POSITION;
+  const speed = track.at + VELOCITY;
+  const spin = track.at + ANGULAR_VELOCITY;
+  for (let k = 0; k < 3; k++) {
+    position[k] = previous[place + k]! + (front[place + k]! - previous[place + k]!) * alpha;
+    velocity[k] = previous[speed + k]! + (front[speed + k]! - previous[speed + k]!) * alpha;
+    angularVelocity[k] = previous[spin + k]! + (front[spin + k]! - previous[spin + k]!) * alpha;
   }
+  writeAttitude(out.attitude, sim, track);
 }
 
-/** Local up at the ship in the body's axes. Leaves the pose as seen from there in `seen`. */
-function normalOf(out: ShipView): Float64Array {
-  truth.position.set(out.position);
-  truth.attitude.set(out.attitude);
-  writeSeen(seen, truth, bodyAttitude);
-  const distance = lengthOf(seen.position);
-  for (let k = 0; k < 3; k++) normal[k] = seen.position[k]! / distance;
-  return normal;
+/** The row of a ship that is not in step, placed at the present. */
+function standIn(sim: Simulation, track: Track, scene: Scene): Float64Array {
+  const known = track.mode === 'locked' || track.hasHeld;
+  copyRow(row, 0, known ? sim.fleet.front : track.serverRow, known ? track.at : 0);
+  const body = row[REFERENCE_BODY]!;
+  const attitude = scene.bodyAttitudes[body]!;
+  if (track.mode === 'locked') {
+    writeLocked(row, 0, track, attitude, scene.bodySpins[body]!);
+  } else if (track.hasHeld) {
+    rotate(held.position, attitude, track.heldPlace);
+    put(row, POSITION, held.position);
+    compose(held.attitude, attitude, track.heldAttitude);
+    put(row, ATTITUDE, held.attitude);
+  }
+  return row;
 }
 
-const truth = pose();
+const row = new Float64Array(SHIP_STRIDE);
+const held = pose();
+
+function fillFromRow(out: ShipView, from: Float64Array): void {
+  take(out.position, from, POSITION);
+  take(out.velocity, from, VELOCITY);
+  take(out.attitude, from, ATTITUDE);
+  take(out.angularVelocity, from, ANGULAR_VELOCITY);
+}
+
+/** The pose as seen from the body's axes, and the local up there. */
+function seeFromBody(out: ShipView, body: Float64Array): void {
+  rotateBack(seen.position, body, out.position);
+  seenFrom(seen.attitude, body, out.attitude);
+  const perDistance = 1 / lengthOf(seen.position);
+  for (let k = 0; k < 3; k++) normal[k] = seen.position[k]! * perDistance;
+}
+
 const seen = pose();
 const normal = vector();
 
 /** drawn = predicted + offset, in the body's axes and back. */
-function fillDrawn(out: ShipView, track: Track): void {
-  drawn.position.set(seen.position);
-  drawn.attitude.set(seen.attitude);
-  if (!track.ease.active) {
-    out.drawnPosition.set(out.position);
-    out.drawnAttitude.set(out.attitude);
+function fillDrawn(out: ShipView, track: Track, body: Float64Array): void {
+  const { ease } = track;
+  for (let k = 0; k < 3; k++) drawn.position[k] = seen.position[k]!;
+  for (let k = 0; k < 4; k++) drawn.attitude[k] = seen.attitude[k]!;
+  if (!ease.active) {
+    for (let k = 0; k < 3; k++) out.drawnPosition[k] = out.position[k]!;
+    for (let k = 0; k < 4; k++) out.drawnAttitude[k] = out.attitude[k]!;
     return;
   }
-  for (let k = 0; k < 3; k++) drawn.position[k] = seen.position[k]! + track.ease.offset[k]!;
-  fromRotationVector(turn, track.ease.turn);
+  for (let k = 0; k < 3; k++) drawn.position[k] = seen.position[k]! + ease.offset[k]!;
+  fromRotationVector(turn, ease.turn);
   compose(drawn.attitude, turn, seen.attitude);
-  rotate(out.drawnPosition, bodyAttitude, drawn.position);
-  compose(out.drawnAttitude, bodyAttitude, drawn.attitude);
+  rotate(out.drawnPosition, body, drawn.position);
+  compose(out.drawnAttitude, body, drawn.attitude);
 }
 
 const drawn: GroundPose = { ...pose(), grounded: false };
 const turn = quaternion();
 
-function fillStanding(out: ShipView, world: World): void {
-  const body = world.bodies[out.body]!;
-  terrain.bodyName = body.name;
-  terrain.radius = body.radius;
-  terrain.height = world.terrainHeight;
-  out.groundRadius = groundRadius(normal[0]!, normal[1]!, normal[2]!);
-  const hull = hullOf(out.shipClass);
+function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): void {
+  const body = scene.world.bodies[out.body]!;
+  const { shipClass } = out;
+  const height = scene.world.terrainHeight(body.name, normal[0]!, normal[1]!, normal[2]!);
+  out.groundRadius = body.radius + height;
   const above = lengthOf(drawn.position) - out.groundRadius;
   // No part of the ship reaches as far as twice its height: nothing to stand on.
-  if (above > FAR * out.shipClass.groundContactOffset + out.shipClass.legRadius) {
-    out.standPosition.set(out.drawnPosition);
-    out.legCompression.fill(0);
-    out.feetHeight = lengthOf(seen.position) - out.groundRadius - out.shipClass.groundContactOffset;
+  if (above > FAR * shipClass.groundContactOffset + shipClass.legRadius) {
+    for (let k = 0; k < 3; k++) out.standPosition[k] = out.drawnPosition[k]!;
+    for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = 0;
+    out.feetHeight = lengthOf(seen.position) - out.groundRadius - shipClass.groundContactOffset;
     return;
   }
   drawn.grounded = out.surfaceState !== '';
-  standOnGround(standing, drawn, hull, groundRadius);
+  if (out.own || scene.standings > 0) {
+    scene.standings -= 1;
+    terrain.body = body;
+    terrain.height = scene.world.terrainHeight;
+    standOnGround(standing, drawn, hullOf(shipClass), groundRadius);
+  } else standOnLevel(standing, drawn, hullOf(shipClass), out.groundRadius);
   rotate(out.standPosition, bodyAttitude, standing.position);
-  out.legCompression.set(standing.legCompression);
+  for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = standing.legCompression[leg]!;
   out.feetHeight = standing.feetHeight;
 }
 
 const FAR = 2;
 const standing: StandingPose = createStandingPose(LEGS);
-const terrain: { bodyName: string; radius: number; height: World['terrainHeight'] } = {
-  bodyName: '',
-  radius: 0,
+const terrain: { body: { name: string; radius: number }; height: World['terrainHeight'] } = {
+  body: { name: '', radius: 0 },
   height: () => 0,
 };
 
 function groundRadius(nx: number, ny: number, nz: number): number {
-  return terrain.radius + terrain.height(terrain.bodyName, nx, ny, nz);
+  return terrain.body.radius + terrain.height(terrain.body.name, nx, ny, nz);
 }
 
 /** What engine and thrusters give now, N, ICRF (DYNAMICS, Actuators). */
-function fillThrust(out: ShipView, row: Float64Array): void {
+function fillThrust(out: ShipView, rows: Float64Array, from: number): void {
   const { mainEngineThrust, rcsThrust } = out.shipClass;
-  const burns = row[FUEL]! > 0 && !out.crashed ? 1 : 0;
-  for (let k = 0; k < 3; k++) force[k] = burns * row[TRANSLATION_INPUT + k]! * rcsThrust[k]!;
-  force[2] = force[2]! + burns * row[THRUST_LEVEL]! * mainEngineThrust;
+  const burns = out.fuel > 0 && !out.crashed ? 1 : 0;
+  for (let k = 0; k < 3; k++) force[k] = burns * rows[from + TRANSLATION_INPUT + k]! * rcsThrust[k]!;
+  force[2] = force[2]! + burns * rows[from + THRUST_LEVEL]! * mainEngineThrust;
   rotate(out.thrust, out.attitude, force);
 }
 

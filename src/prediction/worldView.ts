@@ -1,18 +1,17 @@
 import { BODY_ANGULAR_VELOCITY, BODY_POSITION, BODY_STRIDE, BODY_VELOCITY } from '../dynamics';
 import { boundaryAt } from './bodyTrack';
-import { lengthOf, quaternion } from './rotation';
 import { writeBodyAttitude } from './pose';
+import { lengthOf, quaternion, take, vector } from './rotation';
 import type { Simulation } from './simulation';
-import type { Instant } from './status';
-import { indexOf, type Moment, spanOf } from './timeline';
-import type { Track } from './track';
-import type { ShipView, WorldView } from './view';
-import { createShipView, fillShipView } from './viewing';
+import { staleAfter } from './status';
+import { indexOf, type Moment, spanOf, wallOfTick } from './timeline';
+import type { WorldView } from './view';
+import { createShipView, fillShipView, type Scene } from './viewing';
 
-/** A view under construction: what the page sees, and which track each ship's record belongs to. */
+/** A view under construction: what the page sees, and what all its ships share. */
 export interface Shown {
   readonly view: WorldView;
-  readonly ships: Map<Track, ShipView>;
+  readonly scene: Scene;
   viewedAt: number;
 }
 
@@ -51,33 +50,49 @@ export function createShown(sim: Simulation): Shown {
     own: null,
     diagnosis: sim.counters,
   };
-  return { view, ships: new Map(), viewedAt: Number.NaN };
+  const scene: Scene = {
+    world: sim.world,
+    bodyAttitudes: bodies.map(quaternion),
+    bodySpins: bodies.map(vector),
+    standings: 0,
+    at: {
+      now: 0,
+      present: 0,
+      elapsed: 0,
+      staleAfter: 0,
+      paused: false,
+      wallOf: (tick) => wallOfTick(sim.timeline, tick),
+    },
+  };
+  return { view, scene, viewedAt: Number.NaN };
 }
 
-/** Fills the view for the moment that is drawn. */
-export function fillView(
-  shown: Shown,
-  sim: Simulation,
-  at: { now: number; present: number; moment: Moment },
-): void {
-  const { view } = shown;
+/** Ships stood on the ground point by point in one view, the own one not counted. */
+const MOST_STANDINGS = 32;
+
+/** Where the present lies between the substep boundary before the front and the front. */
+export function placePresent(sim: Simulation, moment: Moment): void {
   const { timeline, front } = sim;
-  const { moment } = at;
   const ahead =
     indexOf(timeline, front.tick, front.substep) - indexOf(timeline, moment.tick, 0) - moment.substeps;
   sim.alpha = ahead <= 0 ? 1 : ahead >= 1 ? 0 : 1 - ahead;
-  fillLabel(view, sim);
-  fillBodies(view, sim);
-  instant.elapsed = Number.isNaN(shown.viewedAt) ? 0 : Math.max(0, at.now - shown.viewedAt);
-  shown.viewedAt = at.now;
-  instant.now = at.now;
-  instant.present = at.present;
-  instant.tickRate = view.tickRate;
-  instant.paused = view.paused;
-  fillShips(shown, sim);
 }
 
-const instant: Instant = { now: 0, present: 0, elapsed: 0, tickRate: 1, paused: false };
+/** Fills the view for the present, server wall s, as it is placed. */
+export function fillView(shown: Shown, sim: Simulation, now: number, present: number): void {
+  const { view, scene } = shown;
+  fillLabel(view, sim);
+  fillBodies(shown, sim);
+  const { at } = scene;
+  at.elapsed = Number.isNaN(shown.viewedAt) ? 0 : Math.max(0, now - shown.viewedAt);
+  shown.viewedAt = now;
+  at.now = now;
+  at.present = present;
+  at.staleAfter = staleAfter(view.tickRate);
+  at.paused = view.paused;
+  scene.standings = MOST_STANDINGS;
+  fillShips(shown, sim);
+}
 
 /** The label of the present: exactly the place between two substep boundaries that is drawn. */
 function fillLabel(view: WorldView, sim: Simulation): void {
@@ -93,46 +108,38 @@ function fillLabel(view: WorldView, sim: Simulation): void {
   view.ready = true;
 }
 
-function fillBodies(view: WorldView, sim: Simulation): void {
-  const rows = boundaryAt(sim.bodies, sim.timeline, sim.front.tick);
-  const since =
-    view.tick === sim.front.tick
-      ? view.sinceTick
-      : view.sinceTick - spanOf(sim.timeline, view.tick).timing.tickSeconds;
+function fillBodies({ view, scene }: Shown, sim: Simulation): void {
+  const { front, timeline } = sim;
+  const rows = boundaryAt(sim.bodies, timeline, front.tick);
+  const before = view.tick === front.tick ? 0 : spanOf(timeline, view.tick).timing.tickSeconds;
+  const since = view.sinceTick - before;
   for (let i = 0; i < view.bodies.length; i++) {
     const body = view.bodies[i] as BodyView;
     const at = i * BODY_STRIDE;
+    const attitude = scene.bodyAttitudes[i]!;
+    take(scene.bodySpins[i]!, rows, at + BODY_ANGULAR_VELOCITY);
+    writeBodyAttitude(attitude, sim, i, sim.alpha);
     for (let k = 0; k < 3; k++) {
       body.velocity[k] = rows[at + BODY_VELOCITY + k]!;
       body.position[k] = rows[at + BODY_POSITION + k]! + body.velocity[k]! * since;
       body.angularVelocity[k] = rows[at + BODY_ANGULAR_VELOCITY + k]!;
     }
-    writeBodyAttitude(attitude, sim, i, sim.alpha);
     for (let k = 0; k < 4; k++) body.attitude[k] = attitude[k]!;
   }
 }
 
-const attitude = quaternion();
-
-function fillShips(shown: Shown, sim: Simulation): void {
-  const { view, ships } = shown;
+function fillShips({ view, scene }: Shown, sim: Simulation): void {
   const { tracks } = sim.fleet;
   view.own = null;
   view.ships.length = tracks.length;
   for (let i = 0; i < tracks.length; i++) {
     const track = tracks[i]!;
-    let ship = ships.get(track);
-    if (ship === undefined) {
-      ship = createShipView(track, sim.world);
-      ships.set(track, ship);
-    }
-    fillShipView(ship, sim, track, instant);
-    view.ships[i] = ship;
+    track.view ??= createShipView(track, sim.world);
+    fillShipView(track.view, sim, track, scene);
+    view.ships[i] = track.view;
     if (!track.own) continue;
-    view.own = ship;
+    view.own = track.view;
     sim.counters.offsetPosition = lengthOf(track.ease.offset);
     sim.counters.offsetAngle = lengthOf(track.ease.turn);
   }
-  if (ships.size > tracks.length)
-    for (const track of ships.keys()) if (!tracks.includes(track)) ships.delete(track);
 }

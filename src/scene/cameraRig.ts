@@ -73,8 +73,8 @@ export function updateRig(
   const dt = seconds / steps;
   for (let n = 0; n < steps; n++) {
     for (let i = 0; i < 3; i++) {
-      // The target as it was while this step ran.
-      const then = target[i]! - velocity[i]! * (seconds - dt * (n + 1));
+      // The target as it was when this step began, as the focus is.
+      const then = target[i]! - velocity[i]! * (seconds - dt * n);
       const pull = FOLLOW * FOLLOW * (then - focus[i]!) + 2 * FOLLOW * (velocity[i]! - motion.velocity[i]!);
       motion.velocity[i] = motion.velocity[i]! + pull * dt;
       focus[i] = focus[i]! + motion.velocity[i]! * dt;

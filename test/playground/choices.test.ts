@@ -1,0 +1,67 @@
+import { describe, expect, it } from 'vitest';
+import { DEFAULT_CHOICES, readChoices, setChoice, writeChoices } from '../../src/playground/choices';
+
+const read = (query: string) => readChoices(new URLSearchParams(query));
+
+describe('choices in the URL', () => {
+  it('come back as they were written', () => {
+    const choices = {
+      ...DEFAULT_CHOICES,
+      scenario: 'slide',
+      body: 'Mars',
+      shipClass: 'fast_frigate',
+      terrain: '',
+      tickRate: 5,
+      timeScale: 0.5,
+      network: 'custom',
+      delay: 120,
+      seed: 4294967295,
+      mode: 'last' as const,
+      overlays: ['ghost', 'forces'] as const,
+      slow: 0.25,
+      server: 'wss://example.org/galaxy?x=1&y=2',
+      fleet: 40,
+      legacy: 1,
+    };
+    const again = read(writeChoices(choices));
+    expect(again.complaints).toEqual([]);
+    expect(again.choices).toEqual(choices);
+  });
+
+  it('are left out where they are the defaults', () => {
+    expect(writeChoices({ ...DEFAULT_CHOICES })).toBe('');
+    expect(read('').choices).toEqual(DEFAULT_CHOICES);
+  });
+
+  it.each([
+    ['scenario=nowhere', 'scenario'],
+    ['rate=0.05', 'rate'],
+    ['rate=101', 'rate'],
+    ['scale=', 'scale'],
+    ['scale=NaN', 'scale'],
+    ['seed=-1', 'seed'],
+    ['seed=1.5', 'seed'],
+    ['seed=4294967296', 'seed'],
+    ['slow=9', 'slow'],
+    ['net=constructor', 'net'],
+    ['body=__proto__', 'body'],
+    ['show=ghost,everything', 'show'],
+    ['server=javascript:alert(1)', 'server'],
+    ['server=http://example.org', 'server'],
+    ['fleet=1000', 'fleet'],
+    ['stalled=Infinity', 'stalled'],
+  ])('%s is complained of by name, and the default holds', (query, key) => {
+    const { choices, complaints } = read(`${query}&mode=gravity`);
+    expect(complaints).toHaveLength(1);
+    expect(complaints[0]).toMatch(new RegExp(`^${key}: expected `));
+    expect(choices).toEqual({ ...DEFAULT_CHOICES, mode: 'gravity' });
+  });
+
+  it('set one by one are checked the same', () => {
+    const choices = { ...DEFAULT_CHOICES };
+    expect(setChoice(choices, 'tickRate', '200')).toMatch(/0.1 to 100/);
+    expect(choices.tickRate).toBe(0);
+    expect(setChoice(choices, 'tickRate', '20')).toBeNull();
+    expect(choices.tickRate).toBe(20);
+  });
+});

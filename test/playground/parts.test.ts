@@ -1,0 +1,135 @@
+import { describe, expect, it } from 'vitest';
+import { createPageClock } from '../../src/playground/pageClock';
+import { createReplay } from '../../src/playground/replay';
+import { createResolution } from '../../src/playground/resolution';
+import { createSamples, summarise } from '../../src/playground/samples';
+import { createSession } from '../../src/playground/server/session';
+import { createPredictor, type WorldView } from '../../src/prediction';
+import { NETWORK_PRESETS, readRecording, type RecordingEntry, writeRecording } from '../../src/rehearsal';
+import { decodeServerMessage, encodeClientMessage } from '../../src/wire';
+
+describe('page clock', () => {
+  it('changes its speed without a jump, within 0.1 to 4', () => {
+    let wall = 100;
+    const clock = createPageClock(() => wall);
+    wall = 110;
+    expect(clock.now()).toBe(110);
+    clock.setSpeed(0.25);
+    expect(clock.now()).toBe(110);
+    wall = 114;
+    expect(clock.now()).toBe(111);
+    clock.setSpeed(5);
+    clock.setSpeed(NaN);
+    expect(clock.speed()).toBe(0.25);
+  });
+});
+
+describe('figures', () => {
+  it('are last, mean, 95th percentile and largest of what is finite', () => {
+    const values = Array.from({ length: 100 }, (_, i) => i + 1);
+    expect(summarise([...values, NaN])).toEqual({ last: 100, mean: 50.5, p95: 95, max: 100 });
+    expect(summarise([NaN]).max).toBeNaN();
+  });
+
+  it('are sampled ten times a second and kept thirty seconds', () => {
+    const samples = createSamples();
+    const { diagnosis } = createPredictor().view(0);
+    let taken = 0;
+    for (let n = 0; n < 60 * 40; n++)
+      taken += samples.take({ ...diagnosis, roundTrip: n / 1000 }, n / 60) ? 1 : 0;
+    expect(taken).toBeGreaterThan(340);
+    expect(taken).toBeLessThanOrEqual(401);
+    const times = samples.times();
+    expect(times).toHaveLength(300);
+    expect(times.every((time, i) => i === 0 || time > times[i - 1]!)).toBe(true);
+    expect(samples.values(0).at(-1)).toBeGreaterThan(2390);
+  });
+});
+
+describe('resolution', () => {
+  const run = (rate: number, seconds: number, resolution = createResolution(), from = 0) => {
+    for (let n = 0; n <= rate * seconds; n++) resolution.measure(from + n / rate);
+    return resolution;
+  };
+
+  it('goes down step by step on a slow machine and up again on one that has become fast', () => {
+    const slow = run(12, 10);
+    expect(slow.share()).toBe(0.5);
+    expect(run(60, 40, slow, 11).share()).toBe(1);
+    expect(run(60, 10).share()).toBe(1);
+    expect(run(30, 10).share()).toBe(1);
+  });
+
+  it('does not take a hidden tab for a slow machine', () => {
+    const resolution = run(60, 3);
+    resolution.measure(70);
+    expect(resolution.share()).toBe(1);
+  });
+});
+
+/** Plays a scenario through the worker's session and a predictor, as the page does, and records it. */
+function play(seconds: number, during: (session: ReturnType<typeof createSession>, now: number) => void) {
+  const session = createSession();
+  const predictor = createPredictor({ ownShipId: 'own' });
+  const entries: RecordingEntry[] = [];
+  const load = {
+    kind: 'load',
+    scenario: 'settle',
+    body: '',
+    shipClass: '',
+    terrain: '',
+    legacy: false,
+  } as const;
+  const options = { tickRate: 1, timeScale: 1, network: NETWORK_PRESETS.broadband, seed: 3, others: 0 };
+  expect(session.operate({ ...load, ...options }, 0)).toBeNull();
+  const poses: number[] = [];
+  for (let n = 0; n < seconds * 60; n++) {
+    const at = n / 60;
+    during(session, at);
+    for (const { bytes } of session.run(at)) {
+      const decoded = decodeServerMessage(bytes);
+      if (!decoded.ok) throw new Error(decoded.reason);
+      predictor.receive(decoded.value, at);
+      entries.push({ kind: 'received', at, message: decoded.value });
+    }
+    predictor.advance(null, at);
+    entries.push({ kind: 'advanced', at, controls: null });
+    poses.push(poseOf(predictor.view(at)));
+    for (const message of predictor.outgoing()) {
+      session.send(encodeClientMessage(message), at);
+      entries.push({ kind: 'sent', at, message });
+    }
+  }
+  return { recording: { header: { note: '', shipId: 'own' }, entries }, poses };
+}
+
+function poseOf(view: WorldView): number {
+  return view.own === null ? NaN : view.own.drawnPosition.reduce((sum, value, i) => sum + value * (i + 1), 0);
+}
+
+describe('replay', () => {
+  it('shows every moment as it was, forward and backward, from the file too', () => {
+    const { recording, poses } = play(6, () => undefined);
+    const read = readRecording(writeRecording(recording));
+    if (!read.ok) throw new Error(read.reason);
+    const replay = createReplay(read.value);
+    expect(replay.divergence).toMatchObject({ at: null });
+    expect(replay.divergence.words).toMatch(/^No divergence: \d+ states/);
+    for (const n of [40, 41, 200, 130, 359, 60, 61])
+      expect(poseOf(replay.seek(n / 60 + 1e-9))).toBe(poses[n]);
+    expect(replay.generation()).toBeGreaterThan(2);
+  });
+
+  it('marks the first divergence where the server left the law', () => {
+    let kicked = false;
+    const { recording } = play(8, (session, now) => {
+      if (kicked || now < 3.5) return;
+      kicked = true;
+      expect(session.operate({ kind: 'kick', velocity: [2, 0, 3], spin: [0, 0.35, 0] }, now)).toBeNull();
+    });
+    const { divergence } = createReplay(recording);
+    expect(divergence.words).toMatch(/^First divergence at tick 4: /);
+    expect(divergence.at).toBeGreaterThan(4);
+    expect(divergence.at).toBeLessThan(4.2);
+  });
+});

@@ -81,7 +81,7 @@ export function followTouchdown(
   const { previous } = memory;
   const state = ship.surfaceState;
   if (previous === '' && state !== '') touch(out, memory, ship, now);
-  else if (previous !== null && previous !== '' && state === '') leave(out, memory, surface, now);
+  else if (previous !== null && previous !== '' && state === '') leave(memory, surface, now);
   if (ship.crashed && previous !== null) crash(out, memory, surface, now);
   if (out.known && state !== '') slide(out, memory, surface, elapsed);
   if (out.known && out.outcome === 'open') out.settleSeconds = now - memory.touchedAt;
@@ -113,9 +113,8 @@ function begin(out: Touchdown, memory: TouchdownMemory, now: number): void {
   memory.touchedAt = now;
 }
 
-/** A ship that leaves the ground downwards was never on it: its touch was predicted and taken back. */
-function leave(out: Touchdown, memory: TouchdownMemory, surface: Surface, now: number): void {
-  if (surface.radialSpeed <= 0) out.known = false;
+/** A ship that leaves the ground downwards was never on it, its touch was predicted and taken back: no time for a hop. */
+function leave(memory: TouchdownMemory, surface: Surface, now: number): void {
   memory.leftAt = now;
   memory.hopAllowance = (HOP_PATIENCE * 2 * surface.radialSpeed) / surface.gravity;
 }

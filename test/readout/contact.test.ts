@@ -49,6 +49,11 @@ describe('the four gates', () => {
     expect(carried.value).toBeCloseTo(0, 6);
   });
 
+  it('measure spin against the turning ground', () => {
+    expect(read({ ...AT_REST, body: 'Earth' }).gates.spin.value).toBeLessThan(1e-15);
+    expect(read({ ...AT_REST, body: 'Earth', yawRate: 0.004 }).gates.spin.value).toBeCloseTo(0.004, 12);
+  });
+
   it('take their limits from the server’s settings', () => {
     const settings = { contactSettleTiltDeg: 7, contactSettleAngularVel: 0.02, contactSettleLinearVel: 0.25 };
     const { gates } = read({ ...AT_REST, settings });
@@ -95,9 +100,13 @@ describe('the tip margin', () => {
 
   it('counts down as game time passes', () => {
     const out = createLandingReadout();
-    let view = makeView({ ...AT_REST, tilt: 38 });
+    // The readout's clock has run for a while when the ship begins to topple.
+    const upright = makeView({ ...AT_REST, tilt: 3 });
+    landingReadout(upright, out);
+    let view = later(upright, 7, makeView({ ...AT_REST, tilt: 38 }).own);
     for (let i = 0; i < 40 && out.margin.outlook !== 'tips'; i++) landingReadout(view, out);
     const before = out.margin.timeToTipped;
+    expect(before).toBeCloseTo(timeToTipped({ ...AT_REST, tilt: 38 }), 2);
     view = later(view, 0.5, view.own);
     landingReadout(view, out);
     expect(out.margin.timeToTipped).toBeCloseTo(before - 0.5, 6);

@@ -74,6 +74,13 @@ describe('formats', () => {
     }
   });
 
+  it('have one key for what shows as one text, so that nothing is painted twice', () => {
+    expect(DISTANCE.key(49_860)).toBe(DISTANCE.key(49_940));
+    expect(DISTANCE.key(432.6)).toBe(DISTANCE.key(433.4));
+    expect(DURATION.key(124.6)).toBe(DURATION.key(125.4));
+    expect(TORQUE.key(716_400)).toBe(TORQUE.key(715_600));
+  });
+
   it('never show a gap in a rising value', () => {
     let last = -1;
     for (let metres = 0; metres < 60_000; metres += 0.37) {

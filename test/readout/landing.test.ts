@@ -31,6 +31,8 @@ describe('descent data', () => {
     for (const state of ['contact', 'landed', 'tipped'] as const) {
       expect(read({ clearance: -3.4, state }).descent.feetHeight).toBe(0);
     }
+    // On its side the feet hang in the air, but the hull stands on the ground.
+    expect(read({ tilt: 89, state: 'tipped' }).descent.feetHeight).toBe(0);
   });
 
   it('is shown below 50 km', () => {

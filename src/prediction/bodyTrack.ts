@@ -24,6 +24,8 @@ export interface BodyTrack {
   readonly boundaries: Float64Array[];
   readonly ticks: Float64Array;
   readonly cuts: TickCut[];
+  /** Where the bodies are while no boundary is known. */
+  readonly start: Float64Array;
   /** The boundary a frame replaced, as it was predicted. */
   readonly replaced: Float64Array;
 }
@@ -38,14 +40,17 @@ interface TickCut {
 /** A tick of more substeps is too fast to follow: its rows alone would fill 16 MB with four bodies. */
 export const MOST_SUBSTEPS_A_TICK = 12_800;
 
-export function createBodyTrack(count: number, length: number, substeps: number): BodyTrack {
-  const size = count * BODY_STRIDE;
+/** @param start rows of the bodies at whatever tick comes first, unless a frame says otherwise */
+export function createBodyTrack(start: Float64Array, length: number, substeps: number): BodyTrack {
+  const size = start.length;
+  const count = size / BODY_STRIDE;
   return {
     count,
     length,
     boundaries: Array.from({ length }, () => new Float64Array(size)),
     ticks: new Float64Array(length).fill(-1),
     cuts: Array.from({ length: cutsOf(substeps) }, () => ({ tick: -1, made: 0, rows: [] })),
+    start,
     replaced: new Float64Array(size),
   };
 }
@@ -57,7 +62,7 @@ export function cutsOf(substeps: number): number {
 
 /** The same boundaries in a ring of another length. */
 export function resizedBodies(track: BodyTrack, length: number, substeps: number): BodyTrack {
-  const next = createBodyTrack(track.count, length, substeps);
+  const next = createBodyTrack(track.start, length, substeps);
   for (let slot = 0; slot < track.length; slot++) {
     const tick = track.ticks[slot]!;
     if (tick < 0 || tick <= next.ticks[tick % length]!) continue;
@@ -76,12 +81,25 @@ export function knowsBoundary(track: BodyTrack, tick: number): boolean {
 /** Rows at tick boundary `tick`; made by the law from the newest boundary before it. */
 export function boundaryAt(track: BodyTrack, timeline: Timeline, tick: number): Float64Array {
   let from = tick;
-  while (!knowsBoundary(track, from) && tick - from < track.length) from--;
-  if (!knowsBoundary(track, from)) {
-    throw new RangeError(`the bodies of tick ${tick} have no boundary in the ${track.length} ticks before`);
-  }
+  while (!knowsBoundary(track, from) && tick - from < track.length - 1) from--;
+  if (!knowsBoundary(track, from)) skipTo(track, timeline, from);
   for (; from < tick; from++) makeNext(track, timeline, from);
   return track.boundaries[tick % track.length]!;
+}
+
+/** Nothing is known of the ring's length before: the bodies go on from where they were last, in one turn and one move. */
+function skipTo(track: BodyTrack, timeline: Timeline, tick: number): void {
+  let newest = -1;
+  for (const known of track.ticks) if (known > newest && known < tick) newest = known;
+  const rows = track.boundaries[tick % track.length]!;
+  rows.set(newest < 0 ? track.start : track.boundaries[newest % track.length]!);
+  if (newest >= 0) {
+    const seconds = (tick - newest) * spanOf(timeline, tick).timing.tickSeconds;
+    turnBodies(rows, track.count, seconds);
+    settleBodies(rows, track.count);
+    moveBodies(rows, track.count, seconds);
+  }
+  track.ticks[tick % track.length] = tick;
 }
 
 function makeNext(track: BodyTrack, timeline: Timeline, tick: number): void {

@@ -13,3 +13,5 @@ export {
   type StandingPose,
 } from './standOnGround';
 export { type Hull, hullOf, LEGS } from './hull';
+/** What goes through a predictor, written down and fed again. */
+export { type PredictorEntry, recordPredictor, replayEntries } from './recorder';

@@ -93,15 +93,15 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
   const listeners = new Set<(notice: EventNotice) => void>();
   const rollback = options.forcedRollback ?? 0;
   const counters = createDiagnosis();
-  let sim = createSimulation(world.value, counters, rollback === 0);
+  let sim = createSimulation(world.value, defaults.bodies, counters, rollback === 0);
   let shown = createShown(sim);
   let told = defaults;
   let granularity: Hello['inputGranularity'] = 'tick';
   let advancedAt = Number.NaN;
 
   /** All ships and all time of the world before are forgotten. */
-  function beginWorld(next: World): void {
-    sim = createSimulation(next, counters, rollback === 0);
+  function beginWorld(next: World, bodies: readonly BodyMotion[]): void {
+    sim = createSimulation(next, bodies, counters, rollback === 0);
     shown = createShown(sim);
     forgetSchedule(clock);
   }
@@ -113,7 +113,7 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
       return;
     }
     // Told again, it is a new connection to the same world: what was predicted goes on.
-    if (!counters.helloReceived || !sameWorld(told, hello)) beginWorld(loaded.value);
+    if (!counters.helloReceived || !sameWorld(told, hello)) beginWorld(loaded.value, hello.bodies);
     told = hello;
     counters.helloReceived = true;
     granularity = hello.inputGranularity;
@@ -127,7 +127,7 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
     if (sim.newestTick < 0 && !counters.helloReceived && frame.bodies.length > 0) {
       // A server without a hello may have other bodies than the defaults: its frames say which.
       const loaded = loadWorld({ ...defaults, bodies: frame.bodies }, terrains);
-      if (loaded.ok) beginWorld(loaded.value);
+      if (loaded.ok) beginWorld(loaded.value, frame.bodies);
     }
     takeFrame(sim, intake, frame, now);
     announce();

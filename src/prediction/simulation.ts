@@ -1,4 +1,6 @@
 import {
+  BODY_STRIDE,
+  type BodyMotion,
   chooseReferenceBody,
   EVENT_CONTACT,
   NO_EVENT,
@@ -8,6 +10,7 @@ import {
   THRUST_LEVEL,
   TRANSLATION_INPUT,
   type World,
+  writeBodyMotion,
 } from '../dynamics';
 import { type BodyTrack, boundaryAt, createBodyTrack, cutsOf, resizedBodies, rowsAt } from './bodyTrack';
 import { predict } from './events';
@@ -44,12 +47,19 @@ export interface Simulation {
   readonly locks: boolean;
 }
 
-/** A world of which nothing has been told yet. */
-export function createSimulation(world: World, counters: Diagnosis, locks: boolean): Simulation {
+/** A world of which nothing has been told yet but where its bodies are, in its order. */
+export function createSimulation(
+  world: World,
+  bodies: readonly BodyMotion[],
+  counters: Diagnosis,
+  locks: boolean,
+): Simulation {
+  const start = new Float64Array(bodies.length * BODY_STRIDE);
+  for (const [i, motion] of bodies.entries()) writeBodyMotion(start, i * BODY_STRIDE, motion);
   return {
     world,
     timeline: createTimeline(),
-    bodies: createBodyTrack(world.bodies.length, ringLength(1), 100),
+    bodies: createBodyTrack(start, ringLength(1), 100),
     fleet: createFleet(),
     inputs: createInputs(),
     front: { tick: 0, substep: 0 },

@@ -13,7 +13,11 @@ const CLOCK_ERROR = 0.05;
 /** A ship at rest on Earth's equator for an hour, told of by a server whose ground is 23 m away from where the client has it. */
 export function* hourFigures(): Generator<Figure> {
   const earth = BODIES.find(({ name }) => name === 'Earth')!;
-  const scenario = { ...scenarioNamed('settle-earth'), site: { latitude: 0, longitude: 40 } };
+  const scenario = {
+    ...scenarioNamed('settle-earth'),
+    terrain: 'flat',
+    site: { latitude: 0, longitude: 40 },
+  };
   const staged = value(
     stage({ ...scenario, initial: { ...scenario.initial, height: 0.5, velocity: [0, 0, -1], tilt: 0 } }),
   );

@@ -1,5 +1,10 @@
 /** Both HUDs: painting only. What they show is decided in readout. */
 import './hud.css';
+import './status.css';
+import './instruments.css';
+import './panels.css';
+import './fleet.css';
+import './smallScreens.css';
 
 export {
   createCockpitLandingHud,

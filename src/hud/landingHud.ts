@@ -24,8 +24,8 @@ export interface LandingHudOptions {
 }
 
 /**
- * The cockpit's landing HUD, appended to `host` (HUD, the design and beyond it). Needs the page to load hud.css, and no
- * permission of a content security policy.
+ * The cockpit's landing HUD, appended to `host` (HUD, the design and beyond it). Its style sheets come with index.ts;
+ * no content security policy stands in its way.
  */
 export function createCockpitLandingHud(
   document: Document,

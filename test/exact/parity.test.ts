@@ -6,7 +6,7 @@ import { createCoverage } from './coverage';
 import { drawCase } from './drawCase';
 import type { ExactCase } from './exactCase';
 import { MAY_SKIP, type PythonResult, pythonVersion, replayInPython, surveyInPython } from './python';
-import { rehearsalCases } from './scenarioData';
+import { recordedCases, rehearsalCases } from './scenarioData';
 import { heightsHere, surveyPoints } from './survey';
 
 const python = pythonVersion();
@@ -36,15 +36,17 @@ async function differences(
 }
 
 describe('TypeScript and Python agree in every bit', () => {
-  withPython(
-    'over every substep of every rehearsal',
-    async () => {
-      const cases = rehearsalCases();
+  withPython.each([
+    ['rehearsal', rehearsalCases(), 18],
+    ['recorded trajectory', recordedCases(), 28],
+  ] as const)(
+    'over every substep of every %s',
+    async (_, cases, atLeast) => {
       const ours = cases.map((exact) => hashCase(exact));
       const theirs = await replayInPython(cases);
       expect(await differences(cases, ours, theirs)).toEqual([]);
       expect(theirs).toEqual(ours);
-      expect(cases.length).toBeGreaterThan(10);
+      expect(cases.length).toBeGreaterThanOrEqual(atLeast);
     },
     2 * MINUTES,
   );

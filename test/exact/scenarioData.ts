@@ -1,7 +1,9 @@
-/** The rehearsals as the JSON that the Python server reads: test/server/scenarios.json. */
+/** Landings that both implementations are given: the rehearsals, also as test/server/scenarios.json, and the recorded trajectories. */
+import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { SCENARIOS } from '../../src/rehearsal';
-import { caseOf, caseToJson, type ExactCase } from './exactCase';
+import { NEUTRAL_CONTROLS } from '../../src/dynamics';
+import { type Fixture, readFixture, SCENARIOS } from '../../src/rehearsal';
+import { type CaseInput, caseOf, caseToJson, type ExactCase } from './exactCase';
 
 export const SCENARIO_FILE = fileURLToPath(new URL('../server/scenarios.json', import.meta.url));
 
@@ -21,4 +23,45 @@ export function scenarioText(): string {
     JSON.stringify({ about, ...(caseToJson(cases[i]!) as object) }),
   );
   return `[\n${lines.join(',\n')}\n]\n`;
+}
+
+const RECORDED = new URL('../parity/fixtures/', import.meta.url);
+
+/** What the recorded trajectories of test/parity begin with and are told, as cases. @throws when one cannot be read. */
+export function recordedCases(): ExactCase[] {
+  const names = readdirSync(RECORDED).filter((name) => name.endsWith('.json'));
+  return names.sort().map((name) => {
+    const fixture = readFixture(readFileSync(new URL(name, RECORDED), 'utf8'));
+    if (!fixture.ok) throw new Error(`${name}: ${fixture.reason}`);
+    return caseOfFixture(name, fixture.value);
+  });
+}
+
+function caseOfFixture(name: string, fixture: Fixture): ExactCase {
+  const { config, terrain, shipClass, body, initial, states } = fixture;
+  let controls = NEUTRAL_CONTROLS;
+  const inputs: CaseInput[] = fixture.inputs.map(({ tick, substep, controls: change }) => {
+    controls = { ...controls, ...change };
+    return { tick: tick - initial.tick, substep, controls };
+  });
+  const { impactSpeed, ...state } = initial;
+  const ship = {
+    ...state,
+    shipClass: shipClass.name,
+    referenceBody: body.name,
+    contactImpactSpeed: impactSpeed,
+  };
+  return {
+    name,
+    // To the last bit another tick than the recorded one; the same for both that are compared.
+    tickRate: 1 / fixture.tickSeconds,
+    timeScale: 1,
+    ticks: states.at(-1)!.tick - initial.tick,
+    settings: config,
+    terrain,
+    shipClass,
+    bodies: [body],
+    ship,
+    inputs,
+  };
 }

@@ -81,7 +81,7 @@ export function knowsBoundary(track: BodyTrack, tick: number): boolean {
 /** Rows at tick boundary `tick`; made by the law from the newest boundary before it. */
 export function boundaryAt(track: BodyTrack, timeline: Timeline, tick: number): Float64Array {
   let from = tick;
-  while (!knowsBoundary(track, from) && tick - from < track.length - 1) from--;
+  while (!knowsBoundary(track, from) && tick - from < track.length - 1 && from > 0) from--;
   if (!knowsBoundary(track, from)) skipTo(track, timeline, from);
   for (; from < tick; from++) makeNext(track, timeline, from);
   return track.boundaries[tick % track.length]!;

@@ -3,6 +3,7 @@ import {
   type Body,
   type BodyMotion,
   type Checked,
+  DEFAULT_SETTINGS,
   loadBody,
   loadSettings,
   loadShipClass,
@@ -26,7 +27,7 @@ export function loadWorld(
   told: WorldTold,
   terrains: Readonly<Record<string, TerrainHeight>>,
 ): Checked<World> {
-  const settings = loadSettings(told.settings);
+  const settings = loadSettings(plainSettings(told.settings));
   if (!settings.ok) return refused(`settings.${settings.reason}`);
   if (!Object.hasOwn(terrains, told.terrain)) return refused(`terrain: no terrain named ${told.terrain}`);
   const shipClasses = loadEach('shipClasses', told.shipClasses, loadShipClass);
@@ -39,6 +40,11 @@ export function loadWorld(
     bodies: bodies.value,
     terrainHeight: terrains[told.terrain]!,
   });
+}
+
+/** The settings alone, of a record that may be a loaded one with its constants. */
+function plainSettings(given: Partial<Settings>): Partial<Settings> {
+  return Object.fromEntries(Object.entries(given).filter(([name]) => Object.hasOwn(DEFAULT_SETTINGS, name)));
 }
 
 /** Whether two tellings make the same world: places and motions of bodies aside, which frames tell. */

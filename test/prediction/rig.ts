@@ -28,6 +28,7 @@ import {
 } from '../../src/rehearsal';
 import {
   type ClientMessage,
+  type InputRecord,
   decodeServerMessage,
   encodeClientMessage,
   type ServerMessage,
@@ -47,6 +48,10 @@ export interface Rig {
   readonly view: () => WorldView;
   /** One display frame. */
   readonly frame: (controls?: Controls | null) => WorldView;
+  /** As in a hidden tab: messages come, nothing is advanced or drawn. */
+  readonly receiveOnly: () => void;
+  /** Inputs that have left, in their order. */
+  readonly sentInputs: InputRecord[];
   /** Frames until the wall clock has passed `seconds` more. */
   readonly fly: (seconds: number, each?: (view: WorldView) => void) => void;
   /** Messages of the server on their way to the predictor; may change, drop or add some. */
@@ -99,6 +104,7 @@ export function createRig(options: RigOptions): Rig {
   const bodies = [staged.body];
   const told = scenario.settings;
   const settings = { ...told, ...options.secretSettings };
+  const toldSettings = value(loadSettings(told));
   const inner = value(
     createAuthority({
       settings,
@@ -151,9 +157,12 @@ export function createRig(options: RigOptions): Rig {
     predictor,
     notices,
     now: 0,
-    tamper: (message) => [message],
+    tamper: (message) => [
+      message.kind === 'hello' ? { ...message, settings: { ...message.settings, ...toldSettings } } : message,
+    ],
     view: () => rig.predictor.view(rig.now),
-    frame(controls) {
+    sentInputs: [],
+    receiveOnly() {
       frames += 1;
       rig.now = frames * step;
       exchange.run(rig.now);
@@ -162,10 +171,14 @@ export function createRig(options: RigOptions): Rig {
         if (!message.ok) rig.predictor.refused(message.reason);
         else for (const tampered of rig.tamper(message.value)) rig.predictor.receive(tampered, rig.now);
       }
+    },
+    frame(controls) {
+      rig.receiveOnly();
       const { tick, sinceTick, timeScale, tickRate, ready } = rig.view();
       const game = ready ? (tick * timeScale) / tickRate + sinceTick : 0;
       rig.predictor.advance(controls === undefined ? pilot(game) : controls, rig.now);
       for (const message of rig.predictor.outgoing()) {
+        if (message.kind === 'inputs') rig.sentInputs.push(...message.inputs);
         const leaves = Math.max(options.holdBack?.(message, rig.now) ?? rig.now, waiting.at(-1)?.leaves ?? 0);
         waiting.push({ bytes: encodeClientMessage(message), leaves });
       }

@@ -26,7 +26,7 @@ export interface Ease {
 
 /** Stiffness, 1/s, along the ground, along the normal, in angle. Each with its cap leaves less than 5 % at its time. */
 const GROUND = 20;
-const NORMAL = 40;
+const NORMAL = 60;
 const ANGLE = 30;
 /** Of the correction, 1/s: 7.7 % in 1/60 s. */
 const SHARE_CAP = 4.6;

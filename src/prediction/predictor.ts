@@ -29,7 +29,7 @@ import { createShown, fillView, placePresent } from './worldView';
 
 /** What a predictor is made with; everything may be left out. */
 export interface PredictorOptions {
-  /** Terrains by the name the hello tells; TERRAINS of dynamics unless given. */
+  /** Terrains by the name the hello tells, beside TERRAINS of dynamics. */
   readonly terrains?: Readonly<Record<string, TerrainHeight>>;
   /** What holds for a server that sends no hello; the game's catalogue and defaults unless given. */
   readonly defaults?: Partial<Defaults>;
@@ -75,7 +75,7 @@ const BACKDATED = 2;
 
 /** A predictor that has heard of nothing yet. Throws RangeError if the given defaults are refused: they are the page's own. */
 export function createPredictor(options: PredictorOptions = {}): Predictor {
-  const terrains = options.terrains ?? TERRAINS;
+  const terrains = { ...TERRAINS, ...options.terrains };
   const defaults: WorldTold = {
     settings: options.defaults?.settings ?? {},
     shipClasses: options.defaults?.shipClasses ?? SHIP_CLASSES,

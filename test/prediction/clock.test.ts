@@ -1,0 +1,92 @@
+import { describe, expect, it } from 'vitest';
+import {
+  advanceClock,
+  createClock,
+  leadOf,
+  sampleDown,
+  samplePong,
+  serverTime,
+  steerByMargin,
+} from '../../src/prediction/clock';
+import { createDice } from '../../src/rehearsal';
+
+const SUBSTEP = 0.01;
+
+/** Pings every 0.2 s over a link, the server's clock `offset` s behind the client's. */
+function run(
+  seconds: number,
+  link: { up: () => number; down: () => number; offset?: (now: number) => number },
+  clock = createClock(),
+  from = 0,
+) {
+  const presents: number[] = [];
+  for (let i = 0; i < seconds * 60; i++) {
+    const now = from + i / 60;
+    const offset = link.offset?.(now) ?? 100;
+    if (i % 12 === 0) {
+      const [up, down] = [link.up(), link.down()];
+      samplePong(clock, now - up - down, now - down - offset, now);
+    }
+    advanceClock(clock, now, SUBSTEP);
+    presents.push(clock.present);
+  }
+  return { clock, presents, now: from + seconds };
+}
+
+describe('the clock', () => {
+  it('knows the server’s time to half the ways’ difference, and the lead makes up for that half', () => {
+    const { clock, now } = run(6, { up: () => 0.08, down: () => 0.02 });
+    expect(serverTime(clock, now)).toBeCloseTo(now - 100 + 0.03, 9);
+    // An input stamped with the present arrives 0.08 s after it left, in time by the slack.
+    expect(serverTime(clock, now) + leadOf(clock, now)).toBeCloseTo(now - 100 + 0.08 + 0.01, 9);
+  });
+
+  it('is led by the least delays, not by stalls', () => {
+    const dice = createDice(3);
+    const delay = () => 0.04 + 0.02 * dice() + (dice() < 0.1 ? 0.2 : 0);
+    const { clock, now } = run(20, { up: delay, down: delay });
+    expect(Math.abs(serverTime(clock, now) - (now - 100))).toBeLessThan(0.004);
+  });
+
+  it('slews at most by a tenth, and leaves an error of less than a substep alone', () => {
+    let shift = 0;
+    const link = { up: () => 0.05, down: () => 0.05, offset: () => 100 + shift };
+    const first = run(6, link);
+    shift = -0.6;
+    const second = run(8, link, first.clock, first.now);
+    const rates = second.presents.slice(1).map((present, i) => (present - second.presents[i]!) * 60);
+    expect(Math.max(...rates)).toBeLessThanOrEqual(1.1 + 1e-9);
+    expect(Math.max(...rates)).toBeGreaterThan(1.09);
+    expect(Math.min(...rates)).toBeGreaterThanOrEqual(0.9 - 1e-9);
+    const present = second.now - 1 / 60 - 100 + 0.6 + 0.05 + 0.01;
+    expect(Math.abs(second.clock.present - present)).toBeLessThan(SUBSTEP);
+    expect(second.clock.rate).toBe(1);
+    const settled = second.clock.present;
+    shift -= 0.004;
+    const third = run(3, link, second.clock, second.now);
+    expect(third.clock.present - settled).toBeCloseTo(3, 9);
+  });
+
+  it('jumps beyond 2 s', () => {
+    const first = run(6, { up: () => 0.05, down: () => 0.05 });
+    const jumped = run(1, { up: () => 0.05, down: () => 0.05, offset: () => 90 }, first.clock, first.now);
+    expect(Math.abs(jumped.clock.present - (jumped.now - 1 / 60 - 90 + 0.06))).toBeLessThan(0.02);
+  });
+
+  it('steers by margins, and not twice for what is on its way', () => {
+    const { clock, now } = run(6, { up: () => 0.05, down: () => 0.05 });
+    const before = leadOf(clock, now);
+    steerByMargin(clock, -0.03, 0);
+    expect(leadOf(clock, now) - before).toBeCloseTo(0.035, 9);
+    steerByMargin(clock, -0.03, 0);
+    expect(leadOf(clock, now) - before).toBeCloseTo(0.035, 9);
+    steerByMargin(clock, 0.2, clock.steer);
+    expect(leadOf(clock, now) - before).toBeCloseTo(0.035, 9);
+  });
+
+  it('takes half an assumed round trip where no pong ever comes', () => {
+    const clock = createClock();
+    for (let tick = 0; tick < 8; tick++) sampleDown(clock, tick, tick + 100.03);
+    expect(serverTime(clock, 108)).toBeCloseTo(8 - 0.03 + 0.05, 9);
+  });
+});

@@ -29,14 +29,17 @@ export async function useTestFont(page: Page): Promise<void> {
     join(entry.slice(0, entry.lastIndexOf('@sparticuz')), '@sparticuz/chromium/bin/fonts.tar.br'),
   );
   const archive = brotliDecompressSync(packed);
-  const face = (weight: string, file: string) =>
-    `@font-face { font-family: 'Test Sans'; font-weight: ${weight}; src: url(data:font/ttf;base64,${fileOf(archive, `fonts/Open_Sans/${file}`).toString('base64')}) }`;
-  const regular = face('100 500', 'OpenSans-Regular.ttf');
-  const bold = face('600 900', 'OpenSans-Bold.ttf');
-  await page.addStyleTag({ content: `${regular} ${bold} :root { --hud-font: 'Test Sans', sans-serif }` });
-  await page.evaluate(async () => {
-    await Promise.all(
-      ['400 13px "Test Sans"', '700 13px "Test Sans"'].map((font) => document.fonts.load(font)),
-    );
-  });
+  const faces = [
+    ['100 500', 'OpenSans-Regular.ttf'],
+    ['600 900', 'OpenSans-Bold.ttf'],
+  ].map(
+    ([weight, file]) => [weight!, fileOf(archive, `fonts/Open_Sans/${file!}`).toString('base64')] as const,
+  );
+  await page.addStyleTag({ content: `:root { --hud-font: 'Test Sans', sans-serif }` });
+  await page.evaluate(async (given) => {
+    for (const [weight, base64] of given) {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      document.fonts.add(await new FontFace('Test Sans', bytes, { weight }).load());
+    }
+  }, faces);
 }

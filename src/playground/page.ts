@@ -101,7 +101,7 @@ export function begin(document: Document, program: string): void {
       change(name, text);
       panel.show(choices);
     },
-    begin: beginWorld,
+    begin: beginAnew,
     help: help.open,
     resetCamera: () => stage?.resetCamera(),
     copyLink,
@@ -126,7 +126,7 @@ export function begin(document: Document, program: string): void {
     const reason = setChoice(choices, name, text);
     if (reason !== null) return reason;
     if (LIVE_CHOICES.includes(name)) applyLive(name);
-    else beginWorld();
+    else beginAnew();
     window.history.replaceState(null, '', writeChoices(choices) || window.location.pathname);
     panel.show(choices);
     return null;
@@ -144,8 +144,13 @@ export function begin(document: Document, program: string): void {
       for (const name of OVERLAY_NAMES) stage.overlays[name] = choices.overlays.includes(name);
   }
 
-  function beginWorld(): void {
+  /** What was said of the world before goes; what the link and the browser lack is said before there is one. */
+  function beginAnew(): void {
     notice.clear();
+    beginWorld();
+  }
+
+  function beginWorld(): void {
     theatre.leave();
     acts.reset();
     const scenario = SCENARIOS.find(({ name }) => name === choices.scenario)!;

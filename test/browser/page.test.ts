@@ -1,0 +1,258 @@
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import type { Page } from 'playwright-core';
+import { PNG } from 'pngjs';
+import { expect, inject, it } from 'vitest';
+import { describeInBrowser, openBuiltPage, openUrl, problemsOf, theBrowser } from './pages';
+
+const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** Until the own ship is shown in a state; the software renderer may take seconds a frame beside other work. */
+async function untilStatus(page: Page, ...wanted: string[]): Promise<void> {
+  await page.waitForFunction(
+    (states) => states.includes(document.documentElement.dataset['status'] ?? ''),
+    wanted,
+    { timeout: 45_000 },
+  );
+}
+
+async function untilProvenance(page: Page, wanted: string): Promise<void> {
+  await page.waitForFunction((state) => document.documentElement.dataset['provenance'] === state, wanted, {
+    timeout: 45_000,
+  });
+}
+
+/** Until the display's tilt gauge reads less than `angle` degrees. */
+async function untilTiltBelow(page: Page, angle: number): Promise<void> {
+  await page.waitForFunction(
+    (most) => {
+      const meter = document.querySelector('.hud-landing [role=meter][aria-label=Tilt]');
+      return Number(meter?.getAttribute('aria-valuenow') ?? 90) < most;
+    },
+    angle,
+    { timeout: 60_000, polling: 'raf' },
+  );
+}
+
+/** Tick and bits of the own ship at the scenario's end. */
+async function endOfRun(page: Page, lastTick: number): Promise<string> {
+  await page.waitForFunction(
+    (tick) => document.documentElement.dataset['run']?.startsWith(`${tick}:`),
+    lastTick,
+    {
+      timeout: 45_000,
+    },
+  );
+  return (await page.evaluate(() => document.documentElement.dataset['run'])) ?? '';
+}
+
+const SMALL = { viewport: { width: 960, height: 540 } };
+
+describeInBrowser('the built page', () => {
+  it('opens on a landing: picture, both displays, nothing wrong', { timeout: 120_000 }, async () => {
+    const page = await openBuiltPage();
+    await page.waitForSelector('html[data-ready=true]', { timeout: 45_000 });
+    await untilStatus(page, 'landed');
+    expect(await page.textContent('.hud-landing')).toContain('LANDED');
+    expect(await page.textContent('.hud-fleet')).toContain('LANDED');
+    expect(await page.evaluate(() => document.querySelector('canvas')?.getContext('webgl2') !== null)).toBe(
+      true,
+    );
+    const png = PNG.sync.read(await page.locator('#stage').screenshot({ timeout: 60_000 }));
+    const shades = new Set<number>();
+    // The middle of the picture, which no panel covers.
+    for (let y = 100; y < 560; y += 4)
+      for (let x = 350; x < 950; x += 4) shades.add(png.data.readUInt32BE((y * png.width + x) * 4));
+    expect(shades.size).toBeGreaterThan(500);
+    await page.waitForFunction(() => document.getElementById('twin')?.textContent.includes('landed'), null, {
+      timeout: 15_000,
+    });
+    expect(problemsOf(page)).toEqual([]);
+  });
+
+  it.each([
+    ['dark', 1280, 720],
+    ['light', 390, 844],
+  ] as const)(
+    'has nothing for axe to find (%s, %i × %i)',
+    { timeout: 120_000 },
+    async (colorScheme, width, height) => {
+      const page = await openBuiltPage('?scenario=settle', { viewport: { width, height }, colorScheme });
+      await page.waitForSelector('html[data-ready=true]', { timeout: 45_000 });
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+      expect(wide).toBeLessThanOrEqual(0);
+      for (const title of ['Figures', 'Recording', 'World'])
+        await page.locator('summary', { hasText: title }).click({ timeout: 30_000 });
+      // Through the debugger's door: the page's own policy forbids scripts from elsewhere, rightly.
+      await page.evaluate(axeSource);
+      const found = await page.evaluate(async () => {
+        const axe = (
+          globalThis as unknown as { axe: { run: (options: object) => Promise<{ violations: unknown[] }> } }
+        ).axe;
+        const { violations } = await axe.run({ runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa'] });
+        return violations.map((violation) => {
+          const { id, nodes } = violation as {
+            id: string;
+            nodes: { target: unknown; failureSummary: string }[];
+          };
+          return `${id}: ${nodes.map(({ target }) => String(target)).join(' ')} ${nodes[0]?.failureSummary ?? ''}`;
+        });
+      });
+      expect(found).toEqual([]);
+    },
+  );
+
+  it('flies by keyboard alone', { timeout: 120_000 }, async () => {
+    const page = await openBuiltPage('?scenario=settle', SMALL);
+    await untilStatus(page, 'landed');
+    await page.keyboard.press('z');
+    await untilStatus(page, 'flight');
+    await page.keyboard.press('x');
+    await untilStatus(page, 'contact', 'landed');
+    await untilStatus(page, 'landed', 'crashed');
+    // Help is opened, read and closed by keys; flight keys rest while it is open.
+    await page.keyboard.press('?');
+    await page.waitForSelector('dialog[open]');
+    expect(await page.textContent('dialog')).toContain('Pitch forward');
+    await page.keyboard.press('Escape');
+    await page.waitForSelector('dialog', { state: 'hidden' });
+    await page.keyboard.press(']');
+    await page.waitForFunction(() => location.search.includes('scenario=bounce'));
+    expect(problemsOf(page)).toEqual([]);
+  });
+
+  it('topples, and is righted by the key that the hint names', { timeout: 150_000 }, async () => {
+    const page = await openBuiltPage('?scenario=topple', SMALL);
+    await untilStatus(page, 'tipped');
+    const cap = page.locator('.hud-hold kbd').first();
+    await cap.waitFor({ timeout: 20_000 });
+    const key = ((await cap.textContent()) ?? '').toLowerCase();
+    const [letGo] = /[\d.]+/.exec((await page.textContent('.hud-until')) ?? '') ?? ['36'];
+    expect(await page.textContent('.hud-landing')).toContain('Use RCS rotation to right the ship');
+    // Slowly: the software renderer's frames are far apart, and the swing must be caught below the angle.
+    await page.getByLabel('Slow motion').selectOption('0.1');
+    await page.getByLabel('Slow motion').blur();
+    await page.keyboard.down(key);
+    await untilTiltBelow(page, Number(letGo));
+    await page.keyboard.up(key);
+    await page.keyboard.press('t');
+    await untilTiltBelow(page, 15);
+    await page.getByLabel('Slow motion').selectOption('1');
+    await untilStatus(page, 'landed');
+    expect(problemsOf(page)).toEqual([]);
+  });
+
+  it('shares a link that ends in the same bits', { timeout: 120_000 }, async () => {
+    const page = await openBuiltPage('?scenario=settle&seed=7&net=fourG', SMALL);
+    await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+    const run = await endOfRun(page, 8);
+    await page.getByRole('button', { name: 'Copy link' }).click({ timeout: 30_000 });
+    const link = await page.evaluate(() => navigator.clipboard.readText());
+    expect(new URL(link).search).toBe('?scenario=settle&net=fourG&seed=7');
+    await page.context().close();
+    const again = await openUrl(link, SMALL);
+    expect(await endOfRun(again, 8)).toBe(run);
+  });
+
+  it(
+    'replays what it recorded, both ways, with the first divergence marked',
+    { timeout: 120_000 },
+    async () => {
+      const page = await openBuiltPage('?scenario=settle', SMALL);
+      await untilStatus(page, 'landed');
+      await page.getByRole('button', { name: 'Kick the ship' }).click({ timeout: 30_000 });
+      await untilStatus(page, 'flight');
+      await untilStatus(page, 'landed', 'tipped');
+      await page.locator('summary', { hasText: 'Recording' }).click({ timeout: 30_000 });
+      await page.getByRole('button', { name: 'Replay' }).click({ timeout: 30_000 });
+      await page.waitForSelector('.scrubber .mark', { state: 'visible' });
+      expect(await page.textContent('#dock')).toMatch(/First divergence at tick \d+/);
+      await page.locator('.scrubber input').fill('0.2');
+      await untilStatus(page, 'flight');
+      const end = await page.locator('.scrubber input').getAttribute('max');
+      await page.locator('.scrubber input').fill(end ?? '');
+      await untilStatus(page, 'landed', 'tipped');
+      await page.getByRole('button', { name: 'Back to the game' }).click({ timeout: 30_000 });
+      await untilProvenance(page, 'confirmed');
+      expect(problemsOf(page)).toEqual([]);
+    },
+  );
+
+  it('survives a minute hidden and a lost connection', { timeout: 150_000 }, async () => {
+    // At four times the speed a quarter of a minute is a minute to server and predictor.
+    const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
+    await untilStatus(page, 'landed');
+    await page.getByRole('button', { name: 'Hide for a minute' }).click({ timeout: 30_000 });
+    await page.waitForTimeout(15_000);
+    await page.getByRole('button', { name: /Back now/ }).click({ timeout: 30_000 });
+    await untilProvenance(page, 'confirmed');
+    await untilStatus(page, 'landed');
+
+    await page.getByRole('button', { name: 'Drop the connection' }).click({ timeout: 30_000 });
+    await untilProvenance(page, 'stale');
+    expect(await page.textContent('#banner')).toContain('Connection lost');
+    await page.getByRole('button', { name: 'Connect again' }).click({ timeout: 30_000 });
+    await untilProvenance(page, 'confirmed');
+    expect(await page.textContent('#banner')).toBe('');
+    expect(problemsOf(page)).toEqual([]);
+  });
+
+  it('works with the network off once loaded', { timeout: 120_000 }, async () => {
+    const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
+    await untilStatus(page, 'landed');
+    await page.context().setOffline(true);
+    await page.keyboard.press(']');
+    await page.waitForFunction(() => location.search.includes('scenario=bounce'));
+    await untilStatus(page, 'flight', 'contact');
+    await untilStatus(page, 'landed');
+    expect(problemsOf(page)).toEqual([]);
+  });
+});
+
+describeInBrowser('the built page, when something is wrong', () => {
+  it('says what a link asks for that cannot be had', { timeout: 60_000 }, async () => {
+    const page = await openBuiltPage('?scenario=settle&rate=9000&body=Vulcan', SMALL);
+    await page.waitForSelector('#notice:not([hidden])', { timeout: 45_000 });
+    const words = (await page.textContent('#notice')) ?? '';
+    expect(words).toContain('rate: expected a number from 0.1 to 100');
+    expect(words).toContain('body: expected one of Moon, Earth, Mars, Phobos');
+  });
+
+  it('says why a file is no recording and what one is', { timeout: 60_000 }, async () => {
+    const page = await openBuiltPage('?scenario=settle', SMALL);
+    await page.waitForSelector('html[data-ready=true]', { timeout: 45_000 });
+    const file = {
+      name: 'poem.jsonl',
+      mimeType: 'text/plain',
+      buffer: Buffer.from('<b>not</b> a recording\n'),
+    };
+    await page.setInputFiles('input[type=file]', file);
+    await page.waitForSelector('#notice:not([hidden])', { timeout: 45_000 });
+    expect(await page.textContent('#notice')).toContain('poem.jsonl cannot be played: line 1: not JSON');
+  });
+
+  it('says which server cannot be reached', { timeout: 60_000 }, async () => {
+    const page = await openBuiltPage('?server=ws://127.0.0.1:9/', SMALL);
+    await page.waitForFunction(
+      () => document.getElementById('banner')?.textContent.includes('Connection lost'),
+      null,
+      {
+        timeout: 45_000,
+      },
+    );
+    expect(await page.textContent('#banner')).toContain('ws://127.0.0.1:9/');
+  });
+
+  it('goes on by its displays where there is no WebGL', { timeout: 60_000 }, async () => {
+    const context = await (await theBrowser()).newContext({ ...SMALL, locale: 'en-US' });
+    const page = await context.newPage();
+    await page.addInitScript(() => {
+      HTMLCanvasElement.prototype.getContext = () => null;
+    });
+    await page.goto(`${inject('builtPage')}?scenario=settle`);
+    await page.waitForSelector('#notice:not([hidden])', { timeout: 45_000 });
+    expect(await page.textContent('#notice')).toContain('This browser gives no WebGL 2');
+    await untilStatus(page, 'landed');
+    await context.close();
+  });
+});

@@ -109,10 +109,13 @@ function isBorneOut(intake: Intake, tick: number): boolean {
 
 /** The same tick again says something new while time stands still, or when it stops or goes on. */
 function isNews(sim: Simulation, frame: ServerFrame): boolean {
-  const held = spanOf(sim.timeline, frame.tick);
-  return (
-    held.paused || frame.paused || held.tickRate !== frame.tickRate || held.timeScale !== frame.timeScale
-  );
+  return frame.paused || differs(sim, frame);
+}
+
+/** Whether a frame's tempo is another than the one held for its tick. */
+function differs(sim: Simulation, { tick, tickRate, timeScale, paused }: ServerFrame): boolean {
+  const held = spanOf(sim.timeline, tick);
+  return held.paused !== paused || held.tickRate !== tickRate || held.timeScale !== timeScale;
 }
 
 /** Another time altogether: nothing that was predicted can be compared with what comes. */
@@ -143,9 +146,12 @@ function followTempo(sim: Simulation, intake: Intake, frame: ServerFrame, now: n
   const wall = stood ? wallAfterPause(sim, intake, now) : null;
   if (!stood && !first) sampleDown(intake.clock, wallOfTick(timeline, frame.tick), now);
   const goesOn = stood && !frame.paused;
-  const changed = setTempo(timeline, frame.tick, frame, goesOn || frame.tick > sim.newestTick ? wall : null);
+  const changes = !first && differs(sim, frame);
+  // What is drawn now is of the tempo so far.
+  if (changes) for (const track of sim.fleet.tracks) if (track.mode === 'stepping') hold(sim, track);
+  setTempo(timeline, frame.tick, frame, goesOn || frame.tick > sim.newestTick ? wall : null);
   if (first) sampleDown(intake.clock, 0, now);
-  if (changed && !first) retime(sim, frame.tick);
+  if (changes) retime(sim, frame.tick);
   sim.newestTick = frame.tick;
   intake.fresh = false;
 }
@@ -161,7 +167,6 @@ function retime(sim: Simulation, tick: number): void {
   forgetBodiesAfter(sim.bodies, tick);
   for (const track of sim.fleet.tracks) {
     forgetAfter(track.history, tick);
-    if (track.mode === 'stepping') hold(sim, track);
     track.replaying = false;
   }
   sim.frontIsStale = true;

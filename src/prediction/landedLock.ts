@@ -83,6 +83,14 @@ export function writeLockedAt(rows: Float64Array, at: number, track: Track, bodi
   writeLocked(rows, at, track, body, spin);
 }
 
+/** Out of the lock by a server state that differs: drawn where it lay until it has been replayed. */
+export function holdLocked(track: Track): void {
+  track.heldPlace.set(track.lockedPlace);
+  track.heldAttitude.set(track.lockedAttitude);
+  track.hasHeld = true;
+  track.mode = 'waiting';
+}
+
 /** Back into step: its rows at the front, and its past at the boundaries since the server's newest word. */
 export function wake(sim: Simulation, track: Track): void {
   const { fleet, front, timeline } = sim;

@@ -22,7 +22,7 @@ import {
 } from './compare';
 import { has, offsetOf } from './history';
 import type { InputFate } from './inputs';
-import { isAtRest, lockIfAtRest, lockTo, wake, writeLockedAt } from './landedLock';
+import { holdLocked, isAtRest, lockIfAtRest, lockTo, writeLockedAt } from './landedLock';
 import { abandonReplay, startReplay } from './replay';
 import { commandsAnything, type Simulation } from './simulation';
 import { take } from './rotation';
@@ -119,7 +119,7 @@ function correct(sim: Simulation, track: Track, field: Field, predicted: Place, 
     counters.correctionsMismatch += 1;
     counters.lastMismatch = `${track.shipId} at tick ${word.tick}: ${describeDifference(field, server, predicted)}`;
   }
-  if (track.mode === 'locked') wake(sim, track);
+  if (track.mode === 'locked') holdLocked(track);
   startReplay(track, sim, word.tick, told, 0);
 }
 

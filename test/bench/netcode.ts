@@ -3,6 +3,7 @@ import { lawFigures } from './netcode/law';
 import { clockFigures } from './netcode/clock';
 import { costFigures } from './netcode/cost';
 import { fleetFigures } from './netcode/fleet';
+import { soakFigures } from './netcode/soak';
 import { hourFigures } from './netcode/hour';
 import { stateFigures } from './netcode/states';
 import { smoothnessFigures } from './netcode/smoothness';
@@ -17,6 +18,7 @@ for (const figures of [
   stateFigures(),
   hourFigures(),
   costFigures(),
+  soakFigures(),
 ]) {
   for (const figure of figures) {
     print(figure, asJson);

@@ -14,8 +14,8 @@ const DIFFERENCES = fileURLToPath(new URL('../../.vitest-attachments/', import.m
  * without; the rest is for other versions of the browser. The neighbouring state of a HUD differs by more (a test holds that).
  */
 export const TOLERANCE = 0.0015;
-/** Colour distance, 0 … 1, from which a pixel counts. */
-const THRESHOLD = 0.2;
+/** Colour distance, 0 … 1, from which a pixel counts: at 0.2 a yellow that turns salmon would not. */
+const THRESHOLD = 0.1;
 
 /** Share of pixels that differ, 1 for another size. */
 export function difference(a: PNG, b: PNG, picture?: PNG): number {

@@ -41,7 +41,8 @@ async function bundle(entry, outDir) {
       sourcemap: 'inline',
       rolldownOptions: {
         optimization: { inlineConst: { mode: 'all', pass: 3 } },
-        output: { entryFileNames: 'entry.mjs', codeSplitting: false },
+        // As vite.config.ts has it, and says why.
+        output: { entryFileNames: 'entry.mjs', codeSplitting: false, topLevelVar: false },
       },
     },
   });

@@ -13,11 +13,13 @@ import {
   type Step,
   THRUST,
   TORQUE,
+  INDEX,
 } from './quantities';
 
 /** Step 1: torque in body axes, thrust in ICRF, fuel burnt. Mass and inertia are those from before the burn. */
 export function actuate(step: Step): void {
-  const { ships, at, shipClass } = step;
+  const { ships, shipClass } = step;
+  const at = step.at & INDEX;
   q[MASS] = shipClass.dryMass + ships[at + FUEL]!;
   q[MASS_RATIO] = q[MASS] / shipClass.fullMass;
   q[TORQUE] = 0;
@@ -35,7 +37,8 @@ export function actuate(step: Step): void {
 
 /** Main engine and translation thrusters, and the fuel that they and the RCS torque burn. */
 function push(step: Step): void {
-  const { ships, at, shipClass } = step;
+  const { ships, shipClass } = step;
+  const at = step.at & INDEX;
   q[THRUST] = 0;
   q[THRUST + 1] = 0;
   q[THRUST + 2] = 0;

@@ -31,11 +31,13 @@ import {
   type Step,
   TORQUE,
   WISH,
+  INDEX,
 } from './quantities';
 
 /** The torque that stick or attitude control asks for, as far as wheels and RCS can give it (DYNAMICS, Actuators). */
 export function controlAttitude(step: Step): void {
-  const { ships, at } = step;
+  const { ships } = step;
+  const at = step.at & INDEX;
   const stickX = ships[at + ROTATION_INPUT]!;
   const stickY = ships[at + ROTATION_INPUT + 1]!;
   const stickZ = ships[at + ROTATION_INPUT + 2]!;

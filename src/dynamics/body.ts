@@ -10,6 +10,7 @@ import {
   BODY_TURN,
   BODY_VELOCITY,
 } from './layout';
+import { INDEX } from './quantities';
 
 /** What of a body never changes. */
 export interface Body {
@@ -103,7 +104,8 @@ export function moveBodies(rows: Float64Array, count: number, seconds: number): 
 }
 
 /** q = normalize(q + ½ dt (Ω, 0) q), and the turn of ground-bound ships, normalize(Ω dt/2, 1). */
-function turnBody(rows: Float64Array, at: number, dt: number): void {
+function turnBody(rows: Float64Array, row: number, dt: number): void {
+  const at = row & INDEX;
   const half = 0.5 * dt;
   const tx = rows[at + BODY_ANGULAR_VELOCITY]! * half;
   const ty = rows[at + BODY_ANGULAR_VELOCITY + 1]! * half;

@@ -23,6 +23,7 @@ import {
   TANGENTIAL_VELOCITY,
   THRUST,
   WEIGHT,
+  INDEX,
 } from './quantities';
 
 /** k / m, s⁻²: the contact spring (DYNAMICS, Normal force). */
@@ -40,7 +41,8 @@ export function isNearlyAtRest(surface: number, step: Step): boolean {
 
 /** Step 3: the depth it would rest at, and whether the ground holds a tipped ship where it stands. */
 export function isPinned(step: Step): boolean {
-  const { ships, at } = step;
+  const { ships } = step;
+  const at = step.at & INDEX;
   const state = ships[at + SURFACE_STATE]!;
   if (state === FLYING) return false;
   const load = q[WEIGHT]! - q[LIFT]!;
@@ -58,7 +60,8 @@ export function isPinned(step: Step): boolean {
 
 /** Step 4: F_n. Spring and damper of a ship in the ground; what is left of the weight where it is pinned. */
 export function normalForce(step: Step, pinned: boolean): void {
-  const { ships, at } = step;
+  const { ships } = step;
+  const at = step.at & INDEX;
   if (pinned) {
     const load = q[WEIGHT]! - q[LIFT]!;
     q[NORMAL_FORCE] = load > 0 ? load : 0;
@@ -74,7 +77,8 @@ export function normalForce(step: Step, pinned: boolean): void {
 
 /** Tipped, or in the contact of a touch not above contact_bounce_speed. Asked of grounded ships. */
 function settlesWithoutBounce(step: Step): boolean {
-  const { ships, at } = step;
+  const { ships } = step;
+  const at = step.at & INDEX;
   return (
     ships[at + SURFACE_STATE] === TIPPED ||
     ships[at + IMPACT_SPEED]! <= step.world.settings.contactBounceSpeed
@@ -83,7 +87,8 @@ function settlesWithoutBounce(step: Step): boolean {
 
 /** Step 5: friction, semi-implicit Euler, and no bounce out of a settling contact. */
 export function moveByForces(step: Step): void {
-  const { ships, at } = step;
+  const { ships } = step;
+  const at = step.at & INDEX;
   const dt = q[DT]!;
   const mass = q[MASS]!;
   const perMass = dt / mass;
@@ -120,7 +125,9 @@ export function moveByForces(step: Step): void {
 
 /** The upward speed of a settling ship ends at the static depth: the excess is taken off along n. */
 function capRise(step: Step): void {
-  const { ships, at, bodies, bodyAt } = step;
+  const { ships, bodies } = step;
+  const bodyAt = step.bodyAt & INDEX;
+  const at = step.at & INDEX;
   const nx = q[START + NORMAL]!;
   const ny = q[START + NORMAL + 1]!;
   const nz = q[START + NORMAL + 2]!;

@@ -11,6 +11,7 @@ import {
   ROTATION,
   type Step,
   TO,
+  INDEX,
 } from './quantities';
 import { perpendicularAxis, rotateAttitude, shortestRotation } from './rotations';
 import { readAxes, readTilt, readUp } from './surface';
@@ -68,7 +69,9 @@ function findAxis(): void {
  * Along the axis alone it would feed the other axes of a full tensor for ever.
  */
 function stopFurtherTilt(step: Step): void {
-  const { ships, at, bodies, bodyAt } = step;
+  const { ships, bodies } = step;
+  const bodyAt = step.bodyAt & INDEX;
+  const at = step.at & INDEX;
   const ax = q[AXIS]!;
   const ay = q[AXIS + 1]!;
   const az = q[AXIS + 2]!;

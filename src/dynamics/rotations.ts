@@ -1,10 +1,12 @@
 import { ATTITUDE, BODY_TURN, POSITION } from './layout';
-import { AXIS, FROM, quantity as q, ROTATION, type Step, TO } from './quantities';
+import { AXIS, FROM, quantity as q, ROTATION, type Step, TO, INDEX } from './quantities';
 import { moveWithGround, spinWithGround } from './surface';
 
 /** Landed or pinned: the ship's place turns with the ground over the substep; u = Ω × r. */
 export function turnPlaceWithGround(step: Step): void {
-  const { ships, at, bodies, bodyAt } = step;
+  const { ships, bodies } = step;
+  const bodyAt = step.bodyAt & INDEX;
+  const at = step.at & INDEX;
   const ax = bodies[bodyAt + BODY_TURN]!;
   const ay = bodies[bodyAt + BODY_TURN + 1]!;
   const az = bodies[bodyAt + BODY_TURN + 2]!;
@@ -25,7 +27,9 @@ export function turnPlaceWithGround(step: Step): void {
 
 /** Landed: the attitude turns with the ground too; w = Ω. */
 export function turnAttitudeWithGround(step: Step): void {
-  const { ships, at, bodies, bodyAt } = step;
+  const { ships, bodies } = step;
+  const bodyAt = step.bodyAt & INDEX;
+  const at = step.at & INDEX;
   for (let k = 0; k < 4; k++) q[ROTATION + k] = bodies[bodyAt + BODY_TURN + k]!;
   rotateAttitude(ships, at);
   spinWithGround(step);

@@ -4,6 +4,7 @@ import {
   COS_TILT,
   END,
   GRAVITY,
+  INDEX,
   NORMAL,
   PENETRATION,
   quantity as q,
@@ -14,11 +15,14 @@ import {
 } from './quantities';
 
 /**
- * Fills the surface quantities at `to` (START or END) from the ship's position and velocity as they are now.
+ * Fills the quantities at `surface` (START or END) from the ship's position and velocity as they are now.
  * @param bodyAxes BODY_AXES at a substep's start, BODY_END_AXES at its end: how the body lies under the ship.
  */
-export function readSurface(to: number, step: Step, bodyAxes: number): void {
-  const { ships, at, bodies, bodyAt, body, world } = step;
+export function readSurface(surface: number, step: Step, bodyAxes: number): void {
+  const to = surface & INDEX;
+  const { ships, bodies, body, world } = step;
+  const bodyAt = step.bodyAt & INDEX;
+  const at = step.at & INDEX;
   const rx = ships[at + POSITION]!;
   const ry = ships[at + POSITION + 1]!;
   const rz = ships[at + POSITION + 2]!;
@@ -32,7 +36,7 @@ export function readSurface(to: number, step: Step, bodyAxes: number): void {
   q[to + NORMAL + 1] = ny;
   q[to + NORMAL + 2] = nz;
 
-  const axes = bodyAt + bodyAxes;
+  const axes = (bodyAt + bodyAxes) & INDEX;
   const height = world.terrainHeight(
     body.name,
     bodies[axes]! * nx + bodies[axes + 3]! * ny + bodies[axes + 6]! * nz,
@@ -61,7 +65,8 @@ export function readSurface(to: number, step: Step, bodyAxes: number): void {
 
 /** Fills AXES, the rotation matrix of the ship's attitude as it is now. */
 export function readAxes(step: Step): void {
-  const { ships, at } = step;
+  const { ships } = step;
+  const at = step.at & INDEX;
   const x = ships[at + ATTITUDE]!;
   const y = ships[at + ATTITUDE + 1]!;
   const z = ships[at + ATTITUDE + 2]!;
@@ -82,7 +87,8 @@ export function readAxes(step: Step): void {
 
 /** Fills the third column of AXES alone: `up` of the attitude as it is now. */
 export function readUp(step: Step): void {
-  const { ships, at } = step;
+  const { ships } = step;
+  const at = step.at & INDEX;
   const x = ships[at + ATTITUDE]!;
   const y = ships[at + ATTITUDE + 1]!;
   const z = ships[at + ATTITUDE + 2]!;
@@ -105,7 +111,9 @@ export function readTilt(): void {
 
 /** u = Ω × r: the ship moves as the ground at its centre of mass. */
 export function moveWithGround(step: Step): void {
-  const { ships, at, bodies, bodyAt } = step;
+  const { ships, bodies } = step;
+  const bodyAt = step.bodyAt & INDEX;
+  const at = step.at & INDEX;
   const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
   const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
@@ -119,7 +127,9 @@ export function moveWithGround(step: Step): void {
 
 /** w = Ω: the ship turns as the ground. */
 export function spinWithGround(step: Step): void {
-  const { ships, at, bodies, bodyAt } = step;
+  const { ships, bodies } = step;
+  const bodyAt = step.bodyAt & INDEX;
+  const at = step.at & INDEX;
   ships[at + ANGULAR_VELOCITY] = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   ships[at + ANGULAR_VELOCITY + 1] = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
   ships[at + ANGULAR_VELOCITY + 2] = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;

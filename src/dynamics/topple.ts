@@ -11,6 +11,7 @@ import {
   type Step,
   TORQUE,
   WEIGHT,
+  INDEX,
 } from './quantities';
 
 /** s⁻² and s⁻¹ per unit of inertia: the rotational twin of the spring-damper, critical. */
@@ -23,7 +24,9 @@ const SCRUB_DAMPING = 20;
  * All in body axes, where up is z. One function: its passes, named in comments, cost 30 ns more as functions of their own.
  */
 export function turnByTorques(step: Step): void {
-  const { ships, at, bodies, bodyAt, shipClass } = step;
+  const { ships, bodies, shipClass } = step;
+  const bodyAt = step.bodyAt & INDEX;
+  const at = step.at & INDEX;
   const dt = q[DT]!;
   const ratio = q[MASS_RATIO]!;
   const xx = q[AXES]!;

@@ -34,13 +34,15 @@ import {
   START,
   type Step,
   TO,
+  INDEX,
 } from './quantities';
 import { rotateAttitude, shortestRotation } from './rotations';
 import { moveWithGround, readTilt, spinWithGround } from './surface';
 
 /** Step 9: the first transition that applies to the state at the substep's end, at most one. Returns the event. */
 export function makeTransition(step: Step): number {
-  const { ships, at } = step;
+  const { ships } = step;
+  const at = step.at & INDEX;
   const state = ships[at + SURFACE_STATE]!;
   const touching = q[END + PENETRATION]! > 0;
   if (state === FLYING && !touching) return NO_EVENT;
@@ -98,7 +100,8 @@ function alignWithSurface(step: Step): void {
 
 /** A result, not a state: the rest of the ship's state stays as it was, and it is out of the simulation. */
 function crash(step: Step): number {
-  const { ships, at } = step;
+  const { ships } = step;
+  const at = step.at & INDEX;
   ships[at + CRASHED] = 1;
   ships[at + SURFACE_STATE] = FLYING;
   return EVENT_CRASHED;
@@ -111,7 +114,9 @@ function tip(step: Step): number {
 
 /** w_rel · (n × up) < 0: it turns back towards upright. */
 function isRighting(step: Step): boolean {
-  const { ships, at, bodies, bodyAt } = step;
+  const { ships, bodies } = step;
+  const bodyAt = step.bodyAt & INDEX;
+  const at = step.at & INDEX;
   const nx = q[END + NORMAL]!;
   const ny = q[END + NORMAL + 1]!;
   const nz = q[END + NORMAL + 2]!;
@@ -132,7 +137,9 @@ function right(step: Step): number {
 
 /** Spin, vertical speed (the spring's energy counted in) and slide below the settle limits. */
 function isSettled(step: Step): boolean {
-  const { ships, at, bodies, bodyAt, shipClass } = step;
+  const { ships, bodies, shipClass } = step;
+  const bodyAt = step.bodyAt & INDEX;
+  const at = step.at & INDEX;
   const { contactSettleAngularVel } = step.world.settings;
   const wx = ships[at + ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   const wy = ships[at + ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;

@@ -27,10 +27,15 @@ function writeLibraryManifest() {
   const { name, version, license, type, dependencies } = JSON.parse(
     readFileSync(join(root, 'package.json'), 'utf8'),
   );
-  const needed = { ...dependencies };
-  delete needed.vite;
-  const exports = { '.': { types: './types/index.d.ts', default: './touchdown.js' } };
-  const manifest = { name, version, license, type, sideEffects: false, exports, dependencies: needed };
+  const code = readFileSync(join(root, 'dist/lib/touchdown.js'), 'utf8');
+  const isImported = ([dependency]) => new RegExp(`from "${dependency}["/]`).test(code);
+  const needed = Object.fromEntries(Object.entries(dependencies).filter(isImported));
+  const exports = {
+    '.': { types: './types/index.d.ts', default: './touchdown.js' },
+    './touchdown.css': './touchdown.css',
+  };
+  const sideEffects = ['./touchdown.css'];
+  const manifest = { name, version, license, type, sideEffects, exports, dependencies: needed };
   writeFileSync(join(root, 'dist/lib/package.json'), `${JSON.stringify(manifest, null, 2)}\n`);
 }
 

@@ -26,6 +26,9 @@ const code = await import(new URL(`../dist/lib/${exports['.'].default}`, import.
 const names = Object.keys(code).sort();
 if (names.length === 0) fail('dist/lib exports nothing');
 
+const styles = readFileSync(join(root, 'dist/lib', exports['./touchdown.css']), 'utf8');
+if (!styles.includes('prefers-reduced-motion')) fail('the displays’ style sheet is not in dist/lib');
+
 mkdirSync(folder, { recursive: true });
 const uses = names.map((name) => `used(touchdown.${name}, true);`).join('\n');
 const program = `import * as touchdown from 'touchdown';

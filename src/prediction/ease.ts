@@ -4,7 +4,7 @@
  * The angular offset is one rotation vector on the left: drawn attitude = exp(offset) · predicted attitude, both as seen from the
  * body's axes. Simulation never reads any of it.
  *
- * The spring's speed is capped at 7.7 % of the correction in a 60 Hz frame, or 1.9 cm and 0.45° where that is more: uncapped, the
+ * The spring's speed is capped at 7.3 % of the correction in a 60 Hz frame, or 1.9 cm and 0.45° where that is more: uncapped, the
  * springs that come within 5 % in 300 ms (along the ground), 150 ms (along the normal) and 250 ms (in angle) would move by 10,
  * 19 and 12 % of a correction in one frame. Capped, the first and the last still do; the normal does up to 15 cm, and a larger
  * correction takes it up to 240 ms, the least that any curve can take at 8 % a frame.
@@ -28,8 +28,8 @@ export interface Ease {
 const GROUND = 20;
 const NORMAL = 60;
 const ANGLE = 30;
-/** Of the correction, 1/s: 7.7 % in 1/60 s. */
-const SHARE_CAP = 4.6;
+/** Of the correction, 1/s: 7.3 % in 1/60 s. */
+const SHARE_CAP = 4.4;
 /** m/s: 1.9 cm in 1/60 s. */
 const SPEED_CAP = 1.15;
 /** rad/s: 0.45° in 1/60 s. */

@@ -19,6 +19,8 @@ export interface Sample {
   readonly drawn: readonly number[];
   /** Predicted, without the offset. */
   readonly position: readonly number[];
+  readonly predictedAttitude: readonly number[];
+  /** Drawn. */
   readonly attitude: readonly number[];
   readonly state: string;
   readonly provenance: string;
@@ -33,6 +35,7 @@ export function sampleOf(view: WorldView, wall: number, index = 0): Sample {
     shipId: ship.shipId,
     drawn: [...ship.drawnPosition],
     position: [...ship.position],
+    predictedAttitude: [...ship.attitude],
     attitude: [...ship.drawnAttitude],
     state: ship.crashed ? 'crashed' : ship.surfaceState,
     provenance: ship.provenance,

@@ -24,8 +24,9 @@ export interface Measure {
   /** |drawn − server| at the label, m and rad. */
   readonly drawn: number;
   readonly drawnAngle: number;
-  /** The same of the prediction, without the offset, m. */
+  /** The same of the prediction, without the offset. */
   readonly predicted: number;
+  readonly predictedAngle: number;
 }
 
 /** Flies and measures. Truth comes a tick after what was drawn, so the last second of a flight is not measured. */
@@ -64,6 +65,7 @@ function measure(sample: Sample, rig: Rig): Measure | null {
     drawn: distance(sample.drawn, truth.position),
     drawnAngle: angleBetween(sample.attitude, truth.attitude),
     predicted: distance(sample.position, truth.position),
+    predictedAngle: angleBetween(sample.predictedAttitude, truth.attitude),
   };
 }
 

@@ -2,6 +2,7 @@ import { type Figure, spread } from './figure';
 import { type Flight, flyMeasured, type Measure } from './flights';
 import { flyPilot } from './law';
 import { flyOthers } from './pilots';
+import { angleBetween } from '../../prediction/samples';
 
 /**
  * The largest frame-to-frame change of what is drawn beyond the truth's own motion, at 60 Hz: of the correction being eased, or
@@ -64,7 +65,7 @@ interface Change {
   readonly turnSize: number;
 }
 
-/** m: the prediction is right. */
+/** m and rad: the prediction is right. */
 const RIGHT = 1e-3;
 
 function changesOf({ measures }: Flight): Change[] {
@@ -78,12 +79,17 @@ function changesOf({ measures }: Flight): Change[] {
     const size = began
       ? Math.max(offset, before?.measure.predicted ?? 0)
       : Math.max(before.size, before.measure.drawn);
-    const turnSize = began ? measure.drawnAngle : Math.max(before.turnSize, before.measure.drawnAngle);
+    const turnBegan = before === undefined || before.measure.drawnAngle < 1e-6;
+    const turnSize = Math.max(measure.drawnAngle, turnBegan ? 0 : before.turnSize);
     last.set(shipId, { measure, size, turnSize });
-    if (before === undefined || measure.predicted > RIGHT) continue;
+    if (before === undefined || Math.max(measure.predicted, measure.predictedAngle) > RIGHT) continue;
     changes.push({
       metres: errorChange(before.measure, measure),
-      radians: Math.abs(measure.drawnAngle - before.measure.drawnAngle),
+      // An aligned touchdown uprights the truth at once and the drawn ship smoothly: what counts is what is seen to turn.
+      radians: Math.min(
+        Math.abs(measure.drawnAngle - before.measure.drawnAngle),
+        angleBetween(measure.sample.attitude, before.measure.sample.attitude),
+      ),
       size: Math.max(size, 1e-9),
       turnSize: Math.max(turnSize, 1e-9),
     });

@@ -75,8 +75,8 @@ export function* soakFigures(): Generator<Figure> {
   }
   const d = rig.view().diagnosis;
   const note = `${faults} faults; ${d.framesAccepted} frames taken, ${d.framesDuplicate} duplicate, ${d.framesOutOfOrder} out of order, ${d.resyncs} resyncs, ${d.snaps} snaps`;
-  const flat = heaps.slice(2).map((heap) => heap - heaps[2]!);
-  const most = flat.reduce((worst, grown) => (Math.abs(grown) > Math.abs(worst) ? grown : worst), 0);
+  // One reading differs from the next by half a megabyte, up and down: the collector's doing. Growth is what their means show.
+  const grown = mean(heaps.slice(-4)) - mean(heaps.slice(2, 6));
   const whole = rig.now >= HOUR && heaps.length >= 11;
   yield {
     name: 'an hour with every fault: thrown',
@@ -89,11 +89,15 @@ export function* soakFigures(): Generator<Figure> {
   yield {
     name: 'an hour with every fault: heap grown',
     unit: 'MB',
-    value: most,
+    value: grown,
     target: '± 1',
-    met: whole && Math.abs(most) <= 1,
+    met: whole && Math.abs(grown) <= 1,
     timing: true,
   };
+}
+
+function mean(values: readonly number[]): number {
+  return values.reduce((sum, x) => sum + x, 0) / values.length;
 }
 
 /** Some messages twice, some held until the one after. */

@@ -107,7 +107,8 @@ export function createDust(): Dust {
       latest = Math.max(latest, time + seconds * vary);
     },
     paint(look) {
-      const light = look.sunStrength * 0.3;
+      // Grains that hang in the sun are lit from all sides: brighter than the ground they came from.
+      const light = look.sunStrength * (look.air === null ? 0.62 : 0.5);
       const [r, g, b] = look.dust;
       (material.uniforms['colour']!.value as Color).setRGB(r * light, g * light, b * light);
       material.uniforms['drag']!.value = look.air?.drag ?? 0;

@@ -19,8 +19,8 @@ interface Picture {
 
 const PICTURES: readonly Picture[] = [
   { name: 'opening', query: 'scenario=opening', at: 14, panels: true },
-  { name: 'touch', query: 'scenario=bounce', at: 1.5, panels: false },
-  { name: 'slide', query: 'scenario=slide-mars', at: 3.2, panels: false },
+  { name: 'touch', query: 'scenario=bounce', at: 1.15, panels: false },
+  { name: 'slide', query: 'scenario=slide-mars', at: 2.4, panels: false },
   { name: 'righted', query: 'scenario=topple', at: 11, panels: true },
   { name: 'freighter', query: 'scenario=freighter-hold', at: 3, panels: false },
   { name: 'phobos', query: 'scenario=settle-phobos', at: 12, panels: false },
@@ -37,6 +37,8 @@ async function take(browser: Browser, url: string, picture: Picture, folder: str
   // Slow, so that a software renderer stops near the moment that was asked for.
   const slow = picture.at > 6 ? 1 : 0.1;
   await page.goto(`${url}?${picture.query}&slow=${slow}&freeze=${picture.at}`);
+  // From the first report on the page listens to keys.
+  await page.waitForSelector('html[data-status]', { timeout: 60_000 });
   if (!picture.panels) await page.keyboard.press('h');
   await page.waitForSelector('html[data-frozen=true]', { timeout: 180_000 });
   const path = join(folder, `${picture.name}.jpg`);
@@ -56,7 +58,8 @@ async function main(): Promise<void> {
   const browser = await launchChromium(program);
   try {
     for (const picture of PICTURES)
-      if (wished.length === 0 || wished.includes(picture.name)) await take(browser, server.url, picture, folder);
+      if (wished.length === 0 || wished.includes(picture.name))
+        await take(browser, server.url, picture, folder);
   } finally {
     await browser.close();
     await server.close();

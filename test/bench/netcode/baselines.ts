@@ -88,7 +88,7 @@ export function baselines(): Baselines {
     },
     errors(sample, truth) {
       const place = drawn.get(`${sample.shipId} ${sample.wall}`);
-      if (place?.behind == null) return null;
+      if (place === undefined || place.behind === null) return null;
       return {
         hold: distance(place.hold, truth),
         gravity: distance(place.gravity, truth),

@@ -1,4 +1,3 @@
-import type { ServerFrame } from '../../../src/wire';
 import { baselines } from './baselines';
 import { type Figure, spread } from './figure';
 import { flyMeasured } from './flights';
@@ -25,7 +24,7 @@ export function* fleetFigures(): Generator<Figure> {
         others = flyOthers(rig, OTHERS, 1000 * seed);
         const { tamper } = rig;
         rig.tamper = (message) => {
-          if (message.kind === 'frame') drawn.receive(message as ServerFrame, rig.now);
+          if (message.kind === 'frame') drawn.receive(message, rig.now);
           return tamper(message);
         };
       }

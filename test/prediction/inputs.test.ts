@@ -1,0 +1,117 @@
+import { describe, expect, it } from 'vitest';
+import { type Controls, NEUTRAL_CONTROLS, SHIP_STRIDE, THRUST_LEVEL } from '../../src/dynamics';
+import {
+  acknowledge,
+  applyDue,
+  createInputs,
+  resend,
+  seek,
+  store,
+  takeUnsent,
+} from '../../src/prediction/inputs';
+import { createRig } from './rig';
+
+const thrust = (thrustLevel: number): Controls => ({ ...NEUTRAL_CONTROLS, thrustLevel });
+
+function stored(...stamps: readonly (readonly [tick: number, substep: number])[]) {
+  const inputs = createInputs();
+  for (const [i, [tick, substep]] of stamps.entries())
+    store(inputs, thrust((i + 1) / 10), { tick, substep }, 0, 0);
+  return inputs;
+}
+
+/** Thrust level after the controls due at (tick, substep) were applied from the start of `from` on. */
+function inForce(
+  inputs: ReturnType<typeof createInputs>,
+  from: number,
+  tick: number,
+  substep: number,
+): number {
+  const row = new Float64Array(SHIP_STRIDE);
+  applyDue(inputs, seek(inputs, from, 0), { tick, substep }, row, 0);
+  return row[THRUST_LEVEL]!;
+}
+
+describe('own inputs', () => {
+  it('are sent once, as stored, numbered from 1', () => {
+    const inputs = stored([3, 10], [3, 50]);
+    expect(takeUnsent(inputs).map(({ seq, tick, substep }) => [seq, tick, substep])).toEqual([
+      [1, 3, 10],
+      [2, 3, 50],
+    ]);
+    expect(takeUnsent(inputs)).toEqual([]);
+    acknowledge(inputs, 4, { seq: 1, tick: 3, substep: 10, margin: 0.5 }, thrust(0.1), 0);
+    resend(inputs);
+    expect(takeUnsent(inputs).map(({ seq }) => seq)).toEqual([2]);
+  });
+
+  it('act at their substep, the newest of one substep last', () => {
+    const inputs = stored([3, 10], [3, 50], [3, 50]);
+    expect(inForce(inputs, 3, 3, 9)).toBe(0);
+    expect(inForce(inputs, 3, 3, 10)).toBe(0.1);
+    expect(inForce(inputs, 3, 3, 50)).toBe(0.3);
+    expect(inForce(inputs, 4, 4, 0)).toBe(0);
+  });
+
+  it('act where the server says: later when late, and from the frame on when nothing is said yet', () => {
+    const inputs = stored([3, 10], [3, 50]);
+    expect(acknowledge(inputs, 4, { seq: 1, tick: 3, substep: 10, margin: 0.5 }, thrust(0.1), 0)).toBe(
+      'late',
+    );
+    expect(inForce(inputs, 4, 4, 0)).toBe(0.2);
+    expect(acknowledge(inputs, 5, { seq: 2, tick: 4, substep: 7, margin: -0.1 }, thrust(0.2), 0)).toBe(
+      'late',
+    );
+    expect(inForce(inputs, 4, 4, 6)).toBe(0);
+    expect(inForce(inputs, 4, 4, 7)).toBe(0.2);
+    expect(acknowledge(inputs, 6, { seq: 2, tick: 4, substep: 7, margin: -0.1 }, thrust(0.2), 0)).toBe(
+      'asPredicted',
+    );
+  });
+
+  it('are given up as lost when they have been due for long', () => {
+    const inputs = stored([3, 10]);
+    inputs.acknowledges = true;
+    expect(acknowledge(inputs, 4, null, NEUTRAL_CONTROLS, 1)).toBe('late');
+    expect(acknowledge(inputs, 8, null, NEUTRAL_CONTROLS, 5)).toBe('lost');
+    expect(inputs.records).toHaveLength(0);
+  });
+
+  it('of a server that acknowledges nothing are read off the controls it sends', () => {
+    const inputs = stored([3, 0], [4, 0], [5, 0]);
+    expect(acknowledge(inputs, 5, null, thrust(0.2), 0)).toBe('asPredicted');
+    expect(inputs.applied).toBe(2);
+    expect(acknowledge(inputs, 6, null, thrust(0.2), 0)).toBe('late');
+    expect(inForce(inputs, 6, 6, 0)).toBe(0.3);
+  });
+
+  it('that are not finite are ignored, and those out of range clamped', () => {
+    const rig = createRig({ scenario: 'bounce' });
+    rig.fly(3);
+    for (const bad of [Number.NaN, Number.POSITIVE_INFINITY]) rig.frame(thrust(bad));
+    expect(rig.sentInputs).toEqual([]);
+    for (let i = 0; i < 5; i++) rig.frame(thrust(7));
+    expect(rig.sentInputs).toHaveLength(1);
+    expect(rig.sentInputs[0]!.controls.thrustLevel).toBe(1);
+  });
+
+  it('hold for other pilots 1.5 tick intervals without news, then the stick is let go', () => {
+    const rig = createRig({ scenario: 'bounce', others: 1 });
+    rig.authority.join('player-1', 'other-1');
+    rig.fly(3);
+    const tick = rig.authority.tickNumber();
+    const record = { seq: 1, tick, substep: 0, controls: thrust(0.12) };
+    rig.authority.receive('player-1', { kind: 'inputs', inputs: [record] }, rig.now);
+    rig.fly(2.5);
+    const level = () => rig.view().ships.find(({ shipId }) => shipId === 'other-1')!.controls.thrustLevel;
+    expect(level()).toBe(0.12);
+    rig.exchange.drop('me');
+    rig.fly(0.8);
+    expect(level()).toBe(0.12);
+    rig.fly(1.8);
+    expect(level()).toBe(0);
+    rig.exchange.reconnect('me', rig.now);
+    rig.fly(1.5);
+    expect(level()).toBe(0.12);
+  });
+});

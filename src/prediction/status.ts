@@ -58,15 +58,16 @@ export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from
   const crashes = rows[from + CRASHED] === 1;
   out.shownState = shownState(track, state, crashes, at);
   out.provenance = provenanceOf(track, state, crashes, at);
-  const age = at.present - (out.provenance === 'predicted' ? status.since : at.wallOf(track.serverTick));
+  const age = at.present - (out.provenance === 'predicted' ? status.since : status.serverWall);
   out.age = age > 0 ? age : 0;
   out.withdrawn = at.now < status.withdrawnUntil ? WITHDRAWN[status.withdrawn]! : '';
 }
 
 /** What the server last said of the ship, for its ghost; at a frame's pace, not at the display's. */
-export function fillServerState(out: ShipView, track: Track): void {
+export function fillServerState(out: ShipView, track: Track, at: Instant): void {
   if (track.status.serverTick === track.serverTick) return;
   track.status.serverTick = track.serverTick;
+  track.status.serverWall = at.wallOf(track.serverTick);
   out.serverKnown = track.serverTick >= 0;
   take(out.serverPosition, track.serverRow, POSITION);
   take(out.serverAttitude, track.serverRow, ATTITUDE);

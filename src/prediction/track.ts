@@ -84,8 +84,9 @@ export interface Status {
   /** Event of the last retracted prediction, and until when that is told, client wall s. */
   withdrawn: number;
   withdrawnUntil: number;
-  /** Tick of the server's state that the view shows. */
+  /** Tick of the server's state that the view shows, and server wall s then. */
   serverTick: number;
+  serverWall: number;
   /** The commands that the view's controls were made from. */
   readonly commands: Float64Array;
 }
@@ -159,6 +160,7 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
       withdrawn: 0,
       withdrawnUntil: Number.NEGATIVE_INFINITY,
       serverTick: -1,
+      serverWall: Number.NaN,
       commands: new Float64Array(SHIP_STRIDE - THRUST_LEVEL).fill(Number.NaN),
     },
     view: null,

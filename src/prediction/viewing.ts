@@ -110,7 +110,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   fillStanding(out, scene, attitude);
   fillThrust(out, rows, from);
   fillControls(out, track.status.commands, rows, from);
-  fillServerState(out, track);
+  fillServerState(out, track, scene.at);
   fillStatus(out, track, rows, from, scene.at);
 }
 

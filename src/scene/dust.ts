@@ -108,7 +108,7 @@ export function createDust(): Dust {
     },
     paint(look) {
       // Grains that hang in the sun are lit from all sides: brighter than the ground they came from.
-      const light = look.sunStrength * (look.air === null ? 0.62 : 0.5);
+      const light = look.sunStrength * (look.air === null ? 1.25 : 0.95);
       const [r, g, b] = look.dust;
       (material.uniforms['colour']!.value as Color).setRGB(r * light, g * light, b * light);
       material.uniforms['drag']!.value = look.air?.drag ?? 0;

@@ -65,6 +65,8 @@ export function begin(document: Document, program: string): void {
   const fleet = createFleetReadout();
   let generation = 0;
   let before = NaN;
+  /** The first picture builds the ground and compiles its programs, a second or more: the show then begins again, whole. */
+  let isWarm = false;
   const landingHud = createCockpitLandingHud(document, part('hud'), {
     keyLabel: (action) => (keys.enabled ? keyCap(keys.map[action]) : ''),
   });
@@ -194,6 +196,13 @@ export function begin(document: Document, program: string): void {
     (replay?.baseline ?? live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
     dock.follow(view, now);
     if (view.ready) stage?.draw(view, now);
+    if (view.ready && !isWarm) {
+      isWarm = true;
+      if (stage !== null && choices.server === '') {
+        beginWorld();
+        return;
+      }
+    }
     if (Number.isNaN(freezeAt) && resolution.measure(milliseconds / 1000)) fit();
     report(view);
   }

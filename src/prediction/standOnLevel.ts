@@ -2,11 +2,22 @@ import type { Hull } from './hull';
 import { lengthOf, rotateBack, vector } from './rotation';
 import { flyingTarget, type GroundPose, type StandingPose } from './standOnGround';
 
+/** In a record, since a double that is an argument is boxed at each call. */
+export interface LevelGround {
+  /** m from the body's centre, under the whole ship. */
+  radius: number;
+}
+
 /**
- * standOnGround where the ground is level at `radius`, m from the body's centre, under the whole ship: a tenth of the cost, for the
+ * standOnGround where the ground is level under the whole ship: a tenth of the cost, for the
  * many ships that are drawn small. On a slope its error is the slope's over the ship's extent.
  */
-export function standOnLevel(out: StandingPose, pose: GroundPose, hull: Hull, radius: number): StandingPose {
+export function standOnLevel(
+  out: StandingPose,
+  pose: GroundPose,
+  hull: Hull,
+  ground: LevelGround,
+): StandingPose {
   const { position, attitude } = pose;
   const { feet, outline } = hull;
   const distance = lengthOf(position);
@@ -15,7 +26,7 @@ export function standOnLevel(out: StandingPose, pose: GroundPose, hull: Hull, ra
   const x = seenUp[0]!;
   const y = seenUp[1]!;
   const z = seenUp[2]!;
-  const centre = distance - radius;
+  const centre = distance - ground.radius;
   let lowestFoot = Number.POSITIVE_INFINITY;
   let lowest = Number.POSITIVE_INFINITY;
   for (let i = 0; i < feet.length; i += 3) {

@@ -34,7 +34,7 @@ import {
 } from './rotation';
 import type { Simulation } from './simulation';
 import { createStandingPose, type GroundPose, standOnGround, type StandingPose } from './standOnGround';
-import { standOnLevel } from './standOnLevel';
+import { type LevelGround, standOnLevel } from './standOnLevel';
 import { fillControls, fillServerState, fillStatus, type Instant } from './status';
 import { copyRow, type Track } from './track';
 import type { ShipView } from './view';
@@ -207,13 +207,17 @@ function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
     terrain.body = body;
     terrain.height = scene.world.terrainHeight;
     standOnGround(standing, drawn, hullOf(shipClass), groundRadius);
-  } else standOnLevel(standing, drawn, hullOf(shipClass), out.groundRadius);
+  } else {
+    level.radius = out.groundRadius;
+    standOnLevel(standing, drawn, hullOf(shipClass), level);
+  }
   rotate(out.standPosition, bodyAttitude, standing.position);
   for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = standing.legCompression[leg]!;
   out.feetHeight = standing.feetHeight;
 }
 
 const FAR = 2;
+const level: LevelGround = { radius: 0 };
 const standing: StandingPose = createStandingPose(LEGS);
 const terrain: { body: { name: string; radius: number }; height: World['terrainHeight'] } = {
   body: { name: '', radius: 0 },

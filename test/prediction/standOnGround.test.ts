@@ -91,7 +91,7 @@ describe('standOnGround', () => {
         [h + 0.4, false],
       ] as const) {
         standOnGround(exact, pose(height, tilt, grounded), hull, level);
-        standOnLevel(quick, pose(height, tilt, grounded), hull, RADIUS);
+        standOnLevel(quick, pose(height, tilt, grounded), hull, { radius: RADIUS });
         // What the ground's own curve makes over the ship's extent.
         expect(quick.lift).toBeCloseTo(exact.lift, 3);
         expect(quick.feetHeight).toBeCloseTo(exact.feetHeight, 4);

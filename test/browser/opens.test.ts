@@ -8,8 +8,10 @@ import { PNG } from 'pngjs';
 import { expect, it } from 'vitest';
 import { describeInBrowser, openBuiltPage, problemsOf } from './pages';
 
-/** The most that the page's code may weigh, in bytes as sent with gzip, terrain and models apart. */
+/** The most that an opened page's code may weigh, in bytes as sent with gzip, terrain and models apart. */
 const HEAVIEST = 250_000;
+/** What the page fetches only when it is asked for. */
+const ON_DEMAND = /plotting-[\w-]+\.(js|css)$/;
 
 /** How many different colours the stage alone shows, of the pixels on a grid of 16 pixels. */
 async function coloursOf(page: Page): Promise<number> {
@@ -38,13 +40,21 @@ describeInBrowser('the built page', () => {
     expect(problemsOf(page)).toEqual([]);
   });
 
-  it(`weighs at most ${HEAVIEST / 1000} kB`, () => {
+  it(`weighs at most ${HEAVIEST / 1000} kB, plots apart, which come when they are opened`, async () => {
+    const page = await openBuiltPage();
+    await page.waitForSelector('html[data-ready=true]', { timeout: 30_000 });
+    const fetched = await page.evaluate(() =>
+      performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname.split('/').at(-1)!),
+    );
+    expect(fetched.length).toBeGreaterThan(2);
+    expect(fetched.filter((name) => ON_DEMAND.test(name))).toEqual([]);
     const folder = fileURLToPath(new URL('../../dist/page', import.meta.url));
     const code = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) =>
       /\.(html|js|css)$/.test(name),
     );
-    expect(code.length).toBeGreaterThan(2);
-    const bytes = code.map((name) => gzipSync(readFileSync(join(folder, name)), { level: 9 }).length);
+    const atOnce = code.filter((name) => !ON_DEMAND.test(name));
+    expect(atOnce.length).toBeLessThan(code.length);
+    const bytes = atOnce.map((name) => gzipSync(readFileSync(join(folder, name)), { level: 9 }).length);
     expect(bytes.reduce((sum, one) => sum + one, 0)).toBeLessThanOrEqual(HEAVIEST);
   });
 });

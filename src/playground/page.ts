@@ -67,6 +67,7 @@ export function begin(document: Document, program: string): void {
   let before = NaN;
   /** The first picture builds the ground and compiles its programs, a second or more: the show then begins again, whole. */
   let isWarm = false;
+  let isResized = false;
   const landingHud = createCockpitLandingHud(document, part('hud'), {
     keyLabel: (action) => (keys.enabled ? keyCap(keys.map[action]) : ''),
   });
@@ -118,7 +119,7 @@ export function begin(document: Document, program: string): void {
   });
   createPads(part('pads'), acts.press, acts.release);
   if (stage !== null) steerCamera(canvas, stage);
-  new window.ResizeObserver(fit).observe(canvas);
+  new window.ResizeObserver(() => (isResized = true)).observe(canvas);
   fit();
   panel.show(choices);
   beginWorld();
@@ -171,6 +172,7 @@ export function begin(document: Document, program: string): void {
   }
 
   function fit(): void {
+    isResized = false;
     const { clientWidth, clientHeight } = canvas;
     if (clientWidth > 0 && clientHeight > 0)
       stage?.resize(clientWidth, clientHeight, Math.min(window.devicePixelRatio, 2) * resolution.share());
@@ -195,6 +197,8 @@ export function begin(document: Document, program: string): void {
     twin.tell(view, landing, now);
     (replay?.baseline ?? live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
     dock.follow(view, now);
+    // Before the picture: a canvas that changes size is blank until it is drawn again.
+    if ((Number.isNaN(freezeAt) && resolution.measure(milliseconds / 1000)) || isResized) fit();
     if (view.ready) stage?.draw(view, now);
     if (view.ready && !isWarm) {
       isWarm = true;
@@ -203,7 +207,6 @@ export function begin(document: Document, program: string): void {
         return;
       }
     }
-    if (Number.isNaN(freezeAt) && resolution.measure(milliseconds / 1000)) fit();
     report(view);
   }
 

@@ -34,8 +34,8 @@ export { beginTick, endTick, loadTiming, stepWorld, type Timing, timingOfTick } 
 export type { TerrainHeight, World } from './world';
 /** Re-choosing the reference body at a tick's start. */
 export { chooseReferenceBody } from './referenceBody';
-/** Sine and cosine from polynomials, for configuration and scenarios. */
-export { polynomialCosine, polynomialSine, RADIANS_PER_DEGREE } from './cosine';
+/** Sine and cosine with the same bits everywhere, for configuration and scenarios. */
+export { cosineOfDegrees, sineOfDegrees } from './angles';
 /** Which state may follow which. */
 export { isLegalMove } from './legalMoves';
 /** One number for a trajectory's bits. */

@@ -1,15 +1,16 @@
 import { add, compose, cross, inverse, rotate } from '../authority';
-import type {
-  Body,
-  BodyMotion,
-  Quat,
-  ShipClass,
-  ShipRecord,
-  SurfaceState,
-  TerrainHeight,
-  Vec3,
+import {
+  type Body,
+  type BodyMotion,
+  cosineOfDegrees,
+  type Quat,
+  type ShipClass,
+  type ShipRecord,
+  sineOfDegrees,
+  type SurfaceState,
+  type TerrainHeight,
+  type Vec3,
 } from '../dynamics';
-import { cosineOfDegrees, sineOfDegrees } from './angles';
 
 /** A place on a body, degrees: latitude from the equator toward the pole (body Y), longitude from the prime meridian (Z) toward X. */
 export interface Site {

@@ -7,7 +7,6 @@ import {
   siteToIcrf,
   toBodyRelative,
 } from '../../src/rehearsal';
-import { cosineOfDegrees, sineOfDegrees } from '../../src/rehearsal/angles';
 
 const MOON = BODIES.find(({ name }) => name === 'Moon')!;
 const EARTH = BODIES.find(({ name }) => name === 'Earth')!;
@@ -30,29 +29,6 @@ function expectClose(given: readonly number[], expected: readonly number[], digi
   expect(given).toHaveLength(expected.length);
   for (const [i, value] of given.entries()) expect(value).toBeCloseTo(expected[i]!, digits);
 }
-
-describe('angles', () => {
-  it('are the engine’s sine and cosine within 1e-15, over three turns either way', () => {
-    let worst = 0;
-    for (let degrees = -1080; degrees <= 1080; degrees += 0.37) {
-      const radians = (degrees / 180) * Math.PI;
-      // Math.sin of the same angle reduced, since degrees · π/180 itself is off by an ulp of the unreduced angle.
-      const reduced = radians - 2 * Math.PI * Math.floor(radians / (2 * Math.PI));
-      worst = Math.max(
-        worst,
-        Math.abs(sineOfDegrees(degrees) - Math.sin(reduced)) / (1 + Math.abs(radians)),
-        Math.abs(cosineOfDegrees(degrees) - Math.cos(reduced)) / (1 + Math.abs(radians)),
-      );
-    }
-    expect(worst).toBeLessThan(1e-15);
-  });
-
-  it('are exact where they must be', () => {
-    expect([0, 90, 180, 270, 360].map(sineOfDegrees).map(Math.abs)).toEqual([0, 1, 0, 1, 0]);
-    expect(sineOfDegrees(30)).toBeCloseTo(0.5, 15);
-    expect(sineOfDegrees(-30)).toBe(-sineOfDegrees(30));
-  });
-});
 
 describe('a site', () => {
   it('lies where the game’s axes say: Y pole, Z prime meridian, X 90° E', () => {

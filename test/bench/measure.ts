@@ -17,8 +17,7 @@ const WARM_UP = 600;
  * @param each how many of the unit's things one time is, e.g. substeps: the figure is per each
  */
 export function timed(name: string, times: number, each: number, run: (times: number) => void): Figure {
-  const warm = performance.now() + WARM_UP;
-  while (performance.now() < warm) run(times);
+  warmUp(times, run);
   const rounds: number[] = [];
   for (let i = 0; i < ROUNDS; i++) {
     const from = process.hrtime.bigint();
@@ -28,28 +27,48 @@ export function timed(name: string, times: number, each: number, run: (times: nu
   return figure(name, 'ns', rounds);
 }
 
-/** Bytes of heap that one of `times` runs leaves behind, young garbage counted. Wants node's --expose-gc. */
+/** Parts that the runs of a heap figure are cut into. */
+const HEAP_PARTS = 100;
+
+/**
+ * Bytes of heap that one of `times` runs allocates, young garbage counted: what runs allocate, each part of them does alike, and so
+ * shows in the median; what the compiler allocates (0.2 MB a time) falls into a few parts, and a part in which the collector ran
+ * is left out, since it freed what is looked for.
+ */
 export function heapGrowth(name: string, times: number, run: (times: number) => void): Figure {
-  const { gc } = globalThis;
-  if (!gc) throw new Error('heap figures want node --expose-gc');
-  const rounds: number[] = [];
-  for (let i = 0; i < 5; i++) {
-    run(times);
-    gc();
+  warmUp(times, run);
+  const runs = times / HEAP_PARTS;
+  const reading = median(heapParts(0, run));
+  const parts = heapParts(runs, run).map((grown) => (grown - reading) / runs);
+  return figure(name, 'bytes', parts);
+}
+
+/** Bytes by which the heap grew over each part of `runs` runs, the reading's own among them. @throws when nearly all were collected */
+function heapParts(runs: number, run: (times: number) => void): number[] {
+  const parts: number[] = [];
+  for (let tried = 0; parts.length < HEAP_PARTS; tried++) {
+    if (tried > 20 * HEAP_PARTS) throw new Error(`${runs} runs fill the young generation: measure fewer`);
     const before = process.memoryUsage().heapUsed;
-    run(times);
-    // The reading itself allocates some kB: below a hundredth of a byte a run there is nothing.
-    const perRun = (process.memoryUsage().heapUsed - before) / times;
-    rounds.push(Math.abs(perRun) < 0.01 ? 0 : perRun);
+    run(runs);
+    const grown = process.memoryUsage().heapUsed - before;
+    if (grown >= 0) parts.push(grown);
   }
-  return figure(name, 'bytes', rounds);
+  return parts;
+}
+
+function warmUp(times: number, run: (times: number) => void): void {
+  const warm = performance.now() + WARM_UP;
+  while (performance.now() < warm) run(times);
 }
 
 /** The figure of a name from its rounds. */
 export function figure(name: string, unit: string, rounds: readonly number[]): Figure {
-  const sorted = [...rounds].sort((a, b) => a - b);
-  const at = (share: number) => round(sorted[Math.floor(share * (sorted.length - 1))]!);
-  return { name, unit, median: at(0.5), min: at(0), max: at(1) };
+  const ends = [Math.min(...rounds), Math.max(...rounds)] as const;
+  return { name, unit, median: round(median(rounds)), min: round(ends[0]), max: round(ends[1]) };
+}
+
+function median(values: readonly number[]): number {
+  return [...values].sort((a, b) => a - b)[Math.floor((values.length - 1) / 2)]!;
 }
 
 function round(value: number): number {

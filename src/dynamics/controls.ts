@@ -35,7 +35,13 @@ export const NEUTRAL_CONTROLS: Controls = Object.freeze<Controls>({
   targetAttitude: [0, 0, 0, 1],
 });
 
-/** Controls clamped into range, target normalised; or a reason that names the field (DYNAMICS, Actuators). */
+/** A target this near to length 1 is unit already: dividing by such a length would move its last bits, each time it is loaded. */
+const UNIT_WITHIN = 1e-12;
+
+/**
+ * Controls clamped into range, target normalised; or a reason that names the field (DYNAMICS, Actuators). What is loaded loads again
+ * to the same bits, so that a stored or sent input replays to the same flight.
+ */
 export function loadControls(given: Controls): Checked<Controls> {
   const reason =
     notFinite('thrustLevel', given.thrustLevel) ??
@@ -48,14 +54,14 @@ export function loadControls(given: Controls): Checked<Controls> {
   const [x, y, z, w] = given.targetAttitude;
   const length = Math.sqrt(x * x + y * y + z * z + w * w);
   if (!(length > 1e-3 && length < 1e3)) return refused('targetAttitude: expected a quaternion of length 1');
+  const isUnit = Math.abs(length - 1) <= UNIT_WITHIN;
   return accepted({
     thrustLevel: clamp(given.thrustLevel, 0, 1),
     translationInput: clampTriple(given.translationInput),
     rotationInput: clampTriple(given.rotationInput),
     attitudeHold: given.attitudeHold,
     attitudeMode: given.attitudeMode,
-    // A target that is unit to the bit stays as it is, so that a stored input replays to the same bits.
-    targetAttitude: length === 1 ? given.targetAttitude : [x / length, y / length, z / length, w / length],
+    targetAttitude: isUnit ? given.targetAttitude : [x / length, y / length, z / length, w / length],
   });
 }
 

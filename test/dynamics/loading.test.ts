@@ -1,3 +1,4 @@
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import {
   BODIES,
@@ -118,9 +119,31 @@ describe('controls', () => {
       must(loadControls({ ...NEUTRAL_CONTROLS, targetAttitude })).targetAttitude;
     expect(load([3, 0, 4, 0])).toEqual([0.6, 0, 0.8, 0]);
     expect(Math.hypot(...load([0.1, -0.7, 0.3, 0.2]))).toBeCloseTo(1, 15);
-    // A target that is unit to the bit replays to the same bits.
-    const unit = [0.5, -0.5, 0.5, -0.5] as const;
-    expect(load([...unit])).toEqual(unit);
+  });
+
+  it('load again to the same bits, so that a stored input replays to the same flight', () => {
+    const any = fc.double({ min: -10, max: 10, noNaN: true });
+    const target = fc.tuple(any, any, any, any).filter((q) => Math.hypot(...q) > 0.01);
+    let moving = 0;
+    fc.assert(
+      fc.property(target, fc.tuple(any, any, any), any, (targetAttitude, stick, thrustLevel) => {
+        const given = { thrustLevel, translationInput: stick, rotationInput: stick, targetAttitude };
+        const once = must(loadControls({ ...NEUTRAL_CONTROLS, ...given }));
+        expect(must(loadControls(once))).toEqual(once);
+        const [x, y, z, w] = once.targetAttitude;
+        if (Math.sqrt(x * x + y * y + z * z + w * w) !== 1) moving++;
+      }),
+      { seed: 20_260, numRuns: 500 },
+    );
+    // Quotients by their length are often an ulp off length 1: those are the ones that would have moved.
+    expect(moving).toBeGreaterThan(20);
+  });
+
+  it('take a target within 1e-12 of length 1 to the bit, and set any other to it', () => {
+    const load = (w: number) =>
+      must(loadControls({ ...NEUTRAL_CONTROLS, targetAttitude: [0, 0, 0, w] })).targetAttitude[3];
+    for (const off of [2 ** -52, -(2 ** -53), 9e-13, -9e-13]) expect(load(1 + off)).toBe(1 + off);
+    for (const off of [1.1e-12, -1.1e-12, 1e-6, -0.5]) expect(load(1 + off)).toBe(1);
   });
 
   it('go through a row and back', () => {

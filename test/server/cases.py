@@ -99,10 +99,10 @@ def clamp(value: float, low: float) -> float:
 
 
 def unit_quaternion(q: Quat) -> Quat:
-    """Unit to the bit stays as it is, so that a stored input replays to the same bits."""
+    """What is unit already stays as it is, so that a stored input replays to the same bits."""
     x, y, z, w = q
     size = sqrt(x * x + y * y + z * z + w * w)
-    return q if size == 1 else (x / size, y / size, z / size, w / size)
+    return q if abs(size - 1) <= 1e-12 else (x / size, y / size, z / size, w / size)
 
 
 def floats(values: list[float]) -> tuple[float, ...]:

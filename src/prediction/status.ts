@@ -63,14 +63,15 @@ export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from
   out.withdrawn = at.now < status.withdrawnUntil ? WITHDRAWN[status.withdrawn]! : '';
 }
 
-/** What the server last said of the ship, for its ghost; at a frame's pace, not at the display's. */
-export function fillServerState(out: ShipView, track: Track, at: Instant): void {
-  if (track.status.serverTick === track.serverTick) return;
+/** What the server last said of the ship, for its ghost; at a frame's pace, not at the display's. Returns whether it is new. */
+export function fillServerState(out: ShipView, track: Track, at: Instant): boolean {
+  if (track.status.serverTick === track.serverTick) return false;
   track.status.serverTick = track.serverTick;
   track.status.serverWall = at.wallOf(track.serverTick);
   out.serverKnown = track.serverTick >= 0;
   take(out.serverPosition, track.serverRow, POSITION);
   take(out.serverAttitude, track.serverRow, ATTITUDE);
+  return true;
 }
 
 const WITHDRAWN = EVENT_NAMES.map((name) => name.slice('ship.'.length) as ShipView['withdrawn']);

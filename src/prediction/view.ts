@@ -64,9 +64,12 @@ export interface ShipView {
   /** A predicted state the server did not have: shown for 2 s, else ''. */
   withdrawn: '' | 'contact' | 'landed' | 'tipped' | 'righted' | 'crashed';
 
-  /** The server's newest state of this ship (for the ghost): relative to the body at that tick. */
+  /** The server's newest state of this ship: relative to the body at that tick, ICRF axes. */
   readonly serverPosition: Float64Array;
   readonly serverAttitude: Float64Array;
+  /** The same as a ghost to draw: stood on the ground as standPosition is, in the axes of its body, with which it turns. */
+  readonly ghostPosition: Float64Array;
+  readonly ghostAttitude: Float64Array;
   /** false before the first state of this ship. */
   serverKnown: boolean;
   /** Ticks the server has gone on without sending this ship: it leaves the list at 3. A crashed ship says so in shownState. */

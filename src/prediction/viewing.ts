@@ -17,6 +17,7 @@ import {
   type World,
 } from '../dynamics';
 import { relax } from './ease';
+import { fillGhost } from './ghost';
 import { hullOf, LEGS } from './hull';
 import { writeLocked } from './landedLock';
 import { pose, writeAttitude } from './pose';
@@ -69,6 +70,8 @@ export function createShipView(track: Track, world: World): ShipView {
     withdrawn: '',
     serverPosition: vectors(),
     serverAttitude: Float64Array.of(0, 0, 0, 1),
+    ghostPosition: vectors(),
+    ghostAttitude: Float64Array.of(0, 0, 0, 1),
     serverKnown: false,
     missingTicks: 0,
   };
@@ -107,10 +110,10 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   seeFromBody(out, attitude);
   if (track.ease.active) relax(track.ease, normal, scene.at.elapsed);
   fillDrawn(out, track, attitude);
-  fillStanding(out, scene, attitude);
+  const exactly = fillStanding(out, scene, attitude);
   fillThrust(out, rows, from);
   fillControls(out, track.status.commands, rows, from);
-  fillServerState(out, track, scene.at);
+  if (fillServerState(out, track, scene.at)) fillGhost(out, track, scene.world, exactly);
   fillStatus(out, track, rows, from, scene.at);
 }
 
@@ -188,9 +191,11 @@ function fillDrawn(out: ShipView, track: Track, body: Float64Array): void {
 const drawn: GroundPose = { ...pose(), grounded: false };
 const turn = quaternion();
 
-function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): void {
+/** @returns whether point by point, or as on level ground */
+function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
   const body = scene.world.bodies[out.body]!;
   const { shipClass } = out;
+  const exactly = out.own || scene.standings > 0;
   const height = scene.world.terrainHeight(body.name, normal[0]!, normal[1]!, normal[2]!);
   out.groundRadius = body.radius + height;
   const above = lengthOf(drawn.position) - out.groundRadius;
@@ -199,10 +204,10 @@ function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
     for (let k = 0; k < 3; k++) out.standPosition[k] = out.drawnPosition[k]!;
     for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = 0;
     out.feetHeight = lengthOf(seen.position) - out.groundRadius - shipClass.groundContactOffset;
-    return;
+    return exactly;
   }
   drawn.grounded = out.surfaceState !== '';
-  if (out.own || scene.standings > 0) {
+  if (exactly) {
     scene.standings -= 1;
     terrain.body = body;
     terrain.height = scene.world.terrainHeight;
@@ -214,6 +219,7 @@ function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
   rotate(out.standPosition, bodyAttitude, standing.position);
   for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = standing.legCompression[leg]!;
   out.feetHeight = standing.feetHeight;
+  return exactly;
 }
 
 const FAR = 2;

@@ -1,7 +1,8 @@
+import { quat } from 'gl-matrix';
 import { Quaternion, Vector3 } from 'three';
 import { GRAVITATIONAL_CONSTANT } from '../dynamics';
 import type { ShipView, WorldView } from '../prediction';
-import { type LocalFrame, rotate, toLocalPoint, type Turn } from './localFrame';
+import { type LocalFrame, rotate, type Turn } from './localFrame';
 import type { OverlayChoice, OverlayPlaces } from './overlays';
 import type { ShipActor } from './shipActor';
 
@@ -20,18 +21,22 @@ export interface OverlayScene {
 type Places = { -readonly [Name in keyof OverlayPlaces]: OverlayPlaces[Name] };
 
 const point = new Float64Array(3);
-const ghostAttitude = new Quaternion();
+const attitude = new Float64Array(4);
 
 /** Where this frame's overlays go, relative to the eye. */
 export function placeOverlays(out: Places, scene: OverlayScene): void {
   const { view, ship, actor, frame, turn, eye, groundY } = scene;
-  out.ship.copy(actor.mesh.position);
+  const { place } = actor;
+  out.ship.set(place[0]! - eye[0]!, place[1]! - eye[1]!, place[2]! - eye[2]!);
   out.ghostKnown = ship.serverKnown;
-  toLocalPoint(point, frame, turn, ship.serverPosition);
-  out.ghost.set(point[0]! - eye[0]!, point[1]! - eye[1]!, point[2]! - eye[2]!);
-  const [tx, ty, tz, tw] = [0, 1, 2, 3].map((i) => turn.quaternion[i]!);
-  const [gx, gy, gz, gw] = [0, 1, 2, 3].map((i) => ship.serverAttitude[i]!);
-  out.ghostTurn.set(tx!, ty!, tz!, tw!).multiply(ghostAttitude.set(gx!, gy!, gz!, gw!));
+  rotate(point, frame.axes, ship.ghostPosition);
+  out.ghost.set(point[0]! - eye[0]!, point[1]! - frame.radius - eye[1]!, point[2]! - eye[2]!);
+  quat.multiply(attitude, view.bodies[ship.body]!.attitude, ship.ghostAttitude);
+  quat.multiply(attitude, turn.quaternion, attitude);
+  out.ghostTurn.set(attitude[0]!, attitude[1]!, attitude[2]!, attitude[3]!);
+  for (let k = 0; k < 3; k++) point[k] = ship.position[k]! - ship.drawnPosition[k]!;
+  rotate(point, turn.matrix, point);
+  out.error.set(point[0]!, point[1]!, point[2]);
   const [x, z] = [actor.place[0]!, actor.place[2]!];
   out.foot.set(x - eye[0]!, groundY(x, z) - eye[1]!, z - eye[2]!);
   out.legRadius = ship.shipClass.legRadius;
@@ -59,6 +64,7 @@ export function createPlaces(): Places {
     ghost: new Vector3(),
     ghostTurn: new Quaternion(),
     ghostKnown: false,
+    error: new Vector3(),
     foot: new Vector3(),
     up: new Vector3(),
     legRadius: 1,

@@ -27,6 +27,8 @@ export interface OverlayPlaces {
   readonly ghost: Vector3;
   readonly ghostTurn: Quaternion;
   readonly ghostKnown: boolean;
+  /** From where the ship is drawn to where it is predicted at the same instant: nought while nothing is being corrected. */
+  readonly error: Vector3;
   readonly foot: Vector3;
   readonly up: Vector3;
   readonly legRadius: number;
@@ -109,12 +111,11 @@ export function createOverlays(): Overlays {
       ghost.visible = choice.ghost && places.ghostKnown;
       ghost.position.copy(places.ghost);
       ghost.quaternion.copy(places.ghostTurn);
-      way.copy(places.ghost).sub(places.ship);
-      const gap = way.length();
-      error.visible = choice.errorSegment && places.ghostKnown && gap > 0.01;
+      const gap = places.error.length();
+      error.visible = choice.errorSegment && gap > 0.01;
       if (error.visible) {
         error.position.copy(places.ship);
-        error.quaternion.setFromUnitVectors(Z, way.divideScalar(gap));
+        error.quaternion.setFromUnitVectors(Z, way.copy(places.error).divideScalar(gap));
         error.scale.set(1, 1, gap);
       }
       ring.visible = choice.footprint;

@@ -119,6 +119,8 @@ export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): Ship
     withdrawn: '',
     serverPosition: Float64Array.from(position),
     serverAttitude: Float64Array.from(attitude),
+    ghostPosition: Float64Array.from(position),
+    ghostAttitude: Float64Array.from(attitude),
     serverKnown: true,
     missingTicks: 0,
     ...changes,

@@ -1,0 +1,66 @@
+import { Mesh, Vector3 } from 'three';
+import { describe, expect, it } from 'vitest';
+import type { ShipView, WorldView } from '../../src/prediction';
+import { NETWORK_PRESETS } from '../../src/rehearsal';
+import { createTurn, layFrame, toLocalPoint, turnOfFrame } from '../../src/scene/localFrame';
+import { createPlaces, placeOverlays } from '../../src/scene/overlayPlaces';
+import { createOverlays } from '../../src/scene/overlays';
+import type { ShipActor } from '../../src/scene/shipActor';
+import { createRig } from '../prediction/rig';
+
+const SUN = { elevation: 15, azimuth: 60 };
+const ALL = { ghost: true, errorSegment: true, contactNormal: true, footprint: true, forces: true };
+
+/** The overlays of a view, as the stage places them; the eye stands at the frame's origin. */
+function laidOver(view: WorldView, ship: ShipView) {
+  const body = view.bodies[ship.body]!;
+  const frame = layFrame(body, ship.ghostPosition, SUN);
+  const turn = turnOfFrame(createTurn(), frame, body.attitude);
+  const place = toLocalPoint(new Float64Array(3), frame, turn, ship.standPosition);
+  const mesh = new Mesh();
+  mesh.position.set(place[0]!, place[1]!, place[2]);
+  const places = createPlaces();
+  placeOverlays(places, {
+    ...{ view, ship, frame, turn, eye: new Float64Array(3), groundY: () => 0 },
+    actor: { mesh, place } as unknown as ShipActor,
+  });
+  return places;
+}
+
+describe('overlays', () => {
+  it('lays the ghost into the drawn ship where server and prediction agree, on ground that moves at 408 m/s', () => {
+    const rig = createRig({ scenario: 'settle-earth' });
+    rig.fly(5.5);
+    const view = rig.view();
+    const places = laidOver(view, view.own!);
+    expect(places.ghostKnown).toBe(true);
+    expect(places.ghost.distanceTo(places.ship)).toBeLessThan(2e-3);
+    expect(places.error.length()).toBe(0);
+  });
+
+  it('draws no segment for a correction of nought, however far the ship has flown since the server’s state', () => {
+    const rig = createRig({ scenario: 'slide', network: NETWORK_PRESETS.lan });
+    rig.fly(2.9);
+    const view = rig.view();
+    const places = laidOver(view, view.own!);
+    expect(places.ghost.distanceTo(places.ship)).toBeGreaterThan(3);
+    expect(places.error.length()).toBeLessThan(1e-9);
+  });
+
+  it('draws the segment from the drawn ship to where it is predicted', () => {
+    const rig = createRig({ scenario: 'settle' });
+    rig.fly(6);
+    const view = rig.view();
+    const ship = view.own!;
+    const up = Float64Array.from(ship.position).map((v) => v / Math.hypot(...ship.position));
+    for (let k = 0; k < 3; k++) ship.drawnPosition[k] = ship.position[k]! + up[k]! * 2;
+    const places = laidOver(view, ship);
+    expect(places.error.distanceTo(new Vector3(0, -2, 0))).toBeLessThan(1e-6);
+    const overlays = createOverlays();
+    overlays.update(ALL, places);
+    const segment = overlays.group.children[1]!;
+    const end = new Vector3(0, 0, 1).applyMatrix4((segment.updateMatrix(), segment.matrix));
+    expect(end.distanceTo(places.ship.clone().add(places.error))).toBeLessThan(1e-6);
+    overlays.dispose();
+  });
+});

@@ -24,6 +24,7 @@ import {
   type Present,
   queueInputs,
 } from './pilots';
+import { flyPlans, loadPlan, type Plan } from './plans';
 import { createRoster, despawn, kick, respawn, rowOf, spawn, type SpawnOrder } from './roster';
 import { createTempo, type Tempo } from './tempo';
 import { toBodyStates, toShipState } from './shipState';
@@ -86,6 +87,8 @@ export function createAuthority(options: AuthorityOptions): Checked<Authority> {
   const tempo = createTempo(options.tickRate, options.timeScale, loaded.value.timing);
   const roster = createRoster();
   const pilots = new Map<string, Pilot>();
+  /** By ship. */
+  const plans = new Map<string, Plan>();
   const counters = createCounters();
   let tick = options.tick ?? 0;
   let happened: WorldEvent[] = [];
@@ -119,10 +122,13 @@ export function createAuthority(options: AuthorityOptions): Checked<Authority> {
   }
 
   function applyInputs(s: number): void {
+    if (plans.size > 0) flyPlans(plans, roster, tick, s);
     for (const pilot of pilots.values()) {
       if (pilot.queue.length === 0) continue;
       const at = rowOf(roster, pilot.shipId);
-      if (at >= 0) applyDue(pilot, counters, { rows: roster.rows, at }, { ...present(), substep: s });
+      if (at < 0) continue;
+      const flown = applyDue(pilot, counters, { rows: roster.rows, at }, { ...present(), substep: s });
+      if (flown) plans.delete(pilot.shipId);
     }
   }
 
@@ -164,6 +170,14 @@ export function createAuthority(options: AuthorityOptions): Checked<Authority> {
       timeScale: tempo.timeScale(),
       inputGranularity: granularity,
     };
+  }
+
+  function spawnPlanned(order: SpawnOrder): string | null {
+    const plan = loadPlan(order.plan ?? []);
+    if (!plan.ok) return plan.reason;
+    const reason = spawn(roster, order, bodies, world);
+    if (reason === null && plan.value.inputs.length > 0) plans.set(order.shipId, plan.value);
+    return reason;
   }
 
   /** An order may change the world between two frames: the next frame is made anew. */
@@ -227,8 +241,11 @@ export function createAuthority(options: AuthorityOptions): Checked<Authority> {
       return { ...shared, lastInput: legacy ? null : pilot.lastInput };
     },
 
-    spawn: (order) => ordered(spawn(roster, order, bodies, world)),
-    despawn: (shipId) => ordered(despawn(roster, shipId)),
+    spawn: (order) => ordered(spawnPlanned(order)),
+    despawn(shipId) {
+      plans.delete(shipId);
+      return ordered(despawn(roster, shipId));
+    },
     respawn: (shipId, ship) => ordered(respawn(roster, shipId, bodies, world, ship)),
     kick: (shipId, dv, spin) => ordered(kick(roster, shipId, dv, spin)),
 

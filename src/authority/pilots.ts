@@ -155,14 +155,15 @@ function queueInput(
   return null;
 }
 
-/** Writes into the ship's row what is due at the start of substep `substep` of the present interval. */
+/** Writes into the ship's row what is due at the start of substep `substep` of the present interval; whether anything was. */
 export function applyDue(
   pilot: Pilot,
   counters: Counters,
   ship: { readonly rows: Float64Array; readonly at: number },
   when: Present & { readonly substep: number },
-): void {
+): boolean {
   const { queue } = pilot;
+  const before = pilot.lastSeq;
   let due = 0;
   while (due < queue.length && isDue(queue[due]!, when)) due++;
   for (const queued of queue.splice(0, due)) {
@@ -183,6 +184,7 @@ export function applyDue(
       margin: when.simulatedAt(queued.tick) - queued.arrivedAt,
     };
   }
+  return pilot.lastSeq !== before;
 }
 
 /** The answer to a ping, or null when there were too many in this wall second. */

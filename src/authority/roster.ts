@@ -20,6 +20,7 @@ import {
   type World,
   writeControls,
 } from '../dynamics';
+import type { PlannedInput } from './plans';
 import { compose, inverse, rotate } from './rotation';
 import type { ShipIdentity } from './shipState';
 
@@ -28,6 +29,8 @@ export interface SpawnOrder extends ShipIdentity {
   readonly ship: ShipRecord;
   /** Neutral unless said. */
   readonly controls?: Controls;
+  /** What it does by itself until its player's first input acts; in the order of time. */
+  readonly plan?: readonly PlannedInput[];
 }
 
 /** The ships of a world: row i belongs to identity i. */

@@ -1,11 +1,11 @@
 import { type Controls, hashRows, NEUTRAL_CONTROLS } from '../dynamics';
 import { createPredictor, type EventNotice, type Predictor, type WorldView } from '../prediction';
-import { NETWORK_PRESETS, type NetworkNumbers, type RecordingEntry } from '../rehearsal';
+import { NETWORK_PRESETS, type NetworkNumbers, type RecordingEntry, type StagedInput } from '../rehearsal';
 import { decodeServerMessage, encodeClientMessage, type ServerFrame } from '../wire';
 import { type Baseline, createBaseline } from './baseline';
 import type { Choices } from './choices';
 import { createPageClock, type PageClock } from './pageClock';
-import { type Script, scriptedControls, scriptOf } from './script';
+import { type Script, scriptOf } from './script';
 import { type Connection, type ConnectionHandlers, openSocket, openWorker } from './server/connection';
 import type { Operation } from './server/operation';
 import { createStick, resetStick, sampleStick, type Stick } from './stick';
@@ -13,8 +13,8 @@ import { createStick, resetStick, sampleStick, type Stick } from './stick';
 /** What the page is told of a live game. */
 export interface LiveListeners {
   readonly onState: (text: string) => void;
-  /** A new world begins: what was of the old one is gone. */
-  readonly onWorld: () => void;
+  /** A new world begins: what was of the old one is gone. `plan`: what the own ship does by itself in it. */
+  readonly onWorld: (plan: readonly StagedInput[]) => void;
   readonly onRefused: (reason: string) => void;
   readonly onEvent: (notice: EventNotice) => void;
   /** Everything that goes through the predictor, in its order. */
@@ -64,12 +64,11 @@ export function createLive(program: string, listeners: LiveListeners): Live {
   const stick = createStick();
   const baseline = createBaseline();
   const inbox: { readonly bytes: Uint8Array; readonly at: number }[] = [];
+  let script: Script | null = null;
   let predictor = newPredictor();
   let connection: Connection | null = null;
   let address = '';
-  let script: Script | null = null;
   let sampledAt = NaN;
-  let controls: Controls = NEUTRAL_CONTROLS;
   let hash = '';
   let hashedTick = -1;
   let held = false;
@@ -77,7 +76,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
   let view = predictor.view(clock.now());
 
   function newPredictor(): Predictor {
-    const made = createPredictor({ ownShipId: 'own' });
+    const made = createPredictor({ ownShipId: 'own', plan: script?.plan ?? [] });
     made.onEvent(listeners.onEvent);
     return made;
   }
@@ -110,7 +109,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     resetStick(stick);
     hash = '';
     hashedTick = -1;
-    listeners.onWorld();
+    listeners.onWorld(script?.plan ?? []);
   }
 
   function receive(bytes: Uint8Array, at: number): void {
@@ -143,11 +142,12 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     hash = `${frame.tick}:${String(hashRows(row))}`;
   }
 
-  function fly(now: number): Controls {
+  /** What the hands command; null while they have touched nothing of a scenario, and its plan flies. */
+  function fly(now: number): Controls | null {
     const seconds = Number.isNaN(sampledAt) ? 0 : now - sampledAt;
     sampledAt = now;
     const byHand = sampleStick(stick, seconds / clock.speed());
-    return stick.touched || script === null ? byHand : scriptedControls(script, view);
+    return stick.touched || script === null ? byHand : null;
   }
 
   return {
@@ -158,7 +158,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
       const now = clock.now();
       if (held) return view;
       for (const { bytes, at } of inbox.splice(0)) receive(bytes, at);
-      controls = fly(now);
+      const controls = fly(now);
       predictor.advance(controls, now);
       listeners.onEntry({ kind: 'advanced', at: now, controls });
       view = predictor.view(now);
@@ -204,7 +204,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
       held = next;
       if (next) stick.held.clear();
     },
-    flown: () => controls,
+    flown: () => view.own?.controls ?? NEUTRAL_CONTROLS,
     hash: () => hash,
     ended: () => script !== null && hashedTick >= script.lastTick,
     dispose() {

@@ -54,8 +54,8 @@ export function begin(document: Document, program: string): void {
     onState: banner,
     onRefused: (reason) => notice.tell(`The server refused: ${reason}.`),
     onEvent: () => undefined,
-    onWorld() {
-      theatre.recorder.clear();
+    onWorld(plan) {
+      theatre.recorder.begin(plan);
       dock.clear();
       landing = createLandingReadout();
     },

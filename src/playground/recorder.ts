@@ -1,5 +1,11 @@
 import { accepted, type Checked, refused } from '../dynamics';
-import { createRecordingWriter, readRecording, type Recording, type RecordingEntry } from '../rehearsal';
+import {
+  createRecordingWriter,
+  readRecording,
+  type Recording,
+  type RecordingEntry,
+  type StagedInput,
+} from '../rehearsal';
 import { LARGEST_FILE } from './replay';
 
 /** Keeps what goes through the predictor from a world's beginning on: about half an hour. */
@@ -7,7 +13,8 @@ const MOST_ENTRIES = 250_000;
 
 export interface Recorder {
   readonly take: (entry: RecordingEntry) => void;
-  readonly clear: () => void;
+  /** A new world, and what its own ship does by itself. */
+  readonly begin: (plan: readonly StagedInput[]) => void;
   readonly seconds: () => number;
   readonly full: () => boolean;
   readonly recording: (note: string) => Recording;
@@ -15,16 +22,18 @@ export interface Recorder {
 
 export function createRecorder(): Recorder {
   let entries: RecordingEntry[] = [];
+  let plan: readonly StagedInput[] = [];
   return {
     take(entry) {
       if (entries.length < MOST_ENTRIES) entries.push(entry);
     },
-    clear() {
+    begin(next) {
+      plan = next;
       entries = [];
     },
     seconds: () => (entries.at(-1)?.at ?? 0) - (entries[0]?.at ?? 0),
     full: () => entries.length >= MOST_ENTRIES,
-    recording: (note) => ({ header: { note, shipId: 'own' }, entries: entries.slice() }),
+    recording: (note) => ({ header: { note, shipId: 'own', plan }, entries: entries.slice() }),
   };
 }
 

@@ -39,7 +39,7 @@ export function createReplay(recording: Recording): Replay {
     shownAt = from;
     generation++;
     baseline.forget();
-    return createPredictor({ ownShipId: header.shipId });
+    return createPredictor({ ownShipId: header.shipId, plan: header.plan ?? [] });
   }
 
   function feed(entry: RecordingEntry): void {

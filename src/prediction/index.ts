@@ -2,6 +2,8 @@
 
 /** The whole of it: receive, advance, view. */
 export { createPredictor, type Defaults, type Predictor, type PredictorOptions } from './predictor';
+/** What the own ship does by itself. */
+export type { PlannedInput } from './inputs';
 /** What it gives. */
 export type * from './view';
 /** A drawn pose on the drawn ground. */

@@ -1,11 +1,4 @@
-import {
-  type Controls,
-  loadControls,
-  NEUTRAL_CONTROLS,
-  type Quat,
-  type Vec3,
-  writeControls,
-} from '../dynamics';
+import { type Controls, loadControls, NEUTRAL_CONTROLS, type Quat, type Vec3 } from '../dynamics';
 import type { InputAcknowledgement, InputRecord } from '../wire';
 import { isBefore, type Position } from './timeline';
 
@@ -14,6 +7,8 @@ import { isBefore, type Position } from './timeline';
  * the same substep. What the server says of them is the truth.
  */
 export interface Inputs {
+  /** What the own ship does by itself until the first record acts; in the order of its time, emptied once that is long past. */
+  plan: readonly PlannedInput[];
   readonly records: StoredInput[];
   /** Index of the first record that has not been handed to `outgoing`. */
   unsent: number;
@@ -25,6 +20,9 @@ export interface Inputs {
   /** Records cut off: of a lost connection, never acknowledged. */
   lostUpTo: number;
 }
+
+/** Controls from the start of a substep on, known to client and server beforehand. */
+export type PlannedInput = Omit<InputRecord, 'seq'>;
 
 export interface StoredInput {
   readonly record: InputRecord;
@@ -47,8 +45,8 @@ const LOST_AFTER = 2;
 /** A server may carry controls in single precision. */
 const CONTROL_TOLERANCE = 1e-6;
 
-export function createInputs(): Inputs {
-  return { records: [], unsent: 0, nextSeq: 1, acknowledges: false, applied: 0, lostUpTo: 0 };
+export function createInputs(plan: readonly PlannedInput[] = []): Inputs {
+  return { plan, records: [], unsent: 0, nextSeq: 1, acknowledges: false, applied: 0, lostUpTo: 0 };
 }
 
 /** Stores `controls`, checked already, from (tick, substep) on. */
@@ -82,32 +80,6 @@ export function takeUnsent(inputs: Inputs): InputRecord[] {
 export function resend(inputs: Inputs): void {
   const first = inputs.records.findIndex((stored) => stored.record.seq > inputs.applied);
   inputs.unsent = first < 0 ? inputs.records.length : first;
-}
-
-/** Index of the first record that acts at or after (tick, substep). */
-export function seek(inputs: Inputs, tick: number, substep: number): number {
-  const { records } = inputs;
-  let i = records.length;
-  while (i > 0 && !isBefore(records[i - 1]!.tick, records[i - 1]!.substep, tick, substep)) i--;
-  return i;
-}
-
-/** Writes what acts at (tick, substep) into the row at `at`, from record `cursor` on; returns the cursor behind it. */
-export function applyDue(
-  inputs: Inputs,
-  cursor: number,
-  due: Position,
-  rows: Float64Array,
-  at: number,
-): number {
-  const { records } = inputs;
-  let i = cursor;
-  for (; i < records.length; i++) {
-    const stored = records[i]!;
-    if (isBefore(due.tick, due.substep, stored.tick, stored.substep)) break;
-    writeControls(rows, at, stored.record.controls);
-  }
-  return i;
 }
 
 /**
@@ -184,11 +156,14 @@ export function prune(inputs: Inputs, tick: number): void {
 
 /** Forgets all records: their ticks are of another time. */
 export function forgetRecords(inputs: Inputs): void {
+  if (inputs.records.length > 0) inputs.plan = [];
   inputs.records.length = 0;
   inputs.unsent = 0;
 }
 
 function drop(inputs: Inputs, count: number): void {
+  // What ended the plan goes: the plan goes with it.
+  inputs.plan = [];
   inputs.records.splice(0, count);
   inputs.unsent = Math.max(0, inputs.unsent - count);
 }

@@ -9,6 +9,7 @@ import {
   THRUST_LEVEL,
   TRANSLATION_INPUT,
 } from '../dynamics';
+import { isPlanned } from './acting';
 import { releaseKeys, sameControls, store } from './inputs';
 import type { Simulation } from './simulation';
 import { isBefore } from './timeline';
@@ -43,7 +44,9 @@ export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, s
   const { front, inputs, fleet } = sim;
   const newest = inputs.records.at(-1);
   const pending = newest !== undefined && !isBefore(newest.tick, newest.substep, front.tick, front.substep);
-  if (pilot.released === null && !pending && commands(fleet.front, track.at, given)) {
+  // Whatever the hand does first ends the plan, even what the ship is doing already.
+  const takesOver = isPlanned(inputs, front);
+  if (!takesOver && pilot.released === null && !pending && commands(fleet.front, track.at, given)) {
     pilot.last = given;
     return;
   }
@@ -52,8 +55,10 @@ export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, s
   if (pilot.released !== null && !sameControls(checked.value, pilot.released)) pilot.released = null;
   pilot.last = checked.value;
   const wanted = pilot.released === null ? checked.value : releaseKeys(checked.value);
-  if (pending ? sameControls(newest.record.controls, wanted) : commands(fleet.front, track.at, wanted))
-    return;
+  const isNothingNew = pending
+    ? sameControls(newest.record.controls, wanted)
+    : commands(fleet.front, track.at, wanted);
+  if (isNothingNew && !takesOver) return;
   const wait = sampling.granularity === 'tick' && front.substep > 0;
   stamp.tick = wait ? front.tick + 1 : front.tick;
   stamp.substep = wait ? 0 : front.substep;

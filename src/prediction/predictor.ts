@@ -14,7 +14,7 @@ import type { ClientMessage, Hello, Pong, ServerFrame, ServerMessage } from '../
 import { advanceClock, createClock, forgetSchedule, jitterOf, samplePong, serverTime } from './clock';
 import { createDiagnosis } from './diagnosis';
 import { createIntake, refuse, takeFrame } from './frames';
-import { resend, takeUnsent } from './inputs';
+import { type PlannedInput, resend, takeUnsent } from './inputs';
 import { createPace, keepPace } from './pace';
 import { createPilot, sampleControls } from './pilot';
 import { answeredPing, createPings, pingIfDue } from './pings';
@@ -37,6 +37,11 @@ export interface PredictorOptions {
   readonly budget?: number;
   /** The own ship of a client whose server sends no hello. */
   readonly ownShipId?: string;
+  /**
+   * What the own ship does by itself until its pilot's first input acts, as the server was told to let it: in the order of time.
+   * Until then `advance` is given null.
+   */
+  readonly plan?: readonly PlannedInput[];
   /** Test mode: at every tick boundary go back this many ticks, replay, and compare bits. Counted in the diagnosis. */
   readonly forcedRollback?: number;
 }
@@ -57,7 +62,7 @@ export interface Predictor {
   receive: (message: ServerMessage, now: number) => void;
   /** A frame of the server that the wire refused; counted, its reason kept for the diagnosis. */
   refused: (reason: string) => void;
-  /** Once a display frame: samples own controls (null: spectator) and simulates up to the present. Controls that are not finite are ignored. */
+  /** Once a display frame: samples own controls (null: a spectator's, or the hand is off the stick) and simulates up to the present. Controls that are not finite are ignored. */
   advance: (controls: Controls | null, now: number) => void;
   /** The world at the present; one record, valid until the next call. */
   view: (now: number) => WorldView;
@@ -93,7 +98,8 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
   const listeners = new Set<(notice: EventNotice) => void>();
   const rollback = options.forcedRollback ?? 0;
   const counters = createDiagnosis();
-  let sim = createSimulation(world.value, defaults.bodies, counters, rollback === 0);
+  const plan = options.plan ?? [];
+  let sim = createSimulation(world.value, defaults.bodies, counters, rollback === 0, plan);
   let shown = createShown(sim);
   let told = defaults;
   let granularity: Hello['inputGranularity'] = 'tick';
@@ -101,7 +107,7 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
 
   /** All ships and all time of the world before are forgotten. */
   function beginWorld(next: World, bodies: readonly BodyMotion[]): void {
-    sim = createSimulation(next, bodies, counters, rollback === 0);
+    sim = createSimulation(next, bodies, counters, rollback === 0, plan);
     shown = createShown(sim);
     forgetSchedule(clock);
   }

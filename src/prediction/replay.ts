@@ -7,10 +7,10 @@ import {
   substep,
   VELOCITY,
 } from '../dynamics';
+import { applyDue, seek } from './acting';
 import { rowsAt } from './bodyTrack';
 import { snap } from './ease';
 import { keep } from './history';
-import { applyDue, seek } from './inputs';
 import { addToOffset, type Pose, pose, writeBodyAttitude, writePredicted, writeSeen } from './pose';
 import { angleOf, lengthOf, quaternion, turnBetween, vector } from './rotation';
 import { beginTick, happened, isReleased, release, type Simulation } from './simulation';

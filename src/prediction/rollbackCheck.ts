@@ -1,7 +1,7 @@
 import { SHIP_STRIDE, substep } from '../dynamics';
+import { applyDue, seek } from './acting';
 import { rowsAt } from './bodyTrack';
 import { has, offsetOf } from './history';
-import { applyDue, seek } from './inputs';
 import { beginTick, isReleased, release, type Simulation } from './simulation';
 import { spanOf } from './timeline';
 import { copyRow, type Track } from './track';

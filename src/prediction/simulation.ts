@@ -12,10 +12,11 @@ import {
   type World,
   writeBodyMotion,
 } from '../dynamics';
+import { applyDue, seek } from './acting';
 import { type BodyTrack, boundaryAt, createBodyTrack, cutsOf, resizedBodies, rowsAt } from './bodyTrack';
 import { predict } from './events';
 import { keep, resized, ringLength } from './history';
-import { applyDue, createInputs, type Inputs, seek } from './inputs';
+import { createInputs, type Inputs, type PlannedInput } from './inputs';
 import { wake, wakesOn } from './landedLock';
 import { easeUprighting } from './pose';
 import { createTimeline, type Position, spanOf, type Timeline } from './timeline';
@@ -47,12 +48,13 @@ export interface Simulation {
   readonly locks: boolean;
 }
 
-/** A world of which nothing has been told yet but where its bodies are, in its order. */
+/** A world of which nothing has been told yet but where its bodies are, in its order. `plan`: of the own ship. */
 export function createSimulation(
   world: World,
   bodies: readonly BodyMotion[],
   counters: Diagnosis,
   locks: boolean,
+  plan: readonly PlannedInput[] = [],
 ): Simulation {
   const start = new Float64Array(bodies.length * BODY_STRIDE);
   for (const [i, motion] of bodies.entries()) writeBodyMotion(start, i * BODY_STRIDE, motion);
@@ -61,7 +63,7 @@ export function createSimulation(
     timeline: createTimeline(),
     bodies: createBodyTrack(start, ringLength(1), 100),
     fleet: createFleet(),
-    inputs: createInputs(),
+    inputs: createInputs(plan),
     front: { tick: 0, substep: 0 },
     frontIsStale: true,
     alpha: 1,

@@ -23,9 +23,10 @@ import {
   writeControls,
   writeShip,
 } from '../dynamics';
-import type { Hello, InputRecord, ServerFrame, ShipState } from '../wire';
+import type { Hello, ServerFrame, ShipState } from '../wire';
 import { type Compared, type Comparison, noDifferences, raise } from './compareFixture';
 import type { Recording } from './recording';
+import type { StagedInput } from './scenario';
 
 /** How a server's states compare with the law, interval by interval. */
 export interface RecordingComparison extends Comparison {
@@ -90,7 +91,7 @@ function runInterval(
   world: World,
   frame: ServerFrame,
   start: ShipState,
-  inputs: readonly InputRecord[],
+  inputs: readonly StagedInput[],
 ): Checked<Outcome> {
   const row = new Float64Array(SHIP_STRIDE);
   const bodies = new Float64Array(world.bodies.length * BODY_STRIDE);
@@ -123,13 +124,19 @@ function framesByTick({ entries }: Recording): Map<number, ServerFrame> {
   return frames;
 }
 
-function inputsByTick({ entries }: Recording): Map<number, InputRecord[]> {
-  const inputs = new Map<number, InputRecord[]>();
-  for (const entry of entries) {
-    if (entry.kind !== 'sent' || entry.message.kind !== 'inputs') continue;
-    for (const input of entry.message.inputs)
-      inputs.set(input.tick, [...(inputs.get(input.tick) ?? []), input]);
-  }
+/** What acted on the recording's own ship: its plan up to the first input that was sent, then what was sent. */
+function inputsByTick({ header, entries }: Recording): Map<number, StagedInput[]> {
+  const sent = entries.flatMap((entry) =>
+    entry.kind === 'sent' && entry.message.kind === 'inputs' ? entry.message.inputs : [],
+  );
+  const [first] = sent;
+  const planned = (header.plan ?? []).filter(
+    ({ tick, substep }) =>
+      first === undefined || tick < first.tick || (tick === first.tick && substep < first.substep),
+  );
+  const inputs = new Map<number, StagedInput[]>();
+  for (const input of [...planned, ...sent])
+    inputs.set(input.tick, [...(inputs.get(input.tick) ?? []), input]);
   return inputs;
 }
 

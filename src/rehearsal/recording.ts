@@ -1,4 +1,4 @@
-import { accepted, type Checked, type Controls, loadControls, refused } from '../dynamics';
+import { accepted, type Checked, type Controls, loadControls, NEUTRAL_CONTROLS, refused } from '../dynamics';
 import {
   type ClientMessage,
   decodeClientMessage,
@@ -9,6 +9,7 @@ import {
 } from '../wire';
 import { fromBase64, toBase64 } from './base64';
 import { createFields, type Fields, type JsonRecord } from './fields';
+import type { StagedInput } from './scenario';
 
 /**
  * What a client received, sent and was asked for, and when: a predictor fed with it again does the same again (PREDICTION,
@@ -25,6 +26,8 @@ export interface RecordingHeader {
   readonly note: string;
   /** The client's own ship. */
   readonly shipId: string;
+  /** What it did by itself until the first input, as client and server knew beforehand. */
+  readonly plan?: readonly StagedInput[];
 }
 
 /** `at`: the client's wall seconds. */
@@ -38,6 +41,7 @@ const FORMAT = 'touchdown-recording';
 const VERSION = 1;
 /** An hour at 60 Hz, with messages, several times over. */
 const MOST_LINES = 1_000_000;
+const MOST_PLANNED = 10_000;
 
 /** Writes a recording line by line, as it comes: each call gives one line with its line feed. */
 export interface RecordingWriter {
@@ -64,7 +68,10 @@ export function createRecordingWriter(): RecordingWriter {
   }
 
   return {
-    header: ({ note, shipId }) => line({ kind: 'header', format: FORMAT, version: VERSION, note, shipId }),
+    header: ({ note, shipId, plan = [] }) => {
+      const planned = plan.length === 0 ? {} : { plan };
+      return line({ kind: 'header', format: FORMAT, version: VERSION, note, shipId, ...planned });
+    },
     entry: (entry) => line(plain(entry)),
   };
 }
@@ -118,7 +125,27 @@ function readHeader(fields: Fields, given: JsonRecord): RecordingHeader {
   fields.choice(given['kind'], 'kind', ['header']);
   fields.choice(given['format'], 'format', [FORMAT]);
   if (given['version'] !== VERSION) fields.fault('version', `expected ${VERSION}`);
-  return { note: fields.text(given['note'], 'note'), shipId: fields.text(given['shipId'], 'shipId') };
+  const note = fields.text(given['note'], 'note');
+  const shipId = fields.text(given['shipId'], 'shipId');
+  const plan = given['plan'] === undefined ? [] : readPlan(fields, given['plan']);
+  return { note, shipId, ...(plan.length === 0 ? {} : { plan }) };
+}
+
+/** In the order of time, as a client hands it to its predictor. */
+function readPlan(fields: Fields, given: unknown): StagedInput[] {
+  let before = { tick: 0, substep: 0 };
+  return fields.list(given, 'plan', MOST_PLANNED).map(({ value, path }) => {
+    const input = fields.record(value, path);
+    const tick = fields.whole(input['tick'], `${path}.tick`, before.tick);
+    const least = tick === before.tick ? before.substep : 0;
+    const substep = fields.whole(input['substep'], `${path}.substep`, least);
+    before = { tick, substep };
+    const controls = loadControls(
+      fields.record(input['controls'], `${path}.controls`) as unknown as Controls,
+    );
+    if (!controls.ok) fields.fault(path, `controls.${controls.reason}`);
+    return { tick, substep, controls: controls.ok ? controls.value : NEUTRAL_CONTROLS };
+  });
 }
 
 function readEntry(fields: Fields, given: JsonRecord, past: Past): RecordingEntry {

@@ -3,6 +3,8 @@ import { createRequire } from 'node:module';
 import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { expect, inject, it } from 'vitest';
+import { hashRows, readShip, SHIP_STRIDE } from '../../src/dynamics';
+import { rehearse, SCENARIOS } from '../../src/rehearsal';
 import { describeInBrowser, openBuiltPage, openUrl, problemsOf, theBrowser } from './pages';
 
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
@@ -44,6 +46,18 @@ async function endOfRun(page: Page, lastTick: number): Promise<string> {
     },
   );
   return (await page.evaluate(() => document.documentElement.dataset['run'])) ?? '';
+}
+
+/** The same of a scenario on the dynamics alone, without a page: on the hills, where the page opens it. */
+function rehearsedRun(name: string): string {
+  const scenario = SCENARIOS.find((candidate) => candidate.name === name)!;
+  const rehearsed = rehearse({ ...scenario, terrain: 'hills' });
+  if (!rehearsed.ok) throw new Error(rehearsed.reason);
+  const { ships, world } = rehearsed.value;
+  const last = ships.length - SHIP_STRIDE;
+  const end = readShip(ships, last, world);
+  const vectors = [end.relativePosition, end.relativeVelocity, end.attitude, end.angularVelocity].flat();
+  return `${last / SHIP_STRIDE}:${String(hashRows(Float64Array.of(...vectors, end.fuel)))}`;
 }
 
 const SMALL = { viewport: { width: 960, height: 540 } };
@@ -153,6 +167,27 @@ describeInBrowser('the built page', () => {
     const again = await openUrl(link, SMALL);
     expect(await endOfRun(again, 8)).toBe(run);
   });
+
+  it(
+    'shares a scenario that flies by itself: the same bits on a slow display too',
+    { timeout: 150_000 },
+    async () => {
+      const query = '?scenario=freighter-hold&net=satellite&seed=3&slow=2';
+      const page = await openBuiltPage(query, SMALL);
+      const run = await endOfRun(page, 15);
+      expect(run).toBe(rehearsedRun('freighter-hold'));
+      await page.context().close();
+      const context = await (await theBrowser()).newContext({ ...SMALL, locale: 'en-US' });
+      const slow = await context.newPage();
+      await slow.addInitScript(() => {
+        const soon = window.requestAnimationFrame.bind(window);
+        window.requestAnimationFrame = (draw) => window.setTimeout(() => soon(draw), 250);
+      });
+      await slow.goto(inject('builtPage') + query);
+      expect(await endOfRun(slow, 15)).toBe(run);
+      await context.close();
+    },
+  );
 
   it(
     'replays what it recorded, both ways, with the first divergence marked',

@@ -1,11 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { type Controls, NEUTRAL_CONTROLS, SHIP_STRIDE, THRUST_LEVEL } from '../../src/dynamics';
+import { applyDue, isPlanned, seek } from '../../src/prediction/acting';
 import {
   acknowledge,
-  applyDue,
   createInputs,
+  forgetRecords,
+  prune,
   resend,
-  seek,
   store,
   takeUnsent,
 } from '../../src/prediction/inputs';
@@ -113,5 +114,60 @@ describe('own inputs', () => {
     rig.exchange.reconnect('me', rig.now);
     rig.fly(1.5);
     expect(level()).toBe(0.12);
+  });
+});
+
+describe('a plan', () => {
+  const plan = [
+    { tick: 0, substep: 0, controls: thrust(0.1) },
+    { tick: 2, substep: 30, controls: thrust(0.2) },
+    { tick: 8, substep: 0, controls: thrust(0.3) },
+  ];
+
+  it('acts at its substeps, from wherever a replay begins', () => {
+    const inputs = createInputs(plan);
+    expect(inForce(inputs, 0, 2, 29)).toBe(0.1);
+    expect(inForce(inputs, 0, 2, 30)).toBe(0.2);
+    expect(inForce(inputs, 2, 7, 99)).toBe(0.2);
+    expect(inForce(inputs, 3, 7, 99)).toBe(0);
+    expect(inForce(inputs, 3, 8, 0)).toBe(0.3);
+    expect(takeUnsent(inputs)).toEqual([]);
+  });
+
+  it('ends where the first input acts, also when that is learned to be later', () => {
+    const inputs = createInputs(plan);
+    store(inputs, thrust(0.9), { tick: 2, substep: 10 }, 0, 0);
+    expect(inForce(inputs, 0, 2, 9)).toBe(0.1);
+    expect(inForce(inputs, 0, 9, 0)).toBe(0.9);
+    expect(acknowledge(inputs, 4, { seq: 1, tick: 3, substep: 0, margin: -1 }, thrust(0.9), 0)).toBe('late');
+    expect(inForce(inputs, 0, 2, 99)).toBe(0.2);
+    expect(inForce(inputs, 0, 9, 0)).toBe(0.9);
+  });
+
+  it('does not come back when what ended it is forgotten', () => {
+    const pruned = createInputs(plan);
+    for (const tick of [1, 20]) store(pruned, thrust(0.9), { tick, substep: 0 }, 0, 0);
+    acknowledge(pruned, 2, { seq: 1, tick: 1, substep: 0, margin: 1 }, thrust(0.9), 0);
+    prune(pruned, 5);
+    expect(inForce(pruned, 6, 9, 0)).toBe(0);
+    const anew = createInputs(plan);
+    store(anew, thrust(0.9), { tick: 1, substep: 0 }, 0, 0);
+    forgetRecords(anew);
+    expect(inForce(anew, 6, 9, 0)).toBe(0);
+  });
+
+  it('goes on after a jump in time that found no input', () => {
+    const inputs = createInputs(plan);
+    forgetRecords(inputs);
+    expect(inForce(inputs, 6, 9, 0)).toBe(0.3);
+  });
+
+  it('is there to be ended as long as something of it is left', () => {
+    const inputs = createInputs(plan);
+    expect(isPlanned(inputs, { tick: 8, substep: 0 })).toBe(true);
+    expect(isPlanned(inputs, { tick: 8, substep: 1 })).toBe(false);
+    store(inputs, thrust(0), { tick: 1, substep: 0 }, 0, 0);
+    expect(isPlanned(inputs, { tick: 0, substep: 0 })).toBe(false);
+    expect(isPlanned(createInputs(), { tick: 0, substep: 0 })).toBe(false);
   });
 });

@@ -82,7 +82,7 @@ export function createSession(): Session {
 function load(operation: LoadOperation, now: number): Checked<Loaded> {
   const staged = stageOperation(operation);
   if (!staged.ok) return staged;
-  const { scenario, body, ship } = staged.value;
+  const { scenario, body, ship, inputs } = staged.value;
   const authority = createAuthority({
     settings: scenario.settings,
     shipClasses: SHIP_CLASSES,
@@ -94,7 +94,7 @@ function load(operation: LoadOperation, now: number): Checked<Loaded> {
     legacy: operation.legacy,
   });
   if (!authority.ok) return authority;
-  const own = { shipId: OWN_SHIP, playerId: OWN_PLAYER, name: 'Touchdown', ship };
+  const own = { shipId: OWN_SHIP, playerId: OWN_PLAYER, name: 'Touchdown', ship, plan: inputs };
   for (const order of [own, ...fleetOrders(staged.value, operation.others, operation.seed)]) {
     const reason = authority.value.spawn(order);
     if (reason !== null) return refused(`${order.shipId}.${reason}`);

@@ -1,0 +1,45 @@
+import { accepted, type Checked, loadControls, refused, writeControls } from '../dynamics';
+import type { InputRecord } from '../wire';
+import { type Roster, rowOf } from './roster';
+
+/** Controls from the start of a substep on. */
+export type PlannedInput = Omit<InputRecord, 'seq'>;
+
+/** What a ship does by itself until its player's first input acts. */
+export interface Plan {
+  readonly inputs: readonly PlannedInput[];
+  next: number;
+}
+
+const MOST_PLANNED = 10_000;
+
+/** The plan, its controls in range, or a reason that names the field. */
+export function loadPlan(given: readonly PlannedInput[]): Checked<Plan> {
+  if (given.length > MOST_PLANNED)
+    return refused(`plan: expected at most ${MOST_PLANNED}, got ${given.length}`);
+  const inputs: PlannedInput[] = [];
+  for (const [i, { tick, substep, controls }] of given.entries()) {
+    const before = inputs.at(-1) ?? { tick: 0, substep: 0 };
+    const whole = Number.isSafeInteger(tick) && Number.isSafeInteger(substep) && substep >= 0;
+    if (!whole || tick < before.tick || (tick === before.tick && substep < before.substep))
+      return refused(
+        `plan[${i}]: expected whole numbers in the order of time, got tick ${tick} substep ${substep}`,
+      );
+    const checked = loadControls(controls);
+    if (!checked.ok) return refused(`plan[${i}].controls.${checked.reason}`);
+    inputs.push({ tick, substep, controls: checked.value });
+  }
+  return accepted({ inputs, next: 0 });
+}
+
+/** Writes into the ships' rows what their plans have due at the start of substep `substep` of the interval of `tick`. */
+export function flyPlans(plans: Map<string, Plan>, roster: Roster, tick: number, substep: number): void {
+  for (const [shipId, plan] of plans) {
+    for (let due = plan.inputs[plan.next]; due !== undefined; due = plan.inputs[plan.next]) {
+      if (due.tick > tick || (due.tick === tick && due.substep > substep)) break;
+      writeControls(roster.rows, rowOf(roster, shipId), due.controls);
+      plan.next += 1;
+    }
+    if (plan.next === plan.inputs.length) plans.delete(shipId);
+  }
+}

@@ -1,0 +1,230 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { hashRows, NEUTRAL_CONTROLS, readShip, SHIP_STRIDE } from '../../src/dynamics';
+import { type Choices, DEFAULT_CHOICES } from '../../src/playground/choices';
+import type { Live } from '../../src/playground/live';
+import { createReplay } from '../../src/playground/replay';
+import { scriptOf } from '../../src/playground/script';
+import type { FromServer, ToServer } from '../../src/playground/server/connection';
+import { press } from '../../src/playground/stick';
+import type { WorldView } from '../../src/prediction';
+import {
+  bell,
+  compareRecording,
+  createDice,
+  readRecording,
+  type RecordingEntry,
+  rehearse,
+  SCENARIOS,
+  writeRecording,
+} from '../../src/rehearsal';
+import { valueOf } from '../authority/moon';
+
+/** Page and worker as they are, on one clock of our own: between them only the messages that a browser would carry. */
+interface Game {
+  readonly live: Live;
+  readonly entries: readonly RecordingEntry[];
+  /** Draws at about `fps` frames a second until `seconds` have passed, `each` after every frame. */
+  readonly play: (fps: number, seconds: number, each?: (view: WorldView) => void) => void;
+}
+
+interface Scope {
+  onmessage: (event: { data: ToServer }) => void;
+  postMessage: (message: FromServer, options: { transfer: Transferable[] }) => void;
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  vi.resetModules();
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+async function open(asked: Partial<Choices>): Promise<Game> {
+  const scope = { onmessage: () => undefined, postMessage: () => undefined } as Scope;
+  vi.stubGlobal('self', scope);
+  vi.stubGlobal(
+    'Worker',
+    class {
+      onmessage = (_event: { data: FromServer }) => undefined;
+      constructor() {
+        scope.postMessage = (message, { transfer }) => {
+          const data = structuredClone(message, { transfer });
+          setTimeout(() => this.onmessage({ data }));
+        };
+      }
+      postMessage(message: ToServer) {
+        const data = structuredClone(message);
+        setTimeout(() => scope.onmessage({ data }));
+      }
+      terminate() {
+        scope.onmessage = () => undefined;
+      }
+    },
+  );
+  const { serve } = await import('../../src/playground/server/worker');
+  const { createLive } = await import('../../src/playground/live');
+  serve([]);
+  const entries: RecordingEntry[] = [];
+  const live = createLive('main.js', {
+    onState: () => undefined,
+    onWorld: () => entries.splice(0),
+    onRefused: (reason) => expect.unreachable(reason),
+    onEvent: () => undefined,
+    onEntry: (entry) => entries.push(entry),
+  });
+  live.begin({ ...DEFAULT_CHOICES, ...asked });
+  const dice = createDice(11);
+  return {
+    live,
+    entries,
+    play(fps, seconds, each) {
+      for (let passed = 0; passed < seconds * 1000;) {
+        // No frame comes when it should: off by a fifth, and one in fifty five times as late.
+        const late = dice() < 0.02 ? 5 : 1;
+        const wait = Math.max(1, (1000 / fps) * late * (1 + bell(dice) / 5));
+        passed += wait;
+        vi.advanceTimersByTime(wait);
+        each?.(live.frame());
+        if (each === undefined) live.frame();
+      }
+    },
+  };
+}
+
+/** What the page should show at the end: the scenario on the dynamics alone. */
+function truth(name: string, tickRate: number): { readonly run: string; readonly seconds: number } {
+  const scenario = SCENARIOS.find((candidate) => candidate.name === name)!;
+  const { ships, world } = valueOf(rehearse({ ...scenario, terrain: 'hills', tickRate }));
+  const lastTick = ships.length / SHIP_STRIDE - 1;
+  const { relativePosition, relativeVelocity, attitude, angularVelocity, fuel } = readShip(
+    ships,
+    lastTick * SHIP_STRIDE,
+    world,
+  );
+  const row = Float64Array.of(
+    ...relativePosition,
+    ...relativeVelocity,
+    ...attitude,
+    ...angularVelocity,
+    fuel,
+  );
+  return { run: `${lastTick}:${String(hashRows(row))}`, seconds: lastTick / tickRate };
+}
+
+const PLANNED = SCENARIOS.filter(({ inputs }) => inputs.length > 0).map(({ name }) => name);
+
+describe('a scenario that flies by itself', () => {
+  it('is more than one of them', () => expect(PLANNED.length).toBeGreaterThan(3));
+
+  const ways = [
+    [7, 'satellite', 1],
+    [20, 'broken', 20],
+    [60, 'broadband', 1],
+    [60, 'satellite', 100],
+    [144, 'fourG', 5],
+  ] as const;
+  describe.each(PLANNED)('%s', (scenario) => {
+    it.each(ways)('ends in the same bits at %i frames a second over %s, ticks of %i Hz', async (...way) => {
+      const [fps, network, tickRate] = way;
+      const { live, play } = await open({ scenario, network, tickRate });
+      const { run, seconds } = truth(scenario, tickRate);
+      play(fps, seconds + 2);
+      expect(live.hash()).toBe(run);
+      expect(live.ended()).toBe(true);
+      const { diagnosis } = live.frame();
+      expect(diagnosis.framesAccepted).toBeGreaterThan(10);
+      // Known beforehand, it is never a surprise.
+      expect(diagnosis).toMatchObject({
+        correctionsLateInput: 0,
+        correctionsLostInput: 0,
+        correctionsOtherPilot: 0,
+        correctionsMismatch: 0,
+        snaps: 0,
+      });
+    });
+  });
+});
+
+describe('a recording of it', () => {
+  it('keeps the plan: the law bears every interval out, and the replay corrects nothing', async () => {
+    const game = await open({ scenario: 'freighter-hold' });
+    game.play(60, 9.5);
+    const { plan } = scriptOf({ ...DEFAULT_CHOICES, scenario: 'freighter-hold' });
+    const entries = game.entries.slice();
+    const recording = valueOf(
+      readRecording(writeRecording({ header: { note: '', shipId: 'own', plan }, entries })),
+    );
+    expect(recording.header.plan).toEqual(plan);
+    expect(valueOf(compareRecording(recording))).toMatchObject({
+      statesCompared: 9,
+      unknownInputs: 0,
+      outOfTolerance: null,
+      disagreement: null,
+    });
+    const { diagnosis, own } = createReplay(recording).seek(Infinity);
+    expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
+    expect(own!.drawnPosition).toEqual(game.live.frame().own!.drawnPosition);
+  });
+
+  it.each([
+    ['plan[1].tick', { tick: 0.5, substep: 0, controls: NEUTRAL_CONTROLS }],
+    ['plan[1].substep', { tick: 1, substep: 2, controls: NEUTRAL_CONTROLS }],
+    ['plan[1].controls', { tick: 2, substep: 0 }],
+    [
+      'plan[1]: controls.thrustLevel',
+      { tick: 2, substep: 0, controls: { ...NEUTRAL_CONTROLS, thrustLevel: '1' } },
+    ],
+  ])('is refused for a faulty %s', (field, second) => {
+    const plan = [{ tick: 1, substep: 3, controls: NEUTRAL_CONTROLS }, second as never];
+    const read = readRecording(writeRecording({ header: { note: '', shipId: 'own', plan }, entries: [] }));
+    expect(read).toMatchObject({ ok: false, reason: expect.stringContaining(`line 1: ${field}`) as string });
+  });
+});
+
+describe('the hand on the stick', () => {
+  it('ends the plan with its first touch, whatever it touches, and nothing fights it', async () => {
+    const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
+    play(60, 1);
+    expect(live.flown()).toMatchObject({ thrustLevel: 0.5, attitudeMode: 'radial' });
+    // The plan would turn the ship from 2.6 s on; the hand cuts the engine and does nothing else.
+    play(60, 0.5);
+    press(live.stick, 'throttleCut', live.flown());
+    const turned = new Set<number>();
+    play(60, 6, (view) => turned.add(view.own!.controls.rotationInput[0]));
+    expect([...turned]).toEqual([0]);
+    expect(live.flown()).toMatchObject({ thrustLevel: 0, attitudeMode: 'none' });
+    const { diagnosis } = live.frame();
+    expect(diagnosis).toMatchObject({
+      correctionsMismatch: 0,
+      correctionsOtherPilot: 0,
+      correctionsLateInput: 0,
+    });
+  });
+
+  it('that is heard late lets the plan fly on there until then, and no longer', async () => {
+    const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
+    play(60, 1);
+    live.operate({ kind: 'drop' });
+    press(live.stick, 'throttleCut', live.flown());
+    // Meanwhile the server plays on: engine, and the turn from 2.6 s to 3.6 s.
+    play(60, 1.8);
+    expect(live.flown()).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0] });
+    live.reconnect();
+    play(60, 4);
+    const { diagnosis, own } = live.frame();
+    expect(diagnosis.correctionsLateInput).toBeGreaterThan(0);
+    expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
+    expect(own).toMatchObject({ provenance: 'confirmed' });
+    expect(own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0], attitudeMode: 'none' });
+  });
+
+  it('takes over without a change of controls too', async () => {
+    const { live, play } = await open({ scenario: 'launch', network: 'lan' });
+    play(60, 1);
+    press(live.stick, 'throttleCut', live.flown());
+    play(60, 8, (view) => expect(view.own!.surfaceState).toBe('landed'));
+    expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
+  });
+});

@@ -47,7 +47,7 @@ export function buildFrigate({ h, legRadius }: Stance): ShipModel {
   addFins(parts, { h, legRadius }, m);
   parts.add(tube(m(0.03), m(0.012), m(1.1), 6), FINISHES.silver, { at: [0, 0, m(7.1)] });
   return {
-    geometry: parts.build(),
+    ...parts.build(),
     engines: [{ at: [0, 0, m(-4.05)], radius: m(0.8) }],
     thrusters: [
       ...thrusterClusters(m(1.35), m(4), Math.PI / 4),

@@ -9,7 +9,8 @@ import {
   Vector3,
 } from 'three';
 import type { TerrainHeight } from '../dynamics';
-import { GRAIN_PERIOD } from './groundMaterial';
+import { createSectors, type GroundSectors, visibleRange, writeSectors } from './groundSectors';
+import { isOverHorizon } from './horizon';
 import type { LocalFrame } from './localFrame';
 import {
   CELLS,
@@ -19,8 +20,8 @@ import {
   moveLevel,
   shadeLevel,
   type TerrainLevel,
-  writeTriangles,
 } from './terrainLevel';
+import type { ViewCone } from './viewCone';
 
 /** Spacing of the finest level, m: between its vertices the drawn ground is within a millimetre of smooth terrain. */
 const FINEST = 0.4;
@@ -33,15 +34,15 @@ export interface Ground {
   lay(frame: LocalFrame, terrainHeight: TerrainHeight): void;
   /** Follows a local point: a few levels a call move, coarsest first. */
   follow(x: number, z: number, levelsAtOnce: number): void;
-  /** Places the meshes relative to the eye (local, m). */
-  place(eye: Float64Array): void;
+  /** Places the meshes relative to the eye (local, m) and leaves out what it cannot see. */
+  place(eye: Float64Array, cone: ViewCone): void;
   dispose(): void;
 }
 
 interface Ring {
   readonly level: TerrainLevel;
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
-  readonly indices: Uint16Array;
+  readonly sectors: GroundSectors;
   holeKey: number;
 }
 
@@ -49,6 +50,14 @@ interface Ring {
 function levelCount(radius: number): number {
   const reach = Math.min(3 * radius, 260_000);
   return Math.ceil(Math.log2(reach / ((CELLS / 2) * FINEST))) + 1;
+}
+
+const range = { start: 0, count: 0 };
+
+function lowestOf(rings: readonly Ring[]): number {
+  let lowest = Infinity;
+  for (const { level } of rings) if (level.lowest < lowest) lowest = level.lowest;
+  return lowest;
 }
 
 export function createGround(material: ShaderMaterial): Ground {
@@ -95,9 +104,13 @@ export function createGround(material: ShaderMaterial): Ground {
       for (const ring of rings) group.add(ring.mesh);
     },
     follow,
-    place(eye) {
-      for (const { level, mesh } of rings) {
+    place(eye, cone) {
+      const lowest = lowestOf(rings);
+      for (const { level, mesh, sectors } of rings) {
         const { origin } = level;
+        visibleRange(range, sectors, level, cone);
+        mesh.visible = range.count > 0 && !isOverHorizon(level, sectors.innerCells, eye, lowest);
+        mesh.geometry.setDrawRange(range.start, range.count);
         mesh.position.set(origin[0]! - eye[0]!, origin[1]! - eye[1]!, origin[2]! - eye[2]!);
       }
     },
@@ -108,30 +121,18 @@ export function createGround(material: ShaderMaterial): Ground {
 function createRing(spacing: number, material: ShaderMaterial): Ring {
   const level = createLevel(spacing);
   const geometry = new BufferGeometry();
-  const indices = new Uint16Array(CELLS * CELLS * 6);
+  const sectors = createSectors();
   const dynamic = (array: Float32Array | Uint16Array, size: number) =>
     new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
   geometry.setAttribute('position', dynamic(level.positions, 3));
   geometry.setAttribute('normal', dynamic(level.normals, 3));
   geometry.setAttribute('sunlit', dynamic(level.sunlit, 1));
-  geometry.setIndex(dynamic(indices, 1));
+  geometry.setIndex(dynamic(sectors.indices, 1));
   geometry.boundingSphere = new Sphere(new Vector3(), CELLS * spacing);
   const mesh = new Mesh(geometry, material);
   mesh.receiveShadow = true;
   mesh.frustumCulled = false;
-  // The grain's origin per level: kept small, so that it stays exact far from the frame's origin.
-  mesh.onBeforeRender = () => {
-    const { origin } = level;
-    const [x, z] = [origin[0]!, origin[2]!];
-    const small = GRAIN_PERIOD / 128;
-    const grain = material.uniforms['grainOrigin']!.value as number[];
-    grain[0] = x % small;
-    grain[1] = z % small;
-    grain[2] = x % GRAIN_PERIOD;
-    grain[3] = z % GRAIN_PERIOD;
-    material.uniformsNeedUpdate = true;
-  };
-  return { level, mesh, indices, holeKey: NaN };
+  return { level, mesh, sectors, holeKey: NaN };
 }
 
 function upload(geometry: BufferGeometry): void {
@@ -148,6 +149,6 @@ function cutHole(ring: Ring, finer: Ring | null): void {
   if (key === ring.holeKey) return;
   ring.holeKey = key;
   const { geometry } = ring.mesh;
-  geometry.setDrawRange(0, writeTriangles(ring.indices, level, finer?.level ?? null));
+  writeSectors(ring.sectors, level, finer?.level ?? null);
   geometry.index!.needsUpdate = true;
 }

@@ -5,7 +5,7 @@ const VERTEX = /* glsl */ `
 #include <common>
 #include <shadowmap_pars_vertex>
 attribute float sunlit;
-uniform vec4 grainOrigin;
+uniform vec4 eyeGrain;
 varying vec4 vPlane;
 varying vec3 vNormal;
 varying vec3 vPosition;
@@ -15,7 +15,7 @@ void main() {
   vec4 mvPosition = viewMatrix * worldPosition;
   vec3 transformedNormal = normalMatrix * normal;
   gl_Position = projectionMatrix * mvPosition;
-  vPlane = vec4(position.xz + grainOrigin.xy, position.xz + grainOrigin.zw);
+  vPlane = worldPosition.xzxz + eyeGrain;
   vNormal = normal;
   vPosition = worldPosition.xyz;
   vSunlit = sunlit;
@@ -80,8 +80,18 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** Period of the largest grain, m: what the grain's origin is taken modulo. */
-export const GRAIN_PERIOD = 4096;
+/** Periods of the grain, m: of the two finer textures together, and of all. */
+const FINE_PERIOD = 32;
+const GRAIN_PERIOD = 4096;
+
+/** Tells where the eye (local, m) is over the grain, kept small so that floats hold it exactly. */
+export function placeGrain(material: ShaderMaterial, eye: Float64Array): void {
+  const grain = material.uniforms['eyeGrain']!.value as number[];
+  grain[0] = eye[0]! % FINE_PERIOD;
+  grain[1] = eye[2]! % FINE_PERIOD;
+  grain[2] = eye[0]! % GRAIN_PERIOD;
+  grain[3] = eye[2]! % GRAIN_PERIOD;
+}
 
 export function createGroundMaterial(detail: DataTexture): ShaderMaterial {
   return new ShaderMaterial({
@@ -91,7 +101,7 @@ export function createGroundMaterial(detail: DataTexture): ShaderMaterial {
     uniforms: {
       ...UniformsUtils.clone(UniformsLib.lights),
       detail: { value: detail },
-      grainOrigin: { value: [0, 0, 0, 0] },
+      eyeGrain: { value: [0, 0, 0, 0] },
       dust: { value: new Color() },
       stone: { value: new Color() },
       regolith: { value: 0 },

@@ -31,7 +31,7 @@ export function buildHauler(stance: Stance): ShipModel {
     padRadius: m(1.05),
     finish: FINISHES.sand,
   });
-  return { geometry: parts.build(), engines, thrusters: thrusterClusters(m(5), m(6.2), Math.PI / 4) };
+  return { ...parts.build(), engines, thrusters: thrusterClusters(m(5), m(6.2), Math.PI / 4) };
 }
 
 type Scale = (share: number) => number;

@@ -154,14 +154,34 @@ function addCone(out: Arrays, { at, blows, radius, length, spread, nozzle }: Con
   }
 }
 
-/** How hard each nozzle blows, 0 … 1: engines by throttle, thrusters by what their push and turn do for the command. */
+/** Whether anything may blow: most ships of a fleet stand still. */
+export function asksForPower(controls: Controls): boolean {
+  const { rotationInput: turn, translationInput: push } = controls;
+  return (
+    controls.thrustLevel > 0 ||
+    controls.attitudeHold ||
+    controls.attitudeMode !== 'none' ||
+    turn[0] !== 0 ||
+    turn[1] !== 0 ||
+    turn[2] !== 0 ||
+    push[0] !== 0 ||
+    push[1] !== 0 ||
+    push[2] !== 0
+  );
+}
+
+/**
+ * How hard each nozzle blows, 0 … 1: engines by throttle, thrusters by what their push and turn do for the command. Gives
+ * whether any does.
+ */
 export function writePower(
   out: Float32Array,
   model: ShipModel,
   controls: Controls,
   turning: ArrayLike<number>,
-): void {
+): boolean {
   out.fill(0);
+  let any = controls.thrustLevel > 0;
   const { engines, thrusters } = model;
   for (let n = 0; n < engines.length; n++) out[n] = controls.thrustLevel;
   const [tx, ty, tz] = controls.translationInput;
@@ -177,8 +197,11 @@ export function writePower(
         rz * (blows[0] * at[1] - blows[1] * at[0])) /
       reach;
     const wanted = push + turn;
-    out[engines.length + n] = wanted > 0.15 ? Math.min(1, wanted) : 0;
+    if (wanted <= 0.15) continue;
+    out[engines.length + n] = Math.min(1, wanted);
+    any = true;
   }
+  return any;
 }
 
 /** What the pilot or the rate damping asks of the thrusters about body x, y, z. */

@@ -27,7 +27,7 @@ export function buildLander(stance: Stance): ShipModel {
   });
   addLadder(parts, stance, m);
   return {
-    geometry: parts.build(),
+    ...parts.build(),
     engines: [{ at: [0, 0, m(-3.6)], radius: m(0.72) }],
     thrusters: thrusterClusters(stance.legRadius - m(0.1), m(1.55), Math.PI / 4),
   };

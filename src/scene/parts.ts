@@ -1,4 +1,5 @@
 import { BufferAttribute, BufferGeometry, Euler, Matrix4, Quaternion, Vector3 } from 'three';
+import { coarsen, type Coarseness } from './coarsen';
 
 /** What a part of a ship is made of. */
 export interface Finish {
@@ -45,49 +46,81 @@ export interface Flex {
   readonly high: number;
 }
 
+/** A model's geometries: whole, and with ever less detail for ships farther off. */
+export interface ShipGeometries {
+  readonly geometry: BufferGeometry;
+  readonly coarser: readonly BufferGeometry[];
+}
+
 /** Collects parts and makes one geometry of them: a ship is one draw call and not a hundred. */
 export interface Parts {
   /** Adds a geometry whose axis is z. */
   add(geometry: BufferGeometry, finish: Finish, placement: Placement): void;
-  build(): BufferGeometry;
+  build(): ShipGeometries;
 }
+
+/** For ships of a hundred pixels, and for those of some tens. */
+const COARSER: readonly Coarseness[] = [
+  { sides: 7, smallest: 0.5 },
+  { sides: 4, smallest: 1 },
+];
 
 const Z = new Vector3(0, 0, 1);
 
 export function createParts(): Parts {
-  const positions: number[] = [];
-  const normals: number[] = [];
-  const colours: number[] = [];
-  const surfaces: number[] = [];
-  const flexes: number[] = [];
+  const whole = createHeap();
+  const coarser = COARSER.map(createHeap);
   return {
     add(given, finish, placement) {
-      const geometry = given.index === null ? given.clone() : given.toNonIndexed();
-      pushFlex(flexes, geometry, placement.flex);
-      geometry.applyMatrix4(matrixOf(placement));
-      const position = geometry.getAttribute('position');
-      const normal = geometry.getAttribute('normal');
-      for (let i = 0; i < position.count; i++) {
-        positions.push(position.getX(i), position.getY(i), position.getZ(i));
-        normals.push(normal.getX(i), normal.getY(i), normal.getZ(i));
-        colours.push(...finish.colour);
-        surfaces.push(finish.roughness, finish.metalness, finish.glow ?? 0);
-      }
-      geometry.dispose();
-      given.dispose();
+      COARSER.forEach((coarseness, n) => {
+        const coarse = coarsen(given, coarseness);
+        if (coarse !== null) pushPart(coarser[n]!, coarse, finish, placement);
+      });
+      pushPart(whole, given, finish, placement);
     },
-    build() {
-      const geometry = new BufferGeometry();
-      const attribute = (values: number[]) => new BufferAttribute(new Float32Array(values), 3);
-      geometry.setAttribute('position', attribute(positions));
-      geometry.setAttribute('normal', attribute(normals));
-      geometry.setAttribute('color', attribute(colours));
-      geometry.setAttribute('surface', attribute(surfaces));
-      geometry.setAttribute('flex', new BufferAttribute(new Float32Array(flexes), 2));
-      geometry.computeBoundingSphere();
-      return geometry;
-    },
+    build: () => ({ geometry: geometryOf(whole), coarser: coarser.map(geometryOf) }),
   };
+}
+
+/** Attributes of all vertices so far, three to a triangle. */
+interface Heap {
+  readonly positions: number[];
+  readonly normals: number[];
+  readonly colours: number[];
+  readonly surfaces: number[];
+  readonly flexes: number[];
+}
+
+function createHeap(): Heap {
+  return { positions: [], normals: [], colours: [], surfaces: [], flexes: [] };
+}
+
+function pushPart(out: Heap, given: BufferGeometry, finish: Finish, placement: Placement): void {
+  const geometry = given.index === null ? given.clone() : given.toNonIndexed();
+  pushFlex(out.flexes, geometry, placement.flex);
+  geometry.applyMatrix4(matrixOf(placement));
+  const position = geometry.getAttribute('position');
+  const normal = geometry.getAttribute('normal');
+  for (let i = 0; i < position.count; i++) {
+    out.positions.push(position.getX(i), position.getY(i), position.getZ(i));
+    out.normals.push(normal.getX(i), normal.getY(i), normal.getZ(i));
+    out.colours.push(...finish.colour);
+    out.surfaces.push(finish.roughness, finish.metalness, finish.glow ?? 0);
+  }
+  geometry.dispose();
+  given.dispose();
+}
+
+function geometryOf(heap: Heap): BufferGeometry {
+  const geometry = new BufferGeometry();
+  const attribute = (values: number[]) => new BufferAttribute(new Float32Array(values), 3);
+  geometry.setAttribute('position', attribute(heap.positions));
+  geometry.setAttribute('normal', attribute(heap.normals));
+  geometry.setAttribute('color', attribute(heap.colours));
+  geometry.setAttribute('surface', attribute(heap.surfaces));
+  geometry.setAttribute('flex', new BufferAttribute(new Float32Array(heap.flexes), 2));
+  geometry.computeBoundingSphere();
+  return geometry;
 }
 
 /** Leg and share of each vertex, linear along the part's own z. */

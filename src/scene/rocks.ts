@@ -12,19 +12,23 @@ import type { BodyLook } from './bodyLook';
 import type { LocalFrame } from './localFrame';
 import { cellNoise } from './noise';
 import { groundPoint } from './terrainLevel';
+import { coneMeets, type ViewCone } from './viewCone';
 
 /** Cells of stones around the ship: metres a cell, cells to each side. */
 const CELL = 5;
 const REACH = 11;
 const PER_CELL = 2;
 const MOST = (2 * REACH + 1) ** 2 * PER_CELL;
+/** The sun's shadow map reaches about as far around the ship, m: stones farther off throw no shadow. */
+const SHADOW_REACH = 18;
 
 /** Stones up to knee height, half sunk; the law does not know them, so none is large enough to be missed under a foot. */
 export interface Rocks {
   readonly mesh: InstancedMesh;
   lay(frame: LocalFrame, terrainHeight: TerrainHeight): void;
   follow(x: number, z: number): void;
-  place(eye: Float64Array): void;
+  /** Places them relative to the eye (local, m) and leaves out what it cannot see. */
+  place(eye: Float64Array, cone: ViewCone): void;
   paint(look: BodyLook): void;
   dispose(): void;
 }
@@ -37,6 +41,14 @@ export function createRocks(): Rocks {
   mesh.receiveShadow = true;
   mesh.frustumCulled = false;
   mesh.count = 0;
+  let shadowed = 0;
+  let seen = 0;
+  mesh.onBeforeShadow = () => (mesh.count = shadowed);
+  mesh.onAfterShadow = () => (mesh.count = seen);
+  /** Matrices of all stones, those within the shadows' reach first, and how many there are of either. */
+  const matrices = new Float32Array(MOST * 16);
+  let all = 0;
+  let close = 0;
   let where: { frame: LocalFrame; terrainHeight: TerrainHeight } | null = null;
   let cellX = NaN;
   let cellZ = NaN;
@@ -52,7 +64,8 @@ export function createRocks(): Rocks {
   const scatter = () => {
     if (where === null) return;
     groundPoint(origin, 0, cellX * CELL, cellZ * CELL, where);
-    let count = 0;
+    const far: Matrix4[] = [];
+    all = 0;
     for (let k = cellZ - REACH; k <= cellZ + REACH; k++) {
       for (let i = cellX - REACH; i <= cellX + REACH; i++) {
         for (let n = 0; n < PER_CELL; n++) {
@@ -66,11 +79,28 @@ export function createRocks(): Rocks {
           axis.set(cellNoise(i, k, seed + 4) - 0.5, 1, cellNoise(i, k, seed + 5) - 0.5).normalize();
           turn.setFromAxisAngle(axis, 6.28 * cellNoise(i, k, seed + 6));
           size.set(radius, radius * (0.55 + 0.4 * cellNoise(i, k, seed + 4)), radius * 0.85);
-          mesh.setMatrixAt(count++, matrix.compose(at, turn, size));
+          matrix.compose(at, turn, size);
+          if (Math.hypot(at.x, at.z) < SHADOW_REACH) matrix.toArray(matrices, 16 * all++);
+          else far.push(matrix.clone());
         }
       }
     }
-    mesh.count = count;
+    close = all;
+    for (const each of far) each.toArray(matrices, 16 * all++);
+  };
+
+  const leaveOutHidden = (cone: ViewCone) => {
+    const drawn = mesh.instanceMatrix.array;
+    seen = 0;
+    shadowed = 0;
+    for (let n = 0; n < all; n++) {
+      const from = n * 16;
+      if (!coneMeets(cone, matrices[from + 12]! + origin[0]!, matrices[from + 14]! + origin[2]!, 1)) continue;
+      for (let i = 0; i < 16; i++) drawn[seen * 16 + i] = matrices[from + i]!;
+      seen++;
+      if (n < close) shadowed = seen;
+    }
+    mesh.count = seen;
     mesh.instanceMatrix.needsUpdate = true;
   };
 
@@ -87,7 +117,8 @@ export function createRocks(): Rocks {
       cellZ = k;
       scatter();
     },
-    place(eye) {
+    place(eye, cone) {
+      leaveOutHidden(cone);
       mesh.position.set(origin[0]! - eye[0]!, origin[1]! - eye[1]!, origin[2]! - eye[2]!);
     },
     paint(look) {

@@ -2,7 +2,7 @@ import { type BufferGeometry, type Group, Mesh, type ShaderMaterial } from 'thre
 import { quat } from 'gl-matrix';
 import type { ShipView, WorldView } from '../prediction';
 import { createDustState, type DustState } from './dustSources';
-import { askedTurn, buildJets, canBurn, firePower, writePower } from './jets';
+import { askedTurn, asksForPower, buildJets, canBurn, firePower, writePower } from './jets';
 import { type LocalFrame, rotate, toLocalPoint, type Turn } from './localFrame';
 import { buildShip } from './models';
 import type { ShipMaterial } from './shipMaterial';
@@ -12,13 +12,14 @@ import type { ShipModel } from './shipModel';
 export interface ShipActor {
   readonly className: string;
   readonly model: ShipModel;
-  readonly mesh: Mesh;
   readonly jets: Mesh<BufferGeometry, ShaderMaterial>;
   readonly power: Float32Array;
   readonly place: Float64Array;
   readonly velocity: Float64Array;
   readonly turn: Float64Array;
   readonly blows: Float64Array;
+  /** Of the four legs, m. */
+  readonly compression: Float32Array;
   readonly dust: DustState;
   seen: number;
 }
@@ -56,41 +57,41 @@ export function createShelf(): ModelShelf {
 
 export interface Wardrobe {
   readonly shelf: ModelShelf;
-  readonly own: ShipMaterial;
-  readonly others: ShipMaterial;
+  readonly hull: ShipMaterial;
   readonly jet: ShaderMaterial;
 }
 
 export function createActor(ship: ShipView, wardrobe: Wardrobe, inAir: boolean): ShipActor {
   const model = wardrobe.shelf.model(ship);
-  const material = ship.own ? wardrobe.own : wardrobe.others;
-  const mesh = new Mesh(model.geometry, material.surface);
-  mesh.customDepthMaterial = material.shadow;
-  mesh.castShadow = true;
-  mesh.receiveShadow = true;
   const power = new Float32Array(36);
   const jets = new Mesh(wardrobe.shelf.jets(ship, inAir), wardrobe.jet);
   jets.frustumCulled = false;
   jets.renderOrder = 3;
+  jets.visible = false;
   firePower(jets, power);
-  mesh.add(jets);
   return {
     className: ship.shipClass.name,
     model,
-    mesh,
     jets,
     power,
     place: new Float64Array(3),
     velocity: new Float64Array(3),
     turn: new Float64Array(4),
     blows: new Float64Array(3),
+    compression: new Float32Array(4),
     dust: createDustState(),
     seen: 0,
   };
 }
 
 export function removeActor(actor: ShipActor, group: Group): void {
-  group.remove(actor.mesh);
+  group.remove(actor.jets);
+}
+
+/** Puts a burning ship's jets where the ship is; `eye` local, m. */
+export function placeJets({ jets, place, turn }: ShipActor, eye: Float64Array): void {
+  jets.position.set(place[0]! - eye[0]!, place[1]! - eye[1]!, place[2]! - eye[2]!);
+  jets.quaternion.set(turn[0]!, turn[1]!, turn[2]!, turn[3]!);
 }
 
 const rates = new Float64Array(3);
@@ -109,29 +110,38 @@ export function poseActor(
   toLocalPoint(actor.place, frame, turn, ship.standPosition);
   quat.multiply(actor.turn, turn.quaternion, ship.drawnAttitude);
   const [wx, wy, wz] = view.bodies[ship.body]!.angularVelocity;
-  const [x, y, z] = [ship.position[0]!, ship.position[1]!, ship.position[2]!];
+  const x = ship.position[0]!;
+  const y = ship.position[1]!;
+  const z = ship.position[2]!;
   spin[0] = ship.velocity[0]! - (wy * z - wz * y);
   spin[1] = ship.velocity[1]! - (wz * x - wx * z);
   spin[2] = ship.velocity[2]! - (wx * y - wy * x);
   rotate(actor.velocity, turn.matrix, spin);
 
-  const burns = !ship.crashed && canBurn(ship.shipClass, ship.fuel);
+  for (let leg = 0; leg < 4; leg++) actor.compression[leg] = ship.legCompression[leg]!;
+  actor.blows.fill(0);
+  actor.blows[2] = -1;
+  rotateByQuat(actor.blows, actor.turn, actor.blows);
+
+  const burns = !ship.crashed && canBurn(ship.shipClass, ship.fuel) && asksForPower(ship.controls);
   actor.jets.visible = burns;
   if (!burns) return;
   quat.conjugate(inverse, ship.attitude);
   rotateByQuat(rates, inverse, ship.angularVelocity);
   askedTurn(asked, ship.controls, rates);
   if (ship.surfaceState === 'landed') asked.fill(0);
-  writePower(actor.power, actor.model, ship.controls, asked);
-  actor.blows.fill(0);
-  actor.blows[2] = -1;
-  rotateByQuat(actor.blows, actor.turn, actor.blows);
+  actor.jets.visible = writePower(actor.power, actor.model, ship.controls, asked);
 }
 
 /** out = q · v · q⁻¹; `out` may be `v`. */
 export function rotateByQuat(out: Float64Array, q: Float64Array, v: ArrayLike<number>): void {
-  const [qx, qy, qz, qw] = [q[0]!, q[1]!, q[2]!, q[3]!];
-  const [x, y, z] = [v[0]!, v[1]!, v[2]!];
+  const qx = q[0]!;
+  const qy = q[1]!;
+  const qz = q[2]!;
+  const qw = q[3]!;
+  const x = v[0]!;
+  const y = v[1]!;
+  const z = v[2]!;
   const tx = 2 * (qy * z - qz * y);
   const ty = 2 * (qz * x - qx * z);
   const tz = 2 * (qx * y - qy * x);

@@ -1,19 +1,20 @@
-import { Color, DoubleSide, MeshDepthMaterial, MeshStandardMaterial, Vector4 } from 'three';
+import { Color, DoubleSide, MeshDepthMaterial, MeshStandardMaterial } from 'three';
 import type { BodyLook } from './bodyLook';
 
-/** One material for all parts of all ships: finish and leg travel are attributes of the geometry (parts.ts). */
+/**
+ * One material for all parts of all ships: finish and leg travel are attributes of the geometry (parts.ts), the compressions
+ * of a ship's legs (m) attributes of its instance (hulls.ts).
+ */
 export interface ShipMaterial {
   readonly surface: MeshStandardMaterial;
   readonly shadow: MeshDepthMaterial;
-  /** Legs' compressions of the ships that wear it, m: a ship whose legs are to be seen moving needs its own. */
-  readonly compression: Vector4;
   paint(look: BodyLook): void;
   dispose(): void;
 }
 
 const FLEX_HEAD = /* glsl */ `
 attribute vec2 flex;
-uniform vec4 compression;
+attribute vec4 compression;
 `;
 const FLEX_BODY = /* glsl */ `
 #include <begin_vertex>
@@ -21,9 +22,7 @@ transformed.z += flex.y * compression[int(flex.x + 0.5)];
 `;
 
 export function createShipMaterial(): ShipMaterial {
-  const compression = new Vector4();
   const shared = {
-    compression: { value: compression },
     skyTint: { value: new Color() },
     groundTint: { value: new Color() },
   };
@@ -56,7 +55,6 @@ export function createShipMaterial(): ShipMaterial {
   return {
     surface,
     shadow,
-    compression,
     paint(look) {
       const [r, g, b] = look.dust;
       const light = look.sunStrength * Math.sin((look.sun.elevation * Math.PI) / 180) * 1.3;

@@ -1,10 +1,9 @@
-import type { BufferGeometry } from 'three';
+import type { ShipGeometries } from './parts';
 
 type Point = readonly [number, number, number];
 
 /** A ship to draw, in body axes, m. */
-export interface ShipModel {
-  readonly geometry: BufferGeometry;
+export interface ShipModel extends ShipGeometries {
   /** Mouths of the main engine's bells; they blow along −z. */
   readonly engines: readonly Engine[];
   readonly thrusters: readonly Thruster[];

@@ -1,4 +1,4 @@
-import { ACESFilmicToneMapping, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { ACESFilmicToneMapping, Group, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
 import { flatTerrain, GRAVITATIONAL_CONSTANT, type TerrainHeight } from '../dynamics';
 import type { ShipView, WorldView } from '../prediction';
 import { type BodyLook, lookOf } from './bodyLook';
@@ -7,17 +7,19 @@ import { createDetailTexture } from './detailTexture';
 import { createDust } from './dust';
 import { raiseDust } from './dustSources';
 import { createGround } from './ground';
-import { createGroundMaterial, paintGround } from './groundMaterial';
+import { createGroundMaterial, paintGround, placeGrain } from './groundMaterial';
+import { createHulls } from './hulls';
 import { createJetMaterial } from './jets';
 import { createTurn, layFrame, type LocalFrame, rotate, toLocalPoint, turnOfFrame } from './localFrame';
 import { createOverlays, type OverlayChoice } from './overlays';
 import { anyChosen, createPlaces, placeOverlays } from './overlayPlaces';
 import { createRocks } from './rocks';
-import { createActor, createShelf, poseActor, removeActor, type ShipActor } from './shipActor';
+import { createActor, createShelf, placeJets, poseActor, removeActor, type ShipActor } from './shipActor';
 import { createShipMaterial } from './shipMaterial';
 import { createSky } from './sky';
 import { createSunlight } from './sunlight';
 import { groundPoint } from './terrainLevel';
+import { aimCone, coneMeets, createCone } from './viewCone';
 
 /** The picture: owns the WebGL context. Made by createStage, which throws where there is no WebGL 2. */
 export interface Stage {
@@ -45,6 +47,8 @@ const FIRST_ELEVATION = 0.16;
 const FIRST_DISTANCE = 5.2;
 /** A frame is laid anew this far from its origin, m: the tangent plane still fits the ground. */
 const FRAME_REACH = 20_000;
+/** No ship is larger than this around its centre of mass, m. */
+const SHIP_REACH = 30;
 
 export function createStage(canvas: HTMLCanvasElement): Stage {
   const renderer = new WebGLRenderer({
@@ -68,11 +72,12 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
   const overlays = createOverlays();
   const wardrobe = {
     shelf: createShelf(),
-    own: createShipMaterial(),
-    others: createShipMaterial(),
+    hull: createShipMaterial(),
     jet: createJetMaterial(),
   };
-  scene.add(sky.group, ground.group, light.group, rocks.mesh, dust.points, overlays.group);
+  const hulls = createHulls(wardrobe.hull);
+  const jets = new Group();
+  scene.add(sky.group, ground.group, light.group, rocks.mesh, hulls.group, jets, dust.points, overlays.group);
   const rig = createRig(FIRST_AZIMUTH, FIRST_ELEVATION, 24);
   const choice: OverlayChoice = {
     ghost: false,
@@ -92,6 +97,8 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
   const actors = new Map<string, ShipActor>();
   const point = new Float64Array(3);
   const places = createPlaces();
+  const cone = createCone();
+  const opening = { across: 1, upright: 1 };
 
   const lay = (view: WorldView, ship: ShipView) => {
     const body = view.bodies[ship.body]!;
@@ -109,14 +116,13 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
     light.paint(look, frame);
     paintGround(groundMaterial, look, light.direction);
     sky.paint(look, light.direction);
-    wardrobe.own.paint(look);
-    wardrobe.others.paint(look);
+    wardrobe.hull.paint(look);
     rocks.paint(look);
     dust.paint(look);
     dust.clear();
     releaseRig(rig);
     for (const [id, actor] of actors) {
-      removeActor(actor, ground.group);
+      removeActor(actor, jets);
       actors.delete(id);
     }
   };
@@ -132,10 +138,10 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
       if (ship.body !== body) continue;
       let actor = actors.get(ship.shipId);
       if (actor === undefined || actor.className !== ship.shipClass.name) {
-        if (actor !== undefined) removeActor(actor, ground.group);
+        if (actor !== undefined) removeActor(actor, jets);
         actor = createActor(ship, wardrobe, look.air !== null);
         actors.set(ship.shipId, actor);
-        ground.group.add(actor.mesh);
+        jets.add(actor.jets);
       }
       actor.seen = count;
       poseActor(actor, ship, view, frame!, turn);
@@ -143,7 +149,7 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
     }
     for (const [id, actor] of actors) {
       if (actor.seen === count) continue;
-      removeActor(actor, ground.group);
+      removeActor(actor, jets);
       actors.delete(id);
     }
   };
@@ -168,10 +174,15 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
     );
   };
 
-  const seat = (actor: ShipActor, eye: Float64Array) => {
-    const { place, turn: q } = actor;
-    actor.mesh.position.set(place[0]! - eye[0]!, place[1]! - eye[1]!, place[2]! - eye[2]!);
-    actor.mesh.quaternion.set(q[0]!, q[1]!, q[2]!, q[3]!);
+  const seatShips = (watched: ShipActor, eye: Float64Array) => {
+    hulls.clear();
+    for (const actor of actors.values()) {
+      const isWatched = actor === watched;
+      if (isWatched || coneMeets(cone, actor.place[0]!, actor.place[2]!, SHIP_REACH))
+        hulls.put(actor, eye, isWatched);
+      if (actor.jets.visible) placeJets(actor, eye);
+    }
+    hulls.finish();
   };
 
   return {
@@ -213,18 +224,18 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
       const first = count === 1;
       ground.follow(actor.place[0]!, actor.place[2]!, first ? Infinity : 2);
       rocks.follow(actor.place[0]!, actor.place[2]!);
-      ground.place(eye);
-      rocks.place(eye);
+      aimCone(cone, eye, focus, opening);
+      ground.place(eye, cone);
+      placeGrain(groundMaterial, eye);
+      rocks.place(eye, cone);
       dust.points.position.set(-eye[0]!, -eye[1]!, -eye[2]!);
-      for (const each of actors.values()) seat(each, eye);
+      seatShips(actor, eye);
       const height = actor.place[1]! - groundY(actor.place[0]!, actor.place[2]!);
       const size = watched.shipClass.groundContactOffset * 2.2;
       light.follow(actor.place, eye, size, size * 2 + Math.max(height, 0) / light.direction.y);
       sky.look(eye[1]!, body.radius, turn.quaternion);
       if (anyChosen(choice))
         placeOverlays(places, { view, ship: watched, actor, frame: frame!, turn, eye, groundY });
-      const legs = watched.legCompression;
-      wardrobe.own.compression.set(legs[0]!, legs[1]!, legs[2]!, legs[3]!);
       overlays.group.visible = anyChosen(choice);
       if (overlays.group.visible) overlays.update(choice, places);
       camera.up.set(0, 1, 0);
@@ -240,6 +251,8 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
       // A tall window sees as much to the sides as a square one.
       camera.fov = camera.aspect >= 1 ? 48 : 62;
       camera.updateProjectionMatrix();
+      opening.upright = Math.tan((camera.fov * Math.PI) / 360);
+      opening.across = opening.upright * camera.aspect;
     },
     turnCamera(azimuth, elevation) {
       turnRig(rig, azimuth, elevation);
@@ -253,17 +266,7 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
       watchedClass = '';
     },
     dispose() {
-      for (const owned of [
-        ground,
-        sky,
-        light,
-        rocks,
-        dust,
-        overlays,
-        wardrobe.shelf,
-        wardrobe.own,
-        wardrobe.others,
-      ])
+      for (const owned of [ground, sky, light, rocks, dust, overlays, wardrobe.shelf, wardrobe.hull, hulls])
         owned.dispose();
       wardrobe.jet.dispose();
       groundMaterial.dispose();
@@ -274,11 +277,11 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
 
   function shineOnGround(actor: ShipActor, ship: ShipView): void {
     const flame = groundMaterial.uniforms['flame']!.value as number[];
-    const { position } = actor.mesh;
+    const { eye } = rig;
     const reach = ship.shipClass.groundContactOffset * 0.8;
-    flame[0] = position.x + actor.blows[0]! * reach;
-    flame[1] = position.y + actor.blows[1]! * reach;
-    flame[2] = position.z + actor.blows[2]! * reach;
+    flame[0] = actor.place[0]! - eye[0]! + actor.blows[0]! * reach;
+    flame[1] = actor.place[1]! - eye[1]! + actor.blows[1]! * reach;
+    flame[2] = actor.place[2]! - eye[2]! + actor.blows[2]! * reach;
     flame[3] = actor.jets.visible ? ship.controls.thrustLevel * 60 : 0;
   }
 }

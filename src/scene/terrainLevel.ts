@@ -2,10 +2,10 @@ import type { TerrainHeight } from '../dynamics';
 import type { LocalFrame } from './localFrame';
 
 /** Cells along a side of a level; a multiple of 4, so that its edges lie on vertices of the next coarser level. */
-export const CELLS = 64;
+export const CELLS = 48;
 /** Vertices along a side, with one more all around for the slopes at the edge. */
 const SIDE = CELLS + 3;
-const VERTICES = CELLS + 1;
+export const VERTICES = CELLS + 1;
 
 /**
  * One ring of the ground: a square grid of `spacing` metres on the plane y = 0 of the local frame, each point pushed along
@@ -18,6 +18,10 @@ export interface TerrainLevel {
   cornerX: number;
   cornerZ: number;
   filled: boolean;
+  /** Of the body's sphere, and how far the level's points reach above (or below) it, m. */
+  radius: number;
+  lowest: number;
+  highest: number;
   /** SIDE × SIDE points x, y, z in the local frame. */
   points: Float64Array;
   spare: Float64Array;
@@ -38,6 +42,9 @@ export function createLevel(spacing: number): TerrainLevel {
     cornerX: 0,
     cornerZ: 0,
     filled: false,
+    radius: Infinity,
+    lowest: 0,
+    highest: 0,
     points: new Float64Array(SIDE * SIDE * 3),
     spare: new Float64Array(SIDE * SIDE * 3),
     shade: new Float64Array(SIDE * SIDE),
@@ -84,9 +91,27 @@ export function moveLevel(
   }
   level.points = fresh;
   level.spare = old;
+  level.radius = frame.radius;
+  measureHeights(level);
   level.cornerX = cornerX;
   level.cornerZ = cornerZ;
   level.filled = true;
+}
+
+function measureHeights(level: TerrainLevel): void {
+  const { points, radius } = level;
+  let lowest = Infinity;
+  let highest = -Infinity;
+  for (let i = 0; i < points.length; i += 3) {
+    const [x, y, z] = [points[i]!, points[i + 1]!, points[i + 2]!];
+    // |r| − R without the difference of two planet radii.
+    const over = x * x + y * y + z * z + 2 * y * radius;
+    const height = over / (Math.sqrt(radius * radius + over) + radius);
+    if (height < lowest) lowest = height;
+    if (height > highest) highest = height;
+  }
+  level.lowest = lowest;
+  level.highest = highest;
 }
 
 interface Place {
@@ -191,28 +216,4 @@ function midpoint(positions: Float32Array, at: number, step: number): void {
   for (let axis = 0; axis < 3; axis++) {
     positions[at * 3 + axis] = (positions[(at - step) * 3 + axis]! + positions[(at + step) * 3 + axis]!) / 2;
   }
-}
-
-/** Triangles of a level, without the square that the finer level covers; gives how many indices were written. */
-export function writeTriangles(out: Uint16Array, level: TerrainLevel, finer: TerrainLevel | null): number {
-  const holeX = finer === null ? -1 : finer.cornerX / 2 - level.cornerX;
-  const holeZ = finer === null ? -1 : finer.cornerZ / 2 - level.cornerZ;
-  const hole = finer === null ? 0 : CELLS / 2;
-  let count = 0;
-  for (let k = 0; k < CELLS; k++) {
-    const crossesHole = k >= holeZ && k < holeZ + hole;
-    for (let i = 0; i < CELLS; i++) {
-      if (crossesHole && i >= holeX && i < holeX + hole) continue;
-      const a = k * VERTICES + i;
-      const b = a + VERTICES;
-      out[count] = a;
-      out[count + 1] = b;
-      out[count + 2] = a + 1;
-      out[count + 3] = a + 1;
-      out[count + 4] = b;
-      out[count + 5] = b + 1;
-      count += 6;
-    }
-  }
-  return count;
 }

@@ -10,8 +10,8 @@ import {
   moveLevel,
   shadeLevel,
   type TerrainLevel,
-  writeTriangles,
 } from '../../src/scene/terrainLevel';
+import { createSectors, writeSectors } from '../../src/scene/groundSectors';
 
 const MOON = BODIES.find(({ name }) => name === 'Moon')!;
 const hills = TERRAINS['hills']!;
@@ -38,8 +38,10 @@ function levelAt(spacing: number, x: number, z: number, frame = frameAt(3000)): 
 
 /** Height of the drawn triangles over a place inside the level, in the local frame. */
 function drawnHeight(level: TerrainLevel, x: number, z: number): number {
-  const indices = new Uint16Array(CELLS * CELLS * 6);
-  const count = writeTriangles(indices, level, null);
+  const sectors = createSectors();
+  writeSectors(sectors, level, null);
+  const { indices } = sectors;
+  const count = CELLS * CELLS * 6;
   const { positions, origin } = level;
   const corner = (n: number) => [0, 1, 2].map((axis) => positions[indices[n]! * 3 + axis]! + origin[axis]!);
   for (let n = 0; n < count; n += 3) {
@@ -113,8 +115,16 @@ describe('drawn ground', () => {
         expect(Math.abs(fineAt(i + 1, axis) - middle)).toBeLessThan(2e-5);
       }
     }
-    const indices = new Uint16Array(CELLS * CELLS * 6);
-    expect(writeTriangles(indices, coarse, fine)).toBe((CELLS * CELLS - (CELLS / 2) ** 2) * 6);
+    const sectors = createSectors();
+    writeSectors(sectors, coarse, fine);
+    const once = (CELLS * CELLS - (CELLS / 2) ** 2) * 6;
+    expect(sectors.starts.at(-1)).toBe(2 * once);
+    const corners = (from: number) =>
+      Array.from({ length: once / 3 }, (_, n) =>
+        [...sectors.indices.subarray(from + 3 * n, from + 3 * n + 3)].join(),
+      );
+    expect(new Set(corners(0)).size).toBe(once / 3);
+    expect(corners(once)).toEqual(corners(0));
   });
 
   it('throws the shadow of a wall as far as the sun’s height says', () => {

@@ -1,0 +1,131 @@
+import {
+  BufferGeometry,
+  DynamicDrawUsage,
+  Group,
+  InstancedBufferAttribute,
+  InstancedMesh,
+  Matrix4,
+  Quaternion,
+  Vector3,
+} from 'three';
+import type { ShipActor } from './shipActor';
+import type { ShipMaterial } from './shipMaterial';
+import type { ShipModel } from './shipModel';
+
+/** All ships' hulls: a draw for each class and level of detail, whatever the number of ships. */
+export interface Hulls {
+  readonly group: Group;
+  /** Begins a frame: nobody is on the stage. */
+  clear(): void;
+  /** Puts a posed ship on the stage. `eye` local, m; a `near` ship is drawn whole and throws a shadow, however far off. */
+  put(actor: ShipActor, eye: Float64Array, near: boolean): void;
+  /** Ends a frame. */
+  finish(): void;
+  dispose(): void;
+}
+
+/** Distance from the eye, m, in heights of the model, from which each coarser level is drawn. */
+const COARSER_FROM = [5.5, 16] as const;
+const FIRST_ROOM = 8;
+
+interface Level {
+  readonly geometry: BufferGeometry;
+  readonly isWhole: boolean;
+  mesh: InstancedMesh;
+  compression: InstancedBufferAttribute;
+  count: number;
+}
+
+export function createHulls(material: ShipMaterial): Hulls {
+  const group = new Group();
+  const classes = new Map<ShipModel, readonly Level[]>();
+  const matrix = new Matrix4();
+  const place = new Vector3();
+  const turn = new Quaternion();
+  const ONE = new Vector3(1, 1, 1);
+
+  const levelsOf = (model: ShipModel) => {
+    const known = classes.get(model);
+    if (known !== undefined) return known;
+    const made = [model.geometry, ...model.coarser].map((geometry, n) =>
+      createLevel(geometry, n === 0, material),
+    );
+    for (const { mesh } of made) group.add(mesh);
+    classes.set(model, made);
+    return made;
+  };
+
+  return {
+    group,
+    clear() {
+      for (const levels of classes.values()) for (const level of levels) level.count = 0;
+    },
+    put(actor, eye, near) {
+      const levels = levelsOf(actor.model);
+      place.set(actor.place[0]! - eye[0]!, actor.place[1]! - eye[1]!, actor.place[2]! - eye[2]!);
+      const heights = place.length() / (2 * actor.model.geometry.boundingSphere!.radius);
+      let detail = 0;
+      if (!near) while (detail < COARSER_FROM.length && heights > COARSER_FROM[detail]!) detail++;
+      const level = levels[detail]!;
+      if (level.count === level.mesh.instanceMatrix.count) enlarge(level, group, material);
+      turn.set(actor.turn[0]!, actor.turn[1]!, actor.turn[2]!, actor.turn[3]!);
+      level.mesh.setMatrixAt(level.count, matrix.compose(place, turn, ONE));
+      if (level.isWhole) level.compression.set(actor.compression, level.count * 4);
+      level.count++;
+    },
+    finish() {
+      for (const levels of classes.values()) {
+        for (const { mesh, compression, count, isWhole } of levels) {
+          mesh.count = count;
+          mesh.visible = count > 0;
+          if (count === 0) continue;
+          mesh.instanceMatrix.needsUpdate = true;
+          if (isWhole) compression.needsUpdate = true;
+        }
+      }
+    },
+    dispose() {
+      for (const levels of classes.values()) for (const { mesh } of levels) mesh.dispose();
+    },
+  };
+}
+
+function createLevel(geometry: BufferGeometry, isWhole: boolean, material: ShipMaterial): Level {
+  return { geometry, isWhole, count: 0, ...createMesh(geometry, FIRST_ROOM, isWhole, material) };
+}
+
+/** Makes room for twice as many ships, and keeps those already there. */
+function enlarge(level: Level, group: Group, material: ShipMaterial): void {
+  const { mesh: old, compression: before } = level;
+  const made = createMesh(level.geometry, 2 * level.count, level.isWhole, material);
+  made.mesh.instanceMatrix.set(old.instanceMatrix.array, 0);
+  made.compression.set(before.array, 0);
+  group.remove(old);
+  group.add(made.mesh);
+  old.dispose();
+  old.geometry.dispose();
+  level.mesh = made.mesh;
+  level.compression = made.compression;
+}
+
+function createMesh(
+  shared: BufferGeometry,
+  room: number,
+  isWhole: boolean,
+  material: ShipMaterial,
+): Pick<Level, 'mesh' | 'compression'> {
+  // The vertices are shared, the instances' attribute is not.
+  const geometry = new BufferGeometry();
+  for (const [name, attribute] of Object.entries(shared.attributes)) geometry.setAttribute(name, attribute);
+  const compression = new InstancedBufferAttribute(new Float32Array(room * 4), 4);
+  compression.setUsage(DynamicDrawUsage);
+  geometry.setAttribute('compression', compression);
+  const mesh = new InstancedMesh(geometry, material.surface, room);
+  mesh.instanceMatrix.setUsage(DynamicDrawUsage);
+  mesh.customDepthMaterial = material.shadow;
+  mesh.castShadow = isWhole;
+  mesh.receiveShadow = isWhole;
+  // The instances' places are known to the instances alone.
+  mesh.frustumCulled = false;
+  return { mesh, compression };
+}

@@ -1,0 +1,56 @@
+/**
+ * What the eye can see of the ground, seen from above: a wedge between two upright planes through the eye. It is wider than the
+ * picture where the eye looks down, and everything where it looks steeply down. Local axes, m.
+ */
+export interface ViewCone {
+  x: number;
+  z: number;
+  /** No direction is out of sight. */
+  whole: boolean;
+  /** Unit normals of the two planes, towards the inside: x, z, x, z. */
+  readonly inward: Float64Array;
+}
+
+export function createCone(): ViewCone {
+  return { x: 0, z: 0, whole: true, inward: new Float64Array(4) };
+}
+
+/** The eye's opening: half angles of the picture, as tangents. */
+export interface Opening {
+  readonly across: number;
+  readonly upright: number;
+}
+
+/** Sets the cone of an eye that looks towards a point; both local, m. */
+export function aimCone(
+  out: ViewCone,
+  eye: Float64Array,
+  focus: Float64Array,
+  { across, upright }: Opening,
+): void {
+  const [dx, dy, dz] = [focus[0]! - eye[0]!, focus[1]! - eye[1]!, focus[2]! - eye[2]!];
+  const level = Math.sqrt(dx * dx + dz * dz);
+  const length = Math.sqrt(level * level + dy * dy);
+  out.x = eye[0]!;
+  out.z = eye[2]!;
+  // Of the picture's corners the two nearest to the vertical spread widest.
+  const ahead = (level - Math.abs(dy) * upright) / length;
+  out.whole = !(ahead > 0.05);
+  if (out.whole) return;
+  const spread = Math.sqrt(ahead * ahead + across * across);
+  const [cos, sin] = [ahead / spread, across / spread];
+  const [fx, fz] = [dx / level, dz / level];
+  const { inward } = out;
+  inward[0] = sin * fx - cos * fz;
+  inward[1] = sin * fz + cos * fx;
+  inward[2] = sin * fx + cos * fz;
+  inward[3] = sin * fz - cos * fx;
+}
+
+/** Whether a circle about (x, z) reaches into the cone. */
+export function coneMeets(cone: ViewCone, x: number, z: number, radius: number): boolean {
+  if (cone.whole) return true;
+  const { inward } = cone;
+  const [offX, offZ] = [x - cone.x, z - cone.z];
+  return offX * inward[0]! + offZ * inward[1]! > -radius && offX * inward[2]! + offZ * inward[3]! > -radius;
+}

@@ -1,0 +1,97 @@
+import { type Box3, type BufferGeometry, InstancedMesh, Matrix4, Vector3 } from 'three';
+import { describe, expect, it } from 'vitest';
+import { SHIP_CLASSES } from '../../src/dynamics';
+import { createHulls, type Hulls } from '../../src/scene/hulls';
+import { buildShip } from '../../src/scene/models';
+import type { ShipActor } from '../../src/scene/shipActor';
+import { createShipMaterial } from '../../src/scene/shipMaterial';
+import type { ShipModel } from '../../src/scene/shipModel';
+
+const EYE = Float64Array.of(0, 0, 0);
+
+function actorAt(model: ShipModel, place: readonly number[], compression = [0, 0, 0, 0]): ShipActor {
+  return {
+    model,
+    place: Float64Array.from(place),
+    turn: Float64Array.of(0, 0, 0, 1),
+    compression: Float32Array.from(compression),
+  } as unknown as ShipActor;
+}
+
+const trianglesOf = (geometry: BufferGeometry) => geometry.getAttribute('position').count / 3;
+
+function boxOf(geometry: BufferGeometry): Box3 {
+  geometry.computeBoundingBox();
+  return geometry.boundingBox!;
+}
+
+function placesOf(mesh: InstancedMesh): number[] {
+  const matrix = new Matrix4();
+  const at = new Vector3();
+  return Array.from({ length: mesh.count }, (_, n) => {
+    mesh.getMatrixAt(n, matrix);
+    return at.setFromMatrixPosition(matrix).x;
+  });
+}
+
+const drawnBy = ({ group }: Hulls) =>
+  group.children
+    .filter((child): child is InstancedMesh => child instanceof InstancedMesh)
+    .filter(({ visible }) => visible);
+
+describe.each(SHIP_CLASSES)('model of $name', (shipClass) => {
+  const model = buildShip(shipClass);
+
+  it('has ever fewer triangles farther off, stands on the same feet and keeps its outline', () => {
+    let finer = trianglesOf(model.geometry);
+    const whole = boxOf(model.geometry);
+    for (const geometry of model.coarser) {
+      expect(trianglesOf(geometry)).toBeLessThan(finer / 1.3);
+      finer = trianglesOf(geometry);
+      const box = boxOf(geometry);
+      expect(Math.abs(box.min.z - whole.min.z)).toBeLessThan(0.2);
+      // Antennas and lamps go, the hull stays.
+      const [size, before] = [box.getSize(new Vector3()), whole.getSize(new Vector3())];
+      for (const axis of ['x', 'y', 'z'] as const) {
+        expect(size[axis] / before[axis]).toBeGreaterThan(0.75);
+        expect(size[axis] / before[axis]).toBeLessThan(1.02);
+      }
+    }
+    expect(trianglesOf(model.coarser.at(-1)!)).toBeLessThan(1500);
+  });
+});
+
+describe('hulls', () => {
+  const model = buildShip(SHIP_CLASSES[0]!);
+  const material = createShipMaterial();
+
+  it('draws a fleet in a mesh a level of detail, each ship in its place, none lost when it grows', () => {
+    const hulls = createHulls(material);
+    const far = Array.from({ length: 60 }, (_, n) => 1000 + n);
+    hulls.clear();
+    hulls.put(actorAt(model, [5, 0, 0]), EYE, false);
+    for (const x of far) hulls.put(actorAt(model, [x, 0, 0]), EYE, false);
+    hulls.finish();
+    const drawn = drawnBy(hulls);
+    expect(drawn.map(({ count }) => count)).toEqual([1, 60]);
+    expect(placesOf(drawn[1]!)).toEqual(far);
+    expect(drawn.map(({ castShadow }) => castShadow)).toEqual([true, false]);
+    hulls.clear();
+    hulls.finish();
+    expect(hulls.group.children.every(({ visible }) => !visible)).toBe(true);
+    hulls.dispose();
+  });
+
+  it('draws the watched ship whole however far off, with its own legs’ travel', () => {
+    const hulls = createHulls(material);
+    hulls.clear();
+    hulls.put(actorAt(model, [6, 0, 0], [0.5, 0, 0, 0.25]), EYE, false);
+    hulls.put(actorAt(model, [900, 0, 0], [0, 0.125, 0, 0]), EYE, true);
+    hulls.finish();
+    const mesh = drawnBy(hulls)[0]!;
+    expect(placesOf(mesh)).toEqual([6, 900]);
+    const travel = mesh.geometry.getAttribute('compression').array;
+    expect([...travel.slice(0, 8)]).toEqual([0.5, 0, 0, 0.25, 0, 0.125, 0, 0]);
+    hulls.dispose();
+  });
+});

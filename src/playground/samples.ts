@@ -7,9 +7,13 @@ export const GAUGES = [
   { name: 'lead', title: 'Lead', unit: 'ms', scale: 1000, digits: 1 },
   { name: 'margin', title: 'Input margin', unit: 'ms', scale: 1000, digits: 1 },
   { name: 'clockRate', title: 'Clock rate', unit: '×', scale: 1, digits: 4 },
+  { name: 'errorPosition', title: 'Position error', unit: 'm', scale: 1, digits: 3 },
+  { name: 'errorAngle', title: 'Attitude error', unit: '°', scale: 180 / Math.PI, digits: 2 },
   { name: 'offsetPosition', title: 'Correction eased', unit: 'm', scale: 1, digits: 3 },
   { name: 'offsetAngle', title: 'Correction eased', unit: '°', scale: 180 / Math.PI, digits: 2 },
 ] as const satisfies readonly Gauge[];
+
+export type GaugeName = (typeof GAUGES)[number]['name'];
 
 interface Gauge {
   readonly name: keyof Diagnosis;

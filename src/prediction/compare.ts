@@ -16,7 +16,7 @@ import {
   THRUST_LEVEL,
   VELOCITY,
 } from '../dynamics';
-import { quaternion, rotateBack, seenFrom, take, vector } from './rotation';
+import { angleOf, lengthOf, quaternion, rotateBack, seenFrom, take, turnBetween, vector } from './rotation';
 
 /** A row among rows, and the bodies its tick had. */
 export interface Place {
@@ -91,6 +91,32 @@ export function firstDifference(server: Place, predicted: Place, tolerance: Tole
   if (!(Math.abs(s[i + FUEL]! - p[j + FUEL]!) <= FUEL_TOLERANCE)) return 'fuel';
   return 'none';
 }
+
+/** How far a prediction was off. */
+export interface PredictionError {
+  /** m */
+  errorPosition: number;
+  /** rad */
+  errorAngle: number;
+}
+
+/** Writes how far `predicted` was from the server's word for the same tick, as seen from the body of both; NaN where that cannot be said. */
+export function writeError(out: PredictionError, server: Place, predicted: Place | null): void {
+  const body = server.rows[server.at + REFERENCE_BODY];
+  if (predicted === null || predicted.rows[predicted.at + REFERENCE_BODY] !== body) {
+    out.errorPosition = Number.NaN;
+    out.errorAngle = Number.NaN;
+    return;
+  }
+  seeFromBody(ours, server);
+  seeFromBody(theirs, predicted);
+  for (let k = 0; k < 3; k++) ours.place[k] = ours.place[k]! - theirs.place[k]!;
+  out.errorPosition = lengthOf(ours.place);
+  turnBetween(turn, ours.attitude, theirs.attitude);
+  out.errorAngle = angleOf(turn);
+}
+
+const turn = quaternion();
 
 /** Whether two rows hold the same command. */
 export function sameCommand(a: Float64Array, i: number, b: Float64Array, j: number): boolean {

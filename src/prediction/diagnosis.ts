@@ -30,6 +30,8 @@ export function createDiagnosis(): Diagnosis {
     jitter: 0,
     lead: 0,
     margin: 0,
+    errorPosition: Number.NaN,
+    errorAngle: Number.NaN,
     offsetPosition: 0,
     offsetAngle: 0,
   };

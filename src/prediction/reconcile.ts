@@ -18,6 +18,7 @@ import {
   type Place,
   sameCommand,
   type Tolerance,
+  writeError,
   writeInexact,
 } from './compare';
 import { has, offsetOf } from './history';
@@ -60,6 +61,8 @@ export function reconcile(sim: Simulation, track: Track, state: ShipState, word:
   const known = track.serverTick >= 0;
   if (known && track.serverRow[CRASHED]! > told[CRASHED]!) track.replaySnaps = true;
   const predicted = findPredicted(sim, track, word);
+  server.bodies = word.bodies;
+  if (track.own) writeError(sim.counters, server, predicted);
   if (Number.isNaN(told[IMPACT_SPEED])) told[IMPACT_SPEED] = recalledImpact(predicted);
   remember(track, state, word, known);
   settle(sim, track, predicted, word);
@@ -77,7 +80,6 @@ function settle(sim: Simulation, track: Track, predicted: Place | null, word: Wo
     lockFirst(sim, track, word);
     return;
   }
-  server.bodies = word.bodies;
   if (!track.exact) writeInexact(inexact, server);
   const field = firstDifference(server, predicted, track.exact ? EXACT : inexact);
   const commanded = sameCommand(told, 0, predicted.rows, predicted.at);

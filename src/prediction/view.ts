@@ -140,6 +140,12 @@ export interface Diagnosis {
   rollbacksDifferent: number;
   /** Arrival margin of the last acknowledged input. */
   margin: number;
+  /**
+   * How far the own ship's prediction was from the server's newest word for the same tick, m and rad, as seen from the body; NaN
+   * where nothing was predicted for it.
+   */
+  errorPosition: number;
+  errorAngle: number;
   /** Size of the offset being eased on the own ship, m and rad. */
   offsetPosition: number;
   offsetAngle: number;

@@ -142,3 +142,36 @@ describe('a server that is steered while it runs', () => {
     expect(rig.view().ships.filter(({ provenance }) => provenance === 'off')).toHaveLength(0);
   });
 });
+
+describe('the error told', () => {
+  it('is nothing where the law is the same, and not known before the first comparison', () => {
+    const rig = createRig({ scenario: 'bounce' });
+    expect(rig.view().diagnosis.errorPosition).toBeNaN();
+    rig.fly(6);
+    const { errorPosition, errorAngle } = rig.view().diagnosis;
+    expect(errorPosition).toBeLessThan(1e-6);
+    expect(errorAngle).toBeLessThan(1e-6);
+  });
+
+  it('is what the server did to the ship behind the prediction’s back, found with the frame after it', () => {
+    const rig = createRig({
+      scenario: 'pointing',
+      network: NETWORK_PRESETS.lan,
+      pilot: () => NEUTRAL_CONTROLS,
+    });
+    rig.fly(4.4);
+    expect(rig.view().diagnosis.errorPosition).toBeLessThan(1e-6);
+    // A push of 3 m/s and 0.2 rad/s, simulated over the whole interval that was already predicted.
+    expect(rig.authority.kick('ship-1', [3, 0, 0], [0, 0, 0.2])).toBeNull();
+    rig.fly(0.8);
+    const { errorPosition, errorAngle, correctionsMismatch } = rig.view().diagnosis;
+    expect(correctionsMismatch).toBe(1);
+    expect(errorPosition).toBeGreaterThan(2.99);
+    expect(errorPosition).toBeLessThan(3.01);
+    // The spin it had turns with the ship; what was added to it stays in size.
+    expect(errorAngle).toBeGreaterThan(0.19);
+    expect(errorAngle).toBeLessThan(0.21);
+    rig.fly(1);
+    expect(rig.view().diagnosis.errorPosition).toBeLessThan(1e-6);
+  });
+});

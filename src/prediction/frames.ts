@@ -10,6 +10,7 @@ import { hold, startReplay } from './replay';
 import { fitRings, type Simulation } from './simulation';
 import { WITHDRAWN_SHOWN } from './status';
 import { setTempo, spanOf, wallOfTick } from './timeline';
+import { forgetLogsAfter } from './touchdownRing';
 import { addTrack, removeTrack, type Track } from './track';
 
 /** What one connection's frames are judged by, beside the simulation. */
@@ -127,6 +128,7 @@ function startAnew(sim: Simulation, intake: Intake): void {
   forgetBodiesAfter(sim.bodies, -1);
   for (const track of sim.fleet.tracks) {
     forgetAfter(track.history, -1);
+    if (track.log !== null) forgetLogsAfter(track.log, -1);
     track.ledger.entries.length = 0;
     track.serverTick = -1;
     track.mode = 'waiting';
@@ -167,6 +169,7 @@ function retime(sim: Simulation, tick: number): void {
   forgetBodiesAfter(sim.bodies, tick);
   for (const track of sim.fleet.tracks) {
     forgetAfter(track.history, tick);
+    if (track.log !== null) forgetLogsAfter(track.log, tick);
     track.replaying = false;
   }
   sim.frontIsStale = true;

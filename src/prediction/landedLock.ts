@@ -20,6 +20,7 @@ import { keep } from './history';
 import { writeBodyAttitude } from './pose';
 import { compose, put, quaternion, rotate, rotateBack, seenFrom, take, vector } from './rotation';
 import type { Simulation } from './simulation';
+import { keepLog } from './touchdownRing';
 import { copyRow, type Track } from './track';
 
 /**
@@ -102,6 +103,7 @@ export function wake(sim: Simulation, track: Track): void {
     copyRow(past, 0, fleet.front, track.at);
     writeLockedAt(past, 0, track, bodies);
     keep(track.history, tick, past, 0);
+    if (track.log !== null) keepLog(track.log, tick, track.log.front);
   }
   take(spin, boundaryAt(sim.bodies, timeline, front.tick), index * BODY_STRIDE + BODY_ANGULAR_VELOCITY);
   copyRow(fleet.previous, track.at, fleet.front, track.at);

@@ -76,6 +76,7 @@ function catchUpLater(sim: Simulation, track: Track): void {
   if (track.replaying) return;
   const { front, fleet } = sim;
   copyRow(fleet.replayed, track.at, fleet.front, track.at);
+  track.log?.replayed.set(track.log.front);
   hold(sim, track);
   track.replaying = true;
   track.replayTick = front.tick;

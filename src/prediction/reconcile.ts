@@ -28,6 +28,7 @@ import { abandonReplay, startReplay } from './replay';
 import { commandsAnything, type Simulation } from './simulation';
 import { take } from './rotation';
 import { isBefore, spanOf, writeLater } from './timeline';
+import { logLanded } from './touchdownRing';
 import { copyRow, type Track } from './track';
 
 /** A frame, as far as one ship is concerned. */
@@ -132,6 +133,7 @@ function lockFirst(sim: Simulation, track: Track, word: Word): void {
   copyRow(sim.fleet.front, track.at, told, 0);
   copyRow(sim.fleet.previous, track.at, told, 0);
   abandonReplay(track);
+  if (track.log !== null) logLanded(track.log);
   lockIfAtRest(sim, track, word.bodies);
 }
 

@@ -15,6 +15,9 @@ import { addToOffset, type Pose, pose, writeBodyAttitude, writePredicted, writeS
 import { angleOf, lengthOf, quaternion, turnBetween, vector } from './rotation';
 import { beginTick, happened, isReleased, release, type Simulation } from './simulation';
 import { indexOf, spanOf } from './timeline';
+import { createLoggedSubstep, logSubstep } from './touchdownLog';
+import { rewindLog } from './touchdownRewind';
+import { keepLog, type TouchdownRing } from './touchdownRing';
 import { copyRow, type Track } from './track';
 
 /**
@@ -35,6 +38,7 @@ export function startReplay(
   from: number,
 ): void {
   const { replayed } = sim.fleet;
+  rewindLog(track, sim, { tick, rows, from });
   copyRow(replayed, track.at, rows, from);
   keep(track.history, tick, rows, from);
   if (track.mode === 'held') track.mode = 'waiting';
@@ -72,7 +76,7 @@ function replay(sim: Simulation, track: Track, budget: number): number {
   let cursor = seek(sim.inputs, track.replayTick, track.replaySubstep);
   let uprights = false;
   for (let i = 0; i < steps; i++) {
-    if (left - i === 1) copyRow(beforeLast, 0, fleet.replayed, track.at);
+    if (left - i === 1 || track.log !== null) copyRow(beforeLast, 0, fleet.replayed, track.at);
     at.tick = track.replayTick;
     at.substep = track.replaySubstep;
     cursor = prepare(sim, track, cursor);
@@ -80,17 +84,35 @@ function replay(sim: Simulation, track: Track, budget: number): number {
     const bodies = rowsAt(sim.bodies, timeline, at.tick, at.substep);
     const event = substep(fleet.replayed, track.at, bodies, sim.world, step[0]);
     if (event !== NO_EVENT) happened(sim, track, event, at, track.replayPass);
+    if (track.log !== null) logReplayed(sim, track, track.log, bodies, step[0]);
     uprights = event === EVENT_CONTACT && sim.world.settings.touchdownAttitude === 'aligned';
     track.replaySubstep += 1;
     if (track.replaySubstep < timing.substeps) continue;
     track.replayTick += 1;
     track.replaySubstep = 0;
     keep(track.history, track.replayTick, fleet.replayed, track.at);
+    if (track.log !== null) keepLog(track.log, track.replayTick, track.log.replayed);
   }
   if (steps === left) arrive(sim, track, uprights);
   return steps;
 }
 
+function logReplayed(
+  sim: Simulation,
+  track: Track,
+  log: TouchdownRing,
+  bodies: Float64Array,
+  dt: number,
+): void {
+  logged.before = beforeLast;
+  logged.after = sim.fleet.replayed;
+  logged.at = track.at;
+  logged.bodies = bodies;
+  logged.dt = dt;
+  logSubstep(log.replayed, sim.world, logged);
+}
+
+const logged = createLoggedSubstep();
 const at = { tick: 0, substep: 0 };
 const beforeLast = new Float64Array(SHIP_STRIDE);
 
@@ -117,6 +139,7 @@ function arrive(sim: Simulation, track: Track, uprights: boolean): void {
   const crashedBefore = fleet.front[track.at + CRASHED]!;
   copyRow(fleet.previous, track.at, beforeLast, 0);
   copyRow(fleet.front, track.at, fleet.replayed, track.at);
+  track.log?.front.set(track.log.replayed);
   track.uprighted = uprights;
   track.replaying = false;
   track.pass = track.replayPass;

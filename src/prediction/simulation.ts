@@ -20,6 +20,8 @@ import { createInputs, type Inputs, type PlannedInput } from './inputs';
 import { wake, wakesOn } from './landedLock';
 import { easeUprighting } from './pose';
 import { createTimeline, type Position, spanOf, type Timeline } from './timeline';
+import { createLoggedSubstep, logSubstep } from './touchdownLog';
+import { keepLog, resizeLogs, type TouchdownRing } from './touchdownRing';
 import { copyRow, createFleet, type Fleet, type Track } from './track';
 import type { Diagnosis, EventNotice } from './view';
 
@@ -80,7 +82,10 @@ export function fitRings(sim: Simulation, tickRate: number, substeps: number): v
   const length = ringLength(tickRate);
   if (length !== sim.ringLength) {
     sim.ringLength = length;
-    for (const track of sim.fleet.tracks) track.history = resized(track.history, length);
+    for (const track of sim.fleet.tracks) {
+      track.history = resized(track.history, length);
+      if (track.log !== null) resizeLogs(track.log, length);
+    }
   }
   if (length !== sim.bodies.length || sim.bodies.cuts.length !== cutsOf(substeps))
     sim.bodies = resizedBodies(sim.bodies, length, substeps);
@@ -126,9 +131,28 @@ function stepShips(sim: Simulation, bodies: Float64Array, dt: number): void {
       happened(sim, track, event, front, track.pass);
       if (event === EVENT_CONTACT) easeUprighting(sim, track, bodies, dt);
     }
+    if (track.log !== null) logFront(sim, track.log, track.at, bodies, dt);
   }
   counters.steppedSubsteps += stepped;
 }
+
+function logFront(
+  { fleet, world }: Simulation,
+  log: TouchdownRing,
+  at: number,
+  bodies: Float64Array,
+  dt: number,
+): void {
+  logged.before = fleet.previous;
+  logged.beforeAt = at;
+  logged.after = fleet.front;
+  logged.at = at;
+  logged.bodies = bodies;
+  logged.dt = dt;
+  logSubstep(log.front, world, logged);
+}
+
+const logged = createLoggedSubstep();
 
 /** Own controls that act from the front on; what a landed ship's lock cannot hold wakes it. Returns the cursor behind them. */
 function applyOwn(sim: Simulation, cursor: number): number {
@@ -147,7 +171,9 @@ const probe = new Float64Array(SHIP_STRIDE);
 function keepBoundary(sim: Simulation): void {
   const { fleet, front } = sim;
   for (const track of fleet.tracks) {
-    if (track.mode === 'stepping') keep(track.history, front.tick, fleet.front, track.at);
+    if (track.mode !== 'stepping') continue;
+    keep(track.history, front.tick, fleet.front, track.at);
+    if (track.log !== null) keepLog(track.log, front.tick, track.log.front);
   }
 }
 

@@ -2,6 +2,7 @@ import { SHIP_STRIDE, THRUST_LEVEL } from '../dynamics';
 import { createEase, type Ease } from './ease';
 import { createLedger, type Ledger } from './events';
 import { createHistory, type History } from './history';
+import type { TouchdownRing } from './touchdownRing';
 import type { ShipView } from './view';
 
 /** How a ship's present comes about. */
@@ -69,6 +70,8 @@ export interface Track {
   /** The front's last substep uprighted it: what is drawn inside that substep is the attitude before, through the offset. */
   uprighted: boolean;
   readonly ledger: Ledger;
+  /** Of the own ship. */
+  log: TouchdownRing | null;
   readonly status: Status;
   /** What the page sees of it; made when it is first seen. */
   view: ShipView | null;
@@ -153,6 +156,7 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
     ease: createEase(),
     uprighted: false,
     ledger: createLedger(shipId),
+    log: null,
     status: {
       state: -1,
       since: 0,

@@ -21,6 +21,26 @@ export type Provenance =
   /** Time scale outruns the budget: the server's last state, not carried on. */
   | 'off';
 
+/** The own ship's last touchdown, from the first touch to rest, as the law's substeps had it. Speeds relative to the turning ground. */
+export interface TouchdownView {
+  /** A touch was seen: a ship met on the ground, or one that came down while the page was away, has no card. */
+  known: boolean;
+  /** 'open' until the ship has landed, tipped or crashed. */
+  outcome: 'open' | 'landed' | 'tipped' | 'crashed';
+  /** The law's impact speed at the first touch, m/s. */
+  verticalSpeed: number;
+  /** Just before the first touch, m/s. */
+  horizontalSpeed: number;
+  /** Times it came down again. */
+  bounces: number;
+  /** Way along the ground while on it, hops not counted, m. */
+  slideMetres: number;
+  /** Game s from the first touch to rest, or so far. */
+  settleSeconds: number;
+  /** Rad, since the first touch; the tilt it came with counts. */
+  largestTilt: number;
+}
+
 export interface ShipView {
   readonly shipId: string;
   name: string;
@@ -63,6 +83,9 @@ export interface ShipView {
   age: number;
   /** A predicted state the server did not have: shown for 2 s, else ''. */
   withdrawn: '' | 'contact' | 'landed' | 'tipped' | 'righted' | 'crashed';
+
+  /** Of the own ship; of others never known. */
+  readonly touchdown: TouchdownView;
 
   /** The server's newest state of this ship: relative to the body at that tick, ICRF axes. */
   readonly serverPosition: Float64Array;

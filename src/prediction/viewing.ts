@@ -37,6 +37,7 @@ import type { Simulation } from './simulation';
 import { createStandingPose, type GroundPose, standOnGround, type StandingPose } from './standOnGround';
 import { type LevelGround, standOnLevel } from './standOnLevel';
 import { fillControls, fillServerState, fillStatus, type Instant } from './status';
+import { createTouchdownView, fillTouchdown } from './touchdownLog';
 import { copyRow, type Track } from './track';
 import type { ShipView } from './view';
 
@@ -68,6 +69,7 @@ export function createShipView(track: Track, world: World): ShipView {
     provenance: 'predicted',
     age: 0,
     withdrawn: '',
+    touchdown: createTouchdownView(),
     serverPosition: vectors(),
     serverAttitude: Float64Array.of(0, 0, 0, 1),
     ghostPosition: vectors(),
@@ -115,6 +117,8 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   fillControls(out, track.status.commands, rows, from);
   if (fillServerState(out, track, scene.at)) fillGhost(out, track, scene.world, exactly);
   fillStatus(out, track, rows, from, scene.at);
+  if (track.log !== null)
+    fillTouchdown(out.touchdown, track.log.front, stepping || track.mode === 'locked' || track.hasHeld);
 }
 
 /** Predicted truth between the substep boundaries around the present. */

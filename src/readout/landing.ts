@@ -22,14 +22,7 @@ import {
   type TipMargin,
   type TippingMemory,
 } from './tipping';
-import {
-  createTouchdown,
-  createTouchdownMemory,
-  followTouchdown,
-  forgetTouchdown,
-  type Touchdown,
-  type TouchdownMemory,
-} from './touchdown';
+import { createTouchdown, readTouchdown, type Touchdown } from './touchdown';
 
 /** Everything the cockpit's landing HUD shows of the own ship: numbers in named units, decisions made. */
 export interface LandingReadout {
@@ -62,7 +55,6 @@ interface LandingMemory {
   readonly journey: Journey;
   readonly tipping: TippingMemory;
   readonly righting: RightingMemory;
-  readonly touchdown: TouchdownMemory;
 }
 
 export function createLandingReadout(): LandingReadout {
@@ -88,7 +80,6 @@ export function createLandingReadout(): LandingReadout {
       journey: createJourney(),
       tipping: createTippingMemory(),
       righting: createRightingMemory(),
-      touchdown: createTouchdownMemory(),
     },
   };
 }
@@ -119,8 +110,8 @@ export function landingReadout(view: WorldView, out: LandingReadout): LandingRea
   out.bodyName = body.name;
   const { surface, journey } = out.memory;
   measureSurface(surface, ship, body);
-  if (!followJourney(journey, view, ship)) forgetTouchdown(out.touchdown, out.memory.touchdown);
-  followTouchdown(out.touchdown, out.memory.touchdown, ship, surface, journey);
+  if (!followJourney(journey, view, ship)) forgetRuns(out.memory);
+  readTouchdown(out.touchdown, ship);
   if (ship.provenance === 'stale') forgetNumbers(out);
   else readNumbers(out, view, ship);
   return out;
@@ -142,6 +133,12 @@ function readNumbers(out: LandingReadout, view: WorldView, ship: ShipView): void
   } else forgetTipping(tipping);
   if (out.status === 'tipped') measureRighting(out.righting, righting, surface, view, ship);
   else forgetRightingRun(righting.run);
+}
+
+/** What was run ahead of another ship, or of this one elsewhere, says nothing of it now. */
+function forgetRuns({ tipping, righting }: LandingMemory): void {
+  forgetTipping(tipping);
+  forgetRightingRun(righting.run);
 }
 
 function hideParts(out: LandingReadout): void {

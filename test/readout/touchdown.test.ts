@@ -1,111 +1,197 @@
 import { describe, expect, it } from 'vitest';
-import { createLandingReadout, landingReadout, type LandingReadout } from '../../src/readout';
+import { type Controls, NEUTRAL_CONTROLS } from '../../src/dynamics';
 import type { ShipView, WorldView } from '../../src/prediction';
-import { later, makeShip, makeView, type Pose } from './views';
+import { NETWORK_PRESETS, stage } from '../../src/rehearsal';
+import type { ClientMessage } from '../../src/wire';
+import { createLandingReadout, landingReadout, type LandingReadout } from '../../src/readout';
+import { createRig, type Rig, type RigOptions, SHIP, value } from '../prediction/rig';
+import { type Card, cardOf, follow, type Track } from './touchdownTruth';
+import { makeView, NO_TOUCHDOWN, type Pose } from './views';
 
-type Leg = readonly [seconds: number, pose: Pose, changes?: Partial<ShipView>];
-
-/** Reads a way through poses, each held for its game seconds at 60 frames a second. */
-function fly(legs: readonly Leg[], out = createLandingReadout()): LandingReadout {
-  let view: WorldView | null = null;
-  for (const [seconds, pose, changes] of legs) {
-    const frames = Math.round(seconds * 60);
-    for (let i = 0; i < frames; i++) {
-      const ship = makeShip(pose, changes);
-      view = view === null ? makeView(pose, changes) : later(view, 1 / 60, ship);
-      landingReadout(view, out);
-    }
-  }
-  return out;
+interface Flight {
+  readonly rig: Rig;
+  readonly readout: LandingReadout;
+  readonly truth: Card;
 }
 
-const FALL: Leg = [0.5, { clearance: 1, up: -12.3, north: 4, east: 3, tilt: 6 }];
-const TOUCH: Leg = [0.5, { state: 'contact', clearance: -0.5, up: -6, north: 3.6 }, { impactSpeed: 12.3 }];
-const RISE: Leg = [0.1, { clearance: 0.1, up: 4, north: 3 }];
-const HOP: Leg = [4, { clearance: 2, up: 0.5, north: 3 }];
-const SLIDE: Leg = [2, { state: 'contact', clearance: -0.02, north: 3, tilt: 9 }, { impactSpeed: 4 }];
-const REST: Leg = [1, { state: 'landed', clearance: -0.016, tilt: 1 }];
+/** Flies a scenario to its end at `hz` pictures a second, reading each. */
+function fly(
+  options: RigOptions & { hz: number },
+  each?: (rig: Rig, readout: LandingReadout) => void,
+): Flight {
+  const rig = createRig(options);
+  const readout = createLandingReadout();
+  const track: Track = { rows: [], dt: 0, tick: 0 };
+  rig.fly(rig.staged.scenario.duration, (view) => {
+    landingReadout(view, readout);
+    follow(track, rig.truth);
+    each?.(rig, readout);
+  });
+  expect(rig.truth.disagreements).toBe(0);
+  return { rig, readout, truth: cardOf(track, rig.staged.body) };
+}
+
+const RATES = [2, 7, 30, 144];
+
+function expectCard({ touchdown }: LandingReadout, truth: Card): void {
+  expect(touchdown.known).toBe(true);
+  expect(touchdown.bounces).toBe(truth.bounces);
+  // The law's own numbers, to the bit.
+  expect(touchdown.verticalSpeed).toBe(truth.verticalSpeed);
+  expect(touchdown.horizontalSpeed).toBeCloseTo(truth.horizontalSpeed, 8);
+  expect(touchdown.settleSeconds).toBeCloseTo(truth.settleSeconds, 8);
+  expect(touchdown.largestTilt).toBeCloseTo(truth.largestTilt, 5);
+  // 1 cm: the last substep's way, which the law takes the speed from as the ship comes to rest.
+  expect(Math.abs(touchdown.slideMetres - truth.slideMetres)).toBeLessThan(0.01);
+}
 
 describe('the touchdown card', () => {
-  it('tells speeds at the first touch, bounces, slide, time to rest and the largest tilt', () => {
-    const { touchdown, touchdownShown } = fly([FALL, TOUCH, RISE, HOP, SLIDE, REST]);
-    expect(touchdownShown).toBe(true);
-    expect(touchdown).toMatchObject({ known: true, outcome: 'landed', bounces: 1 });
-    expect(touchdown.verticalSpeed).toBe(12.3);
-    expect(touchdown.horizontalSpeed).toBeCloseTo(5, 6);
-    // 30 frames at 3.6 m/s and 120 at 3 m/s, the way between two of them counted; the frame of coming to rest at its mean.
-    expect(touchdown.slideMetres).toBeCloseTo((29 * 3.6 + 119 * 3 + 1.5) / 60, 6);
-    expect(touchdown.settleSeconds).toBeCloseTo(0.5 + 0.1 + 4 + 2, 1);
-    expect(touchdown.largestTilt).toBeCloseTo(9, 6);
+  for (const scenario of [
+    'opening',
+    'settle',
+    'bounce',
+    'slide',
+    'topple',
+    'up-a-slope',
+    'over-the-edge',
+    'bounce-earth',
+    'slide-mars',
+    'settle-phobos',
+  ])
+    it(`of ${scenario} is the law’s at ${RATES.join(', ')} pictures a second`, () => {
+      for (const hz of RATES) {
+        const { readout, truth } = fly({ scenario, hz });
+        expect(readout.touchdownShown).toBe(true);
+        expectCard(readout, truth);
+      }
+    });
+
+  it('is the law’s through late inputs and their corrections', () => {
+    // Pushes to and fro the whole way: what is late changes when, where and how fast it touches.
+    const pilot = (game: number): Controls => {
+      const push = game > 9 ? 0 : Math.floor(game * 3) % 2 === 1 ? 1 : -1;
+      return { ...NEUTRAL_CONTROLS, translationInput: [push, push, push], attitudeHold: true };
+    };
+    const holdBack = (_: ClientMessage, now: number) => (Math.floor(now) % 2 === 0 ? now : now + 0.7);
+    let corrected = 0;
+    for (const hz of [7, 60])
+      for (const seed of [1, 2, 3]) {
+        const network = NETWORK_PRESETS.broken;
+        const { rig, readout, truth } = fly({ scenario: 'opening', hz, seed, network, pilot, holdBack });
+        corrected += rig.view().diagnosis.correctionsLateInput;
+        expect(readout.touchdown.outcome).toBe('landed');
+        expectCard(readout, truth);
+      }
+    expect(corrected).toBeGreaterThan(10);
   });
 
-  it('counts the tilt it came with', () => {
-    const steep: Leg = [0.5, { clearance: 1, up: -5, tilt: 22 }];
-    expect(fly([steep, TOUCH, REST]).touchdown.largestTilt).toBeCloseTo(22, 6);
+  it('is the law’s when the page was hidden for the whole landing', () => {
+    const rig = createRig({ scenario: 'bounce' });
+    const track: Track = { rows: [], dt: 0, tick: 0 };
+    rig.fly(0.5);
+    while (rig.now < 27) {
+      rig.receiveOnly();
+      follow(track, rig.truth);
+    }
+    const readout = createLandingReadout();
+    rig.fly(0.5, (view) => landingReadout(view, readout));
+    expect(readout.touchdownShown).toBe(true);
+    expectCard(readout, cardOf(track, rig.staged.body));
   });
 
-  it('is shown when landed or tipped, not while it goes on', () => {
-    expect(fly([FALL, TOUCH]).touchdownShown).toBe(false);
-    const tipped = fly([FALL, TOUCH, [1, { state: 'tipped', tilt: 88, clearance: -0.02 }]]);
-    expect(tipped).toMatchObject({ touchdownShown: true, touchdown: { outcome: 'tipped' } });
-    expect(tipped.touchdown.largestTilt).toBeCloseTo(88, 6);
-  });
-
-  it('stands still once the ship is at rest', () => {
-    const out = fly([FALL, TOUCH, REST]);
-    const settle = out.touchdown.settleSeconds;
-    fly([[3, REST[1]]], out);
-    expect(out.touchdown.settleSeconds).toBe(settle);
-  });
-
-  it('begins anew with the next approach, not with a long flight’s end', () => {
-    const launch: Leg = [0.2, { clearance: 0.2, up: 2 }];
-    const away: Leg = [20, { clearance: 80, up: 1 }];
-    const down: Leg = [0.5, { clearance: 0.5, up: -2 }];
-    const again: Leg = [0.5, { state: 'contact', clearance: -0.02 }, { impactSpeed: 2 }];
-    const next = fly([FALL, TOUCH, RISE, HOP, SLIDE, REST, launch, away, down, again, REST]).touchdown;
-    expect(next).toMatchObject({ verticalSpeed: 2, bounces: 0, outcome: 'landed' });
-    // Without having landed in between: a climb on the engine is no bounce either.
-    const climbed = fly([FALL, TOUCH, launch, away, down, again, REST]).touchdown;
-    expect(climbed).toMatchObject({ verticalSpeed: 2, bounces: 0 });
-  });
-
-  it('forgets a touch that was predicted and taken back', () => {
-    const stillFalling: Leg = [0.2, { clearance: 0.4, up: -12 }];
-    const real: Leg = [0.5, { state: 'contact', clearance: -0.3 }, { impactSpeed: 12 }];
-    const { touchdown } = fly([FALL, TOUCH, stillFalling, real, REST]);
-    expect(touchdown).toMatchObject({ bounces: 0, verticalSpeed: 12 });
-  });
-
-  it('has nothing to tell of a ship met on the ground, or put there', () => {
-    expect(fly([REST])).toMatchObject({ touchdownShown: false, touchdown: { known: false } });
-    const out = fly([FALL, TOUCH, REST]);
-    fly([[0.5, { ...REST[1] }, { shipId: 'ship-2' }]], out);
-    expect(out.touchdownShown).toBe(false);
-    const moved = fly([FALL, TOUCH, REST]);
-    fly([[0.5, { ...REST[1], terrain: 900 }]], moved);
-    expect(moved.touchdownShown).toBe(false);
+  it('counts a touch that was predicted and taken back as if it had never been', () => {
+    const seen: number[] = [];
+    let kicked = false;
+    const { rig, readout, truth } = fly({ scenario: 'settle', hz: 60 }, ({ now, view, authority }, read) => {
+      if (read.touchdown.known) seen.push(read.touchdown.verticalSpeed);
+      if (kicked || now < 1.3) return;
+      kicked = true;
+      // An operator lifts the ship between two frames: it touches later and harder than the client thought.
+      const up = view().own!.serverPosition;
+      const far = Math.hypot(...up);
+      authority.kick(SHIP, [(3 * up[0]!) / far, (3 * up[1]!) / far, (3 * up[2]!) / far], [0, 0, 0]);
+    });
+    expect(rig.notices.filter(({ kind }) => kind === 'retracted').length).toBeGreaterThan(0);
+    expect(new Set(seen).size).toBe(2);
+    expectCard(readout, truth);
   });
 
   it('tells a crash by the velocity that the law leaves', () => {
-    const out = fly([
-      FALL,
-      [0.5, { clearance: -0.7, up: -63, east: 8 }, { crashed: true, shownState: 'crashed' }],
-    ]);
-    expect(out.touchdown).toMatchObject({ outcome: 'crashed' });
-    expect(out.touchdown.verticalSpeed).toBeCloseTo(63, 6);
-    expect(out.touchdown.horizontalSpeed).toBeCloseTo(8, 6);
+    const readout = createLandingReadout();
+    const rig = createRig({ scenario: 'crash' });
+    const track: Track = { rows: [], dt: 0, tick: 0 };
+    rig.fly(rig.staged.scenario.duration, (view) => {
+      landingReadout(view, readout);
+      follow(track, rig.truth);
+    });
+    const last = track.rows.at(-1)!;
+    const place = last.slice(0, 3);
+    const falling = -last.slice(3, 6).reduce((sum, v, k) => sum + v * place[k]!, 0) / Math.hypot(...place);
+    expect(readout).toMatchObject({ status: 'crashed', touchdownShown: true });
+    expect(readout.touchdown).toMatchObject({ outcome: 'crashed', bounces: 0 });
+    expect(readout.touchdown.verticalSpeed).toBeCloseTo(falling, 6);
+    expect(falling).toBeGreaterThan(30);
   });
 
-  it('stands still while the game is paused', () => {
-    const out = createLandingReadout();
-    fly([FALL, TOUCH], out);
-    const before = { ...out.touchdown };
-    const view = makeView(TOUCH[1], TOUCH[2]);
-    landingReadout(view, out);
-    const paused = out.touchdown.slideMetres;
-    for (let i = 0; i < 100; i++) landingReadout(view, out);
-    expect(out.touchdown.slideMetres).toBe(paused);
-    expect(paused - before.slideMetres).toBeLessThan(1e-9);
+  it('stays until the next approach, and begins anew with it', () => {
+    const rig = createRig({ scenario: 'bounce' });
+    const readout = createLandingReadout();
+    const read = (view: WorldView) => landingReadout(view, readout);
+    rig.fly(24, read);
+    const first = { ...readout.touchdown };
+    expect(first).toMatchObject({ outcome: 'landed', bounces: 2 });
+    // Up on the engine for 1 s, and down again.
+    const begun = rig.now;
+    while (rig.now < begun + 30) {
+      const thrustLevel = rig.now < begun + 1 ? 1 : 0;
+      read(rig.frame({ ...NEUTRAL_CONTROLS, thrustLevel, attitudeHold: true }));
+      if (rig.now < begun + 3) expect(readout.touchdown).toEqual(first);
+    }
+    expect(readout.touchdown.verticalSpeed).not.toBe(first.verticalSpeed);
+    expect(readout.touchdown.bounces).toBeLessThan(2);
+    expect(readout.status).toBe('landed');
+  });
+
+  it('has nothing to tell of a ship met on the ground, or put there', () => {
+    const readout = createLandingReadout();
+    const rig = createRig({ scenario: 'launch' });
+    rig.fly(0.5, (view) => landingReadout(view, readout));
+    expect(readout).toMatchObject({ status: 'landed', touchdownShown: false });
+    const other = createRig({ scenario: 'bounce' });
+    other.fly(24, (view) => landingReadout(view, readout));
+    expect(readout.touchdownShown).toBe(true);
+    // 300 m to the north, landed.
+    const site = { ...rig.staged.scenario.site, latitude: rig.staged.scenario.site.latitude + 0.01 };
+    const elsewhere = value(stage({ ...rig.staged.scenario, site }));
+    expect(other.authority.respawn(SHIP, elsewhere.ship)).toBeNull();
+    other.fly(2, (view) => landingReadout(view, readout));
+    expect(readout).toMatchObject({ status: 'landed', touchdownShown: false });
+  });
+});
+
+describe('the readout of a touchdown', () => {
+  const touchdown = {
+    ...NO_TOUCHDOWN,
+    known: true,
+    outcome: 'landed',
+    verticalSpeed: 12.3,
+    horizontalSpeed: 5,
+    bounces: 1,
+    slideMetres: 40,
+    settleSeconds: 6.6,
+    largestTilt: Math.PI / 20,
+  } as const;
+  const read = (state: Pose['state'], changes: Partial<ShipView> = {}) =>
+    landingReadout(makeView({ state: state! }, { touchdown, ...changes }), createLandingReadout());
+
+  it('is in degrees, and shown when landed, tipped or crashed, not while it goes on', () => {
+    expect(read('landed').touchdown).toEqual({ ...touchdown, largestTilt: expect.closeTo(9, 12) as number });
+    expect(read('landed').touchdownShown).toBe(true);
+    expect(read('tipped').touchdownShown).toBe(true);
+    expect(read('', { shownState: 'crashed' }).touchdownShown).toBe(true);
+    expect(read('contact').touchdownShown).toBe(false);
+    expect(read('').touchdownShown).toBe(false);
+    expect(read('landed', { touchdown: NO_TOUCHDOWN }).touchdownShown).toBe(false);
+    expect(read('landed', { provenance: 'stale' }).touchdownShown).toBe(false);
   });
 });

@@ -38,6 +38,17 @@ export interface Pose {
   settings?: Partial<Settings>;
 }
 
+export const NO_TOUCHDOWN: ShipView['touchdown'] = {
+  known: false,
+  outcome: 'open',
+  verticalSpeed: 0,
+  horizontalSpeed: 0,
+  bounces: 0,
+  slideMetres: 0,
+  settleSeconds: 0,
+  largestTilt: 0,
+};
+
 type Triple = [number, number, number];
 
 /** A direction with no zero in it, so that a mixed-up axis shows. */
@@ -117,6 +128,7 @@ export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): Ship
     provenance: 'confirmed',
     age: 0.4,
     withdrawn: '',
+    touchdown: NO_TOUCHDOWN,
     serverPosition: Float64Array.from(position),
     serverAttitude: Float64Array.from(attitude),
     ghostPosition: Float64Array.from(position),

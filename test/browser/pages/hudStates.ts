@@ -41,10 +41,28 @@ export const STATES: Readonly<Record<StateName, () => readonly WorldView[]>> = {
       }),
       30,
     ),
-  landed: () => touchdown(REST, {}),
-  tipped: () => touchdown(ON_SIDE, {}),
-  stuck: () => [makeView({ ...ON_SIDE, body: 'Earth', leanTo: 160 })],
-  crashed: () => [makeView({ clearance: -1, up: -63, east: 5 }, { crashed: true, shownState: 'crashed' })],
+  landed: () => touchdown(REST, 'landed'),
+  tipped: () => touchdown(ON_SIDE, 'tipped'),
+  stuck: () => touchdown({ ...ON_SIDE, body: 'Earth', leanTo: 160 }, 'tipped'),
+  crashed: () => [
+    makeView(
+      { clearance: -1, up: -63, east: 5 },
+      {
+        crashed: true,
+        shownState: 'crashed',
+        touchdown: {
+          ...TOUCHDOWN,
+          outcome: 'crashed',
+          verticalSpeed: 63,
+          horizontalSpeed: 5,
+          bounces: 0,
+          slideMetres: 0,
+          settleSeconds: 0,
+          largestTilt: 0.02,
+        },
+      },
+    ),
+  ],
   predicted: () => [makeView({ ...SLIDE, tilt: 2 }, { provenance: 'predicted', age: 0.3 })],
   confirmed: () => [makeView(APPROACH, { provenance: 'confirmed', age: 0.4 })],
   stale: () => [makeView({ ...SLIDE, tilt: 2 }, { provenance: 'stale', age: 2.6 })],
@@ -63,25 +81,22 @@ function frames(view: WorldView & { own: ShipView }, count: number): WorldView[]
   return Array.from({ length: count }, (_, i) => later(view, i / 1000, view.own));
 }
 
-/** Falls, touches at 12.3 m/s, bounces once, slides and comes to the rest given. */
-function touchdown(rest: Pose, changes: Partial<ShipView>): WorldView[] {
-  const falling = makeView({ clearance: 0.1, east: 2.6, north: 4.1, up: -12.3, tilt: 3, leanTo: 20 });
-  const touch = makeShip({ ...SLIDE, north: 4.1, east: 2.6, tilt: 6 }, { impactSpeed: 12.3 });
-  const hop = makeShip({ clearance: 2, north: 3.6, east: 2.3, up: 3.4, tilt: 6 });
-  const again = makeShip({ ...SLIDE, north: 3.6, east: 2.3, tilt: 9 }, { impactSpeed: 3.4 });
-  const still = makeShip(rest, changes);
-  const path: [number, ShipView][] = [
-    [0.02, touch],
-    [0.6, hop],
-    [3.8, again],
-    [0.9, again],
-    [0.9, again],
-    [2.2, still],
-  ];
-  const views: WorldView[] = [falling];
-  for (const [seconds, ship] of path) views.push(later(views.at(-1)!, seconds, ship));
-  return [...views, ...frames(later(views.at(-1)!, 0.1, still), 40)];
+/** At rest after a touch at 12.3 m/s, one bounce and a slide. */
+function touchdown(rest: Pose, outcome: 'landed' | 'tipped'): WorldView[] {
+  const largestTilt = outcome === 'landed' ? 0.157 : 1.564;
+  return frames(makeView(rest, { touchdown: { ...TOUCHDOWN, outcome, largestTilt } }), 40);
 }
+
+const TOUCHDOWN: ShipView['touchdown'] = {
+  known: true,
+  outcome: 'open',
+  verticalSpeed: 12.3,
+  horizontalSpeed: 4.9,
+  bounces: 1,
+  slideMetres: 15.2,
+  settleSeconds: 8.4,
+  largestTilt: 0,
+};
 
 /** A fleet with every status in it. */
 export function makeFleet(size: number): WorldView {

@@ -1,0 +1,93 @@
+/**
+ * npm run bench:frames: what a frame of the built page costs its main thread, by the browser's own tracing. A table, or with
+ * --json a line of JSON a figure. "script" is the time the thread ran, "script-wall" has its waiting in it too.
+ *
+ * The browser here draws with the processor, a few frames a second; a frame then has a large part of a second of the game to
+ * work through, in code that hardly ever runs. So each show is measured twice: as it is ("drawn"), and with the triangles
+ * left out, all other calls to WebGL made, at the display's own rate: what is left on a machine whose GPU keeps up.
+ */
+import { mkdirSync } from 'node:fs';
+import { resolve } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { build } from 'vite';
+import { findChromium, launchChromium } from '../browser/chromium';
+import { serveFolder } from '../browser/staticServer';
+import { type FrameFigure, frameFigures, type TraceEvent } from './frames/trace';
+
+interface Show {
+  readonly name: string;
+  readonly query: string;
+  readonly drawn: boolean;
+}
+
+const SHOWS: readonly Show[] = [
+  { name: 'one-ship', query: '?scenario=opening', drawn: false },
+  { name: 'ships-200', query: '?scenario=opening&fleet=199', drawn: false },
+  { name: 'one-ship-drawn', query: '?scenario=opening', drawn: true },
+  { name: 'ships-200-drawn', query: '?scenario=opening&fleet=199', drawn: true },
+];
+/** Wall seconds: of running before the trace, so that the page is compiled, and of the trace, from the top of the show. */
+const WARM_UP = 20;
+const TRACED = 20;
+const WINDOW = { width: 1280, height: 720 };
+const asJson = process.argv.includes('--json');
+
+async function trace(browser: Browser, page: Page): Promise<TraceEvent[]> {
+  await browser.startTracing(page, { categories: ['devtools.timeline'] });
+  await page.keyboard.press('r');
+  await page.waitForTimeout(TRACED * 1000);
+  const told = await browser.stopTracing();
+  return (JSON.parse(told.toString()) as { traceEvents: TraceEvent[] }).traceEvents;
+}
+
+/** Runs in the page, before its own script. */
+function leaveOutTriangles(): void {
+  const nothing = () => undefined;
+  Object.assign(WebGL2RenderingContext.prototype, {
+    drawElements: nothing,
+    drawArrays: nothing,
+    drawElementsInstanced: nothing,
+    drawArraysInstanced: nothing,
+  });
+}
+
+async function measure(browser: Browser, url: string, { name, query, drawn }: Show): Promise<FrameFigure[]> {
+  const context = await browser.newContext({ viewport: WINDOW, locale: 'en-US' });
+  const page = await context.newPage();
+  if (!drawn) await page.addInitScript(leaveOutTriangles);
+  await page.goto(url + query);
+  await page.waitForSelector('html[data-ready=true]', { state: 'attached', timeout: 120_000 });
+  await page.waitForTimeout(WARM_UP * 1000);
+  const figures = frameFigures(name, await trace(browser, page));
+  await context.close();
+  return figures;
+}
+
+function print(figure: FrameFigure): void {
+  if (asJson) console.log(JSON.stringify(figure));
+  else {
+    const { name, frames, p50, p95, max } = figure;
+    const columns = [p50, p95, max].map((value) => value.toFixed(2).padStart(9));
+    console.log(`${name.padEnd(22)} ${columns.join(' ')} ms  ${frames} frames`);
+  }
+}
+
+async function main(): Promise<void> {
+  const program = await findChromium();
+  if (program === null) throw new Error('no Chromium to measure in: set CHROMIUM to one');
+  const folder = resolve('node_modules/.cache/touchdown/framesPage');
+  mkdirSync(folder, { recursive: true });
+  await build({ logLevel: 'warn', build: { outDir: folder, emptyOutDir: true } });
+  const server = await serveFolder(folder);
+  const browser = await launchChromium(program);
+  if (!asJson)
+    console.log(`${''.padEnd(22)} ${['p50', 'p95', 'max'].map((word) => word.padStart(9)).join(' ')}`);
+  try {
+    for (const show of SHOWS) (await measure(browser, server.url, show)).forEach(print);
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
+
+await main();

@@ -1,0 +1,42 @@
+import { describe, expect, it } from 'vitest';
+import { createResolution, type Resolution } from '../../src/playground/resolution';
+
+/** Runs frames for some wall seconds at the rate that a machine reaches with the share of pixels; the shares it went through. */
+function play(resolution: Resolution, seconds: number, rateAt: (share: number) => number): number[] {
+  const shares = [resolution.share()];
+  for (let now = 0; now < seconds; now += 1 / rateAt(resolution.share()))
+    if (resolution.measure(now)) shares.push(resolution.share());
+  return shares;
+}
+
+describe('resolution', () => {
+  it('stays whole on a machine that keeps up', () => {
+    expect(play(createResolution(), 60, () => 60)).toEqual([1]);
+  });
+
+  it('goes down step by step as far as a machine needs that is held up by pixels', () => {
+    const resolution = createResolution();
+    expect(play(resolution, 60, (share) => 15 / share ** 2)).toEqual([1, 0.8, 0.62]);
+  });
+
+  it('takes a step back that did not help, and tries again only much later', () => {
+    const resolution = createResolution();
+    expect(play(resolution, 30, () => 6)).toEqual([1, 0.8, 1]);
+    expect(play(createResolution(), 60, () => 6)).toEqual([1, 0.8, 1, 0.8, 1]);
+  });
+
+  it('goes back up when the machine has room again', () => {
+    const resolution = createResolution();
+    play(resolution, 10, (share) => 10 / share ** 2);
+    expect(resolution.share()).toBeLessThan(1);
+    const shares: number[] = [];
+    for (let now = 100; now < 160; now += 1 / 60)
+      if (resolution.measure(now)) shares.push(resolution.share());
+    expect(shares.at(-1)).toBe(1);
+  });
+
+  it('does not take a hidden tab for a slow machine', () => {
+    const resolution = createResolution();
+    for (let now = 0; now < 600; now += 60) expect(resolution.measure(now)).toBe(false);
+  });
+});

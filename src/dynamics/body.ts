@@ -10,6 +10,7 @@ import {
   BODY_TURN,
   BODY_VELOCITY,
 } from './layout';
+import { anyOutside, BODY_MASS, PLACE, BODY_RADIUS, notUnit, outside, SPIN, VELOCITY_RANGE } from './limits';
 import { INDEX } from './quantities';
 
 /** What of a body never changes. */
@@ -41,12 +42,12 @@ export const GRAVITATIONAL_CONSTANT = 6.6743e-11;
 /** The body with its constants, or a reason that names the field. */
 export function loadBody(given: Body): Checked<LoadedBody> {
   if (typeof given.name !== 'string' || given.name === '') return refused('body name: expected a text');
-  const reason = notFinite('mass', given.mass) ?? notFinite('radius', given.radius);
+  const reason =
+    notFinite('mass', given.mass) ??
+    notFinite('radius', given.radius) ??
+    outside('mass', given.mass, BODY_MASS) ??
+    outside('radius', given.radius, BODY_RADIUS);
   if (reason !== null) return refused(`body ${given.name}: ${reason}`);
-  if (!(given.mass > 0))
-    return refused(`body ${given.name}: mass: expected > 0 kg, got ${String(given.mass)}`);
-  if (!(given.radius > 0))
-    return refused(`body ${given.name}: radius: expected > 0 m, got ${String(given.radius)}`);
   const { name, mass, radius } = given;
   return accepted(Object.freeze({ name, mass, radius, gravityParameter: GRAVITATIONAL_CONSTANT * mass }));
 }
@@ -57,7 +58,11 @@ export function writeBodyMotion(rows: Float64Array, at: number, motion: BodyMoti
     notFiniteTuple('position', motion.position, 3) ??
     notFiniteTuple('velocity', motion.velocity, 3) ??
     notFiniteTuple('attitude', motion.attitude, 4) ??
-    notFiniteTuple('angularVelocity', motion.angularVelocity, 3);
+    notFiniteTuple('angularVelocity', motion.angularVelocity, 3) ??
+    anyOutside('position', motion.position, PLACE) ??
+    anyOutside('velocity', motion.velocity, VELOCITY_RANGE) ??
+    notUnit('attitude', motion.attitude) ??
+    anyOutside('angularVelocity', motion.angularVelocity, SPIN);
   if (reason !== null) return reason;
   rows.set(motion.position, at + BODY_POSITION);
   rows.set(motion.velocity, at + BODY_VELOCITY);

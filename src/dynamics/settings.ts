@@ -1,5 +1,6 @@
 import { cosineOfDegrees } from './angles';
 import { accepted, type Checked, notFinite, refused } from './checked';
+import { outside, SPEED, SPIN_SPEED } from './limits';
 
 /** The server's contact settings under the design's names (DYNAMICS, Settings). SI units, degrees where the name says so. */
 export interface Settings {
@@ -91,5 +92,9 @@ function firstOutOfRange(s: Settings): string | null {
   for (const [name, inRange, range] of ranges) {
     if (!inRange) return `${name}: expected ${range}, got ${String(s[name])}`;
   }
-  return null;
+  return (
+    outside('contactCrashSpeed', s.contactCrashSpeed, SPEED) ??
+    outside('contactSettleAngularVel', s.contactSettleAngularVel, SPIN_SPEED) ??
+    outside('contactSettleLinearVel', s.contactSettleLinearVel, SPEED)
+  );
 }

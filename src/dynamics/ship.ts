@@ -15,6 +15,7 @@ import {
   type SurfaceState,
   VELOCITY,
 } from './layout';
+import { anyOutside, FUEL_MASS, notUnit, outside, PLACE, SPEED, SPIN, VELOCITY_RANGE } from './limits';
 import type { World } from './world';
 
 /** A ship's simulated state as a plain record: units and frames as in layout.ts. */
@@ -101,12 +102,13 @@ function checkShip(ship: ShipRecord, world: World): Checked<{ shipClass: number;
   // Less than a metre from the centre the radial direction, and so gravity, has no meaning.
   if (!(x * x + y * y + z * z >= 1))
     return refused('relativePosition: expected ≥ 1 m from the body’s centre');
-  const [qx, qy, qz, qw] = ship.attitude;
-  const length = Math.sqrt(qx * qx + qy * qy + qz * qz + qw * qw);
-  if (!(Math.abs(length - 1) <= 1e-3))
-    return refused(`attitude: expected length 1 within 1e-3, got ${String(length)}`);
-  if (!(ship.fuel >= 0)) return refused(`fuel: expected ≥ 0 kg, got ${String(ship.fuel)}`);
-  if (!(ship.contactImpactSpeed >= 0))
-    return refused(`contactImpactSpeed: expected ≥ 0 m/s, got ${String(ship.contactImpactSpeed)}`);
+  const outOfRange =
+    anyOutside('relativePosition', ship.relativePosition, PLACE) ??
+    anyOutside('relativeVelocity', ship.relativeVelocity, VELOCITY_RANGE) ??
+    notUnit('attitude', ship.attitude) ??
+    anyOutside('angularVelocity', ship.angularVelocity, SPIN) ??
+    outside('fuel', ship.fuel, FUEL_MASS) ??
+    outside('contactImpactSpeed', ship.contactImpactSpeed, SPEED);
+  if (outOfRange !== null) return refused(outOfRange);
   return accepted({ shipClass, referenceBody });
 }

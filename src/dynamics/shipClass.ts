@@ -1,4 +1,16 @@
 import { accepted, type Checked, type Mat3, notFinite, notFiniteTuple, refused, type Vec3 } from './checked';
+import {
+  anyOutside,
+  FORCE,
+  FUEL_MASS,
+  INERTIA,
+  ISP,
+  LEVER,
+  outside,
+  SHIP_LENGTH,
+  SHIP_MASS,
+  TORQUE,
+} from './limits';
 
 /** A ship class under the game's names. SI units, body axes: +Z is the thrust axis and "up". */
 export interface ShipClass {
@@ -47,6 +59,9 @@ export interface LoadedShipClass extends ShipClass {
 
 /** Standard gravity, m/s²: turns a specific impulse in seconds into an exhaust velocity. */
 export const STANDARD_GRAVITY = 9.80665;
+
+/** Of an inertia tensor: its determinant over the cube of its mean moment; 1 for a ball, 3.4 / k for a rod of moments k, k, 1. */
+const LEAST_ROUNDNESS = 1e-6;
 
 /** The class with its constants, or a reason that names the field and its range. */
 export function loadShipClass(given: ShipClass): Checked<LoadedShipClass> {
@@ -102,37 +117,51 @@ function malformed(c: ShipClass): string | null {
 }
 
 function outOfRange(c: ShipClass): string | null {
-  if (!(c.dryMass > 0)) return `dryMass: expected > 0 kg, got ${String(c.dryMass)}`;
-  if (!(c.fuelCapacity >= 0)) return `fuelCapacity: expected ≥ 0 kg, got ${String(c.fuelCapacity)}`;
-  if (!(c.groundContactOffset > 0))
-    return `groundContactOffset: expected > 0 m, got ${String(c.groundContactOffset)}`;
-  if (!(c.legRadius > 0)) return `legRadius: expected > 0 m, got ${String(c.legRadius)}`;
-  if (!(c.mainEngineThrust >= 0))
-    return `mainEngineThrust: expected ≥ 0 N, got ${String(c.mainEngineThrust)}`;
-  for (const field of TRIPLES) {
-    if (!(smallest(c[field]) >= 0)) return `${field}: expected ≥ 0, got ${c[field].join(', ')}`;
-  }
-  if (c.mainEngineThrust > 0 && !(c.mainEngineIsp > 0))
-    return `mainEngineIsp: expected > 0 s, got ${String(c.mainEngineIsp)}`;
   const turnsByRcs = largest(c.rcsTorque) > 0;
-  if (turnsByRcs && !(c.rcsLever > 0)) return `rcsLever: expected > 0 m, got ${String(c.rcsLever)}`;
-  if ((turnsByRcs || largest(c.rcsThrust) > 0) && !(c.rcsIsp > 0))
-    return `rcsIsp: expected > 0 s, got ${String(c.rcsIsp)}`;
-  return notPositiveDefinite(c.inertiaTensor);
+  const burnsRcs = turnsByRcs || largest(c.rcsThrust) > 0;
+  return (
+    outside('dryMass', c.dryMass, SHIP_MASS) ??
+    outside('fuelCapacity', c.fuelCapacity, FUEL_MASS) ??
+    outside('groundContactOffset', c.groundContactOffset, SHIP_LENGTH) ??
+    outside('legRadius', c.legRadius, SHIP_LENGTH) ??
+    outside('mainEngineThrust', c.mainEngineThrust, FORCE) ??
+    anyOutside('rcsThrust', c.rcsThrust, FORCE) ??
+    anyOutside('rcsTorque', c.rcsTorque, TORQUE) ??
+    anyOutside('reactionWheelTorque', c.reactionWheelTorque, TORQUE) ??
+    // Where they divide nothing they are not looked at.
+    (c.mainEngineThrust > 0 ? outside('mainEngineIsp', c.mainEngineIsp, ISP) : null) ??
+    (turnsByRcs ? outside('rcsLever', c.rcsLever, LEVER) : null) ??
+    (burnsRcs ? outside('rcsIsp', c.rcsIsp, ISP) : null) ??
+    noTensor(c.inertiaTensor)
+  );
 }
 
-/** Sylvester's criterion, on a tensor that must be symmetric to a part in 10⁹ (recordings print rounded values). */
-function notPositiveDefinite([a, b, c]: Mat3): string | null {
-  const scale = 1e-9 * (a[0] + b[1] + c[2]);
+/**
+ * Why a tensor is none, the first reason that holds: its diagonal, its symmetry (to a part in 10⁹: recordings print rounded
+ * values), Sylvester's criterion, and that it is no needle: the ground's impulse on a lying hull (DYNAMICS, Tipped) spins one whose
+ * moments lie more than some million times apart ever faster. Moments that no mass could have, one above the sum of the other two,
+ * are taken: nothing in the law asks for less.
+ */
+function noTensor([a, b, c]: Mat3): string | null {
+  for (const [i, moment] of [a[0], b[1], c[2]].entries()) {
+    const field = `inertiaTensor[${i}][${i}]`;
+    if (!(moment > 0)) return `${field}: expected > 0, as a positive definite tensor has, got ${moment}`;
+    const reason = outside(field, moment, INERTIA);
+    if (reason !== null) return reason;
+  }
+  const mean = (a[0] + b[1] + c[2]) / 3;
   const skew = largest([a[1] - b[0], a[2] - c[0], b[2] - c[1]].map(Math.abs) as unknown as Vec3);
-  if (!(skew <= scale)) return 'inertiaTensor: expected a symmetric tensor';
+  if (!(skew <= 3e-9 * mean))
+    return `inertiaTensor: expected a symmetric tensor, got elements that differ by ${skew} kg m²`;
   const minor = a[0] * b[1] - a[1] * b[0];
   const determinant =
     a[0] * (b[1] * c[2] - b[2] * c[1]) -
     a[1] * (b[0] * c[2] - b[2] * c[0]) +
     a[2] * (b[0] * c[1] - b[1] * c[0]);
-  const definite = a[0] > 0 && minor > 0 && determinant > 1e-12 * a[0] * b[1] * c[2];
-  return definite ? null : 'inertiaTensor: expected a positive definite tensor';
+  if (!(minor > 0 && determinant > 0)) return 'inertiaTensor: expected a positive definite tensor';
+  const roundness = determinant / (mean * mean * mean);
+  if (roundness >= LEAST_ROUNDNESS) return null;
+  return `inertiaTensor: expected a determinant of at least ${LEAST_ROUNDNESS} of its mean moment cubed, got ${roundness}`;
 }
 
 /** Adjugate over determinant, row by row. */
@@ -167,8 +196,4 @@ function inverse(m: Float64Array): Float64Array {
 
 function largest([x, y, z]: Vec3): number {
   return Math.max(x, y, z);
-}
-
-function smallest([x, y, z]: Vec3): number {
-  return Math.min(x, y, z);
 }

@@ -69,6 +69,18 @@ describe('settings', () => {
     expect(reasonOf(loadSettings(given))).toBe('accepted');
   });
 
+  it.each([
+    ['contactCrashSpeed', 1e9, 'm/s'],
+    ['contactSettleLinearVel', 1e9, 'm/s'],
+    ['contactSettleAngularVel', 1e6, 'rad/s'],
+  ])('take %s up to %d and refuse more', (name, most, unit) => {
+    expect(reasonOf(loadSettings({ [name]: most }))).toBe('accepted');
+    for (const value of [most * 1.001, Number.MAX_VALUE])
+      expect(reasonOf(loadSettings({ [name]: value }))).toBe(
+        `${name}: expected ≤ ${most} ${unit}, got ${value}`,
+      );
+  });
+
   it('refuse what they do not know', () => {
     expect(reasonOf(loadSettings({ contactSprings: 1 } as Partial<Settings>))).toBe(
       'contactSprings: no such setting',
@@ -97,22 +109,36 @@ describe('a ship class', () => {
     (name, value) => {
       expect(refusal({ [name]: [1, value, 1] })).toContain(`${name}[1]: expected a finite number`);
       expect(refusal({ [name]: value })).toContain(`${name}: expected 3 numbers`);
-      expect(refusal({ [name]: [1, -1, 1] })).toContain(`${name}: expected ≥ 0`);
+      expect(refusal({ [name]: [1, -1, 1] })).toContain(`${name}[1]: expected ≥ 0 N`);
     },
   );
 
   it.each([
-    ['dryMass', 0, '> 0 kg'],
-    ['dryMass', -1, '> 0 kg'],
-    ['fuelCapacity', -1, '≥ 0 kg'],
-    ['groundContactOffset', 0, '> 0 m'],
-    ['legRadius', 0, '> 0 m'],
-    ['mainEngineThrust', -1, '≥ 0 N'],
-    ['mainEngineIsp', 0, '> 0 s'],
-    ['rcsLever', 0, '> 0 m'],
-    ['rcsIsp', 0, '> 0 s'],
-  ])('refuses %s = %d with its range', (name, value, range) => {
-    expect(refusal({ [name]: value })).toContain(`lander: ${name}: expected ${range}, got ${value}`);
+    ['dryMass', '≥ 0.001', 1e-3, 1e15, 'kg'],
+    ['fuelCapacity', '≥ 0', 0, 1e15, 'kg'],
+    ['groundContactOffset', '> 0', Number.MIN_VALUE, 1e6, 'm'],
+    ['legRadius', '> 0', Number.MIN_VALUE, 1e6, 'm'],
+    ['mainEngineThrust', '≥ 0', 0, 1e15, 'N'],
+    ['mainEngineIsp', '≥ 0.001', 1e-3, 1e8, 's'],
+    ['rcsLever', '≥ 0.001', 1e-3, 1e6, 'm'],
+    ['rcsIsp', '≥ 0.001', 1e-3, 1e8, 's'],
+  ])('takes a %s %s, from %d to %d %s, and refuses what is beyond by name', (name, ...range) => {
+    const [low, least, most, unit] = range;
+    const reason = `ship class lander: ${name}: expected`;
+    for (const value of [least, most]) expect(refusal({ [name]: value })).toBe('accepted');
+    for (const value of [-1, least === 0 ? -1e-9 : 0, ...(least === 1e-3 ? [0.00099] : [])])
+      expect(refusal({ [name]: value })).toBe(`${reason} ${low} ${unit}, got ${value}`);
+    for (const value of [most * 1.001, Number.MAX_VALUE])
+      expect(refusal({ [name]: value })).toBe(`${reason} ≤ ${most} ${unit}, got ${value}`);
+  });
+
+  it.each([
+    ['rcsThrust', 'N'],
+    ['rcsTorque', 'N m'],
+    ['reactionWheelTorque', 'N m'],
+  ])('takes %s up to 1e15 about each axis', (name, unit) => {
+    expect(refusal({ [name]: [1e15, 0, 1e15] })).toBe('accepted');
+    expect(refusal({ [name]: [0, 0, 1.1e15] })).toContain(`${name}[2]: expected ≤ 1000000000000000 ${unit}, got`);
   });
 
   it('needs an isp and a lever only for what it has', () => {
@@ -148,7 +174,43 @@ describe('a ship class', () => {
         [0, -1, 0],
         [0, 0, -1],
       ],
-      'expected a',
+      'inertiaTensor[0][0]: expected > 0, as a positive definite tensor has, got -1',
+    ],
+    [
+      'partly negative',
+      [
+        [1, 0, 0],
+        [0, 1, 0],
+        [0, 0, -3],
+      ],
+      'inertiaTensor[2][2]: expected > 0, as a positive definite tensor has, got -3',
+    ],
+    [
+      'negative and skew',
+      [
+        [2, 1, 0],
+        [0, -9, 0],
+        [0, 0, 2],
+      ],
+      'inertiaTensor[1][1]: expected > 0',
+    ],
+    [
+      'heavy',
+      [
+        [1e28, 0, 0],
+        [0, 1e28, 0],
+        [0, 0, 1e28],
+      ],
+      'inertiaTensor[0][0]: expected ≤ 1e+27 kg m²',
+    ],
+    [
+      'needle’s',
+      [
+        [1e7, 0, 0],
+        [0, 1e7, 0],
+        [0, 0, 1],
+      ],
+      'expected a determinant of at least 0.000001 of its mean moment cubed',
     ],
     [
       'indefinite',
@@ -166,7 +228,7 @@ describe('a ship class', () => {
         [-0.5, 2, 0],
         [0, 0, 2],
       ],
-      'symmetric',
+      'expected a symmetric tensor, got elements that differ by 1 kg m²',
     ],
     [
       'infinite',
@@ -198,5 +260,18 @@ describe('a ship class', () => {
   ])('refuses a %s inertia tensor', (_, inertiaTensor, said) => {
     expect(refusal({ inertiaTensor })).toContain('inertiaTensor');
     expect(refusal({ inertiaTensor })).toContain(said);
+  });
+
+  it.each([
+    ['a mast 1,000 times as long as wide', [2e5, 2e5, 1]],
+    ['moments that no mass has', [1, 1, 5]],
+    ['a ball', [7, 7, 7]],
+  ])('takes the tensor of %s', (_, [x, y, z]) => {
+    const inertiaTensor = [
+      [x, 0, 0],
+      [0, y, 0],
+      [0, 0, z],
+    ];
+    expect(refusal({ inertiaTensor })).toBe('accepted');
   });
 });

@@ -26,6 +26,40 @@ describe('a body', () => {
     expect(reasonOf(loadBody({ ...MOON, radius: value } as Body))).toMatch(/^body Moon: radius: /);
   });
 
+  it.each([
+    ['mass', 1e40, 'kg'],
+    ['radius', 1e18, 'm'],
+  ])('takes a %s of up to %d and refuses what is beyond by name', (name, most, unit) => {
+    for (const value of [Number.MIN_VALUE, most])
+      expect(reasonOf(loadBody({ ...MOON, [name]: value }))).toBe('accepted');
+    const refusal = (value: number) => reasonOf(loadBody({ ...MOON, [name]: value }));
+    expect(refusal(0)).toBe(`body Moon: ${name}: expected > 0 ${unit}, got 0`);
+    for (const value of [most * 1.001, Number.MAX_VALUE])
+      expect(refusal(value)).toBe(`body Moon: ${name}: expected ≤ ${most} ${unit}, got ${value}`);
+  });
+
+  it.each([
+    ['position', 1e18, 'm'],
+    ['velocity', 1e9, 'm/s'],
+    ['angularVelocity', 1e6, 'rad/s'],
+  ])('takes a %s of up to %d and refuses more, either way, by name', (field, most, unit) => {
+    const given = (part: number) =>
+      writeBodyMotion(new Float64Array(BODY_STRIDE), 0, { ...MOON, [field]: [0, part, 0] });
+    expect([given(most), given(-most)]).toEqual([null, null]);
+    for (const part of [1.001 * most, -1.001 * most, -Number.MAX_VALUE]) {
+      const range = part > 0 ? `≤ ${most}` : `≥ ${-most}`;
+      expect(given(part)).toBe(`${field}[1]: expected ${range} ${unit}, got ${part}`);
+    }
+  });
+
+  it('has an attitude of length 1 within 1e-3', () => {
+    const given = (w: number) =>
+      writeBodyMotion(new Float64Array(BODY_STRIDE), 0, { ...MOON, attitude: [0, 0, 0, w] });
+    expect([1, 1.0009, 0.9991, -1].map(given)).toEqual([null, null, null, null]);
+    for (const w of [0, 1.0011, 0.9989, 1e200])
+      expect(given(w)).toMatch(/^attitude: expected length 1 within 0.001, got /);
+  });
+
   it('refuses a name that is none', () => {
     expect(reasonOf(loadBody({ ...MOON, name: '' }))).toContain('body name');
   });
@@ -92,8 +126,29 @@ describe('a ship', () => {
     ['shipClass', 'other'],
     ['referenceBody', 'Vulcan'],
     ['surfaceContactState', 'hovering'],
+    ['fuel', 1.001e15],
+    ['contactImpactSpeed', 1.001e9],
   ])('with %s %j is refused by name', (field, value) => {
     expect(refusal({ [field]: value })).toMatch(new RegExp(`^${field}: `));
+  });
+});
+
+describe('a ship far out', () => {
+  const { world, ships }: Trial = createTrial({});
+  const good = readShip(ships, 0, world);
+
+  it.each([
+    ['relativePosition', 1e18, 'm'],
+    ['relativeVelocity', 1e9, 'm/s'],
+    ['angularVelocity', 1e6, 'rad/s'],
+  ])('has a %s of up to %d, and is refused beyond, either way, by name', (field, most, unit) => {
+    const given = (part: number) =>
+      writeShip(new Float64Array(SHIP_STRIDE), 0, { ...good, [field]: [part, 0, 0] }, world);
+    expect([given(most), given(-most)]).toEqual([null, null]);
+    for (const part of [1.001 * most, -1.001 * most, Number.MAX_VALUE]) {
+      const range = part > 0 ? `≤ ${most}` : `≥ ${-most}`;
+      expect(given(part)).toBe(`${field}[0]: expected ${range} ${unit}, got ${part}`);
+    }
   });
 });
 

@@ -116,11 +116,11 @@ it('takes a setting that is 0 for 0, and one that is not sent for the design’s
 
 it.each([
   [{ name: '' }, 'name: expected a text'],
-  [{ dryMass: 0 }, 'dry_mass: expected > 0 kg, got 0'],
+  [{ dryMass: 0 }, 'dry_mass: expected ≥ 0.001 kg, got 0'],
   [{ fuelCapacity: -1 }, 'fuel_capacity: expected ≥ 0 kg, got -1'],
   [{ legRadius: 0 }, 'leg_radius: expected > 0 m, got 0'],
-  [{ rcsTorque: [0, -1, 0] }, 'rcs_torque: expected ≥ 0, got 0, -1, 0'],
-  [{ rcsLever: 0 }, 'rcs_lever: expected > 0 m, got 0'],
+  [{ rcsTorque: [0, -1, 0] }, 'rcs_torque[1]: expected ≥ 0 N m, got -1'],
+  [{ rcsLever: 0 }, 'rcs_lever: expected ≥ 0.001 m, got 0'],
   [{ mainEngineThrust: 1e16 }, 'main_engine_thrust: expected -1000000000000000 to '],
   [
     {
@@ -130,7 +130,7 @@ it.each([
         [0, 0, -1],
       ],
     },
-    'inertia_tensor: expected a positive definite tensor',
+    'inertia_tensor[2][2]: expected > 0, as a positive definite tensor has, got -1',
   ],
 ])('refuses a ship class with %j', (change, reason) => {
   expect(classReason(change)).toContain(`hello.ship_classes[0].${reason}`);

@@ -29,6 +29,8 @@ export interface Air {
   readonly clearness: number;
   /** Metres over which the air thins to 37 %. */
   readonly scaleHeight: number;
+  /** Share of the sky behind thin clouds, 0 … 1. */
+  readonly clouds: number;
   /** 1/s: how fast it stops dust. */
   readonly drag: number;
 }
@@ -49,7 +51,7 @@ const MOON: BodyLook = {
   sunColour: [1, 0.975, 0.93],
   sunStrength: 4.6,
   air: null,
-  fill: [0.03, 0.031, 0.034],
+  fill: [0.085, 0.087, 0.095],
   neighbour: {
     azimuth: 283,
     elevation: 9.5,
@@ -68,7 +70,7 @@ const PHOBOS: BodyLook = {
   sunColour: [1, 0.96, 0.9],
   sunStrength: 5,
   air: null,
-  fill: [0.022, 0.019, 0.018],
+  fill: [0.085, 0.066, 0.055],
   neighbour: {
     azimuth: 306,
     elevation: 6,
@@ -81,7 +83,7 @@ const PHOBOS: BodyLook = {
 
 const MARS: BodyLook = {
   dust: [0.4, 0.17, 0.08],
-  stone: [0.2, 0.1, 0.062],
+  stone: [0.25, 0.115, 0.066],
   regolith: 0.25,
   sun: { elevation: 17, azimuth: 62 },
   sunColour: [1, 0.9, 0.76],
@@ -92,6 +94,7 @@ const MARS: BodyLook = {
     glow: [0.7, 0.72, 0.8],
     clearness: 14_000,
     scaleHeight: 11_000,
+    clouds: 0.12,
     drag: 0.5,
   },
   fill: [0.11, 0.065, 0.04],
@@ -101,7 +104,7 @@ const MARS: BodyLook = {
 
 const EARTH: BodyLook = {
   dust: [0.185, 0.145, 0.075],
-  stone: [0.12, 0.11, 0.085],
+  stone: [0.2, 0.18, 0.14],
   regolith: 0,
   sun: { elevation: 21, azimuth: 65 },
   sunColour: [1, 0.93, 0.8],
@@ -112,6 +115,7 @@ const EARTH: BodyLook = {
     glow: [1, 0.82, 0.55],
     clearness: 26_000,
     scaleHeight: 8500,
+    clouds: 0.75,
     drag: 1.6,
   },
   fill: [0.075, 0.1, 0.14],

@@ -10,6 +10,8 @@ export interface CameraRig {
 
 interface Motion {
   readonly velocity: Float64Array;
+  /** The ship's velocity as far as the eye has taken it in. */
+  readonly known: Float64Array;
   azimuth: number;
   elevation: number;
   distance: number;
@@ -19,6 +21,12 @@ interface Motion {
 /** 1/s: how fast the view follows the ship and the hand. */
 const FOLLOW = 5;
 const HAND = 9;
+/** 1/s: how fast the eye takes in that the ship's velocity has changed, so that a bounce is no jerk. */
+const NOTICE = 9;
+/** A stall longer than this, s, is not followed step by step. */
+const STALL = 2;
+/** How far above its lowest place the eye begins to be lifted, m. */
+const SOFT = 1.2;
 /** Beyond this the ship has been put elsewhere: m. */
 const JUMP = 60;
 
@@ -31,7 +39,14 @@ export function createRig(azimuth: number, elevation: number, distance: number):
     distance,
     focus: new Float64Array(3),
     eye: new Float64Array(3),
-    motion: { velocity: new Float64Array(3), azimuth, elevation, distance, started: false },
+    motion: {
+      velocity: new Float64Array(3),
+      known: new Float64Array(3),
+      azimuth,
+      elevation,
+      distance,
+      started: false,
+    },
   };
 }
 
@@ -61,9 +76,10 @@ export function updateRig(
 ): void {
   const { focus, motion } = rig;
   const far = Math.hypot(target[0]! - focus[0]!, target[1]! - focus[1]!, target[2]! - focus[2]!) > JUMP;
-  if (!motion.started || far) {
+  if (!motion.started || far || seconds > STALL) {
     focus.set(target);
     motion.velocity.set(velocity);
+    motion.known.set(velocity);
     motion.azimuth = rig.azimuth;
     motion.elevation = rig.elevation;
     motion.distance = rig.distance;
@@ -71,11 +87,14 @@ export function updateRig(
   }
   const steps = Math.max(1, Math.ceil(seconds / 0.02));
   const dt = seconds / steps;
+  const notice = 1 - Math.exp(-NOTICE * dt);
   for (let n = 0; n < steps; n++) {
     for (let i = 0; i < 3; i++) {
       // The target as it was when this step began, as the focus is.
       const then = target[i]! - velocity[i]! * (seconds - dt * n);
-      const pull = FOLLOW * FOLLOW * (then - focus[i]!) + 2 * FOLLOW * (velocity[i]! - motion.velocity[i]!);
+      motion.known[i] = motion.known[i]! + (velocity[i]! - motion.known[i]!) * notice;
+      const pull =
+        FOLLOW * FOLLOW * (then - focus[i]!) + 2 * FOLLOW * (motion.known[i]! - motion.velocity[i]!);
       motion.velocity[i] = motion.velocity[i]! + pull * dt;
       focus[i] = focus[i]! + motion.velocity[i]! * dt;
     }
@@ -94,5 +113,7 @@ export function placeEye(rig: MovingRig, ground: (x: number, z: number) => numbe
   eye[1] = focus[1]! + motion.distance * Math.sin(motion.elevation);
   eye[2] = focus[2]! + motion.distance * cos * Math.sin(motion.azimuth);
   const lowest = ground(eye[0], eye[2]) + 1;
-  if (eye[1] < lowest) eye[1] = lowest;
+  const above = (eye[1] - lowest) / SOFT;
+  // A soft maximum: the eye slides up a hill and does not bump into it.
+  eye[1] = lowest + SOFT * (above > 30 ? above : Math.log1p(Math.exp(above)));
 }

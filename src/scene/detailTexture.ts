@@ -18,6 +18,8 @@ export function createDetailTexture(): DataTexture {
   texture.magFilter = LinearFilter;
   texture.minFilter = LinearMipmapLinearFilter;
   texture.generateMipmaps = true;
+  // The ground is seen at a grazing angle: without it the middle distance is a smear of streaks.
+  texture.anisotropy = 4;
   texture.needsUpdate = true;
   return texture;
 }

@@ -1,8 +1,17 @@
-import { BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, Points, ShaderMaterial } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  type DataTexture,
+  DynamicDrawUsage,
+  Points,
+  ShaderMaterial,
+  Vector3,
+} from 'three';
 import type { BodyLook } from './bodyLook';
 import { cellNoise } from './noise';
 
-const MOST = 900;
+const MOST = 1500;
 
 const VERTEX = /* glsl */ `
 attribute vec3 velocity;
@@ -12,7 +21,7 @@ uniform float gravity;
 uniform float drag;
 uniform float pixelsPerMetre;
 varying float vAlpha;
-varying float vShade;
+varying vec2 vPatch;
 void main() {
   float age = time - span.x;
   float share = age / span.y;
@@ -21,21 +30,29 @@ void main() {
   place.y += drag > 0.0 ? -gravity * 0.02 * age : -0.5 * gravity * age * age;
   vec4 mvPosition = modelViewMatrix * vec4(place, 1.0);
   bool alive = share >= 0.0 && share < 1.0 && place.y > position.y - 0.6;
-  float size = span.z * (0.5 + share * (drag > 0.0 ? 3.2 : 1.7));
+  float size = span.z * (0.5 + share * (drag > 0.0 ? 3.6 : 2.2));
   vAlpha = alive ? span.w * (1.0 - share) * (1.0 - share) * smoothstep(0.0, 0.06, share) : 0.0;
-  vShade = 0.8 + 0.2 * share;
-  gl_PointSize = alive ? clamp(size * pixelsPerMetre / -mvPosition.z, 1.0, 90.0) : 0.0;
+  vPatch = span.yz * 7.0;
+  gl_PointSize = alive ? clamp(size * pixelsPerMetre / -mvPosition.z, 1.0, 160.0) : 0.0;
   gl_Position = alive ? projectionMatrix * mvPosition : vec4(2.0, 2.0, 2.0, 1.0);
 }`;
 const FRAGMENT = /* glsl */ `
 uniform vec3 colour;
+uniform vec3 sunDirection;
+uniform sampler2D detail;
+uniform float grit;
 varying float vAlpha;
-varying float vShade;
+varying vec2 vPatch;
 void main() {
   vec2 off = gl_PointCoord * 2.0 - 1.0;
   float round = 1.0 - dot(off, off);
   if (round <= 0.0) discard;
-  gl_FragColor = vec4(colour * vShade, vAlpha * round * round);
+  // A puff and no disc: ragged by the ground's own texture, lit from the sun's side of the picture.
+  float lump = texture2D(detail, vPatch + gl_PointCoord * grit).b;
+  float thick = round * smoothstep(0.2, 0.75, lump);
+  vec3 toSun = (viewMatrix * vec4(sunDirection, 0.0)).xyz;
+  float lit = 0.75 + 0.45 * dot(vec3(off.x, -off.y, round), toSun) * round;
+  gl_FragColor = vec4(colour * lit, min(vAlpha * thick * 1.6, 1.0));
   #include <tonemapping_fragment>
   #include <colorspace_fragment>
 }`;
@@ -45,7 +62,7 @@ export interface Dust {
   readonly points: Points<BufferGeometry, ShaderMaterial>;
   /** A grain: local place and velocity relative to `origin`, m and m/s; seconds it lives, size m, opacity. */
   throwGrain(place: ArrayLike<number>, velocity: ArrayLike<number>, look: GrainLook): void;
-  paint(look: BodyLook): void;
+  paint(look: BodyLook, sunDirection: Vector3): void;
   update(time: number, gravity: number, pixelsPerMetre: number): void;
   clear(): void;
   dispose(): void;
@@ -57,7 +74,7 @@ export interface GrainLook {
   readonly opacity: number;
 }
 
-export function createDust(): Dust {
+export function createDust(detail: DataTexture): Dust {
   const geometry = new BufferGeometry();
   const dynamic = (size: number) =>
     new BufferAttribute(new Float32Array(MOST * size), size).setUsage(DynamicDrawUsage);
@@ -78,6 +95,9 @@ export function createDust(): Dust {
       drag: { value: 0 },
       pixelsPerMetre: { value: 800 },
       colour: { value: new Color() },
+      sunDirection: { value: new Vector3() },
+      detail: { value: detail },
+      grit: { value: 0 },
     },
   });
   const points = new Points(geometry, material);
@@ -106,12 +126,15 @@ export function createDust(): Dust {
       next = (next + 1) % MOST;
       latest = Math.max(latest, time + seconds * vary);
     },
-    paint(look) {
+    paint(look, sunDirection) {
       // Grains that hang in the sun are lit from all sides: brighter than the ground they came from.
-      const light = look.sunStrength * (look.air === null ? 1.25 : 0.95);
+      const light = look.sunStrength * (look.air === null ? 1.1 : 1.05);
       const [r, g, b] = look.dust;
       (material.uniforms['colour']!.value as Color).setRGB(r * light, g * light, b * light);
+      (material.uniforms['sunDirection']!.value as Vector3).copy(sunDirection);
       material.uniforms['drag']!.value = look.air?.drag ?? 0;
+      // Billows in air; without it sheets of grains.
+      material.uniforms['grit']!.value = look.air === null ? 0.4 : 0.16;
     },
     update(now, gravity, pixelsPerMetre) {
       time = now;

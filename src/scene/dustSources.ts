@@ -37,14 +37,14 @@ export function raiseDust(dust: Dust, state: DustState, ship: DustyShip, seconds
   state.wasGrounded = ship.grounded;
   if (seconds <= 0) return;
   const speed = Math.hypot(ship.velocity[0]!, ship.velocity[2]!);
-  if (ship.grounded && speed > 0.6) plough(dust, state, ship, Math.min(speed * 9, 140) * seconds);
+  if (ship.grounded && speed > 0.6) plough(dust, state, ship, Math.min(speed * 18, 260) * seconds);
   if (ship.thrust > 0) sweep(dust, state, ship, seconds);
 }
 
 /** At the touch: a low fan from each foot, faster for a harder touch. */
 function splash(dust: Dust, state: DustState, ship: DustyShip): void {
   const hard = Math.min(ship.impactSpeed, 40);
-  const grains = Math.round(24 + hard * 9);
+  const grains = Math.round(40 + hard * 11);
   for (let n = 0; n < grains; n++) {
     atFoot(ship, state, n % 4);
     const around = roll(state) * 2 * Math.PI;
@@ -55,8 +55,8 @@ function splash(dust: Dust, state: DustState, ship: DustyShip): void {
     velocity[2] = Math.sin(around) * out + ship.velocity[2]! * 0.25;
     dust.throwGrain(place, velocity, {
       seconds: 2.2 + 2.4 * roll(state),
-      size: 0.5 + 0.03 * hard * roll(state),
-      opacity: 0.6,
+      size: 0.6 + 0.05 * hard * roll(state),
+      opacity: 0.75,
     });
   }
 }
@@ -72,7 +72,7 @@ function plough(dust: Dust, state: DustState, ship: DustyShip, grains: number): 
     velocity[0] = vx * share - vz * side;
     velocity[1] = Math.hypot(vx, vz) * (0.04 + 0.2 * roll(state) ** 2);
     velocity[2] = vz * share + vx * side;
-    dust.throwGrain(place, velocity, { seconds: 1.8 + 1.6 * roll(state), size: 0.55, opacity: 0.5 });
+    dust.throwGrain(place, velocity, { seconds: 1.8 + 1.6 * roll(state), size: 1.1, opacity: 0.75 });
   }
 }
 
@@ -97,7 +97,7 @@ function sweep(dust: Dust, state: DustState, ship: DustyShip, seconds: number): 
     velocity[0] = Math.cos(around) * out;
     velocity[1] = out * (0.03 + 0.12 * roll(state) ** 2);
     velocity[2] = Math.sin(around) * out;
-    dust.throwGrain(place, velocity, { seconds: 1.1 + roll(state), size: 0.8, opacity: 0.28 });
+    dust.throwGrain(place, velocity, { seconds: 1.1 + roll(state), size: 1, opacity: 0.42 });
   }
 }
 

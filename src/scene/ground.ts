@@ -19,6 +19,7 @@ import {
   layOutLevel,
   moveLevel,
   shadeLevel,
+  shadeOver,
   type TerrainLevel,
 } from './terrainLevel';
 import type { ViewCone } from './viewCone';
@@ -36,6 +37,8 @@ export interface Ground {
   follow(x: number, z: number, levelsAtOnce: number): void;
   /** Places the meshes relative to the eye (local, m) and leaves out what it cannot see. */
   place(eye: Float64Array, cone: ViewCone): void;
+  /** Height, local y, below which the terrain's own shadow lies over (x, z) near the followed point. */
+  shadowY(x: number, z: number): number;
   dispose(): void;
 }
 
@@ -114,6 +117,7 @@ export function createGround(material: ShaderMaterial): Ground {
         mesh.position.set(origin[0]! - eye[0]!, origin[1]! - eye[1]!, origin[2]! - eye[2]!);
       }
     },
+    shadowY: (x, z) => (rings[0] === undefined ? -Infinity : shadeOver(rings[0].level, x, z)),
     dispose: drop,
   };
 }

@@ -59,18 +59,23 @@ void main() {
   albedo *= 0.62 + 0.28 * fine.b + 0.36 * mid.b * wide.b + 0.34 * vast.b;
   albedo = mix(albedo, stone * 0.9, smoothstep(0.75, 0.45, vNormal.y) * 0.8);
 
+  vec3 toFlame = flame.xyz - vPosition;
+  float flameRange = dot(toFlame, toFlame);
+  // Below nought: a wreck's scorched ground, of that radius in m.
+  float scorched = flame.w < 0.0 ? smoothstep(1.0, 0.2, sqrt(flameRange) / -flame.w + 0.7 * (mid.b - 0.5)) : 0.0;
+  albedo *= 1.0 - 0.82 * scorched;
+
   float toSun = max(dot(normal, sunDirection), 0.0);
   float toView = max(dot(normal, toEye), 0.0);
   float lambert = toSun;
   float backscatter = toSun / (toSun + toView + 0.08) * (0.78 + 0.5 * pow(max(dot(toEye, sunDirection), 0.0), 6.0));
   float lit = mix(lambert, backscatter, regolith);
   lit *= smoothstep(-0.25, 0.25, vSunlit) * getShadowMask();
-  float open = 0.75 + 0.25 * normal.y;
+  // Light from around: most from above, and from where the sun shines on other ground.
+  float open = 0.55 + 0.3 * normal.y - 0.5 * normal.x;
   vec3 colour = albedo * (sunColour * lit + fillColour * open);
 
-  vec3 toFlame = flame.xyz - vPosition;
-  float flameRange = dot(toFlame, toFlame);
-  colour += albedo * flameColour * (flame.w * max(dot(normal, toFlame), 0.0) / (sqrt(flameRange) * (flameRange + 4.0)));
+  colour += albedo * flameColour * (max(flame.w, 0.0) * max(dot(normal, toFlame), 0.0) / (sqrt(flameRange) * (flameRange + 4.0)));
 
   float haze = 1.0 - exp(-range * hazePerMetre);
   float towardsSun = pow(max(dot(-toEye, sunDirection), 0.0), 8.0);

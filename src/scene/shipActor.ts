@@ -7,6 +7,7 @@ import { type LocalFrame, rotate, toLocalPoint, type Turn } from './localFrame';
 import { buildShip } from './models';
 import type { ShipMaterial } from './shipMaterial';
 import type { ShipModel } from './shipModel';
+import { crumple } from './wreck';
 
 /** One ship on the stage. Places and velocities in local axes, doubles. */
 export interface ShipActor {
@@ -117,11 +118,15 @@ export function poseActor(
   spin[1] = ship.velocity[1]! - (wz * x - wx * z);
   spin[2] = ship.velocity[2]! - (wx * y - wy * x);
   rotate(actor.velocity, turn.matrix, spin);
+  // A crashed ship's row keeps the speed it hit with.
+  if (ship.crashed) actor.velocity.fill(0);
 
   for (let leg = 0; leg < 4; leg++) actor.compression[leg] = ship.legCompression[leg]!;
   actor.blows.fill(0);
   actor.blows[2] = -1;
   rotateByQuat(actor.blows, actor.turn, actor.blows);
+  // Not before the server confirmed it.
+  if (ship.shownState === 'crashed') crumple(actor, ship.shipClass.groundContactOffset);
 
   const burns = !ship.crashed && canBurn(ship.shipClass, ship.fuel) && asksForPower(ship.controls);
   actor.jets.visible = burns;

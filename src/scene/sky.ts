@@ -30,6 +30,7 @@ uniform vec3 sunDirection;
 uniform vec3 sunColour;
 uniform float air;
 uniform float dip;
+uniform float clouds;
 uniform vec4 neighbour;
 uniform vec3 day;
 uniform vec3 spots;
@@ -41,6 +42,13 @@ void main() {
   float height = max(way.y + dip, 0.0);
   vec3 colour = mix(horizon, zenith, pow(height, 0.42)) * air;
   colour += glow * air * (0.35 * pow(max(toSun, 0.0), 8.0) + 0.5 * pow(max(toSun, 0.0), 90.0));
+  if (clouds > 0.0 && way.y > 0.0) {
+    // Streaks on a sheet overhead; at the horizon the air hides them.
+    vec2 sheet = way.xz / (way.y + 0.09);
+    float cover = texture2D(detail, sheet * vec2(0.018, 0.05)).b * 0.6 + texture2D(detail, sheet.yx * 0.11).b * 0.4;
+    float cloud = smoothstep(0.38, 0.66, cover) * smoothstep(0.0, 0.16, way.y) * clouds * air;
+    colour = mix(colour, sunColour * (0.82 + 0.5 * pow(max(toSun, 0.0), 6.0)), cloud);
+  }
   // The disc is drawn wider than the sun's half degree: what a lens makes of it.
   float disc = smoothstep(0.99988, 0.99995, toSun);
   colour += sunColour * (6.0 * disc + 0.5 * pow(max(toSun, 0.0), 2600.0) + 0.06 * pow(max(toSun, 0.0), 260.0));
@@ -88,6 +96,7 @@ export function createSky(detail: DataTexture): Sky {
         sunColour: { value: new Color() },
         air: { value: 0 },
         dip: { value: 0 },
+        clouds: { value: 0 },
         neighbour: { value: [0, -1, 0, 1e-3] },
         day: { value: new Color() },
         spots: { value: new Color() },
@@ -112,6 +121,7 @@ export function createSky(detail: DataTexture): Sky {
         (uniforms[name]!.value as Color).setRGB(r, g, b);
       colour('zenith', air?.zenith ?? [0, 0, 0]);
       colour('horizon', air?.horizon ?? [0, 0, 0]);
+      uniforms['clouds']!.value = air?.clouds ?? 0;
       colour('glow', air?.glow ?? [0, 0, 0]);
       colour('sunColour', look.sunColour);
       (uniforms['sunDirection']!.value as Vector3).copy(sunDirection);

@@ -41,10 +41,12 @@ export interface Stage {
 }
 
 /** Where the eye starts: from the shadow's side, a little above the ground. */
-const FIRST_AZIMUTH = 2.05;
+const FIRST_AZIMUTH = 1.9;
 const FIRST_ELEVATION = 0.16;
 /** Distance in heights of the centre of mass over the feet. */
 const FIRST_DISTANCE = 5.2;
+/** What a crash raises, as a touch at this speed would, m/s. */
+const CRASH_SPEED = 50;
 /** A frame is laid anew this far from its origin, m: the tangent plane still fits the ground. */
 const FRAME_REACH = 20_000;
 /** No ship is larger than this around its centre of mass, m. */
@@ -68,7 +70,7 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
   const sky = createSky(detail);
   const light = createSunlight();
   const rocks = createRocks();
-  const dust = createDust();
+  const dust = createDust(detail);
   const overlays = createOverlays();
   const wardrobe = {
     shelf: createShelf(),
@@ -118,7 +120,7 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
     sky.paint(look, light.direction);
     wardrobe.hull.paint(look);
     rocks.paint(look);
-    dust.paint(look);
+    dust.paint(look, light.direction);
     dust.clear();
     releaseRig(rig);
     for (const [id, actor] of actors) {
@@ -165,8 +167,8 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
         groundY: groundY(x, z),
         feetHeight: 0,
         legRadius: ship.shipClass.legRadius,
-        grounded: ship.surfaceState !== '' && !ship.crashed,
-        impactSpeed: ship.impactSpeed,
+        grounded: ship.surfaceState !== '' || ship.crashed,
+        impactSpeed: ship.crashed ? CRASH_SPEED : ship.impactSpeed,
         thrust: ship.crashed ? 0 : ship.shipClass.mainEngineThrust * ship.controls.thrustLevel,
         blows: actor.blows,
       },
@@ -195,7 +197,8 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
       const watched = view.own ?? view.ships[0];
       if (!view.ready || watched === undefined) return;
       const body = view.bodies[watched.body]!;
-      const passed = Number.isNaN(before) ? 0 : Math.min(Math.max(seconds - before, 0), 0.25);
+      const waited = Number.isNaN(before) ? 0 : Math.max(seconds - before, 0);
+      const passed = Math.min(waited, 0.25);
       before = seconds;
       if (frame?.bodyName !== body.name || frame.radius !== body.radius) lay(view, watched);
       turnOfFrame(turn, frame!, body.attitude);
@@ -218,7 +221,7 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
       );
       drawShips(view, watched.body, passed);
       const actor = actors.get(watched.shipId)!;
-      updateRig(rig, actor.place, actor.velocity, passed);
+      updateRig(rig, actor.place, actor.velocity, waited);
       placeEye(rig, groundY);
       const { eye, focus } = rig;
       const first = count === 1;
@@ -233,6 +236,8 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
       const height = actor.place[1]! - groundY(actor.place[0]!, actor.place[2]!);
       const size = watched.shipClass.groundContactOffset * 2.2;
       light.follow(actor.place, eye, size, size * 2 + Math.max(height, 0) / light.direction.y);
+      const over = actor.place[1]! - ground.shadowY(actor.place[0]!, actor.place[2]!);
+      light.shade(Math.min(Math.max(0.5 + over / (2 * watched.shipClass.groundContactOffset), 0), 1));
       sky.look(eye[1]!, body.radius, turn.quaternion);
       if (anyChosen(choice))
         placeOverlays(places, { view, ship: watched, actor, frame: frame!, turn, eye, groundY });
@@ -282,6 +287,8 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
     flame[0] = actor.place[0]! - eye[0]! + actor.blows[0]! * reach;
     flame[1] = actor.place[1]! - eye[1]! + actor.blows[1]! * reach;
     flame[2] = actor.place[2]! - eye[2]! + actor.blows[2]! * reach;
-    flame[3] = actor.jets.visible ? ship.controls.thrustLevel * 60 : 0;
+    const crashed = ship.shownState === 'crashed';
+    const lit = actor.jets.visible ? ship.controls.thrustLevel * 60 : 0;
+    flame[3] = crashed ? -3 * ship.shipClass.groundContactOffset : lit;
   }
 }

@@ -8,6 +8,8 @@ export interface Sunlight {
   /** Local, unit, towards the sun. */
   readonly direction: Vector3;
   paint(look: BodyLook, frame: LocalFrame): void;
+  /** How much of the sun reaches ship and stones, 0 … 1: the ground knows its own shadows, they do not. */
+  shade(share: number): void;
   /** Centres the shadow map on a local point, `reach` m to each side; `depth` m down-sun to the ground. */
   follow(place: Float64Array, eye: Float64Array, reach: number, depth: number): void;
   dispose(): void;
@@ -28,6 +30,7 @@ export function createSunlight(): Sunlight {
   const direction = new Vector3(1, 0.2, 0).normalize();
   const side = new Vector3();
   const over = new Vector3();
+  let full = 1;
 
   return {
     group,
@@ -38,13 +41,16 @@ export function createSunlight(): Sunlight {
       over.copy(direction).cross(side).normalize();
       const [r, g, b] = look.sunColour;
       sun.color.setRGB(r, g, b);
-      sun.intensity = look.sunStrength * Math.PI * 0.62;
+      full = sun.intensity = look.sunStrength * Math.PI * 0.62;
       const [fr, fg, fb] = look.fill;
       const [dr, dg, db] = look.dust;
       const bounce = look.sunStrength * 0.2;
       around.color.setRGB(fr * 3, fg * 3, fb * 3);
       around.groundColor.setRGB(fr + dr * bounce, fg + dg * bounce, fb + db * bounce);
       around.intensity = Math.PI * 0.9;
+    },
+    shade(share) {
+      sun.intensity = full * share;
     },
     follow(place, eye, reach, depth) {
       // The map's grid of texels stays where it is in the world while the ship moves over it.

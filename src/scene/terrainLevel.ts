@@ -160,7 +160,7 @@ export function shadeLevel(level: TerrainLevel, coarser: TerrainLevel | null, fr
 }
 
 /** A level's shadow height over (x, z), between its points. */
-function shadeOver(level: TerrainLevel, x: number, z: number): number {
+export function shadeOver(level: TerrainLevel, x: number, z: number): number {
   const u = x / level.spacing - level.cornerX + 1;
   const v = z / level.spacing - level.cornerZ + 1;
   const i = Math.min(Math.max(Math.floor(u), 0), SIDE - 2);

@@ -23,8 +23,9 @@ import {
   writeControls,
   writeShip,
 } from '../dynamics';
-import type { Hello, ServerFrame, ShipState } from '../wire';
+import type { ServerFrame, ShipState } from '../wire';
 import { type Compared, type Comparison, noDifferences, raise } from './compareFixture';
+import { type RecordedSession, sessionsOf } from './recordedSessions';
 import type { Recording } from './recording';
 import type { StagedInput } from './scenario';
 
@@ -38,20 +39,39 @@ export interface RecordingComparison extends Comparison {
 
 /**
  * From each frame that has a successor, one interval of the law, compared with what the server says came of it. Frames may be
- * missing, doubled, or out of order: an interval needs both its ends.
+ * missing, doubled, or out of order: an interval needs both its ends, under one hello, and is compared with what that hello told;
+ * from the last frame before a new hello to the first after it nobody knows what was in force.
  * @returns a reason when nothing can be compared
  */
 export function compareRecording(recording: Recording): Checked<RecordingComparison> {
-  const frames = framesByTick(recording);
-  const sent = inputsByTick(recording);
-  const world = worldOf(recording);
-  if (!world.ok) return world;
-  const worst = noDifferences();
-  const found = { statesCompared: 0, unknownInputs: 0, withoutRelativeState: 0 };
-  let outOfTolerance: Comparison['outOfTolerance'] = null;
-  let disagreement: Comparison['disagreement'] = null;
-  const ticks = [...frames.keys()].sort((a, b) => a - b);
-  for (const tick of ticks) {
+  const found: Found = {
+    ticks: 0,
+    statesCompared: 0,
+    unknownInputs: 0,
+    withoutRelativeState: 0,
+    worst: noDifferences(),
+    outOfTolerance: null,
+    disagreement: null,
+  };
+  const sessions = sessionsOf(recording);
+  if (sessions.every(({ frames }) => frames.size === 0)) return refused('no frame');
+  for (const session of sessions) {
+    const reason = session.frames.size > 0 ? compareSession(found, session, recording.header.shipId) : null;
+    if (reason !== null) return refused(reason);
+  }
+  if (found.statesCompared === 0) return refused('no interval of any ship could be compared');
+  return accepted(found);
+}
+
+type Found = { -readonly [Field in keyof RecordingComparison]: RecordingComparison[Field] };
+
+/** Adds to what was found; or the reason why a session cannot be compared. */
+function compareSession(found: Found, session: RecordedSession, own: string): string | null {
+  const { frames } = session;
+  const world = worldOf(session);
+  if (!world.ok) return world.reason;
+  found.ticks += frames.size;
+  for (const tick of [...frames.keys()].sort((a, b) => a - b)) {
     const [from, to] = [frames.get(tick)!, frames.get(tick + 1)];
     if (to === undefined) continue;
     for (const expected of to.ships) {
@@ -61,22 +81,21 @@ export function compareRecording(recording: Recording): Checked<RecordingCompari
         found.withoutRelativeState += 1;
         continue;
       }
-      const inputs = expected.shipId === recording.header.shipId ? (sent.get(tick) ?? []) : [];
+      const inputs = expected.shipId === own ? (session.inputs.get(tick) ?? []) : [];
       const outcome = runInterval(world.value, from, start, inputs);
-      if (!outcome.ok) return refused(`tick ${tick}: ship ${expected.shipId}: ${outcome.reason}`);
+      if (!outcome.ok) return `tick ${tick}: ship ${expected.shipId}: ${outcome.reason}`;
       if (!sameControls(outcome.value.controls, expected)) {
         found.unknownInputs += 1;
         continue;
       }
       found.statesCompared += 1;
-      const field = raise(worst, outcome.value.ship, comparedOf(expected));
-      if (field !== null) outOfTolerance ??= { tick: tick + 1, field };
+      const field = raise(found.worst, outcome.value.ship, comparedOf(expected));
+      if (field !== null) found.outOfTolerance ??= { tick: tick + 1, field };
       const how = otherOutcome(outcome.value, expected, to);
-      if (how !== null) disagreement ??= { tick: tick + 1, how: `${expected.shipId}: ${how}` };
+      if (how !== null) found.disagreement ??= { tick: tick + 1, how: `${expected.shipId}: ${how}` };
     }
   }
-  if (found.statesCompared === 0) return refused('no interval of any ship could be compared');
-  return accepted({ ...found, ticks: ticks.length, worst, outOfTolerance, disagreement });
+  return null;
 }
 
 interface Outcome {
@@ -115,45 +134,15 @@ function runInterval(
   return accepted({ ship: readShip(row, 0, world), controls: readControls(row, 0), events });
 }
 
-/** The last frame of each tick: while paused a tick comes again, and what it says last holds. */
-function framesByTick({ entries }: Recording): Map<number, ServerFrame> {
-  const frames = new Map<number, ServerFrame>();
-  for (const entry of entries)
-    if (entry.kind === 'received' && entry.message.kind === 'frame')
-      frames.set(entry.message.tick, entry.message);
-  return frames;
-}
-
-/** What acted on the recording's own ship: its plan up to the first input that was sent, then what was sent. */
-function inputsByTick({ header, entries }: Recording): Map<number, StagedInput[]> {
-  const sent = entries.flatMap((entry) =>
-    entry.kind === 'sent' && entry.message.kind === 'inputs' ? entry.message.inputs : [],
-  );
-  const [first] = sent;
-  const planned = (header.plan ?? []).filter(
-    ({ tick, substep }) =>
-      first === undefined || tick < first.tick || (tick === first.tick && substep < first.substep),
-  );
-  const inputs = new Map<number, StagedInput[]>();
-  for (const input of [...planned, ...sent])
-    inputs.set(input.tick, [...(inputs.get(input.tick) ?? []), input]);
-  return inputs;
-}
-
 /** What the hello tells; the game's own classes and bodies, default settings and level ground where there is none. */
-function worldOf({ entries }: Recording): Checked<World> {
-  const hello = entries
-    .filter((entry) => entry.kind === 'received')
-    .map(({ message }) => message)
-    .find((message): message is Hello => message.kind === 'hello');
-  const first = [...framesByTick({ entries } as Recording).values()][0];
-  if (first === undefined) return refused('no frame');
+function worldOf({ hello, frames }: RecordedSession): Checked<World> {
+  const [first] = frames.values();
   const settings = loadSettings(hello?.settings ?? {});
   if (!settings.ok) return refused(`settings.${settings.reason}`);
   const terrain = hello?.terrain ?? 'flat';
   if (!Object.hasOwn(TERRAINS, terrain)) return refused(`terrain: no terrain named ${terrain}`);
   const shipClasses = all(hello?.shipClasses ?? SHIP_CLASSES, loadShipClass);
-  const told = hello?.bodies ?? BODIES.filter(({ name }) => first.bodies.some((body) => body.name === name));
+  const told = hello?.bodies ?? BODIES.filter(({ name }) => first?.bodies.some((body) => body.name === name));
   const bodies = all(told, loadBody);
   if (!shipClasses.ok) return shipClasses;
   if (!bodies.ok) return bodies;

@@ -1,4 +1,5 @@
 import { createAuthority } from '../../src/authority';
+import type { Settings } from '../../src/dynamics';
 import {
   createExchange,
   type Exchange,
@@ -11,8 +12,14 @@ import { type ClientMessage, decodeServerMessage, encodeClientMessage } from '..
 import { MOON, shipOf, valueOf } from '../authority/moon';
 
 /** An exchange over the Moon that starts at wall second 100, with 'ann' flying 'own' as a scenario begins. */
-export function moonExchange(scenario: string, preset: NetworkPreset, seed = 1, legacy = false): Exchange {
-  const authority = valueOf(createAuthority({ ...MOON, legacy }));
+export function moonExchange(
+  scenario: string,
+  preset: NetworkPreset,
+  seed = 1,
+  legacy = false,
+  settings: Partial<Settings> = {},
+): Exchange {
+  const authority = valueOf(createAuthority({ ...MOON, legacy, settings }));
   const order = { shipId: 'own', playerId: 'ann', name: 'Own', ship: shipOf(scenario) };
   const exchange = createExchange(authority, NETWORK_PRESETS[preset], seed, 100);
   const reason = authority.spawn(order) ?? exchange.connect('ann', 'own', 100);

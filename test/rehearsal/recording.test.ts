@@ -1,9 +1,16 @@
 import { describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
-import { agrees, compareRecording, readRecording, type Recording, writeRecording } from '../../src/rehearsal';
+import {
+  agrees,
+  compareRecording,
+  readRecording,
+  type Recording,
+  type RecordingEntry,
+  writeRecording,
+} from '../../src/rehearsal';
 import { fromBase64, toBase64 } from '../../src/rehearsal/base64';
 import { input, valueOf } from '../authority/moon';
-import { listen, moonExchange, recordingOf } from './recordedExchange';
+import { type Client, listen, moonExchange, recordingOf } from './recordedExchange';
 
 /** Ten seconds of the opening, flown with three inputs. */
 function flown(
@@ -89,6 +96,11 @@ describe('a recording', () => {
   });
 });
 
+/** A server that wakes up late skips ticks: run as it is, second by second. */
+function bySeconds(client: Client, until: number): void {
+  for (let now = 101.5; now <= until; now++) client.runTo(now);
+}
+
 describe('a recorded server', () => {
   it('that keeps to the law agrees with it, known inputs included', () => {
     const comparison = valueOf(compareRecording(flown()));
@@ -136,6 +148,77 @@ describe('a recorded server', () => {
         : entry,
     );
     expect(agrees(valueOf(compareRecording({ ...recording, entries })))).toBe(false);
+  });
+
+  /** Seconds one to six of the opening under one friction, then six more under another, on a server that goes on or begins anew. */
+  function overNewSettings(friction: number, told: number, beginsAnew: boolean): Recording {
+    const first = listen(moonExchange('opening', 'lan'));
+    bySeconds(first, 106.5);
+    const settings = { contactFrictionKinetic: friction };
+    const second = listen(moonExchange('opening', 'lan', 1, false, settings));
+    second.say({ kind: 'inputs', inputs: [input(1, 3, 40, { thrustLevel: 0.1 })] }, 100.5);
+    bySeconds(second, 112.5);
+    const after = beginsAnew ? 0 : 6;
+    const later = second.entries.flatMap((entry): RecordingEntry[] => {
+      if (entry.kind !== 'received') return [{ ...entry, at: entry.at + 10 }];
+      const { message } = entry;
+      if (message.kind === 'frame' && message.tick < after) return [];
+      const hello =
+        message.kind === 'hello'
+          ? { ...message, settings: { ...message.settings, contactFrictionKinetic: told } }
+          : message;
+      return [{ ...entry, at: entry.at + 10, message: hello }];
+    });
+    return { header: { note: 'a test', shipId: 'own' }, entries: [...first.entries, ...later] };
+  }
+
+  it('is compared with the settings in force: those of the hello before each frame', () => {
+    for (const beginsAnew of [false, true]) {
+      const comparison = valueOf(compareRecording(overNewSettings(0.3, 0.3, beginsAnew)));
+      expect(comparison).toMatchObject({
+        statesCompared: beginsAnew ? 6 + 12 : 6 + 6,
+        unknownInputs: 0,
+        outOfTolerance: null,
+        disagreement: null,
+      });
+      expect(Math.max(...(Object.values(comparison.worst) as number[]))).toBe(0);
+    }
+  });
+
+  it('that tells a new friction and keeps the old one, or the other way about, is caught', () => {
+    expect(agrees(valueOf(compareRecording(overNewSettings(0.5, 0.3, true))))).toBe(false);
+    expect(agrees(valueOf(compareRecording(overNewSettings(0.3, 0.5, true))))).toBe(false);
+  });
+
+  it('that counts its ticks anew no longer knows what it was sent before', () => {
+    const exchange = moonExchange('opening', 'lan');
+    const before = listen(exchange);
+    before.say(
+      { kind: 'inputs', inputs: [input(1, 3, 10, { thrustLevel: 0.3 }), input(2, 3, 60, {})] },
+      100.5,
+    );
+    bySeconds(before, 105.5);
+    const after = listen(moonExchange('opening', 'lan'));
+    bySeconds(after, 105.5);
+    const entries = [...before.entries, ...after.entries.map((entry) => ({ ...entry, at: entry.at + 10 }))];
+    const comparison = valueOf(compareRecording({ header: { note: '', shipId: 'own' }, entries }));
+    expect(comparison).toMatchObject({ statesCompared: 10, unknownInputs: 0, outOfTolerance: null });
+  });
+
+  it('that goes on over a lost connection still knows it', () => {
+    const exchange = moonExchange('opening', 'lan');
+    const client = listen(exchange);
+    client.say(
+      { kind: 'inputs', inputs: [input(1, 4, 10, { thrustLevel: 0.3 }), input(2, 4, 60, {})] },
+      100.5,
+    );
+    client.runTo(102.5);
+    exchange.drop('ann');
+    exchange.reconnect('ann', 103.5);
+    bySeconds(client, 108.5);
+    const comparison = valueOf(compareRecording(recordingOf(client)));
+    expect(comparison).toMatchObject({ statesCompared: 8, unknownInputs: 0, outOfTolerance: null });
+    expect(Math.max(...(Object.values(comparison.worst) as number[]))).toBe(0);
   });
 
   it('of today’s game cannot be compared, and that is said', () => {

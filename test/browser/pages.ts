@@ -4,7 +4,7 @@
  * A page opened inside a test closes with the test, one opened in beforeAll with its file.
  */
 import type { Browser, Page } from 'playwright-core';
-import { afterAll, describe, expect, inject, onTestFailed, onTestFinished } from 'vitest';
+import { afterAll, describe, inject, onTestFailed, onTestFinished, TestRunner } from 'vitest';
 import { launchChromium } from './chromium';
 
 export interface PageOptions {
@@ -13,6 +13,8 @@ export interface PageOptions {
   /** 'light' unless told. */
   readonly colorScheme?: 'light' | 'dark';
   readonly reducedMotion?: 'reduce' | 'no-preference';
+  /** 'allow' unless told. */
+  readonly serviceWorkers?: 'allow' | 'block';
 }
 
 const program = inject('chromium');
@@ -70,7 +72,8 @@ export async function openUrl(url: string, options: PageOptions = {}): Promise<P
   const context = await running.newContext({ ...usual, ...options, ...EVERYWHERE_THE_SAME });
   const page = await context.newPage();
   watchForProblems(page);
-  if (expect.getState().currentTestName !== undefined) endWithTest(page);
+  // Not the state of `expect`: in a later beforeAll that still names the test before.
+  if (TestRunner.getCurrentTest() !== undefined) endWithTest(page);
   await page.goto(url);
   return page;
 }

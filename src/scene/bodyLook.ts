@@ -72,8 +72,8 @@ const PHOBOS: BodyLook = {
   air: null,
   fill: [0.085, 0.066, 0.055],
   neighbour: {
-    azimuth: 306,
-    elevation: 6,
+    azimuth: 291,
+    elevation: 11,
     radius: 20,
     day: [0.55, 0.24, 0.11],
     spots: [0.3, 0.13, 0.075],

@@ -37,7 +37,7 @@ export interface Ground {
   follow(x: number, z: number, levelsAtOnce: number): void;
   /** Places the meshes relative to the eye (local, m) and leaves out what it cannot see. */
   place(eye: Float64Array, cone: ViewCone): void;
-  /** Height, local y, below which the terrain's own shadow lies over (x, z) near the followed point. */
+  /** Height, local y, below which the terrain's own shadow lies over (x, z). */
   shadowY(x: number, z: number): number;
   dispose(): void;
 }
@@ -117,7 +117,14 @@ export function createGround(material: ShaderMaterial): Ground {
         mesh.position.set(origin[0]! - eye[0]!, origin[1]! - eye[1]!, origin[2]! - eye[2]!);
       }
     },
-    shadowY: (x, z) => (rings[0] === undefined ? -Infinity : shadeOver(rings[0].level, x, z)),
+    shadowY(x, z) {
+      for (const { level } of rings) {
+        const { origin, spacing } = level;
+        const off = Math.max(Math.abs(x - origin[0]!), Math.abs(z - origin[2]!));
+        if (level.filled && off < (CELLS / 2) * spacing) return shadeOver(level, x, z);
+      }
+      return -Infinity;
+    },
     dispose: drop,
   };
 }

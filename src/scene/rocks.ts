@@ -26,7 +26,8 @@ const SHADOW_REACH = 18;
 export interface Rocks {
   readonly mesh: InstancedMesh;
   lay(frame: LocalFrame, terrainHeight: TerrainHeight): void;
-  follow(x: number, z: number): void;
+  /** `shadowY` tells below which local y the terrain's shadow lies: stones in it are black on black and left out. */
+  follow(x: number, z: number, shadowY: (x: number, z: number) => number): void;
   /** Places them relative to the eye (local, m) and leaves out what it cannot see. */
   place(eye: Float64Array, cone: ViewCone): void;
   paint(look: BodyLook): void;
@@ -61,7 +62,7 @@ export function createRocks(): Rocks {
   const size = new Vector3();
   const at = new Vector3();
 
-  const scatter = () => {
+  const scatter = (shadowY: (x: number, z: number) => number) => {
     if (where === null) return;
     groundPoint(origin, 0, cellX * CELL, cellZ * CELL, where);
     const far: Matrix4[] = [];
@@ -74,6 +75,7 @@ export function createRocks(): Rocks {
           const x = (i + cellNoise(i, k, seed + 1)) * CELL;
           const z = (k + cellNoise(i, k, seed + 2)) * CELL;
           groundPoint(point, 0, x, z, where);
+          if (point[1]! < shadowY(x, z)) continue;
           const radius = 0.05 + 0.3 * cellNoise(i, k, seed + 3) ** 4;
           at.set(point[0]! - origin[0]!, point[1]! - origin[1]! + radius * 0.15, point[2]! - origin[2]!);
           axis.set(cellNoise(i, k, seed + 4) - 0.5, 1, cellNoise(i, k, seed + 5) - 0.5).normalize();
@@ -110,12 +112,12 @@ export function createRocks(): Rocks {
       where = { frame, terrainHeight };
       cellX = NaN;
     },
-    follow(x, z) {
+    follow(x, z, shadowY) {
       const [i, k] = [Math.round(x / CELL), Math.round(z / CELL)];
       if (Math.abs(i - cellX) <= 1 && Math.abs(k - cellZ) <= 1) return;
       cellX = i;
       cellZ = k;
-      scatter();
+      scatter(shadowY);
     },
     place(eye, cone) {
       leaveOutHidden(cone);

@@ -226,7 +226,7 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
       const { eye, focus } = rig;
       const first = count === 1;
       ground.follow(actor.place[0]!, actor.place[2]!, first ? Infinity : 2);
-      rocks.follow(actor.place[0]!, actor.place[2]!);
+      rocks.follow(actor.place[0]!, actor.place[2]!, ground.shadowY);
       aimCone(cone, eye, focus, opening);
       ground.place(eye, cone);
       placeGrain(groundMaterial, eye);

@@ -47,10 +47,11 @@ export function createSunlight(): Sunlight {
       const bounce = look.sunStrength * 0.2;
       around.color.setRGB(fr * 3, fg * 3, fb * 3);
       around.groundColor.setRGB(fr + dr * bounce, fg + dg * bounce, fb + db * bounce);
-      around.intensity = Math.PI * 0.9;
     },
     shade(share) {
       sun.intensity = full * share;
+      // In a hill's shadow the ground below is dark too.
+      around.intensity = Math.PI * (0.35 + 0.55 * share);
     },
     follow(place, eye, reach, depth) {
       // The map's grid of texels stays where it is in the world while the ship moves over it.

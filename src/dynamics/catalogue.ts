@@ -31,10 +31,11 @@ export const SHIP_CLASSES: readonly ShipClass[] = [
     dryMass: 100000,
     fuelCapacity: 60000,
     inertiaTensor: [
-      // assumed: a solid 160 t box of 12 × 14 × 16 m
-      [6.03e6, 4e4, 2e4],
-      [4e4, 5.33e6, -3e4],
-      [2e4, -3e4, 4.53e6],
+      // assumed: a solid 160 t box of 13 × 13 × 16 m, its cargo not quite even. As round as this, since the law caps the length of
+      // the legs' whole moment: moments about x and y that differ by an eighth turned it aside, and the ship toppled 0.2° early
+      [5.69e6, 2e4, 2e4],
+      [2e4, 5.64e6, -3e4],
+      [2e4, -3e4, 4.51e6],
     ],
     groundContactOffset: 8, // assumed
     legRadius: 6, // assumed: 0.75 h

@@ -34,7 +34,9 @@ describe('the tilt of no return', () => {
   /** Degrees between the tilt from which the ship topples, found by halving, and arctan(leg_radius / h). */
   function missOf(className: string, bodyName: string, roll: number): number {
     const shipClass = classNamed(className);
-    let [low, high] = [30, 45];
+    const ideal = Math.atan2(shipClass.legRadius, shipClass.groundContactOffset) * DEGREES;
+    // Not even, so that no step falls on the ideal itself, where a ship stands for ever.
+    let [low, high] = [ideal - 0.5, ideal + 0.7];
     while (high - low > 1e-3) {
       const tilt = (low + high) / 2;
       const trial = letGo(bodyName, shipClass, tilt, roll);
@@ -43,24 +45,40 @@ describe('the tilt of no return', () => {
       if (see(trial).state === TIPPED) high = tilt;
       else low = tilt;
     }
-    const ideal = Math.atan2(shipClass.legRadius, shipClass.groundContactOffset) * DEGREES;
     return Math.abs((low + high) / 2 - ideal);
   }
 
-  // Target: arctan(leg_radius / h), 36.8699° for every class here, to 0.05°. Leaning about an own axis, x or y. Today 0.0005° (the
-  // halving) with a symmetric tensor, 0.0208° fast_frigate, 0.0190° cargo_hauler, whose tensors turn them aside as they rock.
+  const everyWay = Array.from({ length: 12 }, (_, k) => 30 * k);
+
+  // Target: arctan(leg_radius / h), 36.8699° for every class here, to 0.05°, whichever way it leans. Today
+  // 0.0001° (the halving) with a symmetric tensor, 0.0187° fast_frigate, 0.0046° cargo_hauler, whose tensors turn them aside.
   it.each(classes.flatMap((name) => ['Moon', 'Earth'].map((body) => [name, body] as const)))(
-    'of %s on %s is arctan(leg radius / h)',
+    'of %s on %s is arctan(leg radius / h), whichever way it leans',
+    { timeout: 60_000 },
     (className, bodyName) => {
-      for (const roll of [0, 90, 180]) expect(missOf(className, bodyName, roll)).toBeLessThan(0.022);
+      const misses = everyWay.map((roll) => missOf(className, bodyName, roll));
+      expect(Math.max(...misses)).toBeLessThan(0.022);
     },
   );
 
-  // Target 0.05°, missed: leaning between its axes cargo_hauler topples up to 0.21° early. Its tensor (6.03 against 5.33) turns the
-  // support moment 3.5° away from the axis it leans about, and the law caps the whole moment's length, not the part about that axis.
-  it('of cargo_hauler between its axes is up to 0.21° less', () => {
-    const misses = [30, 60, 135, 240, 315].map((roll) => missOf('cargo_hauler', 'Moon', roll));
-    expect(Math.max(...misses)).toBeLessThan(0.215);
+  // Why cargo_hauler is built as round as it is: the law caps the length of the legs' whole moment, and moments that differ turn it
+  // aside from the axis the ship leans about. A class of its own may do so: it then topples early by as much.
+  it('is less for a class whose moments about x and y differ by an eighth, leaning between them', () => {
+    const box = {
+      ...LANDER,
+      inertiaTensor: [
+        [121_000, 0, 0],
+        [0, 107_000, 0],
+        [0, 0, 77_440],
+      ],
+    } as const;
+    const end = (tilt: number) => {
+      const trial = letGo('Moon', box, tilt, 45);
+      run(trial, 300, settled);
+      return see(trial).state;
+    };
+    const ideal = Math.atan2(3, 4) * DEGREES;
+    expect([ideal - 0.3, ideal - 0.1].map(end)).toEqual([LANDED, TIPPED]);
   });
 
   // Another footprint, so that 36.87° is not the law's own number.

@@ -38,7 +38,7 @@ export interface Ground {
   /** Places the meshes relative to the eye (local, m) and leaves out what it cannot see. */
   place(eye: Float64Array, cone: ViewCone): void;
   /** Height, local y, below which the terrain's own shadow lies over (x, z). */
-  shadowY(x: number, z: number): number;
+  readonly shadowY: (x: number, z: number) => number;
   dispose(): void;
 }
 

@@ -11,7 +11,7 @@ export function createCrossPointer(parent: Element): (drift: Drift, tilt: Tilt) 
   gauge.setAttribute('role', 'meter');
   gauge.setAttribute('aria-label', 'Drift along the ground');
   gauge.setAttribute('aria-valuemin', '0');
-  const picture = appendPicture(gauge, 'hud-dial', '-66 -66 132 132');
+  const picture = appendPicture(gauge, 'hud-dial', '-66 -69 132 138');
   paintDial(picture);
   const moving = appendSvg(picture, 'g', { class: 'hud-cross' });
   const paintAcross = showFigures(appendSvg(moving, 'path'), 'd', 2, (x) => `M${String(x)} -50V50`);
@@ -47,20 +47,31 @@ function paintDial(picture: Element): void {
   appendSvg(picture, 'circle', { class: 'hud-rim', r: RADIUS });
   appendSvg(picture, 'circle', { class: 'hud-ring', r: RADIUS / 2 });
   appendSvg(picture, 'path', { class: 'hud-axes', d: 'M-50 0H50M0 -50V50' });
-  appendSvg(picture, 'text', { class: 'hud-axis-text', x: 58, y: 4 }).textContent = 'X';
-  appendSvg(picture, 'text', { class: 'hud-axis-text', x: 0, y: -55 }).textContent = 'Y';
 }
 
-/** A wedge on the rim at the ship's lowest side. */
+/** A wedge on the rim at the ship's lowest side; the letter of an axis gives way to it. */
 function createLean(picture: Element): (tilt: Tilt) => void {
+  const paintX = createLetter(picture, 'X', 58, 4);
+  const paintY = createLetter(picture, 'Y', 0, -55);
   const wedge = appendSvg(picture, 'path', { class: 'hud-lean', d: 'M0 -48L7 -60H-7Z' });
   const paint = showFigures(wedge, 'transform', 1, (degrees) => `rotate(${String(degrees)})`);
   const paintShown = showAttribute(wedge, 'data-shown');
   return ({ leanX, leanY }) => {
     const leans = leanX !== 0 || leanY !== 0;
     paintShown(leans ? 'true' : 'false');
+    paintX(leanX > COVERED ? 'true' : 'false');
+    paintY(leanY > COVERED ? 'true' : 'false');
     if (leans) paint((Math.atan2(leanX, leanY) * 180) / Math.PI);
   };
+}
+
+/** Cosine of 20°: nearer than this the wedge lies on the letter. */
+const COVERED = 0.94;
+
+function createLetter(picture: Element, text: string, x: number, y: number): (covered: string) => void {
+  const letter = appendSvg(picture, 'text', { class: 'hud-axis-text', x, y });
+  letter.textContent = text;
+  return showAttribute(letter, 'data-covered');
 }
 
 function createScale(gauge: HTMLElement): (scale: number) => void {

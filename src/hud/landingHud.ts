@@ -5,6 +5,7 @@ import { createDescentPanel } from './descentPanel';
 import { append } from './elements';
 import { createGatesPanel } from './gatesPanel';
 import { createRightingPanel, type KeyLabel } from './rightingPanel';
+import { scrollWhereShort } from './scrolling';
 import { showPart } from './shown';
 import { createStatusSlot } from './statusSlot';
 import { createTiltPanel } from './tiltPanel';
@@ -36,17 +37,19 @@ export function createCockpitLandingHud(
   root.className = 'hud hud-landing';
   root.setAttribute('aria-label', 'Landing');
   const paintStatus = createStatusSlot(root);
-  const instruments = append(root, 'div', 'hud-instruments');
-  const paintTilt = createTiltPanel(instruments);
+  const paintTilt = createTiltPanel(root);
+  const parts = append(root, 'div', 'hud-parts');
+  const instruments = append(parts, 'div', 'hud-instruments');
   const paintDrift = createCrossPointer(instruments);
   const paintDescent = createDescentPanel(instruments);
-  const landed = append(root, 'p', 'hud-landed', 'Landed');
+  const landed = append(parts, 'p', 'hud-landed', 'Landed');
   const paintLanded = showPart(landed);
-  const paintGates = createGatesPanel(root);
-  const paintRighting = createRightingPanel(root, options.keyLabel ?? (() => ''));
-  const paintCard = createTouchdownCard(root);
+  const paintGates = createGatesPanel(parts);
+  const paintRighting = createRightingPanel(parts, options.keyLabel ?? (() => ''));
+  const paintCard = createTouchdownCard(parts);
   const announce = createAnnouncer(root);
   host.append(root);
+  const unwatch = scrollWhereShort(parts, 'Landing, further down');
   return {
     paint: (readout) => {
       paintStatus(readout);
@@ -59,6 +62,9 @@ export function createCockpitLandingHud(
       paintCard(readout);
       announce(readout);
     },
-    dispose: () => root.remove(),
+    dispose: () => {
+      unwatch();
+      root.remove();
+    },
   };
 }

@@ -27,16 +27,20 @@ const ACTION_WORDS: Readonly<Record<HintAction, string>> = {
 /** What to press, whether it suffices, and if not what else may help (HUD, Righting help). */
 export function createRightingPanel(parent: Element, keyLabel: KeyLabel): (righting: Righting) => void {
   const panel = append(parent, 'div', 'hud-righting');
-  append(panel, 'p', 'hud-hint', HINT);
+  const paintHintShown = showPart(append(panel, 'p', 'hud-hint', HINT));
   const hold = append(panel, 'p', 'hud-hold');
   append(hold, 'span', 'hud-label', 'HOLD');
   const paintFirst = createKey(hold, keyLabel);
   const paintSecond = createKey(hold, keyLabel);
+  const time = append(hold, 'span', 'hud-of');
+  const paintTime = showNumber(time, DURATION);
+  const paintTimeShown = showPart(time);
   const then = append(panel, 'p', 'hud-hold');
-  append(then, 'span', 'hud-label', 'THEN');
+  append(then, 'span', 'hud-label', 'LET GO');
   const paintHoldShown = showPart(hold);
   const paintThenShown = showPart(then);
-  const paintUntil = createUntil(then);
+  // Held on to for longer, the swing carries the ship over to its other side.
+  const paintUntil = showNumber(append(then, 'span', 'hud-until', 'below '), ANGLE);
   const paintDamping = createKey(then, keyLabel);
   const paintTorque = createTorque(panel);
   const paintFuel = createFuel(panel);
@@ -45,11 +49,15 @@ export function createRightingPanel(parent: Element, keyLabel: KeyLabel): (right
   return (righting) => {
     paintShown(righting.shown);
     if (!righting.shown) return;
+    // Where nothing aboard rights it, the verdict alone says so.
+    paintHintShown(righting.possible || righting.help !== 'none');
     paintHoldShown(righting.possible);
     paintThenShown(righting.possible);
     paintFirst(righting.actions[0] ?? '');
     paintSecond(righting.actions[1] ?? '');
-    paintUntil(righting);
+    paintTime(righting.holdSeconds);
+    paintTimeShown(righting.outcome === 'lands');
+    paintUntil(righting.holdUntil);
     paintDamping(righting.damped ? '' : 'rateDamping');
     paintTorque(righting);
     paintFuel(righting);
@@ -71,20 +79,6 @@ function createKey(parent: Element, keyLabel: KeyLabel): (action: HintAction | '
     paintCapShown(label !== '');
     paintCap(label);
     paintAxis(ACTION_WORDS[action]);
-  };
-}
-
-/** `below 37° (1.4 s)`: where to let go, or the swing carries the ship over to its other side. */
-function createUntil(parent: Element): (righting: Righting) => void {
-  const words = append(parent, 'span', 'hud-until', 'let go below ');
-  const paintAngle = showNumber(words, ANGLE);
-  const time = append(words, 'span', 'hud-of', ', ');
-  const paintTime = showNumber(time, DURATION);
-  const paintTimeShown = showPart(time);
-  return (righting) => {
-    paintAngle(righting.holdUntil);
-    paintTime(righting.holdSeconds);
-    paintTimeShown(righting.outcome === 'lands');
   };
 }
 

@@ -16,7 +16,7 @@ export function createTiltGauge(parent: Element): (tilt: Tilt) => void {
   gauge.setAttribute('aria-label', 'Tilt');
   gauge.setAttribute('aria-valuemin', '0');
   gauge.setAttribute('aria-valuemax', '180');
-  const picture = appendPicture(gauge, 'hud-dial', '0 0 150 122');
+  const picture = appendPicture(gauge, 'hud-dial', '0 -3 150 128');
   const paintScale = createScale(picture);
   const needle = createNeedle(picture);
   const paintNow = showFigures(gauge, 'aria-valuenow', 1, String);

@@ -133,6 +133,15 @@ describeInBrowser('the landing HUD', () => {
     await show('stuck');
     expect(await page.locator('.hud-verdict').innerText()).toContain('cannot be righted here');
     expect(await page.locator('.hud-hold:visible').count()).toBe(0);
+    expect(await page.locator('.hud-hint').isVisible()).toBe(false);
+    await show('helped');
+    expect(await page.locator('.hud-verdict').innerText()).toContain('Take weight off its feet with');
+    expect(await page.locator('.hud-verdict kbd:visible').allTextContents()).toEqual(['I']);
+    expect(await page.locator('.hud-hint').isVisible()).toBe(true);
+    await show('lighter');
+    expect(await page.locator('.hud-verdict').innerText()).toMatch(
+      /Burn fuel until it weighs less than\s+\d\d.\d{3} kg/,
+    );
     await show('tipped');
     expect(await page.locator('.hud-verdict').isVisible()).toBe(false);
   });

@@ -10,6 +10,10 @@ export type StateName =
   | 'landed'
   | 'tipped'
   | 'stuck'
+  | 'twoKeys'
+  | 'helped'
+  | 'lighter'
+  | 'wide'
   | 'crashed'
   | 'predicted'
   | 'confirmed'
@@ -44,6 +48,16 @@ export const STATES: Readonly<Record<StateName, () => readonly WorldView[]>> = {
   landed: () => touchdown(REST, 'landed'),
   tipped: () => touchdown(ON_SIDE, 'tipped'),
   stuck: () => touchdown({ ...ON_SIDE, body: 'Earth', leanTo: 160 }, 'tipped'),
+  twoKeys: () => touchdown({ ...ON_SIDE, leanTo: 225 }, 'tipped'),
+  helped: () => touchdown({ ...ON_SIDE, leanTo: 225, fuel: 20_000 }, 'tipped'),
+  lighter: () => touchdown({ ...ON_SIDE, body: 'Mars', leanTo: 160, fuel: 20_000 }, 'tipped'),
+  // Every number as wide as it gets, and a withdrawn prediction.
+  wide: () => [
+    makeView(
+      { clearance: 9_876, east: -1888.8, north: 888.8, up: -2888.8, tilt: 178.8, tiltRate: 0.3 },
+      { provenance: 'predicted', age: 688, withdrawn: 'landed', shownState: 'contact' },
+    ),
+  ],
   crashed: () => [
     makeView(
       { clearance: -1, up: -63, east: 5 },

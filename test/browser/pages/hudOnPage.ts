@@ -1,0 +1,21 @@
+/** Both HUDs where the playground has them, under its own style sheets: whether they fit there. */
+import { createCockpitLandingHud, createFleetHud } from '../../../src/hud';
+import { createFleetReadout, createLandingReadout, fleetReadout, landingReadout } from '../../../src/readout';
+import { makeFleet, STATES, type StateName } from './hudStates';
+
+const place = document.querySelector('#hud')!;
+const landing = createCockpitLandingHud(document, place, {
+  keyLabel: (action) =>
+    ({ pitchMinus: 'W', yawMinus: 'A', yawPlus: 'D', rateDamping: 'T' })[action as 'yawPlus'],
+});
+const fleet = createFleetHud(document, place);
+
+/** Flies the way to a state, each view as one frame, beside a fleet of `size`. */
+function show(name: StateName, size: number): void {
+  const readout = createLandingReadout();
+  for (const view of STATES[name]()) landing.paint(landingReadout(view, readout));
+  fleet.paint(fleetReadout(makeFleet(size), createFleetReadout()));
+}
+
+Object.assign(window, { show });
+document.documentElement.dataset['ready'] = 'true';

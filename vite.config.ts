@@ -1,6 +1,8 @@
 /// <reference types="vitest/config" />
+import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import type { UserConfig } from 'vite';
+import { listForOffline, OFFLINE_SCRIPT } from './.ci/offline.mjs';
 
 const BROWSER_TESTS = 'test/browser/**/*.test.ts';
 
@@ -9,6 +11,14 @@ const BROWSER_TESTS = 'test/browser/**/*.test.ts';
  * instead of building their addresses in, and a substep costs a quarter more instructions.
  */
 const CONSTANTS = { topLevelVar: false };
+
+const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+/**
+ * Modules that only define things: what is fetched on demand then takes along what it alone needs from behind a folder's index.
+ * Not so the two programs, and the index that brings a style sheet.
+ */
+const PURE = /\/src\/(?!playground\/(main|offline\/serviceWorker)\.ts|hud\/index\.ts).*\.ts$/;
 
 const page: UserConfig = {
   root: 'src/playground',
@@ -26,8 +36,19 @@ const page: UserConfig = {
     modulePreload: false,
     // three alone is most of a megabyte, and a page that draws from its first frame cannot put it off.
     chunkSizeWarningLimit: 1500,
-    rolldownOptions: { output: CONSTANTS },
+    rolldownOptions: {
+      input: {
+        index: here('src/playground/index.html'),
+        offline: here('src/playground/offline/serviceWorker.ts'),
+      },
+      treeshake: { moduleSideEffects: [{ test: PURE, sideEffects: false }] },
+      output: {
+        ...CONSTANTS,
+        entryFileNames: ({ name }) => (name === 'offline' ? OFFLINE_SCRIPT : 'assets/[name]-[hash].js'),
+      },
+    },
   },
+  plugins: [listForOffline(here('public'))],
   worker: { format: 'es', rolldownOptions: { output: CONSTANTS } },
 };
 

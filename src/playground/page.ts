@@ -12,6 +12,7 @@ import { listenToKeys } from './keyboard';
 import { keyCap, loadKeys, saveKeys } from './keyTable';
 import { createLive, networkOf } from './live';
 import { createNotice } from './notice';
+import { keepForOffline } from './offline/keep';
 import { createPads } from './pads';
 import { createPanel } from './panel';
 import { steerCamera } from './pointer';
@@ -202,6 +203,7 @@ export function begin(document: Document, program: string): void {
     if (view.ready) stage?.draw(view, now);
     if (view.ready && !isWarm) {
       isWarm = true;
+      keepForOffline(window, () => (root.dataset['offline'] = 'kept'));
       if (stage !== null && choices.server === '') {
         beginWorld();
         return;

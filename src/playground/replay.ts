@@ -1,4 +1,3 @@
-import type { Checked } from '../dynamics';
 import { createPredictor, type Predictor, type WorldView } from '../prediction';
 import { compareRecording, type Recording, type RecordingEntry } from '../rehearsal';
 import { type Baseline, createBaseline } from './baseline';
@@ -87,15 +86,4 @@ function findDivergence(recording: Recording): Divergence {
       kind === 'received' && 'message' in rest && rest.message.kind === 'frame' && rest.message.tick >= first,
   );
   return { at: entry?.at ?? null, words: `First divergence at tick ${first}: ${how}.` };
-}
-
-/** What a dropped or chosen file may weigh: an hour of frames, several times over. */
-export const LARGEST_FILE = 200_000_000;
-
-/** Words for a file that is no recording. */
-export function refusalWords(name: string, checked: Checked<Recording> & { ok: false }): string {
-  return (
-    `${name} cannot be played: ${checked.reason}. ` +
-    'It has to be a file that this page or a predictor’s recorder wrote, whole and unchanged.'
-  );
 }

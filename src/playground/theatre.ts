@@ -1,8 +1,9 @@
 import type { WorldView } from '../prediction';
 import type { Recording } from '../rehearsal';
-import { createRecorder, readFile, type Recorder, writeSlowly } from './recorder';
+import { createRecorder, type Recorder } from './recorder';
 import type { RecordingListeners, RecordingPanel } from './recordingPanel';
-import { createReplay, refusalWords, type Replay } from './replay';
+import type { Replay } from './replay';
+import type * as Replaying from './replaying';
 
 /** Recording and replaying: what the page shows instead of the game while a recording plays. */
 export interface Theatre {
@@ -29,13 +30,18 @@ export function createTheatre(place: TheatrePlace): Theatre {
   const recorder = createRecorder();
   let replay: Replay | null = null;
   let playing = true;
+  /** Counts what was asked for: who comes back from a fetch looks whether it is still wanted. */
+  let wish = 0;
 
-  const open = (recording: Recording) => {
+  const open = async (recording: Recording) => {
     if (recording.entries.length === 0) {
       place.tell('Nothing is recorded yet: let the game run for a moment first.');
       return;
     }
-    replay = createReplay(recording);
+    const mine = ++wish;
+    const part = await fetchPart(place);
+    if (part === null || mine !== wish) return;
+    replay = part.createReplay(recording);
     playing = true;
     replay.seek(replay.from);
     place.panel().showReplay(replay);
@@ -43,6 +49,7 @@ export function createTheatre(place: TheatrePlace): Theatre {
     place.changed(true);
   };
   const leave = () => {
+    wish += 1;
     if (replay === null) return;
     replay = null;
     place.panel().showReplay(null);
@@ -51,7 +58,10 @@ export function createTheatre(place: TheatrePlace): Theatre {
   };
   const save = async () => {
     const panel = place.panel();
-    const blob = await writeSlowly(recorder.recording(place.note()), panel.showProgress);
+    const recording = recorder.recording(place.note());
+    const part = await fetchPart(place);
+    if (part === null) return;
+    const blob = await part.writeSlowly(recording, panel.showProgress);
     panel.showProgress(null);
     const link = document.createElement('a');
     link.href = URL.createObjectURL(blob);
@@ -61,10 +71,12 @@ export function createTheatre(place: TheatrePlace): Theatre {
   };
   const load = async (file: File) => {
     place.banner(`Reading ${file.name} …`);
-    const read = await readFile(file);
+    const part = await fetchPart(place);
+    const read = await part?.readFile(file);
     place.banner('');
-    if (read.ok) open(read.value);
-    else place.tell(refusalWords(file.name, read));
+    if (part === null || read === undefined) return;
+    if (read.ok) await open(read.value);
+    else place.tell(part.refusalWords(file.name, read));
   };
 
   return {
@@ -73,7 +85,7 @@ export function createTheatre(place: TheatrePlace): Theatre {
     leave,
     load: (file) => void load(file),
     listeners: {
-      replay: () => open(recorder.recording(place.note())),
+      replay: () => void open(recorder.recording(place.note())),
       leave,
       save: () => void save(),
       load: (file) => void load(file),
@@ -97,6 +109,19 @@ export function createTheatre(place: TheatrePlace): Theatre {
       return view;
     },
   };
+}
+
+/** What recordings need beside being taken; says so where it cannot be had. */
+async function fetchPart({ tell }: TheatrePlace): Promise<typeof Replaying | null> {
+  try {
+    return await import('./replaying');
+  } catch {
+    tell(
+      'What plays, reads and writes recordings could not be fetched: is the network off? ' +
+        'With the network on again, load the page anew.',
+    );
+    return null;
+  }
 }
 
 /** Lets recordings be dropped anywhere on the page. */

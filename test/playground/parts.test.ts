@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { createPageClock } from '../../src/playground/pageClock';
 import { createReplay } from '../../src/playground/replay';
-import { createResolution } from '../../src/playground/resolution';
 import { createSamples, summarise } from '../../src/playground/samples';
 import { createSession } from '../../src/playground/server/session';
 import { createPredictor, type WorldView } from '../../src/prediction';
@@ -43,27 +42,6 @@ describe('figures', () => {
     expect(times).toHaveLength(300);
     expect(times.every((time, i) => i === 0 || time > times[i - 1]!)).toBe(true);
     expect(samples.values(0).at(-1)).toBeGreaterThan(2390);
-  });
-});
-
-describe('resolution', () => {
-  const run = (rate: number, seconds: number, resolution = createResolution(), from = 0) => {
-    for (let n = 0; n <= rate * seconds; n++) resolution.measure(from + n / rate);
-    return resolution;
-  };
-
-  it('goes down step by step on a slow machine and up again on one that has become fast', () => {
-    const slow = run(12, 10);
-    expect(slow.share()).toBe(0.5);
-    expect(run(60, 40, slow, 11).share()).toBe(1);
-    expect(run(60, 10).share()).toBe(1);
-    expect(run(30, 10).share()).toBe(1);
-  });
-
-  it('does not take a hidden tab for a slow machine', () => {
-    const resolution = run(60, 3);
-    resolution.measure(70);
-    expect(resolution.share()).toBe(1);
   });
 });
 

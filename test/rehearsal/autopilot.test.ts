@@ -163,10 +163,16 @@ describe('the landing maneuver', () => {
     ['relativeVelocity', { relativeVelocity: [0, Number.NaN, 0] }],
     ['relativeVelocity', { relativeVelocity: null, velocity: [0, 0, -Infinity] }],
     ['attitude', { attitude: [0, Number.NaN, 0, 1] }],
+    ['angularVelocity', { angularVelocity: [Infinity, 0, 0] }],
     ['mass', { mass: Number.NaN }],
     ['mass', { mass: 0 }],
   ])('refuses by the name of %s', (field, ship) => {
     expect(refusal(ship)).toMatch(new RegExp(`^${field}: `));
+  });
+
+  it('refuses a delay that is none', () => {
+    for (const delay of [Number.NaN, Infinity, -0.1])
+      expect(refusal({}, { ...SITE, delay })).toMatch(/^delay: /);
   });
 
   it('refuses terrain that has no height', () => {

@@ -26,6 +26,8 @@ export interface Flight {
   readonly settings?: Partial<Settings>;
   /** Ticks from a state until what it led to is flown. */
   readonly delay?: number;
+  /** The autopilot is not told of the delay. */
+  readonly isDelayUntold?: boolean;
   /** As the game's own server, which sends ICRF alone. */
   readonly legacy?: boolean;
 }
@@ -68,7 +70,11 @@ export function flyDown(flight: Flight): Flown {
   return fly(authority, { body, shipClass, terrainHeight }, flight);
 }
 
-function fly(authority: Authority, site: LandingSite, { delay = 0, tickRate }: Flight): Flown {
+function fly(
+  authority: Authority,
+  site: LandingSite,
+  { delay = 0, tickRate, isDelayUntold = false }: Flight,
+): Flown {
   const phases: string[] = [];
   let maneuver: LandingManeuver = BEGIN_LANDING;
   let [impact, touches, seq] = [0, 0, 0];
@@ -79,7 +85,8 @@ function fly(authority: Authority, site: LandingSite, { delay = 0, tickRate }: F
       if (event.type === 'ship.contact') touches++;
       if (event.type === 'ship.contact' && touches === 1) impact = ship.contactImpactSpeed ?? 0;
     }
-    const next = continueLanding(maneuver, ship, { ...site, body: frame.bodies[0]! });
+    const lag = isDelayUntold ? 0 : (delay + 0.5) / tickRate;
+    const next = continueLanding(maneuver, ship, { ...site, body: frame.bodies[0]!, delay: lag });
     if (!next.ok) throw new Error(next.reason);
     maneuver = next.value;
     if (phases.at(-1) !== maneuver.phase) phases.push(maneuver.phase);

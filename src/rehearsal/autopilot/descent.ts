@@ -1,9 +1,10 @@
-import { cross, inverse, rotate } from '../../authority';
+import { compose, cross, inverse, rotate } from '../../authority';
 import {
   type Checked,
   accepted,
   type Controls,
   GRAVITATIONAL_CONSTANT,
+  type Quat,
   refused,
   type ShipClass,
   type TerrainHeight,
@@ -16,6 +17,11 @@ export interface LandingSite {
   readonly body: BodyState;
   readonly shipClass: ShipClass;
   readonly terrainHeight: TerrainHeight;
+  /**
+   * Game seconds from a state to the middle of the time in which the controls made of it act: half a tick where they act at once,
+   * one and a half where they act a tick later. 0 unless told; a ship that turns upright on its way down then starts its engine later.
+   */
+  readonly delay?: number;
 }
 
 /** A ship as its pilot over the site feels it. SI units; up is local up, speeds are relative to the turning ground. */
@@ -26,12 +32,13 @@ export interface Approach {
   readonly climb: number;
   /** Along the ground, body axes, m/s. */
   readonly drift: Vec3;
-  /** Cosine of the tilt. */
+  /** Cosine of the tilt, or of what it will be by the time the controls act, whichever is the more upright. */
   readonly upright: number;
   /** m/s² */
   readonly gravity: number;
 }
 
+const TOP: Vec3 = [0, 0, 1];
 /** Speed down in the last metres, m/s: below every bounce, above what noise of a slow tick could turn into a hover. */
 const TOUCH_SPEED = 1.5;
 /** Speed down at most, m/s: a second's delay at it is still braked away. */
@@ -46,10 +53,12 @@ const MOST_BRAKING = 1;
 const RESPONSE = 0.5;
 /** Tilts past 60° push more along the ground than up: there the engine waits for the ship to come upright. */
 const LEAST_UPRIGHT = 0.5;
+/** In which a ship's turning is carried on. */
+const STEPS = 4;
 
 /** The approach of a ship, or a reason that names the field that has no finite value. */
 export function approachOf(ship: ShipState, site: LandingSite): Checked<Approach> {
-  const { body, shipClass, terrainHeight } = site;
+  const { body, shipClass, terrainHeight, delay = 0 } = site;
   // The game's own server sends ICRF alone: at 1 au good to 15 µm, enough for a pilot.
   const position = ship.relativePosition ?? minus(ship.position, body.position);
   const velocity = ship.relativeVelocity ?? minus(ship.velocity, body.velocity);
@@ -60,6 +69,9 @@ export function approachOf(ship: ShipState, site: LandingSite): Checked<Approach
   if (!overGround.every(Number.isFinite)) return refused('relativeVelocity: expected finite numbers');
   if (!ship.attitude.every(Number.isFinite)) return refused('attitude: expected finite numbers');
   if (!(ship.mass > 0 && ship.mass < Infinity)) return refused('mass: expected a finite number > 0 kg');
+  if (!(delay >= 0 && delay < Infinity)) return refused(`delay: expected ≥ 0 s, got ${delay}`);
+  if (!ship.angularVelocity.every(Number.isFinite))
+    return refused('angularVelocity: expected finite numbers');
   const ground = terrainHeight(body.name, ...rotate(inverse(body.attitude), up));
   if (!Number.isFinite(ground)) return refused('terrainHeight: expected a finite number');
   const climb = dot(overGround, up);
@@ -67,9 +79,19 @@ export function approachOf(ship: ShipState, site: LandingSite): Checked<Approach
     height: distance - (body.radius + ground + shipClass.groundContactOffset),
     climb,
     drift: rotate(inverse(ship.attitude), minus(overGround, scaled(up, climb))),
-    upright: dot(rotate(ship.attitude, [0, 0, 1]), up),
+    upright: Math.max(dot(rotate(ship.attitude, TOP), up), dot(rotate(turned(ship, delay), TOP), up)),
     gravity: (GRAVITATIONAL_CONSTANT * body.mass) / (distance * distance),
   });
+}
+
+/** The attitude after `seconds` more of the ship's turning, in steps each of which turns a little less than it should. */
+function turned({ attitude, angularVelocity }: ShipState, seconds: number): Quat {
+  const [x, y, z] = scaled(angularVelocity, seconds / (2 * STEPS));
+  const perLength = 1 / Math.sqrt(x * x + y * y + z * z + 1);
+  const step: Quat = [x * perLength, y * perLength, z * perLength, perLength];
+  let after = attitude;
+  for (let i = 0; i < STEPS; i++) after = compose(step, after);
+  return after;
 }
 
 /**

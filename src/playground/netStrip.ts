@@ -44,6 +44,11 @@ export function createNetStrip(host: Element): NetStrip {
   const counts = append(legend, 'span');
   const corrections = append(legend, 'span');
   const context = canvas.getContext('2d');
+  // Told of its size, and not asking for it: to ask in a frame is to have the page laid out at once.
+  new ResizeObserver(() => {
+    canvas.width = canvas.clientWidth;
+    canvas.height = canvas.clientHeight;
+  }).observe(canvas);
   const before: number[] = FATES.map(() => 0);
   let marks: Mark[] = [];
 
@@ -79,11 +84,7 @@ function drawMarks(
   marks: readonly Mark[],
   now: number,
 ): void {
-  const { clientWidth: width, clientHeight: height } = canvas;
-  if (canvas.width !== width || canvas.height !== height) {
-    canvas.width = width;
-    canvas.height = height;
-  }
+  const { width, height } = canvas;
   context.clearRect(0, 0, width, height);
   context.fillStyle = 'rgba(128,144,160,0.35)';
   context.fillRect(0, height - 1, width, 1);

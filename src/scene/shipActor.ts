@@ -69,6 +69,8 @@ export function createActor(ship: ShipView, wardrobe: Wardrobe, inAir: boolean):
   jets.frustumCulled = false;
   jets.renderOrder = 3;
   jets.visible = false;
+  // Most stand still and dark: placeJets moves those that are seen.
+  jets.matrixAutoUpdate = false;
   firePower(jets, power);
   return {
     className: ship.shipClass.name,
@@ -93,6 +95,7 @@ export function removeActor(actor: ShipActor, group: Group): void {
 export function placeJets({ jets, place, turn }: ShipActor, eye: Float64Array): void {
   jets.position.set(place[0]! - eye[0]!, place[1]! - eye[1]!, place[2]! - eye[2]!);
   jets.quaternion.set(turn[0]!, turn[1]!, turn[2]!, turn[3]!);
+  jets.updateMatrix();
 }
 
 const rates = new Float64Array(3);

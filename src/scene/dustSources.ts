@@ -83,7 +83,7 @@ function sweep(dust: Dust, state: DustState, ship: DustyShip, seconds: number): 
   const height = Math.max(0.5, ship.place[1]! - ship.groundY);
   const strength = (ship.thrust / 150_000) * Math.min(1, (16 / height) ** 2);
   if (strength < 0.03) return;
-  state.owed += Math.min(strength * 220, 130) * seconds;
+  state.owed += Math.min(strength * 280, 220) * seconds;
   const reach = height / down;
   const x = ship.place[0]! + ship.blows[0]! * reach;
   const z = ship.place[2]! + ship.blows[2]! * reach;
@@ -97,7 +97,7 @@ function sweep(dust: Dust, state: DustState, ship: DustyShip, seconds: number): 
     velocity[0] = Math.cos(around) * out;
     velocity[1] = out * (0.03 + 0.12 * roll(state) ** 2);
     velocity[2] = Math.sin(around) * out;
-    dust.throwGrain(place, velocity, { seconds: 1.1 + roll(state), size: 1, opacity: 0.42 });
+    dust.throwGrain(place, velocity, { seconds: 1.1 + roll(state), size: 1.4, opacity: 0.62 });
   }
 }
 

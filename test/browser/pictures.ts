@@ -19,10 +19,10 @@ interface Picture {
 
 const PICTURES: readonly Picture[] = [
   { name: 'opening', query: 'scenario=opening', at: 14, panels: true },
-  { name: 'touch', query: 'scenario=bounce', at: 1.15, panels: false },
-  { name: 'slide', query: 'scenario=slide-mars', at: 2.4, panels: false },
-  { name: 'righted', query: 'scenario=topple', at: 11, panels: true },
-  { name: 'freighter', query: 'scenario=freighter-hold', at: 3, panels: false },
+  { name: 'touch', query: 'scenario=bounce', at: 1.3, panels: false },
+  { name: 'slide', query: 'scenario=slide-mars', at: 1.9, panels: false },
+  { name: 'tipped', query: 'scenario=topple', at: 8, panels: true },
+  { name: 'freighter', query: 'scenario=freighter-hold', at: 2.5, panels: false },
   { name: 'phobos', query: 'scenario=settle-phobos', at: 12, panels: false },
   { name: 'earth', query: 'scenario=settle-earth&ship=fast_frigate', at: 6, panels: false },
 ];
@@ -42,7 +42,7 @@ async function take(browser: Browser, url: string, picture: Picture, folder: str
   if (!picture.panels) await page.keyboard.press('h');
   await page.waitForSelector('html[data-frozen=true]', { timeout: 180_000 });
   const path = join(folder, `${picture.name}.jpg`);
-  await page.screenshot({ path, type: 'jpeg', quality: 84, timeout: 60_000 });
+  await page.screenshot({ path, type: 'jpeg', quality: 80, timeout: 60_000 });
   console.log(`${picture.name}: ${(await page.getAttribute('html', 'data-status')) ?? ''}`);
   await context.close();
 }

@@ -1,4 +1,7 @@
-/** Turning vectors between ICRF and body axes. Quaternions (x, y, z, w), unit; `out` may be `v`. */
+/**
+ * Turning vectors between ICRF and body axes. Quaternions (x, y, z, w), unit; `out` may be `v`. Results are written, not returned: a
+ * double that a function returns is boxed wherever the engine does not inline the call, sixty times a second.
+ */
 
 /** out = q v q⁻¹: body axes → ICRF. */
 export function toInertial(out: Float64Array, q: Float64Array, v: Float64Array): void {
@@ -10,12 +13,9 @@ export function toBodyAxes(out: Float64Array, q: Float64Array, v: Float64Array):
   turn(out, q, v, -1);
 }
 
-export function dot(a: Float64Array, b: Float64Array): number {
-  return a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
-}
-
-export function length(v: Float64Array): number {
-  return Math.sqrt(dot(v, v));
+/** out[at] = a · b */
+export function writeDot(out: Float64Array, at: number, a: Float64Array, b: Float64Array): void {
+  out[at] = a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
 }
 
 /** out = a × b; `out` is neither. */

@@ -1,5 +1,5 @@
 import type { ShipView } from '../prediction';
-import { dot } from './axes';
+import { writeDot } from './axes';
 import type { Surface } from './surface';
 
 /** The design's descent data. m, m/s, s; NaN where a number is not known or has no meaning now. */
@@ -24,17 +24,16 @@ export function createDescent(): Descent {
 }
 
 export function measureDescent(out: Descent, surface: Surface, ship: ShipView): void {
-  const feetHeight = feetAboveGround(ship);
-  out.shown = feetHeight < DESCENT_CEILING;
+  out.feetHeight = standsOnGround(ship) ? 0 : ship.feetHeight;
+  out.shown = out.feetHeight < DESCENT_CEILING;
   out.verticalSpeed = -surface.radialSpeed;
   out.horizontalSpeed = surface.tangentialSpeed;
-  out.feetHeight = feetHeight;
-  out.timeToImpact = ship.surfaceState === '' && !ship.crashed ? timeToImpact(surface, ship) : NaN;
+  measureTimeToImpact(out, surface, ship);
 }
 
 /** On the ground the drawn legs stand on it, whatever depth the law has (PREDICTION, "nothing is drawn underground"). */
-export function feetAboveGround(ship: ShipView): number {
-  return ship.surfaceState !== '' || ship.feetHeight < 0 ? 0 : ship.feetHeight;
+export function standsOnGround(ship: ShipView): boolean {
+  return ship.surfaceState !== '' || ship.feetHeight < 0;
 }
 
 export function forgetDescent(out: Descent): void {
@@ -49,15 +48,21 @@ export function forgetDescent(out: Descent): void {
  * Until the law's own touch (‖r‖ = surface_r) over level ground: clearance = v t + ½ a t², a the downward acceleration of
  * gravity, less what thrust and the speed along the curved ground hold against it, all as they are now.
  */
-function timeToImpact(surface: Surface, ship: ShipView): number {
+function measureTimeToImpact(out: Descent, surface: Surface, ship: ShipView): void {
+  out.timeToImpact = NaN;
   const falling = -surface.radialSpeed;
-  if (!(falling > 0)) return NaN;
-  if (surface.clearance <= 0) return 0;
-  const u = ship.velocity;
-  const rising = dot(u, surface.normal);
-  const circling = (dot(u, u) - rising * rising) / surface.distance;
+  if (ship.surfaceState !== '' || ship.crashed || !(falling > 0)) return;
+  if (surface.clearance <= 0) {
+    out.timeToImpact = 0;
+    return;
+  }
+  writeDot(product, 0, ship.velocity, surface.normal);
+  writeDot(product, 1, ship.velocity, ship.velocity);
+  const circling = (product[1]! - product[0]! * product[0]!) / surface.distance;
   const a = surface.gravity - surface.lift / surface.mass - circling;
   const discriminant = falling * falling + 2 * a * surface.clearance;
   // This form of the root stays exact as a goes through 0.
-  return discriminant < 0 ? NaN : (2 * surface.clearance) / (falling + Math.sqrt(discriminant));
+  if (discriminant >= 0) out.timeToImpact = (2 * surface.clearance) / (falling + Math.sqrt(discriminant));
 }
+
+const product = new Float64Array(2);

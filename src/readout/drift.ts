@@ -1,4 +1,4 @@
-import { dot, toBodyAxes } from './axes';
+import { toBodyAxes, writeDot } from './axes';
 import type { Surface } from './surface';
 
 /**
@@ -24,24 +24,28 @@ export function createDrift(): Drift {
 }
 
 const stood = new Float64Array(3);
+const product = new Float64Array(2);
 
 export function measureDrift(out: Drift, surface: Surface, attitude: Float64Array): void {
   standUp(stood, surface);
   toBodyAxes(stood, attitude, stood);
   out.x = stood[0]!;
   out.y = stood[1]!;
-  out.scale = nextScale(out.scale, surface.tangentialSpeed);
+  rescale(out, surface);
 }
 
 /** v turned by the shortest rotation n → up: v − 2 (v·half) up' in closed form for v ⟂ n. */
 function standUp(out: Float64Array, { normal, up, tangential }: Surface): void {
-  const along = dot(tangential, up) / Math.max(1e-12, 1 + dot(normal, up));
+  writeDot(product, 0, tangential, up);
+  writeDot(product, 1, normal, up);
+  const along = product[0]! / Math.max(1e-12, 1 + product[1]!);
   for (let k = 0; k < 3; k++) out[k] = tangential[k]! - along * (normal[k]! + up[k]!);
 }
 
-function nextScale(now: number, speed: number): number {
-  let at = SCALES.findIndex((scale) => scale === now);
-  while (at < SCALES.length - 1 && speed > SCALES[at]!) at++;
-  while (at > 0 && speed < ROOM_TO_SHRINK * SCALES[at - 1]!) at--;
-  return SCALES[at]!;
+function rescale(out: Drift, { tangentialSpeed }: Surface): void {
+  let at = 0;
+  while (at < SCALES.length - 1 && SCALES[at]! !== out.scale) at++;
+  while (at < SCALES.length - 1 && tangentialSpeed > SCALES[at]!) at++;
+  while (at > 0 && tangentialSpeed < ROOM_TO_SHRINK * SCALES[at - 1]!) at--;
+  out.scale = SCALES[at]!;
 }

@@ -1,5 +1,5 @@
 import type { Provenance, ShipView, WorldView } from '../prediction';
-import { feetAboveGround } from './descent';
+import { standsOnGround } from './descent';
 import { type StatusId, statusOf } from './status';
 
 /** One ship's row. */
@@ -83,5 +83,8 @@ function fillRow(row: FleetRow, ship: ShipView): void {
   row.status = statusOf(ship.shownState);
   row.provenance = ship.provenance;
   row.withdrawn = ship.withdrawn;
-  row.height = ship.provenance === 'stale' ? NaN : feetAboveGround(ship);
+  // Three stores, not one of three values: whole number and double in one place are boxed.
+  if (ship.provenance === 'stale') row.height = NaN;
+  else if (standsOnGround(ship)) row.height = 0;
+  else row.height = ship.feetHeight;
 }

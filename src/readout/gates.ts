@@ -27,19 +27,27 @@ export function createGates(): Gates {
 }
 
 export function measureGates(out: Gates, surface: Surface, settings: LoadedSettings): void {
+  const { tilt, spin, vertical, horizontal } = out;
   out.shown = true;
-  judge(out.tilt, (surface.tilt * 180) / Math.PI, settings.contactSettleTiltDeg);
-  judge(out.spin, surface.spin, settings.contactSettleAngularVel);
-  judge(out.vertical, surface.vertical, settings.contactSettleLinearVel);
-  judge(out.horizontal, surface.tangentialSpeed, settings.contactSettleLinearVel);
+  tilt.value = (surface.tilt * 180) / Math.PI;
+  tilt.limit = settings.contactSettleTiltDeg;
+  spin.value = surface.spin;
+  spin.limit = settings.contactSettleAngularVel;
+  vertical.value = surface.vertical;
+  vertical.limit = settings.contactSettleLinearVel;
+  horizontal.value = surface.tangentialSpeed;
+  horizontal.limit = settings.contactSettleLinearVel;
+  judge(tilt);
+  judge(spin);
+  judge(vertical);
+  judge(horizontal);
 }
 
 function gate(): Gate {
-  return { value: 0, limit: 0, met: false };
+  // In this order: objects that begin with a `value` of any type share their layout with it, and its doubles would be boxed.
+  return { met: false, value: NaN, limit: NaN };
 }
 
-function judge(out: Gate, value: number, limit: number): void {
-  out.value = value;
-  out.limit = limit;
-  out.met = value < limit;
+function judge(gate: Gate): void {
+  gate.met = gate.value < gate.limit;
 }

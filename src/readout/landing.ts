@@ -122,14 +122,14 @@ function readNumbers(out: LandingReadout, view: WorldView, ship: ShipView): void
   const { surface, journey, tipping, righting } = out.memory;
   out.known = true;
   measureDescent(out.descent, surface, ship);
-  measureTilt(out.tilt, surface, ship.shipClass, view.settings);
+  measureTilt(out.tilt, surface, view.settings);
   out.tilt.prominent = out.status === 'contact' || out.status === 'tipped';
   measureDrift(out.drift, surface, ship.attitude);
   out.touchdownShown =
     out.touchdown.known && (out.status === 'landed' || out.status === 'tipped' || out.status === 'crashed');
   if (out.status === 'contact') {
     measureGates(out.gates, surface, view.settings);
-    measureTipMargin(out.margin, tipping, surface, view, journey.now);
+    measureTipMargin(out.margin, tipping, surface, view, journey);
   } else forgetTipping(tipping);
   if (out.status === 'tipped') measureRighting(out.righting, righting, surface, view, ship);
   else forgetRightingRun(righting.run);

@@ -6,7 +6,7 @@ import {
   type TranslationAction,
 } from './actions';
 import { createRightingRun, forgetRightingRun, type RightingRun, runRighting } from './rightingRun';
-import { pointOfNoReturn, type Surface } from './surface';
+import type { Surface } from './surface';
 
 /** How a tipped ship gets up again, or why it cannot (HUD, righting help; DYNAMICS, "What this gives"). */
 export interface Righting {
@@ -89,11 +89,11 @@ export function measureRighting(
   chooseActions(out, memory.inputs, surface, ship);
   out.possible = out.torqueAvailable > out.torqueNeeded;
   chooseHelp(out, surface, ship);
-  if (out.possible) runRighting(memory.run, memory.inputs, surface.tilt, view, ship);
+  if (out.possible) runRighting(memory.run, memory.inputs, surface, view, ship);
   else forgetRightingRun(memory.run);
   out.outcome = memory.run.outcome;
   out.holdSeconds = memory.run.holdSeconds;
-  out.holdUntil = (pointOfNoReturn(ship.shipClass) * 180) / Math.PI;
+  out.holdUntil = (surface.noReturn * 180) / Math.PI;
   out.fuelNeeded = memory.run.fuelNeeded;
 }
 
@@ -105,8 +105,9 @@ function chooseActions(out: Righting, inputs: Float64Array, surface: Surface, sh
   // Exactly upside down every axis serves.
   const shareX = level > 1e-9 ? Math.abs(x) / level : 1;
   const shareY = level > 1e-9 ? Math.abs(y) / level : 0;
-  const torqueX = shareX * availableTorque(ship, 0);
-  const torqueY = shareY * availableTorque(ship, 1);
+  writeAvailableTorque(torque, ship);
+  const torqueX = shareX * torque[0]!;
+  const torqueY = shareY * torque[1]!;
   const xFirst = torqueX >= torqueY;
   const useX = xFirst || shareX > SECOND_KEY * shareY;
   const useY = !xFirst || shareY > SECOND_KEY * shareX;
@@ -122,10 +123,12 @@ function chooseActions(out: Righting, inputs: Float64Array, surface: Surface, sh
 }
 
 /** DYNAMICS, actuators: wheel + RCS, RCS only while there is fuel. */
-function availableTorque(ship: ShipView, axis: number): number {
-  const { reactionWheelTorque, rcsTorque } = ship.shipClass;
-  return reactionWheelTorque[axis]! + (ship.fuel > 0 ? rcsTorque[axis]! : 0);
+function writeAvailableTorque(out: Float64Array, { shipClass, fuel }: ShipView): void {
+  for (let axis = 0; axis < 2; axis++)
+    out[axis] = shipClass.reactionWheelTorque[axis]! + (fuel > 0 ? shipClass.rcsTorque[axis]! : 0);
 }
+
+const torque = new Float64Array(2);
 
 /** A thruster that pushes up takes weight off the feet; so does burning fuel. */
 function chooseHelp(out: Righting, surface: Surface, ship: ShipView): void {

@@ -16,7 +16,7 @@ import {
   startProjection,
   stepProjection,
 } from './projection';
-import { pointOfNoReturn } from './surface';
+import type { Surface } from './surface';
 
 /**
  * The law run ahead of a tipped ship as its pilot is told to fly it: the righting keys held until it leans less than its
@@ -72,27 +72,27 @@ export function forgetRightingRun(run: RightingRun): void {
   run.startInputX = NaN;
 }
 
-/** Goes on with the run of these inputs, or starts it. `tilt` in rad. The last answer stays until there is a new one. */
+/** Goes on with the run of these inputs, or starts it. The last answer stays until there is a new one. */
 export function runRighting(
   run: RightingRun,
   inputs: Float64Array,
-  tilt: number,
+  surface: Surface,
   view: WorldView,
   ship: ShipView,
 ): void {
-  if (!run.projection.running && differs(run, inputs, tilt, ship.fuel)) {
+  if (!run.projection.running && differs(run, inputs, surface, ship)) {
     run.startInputX = inputs[0]!;
     run.startInputY = inputs[1]!;
     run.startFuel = ship.fuel;
-    run.startTilt = tilt;
+    run.startTilt = surface.tilt;
     const controls: Controls = { ...NEUTRAL_CONTROLS, rotationInput: [inputs[0]!, inputs[1]!, 0] };
     run.released = NaN;
     startProjection(run.projection, ship, view.bodies[ship.body]!, view.settings, controls);
   }
-  if (run.projection.running) runAhead(run, Math.cos(pointOfNoReturn(ship.shipClass)));
+  if (run.projection.running) runAhead(run, Math.cos(surface.noReturn));
 }
 
-function differs(run: RightingRun, inputs: Float64Array, tilt: number, fuel: number): boolean {
+function differs(run: RightingRun, inputs: Float64Array, { tilt }: Surface, { fuel }: ShipView): boolean {
   return !(
     run.startInputX === inputs[0] &&
     run.startInputY === inputs[1] &&

@@ -1,6 +1,6 @@
-import { type Body, type BodyMotion, GRAVITATIONAL_CONSTANT, type LoadedShipClass } from '../dynamics';
+import { type Body, type BodyMotion, GRAVITATIONAL_CONSTANT } from '../dynamics';
 import type { ShipView } from '../prediction';
-import { cross, dot, length, toBodyAxes, toInertial } from './axes';
+import { cross, toBodyAxes, toInertial, writeDot } from './axes';
 
 /**
  * A ship against the ground beneath it: the quantities of DYNAMICS ("Quantities, at the start of a substep"; step 3),
@@ -39,27 +39,31 @@ export interface Surface {
   tiltRate: number;
   /** Height of the law's own contact height above the ground, m: ‖r‖ − surface_r, negative when sunk in. */
   clearance: number;
+  /** arctan(leg_radius / h): past it the centre of mass is outside the feet, rad. */
+  noReturn: number;
 }
 
+/** Numbers begin as NaN, a double: a whole one would be laid out as such, and boxed when it is not any more. */
 export function createSurface(): Surface {
   return {
     normal: new Float64Array(3),
     up: new Float64Array(3),
     normalInShip: new Float64Array(3),
-    distance: 0,
-    gravity: 0,
-    mass: 0,
-    weight: 0,
-    lift: 0,
-    penetration: 0,
-    radialSpeed: 0,
+    distance: NaN,
+    gravity: NaN,
+    mass: NaN,
+    weight: NaN,
+    lift: NaN,
+    penetration: NaN,
+    radialSpeed: NaN,
     tangential: new Float64Array(3),
-    tangentialSpeed: 0,
-    vertical: 0,
-    spin: 0,
-    tilt: 0,
-    tiltRate: 0,
-    clearance: 0,
+    tangentialSpeed: NaN,
+    vertical: NaN,
+    spin: NaN,
+    tilt: NaN,
+    tiltRate: NaN,
+    clearance: NaN,
+    noReturn: NaN,
   };
 }
 
@@ -75,15 +79,18 @@ const bodySpin = new Float64Array(3);
 const groundVelocity = new Float64Array(3);
 const spinAgainstGround = new Float64Array(3);
 const tiltAxis = new Float64Array(3);
+const product = new Float64Array(2);
 
 function measurePlace(out: Surface, ship: ShipView, body: Body): void {
   const r = ship.position;
-  out.distance = length(r);
+  writeDot(product, 0, r, r);
+  out.distance = Math.sqrt(product[0]!);
   for (let k = 0; k < 3; k++) out.normal[k] = r[k]! / out.distance;
   out.gravity = (GRAVITATIONAL_CONSTANT * body.mass) / (out.distance * out.distance);
   out.mass = ship.shipClass.dryMass + ship.fuel;
   out.weight = out.mass * out.gravity;
-  out.lift = dot(ship.thrust, out.normal);
+  writeDot(product, 0, ship.thrust, out.normal);
+  out.lift = product[0]!;
   out.clearance = out.distance - (ship.groundRadius + ship.shipClass.groundContactOffset);
   out.penetration = -out.clearance;
 }
@@ -92,9 +99,11 @@ function measureMotion(out: Surface, ship: ShipView, body: BodyMotion): void {
   for (let k = 0; k < 3; k++) bodySpin[k] = body.angularVelocity[k]!;
   cross(groundVelocity, bodySpin, ship.position);
   for (let k = 0; k < 3; k++) out.tangential[k] = ship.velocity[k]! - groundVelocity[k]!;
-  out.radialSpeed = dot(out.tangential, out.normal);
+  writeDot(product, 0, out.tangential, out.normal);
+  out.radialSpeed = product[0]!;
   for (let k = 0; k < 3; k++) out.tangential[k]! -= out.radialSpeed * out.normal[k]!;
-  out.tangentialSpeed = length(out.tangential);
+  writeDot(product, 0, out.tangential, out.tangential);
+  out.tangentialSpeed = Math.sqrt(product[0]!);
   const depth = Math.max(0, out.weight - out.lift) / (100 * out.mass);
   const stored = out.penetration - depth;
   out.vertical = Math.sqrt(out.radialSpeed * out.radialSpeed + 100 * stored * stored);
@@ -104,15 +113,15 @@ function measureLean(out: Surface, ship: ShipView, body: BodyMotion): void {
   toInertial(out.up, ship.attitude, BODY_UP);
   toBodyAxes(out.normalInShip, ship.attitude, out.normal);
   cross(tiltAxis, out.normal, out.up);
-  const sine = length(tiltAxis);
+  writeDot(product, 0, tiltAxis, tiltAxis);
+  writeDot(product, 1, out.normal, out.up);
+  const sine = Math.sqrt(product[0]!);
   // atan2 keeps its precision at 0 and 90°, where acos and asin lose half the digits.
-  out.tilt = Math.atan2(sine, dot(out.normal, out.up));
+  out.tilt = Math.atan2(sine, product[1]!);
   for (let k = 0; k < 3; k++) spinAgainstGround[k] = ship.angularVelocity[k]! - body.angularVelocity[k]!;
-  out.spin = length(spinAgainstGround);
-  out.tiltRate = sine > 1e-9 ? dot(spinAgainstGround, tiltAxis) / sine : 0;
-}
-
-/** arctan(leg_radius / h): past it the centre of mass is outside the feet, rad. */
-export function pointOfNoReturn(shipClass: LoadedShipClass): number {
-  return Math.atan2(shipClass.legRadius, shipClass.groundContactOffset);
+  writeDot(product, 0, spinAgainstGround, spinAgainstGround);
+  writeDot(product, 1, spinAgainstGround, tiltAxis);
+  out.spin = Math.sqrt(product[0]!);
+  out.tiltRate = sine > 1e-9 ? product[1]! / sine : 0;
+  out.noReturn = Math.atan2(ship.shipClass.legRadius, ship.shipClass.groundContactOffset);
 }

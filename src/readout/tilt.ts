@@ -1,5 +1,5 @@
-import type { LoadedSettings, LoadedShipClass } from '../dynamics';
-import { pointOfNoReturn, type Surface } from './surface';
+import type { LoadedSettings } from '../dynamics';
+import type { Surface } from './surface';
 
 /** How the ship leans, and the marks its gauge is read against. Degrees; NaN when not known. */
 export interface Tilt {
@@ -36,12 +36,7 @@ export function createTilt(): Tilt {
   };
 }
 
-export function measureTilt(
-  out: Tilt,
-  surface: Surface,
-  shipClass: LoadedShipClass,
-  settings: LoadedSettings,
-): void {
+export function measureTilt(out: Tilt, surface: Surface, settings: LoadedSettings): void {
   out.degrees = (surface.tilt * 180) / Math.PI;
   out.trend = surface.tiltRate > STILL ? 1 : surface.tiltRate < -STILL ? -1 : 0;
   // The side that faces down is the one local up points away from.
@@ -52,7 +47,7 @@ export function measureTilt(
   out.leanX = leans ? x / level : 0;
   out.leanY = leans ? y / level : 0;
   out.settle = settings.contactSettleTiltDeg;
-  out.noReturn = (pointOfNoReturn(shipClass) * 180) / Math.PI;
+  out.noReturn = (surface.noReturn * 180) / Math.PI;
   out.tipped = settings.contactTippedAngleDeg;
 }
 

@@ -1,7 +1,8 @@
 import { EVENT_CRASHED, EVENT_LANDED, EVENT_TIPPED } from '../dynamics';
 import type { WorldView } from '../prediction';
 import { createProjection, type Projection, startProjection, stepProjection } from './projection';
-import { pointOfNoReturn, type Surface } from './surface';
+import type { Journey } from './journey';
+import type { Surface } from './surface';
 
 /** How far a ship in contact is from toppling (HUD, tip margin). */
 export interface TipMargin {
@@ -38,16 +39,16 @@ export function createTippingMemory(): TippingMemory {
   return { projection: createProjection(), startedAt: 0, tipsAt: NaN };
 }
 
-/** `now` in game s, monotonic. A steady ship costs no substep. */
+/** A steady ship costs no substep, nor does one whose game stands still. */
 export function measureTipMargin(
   out: TipMargin,
   memory: TippingMemory,
   surface: Surface,
   view: WorldView,
-  now: number,
+  { now }: Journey,
 ): void {
   const ship = view.own!;
-  const left = pointOfNoReturn(ship.shipClass) - surface.tilt;
+  const left = surface.noReturn - surface.tilt;
   out.shown = true;
   out.degrees = (left * 180) / Math.PI;
   if (left > 0 && surface.tiltRate < WORTH_A_LOOK) {
@@ -56,7 +57,7 @@ export function measureTipMargin(
     out.timeToTipped = NaN;
     return;
   }
-  if (!memory.projection.running) {
+  if (!memory.projection.running && (Number.isNaN(memory.tipsAt) || now > memory.startedAt)) {
     memory.startedAt = now;
     startProjection(memory.projection, ship, view.bodies[ship.body]!, view.settings, ship.controls);
   }

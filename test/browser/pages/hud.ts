@@ -37,26 +37,64 @@ function showFleet(size: number): void {
   fleet.paint(fleetReadout(makeFleet(size), createFleetReadout()));
 }
 
-/** ms a frame of script, landing and fleet apart, of a ship that slides and turns beside `ships` others. */
-function time(frames: number, ships: number): { landing: number; paint: number; fleet: number } {
-  const moving = createLandingReadout();
-  const fleetNow = createFleetReadout();
+/** What a benchmark times: `frames` frames of each, of a ship that slides and turns, and of 1,000 ships of which some change. */
+const subjects = (): Record<string, (frames: number) => void> => {
   const views = STATES.sliding();
-  const others = makeFleet(ships);
-  const took = { landing: 0, paint: 0, fleet: 0 };
-  for (let i = 0; i < frames; i++) {
-    const began = performance.now();
-    landingReadout(views[i % views.length]!, moving);
-    const read = performance.now();
-    landing.paint(moving);
-    const painted = performance.now();
-    fleet.paint(fleetReadout(others, fleetNow));
-    took.landing += read - began;
-    took.paint += painted - read;
-    took.fleet += performance.now() - painted;
+  const readouts = views.map((each) => landingReadout(each, createLandingReadout()));
+  const moving = createLandingReadout();
+  const ships = makeFleet(1000);
+  const fleetNow = createFleetReadout();
+  let frame = 0;
+  /** A tenth of them climbs, and one at the top of the list turns from tipped to landed or back: the rows below it move. */
+  const change = (): void => {
+    frame++;
+    for (let i = frame % 10; i < 1000; i += 10) ships.ships[i]!.feetHeight += 0.35;
+    const first = ships.ships[8]!;
+    first.shownState = first.shownState === 'tipped' ? 'landed' : 'tipped';
+  };
+  const each = (paint: (i: number) => void) => (frames: number) => {
+    for (let i = 0; i < frames; i++) paint(i);
+  };
+  return {
+    'hud-read': each((i) => landingReadout(views[i % views.length]!, moving)),
+    'hud-paint': each((i) => landing.paint(readouts[i % readouts.length]!)),
+    'hud-paint-same': each(() => landing.paint(moving)),
+    'fleet-read-1000': each(() => {
+      change();
+      fleetReadout(ships, fleetNow);
+    }),
+    'fleet-paint-1000': each(() => {
+      change();
+      fleet.paint(fleetReadout(ships, fleetNow));
+    }),
+    'hud-paint-laid-out': each((i) => {
+      landing.paint(readouts[i % readouts.length]!);
+      document.body.getBoundingClientRect();
+    }),
+    'fleet-paint-1000-laid-out': each(() => {
+      change();
+      fleet.paint(fleetReadout(ships, fleetNow));
+      document.body.getBoundingClientRect();
+    }),
+  };
+};
+
+/** ms a frame, by subject: `rounds` rounds of each, once it is compiled for good. */
+function time(rounds: number): Record<string, number[]> {
+  const took: Record<string, number[]> = {};
+  for (const [name, run] of Object.entries(subjects())) {
+    run(1500);
+    took[name] = Array.from({ length: rounds }, () => {
+      const began = performance.now();
+      run(FRAMES_A_ROUND);
+      return (performance.now() - began) / FRAMES_A_ROUND;
+    });
   }
-  return { landing: took.landing / frames, paint: took.paint / frames, fleet: took.fleet / frames };
+  return took;
 }
+
+/** The browser's clock has steps of 0.1 ms. */
+const FRAMES_A_ROUND = 2000;
 
 /** Gives an action another key, as a player does while the game runs. */
 function rebind(action: string, label: string): void {

@@ -1,0 +1,87 @@
+/**
+ * What the HUDs cost a frame in the real browser: reading, painting (the script alone, then with the style and layout it causes).
+ *   node test/run.mjs test/bench/frames/hudPaint.ts [--json]
+ * The page is that of the browser tests, built as the playground is.
+ */
+import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import type { Browser } from 'playwright-core';
+import { build } from 'vite';
+import { findChromium, launchChromium } from '../../browser/chromium';
+import { serveFolder } from '../../browser/staticServer';
+import { type Figure, figure } from '../measure';
+
+/** The median of them is the figure. */
+const ROUNDS = 15;
+const PAGES = resolve('test/browser/pages');
+const FOLDER = resolve('node_modules/.cache/touchdown/hudPage');
+
+interface TimedWindow {
+  hud: { showFleet: (size: number) => void; time: (rounds: number) => Record<string, number[]> };
+}
+
+/** Builds the page of HUD states and serves it. */
+export async function serveHudPage(): Promise<{ url: string; close: () => Promise<void> }> {
+  await build({
+    configFile: false,
+    root: PAGES,
+    base: './',
+    logLevel: 'warn',
+    build: {
+      target: 'es2022',
+      outDir: FOLDER,
+      emptyOutDir: true,
+      modulePreload: false,
+      rolldownOptions: { input: resolve(PAGES, 'hud.html'), output: { topLevelVar: false } },
+    },
+  });
+  return serveFolder(FOLDER);
+}
+
+/** @param url of a folder with the page of HUD states, ending with a slash: serveHudPage gives one */
+export async function hudPaintFigures(browser: Browser, url: string): Promise<Figure[]> {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, locale: 'en-US' });
+  try {
+    const page = await context.newPage();
+    await page.goto(`${url}hud.html`);
+    await page.waitForSelector('html[data-ready=true]');
+    await page.evaluate(() => (window as unknown as TimedWindow).hud.showFleet(1000));
+    await page.waitForSelector('.hud-row:nth-child(12)');
+    const took = await page.evaluate((n) => (window as unknown as TimedWindow).hud.time(n), ROUNDS);
+    return Object.entries(took).map(([name, rounds]) => inMicroseconds(name, rounds));
+  } finally {
+    await context.close();
+  }
+}
+
+/** Of some microseconds a frame the two decimals of a figure in milliseconds would show nothing. */
+function inMicroseconds(name: string, rounds: readonly number[]): Figure {
+  return figure(
+    name,
+    'µs',
+    rounds.map((ms) => ms * 1000),
+  );
+}
+
+async function main(): Promise<void> {
+  const program = await findChromium();
+  if (program === null) throw new Error('no Chromium to measure in: set CHROMIUM to one');
+  const server = await serveHudPage();
+  const browser = await launchChromium(program);
+  try {
+    for (const each of await hudPaintFigures(browser, server.url)) {
+      const { name, unit, median, min, max } = each;
+      if (process.argv.includes('--json')) console.log(JSON.stringify(each));
+      else
+        console.log(
+          `${name.padEnd(26)} ${median.toFixed(1).padStart(8)} ${unit} (${String(min)} … ${String(max)})`,
+        );
+    }
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
+
+if (process.argv[1] !== undefined && pathToFileURL(resolve(process.argv[1])).href === import.meta.url)
+  await main();

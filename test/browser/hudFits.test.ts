@@ -28,6 +28,9 @@ const SIZES = [
   { width: 390, height: 844 },
 ] as const;
 
+/** Added to each letter: DejaVu Sans Bold, the widest of the fonts a machine may have, against the test's Open Sans. */
+const WIDE = '0.11em';
+
 interface FitWindow {
   show: (state: string, ships: number) => void;
 }
@@ -123,10 +126,16 @@ describeInBrowser('the HUDs on the playground', () => {
     describe(`at ${String(viewport.width)} × ${String(viewport.height)}`, () => {
       beforeAll(() => page.setViewportSize(viewport));
 
-      it.each(STATES)('fit whole: %s', async (state) => {
-        for (const ships of [1, 20]) {
-          await show(page, state, ships);
-          expect(await misfits(page), `${String(ships)} ships`).toEqual([]);
+      it.each(STATES)('fit whole, in a narrow font and in a wide one: %s', async (state) => {
+        for (const spacing of ['normal', WIDE]) {
+          await page.evaluate(
+            (wide) => document.documentElement.style.setProperty('letter-spacing', wide),
+            spacing,
+          );
+          for (const ships of [1, 20]) {
+            await show(page, state, ships);
+            expect(await misfits(page), `${String(ships)} ships, letters ${spacing} apart`).toEqual([]);
+          }
         }
         expect(problemsOf(page)).toEqual([]);
       });

@@ -138,7 +138,9 @@ describe('a ship class', () => {
     ['reactionWheelTorque', 'N m'],
   ])('takes %s up to 1e15 about each axis', (name, unit) => {
     expect(refusal({ [name]: [1e15, 0, 1e15] })).toBe('accepted');
-    expect(refusal({ [name]: [0, 0, 1.1e15] })).toContain(`${name}[2]: expected ≤ 1000000000000000 ${unit}, got`);
+    expect(refusal({ [name]: [0, 0, 1.1e15] })).toContain(
+      `${name}[2]: expected ≤ 1000000000000000 ${unit}, got`,
+    );
   });
 
   it('needs an isp and a lever only for what it has', () => {

@@ -91,8 +91,13 @@ export function createLive(program: string, listeners: LiveListeners): Live {
       inbox.push({ bytes, at });
     },
     onClosed(reason) {
-      listeners.onState(`Connection lost: ${reason}.`);
-      if (address === '') return;
+      if (address === '') {
+        listeners.onState(`Connection lost: ${reason}.`);
+        return;
+      }
+      listeners.onState(
+        `Connection lost: ${reason}. Is the server running? Tried again every ${RETRY} s; without “server=” in its address the page plays its own.`,
+      );
       clearTimeout(retry);
       retry = setTimeout(() => connection?.reconnect(), RETRY * 1000);
     },

@@ -4,7 +4,17 @@ import type { ToServer } from './server/connection';
 if (typeof document === 'undefined') {
   const early: MessageEvent<ToServer>[] = [];
   self.onmessage = (event: MessageEvent<ToServer>) => early.push(event);
-  void import('./server/worker').then(({ serve }) => serve(early));
+  // Reported, it comes to the page as the worker's error.
+  void import('./server/worker').then(
+    ({ serve }) => serve(early),
+    () => reportError(new Error('its program could not be fetched')),
+  );
 } else {
-  void import('./page').then(({ begin }) => begin(document, import.meta.url));
+  void import('./page').then(
+    ({ begin }) => begin(document, import.meta.url),
+    () => {
+      document.getElementById('banner')!.textContent =
+        'The page could not be fetched whole. Is the network off? Load it anew.';
+    },
+  );
 }

@@ -4,6 +4,8 @@ import { append, appendButton } from './elements';
 export interface Notice {
   readonly tell: (text: string) => void;
   readonly clear: () => void;
+  /** What this text said holds no longer; another's stays. */
+  readonly withdraw: (text: string) => void;
 }
 
 export function createNotice(element: HTMLElement): Notice {
@@ -21,5 +23,8 @@ export function createNotice(element: HTMLElement): Notice {
       element.hidden = false;
     },
     clear,
+    withdraw(text) {
+      if (words.textContent === text) clear();
+    },
   };
 }

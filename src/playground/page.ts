@@ -11,7 +11,7 @@ import { createHelp } from './help';
 import { listenToKeys } from './keyboard';
 import { keyCap, loadKeys, saveKeys } from './keyTable';
 import { createLive, networkOf } from './live';
-import { createNotice } from './notice';
+import { createNotice, type Notice } from './notice';
 import { keepForOffline } from './offline/keep';
 import { createPads } from './pads';
 import { createPanel } from './panel';
@@ -32,6 +32,9 @@ const LIVE_CHOICES: readonly (keyof Choices)[] = [
   'stall',
 ];
 
+/** Said from the page's opening until its first picture, where nothing else is to be said. */
+const BUILDING = 'Building the ground …';
+
 /** The playground: wires hands, server, predictor, HUDs and picture together. `program`: address of the main module. */
 export function begin(document: Document, program: string): void {
   const window = document.defaultView!;
@@ -46,8 +49,11 @@ export function begin(document: Document, program: string): void {
     notice.tell(`The link asks for what cannot be had; the rest of it holds.\n${complaints.join('\n')}`);
   const store = storeOf(window);
   let keys = loadKeys(store);
+  let said = '';
   const banner = (text: string) => {
-    if (part('banner').textContent !== text) part('banner').textContent = text;
+    said = text;
+    const shown = said === '' && !isWarm && stage !== null ? BUILDING : said;
+    if (part('banner').textContent !== shown) part('banner').textContent = shown;
   };
 
   const stage = openStage(canvas, notice.tell);
@@ -119,10 +125,14 @@ export function begin(document: Document, program: string): void {
     letGo: () => live.stick.held.clear(),
   });
   createPads(part('pads'), acts.press, acts.release);
-  if (stage !== null) steerCamera(canvas, stage);
+  if (stage !== null) {
+    steerCamera(canvas, stage);
+    watchContext(canvas, notice, () => (isResized = true));
+  }
   new window.ResizeObserver(() => (isResized = true)).observe(canvas);
   fit();
   panel.show(choices);
+  banner('');
   beginWorld();
   window.requestAnimationFrame(frame);
 
@@ -203,6 +213,7 @@ export function begin(document: Document, program: string): void {
     if (view.ready) stage?.draw(view, now);
     if (view.ready && !isWarm) {
       isWarm = true;
+      banner(said);
       keepForOffline(window, () => (root.dataset['offline'] = 'kept'));
       if (stage !== null && choices.server === '') {
         beginWorld();
@@ -232,6 +243,19 @@ export function begin(document: Document, program: string): void {
     if (seconds >= freezeAt) dataset['frozen'] = 'true';
     if (Number.isNaN(freezeAt) || seconds >= freezeAt) dataset['ready'] = 'true';
   }
+}
+
+const CONTEXT_LOST =
+  'The browser has taken the picture away: its graphics were reset, or too many pages draw. The flight goes on by the ' +
+  'displays, and the picture comes back as soon as the browser gives it back. If it does not, load the page anew.';
+
+/** Says when the picture is lost, and no longer when it is back: the renderer builds itself anew. */
+function watchContext(canvas: HTMLCanvasElement, notice: Notice, restored: () => void): void {
+  canvas.addEventListener('webglcontextlost', () => notice.tell(CONTEXT_LOST));
+  canvas.addEventListener('webglcontextrestored', () => {
+    notice.withdraw(CONTEXT_LOST);
+    restored();
+  });
 }
 
 function openStage(canvas: HTMLCanvasElement, tell: (text: string) => void): Stage | null {

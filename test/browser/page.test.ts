@@ -1,40 +1,13 @@
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import type { Page } from 'playwright-core';
-import { PNG } from 'pngjs';
 import { expect, inject, it } from 'vitest';
 import { hashRows, readShip, SHIP_STRIDE } from '../../src/dynamics';
 import { rehearse, SCENARIOS } from '../../src/rehearsal';
 import { describeInBrowser, openBuiltPage, openUrl, problemsOf, theBrowser } from './pages';
+import { shadesOf, SMALL, untilProvenance, untilStatus, untilTiltBelow } from './waits';
 
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-
-/** Until the own ship is shown in a state; the software renderer may take seconds a frame beside other work. */
-async function untilStatus(page: Page, ...wanted: string[]): Promise<void> {
-  await page.waitForFunction(
-    (states) => states.includes(document.documentElement.dataset['status'] ?? ''),
-    wanted,
-    { timeout: 45_000 },
-  );
-}
-
-async function untilProvenance(page: Page, wanted: string): Promise<void> {
-  await page.waitForFunction((state) => document.documentElement.dataset['provenance'] === state, wanted, {
-    timeout: 45_000,
-  });
-}
-
-/** Until the display's tilt gauge reads less than `angle` degrees. */
-async function untilTiltBelow(page: Page, angle: number): Promise<void> {
-  await page.waitForFunction(
-    (most) => {
-      const meter = document.querySelector('.hud-landing [role=meter][aria-label=Tilt]');
-      return Number(meter?.getAttribute('aria-valuenow') ?? 90) < most;
-    },
-    angle,
-    { timeout: 60_000, polling: 'raf' },
-  );
-}
 
 /** Tick and bits of the own ship at the scenario's end. */
 async function endOfRun(page: Page, lastTick: number): Promise<string> {
@@ -60,8 +33,6 @@ function rehearsedRun(name: string): string {
   return `${last / SHIP_STRIDE}:${String(hashRows(Float64Array.of(...vectors, end.fuel)))}`;
 }
 
-const SMALL = { viewport: { width: 960, height: 540 } };
-
 describeInBrowser('the built page', () => {
   it('opens on a landing: picture, both displays, nothing wrong', { timeout: 120_000 }, async () => {
     const page = await openBuiltPage();
@@ -72,12 +43,7 @@ describeInBrowser('the built page', () => {
     expect(await page.evaluate(() => document.querySelector('canvas')?.getContext('webgl2') !== null)).toBe(
       true,
     );
-    const png = PNG.sync.read(await page.locator('#stage').screenshot({ timeout: 60_000 }));
-    const shades = new Set<number>();
-    // The middle of the picture, which no panel covers.
-    for (let y = 100; y < 560; y += 4)
-      for (let x = 350; x < 950; x += 4) shades.add(png.data.readUInt32BE((y * png.width + x) * 4));
-    expect(shades.size).toBeGreaterThan(500);
+    expect(await shadesOf(page)).toBeGreaterThan(500);
     await page.waitForFunction(() => document.getElementById('twin')?.textContent.includes('landed'), null, {
       timeout: 15_000,
     });
@@ -241,53 +207,5 @@ describeInBrowser('the built page', () => {
     await untilStatus(page, 'flight', 'contact');
     await untilStatus(page, 'landed');
     expect(problemsOf(page)).toEqual([]);
-  });
-});
-
-describeInBrowser('the built page, when something is wrong', () => {
-  it('says what a link asks for that cannot be had', { timeout: 60_000 }, async () => {
-    const page = await openBuiltPage('?scenario=settle&rate=9000&body=Vulcan', SMALL);
-    await page.waitForSelector('#notice:not([hidden])', { timeout: 45_000 });
-    const words = (await page.textContent('#notice')) ?? '';
-    expect(words).toContain('rate: expected a number from 0.1 to 100');
-    expect(words).toContain('body: expected one of Moon, Earth, Mars, Phobos');
-  });
-
-  it('says why a file is no recording and what one is', { timeout: 60_000 }, async () => {
-    const page = await openBuiltPage('?scenario=settle', SMALL);
-    await page.waitForSelector('html[data-ready=true]', { timeout: 45_000 });
-    const file = {
-      name: 'poem.jsonl',
-      mimeType: 'text/plain',
-      buffer: Buffer.from('<b>not</b> a recording\n'),
-    };
-    await page.setInputFiles('input[type=file]', file);
-    await page.waitForSelector('#notice:not([hidden])', { timeout: 45_000 });
-    expect(await page.textContent('#notice')).toContain('poem.jsonl cannot be played: line 1: not JSON');
-  });
-
-  it('says which server cannot be reached', { timeout: 60_000 }, async () => {
-    const page = await openBuiltPage('?server=ws://127.0.0.1:9/', SMALL);
-    await page.waitForFunction(
-      () => document.getElementById('banner')?.textContent.includes('Connection lost'),
-      null,
-      {
-        timeout: 45_000,
-      },
-    );
-    expect(await page.textContent('#banner')).toContain('ws://127.0.0.1:9/');
-  });
-
-  it('goes on by its displays where there is no WebGL', { timeout: 60_000 }, async () => {
-    const context = await (await theBrowser()).newContext({ ...SMALL, locale: 'en-US' });
-    const page = await context.newPage();
-    await page.addInitScript(() => {
-      HTMLCanvasElement.prototype.getContext = () => null;
-    });
-    await page.goto(`${inject('builtPage')}?scenario=settle`);
-    await page.waitForSelector('#notice:not([hidden])', { timeout: 45_000 });
-    expect(await page.textContent('#notice')).toContain('This browser gives no WebGL 2');
-    await untilStatus(page, 'landed');
-    await context.close();
   });
 });

@@ -51,17 +51,33 @@ export type FromServer =
 
 /** The server in a Web Worker, whose `program` is the page's own main.ts: it has no world before it is told to load one. */
 export function openWorker(program: string, handlers: ConnectionHandlers): Connection {
-  const worker = new Worker(program, { type: 'module' });
-  const post = (message: ToServer) => worker.postMessage(message);
-  worker.onmessage = ({ data }: MessageEvent<FromServer>) => dispatch(data, handlers);
-  worker.onerror = ({ message }) => handlers.onClosed(`the server in the page failed: ${message}`);
+  const failed = (why: string) =>
+    handlers.onClosed(
+      `the server in the page failed (${why}); load the page anew, or in a browser that runs module workers`,
+    );
+  const worker = startWorker(program, failed);
+  const post = (message: ToServer) => worker?.postMessage(message);
+  if (worker !== null) {
+    worker.onmessage = ({ data }: MessageEvent<FromServer>) => dispatch(data, handlers);
+    // A program that could not be fetched or read is told without a message.
+    worker.onerror = ({ message }: Partial<ErrorEvent>) => failed(message ?? 'its program cannot be started');
+  }
   return {
     send: (bytes) => post({ kind: 'bytes', bytes }),
     operate: (operation) => post({ kind: 'operate', operation }),
     reconnect: () => post({ kind: 'operate', operation: { kind: 'reconnect' } }),
     setSpeed: (speed) => post({ kind: 'speed', speed }),
-    dispose: () => worker.terminate(),
+    dispose: () => worker?.terminate(),
   };
+}
+
+function startWorker(program: string, failed: (why: string) => void): Worker | null {
+  try {
+    return new Worker(program, { type: 'module' });
+  } catch (error) {
+    failed(error instanceof Error ? error.message : String(error));
+    return null;
+  }
 }
 
 function dispatch(message: FromServer, handlers: ConnectionHandlers): void {

@@ -1,0 +1,42 @@
+import type { Page } from 'playwright-core';
+import { PNG } from 'pngjs';
+
+/** Small enough for the software renderer to keep up. */
+export const SMALL = { viewport: { width: 960, height: 540 } };
+
+/** Until the own ship is shown in a state; the software renderer may take seconds a frame beside other work. */
+export async function untilStatus(page: Page, ...wanted: string[]): Promise<void> {
+  await page.waitForFunction(
+    (states) => states.includes(document.documentElement.dataset['status'] ?? ''),
+    wanted,
+    { timeout: 45_000 },
+  );
+}
+
+export async function untilProvenance(page: Page, wanted: string): Promise<void> {
+  await page.waitForFunction((state) => document.documentElement.dataset['provenance'] === state, wanted, {
+    timeout: 45_000,
+  });
+}
+
+/** Until the display's tilt gauge reads less than `angle` degrees. */
+export async function untilTiltBelow(page: Page, angle: number): Promise<void> {
+  await page.waitForFunction(
+    (most) => {
+      const meter = document.querySelector('.hud-landing [role=meter][aria-label=Tilt]');
+      return Number(meter?.getAttribute('aria-valuenow') ?? 90) < most;
+    },
+    angle,
+    { timeout: 60_000, polling: 'raf' },
+  );
+}
+
+/** How many different colours the middle of the picture has, which no panel covers. */
+export async function shadesOf(page: Page): Promise<number> {
+  const png = PNG.sync.read(await page.locator('#stage').screenshot({ timeout: 60_000 }));
+  const shades = new Set<number>();
+  for (let y = Math.round(png.height * 0.14); y < png.height * 0.77; y += 4)
+    for (let x = Math.round(png.width * 0.3); x < png.width * 0.7; x += 4)
+      shades.add(png.data.readUInt32BE((y * png.width + x) * 4));
+  return shades.size;
+}

@@ -29,7 +29,12 @@ export interface Choices {
   fleet: number;
   /** 1: the worker speaks like the game's own server of today: no hello, no fields 31–34, whole-tick inputs. */
   legacy: number;
+  /** 'auto': as fine as the machine keeps up with. 'fine': at its finest, however long a frame takes. */
+  picture: PictureChoice;
 }
+
+export const PICTURES = ['auto', 'fine'] as const;
+export type PictureChoice = (typeof PICTURES)[number];
 
 export const CLIENT_MODES = ['predicted', 'gravity', 'last'] as const;
 export type ClientMode = (typeof CLIENT_MODES)[number];
@@ -57,6 +62,7 @@ export const DEFAULT_CHOICES: Choices = {
   server: '',
   fleet: 0,
   legacy: 0,
+  picture: 'auto',
 };
 
 interface Field {
@@ -125,6 +131,7 @@ const FIELDS: readonly Field[] = [
   },
   { name: 'fleet', key: 'fleet', ...whole(0, 999) },
   { name: 'legacy', key: 'legacy', ...whole(0, 1) },
+  { name: 'picture', key: 'picture', ...oneOf(PICTURES) },
 ];
 
 export function isSocketAddress(text: string): boolean {

@@ -2,7 +2,7 @@ import { TERRAINS } from '../dynamics';
 import { createCockpitLandingHud, createFleetHud } from '../hud';
 import type { WorldView } from '../prediction';
 import { createFleetReadout, createLandingReadout, fleetReadout, landingReadout } from '../readout';
-import { createStage, type Stage } from '../scene';
+import { createStage, FINE, type Quality, qualityFor, type Stage } from '../scene';
 import { SCENARIOS } from '../rehearsal';
 import { createActs } from './actions';
 import { type Choices, OVERLAY_NAMES, readChoices, setChoice, writeChoices } from './choices';
@@ -56,7 +56,8 @@ export function begin(document: Document, program: string): void {
     if (part('banner').textContent !== shown) part('banner').textContent = shown;
   };
 
-  const stage = openStage(canvas, notice.tell);
+  const isFine = choices.picture === 'fine';
+  const stage = openStage(canvas, isFine ? FINE : qualityFor(document), notice.tell);
   const live = createLive(program, {
     onState: banner,
     onRefused: (reason) => notice.tell(`The server refused: ${reason}.`),
@@ -209,7 +210,8 @@ export function begin(document: Document, program: string): void {
     (replay?.baseline ?? live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
     dock.follow(view, now);
     // Before the picture: a canvas that changes size is blank until it is drawn again.
-    if ((Number.isNaN(freezeAt) && resolution.measure(milliseconds / 1000)) || isResized) fit();
+    const hasChanged = !isFine && Number.isNaN(freezeAt) && resolution.measure(milliseconds / 1000);
+    if (hasChanged || isResized) fit();
     if (view.ready) stage?.draw(view, now);
     if (view.ready && !isWarm) {
       isWarm = true;
@@ -258,9 +260,9 @@ function watchContext(canvas: HTMLCanvasElement, notice: Notice, restored: () =>
   });
 }
 
-function openStage(canvas: HTMLCanvasElement, tell: (text: string) => void): Stage | null {
+function openStage(canvas: HTMLCanvasElement, quality: Quality, tell: (text: string) => void): Stage | null {
   try {
-    return createStage(canvas);
+    return createStage(canvas, quality);
   } catch {
     tell(
       'This browser gives no WebGL 2, so there is no picture. Everything else works: fly by the displays. ' +

@@ -1,9 +1,13 @@
 /** Frames a second below which the picture is drawn coarser, and above which finer again. */
 const SLOW = 24;
 const FAST = 50;
+/** Wall seconds between two frames that tell that the tab was hidden. */
+const HIDDEN = 4;
 const LEVELS = [1, 0.8, 0.62, 0.5] as const;
 /** A coarser picture that is not so many times as fast is not worth it: the machine is held up by something else. */
 const WORTH = 1.15;
+/** Frames that a measurement takes at least; the one that follows a change is not counted: buffers are made anew in it. */
+const FRAMES = 6;
 /** Wall seconds of a measurement, and how many of them to wait after a step that was not worth it. */
 const SPAN = 1.5;
 const PATIENCE = 20;
@@ -20,7 +24,10 @@ export interface Resolution {
 export function createResolution(): Resolution {
   let level = 0;
   let frames = 0;
+  /** Wall seconds at which the measurement began, NaN from a change to the second frame after it. */
   let since = NaN;
+  let last = NaN;
+  let settling = false;
   let calm = 0;
   let patience = 0;
   /** Frames a second before the last step to a coarser picture, while it has not proved its worth. */
@@ -49,18 +56,24 @@ export function createResolution(): Resolution {
   return {
     share: () => LEVELS[level]!,
     measure(now) {
-      frames++;
-      if (Number.isNaN(since)) since = now;
-      const seconds = now - since;
-      if (seconds < SPAN) return false;
-      const rate = frames / seconds;
-      frames = 0;
-      since = now;
+      if (settling) {
+        settling = false;
+        return false;
+      }
       // A hidden tab is not a slow machine.
-      if (seconds > 4) return false;
-      const change = step(rate);
+      if (Number.isNaN(since) || now - last > HIDDEN) {
+        since = now;
+        frames = 0;
+      } else frames++;
+      last = now;
+      const seconds = now - since;
+      if (seconds < SPAN || frames < FRAMES) return false;
+      const change = step(frames / seconds);
       level += change;
-      return change !== 0;
+      frames = 0;
+      settling = change !== 0;
+      since = settling ? NaN : now;
+      return settling;
     },
   };
 }

@@ -7,7 +7,7 @@ const SIZE = 256;
  * What the terrain callback does not know: grain, pebbles and small pits, as slopes (R, G; 0.5 = level), brightness (B) and
  * stoniness (A). It repeats; the ground samples it at several scales. Only light plays on it: nothing stands on it.
  */
-export function createDetailTexture(): DataTexture {
+export function createDetailTexture(anisotropy: number): DataTexture {
   const heights = new Float32Array(SIZE * SIZE);
   grain(heights);
   pits(heights, { count: 90, seed: 3, largest: 26 });
@@ -18,8 +18,8 @@ export function createDetailTexture(): DataTexture {
   texture.magFilter = LinearFilter;
   texture.minFilter = LinearMipmapLinearFilter;
   texture.generateMipmaps = true;
-  // The ground is seen at a grazing angle: without it the middle distance is a smear of streaks.
-  texture.anisotropy = 4;
+  // The ground is seen at a grazing angle: at 1 the middle distance is a smear of streaks.
+  texture.anisotropy = anisotropy;
   texture.needsUpdate = true;
   return texture;
 }

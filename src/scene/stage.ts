@@ -13,6 +13,7 @@ import { createJetMaterial } from './jets';
 import { createTurn, layFrame, type LocalFrame, rotate, toLocalPoint, turnOfFrame } from './localFrame';
 import { createOverlays, type OverlayChoice } from './overlays';
 import { anyChosen, createPlaces, placeOverlays } from './overlayPlaces';
+import type { Quality } from './quality';
 import { createRocks } from './rocks';
 import { createActor, createShelf, placeJets, poseActor, removeActor, type ShipActor } from './shipActor';
 import { createShipMaterial } from './shipMaterial';
@@ -52,10 +53,10 @@ const FRAME_REACH = 20_000;
 /** No ship is larger than this around its centre of mass, m. */
 const SHIP_REACH = 30;
 
-export function createStage(canvas: HTMLCanvasElement): Stage {
+export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage {
   const renderer = new WebGLRenderer({
     canvas,
-    antialias: true,
+    antialias: quality.antialias,
     reversedDepthBuffer: true,
     powerPreference: 'high-performance',
   });
@@ -64,7 +65,7 @@ export function createStage(canvas: HTMLCanvasElement): Stage {
   renderer.shadowMap.type = PCFShadowMap;
   const scene = new Scene();
   const camera = new PerspectiveCamera(48, 16 / 9, 0.4, 600_000);
-  const detail = createDetailTexture();
+  const detail = createDetailTexture(quality.anisotropy);
   const groundMaterial = createGroundMaterial(detail);
   const ground = createGround(groundMaterial);
   const sky = createSky(detail);

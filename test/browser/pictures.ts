@@ -36,7 +36,7 @@ async function take(browser: Browser, url: string, picture: Picture, folder: str
   const page = await context.newPage();
   // Slow, so that a software renderer stops near the moment that was asked for.
   const slow = picture.at > 6 ? 1 : 0.1;
-  await page.goto(`${url}?${picture.query}&slow=${slow}&freeze=${picture.at}`);
+  await page.goto(`${url}?${picture.query}&picture=fine&slow=${slow}&freeze=${picture.at}`);
   // From the first report on the page listens to keys.
   await page.waitForSelector('html[data-status]', { timeout: 60_000 });
   if (!picture.panels) await page.keyboard.press('h');

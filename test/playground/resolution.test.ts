@@ -25,6 +25,17 @@ describe('resolution', () => {
     expect(play(createResolution(), 60, () => 6)).toEqual([1, 0.8, 1, 0.8, 1]);
   });
 
+  it('leaves out the frame in which the buffers of another size are made', () => {
+    const resolution = createResolution();
+    const shares = [resolution.share()];
+    let hasChanged = false;
+    for (let now = 0; now < 40; now += hasChanged ? 2 : 0.25 * resolution.share() ** 2) {
+      hasChanged = resolution.measure(now);
+      if (hasChanged) shares.push(resolution.share());
+    }
+    expect(shares).toEqual([1, 0.8, 0.62, 0.5]);
+  });
+
   it('goes back up when the machine has room again', () => {
     const resolution = createResolution();
     play(resolution, 10, (share) => 10 / share ** 2);

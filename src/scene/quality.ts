@@ -1,0 +1,22 @@
+/** What of the picture is dear where the processor draws: both together are more than half of a picture's time there. */
+export interface Quality {
+  readonly antialias: boolean;
+  /** Samples along the ground as it is seen at a grazing angle. */
+  readonly anisotropy: number;
+}
+
+export const FINE: Quality = { antialias: true, anisotropy: 4 };
+export const QUICK: Quality = { antialias: false, anisotropy: 1 };
+
+const BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+/** What the machine keeps up with, by the name of what draws; a browser that hides the name is taken to draw with a GPU. */
+export function qualityFor(document: Document): Quality {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (gl === null) return QUICK;
+  const names = [gl.getParameter(gl.RENDERER) as unknown];
+  const unmasked = gl.getExtension('WEBGL_debug_renderer_info');
+  if (unmasked !== null) names.push(gl.getParameter(unmasked.UNMASKED_RENDERER_WEBGL));
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return BY_PROCESSOR.test(names.join(' ')) ? QUICK : FINE;
+}

@@ -210,7 +210,9 @@ export function begin(document: Document, program: string): void {
     (replay?.baseline ?? live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
     dock.follow(view, now);
     // Before the picture: a canvas that changes size is blank until it is drawn again.
-    const hasChanged = !isFine && Number.isNaN(freezeAt) && resolution.measure(milliseconds / 1000);
+    // Frames in which nothing is drawn tell nothing of the machine.
+    const isMeasured = view.ready && !isFine && Number.isNaN(freezeAt);
+    const hasChanged = isMeasured && resolution.measure(milliseconds / 1000);
     if (hasChanged || isResized) fit();
     if (view.ready) stage?.draw(view, now);
     if (view.ready && !isWarm) {

@@ -4,7 +4,8 @@
  *
  * The browser here draws with the processor, a few frames a second; a frame then has a large part of a second of the game to
  * work through, in code that hardly ever runs. So each show is measured twice: as it is ("drawn"), and with the triangles
- * left out, all other calls to WebGL made, at the display's own rate: what is left on a machine whose GPU keeps up.
+ * left out, all other calls to WebGL made, at the display's own rate: what is left on a machine whose GPU keeps up. Last the
+ * HUDs alone, which take so little that they are timed by many paintings at once.
  */
 import { mkdirSync } from 'node:fs';
 import { resolve } from 'node:path';
@@ -12,7 +13,9 @@ import type { Browser, Page } from 'playwright-core';
 import { build } from 'vite';
 import { findChromium, launchChromium } from '../browser/chromium';
 import { serveFolder } from '../browser/staticServer';
+import { hudPaintFigures, serveHudPage } from './frames/hudPaint';
 import { type FrameFigure, frameFigures, type TraceEvent } from './frames/trace';
+import type { Figure } from './measure';
 
 interface Show {
   readonly name: string;
@@ -68,8 +71,17 @@ function print(figure: FrameFigure): void {
   else {
     const { name, frames, p50, p95, max } = figure;
     const columns = [p50, p95, max].map((value) => value.toFixed(2).padStart(9));
-    console.log(`${name.padEnd(22)} ${columns.join(' ')} ms  ${frames} frames`);
+    console.log(`${name.padEnd(27)} ${columns.join(' ')} ms  ${frames} frames`);
   }
+}
+
+function printPaint(figure: Figure): void {
+  const { name, unit, median, min, max } = figure;
+  if (asJson) console.log(JSON.stringify(figure));
+  else
+    console.log(
+      `${name.padEnd(27)} ${median.toFixed(1).padStart(9)} ${unit} (${String(min)} … ${String(max)})`,
+    );
 }
 
 async function main(): Promise<void> {
@@ -79,14 +91,17 @@ async function main(): Promise<void> {
   mkdirSync(folder, { recursive: true });
   await build({ logLevel: 'warn', build: { outDir: folder, emptyOutDir: true } });
   const server = await serveFolder(folder);
+  const huds = await serveHudPage();
   const browser = await launchChromium(program);
   if (!asJson)
-    console.log(`${''.padEnd(22)} ${['p50', 'p95', 'max'].map((word) => word.padStart(9)).join(' ')}`);
+    console.log(`${''.padEnd(27)} ${['p50', 'p95', 'max'].map((word) => word.padStart(9)).join(' ')}`);
   try {
     for (const show of SHOWS) (await measure(browser, server.url, show)).forEach(print);
+    (await hudPaintFigures(browser, huds.url)).forEach(printPaint);
   } finally {
     await browser.close();
     await server.close();
+    await huds.close();
   }
 }
 

@@ -75,6 +75,7 @@ export function begin(document: Document, program: string): void {
   let before = NaN;
   /** The first picture builds the ground and compiles its programs, a second or more: the show then begins again, whole. */
   let isWarm = false;
+  let isBuilding = false;
   let isResized = false;
   const landingHud = createCockpitLandingHud(document, part('hud'), {
     keyLabel: (action) => (keys.enabled ? keyCap(keys.map[action]) : ''),
@@ -214,9 +215,11 @@ export function begin(document: Document, program: string): void {
     const isMeasured = view.ready && !isFine && Number.isNaN(freezeAt);
     const hasChanged = isMeasured && resolution.measure(milliseconds / 1000);
     if (hasChanged || isResized) fit();
-    if (view.ready) stage?.draw(view, now);
+    if (view.ready && (isWarm || !isBuilding)) stage?.draw(view, now);
     if (view.ready && !isWarm) {
-      isWarm = true;
+      isBuilding = true;
+      isWarm = stage === null || stage.hasDrawn();
+      if (!isWarm) return;
       banner(said);
       keepForOffline(window, () => (root.dataset['offline'] = 'kept'));
       if (stage !== null && choices.server === '') {

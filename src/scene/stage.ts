@@ -6,6 +6,7 @@ import { createRig, placeEye, releaseRig, turnRig, updateRig, zoomRig } from './
 import { createDetailTexture } from './detailTexture';
 import { createDust } from './dust';
 import { raiseDust } from './dustSources';
+import { createFence } from './fence';
 import { createGround } from './ground';
 import { createGroundMaterial, paintGround, placeGrain } from './groundMaterial';
 import { createHulls } from './hulls';
@@ -30,6 +31,8 @@ export interface Stage {
   setTerrain(terrainHeight: TerrainHeight): void;
   /** Draws a ready view. `seconds` is a clock for easing and effects: monotone, and still while time stands still. */
   draw(view: WorldView, seconds: number): void;
+  /** Whether the first picture stands: making the GPU's programs takes it seconds, while the calls have long returned. */
+  hasDrawn(): boolean;
   /** CSS pixels and device pixels a CSS pixel. */
   resize(width: number, height: number, pixelRatio: number): void;
   /** rad; positive turns the eye to the right and up. */
@@ -63,6 +66,7 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
   renderer.toneMapping = ACESFilmicToneMapping;
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
+  const fence = createFence(renderer.getContext() as WebGL2RenderingContext);
   const scene = new Scene();
   const camera = new PerspectiveCamera(48, 16 / 9, 0.4, 600_000);
   const detail = createDetailTexture(quality.anisotropy);
@@ -249,7 +253,9 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
       shineOnGround(actor, watched);
       wardrobe.jet.uniforms['flicker']!.value = 0.92 + 0.08 * Math.sin(seconds * 61) * Math.sin(seconds * 37);
       renderer.render(scene, camera);
+      if (first) fence.set();
     },
+    hasDrawn: fence.isPassed,
     resize(width, height, pixelRatio) {
       renderer.setPixelRatio(pixelRatio);
       renderer.setSize(width, height, false);
@@ -272,11 +278,22 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
       watchedClass = '';
     },
     dispose() {
-      for (const owned of [ground, sky, light, rocks, dust, overlays, wardrobe.shelf, wardrobe.hull, hulls])
-        owned.dispose();
-      wardrobe.jet.dispose();
-      groundMaterial.dispose();
-      detail.dispose();
+      const { shelf, hull, jet } = wardrobe;
+      const owned = [
+        ground,
+        sky,
+        light,
+        rocks,
+        dust,
+        overlays,
+        shelf,
+        hull,
+        jet,
+        hulls,
+        groundMaterial,
+        detail,
+      ];
+      for (const each of owned) each.dispose();
       renderer.dispose();
     },
   };

@@ -2,8 +2,9 @@ import type { SunPlace } from './localFrame';
 
 /** How a body's ground and sky look. Colours are linear RGB, 0 … 1. */
 export interface BodyLook {
-  /** Dust between stones, and the stones. */
+  /** Dust between stones, what covers it in patches some hundred metres wide, and the stones. */
   readonly dust: readonly [number, number, number];
+  readonly cover: readonly [number, number, number];
   readonly stone: readonly [number, number, number];
   /** 1: dark ground that shines back at all angles alike, as regolith without air does; 0: Lambert. */
   readonly regolith: number;
@@ -45,6 +46,7 @@ export interface Neighbour {
 
 const MOON: BodyLook = {
   dust: [0.2, 0.193, 0.183],
+  cover: [0.155, 0.15, 0.143],
   stone: [0.3, 0.292, 0.28],
   regolith: 0.7,
   sun: { elevation: 13, azimuth: 58 },
@@ -64,6 +66,7 @@ const MOON: BodyLook = {
 
 const PHOBOS: BodyLook = {
   dust: [0.105, 0.096, 0.09],
+  cover: [0.11, 0.107, 0.105],
   stone: [0.17, 0.158, 0.148],
   regolith: 0.8,
   sun: { elevation: 19, azimuth: 40 },
@@ -83,6 +86,7 @@ const PHOBOS: BodyLook = {
 
 const MARS: BodyLook = {
   dust: [0.4, 0.17, 0.08],
+  cover: [0.23, 0.11, 0.066],
   stone: [0.25, 0.115, 0.066],
   regolith: 0.25,
   sun: { elevation: 17, azimuth: 62 },
@@ -104,6 +108,7 @@ const MARS: BodyLook = {
 
 const EARTH: BodyLook = {
   dust: [0.185, 0.145, 0.075],
+  cover: [0.075, 0.095, 0.032],
   stone: [0.2, 0.18, 0.14],
   regolith: 0,
   sun: { elevation: 21, azimuth: 65 },

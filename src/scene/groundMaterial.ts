@@ -32,6 +32,7 @@ const FRAGMENT = /* glsl */ `
 uniform sampler2D detail;
 uniform vec3 dust;
 uniform vec3 stone;
+uniform vec3 cover;
 uniform float regolith;
 uniform vec3 sunColour;
 uniform vec3 sunDirection;
@@ -55,7 +56,8 @@ void main() {
   vec2 slope = (fine.rg - 0.5) * 0.9 + (mid.gr - 0.5) * 0.8 + (wide.rg - 0.5) * 0.55 + (vast.gr - 0.5) * 0.3;
   vec3 normal = normalize(vNormal - vec3(slope.x, 0.0, slope.y));
   float stony = clamp(fine.a * 0.9 + mid.a * 0.5, 0.0, 1.0);
-  vec3 albedo = mix(dust, stone, stony * 0.7);
+  vec3 albedo = mix(dust, cover, smoothstep(0.42, 0.58, 0.5 * wide.b + 0.5 * vast.b));
+  albedo = mix(albedo, stone, stony * 0.7);
   albedo *= 0.62 + 0.28 * fine.b + 0.36 * mid.b * wide.b + 0.34 * vast.b;
   albedo = mix(albedo, stone * 0.9, smoothstep(0.75, 0.45, vNormal.y) * 0.8);
 
@@ -68,7 +70,7 @@ void main() {
   float toSun = max(dot(normal, sunDirection), 0.0);
   float toView = max(dot(normal, toEye), 0.0);
   float lambert = toSun;
-  float backscatter = toSun / (toSun + toView + 0.08) * (0.78 + 0.5 * pow(max(dot(toEye, sunDirection), 0.0), 6.0));
+  float backscatter = toSun / (toSun + toView + 0.2) * (0.8 + 0.5 * pow(max(dot(toEye, sunDirection), 0.0), 6.0));
   float lit = mix(lambert, backscatter, regolith);
   lit *= smoothstep(-0.25, 0.25, vSunlit) * getShadowMask();
   // Light from around: most from above, and from where the sun shines on other ground.
@@ -109,6 +111,7 @@ export function createGroundMaterial(detail: DataTexture): ShaderMaterial {
       eyeGrain: { value: [0, 0, 0, 0] },
       dust: { value: new Color() },
       stone: { value: new Color() },
+      cover: { value: new Color() },
       regolith: { value: 0 },
       sunColour: { value: new Color() },
       sunDirection: { value: new Vector3() },
@@ -128,6 +131,7 @@ export function paintGround(material: ShaderMaterial, look: BodyLook, sunDirecti
     (uniforms[name]!.value as Color).setRGB(r * scale, g * scale, b * scale);
   colour('dust', look.dust);
   colour('stone', look.stone);
+  colour('cover', look.cover);
   colour('sunColour', look.sunColour, look.sunStrength);
   colour('fillColour', look.fill, look.air === null ? 1 : 3);
   colour('hazeColour', look.air?.horizon ?? [0, 0, 0]);

@@ -1,4 +1,4 @@
-import { mat3, quat } from 'gl-matrix';
+import { mat3, quat, vec3 } from 'gl-matrix';
 import type { Body, Quat } from '../dynamics';
 
 /**
@@ -21,6 +21,14 @@ export interface SunPlace {
 }
 
 const RADIANS = Math.PI / 180;
+
+const inverse = new Float64Array(4) as unknown as quat;
+
+/** ICRF -> the axes of a body with this attitude. */
+export function toBodyAxes(out: Float64Array, attitude: Quat, way: Float64Array): void {
+  quat.conjugate(inverse, attitude);
+  vec3.transformQuat(out, way, inverse);
+}
 
 /** A frame under a point in body axes. */
 export function layFrame(body: Body, point: ArrayLike<number>, sun: SunPlace): LocalFrame {

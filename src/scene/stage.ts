@@ -9,9 +9,10 @@ import { raiseDust } from './dustSources';
 import { createFence } from './fence';
 import { createGround } from './ground';
 import { createGroundMaterial, paintGround, placeGrain } from './groundMaterial';
+import { shineOnGround } from './groundShine';
 import { createHulls } from './hulls';
 import { createJetMaterial } from './jets';
-import { createTurn, layFrame, type LocalFrame, rotate, toLocalPoint, turnOfFrame } from './localFrame';
+import { createTurn, layFrame, type LocalFrame, toBodyAxes, toLocalPoint, turnOfFrame } from './localFrame';
 import { createOverlays, type OverlayChoice } from './overlays';
 import { anyChosen, createPlaces, placeOverlays } from './overlayPlaces';
 import type { Quality } from './quality';
@@ -110,13 +111,7 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
   const lay = (view: WorldView, ship: ShipView) => {
     const body = view.bodies[ship.body]!;
     look = lookOf(body.name);
-    // The attitude's inverse turns the ship's place into body axes.
-    const axes = turnOfFrame(
-      createTurn(),
-      { bodyName: '', radius: 0, axes: Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1), sunSlope: 0 },
-      body.attitude,
-    );
-    rotate(point, axes.matrix, ship.standPosition);
+    toBodyAxes(point, body.attitude, ship.standPosition);
     frame = layFrame(body, point, look.sun);
     ground.lay(frame, terrain);
     rocks.lay(frame, terrain);
@@ -242,7 +237,8 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
       const size = watched.shipClass.groundContactOffset * 2.2;
       light.follow(actor.place, eye, size, size * 2 + Math.max(height, 0) / light.direction.y);
       const over = actor.place[1]! - ground.shadowY(actor.place[0]!, actor.place[2]!);
-      light.shade(Math.min(Math.max(0.5 + over / (2 * watched.shipClass.groundContactOffset), 0), 1));
+      const sunlit = 0.5 + over / (2 * watched.shipClass.groundContactOffset);
+      renderer.toneMappingExposure = light.shade(Math.min(Math.max(sunlit, 0), 1), waited);
       sky.look(eye[1]!, body.radius, turn.quaternion);
       if (anyChosen(choice))
         placeOverlays(places, { view, ship: watched, actor, frame: frame!, turn, eye, groundY });
@@ -250,7 +246,7 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
       if (overlays.group.visible) overlays.update(choice, places);
       camera.up.set(0, 1, 0);
       camera.lookAt(focus[0]! - eye[0]!, focus[1]! - eye[1]!, focus[2]! - eye[2]!);
-      shineOnGround(actor, watched);
+      shineOnGround(groundMaterial, actor, watched, eye);
       wardrobe.jet.uniforms['flicker']!.value = 0.92 + 0.08 * Math.sin(seconds * 61) * Math.sin(seconds * 37);
       renderer.render(scene, camera);
       if (first) fence.set();
@@ -297,16 +293,4 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
       renderer.dispose();
     },
   };
-
-  function shineOnGround(actor: ShipActor, ship: ShipView): void {
-    const flame = groundMaterial.uniforms['flame']!.value as number[];
-    const { eye } = rig;
-    const reach = ship.shipClass.groundContactOffset * 0.8;
-    flame[0] = actor.place[0]! - eye[0]! + actor.blows[0]! * reach;
-    flame[1] = actor.place[1]! - eye[1]! + actor.blows[1]! * reach;
-    flame[2] = actor.place[2]! - eye[2]! + actor.blows[2]! * reach;
-    const crashed = ship.shownState === 'crashed';
-    const lit = actor.jets.visible ? ship.controls.thrustLevel * 60 : 0;
-    flame[3] = crashed ? -3 * ship.shipClass.groundContactOffset : lit;
-  }
 }

@@ -8,14 +8,20 @@ export interface Sunlight {
   /** Local, unit, towards the sun. */
   readonly direction: Vector3;
   paint(look: BodyLook, frame: LocalFrame): void;
-  /** How much of the sun reaches ship and stones, 0 … 1: the ground knows its own shadows, they do not. */
-  shade(share: number): void;
+  /**
+   * How much of the sun reaches ship and stones, 0 … 1: the ground knows its own shadows, they do not. Gives how far the camera
+   * is open, 1 in the sun, `seconds` after the call before: it opens as the eye does to see what stands in the dark.
+   */
+  shade(share: number, seconds: number): number;
   /** Centres the shadow map on a local point, `reach` m to each side; `depth` m down-sun to the ground. */
   follow(place: Float64Array, eye: Float64Array, reach: number, depth: number): void;
   dispose(): void;
 }
 
 const MAP = 1024;
+/** How much more than in the sun the camera opens for a ship in the dark, and how fast, 1/s. */
+const OPENS = 1.7;
+const ADAPTS = 1.5;
 
 export function createSunlight(): Sunlight {
   const sun = new DirectionalLight();
@@ -31,11 +37,13 @@ export function createSunlight(): Sunlight {
   const side = new Vector3();
   const over = new Vector3();
   let full = 1;
+  let exposure = NaN;
 
   return {
     group,
     direction,
     paint(look, frame) {
+      exposure = NaN;
       direction.set(1, frame.sunSlope, 0).normalize();
       side.set(0, 0, 1);
       over.copy(direction).cross(side).normalize();
@@ -48,10 +56,14 @@ export function createSunlight(): Sunlight {
       around.color.setRGB(fr * 3, fg * 3, fb * 3);
       around.groundColor.setRGB(fr + dr * bounce, fg + dg * bounce, fb + db * bounce);
     },
-    shade(share) {
+    shade(share, seconds) {
       sun.intensity = full * share;
       // In a hill's shadow the ground below is dark too.
       around.intensity = Math.PI * (0.35 + 0.55 * share);
+      const wanted = 1 + OPENS * (1 - share);
+      if (Number.isNaN(exposure)) exposure = wanted;
+      exposure += (wanted - exposure) * (1 - Math.exp(-ADAPTS * seconds));
+      return exposure;
     },
     follow(place, eye, reach, depth) {
       // The map's grid of texels stays where it is in the world while the ship moves over it.

@@ -9,9 +9,9 @@ const PADS: readonly (readonly [Action, string, string])[] = [
   ['rollMinus', '↺', 'Roll left'],
   ['rollPlus', '↻', 'Roll right'],
   ['rateDamping', '◎', 'Rate damping'],
+  ['throttleCut', '✕', 'Cut the engine'],
   ['throttleUp', '▲', 'Throttle up'],
   ['throttleDown', '▼', 'Throttle down'],
-  ['throttleCut', '✕', 'Cut the engine'],
 ];
 
 /** Pads for fingers; they hold while touched. Shown on small screens and where fingers are the pointer. */

@@ -32,6 +32,9 @@ const LIVE_CHOICES: readonly (keyof Choices)[] = [
   'stall',
 ];
 
+/** CSS pixels of width below which no picture is drawn coarser. */
+const SHARP = 600;
+
 /** Said from the page's opening until its first picture, where nothing else is to be said. */
 const BUILDING = 'Building the ground …';
 
@@ -184,11 +187,17 @@ export function begin(document: Document, program: string): void {
     );
   }
 
+  /** Device pixels a CSS pixel; a small picture is no gain when coarser. */
+  function pixelRatio(width: number): number {
+    const share = Math.max(resolution.share(), Math.min(SHARP / width, 1));
+    return Math.min(window.devicePixelRatio, 2) * share;
+  }
+
   function fit(): void {
     isResized = false;
     const { clientWidth, clientHeight } = canvas;
     if (clientWidth > 0 && clientHeight > 0)
-      stage?.resize(clientWidth, clientHeight, Math.min(window.devicePixelRatio, 2) * resolution.share());
+      stage?.resize(clientWidth, clientHeight, pixelRatio(clientWidth));
   }
 
   function frame(milliseconds: number): void {

@@ -41,7 +41,11 @@ const page: UserConfig = {
         index: here('src/playground/index.html'),
         offline: here('src/playground/offline/serviceWorker.ts'),
       },
-      treeshake: { moduleSideEffects: [{ test: PURE, sideEffects: false }] },
+      treeshake: {
+        moduleSideEffects: [{ test: PURE, sideEffects: false }],
+        // What three tells its developers of outdated calls weighs more than a kilobyte; its errors stay.
+        manualPureFunctions: ['warn', 'warnOnce'],
+      },
       output: {
         ...CONSTANTS,
         entryFileNames: ({ name }) => (name === 'offline' ? OFFLINE_SCRIPT : 'assets/[name]-[hash].js'),

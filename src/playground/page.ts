@@ -2,16 +2,17 @@ import { TERRAINS } from '../dynamics';
 import { createCockpitLandingHud, createFleetHud } from '../hud';
 import type { WorldView } from '../prediction';
 import { createFleetReadout, createLandingReadout, fleetReadout, landingReadout } from '../readout';
-import { createStage, FINE, type Quality, qualityFor, type Stage } from '../scene';
+import { FINE, qualityFor } from '../scene';
 import { SCENARIOS } from '../rehearsal';
 import { createActs } from './actions';
 import { type Choices, OVERLAY_NAMES, readChoices, setChoice, writeChoices } from './choices';
 import { createDock } from './dock';
-import { createHelp } from './help';
+import { openStage, watchContext } from './graphics';
+import type { Help } from './help';
 import { listenToKeys } from './keyboard';
 import { keyCap, loadKeys, saveKeys } from './keyTable';
 import { createLive, networkOf } from './live';
-import { createNotice, type Notice } from './notice';
+import { createNotice } from './notice';
 import { keepForOffline } from './offline/keep';
 import { createPads } from './pads';
 import { createPanel } from './panel';
@@ -100,14 +101,7 @@ export function begin(document: Document, program: string): void {
   const dock = createDock(part('dock'), theatre.listeners);
   takeDrops(document.body, theatre.load);
   const panel = createPanel(part('panel'), { change, act: (act) => acts.act(act) });
-  const help = createHelp(
-    document,
-    () => keys,
-    (next) => {
-      keys = next;
-      saveKeys(store, keys);
-    },
-  );
+  let help: Promise<Help> | null = null;
   const acts = createActs({
     live,
     panel,
@@ -117,7 +111,7 @@ export function begin(document: Document, program: string): void {
       panel.show(choices);
     },
     begin: beginAnew,
-    help: help.open,
+    help: openHelp,
     resetCamera: () => stage?.resetCamera(),
     copyLink,
     banner,
@@ -140,6 +134,24 @@ export function begin(document: Document, program: string): void {
   banner('');
   beginWorld();
   window.requestAnimationFrame(frame);
+
+  /** The dialog is fetched when it is first asked for. */
+  function openHelp(): void {
+    help ??= import('./help').then(({ createHelp }) =>
+      createHelp(
+        document,
+        () => keys,
+        (next) => saveKeys(store, (keys = next)),
+      ),
+    );
+    help.then(
+      ({ open }) => open(),
+      () => {
+        help = null;
+        notice.tell('The list of keys could not be fetched. Is the network off? Press the key again.');
+      },
+    );
+  }
 
   function change(name: keyof Choices, text: string): string | null {
     const reason = setChoice(choices, name, text);
@@ -258,31 +270,6 @@ export function begin(document: Document, program: string): void {
     const seconds = (view.tick * view.timeScale) / view.tickRate + view.sinceTick;
     if (seconds >= freezeAt) dataset['frozen'] = 'true';
     if (Number.isNaN(freezeAt) || seconds >= freezeAt) dataset['ready'] = 'true';
-  }
-}
-
-const CONTEXT_LOST =
-  'The browser has taken the picture away: its graphics were reset, or too many pages draw. The flight goes on by the ' +
-  'displays, and the picture comes back as soon as the browser gives it back. If it does not, load the page anew.';
-
-/** Says when the picture is lost, and no longer when it is back: the renderer builds itself anew. */
-function watchContext(canvas: HTMLCanvasElement, notice: Notice, restored: () => void): void {
-  canvas.addEventListener('webglcontextlost', () => notice.tell(CONTEXT_LOST));
-  canvas.addEventListener('webglcontextrestored', () => {
-    notice.withdraw(CONTEXT_LOST);
-    restored();
-  });
-}
-
-function openStage(canvas: HTMLCanvasElement, quality: Quality, tell: (text: string) => void): Stage | null {
-  try {
-    return createStage(canvas, quality);
-  } catch {
-    tell(
-      'This browser gives no WebGL 2, so there is no picture. Everything else works: fly by the displays. ' +
-        'To see the ship, allow hardware acceleration in the settings or try another browser.',
-    );
-    return null;
   }
 }
 

@@ -11,7 +11,7 @@ import { describeInBrowser, openBuiltPage, problemsOf } from './pages';
 /** The most that an opened page's code may weigh, in bytes as sent with gzip, terrain and models apart. */
 const HEAVIEST = 250_000;
 /** What the page fetches only when it is asked for. */
-const ON_DEMAND = /(plotting|replaying)-[\w-]+\.(js|css)$/;
+const ON_DEMAND = /(help|plotting|replaying)-[\w-]+\.(js|css)$/;
 
 /** How many different colours the stage alone shows, of the pixels on a grid of 16 pixels. */
 async function coloursOf(page: Page): Promise<number> {
@@ -42,7 +42,7 @@ describeInBrowser('the built page', () => {
 
   // Once the page has its first picture and time to spare, its service worker fetches all of it again, plots too, to have it
   // without a network: twice the weight, but nothing that anyone waits for. It is counted neither here nor as part of the load.
-  it(`weighs at most ${HEAVIEST / 1000} kB, apart from plots and replays, which come when they are asked for`, async () => {
+  it(`weighs at most ${HEAVIEST / 1000} kB, apart from plots, replays and help, which come when they are asked for`, async () => {
     const page = await openBuiltPage();
     await page.waitForSelector('html[data-ready=true]', { timeout: 30_000 });
     const fetched = await page.evaluate(() =>

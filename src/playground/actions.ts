@@ -118,9 +118,13 @@ export function createActs(place: ActsPlace): Acts {
       if (isFlight(action)) {
         state.cutAt = NaN;
         press(live.stick, action, live.flown());
+        live.steer();
       } else keys[action]?.();
     },
-    release: (action) => release(live.stick, action),
+    release(action) {
+      release(live.stick, action);
+      if (isFlight(action)) live.steer();
+    },
     act: (act) => acts[act](),
     tick(wall) {
       if (live.clock.now() >= state.cutAt) {

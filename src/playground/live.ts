@@ -28,6 +28,8 @@ export interface Live {
   readonly baseline: Baseline;
   /** receive → advance → view, and what is to be sent goes out. */
   readonly frame: () => WorldView;
+  /** The stick was moved: taken at once, however far off the next frame is. */
+  readonly steer: () => void;
   /** A new world, as the choices say. */
   readonly begin: (choices: Choices) => void;
   readonly operate: (operation: Operation) => void;
@@ -155,6 +157,19 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     return stick.touched || script === null ? byHand : null;
   }
 
+  function advance(now: number): void {
+    const controls = fly(now);
+    predictor.advance(controls, now);
+    listeners.onEntry({ kind: 'advanced', at: now, controls });
+  }
+
+  function send(now: number): void {
+    for (const message of predictor.outgoing()) {
+      connection?.send(encodeClientMessage(message));
+      listeners.onEntry({ kind: 'sent', at: now, message });
+    }
+  }
+
   return {
     clock,
     stick,
@@ -163,15 +178,16 @@ export function createLive(program: string, listeners: LiveListeners): Live {
       const now = clock.now();
       if (held) return view;
       for (const { bytes, at } of inbox.splice(0)) receive(bytes, at);
-      const controls = fly(now);
-      predictor.advance(controls, now);
-      listeners.onEntry({ kind: 'advanced', at: now, controls });
+      advance(now);
       view = predictor.view(now);
-      for (const message of predictor.outgoing()) {
-        connection?.send(encodeClientMessage(message));
-        listeners.onEntry({ kind: 'sent', at: now, message });
-      }
+      send(now);
       return view;
+    },
+    steer() {
+      if (held) return;
+      const now = clock.now();
+      advance(now);
+      send(now);
     },
     begin(choices) {
       script = scriptOf(choices);

@@ -5,7 +5,7 @@ import type { Live } from '../../src/playground/live';
 import { createReplay } from '../../src/playground/replay';
 import { scriptOf } from '../../src/playground/script';
 import type { FromServer, ToServer } from '../../src/playground/server/connection';
-import { press } from '../../src/playground/stick';
+import { press, release } from '../../src/playground/stick';
 import type { WorldView } from '../../src/prediction';
 import {
   bell,
@@ -218,6 +218,30 @@ describe('the hand on the stick', () => {
     expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
     expect(own).toMatchObject({ provenance: 'confirmed' });
     expect(own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0], attitudeMode: 'none' });
+  });
+
+  it('taps as long as the finger did, however far apart the frames are', async () => {
+    const { live, play, entries } = await open({ scenario: 'opening', network: 'lan' });
+    play(2, 3);
+    for (const hand of [press, release]) {
+      vi.advanceTimersByTime(60);
+      hand(live.stick, 'pitchPlus', live.flown());
+      live.steer();
+    }
+    play(2, 2);
+    const turns = entries.flatMap((entry) =>
+      entry.kind === 'sent' && entry.message.kind === 'inputs' ? entry.message.inputs : [],
+    );
+    expect(turns.map(({ controls }) => controls.rotationInput)).toEqual([
+      [1, 0, 0],
+      [0, 0, 0],
+    ]);
+    // 60 ms of 10 ms each.
+    const [down, up] = turns.map(({ tick, substep }) => tick * 100 + substep);
+    expect(up! - down!).toBeGreaterThanOrEqual(5);
+    expect(up! - down!).toBeLessThanOrEqual(7);
+    const { diagnosis } = live.frame();
+    expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsLateInput: 0 });
   });
 
   it('takes over without a change of controls too', async () => {

@@ -1,4 +1,5 @@
 import { FLYING, REFERENCE_BODY, SURFACE_STATE, type World } from '../dynamics';
+import { groundRadius, layGround } from './drawnGround';
 import { hullOf, LEGS } from './hull';
 import { pose } from './pose';
 import { lengthOf, rotateBack, seenFrom } from './rotation';
@@ -20,14 +21,13 @@ export function fillGhost(out: ShipView, track: Track, world: World, exactly: bo
   out.ghostPosition.set(ghost.position);
   out.ghostAttitude.set(ghost.attitude);
   const { shipClass } = out;
-  const radius = (nx: number, ny: number, nz: number) =>
-    body.radius + world.terrainHeight(body.name, nx, ny, nz);
-  const [x, y, z] = ghost.position;
-  const distance = lengthOf(ghost.position);
-  ground.radius = radius(x! / distance, y! / distance, z! / distance);
+  const { position } = ghost;
+  const distance = lengthOf(position);
+  layGround(body, world.terrainHeight);
+  ground.radius = groundRadius(position[0]! / distance, position[1]! / distance, position[2]! / distance);
   // Out of the ground's reach, as for the ship itself.
   if (distance - ground.radius > 2 * shipClass.groundContactOffset + shipClass.legRadius) return;
-  if (exactly) standOnGround(standing, ghost, hullOf(shipClass), radius);
+  if (exactly) standOnGround(standing, ghost, hullOf(shipClass), groundRadius);
   else standOnLevel(standing, ghost, hullOf(shipClass), ground);
   out.ghostPosition.set(standing.position);
 }

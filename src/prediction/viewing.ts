@@ -18,6 +18,7 @@ import {
 } from '../dynamics';
 import { relax } from './ease';
 import { fillGhost } from './ghost';
+import { groundRadius, layGround } from './drawnGround';
 import { hullOf, LEGS } from './hull';
 import { writeLocked } from './landedLock';
 import { pose, writeAttitude } from './pose';
@@ -213,8 +214,7 @@ function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
   drawn.grounded = out.surfaceState !== '';
   if (exactly) {
     scene.standings -= 1;
-    terrain.body = body;
-    terrain.height = scene.world.terrainHeight;
+    layGround(body, scene.world.terrainHeight);
     standOnGround(standing, drawn, hullOf(shipClass), groundRadius);
   } else {
     level.radius = out.groundRadius;
@@ -229,14 +229,6 @@ function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
 const FAR = 2;
 const level: LevelGround = { radius: 0 };
 const standing: StandingPose = createStandingPose(LEGS);
-const terrain: { body: { name: string; radius: number }; height: World['terrainHeight'] } = {
-  body: { name: '', radius: 0 },
-  height: () => 0,
-};
-
-function groundRadius(nx: number, ny: number, nz: number): number {
-  return terrain.body.radius + terrain.height(terrain.body.name, nx, ny, nz);
-}
 
 /** What engine and thrusters give now, N, ICRF (DYNAMICS, Actuators). */
 function fillThrust(out: ShipView, rows: Float64Array, from: number): void {

@@ -61,22 +61,23 @@ function createPlot(
     grid: { stroke: 'rgba(128,144,160,0.25)', width: 1 },
     ticks: { show: false },
   };
+  const place = append(holder, 'div');
   const made = new Plot(
     {
       title,
-      width: Math.max(200, holder.clientWidth),
+      width: Math.max(200, place.clientWidth),
       height: HEIGHT,
       legend: { live: false },
       cursor: { show: false },
       scales: { x: { time: false } },
       axes: [
         { ...axis, size: 20 },
-        { ...axis, size: 46 },
+        { ...axis, size: 46, values: (_, splits) => splits.map(tickText) },
       ],
       series: [{}, ...series],
     },
     [[], ...gauges.map(() => [])],
-    append(holder, 'div'),
+    place,
   );
   return (samples) => {
     const times = samples.times();
@@ -84,6 +85,13 @@ function createPlot(
     const ago = times.map((time) => time - newest);
     made.setData([ago, ...rings.map((ring) => samples.values(ring).map(orGap))]);
   };
+}
+
+/** Errors are millimetres and less: a tick must not read 0 for each of them. */
+function tickText(value: number): string {
+  return value === 0 || Math.abs(value) >= 0.001
+    ? String(Number(value.toPrecision(4)))
+    : value.toExponential(0);
 }
 
 /** What is not known is a gap in the line. */

@@ -6,7 +6,7 @@ export interface Quality {
 }
 
 export const FINE: Quality = { antialias: true, anisotropy: 4 };
-export const QUICK: Quality = { antialias: false, anisotropy: 1 };
+const QUICK: Quality = { antialias: false, anisotropy: 1 };
 
 const BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 

@@ -1,6 +1,6 @@
 import { expect, inject, it } from 'vitest';
 import { describeInBrowser, openBuiltPage, theBrowser } from './pages';
-import { shadesOf, SMALL, untilStatus } from './waits';
+import { shadesOf, SMALL, untilBanner, untilStatus } from './waits';
 
 describeInBrowser('the built page, when something is wrong', () => {
   it('says that it builds the ground until there is a picture', { timeout: 60_000 }, async () => {
@@ -47,13 +47,7 @@ describeInBrowser('the built page, when something is wrong', () => {
 
   it('says which server cannot be reached', { timeout: 60_000 }, async () => {
     const page = await openBuiltPage('?server=ws://127.0.0.1:9/', SMALL);
-    await page.waitForFunction(
-      () => document.getElementById('banner')?.textContent.includes('Connection lost'),
-      null,
-      {
-        timeout: 45_000,
-      },
-    );
+    await untilBanner(page, 'Connection lost');
     expect(await page.textContent('#banner')).toContain('ws://127.0.0.1:9/');
     expect(await page.textContent('#banner')).toContain('Is the server running? Tried again every 3 s');
   });
@@ -65,11 +59,7 @@ describeInBrowser('the built page, when something is wrong', () => {
     await context.route(/worker-[\w-]+\.js$/, (route) => route.abort());
     const page = await context.newPage();
     await page.goto(`${inject('builtPage')}?scenario=settle`);
-    await page.waitForFunction(
-      () => document.getElementById('banner')?.textContent.includes('the server in the page failed'),
-      null,
-      { timeout: 45_000 },
-    );
+    await untilBanner(page, 'the server in the page failed');
     expect(await page.textContent('#banner')).toContain(
       'its program could not be fetched); load the page anew',
     );
@@ -83,11 +73,7 @@ describeInBrowser('the built page, when something is wrong', () => {
     await context.route(/page-[\w-]+\.js$/, (route) => route.abort());
     const page = await context.newPage();
     await page.goto(inject('builtPage'));
-    await page.waitForFunction(
-      () => document.getElementById('banner')?.textContent.includes('could not be fetched whole'),
-      null,
-      { timeout: 45_000 },
-    );
+    await untilBanner(page, 'could not be fetched whole');
     await context.close();
   });
 

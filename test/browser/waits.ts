@@ -40,3 +40,12 @@ export async function shadesOf(page: Page): Promise<number> {
       shades.add(png.data.readUInt32BE((y * png.width + x) * 4));
   return shades.size;
 }
+
+/** Until the banner says these words, among others. */
+export async function untilBanner(page: Page, words: string): Promise<void> {
+  await page.waitForFunction(
+    (wanted) => document.getElementById('banner')?.textContent.includes(wanted),
+    words,
+    { timeout: 45_000 },
+  );
+}

@@ -1,8 +1,5 @@
-import { execFileSync } from 'node:child_process';
-import { fileURLToPath } from 'node:url';
 import { expect, it } from 'vitest';
-
-const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+import { heapFigures } from '../heapRun';
 
 /** Bytes a call that count as none: one double boxed a call would be 16. */
 const NONE = 4;
@@ -13,19 +10,7 @@ const FLEET = 1000;
 
 // Target 0. Today 0, 650 where a run ahead begins; before, 16 to 128 for the own ship's and 8,000 for a fleet of 1,000.
 it('a readout allocates nothing, of a view that stays or goes on', { timeout: 120_000 }, () => {
-  const printed = execFileSync(
-    process.execPath,
-    [
-      '--expose-gc',
-      // MB: no collection during a run, so that the heap's growth is all that was allocated.
-      '--min-semi-space-size=256',
-      '--max-semi-space-size=256',
-      'test/run.mjs',
-      'test/readout/heapOfReadouts.ts',
-    ],
-    { cwd: ROOT, encoding: 'utf8' },
-  );
-  const bytes = Object.entries(JSON.parse(printed) as Record<string, number>);
+  const bytes = Object.entries(heapFigures('test/readout/heapOfReadouts.ts'));
   expect(bytes).toHaveLength(16);
   for (const [name, grown] of bytes) {
     const bound = name.startsWith('fleet')

@@ -1,13 +1,10 @@
 /**
  * What the HUDs cost a frame in the real browser: reading, painting (the script alone, then with the style and layout it causes).
- *   node test/run.mjs test/bench/frames/hudPaint.ts [--json]
  * The page is that of the browser tests, built as the playground is.
  */
 import { resolve } from 'node:path';
-import { pathToFileURL } from 'node:url';
 import type { Browser } from 'playwright-core';
 import { build } from 'vite';
-import { findChromium, launchChromium } from '../../browser/chromium';
 import { serveFolder } from '../../browser/staticServer';
 import { type Figure, figure } from '../measure';
 
@@ -62,26 +59,3 @@ function inMicroseconds(name: string, rounds: readonly number[]): Figure {
     rounds.map((ms) => ms * 1000),
   );
 }
-
-async function main(): Promise<void> {
-  const program = await findChromium();
-  if (program === null) throw new Error('no Chromium to measure in: set CHROMIUM to one');
-  const server = await serveHudPage();
-  const browser = await launchChromium(program);
-  try {
-    for (const each of await hudPaintFigures(browser, server.url)) {
-      const { name, unit, median, min, max } = each;
-      if (process.argv.includes('--json')) console.log(JSON.stringify(each));
-      else
-        console.log(
-          `${name.padEnd(26)} ${median.toFixed(1).padStart(8)} ${unit} (${String(min)} … ${String(max)})`,
-        );
-    }
-  } finally {
-    await browser.close();
-    await server.close();
-  }
-}
-
-if (process.argv[1] !== undefined && pathToFileURL(resolve(process.argv[1])).href === import.meta.url)
-  await main();

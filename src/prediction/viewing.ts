@@ -201,8 +201,8 @@ function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
   const body = scene.world.bodies[out.body]!;
   const { shipClass } = out;
   const exactly = out.own || scene.standings > 0;
-  const height = scene.world.terrainHeight(body.name, normal[0]!, normal[1]!, normal[2]!);
-  out.groundRadius = body.radius + height;
+  layGround(body, scene.world.terrainHeight);
+  out.groundRadius = groundRadius(normal[0]!, normal[1]!, normal[2]!);
   const above = lengthOf(drawn.position) - out.groundRadius;
   // No part of the ship reaches as far as twice its height: nothing to stand on.
   if (above > FAR * shipClass.groundContactOffset + shipClass.legRadius) {
@@ -214,7 +214,6 @@ function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
   drawn.grounded = out.surfaceState !== '';
   if (exactly) {
     scene.standings -= 1;
-    layGround(body, scene.world.terrainHeight);
     standOnGround(standing, drawn, hullOf(shipClass), groundRadius);
   } else {
     level.radius = out.groundRadius;

@@ -1,4 +1,4 @@
-import { accepted, type Checked, notFinite, notFiniteTuple, type Quat, refused, type Vec3 } from './checked';
+import { accepted, type Checked, notFinite, notFiniteTuple, type Quat, refused, type Vec3 } from './result';
 import {
   BODY_ANGULAR_VELOCITY,
   BODY_ATTITUDE,

@@ -1,4 +1,4 @@
-import { type Checked, accepted, notFinite, notFiniteTuple, type Quat, refused, type Vec3 } from './checked';
+import { type Checked, accepted, notFinite, notFiniteTuple, type Quat, refused, type Vec3 } from './result';
 import {
   ATTITUDE_HOLD,
   ATTITUDE_MODE,

@@ -1,4 +1,4 @@
-import type { Quat } from './checked';
+import type { Quat } from './result';
 
 /**
  * The widest numbers the law takes: far beyond anything that flies, and far inside of what doubles hold, so that no square, product

@@ -1,5 +1,5 @@
 import { cosineOfDegrees } from './angles';
-import { accepted, type Checked, notFinite, refused } from './checked';
+import { accepted, type Checked, notFinite, refused } from './result';
 import { outside, SPEED, SPIN_SPEED } from './limits';
 
 /** The server's contact settings under the design's names (DYNAMICS, Settings). SI units, degrees where the name says so. */

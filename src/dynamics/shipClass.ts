@@ -1,4 +1,4 @@
-import { accepted, type Checked, type Mat3, notFinite, notFiniteTuple, refused, type Vec3 } from './checked';
+import { accepted, type Checked, type Mat3, notFinite, notFiniteTuple, refused, type Vec3 } from './result';
 import {
   anyOutside,
   FORCE,

@@ -1,4 +1,4 @@
-import type { Vec3 } from './checked';
+import type { Vec3 } from './result';
 import { crater, noise, noisePoint, noiseValue } from './noise';
 import type { TerrainHeight } from './world';
 

@@ -1,5 +1,5 @@
 import { moveBodies, settleBodies, turnBodies } from './body';
-import { accepted, type Checked, notFinite, refused } from './checked';
+import { accepted, type Checked, notFinite, refused } from './result';
 import { SHIP_STRIDE } from './layout';
 import { chooseReferenceBody } from './referenceBody';
 import { substep } from './substep';

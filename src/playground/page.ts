@@ -3,23 +3,23 @@ import { createCockpitLandingHud, createFleetHud } from '../hud';
 import type { WorldView } from '../prediction';
 import { createFleetReadout, createLandingReadout, fleetReadout, landingReadout } from '../readout';
 import { FINE, qualityFor } from '../scene';
-import { SCENARIOS } from '../rehearsal';
-import { createActs } from './actions';
-import { type Choices, OVERLAY_NAMES, readChoices, setChoice, writeChoices } from './choices';
-import { createDock } from './dock';
-import { openStage, watchContext } from './graphics';
-import type { Help } from './help';
-import { listenToKeys } from './keyboard';
-import { keyCap, loadKeys, saveKeys } from './keyTable';
-import { createLive, networkOf } from './live';
-import { createNotice } from './notice';
+import { SCENARIOS } from '../scenarios';
+import { createActs } from './game/actions';
+import { type Choices, OVERLAY_NAMES, readChoices, setChoice, writeChoices } from './panels/choices';
+import { createDock } from './panels/dock';
+import { openStage, watchContext } from './view/graphics';
+import type { Help } from './panels/help';
+import { listenToKeys } from './input/keyboard';
+import { keyCap, loadKeys, saveKeys } from './input/keyTable';
+import { createLive, networkOf } from './game/live';
+import { createNotice } from './panels/notice';
 import { keepForOffline } from './offline/keep';
-import { createPads } from './pads';
-import { createPanel } from './panel';
-import { steerCamera } from './pointer';
-import { createResolution } from './resolution';
-import { createTheatre, takeDrops } from './theatre';
-import { createTwin } from './twin';
+import { createPads } from './input/pads';
+import { createPanel } from './panels/panel';
+import { steerCamera } from './input/pointer';
+import { createResolution } from './view/resolution';
+import { createTheatre, takeDrops } from './view/pageView';
+import { createTwin } from './game/textTwin';
 
 /** Choices that change a running world; the others begin a new one. */
 const LIVE_CHOICES: readonly (keyof Choices)[] = [
@@ -137,7 +137,7 @@ export function begin(document: Document, program: string): void {
 
   /** The dialog is fetched when it is first asked for. */
   function openHelp(): void {
-    help ??= import('./help').then(({ createHelp }) =>
+    help ??= import('./panels/help').then(({ createHelp }) =>
       createHelp(
         document,
         () => keys,

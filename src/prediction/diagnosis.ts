@@ -1,4 +1,4 @@
-import type { Diagnosis } from './view';
+import type { Diagnosis } from './drawn/view';
 
 /** Counters at zero, gauges at rest. */
 export function createDiagnosis(): Diagnosis {

@@ -7,8 +7,8 @@ import {
   EVENT_TIPPED,
 } from '../dynamics';
 import type { ShipEventName } from '../dynamics';
-import { indexOf, isBefore, type Timeline } from './timeline';
-import type { EventNotice } from './view';
+import { indexOf, isBefore, type Timeline } from './time/timeline';
+import type { EventNotice } from './drawn/view';
 
 /**
  * The events of one ship, predicted and told (PREDICTION, States and events as predicted things). An event keeps its identity

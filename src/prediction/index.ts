@@ -3,9 +3,9 @@
 /** The whole of it: receive, advance, view. */
 export { createPredictor, type Defaults, type Predictor, type PredictorOptions } from './predictor';
 /** What the own ship does by itself. */
-export type { PlannedInput } from './inputs';
+export type { PlannedInput } from './inputs/inputs';
 /** What it gives. */
-export type * from './view';
+export type * from './drawn/view';
 /** A drawn pose on the drawn ground. */
 export {
   createStandingPose,
@@ -13,7 +13,7 @@ export {
   type GroundRadius,
   standOnGround,
   type StandingPose,
-} from './standOnGround';
-export { type Hull, hullOf, LEGS } from './hull';
+} from './drawn/standOnGround';
+export { type Hull, hullOf, LEGS } from './drawn/hull';
 /** What goes through a predictor, written down and fed again. */
 export { type PredictorEntry, recordPredictor, replayEntries } from './recorder';

@@ -11,21 +11,21 @@ import {
   type World,
 } from '../dynamics';
 import type { ClientMessage, Hello, Pong, ServerFrame, ServerMessage } from '../wire';
-import { advanceClock, createClock, forgetSchedule, jitterOf, samplePong, serverTime } from './clock';
+import { advanceClock, createClock, forgetSchedule, jitterOf, samplePong, serverTime } from './time/clock';
 import { createDiagnosis } from './diagnosis';
-import { createIntake, refuse, takeFrame } from './frames';
-import { type PlannedInput, resend, takeUnsent } from './inputs';
-import { createPace, keepPace } from './pace';
-import { createPilot, sampleControls } from './pilot';
-import { answeredPing, createPings, pingIfDue } from './pings';
-import { isFarBehind, realign } from './realign';
-import { runReplays } from './replay';
-import { checkRollback } from './rollbackCheck';
-import { createSimulation, type Simulation, stepFront } from './simulation';
-import { indexOf, type Moment, type Position, spanOf, wallOfTick, writeLater, writeMoment } from './timeline';
-import { loadWorld, sameWorld, type WorldTold } from './told';
-import type { EventNotice, WorldView } from './view';
-import { createShown, fillView, placePresent } from './worldView';
+import { createIntake, refuse, takeFrame } from './snapshots/receiver';
+import { type PlannedInput, resend, takeUnsent } from './inputs/inputs';
+import { createPace, keepPace } from './time/pace';
+import { createPilot, sampleControls } from './inputs/pilot';
+import { answeredPing, createPings, pingIfDue } from './time/pings';
+import { isFarBehind, realign } from './snapshots/realign';
+import { runReplays } from './simulation/replay';
+import { checkRollback } from './simulation/rollbackCheck';
+import { createSimulation, type Simulation, stepFront } from './simulation/simulation';
+import { indexOf, type Moment, type Position, spanOf, wallOfTick, writeLater, writeMoment } from './time/timeline';
+import { loadWorld, sameWorld, type WorldTold } from './snapshots/worldConfig';
+import type { EventNotice, WorldView } from './drawn/view';
+import { createShown, fillView, placePresent } from './drawn/worldView';
 
 /** What a predictor is made with; everything may be left out. */
 export interface PredictorOptions {

@@ -9,7 +9,7 @@ import {
   SHIP_STRIDE,
   TERRAINS,
 } from '../../src/dynamics';
-import { rehearse, type Scenario, SCENARIOS } from '../../src/rehearsal';
+import { rehearse, type Scenario, SCENARIOS } from '../../src/scenarios';
 import { decodeServerMessage, encodeServerMessage } from '../../src/wire';
 import { frameOf, input, MOON, moonWith, runTo, shipOf, valueOf } from './moon';
 

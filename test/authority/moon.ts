@@ -8,7 +8,7 @@ import {
   type ShipRecord,
   TERRAINS,
 } from '../../src/dynamics';
-import { SCENARIOS, stage } from '../../src/rehearsal';
+import { SCENARIOS, stage } from '../../src/scenarios';
 import type { InputRecord, ServerFrame } from '../../src/wire';
 
 export const MOON: AuthorityOptions = {

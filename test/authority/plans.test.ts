@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createAuthority, type SpawnOrder } from '../../src/authority';
 import { NEUTRAL_CONTROLS, SHIP_STRIDE } from '../../src/dynamics';
-import { rehearse, SCENARIOS, stage } from '../../src/rehearsal';
+import { rehearse, SCENARIOS, stage } from '../../src/scenarios';
 import { frameOf, input, MOON, runTo, shipOf, valueOf } from './moon';
 
 const thrust = (tick: number, substep: number, thrustLevel: number) => ({

@@ -7,9 +7,9 @@ import { fileURLToPath } from 'node:url';
 import { timingOfTick } from '../../src/dynamics';
 import { figure, type Figure } from './measure';
 import type { Subject } from './subjects';
-import { type Landing, runTwin } from './twin/landing';
+import { type Landing, runTwin } from './cReference/landing';
 
-const SOURCES = fileURLToPath(new URL('./twin/', import.meta.url));
+const SOURCES = fileURLToPath(new URL('./cReference/', import.meta.url));
 const CACHE = fileURLToPath(new URL('../../node_modules/.cache/touchdown/', import.meta.url));
 /** No fused multiply-add: the bits are part of the law. */
 const FLAGS = [

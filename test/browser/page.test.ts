@@ -3,7 +3,7 @@ import { createRequire } from 'node:module';
 import type { Page } from 'playwright-core';
 import { expect, inject, it } from 'vitest';
 import { hashRows, readShip, SHIP_STRIDE } from '../../src/dynamics';
-import { rehearse, SCENARIOS } from '../../src/rehearsal';
+import { rehearse, SCENARIOS } from '../../src/scenarios';
 import { describeInBrowser, openBuiltPage, openUrl, problemsOf, theBrowser } from './pages';
 import { shadesOf, SMALL, untilProvenance, untilStatus, untilTiltBelow } from './waits';
 

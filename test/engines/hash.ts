@@ -1,6 +1,6 @@
 /** What the law's bits come to, as one number an engine: every rehearsal, and cases drawn by a seed, hashed substep by substep. */
 import { hashRows } from '../../src/dynamics';
-import { SCENARIOS } from '../../src/rehearsal';
+import { SCENARIOS } from '../../src/scenarios';
 import { drawCase } from '../exact/drawCase';
 import { caseOf, type ExactCase } from '../exact/exactCase';
 import { playCase } from '../exact/playCase';

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { beginTick, endTick, hashRows, SHIP_STRIDE, stepWorld, timingOfTick } from '../../src/dynamics';
 import { compileTwin, landingOf } from '../bench/cBaseline';
 import { flying, landed, sliding, type Subject, tipped } from '../bench/subjects';
-import { type Landing, runTwin } from '../bench/twin/landing';
+import { type Landing, runTwin } from '../bench/cReference/landing';
 import { drawCase } from './drawCase';
 import type { ExactCase } from './exactCase';
 import { BODY_ROW, caseTerrain, loadCase, playCase, SHIP_ROW, writeBodyRow } from './playCase';

@@ -1,6 +1,6 @@
 /** Draws from a seeded generator by + − × ÷ √ alone, so that a seed gives the same case in every engine. */
 import type { Quat, Vec3 } from '../../src/dynamics';
-import type { Dice } from '../../src/rehearsal';
+import type { Dice } from '../../src/scenarios';
 
 export function between(dice: Dice, low: number, high: number): number {
   return low + (high - low) * dice();

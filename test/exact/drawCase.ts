@@ -9,7 +9,7 @@ import {
   type Vec3,
 } from '../../src/dynamics';
 import { add, compose, cross, rotate } from '../../src/authority';
-import { createDice, type Dice } from '../../src/rehearsal';
+import { createDice, type Dice } from '../../src/scenarios';
 import { between, chance, pick, tangent, triple, unitQuaternion, unitVector } from './draw';
 import {
   drawBody,

@@ -10,7 +10,7 @@ import {
   type ShipClass,
   type Vec3,
 } from '../../src/dynamics';
-import type { Dice } from '../../src/rehearsal';
+import type { Dice } from '../../src/scenarios';
 import { between, chance, pick, triple, unitQuaternion, unitVector, whole } from './draw';
 import type { CaseInput, CaseTerrain } from './exactCase';
 

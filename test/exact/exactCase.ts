@@ -10,7 +10,7 @@ import {
   type ShipRecord,
   type Vec3,
 } from '../../src/dynamics';
-import { type Scenario, stage, ticksOf } from '../../src/rehearsal';
+import { type Scenario, stage, ticksOf } from '../../src/scenarios';
 
 /** One ship, its world, its pilot. SI units, frames as in ShipRecord. */
 export interface ExactCase {

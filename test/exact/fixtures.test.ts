@@ -2,7 +2,7 @@ import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, expect, it, vi } from 'vitest';
-import { compareFixture, readFixture, SCENARIOS } from '../../src/rehearsal';
+import { compareFixture, readFixture, SCENARIOS } from '../../src/scenarios';
 import { MAY_SKIP, pythonVersion, SERVER_HOME, writeFixtures } from './python';
 import { SCENARIO_FILE, scenarioText } from './scenarioData';
 

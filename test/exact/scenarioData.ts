@@ -2,7 +2,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
-import { type Fixture, readFixture, SCENARIOS } from '../../src/rehearsal';
+import { type Fixture, readFixture, SCENARIOS } from '../../src/scenarios';
 import { type CaseInput, caseOf, caseToJson, type ExactCase } from './exactCase';
 
 export const SCENARIO_FILE = fileURLToPath(new URL('../server/scenarios.json', import.meta.url));

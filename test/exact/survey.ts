@@ -1,6 +1,6 @@
 /** Points of the terrains, and their heights as bits: a ship's row holds a height only after a radius was added to it. */
 import { BODIES, LANDING_SITE, TERRAINS } from '../../src/dynamics';
-import { createDice } from '../../src/rehearsal';
+import { createDice } from '../../src/scenarios';
 import { triple, unitVector } from './draw';
 import type { SurveyPoint } from './python';
 

@@ -3,8 +3,8 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
-import { writeRecording } from '../../src/rehearsal';
-import { listen, moonExchange, recordingOf } from '../rehearsal/recordedExchange';
+import { writeRecording } from '../../src/scenarios';
+import { listen, moonExchange, recordingOf } from '../scenarios/recordedExchange';
 
 const ROOT = join(import.meta.dirname, '../..');
 const FIXTURES = join(import.meta.dirname, 'fixtures');

@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { agrees, compareFixture, readFixture, TOLERANCES } from '../../src/rehearsal';
+import { agrees, compareFixture, readFixture, TOLERANCES } from '../../src/scenarios';
 import { valueOf } from '../authority/moon';
 import { parityLine } from './parityLine';
 

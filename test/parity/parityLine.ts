@@ -5,7 +5,7 @@ import {
   type Comparison,
   readFixture,
   readRecording,
-} from '../../src/rehearsal';
+} from '../../src/scenarios';
 import type { Checked } from '../../src/dynamics';
 
 /** One file's outcome as `npm run parity` prints it: a fixture, or a recording of a server's states if it is JSON lines. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { DEFAULT_CHOICES, readChoices, setChoice, writeChoices } from '../../src/playground/choices';
+import { DEFAULT_CHOICES, readChoices, setChoice, writeChoices } from '../../src/playground/panels/choices';
 
 const read = (query: string) => readChoices(new URLSearchParams(query));
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
-import { actionOf } from '../../src/playground/keyboard';
+import { actionOf } from '../../src/playground/input/keyboard';
 import {
   defaultKeys,
   firstDoubled,
@@ -9,8 +9,8 @@ import {
   loadKeys,
   rebind,
   saveKeys,
-} from '../../src/playground/keyTable';
-import { createStick, press, release, resetStick, sampleStick } from '../../src/playground/stick';
+} from '../../src/playground/input/keyTable';
+import { createStick, press, release, resetStick, sampleStick } from '../../src/playground/input/stick';
 
 /** A store in memory. */
 function storeWith(text: string | null): Storage {

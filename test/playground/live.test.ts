@@ -1,11 +1,11 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { hashRows, NEUTRAL_CONTROLS, readShip, SHIP_STRIDE } from '../../src/dynamics';
-import { type Choices, DEFAULT_CHOICES } from '../../src/playground/choices';
-import type { Live } from '../../src/playground/live';
-import { createReplay } from '../../src/playground/replay';
-import { scriptOf } from '../../src/playground/script';
+import { type Choices, DEFAULT_CHOICES } from '../../src/playground/panels/choices';
+import type { Live } from '../../src/playground/game/live';
+import { createReplay } from '../../src/playground/recording/replay';
+import { scriptOf } from '../../src/playground/game/script';
 import type { FromServer, ToServer } from '../../src/playground/server/connection';
-import { press, release } from '../../src/playground/stick';
+import { press, release } from '../../src/playground/input/stick';
 import type { WorldView } from '../../src/prediction';
 import {
   bell,
@@ -16,7 +16,7 @@ import {
   rehearse,
   SCENARIOS,
   writeRecording,
-} from '../../src/rehearsal';
+} from '../../src/scenarios';
 import { valueOf } from '../authority/moon';
 
 /** Page and worker as they are, on one clock of our own: between them only the messages that a browser would carry. */
@@ -64,7 +64,7 @@ async function open(asked: Partial<Choices>): Promise<Game> {
     },
   );
   const { serve } = await import('../../src/playground/server/worker');
-  const { createLive } = await import('../../src/playground/live');
+  const { createLive } = await import('../../src/playground/game/live');
   serve([]);
   const entries: RecordingEntry[] = [];
   const live = createLive('main.js', {

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { createPageClock } from '../../src/playground/pageClock';
-import { createReplay } from '../../src/playground/replay';
-import { createSamples, summarise } from '../../src/playground/samples';
+import { createPageClock } from '../../src/playground/game/pageClock';
+import { createReplay } from '../../src/playground/recording/replay';
+import { createSamples, summarise } from '../../src/playground/game/samples';
 import { createSession } from '../../src/playground/server/session';
 import { createPredictor, type WorldView } from '../../src/prediction';
-import { NETWORK_PRESETS, readRecording, type RecordingEntry, writeRecording } from '../../src/rehearsal';
+import { NETWORK_PRESETS, readRecording, type RecordingEntry, writeRecording } from '../../src/scenarios';
 import { decodeServerMessage, encodeClientMessage } from '../../src/wire';
 
 describe('page clock', () => {

@@ -7,8 +7,8 @@ import {
   samplePong,
   serverTime,
   steerByMargin,
-} from '../../src/prediction/clock';
-import { createDice } from '../../src/rehearsal';
+} from '../../src/prediction/time/clock';
+import { createDice } from '../../src/scenarios';
 
 const SUBSTEP = 0.01;
 

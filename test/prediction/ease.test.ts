@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createEase, type Ease, relax, restartEase } from '../../src/prediction/ease';
+import { createEase, type Ease, relax, restartEase } from '../../src/prediction/drawn/ease';
 import { createRig } from './rig';
 import { angleBetween, distance } from './samples';
 

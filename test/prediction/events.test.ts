@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { EVENT_CONTACT, EVENT_LANDED } from '../../src/dynamics';
 import { confirm, confirmByState, createLedger, predict, retract } from '../../src/prediction/events';
-import { createTimeline, setTempo } from '../../src/prediction/timeline';
+import { createTimeline, setTempo } from '../../src/prediction/time/timeline';
 import { createRig } from './rig';
 
 function ledgerAt(tickRate = 1) {

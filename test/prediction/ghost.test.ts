@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { ShipView, WorldView } from '../../src/prediction';
-import { rotate, rotateBack } from '../../src/prediction/rotation';
+import { rotate, rotateBack } from '../../src/prediction/drawn/rotation';
 import { createRig, scenarioNamed } from './rig';
 
 /** The ship's stood place in the axes of its body, m. */

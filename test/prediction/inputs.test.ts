@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { type Controls, NEUTRAL_CONTROLS, SHIP_STRIDE, THRUST_LEVEL } from '../../src/dynamics';
-import { applyDue, isPlanned, seek } from '../../src/prediction/acting';
+import { applyDue, isPlanned, seek } from '../../src/prediction/inputs/scheduledInput';
 import {
   acknowledge,
   createInputs,
@@ -9,7 +9,7 @@ import {
   resend,
   store,
   takeUnsent,
-} from '../../src/prediction/inputs';
+} from '../../src/prediction/inputs/inputs';
 import { createRig } from './rig';
 
 const thrust = (thrustLevel: number): Controls => ({ ...NEUTRAL_CONTROLS, thrustLevel });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { SCENARIOS } from '../../src/rehearsal';
+import { SCENARIOS } from '../../src/scenarios';
 import { corrections, flyAndMeasure } from './measure';
 import { createRig } from './rig';
 

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { hashRows } from '../../src/dynamics';
 import { createPredictor, type PredictorEntry, recordPredictor, replayEntries } from '../../src/prediction';
-import { readRecording, writeRecording } from '../../src/rehearsal';
+import { readRecording, writeRecording } from '../../src/scenarios';
 import { flyPilot } from '../bench/netcode/law';
 import { createRig, value } from './rig';
 

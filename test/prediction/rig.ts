@@ -25,7 +25,7 @@ import {
   SCENARIOS,
   stage,
   type StagedScenario,
-} from '../../src/rehearsal';
+} from '../../src/scenarios';
 import {
   type ClientMessage,
   type InputRecord,

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { SCENARIOS } from '../../src/rehearsal';
+import { SCENARIOS } from '../../src/scenarios';
 import { createRig, scenarioNamed } from './rig';
 
 /** Ticks gone back at every boundary, as in GGRS's sync test. */

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { type Controls, NEUTRAL_CONTROLS } from '../../src/dynamics';
 import type { ShipView } from '../../src/prediction';
-import { NETWORK_PRESETS, stage } from '../../src/rehearsal';
+import { NETWORK_PRESETS, stage } from '../../src/scenarios';
 import { corrections, flyAndMeasure, fromServer } from './measure';
 import { createRig, scenarioNamed, value } from './rig';
 import { distance } from './samples';

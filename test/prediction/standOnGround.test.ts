@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { loadShipClass, SHIP_CLASSES } from '../../src/dynamics';
 import { createStandingPose, type GroundPose, hullOf, LEGS, standOnGround } from '../../src/prediction';
-import { standOnLevel } from '../../src/prediction/standOnLevel';
+import { standOnLevel } from '../../src/prediction/drawn/standOnLevel';
 import { flyAndMeasure } from './measure';
 import { createRig, value } from './rig';
 

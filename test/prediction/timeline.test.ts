@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { SHIP_STRIDE } from '../../src/dynamics';
-import { createHistory, has, keep, offsetOf, resized, ringLength } from '../../src/prediction/history';
+import { createHistory, has, keep, offsetOf, resized, ringLength } from '../../src/prediction/simulation/history';
 import {
   createTimeline,
   indexOf,
@@ -9,7 +9,7 @@ import {
   wallOfTick,
   writeLater,
   writeMoment,
-} from '../../src/prediction/timeline';
+} from '../../src/prediction/time/timeline';
 
 const tempo = (tickRate: number, timeScale = 1, paused = false) => ({ tickRate, timeScale, paused });
 

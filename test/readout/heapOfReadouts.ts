@@ -5,8 +5,8 @@
  */
 import type { World } from '../../src/dynamics';
 import type { ShipView, WorldView } from '../../src/prediction';
-import { addTrack, createFleet } from '../../src/prediction/track';
-import { createShipView } from '../../src/prediction/viewing';
+import { addTrack, createFleet } from '../../src/prediction/simulation/track';
+import { createShipView } from '../../src/prediction/drawn/viewing';
 import { createFleetReadout, createLandingReadout, fleetReadout, landingReadout } from '../../src/readout';
 import { makeShip, makeView, NO_TOUCHDOWN, type Pose } from './views';
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { type Controls, NEUTRAL_CONTROLS } from '../../src/dynamics';
 import type { ShipView, WorldView } from '../../src/prediction';
-import { NETWORK_PRESETS, stage } from '../../src/rehearsal';
+import { NETWORK_PRESETS, stage } from '../../src/scenarios';
 import type { ClientMessage } from '../../src/wire';
 import { createLandingReadout, landingReadout, type LandingReadout } from '../../src/readout';
 import { createRig, type Rig, type RigOptions, SHIP, value } from '../prediction/rig';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { Dust } from '../../src/scene/dust';
-import { createDustState, type DustyShip, raiseDust } from '../../src/scene/dustSources';
+import type { Dust } from '../../src/scene/effects/dust';
+import { createDustState, type DustyShip, raiseDust } from '../../src/scene/effects/dustSources';
 
 interface Grain {
   readonly place: number[];

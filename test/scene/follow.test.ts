@@ -8,7 +8,7 @@ import {
   toLocalPoint,
   turnOfFrame,
 } from '../../src/scene/localFrame';
-import { groundPoint } from '../../src/scene/terrainLevel';
+import { groundPoint } from '../../src/scene/ground/terrainLevel';
 import { createRig } from '../prediction/rig';
 
 const HZ = 60;

@@ -11,8 +11,8 @@ import {
   shadeLevel,
   shadeOver,
   type TerrainLevel,
-} from '../../src/scene/terrainLevel';
-import { createSectors, writeSectors } from '../../src/scene/groundSectors';
+} from '../../src/scene/ground/terrainLevel';
+import { createSectors, writeSectors } from '../../src/scene/ground/groundSectors';
 
 const MOON = BODIES.find(({ name }) => name === 'Moon')!;
 const hills = TERRAINS['hills']!;

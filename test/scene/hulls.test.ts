@@ -1,11 +1,11 @@
 import { type Box3, type BufferGeometry, InstancedMesh, Matrix4, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { SHIP_CLASSES } from '../../src/dynamics';
-import { createHulls, type Hulls } from '../../src/scene/hulls';
-import { buildShip } from '../../src/scene/models';
-import type { ShipActor } from '../../src/scene/shipActor';
-import { createShipMaterial } from '../../src/scene/shipMaterial';
-import type { ShipModel } from '../../src/scene/shipModel';
+import { createHulls, type Hulls } from '../../src/scene/ships/hulls';
+import { buildShip } from '../../src/scene/ships/models';
+import type { ShipActor } from '../../src/scene/ships/shipActor';
+import { createShipMaterial } from '../../src/scene/ships/shipMaterial';
+import type { ShipModel } from '../../src/scene/ships/shipModel';
 
 const EYE = Float64Array.of(0, 0, 0);
 

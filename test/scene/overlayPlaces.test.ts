@@ -1,11 +1,11 @@
 import { Mesh, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { ShipView, WorldView } from '../../src/prediction';
-import { NETWORK_PRESETS } from '../../src/rehearsal';
+import { NETWORK_PRESETS } from '../../src/scenarios';
 import { createTurn, layFrame, toLocalPoint, turnOfFrame } from '../../src/scene/localFrame';
-import { createPlaces, placeOverlays } from '../../src/scene/overlayPlaces';
-import { createOverlays } from '../../src/scene/overlays';
-import type { ShipActor } from '../../src/scene/shipActor';
+import { createPlaces, placeOverlays } from '../../src/scene/overlays/overlayPlaces';
+import { createOverlays } from '../../src/scene/overlays/overlays';
+import type { ShipActor } from '../../src/scene/ships/shipActor';
 import { createRig } from '../prediction/rig';
 
 const SUN = { elevation: 15, azimuth: 60 };

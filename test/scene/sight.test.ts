@@ -1,9 +1,9 @@
 import { Frustum, Matrix4, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { BODIES, LANDING_SITE, TERRAINS } from '../../src/dynamics';
-import { createDice } from '../../src/rehearsal';
-import { createSectors, visibleRange, writeSectors } from '../../src/scene/groundSectors';
-import { isOverHorizon } from '../../src/scene/horizon';
+import { createDice } from '../../src/scenarios';
+import { createSectors, visibleRange, writeSectors } from '../../src/scene/ground/groundSectors';
+import { isOverHorizon } from '../../src/scene/sky/horizon';
 import { layFrame, type LocalFrame } from '../../src/scene/localFrame';
 import {
   CELLS,
@@ -12,7 +12,7 @@ import {
   layOutLevel,
   moveLevel,
   type TerrainLevel,
-} from '../../src/scene/terrainLevel';
+} from '../../src/scene/ground/terrainLevel';
 import { aimCone, coneMeets, createCone, type ViewCone } from '../../src/scene/viewCone';
 
 const hills = TERRAINS['hills']!;

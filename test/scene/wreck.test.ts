@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { ShipActor } from '../../src/scene/shipActor';
-import { crumple } from '../../src/scene/wreck';
+import type { ShipActor } from '../../src/scene/ships/shipActor';
+import { crumple } from '../../src/scene/ships/wreck';
 
 function actorWith(blows: readonly [number, number, number]): ShipActor {
   return {

@@ -1,5 +1,5 @@
 import { accepted, type Checked, refused } from '../../dynamics';
-import { loadNetwork, type NetworkNumbers } from '../../rehearsal';
+import { loadNetwork, type NetworkNumbers } from '../../scenarios';
 
 /** What the page's operator asks of the server in the worker, beside the protocol. */
 export type Operation =

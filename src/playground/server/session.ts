@@ -9,7 +9,7 @@ import {
   siteToIcrf,
   stage,
   type StagedScenario,
-} from '../../rehearsal';
+} from '../../scenarios';
 import { loadOperation, type LoadOperation, type Operation } from './operation';
 
 /**

@@ -1,4 +1,4 @@
-import { createPageClock } from '../pageClock';
+import { createPageClock } from '../game/pageClock';
 import type { FromServer, ToServer } from './connection';
 import type { Operation } from './operation';
 import { createSession } from './session';

@@ -1,4 +1,4 @@
-import { NETWORK_PRESETS } from '../../../src/rehearsal';
+import { NETWORK_PRESETS } from '../../../src/scenarios';
 import { type Figure, spread } from './figure';
 import { flyMeasured } from './flights';
 

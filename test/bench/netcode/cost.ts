@@ -1,17 +1,17 @@
 import { BODY_STRIDE, SHIP_STRIDE, stepWorld, writeBodyMotion, writeShip } from '../../../src/dynamics';
-import { fleetOrders, type Scenario, stage } from '../../../src/rehearsal';
+import { fleetOrders, type Scenario, stage } from '../../../src/scenarios';
 import { scenarioNamed, value } from '../../prediction/rig';
 import type { ServerFrame } from '../../../src/wire';
 import { type Figure, spread } from './figure';
 import { createAuthority } from '../../../src/authority';
 import { createPredictor } from '../../../src/prediction';
 import { createDiagnosis } from '../../../src/prediction/diagnosis';
-import { createSimulation } from '../../../src/prediction/simulation';
-import { runReplays, startReplay } from '../../../src/prediction/replay';
-import { addTrack } from '../../../src/prediction/track';
-import { setTempo } from '../../../src/prediction/timeline';
-import { tell } from '../../../src/prediction/bodyTrack';
-import { loadWorld } from '../../../src/prediction/told';
+import { createSimulation } from '../../../src/prediction/simulation/simulation';
+import { runReplays, startReplay } from '../../../src/prediction/simulation/replay';
+import { addTrack } from '../../../src/prediction/simulation/track';
+import { setTempo } from '../../../src/prediction/time/timeline';
+import { tell } from '../../../src/prediction/snapshots/bodyTrack';
+import { loadWorld } from '../../../src/prediction/snapshots/worldConfig';
 
 const SHIPS = 1000;
 /** Hz: many frames to judge in little time. */

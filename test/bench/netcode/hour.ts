@@ -1,7 +1,7 @@
 import { createPredictor } from '../../../src/prediction';
 import { BODIES, DEFAULT_SETTINGS, SHIP_CLASSES } from '../../../src/dynamics';
 import { createAuthority } from '../../../src/authority';
-import { stage } from '../../../src/rehearsal';
+import { stage } from '../../../src/scenarios';
 import { scenarioNamed, value } from '../../prediction/rig';
 import type { BodyState, ServerFrame } from '../../../src/wire';
 import type { Figure } from './figure';

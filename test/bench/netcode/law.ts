@@ -1,9 +1,9 @@
 import { correctionsOf, type Flight, flyMeasured } from './flights';
 import { type Figure, spread } from './figure';
 import { createSeededPilot } from './pilots';
-import { NETWORK_PRESETS } from '../../../src/rehearsal';
+import { NETWORK_PRESETS } from '../../../src/scenarios';
 import type { ClientMessage } from '../../../src/wire';
-import { createDice } from '../../../src/rehearsal';
+import { createDice } from '../../../src/scenarios';
 
 const COASTING = ['settle', 'bounce', 'slide', 'topple', 'crash'];
 const FLOWN = ['right-itself', 'launch', 'opening'];

@@ -1,5 +1,5 @@
 import { type Controls, NEUTRAL_CONTROLS } from '../../../src/dynamics';
-import { createDice, type Dice } from '../../../src/rehearsal';
+import { createDice, type Dice } from '../../../src/scenarios';
 import type { Rig } from '../../prediction/rig';
 
 /** A pilot who changes one control at exponential times of mean 2 s: thrust around hovering on the Moon, thrusters, attitude. */

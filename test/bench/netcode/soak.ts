@@ -1,5 +1,5 @@
 import { type Controls, NEUTRAL_CONTROLS } from '../../../src/dynamics';
-import { createDice, type Dice, NETWORK_PRESETS } from '../../../src/rehearsal';
+import { createDice, type Dice, NETWORK_PRESETS } from '../../../src/scenarios';
 import type { ServerMessage } from '../../../src/wire';
 import { createRig, type Rig } from '../../prediction/rig';
 import type { Figure } from './figure';

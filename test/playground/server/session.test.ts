@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Operation } from '../../../src/playground/server/operation';
 import { createSession, OWN_SHIP, type Session } from '../../../src/playground/server/session';
-import { NETWORK_PRESETS } from '../../../src/rehearsal';
+import { NETWORK_PRESETS } from '../../../src/scenarios';
 import { decodeServerMessage, type ServerFrame, type ServerMessage } from '../../../src/wire';
 import { valueOf } from '../../authority/moon';
 

@@ -2,7 +2,7 @@ import type { AddressInfo } from 'node:net';
 import { WebSocketServer } from 'ws';
 import { type Authority, createAuthority, runDueTicks, startLoop } from '../../../src/authority';
 import { BODIES, SHIP_CLASSES, TERRAINS } from '../../../src/dynamics';
-import { type Scenario, SCENARIOS, stage } from '../../../src/rehearsal';
+import { type Scenario, SCENARIOS, stage } from '../../../src/scenarios';
 import { decodeClientMessage, encodeServerMessage, type ServerMessage } from '../../../src/wire';
 import { valueOf } from '../../authority/moon';
 

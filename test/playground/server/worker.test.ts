@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { FromServer, ToServer } from '../../../src/playground/server/connection';
 import type { Operation } from '../../../src/playground/server/operation';
-import { NETWORK_PRESETS } from '../../../src/rehearsal';
+import { NETWORK_PRESETS } from '../../../src/scenarios';
 import { decodeServerMessage, encodeClientMessage } from '../../../src/wire';
 import { input, valueOf } from '../../authority/moon';
 

@@ -1,0 +1,236 @@
+import { type Controls, hashRows, NEUTRAL_CONTROLS } from '../../dynamics';
+import { createPredictor, type EventNotice, type Predictor, type WorldView } from '../../prediction';
+import { NETWORK_PRESETS, type NetworkNumbers, type RecordingEntry, type StagedInput } from '../../scenarios';
+import { decodeServerMessage, encodeClientMessage, type ServerFrame } from '../../wire';
+import { type Baseline, createBaseline } from './baseline';
+import type { Choices } from '../panels/choices';
+import { createPageClock, type PageClock } from './pageClock';
+import { type Script, scriptOf } from './script';
+import { type Connection, type ConnectionHandlers, openSocket, openWorker } from '../server/connection';
+import type { Operation } from '../server/operation';
+import { createStick, resetStick, sampleStick, type Stick } from '../input/stick';
+
+/** What the page is told of a live game. */
+export interface LiveListeners {
+  readonly onState: (text: string) => void;
+  /** A new world begins: what was of the old one is gone. `plan`: what the own ship does by itself in it. */
+  readonly onWorld: (plan: readonly StagedInput[]) => void;
+  readonly onRefused: (reason: string) => void;
+  readonly onEvent: (notice: EventNotice) => void;
+  /** Everything that goes through the predictor, in its order. */
+  readonly onEntry: (entry: RecordingEntry) => void;
+}
+
+/** A game against a server: connection, predictor, hands. */
+export interface Live {
+  readonly clock: PageClock;
+  readonly stick: Stick;
+  readonly baseline: Baseline;
+  /** receive → advance → view, and what is to be sent goes out. */
+  readonly frame: () => WorldView;
+  /** The stick was moved: taken at once, however far off the next frame is. */
+  readonly steer: () => void;
+  /** A new world, as the choices say. */
+  readonly begin: (choices: Choices) => void;
+  readonly operate: (operation: Operation) => void;
+  readonly reconnect: () => void;
+  readonly setSpeed: (speed: number) => void;
+  /** While true no frame is taken: as in a hidden tab. */
+  readonly hold: (held: boolean) => void;
+  /** What the own ship does now. */
+  readonly flown: () => Controls;
+  /** Tick and bits of the own ship's last state up to the scenario's end; '' before the first. */
+  readonly hash: () => string;
+  readonly ended: () => boolean;
+  readonly dispose: () => void;
+}
+
+/** m/s one way and so on of the choices' network. */
+export function networkOf(choices: Choices): NetworkNumbers {
+  if (choices.network !== 'custom') return NETWORK_PRESETS[choices.network as keyof typeof NETWORK_PRESETS];
+  return {
+    delay: choices.delay / 1000,
+    jitter: choices.jitter / 1000,
+    stallShare: choices.stalled / 100,
+    stallSeconds: choices.stall / 1000,
+    stallRun: 1.5,
+  };
+}
+
+/** Tries again this many wall seconds after a real server was lost. */
+const RETRY = 3;
+
+/** @param program address of the page's own main module, which the worker runs too */
+export function createLive(program: string, listeners: LiveListeners): Live {
+  const clock = createPageClock(() => performance.now() / 1000);
+  const stick = createStick();
+  const baseline = createBaseline();
+  const inbox: { readonly bytes: Uint8Array; readonly at: number }[] = [];
+  let script: Script | null = null;
+  let predictor = newPredictor();
+  let connection: Connection | null = null;
+  let address = '';
+  let sampledAt = NaN;
+  let hash = '';
+  let hashedTick = -1;
+  let held = false;
+  let retry: ReturnType<typeof setTimeout> | undefined;
+  let view = predictor.view(clock.now());
+
+  function newPredictor(): Predictor {
+    const made = createPredictor({ ownShipId: 'own', plan: script?.plan ?? [] });
+    made.onEvent(listeners.onEvent);
+    return made;
+  }
+
+  const handlers: ConnectionHandlers = {
+    onOpen(what) {
+      if (what === 'world') forgetWorld();
+      listeners.onState('');
+    },
+    onBytes(bytes) {
+      const at = clock.now();
+      inbox.push({ bytes, at });
+    },
+    onClosed(reason) {
+      if (address === '') {
+        listeners.onState(`Connection lost: ${reason}.`);
+        return;
+      }
+      listeners.onState(
+        `Connection lost: ${reason}. Is the server running? Tried again every ${RETRY} s; without “server=” in its address the page plays its own.`,
+      );
+      clearTimeout(retry);
+      retry = setTimeout(() => connection?.reconnect(), RETRY * 1000);
+    },
+    onRefused: listeners.onRefused,
+    onStatus() {
+      // The panel reads the predictor's view, which is what a real server's player has.
+    },
+  };
+
+  function forgetWorld(): void {
+    inbox.length = 0;
+    predictor = newPredictor();
+    baseline.forget();
+    resetStick(stick);
+    hash = '';
+    hashedTick = -1;
+    listeners.onWorld(script?.plan ?? []);
+  }
+
+  function receive(bytes: Uint8Array, at: number): void {
+    const decoded = decodeServerMessage(bytes);
+    if (!decoded.ok) {
+      predictor.refused(decoded.reason);
+      return;
+    }
+    predictor.receive(decoded.value, at);
+    listeners.onEntry({ kind: 'received', at, message: decoded.value });
+    if (decoded.value.kind === 'frame') {
+      baseline.take(decoded.value, at);
+      remember(decoded.value);
+    }
+  }
+
+  /** The hash of the last state that belongs to the scenario: a landed ship goes on turning with the ground. */
+  function remember(frame: ServerFrame): void {
+    if (script === null || frame.tick <= hashedTick || frame.tick > script.lastTick) return;
+    const own = frame.ships.find(({ shipId }) => shipId === 'own');
+    if (own?.relativePosition === undefined || own.relativePosition === null) return;
+    hashedTick = frame.tick;
+    const row = Float64Array.of(
+      ...own.relativePosition,
+      ...(own.relativeVelocity ?? []),
+      ...own.attitude,
+      ...own.angularVelocity,
+      own.fuel,
+    );
+    hash = `${frame.tick}:${String(hashRows(row))}`;
+  }
+
+  /** What the hands command; null while they have touched nothing of a scenario, and its plan flies. */
+  function fly(now: number): Controls | null {
+    const seconds = Number.isNaN(sampledAt) ? 0 : now - sampledAt;
+    sampledAt = now;
+    const byHand = sampleStick(stick, seconds / clock.speed());
+    return stick.touched || script === null ? byHand : null;
+  }
+
+  function advance(now: number): void {
+    const controls = fly(now);
+    predictor.advance(controls, now);
+    listeners.onEntry({ kind: 'advanced', at: now, controls });
+  }
+
+  function send(now: number): void {
+    for (const message of predictor.outgoing()) {
+      connection?.send(encodeClientMessage(message));
+      listeners.onEntry({ kind: 'sent', at: now, message });
+    }
+  }
+
+  return {
+    clock,
+    stick,
+    baseline,
+    frame() {
+      const now = clock.now();
+      if (held) return view;
+      for (const { bytes, at } of inbox.splice(0)) receive(bytes, at);
+      advance(now);
+      view = predictor.view(now);
+      send(now);
+      return view;
+    },
+    steer() {
+      if (held) return;
+      const now = clock.now();
+      advance(now);
+      send(now);
+    },
+    begin(choices) {
+      script = scriptOf(choices);
+      clearTimeout(retry);
+      if (connection === null || choices.server !== address) {
+        connection?.dispose();
+        address = choices.server;
+        if (address !== '') listeners.onState(`Calling ${address} …`);
+        forgetWorld();
+        connection = address === '' ? openWorker(program, handlers) : openSocket(address, handlers);
+      }
+      clock.setSpeed(choices.slow);
+      if (address !== '') {
+        script = null;
+        return;
+      }
+      connection.setSpeed(choices.slow);
+      const { scenario, body, shipClass, terrain, seed, fleet, legacy } = choices;
+      const { tickRate, timeScale } = script;
+      const network = networkOf(choices);
+      connection.operate({
+        kind: 'load',
+        ...{ scenario, body, shipClass, terrain, tickRate, timeScale, network, seed },
+        others: fleet,
+        legacy: legacy === 1,
+      });
+    },
+    operate: (operation) => connection?.operate(operation),
+    reconnect: () => connection?.reconnect(),
+    setSpeed(speed) {
+      clock.setSpeed(speed);
+      connection?.setSpeed(speed);
+    },
+    hold(next) {
+      held = next;
+      if (next) stick.held.clear();
+    },
+    flown: () => view.own?.controls ?? NEUTRAL_CONTROLS,
+    hash: () => hash,
+    ended: () => script !== null && hashedTick >= script.lastTick,
+    dispose() {
+      clearTimeout(retry);
+      connection?.dispose();
+    },
+  };
+}

@@ -1,0 +1,47 @@
+import { accepted, type Checked, refused } from '../../dynamics';
+import { createRecordingWriter, readRecording, type Recording } from '../../scenarios';
+
+/** What a dropped or chosen file may weigh: an hour of frames, several times over. */
+const LARGEST_FILE = 200_000_000;
+
+/** Writes a recording in slices, telling how far it is (0 … 1), so that the page stays alive. */
+export async function writeSlowly(recording: Recording, progress: (share: number) => void): Promise<Blob> {
+  const writer = createRecordingWriter();
+  const parts = [writer.header(recording.header)];
+  const { entries } = recording;
+  const slice = 2000;
+  for (let i = 0; i < entries.length; i += slice) {
+    parts.push(
+      entries
+        .slice(i, i + slice)
+        .map((entry) => writer.entry(entry))
+        .join(''),
+    );
+    progress(Math.min(1, (i + slice) / entries.length));
+    await new Promise((resolve) => setTimeout(resolve));
+  }
+  return new Blob(parts, { type: 'application/jsonl' });
+}
+
+/** A recording from a file, or why it is none. */
+export async function readFile(file: File): Promise<Checked<Recording>> {
+  if (file.size > LARGEST_FILE)
+    return refused(`it is ${Math.round(file.size / 1e6)} MB, and at most ${LARGEST_FILE / 1e6} MB are read`);
+  try {
+    const checked = readRecording(await file.text());
+    if (!checked.ok) return checked;
+    return checked.value.entries.length === 0 ? refused('it holds no entries') : accepted(checked.value);
+  } catch (error) {
+    return refused(
+      `the browser could not read it (${error instanceof Error ? error.message : String(error)})`,
+    );
+  }
+}
+
+/** Words for a file that is no recording. */
+export function refusalWords(name: string, checked: Checked<Recording> & { ok: false }): string {
+  return (
+    `${name} cannot be played: ${checked.reason}. ` +
+    'It has to be a file that this page or a predictor’s recorder wrote, whole and unchanged.'
+  );
+}

@@ -1,0 +1,91 @@
+import { append, appendButton } from '../panels/elements';
+import type { Replay } from './replay';
+
+export interface RecordingListeners {
+  readonly replay: () => void;
+  readonly leave: () => void;
+  readonly save: () => void;
+  readonly load: (file: File) => void;
+  readonly seek: (at: number) => void;
+  readonly play: (playing: boolean) => void;
+}
+
+export interface RecordingPanel {
+  readonly showLength: (seconds: number, full: boolean) => void;
+  readonly showReplay: (replay: Replay | null) => void;
+  readonly showPosition: (at: number, playing: boolean) => void;
+  readonly showProgress: (share: number | null) => void;
+}
+
+/** Record, replay, save and load; the scrubber goes both ways and marks the first divergence. */
+export function createRecordingPanel(host: Element, listeners: RecordingListeners): RecordingPanel {
+  const row = append(host, 'div', 'row');
+  const length = append(row, 'span', 'quiet');
+  const replayButton = appendButton(row, 'Replay', listeners.replay);
+  const save = appendButton(row, 'Save', listeners.save);
+  const label = append(row, 'label', 'row');
+  append(label, 'span', '', 'Load');
+  const file = append(label, 'input');
+  file.type = 'file';
+  file.accept = '.jsonl,application/jsonl';
+  file.addEventListener('change', () => {
+    const chosen = file.files?.[0];
+    if (chosen !== undefined) listeners.load(chosen);
+    file.value = '';
+  });
+  const progress = append(row, 'progress');
+  progress.max = 1;
+  progress.hidden = true;
+  progress.setAttribute('aria-label', 'Writing the recording');
+
+  const deck = append(host, 'div');
+  deck.hidden = true;
+  const controls = append(deck, 'div', 'row');
+  let playing = true;
+  const play = appendButton(controls, 'Stop', () => listeners.play(!playing));
+  const scrubber = append(controls, 'div', 'scrubber');
+  const range = append(scrubber, 'input');
+  range.type = 'range';
+  range.step = '0.01';
+  range.setAttribute('aria-label', 'Time in the recording, seconds');
+  range.addEventListener('input', () => listeners.seek(from + range.valueAsNumber));
+  const mark = append(scrubber, 'span', 'mark');
+  const time = append(controls, 'span', 'quiet');
+  appendButton(controls, 'Back to the game', listeners.leave);
+  const words = append(deck, 'p', 'quiet');
+  words.setAttribute('role', 'status');
+  let from = 0;
+  let long = 1;
+
+  return {
+    showLength(seconds, full) {
+      const text = `Recorded ${seconds.toFixed(0)} s${full ? ' (full)' : ''}`;
+      if (length.textContent !== text) length.textContent = text;
+    },
+    showReplay(replay) {
+      deck.hidden = replay === null;
+      replayButton.disabled = replay !== null;
+      save.disabled = replay !== null;
+      if (replay === null) return;
+      from = replay.from;
+      long = Math.max(replay.to - replay.from, 1e-3);
+      range.max = long.toFixed(2);
+      words.textContent = replay.divergence.words;
+      mark.hidden = replay.divergence.at === null;
+      // The knob's middle runs from half a knob (8 px) to half a knob before the end.
+      const share = ((replay.divergence.at ?? from) - from) / long;
+      mark.style.setProperty('left', `calc(8px + ${share} * (100% - 16px))`);
+    },
+    showPosition(at, isPlaying) {
+      playing = isPlaying;
+      const text = isPlaying ? 'Stop' : 'Play';
+      if (play.textContent !== text) play.textContent = text;
+      range.value = (at - from).toFixed(2);
+      time.textContent = `${(at - from).toFixed(1)} / ${long.toFixed(1)} s`;
+    },
+    showProgress(share) {
+      progress.hidden = share === null;
+      progress.value = share ?? 0;
+    },
+  };
+}

@@ -1,0 +1,104 @@
+import {
+  CONTACT,
+  CRASHED,
+  EVENT_NAMES,
+  POSITION,
+  ATTITUDE,
+  readControls,
+  SURFACE_STATE,
+  SURFACE_STATES,
+  TIPPED,
+  THRUST_LEVEL,
+} from '../../dynamics';
+import { take } from './rotation';
+import type { Track } from '../simulation/track';
+import type { Provenance, ShipView } from './view';
+
+/** The instant a view is of. */
+export interface Instant {
+  /** Client wall s. */
+  now: number;
+  /** Server wall s of the present that is drawn. */
+  present: number;
+  /** Client wall s since the last view. */
+  elapsed: number;
+  /** Silence, s, after which a ship's state is stale. */
+  staleAfter: number;
+  paused: boolean;
+  /** Server wall s at a tick boundary. */
+  wallOf: (tick: number) => number;
+}
+
+/** Silence after which a ship's state is stale, s, at a server of `tickRate` Hz. */
+export function staleAfter(tickRate: number): number {
+  return Math.max(STALE_TICKS / tickRate, STALE_AFTER);
+}
+
+/** Least time for which CONTACT is shown once it is, s. */
+const CONTACT_DWELL = 0.3;
+/** A withdrawn prediction is told for this long, s. */
+export const WITHDRAWN_SHOWN = 2;
+/** Silent for two ticks, and at fast servers for this long, a ship's state is stale, s: a stall of a mobile link alone is 0.2 s. */
+const STALE_AFTER = 0.3;
+/** Ticks without a state after which a ship's state is stale. */
+const STALE_TICKS = 2;
+
+/**
+ * What is shown of a ship's states, and how far it can be trusted (PREDICTION, States and events as predicted things).
+ * @param rows where the states that hold at the present stand, at `from`
+ */
+export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from: number, at: Instant): void {
+  const { status } = track;
+  const state = rows[from + SURFACE_STATE]!;
+  if (status.state !== state) {
+    if (state === CONTACT) status.contactUntil = at.now + CONTACT_DWELL;
+    status.state = state;
+    status.since = at.present;
+  }
+  const crashes = rows[from + CRASHED] === 1;
+  out.shownState = shownState(track, state, crashes, at);
+  out.provenance = provenanceOf(track, state, crashes, at);
+  const age = at.present - (out.provenance === 'predicted' ? status.since : status.serverWall);
+  out.age = age > 0 ? age : 0;
+  out.withdrawn = at.now < status.withdrawnUntil ? WITHDRAWN[status.withdrawn]! : '';
+}
+
+/** What the server last said of the ship, for its ghost; at a frame's pace, not at the display's. Returns whether it is new. */
+export function fillServerState(out: ShipView, track: Track, at: Instant): boolean {
+  if (track.status.serverTick === track.serverTick) return false;
+  track.status.serverTick = track.serverTick;
+  track.status.serverWall = at.wallOf(track.serverTick);
+  out.serverKnown = track.serverTick >= 0;
+  take(out.serverPosition, track.serverRow, POSITION);
+  take(out.serverAttitude, track.serverRow, ATTITUDE);
+  return true;
+}
+
+const WITHDRAWN = EVENT_NAMES.map((name) => name.slice('ship.'.length) as ShipView['withdrawn']);
+
+/** Simulation state is never dwelled: only what is shown. A crash is final once the server says so. */
+function shownState(track: Track, state: number, crashes: boolean, at: Instant): ShipView['shownState'] {
+  if (track.serverRow[CRASHED] === 1) return 'crashed';
+  if (crashes) return 'contact';
+  if (state !== TIPPED && at.now < track.status.contactUntil) return 'contact';
+  return SURFACE_STATES[state]!;
+}
+
+function provenanceOf(track: Track, state: number, crashes: boolean, at: Instant): Provenance {
+  if (track.off) return 'off';
+  const crashed = track.serverRow[CRASHED] === 1;
+  if (!at.paused && !crashed && at.now - track.seenAt > at.staleAfter) return 'stale';
+  if (crashed) return 'confirmed';
+  return track.serverRow[SURFACE_STATE] === state && !crashes ? 'confirmed' : 'predicted';
+}
+
+/** A new record only where a command has changed. */
+export function fillControls(out: ShipView, commands: Float64Array, rows: Float64Array, from: number): void {
+  const at = from + THRUST_LEVEL;
+  for (let k = 0; k < commands.length; k++) {
+    if (commands[k] === rows[at + k]) continue;
+    for (let i = 0; i < commands.length; i++) commands[i] = rows[at + i]!;
+    out.controls = readControls(rows, from);
+    return;
+  }
+}

@@ -1,0 +1,241 @@
+import {
+  ANGULAR_VELOCITY,
+  ATTITUDE,
+  CRASHED,
+  FUEL,
+  IMPACT_SPEED,
+  NEUTRAL_CONTROLS,
+  POSITION,
+  REFERENCE_BODY,
+  SHIP_CLASS,
+  SHIP_STRIDE,
+  SURFACE_STATE,
+  SURFACE_STATES,
+  THRUST_LEVEL,
+  TRANSLATION_INPUT,
+  VELOCITY,
+  type World,
+} from '../../dynamics';
+import { relax } from './ease';
+import { fillGhost } from './ghost';
+import { groundRadius, layGround } from './drawnGround';
+import { hullOf, LEGS } from './hull';
+import { writeLocked } from '../simulation/sleep';
+import { pose, writeAttitude } from './pose';
+import {
+  compose,
+  fromRotationVector,
+  lengthOf,
+  put,
+  quaternion,
+  rotate,
+  rotateBack,
+  seenFrom,
+  take,
+  vector,
+} from './rotation';
+import type { Simulation } from '../simulation/simulation';
+import { createStandingPose, type GroundPose, standOnGround, type StandingPose } from './standOnGround';
+import { type LevelGround, standOnLevel } from './standOnLevel';
+import { fillControls, fillServerState, fillStatus, type Instant } from './status';
+import { createTouchdownView, fillTouchdown } from '../touchdown/touchdownLog';
+import { copyRow, type Track } from '../simulation/track';
+import type { ShipView } from './view';
+
+export function createShipView(track: Track, world: World): ShipView {
+  const vectors = () => new Float64Array(3);
+  return {
+    shipId: track.shipId,
+    name: track.name,
+    own: track.own,
+    shipClass: world.shipClasses[0]!,
+    body: 0,
+    position: vectors(),
+    velocity: vectors(),
+    attitude: Float64Array.of(0, 0, 0, 1),
+    angularVelocity: vectors(),
+    fuel: 0,
+    impactSpeed: 0,
+    surfaceState: '',
+    crashed: false,
+    controls: NEUTRAL_CONTROLS,
+    thrust: vectors(),
+    groundRadius: 0,
+    drawnPosition: vectors(),
+    drawnAttitude: Float64Array.of(0, 0, 0, 1),
+    standPosition: vectors(),
+    legCompression: new Float64Array(LEGS),
+    feetHeight: 0,
+    shownState: '',
+    provenance: 'predicted',
+    age: 0,
+    withdrawn: '',
+    touchdown: createTouchdownView(),
+    serverPosition: vectors(),
+    serverAttitude: Float64Array.of(0, 0, 0, 1),
+    ghostPosition: vectors(),
+    ghostAttitude: Float64Array.of(0, 0, 0, 1),
+    serverKnown: false,
+    missingTicks: 0,
+  };
+}
+
+/** What all ships of one view share. */
+export interface Scene {
+  readonly world: World;
+  /** Attitude and spin of each body at the present, ICRF. */
+  bodyAttitudes: Float64Array[];
+  bodySpins: Float64Array[];
+  /** Ships that still may be stood point by point: beyond them the ground counts as level under a ship. */
+  standings: number;
+  readonly at: Instant;
+}
+
+/** Fills a ship's view: predicted truth, the drawn pose, where it stands, what is shown of its state. */
+export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene: Scene): void {
+  const stepping = track.mode === 'stepping';
+  const { fleet, alpha } = sim;
+  // The states that hold at the present are those of the last substep boundary passed.
+  const rows = stepping ? (alpha === 1 ? fleet.front : fleet.previous) : standIn(sim, track, scene);
+  const from = stepping ? track.at : 0;
+  if (stepping) fillBetween(out, sim, track);
+  else fillFromRow(out, rows);
+  out.fuel = rows[from + FUEL]!;
+  out.impactSpeed = rows[from + IMPACT_SPEED]!;
+  out.surfaceState = SURFACE_STATES[rows[from + SURFACE_STATE]!]!;
+  out.crashed = rows[from + CRASHED] === 1;
+  out.body = rows[from + REFERENCE_BODY]!;
+  out.shipClass = scene.world.shipClasses[rows[from + SHIP_CLASS]!]!;
+  out.name = track.name;
+  out.own = track.own;
+  out.missingTicks = sim.newestTick - track.serverTick;
+  const attitude = scene.bodyAttitudes[out.body]!;
+  seeFromBody(out, attitude);
+  if (track.ease.active) relax(track.ease, normal, scene.at.elapsed);
+  fillDrawn(out, track, attitude);
+  const exactly = fillStanding(out, scene, attitude);
+  fillThrust(out, rows, from);
+  fillControls(out, track.status.commands, rows, from);
+  if (fillServerState(out, track, scene.at)) fillGhost(out, track, scene.world, exactly);
+  fillStatus(out, track, rows, from, scene.at);
+  if (track.log !== null)
+    fillTouchdown(out.touchdown, track.log.front, stepping || track.mode === 'locked' || track.hasHeld);
+}
+
+/** Predicted truth between the substep boundaries around the present. */
+function fillBetween(out: ShipView, sim: Simulation, track: Track): void {
+  const { previous, front } = sim.fleet;
+  const { alpha } = sim;
+  const { position, velocity, angularVelocity } = out;
+  const place = track.at + POSITION;
+  const speed = track.at + VELOCITY;
+  const spin = track.at + ANGULAR_VELOCITY;
+  for (let k = 0; k < 3; k++) {
+    position[k] = previous[place + k]! + (front[place + k]! - previous[place + k]!) * alpha;
+    velocity[k] = previous[speed + k]! + (front[speed + k]! - previous[speed + k]!) * alpha;
+    angularVelocity[k] = previous[spin + k]! + (front[spin + k]! - previous[spin + k]!) * alpha;
+  }
+  writeAttitude(out.attitude, sim, track);
+}
+
+/** The row of a ship that is not in step, placed at the present. */
+function standIn(sim: Simulation, track: Track, scene: Scene): Float64Array {
+  const known = track.mode === 'locked' || track.hasHeld;
+  copyRow(row, 0, known ? sim.fleet.front : track.serverRow, known ? track.at : 0);
+  const body = row[REFERENCE_BODY]!;
+  const attitude = scene.bodyAttitudes[body]!;
+  if (track.mode === 'locked') {
+    writeLocked(row, 0, track, attitude, scene.bodySpins[body]!);
+  } else if (track.hasHeld) {
+    rotate(held.position, attitude, track.heldPlace);
+    put(row, POSITION, held.position);
+    compose(held.attitude, attitude, track.heldAttitude);
+    put(row, ATTITUDE, held.attitude);
+  }
+  return row;
+}
+
+const row = new Float64Array(SHIP_STRIDE);
+const held = pose();
+
+function fillFromRow(out: ShipView, from: Float64Array): void {
+  take(out.position, from, POSITION);
+  take(out.velocity, from, VELOCITY);
+  take(out.attitude, from, ATTITUDE);
+  take(out.angularVelocity, from, ANGULAR_VELOCITY);
+}
+
+/** The pose as seen from the body's axes, and the local up there. */
+function seeFromBody(out: ShipView, body: Float64Array): void {
+  rotateBack(seen.position, body, out.position);
+  seenFrom(seen.attitude, body, out.attitude);
+  const perDistance = 1 / lengthOf(seen.position);
+  for (let k = 0; k < 3; k++) normal[k] = seen.position[k]! * perDistance;
+}
+
+const seen = pose();
+const normal = vector();
+
+/** drawn = predicted + offset, in the body's axes and back. */
+function fillDrawn(out: ShipView, track: Track, body: Float64Array): void {
+  const { ease } = track;
+  for (let k = 0; k < 3; k++) drawn.position[k] = seen.position[k]!;
+  for (let k = 0; k < 4; k++) drawn.attitude[k] = seen.attitude[k]!;
+  if (!ease.active) {
+    for (let k = 0; k < 3; k++) out.drawnPosition[k] = out.position[k]!;
+    for (let k = 0; k < 4; k++) out.drawnAttitude[k] = out.attitude[k]!;
+    return;
+  }
+  for (let k = 0; k < 3; k++) drawn.position[k] = seen.position[k]! + ease.offset[k]!;
+  fromRotationVector(turn, ease.turn);
+  compose(drawn.attitude, turn, seen.attitude);
+  rotate(out.drawnPosition, body, drawn.position);
+  compose(out.drawnAttitude, body, drawn.attitude);
+}
+
+const drawn: GroundPose = { ...pose(), grounded: false };
+const turn = quaternion();
+
+/** @returns whether point by point, or as on level ground */
+function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
+  const body = scene.world.bodies[out.body]!;
+  const { shipClass } = out;
+  const exactly = out.own || scene.standings > 0;
+  layGround(body, scene.world.terrainHeight);
+  out.groundRadius = groundRadius(normal[0]!, normal[1]!, normal[2]!);
+  const above = lengthOf(drawn.position) - out.groundRadius;
+  // No part of the ship reaches as far as twice its height: nothing to stand on.
+  if (above > FAR * shipClass.groundContactOffset + shipClass.legRadius) {
+    for (let k = 0; k < 3; k++) out.standPosition[k] = out.drawnPosition[k]!;
+    for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = 0;
+    out.feetHeight = lengthOf(seen.position) - out.groundRadius - shipClass.groundContactOffset;
+    return exactly;
+  }
+  drawn.grounded = out.surfaceState !== '';
+  if (exactly) {
+    scene.standings -= 1;
+    standOnGround(standing, drawn, hullOf(shipClass), groundRadius);
+  } else {
+    level.radius = out.groundRadius;
+    standOnLevel(standing, drawn, hullOf(shipClass), level);
+  }
+  rotate(out.standPosition, bodyAttitude, standing.position);
+  for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = standing.legCompression[leg]!;
+  out.feetHeight = standing.feetHeight;
+  return exactly;
+}
+
+const FAR = 2;
+const level: LevelGround = { radius: 0 };
+const standing: StandingPose = createStandingPose(LEGS);
+
+/** What engine and thrusters give now, N, ICRF (DYNAMICS, Actuators). */
+function fillThrust(out: ShipView, rows: Float64Array, from: number): void {
+  const { mainEngineThrust, rcsThrust } = out.shipClass;
+  const burns = out.fuel > 0 && !out.crashed ? 1 : 0;
+  for (let k = 0; k < 3; k++) force[k] = burns * rows[from + TRANSLATION_INPUT + k]! * rcsThrust[k]!;
+  force[2] = force[2]! + burns * rows[from + THRUST_LEVEL]! * mainEngineThrust;
+  rotate(out.thrust, out.attitude, force);
+}
+
+const force = vector();

@@ -1,0 +1,145 @@
+import { BODY_ANGULAR_VELOCITY, BODY_POSITION, BODY_STRIDE, BODY_VELOCITY } from '../../dynamics';
+import { boundaryAt } from '../snapshots/bodyTrack';
+import { writeBodyAttitude } from './pose';
+import { lengthOf, quaternion, take, vector } from './rotation';
+import type { Simulation } from '../simulation/simulation';
+import { staleAfter } from './status';
+import { indexOf, type Moment, spanOf, wallOfTick } from '../time/timeline';
+import type { WorldView } from './view';
+import { createShipView, fillShipView, type Scene } from './viewing';
+
+/** A view under construction: what the page sees, and what all its ships share. */
+export interface Shown {
+  readonly view: WorldView;
+  readonly scene: Scene;
+  viewedAt: number;
+}
+
+interface BodyView {
+  readonly name: string;
+  readonly mass: number;
+  readonly radius: number;
+  readonly position: [number, number, number];
+  readonly velocity: [number, number, number];
+  readonly attitude: [number, number, number, number];
+  readonly angularVelocity: [number, number, number];
+}
+
+export function createShown(sim: Simulation): Shown {
+  const bodies = sim.world.bodies.map(({ name, mass, radius }): BodyView => {
+    return {
+      name,
+      mass,
+      radius,
+      position: [0.5, 0.5, 0.5],
+      velocity: [0.5, 0.5, 0.5],
+      attitude: [0.5, 0.5, 0.5, 0.5],
+      angularVelocity: [0.5, 0.5, 0.5],
+    };
+  });
+  const view: WorldView = {
+    tick: 0,
+    sinceTick: 0,
+    tickRate: 1,
+    timeScale: 1,
+    paused: false,
+    ready: false,
+    settings: sim.world.settings,
+    bodies,
+    ships: [],
+    own: null,
+    diagnosis: sim.counters,
+  };
+  const scene: Scene = {
+    world: sim.world,
+    bodyAttitudes: bodies.map(quaternion),
+    bodySpins: bodies.map(vector),
+    standings: 0,
+    at: {
+      now: 0,
+      present: 0,
+      elapsed: 0,
+      staleAfter: 0,
+      paused: false,
+      wallOf: (tick) => wallOfTick(sim.timeline, tick),
+    },
+  };
+  return { view, scene, viewedAt: Number.NaN };
+}
+
+/** Ships stood on the ground point by point in one view, the own one not counted. */
+const MOST_STANDINGS = 32;
+
+/** Where the present lies between the substep boundary before the front and the front. */
+export function placePresent(sim: Simulation, moment: Moment): void {
+  const { timeline, front } = sim;
+  const ahead =
+    indexOf(timeline, front.tick, front.substep) - indexOf(timeline, moment.tick, 0) - moment.substeps;
+  sim.alpha = ahead <= 0 ? 1 : ahead >= 1 ? 0 : 1 - ahead;
+}
+
+/** Fills the view for the present, server wall s, as it is placed. */
+export function fillView(shown: Shown, sim: Simulation, now: number, present: number): void {
+  const { view, scene } = shown;
+  fillLabel(view, sim);
+  fillBodies(shown, sim);
+  const { at } = scene;
+  at.elapsed = Number.isNaN(shown.viewedAt) ? 0 : Math.max(0, now - shown.viewedAt);
+  shown.viewedAt = now;
+  at.now = now;
+  at.present = present;
+  at.staleAfter = staleAfter(view.tickRate);
+  at.paused = view.paused;
+  scene.standings = MOST_STANDINGS;
+  fillShips(shown, sim);
+}
+
+/** The label of the present: exactly the place between two substep boundaries that is drawn. */
+function fillLabel(view: WorldView, sim: Simulation): void {
+  const { front, timeline, alpha } = sim;
+  const onBoundary = front.substep === 0 && alpha === 1;
+  view.tick = front.substep > 0 || onBoundary ? front.tick : front.tick - 1;
+  const { timing, tickRate, timeScale } = spanOf(timeline, view.tick);
+  const substeps = onBoundary ? 0 : (front.substep > 0 ? front.substep : timing.substeps) - 1 + alpha;
+  view.sinceTick = substeps * timing.dt;
+  view.tickRate = tickRate;
+  view.timeScale = timeScale;
+  view.paused = spanOf(timeline, sim.newestTick).paused;
+  view.ready = true;
+}
+
+function fillBodies({ view, scene }: Shown, sim: Simulation): void {
+  const { front, timeline } = sim;
+  const rows = boundaryAt(sim.bodies, timeline, front.tick);
+  const before = view.tick === front.tick ? 0 : spanOf(timeline, view.tick).timing.tickSeconds;
+  const since = view.sinceTick - before;
+  for (let i = 0; i < view.bodies.length; i++) {
+    const body = view.bodies[i] as BodyView;
+    const at = i * BODY_STRIDE;
+    const attitude = scene.bodyAttitudes[i]!;
+    take(scene.bodySpins[i]!, rows, at + BODY_ANGULAR_VELOCITY);
+    writeBodyAttitude(attitude, sim, i, sim.alpha);
+    for (let k = 0; k < 3; k++) {
+      body.velocity[k] = rows[at + BODY_VELOCITY + k]!;
+      body.position[k] = rows[at + BODY_POSITION + k]! + body.velocity[k]! * since;
+      body.angularVelocity[k] = rows[at + BODY_ANGULAR_VELOCITY + k]!;
+    }
+    for (let k = 0; k < 4; k++) body.attitude[k] = attitude[k]!;
+  }
+}
+
+function fillShips({ view, scene }: Shown, sim: Simulation): void {
+  const { tracks } = sim.fleet;
+  view.own = null;
+  view.ships.length = tracks.length;
+  for (let i = 0; i < tracks.length; i++) {
+    const track = tracks[i]!;
+    track.view ??= createShipView(track, sim.world);
+    fillShipView(track.view, sim, track, scene);
+    view.ships[i] = track.view;
+    if (!track.own) continue;
+    view.own = track.view;
+    sim.counters.offsetPosition = lengthOf(track.ease.offset);
+    sim.counters.offsetAngle = lengthOf(track.ease.turn);
+  }
+}

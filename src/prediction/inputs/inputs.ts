@@ -1,0 +1,213 @@
+import { type Controls, loadControls, NEUTRAL_CONTROLS, type Quat, type Vec3 } from '../../dynamics';
+import type { InputAcknowledgement, InputRecord } from '../../wire';
+import { isBefore, type Position } from '../time/timeline';
+
+/**
+ * Own controls as records (PREDICTION, The timeline): sampled once, stored, sent as stored, and applied by client and server at
+ * the same substep. What the server says of them is the truth.
+ */
+export interface Inputs {
+  /** What the own ship does by itself until the first record acts; in the order of its time, emptied once that is long past. */
+  plan: readonly PlannedInput[];
+  readonly records: StoredInput[];
+  /** Index of the first record that has not been handed to `outgoing`. */
+  unsent: number;
+  nextSeq: number;
+  /** The server tells what it applied. Servers of the game's own kind do not. */
+  acknowledges: boolean;
+  /** Highest sequence number known to be applied. */
+  applied: number;
+  /** Records cut off: of a lost connection, never acknowledged. */
+  lostUpTo: number;
+}
+
+/** Controls from the start of a substep on, known to client and server beforehand. */
+export type PlannedInput = Omit<InputRecord, 'seq'>;
+
+export interface StoredInput {
+  readonly record: InputRecord;
+  /** Where it acts, as far as is known: its stamp, or later. */
+  tick: number;
+  substep: number;
+  /** Client wall s. */
+  readonly sampledAt: number;
+  /** Steering of the lead when it was sampled, s. */
+  readonly steer: number;
+}
+
+/** What a frame's acknowledgement revealed. */
+export type InputFate = 'asPredicted' | 'late' | 'lost';
+
+/** Records kept: 10 s at 100 changes a second and some. */
+const MOST_RECORDS = 1024;
+/** Unacknowledged for longer than this after it was due, an input is taken for lost, wall s. */
+const LOST_AFTER = 2;
+/** A server may carry controls in single precision. */
+const CONTROL_TOLERANCE = 1e-6;
+
+export function createInputs(plan: readonly PlannedInput[] = []): Inputs {
+  return { plan, records: [], unsent: 0, nextSeq: 1, acknowledges: false, applied: 0, lostUpTo: 0 };
+}
+
+/** Stores `controls`, checked already, from (tick, substep) on. */
+export function store(
+  inputs: Inputs,
+  controls: Controls,
+  stamp: Position,
+  sampledAt: number,
+  steer: number,
+): StoredInput {
+  const last = inputs.records.at(-1);
+  // Never before the one before it: they act in the order of their numbers.
+  const early = last !== undefined && isBefore(stamp.tick, stamp.substep, last.tick, last.substep);
+  const tick = early ? last.tick : stamp.tick;
+  const substep = early ? last.substep : stamp.substep;
+  const record: InputRecord = { seq: inputs.nextSeq++, tick, substep, controls };
+  const stored: StoredInput = { record, tick, substep, sampledAt, steer };
+  inputs.records.push(stored);
+  if (inputs.records.length > MOST_RECORDS) drop(inputs, 1);
+  return stored;
+}
+
+/** The records that have not been sent; they count as sent from now on. */
+export function takeUnsent(inputs: Inputs): InputRecord[] {
+  const records = inputs.records.slice(inputs.unsent).map((stored) => stored.record);
+  inputs.unsent = inputs.records.length;
+  return records;
+}
+
+/** A new connection: what was never acknowledged may never have arrived, and is sent again as stored. */
+export function resend(inputs: Inputs): void {
+  const first = inputs.records.findIndex((stored) => stored.record.seq > inputs.applied);
+  inputs.unsent = first < 0 ? inputs.records.length : first;
+}
+
+/**
+ * A frame of `tick` has come: what it acknowledges acts where it says, what should have acted before and is not acknowledged is
+ * late and acts from the frame's own boundary on, the first moment left to it.
+ * @param told the acknowledgement, or null where the server gives none
+ * @param inForce the ship's controls in that frame
+ */
+export function acknowledge(
+  inputs: Inputs,
+  tick: number,
+  told: InputAcknowledgement | null,
+  inForce: Controls,
+  now: number,
+): InputFate {
+  if (told !== null) inputs.acknowledges = true;
+  const last = inputs.acknowledges ? told : inferred(inputs, tick, inForce);
+  let fate: InputFate = 'asPredicted';
+  if (last !== null && last.seq > inputs.applied) {
+    const stored = inputs.records.find((candidate) => candidate.record.seq === last.seq);
+    if (stored !== undefined && (stored.tick !== last.tick || stored.substep !== last.substep)) {
+      fate = 'late';
+      stored.tick = last.tick;
+      stored.substep = last.substep;
+    }
+    inputs.applied = last.seq;
+  }
+  return delayUnapplied(inputs, tick, now) ?? fate;
+}
+
+/** Moves what did not act in time to the start of `tick`; gives up what has been due for too long. */
+function delayUnapplied(inputs: Inputs, tick: number, now: number): InputFate | null {
+  let fate: InputFate | null = null;
+  for (let i = inputs.records.length - 1; i >= 0; i--) {
+    const stored = inputs.records[i]!;
+    if (stored.record.seq <= inputs.applied) break;
+    if (!isBefore(stored.tick, stored.substep, tick, 0)) continue;
+    if (now - stored.sampledAt > LOST_AFTER + 1) {
+      inputs.lostUpTo = Math.max(inputs.lostUpTo, stored.record.seq);
+      dropIndex(inputs, i);
+      fate = 'lost';
+    } else {
+      stored.tick = tick;
+      stored.substep = 0;
+      fate ??= 'late';
+    }
+  }
+  return fate;
+}
+
+/** The newest record due before `tick` whose controls are in force there: what a silent server must have applied. */
+function inferred(inputs: Inputs, tick: number, inForce: Controls): InputAcknowledgement | null {
+  for (let i = inputs.records.length - 1; i >= 0; i--) {
+    const stored = inputs.records[i]!;
+    if (stored.record.seq <= inputs.applied) return null;
+    if (!isBefore(stored.tick, stored.substep, tick, 0)) continue;
+    if (!sameControls(stored.record.controls, inForce)) continue;
+    return { seq: stored.record.seq, tick: stored.tick, substep: stored.substep, margin: 0 };
+  }
+  return null;
+}
+
+/** Forgets what acted before `tick`, but for the newest. */
+export function prune(inputs: Inputs, tick: number): void {
+  let n = 0;
+  while (
+    n < inputs.records.length - 1 &&
+    inputs.records[n]!.tick < tick &&
+    inputs.records[n]!.record.seq <= inputs.applied
+  )
+    n++;
+  if (n > 0) drop(inputs, n);
+}
+
+/** Forgets all records: their ticks are of another time. */
+export function forgetRecords(inputs: Inputs): void {
+  if (inputs.records.length > 0) inputs.plan = [];
+  inputs.records.length = 0;
+  inputs.unsent = 0;
+}
+
+function drop(inputs: Inputs, count: number): void {
+  // What ended the plan goes: the plan goes with it.
+  inputs.plan = [];
+  inputs.records.splice(0, count);
+  inputs.unsent = Math.max(0, inputs.unsent - count);
+}
+
+function dropIndex(inputs: Inputs, index: number): void {
+  inputs.records.splice(index, 1);
+  if (inputs.unsent > index) inputs.unsent -= 1;
+}
+
+/** Controls in range, or null with what is not finite. */
+export function checkedControls(given: Controls): Controls | null {
+  const checked = loadControls(given);
+  return checked.ok ? checked.value : null;
+}
+
+/** Whether two commands are the same, within what single precision keeps. */
+export function sameControls(a: Controls, b: Controls): boolean {
+  return (
+    near(a.thrustLevel, b.thrustLevel) &&
+    a.attitudeHold === b.attitudeHold &&
+    a.attitudeMode === b.attitudeMode &&
+    nearAll(a.rotationInput, b.rotationInput) &&
+    nearAll(a.translationInput, b.translationInput) &&
+    nearAll(a.targetAttitude, b.targetAttitude)
+  );
+}
+
+/** What a pilot who has let go commands: the sticks centred and the engine off, the attitude mode as it was. */
+export function letGo(controls: Controls): Controls {
+  const { rotationInput, translationInput, thrustLevel } = NEUTRAL_CONTROLS;
+  return { ...controls, rotationInput, translationInput, thrustLevel };
+}
+
+/** Held keys released: the sticks centred; a throttle lever stays where it was put. */
+export function releaseKeys(controls: Controls): Controls {
+  const { rotationInput, translationInput } = NEUTRAL_CONTROLS;
+  return { ...controls, rotationInput, translationInput };
+}
+
+function near(a: number, b: number): boolean {
+  return Math.abs(a - b) <= CONTROL_TOLERANCE;
+}
+
+function nearAll(a: Vec3 | Quat, b: Vec3 | Quat): boolean {
+  for (let k = 0; k < a.length; k++) if (!near(a[k]!, b[k]!)) return false;
+  return true;
+}

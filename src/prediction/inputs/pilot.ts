@@ -1,0 +1,91 @@
+import {
+  ATTITUDE_HOLD,
+  ATTITUDE_MODE,
+  ATTITUDE_MODES,
+  type Controls,
+  loadControls,
+  ROTATION_INPUT,
+  TARGET_ATTITUDE,
+  THRUST_LEVEL,
+  TRANSLATION_INPUT,
+} from '../../dynamics';
+import { isPlanned } from './scheduledInput';
+import { releaseKeys, sameControls, store } from './inputs';
+import type { Simulation } from '../simulation/simulation';
+import { isBefore } from '../time/timeline';
+
+/** The hand on the stick. */
+export interface Pilot {
+  last: Controls | null;
+  /** After an absence: keys that were held before it, and count as released until they change. */
+  released: Controls | null;
+}
+
+/** What a sample is taken with. */
+export interface Sampling {
+  /** Client wall s. */
+  readonly now: number;
+  /** Steering of the lead, s. */
+  readonly steer: number;
+  readonly granularity: 'substep' | 'tick';
+}
+
+export function createPilot(): Pilot {
+  return { last: null, released: null };
+}
+
+/**
+ * Samples own controls: what differs from what is in force, or on its way to be, becomes an input that acts from the front on, or
+ * for a server of whole ticks from the next tick on. Controls that are not finite are ignored.
+ */
+export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, sampling: Sampling): void {
+  const track = sim.fleet.own;
+  if (track === null) return;
+  const { front, inputs, fleet } = sim;
+  const newest = inputs.records.at(-1);
+  const pending = newest !== undefined && !isBefore(newest.tick, newest.substep, front.tick, front.substep);
+  // Whatever the hand does first ends the plan, even what the ship is doing already.
+  const takesOver = isPlanned(inputs, front);
+  if (!takesOver && pilot.released === null && !pending && commands(fleet.front, track.at, given)) {
+    pilot.last = given;
+    return;
+  }
+  const checked = loadControls(given);
+  if (!checked.ok) return;
+  if (pilot.released !== null && !sameControls(checked.value, pilot.released)) pilot.released = null;
+  pilot.last = checked.value;
+  const wanted = pilot.released === null ? checked.value : releaseKeys(checked.value);
+  const isNothingNew = pending
+    ? sameControls(newest.record.controls, wanted)
+    : commands(fleet.front, track.at, wanted);
+  if (isNothingNew && !takesOver) return;
+  const wait = sampling.granularity === 'tick' && front.substep > 0;
+  stamp.tick = wait ? front.tick + 1 : front.tick;
+  stamp.substep = wait ? 0 : front.substep;
+  store(inputs, wanted, stamp, sampling.now, sampling.steer);
+}
+
+const stamp = { tick: 0, substep: 0 };
+
+/** Whether a row holds this very command, within what single precision keeps. */
+function commands(rows: Float64Array, at: number, given: Controls): boolean {
+  return (
+    near(rows[at + THRUST_LEVEL]!, given.thrustLevel) &&
+    rows[at + ATTITUDE_HOLD] === (given.attitudeHold ? 1 : 0) &&
+    ATTITUDE_MODES[rows[at + ATTITUDE_MODE]!] === given.attitudeMode &&
+    nearAll(rows, at + TRANSLATION_INPUT, given.translationInput) &&
+    nearAll(rows, at + ROTATION_INPUT, given.rotationInput) &&
+    nearAll(rows, at + TARGET_ATTITUDE, given.targetAttitude)
+  );
+}
+
+const SAME = 1e-6;
+
+function near(a: number, b: number): boolean {
+  return Math.abs(a - b) <= SAME;
+}
+
+function nearAll(rows: Float64Array, at: number, values: readonly number[]): boolean {
+  for (let k = 0; k < values.length; k++) if (!near(rows[at + k]!, values[k]!)) return false;
+  return true;
+}

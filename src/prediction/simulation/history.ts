@@ -1,0 +1,67 @@
+import { SHIP_STRIDE } from '../../dynamics';
+
+/**
+ * A ring of one ship's predicted rows at tick boundaries (PREDICTION, Reconciliation): slot = tick mod length.
+ * A row is as the server's frame of that tick has it: before the tick's own inputs and choice of reference body.
+ */
+export interface History {
+  readonly length: number;
+  readonly rows: Float64Array;
+  /** The tick each slot holds, -1 for none. */
+  readonly ticks: Float64Array;
+}
+
+/** Ticks that span at least 10 s of wall time, and never fewer than 12, so that a slow server has a past too. */
+export function ringLength(tickRate: number): number {
+  return Math.max(12, Math.ceil(10 * tickRate) + 2);
+}
+
+export function createHistory(length: number): History {
+  return {
+    length,
+    rows: new Float64Array(length * SHIP_STRIDE),
+    ticks: new Float64Array(length).fill(-1),
+  };
+}
+
+/** Keeps a row as the state at `tick`. */
+export function keep(history: History, tick: number, rows: Float64Array, at: number): void {
+  const slot = tick % history.length;
+  const to = slot * SHIP_STRIDE;
+  for (let k = 0; k < SHIP_STRIDE; k++) history.rows[to + k] = rows[at + k]!;
+  history.ticks[slot] = tick;
+}
+
+/** Whether the state at `tick` is kept. */
+export function has(history: History, tick: number): boolean {
+  return history.ticks[tick % history.length] === tick;
+}
+
+/** Offset of the row at `tick` in `rows`. Throws where `has` is false: a fault of the predictor, never of what it is told. */
+export function offsetOf(history: History, tick: number): number {
+  const slot = tick % history.length;
+  const held = history.ticks[slot]!;
+  if (held !== tick) {
+    throw new RangeError(
+      `no state of tick ${tick} is kept: its slot holds ${held < 0 ? 'none' : `tick ${held}`}`,
+    );
+  }
+  return slot * SHIP_STRIDE;
+}
+
+/** Forgets every state after `tick`. */
+export function forgetAfter(history: History, tick: number): void {
+  for (let slot = 0; slot < history.length; slot++) {
+    if (history.ticks[slot]! > tick) history.ticks[slot] = -1;
+  }
+}
+
+/** The same states in a ring of another length; the newest win a slot. */
+export function resized(history: History, length: number): History {
+  const next = createHistory(length);
+  for (let slot = 0; slot < history.length; slot++) {
+    const tick = history.ticks[slot]!;
+    if (tick >= 0 && tick > next.ticks[tick % length]!) keep(next, tick, history.rows, slot * SHIP_STRIDE);
+  }
+  return next;
+}

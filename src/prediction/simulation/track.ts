@@ -1,0 +1,204 @@
+import { SHIP_STRIDE, THRUST_LEVEL } from '../../dynamics';
+import { createEase, type Ease } from '../drawn/ease';
+import { createLedger, type Ledger } from '../events';
+import { createHistory, type History } from './history';
+import type { TouchdownRing } from '../touchdown/touchdownRing';
+import type { ShipView } from '../drawn/view';
+
+/** How a ship's present comes about. */
+export type Mode =
+  /** Simulated to the front, substep by substep. */
+  | 'stepping'
+  /** Landed, and the server agrees: constant in the body's axes, no substep. */
+  | 'locked'
+  /** Nothing drawn is worth going on from: a replay from the server's state has not reached the front yet. */
+  | 'waiting'
+  /** Not carried on: too fast to follow, or no server state for longer than the ring. Drawn as the server last had it. */
+  | 'held';
+
+/** What the predictor keeps of one ship. Its rows stand in the fleet's arrays at `at`. */
+export interface Track {
+  readonly shipId: string;
+  playerId: string;
+  name: string;
+  own: boolean;
+  /** Offset of its row in each of the fleet's arrays. */
+  at: number;
+  mode: Mode;
+  /** Switched off because time outruns the budget. */
+  off: boolean;
+
+  history: History;
+  /** Newest tick the server told of, -1 before the first; its row, and its body's attitude then. */
+  serverTick: number;
+  readonly serverRow: Float64Array;
+  readonly serverBodyAttitude: Float64Array;
+  /** 33 and 34 were told: comparable to the micrometre. */
+  exact: boolean;
+  /** Client wall s. */
+  seenAt: number;
+  /** How long the server was silent before its newest state, s. */
+  silence: number;
+
+  /** Position of the replay in the fleet's `replayed` row. */
+  replaying: boolean;
+  replayTick: number;
+  replaySubstep: number;
+  /** Tick of the newest state that was adopted: what is kept of ticks before it leads elsewhere. */
+  adoptedTick: number;
+  /** The replay adopts a state that makes easing meaningless: respawned, or on another body. */
+  replaySnaps: boolean;
+  /** Numbers of the passes over this ship's time: of the front, of the replay, ever begun. */
+  pass: number;
+  replayPass: number;
+  passes: number;
+
+  /** Other pilots: where their controls are let go; -1 for none. */
+  releaseTick: number;
+  releaseSubstep: number;
+
+  /** Landed lock: place (m) and attitude as seen from the body's axes. */
+  readonly lockedPlace: Float64Array;
+  readonly lockedAttitude: Float64Array;
+
+  /** Taken out of step by a resync or another tempo: the last predicted pose, as seen from the body's axes, to ease from. */
+  hasHeld: boolean;
+  readonly heldPlace: Float64Array;
+  readonly heldAttitude: Float64Array;
+
+  readonly ease: Ease;
+  /** The front's last substep uprighted it: what is drawn inside that substep is the attitude before, through the offset. */
+  uprighted: boolean;
+  readonly ledger: Ledger;
+  /** Of the own ship. */
+  log: TouchdownRing | null;
+  readonly status: Status;
+  /** What the page sees of it; made when it is first seen. */
+  view: ShipView | null;
+}
+
+/** What is shown of its states. */
+export interface Status {
+  /** The present surface state, -1 before the first, and since when it holds, server wall s. */
+  state: number;
+  since: number;
+  /** Until when CONTACT stays shown, client wall s. */
+  contactUntil: number;
+  /** Event of the last retracted prediction, and until when that is told, client wall s. */
+  withdrawn: number;
+  withdrawnUntil: number;
+  /** Tick of the server's state that the view shows, and server wall s then. */
+  serverTick: number;
+  serverWall: number;
+  /** The commands that the view's controls were made from. */
+  readonly commands: Float64Array;
+}
+
+/** All ships: their tracks, and a row each of three arrays. */
+export interface Fleet {
+  /** The client's own ship, once it is there. */
+  own: Track | null;
+  readonly tracks: Track[];
+  readonly byId: Map<string, Track>;
+  /** One substep before the front. */
+  previous: Float64Array;
+  /** At the front: the first substep boundary at or after the present. */
+  front: Float64Array;
+  /** Where replays are. */
+  replayed: Float64Array;
+}
+
+export function createFleet(): Fleet {
+  return {
+    own: null,
+    tracks: [],
+    byId: new Map(),
+    previous: new Float64Array(0),
+    front: new Float64Array(0),
+    replayed: new Float64Array(0),
+  };
+}
+
+/** A track at the end of the fleet, nothing known of it. */
+export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Track {
+  const at = fleet.tracks.length * SHIP_STRIDE;
+  if (fleet.front.length < at + SHIP_STRIDE) grow(fleet);
+  const track: Track = {
+    shipId,
+    playerId: '',
+    name: '',
+    own: false,
+    at,
+    mode: 'waiting',
+    off: false,
+    history: createHistory(ringLength),
+    serverTick: -1,
+    serverRow: new Float64Array(SHIP_STRIDE),
+    serverBodyAttitude: Float64Array.of(0, 0, 0, 1),
+    exact: false,
+    seenAt: 0,
+    silence: 0,
+    replaying: false,
+    replayTick: 0,
+    replaySubstep: 0,
+    adoptedTick: 0,
+    replaySnaps: false,
+    pass: 0,
+    replayPass: 0,
+    passes: 0,
+    releaseTick: -1,
+    releaseSubstep: 0,
+    lockedPlace: new Float64Array(3),
+    lockedAttitude: Float64Array.of(0, 0, 0, 1),
+    hasHeld: false,
+    heldPlace: new Float64Array(3),
+    heldAttitude: Float64Array.of(0, 0, 0, 1),
+    ease: createEase(),
+    uprighted: false,
+    ledger: createLedger(shipId),
+    log: null,
+    status: {
+      state: -1,
+      since: 0,
+      contactUntil: Number.NEGATIVE_INFINITY,
+      withdrawn: 0,
+      withdrawnUntil: Number.NEGATIVE_INFINITY,
+      serverTick: -1,
+      serverWall: Number.NaN,
+      commands: new Float64Array(SHIP_STRIDE - THRUST_LEVEL).fill(Number.NaN),
+    },
+    view: null,
+  };
+  fleet.tracks.push(track);
+  fleet.byId.set(shipId, track);
+  return track;
+}
+
+/** Takes a track out; the last one takes its rows. */
+export function removeTrack(fleet: Fleet, track: Track): void {
+  const last = fleet.tracks.pop()!;
+  fleet.byId.delete(track.shipId);
+  if (fleet.own === track) fleet.own = null;
+  if (last === track) return;
+  for (const rows of [fleet.previous, fleet.front, fleet.replayed])
+    rows.copyWithin(track.at, last.at, last.at + SHIP_STRIDE);
+  last.at = track.at;
+  fleet.tracks[track.at / SHIP_STRIDE] = last;
+}
+
+function grow(fleet: Fleet): void {
+  const length = Math.max(8 * SHIP_STRIDE, fleet.front.length * 2);
+  const grown = (rows: Float64Array) => {
+    const next = new Float64Array(length);
+    next.set(rows);
+    return next;
+  };
+  fleet.previous = grown(fleet.previous);
+  fleet.front = grown(fleet.front);
+  fleet.replayed = grown(fleet.replayed);
+}
+
+/** Copies one row between two arrays. */
+export function copyRow(to: Float64Array, toAt: number, from: Float64Array, fromAt: number): void {
+  for (let k = 0; k < SHIP_STRIDE; k++) to[toAt + k] = from[fromAt + k]!;
+}

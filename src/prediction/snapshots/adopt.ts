@@ -1,0 +1,122 @@
+import {
+  ANGULAR_VELOCITY,
+  ATTITUDE,
+  ATTITUDE_HOLD,
+  ATTITUDE_MODE,
+  ATTITUDE_MODES,
+  BODY_POSITION,
+  BODY_STRIDE,
+  BODY_VELOCITY,
+  CRASHED,
+  FLYING,
+  FUEL,
+  IMPACT_SPEED,
+  LANDED,
+  POSITION,
+  REFERENCE_BODY,
+  ROTATION_INPUT,
+  SHIP_CLASS,
+  SURFACE_STATE,
+  SURFACE_STATES,
+  TARGET_ATTITUDE,
+  THRUST_LEVEL,
+  TRANSLATION_INPUT,
+  VELOCITY,
+  type World,
+} from '../../dynamics';
+import type { ShipState } from '../../wire';
+
+/**
+ * Writes the wire's ShipState as a row (PREDICTION, What the server says), with what a server leaves out made good: the relative
+ * state from ICRF, the reference body from the body landed on or the strongest gravity, the state from `landedBodyName`.
+ * IMPACT_SPEED is NaN where the server does not tell it: only the ship's own history can know it.
+ * @param row one ship's row; as it was where a reason is returned
+ * @param bodies rows at the state's tick
+ * @returns null, or the reason, naming the field, why the state cannot be used
+ */
+export function adopt(
+  row: Float64Array,
+  state: ShipState,
+  bodies: Float64Array,
+  world: World,
+): string | null {
+  const shipClass = indexOfName(world.shipClasses, state.shipClass);
+  if (shipClass < 0) return `shipClass: no class named ${state.shipClass}`;
+  const told = state.referenceBody !== '' ? state.referenceBody : state.landedBodyName;
+  const body = told !== '' ? indexOfName(world.bodies, told) : strongestPull(state, bodies, world);
+  if (body < 0) return `referenceBody: no body named ${told}`;
+  if (tooNearCentre(state, bodies, body)) return 'position: expected ≥ 1 m from the body’s centre';
+
+  writePlace(row, state, bodies, body);
+  for (let k = 0; k < 4; k++) row[ATTITUDE + k] = state.attitude[k]!;
+  for (let k = 0; k < 3; k++) row[ANGULAR_VELOCITY + k] = state.angularVelocity[k]!;
+  row[FUEL] = state.fuel;
+  const named = SURFACE_STATES.indexOf(state.surfaceContactState);
+  const surface = named === FLYING && state.landedBodyName !== '' ? LANDED : named;
+  row[SURFACE_STATE] = state.crashed ? FLYING : surface;
+  row[IMPACT_SPEED] = surface === FLYING ? 0 : (state.contactImpactSpeed ?? Number.NaN);
+  row[REFERENCE_BODY] = body;
+  row[CRASHED] = state.crashed ? 1 : 0;
+  row[SHIP_CLASS] = shipClass;
+  writeCommand(row, state);
+  return null;
+}
+
+/** Whether the relative state came from the server itself, not from a difference of ICRF places. */
+export function isExact(state: ShipState): boolean {
+  return state.relativePosition !== null && state.relativeVelocity !== null;
+}
+
+function writePlace(row: Float64Array, state: ShipState, bodies: Float64Array, body: number): void {
+  const { relativePosition, relativeVelocity, position, velocity } = state;
+  const at = body * BODY_STRIDE;
+  for (let k = 0; k < 3; k++) {
+    if (relativePosition !== null) row[POSITION + k] = relativePosition[k]!;
+    else row[POSITION + k] = position[k]! - bodies[at + BODY_POSITION + k]!;
+    if (relativeVelocity !== null) row[VELOCITY + k] = relativeVelocity[k]!;
+    else row[VELOCITY + k] = velocity[k]! - bodies[at + BODY_VELOCITY + k]!;
+  }
+}
+
+function writeCommand(row: Float64Array, state: ShipState): void {
+  row[THRUST_LEVEL] = state.thrustLevel;
+  for (let k = 0; k < 3; k++) row[TRANSLATION_INPUT + k] = state.translationInput[k]!;
+  for (let k = 0; k < 3; k++) row[ROTATION_INPUT + k] = state.rotationInput[k]!;
+  row[ATTITUDE_HOLD] = state.attitudeHold ? 1 : 0;
+  row[ATTITUDE_MODE] = ATTITUDE_MODES.indexOf(state.attitudeMode);
+  for (let k = 0; k < 4; k++) row[TARGET_ATTITUDE + k] = state.targetAttitude[k]!;
+}
+
+/** The body whose gravity is the strongest at the ship; ties go to the one listed first (DYNAMICS, Frame). */
+function strongestPull(state: ShipState, bodies: Float64Array, world: World): number {
+  let best = -1;
+  let strongest = -1;
+  for (let i = 0; i < world.bodies.length; i++) {
+    const pull = world.bodies[i]!.gravityParameter / distanceSquared(state, bodies, i);
+    if (pull > strongest) {
+      strongest = pull;
+      best = i;
+    }
+  }
+  return best;
+}
+
+/** Less than a metre from the centre the radial direction has no meaning. */
+function tooNearCentre(state: ShipState, bodies: Float64Array, body: number): boolean {
+  const given = state.relativePosition;
+  if (given === null) return !(distanceSquared(state, bodies, body) >= 1);
+  return !(given[0] * given[0] + given[1] * given[1] + given[2] * given[2] >= 1);
+}
+
+function distanceSquared(state: ShipState, bodies: Float64Array, body: number): number {
+  const at = body * BODY_STRIDE + BODY_POSITION;
+  const x = state.position[0] - bodies[at]!;
+  const y = state.position[1] - bodies[at + 1]!;
+  const z = state.position[2] - bodies[at + 2]!;
+  return x * x + y * y + z * z;
+}
+
+function indexOfName(named: readonly { readonly name: string }[], name: string): number {
+  for (let i = 0; i < named.length; i++) if (named[i]!.name === name) return i;
+  return -1;
+}

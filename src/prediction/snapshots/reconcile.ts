@@ -1,0 +1,194 @@
+import {
+  CRASHED,
+  FLYING,
+  IMPACT_SPEED,
+  BODY_ATTITUDE,
+  BODY_STRIDE,
+  REFERENCE_BODY,
+  SHIP_STRIDE,
+  SURFACE_STATE,
+} from '../../dynamics';
+import type { ShipState } from '../../wire';
+import { adopt, isExact } from './adopt';
+import {
+  describeDifference,
+  EXACT,
+  type Field,
+  firstDifference,
+  type Place,
+  sameCommand,
+  type Tolerance,
+  writeError,
+  writeInexact,
+} from './compare';
+import { has, offsetOf } from '../simulation/history';
+import type { InputFate } from '../inputs/inputs';
+import { holdLocked, isAtRest, lockIfAtRest, lockTo, writeLockedAt } from '../simulation/sleep';
+import { abandonReplay, startReplay } from '../simulation/replay';
+import { commandsAnything, type Simulation } from '../simulation/simulation';
+import { take } from '../drawn/rotation';
+import { isBefore, spanOf, writeLater } from '../time/timeline';
+import { logLanded } from '../touchdown/touchdownRing';
+import { copyRow, type Track } from '../simulation/track';
+
+/** A frame, as far as one ship is concerned. */
+export interface Word {
+  tick: number;
+  /** Client wall s. */
+  now: number;
+  /** The server's bodies at the tick, and those predicted for it, as rows. */
+  bodies: Float64Array;
+  predictedBodies: Float64Array;
+  /** How far the predicted bodies' attitudes and spins were off, as a component. */
+  turned: number;
+  /** What the frame's acknowledgement says of the own ship's inputs. */
+  inputs: InputFate;
+}
+
+/** Tick intervals without news for which other pilots' controls are held. */
+const HELD_TICKS = 1.5;
+/** Bodies turned by more than this carry their ships with them, rad. */
+const SAME_BODIES = 1e-12;
+
+/**
+ * One ship's state in one frame against what was predicted for the same tick: equal, the local state is kept and nothing replayed;
+ * else the server's is adopted and every stored input since is replayed (PREDICTION, Reconciliation).
+ * @returns null, or the reason why the state cannot be used
+ */
+export function reconcile(sim: Simulation, track: Track, state: ShipState, word: Word): string | null {
+  if (word.tick < track.serverTick) return null;
+  const reason = adopt(told, state, word.bodies, sim.world);
+  if (reason !== null) return reason;
+  const known = track.serverTick >= 0;
+  if (known && track.serverRow[CRASHED]! > told[CRASHED]!) track.replaySnaps = true;
+  const predicted = findPredicted(sim, track, word);
+  server.bodies = word.bodies;
+  if (track.own) writeError(sim.counters, server, predicted);
+  if (Number.isNaN(told[IMPACT_SPEED])) told[IMPACT_SPEED] = recalledImpact(predicted);
+  remember(track, state, word, known);
+  settle(sim, track, predicted, word);
+  if (!track.own) holdControls(sim, track);
+  return null;
+}
+
+function settle(sim: Simulation, track: Track, predicted: Place | null, word: Word): void {
+  if (track.off) {
+    if (isAtRest(told, 0)) lockFirst(sim, track, word);
+    return;
+  }
+  if (predicted === null) {
+    startReplay(track, sim, word.tick, told, 0);
+    lockFirst(sim, track, word);
+    return;
+  }
+  if (!track.exact) writeInexact(inexact, server);
+  const field = firstDifference(server, predicted, track.exact ? EXACT : inexact);
+  const commanded = sameCommand(told, 0, predicted.rows, predicted.at);
+  if (field !== 'none' || !(commanded || isHeldByLock(track))) {
+    correct(sim, track, field, predicted, word);
+    return;
+  }
+  if (track.own && word.inputs !== 'asPredicted' && track.mode !== 'locked') {
+    correct(sim, track, field, predicted, word);
+    return;
+  }
+  agree(sim, track, word);
+}
+
+/** Equal: the local state is kept. */
+function agree(sim: Simulation, track: Track, word: Word): void {
+  const { front } = sim;
+  if (track.mode === 'locked') {
+    lockTo(track, word.bodies);
+    if (!track.own) copyRow(sim.fleet.front, track.at, told, 0);
+    return;
+  }
+  // Not there yet: what agreed is the prediction it would replace.
+  if (track.replaying && isBefore(track.replayTick, track.replaySubstep, word.tick, 0)) abandonReplay(track);
+  if (track.replaying) return;
+  if (lockIfAtRest(sim, track, word.bodies)) return;
+  const letGo = isBefore(track.releaseTick, track.releaseSubstep, front.tick, front.substep);
+  const wasReleased = !track.own && track.releaseTick >= 0 && letGo && commandsAnything(told, 0);
+  if (wasReleased || word.turned > SAME_BODIES) startReplay(track, sim, word.tick, told, 0);
+}
+
+/** Not equal: counted by its cause, adopted, replayed. */
+function correct(sim: Simulation, track: Track, field: Field, predicted: Place, word: Word): void {
+  const { counters } = sim;
+  if (track.own && word.inputs === 'late') counters.correctionsLateInput += 1;
+  else if (track.own && word.inputs === 'lost') counters.correctionsLostInput += 1;
+  else if (!sameCommand(told, 0, predicted.rows, predicted.at)) counters.correctionsOtherPilot += 1;
+  else {
+    counters.correctionsMismatch += 1;
+    counters.lastMismatch = `${track.shipId} at tick ${word.tick}: ${describeDifference(field, server, predicted)}`;
+  }
+  if (track.mode === 'locked') holdLocked(track);
+  startReplay(track, sim, word.tick, told, 0);
+}
+
+/** A ship told of for the first time, landed: it locks at once and is drawn where the server has it. */
+function lockFirst(sim: Simulation, track: Track, word: Word): void {
+  if (!sim.locks || track.mode === 'stepping' || track.hasHeld || !isAtRest(told, 0)) return;
+  track.off = false;
+  copyRow(sim.fleet.front, track.at, told, 0);
+  copyRow(sim.fleet.previous, track.at, told, 0);
+  abandonReplay(track);
+  if (track.log !== null) logLanded(track.log);
+  lockIfAtRest(sim, track, word.bodies);
+}
+
+/** What a landed ship's lock does not notice: a command that neither burns nor lifts. */
+function isHeldByLock(track: Track): boolean {
+  return track.mode === 'locked' && isAtRest(told, 0);
+}
+
+function findPredicted(sim: Simulation, track: Track, word: Word): Place | null {
+  if (track.mode === 'locked') {
+    copyRow(locked, 0, sim.fleet.front, track.at);
+    writeLockedAt(locked, 0, track, word.bodies);
+    posed.bodies = word.bodies;
+    return posed;
+  }
+  if (track.mode === 'held' || !has(track.history, word.tick)) return null;
+  kept.rows = track.history.rows;
+  kept.at = offsetOf(track.history, word.tick);
+  kept.bodies = word.predictedBodies;
+  return kept;
+}
+
+/** The speed at the touch that began this contact, from the ship's own history, else settling: 0. */
+function recalledImpact(predicted: Place | null): number {
+  if (predicted === null) return 0;
+  const { rows, at } = predicted;
+  const sameContact =
+    rows[at + SURFACE_STATE] !== FLYING && rows[at + REFERENCE_BODY] === told[REFERENCE_BODY];
+  return sameContact ? rows[at + IMPACT_SPEED]! : 0;
+}
+
+function remember(track: Track, state: ShipState, word: Word, known: boolean): void {
+  track.name = state.name;
+  track.playerId = state.playerId;
+  track.exact = isExact(state);
+  track.silence = known ? Math.max(0, word.now - track.seenAt) : 0;
+  track.seenAt = word.now;
+  track.serverTick = word.tick;
+  copyRow(track.serverRow, 0, told, 0);
+  take(track.serverBodyAttitude, word.bodies, told[REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);
+}
+
+/** Another pilot's last known controls hold for 1.5 tick intervals from the present on, then they are let go. */
+function holdControls(sim: Simulation, track: Track): void {
+  const { timeline, front } = sim;
+  const substeps = Math.ceil(HELD_TICKS * spanOf(timeline, front.tick).timing.substeps);
+  writeLater(later, timeline, front.tick, front.substep, substeps);
+  track.releaseTick = later.tick;
+  track.releaseSubstep = later.substep;
+}
+
+const later = { tick: 0, substep: 0 };
+const told = new Float64Array(SHIP_STRIDE);
+const server: Place = { rows: told, at: 0, bodies: told };
+const inexact: Tolerance = new Float64Array(3);
+const locked = new Float64Array(SHIP_STRIDE);
+const posed: Place = { rows: locked, at: 0, bodies: locked };
+const kept: Place = { rows: told, at: 0, bodies: told };

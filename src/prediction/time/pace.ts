@@ -1,0 +1,119 @@
+import { POSITION, REFERENCE_BODY } from '../../dynamics';
+import { MOST_SUBSTEPS_A_TICK } from '../snapshots/bodyTrack';
+import { abandonReplay, hold, startReplay } from '../simulation/replay';
+import type { Simulation } from '../simulation/simulation';
+import { spanOf } from './timeline';
+import { copyRow, type Track } from '../simulation/track';
+
+/**
+ * Too fast to follow (PREDICTION, The timeline): when the substeps due exceed the budget, prediction switches off for the far ships
+ * first, then for all; never a confident fiction, never a frame that waits.
+ */
+export interface Pace {
+  /** Ship substeps a frame may take. */
+  readonly budget: number;
+  /** Substeps a ship has been due in a frame, smoothed: a single long frame is no reason to switch off. */
+  due: number;
+}
+
+/** Of the budget: what keeping in step may take, so that replays always go on. */
+const STEPPING_SHARE = 0.75;
+/** Of that: what must be free before a ship is switched on again, so that none flickers. */
+const RETURN_SHARE = 0.8;
+/** Weight of a new frame in the smoothed due. */
+const SMOOTHING = 0.1;
+/** A frame of this many times the usual due is a hitch. */
+const HITCH = 3;
+
+export function createPace(budget: number): Pace {
+  return { budget, due: Number.NaN };
+}
+
+/**
+ * Before the front moves on by `due` substeps: which ships can follow. The others are switched off, or where only this one frame is
+ * too long, taken out of step to catch up by replay.
+ */
+export function keepPace(sim: Simulation, pace: Pace, due: number): void {
+  const hitch = due > HITCH * pace.due;
+  pace.due =
+    Number.isNaN(pace.due) || hitch
+      ? Math.max(1, Math.min(due, pace.due * HITCH || due))
+      : pace.due + (due - pace.due) * SMOOTHING;
+  const room = Math.floor((pace.budget * STEPPING_SHARE) / Math.max(due, 1));
+  const usual = Math.floor((pace.budget * STEPPING_SHARE) / Math.max(pace.due, 1));
+  const tooFine = spanOf(sim.timeline, sim.front.tick).timing.substeps > MOST_SUBSTEPS_A_TICK;
+  if (tooFine || moving(sim) > room) {
+    sim.counters.budgetOverruns += 1;
+    thinOut(sim, tooFine ? 0 : room, tooFine ? 0 : usual);
+  } else bringBack(sim, Math.floor(usual * RETURN_SHARE));
+}
+
+function moving(sim: Simulation): number {
+  let count = 0;
+  for (const track of sim.fleet.tracks) if (track.mode === 'stepping') count += 1;
+  return count;
+}
+
+/** Ships in step beyond `room` drop out, the farthest first: beyond `usual` they are switched off. */
+function thinOut(sim: Simulation, room: number, usual: number): void {
+  const stepping = sim.fleet.tracks.filter((track) => track.mode === 'stepping');
+  byDistance(sim, stepping);
+  for (const [i, track] of stepping.entries()) {
+    if (i >= usual) switchOff(track);
+    else if (i >= room) catchUpLater(sim, track);
+  }
+}
+
+function switchOff(track: Track): void {
+  abandonReplay(track);
+  track.mode = 'held';
+  track.hasHeld = false;
+  track.off = true;
+}
+
+/** Goes on from where it stands, by replay, as budgets allow; drawn as it is until then. */
+function catchUpLater(sim: Simulation, track: Track): void {
+  if (track.replaying) return;
+  const { front, fleet } = sim;
+  copyRow(fleet.replayed, track.at, fleet.front, track.at);
+  track.log?.replayed.set(track.log.front);
+  hold(sim, track);
+  track.replaying = true;
+  track.replayTick = front.tick;
+  track.replaySubstep = front.substep;
+  track.replayPass = track.pass;
+}
+
+/** The nearest ships that are switched off go on again from the server's newest state, while fewer than `room` are in step. */
+function bringBack(sim: Simulation, room: number): void {
+  let free = room;
+  let anyOff = false;
+  for (const track of sim.fleet.tracks) {
+    if (track.off) anyOff = true;
+    else if (track.mode !== 'locked') free -= 1;
+  }
+  if (!anyOff || free <= 0) return;
+  const off = sim.fleet.tracks.filter((track) => track.off);
+  byDistance(sim, off);
+  for (const track of off.slice(0, free)) {
+    track.off = false;
+    startReplay(track, sim, track.serverTick, track.serverRow, 0);
+  }
+}
+
+/** The own ship first, then by distance from it; ships of another body last. */
+function byDistance(sim: Simulation, tracks: Track[]): void {
+  const { own } = sim.fleet;
+  const distances = new Map(tracks.map((track) => [track, own === null ? 0 : distance(own, track)]));
+  tracks.sort((a, b) => distances.get(a)! - distances.get(b)!);
+}
+
+function distance(own: Track, other: Track): number {
+  if (own === other) return -1;
+  const a = own.serverRow;
+  const b = other.serverRow;
+  if (a[REFERENCE_BODY] !== b[REFERENCE_BODY]) return Number.POSITIVE_INFINITY;
+  let sum = 0;
+  for (let k = 0; k < 3; k++) sum += (a[POSITION + k]! - b[POSITION + k]!) ** 2;
+  return sum;
+}

@@ -1,0 +1,42 @@
+import type { Ping } from '../../wire';
+
+/** Pings on their way, so that the round trip is measured apart from the tick (PREDICTION, What the server says). Client wall s. */
+export interface Pings {
+  nextId: number;
+  nextAt: number;
+  readonly sentAt: Float64Array;
+  readonly queued: Ping[];
+}
+
+/** s between pings; the first few come faster, so that the clock settles. */
+const EVERY = 0.2;
+const FIRST_EVERY = 0.05;
+const FIRST = 8;
+/** Pings that can be on their way. */
+const LENGTH = 256;
+
+export function createPings(): Pings {
+  return {
+    nextId: 1,
+    nextAt: Number.NEGATIVE_INFINITY,
+    sentAt: new Float64Array(LENGTH).fill(Number.NaN),
+    queued: [],
+  };
+}
+
+/** Queues a ping if one is due. */
+export function pingIfDue(pings: Pings, now: number): void {
+  if (now < pings.nextAt && pings.nextAt - now <= EVERY) return;
+  const id = pings.nextId++;
+  pings.sentAt[id % LENGTH] = now;
+  pings.queued.push({ kind: 'ping', id });
+  pings.nextAt = now + (id <= FIRST ? FIRST_EVERY : EVERY);
+}
+
+/** When ping `id` was sent; NaN if it never was, was answered already, or is forgotten. */
+export function answeredPing(pings: Pings, id: number): number {
+  if (!(id < pings.nextId && id >= pings.nextId - LENGTH && id >= 1)) return Number.NaN;
+  const sent = pings.sentAt[id % LENGTH]!;
+  pings.sentAt[id % LENGTH] = Number.NaN;
+  return sent;
+}

@@ -1,0 +1,138 @@
+import { type Timing, timingOfTick } from '../../dynamics';
+
+/**
+ * Ticks and substeps on the server's wall clock, across re-timing and pause (PREDICTION, The timeline).
+ * Whole numbers for ticks and substeps; a wall time is a product of a tick count, never a sum of seconds.
+ */
+
+/** How fast the server ticks, as a frame tells it: holds from that frame's tick on. */
+export interface Tempo {
+  /** Hz */
+  readonly tickRate: number;
+  readonly timeScale: number;
+  readonly paused: boolean;
+}
+
+/** Ticks of one tempo, in order, the last one open-ended. */
+export interface Span extends Tempo {
+  readonly fromTick: number;
+  /** Server wall s at `fromTick`; the origin is the first frame's. */
+  readonly fromWall: number;
+  /** Substeps from the origin to `fromTick`. */
+  readonly fromIndex: number;
+  readonly timing: Timing;
+  /** Game s a substep, boxed once: read from a list of mixed kinds it is handed on as it is, read from a field it is boxed at each call. */
+  readonly step: readonly [dt: number, none: null];
+}
+
+export interface Timeline {
+  readonly spans: Span[];
+}
+
+/** A substep boundary: the start of substep `substep` of the interval that begins at `tick`. */
+export interface Position {
+  tick: number;
+  substep: number;
+}
+
+/** Tempo changes remembered: more than a ring of predicted states can span. */
+const MOST_SPANS = 32;
+
+export function createTimeline(): Timeline {
+  return { spans: [] };
+}
+
+/** The span that holds `tick`; ticks before the first belong to the first. */
+export function spanOf(timeline: Timeline, tick: number): Span {
+  const { spans } = timeline;
+  let i = spans.length - 1;
+  while (i > 0 && spans[i]!.fromTick > tick) i--;
+  return spans[i]!;
+}
+
+/**
+ * From `tick` on this tempo holds; `wall` is the server's wall time at `tick` where it is known better than by counting ticks
+ * (after a pause), else null. Returns whether anything after `tick` is timed otherwise than before.
+ */
+export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: number | null): boolean {
+  const { spans } = timeline;
+  const last = spans.at(-1);
+  if (last === undefined) {
+    spans.push(makeSpan(tick, tempo, wall ?? 0, 0));
+    return true;
+  }
+  const held = spanOf(timeline, tick);
+  const same =
+    held.tickRate === tempo.tickRate && held.timeScale === tempo.timeScale && held.paused === tempo.paused;
+  if (same && wall === null && held === last) return false;
+  const at = wall ?? wallOfTick(timeline, tick);
+  const index = indexOf(timeline, tick, 0);
+  while (spans.length > 0 && spans.at(-1)!.fromTick >= tick) spans.pop();
+  spans.push(makeSpan(tick, tempo, at, index));
+  if (spans.length > MOST_SPANS) spans.shift();
+  return !same;
+}
+
+function makeSpan(fromTick: number, tempo: Tempo, fromWall: number, fromIndex: number): Span {
+  const { tickRate, timeScale, paused } = tempo;
+  const timing = timingOfTick(timeScale / tickRate);
+  return { tickRate, timeScale, paused, fromTick, fromWall, fromIndex, timing, step: [timing.dt, null] };
+}
+
+/** Server wall s at tick boundary `tick`; for a tick after a pause that has not ended, as if it ended now. */
+export function wallOfTick(timeline: Timeline, tick: number): number {
+  const span = spanOf(timeline, tick);
+  return span.fromWall + (tick - span.fromTick) / span.tickRate;
+}
+
+/** Substeps from the origin to the start of substep `substep` of `tick`: positions as one number, for differences. */
+export function indexOf(timeline: Timeline, tick: number, substep: number): number {
+  const span = spanOf(timeline, tick);
+  return span.fromIndex + (tick - span.fromTick) * span.timing.substeps + substep;
+}
+
+/** Writes the position `substeps` after (tick, substep), by the tempo that holds at each tick on the way. */
+export function writeLater(
+  out: Position,
+  timeline: Timeline,
+  tick: number,
+  substep: number,
+  substeps: number,
+): void {
+  let t = tick;
+  let s = substep + substeps;
+  for (let n = spanOf(timeline, t).timing.substeps; s >= n; n = spanOf(timeline, t).timing.substeps) {
+    s -= n;
+    t += 1;
+  }
+  out.tick = t;
+  out.substep = s;
+}
+
+/** Where a moment of the server's wall clock lies: the tick before it, and substeps, with a fraction, since that boundary. */
+export interface Moment {
+  tick: number;
+  substeps: number;
+}
+
+/** Writes the moment at server wall time `wall`; during a pause time stands at the pause's tick. */
+export function writeMoment(out: Moment, timeline: Timeline, wall: number): void {
+  const { spans } = timeline;
+  let i = spans.length - 1;
+  while (i > 0 && spans[i]!.fromWall > wall) i--;
+  const span = spans[i]!;
+  const next = spans[i + 1];
+  const ticks = span.paused ? 0 : (wall - span.fromWall) * span.tickRate;
+  const whole = Math.floor(ticks);
+  out.tick = span.fromTick + whole;
+  out.substeps = (ticks - whole) * span.timing.substeps;
+  if (next !== undefined && out.tick >= next.fromTick) {
+    out.tick = next.fromTick;
+    out.substeps = 0;
+  }
+}
+
+/** Whether (tick, substep) is before (otherTick, otherSubstep). */
+export function isBefore(tick: number, substep: number, otherTick: number, otherSubstep: number): boolean {
+  return tick < otherTick || (tick === otherTick && substep < otherSubstep);
+}

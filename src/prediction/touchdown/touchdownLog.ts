@@ -1,0 +1,231 @@
+import {
+  ATTITUDE,
+  BODY_ANGULAR_VELOCITY,
+  BODY_STRIDE,
+  CONTACT,
+  CRASHED,
+  FLYING,
+  IMPACT_SPEED,
+  LANDED,
+  POSITION,
+  REFERENCE_BODY,
+  SHIP_CLASS,
+  SURFACE_STATE,
+  THRUST_LEVEL,
+  TIPPED,
+  VELOCITY,
+  type World,
+} from '../../dynamics';
+import type { TouchdownView } from '../drawn/view';
+
+/**
+ * What the own ship's touchdown came to so far (HUD, touchdown card): a row of doubles, written substep by substep beside the
+ * ship's own and rewound with it (touchdownRewind). However seldom the page draws, no touch falls between two frames, and one that
+ * is taken back is as if it had never been counted.
+ */
+
+/** Columns of a log's row. 1 once a touch was seen: a ship met on the ground has none. */
+export const KNOWN = 0;
+/** Index into OUTCOMES. */
+export const OUTCOME = 1;
+/** Closing speed at the first touch, the law's impact speed, m/s. */
+const VERTICAL_SPEED = 2;
+/** Along the turning ground just before the first touch, m/s. */
+const HORIZONTAL_SPEED = 3;
+const BOUNCES = 4;
+/** Way along the ground while on it, m. */
+const SLIDE = 5;
+/** Game s since the first touch, as long as the ship is not at rest. */
+const SINCE = 6;
+/** SINCE when it last landed, tipped or crashed; while open, SINCE. */
+const SETTLED = 7;
+/** Rad, and its cosine, which is cheaper to compare. */
+const LARGEST_TILT = 8;
+const LEAST_COS = 9;
+/** Game s in the air since it last left the ground, whether with its engine on, and how many of them then are a hop still. */
+const IN_AIR = 10;
+const POWERED = 11;
+const HOP_ALLOWANCE = 12;
+/** The ship's SURFACE_STATE at the row's instant. */
+export const LOGGED_STATE = 13;
+export const LOG_STRIDE = 14;
+
+export const OUTCOMES = ['open', 'landed', 'tipped', 'crashed'] as const;
+export const OPEN = 0;
+const CRASHED_THERE = 3;
+
+/** A hop with the engine on is a bounce up to this many times as long as without it would be; longer it is a new approach. */
+const HOP_PATIENCE = 2;
+
+/** A ship of which nothing was seen before its state `surfaceState`. */
+export function beginLog(log: Float64Array, surfaceState: number): void {
+  log.fill(0);
+  log[LOGGED_STATE] = surfaceState;
+}
+
+/** One substep of `dt` game s has brought a row from what it is at `beforeAt` in `before` to what it is at `at` in `after`. */
+export interface LoggedSubstep {
+  before: Float64Array;
+  beforeAt: number;
+  after: Float64Array;
+  at: number;
+  bodies: Float64Array;
+  dt: number;
+}
+
+export function createLoggedSubstep(): LoggedSubstep {
+  const none = new Float64Array(0);
+  return { before: none, beforeAt: 0, after: none, at: 0, bodies: none, dt: 0 };
+}
+
+export function logSubstep(log: Float64Array, world: World, step: LoggedSubstep): void {
+  const { before, beforeAt, after, at, dt } = step;
+  if (before[beforeAt + CRASHED] === 1) return;
+  const from = before[beforeAt + SURFACE_STATE]!;
+  const to = after[at + SURFACE_STATE]!;
+  if (from === FLYING) {
+    log[IN_AIR]! += dt;
+    if (after[at + THRUST_LEVEL]! > 0) log[POWERED] = 1;
+  }
+  if (log[KNOWN] === 1 && (log[OUTCOME] === OPEN || from === TIPPED)) log[SINCE]! += dt;
+  if (from === FLYING && to !== FLYING) touch(log, step);
+  if (after[at + CRASHED] === 1) crash(log, step);
+  if (from !== FLYING && to !== FLYING) slide(log, step);
+  if (from !== FLYING && to === FLYING) leave(log, world, after, at);
+  if (to !== FLYING) lean(log, after, at);
+  come(log, to);
+}
+
+/** The state at the row's instant: at rest the card is closed, righted it goes on. */
+export function come(log: Float64Array, state: number): void {
+  if (state === LANDED || state === TIPPED) log[OUTCOME] = state - CONTACT;
+  else if (state === CONTACT && log[LOGGED_STATE] === TIPPED) log[OUTCOME] = OPEN;
+  if (log[OUTCOME] === OPEN || state !== log[LOGGED_STATE]) log[SETTLED] = log[SINCE]!;
+  log[LOGGED_STATE] = state;
+}
+
+/** Left the ground, as `rows` have it: how long a hop from here lasts, a drop of the ship's own height allowed for. */
+export function leave(log: Float64Array, world: World, rows: Float64Array, at: number): void {
+  const body = world.bodies[rows[at + REFERENCE_BODY]!]!;
+  const drop = world.shipClasses[rows[at + SHIP_CLASS]!]!.groundContactOffset;
+  const distance = Math.sqrt(squared(rows, at + POSITION));
+  const gravity = body.gravityParameter / (distance * distance);
+  const rising = radialSpeed(rows, at, distance);
+  log[IN_AIR] = 0;
+  log[POWERED] = 0;
+  log[HOP_ALLOWANCE] = (HOP_PATIENCE * (rising + Math.sqrt(rising * rising + 2 * gravity * drop))) / gravity;
+}
+
+/** The ship as it was just before it came down: `rows` at `at`. A bounce, or the first touch of a new landing. */
+export function comeDown(
+  log: Float64Array,
+  verticalSpeed: number,
+  rows: Float64Array,
+  at: number,
+  bodies: Float64Array,
+): void {
+  const hopped = log[POWERED] === 0 || log[IN_AIR]! <= log[HOP_ALLOWANCE]!;
+  if (log[KNOWN] === 1 && log[OUTCOME] === OPEN && hopped) {
+    log[BOUNCES]! += 1;
+    return;
+  }
+  beginLog(log, FLYING);
+  log[KNOWN] = 1;
+  log[VERTICAL_SPEED] = verticalSpeed;
+  log[HORIZONTAL_SPEED] = alongGround(rows, at, bodies);
+  log[LEAST_COS] = 1;
+  lean(log, rows, at);
+}
+
+function touch(log: Float64Array, { before, beforeAt, after, at, bodies }: LoggedSubstep): void {
+  comeDown(log, after[at + IMPACT_SPEED]!, before, beforeAt, bodies);
+}
+
+/** Out of flight, or at a rise of the ground that it slid into. The law leaves its velocity as it was. */
+function crash(log: Float64Array, { before, beforeAt, after, at, bodies }: LoggedSubstep): void {
+  if (before[beforeAt + SURFACE_STATE] === FLYING) {
+    const falling = -radialSpeed(after, at, Math.sqrt(squared(after, at + POSITION)));
+    comeDown(log, Math.max(0, falling), before, beforeAt, bodies);
+  }
+  log[OUTCOME] = CRASHED_THERE;
+  log[SETTLED] = log[SINCE]!;
+}
+
+/** The law moves a ship by its speed at the substep's end. */
+function slide(log: Float64Array, { after, at, bodies, dt }: LoggedSubstep): void {
+  log[SLIDE]! += alongGround(after, at, bodies) * dt;
+}
+
+/** atan2(|n × up|, n · up) wherever it is larger than before. */
+function lean(log: Float64Array, rows: Float64Array, at: number): void {
+  const x = rows[at + ATTITUDE]!;
+  const y = rows[at + ATTITUDE + 1]!;
+  const z = rows[at + ATTITUDE + 2]!;
+  const w = rows[at + ATTITUDE + 3]!;
+  const ux = 2 * (x * z + w * y);
+  const uy = 2 * (y * z - w * x);
+  const uz = 1 - 2 * (x * x + y * y);
+  const rx = rows[at + POSITION]!;
+  const ry = rows[at + POSITION + 1]!;
+  const rz = rows[at + POSITION + 2]!;
+  const along = ux * rx + uy * ry + uz * rz;
+  const cos = along / Math.sqrt(rx * rx + ry * ry + rz * rz);
+  if (cos >= log[LEAST_COS]!) return;
+  log[LEAST_COS] = cos;
+  const cx = ry * uz - rz * uy;
+  const cy = rz * ux - rx * uz;
+  const cz = rx * uy - ry * ux;
+  log[LARGEST_TILT] = Math.atan2(Math.sqrt(cx * cx + cy * cy + cz * cz), along);
+}
+
+/** Speed along the turning ground, m/s. */
+function alongGround(rows: Float64Array, at: number, bodies: Float64Array): number {
+  const spin = rows[at + REFERENCE_BODY]! * BODY_STRIDE + BODY_ANGULAR_VELOCITY;
+  const rx = rows[at + POSITION]!;
+  const ry = rows[at + POSITION + 1]!;
+  const rz = rows[at + POSITION + 2]!;
+  const vx = rows[at + VELOCITY]! - (bodies[spin + 1]! * rz - bodies[spin + 2]! * ry);
+  const vy = rows[at + VELOCITY + 1]! - (bodies[spin + 2]! * rx - bodies[spin]! * rz);
+  const vz = rows[at + VELOCITY + 2]! - (bodies[spin]! * ry - bodies[spin + 1]! * rx);
+  const rising = (vx * rx + vy * ry + vz * rz) / (rx * rx + ry * ry + rz * rz);
+  const tx = vx - rising * rx;
+  const ty = vy - rising * ry;
+  const tz = vz - rising * rz;
+  return Math.sqrt(tx * tx + ty * ty + tz * tz);
+}
+
+/** The turning ground does not move along the radius: v · n, m/s, positive = rising. */
+function radialSpeed(rows: Float64Array, at: number, distance: number): number {
+  let sum = 0;
+  for (let k = 0; k < 3; k++) sum += rows[at + VELOCITY + k]! * rows[at + POSITION + k]!;
+  return sum / distance;
+}
+
+function squared(rows: Float64Array, at: number): number {
+  return rows[at]! * rows[at]! + rows[at + 1]! * rows[at + 1]! + rows[at + 2]! * rows[at + 2]!;
+}
+
+export function createTouchdownView(): TouchdownView {
+  return {
+    known: false,
+    outcome: 'open',
+    verticalSpeed: 0.5,
+    horizontalSpeed: 0.5,
+    bounces: 0,
+    slideMetres: 0.5,
+    settleSeconds: 0.5,
+    largestTilt: 0.5,
+  };
+}
+
+/** `known`: false where the ship's state is not that of the prediction. */
+export function fillTouchdown(out: TouchdownView, log: Float64Array, known: boolean): void {
+  out.known = known && log[KNOWN] === 1;
+  out.outcome = OUTCOMES[log[OUTCOME]!]!;
+  out.verticalSpeed = log[VERTICAL_SPEED]!;
+  out.horizontalSpeed = log[HORIZONTAL_SPEED]!;
+  out.bounces = log[BOUNCES]!;
+  out.slideMetres = log[SLIDE]!;
+  out.settleSeconds = log[SETTLED]!;
+  out.largestTilt = log[LARGEST_TILT]!;
+}

@@ -1,0 +1,161 @@
+import {
+  BODY_ATTITUDE,
+  BODY_STRIDE,
+  CRASHED,
+  FLYING,
+  IMPACT_SPEED,
+  LANDED,
+  POSITION,
+  REFERENCE_BODY,
+  SHIP_STRIDE,
+  substep,
+  SURFACE_STATE,
+  VELOCITY,
+} from '../../dynamics';
+import { applyDue, seek } from '../inputs/scheduledInput';
+import { boundaryAt, rowsAt } from '../snapshots/bodyTrack';
+import { has, offsetOf } from '../simulation/history';
+import { lengthOf, quaternion, rotateBack, take, vector } from '../drawn/rotation';
+import { beginTick, type Simulation } from '../simulation/simulation';
+import { indexOf, type Position, spanOf } from '../time/timeline';
+import {
+  beginLog,
+  come,
+  comeDown,
+  createLoggedSubstep,
+  leave,
+  LOGGED_STATE,
+  logSubstep,
+} from './touchdownLog';
+import { createTouchdownRing, keepLog, logAt, type TouchdownRing } from './touchdownRing';
+import { copyRow, type Track } from '../simulation/track';
+
+/** The own ship's row at `from` in `rows`, its state at tick boundary `tick`, to which it goes back. */
+export interface Adopted {
+  tick: number;
+  rows: Float64Array;
+  from: number;
+}
+
+/** m beyond the way it flew: what a correction may move a ship; more is a respawn. */
+const LARGEST_CORRECTION = 100;
+/** Substeps that a log is carried over, to a state the ship is not simulated up to: a frame of 100× time is 10,000, some 2 ms. */
+const MOST_CARRIED = 12_000;
+
+/**
+ * The own ship goes back to a state of the server's: so does its log, to what it was at that tick, and agrees with that state. To be
+ * called while history and replay are still as they were. Where nothing was predicted for that tick a touch may have been missed:
+ * there is no card, unless the ship lies landed as it did.
+ */
+export function rewindLog(track: Track, sim: Simulation, to: Adopted): void {
+  if (!track.own) return;
+  track.log ??= createTouchdownRing(track.history.length);
+  const { replayed, front } = track.log;
+  const state = to.rows[to.from + SURFACE_STATE]!;
+  const known = recall(track, track.log, to.tick) || carryOn(track, sim, track.log, to.tick);
+  if (track.replaySnaps || (known && wasPutElsewhere(track, to))) beginLog(replayed, state);
+  else if (known) agree(replayed, track.log, sim, to);
+  else if (front[LOGGED_STATE] === LANDED && state === LANDED && liesWhereItLay(track, sim, to))
+    replayed.set(front);
+  else beginLog(replayed, state);
+  keepLog(track.log, to.tick, replayed);
+}
+
+/** What was predicted for a tick: row and log. */
+function recall(track: Track, ring: TouchdownRing, tick: number): boolean {
+  const kept = logAt(ring, tick);
+  if (kept === null || !has(track.history, tick)) return false;
+  ring.replayed.set(kept);
+  copyRow(predicted, 0, track.history.rows, offsetOf(track.history, tick));
+  return true;
+}
+
+/**
+ * A state of a tick that the ship is not simulated up to: the page draws seldom, or is hidden. The law, for the log alone, from
+ * where the ship is.
+ */
+function carryOn(track: Track, sim: Simulation, ring: TouchdownRing, tick: number): boolean {
+  const { fleet, front, timeline } = sim;
+  if (track.replaying) {
+    at.tick = track.replayTick;
+    at.substep = track.replaySubstep;
+    copyRow(predicted, 0, fleet.replayed, track.at);
+  } else if (track.mode === 'stepping' && !sim.frontIsStale) {
+    at.tick = front.tick;
+    at.substep = front.substep;
+    copyRow(predicted, 0, fleet.front, track.at);
+    ring.replayed.set(ring.front);
+  } else return false;
+  const ahead = indexOf(timeline, tick, 0) - indexOf(timeline, at.tick, at.substep);
+  if (ahead < 0 || ahead > MOST_CARRIED) return false;
+  let cursor = seek(sim.inputs, at.tick, at.substep);
+  for (let i = 0; i < ahead; i++) {
+    copyRow(before, 0, predicted, 0);
+    if (at.substep === 0) beginTick(sim, predicted, 0, at.tick);
+    cursor = applyDue(sim.inputs, cursor, at, predicted, 0);
+    const { step, timing } = spanOf(timeline, at.tick);
+    logged.bodies = rowsAt(sim.bodies, timeline, at.tick, at.substep);
+    logged.dt = step[0];
+    substep(predicted, 0, logged.bodies, sim.world, logged.dt);
+    logSubstep(ring.replayed, sim.world, logged);
+    at.substep += 1;
+    if (at.substep < timing.substeps) continue;
+    at.tick += 1;
+    at.substep = 0;
+  }
+  return true;
+}
+
+const at: Position = { tick: 0, substep: 0 };
+const before = new Float64Array(SHIP_STRIDE);
+const predicted = new Float64Array(SHIP_STRIDE);
+const logged = { ...createLoggedSubstep(), before, after: predicted };
+
+/** Predicted in flight, but on the ground already; or predicted on the ground, but not there (yet, or any more). */
+function agree(log: Float64Array, ring: TouchdownRing, sim: Simulation, to: Adopted): void {
+  const { tick, rows, from } = to;
+  const state = rows[from + SURFACE_STATE]!;
+  if (rows[from + CRASHED] === 1 || log[LOGGED_STATE] === state) return;
+  if (log[LOGGED_STATE] === FLYING) {
+    comeDown(log, rows[from + IMPACT_SPEED]!, predicted, 0, boundaryAt(sim.bodies, sim.timeline, tick));
+  } else if (state === FLYING && !takeBack(log, ring, to)) leave(log, sim.world, rows, from);
+  come(log, state);
+}
+
+/**
+ * A ship that falls, predicted to have touched in the tick before, has not: its log is that of a tick ago. One that rises has
+ * touched and left. A hop of less than a tick that ends in falling is taken for no touch: the server's state does not tell.
+ */
+function takeBack(log: Float64Array, ring: TouchdownRing, { tick, rows, from }: Adopted): boolean {
+  let rising = 0;
+  for (let k = 0; k < 3; k++) rising += rows[from + VELOCITY + k]! * rows[from + POSITION + k]!;
+  const earlier = tick < 1 ? null : logAt(ring, tick - 1);
+  if (rising > 0 || earlier === null || earlier[LOGGED_STATE] !== FLYING) return false;
+  log.set(earlier);
+  return true;
+}
+
+/** Another body, or farther away than it could have flown while the server was silent. */
+function wasPutElsewhere({ silence }: Track, { rows, from }: Adopted): boolean {
+  if (predicted[REFERENCE_BODY] !== rows[from + REFERENCE_BODY]) return true;
+  let way = 0;
+  let speed = 0;
+  for (let k = 0; k < 3; k++) {
+    way += (rows[from + POSITION + k]! - predicted[POSITION + k]!) ** 2;
+    speed += rows[from + VELOCITY + k]! ** 2;
+  }
+  return Math.sqrt(way) > LARGEST_CORRECTION + Math.sqrt(speed) * silence;
+}
+
+/** Landed where it was locked, as seen from the body's axes. */
+function liesWhereItLay({ lockedPlace }: Track, sim: Simulation, { tick, rows, from }: Adopted): boolean {
+  const body = rows[from + REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE;
+  take(attitude, boundaryAt(sim.bodies, sim.timeline, tick), body);
+  take(place, rows, from + POSITION);
+  rotateBack(place, attitude, place);
+  for (let k = 0; k < 3; k++) place[k]! -= lockedPlace[k]!;
+  return lengthOf(place) <= LARGEST_CORRECTION;
+}
+
+const attitude = quaternion();
+const place = vector();

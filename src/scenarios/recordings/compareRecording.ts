@@ -1,0 +1,204 @@
+import {
+  accepted,
+  beginTick,
+  BODIES,
+  BODY_STRIDE,
+  type Checked,
+  type Controls,
+  EVENT_NAMES,
+  loadBody,
+  loadSettings,
+  loadShipClass,
+  NO_EVENT,
+  readControls,
+  readShip,
+  refused,
+  SHIP_CLASSES,
+  SHIP_STRIDE,
+  stepWorld,
+  TERRAINS,
+  timingOfTick,
+  type World,
+  writeBodyMotion,
+  writeControls,
+  writeShip,
+} from '../../dynamics';
+import type { ServerFrame, ShipState } from '../../wire';
+import { type Compared, type Comparison, noDifferences, raise } from '../fixtures/compareFixture';
+import { type RecordedSession, sessionsOf } from './recordedSessions';
+import type { Recording } from './recording';
+import type { StagedInput } from '../scenario';
+
+/** How a server's states compare with the law, interval by interval. */
+export interface RecordingComparison extends Comparison {
+  /** Intervals of a ship that could not be compared: its controls changed by inputs that are not in the recording. */
+  readonly unknownInputs: number;
+  /** Ships' intervals without fields 33 and 34, whose state is not told to the last digit. */
+  readonly withoutRelativeState: number;
+}
+
+/**
+ * From each frame that has a successor, one interval of the law, compared with what the server says came of it. Frames may be
+ * missing, doubled, or out of order: an interval needs both its ends, under one hello, and is compared with what that hello told;
+ * from the last frame before a new hello to the first after it nobody knows what was in force.
+ * @returns a reason when nothing can be compared
+ */
+export function compareRecording(recording: Recording): Checked<RecordingComparison> {
+  const found: Found = {
+    ticks: 0,
+    statesCompared: 0,
+    unknownInputs: 0,
+    withoutRelativeState: 0,
+    worst: noDifferences(),
+    outOfTolerance: null,
+    disagreement: null,
+  };
+  const sessions = sessionsOf(recording);
+  if (sessions.every(({ frames }) => frames.size === 0)) return refused('no frame');
+  for (const session of sessions) {
+    const reason = session.frames.size > 0 ? compareSession(found, session, recording.header.shipId) : null;
+    if (reason !== null) return refused(reason);
+  }
+  if (found.statesCompared === 0) return refused('no interval of any ship could be compared');
+  return accepted(found);
+}
+
+type Found = { -readonly [Field in keyof RecordingComparison]: RecordingComparison[Field] };
+
+/** Adds to what was found; or the reason why a session cannot be compared. */
+function compareSession(found: Found, session: RecordedSession, own: string): string | null {
+  const { frames } = session;
+  const world = worldOf(session);
+  if (!world.ok) return world.reason;
+  found.ticks += frames.size;
+  for (const tick of [...frames.keys()].sort((a, b) => a - b)) {
+    const [from, to] = [frames.get(tick)!, frames.get(tick + 1)];
+    if (to === undefined) continue;
+    for (const expected of to.ships) {
+      const start = from.ships.find(({ shipId }) => shipId === expected.shipId);
+      if (start === undefined) continue;
+      if (start.relativePosition === null || expected.relativePosition === null) {
+        found.withoutRelativeState += 1;
+        continue;
+      }
+      const inputs = expected.shipId === own ? (session.inputs.get(tick) ?? []) : [];
+      const outcome = runInterval(world.value, from, start, inputs);
+      if (!outcome.ok) return `tick ${tick}: ship ${expected.shipId}: ${outcome.reason}`;
+      if (!sameControls(outcome.value.controls, expected)) {
+        found.unknownInputs += 1;
+        continue;
+      }
+      found.statesCompared += 1;
+      const field = raise(found.worst, outcome.value.ship, comparedOf(expected));
+      if (field !== null) found.outOfTolerance ??= { tick: tick + 1, field };
+      const how = otherOutcome(outcome.value, expected, to);
+      if (how !== null) found.disagreement ??= { tick: tick + 1, how: `${expected.shipId}: ${how}` };
+    }
+  }
+  return null;
+}
+
+interface Outcome {
+  readonly ship: ReturnType<typeof readShip>;
+  readonly controls: Controls;
+  readonly events: readonly string[];
+}
+
+const reported = new Uint8Array(1);
+
+function runInterval(
+  world: World,
+  frame: ServerFrame,
+  start: ShipState,
+  inputs: readonly StagedInput[],
+): Checked<Outcome> {
+  const row = new Float64Array(SHIP_STRIDE);
+  const bodies = new Float64Array(world.bodies.length * BODY_STRIDE);
+  for (const [i, { name }] of world.bodies.entries()) {
+    const motion = frame.bodies.find((body) => body.name === name);
+    if (motion === undefined) return refused(`bodies: no ${name} in the frame`);
+    const reason = writeBodyMotion(bodies, i * BODY_STRIDE, motion);
+    if (reason !== null) return refused(`bodies.${name}.${reason}`);
+  }
+  const reason = writeShip(row, 0, { ...start, ...comparedOf(start) }, world);
+  if (reason !== null) return refused(reason);
+  writeControls(row, 0, start);
+  const { substeps, dt } = timingOfTick(frame.timeScale / frame.tickRate);
+  const events: string[] = [];
+  beginTick(row, bodies, world);
+  for (let s = 0; s < substeps; s++) {
+    for (const { substep, controls } of inputs) if (substep === s) writeControls(row, 0, controls);
+    stepWorld(row, bodies, reported, world, dt);
+    if (reported[0] !== NO_EVENT) events.push(EVENT_NAMES[reported[0]!]!);
+  }
+  return accepted({ ship: readShip(row, 0, world), controls: readControls(row, 0), events });
+}
+
+/** What the hello tells; the game's own classes and bodies, default settings and level ground where there is none. */
+function worldOf({ hello, frames }: RecordedSession): Checked<World> {
+  const [first] = frames.values();
+  const settings = loadSettings(hello?.settings ?? {});
+  if (!settings.ok) return refused(`settings.${settings.reason}`);
+  const terrain = hello?.terrain ?? 'flat';
+  if (!Object.hasOwn(TERRAINS, terrain)) return refused(`terrain: no terrain named ${terrain}`);
+  const shipClasses = all(hello?.shipClasses ?? SHIP_CLASSES, loadShipClass);
+  const told = hello?.bodies ?? BODIES.filter(({ name }) => first?.bodies.some((body) => body.name === name));
+  const bodies = all(told, loadBody);
+  if (!shipClasses.ok) return shipClasses;
+  if (!bodies.ok) return bodies;
+  return accepted({
+    settings: settings.value,
+    shipClasses: shipClasses.value,
+    bodies: bodies.value,
+    terrainHeight: TERRAINS[terrain]!,
+  });
+}
+
+function all<Given, Loaded>(
+  given: readonly Given[],
+  load: (one: Given) => Checked<Loaded>,
+): Checked<Loaded[]> {
+  const loaded: Loaded[] = [];
+  for (const one of given) {
+    const checked = load(one);
+    if (!checked.ok) return checked;
+    loaded.push(checked.value);
+  }
+  return accepted(loaded);
+}
+
+function comparedOf(
+  state: ShipState,
+): Compared & { relativePosition: NonNullable<ShipState['relativePosition']> } {
+  return {
+    relativePosition: state.relativePosition!,
+    relativeVelocity: state.relativeVelocity!,
+    attitude: state.attitude,
+    angularVelocity: state.angularVelocity,
+    fuel: state.fuel,
+    contactImpactSpeed: state.contactImpactSpeed ?? 0,
+  };
+}
+
+function otherOutcome({ ship, events }: Outcome, expected: ShipState, frame: ServerFrame): string | null {
+  if (ship.crashed !== expected.crashed) return `crashed ${ship.crashed}, expected ${expected.crashed}`;
+  if (ship.surfaceContactState !== expected.surfaceContactState)
+    return `state '${ship.surfaceContactState}', expected '${expected.surfaceContactState}'`;
+  const told = frame.events.filter(({ shipId }) => shipId === expected.shipId).map(({ type }) => type);
+  return events.join() === told.join()
+    ? null
+    : `events ${events.join(', ') || 'none'}, expected ${told.join(', ') || 'none'}`;
+}
+
+function sameControls(a: Controls, b: Controls): boolean {
+  const values = ({ thrustLevel, attitudeHold, attitudeMode, ...vectors }: Controls) =>
+    JSON.stringify([
+      thrustLevel,
+      attitudeHold,
+      attitudeMode,
+      vectors.translationInput,
+      vectors.rotationInput,
+      vectors.targetAttitude,
+    ]);
+  return values(a) === values(b);
+}

@@ -1,0 +1,179 @@
+import { accepted, type Checked, type Controls, loadControls, NEUTRAL_CONTROLS, refused } from '../../dynamics';
+import {
+  type ClientMessage,
+  decodeClientMessage,
+  decodeServerMessage,
+  encodeClientMessage,
+  encodeServerMessage,
+  type ServerMessage,
+} from '../../wire';
+import { fromBase64, toBase64 } from './base64';
+import { createFields, type Fields, type JsonRecord } from '../fixtures/fields';
+import type { StagedInput } from '../scenario';
+
+/**
+ * What a client received, sent and was asked for, and when: a predictor fed with it again does the same again (PREDICTION,
+ * Diagnosis). As a file: JSON lines, the first the header; messages as the protocol's bytes in base64; controls only where they change.
+ */
+export interface Recording {
+  readonly header: RecordingHeader;
+  /** In the order of time. */
+  readonly entries: readonly RecordingEntry[];
+}
+
+export interface RecordingHeader {
+  /** For people: where it comes from. */
+  readonly note: string;
+  /** The client's own ship. */
+  readonly shipId: string;
+  /** What it did by itself until the first input, as client and server knew beforehand. */
+  readonly plan?: readonly StagedInput[];
+}
+
+/** `at`: the client's wall seconds. */
+export type RecordingEntry =
+  | { readonly kind: 'received'; readonly at: number; readonly message: ServerMessage }
+  | { readonly kind: 'sent'; readonly at: number; readonly message: ClientMessage }
+  /** The page's frame: the controls held then, null for a spectator. */
+  | { readonly kind: 'advanced'; readonly at: number; readonly controls: Controls | null };
+
+const FORMAT = 'touchdown-recording';
+const VERSION = 1;
+/** An hour at 60 Hz, with messages, several times over. */
+const MOST_LINES = 1_000_000;
+const MOST_PLANNED = 10_000;
+
+/** Writes a recording line by line, as it comes: each call gives one line with its line feed. */
+export interface RecordingWriter {
+  readonly header: (header: RecordingHeader) => string;
+  readonly entry: (entry: RecordingEntry) => string;
+}
+
+export function createRecordingWriter(): RecordingWriter {
+  let controls = 'none yet';
+
+  function advanced(entry: RecordingEntry & { kind: 'advanced' }): Record<string, unknown> {
+    const now = JSON.stringify(entry.controls);
+    if (now === controls) return { kind: entry.kind, at: entry.at };
+    controls = now;
+    return { kind: entry.kind, at: entry.at, controls: entry.controls };
+  }
+
+  function plain(entry: RecordingEntry): Record<string, unknown> {
+    const { kind, at } = entry;
+    if (kind === 'received') return { kind, at, bytes: toBase64(encodeServerMessage(entry.message)) };
+    return kind === 'sent'
+      ? { kind, at, bytes: toBase64(encodeClientMessage(entry.message)) }
+      : advanced(entry);
+  }
+
+  return {
+    header: ({ note, shipId, plan = [] }) => {
+      const planned = plan.length === 0 ? {} : { plan };
+      return line({ kind: 'header', format: FORMAT, version: VERSION, note, shipId, ...planned });
+    },
+    entry: (entry) => line(plain(entry)),
+  };
+}
+
+export function writeRecording({ header, entries }: Recording): string {
+  const writer = createRecordingWriter();
+  return writer.header(header) + entries.map((entry) => writer.entry(entry)).join('');
+}
+
+/** A recording from its file's text, or a reason that names the line and the field. */
+export function readRecording(text: string): Checked<Recording> {
+  const lines = text.split('\n');
+  if (lines.at(-1) === '') lines.pop();
+  if (lines.length > MOST_LINES) return refused(`lines: expected at most ${MOST_LINES}, got ${lines.length}`);
+  const first = readLine(lines[0] ?? '', readHeader);
+  if (!first.ok) return refused(`line 1: ${first.reason}`);
+  const entries: RecordingEntry[] = [];
+  const past: Past = { at: -Infinity, controls: undefined };
+  for (let i = 1; i < lines.length; i++) {
+    const entry = readLine(lines[i]!, (fields, given) => readEntry(fields, given, past));
+    if (!entry.ok) return refused(`line ${i + 1}: ${entry.reason}`);
+    entries.push(entry.value);
+  }
+  return accepted({ header: first.value, entries });
+}
+
+/** What a line leaves to the next. */
+interface Past {
+  at: number;
+  controls: Controls | null | undefined;
+}
+
+function line(value: Record<string, unknown>): string {
+  return `${JSON.stringify(value)}\n`;
+}
+
+function readLine<T>(text: string, read: (fields: Fields, given: JsonRecord) => T): Checked<T> {
+  let json: unknown;
+  try {
+    json = JSON.parse(text);
+  } catch {
+    return refused('not JSON');
+  }
+  const fields = createFields();
+  const value = read(fields, fields.record(json, 'line'));
+  const reason = fields.reason();
+  return reason === null ? accepted(value) : refused(reason);
+}
+
+function readHeader(fields: Fields, given: JsonRecord): RecordingHeader {
+  fields.choice(given['kind'], 'kind', ['header']);
+  fields.choice(given['format'], 'format', [FORMAT]);
+  if (given['version'] !== VERSION) fields.fault('version', `expected ${VERSION}`);
+  const note = fields.text(given['note'], 'note');
+  const shipId = fields.text(given['shipId'], 'shipId');
+  const plan = given['plan'] === undefined ? [] : readPlan(fields, given['plan']);
+  return { note, shipId, ...(plan.length === 0 ? {} : { plan }) };
+}
+
+/** In the order of time, as a client hands it to its predictor. */
+function readPlan(fields: Fields, given: unknown): StagedInput[] {
+  let before = { tick: 0, substep: 0 };
+  return fields.list(given, 'plan', MOST_PLANNED).map(({ value, path }) => {
+    const input = fields.record(value, path);
+    const tick = fields.whole(input['tick'], `${path}.tick`, before.tick);
+    const least = tick === before.tick ? before.substep : 0;
+    const substep = fields.whole(input['substep'], `${path}.substep`, least);
+    before = { tick, substep };
+    const controls = loadControls(
+      fields.record(input['controls'], `${path}.controls`) as unknown as Controls,
+    );
+    if (!controls.ok) fields.fault(path, `controls.${controls.reason}`);
+    return { tick, substep, controls: controls.ok ? controls.value : NEUTRAL_CONTROLS };
+  });
+}
+
+function readEntry(fields: Fields, given: JsonRecord, past: Past): RecordingEntry {
+  const at = fields.number(given['at'], 'at');
+  if (at < past.at) fields.fault('at', `expected in the order of time, at least ${past.at}, got ${at}`);
+  past.at = at;
+  const kind = fields.choice(given['kind'], 'kind', ['advanced', 'received', 'sent']);
+  if (kind === 'advanced') return { kind, at, controls: readControls(fields, given, past) };
+  const bytes = fromBase64(given['bytes']);
+  if (bytes === null) fields.fault('bytes', 'expected base64');
+  const message =
+    kind === 'received' ? decodeServerMessage(bytes ?? EMPTY) : decodeClientMessage(bytes ?? EMPTY);
+  if (!message.ok) {
+    fields.fault('bytes', message.reason);
+    return { kind: 'advanced', at, controls: null };
+  }
+  return { kind, at, message: message.value } as RecordingEntry;
+}
+
+const EMPTY = new Uint8Array(0);
+
+function readControls(fields: Fields, given: JsonRecord, past: Past): Controls | null {
+  if (given['controls'] === undefined && past.controls !== undefined) return past.controls;
+  if (given['controls'] === null) return (past.controls = null);
+  const checked = loadControls(fields.record(given['controls'], 'controls') as unknown as Controls);
+  if (!checked.ok) {
+    fields.fault('controls', checked.reason);
+    return null;
+  }
+  return (past.controls = checked.value);
+}

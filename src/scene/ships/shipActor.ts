@@ -1,0 +1,159 @@
+import { type BufferGeometry, type Group, Mesh, type ShaderMaterial } from 'three';
+import { quat } from 'gl-matrix';
+import type { ShipView, WorldView } from '../../prediction';
+import { createDustState, type DustState } from '../effects/dustSources';
+import { askedTurn, asksForPower, buildJets, canBurn, firePower, writePower } from '../effects/jets';
+import { type LocalFrame, rotate, toLocalPoint, type Turn } from '../localFrame';
+import { buildShip } from './models';
+import type { ShipMaterial } from './shipMaterial';
+import type { ShipModel } from './shipModel';
+import { crumple } from './wreck';
+
+/** One ship on the stage. Places and velocities in local axes, doubles. */
+export interface ShipActor {
+  readonly className: string;
+  readonly model: ShipModel;
+  readonly jets: Mesh<BufferGeometry, ShaderMaterial>;
+  readonly power: Float32Array;
+  readonly place: Float64Array;
+  readonly velocity: Float64Array;
+  readonly turn: Float64Array;
+  readonly blows: Float64Array;
+  /** Of the four legs, m. */
+  readonly compression: Float32Array;
+  readonly dust: DustState;
+  seen: number;
+}
+
+/** Geometries by class and air: built once, shared by all ships of the class. */
+export interface ModelShelf {
+  model(ship: ShipView): ShipModel;
+  jets(ship: ShipView, inAir: boolean): BufferGeometry;
+  dispose(): void;
+}
+
+export function createShelf(): ModelShelf {
+  const models = new Map<string, ShipModel>();
+  const jets = new Map<string, BufferGeometry>();
+  const model = (ship: ShipView) => {
+    const { name } = ship.shipClass;
+    const known = models.get(name) ?? buildShip(ship.shipClass);
+    models.set(name, known);
+    return known;
+  };
+  return {
+    model,
+    jets(ship, inAir) {
+      const key = `${ship.shipClass.name} ${inAir}`;
+      const known = jets.get(key) ?? buildJets(model(ship), inAir);
+      jets.set(key, known);
+      return known;
+    },
+    dispose() {
+      for (const known of models.values()) known.geometry.dispose();
+      for (const known of jets.values()) known.dispose();
+    },
+  };
+}
+
+export interface Wardrobe {
+  readonly shelf: ModelShelf;
+  readonly hull: ShipMaterial;
+  readonly jet: ShaderMaterial;
+}
+
+export function createActor(ship: ShipView, wardrobe: Wardrobe, inAir: boolean): ShipActor {
+  const model = wardrobe.shelf.model(ship);
+  const power = new Float32Array(36);
+  const jets = new Mesh(wardrobe.shelf.jets(ship, inAir), wardrobe.jet);
+  jets.frustumCulled = false;
+  jets.renderOrder = 3;
+  jets.visible = false;
+  // Most stand still and dark: placeJets moves those that are seen.
+  jets.matrixAutoUpdate = false;
+  firePower(jets, power);
+  return {
+    className: ship.shipClass.name,
+    model,
+    jets,
+    power,
+    place: new Float64Array(3),
+    velocity: new Float64Array(3),
+    turn: new Float64Array(4),
+    blows: new Float64Array(3),
+    compression: new Float32Array(4),
+    dust: createDustState(),
+    seen: 0,
+  };
+}
+
+export function removeActor(actor: ShipActor, group: Group): void {
+  group.remove(actor.jets);
+}
+
+/** Puts a burning ship's jets where the ship is; `eye` local, m. */
+export function placeJets({ jets, place, turn }: ShipActor, eye: Float64Array): void {
+  jets.position.set(place[0]! - eye[0]!, place[1]! - eye[1]!, place[2]! - eye[2]!);
+  jets.quaternion.set(turn[0]!, turn[1]!, turn[2]!, turn[3]!);
+  jets.updateMatrix();
+}
+
+const rates = new Float64Array(3);
+const asked = new Float64Array(3);
+const spin = new Float64Array(3);
+const inverse = new Float64Array(4);
+
+/** Where the ship is drawn and what its nozzles do. */
+export function poseActor(
+  actor: ShipActor,
+  ship: ShipView,
+  view: WorldView,
+  frame: LocalFrame,
+  turn: Turn,
+): void {
+  toLocalPoint(actor.place, frame, turn, ship.standPosition);
+  quat.multiply(actor.turn, turn.quaternion, ship.drawnAttitude);
+  const [wx, wy, wz] = view.bodies[ship.body]!.angularVelocity;
+  const x = ship.position[0]!;
+  const y = ship.position[1]!;
+  const z = ship.position[2]!;
+  spin[0] = ship.velocity[0]! - (wy * z - wz * y);
+  spin[1] = ship.velocity[1]! - (wz * x - wx * z);
+  spin[2] = ship.velocity[2]! - (wx * y - wy * x);
+  rotate(actor.velocity, turn.matrix, spin);
+  // A crashed ship's row keeps the speed it hit with.
+  if (ship.crashed) actor.velocity.fill(0);
+
+  for (let leg = 0; leg < 4; leg++) actor.compression[leg] = ship.legCompression[leg]!;
+  actor.blows.fill(0);
+  actor.blows[2] = -1;
+  rotateByQuat(actor.blows, actor.turn, actor.blows);
+  // Not before the server confirmed it.
+  if (ship.shownState === 'crashed') crumple(actor, ship.shipClass.groundContactOffset);
+
+  const burns = !ship.crashed && canBurn(ship.shipClass, ship.fuel) && asksForPower(ship.controls);
+  actor.jets.visible = burns;
+  if (!burns) return;
+  quat.conjugate(inverse, ship.attitude);
+  rotateByQuat(rates, inverse, ship.angularVelocity);
+  askedTurn(asked, ship.controls, rates);
+  if (ship.surfaceState === 'landed') asked.fill(0);
+  actor.jets.visible = writePower(actor.power, actor.model, ship.controls, asked);
+}
+
+/** out = q · v · q⁻¹; `out` may be `v`. */
+export function rotateByQuat(out: Float64Array, q: Float64Array, v: ArrayLike<number>): void {
+  const qx = q[0]!;
+  const qy = q[1]!;
+  const qz = q[2]!;
+  const qw = q[3]!;
+  const x = v[0]!;
+  const y = v[1]!;
+  const z = v[2]!;
+  const tx = 2 * (qy * z - qz * y);
+  const ty = 2 * (qz * x - qx * z);
+  const tz = 2 * (qx * y - qy * x);
+  out[0] = x + qw * tx + (qy * tz - qz * ty);
+  out[1] = y + qw * ty + (qz * tx - qx * tz);
+  out[2] = z + qw * tz + (qx * ty - qy * tx);
+}

@@ -1,0 +1,181 @@
+import { describe, expect, it } from 'vitest';
+import { BODIES, flatTerrain, NEUTRAL_CONTROLS, SHIP_CLASSES } from '../../src/dynamics';
+import { BEGIN_LANDING, continueLanding, type LandingManeuver, type LandingSite } from '../../src/scenarios';
+import type { ShipState } from '../../src/wire';
+import { flyDown, LANDER_CLASS } from './autopilotFlight';
+
+const MOON = BODIES.find(({ name }) => name === 'Moon')!;
+const SITE: LandingSite = { body: MOON, shipClass: LANDER_CLASS, terrainHeight: flatTerrain };
+
+/** 100 m over the Moon's prime meridian, sinking at 5 m/s with the ground below. */
+const ABOVE: ShipState = {
+  ...NEUTRAL_CONTROLS,
+  shipId: 'one',
+  playerId: 'ann',
+  name: 'One',
+  shipClass: LANDER_CLASS.name,
+  position: [MOON.position[0], MOON.position[1], MOON.position[2] + 1737504.56],
+  velocity: [MOON.velocity[0] + 2.6617e-6 * 1737504.56, MOON.velocity[1], MOON.velocity[2] - 5],
+  attitude: [0, 0, 0, 1],
+  angularVelocity: [0, 0, 0],
+  fuel: 4000,
+  mass: 12000,
+  landedBodyName: '',
+  surfaceContactState: '',
+  contactImpactSpeed: 0,
+  referenceBody: 'Moon',
+  relativePosition: [0, 0, 1737504.56],
+  relativeVelocity: [2.6617e-6 * 1737504.56, 0, -5],
+  crashed: false,
+};
+
+function next(ship: Partial<ShipState>, before = BEGIN_LANDING, site = SITE): LandingManeuver {
+  const checked = continueLanding(before, { ...ABOVE, ...ship }, site);
+  if (!checked.ok) throw new Error(checked.reason);
+  return checked.value;
+}
+
+function refusal(ship: Partial<ShipState>, site = SITE): string {
+  const checked = continueLanding(BEGIN_LANDING, { ...ABOVE, ...ship }, site);
+  return checked.ok ? '' : checked.reason;
+}
+
+describe('the landing autopilot, in an authority from 200 m', () => {
+  const bodies = ['Moon', 'Earth', 'Mars', 'Phobos'];
+  const classes = ['planetary_lander', 'fast_frigate'];
+
+  // Touches between 0.9 and 1.8 m/s today; the design asks for less than 3. Without and with a tick between state and controls.
+  it.each(bodies.flatMap((body) => [1, 10, 50].map((tickRate) => [body, tickRate] as const)))(
+    'lands softly on %s at %d Hz',
+    (body, tickRate) => {
+      for (const delay of [0, 1]) {
+        for (const shipClass of SHIP_CLASSES.filter(({ name }) => classes.includes(name))) {
+          const { maneuver, phases, ship, impact, touches } = flyDown({ body, tickRate, delay, shipClass });
+          expect([maneuver.phase, maneuver.reason]).toEqual(['complete', '']);
+          expect(phases.at(0)).toBe('descent');
+          expect(ship.surfaceContactState).toBe('landed');
+          expect(maneuver.controls).toEqual(NEUTRAL_CONTROLS);
+          expect(touches).toBe(1);
+          expect(impact).toBeGreaterThan(0.5);
+          expect(impact).toBeLessThan(2);
+        }
+      }
+    },
+  );
+
+  it.each(['Moon', 'Earth', 'Mars'])('nulls drift, spin and tilt on the way down on %s', (body) => {
+    const initial = { velocity: [10, -5, -8], tilt: 40, spin: [0.2, 0.1, 0] } as const;
+    const { maneuver, impact, ship } = flyDown({ body, tickRate: 10, initial });
+    expect(maneuver.phase).toBe('complete');
+    expect(impact).toBeLessThan(2);
+    expect(ship.surfaceContactState).toBe('landed');
+  });
+
+  it('lands on hills too', () => {
+    const { maneuver, impact } = flyDown({ body: 'Moon', tickRate: 10, terrain: 'hills' });
+    expect(maneuver.phase).toBe('complete');
+    expect(impact).toBeLessThan(2.5);
+  });
+
+  it('lands by ICRF alone where the server sends no relative state', () => {
+    const { maneuver, ship } = flyDown({ body: 'Moon', tickRate: 10, legacy: true });
+    expect(ship.relativePosition).toBeNull();
+    expect(maneuver.phase).toBe('complete');
+  });
+
+  it('fails with a reason when it goes over', () => {
+    const initial = { height: 0.2, velocity: [0, 0, -1], tilt: 60 } as const;
+    const settings = { touchdownAttitude: 'kept' } as const;
+    const shipClass = { ...LANDER_CLASS, rcsTorque: [0, 0, 0] } as const;
+    const tipped = flyDown({ body: 'Moon', tickRate: 10, initial, settings, shipClass });
+    expect(tipped.phases).toEqual(['descent', 'touchdown', 'failed']);
+    expect(tipped.maneuver.reason).toBe('tipped over on Moon');
+    expect(tipped.ship.surfaceContactState).toBe('tipped');
+  });
+
+  it('fails with a reason when it comes too fast, and when the engine is too weak', () => {
+    const crash = flyDown({ body: 'Moon', tickRate: 10, initial: { velocity: [0, 0, -150] } });
+    expect([crash.maneuver.phase, crash.maneuver.reason]).toEqual(['failed', 'crashed on Moon']);
+    const hauler = SHIP_CLASSES.find(({ name }) => name === 'cargo_hauler')!;
+    const weak = flyDown({ body: 'Earth', tickRate: 10, shipClass: hauler });
+    expect(weak.maneuver.reason).toMatch(/^mainEngineThrust: 400000 N cannot hold a weight of \d+ N$/);
+  });
+});
+
+describe('the landing maneuver', () => {
+  const descending = next({});
+
+  it('takes contact for the touchdown: engine off, rates damped', () => {
+    expect(descending.phase).toBe('descent');
+    expect(next({ relativeVelocity: [4.62, 0, -14] }).controls.thrustLevel).toBeGreaterThan(0);
+    const touchdown = next({ surfaceContactState: 'contact', landedBodyName: 'Moon' }, descending);
+    expect(touchdown).toEqual({
+      phase: 'touchdown',
+      reason: '',
+      controls: { ...NEUTRAL_CONTROLS, attitudeHold: true },
+    });
+  });
+
+  it('completes on landed', () => {
+    const landed = next({ surfaceContactState: 'landed' }, next({ surfaceContactState: 'contact' }));
+    expect(landed).toEqual({ phase: 'complete', reason: '', controls: NEUTRAL_CONTROLS });
+  });
+
+  it('fails with a reason on tipped and on crashed', () => {
+    expect(next({ surfaceContactState: 'tipped' }, descending)).toMatchObject({
+      phase: 'failed',
+      reason: 'tipped over on Moon',
+      controls: { thrustLevel: 0 },
+    });
+    expect(next({ crashed: true }, descending)).toMatchObject({ phase: 'failed', reason: 'crashed on Moon' });
+  });
+
+  it('stays at its end, whatever the ship does', () => {
+    const complete = next({ surfaceContactState: 'landed' });
+    const failed = next({ surfaceContactState: 'tipped' });
+    for (const state of ['', 'contact', 'landed', 'tipped'] as const) {
+      expect(next({ surfaceContactState: state }, complete)).toBe(complete);
+      expect(next({ surfaceContactState: state }, failed)).toBe(failed);
+    }
+  });
+
+  it('leaves a low hop to the ground and flies a high bounce', () => {
+    const touchdown = next({ surfaceContactState: 'contact' });
+    expect(next({ relativePosition: [0, 0, 1737406.5] }, touchdown).phase).toBe('touchdown');
+    expect(next({ relativePosition: [0, 0, 1737504.5] }, touchdown).phase).toBe('descent');
+  });
+
+  it('is pure: the same state gives the same, and nothing handed in changes', () => {
+    const frozen = Object.freeze({ ...ABOVE });
+    const [once, again] = [
+      continueLanding(descending, frozen, SITE),
+      continueLanding(descending, frozen, SITE),
+    ];
+    expect(again).toEqual(once);
+    expect(descending).toEqual(next({}));
+  });
+
+  it.each<[string, Partial<ShipState>]>([
+    ['relativePosition', { relativePosition: [Number.NaN, 0, 0] }],
+    ['relativePosition', { relativePosition: [0, 0, 0] }],
+    ['relativePosition', { relativePosition: [0, 0, Infinity] }],
+    ['relativePosition', { relativePosition: null, position: [Number.NaN, 0, 0] }],
+    ['relativeVelocity', { relativeVelocity: [0, Number.NaN, 0] }],
+    ['relativeVelocity', { relativeVelocity: null, velocity: [0, 0, -Infinity] }],
+    ['attitude', { attitude: [0, Number.NaN, 0, 1] }],
+    ['angularVelocity', { angularVelocity: [Infinity, 0, 0] }],
+    ['mass', { mass: Number.NaN }],
+    ['mass', { mass: 0 }],
+  ])('refuses by the name of %s', (field, ship) => {
+    expect(refusal(ship)).toMatch(new RegExp(`^${field}: `));
+  });
+
+  it('refuses a delay that is none', () => {
+    for (const delay of [Number.NaN, Infinity, -0.1])
+      expect(refusal({}, { ...SITE, delay })).toMatch(/^delay: /);
+  });
+
+  it('refuses terrain that has no height', () => {
+    expect(refusal({}, { ...SITE, terrainHeight: () => Number.NaN })).toMatch(/^terrainHeight: /);
+  });
+});

@@ -1,0 +1,58 @@
+import { createAuthority } from '../../src/authority';
+import type { Settings } from '../../src/dynamics';
+import {
+  createExchange,
+  type Exchange,
+  NETWORK_PRESETS,
+  type NetworkPreset,
+  type Recording,
+  type RecordingEntry,
+} from '../../src/scenarios';
+import { type ClientMessage, decodeServerMessage, encodeClientMessage } from '../../src/wire';
+import { MOON, shipOf, valueOf } from '../authority/moon';
+
+/** An exchange over the Moon that starts at wall second 100, with 'ann' flying 'own' as a scenario begins. */
+export function moonExchange(
+  scenario: string,
+  preset: NetworkPreset,
+  seed = 1,
+  legacy = false,
+  settings: Partial<Settings> = {},
+): Exchange {
+  const authority = valueOf(createAuthority({ ...MOON, legacy, settings }));
+  const order = { shipId: 'own', playerId: 'ann', name: 'Own', ship: shipOf(scenario) };
+  const exchange = createExchange(authority, NETWORK_PRESETS[preset], seed, 100);
+  const reason = authority.spawn(order) ?? exchange.connect('ann', 'own', 100);
+  if (reason !== null) throw new Error(reason);
+  return exchange;
+}
+
+export interface Client {
+  readonly entries: RecordingEntry[];
+  readonly say: (message: ClientMessage, now: number) => void;
+  /** Runs the exchange to `now`, and takes what came. */
+  readonly runTo: (now: number) => void;
+}
+
+/** A client that keeps what it hears and says, as a recording. */
+export function listen(exchange: Exchange): Client {
+  const entries: RecordingEntry[] = [];
+  const client: Client = {
+    entries,
+    say(message, now) {
+      client.runTo(now);
+      entries.push({ kind: 'sent', at: now, message });
+      exchange.send('ann', encodeClientMessage(message), now);
+    },
+    runTo(now) {
+      exchange.run(now);
+      for (const { bytes, at } of exchange.deliver('ann', now))
+        entries.push({ kind: 'received', at, message: valueOf(decodeServerMessage(bytes)) });
+    },
+  };
+  return client;
+}
+
+export function recordingOf(client: Client): Recording {
+  return { header: { note: 'a test', shipId: 'own' }, entries: client.entries };
+}

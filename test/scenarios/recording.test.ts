@@ -1,0 +1,232 @@
+import { describe, expect, it } from 'vitest';
+import { NEUTRAL_CONTROLS } from '../../src/dynamics';
+import {
+  agrees,
+  compareRecording,
+  readRecording,
+  type Recording,
+  type RecordingEntry,
+  writeRecording,
+} from '../../src/scenarios';
+import { fromBase64, toBase64 } from '../../src/scenarios/recordings/base64';
+import { input, valueOf } from '../authority/moon';
+import { type Client, listen, moonExchange, recordingOf } from './recordedExchange';
+
+/** Ten seconds of the opening, flown with three inputs. */
+function flown(
+  disturb: (second: number, exchange: ReturnType<typeof moonExchange>) => void = () => undefined,
+): Recording {
+  const exchange = moonExchange('opening', 'broadband');
+  const client = listen(exchange);
+  client.say({ kind: 'ping', id: 1 }, 100);
+  client.say(
+    {
+      kind: 'inputs',
+      inputs: [
+        input(1, 2, 30, { thrustLevel: 0.2, attitudeHold: true }),
+        input(2, 3, 75, { rotationInput: [0.1, 0, 0.4] }),
+        input(3, 4, 0, {}),
+      ],
+    },
+    100.1,
+  );
+  for (let second = 1; second <= 12; second++) {
+    client.runTo(100.5 + second);
+    disturb(second, exchange);
+  }
+  return recordingOf(client);
+}
+
+describe('a recording', () => {
+  it('comes back from its file as it was', () => {
+    const recording = flown();
+    const controls = { ...NEUTRAL_CONTROLS, thrustLevel: 0.1 };
+    const entries = [
+      ...recording.entries,
+      { kind: 'advanced', at: 200, controls: null },
+      { kind: 'advanced', at: 201, controls },
+      { kind: 'advanced', at: 202, controls },
+    ] as const;
+    const text = writeRecording({ ...recording, entries });
+    expect(valueOf(readRecording(text))).toEqual({ ...recording, entries });
+    // Controls are written where they change.
+    expect(text.trimEnd().split('\n').at(-1)).toBe('{"kind":"advanced","at":202}');
+  });
+
+  it('is refused by line and field', () => {
+    const good = writeRecording(flown());
+    const lines = good.split('\n');
+    const withLine = (line: number, text: string) => lines.with(line - 1, text).join('\n');
+    const reasonOf = (text: string) => {
+      const read = readRecording(text);
+      return read.ok ? '' : read.reason;
+    };
+    expect(reasonOf('')).toBe('line 1: not JSON');
+    expect(reasonOf('{"kind":"header"}')).toContain('line 1: format: expected');
+    expect(reasonOf(withLine(1, '{"kind":"header","format":"touchdown-recording","version":2}'))).toContain(
+      'line 1: version',
+    );
+    expect(reasonOf(withLine(3, '{'))).toBe('line 3: not JSON');
+    expect(reasonOf(withLine(3, '[]'))).toContain('line 3: line: expected an object');
+    expect(reasonOf(withLine(3, '{"kind":"received","at":1e999,"bytes":""}'))).toContain(
+      'line 3: at: expected a finite',
+    );
+    expect(reasonOf(withLine(3, '{"kind":"received","at":-1,"bytes":""}'))).toContain(
+      'line 3: at: expected in the order',
+    );
+    expect(reasonOf(withLine(3, '{"kind":"guessed","at":150}'))).toContain('line 3: kind: expected one of');
+    expect(reasonOf(withLine(3, '{"kind":"received","at":150,"bytes":"?"}'))).toContain(
+      'line 3: bytes: expected base64',
+    );
+    expect(reasonOf(withLine(3, '{"kind":"received","at":150,"bytes":"/////w=="}'))).toMatch(
+      /^line 3: bytes: ./,
+    );
+    expect(reasonOf(withLine(3, '{"kind":"advanced","at":150}'))).toContain('line 3: controls: ');
+    expect(reasonOf(withLine(3, '{"kind":"advanced","at":150,"controls":{"thrustLevel":"full"}}'))).toContain(
+      'line 3: controls: thrustLevel',
+    );
+  });
+
+  it('carries any bytes in base64, and takes nothing else for it', () => {
+    const bytes = Uint8Array.from({ length: 256 }, (_, i) => i);
+    for (let length = 0; length < 256; length++)
+      expect(fromBase64(toBase64(bytes.subarray(0, length)))).toEqual(bytes.slice(0, length));
+    for (const text of [null, 3, 'a', 'ab=c', 'abc', '====', 'ab\n=', 'äbcd'])
+      expect(fromBase64(text)).toBeNull();
+  });
+});
+
+/** A server that wakes up late skips ticks: run as it is, second by second. */
+function bySeconds(client: Client, until: number): void {
+  for (let now = 101.5; now <= until; now++) client.runTo(now);
+}
+
+describe('a recorded server', () => {
+  it('that keeps to the law agrees with it, known inputs included', () => {
+    const comparison = valueOf(compareRecording(flown()));
+    expect(comparison).toMatchObject({
+      statesCompared: 12,
+      unknownInputs: 0,
+      withoutRelativeState: 0,
+      outOfTolerance: null,
+      disagreement: null,
+    });
+    // The state goes over the wire to the last bit, and the same code runs on both sides.
+    expect(Math.max(...(Object.values(comparison.worst) as number[]))).toBe(0);
+  });
+
+  it('is compared where its inputs are known, and the rest is counted', () => {
+    const recording = flown();
+    const entries = recording.entries.filter(({ kind }) => kind === 'received');
+    expect(valueOf(compareRecording({ ...recording, entries }))).toMatchObject({
+      statesCompared: 9,
+      unknownInputs: 3,
+      disagreement: null,
+    });
+  });
+
+  it('that pushes a ship is caught at the tick', () => {
+    const pushed = flown((second, { authority }) => {
+      if (second === 5) authority.kick('own', [0.001, 0, 0], [0, 0, 0]);
+    });
+    const comparison = valueOf(compareRecording(pushed));
+    expect(comparison.outOfTolerance).toEqual({ tick: 6, field: 'relativePosition' });
+    expect(agrees(comparison)).toBe(false);
+  });
+
+  it('with another friction than it told is caught, in state or number', () => {
+    const recording = flown();
+    const entries = recording.entries.map((entry) =>
+      entry.kind === 'received' && entry.message.kind === 'hello'
+        ? {
+            ...entry,
+            message: {
+              ...entry.message,
+              settings: { ...entry.message.settings, contactFrictionKinetic: 0.45 },
+            },
+          }
+        : entry,
+    );
+    expect(agrees(valueOf(compareRecording({ ...recording, entries })))).toBe(false);
+  });
+
+  /** Seconds one to six of the opening under one friction, then six more under another, on a server that goes on or begins anew. */
+  function overNewSettings(friction: number, told: number, beginsAnew: boolean): Recording {
+    const first = listen(moonExchange('opening', 'lan'));
+    bySeconds(first, 106.5);
+    const settings = { contactFrictionKinetic: friction };
+    const second = listen(moonExchange('opening', 'lan', 1, false, settings));
+    second.say({ kind: 'inputs', inputs: [input(1, 3, 40, { thrustLevel: 0.1 })] }, 100.5);
+    bySeconds(second, 112.5);
+    const after = beginsAnew ? 0 : 6;
+    const later = second.entries.flatMap((entry): RecordingEntry[] => {
+      if (entry.kind !== 'received') return [{ ...entry, at: entry.at + 10 }];
+      const { message } = entry;
+      if (message.kind === 'frame' && message.tick < after) return [];
+      const hello =
+        message.kind === 'hello'
+          ? { ...message, settings: { ...message.settings, contactFrictionKinetic: told } }
+          : message;
+      return [{ ...entry, at: entry.at + 10, message: hello }];
+    });
+    return { header: { note: 'a test', shipId: 'own' }, entries: [...first.entries, ...later] };
+  }
+
+  it('is compared with the settings in force: those of the hello before each frame', () => {
+    for (const beginsAnew of [false, true]) {
+      const comparison = valueOf(compareRecording(overNewSettings(0.3, 0.3, beginsAnew)));
+      expect(comparison).toMatchObject({
+        statesCompared: beginsAnew ? 6 + 12 : 6 + 6,
+        unknownInputs: 0,
+        outOfTolerance: null,
+        disagreement: null,
+      });
+      expect(Math.max(...(Object.values(comparison.worst) as number[]))).toBe(0);
+    }
+  });
+
+  it('that tells a new friction and keeps the old one, or the other way about, is caught', () => {
+    expect(agrees(valueOf(compareRecording(overNewSettings(0.5, 0.3, true))))).toBe(false);
+    expect(agrees(valueOf(compareRecording(overNewSettings(0.3, 0.5, true))))).toBe(false);
+  });
+
+  it('that counts its ticks anew no longer knows what it was sent before', () => {
+    const exchange = moonExchange('opening', 'lan');
+    const before = listen(exchange);
+    before.say(
+      { kind: 'inputs', inputs: [input(1, 3, 10, { thrustLevel: 0.3 }), input(2, 3, 60, {})] },
+      100.5,
+    );
+    bySeconds(before, 105.5);
+    const after = listen(moonExchange('opening', 'lan'));
+    bySeconds(after, 105.5);
+    const entries = [...before.entries, ...after.entries.map((entry) => ({ ...entry, at: entry.at + 10 }))];
+    const comparison = valueOf(compareRecording({ header: { note: '', shipId: 'own' }, entries }));
+    expect(comparison).toMatchObject({ statesCompared: 10, unknownInputs: 0, outOfTolerance: null });
+  });
+
+  it('that goes on over a lost connection still knows it', () => {
+    const exchange = moonExchange('opening', 'lan');
+    const client = listen(exchange);
+    client.say(
+      { kind: 'inputs', inputs: [input(1, 4, 10, { thrustLevel: 0.3 }), input(2, 4, 60, {})] },
+      100.5,
+    );
+    client.runTo(102.5);
+    exchange.drop('ann');
+    exchange.reconnect('ann', 103.5);
+    bySeconds(client, 108.5);
+    const comparison = valueOf(compareRecording(recordingOf(client)));
+    expect(comparison).toMatchObject({ statesCompared: 8, unknownInputs: 0, outOfTolerance: null });
+    expect(Math.max(...(Object.values(comparison.worst) as number[]))).toBe(0);
+  });
+
+  it('of today’s game cannot be compared, and that is said', () => {
+    const client = listen(moonExchange('opening', 'lan', 1, true));
+    client.runTo(105);
+    expect(compareRecording(recordingOf(client))).toEqual({
+      ok: false,
+      reason: 'no interval of any ship could be compared',
+    });
+  });
+});

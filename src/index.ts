@@ -8,7 +8,7 @@ export {
   BODIES,
   type Body,
   type BodyMotion,
-  type Checked,
+  type Result,
   type Controls,
   DEFAULT_SETTINGS,
   loadControls,

@@ -1,12 +1,12 @@
 import {
-  accepted,
+  ok,
   beginTick,
-  type Checked,
+  type Result,
   DEFAULT_SETTINGS,
   endTick,
   EVENT_NAMES,
   NO_EVENT,
-  refused,
+  err,
   SHIP_STRIDE,
   type ShipRecord,
   stepWorld,
@@ -44,10 +44,10 @@ export interface Authority {
    * A client comes, or comes again. It flies `shipId`, which need not have been spawned yet; '' is a spectator.
    * @returns what to tell it once; null where the server tells nothing (`legacy`)
    */
-  join: (playerId: string, shipId: string) => Checked<Hello | null>;
+  join: (playerId: string, shipId: string) => Result<Hello | null>;
   leave: (playerId: string) => string | null;
   /** A message of a client: a ping's answer, null for inputs, or the reason for refusing (part of) it; counted. */
-  receive: (playerId: string, message: ClientMessage, now: number) => Checked<Pong | null>;
+  receive: (playerId: string, message: ClientMessage, now: number) => Result<Pong | null>;
 
   /**
    * Simulates the interval that begins at the present boundary, all at once, with the inputs that have come; while paused, nothing
@@ -78,7 +78,7 @@ export interface Authority {
 }
 
 /** The authority of a world, or a reason that names the first option that cannot be used. */
-export function createAuthority(options: AuthorityOptions): Checked<Authority> {
+export function createAuthority(options: AuthorityOptions): Result<Authority> {
   const loaded = loadOptions(options);
   if (!loaded.ok) return loaded;
   const { world, bodies } = loaded.value;
@@ -186,37 +186,37 @@ export function createAuthority(options: AuthorityOptions): Checked<Authority> {
     return result;
   }
 
-  return accepted({
+  return ok({
     tickNumber: () => tick,
     tempo,
     counters,
 
     join(playerId, shipId) {
-      if (playerId === '') return refused('playerId: expected a text');
+      if (playerId === '') return err('playerId: expected a text');
       const known = pilots.get(playerId);
-      if (known === undefined && pilots.size >= MOST_PILOTS)
-        return refused(`players: ${MOST_PILOTS} are there already`);
+      if (known === undefined && pilots.size >= MAX_PILOTS)
+        return err(`players: ${MAX_PILOTS} are there already`);
       if (shipId !== '' && [...pilots.values()].some((p) => p.shipId === shipId && p.playerId !== playerId))
-        return refused(`shipId: ${shipId} is flown by another player`);
+        return err(`shipId: ${shipId} is flown by another player`);
       const pilot = known ?? createPilot(playerId, shipId);
       pilot.shipId = shipId;
       pilot.fresh = true;
       pilots.set(playerId, pilot);
-      return accepted(legacy ? null : hello(pilot));
+      return ok(legacy ? null : hello(pilot));
     },
     leave: (playerId) => (pilots.delete(playerId) ? null : `playerId: no player named ${playerId}`),
     receive(playerId, message, now) {
       const pilot = pilots.get(playerId);
       if (pilot === undefined || (message.kind === 'inputs' && pilot.shipId === '')) {
         counters.inputsOfStrangers++;
-        return refused(`playerId: ${playerId} ${pilot === undefined ? 'has not joined' : 'flies no ship'}`);
+        return err(`playerId: ${playerId} ${pilot === undefined ? 'has not joined' : 'flies no ship'}`);
       }
       if (message.kind === 'ping')
-        return accepted(
+        return ok(
           answerPing(pilot, counters, message, { tick, since: tempo.paused() ? 0 : now - latestAt }, now),
         );
       const reason = queueInputs(pilot, counters, message.inputs, present(), now);
-      return reason === null ? accepted(null) : refused(reason);
+      return reason === null ? ok(null) : err(reason);
     },
 
     startAt(now) {
@@ -258,4 +258,4 @@ export function createAuthority(options: AuthorityOptions): Checked<Authority> {
 
 /** Boundaries whose wall time is kept, for the margins of late inputs. */
 const BOUNDARIES_KEPT = 128;
-const MOST_PILOTS = 10_000;
+const MAX_PILOTS = 10_000;

@@ -2,17 +2,9 @@
 
 export { type Authority, createAuthority } from './authority';
 /** When its ticks are due. */
-export {
-  type Loop,
-  MOST_CATCH_UP,
-  runDueTicks,
-  runNextTick,
-  setFrozen,
-  skipBacklog,
-  startLoop,
-} from './loop';
+export { type Loop, MAX_CATCH_UP, runDueTicks, runNextTick, setFrozen, skipBacklog, startLoop } from './loop';
 export { type AuthorityOptions } from './options';
-export { type Counters, MOST_QUEUED } from './pilots';
+export { type Counters, MAX_QUEUED } from './pilots';
 /** Ships as they are put into a world. */
 export { type SpawnOrder } from './roster';
 /** A row as the wire's record. */

@@ -14,7 +14,7 @@ export interface Loop {
 }
 
 /** Ticks made up for at once after a stall; the schedule of the rest moves. A server that bursts on is a server that spirals. */
-export const MOST_CATCH_UP = 5;
+export const MAX_CATCH_UP = 5;
 
 /** A loop whose present boundary is at `now`. */
 export function startLoop(authority: Authority, now: number): Loop {
@@ -41,14 +41,14 @@ export function runDueTicks(
   return passed;
 }
 
-/** Moves a schedule that is too far behind, so that at most MOST_CATCH_UP boundaries are due by `now`. */
+/** Moves a schedule that is too far behind, so that at most MAX_CATCH_UP boundaries are due by `now`. */
 export function skipBacklog(loop: Loop, authority: Authority, now: number): void {
   if (loop.frozen) return;
   const tickRate = authority.tempo.tickRate();
   const due = Math.floor((now - loop.nextAt) * tickRate) + 1;
-  if (due <= MOST_CATCH_UP) return;
-  loop.slipped += due - MOST_CATCH_UP;
-  loop.nextAt += (due - MOST_CATCH_UP) / tickRate;
+  if (due <= MAX_CATCH_UP) return;
+  loop.slipped += due - MAX_CATCH_UP;
+  loop.nextAt += (due - MAX_CATCH_UP) / tickRate;
 }
 
 /** Advances the authority over the next boundary; the wall second at which that was due. */

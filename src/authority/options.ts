@@ -1,15 +1,15 @@
 import {
-  accepted,
+  ok,
   type Body,
   BODY_STRIDE,
-  type Checked,
+  type Result,
   loadBody,
   type LoadedBody,
   type LoadedShipClass,
   loadSettings,
   loadShipClass,
   loadTiming,
-  refused,
+  err,
   type Settings,
   type ShipClass,
   type TerrainHeight,
@@ -48,53 +48,53 @@ export interface LoadedOptions {
   readonly timing: Timing;
 }
 
-const MOST_BODIES = 256;
-const MOST_CLASSES = 256;
+const MAX_BODIES = 256;
+const MAX_CLASSES = 256;
 
 /** The world an authority simulates, or a reason that names the first field that cannot be used. */
-export function loadOptions(options: AuthorityOptions): Checked<LoadedOptions> {
+export function loadOptions(options: AuthorityOptions): Result<LoadedOptions> {
   const settings = loadSettings(options.settings ?? {});
-  if (!settings.ok) return refused(`settings.${settings.reason}`);
+  if (!settings.ok) return err(`settings.${settings.reason}`);
   const timing = loadTiming(options.tickRate, options.timeScale);
   if (!timing.ok) return timing;
   const tick = options.tick ?? 0;
   if (!Number.isSafeInteger(tick) || tick < 0)
-    return refused(`tick: expected a whole number ≥ 0, got ${String(tick)}`);
-  const shipClasses = loadAll('shipClasses', options.shipClasses, MOST_CLASSES, loadShipClass);
+    return err(`tick: expected a whole number ≥ 0, got ${String(tick)}`);
+  const shipClasses = loadAll('shipClasses', options.shipClasses, MAX_CLASSES, loadShipClass);
   if (!shipClasses.ok) return shipClasses;
-  const bodies = loadAll('bodies', options.bodies, MOST_BODIES, (body: Body) => loadBody(body));
+  const bodies = loadAll('bodies', options.bodies, MAX_BODIES, (body: Body) => loadBody(body));
   if (!bodies.ok) return bodies;
   const rows = new Float64Array(options.bodies.length * BODY_STRIDE);
   for (const [i, body] of options.bodies.entries()) {
     const reason = writeBodyMotion(rows, i * BODY_STRIDE, body);
-    if (reason !== null) return refused(`bodies[${i}] (${body.name}): ${reason}`);
+    if (reason !== null) return err(`bodies[${i}] (${body.name}): ${reason}`);
   }
   if (!Object.hasOwn(options.terrains, options.terrain))
-    return refused(`terrain: no terrain named ${options.terrain}`);
+    return err(`terrain: no terrain named ${options.terrain}`);
   const world: World = {
     settings: settings.value,
     shipClasses: shipClasses.value,
     bodies: bodies.value,
     terrainHeight: options.terrains[options.terrain]!,
   };
-  return accepted({ world, bodies: rows, timing: timing.value });
+  return ok({ world, bodies: rows, timing: timing.value });
 }
 
 function loadAll<Given extends { name: string }, Loaded extends LoadedBody | LoadedShipClass>(
   field: string,
   given: readonly Given[],
   most: number,
-  load: (one: Given) => Checked<Loaded>,
-): Checked<readonly Loaded[]> {
+  load: (one: Given) => Result<Loaded>,
+): Result<readonly Loaded[]> {
   if (given.length === 0 || given.length > most)
-    return refused(`${field}: expected 1 to ${most}, got ${given.length}`);
+    return err(`${field}: expected 1 to ${most}, got ${given.length}`);
   const loaded: Loaded[] = [];
   for (const [i, one] of given.entries()) {
     const checked = load(one);
-    if (!checked.ok) return refused(`${field}[${i}]: ${checked.reason}`);
+    if (!checked.ok) return err(`${field}[${i}]: ${checked.reason}`);
     if (loaded.some((other) => other.name === one.name))
-      return refused(`${field}[${i}]: name: ${one.name} is there twice`);
+      return err(`${field}[${i}]: name: ${one.name} is there twice`);
     loaded.push(checked.value);
   }
-  return accepted(loaded);
+  return ok(loaded);
 }

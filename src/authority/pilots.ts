@@ -74,12 +74,12 @@ export interface Present {
 }
 
 /** Inputs a pilot can have waiting: ten wall seconds at 0.1 Hz with a change every 10 ms, twice over. */
-export const MOST_QUEUED = 2048;
+export const MAX_QUEUED = 2048;
 /** A substep's number is below this: 100 s of game time a tick rate of 0.1 Hz and time scale 100 make 100,000. */
-const MOST_SUBSTEPS = 100_000;
+const MAX_SUBSTEPS = 100_000;
 /** Wall seconds an input may be ahead, beside one tick. */
-const MOST_AHEAD = 10;
-const MOST_PINGS_A_SECOND = 100;
+const MAX_AHEAD = 10;
+const MAX_PINGS_A_SECOND = 100;
 
 export function createPilot(playerId: string, shipId: string): Pilot {
   return {
@@ -125,25 +125,25 @@ function queueInput(
     notWhole('tick', record.tick, 0) ??
     notWhole('substep', record.substep, 0);
   const controls = loadControls(record.controls);
-  if (malformed !== null || !controls.ok || record.substep >= MOST_SUBSTEPS) {
+  if (malformed !== null || !controls.ok || record.substep >= MAX_SUBSTEPS) {
     counters.inputsMalformed++;
     if (malformed !== null) return malformed;
     return controls.ok
-      ? `substep: expected less than ${MOST_SUBSTEPS}, got ${record.substep}`
+      ? `substep: expected less than ${MAX_SUBSTEPS}, got ${record.substep}`
       : `controls.${controls.reason}`;
   }
   if (record.seq <= pilot.lastSeq || pilot.queue.some((queued) => queued.record.seq === record.seq)) {
     counters.inputsDuplicate++;
     return null;
   }
-  const latest = present.tick + 1 + Math.ceil(MOST_AHEAD * present.tickRate);
+  const latest = present.tick + 1 + Math.ceil(MAX_AHEAD * present.tickRate);
   if (record.tick > latest) {
     counters.inputsFromFuture++;
     return `tick: expected at most ${latest}, got ${record.tick}`;
   }
-  if (pilot.queue.length >= MOST_QUEUED) {
+  if (pilot.queue.length >= MAX_QUEUED) {
     counters.inputsFlooded++;
-    return `seq: ${MOST_QUEUED} inputs are waiting already`;
+    return `seq: ${MAX_QUEUED} inputs are waiting already`;
   }
   const wholeTick = present.granularity === 'tick' && record.substep > 0;
   insert(pilot.queue, {
@@ -199,7 +199,7 @@ export function answerPing(
     pilot.pingsSince = now;
     pilot.pings = 0;
   }
-  if (pilot.pings >= MOST_PINGS_A_SECOND) {
+  if (pilot.pings >= MAX_PINGS_A_SECOND) {
     counters.pingsFlooded++;
     return null;
   }

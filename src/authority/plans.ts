@@ -1,4 +1,4 @@
-import { accepted, type Checked, loadControls, refused, writeControls } from '../dynamics';
+import { ok, type Result, loadControls, err, writeControls } from '../dynamics';
 import type { InputRecord } from '../wire';
 import { type Roster, rowOf } from './roster';
 
@@ -11,25 +11,24 @@ export interface Plan {
   next: number;
 }
 
-const MOST_PLANNED = 10_000;
+const MAX_PLANNED = 10_000;
 
 /** The plan, its controls in range, or a reason that names the field. */
-export function loadPlan(given: readonly PlannedInput[]): Checked<Plan> {
-  if (given.length > MOST_PLANNED)
-    return refused(`plan: expected at most ${MOST_PLANNED}, got ${given.length}`);
+export function loadPlan(given: readonly PlannedInput[]): Result<Plan> {
+  if (given.length > MAX_PLANNED) return err(`plan: expected at most ${MAX_PLANNED}, got ${given.length}`);
   const inputs: PlannedInput[] = [];
   for (const [i, { tick, substep, controls }] of given.entries()) {
     const before = inputs.at(-1) ?? { tick: 0, substep: 0 };
     const whole = Number.isSafeInteger(tick) && Number.isSafeInteger(substep) && substep >= 0;
     if (!whole || tick < before.tick || (tick === before.tick && substep < before.substep))
-      return refused(
+      return err(
         `plan[${i}]: expected whole numbers in the order of time, got tick ${tick} substep ${substep}`,
       );
     const checked = loadControls(controls);
-    if (!checked.ok) return refused(`plan[${i}].controls.${checked.reason}`);
+    if (!checked.ok) return err(`plan[${i}].controls.${checked.reason}`);
     inputs.push({ tick, substep, controls: checked.value });
   }
-  return accepted({ inputs, next: 0 });
+  return ok({ inputs, next: 0 });
 }
 
 /** Writes into the ships' rows what their plans have due at the start of substep `substep` of the interval of `tick`. */

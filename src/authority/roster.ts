@@ -48,7 +48,7 @@ interface Berth {
   readonly bodyAttitude: Quat;
 }
 
-const MOST_SHIPS = 10_000;
+const MAX_SHIPS = 10_000;
 /** Beyond this a kick is a slip of the caller's, m/s and rad/s. */
 const LARGEST_KICK = 1e4;
 
@@ -66,7 +66,7 @@ export function spawn(roster: Roster, order: SpawnOrder, bodies: Float64Array, w
   const { shipId, playerId, name, ship } = order;
   if (shipId === '') return 'shipId: expected a text';
   if (rowOf(roster, shipId) >= 0) return `shipId: ${shipId} is there already`;
-  if (roster.berths.length >= MOST_SHIPS) return `ships: ${MOST_SHIPS} are there already`;
+  if (roster.berths.length >= MAX_SHIPS) return `ships: ${MAX_SHIPS} are there already`;
   const at = roster.rows.length;
   const rows = new Float64Array(at + SHIP_STRIDE);
   rows.set(roster.rows);

@@ -1,4 +1,4 @@
-import { accepted, type Checked, notFinite, notFiniteTuple, type Quat, refused, type Vec3 } from './result';
+import { ok, type Result, notFinite, notFiniteTuple, type Quat, err, type Vec3 } from './result';
 import {
   BODY_ANGULAR_VELOCITY,
   BODY_ATTITUDE,
@@ -40,16 +40,16 @@ export interface LoadedBody extends Body {
 export const GRAVITATIONAL_CONSTANT = 6.6743e-11;
 
 /** The body with its constants, or a reason that names the field. */
-export function loadBody(given: Body): Checked<LoadedBody> {
-  if (typeof given.name !== 'string' || given.name === '') return refused('body name: expected a text');
+export function loadBody(given: Body): Result<LoadedBody> {
+  if (typeof given.name !== 'string' || given.name === '') return err('body name: expected a text');
   const reason =
     notFinite('mass', given.mass) ??
     notFinite('radius', given.radius) ??
     outside('mass', given.mass, BODY_MASS) ??
     outside('radius', given.radius, BODY_RADIUS);
-  if (reason !== null) return refused(`body ${given.name}: ${reason}`);
+  if (reason !== null) return err(`body ${given.name}: ${reason}`);
   const { name, mass, radius } = given;
-  return accepted(Object.freeze({ name, mass, radius, gravityParameter: GRAVITATIONAL_CONSTANT * mass }));
+  return ok(Object.freeze({ name, mass, radius, gravityParameter: GRAVITATIONAL_CONSTANT * mass }));
 }
 
 /** Writes a motion into a body's row; a reason that names the field leaves the row as it was. */

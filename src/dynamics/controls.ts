@@ -1,4 +1,4 @@
-import { type Checked, accepted, notFinite, notFiniteTuple, type Quat, refused, type Vec3 } from './result';
+import { type Result, ok, notFinite, notFiniteTuple, type Quat, err, type Vec3 } from './result';
 import {
   ATTITUDE_HOLD,
   ATTITUDE_MODE,
@@ -42,20 +42,20 @@ const UNIT_WITHIN = 1e-12;
  * Controls clamped into range, target normalised; or a reason that names the field (DYNAMICS, Actuators). What is loaded loads again
  * to the same bits, so that a stored or sent input replays to the same flight.
  */
-export function loadControls(given: Controls): Checked<Controls> {
+export function loadControls(given: Controls): Result<Controls> {
   const reason =
     notFinite('thrustLevel', given.thrustLevel) ??
     notFiniteTuple('translationInput', given.translationInput, 3) ??
     notFiniteTuple('rotationInput', given.rotationInput, 3) ??
     notFiniteTuple('targetAttitude', given.targetAttitude, 4);
-  if (reason !== null) return refused(reason);
-  if (typeof given.attitudeHold !== 'boolean') return refused('attitudeHold: expected true or false');
-  if (!ATTITUDE_MODES.includes(given.attitudeMode)) return refused('attitudeMode: no such mode');
+  if (reason !== null) return err(reason);
+  if (typeof given.attitudeHold !== 'boolean') return err('attitudeHold: expected true or false');
+  if (!ATTITUDE_MODES.includes(given.attitudeMode)) return err('attitudeMode: no such mode');
   const [x, y, z, w] = given.targetAttitude;
   const length = Math.sqrt(x * x + y * y + z * z + w * w);
-  if (!(length > 1e-3 && length < 1e3)) return refused('targetAttitude: expected a quaternion of length 1');
+  if (!(length > 1e-3 && length < 1e3)) return err('targetAttitude: expected a quaternion of length 1');
   const isUnit = Math.abs(length - 1) <= UNIT_WITHIN;
-  return accepted({
+  return ok({
     thrustLevel: clamp(given.thrustLevel, 0, 1),
     translationInput: clampTriple(given.translationInput),
     rotationInput: clampTriple(given.rotationInput),

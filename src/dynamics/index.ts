@@ -3,7 +3,7 @@
 /** Columns of a ship's and a body's row, states, modes, events. */
 export * from './layout';
 /** Validation results and tuples. */
-export { accepted, type Checked, type Mat3, type Quat, refused, type Vec3 } from './result';
+export { ok, type Result, type Mat3, type Quat, err, type Vec3 } from './result';
 /** The server's contact settings. */
 export { DEFAULT_SETTINGS, loadSettings, type LoadedSettings, type Settings } from './settings';
 /** Ship classes: plain data in, constants out. */
@@ -37,7 +37,7 @@ export { chooseReferenceBody } from './referenceBody';
 /** Sine and cosine with the same bits everywhere, for configuration and scenarios. */
 export { cosineOfDegrees, sineOfDegrees } from './angles';
 /** Which state may follow which. */
-export { isLegalMove } from './stateTransitions';
+export { isTransitionAllowed } from './stateTransitions';
 /** One number for a trajectory's bits. */
 export { hashRows } from './hash';
 /** Terrain made of + − × ÷ √. */

@@ -1,12 +1,12 @@
 /** What a validation gives: the checked value, or a reason that names the field. Nothing here throws. */
-export type Checked<T> =
+export type Result<T> =
   { readonly ok: true; readonly value: T } | { readonly ok: false; readonly reason: string };
 
-export function accepted<T>(value: T): Checked<T> {
+export function ok<T>(value: T): Result<T> {
   return { ok: true, value };
 }
 
-export function refused(reason: string): { readonly ok: false; readonly reason: string } {
+export function err(reason: string): { readonly ok: false; readonly reason: string } {
   return { ok: false, reason };
 }
 

@@ -1,5 +1,5 @@
 import { cosineOfDegrees } from './angles';
-import { accepted, type Checked, notFinite, refused } from './result';
+import { ok, type Result, notFinite, err } from './result';
 import { outside, SPEED, SPIN_SPEED } from './limits';
 
 /** The server's contact settings under the design's names (DYNAMICS, Settings). SI units, degrees where the name says so. */
@@ -42,17 +42,17 @@ export interface LoadedSettings extends Settings {
 }
 
 /** Settings as loaded, or a reason that names the first setting out of its range, and the range. Absent settings keep their defaults. */
-export function loadSettings(given: Partial<Settings>): Checked<LoadedSettings> {
+export function loadSettings(given: Partial<Settings>): Result<LoadedSettings> {
   const s: Settings = { ...DEFAULT_SETTINGS, ...given };
   for (const [name, value] of Object.entries(s)) {
     if (name === 'touchdownAttitude') continue;
-    if (!(name in DEFAULT_SETTINGS)) return refused(`${name}: no such setting`);
+    if (!(name in DEFAULT_SETTINGS)) return err(`${name}: no such setting`);
     const reason = notFinite(name, value);
-    if (reason !== null) return refused(reason);
+    if (reason !== null) return err(reason);
   }
   const outOfRange = firstOutOfRange(s);
-  if (outOfRange !== null) return refused(outOfRange);
-  return accepted(
+  if (outOfRange !== null) return err(outOfRange);
+  return ok(
     Object.freeze({
       ...s,
       cosSettleTilt: cosineOfDegrees(s.contactSettleTiltDeg),

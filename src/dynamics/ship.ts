@@ -1,4 +1,4 @@
-import { accepted, type Checked, notFinite, notFiniteTuple, type Quat, refused, type Vec3 } from './result';
+import { ok, type Result, notFinite, notFiniteTuple, type Quat, err, type Vec3 } from './result';
 import { NEUTRAL_CONTROLS, writeControls } from './controls';
 import {
   ANGULAR_VELOCITY,
@@ -83,7 +83,7 @@ export function landedBodyName(ship: ShipRecord): string {
   return ship.surfaceContactState === SURFACE_STATES[FLYING] ? '' : ship.referenceBody;
 }
 
-function checkShip(ship: ShipRecord, world: World): Checked<{ shipClass: number; referenceBody: number }> {
+function checkShip(ship: ShipRecord, world: World): Result<{ shipClass: number; referenceBody: number }> {
   const malformed =
     notFiniteTuple('relativePosition', ship.relativePosition, 3) ??
     notFiniteTuple('relativeVelocity', ship.relativeVelocity, 3) ??
@@ -91,17 +91,15 @@ function checkShip(ship: ShipRecord, world: World): Checked<{ shipClass: number;
     notFiniteTuple('angularVelocity', ship.angularVelocity, 3) ??
     notFinite('fuel', ship.fuel) ??
     notFinite('contactImpactSpeed', ship.contactImpactSpeed);
-  if (malformed !== null) return refused(malformed);
+  if (malformed !== null) return err(malformed);
   const shipClass = world.shipClasses.findIndex((c) => c.name === ship.shipClass);
-  if (shipClass < 0) return refused(`shipClass: no class named ${ship.shipClass}`);
+  if (shipClass < 0) return err(`shipClass: no class named ${ship.shipClass}`);
   const referenceBody = world.bodies.findIndex((b) => b.name === ship.referenceBody);
-  if (referenceBody < 0) return refused(`referenceBody: no body named ${ship.referenceBody}`);
-  if (!SURFACE_STATES.includes(ship.surfaceContactState))
-    return refused('surfaceContactState: no such state');
+  if (referenceBody < 0) return err(`referenceBody: no body named ${ship.referenceBody}`);
+  if (!SURFACE_STATES.includes(ship.surfaceContactState)) return err('surfaceContactState: no such state');
   const [x, y, z] = ship.relativePosition;
   // Less than a metre from the centre the radial direction, and so gravity, has no meaning.
-  if (!(x * x + y * y + z * z >= 1))
-    return refused('relativePosition: expected ≥ 1 m from the body’s centre');
+  if (!(x * x + y * y + z * z >= 1)) return err('relativePosition: expected ≥ 1 m from the body’s centre');
   const outOfRange =
     anyOutside('relativePosition', ship.relativePosition, PLACE) ??
     anyOutside('relativeVelocity', ship.relativeVelocity, VELOCITY_RANGE) ??
@@ -109,6 +107,6 @@ function checkShip(ship: ShipRecord, world: World): Checked<{ shipClass: number;
     anyOutside('angularVelocity', ship.angularVelocity, SPIN) ??
     outside('fuel', ship.fuel, FUEL_MASS) ??
     outside('contactImpactSpeed', ship.contactImpactSpeed, SPEED);
-  if (outOfRange !== null) return refused(outOfRange);
-  return accepted({ shipClass, referenceBody });
+  if (outOfRange !== null) return err(outOfRange);
+  return ok({ shipClass, referenceBody });
 }

@@ -1,4 +1,4 @@
-import { accepted, type Checked, type Mat3, notFinite, notFiniteTuple, refused, type Vec3 } from './result';
+import { ok, type Result, type Mat3, notFinite, notFiniteTuple, err, type Vec3 } from './result';
 import {
   anyOutside,
   FORCE,
@@ -64,15 +64,15 @@ export const STANDARD_GRAVITY = 9.80665;
 const LEAST_ROUNDNESS = 1e-6;
 
 /** The class with its constants, or a reason that names the field and its range. */
-export function loadShipClass(given: ShipClass): Checked<LoadedShipClass> {
+export function loadShipClass(given: ShipClass): Result<LoadedShipClass> {
   const reason = malformed(given) ?? outOfRange(given);
-  if (reason !== null) return refused(`ship class ${given.name}: ${reason}`);
+  if (reason !== null) return err(`ship class ${given.name}: ${reason}`);
   const fullMass = given.dryMass + given.fuelCapacity;
   const inertia = Float64Array.from(given.inertiaTensor.flat());
   const burnsMain = given.mainEngineThrust > 0;
   const turnsByRcs = largest(given.rcsTorque) > 0;
   const burnsRcs = turnsByRcs || largest(given.rcsThrust) > 0;
-  return accepted(
+  return ok(
     Object.freeze({
       ...given,
       fullMass,

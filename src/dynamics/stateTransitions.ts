@@ -10,6 +10,6 @@ const LEGAL_MOVES: Readonly<Record<number, readonly number[]>> = {
 };
 
 /** Whether a ship may go from one surface state to another within one substep. A crash leaves from any but landed. */
-export function isLegalMove(from: number, to: number): boolean {
+export function isTransitionAllowed(from: number, to: number): boolean {
   return from === to || (LEGAL_MOVES[from]?.includes(to) ?? false);
 }

@@ -1,5 +1,5 @@
 import { moveBodies, settleBodies, turnBodies } from './body';
-import { accepted, type Checked, notFinite, refused } from './result';
+import { ok, type Result, notFinite, err } from './result';
 import { SHIP_STRIDE } from './layout';
 import { chooseReferenceBody } from './referenceBody';
 import { substep } from './substep';
@@ -15,14 +15,14 @@ export interface Timing {
 }
 
 /** Timing of a server's `tickRate` (0.1–100 Hz) and `timeScale` (0.1–100), or a reason that names the one out of range. */
-export function loadTiming(tickRate: number, timeScale: number): Checked<Timing> {
+export function loadTiming(tickRate: number, timeScale: number): Result<Timing> {
   const reason = notFinite('tickRate', tickRate) ?? notFinite('timeScale', timeScale);
-  if (reason !== null) return refused(reason);
+  if (reason !== null) return err(reason);
   if (tickRate < 0.1 || tickRate > 100)
-    return refused(`tickRate: expected 0.1 to 100 Hz, got ${String(tickRate)}`);
+    return err(`tickRate: expected 0.1 to 100 Hz, got ${String(tickRate)}`);
   if (timeScale < 0.1 || timeScale > 100)
-    return refused(`timeScale: expected 0.1 to 100, got ${String(timeScale)}`);
-  return accepted(timingOfTick(timeScale / tickRate));
+    return err(`timeScale: expected 0.1 to 100, got ${String(timeScale)}`);
+  return ok(timingOfTick(timeScale / tickRate));
 }
 
 /** Timing of a tick of `tickSeconds` > 0 of game time. */

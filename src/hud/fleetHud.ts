@@ -7,7 +7,7 @@ import { showPart, showText } from './shown';
 /** px; hud.css gives the rows this height. */
 const ROW_HEIGHT = 28;
 /** Rows in the DOM at most; a list taller than this shows shows no more of them. */
-const MOST_ROWS = 30;
+const MAX_ROWS = 30;
 
 /**
  * The fleet HUD, appended to `host`: a row a ship, those that need help first, counts in the header (HUD, Fleet). Only the
@@ -36,7 +36,7 @@ export function createFleetHud(document: Document, host: Element): Hud<FleetRead
       length = readout.count;
       list.style.height = `${String(length * ROW_HEIGHT)}px`;
     }
-    const wanted = Math.min(MOST_ROWS, Math.ceil(sight / ROW_HEIGHT) + 1, length);
+    const wanted = Math.min(MAX_ROWS, Math.ceil(sight / ROW_HEIGHT) + 1, length);
     const first = Math.max(0, Math.min(Math.floor(scrolled / ROW_HEIGHT), length - wanted));
     while (rows.length < wanted) rows.push(createFleetRow(list, ROW_HEIGHT));
     while (rows.length > wanted) rows.pop()!.element.remove();

@@ -1,7 +1,12 @@
 import { TERRAINS } from '../dynamics';
 import { createCockpitLandingHud, createFleetHud } from '../hud';
 import type { WorldView } from '../prediction';
-import { createFleetReadout, createLandingReadout, fleetReadout, landingReadout } from '../readout';
+import {
+  createFleetReadout,
+  createLandingReadout,
+  updateFleetReadout,
+  updateLandingReadout,
+} from '../readout';
 import { FINE, qualityFor } from '../scene';
 import { SCENARIOS } from '../scenarios';
 import { createActs } from './game/actions';
@@ -226,8 +231,8 @@ export function begin(document: Document, program: string): void {
       generation = replay.generation();
       landing = createLandingReadout();
     }
-    landingHud.paint(landingReadout(view, landing));
-    fleetHud.paint(fleetReadout(view, fleet));
+    landingHud.paint(updateLandingReadout(landing, view));
+    fleetHud.paint(updateFleetReadout(fleet, view));
     twin.tell(view, landing, now);
     (replay?.baseline ?? live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
     dock.follow(view, now);

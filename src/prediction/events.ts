@@ -33,7 +33,7 @@ export interface LedgerEntry {
 /** Substeps within which two events of a type are the same one. */
 export const SAME_EVENT = 50;
 /** Entries kept; a ship that rattled faster would lose its oldest. */
-const MOST_ENTRIES = 64;
+const MAX_ENTRIES = 64;
 
 export function createLedger(shipId: string): Ledger {
   return { shipId, entries: [] };
@@ -161,7 +161,7 @@ function add(
   const { tick, substep } = birth;
   const entry: LedgerEntry = { event, tick, substep, fate: 'predicted', pass };
   ledger.entries.push(entry);
-  if (ledger.entries.length > MOST_ENTRIES) ledger.entries.shift();
+  if (ledger.entries.length > MAX_ENTRIES) ledger.entries.shift();
   return entry;
 }
 

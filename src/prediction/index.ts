@@ -3,7 +3,7 @@
 /** The whole of it: receive, advance, view. */
 export { createPredictor, type Defaults, type Predictor, type PredictorOptions } from './predictor';
 /** What the own ship does by itself. */
-export type { PlannedInput } from './inputs/inputs';
+export type { ScheduledInput } from './inputs/inputs';
 /** What it gives. */
 export type * from './drawn/view';
 /** A drawn pose on the drawn ground. */

@@ -13,8 +13,8 @@ import {
 import type { ClientMessage, Hello, Pong, ServerFrame, ServerMessage } from '../wire';
 import { advanceClock, createClock, forgetSchedule, jitterOf, samplePong, serverTime } from './time/clock';
 import { createDiagnosis } from './diagnosis';
-import { createIntake, refuse, takeFrame } from './snapshots/receiver';
-import { type PlannedInput, resend, takeUnsent } from './inputs/inputs';
+import { createReceiver, refuse, receiveSnapshot } from './snapshots/receiver';
+import { type ScheduledInput, resend, takeUnsent } from './inputs/inputs';
 import { createPace, keepPace } from './time/pace';
 import { createPilot, sampleControls } from './inputs/pilot';
 import { answeredPing, createPings, pingIfDue } from './time/pings';
@@ -22,8 +22,16 @@ import { isFarBehind, realign } from './snapshots/realign';
 import { runReplays } from './simulation/replay';
 import { checkRollback } from './simulation/rollbackCheck';
 import { createSimulation, type Simulation, stepFront } from './simulation/simulation';
-import { indexOf, type Moment, type Position, spanOf, wallOfTick, writeLater, writeMoment } from './time/timeline';
-import { loadWorld, sameWorld, type WorldTold } from './snapshots/worldConfig';
+import {
+  indexOf,
+  type Moment,
+  type Position,
+  spanOf,
+  wallOfTick,
+  writeLater,
+  writeMoment,
+} from './time/timeline';
+import { loadWorld, sameWorld, type WorldConfig } from './snapshots/worldConfig';
 import type { EventNotice, WorldView } from './drawn/view';
 import { createShown, fillView, placePresent } from './drawn/worldView';
 
@@ -34,14 +42,14 @@ export interface PredictorOptions {
   /** What holds for a server that sends no hello; the game's catalogue and defaults unless given. */
   readonly defaults?: Partial<Defaults>;
   /** Ship substeps a frame may take; 20,000 unless given. */
-  readonly budget?: number;
+  readonly maxSubstepsPerFrame?: number;
   /** The own ship of a client whose server sends no hello. */
   readonly ownShipId?: string;
   /**
    * What the own ship does by itself until its pilot's first input acts, as the server was told to let it: in the order of time.
    * Until then `advance` is given null.
    */
-  readonly plan?: readonly PlannedInput[];
+  readonly plan?: readonly ScheduledInput[];
   /** Test mode: at every tick boundary go back this many ticks, replay, and compare bits. Counted in the diagnosis. */
   readonly forcedRollback?: number;
 }
@@ -67,7 +75,7 @@ export interface Predictor {
   /** The world at the present; one record, valid until the next call. */
   view: (now: number) => WorldView;
   /** What is to be sent since the last call. */
-  outgoing: () => ClientMessage[];
+  takeOutgoing: () => ClientMessage[];
   /** Predicted, confirmed and retracted events, in order, during `receive` and `advance`. Returns how to stop listening. */
   onEvent: (listener: (notice: EventNotice) => void) => () => void;
 }
@@ -81,7 +89,7 @@ const BACKDATED = 2;
 /** A predictor that has heard of nothing yet. Throws RangeError if the given defaults are refused: they are the page's own. */
 export function createPredictor(options: PredictorOptions = {}): Predictor {
   const terrains = { ...TERRAINS, ...options.terrains };
-  const defaults: WorldTold = {
+  const defaults: WorldConfig = {
     settings: options.defaults?.settings ?? {},
     shipClasses: options.defaults?.shipClasses ?? SHIP_CLASSES,
     bodies: options.defaults?.bodies ?? BODIES,
@@ -91,10 +99,10 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
   if (!world.ok) throw new RangeError(`defaults: ${world.reason}`);
 
   const clock = createClock();
-  const intake = createIntake(clock, options.ownShipId ?? '');
+  const receiver = createReceiver(clock, options.ownShipId ?? '');
   const pilot = createPilot();
   const pings = createPings();
-  const pace = createPace(options.budget ?? BUDGET);
+  const pace = createPace(options.maxSubstepsPerFrame ?? BUDGET);
   const listeners = new Set<(notice: EventNotice) => void>();
   const rollback = options.forcedRollback ?? 0;
   const counters = createDiagnosis();
@@ -123,9 +131,9 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
     told = hello;
     counters.helloReceived = true;
     granularity = hello.inputGranularity;
-    intake.ownShipId = hello.shipId;
-    intake.fresh = true;
-    intake.tellsEvents = true;
+    receiver.ownShipId = hello.shipId;
+    receiver.fresh = true;
+    receiver.tellsEvents = true;
     resend(sim.inputs);
   }
 
@@ -135,7 +143,7 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
       const loaded = loadWorld({ ...defaults, bodies: frame.bodies }, terrains);
       if (loaded.ok) beginWorld(loaded.value, frame.bodies);
     }
-    takeFrame(sim, intake, frame, now);
+    receiveSnapshot(sim, receiver, frame, now);
     announce();
   }
 
@@ -214,7 +222,7 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
       fillGauges(now);
       return shown.view;
     },
-    outgoing() {
+    takeOutgoing() {
       const messages: ClientMessage[] = pings.queued.splice(0);
       const inputs = takeUnsent(sim.inputs);
       if (inputs.length > 0) messages.push({ kind: 'inputs', inputs });

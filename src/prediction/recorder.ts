@@ -25,8 +25,8 @@ export function recordPredictor(predictor: Predictor, write: (entry: PredictorEn
       write({ kind: 'advanced', at, controls });
       predictor.advance(controls, at);
     },
-    outgoing() {
-      const messages = predictor.outgoing();
+    takeOutgoing() {
+      const messages = predictor.takeOutgoing();
       for (const message of messages) write({ kind: 'sent', at: now, message });
       return messages;
     },
@@ -43,7 +43,7 @@ export function replayEntries(
     if (entry.kind === 'received') predictor.receive(entry.message, entry.at);
     if (entry.kind !== 'advanced') continue;
     predictor.advance(entry.controls, entry.at);
-    predictor.outgoing();
+    predictor.takeOutgoing();
     advanced(entry.at);
   }
 }

@@ -33,7 +33,7 @@ export function measureDescent(out: Descent, surface: Surface, ship: ShipView): 
 
 /** On the ground the drawn legs stand on it, whatever depth the law has (PREDICTION, "nothing is drawn underground"). */
 export function standsOnGround(ship: ShipView): boolean {
-  return ship.surfaceState !== '' || ship.feetHeight < 0;
+  return ship.surfaceContactState !== '' || ship.feetHeight < 0;
 }
 
 export function forgetDescent(out: Descent): void {
@@ -51,7 +51,7 @@ export function forgetDescent(out: Descent): void {
 function measureTimeToImpact(out: Descent, surface: Surface, ship: ShipView): void {
   out.timeToImpact = NaN;
   const falling = -surface.radialSpeed;
-  if (ship.surfaceState !== '' || ship.crashed || !(falling > 0)) return;
+  if (ship.surfaceContactState !== '' || ship.crashed || !(falling > 0)) return;
   if (surface.clearance <= 0) {
     out.timeToImpact = 0;
     return;

@@ -37,7 +37,7 @@ export function createFleetReadout(): FleetReadout {
 }
 
 /** Fills `out` in two passes over the ships: count, then place. Allocates only where the fleet has grown. */
-export function fleetReadout(view: WorldView, out: FleetReadout): FleetReadout {
+export function updateFleetReadout(out: FleetReadout, view: WorldView): FleetReadout {
   const ships = view.ready ? view.ships : NO_SHIPS;
   const { rows, counts } = out;
   for (const status of FLEET_ORDER) counts[status] = 0;

@@ -1,9 +1,15 @@
 /** Numbers a pilot reads, computed from a view by pure functions: painting decides nothing. */
 
 /** The own ship's landing. */
-export { createLandingReadout, landingReadout, type LandingReadout } from './landing';
+export { createLandingReadout, updateLandingReadout, type LandingReadout } from './landing';
 /** All ships, those that need help first. */
-export { createFleetReadout, fleetReadout, type FleetReadout, type FleetRow, FLEET_ORDER } from './fleet';
+export {
+  createFleetReadout,
+  updateFleetReadout,
+  type FleetReadout,
+  type FleetRow,
+  FLEET_ORDER,
+} from './fleet';
 /** Status: word, shape and colour together. */
 export { STATUS_LOOKS, type StatusId, type StatusLook } from './status';
 /** Parts of a landing. */

@@ -73,7 +73,7 @@ export function startProjection(
   out.ships.set(ship.angularVelocity, ANGULAR_VELOCITY);
   out.ships[FUEL] = ship.fuel;
   out.ships[IMPACT_SPEED] = ship.impactSpeed;
-  out.ships[SURFACE_STATE] = SURFACE_STATES.indexOf(ship.surfaceState);
+  out.ships[SURFACE_STATE] = SURFACE_STATES.indexOf(ship.surfaceContactState);
   out.ships[REFERENCE_BODY] = 0;
   out.ships[CRASHED] = ship.crashed ? 1 : 0;
   out.ships[SHIP_CLASS] = 0;

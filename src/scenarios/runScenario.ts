@@ -1,13 +1,13 @@
 import {
-  accepted,
+  ok,
   beginTick,
   BODY_STRIDE,
-  type Checked,
+  type Result,
   CRASHED,
   endTick,
   EVENT_NAMES,
   hashRows,
-  isLegalMove,
+  isTransitionAllowed,
   loadBody,
   loadSettings,
   loadShipClass,
@@ -47,7 +47,7 @@ export interface RehearsedEvent {
 }
 
 /** Runs a scenario from its start to the end of its duration; a reason that names the field when it cannot be staged. */
-export function rehearse(scenario: Scenario): Checked<Rehearsed> {
+export function rehearse(scenario: Scenario): Result<Rehearsed> {
   const checked = stage(scenario);
   if (!checked.ok) return checked;
   const staged = checked.value;
@@ -66,11 +66,11 @@ export function rehearse(scenario: Scenario): Checked<Rehearsed> {
     bodyRows.set(bodies, (tick + 1) * BODY_STRIDE);
   }
   const { events, illegalMoves } = run;
-  return accepted({ staged, world, ships, bodies: bodyRows, events, illegalMoves, hash: hashRows(ships) });
+  return ok({ staged, world, ships, bodies: bodyRows, events, illegalMoves, hash: hashRows(ships) });
 }
 
 /** The world of a scenario at its start: one ship, one body. */
-function prepare({ scenario, body, shipClass, terrainHeight, ship }: StagedScenario): Checked<Prepared> {
+function prepare({ scenario, body, shipClass, terrainHeight, ship }: StagedScenario): Result<Prepared> {
   const settings = loadSettings(scenario.settings);
   if (!settings.ok) return settings;
   const loadedClass = loadShipClass(shipClass);
@@ -86,7 +86,7 @@ function prepare({ scenario, body, shipClass, terrainHeight, ship }: StagedScena
   const row = new Float64Array(SHIP_STRIDE);
   const bodies = new Float64Array(BODY_STRIDE);
   const reason = writeBodyMotion(bodies, 0, body) ?? spawnShip(row, 0, ship, world);
-  return reason === null ? accepted({ world, ship: row, bodies }) : { ok: false, reason };
+  return reason === null ? ok({ world, ship: row, bodies }) : { ok: false, reason };
 }
 
 interface Prepared {
@@ -131,7 +131,7 @@ function applyInputs(run: Run, tick: number, substep: number): void {
 
 function checkMove(run: Run, before: number, when: string): void {
   const after = run.ship[SURFACE_STATE]!;
-  if (run.ship[CRASHED] === 1 || isLegalMove(before, after)) return;
+  if (run.ship[CRASHED] === 1 || isTransitionAllowed(before, after)) return;
   const [from, to] = [SURFACE_STATES[before] ?? before, SURFACE_STATES[after] ?? after];
   run.illegalMoves.push(`${when}: '${from}' → '${to}'`);
 }

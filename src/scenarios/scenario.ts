@@ -1,14 +1,14 @@
 import {
-  accepted,
+  ok,
   BODIES,
   type Body,
   type BodyMotion,
-  type Checked,
+  type Result,
   type Controls,
   loadControls,
   loadTiming,
   NEUTRAL_CONTROLS,
-  refused,
+  err,
   type Settings,
   SHIP_CLASSES,
   type ShipClass,
@@ -78,13 +78,12 @@ export interface StagedInput {
 }
 
 /** Looks a scenario's names up and places its ship; a reason that names the field when that cannot be done. */
-export function stage(scenario: Scenario): Checked<StagedScenario> {
+export function stage(scenario: Scenario): Result<StagedScenario> {
   const body = BODIES.find((candidate) => candidate.name === scenario.body);
-  if (body === undefined) return refused(`body: no body named ${scenario.body}`);
+  if (body === undefined) return err(`body: no body named ${scenario.body}`);
   const shipClass = SHIP_CLASSES.find((candidate) => candidate.name === scenario.shipClass);
-  if (shipClass === undefined) return refused(`shipClass: no class named ${scenario.shipClass}`);
-  if (!Object.hasOwn(TERRAINS, scenario.terrain))
-    return refused(`terrain: no terrain named ${scenario.terrain}`);
+  if (shipClass === undefined) return err(`shipClass: no class named ${scenario.shipClass}`);
+  if (!Object.hasOwn(TERRAINS, scenario.terrain)) return err(`terrain: no terrain named ${scenario.terrain}`);
   const terrainHeight = TERRAINS[scenario.terrain]!;
   const timing = loadTiming(scenario.tickRate, scenario.timeScale);
   if (!timing.ok) return timing;
@@ -93,7 +92,7 @@ export function stage(scenario: Scenario): Checked<StagedScenario> {
   const { initial, site } = scenario;
   const fuel = initial.fuelFraction * shipClass.fuelCapacity;
   const ship = toBodyRelative(initial, { ...initial, shipClass, fuel }, { body, site, terrainHeight });
-  return accepted({
+  return ok({
     scenario,
     body,
     shipClass,
@@ -119,14 +118,14 @@ export function pilotAt({ scenario, inputs }: StagedScenario, seconds: number): 
   return controls;
 }
 
-function stageInputs(inputs: readonly ScenarioInput[], timing: Timing): Checked<StagedInput[]> {
+function stageInputs(inputs: readonly ScenarioInput[], timing: Timing): Result<StagedInput[]> {
   const staged: StagedInput[] = [];
   let controls = NEUTRAL_CONTROLS;
   for (const [i, input] of inputs.entries()) {
     const checked = loadControls({ ...controls, ...input.controls });
-    if (!checked.ok) return refused(`inputs[${i}].${checked.reason}`);
+    if (!checked.ok) return err(`inputs[${i}].${checked.reason}`);
     if (!(input.at >= (inputs[i - 1]?.at ?? 0)))
-      return refused(`inputs[${i}].at: expected ≥ 0 and in the order of time, got ${input.at}`);
+      return err(`inputs[${i}].at: expected ≥ 0 and in the order of time, got ${input.at}`);
     controls = checked.value;
     const substeps = Math.round(input.at / timing.dt);
     staged.push({
@@ -135,5 +134,5 @@ function stageInputs(inputs: readonly ScenarioInput[], timing: Timing): Checked<
       controls,
     });
   }
-  return accepted(staged);
+  return ok(staged);
 }

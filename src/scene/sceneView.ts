@@ -17,7 +17,14 @@ import { createOverlays, type OverlayChoice } from './overlays/overlays';
 import { anyChosen, createPlaces, placeOverlays } from './overlays/overlayPlaces';
 import type { Quality } from './quality';
 import { createRocks } from './ground/rocks';
-import { createActor, createShelf, placeJets, poseActor, removeActor, type ShipActor } from './ships/shipActor';
+import {
+  createActor,
+  createShelf,
+  placeJets,
+  poseActor,
+  removeActor,
+  type ShipActor,
+} from './ships/shipActor';
 import { createShipMaterial } from './ships/shipMaterial';
 import { createSky } from './sky/sky';
 import { createSunlight } from './sky/sunlight';
@@ -111,7 +118,7 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
   const lay = (view: WorldView, ship: ShipView) => {
     const body = view.bodies[ship.body]!;
     look = lookOf(body.name);
-    toBodyAxes(point, body.attitude, ship.standPosition);
+    toBodyAxes(point, body.attitude, ship.meshPosition);
     frame = layFrame(body, point, look.sun);
     ground.lay(frame, terrain);
     rocks.lay(frame, terrain);
@@ -167,7 +174,7 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
         groundY: groundY(x, z),
         feetHeight: 0,
         legRadius: ship.shipClass.legRadius,
-        grounded: ship.surfaceState !== '' || ship.crashed,
+        grounded: ship.surfaceContactState !== '' || ship.crashed,
         impactSpeed: ship.crashed ? CRASH_SPEED : ship.impactSpeed,
         thrust: ship.crashed ? 0 : ship.shipClass.mainEngineThrust * ship.controls.thrustLevel,
         blows: actor.blows,
@@ -202,7 +209,7 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
       before = seconds;
       if (frame?.bodyName !== body.name || frame.radius !== body.radius) lay(view, watched);
       turnOfFrame(turn, frame!, body.attitude);
-      toLocalPoint(point, frame!, turn, watched.standPosition);
+      toLocalPoint(point, frame!, turn, watched.meshPosition);
       if (Math.hypot(point[0]!, point[2]!) > FRAME_REACH) {
         lay(view, watched);
         turnOfFrame(turn, frame!, body.attitude);

@@ -1,4 +1,4 @@
-import { type Checked, refused } from '../dynamics';
+import { type Result, err } from '../dynamics';
 import { controlFields, readControlFields } from './controls';
 import { type Envelope, openEnvelope, sealEnvelope } from './envelope';
 import { galaxy } from './generated/codec.js';
@@ -26,7 +26,7 @@ const ENVELOPE: Envelope = {
  * first bad field ("inputs[2].controls.thrust_level: …"). Controls are clamped into range. Never throws, whatever the
  * bytes (PREDICTION, The timeline).
  */
-export function decodeClientMessage(bytes: Uint8Array): Checked<ClientMessage> {
+export function decodeClientMessage(bytes: Uint8Array): Result<ClientMessage> {
   const opened = openEnvelope(bytes, ENVELOPE, (reader) => galaxy.stream.ClientMessage.decode(reader));
   if (!opened.ok) return opened;
   const { inputs, ping } = opened.value;
@@ -44,7 +44,7 @@ export function decodeClientMessage(bytes: Uint8Array): Checked<ClientMessage> {
       id: integerIn(r, fieldsOf(r, ping), 'id', 0, Number.MAX_SAFE_INTEGER),
     });
   }
-  return refused('message: expected inputs or a ping');
+  return err('message: expected inputs or a ping');
 }
 
 /** The bytes of a checked message, in a buffer of their own. Decoding gives the record back, bit by bit. */

@@ -1,5 +1,5 @@
 import protobuf from 'protobufjs/minimal.js';
-import { type Checked, accepted, refused } from '../dynamics';
+import { type Result, ok, err } from '../dynamics';
 
 /** How many entries each list of a message in an envelope may have; keyed by field numbers of stream.proto. */
 export interface Envelope {
@@ -21,19 +21,17 @@ export function openEnvelope<T>(
   bytes: Uint8Array,
   envelope: Envelope,
   decode: (reader: protobuf.Reader) => T,
-): Checked<T> {
+): Result<T> {
   if (bytes.length > envelope.maxBytes)
-    return refused(`message: expected at most ${envelope.maxBytes} bytes, got ${bytes.length}`);
+    return err(`message: expected at most ${envelope.maxBytes} bytes, got ${bytes.length}`);
   try {
     const overfull = firstOverfull(bytes, envelope);
-    if (overfull !== null) return refused(overfull);
+    if (overfull !== null) return err(overfull);
     const reader = protobuf.Reader.create(bytes);
     reader.discardUnknown = true;
-    return accepted(decode(reader));
+    return ok(decode(reader));
   } catch (error) {
-    return refused(
-      `message: not of this protocol (${error instanceof Error ? error.message : String(error)})`,
-    );
+    return err(`message: not of this protocol (${error instanceof Error ? error.message : String(error)})`);
   }
 }
 

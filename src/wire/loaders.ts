@@ -1,11 +1,11 @@
-import type { Checked } from '../dynamics';
+import type { Result } from '../dynamics';
 import { type Reading, refuse } from './reading';
 
 /**
  * Refuses the message when one of dynamics' loaders refused what it holds. The loader's reason is
  * "`prefix`field: what was expected"; the field is renamed as it is called on the wire.
  */
-export function refuseLoaded(r: Reading, loaded: Checked<unknown>, prefix: string): void {
+export function refuseLoaded(r: Reading, loaded: Result<unknown>, prefix: string): void {
   if (loaded.ok) return;
   const reason = loaded.reason.startsWith(prefix) ? loaded.reason.slice(prefix.length) : loaded.reason;
   const colon = reason.indexOf(': ');

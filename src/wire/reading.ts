@@ -1,4 +1,4 @@
-import { type Checked, accepted, refused } from '../dynamics';
+import { type Result, ok, err } from '../dynamics';
 import { type Bound, MAX_TEXT } from './limits';
 
 /**
@@ -24,8 +24,8 @@ export function beginReading(source: Reading['source'], ...path: (string | numbe
 }
 
 /** The message that was read, or why it is refused. */
-export function endReading<T>(r: Reading, message: T): Checked<T> {
-  return r.reason === null ? accepted(message) : refused(r.reason);
+export function endReading<T>(r: Reading, message: T): Result<T> {
+  return r.reason === null ? ok(message) : err(r.reason);
 }
 
 /** Refuses the message because of the field `name` (empty: because of what the path itself leads to). */

@@ -1,4 +1,4 @@
-import { type Checked, refused } from '../dynamics';
+import { type Result, err } from '../dynamics';
 import { type Envelope, openEnvelope, sealEnvelope } from './envelope';
 import { frameFields, readFrame } from './frame';
 import { galaxy } from './generated/codec.js';
@@ -49,14 +49,14 @@ const ENVELOPE: Envelope = {
  * ("frame.ships[3].relative_position.y: expected a finite number, got NaN"). Never throws, whatever the bytes.
  * SI units, ICRF axes, quaternions [x, y, z, w] (PREDICTION, What the server says).
  */
-export function decodeServerMessage(bytes: Uint8Array): Checked<ServerMessage> {
+export function decodeServerMessage(bytes: Uint8Array): Result<ServerMessage> {
   const opened = openEnvelope(bytes, ENVELOPE, (reader) => galaxy.stream.ServerMessage.decode(reader));
   if (!opened.ok) return opened;
   const { hello, frame, pong } = opened.value;
   if (hello) return read('hello', hello, readHello);
   if (frame) return read('frame', frame, readFrame);
   if (pong) return read('pong', pong, readPong);
-  return refused('message: expected a hello, a frame or a pong');
+  return err('message: expected a hello, a frame or a pong');
 }
 
 /** The bytes of a checked message, in a buffer of their own. Decoding gives the record back, bit by bit. */
@@ -75,7 +75,7 @@ function envelopeFields(message: ServerMessage): galaxy.stream.ServerMessage.$Pr
   }
 }
 
-function read<T>(name: string, message: unknown, reader: (r: Reading, from: Fields) => T): Checked<T> {
+function read<T>(name: string, message: unknown, reader: (r: Reading, from: Fields) => T): Result<T> {
   const r = beginReading('protobuf', name);
   return endReading(r, reader(r, fieldsOf(r, message)));
 }

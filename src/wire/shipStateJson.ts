@@ -1,4 +1,4 @@
-import { type Checked, refused } from '../dynamics';
+import { type Result, err } from '../dynamics';
 import { MAX_SHIPS } from './limits';
 import {
   beginReading,
@@ -23,7 +23,7 @@ export type ShipStateJson = Readonly<Record<string, unknown>>;
  * angular_velocity and fuel; the others count as not sent when they are absent or null, with the meaning that has in
  * protobuf. Refused with the path of the first bad field, below `path`. Never throws on a parsed JSON value.
  */
-export function decodeShipStateJson(value: unknown, path = 'ship'): Checked<ShipState> {
+export function decodeShipStateJson(value: unknown, path = 'ship'): Result<ShipState> {
   const r = beginReading('json', path);
   return endReading(r, readShipState(r, fieldsOf(r, value)));
 }
@@ -32,10 +32,10 @@ export function decodeShipStateJson(value: unknown, path = 'ship'): Checked<Ship
  * Several of them: a list, or an object by ship_id, whose states may leave their ship_id out. Refused whole. The game's
  * envelope around its states is not published: hand in what lies inside it.
  */
-export function decodeShipStatesJson(value: unknown, path = 'ships'): Checked<ShipState[]> {
+export function decodeShipStatesJson(value: unknown, path = 'ships'): Result<ShipState[]> {
   const r = beginReading('json');
   const list = Array.isArray(value) ? value : statesById(value, path);
-  if (typeof list === 'string') return refused(list);
+  if (typeof list === 'string') return err(list);
   const states = listIn(r, { [path]: list }, path, MAX_SHIPS, readShipState);
   refuseRepeats(
     r,

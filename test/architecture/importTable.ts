@@ -17,7 +17,7 @@ export const IMPORT_TABLE: Readonly<Record<string, typeof ALL | Readonly<Record<
   hud: { readout: 'values' },
   scene: { dynamics: 'values', prediction: 'types', three: 'values', 'gl-matrix': 'values' },
   authority: { dynamics: 'values', wire: 'values' },
-  rehearsal: { dynamics: 'values', wire: 'values', authority: 'values' },
+  scenarios: { dynamics: 'values', wire: 'values', authority: 'values' },
   playground: ALL,
   'index.ts': ALL,
 };

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type Authority, MOST_QUEUED } from '../../src/authority';
+import { type Authority, MAX_QUEUED } from '../../src/authority';
 import type { InputRecord } from '../../src/wire';
 import { frameOf, input, moonWith, runTo, valueOf } from './moon';
 
@@ -128,13 +128,13 @@ describe('inputs', () => {
 
   it('do not pile up: a flood is refused and counted, what was queued holds', () => {
     const authority = moonWith('opening');
-    const flood = Array.from({ length: MOST_QUEUED + 500 }, (_, i) => input(i + 1, 5, 0, { thrustLevel: 1 }));
+    const flood = Array.from({ length: MAX_QUEUED + 500 }, (_, i) => input(i + 1, 5, 0, { thrustLevel: 1 }));
     const refused = send(authority, flood, 0);
-    expect(refused.ok ? '' : refused.reason).toContain(`inputs[${MOST_QUEUED}].seq`);
+    expect(refused.ok ? '' : refused.reason).toContain(`inputs[${MAX_QUEUED}].seq`);
     expect(authority.counters.inputsFlooded).toBe(500);
     runTo(authority, 6);
-    expect(authority.counters.inputsApplied).toBe(MOST_QUEUED);
-    expect(frameOf(authority).lastInput!.seq).toBe(MOST_QUEUED);
+    expect(authority.counters.inputsApplied).toBe(MAX_QUEUED);
+    expect(frameOf(authority).lastInput!.seq).toBe(MAX_QUEUED);
   });
 });
 

@@ -2,7 +2,7 @@ import {
   ATTITUDE,
   BODIES,
   BODY_STRIDE,
-  type Checked,
+  type Result,
   CONTACT,
   FLYING,
   LANDED,
@@ -146,7 +146,7 @@ function place(ships: Float64Array, at: number, state: number, start: Start): vo
   ships.set([ux * c + uw * s, uy * c, -uy * s, uw * c - ux * s], at + ATTITUDE);
 }
 
-function loaded<T>(checked: Checked<T>): T {
+function loaded<T>(checked: Result<T>): T {
   if (!checked.ok) throw new Error(checked.reason);
   return checked.value;
 }

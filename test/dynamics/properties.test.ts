@@ -13,7 +13,7 @@ import {
   FLYING,
   FUEL,
   IMPACT_SPEED,
-  isLegalMove,
+  isTransitionAllowed,
   LANDED,
   NO_EVENT,
   SURFACE_STATE,
@@ -42,7 +42,7 @@ function fault(trial: Trial, before: number, event: number): string {
   const after = ships[SURFACE_STATE]!;
   if (ships[FUEL]! < 0 || ships[IMPACT_SPEED]! < 0) return 'fuel or impact speed below 0';
   if (ships[CRASHED] === 1) return after === FLYING ? '' : 'crashed with a surface state';
-  if (!isLegalMove(before, after)) return `${before} to ${after} is no legal move`;
+  if (!isTransitionAllowed(before, after)) return `${before} to ${after} is no legal move`;
   const led: Record<number, readonly number[]> = {
     [NO_EVENT]: before === after ? [after] : [FLYING],
     [EVENT_CONTACT]: [CONTACT],

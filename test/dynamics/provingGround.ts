@@ -7,7 +7,7 @@ import {
   BODY_ATTITUDE,
   BODY_STRIDE,
   type BodyMotion,
-  type Checked,
+  type Result,
   type Controls,
   flatTerrain,
   loadBody,
@@ -107,7 +107,7 @@ export function gravityOn({ mass, radius }: Body, h = LANDER.groundContactOffset
 }
 
 /** @throws when the law refuses what a test took for good */
-export function must<T>(checked: Checked<T>): T {
+export function must<T>(checked: Result<T>): T {
   if (!checked.ok) throw new Error(checked.reason);
   return checked.value;
 }

@@ -5,7 +5,7 @@ import {
   EVENT_NAMES,
   FLYING,
   hashRows,
-  isLegalMove,
+  isTransitionAllowed,
   LANDED,
   SURFACE_STATES,
   TIPPED,
@@ -29,15 +29,15 @@ describe('legal moves', () => {
     for (const from of [FLYING, CONTACT, LANDED, TIPPED]) {
       for (const to of [FLYING, CONTACT, LANDED, TIPPED]) {
         const legal = from === to || LEGAL.some(([a, b]) => a === from && b === to);
-        expect([from, to, isLegalMove(from, to)]).toEqual([from, to, legal]);
+        expect([from, to, isTransitionAllowed(from, to)]).toEqual([from, to, legal]);
       }
     }
   });
 
   it('are none from or to what is no state', () => {
-    expect(isLegalMove(FLYING, 4)).toBe(false);
-    expect(isLegalMove(7, FLYING)).toBe(false);
-    expect(isLegalMove(Number.NaN, FLYING)).toBe(false);
+    expect(isTransitionAllowed(FLYING, 4)).toBe(false);
+    expect(isTransitionAllowed(7, FLYING)).toBe(false);
+    expect(isTransitionAllowed(Number.NaN, FLYING)).toBe(false);
   });
 });
 

@@ -1,9 +1,9 @@
 /** A landing as plain data that every implementation can play: the rehearsals, and cases drawn by a seed. */
 import {
-  accepted,
+  ok,
   type Body,
   type BodyMotion,
-  type Checked,
+  type Result,
   type Controls,
   type Settings,
   type ShipClass,
@@ -41,13 +41,13 @@ export interface CaseInput {
 }
 
 /** A rehearsal as a case, or the reason why it cannot be staged. */
-export function caseOf(scenario: Scenario): Checked<ExactCase> {
+export function caseOf(scenario: Scenario): Result<ExactCase> {
   const staged = stage(scenario);
   if (!staged.ok) return staged;
   const { body, shipClass, ship, inputs } = staged.value;
   const { name, tickRate, timeScale, settings, terrain } = scenario;
   const ticks = ticksOf(staged.value);
-  return accepted({
+  return ok({
     name,
     tickRate,
     timeScale,

@@ -1,12 +1,12 @@
 /** Plays a case on the dynamics and hands on every row, for comparison with another implementation's. */
 import {
-  accepted,
+  ok,
   beginTick,
   BODY_ATTITUDE,
   BODY_POSITION,
   BODY_STRIDE,
   BODY_VELOCITY,
-  type Checked,
+  type Result,
   type Controls,
   endTick,
   loadBody,
@@ -14,7 +14,7 @@ import {
   loadSettings,
   loadShipClass,
   loadTiming,
-  refused,
+  err,
   SHIP_STRIDE,
   spawnShip,
   stepWorld,
@@ -46,7 +46,7 @@ export interface Playing {
 }
 
 /** Plays a case from its start; the number of substeps, or the reason why the law refuses the case. */
-export function playCase(exact: ExactCase, take: TakeRow, terrainOf = caseTerrain): Checked<number> {
+export function playCase(exact: ExactCase, take: TakeRow, terrainOf = caseTerrain): Result<number> {
   const loaded = loadCase(exact, terrainOf(exact.terrain));
   if (!loaded.ok) return loaded;
   const { world, ship, bodies, inputs, timing } = loaded.value;
@@ -69,7 +69,7 @@ export function playCase(exact: ExactCase, take: TakeRow, terrainOf = caseTerrai
       take(bodyRow, tick, AFTER_TICK);
     }
   }
-  return accepted(exact.ticks * timing.substeps);
+  return ok(exact.ticks * timing.substeps);
 }
 
 export function caseTerrain(terrain: CaseTerrain): TerrainHeight {
@@ -95,7 +95,7 @@ export function writeBodyRow(row: Float64Array, bodies: Float64Array, at: number
 }
 
 /** A case looked up, checked and in rows; the reason why the law refuses it. */
-export function loadCase(exact: ExactCase, terrainHeight: TerrainHeight): Checked<Playing> {
+export function loadCase(exact: ExactCase, terrainHeight: TerrainHeight): Result<Playing> {
   const settings = loadSettings(exact.settings);
   if (!settings.ok) return settings;
   const shipClass = loadShipClass(exact.shipClass);
@@ -108,12 +108,12 @@ export function loadCase(exact: ExactCase, terrainHeight: TerrainHeight): Checke
     const checked = loadBody(body);
     if (!checked.ok) return checked;
     const reason = writeBodyMotion(bodies, i * BODY_STRIDE, body);
-    if (reason !== null) return refused(reason);
+    if (reason !== null) return err(reason);
     loadedBodies.push(checked.value);
   }
   const inputs: CaseInput[] = [];
   for (const input of exact.inputs) {
-    const controls: Checked<Controls> = loadControls(input.controls);
+    const controls: Result<Controls> = loadControls(input.controls);
     if (!controls.ok) return controls;
     inputs.push({ ...input, controls: controls.value });
   }
@@ -125,6 +125,6 @@ export function loadCase(exact: ExactCase, terrainHeight: TerrainHeight): Checke
   };
   const ship = new Float64Array(SHIP_STRIDE);
   const reason = spawnShip(ship, 0, exact.ship, world);
-  if (reason !== null) return refused(reason);
-  return accepted({ world, ship, bodies, inputs, timing: timing.value });
+  if (reason !== null) return err(reason);
+  return ok({ world, ship, bodies, inputs, timing: timing.value });
 }

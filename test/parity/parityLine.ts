@@ -6,7 +6,7 @@ import {
   readFixture,
   readRecording,
 } from '../../src/scenarios';
-import type { Checked } from '../../src/dynamics';
+import type { Result } from '../../src/dynamics';
 
 /** One file's outcome as `npm run parity` prints it: a fixture, or a recording of a server's states if it is JSON lines. */
 export function parityLine(name: string, text: string): { line: string; passed: boolean } {
@@ -27,7 +27,7 @@ function recordingLine(name: string, text: string): { line: string; passed: bool
   return { line: `${describe(name, compared.value)}  ${left}`, passed: agrees(compared.value) };
 }
 
-function then<A, B>(checked: Checked<A>, next: (value: A) => Checked<B>): Checked<B> {
+function then<A, B>(checked: Result<A>, next: (value: A) => Result<B>): Result<B> {
   return checked.ok ? next(checked.value) : checked;
 }
 

@@ -165,7 +165,7 @@ describe('a recording of it', () => {
     });
     const { diagnosis, own } = createReplay(recording).seek(Infinity);
     expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
-    expect(own!.drawnPosition).toEqual(game.live.frame().own!.drawnPosition);
+    expect(own!.easedPosition).toEqual(game.live.frame().own!.easedPosition);
   });
 
   it.each([
@@ -248,7 +248,7 @@ describe('the hand on the stick', () => {
     const { live, play } = await open({ scenario: 'launch', network: 'lan' });
     play(60, 1);
     press(live.stick, 'throttleCut', live.flown());
-    play(60, 8, (view) => expect(view.own!.surfaceState).toBe('landed'));
+    play(60, 8, (view) => expect(view.own!.surfaceContactState).toBe('landed'));
     expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
   });
 });

@@ -73,7 +73,7 @@ function play(seconds: number, during: (session: ReturnType<typeof createSession
     predictor.advance(null, at);
     entries.push({ kind: 'advanced', at, controls: null });
     poses.push(poseOf(predictor.view(at)));
-    for (const message of predictor.outgoing()) {
+    for (const message of predictor.takeOutgoing()) {
       session.send(encodeClientMessage(message), at);
       entries.push({ kind: 'sent', at, message });
     }
@@ -82,7 +82,7 @@ function play(seconds: number, during: (session: ReturnType<typeof createSession
 }
 
 function poseOf(view: WorldView): number {
-  return view.own === null ? NaN : view.own.drawnPosition.reduce((sum, value, i) => sum + value * (i + 1), 0);
+  return view.own === null ? NaN : view.own.easedPosition.reduce((sum, value, i) => sum + value * (i + 1), 0);
 }
 
 describe('replay', () => {

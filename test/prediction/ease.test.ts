@@ -90,8 +90,8 @@ describe('the drawn offset', () => {
     let tiltLeft = 0;
     rig.fly(3, ({ own }) => {
       if (own === null) return;
-      const drawn = [...own.drawnAttitude];
-      if (Number.isNaN(touched) && own.surfaceState === 'contact') {
+      const drawn = [...own.meshAttitude];
+      if (Number.isNaN(touched) && own.surfaceContactState === 'contact') {
         touched = rig.now;
         tiltLeft = angleBetween(drawn, [...own.attitude]);
       }

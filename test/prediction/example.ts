@@ -23,7 +23,7 @@ export function onBytes(bytes: Uint8Array): void {
 export function onFrame(controls: Controls, send: (bytes: Uint8Array) => void): WorldView {
   const now = seconds();
   predictor.advance(controls, now);
-  for (const message of predictor.outgoing()) send(encodeClientMessage(message));
+  for (const message of predictor.takeOutgoing()) send(encodeClientMessage(message));
   return predictor.view(now);
 }
 // #endregion
@@ -54,8 +54,8 @@ export function onJson(tick: number, tickRate: number, ships: unknown): void {
 export function place(view: WorldView, mesh: { position: Float64Array; attitude: Float64Array }): string {
   const ship = view.own;
   if (ship === null) return '';
-  mesh.position = ship.standPosition;
-  mesh.attitude = ship.drawnAttitude;
+  mesh.position = ship.meshPosition;
+  mesh.attitude = ship.meshAttitude;
   const withdrawn = ship.withdrawn === '' ? '' : `, ${ship.withdrawn} withdrawn`;
   return `${ship.shownState} (${ship.provenance}${withdrawn}), ${ship.feetHeight.toFixed(1)} m`;
 }

@@ -71,7 +71,7 @@ describe('frames as networks and servers have them', () => {
     expect(rig.view().tick).toBeGreaterThan(100_000);
     expect(rig.view().diagnosis.framesFromFuture).toBe(1);
     expect(rig.view().diagnosis.resyncs).toBeGreaterThan(0);
-    expect(Number.isFinite(rig.view().own!.drawnPosition[0]!)).toBe(true);
+    expect(Number.isFinite(rig.view().own!.easedPosition[0]!)).toBe(true);
   });
 
   it('refuses a frame whose tempo is out of range, and keeps the last good state', () => {
@@ -149,7 +149,7 @@ describe('corrections', () => {
   });
 
   it('one that the budget spreads over frames survives the frames between', () => {
-    const rig = createRig({ scenario: 'bounce', others: 60, predictor: { budget: 400 } });
+    const rig = createRig({ scenario: 'bounce', others: 60, predictor: { maxSubstepsPerFrame: 400 } });
     rig.fly(12);
     const { diagnosis, ships } = rig.view();
     expect(ships).toHaveLength(61);
@@ -166,7 +166,7 @@ describe('corrections', () => {
     let corrected = 0;
     rig.fly(2, (view) => {
       const { own, diagnosis } = view;
-      const drawn = [...own!.drawnPosition];
+      const drawn = [...own!.easedPosition];
       if (before !== null) {
         const moved = distance(drawn, before);
         const speed = Math.sqrt(own!.velocity.reduce((sum, v) => sum + v * v, 0));

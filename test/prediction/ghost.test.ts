@@ -7,7 +7,7 @@ import { createRig, scenarioNamed } from './rig';
 function stoodInBody(view: WorldView, ship: ShipView): Float64Array {
   const attitude = Float64Array.from(view.bodies[ship.body]!.attitude);
   const place = new Float64Array(3);
-  rotateBack(place, attitude, ship.standPosition);
+  rotateBack(place, attitude, ship.meshPosition);
   return place;
 }
 
@@ -26,13 +26,13 @@ describe('ghost of the server’s state', () => {
       rig.fly(seconds);
       const view = rig.view();
       const own = view.own!;
-      expect(own.surfaceState).toBe(state);
+      expect(own.surfaceContactState).toBe(state);
       expect(apart(own.ghostPosition, stoodInBody(view, own))).toBeLessThan(2e-3);
       const alongGhost = Float64Array.of(0, 0, 1);
       rotate(alongGhost, own.ghostAttitude, alongGhost);
       rotate(alongGhost, Float64Array.from(view.bodies[own.body]!.attitude), alongGhost);
       const alongShip = Float64Array.of(0, 0, 1);
-      rotate(alongShip, own.drawnAttitude, alongShip);
+      rotate(alongShip, own.meshAttitude, alongShip);
       expect(apart(alongGhost, alongShip)).toBeLessThan(2e-3);
     });
 

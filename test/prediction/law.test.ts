@@ -51,7 +51,7 @@ describe('the law: one instant, one state', () => {
     const rig = createRig({ scenario: 'settle' });
     rig.fly(6);
     const before = { ...rig.view().diagnosis };
-    expect(rig.view().own!.surfaceState).toBe('landed');
+    expect(rig.view().own!.surfaceContactState).toBe('landed');
     rig.fly(20);
     expect(rig.view().diagnosis.steppedSubsteps).toBe(before.steppedSubsteps);
     expect(rig.view().diagnosis.replayedSubsteps).toBe(before.replayedSubsteps);

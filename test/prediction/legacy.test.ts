@@ -52,7 +52,10 @@ describe('older and odder servers', () => {
     const predictor = createPredictor();
     predictor.receive(frame(5, [state({ landedBodyName: 'Moon' })]), 0);
     predictor.advance(null, 0.02);
-    expect(predictor.view(0.02).ships[0]).toMatchObject({ surfaceState: 'landed', provenance: 'confirmed' });
+    expect(predictor.view(0.02).ships[0]).toMatchObject({
+      surfaceContactState: 'landed',
+      provenance: 'confirmed',
+    });
     expect(predictor.view(0.02).diagnosis.steppedSubsteps).toBe(0);
   });
 
@@ -72,7 +75,7 @@ describe('older and odder servers', () => {
       const ship = value(decodeShipStateJson(json));
       predictor.receive(frame(tick, [ship], []), tick);
       predictor.advance(null, tick + 0.1);
-      expect(predictor.view(tick + 0.1).ships[0]!.surfaceState).toBe('landed');
+      expect(predictor.view(tick + 0.1).ships[0]!.surfaceContactState).toBe('landed');
     }
     predictor.receive(frame(400, [value(decodeShipStateJson(json))], []), 400);
     predictor.advance(null, 400.1);

@@ -13,7 +13,7 @@ describe('the recorder', () => {
     rig.predictor = recordPredictor(rig.predictor, (entry) => entries.push(entry));
     let flown = 0;
     rig.fly(14, ({ own }) => {
-      if (own !== null) flown = hashRows(Float64Array.of(flown, ...own.drawnPosition, ...own.drawnAttitude));
+      if (own !== null) flown = hashRows(Float64Array.of(flown, ...own.easedPosition, ...own.meshAttitude));
     });
     const file = writeRecording({ header: { note: 'a test', shipId: 'ship-1' }, entries });
     const read = value(readRecording(file));
@@ -23,7 +23,7 @@ describe('the recorder', () => {
     replayEntries(twin, read.entries, (at) => {
       const { own } = twin.view(at);
       if (own !== null)
-        replayed = hashRows(Float64Array.of(replayed, ...own.drawnPosition, ...own.drawnAttitude));
+        replayed = hashRows(Float64Array.of(replayed, ...own.easedPosition, ...own.meshAttitude));
     });
     expect(flown).not.toBe(0);
     expect(replayed).toBe(flown);

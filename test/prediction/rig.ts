@@ -177,7 +177,7 @@ export function createRig(options: RigOptions): Rig {
       const { tick, sinceTick, timeScale, tickRate, ready } = rig.view();
       const game = ready ? (tick * timeScale) / tickRate + sinceTick : 0;
       rig.predictor.advance(controls === undefined ? pilot(game) : controls, rig.now);
-      for (const message of rig.predictor.outgoing()) {
+      for (const message of rig.predictor.takeOutgoing()) {
         if (message.kind === 'inputs') rig.sentInputs.push(...message.inputs);
         const leaves = Math.max(options.holdBack?.(message, rig.now) ?? rig.now, waiting.at(-1)?.leaves ?? 0);
         waiting.push({ bytes: encodeClientMessage(message), leaves });

@@ -33,11 +33,11 @@ export function sampleOf(view: WorldView, wall: number, index = 0): Sample {
     tick: view.tick,
     sinceTick: view.sinceTick,
     shipId: ship.shipId,
-    drawn: [...ship.drawnPosition],
+    drawn: [...ship.easedPosition],
     position: [...ship.position],
     predictedAttitude: [...ship.attitude],
-    attitude: [...ship.drawnAttitude],
-    state: ship.crashed ? 'crashed' : ship.surfaceState,
+    attitude: [...ship.meshAttitude],
+    state: ship.crashed ? 'crashed' : ship.surfaceContactState,
     provenance: ship.provenance,
   };
 }

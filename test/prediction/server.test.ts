@@ -58,7 +58,7 @@ describe('a server that is steered while it runs', () => {
     rig.exchange.reconnect('me', rig.now);
     rig.fly(1.5);
     expect(rig.view().own!.provenance).not.toBe('stale');
-    expect(rig.view().own!.surfaceState).toBe('tipped');
+    expect(rig.view().own!.surfaceContactState).toBe('tipped');
     const measured = flyAndMeasure(rig, 4);
     expect(measured.worst).toBeLessThan(1e-6);
     expect(corrections(rig)).toBe(0);
@@ -114,7 +114,7 @@ describe('a server that is steered while it runs', () => {
     );
     expect(rig.view().own!.provenance).toBe('confirmed');
     rig.fly(30);
-    expect(rig.view().own!.surfaceState).toBe('landed');
+    expect(rig.view().own!.surfaceContactState).toBe('landed');
     expect(fromServer(rig)).toBeLessThan(10);
   });
 
@@ -125,7 +125,7 @@ describe('a server that is steered while it runs', () => {
       timeScale: 100,
       tickRate: 20,
       others: 16,
-      predictor: { budget: 1600 },
+      predictor: { maxSubstepsPerFrame: 1600 },
     });
     rig.fly(0.8);
     const { ships, own, diagnosis } = rig.view();

@@ -108,7 +108,7 @@ describe('standOnGround', () => {
     flyAndMeasure(rig, 24, ({ own }) => {
       if (own === null) return;
       sunk = Math.min(sunk, own.feetHeight);
-      const centre = Math.sqrt(own.standPosition.reduce((sum, x) => sum + x * x, 0));
+      const centre = Math.sqrt(own.meshPosition.reduce((sum, x) => sum + x * x, 0));
       lowest = Math.min(lowest, centre - own.groundRadius - h + Math.max(...own.legCompression));
     });
     expect(sunk).toBeLessThan(-1);

@@ -1,6 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { SHIP_STRIDE } from '../../src/dynamics';
-import { createHistory, has, keep, offsetOf, resized, ringLength } from '../../src/prediction/simulation/history';
+import {
+  createHistory,
+  has,
+  keep,
+  offsetOf,
+  resized,
+  ringLength,
+} from '../../src/prediction/simulation/history';
 import {
   createTimeline,
   indexOf,

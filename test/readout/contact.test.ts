@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { createLandingReadout, landingReadout, type LandingReadout } from '../../src/readout';
+import { createLandingReadout, updateLandingReadout, type LandingReadout } from '../../src/readout';
 import type { ShipView } from '../../src/prediction';
 import { timeToTipped } from './law';
 import { later, makeView, type Pose } from './views';
 
 const read = (pose: Pose, changes: Partial<ShipView> = {}): LandingReadout =>
-  landingReadout(makeView(pose, changes), createLandingReadout());
+  updateLandingReadout(createLandingReadout(), makeView(pose, changes));
 
 const MOON_GRAVITY = (6.6743e-11 * 7.342e22) / (1737400 + 4.56) ** 2;
 /** Where a ship at rest sinks to: g / 100. */
@@ -78,7 +78,7 @@ describe('the tip margin', () => {
       { clearance: 50, tilt: 60 },
     ]) {
       const out = createLandingReadout();
-      for (let i = 0; i < 5; i++) landingReadout(makeView(pose), out);
+      for (let i = 0; i < 5; i++) updateLandingReadout(out, makeView(pose));
       expect(out.memory.tipping.projection.elapsed).toBe(0);
     }
   });
@@ -87,7 +87,7 @@ describe('the tip margin', () => {
   function predictedAndTrue(pose: Pose): { predicted: number; truth: number } {
     const out = createLandingReadout();
     const view = makeView(pose);
-    for (let i = 0; i < 40 && out.margin.outlook !== 'tips'; i++) landingReadout(view, out);
+    for (let i = 0; i < 40 && out.margin.outlook !== 'tips'; i++) updateLandingReadout(out, view);
     return { predicted: out.margin.timeToTipped, truth: timeToTipped(pose) };
   }
 
@@ -102,13 +102,13 @@ describe('the tip margin', () => {
     const out = createLandingReadout();
     // The readout's clock has run for a while when the ship begins to topple.
     const upright = makeView({ ...AT_REST, tilt: 3 });
-    landingReadout(upright, out);
+    updateLandingReadout(out, upright);
     let view = later(upright, 7, makeView({ ...AT_REST, tilt: 38 }).own);
-    for (let i = 0; i < 40 && out.margin.outlook !== 'tips'; i++) landingReadout(view, out);
+    for (let i = 0; i < 40 && out.margin.outlook !== 'tips'; i++) updateLandingReadout(out, view);
     const before = out.margin.timeToTipped;
     expect(before).toBeCloseTo(timeToTipped({ ...AT_REST, tilt: 38 }), 2);
     view = later(view, 0.5, view.own);
-    landingReadout(view, out);
+    updateLandingReadout(out, view);
     expect(out.margin.timeToTipped).toBeCloseTo(before - 0.5, 6);
   });
 
@@ -120,7 +120,7 @@ describe('the tip margin', () => {
       const out = createLandingReadout();
       const view = makeView({ ...AT_REST, shipClass, tilt: 38 });
       view.own.controls = { ...view.own.controls, attitudeMode: 'radial' };
-      for (let i = 0; i < 60; i++) landingReadout(view, out);
+      for (let i = 0; i < 60; i++) updateLandingReadout(out, view);
       expect(out.margin.outlook).toBe(outlook);
     }
   });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createFleetReadout, fleetReadout } from '../../src/readout';
+import { createFleetReadout, updateFleetReadout } from '../../src/readout';
 import type { ShipView, WorldView } from '../../src/prediction';
 import { makeShip, makeView } from './views';
 
@@ -15,9 +15,9 @@ function fleet(states: readonly ShipView['shownState'][], changes: Partial<ShipV
   return { ...makeView(), ships, own: null };
 }
 
-describe('fleetReadout', () => {
+describe('updateFleetReadout', () => {
   it('puts TIPPED first, then CONTACT, then the rest, each in the view’s order', () => {
-    const out = fleetReadout(fleet(STATES), createFleetReadout());
+    const out = updateFleetReadout(createFleetReadout(), fleet(STATES));
     expect(out.rows.slice(0, out.count).map((row) => `${row.shipId} ${row.status}`)).toEqual([
       's4 tipped',
       's7 tipped',
@@ -33,14 +33,14 @@ describe('fleetReadout', () => {
 
   it('follows a fleet that shrinks and grows without new rows for the old', () => {
     const out = createFleetReadout();
-    fleetReadout(fleet(STATES), out);
+    updateFleetReadout(out, fleet(STATES));
     const rows = [...out.rows];
-    fleetReadout(fleet(['tipped']), out);
+    updateFleetReadout(out, fleet(['tipped']));
     expect(out.count).toBe(1);
     expect(out.rows[0]).toBe(rows[0]);
     expect(out.rows[0]).toMatchObject({ shipId: 's0', status: 'tipped' });
     expect(out.counts.landed).toBe(0);
-    fleetReadout(fleet([...STATES, '']), out);
+    updateFleetReadout(out, fleet([...STATES, '']));
     expect(out.count).toBe(9);
     expect(out.rows.slice(0, 8)).toEqual(
       rows.map((row) => expect.objectContaining({ name: row.name }) as unknown),
@@ -49,7 +49,7 @@ describe('fleetReadout', () => {
 
   it('gives heights, and none of a stale ship', () => {
     const heights = (view: WorldView) => {
-      const out = fleetReadout(view, createFleetReadout());
+      const out = updateFleetReadout(createFleetReadout(), view);
       return out.rows.slice(0, out.count).map((row) => row.height);
     };
     const [low, high] = heights(fleet(['', '']));
@@ -60,8 +60,8 @@ describe('fleetReadout', () => {
 
   it('has no ships before the view is ready', () => {
     const out = createFleetReadout();
-    fleetReadout(fleet(STATES), out);
-    fleetReadout({ ...fleet(STATES), ready: false }, out);
+    updateFleetReadout(out, fleet(STATES));
+    updateFleetReadout(out, { ...fleet(STATES), ready: false });
     expect(out.count).toBe(0);
     expect(out.counts.tipped).toBe(0);
   });

@@ -7,7 +7,12 @@ import type { World } from '../../src/dynamics';
 import type { ShipView, WorldView } from '../../src/prediction';
 import { addTrack, createFleet } from '../../src/prediction/simulation/track';
 import { createShipView } from '../../src/prediction/drawn/viewing';
-import { createFleetReadout, createLandingReadout, fleetReadout, landingReadout } from '../../src/readout';
+import {
+  createFleetReadout,
+  createLandingReadout,
+  updateFleetReadout,
+  updateLandingReadout,
+} from '../../src/readout';
 import { makeShip, makeView, NO_TOUCHDOWN, type Pose } from './views';
 
 const SLIDE: Pose = {
@@ -93,12 +98,12 @@ const cases: Record<string, Case> = {};
 for (const [name, [pose, changes]] of Object.entries(POSES)) {
   const readout = createLandingReadout();
   const view = viewOf(pose, changes);
-  cases[`${name}, the same view`] = { call: () => landingReadout(view, readout), calls: 20_000 };
+  cases[`${name}, the same view`] = { call: () => updateLandingReadout(readout, view), calls: 20_000 };
   const go = going(view);
   const moving = createLandingReadout();
   const call = (): void => {
     go();
-    landingReadout(view, moving);
+    updateLandingReadout(moving, view);
   };
   cases[`${name}, frame after frame`] = { call, calls: 20_000 };
 }
@@ -109,13 +114,13 @@ const ships = Array.from({ length: 1000 }, (_, i) =>
 );
 const fleet = { ...world, ships };
 const fleetOut = createFleetReadout();
-cases['fleet of 1000'] = { call: () => fleetReadout(fleet, fleetOut), calls: 2000 };
+cases['fleet of 1000'] = { call: () => updateFleetReadout(fleetOut, fleet), calls: 2000 };
 let swapped = 0;
 const change = (): void => {
   const ship = ships[swapped++ % 1000]!;
   ship.shownState = ship.shownState === 'landed' ? 'contact' : 'landed';
   ship.feetHeight += 0.25;
-  fleetReadout(fleet, fleetOut);
+  updateFleetReadout(fleetOut, fleet);
 };
 cases['fleet of 1000, one ship changes'] = { call: change, calls: 2000 };
 

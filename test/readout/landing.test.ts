@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { createLandingReadout, landingReadout, type LandingReadout } from '../../src/readout';
+import { createLandingReadout, updateLandingReadout, type LandingReadout } from '../../src/readout';
 import type { ShipView } from '../../src/prediction';
 import { makeView, type Pose } from './views';
 
 const read = (pose: Pose, changes: Partial<ShipView> = {}): LandingReadout =>
-  landingReadout(makeView(pose, changes), createLandingReadout());
+  updateLandingReadout(createLandingReadout(), makeView(pose, changes));
 
 /** G M / r² on the Moon's surface, from the body's data alone. */
 const MOON_GRAVITY = (6.6743e-11 * 7.342e22) / 1737400 ** 2;
@@ -114,7 +114,7 @@ describe('tilt', () => {
     ] as const) {
       const level = makeView({ clearance: 10, heading });
       const leaning = makeView({ clearance: 10, heading, tilt: 25, leanTo });
-      const { leanX, leanY } = landingReadout(leaning, createLandingReadout()).tilt;
+      const { leanX, leanY } = updateLandingReadout(createLandingReadout(), leaning).tilt;
       // Drifting towards where it leans, seen from the ship standing upright with the same heading.
       const azimuth = (leanTo * Math.PI) / 180;
       const drifting = makeView({
@@ -123,10 +123,10 @@ describe('tilt', () => {
         east: Math.sin(azimuth),
         north: Math.cos(azimuth),
       });
-      const { drift } = landingReadout(drifting, createLandingReadout());
+      const { drift } = updateLandingReadout(createLandingReadout(), drifting);
       expect(leanX).toBeCloseTo(drift.x, 9);
       expect(leanY).toBeCloseTo(drift.y, 9);
-      expect(landingReadout(level, createLandingReadout()).tilt).toMatchObject({ leanX: 0, leanY: 0 });
+      expect(updateLandingReadout(createLandingReadout(), level).tilt).toMatchObject({ leanX: 0, leanY: 0 });
     }
   });
 
@@ -164,7 +164,7 @@ describe('cross-pointer', () => {
 
   it('ranges by itself, up at once and down with patience', () => {
     const out = createLandingReadout();
-    const scaleAt = (north: number) => landingReadout(makeView({ north }), out).drift.scale;
+    const scaleAt = (north: number) => updateLandingReadout(out, makeView({ north })).drift.scale;
     expect([0.4, 1.5, 4, 9, 41].map(scaleAt)).toEqual([1, 2, 5, 10, 50]);
     expect([17, 15, 5, 4.1, 3.9].map(scaleAt)).toEqual([50, 20, 10, 10, 5]);
   });

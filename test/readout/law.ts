@@ -49,7 +49,7 @@ export function runLaw(pose: Pose): Run {
     attitude: [...own.attitude] as [number, number, number, number],
     angularVelocity: [...own.angularVelocity] as [number, number, number],
     fuel: own.fuel,
-    surfaceContactState: own.surfaceState,
+    surfaceContactState: own.surfaceContactState,
     contactImpactSpeed: own.impactSpeed,
     crashed: false,
   };

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import {
   createLandingReadout,
   DURATION,
-  landingReadout,
+  updateLandingReadout,
   type LandingReadout,
   provenanceText,
   STATUS_LOOKS,
@@ -12,7 +12,7 @@ import type { ShipView } from '../../src/prediction';
 import { makeView, type Pose } from './views';
 
 const read = (pose: Pose, changes: Partial<ShipView> = {}): LandingReadout =>
-  landingReadout(makeView(pose, changes), createLandingReadout());
+  updateLandingReadout(createLandingReadout(), makeView(pose, changes));
 
 const says = (readout: LandingReadout) => provenanceText(readout, DURATION.key(readout.age));
 
@@ -40,12 +40,12 @@ describe('status', () => {
 
   it('says NO DATA before there is a ship', () => {
     const out = createLandingReadout();
-    landingReadout(makeView({ state: 'contact', tilt: 20 }), out);
+    updateLandingReadout(out, makeView({ state: 'contact', tilt: 20 }));
     for (const view of [
       { ...makeView(), ready: false },
       { ...makeView(), own: null },
     ]) {
-      landingReadout(view, out);
+      updateLandingReadout(out, view);
       expect(out).toMatchObject({ status: 'none', known: false, withdrawn: '', shipName: '' });
       expect(out.gates.shown).toBe(false);
       expect(says(out)).toBe('');
@@ -71,19 +71,19 @@ describe('provenance', () => {
     expect(says(read({ state: 'contact' }, { provenance: 'predicted', age: 0.31 }))).toBe('PRED 0.3 s');
     expect(says(read({}, { provenance: 'stale', age: 2.6 }))).toBe('STALE 2.6 s');
     const fast = { ...makeView({}, { provenance: 'off' }), timeScale: 100 };
-    expect(says(landingReadout(fast, createLandingReadout()))).toBe('PRED OFF ×100');
+    expect(says(updateLandingReadout(createLandingReadout(), fast))).toBe('PRED OFF ×100');
   });
 
   it('dashes every number of a stale state, and brings them back with the next one', () => {
     const out = createLandingReadout();
     const pose: Pose = { state: 'tipped', tilt: 88, clearance: -0.02 };
-    landingReadout(makeView(pose), out);
+    updateLandingReadout(out, makeView(pose));
     expect(numbersOf(out).filter(Number.isNaN)).toHaveLength(1);
-    landingReadout(makeView(pose, { provenance: 'stale', age: 3 }), out);
+    updateLandingReadout(out, makeView(pose, { provenance: 'stale', age: 3 }));
     expect(out).toMatchObject({ status: 'tipped', known: false });
     expect(numbersOf(out).every(Number.isNaN)).toBe(true);
     expect([out.gates.shown, out.righting.shown, out.touchdownShown]).toEqual([false, false, false]);
-    landingReadout(makeView(pose), out);
+    updateLandingReadout(out, makeView(pose));
     expect(out.known).toBe(true);
     expect(numbersOf(out).filter(Number.isNaN)).toHaveLength(1);
   });

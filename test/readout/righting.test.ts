@@ -3,7 +3,7 @@ import { type Controls, NEUTRAL_CONTROLS } from '../../src/dynamics';
 import {
   createLandingReadout,
   type HintAction,
-  landingReadout,
+  updateLandingReadout,
   type LandingReadout,
   ROTATION_ACTIONS,
   TRANSLATION_ACTIONS,
@@ -19,7 +19,7 @@ const ON_SIDE: Pose = { state: 'tipped', clearance: -0.016, tilt: 89.6, fuel: 40
 function read(pose: Pose): LandingReadout {
   const out = createLandingReadout();
   const view = makeView(pose);
-  for (let i = 0; i < 60; i++) landingReadout(view, out);
+  for (let i = 0; i < 60; i++) updateLandingReadout(out, view);
   return out;
 }
 
@@ -118,11 +118,11 @@ describe('righting help', () => {
   it('costs no substep once it has its answer', () => {
     const out = createLandingReadout();
     const view = makeView(ON_SIDE);
-    for (let i = 0; i < 60; i++) landingReadout(view, out);
+    for (let i = 0; i < 60; i++) updateLandingReadout(out, view);
     const done = out.memory.righting.run.projection.elapsed;
     expect(done).toBeGreaterThan(0);
     for (let i = 0; i < 60; i++) {
-      landingReadout(view, out);
+      updateLandingReadout(out, view);
       expect(out.memory.righting.run.projection).toMatchObject({ elapsed: done, running: false });
     }
   });

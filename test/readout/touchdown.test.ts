@@ -3,7 +3,7 @@ import { type Controls, NEUTRAL_CONTROLS } from '../../src/dynamics';
 import type { ShipView, WorldView } from '../../src/prediction';
 import { NETWORK_PRESETS, stage } from '../../src/scenarios';
 import type { ClientMessage } from '../../src/wire';
-import { createLandingReadout, landingReadout, type LandingReadout } from '../../src/readout';
+import { createLandingReadout, updateLandingReadout, type LandingReadout } from '../../src/readout';
 import { createRig, type Rig, type RigOptions, SHIP, value } from '../prediction/rig';
 import { type Card, cardOf, follow, type Track } from './touchdownTruth';
 import { makeView, NO_TOUCHDOWN, type Pose } from './views';
@@ -23,7 +23,7 @@ function fly(
   const readout = createLandingReadout();
   const track: Track = { rows: [], dt: 0, tick: 0 };
   rig.fly(rig.staged.scenario.duration, (view) => {
-    landingReadout(view, readout);
+    updateLandingReadout(readout, view);
     follow(track, rig.truth);
     each?.(rig, readout);
   });
@@ -94,7 +94,7 @@ describe('the touchdown card', () => {
       follow(track, rig.truth);
     }
     const readout = createLandingReadout();
-    rig.fly(0.5, (view) => landingReadout(view, readout));
+    rig.fly(0.5, (view) => updateLandingReadout(readout, view));
     expect(readout.touchdownShown).toBe(true);
     expectCard(readout, cardOf(track, rig.staged.body));
   });
@@ -121,7 +121,7 @@ describe('the touchdown card', () => {
     const rig = createRig({ scenario: 'crash' });
     const track: Track = { rows: [], dt: 0, tick: 0 };
     rig.fly(rig.staged.scenario.duration, (view) => {
-      landingReadout(view, readout);
+      updateLandingReadout(readout, view);
       follow(track, rig.truth);
     });
     const last = track.rows.at(-1)!;
@@ -136,7 +136,7 @@ describe('the touchdown card', () => {
   it('stays until the next approach, and begins anew with it', () => {
     const rig = createRig({ scenario: 'bounce' });
     const readout = createLandingReadout();
-    const read = (view: WorldView) => landingReadout(view, readout);
+    const read = (view: WorldView) => updateLandingReadout(readout, view);
     rig.fly(24, read);
     const first = { ...readout.touchdown };
     expect(first).toMatchObject({ outcome: 'landed', bounces: 2 });
@@ -155,16 +155,16 @@ describe('the touchdown card', () => {
   it('has nothing to tell of a ship met on the ground, or put there', () => {
     const readout = createLandingReadout();
     const rig = createRig({ scenario: 'launch' });
-    rig.fly(0.5, (view) => landingReadout(view, readout));
+    rig.fly(0.5, (view) => updateLandingReadout(readout, view));
     expect(readout).toMatchObject({ status: 'landed', touchdownShown: false });
     const other = createRig({ scenario: 'bounce' });
-    other.fly(24, (view) => landingReadout(view, readout));
+    other.fly(24, (view) => updateLandingReadout(readout, view));
     expect(readout.touchdownShown).toBe(true);
     // 300 m to the north, landed.
     const site = { ...rig.staged.scenario.site, latitude: rig.staged.scenario.site.latitude + 0.01 };
     const elsewhere = value(stage({ ...rig.staged.scenario, site }));
     expect(other.authority.respawn(SHIP, elsewhere.ship)).toBeNull();
-    other.fly(2, (view) => landingReadout(view, readout));
+    other.fly(2, (view) => updateLandingReadout(readout, view));
     expect(readout).toMatchObject({ status: 'landed', touchdownShown: false });
   });
 });
@@ -182,7 +182,7 @@ describe('the readout of a touchdown', () => {
     largestTilt: Math.PI / 20,
   } as const;
   const read = (state: Pose['state'], changes: Partial<ShipView> = {}) =>
-    landingReadout(makeView({ state: state! }, { touchdown, ...changes }), createLandingReadout());
+    updateLandingReadout(createLandingReadout(), makeView({ state: state! }, { touchdown, ...changes }));
 
   it('is in degrees, and shown when landed, tipped or crashed, not while it goes on', () => {
     expect(read('landed').touchdown).toEqual({ ...touchdown, largestTilt: expect.closeTo(9, 12) as number });

@@ -33,7 +33,7 @@ function watched(scenario: string, seconds: number) {
     camera.distance = DISTANCE * ship.shipClass.groundContactOffset;
     frame ??= layFrame(body, ship.ghostPosition, { elevation: 15, azimuth: 60 });
     turnOfFrame(turn, frame, body.attitude);
-    toLocalPoint(place, frame, turn, ship.standPosition);
+    toLocalPoint(place, frame, turn, ship.meshPosition);
     const [wx, wy, wz] = body.angularVelocity;
     const [x, y, z] = ship.position;
     const [vx, vy, vz] = ship.velocity;

@@ -16,7 +16,7 @@ function laidOver(view: WorldView, ship: ShipView) {
   const body = view.bodies[ship.body]!;
   const frame = layFrame(body, ship.ghostPosition, SUN);
   const turn = turnOfFrame(createTurn(), frame, body.attitude);
-  const place = toLocalPoint(new Float64Array(3), frame, turn, ship.standPosition);
+  const place = toLocalPoint(new Float64Array(3), frame, turn, ship.meshPosition);
   const mesh = new Mesh();
   mesh.position.set(place[0]!, place[1]!, place[2]);
   const places = createPlaces();
@@ -53,7 +53,7 @@ describe('overlays', () => {
     const view = rig.view();
     const ship = view.own!;
     const up = Float64Array.from(ship.position).map((v) => v / Math.hypot(...ship.position));
-    for (let k = 0; k < 3; k++) ship.drawnPosition[k] = ship.position[k]! + up[k]! * 2;
+    for (let k = 0; k < 3; k++) ship.easedPosition[k] = ship.position[k]! + up[k]! * 2;
     const places = laidOver(view, ship);
     expect(places.error.distanceTo(new Vector3(0, -2, 0))).toBeLessThan(1e-6);
     const overlays = createOverlays();

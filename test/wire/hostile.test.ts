@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import type { Checked } from '../../src/dynamics';
+import type { Result } from '../../src/dynamics';
 import {
   decodeClientMessage,
   decodeServerMessage,
@@ -31,7 +31,7 @@ const MESSAGES = [
 ] as const;
 
 /** Either refused with a reason or faultless; the decoder's own throw would fail the test. */
-function expectChecked(decoded: Checked<unknown>): void {
+function expectChecked(decoded: Result<unknown>): void {
   if (decoded.ok) expect(faultsOf(decoded.value)).toEqual([]);
   else expect(decoded.reason).toMatch(/^[a-z_]+[a-z_.[\]\d]*: ./);
 }

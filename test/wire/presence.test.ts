@@ -1,10 +1,10 @@
 import { expect, it } from 'vitest';
-import type { Checked, Quat } from '../../src/dynamics';
+import type { Result, Quat } from '../../src/dynamics';
 import { decodeServerMessage, encodeServerMessage, type ServerMessage, type ShipState } from '../../src/wire';
 import { type Bytes, delimited, double, frameOf, olderShip, quaternion, text, vec3 } from './bytes';
 import { FRAME, SHIP } from './messages';
 
-function shipOf(decoded: Checked<ServerMessage>): ShipState {
+function shipOf(decoded: Result<ServerMessage>): ShipState {
   if (!decoded.ok || decoded.value.kind !== 'frame')
     throw new Error(decoded.ok ? 'no frame' : decoded.reason);
   return decoded.value.ships[0]!;

@@ -40,9 +40,9 @@ export function createBaseline(): Baseline {
         if (mode === 'gravity' && state.surfaceContactState === '') fall(place, seconds, body.mass);
         // Ground-bound states stay on the ground that turns; a turn of the body within a tick is small.
         else carryWithGround(place, body.angularVelocity, seconds);
-        ship.drawnPosition.set(place.position);
-        ship.standPosition.set(place.position);
-        ship.drawnAttitude.set(state.attitude);
+        ship.easedPosition.set(place.position);
+        ship.meshPosition.set(place.position);
+        ship.meshAttitude.set(state.attitude);
         ship.legCompression.fill(0);
       }
     },

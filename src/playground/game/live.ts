@@ -164,7 +164,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
   }
 
   function send(now: number): void {
-    for (const message of predictor.outgoing()) {
+    for (const message of predictor.takeOutgoing()) {
       connection?.send(encodeClientMessage(message));
       listeners.onEntry({ kind: 'sent', at: now, message });
     }

@@ -3,7 +3,11 @@ import { append, appendDetails } from './elements';
 import { createFigures } from './figures';
 import { createNetStrip } from './netStrip';
 import { createPlots } from './plots';
-import { createRecordingPanel, type RecordingListeners, type RecordingPanel } from '../recording/recordingPanel';
+import {
+  createRecordingPanel,
+  type RecordingListeners,
+  type RecordingPanel,
+} from '../recording/recordingPanel';
 import { createSamples } from '../game/samples';
 
 /** What stands along the bottom: frames by fate, figures, plots, recording. */

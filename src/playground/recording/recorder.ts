@@ -1,7 +1,7 @@
 import type { Recording, RecordingEntry, StagedInput } from '../../scenarios';
 
 /** Keeps what goes through the predictor from a world's beginning on: about half an hour. */
-const MOST_ENTRIES = 250_000;
+const MAX_ENTRIES = 250_000;
 
 export interface Recorder {
   readonly take: (entry: RecordingEntry) => void;
@@ -17,14 +17,14 @@ export function createRecorder(): Recorder {
   let plan: readonly StagedInput[] = [];
   return {
     take(entry) {
-      if (entries.length < MOST_ENTRIES) entries.push(entry);
+      if (entries.length < MAX_ENTRIES) entries.push(entry);
     },
     begin(next) {
       plan = next;
       entries = [];
     },
     seconds: () => (entries.at(-1)?.at ?? 0) - (entries[0]?.at ?? 0),
-    full: () => entries.length >= MOST_ENTRIES,
+    full: () => entries.length >= MAX_ENTRIES,
     recording: (note) => ({ header: { note, shipId: 'own', plan }, entries: entries.slice() }),
   };
 }

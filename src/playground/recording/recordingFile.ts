@@ -1,4 +1,4 @@
-import { accepted, type Checked, refused } from '../../dynamics';
+import { ok, type Result, err } from '../../dynamics';
 import { createRecordingWriter, readRecording, type Recording } from '../../scenarios';
 
 /** What a dropped or chosen file may weigh: an hour of frames, several times over. */
@@ -24,22 +24,20 @@ export async function writeSlowly(recording: Recording, progress: (share: number
 }
 
 /** A recording from a file, or why it is none. */
-export async function readFile(file: File): Promise<Checked<Recording>> {
+export async function readFile(file: File): Promise<Result<Recording>> {
   if (file.size > LARGEST_FILE)
-    return refused(`it is ${Math.round(file.size / 1e6)} MB, and at most ${LARGEST_FILE / 1e6} MB are read`);
+    return err(`it is ${Math.round(file.size / 1e6)} MB, and at most ${LARGEST_FILE / 1e6} MB are read`);
   try {
     const checked = readRecording(await file.text());
     if (!checked.ok) return checked;
-    return checked.value.entries.length === 0 ? refused('it holds no entries') : accepted(checked.value);
+    return checked.value.entries.length === 0 ? err('it holds no entries') : ok(checked.value);
   } catch (error) {
-    return refused(
-      `the browser could not read it (${error instanceof Error ? error.message : String(error)})`,
-    );
+    return err(`the browser could not read it (${error instanceof Error ? error.message : String(error)})`);
   }
 }
 
 /** Words for a file that is no recording. */
-export function refusalWords(name: string, checked: Checked<Recording> & { ok: false }): string {
+export function refusalWords(name: string, checked: Result<Recording> & { ok: false }): string {
   return (
     `${name} cannot be played: ${checked.reason}. ` +
     'It has to be a file that this page or a predictor’s recorder wrote, whole and unchanged.'

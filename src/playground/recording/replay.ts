@@ -48,7 +48,7 @@ export function createReplay(recording: Recording): Replay {
     } else if (entry.kind === 'advanced') {
       predictor.advance(entry.controls, entry.at);
       predictor.view(entry.at);
-      predictor.outgoing();
+      predictor.takeOutgoing();
       shownAt = entry.at;
     }
   }

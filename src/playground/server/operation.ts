@@ -1,4 +1,4 @@
-import { accepted, type Checked, refused } from '../../dynamics';
+import { ok, type Result, err } from '../../dynamics';
 import { loadNetwork, type NetworkNumbers } from '../../scenarios';
 
 /** What the page's operator asks of the server in the worker, beside the protocol. */
@@ -43,11 +43,11 @@ export interface LoadOperation {
   readonly others: number;
 }
 
-const MOST_OTHERS = 1000;
+const MAX_OTHERS = 1000;
 
 /** The operation, or a reason that names the field. What the world itself checks (names, rates) is left to it. */
-export function loadOperation(given: unknown): Checked<Operation> {
-  if (typeof given !== 'object' || given === null) return refused('operation: expected an object');
+export function loadOperation(given: unknown): Result<Operation> {
+  if (typeof given !== 'object' || given === null) return err('operation: expected an object');
   const operation = given as Operation;
   switch (operation.kind) {
     case 'load':
@@ -58,38 +58,38 @@ export function loadOperation(given: unknown): Checked<Operation> {
       return flag('frozen', operation.frozen, operation);
     case 'step':
       return operation.unit === 'tick' || (operation.unit as unknown) === 'substep'
-        ? accepted(operation)
-        : refused("unit: expected 'tick' or 'substep'");
+        ? ok(operation)
+        : err("unit: expected 'tick' or 'substep'");
     case 'network': {
       const numbers = loadNetwork(operation.numbers);
-      return numbers.ok ? accepted({ kind: 'network', numbers: numbers.value }) : numbers;
+      return numbers.ok ? ok({ kind: 'network', numbers: numbers.value }) : numbers;
     }
     case 'kick':
-      if (!isTriple(operation.velocity)) return refused('velocity: expected 3 finite numbers');
-      return isTriple(operation.spin) ? accepted(operation) : refused('spin: expected 3 finite numbers');
+      if (!isTriple(operation.velocity)) return err('velocity: expected 3 finite numbers');
+      return isTriple(operation.spin) ? ok(operation) : err('spin: expected 3 finite numbers');
     case 'tickRate':
     case 'timeScale':
     case 'restart':
     case 'drop':
     case 'reconnect':
-      return accepted(operation);
+      return ok(operation);
     default:
-      return refused(`kind: no operation ${String((given as { kind: unknown }).kind)}`);
+      return err(`kind: no operation ${String((given as { kind: unknown }).kind)}`);
   }
 }
 
-function loadLoad(given: LoadOperation): Checked<Operation> {
+function loadLoad(given: LoadOperation): Result<Operation> {
   const network = loadNetwork(given.network);
-  if (!network.ok) return refused(`network.${network.reason}`);
+  if (!network.ok) return err(`network.${network.reason}`);
   if (!Number.isSafeInteger(given.seed) || given.seed < 0)
-    return refused(`seed: expected a whole number ≥ 0, got ${String(given.seed)}`);
-  if (!Number.isSafeInteger(given.others) || given.others < 0 || given.others > MOST_OTHERS)
-    return refused(`others: expected 0 to ${MOST_OTHERS}, got ${String(given.others)}`);
-  return accepted({ ...given, network: network.value });
+    return err(`seed: expected a whole number ≥ 0, got ${String(given.seed)}`);
+  if (!Number.isSafeInteger(given.others) || given.others < 0 || given.others > MAX_OTHERS)
+    return err(`others: expected 0 to ${MAX_OTHERS}, got ${String(given.others)}`);
+  return ok({ ...given, network: network.value });
 }
 
-function flag(name: string, value: unknown, operation: Operation): Checked<Operation> {
-  return typeof value === 'boolean' ? accepted(operation) : refused(`${name}: expected true or false`);
+function flag(name: string, value: unknown, operation: Operation): Result<Operation> {
+  return typeof value === 'boolean' ? ok(operation) : err(`${name}: expected true or false`);
 }
 
 function isTriple(value: unknown): boolean {

@@ -1,5 +1,5 @@
 import { createAuthority } from '../../authority';
-import { type Checked, refused, SHIP_CLASSES, TERRAINS, type Vec3 } from '../../dynamics';
+import { type Result, err, SHIP_CLASSES, TERRAINS, type Vec3 } from '../../dynamics';
 import {
   createExchange,
   type Delivery,
@@ -79,7 +79,7 @@ export function createSession(): Session {
   };
 }
 
-function load(operation: LoadOperation, now: number): Checked<Loaded> {
+function load(operation: LoadOperation, now: number): Result<Loaded> {
   const staged = stageOperation(operation);
   if (!staged.ok) return staged;
   const { scenario, body, ship, inputs } = staged.value;
@@ -97,17 +97,17 @@ function load(operation: LoadOperation, now: number): Checked<Loaded> {
   const own = { shipId: OWN_SHIP, playerId: OWN_PLAYER, name: 'Touchdown', ship, plan: inputs };
   for (const order of [own, ...fleetOrders(staged.value, operation.others, operation.seed)]) {
     const reason = authority.value.spawn(order);
-    if (reason !== null) return refused(`${order.shipId}.${reason}`);
+    if (reason !== null) return err(`${order.shipId}.${reason}`);
   }
   const exchange = createExchange(authority.value, operation.network, operation.seed, now);
   const reason = exchange.connect(OWN_PLAYER, OWN_SHIP, now);
-  if (reason !== null) return refused(reason);
+  if (reason !== null) return err(reason);
   return { ok: true, value: { staged: staged.value, exchange, connected: true } };
 }
 
-function stageOperation(operation: LoadOperation): Checked<StagedScenario> {
+function stageOperation(operation: LoadOperation): Result<StagedScenario> {
   const scenario = SCENARIOS.find(({ name }) => name === operation.scenario);
-  if (scenario === undefined) return refused(`scenario: no scenario named ${operation.scenario}`);
+  if (scenario === undefined) return err(`scenario: no scenario named ${operation.scenario}`);
   const { body, shipClass, terrain, tickRate, timeScale } = operation;
   return stage({
     ...scenario,

@@ -58,7 +58,7 @@ export interface ShipView {
   fuel: number;
   /** m/s */
   impactSpeed: number;
-  surfaceState: SurfaceState;
+  surfaceContactState: SurfaceState;
   crashed: boolean;
   controls: Controls;
   /** N, ICRF axes: what engine and thrusters give now. */
@@ -67,10 +67,10 @@ export interface ShipView {
   groundRadius: number;
 
   /** What is drawn: predicted + fading offset. Nothing computes with it but the view. */
-  readonly drawnPosition: Float64Array;
-  readonly drawnAttitude: Float64Array;
+  readonly easedPosition: Float64Array;
+  readonly meshAttitude: Float64Array;
   /** The drawn place, lifted or lowered along the local up until the drawn attitude stands on the ground (standOnGround), ICRF axes. */
-  readonly standPosition: Float64Array;
+  readonly meshPosition: Float64Array;
   /** How far each leg is pressed in, m, in the order of the class's hull (hullOf). */
   readonly legCompression: Float64Array;
   /** Height of the lowest foot of the predicted pose above the ground beneath it, m; negative while an impact sinks it. */
@@ -90,7 +90,7 @@ export interface ShipView {
   /** The server's newest state of this ship: relative to the body at that tick, ICRF axes. */
   readonly serverPosition: Float64Array;
   readonly serverAttitude: Float64Array;
-  /** The same as a ghost to draw: stood on the ground as standPosition is, in the axes of its body, with which it turns. */
+  /** The same as a ghost to draw: stood on the ground as meshPosition is, in the axes of its body, with which it turns. */
   readonly ghostPosition: Float64Array;
   readonly ghostAttitude: Float64Array;
   /** false before the first state of this ship. */

@@ -56,14 +56,14 @@ export function createShipView(track: Track, world: World): ShipView {
     angularVelocity: vectors(),
     fuel: 0,
     impactSpeed: 0,
-    surfaceState: '',
+    surfaceContactState: '',
     crashed: false,
     controls: NEUTRAL_CONTROLS,
     thrust: vectors(),
     groundRadius: 0,
-    drawnPosition: vectors(),
-    drawnAttitude: Float64Array.of(0, 0, 0, 1),
-    standPosition: vectors(),
+    easedPosition: vectors(),
+    meshAttitude: Float64Array.of(0, 0, 0, 1),
+    meshPosition: vectors(),
     legCompression: new Float64Array(LEGS),
     feetHeight: 0,
     shownState: '',
@@ -102,7 +102,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   else fillFromRow(out, rows);
   out.fuel = rows[from + FUEL]!;
   out.impactSpeed = rows[from + IMPACT_SPEED]!;
-  out.surfaceState = SURFACE_STATES[rows[from + SURFACE_STATE]!]!;
+  out.surfaceContactState = SURFACE_STATES[rows[from + SURFACE_STATE]!]!;
   out.crashed = rows[from + CRASHED] === 1;
   out.body = rows[from + REFERENCE_BODY]!;
   out.shipClass = scene.world.shipClasses[rows[from + SHIP_CLASS]!]!;
@@ -182,15 +182,15 @@ function fillDrawn(out: ShipView, track: Track, body: Float64Array): void {
   for (let k = 0; k < 3; k++) drawn.position[k] = seen.position[k]!;
   for (let k = 0; k < 4; k++) drawn.attitude[k] = seen.attitude[k]!;
   if (!ease.active) {
-    for (let k = 0; k < 3; k++) out.drawnPosition[k] = out.position[k]!;
-    for (let k = 0; k < 4; k++) out.drawnAttitude[k] = out.attitude[k]!;
+    for (let k = 0; k < 3; k++) out.easedPosition[k] = out.position[k]!;
+    for (let k = 0; k < 4; k++) out.meshAttitude[k] = out.attitude[k]!;
     return;
   }
   for (let k = 0; k < 3; k++) drawn.position[k] = seen.position[k]! + ease.offset[k]!;
   fromRotationVector(turn, ease.turn);
   compose(drawn.attitude, turn, seen.attitude);
-  rotate(out.drawnPosition, body, drawn.position);
-  compose(out.drawnAttitude, body, drawn.attitude);
+  rotate(out.easedPosition, body, drawn.position);
+  compose(out.meshAttitude, body, drawn.attitude);
 }
 
 const drawn: GroundPose = { ...pose(), grounded: false };
@@ -206,12 +206,12 @@ function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
   const above = lengthOf(drawn.position) - out.groundRadius;
   // No part of the ship reaches as far as twice its height: nothing to stand on.
   if (above > FAR * shipClass.groundContactOffset + shipClass.legRadius) {
-    for (let k = 0; k < 3; k++) out.standPosition[k] = out.drawnPosition[k]!;
+    for (let k = 0; k < 3; k++) out.meshPosition[k] = out.easedPosition[k]!;
     for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = 0;
     out.feetHeight = lengthOf(seen.position) - out.groundRadius - shipClass.groundContactOffset;
     return exactly;
   }
-  drawn.grounded = out.surfaceState !== '';
+  drawn.grounded = out.surfaceContactState !== '';
   if (exactly) {
     scene.standings -= 1;
     standOnGround(standing, drawn, hullOf(shipClass), groundRadius);
@@ -219,7 +219,7 @@ function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
     level.radius = out.groundRadius;
     standOnLevel(standing, drawn, hullOf(shipClass), level);
   }
-  rotate(out.standPosition, bodyAttitude, standing.position);
+  rotate(out.meshPosition, bodyAttitude, standing.position);
   for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = standing.legCompression[leg]!;
   out.feetHeight = standing.feetHeight;
   return exactly;

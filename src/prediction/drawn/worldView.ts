@@ -68,7 +68,7 @@ export function createShown(sim: Simulation): Shown {
 }
 
 /** Ships stood on the ground point by point in one view, the own one not counted. */
-const MOST_STANDINGS = 32;
+const MAX_STANDINGS = 32;
 
 /** Where the present lies between the substep boundary before the front and the front. */
 export function placePresent(sim: Simulation, moment: Moment): void {
@@ -90,7 +90,7 @@ export function fillView(shown: Shown, sim: Simulation, now: number, present: nu
   at.present = present;
   at.staleAfter = staleAfter(view.tickRate);
   at.paused = view.paused;
-  scene.standings = MOST_STANDINGS;
+  scene.standings = MAX_STANDINGS;
   fillShips(shown, sim);
 }
 

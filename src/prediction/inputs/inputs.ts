@@ -8,7 +8,7 @@ import { isBefore, type Position } from '../time/timeline';
  */
 export interface Inputs {
   /** What the own ship does by itself until the first record acts; in the order of its time, emptied once that is long past. */
-  plan: readonly PlannedInput[];
+  plan: readonly ScheduledInput[];
   readonly records: StoredInput[];
   /** Index of the first record that has not been handed to `outgoing`. */
   unsent: number;
@@ -22,7 +22,7 @@ export interface Inputs {
 }
 
 /** Controls from the start of a substep on, known to client and server beforehand. */
-export type PlannedInput = Omit<InputRecord, 'seq'>;
+export type ScheduledInput = Omit<InputRecord, 'seq'>;
 
 export interface StoredInput {
   readonly record: InputRecord;
@@ -39,13 +39,13 @@ export interface StoredInput {
 export type InputFate = 'asPredicted' | 'late' | 'lost';
 
 /** Records kept: 10 s at 100 changes a second and some. */
-const MOST_RECORDS = 1024;
+const MAX_RECORDS = 1024;
 /** Unacknowledged for longer than this after it was due, an input is taken for lost, wall s. */
 const LOST_AFTER = 2;
 /** A server may carry controls in single precision. */
 const CONTROL_TOLERANCE = 1e-6;
 
-export function createInputs(plan: readonly PlannedInput[] = []): Inputs {
+export function createInputs(plan: readonly ScheduledInput[] = []): Inputs {
   return { plan, records: [], unsent: 0, nextSeq: 1, acknowledges: false, applied: 0, lostUpTo: 0 };
 }
 
@@ -65,7 +65,7 @@ export function store(
   const record: InputRecord = { seq: inputs.nextSeq++, tick, substep, controls };
   const stored: StoredInput = { record, tick, substep, sampledAt, steer };
   inputs.records.push(stored);
-  if (inputs.records.length > MOST_RECORDS) drop(inputs, 1);
+  if (inputs.records.length > MAX_RECORDS) drop(inputs, 1);
   return stored;
 }
 

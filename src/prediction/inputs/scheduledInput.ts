@@ -1,5 +1,5 @@
 import { writeControls } from '../../dynamics';
-import type { Inputs, PlannedInput } from './inputs';
+import type { Inputs, ScheduledInput } from './inputs';
 import { isBefore, type Position } from '../time/timeline';
 
 /**
@@ -47,6 +47,6 @@ export function isPlanned({ plan, records }: Inputs, from: Position): boolean {
   );
 }
 
-function isDue({ tick, substep }: Position | PlannedInput, due: Position): boolean {
+function isDue({ tick, substep }: Position | ScheduledInput, due: Position): boolean {
   return !isBefore(due.tick, due.substep, tick, substep);
 }

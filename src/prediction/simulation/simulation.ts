@@ -13,10 +13,17 @@ import {
   writeBodyMotion,
 } from '../../dynamics';
 import { applyDue, seek } from '../inputs/scheduledInput';
-import { type BodyTrack, boundaryAt, createBodyTrack, cutsOf, resizedBodies, rowsAt } from '../snapshots/bodyTrack';
+import {
+  type BodyTrack,
+  boundaryAt,
+  createBodyTrack,
+  cutsOf,
+  resizedBodies,
+  rowsAt,
+} from '../snapshots/bodyTrack';
 import { predict } from '../events';
 import { keep, resized, ringLength } from './history';
-import { createInputs, type Inputs, type PlannedInput } from '../inputs/inputs';
+import { createInputs, type Inputs, type ScheduledInput } from '../inputs/inputs';
 import { wake, wakesOn } from './sleep';
 import { easeUprighting } from '../drawn/pose';
 import { createTimeline, type Position, spanOf, type Timeline } from '../time/timeline';
@@ -56,7 +63,7 @@ export function createSimulation(
   bodies: readonly BodyMotion[],
   counters: Diagnosis,
   locks: boolean,
-  plan: readonly PlannedInput[] = [],
+  plan: readonly ScheduledInput[] = [],
 ): Simulation {
   const start = new Float64Array(bodies.length * BODY_STRIDE);
   for (const [i, motion] of bodies.entries()) writeBodyMotion(start, i * BODY_STRIDE, motion);

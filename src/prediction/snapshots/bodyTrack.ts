@@ -38,7 +38,7 @@ interface TickCut {
 }
 
 /** A tick of more substeps is too fast to follow: its rows alone would fill 16 MB with four bodies. */
-export const MOST_SUBSTEPS_A_TICK = 12_800;
+export const MAX_SUBSTEPS_A_TICK = 12_800;
 
 /** @param start rows of the bodies at whatever tick comes first, unless a frame says otherwise */
 export function createBodyTrack(start: Float64Array, length: number, substeps: number): BodyTrack {

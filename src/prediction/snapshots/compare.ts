@@ -16,7 +16,16 @@ import {
   THRUST_LEVEL,
   VELOCITY,
 } from '../../dynamics';
-import { angleOf, lengthOf, quaternion, rotateBack, seenFrom, take, turnBetween, vector } from '../drawn/rotation';
+import {
+  angleOf,
+  lengthOf,
+  quaternion,
+  rotateBack,
+  seenFrom,
+  take,
+  turnBetween,
+  vector,
+} from '../drawn/rotation';
 
 /** A row among rows, and the bodies its tick had. */
 export interface Place {

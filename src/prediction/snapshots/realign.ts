@@ -3,7 +3,7 @@ import type { Simulation } from '../simulation/simulation';
 import { indexOf, type Position, spanOf } from '../time/timeline';
 
 /** A present this far behind the front is not waited for, wall s. */
-const MOST_BEHIND = 0.25;
+const MAX_BEHIND = 0.25;
 
 /** Whether the present has fallen so far behind what is simulated that the ships must go back. */
 export function isFarBehind(sim: Simulation, target: Position): boolean {
@@ -11,7 +11,7 @@ export function isFarBehind(sim: Simulation, target: Position): boolean {
   const behind =
     indexOf(timeline, front.tick, front.substep) - indexOf(timeline, target.tick, target.substep);
   const { timing, timeScale } = spanOf(timeline, target.tick);
-  return behind > 2 && (behind * timing.dt) / timeScale > MOST_BEHIND;
+  return behind > 2 && (behind * timing.dt) / timeScale > MAX_BEHIND;
 }
 
 /**

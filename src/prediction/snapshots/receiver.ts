@@ -5,7 +5,7 @@ import { type Clock, forgetSchedule, sampleDown, sentAt, steerByMargin } from '.
 import { confirm, confirmByState, pruneLedger, retract } from '../events';
 import { forgetAfter, has, offsetOf } from '../simulation/history';
 import { acknowledge, forgetRecords, type InputFate, prune } from '../inputs/inputs';
-import { reconcile, type Word } from './reconcile';
+import { reconcile, type SnapshotContext } from './reconcile';
 import { hold, startReplay } from '../simulation/replay';
 import { fitRings, type Simulation } from '../simulation/simulation';
 import { WITHDRAWN_SHOWN } from '../drawn/status';
@@ -14,7 +14,7 @@ import { forgetLogsAfter } from '../touchdown/touchdownRing';
 import { addTrack, removeTrack, type Track } from '../simulation/track';
 
 /** What one connection's frames are judged by, beside the simulation. */
-export interface Intake {
+export interface Receiver {
   readonly clock: Clock;
   ownShipId: string;
   /** The server tells of events; one that never did is believed by its states. */
@@ -35,7 +35,7 @@ const FUTURE = 2;
 /** Frames too old are believed, as a server that began anew, when nothing else has come for this long, s. */
 const SILENCE = 2;
 
-export function createIntake(clock: Clock, ownShipId: string): Intake {
+export function createReceiver(clock: Clock, ownShipId: string): Receiver {
   return {
     clock,
     ownShipId,
@@ -50,7 +50,7 @@ export function createIntake(clock: Clock, ownShipId: string): Intake {
 type Fate = 'newest' | 'again' | 'older' | 'duplicate' | 'tooOld' | 'future' | 'jump';
 
 /** A frame of the world that is simulated: judged, counted, and where it can be used compared with what was predicted. */
-export function takeFrame(sim: Simulation, intake: Intake, frame: ServerFrame, now: number): void {
+export function receiveSnapshot(sim: Simulation, intake: Receiver, frame: ServerFrame, now: number): void {
   const { counters } = sim;
   const timing = loadTiming(frame.tickRate, frame.timeScale);
   if (!Number.isSafeInteger(frame.tick) || frame.tick < 0 || !timing.ok) {
@@ -83,7 +83,7 @@ export function refuse(sim: Simulation, reason: string): void {
   sim.counters.lastRefusal = reason;
 }
 
-function fateOf(sim: Simulation, intake: Intake, frame: ServerFrame, now: number): Fate {
+function fateOf(sim: Simulation, intake: Receiver, frame: ServerFrame, now: number): Fate {
   const { newestTick } = sim;
   const { tick } = frame;
   if (newestTick < 0) return 'newest';
@@ -101,7 +101,7 @@ function fateOf(sim: Simulation, intake: Intake, frame: ServerFrame, now: number
 }
 
 /** A jump in time is believed at once on a new connection, else when a second frame goes on from the first. */
-function isBorneOut(intake: Intake, tick: number): boolean {
+function isBorneOut(intake: Receiver, tick: number): boolean {
   const borneOut =
     intake.fresh || (tick > intake.jumpTick && tick - intake.jumpTick <= 3 && intake.jumpTick >= 0);
   intake.jumpTick = borneOut ? -1 : tick;
@@ -120,7 +120,7 @@ function differs(sim: Simulation, { tick, tickRate, timeScale, paused }: ServerF
 }
 
 /** Another time altogether: nothing that was predicted can be compared with what comes. */
-function startAnew(sim: Simulation, intake: Intake): void {
+function startAnew(sim: Simulation, intake: Receiver): void {
   sim.counters.resyncs += 1;
   sim.timeline.spans.length = 0;
   forgetRecords(sim.inputs);
@@ -141,7 +141,7 @@ function startAnew(sim: Simulation, intake: Intake): void {
 }
 
 /** Clock sample and tempo; where the tempo changed, everything after this tick is to be simulated anew. */
-function followTempo(sim: Simulation, intake: Intake, frame: ServerFrame, now: number): void {
+function followTempo(sim: Simulation, intake: Receiver, frame: ServerFrame, now: number): void {
   const { timeline } = sim;
   const first = timeline.spans.length === 0;
   const stood = !first && spanOf(timeline, frame.tick).paused;
@@ -159,7 +159,7 @@ function followTempo(sim: Simulation, intake: Intake, frame: ServerFrame, now: n
 }
 
 /** A paused server's boundaries keep their beat: the one that ended the pause was a whole number of ticks after the one that began it. */
-function wallAfterPause(sim: Simulation, intake: Intake, now: number): number {
+function wallAfterPause(sim: Simulation, intake: Receiver, now: number): number {
   const span = sim.timeline.spans.at(-1)!;
   const beats = Math.round((sentAt(intake.clock, now) - span.fromWall) * span.tickRate);
   return span.fromWall + Math.max(0, beats) / span.tickRate;
@@ -175,7 +175,7 @@ function retime(sim: Simulation, tick: number): void {
   sim.frontIsStale = true;
 }
 
-function takeStates(sim: Simulation, intake: Intake, frame: ServerFrame, now: number): void {
+function takeStates(sim: Simulation, intake: Receiver, frame: ServerFrame, now: number): void {
   const motions = motionsOf(sim, frame);
   word.turned = motions === null ? 0 : tell(sim.bodies, frame.tick, motions);
   word.bodies = boundaryAt(sim.bodies, sim.timeline, frame.tick);
@@ -192,7 +192,7 @@ function takeStates(sim: Simulation, intake: Intake, frame: ServerFrame, now: nu
   }
 }
 
-const word: Word = {
+const word: SnapshotContext = {
   tick: 0,
   now: 0,
   bodies: new Float64Array(0),
@@ -201,7 +201,7 @@ const word: Word = {
   inputs: 'asPredicted',
 };
 
-function takeShip(sim: Simulation, intake: Intake, frame: ServerFrame, state: ShipState): void {
+function takeShip(sim: Simulation, intake: Receiver, frame: ServerFrame, state: ShipState): void {
   const track = sim.fleet.byId.get(state.shipId) ?? addTrack(sim.fleet, state.shipId, sim.ringLength);
   track.own = state.shipId === intake.ownShipId;
   if (track.own) sim.fleet.own = track;
@@ -214,7 +214,7 @@ function takeShip(sim: Simulation, intake: Intake, frame: ServerFrame, state: Sh
 }
 
 /** What the frame says of own inputs, also to the steering of the lead. */
-function answered(sim: Simulation, intake: Intake, frame: ServerFrame, state: ShipState): InputFate {
+function answered(sim: Simulation, intake: Receiver, frame: ServerFrame, state: ShipState): InputFate {
   const { inputs } = sim;
   const told = frame.lastInput;
   const before = inputs.applied;
@@ -238,7 +238,7 @@ function motionsOf(sim: Simulation, frame: ServerFrame): readonly BodyMotion[] |
 }
 
 /** A frame overtaken by newer ones: its events count, and its ships that no newer frame told of. */
-function takeOlder(sim: Simulation, intake: Intake, frame: ServerFrame, now: number): void {
+function takeOlder(sim: Simulation, intake: Receiver, frame: ServerFrame, now: number): void {
   tellEvents(sim, intake, frame.events);
   if (!knowsBoundary(sim.bodies, frame.tick)) return;
   word.turned = 0;
@@ -252,7 +252,7 @@ function takeOlder(sim: Simulation, intake: Intake, frame: ServerFrame, now: num
   }
 }
 
-function settleEvents(sim: Simulation, intake: Intake, frame: ServerFrame, now: number): void {
+function settleEvents(sim: Simulation, intake: Receiver, frame: ServerFrame, now: number): void {
   tellEvents(sim, intake, frame.events);
   for (const track of sim.fleet.tracks) {
     const { ledger } = track;
@@ -269,7 +269,7 @@ function settleEvents(sim: Simulation, intake: Intake, frame: ServerFrame, now: 
   }
 }
 
-function tellEvents(sim: Simulation, intake: Intake, events: readonly WorldEvent[]): void {
+function tellEvents(sim: Simulation, intake: Receiver, events: readonly WorldEvent[]): void {
   for (const event of events) {
     intake.tellsEvents = true;
     const track = sim.fleet.byId.get(event.shipId);

@@ -32,7 +32,7 @@ import { logLanded } from '../touchdown/touchdownRing';
 import { copyRow, type Track } from '../simulation/track';
 
 /** A frame, as far as one ship is concerned. */
-export interface Word {
+export interface SnapshotContext {
   tick: number;
   /** Client wall s. */
   now: number;
@@ -55,7 +55,12 @@ const SAME_BODIES = 1e-12;
  * else the server's is adopted and every stored input since is replayed (PREDICTION, Reconciliation).
  * @returns null, or the reason why the state cannot be used
  */
-export function reconcile(sim: Simulation, track: Track, state: ShipState, word: Word): string | null {
+export function reconcile(
+  sim: Simulation,
+  track: Track,
+  state: ShipState,
+  word: SnapshotContext,
+): string | null {
   if (word.tick < track.serverTick) return null;
   const reason = adopt(told, state, word.bodies, sim.world);
   if (reason !== null) return reason;
@@ -71,7 +76,7 @@ export function reconcile(sim: Simulation, track: Track, state: ShipState, word:
   return null;
 }
 
-function settle(sim: Simulation, track: Track, predicted: Place | null, word: Word): void {
+function settle(sim: Simulation, track: Track, predicted: Place | null, word: SnapshotContext): void {
   if (track.off) {
     if (isAtRest(told, 0)) lockFirst(sim, track, word);
     return;
@@ -96,7 +101,7 @@ function settle(sim: Simulation, track: Track, predicted: Place | null, word: Wo
 }
 
 /** Equal: the local state is kept. */
-function agree(sim: Simulation, track: Track, word: Word): void {
+function agree(sim: Simulation, track: Track, word: SnapshotContext): void {
   const { front } = sim;
   if (track.mode === 'locked') {
     lockTo(track, word.bodies);
@@ -113,7 +118,7 @@ function agree(sim: Simulation, track: Track, word: Word): void {
 }
 
 /** Not equal: counted by its cause, adopted, replayed. */
-function correct(sim: Simulation, track: Track, field: Field, predicted: Place, word: Word): void {
+function correct(sim: Simulation, track: Track, field: Field, predicted: Place, word: SnapshotContext): void {
   const { counters } = sim;
   if (track.own && word.inputs === 'late') counters.correctionsLateInput += 1;
   else if (track.own && word.inputs === 'lost') counters.correctionsLostInput += 1;
@@ -127,7 +132,7 @@ function correct(sim: Simulation, track: Track, field: Field, predicted: Place, 
 }
 
 /** A ship told of for the first time, landed: it locks at once and is drawn where the server has it. */
-function lockFirst(sim: Simulation, track: Track, word: Word): void {
+function lockFirst(sim: Simulation, track: Track, word: SnapshotContext): void {
   if (!sim.locks || track.mode === 'stepping' || track.hasHeld || !isAtRest(told, 0)) return;
   track.off = false;
   copyRow(sim.fleet.front, track.at, told, 0);
@@ -142,7 +147,7 @@ function isHeldByLock(track: Track): boolean {
   return track.mode === 'locked' && isAtRest(told, 0);
 }
 
-function findPredicted(sim: Simulation, track: Track, word: Word): Place | null {
+function findPredicted(sim: Simulation, track: Track, word: SnapshotContext): Place | null {
   if (track.mode === 'locked') {
     copyRow(locked, 0, sim.fleet.front, track.at);
     writeLockedAt(locked, 0, track, word.bodies);
@@ -165,7 +170,7 @@ function recalledImpact(predicted: Place | null): number {
   return sameContact ? rows[at + IMPACT_SPEED]! : 0;
 }
 
-function remember(track: Track, state: ShipState, word: Word, known: boolean): void {
+function remember(track: Track, state: ShipState, word: SnapshotContext, known: boolean): void {
   track.name = state.name;
   track.playerId = state.playerId;
   track.exact = isExact(state);

@@ -1,13 +1,13 @@
 import {
-  accepted,
+  ok,
   type Body,
   type BodyMotion,
-  type Checked,
+  type Result,
   DEFAULT_SETTINGS,
   loadBody,
   loadSettings,
   loadShipClass,
-  refused,
+  err,
   type Settings,
   type ShipClass,
   type TerrainHeight,
@@ -15,7 +15,7 @@ import {
 } from '../../dynamics';
 
 /** What a server tells once, or what stands in for it: enough to make a world of. */
-export interface WorldTold {
+export interface WorldConfig {
   readonly settings: Partial<Settings>;
   readonly shipClasses: readonly ShipClass[];
   readonly bodies: readonly (Body & BodyMotion)[];
@@ -24,17 +24,17 @@ export interface WorldTold {
 
 /** The world that was told, with its constants, or the reason, naming the field, why it cannot be simulated. */
 export function loadWorld(
-  told: WorldTold,
+  told: WorldConfig,
   terrains: Readonly<Record<string, TerrainHeight>>,
-): Checked<World> {
+): Result<World> {
   const settings = loadSettings(plainSettings(told.settings));
-  if (!settings.ok) return refused(`settings.${settings.reason}`);
-  if (!Object.hasOwn(terrains, told.terrain)) return refused(`terrain: no terrain named ${told.terrain}`);
+  if (!settings.ok) return err(`settings.${settings.reason}`);
+  if (!Object.hasOwn(terrains, told.terrain)) return err(`terrain: no terrain named ${told.terrain}`);
   const shipClasses = loadEach('shipClasses', told.shipClasses, loadShipClass);
   if (!shipClasses.ok) return shipClasses;
   const bodies = loadEach('bodies', told.bodies, loadBody);
   if (!bodies.ok) return bodies;
-  return accepted({
+  return ok({
     settings: settings.value,
     shipClasses: shipClasses.value,
     bodies: bodies.value,
@@ -48,8 +48,8 @@ function plainSettings(given: Partial<Settings>): Partial<Settings> {
 }
 
 /** Whether two tellings make the same world: places and motions of bodies aside, which frames tell. */
-export function sameWorld(a: WorldTold, b: WorldTold): boolean {
-  const constants = ({ settings, shipClasses, bodies, terrain }: WorldTold) =>
+export function sameWorld(a: WorldConfig, b: WorldConfig): boolean {
+  const constants = ({ settings, shipClasses, bodies, terrain }: WorldConfig) =>
     JSON.stringify([
       settings,
       shipClasses,
@@ -62,14 +62,14 @@ export function sameWorld(a: WorldTold, b: WorldTold): boolean {
 function loadEach<Given, Loaded>(
   field: string,
   given: readonly Given[],
-  load: (one: Given) => Checked<Loaded>,
-): Checked<readonly Loaded[]> {
-  if (given.length === 0) return refused(`${field}: expected at least one`);
+  load: (one: Given) => Result<Loaded>,
+): Result<readonly Loaded[]> {
+  if (given.length === 0) return err(`${field}: expected at least one`);
   const loaded: Loaded[] = [];
   for (const [i, one] of given.entries()) {
     const checked = load(one);
-    if (!checked.ok) return refused(`${field}[${i}]: ${checked.reason}`);
+    if (!checked.ok) return err(`${field}[${i}]: ${checked.reason}`);
     loaded.push(checked.value);
   }
-  return accepted(loaded);
+  return ok(loaded);
 }

@@ -36,13 +36,13 @@ export const HARD_RESET = 2;
 /** s */
 const IMPOSSIBLY_EARLY = 0.1;
 /** The present runs at most this much faster or slower than the wall. */
-const MOST_SLEW = 0.1;
+const MAX_SLEW = 0.1;
 /** The rate's correction is the error over this time, s, so that a small error is not chased at full slew. */
 const SLEW_TIME = 0.5;
 /** A slew that has begun goes on until this little is left, s. */
 const SLEWED = 0.001;
 /** More lead than this is not asked for, whatever the margins say, s. */
-const MOST_STEER = 1;
+const MAX_STEER = 1;
 /** The steered lead is given back at this rate, s/s. */
 const STEER_DECAY = 0.004;
 
@@ -138,7 +138,7 @@ export function jitterOf(clock: Clock, now: number): number {
  */
 export function steerByMargin(clock: Clock, margin: number, steerThen: number): void {
   const wanted = steerThen + SLACK / 2 - margin;
-  if (wanted > clock.steer) clock.steer = Math.min(MOST_STEER, wanted);
+  if (wanted > clock.steer) clock.steer = Math.min(MAX_STEER, wanted);
 }
 
 /**
@@ -161,6 +161,6 @@ export function advanceClock(clock: Clock, now: number, deadZone: number): boole
   }
   clock.present = next;
   clock.slewing = Math.abs(error) > (clock.slewing ? Math.min(SLEWED, deadZone) : deadZone);
-  clock.rate = clock.slewing ? 1 + Math.max(-MOST_SLEW, Math.min(MOST_SLEW, error / SLEW_TIME)) : 1;
+  clock.rate = clock.slewing ? 1 + Math.max(-MAX_SLEW, Math.min(MAX_SLEW, error / SLEW_TIME)) : 1;
   return false;
 }

@@ -1,5 +1,5 @@
 import { POSITION, REFERENCE_BODY } from '../../dynamics';
-import { MOST_SUBSTEPS_A_TICK } from '../snapshots/bodyTrack';
+import { MAX_SUBSTEPS_A_TICK } from '../snapshots/bodyTrack';
 import { abandonReplay, hold, startReplay } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
 import { spanOf } from './timeline';
@@ -41,7 +41,7 @@ export function keepPace(sim: Simulation, pace: Pace, due: number): void {
       : pace.due + (due - pace.due) * SMOOTHING;
   const room = Math.floor((pace.budget * STEPPING_SHARE) / Math.max(due, 1));
   const usual = Math.floor((pace.budget * STEPPING_SHARE) / Math.max(pace.due, 1));
-  const tooFine = spanOf(sim.timeline, sim.front.tick).timing.substeps > MOST_SUBSTEPS_A_TICK;
+  const tooFine = spanOf(sim.timeline, sim.front.tick).timing.substeps > MAX_SUBSTEPS_A_TICK;
   if (tooFine || moving(sim) > room) {
     sim.counters.budgetOverruns += 1;
     thinOut(sim, tooFine ? 0 : room, tooFine ? 0 : usual);

@@ -36,7 +36,7 @@ export interface Position {
 }
 
 /** Tempo changes remembered: more than a ring of predicted states can span. */
-const MOST_SPANS = 32;
+const MAX_SPANS = 32;
 
 export function createTimeline(): Timeline {
   return { spans: [] };
@@ -69,7 +69,7 @@ export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: n
   const index = indexOf(timeline, tick, 0);
   while (spans.length > 0 && spans.at(-1)!.fromTick >= tick) spans.pop();
   spans.push(makeSpan(tick, tempo, at, index));
-  if (spans.length > MOST_SPANS) spans.shift();
+  if (spans.length > MAX_SPANS) spans.shift();
   return !same;
 }
 

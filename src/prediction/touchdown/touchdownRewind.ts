@@ -40,7 +40,7 @@ export interface Adopted {
 /** m beyond the way it flew: what a correction may move a ship; more is a respawn. */
 const LARGEST_CORRECTION = 100;
 /** Substeps that a log is carried over, to a state the ship is not simulated up to: a frame of 100× time is 10,000, some 2 ms. */
-const MOST_CARRIED = 12_000;
+const MAX_CARRIED = 12_000;
 
 /**
  * The own ship goes back to a state of the server's: so does its log, to what it was at that tick, and agrees with that state. To be
@@ -87,7 +87,7 @@ function carryOn(track: Track, sim: Simulation, ring: TouchdownRing, tick: numbe
     ring.replayed.set(ring.front);
   } else return false;
   const ahead = indexOf(timeline, tick, 0) - indexOf(timeline, at.tick, at.substep);
-  if (ahead < 0 || ahead > MOST_CARRIED) return false;
+  if (ahead < 0 || ahead > MAX_CARRIED) return false;
   let cursor = seek(sim.inputs, at.tick, at.substep);
   for (let i = 0; i < ahead; i++) {
     copyRow(before, 0, predicted, 0);

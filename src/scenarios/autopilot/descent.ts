@@ -1,11 +1,11 @@
 import { compose, cross, inverse, rotate } from '../../authority';
 import {
-  type Checked,
-  accepted,
+  type Result,
+  ok,
   type Controls,
   GRAVITATIONAL_CONSTANT,
   type Quat,
-  refused,
+  err,
   type ShipClass,
   type TerrainHeight,
   type Vec3,
@@ -42,13 +42,13 @@ const TOP: Vec3 = [0, 0, 1];
 /** Speed down in the last metres, m/s: below every bounce, above what noise of a slow tick could turn into a hover. */
 const TOUCH_SPEED = 1.5;
 /** Speed down at most, m/s: a second's delay at it is still braked away. */
-const MOST_SPEED = 15;
+const MAX_SPEED = 15;
 /** Height over which it comes down at TOUCH_SPEED, m. */
 const LAST_METRES = 3;
 /** Share of what the engine has over the weight that braking plans with; the rest is for correcting. */
 const BRAKING_SHARE = 0.5;
 /** m/s²: more would come too late for states a second apart, however strong the engine. */
-const MOST_BRAKING = 1;
+const MAX_BRAKING = 1;
 /** s⁻¹: speed errors are answered in two seconds, slow enough for states that come once a second and act a second later. */
 const RESPONSE = 0.5;
 /** Tilts past 60° push more along the ground than up: there the engine waits for the ship to come upright. */
@@ -57,25 +57,24 @@ const LEAST_UPRIGHT = 0.5;
 const STEPS = 4;
 
 /** The approach of a ship, or a reason that names the field that has no finite value. */
-export function approachOf(ship: ShipState, site: LandingSite): Checked<Approach> {
+export function approachOf(ship: ShipState, site: LandingSite): Result<Approach> {
   const { body, shipClass, terrainHeight, delay = 0 } = site;
   // The game's own server sends ICRF alone: at 1 au good to 15 µm, enough for a pilot.
   const position = ship.relativePosition ?? minus(ship.position, body.position);
   const velocity = ship.relativeVelocity ?? minus(ship.velocity, body.velocity);
   const distance = length(position);
-  if (!(distance >= 1 && distance < Infinity)) return refused('relativePosition: no place over the body');
+  if (!(distance >= 1 && distance < Infinity)) return err('relativePosition: no place over the body');
   const up = scaled(position, 1 / distance);
   const overGround = minus(velocity, cross(body.angularVelocity, position));
-  if (!overGround.every(Number.isFinite)) return refused('relativeVelocity: expected finite numbers');
-  if (!ship.attitude.every(Number.isFinite)) return refused('attitude: expected finite numbers');
-  if (!(ship.mass > 0 && ship.mass < Infinity)) return refused('mass: expected a finite number > 0 kg');
-  if (!(delay >= 0 && delay < Infinity)) return refused(`delay: expected ≥ 0 s, got ${delay}`);
-  if (!ship.angularVelocity.every(Number.isFinite))
-    return refused('angularVelocity: expected finite numbers');
+  if (!overGround.every(Number.isFinite)) return err('relativeVelocity: expected finite numbers');
+  if (!ship.attitude.every(Number.isFinite)) return err('attitude: expected finite numbers');
+  if (!(ship.mass > 0 && ship.mass < Infinity)) return err('mass: expected a finite number > 0 kg');
+  if (!(delay >= 0 && delay < Infinity)) return err(`delay: expected ≥ 0 s, got ${delay}`);
+  if (!ship.angularVelocity.every(Number.isFinite)) return err('angularVelocity: expected finite numbers');
   const ground = terrainHeight(body.name, ...rotate(inverse(body.attitude), up));
-  if (!Number.isFinite(ground)) return refused('terrainHeight: expected a finite number');
+  if (!Number.isFinite(ground)) return err('terrainHeight: expected a finite number');
   const climb = dot(overGround, up);
-  return accepted({
+  return ok({
     height: distance - (body.radius + ground + shipClass.groundContactOffset),
     climb,
     drift: rotate(inverse(ship.attitude), minus(overGround, scaled(up, climb))),
@@ -102,12 +101,12 @@ export function descend(approach: Approach, mass: number, shipClass: ShipClass):
   const { height, climb, drift, upright, gravity } = approach;
   const reserve = shipClass.mainEngineThrust / mass - gravity;
   const affordable = BRAKING_SHARE * (reserve > 0 ? reserve : 0);
-  const braking = affordable < MOST_BRAKING ? affordable : MOST_BRAKING;
+  const braking = affordable < MAX_BRAKING ? affordable : MAX_BRAKING;
   const toBrake = height > LAST_METRES ? height - LAST_METRES : 0;
   const planned = Math.sqrt(TOUCH_SPEED * TOUCH_SPEED + 2 * braking * toBrake);
-  const speed = planned < MOST_SPEED ? planned : MOST_SPEED;
+  const speed = planned < MAX_SPEED ? planned : MAX_SPEED;
   // How fast the planned speed falls as the ship does; at the cap and in the last metres it stays.
-  const onCurve = toBrake > 0 && planned < MOST_SPEED && climb < 0;
+  const onCurve = toBrake > 0 && planned < MAX_SPEED && climb < 0;
   const easing = onCurve ? (braking * -climb) / planned : 0;
   const wanted = gravity + easing + RESPONSE * (-speed - climb);
   const push = upright > LEAST_UPRIGHT ? (mass * wanted) / upright : 0;

@@ -1,4 +1,4 @@
-import { accepted, type Checked, type Controls, NEUTRAL_CONTROLS } from '../../dynamics';
+import { ok, type Result, type Controls, NEUTRAL_CONTROLS } from '../../dynamics';
 import type { ShipState } from '../../wire';
 import { approachOf, descend, type LandingSite } from './descent';
 
@@ -40,32 +40,32 @@ export function continueLanding(
   before: LandingManeuver,
   ship: ShipState,
   site: LandingSite,
-): Checked<LandingManeuver> {
-  if (before.phase === 'complete' || before.phase === 'failed') return accepted(before);
-  if (ship.crashed) return accepted(failed(`crashed on ${site.body.name}`));
+): Result<LandingManeuver> {
+  if (before.phase === 'complete' || before.phase === 'failed') return ok(before);
+  if (ship.crashed) return ok(failed(`crashed on ${site.body.name}`));
   switch (ship.surfaceContactState) {
     case 'tipped':
-      return accepted(failed(`tipped over on ${site.body.name}`));
+      return ok(failed(`tipped over on ${site.body.name}`));
     case 'landed':
-      return accepted({ phase: 'complete', reason: '', controls: NEUTRAL_CONTROLS });
+      return ok({ phase: 'complete', reason: '', controls: NEUTRAL_CONTROLS });
     case 'contact':
-      return accepted({ phase: 'touchdown', reason: '', controls: HOLD });
+      return ok({ phase: 'touchdown', reason: '', controls: HOLD });
     case '':
       return fly(before, ship, site);
   }
 }
 
-function fly(before: LandingManeuver, ship: ShipState, site: LandingSite): Checked<LandingManeuver> {
+function fly(before: LandingManeuver, ship: ShipState, site: LandingSite): Result<LandingManeuver> {
   const approach = approachOf(ship, site);
   if (!approach.ok) return approach;
   if (before.phase === 'touchdown' && approach.value.height < LOW_HOP)
-    return accepted({ phase: 'touchdown', reason: '', controls: HOLD });
+    return ok({ phase: 'touchdown', reason: '', controls: HOLD });
   const thrust = site.shipClass.mainEngineThrust;
   const weight = ship.mass * approach.value.gravity;
   if (!(thrust > weight))
-    return accepted(failed(`mainEngineThrust: ${thrust} N cannot hold a weight of ${Math.round(weight)} N`));
+    return ok(failed(`mainEngineThrust: ${thrust} N cannot hold a weight of ${Math.round(weight)} N`));
   const controls = descend(approach.value, ship.mass, site.shipClass);
-  return accepted({ phase: 'descent', reason: '', controls });
+  return ok({ phase: 'descent', reason: '', controls });
 }
 
 function failed(reason: string): LandingManeuver {

@@ -1,4 +1,4 @@
-import { accepted, type Checked, refused } from '../../dynamics';
+import { ok, type Result, err } from '../../dynamics';
 import { bell, createDice, type Dice } from './random';
 
 /**
@@ -40,18 +40,18 @@ const RANGES: Readonly<Record<keyof NetworkNumbers, readonly [number, number, st
 };
 
 /** The numbers, or a reason that names the one out of its range. */
-export function loadNetwork(given: NetworkNumbers): Checked<NetworkNumbers> {
+export function loadNetwork(given: NetworkNumbers): Result<NetworkNumbers> {
   for (const [name, [low, high, unit]] of Object.entries(RANGES)) {
     const value: unknown = given[name as keyof NetworkNumbers];
     if (typeof value !== 'number' || !(value >= low && value <= high))
-      return refused(`${name}: expected ${low} to ${high} ${unit}`.trimEnd() + `, got ${String(value)}`);
+      return err(`${name}: expected ${low} to ${high} ${unit}`.trimEnd() + `, got ${String(value)}`);
   }
   const { delay, jitter, stallShare, stallSeconds, stallRun } = given;
   // The chain leaves the good state with share/(1 − share)/run a packet, which must be a probability.
   const most = stallRun / (stallRun + 1);
   if (stallShare > most)
-    return refused(`stallShare: expected at most ${most} with runs of ${stallRun}, got ${stallShare}`);
-  return accepted({ delay, jitter, stallShare, stallSeconds, stallRun });
+    return err(`stallShare: expected at most ${most} with runs of ${stallRun}, got ${stallShare}`);
+  return ok({ delay, jitter, stallShare, stallSeconds, stallRun });
 }
 
 export interface Delivery {

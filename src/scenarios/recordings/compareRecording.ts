@@ -1,9 +1,9 @@
 import {
-  accepted,
+  ok,
   beginTick,
   BODIES,
   BODY_STRIDE,
-  type Checked,
+  type Result,
   type Controls,
   EVENT_NAMES,
   loadBody,
@@ -12,7 +12,7 @@ import {
   NO_EVENT,
   readControls,
   readShip,
-  refused,
+  err,
   SHIP_CLASSES,
   SHIP_STRIDE,
   stepWorld,
@@ -43,7 +43,7 @@ export interface RecordingComparison extends Comparison {
  * from the last frame before a new hello to the first after it nobody knows what was in force.
  * @returns a reason when nothing can be compared
  */
-export function compareRecording(recording: Recording): Checked<RecordingComparison> {
+export function compareRecording(recording: Recording): Result<RecordingComparison> {
   const found: Found = {
     ticks: 0,
     statesCompared: 0,
@@ -54,13 +54,13 @@ export function compareRecording(recording: Recording): Checked<RecordingCompari
     disagreement: null,
   };
   const sessions = sessionsOf(recording);
-  if (sessions.every(({ frames }) => frames.size === 0)) return refused('no frame');
+  if (sessions.every(({ frames }) => frames.size === 0)) return err('no frame');
   for (const session of sessions) {
     const reason = session.frames.size > 0 ? compareSession(found, session, recording.header.shipId) : null;
-    if (reason !== null) return refused(reason);
+    if (reason !== null) return err(reason);
   }
-  if (found.statesCompared === 0) return refused('no interval of any ship could be compared');
-  return accepted(found);
+  if (found.statesCompared === 0) return err('no interval of any ship could be compared');
+  return ok(found);
 }
 
 type Found = { -readonly [Field in keyof RecordingComparison]: RecordingComparison[Field] };
@@ -111,17 +111,17 @@ function runInterval(
   frame: ServerFrame,
   start: ShipState,
   inputs: readonly StagedInput[],
-): Checked<Outcome> {
+): Result<Outcome> {
   const row = new Float64Array(SHIP_STRIDE);
   const bodies = new Float64Array(world.bodies.length * BODY_STRIDE);
   for (const [i, { name }] of world.bodies.entries()) {
     const motion = frame.bodies.find((body) => body.name === name);
-    if (motion === undefined) return refused(`bodies: no ${name} in the frame`);
+    if (motion === undefined) return err(`bodies: no ${name} in the frame`);
     const reason = writeBodyMotion(bodies, i * BODY_STRIDE, motion);
-    if (reason !== null) return refused(`bodies.${name}.${reason}`);
+    if (reason !== null) return err(`bodies.${name}.${reason}`);
   }
   const reason = writeShip(row, 0, { ...start, ...comparedOf(start) }, world);
-  if (reason !== null) return refused(reason);
+  if (reason !== null) return err(reason);
   writeControls(row, 0, start);
   const { substeps, dt } = timingOfTick(frame.timeScale / frame.tickRate);
   const events: string[] = [];
@@ -131,22 +131,22 @@ function runInterval(
     stepWorld(row, bodies, reported, world, dt);
     if (reported[0] !== NO_EVENT) events.push(EVENT_NAMES[reported[0]!]!);
   }
-  return accepted({ ship: readShip(row, 0, world), controls: readControls(row, 0), events });
+  return ok({ ship: readShip(row, 0, world), controls: readControls(row, 0), events });
 }
 
 /** What the hello tells; the game's own classes and bodies, default settings and level ground where there is none. */
-function worldOf({ hello, frames }: RecordedSession): Checked<World> {
+function worldOf({ hello, frames }: RecordedSession): Result<World> {
   const [first] = frames.values();
   const settings = loadSettings(hello?.settings ?? {});
-  if (!settings.ok) return refused(`settings.${settings.reason}`);
+  if (!settings.ok) return err(`settings.${settings.reason}`);
   const terrain = hello?.terrain ?? 'flat';
-  if (!Object.hasOwn(TERRAINS, terrain)) return refused(`terrain: no terrain named ${terrain}`);
+  if (!Object.hasOwn(TERRAINS, terrain)) return err(`terrain: no terrain named ${terrain}`);
   const shipClasses = all(hello?.shipClasses ?? SHIP_CLASSES, loadShipClass);
   const told = hello?.bodies ?? BODIES.filter(({ name }) => first?.bodies.some((body) => body.name === name));
   const bodies = all(told, loadBody);
   if (!shipClasses.ok) return shipClasses;
   if (!bodies.ok) return bodies;
-  return accepted({
+  return ok({
     settings: settings.value,
     shipClasses: shipClasses.value,
     bodies: bodies.value,
@@ -154,17 +154,14 @@ function worldOf({ hello, frames }: RecordedSession): Checked<World> {
   });
 }
 
-function all<Given, Loaded>(
-  given: readonly Given[],
-  load: (one: Given) => Checked<Loaded>,
-): Checked<Loaded[]> {
+function all<Given, Loaded>(given: readonly Given[], load: (one: Given) => Result<Loaded>): Result<Loaded[]> {
   const loaded: Loaded[] = [];
   for (const one of given) {
     const checked = load(one);
     if (!checked.ok) return checked;
     loaded.push(checked.value);
   }
-  return accepted(loaded);
+  return ok(loaded);
 }
 
 function comparedOf(

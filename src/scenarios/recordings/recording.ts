@@ -1,4 +1,4 @@
-import { accepted, type Checked, type Controls, loadControls, NEUTRAL_CONTROLS, refused } from '../../dynamics';
+import { ok, type Result, type Controls, loadControls, NEUTRAL_CONTROLS, err } from '../../dynamics';
 import {
   type ClientMessage,
   decodeClientMessage,
@@ -40,8 +40,8 @@ export type RecordingEntry =
 const FORMAT = 'touchdown-recording';
 const VERSION = 1;
 /** An hour at 60 Hz, with messages, several times over. */
-const MOST_LINES = 1_000_000;
-const MOST_PLANNED = 10_000;
+const MAX_LINES = 1_000_000;
+const MAX_PLANNED = 10_000;
 
 /** Writes a recording line by line, as it comes: each call gives one line with its line feed. */
 export interface RecordingWriter {
@@ -82,20 +82,20 @@ export function writeRecording({ header, entries }: Recording): string {
 }
 
 /** A recording from its file's text, or a reason that names the line and the field. */
-export function readRecording(text: string): Checked<Recording> {
+export function readRecording(text: string): Result<Recording> {
   const lines = text.split('\n');
   if (lines.at(-1) === '') lines.pop();
-  if (lines.length > MOST_LINES) return refused(`lines: expected at most ${MOST_LINES}, got ${lines.length}`);
+  if (lines.length > MAX_LINES) return err(`lines: expected at most ${MAX_LINES}, got ${lines.length}`);
   const first = readLine(lines[0] ?? '', readHeader);
-  if (!first.ok) return refused(`line 1: ${first.reason}`);
+  if (!first.ok) return err(`line 1: ${first.reason}`);
   const entries: RecordingEntry[] = [];
   const past: Past = { at: -Infinity, controls: undefined };
   for (let i = 1; i < lines.length; i++) {
     const entry = readLine(lines[i]!, (fields, given) => readEntry(fields, given, past));
-    if (!entry.ok) return refused(`line ${i + 1}: ${entry.reason}`);
+    if (!entry.ok) return err(`line ${i + 1}: ${entry.reason}`);
     entries.push(entry.value);
   }
-  return accepted({ header: first.value, entries });
+  return ok({ header: first.value, entries });
 }
 
 /** What a line leaves to the next. */
@@ -108,17 +108,17 @@ function line(value: Record<string, unknown>): string {
   return `${JSON.stringify(value)}\n`;
 }
 
-function readLine<T>(text: string, read: (fields: Fields, given: JsonRecord) => T): Checked<T> {
+function readLine<T>(text: string, read: (fields: Fields, given: JsonRecord) => T): Result<T> {
   let json: unknown;
   try {
     json = JSON.parse(text);
   } catch {
-    return refused('not JSON');
+    return err('not JSON');
   }
   const fields = createFields();
   const value = read(fields, fields.record(json, 'line'));
   const reason = fields.reason();
-  return reason === null ? accepted(value) : refused(reason);
+  return reason === null ? ok(value) : err(reason);
 }
 
 function readHeader(fields: Fields, given: JsonRecord): RecordingHeader {
@@ -134,7 +134,7 @@ function readHeader(fields: Fields, given: JsonRecord): RecordingHeader {
 /** In the order of time, as a client hands it to its predictor. */
 function readPlan(fields: Fields, given: unknown): StagedInput[] {
   let before = { tick: 0, substep: 0 };
-  return fields.list(given, 'plan', MOST_PLANNED).map(({ value, path }) => {
+  return fields.list(given, 'plan', MAX_PLANNED).map(({ value, path }) => {
     const input = fields.record(value, path);
     const tick = fields.whole(input['tick'], `${path}.tick`, before.tick);
     const least = tick === before.tick ? before.substep : 0;

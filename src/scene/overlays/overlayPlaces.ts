@@ -34,7 +34,7 @@ export function placeOverlays(out: Places, scene: OverlayScene): void {
   quat.multiply(attitude, view.bodies[ship.body]!.attitude, ship.ghostAttitude);
   quat.multiply(attitude, turn.quaternion, attitude);
   out.ghostTurn.set(attitude[0]!, attitude[1]!, attitude[2]!, attitude[3]!);
-  for (let k = 0; k < 3; k++) point[k] = ship.position[k]! - ship.drawnPosition[k]!;
+  for (let k = 0; k < 3; k++) point[k] = ship.position[k]! - ship.easedPosition[k]!;
   rotate(point, turn.matrix, point);
   out.error.set(point[0]!, point[1]!, point[2]);
   const [x, z] = [actor.place[0]!, actor.place[2]!];
@@ -50,7 +50,7 @@ export function placeOverlays(out: Places, scene: OverlayScene): void {
   out.up.set(point[0]!, point[1]!, point[2]).normalize();
   out.weight.copy(out.up).multiplyScalar(-gravity);
   // At rest the ground carries what the thrust does not; a bounce's peak is not known to the view.
-  const carried = ship.surfaceState === '' ? 0 : Math.max(0, gravity - out.thrust.dot(out.up));
+  const carried = ship.surfaceContactState === '' ? 0 : Math.max(0, gravity - out.thrust.dot(out.up));
   out.support.copy(out.up).multiplyScalar(carried);
 }
 

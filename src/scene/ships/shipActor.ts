@@ -111,8 +111,8 @@ export function poseActor(
   frame: LocalFrame,
   turn: Turn,
 ): void {
-  toLocalPoint(actor.place, frame, turn, ship.standPosition);
-  quat.multiply(actor.turn, turn.quaternion, ship.drawnAttitude);
+  toLocalPoint(actor.place, frame, turn, ship.meshPosition);
+  quat.multiply(actor.turn, turn.quaternion, ship.meshAttitude);
   const [wx, wy, wz] = view.bodies[ship.body]!.angularVelocity;
   const x = ship.position[0]!;
   const y = ship.position[1]!;
@@ -137,7 +137,7 @@ export function poseActor(
   quat.conjugate(inverse, ship.attitude);
   rotateByQuat(rates, inverse, ship.angularVelocity);
   askedTurn(asked, ship.controls, rates);
-  if (ship.surfaceState === 'landed') asked.fill(0);
+  if (ship.surfaceContactState === 'landed') asked.fill(0);
   actor.jets.visible = writePower(actor.power, actor.model, ship.controls, asked);
 }
 

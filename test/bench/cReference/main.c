@@ -8,7 +8,7 @@
 #include <time.h>
 #include "contact.h"
 
-#define MOST_INPUTS 64
+#define MAX_INPUTS 64
 #define RUN 50
 
 typedef struct {
@@ -21,7 +21,7 @@ typedef struct {
   double dt, tick_seconds;
   world world;
   ship ship;
-  input inputs[MOST_INPUTS];
+  input inputs[MAX_INPUTS];
 } landing;
 
 static double bowl(const world *of, vec3 n) {
@@ -119,7 +119,7 @@ static int read_landing(landing *to) {
   to->ticks = (int)ticks, to->substeps = (int)next(), to->dt = next(), to->tick_seconds = next();
   world *w = &to->world;
   w->body_count = (int)next(), to->input_count = (int)next();
-  if (w->body_count > 3 || to->input_count > MOST_INPUTS) {
+  if (w->body_count > 3 || to->input_count > MAX_INPUTS) {
     fputs("more bodies or inputs than there is room for\n", stderr);
     exit(1);
   }

@@ -80,10 +80,10 @@ function* thousandShips(): Generator<Figure> {
       if (measuring) timings.frame.push(performance.now() - start);
     }
     if (measuring) bytes.frame.push((process.memoryUsage().heapUsed - after) / (60 / TICK_RATE) / SHIPS);
-    predictor.outgoing();
+    predictor.takeOutgoing();
   }
   const view = predictor.view(0);
-  const inContact = view.ships.filter(({ surfaceState }) => surfaceState === 'contact').length;
+  const inContact = view.ships.filter(({ surfaceContactState }) => surfaceContactState === 'contact').length;
   const d = view.diagnosis;
   const corrections = d.correctionsMismatch + d.correctionsOtherPilot;
   const note = `${inContact} of ${SHIPS} ships in contact, ${corrections} corrections`;

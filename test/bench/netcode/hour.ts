@@ -50,7 +50,7 @@ export function* hourFigures(): Generator<Figure> {
     if (second === 20) Object.assign(before, total());
   }
   const after = total();
-  const state = predictor.view(0).own?.surfaceState ?? 'missing';
+  const state = predictor.view(0).own?.surfaceContactState ?? 'missing';
   const note = `an hour at Earth’s equator, ${CLOCK_ERROR * 1000} ms of clock error in every other frame; it is ${state}`;
   const corrections = after.corrections - before.corrections;
   const substeps = after.substeps - before.substeps;

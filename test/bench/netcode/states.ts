@@ -76,7 +76,7 @@ function stickToScreen(): Figure {
     let seen = Number.NaN;
     const poses: number[][] = [];
     const neutral = flyMeasured({ scenario: 'bounce', seed: i + 1 }, moved + 0.5, (_, view) => {
-      if (view.own !== null) poses.push([...view.own.drawnPosition]);
+      if (view.own !== null) poses.push([...view.own.easedPosition]);
     });
     const { controls } = neutral.rig.view().own!;
     let frame = 0;
@@ -91,7 +91,7 @@ function stickToScreen(): Figure {
         frame += 1;
         if (view.own === null || !Number.isNaN(seen)) return;
         const twin = poses.shift()!;
-        if (twin.some((value, k) => value !== view.own!.drawnPosition[k])) seen = rig.now;
+        if (twin.some((value, k) => value !== view.own!.easedPosition[k])) seen = rig.now;
       },
     );
     delays.push((seen - Math.ceil(moved * 60) / 60) * 1000);

@@ -1,6 +1,11 @@
 /** Paints the HUD states that a test asks for; nothing here runs by itself. */
 import { createCockpitLandingHud, createFleetHud } from '../../../src/hud';
-import { createFleetReadout, createLandingReadout, fleetReadout, landingReadout } from '../../../src/readout';
+import {
+  createFleetReadout,
+  createLandingReadout,
+  updateFleetReadout,
+  updateLandingReadout,
+} from '../../../src/readout';
 import type { WorldView } from '../../../src/prediction';
 import { makeFleet, STATES, type StateName } from './hudStates';
 
@@ -24,23 +29,23 @@ let view: WorldView | undefined;
 /** Flies the way to a state, each view as one frame. */
 function show(name: StateName): void {
   readout = createLandingReadout();
-  for (view of STATES[name]()) landing.paint(landingReadout(view, readout));
+  for (view of STATES[name]()) landing.paint(updateLandingReadout(readout, view));
 }
 
 /** Paints the last view again, as a page does while nothing happens. */
 function again(times: number): void {
   if (view === undefined) return;
-  for (let i = 0; i < times; i++) landing.paint(landingReadout(view, readout));
+  for (let i = 0; i < times; i++) landing.paint(updateLandingReadout(readout, view));
 }
 
 function showFleet(size: number): void {
-  fleet.paint(fleetReadout(makeFleet(size), createFleetReadout()));
+  fleet.paint(updateFleetReadout(createFleetReadout(), makeFleet(size)));
 }
 
 /** What a benchmark times: `frames` frames of each, of a ship that slides and turns, and of 1,000 ships of which some change. */
 const subjects = (): Record<string, (frames: number) => void> => {
   const views = STATES.sliding();
-  const readouts = views.map((each) => landingReadout(each, createLandingReadout()));
+  const readouts = views.map((each) => updateLandingReadout(createLandingReadout(), each));
   const moving = createLandingReadout();
   const ships = makeFleet(1000);
   const fleetNow = createFleetReadout();
@@ -56,16 +61,16 @@ const subjects = (): Record<string, (frames: number) => void> => {
     for (let i = 0; i < frames; i++) paint(i);
   };
   return {
-    'hud-read': each((i) => landingReadout(views[i % views.length]!, moving)),
+    'hud-read': each((i) => updateLandingReadout(moving, views[i % views.length]!)),
     'hud-paint': each((i) => landing.paint(readouts[i % readouts.length]!)),
     'hud-paint-same': each(() => landing.paint(moving)),
     'fleet-read-1000': each(() => {
       change();
-      fleetReadout(ships, fleetNow);
+      updateFleetReadout(fleetNow, ships);
     }),
     'fleet-paint-1000': each(() => {
       change();
-      fleet.paint(fleetReadout(ships, fleetNow));
+      fleet.paint(updateFleetReadout(fleetNow, ships));
     }),
     'hud-paint-laid-out': each((i) => {
       landing.paint(readouts[i % readouts.length]!);
@@ -73,7 +78,7 @@ const subjects = (): Record<string, (frames: number) => void> => {
     }),
     'fleet-paint-1000-laid-out': each(() => {
       change();
-      fleet.paint(fleetReadout(ships, fleetNow));
+      fleet.paint(updateFleetReadout(fleetNow, ships));
       document.body.getBoundingClientRect();
     }),
   };

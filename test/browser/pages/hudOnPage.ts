@@ -1,6 +1,11 @@
 /** Both HUDs where the playground has them, under its own style sheets: whether they fit there. */
 import { createCockpitLandingHud, createFleetHud } from '../../../src/hud';
-import { createFleetReadout, createLandingReadout, fleetReadout, landingReadout } from '../../../src/readout';
+import {
+  createFleetReadout,
+  createLandingReadout,
+  updateFleetReadout,
+  updateLandingReadout,
+} from '../../../src/readout';
 import { makeFleet, STATES, type StateName } from './hudStates';
 
 const place = document.querySelector('#hud')!;
@@ -13,8 +18,8 @@ const fleet = createFleetHud(document, place);
 /** Flies the way to a state, each view as one frame, beside a fleet of `size`. */
 function show(name: StateName, size: number): void {
   const readout = createLandingReadout();
-  for (const view of STATES[name]()) landing.paint(landingReadout(view, readout));
-  fleet.paint(fleetReadout(makeFleet(size), createFleetReadout()));
+  for (const view of STATES[name]()) landing.paint(updateLandingReadout(readout, view));
+  fleet.paint(updateFleetReadout(createFleetReadout(), makeFleet(size)));
 }
 
 Object.assign(window, { show });

@@ -21,7 +21,8 @@ import { answeredPing, createPings, pingIfDue } from './time/pings';
 import { isFarBehind, realign } from './snapshots/realign';
 import { runReplays } from './simulation/replay';
 import { checkRollback } from './simulation/rollbackCheck';
-import { createSimulation, type Simulation, stepFront } from './simulation/simulation';
+import { stepFront } from './simulation/front';
+import { createSimulation, type Simulation } from './simulation/simulation';
 import {
   indexOf,
   type Moment,

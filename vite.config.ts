@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import type { UserConfig } from 'vite';
 import { listForOffline, OFFLINE_SCRIPT } from './.ci/offline.mjs';
+import { bundledTests } from './test/bundle.mjs';
 
 const BROWSER_TESTS = 'test/browser/**/*.test.ts';
 
@@ -78,6 +79,7 @@ const tests: UserConfig = {
   test: {
     projects: [
       {
+        plugins: [bundledTests()],
         test: {
           name: 'node',
           environment: 'node',

@@ -21,7 +21,9 @@ const declareSourcePlace = {
   transform: {
     filter: { id: { exclude: /node_modules/ }, code: /import\.meta\.(url|dirname|filename)/ },
     handler(code, id) {
-      const [url, folder, file] = [pathToFileURL(id).href, dirname(id), id].map((text) => JSON.stringify(text));
+      const [url, folder, file] = [pathToFileURL(id).href, dirname(id), id].map((text) =>
+        JSON.stringify(text),
+      );
       const place = `const sourceUrl = ${url}, sourceDirname = ${folder}, sourceFilename = ${file};`;
       // On the first line: the source map made so far stays good to the line.
       return { code: `${place} ${code}`, map: null };

@@ -1,11 +1,11 @@
-/** Landings that both implementations are given: the rehearsals, also as test/server/scenarios.json, and the recorded trajectories. */
+/** Landings that both implementations are given: the rehearsals, also as te../service/scenarios.json, and the recorded trajectories. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
 import { type Fixture, readFixture, SCENARIOS } from '../../src/scenarios';
 import { type CaseInput, caseOf, caseToJson, type ExactCase } from './exactCase';
 
-export const SCENARIO_FILE = fileURLToPath(new URL('../server/scenarios.json', import.meta.url));
+export const SCENARIO_FILE = fileURLToPath(new URL('../service/scenarios.json', import.meta.url));
 
 /** Every rehearsal as a case. @throws when one cannot be staged. */
 export function rehearsalCases(): ExactCase[] {

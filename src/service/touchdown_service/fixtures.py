@@ -1,9 +1,9 @@
 """Writes every rehearsal scenario as a trajectory that other implementations can be held to.
 
-    cd test && python3 -m server.fixtures [FOLDER]
+    python3 -m touchdown_service.fixtures SCENARIOS FOLDER
 
-The scenarios are read from scenarios.json; FOLDER is server/fixtures unless given. The format is that of
-test/parity/fixtures/README.md; `npm run parity -- test/server/fixtures/*.json` replays the files.
+SCENARIOS is a file like test/service/scenarios.json. The format is that of test/parity/fixtures/README.md;
+`npm run parity -- test/service/fixtures/*.json` replays the files.
 """
 
 import json
@@ -17,7 +17,6 @@ from .models import Ship
 from .simulation import run_tick
 from .vectors import add
 
-HERE = Path(__file__).parent
 # States a fixture, about: a file stays readable.
 STATES = 60
 
@@ -94,9 +93,11 @@ def to_text(data: dict[str, Any]) -> str:
 
 
 def main() -> None:
-    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "fixtures"
+    if len(sys.argv) != 3:
+        sys.exit("usage: python3 -m touchdown_service.fixtures SCENARIOS FOLDER")
+    folder = Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
-    scenarios = json.loads((HERE / "scenarios.json").read_text(encoding="utf-8"))
+    scenarios = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
     for data in scenarios:
         text = to_text(fixture(data))
         (folder / f"{data['name']}.json").write_text(text, encoding="utf-8", newline="\n")

@@ -10,7 +10,7 @@ import {
   TERRAINS,
   type World,
 } from '../dynamics';
-import type { ClientMessage, Hello, Pong, ServerFrame, ServerMessage } from '../wire';
+import type { ClientMessage, Hello, PartialFrame, Pong, ServerFrame, ServerMessage } from '../wire';
 import { advanceClock, createClock, forgetSchedule, jitterOf, samplePong, serverTime } from './time/clock';
 import { createDiagnosis } from './diagnosis';
 import { createReceiver, refuse, receiveSnapshot } from './snapshots/receiver';
@@ -66,8 +66,8 @@ export interface Defaults {
  * clock, nothing throws at what a server or a pilot gives.
  */
 export interface Predictor {
-  /** A checked message of the server has arrived. */
-  receive: (message: ServerMessage, now: number) => void;
+  /** A checked message of the server has arrived; of a frame, tick and ships are enough. */
+  receive: (message: ServerMessage | PartialFrame, now: number) => void;
   /** A frame of the server that the wire refused; counted, its reason kept for the diagnosis. */
   refused: (reason: string) => void;
   /** Once a display frame: samples own controls (null: a spectator's, or the hand is off the stick) and simulates up to the present. Controls that are not finite are ignored. */
@@ -206,7 +206,7 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
   return {
     receive(message, now) {
       if (message.kind === 'hello') takeHello(message);
-      else if (message.kind === 'frame') receiveFrame(message, now);
+      else if (message.kind === 'frame') receiveFrame(completed(message, sim), now);
       else takePong(message, now);
     },
     refused: (reason) => refuse(sim, reason),
@@ -233,6 +233,14 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
       return () => listeners.delete(listener);
     },
   };
+}
+
+/** A frame with what it does not tell filled in: the tempo as it was, no events, bodies moved by the law. */
+function completed(frame: PartialFrame, sim: Simulation): ServerFrame {
+  const untimed = { tickRate: 1, timeScale: 1 };
+  const { tickRate, timeScale } = sim.newestTick < 0 ? untimed : spanOf(sim.timeline, sim.newestTick);
+  const untold = { tickRate, timeScale, paused: false, bodies: [], events: [], lastInput: null };
+  return { ...untold, ...frame };
 }
 
 const moment: Moment = { tick: 0, substeps: 0 };

@@ -1,10 +1,4 @@
-/** Both HUDs: painting only. What they show is decided in readout. */
-import './hud.css';
-import './status.css';
-import './instruments.css';
-import './panels.css';
-import './fleet.css';
-import './smallScreens.css';
+/** Both HUDs: painting only. What they show is decided in readout; their style sheet is hud.css. */
 
 export {
   createCockpitLandingHud,
@@ -13,5 +7,7 @@ export {
   type LandingHudOptions,
 } from './landingHud';
 export { createFleetHud, createFleetHud as fleetHud } from './fleetHud';
+/** Theme and layout. */
+export type { HudAppearance } from './appearance';
 /** Names keys in hints. */
 export type { KeyLabel } from './rightingPanel';

@@ -87,9 +87,10 @@ export function begin(document: Document, program: string): void {
   let isBuilding = false;
   let isResized = false;
   const landingHud = createCockpitLandingHud(document, part('hud'), {
+    theme: 'system',
     keyLabel: (action) => (keys.enabled ? keyCap(keys.map[action]) : ''),
   });
-  const fleetHud = createFleetHud(document, part('hud'));
+  const fleetHud = createFleetHud(document, part('hud'), { theme: 'system' });
   const twin = createTwin(part('twin'));
   const resolution = createResolution();
   const theatre = createTheatre({

@@ -61,12 +61,13 @@ export function caseOf(scenario: Scenario): Result<ExactCase> {
   });
 }
 
-/** The same data with the game's names: what test/server/cases.py reads. */
+/** The same data with the game's names: what src/service/touchdown_service/cases.py reads. */
 export function caseToJson(exact: ExactCase): unknown {
   return withSnakeKeys(exact);
 }
 
-function withSnakeKeys(value: unknown): unknown {
+/** Plain data under the game's snake_case names. */
+export function withSnakeKeys(value: unknown): unknown {
   if (Array.isArray(value)) return value.map(withSnakeKeys);
   if (typeof value !== 'object' || value === null) return value;
   const entries = Object.entries(value).map(([key, held]) => [

@@ -1,6 +1,6 @@
 """Prints terrain heights, so that another implementation can be compared bit by bit.
 
-    python3 -m server.survey < points.jsonl    one line a point: the height's double in hex, most significant byte first
+    python3 -m touchdown_service.survey < points.jsonl    one line a point: the height's double in hex, most significant byte first
 
 A point is ["hills", "Moon", nx, ny, nz]: a terrain, a body and a direction in the body's axes.
 """

@@ -1,9 +1,9 @@
 """Writes every rehearsal scenario as a trajectory that other implementations can be held to.
 
-    cd test && python3 -m server.fixtures [FOLDER]
+    python3 -m touchdown_service.fixtures SCENARIOS FOLDER
 
-The scenarios are read from scenarios.json; FOLDER is server/fixtures unless given. The format is that of
-test/parity/fixtures/README.md; `npm run parity -- test/server/fixtures/*.json` replays the files.
+SCENARIOS is a file like test/service/scenarios.json. The format is that of test/parity/fixtures/README.md;
+`npm run parity -- test/service/fixtures/*.json` replays the files.
 """
 
 import json
@@ -12,12 +12,11 @@ from math import ceil
 from pathlib import Path
 from typing import Any
 
-from .cases import Case, load_case
+from .cases import load_case
 from .models import Ship
 from .simulation import run_tick
 from .vectors import add
 
-HERE = Path(__file__).parent
 # States a fixture, about: a file stays readable.
 STATES = 60
 
@@ -29,12 +28,11 @@ def fixture(data: dict[str, Any]) -> dict[str, Any]:
     timing = case.timing
     every = ceil(case.ticks / STATES)
     initial = state(case.ship, 0)
-    inputs = list(case.inputs)
     states = []
     events = []
     for tick in range(case.ticks):
-        for event in events_of_tick(case, tick, inputs):
-            events.append({"tick": tick + 1, "event": event})
+        for event in run_tick(case.world, [case.ship], case.timing, tick):
+            events.append({"tick": tick + 1, "event": event.type})
         if (tick + 1) % every == 0 or tick + 1 == case.ticks:
             states.append(state(case.ship, tick + 1))
     if case.ship.body is not body:
@@ -56,12 +54,6 @@ def fixture(data: dict[str, Any]) -> dict[str, Any]:
         "states": states,
         "events": events,
     }
-
-
-def events_of_tick(case: Case, tick: int, inputs: list) -> list[str]:
-    happened: list[str] = []
-    run_tick(case.ship, case.world, case.timing, tick, inputs, lambda _, event: happened.append(event))
-    return [event for event in happened if event]
 
 
 def state(ship: Ship, tick: int) -> dict[str, Any]:
@@ -94,9 +86,11 @@ def to_text(data: dict[str, Any]) -> str:
 
 
 def main() -> None:
-    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "fixtures"
+    if len(sys.argv) != 3:
+        sys.exit("usage: python3 -m touchdown_service.fixtures SCENARIOS FOLDER")
+    folder = Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
-    scenarios = json.loads((HERE / "scenarios.json").read_text(encoding="utf-8"))
+    scenarios = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
     for data in scenarios:
         text = to_text(fixture(data))
         (folder / f"{data['name']}.json").write_text(text, encoding="utf-8", newline="\n")

@@ -1,7 +1,7 @@
 """Plays cases and prints what every substep came to, so that another implementation can be compared bit by bit.
 
-    python3 -m server.replay < cases.jsonl           one line a case: name, substeps, SHA-256 of all its rows
-    python3 -m server.replay --rows < cases.jsonl    one line a row: tick, substep, the row's bytes in hex
+    python3 -m touchdown_service.replay < cases.jsonl           one line a case: name, substeps, SHA-256 of all its rows
+    python3 -m touchdown_service.replay --rows < cases.jsonl    one line a row: tick, substep, the row's bytes in hex
 
 A row is the ship after a substep, as little-endian doubles in the columns of src/dynamics/layout.ts, then the event's number.
 After a tick's last substep comes a row for each body (substep -1): position, velocity, attitude.
@@ -52,15 +52,13 @@ def body_row(body: Body) -> bytes:
 
 def replay(case: Case, take_row: Callable[[int, int, bytes], Any]) -> int:
     """Plays the case from its start; returns the number of substeps."""
-    inputs = list(case.inputs)
     for tick in range(case.ticks):
         run_tick(
-            case.ship,
             case.world,
+            [case.ship],
             case.timing,
             tick,
-            inputs,
-            lambda s, event: take_row(tick, s, ship_row(case.ship, case, event)),
+            after_substep=lambda ship, s, event: take_row(tick, s, ship_row(ship, case, event)),
         )
         for body in case.world.bodies:
             take_row(tick, -1, body_row(body))

@@ -2,7 +2,7 @@ import { type BodyMotion, EVENT_NAMES, loadTiming } from '../../dynamics';
 import type { ServerFrame, ShipState, WorldEvent } from '../../wire';
 import { boundaryAt, forgetAfter as forgetBodiesAfter, knowsBoundary, tell } from './bodyTrack';
 import { type Clock, forgetSchedule, sampleDown, sentAt, steerByMargin } from '../time/clock';
-import { confirm, confirmByState, pruneLedger, retract } from '../events';
+import { confirm, confirmByState, knownEvent, pruneLedger, retract } from '../events';
 import { forgetAfter, has, offsetOf } from '../simulation/history';
 import { acknowledge, forgetRecords, type InputFate, prune } from '../inputs/inputs';
 import { reconcile, type SnapshotContext } from './reconcile';
@@ -288,11 +288,13 @@ function settleEvents(sim: Simulation, intake: Receiver, frame: ServerFrame, now
 
 function tellEvents(sim: Simulation, intake: Receiver, events: readonly WorldEvent[]): void {
   for (const event of events) {
+    const known = knownEvent(event);
+    if (known === null) continue;
     intake.tellsEvents = true;
     const track = sim.fleet.byId.get(event.shipId);
     if (track === undefined || event.tick < sim.newestTick - sim.ringLength || event.tick >= sim.newestTick)
       continue;
-    const notice = confirm(track.ledger, EVENT_NAMES.indexOf(event.type), event, sim.timeline);
+    const notice = confirm(track.ledger, known.event, known, sim.timeline);
     if (notice !== null) sim.notices.push(notice);
   }
 }

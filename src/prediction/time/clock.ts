@@ -224,12 +224,12 @@ export function advanceClock(clock: Clock, now: number, { deadZone, limit }: Pac
   const error = target - next;
   const jumps = clock.stepped ? error > STEP || error < -MAX_WAIT : Math.abs(error) > HARD_RESET;
   if (jumps || Number.isNaN(error)) return jumpTo(clock, target);
-  clock.present = next;
-  if (clock.stepped && error < -STEP) {
-    clock.present = Math.max(target, clock.present - elapsed * clock.rate);
+  // A present that is ahead of a server that stood waits for it, once it has begun to until it is there.
+  if (clock.stepped && error < -(clock.rate === 0 ? deadZone : STEP)) {
     clock.rate = 0;
     return false;
   }
+  clock.present = next;
   if (aim <= limit) clock.stepped = false;
   clock.slewing = Math.abs(error) > (clock.slewing ? Math.min(SLEWED, deadZone) : deadZone);
   clock.rate = clock.slewing ? 1 + Math.max(-MAX_SLEW, Math.min(MAX_SLEW, error / SLEW_TIME)) : 1;

@@ -1,4 +1,4 @@
-/** How a HUD looks, whatever it shows. */
+/** How a HUD looks, whatever it shows. Its container may have any width from 200 px. */
 export interface HudAppearance {
   /** Colours: dark over space (default), light, or as the reader's system is set. */
   readonly theme?: 'dark' | 'light' | 'system';

@@ -1,5 +1,16 @@
 import { POSITION, VELOCITY } from './layout';
-import { DT, END, GRAVITY, MASS, NORMAL, quantities as q, SMI_MASK, START, type Step, THRUST } from './quantities';
+import {
+  DT,
+  END,
+  GRAVITY,
+  MASS,
+  NORMAL,
+  quantities as q,
+  SMI_MASK,
+  START,
+  type Step,
+  THRUST,
+} from './quantities';
 import { readPlace } from './surface';
 
 /** Step 5 in the air: velocity Verlet under gravity and thrust. Leaves the place at END read. */

@@ -1,11 +1,4 @@
-import {
-  BODY_ANGULAR_VELOCITY,
-  IMPACT_SPEED,
-  POSITION,
-  SURFACE_STATE,
-  TIPPED,
-  VELOCITY,
-} from './layout';
+import { BODY_ANGULAR_VELOCITY, IMPACT_SPEED, POSITION, SURFACE_STATE, TIPPED, VELOCITY } from './layout';
 import {
   ALONG,
   COS_SLOPE,
@@ -78,11 +71,10 @@ export function isNearlyAtRest(surface: number, step: Step): boolean {
 export function isPinned(step: Step): boolean {
   readLoad(START);
   readAlong();
-  if (step.ships[(step.at & SMI_MASK) + SURFACE_STATE] !== TIPPED || !isNearlyAtRest(START, step)) return false;
+  if (step.ships[(step.at & SMI_MASK) + SURFACE_STATE] !== TIPPED || !isNearlyAtRest(START, step))
+    return false;
   const most = step.world.settings.contactFrictionStatic * q[LOAD]!;
-  return (
-    q[ALONG]! * q[ALONG]! + q[ALONG + 1]! * q[ALONG + 1]! + q[ALONG + 2]! * q[ALONG + 2]! <= most * most
-  );
+  return q[ALONG]! * q[ALONG]! + q[ALONG + 1]! * q[ALONG + 1]! + q[ALONG + 2]! * q[ALONG + 2]! <= most * most;
 }
 
 /** Step 4, of a ship in the ground: F_n, spring and damper; the load where it is pinned. */

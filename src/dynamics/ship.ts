@@ -71,7 +71,8 @@ export function writeShip(ships: Float64Array, at: number, ship: ShipInit, world
   ships.set(ship.angularVelocity, at + ANGULAR_VELOCITY);
   ships[at + FUEL] = ship.fuel;
   ships.set(ship.wheelMomentum ?? AT_REST, at + WHEEL_MOMENTUM);
-  ships[at + GROUND_CONTACT_OFFSET] = ship.groundContactOffset ?? world.shipClasses[shipClass]!.groundContactOffset;
+  ships[at + GROUND_CONTACT_OFFSET] =
+    ship.groundContactOffset ?? world.shipClasses[shipClass]!.groundContactOffset;
   ships[at + IMPACT_SPEED] = ship.contactImpactSpeed;
   ships[at + SURFACE_STATE] = SURFACE_STATES.indexOf(ship.surfaceContactState);
   ships[at + REFERENCE_BODY] = referenceBody;

@@ -56,7 +56,8 @@ export function readPenetration(surface: number, step: Step, bodyAxes: number): 
   q[to + BODY_NORMAL + 1] = by;
   q[to + BODY_NORMAL + 2] = bz;
   const ground = body.radius + step.world.terrainHeight(body.name, bx, by, bz);
-  q[to + PENETRATION] = ground + step.ships[(step.at & SMI_MASK) + GROUND_CONTACT_OFFSET]! - q[to + DISTANCE]!;
+  q[to + PENETRATION] =
+    ground + step.ships[(step.at & SMI_MASK) + GROUND_CONTACT_OFFSET]! - q[to + DISTANCE]!;
 }
 
 /** Fills the surface normal and the velocity relative to the ground at `surface`, whose penetration has been read. */

@@ -1,12 +1,12 @@
-import { ATTITUDE_MODES, type Controls, loadControls, NEUTRAL_CONTROLS } from '../dynamics';
+import { attitudeModeOf, type Controls, loadControls, NEUTRAL_CONTROLS } from '../dynamics';
 import type { galaxy } from './generated/codec.js';
 import { FINITE } from './limits';
-import { choiceIn, type Fields, flagIn, numberIn, type Reading, refuse } from './reading';
+import { type Fields, flagIn, numberIn, type Reading, refuse, textIn } from './reading';
 import { optionalQuaternionIn, optionalVectorIn, quaternionFields, vectorFields } from './vectors';
 
 /**
- * The six fields of Controls, which ShipState has too. One that is not sent is neutral; what is out of range is clamped
- * (DYNAMICS, Actuators).
+ * The six fields of Controls, which ShipState has too. One that is not sent is neutral; what is out of range is clamped, and an
+ * attitude mode that the law does not know is 'unknown' (DYNAMICS, Actuators).
  */
 export function readControlFields(r: Reading, from: Fields): Controls {
   const neutral = NEUTRAL_CONTROLS;
@@ -15,7 +15,7 @@ export function readControlFields(r: Reading, from: Fields): Controls {
     translationInput: optionalVectorIn(r, from, 'translation_input', FINITE) ?? neutral.translationInput,
     rotationInput: optionalVectorIn(r, from, 'rotation_input', FINITE) ?? neutral.rotationInput,
     attitudeHold: flagIn(r, from, 'attitude_hold'),
-    attitudeMode: choiceIn(r, from, 'attitude_mode', ATTITUDE_MODES, true),
+    attitudeMode: attitudeModeOf(textIn(r, from, 'attitude_mode') || 'none'),
     targetAttitude: optionalQuaternionIn(r, from, 'target_attitude') ?? neutral.targetAttitude,
   };
   const loaded = loadControls(sent);

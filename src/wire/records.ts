@@ -33,6 +33,10 @@ export interface ShipState {
   readonly fuel: number;
   /** kg */
   readonly mass: number;
+  /** What the reaction wheels have given so far, N m s, body axes; null when the server does not send it. */
+  readonly wheelMomentum: Vec3 | null;
+  /** Height of the centre of mass above the feet, m; null when the server does not send it: the class's then holds. */
+  readonly groundContactOffset: number | null;
   readonly landedBodyName: string;
   readonly surfaceContactState: SurfaceState;
   /** m/s; null when the server does not send field 31 (it sent no relative position either, and the field reads 0). */

@@ -109,7 +109,7 @@ describe('the reference body', () => {
 
   // Target 0. Bodies' places are doubles of 1.5e11 m, good to 15 µm; the change adds no more than one rounding of them.
   it('changes by no more than ICRF itself holds at 1 au', () => {
-    const moon = bodyNamed('Moon');
+    const moon = bodyNamed('Luna');
     const earth = bodyNamed('Earth');
     const place = placeBetween([moon, earth], [-3.6e8, -2e8, 1e6], [100, -50, 3]);
     const [position, velocity] = icrf(place);

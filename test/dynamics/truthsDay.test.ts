@@ -12,7 +12,7 @@ const TOLERANCES: readonly (readonly [string, number, number])[] = [
   ['Earth', 2e-6, 1.3e-11],
   ['Mars', 3e-6, 1e-11],
   ['Phobos', 2e-8, 3e-12],
-  ['Moon', 6e-4, 1e-10],
+  ['Luna', 6e-4, 1e-10],
 ];
 
 describe('a landed ship over a day', () => {

@@ -47,7 +47,7 @@ function speedOf(trial: Trial): number {
 }
 
 describe('free fall from 100 km over the Moon', () => {
-  const moon = still('Moon');
+  const moon = still('Luna');
   const mu = GRAVITATIONAL_CONSTANT * moon.mass;
 
   // Target 0: the Kepler solution. Semi-implicit Euler is g t dt / 2 ahead of it, the tolerance.
@@ -117,7 +117,7 @@ describe('the engine', () => {
 
   // Target 0: thrust of exactly the weight keeps the height. Today 4e-10 m in a second, as the fuel burnt is 20 kg of 16 t.
   it('hovers on a thrust that is the weight', () => {
-    const body = still('Moon');
+    const body = still('Luna');
     const weight = 16000 * gravityOn(body, 1004);
     const trial = createTrial({ body, height: 1000, controls: { thrustLevel: weight / 60000 } });
     const from = see(trial).height;

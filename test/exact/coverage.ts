@@ -2,12 +2,12 @@
 import {
   ATTITUDE,
   ATTITUDE_MODE,
-  ATTITUDE_MODES,
   CRASHED,
   EVENT_NAMES,
   FLYING,
   FUEL,
   LANDED,
+  modeName,
   POSITION,
   REFERENCE_BODY,
   SHIP_STRIDE,
@@ -57,8 +57,9 @@ function countSubstep(
   row: Float64Array,
   count: (key: string) => void,
 ): void {
-  count(`state ${SURFACE_STATES[row[SURFACE_STATE]!]!}/${ATTITUDE_MODES[row[ATTITUDE_MODE]!]!}`);
+  count(`state ${SURFACE_STATES[row[SURFACE_STATE]!]!}/${modeName(row[ATTITUDE_MODE]!)}`);
   count(`world ${settings.touchdownAttitude ?? 'aligned'}`);
+  if (row[SURFACE_STATE] !== FLYING) count(`ground ${settings.surfaceNormal ?? 'radial'}`);
   count(`world ${'name' in terrain ? terrain.name : 'bowl'}`);
   if (row[SURFACE_STATE] !== FLYING) count(`tilt ${tiltOf(row)}`);
 }

@@ -62,6 +62,8 @@ export const ship: fc.Arbitrary<ShipState> = fc
       angularVelocity: vector(1e6),
       fuel: kilograms,
       mass: kilograms,
+      wheelMomentum: fc.option(vector(1e25)),
+      groundContactOffset: fc.option(fc.double({ min: 0, max: 1e6, noNaN: true })),
       landedBodyName: text,
       surfaceContactState: fc.constantFrom(...SURFACE_STATES),
       referenceBody: text,
@@ -75,7 +77,7 @@ export const ship: fc.Arbitrary<ShipState> = fc
 const body: fc.Arbitrary<BodyState> = fc.record({
   name: named,
   mass: fc.double({ min: 1e-300, max: 1e40, noNaN: true }),
-  radius: fc.double({ min: 1e-300, max: 1e18, noNaN: true }),
+  radius: fc.double({ min: 1e-3, max: 1e18, noNaN: true }),
   position: vector(1e18),
   velocity: vector(1e9),
   attitude: quaternion,
@@ -84,7 +86,7 @@ const body: fc.Arbitrary<BodyState> = fc.record({
 
 const event = (before: number): fc.Arbitrary<WorldEvent> =>
   fc.record({
-    type: fc.constantFrom('ship.contact', 'ship.landed', 'ship.tipped', 'ship.righted', 'ship.crashed'),
+    type: fc.constantFrom('ship.contact', 'ship.landed', 'ship.tipped', 'ship.righted', 'ship.destroyed'),
     shipId: named,
     tick: fc.maxSafeNat().map((t) => Math.min(t, before)),
     substep,

@@ -18,6 +18,7 @@ import {
   stepWorld,
   TERRAINS,
   timingOfTick,
+  type Vec3,
   type World,
   writeBodyMotion,
   writeControls,
@@ -120,10 +121,13 @@ function runInterval(
     const reason = writeBodyMotion(bodies, i * BODY_STRIDE, motion);
     if (reason !== null) return err(`bodies.${name}.${reason}`);
   }
-  const reason = writeShip(row, 0, { ...start, ...comparedOf(start) }, world);
+  const reason = writeShip(row, 0, { ...start, ...comparedOf(start), groundContactOffset: heightOf(start, world) }, world);
   if (reason !== null) return err(reason);
   writeControls(row, 0, start);
-  const { substeps, dt } = timingOfTick(frame.timeScale / frame.tickRate);
+  const { substeps, dt } = timingOfTick(
+    frame.timeScale / frame.tickRate,
+    world.settings.contactLongestSubstep,
+  );
   const events: string[] = [];
   beginTick(row, bodies, world);
   for (let s = 0; s < substeps; s++) {
@@ -164,6 +168,13 @@ function all<Given, Loaded>(given: readonly Given[], load: (one: Given) => Resul
   return ok(loaded);
 }
 
+/** The ship's own height of its centre of mass, else its class's. */
+function heightOf({ groundContactOffset, shipClass }: ShipState, { shipClasses }: World): number {
+  return groundContactOffset ?? shipClasses.find(({ name }) => name === shipClass)?.groundContactOffset ?? 0;
+}
+
+const NO_MOMENTUM: Vec3 = [0, 0, 0];
+
 function comparedOf(
   state: ShipState,
 ): Compared & { relativePosition: NonNullable<ShipState['relativePosition']> } {
@@ -173,6 +184,7 @@ function comparedOf(
     attitude: state.attitude,
     angularVelocity: state.angularVelocity,
     fuel: state.fuel,
+    wheelMomentum: state.wheelMomentum ?? NO_MOMENTUM,
     contactImpactSpeed: state.contactImpactSpeed ?? 0,
   };
 }

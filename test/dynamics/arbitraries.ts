@@ -64,7 +64,7 @@ export const settings: fc.Arbitrary<Partial<Settings>> = fc
 export const shipClass: fc.Arbitrary<ShipClass> = fc
   .record({
     dryMass: magnitude(10, 1e7),
-    fuelShare: between(0, 3),
+    fuelShare: fc.oneof(fc.constant(0), between(1e-3, 3)),
     groundContactOffset: between(0.3, 15),
     standsOnIt: fc.boolean(),
     legShare: between(0.1, 2),

@@ -19,11 +19,11 @@ export function readSettings(r: Reading, from: Fields): Settings {
     contactFrictionStatic: sent('contact_friction_static', d.contactFrictionStatic),
     contactFrictionKinetic: sent('contact_friction_kinetic', d.contactFrictionKinetic),
     touchdownAttitude:
-      valueIn(from, 'touchdown_attitude') === undefined
+      valueIn(r, from, 'touchdown_attitude') === undefined
         ? d.touchdownAttitude
         : choiceIn(r, from, 'touchdown_attitude', ['aligned', 'kept'], false),
     surfaceNormal:
-      valueIn(from, 'surface_normal') === undefined
+      valueIn(r, from, 'surface_normal') === undefined
         ? d.surfaceNormal
         : choiceIn(r, from, 'surface_normal', ['radial', 'terrain'], false),
     contactLongestSubstep: sent('contact_longest_substep', d.contactLongestSubstep),

@@ -24,7 +24,7 @@ export function readShipClass(r: Reading, from: Fields): ShipClass {
     reactionWheelCapacity: optionalVectorIn(r, from, 'reaction_wheel_capacity', CLASS_FIGURE),
     attitudeNaturalFrequency: numberIn(r, from, 'attitude_natural_frequency', CLASS_FIGURE),
     dryInertiaRatio:
-      valueIn(from, 'dry_inertia_ratio') === undefined
+      valueIn(r, from, 'dry_inertia_ratio') === undefined
         ? null
         : numberIn(r, from, 'dry_inertia_ratio', CLASS_FIGURE),
   };

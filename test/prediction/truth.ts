@@ -6,6 +6,7 @@ import {
   endTick,
   EVENT_NAMES,
   NO_EVENT,
+  type ShipRecord,
   SHIP_STRIDE,
   spawnShip,
   stepWorld,
@@ -183,11 +184,11 @@ function rowsOf(ships: readonly ShipState[], world: World): Float64Array {
         relativeVelocity: ship.relativeVelocity!,
         wheelMomentum: ship.wheelMomentum!,
         groundContactOffset: ship.groundContactOffset!,
-      },
+      } as ShipRecord,
       world,
     );
     if (reason !== null) throw new Error(reason);
-    writeControls(rows, i * SHIP_STRIDE, ship);
+    writeControls(rows, i * SHIP_STRIDE, ship as Controls);
   }
   return rows;
 }

@@ -3,6 +3,7 @@ import {
   ATTITUDE,
   ATTITUDE_HOLD,
   ATTITUDE_MODE,
+  attitudeModeOf,
   BODY_POSITION,
   BODY_STRIDE,
   BODY_VELOCITY,
@@ -44,6 +45,8 @@ export function adopt(
 ): string | null {
   const shipClass = indexOfName(world.shipClasses, state.shipClass);
   if (shipClass < 0) return `shipClass: no class named ${state.shipClass}`;
+  if (indexIn(SURFACE_STATES, state.surfaceContactState) < 0)
+    return `surfaceContactState: no state named ${state.surfaceContactState}`;
   const told = state.referenceBody !== '' ? state.referenceBody : state.landedBodyName;
   const body = told !== '' ? indexOfName(world.bodies, told) : nearestBody(state, bodies, world);
   if (body < 0) return `referenceBody: no body named ${told}`;
@@ -54,9 +57,8 @@ export function adopt(
   for (let k = 0; k < 3; k++) row[ANGULAR_VELOCITY + k] = state.angularVelocity[k]!;
   row[FUEL] = state.fuel;
   for (let k = 0; k < 3; k++) row[WHEEL_MOMENTUM + k] = state.wheelMomentum?.[k] ?? Number.NaN;
-  row[GROUND_CONTACT_OFFSET] =
-    state.groundContactOffset ?? world.shipClasses[shipClass]!.groundContactOffset;
-  const named = SURFACE_STATES.indexOf(state.surfaceContactState);
+  row[GROUND_CONTACT_OFFSET] = state.groundContactOffset ?? world.shipClasses[shipClass]!.groundContactOffset;
+  const named = indexIn(SURFACE_STATES, state.surfaceContactState);
   const surface = named === FLYING && state.landedBodyName !== '' ? LANDED : named;
   row[SURFACE_STATE] = state.crashed ? FLYING : surface;
   row[IMPACT_SPEED] = surface === FLYING ? 0 : (state.contactImpactSpeed ?? Number.NaN);
@@ -88,7 +90,7 @@ function writeCommand(row: Float64Array, state: ShipState): void {
   for (let k = 0; k < 3; k++) row[TRANSLATION_INPUT + k] = state.translationInput[k]!;
   for (let k = 0; k < 3; k++) row[ROTATION_INPUT + k] = state.rotationInput[k]!;
   row[ATTITUDE_HOLD] = state.attitudeHold ? 1 : 0;
-  row[ATTITUDE_MODE] = modeNumber(state.attitudeMode);
+  row[ATTITUDE_MODE] = modeNumber(attitudeModeOf(state.attitudeMode));
   for (let k = 0; k < 4; k++) row[TARGET_ATTITUDE + k] = state.targetAttitude[k]!;
 }
 
@@ -120,6 +122,11 @@ function distanceSquared(state: ShipState, bodies: Float64Array, body: number): 
   const y = state.position[1] - bodies[at + 1]!;
   const z = state.position[2] - bodies[at + 2]!;
   return x * x + y * y + z * z;
+}
+
+/** Of a name that may be none of them: −1 then. */
+function indexIn(names: readonly string[], name: string): number {
+  return names.indexOf(name);
 }
 
 function indexOfName(named: readonly { readonly name: string }[], name: string): number {

@@ -56,7 +56,7 @@ export {
 /** Server truth + own controls -> a pose for now, the states shown and the events. */
 export {
   createPredictor,
-  createStandingPose,
+  createGroundedPose,
   type Diagnosis,
   type EventNotice,
   type GroundPose,
@@ -70,8 +70,8 @@ export {
   recordPredictor,
   replayEntries,
   type ShipView,
-  standOnGround,
-  type StandingPose,
+  snapToGround,
+  type GroundedPose,
   type WorldView,
 } from './prediction';
 

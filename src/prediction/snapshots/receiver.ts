@@ -144,7 +144,7 @@ function startAnew(sim: Simulation, intake: Receiver): void {
     track.ledger.entries.length = 0;
     track.serverTick = -1;
     track.mode = 'waiting';
-    track.hasHeld = false;
+    track.picture.hasHeld = false;
     track.replaying = false;
     track.replaySnaps = true;
   }
@@ -279,8 +279,8 @@ function settleEvents(sim: Simulation, intake: Receiver, frame: ServerFrame, now
       const notice = retract(ledger, frame.tick, sim.timeline);
       if (notice === null) break;
       sim.notices.push(notice);
-      track.status.withdrawn = EVENT_NAMES.indexOf(notice.type);
-      track.status.withdrawnUntil = now + WITHDRAWN_SHOWN;
+      track.picture.status.withdrawn = EVENT_NAMES.indexOf(notice.type);
+      track.picture.status.withdrawnUntil = now + WITHDRAWN_SHOWN;
     }
     pruneLedger(ledger, frame.tick - sim.ringLength);
   }

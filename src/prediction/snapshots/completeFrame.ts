@@ -26,7 +26,7 @@ export function completeFrame(
   const told = given.timeScale ?? null;
   const known = { ...given, tickRate, ships: listOf(given.ships), bodies: listOf(given.bodies) };
   const timeScale = measureGameTime(meter, known, told) ?? told ?? tellDefault(sim, 'timeScale', 1);
-  const timing = loadTiming(tickRate, timeScale);
+  const timing = loadTiming(tickRate, timeScale, sim.world.settings);
   if (!timing.ok) return err(`frame.${timing.reason}`);
   return ok({
     ...known,

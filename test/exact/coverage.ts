@@ -26,6 +26,20 @@ export interface Coverage {
   readonly follow: (exact: ExactCase) => TakeRow;
 }
 
+/** What has to occur, by the prefix of its key. */
+const KINDS = {
+  state: SURFACE_STATES.flatMap((state) => ATTITUDE_MODES.map((mode) => `${state}/${mode}`)),
+  event: EVENT_NAMES.slice(1),
+  world: ['aligned', 'kept', 'flat', 'hills', 'bowl'],
+  change: ['reference body', 'ran dry', 'launched'],
+  tilt: ['under 5', 'to 90', 'past 90', 'overhead'],
+} as const;
+
+/** How often the rarest of a kind occurred. */
+export function fewestOf({ counts }: Coverage, kind: keyof typeof KINDS): number {
+  return Math.min(...KINDS[kind].map((key) => counts.get(`${kind} ${key}`) ?? 0));
+}
+
 export function createCoverage(): Coverage {
   const counts = new Map<string, number>();
   const tickRates = new Set<number>();

@@ -66,7 +66,8 @@ export function caseToJson(exact: ExactCase): unknown {
   return withSnakeKeys(exact);
 }
 
-function withSnakeKeys(value: unknown): unknown {
+/** Plain data under the game's snake_case names. */
+export function withSnakeKeys(value: unknown): unknown {
   if (Array.isArray(value)) return value.map(withSnakeKeys);
   if (typeof value !== 'object' || value === null) return value;
   const entries = Object.entries(value).map(([key, held]) => [

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { describe, expect, it, vi } from 'vitest';
 import { compareFixture, readFixture, SCENARIOS } from '../../src/scenarios';
 import { MAY_SKIP, pythonVersion, SERVICE_TESTS, writeFixtures } from './python';
-import { SCENARIO_FILE, scenarioText } from './scenarioData';
+import { SCENARIO_FILE, scenarioText, WORLD_FILE, worldText } from './scenarioData';
 
 const COMMITTED = join(SERVICE_TESTS, 'fixtures');
 const withPython = pythonVersion() === null && MAY_SKIP ? it.skip : it;
@@ -20,6 +20,10 @@ vi.setConfig({ testTimeout: 120_000 });
 describe('the Python server’s trajectories', () => {
   it('are made from the rehearsals as they are (else: node test/run.mjs test/exact/writeScenarios.ts)', () => {
     expect(readFileSync(SCENARIO_FILE, 'utf8')).toBe(scenarioText());
+  });
+
+  it('fly in the catalogue’s world (else: the same command)', () => {
+    expect(readFileSync(WORLD_FILE, 'utf8')).toBe(worldText());
   });
 
   it('are there for every rehearsal', () => {

@@ -31,6 +31,7 @@ import { createLoggedSubstep, logSubstep } from '../touchdown/touchdownLog';
 import { keepLog, resizeLogs, type TouchdownRing } from '../touchdown/touchdownRing';
 import { copyRow, createFleet, type Fleet, type Track } from './track';
 import type { Diagnosis, EventNotice } from '../drawn/view';
+import type { Warn } from '../warnings';
 
 /**
  * What is simulated: all ships to one front, the first substep boundary at or after the present that is drawn. Plain data; the
@@ -53,17 +54,26 @@ export interface Simulation {
   /** Not yet told to listeners. */
   readonly notices: EventNotice[];
   readonly counters: Diagnosis;
+  /** Faults of the caller's or the server's that nothing has to stop for. */
+  readonly warn: Warn;
   /** Landed ships that agree cost no substep; off while rollbacks are forced, which compare bits. */
   readonly locks: boolean;
 }
 
-/** A world of which nothing has been told yet but where its bodies are, in its order. `plan`: of the own ship. */
+/** What a simulation is made with, beside its world. */
+export interface SimulationOptions {
+  readonly counters: Diagnosis;
+  readonly warn: Warn;
+  readonly locks: boolean;
+  /** What the own ship does by itself. */
+  readonly plan: readonly ScheduledInput[];
+}
+
+/** A simulation of `world` without any ship or time yet. `bodies`: where they are, in the world's order. */
 export function createSimulation(
   world: World,
   bodies: readonly BodyMotion[],
-  counters: Diagnosis,
-  locks: boolean,
-  plan: readonly ScheduledInput[] = [],
+  { counters, warn, locks, plan }: SimulationOptions,
 ): Simulation {
   const start = new Float64Array(bodies.length * BODY_STRIDE);
   for (const [i, motion] of bodies.entries()) writeBodyMotion(start, i * BODY_STRIDE, motion);
@@ -80,6 +90,7 @@ export function createSimulation(
     newestTick: -1,
     notices: [],
     counters,
+    warn,
     locks,
   };
 }

@@ -26,6 +26,8 @@ export interface Receiver {
   /** Ticks of frames taken in, slot = tick mod length. */
   readonly seen: Float64Array;
   acceptedAt: number;
+  /** Ships that were taken out by name, with the newest tick then: states of such ticks do not bring them back. */
+  readonly removed: Map<string, number>;
 }
 
 /** Ships that a frame may bring; more are refused by the wire already. */
@@ -44,7 +46,17 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     fresh: true,
     seen: new Float64Array(1024).fill(-1),
     acceptedAt: Number.NEGATIVE_INFINITY,
+    removed: new Map(),
   };
+}
+
+/** Nothing that was received before says anything of what comes. */
+export function forgetPast(receiver: Receiver): void {
+  receiver.jumpTick = -1;
+  receiver.fresh = true;
+  receiver.seen.fill(-1);
+  receiver.acceptedAt = Number.NEGATIVE_INFINITY;
+  receiver.removed.clear();
 }
 
 type Fate = 'newest' | 'again' | 'older' | 'duplicate' | 'tooOld' | 'future' | 'jump';
@@ -202,6 +214,11 @@ const word: SnapshotContext = {
 };
 
 function takeShip(sim: Simulation, intake: Receiver, frame: ServerFrame, state: ShipState): void {
+  const removedAt = intake.removed.get(state.shipId);
+  if (removedAt !== undefined) {
+    if (frame.tick <= removedAt) return;
+    intake.removed.delete(state.shipId);
+  }
   const track = sim.fleet.byId.get(state.shipId) ?? addTrack(sim.fleet, state.shipId, sim.ringLength);
   track.own = state.shipId === intake.ownShipId;
   if (track.own) sim.fleet.own = track;

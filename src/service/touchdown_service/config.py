@@ -2,6 +2,9 @@
 
 from dataclasses import dataclass, field, fields
 from math import ceil
+from typing import Any
+
+from .limits import ANY, Range, Refusal, known_fields, mapping, number, one_of
 
 RADIANS_PER_DEGREE = 3.141592653589793 / 180
 
@@ -28,13 +31,49 @@ class Config:
         object.__setattr__(self, "cos_tipped_angle", cosine_of_degrees(self.contact_tipped_angle_deg))
 
 
-def load_config(overrides: dict[str, float | str]) -> Config:
-    """Defaults where nothing is said. Raises ValueError for a name that is no setting."""
-    known = {f.name for f in fields(Config) if f.init}
-    unknown = sorted(set(overrides) - known)
-    if unknown:
-        raise ValueError(f"{unknown[0]}: no such setting")
-    return Config(**overrides)
+def load_config(given: Any, path: str = "settings") -> Config:
+    """Defaults where nothing is said. Raises Refusal by the name of the setting that cannot be used."""
+    mapping(given, path)
+    known_fields(given, frozenset(f.name for f in fields(Config) if f.init), path)
+    values = {f.name: f.default for f in fields(Config) if f.init} | given
+    settings: dict[str, Any] = {
+        name: value if name in NAMED else number(value, f"{path}.{name}", RANGES.get(name, ANY))
+        for name, value in values.items()
+    }
+    for name, names in NAMED.items():
+        settings[name] = one_of(values[name], f"{path}.{name}", names)
+    check_order(settings, path)
+    return Config(**settings)
+
+
+NAMED = {"touchdown_attitude": ("aligned", "kept")}
+POSITIVE_SPEED = Range(0, 1e9, "m/s", is_open=True)
+RANGES = {
+    "contact_crash_speed": POSITIVE_SPEED,
+    "contact_bounce_speed": POSITIVE_SPEED,
+    "contact_settle_linear_vel": POSITIVE_SPEED,
+    "contact_settle_angular_vel": Range(0, 1e6, "rad/s", is_open=True),
+    "contact_settle_tilt_deg": Range(0, 90, "degrees", is_open=True),
+    "contact_tipped_angle_deg": Range(0, 90, "degrees", is_open=True),
+    "contact_damping_ratio": Range(0, 1, "", is_open=True),
+    "contact_friction_static": Range(0, 2, ""),
+    "contact_friction_kinetic": Range(0, 2, ""),
+}
+
+
+def check_order(settings: dict[str, Any], path: str) -> None:
+    """Limits that depend on one another."""
+    below = (
+        ("contact_bounce_speed", "<", "contact_crash_speed"),
+        ("contact_settle_tilt_deg", "<", "contact_tipped_angle_deg"),
+        ("contact_friction_kinetic", "<=", "contact_friction_static"),
+    )
+    for name, sign, other in below:
+        value, most = settings[name], settings[other]
+        if not (value < most or (sign == "<=" and value == most)):
+            raise Refusal(f"{path}.{name}: expected {sign} {other} ({most:g}), got {value:g}")
+    if not settings["contact_tipped_angle_deg"] < 90:
+        raise Refusal(f"{path}.contact_tipped_angle_deg: expected < 90 degrees")
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,9 +85,13 @@ class Timing:
     dt: float
 
 
-def load_timing(tick_rate: float, time_scale: float) -> Timing:
+TICK_RATE = Range(0.1, 100, "Hz")
+TIME_SCALE = Range(0.1, 100, "")
+
+
+def load_timing(tick_rate: Any, time_scale: Any) -> Timing:
     """tick_rate 0.1 to 100 Hz, time_scale 0.1 to 100."""
-    return timing_of_tick(time_scale / tick_rate)
+    return timing_of_tick(number(time_scale, "time_scale", TIME_SCALE) / number(tick_rate, "tick_rate", TICK_RATE))
 
 
 def timing_of_tick(tick_seconds: float) -> Timing:

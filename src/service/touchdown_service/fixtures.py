@@ -12,7 +12,7 @@ from math import ceil
 from pathlib import Path
 from typing import Any
 
-from .cases import Case, load_case
+from .cases import load_case
 from .models import Ship
 from .simulation import run_tick
 from .vectors import add
@@ -28,12 +28,11 @@ def fixture(data: dict[str, Any]) -> dict[str, Any]:
     timing = case.timing
     every = ceil(case.ticks / STATES)
     initial = state(case.ship, 0)
-    inputs = list(case.inputs)
     states = []
     events = []
     for tick in range(case.ticks):
-        for event in events_of_tick(case, tick, inputs):
-            events.append({"tick": tick + 1, "event": event})
+        for event in run_tick(case.world, [case.ship], case.timing, tick):
+            events.append({"tick": tick + 1, "event": event.type})
         if (tick + 1) % every == 0 or tick + 1 == case.ticks:
             states.append(state(case.ship, tick + 1))
     if case.ship.body is not body:
@@ -55,12 +54,6 @@ def fixture(data: dict[str, Any]) -> dict[str, Any]:
         "states": states,
         "events": events,
     }
-
-
-def events_of_tick(case: Case, tick: int, inputs: list) -> list[str]:
-    happened: list[str] = []
-    run_tick(case.ship, case.world, case.timing, tick, inputs, lambda _, event: happened.append(event))
-    return [event for event in happened if event]
 
 
 def state(ship: Ship, tick: int) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from .config import Config
-from .vectors import Mat3, Quat, Vec3, axes_of
+from .vectors import Mat3, Quat, Vec3
 
 GRAVITATIONAL_CONSTANT = 6.6743e-11
 STANDARD_GRAVITY = 9.80665
@@ -32,7 +32,7 @@ TerrainHeight = Callable[[str, float, float, float], float]
 
 @dataclass(slots=True)
 class ShipClass:
-    """A class as the game names it, and what is computed of it once."""
+    """A class as the game names it (checked by loading.load_ship_class), and what is computed of it once."""
 
     name: str
     dry_mass: float
@@ -69,6 +69,10 @@ class ShipClass:
         )
 
 
+# A body over one substep: its axes at the start and at the end, and the rotation of ground-bound ships between them.
+BodyStep = tuple[Mat3, Mat3, Quat]
+
+
 @dataclass(slots=True)
 class Body:
     """A celestial body: it moves by its velocity once a tick and turns by its angular velocity once a substep."""
@@ -81,19 +85,12 @@ class Body:
     attitude: Quat
     angular_velocity: Vec3
     mu: float = field(init=False)
-    # At the substep's start and end, and the rotation of ground-bound ships between them.
-    axes: Mat3 = field(init=False)
-    end_attitude: Quat = field(init=False)
-    end_axes: Mat3 = field(init=False)
-    turn: Quat = field(init=False)
 
     def __post_init__(self) -> None:
         self.mu = GRAVITATIONAL_CONSTANT * self.mass
-        self.axes = self.end_axes = axes_of(self.attitude)
-        self.end_attitude = self.attitude
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Controls:
     """What the pilot commands, as the server takes it: clamped, the target normalized."""
 
@@ -103,6 +100,34 @@ class Controls:
     attitude_hold: bool = False
     attitude_mode: str = "none"
     target_attitude: Quat = (0.0, 0.0, 0.0, 1.0)
+
+
+NEUTRAL = Controls()
+
+
+@dataclass(slots=True)
+class Input:
+    """A change of controls that holds from the start of a substep on; session and seq say whose it is."""
+
+    tick: int
+    substep: int
+    change: dict[str, object]
+    session: str = ""
+    seq: int = 0
+    # Wall seconds, by Redis's clock.
+    arrived: float = 0.0
+
+
+@dataclass(slots=True)
+class Applied:
+    """The last input that a ship was given."""
+
+    session: str
+    seq: int
+    tick: int
+    substep: int
+    # Wall seconds before its interval was simulated; negative: late.
+    margin: float
 
 
 @dataclass(slots=True)
@@ -119,7 +144,15 @@ class Ship:
     impact_speed: float = 0.0
     surface_contact_state: str = FLYING
     crashed: bool = False
-    controls: Controls = field(default_factory=Controls)
+    controls: Controls = NEUTRAL
+    ship_id: str = ""
+    player_id: str = ""
+    name: str = ""
+    # A touch now would not be the initial one: it follows a bounce (REDIS.md, Initial touch).
+    touched: bool = False
+    # In the order they are due.
+    pending: list[Input] = field(default_factory=list)
+    applied: Applied | None = None
 
     @property
     def landed_body_name(self) -> str:
@@ -133,6 +166,20 @@ class World:
     config: Config
     bodies: list[Body]
     terrain_height: TerrainHeight
+
+
+@dataclass(slots=True)
+class Event:
+    """What happened to a ship in a substep of the interval that begins at `tick`."""
+
+    tick: int
+    substep: int
+    type: str
+    ship: Ship
+    body: str
+    # Of a touch: it follows a bounce, and its speed, m/s.
+    again: bool = False
+    impact_speed: float = 0.0
 
 
 def inverse(m: Mat3) -> Mat3:

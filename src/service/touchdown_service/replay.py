@@ -52,15 +52,13 @@ def body_row(body: Body) -> bytes:
 
 def replay(case: Case, take_row: Callable[[int, int, bytes], Any]) -> int:
     """Plays the case from its start; returns the number of substeps."""
-    inputs = list(case.inputs)
     for tick in range(case.ticks):
         run_tick(
-            case.ship,
             case.world,
+            [case.ship],
             case.timing,
             tick,
-            inputs,
-            lambda s, event: take_row(tick, s, ship_row(case.ship, case, event)),
+            after_substep=lambda ship, s, event: take_row(tick, s, ship_row(ship, case, event)),
         )
         for body in case.world.bodies:
             take_row(tick, -1, body_row(body))

@@ -1,62 +1,111 @@
-"""The world loop of the physics service: bodies, ships, inputs due, events."""
+"""The world's tick: every body, every ship, the inputs due, the events."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from .config import Timing
 from .contact import substep
-from .models import FLYING, Body, Controls, Ship, World
+from .models import FLYING, Applied, Body, BodyStep, Event, Input, Ship, World
 from .vectors import add, axes_of, dot, scale, small_rotation, subtract, turned
 
+AfterSubstep = Callable[[Ship, int, str], None]
 
-@dataclass(slots=True)
-class Input:
-    """Controls that hold from the start of a substep on."""
-
-    tick: int
-    substep: int
-    controls: Controls
+# Substeps that are run ship by ship; it bounds the memory of a tick of 100,000.
+BLOCK = 1000
 
 
-@dataclass(slots=True)
-class Event:
-    """What happened in a substep of the interval that begins at `tick`."""
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Consecutive substeps of a tick from `first` on, and how the reference body lies in each."""
 
     tick: int
-    substep: int
-    type: str
+    first: int
+    dt: float
+    # Wall seconds at which the tick's end is due.
+    due: float
+    steps: list[BodyStep]
 
 
 def run_tick(
-    ship: Ship,
     world: World,
+    ships: list[Ship],
     timing: Timing,
     tick: int,
-    inputs: list[Input],
-    after_substep: Callable[[int, str], None],
-) -> None:
-    """One tick of one ship; takes the inputs that are due from the front of `inputs`."""
-    choose_reference_body(ship, world.bodies)
-    for s in range(timing.substeps):
-        while inputs and (inputs[0].tick, inputs[0].substep) <= (tick, s):
-            ship.controls = inputs.pop(0).controls
-        for body in world.bodies:
-            turn_body(body, timing.dt)
-        event = substep(ship, world, timing.dt)
-        for body in world.bodies:
-            body.attitude = body.end_attitude
-            body.axes = body.end_axes
-        after_substep(s, event)
+    due: float = 0.0,
+    after_substep: AfterSubstep | None = None,
+) -> list[Event]:
+    """Moves the world from boundary `tick` to the next; the events in the order in which they happened.
+
+    Ships do not touch one another, so each runs through all its substeps at once. `due` is the wall second at which the
+    interval's end is due, by the clock of Input.arrived; `after_substep(ship, substep, event)` sees every substep.
+    """
+    for ship in ships:
+        choose_reference_body(ship, world.bodies)
+    events: list[Event] = []
+    for first in range(0, timing.substeps, BLOCK):
+        count = min(BLOCK, timing.substeps - first)
+        steps = {body.name: turn_body(body, timing.dt, count) for body in world.bodies}
+        for ship in ships:
+            span = Span(tick, first, timing.dt, due, steps[ship.body.name])
+            events += run_ship(ship, world, span, after_substep)
     for body in world.bodies:
         body.position = add(body.position, scale(body.velocity, timing.tick_seconds))
+    events.sort(key=lambda event: event.substep)  # stable: ships of one substep stay in their order
+    return events
 
 
-def turn_body(body: Body, dt: float) -> None:
-    """Step 7: where the body's attitude will be at the substep's end."""
+def run_ship(
+    ship: Ship, world: World, span: Span, after_substep: AfterSubstep | None
+) -> list[Event]:
+    """One ship through consecutive substeps of a tick."""
+    tick, dt = span.tick, span.dt
+    events = []
+    pending = ship.pending
+    for s, step in enumerate(span.steps, span.first):
+        while pending and (pending[0].tick, pending[0].substep) <= (tick, s):
+            apply_input(ship, pending.pop(0), (tick, s), span.due)
+        event = substep(ship, world, step, dt)
+        if event:
+            events.append(event_of(ship, event, tick, s))
+        if after_substep:
+            after_substep(ship, s, event)
+    return events
+
+
+def event_of(ship: Ship, type: str, tick: int, s: int) -> Event:
+    again = False
+    if type == "ship.contact":
+        again = ship.touched
+        ship.touched = True
+    elif type == "ship.landed":
+        ship.touched = False
+    return Event(tick, s, type, ship, ship.body.name, again, ship.impact_speed)
+
+
+def apply_input(ship: Ship, given: Input, at: tuple[int, int], due: float) -> None:
+    """What was overtaken by an input of a higher number is dropped."""
+    last = ship.applied
+    if given.seq and last and last.session == given.session and given.seq <= last.seq:
+        return
+    ship.controls = replace(ship.controls, **given.change)
+    if given.seq:
+        ship.applied = Applied(given.session, given.seq, *at, due - given.arrived)
+
+
+def turn_body(body: Body, dt: float, substeps: int) -> list[BodyStep]:
+    """Step 7 for several substeps: turns the body, and says how it lies in each."""
     half_turn = scale(body.angular_velocity, 0.5 * dt)
-    body.turn = small_rotation(half_turn)
-    body.end_attitude = turned(body.attitude, half_turn)
-    body.end_axes = axes_of(body.end_attitude)
+    turn = small_rotation(half_turn)
+    attitude = body.attitude
+    axes = axes_of(attitude)
+    steps = []
+    for _ in range(substeps):
+        attitude = turned(attitude, half_turn)
+        end_axes = axes_of(attitude)
+        steps.append((axes, end_axes, turn))
+        axes = end_axes
+    body.attitude = attitude
+    return steps
 
 
 def choose_reference_body(ship: Ship, bodies: list[Body]) -> None:

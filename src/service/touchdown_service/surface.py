@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import sqrt
 
 from .models import Ship, World
-from .vectors import Mat3, Vec3, cross, product, rotate_back
+from .vectors import Mat3, Quat, Vec3, cross, product, rotate_back
 
 
 @dataclass(slots=True)
@@ -46,9 +46,9 @@ def surface_below(ship: Ship, world: World, body_axes: Mat3) -> Surface:
     return Surface(normal, penetration, radial, (tx, ty, tz), slide, body.mu / squared)
 
 
-def turn_place_with_ground(ship: Ship) -> None:
+def turn_place_with_ground(ship: Ship, turn: Quat) -> None:
     """Landed or pinned: position and velocity turn with the body over the substep."""
-    ax, ay, az, aw = ship.body.turn
+    ax, ay, az, aw = turn
     x, y, z = ship.position
     tx, ty, tz = cross((ax, ay, az), ship.position)
     cx, cy, cz = cross((ax, ay, az), (tx, ty, tz))
@@ -57,9 +57,9 @@ def turn_place_with_ground(ship: Ship) -> None:
     ship.velocity = ground_velocity(ship)
 
 
-def turn_attitude_with_ground(ship: Ship) -> None:
+def turn_attitude_with_ground(ship: Ship, turn: Quat) -> None:
     """Landed: attitude and spin go with the body too."""
-    ship.attitude = product(ship.body.turn, ship.attitude)
+    ship.attitude = product(turn, ship.attitude)
     ship.angular_velocity = ship.body.angular_velocity
 
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from math import sqrt
 
+from .limits import one_of
 from .models import TerrainHeight
 from .noise import crater, noise
 from .vectors import Vec3
@@ -75,3 +76,7 @@ def bowl(base: float, amplitude: float, axis: Vec3) -> TerrainHeight:
 
 
 TERRAINS: dict[str, TerrainHeight] = {"flat": flat, "hills": hills}
+
+
+def load_terrain_name(name: object, path: str) -> TerrainHeight:
+    return TERRAINS[one_of(name, path, tuple(TERRAINS))]

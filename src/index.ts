@@ -1,21 +1,23 @@
 /**
- * The door for the game's client: everything it needs, and what each part is for. See prediction/README.md for the one page that
- * replaces the gravity-only extrapolation.
+ * The core of the library: contact dynamics, prediction, the game's JSON and the numbers a pilot reads. No DOM, no three.js, no
+ * protobuf; further doors are `/protobuf`, `/hud`, `/scene` and `/game`. See GUIDE.md in src/example.
+ *
+ * Everywhere: SI units and radians, ICRF axes, quaternions in the order [x, y, z, w].
+ * @packageDocumentation
  */
 
 /** The law of motion and contact: the same bits as the server's. */
 export {
-  BODIES,
   type Body,
+  BODIES,
   type BodyMotion,
-  type Result,
   type Controls,
   DEFAULT_SETTINGS,
-  loadControls,
   type LoadedSettings,
   type LoadedShipClass,
   NEUTRAL_CONTROLS,
   type Quat,
+  type Result,
   type Settings,
   SHIP_CLASSES,
   type ShipClass,
@@ -26,31 +28,29 @@ export {
   type Vec3,
 } from './dynamics';
 
-/** Bytes and the game's JSON <-> checked records: nothing unchecked goes further in. */
+/** The game's JSON <-> checked records: nothing unchecked goes further in. */
 export {
   type BodyState,
   type ClientMessage,
-  decodeServerMessage,
   decodeShipStateJson,
   decodeShipStatesJson,
-  encodeClientMessage,
   encodeShipStateJson,
   type Hello,
   type InputRecord,
+  type Pong,
   type ServerFrame,
   type ServerMessage,
   type ShipState,
+  type ShipStateJson,
   type WorldEvent,
 } from './wire';
 
 /** Server truth + own controls -> a pose for now, the states shown and the events. */
 export {
   createPredictor,
-  createStandingPose,
+  type Defaults,
   type Diagnosis,
   type EventNotice,
-  type GroundPose,
-  type GroundRadius,
   type Hull,
   hullOf,
   type Predictor,
@@ -59,14 +59,30 @@ export {
   type Provenance,
   recordPredictor,
   replayEntries,
+  type ScheduledInput,
   type ShipView,
-  standOnGround,
-  type StandingPose,
+  type TouchdownView,
   type WorldView,
 } from './prediction';
 
 /** The numbers a pilot reads, from a view. */
-export * from './readout';
-
-/** The landing and fleet displays: painting only, of those numbers. */
-export * from './hud';
+export {
+  createFleetReadout,
+  createLandingReadout,
+  type Descent,
+  type Drift,
+  type FleetReadout,
+  type FleetRow,
+  type Gate,
+  type Gates,
+  type LandingReadout,
+  type Righting,
+  STATUS_LOOKS,
+  type StatusId,
+  type StatusLook,
+  type Tilt,
+  type TipMargin,
+  type Touchdown,
+  updateFleetReadout,
+  updateLandingReadout,
+} from './readout';

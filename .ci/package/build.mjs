@@ -4,9 +4,9 @@ import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { generateDtsBundle } from 'dts-bundle-generator';
 import { build } from 'vite';
 import { pure } from './pure.mjs';
+import { writeTypes } from './types.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const out = join(root, 'dist/package');
@@ -25,30 +25,39 @@ const BUNDLED = ['gl-matrix', 'protobufjs', 'long'];
 
 const manifest = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
 const names = Object.keys(DOORS).filter((door) => existsSync(join(root, DOORS[door])));
+const doors = Object.fromEntries(names.map((door) => [door, DOORS[door]]));
 
-async function buildCode() {
+/** Rooms that several doors need. */
+const SHARED_ROOMS = ['dynamics', 'wire', 'readout'];
+
+const SHARED = { configFile: false, root, logLevel: 'warn', publicDir: false };
+
+/** One format at a time: a CommonJS file shares nothing with a module. */
+async function buildCode(format) {
+  const extension = format === 'es' ? 'js' : 'cjs';
   await build({
-    configFile: false,
-    root,
-    logLevel: 'warn',
-    publicDir: false,
+    ...SHARED,
     plugins: [pure(join(root, 'src/'))],
     build: {
       target: 'es2022',
       outDir: out,
-      emptyOutDir: true,
+      emptyOutDir: format === 'es',
       minify: false,
       sourcemap: true,
-      lib: { entry: Object.fromEntries(names.map((door) => [door, DOORS[door]])), formats: ['es', 'cjs'] },
+      lib: { entry: doors, formats: [format] },
       rolldownOptions: {
         external: [/^three($|\/)/],
         treeshake: { moduleSideEffects: [{ test: /\/src\/.*\.[jt]s$/, sideEffects: false }] },
-        output: ['es', 'cjs'].map((format) => {
-          const extension = format === 'es' ? 'js' : 'cjs';
-          const files = { entryFileNames: `[name].${extension}`, chunkFileNames: `chunks/[name].${extension}` };
+        output: {
+          entryFileNames: `[name].${extension}`,
+          chunkFileNames: `chunks/[name].${extension}`,
           // Top-level constants stay `const`: as `var` the engine loads the law's scratch arrays anew at every access.
-          return { format, ...files, topLevelVar: false };
-        }),
+          topLevelVar: false,
+          // By room, so that the law's loops stay within one file, and none is loaded for another's sake.
+          codeSplitting: {
+            groups: SHARED_ROOMS.map((name) => ({ name, test: `/src/${name}/`, minShareCount: 2 })),
+          },
+        },
       },
     },
   });
@@ -56,32 +65,17 @@ async function buildCode() {
 
 async function buildStyles() {
   await build({
-    configFile: false,
-    root,
-    logLevel: 'warn',
-    publicDir: false,
+    ...SHARED,
     build: {
       outDir: out,
       emptyOutDir: false,
       cssMinify: false,
-      rolldownOptions: { input: join(root, 'src/hud/hud.css'), output: { assetFileNames: '[name][extname]' } },
+      rolldownOptions: {
+        input: join(root, 'src/hud/hud.css'),
+        output: { assetFileNames: '[name][extname]' },
+      },
     },
   });
-}
-
-/** One declaration file per door, which names nothing outside itself but three. */
-function writeTypes() {
-  const entries = names.map((name) => ({
-    filePath: join(root, DOORS[name]),
-    output: { noBanner: true, exportReferencedTypes: false },
-    libraries: { importedLibraries: ['three'] },
-  }));
-  const bundles = generateDtsBundle(entries, { preferredConfigPath: join(root, 'tsconfig.json') });
-  for (const [i, name] of names.entries()) {
-    // TypeScript before 5.7 has no generic typed arrays; from 5.7 on the plain name means the same here.
-    const types = bundles[i].replace(/\b((?:Uint|Int|Float)\d+Array)<ArrayBuffer(?:Like)?>/g, '$1');
-    for (const extension of ['d.ts', 'd.cts']) writeFileSync(join(out, `${name}.${extension}`), types);
-  }
 }
 
 /** Where the code lives: the clone's origin where it has a public one, else what package.json says. */
@@ -96,14 +90,18 @@ function writeManifest() {
     import: { types: `./${door}.d.ts`, default: `./${door}.js` },
     require: { types: `./${door}.d.cts`, default: `./${door}.cjs` },
   });
-  const doors = names.map((door) => [door === 'index' ? '.' : `./${door}`, conditions(door)]);
+  const entries = names.map((door) => [door === 'index' ? '.' : `./${door}`, conditions(door)]);
   const { name, version, description, keywords, license, engines } = manifest;
   const packed = {
     ...{ name, version, description, keywords, license, repository: repository(), type: 'module', engines },
     sideEffects: ['./hud.css'],
     exports: {
-      ...Object.fromEntries(doors),
-      './hud.css': './hud.css',
+      ...Object.fromEntries(entries),
+      // Declared, since TypeScript 6 asks for it where a style sheet is imported.
+      './hud.css': {
+        import: { types: './hud.css.d.ts', default: './hud.css' },
+        require: { types: './hud.css.d.cts', default: './hud.css' },
+      },
       './package.json': './package.json',
     },
     ...{ main: './index.cjs', module: './index.js', types: './index.d.ts' },
@@ -127,9 +125,11 @@ function writeNotices() {
 
 /** Builds the package; throws with what is wrong. */
 export async function buildPackage() {
-  await buildCode();
+  await buildCode('es');
+  await buildCode('cjs');
   await buildStyles();
-  writeTypes();
+  for (const file of ['hud.css.d.ts', 'hud.css.d.cts']) writeFileSync(join(out, file), 'export {};\n');
+  await writeTypes(root, doors, out);
   writeManifest();
   writeNotices();
   for (const file of ['LICENSE', 'CHANGELOG.md']) cpSync(join(root, file), join(out, file));

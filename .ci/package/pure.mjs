@@ -3,33 +3,53 @@
 import { parseAst } from 'vite';
 
 const MARK = '/* @__PURE__ */ ';
-const FUNCTIONS = new Set(['FunctionDeclaration', 'FunctionExpression', 'ArrowFunctionExpression', 'ClassBody']);
+const FUNCTIONS = new Set([
+  'FunctionDeclaration',
+  'FunctionExpression',
+  'ArrowFunctionExpression',
+  'ClassBody',
+]);
+const COMPOSED = new Set(['ObjectExpression', 'ArrayExpression', 'CallExpression', 'NewExpression']);
 
-/** Offsets of the calls and constructions below `node` that run when the module loads. */
-function callsAt(node, found) {
+/** Calls `visit` with each node below `node` that is evaluated when the module loads. */
+function walk(node, visit) {
   if (node === null || typeof node !== 'object' || FUNCTIONS.has(node.type)) return;
-  if (Array.isArray(node)) {
-    for (const one of node) callsAt(one, found);
-    return;
-  }
-  if (node.type === 'CallExpression' || node.type === 'NewExpression') found.push(node.start);
-  for (const [key, value] of Object.entries(node)) if (key !== 'type') callsAt(value, found);
+  if (typeof node.type === 'string') visit(node);
+  for (const value of Array.isArray(node) ? node : Object.values(node)) walk(value, visit);
 }
 
 function initialisers(program) {
   return program.body
     .map((statement) => (statement.type === 'ExportNamedDeclaration' ? statement.declaration : statement))
     .filter((statement) => statement?.type === 'VariableDeclaration')
-    .flatMap(({ declarations }) => declarations.map(({ init }) => init));
+    .flatMap(({ declarations }) => declarations.map(({ init }) => init))
+    .filter((init) => init !== null);
 }
 
-/** Code with the mark before each call in a top-level initialiser. */
+/** [offset, text] to insert for one initialiser. */
+function insertions(init) {
+  const calls = [];
+  let mayRun = false;
+  walk(init, ({ type, start }) => {
+    if (type === 'CallExpression' || type === 'NewExpression') calls.push(start);
+    mayRun ||= type === 'MemberExpression' || type === 'SpreadElement';
+  });
+  // To a bundler a member or a spread may run code: only a call as a whole can be marked. A number must stay one, to be inlined.
+  if (mayRun && COMPOSED.has(init.type)) {
+    return [
+      [init.start, `${MARK}(() => (`],
+      [init.end, '))()'],
+    ];
+  }
+  return [...new Set(calls)].map((at) => [at, MARK]);
+}
+
+/** Code whose top-level initialisers may be dropped where nothing uses them. */
 export function markPure(code) {
-  const found = [];
-  callsAt(initialisers(parseAst(code)), found);
-  let marked = code;
-  for (const at of [...new Set(found)].sort((a, b) => b - a)) marked = marked.slice(0, at) + MARK + marked.slice(at);
-  return marked;
+  const all = initialisers(parseAst(code)).flatMap(insertions);
+  return all
+    .sort(([a], [b]) => b - a)
+    .reduce((text, [at, mark]) => text.slice(0, at) + mark + text.slice(at), code);
 }
 
 /** The vite plugin, for modules of the folder `src` alone. */
@@ -38,6 +58,6 @@ export const pure = (src) => ({
   enforce: 'post',
   transform(code, id) {
     // No line moves: the source map made so far stays good to the line.
-    return id.startsWith(src) && /\.ts$/.test(id) ? { code: markPure(code), map: null } : null;
+    return id.startsWith(src) && id.endsWith('.ts') ? { code: markPure(code), map: null } : null;
   },
 });

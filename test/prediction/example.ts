@@ -1,12 +1,11 @@
 import {
   type Controls,
   createPredictor,
-  decodeServerMessage,
   decodeShipStatesJson,
-  encodeClientMessage,
   type ServerMessage,
   type WorldView,
 } from '../../src';
+import { decodeServerMessage, encodeClientMessage } from '../../src/protobuf';
 
 // #region protobuf
 const predictor = createPredictor({ ownShipId: 'my-ship' });

@@ -32,16 +32,19 @@ export {
 export {
   type BodyState,
   type ClientMessage,
-  decodeShipStateJson,
-  decodeShipStatesJson,
-  encodeShipStateJson,
+  type DecodedFrame,
+  type DecodedHello,
+  decodeFrameJson,
+  decodeHelloJson,
+  encodeControlsJson,
+  type FrameJsonOptions,
   type Hello,
   type InputRecord,
+  type PartialFrame,
   type Pong,
   type ServerFrame,
   type ServerMessage,
   type ShipState,
-  type ShipStateJson,
   type WorldEvent,
 } from './wire';
 
@@ -58,10 +61,12 @@ export {
   type PredictorOptions,
   type Provenance,
   recordPredictor,
+  type Removal,
   replayEntries,
   type ScheduledInput,
   type ShipView,
   type TouchdownView,
+  type Warn,
   type WorldView,
 } from './prediction';
 

@@ -9,8 +9,8 @@ import { root, tool } from './tools.mjs';
 export const USES = [
   {
     name: 'predictor, JSON, readouts',
-    most: 36,
-    code: `export { createPredictor, decodeShipStatesJson, createLandingReadout, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`,
+    most: 44,
+    code: `export { createPredictor, decodeFrameJson, decodeHelloJson, encodeControlsJson, createLandingReadout, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`,
     without: ['createElement', 'discardUnknown', 'WebGL'],
   },
   {

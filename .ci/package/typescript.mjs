@@ -11,30 +11,30 @@ const MODULES = [
   ['nodenext', 'nodenext'],
 ];
 
-/** Names that a declaration file exports, values and types apart. */
-function exportsOf(types) {
-  const list = types.slice(types.lastIndexOf('export {') + 8, types.lastIndexOf('}'));
-  const values = [...types.matchAll(/^declare (?:const|function|class) (\w+)/gm)].map((match) => match[1]);
-  const names = list.split(',').map((one) =>
-    one
-      .trim()
-      .split(' as ')
-      .at(-1)
-      .replace(/^type /, ''),
-  );
-  return { names: names.filter((name) => name !== ''), values: new Set(values) };
+/** What a declaration file exports: values by name, types with an argument where they need one. */
+function exportsOf(code) {
+  const lists = [...code.matchAll(/^export (type )?\{([^}]*)\};/gm)];
+  const names = (isType) =>
+    lists
+      .filter(([, type]) => Boolean(type) === isType)
+      .flatMap(([, , list]) => list.split(','))
+      .map((one) => one.trim().split(' as ').at(-1));
+  const isGeneric = (name) => new RegExp(`(type|interface) ${name}<`).test(code);
+  const types = names(true).map((name) => (isGeneric(name) ? [name, '<unknown>'] : [name, '']));
+  return { values: names(false), types };
 }
 
 /** A program that names every export of every door; an export whose type got lost is `any`, and `used` refuses it. */
 function program(folder, doors, extension) {
   const lines = doors.map((door, i) => {
-    const types = readFileSync(join(folder, `node_modules/galaxy-touchdown/${door}.${extension}`), 'utf8');
-    const { names, values } = exportsOf(types);
-    if (names.length === 0) throw new Error(`${door} exports nothing`);
+    const code = readFileSync(join(folder, `node_modules/galaxy-touchdown/${door}.${extension}`), 'utf8');
+    const { values, types } = exportsOf(code);
+    if (values.length === 0) throw new Error(`${door} exports nothing`);
     const from = door === 'index' ? 'galaxy-touchdown' : `galaxy-touchdown/${door}`;
-    const uses = names.map((name) =>
-      values.has(name) ? `used(d${i}.${name}, true);` : `typed<d${i}.${name}>(true);`,
-    );
+    const uses = [
+      ...values.map((name) => `used(d${i}.${name}, true);`),
+      ...types.map(([name, argument]) => `typed<d${i}.${name}${argument}>(true);`),
+    ];
     return [`import * as d${i} from '${from}';`, ...uses].join('\n');
   });
   return `import 'galaxy-touchdown/hud.css';
@@ -50,10 +50,23 @@ d0.createPredictor({ ownShipID: 'a' });
 `;
 }
 
-function faultsOf(ts, file, [module, moduleResolution]) {
+/** TypeScript's own libraries are parsed once per version. */
+function hostOf(ts, options, kept) {
+  const host = ts.createCompilerHost(options);
+  const { getSourceFile } = host;
+  const isLibrary = (name) => /\/lib\.[\w.]+\.d\.ts$/.test(name);
+  host.getSourceFile = (name, ...rest) => {
+    if (!isLibrary(name)) return getSourceFile.call(host, name, ...rest);
+    if (!kept.has(name)) kept.set(name, getSourceFile.call(host, name, ...rest));
+    return kept.get(name);
+  };
+  return host;
+}
+
+function optionsOf(ts, [module, moduleResolution]) {
   const { ModuleKind, ModuleResolutionKind, ScriptTarget } = ts;
   const kind = (table, name) => table[Object.keys(table).find((key) => key.toLowerCase() === name)];
-  const host = ts.createProgram([file], {
+  return {
     target: ScriptTarget.ES2022,
     module: kind(ModuleKind, module),
     moduleResolution: kind(ModuleResolutionKind, moduleResolution),
@@ -62,20 +75,34 @@ function faultsOf(ts, file, [module, moduleResolution]) {
     ...{ strict: true, exactOptionalPropertyTypes: true, skipLibCheck: false, noEmit: true },
     // On by default from TypeScript 6 on.
     ...(ts.versionMajorMinor >= '5.6' ? { noUncheckedSideEffectImports: true } : {}),
-  });
-  return ts.getPreEmitDiagnostics(host).map((one) => {
-    const place = one.file
-      ? `${one.file.fileName}:${one.file.getLineAndCharacterOfPosition(one.start).line + 1} `
-      : '';
+  };
+}
+
+/** What the compiler says of the programs and of the package's declarations. */
+function faultsOf(ts, files, modules, kept) {
+  const options = optionsOf(ts, modules);
+  const program = ts.createProgram(files, options, hostOf(ts, options, kept));
+  const checked = program.getSourceFiles().filter((file) => !program.isSourceFileDefaultLibrary(file));
+  const found = [
+    ...program.getOptionsDiagnostics(),
+    ...program.getGlobalDiagnostics(),
+    ...checked.flatMap((file) => [
+      ...program.getSyntacticDiagnostics(file),
+      ...program.getSemanticDiagnostics(file),
+    ]),
+  ];
+  return found.map((one) => {
+    const line = one.file && one.file.getLineAndCharacterOfPosition(one.start).line + 1;
+    const place = one.file ? `${one.file.fileName}:${line} ` : '';
     return `${place}${ts.flattenDiagnosticMessageText(one.messageText, ' ')}`;
   });
 }
 
 /** Throws with the first faults of the first combination that has any. */
 export function checkTypes(folder) {
-  const files = readdirSync(join(folder, 'node_modules/galaxy-touchdown'));
-  const isDoor = (name) => files.includes(`${name}.js`);
-  const doors = files
+  const packed = readdirSync(join(folder, 'node_modules/galaxy-touchdown'));
+  const isDoor = (name) => packed.includes(`${name}.js`);
+  const doors = packed
     .filter((file) => file.endsWith('.d.ts'))
     .map((file) => file.slice(0, -5))
     .filter(isDoor);
@@ -83,15 +110,15 @@ export function checkTypes(folder) {
   doors.sort((a, b) => Number(b === 'index') - Number(a === 'index'));
   writeFileSync(join(folder, 'program.ts'), program(folder, doors, 'd.ts'));
   writeFileSync(join(folder, 'program.cts'), program(folder, doors, 'd.cts'));
+  const files = ['program.ts', 'program.cts'].map((name) => join(folder, name));
   const require = createRequire(import.meta.url);
   for (const version of VERSIONS) {
     const ts = require(tool(`typescript-${version}/lib/typescript.js`));
+    const kept = new Map();
     for (const modules of MODULES) {
-      for (const file of ['program.ts', 'program.cts']) {
-        const faults = faultsOf(ts, join(folder, file), modules);
-        if (faults.length === 0) continue;
-        throw new Error(`TypeScript ${version}, ${modules[1]}, ${file}:\n${faults.slice(0, 5).join('\n')}`);
-      }
+      const faults = faultsOf(ts, files, modules, kept);
+      if (faults.length > 0)
+        throw new Error(`TypeScript ${version}, ${modules[1]}:\n${faults.slice(0, 5).join('\n')}`);
     }
   }
   return `TypeScript ${VERSIONS.join(', ')} × ${MODULES.map(([, name]) => name).join(', ')} × ESM and CommonJS`;

@@ -20,6 +20,7 @@ import {
   type World,
   writeControls,
 } from '../dynamics';
+import { textComplaint } from '../wire';
 import type { PlannedInput } from './plans';
 import { compose, inverse, rotate } from './rotation';
 import type { ShipIdentity } from './shipState';
@@ -64,7 +65,8 @@ export function rowOf(roster: Roster, shipId: string): number {
 /** Adds a ship; a reason that names the field leaves the roster as it was. */
 export function spawn(roster: Roster, order: SpawnOrder, bodies: Float64Array, world: World): string | null {
   const { shipId, playerId, name, ship } = order;
-  if (shipId === '') return 'shipId: expected a text';
+  const unsaid = notOnWire(order);
+  if (unsaid !== null) return unsaid;
   if (rowOf(roster, shipId) >= 0) return `shipId: ${shipId} is there already`;
   if (roster.berths.length >= MAX_SHIPS) return `ships: ${MAX_SHIPS} are there already`;
   const at = roster.rows.length;
@@ -76,6 +78,16 @@ export function spawn(roster: Roster, order: SpawnOrder, bodies: Float64Array, w
   roster.events = new Uint8Array(rows.length / SHIP_STRIDE);
   const bodyAttitude = attitudeOf(bodies, rows[at + REFERENCE_BODY]!);
   roster.berths.push({ identity: { shipId, playerId, name }, ship, bodyAttitude });
+  return null;
+}
+
+/** Why the order's names could not be told to any client, or null. */
+function notOnWire({ shipId, playerId, name }: ShipIdentity): string | null {
+  if (shipId === '') return 'shipId: expected a text';
+  for (const [field, text] of Object.entries({ shipId, playerId, name })) {
+    const complaint = textComplaint(text);
+    if (complaint !== null) return `${field}: ${complaint}`;
+  }
   return null;
 }
 

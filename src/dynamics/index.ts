@@ -42,3 +42,5 @@ export { isTransitionAllowed } from './stateTransitions';
 export { hashRows } from './hash';
 /** Terrain made of + − × ÷ √. */
 export { flatTerrain, hillsTerrain, LANDING_SITE, TERRAINS } from './terrain';
+/** Terrain from a body's heights on a grid, in the game's format. */
+export { type Heightmap, heightmapTerrain, readHeightmapSamples } from './heightmap';

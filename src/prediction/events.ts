@@ -8,6 +8,7 @@ import {
 } from '../dynamics';
 import type { ShipEventName } from '../dynamics';
 import { indexOf, isBefore, type Timeline } from './time/timeline';
+import type { WorldEvent } from '../wire';
 import type { EventNotice } from './drawn/view';
 
 /**
@@ -64,6 +65,16 @@ export function predict(
   }
   const entry = add(ledger, event, birth, pass);
   return noticeOf(ledger, entry);
+}
+
+/** An event of the server as the ledger counts it; null of one that only the server knows, or of no certain substep. */
+export function knownEvent({
+  type,
+  tick,
+  substep,
+}: WorldEvent): { event: number; tick: number; substep: number } | null {
+  const event = (EVENT_NAMES as readonly string[]).indexOf(type);
+  return event <= 0 || substep === null ? null : { event, tick, substep };
 }
 
 /** The server told of `event`; a notice unless it had told of it before. */

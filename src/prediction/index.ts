@@ -12,12 +12,12 @@ export type { ScheduledInput } from './inputs/inputs';
 export type * from './drawn/view';
 /** A drawn pose on the drawn ground. */
 export {
-  createStandingPose,
+  createGroundedPose,
   type GroundPose,
   type GroundRadius,
-  standOnGround,
-  type StandingPose,
-} from './drawn/standOnGround';
+  snapToGround,
+  type GroundedPose,
+} from './drawn/groundSnap';
 export { type Hull, hullOf, LEGS } from './drawn/hull';
 /** What goes through a predictor, written down and fed again. */
 export { type PredictorEntry, recordPredictor, replayEntries } from './recorder';

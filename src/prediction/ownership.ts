@@ -3,7 +3,7 @@ import { confirm } from './events';
 import { forgetRecords } from './inputs/inputs';
 import { beginWorld, type Session } from './session';
 import { forgetAfter } from './simulation/history';
-import { holdLocked } from './simulation/sleep';
+import { holdSleeping } from './simulation/sleep';
 import type { Simulation } from './simulation/simulation';
 import { removeTrack } from './simulation/track';
 import { loadWorld } from './snapshots/worldConfig';
@@ -53,7 +53,7 @@ function birthOfEnd({ newestTick }: Simulation): { tick: number; substep: number
 export function expectTeleport({ sim }: Session, shipId: string): void {
   const track = sim.fleet.byId.get(shipId);
   if (track === undefined) return;
-  if (track.mode === 'locked') holdLocked(track);
+  if (track.mode === 'sleeping') holdSleeping(track);
   forgetAfter(track.history, -1);
   track.replaySnaps = true;
 }

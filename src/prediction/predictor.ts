@@ -1,5 +1,5 @@
 import type { Controls } from '../dynamics';
-import type { ClientMessage, ServerMessage } from '../wire';
+import type { ClientMessage, PartialFrame, ServerMessage } from '../wire';
 import type { EventNotice, WorldView } from './drawn/view';
 import { fillView } from './drawn/worldView';
 import { advanceFrame, place } from './frameLoop';
@@ -17,8 +17,8 @@ import { pingIfDue } from './time/pings';
  * clock, nothing throws at what a server or a pilot gives.
  */
 export interface Predictor {
-  /** A checked message of the server has arrived. */
-  receive: (message: ServerMessage, now: number) => void;
+  /** A checked message of the server has arrived; of a frame, tick and ships are enough. */
+  receive: (message: ServerMessage | PartialFrame, now: number) => void;
   /** A frame of the server that the wire refused; counted, its reason kept for the diagnosis. */
   refused: (reason: string) => void;
   /** Once a display frame: samples own controls (null: a spectator's, or the hand is off the stick) and simulates up to the present. Controls that are not finite are ignored. */

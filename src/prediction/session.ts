@@ -74,8 +74,8 @@ function newSimulation(
   bodies: readonly BodyMotion[],
   { options, counters, warn }: Pick<Session, 'options' | 'counters' | 'warn'>,
 ): Simulation {
-  const locks = (options.forcedRollback ?? 0) === 0;
-  return createSimulation(world, bodies, { counters, warn, locks, plan: options.plan ?? [] });
+  const sleeps = (options.forcedRollback ?? 0) === 0;
+  return createSimulation(world, bodies, { counters, warn, sleeps, plan: options.plan ?? [] });
 }
 
 /** All ships and all time of the world before are forgotten; a listener added before goes on hearing. */

@@ -1,7 +1,14 @@
-import { ATTITUDE_MODES, type Controls, loadControls, NEUTRAL_CONTROLS } from '../dynamics';
+import {
+  ATTITUDE_MODES,
+  type AttitudeMode,
+  type Controls,
+  loadControls,
+  NEUTRAL_CONTROLS,
+} from '../dynamics';
 import type { galaxy } from './generated/codec.js';
 import { FINITE } from './limits';
-import { choiceIn, type Fields, flagIn, numberIn, type Reading, refuse } from './reading';
+import { choiceIn, type Fields, flagIn, numberIn, type Reading, refuse, textIn } from './reading';
+import type { StateControls } from './records';
 import { optionalQuaternionIn, optionalVectorIn, quaternionFields, vectorFields } from './vectors';
 
 /**
@@ -9,13 +16,25 @@ import { optionalQuaternionIn, optionalVectorIn, quaternionFields, vectorFields 
  * (DYNAMICS, Actuators).
  */
 export function readControlFields(r: Reading, from: Fields): Controls {
+  return readWithMode(r, from, choiceIn(r, from, 'attitude_mode', ATTITUDE_MODES, true));
+}
+
+/** As readControlFields, of a state: a mode that is not known stays what it is called. */
+export function readStateControls(r: Reading, from: Fields): StateControls {
+  const sent = textIn(r, from, 'attitude_mode');
+  const known = ATTITUDE_MODES.find((mode) => mode === sent) ?? 'none';
+  const controls = readWithMode(r, from, known);
+  return sent === '' || sent === known ? controls : { ...controls, attitudeMode: sent };
+}
+
+function readWithMode(r: Reading, from: Fields, attitudeMode: AttitudeMode): Controls {
   const neutral = NEUTRAL_CONTROLS;
   const sent: Controls = {
     thrustLevel: numberIn(r, from, 'thrust_level', FINITE, 0),
     translationInput: optionalVectorIn(r, from, 'translation_input', FINITE) ?? neutral.translationInput,
     rotationInput: optionalVectorIn(r, from, 'rotation_input', FINITE) ?? neutral.rotationInput,
     attitudeHold: flagIn(r, from, 'attitude_hold'),
-    attitudeMode: choiceIn(r, from, 'attitude_mode', ATTITUDE_MODES, true),
+    attitudeMode,
     targetAttitude: optionalQuaternionIn(r, from, 'target_attitude') ?? neutral.targetAttitude,
   };
   const loaded = loadControls(sent);
@@ -28,7 +47,7 @@ export function readControlFields(r: Reading, from: Fields): Controls {
   return { ...loaded.value, targetAttitude: sent.targetAttitude };
 }
 
-export function controlFields(controls: Controls): galaxy.stream.Controls.$Properties {
+export function controlFields(controls: StateControls): galaxy.stream.Controls.$Properties {
   return {
     thrust_level: controls.thrustLevel,
     translation_input: vectorFields(controls.translationInput),

@@ -11,6 +11,8 @@ export const MAX_CLIENT_BYTES = 1024 * 1024;
 export const MAX_SHIPS = 10_000;
 export const MAX_BODIES = 256;
 export const MAX_SHIP_CLASSES = 256;
+/** Ticks: 1.4 million years at 100 Hz; sums of two stay exact. */
+export const MAX_TICK = 2 ** 52;
 export const MAX_EVENTS = 100_000;
 export const MAX_INPUTS = 1000;
 /** Characters (UTF-16 units) of a name or an id. */
@@ -37,3 +39,5 @@ export const BODY_MASS: Bound = { low: 0, high: 1e40, unit: 'kg' };
 /** Any figure of a ship class, in its own unit. */
 export const CLASS_FIGURE: Bound = { low: -1e15, high: 1e15, unit: '' };
 export const WALL_SECONDS: Bound = { low: -1e9, high: 1e9, unit: 's' };
+/** Game time, s since 1970: far beyond what ISO 8601 can write. */
+export const GAME_SECONDS: Bound = { low: -1e13, high: 1e13, unit: 's' };

@@ -19,7 +19,7 @@ export function readSettings(r: Reading, from: Fields): Settings {
     contactFrictionStatic: sent('contact_friction_static', d.contactFrictionStatic),
     contactFrictionKinetic: sent('contact_friction_kinetic', d.contactFrictionKinetic),
     touchdownAttitude:
-      valueIn(from, 'touchdown_attitude') === undefined
+      valueIn(r, from, 'touchdown_attitude') === undefined
         ? d.touchdownAttitude
         : choiceIn(r, from, 'touchdown_attitude', ['aligned', 'kept'], false),
   };

@@ -1,8 +1,7 @@
-import { SURFACE_STATES } from '../dynamics';
-import { controlFields, readControlFields } from './controls';
+import { controlFields, readStateControls } from './controls';
 import type { galaxy } from './generated/codec.js';
 import { IMPACT_SPEED, METRES, METRES_PER_SECOND, RADIANS_PER_SECOND, SHIP_MASS } from './limits';
-import { choiceIn, type Fields, flagIn, nameIn, numberIn, type Reading, textIn } from './reading';
+import { type Fields, flagIn, nameIn, numberIn, type Reading, textIn } from './reading';
 import type { ShipState } from './records';
 import { optionalVectorIn, quaternionFields, quaternionIn, vectorFields, vectorIn } from './vectors';
 
@@ -25,11 +24,11 @@ export function readShipState(r: Reading, from: Fields): ShipState {
     velocity: vectorIn(r, from, 'velocity', METRES_PER_SECOND),
     attitude: quaternionIn(r, from, 'attitude'),
     angularVelocity: vectorIn(r, from, 'angular_velocity', RADIANS_PER_SECOND),
-    ...readControlFields(r, from),
+    ...readStateControls(r, from),
     fuel: numberIn(r, from, 'fuel', SHIP_MASS),
     mass: numberIn(r, from, 'mass', SHIP_MASS, 0),
     landedBodyName: textIn(r, from, 'landed_body_name'),
-    surfaceContactState: choiceIn(r, from, 'surface_contact_state', SURFACE_STATES, true),
+    surfaceContactState: textIn(r, from, 'surface_contact_state'),
     contactImpactSpeed: sendsImpactSpeed ? impactSpeed : null,
     referenceBody: textIn(r, from, 'reference_body'),
     relativePosition,

@@ -182,6 +182,15 @@ describe('ships', () => {
     const order = { shipId: 'two', playerId: 'bob', name: 'Two', ship: shipOf('settle') };
     expect(authority.spawn({ ...order, shipId: 'own' })).toContain('shipId');
     expect(authority.spawn({ ...order, shipId: '' })).toContain('shipId');
+    // Told to a client, a name of more than 128 characters or half a surrogate would cost every frame from then on.
+    for (const field of ['shipId', 'playerId', 'name'] as const) {
+      expect(authority.spawn({ ...order, [field]: 'x'.repeat(129) })).toBe(
+        `${field}: expected at most 128 characters, got 129`,
+      );
+      expect(authority.spawn({ ...order, [field]: 'a\ud800' })).toBe(
+        `${field}: expected well-formed Unicode`,
+      );
+    }
     expect(authority.spawn({ ...order, ship: { ...order.ship, shipClass: 'brick' } })).toContain('shipClass');
     expect(authority.spawn({ ...order, ship: { ...order.ship, fuel: Number.NaN } })).toContain('fuel');
     expect(frameOf(authority).ships).toHaveLength(1);

@@ -6,6 +6,7 @@ import {
   endTick,
   EVENT_NAMES,
   NO_EVENT,
+  type ShipRecord,
   SHIP_STRIDE,
   spawnShip,
   stepWorld,
@@ -181,11 +182,11 @@ function rowsOf(ships: readonly ShipState[], world: World): Float64Array {
         contactImpactSpeed: ship.contactImpactSpeed!,
         relativePosition: ship.relativePosition!,
         relativeVelocity: ship.relativeVelocity!,
-      },
+      } as ShipRecord,
       world,
     );
     if (reason !== null) throw new Error(reason);
-    writeControls(rows, i * SHIP_STRIDE, ship);
+    writeControls(rows, i * SHIP_STRIDE, ship as Controls);
   }
   return rows;
 }

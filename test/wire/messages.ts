@@ -47,13 +47,16 @@ export const SHIP: ShipState = {
   crashed: true,
 };
 
-export const EVENT: WorldEvent = { type: 'ship.contact', shipId: 'ship-1', tick: 41, substep: 99 };
+const ABOUT = { again: true, playerId: 'player-1', body: 'Moon', reason: 'collision' };
+
+export const EVENT: WorldEvent = { type: 'ship.contact', shipId: 'ship-1', tick: 41, substep: 99, ...ABOUT };
 
 export const FRAME: ServerFrame = {
   kind: 'frame',
   tick: 42,
   tickRate: 5,
   timeScale: 2.5,
+  gameTime: 1234567.5,
   paused: true,
   bodies: [BODY, { ...BODY, name: 'Earth' }],
   ships: [SHIP, { ...SHIP, shipId: 'ship-2' }],

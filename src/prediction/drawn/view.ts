@@ -69,7 +69,7 @@ export interface ShipView {
   /** What is drawn: predicted + fading offset. Nothing computes with it but the view. */
   readonly easedPosition: Float64Array;
   readonly meshAttitude: Float64Array;
-  /** The drawn place, lifted or lowered along the local up until the drawn attitude stands on the ground (standOnGround), ICRF axes. */
+  /** The drawn place, lifted or lowered along the local up until the drawn attitude stands on the ground (snapToGround), ICRF axes. */
   readonly meshPosition: Float64Array;
   /** How far each leg is pressed in, m, in the order of the class's hull (hullOf). */
   readonly legCompression: Float64Array;

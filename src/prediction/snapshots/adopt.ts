@@ -42,6 +42,8 @@ export function adopt(
 ): string | null {
   const shipClass = indexOfName(world.shipClasses, state.shipClass);
   if (shipClass < 0) return `shipClass: no class named ${state.shipClass}`;
+  if (indexIn(SURFACE_STATES, state.surfaceContactState) < 0)
+    return `surfaceContactState: no state named ${state.surfaceContactState}`;
   const told = state.referenceBody !== '' ? state.referenceBody : state.landedBodyName;
   const body = told !== '' ? indexOfName(world.bodies, told) : strongestPull(state, bodies, world);
   if (body < 0) return `referenceBody: no body named ${told}`;
@@ -51,7 +53,7 @@ export function adopt(
   for (let k = 0; k < 4; k++) row[ATTITUDE + k] = state.attitude[k]!;
   for (let k = 0; k < 3; k++) row[ANGULAR_VELOCITY + k] = state.angularVelocity[k]!;
   row[FUEL] = state.fuel;
-  const named = SURFACE_STATES.indexOf(state.surfaceContactState);
+  const named = indexIn(SURFACE_STATES, state.surfaceContactState);
   const surface = named === FLYING && state.landedBodyName !== '' ? LANDED : named;
   row[SURFACE_STATE] = state.crashed ? FLYING : surface;
   row[IMPACT_SPEED] = surface === FLYING ? 0 : (state.contactImpactSpeed ?? Number.NaN);
@@ -82,8 +84,10 @@ function writeCommand(row: Float64Array, state: ShipState): void {
   row[THRUST_LEVEL] = state.thrustLevel;
   for (let k = 0; k < 3; k++) row[TRANSLATION_INPUT + k] = state.translationInput[k]!;
   for (let k = 0; k < 3; k++) row[ROTATION_INPUT + k] = state.rotationInput[k]!;
-  row[ATTITUDE_HOLD] = state.attitudeHold ? 1 : 0;
-  row[ATTITUDE_MODE] = ATTITUDE_MODES.indexOf(state.attitudeMode);
+  const mode = indexIn(ATTITUDE_MODES, state.attitudeMode);
+  // A mode that is not known acts as none with rate damping (DYNAMICS, Actuators).
+  row[ATTITUDE_HOLD] = state.attitudeHold || mode < 0 ? 1 : 0;
+  row[ATTITUDE_MODE] = Math.max(0, mode);
   for (let k = 0; k < 4; k++) row[TARGET_ATTITUDE + k] = state.targetAttitude[k]!;
 }
 
@@ -114,6 +118,11 @@ function distanceSquared(state: ShipState, bodies: Float64Array, body: number): 
   const y = state.position[1] - bodies[at + 1]!;
   const z = state.position[2] - bodies[at + 2]!;
   return x * x + y * y + z * z;
+}
+
+/** Of a name that may be none of them: −1 then. */
+function indexIn(names: readonly string[], name: string): number {
+  return names.indexOf(name);
 }
 
 function indexOfName(named: readonly { readonly name: string }[], name: string): number {

@@ -1,4 +1,4 @@
-import type { Hello, Pong, ServerFrame, ServerMessage } from '../../wire';
+import type { Hello, PartialFrame, Pong, ServerFrame, ServerMessage } from '../../wire';
 import { resend } from '../inputs/inputs';
 import { changeOwnShip } from '../ownership';
 import { announce, beginWorld, type Session } from '../session';
@@ -9,10 +9,18 @@ import { receiveSnapshot, refuse } from './receiver';
 import { loadWorld, sameWorld } from './worldConfig';
 
 /** A message of the server has arrived at client wall second `now`. */
-export function receiveMessage(session: Session, message: ServerMessage, now: number): void {
+export function receiveMessage(session: Session, message: ServerMessage | PartialFrame, now: number): void {
   if (message.kind === 'hello') takeHello(session, message);
-  else if (message.kind === 'frame') takeFrame(session, message, now);
+  else if (message.kind === 'frame') takeFrame(session, completed(message, session), now);
   else takePong(session, message, now);
+}
+
+/** A frame with what it does not tell filled in: the tempo as it was, no events, bodies moved by the law. */
+function completed(frame: PartialFrame, { sim }: Session): ServerFrame {
+  const untimed = { tickRate: 1, timeScale: 1 };
+  const { tickRate, timeScale } = sim.newestTick < 0 ? untimed : spanOf(sim.timeline, sim.newestTick);
+  const untold = { tickRate, timeScale, paused: false, bodies: [], events: [], lastInput: null };
+  return { ...untold, ...frame };
 }
 
 function takeHello(session: Session, hello: Hello): void {

@@ -2,7 +2,7 @@ import { type BodyMotion, EVENT_NAMES, loadTiming } from '../../dynamics';
 import type { ServerFrame, ShipState, WorldEvent } from '../../wire';
 import { boundaryAt, forgetAfter as forgetBodiesAfter, knowsBoundary, tell } from './bodyTrack';
 import { type Clock, forgetSchedule, sampleDown, sentAt, steerByMargin } from '../time/clock';
-import { confirm, confirmByState, pruneLedger, retract } from '../events';
+import { confirm, confirmByState, knownEvent, pruneLedger, retract } from '../events';
 import { forgetAfter, has, offsetOf } from '../simulation/history';
 import { acknowledge, forgetRecords, type InputFate, prune } from '../inputs/inputs';
 import { reconcile, type SnapshotContext } from './reconcile';
@@ -144,7 +144,7 @@ function startAnew(sim: Simulation, intake: Receiver): void {
     track.ledger.entries.length = 0;
     track.serverTick = -1;
     track.mode = 'waiting';
-    track.hasHeld = false;
+    track.picture.hasHeld = false;
     track.replaying = false;
     track.replaySnaps = true;
   }
@@ -279,8 +279,8 @@ function settleEvents(sim: Simulation, intake: Receiver, frame: ServerFrame, now
       const notice = retract(ledger, frame.tick, sim.timeline);
       if (notice === null) break;
       sim.notices.push(notice);
-      track.status.withdrawn = EVENT_NAMES.indexOf(notice.type);
-      track.status.withdrawnUntil = now + WITHDRAWN_SHOWN;
+      track.picture.status.withdrawn = EVENT_NAMES.indexOf(notice.type);
+      track.picture.status.withdrawnUntil = now + WITHDRAWN_SHOWN;
     }
     pruneLedger(ledger, frame.tick - sim.ringLength);
   }
@@ -288,11 +288,13 @@ function settleEvents(sim: Simulation, intake: Receiver, frame: ServerFrame, now
 
 function tellEvents(sim: Simulation, intake: Receiver, events: readonly WorldEvent[]): void {
   for (const event of events) {
+    const known = knownEvent(event);
+    if (known === null) continue;
     intake.tellsEvents = true;
     const track = sim.fleet.byId.get(event.shipId);
     if (track === undefined || event.tick < sim.newestTick - sim.ringLength || event.tick >= sim.newestTick)
       continue;
-    const notice = confirm(track.ledger, EVENT_NAMES.indexOf(event.type), event, sim.timeline);
+    const notice = confirm(track.ledger, known.event, known, sim.timeline);
     if (notice !== null) sim.notices.push(notice);
   }
 }

@@ -7,11 +7,13 @@ import {
   type Controls,
   EVENT_NAMES,
   loadBody,
+  loadControls,
   loadSettings,
   loadShipClass,
   NO_EVENT,
   readControls,
   readShip,
+  type ShipRecord,
   err,
   SHIP_CLASSES,
   SHIP_STRIDE,
@@ -84,7 +86,7 @@ function compareSession(found: Found, session: RecordedSession, own: string): st
       const inputs = expected.shipId === own ? (session.inputs.get(tick) ?? []) : [];
       const outcome = runInterval(world.value, from, start, inputs);
       if (!outcome.ok) return `tick ${tick}: ship ${expected.shipId}: ${outcome.reason}`;
-      if (!sameControls(outcome.value.controls, expected)) {
+      if (!sameControls(outcome.value.controls, expected as Controls)) {
         found.unknownInputs += 1;
         continue;
       }
@@ -120,9 +122,11 @@ function runInterval(
     const reason = writeBodyMotion(bodies, i * BODY_STRIDE, motion);
     if (reason !== null) return err(`bodies.${name}.${reason}`);
   }
-  const reason = writeShip(row, 0, { ...start, ...comparedOf(start) }, world);
+  const commanded = loadControls(start as Controls);
+  if (!commanded.ok) return err(commanded.reason);
+  const reason = writeShip(row, 0, { ...start, ...comparedOf(start) } as ShipRecord, world);
   if (reason !== null) return err(reason);
-  writeControls(row, 0, start);
+  writeControls(row, 0, commanded.value);
   const { substeps, dt } = timingOfTick(frame.timeScale / frame.tickRate);
   const events: string[] = [];
   beginTick(row, bodies, world);

@@ -627,6 +627,9 @@ export namespace galaxy {
             /** ServerFrame last_input. */
             last_input?: (galaxy.stream.InputAcknowledgement.$Properties|null);
 
+            /** ServerFrame game_time. */
+            game_time?: (number|null);
+
             /**
              * Encodes the specified ServerFrame message. Does not implicitly {@link galaxy.stream.ServerFrame.verify|verify} messages.
              * @param message ServerFrame message or plain object to encode
@@ -675,6 +678,9 @@ export namespace galaxy {
                 /** ServerFrame last_input */
                 last_input?: (galaxy.stream.InputAcknowledgement.$Properties|null);
 
+                /** ServerFrame game_time */
+                game_time?: (number|null);
+
                 /** Unknown fields preserved while decoding when enabled */
                 $unknowns?: Uint8Array[];
             }
@@ -712,7 +718,19 @@ export namespace galaxy {
             tick: (number|Long);
 
             /** Event substep. */
-            substep: number;
+            substep?: (number|null);
+
+            /** Event again. */
+            again: boolean;
+
+            /** Event player_id. */
+            player_id: string;
+
+            /** Event body. */
+            body: string;
+
+            /** Event reason. */
+            reason: string;
 
             /**
              * Encodes the specified Event message. Does not implicitly {@link galaxy.stream.Event.verify|verify} messages.
@@ -749,6 +767,18 @@ export namespace galaxy {
 
                 /** Event substep */
                 substep?: (number|null);
+
+                /** Event again */
+                again?: (boolean|null);
+
+                /** Event player_id */
+                player_id?: (string|null);
+
+                /** Event body */
+                body?: (string|null);
+
+                /** Event reason */
+                reason?: (string|null);
 
                 /** Unknown fields preserved while decoding when enabled */
                 $unknowns?: Uint8Array[];

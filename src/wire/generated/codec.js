@@ -1609,6 +1609,7 @@ export const galaxy = $root.galaxy = (() => {
              * @property {Array.<galaxy.physics.ShipState.$Properties>|null} [ships] ServerFrame ships
              * @property {Array.<galaxy.stream.Event.$Properties>|null} [events] ServerFrame events
              * @property {galaxy.stream.InputAcknowledgement.$Properties|null} [last_input] ServerFrame last_input
+             * @property {number|null} [game_time] ServerFrame game_time
              * @property {Array.<Uint8Array>} [$unknowns] Unknown fields preserved while decoding when enabled
              */
 
@@ -1708,6 +1709,23 @@ export const galaxy = $root.galaxy = (() => {
             ServerFrame.prototype.last_input = null;
 
             /**
+             * ServerFrame game_time.
+             * @member {number|null|undefined} game_time
+             * @memberof galaxy.stream.ServerFrame
+             * @instance
+             */
+            ServerFrame.prototype.game_time = null;
+
+            // OneOf field names bound to virtual getters and setters
+            let $oneOfFields;
+
+            // Virtual OneOf for proto3 optional field
+            $Object.defineProperty(ServerFrame.prototype, "_game_time", {
+                get: $util.oneOfGetter($oneOfFields = ["game_time"]),
+                set: $util.oneOfSetter($oneOfFields)
+            });
+
+            /**
              * Encodes the specified ServerFrame message. Does not implicitly {@link galaxy.stream.ServerFrame.verify|verify} messages.
              * @function encode
              * @memberof galaxy.stream.ServerFrame
@@ -1742,6 +1760,8 @@ export const galaxy = $root.galaxy = (() => {
                         $root.galaxy.stream.Event.encode(message.events[i], writer.uint32(/* id 7, wireType 2 =*/58).fork(), _depth + 1).ldelim();
                 if (message.last_input != null && $Object.hasOwnProperty.call(message, "last_input"))
                     $root.galaxy.stream.InputAcknowledgement.encode(message.last_input, writer.uint32(/* id 8, wireType 2 =*/66).fork(), _depth + 1).ldelim();
+                if (message.game_time != null && $Object.hasOwnProperty.call(message, "game_time"))
+                    writer.uint32(/* id 9, wireType 1 =*/73).double(message.game_time);
                 if (message.$unknowns != null && $Object.hasOwnProperty.call(message, "$unknowns"))
                     for (let i = 0; i < message.$unknowns.length; ++i)
                         writer.raw(message.$unknowns[i]);
@@ -1852,6 +1872,13 @@ export const galaxy = $root.galaxy = (() => {
                             message.last_input = $root.galaxy.stream.InputAcknowledgement.decode(reader, reader.size(), $undefined, _depth + 1, message.last_input);
                             continue;
                         }
+                    case 9: {
+                            if (wireType !== 1)
+                                break;
+                            message.game_time = reader.double();
+                            message._game_time = "game_time";
+                            continue;
+                        }
                     }
                     reader.skipType(wireType, _depth, tag);
                     if (!reader.discardUnknown) {
@@ -1881,6 +1908,10 @@ export const galaxy = $root.galaxy = (() => {
              * @property {string|null} [ship_id] Event ship_id
              * @property {number|Long|null} [tick] Event tick
              * @property {number|null} [substep] Event substep
+             * @property {boolean|null} [again] Event again
+             * @property {string|null} [player_id] Event player_id
+             * @property {string|null} [body] Event body
+             * @property {string|null} [reason] Event reason
              * @property {Array.<Uint8Array>} [$unknowns] Unknown fields preserved while decoding when enabled
              */
 
@@ -1938,11 +1969,52 @@ export const galaxy = $root.galaxy = (() => {
 
             /**
              * Event substep.
-             * @member {number} substep
+             * @member {number|null|undefined} substep
              * @memberof galaxy.stream.Event
              * @instance
              */
-            Event.prototype.substep = 0;
+            Event.prototype.substep = null;
+
+            /**
+             * Event again.
+             * @member {boolean} again
+             * @memberof galaxy.stream.Event
+             * @instance
+             */
+            Event.prototype.again = false;
+
+            /**
+             * Event player_id.
+             * @member {string} player_id
+             * @memberof galaxy.stream.Event
+             * @instance
+             */
+            Event.prototype.player_id = "";
+
+            /**
+             * Event body.
+             * @member {string} body
+             * @memberof galaxy.stream.Event
+             * @instance
+             */
+            Event.prototype.body = "";
+
+            /**
+             * Event reason.
+             * @member {string} reason
+             * @memberof galaxy.stream.Event
+             * @instance
+             */
+            Event.prototype.reason = "";
+
+            // OneOf field names bound to virtual getters and setters
+            let $oneOfFields;
+
+            // Virtual OneOf for proto3 optional field
+            $Object.defineProperty(Event.prototype, "_substep", {
+                get: $util.oneOfGetter($oneOfFields = ["substep"]),
+                set: $util.oneOfSetter($oneOfFields)
+            });
 
             /**
              * Encodes the specified Event message. Does not implicitly {@link galaxy.stream.Event.verify|verify} messages.
@@ -1966,8 +2038,16 @@ export const galaxy = $root.galaxy = (() => {
                     writer.uint32(/* id 2, wireType 2 =*/18).string(message.ship_id);
                 if (message.tick != null && $Object.hasOwnProperty.call(message, "tick") && (typeof message.tick === "object" ? message.tick.low || message.tick.high : message.tick !== 0))
                     writer.uint32(/* id 3, wireType 0 =*/24).uint64(message.tick);
-                if (message.substep != null && $Object.hasOwnProperty.call(message, "substep") && message.substep !== 0)
+                if (message.substep != null && $Object.hasOwnProperty.call(message, "substep"))
                     writer.uint32(/* id 4, wireType 0 =*/32).uint32(message.substep);
+                if (message.again != null && $Object.hasOwnProperty.call(message, "again") && message.again !== false)
+                    writer.uint32(/* id 5, wireType 0 =*/40).bool(message.again);
+                if (message.player_id != null && $Object.hasOwnProperty.call(message, "player_id") && message.player_id !== "")
+                    writer.uint32(/* id 6, wireType 2 =*/50).string(message.player_id);
+                if (message.body != null && $Object.hasOwnProperty.call(message, "body") && message.body !== "")
+                    writer.uint32(/* id 7, wireType 2 =*/58).string(message.body);
+                if (message.reason != null && $Object.hasOwnProperty.call(message, "reason") && message.reason !== "")
+                    writer.uint32(/* id 8, wireType 2 =*/66).string(message.reason);
                 if (message.$unknowns != null && $Object.hasOwnProperty.call(message, "$unknowns"))
                     for (let i = 0; i < message.$unknowns.length; ++i)
                         writer.raw(message.$unknowns[i]);
@@ -2042,10 +2122,44 @@ export const galaxy = $root.galaxy = (() => {
                     case 4: {
                             if (wireType !== 0)
                                 break;
-                            if (value = reader.uint32())
-                                message.substep = value;
+                            message.substep = reader.uint32();
+                            message._substep = "substep";
+                            continue;
+                        }
+                    case 5: {
+                            if (wireType !== 0)
+                                break;
+                            if (value = reader.bool())
+                                message.again = value;
                             else
-                                delete message.substep;
+                                delete message.again;
+                            continue;
+                        }
+                    case 6: {
+                            if (wireType !== 2)
+                                break;
+                            if ((value = reader.stringVerify()).length)
+                                message.player_id = value;
+                            else
+                                delete message.player_id;
+                            continue;
+                        }
+                    case 7: {
+                            if (wireType !== 2)
+                                break;
+                            if ((value = reader.stringVerify()).length)
+                                message.body = value;
+                            else
+                                delete message.body;
+                            continue;
+                        }
+                    case 8: {
+                            if (wireType !== 2)
+                                break;
+                            if ((value = reader.stringVerify()).length)
+                                message.reason = value;
+                            else
+                                delete message.reason;
                             continue;
                         }
                     }

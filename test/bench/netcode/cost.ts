@@ -147,7 +147,7 @@ function replayOfHundred(): Figure {
   const sim = createSimulation(world, [staged.body], {
     counters: createDiagnosis(),
     warn: () => undefined,
-    locks: false,
+    sleeps: false,
     plan: [],
   });
   setTempo(sim.timeline, 0, { tickRate: 1, timeScale: 1, paused: false }, null);

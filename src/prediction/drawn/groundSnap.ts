@@ -12,7 +12,7 @@ export interface GroundPose {
   grounded: boolean;
 }
 
-export interface StandingPose {
+export interface GroundedPose {
   /** m, from the body's centre, in the body's axes; the attitude stays. */
   readonly position: Float64Array;
   /** Along the local up, m; negative where a lying ship is let down. */
@@ -23,7 +23,7 @@ export interface StandingPose {
   feetHeight: number;
 }
 
-export function createStandingPose(legs: number): StandingPose {
+export function createGroundedPose(legs: number): GroundedPose {
   return { position: new Float64Array(3), lift: 0, legCompression: new Float64Array(legs), feetHeight: 0 };
 }
 
@@ -42,12 +42,12 @@ const RELEASE_HEIGHT = 1;
  * @param out the stood pose
  * @param pose as drawn
  */
-export function standOnGround(
-  out: StandingPose,
+export function snapToGround(
+  out: GroundedPose,
   pose: GroundPose,
   hull: Hull,
   ground: GroundRadius,
-): StandingPose {
+): GroundedPose {
   out.position.set(pose.position);
   const distance = lengthOf(pose.position);
   for (let k = 0; k < 3; k++) up[k] = pose.position[k]! / distance;
@@ -71,7 +71,7 @@ export function standOnGround(
 
 /** Presses each leg in as far as its foot is below the ground, up to the stroke; returns the lowest foot's height. */
 function pressLegs(
-  out: StandingPose,
+  out: GroundedPose,
   pose: GroundPose,
   hull: Hull,
   place: { readonly ground: GroundRadius; readonly upright: number },
@@ -88,7 +88,7 @@ function pressLegs(
 }
 
 /** Height of the lowest point of hull and pressed legs above the ground, m. */
-function lowestPoint(out: StandingPose, pose: GroundPose, hull: Hull, ground: GroundRadius): number {
+function lowestPoint(out: GroundedPose, pose: GroundPose, hull: Hull, ground: GroundRadius): number {
   let lowest = Number.POSITIVE_INFINITY;
   for (let leg = 0; leg * 3 < hull.feet.length; leg++) {
     for (let k = 0; k < 3; k++) point[k] = hull.feet[leg * 3 + k]!;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { loadShipClass, SHIP_CLASSES } from '../../src/dynamics';
-import { createStandingPose, type GroundPose, hullOf, LEGS, standOnGround } from '../../src/prediction';
-import { standOnLevel } from '../../src/prediction/drawn/standOnLevel';
+import { createGroundedPose, type GroundPose, hullOf, LEGS, snapToGround } from '../../src/prediction';
+import { snapToLevel } from '../../src/prediction/drawn/levelSnap';
 import { flyAndMeasure } from './measure';
 import { createRig, value } from './rig';
 
@@ -25,8 +25,8 @@ function pose(height: number, degrees: number, grounded: boolean): GroundPose {
 
 /** Heights of all points above the ground, feet pressed in. */
 function heights(given: GroundPose, ground: (nx: number) => number): number[] {
-  const out = createStandingPose(LEGS);
-  standOnGround(out, given, hull, ground);
+  const out = createGroundedPose(LEGS);
+  snapToGround(out, given, hull, ground);
   const points: number[][] = [];
   for (let leg = 0; leg < LEGS; leg++) {
     const [x, y, z] = hull.feet.subarray(leg * 3, leg * 3 + 3);
@@ -44,7 +44,7 @@ function heights(given: GroundPose, ground: (nx: number) => number): number[] {
   });
 }
 
-describe('standOnGround', () => {
+describe('snapToGround', () => {
   const tilts = [0, 5, 20, 36, 60, 80, 90, 120, 180];
 
   it.each(tilts)('tilted by %i°, grounded: the lowest point touches and none is below', (tilt) => {
@@ -58,16 +58,16 @@ describe('standOnGround', () => {
   it.each(tilts)('tilted by %i°, flying: never below, and left alone high up', (tilt) => {
     for (const height of [h - 2, h + 0.3, h + 5])
       expect(Math.min(...heights(pose(height, tilt, false), slope))).toBeGreaterThan(-2e-3);
-    const out = createStandingPose(LEGS);
-    expect(standOnGround(out, pose(h + 20, tilt, false), hull, level).lift).toBe(0);
+    const out = createGroundedPose(LEGS);
+    expect(snapToGround(out, pose(h + 20, tilt, false), hull, level).lift).toBe(0);
   });
 
   it('presses the legs in before it lifts the ship', () => {
-    const out = createStandingPose(LEGS);
-    standOnGround(out, pose(h - 0.5, 0, true), hull, level);
+    const out = createGroundedPose(LEGS);
+    snapToGround(out, pose(h - 0.5, 0, true), hull, level);
     expect(out.lift).toBeCloseTo(0, 3);
     for (const pressed of out.legCompression) expect(pressed).toBeCloseTo(0.5, 3);
-    standOnGround(out, pose(h - 3.4, 0, true), hull, level);
+    snapToGround(out, pose(h - 3.4, 0, true), hull, level);
     for (const pressed of out.legCompression) expect(pressed).toBe(hull.stroke);
     expect(out.lift).toBeCloseTo(3.4 - hull.stroke, 3);
     expect(out.feetHeight).toBeCloseTo(-3.4, 3);
@@ -75,7 +75,7 @@ describe('standOnGround', () => {
 
   it('comes up smoothly where a lying ship lets go of the ground', () => {
     const lift = (height: number, grounded: boolean) =>
-      standOnGround(createStandingPose(LEGS), pose(h + height, 90, grounded), hull, level).lift;
+      snapToGround(createGroundedPose(LEGS), pose(h + height, 90, grounded), hull, level).lift;
     expect(lift(0, true)).toBeLessThan(-1);
     expect(lift(0, false)).toBeCloseTo(lift(0, true), 6);
     expect(lift(0.5, false)).toBeCloseTo(lift(0, true) / 2, 1);
@@ -83,15 +83,15 @@ describe('standOnGround', () => {
   });
 
   it('stands on level ground as point by point', () => {
-    const [exact, quick] = [createStandingPose(LEGS), createStandingPose(LEGS)];
+    const [exact, quick] = [createGroundedPose(LEGS), createGroundedPose(LEGS)];
     for (const tilt of tilts) {
       for (const [height, grounded] of [
         [h, true],
         [h - 1.5, true],
         [h + 0.4, false],
       ] as const) {
-        standOnGround(exact, pose(height, tilt, grounded), hull, level);
-        standOnLevel(quick, pose(height, tilt, grounded), hull, { radius: RADIUS });
+        snapToGround(exact, pose(height, tilt, grounded), hull, level);
+        snapToLevel(quick, pose(height, tilt, grounded), hull, { radius: RADIUS });
         // What the ground's own curve makes over the ship's extent.
         expect(quick.lift).toBeCloseTo(exact.lift, 3);
         expect(quick.feetHeight).toBeCloseTo(exact.feetHeight, 4);

@@ -1,6 +1,6 @@
 import type { Hull } from './hull';
 import { lengthOf, rotateBack, vector } from './rotation';
-import { flyingTarget, type GroundPose, type StandingPose } from './standOnGround';
+import { flyingTarget, type GroundPose, type GroundedPose } from './groundSnap';
 
 /** In a record, since a double that is an argument is boxed at each call. */
 export interface LevelGround {
@@ -9,15 +9,15 @@ export interface LevelGround {
 }
 
 /**
- * standOnGround where the ground is level under the whole ship: a tenth of the cost, for the
+ * snapToGround where the ground is level under the whole ship: a tenth of the cost, for the
  * many ships that are drawn small. On a slope its error is the slope's over the ship's extent.
  */
-export function standOnLevel(
-  out: StandingPose,
+export function snapToLevel(
+  out: GroundedPose,
   pose: GroundPose,
   hull: Hull,
   ground: LevelGround,
-): StandingPose {
+): GroundedPose {
   const { position, attitude } = pose;
   const { feet, outline } = hull;
   const distance = lengthOf(position);

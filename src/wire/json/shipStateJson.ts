@@ -1,5 +1,5 @@
-import { type Result, err } from '../dynamics';
-import { MAX_SHIPS } from './limits';
+import { type Result, err } from '../../dynamics';
+import { MAX_SHIPS } from '../limits';
 import {
   beginReading,
   describe,
@@ -10,16 +10,16 @@ import {
   refuse,
   refuseRepeats,
   valueIn,
-} from './reading';
-import type { ShipState } from './records';
-import { readShipState, shipStateFields } from './shipState';
+} from '../reading';
+import type { ShipState } from '../records';
+import { readShipState, shipStateFields } from '../shipState';
 
 /** A ShipState for JSON.stringify, under the game's names; vectors {x, y, z}, quaternions {w, x, y, z}. */
 export type ShipStateJson = Readonly<Record<string, unknown>>;
 
 /**
- * A ShipState as the game's browser socket has it: a parsed JSON object with snake_case names, vectors as {x, y, z} or
- * [x, y, z], quaternions as {w, x, y, z} or [w, x, y, z]. Needed are ship_id, position, velocity, attitude,
+ * A ShipState as the game's browser socket has it: a parsed JSON object, names in snake_case or camelCase, values as
+ * themselves or in texts as Redis keeps them, vectors {x, y, z} or [x, y, z], quaternions {w, x, y, z} or [w, x, y, z]. Needed are ship_id, position, velocity, attitude,
  * angular_velocity and fuel; the others count as not sent when they are absent or null, with the meaning that has in
  * protobuf. Refused with the path of the first bad field, below `path`. Never throws on a parsed JSON value.
  */
@@ -59,7 +59,7 @@ function statesById(value: unknown, path: string): Fields[] | string {
   const states = Object.entries(fieldsOf(r, value)).map(([shipId, state], i): Fields => {
     r.path.push(i);
     const fields = fieldsOf(r, state);
-    const own = valueIn(fields, 'ship_id') ?? shipId;
+    const own = valueIn(r, fields, 'ship_id') ?? shipId;
     if (own !== shipId) refuse(r, 'ship_id', `expected ${describe(shipId)}, got ${describe(own)}`);
     r.path.pop();
     return { ...fields, ship_id: own };

@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import type { UserConfig } from 'vite';
+import { writeNotices } from './.ci/notices.mjs';
 import { listForOffline, OFFLINE_SCRIPT } from './.ci/offline.mjs';
 
 /**
@@ -49,7 +50,7 @@ const page: UserConfig = {
       },
     },
   },
-  plugins: [listForOffline(here('public'))],
+  plugins: [writeNotices(), listForOffline(here('public'))],
   worker: { format: 'es', rolldownOptions: { output: CONSTANTS } },
 };
 

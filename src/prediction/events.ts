@@ -1,6 +1,6 @@
 import {
   EVENT_CONTACT,
-  EVENT_CRASHED,
+  EVENT_DESTROYED,
   EVENT_LANDED,
   EVENT_NAMES,
   EVENT_RIGHTED,
@@ -122,7 +122,7 @@ export function confirmByState(
 ): EventNotice | null {
   for (const entry of ledger.entries) {
     if (entry.fate !== 'predicted' || !isBefore(entry.tick, entry.substep, tick, 0)) continue;
-    if (crashed ? entry.event !== EVENT_CRASHED : !(SHOWN_BY[entry.event] ?? []).includes(state)) continue;
+    if (crashed ? entry.event !== EVENT_DESTROYED : !(SHOWN_BY[entry.event] ?? []).includes(state)) continue;
     entry.fate = 'confirmed';
     return noticeOf(ledger, entry);
   }

@@ -54,7 +54,7 @@ export function createSimulation(
   for (const [i, motion] of bodies.entries()) writeBodyMotion(start, i * BODY_STRIDE, motion);
   return {
     world,
-    timeline: createTimeline(),
+    timeline: createTimeline(world.settings.contactLongestSubstep),
     bodies: createBodyTrack(start, ringLength(1), 100),
     fleet: createFleet(),
     inputs: createInputs(plan),

@@ -64,7 +64,7 @@ type Fate = 'newest' | 'again' | 'older' | 'duplicate' | 'tooOld' | 'future' | '
 /** A frame of the world that is simulated: judged, counted, and where it can be used compared with what was predicted. */
 export function receiveSnapshot(sim: Simulation, intake: Receiver, frame: ServerFrame, now: number): void {
   const { counters } = sim;
-  const timing = loadTiming(frame.tickRate, frame.timeScale);
+  const timing = loadTiming(frame.tickRate, frame.timeScale, sim.world.settings);
   if (!Number.isSafeInteger(frame.tick) || frame.tick < 0 || !timing.ok) {
     refuse(sim, `frame.${timing.ok ? 'tick: expected a whole number ≥ 0' : timing.reason}`);
     return;

@@ -7,6 +7,7 @@ import {
   REFERENCE_BODY,
   SHIP_STRIDE,
   SURFACE_STATE,
+  WHEEL_MOMENTUM,
 } from '../../dynamics';
 import type { ShipState } from '../../wire';
 import { adopt, isExact } from './adopt';
@@ -71,6 +72,7 @@ export function reconcile(
   server.bodies = word.bodies;
   if (track.own) writeError(sim.counters, server, predicted);
   if (Number.isNaN(told[IMPACT_SPEED])) told[IMPACT_SPEED] = recalledImpact(predicted);
+  if (Number.isNaN(told[WHEEL_MOMENTUM])) recallWheels(predicted);
   remember(track, state, word, known);
   settle(sim, track, predicted, word);
   if (!track.own) holdControls(sim, track);
@@ -169,6 +171,12 @@ function recalledImpact(predicted: Place | null): number {
   const sameContact =
     rows[at + SURFACE_STATE] !== FLYING && rows[at + REFERENCE_BODY] === told[REFERENCE_BODY];
   return sameContact ? rows[at + IMPACT_SPEED]! : 0;
+}
+
+/** What the wheels have given, from the ship's own history, else nothing. */
+function recallWheels(predicted: Place | null): void {
+  for (let k = WHEEL_MOMENTUM; k < WHEEL_MOMENTUM + 3; k++)
+    told[k] = predicted === null ? 0 : predicted.rows[predicted.at + k]!;
 }
 
 function remember(track: Track, state: ShipState, word: SnapshotContext, known: boolean): void {

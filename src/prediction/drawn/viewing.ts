@@ -76,7 +76,7 @@ export function createShipView(track: Track, world: World): ShipView {
     ghostPosition: vectors(),
     ghostAttitude: Float64Array.of(0, 0, 0, 1),
     serverKnown: false,
-    missingTicks: 0,
+    missingSends: 0,
   };
 }
 
@@ -108,7 +108,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.shipClass = scene.world.shipClasses[rows[from + SHIP_CLASS]!]!;
   out.name = track.name;
   out.own = track.own;
-  out.missingTicks = sim.newestTick - track.serverTick;
+  out.missingSends = sim.cadence.sends - track.lastSend;
   const attitude = scene.bodyAttitudes[out.body]!;
   seeFromBody(out, attitude);
   if (track.picture.ease.active) relax(track.picture.ease, normal, scene.at.elapsed);

@@ -4,7 +4,7 @@ import json
 from typing import Any
 
 from .limits import Refusal, boolean, mapping, number, required, text, whole
-from .loading import load_body, load_change, load_ship
+from .loading import CONTROL_FIELDS, load_body, load_change, load_ship
 from .models import Applied, Body, Controls, Input, Ship, ShipClass
 from .vectors import Quat, add
 
@@ -46,7 +46,8 @@ def ship_record(ship: Ship, system_id: str) -> dict[str, Any]:
         "relative_position": ship.position,
         "relative_velocity": ship.velocity,
         "contact_impact_speed": ship.impact_speed,
-        "ground_contact_offset": ship.ship_class.ground_contact_offset,
+        "wheel_momentum": ship.wheel_momentum,
+        "ground_contact_offset": ship.ground_contact_offset,
         "touched": ship.touched,
         "input_session": applied.session if applied else "",
         "input_seq": applied.seq if applied else 0,
@@ -97,7 +98,7 @@ def ship_of_record(
     ship.player_id = text(record.get("player_id", ""), f"{path}.player_id", may_be_empty=True)
     ship.name = text(record.get("name", ""), f"{path}.name", may_be_empty=True)
     ship.touched = boolean(record.get("touched", False), f"{path}.touched")
-    named = {name: record[name] for name in Controls.__slots__ if name in record}
+    named = {name: record[name] for name in CONTROL_FIELDS if name in record}
     ship.controls = Controls(**load_controls_json(named, path))
     if record.get("input_seq"):
         ship.applied = Applied(

@@ -33,7 +33,11 @@ def substep(ship: Ship, world: World, step: BodyStep, dt: float) -> str:
     controls = ship.controls
     if state == LANDED and not controls.pushes:  # 1, 2: no lift to look for
         return stay_landed(ship, step[2])
-    place = place_of(ship.position, ship.body.mu)
+    standing = ship.standing
+    if standing and standing[0] is ship.position:
+        place = standing[2]
+    else:
+        place = place_of(ship.position, ship.body.mu)
     mass = ship.ship_class.dry_mass + ship.fuel
     if state == FLYING and not controls.is_active:
         return fly_substep(ship, world, step, (place, NO_AXES, NOTHING, NOTHING, mass, 1.0), dt)
@@ -53,6 +57,9 @@ def substep(ship: Ship, world: World, step: BodyStep, dt: float) -> str:
 # What the actuators do in a substep: place at its start, the ship's axes, torque (body axes), thrust (ICRF), mass and
 # the factor of inertia from before the burn.
 Acting = tuple[Place, Mat3, Vec3, Vec3, float, float]
+# What a grounded ship's substep ended on: the position and the body's axes for which it holds, the place, the ground.
+# The next substep begins with the same numbers, unless something else has moved the ship.
+Standing = tuple[Vec3, Mat3, Place, Ground]
 
 
 def stay_landed(ship: Ship, turn: Quat) -> str:
@@ -99,11 +106,12 @@ def ground_substep(ship: Ship, world: World, step: BodyStep, acting: Acting, dt:
     body_axes, body_end_axes, body_turn = step
     config = world.config
     weight = mass * place[4]
-    penetration = penetration_of(ship, world, body_axes, place)
+    ground = standing_ground(ship, body_axes)
+    penetration = ground[0] if ground else penetration_of(ship, world, body_axes, place)
     force = 0.0
     pinned = False
     if penetration > 0:
-        ground = ground_of(ship, world, body_axes, place, penetration)
+        ground = ground or ground_of(ship, world, body_axes, place, penetration)
         pinned, force = press(ship, world, (mass, weight, dt), thrust, (place, ground))  # 3, 4, 5
         torque = add(torque, ground_torque(ship, config, axes, (place, ground), (force, weight, factor)))  # 6
     else:
@@ -117,12 +125,20 @@ def ground_substep(ship: Ship, world: World, step: BodyStep, acting: Acting, dt:
     end_place = place_of(ship.position, ship.body.mu)
     end_penetration = penetration_of(ship, world, body_end_axes, end_place)
     end_ground = ground_of(ship, world, body_end_axes, end_place, end_penetration)
+    ship.standing = (ship.position, body_end_axes, end_place, end_ground)
     over = over_ground(ship, end_ground)
     up = up_of(ship.attitude)
     if ship.surface_contact_state == TIPPED:
         up = rest_on_side(ship, end_ground[1:4], up, dt)  # 8
     end = End(end_place, end_ground, over, up, mass, thrust)
     return leave_or_change(ship, config, end, (end_penetration - penetration, dt))  # 9
+
+
+def standing_ground(ship: Ship, body_axes: Mat3) -> Ground | None:
+    standing = ship.standing
+    if standing and standing[0] is ship.position and standing[1] is body_axes:
+        return standing[3]
+    return None
 
 
 def press(

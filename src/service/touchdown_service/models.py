@@ -151,7 +151,7 @@ class Input:
     change: dict[str, object]
     session: str = ""
     seq: int = 0
-    # Wall seconds, by Redis's clock.
+    # Wall seconds, by Redis's clock; later by as much as its stamp was late.
     arrived: float = 0.0
 
 
@@ -191,6 +191,8 @@ class Ship:
     name: str = ""
     # A touch now would not be the initial one: it follows a bounce (REDIS.md, Initial touch).
     touched: bool = False
+    # The ground at the last substep's end, which is the next one's start (contact.Standing).
+    standing: tuple | None = field(default=None, repr=False, compare=False)
     # In the order they are due.
     pending: list[Input] = field(default_factory=list)
     applied: Applied | None = None

@@ -22,7 +22,7 @@ class Span:
     tick: int
     first: int
     dt: float
-    # Wall seconds at which the tick's end is due.
+    # Wall seconds at which the tick's end is due, by the clock of Input.arrived.
     due: float
     steps: list[BodyStep]
 
@@ -37,8 +37,8 @@ def run_tick(
 ) -> list[Event]:
     """Moves the world from boundary `tick` to the next; the events in the order in which they happened.
 
-    Ships do not touch one another, so each runs through all its substeps at once. `due` is the wall second at which the
-    interval's end is due, by the clock of Input.arrived; `after_substep(ship, substep, event)` sees every substep.
+    Ships do not touch one another, so each runs through all its substeps at once. `after_substep(ship, substep, event)`
+    sees every substep.
     """
     for ship in ships:
         choose_reference_body(ship, world.bodies)

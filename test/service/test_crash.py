@@ -115,7 +115,7 @@ class Killed(unittest.TestCase):
             for e in entries(self.client, "touchdown:events")
         ]
         self.assertEqual(told, events)
-        self.assertGreater(len(events), 12)
+        self.assertGreater(len(events), 9)
         published = [(e["event"], e["ship_id"]) for e in entries(self.client, "galaxy:ships")]
         self.assertEqual(published, [event[:2] for event in events if not event[4]])
         for ship_id, record in records.items():

@@ -9,8 +9,8 @@ import { expect, it, onTestFinished } from 'vitest';
 import { describeInBrowser, openUrl, problemsOf } from './pages';
 import { serveFolder } from './staticServer';
 import type { Fault, StaticServer } from './staticServer';
+import { SMALL } from './waits';
 
-const SMALL = { viewport: { width: 640, height: 360 } };
 const BUILT = fileURLToPath(new URL('../../dist/page', import.meta.url));
 const LIMIT = { timeout: 120_000 };
 

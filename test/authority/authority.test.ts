@@ -112,10 +112,10 @@ describe('the world loop', () => {
   });
 
   it('lets a flying ship fall to the body that pulls it most, from a tick’s start on', () => {
-    const bodies = BODIES.filter(({ name }) => name === 'Earth' || name === 'Moon');
+    const bodies = BODIES.filter(({ name }) => name === 'Earth' || name === 'Luna');
     const authority = moonWith('opening', { bodies });
     const earth = bodies.find(({ name }) => name === 'Earth')!;
-    const moon = bodies.find(({ name }) => name === 'Moon')!;
+    const moon = bodies.find(({ name }) => name === 'Luna')!;
     // 10,000 km above Earth, told relative to the Moon.
     const relativePosition = earth.position.map(
       (value, k) => value - moon.position[k]! + (k === 0 ? 1.6e7 : 0),
@@ -123,7 +123,7 @@ describe('the world loop', () => {
     const ship = { ...shipOf('opening'), relativePosition: relativePosition as [number, number, number] };
     expect(authority.spawn({ shipId: 'far', playerId: 'bob', name: 'Far', ship })).toBeNull();
     runTo(authority, 1);
-    expect(frameOf(authority).ships.map(({ referenceBody }) => referenceBody)).toEqual(['Moon', 'Earth']);
+    expect(frameOf(authority).ships.map(({ referenceBody }) => referenceBody)).toEqual(['Luna', 'Earth']);
     expect(Math.hypot(...frameOf(authority).ships[1]!.relativePosition!)).toBeCloseTo(1.6e7, -5);
   });
 

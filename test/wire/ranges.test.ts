@@ -173,8 +173,8 @@ it('refuses what is named twice', () => {
   expect(frameReason({ ships: [SHIP, { ...SHIP, shipId: 'b' }, SHIP] })).toBe(
     `frame.ships[2].ship_id: ${again} "ship-1" again`,
   );
-  expect(frameReason({ bodies: [BODY, BODY] })).toBe(`frame.bodies[1].name: ${again} "Moon" again`);
-  expect(helloReason({ bodies: [BODY, BODY] })).toBe(`hello.bodies[1].name: ${again} "Moon" again`);
+  expect(frameReason({ bodies: [BODY, BODY] })).toBe(`frame.bodies[1].name: ${again} "Luna" again`);
+  expect(helloReason({ bodies: [BODY, BODY] })).toBe(`hello.bodies[1].name: ${again} "Luna" again`);
   expect(helloReason({ shipClasses: [shipClass, shipClass] })).toBe(
     `hello.ship_classes[1].name: ${again} "fast_frigate" again`,
   );

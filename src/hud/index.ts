@@ -4,6 +4,7 @@ import './status.css';
 import './instruments.css';
 import './panels.css';
 import './fleet.css';
+import './flight/flight.css';
 import './smallScreens.css';
 
 export {
@@ -13,5 +14,7 @@ export {
   type LandingHudOptions,
 } from './landingHud';
 export { createFleetHud, createFleetHud as fleetHud } from './fleetHud';
+export { createFlightHud, type FlightHudOptions, type FlightPanels } from './flight/flightHud';
+export type { FlightKey } from './flight/modesPanel';
 /** Names keys in hints. */
-export type { KeyLabel } from './rightingPanel';
+export type { KeyLabel, TurnKey, TurnKeys } from './rightingPanel';

@@ -4,7 +4,7 @@ import { createCrossPointer } from './crossPointer';
 import { createDescentPanel } from './descentPanel';
 import { append } from './elements';
 import { createGatesPanel } from './gatesPanel';
-import { createRightingPanel, type KeyLabel } from './rightingPanel';
+import { createRightingPanel, type KeyLabel, type TurnKeys } from './rightingPanel';
 import { scrollWhereShort } from './scrolling';
 import { showPart } from './shown';
 import { createStatusSlot } from './statusSlot';
@@ -22,6 +22,8 @@ export interface Hud<Readout> {
 export interface LandingHudOptions {
   /** Names the keys in the righting help; without it the help names the axes alone. */
   readonly keyLabel?: KeyLabel;
+  /** Which controls turn the ship now, where they are not one for each axis. */
+  readonly turnKeys?: TurnKeys;
 }
 
 /**
@@ -45,7 +47,7 @@ export function createCockpitLandingHud(
   const landed = append(parts, 'p', 'hud-landed', 'Landed');
   const paintLanded = showPart(landed);
   const paintGates = createGatesPanel(parts);
-  const paintRighting = createRightingPanel(parts, options.keyLabel ?? (() => ''));
+  const paintRighting = createRightingPanel(parts, options.keyLabel ?? (() => ''), options.turnKeys);
   const paintCard = createTouchdownCard(parts);
   const announce = createAnnouncer(root);
   host.append(root);

@@ -1,10 +1,8 @@
-/// <reference types="vitest/config" />
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import type { UserConfig } from 'vite';
+import { writeNotices } from './.ci/notices.mjs';
 import { listForOffline, OFFLINE_SCRIPT } from './.ci/offline.mjs';
-
-const BROWSER_TESTS = 'test/browser/**/*.test.ts';
 
 /**
  * Top-level constants stay `const`: as `var`, vite's default, the engine loads the law's scratch arrays anew at every access
@@ -52,7 +50,7 @@ const page: UserConfig = {
       },
     },
   },
-  plugins: [listForOffline(here('public'))],
+  plugins: [writeNotices(), listForOffline(here('public'))],
   worker: { format: 'es', rolldownOptions: { output: CONSTANTS } },
 };
 
@@ -73,37 +71,8 @@ const library: UserConfig = {
   worker: { format: 'es' },
 };
 
-const tests: UserConfig = {
-  publicDir: false,
-  test: {
-    projects: [
-      {
-        test: {
-          name: 'node',
-          environment: 'node',
-          include: ['test/**/*.test.ts'],
-          exclude: [BROWSER_TESTS],
-          sequence: { groupOrder: 0 },
-        },
-      },
-      {
-        test: {
-          name: 'browser',
-          environment: 'node',
-          include: [BROWSER_TESTS],
-          globalSetup: ['test/browser/globalSetup.ts'],
-          // After the node project and one file at a time: a software-rendered page takes a whole core.
-          sequence: { groupOrder: 1 },
-          fileParallelism: false,
-          testTimeout: 60_000,
-          hookTimeout: 120_000,
-        },
-      },
-    ],
-  },
-};
-
-export default defineConfig(({ mode }) => {
-  if (mode === 'test') return tests;
+export default defineConfig(async ({ mode }) => {
+  if (mode === 'test') return (await import('./test/projects.mjs')).tests;
+  if (mode === 'long') return (await import('./test/projects.mjs')).longTests;
   return mode === 'lib' ? library : page;
 });

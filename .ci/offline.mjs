@@ -1,38 +1,43 @@
-// What the build puts into the page's service worker: the list of its files, and a version that changes with any of them.
+// What the build puts into the page's service worker: its files with their hashes, and a version that changes with any of them.
 import { createHash } from 'node:crypto';
-import { readdirSync, readFileSync } from 'node:fs';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 /** The service worker's file in the build: its name may not change from build to build. */
 export const OFFLINE_SCRIPT = 'offline.js';
+
+const sha256 = (bytes) => createHash('sha256').update(bytes);
+
+/** The line that offline.js of a build begins with: `files` by address relative to the document, '' being the document. */
+function listOf(files, script) {
+  const version = sha256(script).update(JSON.stringify(files)).digest('hex').slice(0, 16);
+  return `const OFFLINE_FILES = ${JSON.stringify(files)};\nconst OFFLINE_VERSION = ${JSON.stringify(version)};\n`;
+}
 
 /** A plugin of the build; `publicFolder` is copied into it as it is. */
 export function listForOffline(publicFolder) {
   return {
     name: 'list-for-offline',
     apply: 'build',
-    enforce: 'post',
-    generateBundle(_options, bundle) {
+    // The files as they are served: vite still changes chunks after the last hook that sees them in memory.
+    writeBundle({ dir }, bundle) {
       const script = bundle[OFFLINE_SCRIPT];
       if (script?.type !== 'chunk') throw new Error(`there is no ${OFFLINE_SCRIPT} in the build`);
       if (script.imports.length > 0) throw new Error(`${OFFLINE_SCRIPT} imports, and is no module`);
-      const hash = createHash('sha256').update(script.code);
-      const files = [];
-      for (const output of Object.values(bundle)) {
-        if (output === script) continue;
-        hash.update(output.fileName).update(output.type === 'chunk' ? output.code : output.source);
-        // The document is kept under its folder's address.
-        if (!/\.(html|map)$/.test(output.fileName)) files.push(output.fileName);
-      }
+      const built = Object.keys(bundle).filter((name) => name !== OFFLINE_SCRIPT && !name.endsWith('.map'));
       // Of the files copied as they are the page uses those at the top; the folders are the README's.
-      for (const entry of readdirSync(publicFolder, { withFileTypes: true })) {
-        if (!entry.isFile()) continue;
-        hash.update(entry.name).update(readFileSync(join(publicFolder, entry.name)));
-        files.push(entry.name);
+      const copied = readdirSync(publicFolder, { withFileTypes: true })
+        .filter((entry) => entry.isFile())
+        .map((entry) => entry.name);
+      const files = {};
+      for (const name of [...built, ...copied].sort()) {
+        // The document is kept under its folder's address.
+        files[name === 'index.html' ? '' : name] =
+          `sha256-${sha256(readFileSync(join(dir, name))).digest('base64')}`;
       }
-      script.code =
-        `const OFFLINE_FILES = ${JSON.stringify(files.sort())};\n` +
-        `const OFFLINE_VERSION = ${JSON.stringify(hash.digest('hex').slice(0, 16))};\n${script.code}`;
+      const path = join(dir, OFFLINE_SCRIPT);
+      const code = readFileSync(path, 'utf8');
+      writeFileSync(path, listOf(files, code) + code);
     },
   };
 }

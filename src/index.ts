@@ -30,13 +30,23 @@ export {
 export {
   type BodyState,
   type ClientMessage,
+  decodeControlsJson,
+  type DecodedFrame,
+  type DecodedHello,
+  decodeFrameJson,
+  decodeHelloJson,
   decodeServerMessage,
   decodeShipStateJson,
   decodeShipStatesJson,
   encodeClientMessage,
+  encodeControlsJson,
+  encodeFrameJson,
+  encodeHelloJson,
   encodeShipStateJson,
+  type FrameJsonOptions,
   type Hello,
   type InputRecord,
+  type PartialFrame,
   type ServerFrame,
   type ServerMessage,
   type ShipState,
@@ -46,7 +56,7 @@ export {
 /** Server truth + own controls -> a pose for now, the states shown and the events. */
 export {
   createPredictor,
-  createStandingPose,
+  createGroundedPose,
   type Diagnosis,
   type EventNotice,
   type GroundPose,
@@ -60,8 +70,8 @@ export {
   recordPredictor,
   replayEntries,
   type ShipView,
-  standOnGround,
-  type StandingPose,
+  snapToGround,
+  type GroundedPose,
   type WorldView,
 } from './prediction';
 

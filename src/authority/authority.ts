@@ -9,7 +9,7 @@ import {
   err,
   readControls,
   SHIP_STRIDE,
-  type ShipRecord,
+  type ShipInit,
   stepWorld,
   type Vec3,
 } from '../dynamics';
@@ -64,7 +64,7 @@ export interface Authority {
   spawn: (order: SpawnOrder) => string | null;
   despawn: (shipId: string) => string | null;
   /** As it was spawned, over the same ground; or as `ship` says. */
-  respawn: (shipId: string, ship?: ShipRecord) => string | null;
+  respawn: (shipId: string, ship?: ShipInit) => string | null;
   kick: (shipId: string, dv: Vec3, spin: Vec3) => string | null;
 
   /** These three hold from the next boundary on. */
@@ -85,7 +85,7 @@ export function createAuthority(options: AuthorityOptions): Result<Authority> {
   const { world, bodies } = loaded.value;
   const legacy = options.legacy ?? false;
   const granularity = legacy ? 'tick' : (options.inputGranularity ?? 'substep');
-  const tempo = createTempo(options.tickRate, options.timeScale, loaded.value.timing);
+  const tempo = createTempo(options.tickRate, options.timeScale, loaded.value.timing, loaded.value.world.settings);
   const roster = createRoster();
   const pilots = new Map<string, Pilot>();
   /** By ship. */

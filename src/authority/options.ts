@@ -57,7 +57,7 @@ const MAX_CLASSES = 256;
 export function loadOptions(options: AuthorityOptions): Result<LoadedOptions> {
   const settings = loadSettings(options.settings ?? {});
   if (!settings.ok) return err(`settings.${settings.reason}`);
-  const timing = loadTiming(options.tickRate, options.timeScale);
+  const timing = loadTiming(options.tickRate, options.timeScale, settings.value);
   if (!timing.ok) return timing;
   const tick = options.tick ?? 0;
   if (!Number.isSafeInteger(tick) || tick < 0)

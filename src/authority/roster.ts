@@ -12,7 +12,7 @@ import {
   type Quat,
   REFERENCE_BODY,
   SHIP_STRIDE,
-  type ShipRecord,
+  type ShipInit,
   spawnShip,
   SURFACE_STATE,
   type Vec3,
@@ -20,13 +20,14 @@ import {
   type World,
   writeControls,
 } from '../dynamics';
+import { textComplaint } from '../wire';
 import type { PlannedInput } from './plans';
 import { compose, inverse, rotate } from './rotation';
 import type { ShipIdentity } from './shipState';
 
 /** A ship to be put into the world. */
 export interface SpawnOrder extends ShipIdentity {
-  readonly ship: ShipRecord;
+  readonly ship: ShipInit;
   /** Neutral unless said. */
   readonly controls?: Controls;
   /** What it does by itself until its player's first input acts; in the order of time. */
@@ -44,7 +45,7 @@ export interface Roster {
 interface Berth {
   readonly identity: ShipIdentity;
   /** As spawned, and how its body was turned then: a respawn is over the same ground. */
-  readonly ship: ShipRecord;
+  readonly ship: ShipInit;
   readonly bodyAttitude: Quat;
 }
 
@@ -64,7 +65,8 @@ export function rowOf(roster: Roster, shipId: string): number {
 /** Adds a ship; a reason that names the field leaves the roster as it was. */
 export function spawn(roster: Roster, order: SpawnOrder, bodies: Float64Array, world: World): string | null {
   const { shipId, playerId, name, ship } = order;
-  if (shipId === '') return 'shipId: expected a text';
+  const unsaid = notOnWire(order);
+  if (unsaid !== null) return unsaid;
   if (rowOf(roster, shipId) >= 0) return `shipId: ${shipId} is there already`;
   if (roster.berths.length >= MAX_SHIPS) return `ships: ${MAX_SHIPS} are there already`;
   const at = roster.rows.length;
@@ -76,6 +78,16 @@ export function spawn(roster: Roster, order: SpawnOrder, bodies: Float64Array, w
   roster.events = new Uint8Array(rows.length / SHIP_STRIDE);
   const bodyAttitude = attitudeOf(bodies, rows[at + REFERENCE_BODY]!);
   roster.berths.push({ identity: { shipId, playerId, name }, ship, bodyAttitude });
+  return null;
+}
+
+/** Why the order's names could not be told to any client, or null. */
+function notOnWire({ shipId, playerId, name }: ShipIdentity): string | null {
+  if (shipId === '') return 'shipId: expected a text';
+  for (const [field, text] of Object.entries({ shipId, playerId, name })) {
+    const complaint = textComplaint(text);
+    if (complaint !== null) return `${field}: ${complaint}`;
+  }
   return null;
 }
 
@@ -98,7 +110,7 @@ export function respawn(
   shipId: string,
   bodies: Float64Array,
   world: World,
-  ship?: ShipRecord,
+  ship?: ShipInit,
 ): string | null {
   const at = rowOf(roster, shipId);
   if (at < 0) return `shipId: no ship named ${shipId}`;
@@ -133,7 +145,7 @@ export function kick(roster: Roster, shipId: string, dv: Vec3, spin: Vec3): stri
   return null;
 }
 
-function overSameGround(roster: Roster, at: number, bodies: Float64Array, world: World): ShipRecord {
+function overSameGround(roster: Roster, at: number, bodies: Float64Array, world: World): ShipInit {
   const { ship, bodyAttitude } = roster.berths[at / SHIP_STRIDE]!;
   const body = world.bodies.findIndex((candidate) => candidate.name === ship.referenceBody);
   const turn = compose(attitudeOf(bodies, body), inverse(bodyAttitude));

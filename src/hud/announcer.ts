@@ -6,9 +6,9 @@ import { append } from './elements';
  * TIPPED and CRASHED in a role=alert (HUD, Access). Never numbers, never a prediction that may be withdrawn.
  */
 export function createAnnouncer(parent: Element): (readout: LandingReadout) => void {
-  const status = append(parent, 'p', 'hud-unseen');
+  const status = append(parent, 'p', 'td-unseen');
   status.setAttribute('role', 'status');
-  const alert = append(parent, 'p', 'hud-unseen');
+  const alert = append(parent, 'p', 'td-unseen');
   alert.setAttribute('role', 'alert');
   let told: StatusId = 'none';
   return (readout) => {

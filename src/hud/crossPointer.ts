@@ -7,22 +7,22 @@ const RADIUS = 50;
 
 /** Horizontal velocity in ship axes, +Y up and +X right, with its scale; on the rim the side that leans (HUD). */
 export function createCrossPointer(parent: Element): (drift: Drift, tilt: Tilt) => void {
-  const gauge = append(parent, 'div', 'hud-drift');
+  const gauge = append(parent, 'div', 'td-drift');
   gauge.setAttribute('role', 'meter');
   gauge.setAttribute('aria-label', 'Drift along the ground');
   gauge.setAttribute('aria-valuemin', '0');
-  const picture = appendPicture(gauge, 'hud-dial', '-66 -69 132 138');
+  const picture = appendPicture(gauge, 'td-dial', '-66 -69 132 138');
   paintDial(picture);
-  const moving = appendSvg(picture, 'g', { class: 'hud-cross' });
+  const moving = appendSvg(picture, 'g', { class: 'td-cross' });
   const paintAcross = showFigures(appendSvg(moving, 'path'), 'd', 2, (x) => `M${String(x)} -50V50`);
   const paintAlong = showFigures(appendSvg(moving, 'path'), 'd', 2, (y) => `M-50 ${String(y)}H50`);
   const paintWay = showFigures(
-    appendSvg(moving, 'path', { class: 'hud-cross-way' }),
+    appendSvg(moving, 'path', { class: 'td-cross-way' }),
     'd',
     2,
     (x, y) => `M0 0L${String(x)} ${String(y)}`,
   );
-  const dot = appendSvg(moving, 'circle', { class: 'hud-cross-dot', r: 4 });
+  const dot = appendSvg(moving, 'circle', { class: 'td-cross-dot', r: 4 });
   const paintDot = showFigures(dot, 'transform', 2, (x, y) => `translate(${String(x)} ${String(y)})`);
   const paintLean = createLean(picture);
   const paintScale = createScale(gauge);
@@ -44,16 +44,16 @@ export function createCrossPointer(parent: Element): (drift: Drift, tilt: Tilt) 
 }
 
 function paintDial(picture: Element): void {
-  appendSvg(picture, 'circle', { class: 'hud-rim', r: RADIUS });
-  appendSvg(picture, 'circle', { class: 'hud-ring', r: RADIUS / 2 });
-  appendSvg(picture, 'path', { class: 'hud-axes', d: 'M-50 0H50M0 -50V50' });
+  appendSvg(picture, 'circle', { class: 'td-rim', r: RADIUS });
+  appendSvg(picture, 'circle', { class: 'td-ring', r: RADIUS / 2 });
+  appendSvg(picture, 'path', { class: 'td-axes', d: 'M-50 0H50M0 -50V50' });
 }
 
 /** A wedge on the rim at the ship's lowest side; the letter of an axis gives way to it. */
 function createLean(picture: Element): (tilt: Tilt) => void {
   const paintX = createLetter(picture, 'X', 58, 4);
   const paintY = createLetter(picture, 'Y', 0, -55);
-  const wedge = appendSvg(picture, 'path', { class: 'hud-lean', d: 'M0 -48L7 -60H-7Z' });
+  const wedge = appendSvg(picture, 'path', { class: 'td-lean', d: 'M0 -48L7 -60H-7Z' });
   const paint = showFigures(wedge, 'transform', 1, (degrees) => `rotate(${String(degrees)})`);
   const paintShown = showAttribute(wedge, 'data-shown');
   return ({ leanX, leanY }) => {
@@ -69,13 +69,13 @@ function createLean(picture: Element): (tilt: Tilt) => void {
 const COVERED = 0.94;
 
 function createLetter(picture: Element, text: string, x: number, y: number): (covered: string) => void {
-  const letter = appendSvg(picture, 'text', { class: 'hud-axis-text', x, y });
+  const letter = appendSvg(picture, 'text', { class: 'td-axis-text', x, y });
   letter.textContent = text;
   return showAttribute(letter, 'data-covered');
 }
 
 function createScale(gauge: HTMLElement): (scale: number) => void {
-  const paint = showText(append(gauge, 'span', 'hud-scale'));
+  const paint = showText(append(gauge, 'span', 'td-scale'));
   let shown = NaN;
   return (scale) => {
     if (scale === shown) return;

@@ -4,7 +4,7 @@ import { showAttribute, showNumber, showText } from './shown';
 
 /** VSPD, HSPD, TTI and AGL (HUD, the design); dashes above its ceiling of 50 km. */
 export function createDescentPanel(parent: Element): (descent: Descent) => void {
-  const panel = append(parent, 'div', 'hud-descent');
+  const panel = append(parent, 'div', 'td-descent');
   const paintVertical = createVerticalSpeed(appendReading(panel, 'VSPD', 'vspd'));
   const paintHorizontal = showNumber(appendReading(panel, 'HSPD', 'hspd'), SPEED);
   const paintTime = showNumber(appendReading(panel, 'TTI', 'tti'), DURATION);
@@ -21,7 +21,7 @@ export function createDescentPanel(parent: Element): (descent: Descent) => void 
 
 /** `↓ 12.3 m/s`, its arrow drawn by the style sheet: fonts lack it more often than letters. */
 function createVerticalSpeed(parent: Element): (value: number) => void {
-  const arrow = append(parent, 'span', 'hud-arrow');
+  const arrow = append(parent, 'span', 'td-arrow');
   const paintArrow = showText(arrow);
   const paintDirection = showAttribute(arrow, 'data-arrow');
   const paintNumber = showText(parent);

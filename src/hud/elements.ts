@@ -33,7 +33,7 @@ export function appendPicture(parent: Element, className: string, viewBox: strin
 
 /** A label over a value, as an instrument has them. */
 export function appendReading(parent: Element, label: string, name: string): HTMLElement {
-  const reading = append(parent, 'div', `hud-reading hud-reading-${name}`);
-  append(reading, 'span', 'hud-label', label);
-  return append(reading, 'span', 'hud-value');
+  const reading = append(parent, 'div', `td-reading td-reading-${name}`);
+  append(reading, 'span', 'td-label', label);
+  return append(reading, 'span', 'td-value');
 }

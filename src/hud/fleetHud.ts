@@ -1,30 +1,33 @@
 import { FLEET_ORDER, type FleetReadout, STATUS_LOOKS, type StatusId } from '../readout';
+import { createFrame, type HudAppearance } from './appearance';
 import { append } from './elements';
 import { createFleetRow, type FleetRowElement } from './fleetRow';
 import type { Hud } from './landingHud';
 import { showPart, showText } from './shown';
 
-/** px; hud.css gives the rows this height. */
+/** px; fleet.css gives the rows this height. */
 const ROW_HEIGHT = 28;
 /** Rows in the DOM at most; a list taller than this shows shows no more of them. */
 const MAX_ROWS = 30;
 
 /**
- * The fleet HUD, appended to `host`: a row a ship, those that need help first, counts in the header (HUD, Fleet). Only the
- * rows in sight exist, so that 1,000 ships scroll as smoothly as ten.
+ * Creates the fleet HUD and appends it to `host`, which may be a shadow root: one row per ship, those that need help first,
+ * counts in the header (HUD, Fleet). Only the rows in sight exist, so that 1,000 ships scroll as smoothly as ten.
  */
-export function createFleetHud(document: Document, host: Element): Hud<FleetReadout> {
-  const root = document.createElement('section');
-  root.className = 'hud hud-fleet';
-  root.setAttribute('aria-label', 'Fleet');
-  const header = append(root, 'header', 'hud-fleet-header');
+export function createFleetHud(
+  document: Document,
+  host: Element | ShadowRoot,
+  options: HudAppearance = {},
+): Hud<FleetReadout> {
+  const { root, panel, dispose } = createFrame(document, 'fleet', 'Fleet', options);
+  const header = append(panel, 'header', 'td-fleet-header');
   append(header, 'h2', '', 'Fleet');
   const paintCounts = createCounts(header);
-  const scroller = append(root, 'div', 'hud-scroller');
+  const scroller = append(panel, 'div', 'td-scroller');
   scroller.tabIndex = 0;
   scroller.setAttribute('role', 'region');
   scroller.setAttribute('aria-label', 'Ships');
-  const list = append(scroller, 'ul', 'hud-rows');
+  const list = append(scroller, 'ul', 'td-rows');
   const rows: FleetRowElement[] = [];
   let newest: FleetReadout | null = null;
   let length = -1;
@@ -62,7 +65,7 @@ export function createFleetHud(document: Document, host: Element): Hud<FleetRead
     },
     dispose: () => {
       watcher?.disconnect();
-      root.remove();
+      dispose();
     },
   };
 }
@@ -76,7 +79,7 @@ function createCounts(header: Element): (readout: FleetReadout) => void {
 }
 
 function createCount(header: Element, status: StatusId): (count: number) => void {
-  const part = append(header, 'span', 'hud-count');
+  const part = append(header, 'span', 'td-count');
   part.setAttribute('data-colour', STATUS_LOOKS[status].colour);
   const paintText = showText(part);
   const paintShown = showPart(part);

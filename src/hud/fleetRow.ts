@@ -11,14 +11,14 @@ export interface FleetRowElement {
 const PROVENANCE_WORDS = { confirmed: 'CONF', predicted: 'PRED', stale: 'STALE', off: 'PRED OFF' } as const;
 
 export function createFleetRow(list: Element, height: number): FleetRowElement {
-  const element = append(list, 'li', 'hud-row');
-  const shape = append(element, 'span', 'hud-shape');
+  const element = append(list, 'li', 'td-row');
+  const shape = append(element, 'span', 'td-shape');
   shape.setAttribute('aria-hidden', 'true');
   const paintShape = showText(shape);
-  const paintWord = showText(append(element, 'strong', 'hud-word'));
-  const paintName = showText(append(element, 'span', 'hud-name'));
-  const paintHeight = showNumber(append(element, 'span', 'hud-height'), DISTANCE);
-  const paintProvenance = showText(append(element, 'span', 'hud-provenance'));
+  const paintWord = showText(append(element, 'strong', 'td-word'));
+  const paintName = showText(append(element, 'span', 'td-name'));
+  const paintHeight = showNumber(append(element, 'span', 'td-height'), DISTANCE);
+  const paintProvenance = showText(append(element, 'span', 'td-provenance'));
   const paintColour = showAttribute(element, 'data-colour');
   const paintKind = showAttribute(element, 'data-provenance');
   const paintOwn = showAttribute(element, 'data-own');

@@ -4,9 +4,9 @@ import { showAttribute, showNumber, showPart, showText } from './shown';
 
 /** Why not landed yet: value, limit and ✓ or ✗ of the law's four settle gates, while in contact (HUD). */
 export function createGatesPanel(parent: Element): (gates: Gates) => void {
-  const table = append(parent, 'table', 'hud-gates');
+  const table = append(parent, 'table', 'td-gates');
   append(table, 'caption', '', 'To count as landed, meet all four at once');
-  const head = append(append(table, 'thead', 'hud-unseen'), 'tr');
+  const head = append(append(table, 'thead', 'td-unseen'), 'tr');
   for (const title of ['Gate', 'Now', 'Limit', 'Met']) append(head, 'th', '', title).scope = 'col';
   const body = append(table, 'tbody');
   const paintTilt = createGate(body, 'Tilt', ANGLE);
@@ -27,10 +27,10 @@ export function createGatesPanel(parent: Element): (gates: Gates) => void {
 function createGate(body: Element, label: string, format: Format): (gate: Gate) => void {
   const row = append(body, 'tr');
   append(row, 'th', '', label).scope = 'row';
-  const paintValue = showNumber(append(row, 'td', 'hud-now'), format);
-  const paintLimit = showNumber(append(row, 'td', 'hud-limit'), format);
-  const met = append(row, 'td', 'hud-met');
-  const mark = append(met, 'span', 'hud-tick');
+  const paintValue = showNumber(append(row, 'td', 'td-now'), format);
+  const paintLimit = showNumber(append(row, 'td', 'td-limit'), format);
+  const met = append(row, 'td', 'td-met');
+  const mark = append(met, 'span', 'td-tick');
   mark.setAttribute('role', 'img');
   const paintMark = showText(mark);
   const paintLabel = showAttribute(mark, 'aria-label');

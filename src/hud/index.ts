@@ -1,11 +1,4 @@
-/** Both HUDs: painting only. What they show is decided in readout. */
-import './hud.css';
-import './status.css';
-import './instruments.css';
-import './panels.css';
-import './fleet.css';
-import './flight/flight.css';
-import './smallScreens.css';
+/** The HUDs: painting only. What they show is decided in readout; their style sheet is hud.css. */
 
 export {
   createCockpitLandingHud,
@@ -16,5 +9,7 @@ export {
 export { createFleetHud, createFleetHud as fleetHud } from './fleetHud';
 export { createFlightHud, type FlightHudOptions, type FlightPanels } from './flight/flightHud';
 export type { FlightKey } from './flight/modesPanel';
+/** Theme and layout. */
+export type { HudAppearance } from './appearance';
 /** Names keys in hints. */
 export type { KeyLabel, TurnKey, TurnKeys } from './rightingPanel';

@@ -1,5 +1,6 @@
 import type { LandingReadout } from '../readout';
 import { createAnnouncer } from './announcer';
+import { createFrame, type HudAppearance } from './appearance';
 import { createCrossPointer } from './crossPointer';
 import { createDescentPanel } from './descentPanel';
 import { append } from './elements';
@@ -19,7 +20,8 @@ export interface Hud<Readout> {
   readonly dispose: () => void;
 }
 
-export interface LandingHudOptions {
+/** Options of the landing HUD. */
+export interface LandingHudOptions extends HudAppearance {
   /** Names the keys in the righting help; without it the help names the axes alone. */
   readonly keyLabel?: KeyLabel;
   /** Which controls turn the ship now, where they are not one for each axis. */
@@ -27,29 +29,28 @@ export interface LandingHudOptions {
 }
 
 /**
- * The cockpit's landing HUD, appended to `host` (HUD, the design and beyond it). Its style sheets come with index.ts;
- * no content security policy stands in its way.
+ * Creates the cockpit's landing HUD and appends it to `host`, which may be a shadow root (HUD, the design and beyond it).
+ * Its style sheet is hud.css: link it where the host is, in the shadow root if it is one. Nothing here needs more of a content
+ * security policy than `default-src 'self'`.
  */
 export function createCockpitLandingHud(
   document: Document,
-  host: Element,
+  host: Element | ShadowRoot,
   options: LandingHudOptions = {},
 ): Hud<LandingReadout> {
-  const root = document.createElement('section');
-  root.className = 'hud hud-landing';
-  root.setAttribute('aria-label', 'Landing');
-  const paintStatus = createStatusSlot(root);
-  const paintTilt = createTiltPanel(root);
-  const parts = append(root, 'div', 'hud-parts');
-  const instruments = append(parts, 'div', 'hud-instruments');
+  const { root, panel, dispose } = createFrame(document, 'landing', 'Landing', options);
+  const paintStatus = createStatusSlot(panel);
+  const paintTilt = createTiltPanel(panel);
+  const parts = append(panel, 'div', 'td-parts');
+  const instruments = append(parts, 'div', 'td-instruments');
   const paintDrift = createCrossPointer(instruments);
   const paintDescent = createDescentPanel(instruments);
-  const landed = append(parts, 'p', 'hud-landed', 'Landed');
+  const landed = append(parts, 'p', 'td-landed', 'Landed');
   const paintLanded = showPart(landed);
   const paintGates = createGatesPanel(parts);
   const paintRighting = createRightingPanel(parts, options.keyLabel ?? (() => ''), options.turnKeys);
   const paintCard = createTouchdownCard(parts);
-  const announce = createAnnouncer(root);
+  const announce = createAnnouncer(panel);
   host.append(root);
   const unwatch = scrollWhereShort(parts, 'Landing, further down');
   return {
@@ -66,7 +67,7 @@ export function createCockpitLandingHud(
     },
     dispose: () => {
       unwatch();
-      root.remove();
+      dispose();
     },
   };
 }

@@ -51,21 +51,21 @@ export function createRightingPanel(
   turnKeys: TurnKeys = (actions) =>
     actions.map((action) => ({ cap: keyLabel(action), words: ACTION_WORDS[action] })),
 ): (righting: Righting) => void {
-  const panel = append(parent, 'div', 'hud-righting');
-  append(panel, 'p', 'hud-hint', HINT);
-  const hold = append(panel, 'p', 'hud-hold');
-  append(hold, 'span', 'hud-label', 'HOLD');
+  const panel = append(parent, 'div', 'td-righting');
+  append(panel, 'p', 'td-hint', HINT);
+  const hold = append(panel, 'p', 'td-hold');
+  append(hold, 'span', 'td-label', 'HOLD');
   const paintFirst = createTurnKey(hold);
   const paintSecond = createTurnKey(hold);
-  const time = append(hold, 'span', 'hud-of');
+  const time = append(hold, 'span', 'td-of');
   const paintTime = showNumber(time, DURATION);
   const paintTimeShown = showPart(time);
-  const then = append(panel, 'p', 'hud-hold');
-  append(then, 'span', 'hud-label', 'RELEASE');
+  const then = append(panel, 'p', 'td-hold');
+  append(then, 'span', 'td-label', 'RELEASE');
   const paintHoldShown = showPart(hold);
   const paintThenShown = showPart(then);
   // Held on to for longer, the swing carries the ship over to its other side.
-  const paintUntil = showNumber(append(then, 'span', 'hud-until', 'below '), ANGLE);
+  const paintUntil = showNumber(append(then, 'span', 'td-until', 'below '), ANGLE);
   const press = append(then, 'span', '', ', then press');
   const paintPressShown = showPart(press);
   const paintDamping = createKey(then, keyLabel);
@@ -93,7 +93,7 @@ export function createRightingPanel(
 }
 
 function createTurnKey(parent: Element): (key: TurnKey | null) => void {
-  const holder = append(parent, 'span', 'hud-action');
+  const holder = append(parent, 'span', 'td-action');
   const cap = append(holder, 'kbd');
   const paintCapShown = showPart(cap);
   const paintCap = showText(cap);
@@ -109,7 +109,7 @@ function createTurnKey(parent: Element): (key: TurnKey | null) => void {
 }
 
 function createKey(parent: Element, keyLabel: KeyLabel): (action: HintAction | '') => void {
-  const holder = append(parent, 'span', 'hud-action');
+  const holder = append(parent, 'span', 'td-action');
   const cap = append(holder, 'kbd');
   const paintCapShown = showPart(cap);
   const paintCap = showText(cap);
@@ -127,11 +127,11 @@ function createKey(parent: Element, keyLabel: KeyLabel): (action: HintAction | '
 
 /** `55 kN m of 142 kN m`: what is needed of what there is, as in every line. */
 function createTorque(parent: Element): (righting: Righting) => void {
-  const line = append(parent, 'p', 'hud-need');
-  append(line, 'span', 'hud-label', 'TORQUE');
-  const values = append(line, 'span', 'hud-value');
+  const line = append(parent, 'p', 'td-need');
+  append(line, 'span', 'td-label', 'TORQUE');
+  const values = append(line, 'span', 'td-value');
   const paintNeeded = showNumber(values, TORQUE);
-  append(values, 'span', 'hud-of', ' of ');
+  append(values, 'span', 'td-of', ' of ');
   const paintAvailable = showNumber(values, TORQUE);
   const paintMark = createMark(line);
   return (righting) => {
@@ -143,11 +143,11 @@ function createTorque(parent: Element): (righting: Righting) => void {
 
 /** `39 kg of 7 200 kg` from the law run ahead. */
 function createFuel(parent: Element): (righting: Righting) => void {
-  const line = append(parent, 'p', 'hud-need');
-  append(line, 'span', 'hud-label', 'FUEL');
-  const values = append(line, 'span', 'hud-value');
+  const line = append(parent, 'p', 'td-need');
+  append(line, 'span', 'td-label', 'FUEL');
+  const values = append(line, 'span', 'td-value');
   const paintNeeded = showNumber(values, MASS);
-  append(values, 'span', 'hud-of', ' of ');
+  append(values, 'span', 'td-of', ' of ');
   const paintAboard = showNumber(values, MASS);
   const paintMark = createMark(line);
   const paintShown = showPart(line);
@@ -160,7 +160,7 @@ function createFuel(parent: Element): (righting: Righting) => void {
 }
 
 function createMark(line: Element): (met: 'true' | 'false' | 'unknown') => void {
-  const mark = append(line, 'span', 'hud-tick');
+  const mark = append(line, 'span', 'td-tick');
   mark.setAttribute('role', 'img');
   const paintMark = showText(mark);
   const paintLabel = showAttribute(mark, 'aria-label');
@@ -174,7 +174,7 @@ function createMark(line: Element): (met: 'true' | 'false' | 'unknown') => void 
 
 /** Only where the ship cannot be righted as it is: that it cannot, and what may help. */
 function createVerdict(parent: Element, keyLabel: KeyLabel): (righting: Righting) => void {
-  const line = append(parent, 'p', 'hud-verdict');
+  const line = append(parent, 'p', 'td-verdict');
   const paintText = showText(append(line, 'span'));
   const paintKey = createKey(line, keyLabel);
   const mass = append(line, 'span');

@@ -11,18 +11,18 @@ import { showAttribute, showText } from './shown';
 
 /** The one fixed slot: shape, word and colour together, and beside them how far they can be trusted (HUD). */
 export function createStatusSlot(parent: Element): (readout: LandingReadout) => void {
-  const slot = append(parent, 'div', 'hud-status');
-  const shape = append(slot, 'span', 'hud-shape');
+  const slot = append(parent, 'div', 'td-status');
+  const shape = append(slot, 'span', 'td-shape');
   shape.setAttribute('aria-hidden', 'true');
   const paintShape = showText(shape);
-  const paintWord = showText(append(slot, 'strong', 'hud-word'));
-  const provenance = append(slot, 'span', 'hud-provenance');
+  const paintWord = showText(append(slot, 'strong', 'td-word'));
+  const provenance = append(slot, 'span', 'td-provenance');
   const paintProvenance = createProvenance(provenance);
   const paintProvenanceKind = showAttribute(provenance, 'data-provenance');
   const paintColour = showAttribute(slot, 'data-colour');
   const paintKnown = showAttribute(slot, 'data-known');
   const pulse = createPulse(slot);
-  const paintWithdrawn = showText(append(parent, 'p', 'hud-withdrawn'));
+  const paintWithdrawn = showText(append(parent, 'p', 'td-withdrawn'));
   return (readout) => {
     const look = STATUS_LOOKS[readout.status];
     paintShape(look.shape);

@@ -11,12 +11,12 @@ const DIAL_END = 96;
 
 /** Arc gauge of the tilt, with the settle, no-return and tipped marks (HUD, Tilt). */
 export function createTiltGauge(parent: Element): (tilt: Tilt) => void {
-  const gauge = append(parent, 'div', 'hud-tilt-gauge');
+  const gauge = append(parent, 'div', 'td-tilt-gauge');
   gauge.setAttribute('role', 'meter');
   gauge.setAttribute('aria-label', 'Tilt');
   gauge.setAttribute('aria-valuemin', '0');
   gauge.setAttribute('aria-valuemax', '180');
-  const picture = appendPicture(gauge, 'hud-dial', '0 -3 150 128');
+  const picture = appendPicture(gauge, 'td-dial', '0 -3 150 128');
   const paintScale = createScale(picture);
   const needle = createNeedle(picture);
   const paintNow = showFigures(gauge, 'aria-valuenow', 1, String);
@@ -38,9 +38,9 @@ export function createTiltGauge(parent: Element): (tilt: Tilt) => void {
 
 /** The arc in four parts, settles, rocks back, topples, lies, with marks between; bare until a ship gives them. */
 function createScale(picture: Element): (tilt: Tilt) => void {
-  appendSvg(picture, 'path', { class: 'hud-zone', d: arc(0, DIAL_END) });
+  appendSvg(picture, 'path', { class: 'td-zone', d: arc(0, DIAL_END) });
   const zones = ['settled', 'leaning', 'toppling', 'tipped'].map((zone) =>
-    appendSvg(picture, 'path', { class: `hud-zone hud-zone-${zone}` }),
+    appendSvg(picture, 'path', { class: `td-zone td-zone-${zone}` }),
   );
   const marks = [createMark(picture), createMark(picture), createMark(picture)];
   let shown = [NaN, NaN, NaN];
@@ -55,8 +55,8 @@ function createScale(picture: Element): (tilt: Tilt) => void {
 }
 
 function createMark(picture: Element): (angle: number) => void {
-  const line = appendSvg(picture, 'path', { class: 'hud-mark' });
-  const label = appendSvg(picture, 'text', { class: 'hud-mark-text' });
+  const line = appendSvg(picture, 'path', { class: 'td-mark' });
+  const label = appendSvg(picture, 'text', { class: 'td-mark-text' });
   return (angle) => {
     line.setAttribute('d', `M${point(angle, RADIUS - 8)}L${point(angle, RADIUS + 6)}`);
     label.setAttribute('transform', `translate(${point(angle, RADIUS + 15)})`);
@@ -66,10 +66,10 @@ function createMark(picture: Element): (angle: number) => void {
 
 /** A lander seen from the side, its axis drawn out to the scale. */
 function createNeedle(picture: Element): (angle: number) => void {
-  const needle = appendSvg(picture, 'g', { class: 'hud-needle' });
-  appendSvg(needle, 'path', { class: 'hud-needle-axis', d: `M0 -10V${String(5 - RADIUS)}` });
-  appendSvg(needle, 'path', { class: 'hud-needle-legs', d: 'M-6 4L-13 17M6 4L13 17M-16 17H-10M10 17H16' });
-  appendSvg(needle, 'path', { class: 'hud-needle-hull', d: 'M-8 9H8L10 0L6 -12H-6L-10 0Z' });
+  const needle = appendSvg(picture, 'g', { class: 'td-needle' });
+  appendSvg(needle, 'path', { class: 'td-needle-axis', d: `M0 -10V${String(5 - RADIUS)}` });
+  appendSvg(needle, 'path', { class: 'td-needle-legs', d: 'M-6 4L-13 17M6 4L13 17M-16 17H-10M10 17H16' });
+  appendSvg(needle, 'path', { class: 'td-needle-hull', d: 'M-8 9H8L10 0L6 -12H-6L-10 0Z' });
   return showFigures(
     needle,
     'transform',

@@ -7,12 +7,12 @@ const TRENDS = { '-1': 'coming up', '0': 'steady', '1': 'leaning over' } as cons
 
 /** Gauge, number, trend and tip margin; the number is the largest one when in contact or tipped (HUD, Tilt). */
 export function createTiltPanel(parent: Element): (readout: LandingReadout) => void {
-  const panel = append(parent, 'div', 'hud-tilt');
+  const panel = append(parent, 'div', 'td-tilt');
   const paintGauge = createTiltGauge(panel);
-  const figures = append(panel, 'div', 'hud-tilt-figures');
-  append(figures, 'span', 'hud-label', 'TILT');
-  const paintTilt = showNumber(append(figures, 'span', 'hud-tilt-value'), ANGLE);
-  const trend = append(figures, 'span', 'hud-trend');
+  const figures = append(panel, 'div', 'td-tilt-figures');
+  append(figures, 'span', 'td-label', 'TILT');
+  const paintTilt = showNumber(append(figures, 'span', 'td-tilt-value'), ANGLE);
+  const trend = append(figures, 'span', 'td-trend');
   const paintTrend = showAttribute(trend, 'data-trend');
   const paintTrendText = showText(trend);
   const paintMargin = createMargin(figures);
@@ -29,7 +29,7 @@ export function createTiltPanel(parent: Element): (readout: LandingReadout) => v
 
 /** `24.5° to tip`; past the point of no return what the law, run ahead, says: `tips in 4.2 s`. */
 function createMargin(parent: Element): (margin: TipMargin) => void {
-  const line = append(parent, 'span', 'hud-margin');
+  const line = append(parent, 'span', 'td-margin');
   const paintOutlook = showAttribute(line, 'data-outlook');
   const paintText = showText(line);
   let key = NaN;

@@ -4,9 +4,9 @@ import { showNumber, showPart } from './shown';
 
 /** How the touchdown went, once the ship has landed or tipped (HUD, touchdown card). */
 export function createTouchdownCard(parent: Element): (readout: LandingReadout) => void {
-  const part = append(parent, 'div', 'hud-touchdown');
-  append(part, 'p', 'hud-label', 'TOUCHDOWN');
-  const card = append(part, 'dl', 'hud-card');
+  const part = append(parent, 'div', 'td-touchdown');
+  append(part, 'p', 'td-label', 'TOUCHDOWN');
+  const card = append(part, 'dl', 'td-card');
   const paintVertical = createEntry(card, 'Vertical', SPEED);
   const paintHorizontal = createEntry(card, 'Horizontal', SPEED);
   const paintBounces = createEntry(card, 'Bounces', COUNT);

@@ -1,6 +1,6 @@
 import {
   EVENT_CONTACT,
-  EVENT_CRASHED,
+  EVENT_DESTROYED,
   EVENT_LANDED,
   EVENT_NAMES,
   EVENT_RIGHTED,
@@ -8,6 +8,7 @@ import {
 } from '../dynamics';
 import type { ShipEventName } from '../dynamics';
 import { indexOf, isBefore, type Timeline } from './time/timeline';
+import type { WorldEvent } from '../wire';
 import type { EventNotice } from './drawn/view';
 
 /**
@@ -66,6 +67,16 @@ export function predict(
   return noticeOf(ledger, entry);
 }
 
+/** An event of the server as the ledger counts it; null of one that only the server knows, or of no certain substep. */
+export function knownEvent({
+  type,
+  tick,
+  substep,
+}: WorldEvent): { event: number; tick: number; substep: number } | null {
+  const event = (EVENT_NAMES as readonly string[]).indexOf(type);
+  return event <= 0 || substep === null ? null : { event, tick, substep };
+}
+
 /** The server told of `event`; a notice unless it had told of it before. */
 export function confirm(
   ledger: Ledger,
@@ -111,7 +122,7 @@ export function confirmByState(
 ): EventNotice | null {
   for (const entry of ledger.entries) {
     if (entry.fate !== 'predicted' || !isBefore(entry.tick, entry.substep, tick, 0)) continue;
-    if (crashed ? entry.event !== EVENT_CRASHED : !(SHOWN_BY[entry.event] ?? []).includes(state)) continue;
+    if (crashed ? entry.event !== EVENT_DESTROYED : !(SHOWN_BY[entry.event] ?? []).includes(state)) continue;
     entry.fate = 'confirmed';
     return noticeOf(ledger, entry);
   }

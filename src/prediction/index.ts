@@ -1,19 +1,23 @@
 /** Server truth and own controls -> a pose for now. */
 
 /** The whole of it: receive, advance, view. */
-export { createPredictor, type Defaults, type Predictor, type PredictorOptions } from './predictor';
+export { createPredictor, type Predictor } from './predictor';
+export type { Defaults, PredictorOptions } from './options';
+/** Why a ship leaves, and what a caller is warned of. */
+export type { Removal } from './ownership';
+export type { Warn } from './warnings';
 /** What the own ship does by itself. */
 export type { ScheduledInput } from './inputs/inputs';
 /** What it gives. */
 export type * from './drawn/view';
 /** A drawn pose on the drawn ground. */
 export {
-  createStandingPose,
+  createGroundedPose,
   type GroundPose,
   type GroundRadius,
-  standOnGround,
-  type StandingPose,
-} from './drawn/standOnGround';
+  snapToGround,
+  type GroundedPose,
+} from './drawn/groundSnap';
 export { type Hull, hullOf, LEGS } from './drawn/hull';
 /** What goes through a predictor, written down and fed again. */
 export { type PredictorEntry, recordPredictor, replayEntries } from './recorder';

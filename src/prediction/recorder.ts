@@ -1,10 +1,10 @@
 import type { Controls } from '../dynamics';
-import type { ClientMessage, ServerMessage } from '../wire';
+import type { ClientMessage, PartialFrame, ServerMessage } from '../wire';
 import type { Predictor } from './predictor';
 
 /** What went through a predictor, in its order; `at`: client wall s. A JSON line each, as rehearsal writes them. */
 export type PredictorEntry =
-  | { readonly kind: 'received'; readonly at: number; readonly message: ServerMessage }
+  | { readonly kind: 'received'; readonly at: number; readonly message: ServerMessage | PartialFrame }
   | { readonly kind: 'sent'; readonly at: number; readonly message: ClientMessage }
   | { readonly kind: 'advanced'; readonly at: number; readonly controls: Controls | null };
 

@@ -63,7 +63,7 @@ export function updateFlightReadout(out: FlightReadout, view: WorldView): Flight
   out.known = true;
   measureSurface(out.memory, ship, body);
   measureEngine(out, ship);
-  measureAttitude(out, ship);
+  measureAttitude(out, ship, body.angularVelocity);
   return out;
 }
 
@@ -78,12 +78,14 @@ function measureEngine(out: FlightReadout, ship: ShipView): void {
   out.burnSeconds = flow > 0 ? fuel / flow : NaN;
   out.deltaV =
     shipClass.mainEngineFlow > 0 ? Math.log(mass / shipClass.dryMass) / shipClass.mainEngineFlow : NaN;
+  const { reactionWheelCapacity: capacity } = shipClass;
+  for (let k = 0; k < 3; k++)
+    out.wheels[k] = capacity === null || capacity[k] === 0 ? NaN : ship.wheelMomentum[k]! / capacity[k]!;
   out.damping = controls.attitudeHold;
   out.mode = controls.attitudeMode;
 }
 
 const SHIP_Y = Float64Array.of(0, 1, 0);
-const POLE = Float64Array.of(0, 1, 0);
 const forward = new Float64Array(3);
 const pole = new Float64Array(3);
 const east = new Float64Array(3);
@@ -91,20 +93,22 @@ const north = new Float64Array(3);
 const product = new Float64Array(2);
 const DEGREES = 180 / Math.PI;
 
-function measureAttitude(out: FlightReadout, ship: ShipView): void {
+/** @param spin of the body, ICRF: north is where its axis points */
+function measureAttitude(out: FlightReadout, ship: ShipView, spin: readonly number[]): void {
   const { normal, normalInShip, tilt } = out.memory;
   out.pitch = 90 - tilt * DEGREES;
   const level = Math.sqrt(normalInShip[0]! ** 2 + normalInShip[1]! ** 2);
   out.leanX = level > 0 ? (-normalInShip[0]! / level) * tilt * DEGREES : 0;
   out.leanY = level > 0 ? (-normalInShip[1]! / level) * tilt * DEGREES : 0;
-  // North in ICRF: poles lie near +Y here; the body's spin axis would do as well.
-  pole.set(POLE);
+  for (let k = 0; k < 3; k++) pole[k] = spin[k]!;
   cross(east, pole, normal);
   writeDot(product, 0, east, east);
-  if (product[0]! < 1e-12) {
+  const length = Math.sqrt(product[0]!);
+  if (length === 0) {
     out.heading = NaN;
     return;
   }
+  for (let k = 0; k < 3; k++) east[k] = east[k]! / length;
   cross(north, normal, east);
   toInertial(forward, ship.attitude, SHIP_Y);
   writeDot(product, 0, forward, east);

@@ -1,4 +1,4 @@
-import { EVENT_CONTACT, EVENT_CRASHED, IMPACT_SPEED, POSITION, VELOCITY } from '../dynamics';
+import { EVENT_CONTACT, EVENT_DESTROYED, IMPACT_SPEED, POSITION, VELOCITY } from '../dynamics';
 import type { ShipView, WorldView } from '../prediction';
 import { cross, writeDot } from './axes';
 import { createJourney, followJourney, type Journey } from './journey';
@@ -156,7 +156,7 @@ function runAhead(out: LandingAids, view: WorldView, ship: ShipView): void {
   const { projection, journey } = out.memory;
   for (let i = 0; i < SUBSTEPS_A_CALL && projection.running; i++) {
     const event = stepProjection(projection);
-    const touched = event === EVENT_CONTACT || event === EVENT_CRASHED;
+    const touched = event === EVENT_CONTACT || event === EVENT_DESTROYED;
     if (!touched && projection.elapsed < HORIZON) continue;
     projection.running = false;
     out.outcome = touched ? 'touch' : 'none';

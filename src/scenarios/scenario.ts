@@ -6,6 +6,7 @@ import {
   type Result,
   type Controls,
   loadControls,
+  loadSettings,
   loadTiming,
   NEUTRAL_CONTROLS,
   err,
@@ -13,7 +14,7 @@ import {
   SHIP_CLASSES,
   type ShipClass,
   type ShipEventName,
-  type ShipRecord,
+  type ShipInit,
   type SurfaceState,
   type TerrainHeight,
   TERRAINS,
@@ -27,7 +28,7 @@ export interface Scenario {
   /** For people. */
   readonly title: string;
   readonly about: string;
-  /** A name in BODIES. Alone in its world: the law re-chooses a flying ship's body by gravity, and over Phobos Mars's is stronger. */
+  /** A name in BODIES. Alone in its world. */
   readonly body: string;
   /** A name in SHIP_CLASSES. */
   readonly shipClass: string;
@@ -70,7 +71,7 @@ export interface StagedScenario {
   readonly shipClass: ShipClass;
   readonly terrainHeight: TerrainHeight;
   readonly timing: Timing;
-  readonly ship: ShipRecord;
+  readonly ship: ShipInit;
   readonly inputs: readonly StagedInput[];
 }
 
@@ -91,7 +92,9 @@ export function stage(scenario: Scenario): Result<StagedScenario> {
   const shipClass = throttled(knownClass, scenario.engineShare ?? 1);
   if (!Object.hasOwn(TERRAINS, scenario.terrain)) return err(`terrain: no terrain named ${scenario.terrain}`);
   const terrainHeight = TERRAINS[scenario.terrain]!;
-  const timing = loadTiming(scenario.tickRate, scenario.timeScale);
+  const settings = loadSettings(scenario.settings);
+  if (!settings.ok) return err(`settings.${settings.reason}`);
+  const timing = loadTiming(scenario.tickRate, scenario.timeScale, settings.value);
   if (!timing.ok) return timing;
   const inputs = stageInputs(scenario.inputs, timing.value);
   if (!inputs.ok) return inputs;

@@ -5,7 +5,7 @@ const START: Pick<
   Scenario,
   'body' | 'shipClass' | 'settings' | 'terrain' | 'tickRate' | 'timeScale' | 'site' | 'inputs'
 > = {
-  body: 'Moon',
+  body: 'Luna',
   shipClass: 'planetary_lander',
   settings: {},
   terrain: 'hills',
@@ -113,7 +113,7 @@ export const SCENARIOS: readonly Scenario[] = [
     about: 'A touch above the crash speed of 50 m/s.',
     initial: { ...STILL, height: 60, velocity: [10, 0, -52] },
     duration: 4,
-    expected: ['ship.crashed'],
+    expected: ['ship.destroyed'],
   },
   {
     ...START,
@@ -209,7 +209,7 @@ export const SCENARIOS: readonly Scenario[] = [
     site: { latitude: 28.45651, longitude: 43.23295 },
     initial: { ...STILL, height: 85, velocity: [6, -69.7, 0], heading: 175 },
     duration: 6,
-    expected: ['ship.crashed'],
+    expected: ['ship.destroyed'],
   },
   {
     ...START,

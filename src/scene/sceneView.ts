@@ -1,5 +1,5 @@
 import { ACESFilmicToneMapping, Group, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
-import { flatTerrain, GRAVITATIONAL_CONSTANT, type TerrainHeight } from '../dynamics';
+import { flatTerrain, GRAVITATIONAL_CONSTANT } from '../dynamics';
 import type { ShipView, WorldView } from '../prediction';
 import { type BodyLook, lookOf } from './sky/bodyLook';
 import { createRig, placeEye, releaseRig, turnRig, updateRig, zoomRig } from './cameraRig';

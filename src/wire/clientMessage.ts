@@ -2,7 +2,7 @@ import { type Result, err } from '../dynamics';
 import { controlFields, readControlFields } from './controls';
 import { type Envelope, openEnvelope, sealEnvelope } from './envelope';
 import { galaxy } from './generated/codec.js';
-import { MAX_CLIENT_BYTES, MAX_INPUTS, MAX_SUBSTEPS } from './limits';
+import { MAX_CLIENT_BYTES, MAX_INPUTS, MAX_SUBSTEPS, MAX_TICK } from './limits';
 import {
   beginReading,
   endReading,
@@ -59,7 +59,7 @@ export function encodeClientMessage(message: ClientMessage): Uint8Array<ArrayBuf
 function readInput(r: Reading, from: Fields): InputRecord {
   return {
     seq: integerIn(r, from, 'seq', 1, Number.MAX_SAFE_INTEGER),
-    tick: integerIn(r, from, 'tick', 0, Number.MAX_SAFE_INTEGER),
+    tick: integerIn(r, from, 'tick', 0, MAX_TICK),
     substep: integerIn(r, from, 'substep', 0, MAX_SUBSTEPS - 1),
     controls: messageIn(r, from, 'controls', readControlFields),
   };

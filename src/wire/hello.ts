@@ -1,7 +1,7 @@
-import { loadTiming } from '../dynamics';
+import { DEFAULT_SETTINGS, loadTiming } from '../dynamics';
 import { bodyStateFields, readBodyState } from './bodyState';
 import type { galaxy } from './generated/codec.js';
-import { FINITE, MAX_BODIES, MAX_SHIP_CLASSES } from './limits';
+import { FINITE, MAX_BODIES, MAX_SHIP_CLASSES, MAX_TICK } from './limits';
 import { refuseLoaded } from './loaders';
 import {
   choiceIn,
@@ -29,7 +29,7 @@ export function readHello(r: Reading, from: Fields): Hello {
     shipClasses: listIn(r, from, 'ship_classes', MAX_SHIP_CLASSES, readShipClass),
     bodies: listIn(r, from, 'bodies', MAX_BODIES, readBodyState),
     terrain: nameIn(r, from, 'terrain'),
-    tick: integerIn(r, from, 'tick', 0, Number.MAX_SAFE_INTEGER),
+    tick: integerIn(r, from, 'tick', 0, MAX_TICK),
     ...readTiming(r, from),
     inputGranularity: choiceIn(r, from, 'input_granularity', ['substep', 'tick'], false),
   };
@@ -43,7 +43,7 @@ export function readHello(r: Reading, from: Fields): Hello {
 export function readTiming(r: Reading, from: Fields): { tickRate: number; timeScale: number } {
   const tickRate = numberIn(r, from, 'tick_rate', FINITE);
   const timeScale = numberIn(r, from, 'time_scale', FINITE);
-  refuseLoaded(r, loadTiming(tickRate, timeScale), '');
+  refuseLoaded(r, loadTiming(tickRate, timeScale, DEFAULT_SETTINGS), '');
   return { tickRate, timeScale };
 }
 

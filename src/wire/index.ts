@@ -6,13 +6,18 @@ export type * from './records';
 export { decodeServerMessage, encodeServerMessage } from './serverMessage';
 /** What a client says, as bytes. */
 export { decodeClientMessage, encodeClientMessage } from './clientMessage';
-/** The game's ShipState as JSON. */
+/** The game's JSON, under any envelope: a frame, what stands in for a hello, controls, states by themselves. */
+export { decodeFrameJson, type DecodedFrame, encodeFrameJson, type FrameJsonOptions } from './json/frameJson';
+export { decodeHelloJson, type DecodedHello, encodeHelloJson } from './json/helloJson';
+export { decodeControlsJson, encodeControlsJson } from './json/controlsJson';
 export {
   decodeShipStateJson,
   decodeShipStatesJson,
   encodeShipStateJson,
   type ShipStateJson,
-} from './shipStateJson';
+} from './json/shipStateJson';
+/** Why a text cannot be a name or an id on the wire. */
+export { textComplaint } from './reading';
 /** What a message may hold at most. */
 export {
   MAX_BODIES,
@@ -24,4 +29,5 @@ export {
   MAX_SHIPS,
   MAX_SUBSTEPS,
   MAX_TEXT,
+  MAX_TICK,
 } from './limits';

@@ -10,16 +10,19 @@ export interface Reading {
   /** Protobuf leaves out what is 0, false or empty; JSON leaves out what is not sent. */
   readonly source: 'protobuf' | 'json';
   /** Where the pass is: names, and indices into lists. */
-  readonly path: (string | number)[];
+  readonly path: Step[];
   /** Of the first refusal, with the path of the field. */
   reason: string | null;
 }
+
+/** A name, an index into a list, or a key of an object from outside, already quoted: ["ship-1"]. */
+export type Step = string | number;
 
 export type Fields = Readonly<Record<string, unknown>>;
 
 const NO_FIELDS: Fields = Object.freeze({});
 
-export function beginReading(source: Reading['source'], ...path: (string | number)[]): Reading {
+export function beginReading(source: Reading['source'], ...path: Step[]): Reading {
   return { source, path, reason: null };
 }
 
@@ -35,14 +38,17 @@ export function refuse(r: Reading, name: string, complaint: string): void {
   let path = '';
   for (const step of steps) {
     if (typeof step === 'number') path += `[${step}]`;
-    else path += path === '' ? step : `.${step}`;
+    else path += path === '' || step.startsWith('[') ? step : `.${step}`;
   }
   r.reason = `${path === '' ? 'message' : path}: ${complaint}`;
 }
 
-/** The field, or undefined: own properties only, and null is as good as not sent. */
-export function valueIn(from: Fields, name: string): unknown {
-  return Object.hasOwn(from, name) ? (from[name] ?? undefined) : undefined;
+/** The field, or undefined: own properties only, null counts as not sent. JSON may spell `name` in camelCase too. */
+export function valueIn(r: Reading, from: Fields, name: string): unknown {
+  if (Object.hasOwn(from, name)) return from[name] ?? undefined;
+  if (r.source === 'protobuf') return undefined;
+  const spelled = inCamelCase(name);
+  return Object.hasOwn(from, spelled) ? (from[spelled] ?? undefined) : undefined;
 }
 
 /** `value` as fields; without any, and refused, when it is no object. */
@@ -55,7 +61,7 @@ export function fieldsOf(r: Reading, value: unknown): Fields {
 /** Reads the submessage `name` with `read`; refused when it is missing. */
 export function messageIn<T>(r: Reading, from: Fields, name: string, read: (r: Reading, f: Fields) => T): T {
   r.path.push(name);
-  const message = read(r, fieldsOf(r, valueIn(from, name)));
+  const message = read(r, fieldsOf(r, valueIn(r, from, name)));
   r.path.pop();
   return message;
 }
@@ -68,7 +74,7 @@ export function listIn<T>(
   most: number,
   read: (r: Reading, f: Fields) => T,
 ): T[] {
-  const list = valueIn(from, name) ?? [];
+  const list = valueIn(r, from, name) ?? [];
   const items: T[] = [];
   if (!Array.isArray(list)) refuse(r, name, `expected a list, got ${describe(list)}`);
   else if (list.length > most) refuse(r, name, `expected at most ${most}, got ${list.length}`);
@@ -93,7 +99,7 @@ export function refuseRepeats(r: Reading, list: string, key: string, texts: read
 
 /** A finite number within `bound`. Not sent: `absent`, or in JSON refused if that is not given. */
 export function numberIn(r: Reading, from: Fields, name: string, bound: Bound, absent?: number): number {
-  const value = valueIn(from, name) ?? absent ?? zeroOf(r);
+  const value = plainNumber(r, valueIn(r, from, name)) ?? absent ?? zeroOf(r);
   if (typeof value !== 'number' || !Number.isFinite(value)) {
     refuse(r, name, value === undefined ? 'missing' : `expected a finite number, got ${describe(value)}`);
     return 0;
@@ -105,7 +111,7 @@ export function numberIn(r: Reading, from: Fields, name: string, bound: Bound, a
 
 /** A whole number from `low` to `high`, at most 2⁵³ − 1; 0 when it is not sent. A 64-bit integer of the codec ends here. */
 export function integerIn(r: Reading, from: Fields, name: string, low: number, high: number): number {
-  const value = wholeNumber(valueIn(from, name) ?? 0);
+  const value = wholeNumber(plainNumber(r, valueIn(r, from, name)) ?? 0);
   if (Number.isSafeInteger(value) && value >= low && value <= high) return value;
   refuse(r, name, `expected a whole number from ${low} to ${high}, got ${value}`);
   return low;
@@ -113,13 +119,18 @@ export function integerIn(r: Reading, from: Fields, name: string, low: number, h
 
 /** A well-formed text of at most MAX_TEXT characters; empty when it is not sent. */
 export function textIn(r: Reading, from: Fields, name: string): string {
-  const value = valueIn(from, name) ?? '';
-  if (typeof value !== 'string') refuse(r, name, `expected a text, got ${describe(value)}`);
-  else if (value.length > MAX_TEXT)
-    refuse(r, name, `expected at most ${MAX_TEXT} characters, got ${value.length}`);
-  else if (LONE_SURROGATE.test(value)) refuse(r, name, 'expected well-formed Unicode');
-  else return value;
+  const value = valueIn(r, from, name) ?? '';
+  const complaint = textComplaint(value);
+  if (complaint === null) return value as string;
+  refuse(r, name, complaint);
   return '';
+}
+
+/** Why `value` cannot be sent as a name or an id, or null. */
+export function textComplaint(value: unknown): string | null {
+  if (typeof value !== 'string') return `expected a text, got ${describe(value)}`;
+  if (value.length > MAX_TEXT) return `expected at most ${MAX_TEXT} characters, got ${value.length}`;
+  return LONE_SURROGATE.test(value) ? 'expected well-formed Unicode' : null;
 }
 
 /** A text that is not empty. */
@@ -137,7 +148,7 @@ export function choiceIn<T extends string>(
   choices: readonly [T, ...T[]],
   mayBeEmpty: boolean,
 ): T {
-  const value = valueIn(from, name) ?? '';
+  const value = valueIn(r, from, name) ?? '';
   const found = choices.find((choice) => choice === value);
   if (found !== undefined) return found;
   const listed = choices.map((choice) => JSON.stringify(choice)).join(', ');
@@ -147,8 +158,9 @@ export function choiceIn<T extends string>(
 
 /** True or false; false when it is not sent. */
 export function flagIn(r: Reading, from: Fields, name: string): boolean {
-  const value = valueIn(from, name) ?? false;
+  const value = valueIn(r, from, name) ?? false;
   if (typeof value === 'boolean') return value;
+  if (r.source === 'json' && (value === 'true' || value === 'false')) return value === 'true';
   refuse(r, name, `expected true or false, got ${describe(value)}`);
   return false;
 }
@@ -162,6 +174,27 @@ export function describe(value: unknown): string {
 }
 
 const LONE_SURROGATE = /\p{Surrogate}/u;
+/** A decimal number as Redis keeps it. */
+const DECIMAL = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?$/;
+/** No double needs more characters. */
+const MAX_DECIMAL = 64;
+
+/** A number that JSON sent as a text, as a number; anything else as it is. */
+function plainNumber(r: Reading, value: unknown): unknown {
+  if (r.source === 'protobuf' || typeof value !== 'string') return value;
+  return value.length <= MAX_DECIMAL && DECIMAL.test(value) ? Number(value) : value;
+}
+
+const camelCaseOf = new Map<string, string>();
+
+function inCamelCase(name: string): string {
+  let spelled = camelCaseOf.get(name);
+  if (spelled === undefined) {
+    spelled = name.replace(/_(\w)/g, (_, letter: string) => letter.toUpperCase());
+    camelCaseOf.set(name, spelled);
+  }
+  return spelled;
+}
 
 function zeroOf(r: Reading): number | undefined {
   return r.source === 'protobuf' ? 0 : undefined;
@@ -170,7 +203,7 @@ function zeroOf(r: Reading): number | undefined {
 /** Of a number or of the codec's unsigned 64-bit integer, as near as a double comes; NaN of anything else. */
 function wholeNumber(value: unknown): number {
   if (typeof value === 'number') return value;
-  const { high, low } = value as { readonly high?: unknown; readonly low?: unknown };
+  const { high, low } = Object(value) as { readonly high?: unknown; readonly low?: unknown };
   if (typeof high !== 'number' || typeof low !== 'number') return NaN;
   return (high >>> 0) * 4294967296 + (low >>> 0);
 }

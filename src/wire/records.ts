@@ -1,15 +1,4 @@
-import type {
-  AttitudeMode,
-  Body,
-  BodyMotion,
-  Controls,
-  Quat,
-  Settings,
-  ShipClass,
-  ShipEventName,
-  SurfaceState,
-  Vec3,
-} from '../dynamics';
+import type { Body, BodyMotion, Controls, Quat, Settings, ShipClass, Vec3 } from '../dynamics';
 
 /** Checked, finite and plain: what everything behind the wire sees. SI units, ICRF, quaternions [x, y, z, w]. */
 
@@ -27,14 +16,20 @@ export interface ShipState {
   readonly translationInput: Vec3;
   readonly thrustLevel: number;
   readonly attitudeHold: boolean;
-  readonly attitudeMode: AttitudeMode;
+  /** One of ATTITUDE_MODES, or a mode that only the server knows. */
+  readonly attitudeMode: string;
   readonly targetAttitude: Quat;
   /** kg */
   readonly fuel: number;
   /** kg */
   readonly mass: number;
+  /** What the reaction wheels have given so far, N m s, body axes; null when the server does not send it. */
+  readonly wheelMomentum: Vec3 | null;
+  /** Height of the centre of mass above the feet, m; null when the server does not send it: the class's then holds. */
+  readonly groundContactOffset: number | null;
   readonly landedBodyName: string;
-  readonly surfaceContactState: SurfaceState;
+  /** One of SURFACE_STATES, or a state that only the server knows. */
+  readonly surfaceContactState: string;
   /** m/s; null when the server does not send field 31 (it sent no relative position either, and the field reads 0). */
   readonly contactImpactSpeed: number | null;
   /** Empty when the server does not send field 32. */
@@ -45,15 +40,27 @@ export interface ShipState {
   readonly crashed: boolean;
 }
 
+/** Controls as a state carries them: the mode may be one that only the server knows. */
+export type StateControls = Omit<Controls, 'attitudeMode'> & Pick<ShipState, 'attitudeMode'>;
+
 /** A body's constants and its motion at the frame's tick. */
 export interface BodyState extends Body, BodyMotion {}
 
 /** Something that happened in substep `substep` (from 0) of the interval that begins at tick `tick`. */
 export interface WorldEvent {
-  readonly type: ShipEventName;
+  /** One of EVENT_NAMES, or an event that only the server knows. */
+  readonly type: string;
   readonly shipId: string;
   readonly tick: number;
-  readonly substep: number;
+  /** null where the server tells the tick alone. */
+  readonly substep: number | null;
+  /** Of ship.contact: a touch after a bounce, not the first of this contact. */
+  readonly again?: boolean;
+  readonly playerId?: string;
+  /** The body touched. */
+  readonly body?: string;
+  /** Of ship.destroyed: "collision". */
+  readonly reason?: string;
 }
 
 /** From the server, once: what a client may not assume. */
@@ -85,18 +92,31 @@ export interface InputAcknowledgement {
 }
 
 /** From the server, once a tick: the world at tick boundary `tick`. */
-export interface ServerFrame {
-  readonly kind: 'frame';
-  readonly tick: number;
-  /** Hz; these three hold from this tick to the next. */
+export interface ServerFrame extends PartialFrame {
   readonly tickRate: number;
   readonly timeScale: number;
   readonly paused: boolean;
   readonly bodies: readonly BodyState[];
-  readonly ships: readonly ShipState[];
-  /** Of the interval that ended at `tick`. */
   readonly events: readonly WorldEvent[];
   readonly lastInput: InputAcknowledgement | null;
+}
+
+/** A frame of which tick and ships are sure to be told; what is absent was not told. */
+export interface PartialFrame {
+  readonly kind: 'frame';
+  readonly tick: number;
+  /** Hz; tickRate, timeScale and paused hold from this tick to the next. */
+  readonly tickRate?: number;
+  readonly timeScale?: number;
+  /** Game time at `tick`, s since 1970-01-01T00:00:00Z. */
+  readonly gameTime?: number;
+  readonly paused?: boolean;
+  readonly bodies?: readonly BodyState[];
+  readonly ships: readonly ShipState[];
+  /** Of the interval that ended at `tick`. */
+  readonly events?: readonly WorldEvent[];
+  /** null: no input has been applied yet. */
+  readonly lastInput?: InputAcknowledgement | null;
 }
 
 /** A pilot's controls from the start of substep `substep` of the interval that begins at tick `tick`. */

@@ -9,6 +9,7 @@ import {
   MAX_SERVER_BYTES,
   MAX_SHIP_CLASSES,
   MAX_SHIPS,
+  MAX_TICK,
   WALL_SECONDS,
 } from './limits';
 import {
@@ -84,7 +85,7 @@ function readPong(r: Reading, from: Fields): Pong {
   return {
     kind: 'pong',
     id: integerIn(r, from, 'id', 0, Number.MAX_SAFE_INTEGER),
-    tick: integerIn(r, from, 'tick', 0, Number.MAX_SAFE_INTEGER),
+    tick: integerIn(r, from, 'tick', 0, MAX_TICK),
     sinceTick: numberIn(r, from, 'since_tick', WALL_SECONDS),
   };
 }

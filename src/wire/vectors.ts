@@ -10,7 +10,7 @@ const KEPT_WITHIN = 1e-12;
 const ZERO: Vec3 = [0, 0, 0];
 const IDENTITY: Quat = [0, 0, 0, 1];
 
-/** {x, y, z} or [x, y, z]; refused when it is not sent. */
+/** {x, y, z} or [x, y, z], in JSON also as a text of one; refused when it is not sent. */
 export function vectorIn(r: Reading, from: Fields, name: string, bound: Bound): Vec3 {
   const vector = optionalVectorIn(r, from, name, bound);
   if (vector === null) refuse(r, name, 'missing');
@@ -19,7 +19,7 @@ export function vectorIn(r: Reading, from: Fields, name: string, bound: Bound): 
 
 /** {x, y, z} or [x, y, z]; null when it is not sent. */
 export function optionalVectorIn(r: Reading, from: Fields, name: string, bound: Bound): Vec3 | null {
-  const value = valueIn(from, name);
+  const value = valueIn(r, from, name);
   if (value === undefined) return null;
   r.path.push(name);
   const parts = partsOf(r, value, ['x', 'y', 'z']);
@@ -41,7 +41,7 @@ export function quaternionIn(r: Reading, from: Fields, name: string): Quat {
 
 /** As quaternionIn; null when it is not sent. */
 export function optionalQuaternionIn(r: Reading, from: Fields, name: string): Quat | null {
-  const value = valueIn(from, name);
+  const value = valueIn(r, from, name);
   if (value === undefined) return null;
   r.path.push(name);
   const parts = partsOf(r, value, ['w', 'x', 'y', 'z']);
@@ -57,12 +57,26 @@ export function optionalQuaternionIn(r: Reading, from: Fields, name: string): Qu
   return error <= KEPT_WITHIN ? [x, y, z, w] : [x / length, y / length, z / length, w / length];
 }
 
+/** Longest text that can hold a vector or quaternion, with some white space. */
+const MAX_VECTOR_TEXT = 256;
+
 /** An object's own parts, or a list's under `names`. */
-function partsOf(r: Reading, value: unknown, names: readonly string[]): Fields {
+function partsOf(r: Reading, sent: unknown, names: readonly string[]): Fields {
+  const value = r.source === 'json' && typeof sent === 'string' ? parsedOr(sent) : sent;
   if (!Array.isArray(value)) return fieldsOf(r, value);
   if (value.length !== names.length)
     refuse(r, '', `expected ${names.length} numbers, got ${describe(value)}`);
   return Object.fromEntries(names.map((name, i) => [name, value[i] as unknown]));
+}
+
+/** What a text of JSON holds; the text itself where it is none. */
+function parsedOr(text: string): unknown {
+  if (text.length > MAX_VECTOR_TEXT) return text;
+  try {
+    return JSON.parse(text) as unknown;
+  } catch {
+    return text;
+  }
 }
 
 /** As protobuf and JSON carry it. */

@@ -18,6 +18,7 @@ export const IMPORT_TABLE: Readonly<Record<string, typeof ALL | Readonly<Record<
   scene: { dynamics: 'values', prediction: 'types', three: 'values', 'gl-matrix': 'values' },
   authority: { dynamics: 'values', wire: 'values' },
   scenarios: { dynamics: 'values', wire: 'values', authority: 'values' },
+  game: { dynamics: 'values', wire: 'values' },
   playground: ALL,
   'index.ts': ALL,
 };

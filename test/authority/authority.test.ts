@@ -112,10 +112,10 @@ describe('the world loop', () => {
   });
 
   it('lets a flying ship fall to the body that pulls it most, from a tick’s start on', () => {
-    const bodies = BODIES.filter(({ name }) => name === 'Earth' || name === 'Moon');
+    const bodies = BODIES.filter(({ name }) => name === 'Earth' || name === 'Luna');
     const authority = moonWith('opening', { bodies });
     const earth = bodies.find(({ name }) => name === 'Earth')!;
-    const moon = bodies.find(({ name }) => name === 'Moon')!;
+    const moon = bodies.find(({ name }) => name === 'Luna')!;
     // 10,000 km above Earth, told relative to the Moon.
     const relativePosition = earth.position.map(
       (value, k) => value - moon.position[k]! + (k === 0 ? 1.6e7 : 0),
@@ -123,7 +123,7 @@ describe('the world loop', () => {
     const ship = { ...shipOf('opening'), relativePosition: relativePosition as [number, number, number] };
     expect(authority.spawn({ shipId: 'far', playerId: 'bob', name: 'Far', ship })).toBeNull();
     runTo(authority, 1);
-    expect(frameOf(authority).ships.map(({ referenceBody }) => referenceBody)).toEqual(['Moon', 'Earth']);
+    expect(frameOf(authority).ships.map(({ referenceBody }) => referenceBody)).toEqual(['Luna', 'Earth']);
     expect(Math.hypot(...frameOf(authority).ships[1]!.relativePosition!)).toBeCloseTo(1.6e7, -5);
   });
 
@@ -182,6 +182,15 @@ describe('ships', () => {
     const order = { shipId: 'two', playerId: 'bob', name: 'Two', ship: shipOf('settle') };
     expect(authority.spawn({ ...order, shipId: 'own' })).toContain('shipId');
     expect(authority.spawn({ ...order, shipId: '' })).toContain('shipId');
+    // Told to a client, a name of more than 128 characters or half a surrogate would cost every frame from then on.
+    for (const field of ['shipId', 'playerId', 'name'] as const) {
+      expect(authority.spawn({ ...order, [field]: 'x'.repeat(129) })).toBe(
+        `${field}: expected at most 128 characters, got 129`,
+      );
+      expect(authority.spawn({ ...order, [field]: 'a\ud800' })).toBe(
+        `${field}: expected well-formed Unicode`,
+      );
+    }
     expect(authority.spawn({ ...order, ship: { ...order.ship, shipClass: 'brick' } })).toContain('shipClass');
     expect(authority.spawn({ ...order, ship: { ...order.ship, fuel: Number.NaN } })).toContain('fuel');
     expect(frameOf(authority).ships).toHaveLength(1);

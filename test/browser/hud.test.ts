@@ -31,23 +31,23 @@ describeInBrowser('the landing HUD', () => {
 
   it('says what the design says in each state', async () => {
     await show('tipped');
-    expect(await page.textContent('.hud-hint')).toBe('Use RCS rotation to right the ship');
-    expect(await page.locator('.hud-hint').isVisible()).toBe(true);
+    expect(await page.textContent('.td-hint')).toBe('Use RCS rotation to right the ship');
+    expect(await page.locator('.td-hint').isVisible()).toBe(true);
     await show('landed');
-    expect(await page.locator('.hud-landed').textContent()).toBe('Landed');
-    expect(await page.locator('.hud-hint').isVisible()).toBe(false);
+    expect(await page.locator('.td-landed').textContent()).toBe('Landed');
+    expect(await page.locator('.td-hint').isVisible()).toBe(false);
     await show('flight');
-    expect(await page.locator('.hud-descent').innerText()).toBe(
+    expect(await page.locator('.td-descent').innerText()).toBe(
       'VSPD\n↓ 12.3 m/s\nHSPD\n7.2 m/s\nTTI\n5.2 s\nAGL\n85.8 m',
     );
     await show('withdrawn');
-    expect(await page.textContent('.hud-withdrawn')).toBe('LANDED withdrawn');
+    expect(await page.textContent('.td-withdrawn')).toBe('LANDED withdrawn');
   });
 
   it('paints the design’s colours', async () => {
     const look = async (state: string) => {
       await show(state);
-      return page.locator('.hud-status').evaluate((slot) => {
+      return page.locator('.td-status').evaluate((slot) => {
         const { color, backgroundColor } = getComputedStyle(slot);
         return `${color} on ${backgroundColor}`;
       });
@@ -57,7 +57,7 @@ describeInBrowser('the landing HUD', () => {
     expect(await look('tipped')).toBe('rgb(255, 255, 255) on rgb(179, 38, 30)');
     expect(await look('landed')).toBe('rgb(127, 228, 255) on rgb(11, 16, 23)');
     expect(await look('flight')).toBe('rgb(255, 255, 255) on rgb(11, 16, 23)');
-    const opacity = await page.locator('.hud-landing').evaluate((hud) => {
+    const opacity = await page.locator('.td-landing > .td-panel').evaluate((hud) => {
       return Number(/([\d.]+)\)$/.exec(getComputedStyle(hud).backgroundColor)?.[1]);
     });
     expect(opacity).toBeGreaterThanOrEqual(0.75);
@@ -68,7 +68,7 @@ describeInBrowser('the landing HUD', () => {
       await show(state);
       return page.evaluate(() => {
         const numbers = [
-          ...document.querySelectorAll<HTMLElement>('.hud-landing :is(.hud-value, .hud-tilt-value)'),
+          ...document.querySelectorAll<HTMLElement>('.td-landing :is(.td-value, .td-tilt-value)'),
         ];
         const size = (element: Element) => parseFloat(getComputedStyle(element).fontSize);
         const [first, second] = numbers
@@ -83,11 +83,11 @@ describeInBrowser('the landing HUD', () => {
 
   it('dashes every number when no state has come for two ticks', async () => {
     await show('contact', 'stale');
-    expect(await page.locator('.hud-descent').innerText()).toBe('VSPD\n--\nHSPD\n--\nTTI\n--\nAGL\n--');
-    expect(await page.textContent('.hud-tilt-value')).toBe('--');
-    expect(await page.locator('.hud-gates').isVisible()).toBe(false);
+    expect(await page.locator('.td-descent').innerText()).toBe('VSPD\n--\nHSPD\n--\nTTI\n--\nAGL\n--');
+    expect(await page.textContent('.td-tilt-value')).toBe('--');
+    expect(await page.locator('.td-gates').isVisible()).toBe(false);
     const hatched = await page
-      .locator('.hud-status')
+      .locator('.td-status')
       .evaluate((slot) => getComputedStyle(slot).backgroundImage);
     expect(hatched).toContain('repeating-linear-gradient');
   });
@@ -98,7 +98,7 @@ describeInBrowser('the landing HUD', () => {
         const { hud } = window as unknown as HudWindow;
         const watcher = new MutationObserver(() => undefined);
         const what = { subtree: true, childList: true, characterData: true, attributes: true };
-        watcher.observe(document.querySelector('.hud-landing')!, what);
+        watcher.observe(document.querySelector('.td-landing')!, what);
         if (name === null) hud.again(100);
         else hud.show(name);
         return watcher.takeRecords().map((record) => record.target.nodeName);
@@ -114,32 +114,32 @@ describeInBrowser('the landing HUD', () => {
 
   it('names the keys that are bound now', async () => {
     await show('tipped');
-    expect(await page.locator('.hud-righting kbd:visible').allTextContents()).toEqual(['W', 'T']);
+    expect(await page.locator('.td-righting kbd:visible').allTextContents()).toEqual(['W', 'T']);
     await page.evaluate(() => (window as unknown as HudWindow).hud.rebind('pitchMinus', '7'));
     await show('tipped');
-    expect(await page.locator('.hud-righting kbd:visible').allTextContents()).toEqual(['7', 'T']);
+    expect(await page.locator('.td-righting kbd:visible').allTextContents()).toEqual(['7', 'T']);
     await page.evaluate(() => (window as unknown as HudWindow).hud.rebind('pitchMinus', ''));
     await show('tipped');
-    expect(await page.locator('.hud-righting kbd:visible').allTextContents()).toEqual(['T']);
-    expect(await page.locator('.hud-hold').first().innerText()).toContain('pitch −');
+    expect(await page.locator('.td-righting kbd:visible').allTextContents()).toEqual(['T']);
+    expect(await page.locator('.td-hold').first().innerText()).toContain('pitch −');
     await page.evaluate(() => (window as unknown as HudWindow).hud.rebind('pitchMinus', 'W'));
   });
 
   it('says that a ship cannot be righted here', async () => {
     await show('stuck');
-    expect(await page.locator('.hud-verdict').innerText()).toContain('cannot be righted here');
-    expect(await page.locator('.hud-hold:visible').count()).toBe(0);
-    expect(await page.locator('.hud-hint').isVisible()).toBe(false);
+    expect(await page.locator('.td-verdict').innerText()).toContain('cannot be righted here');
+    expect(await page.locator('.td-hold:visible').count()).toBe(0);
+    expect(await page.locator('.td-hint').isVisible()).toBe(false);
     await show('helped');
-    expect(await page.locator('.hud-verdict').innerText()).toContain('Take weight off its feet with');
-    expect(await page.locator('.hud-verdict kbd:visible').allTextContents()).toEqual(['I']);
-    expect(await page.locator('.hud-hint').isVisible()).toBe(true);
+    expect(await page.locator('.td-verdict').innerText()).toContain('Take weight off its feet with');
+    expect(await page.locator('.td-verdict kbd:visible').allTextContents()).toEqual(['I']);
+    expect(await page.locator('.td-hint').isVisible()).toBe(true);
     await show('lighter');
-    expect(await page.locator('.hud-verdict').innerText()).toMatch(
+    expect(await page.locator('.td-verdict').innerText()).toMatch(
       /Burn fuel until it weighs less than\s+\d\d.\d{3} kg/,
     );
     await show('tipped');
-    expect(await page.locator('.hud-verdict').isVisible()).toBe(false);
+    expect(await page.locator('.td-verdict').isVisible()).toBe(false);
   });
 
   it('announces confirmed transitions once, and alarms for TIPPED and CRASHED alone', async () => {
@@ -149,8 +149,8 @@ describeInBrowser('the landing HUD', () => {
       await page.textContent('[role=status]'),
       await page.textContent('[role=alert]'),
     ];
-    expect(await page.locator('.hud-landing [role=status]').count()).toBe(1);
-    expect(await page.locator('.hud-landing [role=alert]').count()).toBe(1);
+    expect(await page.locator('.td-landing [role=status]').count()).toBe(1);
+    expect(await page.locator('.td-landing [role=alert]').count()).toBe(1);
     await show('confirmed');
     expect(await told()).toEqual(['', '']);
     await show('predicted');
@@ -169,7 +169,7 @@ describeInBrowser('the landing HUD', () => {
 
   it('gives its gauges as meters with a text value', async () => {
     await show('contact');
-    const meters = await page.locator('.hud-landing [role=meter]').evaluateAll((all) =>
+    const meters = await page.locator('.td-landing [role=meter]').evaluateAll((all) =>
       all.map((meter) => {
         const text = (name: string) => meter.getAttribute(`aria-${name}`);
         return `${text('label')!}: ${text('valuetext')!} (${text('valuenow')!} of ${text('valuemax')!})`;
@@ -187,14 +187,14 @@ describeInBrowser('the landing HUD', () => {
       hud.landing.dispose();
       hud.fleet.dispose();
     });
-    expect(await page.locator('.hud').count()).toBe(0);
+    expect(await page.locator('.td-hud').count()).toBe(0);
     expect(problemsOf(page)).toEqual([]);
   });
 });
 
 describeInBrowser('the pulse', () => {
   const animation = () =>
-    page.locator('.hud-status').evaluate((slot) => {
+    page.locator('.td-status').evaluate((slot) => {
       const { animationName, animationDuration, animationIterationCount } = getComputedStyle(slot);
       return `${animationName} ${animationDuration} ${animationIterationCount}`;
     });
@@ -204,9 +204,9 @@ describeInBrowser('the pulse', () => {
     await show('flight');
     expect(await animation()).toMatch(/^none/);
     await show('contact');
-    expect(await animation()).toBe('hud-pulse-a 0.3s 1');
+    expect(await animation()).toBe('td-pulse-a 0.3s 1');
     await show('landed');
-    expect(await animation()).toBe('hud-pulse-b 0.3s 1');
+    expect(await animation()).toBe('td-pulse-b 0.3s 1');
   });
 
   it('is not there for those who prefer reduced motion', async () => {

@@ -20,32 +20,32 @@ describeInBrowser('the fleet HUD', () => {
 
   it('counts in its header and puts TIPPED first, then CONTACT', async () => {
     await showFleet(20);
-    expect(await page.locator('.hud-count:visible').allTextContents()).toEqual([
+    expect(await page.locator('.td-count:visible').allTextContents()).toEqual([
       '2 tipped',
       '2 contact',
       '2 crashed',
       '6 flight',
       '8 landed',
     ]);
-    await page.waitForSelector('.hud-row:nth-child(5)');
-    const words = await page.locator('.hud-row .hud-word').allTextContents();
+    await page.waitForSelector('.td-row:nth-child(5)');
+    const words = await page.locator('.td-row .td-word').allTextContents();
     expect(words.slice(0, 5)).toEqual(['TIPPED', 'TIPPED', 'CONTACT', 'CONTACT', 'CRASHED']);
   });
 
   it('scrolls through 1,000 ships with at most 30 row elements', async () => {
     await showFleet(1000);
-    await page.waitForSelector('.hud-row:nth-child(12)');
+    await page.waitForSelector('.td-row:nth-child(12)');
     const seen = new Set<string>();
-    const height = await page.locator('.hud-rows').evaluate((list) => list.getBoundingClientRect().height);
+    const height = await page.locator('.td-rows').evaluate((list) => list.getBoundingClientRect().height);
     expect(height).toBe(28_000);
     for (let top = 0; top <= height; top += 280) {
-      const rows = await page.locator('.hud-scroller').evaluate(async (scroller, to) => {
+      const rows = await page.locator('.td-scroller').evaluate(async (scroller, to) => {
         scroller.scrollTop = to;
         await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
         const { top: from, bottom } = scroller.getBoundingClientRect();
-        return [...scroller.querySelectorAll('.hud-row')].map((row) => {
+        return [...scroller.querySelectorAll('.td-row')].map((row) => {
           const box = row.getBoundingClientRect();
-          const name = row.querySelector('.hud-name')!.textContent;
+          const name = row.querySelector('.td-name')!.textContent;
           return {
             name,
             place: row.getAttribute('aria-posinset'),
@@ -62,18 +62,18 @@ describeInBrowser('the fleet HUD', () => {
 
   it('has at most 30 row elements while it scrolls: by key, by wheel, in jumps, and never a gap', async () => {
     await showFleet(1000);
-    await page.waitForSelector('.hud-row:nth-child(12)');
+    await page.waitForSelector('.td-row:nth-child(12)');
     // Counted at every change of the list, not only once it has come to rest; and looked at in every frame.
     await page.evaluate(() => {
-      const list = document.querySelector('.hud-rows')!;
+      const list = document.querySelector('.td-rows')!;
       const watched = { most: list.children.length, changes: 0, frames: 0, scrolls: 0, gaps: [] as string[] };
       Object.assign(window, { watched });
       const count = (): void => {
         watched.changes += 1;
-        watched.most = Math.max(watched.most, list.querySelectorAll('.hud-row').length);
+        watched.most = Math.max(watched.most, list.querySelectorAll('.td-row').length);
       };
       new MutationObserver(count).observe(list, { childList: true, subtree: true, attributes: true });
-      const scroller = document.querySelector('.hud-scroller')!;
+      const scroller = document.querySelector('.td-scroller')!;
       scroller.addEventListener('scroll', () => (watched.scrolls += 1));
       const look = (): void => {
         watched.frames += 1;
@@ -88,9 +88,9 @@ describeInBrowser('the fleet HUD', () => {
       };
       requestAnimationFrame(look);
     });
-    const scroller = page.locator('.hud-scroller');
+    const scroller = page.locator('.td-scroller');
     const place = (which: 'first' | 'last') =>
-      page.locator('.hud-row')[which]().getAttribute('aria-posinset').then(Number);
+      page.locator('.td-row')[which]().getAttribute('aria-posinset').then(Number);
     await scroller.focus();
     await page.keyboard.press('End');
     await expect.poll(() => place('last')).toBe(1000);
@@ -103,7 +103,7 @@ describeInBrowser('the fleet HUD', () => {
     await page.mouse.move(box.x + 50, box.y + 50);
     for (let i = 0; i < 10; i++) await page.mouse.wheel(0, i % 3 === 2 ? -4000 : 6000);
     await page.evaluate(async () => {
-      const list = document.querySelector('.hud-scroller')!;
+      const list = document.querySelector('.td-scroller')!;
       for (const to of [0, 28_000, 13, 27_000, 14_001, 28_000, 0, 7777]) {
         list.scrollTop = to;
         await new Promise(requestAnimationFrame);
@@ -125,20 +125,20 @@ describeInBrowser('the fleet HUD', () => {
 
   it('shows names as text, never as markup', async () => {
     await showFleet(4);
-    await page.waitForSelector('.hud-row:nth-child(4)');
-    expect(await page.locator('.hud-name').allTextContents()).toContain('<b>Aurora</b> & sons');
-    expect(await page.locator('.hud-name b').count()).toBe(0);
+    await page.waitForSelector('.td-row:nth-child(4)');
+    expect(await page.locator('.td-name').allTextContents()).toContain('<b>Aurora</b> & sons');
+    expect(await page.locator('.td-name b').count()).toBe(0);
   });
 
   it('shrinks with its fleet', async () => {
     await showFleet(1000);
-    await page.waitForSelector('.hud-row:nth-child(12)');
-    await page.locator('.hud-scroller').evaluate((scroller) => (scroller.scrollTop = 20_000));
+    await page.waitForSelector('.td-row:nth-child(12)');
+    await page.locator('.td-scroller').evaluate((scroller) => (scroller.scrollTop = 20_000));
     await showFleet(3);
-    await expect.poll(() => page.locator('.hud-row').count()).toBe(3);
-    expect(await page.locator('.hud-row').first().isVisible()).toBe(true);
+    await expect.poll(() => page.locator('.td-row').count()).toBe(3);
+    expect(await page.locator('.td-row').first().isVisible()).toBe(true);
     await showFleet(0);
-    await expect.poll(() => page.locator('.hud-row').count()).toBe(0);
+    await expect.poll(() => page.locator('.td-row').count()).toBe(0);
     expect(problemsOf(page)).toEqual([]);
   });
 });

@@ -68,9 +68,9 @@ describeInBrowser('the HUDs’ looks', () => {
 
         it.each(STATES)('%s', async (state, slot) => {
           await show(page, state);
-          expect(await page.textContent('.hud-status')).toBe(slot);
-          const landing = await page.locator('.hud-landing').boundingBox();
-          const status = await page.locator('.hud-status').boundingBox();
+          expect(await page.textContent('.td-status')).toBe(slot);
+          const landing = await page.locator('.td-landing').boundingBox();
+          const status = await page.locator('.td-status').boundingBox();
           // The slot neither moves nor changes its size, whatever it says, and nothing runs out of the HUD.
           expect(status).toEqual(viewport.width === 390 ? slotAt390 : slotAt1280);
           expect(landing!.width).toBeLessThanOrEqual(viewport.width - 24);
@@ -82,7 +82,7 @@ describeInBrowser('the HUDs’ looks', () => {
 
         it('fleet', async () => {
           await page.evaluate(() => (window as unknown as HudWindow).hud.showFleet(1000));
-          await page.waitForSelector('.hud-row:nth-child(12)');
+          await page.waitForSelector('.td-row:nth-child(12)');
           expect(await faults(page)).toEqual([]);
           const picture = await page.locator('#fleet').screenshot();
           expect(compareWithKept(`fleet-${combination}`, picture)).toBe('');
@@ -94,7 +94,7 @@ describeInBrowser('the HUDs’ looks', () => {
 
   it('would be objected to by axe were a text too faint', async () => {
     await show(page, 'contact');
-    const style = await page.addStyleTag({ content: '.hud-gates th { color: #8a8f94 }' });
+    const style = await page.addStyleTag({ content: '.td-gates th { color: #8a8f94 }' });
     expect((await faults(page)).join()).toContain('color-contrast');
     await style.evaluate((element) => (element as HTMLStyleElement).remove());
   });
@@ -118,12 +118,12 @@ const slotAt390 = { x: 21, y: 51, width: 342, height: 38 };
 /** Texts that stick out of the HUD's box, by class. */
 function overflowing(page: Page): Promise<string[]> {
   return page.evaluate(() => {
-    const box = document.querySelector('.hud-landing')!.getBoundingClientRect();
+    const box = document.querySelector('.td-landing')!.getBoundingClientRect();
     const out: string[] = [];
     for (const element of document.querySelectorAll(
-      '.hud-landing :is(span, p, td, th, dd, dt, strong, kbd)',
+      '.td-landing :is(span, p, td, th, dd, dt, strong, kbd)',
     )) {
-      if (element.closest('.hud-unseen') !== null) continue;
+      if (element.closest('.td-unseen') !== null) continue;
       const { left, right, width } = element.getBoundingClientRect();
       if (width > 0 && (left < box.left || right > box.right))
         out.push(element.className || element.textContent);

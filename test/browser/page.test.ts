@@ -38,8 +38,8 @@ describeInBrowser('the built page', () => {
     const page = await openBuiltPage();
     await page.waitForSelector('html[data-ready=true]', { timeout: 45_000 });
     await untilStatus(page, 'landed');
-    expect(await page.textContent('.hud-landing')).toContain('LANDED');
-    expect(await page.textContent('.hud-fleet')).toContain('LANDED');
+    expect(await page.textContent('.td-landing')).toContain('LANDED');
+    expect(await page.textContent('.td-fleet')).toContain('LANDED');
     expect(await page.evaluate(() => document.querySelector('canvas')?.getContext('webgl2') !== null)).toBe(
       true,
     );
@@ -104,11 +104,11 @@ describeInBrowser('the built page', () => {
   it('topples, and is righted by the key that the hint names', { timeout: 150_000 }, async () => {
     const page = await openBuiltPage('?scenario=topple', SMALL);
     await untilStatus(page, 'tipped');
-    const cap = page.locator('.hud-hold kbd').first();
+    const cap = page.locator('.td-hold kbd').first();
     await cap.waitFor({ timeout: 20_000 });
     const key = ((await cap.textContent()) ?? '').toLowerCase();
-    const [letGo] = /[\d.]+/.exec((await page.textContent('.hud-until')) ?? '') ?? ['36'];
-    expect(await page.textContent('.hud-landing')).toContain('Use RCS rotation to right the ship');
+    const [letGo] = /[\d.]+/.exec((await page.textContent('.td-until')) ?? '') ?? ['36'];
+    expect(await page.textContent('.td-landing')).toContain('Use RCS rotation to right the ship');
     // Slowly: the software renderer's frames are far apart, and the swing must be caught below the angle.
     await page.getByLabel('Slow motion').selectOption('0.1');
     await page.getByLabel('Slow motion').blur();

@@ -1,7 +1,7 @@
 /** A static host as strict as the game's: the built page has to work under this content security policy. */
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
-import type { Server } from 'node:http';
+import type { Server, ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, normalize, sep } from 'node:path';
 
@@ -24,6 +24,9 @@ const TYPES: Record<string, string> = {
   '.wasm': 'application/wasm',
   '.woff2': 'font/woff2',
 };
+
+/** A host that misbehaves: answers a request itself and returns true, or leaves it to the folder. */
+export type Fault = (file: string, response: ServerResponse) => boolean;
 
 export interface StaticServer {
   /** The address of the served folder, ending with a slash. */
@@ -48,9 +51,11 @@ function decodedPath(url: string): string {
   }
 }
 
-function fileServer(folder: string): Server {
+function fileServer(folder: string, fault: Fault): Server {
   return createServer((request, response) => {
-    const path = fileFor(folder, decodedPath(request.url ?? ''));
+    const pathname = decodedPath(request.url ?? '');
+    if (fault(pathname.slice(PREFIX.length), response)) return;
+    const path = fileFor(folder, pathname);
     const common = {
       'Content-Security-Policy': CONTENT_SECURITY_POLICY,
       'X-Content-Type-Options': 'nosniff',
@@ -66,9 +71,9 @@ function fileServer(folder: string): Server {
   });
 }
 
-/** Serves `folder` on a free port of this machine. */
-export async function serveFolder(folder: string): Promise<StaticServer> {
-  const server = fileServer(folder);
+/** Serves `folder` on a free port of this machine. `fault` may change while it runs: the host's own is asked at each request. */
+export async function serveFolder(folder: string, fault: Fault = () => false): Promise<StaticServer> {
+  const server = fileServer(folder, fault);
   await new Promise<void>((resolve, reject) => {
     server.once('error', reject).listen(0, '127.0.0.1', resolve);
   });

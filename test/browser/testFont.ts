@@ -35,7 +35,7 @@ export async function useTestFont(page: Page): Promise<void> {
   ].map(
     ([weight, file]) => [weight!, fileOf(archive, `fonts/Open_Sans/${file!}`).toString('base64')] as const,
   );
-  await page.addStyleTag({ content: `:root { --hud-font: 'Test Sans', sans-serif }` });
+  await page.addStyleTag({ content: `:root { --touchdown-font: 'Test Sans', sans-serif }` });
   await page.evaluate(async (given) => {
     for (const [weight, base64] of given) {
       const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));

@@ -23,7 +23,7 @@ export async function untilProvenance(page: Page, wanted: string): Promise<void>
 export async function untilTiltBelow(page: Page, angle: number): Promise<void> {
   await page.waitForFunction(
     (most) => {
-      const meter = document.querySelector('.hud-landing [role=meter][aria-label=Tilt]');
+      const meter = document.querySelector('.td-landing [role=meter][aria-label=Tilt]');
       return Number(meter?.getAttribute('aria-valuenow') ?? 90) < most;
     },
     angle,

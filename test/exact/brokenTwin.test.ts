@@ -23,11 +23,11 @@ afterEach(() => {
 /** A copy of the Python server with one expression written in another way. */
 function brokenServer(file: string, expression: string, instead: string): string {
   home = mkdtempSync(join(tmpdir(), 'twin-'));
-  cpSync(join(SERVER_HOME, 'server'), join(home, 'server'), {
+  cpSync(join(SERVER_HOME, 'touchdown_service'), join(home, 'touchdown_service'), {
     recursive: true,
     filter: (path) => !/fixtures$|__pycache__/.test(path),
   });
-  const path = join(home, 'server', file);
+  const path = join(home, 'touchdown_service', file);
   const source = readFileSync(path, 'utf8');
   expect(source.split(expression), `${expression} stands once in ${file}`).toHaveLength(2);
   writeFileSync(path, source.replace(expression, instead));

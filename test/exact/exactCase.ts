@@ -7,12 +7,12 @@ import {
   type Controls,
   type Settings,
   type ShipClass,
-  type ShipRecord,
+  type ShipInit,
   type Vec3,
 } from '../../src/dynamics';
 import { type Scenario, stage, ticksOf } from '../../src/scenarios';
 
-/** One ship, its world, its pilot. SI units, frames as in ShipRecord. */
+/** One ship, its world, its pilot. SI units, frames as in ShipInit. */
 export interface ExactCase {
   readonly name: string;
   /** Hz */
@@ -24,7 +24,7 @@ export interface ExactCase {
   readonly terrain: CaseTerrain;
   readonly shipClass: ShipClass;
   readonly bodies: readonly (Body & BodyMotion)[];
-  readonly ship: ShipRecord;
+  readonly ship: ShipInit;
   /** In the order of their time; each holds from the start of its substep on. */
   readonly inputs: readonly CaseInput[];
 }
@@ -61,12 +61,13 @@ export function caseOf(scenario: Scenario): Result<ExactCase> {
   });
 }
 
-/** The same data with the game's names: what test/server/cases.py reads. */
+/** The same data with the game's names: what src/service/touchdown_service/cases.py reads. */
 export function caseToJson(exact: ExactCase): unknown {
   return withSnakeKeys(exact);
 }
 
-function withSnakeKeys(value: unknown): unknown {
+/** Plain data under the game's snake_case names. */
+export function withSnakeKeys(value: unknown): unknown {
   if (Array.isArray(value)) return value.map(withSnakeKeys);
   if (typeof value !== 'object' || value === null) return value;
   const entries = Object.entries(value).map(([key, held]) => [

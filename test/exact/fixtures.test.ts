@@ -3,10 +3,10 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, expect, it, vi } from 'vitest';
 import { compareFixture, readFixture, SCENARIOS } from '../../src/scenarios';
-import { MAY_SKIP, pythonVersion, SERVER_HOME, writeFixtures } from './python';
-import { SCENARIO_FILE, scenarioText } from './scenarioData';
+import { MAY_SKIP, pythonVersion, SERVICE_TESTS, writeFixtures } from './python';
+import { SCENARIO_FILE, scenarioText, WORLD_FILE, worldText } from './scenarioData';
 
-const COMMITTED = join(SERVER_HOME, 'server/fixtures');
+const COMMITTED = join(SERVICE_TESTS, 'fixtures');
 const withPython = pythonVersion() === null && MAY_SKIP ? it.skip : it;
 
 function filesIn(folder: string): Map<string, string> {
@@ -22,22 +22,29 @@ describe('the Python server’s trajectories', () => {
     expect(readFileSync(SCENARIO_FILE, 'utf8')).toBe(scenarioText());
   });
 
+  it('fly in the catalogue’s world (else: the same command)', () => {
+    expect(readFileSync(WORLD_FILE, 'utf8')).toBe(worldText());
+  });
+
   it('are there for every rehearsal', () => {
     expect([...filesIn(COMMITTED).keys()]).toEqual(SCENARIOS.map(({ name }) => `${name}.json`).sort());
   });
 
-  withPython('come out byte for byte as committed (else: cd test && python3 -m server.fixtures)', () => {
-    const folder = mkdtempSync(join(tmpdir(), 'fixtures-'));
-    try {
-      writeFixtures(folder);
-      const committed = filesIn(COMMITTED);
-      const made = filesIn(folder);
-      expect([...made.keys()]).toEqual([...committed.keys()]);
-      for (const [name, text] of made) expect(text, name).toBe(committed.get(name));
-    } finally {
-      rmSync(folder, { recursive: true });
-    }
-  });
+  withPython(
+    'come out byte for byte as committed (else: node test/run.mjs test/exact/writeScenarios.ts)',
+    () => {
+      const folder = mkdtempSync(join(tmpdir(), 'fixtures-'));
+      try {
+        writeFixtures(folder);
+        const committed = filesIn(COMMITTED);
+        const made = filesIn(folder);
+        expect([...made.keys()]).toEqual([...committed.keys()]);
+        for (const [name, text] of made) expect(text, name).toBe(committed.get(name));
+      } finally {
+        rmSync(folder, { recursive: true });
+      }
+    },
+  );
 
   it.each(SCENARIOS.map(({ name }) => name))('%s: the dynamics agree without any difference', (name) => {
     const fixture = readFixture(readFileSync(join(COMMITTED, `${name}.json`), 'utf8'));

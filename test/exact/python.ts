@@ -1,11 +1,14 @@
 /** The Python server as a child process: cases in, what its substeps came to out. */
 import { spawn, spawnSync } from 'node:child_process';
-import { dirname } from 'node:path';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { caseToJson, type ExactCase } from './exactCase';
 
-/** The folder that holds the package `server`. */
-export const SERVER_HOME = dirname(dirname(fileURLToPath(import.meta.url)));
+/** The folder that holds the package `touchdown_service`. */
+export const SERVER_HOME = fileURLToPath(new URL('../../src/service', import.meta.url));
+
+/** Scenarios and trajectories of the service's tests. */
+export const SERVICE_TESTS = fileURLToPath(new URL('../service', import.meta.url));
 
 const PYTHON = process.env['PYTHON'] ?? 'python3';
 
@@ -33,7 +36,7 @@ export async function replayInPython(
   cases: readonly ExactCase[],
   home: string = SERVER_HOME,
 ): Promise<PythonResult[]> {
-  const lines = await run('server.replay', cases.map(caseToJson), { home });
+  const lines = await run('touchdown_service.replay', cases.map(caseToJson), { home });
   return lines.map((line) => {
     const [name = '', substeps = '', hash = ''] = line.split(' ');
     return { name, substeps: Number(substeps), hash };
@@ -49,31 +52,30 @@ export interface PythonRow {
 
 /** Every row of one case. */
 export async function rowsInPython(exact: ExactCase, home: string = SERVER_HOME): Promise<PythonRow[]> {
-  const lines = await run('server.replay', [caseToJson(exact)], { home, options: ['--rows'] });
+  const lines = await run('touchdown_service.replay', [caseToJson(exact)], { home, options: ['--rows'] });
   return lines.map((line) => {
     const [tick = '', substep = '', bytes = ''] = line.split(' ');
     return { tick: Number(tick), substep: Number(substep), bytes };
   });
 }
 
-/** Runs `python3 -m server.fixtures`, which writes every rehearsal as a fixture into `folder`. */
+/** Runs `python3 -m touchdown_service.fixtures`, which writes every rehearsal as a fixture into `folder`. */
 export function writeFixtures(folder: string): void {
-  const { status, stderr } = spawnSync(PYTHON, ['-B', '-m', 'server.fixtures', folder], {
-    cwd: SERVER_HOME,
-    encoding: 'utf8',
-  });
-  if (status !== 0) throw new Error(`server.fixtures failed: ${stderr}`);
+  const command = ['-B', '-m', 'touchdown_service.fixtures', join(SERVICE_TESTS, 'scenarios.json'), folder];
+  const { status, stderr } = spawnSync(PYTHON, command, { cwd: SERVER_HOME, encoding: 'utf8' });
+  if (status !== 0) throw new Error(`touchdown_service.fixtures failed: ${stderr}`);
 }
 
 /** A terrain's name, a body's name, and a unit direction in the body's axes. */
 export type SurveyPoint = readonly [string, string, number, number, number];
 
-/** Terrain heights as the bits of doubles, in hexadecimal, most significant byte first. */
+/** Terrain heights, of the maps told too, as the bits of doubles, in hexadecimal, most significant byte first. */
 export function surveyInPython(
   points: readonly SurveyPoint[],
   home: string = SERVER_HOME,
+  maps: readonly unknown[] = [],
 ): Promise<string[]> {
-  return run('server.survey', points, { home });
+  return run('touchdown_service.survey', [...maps, ...points], { home });
 }
 
 /** Runs a module of the server with `input`, a line of JSON an item; the lines of its answer. */

@@ -1,11 +1,11 @@
-/** Landings that both implementations are given: the rehearsals, also as test/server/scenarios.json, and the recorded trajectories. */
+/** Landings that both implementations are given: the rehearsals, also as te../service/scenarios.json, and the recorded trajectories. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { NEUTRAL_CONTROLS } from '../../src/dynamics';
+import { BODIES, NEUTRAL_CONTROLS, SHIP_CLASSES } from '../../src/dynamics';
 import { type Fixture, readFixture, SCENARIOS } from '../../src/scenarios';
-import { type CaseInput, caseOf, caseToJson, type ExactCase } from './exactCase';
+import { type CaseInput, caseOf, caseToJson, type ExactCase, withSnakeKeys } from './exactCase';
 
-export const SCENARIO_FILE = fileURLToPath(new URL('../server/scenarios.json', import.meta.url));
+export const SCENARIO_FILE = fileURLToPath(new URL('../service/scenarios.json', import.meta.url));
 
 /** Every rehearsal as a case. @throws when one cannot be staged. */
 export function rehearsalCases(): ExactCase[] {
@@ -23,6 +23,25 @@ export function scenarioText(): string {
     JSON.stringify({ about, ...(caseToJson(cases[i]!) as object) }),
   );
   return `[\n${lines.join(',\n')}\n]\n`;
+}
+
+/** The world that the service makes where Redis holds none. */
+export const WORLD_FILE = fileURLToPath(
+  new URL('../../src/service/touchdown_service/world.json', import.meta.url),
+);
+
+/** What belongs into it: the catalogue, in Redis's notation (quaternions w first). */
+export function worldText(): string {
+  const bodies = BODIES.map(({ attitude: [x, y, z, w], ...body }) => ({ ...body, attitude: [w, x, y, z] }));
+  const world = {
+    systemId: 'sol',
+    epoch: 0,
+    terrain: 'hills',
+    settings: {},
+    shipClasses: SHIP_CLASSES,
+    bodies,
+  };
+  return `${JSON.stringify(withSnakeKeys(world), null, 2)}\n`;
 }
 
 const RECORDED = new URL('../parity/fixtures/', import.meta.url);

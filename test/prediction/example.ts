@@ -1,10 +1,9 @@
 import {
   type Controls,
   createPredictor,
+  decodeFrameJson,
   decodeServerMessage,
-  decodeShipStatesJson,
   encodeClientMessage,
-  type ServerMessage,
   type WorldView,
 } from '../../src';
 
@@ -29,23 +28,15 @@ export function onFrame(controls: Controls, send: (bytes: Uint8Array) => void): 
 // #endregion
 
 // #region json
-/** The game's own JSON: `ships` as its socket has them, and the tick they are of. */
-export function onJson(tick: number, tickRate: number, ships: unknown): void {
-  const states = decodeShipStatesJson(ships);
-  if (!states.ok) {
-    predictor.refused(states.reason);
+/** The game's own JSON: the object that holds `tick` and `ships`, and whatever else of a frame it tells. */
+export function onJson(state: unknown): void {
+  const frame = decodeFrameJson(state);
+  if (!frame.ok) {
+    predictor.refused(frame.reason);
     return;
   }
-  const frame: ServerMessage = {
-    kind: 'frame',
-    ...{ tick, tickRate, timeScale: 1, paused: false },
-    ships: states.value,
-    // Where the bodies are, if the socket says so; without it they move from the defaults by the law.
-    bodies: [],
-    events: [],
-    lastInput: null,
-  };
-  predictor.receive(frame, seconds());
+  for (const refusal of frame.value.refusals) console.warn(`left out: ${refusal}`);
+  predictor.receive(frame.value, seconds());
 }
 // #endregion
 

@@ -9,8 +9,18 @@ import {
   writeRecording,
 } from '../../src/scenarios';
 import { fromBase64, toBase64 } from '../../src/scenarios/recordings/base64';
+import { decodeFrameJson } from '../../src/wire';
 import { input, valueOf } from '../authority/moon';
 import { type Client, listen, moonExchange, recordingOf } from './recordedExchange';
+
+const LEAST_SHIP = {
+  ship_id: 'a',
+  position: [1, 2, 3],
+  velocity: [0, 0, 0],
+  attitude: [1, 0, 0, 0],
+  angular_velocity: [0, 0, 0],
+  fuel: 1,
+};
 
 /** Ten seconds of the opening, flown with three inputs. */
 function flown(
@@ -51,6 +61,17 @@ describe('a recording', () => {
     expect(valueOf(readRecording(text))).toEqual({ ...recording, entries });
     // Controls are written where they change.
     expect(text.trimEnd().split('\n').at(-1)).toBe('{"kind":"advanced","at":202}');
+  });
+
+  it('keeps what a JSON server left untold', () => {
+    const decoded = valueOf(
+      decodeFrameJson({ tick: 3, ships: [{ ...LEAST_SHIP, attitude_mode: 'sideways' }], tick_rate: 10 }),
+    );
+    const recording: Recording = {
+      header: { note: 'json', shipId: 'a' },
+      entries: [{ kind: 'received', at: 1, message: decoded }],
+    };
+    expect(valueOf(readRecording(writeRecording(recording)))).toEqual(recording);
   });
 
   it('is refused by line and field', () => {

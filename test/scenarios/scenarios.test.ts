@@ -50,7 +50,7 @@ describe('every scenario', () => {
     expect([...new Set(SCENARIOS.map(({ body }) => body))].sort()).toEqual([
       'Earth',
       'Mars',
-      'Moon',
+      'Luna',
       'Phobos',
     ]);
   });

@@ -8,7 +8,7 @@ import {
   toBodyRelative,
 } from '../../src/scenarios';
 
-const MOON = BODIES.find(({ name }) => name === 'Moon')!;
+const MOON = BODIES.find(({ name }) => name === 'Luna')!;
 const EARTH = BODIES.find(({ name }) => name === 'Earth')!;
 const LANDER = SHIP_CLASSES.find(({ name }) => name === 'planetary_lander')!;
 const CRAFT = { shipClass: LANDER, fuel: 100, surfaceContactState: '', contactImpactSpeed: 0 } as const;

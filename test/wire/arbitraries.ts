@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { ATTITUDE_MODES, type Controls, type Quat, SURFACE_STATES, type Vec3 } from '../../src/dynamics';
+import { MAX_TICK } from '../../src/wire';
 import type { BodyState, InputRecord, ServerFrame, ShipState, WorldEvent } from '../../src/wire';
 
 /** Every legal record, the ends of every range included. */
@@ -20,7 +21,7 @@ export const quaternion: fc.Arbitrary<Quat> = fc
 
 export const text = fc.string({ unit: 'grapheme', maxLength: 40 }).filter((t) => t.length <= 128);
 export const named = text.filter((t) => t !== '');
-const tick = fc.oneof(fc.maxSafeNat(), fc.nat());
+const tick = fc.oneof(fc.integer({ min: 0, max: MAX_TICK }), fc.nat());
 const substep = fc.nat(99_999);
 
 export const controls: fc.Arbitrary<Controls> = fc.record({
@@ -62,20 +63,28 @@ export const ship: fc.Arbitrary<ShipState> = fc
       angularVelocity: vector(1e6),
       fuel: kilograms,
       mass: kilograms,
+      wheelMomentum: fc.option(vector(1e25)),
+      groundContactOffset: fc.option(fc.double({ min: 0, max: 1e6, noNaN: true })),
       landedBodyName: text,
-      surfaceContactState: fc.constantFrom(...SURFACE_STATES),
+      surfaceContactState: fc.oneof(fc.constantFrom<string>(...SURFACE_STATES), text),
       referenceBody: text,
       crashed: fc.boolean(),
     }),
     controls,
     contact,
   )
-  .map(([own, commanded, touched]) => ({ ...own, ...commanded, ...touched }));
+  .map(([own, commanded, touched]) => ({ ...own, ...commanded, ...touched }))
+  .chain((state) =>
+    fc.oneof(
+      fc.constant(state),
+      named.map((attitudeMode) => ({ ...state, attitudeMode })),
+    ),
+  );
 
 const body: fc.Arbitrary<BodyState> = fc.record({
   name: named,
   mass: fc.double({ min: 1e-300, max: 1e40, noNaN: true }),
-  radius: fc.double({ min: 1e-300, max: 1e18, noNaN: true }),
+  radius: fc.double({ min: 1e-3, max: 1e18, noNaN: true }),
   position: vector(1e18),
   velocity: vector(1e9),
   attitude: quaternion,
@@ -83,12 +92,19 @@ const body: fc.Arbitrary<BodyState> = fc.record({
 });
 
 const event = (before: number): fc.Arbitrary<WorldEvent> =>
-  fc.record({
-    type: fc.constantFrom('ship.contact', 'ship.landed', 'ship.tipped', 'ship.righted', 'ship.crashed'),
-    shipId: named,
-    tick: fc.maxSafeNat().map((t) => Math.min(t, before)),
-    substep,
-  });
+  fc.record(
+    {
+      type: fc.oneof(fc.constantFrom('ship.contact', 'ship.landed', 'ship.destroyed'), named),
+      shipId: named,
+      tick: fc.integer({ min: 0, max: before }),
+      substep: fc.option(substep),
+      again: fc.constant(true as const),
+      playerId: named,
+      body: named,
+      reason: named,
+    },
+    { requiredKeys: ['type', 'shipId', 'tick', 'substep'] },
+  );
 
 export const frame: fc.Arbitrary<ServerFrame> = tick.chain((at) =>
   fc.record({
@@ -103,7 +119,7 @@ export const frame: fc.Arbitrary<ServerFrame> = tick.chain((at) =>
     lastInput: fc.option(
       fc.record({
         seq: fc.integer({ min: 1, max: Number.MAX_SAFE_INTEGER }),
-        tick,
+        tick: fc.integer({ min: 0, max: at }),
         substep,
         margin: fc.double({ min: -1e9, max: 1e9, noNaN: true }),
       }),

@@ -5,6 +5,7 @@ import {
   decodeClientMessage,
   decodeServerMessage,
   encodeServerMessage,
+  MAX_TICK,
   type ShipState,
 } from '../../src/wire';
 import {
@@ -31,7 +32,7 @@ function shipFrom(ship: Bytes): ShipState {
 it('reads the game’s fields 29 to 35 at their numbers', () => {
   const ship = shipFrom([
     ...olderShip('a'),
-    ...text(29, 'Moon'),
+    ...text(29, 'Luna'),
     ...text(30, 'tipped'),
     ...double(31, 12.5),
     ...text(32, 'Earth'),
@@ -41,7 +42,7 @@ it('reads the game’s fields 29 to 35 at their numbers', () => {
   ]);
   expect(ship).toMatchObject({
     shipId: 'a',
-    landedBodyName: 'Moon',
+    landedBodyName: 'Luna',
     surfaceContactState: 'tipped',
     contactImpactSpeed: 12.5,
     referenceBody: 'Earth',
@@ -84,7 +85,18 @@ it('writes a whole ShipState as the description of the encoding says', () => {
     ...vec3(34, ...SHIP.relativeVelocity!),
     ...integer(35, 1),
   ];
-  const frame = { ...FRAME, paused: false, bodies: [], events: [], ships: [SHIP], lastInput: null };
+  const { kind, tick, tickRate, timeScale } = FRAME;
+  const frame = {
+    kind,
+    tick,
+    tickRate,
+    timeScale,
+    paused: false,
+    bodies: [],
+    events: [],
+    ships: [SHIP],
+    lastInput: null,
+  };
   const expected = bytesOf(delimited(2, integer(1, 42), double(2, 5), double(3, 2.5), delimited(6, byHand)));
   expect(encodeServerMessage(frame)).toEqual(expected);
 });
@@ -122,11 +134,11 @@ it('reads inputs and pings written by hand', () => {
 });
 
 it('keeps 64-bit integers out: a safe number, or a refusal that names the field', () => {
-  const largest = BigInt(Number.MAX_SAFE_INTEGER);
+  const largest = BigInt(MAX_TICK);
   const pong = (tick: bigint) => decodeServerMessage(bytesOf(delimited(3, integer(1, 1), integer(2, tick))));
   expect(pong(largest)).toEqual({
     ok: true,
-    value: { kind: 'pong', id: 1, tick: Number.MAX_SAFE_INTEGER, sinceTick: 0 },
+    value: { kind: 'pong', id: 1, tick: MAX_TICK, sinceTick: 0 },
   });
   for (const tick of [largest + 1n, 2n ** 60n, 2n ** 63n, 2n ** 64n - 1n]) {
     const refusal = pong(tick);

@@ -42,8 +42,8 @@ it('reads a server that knows nothing of the fields 29 to 35', () => {
 });
 
 it('passes on a landed body without a state, as older servers send it', () => {
-  expect(shipFrom(text(29, 'Moon'))).toMatchObject({
-    landedBodyName: 'Moon',
+  expect(shipFrom(text(29, 'Luna'))).toMatchObject({
+    landedBodyName: 'Luna',
     surfaceContactState: '',
     contactImpactSpeed: null,
   });

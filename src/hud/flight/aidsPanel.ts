@@ -6,10 +6,10 @@ const CORRIDOR = { slow: 'slow', good: 'on it', fast: 'TOO FAST', none: '' } as 
 
 /** Landing aids: the speed to come down at, when to brake at the latest, and the predicted touchdown. */
 export function createAidsPanel(parent: Element): (aids: LandingAids, on: boolean) => void {
-  const panel = append(parent, 'div', 'hud-aids');
+  const panel = append(parent, 'div', 'td-aids');
   const aim = appendReading(panel, 'AIM', 'aim');
   const paintAim = showNumber(aim, VERTICAL_SPEED);
-  const corridor = append(aim, 'span', 'hud-corridor');
+  const corridor = append(aim, 'span', 'td-corridor');
   const paintCorridor = showText(corridor);
   const paintKind = showAttribute(corridor, 'data-corridor');
   const brake = appendReading(panel, 'BRAKE IN', 'brake');
@@ -18,7 +18,7 @@ export function createAidsPanel(parent: Element): (aids: LandingAids, on: boolea
   const paintTouch = showNumber(appendReading(panel, 'TOUCH IN', 'touch'), DURATION);
   const at = appendReading(panel, 'AT', 'touchspeed');
   const paintVertical = showNumber(at, VERTICAL_SPEED);
-  append(at, 'span', 'hud-of', ' · ');
+  append(at, 'span', 'td-of', ' · ');
   const paintHorizontal = showNumber(at, SPEED);
   const paintShown = showPart(panel);
   return (aids, on) => {

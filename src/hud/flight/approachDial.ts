@@ -8,26 +8,26 @@ const AHEAD = 5;
 
 /** The glide cross: the ship in the middle, the pad's ring, and a cross where the ship will touch; right and away as on the screen. */
 export function createApproachDial(parent: Element): (target: TargetReadout, aidsOn: boolean) => void {
-  const gauge = append(parent, 'div', 'hud-approach');
+  const gauge = append(parent, 'div', 'td-approach');
   gauge.setAttribute('role', 'meter');
   gauge.setAttribute('aria-label', 'Distance to the beacon');
   gauge.setAttribute('aria-valuemin', '0');
-  const picture = appendPicture(gauge, 'hud-approach-picture', '-46 -46 92 92');
-  appendSvg(picture, 'circle', { class: 'hud-rim', r: RADIUS });
-  appendSvg(picture, 'path', { class: 'hud-axes', d: 'M-40 0H40M0 -40V40' });
-  const pad = appendSvg(picture, 'circle', { class: 'hud-pad', r: 5 });
+  const picture = appendPicture(gauge, 'td-approach-picture', '-46 -46 92 92');
+  appendSvg(picture, 'circle', { class: 'td-rim', r: RADIUS });
+  appendSvg(picture, 'path', { class: 'td-axes', d: 'M-40 0H40M0 -40V40' });
+  const pad = appendSvg(picture, 'circle', { class: 'td-pad', r: 5 });
   const paintPadX = showFigures(pad, 'cx', 2, String);
   const paintPadY = showFigures(pad, 'cy', 2, String);
   const paintPadR = showFigures(pad, 'r', 2, String);
-  const drift = appendSvg(picture, 'path', { class: 'hud-drift-way' });
+  const drift = appendSvg(picture, 'path', { class: 'td-drift-way' });
   const paintDrift = showFigures(drift, 'd', 1, (x, y) => `M0 0L${String(x)} ${String(y)}`);
-  const cross = appendSvg(picture, 'path', { class: 'hud-touch-cross', d: 'M-5 -5L5 5M-5 5L5 -5' });
+  const cross = appendSvg(picture, 'path', { class: 'td-touch-cross', d: 'M-5 -5L5 5M-5 5L5 -5' });
   const paintCross = showFigures(cross, 'transform', 2, (x, y) => `translate(${String(x)} ${String(y)})`);
   const paintCrossShown = showAttribute(cross, 'data-shown');
-  const words = append(gauge, 'div', 'hud-approach-words');
-  append(words, 'span', 'hud-label', 'BEACON');
-  const paintDistance = showNumber(append(words, 'span', 'hud-value'), DISTANCE);
-  const paintWay = showText(append(words, 'span', 'hud-way'));
+  const words = append(gauge, 'div', 'td-approach-words');
+  append(words, 'span', 'td-label', 'BEACON');
+  const paintDistance = showNumber(append(words, 'span', 'td-value'), DISTANCE);
+  const paintWay = showText(append(words, 'span', 'td-way'));
   const paintShown = showPart(gauge);
   const paintText = showAttribute(gauge, 'aria-valuetext');
   const paintNow = showAttribute(gauge, 'aria-valuenow');

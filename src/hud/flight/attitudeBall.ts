@@ -11,22 +11,22 @@ const PER_DEGREE = RADIUS / 90;
  * away from the side that leans down. Beside it heading, pitch and the fullest reaction wheel.
  */
 export function createAttitudeBall(parent: Element): (flight: FlightReadout) => void {
-  const panel = append(parent, 'div', 'hud-attitude');
-  const picture = appendPicture(panel, 'hud-ball', '-46 -46 92 92');
-  appendSvg(picture, 'circle', { class: 'hud-rim', r: RADIUS });
-  appendSvg(picture, 'circle', { class: 'hud-ring', r: 15 * PER_DEGREE });
-  appendSvg(picture, 'circle', { class: 'hud-ring', r: 45 * PER_DEGREE });
-  appendSvg(picture, 'path', { class: 'hud-axes', d: 'M-40 0H-6M6 0H40M0 -40V-6M0 6V40' });
-  const zenith = appendSvg(picture, 'path', { class: 'hud-zenith', d: 'M0 -7L7 0L0 7L-7 0Z' });
+  const panel = append(parent, 'div', 'td-attitude');
+  const picture = appendPicture(panel, 'td-ball', '-46 -46 92 92');
+  appendSvg(picture, 'circle', { class: 'td-rim', r: RADIUS });
+  appendSvg(picture, 'circle', { class: 'td-ring', r: 15 * PER_DEGREE });
+  appendSvg(picture, 'circle', { class: 'td-ring', r: 45 * PER_DEGREE });
+  appendSvg(picture, 'path', { class: 'td-axes', d: 'M-40 0H-6M6 0H40M0 -40V-6M0 6V40' });
+  const zenith = appendSvg(picture, 'path', { class: 'td-zenith', d: 'M0 -7L7 0L0 7L-7 0Z' });
   const paintZenith = showFigures(zenith, 'transform', 2, (x, y) => `translate(${String(x)} ${String(y)})`);
   const paintKnown = showAttribute(picture, 'data-known');
-  const words = append(panel, 'div', 'hud-attitude-words');
-  append(words, 'span', 'hud-label', 'HDG');
-  const paintHeading = showNumber(append(words, 'span', 'hud-value'), BEARING);
-  append(words, 'span', 'hud-label', 'PITCH');
-  const paintPitch = showNumber(append(words, 'span', 'hud-value'), ANGLE);
-  const wheelLabel = append(words, 'span', 'hud-label', 'WHEELS');
-  const wheels = append(words, 'span', 'hud-value');
+  const words = append(panel, 'div', 'td-attitude-words');
+  append(words, 'span', 'td-label', 'HDG');
+  const paintHeading = showNumber(append(words, 'span', 'td-value'), BEARING);
+  append(words, 'span', 'td-label', 'PITCH');
+  const paintPitch = showNumber(append(words, 'span', 'td-value'), ANGLE);
+  const wheelLabel = append(words, 'span', 'td-label', 'WHEELS');
+  const wheels = append(words, 'span', 'td-value');
   const paintWheels = showNumber(wheels, PERCENT);
   const paintWheelLabelShown = showPart(wheelLabel);
   const paintWheelsShown = showPart(wheels);

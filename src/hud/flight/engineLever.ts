@@ -7,25 +7,25 @@ const WAY = 100;
 
 /** The throttle as a lever to be read at a glance; a mark stands where the engine carries the ship. */
 export function createEngineLever(parent: Element): (flight: FlightReadout) => void {
-  const panel = append(parent, 'div', 'hud-engine');
-  const gauge = append(panel, 'div', 'hud-lever');
+  const panel = append(parent, 'div', 'td-engine');
+  const gauge = append(panel, 'div', 'td-lever');
   gauge.setAttribute('role', 'meter');
   gauge.setAttribute('aria-label', 'Throttle');
   gauge.setAttribute('aria-valuemin', '0');
   gauge.setAttribute('aria-valuemax', '100');
-  const picture = appendPicture(gauge, 'hud-lever-picture', '-4 -6 46 112');
-  appendSvg(picture, 'rect', { class: 'hud-lever-way', x: 0, y: 0, width: 18, height: WAY });
-  const fill = appendSvg(picture, 'path', { class: 'hud-lever-fill' });
+  const picture = appendPicture(gauge, 'td-lever-picture', '-4 -6 46 112');
+  appendSvg(picture, 'rect', { class: 'td-lever-way', x: 0, y: 0, width: 18, height: WAY });
+  const fill = appendSvg(picture, 'path', { class: 'td-lever-fill' });
   const paintFill = showFigures(fill, 'd', 1, (y) => `M0 ${String(y)}H18V${String(WAY)}H0Z`);
-  const mark = appendSvg(picture, 'g', { class: 'hud-lever-hover' });
+  const mark = appendSvg(picture, 'g', { class: 'td-lever-hover' });
   appendSvg(mark, 'path', { d: 'M-2 0H22L30 -6V6L22 0' });
   const paintMark = showFigures(mark, 'transform', 1, (y) => `translate(0 ${String(y)})`);
   const paintMarkShown = showAttribute(mark, 'data-shown');
-  const words = append(panel, 'div', 'hud-lever-words');
-  append(words, 'span', 'hud-label', 'ENGINE');
-  const paintThrottle = showNumber(append(words, 'span', 'hud-value'), PERCENT);
-  append(words, 'span', 'hud-label', 'HOVER');
-  const paintHover = showNumber(append(words, 'span', 'hud-hover'), PERCENT);
+  const words = append(panel, 'div', 'td-lever-words');
+  append(words, 'span', 'td-label', 'ENGINE');
+  const paintThrottle = showNumber(append(words, 'span', 'td-value'), PERCENT);
+  append(words, 'span', 'td-label', 'HOVER');
+  const paintHover = showNumber(append(words, 'span', 'td-hover'), PERCENT);
   const paintNow = showAttribute(gauge, 'aria-valuenow');
   const paintText = showAttribute(gauge, 'aria-valuetext');
   let shown = NaN;

@@ -1,3 +1,4 @@
+import { createFrame, type HudAppearance } from '../appearance';
 import type { FlightReadout, LandingAids, TargetReadout } from '../../readout';
 import type { Hud } from '../landingHud';
 import { createAidsPanel } from './aidsPanel';
@@ -17,7 +18,7 @@ export interface FlightPanels {
   readonly aidsOn: boolean;
 }
 
-export interface FlightHudOptions {
+export interface FlightHudOptions extends HudAppearance {
   /** Names the key of a mode; '' when it has none. Asked anew at every paint. */
   readonly keyLabel?: (key: FlightKey) => string;
 }
@@ -28,18 +29,16 @@ export interface FlightHudOptions {
  */
 export function createFlightHud(
   document: Document,
-  host: Element,
+  host: Element | ShadowRoot,
   options: FlightHudOptions = {},
 ): Hud<FlightPanels> {
-  const root = document.createElement('section');
-  root.className = 'hud hud-flight';
-  root.setAttribute('aria-label', 'Flight');
-  const paintLever = createEngineLever(root);
-  const paintFuel = createFuelPanel(root);
-  const paintBall = createAttitudeBall(root);
-  const paintModes = createModesPanel(root, options.keyLabel ?? (() => ''));
-  const paintAids = createAidsPanel(root);
-  const paintDial = createApproachDial(root);
+  const { root, panel, dispose } = createFrame(document, 'flight', 'Flight', options);
+  const paintLever = createEngineLever(panel);
+  const paintFuel = createFuelPanel(panel);
+  const paintBall = createAttitudeBall(panel);
+  const paintModes = createModesPanel(panel, options.keyLabel ?? (() => ''));
+  const paintAids = createAidsPanel(panel);
+  const paintDial = createApproachDial(panel);
   host.append(root);
   return {
     paint({ flight, aids, target, autopilot, aidsOn }) {
@@ -50,6 +49,6 @@ export function createFlightHud(
       paintAids(aids, aidsOn);
       paintDial(target, aidsOn);
     },
-    dispose: () => root.remove(),
+    dispose,
   };
 }

@@ -7,7 +7,7 @@ const LOW = 0.05;
 
 /** Fuel in kg, per cent and seconds at this throttle; Δv left. */
 export function createFuelPanel(parent: Element): (flight: FlightReadout) => void {
-  const panel = append(parent, 'div', 'hud-fuel');
+  const panel = append(parent, 'div', 'td-fuel');
   const paintMass = showNumber(appendReading(panel, 'FUEL', 'fuel'), MASS);
   const paintShare = showNumber(appendReading(panel, 'OF TANK', 'tank'), PERCENT);
   const paintSeconds = showNumber(appendReading(panel, 'LASTS', 'burn'), DURATION);

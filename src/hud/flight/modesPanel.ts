@@ -26,7 +26,7 @@ export function createModesPanel(
   parent: Element,
   keyLabel: (key: FlightKey) => string,
 ): (flight: FlightReadout, autopilot: boolean) => void {
-  const list = append(parent, 'ul', 'hud-modes');
+  const list = append(parent, 'ul', 'td-modes');
   list.setAttribute('aria-label', 'Attitude modes');
   const paints = ROWS.map(([key, word]) => [key, createMode(list, word)] as const);
   return (flight, autopilot) => {
@@ -45,12 +45,12 @@ export function createModesPanel(
 }
 
 function createMode(list: Element, word: string): (label: string, on: boolean) => void {
-  const row = append(list, 'li', 'hud-mode');
+  const row = append(list, 'li', 'td-mode');
   const cap = append(row, 'kbd');
   const paintCap = showText(cap);
   const paintCapShown = showPart(cap);
-  append(row, 'span', 'hud-mode-word', word);
-  const paintState = showText(append(row, 'span', 'hud-mode-state'));
+  append(row, 'span', 'td-mode-word', word);
+  const paintState = showText(append(row, 'span', 'td-mode-state'));
   const paintOn = showAttribute(row, 'data-on');
   return (label, on) => {
     paintCapShown(label !== '');

@@ -1,6 +1,6 @@
 import { GRAVITATIONAL_CONSTANT } from '../../dynamics';
 import type { WorldView } from '../../prediction';
-import type { ServerFrame, ShipState } from '../../wire';
+import type { PartialFrame, ShipState } from '../../wire';
 import type { ClientMode } from '../panels/choices';
 
 /**
@@ -8,14 +8,14 @@ import type { ClientMode } from '../panels/choices';
  * client does (without its blending). Only what is drawn is overwritten; HUD numbers stay the predictor's.
  */
 export interface Baseline {
-  readonly take: (frame: ServerFrame, now: number) => void;
+  readonly take: (frame: PartialFrame, now: number) => void;
   readonly forget: () => void;
   /** Overwrites the drawn poses of `view`. */
   readonly redraw: (view: WorldView, mode: ClientMode, now: number) => void;
 }
 
 interface Held {
-  readonly frame: ServerFrame;
+  readonly frame: PartialFrame;
   readonly at: number;
 }
 
@@ -31,7 +31,7 @@ export function createBaseline(): Baseline {
     redraw(view, mode, now) {
       if (held === null || mode === 'predicted') return;
       const { frame, at } = held;
-      const seconds = frame.paused ? 0 : (now - at) * frame.timeScale;
+      const seconds = frame.paused ? 0 : (now - at) * (frame.timeScale ?? 1);
       for (const ship of view.ships) {
         const state = frame.ships.find(({ shipId }) => shipId === ship.shipId);
         const body = view.bodies[ship.body];
@@ -54,10 +54,10 @@ interface Place {
   readonly velocity: [number, number, number];
 }
 
-function relativePlace(state: ShipState, frame: ServerFrame, bodyName: string): Place {
+function relativePlace(state: ShipState, frame: PartialFrame, bodyName: string): Place {
   if (state.relativePosition !== null && state.relativeVelocity !== null)
     return { position: [...state.relativePosition], velocity: [...state.relativeVelocity] };
-  const body = frame.bodies.find(({ name }) => name === bodyName);
+  const body = frame.bodies?.find(({ name }) => name === bodyName);
   const from = (a: readonly number[], b: readonly number[] | undefined): [number, number, number] => [
     a[0]! - (b?.[0] ?? 0),
     a[1]! - (b?.[1] ?? 0),

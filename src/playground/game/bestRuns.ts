@@ -1,4 +1,3 @@
-import { loadTiming } from '../../dynamics';
 import {
   findMission,
   flyRun,
@@ -8,6 +7,7 @@ import {
   type RunOutcome,
   type Score,
   scoreRun,
+  stage,
   writeRun,
 } from '../../scenarios';
 
@@ -35,8 +35,8 @@ export function verifyBytes(mission: Mission, bytes: Uint8Array, by: string): Ve
 }
 
 function substepsOf({ scenario }: Mission): number {
-  const timing = loadTiming(scenario.tickRate, scenario.timeScale);
-  return timing.ok ? timing.value.substeps : 100;
+  const staged = stage(scenario);
+  return staged.ok ? staged.value.timing.substeps : 100;
 }
 
 const PLACE = 'touchdown.best.';

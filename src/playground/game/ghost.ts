@@ -51,6 +51,7 @@ function ghostOf(own: ShipView, run: VerifiedRun): ShipView {
     velocity: copy(own.velocity),
     attitude: copy(own.attitude),
     angularVelocity: copy(own.angularVelocity),
+    wheelMomentum: copy(own.wheelMomentum),
     thrust: copy(own.thrust),
     easedPosition: copy(own.easedPosition),
     meshAttitude: copy(own.meshAttitude),

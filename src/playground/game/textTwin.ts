@@ -35,9 +35,9 @@ function words(view: WorldView, readout: LandingReadout): string {
   const parts = [`${ship.name}, a ${ship.shipClass.name}, ${STATES[ship.shownState] ?? ''}`];
   if (ship.shownState === '')
     parts.push(
-      `${height < 10 ? height.toFixed(1) : height.toFixed(0)} m above ${body.name === 'Moon' ? 'the Moon' : body.name}`,
+      `${height < 10 ? height.toFixed(1) : height.toFixed(0)} m above ${body.name === 'Luna' ? 'the Moon' : body.name}`,
     );
-  else parts.push(`on ${body.name === 'Moon' ? 'the Moon' : body.name}`);
+  else parts.push(`on ${body.name === 'Luna' ? 'the Moon' : body.name}`);
   const engine = ship.controls.thrustLevel;
   if (engine > 0) parts.push(`engine at ${Math.round(engine * 100)} %`);
   const others = view.ships.length - 1;

@@ -81,7 +81,7 @@ export function letGo(stick: Stick): void {
 const MODES: Partial<Record<Action, AttitudeMode>> = {
   modeHold: 'hold',
   modeUpright: 'radial',
-  modeRetrograde: 'surface_retrograde' as AttitudeMode,
+  modeRetrograde: 'surface_retrograde',
 };
 
 const FLIGHT = new Set<Action>([

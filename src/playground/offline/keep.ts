@@ -1,3 +1,5 @@
+import { scriptUrl } from '../scriptUrl';
+
 /**
  * Has the browser keep the page for use without a network, plots too, once it has nothing better to do. Where it cannot (a host
  * without https, a private window, the development server, which has no offline.js) the page works as it is, while it is open.
@@ -5,19 +7,8 @@
  */
 export function keepForOffline(window: Window, kept: () => void): void {
   if (!import.meta.env.PROD || !('serviceWorker' in window.navigator)) return;
-  const register = async () => {
-    const { serviceWorker } = window.navigator;
-    const controlled = new Promise((resolve) => {
-      if (serviceWorker.controller !== null) resolve(null);
-      else serviceWorker.addEventListener('controllerchange', resolve, { once: true });
-    });
-    await serviceWorker.register(new URL('offline.js', window.document.baseURI));
-    await serviceWorker.ready;
-    await controlled;
-    kept();
-  };
   const start = () => {
-    register().catch(() => undefined);
+    register(window, kept).catch(() => undefined);
   };
   if ('requestIdleCallback' in window) window.requestIdleCallback(start, { timeout: LATEST });
   else setTimeout(start, LATEST);
@@ -25,3 +16,11 @@ export function keepForOffline(window: Window, kept: () => void): void {
 
 /** ms: a slow machine is never idle. */
 const LATEST = 5000;
+async function register(window: Window, kept: () => void): Promise<void> {
+  const { serviceWorker } = window.navigator;
+  const address = new URL('.', window.document.baseURI).href;
+  const script = new URL('offline.js', address);
+  await serviceWorker.register(scriptUrl(script.href));
+  await serviceWorker.ready;
+  kept();
+}

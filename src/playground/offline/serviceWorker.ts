@@ -1,18 +1,16 @@
 /**
  * Keeps the built page for use without a network. Built into offline.js beside index.html, with the list of the build's files in it:
- * another build is another script, which the browser installs when it next loads the page. The document comes from the network while
- * there is one, so that a new deployment is seen at once; everything else has its content's hash in its name and comes from the cache.
+ * another build is another script, which the browser installs when it next loads the page and which takes over once it is whole.
+ * A host switches it off for good by no longer serving offline.js: what was kept then goes.
  */
-
-/** The build's files but the document, as addresses relative to it; put in by the build. */
-declare const OFFLINE_FILES: readonly string[];
-/** Of all that is kept. */
-declare const OFFLINE_VERSION: string;
+import { openDocument } from './documents';
+import { keptBuild } from './keptBuild';
 
 /** What of a service worker's scope is used here; TypeScript has it in a library that cannot stand beside the document's. */
 interface Scope {
-  readonly registration: { readonly scope: string };
+  readonly registration: { readonly scope: string; readonly unregister: () => Promise<boolean> };
   readonly clients: { readonly claim: () => Promise<void> };
+  readonly skipWaiting: () => Promise<void>;
   addEventListener: ((type: 'install' | 'activate', listener: (event: Lasting) => void) => void) &
     ((type: 'fetch', listener: (event: Asked) => void) => void);
 }
@@ -21,7 +19,7 @@ interface Lasting {
   readonly waitUntil: (work: Promise<unknown>) => void;
 }
 
-interface Asked {
+interface Asked extends Lasting {
   readonly request: Request;
   readonly respondWith: (response: Promise<Response>) => void;
 }
@@ -29,52 +27,42 @@ interface Asked {
 const scope = self as unknown as Scope;
 /** Of the document, and so of the folder it is in. */
 const address = scope.registration.scope;
-/** Caches belong to the whole host: this page's begin with its address. */
-const mine = `touchdown ${address} `;
-const current = mine + OFFLINE_VERSION;
+const build = keptBuild(address, caches);
 
-scope.addEventListener('install', (event) => event.waitUntil(keep()));
-scope.addEventListener('activate', (event) => event.waitUntil(begin()));
+scope.addEventListener('install', (event) =>
+  event.waitUntil(build.keep().then(scope.skipWaiting.bind(scope))),
+);
+scope.addEventListener('activate', (event) =>
+  // The page that is open already is served from here too.
+  event.waitUntil(build.sweep().then(() => scope.clients.claim())),
+);
 scope.addEventListener('fetch', (event) => {
   const { request } = event;
   if (request.method !== 'GET' || !request.url.startsWith(address)) return;
-  if (request.mode === 'navigate') {
-    if (isDocument(request.url)) event.respondWith(fromNetwork(request));
-  } else event.respondWith(fromCache(request));
+  if (request.mode !== 'navigate') event.respondWith(fromCache(request));
+  else if (isDocument(request.url)) {
+    event.respondWith(openDocument(request, address, build));
+    // Without a network it stays as it is.
+    event.waitUntil(tend().catch(() => undefined));
+  }
 });
-
-/** All or nothing: half a page is no page. The document is fetched anew, past the browser's own cache. */
-async function keep(): Promise<void> {
-  const cache = await caches.open(current);
-  const response = await fetch(address, { cache: 'reload' });
-  if (!response.ok) throw new Error(`${address} answered ${response.status}`);
-  // A host may have redirected, and an answer that says so is refused where a page is asked for.
-  await cache.put(address, new Response(await response.blob(), { headers: response.headers }));
-  await cache.addAll(OFFLINE_FILES.map((file) => new URL(file, address).href));
-}
-
-async function begin(): Promise<void> {
-  for (const name of await caches.keys())
-    if (name.startsWith(mine) && name !== current) await caches.delete(name);
-  // The page that is open already, too.
-  await scope.clients.claim();
-}
 
 function isDocument(url: string): boolean {
   const { origin, pathname } = new URL(url);
   return origin + pathname === address || origin + pathname === `${address}index.html`;
 }
 
-async function fromNetwork(request: Request): Promise<Response> {
-  try {
-    return await fetch(request);
-  } catch (error) {
-    const kept = await (await caches.open(current)).match(address);
-    if (kept === undefined) throw error;
-    return kept;
-  }
+async function fromCache(request: Request): Promise<Response> {
+  return (await build.find(request.url)) ?? fetch(request);
 }
 
-async function fromCache(request: Request): Promise<Response> {
-  return (await (await caches.open(current)).match(request)) ?? fetch(request);
+/** What a host answers where a file is gone. */
+const GONE = [404, 410];
+
+/** Completes what the browser has dropped, or drops everything where the host has given up offline.js. */
+async function tend(): Promise<void> {
+  const script = await fetch(new URL('offline.js', address), { cache: 'no-store' });
+  if (!GONE.includes(script.status)) return build.heal();
+  await build.drop();
+  await scope.registration.unregister();
 }

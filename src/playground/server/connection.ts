@@ -1,4 +1,5 @@
 import type { RunInput } from '../../scenarios';
+import { scriptUrl } from '../scriptUrl';
 import type { Operation } from './operation';
 import type { SessionStatus } from './session';
 
@@ -77,7 +78,7 @@ export function openWorker(program: string, handlers: ConnectionHandlers): Conne
 
 function startWorker(program: string, failed: (why: string) => void): Worker | null {
   try {
-    return new Worker(program, { type: 'module' });
+    return new Worker(scriptUrl(program), { type: 'module' });
   } catch (error) {
     failed(error instanceof Error ? error.message : String(error));
     return null;

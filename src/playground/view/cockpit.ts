@@ -55,9 +55,12 @@ export function createCockpit(document: Document, place: CockpitPlace): Cockpit 
   const fleet = createFleetReadout();
   let aidsOn = true;
   const { keyLabel, turnKeys } = place;
-  const landingHud = createCockpitLandingHud(document, place.host, { keyLabel, turnKeys });
-  const fleetHud = createFleetHud(document, place.host);
-  const flightHud = createFlightHud(document, place.flightHost, { keyLabel: place.modeLabel });
+  const landingHud = createCockpitLandingHud(document, place.host, { theme: 'system', keyLabel, turnKeys });
+  const fleetHud = createFleetHud(document, place.host, { theme: 'system' });
+  const flightHud = createFlightHud(document, place.flightHost, {
+    theme: 'system',
+    keyLabel: place.modeLabel,
+  });
   return {
     flight,
     aids,

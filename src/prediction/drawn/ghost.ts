@@ -3,8 +3,8 @@ import { groundRadius, layGround } from './drawnGround';
 import { hullOf, LEGS } from './hull';
 import { pose } from './pose';
 import { lengthOf, rotateBack, seenFrom } from './rotation';
-import { createStandingPose, type GroundPose, standOnGround, type StandingPose } from './standOnGround';
-import { type LevelGround, standOnLevel } from './standOnLevel';
+import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './groundSnap';
+import { type LevelGround, snapToLevel } from './levelSnap';
 import type { Track } from '../simulation/track';
 import type { ShipView } from './view';
 
@@ -27,11 +27,11 @@ export function fillGhost(out: ShipView, track: Track, world: World, exactly: bo
   ground.radius = groundRadius(position[0]! / distance, position[1]! / distance, position[2]! / distance);
   // Out of the ground's reach, as for the ship itself.
   if (distance - ground.radius > 2 * shipClass.groundContactOffset + shipClass.legRadius) return;
-  if (exactly) standOnGround(standing, ghost, hullOf(shipClass), groundRadius);
-  else standOnLevel(standing, ghost, hullOf(shipClass), ground);
-  out.ghostPosition.set(standing.position);
+  if (exactly) snapToGround(groundedPose, ghost, hullOf(shipClass), groundRadius);
+  else snapToLevel(groundedPose, ghost, hullOf(shipClass), ground);
+  out.ghostPosition.set(groundedPose.position);
 }
 
 const ghost: GroundPose = { ...pose(), grounded: false };
 const ground: LevelGround = { radius: 0 };
-const standing: StandingPose = createStandingPose(LEGS);
+const groundedPose: GroundedPose = createGroundedPose(LEGS);

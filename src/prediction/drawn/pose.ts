@@ -1,27 +1,6 @@
-import {
-  ANGULAR_VELOCITY,
-  ATTITUDE,
-  BODY_ATTITUDE,
-  BODY_END_ATTITUDE,
-  BODY_STRIDE,
-  POSITION,
-  REFERENCE_BODY,
-} from '../../dynamics';
+import { ATTITUDE, BODY_ATTITUDE, BODY_END_ATTITUDE, BODY_STRIDE, POSITION } from '../../dynamics';
 import { boundaryAt, knowsBoundary, rowsAt } from '../snapshots/bodyTrack';
-import { restartEase } from './ease';
-import {
-  blend,
-  compose,
-  fromRotationVector,
-  normalize,
-  quaternion,
-  rotateBack,
-  seenFrom,
-  take,
-  toRotationVector,
-  turnBetween,
-  vector,
-} from './rotation';
+import { blend, quaternion, rotateBack, seenFrom, take, vector } from './rotation';
 import type { Simulation } from '../simulation/simulation';
 import { spanOf } from '../time/timeline';
 import type { Track } from '../simulation/track';
@@ -50,7 +29,7 @@ export function writePredicted(out: Pose, sim: Simulation, track: Track): void {
 export function writeAttitude(out: Float64Array, sim: Simulation, track: Track): void {
   const { previous, front } = sim.fleet;
   take(after, front, track.at + ATTITUDE);
-  if (track.uprighted) {
+  if (track.picture.uprighted) {
     // The law turned it in an instant, at the substep's end; the offset makes of this the attitude before.
     for (let k = 0; k < 4; k++) out[k] = after[k]!;
     return;
@@ -87,46 +66,3 @@ export function writeSeen(out: Pose, given: Pose, body: Float64Array): void {
   rotateBack(out.position, body, given.position);
   seenFrom(out.attitude, body, given.attitude);
 }
-
-/** A correction: offset += old predicted − new predicted, both of one instant and in the body's axes (PREDICTION, What is drawn). */
-export function addToOffset(track: Track, old: Pose, now: Pose): void {
-  const { ease } = track;
-  for (let k = 0; k < 3; k++) ease.offset[k] = ease.offset[k]! + (old.position[k]! - now.position[k]!);
-  turnBetween(turn, old.attitude, now.attitude);
-  fromRotationVector(eased, ease.turn);
-  compose(turn, eased, turn);
-  normalize(turn);
-  toRotationVector(ease.turn, turn);
-  restartEase(ease);
-}
-
-const turn = quaternion();
-const eased = quaternion();
-
-/**
- * The law's own jump: an aligned touchdown uprights the ship within a substep. The offset takes up the difference to the attitude
- * its spin would have brought it to, so that the drawn ship rights itself smoothly. No correction.
- */
-export function easeUprighting(sim: Simulation, track: Track, bodies: Float64Array, dt: number): void {
-  if (sim.world.settings.touchdownAttitude !== 'aligned') return;
-  const { previous, front } = sim.fleet;
-  const { at } = track;
-  take(body, bodies, front[at + REFERENCE_BODY]! * BODY_STRIDE + BODY_END_ATTITUDE);
-  take(spin, previous, at + ANGULAR_VELOCITY);
-  for (let k = 0; k < 3; k++) spin[k] = spin[k]! * dt;
-  fromRotationVector(turn, spin);
-  take(unturned.attitude, previous, at + ATTITUDE);
-  compose(unturned.attitude, turn, unturned.attitude);
-  take(turned.attitude, front, at + ATTITUDE);
-  seenFrom(unturned.attitude, body, unturned.attitude);
-  seenFrom(turned.attitude, body, turned.attitude);
-  unturned.position.fill(0);
-  turned.position.fill(0);
-  addToOffset(track, unturned, turned);
-  track.uprighted = true;
-}
-
-const body = quaternion();
-const spin = vector();
-const unturned = pose();
-const turned = pose();

@@ -48,7 +48,7 @@ const STALE_TICKS = 2;
  * @param rows where the states that hold at the present stand, at `from`
  */
 export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from: number, at: Instant): void {
-  const { status } = track;
+  const { status } = track.picture;
   const state = rows[from + SURFACE_STATE]!;
   if (status.state !== state) {
     if (state === CONTACT) status.contactUntil = at.now + CONTACT_DWELL;
@@ -65,9 +65,9 @@ export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from
 
 /** What the server last said of the ship, for its ghost; at a frame's pace, not at the display's. Returns whether it is new. */
 export function fillServerState(out: ShipView, track: Track, at: Instant): boolean {
-  if (track.status.serverTick === track.serverTick) return false;
-  track.status.serverTick = track.serverTick;
-  track.status.serverWall = at.wallOf(track.serverTick);
+  if (track.picture.status.serverTick === track.serverTick) return false;
+  track.picture.status.serverTick = track.serverTick;
+  track.picture.status.serverWall = at.wallOf(track.serverTick);
   out.serverKnown = track.serverTick >= 0;
   take(out.serverPosition, track.serverRow, POSITION);
   take(out.serverAttitude, track.serverRow, ATTITUDE);
@@ -80,7 +80,7 @@ const WITHDRAWN = EVENT_NAMES.map((name) => name.slice('ship.'.length) as ShipVi
 function shownState(track: Track, state: number, crashes: boolean, at: Instant): ShipView['shownState'] {
   if (track.serverRow[CRASHED] === 1) return 'crashed';
   if (crashes) return 'contact';
-  if (state !== TIPPED && at.now < track.status.contactUntil) return 'contact';
+  if (state !== TIPPED && at.now < track.picture.status.contactUntil) return 'contact';
   return SURFACE_STATES[state]!;
 }
 

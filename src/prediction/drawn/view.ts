@@ -55,6 +55,8 @@ export interface ShipView {
   /** [x, y, z, w] */
   readonly attitude: Float64Array;
   readonly angularVelocity: Float64Array;
+  /** What the reaction wheels have given so far, N m s, body axes. */
+  readonly wheelMomentum: Float64Array;
   fuel: number;
   /** m/s */
   impactSpeed: number;
@@ -69,7 +71,7 @@ export interface ShipView {
   /** What is drawn: predicted + fading offset. Nothing computes with it but the view. */
   readonly easedPosition: Float64Array;
   readonly meshAttitude: Float64Array;
-  /** The drawn place, lifted or lowered along the local up until the drawn attitude stands on the ground (standOnGround), ICRF axes. */
+  /** The drawn place, lifted or lowered along the local up until the drawn attitude stands on the ground (snapToGround), ICRF axes. */
   readonly meshPosition: Float64Array;
   /** How far each leg is pressed in, m, in the order of the class's hull (hullOf). */
   readonly legCompression: Float64Array;

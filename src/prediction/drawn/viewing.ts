@@ -15,12 +15,13 @@ import {
   TRANSLATION_INPUT,
   VELOCITY,
   type World,
+  WHEEL_MOMENTUM,
 } from '../../dynamics';
 import { relax } from './ease';
 import { fillGhost } from './ghost';
 import { groundRadius, layGround } from './drawnGround';
 import { hullOf, LEGS } from './hull';
-import { writeLocked } from '../simulation/sleep';
+import { writeSleeping } from '../simulation/sleep';
 import { pose, writeAttitude } from './pose';
 import {
   compose,
@@ -35,8 +36,8 @@ import {
   vector,
 } from './rotation';
 import type { Simulation } from '../simulation/simulation';
-import { createStandingPose, type GroundPose, standOnGround, type StandingPose } from './standOnGround';
-import { type LevelGround, standOnLevel } from './standOnLevel';
+import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './groundSnap';
+import { type LevelGround, snapToLevel } from './levelSnap';
 import { fillControls, fillServerState, fillStatus, type Instant } from './status';
 import { createTouchdownView, fillTouchdown } from '../touchdown/touchdownLog';
 import { copyRow, type Track } from '../simulation/track';
@@ -54,6 +55,7 @@ export function createShipView(track: Track, world: World): ShipView {
     velocity: vectors(),
     attitude: Float64Array.of(0, 0, 0, 1),
     angularVelocity: vectors(),
+    wheelMomentum: vectors(),
     fuel: 0,
     impactSpeed: 0,
     surfaceContactState: '',
@@ -87,7 +89,7 @@ export interface Scene {
   bodyAttitudes: Float64Array[];
   bodySpins: Float64Array[];
   /** Ships that still may be stood point by point: beyond them the ground counts as level under a ship. */
-  standings: number;
+  exactSnaps: number;
   readonly at: Instant;
 }
 
@@ -101,6 +103,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   if (stepping) fillBetween(out, sim, track);
   else fillFromRow(out, rows);
   out.fuel = rows[from + FUEL]!;
+  take(out.wheelMomentum, rows, from + WHEEL_MOMENTUM);
   out.impactSpeed = rows[from + IMPACT_SPEED]!;
   out.surfaceContactState = SURFACE_STATES[rows[from + SURFACE_STATE]!]!;
   out.crashed = rows[from + CRASHED] === 1;
@@ -111,15 +114,19 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.missingTicks = sim.newestTick - track.serverTick;
   const attitude = scene.bodyAttitudes[out.body]!;
   seeFromBody(out, attitude);
-  if (track.ease.active) relax(track.ease, normal, scene.at.elapsed);
+  if (track.picture.ease.active) relax(track.picture.ease, normal, scene.at.elapsed);
   fillDrawn(out, track, attitude);
-  const exactly = fillStanding(out, scene, attitude);
+  const exactly = fillGrounded(out, scene, attitude);
   fillThrust(out, rows, from);
-  fillControls(out, track.status.commands, rows, from);
+  fillControls(out, track.picture.status.commands, rows, from);
   if (fillServerState(out, track, scene.at)) fillGhost(out, track, scene.world, exactly);
   fillStatus(out, track, rows, from, scene.at);
   if (track.log !== null)
-    fillTouchdown(out.touchdown, track.log.front, stepping || track.mode === 'locked' || track.hasHeld);
+    fillTouchdown(
+      out.touchdown,
+      track.log.front,
+      stepping || track.mode === 'sleeping' || track.picture.hasHeld,
+    );
 }
 
 /** Predicted truth between the substep boundaries around the present. */
@@ -140,16 +147,16 @@ function fillBetween(out: ShipView, sim: Simulation, track: Track): void {
 
 /** The row of a ship that is not in step, placed at the present. */
 function standIn(sim: Simulation, track: Track, scene: Scene): Float64Array {
-  const known = track.mode === 'locked' || track.hasHeld;
+  const known = track.mode === 'sleeping' || track.picture.hasHeld;
   copyRow(row, 0, known ? sim.fleet.front : track.serverRow, known ? track.at : 0);
   const body = row[REFERENCE_BODY]!;
   const attitude = scene.bodyAttitudes[body]!;
-  if (track.mode === 'locked') {
-    writeLocked(row, 0, track, attitude, scene.bodySpins[body]!);
-  } else if (track.hasHeld) {
-    rotate(held.position, attitude, track.heldPlace);
+  if (track.mode === 'sleeping') {
+    writeSleeping(row, 0, track, attitude, scene.bodySpins[body]!);
+  } else if (track.picture.hasHeld) {
+    rotate(held.position, attitude, track.picture.heldPlace);
     put(row, POSITION, held.position);
-    compose(held.attitude, attitude, track.heldAttitude);
+    compose(held.attitude, attitude, track.picture.heldAttitude);
     put(row, ATTITUDE, held.attitude);
   }
   return row;
@@ -178,7 +185,7 @@ const normal = vector();
 
 /** drawn = predicted + offset, in the body's axes and back. */
 function fillDrawn(out: ShipView, track: Track, body: Float64Array): void {
-  const { ease } = track;
+  const { ease } = track.picture;
   for (let k = 0; k < 3; k++) drawn.position[k] = seen.position[k]!;
   for (let k = 0; k < 4; k++) drawn.attitude[k] = seen.attitude[k]!;
   if (!ease.active) {
@@ -197,10 +204,10 @@ const drawn: GroundPose = { ...pose(), grounded: false };
 const turn = quaternion();
 
 /** @returns whether point by point, or as on level ground */
-function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
+function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
   const body = scene.world.bodies[out.body]!;
   const { shipClass } = out;
-  const exactly = out.own || scene.standings > 0;
+  const exactly = out.own || scene.exactSnaps > 0;
   layGround(body, scene.world.terrainHeight);
   out.groundRadius = groundRadius(normal[0]!, normal[1]!, normal[2]!);
   const above = lengthOf(drawn.position) - out.groundRadius;
@@ -213,21 +220,21 @@ function fillStanding(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
   }
   drawn.grounded = out.surfaceContactState !== '';
   if (exactly) {
-    scene.standings -= 1;
-    standOnGround(standing, drawn, hullOf(shipClass), groundRadius);
+    scene.exactSnaps -= 1;
+    snapToGround(groundedPose, drawn, hullOf(shipClass), groundRadius);
   } else {
     level.radius = out.groundRadius;
-    standOnLevel(standing, drawn, hullOf(shipClass), level);
+    snapToLevel(groundedPose, drawn, hullOf(shipClass), level);
   }
-  rotate(out.meshPosition, bodyAttitude, standing.position);
-  for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = standing.legCompression[leg]!;
-  out.feetHeight = standing.feetHeight;
+  rotate(out.meshPosition, bodyAttitude, groundedPose.position);
+  for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = groundedPose.legCompression[leg]!;
+  out.feetHeight = groundedPose.feetHeight;
   return exactly;
 }
 
 const FAR = 2;
 const level: LevelGround = { radius: 0 };
-const standing: StandingPose = createStandingPose(LEGS);
+const groundedPose: GroundedPose = createGroundedPose(LEGS);
 
 /** What engine and thrusters give now, N, ICRF (DYNAMICS, Actuators). */
 function fillThrust(out: ShipView, rows: Float64Array, from: number): void {

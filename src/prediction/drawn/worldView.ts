@@ -54,7 +54,7 @@ export function createShown(sim: Simulation): Shown {
     world: sim.world,
     bodyAttitudes: bodies.map(quaternion),
     bodySpins: bodies.map(vector),
-    standings: 0,
+    exactSnaps: 0,
     at: {
       now: 0,
       present: 0,
@@ -68,7 +68,7 @@ export function createShown(sim: Simulation): Shown {
 }
 
 /** Ships stood on the ground point by point in one view, the own one not counted. */
-const MAX_STANDINGS = 32;
+const MAX_EXACT_SNAPS = 32;
 
 /** Where the present lies between the substep boundary before the front and the front. */
 export function placePresent(sim: Simulation, moment: Moment): void {
@@ -90,7 +90,7 @@ export function fillView(shown: Shown, sim: Simulation, now: number, present: nu
   at.present = present;
   at.staleAfter = staleAfter(view.tickRate);
   at.paused = view.paused;
-  scene.standings = MAX_STANDINGS;
+  scene.exactSnaps = MAX_EXACT_SNAPS;
   fillShips(shown, sim);
 }
 
@@ -134,12 +134,12 @@ function fillShips({ view, scene }: Shown, sim: Simulation): void {
   view.ships.length = tracks.length;
   for (let i = 0; i < tracks.length; i++) {
     const track = tracks[i]!;
-    track.view ??= createShipView(track, sim.world);
-    fillShipView(track.view, sim, track, scene);
-    view.ships[i] = track.view;
+    track.picture.view ??= createShipView(track, sim.world);
+    fillShipView(track.picture.view, sim, track, scene);
+    view.ships[i] = track.picture.view;
     if (!track.own) continue;
-    view.own = track.view;
-    sim.counters.offsetPosition = lengthOf(track.ease.offset);
-    sim.counters.offsetAngle = lengthOf(track.ease.turn);
+    view.own = track.picture.view;
+    sim.counters.offsetPosition = lengthOf(track.picture.ease.offset);
+    sim.counters.offsetAngle = lengthOf(track.picture.ease.turn);
   }
 }

@@ -1,5 +1,5 @@
 import { type Controls, loadControls, NEUTRAL_CONTROLS, type Quat, type Vec3 } from '../../dynamics';
-import type { InputAcknowledgement, InputRecord } from '../../wire';
+import type { InputAcknowledgement, InputRecord, StateControls } from '../../wire';
 import { isBefore, type Position } from '../time/timeline';
 
 /**
@@ -92,7 +92,7 @@ export function acknowledge(
   inputs: Inputs,
   tick: number,
   told: InputAcknowledgement | null,
-  inForce: Controls,
+  inForce: StateControls,
   now: number,
 ): InputFate {
   if (told !== null) inputs.acknowledges = true;
@@ -131,7 +131,7 @@ function delayUnapplied(inputs: Inputs, tick: number, now: number): InputFate | 
 }
 
 /** The newest record due before `tick` whose controls are in force there: what a silent server must have applied. */
-function inferred(inputs: Inputs, tick: number, inForce: Controls): InputAcknowledgement | null {
+function inferred(inputs: Inputs, tick: number, inForce: StateControls): InputAcknowledgement | null {
   for (let i = inputs.records.length - 1; i >= 0; i--) {
     const stored = inputs.records[i]!;
     if (stored.record.seq <= inputs.applied) return null;
@@ -180,7 +180,7 @@ export function checkedControls(given: Controls): Controls | null {
 }
 
 /** Whether two commands are the same, within what single precision keeps. */
-export function sameControls(a: Controls, b: Controls): boolean {
+export function sameControls(a: Controls, b: StateControls): boolean {
   return (
     near(a.thrustLevel, b.thrustLevel) &&
     a.attitudeHold === b.attitudeHold &&

@@ -1,33 +1,20 @@
-import {
-  CRASHED,
-  EVENT_CONTACT,
-  NO_EVENT,
-  REFERENCE_BODY,
-  SHIP_STRIDE,
-  substep,
-  VELOCITY,
-} from '../../dynamics';
-import { applyDue, seek } from '../inputs/scheduledInput';
-import { rowsAt } from '../snapshots/bodyTrack';
-import { snap } from '../drawn/ease';
-import { keep } from './history';
-import { addToOffset, type Pose, pose, writeBodyAttitude, writePredicted, writeSeen } from '../drawn/pose';
-import { angleOf, lengthOf, quaternion, turnBetween, vector } from '../drawn/rotation';
-import { beginTick, happened, isReleased, release, type Simulation } from './simulation';
-import { indexOf, spanOf } from '../time/timeline';
-import { createLoggedSubstep, logSubstep } from '../touchdown/touchdownLog';
+import { CRASHED, NO_EVENT } from '../../dynamics';
+import { easeCorrection, holdDrawn, seeDrawn } from '../drawn/correction';
+import { uprights } from '../drawn/uprighting';
+import { indexOf } from '../time/timeline';
+import { logSubstep } from '../touchdown/touchdownLog';
 import { rewindLog } from '../touchdown/touchdownRewind';
-import { keepLog, type TouchdownRing } from '../touchdown/touchdownRing';
+import { keepLog } from '../touchdown/touchdownRing';
+import { happened } from './front';
+import { keep } from './history';
+import type { Simulation } from './simulation';
+import { createRowStep, enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
 import { copyRow, type Track } from './track';
 
 /**
  * Adopt and replay (PREDICTION, Reconciliation): a ship goes back to a state of a tick and through all stored inputs since. What a
  * frame's budget does not allow goes on in the next one, while the old prediction is drawn and kept in step.
  */
-
-/** Beyond these a correction is not eased: m, and rad. */
-const SNAP_DISTANCE = 25;
-const SNAP_ANGLE = Math.PI / 3;
 
 /** The ship goes back to the row at `from` in `rows`, which is its state at tick boundary `tick`. */
 export function startReplay(
@@ -72,94 +59,47 @@ function replay(sim: Simulation, track: Track, budget: number): number {
     indexOf(timeline, front.tick, front.substep) - indexOf(timeline, track.replayTick, track.replaySubstep);
   if (left < 0) return 0;
   const steps = Math.min(left, budget);
-  if (left === 0) copyRow(beforeLast, 0, fleet.replayed, track.at);
-  let cursor = seek(sim.inputs, track.replayTick, track.replaySubstep);
-  let uprights = false;
-  for (let i = 0; i < steps; i++) {
-    if (left - i === 1 || track.log !== null) copyRow(beforeLast, 0, fleet.replayed, track.at);
-    at.tick = track.replayTick;
-    at.substep = track.replaySubstep;
-    cursor = prepare(sim, track, cursor);
-    const { step, timing } = spanOf(timeline, at.tick);
-    const bodies = rowsAt(sim.bodies, timeline, at.tick, at.substep);
-    const event = substep(fleet.replayed, track.at, bodies, sim.world, step[0]);
-    if (event !== NO_EVENT) happened(sim, track, event, at, track.replayPass);
-    if (track.log !== null) logReplayed(sim, track, track.log, bodies, step[0]);
-    uprights = event === EVENT_CONTACT && sim.world.settings.touchdownAttitude === 'aligned';
-    track.replaySubstep += 1;
-    if (track.replaySubstep < timing.substeps) continue;
-    track.replayTick += 1;
-    track.replaySubstep = 0;
-    keep(track.history, track.replayTick, fleet.replayed, track.at);
-    if (track.log !== null) keepLog(track.log, track.replayTick, track.log.replayed);
-  }
-  if (steps === left) arrive(sim, track, uprights);
+  step.rows = fleet.replayed;
+  step.at = track.at;
+  if (left === 0) copyRow(step.before, 0, fleet.replayed, track.at);
+  placeStep(step, sim, track.replayTick, track.replaySubstep);
+  step.event = NO_EVENT;
+  for (let i = 0; i < steps; i++) replaySubstep(sim, track);
+  track.replayTick = step.tick;
+  track.replaySubstep = step.substep;
+  if (steps === left) arrive(sim, track);
   return steps;
 }
 
-function logReplayed(
-  sim: Simulation,
-  track: Track,
-  log: TouchdownRing,
-  bodies: Float64Array,
-  dt: number,
-): void {
-  logged.before = beforeLast;
-  logged.after = sim.fleet.replayed;
-  logged.at = track.at;
-  logged.bodies = bodies;
-  logged.dt = dt;
-  logSubstep(log.replayed, sim.world, logged);
-}
+const step = createRowStep();
 
-const logged = createLoggedSubstep();
-const at = { tick: 0, substep: 0 };
-const beforeLast = new Float64Array(SHIP_STRIDE);
-
-/** What happens to a row before its substep: its reference body at a tick's start, and the controls that act from here on. */
-function prepare(sim: Simulation, track: Track, cursor: number): number {
-  const { replayed } = sim.fleet;
-  if (at.substep === 0) beginTick(sim, replayed, track.at, at.tick);
-  if (isReleased(track, at.tick, at.substep)) release(replayed, track.at);
-  return track.own ? applyDue(sim.inputs, cursor, at, replayed, track.at) : cursor;
+function replaySubstep(sim: Simulation, track: Track): void {
+  enterSubstep(step, sim);
+  stepRow(step, sim, track);
+  if (step.event !== NO_EVENT) happened(sim, track, step.event, step, track.replayPass);
+  if (track.log !== null) logSubstep(track.log.replayed, sim.world, step);
+  if (!leaveSubstep(step, sim)) return;
+  keep(track.history, step.tick, step.rows, track.at);
+  if (track.log !== null) keepLog(track.log, step.tick, track.log.replayed);
 }
 
 /** The replay has reached the front: it is the prediction now, and what was drawn fades into it. */
-function arrive(sim: Simulation, track: Track, uprights: boolean): void {
+function arrive(sim: Simulation, track: Track): void {
   const { fleet } = sim;
-  const wasDrawn = track.mode === 'stepping' || track.hasHeld;
-  const oldBody = fleet.front[track.at + REFERENCE_BODY]!;
-  const newBody = fleet.replayed[track.at + REFERENCE_BODY]!;
-  if (track.hasHeld) {
-    old.position.set(track.heldPlace);
-    old.attitude.set(track.heldAttitude);
-  } else if (wasDrawn) {
-    writeSeenPresent(old, sim, track);
-  }
-  const crashedBefore = fleet.front[track.at + CRASHED]!;
-  copyRow(fleet.previous, track.at, beforeLast, 0);
-  copyRow(fleet.front, track.at, fleet.replayed, track.at);
+  const { at } = track;
+  const shown = seeDrawn(sim, track);
+  const respawned = fleet.front[at + CRASHED]! > step.rows[at + CRASHED]!;
+  copyRow(fleet.previous, at, step.before, 0);
+  copyRow(fleet.front, at, step.rows, at);
   track.log?.front.set(track.log.replayed);
-  track.uprighted = uprights;
   track.replaying = false;
   track.pass = track.replayPass;
   track.mode = 'stepping';
-  track.hasHeld = false;
-  const snaps = track.replaySnaps || oldBody !== newBody || crashedBefore > fleet.front[track.at + CRASHED]!;
+  easeCorrection(sim, track, shown, {
+    snaps: track.replaySnaps || respawned,
+    uprights: uprights(sim, step.event),
+  });
   track.replaySnaps = false;
-  if (wasDrawn) settleOffset(sim, track, snaps);
-  else snap(track.ease);
-}
-
-function settleOffset(sim: Simulation, track: Track, snaps: boolean): void {
-  const { fleet } = sim;
-  writeSeenPresent(now, sim, track);
-  if (!snaps && isEasable(fleet.front, track)) {
-    addToOffset(track, old, now);
-    return;
-  }
-  snap(track.ease);
-  sim.counters.snaps += 1;
 }
 
 /**
@@ -167,33 +107,6 @@ function settleOffset(sim: Simulation, track: Track, snaps: boolean): void {
  * from the body's axes, until then.
  */
 export function hold(sim: Simulation, track: Track): void {
-  if (track.mode === 'stepping') {
-    writeSeenPresent(old, sim, track);
-    track.heldPlace.set(old.position);
-    track.heldAttitude.set(old.attitude);
-    track.hasHeld = true;
-  }
+  if (track.mode === 'stepping') holdDrawn(sim, track);
   track.mode = 'waiting';
 }
-
-function writeSeenPresent(out: Pose, sim: Simulation, track: Track): void {
-  writeBodyAttitude(body, sim, sim.fleet.front[track.at + REFERENCE_BODY]!, sim.alpha);
-  writePredicted(out, sim, track);
-  writeSeen(out, out, body);
-}
-
-/** Within 25 m + speed × the time the server was silent, and within 60°. */
-function isEasable(rows: Float64Array, track: Track): boolean {
-  for (let k = 0; k < 3; k++) jump[k] = old.position[k]! - now.position[k]!;
-  turnBetween(turn, old.attitude, now.attitude);
-  let speed = 0;
-  for (let k = 0; k < 3; k++) speed += rows[track.at + VELOCITY + k]! * rows[track.at + VELOCITY + k]!;
-  const far = SNAP_DISTANCE + Math.sqrt(speed) * track.silence;
-  return lengthOf(jump) <= far && angleOf(turn) <= SNAP_ANGLE;
-}
-
-const old = pose();
-const now = pose();
-const body = quaternion();
-const turn = quaternion();
-const jump = vector();

@@ -1,9 +1,7 @@
-import { SHIP_STRIDE, substep } from '../../dynamics';
-import { applyDue, seek } from '../inputs/scheduledInput';
-import { rowsAt } from '../snapshots/bodyTrack';
+import { SHIP_STRIDE } from '../../dynamics';
 import { has, offsetOf } from './history';
-import { beginTick, isReleased, release, type Simulation } from './simulation';
-import { spanOf } from '../time/timeline';
+import type { Simulation } from './simulation';
+import { advanceRow, createRowStep, placeStep } from './stepRow';
 import { copyRow, type Track } from './track';
 
 /**
@@ -24,20 +22,12 @@ export function checkRollback(sim: Simulation, tick: number, ticks: number): voi
 
 function replayTo(sim: Simulation, track: Track, from: number, to: number): void {
   copyRow(row, 0, track.history.rows, offsetOf(track.history, from));
-  let cursor = seek(sim.inputs, from, 0);
-  for (at.tick = from; at.tick < to; at.tick++) {
-    const { dt, substeps } = spanOf(sim.timeline, at.tick).timing;
-    for (at.substep = 0; at.substep < substeps; at.substep++) {
-      if (at.substep === 0) beginTick(sim, row, 0, at.tick);
-      if (isReleased(track, at.tick, at.substep)) release(row, 0);
-      if (track.own) cursor = applyDue(sim.inputs, cursor, at, row, 0);
-      substep(row, 0, rowsAt(sim.bodies, sim.timeline, at.tick, at.substep), sim.world, dt);
-    }
-  }
+  placeStep(step, sim, from, 0);
+  while (step.tick < to) advanceRow(step, sim, track);
 }
 
-const at = { tick: 0, substep: 0 };
 const row = new Float64Array(SHIP_STRIDE);
+const step = createRowStep(row);
 
 /** Bits, not values: −0 is not 0. */
 function sameBits(rows: Float64Array, from: number): boolean {

@@ -24,7 +24,7 @@ import { keepLog } from '../touchdown/touchdownRing';
 import { copyRow, type Track } from './track';
 
 /**
- * The landed lock (PREDICTION, Reconciliation): a landed ship that agrees with the server is constant in the body's axes and
+ * The sleep of landed ships (PREDICTION, Reconciliation): a landed ship that agrees with the server is constant in the body's axes and
  * costs no substep. An input that burns wakes it, and so does a server state that differs.
  */
 
@@ -36,12 +36,12 @@ export function wakesOn(rows: Float64Array, at: number): boolean {
   return false;
 }
 
-/** Locks a ship that the server and the front both have at rest. `serverRow` and `bodies` are of the same tick. */
-export function lockIfAtRest(sim: Simulation, track: Track, bodies: Float64Array): boolean {
+/** Puts a ship to sleep that the server and the front both have at rest. `serverRow` and `bodies` are of the same tick. */
+export function sleepIfAtRest(sim: Simulation, track: Track, bodies: Float64Array): boolean {
   const { fleet } = sim;
-  if (!sim.locks || !isAtRest(track.serverRow, 0) || !isAtRest(fleet.front, track.at)) return false;
-  track.mode = 'locked';
-  lockTo(track, bodies);
+  if (!sim.sleeps || !isAtRest(track.serverRow, 0) || !isAtRest(fleet.front, track.at)) return false;
+  track.mode = 'sleeping';
+  sleepAt(track, bodies);
   return true;
 }
 
@@ -49,46 +49,46 @@ export function isAtRest(rows: Float64Array, at: number): boolean {
   return rows[at + SURFACE_STATE] === LANDED && rows[at + CRASHED] === 0 && !wakesOn(rows, at);
 }
 
-/** The lock takes the server's own pose, so that roundings of an hour do not add up. */
-export function lockTo(track: Track, bodies: Float64Array): void {
+/** Asleep, a ship takes the server's own pose, so that roundings of an hour do not add up. */
+export function sleepAt(track: Track, bodies: Float64Array): void {
   take(body, bodies, track.serverRow[REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);
-  take(track.lockedPlace, track.serverRow, POSITION);
-  rotateBack(track.lockedPlace, body, track.lockedPlace);
-  take(track.lockedAttitude, track.serverRow, ATTITUDE);
-  seenFrom(track.lockedAttitude, body, track.lockedAttitude);
+  take(track.sleepPlace, track.serverRow, POSITION);
+  rotateBack(track.sleepPlace, body, track.sleepPlace);
+  take(track.sleepAttitude, track.serverRow, ATTITUDE);
+  seenFrom(track.sleepAttitude, body, track.sleepAttitude);
 }
 
-/** Writes the locked pose into a row, for the body's attitude and spin given; the rest of the row stays. */
-export function writeLocked(
+/** Writes the sleeping pose into a row, for the body's attitude and spin given; the rest of the row stays. */
+export function writeSleeping(
   rows: Float64Array,
   at: number,
   track: Track,
   attitude: Float64Array,
   spin: Float64Array,
 ): void {
-  rotate(place, attitude, track.lockedPlace);
+  rotate(place, attitude, track.sleepPlace);
   put(rows, at + POSITION, place);
   rows[at + VELOCITY] = spin[1]! * place[2]! - spin[2]! * place[1]!;
   rows[at + VELOCITY + 1] = spin[2]! * place[0]! - spin[0]! * place[2]!;
   rows[at + VELOCITY + 2] = spin[0]! * place[1]! - spin[1]! * place[0]!;
-  compose(turned, attitude, track.lockedAttitude);
+  compose(turned, attitude, track.sleepAttitude);
   put(rows, at + ATTITUDE, turned);
   put(rows, at + ANGULAR_VELOCITY, spin);
 }
 
-/** Writes the locked pose as it was at a tick boundary. */
-export function writeLockedAt(rows: Float64Array, at: number, track: Track, bodies: Float64Array): void {
+/** Writes the sleeping pose as it was at a tick boundary. */
+export function writeSleepingAt(rows: Float64Array, at: number, track: Track, bodies: Float64Array): void {
   const from = rows[at + REFERENCE_BODY]! * BODY_STRIDE;
   take(body, bodies, from + BODY_ATTITUDE);
   take(spin, bodies, from + BODY_ANGULAR_VELOCITY);
-  writeLocked(rows, at, track, body, spin);
+  writeSleeping(rows, at, track, body, spin);
 }
 
-/** Out of the lock by a server state that differs: drawn where it lay until it has been replayed. */
-export function holdLocked(track: Track): void {
-  track.heldPlace.set(track.lockedPlace);
-  track.heldAttitude.set(track.lockedAttitude);
-  track.hasHeld = true;
+/** Woken by a server state that differs: drawn where it lay until it has been replayed. */
+export function holdSleeping(track: Track): void {
+  track.picture.heldPlace.set(track.sleepPlace);
+  track.picture.heldAttitude.set(track.sleepAttitude);
+  track.picture.hasHeld = true;
   track.mode = 'waiting';
 }
 
@@ -101,16 +101,16 @@ export function wake(sim: Simulation, track: Track): void {
     if (!knowsBoundary(sim.bodies, tick) && tick === first) continue;
     const bodies = boundaryAt(sim.bodies, timeline, tick);
     copyRow(past, 0, fleet.front, track.at);
-    writeLockedAt(past, 0, track, bodies);
+    writeSleepingAt(past, 0, track, bodies);
     keep(track.history, tick, past, 0);
     if (track.log !== null) keepLog(track.log, tick, track.log.front);
   }
   take(spin, boundaryAt(sim.bodies, timeline, front.tick), index * BODY_STRIDE + BODY_ANGULAR_VELOCITY);
   copyRow(fleet.previous, track.at, fleet.front, track.at);
   writeBodyAttitude(body, sim, index, 0);
-  writeLocked(fleet.previous, track.at, track, body, spin);
+  writeSleeping(fleet.previous, track.at, track, body, spin);
   writeBodyAttitude(body, sim, index, 1);
-  writeLocked(fleet.front, track.at, track, body, spin);
+  writeSleeping(fleet.front, track.at, track, body, spin);
   track.mode = 'stepping';
 }
 

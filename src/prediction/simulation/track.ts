@@ -1,16 +1,15 @@
-import { SHIP_STRIDE, THRUST_LEVEL } from '../../dynamics';
-import { createEase, type Ease } from '../drawn/ease';
+import { SHIP_STRIDE } from '../../dynamics';
+import { createPicture, type Picture } from '../drawn/picture';
 import { createLedger, type Ledger } from '../events';
 import { createHistory, type History } from './history';
 import type { TouchdownRing } from '../touchdown/touchdownRing';
-import type { ShipView } from '../drawn/view';
 
 /** How a ship's present comes about. */
 export type Mode =
   /** Simulated to the front, substep by substep. */
   | 'stepping'
   /** Landed, and the server agrees: constant in the body's axes, no substep. */
-  | 'locked'
+  | 'sleeping'
   /** Nothing drawn is worth going on from: a replay from the server's state has not reached the front yet. */
   | 'waiting'
   /** Not carried on: too fast to follow, or no server state for longer than the ring. Drawn as the server last had it. */
@@ -57,41 +56,15 @@ export interface Track {
   releaseTick: number;
   releaseSubstep: number;
 
-  /** Landed lock: place (m) and attitude as seen from the body's axes. */
-  readonly lockedPlace: Float64Array;
-  readonly lockedAttitude: Float64Array;
+  /** Asleep: place (m) and attitude as seen from the body's axes. */
+  readonly sleepPlace: Float64Array;
+  readonly sleepAttitude: Float64Array;
 
-  /** Taken out of step by a resync or another tempo: the last predicted pose, as seen from the body's axes, to ease from. */
-  hasHeld: boolean;
-  readonly heldPlace: Float64Array;
-  readonly heldAttitude: Float64Array;
-
-  readonly ease: Ease;
-  /** The front's last substep uprighted it: what is drawn inside that substep is the attitude before, through the offset. */
-  uprighted: boolean;
   readonly ledger: Ledger;
   /** Of the own ship. */
   log: TouchdownRing | null;
-  readonly status: Status;
-  /** What the page sees of it; made when it is first seen. */
-  view: ShipView | null;
-}
-
-/** What is shown of its states. */
-export interface Status {
-  /** The present surface state, -1 before the first, and since when it holds, server wall s. */
-  state: number;
-  since: number;
-  /** Until when CONTACT stays shown, client wall s. */
-  contactUntil: number;
-  /** Event of the last retracted prediction, and until when that is told, client wall s. */
-  withdrawn: number;
-  withdrawnUntil: number;
-  /** Tick of the server's state that the view shows, and server wall s then. */
-  serverTick: number;
-  serverWall: number;
-  /** The commands that the view's controls were made from. */
-  readonly commands: Float64Array;
+  /** What is drawn and shown of it. Nothing here reads it to compute. */
+  readonly picture: Picture;
 }
 
 /** All ships: their tracks, and a row each of three arrays. */
@@ -148,26 +121,11 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
     passes: 0,
     releaseTick: -1,
     releaseSubstep: 0,
-    lockedPlace: new Float64Array(3),
-    lockedAttitude: Float64Array.of(0, 0, 0, 1),
-    hasHeld: false,
-    heldPlace: new Float64Array(3),
-    heldAttitude: Float64Array.of(0, 0, 0, 1),
-    ease: createEase(),
-    uprighted: false,
+    sleepPlace: new Float64Array(3),
+    sleepAttitude: Float64Array.of(0, 0, 0, 1),
     ledger: createLedger(shipId),
     log: null,
-    status: {
-      state: -1,
-      since: 0,
-      contactUntil: Number.NEGATIVE_INFINITY,
-      withdrawn: 0,
-      withdrawnUntil: Number.NEGATIVE_INFINITY,
-      serverTick: -1,
-      serverWall: Number.NaN,
-      commands: new Float64Array(SHIP_STRIDE - THRUST_LEVEL).fill(Number.NaN),
-    },
-    view: null,
+    picture: createPicture(),
   };
   fleet.tracks.push(track);
   fleet.byId.set(shipId, track);

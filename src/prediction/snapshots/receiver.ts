@@ -2,7 +2,7 @@ import { type BodyMotion, EVENT_NAMES, loadTiming } from '../../dynamics';
 import type { ServerFrame, ShipState, WorldEvent } from '../../wire';
 import { boundaryAt, forgetAfter as forgetBodiesAfter, knowsBoundary, tell } from './bodyTrack';
 import { type Clock, forgetSchedule, sampleDown, sentAt, steerByMargin } from '../time/clock';
-import { confirm, confirmByState, pruneLedger, retract } from '../events';
+import { confirm, confirmByState, knownEvent, pruneLedger, retract } from '../events';
 import { forgetAfter, has, offsetOf } from '../simulation/history';
 import { acknowledge, forgetRecords, type InputFate, prune } from '../inputs/inputs';
 import { reconcile, type SnapshotContext } from './reconcile';
@@ -26,6 +26,8 @@ export interface Receiver {
   /** Ticks of frames taken in, slot = tick mod length. */
   readonly seen: Float64Array;
   acceptedAt: number;
+  /** Ships that were taken out by name, with the newest tick then: states of such ticks do not bring them back. */
+  readonly removed: Map<string, number>;
 }
 
 /** Ships that a frame may bring; more are refused by the wire already. */
@@ -44,7 +46,17 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     fresh: true,
     seen: new Float64Array(1024).fill(-1),
     acceptedAt: Number.NEGATIVE_INFINITY,
+    removed: new Map(),
   };
+}
+
+/** Nothing that was received before says anything of what comes. */
+export function forgetPast(receiver: Receiver): void {
+  receiver.jumpTick = -1;
+  receiver.fresh = true;
+  receiver.seen.fill(-1);
+  receiver.acceptedAt = Number.NEGATIVE_INFINITY;
+  receiver.removed.clear();
 }
 
 type Fate = 'newest' | 'again' | 'older' | 'duplicate' | 'tooOld' | 'future' | 'jump';
@@ -52,7 +64,7 @@ type Fate = 'newest' | 'again' | 'older' | 'duplicate' | 'tooOld' | 'future' | '
 /** A frame of the world that is simulated: judged, counted, and where it can be used compared with what was predicted. */
 export function receiveSnapshot(sim: Simulation, intake: Receiver, frame: ServerFrame, now: number): void {
   const { counters } = sim;
-  const timing = loadTiming(frame.tickRate, frame.timeScale);
+  const timing = loadTiming(frame.tickRate, frame.timeScale, sim.world.settings);
   if (!Number.isSafeInteger(frame.tick) || frame.tick < 0 || !timing.ok) {
     refuse(sim, `frame.${timing.ok ? 'tick: expected a whole number ≥ 0' : timing.reason}`);
     return;
@@ -132,7 +144,7 @@ function startAnew(sim: Simulation, intake: Receiver): void {
     track.ledger.entries.length = 0;
     track.serverTick = -1;
     track.mode = 'waiting';
-    track.hasHeld = false;
+    track.picture.hasHeld = false;
     track.replaying = false;
     track.replaySnaps = true;
   }
@@ -202,6 +214,11 @@ const word: SnapshotContext = {
 };
 
 function takeShip(sim: Simulation, intake: Receiver, frame: ServerFrame, state: ShipState): void {
+  const removedAt = intake.removed.get(state.shipId);
+  if (removedAt !== undefined) {
+    if (frame.tick <= removedAt) return;
+    intake.removed.delete(state.shipId);
+  }
   const track = sim.fleet.byId.get(state.shipId) ?? addTrack(sim.fleet, state.shipId, sim.ringLength);
   track.own = state.shipId === intake.ownShipId;
   if (track.own) sim.fleet.own = track;
@@ -262,8 +279,8 @@ function settleEvents(sim: Simulation, intake: Receiver, frame: ServerFrame, now
       const notice = retract(ledger, frame.tick, sim.timeline);
       if (notice === null) break;
       sim.notices.push(notice);
-      track.status.withdrawn = EVENT_NAMES.indexOf(notice.type);
-      track.status.withdrawnUntil = now + WITHDRAWN_SHOWN;
+      track.picture.status.withdrawn = EVENT_NAMES.indexOf(notice.type);
+      track.picture.status.withdrawnUntil = now + WITHDRAWN_SHOWN;
     }
     pruneLedger(ledger, frame.tick - sim.ringLength);
   }
@@ -271,11 +288,13 @@ function settleEvents(sim: Simulation, intake: Receiver, frame: ServerFrame, now
 
 function tellEvents(sim: Simulation, intake: Receiver, events: readonly WorldEvent[]): void {
   for (const event of events) {
+    const known = knownEvent(event);
+    if (known === null) continue;
     intake.tellsEvents = true;
     const track = sim.fleet.byId.get(event.shipId);
     if (track === undefined || event.tick < sim.newestTick - sim.ringLength || event.tick >= sim.newestTick)
       continue;
-    const notice = confirm(track.ledger, EVENT_NAMES.indexOf(event.type), event, sim.timeline);
+    const notice = confirm(track.ledger, known.event, known, sim.timeline);
     if (notice !== null) sim.notices.push(notice);
   }
 }

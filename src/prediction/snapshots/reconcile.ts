@@ -7,6 +7,7 @@ import {
   REFERENCE_BODY,
   SHIP_STRIDE,
   SURFACE_STATE,
+  WHEEL_MOMENTUM,
 } from '../../dynamics';
 import type { ShipState } from '../../wire';
 import { adopt, isExact } from './adopt';
@@ -23,9 +24,10 @@ import {
 } from './compare';
 import { has, offsetOf } from '../simulation/history';
 import type { InputFate } from '../inputs/inputs';
-import { holdLocked, isAtRest, lockIfAtRest, lockTo, writeLockedAt } from '../simulation/sleep';
+import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from '../simulation/sleep';
 import { abandonReplay, startReplay } from '../simulation/replay';
-import { commandsAnything, type Simulation } from '../simulation/simulation';
+import { commandsAnything } from '../simulation/heldControls';
+import type { Simulation } from '../simulation/simulation';
 import { take } from '../drawn/rotation';
 import { isBefore, spanOf, writeLater } from '../time/timeline';
 import { logLanded } from '../touchdown/touchdownRing';
@@ -70,6 +72,7 @@ export function reconcile(
   server.bodies = word.bodies;
   if (track.own) writeError(sim.counters, server, predicted);
   if (Number.isNaN(told[IMPACT_SPEED])) told[IMPACT_SPEED] = recalledImpact(predicted);
+  if (Number.isNaN(told[WHEEL_MOMENTUM])) recallWheels(predicted);
   remember(track, state, word, known);
   settle(sim, track, predicted, word);
   if (!track.own) holdControls(sim, track);
@@ -78,22 +81,22 @@ export function reconcile(
 
 function settle(sim: Simulation, track: Track, predicted: Place | null, word: SnapshotContext): void {
   if (track.off) {
-    if (isAtRest(told, 0)) lockFirst(sim, track, word);
+    if (isAtRest(told, 0)) sleepAtFirst(sim, track, word);
     return;
   }
   if (predicted === null) {
     startReplay(track, sim, word.tick, told, 0);
-    lockFirst(sim, track, word);
+    sleepAtFirst(sim, track, word);
     return;
   }
   if (!track.exact) writeInexact(inexact, server);
   const field = firstDifference(server, predicted, track.exact ? EXACT : inexact);
   const commanded = sameCommand(told, 0, predicted.rows, predicted.at);
-  if (field !== 'none' || !(commanded || isHeldByLock(track))) {
+  if (field !== 'none' || !(commanded || sleepsThrough(track))) {
     correct(sim, track, field, predicted, word);
     return;
   }
-  if (track.own && word.inputs !== 'asPredicted' && track.mode !== 'locked') {
+  if (track.own && word.inputs !== 'asPredicted' && track.mode !== 'sleeping') {
     correct(sim, track, field, predicted, word);
     return;
   }
@@ -103,15 +106,15 @@ function settle(sim: Simulation, track: Track, predicted: Place | null, word: Sn
 /** Equal: the local state is kept. */
 function agree(sim: Simulation, track: Track, word: SnapshotContext): void {
   const { front } = sim;
-  if (track.mode === 'locked') {
-    lockTo(track, word.bodies);
+  if (track.mode === 'sleeping') {
+    sleepAt(track, word.bodies);
     if (!track.own) copyRow(sim.fleet.front, track.at, told, 0);
     return;
   }
   // Not there yet: what agreed is the prediction it would replace.
   if (track.replaying && isBefore(track.replayTick, track.replaySubstep, word.tick, 0)) abandonReplay(track);
   if (track.replaying) return;
-  if (lockIfAtRest(sim, track, word.bodies)) return;
+  if (sleepIfAtRest(sim, track, word.bodies)) return;
   const letGo = isBefore(track.releaseTick, track.releaseSubstep, front.tick, front.substep);
   const wasReleased = !track.own && track.releaseTick >= 0 && letGo && commandsAnything(told, 0);
   if (wasReleased || word.turned > SAME_BODIES) startReplay(track, sim, word.tick, told, 0);
@@ -127,30 +130,30 @@ function correct(sim: Simulation, track: Track, field: Field, predicted: Place, 
     counters.correctionsMismatch += 1;
     counters.lastMismatch = `${track.shipId} at tick ${word.tick}: ${describeDifference(field, server, predicted)}`;
   }
-  if (track.mode === 'locked') holdLocked(track);
+  if (track.mode === 'sleeping') holdSleeping(track);
   startReplay(track, sim, word.tick, told, 0);
 }
 
-/** A ship told of for the first time, landed: it locks at once and is drawn where the server has it. */
-function lockFirst(sim: Simulation, track: Track, word: SnapshotContext): void {
-  if (!sim.locks || track.mode === 'stepping' || track.hasHeld || !isAtRest(told, 0)) return;
+/** A ship told of for the first time, landed: it sleeps at once and is drawn where the server has it. */
+function sleepAtFirst(sim: Simulation, track: Track, word: SnapshotContext): void {
+  if (!sim.sleeps || track.mode === 'stepping' || track.picture.hasHeld || !isAtRest(told, 0)) return;
   track.off = false;
   copyRow(sim.fleet.front, track.at, told, 0);
   copyRow(sim.fleet.previous, track.at, told, 0);
   abandonReplay(track);
   if (track.log !== null) logLanded(track.log);
-  lockIfAtRest(sim, track, word.bodies);
+  sleepIfAtRest(sim, track, word.bodies);
 }
 
-/** What a landed ship's lock does not notice: a command that neither burns nor lifts. */
-function isHeldByLock(track: Track): boolean {
-  return track.mode === 'locked' && isAtRest(told, 0);
+/** What a sleeping ship does not notice: a command that neither burns nor lifts. */
+function sleepsThrough(track: Track): boolean {
+  return track.mode === 'sleeping' && isAtRest(told, 0);
 }
 
 function findPredicted(sim: Simulation, track: Track, word: SnapshotContext): Place | null {
-  if (track.mode === 'locked') {
-    copyRow(locked, 0, sim.fleet.front, track.at);
-    writeLockedAt(locked, 0, track, word.bodies);
+  if (track.mode === 'sleeping') {
+    copyRow(asleep, 0, sim.fleet.front, track.at);
+    writeSleepingAt(asleep, 0, track, word.bodies);
     posed.bodies = word.bodies;
     return posed;
   }
@@ -168,6 +171,12 @@ function recalledImpact(predicted: Place | null): number {
   const sameContact =
     rows[at + SURFACE_STATE] !== FLYING && rows[at + REFERENCE_BODY] === told[REFERENCE_BODY];
   return sameContact ? rows[at + IMPACT_SPEED]! : 0;
+}
+
+/** What the wheels have given, from the ship's own history, else nothing. */
+function recallWheels(predicted: Place | null): void {
+  for (let k = WHEEL_MOMENTUM; k < WHEEL_MOMENTUM + 3; k++)
+    told[k] = predicted === null ? 0 : predicted.rows[predicted.at + k]!;
 }
 
 function remember(track: Track, state: ShipState, word: SnapshotContext, known: boolean): void {
@@ -194,6 +203,6 @@ const later = { tick: 0, substep: 0 };
 const told = new Float64Array(SHIP_STRIDE);
 const server: Place = { rows: told, at: 0, bodies: told };
 const inexact: Tolerance = new Float64Array(3);
-const locked = new Float64Array(SHIP_STRIDE);
-const posed: Place = { rows: locked, at: 0, bodies: locked };
+const asleep = new Float64Array(SHIP_STRIDE);
+const posed: Place = { rows: asleep, at: 0, bodies: asleep };
 const kept: Place = { rows: told, at: 0, bodies: told };

@@ -67,7 +67,7 @@ function thinOut(sim: Simulation, room: number, usual: number): void {
 function switchOff(track: Track): void {
   abandonReplay(track);
   track.mode = 'held';
-  track.hasHeld = false;
+  track.picture.hasHeld = false;
   track.off = true;
 }
 
@@ -90,7 +90,7 @@ function bringBack(sim: Simulation, room: number): void {
   let anyOff = false;
   for (const track of sim.fleet.tracks) {
     if (track.off) anyOff = true;
-    else if (track.mode !== 'locked') free -= 1;
+    else if (track.mode !== 'sleeping') free -= 1;
   }
   if (!anyOff || free <= 0) return;
   const off = sim.fleet.tracks.filter((track) => track.off);

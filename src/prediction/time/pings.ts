@@ -40,3 +40,8 @@ export function answeredPing(pings: Pings, id: number): number {
   pings.sentAt[id % LENGTH] = Number.NaN;
   return sent;
 }
+
+/** Pings on their way say nothing any more: another server answers, or the page was frozen while they were. */
+export function forgetPings(pings: Pings): void {
+  pings.sentAt.fill(Number.NaN);
+}

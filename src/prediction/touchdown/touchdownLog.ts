@@ -63,23 +63,20 @@ export function beginLog(log: Float64Array, surfaceState: number): void {
   log[LOGGED_STATE] = surfaceState;
 }
 
-/** One substep of `dt` game s has brought a row from what it is at `beforeAt` in `before` to what it is at `at` in `after`. */
+/** One substep has brought a row from what it is at `beforeAt` in `before` to what it is at `at` in `rows`. */
 export interface LoggedSubstep {
   before: Float64Array;
   beforeAt: number;
-  after: Float64Array;
+  rows: Float64Array;
   at: number;
   bodies: Float64Array;
-  dt: number;
-}
-
-export function createLoggedSubstep(): LoggedSubstep {
-  const none = new Float64Array(0);
-  return { before: none, beforeAt: 0, after: none, at: 0, bodies: none, dt: 0 };
+  /** Game s, as Span.step. */
+  dt: readonly [dt: number, none: null];
 }
 
 export function logSubstep(log: Float64Array, world: World, step: LoggedSubstep): void {
-  const { before, beforeAt, after, at, dt } = step;
+  const { before, beforeAt, rows: after, at } = step;
+  const [dt] = step.dt;
   if (before[beforeAt + CRASHED] === 1) return;
   const from = before[beforeAt + SURFACE_STATE]!;
   const to = after[at + SURFACE_STATE]!;
@@ -137,12 +134,12 @@ export function comeDown(
   lean(log, rows, at);
 }
 
-function touch(log: Float64Array, { before, beforeAt, after, at, bodies }: LoggedSubstep): void {
+function touch(log: Float64Array, { before, beforeAt, rows: after, at, bodies }: LoggedSubstep): void {
   comeDown(log, after[at + IMPACT_SPEED]!, before, beforeAt, bodies);
 }
 
 /** Out of flight, or at a rise of the ground that it slid into. The law leaves its velocity as it was. */
-function crash(log: Float64Array, { before, beforeAt, after, at, bodies }: LoggedSubstep): void {
+function crash(log: Float64Array, { before, beforeAt, rows: after, at, bodies }: LoggedSubstep): void {
   if (before[beforeAt + SURFACE_STATE] === FLYING) {
     const falling = -radialSpeed(after, at, Math.sqrt(squared(after, at + POSITION)));
     comeDown(log, Math.max(0, falling), before, beforeAt, bodies);
@@ -152,8 +149,8 @@ function crash(log: Float64Array, { before, beforeAt, after, at, bodies }: Logge
 }
 
 /** The law moves a ship by its speed at the substep's end. */
-function slide(log: Float64Array, { after, at, bodies, dt }: LoggedSubstep): void {
-  log[SLIDE]! += alongGround(after, at, bodies) * dt;
+function slide(log: Float64Array, { rows: after, at, bodies, dt }: LoggedSubstep): void {
+  log[SLIDE]! += alongGround(after, at, bodies) * dt[0];
 }
 
 /** atan2(|n × up|, n · up) wherever it is larger than before. */

@@ -8,25 +8,16 @@ import {
   POSITION,
   REFERENCE_BODY,
   SHIP_STRIDE,
-  substep,
   SURFACE_STATE,
   VELOCITY,
 } from '../../dynamics';
-import { applyDue, seek } from '../inputs/scheduledInput';
-import { boundaryAt, rowsAt } from '../snapshots/bodyTrack';
+import { boundaryAt } from '../snapshots/bodyTrack';
 import { has, offsetOf } from '../simulation/history';
 import { lengthOf, quaternion, rotateBack, take, vector } from '../drawn/rotation';
-import { beginTick, type Simulation } from '../simulation/simulation';
-import { indexOf, type Position, spanOf } from '../time/timeline';
-import {
-  beginLog,
-  come,
-  comeDown,
-  createLoggedSubstep,
-  leave,
-  LOGGED_STATE,
-  logSubstep,
-} from './touchdownLog';
+import type { Simulation } from '../simulation/simulation';
+import { advanceRow, createRowStep, placeStep } from '../simulation/stepRow';
+import { indexOf } from '../time/timeline';
+import { beginLog, come, comeDown, leave, LOGGED_STATE, logSubstep } from './touchdownLog';
 import { createTouchdownRing, keepLog, logAt, type TouchdownRing } from './touchdownRing';
 import { copyRow, type Track } from '../simulation/track';
 
@@ -77,39 +68,24 @@ function recall(track: Track, ring: TouchdownRing, tick: number): boolean {
 function carryOn(track: Track, sim: Simulation, ring: TouchdownRing, tick: number): boolean {
   const { fleet, front, timeline } = sim;
   if (track.replaying) {
-    at.tick = track.replayTick;
-    at.substep = track.replaySubstep;
+    placeStep(step, sim, track.replayTick, track.replaySubstep);
     copyRow(predicted, 0, fleet.replayed, track.at);
   } else if (track.mode === 'stepping' && !sim.frontIsStale) {
-    at.tick = front.tick;
-    at.substep = front.substep;
+    placeStep(step, sim, front.tick, front.substep);
     copyRow(predicted, 0, fleet.front, track.at);
     ring.replayed.set(ring.front);
   } else return false;
-  const ahead = indexOf(timeline, tick, 0) - indexOf(timeline, at.tick, at.substep);
+  const ahead = indexOf(timeline, tick, 0) - indexOf(timeline, step.tick, step.substep);
   if (ahead < 0 || ahead > MAX_CARRIED) return false;
-  let cursor = seek(sim.inputs, at.tick, at.substep);
   for (let i = 0; i < ahead; i++) {
-    copyRow(before, 0, predicted, 0);
-    if (at.substep === 0) beginTick(sim, predicted, 0, at.tick);
-    cursor = applyDue(sim.inputs, cursor, at, predicted, 0);
-    const { step, timing } = spanOf(timeline, at.tick);
-    logged.bodies = rowsAt(sim.bodies, timeline, at.tick, at.substep);
-    logged.dt = step[0];
-    substep(predicted, 0, logged.bodies, sim.world, logged.dt);
-    logSubstep(ring.replayed, sim.world, logged);
-    at.substep += 1;
-    if (at.substep < timing.substeps) continue;
-    at.tick += 1;
-    at.substep = 0;
+    advanceRow(step, sim, track);
+    logSubstep(ring.replayed, sim.world, step);
   }
   return true;
 }
 
-const at: Position = { tick: 0, substep: 0 };
-const before = new Float64Array(SHIP_STRIDE);
 const predicted = new Float64Array(SHIP_STRIDE);
-const logged = { ...createLoggedSubstep(), before, after: predicted };
+const step = createRowStep(predicted);
 
 /** Predicted in flight, but on the ground already; or predicted on the ground, but not there (yet, or any more). */
 function agree(log: Float64Array, ring: TouchdownRing, sim: Simulation, to: Adopted): void {
@@ -147,13 +123,13 @@ function wasPutElsewhere({ silence }: Track, { rows, from }: Adopted): boolean {
   return Math.sqrt(way) > LARGEST_CORRECTION + Math.sqrt(speed) * silence;
 }
 
-/** Landed where it was locked, as seen from the body's axes. */
-function liesWhereItLay({ lockedPlace }: Track, sim: Simulation, { tick, rows, from }: Adopted): boolean {
+/** Landed where it slept, as seen from the body's axes. */
+function liesWhereItLay({ sleepPlace }: Track, sim: Simulation, { tick, rows, from }: Adopted): boolean {
   const body = rows[from + REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE;
   take(attitude, boundaryAt(sim.bodies, sim.timeline, tick), body);
   take(place, rows, from + POSITION);
   rotateBack(place, attitude, place);
-  for (let k = 0; k < 3; k++) place[k]! -= lockedPlace[k]!;
+  for (let k = 0; k < 3; k++) place[k]! -= sleepPlace[k]!;
   return lengthOf(place) <= LARGEST_CORRECTION;
 }
 

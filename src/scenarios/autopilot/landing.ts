@@ -1,4 +1,4 @@
-import { ok, type Result, type Controls, NEUTRAL_CONTROLS } from '../../dynamics';
+import { ok, type Result, type Controls, err, NEUTRAL_CONTROLS } from '../../dynamics';
 import type { ShipState } from '../../wire';
 import { approachOf, descend, type LandingSite } from './descent';
 
@@ -52,6 +52,8 @@ export function continueLanding(
       return ok({ phase: 'touchdown', reason: '', controls: HOLD });
     case '':
       return fly(before, ship, site);
+    default:
+      return err(`surfaceContactState: no state named ${ship.surfaceContactState}`);
   }
 }
 

@@ -45,6 +45,7 @@ export const LESSONS: readonly Mission[] = [
     ...LESSON,
     scenario: missionStart('school-slope', 'Lesson 4: stand on a slope', {
       about: 'A slope of 15°: touch slowly, and friction holds the ship.',
+      settings: { surfaceNormal: 'terrain' },
       site: { latitude: 28.64978, longitude: 42.70355 },
       initial: { ...PILOTED, height: 25, velocity: [0, 0, -2] },
       inputs: [{ at: 0, controls: { thrustLevel: 0.1, attitudeMode: 'radial', attitudeHold: true } }],

@@ -5,6 +5,8 @@ import type { Mission } from './mission';
 import { missionStart, PILOTED } from './starts';
 
 const SCORED = { isLesson: false, night: false, how: '', done: { kind: 'land' } } as const;
+/** Slopes are felt: the ground's own normal carries the ship. */
+const ON_THE_GROUND = { surfaceNormal: 'terrain' } as const;
 const UPRIGHT = { attitudeMode: 'radial', attitudeHold: true } as const;
 
 /** The missions, easiest first. The first is what the page opens on. */
@@ -48,6 +50,7 @@ export const MISSIONS: readonly Mission[] = [
     ...SCORED,
     scenario: missionStart('crater-floor', 'Crater floor', {
       about: 'A pit with walls all around.',
+      settings: ON_THE_GROUND,
       site: { latitude: 28.77246, longitude: 43.00127 },
       initial: { ...PILOTED, height: 180, velocity: [4, -3, -5] },
       inputs: [{ at: 0, controls: { ...UPRIGHT, thrustLevel: 0.08 } }],
@@ -61,6 +64,7 @@ export const MISSIONS: readonly Mission[] = [
     ...SCORED,
     scenario: missionStart('crater-rim', 'Crater rim', {
       about: 'A knoll forty metres over its surroundings: miss it, and the ground falls away.',
+      settings: ON_THE_GROUND,
       site: { latitude: 28.81995, longitude: 43.32381 },
       initial: { ...PILOTED, height: 150, velocity: [3, 5, -4] },
       inputs: [{ at: 0, controls: { ...UPRIGHT, thrustLevel: 0.08 } }],
@@ -74,6 +78,7 @@ export const MISSIONS: readonly Mission[] = [
     ...SCORED,
     scenario: missionStart('ridge', 'On the ridge', {
       about: 'Eight hundred metres over the plain, a top hardly wider than the pad.',
+      settings: ON_THE_GROUND,
       site: { latitude: 28.43411, longitude: 42.95165 },
       initial: { ...PILOTED, height: 140, velocity: [-6, 2, -3], tilt: 10, leanTo: 200 },
     }),
@@ -151,6 +156,7 @@ export const MISSIONS: readonly Mission[] = [
     ...SCORED,
     scenario: missionStart('steep-slope', 'Slope of 25°', {
       about: 'A hillside as steep as a roof. Touch slowly and friction holds.',
+      settings: ON_THE_GROUND,
       site: { latitude: 28.48951, longitude: 42.71031 },
       initial: { ...PILOTED, height: 100, velocity: [1, 1, -3] },
       inputs: [{ at: 0, controls: { ...UPRIGHT, thrustLevel: 0.09 } }],

@@ -135,5 +135,6 @@ function readTriple(part: Uint8Array): Vec3 {
 }
 
 function modeByte(controls: Controls): number {
-  return ATTITUDE_MODES.indexOf(controls.attitudeMode) | (controls.attitudeHold ? 0x80 : 0);
+  const mode = controls.attitudeMode === 'unknown' ? 'none' : controls.attitudeMode;
+  return ATTITUDE_MODES.indexOf(mode) | (controls.attitudeHold ? 0x80 : 0);
 }

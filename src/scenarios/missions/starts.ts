@@ -28,7 +28,7 @@ export function missionStart(
   return {
     name,
     title,
-    body: 'Moon',
+    body: 'Luna',
     shipClass: 'planetary_lander',
     settings: {},
     terrain: 'hills',

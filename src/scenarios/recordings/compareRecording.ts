@@ -7,17 +7,20 @@ import {
   type Controls,
   EVENT_NAMES,
   loadBody,
+  loadControls,
   loadSettings,
   loadShipClass,
   NO_EVENT,
   readControls,
   readShip,
+  type ShipInit,
   err,
   SHIP_CLASSES,
   SHIP_STRIDE,
   stepWorld,
   TERRAINS,
   timingOfTick,
+  type Vec3,
   type World,
   writeBodyMotion,
   writeControls,
@@ -84,7 +87,7 @@ function compareSession(found: Found, session: RecordedSession, own: string): st
       const inputs = expected.shipId === own ? (session.inputs.get(tick) ?? []) : [];
       const outcome = runInterval(world.value, from, start, inputs);
       if (!outcome.ok) return `tick ${tick}: ship ${expected.shipId}: ${outcome.reason}`;
-      if (!sameControls(outcome.value.controls, expected)) {
+      if (!sameControls(outcome.value.controls, expected as Controls)) {
         found.unknownInputs += 1;
         continue;
       }
@@ -120,10 +123,16 @@ function runInterval(
     const reason = writeBodyMotion(bodies, i * BODY_STRIDE, motion);
     if (reason !== null) return err(`bodies.${name}.${reason}`);
   }
-  const reason = writeShip(row, 0, { ...start, ...comparedOf(start) }, world);
+  const commanded = loadControls(start as Controls);
+  if (!commanded.ok) return err(commanded.reason);
+  const given = { ...start, ...comparedOf(start), groundContactOffset: heightOf(start, world) };
+  const reason = writeShip(row, 0, given as ShipInit, world);
   if (reason !== null) return err(reason);
-  writeControls(row, 0, start);
-  const { substeps, dt } = timingOfTick(frame.timeScale / frame.tickRate);
+  writeControls(row, 0, commanded.value);
+  const { substeps, dt } = timingOfTick(
+    frame.timeScale / frame.tickRate,
+    world.settings.contactLongestSubstep,
+  );
   const events: string[] = [];
   beginTick(row, bodies, world);
   for (let s = 0; s < substeps; s++) {
@@ -164,6 +173,13 @@ function all<Given, Loaded>(given: readonly Given[], load: (one: Given) => Resul
   return ok(loaded);
 }
 
+/** The ship's own height of its centre of mass, else its class's. */
+function heightOf({ groundContactOffset, shipClass }: ShipState, { shipClasses }: World): number {
+  return groundContactOffset ?? shipClasses.find(({ name }) => name === shipClass)?.groundContactOffset ?? 0;
+}
+
+const NO_MOMENTUM: Vec3 = [0, 0, 0];
+
 function comparedOf(
   state: ShipState,
 ): Compared & { relativePosition: NonNullable<ShipState['relativePosition']> } {
@@ -173,6 +189,7 @@ function comparedOf(
     attitude: state.attitude,
     angularVelocity: state.angularVelocity,
     fuel: state.fuel,
+    wheelMomentum: state.wheelMomentum ?? NO_MOMENTUM,
     contactImpactSpeed: state.contactImpactSpeed ?? 0,
   };
 }

@@ -1,5 +1,5 @@
 import type { Hello, InputRecord, ServerFrame } from '../../wire';
-import type { Recording } from './recording';
+import { isWhole, type Recording } from './recording';
 import type { StagedInput } from '../scenario';
 
 /** What a recording holds between one hello and the next: a connection, or the time after the server changed its settings. */
@@ -42,7 +42,8 @@ function gather(entries: Recording['entries']): Gathered[] {
     if (entry.kind === 'sent' && entry.message.kind === 'inputs') session.sent.push(...entry.message.inputs);
     if (entry.kind !== 'received') continue;
     const { message } = entry;
-    if (message.kind === 'frame') session.frames.set(message.tick, message);
+    // A frame that does not tell its tempo and bodies cannot be compared with the law.
+    if (message.kind === 'frame' && isWhole(message)) session.frames.set(message.tick, message);
     if (message.kind !== 'hello') continue;
     if (session.hello !== null) {
       session = { hello: null, frames: new Map(), sent: [] };

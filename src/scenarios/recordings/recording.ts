@@ -2,9 +2,13 @@ import { ok, type Result, type Controls, loadControls, NEUTRAL_CONTROLS, err } f
 import {
   type ClientMessage,
   decodeClientMessage,
+  decodeFrameJson,
   decodeServerMessage,
   encodeClientMessage,
+  encodeFrameJson,
   encodeServerMessage,
+  type PartialFrame,
+  type ServerFrame,
   type ServerMessage,
 } from '../../wire';
 import { fromBase64, toBase64 } from './base64';
@@ -32,7 +36,7 @@ export interface RecordingHeader {
 
 /** `at`: the client's wall seconds. */
 export type RecordingEntry =
-  | { readonly kind: 'received'; readonly at: number; readonly message: ServerMessage }
+  | { readonly kind: 'received'; readonly at: number; readonly message: ServerMessage | PartialFrame }
   | { readonly kind: 'sent'; readonly at: number; readonly message: ClientMessage }
   /** The page's frame: the controls held then, null for a spectator. */
   | { readonly kind: 'advanced'; readonly at: number; readonly controls: Controls | null };
@@ -61,7 +65,7 @@ export function createRecordingWriter(): RecordingWriter {
 
   function plain(entry: RecordingEntry): Record<string, unknown> {
     const { kind, at } = entry;
-    if (kind === 'received') return { kind, at, bytes: toBase64(encodeServerMessage(entry.message)) };
+    if (kind === 'received') return { kind, at, ...received(entry.message) };
     return kind === 'sent'
       ? { kind, at, bytes: toBase64(encodeClientMessage(entry.message)) }
       : advanced(entry);
@@ -79,6 +83,20 @@ export function createRecordingWriter(): RecordingWriter {
 export function writeRecording({ header, entries }: Recording): string {
   const writer = createRecordingWriter();
   return writer.header(header) + entries.map((entry) => writer.entry(entry)).join('');
+}
+
+/** The protocol's bytes; of a frame that does not tell all, what a JSON server told. */
+function received(message: ServerMessage | PartialFrame): Record<string, unknown> {
+  return isWhole(message)
+    ? { bytes: toBase64(encodeServerMessage(message)) }
+    : { frame: encodeFrameJson(message) };
+}
+
+/** Whether a message tells all that the protocol's bytes carry. */
+export function isWhole(message: ServerMessage | PartialFrame): message is ServerMessage {
+  if (message.kind !== 'frame') return true;
+  const { tickRate, timeScale, paused, bodies, events, lastInput } = message as Partial<ServerFrame>;
+  return [tickRate, timeScale, paused, bodies, events, lastInput].every((part) => part !== undefined);
 }
 
 /** A recording from its file's text, or a reason that names the line and the field. */
@@ -154,6 +172,7 @@ function readEntry(fields: Fields, given: JsonRecord, past: Past): RecordingEntr
   past.at = at;
   const kind = fields.choice(given['kind'], 'kind', ['advanced', 'received', 'sent']);
   if (kind === 'advanced') return { kind, at, controls: readControls(fields, given, past) };
+  if (kind === 'received' && given['frame'] !== undefined) return readPartialFrame(fields, given, at);
   const bytes = fromBase64(given['bytes']);
   if (bytes === null) fields.fault('bytes', 'expected base64');
   const message =
@@ -163,6 +182,15 @@ function readEntry(fields: Fields, given: JsonRecord, past: Past): RecordingEntr
     return { kind: 'advanced', at, controls: null };
   }
   return { kind, at, message: message.value } as RecordingEntry;
+}
+
+function readPartialFrame(fields: Fields, given: JsonRecord, at: number): RecordingEntry {
+  const decoded = decodeFrameJson(given['frame']);
+  if (!decoded.ok || decoded.value.refusals.length > 0) {
+    fields.fault('frame', decoded.ok ? decoded.value.refusals[0]! : decoded.reason);
+    return { kind: 'advanced', at, controls: null };
+  }
+  return { kind: 'received', at, message: decoded.value };
 }
 
 const EMPTY = new Uint8Array(0);

@@ -721,6 +721,8 @@ export const galaxy = $root.galaxy = (() => {
              * @property {number|null} [contact_friction_static] Settings contact_friction_static
              * @property {number|null} [contact_friction_kinetic] Settings contact_friction_kinetic
              * @property {string|null} [touchdown_attitude] Settings touchdown_attitude
+             * @property {string|null} [surface_normal] Settings surface_normal
+             * @property {number|null} [contact_longest_substep] Settings contact_longest_substep
              * @property {Array.<Uint8Array>} [$unknowns] Unknown fields preserved while decoding when enabled
              */
 
@@ -832,6 +834,22 @@ export const galaxy = $root.galaxy = (() => {
              */
             Settings.prototype.touchdown_attitude = null;
 
+            /**
+             * Settings surface_normal.
+             * @member {string|null|undefined} surface_normal
+             * @memberof galaxy.stream.Settings
+             * @instance
+             */
+            Settings.prototype.surface_normal = null;
+
+            /**
+             * Settings contact_longest_substep.
+             * @member {number|null|undefined} contact_longest_substep
+             * @memberof galaxy.stream.Settings
+             * @instance
+             */
+            Settings.prototype.contact_longest_substep = null;
+
             // OneOf field names bound to virtual getters and setters
             let $oneOfFields;
 
@@ -895,6 +913,18 @@ export const galaxy = $root.galaxy = (() => {
                 set: $util.oneOfSetter($oneOfFields)
             });
 
+            // Virtual OneOf for proto3 optional field
+            $Object.defineProperty(Settings.prototype, "_surface_normal", {
+                get: $util.oneOfGetter($oneOfFields = ["surface_normal"]),
+                set: $util.oneOfSetter($oneOfFields)
+            });
+
+            // Virtual OneOf for proto3 optional field
+            $Object.defineProperty(Settings.prototype, "_contact_longest_substep", {
+                get: $util.oneOfGetter($oneOfFields = ["contact_longest_substep"]),
+                set: $util.oneOfSetter($oneOfFields)
+            });
+
             /**
              * Encodes the specified Settings message. Does not implicitly {@link galaxy.stream.Settings.verify|verify} messages.
              * @function encode
@@ -931,6 +961,10 @@ export const galaxy = $root.galaxy = (() => {
                     writer.uint32(/* id 9, wireType 1 =*/73).double(message.contact_friction_kinetic);
                 if (message.touchdown_attitude != null && $Object.hasOwnProperty.call(message, "touchdown_attitude"))
                     writer.uint32(/* id 10, wireType 2 =*/82).string(message.touchdown_attitude);
+                if (message.surface_normal != null && $Object.hasOwnProperty.call(message, "surface_normal"))
+                    writer.uint32(/* id 11, wireType 2 =*/90).string(message.surface_normal);
+                if (message.contact_longest_substep != null && $Object.hasOwnProperty.call(message, "contact_longest_substep"))
+                    writer.uint32(/* id 12, wireType 1 =*/97).double(message.contact_longest_substep);
                 if (message.$unknowns != null && $Object.hasOwnProperty.call(message, "$unknowns"))
                     for (let i = 0; i < message.$unknowns.length; ++i)
                         writer.raw(message.$unknowns[i]);
@@ -1045,6 +1079,20 @@ export const galaxy = $root.galaxy = (() => {
                             message._touchdown_attitude = "touchdown_attitude";
                             continue;
                         }
+                    case 11: {
+                            if (wireType !== 2)
+                                break;
+                            message.surface_normal = reader.stringVerify();
+                            message._surface_normal = "surface_normal";
+                            continue;
+                        }
+                    case 12: {
+                            if (wireType !== 1)
+                                break;
+                            message.contact_longest_substep = reader.double();
+                            message._contact_longest_substep = "contact_longest_substep";
+                            continue;
+                        }
                     }
                     reader.skipType(wireType, _depth, tag);
                     if (!reader.discardUnknown) {
@@ -1083,6 +1131,9 @@ export const galaxy = $root.galaxy = (() => {
              * @property {number|null} [rcs_lever] ShipClass rcs_lever
              * @property {number|null} [rcs_isp] ShipClass rcs_isp
              * @property {galaxy.Vec3.$Properties|null} [reaction_wheel_torque] ShipClass reaction_wheel_torque
+             * @property {galaxy.Vec3.$Properties|null} [reaction_wheel_capacity] ShipClass reaction_wheel_capacity
+             * @property {number|null} [attitude_natural_frequency] ShipClass attitude_natural_frequency
+             * @property {number|null} [dry_inertia_ratio] ShipClass dry_inertia_ratio
              * @property {Array.<Uint8Array>} [$unknowns] Unknown fields preserved while decoding when enabled
              */
 
@@ -1219,6 +1270,39 @@ export const galaxy = $root.galaxy = (() => {
             ShipClass.prototype.reaction_wheel_torque = null;
 
             /**
+             * ShipClass reaction_wheel_capacity.
+             * @member {galaxy.Vec3.$Properties|null|undefined} reaction_wheel_capacity
+             * @memberof galaxy.stream.ShipClass
+             * @instance
+             */
+            ShipClass.prototype.reaction_wheel_capacity = null;
+
+            /**
+             * ShipClass attitude_natural_frequency.
+             * @member {number} attitude_natural_frequency
+             * @memberof galaxy.stream.ShipClass
+             * @instance
+             */
+            ShipClass.prototype.attitude_natural_frequency = 0;
+
+            /**
+             * ShipClass dry_inertia_ratio.
+             * @member {number|null|undefined} dry_inertia_ratio
+             * @memberof galaxy.stream.ShipClass
+             * @instance
+             */
+            ShipClass.prototype.dry_inertia_ratio = null;
+
+            // OneOf field names bound to virtual getters and setters
+            let $oneOfFields;
+
+            // Virtual OneOf for proto3 optional field
+            $Object.defineProperty(ShipClass.prototype, "_dry_inertia_ratio", {
+                get: $util.oneOfGetter($oneOfFields = ["dry_inertia_ratio"]),
+                set: $util.oneOfSetter($oneOfFields)
+            });
+
+            /**
              * Encodes the specified ShipClass message. Does not implicitly {@link galaxy.stream.ShipClass.verify|verify} messages.
              * @function encode
              * @memberof galaxy.stream.ShipClass
@@ -1260,6 +1344,12 @@ export const galaxy = $root.galaxy = (() => {
                     writer.uint32(/* id 12, wireType 1 =*/97).double(message.rcs_isp);
                 if (message.reaction_wheel_torque != null && $Object.hasOwnProperty.call(message, "reaction_wheel_torque"))
                     $root.galaxy.Vec3.encode(message.reaction_wheel_torque, writer.uint32(/* id 13, wireType 2 =*/106).fork(), _depth + 1).ldelim();
+                if (message.reaction_wheel_capacity != null && $Object.hasOwnProperty.call(message, "reaction_wheel_capacity"))
+                    $root.galaxy.Vec3.encode(message.reaction_wheel_capacity, writer.uint32(/* id 14, wireType 2 =*/114).fork(), _depth + 1).ldelim();
+                if (message.attitude_natural_frequency != null && $Object.hasOwnProperty.call(message, "attitude_natural_frequency") && !$Object.is(message.attitude_natural_frequency, 0))
+                    writer.uint32(/* id 15, wireType 1 =*/121).double(message.attitude_natural_frequency);
+                if (message.dry_inertia_ratio != null && $Object.hasOwnProperty.call(message, "dry_inertia_ratio"))
+                    writer.uint32(/* id 16, wireType 1 =*/129).double(message.dry_inertia_ratio);
                 if (message.$unknowns != null && $Object.hasOwnProperty.call(message, "$unknowns"))
                     for (let i = 0; i < message.$unknowns.length; ++i)
                         writer.raw(message.$unknowns[i]);
@@ -1407,6 +1497,28 @@ export const galaxy = $root.galaxy = (() => {
                             if (wireType !== 2)
                                 break;
                             message.reaction_wheel_torque = $root.galaxy.Vec3.decode(reader, reader.size(), $undefined, _depth + 1, message.reaction_wheel_torque);
+                            continue;
+                        }
+                    case 14: {
+                            if (wireType !== 2)
+                                break;
+                            message.reaction_wheel_capacity = $root.galaxy.Vec3.decode(reader, reader.size(), $undefined, _depth + 1, message.reaction_wheel_capacity);
+                            continue;
+                        }
+                    case 15: {
+                            if (wireType !== 1)
+                                break;
+                            if (!$Object.is(value = reader.double(), 0))
+                                message.attitude_natural_frequency = value;
+                            else
+                                delete message.attitude_natural_frequency;
+                            continue;
+                        }
+                    case 16: {
+                            if (wireType !== 1)
+                                break;
+                            message.dry_inertia_ratio = reader.double();
+                            message._dry_inertia_ratio = "dry_inertia_ratio";
                             continue;
                         }
                     }
@@ -1609,6 +1721,7 @@ export const galaxy = $root.galaxy = (() => {
              * @property {Array.<galaxy.physics.ShipState.$Properties>|null} [ships] ServerFrame ships
              * @property {Array.<galaxy.stream.Event.$Properties>|null} [events] ServerFrame events
              * @property {galaxy.stream.InputAcknowledgement.$Properties|null} [last_input] ServerFrame last_input
+             * @property {number|null} [game_time] ServerFrame game_time
              * @property {Array.<Uint8Array>} [$unknowns] Unknown fields preserved while decoding when enabled
              */
 
@@ -1708,6 +1821,23 @@ export const galaxy = $root.galaxy = (() => {
             ServerFrame.prototype.last_input = null;
 
             /**
+             * ServerFrame game_time.
+             * @member {number|null|undefined} game_time
+             * @memberof galaxy.stream.ServerFrame
+             * @instance
+             */
+            ServerFrame.prototype.game_time = null;
+
+            // OneOf field names bound to virtual getters and setters
+            let $oneOfFields;
+
+            // Virtual OneOf for proto3 optional field
+            $Object.defineProperty(ServerFrame.prototype, "_game_time", {
+                get: $util.oneOfGetter($oneOfFields = ["game_time"]),
+                set: $util.oneOfSetter($oneOfFields)
+            });
+
+            /**
              * Encodes the specified ServerFrame message. Does not implicitly {@link galaxy.stream.ServerFrame.verify|verify} messages.
              * @function encode
              * @memberof galaxy.stream.ServerFrame
@@ -1742,6 +1872,8 @@ export const galaxy = $root.galaxy = (() => {
                         $root.galaxy.stream.Event.encode(message.events[i], writer.uint32(/* id 7, wireType 2 =*/58).fork(), _depth + 1).ldelim();
                 if (message.last_input != null && $Object.hasOwnProperty.call(message, "last_input"))
                     $root.galaxy.stream.InputAcknowledgement.encode(message.last_input, writer.uint32(/* id 8, wireType 2 =*/66).fork(), _depth + 1).ldelim();
+                if (message.game_time != null && $Object.hasOwnProperty.call(message, "game_time"))
+                    writer.uint32(/* id 9, wireType 1 =*/73).double(message.game_time);
                 if (message.$unknowns != null && $Object.hasOwnProperty.call(message, "$unknowns"))
                     for (let i = 0; i < message.$unknowns.length; ++i)
                         writer.raw(message.$unknowns[i]);
@@ -1852,6 +1984,13 @@ export const galaxy = $root.galaxy = (() => {
                             message.last_input = $root.galaxy.stream.InputAcknowledgement.decode(reader, reader.size(), $undefined, _depth + 1, message.last_input);
                             continue;
                         }
+                    case 9: {
+                            if (wireType !== 1)
+                                break;
+                            message.game_time = reader.double();
+                            message._game_time = "game_time";
+                            continue;
+                        }
                     }
                     reader.skipType(wireType, _depth, tag);
                     if (!reader.discardUnknown) {
@@ -1881,6 +2020,10 @@ export const galaxy = $root.galaxy = (() => {
              * @property {string|null} [ship_id] Event ship_id
              * @property {number|Long|null} [tick] Event tick
              * @property {number|null} [substep] Event substep
+             * @property {boolean|null} [again] Event again
+             * @property {string|null} [player_id] Event player_id
+             * @property {string|null} [body] Event body
+             * @property {string|null} [reason] Event reason
              * @property {Array.<Uint8Array>} [$unknowns] Unknown fields preserved while decoding when enabled
              */
 
@@ -1938,11 +2081,52 @@ export const galaxy = $root.galaxy = (() => {
 
             /**
              * Event substep.
-             * @member {number} substep
+             * @member {number|null|undefined} substep
              * @memberof galaxy.stream.Event
              * @instance
              */
-            Event.prototype.substep = 0;
+            Event.prototype.substep = null;
+
+            /**
+             * Event again.
+             * @member {boolean} again
+             * @memberof galaxy.stream.Event
+             * @instance
+             */
+            Event.prototype.again = false;
+
+            /**
+             * Event player_id.
+             * @member {string} player_id
+             * @memberof galaxy.stream.Event
+             * @instance
+             */
+            Event.prototype.player_id = "";
+
+            /**
+             * Event body.
+             * @member {string} body
+             * @memberof galaxy.stream.Event
+             * @instance
+             */
+            Event.prototype.body = "";
+
+            /**
+             * Event reason.
+             * @member {string} reason
+             * @memberof galaxy.stream.Event
+             * @instance
+             */
+            Event.prototype.reason = "";
+
+            // OneOf field names bound to virtual getters and setters
+            let $oneOfFields;
+
+            // Virtual OneOf for proto3 optional field
+            $Object.defineProperty(Event.prototype, "_substep", {
+                get: $util.oneOfGetter($oneOfFields = ["substep"]),
+                set: $util.oneOfSetter($oneOfFields)
+            });
 
             /**
              * Encodes the specified Event message. Does not implicitly {@link galaxy.stream.Event.verify|verify} messages.
@@ -1966,8 +2150,16 @@ export const galaxy = $root.galaxy = (() => {
                     writer.uint32(/* id 2, wireType 2 =*/18).string(message.ship_id);
                 if (message.tick != null && $Object.hasOwnProperty.call(message, "tick") && (typeof message.tick === "object" ? message.tick.low || message.tick.high : message.tick !== 0))
                     writer.uint32(/* id 3, wireType 0 =*/24).uint64(message.tick);
-                if (message.substep != null && $Object.hasOwnProperty.call(message, "substep") && message.substep !== 0)
+                if (message.substep != null && $Object.hasOwnProperty.call(message, "substep"))
                     writer.uint32(/* id 4, wireType 0 =*/32).uint32(message.substep);
+                if (message.again != null && $Object.hasOwnProperty.call(message, "again") && message.again !== false)
+                    writer.uint32(/* id 5, wireType 0 =*/40).bool(message.again);
+                if (message.player_id != null && $Object.hasOwnProperty.call(message, "player_id") && message.player_id !== "")
+                    writer.uint32(/* id 6, wireType 2 =*/50).string(message.player_id);
+                if (message.body != null && $Object.hasOwnProperty.call(message, "body") && message.body !== "")
+                    writer.uint32(/* id 7, wireType 2 =*/58).string(message.body);
+                if (message.reason != null && $Object.hasOwnProperty.call(message, "reason") && message.reason !== "")
+                    writer.uint32(/* id 8, wireType 2 =*/66).string(message.reason);
                 if (message.$unknowns != null && $Object.hasOwnProperty.call(message, "$unknowns"))
                     for (let i = 0; i < message.$unknowns.length; ++i)
                         writer.raw(message.$unknowns[i]);
@@ -2042,10 +2234,44 @@ export const galaxy = $root.galaxy = (() => {
                     case 4: {
                             if (wireType !== 0)
                                 break;
-                            if (value = reader.uint32())
-                                message.substep = value;
+                            message.substep = reader.uint32();
+                            message._substep = "substep";
+                            continue;
+                        }
+                    case 5: {
+                            if (wireType !== 0)
+                                break;
+                            if (value = reader.bool())
+                                message.again = value;
                             else
-                                delete message.substep;
+                                delete message.again;
+                            continue;
+                        }
+                    case 6: {
+                            if (wireType !== 2)
+                                break;
+                            if ((value = reader.stringVerify()).length)
+                                message.player_id = value;
+                            else
+                                delete message.player_id;
+                            continue;
+                        }
+                    case 7: {
+                            if (wireType !== 2)
+                                break;
+                            if ((value = reader.stringVerify()).length)
+                                message.body = value;
+                            else
+                                delete message.body;
+                            continue;
+                        }
+                    case 8: {
+                            if (wireType !== 2)
+                                break;
+                            if ((value = reader.stringVerify()).length)
+                                message.reason = value;
+                            else
+                                delete message.reason;
                             continue;
                         }
                     }
@@ -3545,6 +3771,8 @@ export const galaxy = $root.galaxy = (() => {
              * @property {galaxy.Vec3.$Properties|null} [relative_position] ShipState relative_position
              * @property {galaxy.Vec3.$Properties|null} [relative_velocity] ShipState relative_velocity
              * @property {boolean|null} [crashed] ShipState crashed
+             * @property {galaxy.Vec3.$Properties|null} [wheel_momentum] ShipState wheel_momentum
+             * @property {number|null} [ground_contact_offset] ShipState ground_contact_offset
              * @property {Array.<Uint8Array>} [$unknowns] Unknown fields preserved while decoding when enabled
              */
 
@@ -3761,6 +3989,31 @@ export const galaxy = $root.galaxy = (() => {
             ShipState.prototype.crashed = false;
 
             /**
+             * ShipState wheel_momentum.
+             * @member {galaxy.Vec3.$Properties|null|undefined} wheel_momentum
+             * @memberof galaxy.physics.ShipState
+             * @instance
+             */
+            ShipState.prototype.wheel_momentum = null;
+
+            /**
+             * ShipState ground_contact_offset.
+             * @member {number|null|undefined} ground_contact_offset
+             * @memberof galaxy.physics.ShipState
+             * @instance
+             */
+            ShipState.prototype.ground_contact_offset = null;
+
+            // OneOf field names bound to virtual getters and setters
+            let $oneOfFields;
+
+            // Virtual OneOf for proto3 optional field
+            $Object.defineProperty(ShipState.prototype, "_ground_contact_offset", {
+                get: $util.oneOfGetter($oneOfFields = ["ground_contact_offset"]),
+                set: $util.oneOfSetter($oneOfFields)
+            });
+
+            /**
              * Encodes the specified ShipState message. Does not implicitly {@link galaxy.physics.ShipState.verify|verify} messages.
              * @function encode
              * @memberof galaxy.physics.ShipState
@@ -3822,6 +4075,10 @@ export const galaxy = $root.galaxy = (() => {
                     $root.galaxy.Vec3.encode(message.relative_velocity, writer.uint32(/* id 34, wireType 2 =*/274).fork(), _depth + 1).ldelim();
                 if (message.crashed != null && $Object.hasOwnProperty.call(message, "crashed") && message.crashed !== false)
                     writer.uint32(/* id 35, wireType 0 =*/280).bool(message.crashed);
+                if (message.wheel_momentum != null && $Object.hasOwnProperty.call(message, "wheel_momentum"))
+                    $root.galaxy.Vec3.encode(message.wheel_momentum, writer.uint32(/* id 36, wireType 2 =*/290).fork(), _depth + 1).ldelim();
+                if (message.ground_contact_offset != null && $Object.hasOwnProperty.call(message, "ground_contact_offset"))
+                    writer.uint32(/* id 37, wireType 1 =*/297).double(message.ground_contact_offset);
                 if (message.$unknowns != null && $Object.hasOwnProperty.call(message, "$unknowns"))
                     for (let i = 0; i < message.$unknowns.length; ++i)
                         writer.raw(message.$unknowns[i]);
@@ -4044,6 +4301,19 @@ export const galaxy = $root.galaxy = (() => {
                                 message.crashed = value;
                             else
                                 delete message.crashed;
+                            continue;
+                        }
+                    case 36: {
+                            if (wireType !== 2)
+                                break;
+                            message.wheel_momentum = $root.galaxy.Vec3.decode(reader, reader.size(), $undefined, _depth + 1, message.wheel_momentum);
+                            continue;
+                        }
+                    case 37: {
+                            if (wireType !== 1)
+                                break;
+                            message.ground_contact_offset = reader.double();
+                            message._ground_contact_offset = "ground_contact_offset";
                             continue;
                         }
                     }

@@ -43,7 +43,7 @@ export async function hudPaintFigures(browser: Browser, url: string): Promise<Fi
     await page.goto(`${url}hud.html`);
     await page.waitForSelector('html[data-ready=true]');
     await page.evaluate(() => (window as unknown as TimedWindow).hud.showFleet(1000));
-    await page.waitForSelector('.hud-row:nth-child(12)');
+    await page.waitForSelector('.td-row:nth-child(12)');
     const took = await page.evaluate((n) => (window as unknown as TimedWindow).hud.time(n), ROUNDS);
     return Object.entries(took).map(([name, rounds]) => inMicroseconds(name, rounds));
   } finally {

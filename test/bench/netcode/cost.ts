@@ -144,7 +144,12 @@ function replayOfHundred(): Figure {
   const staged = value(stage(SLIDE));
   const told = { settings: {}, shipClasses: [staged.shipClass], bodies: [staged.body], terrain: 'flat' };
   const world = value(loadWorld(told, { flat: staged.terrainHeight }));
-  const sim = createSimulation(world, [staged.body], createDiagnosis(), false);
+  const sim = createSimulation(world, [staged.body], {
+    counters: createDiagnosis(),
+    warn: () => undefined,
+    sleeps: false,
+    plan: [],
+  });
   setTempo(sim.timeline, 0, { tickRate: 1, timeScale: 1, paused: false }, null);
   tell(sim.bodies, 0, [staged.body]);
   const track = addTrack(sim.fleet, 'ship-1', sim.ringLength);

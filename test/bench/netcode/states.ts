@@ -50,7 +50,7 @@ export function* stateFigures(): Generator<Figure> {
 /** Substeps between a predicted event's birth and the server's own. */
 function timeErrors({ rig }: Flight): number[] {
   const { substeps } = rig.authority.tempo.timing();
-  const at = (event: { tick: number; substep: number }) => event.tick * substeps + event.substep;
+  const at = (event: { tick: number; substep: number | null }) => event.tick * substeps + event.substep!;
   return rig.truth.events.map((event) => {
     const predicted = rig.notices.filter(({ kind, type }) => kind === 'predicted' && type === event.type);
     return Math.min(...predicted.map((notice) => Math.abs(at(notice) - at(event))));

@@ -19,9 +19,10 @@ const KEYS: Record<string, string> = {
 };
 
 const landing = createCockpitLandingHud(document, document.querySelector('#landing')!, {
+  theme: 'system',
   keyLabel: (action) => KEYS[action] ?? '',
 });
-const fleet = createFleetHud(document, document.querySelector('#fleet')!);
+const fleet = createFleetHud(document, document.querySelector('#fleet')!, { theme: 'system' });
 
 let readout = createLandingReadout();
 let view: WorldView | undefined;

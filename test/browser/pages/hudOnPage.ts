@@ -10,10 +10,11 @@ import { makeFleet, STATES, type StateName } from './hudStates';
 
 const place = document.querySelector('#hud')!;
 const landing = createCockpitLandingHud(document, place, {
+  theme: 'system',
   keyLabel: (action) =>
     ({ pitchMinus: 'W', yawMinus: 'A', yawPlus: 'D', rateDamping: 'T' })[action as 'yawPlus'],
 });
-const fleet = createFleetHud(document, place);
+const fleet = createFleetHud(document, place, { theme: 'system' });
 
 /** Flies the way to a state, each view as one frame, beside a fleet of `size`. */
 function show(name: StateName, size: number): void {

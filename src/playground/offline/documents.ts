@@ -1,0 +1,52 @@
+import type { KeptBuild } from './keptBuild';
+
+/**
+ * Which document a reader gets: the host's while it answers in time and its scripts can be had, so that a new deployment is seen
+ * at once; else the kept one, whole. Never a document of one build with scripts of another.
+ */
+
+/** ms for the host to show that its page can be opened; then the kept one is shown. */
+const HOST_LIMIT = 2000;
+
+/** The scripts and style sheets that a document of ours asks for, and those that these import. */
+const NEEDED = /["'`](\.\/[\w./-]+\.(?:js|css))["'`]/g;
+
+export async function openDocument(request: Request, address: string, build: KeptBuild): Promise<Response> {
+  const kept = await build.find(address);
+  if (kept === undefined) return fetch(request);
+  try {
+    const limit = AbortSignal.timeout(HOST_LIMIT);
+    const host = await fetch(request.url, { signal: limit, cache: 'no-cache' });
+    const isPage = host.ok && (host.headers.get('content-type') ?? '').startsWith('text/html');
+    if (!isPage) return kept;
+    const text = await host.text();
+    if (text === (await kept.clone().text()) || !(await canBeOpened(text, address, build, limit)))
+      return kept;
+    return new Response(text, { headers: host.headers });
+  } catch {
+    return kept;
+  }
+}
+
+/** Whether everything that a new document may load is kept or answered as a script or a style sheet. */
+async function canBeOpened(
+  text: string,
+  address: string,
+  build: KeptBuild,
+  signal: AbortSignal,
+): Promise<boolean> {
+  const seen = new Set<string>();
+  const filesIn = (code: string, at: string) =>
+    [...code.matchAll(NEEDED)].map(([, file]) => new URL(file!, at).href);
+  const answers = async (url: string): Promise<boolean> => {
+    if (seen.has(url)) return true;
+    seen.add(url);
+    const response = (await build.find(url)) ?? (await fetch(url, { signal }));
+    const type = response.headers.get('content-type') ?? '';
+    if (!response.ok || !/javascript|text\/css/.test(type)) return false;
+    const further = type.includes('javascript') ? filesIn(await response.text(), url) : [];
+    return (await Promise.all(further.map(answers))).every(Boolean);
+  };
+  const first = filesIn(text, address);
+  return first.length > 0 && (await Promise.all(first.map(answers))).every(Boolean);
+}

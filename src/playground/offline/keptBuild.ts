@@ -1,0 +1,95 @@
+/**
+ * One build of the page in the browser's cache: all of its files or none, each with the bytes that the build had. A host that
+ * answers a script's address with an error page, or serves half of one build and half of another, is not kept.
+ */
+
+/** The build's files by address relative to the document, '' being the document: their SHA-256, as fetch's `integrity` has it. */
+declare const OFFLINE_FILES: Readonly<Record<string, string>>;
+/** Changes with any of them. */
+declare const OFFLINE_VERSION: string;
+
+/** ms for one file while keeping: a host that accepts and never answers must not hold the worker for ever. */
+const FILE_LIMIT = 60_000;
+/** Marks a cache whose build was replaced: the pages still open may need it, those of the next replacement do not. */
+const SUPERSEDED = '?superseded';
+
+/** What a host must call a file for the browser to take it. */
+const TYPES: readonly (readonly [ending: RegExp, type: RegExp])[] = [
+  [/(^|\.html)$/, /^text\/html\b/],
+  [/\.js$/, /^(text|application)\/(x-)?javascript\b/],
+  [/\.css$/, /^text\/css\b/],
+  [/\.svg$/, /^image\/svg\+xml\b/],
+];
+
+/** Of the page at `address`, a folder's URL. Caches belong to the whole origin: this page's names begin with its address. */
+export interface KeptBuild {
+  /** Fetches all files. Rejects, keeping nothing, where one is missing or not the build's. */
+  keep(): Promise<void>;
+  /** The kept answer to a request of this build or of the one before it, which pages still open may show. */
+  find(url: string): Promise<Response | undefined>;
+  /** Fetches again what the browser has dropped. */
+  heal(): Promise<void>;
+  /** Drops the builds that no open page can show any more. */
+  sweep(): Promise<void>;
+  /** Drops everything. */
+  drop(): Promise<void>;
+}
+
+export function keptBuild(address: string, caches: CacheStorage): KeptBuild {
+  const mine = `touchdown ${address} `;
+  const current = mine + OFFLINE_VERSION;
+  const urlOf = (file: string) => new URL(file, address).href;
+  const namesOfMine = async () => (await caches.keys()).filter((name) => name.startsWith(mine));
+
+  async function keepFile(cache: Cache, file: string): Promise<void> {
+    const response = await fetch(urlOf(file), {
+      cache: 'reload',
+      integrity: OFFLINE_FILES[file]!,
+      signal: AbortSignal.timeout(FILE_LIMIT),
+    });
+    const type = response.headers.get('content-type') ?? '';
+    const expected = TYPES.find(([ending]) => ending.test(file))?.[1];
+    if (!response.ok || expected?.test(type) === false)
+      throw new Error(`${file || 'the document'}: the host answered ${response.status} ${type}`);
+    // A host may have redirected, and an answer that says so is refused where a page is asked for.
+    await cache.put(urlOf(file), new Response(await response.blob(), { headers: response.headers }));
+  }
+
+  return {
+    async keep() {
+      const cache = await caches.open(current);
+      try {
+        await Promise.all(Object.keys(OFFLINE_FILES).map((file) => keepFile(cache, file)));
+      } catch (error) {
+        await caches.delete(current);
+        throw error;
+      }
+    },
+    async find(url) {
+      const names = await namesOfMine();
+      for (const name of [current, ...names.filter((each) => each !== current)]) {
+        if (!names.includes(name)) continue;
+        const found = await (await caches.open(name)).match(url, { ignoreVary: true });
+        if (found !== undefined) return found;
+      }
+      return undefined;
+    },
+    async heal() {
+      const cache = await caches.open(current);
+      for (const file of Object.keys(OFFLINE_FILES))
+        if ((await cache.match(urlOf(file))) === undefined) await keepFile(cache, file);
+    },
+    async sweep() {
+      for (const name of await namesOfMine()) {
+        if (name === current) continue;
+        const cache = await caches.open(name);
+        if ((await cache.match(urlOf(SUPERSEDED))) === undefined)
+          await cache.put(urlOf(SUPERSEDED), new Response());
+        else await caches.delete(name);
+      }
+    },
+    async drop() {
+      for (const name of await namesOfMine()) await caches.delete(name);
+    },
+  };
+}

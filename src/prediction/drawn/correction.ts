@@ -1,0 +1,122 @@
+import { REFERENCE_BODY, VELOCITY } from '../../dynamics';
+import type { Simulation } from '../simulation/simulation';
+import type { Track } from '../simulation/track';
+import { type Ease, restartEase, snap } from './ease';
+import { type Pose, pose, writeBodyAttitude, writePredicted, writeSeen } from './pose';
+import {
+  angleOf,
+  compose,
+  fromRotationVector,
+  lengthOf,
+  normalize,
+  quaternion,
+  toRotationVector,
+  turnBetween,
+  vector,
+} from './rotation';
+
+/** What a correction does to the picture (PREDICTION, What is drawn): the old drawn pose fades into the new predicted one. */
+
+/** Beyond these a correction is not eased: m, and rad. */
+const SNAP_DISTANCE = 25;
+const SNAP_ANGLE = Math.PI / 3;
+
+/** What was predicted at the present before a correction, as seen from the axes of the ship's body then. */
+export interface DrawnBefore {
+  readonly pose: Pose;
+  body: number;
+  /** False where nothing drawn is worth easing from. */
+  known: boolean;
+}
+
+/** How a correction is shown. */
+export interface CorrectionStyle {
+  /** Easing would be meaningless: respawned. */
+  readonly snaps: boolean;
+  /** The last substep uprighted the ship. */
+  readonly uprights: boolean;
+}
+
+/** What is drawn of a ship now, before its rows are replaced; one record, valid until the next call. */
+export function seeDrawn(sim: Simulation, track: Track): DrawnBefore {
+  const { picture } = track;
+  drawn.body = sim.fleet.front[track.at + REFERENCE_BODY]!;
+  drawn.known = track.mode === 'stepping' || picture.hasHeld;
+  if (picture.hasHeld) {
+    drawn.pose.position.set(picture.heldPlace);
+    drawn.pose.attitude.set(picture.heldAttitude);
+  } else if (drawn.known) writeSeenPresent(drawn.pose, sim, track);
+  return drawn;
+}
+
+const drawn: DrawnBefore = { pose: pose(), body: 0, known: false };
+
+/** Whether the correction is eased, or snaps: counted where something was drawn before. */
+export function easeCorrection(
+  sim: Simulation,
+  track: Track,
+  before: DrawnBefore,
+  style: CorrectionStyle,
+): void {
+  const { picture, at } = track;
+  const { front } = sim.fleet;
+  picture.hasHeld = false;
+  picture.uprighted = style.uprights;
+  if (!before.known) {
+    snap(picture.ease);
+    return;
+  }
+  writeSeenPresent(now, sim, track);
+  const sameBody = before.body === front[at + REFERENCE_BODY];
+  if (!style.snaps && sameBody && isEasable(before.pose, speedOf(front, at), track.silence)) {
+    addToOffset(picture.ease, before.pose, now);
+    return;
+  }
+  snap(picture.ease);
+  sim.counters.snaps += 1;
+}
+
+/** Keeps what is drawn now, as seen from the body's axes, while the ship is out of step. */
+export function holdDrawn(sim: Simulation, track: Track): void {
+  const { picture } = track;
+  writeSeenPresent(now, sim, track);
+  picture.heldPlace.set(now.position);
+  picture.heldAttitude.set(now.attitude);
+  picture.hasHeld = true;
+}
+
+/** A correction: offset += old predicted − new predicted, both of one instant and in the body's axes (PREDICTION, What is drawn). */
+export function addToOffset(ease: Ease, old: Pose, next: Pose): void {
+  for (let k = 0; k < 3; k++) ease.offset[k] = ease.offset[k]! + (old.position[k]! - next.position[k]!);
+  turnBetween(turn, old.attitude, next.attitude);
+  fromRotationVector(eased, ease.turn);
+  compose(turn, eased, turn);
+  normalize(turn);
+  toRotationVector(ease.turn, turn);
+  restartEase(ease);
+}
+
+function writeSeenPresent(out: Pose, sim: Simulation, track: Track): void {
+  writeBodyAttitude(body, sim, sim.fleet.front[track.at + REFERENCE_BODY]!, sim.alpha);
+  writePredicted(out, sim, track);
+  writeSeen(out, out, body);
+}
+
+/** Within 25 m + speed × the time the server was silent, and within 60°. */
+function isEasable(old: Pose, speed: number, silence: number): boolean {
+  for (let k = 0; k < 3; k++) jump[k] = old.position[k]! - now.position[k]!;
+  turnBetween(turn, old.attitude, now.attitude);
+  return lengthOf(jump) <= SNAP_DISTANCE + speed * silence && angleOf(turn) <= SNAP_ANGLE;
+}
+
+function speedOf(rows: Float64Array, at: number): number {
+  let speed = 0;
+  for (let k = 0; k < 3; k++) speed += rows[at + VELOCITY + k]! * rows[at + VELOCITY + k]!;
+  return Math.sqrt(speed);
+}
+
+const now = pose();
+const body = quaternion();
+const turn = quaternion();
+const eased = quaternion();
+const jump = vector();

@@ -1,0 +1,58 @@
+import { SHIP_STRIDE, THRUST_LEVEL } from '../../dynamics';
+import { createEase, type Ease } from './ease';
+import type { ShipView } from './view';
+
+/** What is drawn and shown of one ship, beside its track, which holds what is predicted. The simulation never computes with it. */
+export interface Picture {
+  readonly ease: Ease;
+  /** Index of the body in whose axes `ease` is; -1 before the first view. */
+  body: number;
+  /** The front's last substep uprighted it: what is drawn inside that substep is the attitude before, through the offset. */
+  uprighted: boolean;
+  /** Taken out of step by a resync or another tempo: the last predicted pose, as seen from the body's axes, to ease from. */
+  hasHeld: boolean;
+  readonly heldPlace: Float64Array;
+  readonly heldAttitude: Float64Array;
+  readonly status: Status;
+  /** What the page sees of it; made when it is first seen. */
+  view: ShipView | null;
+}
+
+/** What is shown of its states. */
+export interface Status {
+  /** The present surface state, -1 before the first, and since when it holds, server wall s. */
+  state: number;
+  since: number;
+  /** Until when CONTACT stays shown, client wall s. */
+  contactUntil: number;
+  /** Event of the last retracted prediction, and until when that is told, client wall s. */
+  withdrawn: number;
+  withdrawnUntil: number;
+  /** Tick of the server's state that the view shows, and server wall s then. */
+  serverTick: number;
+  serverWall: number;
+  /** The commands that the view's controls were made from. */
+  readonly commands: Float64Array;
+}
+
+export function createPicture(): Picture {
+  return {
+    ease: createEase(),
+    body: -1,
+    uprighted: false,
+    hasHeld: false,
+    heldPlace: new Float64Array(3),
+    heldAttitude: Float64Array.of(0, 0, 0, 1),
+    status: {
+      state: -1,
+      since: 0,
+      contactUntil: Number.NEGATIVE_INFINITY,
+      withdrawn: 0,
+      withdrawnUntil: Number.NEGATIVE_INFINITY,
+      serverTick: -1,
+      serverWall: Number.NaN,
+      commands: new Float64Array(SHIP_STRIDE - THRUST_LEVEL).fill(Number.NaN),
+    },
+    view: null,
+  };
+}

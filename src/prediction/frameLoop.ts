@@ -1,0 +1,85 @@
+import type { Controls } from '../dynamics';
+import { placePresent } from './drawn/worldView';
+import { sampleControls } from './inputs/pilot';
+import { announce, type Session } from './session';
+import { runReplays } from './simulation/replay';
+import { checkRollback } from './simulation/rollbackCheck';
+import { stepFront } from './simulation/front';
+import type { Simulation } from './simulation/simulation';
+import { isFarBehind, realign } from './snapshots/realign';
+import { advanceClock } from './time/clock';
+import { keepPace } from './time/pace';
+import { indexOf, type Moment, type Position, spanOf, writeLater, writeMoment } from './time/timeline';
+
+/** Without an advance for longer than this the page was hidden or stalled, s: one resync, nothing replayed. */
+const LONG_GAP = 1;
+/** Own controls act from at most this many substeps before the present on: what a 60 Hz frame spans. */
+const BACKDATED = 2;
+
+/** One display frame: own controls are sampled, and everything is simulated up to the present (PREDICTION, The timeline). */
+export function advanceFrame(session: Session, controls: Controls | null, now: number): void {
+  const { sim, clock, pilot, pace } = session;
+  const target = alignFront(session, now);
+  const due = substepsTo(sim, target);
+  keepPace(sim, pace, due);
+  const replayed = runReplays(sim, pace.budget);
+  const check = (tick: number) => checkBoundary(session, tick);
+  if (due > BACKDATED) stepFront(sim, later(sim, due - BACKDATED), check);
+  if (controls !== null)
+    sampleControls(sim, pilot, controls, { now, steer: clock.steer, granularity: session.granularity });
+  if (due > 0) stepFront(sim, target, check);
+  if (replayed < pace.budget) runReplays(sim, pace.budget - replayed);
+  place(sim, clock.present);
+  announce(session);
+}
+
+/** Moves the clock; where the front cannot simply go on, puts it where the present is. Returns where the front is to go. */
+function alignFront(session: Session, now: number): Position {
+  const { sim, clock, pilot, counters } = session;
+  const { timing, timeScale } = spanOf(sim.timeline, sim.newestTick);
+  const jumped = advanceClock(clock, now, timing.dt / timeScale);
+  const absent = now - session.advancedAt > LONG_GAP || now < session.advancedAt;
+  session.advancedAt = now;
+  const target = locate(sim, clock.present);
+  if (absent) pilot.released = pilot.last;
+  if (absent || (jumped && !sim.frontIsStale)) counters.resyncs += 1;
+  if (jumped || absent || sim.frontIsStale || isFarBehind(sim, target))
+    realign(sim, target, { resync: jumped || absent });
+  return target;
+}
+
+/** Where the present, server wall s, lies between the two substep boundaries around it. */
+export function place(sim: Simulation, present: number): void {
+  writeMoment(moment, sim.timeline, present);
+  placePresent(sim, moment);
+}
+
+function checkBoundary({ sim, options }: Session, tick: number): void {
+  const ticks = options.forcedRollback ?? 0;
+  if (ticks > 0) checkRollback(sim, tick, ticks);
+}
+
+const moment: Moment = { tick: 0, substeps: 0 };
+const located: Position = { tick: 0, substep: 0 };
+const sampling: Position = { tick: 0, substep: 0 };
+
+/** The first substep boundary at or after the present, never before the newest state nor farther from it than the ring reaches. */
+function locate(sim: Simulation, present: number): Position {
+  writeMoment(moment, sim.timeline, present);
+  const last = sim.newestTick + sim.ringLength - 2;
+  if (moment.tick < sim.newestTick || moment.tick >= last) {
+    moment.tick = moment.tick < sim.newestTick ? sim.newestTick : last;
+    moment.substeps = 0;
+  }
+  writeLater(located, sim.timeline, moment.tick, 0, Math.ceil(moment.substeps));
+  return located;
+}
+
+function substepsTo({ front, timeline }: Simulation, to: Position): number {
+  return Math.max(0, indexOf(timeline, to.tick, to.substep) - indexOf(timeline, front.tick, front.substep));
+}
+
+function later({ front, timeline }: Simulation, substeps: number): Position {
+  writeLater(sampling, timeline, front.tick, front.substep, substeps);
+  return sampling;
+}

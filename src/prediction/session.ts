@@ -1,0 +1,101 @@
+import type { BodyMotion, TerrainHeight, World } from '../dynamics';
+import { TERRAINS } from '../dynamics';
+import type { Hello } from '../wire';
+import { createDiagnosis } from './diagnosis';
+import type { Diagnosis, EventNotice } from './drawn/view';
+import { createShown, type Shown } from './drawn/worldView';
+import { createPilot, type Pilot } from './inputs/pilot';
+import { BUDGET, defaultWorld, type PredictorOptions } from './options';
+import { createSimulation, type Simulation } from './simulation/simulation';
+import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
+import { loadWorld, type WorldConfig } from './snapshots/worldConfig';
+import { type Clock, createClock, forgetSchedule } from './time/clock';
+import { createPace, type Pace } from './time/pace';
+import { createPings, type Pings } from './time/pings';
+import { createWarn, type Warn } from './warnings';
+
+/** Everything one predictor owns. The functions of this folder work on it; nothing is shared between two predictors. */
+export interface Session {
+  readonly terrains: Readonly<Record<string, TerrainHeight>>;
+  readonly defaults: WorldConfig;
+  readonly options: PredictorOptions;
+  readonly warn: Warn;
+  readonly counters: Diagnosis;
+  readonly clock: Clock;
+  readonly receiver: Receiver;
+  readonly pilot: Pilot;
+  readonly pings: Pings;
+  readonly pace: Pace;
+  readonly listeners: Set<(notice: EventNotice) => void>;
+  sim: Simulation;
+  shown: Shown;
+  /** The world that holds: the defaults until a hello tells another. */
+  config: WorldConfig;
+  granularity: Hello['inputGranularity'];
+  /** Client wall s of the last `advance`; NaN before the first. */
+  advancedAt: number;
+  /** Usual client wall s between two calls of `advance`. */
+  usualGap: number;
+}
+
+/** A predictor's state before anything was received. Throws RangeError if the default world is refused, and says which part. */
+export function createSession(options: PredictorOptions): Session {
+  const terrains = { ...TERRAINS, ...options.terrains };
+  const defaults = defaultWorld(options.defaults);
+  const world = loadWorld(defaults, terrains);
+  if (!world.ok) throw new RangeError(`defaults: ${world.reason}`);
+  const warn = createWarn(options.onWarning);
+  const counters = createDiagnosis();
+  const clock = createClock();
+  const sim = newSimulation(world.value, defaults.bodies, { options, counters, warn });
+  return {
+    terrains,
+    defaults,
+    options,
+    warn,
+    counters,
+    clock,
+    receiver: createReceiver(clock, options.ownShipId ?? ''),
+    pilot: createPilot(),
+    pings: createPings(),
+    pace: createPace(options.maxSubstepsPerFrame ?? BUDGET),
+    listeners: new Set(),
+    sim,
+    shown: createShown(sim),
+    config: defaults,
+    granularity: 'tick',
+    advancedAt: Number.NaN,
+    usualGap: Number.NaN,
+  };
+}
+
+function newSimulation(
+  world: World,
+  bodies: readonly BodyMotion[],
+  { options, counters, warn }: Pick<Session, 'options' | 'counters' | 'warn'>,
+): Simulation {
+  const sleeps = (options.forcedRollback ?? 0) === 0;
+  return createSimulation(world, bodies, { counters, warn, sleeps, plan: options.plan ?? [] });
+}
+
+/** All ships and all time of the world before are forgotten; a listener added before goes on hearing. */
+export function beginWorld(session: Session, world: World, bodies: readonly BodyMotion[]): void {
+  session.sim = newSimulation(world, bodies, session);
+  session.shown = createShown(session.sim);
+  forgetSchedule(session.clock);
+  forgetPast(session.receiver);
+}
+
+/** Tells each listener of what has happened; one that throws keeps nobody else from hearing. */
+export function announce({ sim, listeners, warn }: Session): void {
+  for (const notice of sim.notices.splice(0)) {
+    for (const listener of listeners) {
+      try {
+        listener(notice);
+      } catch (error) {
+        const details = { notice, error: String(error) };
+        warn('listener-threw', 'An event listener threw: mend it. The other listeners were told.', details);
+      }
+    }
+  }
+}

@@ -1,0 +1,86 @@
+import { NO_EVENT, SHIP_STRIDE } from '../../dynamics';
+import { easeUprighting } from '../drawn/uprighting';
+import { predict } from '../events';
+import { applyDue, seek } from '../inputs/scheduledInput';
+import type { Position } from '../time/timeline';
+import { logSubstep } from '../touchdown/touchdownLog';
+import { keepLog } from '../touchdown/touchdownRing';
+import { keep } from './history';
+import type { Simulation } from './simulation';
+import { wake, wakesOn } from './sleep';
+import { createRowStep, enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
+import { copyRow, type Track } from './track';
+
+/** The frame loop: every ship in step, substep by substep, up to the present. */
+
+/** Steps every ship in step to `target`, which is not before the front. Calls `boundary` at each tick boundary passed. */
+export function stepFront(sim: Simulation, target: Position, boundary: (tick: number) => void): void {
+  const { front, fleet } = sim;
+  placeStep(step, sim, front.tick, front.substep);
+  step.rows = fleet.front;
+  step.before = fleet.previous;
+  while (front.tick < target.tick || (front.tick === target.tick && front.substep < target.substep)) {
+    if (fleet.own !== null && fleet.own.mode !== 'stepping') commandIdle(sim, fleet.own);
+    enterSubstep(step, sim);
+    stepShips(sim);
+    const isBoundary = leaveSubstep(step, sim);
+    front.tick = step.tick;
+    front.substep = step.substep;
+    if (!isBoundary) continue;
+    keepBoundary(sim);
+    boundary(front.tick);
+  }
+}
+
+const step = createRowStep();
+
+function stepShips(sim: Simulation): void {
+  const { tracks } = sim.fleet;
+  let stepped = 0;
+  for (let i = 0; i < tracks.length; i++) {
+    const track = tracks[i]!;
+    if (track.mode !== 'stepping') continue;
+    step.at = track.at;
+    step.beforeAt = track.at;
+    stepRow(step, sim, track);
+    stepped += 1;
+    track.picture.uprighted = false;
+    if (step.event !== NO_EVENT) report(sim, track);
+    if (track.log !== null) logSubstep(track.log.front, sim.world, step);
+  }
+  sim.counters.steppedSubsteps += stepped;
+}
+
+function report(sim: Simulation, track: Track): void {
+  happened(sim, track, step.event, step, track.pass);
+  easeUprighting(sim, track, step);
+}
+
+/** The own ship out of step: its row still says what its pilot commands, and an input that burns wakes it where it sleeps. */
+function commandIdle(sim: Simulation, own: Track): void {
+  const { fleet, front, inputs } = sim;
+  const cursor = seek(inputs, front.tick, front.substep);
+  copyRow(probe, 0, fleet.front, own.at);
+  const next = applyDue(inputs, cursor, front, probe, 0);
+  step.inputs = cursor;
+  if (next === cursor) return;
+  if (own.mode === 'sleeping' && wakesOn(probe, 0)) wake(sim, own);
+  else copyRow(fleet.front, own.at, probe, 0);
+}
+
+const probe = new Float64Array(SHIP_STRIDE);
+
+function keepBoundary(sim: Simulation): void {
+  const { fleet, front } = sim;
+  for (const track of fleet.tracks) {
+    if (track.mode !== 'stepping') continue;
+    keep(track.history, front.tick, fleet.front, track.at);
+    if (track.log !== null) keepLog(track.log, front.tick, track.log.front);
+  }
+}
+
+/** The law reported `event` in the substep that begins at `at`, in pass `pass` over this ship's time. */
+export function happened(sim: Simulation, track: Track, event: number, at: Position, pass: number): void {
+  const notice = predict(track.ledger, event, at, sim.timeline, pass);
+  if (notice !== null) sim.notices.push(notice);
+}

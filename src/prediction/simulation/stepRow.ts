@@ -1,0 +1,78 @@
+import { chooseReferenceBody, NO_EVENT, SHIP_STRIDE, substep } from '../../dynamics';
+import { applyDue, seek } from '../inputs/scheduledInput';
+import { boundaryAt, rowsAt } from '../snapshots/bodyTrack';
+import { type Position, spanOf } from '../time/timeline';
+import { isReleased, release } from './heldControls';
+import type { Simulation } from './simulation';
+import { copyRow, type Track } from './track';
+
+/**
+ * One ship's row on its way through time: the one step of the frame loop, of replays, of the rollback check, of the touchdown log
+ * and of the fit of the ground. `tick` and `substep` are the start of the substep to come.
+ */
+export interface RowStep extends Position {
+  rows: Float64Array;
+  at: number;
+  /** The row at the start of the substep just taken, relative to the body that it has since: save. */
+  before: Float64Array;
+  beforeAt: number;
+  /** Counts through what acts on the own ship. */
+  inputs: number;
+  /** Rows of the bodies, turned for the substep just taken, and its game s (Span.step). */
+  bodies: Float64Array;
+  dt: readonly [dt: number, none: null];
+  /** What the law reported of the substep just taken. */
+  event: number;
+}
+
+/** A step over the row at `at` in `rows`; without `before` it keeps one of its own. */
+export function createRowStep(rows = new Float64Array(SHIP_STRIDE), at = 0): RowStep {
+  return {
+    ...{ tick: 0, substep: 0, rows, at },
+    ...{ before: new Float64Array(SHIP_STRIDE), beforeAt: 0 },
+    ...{ inputs: 0, bodies: new Float64Array(0), dt: [0, null], event: NO_EVENT },
+  };
+}
+
+/** The row stands at the start of substep `substep` of `tick`. */
+export function placeStep(step: RowStep, sim: Simulation, tick: number, substepOfTick: number): void {
+  step.tick = tick;
+  step.substep = substepOfTick;
+  step.inputs = seek(sim.inputs, tick, substepOfTick);
+}
+
+/** Reads what all ships share in the substep to come. */
+export function enterSubstep(step: RowStep, sim: Simulation): void {
+  step.dt = spanOf(sim.timeline, step.tick).step;
+  step.bodies = rowsAt(sim.bodies, sim.timeline, step.tick, step.substep);
+}
+
+/**
+ * One ship through one substep: re-base at a tick's start, save, apply the controls that act from here on, advance by the law
+ * (DYNAMICS, Frame and One substep).
+ */
+export function stepRow(step: RowStep, sim: Simulation, track: Track): void {
+  const { rows, at } = step;
+  if (step.substep === 0)
+    chooseReferenceBody(rows, at, boundaryAt(sim.bodies, sim.timeline, step.tick), sim.world);
+  copyRow(step.before, step.beforeAt, rows, at);
+  if (isReleased(track, step.tick, step.substep)) release(rows, at);
+  if (track.own) step.inputs = applyDue(sim.inputs, step.inputs, step, rows, at);
+  step.event = substep(rows, at, step.bodies, sim.world, step.dt[0]);
+}
+
+/** On to the next substep. Returns whether a tick boundary was reached. */
+export function leaveSubstep(step: RowStep, sim: Simulation): boolean {
+  step.substep += 1;
+  if (step.substep < spanOf(sim.timeline, step.tick).timing.substeps) return false;
+  step.tick += 1;
+  step.substep = 0;
+  return true;
+}
+
+/** One ship alone through one substep. Returns whether a tick boundary was reached. */
+export function advanceRow(step: RowStep, sim: Simulation, track: Track): boolean {
+  enterSubstep(step, sim);
+  stepRow(step, sim, track);
+  return leaveSubstep(step, sim);
+}

@@ -1,0 +1,115 @@
+"""All that the service holds between two ticks, and one tick of it."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from .config import Timing, load_config, load_timing
+from .limits import mapping, number, one_of, required, text
+from .loading import load_ship_class
+from .maneuver_landing import Landing, abort, continue_landing
+from .models import Body, Event, Ship, ShipClass, World
+from .simulation import run_tick
+from .terrain import load_terrain_name
+
+
+@dataclass(slots=True)
+class Tempo:
+    """What holds from one boundary to the next. `asked_scale` is game:time_scale; time sync moves `time_scale` about it."""
+
+    tick_rate: float = 1.0
+    time_scale: float = 1.0
+    paused: bool = False
+    asked_scale: float = 1.0
+    time_sync: bool = False
+
+    @property
+    def timing(self) -> Timing:
+        return load_timing(self.tick_rate, self.time_scale)
+
+
+@dataclass(slots=True)
+class Galaxy:
+    """Ships by id, bodies, clock. `definition` is touchdown:world as it was read."""
+
+    definition: dict[str, Any]
+    system_id: str
+    epoch: float
+    classes: dict[str, ShipClass]
+    world: World
+    ships: dict[str, Ship] = field(default_factory=dict)
+    landings: dict[str, Landing] = field(default_factory=dict)
+    tempo: Tempo = field(default_factory=Tempo)
+    tick: int = 0
+    # Seconds since tick 0.
+    game_time: float = 0.0
+    # The last inbox entry taken in.
+    cursor: str = "0-0"
+
+
+@dataclass(slots=True)
+class Changes:
+    """What happened since the last commit, for the next one."""
+
+    events: list[Event] = field(default_factory=list)
+    # Ships that left, with the reason.
+    removed: list[tuple[Ship, str]] = field(default_factory=list)
+    results: list[dict[str, Any]] = field(default_factory=list)
+
+
+def make_galaxy(definition: Any, bodies: list[Body]) -> Galaxy:
+    """Raises Refusal with the path of the first field that cannot be used."""
+    mapping(definition, "world")
+    classes = [
+        load_ship_class(given, f"world.ship_classes[{i}]")
+        for i, given in enumerate(required(definition, "ship_classes", "world"))
+    ]
+    world = World(
+        load_config(definition.get("settings", {}), "world.settings"),
+        bodies,
+        load_terrain_name(definition.get("terrain", "flat"), "world.terrain"),
+    )
+    one_of(definition.get("input_granularity", "substep"), "world.input_granularity", ("substep",))
+    return Galaxy(
+        definition,
+        text(definition.get("system_id", "sol"), "world.system_id"),
+        number(definition.get("epoch", 0), "world.epoch"),
+        {cls.name: cls for cls in classes},
+        world,
+    )
+
+
+def run_interval(galaxy: Galaxy, due: float, changes: Changes) -> None:
+    """From the present boundary to the next; `due` is the wall second of that one, by Redis's clock."""
+    ships = [galaxy.ships[ship_id] for ship_id in sorted(galaxy.ships)]
+    fly_landings(galaxy)
+    before = {ship_id: galaxy.ships[ship_id].applied for ship_id in galaxy.landings if ship_id in galaxy.ships}
+    timing = galaxy.tempo.timing
+    changes.events += run_tick(galaxy.world, ships, timing, galaxy.tick, due)
+    galaxy.tick += 1
+    galaxy.game_time += timing.tick_seconds
+    for ship_id, applied in before.items():
+        if galaxy.ships[ship_id].applied is not applied:
+            end_landing(galaxy, ship_id, "the pilot took the controls")
+    for ship in ships:
+        if ship.crashed:
+            end_landing(galaxy, ship.ship_id, f"crashed on {ship.body.name}")
+            remove_ship(galaxy, ship.ship_id, "collision", changes)
+
+
+def fly_landings(galaxy: Galaxy) -> None:
+    for ship_id, landing in galaxy.landings.items():
+        if not landing.is_over and ship_id in galaxy.ships:
+            ship = galaxy.ships[ship_id]
+            ship.controls = continue_landing(landing, ship, galaxy.world)
+            landing.updated_tick = galaxy.tick
+
+
+def end_landing(galaxy: Galaxy, ship_id: str, reason: str) -> None:
+    landing = galaxy.landings.get(ship_id)
+    if landing and not landing.is_over:
+        abort(landing, reason)
+        landing.updated_tick = galaxy.tick
+
+
+def remove_ship(galaxy: Galaxy, ship_id: str, reason: str, changes: Changes) -> None:
+    changes.removed.append((galaxy.ships.pop(ship_id), reason))

@@ -1,0 +1,240 @@
+"""The world in Redis: read whole at a start, written one tick at a time in one transaction (REDIS.md)."""
+
+import json
+from dataclasses import dataclass, field
+from datetime import datetime, timedelta, timezone
+from typing import Any
+
+from redis import Redis
+from redis.client import Pipeline
+from redis.exceptions import WatchError
+
+from . import lease as lease_key
+from .frames import event_record, write_events, write_frame
+from .galaxy import Changes, Galaxy, Tempo, make_galaxy
+from .lease import Lease, LeaseLost
+from .limits import Refusal, mapping, number, required, text, whole
+from .maneuver_landing import Landing
+from .records import (
+    body_of_record,
+    body_record,
+    from_hash,
+    input_of_record,
+    input_record,
+    ship_of_record,
+    ship_record,
+    to_hash,
+)
+
+WORLD, CLOCK, BODIES, PENDING = "touchdown:world", "touchdown:clock", "touchdown:bodies", "touchdown:pending"
+INBOX, STATUS = "touchdown:inbox", "touchdown:status"
+COMPLETED = "tick_completed"
+ASKED = ("game:tick_rate", "game:time_scale", "game:paused", "game:time_sync")
+
+# Ticks between writes of the body hashes, as in the game (REDIS_WRITE_INTERVAL).
+BODY_INTERVAL = 10
+INBOX_COUNT = 5000
+# Seconds for which the maneuver of a destroyed ship can still be read.
+MANEUVER_SECONDS = 60
+
+
+@dataclass(slots=True)
+class Asked:
+    """What game:* and the inbox hold at a boundary, as read."""
+
+    values: dict[str, str | None]
+    entries: list[tuple[str, dict[str, str]]] = field(default_factory=list)
+
+
+class RedisState:
+    def __init__(self, client: Redis, lease: Lease) -> None:
+        self.client = client
+        self.lease = lease
+        # What Redis holds already: not written again.
+        self.pending_text = ""
+        self.landings: dict[str, tuple] = {}
+        self.members: set[str] = set()
+
+    def create(self, definition: dict[str, Any]) -> None:
+        """Makes the world where there is none: its bodies become the state at tick 0."""
+        bodies = [body_of_record(b, f"bodies[{i}]") for i, b in enumerate(required(definition, "bodies", ""))]
+        kept = {name: value for name, value in definition.items() if name != "bodies"}
+        make_galaxy(kept, bodies)
+        pipe = self.client.pipeline(transaction=True)
+        pipe.set(WORLD, json.dumps(kept))
+        pipe.set(BODIES, json.dumps([body_record(body) for body in bodies]))
+        pipe.execute()
+
+    def load(self) -> Galaxy | None:
+        """The world at the last committed tick; None where there is none. Raises Refusal where it cannot be read."""
+        pipe = self.client.pipeline(transaction=True)
+        pipe.get(WORLD).get(BODIES).hgetall(CLOCK).get(PENDING)
+        definition, bodies, clock, pending = pipe.execute()
+        if definition is None or bodies is None:
+            return None
+        galaxy = make_galaxy(
+            json.loads(definition), [body_of_record(b, f"{BODIES}[{i}]") for i, b in enumerate(json.loads(bodies))]
+        )
+        if clock:
+            load_clock(galaxy, clock)
+        self.load_ships(galaxy)
+        self.pending_text = pending or ""
+        for ship_id, inputs in json.loads(pending or "{}").items():
+            if ship_id in galaxy.ships:
+                galaxy.ships[ship_id].pending = [input_of_record(i, PENDING) for i in inputs]
+        return galaxy
+
+    def load_ships(self, galaxy: Galaxy) -> None:
+        """A ship that cannot be read stays out, and in Redis; the others fly on."""
+        self.members = set(self.client.smembers(f"system:{galaxy.system_id}:ships"))
+        self.landings = {}
+        for ship_id in sorted(self.members):
+            pipe = self.client.pipeline(transaction=True)
+            pipe.hgetall(f"ship:{ship_id}").hgetall(f"maneuver:{ship_id}")
+            record, maneuver = pipe.execute(raise_on_error=False)
+            try:
+                path = f"ship:{ship_id}"
+                if not isinstance(record, dict) or not record:
+                    raise Refusal(f"{path}: expected a hash")
+                ship = ship_of_record(from_hash(record, path), galaxy.classes, galaxy.world.bodies, path)
+            except Refusal as refusal:
+                self.client.hset(STATUS, "refused", str(refusal))
+                continue
+            galaxy.ships[ship_id] = ship
+            if isinstance(maneuver, dict) and maneuver.get("type") == "landing":
+                galaxy.landings[ship_id] = landing = load_landing(maneuver)
+                self.landings[ship_id] = landing_values(landing)
+
+    def read_asked(self, cursor: str) -> Asked:
+        pipe = self.client.pipeline(transaction=False)
+        pipe.mget(ASKED)
+        pipe.xrange(INBOX, f"({cursor}", "+", INBOX_COUNT)
+        values, entries = pipe.execute()
+        return Asked(dict(zip(ASKED, values)), entries)
+
+    def commit(self, galaxy: Galaxy, changes: Changes, due: float, asked: Asked, status: dict[str, Any]) -> None:
+        """All of a tick, or nothing. Raises LeaseLost where another service may have written meanwhile."""
+        pipe = self.client.pipeline(transaction=True)
+        try:
+            pipe.watch(lease_key.KEY)
+            if pipe.get(lease_key.KEY) != self.lease.token:
+                raise LeaseLost(self.lease.token)
+            pipe.multi()
+            records = self.write_ships(pipe, galaxy, changes)
+            self.write_clock(pipe, galaxy, asked)
+            self.write_bodies(pipe, galaxy)
+            self.write_landings(pipe, galaxy, changes)
+            events = [event_record(event) for event in changes.events]
+            write_events(pipe, changes.events, events)
+            write_frame(pipe, galaxy, changes, due, records, events)
+            if asked.entries:
+                ms, number_in_ms = galaxy.cursor.split("-")
+                pipe.xtrim(INBOX, minid=f"{ms}-{int(number_in_ms) + 1}", approximate=False)
+            pipe.hset(STATUS, mapping=status)
+            pipe.set(lease_key.KEY, self.lease.token, px=self.lease.milliseconds)
+            pipe.publish(COMPLETED, json.dumps({"tick": galaxy.tick}))
+            pipe.execute()
+        except WatchError:
+            raise LeaseLost(self.lease.token) from None
+        finally:
+            pipe.reset()
+
+    def write_ships(self, pipe: Pipeline, galaxy: Galaxy, changes: Changes) -> list[dict[str, Any]]:
+        members = f"system:{galaxy.system_id}:ships"
+        records = []
+        for ship_id in sorted(galaxy.ships):
+            record = ship_record(galaxy.ships[ship_id], galaxy.system_id)
+            records.append(record)
+            pipe.execute_command("HSET", f"ship:{ship_id}", *to_hash(record))
+        for ship, _ in changes.removed:
+            if ship.ship_id not in galaxy.ships:
+                pipe.delete(f"ship:{ship.ship_id}")
+        known = set(galaxy.ships)
+        if known - self.members:
+            pipe.sadd(members, *(known - self.members))
+        if self.members - known:
+            pipe.srem(members, *(self.members - known))
+        self.members = known
+        return records
+
+    def write_clock(self, pipe: Pipeline, galaxy: Galaxy, asked: Asked) -> None:
+        tempo = galaxy.tempo
+        now = datetime.fromtimestamp(0, timezone.utc) + timedelta(seconds=galaxy.epoch + galaxy.game_time)
+        pipe.set("game:tick", galaxy.tick)
+        pipe.set("game:time", now.isoformat(timespec="microseconds"))
+        in_force = (repr(tempo.tick_rate), repr(tempo.asked_scale), json.dumps(tempo.paused), json.dumps(tempo.time_sync))
+        for key, value in zip(ASKED, in_force):
+            if asked.values.get(key) is None:
+                pipe.set(key, value)
+        clock = {
+            "tick": galaxy.tick,
+            "game_time": repr(galaxy.game_time),
+            "tick_rate": repr(tempo.tick_rate),
+            "time_scale": repr(tempo.time_scale),
+            "asked_scale": repr(tempo.asked_scale),
+            "time_sync": json.dumps(tempo.time_sync),
+            "paused": json.dumps(tempo.paused),
+            "cursor": galaxy.cursor,
+        }
+        pipe.hset(CLOCK, mapping=clock)
+        waiting = {id: [input_record(i) for i in s.pending] for id, s in galaxy.ships.items() if s.pending}
+        text = json.dumps(waiting)
+        if text != self.pending_text:
+            pipe.set(PENDING, text)
+            self.pending_text = text
+
+    def write_bodies(self, pipe: Pipeline, galaxy: Galaxy) -> None:
+        records = [body_record(body) for body in galaxy.world.bodies]
+        pipe.set(BODIES, json.dumps(records))
+        if galaxy.tick % BODY_INTERVAL == 0 or galaxy.tempo.paused:
+            write_body_hashes(pipe, galaxy)
+
+    def write_bodies_at_end(self, galaxy: Galaxy) -> None:
+        """At a shutdown: the body hashes at the present tick."""
+        self.lease.renew()
+        pipe = self.client.pipeline(transaction=True)
+        write_body_hashes(pipe, galaxy)
+        pipe.execute()
+
+    def write_landings(self, pipe: Pipeline, galaxy: Galaxy, changes: Changes) -> None:
+        for ship_id, landing in list(galaxy.landings.items()):
+            key = f"maneuver:{ship_id}"
+            values = landing_values(landing)
+            if self.landings.get(ship_id) != values:
+                pipe.hset(key, mapping=dict(zip(("type", "phase", "reason", "started_tick", "updated_tick"), values)))
+                pipe.persist(key)
+                self.landings[ship_id] = values
+            if ship_id not in galaxy.ships:
+                pipe.expire(key, MANEUVER_SECONDS)
+                del galaxy.landings[ship_id], self.landings[ship_id]
+
+
+def write_body_hashes(pipe: Pipeline, galaxy: Galaxy) -> None:
+    for body in galaxy.world.bodies:
+        record = body_record(body) | {"tick": galaxy.tick}
+        pipe.execute_command("HSET", f"body:{body.name}", *to_hash(record))
+    pipe.sadd(f"system:{galaxy.system_id}:bodies", *(body.name for body in galaxy.world.bodies))
+
+
+def load_clock(galaxy: Galaxy, clock: dict[str, str]) -> None:
+    data = from_hash({name: value for name, value in clock.items() if name != "cursor"}, CLOCK)
+    mapping(data, CLOCK)
+    galaxy.tick = whole(required(data, "tick", CLOCK), f"{CLOCK}.tick")
+    galaxy.game_time = number(required(data, "game_time", CLOCK), f"{CLOCK}.game_time")
+    galaxy.cursor = text(required(clock, "cursor", CLOCK), f"{CLOCK}.cursor")
+    galaxy.tempo = Tempo(
+        number(required(data, "tick_rate", CLOCK), f"{CLOCK}.tick_rate"),
+        number(required(data, "time_scale", CLOCK), f"{CLOCK}.time_scale"),
+        bool(required(data, "paused", CLOCK)),
+        number(required(data, "asked_scale", CLOCK), f"{CLOCK}.asked_scale"),
+        bool(required(data, "time_sync", CLOCK)),
+    )
+
+
+def load_landing(fields: dict[str, str]) -> Landing:
+    ticks = [whole(fields.get(name, "0"), f"maneuver.{name}") for name in ("started_tick", "updated_tick")]
+    return Landing(fields.get("phase", ""), fields.get("reason", ""), *ticks)
+
+
+def landing_values(landing: Landing) -> tuple:
+    return ("landing", landing.phase, landing.reason, landing.started_tick, landing.updated_tick)

@@ -1,0 +1,167 @@
+"""The service's loop: when ticks are due, what is asked for at each boundary, and what happens when Redis or the lease is gone."""
+
+import logging
+import os
+import time
+from typing import Any
+
+from redis import Redis
+from redis.exceptions import RedisError
+
+from .galaxy import Changes, Galaxy, run_interval
+from .inbox import take_in
+from .lease import Lease, LeaseLost
+from .limits import Refusal
+from .redis_state import Asked, RedisState
+from .tempo import next_tempo
+
+log = logging.getLogger("touchdown_service")
+
+# Boundaries made up for at once after a stall; the schedule of the rest moves.
+MAX_CATCH_UP = 5
+# Wall seconds between two looks at what is asked for while paused.
+PAUSE_POLL = 0.1
+# Wall seconds between two looks at Redis's clock.
+CLOCK_INTERVAL = 60
+RETRY_SECONDS = 0.5
+
+
+class Service:
+    """One world, ticking. `definition` makes the world where Redis holds none."""
+
+    def __init__(self, client: Redis, definition: dict[str, Any], lease_ms: int = 3000) -> None:
+        self.client = client
+        self.definition = definition
+        self.lease = Lease(client, lease_ms)
+        self.state = RedisState(client, self.lease)
+        self.stopping = False
+        self.slipped = 0
+        # Wall seconds that game time has not made up for.
+        self.lost = 0.0
+        self.refused = ""
+        self.tick_ms = 0.0
+        self.clock_offset = 0.0
+        self.clock_read = float("-inf")
+
+    def stop(self) -> None:
+        """From a signal handler: the loop ends after the tick under way."""
+        self.stopping = True
+
+    def run(self) -> None:
+        """Until stop(). Raises LeaseHeld where another service runs, Refusal where the world cannot be read."""
+        while not self.stopping:
+            try:
+                self.lease.acquire()
+                galaxy = self.load()
+                log.info("tick %d, %d ships, %d bodies", galaxy.tick, len(galaxy.ships), len(galaxy.world.bodies))
+                self.run_ticks(galaxy)
+                self.state.write_bodies_at_end(galaxy)
+                self.lease.release()
+            except LeaseLost:
+                log.warning("lease lost; going on from what Redis holds")
+            except RedisError as error:
+                log.warning("Redis: %s; trying again", error)
+                time.sleep(RETRY_SECONDS)
+
+    def load(self) -> Galaxy:
+        galaxy = self.state.load()
+        if galaxy is None:
+            self.state.create(self.definition)
+            galaxy = self.state.load()
+        if galaxy is None:
+            raise Refusal("touchdown:world: missing after it was written")
+        return galaxy
+
+    def run_ticks(self, galaxy: Galaxy) -> None:
+        """From the tick that Redis holds; the boundary after it is one interval from now."""
+        self.clock_read = float("-inf")
+        due = time.monotonic() + 1 / galaxy.tempo.tick_rate
+        while not self.stopping:
+            if galaxy.tempo.paused:
+                due = self.stay_paused(galaxy, due)
+                continue
+            if not self.wait_until(due):
+                return
+            self.run_boundary(galaxy, due)
+            due = self.next_due(galaxy, due)
+
+    def run_boundary(self, galaxy: Galaxy, due: float) -> None:
+        """Takes in what came, simulates the interval that ends now, and commits the boundary."""
+        changes = Changes()
+        asked = self.state.read_asked(galaxy.cursor)
+        take_in(galaxy, asked.entries, changes)
+        wall = self.redis_time(due)
+        started = time.perf_counter()
+        run_interval(galaxy, wall, changes)
+        self.tick_ms = 1000 * (time.perf_counter() - started)
+        self.settle(galaxy, asked)
+        self.state.commit(galaxy, changes, wall, asked, self.status(galaxy, due))
+
+    def stay_paused(self, galaxy: Galaxy, due: float) -> float:
+        """One look at what is asked for; commands act at once. Returns when the next boundary is due."""
+        time.sleep(PAUSE_POLL)
+        now = time.monotonic()
+        changes = Changes()
+        asked = self.state.read_asked(galaxy.cursor)
+        take_in(galaxy, asked.entries, changes)
+        before = galaxy.tempo
+        self.settle(galaxy, asked)
+        if asked.entries or galaxy.tempo != before:
+            self.state.commit(galaxy, changes, self.redis_time(now), asked, self.status(galaxy, now))
+        else:
+            self.lease.renew()
+        return now + 1 / galaxy.tempo.tick_rate
+
+    def settle(self, galaxy: Galaxy, asked: Asked) -> None:
+        """What was asked for holds from this boundary on; what cannot be used is named and left."""
+        if galaxy.tempo.time_sync:
+            self.lost -= (galaxy.tempo.time_scale / galaxy.tempo.asked_scale - 1) / galaxy.tempo.tick_rate
+        galaxy.tempo, refusals = next_tempo(galaxy.tempo, asked.values, self.lost)
+        for refusal in refusals:
+            if refusal != self.refused:
+                log.warning("%s", refusal)
+            self.refused = refusal
+
+    def wait_until(self, due: float) -> bool:
+        """Keeps the lease meanwhile; whether it came to that."""
+        most = self.lease.milliseconds / 3000
+        while not self.stopping:
+            left = due - time.monotonic()
+            if left <= 0:
+                return True
+            time.sleep(min(left, most))
+            if left > most:
+                self.lease.renew()
+        return False
+
+    def next_due(self, galaxy: Galaxy, due: float) -> float:
+        """Schedule of the next boundary; after a stall at most MAX_CATCH_UP are made up for."""
+        interval = 1 / galaxy.tempo.tick_rate
+        due += interval
+        behind = int((time.monotonic() - due) / interval)
+        if behind < MAX_CATCH_UP:
+            return due
+        moved = behind - MAX_CATCH_UP + 1
+        self.slipped += moved
+        self.lost += moved * interval
+        return due + moved * interval
+
+    def redis_time(self, monotonic: float) -> float:
+        """Seconds since 1970 by Redis's clock at an instant of ours."""
+        if time.monotonic() - self.clock_read > CLOCK_INTERVAL:
+            before = time.monotonic()
+            seconds, micros = self.client.time()
+            self.clock_read = time.monotonic()
+            self.clock_offset = seconds + micros / 1e6 - (before + self.clock_read) / 2
+        return monotonic + self.clock_offset
+
+    def status(self, galaxy: Galaxy, due: float) -> dict[str, Any]:
+        return {
+            "pid": os.getpid(),
+            "tick": galaxy.tick,
+            "ships": len(galaxy.ships),
+            "tick_ms": round(self.tick_ms, 3),
+            "late_ms": round(1000 * (time.monotonic() - due), 3),
+            "slipped": self.slipped,
+            "refused": self.refused,
+        }

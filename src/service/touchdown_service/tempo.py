@@ -1,0 +1,62 @@
+"""How fast the world ticks from one boundary to the next, as game:* asks for it."""
+
+from dataclasses import replace
+from typing import Any
+
+from .config import TICK_RATE, TIME_SCALE
+from .galaxy import Tempo
+from .limits import Range, Refusal, number
+
+# Of game:time_scale: how far time sync moves the effective one.
+SYNC_SHARE = 0.05
+# Lost wall time is made up for over this many wall seconds, as far as SYNC_SHARE allows.
+SYNC_SECONDS = 10
+
+
+def next_tempo(now: Tempo, asked: dict[str, str | None], behind: float) -> tuple[Tempo, list[str]]:
+    """What holds from this boundary on, and why some of what was asked for does not.
+
+    `behind`: wall seconds by which game time has fallen behind its schedule, for time sync.
+    """
+    refusals: list[str] = []
+
+    def ask(key: str, held: Any, read: Any) -> Any:
+        value = asked.get(key)
+        if value is None:
+            return held
+        try:
+            return read(value, key)
+        except Refusal as refusal:
+            refusals.append(str(refusal))
+            return held
+
+    tempo = replace(
+        now,
+        tick_rate=ask("game:tick_rate", now.tick_rate, number_in(TICK_RATE)),
+        asked_scale=ask("game:time_scale", now.asked_scale, number_in(TIME_SCALE)),
+        paused=ask("game:paused", now.paused, read_boolean),
+        time_sync=ask("game:time_sync", now.time_sync, read_boolean),
+    )
+    share = max(-SYNC_SHARE, min(SYNC_SHARE, behind / SYNC_SECONDS)) if tempo.time_sync else 0.0
+    scale = tempo.asked_scale * (1 + share)
+    return replace(tempo, time_scale=max(TIME_SCALE.least, min(TIME_SCALE.most, scale))), refusals
+
+
+def number_in(allowed: Range):
+    def read(value: str, key: str) -> float:
+        try:
+            return number(float(value), key, allowed)
+        except ValueError as error:
+            if isinstance(error, Refusal):
+                raise
+            raise Refusal(f"{key}: expected a number, got {value[:40]!r}") from None
+
+    return read
+
+
+def read_boolean(value: str, key: str) -> bool:
+    if value.lower() in ("true", "1"):
+        return True
+    if value.lower() in ("false", "0"):
+        return False
+    raise Refusal(f"{key}: expected true or false, got {value[:40]!r}")

@@ -1,0 +1,82 @@
+"""Terrain heights, m above the body's radius, along a unit direction in the body's axes (Y pole, Z prime meridian, X 90 E)."""
+
+from dataclasses import dataclass
+from math import sqrt
+
+from .limits import one_of
+from .models import TerrainHeight
+from .noise import crater, noise
+from .vectors import Vec3
+
+LANDING_SITE = (0.6, 0.48, 0.64)
+# m: the site is level to the first and the relief is whole from the second on
+LEVEL_RADIUS = 350
+WHOLE_RADIUS = 4500
+
+
+@dataclass(frozen=True, slots=True)
+class Relief:
+    """How a body's hills are made: its radius, m; scale of lengths and heights; weight of the craters."""
+
+    radius: float
+    scale: float
+    craters: float
+    seed: int
+
+
+RELIEFS = {
+    "Moon": Relief(1737400.0, 1, 1, 11),
+    "Earth": Relief(6371000.0, 1, 0, 23),
+    "Mars": Relief(3389500.0, 1, 0.6, 37),
+    "Phobos": Relief(11267.0, 0.08, 1, 53),
+}
+UNKNOWN_BODY = Relief(1000000.0, 1, 1, 71)
+
+
+def flat(body_name: str, nx: float, ny: float, nz: float) -> float:
+    return 0.0
+
+
+def hills(body_name: str, nx: float, ny: float, nz: float) -> float:
+    """Ridges, hills, craters and a level landing site."""
+    relief = RELIEFS.get(body_name, UNKNOWN_BODY)
+    size = relief.radius / relief.scale
+    dx = nx - LANDING_SITE[0]
+    dy = ny - LANDING_SITE[1]
+    dz = nz - LANDING_SITE[2]
+    from_site = sqrt(dx * dx + dy * dy + dz * dz) * size
+    if from_site <= LEVEL_RADIUS:
+        return 0.0
+    reach = WHOLE_RADIUS - LEVEL_RADIUS
+    t = (from_site - LEVEL_RADIUS) / reach if from_site < WHOLE_RADIUS else 1.0
+    return relief.scale * (t * t * (3 - 2 * t)) * ground((nx * size, ny * size, nz * size), relief)
+
+
+def ground(point: Vec3, relief: Relief) -> float:
+    """The relief's layers added up, m."""
+    seed = relief.seed
+    swell = 650 * noise(point, 12000, seed)
+    crest = 1 - abs(noise(point, 4300, seed + 1))
+    ridge = 420 * (crest * crest * crest)
+    bumpy = 60 * noise(point, 1100, seed + 2)
+    bumps = 2.5 * noise(point, 130, seed + 3)
+    bowls = crater(point, 1500, seed + 4) + crater(point, 260, seed + 5)
+    return swell + ridge + bumpy + bumps + relief.craters * bowls
+
+
+def bowl(base: float, amplitude: float, axis: Vec3) -> TerrainHeight:
+    """base + amplitude (n . axis)^2: a slope that curves up or down toward an axis."""
+    ax, ay, az = axis
+
+    def height(body_name: str, nx: float, ny: float, nz: float) -> float:
+        along = nx * ax + ny * ay + nz * az
+        return base + amplitude * (along * along)
+
+    return height
+
+
+TERRAINS: dict[str, TerrainHeight] = {"flat": flat, "hills": hills}
+
+
+def load_terrain_name(name: object, path: str) -> TerrainHeight:
+    return TERRAINS[one_of(name, path, tuple(TERRAINS))]

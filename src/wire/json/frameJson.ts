@@ -1,0 +1,140 @@
+import {
+  type Body,
+  BODIES,
+  type BodyMotion,
+  err,
+  DEFAULT_SETTINGS,
+  loadTiming,
+  type Result,
+} from '../../dynamics';
+import { frameFields, readAcknowledgement } from '../frame';
+import { FINITE, MAX_BODIES, MAX_EVENTS, MAX_SHIPS, MAX_TICK } from '../limits';
+import {
+  beginReading,
+  endReading,
+  type Fields,
+  fieldsOf,
+  flagIn,
+  integerIn,
+  messageIn,
+  numberIn,
+  type Reading,
+  refuse,
+  valueIn,
+} from '../reading';
+import type { PartialFrame } from '../records';
+import { refuseLoaded } from '../loaders';
+import { readShipState } from '../shipState';
+import { readEvent } from '../worldEvent';
+import { type BodyDefaults, readBodyJson } from './bodyJson';
+import { entriesIn, type Partial, partIn } from './entries';
+import { gameTimeIn } from './gameTime';
+
+/** A frame from JSON, and what of it was left out. */
+export interface DecodedFrame extends PartialFrame {
+  /** Path and reason of each ship, body, event or other part that could not be used; the rest of the frame stands. */
+  readonly refusals: readonly string[];
+}
+
+export interface FrameJsonOptions {
+  /** Fill in mass, radius, attitude and spin of bodies that do not tell them, by name; the game's bodies unless given. */
+  readonly bodies?: readonly (Body & BodyMotion)[];
+}
+
+/**
+ * A frame that a JSON server says, under any envelope that has been opened: `tick` and `ships` (a list, or an object by
+ * ship_id); and where they are told `tick_rate`, `time_scale`, `game_time` (s or ISO 8601), `paused`, `bodies` (a list,
+ * or an object by name), `events` and `last_input`. Names in snake_case or camelCase; values as themselves or as Redis
+ * keeps them, in texts; vectors [x, y, z] or {x, y, z}, quaternions [w, x, y, z] or {w, x, y, z}. Modes, classes,
+ * states and events that are not known stay what they are called. Refused whole only without a tick or ships; what else
+ * cannot be used is in `refusals`. SI units, ICRF axes, quaternions of the record [x, y, z, w]. Never throws.
+ */
+export function decodeFrameJson(value: unknown, options: FrameJsonOptions = {}): Result<DecodedFrame> {
+  const r = beginReading('json');
+  const from = fieldsOf(r, value);
+  if (r.reason === null && valueIn(r, from, 'tick') === undefined) refuse(r, 'tick', 'missing');
+  const tick = integerIn(r, from, 'tick', 0, MAX_TICK);
+  if (r.reason === null && valueIn(r, from, 'ships') === undefined) refuse(r, 'ships', 'missing');
+  if (r.reason !== null) return endReading<DecodedFrame>(r, { kind: 'frame', tick, ships: [], refusals: [] });
+
+  const pass: Partial = { refusals: [] };
+  const ships = entriesIn(pass, from, {
+    name: 'ships',
+    most: MAX_SHIPS,
+    key: 'ship_id',
+    read: readShipState,
+  });
+  if (ships === undefined) return err(pass.refusals[0] ?? 'ships: missing');
+  const tempo = readTempo(pass, from);
+  const rest = readRest(pass, from, { tick, time: timeOf(tick, tempo), known: options.bodies ?? BODIES });
+  return endReading(r, { kind: 'frame', tick, ...tempo, ships, ...rest, refusals: pass.refusals });
+}
+
+type Tempo = Pick<PartialFrame, 'tickRate' | 'timeScale' | 'gameTime' | 'paused'>;
+
+function readTempo(pass: Partial, from: Fields): Tempo {
+  const tickRate = partIn(pass, from, 'tick_rate', (r) => timing(r, from, 'tick_rate'));
+  const timeScale = partIn(pass, from, 'time_scale', (r) => timing(r, from, 'time_scale'));
+  const gameTime = partIn(pass, from, 'game_time', (r) => gameTimeIn(r, from, 'game_time'));
+  const paused = partIn(pass, from, 'paused', (r) => flagIn(r, from, 'paused'));
+  return {
+    ...(tickRate !== undefined && { tickRate }),
+    ...(timeScale !== undefined && { timeScale }),
+    ...(gameTime !== undefined && { gameTime }),
+    ...(paused !== undefined && { paused }),
+  };
+}
+
+/** One of the two, by itself, within its range (DYNAMICS, Time). */
+function timing(r: Reading, from: Fields, name: 'tick_rate' | 'time_scale'): number {
+  const value = numberIn(r, from, name, FINITE);
+  refuseLoaded(
+    r,
+    name === 'tick_rate' ? loadTiming(value, 1, DEFAULT_SETTINGS) : loadTiming(1, value, DEFAULT_SETTINGS),
+    '',
+  );
+  return value;
+}
+
+/** Game time for bodies that turn about an axis; without one, as if it had run evenly since tick 0. */
+function timeOf(tick: number, { gameTime, timeScale = 1, tickRate = 1 }: Tempo): number {
+  return gameTime ?? (tick * timeScale) / tickRate;
+}
+
+type Rest = Pick<PartialFrame, 'bodies' | 'events' | 'lastInput'>;
+
+function readRest(pass: Partial, from: Fields, about: BodyDefaults & { readonly tick: number }): Rest {
+  const { tick } = about;
+  const bodies = entriesIn(pass, from, {
+    name: 'bodies',
+    most: MAX_BODIES,
+    key: 'name',
+    read: (r, body) => readBodyJson(r, body, about),
+  });
+  const events = entriesIn(pass, from, {
+    name: 'events',
+    most: MAX_EVENTS,
+    key: null,
+    read(r, sent) {
+      const event = readEvent(r, sent, tick);
+      if (event.tick > tick) refuse(r, 'tick', `expected at most the frame's own, ${tick}`);
+      return event;
+    },
+  });
+  const lastInput =
+    from['last_input'] === null || from['lastInput'] === null
+      ? null
+      : partIn(pass, from, 'last_input', (r) =>
+          messageIn(r, from, 'last_input', (own, told) => readAcknowledgement(own, told, tick)),
+        );
+  return {
+    ...(bodies !== undefined && { bodies }),
+    ...(events !== undefined && { events }),
+    ...(lastInput !== undefined && { lastInput }),
+  };
+}
+
+/** A frame for JSON.stringify: all that protobuf carries, in snake_case; decodeFrameJson gives it back but for the sign of −0. */
+export function encodeFrameJson(frame: PartialFrame): Readonly<Record<string, unknown>> {
+  return { ...frameFields(frame), ...(frame.lastInput === null && { last_input: null }) };
+}

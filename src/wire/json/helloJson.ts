@@ -1,0 +1,80 @@
+import { BODIES, type Result, SHIP_CLASSES } from '../../dynamics';
+import { helloFields, readTiming } from '../hello';
+import { MAX_BODIES, MAX_SHIP_CLASSES, MAX_TICK } from '../limits';
+import {
+  beginReading,
+  choiceIn,
+  endReading,
+  type Fields,
+  fieldsOf,
+  integerIn,
+  messageIn,
+  textIn,
+  valueIn,
+} from '../reading';
+import type { Hello } from '../records';
+import { readSettings } from '../settings';
+import { readShipClass } from '../shipClass';
+import { readBodyJson } from './bodyJson';
+import { entriesIn, type Partial } from './entries';
+
+/** A hello from JSON, and what of it was left out. */
+export interface DecodedHello extends Hello {
+  /** Path and reason of each ship class and body that could not be used; the rest of the hello stands. */
+  readonly refusals: readonly string[];
+}
+
+const UNTOLD: Fields = { settings: {}, tick_rate: 1, time_scale: 1, input_granularity: 'tick' };
+
+/**
+ * What a JSON server tells once, as a hello: any of `player_id`, `ship_id`, `settings`, `ship_classes` and `bodies` (a
+ * list, or an object by name), `terrain`, `tick`, `tick_rate`, `time_scale`, `input_granularity`. What it leaves out is
+ * the design's: default settings, the game's classes and bodies, flat ground, 1 Hz, whole-tick inputs. Spelling as in
+ * decodeFrameJson. Refused with the path of the first bad field that is not a class or a body. Never throws.
+ */
+export function decodeHelloJson(value: unknown): Result<DecodedHello> {
+  const r = beginReading('json');
+  const sent = fieldsOf(r, value);
+  const from = completed(sent);
+  const pass: Partial = { refusals: [] };
+  const shipClasses = entriesIn(pass, from, {
+    name: 'ship_classes',
+    most: MAX_SHIP_CLASSES,
+    key: 'name',
+    read: readShipClass,
+  });
+  const defaults = { known: BODIES, time: 0 };
+  const bodies = entriesIn(pass, from, {
+    name: 'bodies',
+    most: MAX_BODIES,
+    key: 'name',
+    read: (own, body) => readBodyJson(own, body, defaults),
+  });
+  const hello: DecodedHello = {
+    kind: 'hello',
+    playerId: textIn(r, from, 'player_id'),
+    shipId: textIn(r, from, 'ship_id'),
+    settings: messageIn(r, from, 'settings', readSettings),
+    shipClasses: shipClasses ?? SHIP_CLASSES,
+    bodies: bodies ?? BODIES,
+    terrain: textIn(r, from, 'terrain') || 'flat',
+    tick: integerIn(r, from, 'tick', 0, MAX_TICK),
+    ...readTiming(r, from),
+    inputGranularity: choiceIn(r, from, 'input_granularity', ['substep', 'tick'], false),
+    refusals: pass.refusals,
+  };
+  return endReading(r, hello);
+}
+
+/** A hello for JSON.stringify: all that protobuf carries, in snake_case. */
+export function encodeHelloJson(hello: Hello): Readonly<Record<string, unknown>> {
+  return { ...helloFields(hello) };
+}
+
+/** As sent; where one of UNTOLD is not, as it is there. */
+function completed(sent: Fields): Fields {
+  const r = beginReading('json');
+  const fields: Record<string, unknown> = { ...sent };
+  for (const [name, untold] of Object.entries(UNTOLD)) fields[name] = valueIn(r, sent, name) ?? untold;
+  return fields;
+}

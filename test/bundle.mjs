@@ -1,0 +1,92 @@
+// One file of a TypeScript entry point and of all source behind it, by the bundler that ships the page, with constants inlined
+// across modules. Unbundled, the test runner turns every import into a property look-up at each use, which slows the law's inner
+// loops up to 13 times, and loads each of hundreds of modules by itself.
+import { readFileSync } from 'node:fs';
+import { dirname } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { rolldown } from 'rolldown';
+
+/** Marks a source module that a test imports dynamically: it becomes a bundle of its own, evaluated anew after vi.resetModules(). */
+const ALONE = '?alone';
+
+/** What a module asks of `import.meta`, and the constant that tells it of its source's place, e.g. to read the files beside it. */
+const PLACES = {
+  'import.meta.url': 'sourceUrl',
+  'import.meta.dirname': 'sourceDirname',
+  'import.meta.filename': 'sourceFilename',
+};
+
+const declareSourcePlace = {
+  name: 'declare-source-place',
+  transform: {
+    filter: { id: { exclude: /node_modules/ }, code: /import\.meta\.(url|dirname|filename)/ },
+    handler(code, id) {
+      const [url, folder, file] = [pathToFileURL(id).href, dirname(id), id].map((text) =>
+        JSON.stringify(text),
+      );
+      const place = `const sourceUrl = ${url}, sourceDirname = ${folder}, sourceFilename = ${file};`;
+      // On the first line: the source map made so far stays good to the line.
+      return { code: `${place} ${code}`, map: null };
+    },
+  },
+};
+
+/** Modules that are imported dynamically stay outside, by absolute path. */
+const leaveDynamicImports = {
+  name: 'leave-dynamic-imports',
+  async resolveDynamicImport(specifier, importer) {
+    if (typeof specifier !== 'string' || !specifier.startsWith('.')) return null;
+    const found = await this.resolve(specifier, importer, { skipSelf: true });
+    return found && { id: found.id + ALONE, external: true };
+  },
+};
+
+/**
+ * Bundles `entry` (absolute path): { code, map, modules }, the last the paths of what is inside.
+ * @param {string} entry
+ * @param {{ inside?: RegExp, plugins?: object[] }} options packages to take into the bundle; the rest are imported by it
+ */
+export async function bundle(entry, { inside = /^$/, plugins = [] } = {}) {
+  const isPackage = (id) => /^[^./]/.test(id) && id !== entry;
+  const build = await rolldown({
+    input: entry,
+    platform: 'node',
+    external: (id, _, isResolved) => !isResolved && isPackage(id) && !inside.test(id),
+    plugins: [declareSourcePlace, ...plugins],
+    optimization: { inlineConst: { mode: 'all', pass: 3 } },
+    transform: { define: PLACES },
+    moduleTypes: { '.css': 'empty' },
+  });
+  try {
+    const { output } = await build.generate({
+      dir: dirname(entry),
+      sourcemap: true,
+      codeSplitting: false,
+      // As vite.config.ts has it for the page, and says why.
+      topLevelVar: false,
+    });
+    const { code, map, moduleIds } = output[0];
+    return { code, map, modules: moduleIds };
+  } finally {
+    await build.close();
+  }
+}
+
+/** Vite plugin: each test file is loaded as one bundle. */
+export function bundledTests() {
+  return {
+    name: 'bundled-tests',
+    enforce: 'pre',
+    async load(id) {
+      const isAlone = id.endsWith(ALONE);
+      if (!isAlone && !id.endsWith('.test.ts')) return null;
+      const entry = isAlone ? id.slice(0, -ALONE.length) : id;
+      if (/\bvi\.(mock|doMock)\(/.test(readFileSync(entry, 'utf8'))) {
+        throw new Error(`${entry}: vi.mock cannot reach into a bundle; pass the stand-in as an argument`);
+      }
+      const { code, map, modules } = await bundle(entry, { plugins: [leaveDynamicImports] });
+      for (const module of modules) this.addWatchFile(module);
+      return { code, map };
+    },
+  };
+}

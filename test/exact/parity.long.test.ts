@@ -1,0 +1,26 @@
+import { describe, expect, it } from 'vitest';
+import { differences, playDrawnCases, replaySpread } from './bothSides';
+import { fewestOf } from './coverage';
+import { MAY_SKIP, pythonVersion } from './python';
+
+const SUBSTEPS = 1_000_000;
+
+describe.skipIf(pythonVersion() === null && MAY_SKIP)('TypeScript and Python agree in every bit', () => {
+  it(`over ${SUBSTEPS} substeps of cases drawn by a seed`, async () => {
+    const { cases, ours, coverage } = playDrawnCases(SUBSTEPS);
+    const theirs = await replaySpread(cases);
+    expect(await differences(cases, ours, theirs)).toEqual([]);
+    expect(theirs).toEqual(ours);
+
+    // What the cases have been through: an agreement on what never happens would say little.
+    expect(fewestOf(coverage, 'state'), 'substeps in each state with each mode').toBeGreaterThan(2000);
+    expect(fewestOf(coverage, 'event'), 'each event').toBeGreaterThan(40);
+    expect(fewestOf(coverage, 'world'), 'substeps over each ground').toBeGreaterThan(50_000);
+    expect(fewestOf(coverage, 'change'), 'changes of body, fuel run out, launches').toBeGreaterThan(20);
+    expect(fewestOf(coverage, 'tilt'), 'substeps at each tilt').toBeGreaterThan(5000);
+    expect(Math.min(...coverage.tickRates), 'lowest tick rate').toBe(0.1);
+    expect(Math.max(...coverage.tickRates), 'highest tick rate').toBe(100);
+    expect(Math.min(...coverage.timeScales), 'lowest time scale').toBe(0.1);
+    expect(Math.max(...coverage.timeScales), 'highest time scale').toBe(100);
+  });
+});

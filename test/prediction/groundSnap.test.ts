@@ -1,0 +1,117 @@
+import { describe, expect, it } from 'vitest';
+import { loadShipClass, SHIP_CLASSES } from '../../src/dynamics';
+import { createGroundedPose, type GroundPose, hullOf, LEGS, snapToGround } from '../../src/prediction';
+import { snapToLevel } from '../../src/prediction/drawn/levelSnap';
+import { flyAndMeasure } from './measure';
+import { createRig, value } from './rig';
+
+const RADIUS = 1_737_400;
+const shipClass = value(loadShipClass(SHIP_CLASSES.find(({ name }) => name === 'planetary_lander')!));
+const hull = hullOf(shipClass);
+const h = shipClass.groundContactOffset;
+const level = () => RADIUS;
+/** A slope of 1 in 5 along x, as seen from over the pole of z. */
+const slope = (nx: number) => RADIUS + 0.2 * nx * RADIUS;
+
+/** At `height` of the centre of mass above the sphere, tilted about y. */
+function pose(height: number, degrees: number, grounded: boolean): GroundPose {
+  const half = (degrees * Math.PI) / 360;
+  return {
+    position: Float64Array.of(0, 0, RADIUS + height),
+    attitude: Float64Array.of(0, Math.sin(half), 0, Math.cos(half)),
+    grounded,
+  };
+}
+
+/** Heights of all points above the ground, feet pressed in. */
+function heights(given: GroundPose, ground: (nx: number) => number): number[] {
+  const out = createGroundedPose(LEGS);
+  snapToGround(out, given, hull, ground);
+  const points: number[][] = [];
+  for (let leg = 0; leg < LEGS; leg++) {
+    const [x, y, z] = hull.feet.subarray(leg * 3, leg * 3 + 3);
+    points.push([x!, y!, z! + out.legCompression[leg]!]);
+  }
+  for (let i = 0; i < hull.outline.length; i += 3) points.push([...hull.outline.subarray(i, i + 3)]);
+  const [, qy, , qw] = given.attitude as unknown as [number, number, number, number];
+  const [cos, sin] = [1 - 2 * qy * qy, 2 * qy * qw];
+  return points.map(([x, y, z]) => {
+    const px = out.position[0]! + cos * x! + sin * z!;
+    const py = out.position[1]! + y!;
+    const pz = out.position[2]! + cos * z! - sin * x!;
+    const far = Math.sqrt(px * px + py * py + pz * pz);
+    return far - ground(px / far);
+  });
+}
+
+describe('snapToGround', () => {
+  const tilts = [0, 5, 20, 36, 60, 80, 90, 120, 180];
+
+  it.each(tilts)('tilted by %i°, grounded: the lowest point touches and none is below', (tilt) => {
+    for (const height of [h, h - 0.02, h - 3.4, h + 0.05]) {
+      for (const ground of [level, slope]) {
+        expect(Math.abs(Math.min(...heights(pose(height, tilt, true), ground)))).toBeLessThan(2e-3);
+      }
+    }
+  });
+
+  it.each(tilts)('tilted by %i°, flying: never below, and left alone high up', (tilt) => {
+    for (const height of [h - 2, h + 0.3, h + 5])
+      expect(Math.min(...heights(pose(height, tilt, false), slope))).toBeGreaterThan(-2e-3);
+    const out = createGroundedPose(LEGS);
+    expect(snapToGround(out, pose(h + 20, tilt, false), hull, level).lift).toBe(0);
+  });
+
+  it('presses the legs in before it lifts the ship', () => {
+    const out = createGroundedPose(LEGS);
+    snapToGround(out, pose(h - 0.5, 0, true), hull, level);
+    expect(out.lift).toBeCloseTo(0, 3);
+    for (const pressed of out.legCompression) expect(pressed).toBeCloseTo(0.5, 3);
+    snapToGround(out, pose(h - 3.4, 0, true), hull, level);
+    for (const pressed of out.legCompression) expect(pressed).toBe(hull.stroke);
+    expect(out.lift).toBeCloseTo(3.4 - hull.stroke, 3);
+    expect(out.feetHeight).toBeCloseTo(-3.4, 3);
+  });
+
+  it('comes up smoothly where a lying ship lets go of the ground', () => {
+    const lift = (height: number, grounded: boolean) =>
+      snapToGround(createGroundedPose(LEGS), pose(h + height, 90, grounded), hull, level).lift;
+    expect(lift(0, true)).toBeLessThan(-1);
+    expect(lift(0, false)).toBeCloseTo(lift(0, true), 6);
+    expect(lift(0.5, false)).toBeCloseTo(lift(0, true) / 2, 1);
+    expect(lift(1, false)).toBe(0);
+  });
+
+  it('stands on level ground as point by point', () => {
+    const [exact, quick] = [createGroundedPose(LEGS), createGroundedPose(LEGS)];
+    for (const tilt of tilts) {
+      for (const [height, grounded] of [
+        [h, true],
+        [h - 1.5, true],
+        [h + 0.4, false],
+      ] as const) {
+        snapToGround(exact, pose(height, tilt, grounded), hull, level);
+        snapToLevel(quick, pose(height, tilt, grounded), hull, { radius: RADIUS });
+        // What the ground's own curve makes over the ship's extent.
+        expect(quick.lift).toBeCloseTo(exact.lift, 3);
+        expect(quick.feetHeight).toBeCloseTo(exact.feetHeight, 4);
+        for (let leg = 0; leg < LEGS; leg++)
+          expect(quick.legCompression[leg]).toBeCloseTo(exact.legCompression[leg]!, 3);
+      }
+    }
+  });
+
+  it('keeps every drawn point of a whole landing above ground', () => {
+    const rig = createRig({ scenario: 'bounce' });
+    let sunk = 0;
+    let lowest = Number.POSITIVE_INFINITY;
+    flyAndMeasure(rig, 24, ({ own }) => {
+      if (own === null) return;
+      sunk = Math.min(sunk, own.feetHeight);
+      const centre = Math.sqrt(own.meshPosition.reduce((sum, x) => sum + x * x, 0));
+      lowest = Math.min(lowest, centre - own.groundRadius - h + Math.max(...own.legCompression));
+    });
+    expect(sunk).toBeLessThan(-1);
+    expect(lowest).toBeGreaterThan(-2e-3);
+  });
+});

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { BODIES, flatTerrain, SHIP_CLASSES } from '../../src/dynamics';
+import { BODIES, type Body, type BodyMotion, flatTerrain, SHIP_CLASSES } from '../../src/dynamics';
 import {
   fromBodyRelative,
   type Ground,
@@ -9,7 +9,7 @@ import {
 } from '../../src/scenarios';
 
 /** A body whose axes lie along ICRF's: Y is its pole. */
-const untilted = (body: string, spin: number) => ({
+const untilted = (body: string, spin: number): Body & BodyMotion => ({
   ...BODIES.find(({ name }) => name === body)!,
   attitude: [0, 0, 0, 1] as const,
   angularVelocity: [0, spin, 0] as const,

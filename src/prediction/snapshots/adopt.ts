@@ -69,6 +69,25 @@ export function adopt(
   return null;
 }
 
+/** Why a state cannot be predicted though it can be drawn: its class or surface state is not known here. Null where both are. */
+export function unknownNameOf({ shipClass, surfaceContactState }: ShipState, world: World): string | null {
+  if (indexOfName(world.shipClasses, shipClass) < 0) return `shipClass: no class named ${shipClass}`;
+  if (indexIn(SURFACE_STATES, surfaceContactState) < 0)
+    return `surfaceContactState: no state named ${surfaceContactState}`;
+  return null;
+}
+
+/** The state with what is not known replaced by what can be drawn: the first class, no contact. */
+export function drawableState(state: ShipState, world: World): ShipState {
+  const known = indexOfName(world.shipClasses, state.shipClass) >= 0;
+  return {
+    ...state,
+    shipClass: known ? state.shipClass : world.shipClasses[0]!.name,
+    surfaceContactState:
+      indexIn(SURFACE_STATES, state.surfaceContactState) < 0 ? '' : state.surfaceContactState,
+  };
+}
+
 /** Whether the relative state came from the server itself, not from a difference of ICRF places. */
 export function isExact(state: ShipState): boolean {
   return state.relativePosition !== null && state.relativeVelocity !== null;

@@ -33,6 +33,7 @@ export const IMPORT_TABLE: Readonly<Record<string, typeof ALL | Readonly<Record<
   },
   playground: ALL,
   'index.ts': ALL,
+  'protobuf.ts': { wire: 'values' },
 };
 
 /** An import as written: `request` is null when it is not a plain string. */

@@ -1,61 +1,75 @@
-// The Python that the physics service and its tests run on: a virtual environment under node_modules/.cache with the
-// service's one dependency, made when it is first asked for.
-//    node .ci/python.mjs    makes it, if need be, and prints the path of its interpreter
+// Finds a Python that can run the physics service, with the Redis client it needs.
+//   node .ci/python.mjs     installs what is missing; prints nothing when nothing is
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, renameSync, rmSync } from 'node:fs';
+import { existsSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
-/** What pip installs: the version that the tests have run with. */
-const REDIS = 'redis==8.1.0';
+const root = fileURLToPath(new URL('..', import.meta.url));
+/** Beside node_modules' other caches: nothing is installed outside of this folder. */
+const packages = join(root, 'node_modules/.cache/touchdown/python');
+const service = join(root, 'src/service');
+const REDIS = 'redis>=5.0,<8';
 
-const ROOT = fileURLToPath(new URL('..', import.meta.url));
-const HOME = join(ROOT, 'node_modules/.cache/touchdown/python');
-const NEW_ENOUGH =
-  'import sys; print("%d.%d.%d" % sys.version_info[:3]); sys.exit(sys.version_info < (3, 10))';
+function run(command, args, env = process.env) {
+  return spawnSync(command, args, { encoding: 'utf8', env });
+}
 
-/** The folder of the package touchdown_service: the interpreter finds it when it runs there. */
-export const SERVICE_HOME = join(ROOT, 'src/service');
+/** Where Python looks for modules: the service itself, then what was installed for it. */
+function environment() {
+  const path = [service, packages, process.env.PYTHONPATH]
+    .filter(Boolean)
+    .join(process.platform === 'win32' ? ';' : ':');
+  return { ...process.env, PYTHONPATH: path, PYTHONDONTWRITEBYTECODE: '1', PYTHONUNBUFFERED: '1' };
+}
 
-/** Path of an interpreter that has what the service needs. @throws with the line that helps */
+function findPython() {
+  const isNewEnough = 'import sys; sys.exit(sys.version_info < (3, 10))';
+  return ['python3', 'python'].find((command) => run(command, ['-c', isNewEnough]).status === 0);
+}
+
+/**
+ * { command, env } to run the service with; throws an Error whose message says what to install.
+ */
 export function servicePython() {
-  const python = join(HOME, process.platform === 'win32' ? 'Scripts/python.exe' : 'bin/python');
-  if (existsSync(python) && readInstalled() === REDIS) return python;
-  const system = process.env.PYTHON ?? 'python3';
-  const version = spawnSync(system, ['-c', NEW_ENOUGH], { encoding: 'utf8' });
-  if (version.status !== 0)
-    throw new Error(`Python 3.10 or newer is needed (set PYTHON=…): ${version.stdout ?? ''}`.trim());
-  const fresh = `${HOME}.${process.pid}`;
-  rmSync(fresh, { recursive: true, force: true });
-  mkdirSync(join(HOME, '..'), { recursive: true });
-  run(system, ['-m', 'venv', '--copies', fresh], 'on Debian: apt-get install -y python3-venv');
-  rmSync(HOME, { recursive: true, force: true });
-  // Another process may have been faster; its environment is as good.
-  if (!existsSync(HOME)) renameSync(fresh, HOME);
-  run(python, [...PIP, REDIS], 'is there a network, or a proxy to be set?');
-  run(
-    python,
-    ['-c', `open(${JSON.stringify(join(HOME, 'installed'))}, "w").write(${JSON.stringify(REDIS)})`],
-    '',
-  );
-  return python;
+  const command = findPython();
+  if (command === undefined)
+    throw new Error(
+      'Python 3.10 or newer is needed for the physics service: apt-get install -y python3 python3-pip, or https://python.org',
+    );
+  const env = environment();
+  if (run(command, ['-c', 'import redis'], env).status === 0) return { command, env };
+  mkdirSync(packages, { recursive: true });
+  console.log('set-up: installing the Redis client for Python …');
+  const install = run(command, [
+    '-m',
+    'pip',
+    'install',
+    '--quiet',
+    '--disable-pip-version-check',
+    '--target',
+    packages,
+    REDIS,
+  ]);
+  if (install.status !== 0 || !existsSync(join(packages, 'redis')))
+    throw new Error(
+      `the Redis client for Python cannot be installed: ${(install.stderr || 'pip is missing: apt-get install -y python3-pip').trim()}`,
+    );
+  return { command, env };
 }
 
-const PIP = ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check'];
-
-function readInstalled() {
-  const path = join(HOME, 'installed');
-  return existsSync(path) ? readFileSync(path, 'utf8') : '';
-}
-
-function run(command, args, advice) {
-  const { status, stderr } = spawnSync(command, args, { encoding: 'utf8' });
-  if (status !== 0) throw new Error(`${command} ${args.join(' ')} failed. ${advice}\n${stderr ?? ''}`);
+/** The redis-server on this machine; throws an Error with the one line that installs it. */
+export function redisServer() {
+  const found = run('redis-server', ['--version']);
+  if (found.status === 0) return 'redis-server';
+  const how = process.platform === 'darwin' ? 'brew install redis' : 'sudo apt-get install -y redis-server';
+  throw new Error(`Redis is needed: ${how}`);
 }
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
   try {
-    console.log(servicePython());
+    servicePython();
+    redisServer();
   } catch (error) {
     console.error(`set-up: ${error.message}`);
     process.exit(1);

@@ -24,9 +24,18 @@ export {
 /** The game's ship classes and bodies. */
 export { BODIES, SHIP_CLASSES } from './catalogue';
 /** What a pilot commands. */
-export { type Controls, loadControls, NEUTRAL_CONTROLS, readControls, writeControls } from './controls';
+export {
+  attitudeModeOf,
+  type Controls,
+  loadControls,
+  modeName,
+  modeNumber,
+  NEUTRAL_CONTROLS,
+  readControls,
+  writeControls,
+} from './controls';
 /** Between a row and a plain record. */
-export { landedBodyName, readShip, type ShipRecord, spawnShip, writeShip } from './ship';
+export { landedBodyName, readShip, type ShipInit, type ShipRecord, spawnShip, writeShip } from './ship';
 /** The step of one ship. */
 export { substep } from './substep';
 /** The step of a world, and how ticks are cut. */

@@ -2,8 +2,8 @@ import { loadShipClass, type Mat3, type ShipClass } from '../dynamics';
 import type { galaxy } from './generated/codec.js';
 import { CLASS_FIGURE } from './limits';
 import { refuseLoaded } from './loaders';
-import { type Fields, messageIn, nameIn, numberIn, type Reading } from './reading';
-import { vectorFields, vectorIn } from './vectors';
+import { type Fields, messageIn, nameIn, numberIn, type Reading, valueIn } from './reading';
+import { optionalVectorIn, vectorFields, vectorIn } from './vectors';
 
 /** A ship class as DYNAMICS, Settings asks of one. */
 export function readShipClass(r: Reading, from: Fields): ShipClass {
@@ -11,7 +11,7 @@ export function readShipClass(r: Reading, from: Fields): ShipClass {
     name: nameIn(r, from, 'name'),
     dryMass: numberIn(r, from, 'dry_mass', CLASS_FIGURE),
     fuelCapacity: numberIn(r, from, 'fuel_capacity', CLASS_FIGURE),
-    inertiaTensor: messageIn(r, from, 'inertia_tensor', readTensor),
+    inertiaTensor: tensorIn(r, from, 'inertia_tensor'),
     groundContactOffset: numberIn(r, from, 'ground_contact_offset', CLASS_FIGURE),
     legRadius: numberIn(r, from, 'leg_radius', CLASS_FIGURE),
     mainEngineThrust: numberIn(r, from, 'main_engine_thrust', CLASS_FIGURE),
@@ -21,9 +21,24 @@ export function readShipClass(r: Reading, from: Fields): ShipClass {
     rcsLever: numberIn(r, from, 'rcs_lever', CLASS_FIGURE),
     rcsIsp: numberIn(r, from, 'rcs_isp', CLASS_FIGURE),
     reactionWheelTorque: vectorIn(r, from, 'reaction_wheel_torque', CLASS_FIGURE),
+    reactionWheelCapacity: optionalVectorIn(r, from, 'reaction_wheel_capacity', CLASS_FIGURE),
+    attitudeNaturalFrequency: numberIn(r, from, 'attitude_natural_frequency', CLASS_FIGURE),
+    dryInertiaRatio:
+      valueIn(r, from, 'dry_inertia_ratio') === undefined
+        ? null
+        : numberIn(r, from, 'dry_inertia_ratio', CLASS_FIGURE),
   };
   refuseLoaded(r, loadShipClass(shipClass), `ship class ${shipClass.name}: `);
   return shipClass;
+}
+
+/** Rows under x, y and z; in JSON also a list of three rows. */
+function tensorIn(r: Reading, from: Fields, name: string): Mat3 {
+  const value = valueIn(r, from, name);
+  if (r.source === 'protobuf' || !Array.isArray(value) || value.length !== 3)
+    return messageIn(r, from, name, readTensor);
+  const [x, y, z] = value as unknown[];
+  return messageIn(r, { [name]: { x, y, z } }, name, readTensor);
 }
 
 function readTensor(r: Reading, from: Fields): Mat3 {
@@ -50,5 +65,10 @@ export function shipClassFields(c: ShipClass): galaxy.stream.ShipClass.$Properti
     rcs_lever: c.rcsLever,
     rcs_isp: c.rcsIsp,
     reaction_wheel_torque: vectorFields(c.reactionWheelTorque),
+    ...(c.reactionWheelCapacity !== null && {
+      reaction_wheel_capacity: vectorFields(c.reactionWheelCapacity),
+    }),
+    attitude_natural_frequency: c.attitudeNaturalFrequency,
+    ...(c.dryInertiaRatio !== null && { dry_inertia_ratio: c.dryInertiaRatio }),
   };
 }

@@ -53,7 +53,7 @@ export function heightmapPoints(): SurveyPoint[] {
 export function surveyPoints(): SurveyPoint[] {
   const dice = createDice(8);
   const bodies = [...BODIES.map(({ name }) => name), 'Nemo'];
-  const points: SurveyPoint[] = [['flat', 'Moon', 0, 0, 1]];
+  const points: SurveyPoint[] = [['flat', 'Luna', 0, 0, 1]];
   for (let i = 0; i < POINTS; i++) {
     const body = bodies[i % bodies.length]!;
     points.push(['hills', body, ...unitVector(dice)]);

@@ -2,8 +2,7 @@ import { spawn } from 'node:child_process';
 import { readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { expect, it } from 'vitest';
-import { servicePython } from '../../.ci/python.mjs';
-import { hasRedis } from './redis';
+import { redisServer, servicePython } from '../../.ci/python.mjs';
 
 /** The Python tests, each file in a process of its own; those that talk to Redis start one for themselves. */
 const HERE = fileURLToPath(new URL('.', import.meta.url));
@@ -14,7 +13,7 @@ const MINUTES = 60_000;
 it.each(files)(
   '%s passes',
   async (file) => {
-    if (!WITHOUT_REDIS.includes(file)) expect(hasRedis(), 'redis-server is installed').toBe(true);
+    if (!WITHOUT_REDIS.includes(file)) redisServer();
     const { code, words } = await unittest(file.replace('.py', ''));
     expect(code, words).toBe(0);
     // "Ran 0 tests" would pass as well.
@@ -26,7 +25,8 @@ it.each(files)(
 
 function unittest(module: string): Promise<{ code: number | null; words: string }> {
   return new Promise((resolve, reject) => {
-    const child = spawn(servicePython(), ['-B', '-m', 'unittest', module], { cwd: HERE });
+    const { command, env } = servicePython();
+    const child = spawn(command, ['-B', '-m', 'unittest', module], { cwd: HERE, env });
     const said: Buffer[] = [];
     child.stdout.on('data', (chunk: Buffer) => said.push(chunk));
     child.stderr.on('data', (chunk: Buffer) => said.push(chunk));

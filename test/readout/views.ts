@@ -112,6 +112,7 @@ export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): Ship
     velocity: Float64Array.from(velocity),
     attitude: Float64Array.from(attitude),
     angularVelocity: Float64Array.from(spin),
+    wheelMomentum: new Float64Array(3),
     fuel: pose.fuel ?? given.fuelCapacity / 2,
     impactSpeed: 0,
     surfaceContactState: state,

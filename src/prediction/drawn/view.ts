@@ -55,6 +55,8 @@ export interface ShipView {
   /** [x, y, z, w] */
   readonly attitude: Float64Array;
   readonly angularVelocity: Float64Array;
+  /** What the reaction wheels have given so far, N m s, body axes. */
+  readonly wheelMomentum: Float64Array;
   fuel: number;
   /** m/s */
   impactSpeed: number;

@@ -3,8 +3,8 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { BODIES, NEUTRAL_CONTROLS } from '../../src/dynamics';
-import { createPredictor, type Predictor, type PredictorOptions } from '../../src/prediction';
-import type { BodyState, ServerFrame, ShipState } from '../../src/wire';
+import { createPredictor, type Predictor } from '../../src/prediction';
+import type { ServerFrame, ShipState } from '../../src/wire';
 
 const ROOM = join(import.meta.dirname, '../../src/prediction');
 const LUNA = BODIES.find(({ name }) => name === 'Luna')!;

@@ -3,13 +3,9 @@ import { hashRows, NEUTRAL_CONTROLS, readShip, SHIP_STRIDE } from '../../src/dyn
 import { DEFAULT_CHOICES } from '../../src/playground/panels/choices';
 import { createReplay } from '../../src/playground/recording/replay';
 import { scriptOf } from '../../src/playground/game/script';
-import type { WorldView } from '../../src/prediction';
 import {
-  bell,
   compareRecording,
-  createDice,
   readRecording,
-  type RecordingEntry,
   rehearse,
   SCENARIOS,
   writeRecording,

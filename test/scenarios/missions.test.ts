@@ -133,7 +133,7 @@ describe('a run', () => {
           return {
             tick: Math.floor(at / 100),
             substep: at % 100,
-            controls: { ...NEUTRAL_CONTROLS, ...controls } as RunInput['controls'],
+            controls: { ...NEUTRAL_CONTROLS, ...controls },
           };
         });
         expect(valueOf(readRun(writeRun(inputs, 100), 100))).toEqual(inputs);

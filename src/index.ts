@@ -60,7 +60,7 @@ export {
   type Diagnosis,
   type EventNotice,
   type GroundPose,
-  type GroundRadius,
+  type DrawnGround,
   type Hull,
   hullOf,
   type Predictor,

@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import type { UserConfig } from 'vite';
+import { writeNotices } from './.ci/notices.mjs';
 import { listForOffline, OFFLINE_SCRIPT } from './.ci/offline.mjs';
 
 /**
@@ -49,29 +50,12 @@ const page: UserConfig = {
       },
     },
   },
-  plugins: [listForOffline(here('public'))],
+  plugins: [writeNotices(), listForOffline(here('public'))],
   worker: { format: 'es', rolldownOptions: { output: CONSTANTS } },
-};
-
-const library: UserConfig = {
-  publicDir: false,
-  build: {
-    target: 'es2022',
-    outDir: 'dist/lib',
-    emptyOutDir: true,
-    minify: false,
-    sourcemap: true,
-    lib: { entry: 'src/index.ts', formats: ['es'], fileName: 'touchdown' },
-    rolldownOptions: {
-      external: [/^three($|\/)/, /^gl-matrix($|\/)/, /^protobufjs($|\/)/, /^uplot($|\/)/],
-      output: CONSTANTS,
-    },
-  },
-  worker: { format: 'es' },
 };
 
 export default defineConfig(async ({ mode }) => {
   if (mode === 'test') return (await import('./test/projects.mjs')).tests;
   if (mode === 'long') return (await import('./test/projects.mjs')).longTests;
-  return mode === 'lib' ? library : page;
+  return page;
 });

@@ -1,21 +1,23 @@
 /**
- * The door for the game's client: everything it needs, and what each part is for. See prediction/README.md for the one page that
- * replaces the gravity-only extrapolation.
+ * The core of the library: contact dynamics, prediction, the game's JSON and the numbers a pilot reads. No DOM, no three.js, no
+ * protobuf; further doors are `/protobuf`, `/hud`, `/scene` and `/game`. See GUIDE.md in src/example.
+ *
+ * Everywhere: SI units and radians, ICRF axes, quaternions in the order [x, y, z, w].
+ * @packageDocumentation
  */
 
 /** The law of motion and contact: the same bits as the server's. */
 export {
-  BODIES,
   type Body,
+  BODIES,
   type BodyMotion,
-  type Result,
   type Controls,
   DEFAULT_SETTINGS,
-  loadControls,
   type LoadedSettings,
   type LoadedShipClass,
   NEUTRAL_CONTROLS,
   type Quat,
+  type Result,
   type Settings,
   SHIP_CLASSES,
   type ShipClass,
@@ -26,27 +28,20 @@ export {
   type Vec3,
 } from './dynamics';
 
-/** Bytes and the game's JSON <-> checked records: nothing unchecked goes further in. */
+/** The game's JSON <-> checked records: nothing unchecked goes further in. */
 export {
   type BodyState,
   type ClientMessage,
-  decodeControlsJson,
   type DecodedFrame,
   type DecodedHello,
   decodeFrameJson,
   decodeHelloJson,
-  decodeServerMessage,
-  decodeShipStateJson,
-  decodeShipStatesJson,
-  encodeClientMessage,
   encodeControlsJson,
-  encodeFrameJson,
-  encodeHelloJson,
-  encodeShipStateJson,
   type FrameJsonOptions,
   type Hello,
   type InputRecord,
   type PartialFrame,
+  type Pong,
   type ServerFrame,
   type ServerMessage,
   type ShipState,
@@ -56,11 +51,9 @@ export {
 /** Server truth + own controls -> a pose for now, the states shown and the events. */
 export {
   createPredictor,
-  createGroundedPose,
+  type Defaults,
   type Diagnosis,
   type EventNotice,
-  type GroundPose,
-  type DrawnGround,
   type Hull,
   hullOf,
   type Predictor,
@@ -68,15 +61,33 @@ export {
   type PredictorOptions,
   type Provenance,
   recordPredictor,
+  type Removal,
   replayEntries,
+  type ScheduledInput,
   type ShipView,
-  snapToGround,
-  type GroundedPose,
+  type TouchdownView,
+  type Warn,
   type WorldView,
 } from './prediction';
 
 /** The numbers a pilot reads, from a view. */
-export * from './readout';
-
-/** The landing and fleet displays: painting only, of those numbers. */
-export * from './hud';
+export {
+  createFleetReadout,
+  createLandingReadout,
+  type Descent,
+  type Drift,
+  type FleetReadout,
+  type FleetRow,
+  type Gate,
+  type Gates,
+  type LandingReadout,
+  type Righting,
+  STATUS_LOOKS,
+  type StatusId,
+  type StatusLook,
+  type Tilt,
+  type TipMargin,
+  type Touchdown,
+  updateFleetReadout,
+  updateLandingReadout,
+} from './readout';

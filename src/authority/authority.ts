@@ -7,8 +7,9 @@ import {
   EVENT_NAMES,
   NO_EVENT,
   err,
+  readControls,
   SHIP_STRIDE,
-  type ShipRecord,
+  type ShipInit,
   stepWorld,
   type Vec3,
 } from '../dynamics';
@@ -63,7 +64,7 @@ export interface Authority {
   spawn: (order: SpawnOrder) => string | null;
   despawn: (shipId: string) => string | null;
   /** As it was spawned, over the same ground; or as `ship` says. */
-  respawn: (shipId: string, ship?: ShipRecord) => string | null;
+  respawn: (shipId: string, ship?: ShipInit) => string | null;
   kick: (shipId: string, dv: Vec3, spin: Vec3) => string | null;
 
   /** These three hold from the next boundary on. */
@@ -84,7 +85,7 @@ export function createAuthority(options: AuthorityOptions): Result<Authority> {
   const { world, bodies } = loaded.value;
   const legacy = options.legacy ?? false;
   const granularity = legacy ? 'tick' : (options.inputGranularity ?? 'substep');
-  const tempo = createTempo(options.tickRate, options.timeScale, loaded.value.timing);
+  const tempo = createTempo(options.tickRate, options.timeScale, loaded.value.timing, loaded.value.world.settings);
   const roster = createRoster();
   const pilots = new Map<string, Pilot>();
   /** By ship. */
@@ -128,7 +129,9 @@ export function createAuthority(options: AuthorityOptions): Result<Authority> {
       const at = rowOf(roster, pilot.shipId);
       if (at < 0) continue;
       const flown = applyDue(pilot, counters, { rows: roster.rows, at }, { ...present(), substep: s });
-      if (flown) plans.delete(pilot.shipId);
+      if (!flown) continue;
+      plans.delete(pilot.shipId);
+      options.onInput?.(pilot.shipId, { tick, substep: s, controls: readControls(roster.rows, at) });
     }
   }
 

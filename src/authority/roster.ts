@@ -12,7 +12,7 @@ import {
   type Quat,
   REFERENCE_BODY,
   SHIP_STRIDE,
-  type ShipRecord,
+  type ShipInit,
   spawnShip,
   SURFACE_STATE,
   type Vec3,
@@ -27,7 +27,7 @@ import type { ShipIdentity } from './shipState';
 
 /** A ship to be put into the world. */
 export interface SpawnOrder extends ShipIdentity {
-  readonly ship: ShipRecord;
+  readonly ship: ShipInit;
   /** Neutral unless said. */
   readonly controls?: Controls;
   /** What it does by itself until its player's first input acts; in the order of time. */
@@ -45,7 +45,7 @@ export interface Roster {
 interface Berth {
   readonly identity: ShipIdentity;
   /** As spawned, and how its body was turned then: a respawn is over the same ground. */
-  readonly ship: ShipRecord;
+  readonly ship: ShipInit;
   readonly bodyAttitude: Quat;
 }
 
@@ -110,7 +110,7 @@ export function respawn(
   shipId: string,
   bodies: Float64Array,
   world: World,
-  ship?: ShipRecord,
+  ship?: ShipInit,
 ): string | null {
   const at = rowOf(roster, shipId);
   if (at < 0) return `shipId: no ship named ${shipId}`;
@@ -145,7 +145,7 @@ export function kick(roster: Roster, shipId: string, dv: Vec3, spin: Vec3): stri
   return null;
 }
 
-function overSameGround(roster: Roster, at: number, bodies: Float64Array, world: World): ShipRecord {
+function overSameGround(roster: Roster, at: number, bodies: Float64Array, world: World): ShipInit {
   const { ship, bodyAttitude } = roster.berths[at / SHIP_STRIDE]!;
   const body = world.bodies.findIndex((candidate) => candidate.name === ship.referenceBody);
   const turn = compose(attitudeOf(bodies, body), inverse(bodyAttitude));

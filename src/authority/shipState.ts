@@ -28,7 +28,7 @@ export interface ShipPlace {
 
 /**
  * A row as the wire's ShipState (PREDICTION, What the server says): ICRF position and velocity are made here, from the state
- * relative to the reference body, and nowhere else (DYNAMICS, Frame). `legacy` leaves out fields 31–34 as the game's own server does.
+ * relative to the reference body, and nowhere else (DYNAMICS, Frame). `legacy` leaves out what the game's own server does not send.
  */
 export function toShipState(place: ShipPlace, identity: ShipIdentity, legacy = false): ShipState {
   const { ships, at, bodies, world } = place;
@@ -47,6 +47,8 @@ export function toShipState(place: ShipPlace, identity: ShipIdentity, legacy = f
     ...readControls(ships, at),
     fuel: ship.fuel,
     mass: classOf(ship, world).dryMass + ship.fuel,
+    wheelMomentum: legacy ? null : ship.wheelMomentum,
+    groundContactOffset: legacy ? null : ship.groundContactOffset,
     landedBodyName: landedBodyName(ship),
     surfaceContactState: ship.surfaceContactState,
     contactImpactSpeed: legacy ? null : ship.contactImpactSpeed,

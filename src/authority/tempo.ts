@@ -1,4 +1,4 @@
-import { loadTiming, type Timing, timingOfTick } from '../dynamics';
+import { loadTiming, type Settings, type Timing, timingOfTick } from '../dynamics';
 
 /** How fast the server ticks, and what has been asked for but does not hold before the next boundary. */
 export interface Tempo {
@@ -22,14 +22,14 @@ interface Values {
   readonly paused: boolean;
 }
 
-export function createTempo(tickRate: number, timeScale: number, timing: Timing): Tempo {
+export function createTempo(tickRate: number, timeScale: number, timing: Timing, settings: Settings): Tempo {
   let held: Values = { tickRate, timeScale, paused: false };
   let asked: Values = held;
   let heldTiming = timing;
 
   function ask(change: Partial<Values>): string | null {
     const next = { ...asked, ...change };
-    const checked = loadTiming(next.tickRate, next.timeScale);
+    const checked = loadTiming(next.tickRate, next.timeScale, settings);
     if (!checked.ok) return checked.reason;
     asked = next;
     return null;
@@ -37,7 +37,7 @@ export function createTempo(tickRate: number, timeScale: number, timing: Timing)
 
   function hold(values: Values): void {
     held = values;
-    heldTiming = timingOfTick(values.timeScale / values.tickRate);
+    heldTiming = timingOfTick(values.timeScale / values.tickRate, settings.contactLongestSubstep);
   }
 
   return {

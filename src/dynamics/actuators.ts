@@ -1,33 +1,34 @@
-import { controlAttitude } from './attitudeControl';
-import { FUEL, LANDED, SURFACE_STATE, THRUST_LEVEL, TRANSLATION_INPUT } from './layout';
+import { askTorque } from './attitudeControl';
+import { FUEL, LANDED, SURFACE_STATE, THRUST_LEVEL, TRANSLATION_INPUT, WHEEL_MOMENTUM } from './layout';
 import {
   AXES,
   DT,
+  INERTIA_FACTOR,
   LIFT,
   MASS,
-  MASS_RATIO,
   NORMAL,
-  quantity as q,
+  quantities as q,
   RCS_TORQUE_SUM,
+  SMI_MASK,
   START,
   type Step,
   THRUST,
   TORQUE,
-  INDEX,
 } from './quantities';
 
 /** Step 1: torque in body axes, thrust in ICRF, fuel burnt. Mass and inertia are those from before the burn. */
 export function actuate(step: Step): void {
   const { ships, shipClass } = step;
-  const at = step.at & INDEX;
-  q[MASS] = shipClass.dryMass + ships[at + FUEL]!;
-  q[MASS_RATIO] = q[MASS] / shipClass.fullMass;
+  const at = step.at & SMI_MASK;
+  const fuel = ships[at + FUEL]!;
+  q[MASS] = shipClass.dryMass + fuel;
+  q[INERTIA_FACTOR] = shipClass.inertiaAtDry + shipClass.inertiaPerFuel * fuel;
   q[TORQUE] = 0;
   q[TORQUE + 1] = 0;
   q[TORQUE + 2] = 0;
   q[RCS_TORQUE_SUM] = 0;
   // A landed ship is attached: no torque, nothing burnt for attitude.
-  if (ships[at + SURFACE_STATE] !== LANDED) controlAttitude(step);
+  if (ships[at + SURFACE_STATE] !== LANDED && askTorque(step)) giveTorque(step);
   push(step);
   q[LIFT] =
     q[THRUST]! * q[START + NORMAL]! +
@@ -35,10 +36,39 @@ export function actuate(step: Step): void {
     q[THRUST + 2]! * q[START + NORMAL + 2]!;
 }
 
+/** Of the asked TORQUE the wheels give what they can until they are full, RCS the rest while there is fuel. */
+function giveTorque(step: Step): void {
+  const { ships, shipClass } = step;
+  const at = step.at & SMI_MASK;
+  const dt = q[DT]!;
+  const hasFuel = ships[at + FUEL]! > 0;
+  for (let k = 0; k < 3; k++) {
+    const asked = q[TORQUE + k]!;
+    const momentum = ships[at + WHEEL_MOMENTUM + k]!;
+    const capacity = shipClass.wheelCapacity[k]!;
+    const size = asked < 0 ? -asked : asked;
+    const left = (asked < 0 ? capacity + momentum : capacity - momentum) / dt;
+    const torque = shipClass.reactionWheelTorque[k]!;
+    const mostByWheel = left < torque ? (left > 0 ? left : 0) : torque;
+    const byWheel = size < mostByWheel ? size : mostByWheel;
+    const wheel = asked < 0 ? -byWheel : byWheel;
+    ships[at + WHEEL_MOMENTUM + k] = momentum + wheel * dt;
+    if (!hasFuel) {
+      q[TORQUE + k] = wheel;
+      continue;
+    }
+    const rest = size - byWheel;
+    const mostByRcs = shipClass.rcsTorque[k]!;
+    const byRcs = rest < mostByRcs ? rest : mostByRcs;
+    q[TORQUE + k] = asked < 0 ? wheel - byRcs : wheel + byRcs;
+    q[RCS_TORQUE_SUM] = q[RCS_TORQUE_SUM]! + byRcs;
+  }
+}
+
 /** Main engine and translation thrusters, and the fuel that they and the RCS torque burn. */
 function push(step: Step): void {
   const { ships, shipClass } = step;
-  const at = step.at & INDEX;
+  const at = step.at & SMI_MASK;
   q[THRUST] = 0;
   q[THRUST + 1] = 0;
   q[THRUST + 2] = 0;
@@ -58,7 +88,7 @@ function push(step: Step): void {
   ships[at + FUEL] = left > 0 ? left : 0;
 }
 
-/** Whether engine or translation thrusters are asked for: most ships coast. */
+/** Whether engine or translation thrusters are commanded: most ships coast. */
 export function commandsThrust(ships: Float64Array, at: number): boolean {
   return (
     ships[at + THRUST_LEVEL] !== 0 ||

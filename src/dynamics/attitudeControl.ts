@@ -3,6 +3,7 @@ import {
   ATTITUDE,
   ATTITUDE_HOLD,
   ATTITUDE_MODE,
+  BODY_ANGULAR_VELOCITY,
   FLYING,
   FUEL,
   MODE_ANTINORMAL,
@@ -13,6 +14,8 @@ import {
   MODE_PROGRADE,
   MODE_RADIAL,
   MODE_RETROGRADE,
+  MODE_SURFACE_RETROGRADE,
+  MODE_UNKNOWN,
   POSITION,
   ROTATION_INPUT,
   SURFACE_STATE,
@@ -20,76 +23,83 @@ import {
   VELOCITY,
 } from './layout';
 import {
-  AVAILABLE,
+  ANGULAR_ACCEL_COMMAND,
   AXES,
   AXIS,
-  MASS_RATIO,
+  DISTANCE,
+  INERTIA_FACTOR,
   NORMAL,
-  quantity as q,
-  RCS_TORQUE_SUM,
+  quantities as q,
+  SMI_MASK,
   START,
   type Step,
   TORQUE,
-  WISH,
-  INDEX,
 } from './quantities';
 
-/** The torque that stick or attitude control asks for, as far as wheels and RCS can give it (DYNAMICS, Actuators). */
-export function controlAttitude(step: Step): void {
+/** TORQUE: what stick or attitude controller asks for, N m, body axes; false where neither asks (DYNAMICS, Actuators). */
+export function askTorque(step: Step): boolean {
   const { ships } = step;
-  const at = step.at & INDEX;
-  const stickX = ships[at + ROTATION_INPUT]!;
-  const stickY = ships[at + ROTATION_INPUT + 1]!;
-  const stickZ = ships[at + ROTATION_INPUT + 2]!;
-  const mode = groundedMode(ships, at);
-  const damps = mode !== MODE_NONE || ships[at + ATTITUDE_HOLD] === 1 || ships[at + ATTITUDE_MODE] !== mode;
-  if (stickX !== 0 || stickY !== 0 || stickZ !== 0) {
-    readAvailable(step);
-    for (let k = 0; k < 3; k++) q[TORQUE + k] = ships[at + ROTATION_INPUT + k]! * q[AVAILABLE + k]!;
-  } else if (damps) {
-    dampRates(ships, at);
-    if (mode === MODE_HOLD) steerToTarget(ships, at);
-    else if (mode !== MODE_NONE) steerToDirection(ships, at, mode);
-    readAvailable(step);
-    wishToTorque(step);
-  } else {
-    return;
+  const at = step.at & SMI_MASK;
+  if (holdsStick(ships, at)) {
+    askByStick(step);
+    return true;
   }
-  for (let k = 0; k < 3; k++) {
-    const torque = q[TORQUE + k]!;
-    const byRcs = (torque < 0 ? -torque : torque) - step.shipClass.reactionWheelTorque[k]!;
-    if (byRcs > 0) q[RCS_TORQUE_SUM] = q[RCS_TORQUE_SUM]! + byRcs;
-  }
+  const mode = effectiveMode(ships, at);
+  // A mode that has nothing to point at on the ground, or is not known, damps rates.
+  if (mode === MODE_NONE && ships[at + ATTITUDE_HOLD] !== 1 && ships[at + ATTITUDE_MODE] === MODE_NONE)
+    return false;
+  dampRates(step);
+  if (mode === MODE_HOLD) steerToTarget(step);
+  else if (mode !== MODE_NONE) steerToDirection(step, mode);
+  askByCommand(step);
+  return true;
 }
 
-/** A ground-bound ship's velocity has no direction to point at: there the velocity modes are rate damping. */
-function groundedMode(ships: Float64Array, at: number): number {
+function holdsStick(ships: Float64Array, at: number): boolean {
+  return (
+    ships[at + ROTATION_INPUT] !== 0 ||
+    ships[at + ROTATION_INPUT + 1] !== 0 ||
+    ships[at + ROTATION_INPUT + 2] !== 0
+  );
+}
+
+/** A ground-bound ship's velocity has no direction to point at: there the velocity modes are rate damping, as unknown ones are. */
+function effectiveMode(ships: Float64Array, at: number): number {
   const mode = ships[at + ATTITUDE_MODE]!;
+  if (mode === MODE_UNKNOWN) return MODE_NONE;
   const byVelocity = mode >= MODE_PROGRADE && mode <= MODE_ANTINORMAL;
   return byVelocity && ships[at + SURFACE_STATE] !== FLYING ? MODE_NONE : mode;
 }
 
-/** AVAILABLE: wheels, and RCS only while there is fuel. */
-function readAvailable(step: Step): void {
-  const hasFuel = step.ships[step.at + FUEL]! > 0;
+/** TORQUE = rotation_input × (wheel + RCS torque), RCS only while there is fuel. */
+function askByStick(step: Step): void {
+  const { ships, shipClass } = step;
+  const at = step.at & SMI_MASK;
+  const hasFuel = ships[at + FUEL]! > 0;
   for (let k = 0; k < 3; k++) {
-    const wheel = step.shipClass.reactionWheelTorque[k]!;
-    q[AVAILABLE + k] = hasFuel ? wheel + step.shipClass.rcsTorque[k]! : wheel;
+    const wheel = shipClass.reactionWheelTorque[k]!;
+    q[TORQUE + k] = ships[at + ROTATION_INPUT + k]! * (hasFuel ? wheel + shipClass.rcsTorque[k]! : wheel);
   }
 }
 
-/** a = −4 w_b */
-function dampRates(ships: Float64Array, at: number): void {
+/** a = −2 ω_n w_b */
+function dampRates(step: Step): void {
+  const { ships } = step;
+  const at = step.at & SMI_MASK;
+  const damping = -step.shipClass.attitudeDamping;
   const wx = ships[at + ANGULAR_VELOCITY]!;
   const wy = ships[at + ANGULAR_VELOCITY + 1]!;
   const wz = ships[at + ANGULAR_VELOCITY + 2]!;
-  q[WISH] = -4 * (q[AXES]! * wx + q[AXES + 3]! * wy + q[AXES + 6]! * wz);
-  q[WISH + 1] = -4 * (q[AXES + 1]! * wx + q[AXES + 4]! * wy + q[AXES + 7]! * wz);
-  q[WISH + 2] = -4 * (q[AXES + 2]! * wx + q[AXES + 5]! * wy + q[AXES + 8]! * wz);
+  q[ANGULAR_ACCEL_COMMAND] = damping * (q[AXES]! * wx + q[AXES + 3]! * wy + q[AXES + 6]! * wz);
+  q[ANGULAR_ACCEL_COMMAND + 1] = damping * (q[AXES + 1]! * wx + q[AXES + 4]! * wy + q[AXES + 7]! * wz);
+  q[ANGULAR_ACCEL_COMMAND + 2] = damping * (q[AXES + 2]! * wx + q[AXES + 5]! * wy + q[AXES + 8]! * wz);
 }
 
-/** a += 4 e, e = ±2 × vector part of target · q⁻¹, turned into body axes. */
-function steerToTarget(ships: Float64Array, at: number): void {
+/** a += ω_n² e, e = ±2 × vector part of target · q⁻¹, turned into body axes. */
+function steerToTarget(step: Step): void {
+  const { ships } = step;
+  const at = step.at & SMI_MASK;
+  const stiffness = step.shipClass.attitudeStiffness;
   const qx = ships[at + ATTITUDE]!;
   const qy = ships[at + ATTITUDE + 1]!;
   const qz = ships[at + ATTITUDE + 2]!;
@@ -102,14 +112,20 @@ function steerToTarget(ships: Float64Array, at: number): void {
   const ex = sign * (tx * qw - tw * qx - ty * qz + tz * qy);
   const ey = sign * (ty * qw - tw * qy - tz * qx + tx * qz);
   const ez = sign * (tz * qw - tw * qz - tx * qy + ty * qx);
-  q[WISH] = q[WISH]! + 4 * (q[AXES]! * ex + q[AXES + 3]! * ey + q[AXES + 6]! * ez);
-  q[WISH + 1] = q[WISH + 1]! + 4 * (q[AXES + 1]! * ex + q[AXES + 4]! * ey + q[AXES + 7]! * ez);
-  q[WISH + 2] = q[WISH + 2]! + 4 * (q[AXES + 2]! * ex + q[AXES + 5]! * ey + q[AXES + 8]! * ez);
+  q[ANGULAR_ACCEL_COMMAND] =
+    q[ANGULAR_ACCEL_COMMAND]! + stiffness * (q[AXES]! * ex + q[AXES + 3]! * ey + q[AXES + 6]! * ez);
+  q[ANGULAR_ACCEL_COMMAND + 1] =
+    q[ANGULAR_ACCEL_COMMAND + 1]! + stiffness * (q[AXES + 1]! * ex + q[AXES + 4]! * ey + q[AXES + 7]! * ez);
+  q[ANGULAR_ACCEL_COMMAND + 2] =
+    q[ANGULAR_ACCEL_COMMAND + 2]! + stiffness * (q[AXES + 2]! * ex + q[AXES + 5]! * ey + q[AXES + 8]! * ez);
 }
 
-/** a += 4 e, e = up × d; in body axes up is z, so e = (−d_y, d_x, 0). */
-function steerToDirection(ships: Float64Array, at: number, mode: number): void {
-  if (!pointingDirection(ships, at, mode)) return;
+/** Below this ‖up × d‖ a ship points straight away from d, and no axis is better than another. */
+const STRAIGHT_AWAY = 1e-6;
+
+/** a += ω_n² e, e = up × d; in body axes up is z, so e = (−d_y, d_x, 0). */
+function steerToDirection(step: Step, mode: number): void {
+  if (!pointingDirection(step, mode)) return;
   const px = q[AXIS]!;
   const py = q[AXIS + 1]!;
   const pz = q[AXIS + 2]!;
@@ -121,53 +137,88 @@ function steerToDirection(ships: Float64Array, at: number, mode: number): void {
   if (dz < 0) {
     // It does not stall when it points straight away: a full unit of error, about x where no axis is better.
     const length = Math.sqrt(ex * ex + ey * ey);
-    const straightAway = length <= 1e-6;
+    const straightAway = length <= STRAIGHT_AWAY;
     ex = straightAway ? 1 : ex / length;
     ey = straightAway ? 0 : ey / length;
   }
-  q[WISH] = q[WISH]! + 4 * ex;
-  q[WISH + 1] = q[WISH + 1]! + 4 * ey;
+  const stiffness = step.shipClass.attitudeStiffness;
+  q[ANGULAR_ACCEL_COMMAND] = q[ANGULAR_ACCEL_COMMAND]! + stiffness * ex;
+  q[ANGULAR_ACCEL_COMMAND + 1] = q[ANGULAR_ACCEL_COMMAND + 1]! + stiffness * ey;
 }
 
-/** AXIS = the unit direction a pointing mode points at, ICRF; false where it has none (a zero vector). */
-function pointingDirection(ships: Float64Array, at: number, mode: number): boolean {
-  let x = ships[at + VELOCITY]!;
-  let y = ships[at + VELOCITY + 1]!;
-  let z = ships[at + VELOCITY + 2]!;
-  if (mode === MODE_NORMAL || mode === MODE_ANTINORMAL) {
-    const rx = ships[at + POSITION]!;
-    const ry = ships[at + POSITION + 1]!;
-    const rz = ships[at + POSITION + 2]!;
-    const ux = x;
-    const uy = y;
-    const uz = z;
-    x = ry * uz - rz * uy;
-    y = rz * ux - rx * uz;
-    z = rx * uy - ry * ux;
-  } else if (mode === MODE_RADIAL || mode === MODE_ANTIRADIAL) {
-    x = q[START + NORMAL]!;
-    y = q[START + NORMAL + 1]!;
-    z = q[START + NORMAL + 2]!;
+/** A velocity below 1 mm/s is round-off, and so is its direction. */
+const LEAST_SPEED = 1e-3;
+/** So is r × u where u is along r to a part in a million. */
+const LEAST_SINE = 1e-6;
+/** Below 0.1 m/s over the ground the game keeps its last direction; damping stays near it without remembering. */
+const LEAST_SURFACE_SPEED = 0.1;
+
+/** AXIS = the unit direction a pointing mode points at, ICRF; false where it is round-off. */
+function pointingDirection(step: Step, mode: number): boolean {
+  const { ships } = step;
+  const at = step.at & SMI_MASK;
+  if (mode === MODE_RADIAL || mode === MODE_ANTIRADIAL) {
+    const sign = mode === MODE_RADIAL ? 1 : -1;
+    for (let k = 0; k < 3; k++) q[AXIS + k] = sign * q[START + NORMAL + k]!;
+    return true;
   }
+  const ux = ships[at + VELOCITY]!;
+  const uy = ships[at + VELOCITY + 1]!;
+  const uz = ships[at + VELOCITY + 2]!;
+  if (mode === MODE_SURFACE_RETROGRADE) return pointAgainstGroundSpeed(step);
+  const speed = Math.sqrt(ux * ux + uy * uy + uz * uz);
+  if (speed < LEAST_SPEED) return false;
+  const reversed = mode === MODE_RETROGRADE || mode === MODE_ANTINORMAL;
+  if (mode === MODE_PROGRADE || mode === MODE_RETROGRADE) {
+    pointAlong(ux, uy, uz, reversed ? -1 / speed : 1 / speed);
+    return true;
+  }
+  const rx = ships[at + POSITION]!;
+  const ry = ships[at + POSITION + 1]!;
+  const rz = ships[at + POSITION + 2]!;
+  const x = ry * uz - rz * uy;
+  const y = rz * ux - rx * uz;
+  const z = rx * uy - ry * ux;
   const length = Math.sqrt(x * x + y * y + z * z);
-  if (!(length > 0)) return false;
-  const reversed = mode === MODE_RETROGRADE || mode === MODE_ANTINORMAL || mode === MODE_ANTIRADIAL;
-  const perLength = reversed ? -1 / length : 1 / length;
-  q[AXIS] = x * perLength;
-  q[AXIS + 1] = y * perLength;
-  q[AXIS + 2] = z * perLength;
+  if (length < LEAST_SINE * q[START + DISTANCE]! * speed) return false;
+  pointAlong(x, y, z, reversed ? -1 / length : 1 / length);
   return true;
 }
 
-/** torque = I a, each axis clamped to what is available. */
-function wishToTorque(step: Step): void {
+/** AXIS = unit(−v_rel), v_rel = u − Ω × r. */
+function pointAgainstGroundSpeed(step: Step): boolean {
+  const { ships, bodies } = step;
+  const at = step.at & SMI_MASK;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const rx = ships[at + POSITION]!;
+  const ry = ships[at + POSITION + 1]!;
+  const rz = ships[at + POSITION + 2]!;
+  const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const x = ships[at + VELOCITY]! - (oy * rz - oz * ry);
+  const y = ships[at + VELOCITY + 1]! - (oz * rx - ox * rz);
+  const z = ships[at + VELOCITY + 2]! - (ox * ry - oy * rx);
+  const speed = Math.sqrt(x * x + y * y + z * z);
+  if (speed < LEAST_SURFACE_SPEED) return false;
+  pointAlong(x, y, z, -1 / speed);
+  return true;
+}
+
+function pointAlong(x: number, y: number, z: number, scale: number): void {
+  q[AXIS] = x * scale;
+  q[AXIS + 1] = y * scale;
+  q[AXIS + 2] = z * scale;
+}
+
+/** TORQUE = I a. */
+function askByCommand(step: Step): void {
   const inertia = step.shipClass.inertia;
-  const ratio = q[MASS_RATIO]!;
-  for (let k = 0; k < 3; k++) {
-    const asked =
-      ratio *
-      (inertia[3 * k]! * q[WISH]! + inertia[3 * k + 1]! * q[WISH + 1]! + inertia[3 * k + 2]! * q[WISH + 2]!);
-    const most = q[AVAILABLE + k]!;
-    q[TORQUE + k] = asked > most ? most : asked < -most ? -most : asked;
-  }
+  const factor = q[INERTIA_FACTOR]!;
+  const ax = q[ANGULAR_ACCEL_COMMAND]!;
+  const ay = q[ANGULAR_ACCEL_COMMAND + 1]!;
+  const az = q[ANGULAR_ACCEL_COMMAND + 2]!;
+  q[TORQUE] = factor * (inertia[0]! * ax + inertia[1]! * ay + inertia[2]! * az);
+  q[TORQUE + 1] = factor * (inertia[3]! * ax + inertia[4]! * ay + inertia[5]! * az);
+  q[TORQUE + 2] = factor * (inertia[6]! * ax + inertia[7]! * ay + inertia[8]! * az);
 }

@@ -11,7 +11,7 @@ import {
   BODY_VELOCITY,
 } from './layout';
 import { anyOutside, BODY_MASS, PLACE, BODY_RADIUS, notUnit, outside, SPIN, VELOCITY_RANGE } from './limits';
-import { INDEX } from './quantities';
+import { SMI_MASK } from './quantities';
 
 /** What of a body never changes. */
 export interface Body {
@@ -110,7 +110,7 @@ export function moveBodies(rows: Float64Array, count: number, seconds: number): 
 
 /** q = normalize(q + ½ dt (Ω, 0) q), and the turn of ground-bound ships, normalize(Ω dt/2, 1). */
 function turnBody(rows: Float64Array, row: number, dt: number): void {
-  const at = row & INDEX;
+  const at = row & SMI_MASK;
   const half = 0.5 * dt;
   const tx = rows[at + BODY_ANGULAR_VELOCITY]! * half;
   const ty = rows[at + BODY_ANGULAR_VELOCITY + 1]! * half;

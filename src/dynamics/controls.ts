@@ -4,6 +4,7 @@ import {
   ATTITUDE_MODE,
   ATTITUDE_MODES,
   type AttitudeMode,
+  MODE_UNKNOWN,
   ROTATION_INPUT,
   TARGET_ATTITUDE,
   THRUST_LEVEL,
@@ -50,7 +51,7 @@ export function loadControls(given: Controls): Result<Controls> {
     notFiniteTuple('targetAttitude', given.targetAttitude, 4);
   if (reason !== null) return err(reason);
   if (typeof given.attitudeHold !== 'boolean') return err('attitudeHold: expected true or false');
-  if (!ATTITUDE_MODES.includes(given.attitudeMode)) return err('attitudeMode: no such mode');
+  if (typeof given.attitudeMode !== 'string') return err('attitudeMode: expected a text');
   const [x, y, z, w] = given.targetAttitude;
   const length = Math.sqrt(x * x + y * y + z * z + w * w);
   if (!(length > 1e-3 && length < 1e3)) return err('targetAttitude: expected a quaternion of length 1');
@@ -60,9 +61,23 @@ export function loadControls(given: Controls): Result<Controls> {
     translationInput: clampTriple(given.translationInput),
     rotationInput: clampTriple(given.rotationInput),
     attitudeHold: given.attitudeHold,
-    attitudeMode: given.attitudeMode,
+    attitudeMode: attitudeModeOf(given.attitudeMode),
     targetAttitude: isUnit ? given.targetAttitude : [x / length, y / length, z / length, w / length],
   });
+}
+
+/** The game's mode of that name: 'unknown' where the law does not know it, since no mode may cost a ship's state. */
+export function attitudeModeOf(name: string): AttitudeMode {
+  return (ATTITUDE_MODES as readonly string[]).includes(name) ? (name as AttitudeMode) : 'unknown';
+}
+
+/** What stands in the column ATTITUDE_MODE for a mode, and back. */
+export function modeNumber(mode: AttitudeMode): number {
+  return mode === 'unknown' ? MODE_UNKNOWN : ATTITUDE_MODES.indexOf(mode);
+}
+
+export function modeName(number: number): AttitudeMode {
+  return ATTITUDE_MODES[number] ?? 'unknown';
 }
 
 /** Writes loaded controls into a ship's row. */
@@ -71,7 +86,7 @@ export function writeControls(ships: Float64Array, at: number, controls: Control
   ships.set(controls.translationInput, at + TRANSLATION_INPUT);
   ships.set(controls.rotationInput, at + ROTATION_INPUT);
   ships[at + ATTITUDE_HOLD] = controls.attitudeHold ? 1 : 0;
-  ships[at + ATTITUDE_MODE] = ATTITUDE_MODES.indexOf(controls.attitudeMode);
+  ships[at + ATTITUDE_MODE] = modeNumber(controls.attitudeMode);
   ships.set(controls.targetAttitude, at + TARGET_ATTITUDE);
 }
 
@@ -82,7 +97,7 @@ export function readControls(ships: Float64Array, at: number): Controls {
     translationInput: triple(ships, at + TRANSLATION_INPUT),
     rotationInput: triple(ships, at + ROTATION_INPUT),
     attitudeHold: ships[at + ATTITUDE_HOLD] === 1,
-    attitudeMode: ATTITUDE_MODES[ships[at + ATTITUDE_MODE]!]!,
+    attitudeMode: modeName(ships[at + ATTITUDE_MODE]!),
     targetAttitude: [
       ships[at + TARGET_ATTITUDE]!,
       ships[at + TARGET_ATTITUDE + 1]!,

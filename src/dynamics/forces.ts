@@ -1,136 +1,175 @@
+import { BODY_ANGULAR_VELOCITY, IMPACT_SPEED, POSITION, SURFACE_STATE, TIPPED, VELOCITY } from './layout';
 import {
-  BODY_ANGULAR_VELOCITY,
-  FLYING,
-  IMPACT_SPEED,
-  POSITION,
-  SURFACE_STATE,
-  TIPPED,
-  VELOCITY,
-} from './layout';
-import {
+  ALONG,
+  COS_SLOPE,
   DEPTH,
   DT,
+  FRICTION,
+  GRAVITY,
   LIFT,
+  LOAD,
   MASS,
   NORMAL,
   NORMAL_FORCE,
+  NORMAL_SPEED,
   PENETRATION,
-  quantity as q,
-  RADIAL_SPEED,
+  quantities as q,
+  SLOPE,
+  SMI_MASK,
   START,
   type Step,
-  TANGENTIAL_SPEED,
+  SURFACE_NORMAL,
+  TANGENTIAL_SPEED_SQUARED,
   TANGENTIAL_VELOCITY,
   THRUST,
   WEIGHT,
-  INDEX,
 } from './quantities';
 
 /** k / m, s⁻²: the contact spring (DYNAMICS, Normal force). */
 export const STIFFNESS = 100;
+/** c / m of critical damping, s⁻¹: 2 √(k/m). */
+const CRITICAL_DAMPING = 20;
+/** Static friction holds below 1 cm/s, m²/s²: a slide, however slow, is not stopped dead by the stronger of the two frictions. */
+const HELD_SPEED_SQUARED = 1e-4;
 
-/** Whether vertical speed, √(v_radial² + 100 (penetration − DEPTH)²), the spring's stored energy counted in, and slide are small. */
+/** LOAD, what presses into the ground, and DEPTH, where the spring rests under it; by the gravity at `surface`. */
+export function readLoad(surface: number): void {
+  const from = surface & SMI_MASK;
+  const weight = q[MASS]! * q[from + GRAVITY]!;
+  const load =
+    weight * q[from + COS_SLOPE]! -
+    (q[THRUST]! * q[from + SURFACE_NORMAL]! +
+      q[THRUST + 1]! * q[from + SURFACE_NORMAL + 1]! +
+      q[THRUST + 2]! * q[from + SURFACE_NORMAL + 2]!);
+  q[LOAD] = load > 0 ? load : 0;
+  q[DEPTH] = q[LOAD] / (STIFFNESS * q[MASS]!);
+}
+
+/** ALONG: what pushes along the ground, weight on a slope less thrust. */
+function readAlong(): void {
+  const sx = q[START + SURFACE_NORMAL]!;
+  const sy = q[START + SURFACE_NORMAL + 1]!;
+  const sz = q[START + SURFACE_NORMAL + 2]!;
+  const off = q[THRUST]! * sx + q[THRUST + 1]! * sy + q[THRUST + 2]! * sz;
+  q[ALONG] = q[WEIGHT]! * q[START + SLOPE]! - (q[THRUST]! - off * sx);
+  q[ALONG + 1] = q[WEIGHT]! * q[START + SLOPE + 1]! - (q[THRUST + 1]! - off * sy);
+  q[ALONG + 2] = q[WEIGHT]! * q[START + SLOPE + 2]! - (q[THRUST + 2]! - off * sz);
+}
+
+/** Whether vertical speed, √(v_s² + 100 (penetration c_s − DEPTH)²), the spring's stored energy counted in, and slide are small. */
 export function isNearlyAtRest(surface: number, step: Step): boolean {
   const limit = step.world.settings.contactSettleLinearVel;
-  const radial = q[surface + RADIAL_SPEED]!;
-  const sunk = q[surface + PENETRATION]! - q[DEPTH]!;
+  const speed = q[surface + NORMAL_SPEED]!;
+  const sunk = q[surface + PENETRATION]! * q[surface + COS_SLOPE]! - q[DEPTH]!;
   return (
-    radial * radial + STIFFNESS * (sunk * sunk) < limit * limit && q[surface + TANGENTIAL_SPEED]! < limit
+    speed * speed + STIFFNESS * (sunk * sunk) < limit * limit &&
+    q[surface + TANGENTIAL_SPEED_SQUARED]! < limit * limit
   );
 }
 
-/** Step 3: the depth it would rest at, and whether the ground holds a tipped ship where it stands. */
+/** Step 3, of a ship in the ground: its load, the depth it would rest at, and whether the ground holds it where it lies tipped. */
 export function isPinned(step: Step): boolean {
-  const { ships } = step;
-  const at = step.at & INDEX;
-  const state = ships[at + SURFACE_STATE]!;
-  if (state === FLYING) return false;
-  const load = q[WEIGHT]! - q[LIFT]!;
-  q[DEPTH] = load > 0 ? load / (STIFFNESS * q[MASS]!) : 0;
-  if (state !== TIPPED || !(q[START + PENETRATION]! > 0) || !isNearlyAtRest(START, step)) return false;
-  const lift = q[LIFT]!;
-  const px = q[THRUST]! - lift * q[START + NORMAL]!;
-  const py = q[THRUST + 1]! - lift * q[START + NORMAL + 1]!;
-  const pz = q[THRUST + 2]! - lift * q[START + NORMAL + 2]!;
-  return (
-    Math.sqrt(px * px + py * py + pz * pz) <=
-    step.world.settings.contactFrictionStatic * (load > 0 ? load : 0)
-  );
+  readLoad(START);
+  readAlong();
+  if (step.ships[(step.at & SMI_MASK) + SURFACE_STATE] !== TIPPED || !isNearlyAtRest(START, step))
+    return false;
+  const most = step.world.settings.contactFrictionStatic * q[LOAD]!;
+  return q[ALONG]! * q[ALONG]! + q[ALONG + 1]! * q[ALONG + 1]! + q[ALONG + 2]! * q[ALONG + 2]! <= most * most;
 }
 
-/** Step 4: F_n. Spring and damper of a ship in the ground; what is left of the weight where it is pinned. */
-export function normalForce(step: Step, pinned: boolean): void {
-  const { ships } = step;
-  const at = step.at & INDEX;
+/** Step 4, of a ship in the ground: F_n, spring and damper; the load where it is pinned. */
+export function pressNormal(step: Step, pinned: boolean): void {
   if (pinned) {
-    const load = q[WEIGHT]! - q[LIFT]!;
-    q[NORMAL_FORCE] = load > 0 ? load : 0;
-  } else if (ships[at + SURFACE_STATE] !== FLYING && q[START + PENETRATION]! > 0) {
-    // c = 2 ζ √(k m) with k = 100 m.
-    const damping = settlesWithoutBounce(step) ? 20 : 20 * step.world.settings.contactDampingRatio;
-    const force = q[MASS]! * (STIFFNESS * q[START + PENETRATION]! - damping * q[START + RADIAL_SPEED]!);
-    q[NORMAL_FORCE] = force > 0 ? force : 0;
-  } else {
-    q[NORMAL_FORCE] = 0;
+    q[NORMAL_FORCE] = q[LOAD]!;
+    return;
   }
+  // c = 2 ζ √(k m) with k = 100 m.
+  const damping = settlesWithoutBounce(step)
+    ? CRITICAL_DAMPING
+    : CRITICAL_DAMPING * step.world.settings.contactDampingRatio;
+  const sunk = q[START + PENETRATION]! * q[START + COS_SLOPE]!;
+  const force = q[MASS]! * (STIFFNESS * sunk - damping * q[START + NORMAL_SPEED]!);
+  q[NORMAL_FORCE] = force > 0 ? force : 0;
 }
 
 /** Tipped, or in the contact of a touch not above contact_bounce_speed. Asked of grounded ships. */
 function settlesWithoutBounce(step: Step): boolean {
   const { ships } = step;
-  const at = step.at & INDEX;
+  const at = step.at & SMI_MASK;
   return (
     ships[at + SURFACE_STATE] === TIPPED ||
     ships[at + IMPACT_SPEED]! <= step.world.settings.contactBounceSpeed
   );
 }
 
-/** Step 5: friction, semi-implicit Euler, and no bounce out of a settling contact. */
-export function moveByForces(step: Step): void {
-  const { ships } = step;
-  const at = step.at & INDEX;
-  const dt = q[DT]!;
-  const mass = q[MASS]!;
-  const perMass = dt / mass;
+/** FRICTION: holds against slide, push, slope and the ground's own turning, or is kinetic and never more than ends the slide. */
+function rub(step: Step): void {
+  const { ships, bodies } = step;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const at = step.at & SMI_MASK;
+  const { contactFrictionKinetic, contactFrictionStatic } = step.world.settings;
   const force = q[NORMAL_FORCE]!;
-  const radial = force - q[WEIGHT]!;
-  const speed = q[START + TANGENTIAL_SPEED]!;
-  // Size of the friction over ‖v_tangential‖, N s/m. Above 1 cm/s kinetic, and never more than stops the slide in this substep.
-  let friction = 0;
-  if (force > 0 && speed > 0) {
-    const { contactFrictionKinetic, contactFrictionStatic } = step.world.settings;
-    const stop = (mass * speed) / dt;
-    const kinetic = contactFrictionKinetic * force;
-    const holds = speed > 0.01 ? stop < kinetic : stop <= contactFrictionStatic * force;
-    friction = (holds ? stop : kinetic) / speed;
+  const mass = q[MASS]!;
+  const perSpeed = mass / q[DT]!;
+  const half = 0.5 * mass;
+  const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const ux = ships[at + VELOCITY]!;
+  const uy = ships[at + VELOCITY + 1]!;
+  const uz = ships[at + VELOCITY + 2]!;
+  let dx = q[START + TANGENTIAL_VELOCITY]! * perSpeed - (q[ALONG]! + half * (oy * uz - oz * uy));
+  let dy = q[START + TANGENTIAL_VELOCITY + 1]! * perSpeed - (q[ALONG + 1]! + half * (oz * ux - ox * uz));
+  let dz = q[START + TANGENTIAL_VELOCITY + 2]! * perSpeed - (q[ALONG + 2]! + half * (ox * uy - oy * ux));
+  const sx = q[START + SURFACE_NORMAL]!;
+  const sy = q[START + SURFACE_NORMAL + 1]!;
+  const sz = q[START + SURFACE_NORMAL + 2]!;
+  const off = dx * sx + dy * sy + dz * sz;
+  dx -= off * sx;
+  dy -= off * sy;
+  dz -= off * sz;
+  const demand = dx * dx + dy * dy + dz * dz;
+  const held = contactFrictionStatic * force;
+  const kinetic = contactFrictionKinetic * force;
+  const holds = q[START + TANGENTIAL_SPEED_SQUARED]! <= HELD_SPEED_SQUARED && demand <= held * held;
+  const share = holds || demand <= kinetic * kinetic ? 1 : kinetic / Math.sqrt(demand);
+  q[FRICTION] = -dx * share;
+  q[FRICTION + 1] = -dy * share;
+  q[FRICTION + 2] = -dz * share;
+}
+
+/** Step 5 on the ground: friction, semi-implicit Euler, and no bounce out of a settling contact. */
+export function moveOnGround(step: Step): void {
+  const { ships } = step;
+  const at = step.at & SMI_MASK;
+  const dt = q[DT]!;
+  const perMass = dt / q[MASS]!;
+  const force = q[NORMAL_FORCE]!;
+  const weight = q[WEIGHT]!;
+  if (force > 0) rub(step);
+  else q[FRICTION] = q[FRICTION + 1] = q[FRICTION + 2] = 0;
+  for (let k = 0; k < 3; k++) {
+    const push =
+      force * q[START + SURFACE_NORMAL + k]! -
+      weight * q[START + NORMAL + k]! +
+      q[FRICTION + k]! +
+      q[THRUST + k]!;
+    ships[at + VELOCITY + k] = ships[at + VELOCITY + k]! + push * perMass;
   }
-  const nx = q[START + NORMAL]!;
-  const ny = q[START + NORMAL + 1]!;
-  const nz = q[START + NORMAL + 2]!;
-  ships[at + VELOCITY] =
-    ships[at + VELOCITY]! + (radial * nx - friction * q[START + TANGENTIAL_VELOCITY]! + q[THRUST]!) * perMass;
-  ships[at + VELOCITY + 1] =
-    ships[at + VELOCITY + 1]! +
-    (radial * ny - friction * q[START + TANGENTIAL_VELOCITY + 1]! + q[THRUST + 1]!) * perMass;
-  ships[at + VELOCITY + 2] =
-    ships[at + VELOCITY + 2]! +
-    (radial * nz - friction * q[START + TANGENTIAL_VELOCITY + 2]! + q[THRUST + 2]!) * perMass;
-  if (q[START + PENETRATION]! > 0 && ships[at + SURFACE_STATE] !== FLYING) {
-    if (q[LIFT]! <= q[WEIGHT]! && settlesWithoutBounce(step)) capRise(step);
-  }
+  if (q[START + PENETRATION]! > 0 && q[LIFT]! <= weight && settlesWithoutBounce(step)) capRise(step);
   ships[at + POSITION] = ships[at + POSITION]! + ships[at + VELOCITY]! * dt;
   ships[at + POSITION + 1] = ships[at + POSITION + 1]! + ships[at + VELOCITY + 1]! * dt;
   ships[at + POSITION + 2] = ships[at + POSITION + 2]! + ships[at + VELOCITY + 2]! * dt;
 }
 
-/** The upward speed of a settling ship ends at the static depth: the excess is taken off along n. */
+/** The speed off the ground of a settling ship ends at the static depth: the excess is taken off along s. */
 function capRise(step: Step): void {
   const { ships, bodies } = step;
-  const bodyAt = step.bodyAt & INDEX;
-  const at = step.at & INDEX;
-  const nx = q[START + NORMAL]!;
-  const ny = q[START + NORMAL + 1]!;
-  const nz = q[START + NORMAL + 2]!;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const at = step.at & SMI_MASK;
+  const sx = q[START + SURFACE_NORMAL]!;
+  const sy = q[START + SURFACE_NORMAL + 1]!;
+  const sz = q[START + SURFACE_NORMAL + 2]!;
   const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
   const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
@@ -140,12 +179,12 @@ function capRise(step: Step): void {
   const vx = ships[at + VELOCITY]! - (oy * rz - oz * ry);
   const vy = ships[at + VELOCITY + 1]! - (oz * rx - ox * rz);
   const vz = ships[at + VELOCITY + 2]! - (ox * ry - oy * rx);
-  const rise = vx * nx + vy * ny + vz * nz;
-  const toRest = (q[START + PENETRATION]! - q[DEPTH]!) / q[DT]!;
+  const rise = vx * sx + vy * sy + vz * sz;
+  const toRest = (q[START + PENETRATION]! * q[START + COS_SLOPE]! - q[DEPTH]!) / q[DT]!;
   const most = toRest > 0 ? toRest : 0;
   if (!(rise > most)) return;
   const excess = rise - most;
-  ships[at + VELOCITY] = ships[at + VELOCITY]! - excess * nx;
-  ships[at + VELOCITY + 1] = ships[at + VELOCITY + 1]! - excess * ny;
-  ships[at + VELOCITY + 2] = ships[at + VELOCITY + 2]! - excess * nz;
+  ships[at + VELOCITY] = ships[at + VELOCITY]! - excess * sx;
+  ships[at + VELOCITY + 1] = ships[at + VELOCITY + 1]! - excess * sy;
+  ships[at + VELOCITY + 2] = ships[at + VELOCITY + 2]! - excess * sz;
 }

@@ -24,9 +24,18 @@ export {
 /** The game's ship classes and bodies. */
 export { BODIES, SHIP_CLASSES } from './catalogue';
 /** What a pilot commands. */
-export { type Controls, loadControls, NEUTRAL_CONTROLS, readControls, writeControls } from './controls';
+export {
+  attitudeModeOf,
+  type Controls,
+  loadControls,
+  modeName,
+  modeNumber,
+  NEUTRAL_CONTROLS,
+  readControls,
+  writeControls,
+} from './controls';
 /** Between a row and a plain record. */
-export { landedBodyName, readShip, type ShipRecord, spawnShip, writeShip } from './ship';
+export { landedBodyName, readShip, type ShipInit, type ShipRecord, spawnShip, writeShip } from './ship';
 /** The step of one ship. */
 export { substep } from './substep';
 /** The step of a world, and how ticks are cut. */
@@ -42,3 +51,5 @@ export { isTransitionAllowed } from './stateTransitions';
 export { hashRows } from './hash';
 /** Terrain made of + − × ÷ √. */
 export { flatTerrain, hillsTerrain, LANDING_SITE, TERRAINS } from './terrain';
+/** Terrain from a body's heights on a grid, in the game's format. */
+export { type Heightmap, heightmapTerrain, readHeightmapSamples } from './heightmap';

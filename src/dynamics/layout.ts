@@ -13,32 +13,33 @@ export const ATTITUDE = 6;
 export const ANGULAR_VELOCITY = 10;
 /** kg. */
 export const FUEL = 13;
+/** What the reaction wheels have given so far, N m s, body axes; 0 at spawn. */
+export const WHEEL_MOMENTUM = 14;
 /** Speed at the touch that began this contact, m/s; 0 in flight. */
-export const IMPACT_SPEED = 14;
+export const IMPACT_SPEED = 17;
 /** One of FLYING, CONTACT, LANDED, TIPPED. */
-export const SURFACE_STATE = 15;
+export const SURFACE_STATE = 18;
 /** Index into World.bodies; in ground states it is the body landed on. */
-export const REFERENCE_BODY = 16;
+export const REFERENCE_BODY = 19;
 /** 1 once crashed: the ship is out of the simulation until respawned. */
-export const CRASHED = 17;
+export const CRASHED = 20;
 /** Index into World.shipClasses. */
-export const SHIP_CLASS = 18;
+export const SHIP_CLASS = 21;
+/** h: height of the centre of mass above the feet, m; the class's, unless the ship's state carries its own. */
+export const GROUND_CONTACT_OFFSET = 22;
 /** 0 … 1. */
-export const THRUST_LEVEL = 19;
+export const THRUST_LEVEL = 23;
 /** −1 … 1 along body x, y, z. */
-export const TRANSLATION_INPUT = 20;
+export const TRANSLATION_INPUT = 24;
 /** −1 … 1 about body x (pitch), y (yaw), z (roll). */
-export const ROTATION_INPUT = 23;
+export const ROTATION_INPUT = 27;
 /** 1 = rate damping. */
-export const ATTITUDE_HOLD = 26;
-/** Index into ATTITUDE_MODES. */
-export const ATTITUDE_MODE = 27;
+export const ATTITUDE_HOLD = 30;
+/** Index into ATTITUDE_MODES, or MODE_UNKNOWN. */
+export const ATTITUDE_MODE = 31;
 /** For attitude mode hold: rotates body axes into ICRF, unit. */
-export const TARGET_ATTITUDE = 28;
-export const SHIP_STRIDE = 32;
-
-/** The columns the law moves; from SHIP_CLASS on stand the class and the controls, which only inputs change. */
-export const SIMULATED_COLUMNS = SHIP_CLASS;
+export const TARGET_ATTITUDE = 32;
+export const SHIP_STRIDE = 36;
 
 export const FLYING = 0;
 export const CONTACT = 1;
@@ -49,25 +50,30 @@ export const TIPPED = 3;
 export const SURFACE_STATES = ['', 'contact', 'landed', 'tipped'] as const;
 export type SurfaceState = (typeof SURFACE_STATES)[number];
 
+/** The attitude modes that the law knows. */
 export const ATTITUDE_MODES = [
   'none',
   'hold',
   'prograde',
   'retrograde',
+  'surface_retrograde',
   'normal',
   'antinormal',
   'radial',
   'antiradial',
 ] as const;
-export type AttitudeMode = (typeof ATTITUDE_MODES)[number];
+/** 'unknown' stands for every other mode of the game: it acts as none with attitude_hold. */
+export type AttitudeMode = (typeof ATTITUDE_MODES)[number] | 'unknown';
 export const MODE_NONE = 0;
 export const MODE_HOLD = 1;
 export const MODE_PROGRADE = 2;
 export const MODE_RETROGRADE = 3;
-export const MODE_NORMAL = 4;
-export const MODE_ANTINORMAL = 5;
-export const MODE_RADIAL = 6;
-export const MODE_ANTIRADIAL = 7;
+export const MODE_SURFACE_RETROGRADE = 4;
+export const MODE_NORMAL = 5;
+export const MODE_ANTINORMAL = 6;
+export const MODE_RADIAL = 7;
+export const MODE_ANTIRADIAL = 8;
+export const MODE_UNKNOWN = 9;
 
 /** What a substep can report of a ship, at most one a substep. */
 export const NO_EVENT = 0;
@@ -75,7 +81,7 @@ export const EVENT_CONTACT = 1;
 export const EVENT_LANDED = 2;
 export const EVENT_TIPPED = 3;
 export const EVENT_RIGHTED = 4;
-export const EVENT_CRASHED = 5;
+export const EVENT_DESTROYED = 5;
 /** The game's event names; index 0 is no event. */
 export const EVENT_NAMES = [
   '',
@@ -83,7 +89,7 @@ export const EVENT_NAMES = [
   'ship.landed',
   'ship.tipped',
   'ship.righted',
-  'ship.crashed',
+  'ship.destroyed',
 ] as const;
 export type ShipEventName = Exclude<(typeof EVENT_NAMES)[number], ''>;
 

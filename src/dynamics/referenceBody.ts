@@ -12,8 +12,8 @@ import {
 import type { World } from './world';
 
 /**
- * At a tick's start: a flying ship goes over to the body whose gravity is the strongest at the ship (ties to the body listed
- * first), its relative state re-derived from both bodies' positions and velocities (DYNAMICS, Frame).
+ * At a tick's start: a flying ship goes over to the body with the smallest distance / radius (ties to the body listed first), its
+ * relative state re-derived from both bodies' positions and velocities (DYNAMICS, Frame).
  */
 export function chooseReferenceBody(
   ships: Float64Array,
@@ -23,7 +23,7 @@ export function chooseReferenceBody(
 ): void {
   if (ships[at + SURFACE_STATE] !== FLYING || ships[at + CRASHED] === 1) return;
   const now = ships[at + REFERENCE_BODY]! * BODY_STRIDE;
-  let strongest = -1;
+  let nearest = Infinity;
   let best = 0;
   for (let i = 0; i < world.bodies.length; i++) {
     const body = i * BODY_STRIDE;
@@ -32,9 +32,11 @@ export function chooseReferenceBody(
       bodies[now + BODY_POSITION + 1]! - bodies[body + BODY_POSITION + 1]! + ships[at + POSITION + 1]!;
     const z =
       bodies[now + BODY_POSITION + 2]! - bodies[body + BODY_POSITION + 2]! + ships[at + POSITION + 2]!;
-    const gravity = world.bodies[i]!.gravityParameter / (x * x + y * y + z * z);
-    if (gravity > strongest) {
-      strongest = gravity;
+    const { radius } = world.bodies[i]!;
+    // Squared: the order is the same.
+    const measure = (x * x + y * y + z * z) / (radius * radius);
+    if (measure < nearest) {
+      nearest = measure;
       best = i;
     }
   }

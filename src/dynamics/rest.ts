@@ -6,15 +6,15 @@ import {
   DT,
   END,
   FROM,
-  NORMAL,
-  quantity as q,
+  quantities as q,
   ROTATION,
+  SURFACE_NORMAL,
   type Step,
   TO,
-  INDEX,
+  SMI_MASK,
 } from './quantities';
 import { perpendicularAxis, rotateAttitude, shortestRotation } from './rotations';
-import { readAxes, readTilt, readUp } from './surface';
+import { readAxes, readTilt, readUp } from './pose';
 
 /**
  * Step 8: the hull of a tipped ship rests on its side. Past 90° of tilt the ground's impulse stops it from turning further,
@@ -45,17 +45,17 @@ function turnBack(): void {
   q[ROTATION + 3] = perLength;
 }
 
-/** AXIS = unit(n × up), the axis the ship tips about; any level one where it stands on its head. */
+/** AXIS = unit(s × up), the axis the ship tips about; any one along the ground where it stands on its head. */
 function findAxis(): void {
-  const nx = q[END + NORMAL]!;
-  const ny = q[END + NORMAL + 1]!;
-  const nz = q[END + NORMAL + 2]!;
+  const nx = q[END + SURFACE_NORMAL]!;
+  const ny = q[END + SURFACE_NORMAL + 1]!;
+  const nz = q[END + SURFACE_NORMAL + 2]!;
   const x = ny * q[AXES + 8]! - nz * q[AXES + 5]!;
   const y = nz * q[AXES + 2]! - nx * q[AXES + 8]!;
   const z = nx * q[AXES + 5]! - ny * q[AXES + 2]!;
   const length = Math.sqrt(x * x + y * y + z * z);
   if (length <= 1e-6) {
-    perpendicularAxis(END + NORMAL);
+    perpendicularAxis(END + SURFACE_NORMAL);
     return;
   }
   const perLength = 1 / length;
@@ -65,13 +65,13 @@ function findAxis(): void {
 }
 
 /**
- * w −= j s / (j · axis), j = I_world⁻¹ axis: the ground's impulse about the axis. The mass ratio in I cancels.
+ * w −= j f / (j · axis), j = I_world⁻¹ axis: the ground's impulse about the axis. The fuel's factor in I cancels.
  * Along the axis alone it would feed the other axes of a full tensor for ever.
  */
 function stopFurtherTilt(step: Step): void {
   const { ships, bodies } = step;
-  const bodyAt = step.bodyAt & INDEX;
-  const at = step.at & INDEX;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const at = step.at & SMI_MASK;
   const ax = q[AXIS]!;
   const ay = q[AXIS + 1]!;
   const az = q[AXIS + 2]!;
@@ -96,15 +96,15 @@ function stopFurtherTilt(step: Step): void {
   ships[at + ANGULAR_VELOCITY + 2] = ships[at + ANGULAR_VELOCITY + 2]! - jz * impulse;
 }
 
-/** ROTATION = the shortest rotation that takes up to unit(up − cos_tilt n). */
+/** ROTATION = the shortest rotation that takes up to unit(up − cos_tilt s). */
 function layFlat(): void {
   const cos = q[COS_TILT]!;
   q[FROM] = q[AXES + 2]!;
   q[FROM + 1] = q[AXES + 5]!;
   q[FROM + 2] = q[AXES + 8]!;
-  const x = q[FROM] - cos * q[END + NORMAL]!;
-  const y = q[FROM + 1]! - cos * q[END + NORMAL + 1]!;
-  const z = q[FROM + 2]! - cos * q[END + NORMAL + 2]!;
+  const x = q[FROM] - cos * q[END + SURFACE_NORMAL]!;
+  const y = q[FROM + 1]! - cos * q[END + SURFACE_NORMAL + 1]!;
+  const z = q[FROM + 2]! - cos * q[END + SURFACE_NORMAL + 2]!;
   const perLength = 1 / Math.sqrt(x * x + y * y + z * z);
   q[TO] = x * perLength;
   q[TO + 1] = y * perLength;

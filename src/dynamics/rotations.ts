@@ -1,12 +1,12 @@
 import { ATTITUDE, BODY_TURN, POSITION } from './layout';
-import { AXIS, FROM, quantity as q, ROTATION, type Step, TO, INDEX } from './quantities';
-import { moveWithGround, spinWithGround } from './surface';
+import { AXIS, FROM, quantities as q, ROTATION, type Step, TO, SMI_MASK } from './quantities';
+import { moveWithGround, spinWithGround } from './pose';
 
 /** Landed or pinned: the ship's place turns with the ground over the substep; u = Ω × r. */
 export function turnPlaceWithGround(step: Step): void {
   const { ships, bodies } = step;
-  const bodyAt = step.bodyAt & INDEX;
-  const at = step.at & INDEX;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const at = step.at & SMI_MASK;
   const ax = bodies[bodyAt + BODY_TURN]!;
   const ay = bodies[bodyAt + BODY_TURN + 1]!;
   const az = bodies[bodyAt + BODY_TURN + 2]!;
@@ -28,8 +28,8 @@ export function turnPlaceWithGround(step: Step): void {
 /** Landed: the attitude turns with the ground too; w = Ω. */
 export function turnAttitudeWithGround(step: Step): void {
   const { ships, bodies } = step;
-  const bodyAt = step.bodyAt & INDEX;
-  const at = step.at & INDEX;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const at = step.at & SMI_MASK;
   for (let k = 0; k < 4; k++) q[ROTATION + k] = bodies[bodyAt + BODY_TURN + k]!;
   rotateAttitude(ships, at);
   spinWithGround(step);

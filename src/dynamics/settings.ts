@@ -20,6 +20,10 @@ export interface Settings {
   readonly contactFrictionKinetic: number;
   /** What a touch does to attitude and spin: aligned with the surface normal and stilled, or kept as they are. */
   readonly touchdownAttitude: 'aligned' | 'kept';
+  /** Which way is off the ground: along the radius, as on a ball, or square to the slope that the feet stand on. */
+  readonly surfaceNormal: 'radial' | 'terrain';
+  /** Game seconds: a tick is cut into equal substeps that are no longer. */
+  readonly contactLongestSubstep: number;
 }
 
 export const DEFAULT_SETTINGS: Settings = Object.freeze({
@@ -33,7 +37,13 @@ export const DEFAULT_SETTINGS: Settings = Object.freeze({
   contactFrictionStatic: 0.8,
   contactFrictionKinetic: 0.5,
   touchdownAttitude: 'aligned',
+  surfaceNormal: 'radial',
+  contactLongestSubstep: 0.01,
 });
+
+/** Bounds of contactLongestSubstep, s. Beyond the longest, ships with moments of inertia far apart shake on their legs. */
+const SHORTEST_SUBSTEP = 0.001;
+const LONGEST_SUBSTEP = 0.022;
 
 /** Checked settings and what a substep needs of them: angles as cosines. */
 export interface LoadedSettings extends Settings {
@@ -45,7 +55,7 @@ export interface LoadedSettings extends Settings {
 export function loadSettings(given: Partial<Settings>): Result<LoadedSettings> {
   const s: Settings = { ...DEFAULT_SETTINGS, ...given };
   for (const [name, value] of Object.entries(s)) {
-    if (name === 'touchdownAttitude') continue;
+    if (name === 'touchdownAttitude' || name === 'surfaceNormal') continue;
     if (!(name in DEFAULT_SETTINGS)) return err(`${name}: no such setting`);
     const reason = notFinite(name, value);
     if (reason !== null) return err(reason);
@@ -63,6 +73,7 @@ export function loadSettings(given: Partial<Settings>): Result<LoadedSettings> {
 
 function firstOutOfRange(s: Settings): string | null {
   const attitude: string = s.touchdownAttitude;
+  const normal: string = s.surfaceNormal;
   const ranges: readonly (readonly [keyof Settings, boolean, string])[] = [
     ['contactCrashSpeed', s.contactCrashSpeed > 0, '> 0 m/s'],
     ['contactBounceSpeed', s.contactBounceSpeed > 0, '> 0 m/s'],
@@ -88,6 +99,12 @@ function firstOutOfRange(s: Settings): string | null {
       `≥ 0 and ≤ contactFrictionStatic (${String(s.contactFrictionStatic)})`,
     ],
     ['touchdownAttitude', attitude === 'aligned' || attitude === 'kept', "'aligned' or 'kept'"],
+    ['surfaceNormal', normal === 'radial' || normal === 'terrain', "'radial' or 'terrain'"],
+    [
+      'contactLongestSubstep',
+      s.contactLongestSubstep >= SHORTEST_SUBSTEP && s.contactLongestSubstep <= LONGEST_SUBSTEP,
+      `${SHORTEST_SUBSTEP} … ${LONGEST_SUBSTEP} s`,
+    ],
   ];
   for (const [name, inRange, range] of ranges) {
     if (!inRange) return `${name}: expected ${range}, got ${String(s[name])}`;

@@ -6,6 +6,7 @@ import {
   CRASHED,
   FLYING,
   FUEL,
+  GROUND_CONTACT_OFFSET,
   IMPACT_SPEED,
   POSITION,
   REFERENCE_BODY,
@@ -14,8 +15,20 @@ import {
   SURFACE_STATES,
   type SurfaceState,
   VELOCITY,
+  WHEEL_MOMENTUM,
 } from './layout';
-import { anyOutside, FUEL_MASS, notUnit, outside, PLACE, SPEED, SPIN, VELOCITY_RANGE } from './limits';
+import {
+  anyOutside,
+  FUEL_MASS,
+  notUnit,
+  outside,
+  PLACE,
+  SHIP_LENGTH,
+  SPEED,
+  SPIN,
+  VELOCITY_RANGE,
+  WHEEL_MOMENTUM_RANGE,
+} from './limits';
 import type { World } from './world';
 
 /** A ship's simulated state as a plain record: units and frames as in layout.ts. */
@@ -31,14 +44,24 @@ export interface ShipRecord {
   readonly angularVelocity: Vec3;
   /** kg */
   readonly fuel: number;
+  /** What the reaction wheels have given so far, N m s, body axes. */
+  readonly wheelMomentum: Vec3;
+  /** h: height of the centre of mass above the feet, m. */
+  readonly groundContactOffset: number;
   readonly surfaceContactState: SurfaceState;
   /** m/s */
   readonly contactImpactSpeed: number;
   readonly crashed: boolean;
 }
 
+const AT_REST: Vec3 = [0, 0, 0];
+
+/** A ship as it is given: without a wheel momentum it is 0, without an offset the class's. */
+export type ShipInit = Omit<ShipRecord, 'wheelMomentum' | 'groundContactOffset'> &
+  Partial<Pick<ShipRecord, 'wheelMomentum' | 'groundContactOffset'>>;
+
 /** Writes a ship's state (not its controls); a reason that names the field leaves the row as it was. */
-export function writeShip(ships: Float64Array, at: number, ship: ShipRecord, world: World): string | null {
+export function writeShip(ships: Float64Array, at: number, ship: ShipInit, world: World): string | null {
   const checked = checkShip(ship, world);
   if (!checked.ok) return checked.reason;
   const { shipClass, referenceBody } = checked.value;
@@ -47,6 +70,9 @@ export function writeShip(ships: Float64Array, at: number, ship: ShipRecord, wor
   ships.set(ship.attitude, at + ATTITUDE);
   ships.set(ship.angularVelocity, at + ANGULAR_VELOCITY);
   ships[at + FUEL] = ship.fuel;
+  ships.set(ship.wheelMomentum ?? AT_REST, at + WHEEL_MOMENTUM);
+  ships[at + GROUND_CONTACT_OFFSET] =
+    ship.groundContactOffset ?? world.shipClasses[shipClass]!.groundContactOffset;
   ships[at + IMPACT_SPEED] = ship.contactImpactSpeed;
   ships[at + SURFACE_STATE] = SURFACE_STATES.indexOf(ship.surfaceContactState);
   ships[at + REFERENCE_BODY] = referenceBody;
@@ -56,7 +82,7 @@ export function writeShip(ships: Float64Array, at: number, ship: ShipRecord, wor
 }
 
 /** Like writeShip, with the controls of a spawn: all neutral. */
-export function spawnShip(ships: Float64Array, at: number, ship: ShipRecord, world: World): string | null {
+export function spawnShip(ships: Float64Array, at: number, ship: ShipInit, world: World): string | null {
   const reason = writeShip(ships, at, ship, world);
   if (reason === null) writeControls(ships, at, NEUTRAL_CONTROLS);
   return reason;
@@ -72,6 +98,8 @@ export function readShip(ships: Float64Array, at: number, world: World): ShipRec
     attitude: tuple(ATTITUDE, 4) as unknown as Quat,
     angularVelocity: tuple(ANGULAR_VELOCITY, 3) as unknown as Vec3,
     fuel: ships[at + FUEL]!,
+    wheelMomentum: tuple(WHEEL_MOMENTUM, 3) as unknown as Vec3,
+    groundContactOffset: ships[at + GROUND_CONTACT_OFFSET]!,
     surfaceContactState: SURFACE_STATES[ships[at + SURFACE_STATE]!]!,
     contactImpactSpeed: ships[at + IMPACT_SPEED]!,
     crashed: ships[at + CRASHED] === 1,
@@ -83,13 +111,17 @@ export function landedBodyName(ship: ShipRecord): string {
   return ship.surfaceContactState === SURFACE_STATES[FLYING] ? '' : ship.referenceBody;
 }
 
-function checkShip(ship: ShipRecord, world: World): Result<{ shipClass: number; referenceBody: number }> {
+function checkShip(ship: ShipInit, world: World): Result<{ shipClass: number; referenceBody: number }> {
   const malformed =
     notFiniteTuple('relativePosition', ship.relativePosition, 3) ??
     notFiniteTuple('relativeVelocity', ship.relativeVelocity, 3) ??
     notFiniteTuple('attitude', ship.attitude, 4) ??
     notFiniteTuple('angularVelocity', ship.angularVelocity, 3) ??
     notFinite('fuel', ship.fuel) ??
+    (ship.wheelMomentum === undefined ? null : notFiniteTuple('wheelMomentum', ship.wheelMomentum, 3)) ??
+    (ship.groundContactOffset === undefined
+      ? null
+      : notFinite('groundContactOffset', ship.groundContactOffset)) ??
     notFinite('contactImpactSpeed', ship.contactImpactSpeed);
   if (malformed !== null) return err(malformed);
   const shipClass = world.shipClasses.findIndex((c) => c.name === ship.shipClass);
@@ -106,6 +138,8 @@ function checkShip(ship: ShipRecord, world: World): Result<{ shipClass: number; 
     notUnit('attitude', ship.attitude) ??
     anyOutside('angularVelocity', ship.angularVelocity, SPIN) ??
     outside('fuel', ship.fuel, FUEL_MASS) ??
+    anyOutside('wheelMomentum', ship.wheelMomentum ?? AT_REST, WHEEL_MOMENTUM_RANGE) ??
+    outside('groundContactOffset', ship.groundContactOffset ?? 0, SHIP_LENGTH) ??
     outside('contactImpactSpeed', ship.contactImpactSpeed, SPEED);
   if (outOfRange !== null) return err(outOfRange);
   return ok({ shipClass, referenceBody });

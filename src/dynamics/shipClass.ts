@@ -4,12 +4,16 @@ import {
   FORCE,
   FUEL_MASS,
   INERTIA,
+  INERTIA_RATIO,
   ISP,
   LEVER,
+  NATURAL_FREQUENCY,
   outside,
   SHIP_LENGTH,
   SHIP_MASS,
+  TANKS,
   TORQUE,
+  WHEEL_CAPACITY,
 } from './limits';
 
 /** A ship class under the game's names. SI units, body axes: +Z is the thrust axis and "up". */
@@ -19,9 +23,9 @@ export interface ShipClass {
   readonly dryMass: number;
   /** kg */
   readonly fuelCapacity: number;
-  /** kg m², body axes, at full mass; symmetric, positive definite, not assumed diagonal. */
+  /** kg m², body axes, with full tanks; symmetric, positive definite, not assumed diagonal. */
   readonly inertiaTensor: Mat3;
-  /** h: height of the centre of mass above the feet, m. */
+  /** h: height of the centre of mass above the feet, m, ≥ 0; a ship's state may carry its own. */
   readonly groundContactOffset: number;
   /** Radius of the landing-leg footprint, m. */
   readonly legRadius: number;
@@ -39,21 +43,41 @@ export interface ShipClass {
   readonly rcsIsp: number;
   /** N m about body x, y, z; burns no fuel. */
   readonly reactionWheelTorque: Vec3;
+  /** N m s about body x, y, z; null: the wheels are never full. */
+  readonly reactionWheelCapacity: Vec3 | null;
+  /** ω_n of the attitude controller, rad/s; it is critically damped. */
+  readonly attitudeNaturalFrequency: number;
+  /** Inertia with dry tanks over inertia with full ones; null: in proportion to mass. */
+  readonly dryInertiaRatio: number | null;
 }
 
 /** A checked class and its constants, computed once. */
 export interface LoadedShipClass extends ShipClass {
   /** kg: dry mass + fuel capacity. */
   readonly fullMass: number;
-  /** kg m², row by row, at full mass. */
+  /** kg m², row by row, with full tanks. */
   readonly inertia: Float64Array;
   /** Its inverse, row by row. */
   readonly inverseInertia: Float64Array;
-  /** kg/s a newton of main engine thrust. */
+  /** What the tensor is multiplied by: inertiaAtDry + inertiaPerFuel · fuel. */
+  readonly inertiaAtDry: number;
+  /** 1/kg */
+  readonly inertiaPerFuel: number;
+  /** J: the least moment of inertia against tilting, with full tanks, kg m²: what the legs' support turns. */
+  readonly supportInertia: number;
+  /** J': a bound below the least moment of inertia, with full tanks, kg m²: what the feet's scrub slows. */
+  readonly scrubInertia: number;
+  /** ω_n², s⁻². */
+  readonly attitudeStiffness: number;
+  /** 2 ω_n, s⁻¹. */
+  readonly attitudeDamping: number;
+  /** N m s about body x, y, z; Infinity: never full. */
+  readonly wheelCapacity: Vec3;
+  /** kg/s per newton of main engine thrust. */
   readonly mainEngineFlow: number;
-  /** kg/s a newton of RCS force. */
+  /** kg/s per newton of RCS force. */
   readonly rcsFlow: number;
-  /** RCS force a newton metre of torque, 1/m. */
+  /** RCS force per newton metre of torque, 1/m. */
   readonly forcePerTorque: number;
 }
 
@@ -69,6 +93,8 @@ export function loadShipClass(given: ShipClass): Result<LoadedShipClass> {
   if (reason !== null) return err(`ship class ${given.name}: ${reason}`);
   const fullMass = given.dryMass + given.fuelCapacity;
   const inertia = Float64Array.from(given.inertiaTensor.flat());
+  const inverseInertia = inverse(inertia);
+  const { attitudeNaturalFrequency } = given;
   const burnsMain = given.mainEngineThrust > 0;
   const turnsByRcs = largest(given.rcsTorque) > 0;
   const burnsRcs = turnsByRcs || largest(given.rcsThrust) > 0;
@@ -77,12 +103,42 @@ export function loadShipClass(given: ShipClass): Result<LoadedShipClass> {
       ...given,
       fullMass,
       inertia,
-      inverseInertia: inverse(inertia),
+      inverseInertia,
+      ...inertiaByFuel(given, fullMass),
+      ...scalarInertias(inverseInertia),
+      attitudeStiffness: attitudeNaturalFrequency * attitudeNaturalFrequency,
+      attitudeDamping: 2 * attitudeNaturalFrequency,
+      wheelCapacity: given.reactionWheelCapacity ?? NEVER_FULL,
       mainEngineFlow: burnsMain ? 1 / (given.mainEngineIsp * STANDARD_GRAVITY) : 0,
       rcsFlow: burnsRcs ? 1 / (given.rcsIsp * STANDARD_GRAVITY) : 0,
       forcePerTorque: turnsByRcs ? 1 / given.rcsLever : 0,
     }),
   );
+}
+
+const NEVER_FULL: Vec3 = [Infinity, Infinity, Infinity];
+
+/** Linear in fuel: from dry to full as dryInertiaRatio has it, without one (or without tanks) as mass. */
+function inertiaByFuel(
+  { dryMass, fuelCapacity, dryInertiaRatio }: ShipClass,
+  fullMass: number,
+): Pick<LoadedShipClass, 'inertiaAtDry' | 'inertiaPerFuel'> {
+  if (dryInertiaRatio === null || fuelCapacity === 0)
+    return { inertiaAtDry: dryMass / fullMass, inertiaPerFuel: 1 / fullMass };
+  return { inertiaAtDry: dryInertiaRatio, inertiaPerFuel: (1 - dryInertiaRatio) / fuelCapacity };
+}
+
+/** The legs' moment of inertia is at most this many times the bound below the least: a needle would spin about its own axis. */
+const MOST_SUPPORT = 4;
+
+/** J and J' (DYNAMICS, Angular), from K = I⁻¹. */
+function scalarInertias(k: Float64Array): Pick<LoadedShipClass, 'supportInertia' | 'scrubInertia'> {
+  const row = (i: number) => Math.abs(k[i]!) + Math.abs(k[i + 1]!) + Math.abs(k[i + 2]!);
+  const scrubInertia = 1 / Math.max(row(0), row(3), row(6));
+  const mean = (k[0]! + k[4]!) / 2;
+  const half = (k[0]! - k[4]!) / 2;
+  const tilting = 1 / (mean + Math.sqrt(half * half + k[1]! * k[1]!));
+  return { supportInertia: Math.min(tilting, MOST_SUPPORT * scrubInertia), scrubInertia };
 }
 
 const SCALARS = [
@@ -94,6 +150,7 @@ const SCALARS = [
   'mainEngineIsp',
   'rcsLever',
   'rcsIsp',
+  'attitudeNaturalFrequency',
 ] as const;
 const TRIPLES = ['rcsThrust', 'rcsTorque', 'reactionWheelTorque'] as const;
 
@@ -105,6 +162,14 @@ function malformed(c: ShipClass): string | null {
   }
   for (const field of TRIPLES) {
     const reason = notFiniteTuple(field, c[field], 3);
+    if (reason !== null) return reason;
+  }
+  if (c.dryInertiaRatio !== null) {
+    const reason = notFinite('dryInertiaRatio', c.dryInertiaRatio);
+    if (reason !== null) return reason;
+  }
+  if (c.reactionWheelCapacity !== null) {
+    const reason = notFiniteTuple('reactionWheelCapacity', c.reactionWheelCapacity, 3);
     if (reason !== null) return reason;
   }
   const rows: readonly unknown[] = Array.isArray(c.inertiaTensor) ? c.inertiaTensor : [];
@@ -123,11 +188,17 @@ function outOfRange(c: ShipClass): string | null {
     outside('dryMass', c.dryMass, SHIP_MASS) ??
     outside('fuelCapacity', c.fuelCapacity, FUEL_MASS) ??
     outside('groundContactOffset', c.groundContactOffset, SHIP_LENGTH) ??
-    outside('legRadius', c.legRadius, SHIP_LENGTH) ??
+    (c.fuelCapacity !== 0 ? outside('fuelCapacity', c.fuelCapacity, TANKS) : null) ??
+    outside('legRadius', c.legRadius, LEVER) ??
     outside('mainEngineThrust', c.mainEngineThrust, FORCE) ??
     anyOutside('rcsThrust', c.rcsThrust, FORCE) ??
     anyOutside('rcsTorque', c.rcsTorque, TORQUE) ??
     anyOutside('reactionWheelTorque', c.reactionWheelTorque, TORQUE) ??
+    (c.reactionWheelCapacity === null
+      ? null
+      : anyOutside('reactionWheelCapacity', c.reactionWheelCapacity, WHEEL_CAPACITY)) ??
+    outside('attitudeNaturalFrequency', c.attitudeNaturalFrequency, NATURAL_FREQUENCY) ??
+    (c.dryInertiaRatio === null ? null : outside('dryInertiaRatio', c.dryInertiaRatio, INERTIA_RATIO)) ??
     // Where they divide nothing they are not looked at.
     (c.mainEngineThrust > 0 ? outside('mainEngineIsp', c.mainEngineIsp, ISP) : null) ??
     (turnsByRcs ? outside('rcsLever', c.rcsLever, LEVER) : null) ??

@@ -1,5 +1,6 @@
 import { actuate, commandsThrust } from './actuators';
-import { isPinned, moveByForces, normalForce } from './forces';
+import { fly } from './flight';
+import { isPinned, moveOnGround, pressNormal } from './forces';
 import {
   BODY_AXES,
   BODY_END_AXES,
@@ -14,19 +15,33 @@ import {
   SURFACE_STATE,
   TIPPED,
 } from './layout';
-import { DT, END, GRAVITY, LIFT, MASS, quantity as q, START, type Step, WEIGHT } from './quantities';
+import { addGroundMoments } from './moments';
+import { readAxes } from './pose';
+import {
+  DT,
+  END,
+  GRAVITY,
+  LIFT,
+  MASS,
+  NORMAL_FORCE,
+  PENETRATION,
+  quantities as q,
+  START,
+  type Step,
+  WEIGHT,
+} from './quantities';
 import { restOnSide } from './rest';
 import { turnAttitudeWithGround, turnPlaceWithGround } from './rotations';
-import { readAxes, readSurface } from './surface';
-import { turnByTorques } from './topple';
+import { turnByTorque } from './spin';
+import { readGround, readPenetration, readPlace } from './surface';
 import { makeTransition } from './transitions';
 import type { World } from './world';
 
 /**
- * One substep of one ship, in the order of DYNAMICS ("One substep, in this order").
+ * One substep of one ship, in the order of DYNAMICS ("One substep").
  * @param ships rows; the one at `at` is changed
  * @param bodies rows, turned for this substep by `turnBodies` (step 7)
- * @param dt game seconds, at most 0.01
+ * @param dt game seconds, at most the settings' contactLongestSubstep
  * @returns what happened, an index into EVENT_NAMES
  */
 export function substep(
@@ -41,16 +56,42 @@ export function substep(
   q[DT] = dt;
   if (ships[at + SURFACE_STATE] === LANDED && !commandsThrust(ships, at)) return stayLanded(step); // 1, 2: no lift to look for
   readAxes(step);
-  readSurface(START, step, BODY_AXES);
+  readPlace(START, step);
   actuate(step); // 1
   if (!launches(step) && ships[at + SURFACE_STATE] === LANDED) return stayLanded(step); // 2
-  const pinned = isPinned(step); // 3
-  normalForce(step, pinned); // 4
-  if (!pinned) moveByForces(step); // 5
-  turnByTorques(step); // 6
+  return ships[at + SURFACE_STATE] === FLYING ? flySubstep(step) : groundSubstep(step);
+}
+
+/** Steps 5 to 9 in the air. */
+function flySubstep(step: Step): number {
+  fly(step); // 5
+  turnByTorque(step); // 6
+  readPenetration(END, step, BODY_END_AXES);
+  if (!(q[END + PENETRATION]! > 0)) return NO_EVENT; // 9
+  readPenetration(START, step, BODY_AXES);
+  readGround(END, step, BODY_END_AXES);
+  return makeTransition(step); // 9
+}
+
+/** Steps 3 to 9 in contact or tipped. */
+function groundSubstep(step: Step): number {
+  readPenetration(START, step, BODY_AXES);
+  const inGround = q[START + PENETRATION]! > 0;
+  let pinned = false;
+  q[NORMAL_FORCE] = 0;
+  if (inGround) {
+    readGround(START, step, BODY_AXES);
+    pinned = isPinned(step); // 3
+    pressNormal(step, pinned); // 4
+  }
+  if (!pinned) moveOnGround(step); // 5
+  if (inGround) addGroundMoments(step); // 6
+  turnByTorque(step); // 6
   if (pinned) turnPlaceWithGround(step); // 8
-  readSurface(END, step, BODY_END_AXES);
-  if (ships[at + SURFACE_STATE] === TIPPED) restOnSide(step); // 8
+  readPlace(END, step);
+  readPenetration(END, step, BODY_END_AXES);
+  readGround(END, step, BODY_END_AXES);
+  if (step.ships[step.at + SURFACE_STATE] === TIPPED) restOnSide(step); // 8
   return makeTransition(step); // 9
 }
 

@@ -1,136 +1,194 @@
-import { ANGULAR_VELOCITY, ATTITUDE, BODY_ANGULAR_VELOCITY, POSITION, VELOCITY } from './layout';
+import { BODY_ANGULAR_VELOCITY, GROUND_CONTACT_OFFSET, POSITION, VELOCITY } from './layout';
 import {
-  AXES,
-  COS_TILT,
-  END,
+  BODY_NORMAL,
+  COS_SLOPE,
+  DISTANCE,
   GRAVITY,
-  INDEX,
+  LEVEL_1,
+  LEVEL_2,
   NORMAL,
+  NORMAL_SPEED,
   PENETRATION,
-  quantity as q,
-  RADIAL_SPEED,
+  POINT,
+  quantities as q,
+  RISE,
+  SLOPE,
+  SMI_MASK,
   type Step,
-  TANGENTIAL_SPEED,
+  SURFACE_NORMAL,
+  TANGENTIAL_SPEED_SQUARED,
   TANGENTIAL_VELOCITY,
 } from './quantities';
 
-/**
- * Fills the quantities at `surface` (START or END) from the ship's position and velocity as they are now.
- * @param bodyAxes BODY_AXES at a substep's start, BODY_END_AXES at its end: how the body lies under the ship.
- */
-export function readSurface(surface: number, step: Step, bodyAxes: number): void {
-  const to = surface & INDEX;
-  const { ships, bodies, body, world } = step;
-  const bodyAt = step.bodyAt & INDEX;
-  const at = step.at & INDEX;
+/** Fills NORMAL, DISTANCE and GRAVITY at `surface` (START or END) from the ship's position as it is now. */
+export function readPlace(surface: number, step: Step): void {
+  const to = surface & SMI_MASK;
+  const { ships } = step;
+  const at = step.at & SMI_MASK;
   const rx = ships[at + POSITION]!;
   const ry = ships[at + POSITION + 1]!;
   const rz = ships[at + POSITION + 2]!;
   const squared = rx * rx + ry * ry + rz * rz;
   const distance = Math.sqrt(squared);
   const perDistance = 1 / distance;
-  const nx = rx * perDistance;
-  const ny = ry * perDistance;
-  const nz = rz * perDistance;
-  q[to + NORMAL] = nx;
-  q[to + NORMAL + 1] = ny;
-  q[to + NORMAL + 2] = nz;
+  q[to + NORMAL] = rx * perDistance;
+  q[to + NORMAL + 1] = ry * perDistance;
+  q[to + NORMAL + 2] = rz * perDistance;
+  q[to + DISTANCE] = distance;
+  q[to + GRAVITY] = step.body.gravityParameter / squared;
+}
 
-  const axes = (bodyAt + bodyAxes) & INDEX;
-  const height = world.terrainHeight(
-    body.name,
-    bodies[axes]! * nx + bodies[axes + 3]! * ny + bodies[axes + 6]! * nz,
-    bodies[axes + 1]! * nx + bodies[axes + 4]! * ny + bodies[axes + 7]! * nz,
-    bodies[axes + 2]! * nx + bodies[axes + 5]! * ny + bodies[axes + 8]! * nz,
-  );
-  q[to + PENETRATION] = body.radius + height + step.shipClass.groundContactOffset - distance;
+/**
+ * Fills PENETRATION at `surface`, whose place has been read.
+ * @param bodyAxes BODY_AXES at a substep's start, BODY_END_AXES at its end: how the body lies under the ship.
+ */
+export function readPenetration(surface: number, step: Step, bodyAxes: number): void {
+  const to = surface & SMI_MASK;
+  const { bodies, body } = step;
+  const axes = (step.bodyAt + bodyAxes) & SMI_MASK;
+  const nx = q[to + NORMAL]!;
+  const ny = q[to + NORMAL + 1]!;
+  const nz = q[to + NORMAL + 2]!;
+  const bx = bodies[axes]! * nx + bodies[axes + 3]! * ny + bodies[axes + 6]! * nz;
+  const by = bodies[axes + 1]! * nx + bodies[axes + 4]! * ny + bodies[axes + 7]! * nz;
+  const bz = bodies[axes + 2]! * nx + bodies[axes + 5]! * ny + bodies[axes + 8]! * nz;
+  q[to + BODY_NORMAL] = bx;
+  q[to + BODY_NORMAL + 1] = by;
+  q[to + BODY_NORMAL + 2] = bz;
+  const ground = body.radius + step.world.terrainHeight(body.name, bx, by, bz);
+  q[to + PENETRATION] =
+    ground + step.ships[(step.at & SMI_MASK) + GROUND_CONTACT_OFFSET]! - q[to + DISTANCE]!;
+}
 
+/** Fills the surface normal and the velocity relative to the ground at `surface`, whose penetration has been read. */
+export function readGround(surface: number, step: Step, bodyAxes: number): void {
+  if (step.world.settings.surfaceNormal === 'terrain') readSlope(surface, step, bodyAxes);
+  else readLevel(surface);
+  readVelocity(surface, step);
+}
+
+/** s = n */
+function readLevel(surface: number): void {
+  const to = surface & SMI_MASK;
+  q[to + SURFACE_NORMAL] = q[to + NORMAL]!;
+  q[to + SURFACE_NORMAL + 1] = q[to + NORMAL + 1]!;
+  q[to + SURFACE_NORMAL + 2] = q[to + NORMAL + 2]!;
+  q[to + COS_SLOPE] = 1;
+  q[to + SLOPE] = 0;
+  q[to + SLOPE + 1] = 0;
+  q[to + SLOPE + 2] = 0;
+}
+
+/** s = the normal of the plane that the feet stand on: the ground one leg radius ahead and behind, in two level directions. */
+function readSlope(surface: number, step: Step, bodyAxes: number): void {
+  const to = surface & SMI_MASK;
+  const { bodies, body, shipClass } = step;
+  findLevelDirections(to);
+  const arm = shipClass.legRadius / body.radius;
+  // n_b and e_i are unit and at right angles, so n_b ± arm e_i have all four the same length.
+  const perLength = 1 / Math.sqrt(1 + arm * arm);
+  q[POINT] = perLength;
+  q[POINT + 1] = arm * perLength;
+  readRise(to, step, LEVEL_1, RISE);
+  readRise(to, step, LEVEL_2, RISE + 1);
+  const rise1 = q[RISE]!;
+  const rise2 = q[RISE + 1]!;
+  const x = q[to + BODY_NORMAL]! - rise1 * q[LEVEL_1]! - rise2 * q[LEVEL_2]!;
+  const y = q[to + BODY_NORMAL + 1]! - rise1 * q[LEVEL_1 + 1]! - rise2 * q[LEVEL_2 + 1]!;
+  const z = q[to + BODY_NORMAL + 2]! - rise1 * q[LEVEL_1 + 2]! - rise2 * q[LEVEL_2 + 2]!;
+  const perNormal = 1 / Math.sqrt(x * x + y * y + z * z);
+  const bx = x * perNormal;
+  const by = y * perNormal;
+  const bz = z * perNormal;
+  const axes = (step.bodyAt + bodyAxes) & SMI_MASK;
+  const sx = bodies[axes]! * bx + bodies[axes + 1]! * by + bodies[axes + 2]! * bz;
+  const sy = bodies[axes + 3]! * bx + bodies[axes + 4]! * by + bodies[axes + 5]! * bz;
+  const sz = bodies[axes + 6]! * bx + bodies[axes + 7]! * by + bodies[axes + 8]! * bz;
+  const nx = q[to + NORMAL]!;
+  const ny = q[to + NORMAL + 1]!;
+  const nz = q[to + NORMAL + 2]!;
+  const cos = nx * sx + ny * sy + nz * sz;
+  q[to + SURFACE_NORMAL] = sx;
+  q[to + SURFACE_NORMAL + 1] = sy;
+  q[to + SURFACE_NORMAL + 2] = sz;
+  q[to + COS_SLOPE] = cos;
+  q[to + SLOPE] = nx - cos * sx;
+  q[to + SLOPE + 1] = ny - cos * sy;
+  q[to + SLOPE + 2] = nz - cos * sz;
+}
+
+/** Near the pole (Y of the body's axes) the first level direction is taken from X instead: p × n_b would be round-off there. */
+const NEAR_POLE = 0.9;
+
+/** LEVEL_1 = unit(p × n_b), p the pole or near it X; LEVEL_2 = n_b × LEVEL_1. Body's axes. */
+function findLevelDirections(to: number): void {
+  const x = q[to + BODY_NORMAL]!;
+  const y = q[to + BODY_NORMAL + 1]!;
+  const z = q[to + BODY_NORMAL + 2]!;
+  if (y >= NEAR_POLE || y <= -NEAR_POLE) {
+    const perLength = 1 / Math.sqrt(z * z + y * y);
+    const ey = -z * perLength;
+    const ez = y * perLength;
+    q[LEVEL_1] = 0;
+    q[LEVEL_1 + 1] = ey;
+    q[LEVEL_1 + 2] = ez;
+    q[LEVEL_2] = y * ez - z * ey;
+    q[LEVEL_2 + 1] = -x * ez;
+    q[LEVEL_2 + 2] = x * ey;
+  } else {
+    const perLength = 1 / Math.sqrt(z * z + x * x);
+    const ex = z * perLength;
+    const ez = -x * perLength;
+    q[LEVEL_1] = ex;
+    q[LEVEL_1 + 1] = 0;
+    q[LEVEL_1 + 2] = ez;
+    q[LEVEL_2] = y * ez;
+    q[LEVEL_2 + 1] = z * ex - x * ez;
+    q[LEVEL_2 + 2] = -y * ex;
+  }
+}
+
+/** q[rise] = how much the ground rises per metre along the level direction at `direction`. */
+function readRise(to: number, step: Step, direction: number, rise: number): void {
+  const { body, shipClass, world } = step;
+  const perLength = q[POINT]!;
+  const spread = q[POINT + 1]!;
+  const x = q[to + BODY_NORMAL]! * perLength;
+  const y = q[to + BODY_NORMAL + 1]! * perLength;
+  const z = q[to + BODY_NORMAL + 2]! * perLength;
+  const ex = q[direction]! * spread;
+  const ey = q[direction + 1]! * spread;
+  const ez = q[direction + 2]! * spread;
+  const ahead = world.terrainHeight(body.name, x + ex, y + ey, z + ez);
+  const behind = world.terrainHeight(body.name, x - ex, y - ey, z - ez);
+  q[rise] = (ahead - behind) / (2 * shipClass.legRadius);
+}
+
+/** NORMAL_SPEED, TANGENTIAL_VELOCITY and its square: v_rel = u − Ω × r off the ground and along it. */
+function readVelocity(surface: number, step: Step): void {
+  const to = surface & SMI_MASK;
+  const { ships, bodies } = step;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const at = step.at & SMI_MASK;
+  const rx = ships[at + POSITION]!;
+  const ry = ships[at + POSITION + 1]!;
+  const rz = ships[at + POSITION + 2]!;
   const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
   const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
   const vx = ships[at + VELOCITY]! - (oy * rz - oz * ry);
   const vy = ships[at + VELOCITY + 1]! - (oz * rx - ox * rz);
   const vz = ships[at + VELOCITY + 2]! - (ox * ry - oy * rx);
-  const radial = vx * nx + vy * ny + vz * nz;
-  const tx = vx - radial * nx;
-  const ty = vy - radial * ny;
-  const tz = vz - radial * nz;
-  q[to + RADIAL_SPEED] = radial;
+  const sx = q[to + SURFACE_NORMAL]!;
+  const sy = q[to + SURFACE_NORMAL + 1]!;
+  const sz = q[to + SURFACE_NORMAL + 2]!;
+  const speed = vx * sx + vy * sy + vz * sz;
+  const tx = vx - speed * sx;
+  const ty = vy - speed * sy;
+  const tz = vz - speed * sz;
+  q[to + NORMAL_SPEED] = speed;
   q[to + TANGENTIAL_VELOCITY] = tx;
   q[to + TANGENTIAL_VELOCITY + 1] = ty;
   q[to + TANGENTIAL_VELOCITY + 2] = tz;
-  q[to + TANGENTIAL_SPEED] = Math.sqrt(tx * tx + ty * ty + tz * tz);
-  q[to + GRAVITY] = body.gravityParameter / squared;
-}
-
-/** Fills AXES, the rotation matrix of the ship's attitude as it is now. */
-export function readAxes(step: Step): void {
-  const { ships } = step;
-  const at = step.at & INDEX;
-  const x = ships[at + ATTITUDE]!;
-  const y = ships[at + ATTITUDE + 1]!;
-  const z = ships[at + ATTITUDE + 2]!;
-  const w = ships[at + ATTITUDE + 3]!;
-  const x2 = x + x;
-  const y2 = y + y;
-  const z2 = z + z;
-  q[AXES] = 1 - (y * y2 + z * z2);
-  q[AXES + 1] = x * y2 - w * z2;
-  q[AXES + 2] = x * z2 + w * y2;
-  q[AXES + 3] = x * y2 + w * z2;
-  q[AXES + 4] = 1 - (x * x2 + z * z2);
-  q[AXES + 5] = y * z2 - w * x2;
-  q[AXES + 6] = x * z2 - w * y2;
-  q[AXES + 7] = y * z2 + w * x2;
-  q[AXES + 8] = 1 - (x * x2 + y * y2);
-}
-
-/** Fills the third column of AXES alone: `up` of the attitude as it is now. */
-export function readUp(step: Step): void {
-  const { ships } = step;
-  const at = step.at & INDEX;
-  const x = ships[at + ATTITUDE]!;
-  const y = ships[at + ATTITUDE + 1]!;
-  const z = ships[at + ATTITUDE + 2]!;
-  const w = ships[at + ATTITUDE + 3]!;
-  const x2 = x + x;
-  const y2 = y + y;
-  const z2 = z + z;
-  q[AXES + 2] = x * z2 + w * y2;
-  q[AXES + 5] = y * z2 - w * x2;
-  q[AXES + 8] = 1 - (x * x2 + y * y2);
-}
-
-/** COS_TILT = n · up at the substep's end, from the third column of AXES. */
-export function readTilt(): void {
-  q[COS_TILT] =
-    q[END + NORMAL]! * q[AXES + 2]! +
-    q[END + NORMAL + 1]! * q[AXES + 5]! +
-    q[END + NORMAL + 2]! * q[AXES + 8]!;
-}
-
-/** u = Ω × r: the ship moves as the ground at its centre of mass. */
-export function moveWithGround(step: Step): void {
-  const { ships, bodies } = step;
-  const bodyAt = step.bodyAt & INDEX;
-  const at = step.at & INDEX;
-  const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
-  const rx = ships[at + POSITION]!;
-  const ry = ships[at + POSITION + 1]!;
-  const rz = ships[at + POSITION + 2]!;
-  ships[at + VELOCITY] = oy * rz - oz * ry;
-  ships[at + VELOCITY + 1] = oz * rx - ox * rz;
-  ships[at + VELOCITY + 2] = ox * ry - oy * rx;
-}
-
-/** w = Ω: the ship turns as the ground. */
-export function spinWithGround(step: Step): void {
-  const { ships, bodies } = step;
-  const bodyAt = step.bodyAt & INDEX;
-  const at = step.at & INDEX;
-  ships[at + ANGULAR_VELOCITY] = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  ships[at + ANGULAR_VELOCITY + 1] = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  ships[at + ANGULAR_VELOCITY + 2] = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  q[to + TANGENTIAL_SPEED_SQUARED] = tx * tx + ty * ty + tz * tz;
 }

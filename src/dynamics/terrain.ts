@@ -20,7 +20,7 @@ interface Relief {
 }
 
 const RELIEFS: Readonly<Record<string, Relief>> = {
-  Moon: { radius: 1737400, scale: 1, craters: 1, seed: 11 },
+  Luna: { radius: 1737400, scale: 1, craters: 1, seed: 11 },
   Earth: { radius: 6371000, scale: 1, craters: 0, seed: 23 },
   Mars: { radius: 3389500, scale: 1, craters: 0.6, seed: 37 },
   Phobos: { radius: 11267, scale: 0.08, craters: 1, seed: 53 },

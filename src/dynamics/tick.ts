@@ -2,32 +2,40 @@ import { moveBodies, settleBodies, turnBodies } from './body';
 import { ok, type Result, notFinite, err } from './result';
 import { SHIP_STRIDE } from './layout';
 import { chooseReferenceBody } from './referenceBody';
+import type { Settings } from './settings';
 import { substep } from './substep';
 import type { World } from './world';
 
 /** How a tick is cut into substeps (DYNAMICS, Time). */
 export interface Timing {
-  /** Game seconds a tick: time scale / tick rate. */
+  /** Game seconds per tick: time scale / tick rate. */
   readonly tickSeconds: number;
   readonly substeps: number;
-  /** Game seconds a substep, at most 0.01. */
+  /** Game seconds per substep, at most the settings' contactLongestSubstep. */
   readonly dt: number;
 }
 
 /** Timing of a server's `tickRate` (0.1–100 Hz) and `timeScale` (0.1–100), or a reason that names the one out of range. */
-export function loadTiming(tickRate: number, timeScale: number): Result<Timing> {
+export function loadTiming(
+  tickRate: number,
+  timeScale: number,
+  { contactLongestSubstep }: Pick<Settings, 'contactLongestSubstep'>,
+): Result<Timing> {
   const reason = notFinite('tickRate', tickRate) ?? notFinite('timeScale', timeScale);
   if (reason !== null) return err(reason);
   if (tickRate < 0.1 || tickRate > 100)
     return err(`tickRate: expected 0.1 to 100 Hz, got ${String(tickRate)}`);
   if (timeScale < 0.1 || timeScale > 100)
     return err(`timeScale: expected 0.1 to 100, got ${String(timeScale)}`);
-  return ok(timingOfTick(timeScale / tickRate));
+  return ok(timingOfTick(timeScale / tickRate, contactLongestSubstep));
 }
 
-/** Timing of a tick of `tickSeconds` > 0 of game time. */
-export function timingOfTick(tickSeconds: number): Timing {
-  const whole = Math.ceil(tickSeconds * 100 - 1e-9);
+/** A tick longer by this share of a substep than whole substeps is still cut into those: it is rounding, as in 0.1 + 0.2. */
+const ROUNDING = 1e-9;
+
+/** Timing of a tick of `tickSeconds` > 0 of game time, cut into substeps of at most `longestSubstep` seconds. */
+export function timingOfTick(tickSeconds: number, longestSubstep: number): Timing {
+  const whole = Math.ceil(tickSeconds / longestSubstep - ROUNDING);
   const substeps = whole > 1 ? whole : 1;
   return { tickSeconds, substeps, dt: tickSeconds / substeps };
 }

@@ -1,48 +1,51 @@
-import { isNearlyAtRest, STIFFNESS } from './forces';
+import { isNearlyAtRest, readLoad } from './forces';
 import {
   ANGULAR_VELOCITY,
   BODY_ANGULAR_VELOCITY,
   CONTACT,
   CRASHED,
   EVENT_CONTACT,
-  EVENT_CRASHED,
+  EVENT_DESTROYED,
   EVENT_LANDED,
   EVENT_RIGHTED,
   EVENT_TIPPED,
   FLYING,
-  FUEL,
+  GROUND_CONTACT_OFFSET,
   IMPACT_SPEED,
   LANDED,
   NO_EVENT,
   SURFACE_STATE,
   TIPPED,
 } from './layout';
+import { moveWithGround, readTilt, spinWithGround } from './pose';
 import {
   AXES,
+  COS_SLOPE,
   COS_TILT,
-  DEPTH,
   DT,
   END,
   FROM,
-  GRAVITY,
   IMPACT,
-  LIFT,
   NORMAL,
+  NORMAL_SPEED,
   PENETRATION,
-  quantity as q,
-  RADIAL_SPEED,
+  quantities as q,
+  SLOPE,
+  SMI_MASK,
   START,
   type Step,
+  SURFACE_NORMAL,
   TO,
-  INDEX,
 } from './quantities';
 import { rotateAttitude, shortestRotation } from './rotations';
-import { moveWithGround, readTilt, spinWithGround } from './surface';
+
+/** A ship whose feet hang this far above the ground has left it, m: the ground fell away under it. */
+const LET_GO_HEIGHT = 0.1;
 
 /** Step 9: the first transition that applies to the state at the substep's end, at most one. Returns the event. */
 export function makeTransition(step: Step): number {
   const { ships } = step;
-  const at = step.at & INDEX;
+  const at = step.at & SMI_MASK;
   const state = ships[at + SURFACE_STATE]!;
   const touching = q[END + PENETRATION]! > 0;
   if (state === FLYING && !touching) return NO_EVENT;
@@ -68,15 +71,15 @@ export function makeTransition(step: Step): number {
  * only the second sees it, and a ship that flies into a hill crashes instead of being flung out of it.
  */
 function readImpact(): void {
-  const falling = -q[END + RADIAL_SPEED]!;
-  const closing = (q[END + PENETRATION]! - q[START + PENETRATION]!) / q[DT]!;
+  const falling = -q[END + NORMAL_SPEED]!;
+  const closing = ((q[END + PENETRATION]! - q[START + PENETRATION]!) * q[END + COS_SLOPE]!) / q[DT]!;
   q[IMPACT] = falling > closing ? falling : closing;
 }
 
-/** Let go of upward, or the ground fell away by 10 cm. */
+/** It rises off the ground, or the ground fell away. */
 function leavesGround(): boolean {
   const penetration = q[END + PENETRATION]!;
-  return (penetration <= 0 && q[END + RADIAL_SPEED]! > 0) || penetration < -0.1;
+  return (penetration <= 0 && q[END + NORMAL_SPEED]! > 0) || penetration < -LET_GO_HEIGHT;
 }
 
 function touch(step: Step): number {
@@ -91,9 +94,9 @@ function alignWithSurface(step: Step): void {
   q[FROM] = q[AXES + 2]!;
   q[FROM + 1] = q[AXES + 5]!;
   q[FROM + 2] = q[AXES + 8]!;
-  q[TO] = q[END + NORMAL]!;
-  q[TO + 1] = q[END + NORMAL + 1]!;
-  q[TO + 2] = q[END + NORMAL + 2]!;
+  q[TO] = q[END + SURFACE_NORMAL]!;
+  q[TO + 1] = q[END + SURFACE_NORMAL + 1]!;
+  q[TO + 2] = q[END + SURFACE_NORMAL + 2]!;
   shortestRotation();
   rotateAttitude(step.ships, step.at);
 }
@@ -101,10 +104,10 @@ function alignWithSurface(step: Step): void {
 /** A result, not a state: the rest of the ship's state stays as it was, and it is out of the simulation. */
 function crash(step: Step): number {
   const { ships } = step;
-  const at = step.at & INDEX;
+  const at = step.at & SMI_MASK;
   ships[at + CRASHED] = 1;
   ships[at + SURFACE_STATE] = FLYING;
-  return EVENT_CRASHED;
+  return EVENT_DESTROYED;
 }
 
 function tip(step: Step): number {
@@ -112,20 +115,20 @@ function tip(step: Step): number {
   return EVENT_TIPPED;
 }
 
-/** w_rel · (n × up) < 0: it turns back towards upright. */
+/** w_rel · (s × up) < 0: it turns back towards upright. */
 function isRighting(step: Step): boolean {
   const { ships, bodies } = step;
-  const bodyAt = step.bodyAt & INDEX;
-  const at = step.at & INDEX;
-  const nx = q[END + NORMAL]!;
-  const ny = q[END + NORMAL + 1]!;
-  const nz = q[END + NORMAL + 2]!;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const at = step.at & SMI_MASK;
+  const sx = q[END + SURFACE_NORMAL]!;
+  const sy = q[END + SURFACE_NORMAL + 1]!;
+  const sz = q[END + SURFACE_NORMAL + 2]!;
   const wx = ships[at + ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   const wy = ships[at + ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
   const wz = ships[at + ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
-  const x = ny * q[AXES + 8]! - nz * q[AXES + 5]!;
-  const y = nz * q[AXES + 2]! - nx * q[AXES + 8]!;
-  const z = nx * q[AXES + 5]! - ny * q[AXES + 2]!;
+  const x = sy * q[AXES + 8]! - sz * q[AXES + 5]!;
+  const y = sz * q[AXES + 2]! - sx * q[AXES + 8]!;
+  const z = sx * q[AXES + 5]! - sy * q[AXES + 2]!;
   return wx * x + wy * y + wz * z < 0;
 }
 
@@ -135,20 +138,40 @@ function right(step: Step): number {
   return EVENT_RIGHTED;
 }
 
-/** Spin, vertical speed (the spring's energy counted in) and slide below the settle limits. */
+/** Spin, vertical speed (the spring's energy counted in) and slide below the settle limits, and the ground holds it. */
 function isSettled(step: Step): boolean {
-  const { ships, bodies, shipClass } = step;
-  const bodyAt = step.bodyAt & INDEX;
-  const at = step.at & INDEX;
+  const { ships, bodies } = step;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const at = step.at & SMI_MASK;
   const { contactSettleAngularVel } = step.world.settings;
   const wx = ships[at + ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   const wy = ships[at + ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
   const wz = ships[at + ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
   if (!(wx * wx + wy * wy + wz * wz < contactSettleAngularVel * contactSettleAngularVel)) return false;
-  const mass = shipClass.dryMass + ships[at + FUEL]!;
-  const load = mass * q[END + GRAVITY]! - q[LIFT]!;
-  q[DEPTH] = load > 0 ? load / (STIFFNESS * mass) : 0;
-  return isNearlyAtRest(END, step);
+  readLoad(END);
+  return isNearlyAtRest(END, step) && isHeldByGround(step);
+}
+
+/** The slope is not too steep for static friction, and the ship's weight is inside its feet. */
+function isHeldByGround(step: Step): boolean {
+  const slope = Math.sqrt(
+    q[END + SLOPE]! * q[END + SLOPE]! +
+      q[END + SLOPE + 1]! * q[END + SLOPE + 1]! +
+      q[END + SLOPE + 2]! * q[END + SLOPE + 2]!,
+  );
+  if (!(slope <= step.world.settings.contactFrictionStatic * q[END + COS_SLOPE]!)) return false;
+  const nx = q[END + NORMAL]!;
+  const ny = q[END + NORMAL + 1]!;
+  const nz = q[END + NORMAL + 2]!;
+  const upX = q[AXES + 2]!;
+  const upY = q[AXES + 5]!;
+  const upZ = q[AXES + 8]!;
+  const x = ny * upZ - nz * upY;
+  const y = nz * upX - nx * upZ;
+  const z = nx * upY - ny * upX;
+  const offset = step.ships[(step.at & SMI_MASK) + GROUND_CONTACT_OFFSET]!;
+  const level = nx * upX + ny * upY + nz * upZ;
+  return offset * Math.sqrt(x * x + y * y + z * z) <= step.shipClass.legRadius * level;
 }
 
 function land(step: Step): number {

@@ -1,6 +1,6 @@
 import {
   EVENT_CONTACT,
-  EVENT_CRASHED,
+  EVENT_DESTROYED,
   EVENT_LANDED,
   EVENT_NAMES,
   EVENT_RIGHTED,
@@ -33,7 +33,7 @@ export interface LedgerEntry {
 
 /** Substeps within which two events of a type are the same one. */
 export const SAME_EVENT = 50;
-/** Entries kept; a ship that rattled faster would lose its oldest. */
+/** Entries kept; of a ship that rattles faster, no more is predicted until some are settled. */
 const MAX_ENTRIES = 64;
 
 export function createLedger(shipId: string): Ledger {
@@ -63,8 +63,8 @@ export function predict(
     }
     return null;
   }
-  const entry = add(ledger, event, birth, pass);
-  return noticeOf(ledger, entry);
+  if (!makeRoom(ledger)) return null;
+  return noticeOf(ledger, add(ledger, event, birth, pass));
 }
 
 /** An event of the server as the ledger counts it; null of one that only the server knows, or of no certain substep. */
@@ -89,7 +89,7 @@ export function confirm(
   if (ledger.entries.some((entry) => entry.event === event && told(entry))) return null;
   const entry =
     nearest(ledger, event, birth, timeline, (candidate) => candidate.fate === 'predicted') ??
-    add(ledger, event, birth, -1);
+    addConfirmed(ledger, event, birth);
   entry.fate = 'confirmed';
   entry.tick = birth.tick;
   entry.substep = birth.substep;
@@ -122,7 +122,7 @@ export function confirmByState(
 ): EventNotice | null {
   for (const entry of ledger.entries) {
     if (entry.fate !== 'predicted' || !isBefore(entry.tick, entry.substep, tick, 0)) continue;
-    if (crashed ? entry.event !== EVENT_CRASHED : !(SHOWN_BY[entry.event] ?? []).includes(state)) continue;
+    if (crashed ? entry.event !== EVENT_DESTROYED : !(SHOWN_BY[entry.event] ?? []).includes(state)) continue;
     entry.fate = 'confirmed';
     return noticeOf(ledger, entry);
   }
@@ -136,6 +136,31 @@ const SHOWN_BY: Readonly<Record<number, readonly string[]>> = {
   [EVENT_TIPPED]: ['tipped'],
   [EVENT_RIGHTED]: ['contact', 'landed'],
 };
+
+/** The pass that the prediction has come out of, and the tick at which it began. */
+export interface PredictedBy {
+  readonly pass: number;
+  readonly fromTick: number;
+}
+
+/**
+ * The server's state of `tick` is the predicted one: so are the events that led there, and those of passes given up since are not.
+ * Settles the oldest predicted one that the frame covers, birth + 50 substeps; null where it says nothing of any. Call until null.
+ */
+export function settleByAgreement(
+  ledger: Ledger,
+  tick: number,
+  timeline: Timeline,
+  by: PredictedBy,
+): EventNotice | null {
+  for (const entry of ledger.entries) {
+    if (entry.fate !== 'predicted' || entry.tick < by.fromTick) continue;
+    if (indexOf(timeline, tick, 0) - indexOf(timeline, entry.tick, entry.substep) < SAME_EVENT) continue;
+    entry.fate = entry.pass === by.pass ? 'confirmed' : 'retracted';
+    return noticeOf(ledger, entry);
+  }
+  return null;
+}
 
 /** Forgets what was settled before `tick`. */
 export function pruneLedger(ledger: Ledger, tick: number): void {
@@ -163,6 +188,15 @@ function nearest(
   return found;
 }
 
+function addConfirmed(
+  ledger: Ledger,
+  event: number,
+  birth: { readonly tick: number; readonly substep: number },
+): LedgerEntry {
+  if (!makeRoom(ledger)) ledger.entries.shift();
+  return add(ledger, event, birth, -1);
+}
+
 function add(
   ledger: Ledger,
   event: number,
@@ -172,8 +206,16 @@ function add(
   const { tick, substep } = birth;
   const entry: LedgerEntry = { event, tick, substep, fate: 'predicted', pass };
   ledger.entries.push(entry);
-  if (ledger.entries.length > MAX_ENTRIES) ledger.entries.shift();
   return entry;
+}
+
+/** Whether there is room for one more: the oldest that is settled goes. One that is not would be told again by the next replay. */
+function makeRoom({ entries }: Ledger): boolean {
+  if (entries.length < MAX_ENTRIES) return true;
+  const settled = entries.findIndex(({ fate }) => fate !== 'predicted');
+  if (settled < 0) return false;
+  entries.splice(settled, 1);
+  return true;
 }
 
 function noticeOf(ledger: Ledger, entry: LedgerEntry): EventNotice {

@@ -7,12 +7,25 @@ import { checkRollback } from './simulation/rollbackCheck';
 import { stepFront } from './simulation/front';
 import type { Simulation } from './simulation/simulation';
 import { isFarBehind, realign } from './snapshots/realign';
+import { horizonOf } from './time/cadence';
 import { advanceClock } from './time/clock';
 import { keepPace } from './time/pace';
-import { indexOf, type Moment, type Position, spanOf, writeLater, writeMoment } from './time/timeline';
+import {
+  indexOf,
+  type Moment,
+  type Position,
+  spanOf,
+  wallOfTick,
+  writeLater,
+  writeMoment,
+} from './time/timeline';
 
 /** Without an advance for longer than this the page was hidden or stalled, s: one resync, nothing replayed. */
 const LONG_GAP = 1;
+/** s: keys held before an absence longer than this count as released. A page that draws slowly still holds them. */
+const KEYS_HELD = 2;
+/** A gap of up to this many usual ones is none. */
+const USUAL = 3;
 /** Own controls act from at most this many substeps before the present on: what a 60 Hz frame spans. */
 const BACKDATED = 2;
 
@@ -21,7 +34,7 @@ export function advanceFrame(session: Session, controls: Controls | null, now: n
   const { sim, clock, pilot, pace } = session;
   const target = alignFront(session, now);
   const due = substepsTo(sim, target);
-  keepPace(sim, pace, due);
+  if (due > 0) keepPace(sim, pace, due);
   const replayed = runReplays(sim, pace.budget);
   const check = (tick: number) => checkBoundary(session, tick);
   if (due > BACKDATED) stepFront(sim, later(sim, due - BACKDATED), check);
@@ -35,17 +48,28 @@ export function advanceFrame(session: Session, controls: Controls | null, now: n
 
 /** Moves the clock; where the front cannot simply go on, puts it where the present is. Returns where the front is to go. */
 function alignFront(session: Session, now: number): Position {
-  const { sim, clock, pilot, counters } = session;
-  const { timing, timeScale } = spanOf(sim.timeline, sim.newestTick);
-  const jumped = advanceClock(clock, now, timing.dt / timeScale);
-  const absent = now - session.advancedAt > LONG_GAP || now < session.advancedAt;
-  session.advancedAt = now;
+  const { sim, clock, pilot, counters, advancedAt: advancedBefore } = session;
+  const { timing, timeScale, tickRate, paused } = spanOf(sim.timeline, sim.newestTick);
+  const horizon = paused ? Number.POSITIVE_INFINITY : horizonOf(sim.cadence, tickRate);
+  const limit = wallOfTick(sim.timeline, sim.newestTick) + horizon;
+  const jumped = advanceClock(clock, now, { deadZone: timing.dt / timeScale, limit });
+  const absent = wasAbsent(session, now);
   const target = locate(sim, clock.present);
-  if (absent) pilot.released = pilot.last;
+  if (absent && now - advancedBefore > KEYS_HELD) pilot.released = pilot.last;
   if (absent || (jumped && !sim.frontIsStale)) counters.resyncs += 1;
   if (jumped || absent || sim.frontIsStale || isFarBehind(sim, target))
     realign(sim, target, { resync: jumped || absent });
   return target;
+}
+
+/** Whether the page was away: longer than a second, and than it usually takes from frame to frame. */
+function wasAbsent(session: Session, now: number): boolean {
+  const gap = now - session.advancedAt;
+  session.advancedAt = now;
+  if (!(gap >= 0)) return !Number.isNaN(gap);
+  const isUsual = gap <= USUAL * session.usualGap;
+  if (gap > 0) session.usualGap = Number.isNaN(session.usualGap) ? gap : session.usualGap * 0.8 + gap * 0.2;
+  return gap > LONG_GAP && !isUsual;
 }
 
 /** Where the present, server wall s, lies between the two substep boundaries around it. */

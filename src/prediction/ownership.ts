@@ -1,4 +1,4 @@
-import { EVENT_CRASHED } from '../dynamics';
+import { EVENT_DESTROYED } from '../dynamics';
 import { confirm } from './events';
 import { forgetRecords } from './inputs/inputs';
 import { beginWorld, type Session } from './session';
@@ -37,7 +37,7 @@ export function dropShip({ sim, receiver }: Session, shipId: string, reason: Rem
   const track = sim.fleet.byId.get(shipId);
   if (track === undefined) return;
   if (reason === 'destroyed' && sim.newestTick >= 0) {
-    const notice = confirm(track.ledger, EVENT_CRASHED, birthOfEnd(sim), sim.timeline);
+    const notice = confirm(track.ledger, EVENT_DESTROYED, birthOfEnd(sim), sim.timeline);
     if (notice !== null) sim.notices.push(notice);
   }
   if (track.own) forgetRecords(sim.inputs);

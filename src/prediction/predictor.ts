@@ -7,7 +7,7 @@ import { takeUnsent } from './inputs/inputs';
 import type { PredictorOptions } from './options';
 import { changeOwnShip, dropShip, expectTeleport, type Removal, resetSession } from './ownership';
 import { announce, createSession, type Session } from './session';
-import { receiveMessage } from './snapshots/receiveMessage';
+import { noteCall, receiveMessage } from './snapshots/receiveMessage';
 import { refuse } from './snapshots/receiver';
 import { jitterOf, serverTime } from './time/clock';
 import { pingIfDue } from './time/pings';
@@ -46,6 +46,7 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
     receive: (message, now) => receiveMessage(session, message, now),
     refused: (reason) => refuse(session.sim, reason),
     advance(controls, now) {
+      if (!noteCall(session, now)) return;
       pingIfDue(session.pings, now);
       if (session.sim.newestTick >= 0) advanceFrame(session, controls, now);
     },
@@ -71,15 +72,15 @@ function viewAt(session: Session, now: number): WorldView {
   const present = clock.present + Math.max(0, now - clock.updatedAt) * clock.rate;
   place(sim, present);
   fillView(shown, sim, now, present);
-  fillGauges(session, now);
+  fillGauges(session);
   return shown.view;
 }
 
-function fillGauges({ counters, clock }: Session, now: number): void {
+function fillGauges({ counters, clock }: Session): void {
   counters.clockOffset = clock.offset;
   counters.clockRate = clock.rate;
   counters.roundTrip = clock.roundTrip;
-  counters.jitter = jitterOf(clock, now);
+  counters.jitter = jitterOf(clock);
   counters.lead = clock.present - serverTime(clock, clock.updatedAt);
 }
 

@@ -7,6 +7,7 @@ import { createShown, type Shown } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
 import { BUDGET, defaultWorld, type PredictorOptions } from './options';
 import { createSimulation, type Simulation } from './simulation/simulation';
+import { createGameTimeMeter, forgetGameTime, type GameTimeMeter } from './snapshots/gameTimeMeter';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
 import { loadWorld, type WorldConfig } from './snapshots/worldConfig';
 import { type Clock, createClock, forgetSchedule } from './time/clock';
@@ -27,6 +28,7 @@ export interface Session {
   readonly pings: Pings;
   readonly pace: Pace;
   readonly listeners: Set<(notice: EventNotice) => void>;
+  readonly meter: GameTimeMeter;
   sim: Simulation;
   shown: Shown;
   /** The world that holds: the defaults until a hello tells another. */
@@ -60,6 +62,7 @@ export function createSession(options: PredictorOptions): Session {
     pings: createPings(),
     pace: createPace(options.maxSubstepsPerFrame ?? BUDGET),
     listeners: new Set(),
+    meter: createGameTimeMeter(),
     sim,
     shown: createShown(sim),
     config: defaults,
@@ -84,6 +87,7 @@ export function beginWorld(session: Session, world: World, bodies: readonly Body
   session.shown = createShown(session.sim);
   forgetSchedule(session.clock);
   forgetPast(session.receiver);
+  forgetGameTime(session.meter);
 }
 
 /** Tells each listener of what has happened; one that throws keeps nobody else from hearing. */

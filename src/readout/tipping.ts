@@ -1,4 +1,4 @@
-import { EVENT_CRASHED, EVENT_LANDED, EVENT_TIPPED } from '../dynamics';
+import { EVENT_DESTROYED, EVENT_LANDED, EVENT_TIPPED } from '../dynamics';
 import type { WorldView } from '../prediction';
 import { createProjection, type Projection, startProjection, stepProjection } from './projection';
 import type { Journey } from './journey';
@@ -79,7 +79,7 @@ function runAhead(memory: TippingMemory): void {
     if (event === EVENT_TIPPED) {
       memory.tipsAt = memory.startedAt + projection.elapsed;
       projection.running = false;
-    } else if (event === EVENT_LANDED || event === EVENT_CRASHED || projection.elapsed >= HORIZON) {
+    } else if (event === EVENT_LANDED || event === EVENT_DESTROYED || projection.elapsed >= HORIZON) {
       memory.tipsAt = Infinity;
       projection.running = false;
     }

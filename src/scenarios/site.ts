@@ -5,7 +5,7 @@ import {
   cosineOfDegrees,
   type Quat,
   type ShipClass,
-  type ShipRecord,
+  type ShipInit,
   sineOfDegrees,
   type SurfaceState,
   type TerrainHeight,
@@ -49,7 +49,7 @@ export interface Craft {
 }
 
 /** The ship relative to the body's centre in ICRF axes; exact arithmetic, so that scenarios begin with the same bits everywhere. */
-export function toBodyRelative(local: LocalState, craft: Craft, ground: Ground): ShipRecord {
+export function toBodyRelative(local: LocalState, craft: Craft, ground: Ground): ShipInit {
   const { body } = ground;
   const axes = localAxes(ground);
   const up = rotate(axes, [0, 0, 1]);
@@ -82,7 +82,7 @@ export interface SeenFromSite {
 }
 
 /** The inverse of toBodyRelative; `ground.body` as it is turned at that instant. */
-export function fromBodyRelative(ship: ShipRecord, shipClass: ShipClass, ground: Ground): SeenFromSite {
+export function fromBodyRelative(ship: ShipInit, shipClass: ShipClass, ground: Ground): SeenFromSite {
   const { body } = ground;
   const toLocal = inverse(localAxes(ground));
   const [east, north, up] = rotate(toLocal, ship.relativePosition);

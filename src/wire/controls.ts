@@ -1,5 +1,5 @@
 import {
-  ATTITUDE_MODES,
+  attitudeModeOf,
   type AttitudeMode,
   type Controls,
   loadControls,
@@ -7,24 +7,23 @@ import {
 } from '../dynamics';
 import type { galaxy } from './generated/codec.js';
 import { FINITE } from './limits';
-import { choiceIn, type Fields, flagIn, numberIn, type Reading, refuse, textIn } from './reading';
+import { type Fields, flagIn, numberIn, type Reading, refuse, textIn } from './reading';
 import type { StateControls } from './records';
 import { optionalQuaternionIn, optionalVectorIn, quaternionFields, vectorFields } from './vectors';
 
 /**
- * The six fields of Controls, which ShipState has too. One that is not sent is neutral; what is out of range is clamped
- * (DYNAMICS, Actuators).
+ * The six fields of Controls, which ShipState has too. One that is not sent is neutral; what is out of range is clamped, and an
+ * attitude mode that the law does not know is 'unknown' (DYNAMICS, Actuators).
  */
 export function readControlFields(r: Reading, from: Fields): Controls {
-  return readWithMode(r, from, choiceIn(r, from, 'attitude_mode', ATTITUDE_MODES, true));
+  return readWithMode(r, from, attitudeModeOf(textIn(r, from, 'attitude_mode') || 'none'));
 }
 
 /** As readControlFields, of a state: a mode that is not known stays what it is called. */
 export function readStateControls(r: Reading, from: Fields): StateControls {
   const sent = textIn(r, from, 'attitude_mode');
-  const known = ATTITUDE_MODES.find((mode) => mode === sent) ?? 'none';
-  const controls = readWithMode(r, from, known);
-  return sent === '' || sent === known ? controls : { ...controls, attitudeMode: sent };
+  const controls = readWithMode(r, from, attitudeModeOf(sent || 'none'));
+  return controls.attitudeMode === 'unknown' ? { ...controls, attitudeMode: sent } : controls;
 }
 
 function readWithMode(r: Reading, from: Fields, attitudeMode: AttitudeMode): Controls {

@@ -1,4 +1,4 @@
-import { loadTiming } from '../dynamics';
+import { DEFAULT_SETTINGS, loadTiming } from '../dynamics';
 import { bodyStateFields, readBodyState } from './bodyState';
 import type { galaxy } from './generated/codec.js';
 import { FINITE, MAX_BODIES, MAX_SHIP_CLASSES, MAX_TICK } from './limits';
@@ -43,7 +43,7 @@ export function readHello(r: Reading, from: Fields): Hello {
 export function readTiming(r: Reading, from: Fields): { tickRate: number; timeScale: number } {
   const tickRate = numberIn(r, from, 'tick_rate', FINITE);
   const timeScale = numberIn(r, from, 'time_scale', FINITE);
-  refuseLoaded(r, loadTiming(tickRate, timeScale), '');
+  refuseLoaded(r, loadTiming(tickRate, timeScale, DEFAULT_SETTINGS), '');
   return { tickRate, timeScale };
 }
 

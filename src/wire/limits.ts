@@ -17,8 +17,8 @@ export const MAX_EVENTS = 100_000;
 export const MAX_INPUTS = 1000;
 /** Characters (UTF-16 units) of a name or an id. */
 export const MAX_TEXT = 128;
-/** Time scale 100 at 0.1 Hz: a tick of 1000 s in substeps of 0.01 s (DYNAMICS, Time). */
-export const MAX_SUBSTEPS = 100_000;
+/** Time scale 100 at 0.1 Hz: a tick of 1000 s in substeps of at least 1 ms (DYNAMICS, Time). */
+export const MAX_SUBSTEPS = 1_000_000;
 
 /** A range, both ends included, and its unit for the reason. */
 export interface Bound {
@@ -34,6 +34,10 @@ export const METRES_PER_SECOND: Bound = { low: -1e9, high: 1e9, unit: 'm/s' };
 export const IMPACT_SPEED: Bound = { low: 0, high: 1e9, unit: 'm/s' };
 export const RADIANS_PER_SECOND: Bound = { low: -1e6, high: 1e6, unit: 'rad/s' };
 export const SHIP_MASS: Bound = { low: 0, high: 1e15, unit: 'kg' };
+/** Height of a ship's centre of mass above its feet. */
+export const SHIP_HEIGHT: Bound = { low: 0, high: 1e6, unit: 'm' };
+/** What reaction wheels have given. */
+export const NEWTON_METRE_SECONDS: Bound = { low: -1e25, high: 1e25, unit: 'N m s' };
 /** A billion suns. */
 export const BODY_MASS: Bound = { low: 0, high: 1e40, unit: 'kg' };
 /** Any figure of a ship class, in its own unit. */

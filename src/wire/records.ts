@@ -23,6 +23,10 @@ export interface ShipState {
   readonly fuel: number;
   /** kg */
   readonly mass: number;
+  /** What the reaction wheels have given so far, N m s, body axes; null when the server does not send it. */
+  readonly wheelMomentum: Vec3 | null;
+  /** Height of the centre of mass above the feet, m; null when the server does not send it: the class's then holds. */
+  readonly groundContactOffset: number | null;
   readonly landedBodyName: string;
   /** One of SURFACE_STATES, or a state that only the server knows. */
   readonly surfaceContactState: string;

@@ -22,6 +22,11 @@ export function readSettings(r: Reading, from: Fields): Settings {
       valueIn(r, from, 'touchdown_attitude') === undefined
         ? d.touchdownAttitude
         : choiceIn(r, from, 'touchdown_attitude', ['aligned', 'kept'], false),
+    surfaceNormal:
+      valueIn(r, from, 'surface_normal') === undefined
+        ? d.surfaceNormal
+        : choiceIn(r, from, 'surface_normal', ['radial', 'terrain'], false),
+    contactLongestSubstep: sent('contact_longest_substep', d.contactLongestSubstep),
   };
   refuseLoaded(r, loadSettings(settings), '');
   return settings;
@@ -39,5 +44,7 @@ export function settingsFields(s: Settings): galaxy.stream.Settings.$Properties 
     contact_friction_static: s.contactFrictionStatic,
     contact_friction_kinetic: s.contactFrictionKinetic,
     touchdown_attitude: s.touchdownAttitude,
+    surface_normal: s.surfaceNormal,
+    contact_longest_substep: s.contactLongestSubstep,
   };
 }

@@ -2,8 +2,8 @@ import { loadShipClass, type Mat3, type ShipClass } from '../dynamics';
 import type { galaxy } from './generated/codec.js';
 import { CLASS_FIGURE } from './limits';
 import { refuseLoaded } from './loaders';
-import { type Fields, messageIn, nameIn, numberIn, type Reading } from './reading';
-import { vectorFields, vectorIn } from './vectors';
+import { type Fields, messageIn, nameIn, numberIn, type Reading, valueIn } from './reading';
+import { optionalVectorIn, vectorFields, vectorIn } from './vectors';
 
 /** A ship class as DYNAMICS, Settings asks of one. */
 export function readShipClass(r: Reading, from: Fields): ShipClass {
@@ -21,6 +21,12 @@ export function readShipClass(r: Reading, from: Fields): ShipClass {
     rcsLever: numberIn(r, from, 'rcs_lever', CLASS_FIGURE),
     rcsIsp: numberIn(r, from, 'rcs_isp', CLASS_FIGURE),
     reactionWheelTorque: vectorIn(r, from, 'reaction_wheel_torque', CLASS_FIGURE),
+    reactionWheelCapacity: optionalVectorIn(r, from, 'reaction_wheel_capacity', CLASS_FIGURE),
+    attitudeNaturalFrequency: numberIn(r, from, 'attitude_natural_frequency', CLASS_FIGURE),
+    dryInertiaRatio:
+      valueIn(r, from, 'dry_inertia_ratio') === undefined
+        ? null
+        : numberIn(r, from, 'dry_inertia_ratio', CLASS_FIGURE),
   };
   refuseLoaded(r, loadShipClass(shipClass), `ship class ${shipClass.name}: `);
   return shipClass;
@@ -50,5 +56,10 @@ export function shipClassFields(c: ShipClass): galaxy.stream.ShipClass.$Properti
     rcs_lever: c.rcsLever,
     rcs_isp: c.rcsIsp,
     reaction_wheel_torque: vectorFields(c.reactionWheelTorque),
+    ...(c.reactionWheelCapacity !== null && {
+      reaction_wheel_capacity: vectorFields(c.reactionWheelCapacity),
+    }),
+    attitude_natural_frequency: c.attitudeNaturalFrequency,
+    ...(c.dryInertiaRatio !== null && { dry_inertia_ratio: c.dryInertiaRatio }),
   };
 }

@@ -1,7 +1,15 @@
 import { controlFields, readStateControls } from './controls';
 import type { galaxy } from './generated/codec.js';
-import { IMPACT_SPEED, METRES, METRES_PER_SECOND, RADIANS_PER_SECOND, SHIP_MASS } from './limits';
-import { type Fields, flagIn, nameIn, numberIn, type Reading, textIn } from './reading';
+import {
+  IMPACT_SPEED,
+  METRES,
+  METRES_PER_SECOND,
+  NEWTON_METRE_SECONDS,
+  RADIANS_PER_SECOND,
+  SHIP_HEIGHT,
+  SHIP_MASS,
+} from './limits';
+import { type Fields, flagIn, nameIn, numberIn, type Reading, textIn, valueIn } from './reading';
 import type { ShipState } from './records';
 import { optionalVectorIn, quaternionFields, quaternionIn, vectorFields, vectorIn } from './vectors';
 
@@ -27,6 +35,11 @@ export function readShipState(r: Reading, from: Fields): ShipState {
     ...readStateControls(r, from),
     fuel: numberIn(r, from, 'fuel', SHIP_MASS),
     mass: numberIn(r, from, 'mass', SHIP_MASS, 0),
+    wheelMomentum: optionalVectorIn(r, from, 'wheel_momentum', NEWTON_METRE_SECONDS),
+    groundContactOffset:
+      valueIn(r, from, 'ground_contact_offset') === undefined
+        ? null
+        : numberIn(r, from, 'ground_contact_offset', SHIP_HEIGHT),
     landedBodyName: textIn(r, from, 'landed_body_name'),
     surfaceContactState: textIn(r, from, 'surface_contact_state'),
     contactImpactSpeed: sendsImpactSpeed ? impactSpeed : null,
@@ -52,6 +65,8 @@ export function shipStateFields(state: ShipState): galaxy.physics.ShipState.$Pro
     ...controlFields(state),
     fuel: state.fuel,
     mass: state.mass,
+    ...(state.wheelMomentum !== null && { wheel_momentum: vectorFields(state.wheelMomentum) }),
+    ...(state.groundContactOffset !== null && { ground_contact_offset: state.groundContactOffset }),
     landed_body_name: state.landedBodyName,
     surface_contact_state: state.surfaceContactState,
     ...(contactImpactSpeed !== null && { contact_impact_speed: contactImpactSpeed }),

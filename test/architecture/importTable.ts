@@ -18,8 +18,10 @@ export const IMPORT_TABLE: Readonly<Record<string, typeof ALL | Readonly<Record<
   scene: { dynamics: 'values', prediction: 'types', three: 'values', 'gl-matrix': 'values' },
   authority: { dynamics: 'values', wire: 'values' },
   scenarios: { dynamics: 'values', wire: 'values', authority: 'values' },
+  game: { dynamics: 'values', wire: 'values' },
   playground: ALL,
   'index.ts': ALL,
+  'protobuf.ts': { wire: 'values' },
 };
 
 /** An import as written: `request` is null when it is not a plain string. */

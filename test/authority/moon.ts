@@ -5,7 +5,7 @@ import {
   type Controls,
   NEUTRAL_CONTROLS,
   SHIP_CLASSES,
-  type ShipRecord,
+  type ShipInit,
   TERRAINS,
 } from '../../src/dynamics';
 import { SCENARIOS, stage } from '../../src/scenarios';
@@ -13,7 +13,7 @@ import type { InputRecord, ServerFrame } from '../../src/wire';
 
 export const MOON: AuthorityOptions = {
   shipClasses: SHIP_CLASSES,
-  bodies: BODIES.filter(({ name }) => name === 'Moon'),
+  bodies: BODIES.filter(({ name }) => name === 'Luna'),
   terrain: 'flat',
   terrains: TERRAINS,
   tickRate: 1,
@@ -27,7 +27,7 @@ export function valueOf<T>(checked: { ok: true; value: T } | { ok: false; reason
 }
 
 /** The ship of a scenario at its start. */
-export function shipOf(scenario: string): ShipRecord {
+export function shipOf(scenario: string): ShipInit {
   return valueOf(stage(SCENARIOS.find(({ name }) => name === scenario)!)).ship;
 }
 

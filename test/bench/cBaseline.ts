@@ -37,7 +37,7 @@ export function cBaseline(subject: Subject): Figure | null {
 
 /** A subject as a landing of `ticks` ticks of one substep, 10 ms each, as the subjects are stepped. */
 export function landingOf({ world, ships, bodies }: Subject, ticks = 1): Landing {
-  const timing = timingOfTick(0.01);
+  const timing = timingOfTick(0.01, 0.01);
   return { ticks, timing, world, terrain: { name: 'flat' }, ships, bodies, inputs: [] };
 }
 

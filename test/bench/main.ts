@@ -1,4 +1,5 @@
 import { cBaseline } from './cBaseline';
+import { heightmapFigures } from './heightmap';
 import { joltBody } from './jolt';
 import { type Figure, heapGrowth, timed } from './measure';
 import { flying, landed, sliding, type Subject, tipped } from './subjects';
@@ -60,5 +61,6 @@ print(perSubstep('landed-substep', landed()));
 print(adoptAndReplay());
 print(fleetSecond());
 print(heapPerSubstep());
+for (const figure of heightmapFigures()) print(figure);
 const jolt = await joltBody();
 if (jolt) print(jolt);

@@ -48,6 +48,8 @@ export const settings: fc.Arbitrary<Partial<Settings>> = fc
     contactFrictionStatic: between(0, 2),
     kineticShare: between(0, 1),
     touchdownAttitude: fc.constantFrom('aligned', 'kept'),
+    surfaceNormal: fc.constantFrom('radial', 'terrain'),
+    contactLongestSubstep: between(0.001, 0.022),
   })
   .map(({ crash, bounceShare, tipped, settleShare, kineticShare, ...rest }) => ({
     ...rest,
@@ -62,14 +64,18 @@ export const settings: fc.Arbitrary<Partial<Settings>> = fc
 export const shipClass: fc.Arbitrary<ShipClass> = fc
   .record({
     dryMass: magnitude(10, 1e7),
-    fuelShare: between(0, 3),
+    fuelShare: fc.oneof(fc.constant(0), between(1e-3, 3)),
     groundContactOffset: between(0.3, 15),
+    standsOnIt: fc.boolean(),
     legShare: between(0.1, 2),
     spread: fc.tuple(between(0.2, 1), between(0.2, 1), between(0.2, 1)),
     skew: fc.tuple(between(-0.1, 0.1), between(-0.1, 0.1), between(-0.1, 0.1)),
     thrustToMass: between(0, 40),
     isp: magnitude(50, 1e5),
     torqueToInertia: between(0, 5),
+    attitudeNaturalFrequency: between(0.05, 5),
+    dryInertiaRatio: fc.option(between(0.1, 1)),
+    wheelSeconds: fc.option(between(0, 20)),
   })
   .map(({ dryMass, fuelShare, groundContactOffset: h, spread: [a, b, c], skew: [d, e, f], ...given }) => {
     const mass = dryMass * (1 + fuelShare);
@@ -84,7 +90,8 @@ export const shipClass: fc.Arbitrary<ShipClass> = fc
         [inertia * d * a, inertia * (a + b), inertia * f * a],
         [inertia * e * a, inertia * f * a, inertia * (a + c)],
       ],
-      groundContactOffset: h,
+      // At 0 its centre of mass is on the ground.
+      groundContactOffset: given.standsOnIt ? h : 0,
       legRadius: h * given.legShare,
       mainEngineThrust: mass * given.thrustToMass,
       mainEngineIsp: given.isp,
@@ -93,6 +100,12 @@ export const shipClass: fc.Arbitrary<ShipClass> = fc
       rcsLever: h,
       rcsIsp: given.isp,
       reactionWheelTorque: [torque * 0.1, 0, torque * 0.1],
+      reactionWheelCapacity:
+        given.wheelSeconds === null
+          ? null
+          : [torque * 0.1 * given.wheelSeconds, 0, torque * 0.1 * given.wheelSeconds],
+      attitudeNaturalFrequency: given.attitudeNaturalFrequency,
+      dryInertiaRatio: given.dryInertiaRatio,
     };
   });
 

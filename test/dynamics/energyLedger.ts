@@ -39,7 +39,9 @@ export function energyOf(trial: Trial): Energy {
   const w = rotate(conjugate(quaternionAt(ships, ATTITUDE)), spin);
   const [x, y, z] = shipClass.inertiaTensor;
   const turning =
-    0.5 * (mass / shipClass.fullMass) * (w[0] * dot(x, w) + w[1] * dot(y, w) + w[2] * dot(z, w));
+    0.5 *
+    (shipClass.inertiaAtDry + shipClass.inertiaPerFuel * ships[FUEL]!) *
+    (w[0] * dot(x, w) + w[1] * dot(y, w) + w[2] * dot(z, w));
   const kinetic = 0.5 * mass * (seen.climb ** 2 + seen.slide ** 2) + turning;
   const penetration = Math.max(0, -seen.height);
   const cosTilt = Math.max(0, Math.cos((seen.tilt * Math.PI) / 180));

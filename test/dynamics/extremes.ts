@@ -62,6 +62,8 @@ export const settings: fc.Arbitrary<Partial<Settings>> = fc
     contactFrictionStatic: fc.constantFrom(0, 1e-300, 0.8, 2),
     kineticShare: share,
     touchdownAttitude: fc.constantFrom('aligned', 'kept'),
+    surfaceNormal: fc.constantFrom('radial', 'terrain'),
+    contactLongestSubstep: fc.constantFrom(0.001, 0.022),
   })
   .map(({ bounceShare, kineticShare, ...given }) => ({
     ...given,
@@ -96,10 +98,10 @@ const inertiaTensor: fc.Arbitrary<Mat3> = fc
 export const shipClass: fc.Arbitrary<ShipClass> = fc.record({
   name: fc.constant('any'),
   dryMass: reaching(1e-3, 1e15),
-  fuelCapacity: fromNothing(1e15),
+  fuelCapacity: fc.oneof(fc.constant(0), reaching(1e-6, 1e15)),
   inertiaTensor,
-  groundContactOffset: reaching(1e-30, 1e6),
-  legRadius: reaching(1e-30, 1e6),
+  groundContactOffset: fromNothing(1e6),
+  legRadius: reaching(1e-3, 1e6),
   mainEngineThrust: fromNothing(1e15),
   mainEngineIsp: reaching(1e-3, 1e8),
   rcsThrust: vector(fromNothing(1e15)),
@@ -107,12 +109,15 @@ export const shipClass: fc.Arbitrary<ShipClass> = fc.record({
   rcsLever: reaching(1e-3, 1e6),
   rcsIsp: reaching(1e-3, 1e8),
   reactionWheelTorque: vector(fromNothing(1e15)),
+  reactionWheelCapacity: fc.option(vector(fromNothing(1e15))),
+  attitudeNaturalFrequency: reaching(1e-30, 5),
+  dryInertiaRatio: fc.option(reaching(1e-6, 1)),
 });
 
 export const body: fc.Arbitrary<Body & BodyMotion> = fc.record({
   name: fc.constant('Any'),
   mass: reaching(1e-30, 1e40),
-  radius: reaching(1e-30, 1e18),
+  radius: reaching(1e-3, 1e18),
   position: vector(eitherWay(1e18)),
   velocity: vector(eitherWay(1e9)),
   attitude,
@@ -135,6 +140,8 @@ export function shipOver({ radius }: Body, h: number): fc.Arbitrary<ShipRecord> 
     attitude,
     angularVelocity: vector(eitherWay(1e6)),
     fuel: fromNothing(1e15),
+    wheelMomentum: vector(eitherWay(1e25)),
+    groundContactOffset: fromNothing(1e6),
     surfaceContactState: fc.constantFrom('', 'contact', 'landed', 'tipped'),
     contactImpactSpeed: fromNothing(1e9),
     crashed: fc.constant(false),

@@ -6,7 +6,7 @@ import {
   CONTACT,
   CRASHED,
   EVENT_CONTACT,
-  EVENT_CRASHED,
+  EVENT_DESTROYED,
   EVENT_LANDED,
   EVENT_RIGHTED,
   EVENT_TIPPED,
@@ -73,10 +73,10 @@ describe('any ship over any body, doing anything', () => {
     // Every row of the table of transitions and both launches: a world in which nothing happens proves nothing.
     const [f, c, l, t] = [FLYING, CONTACT, LANDED, TIPPED];
     for (const move of [
-      `${f}>${f}/${EVENT_CRASHED}`,
+      `${f}>${f}/${EVENT_DESTROYED}`,
       `${f}>${c}/${EVENT_CONTACT}`,
       `${c}>${f}/${NO_EVENT}`,
-      `${c}>${f}/${EVENT_CRASHED}`,
+      `${c}>${f}/${EVENT_DESTROYED}`,
       `${c}>${t}/${EVENT_TIPPED}`,
       `${c}>${l}/${EVENT_LANDED}`,
       `${t}>${c}/${EVENT_RIGHTED}`,

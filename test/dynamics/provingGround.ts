@@ -86,6 +86,9 @@ export const LANDER: ShipClass = {
   rcsLever: 4,
   rcsIsp: 280,
   reactionWheelTorque: [2000, 2000, 1000],
+  reactionWheelCapacity: null,
+  attitudeNaturalFrequency: 2,
+  dryInertiaRatio: 0.5,
 };
 
 export function bodyNamed(name: string): MovingBody {
@@ -114,7 +117,7 @@ export function must<T>(checked: Result<T>): T {
 
 /** A world of one ship and one body. @throws when the law refuses it */
 export function createTrial(setup: Setup): Trial {
-  const body = setup.body ?? bodyNamed('Moon');
+  const body = setup.body ?? bodyNamed('Luna');
   const shipClass = setup.shipClass ?? LANDER;
   const world: World = {
     settings: must(loadSettings(setup.settings ?? {})),

@@ -3,11 +3,13 @@ import {
   BODY_STRIDE,
   CONTACT,
   CRASHED,
+  endTick,
   type Body,
   type BodyMotion,
   beginTick,
   chooseReferenceBody,
   flatTerrain,
+  LANDED,
   loadBody,
   loadSettings,
   loadShipClass,
@@ -15,14 +17,16 @@ import {
   REFERENCE_BODY,
   SHIP_STRIDE,
   spawnShip,
+  stepWorld,
   SURFACE_STATE,
+  timingOfTick,
   type Vec3,
   VELOCITY,
   type World,
   writeBodyMotion,
 } from '../../src/dynamics';
 import { bodyNamed, LANDER, must, vectorAt } from './provingGround';
-import { lengthOf, plus } from './vectors';
+import { cross, lengthOf, plus } from './vectors';
 
 interface Place {
   readonly ships: Float64Array;
@@ -78,16 +82,39 @@ const LEFT = { ...bodyNamed('Phobos'), name: 'Left', position: [0, 0, 0], veloci
 const RIGHT = { ...LEFT, name: 'Right', position: [1e6, 0, 0], velocity: [3, -4, 12] } as const;
 
 describe('the reference body', () => {
-  it('is the one whose gravity is the strongest at the ship', () => {
+  it('is the one that is nearest by its own measure, distance / radius', () => {
     expect(choose(placeBetween([LEFT, RIGHT], [499_999, 0, 0]))).toBe(0);
     expect(choose(placeBetween([LEFT, RIGHT], [500_001, 0, 0]))).toBe(1);
-    // Four times the mass reaches twice as far.
-    const heavy = { ...RIGHT, mass: 4 * LEFT.mass };
-    expect(choose(placeBetween([LEFT, heavy], [333_000, 0, 0]))).toBe(0);
-    expect(choose(placeBetween([LEFT, heavy], [334_000, 0, 0]))).toBe(1);
+    // Twice the radius reaches twice as far, whatever the mass.
+    const large = { ...RIGHT, radius: 2 * LEFT.radius, mass: LEFT.mass / 100 };
+    expect(choose(placeBetween([LEFT, large], [333_000, 0, 0]))).toBe(0);
+    expect(choose(placeBetween([LEFT, large], [334_000, 0, 0]))).toBe(1);
   });
 
-  it('is the one listed first where two are as strong', () => {
+  // Mars pulls harder everywhere at Phobos than Phobos does: by the strongest gravity the ship fell through its ground.
+  it.each([
+    ['Mars', 'Phobos'],
+    ['Phobos', 'Mars'],
+  ])('lands a ship 2 m above Phobos on Phobos with %s, %s in the list', (...names) => {
+    const bodies = names.map((name) => bodyNamed(name));
+    const phobos = bodyNamed('Phobos');
+    const above: Vec3 = [0, 0, phobos.radius + LANDER.groundContactOffset + 2];
+    const turning = cross(phobos.angularVelocity, above);
+    const start = plus(plus(phobos.position, bodies[0]!.position, -1), above);
+    const place = placeBetween(bodies, start, plus(plus(phobos.velocity, bodies[0]!.velocity, -1), turning));
+    const { ships, bodies: rows, world } = place;
+    const timing = timingOfTick(1, world.settings.contactLongestSubstep);
+    const events = new Uint8Array(1);
+    for (let second = 0; second < 120 && ships[SURFACE_STATE] !== LANDED; second++) {
+      beginTick(ships, rows, world);
+      for (let s = 0; s < timing.substeps; s++) stepWorld(ships, rows, events, world, timing.dt);
+      endTick(rows, world, timing);
+    }
+    expect(ships[SURFACE_STATE]).toBe(LANDED);
+    expect(world.bodies[ships[REFERENCE_BODY]!]!.name).toBe('Phobos');
+  });
+
+  it('is the one listed first where two are as near', () => {
     expect(choose(placeBetween([LEFT, RIGHT], [500_000, 0, 0]))).toBe(0);
     const swapped = placeBetween([RIGHT, LEFT], [-500_000, 0, 0]);
     expect(choose(swapped)).toBe(0);
@@ -109,7 +136,7 @@ describe('the reference body', () => {
 
   // Target 0. Bodies' places are doubles of 1.5e11 m, good to 15 µm; the change adds no more than one rounding of them.
   it('changes by no more than ICRF itself holds at 1 au', () => {
-    const moon = bodyNamed('Moon');
+    const moon = bodyNamed('Luna');
     const earth = bodyNamed('Earth');
     const place = placeBetween([moon, earth], [-3.6e8, -2e8, 1e6], [100, -50, 3]);
     const [position, velocity] = icrf(place);

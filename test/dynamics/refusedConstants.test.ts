@@ -10,7 +10,9 @@ import { NO_NUMBERS, reasonOf } from './hostile';
 import { LANDER } from './provingGround';
 
 describe('settings', () => {
-  const NUMBERS = Object.keys(DEFAULT_SETTINGS).filter((name) => name !== 'touchdownAttitude');
+  const NUMBERS = Object.keys(DEFAULT_SETTINGS).filter(
+    (name) => name !== 'touchdownAttitude' && name !== 'surfaceNormal',
+  );
 
   it('have the design’s defaults', () => {
     expect(DEFAULT_SETTINGS).toEqual({
@@ -24,6 +26,8 @@ describe('settings', () => {
       contactFrictionStatic: 0.8,
       contactFrictionKinetic: 0.5,
       touchdownAttitude: 'aligned',
+      surfaceNormal: 'radial',
+      contactLongestSubstep: 0.01,
     });
     expect(loadSettings({}).ok).toBe(true);
   });
@@ -52,6 +56,9 @@ describe('settings', () => {
     ['contactFrictionKinetic', { contactFrictionKinetic: -0.001 }, '≥ 0 and ≤ contactFrictionStatic (0.8)'],
     ['contactFrictionKinetic', { contactFrictionKinetic: 0.801 }, '≥ 0 and ≤ contactFrictionStatic (0.8)'],
     ['touchdownAttitude', { touchdownAttitude: 'upright' as 'kept' }, "'aligned' or 'kept'"],
+    ['surfaceNormal', { surfaceNormal: 'level' as 'radial' }, "'radial' or 'terrain'"],
+    ['contactLongestSubstep', { contactLongestSubstep: 0.0009 }, '0.001 … 0.022 s'],
+    ['contactLongestSubstep', { contactLongestSubstep: 0.0221 }, '0.001 … 0.022 s'],
   ])('refuse %s with its range', (name, given, range) => {
     const reason = reasonOf(loadSettings(given));
     expect(reason).toContain(`${name}: expected ${range}`);
@@ -65,6 +72,9 @@ describe('settings', () => {
     { contactTippedAngleDeg: 89.999 },
     { contactSettleTiltDeg: 79.999 },
     { touchdownAttitude: 'kept' },
+    { surfaceNormal: 'terrain' },
+    { contactLongestSubstep: 0.001 },
+    { contactLongestSubstep: 0.022 },
   ])('take the ends of the ranges: %j', (given) => {
     expect(reasonOf(loadSettings(given))).toBe('accepted');
   });
@@ -90,8 +100,14 @@ describe('settings', () => {
 
 describe('a ship class', () => {
   const SCALARS = ['dryMass', 'fuelCapacity', 'groundContactOffset', 'legRadius'] as const;
-  const DRIVES = ['mainEngineThrust', 'mainEngineIsp', 'rcsLever', 'rcsIsp'] as const;
-  const TRIPLES = ['rcsThrust', 'rcsTorque', 'reactionWheelTorque'] as const;
+  const DRIVES = [
+    'mainEngineThrust',
+    'mainEngineIsp',
+    'rcsLever',
+    'rcsIsp',
+    'attitudeNaturalFrequency',
+  ] as const;
+  const TRIPLES = ['rcsThrust', 'rcsTorque', 'reactionWheelTorque', 'reactionWheelCapacity'] as const;
 
   function refusal(given: Partial<Record<keyof ShipClass, unknown>>): string {
     return reasonOf(loadShipClass({ ...LANDER, ...given } as ShipClass));
@@ -108,7 +124,9 @@ describe('a ship class', () => {
     'refuses %s with a %s by name',
     (name, value) => {
       expect(refusal({ [name]: [1, value, 1] })).toContain(`${name}[1]: expected a finite number`);
-      expect(refusal({ [name]: value })).toContain(`${name}: expected 3 numbers`);
+      // Without a capacity wheels are never full.
+      if (name !== 'reactionWheelCapacity' || value !== null)
+        expect(refusal({ [name]: value })).toContain(`${name}: expected 3 numbers`);
       expect(refusal({ [name]: [1, -1, 1] })).toContain(`${name}[1]: expected ≥ 0 N`);
     },
   );
@@ -116,12 +134,13 @@ describe('a ship class', () => {
   it.each([
     ['dryMass', '≥ 0.001', 1e-3, 1e15, 'kg'],
     ['fuelCapacity', '≥ 0', 0, 1e15, 'kg'],
-    ['groundContactOffset', '> 0', Number.MIN_VALUE, 1e6, 'm'],
-    ['legRadius', '> 0', Number.MIN_VALUE, 1e6, 'm'],
+    ['groundContactOffset', '≥ 0', 0, 1e6, 'm'],
+    ['legRadius', '≥ 0.001', 1e-3, 1e6, 'm'],
     ['mainEngineThrust', '≥ 0', 0, 1e15, 'N'],
     ['mainEngineIsp', '≥ 0.001', 1e-3, 1e8, 's'],
     ['rcsLever', '≥ 0.001', 1e-3, 1e6, 'm'],
     ['rcsIsp', '≥ 0.001', 1e-3, 1e8, 's'],
+    ['attitudeNaturalFrequency', '> 0', Number.MIN_VALUE, 5, 'rad/s'],
   ])('takes a %s %s, from %d to %d %s, and refuses what is beyond by name', (name, ...range) => {
     const [low, least, most, unit] = range;
     const reason = `ship class lander: ${name}: expected`;
@@ -132,10 +151,26 @@ describe('a ship class', () => {
       expect(refusal({ [name]: value })).toBe(`${reason} ≤ ${most} ${unit}, got ${value}`);
   });
 
+  it('takes a dryInertiaRatio up to 1, or none, and refuses what is beyond by name', () => {
+    for (const value of [null, 1e-6, 0.5, 1]) expect(refusal({ dryInertiaRatio: value })).toBe('accepted');
+    const reason = 'ship class lander: dryInertiaRatio: expected';
+    for (const value of [-1, 0])
+      expect(refusal({ dryInertiaRatio: value })).toBe(`${reason} ≥ 0.000001, got ${value}`);
+    expect(refusal({ dryInertiaRatio: 1.001 })).toBe(`${reason} ≤ 1, got 1.001`);
+    expect(refusal({ dryInertiaRatio: NaN })).toContain(`${reason} a finite number`);
+  });
+
+  it('takes wheels that are never full and tanks of at least a milligram', () => {
+    expect(refusal({ reactionWheelCapacity: null })).toBe('accepted');
+    expect(refusal({ fuelCapacity: 1e-6 })).toBe('accepted');
+    expect(refusal({ fuelCapacity: 1e-7 })).toContain('fuelCapacity: expected ≥ 0.000001 kg');
+  });
+
   it.each([
     ['rcsThrust', 'N'],
     ['rcsTorque', 'N m'],
     ['reactionWheelTorque', 'N m'],
+    ['reactionWheelCapacity', 'N m s'],
   ])('takes %s up to 1e15 about each axis', (name, unit) => {
     expect(refusal({ [name]: [1e15, 0, 1e15] })).toBe('accepted');
     expect(refusal({ [name]: [0, 0, 1.1e15] })).toContain(

@@ -49,9 +49,9 @@ describe('names', () => {
       'landed',
       'tipped',
       'righted',
-      'crashed',
+      'destroyed',
     ]);
-    expect(ATTITUDE_MODES.indexOf('antiradial')).toBe(7);
+    expect(ATTITUDE_MODES.indexOf('antiradial')).toBe(8);
   });
 });
 

@@ -21,7 +21,7 @@ function landed(event: number): boolean {
 describe('sag at rest', () => {
   // Target: g / 100, the depth at which the spring of 100 m carries the weight. Today within 1.1e-8 m: what is left of a landing
   // at 0.1 µm/s (the settings' own 0.5 m/s would land it on the way there).
-  it.each(['Moon', 'Earth', 'Mars', 'Phobos'])('is g / 100 on %s', (name) => {
+  it.each(['Luna', 'Earth', 'Mars', 'Phobos'])('is g / 100 on %s', (name) => {
     const body = still(name);
     const trial = createTrial({ body, settings: { contactSettleLinearVel: 1e-7 }, height: 0.1 });
     run(trial, 400, landed);
@@ -31,7 +31,7 @@ describe('sag at rest', () => {
 
   // Target: (weight − lift) / (100 m). The burn of 10 s makes the ship lighter while the thrust stays. Today 3e-9 m.
   it('is what the thrust leaves of the weight over 100 m', () => {
-    const body = still('Moon');
+    const body = still('Luna');
     const controls = { thrustLevel: 0.2 };
     const trial = createTrial({
       body,
@@ -65,9 +65,9 @@ describe('a slide', () => {
   // Target v² / (2 mu g), m: 138.60, 15.40, 34.65, 22.91, 107.30. Today short of it by 70, 25, 73, 75, 99 mm: semi-implicit Euler
   // brakes v dt / 2 too early, the tolerance.
   it.each([
-    ['Moon', 15, 0.5],
-    ['Moon', 5, 0.5],
-    ['Moon', 15, 0.75],
+    ['Luna', 15, 0.5],
+    ['Luna', 5, 0.5],
+    ['Luna', 15, 0.75],
     ['Earth', 15, 0.5],
     ['Mars', 20, 0.5],
   ])('on %s at %d m/s with mu %d ends after v² / (2 mu g)', (name, speed, mu) => {
@@ -77,7 +77,7 @@ describe('a slide', () => {
 
   it('does not end without friction', () => {
     const settings = { contactFrictionKinetic: 0, contactFrictionStatic: 0 };
-    const trial = createTrial({ body: still('Moon'), settings, velocity: [15, 0, 0], state: 'contact' });
+    const trial = createTrial({ body: still('Luna'), settings, velocity: [15, 0, 0], state: 'contact' });
     run(trial, 60);
     expect(Math.abs(see(trial).slide - 15)).toBeLessThan(2e-3);
   });
@@ -111,9 +111,9 @@ describe('rebound at damping ratio 0.3', () => {
   // Target 0: the analytic one-sided spring-damper, which lets go when 100 p + 6 p' = 0. First order in dt: today, of the speed,
   // 2.5, 2.4, 2.3, 4.2, 3.1, 2.7, 2.2 %; of the depth 1.2 to 1.4 %.
   const CASES = [
-    ['Moon', 12],
-    ['Moon', 25],
-    ['Moon', 45],
+    ['Luna', 12],
+    ['Luna', 25],
+    ['Luna', 45],
     ['Earth', 12],
     ['Earth', 25],
     ['Earth', 45],

@@ -75,12 +75,12 @@ function touches(className: string, bodyName: string, count: number): Setup[] {
 }
 
 const CLASSES = ['lander', 'fast_frigate', 'cargo_hauler', 'planetary_lander'];
-const CASES = CLASSES.flatMap((name) => ['Moon', 'Earth', 'Phobos'].map((body) => [name, body] as const));
+const CASES = CLASSES.flatMap((name) => ['Luna', 'Earth', 'Phobos'].map((body) => [name, body] as const));
 
 describe('energy in contact without thrust', () => {
   // Target 0. Level touches from 0 to 49 m/s with a slide: nothing rocks, so the sum is kinetic + height + spring. Today 0.
   it('never grows in level touches, whether they settle, bounce or slide', () => {
-    for (const bodyName of ['Moon', 'Earth', 'Phobos']) {
+    for (const bodyName of ['Luna', 'Earth', 'Phobos']) {
       for (const setup of touches('lander', bodyName, 14)) {
         const { share } = plainRise(createTrial({ ...setup, tilt: 0, spin: [0, 0, 0] }));
         expect(share).toBeLessThan(1e-9);
@@ -88,12 +88,12 @@ describe('energy in contact without thrust', () => {
     }
   });
 
-  // Target 0: tilted up to 120°, spinning, sliding, settling and bouncing. Bound 0.2 %.
+  // Target 0: tilted up to 120°, spinning, sliding, settling and bouncing. Bound 0.5 %.
   it.each(CASES)(
-    'of %s on %s grows by less than 0.2 % once the work of the legs is entered',
+    'of %s on %s grows by less than 0.5 % once the work of the legs is entered',
     (name, body) => {
       const shares = touches(name, body, 9).map((setup) => ledgerRise(createTrial(setup)).share);
-      expect(Math.max(...shares)).toBeLessThan(0.002);
+      expect(Math.max(...shares)).toBeLessThan(0.005);
     },
   );
 

@@ -74,7 +74,7 @@ function playSubject({ world, ships, bodies }: Subject, ticks: number): number {
   const row = new Float64Array(SHIP_ROW);
   const bodyRow = new Float64Array(BODY_ROW);
   const events = new Uint8Array(1);
-  const timing = timingOfTick(0.01);
+  const timing = timingOfTick(0.01, 0.01);
   let hash: number | undefined;
   for (let tick = 0; tick < ticks; tick++) {
     beginTick(ships, bodies, world);

@@ -8,6 +8,7 @@ import {
   FLYING,
   FUEL,
   LANDED,
+  modeName,
   POSITION,
   REFERENCE_BODY,
   SHIP_STRIDE,
@@ -28,9 +29,10 @@ export interface Coverage {
 
 /** What has to occur, by the prefix of its key. */
 const KINDS = {
-  state: SURFACE_STATES.flatMap((state) => ATTITUDE_MODES.map((mode) => `${state}/${mode}`)),
+  state: SURFACE_STATES.flatMap((state) => [...ATTITUDE_MODES, 'unknown'].map((mode) => `${state}/${mode}`)),
   event: EVENT_NAMES.slice(1),
   world: ['aligned', 'kept', 'flat', 'hills', 'bowl'],
+  ground: ['radial', 'terrain'],
   change: ['reference body', 'ran dry', 'launched'],
   tilt: ['under 5', 'to 90', 'past 90', 'overhead'],
 } as const;
@@ -71,8 +73,9 @@ function countSubstep(
   row: Float64Array,
   count: (key: string) => void,
 ): void {
-  count(`state ${SURFACE_STATES[row[SURFACE_STATE]!]!}/${ATTITUDE_MODES[row[ATTITUDE_MODE]!]!}`);
+  count(`state ${SURFACE_STATES[row[SURFACE_STATE]!]!}/${modeName(row[ATTITUDE_MODE]!)}`);
   count(`world ${settings.touchdownAttitude ?? 'aligned'}`);
+  if (row[SURFACE_STATE] !== FLYING) count(`ground ${settings.surfaceNormal ?? 'radial'}`);
   count(`world ${'name' in terrain ? terrain.name : 'bowl'}`);
   if (row[SURFACE_STATE] !== FLYING) count(`tilt ${tiltOf(row)}`);
 }

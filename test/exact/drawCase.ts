@@ -2,10 +2,11 @@
 import {
   type Body,
   type BodyMotion,
+  DEFAULT_SETTINGS,
   loadTiming,
   type Quat,
   type ShipClass,
-  type ShipRecord,
+  type ShipInit,
   type Vec3,
 } from '../../src/dynamics';
 import { add, compose, cross, rotate } from '../../src/authority';
@@ -41,6 +42,8 @@ const STARTS = [
 ] as const;
 type Start = (typeof STARTS)[number];
 
+type MovingBody = Body & BodyMotion;
+
 /** A place on a body. */
 interface Place {
   readonly body: Body & BodyMotion;
@@ -63,7 +66,7 @@ export function drawCase(seed: number): ExactCase {
   const ship = neighbours[0] === undefined ? alone : betweenBodies(dice, alone, body, neighbours[0]);
   const bodies = chance(dice, 0.5) ? [body, ...neighbours] : [...neighbours, body];
   const { tickRate, timeScale } = drawTempo(dice);
-  const timing = loadTiming(tickRate, timeScale);
+  const timing = loadTiming(tickRate, timeScale, { ...DEFAULT_SETTINGS, ...settings });
   const substeps = timing.ok ? timing.value.substeps : 1;
   const ticks = Math.max(1, Math.round(LENGTH / substeps));
   const hover =
@@ -88,7 +91,7 @@ function smallBody(dice: Dice): Body & BodyMotion {
   return { ...drawBody(dice), name: 'first', radius, mass: radius * radius * between(dice, 1e8, 1e9) };
 }
 
-function drawShip(dice: Dice, start: Start, shipClass: ShipClass, place: Place): ShipRecord {
+function drawShip(dice: Dice, start: Start, shipClass: ShipClass, place: Place): ShipInit {
   const { body, normal } = place;
   const height = drawHeight(dice, start);
   const [nx, ny, nz] = rotate(
@@ -96,7 +99,10 @@ function drawShip(dice: Dice, start: Start, shipClass: ShipClass, place: Place):
     normal,
   );
   const ground = caseTerrain(place.terrain)(body.name, nx, ny, nz);
-  const reach = body.radius + ground + shipClass.groundContactOffset + height;
+  // Its class's, or its own, which may be 0: the centre of mass on the ground.
+  const groundContactOffset = chance(dice, 0.3) ? pick(dice, [0, between(dice, 0, 9)]) : null;
+  const offset = groundContactOffset ?? shipClass.groundContactOffset;
+  const reach = body.radius + ground + offset + height;
   const relativePosition: Vec3 = [normal[0] * reach, normal[1] * reach, normal[2] * reach];
   const rests = chance(dice, 0.2);
   const groundBound = start !== 'flight' && start !== 'transfer';
@@ -115,23 +121,32 @@ function drawShip(dice: Dice, start: Start, shipClass: ShipClass, place: Place):
     relativeVelocity: standsStill ? [0, 0, 0] : moves ? add(groundVelocity, local) : groundVelocity,
     attitude: drawAttitude(dice, start, normal),
     angularVelocity: moves ? add(body.angularVelocity, spin) : body.angularVelocity,
-    fuel: shipClass.fuelCapacity * pick(dice, [0, 1e-6, 1e-5, 1e-4, 0.3, 1]) * between(dice, 0.5, 1),
+    fuel: shipClass.fuelCapacity * pick(dice, [0, 1e-6, 1e-5, 1e-4, 0.3, 1, 1.2]) * between(dice, 0.5, 1),
+    wheelMomentum: drawWheels(dice, shipClass),
+    ...(groundContactOffset !== null && { groundContactOffset }),
     surfaceContactState: stateOf(start),
     contactImpactSpeed: start === 'contact' ? drawSpeed(dice) : 0,
     crashed: false,
   };
 }
 
-/** Somewhere on the way from its body to the neighbour, about where both pull as hard. */
-function betweenBodies(dice: Dice, ship: ShipRecord, body: BodyMotion, neighbour: BodyMotion): ShipRecord {
-  const way = between(dice, 0.35, 0.65);
+/** What the wheels have given: nothing, up to all they hold, or more than that. */
+function drawWheels(dice: Dice, { reactionWheelCapacity, reactionWheelTorque }: ShipClass): Vec3 {
+  const most = reactionWheelCapacity ?? reactionWheelTorque;
+  const share = (): number => pick(dice, [0, -1, 1, between(dice, -1, 1), 1.5]);
+  return [most[0] * share(), most[1] * share(), most[2] * share()];
+}
+
+/** Somewhere on the way from its body to the neighbour, about where both are as near by their own measure. */
+function betweenBodies(dice: Dice, ship: ShipInit, body: MovingBody, neighbour: MovingBody): ShipInit {
+  const way = (body.radius / (body.radius + neighbour.radius)) * between(dice, 0.8, 1.2);
   const [x, y, z] = [0, 1, 2].map(
     (k) => (neighbour.position[k]! - body.position[k]!) * way,
   ) as unknown as Vec3;
   return { ...ship, relativePosition: [x, y, z] };
 }
 
-function stateOf(start: Start): ShipRecord['surfaceContactState'] {
+function stateOf(start: Start): ShipInit['surfaceContactState'] {
   if (start === 'contact' || start === 'landed' || start === 'tipped') return start;
   return start === 'head' ? 'tipped' : '';
 }

@@ -1,6 +1,7 @@
 /** Draws what a case is made of besides its ship's state: classes, bodies, settings, ticks, what the pilot does. */
 import {
   ATTITUDE_MODES,
+  type AttitudeMode,
   BODIES,
   type Body,
   type BodyMotion,
@@ -24,15 +25,18 @@ export function drawShipClass(dice: Dice): ShipClass {
   const scale = mass * groundContactOffset * groundContactOffset * between(dice, 0.2, 0.6);
   const some = (most: number): Vec3 =>
     chance(dice, 0.15) ? [0, 0, 0] : [between(dice, 0, most), between(dice, 0, most), between(dice, 0, most)];
-  const [xy, xz, yz] = triple(dice, 0.2 * scale);
+  // Round, or up to eight to one and hardly skewed.
+  const isOdd = chance(dice, 0.4);
+  const moment = (): number => (isOdd ? pick(dice, [0.25, 0.5, 1, 2]) : between(dice, 0.7, 1.4));
+  const [xy, xz, yz] = triple(dice, (isOdd ? 0.05 : 0.2) * scale);
   return {
     name: 'drawn',
     dryMass,
     fuelCapacity,
     inertiaTensor: [
-      [scale * between(dice, 0.7, 1.4), xy, xz],
-      [xy, scale * between(dice, 0.7, 1.4), yz],
-      [xz, yz, scale * between(dice, 0.7, 1.4)],
+      [scale * moment(), xy, xz],
+      [xy, scale * moment(), yz],
+      [xz, yz, scale * moment()],
     ],
     groundContactOffset,
     legRadius: groundContactOffset * between(dice, 0.4, 1.2),
@@ -43,6 +47,9 @@ export function drawShipClass(dice: Dice): ShipClass {
     rcsLever: between(dice, 0.5, 8),
     rcsIsp: between(dice, 150, 400),
     reactionWheelTorque: some(scale * 0.05),
+    reactionWheelCapacity: chance(dice, 0.2) ? null : some(scale * 0.1),
+    attitudeNaturalFrequency: pick(dice, [5, between(dice, 0.05, 3)]),
+    dryInertiaRatio: chance(dice, 0.3) ? null : between(dice, 0.1, 1),
   };
 }
 
@@ -57,7 +64,7 @@ export function drawBody(dice: Dice): Body & BodyMotion {
   // By its gravity at the surface, m/s².
   const mass = (pick(dice, [0.005, 0.3, 1.6, 9]) * between(dice, 0.5, 2) * radius * radius) / 6.6743e-11;
   return {
-    name: pick(dice, ['Moon', 'Phobos', 'Nemo']),
+    name: pick(dice, ['Luna', 'Phobos', 'Nemo']),
     mass,
     radius,
     position: triple(dice, 3e11),
@@ -70,12 +77,15 @@ export function drawBody(dice: Dice): Body & BodyMotion {
 /** The defaults, or any within their ranges. */
 export function drawSettings(dice: Dice): Partial<Settings> {
   const touchdownAttitude = pick(dice, ['aligned', 'kept', 'kept'] as const);
-  if (chance(dice, 0.4)) return { touchdownAttitude };
+  const surfaceNormal = pick(dice, ['radial', 'terrain'] as const);
+  if (chance(dice, 0.4)) return { touchdownAttitude, surfaceNormal };
   const contactCrashSpeed = between(dice, 4, 90);
   const contactTippedAngleDeg = between(dice, 20, 89.9);
   const contactFrictionStatic = between(dice, 0, 2);
   return {
     touchdownAttitude,
+    surfaceNormal,
+    contactLongestSubstep: pick(dice, [0.01, 0.001, 0.022, between(dice, 0.001, 0.022)]),
     contactCrashSpeed,
     contactBounceSpeed: contactCrashSpeed * between(dice, 0.05, 0.95),
     contactSettleTiltDeg: contactTippedAngleDeg * between(dice, 0.05, 0.95),
@@ -94,7 +104,9 @@ export function drawTerrain(dice: Dice, n: Vec3, radius: number): CaseTerrain {
   const [x, y, z] = triple(dice, 0.5);
   const length = Math.sqrt((n[0] + x) * (n[0] + x) + (n[1] + y) * (n[1] + y) + (n[2] + z) * (n[2] + z));
   const axis: Vec3 = [(n[0] + x) / length, (n[1] + y) / length, (n[2] + z) / length];
-  return { base: between(dice, -50, 50), amplitude: radius * between(dice, -0.4, 0.4), axis };
+  // Slopes up to about 60°: the rise per metre is at most the amplitude over the radius.
+  const steepness = pick(dice, [0.4, 0.4, 1.7]);
+  return { base: between(dice, -50, 50), amplitude: radius * between(dice, -steepness, steepness), axis };
 }
 
 /** Tick rate 0.1 … 100 Hz and time scale 0.1 … 100, of at most 10 s of game time a tick. */
@@ -139,7 +151,7 @@ function drawControls(dice: Dice, hover: number): Controls {
     translationInput: stick(0.7),
     rotationInput: stick(0.7),
     attitudeHold: chance(dice, 0.5),
-    attitudeMode: pick(dice, ATTITUDE_MODES),
+    attitudeMode: pick<AttitudeMode>(dice, [...ATTITUDE_MODES, 'unknown']),
     targetAttitude: [x * length, y * length, z * length, w * length],
   };
 }

@@ -7,12 +7,12 @@ import {
   type Controls,
   type Settings,
   type ShipClass,
-  type ShipRecord,
+  type ShipInit,
   type Vec3,
 } from '../../src/dynamics';
 import { type Scenario, stage, ticksOf } from '../../src/scenarios';
 
-/** One ship, its world, its pilot. SI units, frames as in ShipRecord. */
+/** One ship, its world, its pilot. SI units, frames as in ShipInit. */
 export interface ExactCase {
   readonly name: string;
   /** Hz */
@@ -24,7 +24,7 @@ export interface ExactCase {
   readonly terrain: CaseTerrain;
   readonly shipClass: ShipClass;
   readonly bodies: readonly (Body & BodyMotion)[];
-  readonly ship: ShipRecord;
+  readonly ship: ShipInit;
   /** In the order of their time; each holds from the start of its substep on. */
   readonly inputs: readonly CaseInput[];
 }

@@ -4,7 +4,7 @@ import { hashCase } from './compare';
 import { fewestOf } from './coverage';
 import { MAY_SKIP, pythonVersion, replayInPython, surveyInPython } from './python';
 import { recordedCases, rehearsalCases } from './scenarioData';
-import { heightsHere, surveyPoints } from './survey';
+import { heightmapPoints, heightsHere, surveyMaps, surveyPoints } from './survey';
 
 const python = pythonVersion();
 const withPython = python === null && MAY_SKIP ? it.skip : it;
@@ -32,6 +32,16 @@ describe('TypeScript and Python agree in every bit', () => {
     const theirs = await surveyInPython(points);
     const first = points.find((_, i) => ours[i] !== theirs[i]);
     expect(first, 'the first point whose heights differ').toBeUndefined();
+    expect(new Set(ours).size).toBeGreaterThan(0.8 * points.length);
+  });
+
+  withPython('in the height of every point of a heightmap', async () => {
+    const points = heightmapPoints();
+    const ours = heightsHere(points);
+    const theirs = await surveyInPython(points, undefined, surveyMaps());
+    const first = points.find((_, i) => ours[i] !== theirs[i]);
+    expect(first, 'the first point whose heights differ').toBeUndefined();
+    expect(theirs.length).toBe(points.length);
     expect(new Set(ours).size).toBeGreaterThan(0.8 * points.length);
   });
 

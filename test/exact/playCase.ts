@@ -100,7 +100,7 @@ export function loadCase(exact: ExactCase, terrainHeight: TerrainHeight): Result
   if (!settings.ok) return settings;
   const shipClass = loadShipClass(exact.shipClass);
   if (!shipClass.ok) return shipClass;
-  const timing = loadTiming(exact.tickRate, exact.timeScale);
+  const timing = loadTiming(exact.tickRate, exact.timeScale, settings.value);
   if (!timing.ok) return timing;
   const loadedBodies = [];
   const bodies = new Float64Array(exact.bodies.length * BODY_STRIDE);

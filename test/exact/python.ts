@@ -69,12 +69,13 @@ export function writeFixtures(folder: string): void {
 /** A terrain's name, a body's name, and a unit direction in the body's axes. */
 export type SurveyPoint = readonly [string, string, number, number, number];
 
-/** Terrain heights as the bits of doubles, in hexadecimal, most significant byte first. */
+/** Terrain heights, of the maps told too, as the bits of doubles, in hexadecimal, most significant byte first. */
 export function surveyInPython(
   points: readonly SurveyPoint[],
   home: string = SERVER_HOME,
+  maps: readonly unknown[] = [],
 ): Promise<string[]> {
-  return run('touchdown_service.survey', points, { home });
+  return run('touchdown_service.survey', [...maps, ...points], { home });
 }
 
 /** Runs a module of the server with `input`, a line of JSON an item; the lines of its answer. */

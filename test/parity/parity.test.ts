@@ -22,7 +22,7 @@ function spoilt(name: string, spoil: (file: ReturnType<typeof json>) => void): s
 
 describe('parity', () => {
   it('has trajectories to agree with', () => {
-    expect(FILES.length).toBeGreaterThanOrEqual(28);
+    expect(FILES.length).toBe(45);
   });
 
   it.each(FILES)('%s: states and events to the tick, values within tolerance', (name) => {
@@ -30,9 +30,10 @@ describe('parity', () => {
     expect(comparison.disagreement).toBeNull();
     expect(comparison.outOfTolerance).toBeNull();
     expect(comparison.statesCompared).toBe(json(name).states.length);
-    // Today's worst, of all files: 7e-10 m and 1.4e-9 m/s on curved terrain, else below 1e-13. A tenth of the tolerance is slack.
+    // Today's worst, of all files: 1e-8 m, 1.6e-9 m/s, 1.8e-8 of attitude, of a ship that topples over its footprint's edge on curved
+    // terrain; on level ground below 1e-13. A fourth of the tolerance is slack.
     for (const [field, worst] of Object.entries(comparison.worst))
-      expect(worst, field).toBeLessThan(TOLERANCES[field as keyof typeof TOLERANCES] / 10);
+      expect(worst, field).toBeLessThan(TOLERANCES[field as keyof typeof TOLERANCES] / 4);
   });
 
   it.each([
@@ -146,7 +147,7 @@ describe('a malformed fixture is refused by its field', () => {
     ['initial.landed_body_name', (f) => ((f['initial'] as Json)['landed_body_name'] = 'Sun')],
     ['inputs[0].thrust', (f) => (f.inputs = [{ tick: 0, thrust: 1 }])],
     ['inputs[0].rotation_input[2]', (f) => (f.inputs = [{ tick: 0, rotation_input: [0, 0, null] }])],
-    ['inputs[0].attitude_mode', (f) => (f.inputs = [{ tick: 0, attitude_mode: 'sideways' }])],
+    ['inputs[0].attitude_mode', (f) => (f.inputs = [{ tick: 0, attitude_mode: 7 }])],
     ['inputs[0].target_attitude', (f) => (f.inputs = [{ tick: 0, target_attitude: [0, 0, 0, 0] }])],
     ['inputs[0].substep', (f) => (f.inputs = [{ tick: 0, substep: 5 }])],
     ['inputs[1].tick', (f) => (f.inputs = [{ tick: 9 }, { tick: 8 }])],

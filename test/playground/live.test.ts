@@ -5,7 +5,6 @@ import type { Live } from '../../src/playground/game/live';
 import { createReplay } from '../../src/playground/recording/replay';
 import { scriptOf } from '../../src/playground/game/script';
 import type { FromServer, ToServer } from '../../src/playground/server/connection';
-import { press, release } from '../../src/playground/input/stick';
 import type { WorldView } from '../../src/prediction';
 import {
   bell,
@@ -73,6 +72,7 @@ async function open(asked: Partial<Choices>): Promise<Game> {
     onRefused: (reason) => expect.unreachable(reason),
     onEvent: () => undefined,
     onEntry: (entry) => entries.push(entry),
+    onRun: () => undefined,
   });
   live.begin({ ...DEFAULT_CHOICES, ...asked });
   const dice = createDice(11);
@@ -183,18 +183,60 @@ describe('a recording of it', () => {
   });
 });
 
+describe('a pause', () => {
+  it('with a key held, and going on, leaves no mismatch: what is held or pressed meanwhile does nothing', async () => {
+    const { live, play } = await open({ scenario: 'school-hover', network: 'broadband' });
+    play(60, 2.3);
+    live.hands.press('throttleUp');
+    play(60, 0.4);
+    live.hands.rest(true);
+    live.operate({ kind: 'pause', paused: true });
+    play(60, 3);
+    const paused = live.view().own!.controls.thrustLevel;
+    live.hands.press('throttleFull');
+    live.hands.press('pitchPlus');
+    play(60, 1);
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: paused, rotationInput: [0, 0, 0] });
+    live.hands.rest(false);
+    live.operate({ kind: 'pause', paused: false });
+    play(60, 5);
+    expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
+  });
+});
+
+describe('the autopilot', () => {
+  it('lands softly from the mission’s start, and is given back by the key that took it', async () => {
+    const { live, play } = await open({ scenario: 'first-landing', network: 'broadband' });
+    play(30, 1);
+    live.hands.press('autopilot');
+    play(30, 2);
+    expect(live.view().own!.controls.attitudeMode).toBe('radial');
+    live.hands.press('autopilot');
+    expect(live.hands.autopilot.isOn()).toBe(false);
+    const held = live.view().own!.controls.thrustLevel;
+    play(30, 0.5);
+    expect(live.view().own!.controls).toMatchObject({ attitudeMode: 'none', attitudeHold: true });
+    expect(live.view().own!.controls.thrustLevel).toBeCloseTo(held, 1);
+    live.hands.press('autopilot');
+    play(30, 60);
+    const { own } = live.frame();
+    expect(own!.shownState).toBe('landed');
+    expect(own!.touchdown.verticalSpeed).toBeLessThan(2);
+  });
+});
+
 describe('the hand on the stick', () => {
   it('ends the plan with its first touch, whatever it touches, and nothing fights it', async () => {
     const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
     play(60, 1);
-    expect(live.flown()).toMatchObject({ thrustLevel: 0.5, attitudeMode: 'radial' });
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0.5, attitudeMode: 'radial' });
     // The plan would turn the ship from 2.6 s on; the hand cuts the engine and does nothing else.
     play(60, 0.5);
-    press(live.stick, 'throttleCut', live.flown());
+    live.hands.press('throttleCut');
     const turned = new Set<number>();
     play(60, 6, (view) => turned.add(view.own!.controls.rotationInput[0]));
     expect([...turned]).toEqual([0]);
-    expect(live.flown()).toMatchObject({ thrustLevel: 0, attitudeMode: 'none' });
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0, attitudeMode: 'radial' });
     const { diagnosis } = live.frame();
     expect(diagnosis).toMatchObject({
       correctionsMismatch: 0,
@@ -207,35 +249,35 @@ describe('the hand on the stick', () => {
     const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
     play(60, 1);
     live.operate({ kind: 'drop' });
-    press(live.stick, 'throttleCut', live.flown());
+    live.hands.press('throttleCut');
     // Meanwhile the server plays on: engine, and the turn from 2.6 s to 3.6 s.
     play(60, 1.8);
-    expect(live.flown()).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0] });
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0] });
     live.reconnect();
     play(60, 4);
     const { diagnosis, own } = live.frame();
     expect(diagnosis.correctionsLateInput).toBeGreaterThan(0);
     expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
     expect(own).toMatchObject({ provenance: 'confirmed' });
-    expect(own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0], attitudeMode: 'none' });
+    expect(own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0], attitudeMode: 'radial' });
   });
 
   it('taps as long as the finger did, however far apart the frames are', async () => {
     const { live, play, entries } = await open({ scenario: 'opening', network: 'lan' });
     play(2, 3);
-    for (const hand of [press, release]) {
+    for (const hand of ['press', 'release'] as const) {
       vi.advanceTimersByTime(60);
-      hand(live.stick, 'pitchPlus', live.flown());
+      live.hands[hand]('pitchPlus');
       live.steer();
     }
     play(2, 2);
     const turns = entries.flatMap((entry) =>
       entry.kind === 'sent' && entry.message.kind === 'inputs' ? entry.message.inputs : [],
     );
-    expect(turns.map(({ controls }) => controls.rotationInput)).toEqual([
-      [1, 0, 0],
-      [0, 0, 0],
-    ]);
+    const [held, released] = turns.map(({ controls }) => controls.rotationInput);
+    expect(turns).toHaveLength(2);
+    expect(held![0]).toBeGreaterThan(0.3);
+    expect(released).toEqual([0, 0, 0]);
     // 60 ms of 10 ms each.
     const [down, up] = turns.map(({ tick, substep }) => tick * 100 + substep);
     expect(up! - down!).toBeGreaterThanOrEqual(5);
@@ -247,7 +289,7 @@ describe('the hand on the stick', () => {
   it('takes over without a change of controls too', async () => {
     const { live, play } = await open({ scenario: 'launch', network: 'lan' });
     play(60, 1);
-    press(live.stick, 'throttleCut', live.flown());
+    live.hands.press('throttleCut');
     play(60, 8, (view) => expect(view.own!.surfaceContactState).toBe('landed'));
     expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
   });

@@ -5,7 +5,7 @@ import { createTimeline, setTempo } from '../../src/prediction/time/timeline';
 import { createRig } from './rig';
 
 function ledgerAt(tickRate = 1) {
-  const timeline = createTimeline();
+  const timeline = createTimeline(0.01);
   setTempo(timeline, 0, { tickRate, timeScale: 1, paused: false }, 0);
   return { timeline, ledger: createLedger('s') };
 }

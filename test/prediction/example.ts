@@ -1,11 +1,5 @@
-import {
-  type Controls,
-  createPredictor,
-  decodeFrameJson,
-  decodeServerMessage,
-  encodeClientMessage,
-  type WorldView,
-} from '../../src';
+import { type Controls, createPredictor, decodeFrameJson, type WorldView } from '../../src';
+import { decodeServerMessage, encodeClientMessage } from '../../src/protobuf';
 
 // #region protobuf
 const predictor = createPredictor({ ownShipId: 'my-ship' });

@@ -87,7 +87,7 @@ describe('frames as networks and servers have them', () => {
     expect([...rig.view().own!.position]).toEqual(before);
   });
 
-  it('refuses a ship of an unknown class by name and draws the others', () => {
+  it('draws a ship of an unknown class as its states tell it, and says which class', () => {
     const rig = createRig({ scenario: 'settle', others: 2 });
     tamperFrames(rig, (frame) => [
       {
@@ -96,7 +96,12 @@ describe('frames as networks and servers have them', () => {
       },
     ]);
     rig.fly(3);
-    expect(rig.view().ships.map(({ shipId }) => shipId)).toEqual(['ship-1', 'other-2']);
+    const drawn = rig.view().ships.map(({ shipId, provenance }) => [shipId, provenance === 'off']);
+    expect(drawn).toEqual([
+      ['ship-1', false],
+      ['other-1', true],
+      ['other-2', false],
+    ]);
     expect(rig.view().diagnosis.lastRefusal).toBe('frame.ships (other-1): shipClass: no class named ufo');
   });
 

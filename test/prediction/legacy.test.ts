@@ -41,6 +41,7 @@ describe('older and odder servers', () => {
     ...NEUTRAL_CONTROLS,
     ...{ fuel: 1000, mass: 9000, landedBodyName: '', surfaceContactState: '', contactImpactSpeed: null },
     ...{ referenceBody: '', relativePosition: null, relativeVelocity: null, crashed: false },
+    ...{ wheelMomentum: null, groundContactOffset: null },
     ...more,
   });
   const frame = (tick: number, ships: ShipState[], bodies = BODIES): ServerFrame => ({
@@ -50,7 +51,7 @@ describe('older and odder servers', () => {
 
   it('takes a body landed on without a state for landed', () => {
     const predictor = createPredictor();
-    predictor.receive(frame(5, [state({ landedBodyName: 'Moon' })]), 0);
+    predictor.receive(frame(5, [state({ landedBodyName: 'Luna' })]), 0);
     predictor.advance(null, 0.02);
     expect(predictor.view(0.02).ships[0]).toMatchObject({
       surfaceContactState: 'landed',
@@ -64,13 +65,13 @@ describe('older and odder servers', () => {
     predictor.receive(frame(5, [state({})]), 0);
     predictor.advance(null, 0.02);
     const view = predictor.view(0.02);
-    expect(view.bodies[view.ships[0]!.body]!.name).toBe('Moon');
+    expect(view.bodies[view.ships[0]!.body]!.name).toBe('Luna');
     expect(view.ships[0]!.groundRadius).toBe(moon.radius);
   });
 
   it('goes on from the game’s JSON, without bodies in it', () => {
     const predictor = createPredictor();
-    const json: unknown = JSON.parse(JSON.stringify(encodeShipStateJson(state({ landedBodyName: 'Moon' }))));
+    const json: unknown = JSON.parse(JSON.stringify(encodeShipStateJson(state({ landedBodyName: 'Luna' }))));
     for (let tick = 1; tick <= 40; tick++) {
       const ship = value(decodeShipStateJson(json));
       predictor.receive(frame(tick, [ship], []), tick);

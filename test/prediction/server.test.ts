@@ -87,7 +87,7 @@ describe('a server that is steered while it runs', () => {
     let predictedCrash = 0;
     rig.fly(4, ({ own }) => {
       if (own === null) return;
-      const told = rig.notices.some(({ kind, type }) => kind === 'confirmed' && type === 'ship.crashed');
+      const told = rig.notices.some(({ kind, type }) => kind === 'confirmed' && type === 'ship.destroyed');
       if (own.crashed && !told) predictedCrash += 1;
       if (own.shownState === 'crashed' && !told) early += 1;
     });

@@ -22,7 +22,7 @@ const tempo = (tickRate: number, timeScale = 1, paused = false) => ({ tickRate, 
 
 describe('the timeline', () => {
   it('counts ticks and substeps in whole numbers across re-timing', () => {
-    const timeline = createTimeline();
+    const timeline = createTimeline(0.01);
     setTempo(timeline, 10, tempo(1), 0);
     expect(setTempo(timeline, 12, tempo(1), null)).toBe(false);
     expect(setTempo(timeline, 13, tempo(20, 10), null)).toBe(true);
@@ -38,7 +38,7 @@ describe('the timeline', () => {
   });
 
   it('finds the moment of a wall time; a pause stands', () => {
-    const timeline = createTimeline();
+    const timeline = createTimeline(0.01);
     setTempo(timeline, 5, tempo(1), 100);
     const moment = { tick: 0, substeps: 0 };
     writeMoment(moment, timeline, 102.25);

@@ -68,7 +68,7 @@ export function watch(
   const state = { disagreements: 0, expected: null as Float64Array | null };
 
   function simulate(frame: ServerFrame, at: number): void {
-    const timing = timingOfTick(frame.timeScale / frame.tickRate);
+    const timing = timingOfTick(frame.timeScale / frame.tickRate, world.settings.contactLongestSubstep);
     const shipIds = frame.ships.map((ship) => ship.shipId);
     const rows = isTold(frame)
       ? rowsOf(frame.ships, world)
@@ -182,6 +182,8 @@ function rowsOf(ships: readonly ShipState[], world: World): Float64Array {
         contactImpactSpeed: ship.contactImpactSpeed!,
         relativePosition: ship.relativePosition!,
         relativeVelocity: ship.relativeVelocity!,
+        wheelMomentum: ship.wheelMomentum!,
+        groundContactOffset: ship.groundContactOffset!,
       } as ShipRecord,
       world,
     );

@@ -12,7 +12,7 @@ import {
 import type { Diagnosis, ShipView, WorldView } from '../../src/prediction';
 
 export interface Pose {
-  body?: 'Moon' | 'Earth' | 'Mars' | 'Phobos';
+  body?: 'Luna' | 'Earth' | 'Mars' | 'Phobos';
   shipClass?: 'fast_frigate' | 'cargo_hauler' | 'planetary_lander';
   /** kg; half the capacity unless told. */
   fuel?: number;
@@ -59,7 +59,7 @@ const NORTH: Triple = crossed(NORMAL, EAST);
 export function makeView(pose: Pose = {}, changes: Partial<ShipView> = {}): WorldView & { own: ShipView } {
   const settings = loadSettings({ ...DEFAULT_SETTINGS, ...pose.settings });
   if (!settings.ok) throw new Error(settings.reason);
-  const body = BODIES.findIndex((b) => b.name === (pose.body ?? 'Moon'));
+  const body = BODIES.findIndex((b) => b.name === (pose.body ?? 'Luna'));
   const own = makeShip(pose, changes);
   return {
     tick: 100,
@@ -77,7 +77,7 @@ export function makeView(pose: Pose = {}, changes: Partial<ShipView> = {}): Worl
 }
 
 export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): ShipView {
-  const body = BODIES.find((b) => b.name === (pose.body ?? 'Moon'))!;
+  const body = BODIES.find((b) => b.name === (pose.body ?? 'Luna'))!;
   const given = SHIP_CLASSES.find((c) => c.name === (pose.shipClass ?? 'planetary_lander'))!;
   const shipClass = loadShipClass(given);
   if (!shipClass.ok) throw new Error(shipClass.reason);
@@ -112,6 +112,7 @@ export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): Ship
     velocity: Float64Array.from(velocity),
     attitude: Float64Array.from(attitude),
     angularVelocity: Float64Array.from(spin),
+    wheelMomentum: new Float64Array(3),
     fuel: pose.fuel ?? given.fuelCapacity / 2,
     impactSpeed: 0,
     surfaceContactState: state,

@@ -4,7 +4,7 @@ import { BEGIN_LANDING, continueLanding, type LandingManeuver, type LandingSite 
 import type { ShipState } from '../../src/wire';
 import { flyDown, LANDER_CLASS } from './autopilotFlight';
 
-const MOON = BODIES.find(({ name }) => name === 'Moon')!;
+const MOON = BODIES.find(({ name }) => name === 'Luna')!;
 const SITE: LandingSite = { body: MOON, shipClass: LANDER_CLASS, terrainHeight: flatTerrain };
 
 /** 100 m over the Moon's prime meridian, sinking at 5 m/s with the ground below. */
@@ -23,9 +23,11 @@ const ABOVE: ShipState = {
   landedBodyName: '',
   surfaceContactState: '',
   contactImpactSpeed: 0,
-  referenceBody: 'Moon',
+  referenceBody: 'Luna',
   relativePosition: [0, 0, 1737504.56],
   relativeVelocity: [2.6617e-6 * 1737504.56, 0, -5],
+  wheelMomentum: [0, 0, 0],
+  groundContactOffset: null,
   crashed: false,
 };
 
@@ -41,7 +43,7 @@ function refusal(ship: Partial<ShipState>, site = SITE): string {
 }
 
 describe('the landing autopilot, in an authority from 200 m', () => {
-  const bodies = ['Moon', 'Earth', 'Mars', 'Phobos'];
+  const bodies = ['Luna', 'Earth', 'Mars', 'Phobos'];
   const classes = ['planetary_lander', 'fast_frigate'];
 
   // Touches between 0.9 and 1.8 m/s today; the design asks for less than 3. Without and with a tick between state and controls.
@@ -63,7 +65,7 @@ describe('the landing autopilot, in an authority from 200 m', () => {
     },
   );
 
-  it.each(['Moon', 'Earth', 'Mars'])('nulls drift, spin and tilt on the way down on %s', (body) => {
+  it.each(['Luna', 'Earth', 'Mars'])('nulls drift, spin and tilt on the way down on %s', (body) => {
     const initial = { velocity: [10, -5, -8], tilt: 40, spin: [0.2, 0.1, 0] } as const;
     const { maneuver, impact, ship } = flyDown({ body, tickRate: 10, initial });
     expect(maneuver.phase).toBe('complete');
@@ -72,13 +74,13 @@ describe('the landing autopilot, in an authority from 200 m', () => {
   });
 
   it('lands on hills too', () => {
-    const { maneuver, impact } = flyDown({ body: 'Moon', tickRate: 10, terrain: 'hills' });
+    const { maneuver, impact } = flyDown({ body: 'Luna', tickRate: 10, terrain: 'hills' });
     expect(maneuver.phase).toBe('complete');
     expect(impact).toBeLessThan(2.5);
   });
 
   it('lands by ICRF alone where the server sends no relative state', () => {
-    const { maneuver, ship } = flyDown({ body: 'Moon', tickRate: 10, legacy: true });
+    const { maneuver, ship } = flyDown({ body: 'Luna', tickRate: 10, legacy: true });
     expect(ship.relativePosition).toBeNull();
     expect(maneuver.phase).toBe('complete');
   });
@@ -87,14 +89,14 @@ describe('the landing autopilot, in an authority from 200 m', () => {
     const initial = { height: 0.2, velocity: [0, 0, -1], tilt: 60 } as const;
     const settings = { touchdownAttitude: 'kept' } as const;
     const shipClass = { ...LANDER_CLASS, rcsTorque: [0, 0, 0] } as const;
-    const tipped = flyDown({ body: 'Moon', tickRate: 10, initial, settings, shipClass });
+    const tipped = flyDown({ body: 'Luna', tickRate: 10, initial, settings, shipClass });
     expect(tipped.phases).toEqual(['descent', 'touchdown', 'failed']);
     expect(tipped.maneuver.reason).toBe('tipped over on Moon');
     expect(tipped.ship.surfaceContactState).toBe('tipped');
   });
 
   it('fails with a reason when it comes too fast, and when the engine is too weak', () => {
-    const crash = flyDown({ body: 'Moon', tickRate: 10, initial: { velocity: [0, 0, -150] } });
+    const crash = flyDown({ body: 'Luna', tickRate: 10, initial: { velocity: [0, 0, -150] } });
     expect([crash.maneuver.phase, crash.maneuver.reason]).toEqual(['failed', 'crashed on Moon']);
     const hauler = SHIP_CLASSES.find(({ name }) => name === 'cargo_hauler')!;
     const weak = flyDown({ body: 'Earth', tickRate: 10, shipClass: hauler });
@@ -108,7 +110,7 @@ describe('the landing maneuver', () => {
   it('takes contact for the touchdown: engine off, rates damped', () => {
     expect(descending.phase).toBe('descent');
     expect(next({ relativeVelocity: [4.62, 0, -14] }).controls.thrustLevel).toBeGreaterThan(0);
-    const touchdown = next({ surfaceContactState: 'contact', landedBodyName: 'Moon' }, descending);
+    const touchdown = next({ surfaceContactState: 'contact', landedBodyName: 'Luna' }, descending);
     expect(touchdown).toEqual({
       phase: 'touchdown',
       reason: '',

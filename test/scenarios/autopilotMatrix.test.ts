@@ -4,7 +4,7 @@ import { BODIES, GRAVITATIONAL_CONSTANT, SHIP_CLASSES, type ShipClass, type Vec3
 import type { LocalState } from '../../src/scenarios';
 import { flyDown, LANDER_CLASS } from './autopilotFlight';
 
-const BODY_NAMES = ['Moon', 'Earth', 'Mars', 'Phobos'];
+const BODY_NAMES = ['Luna', 'Earth', 'Mars', 'Phobos'];
 const STARTS: Readonly<Record<string, Partial<LocalState>>> = {
   upright: {},
   sideways: { tilt: 90, leanTo: 70 },
@@ -66,7 +66,7 @@ describe('what no autopilot saves: a ship that turns more slowly than it falls',
   }
 
   it('is not the frigate on its side over the Moon, Mars and Phobos', () => {
-    for (const body of ['Moon', 'Mars', 'Phobos'])
+    for (const body of ['Luna', 'Mars', 'Phobos'])
       for (const tempo of TEMPI) {
         const { maneuver, impact } = flyDown({
           body,

@@ -14,7 +14,7 @@ import {
 } from '../../src/scene/ground/terrainLevel';
 import { createSectors, writeSectors } from '../../src/scene/ground/groundSectors';
 
-const MOON = BODIES.find(({ name }) => name === 'Moon')!;
+const MOON = BODIES.find(({ name }) => name === 'Luna')!;
 const hills = TERRAINS['hills']!;
 const SUN = { elevation: 13, azimuth: 58 };
 
@@ -81,7 +81,7 @@ describe('drawn ground', () => {
       const r = Math.hypot(x, y, z);
       const along = (k: number) => (axes[k]! * x + axes[3 + k]! * y + axes[6 + k]! * z) / r;
       // 1.7e6 m in doubles, rooted and summed: some 1e-9 m.
-      expect(Math.abs(r - frame.radius - hills('Moon', along(0), along(1), along(2)))).toBeLessThan(1e-6);
+      expect(Math.abs(r - frame.radius - hills('Luna', along(0), along(1), along(2)))).toBeLessThan(1e-6);
     }
   });
 

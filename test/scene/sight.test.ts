@@ -76,7 +76,7 @@ function hiddenButSeen(level: TerrainLevel, finer: TerrainLevel, cone: ViewCone,
 }
 
 describe('ground that is left out', () => {
-  it.each(['Moon', 'Earth', 'Mars', 'Phobos'])('is out of the picture, on %s', (name) => {
+  it.each(['Luna', 'Earth', 'Mars', 'Phobos'])('is out of the picture, on %s', (name) => {
     const frame = frameOn(name);
     const dice = createDice(7);
     let [left, all] = [0, 0];
@@ -97,7 +97,7 @@ describe('ground that is left out', () => {
 
   it('over the horizon lies behind the body, and near ground is never', () => {
     let hidden = 0;
-    for (const name of ['Moon', 'Earth', 'Phobos']) {
+    for (const name of ['Luna', 'Earth', 'Phobos']) {
       const frame = frameOn(name);
       for (const height of [2, 60, 3000]) {
         const eye = Float64Array.of(40, height, -25);

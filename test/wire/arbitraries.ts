@@ -63,6 +63,8 @@ export const ship: fc.Arbitrary<ShipState> = fc
       angularVelocity: vector(1e6),
       fuel: kilograms,
       mass: kilograms,
+      wheelMomentum: fc.option(vector(1e25)),
+      groundContactOffset: fc.option(fc.double({ min: 0, max: 1e6, noNaN: true })),
       landedBodyName: text,
       surfaceContactState: fc.oneof(fc.constantFrom<string>(...SURFACE_STATES), text),
       referenceBody: text,
@@ -82,7 +84,7 @@ export const ship: fc.Arbitrary<ShipState> = fc
 const body: fc.Arbitrary<BodyState> = fc.record({
   name: named,
   mass: fc.double({ min: 1e-300, max: 1e40, noNaN: true }),
-  radius: fc.double({ min: 1e-300, max: 1e18, noNaN: true }),
+  radius: fc.double({ min: 1e-3, max: 1e18, noNaN: true }),
   position: vector(1e18),
   velocity: vector(1e9),
   attitude: quaternion,

@@ -32,7 +32,7 @@ function shipFrom(ship: Bytes): ShipState {
 it('reads the game’s fields 29 to 35 at their numbers', () => {
   const ship = shipFrom([
     ...olderShip('a'),
-    ...text(29, 'Moon'),
+    ...text(29, 'Luna'),
     ...text(30, 'tipped'),
     ...double(31, 12.5),
     ...text(32, 'Earth'),
@@ -42,7 +42,7 @@ it('reads the game’s fields 29 to 35 at their numbers', () => {
   ]);
   expect(ship).toMatchObject({
     shipId: 'a',
-    landedBodyName: 'Moon',
+    landedBodyName: 'Luna',
     surfaceContactState: 'tipped',
     contactImpactSpeed: 12.5,
     referenceBody: 'Earth',
@@ -84,6 +84,8 @@ it('writes a whole ShipState as the description of the encoding says', () => {
     ...vec3(33, ...SHIP.relativePosition!),
     ...vec3(34, ...SHIP.relativeVelocity!),
     ...integer(35, 1),
+    ...vec3(36, ...SHIP.wheelMomentum!),
+    ...double(37, SHIP.groundContactOffset!),
   ];
   const { kind, tick, tickRate, timeScale } = FRAME;
   const frame = {

@@ -12,7 +12,7 @@ import type {
 /** One message of each kind in which no field has the value that protobuf leaves out. */
 
 export const BODY: BodyState = {
-  name: 'Moon',
+  name: 'Luna',
   mass: 7.342e22,
   radius: 1737400,
   position: [1.496e11, -2.5e9, 3.84e8],
@@ -38,10 +38,12 @@ export const SHIP: ShipState = {
   targetAttitude: [-0.5, 0.5, 0.5, 0.5],
   fuel: 1234.5,
   mass: 9234.5,
-  landedBodyName: 'Moon',
+  wheelMomentum: [100, -200, 0.5],
+  groundContactOffset: 4.25,
+  landedBodyName: 'Luna',
   surfaceContactState: 'contact',
   contactImpactSpeed: 12.5,
-  referenceBody: 'Moon',
+  referenceBody: 'Luna',
   relativePosition: [1.5, -2.5, 1737404],
   relativeVelocity: [0.5, 0.25, -1.75],
   crashed: true,
@@ -68,7 +70,12 @@ export const HELLO: Hello = {
   kind: 'hello',
   playerId: 'player-1',
   shipId: 'ship-1',
-  settings: { ...DEFAULT_SETTINGS, touchdownAttitude: 'kept', contactFrictionKinetic: 0.25 },
+  settings: {
+    ...DEFAULT_SETTINGS,
+    touchdownAttitude: 'kept',
+    contactFrictionKinetic: 0.25,
+    surfaceNormal: 'terrain',
+  },
   shipClasses: [
     {
       name: 'fast_frigate',
@@ -88,6 +95,9 @@ export const HELLO: Hello = {
       rcsLever: 2,
       rcsIsp: 300,
       reactionWheelTorque: [10, 11, 12],
+      reactionWheelCapacity: [20, 21, 22],
+      attitudeNaturalFrequency: 0.5,
+      dryInertiaRatio: 0.625,
     },
   ],
   bodies: [BODY],

@@ -1,3 +1,4 @@
+import type { RunInput } from '../../scenarios';
 import { scriptUrl } from '../scriptUrl';
 import type { Operation } from './operation';
 import type { SessionStatus } from './session';
@@ -34,6 +35,8 @@ export interface ConnectionHandlers {
   readonly onRefused: (reason: string) => void;
   /** How the worker's server stands, after everything that happened in it; a real server tells nothing. */
   readonly onStatus: (status: SessionStatus) => void;
+  /** The inputs that { kind: 'run' } asked for. */
+  readonly onRun: (inputs: readonly RunInput[]) => void;
 }
 
 /** Page → worker. */
@@ -48,13 +51,14 @@ export type FromServer =
   | { readonly kind: 'bytes'; readonly bytes: Uint8Array }
   | { readonly kind: 'closed'; readonly reason: string }
   | { readonly kind: 'refused'; readonly reason: string }
-  | { readonly kind: 'status'; readonly status: SessionStatus };
+  | { readonly kind: 'status'; readonly status: SessionStatus }
+  | { readonly kind: 'run'; readonly inputs: readonly RunInput[] };
 
 /** The server in a Web Worker, whose `program` is the page's own main.ts: it has no world before it is told to load one. */
 export function openWorker(program: string, handlers: ConnectionHandlers): Connection {
   const failed = (why: string) =>
     handlers.onClosed(
-      `the server in the page failed (${why}); load the page anew, or in a browser that runs module workers`,
+      `the built-in server failed (${why}); reload the page, or use a browser that runs module workers`,
     );
   const worker = startWorker(program, failed);
   const post = (message: ToServer) => worker?.postMessage(message);
@@ -98,6 +102,9 @@ function dispatch(message: FromServer, handlers: ConnectionHandlers): void {
     case 'status':
       handlers.onStatus(message.status);
       break;
+    case 'run':
+      handlers.onRun(message.inputs);
+      break;
   }
 }
 
@@ -134,10 +141,10 @@ export function openSocket(address: string, handlers: ConnectionHandlers): Conne
     send(bytes) {
       if (socket?.readyState === WebSocket.OPEN) socket.send(new Uint8Array(bytes));
     },
-    operate: ({ kind }) => handlers.onRefused(`${kind}: only the server in the page takes orders`),
+    operate: ({ kind }) => handlers.onRefused(`${kind}: only available with the built-in server`),
     reconnect: connect,
     setSpeed(speed) {
-      if (speed !== 1) handlers.onRefused('slow motion: only the server in the page can be slowed down');
+      if (speed !== 1) handlers.onRefused('slow motion: only available with the built-in server');
     },
     dispose() {
       const old = socket;

@@ -85,7 +85,7 @@ function shownState(track: Track, state: number, crashes: boolean, at: Instant):
 }
 
 function provenanceOf(track: Track, state: number, crashes: boolean, at: Instant): Provenance {
-  if (track.off) return 'off';
+  if (track.off || track.unpredictable) return 'off';
   const crashed = track.serverRow[CRASHED] === 1;
   if (!at.paused && !crashed && at.now - track.seenAt > at.staleAfter) return 'stale';
   if (crashed) return 'confirmed';

@@ -55,6 +55,8 @@ export interface ShipView {
   /** [x, y, z, w] */
   readonly attitude: Float64Array;
   readonly angularVelocity: Float64Array;
+  /** What the reaction wheels have given so far, N m s, body axes. */
+  readonly wheelMomentum: Float64Array;
   fuel: number;
   /** m/s */
   impactSpeed: number;
@@ -157,6 +159,19 @@ export interface Diagnosis {
   budgetOverruns: number;
   snaps: number;
   resyncs: number;
+  /** Frames whose bodies were not where they were predicted to be turned to; the last one's largest component of an attitude, and of a spin, rad/s. */
+  correctionsBody: number;
+  errorBodyAttitude: number;
+  errorBodySpin: number;
+  /** Acknowledgements of inputs that cannot be: later than their own frame, or of no number. */
+  acknowledgementsRefused: number;
+  /** Left out because the host did not take its outgoing messages. */
+  pingsDropped: number;
+  inputsDropped: number;
+  /** Frames that newer ones overtook before they were decoded: their events were told, nothing else. */
+  framesSuperseded: number;
+  /** Gauge: memory of the predicted states of all ships, bytes. */
+  historyBytes: number;
   /** Gauges, wall s: */
   clockOffset: number;
   /** 0.9 … 1.1 */

@@ -15,6 +15,7 @@ import {
   TRANSLATION_INPUT,
   VELOCITY,
   type World,
+  WHEEL_MOMENTUM,
 } from '../../dynamics';
 import { relax } from './ease';
 import { fillGhost } from './ghost';
@@ -55,6 +56,7 @@ export function createShipView(track: Track, world: World): ShipView {
     velocity: vectors(),
     attitude: Float64Array.of(0, 0, 0, 1),
     angularVelocity: vectors(),
+    wheelMomentum: vectors(),
     fuel: 0,
     impactSpeed: 0,
     surfaceContactState: '',
@@ -106,6 +108,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   if (stepping) fillBetween(out, sim, track);
   else fillFromRow(out, rows);
   out.fuel = rows[from + FUEL]!;
+  take(out.wheelMomentum, rows, from + WHEEL_MOMENTUM);
   out.impactSpeed = rows[from + IMPACT_SPEED]!;
   out.surfaceContactState = SURFACE_STATES[rows[from + SURFACE_STATE]!]!;
   out.crashed = rows[from + CRASHED] === 1;

@@ -4,9 +4,9 @@ import {
   BODY_STRIDE,
   CRASHED,
   FLYING,
+  GROUND_CONTACT_OFFSET,
   POSITION,
   REFERENCE_BODY,
-  SHIP_CLASS,
   SURFACE_STATE,
   VELOCITY,
   type World,
@@ -57,15 +57,10 @@ export function observe(out: Observation, row: Float64Array, bodies: Float64Arra
   rotateBack(out.way, attitude, velocity);
   const [nx, ny, nz] = out.direction as unknown as [number, number, number];
   const surface = body.radius + world.terrainHeight(body.name, nx, ny, nz);
-  out.feet = distance - surface - centreHeight(row, world);
+  out.feet = distance - surface - row[GROUND_CONTACT_OFFSET]!;
   out.gravity = body.gravityParameter / (distance * distance);
   out.crashed = row[CRASHED] === 1;
   out.grounded = !out.crashed && row[SURFACE_STATE] !== FLYING;
-}
-
-/** Height of a ship's centre of mass above its feet, m. */
-function centreHeight(row: Float64Array, world: World): number {
-  return world.shipClasses[row[SHIP_CLASS]!]!.groundContactOffset;
 }
 
 const place = vector();

@@ -1,9 +1,9 @@
 import {
   ATTITUDE_HOLD,
   ATTITUDE_MODE,
-  ATTITUDE_MODES,
   type Controls,
   loadControls,
+  modeName,
   ROTATION_INPUT,
   TARGET_ATTITUDE,
   THRUST_LEVEL,
@@ -72,7 +72,7 @@ function commands(rows: Float64Array, at: number, given: Controls): boolean {
   return (
     near(rows[at + THRUST_LEVEL]!, given.thrustLevel) &&
     rows[at + ATTITUDE_HOLD] === (given.attitudeHold ? 1 : 0) &&
-    ATTITUDE_MODES[rows[at + ATTITUDE_MODE]!] === given.attitudeMode &&
+    modeName(rows[at + ATTITUDE_MODE]!) === given.attitudeMode &&
     nearAll(rows, at + TRANSLATION_INPUT, given.translationInput) &&
     nearAll(rows, at + ROTATION_INPUT, given.rotationInput) &&
     nearAll(rows, at + TARGET_ATTITUDE, given.targetAttitude)

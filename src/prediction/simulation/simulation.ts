@@ -1,10 +1,10 @@
 import { BODY_STRIDE, type BodyMotion, type World, writeBodyMotion } from '../../dynamics';
 import type { Diagnosis, EventNotice } from '../drawn/view';
 import { createInputs, type Inputs, type ScheduledInput } from '../inputs/inputs';
-import { type BodyTrack, createBodyTrack, cutsOf, resizedBodies } from '../snapshots/bodyTrack';
+import { type BodyTrack, createBodyTrack } from '../snapshots/bodyTrack';
+import { type Cadence, createCadence } from '../time/cadence';
 import { createTimeline, type Position, type Timeline } from '../time/timeline';
-import { resizeLogs } from '../touchdown/touchdownRing';
-import { resized, ringLength } from './history';
+import { ringLength } from './history';
 import { createFleet, type Fleet } from './track';
 import type { Warn } from '../warnings';
 
@@ -23,7 +23,12 @@ export interface Simulation {
   frontIsStale: boolean;
   /** 0 … 1: where the present lies between the substep boundary before the front and the front. */
   alpha: number;
+  /** Ticks of predicted states that belong to 10 s. */
   ringLength: number;
+  /** Rows that each ship but the own one keeps, as memory allows. */
+  historyRows: number;
+  /** How often the server sends. */
+  readonly cadence: Cadence;
   /** Newest tick a frame was accepted of, -1 before the first. */
   newestTick: number;
   /** Not yet told to listeners. */
@@ -56,7 +61,7 @@ export function createSimulation(
   for (const [i, motion] of bodies.entries()) writeBodyMotion(start, i * BODY_STRIDE, motion);
   return {
     world,
-    timeline: createTimeline(),
+    timeline: createTimeline(world.settings.contactLongestSubstep),
     bodies: createBodyTrack(start, ringLength(1), 100),
     fleet: createFleet(),
     inputs: createInputs(plan),
@@ -64,6 +69,8 @@ export function createSimulation(
     frontIsStale: true,
     alpha: 1,
     ringLength: ringLength(1),
+    historyRows: ringLength(1),
+    cadence: createCadence(),
     newestTick: -1,
     notices: [],
     learning: { tick: -1, spent: 0 },
@@ -71,18 +78,4 @@ export function createSimulation(
     warn,
     sleeps,
   };
-}
-
-/** Makes the rings fit another tick rate; what they hold stays. */
-export function fitRings(sim: Simulation, tickRate: number, substeps: number): void {
-  const length = ringLength(tickRate);
-  if (length !== sim.ringLength) {
-    sim.ringLength = length;
-    for (const track of sim.fleet.tracks) {
-      track.history = resized(track.history, length);
-      if (track.log !== null) resizeLogs(track.log, length);
-    }
-  }
-  if (length !== sim.bodies.length || sim.bodies.cuts.length !== cutsOf(substeps))
-    sim.bodies = resizedBodies(sim.bodies, length, substeps);
 }

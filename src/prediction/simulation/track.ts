@@ -28,6 +28,8 @@ export interface Track {
   mode: Mode;
   /** Switched off because time outruns the budget. */
   off: boolean;
+  /** Of a class or in a state that is not known here: drawn as the server tells it. */
+  unpredictable: boolean;
 
   history: History;
   /** Newest tick the server told of, -1 before the first; its row, and its body's attitude then. */
@@ -40,6 +42,10 @@ export interface Track {
   seenAt: number;
   /** How long the server was silent before its newest state, s. */
   silence: number;
+  /** The server's send (Cadence) that had it last. */
+  lastSend: number;
+  /** Newest tick whose state of the server came out as it was predicted, -1 for none. */
+  agreedTick: number;
 
   /** Position of the replay in the fleet's `replayed` row. */
   replaying: boolean;
@@ -109,6 +115,7 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
     at,
     mode: 'waiting',
     off: false,
+    unpredictable: false,
     history: createHistory(ringLength),
     serverTick: -1,
     serverRow: new Float64Array(SHIP_STRIDE),
@@ -116,6 +123,8 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
     exact: false,
     seenAt: 0,
     silence: 0,
+    lastSend: 0,
+    agreedTick: -1,
     replaying: false,
     replayTick: 0,
     replaySubstep: 0,
@@ -137,6 +146,13 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
   fleet.tracks.push(track);
   fleet.byId.set(shipId, track);
   return track;
+}
+
+/** Takes all tracks out. */
+export function clearFleet(fleet: Fleet): void {
+  fleet.own = null;
+  fleet.tracks.length = 0;
+  fleet.byId.clear();
 }
 
 /** Takes a track out; the last one takes its rows. */

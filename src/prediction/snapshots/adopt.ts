@@ -3,15 +3,17 @@ import {
   ATTITUDE,
   ATTITUDE_HOLD,
   ATTITUDE_MODE,
-  ATTITUDE_MODES,
+  attitudeModeOf,
   BODY_POSITION,
   BODY_STRIDE,
   BODY_VELOCITY,
   CRASHED,
   FLYING,
   FUEL,
+  GROUND_CONTACT_OFFSET,
   IMPACT_SPEED,
   LANDED,
+  modeNumber,
   POSITION,
   REFERENCE_BODY,
   ROTATION_INPUT,
@@ -22,14 +24,15 @@ import {
   THRUST_LEVEL,
   TRANSLATION_INPUT,
   VELOCITY,
+  WHEEL_MOMENTUM,
   type World,
 } from '../../dynamics';
 import type { ShipState } from '../../wire';
 
 /**
  * Writes the wire's ShipState as a row (PREDICTION, What the server says), with what a server leaves out made good: the relative
- * state from ICRF, the reference body from the body landed on or the strongest gravity, the state from `landedBodyName`.
- * IMPACT_SPEED is NaN where the server does not tell it: only the ship's own history can know it.
+ * state from ICRF, the reference body from the body landed on or the nearest by its own measure, the state from `landedBodyName`.
+ * IMPACT_SPEED and WHEEL_MOMENTUM are NaN where the server does not tell them: only the ship's own history can know them.
  * @param row one ship's row; as it was where a reason is returned
  * @param bodies rows at the state's tick
  * @returns null, or the reason, naming the field, why the state cannot be used
@@ -45,7 +48,7 @@ export function adopt(
   if (indexIn(SURFACE_STATES, state.surfaceContactState) < 0)
     return `surfaceContactState: no state named ${state.surfaceContactState}`;
   const told = state.referenceBody !== '' ? state.referenceBody : state.landedBodyName;
-  const body = told !== '' ? indexOfName(world.bodies, told) : strongestPull(state, bodies, world);
+  const body = told !== '' ? indexOfName(world.bodies, told) : nearestBody(state, bodies, world);
   if (body < 0) return `referenceBody: no body named ${told}`;
   if (tooNearCentre(state, bodies, body)) return 'position: expected ≥ 1 m from the body’s centre';
 
@@ -53,6 +56,8 @@ export function adopt(
   for (let k = 0; k < 4; k++) row[ATTITUDE + k] = state.attitude[k]!;
   for (let k = 0; k < 3; k++) row[ANGULAR_VELOCITY + k] = state.angularVelocity[k]!;
   row[FUEL] = state.fuel;
+  for (let k = 0; k < 3; k++) row[WHEEL_MOMENTUM + k] = state.wheelMomentum?.[k] ?? Number.NaN;
+  row[GROUND_CONTACT_OFFSET] = state.groundContactOffset ?? world.shipClasses[shipClass]!.groundContactOffset;
   const named = indexIn(SURFACE_STATES, state.surfaceContactState);
   const surface = named === FLYING && state.landedBodyName !== '' ? LANDED : named;
   row[SURFACE_STATE] = state.crashed ? FLYING : surface;
@@ -62,6 +67,25 @@ export function adopt(
   row[SHIP_CLASS] = shipClass;
   writeCommand(row, state);
   return null;
+}
+
+/** Why a state cannot be predicted though it can be drawn: its class or surface state is not known here. Null where both are. */
+export function unknownNameOf({ shipClass, surfaceContactState }: ShipState, world: World): string | null {
+  if (indexOfName(world.shipClasses, shipClass) < 0) return `shipClass: no class named ${shipClass}`;
+  if (indexIn(SURFACE_STATES, surfaceContactState) < 0)
+    return `surfaceContactState: no state named ${surfaceContactState}`;
+  return null;
+}
+
+/** The state with what is not known replaced by what can be drawn: the first class, no contact. */
+export function drawableState(state: ShipState, world: World): ShipState {
+  const known = indexOfName(world.shipClasses, state.shipClass) >= 0;
+  return {
+    ...state,
+    shipClass: known ? state.shipClass : world.shipClasses[0]!.name,
+    surfaceContactState:
+      indexIn(SURFACE_STATES, state.surfaceContactState) < 0 ? '' : state.surfaceContactState,
+  };
 }
 
 /** Whether the relative state came from the server itself, not from a difference of ICRF places. */
@@ -84,21 +108,20 @@ function writeCommand(row: Float64Array, state: ShipState): void {
   row[THRUST_LEVEL] = state.thrustLevel;
   for (let k = 0; k < 3; k++) row[TRANSLATION_INPUT + k] = state.translationInput[k]!;
   for (let k = 0; k < 3; k++) row[ROTATION_INPUT + k] = state.rotationInput[k]!;
-  const mode = indexIn(ATTITUDE_MODES, state.attitudeMode);
-  // A mode that is not known acts as none with rate damping (DYNAMICS, Actuators).
-  row[ATTITUDE_HOLD] = state.attitudeHold || mode < 0 ? 1 : 0;
-  row[ATTITUDE_MODE] = Math.max(0, mode);
+  row[ATTITUDE_HOLD] = state.attitudeHold ? 1 : 0;
+  row[ATTITUDE_MODE] = modeNumber(attitudeModeOf(state.attitudeMode));
   for (let k = 0; k < 4; k++) row[TARGET_ATTITUDE + k] = state.targetAttitude[k]!;
 }
 
-/** The body whose gravity is the strongest at the ship; ties go to the one listed first (DYNAMICS, Frame). */
-function strongestPull(state: ShipState, bodies: Float64Array, world: World): number {
+/** The body with the smallest distance / radius; ties go to the one listed first (DYNAMICS, Frame). */
+function nearestBody(state: ShipState, bodies: Float64Array, world: World): number {
   let best = -1;
-  let strongest = -1;
+  let nearest = Infinity;
   for (let i = 0; i < world.bodies.length; i++) {
-    const pull = world.bodies[i]!.gravityParameter / distanceSquared(state, bodies, i);
-    if (pull > strongest) {
-      strongest = pull;
+    const { radius } = world.bodies[i]!;
+    const measure = distanceSquared(state, bodies, i) / (radius * radius);
+    if (measure < nearest) {
+      nearest = measure;
       best = i;
     }
   }

@@ -1,7 +1,6 @@
 import {
   BODY_ANGULAR_VELOCITY,
   BODY_ATTITUDE,
-  BODY_END_ATTITUDE,
   BODY_POSITION,
   BODY_STRIDE,
   BODY_VELOCITY,
@@ -151,23 +150,38 @@ function makeRows(
   return cut.rows[to.substep]!;
 }
 
+/** How far bodies were off: the largest component of an attitude, and of a spin, rad/s. */
+export interface BodyError {
+  attitude: number;
+  spin: number;
+}
+
 /**
  * The server's bodies at `tick`. What was predicted stays in `replaced`; later boundaries are made anew.
  * @param told one motion for each body, in the world's order
- * @returns how far an attitude or a spin was off, as its largest component: 0 where the law agreed to the bit, or nothing was predicted
+ * @returns how far the predicted ones were off: 0 where the law agreed to the bit, or nothing was predicted
  */
-export function tell(track: BodyTrack, tick: number, told: readonly BodyMotion[]): number {
+export function updateBodies(track: BodyTrack, tick: number, told: readonly BodyMotion[]): BodyError {
   const known = knowsBoundary(track, tick);
   const boundary = track.boundaries[tick % track.length]!;
   if (known) {
     track.replaced.set(boundary);
-    if (told.every((motion, i) => agrees(boundary, i * BODY_STRIDE, motion))) return 0;
+    if (told.every((motion, i) => agrees(boundary, i * BODY_STRIDE, motion))) return NO_ERROR;
   }
   for (let i = 0; i < told.length; i++) writeBodyMotion(boundary, i * BODY_STRIDE, told[i]!);
   if (!known) track.replaced.set(boundary);
   track.ticks[tick % track.length] = tick;
   forgetAfter(track, tick);
-  return turnedBy(track.replaced, boundary, track.count);
+  return errorBetween(track.replaced, boundary, track.count);
+}
+
+const NO_ERROR: Readonly<BodyError> = Object.freeze({ attitude: 0, spin: 0 });
+
+/** Nothing has been told yet: the bodies are where they start at `tick`. */
+export function startBodiesAt(track: BodyTrack, tick: number): void {
+  track.boundaries[tick % track.length]!.set(track.start);
+  track.ticks.fill(-1);
+  track.ticks[tick % track.length] = tick;
 }
 
 /** Everything after boundary `tick` is made anew, e.g. by another tempo. */
@@ -190,14 +204,18 @@ function holds(rows: Float64Array, at: number, values: readonly number[]): boole
   return true;
 }
 
-function turnedBy(a: Float64Array, b: Float64Array, count: number): number {
-  let most = 0;
+function errorBetween(a: Float64Array, b: Float64Array, count: number): BodyError {
+  const error: BodyError = { attitude: 0, spin: 0 };
   for (let i = 0; i < count; i++) {
     const at = i * BODY_STRIDE;
-    for (let k = BODY_ATTITUDE; k < BODY_END_ATTITUDE; k++) {
-      const off = Math.abs(a[at + k]! - b[at + k]!);
-      if (off > most) most = off;
-    }
+    error.attitude = Math.max(error.attitude, largest(a, b, at + BODY_ATTITUDE, 4));
+    error.spin = Math.max(error.spin, largest(a, b, at + BODY_ANGULAR_VELOCITY, 3));
   }
+  return error;
+}
+
+function largest(a: Float64Array, b: Float64Array, from: number, count: number): number {
+  let most = 0;
+  for (let k = from; k < from + count; k++) most = Math.max(most, Math.abs(a[k]! - b[k]!));
   return most;
 }

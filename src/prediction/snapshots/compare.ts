@@ -7,6 +7,7 @@ import {
   BODY_STRIDE,
   CRASHED,
   FUEL,
+  GROUND_CONTACT_OFFSET,
   POSITION,
   REFERENCE_BODY,
   SHIP_CLASS,
@@ -15,6 +16,7 @@ import {
   SURFACE_STATES,
   THRUST_LEVEL,
   VELOCITY,
+  WHEEL_MOMENTUM,
 } from '../../dynamics';
 import {
   angleOf,
@@ -52,6 +54,8 @@ export const FIELDS = [
   'attitude',
   'angularVelocity',
   'fuel',
+  'wheelMomentum',
+  'groundContactOffset',
 ] as const;
 export type Field = (typeof FIELDS)[number];
 
@@ -59,6 +63,8 @@ export type Field = (typeof FIELDS)[number];
 const ATTITUDE_TOLERANCE = 1e-7;
 /** kg: the law's own fixtures are held to it. */
 const FUEL_TOLERANCE = 1e-6;
+/** N m s, likewise. */
+const WHEEL_TOLERANCE = 1e-4;
 /** Single precision on the wire is no other command. */
 const COMMAND_TOLERANCE = 1e-6;
 
@@ -98,6 +104,9 @@ export function firstDifference(server: Place, predicted: Place, tolerance: Tole
   if (!sameAttitude(ours.attitude, theirs.attitude)) return 'attitude';
   if (!near(ours.spin, theirs.spin, tolerance, SPIN)) return 'angularVelocity';
   if (!(Math.abs(s[i + FUEL]! - p[j + FUEL]!) <= FUEL_TOLERANCE)) return 'fuel';
+  for (let k = WHEEL_MOMENTUM; k < WHEEL_MOMENTUM + 3; k++)
+    if (!(Math.abs(s[i + k]! - p[j + k]!) <= WHEEL_TOLERANCE)) return 'wheelMomentum';
+  if (s[i + GROUND_CONTACT_OFFSET] !== p[j + GROUND_CONTACT_OFFSET]) return 'groundContactOffset';
   return 'none';
 }
 
@@ -211,6 +220,13 @@ function valuesOf(field: Field, server: Place, predicted: Place): [string, strin
       ];
     case 'fuel':
       return number(FUEL);
+    case 'wheelMomentum':
+      return list(
+        server.rows.slice(server.at + WHEEL_MOMENTUM, server.at + WHEEL_MOMENTUM + 3),
+        predicted.rows.slice(predicted.at + WHEEL_MOMENTUM, predicted.at + WHEEL_MOMENTUM + 3),
+      );
+    case 'groundContactOffset':
+      return number(GROUND_CONTACT_OFFSET);
     case 'crashed':
       return number(CRASHED);
     case 'referenceBody':

@@ -23,7 +23,8 @@ export function realign(sim: Simulation, target: Position, how: { readonly resyn
   for (const track of sim.fleet.tracks) {
     if (track.mode === 'stepping') hold(sim, track);
     if (track.mode !== 'waiting' || (track.replaying && !how.resync)) continue;
-    if (track.serverTick <= target.tick) startReplay(track, sim, track.serverTick, track.serverRow, 0);
+    if (track.serverTick >= 0 && track.serverTick <= target.tick)
+      startReplay(track, sim, track.serverTick, track.serverRow, 0);
   }
   sim.front.tick = target.tick;
   sim.front.substep = target.substep;

@@ -1,52 +1,110 @@
-import type { Hello, PartialFrame, Pong, ServerFrame, ServerMessage } from '../../wire';
+import type { Result, World } from '../../dynamics';
+import type { Hello, PartialFrame, Pong, ServerMessage } from '../../wire';
 import { resend } from '../inputs/inputs';
 import { changeOwnShip } from '../ownership';
 import { announce, beginWorld, type Session } from '../session';
-import { samplePong } from '../time/clock';
-import { answeredPing } from '../time/pings';
+import type { Simulation } from '../simulation/simulation';
+import { noteNow, samplePong, serverTime } from '../time/clock';
+import { answeredPing, forgetPings } from '../time/pings';
 import { spanOf, wallOfTick } from '../time/timeline';
-import { receiveSnapshot, refuse } from './receiver';
-import { loadWorld, sameWorld } from './worldConfig';
+import { completeFrame } from './completeFrame';
+import { receiveSnapshot, refuse, startAnew } from './receiver';
+import { loadWorld, sameWorld, type WorldConfig } from './worldConfig';
 
-/** A message of the server has arrived at client wall second `now`. */
+/**
+ * A message of the server has arrived at client wall second `now`. Whatever is handed in, nothing is thrown: what cannot be is
+ * refused with a reason, and the last good state stays.
+ */
 export function receiveMessage(session: Session, message: ServerMessage | PartialFrame, now: number): void {
-  if (message.kind === 'hello') takeHello(session, message);
-  else if (message.kind === 'frame') takeFrame(session, completed(message, session), now);
-  else takePong(session, message, now);
+  if (!noteCall(session, now)) return;
+  switch (kindOf(message)) {
+    case 'hello':
+      takeHello(session, message as Hello, now);
+      break;
+    case 'frame':
+      takeFrame(session, message as PartialFrame, now);
+      break;
+    case 'pong':
+      takePong(session, message as Pong, now);
+      break;
+    default:
+      refuse(session.sim, `message.kind: expected hello, frame or pong, got ${String(kindOf(message))}`);
+      session.warn('message-kind', 'A message is no hello, frame or pong: set its kind.', { message });
+  }
 }
 
-/** A frame with what it does not tell filled in: the tempo as it was, no events, bodies moved by the law. */
-function completed(frame: PartialFrame, { sim }: Session): ServerFrame {
-  const untimed = { tickRate: 1, timeScale: 1 };
-  const { tickRate, timeScale } = sim.newestTick < 0 ? untimed : spanOf(sim.timeline, sim.newestTick);
-  const untold = { tickRate, timeScale, paused: false, bodies: [], events: [], lastInput: null };
-  return { ...untold, ...frame };
+function kindOf(message: unknown): unknown {
+  return (message as { kind?: unknown } | null | undefined)?.kind;
 }
 
-function takeHello(session: Session, hello: Hello): void {
+/** Whether `now` is a time. A clock that went back takes along what is known of the server's. */
+export function noteCall({ clock, pings, warn }: Session, now: number): boolean {
+  if (!Number.isFinite(now)) {
+    warn(
+      'now-not-finite',
+      'now must be finite wall seconds, e.g. performance.now() / 1000. The call was ignored.',
+      {
+        now,
+      },
+    );
+    return false;
+  }
+  if (noteNow(clock, now)) forgetPings(pings);
+  return true;
+}
+
+/** A new connection, and so a new timeline: the same world goes on only where its time does. */
+function takeHello(session: Session, hello: Hello, now: number): void {
   const { receiver, counters } = session;
-  const loaded = loadWorld(hello, session.terrains);
+  const loaded = loadGiven(hello, session);
   if (!loaded.ok) {
     refuse(session.sim, `hello.${loaded.reason}`);
     return;
   }
-  changeOwnShip(session, hello.shipId);
-  // The same world over a new connection: what was predicted goes on.
+  const ownShipId = typeof hello.shipId === 'string' ? hello.shipId : '';
+  changeOwnShip(session, ownShipId);
   if (!counters.helloReceived || !sameWorld(session.config, hello))
     beginWorld(session, loaded.value, hello.bodies);
+  else if (session.sim.newestTick >= 0 && !goesOn(session, hello, now)) startAnew(session.sim, receiver);
   session.config = hello;
   counters.helloReceived = true;
   session.granularity = hello.inputGranularity;
   receiver.fresh = true;
+  receiver.firstTick = Number.isSafeInteger(hello.tick) ? hello.tick : 0;
   receiver.tellsEvents = true;
   resend(session.sim.inputs);
 }
 
-function takeFrame(session: Session, frame: ServerFrame, now: number): void {
-  const { sim, counters, defaults, terrains, receiver } = session;
-  if (sim.newestTick < 0 && !counters.helloReceived && frame.bodies.length > 0) {
+/** The world that a hello or a frame tells, or why it is refused; members that are not there are no reason to throw. */
+function loadGiven(config: WorldConfig, { terrains }: Session): Result<World> {
+  try {
+    return loadWorld(config, terrains);
+  } catch (error) {
+    return { ok: false, reason: `world: ${String(error)}` };
+  }
+}
+
+/** Whether the hello's tick is where the server's clock must have come to by now: a restarted server's is not. */
+function goesOn({ sim, clock }: Session, { tick, tickRate }: Hello, now: number): boolean {
+  if (tick < sim.newestTick) return false;
+  const ahead = wallOfTick(sim.timeline, tick) - serverTime(clock, now);
+  return Math.abs(ahead) <= Math.max(GOES_ON, 2 / tickRate);
+}
+
+/** s by which the time of a server that went on may seem to be off. */
+const GOES_ON = 2;
+
+function takeFrame(session: Session, given: PartialFrame, now: number): void {
+  const { counters, defaults, receiver } = session;
+  const complete = completeFrame(session.sim, session.meter, given);
+  if (!complete.ok) {
+    refuse(session.sim, complete.reason);
+    return;
+  }
+  const frame = complete.value;
+  if (session.sim.newestTick < 0 && !counters.helloReceived && frame.bodies.length > 0) {
     // A server without a hello may have other bodies than the defaults: its frames say which.
-    const loaded = loadWorld({ ...defaults, bodies: frame.bodies }, terrains);
+    const loaded = loadGiven({ ...defaults, bodies: frame.bodies }, session);
     if (loaded.ok) beginWorld(session, loaded.value, frame.bodies);
   }
   receiveSnapshot(session.sim, receiver, frame, now);
@@ -54,10 +112,28 @@ function takeFrame(session: Session, frame: ServerFrame, now: number): void {
 }
 
 function takePong({ sim, clock, pings }: Session, pong: Pong, now: number): void {
+  if (![pong.id, pong.tick, pong.sinceTick].every(Number.isFinite)) {
+    refuse(
+      sim,
+      `pong: expected finite numbers, got id ${pong.id}, tick ${pong.tick}, sinceTick ${pong.sinceTick}`,
+    );
+    return;
+  }
   const sent = answeredPing(pings, pong.id);
   if (Number.isNaN(sent) || sim.newestTick < 0) return;
-  const near = Math.abs(pong.tick - sim.newestTick) < sim.ringLength;
-  const paused = near && spanOf(sim.timeline, pong.tick).paused;
-  const answeredAt = near && !paused ? wallOfTick(sim.timeline, pong.tick) + pong.sinceTick : null;
-  samplePong(clock, sent, answeredAt, now);
+  pings.answeredAt = now;
+  samplePong(clock, sent, answerTime(sim, pong), now);
+}
+
+/**
+ * Server wall s at which a pong was sent, or null where its stamp says nothing. Where a tick is overdue the server stands: its time
+ * has come to the next tick's boundary and no further.
+ */
+function answerTime(
+  { timeline, newestTick, ringLength }: Simulation,
+  { tick, sinceTick }: Pong,
+): number | null {
+  if (Math.abs(tick - newestTick) >= ringLength || !(sinceTick >= 0)) return null;
+  const { paused, tickRate } = spanOf(timeline, tick);
+  return paused ? null : wallOfTick(timeline, tick) + Math.min(sinceTick, 1 / tickRate);
 }

@@ -7,9 +7,10 @@ import {
   REFERENCE_BODY,
   SHIP_STRIDE,
   SURFACE_STATE,
+  WHEEL_MOMENTUM,
 } from '../../dynamics';
 import type { ShipState } from '../../wire';
-import { adopt, isExact } from './adopt';
+import { adopt, drawableState, isExact } from './adopt';
 import {
   describeDifference,
   EXACT,
@@ -47,8 +48,8 @@ export interface SnapshotContext {
   inputs: InputFate;
 }
 
-/** Tick intervals without news for which other pilots' controls are held. */
-const HELD_TICKS = 1.5;
+/** Sends without news for which other pilots' controls are held. */
+const HELD_SENDS = 1.5;
 /** Bodies turned by more than this carry their ships with them, rad. */
 const SAME_BODIES = 1e-12;
 
@@ -73,6 +74,8 @@ export function reconcile(
   if (track.own) writeError(sim.counters, server, predicted);
   const toldImpact = !Number.isNaN(told[IMPACT_SPEED]);
   if (!toldImpact) told[IMPACT_SPEED] = recalledImpact(predicted);
+  track.unpredictable = false;
+  if (Number.isNaN(told[WHEEL_MOMENTUM])) recallWheels(predicted);
   track.exact = isExact(state);
   const field = predicted === null ? null : differenceFrom(track, predicted);
   if (field !== 'none' || track.ground.places.length > 0)
@@ -81,6 +84,29 @@ export function reconcile(
   settle(sim, track, field === null ? null : { field, predicted: predicted! }, word);
   keepEvidence(track, told, word.tick);
   if (!track.own) holdControls(sim, track);
+  return null;
+}
+
+/**
+ * A ship whose class or surface state is not known here: it is drawn where the server says it is, and not carried on.
+ * @returns null, or the reason why the state cannot be used
+ */
+export function showAsTold(
+  sim: Simulation,
+  track: Track,
+  state: ShipState,
+  word: SnapshotContext,
+): string | null {
+  if (word.tick < track.serverTick) return null;
+  const reason = adopt(told, drawableState(state, sim.world), word.bodies, sim.world);
+  if (reason !== null) return reason;
+  if (Number.isNaN(told[WHEEL_MOMENTUM])) recallWheels(null);
+  if (Number.isNaN(told[IMPACT_SPEED])) told[IMPACT_SPEED] = 0;
+  remember(track, state, word, track.serverTick >= 0);
+  abandonReplay(track);
+  track.unpredictable = true;
+  track.mode = 'held';
+  track.picture.hasHeld = false;
   return null;
 }
 
@@ -115,6 +141,7 @@ function settle(sim: Simulation, track: Track, compared: Compared | null, word: 
     correct(sim, track, field, predicted, word);
     return;
   }
+  track.agreedTick = word.tick;
   agree(sim, track, word);
 }
 
@@ -188,6 +215,12 @@ function recalledImpact(predicted: Place | null): number {
   return sameContact ? rows[at + IMPACT_SPEED]! : 0;
 }
 
+/** What the wheels have given, from the ship's own history, else nothing. */
+function recallWheels(predicted: Place | null): void {
+  for (let k = WHEEL_MOMENTUM; k < WHEEL_MOMENTUM + 3; k++)
+    told[k] = predicted === null ? 0 : predicted.rows[predicted.at + k]!;
+}
+
 function remember(track: Track, state: ShipState, word: SnapshotContext, known: boolean): void {
   track.name = state.name;
   track.playerId = state.playerId;
@@ -198,10 +231,12 @@ function remember(track: Track, state: ShipState, word: SnapshotContext, known: 
   take(track.serverBodyAttitude, word.bodies, told[REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);
 }
 
-/** Another pilot's last known controls hold for 1.5 tick intervals from the present on, then they are let go. */
+/** Another pilot's last known controls hold for 1.5 sends of the server from the present on, then they are let go. */
 function holdControls(sim: Simulation, track: Track): void {
   const { timeline, front } = sim;
-  const substeps = Math.ceil(HELD_TICKS * spanOf(timeline, front.tick).timing.substeps);
+  const substeps = Math.ceil(
+    HELD_SENDS * Math.max(1, sim.cadence.ticks) * spanOf(timeline, front.tick).timing.substeps,
+  );
   writeLater(later, timeline, front.tick, front.substep, substeps);
   track.releaseTick = later.tick;
   track.releaseSubstep = later.substep;

@@ -1,30 +1,47 @@
-import { createWindow, leastOf, restart, sample, spreadOf, type Window } from './delayWindow';
+import { addDelay, createDelays, type Delays, leastOf, spreadOf } from './delays';
+import {
+  boundAbove,
+  boundBothSides,
+  createOffsetBounds,
+  forgetBounds,
+  type OffsetBounds,
+  type Sampling,
+  shiftBounds,
+} from './offsetBounds';
 
 /**
- * The server's clock as the client knows it, and the present that is drawn (PREDICTION, The timeline). Wall seconds throughout:
- * `now` is the client's, handed in; server time counts from the timeline's origin.
- *
- * Each pong gives two samples, each frame one: client − server time at an arrival here (offset + delay down), and server − client
- * time at an arrival there (delay up − offset). The least of each over 10 s is the least delayed one, so half their difference
- * is the offset, but for half the difference of the two least delays; and with the lead added, that half cancels: what matters is
- * when our inputs arrive.
+ * The server's clock as the client knows it, and the present that is drawn (PREDICTION, The timeline; second edition, section 1).
+ * Wall seconds throughout: `now` is the client's, handed in; server time counts from the timeline's origin. The offset lies between
+ * two bounds, and half way between them unless the ways differ; with the lead added that half cancels: what matters is when our
+ * inputs arrive.
  */
 export interface Clock {
-  readonly down: Window;
-  readonly up: Window;
-  readonly roundTrips: Window;
+  readonly bounds: OffsetBounds;
+  /** Delays of pings on their way up, and round trips, s. */
+  readonly up: Delays;
+  readonly roundTrips: Delays;
   /** Client − server time, s; NaN before the first sample. */
   offset: number;
-  /** Added to the lead because inputs came late, s. */
+  /** Added to the lead because inputs came late, s; and the last late input, that a second has to bear out. */
   steer: number;
+  lateAt: number;
+  lateWanted: number;
   /** Server time that is drawn: estimate + lead, slewed. NaN before the first sample. */
   present: number;
-  /** 0.9 … 1.1: at which the present follows its target. */
+  /** At which the present runs: 0.9 … 1.1, 0 while it waits for the server. */
   rate: number;
   slewing: boolean;
+  /** Bounds contradicted each other, or the present was held: what is wrong now is put right at once. */
+  stepped: boolean;
   updatedAt: number;
   /** Latest round trip, s, smoothed. */
   roundTrip: number;
+  /** When a ping was last answered, client s, and by the answer's stamps when the last one that counts was. */
+  pongAt: number;
+  answeredAt: number;
+  /** Client s by which the page's clock moves at once; 0 for a fine one. */
+  grain: number;
+  stillCalls: number;
 }
 
 /** Without a pong, half of this is taken for the way down, s. */
@@ -33,8 +50,10 @@ const ASSUMED_ROUND_TRIP = 0.1;
 export const SLACK = 0.01;
 /** An error beyond this is not slewed away but jumped, s (PREDICTION: hard reset beyond 2 s). */
 export const HARD_RESET = 2;
-/** s */
-const IMPOSSIBLY_EARLY = 0.1;
+/** Where a clock was set anew, an error beyond this is put right at once, s. */
+const STEP = 0.1;
+/** A present that is ahead by up to this waits for the server rather than going back, s. */
+const MAX_WAIT = 0.8;
 /** The present runs at most this much faster or slower than the wall. */
 const MAX_SLEW = 0.1;
 /** The rate's correction is the error over this time, s, so that a small error is not chased at full slew. */
@@ -45,76 +64,86 @@ const SLEWED = 0.001;
 const MAX_STEER = 1;
 /** The steered lead is given back at this rate, s/s. */
 const STEER_DECAY = 0.004;
+/** A delay this far above the least is a stall, no jitter: no lead makes up for it, s. */
+const STALL = 0.3;
+/** Late inputs further apart than the first and closer than the second, s, are two, and of one kind. */
+const TWO_LATE = [0.3, 10] as const;
+/** Pings that reached the server within this of each other though sent further apart waited in one queue, s. */
+const ONE_QUEUE = 0.01;
+/** Pings are being answered if one was within this, s. */
+const PONGS_HEARD = 3;
+/** No page's clock is coarser, s. */
+const MAX_GRAIN = 0.25;
 
 export function createClock(): Clock {
   return {
-    down: createWindow(),
-    up: createWindow(),
-    roundTrips: createWindow(),
+    bounds: createOffsetBounds(),
+    up: createDelays(64),
+    roundTrips: createDelays(50),
     offset: Number.NaN,
     steer: 0,
+    lateAt: Number.NEGATIVE_INFINITY,
+    lateWanted: 0,
     present: Number.NaN,
     rate: 1,
     slewing: false,
+    stepped: false,
     updatedAt: Number.NaN,
     roundTrip: Number.NaN,
+    pongAt: Number.NEGATIVE_INFINITY,
+    answeredAt: Number.NEGATIVE_INFINITY,
+    grain: 0,
+    stillCalls: 0,
   };
 }
 
 /** Something the server sent at server time `sentAt` arrived. */
 export function sampleDown(clock: Clock, sentAt: number, now: number): void {
-  const delay = now - sentAt;
-  const least = leastOf(clock.down, now);
-  sample(clock.down, now, delay);
-  // Nothing arrives that much before the fastest: the server's schedule jumped ahead. Or it stood still, or the link did, for
-  // longer than any slew may make up. Either way what came before says nothing any more.
-  if (delay < least - IMPOSSIBLY_EARLY || delay > least + HARD_RESET) forget(clock, now);
-  settleOffset(clock, now);
+  if (boundAbove(clock.bounds, sentAt, now, samplingOf(clock, now))) clock.stepped = true;
+  settleOffset(clock);
 }
 
-/** A ping of `pingedAt` was answered at server time `answeredAt` and the pong arrived; null: answered at a time that says nothing. */
-export function samplePong(clock: Clock, pingedAt: number, answeredAt: number | null, now: number): void {
-  const roundTrip = now - pingedAt;
+function samplingOf(clock: Clock, now: number): Sampling {
+  const hearsPongs = now - clock.pongAt <= PONGS_HEARD;
+  return { roundTrip: leastRoundTrip(clock), grain: clock.grain, hearsPongs };
+}
+
+/** A ping of `pinged` was answered at server time `answered` and the pong arrived; null: answered at a time that says nothing. */
+export function samplePong(clock: Clock, pinged: number, answered: number | null, now: number): void {
+  const roundTrip = now - pinged;
   if (!(roundTrip >= 0)) return;
-  sample(clock.roundTrips, now, roundTrip);
+  addDelay(clock.roundTrips, roundTrip);
   clock.roundTrip = Number.isNaN(clock.roundTrip) ? roundTrip : clock.roundTrip * 0.8 + roundTrip * 0.2;
-  if (answeredAt === null) return;
-  sample(clock.up, now, answeredAt - pingedAt);
-  sampleDown(clock, answeredAt, now);
+  if (answered === null) return;
+  clock.pongAt = now;
+  if (boundBothSides(clock.bounds, { pinged, answered, now }, clock.grain)) clock.stepped = true;
+  settleOffset(clock);
+  // One stall is one sample, however many pings waited in it.
+  if (answered - clock.answeredAt > ONE_QUEUE) addDelay(clock.up, answered - pinged + clock.offset);
+  clock.answeredAt = answered;
 }
 
-function settleOffset(clock: Clock, now: number): void {
-  const least = leastOf(clock.down, now);
-  const up = leastOf(clock.up, now);
-  clock.offset = Number.isNaN(up) ? least - ASSUMED_ROUND_TRIP / 2 : (least - up) / 2;
+function settleOffset(clock: Clock): void {
+  const { upper, lower } = clock.bounds;
+  clock.offset = lower === Number.NEGATIVE_INFINITY ? upper - leastRoundTrip(clock) / 2 : (upper + lower) / 2;
 }
 
-/** Keeps only the newest sample of the way down; the ways' lengths are kept by what the round trips say. */
-function forget(clock: Clock, now: number): void {
-  const oneWay = leastRoundTrip(clock, now) / 2;
-  const latest = clock.down.latest;
-  restart(clock.down);
-  restart(clock.up);
-  sample(clock.down, now, latest);
-  sample(clock.up, now, 2 * oneWay - latest);
-}
-
-function leastRoundTrip(clock: Clock, now: number): number {
-  const least = leastOf(clock.roundTrips, now);
+function leastRoundTrip(clock: Clock): number {
+  const least = leastOf(clock.roundTrips);
   return Number.isNaN(least) ? ASSUMED_ROUND_TRIP : least;
 }
 
-/** The server's schedule is another one: only the round trips still say something. */
+/** The server's schedule is another one: only delays still say something. */
 export function forgetSchedule(clock: Clock): void {
-  restart(clock.down);
-  restart(clock.up);
+  forgetBounds(clock.bounds);
   clock.offset = Number.NaN;
   clock.present = Number.NaN;
+  clock.answeredAt = Number.NEGATIVE_INFINITY;
 }
 
 /** Server time at which something that arrives now was sent, as estimated. */
 export function sentAt(clock: Clock, now: number): number {
-  return serverTime(clock, now) - leastRoundTrip(clock, now) / 2;
+  return serverTime(clock, now) - leastRoundTrip(clock) / 2;
 }
 
 /** Server time now, as estimated; NaN before the first sample. */
@@ -123,44 +152,94 @@ export function serverTime(clock: Clock, now: number): number {
 }
 
 /** How far the present should run ahead of the server so that inputs arrive in time: half the round trip + jitter + slack, steered. */
-export function leadOf(clock: Clock, now: number): number {
-  return leastRoundTrip(clock, now) / 2 + jitterOf(clock, now) + SLACK + clock.steer;
+export function leadOf(clock: Clock): number {
+  return leastRoundTrip(clock) / 2 + jitterOf(clock) + SLACK + clock.steer;
 }
 
-/** How much longer than the least delay inputs take, in 19 of 20 cases, s. */
-export function jitterOf(clock: Clock, now: number): number {
-  return spreadOf(clock.up, now);
+/** How much longer than the least delay inputs take, in 19 of 20 cases, s; stalls not counted. */
+export function jitterOf(clock: Clock): number {
+  return spreadOf(clock.up, STALL);
 }
 
 /**
  * An input that was sent under `steerThen` arrived `margin` s before it was needed (negative: late). What the steering has added
- * since it was sent is in flight already, and not asked for twice.
+ * since it was sent is in flight already, and not asked for twice. A stall is nothing to be steered by: only a second late input,
+ * some time after, is believed.
  */
-export function steerByMargin(clock: Clock, margin: number, steerThen: number): void {
-  const wanted = steerThen + SLACK / 2 - margin;
-  if (wanted > clock.steer) clock.steer = Math.min(MAX_STEER, wanted);
+export function steerByMargin(clock: Clock, margin: number, steerThen: number, now: number): void {
+  const wanted = Math.min(MAX_STEER, steerThen + SLACK / 2 - margin);
+  if (wanted <= clock.steer || -margin > STALL) return;
+  const since = now - clock.lateAt;
+  if (since < TWO_LATE[0]) return;
+  if (since <= TWO_LATE[1]) clock.steer = Math.max(clock.steer, Math.min(wanted, clock.lateWanted));
+  clock.lateAt = now;
+  clock.lateWanted = wanted;
+}
+
+/** Notes `now`, of whatever call, before it is used. A clock that went back takes what is known along. Returns whether it did. */
+export function noteNow(clock: Clock, now: number): boolean {
+  const back = clock.updatedAt - now;
+  if (!(back > 0)) return false;
+  shiftBounds(clock.bounds, back);
+  clock.updatedAt = now;
+  clock.offset -= back;
+  clock.pongAt = Math.min(clock.pongAt, now);
+  clock.lateAt = Number.NEGATIVE_INFINITY;
+  return true;
+}
+
+/** The least step of a clock that stands still between steps. */
+function noteGrain(clock: Clock, elapsed: number): void {
+  if (elapsed === 0) {
+    clock.stillCalls += 1;
+    return;
+  }
+  if (clock.stillCalls > 0 && elapsed <= MAX_GRAIN && elapsed > 0)
+    clock.grain = clock.grain === 0 ? elapsed : Math.min(clock.grain, elapsed);
+  else if (elapsed > 0 && elapsed < clock.grain * 0.9) clock.grain = 0;
+  clock.stillCalls = 0;
+}
+
+/** By what the present is moved. */
+export interface Pacing {
+  /** Wall s of error that is left alone: one substep. */
+  readonly deadZone: number;
+  /** Server wall s beyond which the present does not run, whatever the clock says: the newest frame and the prediction horizon. */
+  readonly limit: number;
 }
 
 /**
  * Moves the present to `now`.
- * @param deadZone wall s of error that is left alone: one substep
- * @returns whether it jumped: by a hard reset, or because it has just begun
+ * @returns whether it jumped: by a clock that was set anew, or because it has just begun
  */
-export function advanceClock(clock: Clock, now: number, deadZone: number): boolean {
-  const elapsed = now - clock.updatedAt;
+export function advanceClock(clock: Clock, now: number, { deadZone, limit }: Pacing): boolean {
+  const elapsed = Number.isNaN(clock.updatedAt) ? 0 : Math.max(0, now - clock.updatedAt);
   clock.updatedAt = now;
-  if (elapsed > 0) clock.steer = Math.max(0, clock.steer - elapsed * STEER_DECAY);
-  const target = serverTime(clock, now) + leadOf(clock, now);
-  const next = clock.present + Math.max(0, elapsed) * clock.rate;
+  noteGrain(clock, elapsed);
+  clock.steer = Math.max(0, clock.steer - elapsed * STEER_DECAY);
+  const aim = serverTime(clock, now) + leadOf(clock);
+  const target = Math.min(aim, limit);
+  if (aim > limit) clock.stepped = true;
+  const next = Math.min(clock.present + elapsed * clock.rate, Math.max(limit, clock.present));
   const error = target - next;
-  if (!(Math.abs(error) <= HARD_RESET) || elapsed < -HARD_RESET) {
-    clock.present = target;
-    clock.rate = 1;
-    clock.slewing = false;
-    return true;
+  const jumps = clock.stepped ? error > STEP || error < -MAX_WAIT : Math.abs(error) > HARD_RESET;
+  if (jumps || Number.isNaN(error)) return jumpTo(clock, target);
+  // A present that is ahead of a server that stood waits for it, once it has begun to until it is there.
+  if (clock.stepped && error < -(clock.rate === 0 ? deadZone : STEP)) {
+    clock.rate = 0;
+    return false;
   }
   clock.present = next;
+  if (aim <= limit) clock.stepped = false;
   clock.slewing = Math.abs(error) > (clock.slewing ? Math.min(SLEWED, deadZone) : deadZone);
   clock.rate = clock.slewing ? 1 + Math.max(-MAX_SLEW, Math.min(MAX_SLEW, error / SLEW_TIME)) : 1;
   return false;
+}
+
+function jumpTo(clock: Clock, target: number): boolean {
+  clock.present = target;
+  clock.rate = 1;
+  clock.slewing = false;
+  clock.stepped = false;
+  return true;
 }

@@ -6,6 +6,8 @@ export interface Pings {
   nextAt: number;
   readonly sentAt: Float64Array;
   readonly queued: Ping[];
+  /** When a ping was last answered, client wall s. */
+  answeredAt: number;
 }
 
 /** s between pings; the first few come faster, so that the clock settles. */
@@ -21,6 +23,7 @@ export function createPings(): Pings {
     nextAt: Number.NEGATIVE_INFINITY,
     sentAt: new Float64Array(LENGTH).fill(Number.NaN),
     queued: [],
+    answeredAt: Number.NEGATIVE_INFINITY,
   };
 }
 

@@ -27,6 +27,8 @@ export interface Span extends Tempo {
 
 export interface Timeline {
   readonly spans: Span[];
+  /** Game s: the settings' contactLongestSubstep. */
+  readonly longestSubstep: number;
 }
 
 /** A substep boundary: the start of substep `substep` of the interval that begins at `tick`. */
@@ -38,8 +40,8 @@ export interface Position {
 /** Tempo changes remembered: more than a ring of predicted states can span. */
 const MAX_SPANS = 32;
 
-export function createTimeline(): Timeline {
-  return { spans: [] };
+export function createTimeline(longestSubstep: number): Timeline {
+  return { spans: [], longestSubstep };
 }
 
 /** The span that holds `tick`; ticks before the first belong to the first. */
@@ -58,7 +60,7 @@ export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: n
   const { spans } = timeline;
   const last = spans.at(-1);
   if (last === undefined) {
-    spans.push(makeSpan(tick, tempo, wall ?? 0, 0));
+    spans.push(makeSpan(timeline, tempo, tick, wall ?? 0, 0));
     return true;
   }
   const held = spanOf(timeline, tick);
@@ -68,14 +70,20 @@ export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: n
   const at = wall ?? wallOfTick(timeline, tick);
   const index = indexOf(timeline, tick, 0);
   while (spans.length > 0 && spans.at(-1)!.fromTick >= tick) spans.pop();
-  spans.push(makeSpan(tick, tempo, at, index));
+  spans.push(makeSpan(timeline, tempo, tick, at, index));
   if (spans.length > MAX_SPANS) spans.shift();
   return !same;
 }
 
-function makeSpan(fromTick: number, tempo: Tempo, fromWall: number, fromIndex: number): Span {
+function makeSpan(
+  { longestSubstep }: Timeline,
+  tempo: Tempo,
+  fromTick: number,
+  fromWall: number,
+  fromIndex: number,
+): Span {
   const { tickRate, timeScale, paused } = tempo;
-  const timing = timingOfTick(timeScale / tickRate);
+  const timing = timingOfTick(timeScale / tickRate, longestSubstep);
   return { tickRate, timeScale, paused, fromTick, fromWall, fromIndex, timing, step: [timing.dt, null] };
 }
 

@@ -13,13 +13,14 @@ import {
   NO_EVENT,
   readControls,
   readShip,
-  type ShipRecord,
+  type ShipInit,
   err,
   SHIP_CLASSES,
   SHIP_STRIDE,
   stepWorld,
   TERRAINS,
   timingOfTick,
+  type Vec3,
   type World,
   writeBodyMotion,
   writeControls,
@@ -124,10 +125,14 @@ function runInterval(
   }
   const commanded = loadControls(start as Controls);
   if (!commanded.ok) return err(commanded.reason);
-  const reason = writeShip(row, 0, { ...start, ...comparedOf(start) } as ShipRecord, world);
+  const given = { ...start, ...comparedOf(start), groundContactOffset: heightOf(start, world) };
+  const reason = writeShip(row, 0, given as ShipInit, world);
   if (reason !== null) return err(reason);
   writeControls(row, 0, commanded.value);
-  const { substeps, dt } = timingOfTick(frame.timeScale / frame.tickRate);
+  const { substeps, dt } = timingOfTick(
+    frame.timeScale / frame.tickRate,
+    world.settings.contactLongestSubstep,
+  );
   const events: string[] = [];
   beginTick(row, bodies, world);
   for (let s = 0; s < substeps; s++) {
@@ -168,6 +173,13 @@ function all<Given, Loaded>(given: readonly Given[], load: (one: Given) => Resul
   return ok(loaded);
 }
 
+/** The ship's own height of its centre of mass, else its class's. */
+function heightOf({ groundContactOffset, shipClass }: ShipState, { shipClasses }: World): number {
+  return groundContactOffset ?? shipClasses.find(({ name }) => name === shipClass)?.groundContactOffset ?? 0;
+}
+
+const NO_MOMENTUM: Vec3 = [0, 0, 0];
+
 function comparedOf(
   state: ShipState,
 ): Compared & { relativePosition: NonNullable<ShipState['relativePosition']> } {
@@ -177,6 +189,7 @@ function comparedOf(
     attitude: state.attitude,
     angularVelocity: state.angularVelocity,
     fuel: state.fuel,
+    wheelMomentum: state.wheelMomentum ?? NO_MOMENTUM,
     contactImpactSpeed: state.contactImpactSpeed ?? 0,
   };
 }

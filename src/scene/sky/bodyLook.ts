@@ -128,7 +128,7 @@ const EARTH: BodyLook = {
   stoniness: 0.5,
 };
 
-const LOOKS: Readonly<Record<string, BodyLook>> = { Moon: MOON, Earth: EARTH, Mars: MARS, Phobos: PHOBOS };
+const LOOKS: Readonly<Record<string, BodyLook>> = { Luna: MOON, Earth: EARTH, Mars: MARS, Phobos: PHOBOS };
 
 /** The look of a body by its name; bodies we do not know look like the Moon. */
 export function lookOf(bodyName: string): BodyLook {

@@ -324,6 +324,12 @@ export namespace galaxy {
             /** Settings touchdown_attitude. */
             touchdown_attitude?: (string|null);
 
+            /** Settings surface_normal. */
+            surface_normal?: (string|null);
+
+            /** Settings contact_longest_substep. */
+            contact_longest_substep?: (number|null);
+
             /**
              * Encodes the specified Settings message. Does not implicitly {@link galaxy.stream.Settings.verify|verify} messages.
              * @param message Settings message or plain object to encode
@@ -377,6 +383,12 @@ export namespace galaxy {
 
                 /** Settings touchdown_attitude */
                 touchdown_attitude?: (string|null);
+
+                /** Settings surface_normal */
+                surface_normal?: (string|null);
+
+                /** Settings contact_longest_substep */
+                contact_longest_substep?: (number|null);
 
                 /** Unknown fields preserved while decoding when enabled */
                 $unknowns?: Uint8Array[];
@@ -444,6 +456,15 @@ export namespace galaxy {
             /** ShipClass reaction_wheel_torque. */
             reaction_wheel_torque?: (galaxy.Vec3.$Properties|null);
 
+            /** ShipClass reaction_wheel_capacity. */
+            reaction_wheel_capacity?: (galaxy.Vec3.$Properties|null);
+
+            /** ShipClass attitude_natural_frequency. */
+            attitude_natural_frequency: number;
+
+            /** ShipClass dry_inertia_ratio. */
+            dry_inertia_ratio?: (number|null);
+
             /**
              * Encodes the specified ShipClass message. Does not implicitly {@link galaxy.stream.ShipClass.verify|verify} messages.
              * @param message ShipClass message or plain object to encode
@@ -506,6 +527,15 @@ export namespace galaxy {
 
                 /** ShipClass reaction_wheel_torque */
                 reaction_wheel_torque?: (galaxy.Vec3.$Properties|null);
+
+                /** ShipClass reaction_wheel_capacity */
+                reaction_wheel_capacity?: (galaxy.Vec3.$Properties|null);
+
+                /** ShipClass attitude_natural_frequency */
+                attitude_natural_frequency?: (number|null);
+
+                /** ShipClass dry_inertia_ratio */
+                dry_inertia_ratio?: (number|null);
 
                 /** Unknown fields preserved while decoding when enabled */
                 $unknowns?: Uint8Array[];
@@ -1444,6 +1474,12 @@ export namespace galaxy {
             /** ShipState crashed. */
             crashed: boolean;
 
+            /** ShipState wheel_momentum. */
+            wheel_momentum?: (galaxy.Vec3.$Properties|null);
+
+            /** ShipState ground_contact_offset. */
+            ground_contact_offset?: (number|null);
+
             /**
              * Encodes the specified ShipState message. Does not implicitly {@link galaxy.physics.ShipState.verify|verify} messages.
              * @param message ShipState message or plain object to encode
@@ -1536,6 +1572,12 @@ export namespace galaxy {
 
                 /** ShipState crashed */
                 crashed?: (boolean|null);
+
+                /** ShipState wheel_momentum */
+                wheel_momentum?: (galaxy.Vec3.$Properties|null);
+
+                /** ShipState ground_contact_offset */
+                ground_contact_offset?: (number|null);
 
                 /** Unknown fields preserved while decoding when enabled */
                 $unknowns?: Uint8Array[];

@@ -721,6 +721,8 @@ export const galaxy = $root.galaxy = (() => {
              * @property {number|null} [contact_friction_static] Settings contact_friction_static
              * @property {number|null} [contact_friction_kinetic] Settings contact_friction_kinetic
              * @property {string|null} [touchdown_attitude] Settings touchdown_attitude
+             * @property {string|null} [surface_normal] Settings surface_normal
+             * @property {number|null} [contact_longest_substep] Settings contact_longest_substep
              * @property {Array.<Uint8Array>} [$unknowns] Unknown fields preserved while decoding when enabled
              */
 
@@ -832,6 +834,22 @@ export const galaxy = $root.galaxy = (() => {
              */
             Settings.prototype.touchdown_attitude = null;
 
+            /**
+             * Settings surface_normal.
+             * @member {string|null|undefined} surface_normal
+             * @memberof galaxy.stream.Settings
+             * @instance
+             */
+            Settings.prototype.surface_normal = null;
+
+            /**
+             * Settings contact_longest_substep.
+             * @member {number|null|undefined} contact_longest_substep
+             * @memberof galaxy.stream.Settings
+             * @instance
+             */
+            Settings.prototype.contact_longest_substep = null;
+
             // OneOf field names bound to virtual getters and setters
             let $oneOfFields;
 
@@ -895,6 +913,18 @@ export const galaxy = $root.galaxy = (() => {
                 set: $util.oneOfSetter($oneOfFields)
             });
 
+            // Virtual OneOf for proto3 optional field
+            $Object.defineProperty(Settings.prototype, "_surface_normal", {
+                get: $util.oneOfGetter($oneOfFields = ["surface_normal"]),
+                set: $util.oneOfSetter($oneOfFields)
+            });
+
+            // Virtual OneOf for proto3 optional field
+            $Object.defineProperty(Settings.prototype, "_contact_longest_substep", {
+                get: $util.oneOfGetter($oneOfFields = ["contact_longest_substep"]),
+                set: $util.oneOfSetter($oneOfFields)
+            });
+
             /**
              * Encodes the specified Settings message. Does not implicitly {@link galaxy.stream.Settings.verify|verify} messages.
              * @function encode
@@ -931,6 +961,10 @@ export const galaxy = $root.galaxy = (() => {
                     writer.uint32(/* id 9, wireType 1 =*/73).double(message.contact_friction_kinetic);
                 if (message.touchdown_attitude != null && $Object.hasOwnProperty.call(message, "touchdown_attitude"))
                     writer.uint32(/* id 10, wireType 2 =*/82).string(message.touchdown_attitude);
+                if (message.surface_normal != null && $Object.hasOwnProperty.call(message, "surface_normal"))
+                    writer.uint32(/* id 11, wireType 2 =*/90).string(message.surface_normal);
+                if (message.contact_longest_substep != null && $Object.hasOwnProperty.call(message, "contact_longest_substep"))
+                    writer.uint32(/* id 12, wireType 1 =*/97).double(message.contact_longest_substep);
                 if (message.$unknowns != null && $Object.hasOwnProperty.call(message, "$unknowns"))
                     for (let i = 0; i < message.$unknowns.length; ++i)
                         writer.raw(message.$unknowns[i]);
@@ -1045,6 +1079,20 @@ export const galaxy = $root.galaxy = (() => {
                             message._touchdown_attitude = "touchdown_attitude";
                             continue;
                         }
+                    case 11: {
+                            if (wireType !== 2)
+                                break;
+                            message.surface_normal = reader.stringVerify();
+                            message._surface_normal = "surface_normal";
+                            continue;
+                        }
+                    case 12: {
+                            if (wireType !== 1)
+                                break;
+                            message.contact_longest_substep = reader.double();
+                            message._contact_longest_substep = "contact_longest_substep";
+                            continue;
+                        }
                     }
                     reader.skipType(wireType, _depth, tag);
                     if (!reader.discardUnknown) {
@@ -1083,6 +1131,9 @@ export const galaxy = $root.galaxy = (() => {
              * @property {number|null} [rcs_lever] ShipClass rcs_lever
              * @property {number|null} [rcs_isp] ShipClass rcs_isp
              * @property {galaxy.Vec3.$Properties|null} [reaction_wheel_torque] ShipClass reaction_wheel_torque
+             * @property {galaxy.Vec3.$Properties|null} [reaction_wheel_capacity] ShipClass reaction_wheel_capacity
+             * @property {number|null} [attitude_natural_frequency] ShipClass attitude_natural_frequency
+             * @property {number|null} [dry_inertia_ratio] ShipClass dry_inertia_ratio
              * @property {Array.<Uint8Array>} [$unknowns] Unknown fields preserved while decoding when enabled
              */
 
@@ -1219,6 +1270,39 @@ export const galaxy = $root.galaxy = (() => {
             ShipClass.prototype.reaction_wheel_torque = null;
 
             /**
+             * ShipClass reaction_wheel_capacity.
+             * @member {galaxy.Vec3.$Properties|null|undefined} reaction_wheel_capacity
+             * @memberof galaxy.stream.ShipClass
+             * @instance
+             */
+            ShipClass.prototype.reaction_wheel_capacity = null;
+
+            /**
+             * ShipClass attitude_natural_frequency.
+             * @member {number} attitude_natural_frequency
+             * @memberof galaxy.stream.ShipClass
+             * @instance
+             */
+            ShipClass.prototype.attitude_natural_frequency = 0;
+
+            /**
+             * ShipClass dry_inertia_ratio.
+             * @member {number|null|undefined} dry_inertia_ratio
+             * @memberof galaxy.stream.ShipClass
+             * @instance
+             */
+            ShipClass.prototype.dry_inertia_ratio = null;
+
+            // OneOf field names bound to virtual getters and setters
+            let $oneOfFields;
+
+            // Virtual OneOf for proto3 optional field
+            $Object.defineProperty(ShipClass.prototype, "_dry_inertia_ratio", {
+                get: $util.oneOfGetter($oneOfFields = ["dry_inertia_ratio"]),
+                set: $util.oneOfSetter($oneOfFields)
+            });
+
+            /**
              * Encodes the specified ShipClass message. Does not implicitly {@link galaxy.stream.ShipClass.verify|verify} messages.
              * @function encode
              * @memberof galaxy.stream.ShipClass
@@ -1260,6 +1344,12 @@ export const galaxy = $root.galaxy = (() => {
                     writer.uint32(/* id 12, wireType 1 =*/97).double(message.rcs_isp);
                 if (message.reaction_wheel_torque != null && $Object.hasOwnProperty.call(message, "reaction_wheel_torque"))
                     $root.galaxy.Vec3.encode(message.reaction_wheel_torque, writer.uint32(/* id 13, wireType 2 =*/106).fork(), _depth + 1).ldelim();
+                if (message.reaction_wheel_capacity != null && $Object.hasOwnProperty.call(message, "reaction_wheel_capacity"))
+                    $root.galaxy.Vec3.encode(message.reaction_wheel_capacity, writer.uint32(/* id 14, wireType 2 =*/114).fork(), _depth + 1).ldelim();
+                if (message.attitude_natural_frequency != null && $Object.hasOwnProperty.call(message, "attitude_natural_frequency") && !$Object.is(message.attitude_natural_frequency, 0))
+                    writer.uint32(/* id 15, wireType 1 =*/121).double(message.attitude_natural_frequency);
+                if (message.dry_inertia_ratio != null && $Object.hasOwnProperty.call(message, "dry_inertia_ratio"))
+                    writer.uint32(/* id 16, wireType 1 =*/129).double(message.dry_inertia_ratio);
                 if (message.$unknowns != null && $Object.hasOwnProperty.call(message, "$unknowns"))
                     for (let i = 0; i < message.$unknowns.length; ++i)
                         writer.raw(message.$unknowns[i]);
@@ -1407,6 +1497,28 @@ export const galaxy = $root.galaxy = (() => {
                             if (wireType !== 2)
                                 break;
                             message.reaction_wheel_torque = $root.galaxy.Vec3.decode(reader, reader.size(), $undefined, _depth + 1, message.reaction_wheel_torque);
+                            continue;
+                        }
+                    case 14: {
+                            if (wireType !== 2)
+                                break;
+                            message.reaction_wheel_capacity = $root.galaxy.Vec3.decode(reader, reader.size(), $undefined, _depth + 1, message.reaction_wheel_capacity);
+                            continue;
+                        }
+                    case 15: {
+                            if (wireType !== 1)
+                                break;
+                            if (!$Object.is(value = reader.double(), 0))
+                                message.attitude_natural_frequency = value;
+                            else
+                                delete message.attitude_natural_frequency;
+                            continue;
+                        }
+                    case 16: {
+                            if (wireType !== 1)
+                                break;
+                            message.dry_inertia_ratio = reader.double();
+                            message._dry_inertia_ratio = "dry_inertia_ratio";
                             continue;
                         }
                     }
@@ -3659,6 +3771,8 @@ export const galaxy = $root.galaxy = (() => {
              * @property {galaxy.Vec3.$Properties|null} [relative_position] ShipState relative_position
              * @property {galaxy.Vec3.$Properties|null} [relative_velocity] ShipState relative_velocity
              * @property {boolean|null} [crashed] ShipState crashed
+             * @property {galaxy.Vec3.$Properties|null} [wheel_momentum] ShipState wheel_momentum
+             * @property {number|null} [ground_contact_offset] ShipState ground_contact_offset
              * @property {Array.<Uint8Array>} [$unknowns] Unknown fields preserved while decoding when enabled
              */
 
@@ -3875,6 +3989,31 @@ export const galaxy = $root.galaxy = (() => {
             ShipState.prototype.crashed = false;
 
             /**
+             * ShipState wheel_momentum.
+             * @member {galaxy.Vec3.$Properties|null|undefined} wheel_momentum
+             * @memberof galaxy.physics.ShipState
+             * @instance
+             */
+            ShipState.prototype.wheel_momentum = null;
+
+            /**
+             * ShipState ground_contact_offset.
+             * @member {number|null|undefined} ground_contact_offset
+             * @memberof galaxy.physics.ShipState
+             * @instance
+             */
+            ShipState.prototype.ground_contact_offset = null;
+
+            // OneOf field names bound to virtual getters and setters
+            let $oneOfFields;
+
+            // Virtual OneOf for proto3 optional field
+            $Object.defineProperty(ShipState.prototype, "_ground_contact_offset", {
+                get: $util.oneOfGetter($oneOfFields = ["ground_contact_offset"]),
+                set: $util.oneOfSetter($oneOfFields)
+            });
+
+            /**
              * Encodes the specified ShipState message. Does not implicitly {@link galaxy.physics.ShipState.verify|verify} messages.
              * @function encode
              * @memberof galaxy.physics.ShipState
@@ -3936,6 +4075,10 @@ export const galaxy = $root.galaxy = (() => {
                     $root.galaxy.Vec3.encode(message.relative_velocity, writer.uint32(/* id 34, wireType 2 =*/274).fork(), _depth + 1).ldelim();
                 if (message.crashed != null && $Object.hasOwnProperty.call(message, "crashed") && message.crashed !== false)
                     writer.uint32(/* id 35, wireType 0 =*/280).bool(message.crashed);
+                if (message.wheel_momentum != null && $Object.hasOwnProperty.call(message, "wheel_momentum"))
+                    $root.galaxy.Vec3.encode(message.wheel_momentum, writer.uint32(/* id 36, wireType 2 =*/290).fork(), _depth + 1).ldelim();
+                if (message.ground_contact_offset != null && $Object.hasOwnProperty.call(message, "ground_contact_offset"))
+                    writer.uint32(/* id 37, wireType 1 =*/297).double(message.ground_contact_offset);
                 if (message.$unknowns != null && $Object.hasOwnProperty.call(message, "$unknowns"))
                     for (let i = 0; i < message.$unknowns.length; ++i)
                         writer.raw(message.$unknowns[i]);
@@ -4158,6 +4301,19 @@ export const galaxy = $root.galaxy = (() => {
                                 message.crashed = value;
                             else
                                 delete message.crashed;
+                            continue;
+                        }
+                    case 36: {
+                            if (wireType !== 2)
+                                break;
+                            message.wheel_momentum = $root.galaxy.Vec3.decode(reader, reader.size(), $undefined, _depth + 1, message.wheel_momentum);
+                            continue;
+                        }
+                    case 37: {
+                            if (wireType !== 1)
+                                break;
+                            message.ground_contact_offset = reader.double();
+                            message._ground_contact_offset = "ground_contact_offset";
                             continue;
                         }
                     }

@@ -1,4 +1,12 @@
-import { type Body, BODIES, type BodyMotion, err, loadTiming, type Result } from '../../dynamics';
+import {
+  type Body,
+  BODIES,
+  type BodyMotion,
+  err,
+  DEFAULT_SETTINGS,
+  loadTiming,
+  type Result,
+} from '../../dynamics';
 import { frameFields, readAcknowledgement } from '../frame';
 import { FINITE, MAX_BODIES, MAX_EVENTS, MAX_SHIPS, MAX_TICK } from '../limits';
 import {
@@ -80,7 +88,11 @@ function readTempo(pass: Partial, from: Fields): Tempo {
 /** One of the two, by itself, within its range (DYNAMICS, Time). */
 function timing(r: Reading, from: Fields, name: 'tick_rate' | 'time_scale'): number {
   const value = numberIn(r, from, name, FINITE);
-  refuseLoaded(r, name === 'tick_rate' ? loadTiming(value, 1) : loadTiming(1, value), '');
+  refuseLoaded(
+    r,
+    name === 'tick_rate' ? loadTiming(value, 1, DEFAULT_SETTINGS) : loadTiming(1, value, DEFAULT_SETTINGS),
+    '',
+  );
   return value;
 }
 

@@ -1,7 +1,6 @@
 /** Hands a landing to the law's twin in C, and asks what it came to. */
 import { spawnSync } from 'node:child_process';
 import {
-  ATTITUDE_MODES,
   BODY_ANGULAR_VELOCITY,
   BODY_ATTITUDE,
   BODY_POSITION,
@@ -10,6 +9,7 @@ import {
   type Controls,
   type LoadedSettings,
   type LoadedShipClass,
+  modeNumber,
   SHIP_STRIDE,
   type Timing,
   type World,
@@ -85,7 +85,7 @@ function motionDoubles(row: Float64Array): number[] {
 function controlDoubles(controls: Controls): number[] {
   return [
     ...[controls.thrustLevel, ...controls.translationInput, ...controls.rotationInput],
-    ...[controls.attitudeHold ? 1 : 0, ATTITUDE_MODES.indexOf(controls.attitudeMode)],
+    ...[controls.attitudeHold ? 1 : 0, modeNumber(controls.attitudeMode)],
     ...controls.targetAttitude,
   ];
 }

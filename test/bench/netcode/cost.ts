@@ -10,7 +10,7 @@ import { createSimulation } from '../../../src/prediction/simulation/simulation'
 import { runReplays, startReplay } from '../../../src/prediction/simulation/replay';
 import { addTrack } from '../../../src/prediction/simulation/track';
 import { setTempo } from '../../../src/prediction/time/timeline';
-import { tell } from '../../../src/prediction/snapshots/bodyTrack';
+import { updateBodies } from '../../../src/prediction/snapshots/bodyTrack';
 import { loadWorld } from '../../../src/prediction/snapshots/worldConfig';
 
 const SHIPS = 1000;
@@ -151,7 +151,7 @@ function replayOfHundred(): Figure {
     plan: [],
   });
   setTempo(sim.timeline, 0, { tickRate: 1, timeScale: 1, paused: false }, null);
-  tell(sim.bodies, 0, [staged.body]);
+  updateBodies(sim.bodies, 0, [staged.body]);
   const track = addTrack(sim.fleet, 'ship-1', sim.ringLength);
   const start = new Float64Array(SHIP_STRIDE);
   writeShip(start, 0, { ...staged.ship, surfaceContactState: 'contact' }, world);

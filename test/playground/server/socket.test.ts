@@ -34,6 +34,7 @@ function ear() {
     onClosed: notice((reason) => told.push(`closed ${reason}`)),
     onRefused: notice((reason) => told.push(`refused ${reason}`)),
     onStatus: notice(() => told.push('status')),
+    onRun: notice(() => told.push('run')),
   };
   const until = (met: () => boolean) =>
     new Promise<void>((resolve) => {
@@ -118,6 +119,6 @@ describe('a real server', () => {
     const { handlers, told } = ear();
     connection = openSocket(server.address, handlers);
     connection.operate({ kind: 'restart' });
-    expect(told).toEqual(['refused restart: only the server in the page takes orders']);
+    expect(told).toEqual(['refused restart: only available with the built-in server']);
   });
 });

@@ -283,7 +283,7 @@ function askedTorque(ship: LiteralShip, body: LiteralBody, gain: number): Vec3 {
   if (mode === 'none' && !controls.attitudeHold) return [0, 0, 0];
   const toBody = (v: Vec3) => rotate(conjugate(ship.attitude), v);
   const w = toBody(ship.angularVelocity);
-  const omega = gain * ((shipClass as { attitudeNaturalFrequency?: number }).attitudeNaturalFrequency ?? 0.5);
+  const omega = gain * shipClass.attitudeNaturalFrequency;
   let error: Vec3 = [0, 0, 0];
   if (mode === 'radial' && !grounded) {
     const r = minus(ship.position, body.position);

@@ -5,7 +5,7 @@ import {
   NEUTRAL_CONTROLS,
   type Quat,
   type ShipClass,
-  type ShipRecord,
+  type ShipInit,
   type Vec3,
 } from '../../../src/dynamics';
 import type { BodyState, ServerFrame, ShipState } from '../../../src/wire';
@@ -32,7 +32,7 @@ export interface LiteralWorld {
   readonly ships: readonly {
     readonly id: string;
     readonly shipClass: ShipClass;
-    readonly ship: ShipRecord;
+    readonly ship: ShipInit;
   }[];
 }
 
@@ -117,7 +117,7 @@ export function createLiteralServer(world: LiteralWorld, options: LiteralOptions
 function place(
   id: string,
   shipClass: ShipClass,
-  ship: ShipRecord,
+  ship: ShipInit,
   { body, told }: { readonly body: LiteralBody; readonly told: BodyMotion },
 ): LiteralShip {
   const r = ship.relativePosition;
@@ -151,7 +151,7 @@ function stateOf(ship: LiteralShip, bodyName: string): ShipState {
     mass: shipClass.dryMass + ship.fuel,
     landedBodyName: ship.state === '' ? '' : bodyName,
     surfaceContactState: ship.state,
-    contactImpactSpeed: null,
+    ...{ contactImpactSpeed: null, wheelMomentum: null, groundContactOffset: null },
     referenceBody: '',
     ...{ relativePosition: null, relativeVelocity: null },
     crashed: ship.crashed,

@@ -1,0 +1,137 @@
+// Builds dist/package, what `npm pack ./dist/package` packs: each door of the library as an ES module, as CommonJS and as
+// declarations, one style sheet, and a manifest.
+import { spawnSync } from 'node:child_process';
+import { cpSync, existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+import { pure } from './pure.mjs';
+import { writeTypes } from './types.mjs';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+const out = join(root, 'dist/package');
+
+/** Doors of the package and their sources; `index` is the package's own name. */
+export const DOORS = {
+  index: 'src/index.ts',
+  protobuf: 'src/protobuf.ts',
+  hud: 'src/hud/index.ts',
+  scene: 'src/scene/index.ts',
+  game: 'src/game/index.ts',
+};
+
+/** Packages whose code is inside the built files: their users install nothing, and their licences come along. */
+const BUNDLED = ['gl-matrix', 'protobufjs', 'long'];
+
+const manifest = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+const names = Object.keys(DOORS).filter((door) => existsSync(join(root, DOORS[door])));
+const doors = Object.fromEntries(names.map((door) => [door, DOORS[door]]));
+
+/** Rooms that several doors need. */
+const SHARED_ROOMS = ['dynamics', 'wire', 'readout'];
+
+const SHARED = { configFile: false, root, logLevel: 'warn', publicDir: false };
+
+/** One format at a time: a CommonJS file shares nothing with a module. */
+async function buildCode(format) {
+  const extension = format === 'es' ? 'js' : 'cjs';
+  await build({
+    ...SHARED,
+    plugins: [pure(join(root, 'src/'))],
+    build: {
+      target: 'es2022',
+      outDir: out,
+      emptyOutDir: format === 'es',
+      minify: false,
+      sourcemap: true,
+      lib: { entry: doors, formats: [format] },
+      rolldownOptions: {
+        external: [/^three($|\/)/],
+        treeshake: { moduleSideEffects: [{ test: /\/src\/.*\.[jt]s$/, sideEffects: false }] },
+        output: {
+          entryFileNames: `[name].${extension}`,
+          chunkFileNames: `chunks/[name].${extension}`,
+          // Top-level constants stay `const`: as `var` the engine loads the law's scratch arrays anew at every access.
+          topLevelVar: false,
+          // By room, so that the law's loops stay within one file, and none is loaded for another's sake.
+          codeSplitting: {
+            groups: SHARED_ROOMS.map((name) => ({ name, test: `/src/${name}/`, minShareCount: 2 })),
+          },
+        },
+      },
+    },
+  });
+}
+
+async function buildStyles() {
+  await build({
+    ...SHARED,
+    build: {
+      outDir: out,
+      emptyOutDir: false,
+      cssMinify: false,
+      rolldownOptions: {
+        input: join(root, 'src/hud/hud.css'),
+        output: { assetFileNames: '[name][extname]' },
+      },
+    },
+  });
+}
+
+/** Where the code lives: the clone's origin where it has a public one, else what package.json says. */
+function repository() {
+  const { stdout } = spawnSync('git', ['remote', 'get-url', 'origin'], { cwd: root, encoding: 'utf8' });
+  const origin = (stdout ?? '').trim();
+  return /^https:\/\/[^@]+$/.test(origin) ? { type: 'git', url: `git+${origin}` } : manifest.repository;
+}
+
+function writeManifest() {
+  const conditions = (door) => ({
+    import: { types: `./${door}.d.ts`, default: `./${door}.js` },
+    require: { types: `./${door}.d.cts`, default: `./${door}.cjs` },
+  });
+  const entries = names.map((door) => [door === 'index' ? '.' : `./${door}`, conditions(door)]);
+  const { name, version, description, keywords, license, engines } = manifest;
+  const packed = {
+    ...{ name, version, description, keywords, license, repository: repository(), type: 'module', engines },
+    sideEffects: ['./hud.css'],
+    exports: {
+      ...Object.fromEntries(entries),
+      // Declared, since TypeScript 6 asks for it where a style sheet is imported.
+      './hud.css': {
+        import: { types: './hud.css.d.ts', default: './hud.css' },
+        require: { types: './hud.css.d.cts', default: './hud.css' },
+      },
+      './package.json': './package.json',
+    },
+    ...{ main: './index.cjs', module: './index.js', types: './index.d.ts' },
+    files: ['*.js', '*.cjs', '*.map', '*.d.ts', '*.d.cts', 'hud.css', 'chunks', 'CHANGELOG.md', 'NOTICES.md'],
+    peerDependencies: { three: '>=0.160.0' },
+    peerDependenciesMeta: { three: { optional: true } },
+  };
+  writeFileSync(join(out, 'package.json'), `${JSON.stringify(packed, null, 2)}\n`);
+}
+
+/** The licences of what is inside the built files, word for word. */
+function writeNotices() {
+  const notices = BUNDLED.map((name) => {
+    const folder = join(root, 'node_modules', name);
+    const { version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+    const file = readdirSync(folder).find((entry) => /^licen[cs]e/i.test(entry));
+    return `## ${name} ${version}\n\n${readFileSync(join(folder, file), 'utf8').trim()}\n`;
+  });
+  writeFileSync(join(out, 'NOTICES.md'), `# Code of others in this package\n\n${notices.join('\n')}`);
+}
+
+/** Builds the package; throws with what is wrong. */
+export async function buildPackage() {
+  await buildCode('es');
+  await buildCode('cjs');
+  await buildStyles();
+  for (const file of ['hud.css.d.ts', 'hud.css.d.cts']) writeFileSync(join(out, file), 'export {};\n');
+  await writeTypes(root, doors, out);
+  writeManifest();
+  writeNotices();
+  for (const file of ['LICENSE', 'CHANGELOG.md']) cpSync(join(root, file), join(out, file));
+  cpSync(join(root, '.ci/package/README.md'), join(out, 'README.md'));
+}

@@ -1,0 +1,5 @@
+// `npm pack` and `npm publish` in the root would pack the sources, which nobody can load.
+console.error(`The package is built, not this folder:
+  npm run build
+  npm pack ./dist/package`);
+process.exit(1);

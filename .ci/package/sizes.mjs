@@ -1,0 +1,100 @@
+// What each use of the package costs a page: bundled and minified by esbuild, gzip level 9, in bytes.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { root, tool } from './tools.mjs';
+
+/** `most` in kB (1,000 bytes); the table in README.md has the same rows. */
+export const USES = [
+  {
+    name: 'predictor, JSON, readouts',
+    most: 44,
+    code: `export { createPredictor, decodeFrameJson, decodeHelloJson, encodeControlsJson, createLandingReadout, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`,
+    without: ['createElement', 'discardUnknown', 'WebGL'],
+  },
+  {
+    name: 'both HUDs',
+    most: 9,
+    code: `export { createCockpitLandingHud, createFleetHud } from 'galaxy-touchdown/hud';`,
+    without: ['discardUnknown', 'angularVelocity', 'WebGL'],
+  },
+  { name: 'their style sheet', most: 4, file: 'hud.css', without: [] },
+  {
+    name: 'protobuf messages',
+    most: 30,
+    code: `export { decodeServerMessage, encodeClientMessage } from 'galaxy-touchdown/protobuf';`,
+    without: ['createElement', 'WebGL'],
+  },
+  {
+    name: 'scene (without three)',
+    most: 30,
+    code: `export { createStage } from 'galaxy-touchdown/scene';`,
+    without: ['discardUnknown'],
+  },
+];
+
+/** Bundles of which nothing may be left, by what they import. */
+const NOTHING = [
+  [`import 'galaxy-touchdown';`, 0],
+  [`import 'galaxy-touchdown/hud'; import 'galaxy-touchdown/scene';`, 0],
+  [`export { NEUTRAL_CONTROLS } from 'galaxy-touchdown';`, 400],
+  [`export { updateFleetReadout } from 'galaxy-touchdown';`, 3000],
+];
+
+async function bundle(folder, code) {
+  const { build } = createRequire(import.meta.url)(tool('esbuild'));
+  const { outputFiles } = await build({
+    stdin: { contents: code, resolveDir: folder },
+    ...{ bundle: true, minify: true, write: false, format: 'esm', target: 'es2022', logLevel: 'error' },
+    external: ['three', 'three/*'],
+  });
+  return outputFiles[0].text;
+}
+
+async function minifiedStyles(file) {
+  const { transform } = createRequire(import.meta.url)(tool('esbuild'));
+  return (await transform(readFileSync(file, 'utf8'), { loader: 'css', minify: true })).code;
+}
+
+export const gzipped = (text) => gzipSync(text, { level: 9 }).length;
+
+/** `{ name, most, size }` of each use, size in bytes. */
+export async function measure(folder) {
+  const rows = [];
+  for (const { name, most, code, file, without } of USES) {
+    const text = file
+      ? await minifiedStyles(join(folder, 'node_modules/galaxy-touchdown', file))
+      : await bundle(folder, code);
+    const strange = without.find((word) => text.includes(word));
+    if (strange !== undefined) throw new Error(`${name}: its bundle has “${strange}” in it`);
+    rows.push({ name, most, size: gzipped(text) });
+  }
+  return rows;
+}
+
+/** Row of README.md's table of sizes: `| name | 12.3 kB |`. */
+function toldSize(readme, name) {
+  const row = readme.split('\n').find((line) => line.startsWith(`| ${name} `));
+  return row === undefined ? NaN : Number(/\| +([\d.]+) kB/.exec(row)?.[1]);
+}
+
+/** Throws where a use is too large, unused code comes along, or README.md says another size than measured. */
+export async function checkSizes(folder) {
+  for (const [code, most] of NOTHING) {
+    const text = await bundle(folder, code);
+    if (text.length > most)
+      throw new Error(
+        `${code}\nleaves ${text.length} bytes, expected at most ${most}:\n${text.slice(0, 400)}`,
+      );
+  }
+  const readme = readFileSync(join(root, 'README.md'), 'utf8');
+  const rows = await measure(folder);
+  for (const { name, most, size } of rows) {
+    if (size > most * 1000) throw new Error(`${name}: ${size} bytes gzipped, expected at most ${most} kB`);
+    const told = toldSize(readme, name);
+    if (!(Math.abs(told * 1000 - size) <= 500))
+      throw new Error(`${name}: README.md says ${told} kB, measured ${(size / 1000).toFixed(1)} kB`);
+  }
+  return rows.map(({ name, size }) => `${name} ${(size / 1000).toFixed(1)} kB`).join(', ');
+}

@@ -1,0 +1,29 @@
+/** The part of a browser's WebSocket that is used. */
+export interface GameSocket {
+  onopen: ((event: never) => void) | null;
+  onmessage: ((event: { readonly data: unknown }) => void) | null;
+  onclose: ((event: { readonly code: number; readonly reason: string }) => void) | null;
+  onerror: ((event: never) => void) | null;
+  readonly readyState: number;
+  send: (text: string) => void;
+  close: () => void;
+}
+
+/** Largest message either way, bytes of UTF-8 (GAME.md, Talk). */
+export const MAX_MESSAGE = 64 * 1024;
+/** readyState of a socket that takes messages. */
+export const OPEN = 1;
+
+/** UTF-8 takes one to three bytes per UTF-16 unit: only what lies between is counted. */
+export function isTooLarge(text: string): boolean {
+  if (text.length * 3 <= MAX_MESSAGE) return false;
+  return text.length > MAX_MESSAGE || new TextEncoder().encode(text).length > MAX_MESSAGE;
+}
+
+/** The socket is nobody's from now on: what it still says is not heard. */
+export function abandon(socket: GameSocket): void {
+  socket.onopen = socket.onmessage = socket.onclose = null;
+  // A socket that is closed before it opened reports an error.
+  socket.onerror = () => undefined;
+  socket.close();
+}

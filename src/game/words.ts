@@ -1,0 +1,63 @@
+import type { Ending, LinkState, Phase } from './link';
+
+/** What a person is told of a link. */
+export interface LinkStatus {
+  readonly phase: Phase;
+  /** A sentence or two; empty while all is well. */
+  readonly words: string;
+}
+
+/**
+ * @param address as the person knows it, without a token
+ * @param now wall s
+ */
+export function statusOf(state: LinkState, address: string, now: number): LinkStatus {
+  return { phase: state.phase, words: wordsOf(state, address, now) };
+}
+
+function wordsOf(state: LinkState, address: string, now: number): string {
+  switch (state.phase) {
+    case 'connecting':
+      return state.failures > 0 || state.wasLive
+        ? `Reconnecting to ${address}…`
+        : `Connecting to ${address}…`;
+    case 'authenticating':
+      return `Connected to ${address}; signing in…`;
+    case 'live':
+      return liveWords(state, address);
+    case 'waiting': {
+      const seconds = Math.max(0, Math.ceil(state.retryAt - now));
+      return `${endingWords(state.ended, address)} Retrying in ${seconds} s.`;
+    }
+    case 'refused':
+      return endingWords(state.ended, address);
+    case 'ended':
+      return 'Disconnected.';
+  }
+}
+
+function liveWords({ silence, returned }: LinkState, address: string): string {
+  if (silence === 'answered') return 'The server answers but sends no states: the game is paused.';
+  if (silence === 'asked') return 'No states from the server; asking whether it is still there…';
+  return returned ? `Connected to ${address} again.` : '';
+}
+
+function endingWords(ended: Ending | null, address: string): string {
+  const said = ended === null || ended.reason === '' ? '' : `, “${ended.reason}”`;
+  const code = ended === null || ended.code === 0 ? '' : ` (code ${ended.code}${said})`;
+  switch (ended?.cause) {
+    case undefined:
+    case 'lost':
+      return `The connection to ${address} was lost${code}.`;
+    case 'unreachable':
+      return `Nothing answers at ${address}${code}. Is the server running?`;
+    case 'noWelcome':
+      return `${address} accepted the connection but did not welcome us within 10 s.`;
+    case 'noPong':
+      return `${address} did not answer a ping within 10 s.`;
+    case 'auth':
+      return `${address} refused the sign-in${code}: the token is missing, invalid or expired. Sign in again.`;
+    case 'origin':
+      return `${address} does not accept pages from here${code}: open the page from an allowed origin.`;
+  }
+}

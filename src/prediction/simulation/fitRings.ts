@@ -1,0 +1,62 @@
+import { SHIP_STRIDE } from '../../dynamics';
+import { cutsOf, resizedBodies } from '../snapshots/bodyTrack';
+import { resizeLogs } from '../touchdown/touchdownRing';
+import { resized, ringLength } from './history';
+import type { Simulation } from './simulation';
+import type { Track } from './track';
+
+/** How long the rings of predicted states are, so that together they stay within a memory. */
+
+/** Bytes that the histories of all ships but the own one may take. */
+const HISTORY_BYTES = 32 * 2 ** 20;
+/** Rows that every ship keeps, however many there are. */
+const LEAST_ROWS = 12;
+const ROW_BYTES = SHIP_STRIDE * Float64Array.BYTES_PER_ELEMENT;
+
+/** Rows each of `ships` ships may keep; the same for all numbers up to a power of two, so that growing fleets seldom change it. */
+export function rowsWithin(ships: number, ringOfRate: number): number {
+  const rounded = 2 ** Math.ceil(Math.log2(Math.max(1, ships)));
+  return Math.max(LEAST_ROWS, Math.min(ringOfRate, Math.floor(HISTORY_BYTES / (rounded * ROW_BYTES))));
+}
+
+/** What the rings have to hold. */
+export interface RingNeeds {
+  /** Hz */
+  readonly tickRate: number;
+  /** Substeps of a tick. */
+  readonly substeps: number;
+  /** Ships expected. */
+  readonly ships: number;
+}
+
+/** Makes the rings fit; what they hold stays. A ring that is longer than it has to be is kept while memory allows it. */
+export function fitRings(sim: Simulation, { tickRate, substeps, ships }: RingNeeds): void {
+  const { tracks } = sim.fleet;
+  sim.ringLength = ringLength(tickRate);
+  const most = rowsWithin(ships, Number.POSITIVE_INFINITY);
+  const wanted = Math.min(sim.ringLength, most);
+  if (wanted > sim.historyRows || sim.historyRows > most) sim.historyRows = wanted;
+  for (const track of tracks) fitTrack(sim, track);
+  const bodyRing = Math.max(sim.ringLength, sim.bodies.length);
+  if (bodyRing !== sim.bodies.length || sim.bodies.cuts.length !== cutsOf(substeps))
+    sim.bodies = resizedBodies(sim.bodies, bodyRing, substeps);
+  sim.counters.historyBytes = historyBytes(sim, ships);
+}
+
+/** The length of a new ship's history. */
+export function historyLength(sim: Simulation, own: boolean): number {
+  return own ? Math.max(sim.ringLength, sim.historyRows) : sim.historyRows;
+}
+
+function fitTrack(sim: Simulation, track: Track): void {
+  const length = historyLength(sim, track.own);
+  const kept = track.history.length;
+  if (kept === length || (track.own && kept > length)) return;
+  track.history = resized(track.history, length);
+  if (track.log !== null) resizeLogs(track.log, length);
+}
+
+function historyBytes(sim: Simulation, ships: number): number {
+  const own = sim.fleet.own === null ? 0 : sim.fleet.own.history.length;
+  return (ships * sim.historyRows + own) * ROW_BYTES;
+}

@@ -1,0 +1,62 @@
+import { err, loadTiming, ok, type Result } from '../../dynamics';
+import type { InputAcknowledgement, PartialFrame, ServerFrame } from '../../wire';
+import type { Simulation } from '../simulation/simulation';
+import { spanOf } from '../time/timeline';
+import type { GameTimeMeter } from './gameTimeMeter';
+import { measureGameTime } from './gameTimeMeter';
+
+/** Ticks: what the wire takes, and sums of two stay exact. */
+const MAX_TICK = 2 ** 52;
+
+/**
+ * A frame with every member: what is absent holds on from before, what cannot be is left out and counted. The time scale is the
+ * measured one where what is told does not fit what moves.
+ * @returns the frame, or the reason, naming the field, why it is refused whole
+ */
+export function completeFrame(
+  sim: Simulation,
+  meter: GameTimeMeter,
+  given: PartialFrame,
+): Result<ServerFrame> {
+  const { tick } = given;
+  if (!Number.isSafeInteger(tick) || tick < 0 || tick > MAX_TICK)
+    return err(`frame.tick: expected a whole number from 0 to 2⁵², got ${String(tick)}`);
+  const held = sim.timeline.spans.length === 0 ? null : spanOf(sim.timeline, sim.newestTick);
+  const tickRate = given.tickRate ?? held?.tickRate ?? tellDefault(sim, 'tickRate', 1);
+  const told = given.timeScale ?? null;
+  const known = { ...given, tickRate, ships: listOf(given.ships), bodies: listOf(given.bodies) };
+  const timeScale = measureGameTime(meter, known, told) ?? told ?? tellDefault(sim, 'timeScale', 1);
+  const timing = loadTiming(tickRate, timeScale, sim.world.settings);
+  if (!timing.ok) return err(`frame.${timing.reason}`);
+  return ok({
+    ...known,
+    timeScale,
+    paused: given.paused ?? false,
+    events: listOf(given.events),
+    lastInput: acknowledgementOf(sim, given),
+  });
+}
+
+function tellDefault({ warn }: Simulation, name: string, value: number): number {
+  warn('tempo-missing', `No frame has told ${name} yet: ${value} is used. Hand it in with each frame.`, {
+    name,
+    value,
+  });
+  return value;
+}
+
+function listOf<T>(value: readonly T[] | undefined | null): readonly T[] {
+  return Array.isArray(value) ? (value as readonly T[]) : [];
+}
+
+/** The acknowledgement, or null where there is none or where it cannot be: nothing is applied after its own frame. */
+function acknowledgementOf(sim: Simulation, { tick, lastInput }: PartialFrame): InputAcknowledgement | null {
+  if (lastInput === undefined || lastInput === null) return null;
+  const { seq, tick: applied, substep, margin } = lastInput;
+  const isWhole = [seq, applied, substep].every(Number.isSafeInteger) && Number.isFinite(margin);
+  if (isWhole && (applied < tick || (applied === tick && substep === 0))) return lastInput;
+  sim.counters.acknowledgementsRefused += 1;
+  sim.counters.lastRefusal = `frame.lastInput.tick: expected at most the frame's own, ${tick}, got ${String(applied)}`;
+  sim.warn('acknowledgement-refused', sim.counters.lastRefusal, { lastInput, tick });
+  return null;
+}

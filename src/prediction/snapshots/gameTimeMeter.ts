@@ -1,0 +1,158 @@
+import type { BodyState, PartialFrame, ShipState } from '../../wire';
+
+/**
+ * Game time from one tick to the next, measured from what moves (PREDICTION, A law, or a world, that is not quite ours): a server may
+ * run at a time scale it does not tell, or bend it by a few per cent to keep in step with a calendar.
+ */
+export interface GameTimeMeter {
+  tick: number;
+  gameTime: number;
+  bodies: readonly BodyState[];
+  ships: readonly ShipState[];
+  /** The last measurements that did not fit what was told, game s per tick: how many in a row that agree, and the last one. */
+  agreeing: number;
+  last: number;
+  /** Believed, as game s per tick; NaN while what is told fits. */
+  perTick: number;
+}
+
+/** How exactly a source measures, as a share: what is nearer than this to what is told is what is told. */
+const EXACT = 1e-3;
+const BY_SHIPS = 0.02;
+/** Measurements in a row that must agree, by how exactly they measure. */
+const NEEDED = 2;
+const NEEDED_BY_SHIPS = 3;
+/** m/s: what moves slower measures nothing. */
+const LEAST_SPEED = 1;
+
+export function createGameTimeMeter(): GameTimeMeter {
+  return {
+    tick: -1,
+    gameTime: Number.NaN,
+    bodies: [],
+    ships: [],
+    agreeing: 0,
+    last: Number.NaN,
+    perTick: Number.NaN,
+  };
+}
+
+/** Another world, or another time. */
+export function forgetGameTime(meter: GameTimeMeter): void {
+  Object.assign(meter, createGameTimeMeter());
+}
+
+/** What a measurement reads of a frame. */
+type Measured = Pick<PartialFrame, 'tick' | 'gameTime' | 'ships'> & {
+  readonly tickRate: number;
+  readonly bodies: readonly BodyState[];
+};
+
+/**
+ * Takes in a frame.
+ * @param told the frame's own time scale, or null
+ * @returns the time scale that holds, where what is told does not fit or nothing is told; null where nothing else is known
+ */
+export function measureGameTime(meter: GameTimeMeter, frame: Measured, told: number | null): number | null {
+  const { tickRate } = frame;
+  const ticks = frame.tick - meter.tick;
+  if (ticks <= 0) return scaleOf(meter, tickRate);
+  const byClock = (frame.gameTime ?? Number.NaN) - meter.gameTime;
+  const exact = Number.isNaN(byClock) ? byBodies(meter.bodies, frame.bodies) : byClock;
+  const seconds =
+    meter.tick < 0 ? Number.NaN : Number.isNaN(exact) ? byShips(meter.ships, frame.ships) : exact;
+  meter.tick = frame.tick;
+  meter.gameTime = frame.gameTime ?? Number.NaN;
+  meter.bodies = frame.bodies;
+  meter.ships = frame.ships;
+  if (seconds > 0)
+    weigh(meter, seconds / ticks, { told: (told ?? 1) / tickRate, isExact: !Number.isNaN(exact) });
+  return scaleOf(meter, tickRate);
+}
+
+function scaleOf({ perTick }: GameTimeMeter, tickRate: number): number | null {
+  return Number.isNaN(perTick) ? null : perTick * tickRate;
+}
+
+function weigh(
+  meter: GameTimeMeter,
+  perTick: number,
+  { told, isExact }: { readonly told: number; readonly isExact: boolean },
+): void {
+  const tolerance = isExact ? EXACT : BY_SHIPS;
+  if (near(perTick, told, tolerance)) {
+    meter.agreeing = 0;
+    meter.perTick = Number.NaN;
+    return;
+  }
+  if (near(perTick, meter.perTick, tolerance)) return;
+  // What is bent by a few per cent changes from tick to tick, and is believed as it comes.
+  const alike = near(perTick, meter.last, isExact ? 0.02 : BY_SHIPS);
+  meter.agreeing = alike ? meter.agreeing + 1 : 1;
+  meter.last = perTick;
+  if (meter.agreeing >= (isExact ? NEEDED : NEEDED_BY_SHIPS)) meter.perTick = perTick;
+}
+
+function near(a: number, b: number, tolerance: number): boolean {
+  return Math.abs(a - b) <= tolerance * Math.abs(b);
+}
+
+/** Game s that bodies were on their way, by how far they came: the median of all that move; NaN where none does. */
+function byBodies(before: readonly BodyState[], after: readonly BodyState[]): number {
+  return medianOf(
+    after.map((body) => {
+      const old = before.find(({ name }) => name === body.name);
+      return old === undefined ? Number.NaN : secondsBetween(old, body);
+    }),
+  );
+}
+
+/** As of bodies, by ships that fly without thrust. */
+function byShips(before: readonly ShipState[], after: readonly ShipState[]): number {
+  return medianOf(
+    after.filter(isShip).map((ship) => {
+      const old = before.filter(isShip).find(({ shipId }) => shipId === ship.shipId);
+      return old !== undefined && coasts(old) && coasts(ship) ? secondsBetween(old, ship) : Number.NaN;
+    }),
+  );
+}
+
+function coasts(ship: ShipState): boolean {
+  return (
+    ship.surfaceContactState === '' &&
+    ship.landedBodyName === '' &&
+    ship.thrustLevel === 0 &&
+    Array.isArray(ship.translationInput) &&
+    ship.translationInput.every((input) => input === 0)
+  );
+}
+
+/** The way over the mean velocity; NaN where it did not move, or where either is no vector. */
+function secondsBetween(
+  a: Pick<ShipState, 'position' | 'velocity'>,
+  b: Pick<ShipState, 'position' | 'velocity'>,
+): number {
+  let along = 0;
+  let square = 0;
+  for (let k = 0; k < 3; k++) {
+    const mean = (component(a.velocity, k) + component(b.velocity, k)) / 2;
+    along += (component(b.position, k) - component(a.position, k)) * mean;
+    square += mean * mean;
+  }
+  return square >= LEAST_SPEED * LEAST_SPEED && along !== 0 ? along / square : Number.NaN;
+}
+
+/** Of a vector that a plain caller may have left out. */
+function component(vector: unknown, k: number): number {
+  const value: unknown = Array.isArray(vector) ? vector[k] : undefined;
+  return typeof value === 'number' ? value : Number.NaN;
+}
+
+function isShip(ship: unknown): boolean {
+  return typeof ship === 'object' && ship !== null;
+}
+
+function medianOf(values: readonly number[]): number {
+  const known = values.filter((value) => !Number.isNaN(value)).sort((a, b) => a - b);
+  return known.length === 0 ? Number.NaN : known[Math.floor((known.length - 1) / 2)]!;
+}

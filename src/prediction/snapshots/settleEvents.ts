@@ -1,0 +1,75 @@
+import { EVENT_NAMES } from '../../dynamics';
+import type { ServerFrame } from '../../wire';
+import { WITHDRAWN_SHOWN } from '../drawn/status';
+import type { EventNotice } from '../drawn/view';
+import { confirm, confirmByState, knownEvent, pruneLedger, settleByAgreement, retract } from '../events';
+import type { Simulation } from '../simulation/simulation';
+import type { Track } from '../simulation/track';
+import type { Receiver } from './receiver';
+
+/** The server's events: each confirms a predicted one, or is told as its own. Unknown types, and of ships not there, count nothing. */
+export function tellEvents(sim: Simulation, receiver: Receiver, { events }: ServerFrame): void {
+  for (const event of events) {
+    const known = knownEvent(event);
+    if (known === null) continue;
+    receiver.tellsEvents = true;
+    const track = sim.fleet.byId.get(event.shipId);
+    const isOld = event.tick < receiver.firstTick || event.tick < sim.newestTick - sim.ringLength;
+    if (track === undefined || isOld || event.tick >= sim.newestTick) continue;
+    const notice = confirm(track.ledger, known.event, known, sim.timeline);
+    if (notice !== null) sim.notices.push(notice);
+  }
+}
+
+/** A frame's events, and what it says of those predicted up to its tick: confirmed by event or state, or retracted. */
+export function settleEvents(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
+  tellEvents(sim, receiver, frame);
+  for (const track of sim.fleet.tracks) {
+    if (track.ledger.entries.length === 0 || track.serverTick !== frame.tick) continue;
+    settleShip(sim, receiver, track, { frame, now });
+    pruneLedger(track.ledger, frame.tick - sim.ringLength);
+  }
+}
+
+function settleShip(
+  sim: Simulation,
+  receiver: Receiver,
+  track: Track,
+  { frame, now }: { readonly frame: ServerFrame; readonly now: number },
+): void {
+  const { ledger } = track;
+  const { tick } = frame;
+  if (track.agreedTick === tick && !track.replaying) {
+    const by = { pass: track.pass, fromTick: track.adoptedTick };
+    tellAll(sim, track, now, () => {
+      const notice = settleByAgreement(ledger, tick, sim.timeline, by);
+      // The server had the same event, and does not tell of it.
+      if (notice?.kind === 'confirmed') receiver.tellsEvents = false;
+      return notice;
+    });
+  }
+  if (receiver.tellsEvents) tellAll(sim, track, now, () => retract(ledger, tick, sim.timeline));
+  else confirmStates(sim, track, frame);
+}
+
+/** Passes on notices until there are no more; what is retracted is shown as withdrawn for a while. */
+function tellAll(sim: Simulation, { picture }: Track, now: number, next: () => EventNotice | null): void {
+  for (let notice = next(); notice !== null; notice = next()) {
+    sim.notices.push(notice);
+    if (notice.kind !== 'retracted') continue;
+    picture.status.withdrawn = EVENT_NAMES.indexOf(notice.type);
+    picture.status.withdrawnUntil = now + WITHDRAWN_SHOWN;
+  }
+}
+
+function confirmStates(sim: Simulation, track: Track, frame: ServerFrame): void {
+  const state = frame.ships.find((candidate) => candidate.shipId === track.shipId);
+  if (state === undefined) return;
+  const shown =
+    state.surfaceContactState === '' && state.landedBodyName !== '' ? 'landed' : state.surfaceContactState;
+  for (;;) {
+    const notice = confirmByState(track.ledger, frame.tick, shown, state.crashed);
+    if (notice === null) return;
+    sim.notices.push(notice);
+  }
+}

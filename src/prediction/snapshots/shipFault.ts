@@ -1,0 +1,34 @@
+import type { ShipState } from '../../wire';
+
+/**
+ * Why a plain record is no ShipState, or null. What came through the wire has been checked; a plain JavaScript caller may hand in
+ * anything (PREDICTION, Messages that are valid and still wrong).
+ */
+export function shipFault(given: unknown): string | null {
+  if (typeof given !== 'object' || given === null) return 'expected an object';
+  const state = given as ShipState;
+  if (typeof state.shipId !== 'string' || state.shipId === '') return 'shipId: expected a text';
+  if (!areNumbers(state.position, 3)) return complaint('position', 3, state.position);
+  if (!areNumbers(state.velocity, 3)) return complaint('velocity', 3, state.velocity);
+  if (!areNumbers(state.attitude, 4)) return complaint('attitude', 4, state.attitude);
+  if (!areNumbers(state.angularVelocity, 3)) return complaint('angularVelocity', 3, state.angularVelocity);
+  if (!areNumbers(state.rotationInput, 3)) return complaint('rotationInput', 3, state.rotationInput);
+  if (!areNumbers(state.translationInput, 3)) return complaint('translationInput', 3, state.translationInput);
+  if (!areNumbers(state.targetAttitude, 4)) return complaint('targetAttitude', 4, state.targetAttitude);
+  if (!Number.isFinite(state.thrustLevel)) return complaint('thrustLevel', 1, state.thrustLevel);
+  if (!Number.isFinite(state.fuel)) return complaint('fuel', 1, state.fuel);
+  for (const name of ['relativePosition', 'relativeVelocity'] as const)
+    if (state[name] !== null && !areNumbers(state[name], 3)) return complaint(name, 3, state[name]);
+  return null;
+}
+
+function areNumbers(value: unknown, count: number): boolean {
+  if (!Array.isArray(value) || value.length !== count) return false;
+  for (let k = 0; k < count; k++) if (!Number.isFinite(value[k])) return false;
+  return true;
+}
+
+function complaint(name: string, count: number, value: unknown): string {
+  const found = Array.isArray(value) ? `[${value.join(', ')}]` : String(value);
+  return `${name}: expected ${count === 1 ? 'a finite number' : `${count} finite numbers`}, got ${found}`;
+}

@@ -1,0 +1,125 @@
+import type { ServerFrame, ShipState } from '../../wire';
+import { acknowledge, type InputFate, prune } from '../inputs/inputs';
+import { has, offsetOf } from '../simulation/history';
+import { startReplay } from '../simulation/replay';
+import { historyLength } from '../simulation/fitRings';
+import type { Simulation } from '../simulation/simulation';
+import { addTrack, removeTrack } from '../simulation/track';
+import { steerByMargin } from '../time/clock';
+import { unknownNameOf } from './adopt';
+import { bodiesOfFrame } from './bodiesOfFrame';
+import { boundaryAt, knowsBoundary } from './bodyTrack';
+import type { Receiver } from './receiver';
+import { reconcile, showAsTold, type SnapshotContext } from './reconcile';
+import { shipFault } from './shipFault';
+
+/** The newest frame's bodies and ships, each compared with what was predicted for its tick. */
+export function takeStates(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
+  const context: SnapshotContext = {
+    ...bodiesOfFrame(sim, receiver, frame),
+    tick: frame.tick,
+    now,
+    inputs: 'asPredicted',
+  };
+  for (const state of frame.ships) takeShip(sim, receiver, { frame, context, state });
+  for (const track of sim.fleet.tracks) {
+    if (track.mode !== 'waiting' || track.replaying || track.off || track.serverTick < 0) continue;
+    if (has(track.history, frame.tick))
+      startReplay(track, sim, frame.tick, track.history.rows, offsetOf(track.history, frame.tick));
+    else startReplay(track, sim, track.serverTick, track.serverRow, 0);
+  }
+}
+
+/** Another message of the newest tick: the ships that it has and the ones before had not. */
+export function takePart(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
+  const bodies = boundaryAt(sim.bodies, sim.timeline, frame.tick);
+  takeMissing(sim, receiver, frame, contextOf(frame, bodies, now));
+}
+
+/** A frame overtaken by newer ones: its ships that no newer frame told of. */
+export function takeOlder(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
+  if (!knowsBoundary(sim.bodies, frame.tick)) return;
+  const bodies = boundaryAt(sim.bodies, sim.timeline, frame.tick);
+  takeMissing(sim, receiver, frame, contextOf(frame, bodies, now));
+}
+
+function contextOf({ tick }: ServerFrame, bodies: Float64Array, now: number): SnapshotContext {
+  return { tick, now, bodies, predictedBodies: bodies, turned: 0, inputs: 'asPredicted' };
+}
+
+function takeMissing(
+  sim: Simulation,
+  receiver: Receiver,
+  frame: ServerFrame,
+  context: SnapshotContext,
+): void {
+  for (const state of frame.ships) {
+    const track = sim.fleet.byId.get(state.shipId);
+    if (track === undefined || track.serverTick < frame.tick)
+      takeShip(sim, receiver, { frame, context, state });
+  }
+}
+
+/** One ship's state in a frame. */
+interface Told {
+  readonly frame: ServerFrame;
+  readonly context: SnapshotContext;
+  readonly state: ShipState;
+}
+
+function takeShip(sim: Simulation, receiver: Receiver, { frame, context, state }: Told): void {
+  const fault = shipFault(state);
+  if (fault !== null) {
+    refuseShip(sim, state, fault);
+    return;
+  }
+  if (isRemoved(receiver, state.shipId, frame.tick)) return;
+  const own = state.shipId === receiver.ownShipId;
+  const track =
+    sim.fleet.byId.get(state.shipId) ?? addTrack(sim.fleet, state.shipId, historyLength(sim, own));
+  track.own = own;
+  if (own) sim.fleet.own = track;
+  context.inputs = own ? answered(sim, receiver, frame, { state, now: context.now }) : 'asPredicted';
+  const unknown = unknownNameOf(state, sim.world);
+  const reason =
+    unknown === null ? reconcile(sim, track, state, context) : showAsTold(sim, track, state, context);
+  if (reason === null) track.lastSend = sim.cadence.sends;
+  if (reason !== null || unknown !== null) refuseShip(sim, state, reason ?? unknown!);
+  if (reason !== null && track.serverTick < 0) removeTrack(sim.fleet, track);
+}
+
+/** Taken out by name: only a later frame than those that had come then brings it back. */
+function isRemoved({ removed }: Receiver, shipId: string, tick: number): boolean {
+  const removedAt = removed.get(shipId);
+  if (removedAt === undefined) return false;
+  if (tick <= removedAt) return true;
+  removed.delete(shipId);
+  return false;
+}
+
+function refuseShip({ counters, warn }: Simulation, state: ShipState, reason: string): void {
+  counters.shipsRefused += 1;
+  const shipId = String((state as { shipId?: unknown } | null)?.shipId);
+  counters.lastRefusal = `frame.ships (${shipId}): ${reason}`;
+  warn('ship-unusable', `A ship is not predicted. ${counters.lastRefusal}`, { shipId, reason });
+}
+
+/** What the frame says of own inputs, also to the steering of the lead. */
+function answered(
+  sim: Simulation,
+  receiver: Receiver,
+  frame: ServerFrame,
+  { state, now }: { readonly state: ShipState; readonly now: number },
+): InputFate {
+  const { inputs } = sim;
+  const told = frame.lastInput;
+  const before = inputs.applied;
+  const fate = acknowledge(inputs, frame.tick, told, state, now);
+  if (told !== null && told.seq > before) {
+    const stored = inputs.records.find((candidate) => candidate.record.seq === told.seq);
+    if (stored !== undefined) steerByMargin(receiver.clock, told.margin, stored.steer, now);
+    sim.counters.margin = told.margin;
+  }
+  prune(inputs, frame.tick - sim.ringLength);
+  return fate;
+}

@@ -1,0 +1,44 @@
+import type { ServerFrame } from '../../wire';
+import { forgetAfter } from '../simulation/history';
+import { hold } from '../simulation/replay';
+import type { Simulation } from '../simulation/simulation';
+import { sampleDown, sentAt } from '../time/clock';
+import { setTempo, spanOf, wallOfTick } from '../time/timeline';
+import { forgetLogsAfter } from '../touchdown/touchdownRing';
+import { forgetAfter as forgetBodiesAfter } from './bodyTrack';
+import { differs } from './classify';
+import type { Receiver } from './receiver';
+
+/** Clock sample and tempo of a frame; where the tempo changed, everything after its tick is to be simulated anew. */
+export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
+  const { timeline } = sim;
+  const first = timeline.spans.length === 0;
+  const stood = !first && spanOf(timeline, frame.tick).paused;
+  const wall = stood ? wallAfterPause(sim, receiver, now) : null;
+  if (!stood && !first) sampleDown(receiver.clock, wallOfTick(timeline, frame.tick), now);
+  const goesOn = stood && !frame.paused;
+  const changes = !first && differs(sim, frame);
+  // What is drawn now is of the tempo so far.
+  if (changes) for (const track of sim.fleet.tracks) if (track.mode === 'stepping') hold(sim, track);
+  setTempo(timeline, frame.tick, frame, goesOn || frame.tick > sim.newestTick ? wall : null);
+  if (first) sampleDown(receiver.clock, 0, now);
+  if (changes) retime(sim, frame.tick);
+  sim.newestTick = frame.tick;
+}
+
+/** A paused server's boundaries keep their beat: the one that ended the pause was a whole number of ticks after the one that began it. */
+function wallAfterPause(sim: Simulation, receiver: Receiver, now: number): number {
+  const span = sim.timeline.spans.at(-1)!;
+  const beats = Math.round((sentAt(receiver.clock, now) - span.fromWall) * span.tickRate);
+  return span.fromWall + Math.max(0, beats) / span.tickRate;
+}
+
+function retime(sim: Simulation, tick: number): void {
+  forgetBodiesAfter(sim.bodies, tick);
+  for (const track of sim.fleet.tracks) {
+    forgetAfter(track.history, tick);
+    if (track.log !== null) forgetLogsAfter(track.log, tick);
+    track.replaying = false;
+  }
+  sim.frontIsStale = true;
+}

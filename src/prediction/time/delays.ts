@@ -1,0 +1,45 @@
+/**
+ * The last delays of one kind, s: the least of them, and how far most lie above it. They are counted, not timed: after a silence the
+ * last ones still say most.
+ */
+export interface Delays {
+  readonly values: Float64Array;
+  readonly sorted: Float64Array;
+  /** Ever taken; slot = count mod length. */
+  count: number;
+}
+
+/** Share of the samples that lie below `spreadOf`. */
+const MOST = 0.95;
+
+/** @param length how many are kept */
+export function createDelays(length: number): Delays {
+  return { values: new Float64Array(length), sorted: new Float64Array(length), count: 0 };
+}
+
+export function addDelay(delays: Delays, value: number): void {
+  delays.values[delays.count % delays.values.length] = value;
+  delays.count += 1;
+}
+
+/** NaN without any. */
+export function leastOf({ values, count }: Delays): number {
+  const n = Math.min(count, values.length);
+  if (n === 0) return Number.NaN;
+  let least = values[0]!;
+  for (let i = 1; i < n; i++) if (values[i]! < least) least = values[i]!;
+  return least;
+}
+
+/** How far above the least of them 19 of 20 lie at most, those more than `most` above it not counted; 0 without any. */
+export function spreadOf(delays: Delays, most: number): number {
+  const least = leastOf(delays);
+  if (Number.isNaN(least)) return 0;
+  const { values, sorted, count } = delays;
+  let n = 0;
+  for (let i = 0; i < Math.min(count, values.length); i++)
+    if (values[i]! - least <= most) sorted[n++] = values[i]! - least;
+  sorted.fill(Number.POSITIVE_INFINITY, n);
+  sorted.sort();
+  return sorted[Math.min(n - 1, Math.floor(n * MOST))]!;
+}

@@ -1,0 +1,135 @@
+"""Ground from heightmaps in the game's format: the same bits as src/dynamics/heightmap.ts (ORDER, Heightmap)."""
+
+import sys
+from array import array
+from dataclasses import dataclass
+from math import floor, sqrt
+
+from .arctangent import angle_of
+from .limits import BODY_RADIUS, PLACE, Refusal, number, one_of, whole
+from .models import TerrainHeight
+
+PI = 3.141592653589793
+INTERPOLATIONS = ("bilinear", "bicubic")
+
+
+@dataclass(slots=True)
+class Heightmap:
+    """Heights of a whole body on a grid of latitude and longitude.
+
+    Sample row * columns + column is at latitude 90 - row * 180 / rows and longitude column * 360 / columns degrees; the last row
+    lies one step before the south pole. `reference_radius`, m: where a sample of 0 is; `body_radius`, m: what heights come out above.
+    """
+
+    samples: array
+    columns: int
+    rows: int
+    scale: float
+    reference_radius: float
+    body_radius: float | None = None
+    interpolation: str = "bilinear"
+    base: float = 0.0
+    # The poles' heights, in units of a sample: one point each, whatever the column.
+    north: float = 0.0
+    south: float = 0.0
+    columns_per_radian: float = 0.0
+    rows_per_radian: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Raises Refusal with the field that cannot be used."""
+        whole(self.columns, "columns", least=4)
+        whole(self.rows, "rows", least=2)
+        if self.columns % 2:
+            raise Refusal(f"columns: expected an even number, got {self.columns}")
+        if len(self.samples) != self.rows * self.columns:
+            raise Refusal(f"samples: expected {self.rows} x {self.columns} of them, got {len(self.samples)}")
+        one_of(self.interpolation, "interpolation", INTERPOLATIONS)
+        number(self.scale, "scale", PLACE)
+        reference = number(self.reference_radius, "reference_radius", BODY_RADIUS)
+        body = reference if self.body_radius is None else number(self.body_radius, "body_radius", BODY_RADIUS)
+        self.base = reference - body
+        self.north = sum(self.samples[: self.columns]) / self.columns
+        self.south = sum(self.samples[-self.columns :]) / self.columns
+        self.columns_per_radian = self.columns / (2 * PI)
+        self.rows_per_radian = self.rows / PI
+
+
+def read_samples(data: bytes) -> array:
+    """Samples as a file holds them: 16-bit, signed, little-endian."""
+    if len(data) % 2:
+        raise Refusal(f"bytes: expected an even number, got {len(data)}")
+    samples = array("h", data)
+    if sys.byteorder == "big":
+        samples.byteswap()
+    return samples
+
+
+def heightmap_terrain(maps: dict[str, Heightmap], elsewhere: TerrainHeight) -> TerrainHeight:
+    """Ground from heightmaps by body name, and `elsewhere` for bodies without one."""
+
+    def height(body_name: str, nx: float, ny: float, nz: float) -> float:
+        grid = maps.get(body_name)
+        if grid is None:
+            return elsewhere(body_name, nx, ny, nz)
+        level = sqrt(nx * nx + nz * nz)
+        down = angle_of(level, ny) * grid.rows_per_radian
+        east = angle_of(nx, nz) * grid.columns_per_radian
+        look_up = bicubic if grid.interpolation == "bicubic" else bilinear
+        return grid.base + grid.scale * look_up(grid, down, east)
+
+    return height
+
+
+def sample_at(grid: Heightmap, row: int, column: int) -> float:
+    """A sample, 0 <= column < columns; a row beyond a pole is the one that lies there, on the other side."""
+    columns, rows = grid.columns, grid.rows
+    if 0 < row < rows:
+        return grid.samples[row * columns + column]
+    if row == 0:
+        return grid.north
+    if row == rows:
+        return grid.south
+    opposite = (column + columns // 2) % columns
+    return grid.samples[(-row if row < 0 else 2 * rows - row) * columns + opposite]
+
+
+def cell_of(grid: Heightmap, down: float, east: float) -> tuple[int, int, float, float]:
+    """Row and column of the sample before a point, and how far the point is beyond it, 0 to 1."""
+    x = east + grid.columns if east < 0 else east
+    row = min(floor(down), grid.rows - 1)
+    column = floor(x)
+    if column >= grid.columns:
+        return row, 0, 0.0, down - row
+    return row, column, x - column, down - row
+
+
+def bilinear(grid: Heightmap, down: float, east: float) -> float:
+    """`down` rows from the north pole, `east` columns from the prime meridian, either way."""
+    row, column, tx, ty = cell_of(grid, down, east)
+    after = column + 1 if column + 1 < grid.columns else 0
+    a = sample_at(grid, row, column)
+    b = sample_at(grid, row, after)
+    c = sample_at(grid, row + 1, column)
+    d = sample_at(grid, row + 1, after)
+    top = a + (b - a) * tx
+    bottom = c + (d - c) * tx
+    return top + (bottom - top) * ty
+
+
+def bicubic(grid: Heightmap, down: float, east: float) -> float:
+    """Catmull-Rom along four rows, then across them."""
+    row, column, tx, ty = cell_of(grid, down, east)
+    return catmull_rom(*[along_row(grid, row + i, column, tx) for i in (-1, 0, 1, 2)], ty)
+
+
+def along_row(grid: Heightmap, row: int, column: int, t: float) -> float:
+    if row == 0:
+        return grid.north
+    if row == grid.rows:
+        return grid.south
+    return catmull_rom(*[sample_at(grid, row, (column + i) % grid.columns) for i in (-1, 0, 1, 2)], t)
+
+
+def catmull_rom(a: float, b: float, c: float, d: float, t: float) -> float:
+    """From b (t = 0) to c (t = 1), with the slopes of their neighbours."""
+    return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)))

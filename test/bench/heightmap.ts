@@ -1,0 +1,46 @@
+import { type Heightmap, heightmapTerrain, type TerrainHeight } from '../../src/dynamics';
+import { type Figure, heapGrowth, timed } from './measure';
+
+const TIMES = 100_000;
+/** The game's Luna: 16 samples per degree. */
+const COLUMNS = 5760;
+const ROWS = 2880;
+
+/** Look-ups along a track of one metre per look-up at mid latitude, and what they leave on the heap. */
+export function heightmapFigures(): Figure[] {
+  const samples = Int16Array.from({ length: ROWS * COLUMNS }, (_, i) => Math.imul(i, 0x9e3779b1) >> 18);
+  return (['bilinear', 'bicubic'] as const).flatMap((interpolation) => {
+    const map = {
+      samples,
+      rows: ROWS,
+      columns: COLUMNS,
+      scale: 0.5,
+      referenceRadius: 1737400,
+      interpolation,
+    };
+    const terrain = terrainOf(map);
+    const look = (times: number) => lookUp(terrain, times);
+    return [
+      timed(`heightmap-${interpolation}`, TIMES, 1, look),
+      heapGrowth(`heap-${interpolation}`, 1_000_000, look),
+    ];
+  });
+}
+
+/** The last height, so that nothing is optimised away. */
+const kept = new Float64Array(1);
+
+function lookUp(terrain: TerrainHeight, times: number): void {
+  const step = 1 / 1737400;
+  for (let i = 0; i < times; i++) {
+    const nx = 0.6 + i * step;
+    const length = Math.sqrt(nx * nx + 0.64);
+    kept[0] = terrain('Luna', nx / length, 0.48 / length, 0.64 / length);
+  }
+}
+
+function terrainOf(map: Heightmap): TerrainHeight {
+  const terrain = heightmapTerrain({ Luna: map });
+  if (!terrain.ok) throw new Error(terrain.reason);
+  return terrain.value;
+}

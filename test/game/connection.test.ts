@@ -1,0 +1,267 @@
+import type { AddressInfo } from 'node:net';
+import { afterEach, beforeEach, expect, it } from 'vitest';
+import { WebSocket, WebSocketServer } from 'ws';
+import { NEUTRAL_CONTROLS } from '../../src/dynamics';
+import {
+  createGameConnection,
+  type GameConnection,
+  type GameConnectionOptions,
+  type GameHandlers,
+  type GameSocket,
+  MAX_MESSAGE,
+} from '../../src/game';
+import { createVirtualClock } from './virtualClock';
+
+const SHIP = {
+  position: { x: 1, y: 2, z: 3 },
+  velocity: { x: 0, y: 0, z: 0 },
+  attitude: { w: 1, x: 0, y: 0, z: 0 },
+  angular_velocity: { x: 0, y: 0, z: 0 },
+  fuel: 10,
+};
+const STATE = { type: 'state', tick: 7, ships: { a: SHIP } };
+
+let server: WebSocketServer;
+let address = '';
+let sockets: WebSocket[] = [];
+/** What the server heard, in order. */
+let heard: unknown[] = [];
+let connection: GameConnection | null = null;
+let waiting: (() => void)[] = [];
+
+/** Something was heard, told or closed: who waits looks again. */
+function notice(): void {
+  for (const check of waiting) check();
+}
+
+function until(met: () => boolean): Promise<void> {
+  return new Promise((resolve) => {
+    const check = () => {
+      if (!met()) return;
+      waiting = waiting.filter((other) => other !== check);
+      resolve();
+    };
+    waiting.push(check);
+    check();
+  });
+}
+
+beforeEach(async () => {
+  [sockets, heard, waiting] = [[], [], []];
+  await listen(0);
+});
+
+async function listen(port: number): Promise<void> {
+  server = new WebSocketServer({ port, host: '127.0.0.1' });
+  server.on('connection', (socket) => {
+    sockets.push(socket);
+    socket.on('message', (data: Buffer) => {
+      heard.push(JSON.parse(data.toString()));
+      notice();
+    });
+    socket.on('close', notice);
+    notice();
+  });
+  await new Promise((resolve) => server.once('listening', resolve));
+  address = `ws://127.0.0.1:${(server.address() as AddressInfo).port}`;
+}
+
+function stopServer(): Promise<void> {
+  for (const socket of server.clients) socket.terminate();
+  return new Promise((resolve) => server.close(() => resolve()));
+}
+
+afterEach(async () => {
+  connection?.dispose();
+  connection = null;
+  await stopServer();
+});
+
+function connect(change: Partial<GameConnectionOptions> = {}) {
+  const clock = createVirtualClock();
+  const told: string[] = [];
+  const tell = (text: string) => {
+    told.push(text);
+    notice();
+  };
+  const handlers: GameHandlers = {
+    onFrame: (frame) => tell(`frame ${frame.tick}`),
+    onWelcome: (about) => tell(`welcome ${JSON.stringify(about)}`),
+    onStatus: ({ phase, words }) => tell(`status ${phase}: ${words}`),
+    onShipGone: (shipId, own) => tell(`gone ${shipId} ${JSON.stringify(own)}`),
+    onToken: (token) => tell(`token ${token}`),
+    onRefused: (reason) => tell(`refused ${reason}`),
+    onOther: (type) => tell(`other ${type}`),
+  };
+  connection = createGameConnection(
+    {
+      address,
+      token: 'jwt-1',
+      clock,
+      dice: () => 0.5,
+      openSocket: (to) => new WebSocket(to) as unknown as GameSocket,
+      ...change,
+    },
+    handlers,
+  );
+  return { clock, told, live: connection };
+}
+
+const say = (message: unknown) => sockets.at(-1)!.send(JSON.stringify(message));
+
+async function welcomed() {
+  const made = connect();
+  await until(() => heard.length === 1);
+  say({ type: 'welcome', player_id: 'p', ship_id: 'a' });
+  await until(() => made.told.some((text) => text.startsWith('welcome')));
+  return made;
+}
+
+it('authenticates on open, and tells welcome and states', async () => {
+  const { told } = await welcomed();
+  expect(heard).toEqual([{ type: 'auth', token: 'jwt-1' }]);
+  say(STATE);
+  say({ type: 'state', data: { tick: 8, ships: [] } });
+  await until(() => told.includes('frame 8'));
+  expect(told.filter((text) => !text.startsWith('status'))).toEqual([
+    'welcome {"type":"welcome","player_id":"p","ship_id":"a"}',
+    'frame 7',
+    'frame 8',
+  ]);
+});
+
+it('sends controls only while it is welcome, in the caller’s own envelope', async () => {
+  const made = connect({ pack: (controls) => ({ type: 'control', data: { thrust: controls.thrustLevel } }) });
+  expect(made.live.sendControls(NEUTRAL_CONTROLS)).toBe(false);
+  await until(() => heard.length === 1);
+  say({ type: 'welcome' });
+  await until(() => made.told.some((text) => text.startsWith('welcome')));
+  expect(made.live.sendControls({ ...NEUTRAL_CONTROLS, thrustLevel: 0.5 })).toBe(true);
+  await until(() => heard.length === 2);
+  expect(heard[1]).toEqual({ type: 'control', data: { thrust: 0.5 } });
+});
+
+it('pings each 30 s, and reconnects when no pong comes in 10 s', async () => {
+  const { clock, told } = await welcomed();
+  for (let second = 0; second < 30; second++) {
+    say({ ...STATE, tick: second });
+    await until(() => told.includes(`frame ${second}`));
+    clock.pass(1);
+  }
+  await until(() => heard.length === 2);
+  expect(heard[1]).toEqual({ type: 'ping' });
+  say({ type: 'pong' });
+  say(STATE);
+  await until(() => told.filter((text) => text === 'frame 7').length === 2);
+  clock.pass(12);
+  await until(() => heard.length === 3);
+  clock.pass(2.5);
+  expect(told.some((text) => text.includes('did not answer a ping within 10 s'))).toBe(true);
+  await until(() => sockets.length === 2);
+});
+
+it('says that nothing answers, goes on trying, and says that it is back', async () => {
+  const port = Number(new URL(address).port);
+  await stopServer();
+  const { clock, told } = connect();
+  await until(() => told.some((text) => text.startsWith('status waiting')));
+  expect(told.at(-1)).toBe(
+    `status waiting: Nothing answers at ${address} (code 1006). Is the server running? Retrying in 1 s.`,
+  );
+  await listen(port);
+  clock.pass(1);
+  await until(() => heard.length === 1);
+  say({ type: 'welcome' });
+  await until(() => told.at(-1)!.startsWith('welcome'));
+  for (const socket of server.clients) socket.terminate();
+  await until(() => told.at(-1)!.includes('was lost'));
+  clock.pass(2);
+  await until(() => heard.length === 2);
+  say({ type: 'welcome' });
+  await until(() => told.includes(`status live: Connected to ${address} again.`));
+});
+
+it.each([
+  [4001, 'refused the sign-in'],
+  [4003, 'does not accept pages from here'],
+])('does not try again after close code %i, and says why', async (code, words) => {
+  const { clock, told, live } = connect();
+  await until(() => heard.length === 1);
+  sockets[0]!.close(code, 'no');
+  await until(() => told.some((text) => text.startsWith('status refused')));
+  expect(told.at(-1)).toContain(words);
+  clock.pass(3600);
+  expect(sockets).toHaveLength(1);
+  live.retry();
+  await until(() => sockets.length === 2);
+});
+
+it('has one socket at any time, however often it is told to try again', async () => {
+  const { told, live } = await welcomed();
+  for (let i = 0; i < 5; i++) live.retry();
+  sockets[0]!.terminate();
+  await until(() => told.at(-1)!.includes('was lost'));
+  for (let i = 0; i < 5; i++) live.retry();
+  await until(() => heard.length === 2);
+  expect(sockets).toHaveLength(2);
+  expect(server.clients.size).toBe(1);
+});
+
+it('tells of destroyed and removed ships, and keeps a refreshed token for the next connection', async () => {
+  const { clock, told } = await welcomed();
+  say({ type: 'ship.destroyed', ship_id: 'a', ship_name: 'Kite', body: 'Luna', reason: 'collision' });
+  say({ type: 'ship.removed', ship_id: 'b' });
+  say({ type: 'token_refresh', token: 'jwt-2' });
+  say({ type: 'player_joined', name: 'x' });
+  await until(() => told.includes('other player_joined'));
+  expect(told).toContain('gone a {"name":"Kite","body":"Luna","reason":"collision"}');
+  expect(told).toContain('gone b null');
+  expect(told).toContain('token jwt-2');
+  sockets[0]!.terminate();
+  await until(() => told.at(-1)!.includes('was lost'));
+  clock.pass(2);
+  await until(() => heard.length === 2);
+  expect(heard[1]).toEqual({ type: 'auth', token: 'jwt-2' });
+});
+
+it('refuses by name what it cannot use, and lives on', async () => {
+  const { told, live } = await welcomed();
+  const raw = (data: string | Uint8Array) => sockets[0]!.send(data);
+  raw('{');
+  raw(Uint8Array.of(1, 2));
+  raw(JSON.stringify({ type: 'state', tick: 1, ships: [], padding: 'x'.repeat(MAX_MESSAGE) }));
+  say({ type: 'state', ships: [] });
+  say({ type: 'ship.removed' });
+  say({ type: 'token_refresh', token: 5 });
+  for (const odd of [null, 5, [], 'text', { type: 7 }]) say(odd);
+  say(STATE);
+  await until(() => told.includes('frame 7'));
+  expect(told.filter((text) => text.startsWith('refused'))).toEqual([
+    'refused message: not JSON',
+    'refused message: expected text, got bytes',
+    expect.stringMatching(/^refused message: expected at most 65536 bytes/),
+    'refused state.tick: missing',
+    'refused removed.ship_id: expected a text',
+    'refused token_refresh.token: expected a text',
+  ]);
+  expect(live.send({ type: 'service', note: 'x'.repeat(MAX_MESSAGE) })).toBe(false);
+  expect(live.state().phase).toBe('live');
+});
+
+it('gives up a welcome that does not come in 10 s', async () => {
+  const { clock, told } = connect();
+  await until(() => heard.length === 1);
+  say(STATE);
+  await until(() => told.includes('refused state: came before the welcome'));
+  clock.pass(10);
+  expect(told.at(-1)).toContain('did not welcome us within 10 s');
+});
+
+it('tells an address that is none like a server that does not answer', () => {
+  const { told } = connect({
+    openSocket: () => {
+      throw new Error('invalid address');
+    },
+  });
+  expect(told.at(-1)).toMatch(/^status waiting: Nothing answers/);
+});

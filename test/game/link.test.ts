@@ -1,0 +1,127 @@
+import { describe, expect, it } from 'vitest';
+import { beginLink, type LinkEvent, type LinkState, statusOf, type Step, stepLink } from '../../src/game';
+import { dueAt } from '../../src/game/link';
+
+const ADDRESS = 'wss://game.example/ws';
+const words = (state: LinkState, now: number) => statusOf(state, ADDRESS, now).words;
+
+/** Plays events at their times; the dice in the middle. */
+function play(...events: readonly [number, LinkEvent][]): Step {
+  let step = beginLink(0);
+  for (const [now, event] of events) step = stepLink(step.state, event, now, 0.5);
+  return step;
+}
+
+const OPENED = [0.1, { kind: 'opened' }] as const;
+const WELCOME = [0.2, { kind: 'welcome' }] as const;
+const LIVE = [[...OPENED], [...WELCOME]] as [number, LinkEvent][];
+const TIME: LinkEvent = { kind: 'time' };
+const closed = (code: number, reason = ''): LinkEvent => ({ kind: 'closed', code, reason });
+
+describe('a link', () => {
+  it('opens, authenticates, is welcomed', () => {
+    expect(beginLink(0).effects).toEqual(['open']);
+    expect(play([...OPENED]).effects).toEqual(['auth']);
+    expect(words(play([...OPENED]).state, 1)).toBe('Connected to wss://game.example/ws; signing in…');
+    expect(play(...LIVE).state).toMatchObject({ phase: 'live', failures: 0, pingAt: 30.2 });
+    expect(words(play(...LIVE).state, 1)).toBe('');
+  });
+
+  it('gives up after 10 s without a welcome', () => {
+    const waiting = play([...OPENED]);
+    expect(dueAt(waiting.state)).toBe(10.1);
+    const step = stepLink(waiting.state, TIME, 10.1, 0.5);
+    expect(step.effects).toEqual(['close']);
+    expect(words(step.state, 10.1)).toBe(
+      'wss://game.example/ws accepted the connection but did not welcome us within 10 s. Retrying in 1 s.',
+    );
+  });
+
+  it('pings each 30 s, and takes 10 s without an answer for the end', () => {
+    const steady: [number, LinkEvent][] = [...LIVE, [29, { kind: 'state', interval: 1 }]];
+    const pinged = play(...steady, [30.2, TIME]);
+    expect(pinged.effects).toEqual(['ping']);
+    expect(pinged.state).toMatchObject({ pingAt: 60.2, pongBy: 40.2 });
+    const answered = stepLink(pinged.state, { kind: 'pong' }, 30.3, 0.5);
+    expect(answered.state.pongBy).toBe(Infinity);
+    const dead = play(...steady, [30.2, TIME], [40, { kind: 'state', interval: 1 }], [40.2, TIME]);
+    expect(dead.state).toMatchObject({ phase: 'waiting', ended: { cause: 'noPong' } });
+    expect(words(dead.state, 40.2)).toContain('did not answer a ping within 10 s');
+  });
+
+  it('tells a paused server, which answers, from one that is gone', () => {
+    const asked = play(...LIVE, [1, { kind: 'state', interval: 1 }], [4, TIME]);
+    expect(asked.effects).toEqual(['ping']);
+    expect(words(asked.state, 4)).toContain('asking whether it is still there');
+    const paused = stepLink(asked.state, { kind: 'pong' }, 4.1, 0.5);
+    expect(words(paused.state, 4.1)).toBe('The server answers but sends no states: the game is paused.');
+    const again = stepLink(paused.state, { kind: 'state', interval: 1 }, 60, 0.5);
+    expect(words(again.state, 60)).toBe('');
+    expect(stepLink(asked.state, TIME, 14, 0.5).state.phase).toBe('waiting');
+  });
+
+  it('does not take a slow server for a silent one', () => {
+    const slow = play(...LIVE, [1, { kind: 'state', interval: 10 }]);
+    expect(slow.state.stateBy).toBe(31);
+  });
+
+  it('waits longer from attempt to attempt, by the dice a quarter more or less, at most half a minute or so', () => {
+    let { state } = beginLink(0);
+    let now = 0;
+    const waits: number[] = [];
+    for (let attempt = 0; attempt < 8; attempt++) {
+      state = stepLink(state, closed(1006), now, attempt % 2).state;
+      expect(words(state, now)).toContain(
+        'Nothing answers at wss://game.example/ws (code 1006). Is the server running?',
+      );
+      waits.push(state.retryAt - now);
+      now = state.retryAt;
+      const step = stepLink(state, TIME, now, 0.5);
+      expect(step.effects).toEqual(['open']);
+      state = step.state;
+    }
+    const expected = [0.75, 2.5, 3, 10, 12, 37.5, 22.5, 37.5];
+    for (const [i, wait] of waits.entries()) expect(wait).toBeCloseTo(expected[i]!, 9);
+  });
+
+  it('says that it is back, until the first state', () => {
+    const lost = play(...LIVE, [5, closed(1006)]);
+    expect(words(lost.state, 5)).toBe(
+      'The connection to wss://game.example/ws was lost (code 1006). Retrying in 1 s.',
+    );
+    const back = play(
+      ...LIVE,
+      [5, closed(1006)],
+      [6, TIME],
+      [6.1, { kind: 'opened' }],
+      [6.2, { kind: 'welcome' }],
+    );
+    expect(words(back.state, 6.2)).toBe('Connected to wss://game.example/ws again.');
+    const { state } = stepLink(back.state, { kind: 'state', interval: 1 }, 6.3, 0.5);
+    expect(words(state, 6.3)).toBe('');
+  });
+
+  it('does not try again by itself where the server refuses, and does when asked', () => {
+    const auth = play([...OPENED], [0.3, closed(4001, 'Unauthorized')]);
+    expect(auth.state).toMatchObject({ phase: 'refused', ended: { cause: 'auth' } });
+    expect(dueAt(auth.state)).toBe(Infinity);
+    expect(words(auth.state, 1)).toBe(
+      'wss://game.example/ws refused the sign-in (code 4001, “Unauthorized”): the token is missing, invalid or expired. Sign in again.',
+    );
+    const origin = play([0.3, closed(4003, 'Origin not allowed')]);
+    expect(words(origin.state, 1)).toBe(
+      'wss://game.example/ws does not accept pages from here (code 4003, “Origin not allowed”): open the page from an allowed origin.',
+    );
+    expect(stepLink(auth.state, { kind: 'retry' }, 2, 0.5).effects).toEqual(['open']);
+  });
+
+  it('ends for good', () => {
+    const ended = play(...LIVE, [1, { kind: 'end' }]);
+    expect(ended.effects).toEqual(['close']);
+    for (const event of [closed(1006), TIME, { kind: 'opened' }, { kind: 'retry' }] as const)
+      expect(stepLink(ended.state, event, 100, 0.5)).toMatchObject({
+        state: { phase: 'ended' },
+        effects: [],
+      });
+  });
+});

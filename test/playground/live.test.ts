@@ -72,6 +72,7 @@ async function open(asked: Partial<Choices>): Promise<Game> {
     onRefused: (reason) => expect.unreachable(reason),
     onEvent: () => undefined,
     onEntry: (entry) => entries.push(entry),
+    onLost: () => undefined,
     onRun: () => undefined,
   });
   live.begin({ ...DEFAULT_CHOICES, ...asked });

@@ -31,7 +31,7 @@ const STILL: Scenario['initial'] = {
 
 const KEPT = { touchdownAttitude: 'kept' } as const;
 
-/** The rehearsals, in the order a newcomer should see them. */
+/** The scenarios, in the order a newcomer should see them. */
 export const SCENARIOS: readonly Scenario[] = [
   {
     ...START,
@@ -176,16 +176,55 @@ export const SCENARIOS: readonly Scenario[] = [
       { at: 28, controls: { attitudeMode: 'radial' } },
       { at: 34, controls: { attitudeMode: 'antiradial' } },
       { at: 40, controls: { attitudeMode: 'hold', targetAttitude: [0.5, 0.5, 0.5, 0.5] } },
+      { at: 46, controls: { attitudeMode: 'surface_retrograde' } },
     ],
-    duration: 46,
+    duration: 54,
     expected: [],
+  },
+  {
+    ...START,
+    name: 'wheels-fill',
+    title: 'Wheels fill',
+    about:
+      'A frigate held at full stick: after ten seconds its wheels are full, and RCS alone goes on turning it.',
+    shipClass: 'fast_frigate',
+    initial: { ...STILL, height: 3000, velocity: [0, 0, 0] },
+    inputs: [
+      { at: 0, controls: { rotationInput: [0.05, 0, 0] } },
+      { at: 14, controls: { rotationInput: [0, 0, 0], attitudeHold: true } },
+    ],
+    duration: 24,
+    expected: [],
+  },
+  {
+    ...START,
+    name: 'stands-on-a-slope',
+    title: 'Stands on a slope',
+    about: 'Surface normal from the terrain: set down on 22° of slope, flush with it, and there it stays.',
+    settings: { surfaceNormal: 'terrain' },
+    site: { latitude: 28.32239, longitude: 43.08088 },
+    initial: { ...STILL, height: 1, velocity: [0, 0, -0.3] },
+    duration: 10,
+    expected: ['ship.contact', 'ship.landed'],
+  },
+  {
+    ...START,
+    name: 'too-steep',
+    title: 'Too steep',
+    about:
+      'Surface normal from the terrain: 44° of slope is past the footprint, and the ship goes over downhill.',
+    settings: { surfaceNormal: 'terrain' },
+    site: { latitude: 29.05792, longitude: 42.92848 },
+    initial: { ...STILL, height: 1, velocity: [0, 0, -0.3] },
+    duration: 16,
+    expected: ['ship.contact', 'ship.tipped'],
   },
   {
     ...START,
     name: 'up-a-slope',
     title: 'Up a slope',
     about:
-      'Over hills: slides uphill for twenty seconds and lands on the slope, for the normal stays radial.',
+      'Over hills with a radial surface normal: slides uphill for twenty seconds and lands upright on the slope.',
     site: { latitude: 28.56173, longitude: 42.94376 },
     initial: { ...STILL, height: 1.5, velocity: [15.5, 9.2, -1], heading: 59 },
     duration: 26,

@@ -1,5 +1,5 @@
 import { ACESFilmicToneMapping, Group, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
-import { flatTerrain, GRAVITATIONAL_CONSTANT, type TerrainHeight } from '../dynamics';
+import { flatTerrain, GRAVITATIONAL_CONSTANT } from '../dynamics';
 import type { ShipView, WorldView } from '../prediction';
 import { type BodyLook, lookOf } from './sky/bodyLook';
 import { createRig, placeEye, releaseRig, turnRig, updateRig, zoomRig } from './cameraRig';
@@ -12,9 +12,18 @@ import { createGroundMaterial, paintGround, placeGrain } from './ground/groundMa
 import { shineOnGround } from './ground/groundShine';
 import { createHulls } from './ships/hulls';
 import { createJetMaterial } from './effects/jets';
-import { createTurn, layFrame, type LocalFrame, toBodyAxes, toLocalPoint, turnOfFrame } from './localFrame';
+import {
+  createTurn,
+  layFrame,
+  type LocalFrame,
+  toBodyAxes,
+  toLocalPoint,
+  turnOfFrame,
+  writeScreenAxes,
+} from './localFrame';
 import { createOverlays, type OverlayChoice } from './overlays/overlays';
 import { anyChosen, createPlaces, placeOverlays } from './overlays/overlayPlaces';
+import { createMarkers, type Markers } from './overlays/markers';
 import type { Quality } from './quality';
 import { createRocks } from './ground/rocks';
 import {
@@ -27,30 +36,10 @@ import {
 } from './ships/shipActor';
 import { createShipMaterial } from './ships/shipMaterial';
 import { createSky } from './sky/sky';
+import type { Stage } from './stage';
 import { createSunlight } from './sky/sunlight';
 import { groundPoint } from './ground/terrainLevel';
 import { aimCone, coneMeets, createCone } from './viewCone';
-
-/** The picture: owns the WebGL context. Made by createStage, which throws where there is no WebGL 2. */
-export interface Stage {
-  /** What lies over the picture; change it at will. */
-  readonly overlays: OverlayChoice;
-  /** The ground of the next draw; before the first call it is flat. */
-  setTerrain(terrainHeight: TerrainHeight): void;
-  /** Draws a ready view. `seconds` is a clock for easing and effects: monotone, and still while time stands still. */
-  draw(view: WorldView, seconds: number): void;
-  /** Whether the first picture stands: making the GPU's programs takes it seconds, while the calls have long returned. */
-  hasDrawn(): boolean;
-  /** CSS pixels and device pixels a CSS pixel. */
-  resize(width: number, height: number, pixelRatio: number): void;
-  /** rad; positive turns the eye to the right and up. */
-  turnCamera(azimuth: number, elevation: number): void;
-  /** Multiplies the distance. */
-  zoomCamera(factor: number): void;
-  /** Back to the first view, at once. */
-  resetCamera(): void;
-  dispose(): void;
-}
 
 /** Where the eye starts: from the shadow's side, a little above the ground. */
 const FIRST_AZIMUTH = 1.9;
@@ -85,6 +74,8 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
   const rocks = createRocks();
   const dust = createDust(detail);
   const overlays = createOverlays();
+  const markerGroup = createMarkers();
+  const markers: Markers = { pads: [], touch: null };
   const wardrobe = {
     shelf: createShelf(),
     hull: createShipMaterial(),
@@ -92,7 +83,17 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
   };
   const hulls = createHulls(wardrobe.hull);
   const jets = new Group();
-  scene.add(sky.group, ground.group, light.group, rocks.mesh, hulls.group, jets, dust.points, overlays.group);
+  scene.add(
+    sky.group,
+    ground.group,
+    light.group,
+    rocks.mesh,
+    hulls.group,
+    jets,
+    dust.points,
+    overlays.group,
+    markerGroup.group,
+  );
   const rig = createRig(FIRST_AZIMUTH, FIRST_ELEVATION, 24);
   const choice: OverlayChoice = {
     ghost: false,
@@ -196,6 +197,12 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
 
   return {
     overlays: choice,
+    markers,
+    screenAxes(out) {
+      if (frame === null) return false;
+      writeScreenAxes(out, turn, rig.eye, rig.focus);
+      return true;
+    },
     setTerrain(terrainHeight) {
       terrain = terrainHeight;
       frame = null;
@@ -251,6 +258,7 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
         placeOverlays(places, { view, ship: watched, actor, frame: frame!, turn, eye, groundY });
       overlays.group.visible = anyChosen(choice);
       if (overlays.group.visible) overlays.update(choice, places);
+      markerGroup.place(markers, { frame: frame!, turn, eye, groundY });
       camera.up.set(0, 1, 0);
       camera.lookAt(focus[0]! - eye[0]!, focus[1]! - eye[1]!, focus[2]! - eye[2]!);
       shineOnGround(groundMaterial, actor, watched, eye);
@@ -289,6 +297,7 @@ export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage 
         rocks,
         dust,
         overlays,
+        markerGroup,
         shelf,
         hull,
         jet,

@@ -5,6 +5,7 @@ import { costFigures } from './netcode/cost';
 import { faultFigures } from './netcode/faults';
 import { fleetFigures } from './netcode/fleet';
 import { soakFigures } from './netcode/soak';
+import { foreignFigures } from './netcode/foreign';
 import { hourFigures } from './netcode/hour';
 import { stateFigures } from './netcode/states';
 import { smoothnessFigures } from './netcode/smoothness';
@@ -22,6 +23,7 @@ for (const figures of [
   stateFigures(),
   hourFigures(),
   faultFigures(),
+  foreignFigures(),
 ]) {
   for (const figure of figures) {
     print(figure, asJson);

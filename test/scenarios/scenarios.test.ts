@@ -49,8 +49,8 @@ describe('every scenario', () => {
     expect([...events].sort()).toEqual(EVENT_NAMES.filter((name) => name !== '').sort());
     expect([...new Set(SCENARIOS.map(({ body }) => body))].sort()).toEqual([
       'Earth',
-      'Mars',
       'Luna',
+      'Mars',
       'Phobos',
     ]);
   });
@@ -83,7 +83,8 @@ describe('every scenario', () => {
       const { position, velocity } = seenAt(rehearsed, last);
       expect([...position, ...velocity].every(Number.isFinite)).toBe(true);
       const end = scenario.expected.at(-1);
-      if (end === 'ship.landed' || end === 'ship.tipped')
+      // Nothing stops on 44° of slope.
+      if ((end === 'ship.landed' || end === 'ship.tipped') && scenario.name !== 'too-steep')
         expect(Math.hypot(...velocity), 'at rest').toBeLessThan(0.02);
     },
   );

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { BODIES, flatTerrain, SHIP_CLASSES } from '../../src/dynamics';
+import { BODIES, type Body, type BodyMotion, flatTerrain, SHIP_CLASSES } from '../../src/dynamics';
 import {
   fromBodyRelative,
   type Ground,
@@ -8,8 +8,14 @@ import {
   toBodyRelative,
 } from '../../src/scenarios';
 
-const MOON = BODIES.find(({ name }) => name === 'Luna')!;
-const EARTH = BODIES.find(({ name }) => name === 'Earth')!;
+/** A body whose axes lie along ICRF's: Y is its pole. */
+const untilted = (body: string, spin: number): Body & BodyMotion => ({
+  ...BODIES.find(({ name }) => name === body)!,
+  attitude: [0, 0, 0, 1] as const,
+  angularVelocity: [0, spin, 0] as const,
+});
+const MOON = untilted('Luna', 2.6617e-6);
+const EARTH = untilted('Earth', 7.2921e-5);
 const LANDER = SHIP_CLASSES.find(({ name }) => name === 'planetary_lander')!;
 const CRAFT = { shipClass: LANDER, fuel: 100, surfaceContactState: '', contactImpactSpeed: 0 } as const;
 const STILL: LocalState = {

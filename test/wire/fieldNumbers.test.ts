@@ -84,6 +84,8 @@ it('writes a whole ShipState as the description of the encoding says', () => {
     ...vec3(33, ...SHIP.relativePosition!),
     ...vec3(34, ...SHIP.relativeVelocity!),
     ...integer(35, 1),
+    ...vec3(36, ...SHIP.wheelMomentum!),
+    ...double(37, SHIP.groundContactOffset!),
   ];
   const { kind, tick, tickRate, timeScale } = FRAME;
   const frame = {

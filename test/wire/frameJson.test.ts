@@ -186,11 +186,8 @@ it('fills in a known body, and refuses an unknown one that does not tell how it 
     ],
   });
   expect(decoded.bodies).toHaveLength(1);
-  expect(decoded.bodies![0]).toMatchObject({
-    name: 'Earth',
-    mass: 5.9722e24,
-    angularVelocity: [0, 7.2921e-5, 0],
-  });
+  expect(decoded.bodies![0]).toMatchObject({ name: 'Earth', mass: 5.9722e24 });
+  expect(Math.hypot(...decoded.bodies![0]!.angularVelocity)).toBeCloseTo(7.2921e-5, 9);
   expect(decoded.refusals).toEqual([
     'bodies[1].attitude: missing, and so are spin_axis and rotation_period',
     'bodies[2].axis: expected a unit vector, got one of length 2',

@@ -70,7 +70,12 @@ export const HELLO: Hello = {
   kind: 'hello',
   playerId: 'player-1',
   shipId: 'ship-1',
-  settings: { ...DEFAULT_SETTINGS, touchdownAttitude: 'kept', contactFrictionKinetic: 0.25, surfaceNormal: 'terrain' },
+  settings: {
+    ...DEFAULT_SETTINGS,
+    touchdownAttitude: 'kept',
+    contactFrictionKinetic: 0.25,
+    surfaceNormal: 'terrain',
+  },
   shipClasses: [
     {
       name: 'fast_frigate',

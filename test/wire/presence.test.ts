@@ -31,6 +31,8 @@ it('reads a server that knows nothing of the fields 29 to 35', () => {
     targetAttitude: [0, 0, 0, 1],
     fuel: 0,
     mass: 0,
+    wheelMomentum: null,
+    groundContactOffset: null,
     landedBodyName: '',
     surfaceContactState: '',
     contactImpactSpeed: null,

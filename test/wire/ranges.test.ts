@@ -77,8 +77,8 @@ it.each([
   [{ name: '' }, 'name: expected a text that is not empty'],
   [{ mass: 0 }, 'mass: expected > 0 kg, got 0'],
   [{ mass: 1e41 }, 'mass: expected 0 to '],
-  [{ radius: 0 }, 'radius: expected > 0 m, got 0'],
-  [{ radius: -5 }, 'radius: expected > 0 m, got -5'],
+  [{ radius: 0 }, 'radius: expected ≥ 0.001 m, got 0'],
+  [{ radius: -5 }, 'radius: expected ≥ 0.001 m, got -5'],
 ])('refuses a body with %j', (change, reason) => {
   expect(bodyReason(change)).toContain(`frame.bodies[0].${reason}`);
 });
@@ -131,7 +131,7 @@ it.each([
   [{ name: '' }, 'name: expected a text'],
   [{ dryMass: 0 }, 'dry_mass: expected ≥ 0.001 kg, got 0'],
   [{ fuelCapacity: -1 }, 'fuel_capacity: expected ≥ 0 kg, got -1'],
-  [{ legRadius: 0 }, 'leg_radius: expected > 0 m, got 0'],
+  [{ legRadius: 0 }, 'leg_radius: expected ≥ 0.001 m, got 0'],
   [{ rcsTorque: [0, -1, 0] }, 'rcs_torque[1]: expected ≥ 0 N m, got -1'],
   [{ rcsLever: 0 }, 'rcs_lever: expected ≥ 0.001 m, got 0'],
   [{ mainEngineThrust: 1e16 }, 'main_engine_thrust: expected -1000000000000000 to '],

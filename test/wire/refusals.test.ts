@@ -45,7 +45,7 @@ function unset(node: object): string[] {
 /** A value for the place that must be refused, or undefined if none can be sent. */
 function badValues({ parent, name }: Place): unknown[] {
   const value = parent[name];
-  if (name === 'substep') return [100_000, 4294967295];
+  if (name === 'substep') return [1_000_000, 4294967295];
   if (typeof value === 'number') return [NaN, Infinity, -Infinity];
   if (typeof value === 'string') return ['x'.repeat(MAX_TEXT + 1)];
   if (typeof value === 'object' && value !== null && 'low' in value) return ['9007199254740992'];
@@ -54,7 +54,7 @@ function badValues({ parent, name }: Place): unknown[] {
 
 /** What may be left out of a message: everything else that is a message of its own is needed. */
 const OPTIONAL =
-  /(translation_input|rotation_input|target_attitude|relative_position|relative_velocity|last_input)$/;
+  /(translation_input|rotation_input|target_attitude|relative_position|relative_velocity|wheel_momentum|reaction_wheel_capacity|last_input)$/;
 
 function suite(title: string, codec: Codec, bytes: Uint8Array, reasonOf: (bytes: Uint8Array) => string) {
   const message = codec.decode(bytes) as unknown as Tree;

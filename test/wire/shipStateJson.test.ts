@@ -30,6 +30,8 @@ const JSON_SHIP = {
   target_attitude: { w: 0.5, x: -0.5, y: 0.5, z: 0.5 },
   fuel: 1234.5,
   mass: 9234.5,
+  wheel_momentum: { x: 100, y: -200, z: 0.5 },
+  ground_contact_offset: 4.25,
   landed_body_name: 'Luna',
   surface_contact_state: 'contact',
   contact_impact_speed: 12.5,

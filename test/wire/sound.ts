@@ -2,11 +2,15 @@
 const WORDS: Readonly<Record<string, readonly string[]>> = {
   kind: ['hello', 'frame', 'pong', 'inputs', 'ping'],
   touchdownAttitude: ['aligned', 'kept'],
+  surfaceNormal: ['radial', 'terrain'],
   inputGranularity: ['substep', 'tick'],
 };
 const INTEGERS = ['tick', 'substep', 'seq', 'id'];
 const QUATERNIONS = ['attitude', 'targetAttitude'];
-const NULLABLE = ['relativePosition', 'relativeVelocity', 'contactImpactSpeed', 'lastInput', 'substep'];
+const NULLABLE = [
+  ...['relativePosition', 'relativeVelocity', 'contactImpactSpeed', 'lastInput', 'substep'],
+  ...['wheelMomentum', 'groundContactOffset', 'reactionWheelCapacity', 'dryInertiaRatio'],
+];
 
 /** What is wrong with a record that was accepted: nothing may be, whatever the bytes were. */
 export function faultsOf(value: unknown, path = ''): string[] {

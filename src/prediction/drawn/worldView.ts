@@ -55,6 +55,7 @@ export function createShown(sim: Simulation): Shown {
   };
   const scene: Scene = {
     world: sim.world,
+    ground: { bodyName: '', radius: 0, terrainHeight: sim.world.terrainHeight },
     bodyAttitudes: bodies.map(quaternion),
     bodySpins: bodies.map(vector),
     exactSnaps: 0,
@@ -73,7 +74,7 @@ export function createShown(sim: Simulation): Shown {
 
 /** A state confirms for this much longer, s: the next one is on its way. */
 const GRACE = 0.04;
-/** Ships stood on the ground point by point in one view, the own one not counted. */
+/** Ships put on the ground point by point in one view, the own one not counted. */
 const MAX_EXACT_SNAPS = 32;
 
 /** Where the present lies between the substep boundary before the front and the front. */
@@ -155,6 +156,8 @@ function fillShips({ view, scene }: Shown, sim: Simulation): void {
     view.ships[i] = track.picture.view;
     if (!track.own) continue;
     view.own = track.picture.view;
+    sim.counters.groundOffset = track.picture.view.groundOffset;
+    sim.counters.groundConfidence = track.picture.view.groundConfidence;
     sim.counters.offsetPosition = lengthOf(track.picture.ease.offset);
     sim.counters.offsetAngle = lengthOf(track.picture.ease.turn);
   }

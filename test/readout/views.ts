@@ -120,6 +120,8 @@ export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): Ship
     controls: NEUTRAL_CONTROLS,
     thrust: Float64Array.from(scaled(NORMAL, pose.lift ?? 0)),
     groundRadius: ground,
+    groundOffset: 0,
+    groundConfidence: 0,
     feetHeight: (pose.clearance ?? 0) + h - lowestFoot,
     easedPosition: Float64Array.from(position),
     meshAttitude: Float64Array.from(attitude),

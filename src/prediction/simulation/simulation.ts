@@ -33,6 +33,8 @@ export interface Simulation {
   newestTick: number;
   /** Not yet told to listeners. */
   readonly notices: EventNotice[];
+  /** Substeps that fitting the ground of other pilots' ships took of a tick's frame. */
+  readonly learning: { tick: number; spent: number };
   readonly counters: Diagnosis;
   /** Faults of the caller's or the server's that nothing has to stop for. */
   readonly warn: Warn;
@@ -71,6 +73,7 @@ export function createSimulation(
     cadence: createCadence(),
     newestTick: -1,
     notices: [],
+    learning: { tick: -1, spent: 0 },
     counters,
     warn,
     sleeps,

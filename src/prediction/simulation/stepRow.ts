@@ -2,6 +2,7 @@ import { chooseReferenceBody, NO_EVENT, SHIP_STRIDE, substep } from '../../dynam
 import { applyDue, seek } from '../inputs/scheduledInput';
 import { boundaryAt, rowsAt } from '../snapshots/bodyTrack';
 import { type Position, spanOf } from '../time/timeline';
+import { worldOf } from '../ground/learnedGround';
 import { isReleased, release } from './heldControls';
 import type { Simulation } from './simulation';
 import { copyRow, type Track } from './track';
@@ -58,7 +59,7 @@ export function stepRow(step: RowStep, sim: Simulation, track: Track): void {
   copyRow(step.before, step.beforeAt, rows, at);
   if (isReleased(track, step.tick, step.substep)) release(rows, at);
   if (track.own) step.inputs = applyDue(sim.inputs, step.inputs, step, rows, at);
-  step.event = substep(rows, at, step.bodies, sim.world, step.dt[0]);
+  step.event = substep(rows, at, step.bodies, worldOf(track.ground, sim.world), step.dt[0]);
 }
 
 /** On to the next substep. Returns whether a tick boundary was reached. */

@@ -28,6 +28,7 @@ import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from 
 import { abandonReplay, startReplay } from '../simulation/replay';
 import { commandsAnything } from '../simulation/heldControls';
 import type { Simulation } from '../simulation/simulation';
+import { keepEvidence, learnGround } from '../ground/learn';
 import { take } from '../drawn/rotation';
 import { isBefore, spanOf, writeLater } from '../time/timeline';
 import { logLanded } from '../touchdown/touchdownRing';
@@ -71,11 +72,17 @@ export function reconcile(
   const predicted = findPredicted(sim, track, word);
   server.bodies = word.bodies;
   if (track.own) writeError(sim.counters, server, predicted);
-  if (Number.isNaN(told[IMPACT_SPEED])) told[IMPACT_SPEED] = recalledImpact(predicted);
+  const toldImpact = !Number.isNaN(told[IMPACT_SPEED]);
+  if (!toldImpact) told[IMPACT_SPEED] = recalledImpact(predicted);
   track.unpredictable = false;
   if (Number.isNaN(told[WHEEL_MOMENTUM])) recallWheels(predicted);
+  track.exact = isExact(state);
+  const field = predicted === null ? null : differenceFrom(track, predicted);
+  if (field !== 'none' || track.ground.places.length > 0)
+    learnGround(sim, track, { row: told, tick: word.tick, bodies: word.bodies, now: word.now, toldImpact });
   remember(track, state, word, known);
-  settle(sim, track, predicted, word);
+  settle(sim, track, field === null ? null : { field, predicted: predicted! }, word);
+  keepEvidence(track, told, word.tick);
   if (!track.own) holdControls(sim, track);
   return null;
 }
@@ -103,18 +110,28 @@ export function showAsTold(
   return null;
 }
 
-function settle(sim: Simulation, track: Track, predicted: Place | null, word: SnapshotContext): void {
+/** What was predicted for the state's tick, and the first field in which the state differs from it. */
+interface Compared {
+  readonly field: Field;
+  readonly predicted: Place;
+}
+
+function differenceFrom(track: Track, predicted: Place): Field {
+  if (!track.exact) writeInexact(inexact, server);
+  return firstDifference(server, predicted, track.exact ? EXACT : inexact);
+}
+
+function settle(sim: Simulation, track: Track, compared: Compared | null, word: SnapshotContext): void {
   if (track.off) {
     if (isAtRest(told, 0)) sleepAtFirst(sim, track, word);
     return;
   }
-  if (predicted === null) {
+  if (compared === null) {
     startReplay(track, sim, word.tick, told, 0);
     sleepAtFirst(sim, track, word);
     return;
   }
-  if (!track.exact) writeInexact(inexact, server);
-  const field = firstDifference(server, predicted, track.exact ? EXACT : inexact);
+  const { field, predicted } = compared;
   const commanded = sameCommand(told, 0, predicted.rows, predicted.at);
   if (field !== 'none' || !(commanded || sleepsThrough(track))) {
     correct(sim, track, field, predicted, word);
@@ -207,7 +224,6 @@ function recallWheels(predicted: Place | null): void {
 function remember(track: Track, state: ShipState, word: SnapshotContext, known: boolean): void {
   track.name = state.name;
   track.playerId = state.playerId;
-  track.exact = isExact(state);
   track.silence = known ? Math.max(0, word.now - track.seenAt) : 0;
   track.seenAt = word.now;
   track.serverTick = word.tick;

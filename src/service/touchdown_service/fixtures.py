@@ -66,6 +66,7 @@ def state(ship: Ship, tick: int) -> dict[str, Any]:
         "attitude": ship.attitude,
         "angular_velocity": ship.angular_velocity,
         "fuel": ship.fuel,
+        "wheel_momentum": ship.wheel_momentum,
         "surface_contact_state": ship.surface_contact_state,
         "landed_body_name": ship.landed_body_name,
         "impact_speed": ship.impact_speed,

@@ -22,10 +22,6 @@ class Tempo:
     asked_scale: float = 1.0
     time_sync: bool = False
 
-    @property
-    def timing(self) -> Timing:
-        return load_timing(self.tick_rate, self.time_scale)
-
 
 @dataclass(slots=True)
 class Galaxy:
@@ -83,7 +79,7 @@ def run_interval(galaxy: Galaxy, due: float, changes: Changes) -> None:
     ships = [galaxy.ships[ship_id] for ship_id in sorted(galaxy.ships)]
     fly_landings(galaxy)
     before = {ship_id: galaxy.ships[ship_id].applied for ship_id in galaxy.landings if ship_id in galaxy.ships}
-    timing = galaxy.tempo.timing
+    timing = timing_of(galaxy)
     changes.events += run_tick(galaxy.world, ships, timing, galaxy.tick, due)
     galaxy.tick += 1
     galaxy.game_time += timing.tick_seconds
@@ -94,6 +90,11 @@ def run_interval(galaxy: Galaxy, due: float, changes: Changes) -> None:
         if ship.crashed:
             end_landing(galaxy, ship.ship_id, f"crashed on {ship.body.name}")
             remove_ship(galaxy, ship.ship_id, "collision", changes)
+
+
+def timing_of(galaxy: Galaxy) -> Timing:
+    tempo = galaxy.tempo
+    return load_timing(tempo.tick_rate, tempo.time_scale, galaxy.world.config.contact_longest_substep)
 
 
 def fly_landings(galaxy: Galaxy) -> None:

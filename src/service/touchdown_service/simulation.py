@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from math import inf
 
 from .config import Timing
 from .contact import substep
@@ -21,7 +22,7 @@ class Span:
     tick: int
     first: int
     dt: float
-    # Wall seconds at which the tick's end is due.
+    # Wall seconds at which the tick's end is due, by the clock of Input.arrived.
     due: float
     steps: list[BodyStep]
 
@@ -36,8 +37,8 @@ def run_tick(
 ) -> list[Event]:
     """Moves the world from boundary `tick` to the next; the events in the order in which they happened.
 
-    Ships do not touch one another, so each runs through all its substeps at once. `due` is the wall second at which the
-    interval's end is due, by the clock of Input.arrived; `after_substep(ship, substep, event)` sees every substep.
+    Ships do not touch one another, so each runs through all its substeps at once. `after_substep(ship, substep, event)`
+    sees every substep.
     """
     for ship in ships:
         choose_reference_body(ship, world.bodies)
@@ -109,17 +110,17 @@ def turn_body(body: Body, dt: float, substeps: int) -> list[BodyStep]:
 
 
 def choose_reference_body(ship: Ship, bodies: list[Body]) -> None:
-    """A flying ship goes over to the body whose gravity is the strongest at the ship (DYNAMICS, Frame)."""
+    """A flying ship goes over to the body that is nearest by its own radius (DYNAMICS, Frame)."""
     if ship.surface_contact_state != FLYING or ship.crashed:
         return
     now = ship.body
-    strongest = -1.0
+    least = inf
     best = now
     for body in bodies:
         apart = add(subtract(now.position, body.position), ship.position)
-        gravity = body.mu / dot(apart, apart)
-        if gravity > strongest:
-            strongest, best = gravity, body
+        measure = dot(apart, apart) / (body.radius * body.radius)
+        if measure < least:
+            least, best = measure, body
     if best is now:
         return
     ship.position = add(subtract(now.position, best.position), ship.position)

@@ -1,6 +1,7 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  DoubleSide,
   DynamicDrawUsage,
   InstancedBufferAttribute,
   InstancedMesh,
@@ -29,7 +30,7 @@ const MAX_SHADOWS = 256;
 const DARKNESS = 0.62;
 const FADES = 1 / 120;
 /** A low sun's shadow is not drawn longer than this many widths. */
-const MAX_STRETCH = 5;
+const MAX_STRETCH = 8;
 /** m above the ground it lies on. */
 const LIFT = 0.06;
 
@@ -47,7 +48,7 @@ varying vec2 vAcross;
 varying float vDark;
 void main() {
   float off = length(vAcross);
-  gl_FragColor = vec4(0.0, 0.0, 0.0, vDark * smoothstep(1.0, 0.35, off));
+  gl_FragColor = vec4(0.0, 0.0, 0.0, vDark * smoothstep(1.0, 0.72, off));
 }`;
 
 export function createBlobShadows(): BlobShadows {
@@ -62,10 +63,10 @@ export function createBlobShadows(): BlobShadows {
     fragmentShader: FRAGMENT,
     transparent: true,
     depthWrite: false,
+    side: DoubleSide,
     polygonOffset: true,
-    // With the depth buffer reversed, nearer is larger.
-    polygonOffsetFactor: 2,
-    polygonOffsetUnits: 8,
+    polygonOffsetFactor: -2,
+    polygonOffsetUnits: -8,
   });
   const mesh = new InstancedMesh(geometry, material, MAX_SHADOWS);
   mesh.instanceMatrix.setUsage(DynamicDrawUsage);

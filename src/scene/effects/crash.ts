@@ -25,7 +25,7 @@ export interface Crash {
   dispose(): void;
 }
 
-const PIECES = 48;
+const PIECES = 64;
 /** s: the flash is over; and how wide it grows, in sizes of the ship. */
 const FLASH = 0.5;
 const FLASH_SIZE = 2.6;
@@ -85,7 +85,10 @@ export function createCrash(): Crash {
       at.copy(piece.velocity).multiplyScalar(t);
       at.y -= 0.5 * gravity * t * t;
       turn.setFromAxisAngle(piece.axis, 7 * t);
-      mesh.setMatrixAt(n, matrix.compose(at, turn, scale.setScalar(piece.size * reach)));
+      mesh.setMatrixAt(
+        n,
+        matrix.compose(at, turn, scale.set(1, 0.3, 0.7).multiplyScalar(piece.size * reach)),
+      );
     }
     mesh.instanceMatrix.needsUpdate = true;
   };
@@ -125,8 +128,8 @@ export function createCrash(): Crash {
 function pieceOf(n: number): Piece {
   const around = 2 * Math.PI * cellNoise(n, 1, 91);
   const up = 0.25 + 0.9 * cellNoise(n, 2, 91);
-  const size = 0.03 + 0.12 * cellNoise(n, 3, 91) ** 2;
-  const speed = FASTEST * (0.25 + 0.75 * cellNoise(n, 4, 91)) * (0.05 / (size + 0.02)) ** 0.5;
+  const size = 0.006 + 0.035 * cellNoise(n, 3, 91) ** 2;
+  const speed = FASTEST * (0.25 + 0.75 * cellNoise(n, 4, 91)) * (0.012 / (size + 0.006)) ** 0.5;
   return {
     velocity: new Vector3(Math.cos(around), up, Math.sin(around))
       .normalize()

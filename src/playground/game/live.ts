@@ -49,6 +49,8 @@ export interface Live {
   readonly hold: (held: boolean) => void;
   /** The newest view. */
   readonly view: () => WorldView;
+  /** A world has been asked for and has not come yet. */
+  readonly isLoading: () => boolean;
   /** Tick and bits of the own ship's last state up to the scenario's end; '' before the first. */
   readonly hash: () => string;
   readonly ended: () => boolean;
@@ -87,6 +89,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
   let address = '';
   let sampledAt = NaN;
   let held = false;
+  let isLoading = false;
   let retry: ReturnType<typeof setTimeout> | undefined;
   let view = predictor.view(clock.now());
 
@@ -98,7 +101,10 @@ export function createLive(program: string, listeners: LiveListeners): Live {
 
   const handlers: ConnectionHandlers = {
     onOpen(what) {
-      if (what === 'world') forgetWorld();
+      if (what === 'world') {
+        isLoading = false;
+        forgetWorld();
+      }
       listeners.onState('');
     },
     onBytes(bytes) {
@@ -197,6 +203,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
         forgetWorld();
         connection = address === '' ? openWorker(program, handlers) : openSocket(address, handlers);
       }
+      isLoading = true;
       clock.setSpeed(choices.slow);
       if (address !== '') {
         script = null;
@@ -224,6 +231,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
       if (next) hands.letGo();
     },
     view: () => view,
+    isLoading: () => isLoading,
     hash: runHash.text,
     ended: runHash.ended,
     dispose() {

@@ -57,6 +57,7 @@ function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
   return createLive(program, {
     onState: banner.state,
     onRefused: (reason) => notice.tell(`The server refused: ${reason}.`),
+    onLost: ({ name, body }) => notice.tell(`Your ship ${name} was destroyed at ${body}.`),
     onEvent: () => undefined,
     onWorld(plan) {
       parts.scene.recorder.begin(plan);

@@ -58,5 +58,11 @@ export const tests = {
 export const longTests = {
   publicDir: false,
   plugins: [bundledTests()],
-  test: { maxWorkers, include: [LONG_TESTS], testTimeout: 1_800_000, hookTimeout: 1_800_000 },
+  test: {
+    reporters: ['default', ['json', { outputFile: 'node_modules/.cache/touchdown/long-tests.json' }]],
+    maxWorkers,
+    include: [LONG_TESTS],
+    testTimeout: 1_800_000,
+    hookTimeout: 1_800_000,
+  },
 };

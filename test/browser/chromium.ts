@@ -129,11 +129,13 @@ async function npmChromium(): Promise<ChromiumProgram | null> {
 
 /**
  * The Chromium to test with, or null when the machine has none and npm brings none for it, or CHROMIUM is "none".
+ * CHROMIUM=npm takes the one that npm brings, whatever is installed.
  * @throws when CHROMIUM names a file that is not there: a wish that cannot be met is not passed over.
  */
 export async function findChromium(): Promise<ChromiumProgram | null> {
   const wished = process.env['CHROMIUM'];
   if (wished === 'none') return null;
+  if (wished === 'npm') return npmChromium();
   if (wished) {
     if (!existsSync(wished)) throw new Error(`CHROMIUM names ${wished}, which does not exist`);
     return { path: wished, env: {} };

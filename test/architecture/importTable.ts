@@ -32,6 +32,7 @@ export const IMPORT_TABLE: Readonly<Record<string, typeof ALL | Readonly<Record<
     'node:util': 'values',
   },
   playground: ALL,
+  example: { 'galaxy-touchdown': 'values', three: 'values' },
   'index.ts': ALL,
   'protobuf.ts': { wire: 'values' },
 };

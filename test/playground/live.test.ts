@@ -3,13 +3,7 @@ import { hashRows, NEUTRAL_CONTROLS, readShip, SHIP_STRIDE } from '../../src/dyn
 import { DEFAULT_CHOICES } from '../../src/playground/panels/choices';
 import { createReplay } from '../../src/playground/recording/replay';
 import { scriptOf } from '../../src/playground/game/script';
-import {
-  compareRecording,
-  readRecording,
-  rehearse,
-  SCENARIOS,
-  writeRecording,
-} from '../../src/scenarios';
+import { compareRecording, readRecording, rehearse, SCENARIOS, writeRecording } from '../../src/scenarios';
 import { valueOf } from '../authority/moon';
 import { open, useGameClock } from './openGame';
 

@@ -65,6 +65,7 @@ export async function open(asked: Partial<Choices>): Promise<Game> {
     onRefused: (reason) => expect.unreachable(reason),
     onEvent: () => undefined,
     onEntry: (entry) => entries.push(entry),
+    onLost: () => undefined,
     onRun: (inputs) => runs.push(inputs),
   });
   live.begin({ ...DEFAULT_CHOICES, ...asked });

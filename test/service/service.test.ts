@@ -7,7 +7,7 @@ import { redisServer, servicePython } from '../../.ci/python.mjs';
 /** The Python tests, each file in a process of its own; those that talk to Redis start one for themselves. */
 const HERE = fileURLToPath(new URL('.', import.meta.url));
 const files = readdirSync(HERE).filter((name) => /^test_\w+\.py$/.test(name));
-const WITHOUT_REDIS = ['test_loading.py', 'test_simulation.py', 'test_recorder.py'];
+const WITHOUT_REDIS = ['test_loading.py', 'test_simulation.py'];
 const MINUTES = 60_000;
 
 it.each(files)(

@@ -72,11 +72,11 @@ class Simulation(unittest.TestCase):
         ship = galaxy.ships["s1"]
         galaxy.world.bodies[:] = [body for body in galaxy.world.bodies if body.name == "Luna"]
         timing = load_timing(1, 30, 0.01)
-        events = run_tick(galaxy.world, [ship], timing, 0)
+        events = run_tick(galaxy.world, [ship], timing, 0).events
         other = galaxy_with(lander(height=2000))
         together = []
         for tick in range(30):
-            together += run_tick(other.world, [other.ships["s1"]], load_timing(1, 1, 0.01), tick)
+            together += run_tick(other.world, [other.ships["s1"]], load_timing(1, 1, 0.01), tick).events
         self.assertEqual(ship.position, other.ships["s1"].position)
         self.assertEqual([e.type for e in events], [e.type for e in together])
 

@@ -8,15 +8,16 @@ import {
   type RunInput,
   type StagedInput,
 } from '../../scenarios';
-import { decodeServerMessage, encodeClientMessage } from '../../wire';
+import type { PartialFrame, ServerMessage } from '../../wire';
 import { type Baseline, createBaseline } from './baseline';
 import type { Choices } from '../panels/choices';
 import { createHands, type Hands } from './hands';
 import { createPageClock, type PageClock } from './pageClock';
 import { createRunHash } from './runHash';
 import { type Script, scriptOf } from './script';
-import { type Connection, type ConnectionHandlers, openSocket, openWorker } from '../server/connection';
+import { type Connection, type ConnectionHandlers, openWorker, type ShipLoss } from '../server/connection';
 import type { Operation } from '../server/operation';
+import { openServer } from '../server/realServer';
 
 /** What the page is told of a live game. */
 export interface LiveListeners {
@@ -27,6 +28,8 @@ export interface LiveListeners {
   readonly onEvent: (notice: EventNotice) => void;
   /** Everything that goes through the predictor, in its order. */
   readonly onEntry: (entry: RecordingEntry) => void;
+  /** The own ship was destroyed, and a real server has said so. */
+  readonly onLost: (ship: ShipLoss) => void;
   /** The inputs that acted on the own ship, as asked for by { kind: 'run' }. */
   readonly onRun: (inputs: readonly RunInput[]) => void;
 }
@@ -49,6 +52,8 @@ export interface Live {
   readonly hold: (held: boolean) => void;
   /** The newest view. */
   readonly view: () => WorldView;
+  /** A world has been asked for and has not come yet. */
+  readonly isLoading: () => boolean;
   /** Tick and bits of the own ship's last state up to the scenario's end; '' before the first. */
   readonly hash: () => string;
   readonly ended: () => boolean;
@@ -67,9 +72,6 @@ export function networkOf(choices: Choices): NetworkNumbers {
   };
 }
 
-/** Tries again this many wall seconds after a real server was lost. */
-const RETRY = 3;
-
 /** @param program address of the page's own main module, which the worker runs too */
 export function createLive(program: string, listeners: LiveListeners): Live {
   const clock = createPageClock(() => performance.now() / 1000);
@@ -80,14 +82,14 @@ export function createLive(program: string, listeners: LiveListeners): Live {
   const runHash = createRunHash();
   let ground = '';
   const baseline = createBaseline();
-  const inbox: { readonly bytes: Uint8Array; readonly at: number }[] = [];
+  const inbox: { readonly message: ServerMessage | PartialFrame; readonly at: number }[] = [];
   let script: Script | null = null;
   let predictor = newPredictor();
   let connection: Connection | null = null;
   let address = '';
   let sampledAt = NaN;
   let held = false;
-  let retry: ReturnType<typeof setTimeout> | undefined;
+  let isLoading = false;
   let view = predictor.view(clock.now());
 
   function newPredictor(): Predictor {
@@ -98,23 +100,23 @@ export function createLive(program: string, listeners: LiveListeners): Live {
 
   const handlers: ConnectionHandlers = {
     onOpen(what) {
-      if (what === 'world') forgetWorld();
+      if (what === 'world') {
+        isLoading = false;
+        forgetWorld();
+      }
       listeners.onState('');
     },
-    onBytes(bytes) {
-      const at = clock.now();
-      inbox.push({ bytes, at });
+    onMessage: (message) => inbox.push({ message, at: clock.now() }),
+    onUnusable: (reason) => predictor.refused(reason),
+    onClosed: (reason) => listeners.onState(`Connection lost: ${reason}.`),
+    onLink: (words) => listeners.onState(words),
+    onWelcome(about) {
+      const shipId = about['ship_id'] ?? about['shipId'];
+      predictor.setOwnShip(typeof shipId === 'string' ? shipId : null);
     },
-    onClosed(reason) {
-      if (address === '') {
-        listeners.onState(`Connection lost: ${reason}.`);
-        return;
-      }
-      listeners.onState(
-        `Connection lost: ${reason}. Is the server running? Retrying every ${RETRY} s; remove server= from the address to use the built-in server.`,
-      );
-      clearTimeout(retry);
-      retry = setTimeout(() => connection?.reconnect(), RETRY * 1000);
+    onShipGone(shipId, own) {
+      predictor.removeShip(shipId, own === null ? 'gone' : 'destroyed');
+      if (own !== null) listeners.onLost(own);
     },
     onRefused: listeners.onRefused,
     onRun: listeners.onRun,
@@ -132,18 +134,12 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     listeners.onWorld(script?.plan ?? []);
   }
 
-  function receive(bytes: Uint8Array, at: number): void {
-    const decoded = decodeServerMessage(bytes);
-    if (!decoded.ok) {
-      predictor.refused(decoded.reason);
-      return;
-    }
-    predictor.receive(decoded.value, at);
-    listeners.onEntry({ kind: 'received', at, message: decoded.value });
-    if (decoded.value.kind === 'frame') {
-      baseline.take(decoded.value, at);
-      runHash.take(decoded.value);
-    }
+  function receive(message: ServerMessage | PartialFrame, at: number): void {
+    predictor.receive(message, at);
+    listeners.onEntry({ kind: 'received', at, message });
+    if (message.kind !== 'frame') return;
+    baseline.take(message, at);
+    runHash.take(message);
   }
 
   /** What the hands command; null while they have touched nothing of a scenario, and its plan flies. */
@@ -162,7 +158,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
 
   function send(now: number): void {
     for (const message of predictor.takeOutgoing()) {
-      connection?.send(encodeClientMessage(message));
+      connection?.send(message);
       listeners.onEntry({ kind: 'sent', at: now, message });
     }
   }
@@ -174,7 +170,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     frame() {
       const now = clock.now();
       if (held) return view;
-      for (const { bytes, at } of inbox.splice(0)) receive(bytes, at);
+      for (const { message, at } of inbox.splice(0)) receive(message, at);
       advance(now);
       view = predictor.view(now);
       send(now);
@@ -189,14 +185,13 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     begin(choices) {
       script = scriptOf(choices);
       ground = choices.terrain === '' ? (findScenario(choices.scenario)?.terrain ?? '') : choices.terrain;
-      clearTimeout(retry);
       if (connection === null || choices.server !== address) {
         connection?.dispose();
         address = choices.server;
-        if (address !== '') listeners.onState(`Connecting to ${address} …`);
         forgetWorld();
-        connection = address === '' ? openWorker(program, handlers) : openSocket(address, handlers);
+        connection = address === '' ? openWorker(program, handlers) : openServer(address, handlers);
       }
+      isLoading = true;
       clock.setSpeed(choices.slow);
       if (address !== '') {
         script = null;
@@ -224,10 +219,10 @@ export function createLive(program: string, listeners: LiveListeners): Live {
       if (next) hands.letGo();
     },
     view: () => view,
+    isLoading: () => isLoading,
     hash: runHash.text,
     ended: runHash.ended,
     dispose() {
-      clearTimeout(retry);
       connection?.dispose();
     },
   };

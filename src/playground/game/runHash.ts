@@ -1,10 +1,10 @@
 import { hashRows } from '../../dynamics';
-import type { ServerFrame } from '../../wire';
+import type { PartialFrame } from '../../wire';
 
 /** Tick and bits of the own ship's last state that belongs to the scenario: a landed ship goes on turning with the ground. */
 export interface RunHash {
   readonly begin: (lastTick: number) => void;
-  readonly take: (frame: ServerFrame) => void;
+  readonly take: (frame: PartialFrame) => void;
   /** `tick:hash`, '' before the first state. */
   readonly text: () => string;
   readonly ended: () => boolean;

@@ -31,7 +31,7 @@ def fixture(data: dict[str, Any]) -> dict[str, Any]:
     states = []
     events = []
     for tick in range(case.ticks):
-        for event in run_tick(case.world, [case.ship], case.timing, tick):
+        for event in run_tick(case.world, [case.ship], case.timing, tick).events:
             events.append({"tick": tick + 1, "event": event.type})
         if (tick + 1) % every == 0 or tick + 1 == case.ticks:
             states.append(state(case.ship, tick + 1))

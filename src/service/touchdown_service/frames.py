@@ -6,8 +6,8 @@ from typing import Any
 from redis.client import Pipeline
 
 from .galaxy import Changes, Galaxy
-from .models import Event, Ship
-from .records import body_record, to_object
+from .models import Change, Event, Ship
+from .records import body_record, controls_record, to_object
 
 FRAMES, EVENTS, GALAXY_SHIPS = "touchdown:frames", "touchdown:events", "galaxy:ships"
 EVENTS_KEPT = 10_000
@@ -47,6 +47,7 @@ def write_frame(
         "due": due,
         "bodies": [body_record(body) for body in galaxy.world.bodies],
         "events": events,
+        "inputs": [change_record(change) for change in changes.controls],
         "removed": [removed_record(ship, reason) for ship, reason in changes.removed],
         "results": changes.results,
     })
@@ -79,6 +80,11 @@ def event_record(event: Event) -> dict[str, Any]:
     if event.type == "ship.destroyed":
         record["reason"] = "collision"
     return record
+
+
+def change_record(change: Change) -> dict[str, Any]:
+    said = {"ship_id": change.ship.ship_id, "tick": change.tick, "substep": change.substep}
+    return said | controls_record(change.controls)
 
 
 def removed_record(ship: Ship, reason: str) -> dict[str, str]:

@@ -225,6 +225,16 @@ class Event:
     impact_speed: float = 0.0
 
 
+@dataclass(slots=True)
+class Change:
+    """The controls that a ship flew by from a substep of the interval that begins at `tick` on."""
+
+    tick: int
+    substep: int
+    ship: Ship
+    controls: Controls
+
+
 def inverse(m: Mat3) -> Mat3:
     """Adjugate over determinant."""
     a, b, c, d, e, f, g, h, i = m

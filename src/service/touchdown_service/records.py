@@ -29,12 +29,7 @@ def ship_record(ship: Ship, system_id: str) -> dict[str, Any]:
         "velocity": add(body.velocity, ship.velocity),
         "attitude": w_first(ship.attitude),
         "angular_velocity": ship.angular_velocity,
-        "rotation_input": controls.rotation_input,
-        "translation_input": controls.translation_input,
-        "thrust_level": controls.thrust_level,
-        "attitude_hold": controls.attitude_hold,
-        "attitude_mode": controls.attitude_mode,
-        "target_attitude": w_first(controls.target_attitude),
+        **controls_record(controls),
         "fuel": ship.fuel,
         "mass": ship.ship_class.dry_mass + ship.fuel,
         "landed_body_name": ship.landed_body_name,
@@ -55,6 +50,17 @@ def ship_record(ship: Ship, system_id: str) -> dict[str, Any]:
         "input_tick": applied.tick if applied else 0,
         "input_substep": applied.substep if applied else 0,
         "input_margin": applied.margin if applied else 0.0,
+    }
+
+
+def controls_record(controls: Controls) -> dict[str, Any]:
+    return {
+        "rotation_input": controls.rotation_input,
+        "translation_input": controls.translation_input,
+        "thrust_level": controls.thrust_level,
+        "attitude_hold": controls.attitude_hold,
+        "attitude_mode": controls.attitude_mode,
+        "target_attitude": w_first(controls.target_attitude),
     }
 
 

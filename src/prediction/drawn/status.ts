@@ -87,7 +87,8 @@ function provenanceOf(out: ShipView, track: Track, crashes: boolean, at: Instant
   if (crashed) return 'confirmed';
   const { state, serverWall } = track.picture.status;
   if (!at.paused && at.present - serverWall > at.confirms) return 'predicted';
-  return track.serverRow[SURFACE_STATE] === state && !crashes ? 'confirmed' : 'predicted';
+  const agrees = track.serverRow[SURFACE_STATE] === state && !crashes && track.fit.carried === '';
+  return agrees ? 'confirmed' : 'predicted';
 }
 
 /** A new record only where a command has changed. */

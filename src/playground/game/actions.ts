@@ -27,6 +27,8 @@ export interface ActsPlace {
   readonly help: () => void;
   readonly resetCamera: () => void;
   readonly copyLink: () => void;
+  /** Lets another tab in, and hands out its link. */
+  readonly invite: () => void;
   readonly toggleBare: () => void;
   readonly toggleAids: () => void;
   readonly toggleSound: () => void;
@@ -156,6 +158,7 @@ function createPanelActs(
     },
     away: () => away(performance.now() / 1000),
     copyLink: place.copyLink,
+    invite: place.invite,
     help: place.help,
     sound: place.toggleSound,
     resetCamera: place.resetCamera,

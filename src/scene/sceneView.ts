@@ -53,6 +53,7 @@ const FRAME_REACH = 20_000;
 /** No ship is larger than this around its centre of mass, m. */
 const SHIP_REACH = 30;
 
+/** Creates the picture in `canvas`. Throws where the browser gives no WebGL 2. */
 export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage {
   const renderer = new WebGLRenderer({
     canvas,

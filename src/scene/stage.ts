@@ -25,5 +25,6 @@ export interface Stage {
   zoomCamera(factor: number): void;
   /** Back to the first view, at once. */
   resetCamera(): void;
+  /** Gives the GPU's memory back; nothing is drawn any more. */
   dispose(): void;
 }

@@ -52,6 +52,8 @@ export interface Live {
   readonly hold: (held: boolean) => void;
   /** The newest view. */
   readonly view: () => WorldView;
+  /** A world has been asked for and has not come yet. */
+  readonly isLoading: () => boolean;
   /** Tick and bits of the own ship's last state up to the scenario's end; '' before the first. */
   readonly hash: () => string;
   readonly ended: () => boolean;
@@ -87,6 +89,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
   let address = '';
   let sampledAt = NaN;
   let held = false;
+  let isLoading = false;
   let view = predictor.view(clock.now());
 
   function newPredictor(): Predictor {
@@ -97,7 +100,10 @@ export function createLive(program: string, listeners: LiveListeners): Live {
 
   const handlers: ConnectionHandlers = {
     onOpen(what) {
-      if (what === 'world') forgetWorld();
+      if (what === 'world') {
+        isLoading = false;
+        forgetWorld();
+      }
       listeners.onState('');
     },
     onMessage: (message) => inbox.push({ message, at: clock.now() }),
@@ -185,6 +191,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
         forgetWorld();
         connection = address === '' ? openWorker(program, handlers) : openServer(address, handlers);
       }
+      isLoading = true;
       clock.setSpeed(choices.slow);
       if (address !== '') {
         script = null;
@@ -212,6 +219,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
       if (next) hands.letGo();
     },
     view: () => view,
+    isLoading: () => isLoading,
     hash: runHash.text,
     ended: runHash.ended,
     dispose() {

@@ -83,6 +83,13 @@ export interface ShipView {
   /** The server's ground above the drawn terrain there, m, as its states tell; 0 where they agree. And how sure, 0 … 1. */
   groundOffset: number;
   groundConfidence: number;
+  /**
+   * '' where the ship is predicted by the law. Else its motion is carried on from the server's states: 'law' where the law has been
+   * worse than that over the last few of them, 'ground' where no ground is known under it. Never confirmed then.
+   */
+  carried: '' | 'law' | 'ground';
+  /** Server states that came while it was carried on. */
+  carriedStates: number;
 
   /** What is drawn: predicted + fading offset. Nothing computes with it but the view. */
   readonly easedPosition: Float64Array;
@@ -212,6 +219,9 @@ export interface Diagnosis {
    */
   errorPosition: number;
   errorAngle: number;
+  /** Ships that are carried on now, not predicted by the law, and the states that came while one was. */
+  shipsCarried: number;
+  statesCarried: number;
   /** The server's ground above the drawn terrain under the own ship, m, and how sure that is, 0 … 1. */
   groundOffset: number;
   groundConfidence: number;

@@ -26,6 +26,7 @@ export interface ActsPlace {
   readonly begin: () => void;
   readonly help: () => void;
   readonly resetCamera: () => void;
+  readonly nextCamera: () => void;
   readonly copyLink: () => void;
   /** Lets another tab in, and hands out its link. */
   readonly invite: () => void;
@@ -80,11 +81,12 @@ export function createActs(place: ActsPlace): Acts {
     nextScenario: () => scenarioBy(place, 1),
     landingAids: place.toggleAids,
     mute: place.toggleSound,
+    nextCamera: place.nextCamera,
     hide: place.toggleBare,
     help: place.help,
   };
   /** What may be done while a recording plays: nothing that reaches the game behind it. */
-  const HARMLESS = new Set<Action>(['hide', 'help', 'mute', 'landingAids']);
+  const HARMLESS = new Set<Action>(['hide', 'help', 'mute', 'landingAids', 'nextCamera']);
 
   return {
     reset,
@@ -162,6 +164,7 @@ function createPanelActs(
     help: place.help,
     sound: place.toggleSound,
     resetCamera: place.resetCamera,
+    nextCamera: place.nextCamera,
     tryHop: () => {
       live.hands.press('throttleFull');
       state.cutAt = live.clock.now() + HOP;

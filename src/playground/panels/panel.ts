@@ -18,6 +18,7 @@ export type PanelAct =
   | 'help'
   | 'sound'
   | 'resetCamera'
+  | 'nextCamera'
   | 'tryHop'
   | 'tryTopple'
   | 'tryLastState';
@@ -96,6 +97,7 @@ export function createPanel(
   const share = append(workshop, 'div', 'row');
   button(share, 'copyLink', 'Copy link');
   button(share, 'resetCamera', 'Reset view');
+  button(share, 'nextCamera', 'Next camera');
   const run = append(workshop, 'p', 'quiet');
   form.also(({ server }) => {
     for (const act of BUILT_IN_ONLY) buttons.get(act)!.disabled = server !== '';

@@ -7,8 +7,8 @@ import { shadesOf, SMALL, untilStatus } from './waits';
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 describeInBrowser('the built page', () => {
-  it('opens on a landing: picture, both displays, nothing wrong', async () => {
-    const page = await openBuiltPage('', { framesPerSecond: 4 });
+  it('shows a landing: picture, displays, nothing wrong', async () => {
+    const page = await openBuiltPage('?scenario=opening', { framesPerSecond: 4 });
     await page.waitForSelector('html[data-ready=true]', { timeout: 45_000 });
     await untilStatus(page, 'landed');
     expect(await page.textContent('.td-landing')).toContain('LANDED');
@@ -66,7 +66,7 @@ describeInBrowser('the built page', () => {
     // Help is opened, read and closed by keys; flight keys rest while it is open.
     await page.keyboard.press('?');
     await page.waitForSelector('dialog[open]');
-    expect(await page.textContent('dialog')).toContain('Pitch forward');
+    expect(await page.textContent('dialog')).toContain('Tilt away');
     await page.keyboard.press('Escape');
     await page.waitForSelector('dialog', { state: 'hidden' });
     await page.keyboard.press(']');

@@ -36,7 +36,7 @@ describeInBrowser('the built page', () => {
     await page.getByRole('button', { name: 'Drop the connection' }).click({ timeout: 30_000 });
     await untilProvenance(page, 'stale');
     expect(await page.textContent('#banner')).toContain('Connection lost');
-    await page.getByRole('button', { name: 'Connect again' }).click({ timeout: 30_000 });
+    await page.getByRole('button', { name: 'Reconnect' }).click({ timeout: 30_000 });
     await untilProvenance(page, 'confirmed');
     expect(await page.textContent('#banner')).toBe('');
     expect(problemsOf(page)).toEqual([]);

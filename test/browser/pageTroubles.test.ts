@@ -30,12 +30,12 @@ describeInBrowser('the built page, when something is wrong', () => {
     expect(said).toEqual(['Loading …', 'Building the ground …', '']);
   });
 
-  it('says what a link asks for that cannot be had', async () => {
+  it('says which values of a link are invalid', async () => {
     const page = await openBuiltPage('?scenario=settle&rate=9000&body=Vulcan', SMALL);
     await page.waitForSelector('#notice:not([hidden])', { timeout: 45_000 });
     const words = (await page.textContent('#notice')) ?? '';
     expect(words).toContain('rate: expected a number from 0.1 to 100');
-    expect(words).toContain('body: expected one of Moon, Earth, Mars, Phobos');
+    expect(words).toContain('body: expected one of Luna, Earth, Mars, Phobos');
   });
 
   it('says why a file is no recording and what one is', async () => {
@@ -59,15 +59,13 @@ describeInBrowser('the built page, when something is wrong', () => {
 
   it('says that its own server cannot be started, and what to do', async () => {
     const page = await openBuiltPage('?scenario=settle', without(/worker-[\w-]+\.js$/));
-    await untilBanner(page, 'the server in the page failed');
-    expect(await page.textContent('#banner')).toContain(
-      'its program could not be fetched); load the page anew',
-    );
+    await untilBanner(page, 'the built-in server failed');
+    expect(await page.textContent('#banner')).toContain('its program could not be fetched); reload the page');
   });
 
   it('says that a part of it could not be fetched', async () => {
     const page = await openBuiltPage('', without(/page-[\w-]+\.js$/));
-    await untilBanner(page, 'could not be fetched whole');
+    await untilBanner(page, 'did not load');
   });
 
   it('says that the picture was taken away, and shows it again', async () => {
@@ -81,7 +79,7 @@ describeInBrowser('the built page, when something is wrong', () => {
       Object.assign(window, { giveBack: () => loss.restoreContext() });
     });
     await page.waitForSelector('#notice:not([hidden])', { timeout: 30_000 });
-    expect(await page.textContent('#notice')).toContain('The browser has taken the picture away');
+    expect(await page.textContent('#notice')).toContain('The browser lost the 3D view');
     expect(await shadesOf(page)).toBeLessThan(before / 3);
     // Hands and displays go on without it.
     await page.keyboard.press('z');
@@ -100,7 +98,7 @@ describeInBrowser('the built page, when something is wrong', () => {
     const prepare = (page: Page) => page.addInitScript(blind);
     const page = await openBuiltPage('?scenario=settle&slow=4', { ...SMALL, prepare });
     await page.waitForSelector('#notice:not([hidden])', { timeout: 45_000 });
-    expect(await page.textContent('#notice')).toContain('This browser gives no WebGL 2');
+    expect(await page.textContent('#notice')).toContain('WebGL 2 is unavailable');
     await untilStatus(page, 'landed');
   });
 });

@@ -50,6 +50,28 @@ describe('steering as the camera sees it', () => {
     expect(push[1]).toBeGreaterThan(0.9);
   });
 
+  it('rights a ship that lies on its side with one key, and never rolls it', () => {
+    // Fallen over to the east or the north-east, seen from the south.
+    for (const [x, y] of [
+      [0, 1],
+      [-1, 0],
+      [-0.5, 0.5],
+    ] as const) {
+      const length = Math.hypot(x, y);
+      const half = Math.SQRT1_2;
+      const attitude = Float64Array.of((x / length) * half, (y / length) * half, 0, half);
+      const aim = aimOf(attitude, false);
+      // About the same axis, backwards.
+      const keys = turnKeysFor(aim, -x / length, -y / length);
+      expect(keys).toHaveLength(1);
+      const held = (plus: string, minus: string) =>
+        (keys.includes(plus as never) ? 1 : 0) - (keys.includes(minus as never) ? 1 : 0);
+      const input = turnInput(aim, held('pitchPlus', 'pitchMinus'), held('yawPlus', 'yawMinus'), 0);
+      expect(input[2]).toBe(0);
+      expect((input[0] * -x + input[1] * -y) / length / Math.hypot(input[0], input[1])).toBeGreaterThan(0.99);
+    }
+  });
+
   it('gives part of the torque in flight and all of it on the ground', () => {
     expect(turnInput(aimOf(headed(0)), -1, 0, 0)).toEqual([-0.35, 0, 0]);
     expect(turnInput(aimOf(headed(0), false), -1, 0, 0)).toEqual([-1, 0, 0]);

@@ -122,6 +122,8 @@ export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): Ship
     groundRadius: ground,
     groundOffset: 0,
     groundConfidence: 0,
+    carried: '',
+    carriedStates: 0,
     feetHeight: (pose.clearance ?? 0) + h - lowestFoot,
     easedPosition: Float64Array.from(position),
     meshAttitude: Float64Array.from(attitude),

@@ -15,6 +15,7 @@ import { createHands, type Hands } from './hands';
 import { createPageClock, type PageClock } from './pageClock';
 import { createRunHash } from './runHash';
 import { type Script, scriptOf } from './script';
+import { openTab, TAB_ADDRESS } from '../server/tabLink';
 import { type Connection, type ConnectionHandlers, openWorker, type ShipLoss } from '../server/connection';
 import type { Operation } from '../server/operation';
 import { openServer } from '../server/realServer';
@@ -32,6 +33,8 @@ export interface LiveListeners {
   readonly onLost: (ship: ShipLoss) => void;
   /** The inputs that acted on the own ship, as asked for by { kind: 'run' }. */
   readonly onRun: (inputs: readonly RunInput[]) => void;
+  /** The host of a shared world has begun a scenario. */
+  readonly onScenario: (scenario: string, terrain: string) => void;
 }
 
 /** A game against a server: connection, predictor, hands. */
@@ -52,6 +55,8 @@ export interface Live {
   readonly hold: (held: boolean) => void;
   /** The newest view. */
   readonly view: () => WorldView;
+  /** A world has been asked for and has not come yet. */
+  readonly isLoading: () => boolean;
   /** Tick and bits of the own ship's last state up to the scenario's end; '' before the first. */
   readonly hash: () => string;
   readonly ended: () => boolean;
@@ -87,6 +92,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
   let address = '';
   let sampledAt = NaN;
   let held = false;
+  let isLoading = false;
   let view = predictor.view(clock.now());
 
   function newPredictor(): Predictor {
@@ -97,7 +103,10 @@ export function createLive(program: string, listeners: LiveListeners): Live {
 
   const handlers: ConnectionHandlers = {
     onOpen(what) {
-      if (what === 'world') forgetWorld();
+      if (what === 'world') {
+        isLoading = false;
+        forgetWorld();
+      }
       listeners.onState('');
     },
     onMessage: (message) => inbox.push({ message, at: clock.now() }),
@@ -114,10 +123,20 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     },
     onRefused: listeners.onRefused,
     onRun: listeners.onRun,
+    onScenario(scenario, terrain) {
+      ground = terrain;
+      listeners.onScenario(scenario, terrain);
+    },
     onStatus() {
       // The panel reads the predictor's view, which is what a real server's player has.
     },
   };
+
+  function connect(name: string): Connection {
+    if (address === '') return openWorker(program, handlers);
+    if (!TAB_ADDRESS.test(address)) return openServer(address, handlers);
+    return openTab(address, { guest: `guest-${Math.random().toString(36).slice(2, 8)}`, name }, handlers);
+  }
 
   function forgetWorld(): void {
     inbox.length = 0;
@@ -183,8 +202,9 @@ export function createLive(program: string, listeners: LiveListeners): Live {
         connection?.dispose();
         address = choices.server;
         forgetWorld();
-        connection = address === '' ? openWorker(program, handlers) : openServer(address, handlers);
+        connection = connect(choices.pilot);
       }
+      isLoading = true;
       clock.setSpeed(choices.slow);
       if (address !== '') {
         script = null;
@@ -198,6 +218,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
         kind: 'load',
         ...{ scenario, body, shipClass, terrain, tickRate, timeScale, network, seed },
         others: fleet,
+        pilot: choices.pilot,
         legacy: legacy === 1,
       });
     },
@@ -212,6 +233,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
       if (next) hands.letGo();
     },
     view: () => view,
+    isLoading: () => isLoading,
     hash: runHash.text,
     ended: runHash.ended,
     dispose() {

@@ -33,7 +33,10 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
     },
     paint(view, now) {
       const replay = parts.scene.replay();
-      if (replay === null) parts.game.watch(view);
+      if (replay === null) {
+        parts.game.watch(view);
+        if (parts.game.tracker.mission() !== null) parts.lookDown.follow(view);
+      }
       parts.cockpit.paint(view);
       const { flight, aids } = parts.cockpit;
       parts.devices.thumbs.show(flight.known ? flight.throttle : 0, flight.hover);
@@ -45,8 +48,9 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
         stage.markers.pads = parts.game.tracker.pads();
         stage.markers.touch = parts.cockpit.aidsOn() && aids.outcome === 'touch' ? aids.touchPlace : null;
       }
-      report(view);
+      if (parts.loop.isWarm()) report(view);
     },
+    isLoading: parts.live.isLoading,
     dress: (view) => (parts.scene.replay() === null ? parts.game.ghost.join(view) : view),
     opened() {
       banner.rest('');

@@ -6,9 +6,11 @@ import { connectDevices, type Devices } from '../input/devices';
 import { createSound, type Sound } from '../sound/sound';
 import type { Cockpit } from '../view/cockpit';
 import type { FrameLoop } from '../view/frameLoop';
+import { createLookDown, type LookDown } from '../view/lookDown';
 import { createSceneView, type SceneView, takeDrops } from '../view/pageView';
 import { watchSize } from '../view/pageSize';
 import { type Acts, createActs } from './actions';
+import { createCameraSwitch } from '../view/cameraSwitch';
 import { createChooser, type Chooser } from './chooser';
 import { keyCapOf, wireCockpit } from './controlWords';
 import { createLive, type Live } from './live';
@@ -29,10 +31,8 @@ export interface Parts {
   devices: Devices;
   sound: Sound;
   loop: FrameLoop;
+  lookDown: LookDown;
 }
-
-/** rad above the first view: a pad below a ship a hundred metres up is in the picture. */
-const LOOK_DOWN = 0.6;
 
 /** Makes the parts and connects them. */
 export function wirePage(page: Page): Parts {
@@ -45,6 +45,7 @@ export function wirePage(page: Page): Parts {
   parts.sound = createSound(page.window);
   parts.acts = wireActs(page, parts);
   parts.devices = wireDevices(page, parts);
+  parts.lookDown = createLookDown(page.stage);
   parts.game = wireGame(page, parts);
   parts.cockpit = wireCockpit(page, parts);
   parts.loop = wireFrames(page, parts);
@@ -67,6 +68,7 @@ function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
     },
     onEntry: (entry) => parts.scene.recorder.take(entry),
     onRun: (inputs) => parts.game.onRun(inputs),
+    onScenario: (scenario, terrain) => parts.chooser.follow(scenario, terrain),
   });
 }
 
@@ -112,7 +114,9 @@ function wireActs(page: Page, parts: Parts): Acts {
     begin: parts.chooser.beginAnew,
     help: parts.chooser.openHelp,
     resetCamera: () => stage?.resetCamera(),
+    nextCamera: createCameraSwitch(stage, banner),
     copyLink: () => address.copy(query(), 'Link copied.'),
+    invite: parts.chooser.invite,
     toggleBare: () => document.body.classList.toggle('bare'),
     toggleAids: () => banner.flash(`Landing aids ${parts.cockpit.toggleAids() ? 'on' : 'off'}.`),
     toggleSound() {
@@ -165,10 +169,6 @@ function wireGame(page: Page, parts: Parts): MissionGame {
     best,
     device: parts.devices.device,
     cap: keyCapOf(page, parts),
-    lookDown() {
-      page.stage?.resetCamera();
-      page.stage?.turnCamera(0, LOOK_DOWN);
-      page.stage?.zoomCamera(1.5);
-    },
+    lookDown: parts.lookDown.begin,
   });
 }

@@ -50,16 +50,19 @@ export function takeAim(
 
 type Triple = [number, number, number];
 
+/** Sine of the angle below which an axis of the screen lies along the thrust axis, and a tilt about it is none. */
+const BESIDE = 0.1;
+
 /** Hundredths: what a hand cannot feel and a link need not carry. */
 const STEPS = 100;
 
 /** Rotation input of stick deflections: pitch + towards the eye, yaw + to the left, `z` about the thrust axis. */
 export function turnInput({ axes, gain }: Aim, x: number, y: number, z: number): Triple {
-  const out: Triple = [0, 0, 0];
-  for (let k = 0; k < 3; k++) out[k] = x * axes[k]! + y * axes[3 + k]!;
-  const length = Math.hypot(x, y);
-  spread(out, Math.min(length, 1) * gain);
-  out[2] = clamp(out[2] + z * gain);
+  // A tilt never rolls: of a ship that lies on its side the screen's axes have a share along its own.
+  const out: Triple = [x * axes[0]! + y * axes[3]!, x * axes[1]! + y * axes[4]!, 0];
+  const has = Math.hypot(out[0], out[1]) > BESIDE * Math.hypot(x, y);
+  spread(out, has ? Math.min(Math.hypot(x, y), 1) * gain : 0);
+  out[2] = clamp(z * gain);
   return rounded(out);
 }
 
@@ -87,6 +90,8 @@ function rounded([x, y, z]: Triple): Triple {
   return [round(x), round(y), round(z)];
 }
 
+/** cos 22.5°. */
+const ALONE = 0.924;
 /** cos 67.5°: a second key whose direction is at least this far along helps. */
 const HELPS = 0.383;
 
@@ -102,8 +107,13 @@ export function turnKeysFor({ axes }: Aim, aboutX: number, aboutY: number): Rota
     [yaw, 'yawPlus'],
     [-yaw, 'yawMinus'],
   ];
+  // One key alone, where it turns the ship nearly that way; otherwise two together.
+  const isAlone = (share: number, i: number) =>
+    share > HELPS && share > ALONE * Math.hypot(axes[i < 2 ? 0 : 3]!, axes[i < 2 ? 1 : 4]!);
+  const alone = keys.filter(([share], i) => isAlone(share, i)).sort(([a], [b]) => b - a);
   const helping = keys.filter(([share]) => share > HELPS).sort(([a], [b]) => b - a);
-  return (helping.length > 0 ? helping : keys.sort(([a], [b]) => b - a).slice(0, 1)).map(([, key]) => key);
+  const best = alone.length > 0 ? alone.slice(0, 1) : helping;
+  return (best.length > 0 ? best : keys.sort(([a], [b]) => b - a).slice(0, 1)).map(([, key]) => key);
 }
 
 /** The push key whose direction is nearest to a ship axis. */

@@ -14,6 +14,8 @@ export interface FramePlace {
   readonly dress: (view: WorldView) => WorldView;
   /** The first picture stands. */
   readonly opened: () => void;
+  /** A world has been asked for and has not come yet. */
+  readonly isLoading: () => boolean;
   readonly resolution: Resolution | null;
   readonly fit: () => void;
 }
@@ -51,7 +53,7 @@ export function createFrameLoop(window: Window, root: HTMLElement, place: FrameP
       if (isWarm) place.opened();
       return;
     }
-    if (view.ready) markReady(view);
+    if (view.ready && !place.isLoading()) markReady(view);
   }
 
   /** For tests and screenshots: on the root element, nowhere else. */

@@ -15,5 +15,7 @@ export function groundRadius(
   ny: number,
   nz: number,
 ): number {
-  return radius + terrainHeight(bodyName, nx, ny, nz);
+  const height = terrainHeight(bodyName, nx, ny, nz);
+  // Not loaded: null, whatever the type says.
+  return height > -radius ? radius + height : radius;
 }

@@ -66,6 +66,8 @@ export function createShipView(track: Track, world: World): ShipView {
     groundRadius: 0,
     groundOffset: 0,
     groundConfidence: 0,
+    carried: '',
+    carriedStates: 0,
     easedPosition: vectors(),
     meshAttitude: Float64Array.of(0, 0, 0, 1),
     meshPosition: vectors(),
@@ -115,6 +117,8 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.body = rows[from + REFERENCE_BODY]!;
   out.shipClass = scene.world.shipClasses[rows[from + SHIP_CLASS]!]!;
   out.name = track.name;
+  out.carried = track.fit.carried;
+  out.carriedStates = track.fit.states;
   out.own = track.own;
   out.missingTicks = sim.newestTick - track.serverTick;
   const attitude = scene.bodyAttitudes[out.body]!;

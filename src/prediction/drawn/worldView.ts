@@ -133,8 +133,10 @@ function fillShips({ view, scene }: Shown, sim: Simulation): void {
   const { tracks } = sim.fleet;
   view.own = null;
   view.ships.length = tracks.length;
+  sim.counters.shipsCarried = 0;
   for (let i = 0; i < tracks.length; i++) {
     const track = tracks[i]!;
+    if (track.fit.carried !== '') sim.counters.shipsCarried += 1;
     track.picture.view ??= createShipView(track, sim.world);
     fillShipView(track.picture.view, sim, track, scene);
     view.ships[i] = track.picture.view;

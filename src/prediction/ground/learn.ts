@@ -3,7 +3,8 @@ import { knowsBoundary } from '../snapshots/bodyTrack';
 import { sameCommand } from '../snapshots/compare';
 import type { Simulation } from '../simulation/simulation';
 import { copyRow, type Track } from '../simulation/track';
-import { isBefore, spanOf } from '../time/timeline';
+import { actsBetween } from '../inputs/scheduledInput';
+import { spanOf } from '../time/timeline';
 import { fitGround, type Guess } from './fit';
 import { agePlaces, type GroundPlace, keepPlace, metresFrom, offsetAt, placeAt } from './learnedGround';
 import { createObservation, type Observation, observe } from './observe';
@@ -119,17 +120,9 @@ function evidenceOf(sim: Simulation, track: Track, { row, tick }: GroundNews): E
   if (span.timing.substeps !== timing.substeps || span.paused || substeps > MAX_INTERVAL) return null;
   if (evidence.row[CRASHED] === 1 || evidence.row[REFERENCE_BODY] !== row[REFERENCE_BODY]) return null;
   if (!sameCommand(evidence.row, 0, row, 0)) return null;
-  if (track.own && actsBetween(sim, evidence.tick, tick)) return null;
+  if (track.own && actsBetween(sim.inputs, evidence.tick, tick)) return null;
   if (!track.own && !takeBudget(sim, tick, substeps)) return null;
   return { from: evidence.row, fromTick: evidence.tick, to: row, toTick: tick };
-}
-
-function actsBetween({ inputs }: Simulation, from: number, to: number): boolean {
-  for (const { tick, substep } of inputs.records)
-    if (!isBefore(tick, substep, from, 0) && isBefore(tick, substep, to, 0)) return true;
-  return inputs.plan.some(
-    ({ tick, substep }) => !isBefore(tick, substep, from, 0) && isBefore(tick, substep, to, 0),
-  );
 }
 
 /** Others share what a frame may spend; who comes too late is judged by its state alone. */

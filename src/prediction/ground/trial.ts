@@ -38,7 +38,11 @@ export function replayBetween(out: Misfit, sim: Simulation, track: Track, eviden
   const { from, fromTick, to, toTick } = evidence;
   copyRow(row, 0, from, 0);
   placeStep(step, sim, fromTick, 0);
+  const { fit } = track;
+  const { carried } = fit;
+  fit.carried = '';
   while (step.tick < toTick) advanceRow(step, sim, track);
+  fit.carried = carried;
   const distance = Math.hypot(to[POSITION]!, to[POSITION + 1]!, to[POSITION + 2]!);
   let height = 0;
   let climb = 0;

@@ -1,6 +1,7 @@
 import { SHIP_STRIDE } from '../../dynamics';
 import { createPicture, type Picture } from '../drawn/picture';
 import { createLedger, type Ledger } from '../events';
+import { createLawFit, type LawFit } from '../snapshots/lawFit';
 import { createHistory, type History } from './history';
 import { createLearnedGround, type LearnedGround } from '../ground/learnedGround';
 import { createLastState, type LastState } from '../ground/lastState';
@@ -72,6 +73,8 @@ export interface Track {
   /** What its states say of the ground, and the one that the next is held against. */
   readonly ground: LearnedGround;
   readonly evidence: LastState;
+  /** Whether it is simulated by the law, or carried on. */
+  readonly fit: LawFit;
   /** Of the own ship. */
   log: TouchdownRing | null;
   /** What is drawn and shown of it. Nothing here reads it to compute. */
@@ -140,6 +143,7 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
     ledger: createLedger(shipId),
     ground: createLearnedGround(),
     evidence: createLastState(),
+    fit: createLawFit(),
     log: null,
     picture: createPicture(),
   };

@@ -80,18 +80,11 @@ export function knowsBoundary(track: BodyTrack, tick: number): boolean {
 /** Rows at tick boundary `tick`; made by the law from the newest boundary before it. */
 export function boundaryAt(track: BodyTrack, timeline: Timeline, tick: number): Float64Array {
   if (knowsBoundary(track, tick)) return track.boundaries[tick % track.length]!;
-  // What is told of no tick is of the first one that is asked for.
-  if (track.ticks.every((known) => known < 0)) beginAt(track, tick);
   let from = tick;
   while (!knowsBoundary(track, from) && tick - from < track.length - 1 && from > 0) from--;
   if (!knowsBoundary(track, from)) skipTo(track, timeline, from);
   for (; from < tick; from++) makeNext(track, timeline, from);
   return track.boundaries[tick % track.length]!;
-}
-
-function beginAt(track: BodyTrack, tick: number): void {
-  track.boundaries[tick % track.length]!.set(track.start);
-  track.ticks[tick % track.length] = tick;
 }
 
 /** Nothing is known of the ring's length before: the bodies go on from where they were last, in one turn and one move. */

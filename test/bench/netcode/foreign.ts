@@ -22,6 +22,8 @@ export const RATES: readonly (readonly [number, number])[] = [
   [20, 1],
 ];
 const SECONDS = 24;
+/** Frames after which game time per tick is measured. */
+const TIME_KNOWN = 4;
 
 /** What one way of drawing came to over the flights of a case. */
 export interface Drawn {
@@ -72,13 +74,16 @@ export function flyForeign(flight: LiteralFlight, result: CaseResult): void {
   const stretch = flight.difference.options.timeScale ?? 1;
   const frames = (60 * SECONDS) / Math.min(stretch, 2);
   const contactTicks: number[] = [];
+  let heard = 0;
   for (let i = 0; i < frames; i++) {
     const view = rig.frame((frame) => {
       baselines.receive(frame, rig.now);
+      heard += 1;
       if (frame.ships[0]?.shipId === SHIP && frame.ships[0].landedBodyName !== '')
         contactTicks.push(frame.tick);
     });
-    if (!view.ready || view.own === null) continue;
+    // How fast time runs is told by no frame, and known from the third on.
+    if (!view.ready || view.own === null || (stretch !== 1 && heard < TIME_KNOWN)) continue;
     const ticks = view.tick + view.sinceTick * (view.tickRate / view.timeScale);
     const own = placedOf(view.own, view, rig);
     samples.push({ ticks, ours: own, ...baselines.draw(ticks, rig.now) });
@@ -89,6 +94,8 @@ export function flyForeign(flight: LiteralFlight, result: CaseResult): void {
   for (const sample of samples) {
     const truth = literalTruthAt(rig.server, SHIP, sample.ticks);
     if (truth === null) continue;
+    // The game deletes it.
+    if (truth.state === 'crashed') break;
     const touches = truth.state !== '' && truth.state !== 'crashed';
     if (touches && !touching) result.contacts += 1;
     touching = touches;

@@ -44,26 +44,36 @@ export interface TouchdownView {
 }
 
 export interface ShipView {
+  /** As the server has it. */
   readonly shipId: string;
+  /** For people; any text. */
   name: string;
+  /** Whether the player flies it. */
   own: boolean;
+  /** Its constants. */
   shipClass: LoadedShipClass;
   /** Index into WorldView.bodies. */
   body: number;
 
   /** Predicted truth at the present: relative to the body's centre, ICRF axes. HUD numbers come from these. */
   readonly position: Float64Array;
+  /** m/s, likewise. */
   readonly velocity: Float64Array;
   /** [x, y, z, w] */
   readonly attitude: Float64Array;
+  /** rad/s, ICRF axes. */
   readonly angularVelocity: Float64Array;
   /** What the reaction wheels have given so far, N m s, body axes. */
   readonly wheelMomentum: Float64Array;
+  /** kg. */
   fuel: number;
   /** m/s */
   impactSpeed: number;
+  /** Empty in flight. */
   surfaceContactState: SurfaceState;
+  /** Predicted or told: it is gone. */
   crashed: boolean;
+  /** What it is flown with now. */
   controls: Controls;
   /** N, ICRF axes: what engine and thrusters give now. */
   readonly thrust: Float64Array;
@@ -85,6 +95,7 @@ export interface ShipView {
 
   /** What is drawn: predicted + fading offset. Nothing computes with it but the view. */
   readonly easedPosition: Float64Array;
+  /** [x, y, z, w], of the same. */
   readonly meshAttitude: Float64Array;
   /** The drawn place, lifted or lowered along the local up until the drawn attitude is on the ground (snapToGround), ICRF axes. */
   readonly meshPosition: Float64Array;
@@ -95,6 +106,7 @@ export interface ShipView {
 
   /** Surface state to show: CONTACT dwells 300 ms so that a bounce can be read. 'crashed' only once the server confirmed it. */
   shownState: SurfaceState | 'crashed';
+  /** How far shownState can be trusted. */
   provenance: Provenance;
   /** Wall s, see Provenance. */
   age: number;
@@ -106,9 +118,11 @@ export interface ShipView {
 
   /** The server's newest state of this ship: relative to the body at that tick, ICRF axes. */
   readonly serverPosition: Float64Array;
+  /** [x, y, z, w]. */
   readonly serverAttitude: Float64Array;
   /** The same as a ghost to draw: put on the ground as meshPosition is, in the axes of its body, with which it turns. */
   readonly ghostPosition: Float64Array;
+  /** [x, y, z, w]. */
   readonly ghostAttitude: Float64Array;
   /** false before the first state of this ship. */
   serverKnown: boolean;
@@ -118,7 +132,9 @@ export interface ShipView {
 
 /** A predicted or server-told event, in the order of its birth. */
 export interface EventNotice {
+  /** Told once each, in this order. */
   readonly kind: 'predicted' | 'confirmed' | 'retracted';
+  /** The game’s event name. */
   readonly type: ShipEventName;
   readonly shipId: string;
   readonly tick: number;
@@ -128,9 +144,13 @@ export interface EventNotice {
 export interface WorldView {
   /** The present that is drawn: server tick boundary and game seconds since it. */
   tick: number;
+  /** Game s. */
   sinceTick: number;
+  /** Hz. */
   tickRate: number;
+  /** Game s per wall s. */
   timeScale: number;
+  /** The server’s time stands still. */
   paused: boolean;
   /** False until a hello (or defaults) and a first frame have come. */
   ready: boolean;
@@ -138,11 +158,13 @@ export interface WorldView {
   connection: Connection;
   /** Client wall s since the newest frame came; infinite before the first. */
   silence: number;
+  /** Contact settings that hold. */
   settings: LoadedSettings;
   readonly bodies: (Body & BodyMotion)[];
   readonly ships: ShipView[];
   /** The client's own ship in `ships`, or null. */
   own: ShipView | null;
+  /** Counters and gauges. */
   diagnosis: Diagnosis;
 }
 

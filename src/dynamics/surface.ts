@@ -10,7 +10,7 @@ import {
   NORMAL_SPEED,
   PENETRATION,
   POINT,
-  quantities as q,
+  quantities,
   RISE,
   SLOPE,
   SMI_MASK,
@@ -22,12 +22,11 @@ import {
 
 /** Fills NORMAL, DISTANCE and GRAVITY at `surface` (START or END) from the ship's position as it is now. */
 export function readPlace(surface: number, step: Step): void {
+  const q = quantities;
   const to = surface & SMI_MASK;
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  const rx = ships[at + POSITION]!;
-  const ry = ships[at + POSITION + 1]!;
-  const rz = ships[at + POSITION + 2]!;
+  const rx = q[POSITION]!;
+  const ry = q[POSITION + 1]!;
+  const rz = q[POSITION + 2]!;
   const squared = rx * rx + ry * ry + rz * rz;
   const distance = Math.sqrt(squared);
   const perDistance = 1 / distance;
@@ -43,6 +42,7 @@ export function readPlace(surface: number, step: Step): void {
  * @param bodyAxes BODY_AXES at a substep's start, BODY_END_AXES at its end: how the body lies under the ship.
  */
 export function readPenetration(surface: number, step: Step, bodyAxes: number): void {
+  const q = quantities;
   const to = surface & SMI_MASK;
   const { bodies, body } = step;
   const axes = (step.bodyAt + bodyAxes) & SMI_MASK;
@@ -56,8 +56,7 @@ export function readPenetration(surface: number, step: Step, bodyAxes: number): 
   q[to + BODY_NORMAL + 1] = by;
   q[to + BODY_NORMAL + 2] = bz;
   const ground = body.radius + step.world.terrainHeight(body.name, bx, by, bz);
-  q[to + PENETRATION] =
-    ground + step.ships[(step.at & SMI_MASK) + GROUND_CONTACT_OFFSET]! - q[to + DISTANCE]!;
+  q[to + PENETRATION] = ground + q[GROUND_CONTACT_OFFSET]! - q[to + DISTANCE]!;
 }
 
 /** Fills the surface normal and the velocity relative to the ground at `surface`, whose penetration has been read. */
@@ -69,6 +68,7 @@ export function readGround(surface: number, step: Step, bodyAxes: number): void 
 
 /** s = n */
 function readLevel(surface: number): void {
+  const q = quantities;
   const to = surface & SMI_MASK;
   q[to + SURFACE_NORMAL] = q[to + NORMAL]!;
   q[to + SURFACE_NORMAL + 1] = q[to + NORMAL + 1]!;
@@ -81,6 +81,7 @@ function readLevel(surface: number): void {
 
 /** s = the normal of the plane that the feet stand on: the ground one leg radius ahead and behind, in two level directions. */
 function readSlope(surface: number, step: Step, bodyAxes: number): void {
+  const q = quantities;
   const to = surface & SMI_MASK;
   const { bodies, body, shipClass } = step;
   findLevelDirections(to);
@@ -122,6 +123,7 @@ const NEAR_POLE = 0.9;
 
 /** LEVEL_1 = unit(p × n_b), p the pole or near it X; LEVEL_2 = n_b × LEVEL_1. Body's axes. */
 function findLevelDirections(to: number): void {
+  const q = quantities;
   const x = q[to + BODY_NORMAL]!;
   const y = q[to + BODY_NORMAL + 1]!;
   const z = q[to + BODY_NORMAL + 2]!;
@@ -150,6 +152,7 @@ function findLevelDirections(to: number): void {
 
 /** q[rise] = how much the ground rises per metre along the level direction at `direction`. */
 function readRise(to: number, step: Step, direction: number, rise: number): void {
+  const q = quantities;
   const { body, shipClass, world } = step;
   const perLength = q[POINT]!;
   const spread = q[POINT + 1]!;
@@ -166,19 +169,19 @@ function readRise(to: number, step: Step, direction: number, rise: number): void
 
 /** NORMAL_SPEED, TANGENTIAL_VELOCITY and its square: v_rel = u − Ω × r off the ground and along it. */
 function readVelocity(surface: number, step: Step): void {
+  const q = quantities;
   const to = surface & SMI_MASK;
-  const { ships, bodies } = step;
+  const { bodies } = step;
   const bodyAt = step.bodyAt & SMI_MASK;
-  const at = step.at & SMI_MASK;
-  const rx = ships[at + POSITION]!;
-  const ry = ships[at + POSITION + 1]!;
-  const rz = ships[at + POSITION + 2]!;
+  const rx = q[POSITION]!;
+  const ry = q[POSITION + 1]!;
+  const rz = q[POSITION + 2]!;
   const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
   const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
-  const vx = ships[at + VELOCITY]! - (oy * rz - oz * ry);
-  const vy = ships[at + VELOCITY + 1]! - (oz * rx - ox * rz);
-  const vz = ships[at + VELOCITY + 2]! - (ox * ry - oy * rx);
+  const vx = q[VELOCITY]! - (oy * rz - oz * ry);
+  const vy = q[VELOCITY + 1]! - (oz * rx - ox * rz);
+  const vz = q[VELOCITY + 2]! - (ox * ry - oy * rx);
   const sx = q[to + SURFACE_NORMAL]!;
   const sy = q[to + SURFACE_NORMAL + 1]!;
   const sz = q[to + SURFACE_NORMAL + 2]!;

@@ -2,6 +2,8 @@
 import { spawn } from 'node:child_process';
 
 const WAIT_MS = 180_000;
+/** As a browser asks for a style sheet; else the development server answers with a script. */
+const CSS = { headers: { accept: 'text/css' } };
 
 const child = spawn('npm', ['start', '--', '--host', '127.0.0.1'], {
   stdio: ['ignore', 'pipe', 'inherit'],
@@ -30,6 +32,12 @@ async function check(address) {
     const type = headers.get('content-type') ?? '';
     if (status !== 200 || !type.includes('javascript')) stop(1, `npm start: ${url} gave ${status} ${type}`);
   }
+  const sheets = [...html.matchAll(/<link rel="stylesheet" href="([^"]+)"/g)];
+  const styles = await Promise.all(
+    sheets.map(async ([, href]) => (await fetch(new URL(href, address), CSS)).text()),
+  );
+  if (!styles.some((text) => text.includes('.td-hud')))
+    stop(1, `npm start: no style sheet of ${address} has the HUDs'`);
   stop(0, `npm start: serves ${scripts.length} scripts and the page`);
 }
 

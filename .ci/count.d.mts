@@ -6,4 +6,4 @@ export interface Report {
   readonly numTodoTests: number;
   readonly success: boolean;
 }
-export function verdictOf(report: Report): { line: string; complaint: string | null };
+export function verdictOf(reports: readonly Report[]): { line: string; complaint: string | null };

@@ -3,7 +3,7 @@
 // loops up to 13 times, and loads each of hundreds of modules by itself.
 import { readFileSync } from 'node:fs';
 import { dirname } from 'node:path';
-import { pathToFileURL } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { rolldown } from 'rolldown';
 
 /** Marks a source module that a test imports dynamically: it becomes a bundle of its own, evaluated anew after vi.resetModules(). */
@@ -31,6 +31,16 @@ const declareSourcePlace = {
   },
 };
 
+/** Makes the change of test/mutants/main.mjs: { path from the root, start, end, text } as JSON in TOUCHDOWN_MUTANT. */
+function mutation() {
+  const { path, start, end, text } = JSON.parse(process.env.TOUCHDOWN_MUTANT || '{}');
+  if (path === undefined) return [];
+  const mutated = fileURLToPath(new URL(`../${path}`, import.meta.url));
+  const transform = (code, id) =>
+    id === mutated ? { code: code.slice(0, start) + text + code.slice(end), map: null } : null;
+  return [{ name: 'mutation', transform }];
+}
+
 /** Modules that are imported dynamically stay outside, by absolute path. */
 const leaveDynamicImports = {
   name: 'leave-dynamic-imports',
@@ -52,7 +62,7 @@ export async function bundle(entry, { inside = /^$/, plugins = [] } = {}) {
     input: entry,
     platform: 'node',
     external: (id, _, isResolved) => !isResolved && isPackage(id) && !inside.test(id),
-    plugins: [declareSourcePlace, ...plugins],
+    plugins: [...mutation(), declareSourcePlace, ...plugins],
     optimization: { inlineConst: { mode: 'all', pass: 3 } },
     transform: { define: PLACES },
     moduleTypes: { '.css': 'empty' },

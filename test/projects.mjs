@@ -1,5 +1,6 @@
 // Which files are tests and how they run. A new test file anywhere under test/ is picked up by its name alone.
 import { availableParallelism } from 'node:os';
+import { BaseSequencer } from 'vitest/node';
 import { bundledTests } from './bundle.mjs';
 
 const BROWSER_TESTS = 'test/browser/**/*.test.ts';
@@ -7,15 +8,30 @@ const BROWSER_TESTS = 'test/browser/**/*.test.ts';
 const LONG_TESTS = 'test/**/*.long.test.ts';
 
 /** ms. For hangs alone: ten times what the slowest test takes on two cores, so that no test fails on a busy machine. */
-const HANGS = { testTimeout: 120_000, hookTimeout: 180_000 };
+const HANGS = { testTimeout: 120_000, hookTimeout: 180_000, expect: { poll: { timeout: 30_000 } } };
 
-/** All cores: vitest by itself leaves one to its main process, which has little to do. */
-const maxWorkers = Math.max(2, availableParallelism());
+/** More than cores: a browser test waits for its page half of the time. */
+const maxWorkers = 2 * availableParallelism();
+
+/** Browser files between node files, each kind longest first: those that wait run beside those that compute. */
+class Alternate extends BaseSequencer {
+  async sort(files) {
+    const sorted = await super.sort(files);
+    const [browser, node] = ['browser', 'node'].map((name) =>
+      sorted.filter(({ project }) => project.name === name),
+    );
+    const length = Math.max(browser.length, node.length);
+    return Array.from({ length }, (_, i) => [browser[i], node[i]])
+      .flat()
+      .filter((file) => file !== undefined);
+  }
+}
 
 export const tests = {
   publicDir: false,
   test: {
     maxWorkers,
+    sequence: { sequencer: Alternate },
     projects: [
       {
         plugins: [bundledTests()],
@@ -23,7 +39,6 @@ export const tests = {
           name: 'node',
           include: ['test/**/*.test.ts'],
           exclude: [BROWSER_TESTS, LONG_TESTS],
-          sequence: { groupOrder: 0 },
           ...HANGS,
         },
       },
@@ -33,9 +48,6 @@ export const tests = {
           name: 'browser',
           include: [BROWSER_TESTS],
           globalSetup: ['test/browser/globalSetup.ts'],
-          // After the node project and one file at a time: a software-rendered page takes a whole core.
-          sequence: { groupOrder: 1 },
-          fileParallelism: false,
           ...HANGS,
         },
       },
@@ -46,5 +58,11 @@ export const tests = {
 export const longTests = {
   publicDir: false,
   plugins: [bundledTests()],
-  test: { maxWorkers, include: [LONG_TESTS], testTimeout: 1_800_000, hookTimeout: 1_800_000 },
+  test: {
+    reporters: ['default', ['json', { outputFile: 'node_modules/.cache/touchdown/long-tests.json' }]],
+    maxWorkers,
+    include: [LONG_TESTS],
+    testTimeout: 1_800_000,
+    hookTimeout: 1_800_000,
+  },
 };

@@ -7,6 +7,7 @@ import {
   EVENT_NAMES,
   NO_EVENT,
   err,
+  readControls,
   SHIP_STRIDE,
   type ShipInit,
   stepWorld,
@@ -128,7 +129,9 @@ export function createAuthority(options: AuthorityOptions): Result<Authority> {
       const at = rowOf(roster, pilot.shipId);
       if (at < 0) continue;
       const flown = applyDue(pilot, counters, { rows: roster.rows, at }, { ...present(), substep: s });
-      if (flown) plans.delete(pilot.shipId);
+      if (!flown) continue;
+      plans.delete(pilot.shipId);
+      options.onInput?.(pilot.shipId, { tick, substep: s, controls: readControls(roster.rows, at) });
     }
   }
 

@@ -17,7 +17,7 @@ import {
   type World,
   writeBodyMotion,
 } from '../dynamics';
-import type { BodyState } from '../wire';
+import type { BodyState, InputRecord } from '../wire';
 
 /** What an authority is made of. */
 export interface AuthorityOptions {
@@ -39,6 +39,8 @@ export interface AuthorityOptions {
   readonly inputGranularity?: 'substep' | 'tick';
   /** Speaks as the game's own server does: no hello, no ShipState fields 31–34, no acknowledgements, whole-tick inputs. */
   readonly legacy?: boolean;
+  /** Called when a pilot's input acts on its ship: what replays the flight. It must not throw. */
+  readonly onInput?: (shipId: string, input: Omit<InputRecord, 'seq'>) => void;
 }
 
 /** The checked options: the world as constants, the bodies as rows. */

@@ -4,6 +4,8 @@
 export { createGameConnection, type GameConnection } from './connection';
 export type { GameClock, GameConnectionOptions, GameHandlers } from './options';
 export { type GameSocket, MAX_MESSAGE } from './socket';
+/** The same link for another protocol. */
+export { createDriver, type Driver, type DriverOptions } from './driver';
 /** Its states as plain data. */
 export {
   beginLink,

@@ -1,11 +1,11 @@
 /** The part of a browser's WebSocket that is used. */
 export interface GameSocket {
   onopen: ((event: never) => void) | null;
-  onmessage: ((event: { readonly data: unknown }) => void) | null;
-  onclose: ((event: { readonly code: number; readonly reason: string }) => void) | null;
+  onmessage: ((event: never) => void) | null;
+  onclose: ((event: never) => void) | null;
   onerror: ((event: never) => void) | null;
   readonly readyState: number;
-  send: (text: string) => void;
+  send: (message: string | Uint8Array<ArrayBuffer>) => void;
   close: () => void;
 }
 

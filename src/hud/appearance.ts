@@ -19,7 +19,7 @@ export interface HudFrame {
 /** Makes the frame of one HUD; the caller puts `root` into its host once it is filled. */
 export function createFrame(
   document: Document,
-  kind: 'landing' | 'fleet',
+  kind: 'landing' | 'fleet' | 'flight',
   label: string,
   { theme = 'dark', layout = 'auto' }: HudAppearance,
 ): HudFrame {

@@ -5,7 +5,7 @@ import { showAttribute, showNumber, showPart, showText } from './shown';
 /** Why not landed yet: value, limit and ✓ or ✗ of the law's four settle gates, while in contact (HUD). */
 export function createGatesPanel(parent: Element): (gates: Gates) => void {
   const table = append(parent, 'table', 'td-gates');
-  append(table, 'caption', '', 'To land, all four at once');
+  append(table, 'caption', '', 'To count as landed, meet all four at once');
   const head = append(append(table, 'thead', 'td-unseen'), 'tr');
   for (const title of ['Gate', 'Now', 'Limit', 'Met']) append(head, 'th', '', title).scope = 'col';
   const body = append(table, 'tbody');

@@ -1,4 +1,4 @@
-/** Both HUDs: painting only. What they show is decided in readout; their style sheet is hud.css. */
+/** The HUDs: painting only. What they show is decided in readout; their style sheet is hud.css. */
 
 export {
   createCockpitLandingHud,
@@ -7,7 +7,9 @@ export {
   type LandingHudOptions,
 } from './landingHud';
 export { createFleetHud, createFleetHud as fleetHud } from './fleetHud';
+export { createFlightHud, type FlightHudOptions, type FlightPanels } from './flight/flightHud';
+export type { FlightKey } from './flight/modesPanel';
 /** Theme and layout. */
 export type { HudAppearance } from './appearance';
 /** Names keys in hints. */
-export type { KeyLabel } from './rightingPanel';
+export type { KeyLabel, TurnKey, TurnKeys } from './rightingPanel';

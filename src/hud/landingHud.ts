@@ -5,7 +5,7 @@ import { createCrossPointer } from './crossPointer';
 import { createDescentPanel } from './descentPanel';
 import { append } from './elements';
 import { createGatesPanel } from './gatesPanel';
-import { createRightingPanel, type KeyLabel } from './rightingPanel';
+import { createRightingPanel, type KeyLabel, type TurnKeys } from './rightingPanel';
 import { scrollWhereShort } from './scrolling';
 import { showPart } from './shown';
 import { createStatusSlot } from './statusSlot';
@@ -24,6 +24,8 @@ export interface Hud<Readout> {
 export interface LandingHudOptions extends HudAppearance {
   /** Names the keys in the righting help; without it the help names the axes alone. */
   readonly keyLabel?: KeyLabel;
+  /** Which controls turn the ship now, where they are not one for each axis. */
+  readonly turnKeys?: TurnKeys;
 }
 
 /**
@@ -46,7 +48,7 @@ export function createCockpitLandingHud(
   const landed = append(parts, 'p', 'td-landed', 'Landed');
   const paintLanded = showPart(landed);
   const paintGates = createGatesPanel(parts);
-  const paintRighting = createRightingPanel(parts, options.keyLabel ?? (() => ''));
+  const paintRighting = createRightingPanel(parts, options.keyLabel ?? (() => ''), options.turnKeys);
   const paintCard = createTouchdownCard(parts);
   const announce = createAnnouncer(panel);
   host.append(root);

@@ -1,9 +1,29 @@
-import { ANGLE, DURATION, type HintAction, MASS, type Righting, TORQUE } from '../readout';
+import {
+  ANGLE,
+  DURATION,
+  type HintAction,
+  MASS,
+  type Righting,
+  type RotationAction,
+  TORQUE,
+} from '../readout';
 import { append } from './elements';
 import { showAttribute, showNumber, showPart, showText } from './shown';
 
 /** The text on the key that an action is bound to now; '' when it has none. Asked anew at every paint. */
 export type KeyLabel = (action: HintAction) => string;
+
+/**
+ * The controls that turn the ship about its own axes now, better one first: a page whose keys follow the camera says which they are.
+ * What stands on each, and in words what it does.
+ */
+export type TurnKeys = (actions: readonly RotationAction[]) => readonly TurnKey[];
+
+export interface TurnKey {
+  /** '' where nothing is bound. */
+  readonly cap: string;
+  readonly words: string;
+}
 
 /** The design's words. */
 const HINT = 'Use RCS rotation to right the ship';
@@ -25,22 +45,29 @@ const ACTION_WORDS: Readonly<Record<HintAction, string>> = {
 };
 
 /** What to press, whether it suffices, and if not what else may help (HUD, Righting help). */
-export function createRightingPanel(parent: Element, keyLabel: KeyLabel): (righting: Righting) => void {
+export function createRightingPanel(
+  parent: Element,
+  keyLabel: KeyLabel,
+  turnKeys: TurnKeys = (actions) =>
+    actions.map((action) => ({ cap: keyLabel(action), words: ACTION_WORDS[action] })),
+): (righting: Righting) => void {
   const panel = append(parent, 'div', 'td-righting');
-  const paintHintShown = showPart(append(panel, 'p', 'td-hint', HINT));
+  append(panel, 'p', 'td-hint', HINT);
   const hold = append(panel, 'p', 'td-hold');
   append(hold, 'span', 'td-label', 'HOLD');
-  const paintFirst = createKey(hold, keyLabel);
-  const paintSecond = createKey(hold, keyLabel);
+  const paintFirst = createTurnKey(hold);
+  const paintSecond = createTurnKey(hold);
   const time = append(hold, 'span', 'td-of');
   const paintTime = showNumber(time, DURATION);
   const paintTimeShown = showPart(time);
   const then = append(panel, 'p', 'td-hold');
-  append(then, 'span', 'td-label', 'LET GO');
+  append(then, 'span', 'td-label', 'RELEASE');
   const paintHoldShown = showPart(hold);
   const paintThenShown = showPart(then);
   // Held on to for longer, the swing carries the ship over to its other side.
   const paintUntil = showNumber(append(then, 'span', 'td-until', 'below '), ANGLE);
+  const press = append(then, 'span', '', ', then press');
+  const paintPressShown = showPart(press);
   const paintDamping = createKey(then, keyLabel);
   const paintTorque = createTorque(panel);
   const paintFuel = createFuel(panel);
@@ -49,19 +76,35 @@ export function createRightingPanel(parent: Element, keyLabel: KeyLabel): (right
   return (righting) => {
     paintShown(righting.shown);
     if (!righting.shown) return;
-    // Where nothing aboard rights it, the verdict alone says so.
-    paintHintShown(righting.possible || righting.help !== 'none');
     paintHoldShown(righting.possible);
     paintThenShown(righting.possible);
-    paintFirst(righting.actions[0] ?? '');
-    paintSecond(righting.actions[1] ?? '');
+    const keys = turnKeys(righting.actions);
+    paintFirst(keys[0] ?? null);
+    paintSecond(keys[1] ?? null);
     paintTime(righting.holdSeconds);
     paintTimeShown(righting.outcome === 'lands');
     paintUntil(righting.holdUntil);
+    paintPressShown(!righting.damped);
     paintDamping(righting.damped ? '' : 'rateDamping');
     paintTorque(righting);
     paintFuel(righting);
     paintVerdict(righting);
+  };
+}
+
+function createTurnKey(parent: Element): (key: TurnKey | null) => void {
+  const holder = append(parent, 'span', 'td-action');
+  const cap = append(holder, 'kbd');
+  const paintCapShown = showPart(cap);
+  const paintCap = showText(cap);
+  const paintWords = showText(append(holder, 'span'));
+  const paintShown = showPart(holder);
+  return (key) => {
+    paintShown(key !== null);
+    if (key === null) return;
+    paintCapShown(key.cap !== '');
+    paintCap(key.cap);
+    paintWords(key.words);
   };
 }
 
@@ -82,13 +125,14 @@ function createKey(parent: Element, keyLabel: KeyLabel): (action: HintAction | '
   };
 }
 
+/** `55 kN m of 142 kN m`: what is needed of what there is, as in every line. */
 function createTorque(parent: Element): (righting: Righting) => void {
   const line = append(parent, 'p', 'td-need');
   append(line, 'span', 'td-label', 'TORQUE');
   const values = append(line, 'span', 'td-value');
-  const paintAvailable = showNumber(values, TORQUE);
-  append(values, 'span', 'td-of', ' of ');
   const paintNeeded = showNumber(values, TORQUE);
+  append(values, 'span', 'td-of', ' of ');
+  const paintAvailable = showNumber(values, TORQUE);
   const paintMark = createMark(line);
   return (righting) => {
     paintAvailable(righting.torqueAvailable);
@@ -150,8 +194,8 @@ function createVerdict(parent: Element, keyLabel: KeyLabel): (righting: Righting
 }
 
 function verdict({ possible, help }: Righting): string {
-  if (possible) return 'Run ahead, this does not land it: too little fuel, or it falls over again.';
+  if (possible) return 'In simulation it does not land: too little fuel, or it falls over again.';
   if (help === 'translation') return 'Too heavy as it lies. Take weight off its feet with';
   if (help === 'lighter') return 'Too heavy as it is. Burn fuel until it weighs less than';
-  return 'It cannot be righted here: nothing aboard turns this weight.';
+  return 'It cannot be righted here: nothing on board can turn this weight.';
 }

@@ -49,5 +49,5 @@ function marginText(margin: TipMargin, outlook: TipMargin['outlook'] | 'none', k
   if (outlook === 'none') return '';
   if (outlook === 'tips') return `tips in ${DURATION.text(key)}`;
   if (margin.degrees >= 0) return `${ANGLE.text(key)} to tip`;
-  return outlook === 'holds' ? 'past, but held' : 'past no return';
+  return outlook === 'holds' ? 'past, but held' : 'past the point of no return';
 }

@@ -14,7 +14,7 @@ if (typeof document === 'undefined') {
     ({ begin }) => begin(document, import.meta.url),
     () => {
       document.getElementById('banner')!.textContent =
-        'The page could not be fetched whole. Is the network off? Load it anew.';
+        'Part of the page did not load. Check the network and reload.';
     },
   );
 }

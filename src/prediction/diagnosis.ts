@@ -40,6 +40,10 @@ export function createDiagnosis(): Diagnosis {
     margin: 0,
     errorPosition: Number.NaN,
     errorAngle: Number.NaN,
+    shipsCarried: 0,
+    statesCarried: 0,
+    groundOffset: 0,
+    groundConfidence: 0,
     offsetPosition: 0,
     offsetAngle: 0,
   };

@@ -11,13 +11,8 @@ export type { ScheduledInput } from './inputs/inputs';
 /** What it gives. */
 export type * from './drawn/view';
 /** A drawn pose on the drawn ground. */
-export {
-  createGroundedPose,
-  type GroundPose,
-  type GroundRadius,
-  snapToGround,
-  type GroundedPose,
-} from './drawn/groundSnap';
+export type { DrawnGround } from './drawn/drawnGround';
+export { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './drawn/groundSnap';
 export { type Hull, hullOf, LEGS } from './drawn/hull';
 /** What goes through a predictor, written down and fed again. */
 export { type PredictorEntry, recordPredictor, replayEntries } from './recorder';

@@ -11,10 +11,13 @@ import type { ScheduledInput } from './inputs/inputs';
 import type { WorldConfig } from './snapshots/worldConfig';
 import type { Warn } from './warnings';
 
+/** A terrain that may not be loaded where it is asked: null, and ships there are carried on from their states. */
+export type ClientTerrain = (...place: Parameters<TerrainHeight>) => number | null;
+
 /** What a predictor is made with; everything may be left out. */
 export interface PredictorOptions {
   /** Terrains by the name the hello tells, beside TERRAINS of dynamics. */
-  readonly terrains?: Readonly<Record<string, TerrainHeight>>;
+  readonly terrains?: Readonly<Record<string, ClientTerrain>>;
   /** What holds for a server that sends no hello; the game's catalogue and defaults unless given. */
   readonly defaults?: Partial<Defaults>;
   /** Ship substeps a frame may take; 20,000 unless given. */

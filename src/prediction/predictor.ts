@@ -1,5 +1,7 @@
 import type { Controls } from '../dynamics';
 import type { ClientMessage, PartialFrame, ServerMessage } from '../wire';
+import { createChecks } from './checks/checks';
+import { requireOptions } from './checks/options';
 import type { EventNotice, WorldView } from './drawn/view';
 import { fillView } from './drawn/worldView';
 import { advanceFrame, place } from './frameLoop';
@@ -39,20 +41,33 @@ export interface Predictor {
   reset: () => void;
 }
 
-/** Creates a predictor without server state. Throws RangeError, naming the option, if the given defaults are refused. */
+/** Creates a predictor without server state. Throws RangeError, naming the option, where one cannot be used. */
 export function createPredictor(options: PredictorOptions = {}): Predictor {
+  requireOptions(options);
   const session = createSession(options);
+  const checks = createChecks(session);
   return {
-    receive: (message, now) => receiveMessage(session, message, now),
+    receive(message, now) {
+      checks?.receive(message, now);
+      receiveMessage(session, message, now);
+    },
     refused: (reason) => refuse(session.sim, reason),
     advance(controls, now) {
+      checks?.advance(controls, now);
       if (!noteCall(session, now)) return;
       pingIfDue(session.pings, now);
       if (session.sim.newestTick >= 0) advanceFrame(session, controls, now);
     },
-    view: (now) => viewAt(session, now),
-    takeOutgoing: () => takeOutgoing(session),
+    view(now) {
+      checks?.view();
+      return viewAt(session, now);
+    },
+    takeOutgoing() {
+      checks?.taken();
+      return takeOutgoing(session);
+    },
     onEvent(listener) {
+      if (!isListener(session, listener)) return () => undefined;
       session.listeners.add(listener);
       return () => session.listeners.delete(listener);
     },
@@ -64,6 +79,12 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
     teleported: (shipId) => expectTeleport(session, shipId),
     reset: () => resetSession(session),
   };
+}
+
+function isListener({ warn }: Session, listener: unknown): boolean {
+  if (typeof listener === 'function') return true;
+  warn('listener-not-function', `onEvent: expected a function, got ${String(listener)}.`, { listener });
+  return false;
 }
 
 function viewAt(session: Session, now: number): WorldView {

@@ -42,7 +42,8 @@ export interface Session {
 
 /** A predictor's state before anything was received. Throws RangeError if the default world is refused, and says which part. */
 export function createSession(options: PredictorOptions): Session {
-  const terrains = { ...TERRAINS, ...options.terrains };
+  // Null adds up as 0, and no ship is predicted on it (knowsGround).
+  const terrains = { ...TERRAINS, ...options.terrains } as Readonly<Record<string, TerrainHeight>>;
   const defaults = defaultWorld(options.defaults);
   const world = loadWorld(defaults, terrains);
   if (!world.ok) throw new RangeError(`defaults: ${world.reason}`);

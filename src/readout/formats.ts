@@ -92,6 +92,24 @@ export const MASS: Format = {
   },
 };
 
+/** A share, 0 … 1: `42 %`. */
+export const PERCENT: Format = {
+  key: (value) => steps(value, 100),
+  text: (key) => (Number.isNaN(key) ? DASHES : `${key} %`),
+};
+
+/** A direction, degrees from north: `020°`. */
+export const BEARING: Format = {
+  key: (value) => (Math.round(value) + 0) % 360,
+  text: (key) => (Number.isNaN(key) ? DASHES : `${String(key).padStart(3, '0')}°`),
+};
+
+/** Speed change left, m/s: whole, `540 m/s`. */
+export const DELTA_V: Format = {
+  key: (value) => steps(value, 1),
+  text: (key) => (Number.isNaN(key) ? DASHES : `${grouped(key)} m/s`),
+};
+
 export const COUNT: Format = {
   key: (value) => value,
   text: (key) => (Number.isNaN(key) ? DASHES : String(key)),

@@ -2,6 +2,11 @@
 
 /** The own ship's landing. */
 export { createLandingReadout, updateLandingReadout, type LandingReadout } from './landing';
+/** The instruments of flying, what helps to land, and where the pad is. */
+export { createFlightReadout, updateFlightReadout, type FlightReadout } from './flight';
+export { createLandingAids, updateLandingAids, type LandingAids } from './landingAids';
+export { createTargetReadout, updateTargetReadout, type Target, type TargetReadout } from './target';
+export { toBodyAxes, toInertial } from './axes';
 /** All ships, those that need help first. */
 export {
   createFleetReadout,

@@ -7,6 +7,7 @@ import {
   type Controls,
   CRASHED,
   FUEL,
+  GROUND_CONTACT_OFFSET,
   IMPACT_SPEED,
   loadBody,
   type LoadedSettings,
@@ -18,6 +19,7 @@ import {
   SURFACE_STATE,
   SURFACE_STATES,
   VELOCITY,
+  WHEEL_MOMENTUM,
   type World,
   writeBodyMotion,
   writeControls,
@@ -71,7 +73,9 @@ export function startProjection(
   out.ships.set(ship.velocity, VELOCITY);
   out.ships.set(ship.attitude, ATTITUDE);
   out.ships.set(ship.angularVelocity, ANGULAR_VELOCITY);
+  out.ships.set(ship.wheelMomentum, WHEEL_MOMENTUM);
   out.ships[FUEL] = ship.fuel;
+  out.ships[GROUND_CONTACT_OFFSET] = ship.shipClass.groundContactOffset;
   out.ships[IMPACT_SPEED] = ship.impactSpeed;
   out.ships[SURFACE_STATE] = SURFACE_STATES.indexOf(ship.surfaceContactState);
   out.ships[REFERENCE_BODY] = 0;

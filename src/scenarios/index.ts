@@ -64,3 +64,11 @@ export { compareRecording, type RecordingComparison } from './recordings/compare
 /** A pilot for the last 200 metres. */
 export { approachOf, descend, type Approach, type LandingSite } from './autopilot/descent';
 export { BEGIN_LANDING, continueLanding, type LandingManeuver, type LandingPhase } from './autopilot/landing';
+/** Tasks for pilots as data; a run flown again from its inputs, its score, and its bytes for a link. */
+export { findMission, findScenario, MISSIONS } from './missions/missions';
+export { LESSONS } from './missions/lessons';
+export type { Mission, MissionGoal, Pad } from './missions/mission';
+export { flyRun, type RunInput, type RunOutcome, TRACK_RATE, TRACK_STRIDE } from './missions/flyRun';
+export { padPlaces } from './missions/pads';
+export { scoreRun, type Score, type ScoreLine } from './missions/score';
+export { readRun, writeRun } from './missions/runBytes';

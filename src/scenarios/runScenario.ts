@@ -70,7 +70,13 @@ export function rehearse(scenario: Scenario): Result<Rehearsed> {
 }
 
 /** The world of a scenario at its start: one ship, one body. */
-function prepare({ scenario, body, shipClass, terrainHeight, ship }: StagedScenario): Result<Prepared> {
+export function prepare({
+  scenario,
+  body,
+  shipClass,
+  terrainHeight,
+  ship,
+}: StagedScenario): Result<Prepared> {
   const settings = loadSettings(scenario.settings);
   if (!settings.ok) return settings;
   const loadedClass = loadShipClass(shipClass);
@@ -89,7 +95,7 @@ function prepare({ scenario, body, shipClass, terrainHeight, ship }: StagedScena
   return reason === null ? ok({ world, ship: row, bodies }) : { ok: false, reason };
 }
 
-interface Prepared {
+export interface Prepared {
   readonly world: World;
   readonly ship: Float64Array;
   readonly bodies: Float64Array;

@@ -38,6 +38,10 @@ export interface Scenario {
   /** Hz */
   readonly tickRate: number;
   readonly timeScale: number;
+  /** Of the class's main engine thrust; 1 unless said. */
+  readonly engineShare?: number;
+  /** Times the body's own spin; 1 unless said. */
+  readonly spinFactor?: number;
   readonly site: Site;
   readonly initial: LocalState & {
     /** 0 … 1 of the fuel capacity. */
@@ -80,10 +84,12 @@ export interface StagedInput {
 
 /** Looks a scenario's names up and places its ship; a reason that names the field when that cannot be done. */
 export function stage(scenario: Scenario): Result<StagedScenario> {
-  const body = BODIES.find((candidate) => candidate.name === scenario.body);
-  if (body === undefined) return err(`body: no body named ${scenario.body}`);
-  const shipClass = SHIP_CLASSES.find((candidate) => candidate.name === scenario.shipClass);
-  if (shipClass === undefined) return err(`shipClass: no class named ${scenario.shipClass}`);
+  const knownBody = BODIES.find((candidate) => candidate.name === scenario.body);
+  if (knownBody === undefined) return err(`body: no body named ${scenario.body}`);
+  const knownClass = SHIP_CLASSES.find((candidate) => candidate.name === scenario.shipClass);
+  if (knownClass === undefined) return err(`shipClass: no class named ${scenario.shipClass}`);
+  const body = spun(knownBody, scenario.spinFactor ?? 1);
+  const shipClass = throttled(knownClass, scenario.engineShare ?? 1);
   if (!Object.hasOwn(TERRAINS, scenario.terrain)) return err(`terrain: no terrain named ${scenario.terrain}`);
   const terrainHeight = TERRAINS[scenario.terrain]!;
   const settings = loadSettings(scenario.settings);
@@ -104,6 +110,16 @@ export function stage(scenario: Scenario): Result<StagedScenario> {
     ship,
     inputs: inputs.value,
   });
+}
+
+function spun(body: Body & BodyMotion, factor: number): Body & BodyMotion {
+  if (factor === 1) return body;
+  const [x, y, z] = body.angularVelocity;
+  return { ...body, angularVelocity: [x * factor, y * factor, z * factor] };
+}
+
+function throttled(shipClass: ShipClass, share: number): ShipClass {
+  return share === 1 ? shipClass : { ...shipClass, mainEngineThrust: shipClass.mainEngineThrust * share };
 }
 
 /** The whole ticks that hold a scenario's duration. */

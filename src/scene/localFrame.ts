@@ -91,6 +91,23 @@ export function rotate(out: Float64Array, matrix: Float64Array, vector: ArrayLik
   return out;
 }
 
+/** out[at …] = a local vector in ICRF axes: matrixᵀ · vector. */
+function writeIcrf(out: Float64Array, at: number, { matrix }: Turn, v: readonly number[]): void {
+  for (let k = 0; k < 3; k++)
+    out[at + k] = matrix[k]! * v[0]! + matrix[3 + k]! * v[1]! + matrix[6 + k]! * v[2]!;
+}
+
+/** Right, away along the ground and up on the screen of an eye that looks at a focus: ICRF axes, nine numbers. */
+export function writeScreenAxes(out: Float64Array, turn: Turn, eye: Float64Array, focus: Float64Array): void {
+  const x = focus[0]! - eye[0]!;
+  const z = focus[2]! - eye[2]!;
+  const length = Math.hypot(x, z) || 1;
+  // Local axes are x, up, z, right-handed: right = away × up.
+  writeIcrf(out, 0, turn, [-z / length, 0, x / length]);
+  writeIcrf(out, 3, turn, [x / length, 0, z / length]);
+  writeIcrf(out, 6, turn, [0, 1, 0]);
+}
+
 /** Local coordinates of a point given relative to the body's centre in ICRF axes. */
 export function toLocalPoint(
   out: Float64Array,

@@ -4,6 +4,8 @@
 export type * from './records';
 /** What a server says, as bytes. */
 export { decodeServerMessage, encodeServerMessage } from './serverMessage';
+/** A frame for many clients: each ship encoded once. */
+export { encodeCommonPart, encodeOwnPart, encodeShipPart, joinFrameParts } from './frameParts';
 /** What a client says, as bytes. */
 export { decodeClientMessage, encodeClientMessage } from './clientMessage';
 /** The game's JSON, under any envelope: a frame, what stands in for a hello, controls, states by themselves. */

@@ -11,7 +11,7 @@ export function readShipClass(r: Reading, from: Fields): ShipClass {
     name: nameIn(r, from, 'name'),
     dryMass: numberIn(r, from, 'dry_mass', CLASS_FIGURE),
     fuelCapacity: numberIn(r, from, 'fuel_capacity', CLASS_FIGURE),
-    inertiaTensor: messageIn(r, from, 'inertia_tensor', readTensor),
+    inertiaTensor: tensorIn(r, from, 'inertia_tensor'),
     groundContactOffset: numberIn(r, from, 'ground_contact_offset', CLASS_FIGURE),
     legRadius: numberIn(r, from, 'leg_radius', CLASS_FIGURE),
     mainEngineThrust: numberIn(r, from, 'main_engine_thrust', CLASS_FIGURE),
@@ -30,6 +30,15 @@ export function readShipClass(r: Reading, from: Fields): ShipClass {
   };
   refuseLoaded(r, loadShipClass(shipClass), `ship class ${shipClass.name}: `);
   return shipClass;
+}
+
+/** Rows under x, y and z; in JSON also a list of three rows. */
+function tensorIn(r: Reading, from: Fields, name: string): Mat3 {
+  const value = valueIn(r, from, name);
+  if (r.source === 'protobuf' || !Array.isArray(value) || value.length !== 3)
+    return messageIn(r, from, name, readTensor);
+  const [x, y, z] = value as unknown[];
+  return messageIn(r, { [name]: { x, y, z } }, name, readTensor);
 }
 
 function readTensor(r: Reading, from: Fields): Mat3 {

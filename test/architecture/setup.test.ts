@@ -116,7 +116,8 @@ describe('what the set-up decides', () => {
 describe('the count that closes a run', () => {
   const good = { numPassedTests: 5, numFailedTests: 0, numPendingTests: 0, numTodoTests: 0, success: true };
   it('is good when every test ran and passed', () => {
-    expect(verdictOf(good)).toEqual({ line: '5 passed, 0 failed', complaint: null });
+    expect(verdictOf([good])).toEqual({ line: '5 passed, 0 failed', complaint: null });
+    expect(verdictOf([good, good])).toEqual({ line: '10 passed, 0 failed', complaint: null });
   });
   it.each([
     [{ numPassedTests: 0 }, '0 passed, 0 failed'],
@@ -125,8 +126,9 @@ describe('the count that closes a run', () => {
     [{ numTodoTests: 1 }, '5 passed, 0 failed, 1 skipped'],
     [{ success: false }, '5 passed, 0 failed'],
   ])('is not with %j', (change, line) => {
-    const verdict = verdictOf({ ...good, ...change });
+    const verdict = verdictOf([{ ...good, ...change }]);
     expect(verdict.line).toBe(line);
     expect(verdict.complaint).not.toBeNull();
+    expect(verdictOf([good, { ...good, ...change }]).complaint).not.toBeNull();
   });
 });

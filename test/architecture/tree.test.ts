@@ -7,7 +7,15 @@ import type { SourceFile } from './source';
 const TOP = [
   ...['src', 'test', 'proto', 'public', 'README.md', 'LICENSE', 'CHANGELOG.md'],
   ...['package.json', 'package-lock.json', 'tsconfig.json', 'vite.config.ts', 'eslint.config.js'],
-  ...['.ci', '.editorconfig', '.gitattributes', '.gitignore', '.prettierignore', '.prettierrc.json'],
+  ...[
+    '.ci',
+    '.github',
+    '.editorconfig',
+    '.gitattributes',
+    '.gitignore',
+    '.prettierignore',
+    '.prettierrc.json',
+  ],
 ];
 
 /** Not the project's: what it installs and makes, and what a person's own machine adds. */

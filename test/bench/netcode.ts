@@ -4,6 +4,7 @@ import { clockFigures } from './netcode/clock';
 import { costFigures } from './netcode/cost';
 import { fleetFigures } from './netcode/fleet';
 import { soakFigures } from './netcode/soak';
+import { foreignFigures } from './netcode/foreign';
 import { hourFigures } from './netcode/hour';
 import { stateFigures } from './netcode/states';
 import { smoothnessFigures } from './netcode/smoothness';
@@ -20,6 +21,7 @@ for (const figures of [
   fleetFigures(),
   stateFigures(),
   hourFigures(),
+  foreignFigures(),
 ]) {
   for (const figure of figures) {
     print(figure, asJson);

@@ -7,7 +7,7 @@ import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from '
 import { delimiter, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import type { Browser } from 'playwright-core';
+import type { Browser, BrowserServer, LaunchOptions } from 'playwright-core';
 
 /** A browser to start: its program and what its environment needs beyond ours. */
 export interface ChromiumProgram {
@@ -129,11 +129,13 @@ async function npmChromium(): Promise<ChromiumProgram | null> {
 
 /**
  * The Chromium to test with, or null when the machine has none and npm brings none for it, or CHROMIUM is "none".
+ * CHROMIUM=npm takes the one that npm brings, whatever is installed.
  * @throws when CHROMIUM names a file that is not there: a wish that cannot be met is not passed over.
  */
 export async function findChromium(): Promise<ChromiumProgram | null> {
   const wished = process.env['CHROMIUM'];
   if (wished === 'none') return null;
+  if (wished === 'npm') return npmChromium();
   if (wished) {
     if (!existsSync(wished)) throw new Error(`CHROMIUM names ${wished}, which does not exist`);
     return { path: wished, env: {} };
@@ -142,14 +144,23 @@ export async function findChromium(): Promise<ChromiumProgram | null> {
   return installed ? { path: installed, env: {} } : npmChromium();
 }
 
-/** Starts the browser, headless, drawing in software. */
-export function launchChromium(program: ChromiumProgram): Promise<Browser> {
+function launchOptions(program: ChromiumProgram): LaunchOptions {
   const inherited = Object.entries(process.env).filter(
     (pair): pair is [string, string] => pair[1] !== undefined,
   );
-  return chromium.launch({
+  return {
     executablePath: program.path,
     args: ARGS,
     env: { ...Object.fromEntries(inherited), ...program.env },
-  });
+  };
+}
+
+/** Starts the browser, headless, drawing in software. */
+export function launchChromium(program: ChromiumProgram): Promise<Browser> {
+  return chromium.launch(launchOptions(program));
+}
+
+/** Starts it for other processes, which connect to its `wsEndpoint()`. */
+export function serveChromium(program: ChromiumProgram): Promise<BrowserServer> {
+  return chromium.launchServer(launchOptions(program));
 }

@@ -1,20 +1,20 @@
 /**
- * Before the browser tests: finds a Chromium, builds the page and serves it, and starts a development server
- * for the pages of test/browser/pages. Without a Chromium the tests are skipped, and the count of them is said.
+ * Before the browser tests: finds a Chromium and starts one per core (all pages of one draw in a single thread), builds the page
+ * and serves it, and starts a development server for the pages of test/browser/pages. Without a Chromium the tests are skipped, and the count of them is said.
  */
 import { spawnSync } from 'node:child_process';
+import { availableParallelism } from 'node:os';
 import { fileURLToPath } from 'node:url';
 import { createServer } from 'vite';
 import type { ViteDevServer } from 'vite';
 import type { TestProject } from 'vitest/node';
-import { findChromium } from './chromium';
-import type { ChromiumProgram } from './chromium';
+import { findChromium, serveChromium } from './chromium';
 import { serveFolder } from './staticServer';
 
 declare module 'vitest' {
   interface ProvidedContext {
-    /** The browser to test with; null: there is none, the browser tests are skipped. */
-    chromium: ChromiumProgram | null;
+    /** Addresses of the browsers that the test files share; none: the browser tests are skipped. */
+    chromium: readonly string[];
     /** Address of the built page under the strict content security policy, ending with a slash. */
     builtPage: string;
     /** Address of the development server whose root is the repository, ending with a slash. */
@@ -57,22 +57,30 @@ function skipped(project: TestProject): () => void {
 
 export default async function setup(project: TestProject): Promise<() => void | Promise<void>> {
   const program = await findChromium();
-  project.provide('chromium', program);
   if (program === null) {
     if (process.env['CI'] || process.env['TOUCHDOWN_NO_SKIP']) {
       throw new Error(
         'no Chromium found, and nothing may be skipped here: install one, or name one in CHROMIUM',
       );
     }
+    project.provide('chromium', []);
     project.provide('builtPage', '');
     project.provide('devServer', '');
     return skipped(project);
   }
   buildPage();
-  const [built, dev] = await Promise.all([serveFolder(`${ROOT}dist/page`), startDevServer()]);
+  const [built, dev, ...browsers] = await Promise.all([
+    serveFolder(`${ROOT}dist/page`),
+    startDevServer(),
+    ...Array.from({ length: availableParallelism() }, () => serveChromium(program)),
+  ]);
+  project.provide(
+    'chromium',
+    browsers.map((browser) => browser.wsEndpoint()),
+  );
   project.provide('builtPage', built.url);
   project.provide('devServer', dev.resolvedUrls?.local[0] ?? '');
   return async () => {
-    await Promise.all([built.close(), dev.close()]);
+    await Promise.all([built, dev, ...browsers].map((running) => running.close()));
   };
 }

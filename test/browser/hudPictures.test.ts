@@ -7,6 +7,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { compareWithKept, difference, kept, TOLERANCE } from './golden';
 import { describeInBrowser, openTestPage, problemsOf } from './pages';
 import { useTestFont } from './testFont';
+import { untilDrawn } from './waits';
 
 /** State, and the text of its status slot: shape, word and provenance. */
 const STATES: readonly (readonly [state: string, slot: string])[] = [
@@ -64,6 +65,7 @@ describeInBrowser('the HUDs’ looks', () => {
         beforeAll(async () => {
           await page.emulateMedia({ colorScheme });
           await page.setViewportSize(viewport);
+          await untilDrawn(page);
         });
 
         it.each(STATES)('%s', async (state, slot) => {

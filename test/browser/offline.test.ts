@@ -9,8 +9,8 @@ import { expect, it, onTestFinished } from 'vitest';
 import { describeInBrowser, openUrl, problemsOf } from './pages';
 import { serveFolder } from './staticServer';
 import type { Fault, StaticServer } from './staticServer';
+import { SMALL } from './waits';
 
-const SMALL = { viewport: { width: 640, height: 360 } };
 const BUILT = fileURLToPath(new URL('../../dist/page', import.meta.url));
 const LIMIT = { timeout: 120_000 };
 
@@ -69,6 +69,26 @@ async function openAndKeep(server: Deployment): Promise<Page> {
 /** Until the page runs: its program has come and the world in its worker answers. */
 async function untilRunning(page: Page): Promise<void> {
   await page.waitForSelector('html[data-status]', { timeout: 60_000 });
+}
+
+interface InstallationWindow {
+  /** What became of the worker that the page registered first: 'installed' or 'redundant'. */
+  installed: Promise<ServiceWorkerState>;
+}
+
+/** Runs in the page before its own scripts. */
+function noteInstallation(): void {
+  const { serviceWorker } = navigator;
+  const register = serviceWorker.register.bind(serviceWorker);
+  const installed = new Promise<ServiceWorkerState>((resolve) => {
+    serviceWorker.register = async (...given) => {
+      const registration = await register(...given);
+      const worker = registration.installing;
+      worker?.addEventListener('statechange', () => resolve(worker.state), { once: true });
+      return registration;
+    };
+  });
+  Object.assign(window, { installed });
 }
 
 const cachesOf = (page: Page) => page.evaluate(() => caches.keys());
@@ -143,23 +163,11 @@ describeInBrowser('the built page, its host in trouble', () => {
         response.writeHead(200, { 'Content-Type': 'text/html' }).end('<p>Sign in</p>');
         return true;
       };
-      const page = await openUrl(`${server.url}?scenario=settle`, SMALL);
+      // Listened to from the start: a worker that fails leaves no registration to ask.
+      const prepare = (opened: Page) => opened.addInitScript(noteInstallation);
+      const page = await openUrl(`${server.url}?scenario=settle`, { ...SMALL, prepare });
       await untilRunning(page);
-      const settled = page.evaluate(async () => {
-        const registration = await new Promise<ServiceWorkerRegistration>((resolve) => {
-          const look = () =>
-            void navigator.serviceWorker.getRegistration().then((found) => {
-              if (found === undefined) setTimeout(look, 50);
-              else resolve(found);
-            });
-          look();
-        });
-        const worker = registration.installing;
-        if (worker === null) return registration.active === null ? 'redundant' : 'active';
-        return new Promise((resolve) => {
-          worker.onstatechange = () => resolve(worker.state);
-        });
-      });
+      const settled = page.evaluate(() => (window as unknown as InstallationWindow).installed);
       expect(await settled).toBe('redundant');
       expect(await cachesOf(page)).toEqual([]);
       server.fault = () => false;

@@ -3,9 +3,9 @@
  *   describeInBrowser('…', () => { it('…', async () => { const page = await openBuiltPage('?scenario=settle'); … }) })
  * A page opened inside a test closes with the test, one opened in beforeAll with its file.
  */
+import { chromium } from 'playwright-core';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, describe, inject, onTestFailed, onTestFinished, TestRunner } from 'vitest';
-import { launchChromium } from './chromium';
 
 export interface PageOptions {
   /** Size of the window in CSS pixels; 1280 × 720 unless told. */
@@ -15,19 +15,27 @@ export interface PageOptions {
   readonly reducedMotion?: 'reduce' | 'no-preference';
   /** 'allow' unless told. */
   readonly serviceWorkers?: 'allow' | 'block';
+  /** Device pixels per CSS pixel; 1 unless told. */
+  readonly deviceScaleFactor?: number;
+  /** The most frames that the page may draw in a second, as on a slow display; as many as it can unless told. */
+  readonly framesPerSecond?: number;
+  /** Done to the page before its address is opened. */
+  readonly prepare?: (page: Page) => Promise<unknown>;
 }
 
-const program = inject('chromium');
+const browsers = inject('chromium');
+/** The one for this test file: files that run at the same time are spread over all. */
+const address = browsers[Number(process.env['VITEST_POOL_ID'] ?? 0) % Math.max(1, browsers.length)];
 const problems = new WeakMap<Page, string[]>();
 let browser: Promise<Browser> | undefined;
 
 /** `describe`, skipped (and counted as such) on a machine without a Chromium. */
-export const describeInBrowser = describe.skipIf(program === null);
+export const describeInBrowser = describe.skipIf(address === undefined);
 
-/** The browser of this test file, started at first use. */
-export function theBrowser(): Promise<Browser> {
-  if (program === null) throw new Error('there is no Chromium: put the test into describeInBrowser');
-  browser ??= launchChromium(program);
+/** A browser shared with other test files; what a file opens in it is its own, and goes with it. */
+function theBrowser(): Promise<Browser> {
+  if (address === undefined) throw new Error('there is no Chromium: put the test into describeInBrowser');
+  browser ??= chromium.connect(address);
   return browser;
 }
 
@@ -65,15 +73,26 @@ function endWithTest(page: Page): void {
   });
 }
 
+/** The page draws no more often than this: the software renderer's frames are what a test's time goes into. */
+async function limitFrames(page: Page, framesPerSecond: number): Promise<void> {
+  await page.addInitScript((gap) => {
+    const soon = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (draw) => window.setTimeout(() => soon(draw), gap);
+  }, 1000 / framesPerSecond);
+}
+
 /** Opens any address; resolves when the page's load event has fired. */
 export async function openUrl(url: string, options: PageOptions = {}): Promise<Page> {
+  const { framesPerSecond, prepare, ...given } = options;
   const usual = { viewport: { width: 1280, height: 720 }, colorScheme: 'light' as const };
   const running = await theBrowser();
-  const context = await running.newContext({ ...usual, ...options, ...EVERYWHERE_THE_SAME });
+  const context = await running.newContext({ ...usual, ...given, ...EVERYWHERE_THE_SAME });
   const page = await context.newPage();
   watchForProblems(page);
   // Not the state of `expect`: in a later beforeAll that still names the test before.
   if (TestRunner.getCurrentTest() !== undefined) endWithTest(page);
+  if (framesPerSecond !== undefined) await limitFrames(page, framesPerSecond);
+  await prepare?.(page);
   await page.goto(url);
   return page;
 }

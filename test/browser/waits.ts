@@ -1,22 +1,30 @@
 import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 
-/** Small enough for the software renderer to keep up. */
-export const SMALL = { viewport: { width: 960, height: 540 } };
+/** A picture that the software renderer has little work with: few pixels, and no more frames than a test can tell apart. */
+export const SMALL = { viewport: { width: 960, height: 540 }, deviceScaleFactor: 0.5, framesPerSecond: 2 };
+
+/** As many frames as the renderer gives, of few pixels. */
+export const FLUENT = { viewport: { width: 960, height: 540 }, deviceScaleFactor: 0.5 };
+
+/** Not once per frame, which on a slow display are far apart. */
+export const PATIENT = { timeout: 60_000, polling: 50 };
 
 /** Until the own ship is shown in a state; the software renderer may take seconds a frame beside other work. */
 export async function untilStatus(page: Page, ...wanted: string[]): Promise<void> {
   await page.waitForFunction(
     (states) => states.includes(document.documentElement.dataset['status'] ?? ''),
     wanted,
-    { timeout: 45_000 },
+    PATIENT,
   );
 }
 
 export async function untilProvenance(page: Page, wanted: string): Promise<void> {
-  await page.waitForFunction((state) => document.documentElement.dataset['provenance'] === state, wanted, {
-    timeout: 45_000,
-  });
+  await page.waitForFunction(
+    (state) => document.documentElement.dataset['provenance'] === state,
+    wanted,
+    PATIENT,
+  );
 }
 
 /** Until the display's tilt gauge reads less than `angle` degrees. */
@@ -46,6 +54,11 @@ export async function untilBanner(page: Page, words: string): Promise<void> {
   await page.waitForFunction(
     (wanted) => document.getElementById('banner')?.textContent.includes(wanted),
     words,
-    { timeout: 45_000 },
+    PATIENT,
   );
+}
+
+/** Until the page has laid out and drawn what was changed before. */
+export async function untilDrawn(page: Page): Promise<void> {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }

@@ -42,17 +42,28 @@ vi.setConfig({ testTimeout: 120_000 });
 
 describe('a law that adds up in another order is found out', () => {
   withPython.each([
-    ['surface.py', 'vx * nx + vy * ny + vz * nz', 'vx * nx + (vy * ny + vz * nz)'],
-    ['surface.py', 'x + tx * twice + 2 * cx', 'x + (tx * twice + 2 * cx)'],
+    ['surface.py', 'vx * sx + vy * sy + vz * sz', 'vx * sx + (vy * sy + vz * sz)'],
+    [
+      'surface.py',
+      'x - rise_1 * first[0] - rise_2 * second[0]',
+      'x - (rise_1 * first[0] + rise_2 * second[0])',
+    ],
+    ['pose.py', 'x + tx * twice + 2 * (ay * tz - az * ty)', 'x + (tx * twice + 2 * (ay * tz - az * ty))'],
+    ['flight.py', 'x + (ux * dt + ax * half_squared)', '(x + ux * dt) + ax * half_squared'],
     [
       'actuators.py',
       'ship.fuel - (main * cls.main_flow + burn * cls.rcs_flow) * dt',
       'ship.fuel - main * cls.main_flow * dt - burn * cls.rcs_flow * dt',
     ],
-    ['forces.py', 'load.mass * speed / dt', 'speed / dt * load.mass'],
-    ['topple.py', 'torque[0] + toppling * by + sx + kx', 'torque[0] + (toppling * by + sx) + kx'],
+    ['attitude_control.py', 'tx * qw - tw * qx - ty * qz + tz * qy', 'tx * qw + tz * qy - tw * qx - ty * qz'],
+    ['forces.py', 'dx * sx + dy * sy + dz * sz', 'dx * sx + (dy * sy + dz * sz)'],
+    [
+      'moments.py',
+      'toppling * (ny * upz - nz * upy) + mx + kx',
+      'toppling * (ny * upz - nz * upy) + (mx + kx)',
+    ],
     ['vectors.py', 'ay * bw + aw * by + az * bx - ax * bz', 'aw * by + az * bx + ay * bw - ax * bz'],
-    ['vectors.py', 'hx * w + hy * z - hz * y', 'hx * w - hz * y + hy * z'],
+    ['pose.py', 'hx * w + hy * z - hz * y', 'hx * w - hz * y + hy * z'],
     ['models.py', '(c * h - b * i) / determinant', '(c * h - b * i) * (1 / determinant)'],
   ])('%s: %s', async (file, expression, instead) => {
     const broken = brokenServer(file, expression, instead);

@@ -134,7 +134,8 @@ function drawShip(dice: Dice, start: Start, shipClass: ShipClass, place: Place):
 function drawWheels(dice: Dice, { reactionWheelCapacity, reactionWheelTorque }: ShipClass): Vec3 {
   const most = reactionWheelCapacity ?? reactionWheelTorque;
   const share = (): number => pick(dice, [0, -1, 1, between(dice, -1, 1), 1.5]);
-  return [most[0] * share(), most[1] * share(), most[2] * share()];
+  // + 0: JSON, in which Python is told, has no −0.
+  return [most[0] * share() + 0, most[1] * share() + 0, most[2] * share() + 0];
 }
 
 /** Somewhere on the way from its body to the neighbour, about where both are as near by their own measure. */

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
-import { actionOf } from '../../src/playground/input/keyboard';
+import { actionOf, type KeyStroke } from '../../src/playground/input/keyboard';
 import {
+  type Action,
   defaultKeys,
   firstDoubled,
   isBindable,
@@ -10,6 +11,7 @@ import {
   rebind,
   saveKeys,
 } from '../../src/playground/input/keyTable';
+import { capOf, type Layout, placesOf } from '../../src/playground/input/layout';
 import { createStick, press, release, resetStick, sampleStick } from '../../src/playground/input/stick';
 
 /** A store in memory. */
@@ -27,35 +29,32 @@ describe('key table', () => {
   it('has the game’s keys, each once, none with a modifier', () => {
     const { map } = defaultKeys();
     expect(firstDoubled(map)).toBeNull();
-    expect(KEY_TABLE.every(({ key }) => isBindable(key))).toBe(true);
-    expect([map.throttleUp, map.throttleDown, map.throttleFull, map.throttleCut]).toEqual([
-      'f',
-      'v',
-      'z',
-      'x',
-    ]);
-    expect([map.rateDamping, map.restart, map.pause, map.stepSubstep]).toEqual(['t', 'r', 'p', 'o']);
+    expect(KEY_TABLE.every(({ action, key }) => isBindable(action, key))).toBe(true);
+    const throttle = [map.throttleUp, map.throttleDown, map.throttleFull, map.throttleCut];
+    expect(throttle).toEqual(['KeyF', 'KeyV', 'KeyZ', 'KeyX']);
+    expect([map.rateDamping, map.restart, map.pause, map.stepSubstep]).toEqual(['KeyT', 'r', 'p', 'o']);
     expect([map.previousScenario, map.nextScenario, map.hide, map.help]).toEqual(['[', ']', 'h', '?']);
     const turns = ['pitchPlus', 'pitchMinus', 'yawPlus', 'yawMinus', 'rollPlus', 'rollMinus'] as const;
-    expect(turns.map((action) => map[action]).sort()).toEqual(['a', 'd', 'e', 'q', 's', 'w']);
+    expect(turns.map((action) => map[action].slice(3)).sort()).toEqual(['A', 'D', 'E', 'Q', 'S', 'W']);
   });
 
   it('is remapped by exchange, saved and read again', () => {
     const { map } = defaultKeys();
-    const next = rebind(map, 'pitchPlus', 'w');
-    expect([next.pitchPlus, next.pitchMinus]).toEqual(['w', 's']);
+    const next = rebind(map, 'pitchPlus', 'KeyW');
+    expect([next.pitchPlus, next.pitchMinus]).toEqual(['KeyW', 'KeyS']);
     const store = storeWith(null);
     saveKeys(store, { map: next, enabled: false });
     expect(loadKeys(store)).toEqual({ map: next, enabled: false });
-    expect(actionOf({ map: next, enabled: true }, 'W')).toBe('pitchPlus');
-    expect(actionOf({ map: next, enabled: false }, 'w')).toBeNull();
+    const none: Layout = new Map();
+    expect(actionOf({ map: next, enabled: true }, none, stroke('KeyW', 'W'))).toBe('pitchPlus');
+    expect(actionOf({ map: next, enabled: false }, none, stroke('KeyW', 'w'))).toBeNull();
   });
 
   it.each([
     ['not JSON', '{'],
     ['no object', '7'],
-    ['a map of nonsense', '{"map":{"pitchPlus":"Enter","yawPlus":9,"nothing":"k"}}'],
-    ['two actions on a key', '{"map":{"pitchPlus":"w"}}'],
+    ['a map of nonsense', '{"map":{"pitchPlus":"Enter","yawPlus":9,"nothing":"k","restart":"KeyR"}}'],
+    ['two actions on a key', '{"map":{"pitchPlus":"KeyW"}}'],
     ['no map', '{"map":null}'],
   ])('%s in the store leaves the defaults', (_, text) => {
     expect(loadKeys(storeWith(text))).toEqual(defaultKeys());
@@ -76,6 +75,79 @@ describe('key table', () => {
   });
 });
 
+function stroke(code: string, key: string, changes: Partial<KeyStroke> = {}): KeyStroke {
+  return { code, key, ctrlKey: false, altKey: false, metaKey: false, altGraph: false, ...changes };
+}
+
+/** What keyboards print on the places that matter, in the order of PLACES. */
+const PLACES = [
+  ...'QWERTYUIOP'.split('').map((letter) => `Key${letter}`),
+  ...'ASDFGHJKL'.split('').map((letter) => `Key${letter}`),
+  'Semicolon',
+  ...'ZXCVBNM'.split('').map((letter) => `Key${letter}`),
+  ...['Comma', 'Period', 'Slash', 'BracketLeft', 'BracketRight', 'Minus'],
+];
+const LAYOUTS: Readonly<Record<string, string>> = {
+  us: 'qwertyuiopasdfghjkl;zxcvbnm,./[]-',
+  qwertz: 'qwertzuiopasdfghjklöyxcvbnm,.-ü+ß',
+  azerty: 'azertyuiopqsdfghjklmwxcvbn,;:!^$)',
+  dvorak: "',.pyfgcrlaoeuidhtns;qjkxbmwvz/=[",
+  colemak: 'qwfpgjluy;arstdhneiozxcvbkm,./[]-',
+  cyrillic: 'йцукенгшщзфывапролджячсмитьбю.хъ-',
+};
+
+describe.each(Object.keys(LAYOUTS))('on a %s keyboard', (name) => {
+  const layout: Layout = new Map(PLACES.map((code, i) => [code, LAYOUTS[name]!.charAt(i)]));
+  const keys = defaultKeys();
+  const typed = (code: string) => actionOf(keys, layout, stroke(code, layout.get(code) ?? ''));
+
+  it('flies by place', () => {
+    const asdw = ['KeyW', 'KeyA', 'KeyS', 'KeyD', 'KeyF', 'KeyX'];
+    expect(asdw.map(typed)).toEqual([
+      'pitchMinus',
+      'yawPlus',
+      'pitchPlus',
+      'yawMinus',
+      'throttleUp',
+      'throttleCut',
+    ]);
+  });
+
+  it('has a key for every command, and names the key that does it', () => {
+    for (const action of ['restart', 'pause', 'stepSubstep', 'hide'] as const) {
+      const cap = capOf(action, keys.map, layout);
+      const code = [...placesOf(keys.map, layout)].find(([, owner]) => owner === action)?.[0];
+      expect(code, action).toBeDefined();
+      expect(typed(code!), action).toBe(action);
+      expect(cap.length, action).toBeGreaterThan(0);
+      if (layout.has(code!)) expect(cap).toBe(layout.get(code!)!.toUpperCase());
+    }
+  });
+});
+
+describe('letters and modifiers', () => {
+  const keys = defaultKeys();
+  const qwertz: Layout = new Map(PLACES.map((code, i) => [code, LAYOUTS['qwertz']!.charAt(i)]));
+  const layout: Layout = new Map();
+  it('AltGr types a sign, whether or not the browser calls it Ctrl + Alt', () => {
+    const altGr = { ctrlKey: true, altKey: true, altGraph: true };
+    expect(actionOf(keys, qwertz, stroke('Digit9', ']', altGr))).toBe('nextScenario');
+    expect(actionOf(keys, qwertz, stroke('Digit9', ']', { altGraph: true }))).toBe('nextScenario');
+    expect(actionOf(keys, qwertz, stroke('KeyE', '€', altGr))).toBeNull();
+  });
+  it('Shift makes the question mark', () => {
+    expect(actionOf(keys, qwertz, stroke('Minus', '?'))).toBe('help');
+    expect(actionOf(keys, layout, stroke('Slash', '?'))).toBe('help');
+  });
+  it.each([{ ctrlKey: true }, { altKey: true }, { metaKey: true }])('%o belongs to the browser', (held) => {
+    const wanted: (Action | null)[] = [
+      actionOf(keys, layout, stroke('KeyW', 'w', held)),
+      actionOf(keys, layout, stroke('KeyR', 'r', held)),
+    ];
+    expect(wanted).toEqual([null, null]);
+  });
+});
+
 describe('stick', () => {
   it('gives the same controls object while nothing changes', () => {
     const stick = createStick();
@@ -87,10 +159,11 @@ describe('stick', () => {
     expect(sampleStick(stick, 0.016).rotationInput).toEqual([0, 0, 0]);
   });
 
-  it('moves the throttle while its key is held, and stops at its ends', () => {
+  it('moves the throttle a per cent at a tap, slowly and then fast while held, and stops at its ends', () => {
     const stick = createStick();
     press(stick, 'throttleUp', NEUTRAL_CONTROLS);
-    expect(sampleStick(stick, 0.5).thrustLevel).toBeCloseTo(0.3, 12);
+    expect(sampleStick(stick, 0).thrustLevel).toBeCloseTo(0.01, 12);
+    expect(sampleStick(stick, 0.5).thrustLevel).toBeCloseTo(0.04, 12);
     expect(sampleStick(stick, 5).thrustLevel).toBe(1);
     release(stick, 'throttleUp');
     press(stick, 'throttleCut', NEUTRAL_CONTROLS);
@@ -101,7 +174,8 @@ describe('stick', () => {
     const stick = createStick();
     press(stick, 'yawMinus', { ...NEUTRAL_CONTROLS, thrustLevel: 0.7, attitudeHold: true });
     const taken = sampleStick(stick, 0.016);
-    expect([taken.thrustLevel, taken.attitudeHold, taken.rotationInput]).toEqual([0.7, true, [0, -1, 0]]);
+    expect(taken.thrustLevel).toBeCloseTo(0.7, 12);
+    expect([taken.attitudeHold, taken.rotationInput]).toEqual([true, [0, -1, 0]]);
     press(stick, 'yawPlus', NEUTRAL_CONTROLS);
     expect(sampleStick(stick, 0.016).rotationInput).toEqual([0, 0, 0]);
     resetStick(stick);

@@ -1,97 +1,13 @@
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { hashRows, NEUTRAL_CONTROLS, readShip, SHIP_STRIDE } from '../../src/dynamics';
-import { type Choices, DEFAULT_CHOICES } from '../../src/playground/panels/choices';
-import type { Live } from '../../src/playground/game/live';
+import { DEFAULT_CHOICES } from '../../src/playground/panels/choices';
 import { createReplay } from '../../src/playground/recording/replay';
 import { scriptOf } from '../../src/playground/game/script';
-import type { FromServer, ToServer } from '../../src/playground/server/connection';
-import { press, release } from '../../src/playground/input/stick';
-import type { WorldView } from '../../src/prediction';
-import {
-  bell,
-  compareRecording,
-  createDice,
-  readRecording,
-  type RecordingEntry,
-  rehearse,
-  SCENARIOS,
-  writeRecording,
-} from '../../src/scenarios';
+import { compareRecording, readRecording, rehearse, SCENARIOS, writeRecording } from '../../src/scenarios';
 import { valueOf } from '../authority/moon';
+import { open, useGameClock } from './openGame';
 
-/** Page and worker as they are, on one clock of our own: between them only the messages that a browser would carry. */
-interface Game {
-  readonly live: Live;
-  readonly entries: readonly RecordingEntry[];
-  /** Draws at about `fps` frames a second until `seconds` have passed, `each` after every frame. */
-  readonly play: (fps: number, seconds: number, each?: (view: WorldView) => void) => void;
-}
-
-interface Scope {
-  onmessage: (event: { data: ToServer }) => void;
-  postMessage: (message: FromServer, options: { transfer: Transferable[] }) => void;
-}
-
-beforeEach(() => {
-  vi.useFakeTimers();
-  vi.resetModules();
-});
-afterEach(() => {
-  vi.useRealTimers();
-  vi.unstubAllGlobals();
-});
-
-async function open(asked: Partial<Choices>): Promise<Game> {
-  const scope = { onmessage: () => undefined, postMessage: () => undefined } as Scope;
-  vi.stubGlobal('self', scope);
-  vi.stubGlobal(
-    'Worker',
-    class {
-      onmessage = (_event: { data: FromServer }) => undefined;
-      constructor() {
-        scope.postMessage = (message, { transfer }) => {
-          const data = structuredClone(message, { transfer });
-          setTimeout(() => this.onmessage({ data }));
-        };
-      }
-      postMessage(message: ToServer) {
-        const data = structuredClone(message);
-        setTimeout(() => scope.onmessage({ data }));
-      }
-      terminate() {
-        scope.onmessage = () => undefined;
-      }
-    },
-  );
-  const { serve } = await import('../../src/playground/server/worker');
-  const { createLive } = await import('../../src/playground/game/live');
-  serve([]);
-  const entries: RecordingEntry[] = [];
-  const live = createLive('main.js', {
-    onState: () => undefined,
-    onWorld: () => entries.splice(0),
-    onRefused: (reason) => expect.unreachable(reason),
-    onEvent: () => undefined,
-    onEntry: (entry) => entries.push(entry),
-  });
-  live.begin({ ...DEFAULT_CHOICES, ...asked });
-  const dice = createDice(11);
-  return {
-    live,
-    entries,
-    play(fps, seconds, each) {
-      for (let passed = 0; passed < seconds * 1000;) {
-        // No frame comes when it should: off by a fifth, and one in fifty five times as late.
-        const late = dice() < 0.02 ? 5 : 1;
-        const wait = Math.max(1, (1000 / fps) * late * (1 + bell(dice) / 5));
-        passed += wait;
-        vi.advanceTimersByTime(wait);
-        each?.(live.frame());
-        if (each === undefined) live.frame();
-      }
-    },
-  };
-}
+useGameClock();
 
 /** What the page should show at the end: the scenario on the dynamics alone. */
 function truth(name: string, tickRate: number): { readonly run: string; readonly seconds: number } {
@@ -183,18 +99,60 @@ describe('a recording of it', () => {
   });
 });
 
+describe('a pause', () => {
+  it('with a key held, and going on, leaves no mismatch: what is held or pressed meanwhile does nothing', async () => {
+    const { live, play } = await open({ scenario: 'school-hover', network: 'broadband' });
+    play(60, 2.3);
+    live.hands.press('throttleUp');
+    play(60, 0.4);
+    live.hands.rest(true);
+    live.operate({ kind: 'pause', paused: true });
+    play(60, 3);
+    const paused = live.view().own!.controls.thrustLevel;
+    live.hands.press('throttleFull');
+    live.hands.press('pitchPlus');
+    play(60, 1);
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: paused, rotationInput: [0, 0, 0] });
+    live.hands.rest(false);
+    live.operate({ kind: 'pause', paused: false });
+    play(60, 5);
+    expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
+  });
+});
+
+describe('the autopilot', () => {
+  it('lands softly from the mission’s start, and is given back by the key that took it', async () => {
+    const { live, play } = await open({ scenario: 'first-landing', network: 'broadband' });
+    play(30, 1);
+    live.hands.press('autopilot');
+    play(30, 2);
+    expect(live.view().own!.controls.attitudeMode).toBe('radial');
+    live.hands.press('autopilot');
+    expect(live.hands.autopilot.isOn()).toBe(false);
+    const held = live.view().own!.controls.thrustLevel;
+    play(30, 0.5);
+    expect(live.view().own!.controls).toMatchObject({ attitudeMode: 'none', attitudeHold: true });
+    expect(live.view().own!.controls.thrustLevel).toBeCloseTo(held, 1);
+    live.hands.press('autopilot');
+    play(30, 60);
+    const { own } = live.frame();
+    expect(own!.shownState).toBe('landed');
+    expect(own!.touchdown.verticalSpeed).toBeLessThan(2);
+  });
+});
+
 describe('the hand on the stick', () => {
   it('ends the plan with its first touch, whatever it touches, and nothing fights it', async () => {
     const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
     play(60, 1);
-    expect(live.flown()).toMatchObject({ thrustLevel: 0.5, attitudeMode: 'radial' });
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0.5, attitudeMode: 'radial' });
     // The plan would turn the ship from 2.6 s on; the hand cuts the engine and does nothing else.
     play(60, 0.5);
-    press(live.stick, 'throttleCut', live.flown());
+    live.hands.press('throttleCut');
     const turned = new Set<number>();
     play(60, 6, (view) => turned.add(view.own!.controls.rotationInput[0]));
     expect([...turned]).toEqual([0]);
-    expect(live.flown()).toMatchObject({ thrustLevel: 0, attitudeMode: 'none' });
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0, attitudeMode: 'radial' });
     const { diagnosis } = live.frame();
     expect(diagnosis).toMatchObject({
       correctionsMismatch: 0,
@@ -207,35 +165,35 @@ describe('the hand on the stick', () => {
     const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
     play(60, 1);
     live.operate({ kind: 'drop' });
-    press(live.stick, 'throttleCut', live.flown());
+    live.hands.press('throttleCut');
     // Meanwhile the server plays on: engine, and the turn from 2.6 s to 3.6 s.
     play(60, 1.8);
-    expect(live.flown()).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0] });
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0] });
     live.reconnect();
     play(60, 4);
     const { diagnosis, own } = live.frame();
     expect(diagnosis.correctionsLateInput).toBeGreaterThan(0);
     expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
     expect(own).toMatchObject({ provenance: 'confirmed' });
-    expect(own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0], attitudeMode: 'none' });
+    expect(own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0], attitudeMode: 'radial' });
   });
 
   it('taps as long as the finger did, however far apart the frames are', async () => {
     const { live, play, entries } = await open({ scenario: 'opening', network: 'lan' });
     play(2, 3);
-    for (const hand of [press, release]) {
+    for (const hand of ['press', 'release'] as const) {
       vi.advanceTimersByTime(60);
-      hand(live.stick, 'pitchPlus', live.flown());
+      live.hands[hand]('pitchPlus');
       live.steer();
     }
     play(2, 2);
     const turns = entries.flatMap((entry) =>
       entry.kind === 'sent' && entry.message.kind === 'inputs' ? entry.message.inputs : [],
     );
-    expect(turns.map(({ controls }) => controls.rotationInput)).toEqual([
-      [1, 0, 0],
-      [0, 0, 0],
-    ]);
+    const [held, released] = turns.map(({ controls }) => controls.rotationInput);
+    expect(turns).toHaveLength(2);
+    expect(held![0]).toBeGreaterThan(0.3);
+    expect(released).toEqual([0, 0, 0]);
     // 60 ms of 10 ms each.
     const [down, up] = turns.map(({ tick, substep }) => tick * 100 + substep);
     expect(up! - down!).toBeGreaterThanOrEqual(5);
@@ -247,7 +205,7 @@ describe('the hand on the stick', () => {
   it('takes over without a change of controls too', async () => {
     const { live, play } = await open({ scenario: 'launch', network: 'lan' });
     play(60, 1);
-    press(live.stick, 'throttleCut', live.flown());
+    live.hands.press('throttleCut');
     play(60, 8, (view) => expect(view.own!.surfaceContactState).toBe('landed'));
     expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
   });

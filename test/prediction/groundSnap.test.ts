@@ -1,6 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { loadShipClass, SHIP_CLASSES } from '../../src/dynamics';
-import { createGroundedPose, type GroundPose, hullOf, LEGS, snapToGround } from '../../src/prediction';
+import {
+  createGroundedPose,
+  type DrawnGround,
+  type GroundPose,
+  hullOf,
+  LEGS,
+  snapToGround,
+} from '../../src/prediction';
 import { snapToLevel } from '../../src/prediction/drawn/levelSnap';
 import { flyAndMeasure } from './measure';
 import { createRig, value } from './rig';
@@ -9,22 +16,28 @@ const RADIUS = 1_737_400;
 const shipClass = value(loadShipClass(SHIP_CLASSES.find(({ name }) => name === 'planetary_lander')!));
 const hull = hullOf(shipClass);
 const h = shipClass.groundContactOffset;
-const level = () => RADIUS;
+const groundWith = (terrainHeight: (nx: number) => number): DrawnGround => ({
+  bodyName: 'Moon',
+  radius: RADIUS,
+  terrainHeight: (_, nx) => terrainHeight(nx),
+});
+const level = groundWith(() => 0);
 /** A slope of 1 in 5 along x, as seen from over the pole of z. */
-const slope = (nx: number) => RADIUS + 0.2 * nx * RADIUS;
+const slope = groundWith((nx) => 0.2 * nx * RADIUS);
 
 /** At `height` of the centre of mass above the sphere, tilted about y. */
-function pose(height: number, degrees: number, grounded: boolean): GroundPose {
+function pose(height: number, degrees: number, grounded: boolean, groundOffset = 0): GroundPose {
   const half = (degrees * Math.PI) / 360;
   return {
     position: Float64Array.of(0, 0, RADIUS + height),
     attitude: Float64Array.of(0, Math.sin(half), 0, Math.cos(half)),
     grounded,
+    groundOffset,
   };
 }
 
 /** Heights of all points above the ground, feet pressed in. */
-function heights(given: GroundPose, ground: (nx: number) => number): number[] {
+function heights(given: GroundPose, ground: DrawnGround): number[] {
   const out = createGroundedPose(LEGS);
   snapToGround(out, given, hull, ground);
   const points: number[][] = [];
@@ -40,7 +53,7 @@ function heights(given: GroundPose, ground: (nx: number) => number): number[] {
     const py = out.position[1]! + y!;
     const pz = out.position[2]! + cos * z! - sin * x!;
     const far = Math.sqrt(px * px + py * py + pz * pz);
-    return far - ground(px / far);
+    return far - RADIUS - ground.terrainHeight('Moon', px / far, 0, 0);
   });
 }
 
@@ -82,7 +95,7 @@ describe('snapToGround', () => {
     expect(lift(1, false)).toBe(0);
   });
 
-  it('stands on level ground as point by point', () => {
+  it('is put on level ground as point by point', () => {
     const [exact, quick] = [createGroundedPose(LEGS), createGroundedPose(LEGS)];
     for (const tilt of tilts) {
       for (const [height, grounded] of [
@@ -100,6 +113,25 @@ describe('snapToGround', () => {
       }
     }
   });
+
+  it.each([1, 0.3, -0.3, -1])(
+    'meets the drawn ground without a pop where the predicted one is %d m above it, and is left alone high up',
+    (offset) => {
+      const out = createGroundedPose(LEGS);
+      const clearance = (height: number, grounded: boolean) =>
+        Math.min(...heights(pose(h + offset + height, 0, grounded, offset), level));
+      expect(clearance(0, true)).toBeCloseTo(0, 3);
+      expect(clearance(1e-6, false)).toBeCloseTo(0, 3);
+      // No step on the way up, and never more than a fifth faster or slower than it is predicted.
+      for (let height = 0; height < 12; height += 0.05) {
+        const rise = clearance(height + 0.05, false) - clearance(height, false);
+        expect(rise).toBeGreaterThan(0.05 * 0.8 - 2e-4);
+        expect(rise).toBeLessThan(0.05 * 1.2 + 2e-4);
+      }
+      expect(snapToGround(out, pose(h + offset + 12, 0, false, offset), hull, level).lift).toBe(0);
+      expect(out.feetHeight).toBeCloseTo(12, 4);
+    },
+  );
 
   it('keeps every drawn point of a whole landing above ground', () => {
     const rig = createRig({ scenario: 'bounce' });

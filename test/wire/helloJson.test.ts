@@ -32,6 +32,18 @@ it('takes the design’s own for what is not told', () => {
   });
 });
 
+it('reads an inertia tensor as a list of rows too', () => {
+  const { ship_classes: classes } = throughText(encodeHelloJson(HELLO)) as { ship_classes: object[] };
+  const { inertiaTensor } = HELLO.shipClasses[0]!;
+  const rows = { ship_classes: [{ ...classes[0], inertia_tensor: inertiaTensor }] };
+  expect(decodeHelloJson(rows)).toMatchObject({ ok: true, value: { shipClasses: HELLO.shipClasses } });
+  const two = { ship_classes: [{ ...classes[0], inertia_tensor: inertiaTensor.slice(1) }] };
+  expect(decodeHelloJson(two)).toMatchObject({
+    ok: true,
+    value: { refusals: ['ship_classes[0].inertia_tensor: expected an object, got a list of 2'] },
+  });
+});
+
 it('lists classes and bodies that cannot be used, and refuses a bad setting by name', () => {
   const { ship_classes: classes } = throughText(encodeHelloJson(HELLO)) as { ship_classes: object[] };
   const decoded = decodeHelloJson({

@@ -1,14 +1,23 @@
-import { type Controls, hashRows, NEUTRAL_CONTROLS } from '../../dynamics';
+import { type Controls, flatTerrain, NEUTRAL_CONTROLS, TERRAINS } from '../../dynamics';
 import { createPredictor, type EventNotice, type Predictor, type WorldView } from '../../prediction';
-import { NETWORK_PRESETS, type NetworkNumbers, type RecordingEntry, type StagedInput } from '../../scenarios';
-import { decodeServerMessage, encodeClientMessage, type ServerFrame } from '../../wire';
+import {
+  findScenario,
+  NETWORK_PRESETS,
+  type NetworkNumbers,
+  type RecordingEntry,
+  type RunInput,
+  type StagedInput,
+} from '../../scenarios';
+import type { PartialFrame, ServerMessage } from '../../wire';
 import { type Baseline, createBaseline } from './baseline';
 import type { Choices } from '../panels/choices';
+import { createHands, type Hands } from './hands';
 import { createPageClock, type PageClock } from './pageClock';
+import { createRunHash } from './runHash';
 import { type Script, scriptOf } from './script';
-import { type Connection, type ConnectionHandlers, openSocket, openWorker } from '../server/connection';
+import { type Connection, type ConnectionHandlers, openWorker, type ShipLoss } from '../server/connection';
 import type { Operation } from '../server/operation';
-import { createStick, resetStick, sampleStick, type Stick } from '../input/stick';
+import { openServer } from '../server/realServer';
 
 /** What the page is told of a live game. */
 export interface LiveListeners {
@@ -19,12 +28,16 @@ export interface LiveListeners {
   readonly onEvent: (notice: EventNotice) => void;
   /** Everything that goes through the predictor, in its order. */
   readonly onEntry: (entry: RecordingEntry) => void;
+  /** The own ship was destroyed, and a real server has said so. */
+  readonly onLost: (ship: ShipLoss) => void;
+  /** The inputs that acted on the own ship, as asked for by { kind: 'run' }. */
+  readonly onRun: (inputs: readonly RunInput[]) => void;
 }
 
 /** A game against a server: connection, predictor, hands. */
 export interface Live {
   readonly clock: PageClock;
-  readonly stick: Stick;
+  readonly hands: Hands;
   readonly baseline: Baseline;
   /** receive → advance → view, and what is to be sent goes out. */
   readonly frame: () => WorldView;
@@ -37,15 +50,17 @@ export interface Live {
   readonly setSpeed: (speed: number) => void;
   /** While true no frame is taken: as in a hidden tab. */
   readonly hold: (held: boolean) => void;
-  /** What the own ship does now. */
-  readonly flown: () => Controls;
+  /** The newest view. */
+  readonly view: () => WorldView;
+  /** A world has been asked for and has not come yet. */
+  readonly isLoading: () => boolean;
   /** Tick and bits of the own ship's last state up to the scenario's end; '' before the first. */
   readonly hash: () => string;
   readonly ended: () => boolean;
   readonly dispose: () => void;
 }
 
-/** m/s one way and so on of the choices' network. */
+/** Delays and stalls of the choices' network. */
 export function networkOf(choices: Choices): NetworkNumbers {
   if (choices.network !== 'custom') return NETWORK_PRESETS[choices.network as keyof typeof NETWORK_PRESETS];
   return {
@@ -57,24 +72,24 @@ export function networkOf(choices: Choices): NetworkNumbers {
   };
 }
 
-/** Tries again this many wall seconds after a real server was lost. */
-const RETRY = 3;
-
 /** @param program address of the page's own main module, which the worker runs too */
 export function createLive(program: string, listeners: LiveListeners): Live {
   const clock = createPageClock(() => performance.now() / 1000);
-  const stick = createStick();
+  const hands = createHands(
+    () => view,
+    () => TERRAINS[ground] ?? flatTerrain,
+  );
+  const runHash = createRunHash();
+  let ground = '';
   const baseline = createBaseline();
-  const inbox: { readonly bytes: Uint8Array; readonly at: number }[] = [];
+  const inbox: { readonly message: ServerMessage | PartialFrame; readonly at: number }[] = [];
   let script: Script | null = null;
   let predictor = newPredictor();
   let connection: Connection | null = null;
   let address = '';
   let sampledAt = NaN;
-  let hash = '';
-  let hashedTick = -1;
   let held = false;
-  let retry: ReturnType<typeof setTimeout> | undefined;
+  let isLoading = false;
   let view = predictor.view(clock.now());
 
   function newPredictor(): Predictor {
@@ -85,25 +100,26 @@ export function createLive(program: string, listeners: LiveListeners): Live {
 
   const handlers: ConnectionHandlers = {
     onOpen(what) {
-      if (what === 'world') forgetWorld();
+      if (what === 'world') {
+        isLoading = false;
+        forgetWorld();
+      }
       listeners.onState('');
     },
-    onBytes(bytes) {
-      const at = clock.now();
-      inbox.push({ bytes, at });
+    onMessage: (message) => inbox.push({ message, at: clock.now() }),
+    onUnusable: (reason) => predictor.refused(reason),
+    onClosed: (reason) => listeners.onState(`Connection lost: ${reason}.`),
+    onLink: (words) => listeners.onState(words),
+    onWelcome(about) {
+      const shipId = about['ship_id'] ?? about['shipId'];
+      predictor.setOwnShip(typeof shipId === 'string' ? shipId : null);
     },
-    onClosed(reason) {
-      if (address === '') {
-        listeners.onState(`Connection lost: ${reason}.`);
-        return;
-      }
-      listeners.onState(
-        `Connection lost: ${reason}. Is the server running? Tried again every ${RETRY} s; without “server=” in its address the page plays its own.`,
-      );
-      clearTimeout(retry);
-      retry = setTimeout(() => connection?.reconnect(), RETRY * 1000);
+    onShipGone(shipId, own) {
+      predictor.removeShip(shipId, own === null ? 'gone' : 'destroyed');
+      if (own !== null) listeners.onLost(own);
     },
     onRefused: listeners.onRefused,
+    onRun: listeners.onRun,
     onStatus() {
       // The panel reads the predictor's view, which is what a real server's player has.
     },
@@ -113,48 +129,25 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     inbox.length = 0;
     predictor = newPredictor();
     baseline.forget();
-    resetStick(stick);
-    hash = '';
-    hashedTick = -1;
+    hands.reset();
+    runHash.begin(script?.lastTick ?? -1);
     listeners.onWorld(script?.plan ?? []);
   }
 
-  function receive(bytes: Uint8Array, at: number): void {
-    const decoded = decodeServerMessage(bytes);
-    if (!decoded.ok) {
-      predictor.refused(decoded.reason);
-      return;
-    }
-    predictor.receive(decoded.value, at);
-    listeners.onEntry({ kind: 'received', at, message: decoded.value });
-    if (decoded.value.kind === 'frame') {
-      baseline.take(decoded.value, at);
-      remember(decoded.value);
-    }
-  }
-
-  /** The hash of the last state that belongs to the scenario: a landed ship goes on turning with the ground. */
-  function remember(frame: ServerFrame): void {
-    if (script === null || frame.tick <= hashedTick || frame.tick > script.lastTick) return;
-    const own = frame.ships.find(({ shipId }) => shipId === 'own');
-    if (own?.relativePosition === undefined || own.relativePosition === null) return;
-    hashedTick = frame.tick;
-    const row = Float64Array.of(
-      ...own.relativePosition,
-      ...(own.relativeVelocity ?? []),
-      ...own.attitude,
-      ...own.angularVelocity,
-      own.fuel,
-    );
-    hash = `${frame.tick}:${String(hashRows(row))}`;
+  function receive(message: ServerMessage | PartialFrame, at: number): void {
+    predictor.receive(message, at);
+    listeners.onEntry({ kind: 'received', at, message });
+    if (message.kind !== 'frame') return;
+    baseline.take(message, at);
+    runHash.take(message);
   }
 
   /** What the hands command; null while they have touched nothing of a scenario, and its plan flies. */
   function fly(now: number): Controls | null {
     const seconds = Number.isNaN(sampledAt) ? 0 : now - sampledAt;
     sampledAt = now;
-    const byHand = sampleStick(stick, seconds / clock.speed());
-    return stick.touched || script === null ? byHand : null;
+    const commanded = hands.controls(view, now, seconds / clock.speed());
+    return commanded === null && script === null ? NEUTRAL_CONTROLS : commanded;
   }
 
   function advance(now: number): void {
@@ -165,19 +158,19 @@ export function createLive(program: string, listeners: LiveListeners): Live {
 
   function send(now: number): void {
     for (const message of predictor.takeOutgoing()) {
-      connection?.send(encodeClientMessage(message));
+      connection?.send(message);
       listeners.onEntry({ kind: 'sent', at: now, message });
     }
   }
 
   return {
     clock,
-    stick,
+    hands,
     baseline,
     frame() {
       const now = clock.now();
       if (held) return view;
-      for (const { bytes, at } of inbox.splice(0)) receive(bytes, at);
+      for (const { message, at } of inbox.splice(0)) receive(message, at);
       advance(now);
       view = predictor.view(now);
       send(now);
@@ -191,14 +184,14 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     },
     begin(choices) {
       script = scriptOf(choices);
-      clearTimeout(retry);
+      ground = choices.terrain === '' ? (findScenario(choices.scenario)?.terrain ?? '') : choices.terrain;
       if (connection === null || choices.server !== address) {
         connection?.dispose();
         address = choices.server;
-        if (address !== '') listeners.onState(`Calling ${address} …`);
         forgetWorld();
-        connection = address === '' ? openWorker(program, handlers) : openSocket(address, handlers);
+        connection = address === '' ? openWorker(program, handlers) : openServer(address, handlers);
       }
+      isLoading = true;
       clock.setSpeed(choices.slow);
       if (address !== '') {
         script = null;
@@ -223,13 +216,13 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     },
     hold(next) {
       held = next;
-      if (next) stick.held.clear();
+      if (next) hands.letGo();
     },
-    flown: () => view.own?.controls ?? NEUTRAL_CONTROLS,
-    hash: () => hash,
-    ended: () => script !== null && hashedTick >= script.lastTick,
+    view: () => view,
+    isLoading: () => isLoading,
+    hash: runHash.text,
+    ended: runHash.ended,
     dispose() {
-      clearTimeout(retry);
       connection?.dispose();
     },
   };

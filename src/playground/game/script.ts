@@ -1,4 +1,4 @@
-import { SCENARIOS, stage, type StagedInput, ticksOf } from '../../scenarios';
+import { findScenario, SCENARIOS, stage, type StagedInput, ticksOf } from '../../scenarios';
 import type { Choices } from '../panels/choices';
 
 /**
@@ -15,7 +15,7 @@ export interface Script {
 }
 
 export function scriptOf(choices: Choices): Script {
-  const scenario = SCENARIOS.find(({ name }) => name === choices.scenario) ?? SCENARIOS[0]!;
+  const scenario = findScenario(choices.scenario) ?? SCENARIOS[0]!;
   const tickRate = choices.tickRate === 0 ? scenario.tickRate : choices.tickRate;
   const timeScale = choices.timeScale === 0 ? scenario.timeScale : choices.timeScale;
   const staged = stage({ ...scenario, tickRate, timeScale });

@@ -30,7 +30,7 @@ export function createTwin(element: Element): Twin {
 function words(view: WorldView, readout: LandingReadout): string {
   const ship = view.own ?? view.ships[0];
   const body = ship === undefined ? undefined : view.bodies[ship.body];
-  if (!view.ready || ship === undefined || body === undefined) return 'No ship to be seen yet.';
+  if (!view.ready || ship === undefined || body === undefined) return 'No ship in view yet.';
   const height = Math.max(0, ship.feetHeight);
   const parts = [`${ship.name}, a ${ship.shipClass.name}, ${STATES[ship.shownState] ?? ''}`];
   if (ship.shownState === '')
@@ -41,7 +41,7 @@ function words(view: WorldView, readout: LandingReadout): string {
   const engine = ship.controls.thrustLevel;
   if (engine > 0) parts.push(`engine at ${Math.round(engine * 100)} %`);
   const others = view.ships.length - 1;
-  if (others > 0) parts.push(`${others} other ships`);
+  if (others > 0) parts.push(`${others} other ${others === 1 ? 'ship' : 'ships'}`);
   if (readout.withdrawn !== '') parts.push(`${readout.withdrawn} withdrawn`);
   return `${parts.join(', ')}.`;
 }

@@ -1,6 +1,6 @@
 import type { RotationAction, TranslationAction } from '../../readout';
 
-/** What a key can do. */
+/** What a key, pad or button can do. */
 export type Action =
   | RotationAction
   | TranslationAction
@@ -9,46 +9,67 @@ export type Action =
   | 'throttleFull'
   | 'throttleCut'
   | 'rateDamping'
+  | 'modeHold'
+  | 'modeRetrograde'
+  | 'modeUpright'
+  | 'killRates'
+  | 'autopilot'
   | 'restart'
   | 'pause'
   | 'stepSubstep'
   | 'previousScenario'
   | 'nextScenario'
+  | 'landingAids'
+  | 'mute'
+  | 'nextCamera'
   | 'hide'
   | 'help';
 
+export type KeyGroup = 'Turn' | 'Push' | 'Engine' | 'Modes' | 'Playground';
+
 export interface KeyRow {
   readonly action: Action;
-  /** KeyboardEvent.key, lower case, without Ctrl, Shift or Alt: Ctrl+W closes the tab. */
+  /**
+   * Flight keys: KeyboardEvent.code, the key's place, the same under every layout. Commands: the letter that the key prints. Neither
+   * takes Ctrl, Alt or Command: Ctrl+W closes the tab.
+   */
   readonly key: string;
   readonly about: string;
-  readonly group: 'Turn' | 'Push' | 'Engine' | 'Playground';
+  readonly group: KeyGroup;
 }
 
-/** The one table of keys: flying, help, remapping and hints all read it. */
+/** The one table of keys: flying, help, remapping and hints all read it. Directions are as seen on the screen. */
 export const KEY_TABLE: readonly KeyRow[] = [
-  { action: 'pitchMinus', key: 'w', about: 'Pitch forward (−x)', group: 'Turn' },
-  { action: 'pitchPlus', key: 's', about: 'Pitch back (+x)', group: 'Turn' },
-  { action: 'yawPlus', key: 'a', about: 'Yaw left (+y)', group: 'Turn' },
-  { action: 'yawMinus', key: 'd', about: 'Yaw right (−y)', group: 'Turn' },
-  { action: 'rollMinus', key: 'q', about: 'Roll left (−z)', group: 'Turn' },
-  { action: 'rollPlus', key: 'e', about: 'Roll right (+z)', group: 'Turn' },
-  { action: 'rateDamping', key: 't', about: 'Rate damping on or off', group: 'Turn' },
-  { action: 'translateYPlus', key: 'i', about: 'Thrusters along +y', group: 'Push' },
-  { action: 'translateYMinus', key: 'k', about: 'Thrusters along −y', group: 'Push' },
-  { action: 'translateXMinus', key: 'j', about: 'Thrusters along −x', group: 'Push' },
-  { action: 'translateXPlus', key: 'l', about: 'Thrusters along +x', group: 'Push' },
-  { action: 'translateZPlus', key: 'u', about: 'Thrusters along +z', group: 'Push' },
-  { action: 'translateZMinus', key: 'm', about: 'Thrusters along −z', group: 'Push' },
-  { action: 'throttleUp', key: 'f', about: 'Throttle up', group: 'Engine' },
-  { action: 'throttleDown', key: 'v', about: 'Throttle down', group: 'Engine' },
-  { action: 'throttleFull', key: 'z', about: 'Full throttle', group: 'Engine' },
-  { action: 'throttleCut', key: 'x', about: 'Cut the engine', group: 'Engine' },
+  { action: 'pitchMinus', key: 'KeyW', about: 'Tilt away', group: 'Turn' },
+  { action: 'pitchPlus', key: 'KeyS', about: 'Tilt towards you', group: 'Turn' },
+  { action: 'yawPlus', key: 'KeyA', about: 'Tilt left', group: 'Turn' },
+  { action: 'yawMinus', key: 'KeyD', about: 'Tilt right', group: 'Turn' },
+  { action: 'rollPlus', key: 'KeyQ', about: 'Turn left about the thrust axis', group: 'Turn' },
+  { action: 'rollMinus', key: 'KeyE', about: 'Turn right about the thrust axis', group: 'Turn' },
+  { action: 'translateYPlus', key: 'KeyI', about: 'Push away', group: 'Push' },
+  { action: 'translateYMinus', key: 'KeyK', about: 'Push towards you', group: 'Push' },
+  { action: 'translateXMinus', key: 'KeyJ', about: 'Push left', group: 'Push' },
+  { action: 'translateXPlus', key: 'KeyL', about: 'Push right', group: 'Push' },
+  { action: 'translateZPlus', key: 'KeyU', about: 'Push up', group: 'Push' },
+  { action: 'translateZMinus', key: 'KeyM', about: 'Push down', group: 'Push' },
+  { action: 'throttleUp', key: 'KeyF', about: 'More thrust', group: 'Engine' },
+  { action: 'throttleDown', key: 'KeyV', about: 'Less thrust', group: 'Engine' },
+  { action: 'throttleFull', key: 'KeyZ', about: 'Full thrust', group: 'Engine' },
+  { action: 'throttleCut', key: 'KeyX', about: 'Cut the engine', group: 'Engine' },
+  { action: 'rateDamping', key: 'KeyT', about: 'Rate damping on or off', group: 'Modes' },
+  { action: 'modeHold', key: 'KeyC', about: 'Hold this attitude', group: 'Modes' },
+  { action: 'modeUpright', key: 'KeyN', about: 'Upright (radial)', group: 'Modes' },
+  { action: 'modeRetrograde', key: 'KeyB', about: 'Surface retrograde', group: 'Modes' },
+  { action: 'killRates', key: 'KeyG', about: 'Stop turning', group: 'Modes' },
+  { action: 'autopilot', key: 'KeyY', about: 'Autopilot: land, or give back', group: 'Modes' },
   { action: 'restart', key: 'r', about: 'Restart', group: 'Playground' },
-  { action: 'pause', key: 'p', about: 'Pause or go on', group: 'Playground' },
+  { action: 'pause', key: 'p', about: 'Pause or resume', group: 'Playground' },
   { action: 'stepSubstep', key: 'o', about: 'Step one substep', group: 'Playground' },
-  { action: 'previousScenario', key: '[', about: 'Scenario before', group: 'Playground' },
-  { action: 'nextScenario', key: ']', about: 'Scenario after', group: 'Playground' },
+  { action: 'previousScenario', key: '[', about: 'Previous mission or scenario', group: 'Playground' },
+  { action: 'nextScenario', key: ']', about: 'Next mission or scenario', group: 'Playground' },
+  { action: 'landingAids', key: '1', about: 'Landing aids on or off', group: 'Playground' },
+  { action: 'mute', key: '2', about: 'Sound on or off', group: 'Playground' },
+  { action: 'nextCamera', key: '3', about: 'Next camera', group: 'Playground' },
   { action: 'hide', key: 'h', about: 'Hide or show the panels', group: 'Playground' },
   { action: 'help', key: '?', about: 'Keys', group: 'Playground' },
 ];
@@ -62,14 +83,25 @@ export interface KeySettings {
   readonly enabled: boolean;
 }
 
-const PLACE = 'touchdown.keys';
+const FLIGHT_GROUPS: readonly KeyGroup[] = ['Turn', 'Push', 'Engine', 'Modes'];
+const FLIGHT_KEYS = new Set(
+  KEY_TABLE.filter(({ group }) => FLIGHT_GROUPS.includes(group)).map(({ action }) => action),
+);
+
+/** Flight keys are bound by place, commands by letter. */
+export function isBoundByPlace(action: Action): boolean {
+  return FLIGHT_KEYS.has(action);
+}
+
+/** The second edition's: the first kept letters for everything. */
+const PLACE = 'touchdown.keys.2';
 
 export function defaultKeys(): KeySettings {
   const map = Object.fromEntries(KEY_TABLE.map(({ action, key }) => [action, key])) as KeyMap;
   return { map, enabled: true };
 }
 
-/** What was saved, as far as it is sound; the rest is default. A store that is not to be had is an empty one. */
+/** What was saved, as far as it is valid; the rest is default. A store that cannot be read is an empty one. */
 export function loadKeys(store: Storage | null): KeySettings {
   const defaults = defaultKeys();
   const saved = readSaved(store);
@@ -79,7 +111,7 @@ export function loadKeys(store: Storage | null): KeySettings {
   if (typeof given === 'object' && given !== null) {
     for (const { action } of KEY_TABLE) {
       const key: unknown = Object.hasOwn(given, action) ? (given as Record<string, unknown>)[action] : null;
-      if (typeof key === 'string' && isBindable(key)) map[action] = key;
+      if (typeof key === 'string' && isBindable(action, key)) map[action] = key;
     }
   }
   // Two actions on one key would both fire: such a map is not taken.
@@ -95,7 +127,7 @@ export function saveKeys(store: Storage | null, settings: KeySettings): void {
   }
 }
 
-/** The map with `key` on `action`; whoever had the key gets the action's old one. */
+/** The map with `key` on `action`; the action that had the key gets the old one. */
 export function rebind(map: KeyMap, action: Action, key: string): KeyMap {
   const owner = KEY_TABLE.find((row) => map[row.action] === key)?.action;
   const next = { ...map, [action]: key };
@@ -103,14 +135,13 @@ export function rebind(map: KeyMap, action: Action, key: string): KeyMap {
   return next;
 }
 
-/** A single printable character that moves neither focus nor page. */
-export function isBindable(key: string): boolean {
+/** A place that prints a character, or a single character: nothing that moves focus or page. */
+export function isBindable(action: Action, key: string): boolean {
+  if (isBoundByPlace(action))
+    return /^(Key[A-Z]|Digit\d|Bracket(Left|Right)|Semicolon|Quote|Comma|Period|Slash|Backslash|Minus|Equal|Backquote|Intl\w+|Numpad\w+)$/.test(
+      key,
+    );
   return /^[^\s]$/u.test(key) && key === key.toLowerCase();
-}
-
-/** A key's label in help and hints. */
-export function keyCap(key: string): string {
-  return key.toUpperCase();
 }
 
 export function firstDoubled(map: KeyMap): string | null {

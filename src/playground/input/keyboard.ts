@@ -1,67 +1,132 @@
-import { type Action, KEY_TABLE, type KeySettings } from './keyTable';
+import type { Action, KeySettings } from './keyTable';
+import { KEY_TABLE, isBoundByPlace } from './keyTable';
+import { type Layout, type LayoutSource, placesOf } from './layout';
 
 export interface KeyboardListeners {
   readonly pressed: (action: Action) => void;
   readonly released: (action: Action) => void;
-  /** Everything held is to be let go: the window lost the keyboard. */
+  /** Enter, where nothing has the focus that takes it. */
+  readonly confirmed: () => void;
+  /** Everything held is to be let go. */
   readonly letGo: () => void;
 }
 
-/** Turns key events into actions. Off while a form control or a dialog has the focus. */
+/** What of a KeyboardEvent decides. */
+export interface KeyStroke {
+  readonly code: string;
+  readonly key: string;
+  readonly ctrlKey: boolean;
+  readonly altKey: boolean;
+  readonly metaKey: boolean;
+  readonly altGraph: boolean;
+}
+
+/**
+ * Turns key events into actions. Works with any focus but a text field's and a dialog's. A browser that loses sight of a key never
+ * tells that it came up, so that blur, a hidden or frozen page and Command (macOS sends no keyup under it) let go of everything.
+ */
 export function listenToKeys(
   window: Window,
   settings: () => KeySettings,
-  { pressed, released, letGo }: KeyboardListeners,
-): () => void {
+  source: LayoutSource,
+  listeners: KeyboardListeners,
+): void {
+  const { document } = window;
   const down = new Map<string, Action>();
-  const onDown = (event: KeyboardEvent) => {
-    if (event.ctrlKey || event.altKey || event.metaKey || takesKeys(event.target)) return;
-    const action = actionOf(settings(), event.key);
-    if (action === null) return;
+  const letGo = () => {
+    down.clear();
+    listeners.letGo();
+  };
+  window.addEventListener('keydown', (event) => {
+    if (event.key === 'Meta') letGo();
+    if (takesText(event.target)) return;
+    const stroke = strokeOf(event);
+    if (isPlain(stroke) && !event.shiftKey) source.learn(event.code, event.key);
+    const action = actionOf(settings(), source.layout(), stroke);
+    if (action === null) {
+      if (event.key !== 'Enter' || event.repeat || takesEnter(event.target)) return;
+      event.preventDefault();
+      listeners.confirmed();
+      return;
+    }
     event.preventDefault();
     if (event.repeat || down.has(event.code)) return;
     down.set(event.code, action);
-    pressed(action);
-  };
-  // By the key's place: a letter that went down with Shift must come up without it.
-  const onUp = (event: KeyboardEvent) => {
+    listeners.pressed(action);
+  });
+  // By place: a letter that went down with Shift must come up without it.
+  window.addEventListener('keyup', (event) => {
+    if (event.key === 'Meta') letGo();
     const action = down.get(event.code);
     if (action === undefined) return;
     down.delete(event.code);
-    released(action);
-  };
-  const onBlur = () => {
-    down.clear();
-    letGo();
-  };
-  const onFocus = (event: FocusEvent) => {
-    if (takesKeys(event.target)) onBlur();
-  };
-  const onVisibility = () => {
-    if (window.document.visibilityState === 'hidden') onBlur();
-  };
-  window.addEventListener('keydown', onDown);
-  window.addEventListener('keyup', onUp);
-  window.addEventListener('blur', onBlur);
-  window.addEventListener('focusin', onFocus);
-  window.document.addEventListener('visibilitychange', onVisibility);
-  return () => {
-    window.removeEventListener('keydown', onDown);
-    window.removeEventListener('keyup', onUp);
-    window.removeEventListener('blur', onBlur);
-    window.removeEventListener('focusin', onFocus);
-    window.document.removeEventListener('visibilitychange', onVisibility);
-  };
+    listeners.released(action);
+  });
+  window.addEventListener('blur', letGo);
+  window.addEventListener('pagehide', letGo);
+  document.addEventListener('freeze', letGo);
+  document.addEventListener('visibilitychange', () => {
+    if (document.visibilityState === 'hidden') letGo();
+  });
+  window.addEventListener('focusin', ({ target }) => {
+    if (takesText(target)) letGo();
+  });
 }
 
-export function actionOf({ map, enabled }: KeySettings, key: string): Action | null {
-  if (!enabled) return null;
-  const wanted = key.toLowerCase();
-  return KEY_TABLE.find(({ action }) => map[action] === wanted)?.action ?? null;
+function strokeOf(event: KeyboardEvent): KeyStroke {
+  const { code, key, ctrlKey, altKey, metaKey } = event;
+  return { code, key, ctrlKey, altKey, metaKey, altGraph: event.getModifierState('AltGraph') };
 }
 
-/** Buttons keep their own keys (space, enter) but do not take letters; fields and lists do. */
-function takesKeys(target: EventTarget | null): boolean {
+function isPlain({ ctrlKey, altKey, metaKey, altGraph }: KeyStroke): boolean {
+  return !ctrlKey && !altKey && !metaKey && !altGraph;
+}
+
+let placed: { map: unknown; size: number; places: ReadonlyMap<string, Action> } | null = null;
+
+/** What a stroke asks for, or null. AltGr types a sign (`]` is AltGr + 9 in Germany); Ctrl, Alt and Command are the browser's. */
+export function actionOf({ map, enabled }: KeySettings, layout: Layout, stroke: KeyStroke): Action | null {
+  if (!enabled || stroke.metaKey) return null;
+  if (!stroke.altGraph && (stroke.ctrlKey || stroke.altKey)) return null;
+  if (!stroke.altGraph) {
+    if (placed?.map !== map || placed.size !== signature(layout))
+      placed = { map, size: signature(layout), places: placesOf(map, layout) };
+    const byPlace = placed.places.get(stroke.code);
+    if (byPlace !== undefined) return byPlace;
+  }
+  const wanted = stroke.key.toLowerCase();
+  return KEY_TABLE.find(({ action }) => !isBoundByPlace(action) && map[action] === wanted)?.action ?? null;
+}
+
+/** Changes when the layout does. */
+function signature(layout: Layout): number {
+  let sum = layout.size;
+  for (const [code, character] of layout)
+    sum = (sum * 31 + code.charCodeAt(code.length - 1) * 7 + (character.codePointAt(0) ?? 0)) | 0;
+  return sum;
+}
+
+const TEXT_INPUTS = /^(text|number|search|email|url|tel|password|date|time|file)$/;
+
+/** Text fields and open dialogs take every key; lists, boxes, sliders and buttons take only their own. */
+function takesText(target: EventTarget | null): boolean {
   if (!(target instanceof Element)) return false;
-  return target.closest('input, select, textarea, [contenteditable], dialog[open]') !== null;
+  if (target.closest('textarea, [contenteditable], dialog[open]') !== null) return true;
+  const input = target.closest('input');
+  return input !== null && TEXT_INPUTS.test(input.type);
+}
+
+function takesEnter(target: EventTarget | null): boolean {
+  return target instanceof Element && target.closest('button, a, summary, select, input') !== null;
+}
+
+/** A list or box that was chosen from with a pointer gives the focus back; one that is moved through by keys keeps it. */
+export function giveFocusBack(form: HTMLElement, home: HTMLElement): void {
+  let byPointer = false;
+  form.addEventListener('pointerdown', () => (byPointer = true));
+  form.addEventListener('keydown', ({ key }) => (byPointer = key === 'Enter' && byPointer));
+  form.addEventListener('change', ({ target }) => {
+    if (byPointer && target instanceof Element && !takesText(target)) home.focus({ preventScroll: true });
+    byPointer = false;
+  });
 }

@@ -1,5 +1,5 @@
 import { BODIES, SHIP_CLASSES, TERRAINS } from '../../dynamics';
-import { SCENARIOS } from '../../scenarios';
+import { LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
 
 /** What the page can be asked for, all of it in the URL. */
 export interface Choices {
@@ -44,7 +44,7 @@ export type OverlayName = (typeof OVERLAY_NAMES)[number];
 export const NETWORKS = ['lan', 'broadband', 'fourG', 'satellite', 'broken', 'custom'] as const;
 
 export const DEFAULT_CHOICES: Choices = {
-  scenario: 'opening',
+  scenario: 'first-landing',
   body: '',
   shipClass: '',
   terrain: 'hills',
@@ -98,9 +98,16 @@ const orOwn = (field: { expects: string; read: (text: string) => unknown }) => (
 });
 const names = (given: readonly { readonly name: string }[]) => ['', ...given.map(({ name }) => name)];
 
+/** Missions, lessons and rehearsals, in the order of the keys that go through them. */
+export const SCENARIO_NAMES: readonly string[] = [
+  ...MISSIONS.map(({ scenario }) => scenario.name),
+  ...LESSONS.map(({ scenario }) => scenario.name),
+  ...SCENARIOS.map(({ name }) => name),
+];
+
 /** The one list of what a link may say. */
 const FIELDS: readonly Field[] = [
-  { name: 'scenario', key: 'scenario', ...oneOf(SCENARIOS.map(({ name }) => name)) },
+  { name: 'scenario', key: 'scenario', ...oneOf(SCENARIO_NAMES) },
   { name: 'body', key: 'body', ...oneOf(names(BODIES)) },
   { name: 'shipClass', key: 'ship', ...oneOf(names(SHIP_CLASSES)) },
   { name: 'terrain', key: 'terrain', ...oneOf(['', ...Object.keys(TERRAINS)]) },
@@ -116,7 +123,7 @@ const FIELDS: readonly Field[] = [
   {
     name: 'overlays',
     key: 'show',
-    expects: `some of ${OVERLAY_NAMES.join(', ')}, with commas`,
+    expects: `a comma-separated list of ${OVERLAY_NAMES.join(', ')}`,
     read: (text) => {
       const parts = text.split(',').filter((part) => part !== '');
       return parts.every((part) => (OVERLAY_NAMES as readonly string[]).includes(part)) ? parts : undefined;

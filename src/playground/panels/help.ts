@@ -1,10 +1,11 @@
 import { append, appendButton } from './elements';
+import { GAMEPAD_WORDS } from '../input/gamepad';
 import {
   type Action,
   defaultKeys,
   isBindable,
+  isBoundByPlace,
   KEY_TABLE,
-  keyCap,
   type KeyRow,
   type KeySettings,
   rebind,
@@ -14,23 +15,25 @@ export interface Help {
   readonly open: () => void;
 }
 
-const GROUPS: readonly KeyRow['group'][] = ['Turn', 'Push', 'Engine', 'Playground'];
+const GROUPS: readonly KeyRow['group'][] = ['Turn', 'Push', 'Engine', 'Modes', 'Playground'];
 
 /** The dialog of keys, made from the key table: it tells them, rebinds them and switches them off. */
 export function createHelp(
   document: Document,
   settings: () => KeySettings,
   change: (next: KeySettings) => void,
+  capText: (action: Action) => string,
 ): Help {
   const dialog = append(document.body, 'dialog');
   dialog.setAttribute('aria-labelledby', 'help-title');
   const title = append(dialog, 'h2', '', 'Keys');
   title.id = 'help-title';
+  title.tabIndex = -1;
   append(
     dialog,
     'p',
     'quiet',
-    'Press a key’s button, then the new key. With the picture focused, arrows turn the view, + and − zoom, Home goes back.',
+    'Press a key’s button, then the new key. Flight keys go by their place on the keyboard, the others by letter. With the picture focused, arrows turn the view, + and − zoom, Home resets it.',
   );
   const off = append(dialog, 'label', 'row');
   const box = append(off, 'input');
@@ -55,15 +58,22 @@ export function createHelp(
       caps.set(action, cap);
     }
   }
+  append(dialog, 'h3', '', 'Gamepad (standard mapping)');
+  const pads = append(dialog, 'dl', 'keys');
+  for (const [control, about] of GAMEPAD_WORDS) {
+    const row = append(pads, 'div', 'key');
+    append(row, 'dt', '', about);
+    append(row, 'dd', '', control);
+  }
   const buttons = append(dialog, 'div', 'row');
-  appendButton(buttons, 'As at first', () => change(defaultKeys()));
-  const close = appendButton(buttons, 'Close', () => dialog.close());
+  appendButton(buttons, 'Restore defaults', () => change(defaultKeys()));
+  appendButton(buttons, 'Close', () => dialog.close());
 
   const paint = () => {
     const { map, enabled } = settings();
     box.checked = enabled;
     for (const [action, cap] of caps) {
-      cap.textContent = map[action] === '' ? '–' : keyCap(map[action]);
+      cap.textContent = map[action] === '' ? '–' : capText(action);
       cap.setAttribute('aria-label', `${cap.dataset['about'] ?? ''}: ${cap.textContent}. Change`);
     }
   };
@@ -73,18 +83,16 @@ export function createHelp(
   });
   buttons.addEventListener('click', paint);
   dialog.addEventListener('keydown', (event) => {
-    if (waiting === null) return;
-    if (event.key === 'Tab') return;
+    if (waiting === null || event.key === 'Tab') return;
     event.preventDefault();
     event.stopPropagation();
-    const key = event.key.toLowerCase();
-    if (key === 'escape') said.textContent = '';
-    else if (event.ctrlKey || event.altKey || event.metaKey || !isBindable(key)) {
-      said.textContent = 'That key cannot be used: letters, digits and signs can.';
-      return;
+    const key = isBoundByPlace(waiting) ? event.code : event.key.toLowerCase();
+    if (event.key === 'Escape') said.textContent = '';
+    else if (event.ctrlKey || event.altKey || event.metaKey || !isBindable(waiting, key)) {
+      said.textContent = 'That key cannot be used: use a letter, digit or symbol.';
     } else {
       change({ ...settings(), map: rebind(settings().map, waiting, key) });
-      said.textContent = `Changed to ${keyCap(key)}.`;
+      said.textContent = `Changed to ${capText(waiting)}.`;
     }
     waiting = null;
     paint();
@@ -98,7 +106,9 @@ export function createHelp(
     open() {
       paint();
       if (!dialog.open) dialog.showModal();
-      close.focus();
+      // At its beginning: the last button would scroll a small screen to the end.
+      title.focus();
+      dialog.scrollTop = 0;
     },
   };
 }

@@ -1,30 +1,57 @@
 import { append, appendButton } from './elements';
 
-/** One place for what went wrong and what to do about it; stays until closed or replaced. */
+/** What went wrong and what to do about it, one below the other: each stays until it is closed or no longer true. */
 export interface Notice {
   readonly tell: (text: string) => void;
   readonly clear: () => void;
-  /** What this text said holds no longer; another's stays. */
+  /** What this text said is no longer true; the others stay. */
   readonly withdraw: (text: string) => void;
+  /** An address to copy by hand. */
+  readonly tellLink: (text: string, link: string) => void;
 }
 
+/** The oldest gives way: more than these cover the picture. */
+const MAX_NOTICES = 3;
+
 export function createNotice(element: HTMLElement): Notice {
-  const words = append(element, 'span');
-  const clear = () => {
-    element.hidden = true;
-    words.textContent = '';
+  const notices = new Map<string, HTMLElement>();
+  const withdraw = (text: string) => {
+    notices.get(text)?.remove();
+    notices.delete(text);
+    element.hidden = notices.size === 0;
   };
-  element.append(' ');
-  appendButton(element, 'Close', clear);
+  const add = (text: string): HTMLElement => {
+    withdraw(text);
+    const row = append(element, 'div', 'notice-row');
+    append(row, 'span', '', text);
+    notices.set(text, row);
+    const [oldest] = notices.keys();
+    if (notices.size > MAX_NOTICES && oldest !== undefined) withdraw(oldest);
+    element.hidden = false;
+    return row;
+  };
+  const close = (row: HTMLElement, text: string) => {
+    row.append(' ');
+    appendButton(row, 'Close', () => withdraw(text));
+  };
   return {
     tell(text) {
-      if (!element.hidden && words.textContent === text) return;
-      words.textContent = text;
-      element.hidden = false;
+      if (!notices.has(text)) close(add(text), text);
     },
-    clear,
-    withdraw(text) {
-      if (words.textContent === text) clear();
+    tellLink(text, link) {
+      const row = add(text);
+      const field = append(row, 'input', 'notice-link');
+      field.type = 'text';
+      field.readOnly = true;
+      field.value = link;
+      field.setAttribute('aria-label', 'Link');
+      close(row, text);
+      field.focus();
+      field.select();
     },
+    clear() {
+      for (const text of [...notices.keys()]) withdraw(text);
+    },
+    withdraw,
   };
 }

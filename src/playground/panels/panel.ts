@@ -1,7 +1,8 @@
-import { BODIES, SHIP_CLASSES, TERRAINS } from '../../dynamics';
-import { SCENARIOS } from '../../scenarios';
-import { type Choices, NETWORKS, OVERLAY_NAMES, type OverlayName } from './choices';
-import { append, appendButton, appendDetails, appendField, createNumber, createSelect } from './elements';
+import { findScenario, LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
+import type { Choices } from './choices';
+import { append, appendButton, appendDetails, createSelect } from './elements';
+import { createForm } from './form';
+import { appendSettings } from './settings';
 
 /** Buttons of the panel. */
 export type PanelAct =
@@ -14,7 +15,9 @@ export type PanelAct =
   | 'away'
   | 'copyLink'
   | 'help'
+  | 'sound'
   | 'resetCamera'
+  | 'nextCamera'
   | 'tryHop'
   | 'tryTopple'
   | 'tryLastState';
@@ -23,6 +26,8 @@ export interface PanelListeners {
   /** A field was changed; gives why not, or null. */
   readonly change: (name: keyof Choices, text: string) => string | null;
   readonly act: (act: PanelAct) => void;
+  /** The workshop was opened or closed. */
+  readonly workshop: (open: boolean) => void;
 }
 
 export interface Panel {
@@ -30,147 +35,66 @@ export interface Panel {
   readonly show: (choices: Choices) => void;
   readonly press: (act: PanelAct, pressed: boolean) => void;
   readonly label: (act: PanelAct, text: string) => void;
-  /** Tick and bits of the run. */
+  /** Tick and hash of the run. */
   readonly showRun: (text: string) => void;
 }
 
-const NETWORK_WORDS: Readonly<Record<(typeof NETWORKS)[number], string>> = {
-  lan: 'LAN, 2 ms',
-  broadband: 'Broadband, 20 ± 3 ms',
-  fourG: '4G, 50 ± 8 ms, 2 % stalled',
-  satellite: 'Satellite, 300 ± 15 ms',
-  broken: 'Broken, 100 ± 30 ms, 10 % stalled',
-  custom: 'My own numbers',
-};
-const OVERLAY_WORDS: Readonly<Record<OverlayName, string>> = {
-  ghost: 'Server ghost',
-  errorSegment: 'Error segment',
-  contactNormal: 'Contact normal',
-  footprint: 'Footprint',
-  forces: 'Forces',
-};
+/** What a real server does not take. */
+const BUILT_IN_ONLY: readonly PanelAct[] = ['restart', 'pause', 'stepSubstep', 'kick', 'freeze', 'drop'];
 
-/** The playground's form: native controls, each with its label. */
-export function createPanel(host: Element, listeners: PanelListeners): Panel {
-  const document = host.ownerDocument;
+/** The playground's form: native controls, each with its label. Missions on top, the workshop folded below. */
+export function createPanel(
+  host: HTMLElement,
+  { workshopOpen }: { readonly workshopOpen: boolean },
+  listeners: PanelListeners,
+): Panel {
   const buttons = new Map<PanelAct, HTMLButtonElement>();
-  const shows: ((choices: Choices) => void)[] = [];
-
   const button = (parent: Element, act: PanelAct, text: string) =>
     buttons.set(
       act,
       appendButton(parent, text, () => listeners.act(act)),
     );
-  const field = (
-    parent: Element,
-    title: string,
-    name: keyof Choices,
-    control: HTMLInputElement | HTMLSelectElement,
-  ) => {
-    const made = appendField(parent, title, control);
-    control.addEventListener('change', () => made.complain(listeners.change(name, control.value) ?? ''));
-    shows.push((choices) => {
-      const text = String(choices[name]);
-      if (control.value !== text) control.value = text;
-      made.complain('');
-    });
-  };
-
   append(host, 'h2', '', 'Touchdown');
+  const form = createForm(listeners.change);
+  form.field(host, 'Mission', 'scenario', createScenarioList(host.ownerDocument));
   const about = append(host, 'p', 'quiet');
-  shows.push((choices) => {
-    about.textContent = SCENARIOS.find(({ name }) => name === choices.scenario)?.about ?? '';
-  });
-  append(host, 'h3', '', 'Three things to try');
-  const tries = append(host, 'ul', 'tries');
-  button(append(tries, 'li'), 'tryHop', 'Hop: full throttle for a second, then land again');
-  button(append(tries, 'li'), 'tryTopple', 'Fall over, and right the ship with the key the display names');
-  button(append(tries, 'li'), 'tryLastState', 'See the same without prediction');
-
-  append(host, 'h3', '', 'Run');
+  form.also(({ scenario }) => (about.textContent = findScenario(scenario)?.about ?? ''));
   const runs = append(host, 'div', 'row');
   button(runs, 'restart', 'Restart');
   button(runs, 'pause', 'Pause');
-  button(runs, 'stepSubstep', 'Step');
   button(runs, 'help', 'Keys');
-  const scenarios = SCENARIOS.map(({ name, title }) => [name, title] as const);
-  field(host, 'Scenario', 'scenario', createSelect(document, scenarios));
-  field(
-    host,
-    'Client',
-    'mode',
-    createSelect(document, [
-      ['predicted', 'Predicted'],
-      ['gravity', 'Gravity only'],
-      ['last', 'Last state'],
-    ]),
-  );
-  field(
-    host,
-    'Network',
-    'network',
-    createSelect(
-      document,
-      NETWORKS.map((name) => [name, NETWORK_WORDS[name]]),
-    ),
-  );
-  const custom = append(host, 'div');
-  field(custom, 'Delay, ms', 'delay', createNumber(document, 0, 5000, 1));
-  field(custom, 'Jitter, ms', 'jitter', createNumber(document, 0, 1000, 1));
-  field(custom, 'Stalled, %', 'stalled', createNumber(document, 0, 50, 0.1));
-  field(custom, 'Stall, ms', 'stall', createNumber(document, 0, 10_000, 10));
-  shows.push((choices) => (custom.hidden = choices.network !== 'custom'));
-  field(
-    host,
-    'Slow motion',
-    'slow',
-    createSelect(
-      document,
-      [0.1, 0.25, 0.5, 1, 2, 4].map((speed) => [String(speed), `${speed} ×`]),
-    ),
-  );
+  button(runs, 'sound', 'Sound');
+  const schools = append(host, 'div', 'row');
+  appendButton(schools, 'Flight school', () => listeners.change('scenario', LESSONS[0]!.scenario.name));
+  appendButton(schools, 'Free flight', () => listeners.change('scenario', 'launch'));
 
-  const world = appendDetails(host, 'World', false);
-  const own = ['', 'As the scenario says'] as const;
-  const named = (list: readonly { readonly name: string }[]) => list.map(({ name }) => [name, name] as const);
-  field(world, 'Body', 'body', createSelect(document, [own, ...named(BODIES)]));
-  field(world, 'Ship', 'shipClass', createSelect(document, [own, ...named(SHIP_CLASSES)]));
-  const terrains = Object.keys(TERRAINS).map((name) => [name, name] as const);
-  field(world, 'Terrain', 'terrain', createSelect(document, [own, ...terrains]));
-  field(world, 'Tick rate, Hz', 'tickRate', createNumber(document, 0, 100, 0.1));
-  field(world, 'Time scale', 'timeScale', createNumber(document, 0, 100, 0.1));
-  append(world, 'p', 'quiet', '0: as the scenario says.');
-  field(world, 'Other ships', 'fleet', createNumber(document, 0, 999, 1));
-  field(world, 'Seed', 'seed', createNumber(document, 0, 0xffffffff, 1));
-  field(
-    world,
-    'Server speaks',
-    'legacy',
-    createSelect(document, [
-      ['0', 'This protocol'],
-      ['1', 'As today: whole ticks, ICRF alone'],
-    ]),
-  );
-  const server = document.createElement('input');
-  server.type = 'text';
-  server.placeholder = 'ws://… (empty: in this page)';
-  field(world, 'Server', 'server', server);
-
-  shows.push(createChecks(host, listeners));
-  append(host, 'h3', '', 'Make trouble');
-  const troubles = append(host, 'div', 'row');
+  const workshop = appendDetails(host, 'Workshop', workshopOpen);
+  workshop.addEventListener('toggle', () => listeners.workshop(workshop.open));
+  append(workshop, 'h3', '', 'Three things to try');
+  const tries = append(workshop, 'ul', 'tries');
+  button(append(tries, 'li'), 'tryHop', 'Hop: full throttle for a second, then land again');
+  button(append(tries, 'li'), 'tryTopple', 'Tip over, then right the ship with the key shown');
+  button(append(tries, 'li'), 'tryLastState', 'See the same without prediction');
+  appendSettings(workshop, form);
+  append(workshop, 'h3', '', 'Make trouble');
+  const troubles = append(workshop, 'div', 'row');
+  button(troubles, 'stepSubstep', 'Step');
   button(troubles, 'kick', 'Kick the ship');
   button(troubles, 'freeze', 'Freeze the server');
   button(troubles, 'drop', 'Drop the connection');
   button(troubles, 'away', 'Hide for a minute');
-  append(host, 'h3', '', 'Share');
-  const share = append(host, 'div', 'row');
+  append(workshop, 'h3', '', 'Share');
+  const share = append(workshop, 'div', 'row');
   button(share, 'copyLink', 'Copy link');
-  button(share, 'resetCamera', 'First view');
-  const run = append(host, 'p', 'quiet');
+  button(share, 'resetCamera', 'Reset view');
+  button(share, 'nextCamera', 'Next camera');
+  const run = append(workshop, 'p', 'quiet');
+  form.also(({ server }) => {
+    for (const act of BUILT_IN_ONLY) buttons.get(act)!.disabled = server !== '';
+  });
 
   return {
-    show: (choices) => shows.forEach((show) => show(choices)),
+    show: form.show,
     press: (act, pressed) => buttons.get(act)?.setAttribute('aria-pressed', String(pressed)),
     label(act, text) {
       const known = buttons.get(act);
@@ -182,22 +106,17 @@ export function createPanel(host: Element, listeners: PanelListeners): Panel {
   };
 }
 
-/** Boxes to tick for what lies over the picture. */
-function createChecks(host: Element, listeners: PanelListeners): (choices: Choices) => void {
-  const set = append(host, 'fieldset', 'checks');
-  append(set, 'legend', '', 'Show');
-  const boxes = OVERLAY_NAMES.map((name) => {
-    const label = append(set, 'label');
-    const box = append(label, 'input');
-    box.type = 'checkbox';
-    append(label, 'span', '', OVERLAY_WORDS[name]);
-    box.addEventListener('change', () => {
-      const chosen = OVERLAY_NAMES.filter((_, i) => boxes[i]!.checked);
-      listeners.change('overlays', chosen.join(','));
-    });
-    return box;
-  });
-  return (choices) => {
-    OVERLAY_NAMES.forEach((name, i) => (boxes[i]!.checked = choices.overlays.includes(name)));
-  };
+function createScenarioList(document: Document): HTMLSelectElement {
+  const select = createSelect(document, []);
+  const groups = [
+    ['Missions', MISSIONS.map(({ scenario }) => scenario)],
+    ['Flight school', LESSONS.map(({ scenario }) => scenario)],
+    ['Demonstrations', SCENARIOS],
+  ] as const;
+  for (const [title, scenarios] of groups) {
+    const group = append(select, 'optgroup');
+    group.label = title;
+    for (const { name, title: text } of scenarios) append(group, 'option', '', text).value = name;
+  }
+  return select;
 }

@@ -40,6 +40,6 @@ export async function readFile(file: File): Promise<Result<Recording>> {
 export function refusalWords(name: string, checked: Result<Recording> & { ok: false }): string {
   return (
     `${name} cannot be played: ${checked.reason}. ` +
-    'It has to be a file that this page or a predictor’s recorder wrote, whole and unchanged.'
+    'It has to be a file that this page or a predictor’s recorder wrote, complete and unmodified.'
   );
 }

@@ -42,7 +42,7 @@ export function createRecordingPanel(host: Element, listeners: RecordingListener
   deck.hidden = true;
   const controls = append(deck, 'div', 'row');
   let playing = true;
-  const play = appendButton(controls, 'Stop', () => listeners.play(!playing));
+  const play = appendButton(controls, 'Pause', () => listeners.play(!playing));
   const scrubber = append(controls, 'div', 'scrubber');
   const range = append(scrubber, 'input');
   range.type = 'range';
@@ -78,7 +78,7 @@ export function createRecordingPanel(host: Element, listeners: RecordingListener
     },
     showPosition(at, isPlaying) {
       playing = isPlaying;
-      const text = isPlaying ? 'Stop' : 'Play';
+      const text = isPlaying ? 'Pause' : 'Play';
       if (play.textContent !== text) play.textContent = text;
       range.value = (at - from).toFixed(2);
       time.textContent = `${(at - from).toFixed(1)} / ${long.toFixed(1)} s`;

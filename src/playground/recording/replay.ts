@@ -74,11 +74,11 @@ export function createReplay(recording: Recording): Replay {
 /** The first tick at which the recorded server left the law. */
 function findDivergence(recording: Recording): Divergence {
   const compared = compareRecording(recording);
-  if (!compared.ok) return { at: null, words: `Nothing to hold to the law: ${compared.reason}.` };
+  if (!compared.ok) return { at: null, words: `Nothing to check against the physics: ${compared.reason}.` };
   const { outOfTolerance, disagreement, statesCompared } = compared.value;
   const first = Math.min(outOfTolerance?.tick ?? Infinity, disagreement?.tick ?? Infinity);
   if (first === Infinity)
-    return { at: null, words: `No divergence: ${statesCompared} states kept to the law.` };
+    return { at: null, words: `No divergence: ${statesCompared} states match the physics.` };
   const how =
     disagreement?.tick === first ? disagreement.how : `${outOfTolerance?.field ?? 'state'} out of tolerance`;
   const entry = recording.entries.find(

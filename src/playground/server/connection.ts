@@ -1,22 +1,29 @@
+import type { RunInput } from '../../scenarios';
+import {
+  type ClientMessage,
+  decodeServerMessage,
+  encodeClientMessage,
+  type PartialFrame,
+  type ServerMessage,
+} from '../../wire';
 import { scriptUrl } from '../scriptUrl';
 import type { Operation } from './operation';
 import type { SessionStatus } from './session';
 
 /**
- * The page's side of a server: the one in the worker, or a real one at ws://… (`?server=`). The page needs this file alone:
+ * The page's side of a server: the one in the worker, or a real one (realServer.ts, `?server=`).
  *
  *   const connection = openWorker(program, handlers)          // then connection.operate({ kind: 'load', … })
- *   const connection = openSocket('ws://…', handlers)
- *   connection.send(encodeClientMessage(message))
+ *   const connection = openServer('wss://…', handlers)
  *
- * Nothing throws; what fails is told to `onClosed` or `onRefused`.
+ * Nothing throws; what fails is told to the handlers.
  */
 export interface Connection {
-  /** Bytes of the protocol to the server; dropped while closed. */
-  readonly send: (bytes: Uint8Array) => void;
+  /** To the server; dropped while closed. */
+  readonly send: (message: ClientMessage) => void;
   /** Asks the operator of the worker's server; a real server has none, which onRefused says. */
   readonly operate: (operation: Operation) => void;
-  /** After onClosed: tries again. The worker's server: after { kind: 'drop' }. */
+  /** Tries again at once; a connection that stands stays. The worker's server: after { kind: 'drop' }. */
   readonly reconnect: () => void;
   /** Slow motion: the worker's wall clock runs at this speed from now on; a real server's cannot be changed. */
   readonly setSpeed: (speed: number) => void;
@@ -27,13 +34,30 @@ export interface Connection {
 export interface ConnectionHandlers {
   /** A connection stands: after a load of a new world, or a reconnect. What it carries comes after this. */
   readonly onOpen: (what: 'world' | 'again') => void;
-  /** Bytes of the protocol from the server. */
-  readonly onBytes: (bytes: Uint8Array) => void;
+  /** A checked message of the server; `at`: the page's wall s. */
+  readonly onMessage: (message: ServerMessage | PartialFrame, at: number) => void;
+  /** A message of the server that cannot be used, and why. */
+  readonly onUnusable: (reason: string) => void;
+  /** The worker's server has gone. */
   readonly onClosed: (reason: string) => void;
+  /** How the link to a real server stands, in words; '' while all is well. */
+  readonly onLink: (words: string) => void;
+  /** The game's server has let the player in: what it tells of him, unchecked. */
+  readonly onWelcome: (about: Readonly<Record<string, unknown>>) => void;
+  /** A ship is gone for good; `own`: what its owner is told of it. */
+  readonly onShipGone: (shipId: string, own: ShipLoss | null) => void;
   /** An operation was refused. */
   readonly onRefused: (reason: string) => void;
   /** How the worker's server stands, after everything that happened in it; a real server tells nothing. */
   readonly onStatus: (status: SessionStatus) => void;
+  /** The inputs that { kind: 'run' } asked for. */
+  readonly onRun: (inputs: readonly RunInput[]) => void;
+}
+
+export interface ShipLoss {
+  readonly name: string;
+  readonly body: string;
+  readonly reason: string;
 }
 
 /** Page → worker. */
@@ -48,13 +72,14 @@ export type FromServer =
   | { readonly kind: 'bytes'; readonly bytes: Uint8Array }
   | { readonly kind: 'closed'; readonly reason: string }
   | { readonly kind: 'refused'; readonly reason: string }
-  | { readonly kind: 'status'; readonly status: SessionStatus };
+  | { readonly kind: 'status'; readonly status: SessionStatus }
+  | { readonly kind: 'run'; readonly inputs: readonly RunInput[] };
 
 /** The server in a Web Worker, whose `program` is the page's own main.ts: it has no world before it is told to load one. */
 export function openWorker(program: string, handlers: ConnectionHandlers): Connection {
   const failed = (why: string) =>
     handlers.onClosed(
-      `the server in the page failed (${why}); load the page anew, or in a browser that runs module workers`,
+      `the built-in server failed (${why}); reload the page, or use a browser that runs module workers`,
     );
   const worker = startWorker(program, failed);
   const post = (message: ToServer) => worker?.postMessage(message);
@@ -64,7 +89,7 @@ export function openWorker(program: string, handlers: ConnectionHandlers): Conne
     worker.onerror = ({ message }: Partial<ErrorEvent>) => failed(message ?? 'its program cannot be started');
   }
   return {
-    send: (bytes) => post({ kind: 'bytes', bytes }),
+    send: (message) => post({ kind: 'bytes', bytes: encodeClientMessage(message) }),
     operate: (operation) => post({ kind: 'operate', operation }),
     reconnect: () => post({ kind: 'operate', operation: { kind: 'reconnect' } }),
     setSpeed: (speed) => post({ kind: 'speed', speed }),
@@ -81,13 +106,19 @@ function startWorker(program: string, failed: (why: string) => void): Worker | n
   }
 }
 
+function hear(bytes: Uint8Array, handlers: ConnectionHandlers): void {
+  const decoded = decodeServerMessage(bytes);
+  if (decoded.ok) handlers.onMessage(decoded.value, performance.now() / 1000);
+  else handlers.onUnusable(decoded.reason);
+}
+
 function dispatch(message: FromServer, handlers: ConnectionHandlers): void {
   switch (message.kind) {
     case 'open':
       handlers.onOpen(message.what);
       break;
     case 'bytes':
-      handlers.onBytes(message.bytes);
+      hear(message.bytes, handlers);
       break;
     case 'closed':
       handlers.onClosed(message.reason);
@@ -98,51 +129,8 @@ function dispatch(message: FromServer, handlers: ConnectionHandlers): void {
     case 'status':
       handlers.onStatus(message.status);
       break;
+    case 'run':
+      handlers.onRun(message.inputs);
+      break;
   }
-}
-
-/** A real server. An address that is none is told like a connection that failed. */
-export function openSocket(address: string, handlers: ConnectionHandlers): Connection {
-  let socket: WebSocket | null = null;
-  let opened = false;
-
-  function connect(): void {
-    try {
-      socket = new WebSocket(address);
-    } catch (error) {
-      handlers.onClosed(`${address}: ${error instanceof Error ? error.message : String(error)}`);
-      return;
-    }
-    const own = socket;
-    own.binaryType = 'arraybuffer';
-    own.onopen = () => {
-      handlers.onOpen(opened ? 'again' : 'world');
-      opened = true;
-    };
-    own.onmessage = ({ data }: MessageEvent<unknown>) => {
-      if (data instanceof ArrayBuffer) handlers.onBytes(new Uint8Array(data));
-      else handlers.onRefused(`${address} sent text; the protocol is bytes`);
-    };
-    own.onclose = ({ code, reason }) => {
-      if (socket !== own) return;
-      handlers.onClosed(`${address}: ${reason === '' ? `closed with code ${code}` : reason}`);
-    };
-  }
-
-  connect();
-  return {
-    send(bytes) {
-      if (socket?.readyState === WebSocket.OPEN) socket.send(new Uint8Array(bytes));
-    },
-    operate: ({ kind }) => handlers.onRefused(`${kind}: only the server in the page takes orders`),
-    reconnect: connect,
-    setSpeed(speed) {
-      if (speed !== 1) handlers.onRefused('slow motion: only the server in the page can be slowed down');
-    },
-    dispose() {
-      const old = socket;
-      socket = null;
-      old?.close();
-    },
-  };
 }

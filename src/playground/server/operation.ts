@@ -18,6 +18,8 @@ export type Operation =
   | { readonly kind: 'kick'; readonly velocity: Triple; readonly spin: Triple }
   | { readonly kind: 'freeze'; readonly frozen: boolean }
   | { readonly kind: 'drop' }
+  /** Asks for the inputs that have acted on the own ship since the load. */
+  | { readonly kind: 'run' }
   | { readonly kind: 'reconnect' };
 
 type Triple = readonly [number, number, number];
@@ -70,6 +72,7 @@ export function loadOperation(given: unknown): Result<Operation> {
     case 'tickRate':
     case 'timeScale':
     case 'restart':
+    case 'run':
     case 'drop':
     case 'reconnect':
       return ok(operation);

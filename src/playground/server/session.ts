@@ -4,8 +4,9 @@ import {
   createExchange,
   type Delivery,
   type Exchange,
+  findScenario,
   fleetOrders,
-  SCENARIOS,
+  type RunInput,
   siteToIcrf,
   stage,
   type StagedScenario,
@@ -27,6 +28,8 @@ export interface Session {
   readonly nextAt: () => number;
   /** For the page's panel; null before a world is loaded. */
   readonly status: () => SessionStatus | null;
+  /** What the pilot's inputs did to the own ship since the load, at the substeps where they acted. */
+  readonly applied: () => readonly RunInput[];
 }
 
 export interface SessionStatus {
@@ -46,9 +49,13 @@ export interface SessionStatus {
 export const OWN_PLAYER = 'pilot';
 export const OWN_SHIP = 'own';
 
+/** Inputs kept for a replay: an hour of flying. */
+const MAX_APPLIED = 20_000;
+
 interface Loaded {
   readonly staged: StagedScenario;
   readonly exchange: Exchange;
+  readonly applied: readonly RunInput[];
   connected: boolean;
 }
 
@@ -76,22 +83,27 @@ export function createSession(): Session {
     },
     nextAt: () => loaded?.exchange.nextAt() ?? Infinity,
     status: () => (loaded === null ? null : statusOf(loaded)),
+    applied: () => loaded?.applied ?? [],
   };
 }
 
 function load(operation: LoadOperation, now: number): Result<Loaded> {
   const staged = stageOperation(operation);
   if (!staged.ok) return staged;
-  const { scenario, body, ship, inputs } = staged.value;
+  const { scenario, body, ship, shipClass, inputs } = staged.value;
+  const applied: RunInput[] = [];
   const authority = createAuthority({
     settings: scenario.settings,
-    shipClasses: SHIP_CLASSES,
+    shipClasses: SHIP_CLASSES.map((known) => (known.name === shipClass.name ? shipClass : known)),
     bodies: [body],
     terrain: scenario.terrain,
     terrains: TERRAINS,
     tickRate: scenario.tickRate,
     timeScale: scenario.timeScale,
     legacy: operation.legacy,
+    onInput(shipId, input) {
+      if (shipId === OWN_SHIP && applied.length < MAX_APPLIED) applied.push(input);
+    },
   });
   if (!authority.ok) return authority;
   const own = { shipId: OWN_SHIP, playerId: OWN_PLAYER, name: 'Touchdown', ship, plan: inputs };
@@ -102,12 +114,12 @@ function load(operation: LoadOperation, now: number): Result<Loaded> {
   const exchange = createExchange(authority.value, operation.network, operation.seed, now);
   const reason = exchange.connect(OWN_PLAYER, OWN_SHIP, now);
   if (reason !== null) return err(reason);
-  return { ok: true, value: { staged: staged.value, exchange, connected: true } };
+  return { ok: true, value: { staged: staged.value, exchange, applied, connected: true } };
 }
 
 function stageOperation(operation: LoadOperation): Result<StagedScenario> {
-  const scenario = SCENARIOS.find(({ name }) => name === operation.scenario);
-  if (scenario === undefined) return err(`scenario: no scenario named ${operation.scenario}`);
+  const scenario = findScenario(operation.scenario);
+  if (scenario === null) return err(`scenario: no scenario named ${operation.scenario}`);
   const { body, shipClass, terrain, tickRate, timeScale } = operation;
   return stage({
     ...scenario,
@@ -138,6 +150,8 @@ function operateWorld(
       return authority.setTimeScale(operation.timeScale);
     case 'network':
       exchange.setNetwork(operation.numbers);
+      return null;
+    case 'run':
       return null;
     case 'restart':
       return authority.respawn(OWN_SHIP);

@@ -51,5 +51,6 @@ function operate(operation: Operation): void {
   if (reason !== null) post({ kind: 'refused', reason });
   else if (operation.kind === 'load') post({ kind: 'open', what: 'world' });
   else if (operation.kind === 'reconnect') post({ kind: 'open', what: 'again' });
+  else if (operation.kind === 'run') post({ kind: 'run', inputs: session.applied() });
   else if (operation.kind === 'drop') post({ kind: 'closed', reason: 'the connection was dropped' });
 }

@@ -2,8 +2,7 @@ import { createStage, type Quality, type Stage } from '../../scene';
 import type { Notice } from '../panels/notice';
 
 const CONTEXT_LOST =
-  'The browser has taken the picture away: its graphics were reset, or too many pages draw. The flight goes on by the ' +
-  'displays, and the picture comes back as soon as the browser gives it back. If it does not, load the page anew.';
+  'The browser lost the 3D view. It returns by itself; if it does not, reload the page. Meanwhile, fly on instruments.';
 
 /** Says when the picture is lost, and no longer when it is back: the renderer builds itself anew. */
 export function watchContext(canvas: HTMLCanvasElement, notice: Notice, restored: () => void): void {
@@ -24,8 +23,8 @@ export function openStage(
     return createStage(canvas, quality);
   } catch {
     tell(
-      'This browser gives no WebGL 2, so there is no picture. Everything else works: fly by the displays. ' +
-        'To see the ship, allow hardware acceleration in the settings or try another browser.',
+      'WebGL 2 is unavailable, so there is no picture: fly on instruments. ' +
+        'To see the ship, turn on hardware acceleration or try another browser.',
     );
     return null;
   }

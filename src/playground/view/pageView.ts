@@ -6,7 +6,7 @@ import type { Replay } from '../recording/replay';
 import type * as Replaying from '../recording/replaying';
 
 /** Recording and replaying: what the page shows instead of the game while a recording plays. */
-export interface Theatre {
+export interface SceneView {
   readonly recorder: Recorder;
   readonly listeners: RecordingListeners;
   /** The replay that is on, or null. */
@@ -17,7 +17,7 @@ export interface Theatre {
   readonly leave: () => void;
 }
 
-export interface TheatrePlace {
+export interface SceneViewPlace {
   readonly panel: () => RecordingPanel;
   readonly note: () => string;
   readonly tell: (text: string) => void;
@@ -26,21 +26,21 @@ export interface TheatrePlace {
   readonly changed: (on: boolean) => void;
 }
 
-export function createTheatre(place: TheatrePlace): Theatre {
+export function createSceneView(place: SceneViewPlace): SceneView {
   const recorder = createRecorder();
   let replay: Replay | null = null;
   let playing = true;
-  /** Counts what was asked for: who comes back from a fetch looks whether it is still wanted. */
-  let wish = 0;
+  /** Counts what was asked for: whoever comes back from a fetch checks whether it is still wanted. */
+  let request = 0;
 
   const open = async (recording: Recording) => {
     if (recording.entries.length === 0) {
       place.tell('Nothing is recorded yet: let the game run for a moment first.');
       return;
     }
-    const mine = ++wish;
+    const mine = ++request;
     const part = await fetchPart(place);
-    if (part === null || mine !== wish) return;
+    if (part === null || mine !== request) return;
     replay = part.createReplay(recording);
     playing = true;
     replay.seek(replay.from);
@@ -49,7 +49,7 @@ export function createTheatre(place: TheatrePlace): Theatre {
     place.changed(true);
   };
   const leave = () => {
-    wish += 1;
+    request += 1;
     if (replay === null) return;
     replay = null;
     place.panel().showReplay(null);
@@ -111,15 +111,12 @@ export function createTheatre(place: TheatrePlace): Theatre {
   };
 }
 
-/** What recordings need beside being taken; says so where it cannot be had. */
-async function fetchPart({ tell }: TheatrePlace): Promise<typeof Replaying | null> {
+/** The code that plays, reads and writes recordings; says so where it does not load. */
+async function fetchPart({ tell }: SceneViewPlace): Promise<typeof Replaying | null> {
   try {
     return await import('../recording/replaying');
   } catch {
-    tell(
-      'What plays, reads and writes recordings could not be fetched: is the network off? ' +
-        'With the network on again, load the page anew.',
-    );
+    tell('Part of the page did not load; reload it with the network on.');
     return null;
   }
 }

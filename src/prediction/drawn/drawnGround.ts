@@ -1,20 +1,21 @@
-import type { Body, World } from '../../dynamics';
+import type { TerrainHeight } from '../../dynamics';
 
-const place: { body: Pick<Body, 'name' | 'radius'>; height: World['terrainHeight'] } = {
-  body: { name: '', radius: 0 },
-  height: () => 0,
-};
-
-/** Chooses the ground that groundRadius tells of. */
-export function layGround(body: Pick<Body, 'name' | 'radius'>, height: World['terrainHeight']): void {
-  place.body = body;
-  place.height = height;
+/** The ground that is drawn, of one body: terrain above its radius. */
+export interface DrawnGround {
+  bodyName: string;
+  /** m */
+  radius: number;
+  terrainHeight: TerrainHeight;
 }
 
-/**
- * GroundRadius of the ground laid last. One function for whatever is stood: where several were called in one place, each call
- * boxed its four doubles.
- */
-export function groundRadius(nx: number, ny: number, nz: number): number {
-  return place.body.radius + place.height(place.body.name, nx, ny, nz);
+/** Distance, m, of the drawn ground from the body's centre along a unit direction in the body's axes. */
+export function groundRadius(
+  { bodyName, radius, terrainHeight }: DrawnGround,
+  nx: number,
+  ny: number,
+  nz: number,
+): number {
+  const height = terrainHeight(bodyName, nx, ny, nz);
+  // Not loaded: null, whatever the type says.
+  return height > -radius ? radius + height : radius;
 }

@@ -1,19 +1,27 @@
 import { FLYING, REFERENCE_BODY, SURFACE_STATE, type World } from '../../dynamics';
-import { groundRadius, layGround } from './drawnGround';
+import { type DrawnGround, groundRadius } from './drawnGround';
 import { hullOf, LEGS } from './hull';
 import { pose } from './pose';
 import { lengthOf, rotateBack, seenFrom } from './rotation';
 import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './groundSnap';
+import { offsetAt } from '../ground/learnedGround';
 import { type LevelGround, snapToLevel } from './levelSnap';
 import type { Track } from '../simulation/track';
 import type { ShipView } from './view';
 
 /**
- * The server's newest state as a ghost: stood on the drawn ground by the same function as the ship itself (PREDICTION, What is
+ * The server's newest state as a ghost: put on the drawn ground by the same function as the ship itself (PREDICTION, What is
  * drawn), or a lying ship's ghost would hover; in the body's axes, so that it stays where it was while the body turns.
- * @param exactly point by point, as the ship itself was stood; else as on level ground
+ * @param drawn the drawn ground
+ * @param exactly point by point, as the ship itself; else as on level ground
  */
-export function fillGhost(out: ShipView, track: Track, world: World, exactly: boolean): void {
+export function fillGhost(
+  out: ShipView,
+  track: Track,
+  world: World,
+  drawn: DrawnGround,
+  exactly: boolean,
+): void {
   const body = world.bodies[track.serverRow[REFERENCE_BODY]!]!;
   rotateBack(ghost.position, track.serverBodyAttitude, out.serverPosition);
   seenFrom(ghost.attitude, track.serverBodyAttitude, out.serverAttitude);
@@ -23,15 +31,19 @@ export function fillGhost(out: ShipView, track: Track, world: World, exactly: bo
   const { shipClass } = out;
   const { position } = ghost;
   const distance = lengthOf(position);
-  layGround(body, world.terrainHeight);
-  ground.radius = groundRadius(position[0]! / distance, position[1]! / distance, position[2]! / distance);
+  const [nx, ny, nz] = [position[0]! / distance, position[1]! / distance, position[2]! / distance];
+  drawn.bodyName = body.name;
+  drawn.radius = body.radius;
+  ground.radius = groundRadius(drawn, nx, ny, nz);
+  const { places } = track.ground;
+  ghost.groundOffset = places.length === 0 ? 0 : offsetAt(places, body.name, nx, ny, nz);
   // Out of the ground's reach, as for the ship itself.
   if (distance - ground.radius > 2 * shipClass.groundContactOffset + shipClass.legRadius) return;
-  if (exactly) snapToGround(groundedPose, ghost, hullOf(shipClass), groundRadius);
+  if (exactly) snapToGround(groundedPose, ghost, hullOf(shipClass), drawn);
   else snapToLevel(groundedPose, ghost, hullOf(shipClass), ground);
   out.ghostPosition.set(groundedPose.position);
 }
 
-const ghost: GroundPose = { ...pose(), grounded: false };
+const ghost: GroundPose = { ...pose(), grounded: false, groundOffset: 0 };
 const ground: LevelGround = { radius: 0 };
 const groundedPose: GroundedPose = createGroundedPose(LEGS);

@@ -1,15 +1,15 @@
+import { type DrawnGround, groundRadius } from './drawnGround';
 import type { Hull } from './hull';
 import { lengthOf, rotate, vector } from './rotation';
 
-/** Distance, m, of the drawn ground from the body's centre along a unit direction in the body's axes. */
-export type GroundRadius = (nx: number, ny: number, nz: number) => number;
-
-/** A pose to be stood: position (m, from the body's centre) and attitude, both in the body's axes. */
+/** A pose to be put on the ground: position (m, from the body's centre) and attitude, both in the body's axes. */
 export interface GroundPose {
   readonly position: Float64Array;
   readonly attitude: Float64Array;
   /** In contact, tipped or landed. */
   grounded: boolean;
+  /** The ground that the pose is predicted on, above the drawn one, m: 0 where the server's ground is the drawn one. */
+  groundOffset: number;
 }
 
 export interface GroundedPose {
@@ -19,7 +19,7 @@ export interface GroundedPose {
   lift: number;
   /** m a leg, 0 … stroke. */
   readonly legCompression: Float64Array;
-  /** Height of the lowest unloaded foot of the pose as given, above the ground beneath it, m. */
+  /** Height of the lowest unloaded foot of the pose as given, above the ground it is predicted on, m. */
   feetHeight: number;
 }
 
@@ -33,20 +33,22 @@ const ROUNDS = 3;
 const TOUCHING = 1e-4;
 /** m */
 const RELEASE_HEIGHT = 1;
+/** Of the offset between predicted and drawn ground: from this height on a flying ship is drawn as it is predicted. */
+const FADE_HEIGHTS = 8;
 
 /**
- * Stands a drawn pose on the drawn ground (PREDICTION, What is drawn). The law keeps the centre of mass at height h whatever the
+ * Puts a drawn pose on the drawn ground (PREDICTION, What is drawn). The law keeps the centre of mass at height h whatever the
  * tilt, and lets impacts sink; drawn like that a lying ship would hover and a landing one would go underground. So the legs give way
  * first, up to their stroke; then the whole ship is lifted along the local up until no point of hull or feet is below the ground,
  * and a grounded one is let down until its lowest point touches.
- * @param out the stood pose
+ * @param out the grounded pose
  * @param pose as drawn
  */
 export function snapToGround(
   out: GroundedPose,
   pose: GroundPose,
   hull: Hull,
-  ground: GroundRadius,
+  ground: DrawnGround,
 ): GroundedPose {
   out.position.set(pose.position);
   const distance = lengthOf(pose.position);
@@ -58,8 +60,8 @@ export function snapToGround(
   out.feetHeight = pressLegs(out, pose, hull, { ground, upright });
   out.lift = 0;
   let clearance = lowestPoint(out, pose, hull, ground);
-  const height = distance - ground(up[0]!, up[1]!, up[2]!) + hull.feet[2]!;
-  const target = pose.grounded || clearance < 0 ? 0 : flyingTarget(clearance, height);
+  const height = distance - groundRadius(ground, up[0]!, up[1]!, up[2]!) + hull.feet[2]!;
+  const target = pose.grounded ? 0 : drawnClearance(clearance, height, pose.groundOffset);
   for (let round = 0; round < ROUNDS && Math.abs(target - clearance) > TOUCHING; round++) {
     const lift = target - clearance;
     out.lift += lift;
@@ -74,12 +76,12 @@ function pressLegs(
   out: GroundedPose,
   pose: GroundPose,
   hull: Hull,
-  place: { readonly ground: GroundRadius; readonly upright: number },
+  place: { readonly ground: DrawnGround; readonly upright: number },
 ): number {
   let lowest = Number.POSITIVE_INFINITY;
   for (let leg = 0; leg * 3 < hull.feet.length; leg++) {
     for (let k = 0; k < 3; k++) point[k] = hull.feet[leg * 3 + k]!;
-    const height = heightOf(point, out.position, pose.attitude, place.ground);
+    const height = heightOf(point, out.position, pose.attitude, place.ground) - pose.groundOffset;
     if (height < lowest) lowest = height;
     const travel = place.upright > 0.1 && height < 0 ? -height / place.upright : 0;
     out.legCompression[leg] = travel > hull.stroke ? hull.stroke : travel;
@@ -88,7 +90,7 @@ function pressLegs(
 }
 
 /** Height of the lowest point of hull and pressed legs above the ground, m. */
-function lowestPoint(out: GroundedPose, pose: GroundPose, hull: Hull, ground: GroundRadius): number {
+function lowestPoint(out: GroundedPose, pose: GroundPose, hull: Hull, ground: DrawnGround): number {
   let lowest = Number.POSITIVE_INFINITY;
   for (let leg = 0; leg * 3 < hull.feet.length; leg++) {
     for (let k = 0; k < 3; k++) point[k] = hull.feet[leg * 3 + k]!;
@@ -102,6 +104,22 @@ function lowestPoint(out: GroundedPose, pose: GroundPose, hull: Hull, ground: Gr
     if (height < lowest) lowest = height;
   }
   return lowest;
+}
+
+/**
+ * The clearance above the drawn ground at which a ship that is predicted over a ground `offset` m higher is drawn in flight: its own
+ * high up, and none where it touches, so that it meets the ground it is drawn on without a pop.
+ * @param clearance of its lowest point above the drawn ground, m
+ * @param height of the centre of mass above where the law would touch the drawn ground, m
+ */
+export function drawnClearance(clearance: number, height: number, offset: number): number {
+  const above = clearance - offset;
+  const over = height - offset;
+  const target = above < 0 ? 0 : flyingTarget(above, over);
+  if (offset === 0) return target;
+  const reach = Math.max(RELEASE_HEIGHT, FADE_HEIGHTS * Math.abs(offset));
+  const t = over <= 0 ? 0 : over >= reach ? 1 : over / reach;
+  return Math.max(0, target + offset * (t * t * (3 - 2 * t)));
 }
 
 /**
@@ -120,14 +138,14 @@ function heightOf(
   p: Float64Array,
   position: Float64Array,
   attitude: Float64Array,
-  ground: GroundRadius,
+  ground: DrawnGround,
 ): number {
   rotate(p, attitude, p);
   const x = p[0]! + position[0]!;
   const y = p[1]! + position[1]!;
   const z = p[2]! + position[2]!;
   const distance = Math.sqrt(x * x + y * y + z * z);
-  return distance - ground(x / distance, y / distance, z / distance);
+  return distance - groundRadius(ground, x / distance, y / distance, z / distance);
 }
 
 const ALONG = Float64Array.of(0, 0, 1);

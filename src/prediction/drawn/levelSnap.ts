@@ -1,6 +1,6 @@
 import type { Hull } from './hull';
 import { lengthOf, rotateBack, vector } from './rotation';
-import { flyingTarget, type GroundPose, type GroundedPose } from './groundSnap';
+import { drawnClearance, type GroundPose, type GroundedPose } from './groundSnap';
 
 /** In a record, since a double that is an argument is boxed at each call. */
 export interface LevelGround {
@@ -31,8 +31,9 @@ export function snapToLevel(
   let lowest = Number.POSITIVE_INFINITY;
   for (let i = 0; i < feet.length; i += 3) {
     const height = centre + feet[i]! * x + feet[i + 1]! * y + feet[i + 2]! * z;
-    if (height < lowestFoot) lowestFoot = height;
-    const travel = z > 0.1 && height < 0 ? -height / z : 0;
+    const over = height - pose.groundOffset;
+    if (over < lowestFoot) lowestFoot = over;
+    const travel = z > 0.1 && over < 0 ? -over / z : 0;
     const pressed = travel > hull.stroke ? hull.stroke : travel;
     out.legCompression[i / 3] = pressed;
     if (height + pressed * z < lowest) lowest = height + pressed * z;
@@ -42,7 +43,7 @@ export function snapToLevel(
     if (height < lowest) lowest = height;
   }
   out.feetHeight = lowestFoot;
-  out.lift = (pose.grounded || lowest < 0 ? 0 : flyingTarget(lowest, centre + feet[2]!)) - lowest;
+  out.lift = (pose.grounded ? 0 : drawnClearance(lowest, centre + feet[2]!, pose.groundOffset)) - lowest;
   for (let k = 0; k < 3; k++) out.position[k] = position[k]! + up[k]! * out.lift;
   return out;
 }

@@ -13,6 +13,8 @@ export interface Picture {
   hasHeld: boolean;
   readonly heldPlace: Float64Array;
   readonly heldAttitude: Float64Array;
+  /** Predicted ground above the drawn one as the mesh has it, m; follows what is learned. */
+  groundOffset: number;
   readonly status: Status;
   /** What the page sees of it; made when it is first seen. */
   view: ShipView | null;
@@ -43,6 +45,7 @@ export function createPicture(): Picture {
     hasHeld: false,
     heldPlace: new Float64Array(3),
     heldAttitude: Float64Array.of(0, 0, 0, 1),
+    groundOffset: 0,
     status: {
       state: -1,
       since: 0,

@@ -89,7 +89,8 @@ function provenanceOf(track: Track, state: number, crashes: boolean, at: Instant
   const crashed = track.serverRow[CRASHED] === 1;
   if (!at.paused && !crashed && at.now - track.seenAt > at.staleAfter) return 'stale';
   if (crashed) return 'confirmed';
-  return track.serverRow[SURFACE_STATE] === state && !crashes ? 'confirmed' : 'predicted';
+  const agrees = track.serverRow[SURFACE_STATE] === state && !crashes && track.fit.carried === '';
+  return agrees ? 'confirmed' : 'predicted';
 }
 
 /** A new record only where a command has changed. */

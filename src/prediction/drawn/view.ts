@@ -55,6 +55,8 @@ export interface ShipView {
   /** [x, y, z, w] */
   readonly attitude: Float64Array;
   readonly angularVelocity: Float64Array;
+  /** What the reaction wheels have given so far, N m s, body axes. */
+  readonly wheelMomentum: Float64Array;
   fuel: number;
   /** m/s */
   impactSpeed: number;
@@ -63,13 +65,26 @@ export interface ShipView {
   controls: Controls;
   /** N, ICRF axes: what engine and thrusters give now. */
   readonly thrust: Float64Array;
-  /** Body radius + terrain height along the ship's own radial direction, m: heights above ground come from it. */
+  /**
+   * Radius of the ground along the ship's own radial direction, m: body radius + terrain height + groundOffset. Heights above ground
+   * come from it.
+   */
   groundRadius: number;
+  /** The server's ground above the drawn terrain there, m, as its states tell; 0 where they agree. And how sure, 0 … 1. */
+  groundOffset: number;
+  groundConfidence: number;
+  /**
+   * '' where the ship is predicted by the law. Else its motion is carried on from the server's states: 'law' where the law has been
+   * worse than that over the last few of them, 'ground' where no ground is known under it. Never confirmed then.
+   */
+  carried: '' | 'law' | 'ground';
+  /** Server states that came while it was carried on. */
+  carriedStates: number;
 
   /** What is drawn: predicted + fading offset. Nothing computes with it but the view. */
   readonly easedPosition: Float64Array;
   readonly meshAttitude: Float64Array;
-  /** The drawn place, lifted or lowered along the local up until the drawn attitude stands on the ground (snapToGround), ICRF axes. */
+  /** The drawn place, lifted or lowered along the local up until the drawn attitude is on the ground (snapToGround), ICRF axes. */
   readonly meshPosition: Float64Array;
   /** How far each leg is pressed in, m, in the order of the class's hull (hullOf). */
   readonly legCompression: Float64Array;
@@ -90,7 +105,7 @@ export interface ShipView {
   /** The server's newest state of this ship: relative to the body at that tick, ICRF axes. */
   readonly serverPosition: Float64Array;
   readonly serverAttitude: Float64Array;
-  /** The same as a ghost to draw: stood on the ground as meshPosition is, in the axes of its body, with which it turns. */
+  /** The same as a ghost to draw: put on the ground as meshPosition is, in the axes of its body, with which it turns. */
   readonly ghostPosition: Float64Array;
   readonly ghostAttitude: Float64Array;
   /** false before the first state of this ship. */
@@ -182,6 +197,12 @@ export interface Diagnosis {
    */
   errorPosition: number;
   errorAngle: number;
+  /** Ships that are carried on now, not predicted by the law, and the states that came while one was. */
+  shipsCarried: number;
+  statesCarried: number;
+  /** The server's ground above the drawn terrain under the own ship, m, and how sure that is, 0 … 1. */
+  groundOffset: number;
+  groundConfidence: number;
   /** Size of the offset being eased on the own ship, m and rad. */
   offsetPosition: number;
   offsetAngle: number;

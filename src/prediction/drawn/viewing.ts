@@ -15,10 +15,12 @@ import {
   TRANSLATION_INPUT,
   VELOCITY,
   type World,
+  WHEEL_MOMENTUM,
 } from '../../dynamics';
 import { relax } from './ease';
 import { fillGhost } from './ghost';
-import { groundRadius, layGround } from './drawnGround';
+import { type DrawnGround, groundRadius } from './drawnGround';
+import { confidenceOf, offsetAt, placeAt } from '../ground/learnedGround';
 import { hullOf, LEGS } from './hull';
 import { writeSleeping } from '../simulation/sleep';
 import { pose, writeAttitude } from './pose';
@@ -54,6 +56,7 @@ export function createShipView(track: Track, world: World): ShipView {
     velocity: vectors(),
     attitude: Float64Array.of(0, 0, 0, 1),
     angularVelocity: vectors(),
+    wheelMomentum: vectors(),
     fuel: 0,
     impactSpeed: 0,
     surfaceContactState: '',
@@ -61,6 +64,10 @@ export function createShipView(track: Track, world: World): ShipView {
     controls: NEUTRAL_CONTROLS,
     thrust: vectors(),
     groundRadius: 0,
+    groundOffset: 0,
+    groundConfidence: 0,
+    carried: '',
+    carriedStates: 0,
     easedPosition: vectors(),
     meshAttitude: Float64Array.of(0, 0, 0, 1),
     meshPosition: vectors(),
@@ -83,40 +90,46 @@ export function createShipView(track: Track, world: World): ShipView {
 /** What all ships of one view share. */
 export interface Scene {
   readonly world: World;
+  /** Of the body under the ship at hand. */
+  readonly ground: DrawnGround;
   /** Attitude and spin of each body at the present, ICRF. */
   bodyAttitudes: Float64Array[];
   bodySpins: Float64Array[];
-  /** Ships that still may be stood point by point: beyond them the ground counts as level under a ship. */
+  /** Ships that still may be put on the ground point by point: beyond them the ground counts as level under a ship. */
   exactSnaps: number;
   readonly at: Instant;
 }
 
-/** Fills a ship's view: predicted truth, the drawn pose, where it stands, what is shown of its state. */
+/** Fills a ship's view: predicted truth, the drawn pose, its ground, what is shown of its state. */
 export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene: Scene): void {
   const stepping = track.mode === 'stepping';
   const { fleet, alpha } = sim;
   // The states that hold at the present are those of the last substep boundary passed.
-  const rows = stepping ? (alpha === 1 ? fleet.front : fleet.previous) : standIn(sim, track, scene);
+  const rows = stepping ? (alpha === 1 ? fleet.front : fleet.previous) : outOfStep(sim, track, scene);
   const from = stepping ? track.at : 0;
   if (stepping) fillBetween(out, sim, track);
   else fillFromRow(out, rows);
   out.fuel = rows[from + FUEL]!;
+  take(out.wheelMomentum, rows, from + WHEEL_MOMENTUM);
   out.impactSpeed = rows[from + IMPACT_SPEED]!;
   out.surfaceContactState = SURFACE_STATES[rows[from + SURFACE_STATE]!]!;
   out.crashed = rows[from + CRASHED] === 1;
   out.body = rows[from + REFERENCE_BODY]!;
   out.shipClass = scene.world.shipClasses[rows[from + SHIP_CLASS]!]!;
   out.name = track.name;
+  out.carried = track.fit.carried;
+  out.carriedStates = track.fit.states;
   out.own = track.own;
   out.missingTicks = sim.newestTick - track.serverTick;
   const attitude = scene.bodyAttitudes[out.body]!;
   seeFromBody(out, attitude);
   if (track.picture.ease.active) relax(track.picture.ease, normal, scene.at.elapsed);
   fillDrawn(out, track, attitude);
+  fillGround(out, track, scene);
   const exactly = fillGrounded(out, scene, attitude);
   fillThrust(out, rows, from);
   fillControls(out, track.picture.status.commands, rows, from);
-  if (fillServerState(out, track, scene.at)) fillGhost(out, track, scene.world, exactly);
+  if (fillServerState(out, track, scene.at)) fillGhost(out, track, scene.world, scene.ground, exactly);
   fillStatus(out, track, rows, from, scene.at);
   if (track.log !== null)
     fillTouchdown(
@@ -143,7 +156,7 @@ function fillBetween(out: ShipView, sim: Simulation, track: Track): void {
 }
 
 /** The row of a ship that is not in step, placed at the present. */
-function standIn(sim: Simulation, track: Track, scene: Scene): Float64Array {
+function outOfStep(sim: Simulation, track: Track, scene: Scene): Float64Array {
   const known = track.mode === 'sleeping' || track.picture.hasHeld;
   copyRow(row, 0, known ? sim.fleet.front : track.serverRow, known ? track.at : 0);
   const body = row[REFERENCE_BODY]!;
@@ -197,19 +210,44 @@ function fillDrawn(out: ShipView, track: Track, body: Float64Array): void {
   compose(out.meshAttitude, body, drawn.attitude);
 }
 
-const drawn: GroundPose = { ...pose(), grounded: false };
+const drawn: GroundPose = { ...pose(), grounded: false, groundOffset: 0 };
 const turn = quaternion();
+
+/** The ground under the ship, as the server has it by what was learned, and how far that is above the drawn one. */
+function fillGround(out: ShipView, track: Track, { world, ground, at }: Scene): void {
+  const body = world.bodies[out.body]!;
+  const { picture } = track;
+  const { places } = track.ground;
+  const [nx, ny, nz] = [normal[0]!, normal[1]!, normal[2]!];
+  ground.bodyName = body.name;
+  ground.radius = body.radius;
+  out.groundRadius = groundRadius(ground, nx, ny, nz);
+  out.groundOffset = 0;
+  out.groundConfidence = 0;
+  drawn.groundOffset = 0;
+  if (places.length === 0) return;
+  out.groundOffset = offsetAt(places, body.name, nx, ny, nz);
+  out.groundConfidence = confidenceOf(placeAt(track.ground, body.name, normal));
+  out.groundRadius += out.groundOffset;
+  // What is learned in flight moves the mesh no faster than a correction.
+  const follows = out.surfaceContactState === '' ? 1 - Math.exp(-OFFSET_RATE * at.elapsed) : 1;
+  picture.groundOffset += (out.groundOffset - picture.groundOffset) * follows;
+  drawn.groundOffset = picture.groundOffset;
+}
+
+/** 1/s */
+const OFFSET_RATE = 10;
 
 /** @returns whether point by point, or as on level ground */
 function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
-  const body = scene.world.bodies[out.body]!;
   const { shipClass } = out;
   const exactly = out.own || scene.exactSnaps > 0;
-  layGround(body, scene.world.terrainHeight);
-  out.groundRadius = groundRadius(normal[0]!, normal[1]!, normal[2]!);
-  const above = lengthOf(drawn.position) - out.groundRadius;
-  // No part of the ship reaches as far as twice its height: nothing to stand on.
-  if (above > FAR * shipClass.groundContactOffset + shipClass.legRadius) {
+  const surface = out.groundRadius - out.groundOffset;
+  const above = lengthOf(drawn.position) - surface;
+  // No part of the ship reaches as far as twice its height: nothing is under it.
+  const reach =
+    FAR * (shipClass.groundContactOffset + Math.abs(out.groundOffset) * REACH) + shipClass.legRadius;
+  if (above > reach) {
     for (let k = 0; k < 3; k++) out.meshPosition[k] = out.easedPosition[k]!;
     for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = 0;
     out.feetHeight = lengthOf(seen.position) - out.groundRadius - shipClass.groundContactOffset;
@@ -218,9 +256,9 @@ function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
   drawn.grounded = out.surfaceContactState !== '';
   if (exactly) {
     scene.exactSnaps -= 1;
-    snapToGround(groundedPose, drawn, hullOf(shipClass), groundRadius);
+    snapToGround(groundedPose, drawn, hullOf(shipClass), scene.ground);
   } else {
-    level.radius = out.groundRadius;
+    level.radius = surface;
     snapToLevel(groundedPose, drawn, hullOf(shipClass), level);
   }
   rotate(out.meshPosition, bodyAttitude, groundedPose.position);
@@ -230,6 +268,8 @@ function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
 }
 
 const FAR = 2;
+/** Of the offset between the two grounds: twice this height above the ground the mesh has left it behind. */
+const REACH = 4.5;
 const level: LevelGround = { radius: 0 };
 const groundedPose: GroundedPose = createGroundedPose(LEGS);
 

@@ -52,6 +52,7 @@ export function createShown(sim: Simulation): Shown {
   };
   const scene: Scene = {
     world: sim.world,
+    ground: { bodyName: '', radius: 0, terrainHeight: sim.world.terrainHeight },
     bodyAttitudes: bodies.map(quaternion),
     bodySpins: bodies.map(vector),
     exactSnaps: 0,
@@ -67,7 +68,7 @@ export function createShown(sim: Simulation): Shown {
   return { view, scene, viewedAt: Number.NaN };
 }
 
-/** Ships stood on the ground point by point in one view, the own one not counted. */
+/** Ships put on the ground point by point in one view, the own one not counted. */
 const MAX_EXACT_SNAPS = 32;
 
 /** Where the present lies between the substep boundary before the front and the front. */
@@ -132,13 +133,17 @@ function fillShips({ view, scene }: Shown, sim: Simulation): void {
   const { tracks } = sim.fleet;
   view.own = null;
   view.ships.length = tracks.length;
+  sim.counters.shipsCarried = 0;
   for (let i = 0; i < tracks.length; i++) {
     const track = tracks[i]!;
+    if (track.fit.carried !== '') sim.counters.shipsCarried += 1;
     track.picture.view ??= createShipView(track, sim.world);
     fillShipView(track.picture.view, sim, track, scene);
     view.ships[i] = track.picture.view;
     if (!track.own) continue;
     view.own = track.picture.view;
+    sim.counters.groundOffset = track.picture.view.groundOffset;
+    sim.counters.groundConfidence = track.picture.view.groundConfidence;
     sim.counters.offsetPosition = lengthOf(track.picture.ease.offset);
     sim.counters.offsetAngle = lengthOf(track.picture.ease.turn);
   }

@@ -50,3 +50,10 @@ export function isPlanned({ plan, records }: Inputs, from: Position): boolean {
 function isDue({ tick, substep }: Position | ScheduledInput, due: Position): boolean {
   return !isBefore(due.tick, due.substep, tick, substep);
 }
+
+/** Whether anything acts on the own ship from tick boundary `from` on and before tick boundary `to`. */
+export function actsBetween({ plan, records }: Inputs, from: number, to: number): boolean {
+  const isBetween = ({ tick, substep }: Position): boolean =>
+    !isBefore(tick, substep, from, 0) && isBefore(tick, substep, to, 0);
+  return records.some(isBetween) || plan.some(isBetween);
+}

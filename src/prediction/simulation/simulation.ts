@@ -1,6 +1,8 @@
 import { BODY_STRIDE, type BodyMotion, type World, writeBodyMotion } from '../../dynamics';
 import type { Diagnosis, EventNotice } from '../drawn/view';
+import { withoutGround } from '../ground/unknownGround';
 import { createInputs, type Inputs, type ScheduledInput } from '../inputs/inputs';
+import { type BodySpin, createBodySpin } from '../snapshots/bodySpin';
 import { type BodyTrack, createBodyTrack } from '../snapshots/bodyTrack';
 import { type Cadence, createCadence } from '../time/cadence';
 import { createTimeline, type Position, type Timeline } from '../time/timeline';
@@ -14,8 +16,12 @@ import type { Warn } from '../warnings';
  */
 export interface Simulation {
   world: World;
+  /** The world for a flying ship under which no ground is known. */
+  readonly groundless: World;
   readonly timeline: Timeline;
   bodies: BodyTrack;
+  /** How fast each body really turns, in the world's order. */
+  readonly spins: readonly BodySpin[];
   readonly fleet: Fleet;
   readonly inputs: Inputs;
   readonly front: Position;
@@ -33,6 +39,8 @@ export interface Simulation {
   newestTick: number;
   /** Not yet told to listeners. */
   readonly notices: EventNotice[];
+  /** Substeps that fitting the ground of other pilots' ships took of a tick's frame. */
+  readonly learning: { tick: number; spent: number };
   readonly counters: Diagnosis;
   /** Faults of the caller's or the server's that nothing has to stop for. */
   readonly warn: Warn;
@@ -59,8 +67,10 @@ export function createSimulation(
   for (const [i, motion] of bodies.entries()) writeBodyMotion(start, i * BODY_STRIDE, motion);
   return {
     world,
+    groundless: withoutGround(world),
     timeline: createTimeline(world.settings.contactLongestSubstep),
     bodies: createBodyTrack(start, ringLength(1), 100),
+    spins: world.bodies.map(createBodySpin),
     fleet: createFleet(),
     inputs: createInputs(plan),
     front: { tick: 0, substep: 0 },
@@ -71,6 +81,7 @@ export function createSimulation(
     cadence: createCadence(),
     newestTick: -1,
     notices: [],
+    learning: { tick: -1, spent: 0 },
     counters,
     warn,
     sleeps,

@@ -1,7 +1,9 @@
-import { chooseReferenceBody, NO_EVENT, SHIP_STRIDE, substep } from '../../dynamics';
+import { chooseReferenceBody, FLYING, NO_EVENT, SHIP_STRIDE, substep, SURFACE_STATE } from '../../dynamics';
 import { applyDue, seek } from '../inputs/scheduledInput';
 import { boundaryAt, rowsAt } from '../snapshots/bodyTrack';
 import { type Position, spanOf } from '../time/timeline';
+import { worldOf } from '../ground/learnedGround';
+import { carryRow } from './carry';
 import { isReleased, release } from './heldControls';
 import type { Simulation } from './simulation';
 import { copyRow, type Track } from './track';
@@ -58,7 +60,19 @@ export function stepRow(step: RowStep, sim: Simulation, track: Track): void {
   copyRow(step.before, step.beforeAt, rows, at);
   if (isReleased(track, step.tick, step.substep)) release(rows, at);
   if (track.own) step.inputs = applyDue(sim.inputs, step.inputs, step, rows, at);
-  step.event = substep(rows, at, step.bodies, sim.world, step.dt[0]);
+  if (track.fit.carried === '')
+    step.event = substep(rows, at, step.bodies, worldOf(track.ground, sim.world), step.dt[0]);
+  else carry(step, sim, track);
+}
+
+/** Not by the law: carried on, and where no ground is known flown on by the law. */
+function carry(step: RowStep, sim: Simulation, track: Track): void {
+  const { rows, at } = step;
+  const [dt] = step.dt;
+  step.event = NO_EVENT;
+  if (track.fit.carried === 'ground' && rows[at + SURFACE_STATE] === FLYING)
+    substep(rows, at, step.bodies, sim.groundless, dt);
+  else carryRow(rows, at, step.bodies, sim.world, dt);
 }
 
 /** On to the next substep. Returns whether a tick boundary was reached. */

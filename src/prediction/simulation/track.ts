@@ -1,7 +1,10 @@
 import { SHIP_STRIDE } from '../../dynamics';
 import { createPicture, type Picture } from '../drawn/picture';
 import { createLedger, type Ledger } from '../events';
+import { createLawFit, type LawFit } from '../snapshots/lawFit';
 import { createHistory, type History } from './history';
+import { createLearnedGround, type LearnedGround } from '../ground/learnedGround';
+import { createLastState, type LastState } from '../ground/lastState';
 import type { TouchdownRing } from '../touchdown/touchdownRing';
 
 /** How a ship's present comes about. */
@@ -67,6 +70,11 @@ export interface Track {
   readonly sleepAttitude: Float64Array;
 
   readonly ledger: Ledger;
+  /** What its states say of the ground, and the one that the next is held against. */
+  readonly ground: LearnedGround;
+  readonly evidence: LastState;
+  /** Whether it is simulated by the law, or carried on. */
+  readonly fit: LawFit;
   /** Of the own ship. */
   log: TouchdownRing | null;
   /** What is drawn and shown of it. Nothing here reads it to compute. */
@@ -133,6 +141,9 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
     sleepPlace: new Float64Array(3),
     sleepAttitude: Float64Array.of(0, 0, 0, 1),
     ledger: createLedger(shipId),
+    ground: createLearnedGround(),
+    evidence: createLastState(),
+    fit: createLawFit(),
     log: null,
     picture: createPicture(),
   };

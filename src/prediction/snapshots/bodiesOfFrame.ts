@@ -1,6 +1,8 @@
 import { BODY_STRIDE, type BodyMotion, readBodyMotion } from '../../dynamics';
 import type { BodyState, ServerFrame } from '../../wire';
 import type { Simulation } from '../simulation/simulation';
+import { spanOf } from '../time/timeline';
+import { spunMotion } from './bodySpin';
 import { boundaryAt, startBodiesAt, updateBodies } from './bodyTrack';
 import type { Receiver } from './receiver';
 
@@ -25,7 +27,7 @@ export function bodiesOfFrame(sim: Simulation, receiver: Receiver, frame: Server
     const bodies = boundaryAt(sim.bodies, sim.timeline, tick);
     return { bodies, predictedBodies: bodies, turned: 0 };
   }
-  const error = updateBodies(sim.bodies, tick, motions);
+  const error = updateBodies(sim.bodies, tick, spun(sim, tick, motions));
   if (error.attitude > 0 || error.spin > 0) {
     sim.counters.correctionsBody += 1;
     sim.counters.errorBodyAttitude = error.attitude;
@@ -37,6 +39,21 @@ export function bodiesOfFrame(sim: Simulation, receiver: Receiver, frame: Server
     turned: Math.max(error.attitude, error.spin),
   };
 }
+
+/** The motions with the spins that were measured; the same list where those are the told ones. */
+function spun(sim: Simulation, tick: number, motions: readonly BodyMotion[]): readonly BodyMotion[] {
+  const { tickSeconds } = spanOf(sim.timeline, tick).timing;
+  let differs = false;
+  for (const [i, told] of motions.entries()) {
+    const spin = sim.spins[i]!;
+    const motion = spunMotion(spin, told, tick, (tick - spin.tick) * tickSeconds);
+    measured[i] = motion;
+    if (motion !== told) differs = true;
+  }
+  return differs ? measured.slice(0, motions.length) : motions;
+}
+
+const measured: BodyMotion[] = [];
 
 /** Whether no body has moved since the last frame though its tick did, and some should have: the server sends old ones. */
 function areOld({ warn }: Simulation, receiver: Receiver, { tick, bodies }: ServerFrame): boolean {

@@ -79,6 +79,7 @@ export function knowsBoundary(track: BodyTrack, tick: number): boolean {
 
 /** Rows at tick boundary `tick`; made by the law from the newest boundary before it. */
 export function boundaryAt(track: BodyTrack, timeline: Timeline, tick: number): Float64Array {
+  if (knowsBoundary(track, tick)) return track.boundaries[tick % track.length]!;
   let from = tick;
   while (!knowsBoundary(track, from) && tick - from < track.length - 1 && from > 0) from--;
   if (!knowsBoundary(track, from)) skipTo(track, timeline, from);

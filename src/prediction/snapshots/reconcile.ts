@@ -10,6 +10,9 @@ import {
   WHEEL_MOMENTUM,
 } from '../../dynamics';
 import type { ShipState } from '../../wire';
+import { knowsGround } from '../ground/unknownGround';
+import { measureByShip } from './bodySpin';
+import { weighLaw } from './lawFit';
 import { adopt, drawableState, isExact } from './adopt';
 import {
   describeDifference,
@@ -28,6 +31,7 @@ import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from 
 import { abandonReplay, startReplay } from '../simulation/replay';
 import { commandsAnything } from '../simulation/heldControls';
 import type { Simulation } from '../simulation/simulation';
+import { keepEvidence, learnGround } from '../ground/learn';
 import { take } from '../drawn/rotation';
 import { isBefore, spanOf, writeLater } from '../time/timeline';
 import { logLanded } from '../touchdown/touchdownRing';
@@ -71,13 +75,51 @@ export function reconcile(
   const predicted = findPredicted(sim, track, word);
   server.bodies = word.bodies;
   if (track.own) writeError(sim.counters, server, predicted);
-  if (Number.isNaN(told[IMPACT_SPEED])) told[IMPACT_SPEED] = recalledImpact(predicted);
+  const toldImpact = !Number.isNaN(told[IMPACT_SPEED]);
+  if (!toldImpact) told[IMPACT_SPEED] = recalledImpact(predicted);
   track.unpredictable = false;
   if (Number.isNaN(told[WHEEL_MOMENTUM])) recallWheels(predicted);
+  track.exact = isExact(state);
+  const field = predicted === null ? null : differenceFrom(track, predicted);
+  const goesOver = takeTeaching(sim, track, word, { predicted, agrees: field === 'none', toldImpact });
   remember(track, state, word, known);
-  settle(sim, track, predicted, word);
+  settle(sim, track, field === null ? null : { field, predicted: predicted! }, word);
+  if (goesOver && !track.off) startReplay(track, sim, word.tick, told, 0);
+  keepEvidence(track, told, word.tick);
   if (!track.own) holdControls(sim, track);
   return null;
+}
+
+/** What a state teaches of ground, spin and law. Returns whether the ship goes over from the law to being carried on, or back. */
+function takeTeaching(
+  sim: Simulation,
+  track: Track,
+  word: SnapshotContext,
+  was: { readonly predicted: Place | null; readonly agrees: boolean; readonly toldImpact: boolean },
+): boolean {
+  const { tick, bodies, now } = word;
+  const { fit, ground } = track;
+  const isKnown = knowsGround(told, bodies, sim.world);
+  const changes = isKnown === (fit.carried === 'ground');
+  if (changes) fit.carried = isKnown ? '' : 'ground';
+  if (fit.carried !== '') {
+    fit.states += 1;
+    sim.counters.statesCarried += 1;
+  }
+  if (!isKnown) return changes;
+  if (!was.agrees || ground.places.length > 0 || fit.carried !== '')
+    learnGround(sim, track, { row: told, tick, bodies, now, toldImpact: was.toldImpact });
+  if (!was.agrees) measureSpin(sim, track, word);
+  const { predicted, agrees } = was;
+  const isWeighed = weighLaw(sim, track, { state: server, tick, predicted, agrees });
+  return changes || isWeighed;
+}
+
+/** A ship that lies where it was not predicted tells how fast its body turns. */
+function measureSpin(sim: Simulation, { evidence }: Track, word: SnapshotContext): void {
+  if (evidence.tick < 0 || evidence.tick >= word.tick) return;
+  const seconds = (word.tick - evidence.tick) * spanOf(sim.timeline, word.tick).timing.tickSeconds;
+  measureByShip(sim.spins[told[REFERENCE_BODY]!]!, evidence.row, told, word.bodies, seconds);
 }
 
 /**
@@ -103,18 +145,28 @@ export function showAsTold(
   return null;
 }
 
-function settle(sim: Simulation, track: Track, predicted: Place | null, word: SnapshotContext): void {
+/** What was predicted for the state's tick, and the first field in which the state differs from it. */
+interface Compared {
+  readonly field: Field;
+  readonly predicted: Place;
+}
+
+function differenceFrom(track: Track, predicted: Place): Field {
+  if (!track.exact) writeInexact(inexact, server);
+  return firstDifference(server, predicted, track.exact ? EXACT : inexact);
+}
+
+function settle(sim: Simulation, track: Track, compared: Compared | null, word: SnapshotContext): void {
   if (track.off) {
     if (isAtRest(told, 0)) sleepAtFirst(sim, track, word);
     return;
   }
-  if (predicted === null) {
+  if (compared === null) {
     startReplay(track, sim, word.tick, told, 0);
     sleepAtFirst(sim, track, word);
     return;
   }
-  if (!track.exact) writeInexact(inexact, server);
-  const field = firstDifference(server, predicted, track.exact ? EXACT : inexact);
+  const { field, predicted } = compared;
   const commanded = sameCommand(told, 0, predicted.rows, predicted.at);
   if (field !== 'none' || !(commanded || sleepsThrough(track))) {
     correct(sim, track, field, predicted, word);
@@ -207,7 +259,6 @@ function recallWheels(predicted: Place | null): void {
 function remember(track: Track, state: ShipState, word: SnapshotContext, known: boolean): void {
   track.name = state.name;
   track.playerId = state.playerId;
-  track.exact = isExact(state);
   track.silence = known ? Math.max(0, word.now - track.seenAt) : 0;
   track.seenAt = word.now;
   track.serverTick = word.tick;

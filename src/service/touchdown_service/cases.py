@@ -31,7 +31,9 @@ def load_case(data: Any) -> Case:
     ship.pending = [load_input(given, f"inputs[{i}]") for i, given in enumerate(required(data, "inputs", ""))]
     return Case(
         name=text(required(data, "name", ""), "name"),
-        timing=load_timing(required(data, "tick_rate", ""), required(data, "time_scale", "")),
+        timing=load_timing(
+            required(data, "tick_rate", ""), required(data, "time_scale", ""), config.contact_longest_substep
+        ),
         ticks=whole(required(data, "ticks", ""), "ticks"),
         world=World(config, bodies, load_terrain(required(data, "terrain", ""))),
         ship=ship,

@@ -23,10 +23,17 @@ class Config:
     contact_friction_static: float = 0.8
     contact_friction_kinetic: float = 0.5
     touchdown_attitude: str = "aligned"
+    surface_normal: str = "radial"
+    contact_longest_substep: float = 0.01
+    is_terrain_normal: bool = field(init=False)
+    settle_squared: float = field(init=False)
     cos_settle_tilt: float = field(init=False)
     cos_tipped_angle: float = field(init=False)
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "is_terrain_normal", self.surface_normal == "terrain")
+        settle = self.contact_settle_linear_vel
+        object.__setattr__(self, "settle_squared", settle * settle)
         object.__setattr__(self, "cos_settle_tilt", cosine_of_degrees(self.contact_settle_tilt_deg))
         object.__setattr__(self, "cos_tipped_angle", cosine_of_degrees(self.contact_tipped_angle_deg))
 
@@ -46,7 +53,7 @@ def load_config(given: Any, path: str = "settings") -> Config:
     return Config(**settings)
 
 
-NAMED = {"touchdown_attitude": ("aligned", "kept")}
+NAMED = {"touchdown_attitude": ("aligned", "kept"), "surface_normal": ("radial", "terrain")}
 POSITIVE_SPEED = Range(0, 1e9, "m/s", is_open=True)
 RANGES = {
     "contact_crash_speed": POSITIVE_SPEED,
@@ -58,6 +65,8 @@ RANGES = {
     "contact_damping_ratio": Range(0, 1, "", is_open=True),
     "contact_friction_static": Range(0, 2, ""),
     "contact_friction_kinetic": Range(0, 2, ""),
+    # Beyond the longest, ships with moments of inertia far apart shake on their legs.
+    "contact_longest_substep": Range(0.001, 0.022, "s"),
 }
 
 
@@ -89,13 +98,14 @@ TICK_RATE = Range(0.1, 100, "Hz")
 TIME_SCALE = Range(0.1, 100, "")
 
 
-def load_timing(tick_rate: Any, time_scale: Any) -> Timing:
-    """tick_rate 0.1 to 100 Hz, time_scale 0.1 to 100."""
-    return timing_of_tick(number(time_scale, "time_scale", TIME_SCALE) / number(tick_rate, "tick_rate", TICK_RATE))
+def load_timing(tick_rate: Any, time_scale: Any, longest_substep: float) -> Timing:
+    """tick_rate 0.1 to 100 Hz, time_scale 0.1 to 100; substeps of at most `longest_substep` seconds."""
+    scale = number(time_scale, "time_scale", TIME_SCALE)
+    return timing_of_tick(scale / number(tick_rate, "tick_rate", TICK_RATE), longest_substep)
 
 
-def timing_of_tick(tick_seconds: float) -> Timing:
-    substeps = max(1, ceil(tick_seconds * 100 - 1e-9))
+def timing_of_tick(tick_seconds: float, longest_substep: float) -> Timing:
+    substeps = max(1, ceil(tick_seconds / longest_substep - 1e-9))
     return Timing(tick_seconds, substeps, tick_seconds / substeps)
 
 

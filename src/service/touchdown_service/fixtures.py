@@ -31,7 +31,7 @@ def fixture(data: dict[str, Any]) -> dict[str, Any]:
     states = []
     events = []
     for tick in range(case.ticks):
-        for event in run_tick(case.world, [case.ship], case.timing, tick):
+        for event in run_tick(case.world, [case.ship], case.timing, tick).events:
             events.append({"tick": tick + 1, "event": event.type})
         if (tick + 1) % every == 0 or tick + 1 == case.ticks:
             states.append(state(case.ship, tick + 1))
@@ -66,6 +66,7 @@ def state(ship: Ship, tick: int) -> dict[str, Any]:
         "attitude": ship.attitude,
         "angular_velocity": ship.angular_velocity,
         "fuel": ship.fuel,
+        "wheel_momentum": ship.wheel_momentum,
         "surface_contact_state": ship.surface_contact_state,
         "landed_body_name": ship.landed_body_name,
         "impact_speed": ship.impact_speed,

@@ -1,111 +1,121 @@
-"""Steps 3 to 5: how settled a ship is, the normal force, friction and the linear motion."""
+"""Steps 3 to 5 on the ground: how settled a ship is, the normal force, friction and the linear motion."""
 
-from dataclasses import dataclass
+from math import sqrt
 
-from .models import FLYING, TIPPED, Ship, World
-from .surface import Surface, ground_velocity
-from .vectors import Vec3, dot, length, scale, subtract
+from .config import Config
+from .models import TIPPED, Ship
+from .surface import Ground, OverGround, Place
+from .vectors import Vec3
 
 # k / m, s^-2: the contact spring
 STIFFNESS = 100
 # c / m of critical damping, 1/s
 CRITICAL = 20
-# m/s: below it static friction may hold
-STICTION_SPEED = 0.01
+# (m/s)^2: below 1 cm/s static friction may hold
+HELD_SPEED_SQUARED = 1e-4
+
+# What a ship in the ground feels: load and depth of its rest, N and m; what pushes along the ground, N.
+Load = tuple[float, float, float, float, float]
 
 
-@dataclass(slots=True)
-class Load:
-    """What a substep carries from its actuators to its end: kg, N, m."""
-
-    mass: float
-    ratio: float
-    weight: float
-    thrust: Vec3
-    lift: float
-    depth: float = 0.0
-    normal_force: float = 0.0
+def depth_of(mass: float, weight: float, thrust: Vec3, ground: Ground) -> tuple[float, float]:
+    """What presses into the ground, N, and the penetration at rest under it, m."""
+    _, sx, sy, sz, cos, _, _, _ = ground
+    load = weight * cos - (thrust[0] * sx + thrust[1] * sy + thrust[2] * sz)
+    if not load > 0:
+        load = 0.0
+    return load, load / (STIFFNESS * mass)
 
 
-def static_depth(net_weight: float, mass: float) -> float:
-    """Penetration at rest under what the thrust leaves of the weight, m."""
-    return net_weight / (STIFFNESS * mass) if net_weight > 0 else 0.0
+def along_ground(weight: float, thrust: Vec3, ground: Ground) -> Vec3:
+    """What pushes along the ground, N: weight on a slope less thrust."""
+    _, sx, sy, sz, _, lx, ly, lz = ground
+    tx, ty, tz = thrust
+    off = tx * sx + ty * sy + tz * sz
+    return weight * lx - (tx - off * sx), weight * ly - (ty - off * sy), weight * lz - (tz - off * sz)
 
 
-def vertical_squared(surface: Surface, depth: float) -> float:
-    """Vertical speed squared, the spring's stored energy counted in, m^2/s^2."""
-    sunk = surface.penetration - depth
-    return surface.radial_speed * surface.radial_speed + STIFFNESS * (sunk * sunk)
+def is_nearly_at_rest(config: Config, ground: Ground, over: OverGround, depth: float) -> bool:
+    """Vertical speed, the spring's stored energy counted in, and slide are below the settle limit."""
+    most = config.settle_squared
+    speed = over[0]
+    sunk = ground[0] * ground[4] - depth
+    return speed * speed + STIFFNESS * (sunk * sunk) < most and over[4] < most
 
 
-def is_pinned(ship: Ship, world: World, start: Surface, load: Load) -> bool:
-    """Step 3: finds the static depth, and whether the ground holds a tipped ship where it stands."""
-    if ship.surface_contact_state == FLYING:
-        return False
-    net_weight = load.weight - load.lift
-    load.depth = static_depth(net_weight, load.mass)
-    if ship.surface_contact_state != TIPPED or not start.penetration > 0:
-        return False
-    settle = world.config.contact_settle_linear_vel
-    if not vertical_squared(start, load.depth) < settle * settle or not start.tangential_speed < settle:
-        return False
-    along_ground = subtract(load.thrust, scale(start.normal, load.lift))
-    return length(along_ground) <= world.config.contact_friction_static * max(0.0, net_weight)
+def settles_without_bounce(ship: Ship, config: Config) -> bool:
+    return ship.surface_contact_state == TIPPED or ship.impact_speed <= config.contact_bounce_speed
 
 
-def settles_without_bounce(ship: Ship, world: World) -> bool:
-    return (
-        ship.surface_contact_state == TIPPED or ship.impact_speed <= world.config.contact_bounce_speed
-    )
+def spring_force(ship: Ship, config: Config, mass: float, ground: Ground, speed: float) -> float:
+    """Step 4: spring and damper, N."""
+    settles = settles_without_bounce(ship, config)
+    damping = CRITICAL if settles else CRITICAL * config.contact_damping_ratio
+    force = mass * (STIFFNESS * (ground[0] * ground[4]) - damping * speed)
+    return force if force > 0 else 0.0
 
 
-def normal_force(ship: Ship, world: World, start: Surface, load: Load, pinned: bool) -> float:
-    """Step 4: spring and damper, N; what is left of the weight where the ship is pinned."""
-    if pinned:
-        return max(0.0, load.weight - load.lift)
-    if ship.surface_contact_state == FLYING or not start.penetration > 0:
-        return 0.0
-    settles = settles_without_bounce(ship, world)
-    damping = CRITICAL if settles else CRITICAL * world.config.contact_damping_ratio
-    return max(0.0, load.mass * (STIFFNESS * start.penetration - damping * start.radial_speed))
+def friction(
+    ship: Ship, config: Config, per_speed: tuple[float, float], forces: tuple[float, Vec3], ground: Ground, over: OverGround
+) -> Vec3:
+    """Holds against slide, push, slope and the ground's own turning, or is kinetic and never more than ends the slide.
+
+    `per_speed`: mass / dt and mass / 2; `forces`: normal force, what pushes along the ground.
+    """
+    mass_per_dt, half = per_speed
+    force, (ax, ay, az) = forces
+    ox, oy, oz = ship.body.angular_velocity
+    ux, uy, uz = ship.velocity
+    _, tx, ty, tz, slide_squared = over
+    _, sx, sy, sz, _, _, _, _ = ground
+    dx = tx * mass_per_dt - (ax + half * (oy * uz - oz * uy))
+    dy = ty * mass_per_dt - (ay + half * (oz * ux - ox * uz))
+    dz = tz * mass_per_dt - (az + half * (ox * uy - oy * ux))
+    off = dx * sx + dy * sy + dz * sz
+    dx = dx - off * sx
+    dy = dy - off * sy
+    dz = dz - off * sz
+    demand = dx * dx + dy * dy + dz * dz
+    held = config.contact_friction_static * force
+    kinetic = config.contact_friction_kinetic * force
+    if (slide_squared <= HELD_SPEED_SQUARED and demand <= held * held) or demand <= kinetic * kinetic:
+        return -dx, -dy, -dz
+    share = kinetic / sqrt(demand)
+    return -dx * share, -dy * share, -dz * share
 
 
-def move_by_forces(ship: Ship, world: World, start: Surface, load: Load, dt: float) -> None:
-    """Step 5: friction, semi-implicit Euler, no bounce out of a settling contact."""
-    friction = friction_per_speed(world, start.tangential_speed, load, dt)
-    per_mass = dt / load.mass
-    radial = load.normal_force - load.weight
-    nx, ny, nz = start.normal
-    sx, sy, sz = start.tangential_velocity
-    tx, ty, tz = load.thrust
+def accelerate(
+    ship: Ship, weight: float, per_mass: float, forces: tuple[float, Vec3, Vec3], where: tuple[Place, Ground]
+) -> None:
+    """u += (F s - weight n + friction + thrust) dt / m."""
+    force, (fx, fy, fz), (tx, ty, tz) = forces
+    (nx, ny, nz, _, _), (_, sx, sy, sz, _, _, _, _) = where
     ux, uy, uz = ship.velocity
     ship.velocity = (
-        ux + (radial * nx - friction * sx + tx) * per_mass,
-        uy + (radial * ny - friction * sy + ty) * per_mass,
-        uz + (radial * nz - friction * sz + tz) * per_mass,
+        ux + (force * sx - weight * nx + fx + tx) * per_mass,
+        uy + (force * sy - weight * ny + fy + ty) * per_mass,
+        uz + (force * sz - weight * nz + fz + tz) * per_mass,
     )
-    grounded = ship.surface_contact_state != FLYING and start.penetration > 0
-    if grounded and load.lift <= load.weight and settles_without_bounce(ship, world):
-        cap_rise(ship, start, load.depth, dt)
+
+
+def cap_rise(ship: Ship, ground: Ground, depth: float, dt: float) -> None:
+    """The speed off the ground of a settling ship ends at the static depth: the excess is taken off along s."""
+    penetration, sx, sy, sz, cos, _, _, _ = ground
+    ox, oy, oz = ship.body.angular_velocity
+    rx, ry, rz = ship.position
+    ux, uy, uz = ship.velocity
+    vx = ux - (oy * rz - oz * ry)
+    vy = uy - (oz * rx - ox * rz)
+    vz = uz - (ox * ry - oy * rx)
+    speed = vx * sx + vy * sy + vz * sz
+    to_rest = (penetration * cos - depth) / dt
+    most = to_rest if to_rest > 0 else 0.0
+    if speed > most:
+        excess = speed - most
+        ship.velocity = (ux - excess * sx, uy - excess * sy, uz - excess * sz)
+
+
+def move(ship: Ship, dt: float) -> None:
     x, y, z = ship.position
     ux, uy, uz = ship.velocity
     ship.position = (x + ux * dt, y + uy * dt, z + uz * dt)
-
-
-def friction_per_speed(world: World, speed: float, load: Load, dt: float) -> float:
-    """Size of the friction over the sliding speed, N s/m."""
-    if not (load.normal_force > 0 and speed > 0):
-        return 0.0
-    stop = load.mass * speed / dt
-    kinetic = world.config.contact_friction_kinetic * load.normal_force
-    if speed > STICTION_SPEED:
-        return min(kinetic, stop) / speed
-    return (stop if stop <= world.config.contact_friction_static * load.normal_force else kinetic) / speed
-
-
-def cap_rise(ship: Ship, start: Surface, depth: float, dt: float) -> None:
-    """The upward speed of a settling ship ends at the static depth."""
-    rise = dot(subtract(ship.velocity, ground_velocity(ship)), start.normal)
-    most = max(0.0, (start.penetration - depth) / dt)
-    if rise > most:
-        ship.velocity = subtract(ship.velocity, scale(start.normal, rise - most))

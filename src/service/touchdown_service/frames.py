@@ -6,8 +6,8 @@ from typing import Any
 from redis.client import Pipeline
 
 from .galaxy import Changes, Galaxy
-from .models import Event, Ship
-from .records import body_record
+from .models import Change, Event, Ship
+from .records import body_record, controls_record, to_object
 
 FRAMES, EVENTS, GALAXY_SHIPS = "touchdown:frames", "touchdown:events", "galaxy:ships"
 EVENTS_KEPT = 10_000
@@ -33,30 +33,35 @@ def write_frame(
     galaxy: Galaxy,
     changes: Changes,
     due: float,
-    records: list[dict[str, Any]],
+    ships: list[str],
     events: list[dict[str, Any]],
 ) -> None:
-    for record in records:
-        applied = galaxy.ships[record["ship_id"]].applied
-        if applied:
-            names = ("session", "seq", "tick", "substep", "margin")
-            record["last_input"] = {name: getattr(applied, name) for name in names}
+    """`ships`: each as a JSON object."""
     tempo = galaxy.tempo
-    frame = json.dumps({
+    told = json.dumps({
         "tick": galaxy.tick,
         "tick_rate": tempo.tick_rate,
         "time_scale": tempo.time_scale,
         "paused": tempo.paused,
         "game_time": galaxy.game_time,
         "due": due,
-        "ships": records,
         "bodies": [body_record(body) for body in galaxy.world.bodies],
         "events": events,
+        "inputs": [change_record(change) for change in changes.controls],
         "removed": [removed_record(ship, reason) for ship, reason in changes.removed],
         "results": changes.results,
     })
+    frame = f'{told[:-1]}, "ships": [{", ".join(ships)}]}}'
     kept = max(2, min(FRAMES_KEPT, FRAME_BYTES // len(frame)))
     pipe.xadd(FRAMES, {"tick": galaxy.tick, "frame": frame}, maxlen=kept, approximate=False)
+
+
+def ship_in_frame(ship: Ship, texts: dict[str, str]) -> str:
+    applied = ship.applied
+    if applied is None:
+        return to_object(texts)
+    last = {name: getattr(applied, name) for name in ("session", "seq", "tick", "substep", "margin")}
+    return f'{to_object(texts)[:-1]}, "last_input": {json.dumps(last)}}}'
 
 
 def event_record(event: Event) -> dict[str, Any]:
@@ -75,6 +80,11 @@ def event_record(event: Event) -> dict[str, Any]:
     if event.type == "ship.destroyed":
         record["reason"] = "collision"
     return record
+
+
+def change_record(change: Change) -> dict[str, Any]:
+    said = {"ship_id": change.ship.ship_id, "tick": change.tick, "substep": change.substep}
+    return said | controls_record(change.controls)
 
 
 def removed_record(ship: Ship, reason: str) -> dict[str, str]:

@@ -7,7 +7,7 @@ from .config import Timing, load_config, load_timing
 from .limits import mapping, number, one_of, required, text
 from .loading import load_ship_class
 from .maneuver_landing import Landing, abort, continue_landing
-from .models import Body, Event, Ship, ShipClass, World
+from .models import Body, Change, Event, Ship, ShipClass, World
 from .simulation import run_tick
 from .terrain import load_terrain_name
 
@@ -23,8 +23,8 @@ class Tempo:
     time_sync: bool = False
 
     @property
-    def timing(self) -> Timing:
-        return load_timing(self.tick_rate, self.time_scale)
+    def tick_seconds(self) -> float:
+        return self.time_scale / self.tick_rate
 
 
 @dataclass(slots=True)
@@ -51,6 +51,7 @@ class Changes:
     """What happened since the last commit, for the next one."""
 
     events: list[Event] = field(default_factory=list)
+    controls: list[Change] = field(default_factory=list)
     # Ships that left, with the reason.
     removed: list[tuple[Ship, str]] = field(default_factory=list)
     results: list[dict[str, Any]] = field(default_factory=list)
@@ -81,10 +82,12 @@ def make_galaxy(definition: Any, bodies: list[Body]) -> Galaxy:
 def run_interval(galaxy: Galaxy, due: float, changes: Changes) -> None:
     """From the present boundary to the next; `due` is the wall second of that one, by Redis's clock."""
     ships = [galaxy.ships[ship_id] for ship_id in sorted(galaxy.ships)]
-    fly_landings(galaxy)
+    fly_landings(galaxy, changes)
     before = {ship_id: galaxy.ships[ship_id].applied for ship_id in galaxy.landings if ship_id in galaxy.ships}
-    timing = galaxy.tempo.timing
-    changes.events += run_tick(galaxy.world, ships, timing, galaxy.tick, due)
+    timing = timing_of(galaxy)
+    happened = run_tick(galaxy.world, ships, timing, galaxy.tick, due)
+    changes.events += happened.events
+    changes.controls += happened.changes
     galaxy.tick += 1
     galaxy.game_time += timing.tick_seconds
     for ship_id, applied in before.items():
@@ -96,11 +99,17 @@ def run_interval(galaxy: Galaxy, due: float, changes: Changes) -> None:
             remove_ship(galaxy, ship.ship_id, "collision", changes)
 
 
-def fly_landings(galaxy: Galaxy) -> None:
+def timing_of(galaxy: Galaxy) -> Timing:
+    tempo = galaxy.tempo
+    return load_timing(tempo.tick_rate, tempo.time_scale, galaxy.world.config.contact_longest_substep)
+
+
+def fly_landings(galaxy: Galaxy, changes: Changes) -> None:
     for ship_id, landing in galaxy.landings.items():
         if not landing.is_over and ship_id in galaxy.ships:
             ship = galaxy.ships[ship_id]
             ship.controls = continue_landing(landing, ship, galaxy.world)
+            changes.controls.append(Change(galaxy.tick, 0, ship, ship.controls))
             landing.updated_tick = galaxy.tick
 
 

@@ -66,6 +66,10 @@ def queue_controls(galaxy: Galaxy, entry_id: str, entry: dict[str, str], changes
     if len(ship.pending) >= MAX_PENDING:
         raise Refusal(f"seq: {MAX_PENDING} inputs are waiting already")
     arrived = int(entry_id.split("-")[0]) / 1000
+    if at[0] < galaxy.tick:
+        # Late: it acts at once, behind those before it, and its margin says how much it was late.
+        arrived += (galaxy.tick - at[0]) / galaxy.tempo.tick_rate
+        at = galaxy.tick, 0
     insort(ship.pending, Input(*at, change, session, seq, arrived), key=lambda i: (i.tick, i.substep, i.seq))
 
 

@@ -13,16 +13,20 @@ from .limits import (
     FORCE,
     FUEL_MASS,
     INERTIA,
+    INERTIA_RATIO,
     ISP,
     LEVER,
+    NATURAL_FREQUENCY,
     PLACE,
-    SHIP_HEIGHT,
     SHIP_LENGTH,
     SHIP_MASS,
     SPEED,
     SPIN,
+    TANKS,
     TORQUE,
     VELOCITY,
+    WHEEL_CAPACITY,
+    WHEEL_MOMENTUM,
     Range,
     Refusal,
     attitude,
@@ -35,15 +39,16 @@ from .limits import (
     text,
     vector,
 )
-from .models import ATTITUDE_MODES, SURFACE_CONTACT_STATES, Body, Controls, Ship, ShipClass
+from .models import SURFACE_CONTACT_STATES, Body, Controls, Ship, ShipClass
 from .vectors import Quat
 
 CLASS_SCALARS = {
     "dry_mass": SHIP_MASS,
     "fuel_capacity": FUEL_MASS,
-    "ground_contact_offset": SHIP_HEIGHT,
-    "leg_radius": SHIP_LENGTH,
+    "ground_contact_offset": SHIP_LENGTH,
+    "leg_radius": LEVER,
     "main_engine_thrust": FORCE,
+    "attitude_natural_frequency": NATURAL_FREQUENCY,
 }
 CLASS_VECTORS = {"rcs_thrust": FORCE, "rcs_torque": TORQUE, "reaction_wheel_torque": TORQUE}
 CLASS_FIELDS = frozenset(f.name for f in fields(ShipClass) if f.init)
@@ -69,6 +74,13 @@ def load_ship_class(data: Any, path: str = "ship_class") -> ShipClass:
     }
     for name, (divides, allowed) in divisors.items():
         given[name] = number(required(data, name, path), f"{path}.{name}", allowed if divides else Range(-1e300, 1e300, ""))
+    if data.get("dry_inertia_ratio") is not None:
+        given["dry_inertia_ratio"] = number(data["dry_inertia_ratio"], f"{path}.dry_inertia_ratio", INERTIA_RATIO)
+        if given["fuel_capacity"] > 0:
+            number(given["fuel_capacity"], f"{path}.fuel_capacity", TANKS)
+    if data.get("reaction_wheel_capacity") is not None:
+        capacity = vector(data["reaction_wheel_capacity"], f"{path}.reaction_wheel_capacity", WHEEL_CAPACITY)
+        given["reaction_wheel_capacity"] = capacity
     given["inertia_tensor"] = load_tensor(required(data, "inertia_tensor", path), f"{path}.inertia_tensor")
     return ShipClass(**given)
 
@@ -124,14 +136,20 @@ def load_ship(data: Any, classes: dict[str, ShipClass], bodies: list[Body], path
     x, y, z = position
     if not x * x + y * y + z * z >= 1:
         raise Refusal(f"{path}.relative_position: expected >= 1 m from the body's centre")
+    cls = classes[class_name]
+    offset = data.get("ground_contact_offset")
+    if offset is None:
+        offset = cls.ground_contact_offset
     return Ship(
-        ship_class=classes[class_name],
+        ship_class=cls,
         body=next(body for body in bodies if body.name == body_name),
         position=position,
         velocity=vector(given("relative_velocity"), f"{path}.relative_velocity", VELOCITY),
         attitude=attitude(given("attitude"), f"{path}.attitude"),
         angular_velocity=vector(given("angular_velocity"), f"{path}.angular_velocity", SPIN),
         fuel=number(given("fuel"), f"{path}.fuel", FUEL_MASS),
+        ground_contact_offset=number(offset, f"{path}.ground_contact_offset", SHIP_LENGTH),
+        wheel_momentum=vector(data.get("wheel_momentum", (0, 0, 0)), f"{path}.wheel_momentum", WHEEL_MOMENTUM),
         impact_speed=number(data.get("contact_impact_speed", 0), f"{path}.contact_impact_speed", SPEED),
         surface_contact_state=one_of(
             data.get("surface_contact_state", ""), f"{path}.surface_contact_state", SURFACE_CONTACT_STATES
@@ -141,7 +159,7 @@ def load_ship(data: Any, classes: dict[str, ShipClass], bodies: list[Body], path
 
 
 def load_change(data: Any, path: str = "controls") -> dict[str, Any]:
-    """The controls that `data` has, clamped into range; the target normalized. An unknown mode damps (DYNAMICS, Actuators)."""
+    """The controls that `data` has, clamped into range; the target normalized. An unknown mode is kept, and damps."""
     mapping(data, path)
     known_fields(data, CONTROL_FIELDS, path)
     change: dict[str, Any] = {}
@@ -153,17 +171,14 @@ def load_change(data: Any, path: str = "controls") -> dict[str, Any]:
     if "attitude_hold" in data:
         change["attitude_hold"] = boolean(data["attitude_hold"], f"{path}.attitude_hold")
     if "attitude_mode" in data:
-        mode = text(data["attitude_mode"], f"{path}.attitude_mode", may_be_empty=True) or "none"
-        if mode not in ATTITUDE_MODES:
-            mode, change["attitude_hold"] = "none", True
-        change["attitude_mode"] = mode
+        change["attitude_mode"] = text(data["attitude_mode"], f"{path}.attitude_mode", may_be_empty=True) or "none"
     if "target_attitude" in data:
         target = vector(data["target_attitude"], f"{path}.target_attitude", size=4)
         change["target_attitude"] = unit_quaternion(target, f"{path}.target_attitude")
     return change
 
 
-CONTROL_FIELDS = frozenset(f.name for f in fields(Controls))
+CONTROL_FIELDS = frozenset(f.name for f in fields(Controls) if f.init)
 
 
 def clamp(value: float, low: float) -> float:

@@ -96,7 +96,7 @@ def approach_of(ship: Ship, world: World) -> Approach:
     height = world.terrain_height(body.name, *rotate_back(axes_of(body.attitude), up))
     climb = dot(over_ground, up)
     return Approach(
-        height=distance - (body.radius + height + ship.ship_class.ground_contact_offset),
+        height=distance - (body.radius + height + ship.ground_contact_offset),
         climb=climb,
         drift=rotate_back(axes_of(ship.attitude), subtract(over_ground, scale(up, climb))),
         upright=dot(up_of(ship.attitude), up),

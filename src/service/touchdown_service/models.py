@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from math import inf, sqrt
 
 from .config import Config
 from .vectors import Mat3, Quat, Vec3
@@ -20,6 +21,7 @@ ATTITUDE_MODES = (
     "hold",
     "prograde",
     "retrograde",
+    "surface_retrograde",
     "normal",
     "antinormal",
     "radial",
@@ -47,6 +49,11 @@ class ShipClass:
     rcs_lever: float
     rcs_isp: float
     reaction_wheel_torque: Vec3
+    attitude_natural_frequency: float
+    # Without one inertia goes with mass.
+    dry_inertia_ratio: float | None = None
+    # N m s; without one the wheels are never full.
+    reaction_wheel_capacity: Vec3 | None = None
     full_mass: float = field(init=False)
     inertia: Mat3 = field(init=False)
     inverse_inertia: Mat3 = field(init=False)
@@ -54,6 +61,15 @@ class ShipClass:
     rcs_flow: float = field(init=False)
     force_per_torque: float = field(init=False)
     full_torque: Vec3 = field(init=False)
+    wheel_capacity: Vec3 = field(init=False)
+    attitude_stiffness: float = field(init=False)
+    attitude_damping: float = field(init=False)
+    # The inertia tensor's factor: inertia_at_dry + inertia_per_fuel * fuel.
+    inertia_at_dry: float = field(init=False)
+    inertia_per_fuel: float = field(init=False)
+    # J and J' of DYNAMICS, Angular, kg m^2 with full tanks.
+    support_inertia: float = field(init=False)
+    scrub_inertia: float = field(init=False)
 
     def __post_init__(self) -> None:
         self.full_mass = self.dry_mass + self.fuel_capacity
@@ -67,6 +83,16 @@ class ShipClass:
         self.full_torque = tuple(
             wheel + rcs for wheel, rcs in zip(self.reaction_wheel_torque, self.rcs_torque)
         )
+        self.wheel_capacity = self.reaction_wheel_capacity or (inf, inf, inf)
+        self.attitude_stiffness = self.attitude_natural_frequency * self.attitude_natural_frequency
+        self.attitude_damping = 2 * self.attitude_natural_frequency
+        if self.dry_inertia_ratio is None or self.fuel_capacity == 0:
+            self.inertia_at_dry = self.dry_mass / self.full_mass
+            self.inertia_per_fuel = 1 / self.full_mass
+        else:
+            self.inertia_at_dry = self.dry_inertia_ratio
+            self.inertia_per_fuel = (1 - self.dry_inertia_ratio) / self.fuel_capacity
+        self.support_inertia, self.scrub_inertia = scalar_inertias(self.inverse_inertia)
 
 
 # A body over one substep: its axes at the start and at the end, and the rotation of ground-bound ships between them.
@@ -100,6 +126,17 @@ class Controls:
     attitude_hold: bool = False
     attitude_mode: str = "none"
     target_attitude: Quat = (0.0, 0.0, 0.0, 1.0)
+    # Engine or translation thrusters; stick or attitude control; either: most ships coast.
+    pushes: bool = field(init=False, compare=False)
+    steers: bool = field(init=False, compare=False)
+    is_active: bool = field(init=False, compare=False)
+
+    def __post_init__(self) -> None:
+        pushes = self.thrust_level != 0 or any(self.translation_input)
+        steers = any(self.rotation_input) or self.attitude_mode != "none" or self.attitude_hold
+        object.__setattr__(self, "pushes", pushes)
+        object.__setattr__(self, "steers", steers)
+        object.__setattr__(self, "is_active", pushes or steers)
 
 
 NEUTRAL = Controls()
@@ -114,7 +151,7 @@ class Input:
     change: dict[str, object]
     session: str = ""
     seq: int = 0
-    # Wall seconds, by Redis's clock.
+    # Wall seconds, by Redis's clock; later by as much as its stamp was late.
     arrived: float = 0.0
 
 
@@ -141,6 +178,10 @@ class Ship:
     attitude: Quat
     angular_velocity: Vec3
     fuel: float
+    # h: of the centre of mass above the feet, m; the class's, unless the ship's state carries its own.
+    ground_contact_offset: float = 0.0
+    # What the wheels have given so far, N m s, body axes.
+    wheel_momentum: Vec3 = (0.0, 0.0, 0.0)
     impact_speed: float = 0.0
     surface_contact_state: str = FLYING
     crashed: bool = False
@@ -150,6 +191,8 @@ class Ship:
     name: str = ""
     # A touch now would not be the initial one: it follows a bounce (REDIS.md, Initial touch).
     touched: bool = False
+    # The ground at the last substep's end, which is the next one's start (contact.Standing).
+    standing: tuple | None = field(default=None, repr=False, compare=False)
     # In the order they are due.
     pending: list[Input] = field(default_factory=list)
     applied: Applied | None = None
@@ -182,6 +225,16 @@ class Event:
     impact_speed: float = 0.0
 
 
+@dataclass(slots=True)
+class Change:
+    """The controls that a ship flew by from a substep of the interval that begins at `tick` on."""
+
+    tick: int
+    substep: int
+    ship: Ship
+    controls: Controls
+
+
 def inverse(m: Mat3) -> Mat3:
     """Adjugate over determinant."""
     a, b, c, d, e, f, g, h, i = m
@@ -200,3 +253,12 @@ def inverse(m: Mat3) -> Mat3:
         (b * g - a * h) / determinant,
         (a * e - b * d) / determinant,
     )
+
+
+def scalar_inertias(k: Mat3) -> tuple[float, float]:
+    """J, the least moment against tilting, and J', a bound below the least moment of inertia; `k` the inverse tensor."""
+    rows = [abs(k[i]) + abs(k[i + 1]) + abs(k[i + 2]) for i in (0, 3, 6)]
+    scrub = 1 / max(rows)
+    half = (k[0] - k[4]) / 2
+    tilting = 1 / ((k[0] + k[4]) / 2 + sqrt(half * half + k[1] * k[1]))
+    return min(tilting, 4 * scrub), scrub

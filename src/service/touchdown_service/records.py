@@ -1,10 +1,11 @@
 """A ship and a body as Redis and the frames hold them (REDIS.md), and back, to the last bit."""
 
 import json
+from json.encoder import encode_basestring_ascii as quoted
 from typing import Any
 
 from .limits import Refusal, boolean, mapping, number, required, text, whole
-from .loading import load_body, load_change, load_ship
+from .loading import CONTROL_FIELDS, load_body, load_change, load_ship
 from .models import Applied, Body, Controls, Input, Ship, ShipClass
 from .vectors import Quat, add
 
@@ -28,12 +29,7 @@ def ship_record(ship: Ship, system_id: str) -> dict[str, Any]:
         "velocity": add(body.velocity, ship.velocity),
         "attitude": w_first(ship.attitude),
         "angular_velocity": ship.angular_velocity,
-        "rotation_input": controls.rotation_input,
-        "translation_input": controls.translation_input,
-        "thrust_level": controls.thrust_level,
-        "attitude_hold": controls.attitude_hold,
-        "attitude_mode": controls.attitude_mode,
-        "target_attitude": w_first(controls.target_attitude),
+        **controls_record(controls),
         "fuel": ship.fuel,
         "mass": ship.ship_class.dry_mass + ship.fuel,
         "landed_body_name": ship.landed_body_name,
@@ -46,13 +42,25 @@ def ship_record(ship: Ship, system_id: str) -> dict[str, Any]:
         "relative_position": ship.position,
         "relative_velocity": ship.velocity,
         "contact_impact_speed": ship.impact_speed,
-        "ground_contact_offset": ship.ship_class.ground_contact_offset,
+        "wheel_momentum": ship.wheel_momentum,
+        "ground_contact_offset": ship.ground_contact_offset,
         "touched": ship.touched,
         "input_session": applied.session if applied else "",
         "input_seq": applied.seq if applied else 0,
         "input_tick": applied.tick if applied else 0,
         "input_substep": applied.substep if applied else 0,
         "input_margin": applied.margin if applied else 0.0,
+    }
+
+
+def controls_record(controls: Controls) -> dict[str, Any]:
+    return {
+        "rotation_input": controls.rotation_input,
+        "translation_input": controls.translation_input,
+        "thrust_level": controls.thrust_level,
+        "attitude_hold": controls.attitude_hold,
+        "attitude_mode": controls.attitude_mode,
+        "target_attitude": w_first(controls.target_attitude),
     }
 
 
@@ -67,13 +75,30 @@ def rcs_firing(controls: Controls, fuel: float) -> int:
     return bits
 
 
-def to_hash(record: dict[str, Any]) -> list[str]:
+def to_texts(record: dict[str, Any]) -> dict[str, str]:
+    """The record's values as a hash holds them: texts as they are, the rest as JSON."""
+    return {name: value if type(value) is str else json_text(value) for name, value in record.items()}
+
+
+def json_text(value: Any) -> str:
+    """JSON of a finite number, a boolean or a tuple of floats; json.dumps takes five times as long."""
+    kind = type(value)
+    if kind is tuple:
+        return f"[{', '.join(map(repr, value))}]"
+    if kind is bool:
+        return "true" if value else "false"
+    return repr(value)
+
+
+def to_hash(texts: dict[str, str]) -> list[str]:
     """Names and values by turns, as HSET takes them."""
-    flat: list[str] = []
-    for name, value in record.items():
-        flat.append(name)
-        flat.append(value if isinstance(value, str) else json.dumps(value))
-    return flat
+    return [part for field in texts.items() for part in field]
+
+
+def to_object(texts: dict[str, str]) -> str:
+    """The record as a JSON object."""
+    fields = [f'"{name}": {quoted(value) if name in TEXTS else value}' for name, value in texts.items()]
+    return f"{{{', '.join(fields)}}}"
 
 
 def from_hash(fields: dict[str, str], path: str) -> dict[str, Any]:
@@ -97,7 +122,7 @@ def ship_of_record(
     ship.player_id = text(record.get("player_id", ""), f"{path}.player_id", may_be_empty=True)
     ship.name = text(record.get("name", ""), f"{path}.name", may_be_empty=True)
     ship.touched = boolean(record.get("touched", False), f"{path}.touched")
-    named = {name: record[name] for name in Controls.__slots__ if name in record}
+    named = {name: record[name] for name in CONTROL_FIELDS if name in record}
     ship.controls = Controls(**load_controls_json(named, path))
     if record.get("input_seq"):
         ship.applied = Applied(

@@ -10,7 +10,7 @@ from redis.client import Pipeline
 from redis.exceptions import WatchError
 
 from . import lease as lease_key
-from .frames import event_record, write_events, write_frame
+from .frames import event_record, ship_in_frame, write_events, write_frame
 from .galaxy import Changes, Galaxy, Tempo, make_galaxy
 from .lease import Lease, LeaseLost
 from .limits import Refusal, mapping, number, required, text, whole
@@ -24,6 +24,7 @@ from .records import (
     ship_of_record,
     ship_record,
     to_hash,
+    to_texts,
 )
 
 WORLD, CLOCK, BODIES, PENDING = "touchdown:world", "touchdown:clock", "touchdown:bodies", "touchdown:pending"
@@ -54,6 +55,8 @@ class RedisState:
         self.pending_text = ""
         self.landings: dict[str, tuple] = {}
         self.members: set[str] = set()
+        # Why the last ship that could not be read was left out.
+        self.refused = ""
 
     def create(self, definition: dict[str, Any]) -> None:
         """Makes the world where there is none: its bodies become the state at tick 0."""
@@ -98,7 +101,7 @@ class RedisState:
                     raise Refusal(f"{path}: expected a hash")
                 ship = ship_of_record(from_hash(record, path), galaxy.classes, galaxy.world.bodies, path)
             except Refusal as refusal:
-                self.client.hset(STATUS, "refused", str(refusal))
+                self.refused = str(refusal)
                 continue
             galaxy.ships[ship_id] = ship
             if isinstance(maneuver, dict) and maneuver.get("type") == "landing":
@@ -120,13 +123,13 @@ class RedisState:
             if pipe.get(lease_key.KEY) != self.lease.token:
                 raise LeaseLost(self.lease.token)
             pipe.multi()
-            records = self.write_ships(pipe, galaxy, changes)
+            ships = self.write_ships(pipe, galaxy, changes)
             self.write_clock(pipe, galaxy, asked)
             self.write_bodies(pipe, galaxy)
             self.write_landings(pipe, galaxy, changes)
             events = [event_record(event) for event in changes.events]
             write_events(pipe, changes.events, events)
-            write_frame(pipe, galaxy, changes, due, records, events)
+            write_frame(pipe, galaxy, changes, due, ships, events)
             if asked.entries:
                 ms, number_in_ms = galaxy.cursor.split("-")
                 pipe.xtrim(INBOX, minid=f"{ms}-{int(number_in_ms) + 1}", approximate=False)
@@ -139,23 +142,24 @@ class RedisState:
         finally:
             pipe.reset()
 
-    def write_ships(self, pipe: Pipeline, galaxy: Galaxy, changes: Changes) -> list[dict[str, Any]]:
+    def write_ships(self, pipe: Pipeline, galaxy: Galaxy, changes: Changes) -> list[str]:
+        """The hashes; returns the same as JSON objects."""
         members = f"system:{galaxy.system_id}:ships"
-        records = []
+        ships = []
         for ship_id in sorted(galaxy.ships):
-            record = ship_record(galaxy.ships[ship_id], galaxy.system_id)
-            records.append(record)
-            pipe.execute_command("HSET", f"ship:{ship_id}", *to_hash(record))
-        for ship, _ in changes.removed:
-            if ship.ship_id not in galaxy.ships:
-                pipe.delete(f"ship:{ship.ship_id}")
-        known = set(galaxy.ships)
-        if known - self.members:
-            pipe.sadd(members, *(known - self.members))
-        if self.members - known:
-            pipe.srem(members, *(self.members - known))
-        self.members = known
-        return records
+            ship = galaxy.ships[ship_id]
+            texts = to_texts(ship_record(ship, galaxy.system_id))
+            ships.append(ship_in_frame(ship, texts))
+            pipe.execute_command("HSET", f"ship:{ship_id}", *to_hash(texts))
+        gone = {ship.ship_id for ship, _ in changes.removed} - set(galaxy.ships)
+        if gone:
+            pipe.delete(*(f"ship:{ship_id}" for ship_id in gone))
+            pipe.srem(members, *gone)
+        new = set(galaxy.ships) - self.members
+        if new:
+            pipe.sadd(members, *new)
+        self.members = (self.members | new) - gone
+        return ships
 
     def write_clock(self, pipe: Pipeline, galaxy: Galaxy, asked: Asked) -> None:
         tempo = galaxy.tempo
@@ -212,7 +216,7 @@ class RedisState:
 def write_body_hashes(pipe: Pipeline, galaxy: Galaxy) -> None:
     for body in galaxy.world.bodies:
         record = body_record(body) | {"tick": galaxy.tick}
-        pipe.execute_command("HSET", f"body:{body.name}", *to_hash(record))
+        pipe.execute_command("HSET", f"body:{body.name}", *to_hash(to_texts(record)))
     pipe.sadd(f"system:{galaxy.system_id}:bodies", *(body.name for body in galaxy.world.bodies))
 
 

@@ -18,8 +18,10 @@ from .cases import Case, load_case
 from .models import ATTITUDE_MODES, SURFACE_CONTACT_STATES, Body, Ship
 from .simulation import run_tick
 
-EVENTS = ("", "ship.contact", "ship.landed", "ship.tipped", "ship.righted", "ship.crashed")
-SHIP_ROW = Struct("<33d")
+EVENTS = ("", "ship.contact", "ship.landed", "ship.tipped", "ship.righted", "ship.destroyed")
+# A mode that is not known has the number behind the last.
+MODE_NUMBERS = {mode: i for i, mode in enumerate(ATTITUDE_MODES)}
+SHIP_ROW = Struct("<37d")
 BODY_ROW = Struct("<10d")
 
 
@@ -31,16 +33,18 @@ def ship_row(ship: Ship, case: Case, event: str) -> bytes:
         *ship.attitude,
         *ship.angular_velocity,
         ship.fuel,
+        *ship.wheel_momentum,
         ship.impact_speed,
         SURFACE_CONTACT_STATES.index(ship.surface_contact_state),
         case.world.bodies.index(ship.body),
         ship.crashed,
         0,
+        ship.ground_contact_offset,
         controls.thrust_level,
         *controls.translation_input,
         *controls.rotation_input,
         controls.attitude_hold,
-        ATTITUDE_MODES.index(controls.attitude_mode),
+        MODE_NUMBERS.get(controls.attitude_mode, len(ATTITUDE_MODES)),
         *controls.target_attitude,
         EVENTS.index(event),
     )

@@ -70,6 +70,9 @@ class Service:
             galaxy = self.state.load()
         if galaxy is None:
             raise Refusal("touchdown:world: missing after it was written")
+        if self.state.refused:
+            log.warning("%s", self.state.refused)
+            self.refused = self.state.refused
         return galaxy
 
     def run_ticks(self, galaxy: Galaxy) -> None:

@@ -1,17 +1,26 @@
 """The world's tick: every body, every ship, the inputs due, the events."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from math import inf
 
 from .config import Timing
 from .contact import substep
-from .models import FLYING, Applied, Body, BodyStep, Event, Input, Ship, World
+from .models import FLYING, Applied, Body, BodyStep, Change, Event, Input, Ship, World
 from .vectors import add, axes_of, dot, scale, small_rotation, subtract, turned
 
 AfterSubstep = Callable[[Ship, int, str], None]
 
 # Substeps that are run ship by ship; it bounds the memory of a tick of 100,000.
 BLOCK = 1000
+
+
+@dataclass(slots=True)
+class Happened:
+    """What a tick told, each list in the order in which it happened."""
+
+    events: list[Event] = field(default_factory=list)
+    changes: list[Change] = field(default_factory=list)
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +30,7 @@ class Span:
     tick: int
     first: int
     dt: float
-    # Wall seconds at which the tick's end is due.
+    # Wall seconds at which the tick's end is due, by the clock of Input.arrived.
     due: float
     steps: list[BodyStep]
 
@@ -33,43 +42,44 @@ def run_tick(
     tick: int,
     due: float = 0.0,
     after_substep: AfterSubstep | None = None,
-) -> list[Event]:
-    """Moves the world from boundary `tick` to the next; the events in the order in which they happened.
+) -> Happened:
+    """Moves the world from boundary `tick` to the next.
 
-    Ships do not touch one another, so each runs through all its substeps at once. `due` is the wall second at which the
-    interval's end is due, by the clock of Input.arrived; `after_substep(ship, substep, event)` sees every substep.
+    Ships do not touch one another, so each runs through all its substeps at once. `after_substep(ship, substep, event)`
+    sees every substep.
     """
     for ship in ships:
         choose_reference_body(ship, world.bodies)
-    events: list[Event] = []
+    happened = Happened()
     for first in range(0, timing.substeps, BLOCK):
         count = min(BLOCK, timing.substeps - first)
         steps = {body.name: turn_body(body, timing.dt, count) for body in world.bodies}
         for ship in ships:
             span = Span(tick, first, timing.dt, due, steps[ship.body.name])
-            events += run_ship(ship, world, span, after_substep)
+            run_ship(ship, world, span, happened, after_substep)
     for body in world.bodies:
         body.position = add(body.position, scale(body.velocity, timing.tick_seconds))
-    events.sort(key=lambda event: event.substep)  # stable: ships of one substep stay in their order
-    return events
+    # Stable: ships of one substep stay in their order.
+    happened.events.sort(key=lambda event: event.substep)
+    happened.changes.sort(key=lambda change: change.substep)
+    return happened
 
 
 def run_ship(
-    ship: Ship, world: World, span: Span, after_substep: AfterSubstep | None
-) -> list[Event]:
+    ship: Ship, world: World, span: Span, happened: Happened, after_substep: AfterSubstep | None
+) -> None:
     """One ship through consecutive substeps of a tick."""
     tick, dt = span.tick, span.dt
-    events = []
     pending = ship.pending
     for s, step in enumerate(span.steps, span.first):
         while pending and (pending[0].tick, pending[0].substep) <= (tick, s):
-            apply_input(ship, pending.pop(0), (tick, s), span.due)
+            if apply_input(ship, pending.pop(0), (tick, s), span.due):
+                happened.changes.append(Change(tick, s, ship, ship.controls))
         event = substep(ship, world, step, dt)
         if event:
-            events.append(event_of(ship, event, tick, s))
+            happened.events.append(event_of(ship, event, tick, s))
         if after_substep:
             after_substep(ship, s, event)
-    return events
 
 
 def event_of(ship: Ship, type: str, tick: int, s: int) -> Event:
@@ -82,14 +92,15 @@ def event_of(ship: Ship, type: str, tick: int, s: int) -> Event:
     return Event(tick, s, type, ship, ship.body.name, again, ship.impact_speed)
 
 
-def apply_input(ship: Ship, given: Input, at: tuple[int, int], due: float) -> None:
-    """What was overtaken by an input of a higher number is dropped."""
+def apply_input(ship: Ship, given: Input, at: tuple[int, int], due: float) -> bool:
+    """Whether it was: what was overtaken by an input of a higher number is dropped."""
     last = ship.applied
     if given.seq and last and last.session == given.session and given.seq <= last.seq:
-        return
+        return False
     ship.controls = replace(ship.controls, **given.change)
     if given.seq:
         ship.applied = Applied(given.session, given.seq, *at, due - given.arrived)
+    return True
 
 
 def turn_body(body: Body, dt: float, substeps: int) -> list[BodyStep]:
@@ -109,17 +120,17 @@ def turn_body(body: Body, dt: float, substeps: int) -> list[BodyStep]:
 
 
 def choose_reference_body(ship: Ship, bodies: list[Body]) -> None:
-    """A flying ship goes over to the body whose gravity is the strongest at the ship (DYNAMICS, Frame)."""
+    """A flying ship goes over to the body that is nearest by its own radius (DYNAMICS, Frame)."""
     if ship.surface_contact_state != FLYING or ship.crashed:
         return
     now = ship.body
-    strongest = -1.0
+    least = inf
     best = now
     for body in bodies:
         apart = add(subtract(now.position, body.position), ship.position)
-        gravity = body.mu / dot(apart, apart)
-        if gravity > strongest:
-            strongest, best = gravity, body
+        measure = dot(apart, apart) / (body.radius * body.radius)
+        if measure < least:
+            least, best = measure, body
     if best is now:
         return
     ship.position = add(subtract(now.position, best.position), ship.position)

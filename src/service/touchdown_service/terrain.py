@@ -25,7 +25,7 @@ class Relief:
 
 
 RELIEFS = {
-    "Moon": Relief(1737400.0, 1, 1, 11),
+    "Luna": Relief(1737400.0, 1, 1, 11),
     "Earth": Relief(6371000.0, 1, 0, 23),
     "Mars": Relief(3389500.0, 1, 0.6, 37),
     "Phobos": Relief(11267.0, 0.08, 1, 53),

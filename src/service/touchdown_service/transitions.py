@@ -1,67 +1,86 @@
 """Step 9: the first transition that applies to the state at the substep's end, at most one."""
 
-from .forces import Load, static_depth, vertical_squared
-from .models import CONTACT, FLYING, LANDED, TIPPED, Ship, World
-from .surface import Surface, ground_velocity
-from .vectors import Vec3, cross, dot, product, shortest_rotation, subtract
+from math import sqrt
+from typing import NamedTuple
+
+from .config import Config
+from .forces import depth_of, is_nearly_at_rest
+from .models import CONTACT, FLYING, LANDED, TIPPED, Ship
+from .pose import move_with_ground
+from .surface import Ground, OverGround, Place
+from .vectors import Vec3, cross, dot, product, shortest_rotation, subtract, up_of
 
 # m: let go of, where the ground fell away
 FELL_AWAY = -0.1
 
+# By how much a ship sank in a substep, m, and the substep, s.
+Sinking = tuple[float, float]
 
-def make_transition(
-    ship: Ship, world: World, start: Surface, end: Surface, load: Load, up: Vec3, dt: float
-) -> str:
-    """Changes the surface state; returns the event's name, or ''."""
-    config = world.config
-    touching = end.penetration > 0
-    if ship.surface_contact_state == FLYING:
-        return touch(ship, world, end, up, impact_speed(start, end, dt)) if touching else ""
-    if touching and impact_speed(start, end, dt) > config.contact_crash_speed:
+
+class End(NamedTuple):
+    """What a grounded ship's transition is decided on."""
+
+    place: Place
+    ground: Ground
+    over: OverGround
+    up: Vec3
+    # Of step 1, kg and N.
+    mass: float
+    thrust: Vec3
+
+
+def impact_speed(ground: Ground, speed: float, sinking: Sinking) -> float:
+    """How fast ship and ground close, m/s; the second sees ground that rises ahead of a fast ship."""
+    sunk, dt = sinking
+    falling = -speed
+    closing = (sunk * ground[4]) / dt
+    return falling if falling > closing else closing
+
+
+def touch_or_crash(ship: Ship, config: Config, ground: Ground, speed: float, sinking: Sinking) -> str:
+    """Of a flying ship that is in the ground."""
+    impact = impact_speed(ground, speed, sinking)
+    if impact > config.contact_crash_speed:
         return crash(ship)
-    if (end.penetration <= 0 and end.radial_speed > 0) or end.penetration < FELL_AWAY:
-        return leave(ship)
-    cos_tilt = dot(end.normal, up)
+    if not impact > 0:
+        return ""
+    ship.surface_contact_state = CONTACT
+    ship.impact_speed = impact
+    if config.touchdown_attitude == "aligned":
+        ship.angular_velocity = ship.body.angular_velocity
+        ship.attitude = product(shortest_rotation(up_of(ship.attitude), ground[1:4]), ship.attitude)
+    return "ship.contact"
+
+
+def leave_or_change(ship: Ship, config: Config, end: End, sinking: Sinking) -> str:
+    """Of a ship in contact or tipped."""
+    penetration, sx, sy, sz, _, _, _, _ = end.ground
+    speed = end.over[0]
+    touching = penetration > 0
+    if touching and impact_speed(end.ground, speed, sinking) > config.contact_crash_speed:
+        return crash(ship)
+    if (penetration <= 0 and speed > 0) or penetration < FELL_AWAY:
+        ship.surface_contact_state = FLYING
+        ship.impact_speed = 0.0
+        return ""
+    up = end.up
+    cos_tilt = sx * up[0] + sy * up[1] + sz * up[2]
     if ship.surface_contact_state == TIPPED:
-        rights = cos_tilt > config.cos_tipped_angle and is_righting(ship, end.normal, up)
+        rights = cos_tilt > config.cos_tipped_angle and is_righting(ship, (sx, sy, sz), up)
         return right(ship) if rights else ""
     if not touching:
         return ""
     if cos_tilt < config.cos_tipped_angle:
         ship.surface_contact_state = TIPPED
         return "ship.tipped"
-    return land(ship) if cos_tilt > config.cos_settle_tilt and is_settled(ship, world, end, load) else ""
-
-
-def impact_speed(start: Surface, end: Surface, dt: float) -> float:
-    """How fast ship and ground close, m/s; the second sees ground that rises ahead of a fast ship."""
-    return max((end.penetration - start.penetration) / dt, -end.radial_speed)
-
-
-def touch(ship: Ship, world: World, end: Surface, up: Vec3, impact: float) -> str:
-    if impact > world.config.contact_crash_speed:
-        return crash(ship)
-    if not impact > 0:
-        return ""
-    ship.surface_contact_state = CONTACT
-    ship.impact_speed = impact
-    if world.config.touchdown_attitude == "aligned":
-        ship.angular_velocity = ship.body.angular_velocity
-        ship.attitude = product(shortest_rotation(up, end.normal), ship.attitude)
-    return "ship.contact"
+    return land(ship) if cos_tilt > config.cos_settle_tilt and is_settled(ship, config, end) else ""
 
 
 def crash(ship: Ship) -> str:
     """A result, not a state: the rest stays as it was, and the ship is out of the simulation."""
     ship.crashed = True
     ship.surface_contact_state = FLYING
-    return "ship.crashed"
-
-
-def leave(ship: Ship) -> str:
-    ship.surface_contact_state = FLYING
-    ship.impact_speed = 0.0
-    return ""
+    return "ship.destroyed"
 
 
 def right(ship: Ship) -> str:
@@ -75,18 +94,24 @@ def is_righting(ship: Ship, normal: Vec3, up: Vec3) -> bool:
     return dot(relative_spin(ship), cross(normal, up)) < 0
 
 
-def is_settled(ship: Ship, world: World, end: Surface, load: Load) -> bool:
-    """Spin, vertical speed and slide below the settle limits."""
-    config = world.config
+def is_settled(ship: Ship, config: Config, end: End) -> bool:
+    """Spin, vertical speed and slide below the settle limits, and the ground holds it."""
     spin = relative_spin(ship)
     if not dot(spin, spin) < config.contact_settle_angular_vel * config.contact_settle_angular_vel:
         return False
-    settle = config.contact_settle_linear_vel
-    if not end.tangential_speed < settle:
+    _, depth = depth_of(end.mass, end.mass * end.place[4], end.thrust, end.ground)
+    return is_nearly_at_rest(config, end.ground, end.over, depth) and is_held(ship, config, end)
+
+
+def is_held(ship: Ship, config: Config, end: End) -> bool:
+    """The slope is not too steep for static friction, and the ship's weight is inside its feet."""
+    _, _, _, _, cos, lx, ly, lz = end.ground
+    if not sqrt(lx * lx + ly * ly + lz * lz) <= config.contact_friction_static * cos:
         return False
-    mass = ship.ship_class.dry_mass + ship.fuel
-    depth = static_depth(mass * end.gravity - load.lift, mass)
-    return vertical_squared(end, depth) < settle * settle
+    normal = end.place[:3]
+    x, y, z = cross(normal, end.up)
+    lever = ship.ground_contact_offset * sqrt(x * x + y * y + z * z)
+    return lever <= ship.ship_class.leg_radius * dot(normal, end.up)
 
 
 def relative_spin(ship: Ship) -> Vec3:
@@ -96,6 +121,6 @@ def relative_spin(ship: Ship) -> Vec3:
 
 def land(ship: Ship) -> str:
     ship.surface_contact_state = LANDED
-    ship.velocity = ground_velocity(ship)
+    move_with_ground(ship)
     ship.angular_velocity = ship.body.angular_velocity
     return "ship.landed"

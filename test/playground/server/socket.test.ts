@@ -1,12 +1,10 @@
+import type { AddressInfo } from 'node:net';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { WebSocket } from 'ws';
-import {
-  type Connection,
-  type ConnectionHandlers,
-  openSocket,
-} from '../../../src/playground/server/connection';
-import { decodeServerMessage, encodeClientMessage, type ServerMessage } from '../../../src/wire';
-import { input, valueOf } from '../../authority/moon';
+import { WebSocket, WebSocketServer } from 'ws';
+import type { Connection, ConnectionHandlers } from '../../../src/playground/server/connection';
+import { openServer } from '../../../src/playground/server/realServer';
+import type { PartialFrame, ServerMessage } from '../../../src/wire';
+import { input } from '../../authority/moon';
 import { type SocketServer, startSocketServer } from './socketServer';
 
 /** As a browser's: an error is told by its close alone, and is not thrown where nobody listens. */
@@ -19,7 +17,7 @@ class PageSocket extends WebSocket {
 
 /** What was told, and a way to wait for it. */
 function ear() {
-  const messages: ServerMessage[] = [];
+  const messages: (ServerMessage | PartialFrame)[] = [];
   const told: string[] = [];
   const waiting = new Set<() => void>();
   const notice = <T>(act: (value: T) => void) => {
@@ -30,10 +28,15 @@ function ear() {
   };
   const handlers: ConnectionHandlers = {
     onOpen: notice((what) => told.push(`open ${what}`)),
-    onBytes: notice((bytes) => messages.push(valueOf(decodeServerMessage(bytes)))),
+    onMessage: notice((message) => messages.push(message)),
+    onUnusable: notice((reason) => told.push(`unusable ${reason}`)),
+    onLink: notice((words) => told.push(`link ${words}`)),
+    onWelcome: notice((about) => told.push(`welcome ${String(about['ship_id'])}`)),
+    onShipGone: notice((shipId) => told.push(`gone ${shipId}`)),
     onClosed: notice((reason) => told.push(`closed ${reason}`)),
     onRefused: notice((reason) => told.push(`refused ${reason}`)),
     onStatus: notice(() => told.push('status')),
+    onRun: notice(() => told.push('run')),
   };
   const until = (met: () => boolean) =>
     new Promise<void>((resolve) => {
@@ -64,60 +67,138 @@ describe('a real server', () => {
 
   it('tells its hello and frames, answers pings and flies by inputs', async () => {
     const { handlers, messages, told, until } = ear();
-    connection = openSocket(server.address, handlers);
+    connection = openServer(server.address, handlers);
     await until(() => messages.length >= 3);
-    expect(told).toEqual(['open world']);
+    expect(told).toEqual([
+      `link Connecting to ${server.address}…`,
+      `link Connected to ${server.address}; signing in…`,
+      'link ',
+      'open world',
+    ]);
     expect(messages[0]).toMatchObject({ kind: 'hello', shipId: 'ship-1', tickRate: 50 });
-    connection.send(encodeClientMessage({ kind: 'ping', id: 77 }));
+    connection.send({ kind: 'ping', id: 77 });
     await until(() => messages.some(({ kind }) => kind === 'pong'));
     const tick = server.authority.tickNumber();
-    connection.send(
-      encodeClientMessage({ kind: 'inputs', inputs: [input(1, tick + 5, 1, { thrustLevel: 1 })] }),
-    );
-    const flying = (message: ServerMessage) =>
+    connection.send({ kind: 'inputs', inputs: [input(1, tick + 5, 1, { thrustLevel: 1 })] });
+    const flying = (message: ServerMessage | PartialFrame) =>
       message.kind === 'frame' && message.ships[0]!.surfaceContactState === '';
     await until(() => messages.some(flying));
     expect(messages.find(flying)).toMatchObject({ lastInput: { seq: 1 } });
   });
 
-  it('that hangs up is told so, and may be called again', async () => {
+  it('that hangs up is told so, is called again, and has one socket at any time', async () => {
     const { handlers, messages, told, until } = ear();
-    connection = openSocket(server.address, handlers);
+    connection = openServer(server.address, handlers);
     await until(() => messages.length > 0);
+    for (let i = 0; i < 3; i++) connection.reconnect();
     server.hangUp();
-    await until(() => told.length === 2);
-    expect(told[1]).toBe(`closed ${server.address}: closed with code 1006`);
-    connection.send(Uint8Array.of(1));
-    connection.reconnect();
-    await until(() => told.length === 3);
-    expect(told[2]).toBe('open again');
+    await until(() => told.some((text) => text.includes('was lost')));
+    expect(told.at(-1)).toMatch(/^link The connection to \S+ was lost \(code 1006\)\. Retrying in [12] s\.$/);
+    connection.send({ kind: 'ping', id: 1 });
+    for (let i = 0; i < 3; i++) connection.reconnect();
+    await until(() => told.includes('open again'));
+    expect(told).toContain(`link Connected to ${server.address} again.`);
+    await until(() => told.at(-1) === 'link ');
+    expect(server.connections()).toEqual({ open: 1, ever: 2 });
   });
 
   it('that speaks text is refused by name', async () => {
     const { handlers, messages, told, until } = ear();
-    connection = openSocket(server.address, handlers);
+    connection = openServer(server.address, handlers);
     await until(() => messages.length > 0);
     server.say('hello');
-    await until(() => told.length === 2);
-    expect(told[1]).toContain(`refused ${server.address} sent text`);
+    await until(() => told.some((text) => text.startsWith('refused')));
+    expect(told.at(-1)).toContain(`refused ${server.address} sent text`);
   });
 
-  it('that is not there, and an address that is none, are told as closed', async () => {
+  it('that is not there, and an address that is none, do not answer', async () => {
     const { handlers, told, until } = ear();
     const address = server.address;
     await server.close();
-    connection = openSocket(address, handlers);
-    await until(() => told.length === 1);
-    expect(told[0]).toContain(`closed ${address}`);
+    connection = openServer(address, handlers);
+    await until(() => told.some((text) => text.startsWith(`link Nothing answers at ${address}`)));
     connection.dispose();
-    connection = openSocket('nowhere', handlers);
-    expect(told[1]).toMatch(/^closed nowhere: ./);
+    connection = openServer('nowhere', handlers);
+    expect(told.at(-1)).toMatch(/^link Nothing answers at nowhere\./);
   });
 
   it('takes no orders', () => {
     const { handlers, told } = ear();
-    connection = openSocket(server.address, handlers);
+    connection = openServer(server.address, handlers);
     connection.operate({ kind: 'restart' });
-    expect(told).toEqual(['refused restart: only the server in the page takes orders']);
+    connection.setSpeed(0.5);
+    expect(told.filter((text) => text.startsWith('refused'))).toEqual([
+      'refused restart: only available with the built-in server',
+      'refused slow motion: only available with the built-in server',
+    ]);
+  });
+});
+
+describe('the game’s own server', () => {
+  let sockets: WebSocketServer;
+  let connection: Connection | null = null;
+  let heard: unknown[] = [];
+
+  beforeEach(async () => {
+    vi.stubGlobal('WebSocket', PageSocket);
+    heard = [];
+    sockets = new WebSocketServer({ port: 0, host: '127.0.0.1' });
+    await new Promise((resolve) => sockets.once('listening', resolve));
+  });
+  afterEach(async () => {
+    connection?.dispose();
+    for (const socket of sockets.clients) socket.terminate();
+    await new Promise((resolve) => sockets.close(resolve));
+    vi.unstubAllGlobals();
+  });
+
+  const address = () => `ws://127.0.0.1:${(sockets.address() as AddressInfo).port}/ws`;
+  const ship = {
+    ...{ position: [1, 2, 3], velocity: [0, 0, 0], attitude: [1, 0, 0, 0], angular_velocity: [0, 0, 0] },
+    fuel: 1,
+  };
+
+  it('is spoken to in its JSON: signed in with the token of the address, which is not shown', async () => {
+    const { handlers, messages, told, until } = ear();
+    sockets.on('connection', (socket, request) => {
+      heard.push(request.url);
+      socket.on('message', (data: Buffer) => {
+        heard.push(JSON.parse(data.toString()));
+        if (heard.length > 2) return;
+        for (const message of [
+          { type: 'welcome', ship_id: 'a' },
+          { type: 'state', tick: 4, ships: { a: ship } },
+          { type: 'ship.removed', ship_id: 'b' },
+        ])
+          socket.send(JSON.stringify(message));
+      });
+    });
+    connection = openServer(`${address()}?token=jwt`, handlers);
+    await until(() => told.includes('gone b'));
+    expect(messages).toMatchObject([{ kind: 'frame', tick: 4, ships: [{ shipId: 'a' }] }]);
+    expect(told).toContain('welcome a');
+    expect(told.join()).not.toContain('jwt');
+    connection.send({ kind: 'ping', id: 1 });
+    connection.send({
+      kind: 'inputs',
+      inputs: [input(1, 5, 0, { thrustLevel: 0.25 }), input(2, 5, 9, { thrustLevel: 0.5 })],
+    });
+    connection.send({ kind: 'inputs', inputs: [input(3, 6, 0, { thrustLevel: 0.75 })] });
+    const last = () => heard.at(-1) as { thrust_level?: number };
+    await vi.waitUntil(() => last().thrust_level === 0.75);
+    expect(heard).toMatchObject([
+      '/ws',
+      { type: 'auth', token: 'jwt' },
+      { type: 'control', thrust_level: 0.5 },
+      { type: 'control', thrust_level: 0.75 },
+    ]);
+  });
+
+  it('that refuses is not called again by itself, and the page says why', async () => {
+    const { handlers, told, until } = ear();
+    sockets.on('connection', (socket) => socket.close(4003, 'Origin not allowed'));
+    connection = openServer(address(), handlers);
+    await until(() => told.some((text) => text.includes('does not accept pages from here')));
+    expect(told.at(-1)).toContain('(code 4003, “Origin not allowed”): open the page from an allowed origin.');
   });
 });

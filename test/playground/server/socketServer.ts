@@ -14,6 +14,8 @@ export interface SocketServer {
   readonly hangUp: () => void;
   /** Sends what is no protocol to everyone. */
   readonly say: (text: string) => void;
+  /** Sockets that are open now, and that ever were. */
+  readonly connections: () => { readonly open: number; readonly ever: number };
   readonly close: () => Promise<void>;
 }
 
@@ -82,6 +84,7 @@ export async function startSocketServer(
     say: (text) => {
       for (const socket of sockets.clients) socket.send(text);
     },
+    connections: () => ({ open: sockets.clients.size, ever: joined }),
     close: () => {
       clearInterval(timer);
       for (const socket of sockets.clients) socket.terminate();

@@ -1,0 +1,2 @@
+export function servicePython(): { command: string; env: Record<string, string | undefined> };
+export function redisServer(): string;

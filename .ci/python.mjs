@@ -1,0 +1,82 @@
+// Finds a Python that can run the physics service, with the Redis client it needs.
+//   node .ci/python.mjs     installs what is missing; prints nothing when nothing is
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const root = fileURLToPath(new URL('..', import.meta.url));
+/** Beside node_modules' other caches: nothing is installed outside of this folder. */
+const packages = join(root, 'node_modules/.cache/touchdown/python');
+const service = join(root, 'src/service');
+const REDIS = 'redis>=5.0,<8';
+
+function run(command, args, env = process.env) {
+  return spawnSync(command, args, { encoding: 'utf8', env });
+}
+
+/** Where Python looks for modules: the service itself, then what was installed for it. */
+function environment() {
+  const path = [service, packages, process.env.PYTHONPATH]
+    .filter(Boolean)
+    .join(process.platform === 'win32' ? ';' : ':');
+  return { ...process.env, PYTHONPATH: path, PYTHONDONTWRITEBYTECODE: '1', PYTHONUNBUFFERED: '1' };
+}
+
+/** The interpreter itself, not a shim before it: a signal has to reach it. */
+function findPython() {
+  const program = 'import sys; print(sys.executable); sys.exit(sys.version_info < (3, 10))';
+  for (const command of ['python3', 'python']) {
+    const found = run(command, ['-c', program]);
+    if (found.status === 0) return found.stdout.trim();
+  }
+  return undefined;
+}
+
+/**
+ * { command, env } to run the service with; throws an Error whose message says what to install.
+ */
+export function servicePython() {
+  const command = findPython();
+  if (command === undefined)
+    throw new Error(
+      'Python 3.10 or newer is needed for the physics service: apt-get install -y python3 python3-pip, or https://python.org',
+    );
+  const env = environment();
+  if (run(command, ['-c', 'import redis'], env).status === 0) return { command, env };
+  mkdirSync(packages, { recursive: true });
+  console.log('set-up: installing the Redis client for Python …');
+  const install = run(command, [
+    '-m',
+    'pip',
+    'install',
+    '--quiet',
+    '--disable-pip-version-check',
+    '--target',
+    packages,
+    REDIS,
+  ]);
+  if (install.status !== 0 || !existsSync(join(packages, 'redis')))
+    throw new Error(
+      `the Redis client for Python cannot be installed: ${(install.stderr || 'pip is missing: apt-get install -y python3-pip').trim()}`,
+    );
+  return { command, env };
+}
+
+/** The redis-server on this machine; throws an Error with the one line that installs it. */
+export function redisServer() {
+  const found = run('redis-server', ['--version']);
+  if (found.status === 0) return 'redis-server';
+  const how = process.platform === 'darwin' ? 'brew install redis' : 'sudo apt-get install -y redis-server';
+  throw new Error(`Redis is needed: ${how}`);
+}
+
+if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
+  try {
+    servicePython();
+    redisServer();
+  } catch (error) {
+    console.error(`set-up: ${error.message}`);
+    process.exit(1);
+  }
+}

@@ -1,0 +1,49 @@
+// Replaces the gravity-only extrapolation of `_clientPos` and the blending of `_blendOffset`.
+import { createPredictor } from 'galaxy-touchdown';
+import { createGameConnection } from 'galaxy-touchdown/game';
+import { terrainHeight } from './terrain.js';
+
+/** The one clock of the client: monotonic wall seconds. */
+export const seconds = () => performance.now() / 1000;
+
+/** Connects predictor and server; `onStatus` is told in words how the link stands. */
+export function createCockpitExtrapolation({ address, token, shipId, onStatus }) {
+  const predictor = createPredictor({
+    ownShipId: shipId,
+    terrains: { client: terrainHeight },
+    defaults: { terrain: 'client' },
+    onWarning: (code, message) => console.warn(`${code}: ${message}`),
+  });
+  const connection = createGameConnection(
+    {
+      address,
+      token,
+      clock: { now: seconds, after },
+      dice: Math.random,
+      openSocket: (url) => new WebSocket(url),
+    },
+    {
+      onWelcome: ({ ship_id: id }) => predictor.setOwnShip(typeof id === 'string' ? id : shipId),
+      onFrame: (frame, at) => predictor.receive(frame, at),
+      onShipGone: (id, own) => predictor.removeShip(id, own === null ? 'gone' : 'destroyed'),
+      onRefused: (reason) => predictor.refused(reason),
+      onStatus: ({ words }) => onStatus(words),
+    },
+  );
+
+  /** Once a display frame: own controls in, what the server has to know out, the world at the present back. */
+  function frame(controls) {
+    const now = seconds();
+    predictor.advance(controls, now);
+    for (const message of predictor.takeOutgoing())
+      if (message.kind === 'inputs') connection.sendControls(message.inputs.at(-1).controls);
+    return predictor.view(now);
+  }
+
+  return { frame, dispose: () => connection.dispose() };
+}
+
+function after(wait, act) {
+  const timer = setTimeout(act, wait * 1000);
+  return () => clearTimeout(timer);
+}

@@ -1,0 +1,138 @@
+import { beginLink, dueAt, type Effect, type LinkEvent, type LinkState, type Step, stepLink } from './link';
+import type { GameClock } from './options';
+import { abandon, type GameSocket, OPEN } from './socket';
+import { type LinkStatus, statusOf } from './words';
+
+/** What a link speaks: the driver itself knows sockets and times alone. */
+export interface DriverOptions {
+  readonly address: string;
+  readonly clock: GameClock;
+  /** 0 to 1, for the jitter of reconnects. */
+  readonly dice: () => number;
+  readonly openSocket: (address: string) => GameSocket;
+  /** Said when the socket stands; null: nothing has to be. */
+  readonly auth: () => string | Uint8Array<ArrayBuffer> | null;
+  readonly ping: () => string | Uint8Array<ArrayBuffer>;
+  readonly onData: (data: unknown) => void;
+  readonly onStatus: ((status: LinkStatus) => void) | undefined;
+}
+
+/** One link that comes back by itself; at most one socket at any time. */
+export interface Driver {
+  readonly state: () => LinkState;
+  readonly status: () => LinkStatus;
+  /** What was heard, for the link's states. */
+  readonly happen: (event: LinkEvent) => void;
+  /** A state came; `told`: the wall s between two that it tells itself, if it does. */
+  readonly heardState: (told: number | undefined) => void;
+  /** False while no socket is open. */
+  readonly write: (message: string | Uint8Array<ArrayBuffer>) => boolean;
+}
+
+/** A pause this long says nothing of the usual time between two states, s. */
+const LONGEST_INTERVAL = 10;
+
+interface Held {
+  state: LinkState;
+  socket: GameSocket | null;
+  cancelTimer: (() => void) | null;
+  /** The status told last. */
+  told: string;
+  lastStateAt: number;
+  /** Usual wall s between two states. */
+  interval: number;
+}
+
+/** Connects at once. */
+export function createDriver(options: DriverOptions): Driver {
+  const { clock } = options;
+  const first = beginLink(clock.now());
+  const held: Held = {
+    state: first.state,
+    socket: null,
+    cancelTimer: null,
+    told: '',
+    lastStateAt: NaN,
+    interval: 1,
+  };
+  apply(options, held, first);
+  return {
+    state: () => held.state,
+    status: () => statusOf(held.state, options.address, clock.now()),
+    happen: (event) => happen(options, held, event),
+    heardState(told) {
+      const now = clock.now();
+      const since = Math.min(now - held.lastStateAt, LONGEST_INTERVAL);
+      const isFirst = Number.isNaN(since);
+      if (told !== undefined) held.interval = isFirst ? told : Math.max(told, since);
+      else if (!isFirst) held.interval += (since - held.interval) / 4;
+      held.lastStateAt = now;
+      happen(options, held, { kind: 'state', interval: held.interval });
+    },
+    write: (message) => write(held, message),
+  };
+}
+
+function happen(options: DriverOptions, held: Held, event: LinkEvent): void {
+  apply(options, held, stepLink(held.state, event, options.clock.now(), options.dice()));
+}
+
+function apply(options: DriverOptions, held: Held, { state, effects }: Step): void {
+  held.state = state;
+  const failed = effects.map((effect) => perform(options, held, effect)).find((reason) => reason !== null);
+  schedule(options, held);
+  tellStatus(options, held);
+  if (failed !== undefined) happen(options, held, { kind: 'closed', code: 0, reason: failed });
+}
+
+/** Why no socket could be made, or null. */
+function perform(options: DriverOptions, held: Held, effect: Effect): string | null {
+  const message = effect === 'auth' ? options.auth() : effect === 'ping' ? options.ping() : null;
+  if (message !== null) write(held, message);
+  if (effect !== 'open' && effect !== 'close') return null;
+  const { socket } = held;
+  held.socket = null;
+  if (socket !== null) abandon(socket);
+  return effect === 'open' ? open(options, held) : null;
+}
+
+function open(options: DriverOptions, held: Held): string | null {
+  held.lastStateAt = NaN;
+  let socket: GameSocket;
+  try {
+    socket = options.openSocket(options.address);
+  } catch (error) {
+    return error instanceof Error ? error.message : String(error);
+  }
+  held.socket = socket;
+  socket.onopen = () => happen(options, held, { kind: 'opened' });
+  socket.onmessage = ({ data }: { readonly data: unknown }) => options.onData(data);
+  socket.onclose = ({ code, reason }: { readonly code: number; readonly reason: string }) =>
+    happen(options, held, { kind: 'closed', code, reason });
+  // Told by the close that follows.
+  socket.onerror = () => undefined;
+  return null;
+}
+
+function schedule(options: DriverOptions, held: Held): void {
+  const { clock } = options;
+  const due = dueAt(held.state);
+  held.cancelTimer?.();
+  const wait = Math.max(0, due - clock.now());
+  held.cancelTimer =
+    due === Infinity ? null : clock.after(wait, () => happen(options, held, { kind: 'time' }));
+}
+
+function tellStatus(options: DriverOptions, held: Held): void {
+  const status = statusOf(held.state, options.address, options.clock.now());
+  const key = `${status.phase} ${status.words}`;
+  if (key === held.told) return;
+  held.told = key;
+  options.onStatus?.(status);
+}
+
+function write(held: Held, message: string | Uint8Array<ArrayBuffer>): boolean {
+  if (held.socket?.readyState !== OPEN) return false;
+  held.socket.send(message);
+  return true;
+}

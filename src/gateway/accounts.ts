@@ -1,0 +1,81 @@
+import { randomBytes, scrypt, timingSafeEqual } from 'node:crypto';
+import { promisify } from 'node:util';
+import { jwtVerify, SignJWT } from 'jose';
+
+/** Who a token says its bearer is. */
+export interface Player {
+  readonly playerId: string;
+  readonly username: string;
+  /** Wall s since 1970 at which the token ends. */
+  readonly expires: number;
+}
+
+/** Accounts and their tokens; passwords are kept as scrypt hashes. */
+export interface Accounts {
+  /** A token, or null where name or password are wrong: it takes as long either way. */
+  readonly login: (username: string, password: string) => Promise<{ player: Player; token: string } | null>;
+  readonly verify: (token: string) => Promise<Player | null>;
+  readonly renew: (player: Player) => Promise<string>;
+}
+
+export interface Account {
+  readonly playerId: string;
+  readonly username: string;
+  readonly password: string;
+}
+
+const hash = promisify<string, Buffer, number, Buffer>(scrypt);
+const ISSUER = 'touchdown';
+const LENGTH = 32;
+
+/**
+ * @param secret at least 32 characters, shared by all gateways of a game
+ * @param lifetime s
+ * @param now wall s since 1970
+ */
+export async function createAccounts(
+  accounts: readonly Account[],
+  { secret, lifetime, now }: { secret: string; lifetime: number; now: () => number },
+): Promise<Accounts> {
+  if (secret.length < 32) throw new RangeError('secret: expected at least 32 characters');
+  const key = new TextEncoder().encode(secret);
+  const kept = new Map<string, { playerId: string; salt: Buffer; digest: Buffer }>();
+  for (const { username, playerId, password } of accounts) {
+    const salt = randomBytes(16);
+    kept.set(username, { playerId, salt, digest: await hash(password, salt, LENGTH) });
+  }
+  const nobody = { playerId: '', salt: randomBytes(16), digest: randomBytes(LENGTH) };
+
+  const sign = (player: Omit<Player, 'expires'>, expires: number) =>
+    new SignJWT({ username: player.username })
+      .setProtectedHeader({ alg: 'HS256' })
+      .setIssuer(ISSUER)
+      .setSubject(player.playerId)
+      .setIssuedAt(Math.floor(now()))
+      .setExpirationTime(expires)
+      .sign(key);
+
+  return {
+    async login(username, password) {
+      const account = kept.get(username) ?? nobody;
+      const digest = await hash(password, account.salt, LENGTH);
+      if (!timingSafeEqual(digest, account.digest) || account === nobody) return null;
+      const expires = Math.floor(now() + lifetime);
+      const player = { playerId: account.playerId, username, expires };
+      return { player, token: await sign(player, expires) };
+    },
+    async verify(token) {
+      try {
+        const checks = { issuer: ISSUER, algorithms: ['HS256'], requiredClaims: ['sub', 'exp'] };
+        const { payload } = await jwtVerify(token, key, checks);
+        const { sub = '', exp = 0, username } = payload;
+        return sub === ''
+          ? null
+          : { playerId: sub, username: typeof username === 'string' ? username : '', expires: exp };
+      } catch {
+        return null;
+      }
+    },
+    renew: (player) => sign(player, Math.floor(now() + lifetime)),
+  };
+}

@@ -1,0 +1,59 @@
+/** What one client may ask of the gateway, and what it keeps for one. */
+
+/** Bytes of a message from a client; larger ones close the connection with 1009. */
+export const MAX_CLIENT_MESSAGE = 64 * 1024;
+/** Bytes of a state on /ws, as the game has it. */
+export const MAX_STATE = 64 * 1024;
+/** Wall s for a client to sign in. */
+export const AUTH_WITHIN = 5;
+/** Messages a second, and how many at once. */
+export const MESSAGES = { perSecond: 60, burst: 120 };
+/** Input records a second on /stream, and how many at once: after an outage a client sends its last seconds again. */
+export const INPUTS = { perSecond: 120, burst: 1024 };
+/** A client that goes on after this many messages beyond its rate is sent away. */
+export const MAX_EXCESS = 200;
+/** Bytes that wait in a client's socket before states are left out. */
+export const MAX_BUFFERED = 256 * 1024;
+/** Wall s for which a client may be that slow. */
+export const SLOW_FOR = 10;
+/** Events that wait for a slow client; beyond it is sent away and begins anew. */
+export const MAX_EVENTS_WAITING = 1000;
+/** Connections from one address, and such as have not signed in. */
+export const MAX_FROM_ADDRESS = 64;
+export const MAX_UNSIGNED = 256;
+/** Entries that wait for Redis to come back. */
+export const MAX_WAITING = 2048;
+
+/** Close codes: the game's two, and this gateway's own. */
+export const CLOSE = {
+  auth: 4001,
+  origin: 4003,
+  flood: 4008,
+  slow: 4009,
+  goingAway: 1001,
+  tryLater: 1013,
+} as const;
+
+/** A bucket that fills at a rate and is emptied by what is let through. */
+export interface Bucket {
+  readonly perSecond: number;
+  readonly burst: number;
+  level: number;
+  at: number;
+}
+
+export function createBucket(
+  { perSecond, burst }: { perSecond: number; burst: number },
+  now: number,
+): Bucket {
+  return { perSecond, burst, level: burst, at: now };
+}
+
+/** Whether `count` may pass at wall second `now`. */
+export function take(bucket: Bucket, count: number, now: number): boolean {
+  bucket.level = Math.min(bucket.burst, bucket.level + Math.max(0, now - bucket.at) * bucket.perSecond);
+  bucket.at = now;
+  if (bucket.level < count) return false;
+  bucket.level -= count;
+  return true;
+}

@@ -1,0 +1,54 @@
+import { createFrame, type HudAppearance } from '../appearance';
+import type { FlightReadout, LandingAids, TargetReadout } from '../../readout';
+import type { Hud } from '../landingHud';
+import { createAidsPanel } from './aidsPanel';
+import { createApproachDial } from './approachDial';
+import { createAttitudeBall } from './attitudeBall';
+import { createEngineLever } from './engineLever';
+import { createFuelPanel } from './fuelPanel';
+import { createModesPanel, type FlightKey } from './modesPanel';
+
+/** What the instruments of flying show. */
+export interface FlightPanels {
+  readonly flight: FlightReadout;
+  readonly aids: LandingAids;
+  readonly target: TargetReadout;
+  readonly autopilot: boolean;
+  /** The landing aids are switched on. */
+  readonly aidsOn: boolean;
+}
+
+export interface FlightHudOptions extends HudAppearance {
+  /** Names the key of a mode; '' when it has none. Asked anew at every paint. */
+  readonly keyLabel?: (key: FlightKey) => string;
+}
+
+/**
+ * The instruments of flying, appended to `host` (HUD, a pilot's instruments): lever with the hover mark, fuel, attitude ball, modes
+ * with their keys, and the landing aids.
+ */
+export function createFlightHud(
+  document: Document,
+  host: Element | ShadowRoot,
+  options: FlightHudOptions = {},
+): Hud<FlightPanels> {
+  const { root, panel, dispose } = createFrame(document, 'flight', 'Flight', options);
+  const paintLever = createEngineLever(panel);
+  const paintFuel = createFuelPanel(panel);
+  const paintBall = createAttitudeBall(panel);
+  const paintModes = createModesPanel(panel, options.keyLabel ?? (() => ''));
+  const paintAids = createAidsPanel(panel);
+  const paintDial = createApproachDial(panel);
+  host.append(root);
+  return {
+    paint({ flight, aids, target, autopilot, aidsOn }) {
+      paintLever(flight);
+      paintFuel(flight);
+      paintBall(flight);
+      paintModes(flight, autopilot);
+      paintAids(aids, aidsOn);
+      paintDial(target, aidsOn);
+    },
+    dispose,
+  };
+}

@@ -1,0 +1,61 @@
+import type { FlightReadout } from '../../readout';
+import { append } from '../elements';
+import { showAttribute, showPart, showText } from '../shown';
+
+/** What of the attitude control and the autopilot has a key. */
+export type FlightKey =
+  'rateDamping' | 'modeHold' | 'modeUpright' | 'modeRetrograde' | 'killRates' | 'autopilot';
+
+const ROWS: readonly (readonly [Exclude<FlightKey, 'killRates'>, string])[] = [
+  ['rateDamping', 'Damping'],
+  ['modeHold', 'Hold'],
+  ['modeUpright', 'Upright'],
+  ['modeRetrograde', 'Retrograde'],
+  ['autopilot', 'Autopilot'],
+];
+
+const MODES: Readonly<Record<string, string>> = {
+  hold: 'modeHold',
+  radial: 'modeUpright',
+  surface_retrograde: 'modeRetrograde',
+  retrograde: 'modeRetrograde',
+};
+
+/** Each mode with its key, on or off in a word. */
+export function createModesPanel(
+  parent: Element,
+  keyLabel: (key: FlightKey) => string,
+): (flight: FlightReadout, autopilot: boolean) => void {
+  const list = append(parent, 'ul', 'td-modes');
+  list.setAttribute('aria-label', 'Attitude modes');
+  const paints = ROWS.map(([key, word]) => [key, createMode(list, word)] as const);
+  return (flight, autopilot) => {
+    const mode = MODES[flight.mode] ?? '';
+    for (const [key, paint] of paints) {
+      const isOn =
+        flight.known &&
+        (key === 'autopilot'
+          ? autopilot
+          : key === 'rateDamping'
+            ? flight.damping
+            : mode === key && !autopilot);
+      paint(keyLabel(key), isOn);
+    }
+  };
+}
+
+function createMode(list: Element, word: string): (label: string, on: boolean) => void {
+  const row = append(list, 'li', 'td-mode');
+  const cap = append(row, 'kbd');
+  const paintCap = showText(cap);
+  const paintCapShown = showPart(cap);
+  append(row, 'span', 'td-mode-word', word);
+  const paintState = showText(append(row, 'span', 'td-mode-state'));
+  const paintOn = showAttribute(row, 'data-on');
+  return (label, on) => {
+    paintCapShown(label !== '');
+    paintCap(label);
+    paintState(on ? 'on' : 'off');
+    paintOn(on ? 'true' : 'false');
+  };
+}

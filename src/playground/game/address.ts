@@ -1,0 +1,45 @@
+import type { Notice } from '../panels/notice';
+import type { Banner } from '../panels/banner';
+
+/** ms between two changes of the address: Safari throws after 100 in 30 s. */
+const EVERY = 400;
+
+export interface Address {
+  /** The query the page should be found at; written soon. */
+  readonly write: (query: string) => void;
+  /** Puts a link on the clipboard, or shows it where there is none (plain http). */
+  readonly copy: (query: string, done: string) => void;
+}
+
+export function createAddress(window: Window, banner: Banner, notice: Notice): Address {
+  let wanted: string | null = null;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let writtenAt = -Infinity;
+  const put = () => {
+    timer = undefined;
+    if (wanted === null) return;
+    writtenAt = performance.now();
+    try {
+      window.history.replaceState(null, '', wanted);
+    } catch {
+      // The browser's limit: the next change tries again.
+    }
+    wanted = null;
+  };
+  return {
+    write(query) {
+      wanted = query === '' ? window.location.pathname : query;
+      if (timer !== undefined) return;
+      const wait = writtenAt + EVERY - performance.now();
+      if (wait <= 0) put();
+      else timer = setTimeout(put, wait);
+    },
+    copy(query, done) {
+      const link = window.location.origin + window.location.pathname + query;
+      const show = () => notice.tellLink('Could not copy; the link is:', link);
+      const { clipboard } = window.navigator as Partial<Navigator>;
+      if (clipboard === undefined) show();
+      else clipboard.writeText(link).then(() => banner.flash(done), show);
+    },
+  };
+}

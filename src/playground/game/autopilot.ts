@@ -1,0 +1,99 @@
+import { type Controls, NEUTRAL_CONTROLS, type Quat, type TerrainHeight, type Vec3 } from '../../dynamics';
+import type { ShipView, WorldView } from '../../prediction';
+import { BEGIN_LANDING, continueLanding, type LandingManeuver } from '../../scenarios';
+import type { ShipState } from '../../wire';
+
+/** The landing autopilot: taken and given back by one key. */
+export interface Autopilot {
+  readonly isOn: () => boolean;
+  /** Why it gave back by itself, until it is taken again; else ''. */
+  readonly reason: () => string;
+  readonly set: (on: boolean) => void;
+  /** Controls now; a new sample a few times a second, from the predicted state. */
+  readonly fly: (view: WorldView, now: number) => Controls;
+}
+
+/** Samples a second: each is an input that is sent. */
+const RATE = 5;
+/** Steps of what it commands: as of lever and sticks, so that a link carries its flights too. */
+const LEVER_STEP = 0.005;
+const STICK_STEPS = 100;
+
+/** @param terrainHeight the ground of the present world */
+export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
+  let isOn = false;
+  let reason = '';
+  let landing: LandingManeuver = BEGIN_LANDING;
+  let controls = NEUTRAL_CONTROLS;
+  let sampledAt = -Infinity;
+
+  const begin = () => {
+    landing = BEGIN_LANDING;
+    sampledAt = -Infinity;
+  };
+  const end = (why: string) => {
+    isOn = false;
+    reason = why;
+  };
+  return {
+    isOn: () => isOn,
+    reason: () => reason,
+    set(on) {
+      isOn = on;
+      reason = '';
+      begin();
+    },
+    fly(view, now) {
+      const ship = view.own;
+      const body = ship === null ? undefined : view.bodies[ship.body];
+      if (ship === null || body === undefined) return controls;
+      if (now - sampledAt < 1 / RATE && now >= sampledAt) return controls;
+      sampledAt = now;
+      const site = { body, shipClass: ship.shipClass, terrainHeight: terrainHeight(), delay: 0.2 };
+      const next = continueLanding(landing, stateOf(ship, body.name), site);
+      if (!next.ok) {
+        end(next.reason);
+        return controls;
+      }
+      landing = next.value;
+      controls = onGrid(landing.controls);
+      if (landing.phase === 'complete') end('');
+      else if (landing.phase === 'failed') end(landing.reason);
+      return controls;
+    },
+  };
+}
+
+/** What the landing reads of a ship, from the predicted truth. */
+function stateOf(ship: ShipView, bodyName: string): ShipState {
+  const triple = (v: Float64Array): Vec3 => [v[0]!, v[1]!, v[2]!];
+  const attitude: Quat = [ship.attitude[0]!, ship.attitude[1]!, ship.attitude[2]!, ship.attitude[3]!];
+  return {
+    shipId: ship.shipId,
+    position: triple(ship.position),
+    velocity: triple(ship.velocity),
+    relativePosition: triple(ship.position),
+    relativeVelocity: triple(ship.velocity),
+    attitude,
+    angularVelocity: triple(ship.angularVelocity),
+    mass: ship.shipClass.dryMass + ship.fuel,
+    fuel: ship.fuel,
+    surfaceContactState: ship.surfaceContactState,
+    landedBodyName: ship.surfaceContactState === '' ? '' : bodyName,
+    crashed: ship.crashed,
+  } as unknown as ShipState;
+}
+
+function onGrid(controls: Controls): Controls {
+  const round = (v: Vec3): Vec3 => [
+    Math.round(v[0] * STICK_STEPS) / STICK_STEPS + 0,
+    Math.round(v[1] * STICK_STEPS) / STICK_STEPS + 0,
+    Math.round(v[2] * STICK_STEPS) / STICK_STEPS + 0,
+  ];
+  return {
+    ...controls,
+    thrustLevel: Math.round(controls.thrustLevel / LEVER_STEP) * LEVER_STEP,
+    translationInput: round(controls.translationInput),
+    rotationInput: round(controls.rotationInput),
+  };
+}

@@ -1,0 +1,104 @@
+import { TERRAINS } from '../../dynamics';
+import { findMission, findScenario } from '../../scenarios';
+import { saveKeys } from '../input/keyTable';
+import { type Choices, OVERLAY_NAMES, setChoice } from '../panels/choices';
+import type { Help } from '../panels/help';
+import { keyCapOf } from './controlWords';
+import { networkOf } from './live';
+import type { Page } from './pageParts';
+import type { Parts } from './wiring';
+
+/** Choices that change a running world; the others begin a new one. */
+const LIVE_CHOICES: readonly (keyof Choices)[] = [
+  'mode',
+  'overlays',
+  'slow',
+  'network',
+  'delay',
+  'jitter',
+  'stalled',
+  'stall',
+];
+
+/** Takes choices and does what they ask. */
+export interface Chooser {
+  /** Why the text cannot be taken, or null. */
+  readonly change: (name: keyof Choices, text: string) => string | null;
+  readonly choose: (name: keyof Choices, text: string) => void;
+  readonly beginAnew: () => void;
+  readonly beginWorld: () => void;
+  readonly isMission: (scenario: string) => boolean;
+  readonly openHelp: () => void;
+}
+
+export function createChooser(page: Page, parts: Parts): Chooser {
+  const { choices, stage, notice, address, query } = page;
+  const showOverlays = () => {
+    if (stage !== null)
+      for (const name of OVERLAY_NAMES) stage.overlays[name] = choices.overlays.includes(name);
+  };
+  const applyLive = (name: keyof Choices) => {
+    if (name === 'slow') {
+      parts.live.setSpeed(choices.slow);
+      if (choices.slow < 1) parts.game.meddled('it was flown in slow motion');
+    } else if (name !== 'mode' && name !== 'overlays')
+      parts.live.operate({ kind: 'network', numbers: networkOf(choices) });
+    showOverlays();
+  };
+  const beginWorld = () => {
+    parts.scene.leave();
+    parts.acts.reset();
+    const terrain = choices.terrain === '' ? findScenario(choices.scenario)!.terrain : choices.terrain;
+    stage?.setTerrain(TERRAINS[terrain]!);
+    showOverlays();
+    parts.live.begin(choices);
+  };
+  /** What was said of the world before goes; what is wrong with the link or the browser is said before there is one. */
+  const beginAnew = () => {
+    notice.clear();
+    beginWorld();
+  };
+  const change = (name: keyof Choices, text: string): string | null => {
+    const reason = setChoice(choices, name, text);
+    if (reason !== null) return reason;
+    if (LIVE_CHOICES.includes(name)) applyLive(name);
+    else beginAnew();
+    address.write(query());
+    parts.panel.show(choices);
+    return null;
+  };
+  return {
+    change,
+    choose: (name, text) => void change(name, text),
+    beginAnew,
+    beginWorld,
+    isMission: (scenario) => findMission(scenario) !== null,
+    openHelp: createHelpOpener(page, parts),
+  };
+}
+
+/** The dialog is fetched when it is first asked for. */
+function createHelpOpener(page: Page, parts: Parts): () => void {
+  let help: Promise<Help> | null = null;
+  return () => {
+    help ??= import('../panels/help').then(({ createHelp }) =>
+      createHelp(
+        page.document,
+        () => page.keys,
+        (next) => {
+          page.keys = next;
+          saveKeys(page.store, next);
+          parts.game.reword();
+        },
+        keyCapOf(page, parts),
+      ),
+    );
+    help.then(
+      ({ open }) => open(),
+      () => {
+        help = null;
+        page.notice.tell('The list of keys did not load. Check the network and press the key again.');
+      },
+    );
+  };
+}

@@ -1,0 +1,30 @@
+import type { Stage } from '../../scene';
+import type { KeySettings } from '../input/keyTable';
+import type { Banner } from '../panels/banner';
+import type { Choices } from '../panels/choices';
+import type { Notice } from '../panels/notice';
+import type { Resolution } from '../view/resolution';
+import type { Address } from './address';
+import type { BestRuns } from './bestRuns';
+
+/** What the page is made of before anything runs. */
+export interface Page {
+  readonly document: Document;
+  readonly window: Window & typeof globalThis;
+  /** Address of the main module, which the worker runs too. */
+  readonly program: string;
+  readonly part: (id: string) => HTMLElement;
+  readonly canvas: HTMLCanvasElement;
+  readonly stage: Stage | null;
+  readonly notice: Notice;
+  readonly banner: Banner;
+  readonly choices: Choices;
+  readonly store: Storage | null;
+  keys: KeySettings;
+  readonly address: Address;
+  readonly best: BestRuns;
+  /** null: always at its finest. */
+  readonly resolution: Resolution | null;
+  /** The query that reads back as the present choices. */
+  readonly query: () => string;
+}

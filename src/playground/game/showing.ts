@@ -1,0 +1,68 @@
+import { keepForOffline } from '../offline/keep';
+import { createFrameLoop, type FrameLoop } from '../view/frameLoop';
+import { pixelRatioOf } from '../view/pageSize';
+import type { Page } from './pageParts';
+import { createReport } from './report';
+import { createTwin } from './textTwin';
+import type { Parts } from './wiring';
+
+/** What happens in a frame: hands are read, the view is taken, everything shown of it is painted. */
+export function wireFrames(page: Page, parts: Parts): FrameLoop {
+  const { stage, canvas, window, choices, banner, resolution } = page;
+  const root = page.document.documentElement;
+  const twin = createTwin(page.part('twin'));
+  const report = createReport(root, parts);
+  let before = NaN;
+  let generation = 0;
+  const loop = createFrameLoop(window, root, {
+    stage,
+    resolution,
+    look(milliseconds) {
+      parts.devices.read();
+      parts.acts.tick(milliseconds / 1000);
+      const now = parts.live.clock.now();
+      const passed = Number.isNaN(before) ? 0 : now - before;
+      before = now;
+      const replayed = parts.scene.frame(passed);
+      const replay = parts.scene.replay();
+      if (replay !== null && replay.generation() !== generation) {
+        generation = replay.generation();
+        parts.cockpit.forget();
+      }
+      return { view: replayed ?? parts.live.frame(), now };
+    },
+    paint(view, now) {
+      const replay = parts.scene.replay();
+      if (replay === null) {
+        parts.game.watch(view);
+        if (parts.game.tracker.mission() !== null) parts.lookDown.follow(view);
+      }
+      parts.cockpit.paint(view);
+      const { flight, aids } = parts.cockpit;
+      parts.devices.thumbs.show(flight.known ? flight.throttle : 0, flight.hover);
+      parts.sound.follow(view.own, flight, aids);
+      twin.tell(view, parts.cockpit.landing(), now);
+      (replay?.baseline ?? parts.live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
+      parts.dock.follow(view, now);
+      if (stage !== null) {
+        stage.markers.pads = parts.game.tracker.pads();
+        stage.markers.touch = parts.cockpit.aidsOn() && aids.outcome === 'touch' ? aids.touchPlace : null;
+      }
+      if (parts.loop.isWarm()) report(view);
+    },
+    isLoading: parts.live.isLoading,
+    dress: (view) => (parts.scene.replay() === null ? parts.game.ghost.join(view) : view),
+    opened() {
+      banner.rest('');
+      keepForOffline(window, () => (root.dataset['offline'] = 'kept'));
+      // Making the picture took seconds that the ship flew: it begins again, whole.
+      if (stage !== null && choices.server === '') parts.chooser.beginWorld();
+    },
+    fit() {
+      const { clientWidth, clientHeight } = canvas;
+      if (clientWidth > 0 && clientHeight > 0)
+        stage?.resize(clientWidth, clientHeight, pixelRatioOf(window, clientWidth, resolution?.share() ?? 1));
+    },
+  });
+  return loop;
+}

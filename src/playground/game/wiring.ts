@@ -1,0 +1,172 @@
+import { createGoalPanel } from '../panels/goal';
+import { createDock } from '../panels/dock';
+import { createMissionCard } from '../panels/missionCard';
+import { createPanel, type Panel } from '../panels/panel';
+import { connectDevices, type Devices } from '../input/devices';
+import { createSound, type Sound } from '../sound/sound';
+import type { Cockpit } from '../view/cockpit';
+import type { FrameLoop } from '../view/frameLoop';
+import { createLookDown, type LookDown } from '../view/lookDown';
+import { createSceneView, type SceneView, takeDrops } from '../view/pageView';
+import { watchSize } from '../view/pageSize';
+import { type Acts, createActs } from './actions';
+import { createCameraSwitch } from '../view/cameraSwitch';
+import { createChooser, type Chooser } from './chooser';
+import { keyCapOf, wireCockpit } from './controlWords';
+import { createLive, type Live } from './live';
+import { createMissionGame, type MissionGame } from './missionGame';
+import type { Page } from './pageParts';
+import { wireFrames } from './showing';
+
+/** Everything that runs, each made when those it is made of stand. What it calls later may be made after it. */
+export interface Parts {
+  live: Live;
+  scene: SceneView;
+  dock: ReturnType<typeof createDock>;
+  panel: Panel;
+  chooser: Chooser;
+  acts: Acts;
+  game: MissionGame;
+  cockpit: Cockpit;
+  devices: Devices;
+  sound: Sound;
+  loop: FrameLoop;
+  lookDown: LookDown;
+}
+
+/** Makes the parts and connects them. */
+export function wirePage(page: Page): Parts {
+  const parts = {} as Parts;
+  parts.live = wireLive(page, parts);
+  parts.scene = wireScene(page, parts);
+  parts.dock = createDock(page.part('dock'), parts.scene.listeners);
+  parts.chooser = createChooser(page, parts);
+  parts.panel = wirePanel(page, parts);
+  parts.sound = createSound(page.window);
+  parts.acts = wireActs(page, parts);
+  parts.devices = wireDevices(page, parts);
+  parts.lookDown = createLookDown(page.stage);
+  parts.game = wireGame(page, parts);
+  parts.cockpit = wireCockpit(page, parts);
+  parts.loop = wireFrames(page, parts);
+  takeDrops(page.document.body, parts.scene.load);
+  watchSize(page.window, page.canvas, () => parts.loop.resized());
+  return parts;
+}
+
+function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
+  return createLive(program, {
+    onState: banner.state,
+    onRefused: (reason) => notice.tell(`The server refused: ${reason}.`),
+    onLost: ({ name, body }) => notice.tell(`Your ship ${name} was destroyed at ${body}.`),
+    onEvent: () => undefined,
+    onWorld(plan) {
+      parts.scene.recorder.begin(plan);
+      parts.dock.clear();
+      parts.cockpit.forget();
+      parts.game.begin();
+    },
+    onEntry: (entry) => parts.scene.recorder.take(entry),
+    onRun: (inputs) => parts.game.onRun(inputs),
+  });
+}
+
+function wireScene({ query, notice, banner }: Page, parts: Parts): SceneView {
+  return createSceneView({
+    panel: () => parts.dock.recording,
+    note: query,
+    tell: notice.tell,
+    banner: banner.state,
+    changed(on) {
+      parts.cockpit.forget();
+      parts.live.hold(on);
+      parts.dock.clear();
+    },
+  });
+}
+
+function wirePanel({ part, document, choices }: Page, parts: Parts): Panel {
+  const showDock = (open: boolean) => document.body.classList.toggle('workshop', open);
+  const isMission = parts.chooser.isMission(choices.scenario);
+  showDock(!isMission);
+  const panel = createPanel(
+    part('panel'),
+    { workshopOpen: !isMission },
+    {
+      change: (name, text) => parts.chooser.change(name, text),
+      act: (act) => parts.acts.act(act),
+      workshop: showDock,
+    },
+  );
+  panel.press('sound', false);
+  return panel;
+}
+
+function wireActs(page: Page, parts: Parts): Acts {
+  const { banner, choices, document, stage, address, query } = page;
+  return createActs({
+    live: parts.live,
+    panel: parts.panel,
+    banner,
+    choices: () => choices,
+    choose: parts.chooser.choose,
+    begin: parts.chooser.beginAnew,
+    help: parts.chooser.openHelp,
+    resetCamera: () => stage?.resetCamera(),
+    nextCamera: createCameraSwitch(stage, banner),
+    copyLink: () => address.copy(query(), 'Link copied.'),
+    toggleBare: () => document.body.classList.toggle('bare'),
+    toggleAids: () => banner.flash(`Landing aids ${parts.cockpit.toggleAids() ? 'on' : 'off'}.`),
+    toggleSound() {
+      const isOn = parts.sound.set(!parts.sound.isOn()) && parts.sound.isOn();
+      parts.panel.press('sound', isOn);
+      banner.flash(isOn ? 'Sound on.' : 'Sound off.');
+    },
+    isReplaying: () => parts.scene.replay() !== null,
+    meddled: (how) => parts.game.meddled(how),
+  });
+}
+
+function wireDevices(page: Page, parts: Parts): Devices {
+  const { hands, steer } = parts.live;
+  return connectDevices(page.window, {
+    settings: () => page.keys,
+    stick: hands.stick,
+    pressed: parts.acts.press,
+    released: parts.acts.release,
+    confirmed: () => parts.game.confirm(),
+    letGo() {
+      hands.letGo();
+      steer();
+    },
+    lever(throttle) {
+      hands.setThrottle(throttle);
+      steer();
+    },
+    moved() {
+      hands.deflect();
+      steer();
+    },
+    changed: () => parts.game.reword(),
+    tell: page.banner.flash,
+    isResting: hands.isResting,
+  });
+}
+
+function wireGame(page: Page, parts: Parts): MissionGame {
+  const { choices, address, notice, best, part } = page;
+  return createMissionGame({
+    live: parts.live,
+    choices: () => choices,
+    choose: parts.chooser.choose,
+    restart: parts.chooser.beginAnew,
+    goal: createGoalPanel(part('goal')),
+    card: createMissionCard(part('card')),
+    address,
+    notice,
+    best,
+    device: parts.devices.device,
+    cap: keyCapOf(page, parts),
+    lookDown: parts.lookDown.begin,
+  });
+}

@@ -1,0 +1,122 @@
+import type { Action } from './keyTable';
+import type { Deflection } from './stick';
+
+/** The standard mapping of the Gamepad specification: buttons by number. */
+const BUTTONS: readonly (readonly [number, Action | 'confirm'])[] = [
+  [0, 'confirm'],
+  [1, 'throttleCut'],
+  [2, 'rateDamping'],
+  [3, 'autopilot'],
+  [8, 'restart'],
+  [9, 'pause'],
+  [12, 'modeUpright'],
+  [13, 'killRates'],
+  [14, 'modeRetrograde'],
+  [15, 'modeHold'],
+];
+const [LEFT_SHOULDER, RIGHT_SHOULDER, LEFT_TRIGGER, RIGHT_TRIGGER] = [4, 5, 6, 7] as const;
+
+/** What the buttons do, for help. */
+export const GAMEPAD_WORDS: readonly (readonly [string, string])[] = [
+  ['Left stick', 'Tilt'],
+  ['Right stick', 'Push'],
+  ['LB, RB', 'Turn left, right'],
+  ['LT, RT', 'Less, more thrust'],
+  ['A', 'Continue'],
+  ['B', 'Cut the engine'],
+  ['X', 'Rate damping'],
+  ['Y', 'Autopilot'],
+  ['Pad up, down', 'Upright, stop turning'],
+  ['Back, Start', 'Restart, pause'],
+];
+
+/** Deflection below which a stick is at rest: worn ones do not come back to 0. */
+const DEAD = 0.16;
+/** Steps of a deflection: what is not felt is not sent. */
+const STEPS = 20;
+
+/** A raw axis, −1 … 1, with its dead zone taken out and the rest spread over the whole range. */
+export function withDeadZone(raw: number): number {
+  const size = Math.abs(raw);
+  if (!(size > DEAD)) return 0;
+  const share = Math.min(1, (size - DEAD) / (1 - DEAD));
+  return (Math.sign(raw) * Math.round(share * STEPS)) / STEPS;
+}
+
+/** What of a Gamepad is read. */
+export interface PadState {
+  readonly mapping: string;
+  readonly axes: readonly number[];
+  readonly buttons: readonly { readonly pressed: boolean; readonly value: number }[];
+}
+
+/** Fills the deflection from a pad of the standard mapping; false where it has another one, which nobody can know. */
+export function readPad(out: Deflection, pad: PadState): boolean {
+  if (pad.mapping !== 'standard') return false;
+  const axis = (i: number) => withDeadZone(pad.axes[i] ?? 0) + 0;
+  const button = (i: number) => withDeadZone(pad.buttons[i]?.value ?? 0);
+  out.tiltRight = axis(0);
+  out.tiltAway = -axis(1) + 0;
+  out.pushRight = axis(2);
+  out.pushAway = -axis(3) + 0;
+  out.pushUp = 0;
+  out.turnLeft = button(LEFT_SHOULDER) - button(RIGHT_SHOULDER);
+  out.lever = button(RIGHT_TRIGGER) - button(LEFT_TRIGGER);
+  return true;
+}
+
+export interface GamepadListeners {
+  readonly pressed: (action: Action) => void;
+  readonly confirmed: () => void;
+  /** A pad came into use, or went. */
+  readonly changed: (name: string | null) => void;
+}
+
+/** Reads the first pad of the standard mapping once a frame; true while it is deflected. */
+export function createGamepads(
+  navigator: Pick<Navigator, 'getGamepads'>,
+  deflection: () => Deflection,
+  listeners: GamepadListeners,
+): () => boolean {
+  const down = new Set<number>();
+  let name: string | null = null;
+  let wasActive = false;
+  return () => {
+    const pad = padsOf(navigator).find((each) => each?.mapping === 'standard') ?? null;
+    if ((pad?.id ?? null) !== name) {
+      name = pad?.id ?? null;
+      listeners.changed(name);
+    }
+    if (pad === null) return false;
+    for (const [number, action] of BUTTONS) {
+      const pressed = pad.buttons[number]?.pressed ?? false;
+      if (pressed === down.has(number)) continue;
+      if (!pressed) down.delete(number);
+      else {
+        down.add(number);
+        if (action === 'confirm') listeners.confirmed();
+        else listeners.pressed(action);
+      }
+    }
+    const isActive = isDeflected(pad);
+    // At rest it leaves thumb sticks on the screen alone.
+    if (isActive || wasActive) readPad(deflection(), pad);
+    wasActive = isActive;
+    return isActive;
+  };
+}
+
+function isDeflected(pad: PadState): boolean {
+  if (pad.axes.slice(0, 4).some((raw) => withDeadZone(raw) !== 0)) return true;
+  const held = [LEFT_SHOULDER, RIGHT_SHOULDER, LEFT_TRIGGER, RIGHT_TRIGGER];
+  return held.some((i) => withDeadZone(pad.buttons[i]?.value ?? 0) !== 0);
+}
+
+/** A page may be forbidden to read pads. */
+function padsOf(navigator: Pick<Navigator, 'getGamepads'>): readonly (Gamepad | null)[] {
+  try {
+    return navigator.getGamepads();
+  } catch {
+    return [];
+  }
+}

@@ -1,0 +1,97 @@
+import { append, appendButton } from '../panels/elements';
+import type { Action } from './keyTable';
+import type { Deflection } from './stick';
+
+export interface ThumbListeners {
+  readonly deflection: () => Deflection;
+  /** A thumb touched, moved or left. */
+  readonly moved: () => void;
+  readonly lever: (throttle: number) => void;
+  readonly pressed: (action: Action) => void;
+}
+
+export interface Thumbs {
+  /** Throttle, 0 … 1, and what hovers, 0 … 1 or NaN. */
+  readonly show: (throttle: number, hover: number) => void;
+}
+
+/** CSS px from a stick's middle to its full deflection. */
+const REACH = 44;
+const STEPS = 10;
+
+const BUTTONS: readonly (readonly [Action, string])[] = [
+  ['throttleCut', 'Cut'],
+  ['rateDamping', 'Damping'],
+  ['modeUpright', 'Upright'],
+  ['autopilot', 'Auto'],
+];
+
+/** Two thumb sticks and a lever, with words; shown where fingers are the pointer. The lever and the buttons are native controls. */
+export function createThumbs(host: HTMLElement, listeners: ThumbListeners): Thumbs {
+  const { deflection, moved } = listeners;
+  createStickPad(host, 'Tilt', (right, away) => {
+    Object.assign(deflection(), { tiltRight: right, tiltAway: away });
+    moved();
+  });
+  const middle = append(host, 'div', 'thumb-middle');
+  const label = append(middle, 'label', 'thumb-lever');
+  const words = append(label, 'span', '', 'Engine');
+  const lever = append(label, 'input');
+  lever.type = 'range';
+  lever.min = '0';
+  lever.max = '100';
+  lever.step = '0.5';
+  lever.addEventListener('input', () => listeners.lever(lever.valueAsNumber / 100));
+  const buttons = append(middle, 'div', 'thumb-buttons');
+  for (const [action, text] of BUTTONS) appendButton(buttons, text, () => listeners.pressed(action));
+  createStickPad(host, 'Push', (right, away) => {
+    Object.assign(deflection(), { pushRight: right, pushAway: away });
+    moved();
+  });
+  let shown = '';
+  return {
+    show(throttle, hover) {
+      const text = `Engine ${(throttle * 100).toFixed(0)} %${Number.isNaN(hover) ? '' : `, hover ${(hover * 100).toFixed(0)} %`}`;
+      if (text === shown) return;
+      shown = text;
+      words.textContent = text;
+      if (document.activeElement !== lever || Math.abs(lever.valueAsNumber - throttle * 100) > 1)
+        lever.value = String(throttle * 100);
+    },
+  };
+}
+
+/** A round pad: where the thumb is from where it came down, in steps. Fingers alone use it; keys and pads do the same. */
+function createStickPad(host: HTMLElement, text: string, tell: (right: number, away: number) => void): void {
+  const pad = append(host, 'div', 'thumb');
+  pad.setAttribute('aria-hidden', 'true');
+  const knob = append(pad, 'span', 'knob', text);
+  let finger = -1;
+  let from = { x: 0, y: 0 };
+  let told = '0 0';
+  const move = (x: number, y: number) => {
+    const size = Math.max(1, Math.hypot(x, y) / REACH);
+    const [right, away] = [x / REACH / size, -y / REACH / size].map((v) => Math.round(v * STEPS) / STEPS + 0);
+    knob.style.translate = `${x / size}px ${y / size}px`;
+    const next = `${right!} ${away!}`;
+    if (next === told) return;
+    told = next;
+    tell(right!, away!);
+  };
+  pad.addEventListener('pointerdown', (event) => {
+    if (finger >= 0) return;
+    finger = event.pointerId;
+    from = { x: event.clientX, y: event.clientY };
+    pad.setPointerCapture(finger);
+    event.preventDefault();
+  });
+  pad.addEventListener('pointermove', (event) => {
+    if (event.pointerId === finger) move(event.clientX - from.x, event.clientY - from.y);
+  });
+  for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'] as const)
+    pad.addEventListener(end, (event) => {
+      if (event.pointerId !== finger) return;
+      finger = -1;
+      move(0, 0);
+    });
+}

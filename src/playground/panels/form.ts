@@ -1,0 +1,54 @@
+import type { Choices } from './choices';
+import { appendField } from './elements';
+
+/** Fields that show the choices and tell what was chosen. */
+export interface Form {
+  readonly field: (
+    parent: Element,
+    title: string,
+    name: keyof Choices,
+    control: HTMLInputElement | HTMLSelectElement,
+  ) => void;
+  /** Something else that follows the choices. */
+  readonly also: (show: (choices: Choices) => void) => void;
+  readonly change: (name: keyof Choices, text: string) => string | null;
+  readonly show: (choices: Choices) => void;
+}
+
+/** What a real server does not take: its world is its own. */
+const BUILT_IN_ONLY = new Set<keyof Choices>([
+  'scenario',
+  'body',
+  'shipClass',
+  'terrain',
+  'tickRate',
+  'timeScale',
+  'network',
+  'delay',
+  'jitter',
+  'stalled',
+  'stall',
+  'slow',
+  'fleet',
+  'seed',
+  'legacy',
+]);
+
+export function createForm(change: (name: keyof Choices, text: string) => string | null): Form {
+  const shows: ((choices: Choices) => void)[] = [];
+  return {
+    change,
+    also: (show) => shows.push(show),
+    show: (choices) => shows.forEach((show) => show(choices)),
+    field(parent, title, name, control) {
+      const made = appendField(parent, title, control);
+      control.addEventListener('change', () => made.complain(change(name, control.value) ?? ''));
+      shows.push((choices) => {
+        const text = String(choices[name]);
+        if (control.value !== text) control.value = text;
+        control.disabled = choices.server !== '' && BUILT_IN_ONLY.has(name);
+        made.complain('');
+      });
+    },
+  };
+}

@@ -1,0 +1,96 @@
+import { BODIES, SHIP_CLASSES, TERRAINS } from '../../dynamics';
+import { type Choices, NETWORKS, OVERLAY_NAMES, type OverlayName } from './choices';
+import { append, appendDetails, createNumber, createSelect } from './elements';
+import type { Form } from './form';
+
+const NETWORK_WORDS: Readonly<Record<(typeof NETWORKS)[number], string>> = {
+  lan: 'LAN, 2 ms',
+  broadband: 'Broadband, 20 ms',
+  fourG: '4G, 50 ms, 2 % stalled',
+  satellite: 'Satellite, 300 ms',
+  broken: 'Broken, 100 ms, 10 % stalled',
+  custom: 'Custom',
+};
+const OVERLAY_WORDS: Readonly<Record<OverlayName, string>> = {
+  ghost: 'Server ghost',
+  errorSegment: 'Error segment',
+  contactNormal: 'Contact normal',
+  footprint: 'Footprint',
+  forces: 'Forces',
+};
+
+/** `fast_frigate` → `Fast frigate`: ids are for programs. */
+export function nameOf(id: string): string {
+  const words = id.replaceAll('_', ' ');
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+/** How client, network and world are set. */
+export function appendSettings(host: Element, form: Form): void {
+  const document = host.ownerDocument;
+  const modes = [
+    ['predicted', 'Predicted'],
+    ['gravity', 'Gravity only'],
+    ['last', 'Last state'],
+  ] as const;
+  form.field(host, 'Client', 'mode', createSelect(document, modes));
+  const networks = NETWORKS.map((name) => [name, NETWORK_WORDS[name]] as const);
+  form.field(host, 'Network', 'network', createSelect(document, networks));
+  const custom = append(host, 'div');
+  form.field(custom, 'Delay, ms', 'delay', createNumber(document, 0, 5000, 1));
+  form.field(custom, 'Jitter, ms', 'jitter', createNumber(document, 0, 1000, 1));
+  form.field(custom, 'Stalled, %', 'stalled', createNumber(document, 0, 50, 0.1));
+  form.field(custom, 'Stall, ms', 'stall', createNumber(document, 0, 10_000, 10));
+  form.also(({ network }) => (custom.hidden = network !== 'custom'));
+  const speeds = [0.1, 0.25, 0.5, 1, 2, 4].map((speed) => [String(speed), `${speed} ×`] as const);
+  form.field(host, 'Speed', 'slow', createSelect(document, speeds));
+  appendWorld(appendDetails(host, 'World', false), form);
+  form.also(createChecks(host, form.change));
+}
+
+function appendWorld(world: Element, form: Form): void {
+  const document = world.ownerDocument;
+  const own = ['', 'Scenario default'] as const;
+  const named = (names: readonly string[]) => names.map((name) => [name, nameOf(name)] as const);
+  const list = (names: readonly string[]) => createSelect(document, [own, ...named(names)]);
+  form.field(world, 'Body', 'body', list(BODIES.map(({ name }) => name)));
+  form.field(world, 'Ship', 'shipClass', list(SHIP_CLASSES.map(({ name }) => name)));
+  form.field(world, 'Terrain', 'terrain', list(Object.keys(TERRAINS)));
+  form.field(world, 'Tick rate, Hz', 'tickRate', createNumber(document, 0, 100, 0.1));
+  form.field(world, 'Time scale', 'timeScale', createNumber(document, 0, 100, 0.1));
+  append(world, 'p', 'quiet', '0: scenario default.');
+  form.field(world, 'Other ships', 'fleet', createNumber(document, 0, 999, 1));
+  form.field(world, 'Seed', 'seed', createNumber(document, 0, 0xffffffff, 1));
+  const protocols = [
+    ['0', 'Current'],
+    ['1', 'Legacy'],
+  ] as const;
+  form.field(world, 'Protocol', 'legacy', createSelect(document, protocols));
+  const server = document.createElement('input');
+  server.type = 'text';
+  server.placeholder = 'ws://… (empty: built-in)';
+  form.field(world, 'Server', 'server', server);
+}
+
+/** Boxes to tick for what lies over the picture. */
+function createChecks(
+  host: Element,
+  change: (name: keyof Choices, text: string) => string | null,
+): (choices: Choices) => void {
+  const set = append(host, 'fieldset', 'checks');
+  append(set, 'legend', '', 'Show');
+  const boxes = OVERLAY_NAMES.map((name) => {
+    const label = append(set, 'label');
+    const box = append(label, 'input');
+    box.type = 'checkbox';
+    append(label, 'span', '', OVERLAY_WORDS[name]);
+    box.addEventListener('change', () => {
+      const chosen = OVERLAY_NAMES.filter((_, i) => boxes[i]!.checked);
+      change('overlays', chosen.join(','));
+    });
+    return box;
+  });
+  return ({ overlays }) => {
+    OVERLAY_NAMES.forEach((name, i) => (boxes[i]!.checked = overlays.includes(name)));
+  };
+}

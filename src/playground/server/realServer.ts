@@ -1,0 +1,148 @@
+import {
+  createDriver,
+  createGameConnection,
+  type GameClock,
+  type GameSocket,
+  type LinkStatus,
+} from '../../game';
+import {
+  type ClientMessage,
+  decodeServerMessage,
+  encodeClientMessage,
+  MAX_TICK,
+  type ServerMessage,
+} from '../../wire';
+import type { Connection, ConnectionHandlers } from './connection';
+
+/**
+ * A real server (`?server=`). An address that ends in /ws speaks the game's JSON; any other this project's bytes, as the
+ * gateway's /stream does. A `token` in the address's query signs in, and is not shown.
+ *
+ * It takes no orders: nothing of pause, restart, scenario and slow motion reaches it, and onRefused says so.
+ */
+export function openServer(given: string, handlers: ConnectionHandlers): Connection {
+  const { address, token } = splitToken(given);
+  const link = isGames(address) ? openGame(address, token, handlers) : openStream(address, token, handlers);
+  return {
+    ...link,
+    operate: ({ kind }) => handlers.onRefused(`${kind}: only available with the built-in server`),
+    setSpeed(speed) {
+      if (speed !== 1) handlers.onRefused('slow motion: only available with the built-in server');
+    },
+  };
+}
+
+type Link = Pick<Connection, 'send' | 'reconnect' | 'dispose'>;
+
+/** As far as it can be read: an address that is none is told like a server that does not answer. */
+function splitToken(given: string): { readonly address: string; readonly token: string } {
+  if (!URL.canParse(given)) return { address: given, token: '' };
+  const url = new URL(given);
+  const token = url.searchParams.get('token') ?? '';
+  url.searchParams.delete('token');
+  const address = url.toString();
+  return { address: url.pathname === '/' && url.search === '' ? address.slice(0, -1) : address, token };
+}
+
+function isGames(address: string): boolean {
+  return URL.canParse(address) && new URL(address).pathname.endsWith('/ws');
+}
+
+const clock: GameClock = {
+  now: () => performance.now() / 1000,
+  after(seconds, act) {
+    const timer = setTimeout(act, seconds * 1000);
+    return () => clearTimeout(timer);
+  },
+};
+
+function openSocket(address: string): GameSocket {
+  const socket = new WebSocket(address);
+  socket.binaryType = 'arraybuffer';
+  return socket;
+}
+
+const MACHINE = { clock, dice: () => Math.random(), openSocket };
+
+/** What every link tells: the first welcome begins a world, the others go on in it. */
+function createTeller(handlers: ConnectionHandlers) {
+  let isOpened = false;
+  return {
+    opened() {
+      handlers.onOpen(isOpened ? 'again' : 'world');
+      isOpened = true;
+    },
+    status: ({ words }: LinkStatus) => handlers.onLink(words),
+  };
+}
+
+function openGame(address: string, token: string, handlers: ConnectionHandlers): Link {
+  const teller = createTeller(handlers);
+  const game = createGameConnection(
+    { address, token, ...MACHINE },
+    {
+      onStatus: teller.status,
+      onWelcome(about) {
+        teller.opened();
+        handlers.onWelcome(about);
+      },
+      onFrame: (frame, at) => handlers.onMessage(frame, at),
+      onShipGone: handlers.onShipGone,
+      onRefused: handlers.onRefused,
+    },
+  );
+  return {
+    send(message) {
+      // The game knows no stamps: what was commanded last acts from its next tick on.
+      const controls = message.kind === 'inputs' ? message.inputs.at(-1)?.controls : undefined;
+      if (controls !== undefined) game.sendControls(controls);
+    },
+    reconnect: game.retry,
+    dispose: game.dispose,
+  };
+}
+
+/** No ping of the predictor's has this number. */
+const OWN_PING: ClientMessage = { kind: 'ping', id: MAX_TICK };
+
+function openStream(address: string, token: string, handlers: ConnectionHandlers): Link {
+  const teller = createTeller(handlers);
+  // One page load is one session: inputs that are sent again after a break are known as the same.
+  const session = Array.from({ length: 4 }, () => Math.random().toString(36).slice(2, 10)).join('');
+  let since = -1;
+
+  function hear(message: ServerMessage): void {
+    const { phase } = driver.state();
+    if (message.kind === 'hello' && phase === 'authenticating') {
+      driver.happen({ kind: 'welcome' });
+      teller.opened();
+    } else if (message.kind === 'frame') {
+      since = message.tick;
+      driver.heardState(1 / message.tickRate);
+    } else if (message.kind === 'pong') driver.happen({ kind: 'pong' });
+    handlers.onMessage(message, clock.now());
+  }
+
+  const driver = createDriver({
+    address,
+    ...MACHINE,
+    auth: () =>
+      token === '' ? null : JSON.stringify({ type: 'auth', token, session, ...(since >= 0 && { since }) }),
+    ping: () => encodeClientMessage(OWN_PING),
+    onStatus: teller.status,
+    onData(data) {
+      if (!(data instanceof ArrayBuffer)) {
+        handlers.onRefused(`${address} sent text; the protocol is bytes`);
+        return;
+      }
+      const decoded = decodeServerMessage(new Uint8Array(data));
+      if (decoded.ok) hear(decoded.value);
+      else handlers.onUnusable(decoded.reason);
+    },
+  });
+  return {
+    send: (message) => void driver.write(encodeClientMessage(message)),
+    reconnect: () => driver.happen({ kind: 'retry' }),
+    dispose: () => driver.happen({ kind: 'end' }),
+  };
+}

@@ -1,0 +1,82 @@
+import {
+  createCockpitLandingHud,
+  createFleetHud,
+  createFlightHud,
+  type KeyLabel,
+  type TurnKeys,
+} from '../../hud';
+import type { WorldView } from '../../prediction';
+import {
+  createFleetReadout,
+  createFlightReadout,
+  createLandingAids,
+  createLandingReadout,
+  createTargetReadout,
+  type FlightReadout,
+  type LandingAids,
+  type LandingReadout,
+  updateFleetReadout,
+  updateFlightReadout,
+  updateLandingAids,
+  updateLandingReadout,
+  updateTargetReadout,
+  type Target,
+} from '../../readout';
+import type { FlightKey } from '../../hud';
+
+export interface CockpitPlace {
+  readonly host: Element;
+  readonly flightHost: Element;
+  readonly keyLabel: KeyLabel;
+  readonly turnKeys: TurnKeys;
+  readonly modeLabel: (key: FlightKey) => string;
+  readonly target: () => Target | null;
+  readonly screen: () => Float64Array;
+  readonly isAutopilotOn: () => boolean;
+}
+
+/** All displays, from one view a frame. */
+export interface Cockpit {
+  readonly paint: (view: WorldView) => void;
+  /** Another world: what was remembered of the old one goes. */
+  readonly forget: () => void;
+  readonly landing: () => LandingReadout;
+  readonly flight: FlightReadout;
+  readonly aids: LandingAids;
+  readonly aidsOn: () => boolean;
+  readonly toggleAids: () => boolean;
+}
+
+export function createCockpit(document: Document, place: CockpitPlace): Cockpit {
+  let landing = createLandingReadout();
+  const flight = createFlightReadout();
+  const aids = createLandingAids();
+  const target = createTargetReadout();
+  const fleet = createFleetReadout();
+  let aidsOn = true;
+  const { keyLabel, turnKeys } = place;
+  const landingHud = createCockpitLandingHud(document, place.host, { theme: 'system', keyLabel, turnKeys });
+  const fleetHud = createFleetHud(document, place.host, { theme: 'system' });
+  const flightHud = createFlightHud(document, place.flightHost, {
+    theme: 'system',
+    keyLabel: place.modeLabel,
+  });
+  return {
+    flight,
+    aids,
+    landing: () => landing,
+    aidsOn: () => aidsOn,
+    toggleAids: () => (aidsOn = !aidsOn),
+    forget() {
+      landing = createLandingReadout();
+    },
+    paint(view) {
+      landingHud.paint(updateLandingReadout(landing, view));
+      fleetHud.paint(updateFleetReadout(fleet, view));
+      updateFlightReadout(flight, view);
+      if (aidsOn) updateLandingAids(aids, view);
+      updateTargetReadout(target, view, place.target(), place.screen(), aids);
+      flightHud.paint({ flight, aids, target, autopilot: place.isAutopilotOn(), aidsOn });
+    },
+  };
+}

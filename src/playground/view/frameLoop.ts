@@ -1,0 +1,71 @@
+import type { WorldView } from '../../prediction';
+import type { Stage } from '../../scene';
+import { gameSeconds } from '../game/missionTracker';
+import type { Resolution } from './resolution';
+
+/** What a frame needs of the page. */
+export interface FramePlace {
+  readonly stage: Stage | null;
+  /** The view to show now; `milliseconds` of the frame. */
+  readonly look: (milliseconds: number) => { readonly view: WorldView; readonly now: number };
+  /** Everything that is shown of it, the picture apart. */
+  readonly paint: (view: WorldView, now: number) => void;
+  /** The view as the picture has it, with what else flies in it. */
+  readonly dress: (view: WorldView) => WorldView;
+  /** The first picture stands. */
+  readonly opened: () => void;
+  /** A world has been asked for and has not come yet. */
+  readonly isLoading: () => boolean;
+  readonly resolution: Resolution | null;
+  readonly fit: () => void;
+}
+
+export interface FrameLoop {
+  readonly start: () => void;
+  readonly resized: () => void;
+  readonly isWarm: () => boolean;
+}
+
+/** Draws as often as the browser asks. The first picture builds the ground and compiles its programs, a second or more. */
+export function createFrameLoop(window: Window, root: HTMLElement, place: FramePlace): FrameLoop {
+  const { stage } = place;
+  const freezeAt = Number(new URLSearchParams(window.location.search).get('freeze') ?? NaN);
+  let isWarm = false;
+  let isBuilding = false;
+  let isResized = false;
+
+  function frame(milliseconds: number): void {
+    if (root.dataset['frozen'] !== 'true') window.requestAnimationFrame(frame);
+    const { view, now } = place.look(milliseconds);
+    place.paint(view, now);
+    // Before the picture: a canvas that changes size is blank until it is drawn again.
+    // Frames in which nothing is drawn say nothing about the machine.
+    const isMeasured = view.ready && Number.isNaN(freezeAt);
+    const hasChanged = isMeasured && (place.resolution?.measure(milliseconds / 1000) ?? false);
+    if (hasChanged || isResized) {
+      isResized = false;
+      place.fit();
+    }
+    if (view.ready && (isWarm || !isBuilding)) stage?.draw(place.dress(view), now);
+    if (view.ready && !isWarm) {
+      isBuilding = true;
+      isWarm = stage === null || stage.hasDrawn();
+      if (isWarm) place.opened();
+      return;
+    }
+    if (view.ready && !place.isLoading()) markReady(view);
+  }
+
+  /** For tests and screenshots: on the root element, nowhere else. */
+  function markReady(view: WorldView): void {
+    const seconds = gameSeconds(view);
+    if (seconds >= freezeAt) root.dataset['frozen'] = 'true';
+    if (Number.isNaN(freezeAt) || seconds >= freezeAt) root.dataset['ready'] = 'true';
+  }
+
+  return {
+    start: () => window.requestAnimationFrame(frame),
+    resized: () => (isResized = true),
+    isWarm: () => isWarm,
+  };
+}

@@ -1,0 +1,47 @@
+import type { BodyState } from '../../wire';
+import type { Warn } from '../warnings';
+
+/** kg/m³: of everything between a comet and a white dwarf. */
+const LEAST_DENSITY = 50;
+const MOST_DENSITY = 50_000;
+/** rad/s: a turn in two minutes, faster than any body that holds together by its weight. */
+const FASTEST_SPIN = 0.05;
+
+/** Warns of bodies that cannot be: a vector that is no list, not finite, km for metres, degrees for radians. */
+export function checkBodies(warn: Warn, bodies: readonly BodyState[]): void {
+  for (const body of bodies as readonly unknown[])
+    if (typeof body === 'object' && body !== null) checkBody(warn, body as BodyState);
+}
+
+function checkBody(warn: Warn, body: BodyState): void {
+  const { name, mass, radius } = body;
+  for (const [field, count] of [
+    ['position', 3],
+    ['velocity', 3],
+    ['attitude', 4],
+    ['angularVelocity', 3],
+  ] as const) {
+    const value: unknown = body[field];
+    if (value === undefined || value === null || areNumbers(value, count)) continue;
+    const message = `${field} of body ${name}: expected a list of ${count} finite numbers. Decode the frame with decodeFrameJson.`;
+    warn('body-unusable', message, { body: name, field, value });
+    return;
+  }
+  const density = mass / ((4 / 3) * Math.PI * radius ** 3);
+  if (density < LEAST_DENSITY || density > MOST_DENSITY)
+    warn('body-density', `Body ${name} weighs ${density} kg/m³: mass in kg, radius in m (not km)?`, {
+      body: name,
+      mass,
+      radius,
+    });
+  const spin = Math.hypot(...((body as Partial<BodyState>).angularVelocity ?? [0]));
+  if (spin > FASTEST_SPIN)
+    warn('body-spin-in-degrees', `Body ${name} turns by ${spin} rad/s: hand in radians, not degrees.`, {
+      body: name,
+      value: body.angularVelocity,
+    });
+}
+
+function areNumbers(value: unknown, count: number): boolean {
+  return Array.isArray(value) && value.length === count && value.every(Number.isFinite);
+}

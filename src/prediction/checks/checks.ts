@@ -1,0 +1,57 @@
+import type { Controls } from '../../dynamics';
+import type { PartialFrame, ServerMessage } from '../../wire';
+import type { Session } from '../session';
+import { type Calls, createCalls, noteAdvance, noteFrame, noteUntaken, noteView } from './calls';
+import { checkControls } from './controls';
+import { checkKind, checkMessage } from './messages';
+import { checkOptions } from './options';
+
+/** Looks at what a caller hands in, and warns (ERRORS.md). Changes nothing; not there unless someone listens. */
+export interface Checks {
+  readonly receive: (message: ServerMessage | PartialFrame, now: number) => void;
+  readonly advance: (controls: Controls | null, now: number) => void;
+  readonly view: () => void;
+  readonly taken: () => void;
+}
+
+/** Frames that are looked at one by one; later ones in samples: what is wrong is mostly wrong from the start. */
+const FIRST = 50;
+const SAMPLED = 50;
+
+/** The checks of one predictor, or null where nobody listens. */
+export function createChecks(session: Session): Checks | null {
+  const { warn, options } = session;
+  if (options.onWarning === undefined) return null;
+  checkOptions(warn, options);
+  const calls = createCalls();
+  return {
+    receive: (message, now) => lookAtMessage(session, calls, message, now),
+    advance(controls, now) {
+      if (!Number.isFinite(now)) return;
+      noteAdvance(warn, calls, now);
+      if (calls.advances <= FIRST || calls.advances % SAMPLED === 0) checkControls(warn, controls);
+      const { inputs } = session.sim;
+      noteUntaken(warn, calls, inputs.records.length - inputs.unsent);
+      if (controls !== null && session.receiver.ownShipId === '' && calls.frames > 0) {
+        const message =
+          'Controls are given and there is no own ship: set ownShipId, or give null as a spectator.';
+        warn('controls-without-ship', message, { controls });
+      }
+    },
+    view: () => noteView(warn, calls),
+    taken: () => (calls.takenAt = calls.advances),
+  };
+}
+
+function lookAtMessage(
+  session: Session,
+  calls: Calls,
+  message: ServerMessage | PartialFrame,
+  now: number,
+): void {
+  const { warn, config, receiver } = session;
+  if (!checkKind(warn, message)) return;
+  if (message.kind === 'frame' && Number.isFinite(now))
+    noteFrame(warn, calls, message, now, receiver.ownShipId);
+  if (calls.frames <= FIRST || calls.frames % SAMPLED === 0) checkMessage(warn, message, config.bodies);
+}

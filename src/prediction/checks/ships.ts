@@ -1,0 +1,129 @@
+import type { BodyState, ShipState } from '../../wire';
+import type { Warn } from '../warnings';
+
+type Vector = readonly [number, number, number];
+
+const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const times = (a: Vector, k: number): Vector => [a[0] * k, a[1] * k, a[2] * k];
+const lengthOf = (v: readonly number[]): number => Math.hypot(...v);
+
+/** rad/s: two turns a second, which no ship's thrusters reach and no pilot survives. */
+const FASTEST_SPIN = 12.6;
+/** m by which a ship that has landed may be off the ball of its body: the highest mountains. */
+const HIGHEST_GROUND = 30_000;
+/** m/s: what lands moves no faster against its body than this. */
+const FAST = 10_000;
+
+/** Warns of a ship's state that cannot be: other units, another order of components, another place. Not called for malformed ones. */
+export function checkShip(warn: Warn, ship: ShipState, bodies: readonly BodyState[]): void {
+  const { shipId } = ship;
+  const size = lengthOf(ship.attitude);
+  if (Math.abs(size - 1) > 1e-3)
+    warn('attitude-not-unit', `The attitude of ${shipId} has length ${size}: expected a unit quaternion.`, {
+      shipId,
+      value: ship.attitude,
+    });
+  const spin = lengthOf(ship.angularVelocity);
+  if (spin > FASTEST_SPIN)
+    warn('spin-in-degrees', `${shipId} turns by ${spin} rad/s: hand in radians, not degrees.`, {
+      shipId,
+      value: ship.angularVelocity,
+    });
+  const [x, y, z, w] = ship.attitude;
+  if (x === 1 && y === 0 && z === 0 && w === 0) warnOfOrder(warn, ship);
+  const near = nearestBody(ship.position, bodies);
+  if (near !== null) checkPlace(warn, ship, near);
+  checkRelative(warn, ship, bodies);
+}
+
+function warnOfOrder(warn: Warn, { shipId, attitude }: ShipState): void {
+  const message = `The attitude of ${shipId} looks like [w, x, y, z]: hand in [x, y, z, w].`;
+  warn('quaternion-order', message, { shipId, value: attitude });
+}
+
+/** The body whose ground is nearest, if any is told with a place. */
+function nearestBody(position: Vector, bodies: readonly BodyState[]): BodyState | null {
+  let best: BodyState | null = null;
+  let least = Infinity;
+  for (const body of bodies) {
+    if (!Array.isArray(body.position)) continue;
+    const height = Math.abs(lengthOf(minus(position, body.position)) - body.radius);
+    if (height >= least) continue;
+    least = height;
+    best = body;
+  }
+  return best;
+}
+
+function checkPlace(warn: Warn, ship: ShipState, body: BodyState): void {
+  const { shipId } = ship;
+  const from = minus(ship.position, body.position);
+  const distance = lengthOf(from);
+  const enlarged = lengthOf(minus(times(ship.position, 1000), body.position));
+  if (distance > 10 * body.radius && enlarged < 2 * body.radius) {
+    const message = `${shipId} is ${distance} m from ${body.name}, and near it a thousand times as far out: hand in metres, not km.`;
+    warn('position-in-kilometres', message, { shipId, value: ship.position });
+    return;
+  }
+  if (distance < 0.5 * body.radius)
+    warn('ship-inside-body', `${shipId} is inside ${body.name}: positions are ICRF metres, not relative.`, {
+      shipId,
+      body: body.name,
+      value: ship.position,
+    });
+  const speed = lengthOf(minus(ship.velocity, body.velocity));
+  const enlargedSpeed = lengthOf(minus(times(ship.velocity, 1000), body.velocity));
+  if (distance < 2 * body.radius && speed > FAST && enlargedSpeed < FAST)
+    warn('velocity-in-kilometres', `${shipId} moves by ${speed} m/s against ${body.name}: m/s, not km/s.`, {
+      shipId,
+      value: ship.velocity,
+    });
+  if (ship.landedBodyName === body.name) checkLanded(warn, ship, { body, from, distance });
+}
+
+interface Landed {
+  readonly body: BodyState;
+  readonly from: Vector;
+  readonly distance: number;
+}
+
+function checkLanded(warn: Warn, ship: ShipState, { body, from, distance }: Landed): void {
+  const height = distance - body.radius;
+  if (Math.abs(height) > HIGHEST_GROUND && distance > 0.5 * body.radius) {
+    const message = `${ship.shipId} stands on ${body.name}, ${height} m from its radius: are ship and bodies of one tick?`;
+    warn('landed-off-ground', message, { shipId: ship.shipId, height });
+  }
+  if (ship.surfaceContactState !== 'landed' && ship.surfaceContactState !== '') return;
+  const [x, y, z, w] = ship.attitude;
+  const upright = along([x, y, z, w], from) / distance;
+  const reordered = along([y, z, w, x], from) / distance;
+  if (upright < 0.5 && reordered > 0.98) warnOfOrder(warn, ship);
+}
+
+/** The component along `v` of the ship's +Z, its up on the ground; `q` is [x, y, z, w]. */
+function along([x, y, z, w]: readonly [number, number, number, number], v: Vector): number {
+  return 2 * (x * z + w * y) * v[0] + 2 * (y * z - w * x) * v[1] + (1 - 2 * (x * x + y * y)) * v[2];
+}
+
+function checkRelative(warn: Warn, ship: ShipState, bodies: readonly BodyState[]): void {
+  const { shipId, relativePosition, referenceBody, landedBodyName } = ship;
+  if (Array.isArray(relativePosition)) {
+    const body = bodies.find(({ name }) => name === referenceBody);
+    const distance = lengthOf(relativePosition as Vector);
+    if (body !== undefined && distance < 0.01 * body.radius)
+      warn(
+        'position-in-kilometres',
+        `${shipId} is ${distance} m from the centre of ${referenceBody}: metres, not km.`,
+        {
+          shipId,
+          value: relativePosition,
+        },
+      );
+  }
+  const named = landedBodyName || referenceBody;
+  if (bodies.length > 0 && named !== '' && !bodies.some(({ name }) => name === named))
+    warn('body-unknown', `${shipId} is at ${named}, which no frame and no hello tells: hand its body in.`, {
+      shipId,
+      body: named,
+    });
+}

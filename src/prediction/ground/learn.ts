@@ -1,0 +1,171 @@
+import { CRASHED, IMPACT_SPEED, LANDED, REFERENCE_BODY, SURFACE_STATE, TIPPED } from '../../dynamics';
+import { knowsBoundary } from '../snapshots/bodyTrack';
+import { sameCommand } from '../snapshots/compare';
+import type { Simulation } from '../simulation/simulation';
+import { copyRow, type Track } from '../simulation/track';
+import { actsBetween } from '../inputs/scheduledInput';
+import { spanOf } from '../time/timeline';
+import { fitGround, type Guess } from './fit';
+import { agePlaces, type GroundPlace, keepPlace, metresFrom, offsetAt, placeAt } from './learnedGround';
+import { createObservation, type Observation, observe } from './observe';
+import { costOf, type Evidence, type Misfit, replayBetween, replayedRow } from './trial';
+
+/** A server state of one ship, and the bodies of its tick. */
+export interface GroundNews {
+  readonly row: Float64Array;
+  readonly tick: number;
+  readonly bodies: Float64Array;
+  /** Client wall s. */
+  readonly now: number;
+  /** The server told the speed of the touch; else the replay that explains the state does. */
+  readonly toldImpact: boolean;
+}
+
+/** Feet this far above the ground of a ship that the server has on it, or below it of one that flies, contradict it, m. */
+const ABOVE = 0.1;
+const BELOW = 0.03;
+/** A landed ship may rest this far from its static depth, m: the law lets it. */
+const RESTING = 0.06;
+/** Costs: a ground that explains two states this well is right; a new one must halve the old one's, and in flight explain them. */
+const EXPLAINED = 0.1;
+const BETTER = 0.5;
+const EXPLAINED_IN_FLIGHT = 2;
+/** Substeps between two states beyond which they are not replayed, and the share of a fit that others may have in one frame. */
+const MAX_INTERVAL = 400;
+const OTHERS_BUDGET = 8_000;
+/** Replays a fit takes, about. */
+const REPLAYS = 20;
+/** Slopes steeper than this are no slopes, m/m. */
+const STEEPEST = 0.6;
+
+/**
+ * Learns the ground from a state that was not predicted, or on ground that was learned before: by replay between this ship's last
+ * two states where nothing but the ground can be the cause, else from what the state says outright (PREDICTION, A ground that is
+ * not quite the server's). With the server's own ground nothing is learned.
+ */
+export function learnGround(sim: Simulation, track: Track, news: GroundNews): void {
+  const { ground } = track;
+  const { row, bodies, now } = news;
+  agePlaces(ground, now);
+  observe(seen, row, bodies, sim.world);
+  if (seen.crashed) return;
+  const body = sim.world.bodies[row[REFERENCE_BODY]!]!;
+  const [nx, ny, nz] = seen.direction as unknown as [number, number, number];
+  const known = offsetAt(ground.places, body.name, nx, ny, nz);
+  const old = placeAt(ground, body.name, seen.direction);
+  const guess = outright(news, known);
+  const evidence = evidenceOf(sim, track, news);
+  if (evidence === null) {
+    if (guess !== null) keepPlace(ground, placeOf(news, body, { old, offset: guess }));
+    return;
+  }
+  replayBetween(misfit, sim, track, evidence);
+  const before = costOf(misfit, null);
+  if (before <= EXPLAINED) {
+    if (old !== null) confirmPlace(old, now);
+    return;
+  }
+  const place = placeOf(news, body, { old, offset: known });
+  const guesses = guessesOf(news, known, old);
+  const cost = fitGround({ sim, track, evidence, seen, place }, ground, guesses, !isResting(row));
+  const explains = cost < before * BETTER && (seen.grounded || cost < EXPLAINED_IN_FLIGHT);
+  if (explains) keepPlace(ground, place);
+  else if (guess !== null) keepPlace(ground, placeOf(news, body, { old, offset: guess }));
+  if (!news.toldImpact && seen.grounded) recallImpact(sim, track, evidence, row);
+}
+
+/** Remembers a state as the one that the next is held against. */
+export function keepEvidence(track: Track, row: Float64Array, tick: number): void {
+  copyRow(track.evidence.row, 0, row, 0);
+  track.evidence.tick = tick;
+}
+
+/** What a state says of the ground by itself, m above ours, or null: nothing that is not known already. */
+function outright({ row }: GroundNews, known: number): number | null {
+  const above = seen.feet - known;
+  const depth = seen.gravity / 100;
+  if (isResting(row)) return Math.abs(above + depth) > RESTING ? seen.feet + depth : null;
+  if (seen.grounded) return above > ABOVE ? seen.feet + (Math.abs(seen.climb) < 0.5 ? depth : 0) : null;
+  return above < -BELOW && seen.climb < 0 ? seen.feet : null;
+}
+
+function isResting(row: Float64Array): boolean {
+  return row[SURFACE_STATE] === LANDED || (row[SURFACE_STATE] === TIPPED && seen.speed < 0.5);
+}
+
+/** Grounds worth trying: as it is known; as deep as the ship would rest; with the slope that its climb, or the last place, gives. */
+function guessesOf({ row }: GroundNews, known: number, old: GroundPlace | null): Guess[] {
+  const slope = old === null ? 0 : dot(old.slope, seen.way);
+  const guesses: Guess[] = [{ offset: known, slope }];
+  if (!seen.grounded) return guesses;
+  const offset = seen.feet + seen.gravity / 100;
+  guesses.push({ offset, slope }, { offset, slope: 0 });
+  if (isResting(row)) return guesses;
+  if (seen.speed > 2 && Math.abs(seen.climb) < STEEPEST * seen.speed)
+    guesses.push({ offset, slope: seen.climb / seen.speed });
+  const way = old === null ? 0 : metresFrom(old, seen.direction);
+  if (old !== null && way > 2 && Math.abs(offset - old.offset) < STEEPEST * way)
+    guesses.push({ offset, slope: (offset - old.offset) / way });
+  return guesses;
+}
+
+/** The last state and this one, where nothing between them is unknown but the ground; else null. */
+function evidenceOf(sim: Simulation, track: Track, { row, tick }: GroundNews): Evidence | null {
+  const { evidence } = track;
+  const { timeline, bodies } = sim;
+  if (evidence.tick < 0 || evidence.tick >= tick || !knowsBoundary(bodies, evidence.tick)) return null;
+  const { timing } = spanOf(timeline, tick);
+  const span = spanOf(timeline, evidence.tick);
+  const substeps = (tick - evidence.tick) * timing.substeps;
+  if (span.timing.substeps !== timing.substeps || span.paused || substeps > MAX_INTERVAL) return null;
+  if (evidence.row[CRASHED] === 1 || evidence.row[REFERENCE_BODY] !== row[REFERENCE_BODY]) return null;
+  if (!sameCommand(evidence.row, 0, row, 0)) return null;
+  if (track.own && actsBetween(sim.inputs, evidence.tick, tick)) return null;
+  if (!track.own && !takeBudget(sim, tick, substeps)) return null;
+  return { from: evidence.row, fromTick: evidence.tick, to: row, toTick: tick };
+}
+
+/** Others share what a frame may spend; who comes too late is judged by its state alone. */
+function takeBudget(sim: Simulation, tick: number, substeps: number): boolean {
+  const { learning } = sim;
+  if (learning.tick !== tick) {
+    learning.tick = tick;
+    learning.spent = 0;
+  }
+  if (learning.spent + substeps * REPLAYS > OTHERS_BUDGET) return false;
+  learning.spent += substeps * REPLAYS;
+  return true;
+}
+
+/** The touch that began this contact, by the replay on the ground as it is known now; where that has none, the speed it fell with. */
+function recallImpact(sim: Simulation, track: Track, evidence: Evidence, row: Float64Array): void {
+  replayBetween(misfit, sim, track, evidence);
+  const replayed = replayedRow();
+  if (replayed[SURFACE_STATE] === row[SURFACE_STATE]) row[IMPACT_SPEED] = replayed[IMPACT_SPEED]!;
+}
+
+function placeOf(
+  { now }: GroundNews,
+  body: { readonly name: string; readonly radius: number },
+  { old, offset }: { readonly old: GroundPlace | null; readonly offset: number },
+): GroundPlace {
+  return {
+    ...{ bodyName: body.name, bodyRadius: body.radius, offset, weight: 1, seenAt: now },
+    direction: seen.direction.slice(),
+    slope: old === null ? new Float64Array(3) : old.slope.slice(),
+    states: (old?.states ?? 0) + 1,
+  };
+}
+
+function confirmPlace(place: GroundPlace, now: number): void {
+  place.states += 1;
+  place.seenAt = now;
+  place.weight = 1;
+}
+
+function dot(a: Float64Array, b: Float64Array): number {
+  return a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
+}
+
+const seen: Observation = createObservation();
+const misfit: Misfit = { height: 0, climb: 0, along: 0, sameState: false };

@@ -1,0 +1,137 @@
+import type { TerrainHeight, World } from '../../dynamics';
+
+/**
+ * What one ship's server states say of the ground where it differs from ours (PREDICTION, A ground that is not quite the server's):
+ * places with an offset and a slope, m above our terrain. None where the two agree: then the world is used as it is.
+ */
+export interface LearnedGround {
+  /** The newest last: where places overlap it has the first say. */
+  readonly places: GroundPlace[];
+  /** The simulation's world with the places on its ground; null without any. */
+  world: World | null;
+  /** The world it was made from. */
+  base: World | null;
+}
+
+export interface GroundPlace {
+  readonly bodyName: string;
+  /** m */
+  readonly bodyRadius: number;
+  /** Unit direction in the body's axes. */
+  readonly direction: Float64Array;
+  /** The server's ground above ours there, m. */
+  offset: number;
+  /** How the offset grows along the ground, m per m, in the body's axes, at right angles to `direction`. */
+  readonly slope: Float64Array;
+  /** Server states that bear it out. */
+  states: number;
+  /** Client wall s of the newest of them. */
+  seenAt: number;
+  /** 0 … 1: fades with age. */
+  weight: number;
+}
+
+/** m from a place: to here it holds in full, from there on not at all. */
+const WHOLE = 150;
+const GONE = 1000;
+/** Client wall s since a place was borne out: to here it holds in full, from there on not at all. */
+const FRESH = 300;
+const FORGOTTEN = 1200;
+/** Places kept per ship. */
+const MAX_PLACES = 8;
+
+export function createLearnedGround(): LearnedGround {
+  return { places: [], world: null, base: null };
+}
+
+/** The world a ship is simulated in: the one that was told, with what was learned on its ground. */
+export function worldOf(ground: LearnedGround, world: World): World {
+  if (ground.places.length === 0) return world;
+  if (ground.world === null || ground.base !== world) {
+    ground.base = world;
+    ground.world = { ...world, terrainHeight: raised(ground.places, world.terrainHeight) };
+  }
+  return ground.world;
+}
+
+function raised(places: readonly GroundPlace[], terrainHeight: TerrainHeight): TerrainHeight {
+  return (bodyName, nx, ny, nz) =>
+    terrainHeight(bodyName, nx, ny, nz) + offsetAt(places, bodyName, nx, ny, nz);
+}
+
+/** The server's ground above ours, m, along a unit direction in the body's axes. Continuous: a step would be a wall. */
+export function offsetAt(
+  places: readonly GroundPlace[],
+  bodyName: string,
+  nx: number,
+  ny: number,
+  nz: number,
+): number {
+  let sum = 0;
+  let left = 1;
+  for (let i = places.length - 1; i >= 0 && left > 0; i--) {
+    const place = places[i]!;
+    if (place.bodyName !== bodyName) continue;
+    const { direction, slope, bodyRadius } = place;
+    const x = (nx - direction[0]!) * bodyRadius;
+    const y = (ny - direction[1]!) * bodyRadius;
+    const z = (nz - direction[2]!) * bodyRadius;
+    const share = left * place.weight * nearness(Math.sqrt(x * x + y * y + z * z));
+    sum += share * (place.offset + slope[0]! * x + slope[1]! * y + slope[2]! * z);
+    left -= share;
+  }
+  return sum;
+}
+
+/** 1 at a place, 0 far from it, smooth between. */
+function nearness(distance: number): number {
+  if (distance <= WHOLE) return 1;
+  if (distance >= GONE) return 0;
+  const t = (GONE - distance) / (GONE - WHOLE);
+  return t * t * (3 - 2 * t);
+}
+
+/** The newest place that holds in full at a direction, or null. */
+export function placeAt(
+  { places }: LearnedGround,
+  bodyName: string,
+  direction: Float64Array,
+): GroundPlace | null {
+  for (let i = places.length - 1; i >= 0; i--) {
+    const place = places[i]!;
+    if (place.bodyName === bodyName && metresFrom(place, direction) < WHOLE) return place;
+  }
+  return null;
+}
+
+/** m along the ground from a place, near enough for a few hundred of them. */
+export function metresFrom({ direction: from, bodyRadius }: GroundPlace, direction: Float64Array): number {
+  const x = direction[0]! - from[0]!;
+  const y = direction[1]! - from[1]!;
+  const z = direction[2]! - from[2]!;
+  return Math.sqrt(x * x + y * y + z * z) * bodyRadius;
+}
+
+/** Keeps a place; the one it replaces, near it, goes. */
+export function keepPlace(ground: LearnedGround, place: GroundPlace): void {
+  const { places } = ground;
+  const old = placeAt(ground, place.bodyName, place.direction);
+  if (old !== null) places.splice(places.indexOf(old), 1);
+  places.push(place);
+  if (places.length > MAX_PLACES) places.shift();
+}
+
+/** Lets places grow old; those that are forgotten go. */
+export function agePlaces({ places }: LearnedGround, now: number): void {
+  for (let i = places.length - 1; i >= 0; i--) {
+    const place = places[i]!;
+    const left = (FORGOTTEN - (now - place.seenAt)) / (FORGOTTEN - FRESH);
+    place.weight = left >= 1 ? 1 : left;
+    if (left <= 0) places.splice(i, 1);
+  }
+}
+
+/** 0 … 1: how sure the ground is known at a place, ½ after one state. */
+export function confidenceOf(place: GroundPlace | null): number {
+  return place === null ? 0 : (place.weight * place.states) / (place.states + 1);
+}

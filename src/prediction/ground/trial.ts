@@ -1,0 +1,80 @@
+import { CRASHED, POSITION, SHIP_STRIDE, SURFACE_STATE, VELOCITY } from '../../dynamics';
+import type { Simulation } from '../simulation/simulation';
+import { advanceRow, createRowStep, placeStep } from '../simulation/stepRow';
+import { copyRow, type Track } from '../simulation/track';
+import type { GroundPlace } from './learnedGround';
+
+/** Two server states of one ship; the law between them tells of the ground. */
+export interface Evidence {
+  readonly from: Float64Array;
+  readonly fromTick: number;
+  readonly to: Float64Array;
+  readonly toTick: number;
+}
+
+/** How far the law, replayed between two states, is from the second. */
+export interface Misfit {
+  /** m and m/s along the radius, predicted − server. */
+  height: number;
+  climb: number;
+  /** m along the ground. */
+  along: number;
+  /** The same surface state. */
+  sameState: boolean;
+}
+
+/** What counts as one: m, m/s, m. */
+const HEIGHT = 0.05;
+const CLIMB = 0.25;
+const ALONG = 0.3;
+/** Another state than the server's. */
+const OTHER_STATE = 4;
+/** Offsets and slopes that are small are likelier: m, m/m. */
+const OFFSET = 5;
+const SLOPE = 0.5;
+
+/** Replays the law from one state to the other, on the ground as the track has it now. */
+export function replayBetween(out: Misfit, sim: Simulation, track: Track, evidence: Evidence): void {
+  const { from, fromTick, to, toTick } = evidence;
+  copyRow(row, 0, from, 0);
+  placeStep(step, sim, fromTick, 0);
+  const { fit } = track;
+  const { carried } = fit;
+  fit.carried = '';
+  while (step.tick < toTick) advanceRow(step, sim, track);
+  fit.carried = carried;
+  const distance = Math.hypot(to[POSITION]!, to[POSITION + 1]!, to[POSITION + 2]!);
+  let height = 0;
+  let climb = 0;
+  let squared = 0;
+  for (let k = 0; k < 3; k++) {
+    const n = to[POSITION + k]! / distance;
+    const apart = row[POSITION + k]! - to[POSITION + k]!;
+    height += apart * n;
+    squared += apart * apart;
+    climb += (row[VELOCITY + k]! - to[VELOCITY + k]!) * n;
+  }
+  out.height = height;
+  out.climb = climb;
+  out.along = Math.sqrt(Math.max(0, squared - height * height));
+  out.sameState = row[SURFACE_STATE] === to[SURFACE_STATE] && row[CRASHED] === to[CRASHED];
+}
+
+/** The row where the last replay ended. */
+export const replayedRow = (): Float64Array => row;
+
+/** One number for how badly a ground explains two states; under 1 it does. */
+export function costOf({ height, climb, along, sameState }: Misfit, place: GroundPlace | null): number {
+  const steep = place === null ? 0 : Math.hypot(place.slope[0]!, place.slope[1]!, place.slope[2]!);
+  return (
+    (height / HEIGHT) ** 2 +
+    (climb / CLIMB) ** 2 +
+    (along / ALONG) ** 2 +
+    (sameState ? 0 : OTHER_STATE) +
+    ((place?.offset ?? 0) / OFFSET) ** 2 +
+    (steep / SLOPE) ** 2
+  );
+}
+
+const row = new Float64Array(SHIP_STRIDE);
+const step = createRowStep(row);

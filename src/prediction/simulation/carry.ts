@@ -1,0 +1,99 @@
+import {
+  ANGULAR_VELOCITY,
+  ATTITUDE,
+  BODY_ANGULAR_VELOCITY,
+  BODY_STRIDE,
+  CRASHED,
+  FLYING,
+  POSITION,
+  REFERENCE_BODY,
+  SURFACE_STATE,
+  VELOCITY,
+  type World,
+} from '../../dynamics';
+import { compose, fromRotationVector, quaternion, take, vector } from '../drawn/rotation';
+
+/**
+ * Carrying a ship's motion on, as a client without the law does: in flight it falls, without thrust; on the ground it goes on over
+ * it, turning with the body. Its state and its spin stay.
+ * @param bodies rows of `dt` game s from now on
+ */
+export function carryRow(
+  rows: Float64Array,
+  at: number,
+  bodies: Float64Array,
+  world: World,
+  dt: number,
+): void {
+  if (rows[at + CRASHED] === 1) return;
+  const index = rows[at + REFERENCE_BODY]!;
+  take(place, rows, at + POSITION);
+  take(velocity, rows, at + VELOCITY);
+  take(spin, bodies, index * BODY_STRIDE + BODY_ANGULAR_VELOCITY);
+  const { gravityParameter } = world.bodies[index]!;
+  if (rows[at + SURFACE_STATE] === FLYING) fall(gravityParameter, dt);
+  else goOn(dt);
+  for (let k = 0; k < 3; k++) {
+    rows[at + POSITION + k] = place[k]!;
+    rows[at + VELOCITY + k] = velocity[k]!;
+  }
+  for (let k = 0; k < 3; k++) turn[k] = rows[at + ANGULAR_VELOCITY + k]! * dt;
+  fromRotationVector(turned, turn);
+  take(attitude, rows, at + ATTITUDE);
+  compose(attitude, turned, attitude);
+  for (let k = 0; k < 4; k++) rows[at + ATTITUDE + k] = attitude[k]!;
+}
+
+/** Velocity Verlet, as flight is in the law. */
+function fall(gravityParameter: number, dt: number): void {
+  const before = pull(gravityParameter);
+  for (let k = 0; k < 3; k++) place[k] = place[k]! + velocity[k]! * dt + 0.5 * before * place[k]! * dt * dt;
+  // The direction of the pull turns by no more than dt · speed / radius.
+  const after = pull(gravityParameter);
+  for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! + 0.5 * (before + after) * place[k]! * dt;
+}
+
+/** Acceleration over place, 1/s². */
+function pull(gravityParameter: number): number {
+  const squared = place[0]! * place[0]! + place[1]! * place[1]! + place[2]! * place[2]!;
+  return -gravityParameter / (squared * Math.sqrt(squared));
+}
+
+/** Relative to the turning ground the velocity stays; what would take it into the ground by more than its slope is left out. */
+function goOn(dt: number): void {
+  writeGroundVelocity();
+  const distance = Math.hypot(place[0]!, place[1]!, place[2]!);
+  let climb = 0;
+  for (let k = 0; k < 3; k++) {
+    velocity[k] = velocity[k]! - ground[k]!;
+    climb += (velocity[k]! * place[k]!) / distance;
+  }
+  const speed = Math.sqrt(Math.max(0, dot(velocity, velocity) - climb * climb));
+  if (climb < -STEEPEST * speed)
+    for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! - (climb * place[k]!) / distance;
+  for (let k = 0; k < 3; k++) place[k] = place[k]! + (velocity[k]! + ground[k]!) * dt;
+  writeGroundVelocity();
+  for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! + ground[k]!;
+}
+
+/** Steeper ways down are impacts, not slopes. */
+const STEEPEST = 0.3;
+
+function writeGroundVelocity(): void {
+  for (let k = 0; k < 3; k++) {
+    const [i, j] = [(k + 1) % 3, (k + 2) % 3];
+    ground[k] = spin[i]! * place[j]! - spin[j]! * place[i]!;
+  }
+}
+
+function dot(a: Float64Array, b: Float64Array): number {
+  return a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
+}
+
+const place = vector();
+const velocity = vector();
+const spin = vector();
+const ground = vector();
+const turn = vector();
+const turned = quaternion();
+const attitude = quaternion();

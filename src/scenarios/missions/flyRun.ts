@@ -1,0 +1,209 @@
+import { inverse, rotate } from '../../authority';
+import {
+  ATTITUDE,
+  beginTick,
+  BODY_ATTITUDE,
+  type Controls,
+  CRASHED,
+  endTick,
+  EVENT_CONTACT,
+  EVENT_TIPPED,
+  FUEL,
+  IMPACT_SPEED,
+  LANDED,
+  POSITION,
+  type Quat,
+  type Result,
+  ok,
+  stepWorld,
+  SURFACE_STATE,
+  type Vec3,
+  writeControls,
+} from '../../dynamics';
+import { prepare, type Prepared } from '../runScenario';
+import { stage, type StagedInput } from '../scenario';
+import type { Mission } from './mission';
+import { padPlaces } from './pads';
+
+/** Controls from the start of a substep on, in the order of time. */
+export type RunInput = StagedInput;
+
+/** What a flight came to. SI units, degrees. */
+export interface RunOutcome {
+  /** 'landed' on the last pad, 'crashed', or 'unfinished' when the inputs and the time ran out before. */
+  readonly outcome: 'landed' | 'crashed' | 'unfinished';
+  /** Game seconds from the start to the end. */
+  readonly seconds: number;
+  readonly padsReached: number;
+  /** Hardest touch of the landings that count, m/s. */
+  readonly touchSpeed: number;
+  /** From the centre of the pad, the worst of the landings, m. */
+  readonly distance: number;
+  /** Largest lean between a touch and rest. */
+  readonly tilt: number;
+  readonly fuelUsed: number;
+  readonly hasTipped: boolean;
+  /** Ten places a second, body axes: x, y, z, and the attitude against the body's (x, y, z, w). */
+  readonly track: Float64Array;
+}
+
+/** Numbers of one place of a track, and places a second. */
+export const TRACK_STRIDE = 7;
+export const TRACK_RATE = 10;
+
+interface Flight extends Prepared {
+  readonly track: number[];
+  padsReached: number;
+  touchSpeed: number;
+  distance: number;
+  tilt: number;
+  hasTipped: boolean;
+  /** Since the present landing's first touch. */
+  touching: { speed: number; tilt: number } | null;
+}
+
+/**
+ * Flies a mission again from its inputs, on the dynamics alone: the same inputs give the same flight to the bit, which is the proof
+ * of a run. Ends on the last pad, in a crash, or after the scenario's duration.
+ */
+export function flyRun(mission: Mission, inputs: readonly RunInput[]): Result<RunOutcome> {
+  const staged = stage(mission.scenario);
+  if (!staged.ok) return staged;
+  const prepared = prepare(staged.value);
+  if (!prepared.ok) return prepared;
+  const { timing, scenario } = staged.value;
+  const pads = padPlaces(mission, staged.value);
+  const flight: Flight = {
+    ...prepared.value,
+    track: [],
+    padsReached: 0,
+    touchSpeed: 0,
+    distance: 0,
+    tilt: 0,
+    hasTipped: false,
+    touching: null,
+  };
+  const { ship, bodies, world } = flight;
+  const began = ship[FUEL]!;
+  const flown = createHands(staged.value.inputs, inputs);
+  const ticks = Math.ceil(scenario.duration / timing.tickSeconds);
+  let substeps = 0;
+  for (let tick = 0; tick < ticks; tick++) {
+    beginTick(ship, bodies, world);
+    for (let s = 0; s < timing.substeps && ship[CRASHED] === 0; s++) {
+      const controls = flown(tick, s);
+      if (controls !== null) writeControls(ship, 0, controls);
+      if (substeps % Math.max(1, Math.round(1 / (TRACK_RATE * timing.dt))) === 0) record(flight);
+      stepWorld(ship, bodies, reported, world, timing.dt);
+      watchTouch(flight, reported[0]!);
+      substeps++;
+    }
+    endTick(bodies, world, timing);
+    takePad(flight, pads, mission);
+    if (ship[CRASHED] === 1 || flight.padsReached === pads.length) break;
+  }
+  const outcome =
+    ship[CRASHED] === 1 ? 'crashed' : flight.padsReached === pads.length ? 'landed' : 'unfinished';
+  return ok({
+    outcome,
+    seconds: substeps * timing.dt,
+    padsReached: flight.padsReached,
+    touchSpeed:
+      flight.touching === null ? flight.touchSpeed : Math.max(flight.touchSpeed, flight.touching.speed),
+    distance: flight.distance,
+    tilt: flight.tilt,
+    fuelUsed: began - ship[FUEL]!,
+    hasTipped: flight.hasTipped,
+    track: Float64Array.from(flight.track),
+  });
+}
+
+const reported = new Uint8Array(1);
+
+/** The scenario's own inputs until the pilot's first one, as the authority plays them. */
+function createHands(
+  plan: readonly StagedInput[],
+  inputs: readonly RunInput[],
+): (tick: number, substep: number) => Controls | null {
+  let planned = 0;
+  let next = 0;
+  const isDue = (input: StagedInput | undefined, tick: number, substep: number) =>
+    input !== undefined && (input.tick < tick || (input.tick === tick && input.substep <= substep));
+  return (tick, substep) => {
+    let controls: Controls | null = null;
+    while (next === 0 && isDue(plan[planned], tick, substep)) controls = plan[planned++]!.controls;
+    while (isDue(inputs[next], tick, substep)) controls = inputs[next++]!.controls;
+    return controls;
+  };
+}
+
+function watchTouch(flight: Flight, event: number): void {
+  const { ship } = flight;
+  if (event === EVENT_TIPPED) flight.hasTipped = true;
+  if (event === EVENT_CONTACT) {
+    flight.touching ??= { speed: 0, tilt: 0 };
+    flight.touching.speed = Math.max(flight.touching.speed, ship[IMPACT_SPEED]!);
+  }
+  if (flight.touching === null || ship[SURFACE_STATE] === 0) return;
+  flight.touching.tilt = Math.max(flight.touching.tilt, tiltOf(ship));
+}
+
+/** At a tick boundary, where body and ship agree on the time. */
+function takePad(flight: Flight, pads: readonly Vec3[], mission: Mission): void {
+  const { ship, bodies } = flight;
+  if (ship[SURFACE_STATE] !== LANDED || flight.touching === null) return;
+  const at = rotate(inverse(bodyAttitude(bodies)), vectorAt(ship, POSITION));
+  const pad = pads[flight.padsReached]!;
+  const off = lengthOf([at[0] - pad[0], at[1] - pad[1], at[2] - pad[2]], at);
+  if (off > mission.pads[flight.padsReached]!.radius) {
+    // A landing beside the pad does not count; the next one may.
+    flight.touching = null;
+    return;
+  }
+  flight.touchSpeed = Math.max(flight.touchSpeed, flight.touching.speed);
+  flight.tilt = Math.max(flight.tilt, flight.touching.tilt);
+  flight.distance = Math.max(flight.distance, off);
+  flight.touching = null;
+  flight.padsReached++;
+}
+
+/** Of an offset its length along the ground at `at`. */
+function lengthOf(offset: Vec3, at: Vec3): number {
+  const distance = Math.hypot(...at);
+  const up = (offset[0] * at[0] + offset[1] * at[1] + offset[2] * at[2]) / distance;
+  return Math.sqrt(Math.max(0, offset[0] ** 2 + offset[1] ** 2 + offset[2] ** 2 - up * up));
+}
+
+function tiltOf(ship: Float64Array): number {
+  const top = rotate(quatAt(ship, ATTITUDE), [0, 0, 1]);
+  const position = vectorAt(ship, POSITION);
+  const cosine =
+    (top[0] * position[0] + top[1] * position[1] + top[2] * position[2]) / Math.hypot(...position);
+  return (Math.acos(Math.min(1, Math.max(-1, cosine))) * 180) / Math.PI;
+}
+
+function record({ ship, bodies, track }: Flight): void {
+  const back = inverse(bodyAttitude(bodies));
+  const [x, y, z] = rotate(back, vectorAt(ship, POSITION));
+  const [bx, by, bz, bw] = back;
+  const [qx, qy, qz, qw] = quatAt(ship, ATTITUDE);
+  track.push(
+    ...[x, y, z],
+    bw * qx + bx * qw + by * qz - bz * qy,
+    bw * qy - bx * qz + by * qw + bz * qx,
+    bw * qz + bx * qy - by * qx + bz * qw,
+    bw * qw - bx * qx - by * qy - bz * qz,
+  );
+}
+
+function bodyAttitude(bodies: Float64Array): Quat {
+  return quatAt(bodies, BODY_ATTITUDE);
+}
+
+function quatAt(row: Float64Array, at: number): Quat {
+  return [row[at]!, row[at + 1]!, row[at + 2]!, row[at + 3]!];
+}
+
+function vectorAt(row: Float64Array, at: number): Vec3 {
+  return [row[at]!, row[at + 1]!, row[at + 2]!];
+}

@@ -1,0 +1,88 @@
+import type { RunOutcome } from './flyRun';
+import type { Mission } from './mission';
+
+/** One line of a score: what was measured, what it earned, and what earns full marks. */
+export interface ScoreLine {
+  readonly what: 'Touch' | 'Distance' | 'Tilt' | 'Fuel' | 'Time' | 'Tipped over';
+  readonly measured: string;
+  readonly points: number;
+  readonly most: number;
+  readonly rule: string;
+}
+
+export interface Score {
+  /** 0 … 1000; 0 unless landed on every pad. */
+  readonly total: number;
+  readonly lines: readonly ScoreLine[];
+}
+
+/** Speeds of touch that earn all and nothing, m/s. */
+const SOFT = 1;
+const HARD = 10;
+/** Degrees of lean after the touch that earn all and nothing. */
+const STEADY = 3;
+const LEANING = 30;
+/** Times the par that earn nothing. */
+const WASTED = 3;
+const TIPPED_PENALTY = -150;
+
+/** What a landing was worth: touch speed, distance, tilt, fuel and time, each with its rule. */
+export function scoreRun(mission: Mission, run: RunOutcome): Score {
+  const { touchSpeed, distance, tilt, fuelUsed, seconds } = run;
+  const radius = Math.min(...mission.pads.map((pad) => pad.radius));
+  const kg = (value: number) => `${value.toFixed(0)} kg`;
+  const lines: ScoreLine[] = [
+    line('Touch', touchSpeed, `${touchSpeed.toFixed(1)} m/s`, {
+      most: 300,
+      full: SOFT,
+      none: HARD,
+      rule: `full marks to ${SOFT} m/s, none from ${HARD} m/s`,
+    }),
+    line('Distance', distance, `${distance.toFixed(1)} m`, {
+      most: 250,
+      full: 2,
+      none: radius,
+      rule: `full marks within 2 m of the centre, none at the ring (${radius} m)`,
+    }),
+    line('Tilt', tilt, `${tilt.toFixed(1)}°`, {
+      most: 100,
+      full: STEADY,
+      none: LEANING,
+      rule: `full marks to ${STEADY}°, none from ${LEANING}°`,
+    }),
+    line('Fuel', fuelUsed, kg(fuelUsed), {
+      most: 200,
+      full: mission.parFuel,
+      none: WASTED * mission.parFuel,
+      rule: `full marks to ${kg(mission.parFuel)}, none from ${kg(WASTED * mission.parFuel)}`,
+    }),
+    line('Time', seconds, `${seconds.toFixed(1)} s`, {
+      most: 150,
+      full: mission.parSeconds,
+      none: WASTED * mission.parSeconds,
+      rule: `full marks to ${mission.parSeconds} s, none from ${WASTED * mission.parSeconds} s`,
+    }),
+  ];
+  if (run.hasTipped)
+    lines.push({
+      what: 'Tipped over',
+      measured: 'yes',
+      points: TIPPED_PENALTY,
+      most: 0,
+      rule: 'righted again, but it fell',
+    });
+  const sum = lines.reduce((total, { points }) => total + points, 0);
+  return { total: run.outcome === 'landed' ? Math.max(0, sum) : 0, lines };
+}
+
+interface Rule {
+  readonly most: number;
+  readonly full: number;
+  readonly none: number;
+  readonly rule: string;
+}
+
+function line(what: ScoreLine['what'], value: number, measured: string, rule: Rule): ScoreLine {
+  const share = Math.min(1, Math.max(0, (rule.none - value) / (rule.none - rule.full)));
+  return { what, measured, points: Math.round(rule.most * share), most: rule.most, rule: rule.rule };
+}

@@ -1,0 +1,32 @@
+import type { TerrainHeight } from '../dynamics';
+import type { WorldView } from '../prediction';
+import type { CameraView } from './cameras';
+import type { Markers } from './overlays/markers';
+import type { OverlayChoice } from './overlays/overlays';
+
+/** The picture: owns the WebGL context. Made by createStage, which throws where there is no WebGL 2. */
+export interface Stage {
+  /** What lies over the picture; change it at will. */
+  readonly overlays: OverlayChoice;
+  /** Pads and the predicted touch; change it at will. */
+  readonly markers: Markers;
+  /** Right, away along the ground and up on the screen, ICRF axes, nine numbers; false before the first picture. */
+  screenAxes(out: Float64Array): boolean;
+  /** The ground of the next draw; before the first call it is flat. */
+  setTerrain(terrainHeight: TerrainHeight): void;
+  /** Draws a ready view. `seconds` is a clock for easing and effects: monotone, and still while time stands still. */
+  draw(view: WorldView, seconds: number): void;
+  /** Whether the first picture stands: making the GPU's programs takes it seconds, while the calls have long returned. */
+  hasDrawn(): boolean;
+  /** CSS pixels and device pixels a CSS pixel. */
+  resize(width: number, height: number, pixelRatio: number): void;
+  /** rad; positive turns the eye to the right and up. */
+  turnCamera(azimuth: number, elevation: number): void;
+  /** Multiplies the distance. */
+  zoomCamera(factor: number): void;
+  /** Where the picture is taken from, at once. */
+  setCamera(view: CameraView): void;
+  /** Back to the first view, at once. */
+  resetCamera(): void;
+  dispose(): void;
+}

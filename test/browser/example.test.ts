@@ -1,0 +1,47 @@
+/** The example client in a real browser, against a server that speaks the game's JSON. */
+import { createServer, type ViteDevServer } from 'vite';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { type GameServer, startGameServer } from '../example/gameServer';
+import { describeInBrowser, openUrl, problemsOf } from './pages';
+
+let game: GameServer;
+let host: ViteDevServer;
+
+describeInBrowser('the example client', () => {
+  beforeAll(async () => {
+    game = await startGameServer('settle', 10);
+    const configFile = 'src/example/vite.config.mjs';
+    host = await createServer({
+      configFile,
+      logLevel: 'error',
+      server: { host: '127.0.0.1', port: 0, hmr: false },
+    });
+    await host.listen();
+  });
+  afterAll(async () => {
+    await host.close();
+    await game.close();
+  });
+
+  it('signs in, draws the ship until it has landed, and sends what the pilot does', async () => {
+    const page = await openUrl(`${host.resolvedUrls!.local[0]!}?server=${game.address}&user=ada&password=x`);
+    const warnings: string[] = [];
+    page.on('console', (message) => {
+      if (message.type() === 'warning' && !/GPU|GL Driver|WebGL/.test(message.text()))
+        warnings.push(message.text());
+    });
+    await expect
+      .poll(() => page.textContent('.td-landing .td-status'), { timeout: 50_000 })
+      .toMatch(/LANDED/);
+    expect(await page.textContent('.td-fleet')).toContain('Kestrel');
+    expect(game.controls).toEqual([]);
+    await page.keyboard.press('f');
+    await expect.poll(() => game.controls.at(-1)?.thrustLevel).toBeCloseTo(0.1);
+    await page.keyboard.down('w');
+    await expect.poll(() => game.controls.at(-1)?.rotationInput).toEqual([-1, 0, 0]);
+    await page.keyboard.up('w');
+    await expect.poll(() => game.controls.at(-1)?.rotationInput).toEqual([0, 0, 0]);
+    expect(warnings).toEqual([]);
+    expect(problemsOf(page)).toEqual([]);
+  });
+});

@@ -1,0 +1,73 @@
+import { describe, expect, it } from 'vitest';
+import { flyCase } from '../../bench/netcode/foreign';
+import { spread } from '../../bench/netcode/figure';
+import { SCENARIOS } from '../../../src/scenarios';
+import { CASES } from '../literalServer/cases';
+import { createLiteralRig } from '../literalServer/literalRig';
+import { flyAndMeasure } from '../measure';
+import { createRig, SHIP } from '../rig';
+
+const caseNamed = (name: string) => CASES.find((one) => one.name === name)!;
+
+describe('a ground that is not quite the server’s', () => {
+  it.each([
+    ['ground +1 m', 10],
+    ['ground −1 m', 10],
+    ['ground +0.5 m', 10],
+    ['ground −0.5 m', 10],
+    ['ground +1 m', 1],
+    ['ground −1 m', 1],
+    ['ground +0.5 m', 1],
+    ['ground −0.5 m', 1],
+  ])('%s, sent at %i Hz: within 0.1 m (p95) from the third state of a contact on', (name, sends) => {
+    const { ours } = flyCase(caseNamed(name), 50, sends);
+    expect(spread(ours.settled).p95).toBeLessThan(0.1);
+  });
+
+  it.each([10, 1])('a slope of 5 %%, sent at %i Hz: within 0.5 m (p95) of the whole flight', (sends) => {
+    const { ours } = flyCase(caseNamed('slope 5 %'), 50, sends);
+    expect(spread(ours.errors).p95).toBeLessThan(0.5);
+  });
+
+  it.each([1, -1])('%d m: says so, how sure it is, and measures heights from it', (metres) => {
+    const name = `ground ${metres > 0 ? '+' : '−'}1 m`;
+    const rig = createLiteralRig({ scenario: 'settle', hz: 50, sends: 10, difference: caseNamed(name) });
+    let view = rig.frame();
+    for (let i = 0; i < 8 * 60; i++) view = rig.frame();
+    const own = view.own!;
+    expect(own.surfaceContactState).toBe('landed');
+    // The design lands a ship while it is still sinking in, up to 0.2 m deep.
+    expect(Math.abs(view.diagnosis.groundOffset - metres)).toBeLessThan(0.2);
+    expect(own.groundOffset).toBe(view.diagnosis.groundOffset);
+    expect(own.groundConfidence).toBeGreaterThan(0.4);
+    expect(Math.abs(own.feetHeight)).toBeLessThan(0.1);
+    // The mesh is on the ground that is drawn.
+    const mesh = Math.hypot(...own.meshPosition) - own.shipClass.groundContactOffset;
+    const drawn = own.groundRadius - own.groundOffset;
+    expect(mesh + Math.max(...own.legCompression) - drawn).toBeCloseTo(0, 2);
+  });
+});
+
+describe('the server’s own ground', () => {
+  it.each(SCENARIOS.map(({ name }) => name))('%s: nothing is learned of it', (scenario) => {
+    const rig = createRig({ scenario, tickRate: 5 });
+    flyAndMeasure(rig, Math.min(20, rig.staged.scenario.duration), ({ own, diagnosis }) => {
+      expect(own?.groundOffset ?? 0).toBe(0);
+      expect(diagnosis.groundConfidence).toBe(0);
+    });
+  });
+
+  it('is not doubted where an input came late, or was lost', () => {
+    const rig = createRig({
+      scenario: 'right-itself',
+      tickRate: 5,
+      holdBack: (message, now) => (message.kind === 'inputs' ? now + 0.8 : now),
+    });
+    let learned = 0;
+    rig.fly(20, ({ ships }) => {
+      for (const ship of ships) if (ship.shipId === SHIP && ship.groundOffset !== 0) learned += 1;
+    });
+    expect(rig.view().diagnosis.correctionsLateInput).toBeGreaterThan(0);
+    expect(learned).toBe(0);
+  });
+});

@@ -1,0 +1,80 @@
+import { describe, expect, it } from 'vitest';
+import { hillsTerrain } from '../../../src/dynamics';
+import { createRig, scenarioNamed, SHIP } from '../rig';
+import { distance, sampleOf, truthAt, type Sample } from '../samples';
+
+/** Flies and returns how far what was drawn was from the server's truth, m, in the last `seconds`. */
+function errorsOf(rig: ReturnType<typeof createRig>, seconds: number): number[] {
+  const samples: Sample[] = [];
+  rig.fly(seconds, (view) => {
+    if (view.ready && view.own !== null) samples.push(sampleOf(view, rig.now));
+  });
+  return samples.flatMap((sample) => {
+    const truth = truthAt(rig.truth, sample);
+    return truth === null ? [] : [distance(sample.drawn, truth.position)];
+  });
+}
+
+describe('a law that does not fit', () => {
+  it('is left for carrying the motion on, never confirmed then, counted, and taken up again', () => {
+    // The client thinks that its ships weigh a fiftieth: its own thrust flings it away.
+    const scenario = { ...scenarioNamed('launch'), duration: 40 };
+    const rig = createRig({ scenario, tickRate: 5, pilot: () => hover });
+    rig.tamper = (message) => {
+      if (message.kind !== 'hello') return [message];
+      const shipClasses = message.shipClasses.map((one) => ({ ...one, mainEngineThrust: 8e6 }));
+      return [{ ...message, shipClasses }];
+    };
+    rig.fly(4);
+    let confirmed = 0;
+    rig.fly(1, ({ own }) => {
+      expect(own!.carried).toBe('law');
+      if (own!.provenance === 'confirmed') confirmed += 1;
+    });
+    expect(confirmed).toBe(0);
+    expect(rig.view().diagnosis.shipsCarried).toBe(1);
+    expect(rig.view().own!.carriedStates).toBeGreaterThan(4);
+    expect(rig.view().diagnosis.statesCarried).toBe(rig.view().own!.carriedStates);
+    // Carried on, the ship is out by its own acceleration over an interval and the lead; by the law by forty times that.
+    expect(Math.max(...errorsOf(rig, 1))).toBeLessThan(1.5);
+    cut = true;
+    rig.fly(3);
+    expect(rig.view().own!.carried).toBe('');
+  });
+
+  it('leaves a ship alone that it fits', () => {
+    const rig = createRig({ scenario: 'opening', tickRate: 5 });
+    rig.fly(20, ({ ships }) => {
+      for (const { carried, carriedStates } of ships) expect([carried, carriedStates]).toEqual(['', 0]);
+    });
+  });
+});
+
+let cut = false;
+const neutral = createRig({ scenario: 'launch' }).staged.inputs.at(-1)!.controls;
+const hover = {
+  ...neutral,
+  get thrustLevel() {
+    return cut ? 0 : 0.3;
+  },
+};
+
+describe('a ground that is not loaded', () => {
+  it('null: drawn from its states, says so, and predicted again once it is there', () => {
+    let loaded = false;
+    const terrain = (...place: Parameters<typeof hillsTerrain>) => (loaded ? hillsTerrain(...place) : null);
+    const rig = createRig({ scenario: 'slide', tickRate: 5, predictor: { terrains: { hills: terrain } } });
+    rig.fly(3, ({ ready, own, diagnosis }) => {
+      if (!ready || own === null) return;
+      expect(own.carried).toBe('ground');
+      expect(own.provenance).not.toBe('confirmed');
+      expect(diagnosis.shipsCarried).toBe(1);
+      for (const x of [...own.meshPosition, own.groundRadius, own.feetHeight]) expect(x).not.toBeNaN();
+    });
+    expect(Math.max(...errorsOf(rig, 2))).toBeLessThan(0.3);
+    loaded = true;
+    rig.fly(1);
+    expect(rig.view().ships.find(({ shipId }) => shipId === SHIP)!.carried).toBe('');
+    expect(Math.max(...errorsOf(rig, 2))).toBeLessThan(1e-6);
+  });
+});

@@ -1,0 +1,144 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { NEUTRAL_CONTROLS } from '../../src/dynamics';
+import {
+  findMission,
+  findScenario,
+  flyRun,
+  LESSONS,
+  MISSIONS,
+  padPlaces,
+  readRun,
+  type RunInput,
+  SCENARIOS,
+  scoreRun,
+  stage,
+  writeRun,
+} from '../../src/scenarios';
+import { valueOf } from '../authority/moon';
+
+const ALL = [...MISSIONS, ...LESSONS];
+
+describe('missions', () => {
+  it('are a dozen and more, the school six, each name once', () => {
+    expect(MISSIONS.length).toBeGreaterThanOrEqual(12);
+    expect(LESSONS).toHaveLength(6);
+    const names = [...ALL.map(({ scenario }) => scenario.name), ...SCENARIOS.map(({ name }) => name)];
+    expect(new Set(names).size).toBe(names.length);
+    for (const name of names) expect(findScenario(name)?.name).toBe(name);
+    expect(findMission('settle')).toBeNull();
+    expect(findMission('__proto__')).toBeNull();
+  });
+
+  it.each(ALL.map((mission) => [mission.scenario.name, mission] as const))(
+    '%s can be begun, and its pads lie on its ground',
+    (_, mission) => {
+      const staged = valueOf(stage(mission.scenario));
+      for (const place of padPlaces(mission, staged)) {
+        const distance = Math.hypot(...place);
+        const [x, y, z] = place.map((v) => v / distance) as [number, number, number];
+        const ground = staged.body.radius + staged.terrainHeight(staged.body.name, x, y, z);
+        expect(distance).toBeCloseTo(ground, 6);
+      }
+    },
+  );
+
+  it('an engine’s share and a body’s spin are the scenario’s', () => {
+    const half = valueOf(stage(findScenario('half-engine')!));
+    const whole = valueOf(stage({ ...findScenario('half-engine')!, engineShare: 1 }));
+    expect(half.shipClass.mainEngineThrust).toBe(whole.shipClass.mainEngineThrust / 2);
+    const spun = valueOf(stage(findScenario('fast-rotator')!)).body.angularVelocity;
+    const own = valueOf(stage({ ...findScenario('fast-rotator')!, spinFactor: 1 })).body.angularVelocity;
+    expect(Math.hypot(...spun)).toBeCloseTo(2.6 * Math.hypot(...own), 12);
+  });
+});
+
+/** First landing: hold the hover for a while, then sink; the engine is cut at the ground. */
+const SOFT: readonly RunInput[] = [
+  { tick: 2, substep: 10, controls: { ...NEUTRAL_CONTROLS, thrustLevel: 0.085, attitudeHold: true } },
+  {
+    tick: 20,
+    substep: 3,
+    controls: { ...NEUTRAL_CONTROLS, thrustLevel: 0.09, attitudeHold: true, rotationInput: [0, 0, 0.25] },
+  },
+  { tick: 22, substep: 0, controls: { ...NEUTRAL_CONTROLS, thrustLevel: 0.07, attitudeHold: true } },
+];
+
+describe('a run', () => {
+  const mission = findMission('first-landing')!;
+
+  it('flown again comes out the same to the bit, from its bytes too', () => {
+    const first = valueOf(flyRun(mission, SOFT));
+    const bytes = writeRun(SOFT, 100);
+    const again = valueOf(flyRun(mission, valueOf(readRun(bytes, 100))));
+    expect(again).toEqual(first);
+    expect(bytes.length).toBeLessThan(40);
+    expect(scoreRun(mission, again)).toEqual(scoreRun(mission, first));
+  });
+
+  it('that ends in a crash is worth nothing', () => {
+    const dive: RunInput[] = [
+      { tick: 0, substep: 1, controls: { ...NEUTRAL_CONTROLS, rotationInput: [1, 0, 0] } },
+      { tick: 1, substep: 40, controls: { ...NEUTRAL_CONTROLS, attitudeMode: 'antiradial', thrustLevel: 1 } },
+    ];
+    const run = valueOf(flyRun(mission, dive));
+    expect(run.outcome).toBe('crashed');
+    expect(scoreRun(mission, run).total).toBe(0);
+  });
+
+  it('loses points by each line for what it says, and by nothing else', () => {
+    const good = {
+      outcome: 'landed' as const,
+      seconds: 50,
+      padsReached: 1,
+      touchSpeed: 0.9,
+      distance: 1,
+      tilt: 1,
+      fuelUsed: 100,
+      hasTipped: false,
+      track: new Float64Array(0),
+    };
+    expect(scoreRun(mission, good).total).toBe(1000);
+    expect(scoreRun(mission, { ...good, touchSpeed: 5.5 }).total).toBe(850);
+    expect(scoreRun(mission, { ...good, distance: 30 }).total).toBe(750);
+    expect(scoreRun(mission, { ...good, hasTipped: true }).total).toBe(850);
+    expect(scoreRun(mission, { ...good, outcome: 'unfinished' }).total).toBe(0);
+  });
+
+  it('of any bytes is read or refused with a reason, never thrown over', () => {
+    fc.assert(
+      fc.property(fc.uint8Array({ maxLength: 200 }), (bytes) => {
+        const read = readRun(bytes, 100);
+        return read.ok ? Array.isArray(read.value) : read.reason.length > 0;
+      }),
+    );
+  });
+
+  it('of controls on the page’s grid keeps every bit', () => {
+    const stick = fc.integer({ min: -100, max: 100 }).map((v) => v / 100 + 0);
+    const triple = fc.tuple(stick, stick, stick);
+    const input = fc.record({
+      passed: fc.integer({ min: 0, max: 5000 }),
+      thrustLevel: fc.integer({ min: 0, max: 200 }).map((v) => v * 0.005),
+      rotationInput: triple,
+      translationInput: triple,
+      attitudeHold: fc.boolean(),
+      attitudeMode: fc.constantFrom('none', 'hold', 'radial', 'surface_retrograde'),
+    });
+    fc.assert(
+      fc.property(fc.array(input, { maxLength: 30 }), (steps) => {
+        let at = 0;
+        const inputs = steps.map(({ passed, ...controls }): RunInput => {
+          at += passed;
+          return {
+            tick: Math.floor(at / 100),
+            substep: at % 100,
+            controls: { ...NEUTRAL_CONTROLS, ...controls },
+          };
+        });
+        expect(valueOf(readRun(writeRun(inputs, 100), 100))).toEqual(inputs);
+      }),
+      { numRuns: 50 },
+    );
+  });
+});

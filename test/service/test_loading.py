@@ -1,0 +1,121 @@
+"""What enters is checked by name."""
+
+import json
+import unittest
+from copy import deepcopy
+from typing import Any
+
+from harness import SERVICE_HOME  # noqa: F401  (puts the service on the path)
+from touchdown_service.cases import load_case
+from touchdown_service.config import load_config
+from touchdown_service.limits import Refusal
+from touchdown_service.records import load_controls_json
+from touchdown_service.tempo import next_tempo
+from touchdown_service.galaxy import Tempo
+
+WORLD = json.loads((SERVICE_HOME / "touchdown_service" / "world.json").read_text(encoding="utf-8"))
+
+
+def case(**changes: Any) -> dict[str, Any]:
+    """A landing that loads, with values at paths like 'ship.fuel' changed; ... takes the field out."""
+    body = WORLD["bodies"][0] | {"attitude": [0, 0, 0, 1]}
+    data = {
+        "name": "case", "tick_rate": 1, "time_scale": 1, "ticks": 1, "settings": {}, "terrain": {"name": "flat"},
+        "ship_class": deepcopy(WORLD["ship_classes"][0]), "bodies": [body], "inputs": [],
+        "ship": {
+            "ship_class": WORLD["ship_classes"][0]["name"], "reference_body": body["name"],
+            "relative_position": [0, 0, 1.8e6], "relative_velocity": [0, 0, 0], "attitude": [0, 0, 0, 1],
+            "angular_velocity": [0, 0, 0], "fuel": 10, "surface_contact_state": "", "contact_impact_speed": 0,
+            "crashed": False,
+        },
+    }  # fmt: skip
+    for path, value in changes.items():
+        *way, last = path.split("__")
+        at: Any = data
+        for step in way:
+            at = at[int(step) if step.isdigit() else step]
+        if value is ...:
+            del at[last]
+        else:
+            at[last] = value
+    return data
+
+
+class Loading(unittest.TestCase):
+    def refused(self, words: str, **changes: Any) -> None:
+        with self.assertRaises(Refusal) as caught:
+            load_case(case(**changes))
+        self.assertIn(words, str(caught.exception))
+
+    def test_a_good_case_loads(self) -> None:
+        self.assertEqual(load_case(case()).ship.fuel, 10.0)
+
+    def test_names_and_states(self) -> None:
+        self.refused("ship.surface_contact_state: expected one of '', 'contact'", ship__surface_contact_state="LANDED")
+        self.refused("ship.reference_body: expected one of", ship__reference_body="Moom")
+        self.refused("ship.ship_class: expected one of", ship__ship_class="fast_frigat")
+        self.refused("terrain.name: expected one of 'flat', 'hills', got 'hils'", terrain={"name": "hils"})
+        self.refused("ship.relative_position: missing", ship__relative_position=...)
+        self.refused("ship_class.dry_mas: no such field", ship_class__dry_mas=1)
+
+    def test_numbers(self) -> None:
+        self.refused("settings.contact_crash_speed: expected > 0 m/s, got -1", settings={"contact_crash_speed": -1})
+        self.refused("settings.contact_crash_sped: no such field", settings={"contact_crash_sped": 1})
+        self.refused("settings.contact_bounce_speed: expected < contact_crash_speed", settings={"contact_bounce_speed": 50})
+        self.refused("settings.contact_longest_substep", settings={"contact_longest_substep": 0.03})
+        self.refused("ship.fuel: expected a finite number, got nan", ship__fuel=float("nan"))
+        self.refused("ship.fuel: expected a finite number, got True", ship__fuel=True)
+        self.refused("ship.relative_velocity[1]: expected <= 1e+09 m/s", ship__relative_velocity=[0, 1e10, 0])
+        self.refused("ship.relative_position: expected >= 1 m", ship__relative_position=[0, 0, 0.5])
+        self.refused("ship.attitude: expected length 1", ship__attitude=[0, 0, 0, 2])
+        self.refused("tick_rate: expected >= 0.1 Hz", tick_rate=0)
+        self.refused("ship_class.inertia_tensor", ship_class__inertia_tensor=[[1, 0, 0], [0, -1, 0], [0, 0, 1]])
+        self.refused("ship_class.dry_inertia_ratio", ship_class__dry_inertia_ratio=0)
+        self.refused("ship_class.attitude_natural_frequency", ship_class__attitude_natural_frequency=6)
+        self.refused("ship_class.reaction_wheel_capacity[2]", ship_class__reaction_wheel_capacity=[1, 1, -1])
+        self.refused("bodies[0].mass: expected > 0 kg", bodies__0__mass=0)
+        self.refused("inputs[0].tick: expected a whole number", inputs=[{"tick": 0.5, "substep": 0, "controls": {}}])
+
+    def test_settings_that_are_good(self) -> None:
+        config = load_config({"surface_normal": "terrain", "contact_friction_static": 1})
+        self.assertTrue(config.is_terrain_normal)
+        with self.assertRaises(Refusal) as caught:
+            load_config({"surface_normal": "Terrain"})
+        self.assertIn("settings.surface_normal: expected one of 'radial', 'terrain'", str(caught.exception))
+
+    def test_controls(self) -> None:
+        self.assertEqual(load_controls_json({"thrust_level": 7}, "controls"), {"thrust_level": 1.0})
+        self.assertEqual(load_controls_json({"attitude_mode": "dock"}, "controls"), {"attitude_mode": "dock"})
+        self.assertEqual(
+            load_controls_json({"target_attitude": [2, 0, 0, 0]}, "controls"), {"target_attitude": (0.0, 0.0, 0.0, 1.0)}
+        )
+        for bad, words in (
+            ({"thrust_level": float("inf")}, "controls.thrust_level: expected a finite number"),
+            ({"rotation_input": [0, 0]}, "controls.rotation_input: expected 3 numbers"),
+            ({"attitude_hold": 1}, "controls.attitude_hold: expected true or false"),
+            ({"target_attitude": [0, 0, 0, 0]}, "controls.target_attitude: expected a quaternion of length 1"),
+            ({"thrust": 1}, "controls.thrust: no such field"),
+        ):
+            with self.assertRaises(Refusal) as caught:
+                load_controls_json(bad, "controls")
+            self.assertIn(words, str(caught.exception))
+
+    def test_tempo(self) -> None:
+        now = Tempo(tick_rate=2.0, time_scale=1.0, asked_scale=1.0)
+        asked = {"game:tick_rate": "0", "game:time_scale": "ten", "game:paused": "perhaps", "game:time_sync": None}
+        tempo, refusals = next_tempo(now, asked, 0.0)
+        self.assertEqual(tempo, now)
+        self.assertEqual(
+            refusals,
+            [
+                "game:tick_rate: expected >= 0.1 Hz, got 0",
+                "game:time_scale: expected a number, got 'ten'",
+                "game:paused: expected true or false, got 'perhaps'",
+            ],
+        )
+        tempo, refusals = next_tempo(now, {"game:tick_rate": "10", "game:time_sync": "true"}, 5.0)
+        self.assertEqual((tempo.tick_rate, tempo.time_scale, refusals), (10.0, 1.05, []))
+
+
+if __name__ == "__main__":
+    unittest.main()

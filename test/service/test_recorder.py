@@ -1,0 +1,69 @@
+"""A running service's ship becomes a trajectory; test/service/recorder.test.ts replays such a file on the browser's law."""
+
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from harness import SERVICE_HOME, RedisServer, ServiceProcess, control, lander, result_of, send, until
+
+
+class Recorder(unittest.TestCase):
+    def record(self, redis: RedisServer, *options: str) -> tuple[int, str, str]:
+        file = Path(tempfile.mkdtemp()) / "recorded.json"
+        command = [sys.executable, "-B", "-m", "touchdown_service.recorder", "--redis", redis.url, *options, str(file)]
+        run = subprocess.run(command, cwd=SERVICE_HOME, capture_output=True, text=True, timeout=60)
+        return run.returncode, run.stdout, run.stderr
+
+    def test_a_landing_is_recorded_tick_by_tick(self) -> None:
+        redis = RedisServer()
+        self.addCleanup(redis.close)
+        client = redis.client()
+        client.mset({"game:tick_rate": "50"})
+        self.assertIn("no service has written here", self.record(redis, "--ship", "s1")[2])
+        service = ServiceProcess(redis)
+        self.addCleanup(service.close)
+        entry = send(client, "spawn", **lander(height=50, velocity=[3, 0, -12]))
+        until(lambda: result_of(client, entry), "it is there", service)
+        self.assertIn("ship: no ship named s2", self.record(redis, "--ship", "s2")[2])
+        client.set("game:paused", "true")
+        until(lambda: client.hget("touchdown:clock", "paused") == "true", "it is paused", service)
+        now = int(client.get("game:tick"))
+        for seq in range(1, 5):
+            control(client, seq, {"thrust_level": 0.01 * seq, "attitude_mode": "hold"}, tick=now + 90 + 7 * seq, substep=1)
+        file = Path(tempfile.mkdtemp()) / "recorded.json"
+        command = [sys.executable, "-B", "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
+        child = subprocess.Popen([*command, "--ticks", "250", str(file)], cwd=SERVICE_HOME, stdout=subprocess.DEVNULL)
+        until(lambda: client.info("clients")["blocked_clients"] == 1, "the recorder listens", service)
+        client.set("game:paused", "false")
+        self.assertEqual(child.wait(60), 0)
+        data = json.loads(file.read_text(encoding="utf-8"))
+        self.assertEqual([s["tick"] for s in data["states"]], [data["initial"]["tick"] + i for i in range(1, 251)])
+        self.assertEqual([i["substep"] for i in data["inputs"]], [0, 1, 1, 1, 1])
+        self.assertIn("ship.contact", [e["event"] for e in data["events"]])
+
+    def test_it_ends_where_the_tick_changes(self) -> None:
+        redis = RedisServer()
+        self.addCleanup(redis.close)
+        client = redis.client()
+        client.mset({"game:tick_rate": "50"})
+        service = ServiceProcess(redis)
+        self.addCleanup(service.close)
+        entry = send(client, "spawn", **lander(height=3000))
+        until(lambda: result_of(client, entry), "it is there", service)
+        before = int(client.get("game:tick"))
+        command = [sys.executable, "-B", "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
+        folder = tempfile.mkdtemp()
+        child = subprocess.Popen(
+            [*command, "--ticks", "10000", f"{folder}/a.json"], cwd=SERVICE_HOME, stdout=subprocess.PIPE, text=True
+        )
+        until(lambda: int(client.get("game:tick")) > before + 100, "it has recorded a while", service)
+        client.set("game:tick_rate", "20")
+        said, _ = child.communicate(timeout=60)
+        self.assertIn("ended: another tick", said)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,249 @@
+"""The service against a real Redis, read as redis-cli would read it."""
+
+import json
+import unittest
+
+from harness import (
+    RedisServer,
+    ServiceProcess,
+    control,
+    entries,
+    frames,
+    lander,
+    result_of,
+    send,
+    until,
+)
+
+FIELDS = {
+    "ship_id", "player_id", "name", "ship_class", "position", "velocity", "attitude", "angular_velocity",
+    "rotation_input", "translation_input", "thrust_level", "attitude_hold", "attitude_mode", "target_attitude", "fuel",
+    "mass", "landed_body_name", "surface_contact_state", "docked_station_id", "docked_at_tick", "rcs_firing", "system_id",
+    "reference_body", "relative_position", "relative_velocity", "contact_impact_speed", "wheel_momentum",
+    "ground_contact_offset", "touched", "input_session", "input_seq", "input_tick", "input_substep", "input_margin",
+}  # fmt: skip
+
+
+class WithService(unittest.TestCase):
+    def setUp(self) -> None:
+        self.redis = RedisServer()
+        self.addCleanup(self.redis.close)
+        self.client = self.redis.client()
+        self.client.mset({"game:tick_rate": "50", "game:time_scale": "1"})
+        self.service = ServiceProcess(self.redis)
+        self.addCleanup(lambda: self.service.close())
+        self.until(lambda: self.tick() > 0, "a tick is committed")
+
+    def until(self, condition, what):
+        return until(condition, what, self.service)
+
+    def tick(self) -> int:
+        return int(self.client.get("game:tick") or 0)
+
+    def send(self, type: str, **data) -> dict:
+        entry = send(self.client, type, **data)
+        return self.until(lambda: result_of(self.client, entry), f"{type} has a result")
+
+    def state(self, ship_id: str = "s1") -> str:
+        return self.client.hget(f"ship:{ship_id}", "surface_contact_state")
+
+
+class Ships(WithService):
+    def test_a_landing_as_the_game_sees_it(self) -> None:
+        # Nothing of the game's own is left out, whoever reads it.
+        self.assertEqual(self.send("spawn", **lander(height=12, velocity=[2, 0, -12]))["reason"], "")
+        self.until(lambda: self.state() == "landed", "s1 landed")
+        record = self.client.hgetall("ship:s1")
+        self.assertEqual(set(record), FIELDS)
+        self.assertEqual(record["landed_body_name"], "Luna")
+        self.assertEqual(len(json.loads(record["attitude"])), 4)
+        told = entries(self.client, "galaxy:ships")
+        self.assertEqual([entry["event"] for entry in told], ["ship.contact", "ship.landed"])
+        for entry in told:
+            self.assertEqual(
+                {k: entry[k] for k in ("ship_id", "player_id", "body")},
+                {"ship_id": "s1", "player_id": "pilot of s1", "body": "Luna"},
+            )
+            self.assertEqual(len(entry), 4)
+        touches = [e for e in entries(self.client, "touchdown:events") if e["event"] == "ship.contact"]
+        self.assertEqual([e["again"] for e in touches], ["false"] + ["true"] * (len(touches) - 1))
+        self.assertGreater(len(touches), 1)
+        self.assertEqual(self.client.smembers("system:sol:ships"), {"s1"})
+
+    def test_a_crash_deletes_the_ship(self) -> None:
+        self.send("spawn", **lander(height=20, velocity=[0, 0, -70]))
+        self.until(lambda: not self.client.exists("ship:s1"), "the ship is gone")
+        self.assertEqual(
+            entries(self.client, "galaxy:ships"),
+            [{"event": "ship.destroyed", "ship_id": "s1", "player_id": "pilot of s1", "body": "Luna", "reason": "collision"}],
+        )
+        self.assertEqual(self.client.smembers("system:sol:ships"), set())
+        frame = next(f for f in frames(self.client) if f["removed"])
+        self.assertEqual(frame["ships"], [])
+        self.assertEqual(frame["removed"][0], {"ship_id": "s1", "player_id": "pilot of s1", "name": "s1", "reason": "collision"})
+        self.assertEqual(frame["events"][0]["type"], "ship.destroyed")
+
+    def test_commands_are_refused_by_name_and_change_nothing(self) -> None:
+        self.send("spawn", **lander())
+        self.assertIn("is there already", self.send("spawn", **lander())["reason"])
+        self.assertIn("no ship named", self.send("remove", ship_id="s2")["reason"])
+        self.assertIn("type: expected one of", self.send("dock", ship_id="s1")["reason"])
+        self.assertIn("maneuver: expected one of", self.send("maneuver", ship_id="s1", maneuver="orbit")["reason"])
+        self.assertTrue(self.send("remove", ship_id="s1")["ok"])
+        self.until(lambda: not self.client.exists("ship:s1"), "the ship is gone")
+        self.assertEqual(self.client.xlen("touchdown:inbox"), 0)
+
+    def test_the_autopilot_can_be_watched(self) -> None:
+        self.send("spawn", **lander(height=30, velocity=[0, 0, -2]))
+        self.send("maneuver", ship_id="s1", maneuver="landing")
+        self.assertEqual(self.client.hget("maneuver:s1", "phase"), "descent")
+        self.until(lambda: self.client.hget("maneuver:s1", "phase") == "complete", "the landing is complete")
+        self.assertEqual(self.state(), "landed")
+
+
+class Inputs(WithService):
+    def test_an_input_acts_at_its_substep_and_is_acknowledged(self) -> None:
+        self.send("spawn", **lander(height=3000))
+        at = self.tick() + 50
+        control(self.client, 1, {"thrust_level": 0.5}, tick=at, substep=1, player_id="pilot of s1")
+        control(self.client, 2, {"attitude_mode": "radial"}, tick=at + 2, substep=0)
+        # Told twice, it acts once.
+        control(self.client, 2, {"attitude_mode": "radial"}, tick=at + 2, substep=0)
+        self.until(lambda: self.client.hget("ship:s1", "input_seq") == "2", "both were applied")
+        told = {f["tick"]: f["ships"][0].get("last_input") for f in frames(self.client) if f["ships"]}
+        self.assertIsNone(told[at])
+        first = told[at + 1]
+        self.assertEqual((first["session"], first["seq"], first["tick"], first["substep"]), ("page", 1, at, 1))
+        self.assertGreater(first["margin"], 0.3)
+        self.assertEqual(told[at + 3]["tick"], at + 2)
+        record = self.client.hgetall("ship:s1")
+        self.assertEqual((record["thrust_level"], record["attitude_mode"]), ("0.5", "radial"))
+
+    def test_controls_of_a_whole_tick_and_late_ones_act_at_once(self) -> None:
+        self.send("spawn", **lander(height=3000))
+        control(self.client, 1, {"thrust_level": 0.25})
+        control(self.client, 2, {"rotation_input": [0, 0, 1]}, tick=0, substep=0)
+        self.until(lambda: self.client.hget("ship:s1", "input_seq") == "2", "both were applied")
+        record = self.client.hgetall("ship:s1")
+        self.assertEqual((record["thrust_level"], record["rotation_input"]), ("0.25", "[0.0, 0.0, 1.0]"))
+        self.assertLess(float(record["input_margin"]), 0)
+
+    def test_what_cannot_be_used_is_refused_by_field(self) -> None:
+        self.send("spawn", **lander(height=3000))
+        for seq, (controls, at, words) in enumerate(
+            (
+                ({"thrust_level": 1}, {"player_id": "somebody"}, "player_id"),
+                ({"thrust_level": float("nan")}, {}, "controls.thrust_level: expected a finite number"),
+                ({"thrust_level": 1}, {"tick": 10**9}, "tick: expected at most"),
+                ({"thrust_level": 1}, {"tick": "soon"}, "tick: expected a whole number"),
+                ({"thrust_level": 1}, {"ship_id": "s9"}, "ship_id: no ship named s9"),
+                ({"thrust_level": 1}, {"session": ""}, "session: expected a text that is not empty"),
+            ),
+            1,
+        ):
+            entry = control(self.client, seq, controls, **at)
+            result = self.until(lambda: result_of(self.client, entry), "a result")
+            self.assertIn(words, result["reason"])
+        self.client.xadd("touchdown:inbox", {"nonsense": "x"})
+        self.client.xadd("touchdown:inbox", {"type": "spawn", "data": "[" * 10_000})
+        self.until(lambda: self.client.xlen("touchdown:inbox") == 0, "the inbox is empty")
+        self.assertEqual(self.client.hget("ship:s1", "thrust_level"), "0.0")
+
+
+class Clock(WithService):
+    def test_rate_scale_and_pause_change_while_it_runs(self) -> None:
+        listener = self.client.pubsub()
+        listener.subscribe("tick_completed")
+        self.client.mset({"game:tick_rate": "25", "game:time_scale": "2"})
+        self.until(lambda: frames(self.client)[-1]["tick_rate"] == 25, "the rate holds")
+        told = frames(self.client)
+        changed = next(i for i, f in enumerate(told) if f["tick_rate"] == 25)
+        self.until(lambda: len(frames(self.client)) > changed + 2, "two more frames")
+        now, then = frames(self.client)[changed : changed + 2]
+        self.assertAlmostEqual(then["game_time"] - now["game_time"], 0.08, 9)
+        self.assertAlmostEqual(then["due"] - now["due"], 0.04, 6)
+        self.client.set("game:paused", "true")
+        self.until(lambda: frames(self.client)[-1]["paused"], "paused")
+        stood = self.tick()
+        self.assertEqual(self.client.hget("body:Luna", "tick"), str(stood))
+        # While it is paused, ships come and go; the tick stands.
+        self.assertTrue(self.send("spawn", **lander())["ok"])
+        self.assertEqual((self.tick(), frames(self.client)[-1]["tick"]), (stood, stood))
+        self.client.set("game:paused", "false")
+        self.until(lambda: self.tick() > stood + 3, "it goes on")
+        completed = [m["data"] for m in iter(lambda: listener.get_message(timeout=0.1), None) if m["type"] == "message"]
+        ticks = [json.loads(data)["tick"] for data in completed]
+        self.assertEqual(sorted(set(ticks)), list(range(ticks[0], ticks[-1] + 1)))
+
+    def test_what_cannot_be_used_stays_out_and_is_named(self) -> None:
+        self.client.set("game:tick_rate", "-3")
+        self.until(lambda: "game:tick_rate" in self.client.hget("touchdown:status", "refused"), "the refusal is told")
+        before = self.tick()
+        self.until(lambda: self.tick() > before + 5, "it ticks on")
+        self.assertEqual(frames(self.client)[-1]["tick_rate"], 50)
+
+    def test_bodies_are_written_each_tenth_tick(self) -> None:
+        seen = set()
+        self.until(lambda: seen.add(int(self.client.hget("body:Luna", "tick") or 0)) or len(seen) > 3, "three writes")
+        self.assertEqual({tick % 10 for tick in seen}, {0})
+        self.assertIn("Luna", self.client.smembers("system:sol:bodies"))
+
+    def test_a_world_whose_keys_are_gone_gets_them_back(self) -> None:
+        self.client.delete("game:time_scale", "game:paused")
+        self.until(lambda: self.client.get("game:time_scale") == "1.0", "the scale in force")
+        self.assertEqual(self.client.get("game:paused"), "false")
+        self.assertEqual(self.client.get("game:time_sync"), "false")
+
+
+class Lease(WithService):
+    def test_a_second_service_refuses_to_run(self) -> None:
+        second = ServiceProcess(self.redis)
+        self.addCleanup(second.close)
+        self.assertEqual(second.process.wait(20), 3)
+        self.assertIn("another service runs", second.words())
+        before = self.tick()
+        self.until(lambda: self.tick() > before + 3, "the first goes on")
+
+    def test_one_that_lost_its_lease_writes_nothing_more(self) -> None:
+        self.service.process.send_signal(19)  # SIGSTOP: it stands for longer than its lease
+        self.until(lambda: not self.client.exists("touchdown:lease"), "the lease runs out")
+        second = ServiceProcess(self.redis)
+        self.addCleanup(second.close)
+        at = self.tick()
+        self.until(lambda: self.tick() > at + 5, "the second ticks")
+        self.service.process.send_signal(18)  # SIGCONT
+        self.assertEqual(self.service.process.wait(20), 3)
+        self.assertIn("lease lost", self.service.words())
+        ticks = [frame["tick"] for frame in frames(self.client)]
+        self.assertEqual(ticks, list(range(ticks[0], ticks[-1] + 1)))
+
+    def test_told_to_stop_it_says_where_the_bodies_are_and_gives_the_lease_back(self) -> None:
+        self.assertEqual(self.service.terminate(), 0)
+        self.assertFalse(self.client.exists("touchdown:lease"))
+        self.assertEqual(self.client.hget("body:Luna", "tick"), str(self.tick()))
+
+
+class Damage(WithService):
+    def test_a_ship_that_cannot_be_read_costs_no_other(self) -> None:
+        for ship_id in ("s1", "s2"):
+            self.send("spawn", **lander(ship_id, height=3000))
+        self.service.kill()
+        self.client.hset("ship:s1", "attitude", "upright")
+        at = self.tick()
+        self.service = ServiceProcess(self.redis)
+        self.until(lambda: self.tick() > at, "it goes on")
+        self.assertEqual([s["ship_id"] for s in frames(self.client)[-1]["ships"]], ["s2"])
+        self.assertIn("ship:s1.attitude: expected JSON", self.client.hget("touchdown:status", "refused"))
+
+    def test_a_key_of_another_kind_is_survived(self) -> None:
+        for ship_id in ("s1", "s2"):
+            self.send("spawn", **lander(ship_id, height=3000))
+        self.client.delete("ship:s1")
+        self.client.set("ship:s1", "a text")
+        at = self.tick()
+        self.until(lambda: self.tick() > at + 20, "it ticks on")
+        self.assertEqual([s["ship_id"] for s in frames(self.client)[-1]["ships"]], ["s2"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -39,7 +39,9 @@ export const TANGENTIAL_VELOCITY = 14;
 export const TANGENTIAL_SPEED_SQUARED = 17;
 /** n − c_s s, ICRF: how the ground slopes; 0 where the surface normal is radial. */
 export const SLOPE = 18;
-const SURFACE_LENGTH = 21;
+/** Radius of the ground below, terrain included, m. */
+export const GROUND_RADIUS = 21;
+const SURFACE_LENGTH = 22;
 
 /** Rotation matrix of the ship's attitude, row by row; its third column is `up`. */
 export const AXES = 84;
@@ -134,6 +136,7 @@ export const SURFACE_SLOTS: readonly (readonly [slot: number, length: number])[]
   [TANGENTIAL_VELOCITY, 3],
   [TANGENTIAL_SPEED_SQUARED, 1],
   [SLOPE, 3],
+  [GROUND_RADIUS, 1],
 ];
 
 /**
@@ -144,6 +147,8 @@ export const SMI_MASK = 0x3ffffff;
 
 /** What a substep works on: the rows it changes, and what of the world it reads. Filled anew for each ship. */
 export interface Step {
+  /** Number of the ship's row. */
+  row: number;
   bodies: Float64Array;
   /** Of the reference body's row. */
   bodyAt: number;

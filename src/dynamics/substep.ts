@@ -12,6 +12,7 @@ import {
   NO_EVENT,
   REFERENCE_BODY,
   SHIP_CLASS,
+  SHIP_STRIDE,
   SURFACE_STATE,
   TIPPED,
 } from './layout';
@@ -105,12 +106,13 @@ function groundSubstep(step: Step): number {
   return makeTransition(step); // 9
 }
 
-const step: Step = { bodies: new Float64Array(0), bodyAt: 0 } as Step;
+const step: Step = { row: 0, bodies: new Float64Array(0), bodyAt: 0 } as Step;
 
 function begin(ships: Float64Array, at: number, bodies: Float64Array, world: World, dt: number): void {
   copyIn(ships, at);
   const q = quantities;
   const reference = q[REFERENCE_BODY]!;
+  step.row = at / SHIP_STRIDE;
   step.bodies = bodies;
   step.bodyAt = reference * BODY_STRIDE;
   step.body = world.bodies[reference]!;

@@ -15,6 +15,7 @@ import { SMI_MASK } from './quantities';
 
 /** What of a body never changes. */
 export interface Body {
+  /** Unique in its world. */
   readonly name: string;
   /** kg */
   readonly mass: number;
@@ -24,10 +25,13 @@ export interface Body {
 
 /** Where a body is: ICRF, m, m/s, rad/s. */
 export interface BodyMotion {
+  /** m, ICRF. */
   readonly position: Vec3;
+  /** m/s, ICRF. */
   readonly velocity: Vec3;
   /** Rotates body axes (Y pole, Z prime meridian, X 90° E) into ICRF. */
   readonly attitude: Quat;
+  /** rad/s, ICRF axes. */
   readonly angularVelocity: Vec3;
 }
 

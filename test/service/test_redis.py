@@ -217,6 +217,21 @@ class Lease(WithService):
         ticks = [frame["tick"] for frame in frames(self.client)]
         self.assertEqual(ticks, list(range(ticks[0], ticks[-1] + 1)))
 
+    def test_a_tick_that_takes_longer_than_the_lease_is_committed(self) -> None:
+        # 40 ships, each 10,000 substeps in one tick: some seconds of work, the lease lasts for 0.4.
+        pipe = self.client.pipeline()
+        self.client.set("game:paused", "true")
+        self.until(lambda: self.client.hget("touchdown:clock", "paused") == "true", "it is paused")
+        for i in range(40):
+            order = json.dumps(lander(f"s{i}", height=50_000))
+            pipe.xadd("touchdown:inbox", {"type": "spawn", "data": order})
+        pipe.execute()
+        self.until(lambda: self.client.scard("system:sol:ships") == 40, "all are there")
+        at = self.tick()
+        self.client.mset({"game:tick_rate": "1", "game:time_scale": "100", "game:paused": "false"})
+        self.until(lambda: self.tick() > at, "the long tick is committed")
+        self.assertNotIn("lease lost", self.service.words())
+
     def test_told_to_stop_it_says_where_the_bodies_are_and_gives_the_lease_back(self) -> None:
         self.assertEqual(self.service.terminate(), 0)
         self.assertFalse(self.client.exists("touchdown:lease"))

@@ -3,6 +3,7 @@
 import json
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta, timezone
+from secrets import token_hex
 from typing import Any
 
 from redis import Redis
@@ -55,6 +56,8 @@ class RedisState:
         self.pending_text = ""
         self.landings: dict[str, tuple] = {}
         self.members: set[str] = set()
+        # Of the last transaction that was read or written: another means that the world has moved on.
+        self.commit_id: str | None = None
         # Why the last ship that could not be read was left out.
         self.refused = ""
 
@@ -78,6 +81,7 @@ class RedisState:
         galaxy = make_galaxy(
             json.loads(definition), [body_of_record(b, f"{BODIES}[{i}]") for i, b in enumerate(json.loads(bodies))]
         )
+        self.commit_id = clock.get("commit")
         if clock:
             load_clock(galaxy, clock)
         self.load_ships(galaxy)
@@ -119,9 +123,11 @@ class RedisState:
         """All of a tick, or nothing. Raises LeaseLost where another service may have written meanwhile."""
         pipe = self.client.pipeline(transaction=True)
         try:
-            pipe.watch(lease_key.KEY)
-            if pipe.get(lease_key.KEY) != self.lease.token:
+            pipe.watch(lease_key.KEY, CLOCK)
+            holder, commit = pipe.get(lease_key.KEY), pipe.hget(CLOCK, "commit")
+            if holder not in (None, self.lease.token) or commit != self.commit_id:
                 raise LeaseLost(self.lease.token)
+            self.commit_id = token_hex(8)
             pipe.multi()
             ships = self.write_ships(pipe, galaxy, changes)
             self.write_clock(pipe, galaxy, asked)
@@ -179,6 +185,7 @@ class RedisState:
             "time_sync": json.dumps(tempo.time_sync),
             "paused": json.dumps(tempo.paused),
             "cursor": galaxy.cursor,
+            "commit": self.commit_id,
         }
         pipe.hset(CLOCK, mapping=clock)
         waiting = {id: [input_record(i) for i in s.pending] for id, s in galaxy.ships.items() if s.pending}
@@ -195,7 +202,7 @@ class RedisState:
 
     def write_bodies_at_end(self, galaxy: Galaxy) -> None:
         """At a shutdown: the body hashes at the present tick."""
-        self.lease.renew()
+        self.lease.check()
         pipe = self.client.pipeline(transaction=True)
         write_body_hashes(pipe, galaxy)
         pipe.execute()
@@ -221,7 +228,7 @@ def write_body_hashes(pipe: Pipeline, galaxy: Galaxy) -> None:
 
 
 def load_clock(galaxy: Galaxy, clock: dict[str, str]) -> None:
-    data = from_hash({name: value for name, value in clock.items() if name != "cursor"}, CLOCK)
+    data = from_hash({name: value for name, value in clock.items() if name not in ("cursor", "commit")}, CLOCK)
     mapping(data, CLOCK)
     galaxy.tick = whole(required(data, "tick", CLOCK), f"{CLOCK}.tick")
     galaxy.game_time = number(required(data, "game_time", CLOCK), f"{CLOCK}.game_time")

@@ -7,6 +7,7 @@ import unittest
 from typing import Any
 
 from harness import SERVICE_HOME, RedisServer, ServiceProcess, entries, lander, send, until
+
 from touchdown_service.galaxy import Changes, make_galaxy, run_interval
 from touchdown_service.inbox import take_in
 from touchdown_service.records import body_of_record, ship_record, to_texts
@@ -121,7 +122,9 @@ class Killed(unittest.TestCase):
             # Wall time, which is not the simulation's.
             held.pop("input_margin")
             record.pop("input_margin")
-            self.assertEqual({name: (held.get(name), value) for name, value in record.items() if held.get(name) != value}, {})
+            self.assertEqual(
+                {name: (held.get(name), value) for name, value in record.items() if held.get(name) != value}, {}
+            )
             self.assertEqual(set(held), set(record))
         self.assertEqual(self.client.smembers("system:sol:ships"), set(records))
 

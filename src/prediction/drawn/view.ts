@@ -8,6 +8,8 @@ import type {
   SurfaceState,
 } from '../../dynamics';
 
+import type { Connection } from '../time/connection';
+
 /** What `view(now)` gives: plain records, owned and reused by the predictor, valid until the next call. SI units. */
 
 /** How far a shown state can be trusted. */
@@ -16,7 +18,7 @@ export type Provenance =
   | 'confirmed'
   /** Predicted past the server's newest state, or against it until it answers; `age` wall s since the state began. */
   | 'predicted'
-  /** No server state for two ticks or more. */
+  /** No server state for two sends or more. */
   | 'stale'
   /** Time scale outruns the budget: the server's last state, not carried on. */
   | 'off';
@@ -124,8 +126,8 @@ export interface ShipView {
   readonly ghostAttitude: Float64Array;
   /** false before the first state of this ship. */
   serverKnown: boolean;
-  /** Ticks the server has gone on without sending this ship: it leaves the list at 3. A crashed ship says so in shownState. */
-  missingTicks: number;
+  /** Sends of the server without this ship: it leaves the list at 3, if that took a second. A crashed ship says so in shownState. */
+  missingSends: number;
 }
 
 /** A predicted or server-told event, in the order of its birth. */
@@ -152,6 +154,10 @@ export interface WorldView {
   paused: boolean;
   /** False until a hello (or defaults) and a first frame have come. */
   ready: boolean;
+  /** Whether the server is heard: a paused one, a link that stalls and a server that is gone are told apart. */
+  connection: Connection;
+  /** Client wall s since the newest frame came; infinite before the first. */
+  silence: number;
   /** Contact settings that hold. */
   settings: LoadedSettings;
   readonly bodies: (Body & BodyMotion)[];

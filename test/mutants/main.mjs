@@ -73,11 +73,19 @@ async function forEach(items, work) {
   await Promise.all(Array.from({ length: availableParallelism() }, lane));
 }
 
+/** Those of the test files that pass without any change; only they can tell of one. */
+async function passingOf(behind) {
+  const passing = [];
+  await forEach(behind, async (one) => {
+    if (await passes([one[0]])) passing.push(one);
+    else console.log(`  left out, it fails without any change: ${one[0]}`);
+  });
+  return passing;
+}
+
 /** Tries the changes of a room that `choose` picks out of all. */
 async function tryRoom(room, choose) {
-  const behind = await sourcesBehind(room);
-  if (!(await passes(behind.map(([test]) => test))))
-    throw new Error(`${room}: its tests fail without any change`);
+  const behind = await passingOf(await sourcesBehind(room));
   const all = filesUnder(`src/${room}`, /(?<!\.d)\.ts$/).flatMap((path) =>
     changesOf(path, readFileSync(join(ROOT, path), 'utf8')).map((change) => ({ path, ...change })),
   );

@@ -52,7 +52,7 @@ function alignFront(session: Session, now: number): Position {
   const { timing, timeScale, tickRate, paused } = spanOf(sim.timeline, sim.newestTick);
   const horizon = paused ? Number.POSITIVE_INFINITY : horizonOf(sim.cadence, tickRate);
   const limit = wallOfTick(sim.timeline, sim.newestTick) + horizon;
-  const jumped = advanceClock(clock, now, { deadZone: timing.dt / timeScale, limit });
+  const jumped = advanceClock(clock, now, { deadZone: timing.dt / timeScale / 2, limit });
   const absent = wasAbsent(session, now);
   const target = locate(sim, clock.present);
   if (absent && now - advancedBefore > KEYS_HELD) pilot.released = pilot.last;

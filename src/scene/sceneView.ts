@@ -19,6 +19,7 @@ import { aimCone } from './viewCone';
 /** s: a longer pause between two pictures raises no more dust than this. */
 const LONGEST_STEP = 0.25;
 
+/** Creates the picture in `canvas`. Throws where the browser gives no WebGL 2. */
 export function createStage(canvas: HTMLCanvasElement, quality: Quality): Stage {
   const state = createState(createParts(canvas, quality));
   const { parts, rig } = state;

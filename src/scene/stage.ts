@@ -28,5 +28,6 @@ export interface Stage {
   setCamera(view: CameraView): void;
   /** Back to the first view, at once. */
   resetCamera(): void;
+  /** Gives the GPU's memory back; nothing is drawn any more. */
   dispose(): void;
 }

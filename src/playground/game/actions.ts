@@ -28,6 +28,8 @@ export interface ActsPlace {
   readonly resetCamera: () => void;
   readonly nextCamera: () => void;
   readonly copyLink: () => void;
+  /** Lets another tab in, and hands out its link. */
+  readonly invite: () => void;
   readonly toggleBare: () => void;
   readonly toggleAids: () => void;
   readonly toggleSound: () => void;
@@ -158,6 +160,7 @@ function createPanelActs(
     },
     away: () => away(performance.now() / 1000),
     copyLink: place.copyLink,
+    invite: place.invite,
     help: place.help,
     sound: place.toggleSound,
     resetCamera: place.resetCamera,

@@ -68,6 +68,7 @@ function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
     },
     onEntry: (entry) => parts.scene.recorder.take(entry),
     onRun: (inputs) => parts.game.onRun(inputs),
+    onScenario: (scenario, terrain) => parts.chooser.follow(scenario, terrain),
   });
 }
 
@@ -115,6 +116,7 @@ function wireActs(page: Page, parts: Parts): Acts {
     resetCamera: () => stage?.resetCamera(),
     nextCamera: createCameraSwitch(stage, banner),
     copyLink: () => address.copy(query(), 'Link copied.'),
+    invite: parts.chooser.invite,
     toggleBare: () => document.body.classList.toggle('bare'),
     toggleAids: () => banner.flash(`Landing aids ${parts.cockpit.toggleAids() ? 'on' : 'off'}.`),
     toggleSound() {

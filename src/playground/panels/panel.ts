@@ -14,6 +14,7 @@ export type PanelAct =
   | 'drop'
   | 'away'
   | 'copyLink'
+  | 'invite'
   | 'help'
   | 'sound'
   | 'resetCamera'
@@ -40,7 +41,15 @@ export interface Panel {
 }
 
 /** What a real server does not take. */
-const BUILT_IN_ONLY: readonly PanelAct[] = ['restart', 'pause', 'stepSubstep', 'kick', 'freeze', 'drop'];
+const BUILT_IN_ONLY: readonly PanelAct[] = [
+  'restart',
+  'pause',
+  'stepSubstep',
+  'kick',
+  'freeze',
+  'drop',
+  'invite',
+];
 
 /** The playground's form: native controls, each with its label. Missions on top, the workshop folded below. */
 export function createPanel(
@@ -67,6 +76,7 @@ export function createPanel(
   const schools = append(host, 'div', 'row');
   appendButton(schools, 'Flight school', () => listeners.change('scenario', LESSONS[0]!.scenario.name));
   appendButton(schools, 'Free flight', () => listeners.change('scenario', 'launch'));
+  button(schools, 'invite', 'Fly together');
 
   const workshop = appendDetails(host, 'Workshop', workshopOpen);
   workshop.addEventListener('toggle', () => listeners.workshop(workshop.open));

@@ -23,9 +23,14 @@ function environment() {
   return { ...process.env, PYTHONPATH: path, PYTHONDONTWRITEBYTECODE: '1', PYTHONUNBUFFERED: '1' };
 }
 
+/** The interpreter itself, not a shim before it: a signal has to reach it. */
 function findPython() {
-  const isNewEnough = 'import sys; sys.exit(sys.version_info < (3, 10))';
-  return ['python3', 'python'].find((command) => run(command, ['-c', isNewEnough]).status === 0);
+  const program = 'import sys; print(sys.executable); sys.exit(sys.version_info < (3, 10))';
+  for (const command of ['python3', 'python']) {
+    const found = run(command, ['-c', program]);
+    if (found.status === 0) return found.stdout.trim();
+  }
+  return undefined;
 }
 
 /**

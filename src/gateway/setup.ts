@@ -77,25 +77,27 @@ function readHangar(text: string | undefined, accounts: readonly Account[]): Res
     shipId,
     delay,
     spawn(playerId, { frame }) {
-      const radius = frame.bodies.find(({ name }) => name === body)?.radius;
-      if (radius === undefined) return null;
-      const berth = Math.max(
-        0,
-        accounts.findIndex((account) => account.playerId === playerId),
-      );
-      const [x, y, z] = direction;
+      const ground = frame.bodies.find(({ name }) => name === body) ?? frame.bodies[0];
+      if (ground === undefined) return null;
+      const known = accounts.findIndex((account) => account.playerId === playerId);
+      const berth = Math.max(0, known);
       return {
         ship_id: shipId(playerId),
         player_id: playerId,
-        name: accounts[berth]?.username ?? playerId,
+        name: accounts[known]?.username ?? playerId,
         ship_class: shipClass,
-        body,
-        // East is the pole (body Y) × up; near enough to the equator a small step along it is one of x.
-        direction: [x + (berth * APART) / radius, y, z],
+        body: ground.name,
+        direction: eastOf(direction, (berth * APART) / ground.radius),
         height,
       };
     },
   });
+}
+
+/** The direction, `angle` rad further east (small): east is the pole, body Y, × up. */
+function eastOf([x, y, z]: Berths['direction'], angle: number): [number, number, number] {
+  const length = Math.sqrt(x * x + z * z);
+  return length === 0 ? [x, y, z] : [x + (z / length) * angle, y, z - (x / length) * angle];
 }
 
 function parsed(text: string): unknown {

@@ -36,6 +36,7 @@ export function createScene(sim: Simulation): Scene {
       present: 0,
       elapsed: 0,
       staleAfter: 0,
+      confirms: 0,
       paused: false,
       wallOf: (tick) => wallOfTick(sim.timeline, tick),
     },

@@ -1,0 +1,30 @@
+export interface Process {
+  readonly name: string;
+  readonly start: () => Promise<void>;
+  /** Ends it with a signal; resolves when it is gone. */
+  readonly end: (signal: string) => Promise<void>;
+  readonly pid: () => number;
+  /** The last it wrote. */
+  readonly said: () => string;
+  readonly whenItDies: (act: (how: string | number | null) => void) => void;
+}
+export interface Stack {
+  readonly redis: Process;
+  readonly service: Process;
+  readonly gateway: Process;
+  readonly redisUrl: string;
+  readonly gatewayPort: number;
+  readonly stop: () => Promise<void>;
+}
+export function createProcess(program: {
+  name: string;
+  command: string;
+  args: readonly string[];
+  env: Record<string, string | undefined>;
+  upWhen: RegExp;
+}): Process;
+export function freePort(): Promise<number>;
+export function createStack(options: {
+  gatewayEnv: Record<string, string>;
+  appendfsync: 'always' | 'everysec' | 'no';
+}): Promise<Stack>;

@@ -1,0 +1,112 @@
+// The live stack's processes: each can be killed and started again, as it would be in operation.
+import { spawn } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { createServer } from 'node:net';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { redisServer, servicePython } from './python.mjs';
+
+const root = fileURLToPath(new URL('..', import.meta.url));
+/** Characters of a process's output that are kept. */
+const SAID = 4000;
+
+/**
+ * A process that is not started yet. It is up when its output has `upWhen`.
+ * In a process group of its own: Ctrl-C reaches it through us alone, in the right order.
+ */
+export function createProcess({ name, command, args, env, upWhen }) {
+  let child = null;
+  let said = '';
+  let onDeath = () => undefined;
+  return {
+    name,
+    pid: () => child?.pid ?? -1,
+    said: () => said,
+    whenItDies: (act) => (onDeath = act),
+    start() {
+      const own = spawn(command, args, { env, cwd: root, stdio: ['ignore', 'pipe', 'pipe'], detached: true });
+      child = own;
+      said = '';
+      return new Promise((resolve, reject) => {
+        const hear = (data) => {
+          said = (said + data.toString()).slice(-SAID);
+          if (upWhen.test(said)) resolve();
+        };
+        own.stdout.on('data', hear);
+        own.stderr.on('data', hear);
+        own.once('error', reject);
+        own.once('exit', (code, signal) => {
+          reject(new Error(`${name} ended with ${signal ?? code}: ${said.trim()}`));
+          if (child === own) {
+            child = null;
+            onDeath(signal ?? code);
+          }
+        });
+      });
+    },
+    end(signal) {
+      const own = child;
+      child = null;
+      if (own === null || own.exitCode !== null || own.signalCode !== null) return Promise.resolve();
+      return new Promise((resolve) => {
+        own.once('exit', () => resolve());
+        own.kill(signal);
+      });
+    },
+  };
+}
+
+/** A port that is free now. */
+export function freePort() {
+  return new Promise((resolve, reject) => {
+    const server = createServer();
+    server.once('error', reject);
+    server.listen(0, '127.0.0.1', () => {
+      const { port } = server.address();
+      server.close(() => resolve(port));
+    });
+  });
+}
+
+/**
+ * Redis, service and gateway on free ports of this machine, none started yet. Throws an Error that says what is to be
+ * installed. `appendfsync`: always, everysec, or no (nothing is kept).
+ */
+export async function createStack({ gatewayEnv, appendfsync }) {
+  const [redisCommand, python] = [redisServer(), servicePython()];
+  const [redisPort, gatewayPort] = [await freePort(), await freePort()];
+  const folder = mkdtempSync(join(tmpdir(), 'touchdown-live-'));
+  const redisUrl = `redis://127.0.0.1:${redisPort}/0`;
+  const redis = createProcess({
+    name: 'redis',
+    command: redisCommand,
+    args: [
+      ...['--bind', '127.0.0.1', '--port', String(redisPort), '--dir', folder, '--save', ''],
+      ...(appendfsync === 'no' ? [] : ['--appendonly', 'yes', '--appendfsync', appendfsync]),
+    ],
+    env: process.env,
+    upWhen: /Ready to accept connections/,
+  });
+  const service = createProcess({
+    name: 'service',
+    command: python.command,
+    args: ['-m', 'touchdown_service', '--redis', redisUrl],
+    env: python.env,
+    upWhen: / INFO tick /,
+  });
+  const gateway = createProcess({
+    name: 'gateway',
+    command: process.execPath,
+    args: ['test/run.mjs', 'src/gateway/main.ts'],
+    env: { ...process.env, TOUCHDOWN_REDIS: redisUrl, TOUCHDOWN_PORT: String(gatewayPort), ...gatewayEnv },
+    upWhen: /gateway: listening/,
+  });
+  return {
+    ...{ redis, service, gateway, redisUrl, gatewayPort },
+    async stop() {
+      for (const one of [gateway, service, redis]) await one.end('SIGTERM');
+      rmSync(folder, { recursive: true, force: true });
+    },
+  };
+}

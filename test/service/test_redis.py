@@ -75,12 +75,22 @@ class Ships(WithService):
         self.until(lambda: not self.client.exists("ship:s1"), "the ship is gone")
         self.assertEqual(
             entries(self.client, "galaxy:ships"),
-            [{"event": "ship.destroyed", "ship_id": "s1", "player_id": "pilot of s1", "body": "Luna", "reason": "collision"}],
+            [
+                {
+                    "event": "ship.destroyed",
+                    "ship_id": "s1",
+                    "player_id": "pilot of s1",
+                    "body": "Luna",
+                    "reason": "collision",
+                }
+            ],
         )
         self.assertEqual(self.client.smembers("system:sol:ships"), set())
         frame = next(f for f in frames(self.client) if f["removed"])
         self.assertEqual(frame["ships"], [])
-        self.assertEqual(frame["removed"][0], {"ship_id": "s1", "player_id": "pilot of s1", "name": "s1", "reason": "collision"})
+        self.assertEqual(
+            frame["removed"][0], {"ship_id": "s1", "player_id": "pilot of s1", "name": "s1", "reason": "collision"}
+        )
         self.assertEqual(frame["events"][0]["type"], "ship.destroyed")
 
     def test_commands_are_refused_by_name_and_change_nothing(self) -> None:

@@ -72,6 +72,9 @@ class Service:
             galaxy = self.state.load()
         if galaxy is None:
             raise Refusal("touchdown:world: missing after it was written")
+        if galaxy.tick == 0:
+            # A world that is new begins as it is asked to.
+            self.settle(galaxy, self.state.read_asked(galaxy.cursor))
         if self.state.refused:
             log.warning("%s", self.state.refused)
             self.refused = self.state.refused

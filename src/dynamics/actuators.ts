@@ -7,9 +7,8 @@ import {
   LIFT,
   MASS,
   NORMAL,
-  quantities as q,
+  quantities,
   RCS_TORQUE_SUM,
-  SMI_MASK,
   START,
   type Step,
   THRUST,
@@ -18,9 +17,9 @@ import {
 
 /** Step 1: torque in body axes, thrust in ICRF, fuel burnt. Mass and inertia are those from before the burn. */
 export function actuate(step: Step): void {
-  const { ships, shipClass } = step;
-  const at = step.at & SMI_MASK;
-  const fuel = ships[at + FUEL]!;
+  const q = quantities;
+  const { shipClass } = step;
+  const fuel = q[FUEL]!;
   q[MASS] = shipClass.dryMass + fuel;
   q[INERTIA_FACTOR] = shipClass.inertiaAtDry + shipClass.inertiaPerFuel * fuel;
   q[TORQUE] = 0;
@@ -28,7 +27,7 @@ export function actuate(step: Step): void {
   q[TORQUE + 2] = 0;
   q[RCS_TORQUE_SUM] = 0;
   // A landed ship is attached: no torque, nothing burnt for attitude.
-  if (ships[at + SURFACE_STATE] !== LANDED && askTorque(step)) giveTorque(step);
+  if (q[SURFACE_STATE] !== LANDED && askTorque(step)) giveTorque(step);
   push(step);
   q[LIFT] =
     q[THRUST]! * q[START + NORMAL]! +
@@ -38,13 +37,13 @@ export function actuate(step: Step): void {
 
 /** Of the asked TORQUE the wheels give what they can until they are full, RCS the rest while there is fuel. */
 function giveTorque(step: Step): void {
-  const { ships, shipClass } = step;
-  const at = step.at & SMI_MASK;
+  const q = quantities;
+  const { shipClass } = step;
   const dt = q[DT]!;
-  const hasFuel = ships[at + FUEL]! > 0;
+  const hasFuel = q[FUEL]! > 0;
   for (let k = 0; k < 3; k++) {
     const asked = q[TORQUE + k]!;
-    const momentum = ships[at + WHEEL_MOMENTUM + k]!;
+    const momentum = q[WHEEL_MOMENTUM + k]!;
     const capacity = shipClass.wheelCapacity[k]!;
     const size = asked < 0 ? -asked : asked;
     const left = (asked < 0 ? capacity + momentum : capacity - momentum) / dt;
@@ -52,7 +51,7 @@ function giveTorque(step: Step): void {
     const mostByWheel = left < torque ? (left > 0 ? left : 0) : torque;
     const byWheel = size < mostByWheel ? size : mostByWheel;
     const wheel = asked < 0 ? -byWheel : byWheel;
-    ships[at + WHEEL_MOMENTUM + k] = momentum + wheel * dt;
+    q[WHEEL_MOMENTUM + k] = momentum + wheel * dt;
     if (!hasFuel) {
       q[TORQUE + k] = wheel;
       continue;
@@ -67,17 +66,17 @@ function giveTorque(step: Step): void {
 
 /** Main engine and translation thrusters, and the fuel that they and the RCS torque burn. */
 function push(step: Step): void {
-  const { ships, shipClass } = step;
-  const at = step.at & SMI_MASK;
+  const q = quantities;
+  const { shipClass } = step;
   q[THRUST] = 0;
   q[THRUST + 1] = 0;
   q[THRUST + 2] = 0;
-  const fuel = ships[at + FUEL]!;
-  if (!(fuel > 0) || !(commandsThrust(ships, at) || q[RCS_TORQUE_SUM] !== 0)) return;
-  const main = ships[at + THRUST_LEVEL]! * shipClass.mainEngineThrust;
-  const fx = ships[at + TRANSLATION_INPUT]! * shipClass.rcsThrust[0];
-  const fy = ships[at + TRANSLATION_INPUT + 1]! * shipClass.rcsThrust[1];
-  const fz = ships[at + TRANSLATION_INPUT + 2]! * shipClass.rcsThrust[2];
+  const fuel = q[FUEL]!;
+  if (!(fuel > 0) || !(commandsThrust() || q[RCS_TORQUE_SUM] !== 0)) return;
+  const main = q[THRUST_LEVEL]! * shipClass.mainEngineThrust;
+  const fx = q[TRANSLATION_INPUT]! * shipClass.rcsThrust[0];
+  const fy = q[TRANSLATION_INPUT + 1]! * shipClass.rcsThrust[1];
+  const fz = q[TRANSLATION_INPUT + 2]! * shipClass.rcsThrust[2];
   const along = fz + main;
   q[THRUST] = q[AXES]! * fx + q[AXES + 1]! * fy + q[AXES + 2]! * along;
   q[THRUST + 1] = q[AXES + 3]! * fx + q[AXES + 4]! * fy + q[AXES + 5]! * along;
@@ -85,15 +84,16 @@ function push(step: Step): void {
 
   const rcs = Math.abs(fx) + Math.abs(fy) + Math.abs(fz) + q[RCS_TORQUE_SUM]! * shipClass.forcePerTorque;
   const left = fuel - (main * shipClass.mainEngineFlow + rcs * shipClass.rcsFlow) * q[DT]!;
-  ships[at + FUEL] = left > 0 ? left : 0;
+  q[FUEL] = left > 0 ? left : 0;
 }
 
 /** Whether engine or translation thrusters are commanded: most ships coast. */
-export function commandsThrust(ships: Float64Array, at: number): boolean {
+export function commandsThrust(): boolean {
+  const q = quantities;
   return (
-    ships[at + THRUST_LEVEL] !== 0 ||
-    ships[at + TRANSLATION_INPUT] !== 0 ||
-    ships[at + TRANSLATION_INPUT + 1] !== 0 ||
-    ships[at + TRANSLATION_INPUT + 2] !== 0
+    q[THRUST_LEVEL] !== 0 ||
+    q[TRANSLATION_INPUT] !== 0 ||
+    q[TRANSLATION_INPUT + 1] !== 0 ||
+    q[TRANSLATION_INPUT + 2] !== 0
   );
 }

@@ -10,7 +10,6 @@ import {
   MODE_ANTIRADIAL,
   MODE_HOLD,
   MODE_NONE,
-  MODE_NORMAL,
   MODE_PROGRADE,
   MODE_RADIAL,
   MODE_RETROGRADE,
@@ -29,7 +28,7 @@ import {
   DISTANCE,
   INERTIA_FACTOR,
   NORMAL,
-  quantities as q,
+  quantities,
   SMI_MASK,
   START,
   type Step,
@@ -38,16 +37,14 @@ import {
 
 /** TORQUE: what stick or attitude controller asks for, N m, body axes; false where neither asks (DYNAMICS, Actuators). */
 export function askTorque(step: Step): boolean {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  if (holdsStick(ships, at)) {
+  const q = quantities;
+  if (holdsStick()) {
     askByStick(step);
     return true;
   }
-  const mode = effectiveMode(ships, at);
+  const mode = effectiveMode();
   // A mode that has nothing to point at on the ground, or is not known, damps rates.
-  if (mode === MODE_NONE && ships[at + ATTITUDE_HOLD] !== 1 && ships[at + ATTITUDE_MODE] === MODE_NONE)
-    return false;
+  if (mode === MODE_NONE && q[ATTITUDE_HOLD] !== 1 && q[ATTITUDE_MODE] === MODE_NONE) return false;
   dampRates(step);
   if (mode === MODE_HOLD) steerToTarget(step);
   else if (mode !== MODE_NONE) steerToDirection(step, mode);
@@ -55,41 +52,38 @@ export function askTorque(step: Step): boolean {
   return true;
 }
 
-function holdsStick(ships: Float64Array, at: number): boolean {
-  return (
-    ships[at + ROTATION_INPUT] !== 0 ||
-    ships[at + ROTATION_INPUT + 1] !== 0 ||
-    ships[at + ROTATION_INPUT + 2] !== 0
-  );
+function holdsStick(): boolean {
+  const q = quantities;
+  return q[ROTATION_INPUT] !== 0 || q[ROTATION_INPUT + 1] !== 0 || q[ROTATION_INPUT + 2] !== 0;
 }
 
 /** A ground-bound ship's velocity has no direction to point at: there the velocity modes are rate damping, as unknown ones are. */
-function effectiveMode(ships: Float64Array, at: number): number {
-  const mode = ships[at + ATTITUDE_MODE]!;
+function effectiveMode(): number {
+  const q = quantities;
+  const mode = q[ATTITUDE_MODE]!;
   if (mode === MODE_UNKNOWN) return MODE_NONE;
   const byVelocity = mode >= MODE_PROGRADE && mode <= MODE_ANTINORMAL;
-  return byVelocity && ships[at + SURFACE_STATE] !== FLYING ? MODE_NONE : mode;
+  return byVelocity && q[SURFACE_STATE] !== FLYING ? MODE_NONE : mode;
 }
 
 /** TORQUE = rotation_input × (wheel + RCS torque), RCS only while there is fuel. */
 function askByStick(step: Step): void {
-  const { ships, shipClass } = step;
-  const at = step.at & SMI_MASK;
-  const hasFuel = ships[at + FUEL]! > 0;
+  const q = quantities;
+  const { shipClass } = step;
+  const hasFuel = q[FUEL]! > 0;
   for (let k = 0; k < 3; k++) {
     const wheel = shipClass.reactionWheelTorque[k]!;
-    q[TORQUE + k] = ships[at + ROTATION_INPUT + k]! * (hasFuel ? wheel + shipClass.rcsTorque[k]! : wheel);
+    q[TORQUE + k] = q[ROTATION_INPUT + k]! * (hasFuel ? wheel + shipClass.rcsTorque[k]! : wheel);
   }
 }
 
 /** a = −2 ω_n w_b */
 function dampRates(step: Step): void {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const q = quantities;
   const damping = -step.shipClass.attitudeDamping;
-  const wx = ships[at + ANGULAR_VELOCITY]!;
-  const wy = ships[at + ANGULAR_VELOCITY + 1]!;
-  const wz = ships[at + ANGULAR_VELOCITY + 2]!;
+  const wx = q[ANGULAR_VELOCITY]!;
+  const wy = q[ANGULAR_VELOCITY + 1]!;
+  const wz = q[ANGULAR_VELOCITY + 2]!;
   q[ANGULAR_ACCEL_COMMAND] = damping * (q[AXES]! * wx + q[AXES + 3]! * wy + q[AXES + 6]! * wz);
   q[ANGULAR_ACCEL_COMMAND + 1] = damping * (q[AXES + 1]! * wx + q[AXES + 4]! * wy + q[AXES + 7]! * wz);
   q[ANGULAR_ACCEL_COMMAND + 2] = damping * (q[AXES + 2]! * wx + q[AXES + 5]! * wy + q[AXES + 8]! * wz);
@@ -97,17 +91,16 @@ function dampRates(step: Step): void {
 
 /** a += ω_n² e, e = ±2 × vector part of target · q⁻¹, turned into body axes. */
 function steerToTarget(step: Step): void {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const q = quantities;
   const stiffness = step.shipClass.attitudeStiffness;
-  const qx = ships[at + ATTITUDE]!;
-  const qy = ships[at + ATTITUDE + 1]!;
-  const qz = ships[at + ATTITUDE + 2]!;
-  const qw = ships[at + ATTITUDE + 3]!;
-  const tx = ships[at + TARGET_ATTITUDE]!;
-  const ty = ships[at + TARGET_ATTITUDE + 1]!;
-  const tz = ships[at + TARGET_ATTITUDE + 2]!;
-  const tw = ships[at + TARGET_ATTITUDE + 3]!;
+  const qx = q[ATTITUDE]!;
+  const qy = q[ATTITUDE + 1]!;
+  const qz = q[ATTITUDE + 2]!;
+  const qw = q[ATTITUDE + 3]!;
+  const tx = q[TARGET_ATTITUDE]!;
+  const ty = q[TARGET_ATTITUDE + 1]!;
+  const tz = q[TARGET_ATTITUDE + 2]!;
+  const tw = q[TARGET_ATTITUDE + 3]!;
   const sign = tw * qw + tx * qx + ty * qy + tz * qz >= 0 ? 2 : -2;
   const ex = sign * (tx * qw - tw * qx - ty * qz + tz * qy);
   const ey = sign * (ty * qw - tw * qy - tz * qx + tx * qz);
@@ -125,6 +118,7 @@ const STRAIGHT_AWAY = 1e-6;
 
 /** a += ω_n² e, e = up × d; in body axes up is z, so e = (−d_y, d_x, 0). */
 function steerToDirection(step: Step, mode: number): void {
+  const q = quantities;
   if (!pointingDirection(step, mode)) return;
   const px = q[AXIS]!;
   const py = q[AXIS + 1]!;
@@ -155,16 +149,15 @@ const LEAST_SURFACE_SPEED = 0.1;
 
 /** AXIS = the unit direction a pointing mode points at, ICRF; false where it is round-off. */
 function pointingDirection(step: Step, mode: number): boolean {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const q = quantities;
   if (mode === MODE_RADIAL || mode === MODE_ANTIRADIAL) {
     const sign = mode === MODE_RADIAL ? 1 : -1;
     for (let k = 0; k < 3; k++) q[AXIS + k] = sign * q[START + NORMAL + k]!;
     return true;
   }
-  const ux = ships[at + VELOCITY]!;
-  const uy = ships[at + VELOCITY + 1]!;
-  const uz = ships[at + VELOCITY + 2]!;
+  const ux = q[VELOCITY]!;
+  const uy = q[VELOCITY + 1]!;
+  const uz = q[VELOCITY + 2]!;
   if (mode === MODE_SURFACE_RETROGRADE) return pointAgainstGroundSpeed(step);
   const speed = Math.sqrt(ux * ux + uy * uy + uz * uz);
   if (speed < LEAST_SPEED) return false;
@@ -173,9 +166,9 @@ function pointingDirection(step: Step, mode: number): boolean {
     pointAlong(ux, uy, uz, reversed ? -1 / speed : 1 / speed);
     return true;
   }
-  const rx = ships[at + POSITION]!;
-  const ry = ships[at + POSITION + 1]!;
-  const rz = ships[at + POSITION + 2]!;
+  const rx = q[POSITION]!;
+  const ry = q[POSITION + 1]!;
+  const rz = q[POSITION + 2]!;
   const x = ry * uz - rz * uy;
   const y = rz * ux - rx * uz;
   const z = rx * uy - ry * ux;
@@ -187,18 +180,18 @@ function pointingDirection(step: Step, mode: number): boolean {
 
 /** AXIS = unit(−v_rel), v_rel = u − Ω × r. */
 function pointAgainstGroundSpeed(step: Step): boolean {
-  const { ships, bodies } = step;
-  const at = step.at & SMI_MASK;
+  const q = quantities;
+  const { bodies } = step;
   const bodyAt = step.bodyAt & SMI_MASK;
-  const rx = ships[at + POSITION]!;
-  const ry = ships[at + POSITION + 1]!;
-  const rz = ships[at + POSITION + 2]!;
+  const rx = q[POSITION]!;
+  const ry = q[POSITION + 1]!;
+  const rz = q[POSITION + 2]!;
   const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
   const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
-  const x = ships[at + VELOCITY]! - (oy * rz - oz * ry);
-  const y = ships[at + VELOCITY + 1]! - (oz * rx - ox * rz);
-  const z = ships[at + VELOCITY + 2]! - (ox * ry - oy * rx);
+  const x = q[VELOCITY]! - (oy * rz - oz * ry);
+  const y = q[VELOCITY + 1]! - (oz * rx - ox * rz);
+  const z = q[VELOCITY + 2]! - (ox * ry - oy * rx);
   const speed = Math.sqrt(x * x + y * y + z * z);
   if (speed < LEAST_SURFACE_SPEED) return false;
   pointAlong(x, y, z, -1 / speed);
@@ -206,6 +199,7 @@ function pointAgainstGroundSpeed(step: Step): boolean {
 }
 
 function pointAlong(x: number, y: number, z: number, scale: number): void {
+  const q = quantities;
   q[AXIS] = x * scale;
   q[AXIS + 1] = y * scale;
   q[AXIS + 2] = z * scale;
@@ -213,6 +207,7 @@ function pointAlong(x: number, y: number, z: number, scale: number): void {
 
 /** TORQUE = I a. */
 function askByCommand(step: Step): void {
+  const q = quantities;
   const inertia = step.shipClass.inertia;
   const factor = q[INERTIA_FACTOR]!;
   const ax = q[ANGULAR_ACCEL_COMMAND]!;

@@ -21,6 +21,7 @@ export interface Controls {
   readonly rotationInput: Vec3;
   /** Rate damping. */
   readonly attitudeHold: boolean;
+  /** What the attitude controller steers at. */
   readonly attitudeMode: AttitudeMode;
   /** For attitude mode hold. */
   readonly targetAttitude: Quat;

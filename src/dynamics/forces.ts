@@ -13,7 +13,7 @@ import {
   NORMAL_FORCE,
   NORMAL_SPEED,
   PENETRATION,
-  quantities as q,
+  quantities,
   SLOPE,
   SMI_MASK,
   START,
@@ -34,6 +34,7 @@ const HELD_SPEED_SQUARED = 1e-4;
 
 /** LOAD, what presses into the ground, and DEPTH, where the spring rests under it; by the gravity at `surface`. */
 export function readLoad(surface: number): void {
+  const q = quantities;
   const from = surface & SMI_MASK;
   const weight = q[MASS]! * q[from + GRAVITY]!;
   const load =
@@ -47,6 +48,7 @@ export function readLoad(surface: number): void {
 
 /** ALONG: what pushes along the ground, weight on a slope less thrust. */
 function readAlong(): void {
+  const q = quantities;
   const sx = q[START + SURFACE_NORMAL]!;
   const sy = q[START + SURFACE_NORMAL + 1]!;
   const sz = q[START + SURFACE_NORMAL + 2]!;
@@ -58,6 +60,7 @@ function readAlong(): void {
 
 /** Whether vertical speed, √(v_s² + 100 (penetration c_s − DEPTH)²), the spring's stored energy counted in, and slide are small. */
 export function isNearlyAtRest(surface: number, step: Step): boolean {
+  const q = quantities;
   const limit = step.world.settings.contactSettleLinearVel;
   const speed = q[surface + NORMAL_SPEED]!;
   const sunk = q[surface + PENETRATION]! * q[surface + COS_SLOPE]! - q[DEPTH]!;
@@ -69,16 +72,17 @@ export function isNearlyAtRest(surface: number, step: Step): boolean {
 
 /** Step 3, of a ship in the ground: its load, the depth it would rest at, and whether the ground holds it where it lies tipped. */
 export function isPinned(step: Step): boolean {
+  const q = quantities;
   readLoad(START);
   readAlong();
-  if (step.ships[(step.at & SMI_MASK) + SURFACE_STATE] !== TIPPED || !isNearlyAtRest(START, step))
-    return false;
+  if (q[SURFACE_STATE] !== TIPPED || !isNearlyAtRest(START, step)) return false;
   const most = step.world.settings.contactFrictionStatic * q[LOAD]!;
   return q[ALONG]! * q[ALONG]! + q[ALONG + 1]! * q[ALONG + 1]! + q[ALONG + 2]! * q[ALONG + 2]! <= most * most;
 }
 
 /** Step 4, of a ship in the ground: F_n, spring and damper; the load where it is pinned. */
 export function pressNormal(step: Step, pinned: boolean): void {
+  const q = quantities;
   if (pinned) {
     q[NORMAL_FORCE] = q[LOAD]!;
     return;
@@ -94,19 +98,15 @@ export function pressNormal(step: Step, pinned: boolean): void {
 
 /** Tipped, or in the contact of a touch not above contact_bounce_speed. Asked of grounded ships. */
 function settlesWithoutBounce(step: Step): boolean {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  return (
-    ships[at + SURFACE_STATE] === TIPPED ||
-    ships[at + IMPACT_SPEED]! <= step.world.settings.contactBounceSpeed
-  );
+  const q = quantities;
+  return q[SURFACE_STATE] === TIPPED || q[IMPACT_SPEED]! <= step.world.settings.contactBounceSpeed;
 }
 
 /** FRICTION: holds against slide, push, slope and the ground's own turning, or is kinetic and never more than ends the slide. */
 function rub(step: Step): void {
-  const { ships, bodies } = step;
+  const q = quantities;
+  const { bodies } = step;
   const bodyAt = step.bodyAt & SMI_MASK;
-  const at = step.at & SMI_MASK;
   const { contactFrictionKinetic, contactFrictionStatic } = step.world.settings;
   const force = q[NORMAL_FORCE]!;
   const mass = q[MASS]!;
@@ -115,9 +115,9 @@ function rub(step: Step): void {
   const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
   const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
-  const ux = ships[at + VELOCITY]!;
-  const uy = ships[at + VELOCITY + 1]!;
-  const uz = ships[at + VELOCITY + 2]!;
+  const ux = q[VELOCITY]!;
+  const uy = q[VELOCITY + 1]!;
+  const uz = q[VELOCITY + 2]!;
   let dx = q[START + TANGENTIAL_VELOCITY]! * perSpeed - (q[ALONG]! + half * (oy * uz - oz * uy));
   let dy = q[START + TANGENTIAL_VELOCITY + 1]! * perSpeed - (q[ALONG + 1]! + half * (oz * ux - ox * uz));
   let dz = q[START + TANGENTIAL_VELOCITY + 2]! * perSpeed - (q[ALONG + 2]! + half * (ox * uy - oy * ux));
@@ -140,51 +140,59 @@ function rub(step: Step): void {
 
 /** Step 5 on the ground: friction, semi-implicit Euler, and no bounce out of a settling contact. */
 export function moveOnGround(step: Step): void {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const q = quantities;
   const dt = q[DT]!;
   const perMass = dt / q[MASS]!;
   const force = q[NORMAL_FORCE]!;
   const weight = q[WEIGHT]!;
   if (force > 0) rub(step);
   else q[FRICTION] = q[FRICTION + 1] = q[FRICTION + 2] = 0;
-  for (let k = 0; k < 3; k++) {
-    const push =
-      force * q[START + SURFACE_NORMAL + k]! -
-      weight * q[START + NORMAL + k]! +
-      q[FRICTION + k]! +
-      q[THRUST + k]!;
-    ships[at + VELOCITY + k] = ships[at + VELOCITY + k]! + push * perMass;
-  }
+  q[VELOCITY] =
+    q[VELOCITY]! +
+    (force * q[START + SURFACE_NORMAL]! - weight * q[START + NORMAL]! + q[FRICTION]! + q[THRUST]!) * perMass;
+  q[VELOCITY + 1] =
+    q[VELOCITY + 1]! +
+    (force * q[START + SURFACE_NORMAL + 1]! -
+      weight * q[START + NORMAL + 1]! +
+      q[FRICTION + 1]! +
+      q[THRUST + 1]!) *
+      perMass;
+  q[VELOCITY + 2] =
+    q[VELOCITY + 2]! +
+    (force * q[START + SURFACE_NORMAL + 2]! -
+      weight * q[START + NORMAL + 2]! +
+      q[FRICTION + 2]! +
+      q[THRUST + 2]!) *
+      perMass;
   if (q[START + PENETRATION]! > 0 && q[LIFT]! <= weight && settlesWithoutBounce(step)) capRise(step);
-  ships[at + POSITION] = ships[at + POSITION]! + ships[at + VELOCITY]! * dt;
-  ships[at + POSITION + 1] = ships[at + POSITION + 1]! + ships[at + VELOCITY + 1]! * dt;
-  ships[at + POSITION + 2] = ships[at + POSITION + 2]! + ships[at + VELOCITY + 2]! * dt;
+  q[POSITION] = q[POSITION]! + q[VELOCITY] * dt;
+  q[POSITION + 1] = q[POSITION + 1]! + q[VELOCITY + 1]! * dt;
+  q[POSITION + 2] = q[POSITION + 2]! + q[VELOCITY + 2]! * dt;
 }
 
 /** The speed off the ground of a settling ship ends at the static depth: the excess is taken off along s. */
 function capRise(step: Step): void {
-  const { ships, bodies } = step;
+  const q = quantities;
+  const { bodies } = step;
   const bodyAt = step.bodyAt & SMI_MASK;
-  const at = step.at & SMI_MASK;
   const sx = q[START + SURFACE_NORMAL]!;
   const sy = q[START + SURFACE_NORMAL + 1]!;
   const sz = q[START + SURFACE_NORMAL + 2]!;
   const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
   const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
-  const rx = ships[at + POSITION]!;
-  const ry = ships[at + POSITION + 1]!;
-  const rz = ships[at + POSITION + 2]!;
-  const vx = ships[at + VELOCITY]! - (oy * rz - oz * ry);
-  const vy = ships[at + VELOCITY + 1]! - (oz * rx - ox * rz);
-  const vz = ships[at + VELOCITY + 2]! - (ox * ry - oy * rx);
+  const rx = q[POSITION]!;
+  const ry = q[POSITION + 1]!;
+  const rz = q[POSITION + 2]!;
+  const vx = q[VELOCITY]! - (oy * rz - oz * ry);
+  const vy = q[VELOCITY + 1]! - (oz * rx - ox * rz);
+  const vz = q[VELOCITY + 2]! - (ox * ry - oy * rx);
   const rise = vx * sx + vy * sy + vz * sz;
   const toRest = (q[START + PENETRATION]! * q[START + COS_SLOPE]! - q[DEPTH]!) / q[DT]!;
   const most = toRest > 0 ? toRest : 0;
   if (!(rise > most)) return;
   const excess = rise - most;
-  ships[at + VELOCITY] = ships[at + VELOCITY]! - excess * sx;
-  ships[at + VELOCITY + 1] = ships[at + VELOCITY + 1]! - excess * sy;
-  ships[at + VELOCITY + 2] = ships[at + VELOCITY + 2]! - excess * sz;
+  q[VELOCITY] = q[VELOCITY]! - excess * sx;
+  q[VELOCITY + 1] = q[VELOCITY + 1]! - excess * sy;
+  q[VELOCITY + 2] = q[VELOCITY + 2]! - excess * sz;
 }

@@ -11,7 +11,7 @@ import {
   INERTIA_FACTOR,
   NORMAL,
   NORMAL_FORCE,
-  quantities as q,
+  quantities,
   SMI_MASK,
   START,
   type Step,
@@ -30,9 +30,9 @@ const SCRUB_DAMPING = 20;
  * scalars for moments of inertia, so one turn into body axes is all it takes.
  */
 export function addGroundMoments(step: Step): void {
-  const { ships, bodies, shipClass } = step;
+  const q = quantities;
+  const { bodies, shipClass } = step;
   const bodyAt = step.bodyAt & SMI_MASK;
-  const at = step.at & SMI_MASK;
   const factor = q[INERTIA_FACTOR]!;
   const upX = q[AXES + 2]!;
   const upY = q[AXES + 5]!;
@@ -43,9 +43,9 @@ export function addGroundMoments(step: Step): void {
   const sx = q[START + SURFACE_NORMAL]!;
   const sy = q[START + SURFACE_NORMAL + 1]!;
   const sz = q[START + SURFACE_NORMAL + 2]!;
-  const rx = ships[at + ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const ry = ships[at + ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const rz = ships[at + ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const rx = q[ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  const ry = q[ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  const rz = q[ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
   const yaw = rx * sx + ry * sy + rz * sz;
   const yawX = yaw * sx;
   const yawY = yaw * sy;
@@ -55,7 +55,7 @@ export function addGroundMoments(step: Step): void {
   const most = q[WEIGHT]! * q[START + COS_SLOPE]!;
   const held = q[NORMAL_FORCE]! < most ? q[NORMAL_FORCE]! : most;
   const carried = held / q[START + COS_SLOPE]!;
-  const toppling = carried * ships[at + GROUND_CONTACT_OFFSET]!;
+  const toppling = carried * q[GROUND_CONTACT_OFFSET]!;
 
   // Support: J (−100 (s × up) − 20 w_tilt), at most what the footprint's edge gives.
   const support = shipClass.supportInertia * factor;
@@ -75,7 +75,7 @@ export function addGroundMoments(step: Step): void {
   }
 
   // Scrub: −20 J' x, x the yaw about s, and for a tipped hull its roll about up as well.
-  const roll = ships[at + SURFACE_STATE] === TIPPED ? rx * upX + ry * upY + rz * upZ : 0;
+  const roll = q[SURFACE_STATE] === TIPPED ? rx * upX + ry * upY + rz * upZ : 0;
   const scrubbing = -SCRUB_DAMPING * (shipClass.scrubInertia * factor);
   let kx = scrubbing * (yawX + roll * upX);
   let ky = scrubbing * (yawY + roll * upY);

@@ -1,14 +1,13 @@
 import { ANGULAR_VELOCITY, ATTITUDE, BODY_ANGULAR_VELOCITY, POSITION, VELOCITY } from './layout';
-import { AXES, COS_TILT, END, quantities as q, SMI_MASK, type Step, SURFACE_NORMAL } from './quantities';
+import { AXES, COS_TILT, END, quantities, SMI_MASK, type Step, SURFACE_NORMAL } from './quantities';
 
 /** Fills AXES, the rotation matrix of the ship's attitude as it is now. */
-export function readAxes(step: Step): void {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  const x = ships[at + ATTITUDE]!;
-  const y = ships[at + ATTITUDE + 1]!;
-  const z = ships[at + ATTITUDE + 2]!;
-  const w = ships[at + ATTITUDE + 3]!;
+export function readAxes(): void {
+  const q = quantities;
+  const x = q[ATTITUDE]!;
+  const y = q[ATTITUDE + 1]!;
+  const z = q[ATTITUDE + 2]!;
+  const w = q[ATTITUDE + 3]!;
   const x2 = x + x;
   const y2 = y + y;
   const z2 = z + z;
@@ -24,13 +23,12 @@ export function readAxes(step: Step): void {
 }
 
 /** Fills the third column of AXES alone: `up` of the attitude as it is now. */
-export function readUp(step: Step): void {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  const x = ships[at + ATTITUDE]!;
-  const y = ships[at + ATTITUDE + 1]!;
-  const z = ships[at + ATTITUDE + 2]!;
-  const w = ships[at + ATTITUDE + 3]!;
+export function readUp(): void {
+  const q = quantities;
+  const x = q[ATTITUDE]!;
+  const y = q[ATTITUDE + 1]!;
+  const z = q[ATTITUDE + 2]!;
+  const w = q[ATTITUDE + 3]!;
   const x2 = x + x;
   const y2 = y + y;
   const z2 = z + z;
@@ -41,6 +39,7 @@ export function readUp(step: Step): void {
 
 /** COS_TILT = s · up at the substep's end, from the third column of AXES. */
 export function readTilt(): void {
+  const q = quantities;
   q[COS_TILT] =
     q[END + SURFACE_NORMAL]! * q[AXES + 2]! +
     q[END + SURFACE_NORMAL + 1]! * q[AXES + 5]! +
@@ -49,26 +48,26 @@ export function readTilt(): void {
 
 /** u = Ω × r: the ship moves as the ground at its centre of mass. */
 export function moveWithGround(step: Step): void {
-  const { ships, bodies } = step;
+  const q = quantities;
+  const { bodies } = step;
   const bodyAt = step.bodyAt & SMI_MASK;
-  const at = step.at & SMI_MASK;
   const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
   const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
   const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
-  const rx = ships[at + POSITION]!;
-  const ry = ships[at + POSITION + 1]!;
-  const rz = ships[at + POSITION + 2]!;
-  ships[at + VELOCITY] = oy * rz - oz * ry;
-  ships[at + VELOCITY + 1] = oz * rx - ox * rz;
-  ships[at + VELOCITY + 2] = ox * ry - oy * rx;
+  const rx = q[POSITION]!;
+  const ry = q[POSITION + 1]!;
+  const rz = q[POSITION + 2]!;
+  q[VELOCITY] = oy * rz - oz * ry;
+  q[VELOCITY + 1] = oz * rx - ox * rz;
+  q[VELOCITY + 2] = ox * ry - oy * rx;
 }
 
 /** w = Ω: the ship turns as the ground. */
 export function spinWithGround(step: Step): void {
-  const { ships, bodies } = step;
+  const q = quantities;
+  const { bodies } = step;
   const bodyAt = step.bodyAt & SMI_MASK;
-  const at = step.at & SMI_MASK;
-  ships[at + ANGULAR_VELOCITY] = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  ships[at + ANGULAR_VELOCITY + 1] = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  ships[at + ANGULAR_VELOCITY + 2] = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  q[ANGULAR_VELOCITY] = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  q[ANGULAR_VELOCITY + 1] = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  q[ANGULAR_VELOCITY + 2] = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
 }

@@ -1,4 +1,5 @@
 import type { LoadedBody } from './body';
+import { SHIP_STRIDE } from './layout';
 import type { LoadedShipClass } from './shipClass';
 import type { World } from './world';
 
@@ -6,11 +7,16 @@ import type { World } from './world';
  * The quantities of one substep of one ship (DYNAMICS, Quantities), in scratch doubles that the passes hand on:
  * a double passed as an argument or returned by a function that is not inlined is boxed, one that stands here is not.
  */
-export const quantities = new Float64Array(128);
+export const quantities = new Float64Array(160);
+
+/**
+ * The first SHIP_STRIDE slots are the ship's row (layout.ts), copied in and out: a slot at a constant place of a constant array is read
+ * without a check of its bounds.
+ */
 
 /** Where the ship stands to the ground, at the substep's start and again at its end: columns from one of these two on. */
-export const START = 0;
-export const END = 24;
+export const START = 36;
+export const END = 60;
 /** n = r / ‖r‖, ICRF: local up. */
 export const NORMAL = 0;
 /** ‖r‖, m. */
@@ -33,58 +39,61 @@ export const TANGENTIAL_VELOCITY = 14;
 export const TANGENTIAL_SPEED_SQUARED = 17;
 /** n − c_s s, ICRF: how the ground slopes; 0 where the surface normal is radial. */
 export const SLOPE = 18;
-const SURFACE_LENGTH = 21;
+/** Radius of the ground below, terrain included, m. */
+export const GROUND_RADIUS = 21;
+const SURFACE_LENGTH = 22;
 
 /** Rotation matrix of the ship's attitude, row by row; its third column is `up`. */
-export const AXES = 48;
+export const AXES = 84;
 /** m, kg: from before the burn. */
-export const MASS = 57;
+export const MASS = 93;
 /** What the class's inertia tensor is multiplied by at this fuel. */
-export const INERTIA_FACTOR = 58;
+export const INERTIA_FACTOR = 94;
 /** N, from mass before the burn and gravity at the start. */
-export const WEIGHT = 59;
+export const WEIGHT = 95;
 /** N, ICRF. */
-export const THRUST = 60;
+export const THRUST = 96;
 /** thrust · n, N. */
-export const LIFT = 63;
+export const LIFT = 99;
 /** From the actuators, N m, body axes. */
-export const TORQUE = 64;
+export const TORQUE = 100;
 /** Σ|tau_rcs|, N m: what burns fuel. */
-export const RCS_TORQUE_SUM = 67;
+export const RCS_TORQUE_SUM = 103;
 /** What presses into the ground, N, ≥ 0. */
-export const LOAD = 68;
+export const LOAD = 104;
 /** What pushes along the ground, N, ICRF. */
-export const ALONG = 69;
+export const ALONG = 105;
 /** Static penetration under the load, m. */
-export const DEPTH = 72;
+export const DEPTH = 108;
 /** F_n, N. */
-export const NORMAL_FORCE = 73;
+export const NORMAL_FORCE = 109;
 /** The angular acceleration that the attitude controller asks for, rad/s², body axes. */
-export const ANGULAR_ACCEL_COMMAND = 74;
+export const ANGULAR_ACCEL_COMMAND = 110;
 /** A rotation under way, quaternion. */
-export const ROTATION = 77;
+export const ROTATION = 113;
 /** Vectors a rotation is made from and to, and its axis. */
-export const FROM = 81;
-export const TO = 84;
-export const AXIS = 87;
+export const FROM = 117;
+export const TO = 120;
+export const AXIS = 123;
 /** s · up at the substep's end. */
-export const COS_TILT = 90;
+export const COS_TILT = 126;
 /** Speed at which ship and ground close at the substep's end, m/s. */
-export const IMPACT = 91;
+export const IMPACT = 127;
 /** Seconds of game time per substep. */
-export const DT = 92;
+export const DT = 128;
 /** The two level directions in which the slope is measured, body's axes, and the ground's rise along each. */
-export const LEVEL_1 = 93;
-export const LEVEL_2 = 96;
-export const RISE = 99;
+export const LEVEL_1 = 129;
+export const LEVEL_2 = 132;
+export const RISE = 135;
 /** The four points of the ground that it is measured at are n_b POINT[0] ± e POINT[1]. */
-export const POINT = 101;
+export const POINT = 137;
 
 /** Friction, N, ICRF. */
-export const FRICTION = 103;
+export const FRICTION = 139;
 
 /** Every slot and how many doubles it holds: a test finds two that overlap. */
 export const SLOTS: readonly (readonly [slot: number, length: number])[] = [
+  [0, SHIP_STRIDE],
   [START, SURFACE_LENGTH],
   [END, SURFACE_LENGTH],
   [AXES, 9],
@@ -127,6 +136,7 @@ export const SURFACE_SLOTS: readonly (readonly [slot: number, length: number])[]
   [TANGENTIAL_VELOCITY, 3],
   [TANGENTIAL_SPEED_SQUARED, 1],
   [SLOPE, 3],
+  [GROUND_RADIUS, 1],
 ];
 
 /**
@@ -137,9 +147,8 @@ export const SMI_MASK = 0x3ffffff;
 
 /** What a substep works on: the rows it changes, and what of the world it reads. Filled anew for each ship. */
 export interface Step {
-  ships: Float64Array;
-  /** Of the ship's row. */
-  at: number;
+  /** Number of the ship's row. */
+  row: number;
   bodies: Float64Array;
   /** Of the reference body's row. */
   bodyAt: number;

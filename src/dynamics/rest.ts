@@ -6,7 +6,7 @@ import {
   DT,
   END,
   FROM,
-  quantities as q,
+  quantities,
   ROTATION,
   SURFACE_NORMAL,
   type Step,
@@ -21,19 +21,21 @@ import { readAxes, readTilt, readUp } from './pose';
  * and it is turned back, at 1 rad/s or by what is left. Reads END and `up` as they are after the step; leaves `up` current.
  */
 export function restOnSide(step: Step): void {
+  const q = quantities;
   readTilt();
   if (!(q[COS_TILT]! < 0)) return;
-  readAxes(step);
+  readAxes();
   findAxis();
   stopFurtherTilt(step);
   if (-q[COS_TILT]! > q[DT]!) turnBack();
   else layFlat();
-  rotateAttitude(step.ships, step.at);
-  readUp(step);
+  rotateAttitude();
+  readUp();
 }
 
 /** ROTATION = normalize(−½ dt axis, 1): back at 1 rad/s. */
 function turnBack(): void {
+  const q = quantities;
   const half = -0.5 * q[DT]!;
   const x = half * q[AXIS]!;
   const y = half * q[AXIS + 1]!;
@@ -47,6 +49,7 @@ function turnBack(): void {
 
 /** AXIS = unit(s × up), the axis the ship tips about; any one along the ground where it stands on its head. */
 function findAxis(): void {
+  const q = quantities;
   const nx = q[END + SURFACE_NORMAL]!;
   const ny = q[END + SURFACE_NORMAL + 1]!;
   const nz = q[END + SURFACE_NORMAL + 2]!;
@@ -69,15 +72,15 @@ function findAxis(): void {
  * Along the axis alone it would feed the other axes of a full tensor for ever.
  */
 function stopFurtherTilt(step: Step): void {
-  const { ships, bodies } = step;
+  const q = quantities;
+  const { bodies } = step;
   const bodyAt = step.bodyAt & SMI_MASK;
-  const at = step.at & SMI_MASK;
   const ax = q[AXIS]!;
   const ay = q[AXIS + 1]!;
   const az = q[AXIS + 2]!;
-  const wx = ships[at + ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const wy = ships[at + ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const wz = ships[at + ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const wx = q[ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  const wy = q[ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  const wz = q[ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
   const speed = wx * ax + wy * ay + wz * az;
   if (!(speed > 0)) return;
   const inverse = step.shipClass.inverseInertia;
@@ -91,13 +94,14 @@ function stopFurtherTilt(step: Step): void {
   const jy = q[AXES + 3]! * ix + q[AXES + 4]! * iy + q[AXES + 5]! * iz;
   const jz = q[AXES + 6]! * ix + q[AXES + 7]! * iy + q[AXES + 8]! * iz;
   const impulse = speed / (jx * ax + jy * ay + jz * az);
-  ships[at + ANGULAR_VELOCITY] = ships[at + ANGULAR_VELOCITY]! - jx * impulse;
-  ships[at + ANGULAR_VELOCITY + 1] = ships[at + ANGULAR_VELOCITY + 1]! - jy * impulse;
-  ships[at + ANGULAR_VELOCITY + 2] = ships[at + ANGULAR_VELOCITY + 2]! - jz * impulse;
+  q[ANGULAR_VELOCITY] = q[ANGULAR_VELOCITY]! - jx * impulse;
+  q[ANGULAR_VELOCITY + 1] = q[ANGULAR_VELOCITY + 1]! - jy * impulse;
+  q[ANGULAR_VELOCITY + 2] = q[ANGULAR_VELOCITY + 2]! - jz * impulse;
 }
 
 /** ROTATION = the shortest rotation that takes up to unit(up − cos_tilt s). */
 function layFlat(): void {
+  const q = quantities;
   const cos = q[COS_TILT]!;
   q[FROM] = q[AXES + 2]!;
   q[FROM + 1] = q[AXES + 5]!;

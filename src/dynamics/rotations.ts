@@ -1,63 +1,65 @@
 import { ATTITUDE, BODY_TURN, POSITION } from './layout';
-import { AXIS, FROM, quantities as q, ROTATION, type Step, TO, SMI_MASK } from './quantities';
+import { AXIS, FROM, quantities, ROTATION, type Step, TO, SMI_MASK } from './quantities';
 import { moveWithGround, spinWithGround } from './pose';
 
 /** Landed or pinned: the ship's place turns with the ground over the substep; u = Ω × r. */
 export function turnPlaceWithGround(step: Step): void {
-  const { ships, bodies } = step;
+  const q = quantities;
+  const { bodies } = step;
   const bodyAt = step.bodyAt & SMI_MASK;
-  const at = step.at & SMI_MASK;
   const ax = bodies[bodyAt + BODY_TURN]!;
   const ay = bodies[bodyAt + BODY_TURN + 1]!;
   const az = bodies[bodyAt + BODY_TURN + 2]!;
   const aw = bodies[bodyAt + BODY_TURN + 3]!;
-  const x = ships[at + POSITION]!;
-  const y = ships[at + POSITION + 1]!;
-  const z = ships[at + POSITION + 2]!;
+  const x = q[POSITION]!;
+  const y = q[POSITION + 1]!;
+  const z = q[POSITION + 2]!;
   const tx = ay * z - az * y;
   const ty = az * x - ax * z;
   const tz = ax * y - ay * x;
   const twice = 2 * aw;
   // From left to right, v + 2w (a × v) + 2 a × (a × v): in another order a ship pinned for a minute ends 0.1 µm elsewhere.
-  ships[at + POSITION] = x + tx * twice + 2 * (ay * tz - az * ty);
-  ships[at + POSITION + 1] = y + ty * twice + 2 * (az * tx - ax * tz);
-  ships[at + POSITION + 2] = z + tz * twice + 2 * (ax * ty - ay * tx);
+  q[POSITION] = x + tx * twice + 2 * (ay * tz - az * ty);
+  q[POSITION + 1] = y + ty * twice + 2 * (az * tx - ax * tz);
+  q[POSITION + 2] = z + tz * twice + 2 * (ax * ty - ay * tx);
   moveWithGround(step);
 }
 
 /** Landed: the attitude turns with the ground too; w = Ω. */
 export function turnAttitudeWithGround(step: Step): void {
-  const { ships, bodies } = step;
+  const q = quantities;
+  const { bodies } = step;
   const bodyAt = step.bodyAt & SMI_MASK;
-  const at = step.at & SMI_MASK;
   for (let k = 0; k < 4; k++) q[ROTATION + k] = bodies[bodyAt + BODY_TURN + k]!;
-  rotateAttitude(ships, at);
+  rotateAttitude();
   spinWithGround(step);
 }
 
 /** q = normalize(ROTATION q): a rotation in ICRF axes, on the left. */
-export function rotateAttitude(ships: Float64Array, at: number): void {
+export function rotateAttitude(): void {
+  const q = quantities;
   const ax = q[ROTATION]!;
   const ay = q[ROTATION + 1]!;
   const az = q[ROTATION + 2]!;
   const aw = q[ROTATION + 3]!;
-  const bx = ships[at + ATTITUDE]!;
-  const by = ships[at + ATTITUDE + 1]!;
-  const bz = ships[at + ATTITUDE + 2]!;
-  const bw = ships[at + ATTITUDE + 3]!;
+  const bx = q[ATTITUDE]!;
+  const by = q[ATTITUDE + 1]!;
+  const bz = q[ATTITUDE + 2]!;
+  const bw = q[ATTITUDE + 3]!;
   const x = ax * bw + aw * bx + ay * bz - az * by;
   const y = ay * bw + aw * by + az * bx - ax * bz;
   const z = az * bw + aw * bz + ax * by - ay * bx;
   const w = aw * bw - ax * bx - ay * by - az * bz;
   const perLength = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
-  ships[at + ATTITUDE] = x * perLength;
-  ships[at + ATTITUDE + 1] = y * perLength;
-  ships[at + ATTITUDE + 2] = z * perLength;
-  ships[at + ATTITUDE + 3] = w * perLength;
+  q[ATTITUDE] = x * perLength;
+  q[ATTITUDE + 1] = y * perLength;
+  q[ATTITUDE + 2] = z * perLength;
+  q[ATTITUDE + 3] = w * perLength;
 }
 
 /** ROTATION = the shortest rotation from unit FROM to unit TO: normalize(a × b, 1 + a·b), or half a turn where they oppose. */
 export function shortestRotation(): void {
+  const q = quantities;
   const ax = q[FROM]!;
   const ay = q[FROM + 1]!;
   const az = q[FROM + 2]!;
@@ -86,6 +88,7 @@ export function shortestRotation(): void {
 
 /** AXIS = unit(a × x), x = (1,0,0), or (0,1,0) if |a_x| ≥ 0.9, of the unit vector a at `from`. */
 export function perpendicularAxis(from: number): void {
+  const q = quantities;
   const ax = q[from]!;
   const ay = q[from + 1]!;
   const az = q[from + 2]!;

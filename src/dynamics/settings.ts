@@ -8,15 +8,19 @@ export interface Settings {
   readonly contactCrashSpeed: number;
   /** Impact up to which a ship settles without a bounce, m/s. */
   readonly contactBounceSpeed: number;
+  /** Tilt up to which a ship counts as landed, degrees. */
   readonly contactSettleTiltDeg: number;
   /** rad/s */
   readonly contactSettleAngularVel: number;
   /** m/s */
   readonly contactSettleLinearVel: number;
+  /** Tilt from which a ship counts as tipped, degrees. */
   readonly contactTippedAngleDeg: number;
   /** ζ of a bouncing impact. */
   readonly contactDampingRatio: number;
+  /** Coefficient up to which feet hold. */
   readonly contactFrictionStatic: number;
+  /** Coefficient of sliding feet. */
   readonly contactFrictionKinetic: number;
   /** What a touch does to attitude and spin: aligned with the surface normal and stilled, or kept as they are. */
   readonly touchdownAttitude: 'aligned' | 'kept';
@@ -47,7 +51,9 @@ const LONGEST_SUBSTEP = 0.022;
 
 /** Checked settings and what a substep needs of them: angles as cosines. */
 export interface LoadedSettings extends Settings {
+  /** Cosine of contactSettleTiltDeg. */
   readonly cosSettleTilt: number;
+  /** Cosine of contactTippedAngleDeg. */
   readonly cosTippedAngle: number;
 }
 

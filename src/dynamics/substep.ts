@@ -12,11 +12,13 @@ import {
   NO_EVENT,
   REFERENCE_BODY,
   SHIP_CLASS,
+  SHIP_STRIDE,
   SURFACE_STATE,
   TIPPED,
 } from './layout';
 import { addGroundMoments } from './moments';
 import { readAxes } from './pose';
+import { copyIn, copyOut } from './rowCopy';
 import {
   DT,
   END,
@@ -25,7 +27,7 @@ import {
   MASS,
   NORMAL_FORCE,
   PENETRATION,
-  quantities as q,
+  quantities,
   START,
   type Step,
   WEIGHT,
@@ -52,18 +54,26 @@ export function substep(
   dt: number,
 ): number {
   if (ships[at + CRASHED] === 1) return NO_EVENT; // 0
-  const step = begin(ships, at, bodies, world);
-  q[DT] = dt;
-  if (ships[at + SURFACE_STATE] === LANDED && !commandsThrust(ships, at)) return stayLanded(step); // 1, 2: no lift to look for
-  readAxes(step);
+  begin(ships, at, bodies, world, dt);
+  const event = stepShip(step);
+  copyOut(ships, at);
+  return event;
+}
+
+/** Steps 1 to 9, on the row in `quantities`. */
+function stepShip(step: Step): number {
+  const q = quantities;
+  if (q[SURFACE_STATE] === LANDED && !commandsThrust()) return stayLanded(step); // 1, 2: no lift to look for
+  readAxes();
   readPlace(START, step);
   actuate(step); // 1
-  if (!launches(step) && ships[at + SURFACE_STATE] === LANDED) return stayLanded(step); // 2
-  return ships[at + SURFACE_STATE] === FLYING ? flySubstep(step) : groundSubstep(step);
+  if (!launches() && q[SURFACE_STATE] === LANDED) return stayLanded(step); // 2
+  return q[SURFACE_STATE] === FLYING ? flySubstep(step) : groundSubstep(step);
 }
 
 /** Steps 5 to 9 in the air. */
 function flySubstep(step: Step): number {
+  const q = quantities;
   fly(step); // 5
   turnByTorque(step); // 6
   readPenetration(END, step, BODY_END_AXES);
@@ -75,6 +85,7 @@ function flySubstep(step: Step): number {
 
 /** Steps 3 to 9 in contact or tipped. */
 function groundSubstep(step: Step): number {
+  const q = quantities;
   readPenetration(START, step, BODY_AXES);
   const inGround = q[START + PENETRATION]! > 0;
   let pinned = false;
@@ -91,37 +102,33 @@ function groundSubstep(step: Step): number {
   readPlace(END, step);
   readPenetration(END, step, BODY_END_AXES);
   readGround(END, step, BODY_END_AXES);
-  if (step.ships[step.at + SURFACE_STATE] === TIPPED) restOnSide(step); // 8
+  if (q[SURFACE_STATE] === TIPPED) restOnSide(step); // 8
   return makeTransition(step); // 9
 }
 
-const step: Step = {
-  ships: new Float64Array(0),
-  at: 0,
-  bodies: new Float64Array(0),
-  bodyAt: 0,
-} as Step;
+const step: Step = { row: 0, bodies: new Float64Array(0), bodyAt: 0 } as Step;
 
-function begin(ships: Float64Array, at: number, bodies: Float64Array, world: World): Step {
-  const reference = ships[at + REFERENCE_BODY]!;
-  step.ships = ships;
-  step.at = at;
+function begin(ships: Float64Array, at: number, bodies: Float64Array, world: World, dt: number): void {
+  copyIn(ships, at);
+  const q = quantities;
+  const reference = q[REFERENCE_BODY]!;
+  step.row = at / SHIP_STRIDE;
   step.bodies = bodies;
   step.bodyAt = reference * BODY_STRIDE;
   step.body = world.bodies[reference]!;
-  step.shipClass = world.shipClasses[ships[at + SHIP_CLASS]!]!;
+  step.shipClass = world.shipClasses[q[SHIP_CLASS]!]!;
   step.world = world;
-  return step;
+  q[DT] = dt;
 }
 
 /** Step 2: lift above the weight launches a landed or tipped ship; the substep goes on as flying. */
-function launches(step: Step): boolean {
-  const { ships, at } = step;
-  const state = ships[at + SURFACE_STATE]!;
+function launches(): boolean {
+  const q = quantities;
+  const state = q[SURFACE_STATE]!;
   q[WEIGHT] = q[MASS]! * q[START + GRAVITY]!;
   if ((state !== LANDED && state !== TIPPED) || !(q[LIFT]! > q[WEIGHT])) return false;
-  ships[at + SURFACE_STATE] = FLYING;
-  ships[at + IMPACT_SPEED] = 0;
+  q[SURFACE_STATE] = FLYING;
+  q[IMPACT_SPEED] = 0;
   return true;
 }
 

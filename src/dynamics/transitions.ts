@@ -29,12 +29,13 @@ import {
   NORMAL,
   NORMAL_SPEED,
   PENETRATION,
-  quantities as q,
+  quantities,
   SLOPE,
   SMI_MASK,
   START,
   type Step,
   SURFACE_NORMAL,
+  TANGENTIAL_SPEED_SQUARED,
   TO,
 } from './quantities';
 import { rotateAttitude, shortestRotation } from './rotations';
@@ -44,25 +45,24 @@ const LET_GO_HEIGHT = 0.1;
 
 /** Step 9: the first transition that applies to the state at the substep's end, at most one. Returns the event. */
 export function makeTransition(step: Step): number {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  const state = ships[at + SURFACE_STATE]!;
+  const q = quantities;
+  const state = q[SURFACE_STATE]!;
   const touching = q[END + PENETRATION]! > 0;
   if (state === FLYING && !touching) return NO_EVENT;
   readImpact();
-  if (touching && q[IMPACT]! > step.world.settings.contactCrashSpeed) return crash(step);
+  if (touching && q[IMPACT]! > step.world.settings.contactCrashSpeed) return crash();
   if (state === FLYING) return q[IMPACT]! > 0 ? touch(step) : NO_EVENT;
   if (leavesGround()) {
-    ships[at + SURFACE_STATE] = FLYING;
-    ships[at + IMPACT_SPEED] = 0;
+    q[SURFACE_STATE] = FLYING;
+    q[IMPACT_SPEED] = 0;
     return NO_EVENT;
   }
   readTilt();
   const cos = q[COS_TILT]!;
   if (state === TIPPED)
-    return cos > step.world.settings.cosTippedAngle && isRighting(step) ? right(step) : NO_EVENT;
+    return cos > step.world.settings.cosTippedAngle && isRighting(step) ? right() : NO_EVENT;
   if (!touching) return NO_EVENT;
-  if (cos < step.world.settings.cosTippedAngle) return tip(step);
+  if (cos < step.world.settings.cosTippedAngle) return tip();
   return cos > step.world.settings.cosSettleTilt && isSettled(step) ? land(step) : NO_EVENT;
 }
 
@@ -71,6 +71,7 @@ export function makeTransition(step: Step): number {
  * only the second sees it, and a ship that flies into a hill crashes instead of being flung out of it.
  */
 function readImpact(): void {
+  const q = quantities;
   const falling = -q[END + NORMAL_SPEED]!;
   const closing = ((q[END + PENETRATION]! - q[START + PENETRATION]!) * q[END + COS_SLOPE]!) / q[DT]!;
   q[IMPACT] = falling > closing ? falling : closing;
@@ -78,18 +79,21 @@ function readImpact(): void {
 
 /** It rises off the ground, or the ground fell away. */
 function leavesGround(): boolean {
+  const q = quantities;
   const penetration = q[END + PENETRATION]!;
   return (penetration <= 0 && q[END + NORMAL_SPEED]! > 0) || penetration < -LET_GO_HEIGHT;
 }
 
 function touch(step: Step): number {
-  step.ships[step.at + SURFACE_STATE] = CONTACT;
-  step.ships[step.at + IMPACT_SPEED] = q[IMPACT]!;
+  const q = quantities;
+  q[SURFACE_STATE] = CONTACT;
+  q[IMPACT_SPEED] = q[IMPACT]!;
   if (step.world.settings.touchdownAttitude === 'aligned') alignWithSurface(step);
   return EVENT_CONTACT;
 }
 
 function alignWithSurface(step: Step): void {
+  const q = quantities;
   spinWithGround(step);
   q[FROM] = q[AXES + 2]!;
   q[FROM + 1] = q[AXES + 5]!;
@@ -98,55 +102,57 @@ function alignWithSurface(step: Step): void {
   q[TO + 1] = q[END + SURFACE_NORMAL + 1]!;
   q[TO + 2] = q[END + SURFACE_NORMAL + 2]!;
   shortestRotation();
-  rotateAttitude(step.ships, step.at);
+  rotateAttitude();
 }
 
 /** A result, not a state: the rest of the ship's state stays as it was, and it is out of the simulation. */
-function crash(step: Step): number {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  ships[at + CRASHED] = 1;
-  ships[at + SURFACE_STATE] = FLYING;
+function crash(): number {
+  const q = quantities;
+  q[CRASHED] = 1;
+  q[SURFACE_STATE] = FLYING;
   return EVENT_DESTROYED;
 }
 
-function tip(step: Step): number {
-  step.ships[step.at + SURFACE_STATE] = TIPPED;
+function tip(): number {
+  const q = quantities;
+  q[SURFACE_STATE] = TIPPED;
   return EVENT_TIPPED;
 }
 
 /** w_rel · (s × up) < 0: it turns back towards upright. */
 function isRighting(step: Step): boolean {
-  const { ships, bodies } = step;
+  const q = quantities;
+  const { bodies } = step;
   const bodyAt = step.bodyAt & SMI_MASK;
-  const at = step.at & SMI_MASK;
   const sx = q[END + SURFACE_NORMAL]!;
   const sy = q[END + SURFACE_NORMAL + 1]!;
   const sz = q[END + SURFACE_NORMAL + 2]!;
-  const wx = ships[at + ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const wy = ships[at + ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const wz = ships[at + ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const wx = q[ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  const wy = q[ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  const wz = q[ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
   const x = sy * q[AXES + 8]! - sz * q[AXES + 5]!;
   const y = sz * q[AXES + 2]! - sx * q[AXES + 8]!;
   const z = sx * q[AXES + 5]! - sy * q[AXES + 2]!;
   return wx * x + wy * y + wz * z < 0;
 }
 
-function right(step: Step): number {
-  step.ships[step.at + SURFACE_STATE] = CONTACT;
-  step.ships[step.at + IMPACT_SPEED] = 0;
+function right(): number {
+  const q = quantities;
+  q[SURFACE_STATE] = CONTACT;
+  q[IMPACT_SPEED] = 0;
   return EVENT_RIGHTED;
 }
 
 /** Spin, vertical speed (the spring's energy counted in) and slide below the settle limits, and the ground holds it. */
 function isSettled(step: Step): boolean {
-  const { ships, bodies } = step;
+  const q = quantities;
+  const { bodies } = step;
   const bodyAt = step.bodyAt & SMI_MASK;
-  const at = step.at & SMI_MASK;
-  const { contactSettleAngularVel } = step.world.settings;
-  const wx = ships[at + ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const wy = ships[at + ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const wz = ships[at + ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const { contactSettleAngularVel, contactSettleLinearVel } = step.world.settings;
+  if (!(q[END + TANGENTIAL_SPEED_SQUARED]! < contactSettleLinearVel * contactSettleLinearVel)) return false;
+  const wx = q[ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  const wy = q[ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  const wz = q[ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
   if (!(wx * wx + wy * wy + wz * wz < contactSettleAngularVel * contactSettleAngularVel)) return false;
   readLoad(END);
   return isNearlyAtRest(END, step) && isHeldByGround(step);
@@ -154,6 +160,7 @@ function isSettled(step: Step): boolean {
 
 /** The slope is not too steep for static friction, and the ship's weight is inside its feet. */
 function isHeldByGround(step: Step): boolean {
+  const q = quantities;
   const slope = Math.sqrt(
     q[END + SLOPE]! * q[END + SLOPE]! +
       q[END + SLOPE + 1]! * q[END + SLOPE + 1]! +
@@ -169,13 +176,14 @@ function isHeldByGround(step: Step): boolean {
   const x = ny * upZ - nz * upY;
   const y = nz * upX - nx * upZ;
   const z = nx * upY - ny * upX;
-  const offset = step.ships[(step.at & SMI_MASK) + GROUND_CONTACT_OFFSET]!;
+  const offset = q[GROUND_CONTACT_OFFSET]!;
   const level = nx * upX + ny * upY + nz * upZ;
   return offset * Math.sqrt(x * x + y * y + z * z) <= step.shipClass.legRadius * level;
 }
 
 function land(step: Step): number {
-  step.ships[step.at + SURFACE_STATE] = LANDED;
+  const q = quantities;
+  q[SURFACE_STATE] = LANDED;
   moveWithGround(step);
   spinWithGround(step);
   return EVENT_LANDED;

@@ -9,7 +9,9 @@ import type { LinkStatus } from './words';
 
 /** One link to the game's server, which reconnects by itself; at most one socket at any time. */
 export interface GameConnection {
+  /** How the link stands, as plain data. */
   readonly state: () => LinkState;
+  /** The same in words for a person. */
   readonly status: () => LinkStatus;
   /** Own controls; false when they could not be sent (not live, or too large). */
   readonly sendControls: (controls: Controls) => boolean;
@@ -17,6 +19,7 @@ export interface GameConnection {
   readonly send: (message: unknown) => boolean;
   /** Tries again at once, after a refusal too. */
   readonly retry: () => void;
+  /** Closes the socket for good; nothing is told any more. */
   readonly dispose: () => void;
 }
 

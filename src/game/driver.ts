@@ -9,17 +9,23 @@ export interface DriverOptions {
   readonly clock: GameClock;
   /** 0 to 1, for the jitter of reconnects. */
   readonly dice: () => number;
+  /** Opens a socket: (address) => new WebSocket(address). */
   readonly openSocket: (address: string) => GameSocket;
   /** Said when the socket stands; null: nothing has to be. */
   readonly auth: () => string | Uint8Array<ArrayBuffer> | null;
+  /** Asks the server for an answer. */
   readonly ping: () => string | Uint8Array<ArrayBuffer>;
+  /** A message came, as it is. */
   readonly onData: (data: unknown) => void;
+  /** How the link stands, whenever that changes. */
   readonly onStatus: ((status: LinkStatus) => void) | undefined;
 }
 
 /** One link that comes back by itself; at most one socket at any time. */
 export interface Driver {
+  /** How the link stands, as plain data. */
   readonly state: () => LinkState;
+  /** The same in words for a person. */
   readonly status: () => LinkStatus;
   /** What was heard, for the link's states. */
   readonly happen: (event: LinkEvent) => void;

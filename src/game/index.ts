@@ -9,6 +9,7 @@ export { createDriver, type Driver, type DriverOptions } from './driver';
 /** Its states as plain data. */
 export {
   beginLink,
+  type Ending,
   type Effect,
   type LinkEvent,
   type LinkState,

@@ -6,11 +6,13 @@ import type { LinkStatus } from './words';
 
 /** Wall seconds and a timer, so that tests need not wait. */
 export interface GameClock {
+  /** Wall seconds, monotonic. */
   readonly now: () => number;
   /** Calls `act` once after `seconds`; returns how to call it off. */
   readonly after: (seconds: number, act: () => void) => () => void;
 }
 
+/** What the connection tells; only onFrame has to be there. */
 export interface GameHandlers {
   /** A state came, checked; `at`: wall s. */
   readonly onFrame: (frame: DecodedFrame, at: number) => void;
@@ -31,6 +33,7 @@ export interface GameHandlers {
   readonly onOther?: (type: string, message: unknown) => void;
 }
 
+/** What a connection is made with. */
 export interface GameConnectionOptions {
   /** wss://…/ws */
   readonly address: string;
@@ -39,6 +42,7 @@ export interface GameConnectionOptions {
   readonly clock: GameClock;
   /** 0 to 1, for the jitter of reconnects. */
   readonly dice: () => number;
+  /** Opens a socket: (address) => new WebSocket(address). */
   readonly openSocket: (address: string) => GameSocket;
   /** What a parsed message comes to; openGameMessage unless given. */
   readonly open?: (message: unknown) => GameMessage;

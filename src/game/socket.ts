@@ -1,11 +1,17 @@
 /** The part of a browser's WebSocket that is used. */
 export interface GameSocket {
+  /** Called when the socket is open. */
   onopen: ((event: never) => void) | null;
+  /** Called with each message. */
   onmessage: ((event: never) => void) | null;
+  /** Called once, when the socket has closed. */
   onclose: ((event: never) => void) | null;
+  /** Called on an error; a close follows. */
   onerror: ((event: never) => void) | null;
   readonly readyState: number;
+  /** Sends a text, or bytes. */
   send: (message: string | Uint8Array<ArrayBuffer>) => void;
+  /** Closes the socket. */
   close: () => void;
 }
 

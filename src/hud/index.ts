@@ -1,12 +1,7 @@
 /** The HUDs: painting only. What they show is decided in readout; their style sheet is hud.css. */
 
-export {
-  createCockpitLandingHud,
-  createCockpitLandingHud as cockpitLandingHud,
-  type Hud,
-  type LandingHudOptions,
-} from './landingHud';
-export { createFleetHud, createFleetHud as fleetHud } from './fleetHud';
+export { createCockpitLandingHud, type Hud, type LandingHudOptions } from './landingHud';
+export { createFleetHud } from './fleetHud';
 export { createFlightHud, type FlightHudOptions, type FlightPanels } from './flight/flightHud';
 export type { FlightKey } from './flight/modesPanel';
 /** Theme and layout. */

@@ -10,6 +10,7 @@ export type { Warn } from './warnings';
 export type { ScheduledInput } from './inputs/inputs';
 /** What it gives. */
 export type * from './drawn/view';
+export type { Connection } from './time/connection';
 /** A drawn pose on the drawn ground. */
 export type { DrawnGround } from './drawn/drawnGround';
 export { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './drawn/groundSnap';

@@ -37,9 +37,13 @@ export interface PredictorOptions {
 
 /** The world of a server that sends no hello. */
 export interface Defaults {
+  /** Contact settings; what is left out has the game’s default. */
   readonly settings: Partial<Settings>;
+  /** All classes that ships may have. */
   readonly shipClasses: readonly ShipClass[];
+  /** All bodies with their motion at the first frame’s tick. */
   readonly bodies: readonly (Body & BodyMotion)[];
+  /** Name of one of the terrains. */
   readonly terrain: string;
 }
 

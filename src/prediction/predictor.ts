@@ -5,14 +5,16 @@ import { requireOptions } from './checks/options';
 import type { EventNotice, WorldView } from './drawn/view';
 import { fillView } from './drawn/worldView';
 import { advanceFrame, place } from './frameLoop';
-import { takeUnsent } from './inputs/inputs';
+import { takeInputs } from './inputs/sending';
 import type { PredictorOptions } from './options';
 import { changeOwnShip, dropShip, expectTeleport, type Removal, resetSession } from './ownership';
 import { announce, createSession, type Session } from './session';
 import { noteCall, receiveMessage } from './snapshots/receiveMessage';
 import { refuse } from './snapshots/receiver';
 import { jitterOf, serverTime } from './time/clock';
+import { connectionOf } from './time/connection';
 import { pingIfDue } from './time/pings';
+import { spanOf } from './time/timeline';
 
 /**
  * Server truth + own controls → a pose for now (PREDICTION). Wall seconds `now` are monotonic and handed in; nothing here reads a
@@ -89,12 +91,25 @@ function isListener({ warn }: Session, listener: unknown): boolean {
 
 function viewAt(session: Session, now: number): WorldView {
   const { sim, shown, clock, advancedAt } = session;
+  fillConnection(session, now);
   if (Number.isNaN(advancedAt) || sim.newestTick < 0 || sim.frontIsStale) return shown.view;
   const present = clock.present + Math.max(0, now - clock.updatedAt) * clock.rate;
   place(sim, present);
-  fillView(shown, sim, now, present);
+  const lead = clock.present - serverTime(clock, clock.updatedAt);
+  fillView(shown, sim, { now, present, lead });
   fillGauges(session);
   return shown.view;
+}
+
+function fillConnection({ shown, receiver, pings, sim }: Session, now: number): void {
+  const { view } = shown;
+  view.silence = Math.max(0, now - receiver.acceptedAt);
+  if (sim.timeline.spans.length === 0) {
+    view.connection = 'waiting';
+    return;
+  }
+  const heard = { frame: view.silence, pong: Math.max(0, now - pings.answeredAt) };
+  view.connection = connectionOf(heard, sim.cadence, spanOf(sim.timeline, sim.newestTick));
 }
 
 function fillGauges({ counters, clock }: Session): void {
@@ -105,9 +120,11 @@ function fillGauges({ counters, clock }: Session): void {
   counters.lead = clock.present - serverTime(clock, clock.updatedAt);
 }
 
-function takeOutgoing({ pings, sim }: Session): ClientMessage[] {
+function takeOutgoing({ pings, sim, sending, advancedAt, counters }: Session): ClientMessage[] {
   const messages: ClientMessage[] = pings.queued.splice(0);
-  const inputs = takeUnsent(sim.inputs);
+  const inputs = takeInputs(sim, sending, advancedAt);
+  counters.pingsDropped = pings.dropped;
+  counters.inputsDropped = sim.inputs.dropped;
   if (inputs.length > 0) messages.push({ kind: 'inputs', inputs });
   return messages;
 }

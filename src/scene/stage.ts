@@ -1,5 +1,6 @@
 import type { TerrainHeight } from '../dynamics';
 import type { WorldView } from '../prediction';
+import type { CameraView } from './cameras';
 import type { Markers } from './overlays/markers';
 import type { OverlayChoice } from './overlays/overlays';
 
@@ -23,7 +24,10 @@ export interface Stage {
   turnCamera(azimuth: number, elevation: number): void;
   /** Multiplies the distance. */
   zoomCamera(factor: number): void;
+  /** Where the picture is taken from, at once. */
+  setCamera(view: CameraView): void;
   /** Back to the first view, at once. */
   resetCamera(): void;
+  /** Gives the GPU's memory back; nothing is drawn any more. */
   dispose(): void;
 }

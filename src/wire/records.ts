@@ -4,20 +4,33 @@ import type { Body, BodyMotion, Controls, Quat, Settings, ShipClass, Vec3 } from
 
 /** The game's ShipState. */
 export interface ShipState {
+  /** Unique in its world. */
   readonly shipId: string;
+  /** Whose ship it is. */
   readonly playerId: string;
+  /** For people; any text. */
   readonly name: string;
+  /** Name of one of the ship classes. */
   readonly shipClass: string;
+  /** m, ICRF. */
   readonly position: Vec3;
+  /** m/s, ICRF. */
   readonly velocity: Vec3;
+  /** [x, y, z, w], unit: rotates ship axes into ICRF. */
   readonly attitude: Quat;
+  /** rad/s, ICRF axes. */
   readonly angularVelocity: Vec3;
+  /** −1 … 1 about ship x (pitch), y (yaw), z (roll). */
   readonly rotationInput: Vec3;
+  /** −1 … 1 along ship x, y, z. */
   readonly translationInput: Vec3;
+  /** 0 … 1. */
   readonly thrustLevel: number;
+  /** Rate damping. */
   readonly attitudeHold: boolean;
   /** One of ATTITUDE_MODES, or a mode that only the server knows. */
   readonly attitudeMode: string;
+  /** [x, y, z, w], for attitude mode hold. */
   readonly targetAttitude: Quat;
   /** kg */
   readonly fuel: number;
@@ -27,6 +40,7 @@ export interface ShipState {
   readonly wheelMomentum: Vec3 | null;
   /** Height of the centre of mass above the feet, m; null when the server does not send it: the class's then holds. */
   readonly groundContactOffset: number | null;
+  /** The body it touches; empty in flight. */
   readonly landedBodyName: string;
   /** One of SURFACE_STATES, or a state that only the server knows. */
   readonly surfaceContactState: string;
@@ -37,6 +51,7 @@ export interface ShipState {
   /** Relative to the reference body's centre, ICRF axes; null when the server does not send fields 33 and 34. */
   readonly relativePosition: Vec3 | null;
   readonly relativeVelocity: Vec3 | null;
+  /** It is gone until it is spawned again. */
   readonly crashed: boolean;
 }
 

@@ -29,6 +29,13 @@ export function filesUnder(folder: string, matching: RegExp): SourceFile[] {
     .map((path) => ({ path, text: readFileSync(join(ROOT, path), 'utf8') }));
 }
 
+/** The files at the repository's top whose name matches. */
+export function topFiles(matching: RegExp): SourceFile[] {
+  return readdirSync(ROOT, { withFileTypes: true })
+    .filter((entry) => entry.isFile() && matching.test(entry.name))
+    .map(({ name }) => ({ path: name, text: readFileSync(join(ROOT, name), 'utf8') }));
+}
+
 function isNode(value: unknown): value is Node {
   return typeof value === 'object' && value !== null && 'type' in value && typeof value.type === 'string';
 }

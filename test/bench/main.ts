@@ -2,9 +2,9 @@ import { cBaseline } from './cBaseline';
 import { heightmapFigures } from './heightmap';
 import { joltBody } from './jolt';
 import { type Figure, heapGrowth, timed } from './measure';
-import { flying, landed, sliding, type Subject, tipped } from './subjects';
+import { flying, landed, sliding, slidingOverHills, type Subject, tipped } from './subjects';
 
-/** `npm run bench`: what the law costs. A table, or with --json a line of JSON a figure. */
+/** `npm run bench`: what the law costs. A table, or with --json one line of JSON per figure. */
 
 /** Substeps a round. */
 const TIMES = 100_000;
@@ -46,15 +46,17 @@ function print(figure: Figure): void {
   else {
     const { name, unit, median, min, max } = figure;
     console.log(
-      `${name.padEnd(18)} ${String(median).padStart(14)} ${unit.padEnd(6)} (${String(min)} … ${String(max)})`,
+      `${name.padEnd(22)} ${String(median).padStart(14)} ${unit.padEnd(6)} (${String(min)} … ${String(max)})`,
     );
   }
 }
 
-if (!asJson) console.log(`${''.padEnd(18)} ${'median'.padStart(14)}        (min … max)`);
+if (!asJson) console.log(`${''.padEnd(22)} ${'median'.padStart(14)}        (min … max)`);
 print(perSubstep('contact-substep', sliding()));
 const scalarC = cBaseline(sliding());
 if (scalarC) print(scalarC);
+for (const normal of ['radial', 'terrain'] as const)
+  print(perSubstep(`contact-hills-${normal}`, slidingOverHills(normal)));
 print(perSubstep('flying-substep', flying()));
 print(perSubstep('tipped-substep', tipped()));
 print(perSubstep('landed-substep', landed()));

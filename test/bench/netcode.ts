@@ -2,6 +2,7 @@ import { print } from './netcode/figure';
 import { lawFigures } from './netcode/law';
 import { clockFigures } from './netcode/clock';
 import { costFigures } from './netcode/cost';
+import { faultFigures } from './netcode/faults';
 import { fleetFigures } from './netcode/fleet';
 import { soakFigures } from './netcode/soak';
 import { foreignFigures } from './netcode/foreign';
@@ -21,6 +22,7 @@ for (const figures of [
   fleetFigures(),
   stateFigures(),
   hourFigures(),
+  faultFigures(),
   foreignFigures(),
 ]) {
   for (const figure of figures) {

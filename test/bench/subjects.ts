@@ -8,6 +8,7 @@ import {
   LANDED,
   LANDING_SITE,
   flatTerrain,
+  hillsTerrain,
   loadBody,
   loadSettings,
   loadShipClass,
@@ -19,6 +20,7 @@ import {
   SURFACE_STATE,
   SURFACE_STATES,
   TIPPED,
+  type Vec3,
   VELOCITY,
   type World,
   writeBodyMotion,
@@ -33,7 +35,8 @@ export interface Subject {
   step(times: number): void;
 }
 
-const MOON = BODIES[0]!;
+/** Its axes along ICRF's, so that a place on it is a direction. */
+const MOON = { ...BODIES[0]!, attitude: [0, 0, 0, 1] as const };
 /** With a full inertia tensor. */
 const FRIGATE = SHIP_CLASSES[0]!;
 /** Substeps after which a subject is put back, so that it stays in its state: half a second. */
@@ -49,7 +52,17 @@ const world: World = {
 
 /** Sliding over level ground at 30 m/s, in contact at its static depth. */
 export function sliding(count = 1): Subject {
-  return subject(CONTACT, { speed: 30, above: -0.0162, tilt: 0 }, count);
+  return subject(CONTACT, { speed: 30, above: -0.0162, tilt: 0 }, { count });
+}
+
+/** Sliding over the hills at 3 m/s, with the surface normal radial or the terrain's. */
+export function slidingOverHills(surfaceNormal: 'radial' | 'terrain'): Subject {
+  const hills = {
+    ...world,
+    settings: loaded(loadSettings({ surfaceNormal })),
+    terrainHeight: hillsTerrain,
+  };
+  return subject(CONTACT, { speed: 3, above: -0.0162, tilt: 0 }, { world: hills, site: HILLSIDE });
 }
 
 /** Coasting 500 m above the ground. */
@@ -76,17 +89,24 @@ interface Start {
   readonly tilt: number;
 }
 
-function subject(state: number, start: Start, count = 1): Subject {
+/** A hillside with 22° of slope. */
+const HILLSIDE: Vec3 = [0.601265926, 0.474432245, 0.64295671];
+
+function subject(
+  state: number,
+  start: Start,
+  { count = 1, world: of = world, site = LANDING_SITE }: { count?: number; world?: World; site?: Vec3 } = {},
+): Subject {
   const ships = new Float64Array(count * SHIP_STRIDE);
   const bodies = new Float64Array(BODY_STRIDE);
   const events = new Uint8Array(count);
   writeBodyMotion(bodies, 0, MOON);
-  for (let i = 0; i < count; i++) place(ships, i * SHIP_STRIDE, state, start);
+  for (let i = 0; i < count; i++) place(ships, i * SHIP_STRIDE, { ...start, state, site, world: of });
   const firstShips = ships.slice();
   const firstBodies = bodies.slice();
   let left = RUN;
   return {
-    world,
+    world: of,
     ships,
     bodies,
     state,
@@ -98,7 +118,7 @@ function subject(state: number, start: Start, count = 1): Subject {
           left = RUN;
         }
         left--;
-        stepWorld(ships, bodies, events, world, DT);
+        stepWorld(ships, bodies, events, of, DT);
       }
       if (ships[SURFACE_STATE] !== state)
         throw new Error(`left state ${SURFACE_STATES[state]!} while it was timed`);
@@ -111,9 +131,18 @@ function restore(rows: Float64Array, from: Float64Array): void {
   for (let i = 0; i < rows.length; i++) rows[i] = from[i]!;
 }
 
-function place(ships: Float64Array, at: number, state: number, start: Start): void {
-  const [nx, ny, nz] = LANDING_SITE;
-  const distance = MOON.radius + FRIGATE.groundContactOffset + start.above;
+interface Placing extends Start {
+  readonly state: number;
+  readonly site: Vec3;
+  readonly world: World;
+}
+
+function place(ships: Float64Array, at: number, { state, site, world, ...start }: Placing): void {
+  const [x, y, z] = site;
+  const perLength = 1 / Math.sqrt(x * x + y * y + z * z);
+  const [nx, ny, nz] = [x * perLength, y * perLength, z * perLength];
+  const ground = MOON.radius + world.terrainHeight(MOON.name, nx, ny, nz);
+  const distance = ground + FRIGATE.groundContactOffset + start.above;
   const reason = spawnShip(
     ships,
     at,

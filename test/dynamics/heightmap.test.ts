@@ -141,7 +141,7 @@ it.each([
   [{ rows: 35 }, 'Luna.samples: expected 35 × 72 of them, got 2592'],
   [{ scale: Number.NaN }, 'Luna.scale: expected a finite number, got NaN'],
   [{ interpolation: 'cubic' }, "Luna.interpolation: expected 'bilinear' or 'bicubic', got cubic"],
-  [{ referenceRadius: 0 }, 'Luna.referenceRadius: expected > 0 m, got 0'],
+  [{ referenceRadius: 0 }, 'Luna.referenceRadius: expected ≥ 0.001 m, got 0'],
 ])('refuses %j by name', (change, reason) => {
   expect(heightmapTerrain({ Luna: { ...smooth, ...change } as Heightmap })).toEqual({ ok: false, reason });
 });

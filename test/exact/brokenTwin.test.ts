@@ -64,7 +64,7 @@ describe('a law that adds up in another order is found out', () => {
     ],
     ['vectors.py', 'ay * bw + aw * by + az * bx - ax * bz', 'aw * by + az * bx + ay * bw - ax * bz'],
     ['pose.py', 'hx * w + hy * z - hz * y', 'hx * w - hz * y + hy * z'],
-    ['models.py', '(c * h - b * i) / determinant', '(c * h - b * i) * (1 / determinant)'],
+    ['ship_class.py', '(c * h - b * i) / determinant', '(c * h - b * i) * (1 / determinant)'],
   ])('%s: %s', async (file, expression, instead) => {
     const broken = brokenServer(file, expression, instead);
     const theirs = await replayInPython(cases, broken);

@@ -15,16 +15,23 @@ export function parityLine(name: string, text: string): { line: string; passed: 
 
 function fixtureLine(name: string, text: string): { line: string; passed: boolean } {
   const compared = then(readFixture(text), compareFixture);
-  if (!compared.ok) return { line: `${name}: ${compared.reason}`, passed: false };
+  if (!compared.ok) return refusal(name, compared.reason);
   return { line: describe(name, compared.value), passed: agrees(compared.value) };
 }
 
 function recordingLine(name: string, text: string): { line: string; passed: boolean } {
   const compared = then(readRecording(text), compareRecording);
-  if (!compared.ok) return { line: `${name}: ${compared.reason}`, passed: false };
+  if (!compared.ok) return refusal(name, compared.reason);
   const { unknownInputs, withoutRelativeState } = compared.value;
   const left = `not comparable: ${unknownInputs} by inputs, ${withoutRelativeState} without relative state`;
   return { line: `${describe(name, compared.value)}  ${left}`, passed: agrees(compared.value) };
+}
+
+/** Every fault of a file that cannot be read, a line each. */
+function refusal(name: string, reason: string): { line: string; passed: boolean } {
+  const faults = reason.split('\n');
+  const line = faults.length === 1 ? `${name}: ${reason}` : `${name}:\n  ${faults.join('\n  ')}`;
+  return { line, passed: false };
 }
 
 function then<A, B>(checked: Result<A>, next: (value: A) => Result<B>): Result<B> {
@@ -46,9 +53,12 @@ function describe(name: string, comparison: Comparison): string {
       : `FIRST DISAGREEMENT tick ${disagreement.tick}: ${disagreement.how}`,
     `(${statesCompared} states over ${ticks} ticks)`,
   ];
-  if (outOfTolerance !== null)
-    columns.push(`OUT OF TOLERANCE: ${outOfTolerance.field} from tick ${outOfTolerance.tick}`);
+  if (outOfTolerance !== null) columns.push(`OUT OF TOLERANCE: ${deviationText(outOfTolerance)}`);
   return columns.join('  ');
+}
+
+function deviationText({ field, tick, got, expected }: NonNullable<Comparison['outOfTolerance']>): string {
+  return `${field} from tick ${tick}: here ${String(got)}, in the file ${String(expected)}`;
 }
 
 function number(value: number): string {

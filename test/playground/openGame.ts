@@ -67,6 +67,7 @@ export async function open(asked: Partial<Choices>): Promise<Game> {
     onEntry: (entry) => entries.push(entry),
     onLost: () => undefined,
     onRun: (inputs) => runs.push(inputs),
+    onScenario: () => undefined,
   });
   live.begin({ ...DEFAULT_CHOICES, ...asked });
   const dice = createDice(11);

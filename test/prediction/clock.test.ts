@@ -26,7 +26,7 @@ function run(
     const offset = link.offset?.(now) ?? 100;
     if (i % 12 === 0) {
       const [up, down] = [link.up(), link.down()];
-      samplePong(clock, now - up - down, now - down - offset, now);
+      samplePong(clock, now - up - down, { at: now - down - offset, standing: false }, now);
     }
     advanceClock(clock, now, PACING);
     presents.push(clock.present);

@@ -216,7 +216,7 @@ describe('an absence', () => {
     rig.authority.despawn('other-1');
     rig.fly(2.3);
     const fading = rig.view().ships.find(({ shipId }) => shipId === 'other-1')!;
-    expect(fading.missingTicks).toBeGreaterThan(0);
+    expect(fading.missingSends).toBeGreaterThan(0);
     rig.fly(2.5);
     expect(rig.view().ships.map(({ shipId, shownState }) => [shipId, shownState])).toEqual([
       ['ship-1', 'crashed'],

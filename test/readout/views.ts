@@ -68,6 +68,8 @@ export function makeView(pose: Pose = {}, changes: Partial<ShipView> = {}): Worl
     timeScale: 1,
     paused: false,
     ready: true,
+    connection: 'live',
+    silence: 0,
     settings: settings.value,
     bodies: BODIES.map((b) => ({ ...b })),
     ships: [{ ...own, body }],
@@ -139,7 +141,7 @@ export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): Ship
     ghostPosition: Float64Array.from(position),
     ghostAttitude: Float64Array.from(attitude),
     serverKnown: true,
-    missingTicks: 0,
+    missingSends: 0,
     ...changes,
   };
 }

@@ -151,7 +151,7 @@ describe('a recorded server', () => {
       if (second === 5) authority.kick('own', [0.001, 0, 0], [0, 0, 0]);
     });
     const comparison = valueOf(compareRecording(pushed));
-    expect(comparison.outOfTolerance).toEqual({ tick: 6, field: 'relativePosition' });
+    expect(comparison.outOfTolerance).toMatchObject({ tick: 6, field: 'relativePosition' });
     expect(agrees(comparison)).toBe(false);
   });
 

@@ -6,12 +6,13 @@ from copy import deepcopy
 from typing import Any
 
 from harness import SERVICE_HOME  # noqa: F401  (puts the service on the path)
+
 from touchdown_service.cases import load_case
 from touchdown_service.config import load_config
+from touchdown_service.galaxy import Tempo
 from touchdown_service.limits import Refusal
 from touchdown_service.records import load_controls_json
 from touchdown_service.tempo import next_tempo
-from touchdown_service.galaxy import Tempo
 
 WORLD = json.loads((SERVICE_HOME / "touchdown_service" / "world.json").read_text(encoding="utf-8"))
 
@@ -61,7 +62,9 @@ class Loading(unittest.TestCase):
     def test_numbers(self) -> None:
         self.refused("settings.contact_crash_speed: expected > 0 m/s, got -1", settings={"contact_crash_speed": -1})
         self.refused("settings.contact_crash_sped: no such field", settings={"contact_crash_sped": 1})
-        self.refused("settings.contact_bounce_speed: expected < contact_crash_speed", settings={"contact_bounce_speed": 50})
+        self.refused(
+            "settings.contact_bounce_speed: expected < contact_crash_speed", settings={"contact_bounce_speed": 50}
+        )
         self.refused("settings.contact_longest_substep", settings={"contact_longest_substep": 0.03})
         self.refused("ship.fuel: expected a finite number, got nan", ship__fuel=float("nan"))
         self.refused("ship.fuel: expected a finite number, got True", ship__fuel=True)

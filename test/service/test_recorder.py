@@ -32,7 +32,9 @@ class Recorder(unittest.TestCase):
         until(lambda: client.hget("touchdown:clock", "paused") == "true", "it is paused", service)
         now = int(client.get("game:tick"))
         for seq in range(1, 5):
-            control(client, seq, {"thrust_level": 0.01 * seq, "attitude_mode": "hold"}, tick=now + 90 + 7 * seq, substep=1)
+            control(
+                client, seq, {"thrust_level": 0.01 * seq, "attitude_mode": "hold"}, tick=now + 90 + 7 * seq, substep=1
+            )
         file = Path(tempfile.mkdtemp()) / "recorded.json"
         command = [sys.executable, "-B", "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
         child = subprocess.Popen([*command, "--ticks", "250", str(file)], cwd=SERVICE_HOME, stdout=subprocess.DEVNULL)

@@ -75,12 +75,22 @@ class Ships(WithService):
         self.until(lambda: not self.client.exists("ship:s1"), "the ship is gone")
         self.assertEqual(
             entries(self.client, "galaxy:ships"),
-            [{"event": "ship.destroyed", "ship_id": "s1", "player_id": "pilot of s1", "body": "Luna", "reason": "collision"}],
+            [
+                {
+                    "event": "ship.destroyed",
+                    "ship_id": "s1",
+                    "player_id": "pilot of s1",
+                    "body": "Luna",
+                    "reason": "collision",
+                }
+            ],
         )
         self.assertEqual(self.client.smembers("system:sol:ships"), set())
         frame = next(f for f in frames(self.client) if f["removed"])
         self.assertEqual(frame["ships"], [])
-        self.assertEqual(frame["removed"][0], {"ship_id": "s1", "player_id": "pilot of s1", "name": "s1", "reason": "collision"})
+        self.assertEqual(
+            frame["removed"][0], {"ship_id": "s1", "player_id": "pilot of s1", "name": "s1", "reason": "collision"}
+        )
         self.assertEqual(frame["events"][0]["type"], "ship.destroyed")
 
     def test_commands_are_refused_by_name_and_change_nothing(self) -> None:
@@ -216,6 +226,21 @@ class Lease(WithService):
         self.assertIn("lease lost", self.service.words())
         ticks = [frame["tick"] for frame in frames(self.client)]
         self.assertEqual(ticks, list(range(ticks[0], ticks[-1] + 1)))
+
+    def test_a_tick_that_takes_longer_than_the_lease_is_committed(self) -> None:
+        # 40 ships, each 10,000 substeps in one tick: some seconds of work, the lease lasts for 0.4.
+        pipe = self.client.pipeline()
+        self.client.set("game:paused", "true")
+        self.until(lambda: self.client.hget("touchdown:clock", "paused") == "true", "it is paused")
+        for i in range(40):
+            order = json.dumps(lander(f"s{i}", height=50_000))
+            pipe.xadd("touchdown:inbox", {"type": "spawn", "data": order})
+        pipe.execute()
+        self.until(lambda: self.client.scard("system:sol:ships") == 40, "all are there")
+        at = self.tick()
+        self.client.mset({"game:tick_rate": "1", "game:time_scale": "100", "game:paused": "false"})
+        self.until(lambda: self.tick() > at, "the long tick is committed")
+        self.assertNotIn("lease lost", self.service.words())
 
     def test_told_to_stop_it_says_where_the_bodies_are_and_gives_the_lease_back(self) -> None:
         self.assertEqual(self.service.terminate(), 0)

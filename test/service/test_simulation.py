@@ -4,6 +4,7 @@ import json
 import unittest
 
 from harness import SERVICE_HOME, lander
+
 from touchdown_service.config import load_timing
 from touchdown_service.galaxy import Changes, Galaxy, make_galaxy, run_interval
 from touchdown_service.inbox import take_in
@@ -40,7 +41,10 @@ class Simulation(unittest.TestCase):
             self.assertEqual((one.position, one.attitude), (other.position, other.attitude))
 
     def test_a_ship_flies_the_same_whoever_else_is_there(self) -> None:
-        alone, crowded = galaxy_with(lander("s3")), galaxy_with(*(lander(f"s{i}", height=20 + i) for i in range(3)), lander("s3"))
+        alone, crowded = (
+            galaxy_with(lander("s3")),
+            galaxy_with(*(lander(f"s{i}", height=20 + i) for i in range(3)), lander("s3")),
+        )
         for galaxy in (alone, crowded):
             run(galaxy, 12)
         self.assertEqual(alone.ships["s3"].position, crowded.ships["s3"].position)
@@ -81,7 +85,9 @@ class Simulation(unittest.TestCase):
         self.assertEqual([e.type for e in events], [e.type for e in together])
 
     def test_a_place_is_where_it_says(self) -> None:
-        galaxy = galaxy_with(lander("up", height=100), lander("over", height=100, tilt=30, lean_to=90, velocity=[3, 4, 5]))
+        galaxy = galaxy_with(
+            lander("up", height=100), lander("over", height=100, tilt=30, lean_to=90, velocity=[3, 4, 5])
+        )
         up, over = galaxy.ships["up"], galaxy.ships["over"]
         from touchdown_service.vectors import cross, dot, subtract, unit, up_of
 
@@ -107,7 +113,9 @@ class Simulation(unittest.TestCase):
             ({"height": 900, "fuel": 0}, None, "main engine: 0 N cannot hold"),
         ):
             galaxy = galaxy_with(lander(**order))
-            take_in(galaxy, [("9-0", {"type": "maneuver", "data": '{"ship_id": "s1", "maneuver": "landing"}'})], Changes())
+            take_in(
+                galaxy, [("9-0", {"type": "maneuver", "data": '{"ship_id": "s1", "maneuver": "landing"}'})], Changes()
+            )
             if input is not None:
                 galaxy.ships["s1"].pending = [Input(2, 0, input, "page", 1)]
             run(galaxy, 5)

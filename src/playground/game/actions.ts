@@ -26,7 +26,10 @@ export interface ActsPlace {
   readonly begin: () => void;
   readonly help: () => void;
   readonly resetCamera: () => void;
+  readonly nextCamera: () => void;
   readonly copyLink: () => void;
+  /** Lets another tab in, and hands out its link. */
+  readonly invite: () => void;
   readonly toggleBare: () => void;
   readonly toggleAids: () => void;
   readonly toggleSound: () => void;
@@ -78,11 +81,12 @@ export function createActs(place: ActsPlace): Acts {
     nextScenario: () => scenarioBy(place, 1),
     landingAids: place.toggleAids,
     mute: place.toggleSound,
+    nextCamera: place.nextCamera,
     hide: place.toggleBare,
     help: place.help,
   };
   /** What may be done while a recording plays: nothing that reaches the game behind it. */
-  const HARMLESS = new Set<Action>(['hide', 'help', 'mute', 'landingAids']);
+  const HARMLESS = new Set<Action>(['hide', 'help', 'mute', 'landingAids', 'nextCamera']);
 
   return {
     reset,
@@ -156,9 +160,11 @@ function createPanelActs(
     },
     away: () => away(performance.now() / 1000),
     copyLink: place.copyLink,
+    invite: place.invite,
     help: place.help,
     sound: place.toggleSound,
     resetCamera: place.resetCamera,
+    nextCamera: place.nextCamera,
     tryHop: () => {
       live.hands.press('throttleFull');
       state.cutAt = live.clock.now() + HOP;

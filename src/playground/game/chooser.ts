@@ -18,6 +18,7 @@ const LIVE_CHOICES: readonly (keyof Choices)[] = [
   'jitter',
   'stalled',
   'stall',
+  'pilot',
 ];
 
 /** Takes choices and does what they ask. */
@@ -29,10 +30,15 @@ export interface Chooser {
   readonly beginWorld: () => void;
   readonly isMission: (scenario: string) => boolean;
   readonly openHelp: () => void;
+  /** The host of a shared world has begun a scenario. */
+  readonly follow: (scenario: string, terrain: string) => void;
+  /** Lets other tabs in and hands out the link. */
+  readonly invite: () => void;
 }
 
 export function createChooser(page: Page, parts: Parts): Chooser {
   const { choices, stage, notice, address, query } = page;
+  let room = '';
   const showOverlays = () => {
     if (stage !== null)
       for (const name of OVERLAY_NAMES) stage.overlays[name] = choices.overlays.includes(name);
@@ -41,7 +47,7 @@ export function createChooser(page: Page, parts: Parts): Chooser {
     if (name === 'slow') {
       parts.live.setSpeed(choices.slow);
       if (choices.slow < 1) parts.game.meddled('it was flown in slow motion');
-    } else if (name !== 'mode' && name !== 'overlays')
+    } else if (name !== 'mode' && name !== 'overlays' && name !== 'pilot')
       parts.live.operate({ kind: 'network', numbers: networkOf(choices) });
     showOverlays();
   };
@@ -74,6 +80,17 @@ export function createChooser(page: Page, parts: Parts): Chooser {
     beginWorld,
     isMission: (scenario) => findMission(scenario) !== null,
     openHelp: createHelpOpener(page, parts),
+    follow(scenario, terrain) {
+      if (setChoice(choices, 'scenario', scenario) !== null || !Object.hasOwn(TERRAINS, terrain)) return;
+      stage?.setTerrain(TERRAINS[terrain]!);
+      parts.panel.show(choices);
+    },
+    invite() {
+      room ||= `tab:${Math.random().toString(36).slice(2, 8)}`;
+      parts.game.meddled('another pilot was let in');
+      parts.live.operate({ kind: 'invite', address: room });
+      address.copy(`?server=${room}`, 'Link copied: open it in another tab of this browser.');
+    },
   };
 }
 

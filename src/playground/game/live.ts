@@ -15,6 +15,7 @@ import { createHands, type Hands } from './hands';
 import { createPageClock, type PageClock } from './pageClock';
 import { createRunHash } from './runHash';
 import { type Script, scriptOf } from './script';
+import { openTab, TAB_ADDRESS } from '../server/tabLink';
 import { type Connection, type ConnectionHandlers, openWorker, type ShipLoss } from '../server/connection';
 import type { Operation } from '../server/operation';
 import { openServer } from '../server/realServer';
@@ -32,6 +33,8 @@ export interface LiveListeners {
   readonly onLost: (ship: ShipLoss) => void;
   /** The inputs that acted on the own ship, as asked for by { kind: 'run' }. */
   readonly onRun: (inputs: readonly RunInput[]) => void;
+  /** The host of a shared world has begun a scenario. */
+  readonly onScenario: (scenario: string, terrain: string) => void;
 }
 
 /** A game against a server: connection, predictor, hands. */
@@ -120,10 +123,20 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     },
     onRefused: listeners.onRefused,
     onRun: listeners.onRun,
+    onScenario(scenario, terrain) {
+      ground = terrain;
+      listeners.onScenario(scenario, terrain);
+    },
     onStatus() {
       // The panel reads the predictor's view, which is what a real server's player has.
     },
   };
+
+  function connect(name: string): Connection {
+    if (address === '') return openWorker(program, handlers);
+    if (!TAB_ADDRESS.test(address)) return openServer(address, handlers);
+    return openTab(address, { guest: `guest-${Math.random().toString(36).slice(2, 8)}`, name }, handlers);
+  }
 
   function forgetWorld(): void {
     inbox.length = 0;
@@ -189,7 +202,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
         connection?.dispose();
         address = choices.server;
         forgetWorld();
-        connection = address === '' ? openWorker(program, handlers) : openServer(address, handlers);
+        connection = connect(choices.pilot);
       }
       isLoading = true;
       clock.setSpeed(choices.slow);
@@ -205,6 +218,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
         kind: 'load',
         ...{ scenario, body, shipClass, terrain, tickRate, timeScale, network, seed },
         others: fleet,
+        pilot: choices.pilot,
         legacy: legacy === 1,
       });
     },

@@ -10,6 +10,7 @@ import { createLookDown, type LookDown } from '../view/lookDown';
 import { createSceneView, type SceneView, takeDrops } from '../view/pageView';
 import { watchSize } from '../view/pageSize';
 import { type Acts, createActs } from './actions';
+import { createCameraSwitch } from '../view/cameraSwitch';
 import { createChooser, type Chooser } from './chooser';
 import { keyCapOf, wireCockpit } from './controlWords';
 import { createLive, type Live } from './live';
@@ -67,6 +68,7 @@ function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
     },
     onEntry: (entry) => parts.scene.recorder.take(entry),
     onRun: (inputs) => parts.game.onRun(inputs),
+    onScenario: (scenario, terrain) => parts.chooser.follow(scenario, terrain),
   });
 }
 
@@ -112,7 +114,9 @@ function wireActs(page: Page, parts: Parts): Acts {
     begin: parts.chooser.beginAnew,
     help: parts.chooser.openHelp,
     resetCamera: () => stage?.resetCamera(),
+    nextCamera: createCameraSwitch(stage, banner),
     copyLink: () => address.copy(query(), 'Link copied.'),
+    invite: parts.chooser.invite,
     toggleBare: () => document.body.classList.toggle('bare'),
     toggleAids: () => banner.flash(`Landing aids ${parts.cockpit.toggleAids() ? 'on' : 'off'}.`),
     toggleSound() {

@@ -21,6 +21,7 @@ export type Action =
   | 'nextScenario'
   | 'landingAids'
   | 'mute'
+  | 'nextCamera'
   | 'hide'
   | 'help';
 
@@ -68,6 +69,7 @@ export const KEY_TABLE: readonly KeyRow[] = [
   { action: 'nextScenario', key: ']', about: 'Next mission or scenario', group: 'Playground' },
   { action: 'landingAids', key: '1', about: 'Landing aids on or off', group: 'Playground' },
   { action: 'mute', key: '2', about: 'Sound on or off', group: 'Playground' },
+  { action: 'nextCamera', key: '3', about: 'Next camera', group: 'Playground' },
   { action: 'hide', key: 'h', about: 'Hide or show the panels', group: 'Playground' },
   { action: 'help', key: '?', about: 'Keys', group: 'Playground' },
 ];

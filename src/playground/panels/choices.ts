@@ -1,4 +1,5 @@
 import { BODIES, SHIP_CLASSES, TERRAINS } from '../../dynamics';
+import { TAB_ADDRESS } from '../server/tabLink';
 import { LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
 
 /** What the page can be asked for, all of it in the URL. */
@@ -25,6 +26,8 @@ export interface Choices {
   slow: number;
   /** '' = the worker. */
   server: string;
+  /** The pilot's name, for others; '' = none. */
+  pilot: string;
   /** Ships beside one's own. */
   fleet: number;
   /** 1: the worker speaks like the game's own server of today: no hello, no fields 31–34, whole-tick inputs. */
@@ -60,6 +63,7 @@ export const DEFAULT_CHOICES: Choices = {
   overlays: [],
   slow: 1,
   server: '',
+  pilot: '',
   fleet: 0,
   legacy: 0,
   picture: 'auto',
@@ -133,8 +137,14 @@ const FIELDS: readonly Field[] = [
   {
     name: 'server',
     key: 'server',
-    expects: 'an address that begins with ws:// or wss://',
-    read: (text) => (text === '' || isSocketAddress(text) ? text : undefined),
+    expects: 'an address that begins with ws://, wss:// or tab:',
+    read: (text) => (text === '' || isSocketAddress(text) || TAB_ADDRESS.test(text) ? text : undefined),
+  },
+  {
+    name: 'pilot',
+    key: 'name',
+    expects: 'at most 24 characters',
+    read: (text) => (text.length <= 24 && !/\p{Surrogate}/u.test(text) ? text : undefined),
   },
   { name: 'fleet', key: 'fleet', ...whole(0, 999) },
   { name: 'legacy', key: 'legacy', ...whole(0, 1) },

@@ -14,9 +14,11 @@ export type PanelAct =
   | 'drop'
   | 'away'
   | 'copyLink'
+  | 'invite'
   | 'help'
   | 'sound'
   | 'resetCamera'
+  | 'nextCamera'
   | 'tryHop'
   | 'tryTopple'
   | 'tryLastState';
@@ -39,7 +41,15 @@ export interface Panel {
 }
 
 /** What a real server does not take. */
-const BUILT_IN_ONLY: readonly PanelAct[] = ['restart', 'pause', 'stepSubstep', 'kick', 'freeze', 'drop'];
+const BUILT_IN_ONLY: readonly PanelAct[] = [
+  'restart',
+  'pause',
+  'stepSubstep',
+  'kick',
+  'freeze',
+  'drop',
+  'invite',
+];
 
 /** The playground's form: native controls, each with its label. Missions on top, the workshop folded below. */
 export function createPanel(
@@ -66,6 +76,7 @@ export function createPanel(
   const schools = append(host, 'div', 'row');
   appendButton(schools, 'Flight school', () => listeners.change('scenario', LESSONS[0]!.scenario.name));
   appendButton(schools, 'Free flight', () => listeners.change('scenario', 'launch'));
+  button(schools, 'invite', 'Fly together');
 
   const workshop = appendDetails(host, 'Workshop', workshopOpen);
   workshop.addEventListener('toggle', () => listeners.workshop(workshop.open));
@@ -86,6 +97,7 @@ export function createPanel(
   const share = append(workshop, 'div', 'row');
   button(share, 'copyLink', 'Copy link');
   button(share, 'resetCamera', 'Reset view');
+  button(share, 'nextCamera', 'Next camera');
   const run = append(workshop, 'p', 'quiet');
   form.also(({ server }) => {
     for (const act of BUILT_IN_ONLY) buttons.get(act)!.disabled = server !== '';

@@ -70,6 +70,10 @@ function appendWorld(world: Element, form: Form): void {
   server.type = 'text';
   server.placeholder = 'ws://… (empty: built-in)';
   form.field(world, 'Server', 'server', server);
+  const pilot = document.createElement('input');
+  pilot.type = 'text';
+  pilot.maxLength = 24;
+  form.field(world, 'Your name', 'pilot', pilot);
 }
 
 /** Boxes to tick for what lies over the picture. */

@@ -52,6 +52,8 @@ export interface ConnectionHandlers {
   readonly onStatus: (status: SessionStatus) => void;
   /** The inputs that { kind: 'run' } asked for. */
   readonly onRun: (inputs: readonly RunInput[]) => void;
+  /** The host of a shared world has begun a scenario. */
+  readonly onScenario?: (scenario: string, terrain: string) => void;
 }
 
 export interface ShipLoss {

@@ -1,4 +1,5 @@
 import { ok, type Result, err } from '../../dynamics';
+import { TAB_ADDRESS } from './tabLink';
 import { loadNetwork, type NetworkNumbers } from '../../scenarios';
 
 /** What the page's operator asks of the server in the worker, beside the protocol. */
@@ -18,6 +19,8 @@ export type Operation =
   | { readonly kind: 'kick'; readonly velocity: Triple; readonly spin: Triple }
   | { readonly kind: 'freeze'; readonly frozen: boolean }
   | { readonly kind: 'drop' }
+  /** Lets other tabs of this browser in, by an address of the form tab:…. */
+  | { readonly kind: 'invite'; readonly address: string }
   /** Asks for the inputs that have acted on the own ship since the load. */
   | { readonly kind: 'run' }
   | { readonly kind: 'reconnect' };
@@ -43,6 +46,8 @@ export interface LoadOperation {
   readonly legacy: boolean;
   /** Ships of other players, 0 … 1000. */
   readonly others: number;
+  /** Name of the own ship's pilot; '' or absent: the page's. */
+  readonly pilot?: string;
 }
 
 const MAX_OTHERS = 1000;
@@ -69,6 +74,8 @@ export function loadOperation(given: unknown): Result<Operation> {
     case 'kick':
       if (!isTriple(operation.velocity)) return err('velocity: expected 3 finite numbers');
       return isTriple(operation.spin) ? ok(operation) : err('spin: expected 3 finite numbers');
+    case 'invite':
+      return TAB_ADDRESS.test(operation.address) ? ok(operation) : err('address: expected tab: and a name');
     case 'tickRate':
     case 'timeScale':
     case 'restart':

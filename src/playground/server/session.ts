@@ -30,6 +30,13 @@ export interface Session {
   readonly status: () => SessionStatus | null;
   /** What the pilot's inputs did to the own ship since the load, at the substeps where they acted. */
   readonly applied: () => readonly RunInput[];
+  /** Another player comes to fly beside the own ship; the reason why not, or null. */
+  readonly join: (playerId: string, name: string, now: number) => string | null;
+  readonly leave: (playerId: string) => void;
+  readonly sendFrom: (playerId: string, bytes: Uint8Array, now: number) => void;
+  /** What has come to another player by `now`, after run(now). */
+  readonly deliverTo: (playerId: string, now: number) => Delivery[];
+  readonly world: () => { readonly scenario: string; readonly terrain: string };
 }
 
 export interface SessionStatus {
@@ -56,6 +63,8 @@ interface Loaded {
   readonly staged: StagedScenario;
   readonly exchange: Exchange;
   readonly applied: readonly RunInput[];
+  /** Guests by player. */
+  readonly seats: Set<string>;
   connected: boolean;
 }
 
@@ -84,6 +93,18 @@ export function createSession(): Session {
     nextAt: () => loaded?.exchange.nextAt() ?? Infinity,
     status: () => (loaded === null ? null : statusOf(loaded)),
     applied: () => loaded?.applied ?? [],
+    join: (playerId, name, now) =>
+      loaded === null ? 'no world is loaded' : seat(loaded, playerId, name, now),
+    leave(playerId) {
+      loaded?.exchange.drop(playerId);
+      loaded?.exchange.authority.despawn(playerId);
+    },
+    sendFrom: (playerId, bytes, now) => loaded?.exchange.send(playerId, bytes, now),
+    deliverTo: (playerId, now) => loaded?.exchange.deliver(playerId, now) ?? [],
+    world: () => ({
+      scenario: loaded?.staged.scenario.name ?? '',
+      terrain: loaded?.staged.scenario.terrain ?? '',
+    }),
   };
 }
 
@@ -106,7 +127,13 @@ function load(operation: LoadOperation, now: number): Result<Loaded> {
     },
   });
   if (!authority.ok) return authority;
-  const own = { shipId: OWN_SHIP, playerId: OWN_PLAYER, name: 'Touchdown', ship, plan: inputs };
+  const own = {
+    shipId: OWN_SHIP,
+    playerId: OWN_PLAYER,
+    name: operation.pilot || 'Touchdown',
+    ship,
+    plan: inputs,
+  };
   for (const order of [own, ...fleetOrders(staged.value, operation.others, operation.seed)]) {
     const reason = authority.value.spawn(order);
     if (reason !== null) return err(`${order.shipId}.${reason}`);
@@ -114,7 +141,32 @@ function load(operation: LoadOperation, now: number): Result<Loaded> {
   const exchange = createExchange(authority.value, operation.network, operation.seed, now);
   const reason = exchange.connect(OWN_PLAYER, OWN_SHIP, now);
   if (reason !== null) return err(reason);
-  return { ok: true, value: { staged: staged.value, exchange, applied, connected: true } };
+  return { ok: true, value: { staged: staged.value, exchange, applied, seats: new Set(), connected: true } };
+}
+
+/** A guest's ship stands where the fleet's would, farther out with each guest; who comes again flies the same one on. */
+function seat(
+  { staged, exchange, seats }: Loaded,
+  playerId: string,
+  name: string,
+  now: number,
+): string | null {
+  if (seats.has(playerId)) {
+    exchange.reconnect(playerId, now);
+    return null;
+  }
+  const place = seats.size + 1;
+  const order = fleetOrders(staged, place, place).at(-1)!;
+  const reason = exchange.authority.spawn({
+    ...order,
+    shipId: playerId,
+    playerId,
+    name,
+    plan: staged.inputs,
+  });
+  if (reason !== null) return reason;
+  seats.add(playerId);
+  return exchange.connect(playerId, playerId, now);
 }
 
 function stageOperation(operation: LoadOperation): Result<StagedScenario> {
@@ -152,6 +204,7 @@ function operateWorld(
       exchange.setNetwork(operation.numbers);
       return null;
     case 'run':
+    case 'invite':
       return null;
     case 'restart':
       return authority.respawn(OWN_SHIP);

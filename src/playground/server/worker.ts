@@ -2,10 +2,13 @@ import { createPageClock } from '../game/pageClock';
 import type { FromServer, ToServer } from './connection';
 import type { Operation } from './operation';
 import { createSession } from './session';
+import { createTabHost, openChannel, type TabHost } from './tabLink';
 
 // The server in a Web Worker: the clock, the timer and the two message channels around a Session. Bytes are the protocol's own.
 
 const session = createSession();
+/** null until other tabs are invited. */
+let host: TabHost | null = null;
 let timer: ReturnType<typeof setTimeout> | undefined;
 
 const clock = createPageClock(() => performance.now() / 1000);
@@ -21,6 +24,8 @@ function run(): void {
     const copy = bytes.slice();
     post({ kind: 'bytes', bytes: copy }, [copy.buffer]);
   }
+  for (const guest of host?.guests() ?? [])
+    for (const { bytes } of session.deliverTo(guest, now)) host!.deliver(guest, bytes);
   const status = session.status();
   if (status !== null) post({ kind: 'status', status });
   schedule(now);
@@ -49,8 +54,29 @@ function take({ data }: MessageEvent<ToServer>): void {
 function operate(operation: Operation): void {
   const reason = session.operate(operation, clock.now());
   if (reason !== null) post({ kind: 'refused', reason });
-  else if (operation.kind === 'load') post({ kind: 'open', what: 'world' });
+  else if (operation.kind === 'load') {
+    post({ kind: 'open', what: 'world' });
+    host?.worldBegan();
+  } else if (operation.kind === 'invite') invite(operation.address);
   else if (operation.kind === 'reconnect') post({ kind: 'open', what: 'again' });
   else if (operation.kind === 'run') post({ kind: 'run', inputs: session.applied() });
   else if (operation.kind === 'drop') post({ kind: 'closed', reason: 'the connection was dropped' });
+}
+
+/** Once: the address is the page's own for as long as it is open. */
+function invite(address: string): void {
+  host ??= createTabHost(openChannel(address), {
+    join: (guest, name) => {
+      const reason = session.join(guest, name, clock.now());
+      // After the answer, so that the guest knows its world before the first frame.
+      setTimeout(run);
+      return reason;
+    },
+    leave: session.leave,
+    send(guest, bytes) {
+      session.sendFrom(guest, bytes, clock.now());
+      run();
+    },
+    world: session.world,
+  });
 }

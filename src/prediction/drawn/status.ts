@@ -24,24 +24,19 @@ export interface Instant {
   elapsed: number;
   /** Silence, s, after which a ship's state is stale. */
   staleAfter: number;
+  /** s past a state of the server up to which it can confirm what is drawn: until the next one is due, and the lead. */
+  confirms: number;
   paused: boolean;
   /** Server wall s at a tick boundary. */
   wallOf: (tick: number) => number;
-}
-
-/** Silence after which a ship's state is stale, s, at a server of `tickRate` Hz. */
-export function staleAfter(tickRate: number): number {
-  return Math.max(STALE_TICKS / tickRate, STALE_AFTER);
 }
 
 /** Least time for which CONTACT is shown once it is, s. */
 const CONTACT_DWELL = 0.3;
 /** A withdrawn prediction is told for this long, s. */
 export const WITHDRAWN_SHOWN = 2;
-/** Silent for two ticks, and at fast servers for this long, a ship's state is stale, s: a stall of a mobile link alone is 0.2 s. */
-const STALE_AFTER = 0.3;
-/** Ticks without a state after which a ship's state is stale. */
-const STALE_TICKS = 2;
+/** Sends in a row without a ship, while others come, after which its state is stale. */
+const STALE_SENDS = 2;
 
 /**
  * What is shown of a ship's states, and how far it can be trusted (PREDICTION, States and events as predicted things).
@@ -57,7 +52,7 @@ export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from
   }
   const crashes = rows[from + CRASHED] === 1;
   out.shownState = shownState(track, state, crashes, at);
-  out.provenance = provenanceOf(track, state, crashes, at);
+  out.provenance = provenanceOf(out, track, crashes, at);
   const age = at.present - (out.provenance === 'predicted' ? status.since : status.serverWall);
   out.age = age > 0 ? age : 0;
   out.withdrawn = at.now < status.withdrawnUntil ? WITHDRAWN[status.withdrawn]! : '';
@@ -84,11 +79,14 @@ function shownState(track: Track, state: number, crashes: boolean, at: Instant):
   return SURFACE_STATES[state]!;
 }
 
-function provenanceOf(track: Track, state: number, crashes: boolean, at: Instant): Provenance {
+function provenanceOf(out: ShipView, track: Track, crashes: boolean, at: Instant): Provenance {
   if (track.off || track.unpredictable) return 'off';
   const crashed = track.serverRow[CRASHED] === 1;
-  if (!at.paused && !crashed && at.now - track.seenAt > at.staleAfter) return 'stale';
+  const silent = at.now - track.seenAt > at.staleAfter || out.missingSends >= STALE_SENDS;
+  if (!at.paused && !crashed && silent) return 'stale';
   if (crashed) return 'confirmed';
+  const { state, serverWall } = track.picture.status;
+  if (!at.paused && at.present - serverWall > at.confirms) return 'predicted';
   const agrees = track.serverRow[SURFACE_STATE] === state && !crashes && track.fit.carried === '';
   return agrees ? 'confirmed' : 'predicted';
 }

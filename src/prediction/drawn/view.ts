@@ -8,6 +8,8 @@ import type {
   SurfaceState,
 } from '../../dynamics';
 
+import type { Connection } from '../time/connection';
+
 /** What `view(now)` gives: plain records, owned and reused by the predictor, valid until the next call. SI units. */
 
 /** How far a shown state can be trusted. */
@@ -16,7 +18,7 @@ export type Provenance =
   | 'confirmed'
   /** Predicted past the server's newest state, or against it until it answers; `age` wall s since the state began. */
   | 'predicted'
-  /** No server state for two ticks or more. */
+  /** No server state for two sends or more. */
   | 'stale'
   /** Time scale outruns the budget: the server's last state, not carried on. */
   | 'off';
@@ -42,26 +44,36 @@ export interface TouchdownView {
 }
 
 export interface ShipView {
+  /** As the server has it. */
   readonly shipId: string;
+  /** For people; any text. */
   name: string;
+  /** Whether the player flies it. */
   own: boolean;
+  /** Its constants. */
   shipClass: LoadedShipClass;
   /** Index into WorldView.bodies. */
   body: number;
 
   /** Predicted truth at the present: relative to the body's centre, ICRF axes. HUD numbers come from these. */
   readonly position: Float64Array;
+  /** m/s, likewise. */
   readonly velocity: Float64Array;
   /** [x, y, z, w] */
   readonly attitude: Float64Array;
+  /** rad/s, ICRF axes. */
   readonly angularVelocity: Float64Array;
   /** What the reaction wheels have given so far, N m s, body axes. */
   readonly wheelMomentum: Float64Array;
+  /** kg. */
   fuel: number;
   /** m/s */
   impactSpeed: number;
+  /** Empty in flight. */
   surfaceContactState: SurfaceState;
+  /** Predicted or told: it is gone. */
   crashed: boolean;
+  /** What it is flown with now. */
   controls: Controls;
   /** N, ICRF axes: what engine and thrusters give now. */
   readonly thrust: Float64Array;
@@ -83,6 +95,7 @@ export interface ShipView {
 
   /** What is drawn: predicted + fading offset. Nothing computes with it but the view. */
   readonly easedPosition: Float64Array;
+  /** [x, y, z, w], of the same. */
   readonly meshAttitude: Float64Array;
   /** The drawn place, lifted or lowered along the local up until the drawn attitude is on the ground (snapToGround), ICRF axes. */
   readonly meshPosition: Float64Array;
@@ -93,6 +106,7 @@ export interface ShipView {
 
   /** Surface state to show: CONTACT dwells 300 ms so that a bounce can be read. 'crashed' only once the server confirmed it. */
   shownState: SurfaceState | 'crashed';
+  /** How far shownState can be trusted. */
   provenance: Provenance;
   /** Wall s, see Provenance. */
   age: number;
@@ -104,19 +118,23 @@ export interface ShipView {
 
   /** The server's newest state of this ship: relative to the body at that tick, ICRF axes. */
   readonly serverPosition: Float64Array;
+  /** [x, y, z, w]. */
   readonly serverAttitude: Float64Array;
   /** The same as a ghost to draw: put on the ground as meshPosition is, in the axes of its body, with which it turns. */
   readonly ghostPosition: Float64Array;
+  /** [x, y, z, w]. */
   readonly ghostAttitude: Float64Array;
   /** false before the first state of this ship. */
   serverKnown: boolean;
-  /** Ticks the server has gone on without sending this ship: it leaves the list at 3. A crashed ship says so in shownState. */
-  missingTicks: number;
+  /** Sends of the server without this ship: it leaves the list at 3, if that took a second. A crashed ship says so in shownState. */
+  missingSends: number;
 }
 
 /** A predicted or server-told event, in the order of its birth. */
 export interface EventNotice {
+  /** Told once each, in this order. */
   readonly kind: 'predicted' | 'confirmed' | 'retracted';
+  /** The game’s event name. */
   readonly type: ShipEventName;
   readonly shipId: string;
   readonly tick: number;
@@ -126,17 +144,27 @@ export interface EventNotice {
 export interface WorldView {
   /** The present that is drawn: server tick boundary and game seconds since it. */
   tick: number;
+  /** Game s. */
   sinceTick: number;
+  /** Hz. */
   tickRate: number;
+  /** Game s per wall s. */
   timeScale: number;
+  /** The server’s time stands still. */
   paused: boolean;
   /** False until a hello (or defaults) and a first frame have come. */
   ready: boolean;
+  /** Whether the server is heard: a paused one, a link that stalls and a server that is gone are told apart. */
+  connection: Connection;
+  /** Client wall s since the newest frame came; infinite before the first. */
+  silence: number;
+  /** Contact settings that hold. */
   settings: LoadedSettings;
   readonly bodies: (Body & BodyMotion)[];
   readonly ships: ShipView[];
   /** The client's own ship in `ships`, or null. */
   own: ShipView | null;
+  /** Counters and gauges. */
   diagnosis: Diagnosis;
 }
 

@@ -83,7 +83,7 @@ export function createShipView(track: Track, world: World): ShipView {
     ghostPosition: vectors(),
     ghostAttitude: Float64Array.of(0, 0, 0, 1),
     serverKnown: false,
-    missingTicks: 0,
+    missingSends: 0,
   };
 }
 
@@ -120,7 +120,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.carried = track.fit.carried;
   out.carriedStates = track.fit.states;
   out.own = track.own;
-  out.missingTicks = sim.newestTick - track.serverTick;
+  out.missingSends = sim.cadence.sends - track.lastSend;
   const attitude = scene.bodyAttitudes[out.body]!;
   seeFromBody(out, attitude);
   if (track.picture.ease.active) relax(track.picture.ease, normal, scene.at.elapsed);

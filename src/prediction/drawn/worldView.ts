@@ -3,7 +3,8 @@ import { boundaryAt } from '../snapshots/bodyTrack';
 import { writeBodyAttitude } from './pose';
 import { lengthOf, quaternion, take, vector } from './rotation';
 import type { Simulation } from '../simulation/simulation';
-import { staleAfter } from './status';
+import { sendSeconds } from '../time/cadence';
+import { staleAfter } from '../time/connection';
 import { indexOf, type Moment, spanOf, wallOfTick } from '../time/timeline';
 import type { WorldView } from './view';
 import { createShipView, fillShipView, type Scene } from './viewing';
@@ -44,6 +45,8 @@ export function createShown(sim: Simulation): Shown {
     timeScale: 1,
     paused: false,
     ready: false,
+    connection: 'waiting',
+    silence: Number.POSITIVE_INFINITY,
     settings: sim.world.settings,
     bodies,
     ships: [],
@@ -61,6 +64,7 @@ export function createShown(sim: Simulation): Shown {
       present: 0,
       elapsed: 0,
       staleAfter: 0,
+      confirms: 0,
       paused: false,
       wallOf: (tick) => wallOfTick(sim.timeline, tick),
     },
@@ -68,6 +72,8 @@ export function createShown(sim: Simulation): Shown {
   return { view, scene, viewedAt: Number.NaN };
 }
 
+/** A state confirms for this much longer, s: the next one is on its way. */
+const GRACE = 0.04;
 /** Ships put on the ground point by point in one view, the own one not counted. */
 const MAX_EXACT_SNAPS = 32;
 
@@ -79,8 +85,17 @@ export function placePresent(sim: Simulation, moment: Moment): void {
   sim.alpha = ahead <= 0 ? 1 : ahead >= 1 ? 0 : 1 - ahead;
 }
 
-/** Fills the view for the present, server wall s, as it is placed. */
-export function fillView(shown: Shown, sim: Simulation, now: number, present: number): void {
+/** The instant that is viewed. */
+export interface Viewed {
+  /** Client wall s. */
+  readonly now: number;
+  /** Server wall s of the present, and how far it is ahead of the server. */
+  readonly present: number;
+  readonly lead: number;
+}
+
+/** Fills the view for the present as it is placed. */
+export function fillView(shown: Shown, sim: Simulation, { now, present, lead }: Viewed): void {
   const { view, scene } = shown;
   fillLabel(view, sim);
   fillBodies(shown, sim);
@@ -89,7 +104,8 @@ export function fillView(shown: Shown, sim: Simulation, now: number, present: nu
   shown.viewedAt = now;
   at.now = now;
   at.present = present;
-  at.staleAfter = staleAfter(view.tickRate);
+  at.staleAfter = staleAfter(sim.cadence, view.tickRate);
+  at.confirms = sendSeconds(sim.cadence, view.tickRate) + lead + GRACE;
   at.paused = view.paused;
   scene.exactSnaps = MAX_EXACT_SNAPS;
   fillShips(shown, sim);

@@ -4,7 +4,7 @@ import { resend } from '../inputs/inputs';
 import { changeOwnShip } from '../ownership';
 import { announce, beginWorld, type Session } from '../session';
 import type { Simulation } from '../simulation/simulation';
-import { noteNow, samplePong, serverTime } from '../time/clock';
+import { type Answer, noteNow, samplePong, serverTime } from '../time/clock';
 import { answeredPing, forgetPings } from '../time/pings';
 import { spanOf, wallOfTick } from '../time/timeline';
 import { completeFrame } from './completeFrame';
@@ -125,15 +125,21 @@ function takePong({ sim, clock, pings }: Session, pong: Pong, now: number): void
   samplePong(clock, sent, answerTime(sim, pong), now);
 }
 
+/** A tick this late is overdue, s. */
+const OVERDUE = 0.01;
+
 /**
- * Server wall s at which a pong was sent, or null where its stamp says nothing. Where a tick is overdue the server stands: its time
+ * When a pong was sent, or null where its stamp says nothing. Where a tick is overdue the server stands: its time
  * has come to the next tick's boundary and no further.
  */
 function answerTime(
   { timeline, newestTick, ringLength }: Simulation,
   { tick, sinceTick }: Pong,
-): number | null {
+): Answer | null {
   if (Math.abs(tick - newestTick) >= ringLength || !(sinceTick >= 0)) return null;
   const { paused, tickRate } = spanOf(timeline, tick);
-  return paused ? null : wallOfTick(timeline, tick) + Math.min(sinceTick, 1 / tickRate);
+  if (paused) return null;
+  const interval = 1 / tickRate;
+  const at = wallOfTick(timeline, tick) + Math.min(sinceTick, interval);
+  return { at, standing: sinceTick > interval + OVERDUE };
 }

@@ -1,6 +1,7 @@
-import { addDelay, createDelays, type Delays, leastOf, spreadOf } from './delays';
+import { addDelay, createDelays, type Delays, leastOf, lessenDelay, spreadOf } from './delays';
 import {
   boundAbove,
+  boundBelow,
   boundBothSides,
   createOffsetBounds,
   forgetBounds,
@@ -22,6 +23,8 @@ export interface Clock {
   readonly roundTrips: Delays;
   /** Client − server time, s; NaN before the first sample. */
   offset: number;
+  /** The offset when the present was last where it should be. */
+  settledOffset: number;
   /** Added to the lead because inputs came late, s; and the last late input, that a second has to bear out. */
   steer: number;
   lateAt: number;
@@ -33,11 +36,14 @@ export interface Clock {
   slewing: boolean;
   /** Bounds contradicted each other, or the present was held: what is wrong now is put right at once. */
   stepped: boolean;
+  /** The offset was not certain since the present was last settled. */
+  wasLoose: boolean;
   updatedAt: number;
   /** Latest round trip, s, smoothed. */
   roundTrip: number;
-  /** When a ping was last answered, client s, and by the answer's stamps when the last one that counts was. */
+  /** When a ping was last answered, and with a time that says something, client s; and the last answer's own time. */
   pongAt: number;
+  timedPongAt: number;
   answeredAt: number;
   /** Client s by which the page's clock moves at once; 0 for a fine one. */
   grain: number;
@@ -52,6 +58,13 @@ export const SLACK = 0.01;
 export const HARD_RESET = 2;
 /** Where a clock was set anew, an error beyond this is put right at once, s. */
 const STEP = 0.1;
+/** The same where the offset has just become certain again after it was not, s. */
+const STEP_WHEN_CERTAIN = 0.008;
+/** Bounds no wider than the least round trip and this make an offset certain; beyond the second it is not, s. */
+const TIGHT = 0.03;
+/** Of bounds no wider than this the delay of a ping can be told, s. */
+const CERTAIN = 0.006;
+const LOOSE = 0.06;
 /** A present that is ahead by up to this waits for the server rather than going back, s. */
 const MAX_WAIT = 0.8;
 /** The present runs at most this much faster or slower than the wall. */
@@ -72,15 +85,18 @@ const TWO_LATE = [0.3, 10] as const;
 const ONE_QUEUE = 0.01;
 /** Pings are being answered if one was within this, s. */
 const PONGS_HEARD = 3;
+/** A frame that takes longer is an absence, s. */
+const MAX_FRAME = 0.25;
 /** No page's clock is coarser, s. */
 const MAX_GRAIN = 0.25;
 
 export function createClock(): Clock {
   return {
     bounds: createOffsetBounds(),
-    up: createDelays(64),
+    up: createDelays(256),
     roundTrips: createDelays(50),
     offset: Number.NaN,
+    settledOffset: Number.NaN,
     steer: 0,
     lateAt: Number.NEGATIVE_INFINITY,
     lateWanted: 0,
@@ -88,9 +104,11 @@ export function createClock(): Clock {
     rate: 1,
     slewing: false,
     stepped: false,
+    wasLoose: false,
     updatedAt: Number.NaN,
     roundTrip: Number.NaN,
     pongAt: Number.NEGATIVE_INFINITY,
+    timedPongAt: Number.NEGATIVE_INFINITY,
     answeredAt: Number.NEGATIVE_INFINITY,
     grain: 0,
     stillCalls: 0,
@@ -104,28 +122,48 @@ export function sampleDown(clock: Clock, sentAt: number, now: number): void {
 }
 
 function samplingOf(clock: Clock, now: number): Sampling {
-  const hearsPongs = now - clock.pongAt <= PONGS_HEARD;
+  const hearsPongs = now - clock.timedPongAt <= PONGS_HEARD;
   return { roundTrip: leastRoundTrip(clock), grain: clock.grain, hearsPongs };
 }
 
-/** A ping of `pinged` was answered at server time `answered` and the pong arrived; null: answered at a time that says nothing. */
-export function samplePong(clock: Clock, pinged: number, answered: number | null, now: number): void {
+/** When a pong was sent, server s. */
+export interface Answer {
+  readonly at: number;
+  /** The server stood there: its next tick was overdue. */
+  readonly standing: boolean;
+}
+
+/** A ping of `pinged` was answered and the pong arrived; null: answered at a time that says nothing. */
+export function samplePong(clock: Clock, pinged: number, answer: Answer | null, now: number): void {
   const roundTrip = now - pinged;
   if (!(roundTrip >= 0)) return;
-  addDelay(clock.roundTrips, roundTrip);
-  clock.roundTrip = Number.isNaN(clock.roundTrip) ? roundTrip : clock.roundTrip * 0.8 + roundTrip * 0.2;
-  if (answered === null) return;
+  const ofOneQueue = now - clock.pongAt < ONE_QUEUE && clock.roundTrips.count > 0;
+  if (ofOneQueue) lessenDelay(clock.roundTrips, roundTrip);
+  else addDelay(clock.roundTrips, roundTrip);
   clock.pongAt = now;
-  if (boundBothSides(clock.bounds, { pinged, answered, now }, clock.grain)) clock.stepped = true;
+  clock.roundTrip = Number.isNaN(clock.roundTrip) ? roundTrip : clock.roundTrip * 0.8 + roundTrip * 0.2;
+  if (answer === null) return;
+  const answered = answer.at;
+  clock.timedPongAt = now;
+  if (answer.standing) boundBelow(clock.bounds, { pinged, stood: answered, now });
+  else if (boundBothSides(clock.bounds, { pinged, answered, now }, clock.grain)) clock.stepped = true;
   settleOffset(clock);
-  // One stall is one sample, however many pings waited in it.
-  if (answered - clock.answeredAt > ONE_QUEUE) addDelay(clock.up, answered - pinged + clock.offset);
+  // One stall is one sample, however many pings waited in it; and what it cost is no jitter.
+  const counts = !answer.standing && roundTrip <= leastRoundTrip(clock) + STALL && slackOf(clock) <= CERTAIN;
+  if (counts && answered - clock.answeredAt > ONE_QUEUE) addDelay(clock.up, answered - pinged + clock.offset);
   clock.answeredAt = answered;
 }
 
 function settleOffset(clock: Clock): void {
   const { upper, lower } = clock.bounds;
-  clock.offset = lower === Number.NEGATIVE_INFINITY ? upper - leastRoundTrip(clock) / 2 : (upper + lower) / 2;
+  const half = leastRoundTrip(clock) / 2;
+  if (lower === Number.NEGATIVE_INFINITY) clock.offset = upper - half;
+  else clock.offset = upper === Number.POSITIVE_INFINITY ? lower + half : (upper + lower) / 2;
+}
+
+/** How much wider the bounds of the offset are than the least round trip, s; infinite where one is not known. */
+function slackOf(clock: Clock): number {
+  return clock.bounds.upper - clock.bounds.lower - leastRoundTrip(clock);
 }
 
 function leastRoundTrip(clock: Clock): number {
@@ -183,7 +221,9 @@ export function noteNow(clock: Clock, now: number): boolean {
   shiftBounds(clock.bounds, back);
   clock.updatedAt = now;
   clock.offset -= back;
+  clock.settledOffset -= back;
   clock.pongAt = Math.min(clock.pongAt, now);
+  clock.timedPongAt = Math.min(clock.timedPongAt, now);
   clock.lateAt = Number.NEGATIVE_INFINITY;
   return true;
 }
@@ -202,7 +242,7 @@ function noteGrain(clock: Clock, elapsed: number): void {
 
 /** By what the present is moved. */
 export interface Pacing {
-  /** Wall s of error that is left alone: one substep. */
+  /** Wall s of error that is left alone: half a substep. */
   readonly deadZone: number;
   /** Server wall s beyond which the present does not run, whatever the clock says: the newest frame and the prediction horizon. */
   readonly limit: number;
@@ -219,27 +259,44 @@ export function advanceClock(clock: Clock, now: number, { deadZone, limit }: Pac
   clock.steer = Math.max(0, clock.steer - elapsed * STEER_DECAY);
   const aim = serverTime(clock, now) + leadOf(clock);
   const target = Math.min(aim, limit);
-  if (aim > limit) clock.stepped = true;
-  const next = Math.min(clock.present + elapsed * clock.rate, Math.max(limit, clock.present));
+  const step = stepOf(clock);
+  if (aim > limit || Math.abs(clock.offset - clock.settledOffset) > step) clock.stepped = true;
+  // A rate was meant for the next frame, not for as long as the page was away.
+  const slewed = (clock.rate - 1) * Math.min(elapsed, MAX_FRAME);
+  if (elapsed > MAX_FRAME) clock.wasLoose = true;
+  const next = Math.min(clock.present + elapsed + slewed, Math.max(limit, clock.present));
   const error = target - next;
-  const jumps = clock.stepped ? error > STEP || error < -MAX_WAIT : Math.abs(error) > HARD_RESET;
+  const jumps = clock.stepped ? error > step || error < -MAX_WAIT : Math.abs(error) > HARD_RESET;
   if (jumps || Number.isNaN(error)) return jumpTo(clock, target);
   // A present that is ahead of a server that stood waits for it, once it has begun to until it is there.
-  if (clock.stepped && error < -(clock.rate === 0 ? deadZone : STEP)) {
+  if (clock.stepped && error < -(clock.rate === 0 ? deadZone : step)) {
     clock.rate = 0;
     return false;
   }
   clock.present = next;
-  if (aim <= limit) clock.stepped = false;
+  if (aim <= limit) {
+    clock.stepped = false;
+    clock.settledOffset = clock.offset;
+    if (step !== STEP) clock.wasLoose = false;
+  }
   clock.slewing = Math.abs(error) > (clock.slewing ? Math.min(SLEWED, deadZone) : deadZone);
   clock.rate = clock.slewing ? 1 + Math.max(-MAX_SLEW, Math.min(MAX_SLEW, error / SLEW_TIME)) : 1;
   return false;
 }
 
+/** Beyond which error the present is put right at once. */
+function stepOf(clock: Clock): number {
+  const slack = slackOf(clock);
+  if (slack > LOOSE && slack < Number.POSITIVE_INFINITY) clock.wasLoose = true;
+  return clock.wasLoose && slack <= TIGHT ? STEP_WHEN_CERTAIN : STEP;
+}
+
 function jumpTo(clock: Clock, target: number): boolean {
   clock.present = target;
+  clock.settledOffset = clock.offset;
   clock.rate = 1;
   clock.slewing = false;
   clock.stepped = false;
+  if (slackOf(clock) <= TIGHT) clock.wasLoose = false;
   return true;
 }

@@ -22,6 +22,12 @@ export function addDelay(delays: Delays, value: number): void {
   delays.count += 1;
 }
 
+/** The last delay was one of several that waited in one queue: the least of them counts. */
+export function lessenDelay({ values, count }: Delays, value: number): void {
+  const slot = (count - 1) % values.length;
+  values[slot] = Math.min(values[slot]!, value);
+}
+
 /** NaN without any. */
 export function leastOf({ values, count }: Delays): number {
   const n = Math.min(count, values.length);

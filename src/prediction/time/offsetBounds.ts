@@ -110,8 +110,22 @@ function isShifted(bounds: OffsetBounds, sent: number, now: number, grain: numbe
 }
 
 /**
+ * A ping of client time `pinged` was answered while the server stood at server time `stood`: the offset grows until it goes on, so
+ * that the answer bounds it from below alone, and what bounded it from above does so no more.
+ */
+export function boundBelow(
+  bounds: OffsetBounds,
+  { pinged, stood, now }: { readonly pinged: number; readonly stood: number; readonly now: number },
+): void {
+  age(bounds, now);
+  bounds.lower = Math.max(bounds.lower, pinged - stood);
+  bounds.upper = Number.POSITIVE_INFINITY;
+  bounds.late = 0;
+}
+
+/**
  * A ping of client time `pinged` was answered at server time `answered`, and the answer arrived at `now`.
- * @returns whether it contradicts what was known: then only this sample counts
+ * @returns whether it contradicts what was known: the bound that it contradicts is forgotten then
  */
 export function boundBothSides(
   bounds: OffsetBounds,
@@ -122,9 +136,10 @@ export function boundBothSides(
   const low = pinged - answered;
   const high = now - answered;
   const margin = MARGIN + grain;
-  const contradicts = low > bounds.upper + margin || high < bounds.lower - margin;
-  bounds.upper = contradicts ? high : Math.min(bounds.upper, high);
-  bounds.lower = contradicts ? low : Math.max(bounds.lower, low);
+  const wentUp = low > bounds.upper + margin;
+  const wentDown = high < bounds.lower - margin;
+  bounds.upper = wentUp ? high : Math.min(bounds.upper, high);
+  bounds.lower = wentDown ? low : Math.max(bounds.lower, low);
   bounds.late = 0;
-  return contradicts;
+  return wentUp || wentDown;
 }

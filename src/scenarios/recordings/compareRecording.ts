@@ -92,8 +92,8 @@ function compareSession(found: Found, session: RecordedSession, own: string): st
         continue;
       }
       found.statesCompared += 1;
-      const field = raise(found.worst, outcome.value.ship, comparedOf(expected));
-      if (field !== null) found.outOfTolerance ??= { tick: tick + 1, field };
+      const deviation = raise(found.worst, outcome.value.ship, comparedOf(expected));
+      if (deviation !== null) found.outOfTolerance ??= { tick: tick + 1, ...deviation };
       const how = otherOutcome(outcome.value, expected, to);
       if (how !== null) found.disagreement ??= { tick: tick + 1, how: `${expected.shipId}: ${how}` };
     }

@@ -48,7 +48,8 @@ void main() {
   float round = 1.0 - dot(off, off);
   if (round <= 0.0) discard;
   // A puff and no disc: ragged by the ground's own texture, lit from the sun's side of the picture.
-  float lump = texture2D(detail, vPatch + gl_PointCoord * grit).b;
+  // Of its blurred levels: on a puff as large as the picture the finest grain would show as squares.
+  float lump = texture2D(detail, vPatch + gl_PointCoord * grit, 3.0).b;
   float thick = round * smoothstep(0.2, 0.75, lump);
   vec3 toSun = (viewMatrix * vec4(sunDirection, 0.0)).xyz;
   float lit = 0.75 + 0.45 * dot(vec3(off.x, -off.y, round), toSun) * round;

@@ -17,8 +17,12 @@ export interface Hulls {
   readonly group: Group;
   /** Begins a frame: nobody is on the stage. */
   clear(): void;
-  /** Puts a posed ship on the stage. `eye` local, m; a `near` ship is drawn whole and throws a shadow, however far off. */
-  put(actor: ShipActor, eye: Float64Array, near: boolean): void;
+  /** Puts a posed ship on the stage. `eye` local, m; the watched ship is drawn whole and throws a shadow, however far off. */
+  put(
+    actor: ShipActor,
+    eye: Float64Array,
+    how: { readonly isWatched: boolean; readonly sunlit: number },
+  ): void;
   /** Ends a frame. */
   finish(): void;
   dispose(): void;
@@ -33,6 +37,8 @@ interface Level {
   readonly isWhole: boolean;
   mesh: InstancedMesh;
   compression: InstancedBufferAttribute;
+  /** Share of the sun that reaches each ship, 0 … 1. */
+  sunlit: InstancedBufferAttribute;
   count: number;
 }
 
@@ -60,26 +66,28 @@ export function createHulls(material: ShipMaterial): Hulls {
     clear() {
       for (const levels of classes.values()) for (const level of levels) level.count = 0;
     },
-    put(actor, eye, near) {
+    put(actor, eye, { isWatched, sunlit }) {
       const levels = levelsOf(actor.model);
       place.set(actor.place[0]! - eye[0]!, actor.place[1]! - eye[1]!, actor.place[2]! - eye[2]!);
       const heights = place.length() / (2 * actor.model.geometry.boundingSphere!.radius);
       let detail = 0;
-      if (!near) while (detail < COARSER_FROM.length && heights > COARSER_FROM[detail]!) detail++;
+      if (!isWatched) while (detail < COARSER_FROM.length && heights > COARSER_FROM[detail]!) detail++;
       const level = levels[detail]!;
       if (level.count === level.mesh.instanceMatrix.count) enlarge(level, group, material);
       turn.set(actor.turn[0]!, actor.turn[1]!, actor.turn[2]!, actor.turn[3]!);
       level.mesh.setMatrixAt(level.count, matrix.compose(place, turn, ONE));
       if (level.isWhole) level.compression.set(actor.compression, level.count * 4);
+      level.sunlit.setX(level.count, sunlit);
       level.count++;
     },
     finish() {
       for (const levels of classes.values()) {
-        for (const { mesh, compression, count, isWhole } of levels) {
+        for (const { mesh, compression, sunlit, count, isWhole } of levels) {
           mesh.count = count;
           mesh.visible = count > 0;
           if (count === 0) continue;
           mesh.instanceMatrix.needsUpdate = true;
+          sunlit.needsUpdate = true;
           if (isWhole) compression.needsUpdate = true;
         }
       }
@@ -96,16 +104,18 @@ function createLevel(geometry: BufferGeometry, isWhole: boolean, material: ShipM
 
 /** Makes room for twice as many ships, and keeps those already there. */
 function enlarge(level: Level, group: Group, material: ShipMaterial): void {
-  const { mesh: old, compression: before } = level;
+  const { mesh: old, compression: before, sunlit } = level;
   const made = createMesh(level.geometry, 2 * level.count, level.isWhole, material);
   made.mesh.instanceMatrix.set(old.instanceMatrix.array, 0);
   made.compression.set(before.array, 0);
+  made.sunlit.set(sunlit.array, 0);
   group.remove(old);
   group.add(made.mesh);
   old.dispose();
   old.geometry.dispose();
   level.mesh = made.mesh;
   level.compression = made.compression;
+  level.sunlit = made.sunlit;
 }
 
 function createMesh(
@@ -113,13 +123,16 @@ function createMesh(
   room: number,
   isWhole: boolean,
   material: ShipMaterial,
-): Pick<Level, 'mesh' | 'compression'> {
+): Pick<Level, 'mesh' | 'compression' | 'sunlit'> {
   // The vertices are shared, the instances' attribute is not.
   const geometry = new BufferGeometry();
   for (const [name, attribute] of Object.entries(shared.attributes)) geometry.setAttribute(name, attribute);
   const compression = new InstancedBufferAttribute(new Float32Array(room * 4), 4);
   compression.setUsage(DynamicDrawUsage);
   geometry.setAttribute('compression', compression);
+  const sunlit = new InstancedBufferAttribute(new Float32Array(room), 1);
+  sunlit.setUsage(DynamicDrawUsage);
+  geometry.setAttribute('sunlit', sunlit);
   const mesh = new InstancedMesh(geometry, material.surface, room);
   mesh.instanceMatrix.setUsage(DynamicDrawUsage);
   mesh.customDepthMaterial = material.shadow;
@@ -127,5 +140,5 @@ function createMesh(
   mesh.receiveShadow = isWhole;
   // The instances' places are known to the instances alone.
   mesh.frustumCulled = false;
-  return { mesh, compression };
+  return { mesh, compression, sunlit };
 }

@@ -9,6 +9,9 @@ import type { ShipMaterial } from './shipMaterial';
 import type { ShipModel } from './shipModel';
 import { crumple } from './wreck';
 
+/** A class may have its centre of mass at its feet; sizes are taken from at least so many m. */
+export const LEAST_HEIGHT = 2;
+
 /** One ship on the stage. Places and velocities in local axes, doubles. */
 export interface ShipActor {
   readonly className: string;
@@ -22,7 +25,12 @@ export interface ShipActor {
   /** Of the four legs, m. */
   readonly compression: Float32Array;
   readonly dust: DustState;
+  /** Height of the centre of mass over the feet, m, for sizes: at least LEAST_HEIGHT. */
+  readonly height: number;
+  /** The picture it was last posed in, and in how many. */
   seen: number;
+  posed: number;
+  wasWreck: boolean;
 }
 
 /** Geometries by class and air: built once, shared by all ships of the class. */
@@ -83,7 +91,10 @@ export function createActor(ship: ShipView, wardrobe: Wardrobe, inAir: boolean):
     blows: new Float64Array(3),
     compression: new Float32Array(4),
     dust: createDustState(),
+    height: Math.max(ship.shipClass.groundContactOffset, LEAST_HEIGHT),
     seen: 0,
+    posed: 0,
+    wasWreck: false,
   };
 }
 
@@ -111,6 +122,7 @@ export function poseActor(
   frame: LocalFrame,
   turn: Turn,
 ): void {
+  actor.posed += 1;
   toLocalPoint(actor.place, frame, turn, ship.meshPosition);
   quat.multiply(actor.turn, turn.quaternion, ship.meshAttitude);
   const [wx, wy, wz] = view.bodies[ship.body]!.angularVelocity;

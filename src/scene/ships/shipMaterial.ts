@@ -1,4 +1,4 @@
-import { Color, DoubleSide, MeshDepthMaterial, MeshStandardMaterial } from 'three';
+import { Color, DoubleSide, MeshDepthMaterial, MeshStandardMaterial, ShaderChunk } from 'three';
 import type { BodyLook } from '../sky/bodyLook';
 
 /**
@@ -21,6 +21,12 @@ const FLEX_BODY = /* glsl */ `
 transformed.z += flex.y * compression[int(flex.x + 0.5)];
 `;
 
+/** three's own lights, the sun's as each ship's own place has it. */
+const SUN_BY_SHIP = ShaderChunk.lights_fragment_begin.replace(
+  'getDirectionalLightInfo( directionalLight, directLight );',
+  '$& directLight.color *= vSunlit;',
+);
+
 export function createShipMaterial(): ShipMaterial {
   const shared = {
     skyTint: { value: new Color() },
@@ -30,12 +36,13 @@ export function createShipMaterial(): ShipMaterial {
   surface.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, shared);
     shader.vertexShader =
-      `${FLEX_HEAD}attribute vec3 surface;\nvarying vec3 vSurface;\n${shader.vertexShader}`.replace(
+      `${FLEX_HEAD}attribute vec3 surface;\nattribute float sunlit;\nvarying vec3 vSurface;\nvarying float vSunlit;\n${shader.vertexShader}`.replace(
         '#include <begin_vertex>',
-        `${FLEX_BODY}\nvSurface = surface;`,
+        `${FLEX_BODY}\nvSurface = surface;\nvSunlit = sunlit;`,
       );
     shader.fragmentShader =
-      `varying vec3 vSurface;\nuniform vec3 skyTint;\nuniform vec3 groundTint;\n${shader.fragmentShader}`
+      `varying vec3 vSurface;\nvarying float vSunlit;\nuniform vec3 skyTint;\nuniform vec3 groundTint;\n${shader.fragmentShader}`
+        .replace('#include <lights_fragment_begin>', SUN_BY_SHIP)
         .replace('#include <roughnessmap_fragment>', 'float roughnessFactor = vSurface.x;')
         .replace('#include <metalnessmap_fragment>', 'float metalnessFactor = vSurface.y;')
         .replace(

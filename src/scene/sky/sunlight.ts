@@ -9,8 +9,8 @@ export interface Sunlight {
   readonly direction: Vector3;
   paint(look: BodyLook, frame: LocalFrame): void;
   /**
-   * How much of the sun reaches ship and stones, 0 … 1: the ground knows its own shadows, they do not. Gives how far the camera
-   * is open, 1 in the sun, `seconds` after the call before: it opens as the eye does to see what stands in the dark.
+   * How much of the sun reaches the watched ship, 0 … 1. Gives how far the camera is open, 1 in the sun, `seconds` after the call
+   * before: it opens as the eye does to see what stands in the dark.
    */
   shade(share: number, seconds: number): number;
   /** Centres the shadow map on a local point, `reach` m to each side; `depth` m down-sun to the ground. */
@@ -36,7 +36,6 @@ export function createSunlight(): Sunlight {
   const direction = new Vector3(1, 0.2, 0).normalize();
   const side = new Vector3();
   const over = new Vector3();
-  let full = 1;
   let exposure = NaN;
 
   return {
@@ -49,7 +48,7 @@ export function createSunlight(): Sunlight {
       over.copy(direction).cross(side).normalize();
       const [r, g, b] = look.sunColour;
       sun.color.setRGB(r, g, b);
-      full = sun.intensity = look.sunStrength * Math.PI * 0.62;
+      sun.intensity = look.sunStrength * Math.PI * 0.62;
       const [fr, fg, fb] = look.fill;
       const [dr, dg, db] = look.dust;
       const bounce = look.sunStrength * 0.2;
@@ -57,7 +56,6 @@ export function createSunlight(): Sunlight {
       around.groundColor.setRGB(fr + dr * bounce, fg + dg * bounce, fb + db * bounce);
     },
     shade(share, seconds) {
-      sun.intensity = full * share;
       // In a hill's shadow the ground below is dark too.
       around.intensity = Math.PI * (0.35 + 0.55 * share);
       const wanted = 1 + OPENS * (1 - share);

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .config import Timing, load_config, load_timing
-from .limits import mapping, required, text, vector, number, whole
+from .limits import mapping, number, required, text, vector, whole
 from .loading import load_body, load_change, load_ship, load_ship_class
 from .models import Input, Ship, TerrainHeight, World
 from .terrain import bowl, load_terrain_name

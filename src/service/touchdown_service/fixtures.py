@@ -48,8 +48,7 @@ def fixture(data: dict[str, Any]) -> dict[str, Any]:
         "body": data["bodies"][0],
         "initial": initial,
         "inputs": [
-            {"tick": given["tick"], "substep": given["substep"], **given["controls"]}
-            for given in data["inputs"]
+            {"tick": given["tick"], "substep": given["substep"], **given["controls"]} for given in data["inputs"]
         ],
         "states": states,
         "events": events,

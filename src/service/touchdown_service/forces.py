@@ -56,7 +56,12 @@ def spring_force(ship: Ship, config: Config, mass: float, ground: Ground, speed:
 
 
 def friction(
-    ship: Ship, config: Config, per_speed: tuple[float, float], forces: tuple[float, Vec3], ground: Ground, over: OverGround
+    ship: Ship,
+    config: Config,
+    per_speed: tuple[float, float],
+    forces: tuple[float, Vec3],
+    ground: Ground,
+    over: OverGround,
 ) -> Vec3:
     """Holds against slide, push, slope and the ground's own turning, or is kinetic and never more than ends the slide.
 

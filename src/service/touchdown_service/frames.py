@@ -38,19 +38,21 @@ def write_frame(
 ) -> None:
     """`ships`: each as a JSON object."""
     tempo = galaxy.tempo
-    told = json.dumps({
-        "tick": galaxy.tick,
-        "tick_rate": tempo.tick_rate,
-        "time_scale": tempo.time_scale,
-        "paused": tempo.paused,
-        "game_time": galaxy.game_time,
-        "due": due,
-        "bodies": [body_record(body) for body in galaxy.world.bodies],
-        "events": events,
-        "inputs": [change_record(change) for change in changes.controls],
-        "removed": [removed_record(ship, reason) for ship, reason in changes.removed],
-        "results": changes.results,
-    })
+    told = json.dumps(
+        {
+            "tick": galaxy.tick,
+            "tick_rate": tempo.tick_rate,
+            "time_scale": tempo.time_scale,
+            "paused": tempo.paused,
+            "game_time": galaxy.game_time,
+            "due": due,
+            "bodies": [body_record(body) for body in galaxy.world.bodies],
+            "events": events,
+            "inputs": [change_record(change) for change in changes.controls],
+            "removed": [removed_record(ship, reason) for ship, reason in changes.removed],
+            "results": changes.results,
+        }
+    )
     frame = f'{told[:-1]}, "ships": [{", ".join(ships)}]}}'
     kept = max(2, min(FRAMES_KEPT, FRAME_BYTES // len(frame)))
     pipe.xadd(FRAMES, {"tick": galaxy.tick, "frame": frame}, maxlen=kept, approximate=False)

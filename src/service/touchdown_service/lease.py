@@ -2,15 +2,22 @@
 
 import os
 import socket
+import threading
 import time
 from secrets import token_hex
 
 from redis import Redis
+from redis.exceptions import RedisError
 
 KEY = "touchdown:lease"
 
-# Renews, or gives back, only what is held.
-RENEW = "if redis.call('GET', KEYS[1]) == ARGV[1] then return redis.call('PEXPIRE', KEYS[1], ARGV[2]) end return 0"
+# Renews what is held, or what has run out without a taker: a commit finds out whether the world moved on meanwhile.
+RENEW = """
+local holder = redis.call('GET', KEYS[1])
+if holder and holder ~= ARGV[1] then return 0 end
+redis.call('SET', KEYS[1], ARGV[1], 'PX', ARGV[2])
+return 1
+"""
 RELEASE = "if redis.call('GET', KEYS[1]) == ARGV[1] then return redis.call('DEL', KEYS[1]) end return 0"
 
 
@@ -23,13 +30,34 @@ class LeaseLost(Exception):
 
 
 class Lease:
+    """Held by its token; renewed by a thread of its own, since a tick may take longer to compute than the lease lasts."""
+
     def __init__(self, client: Redis, milliseconds: int = 3000) -> None:
         self.client = client
         self.milliseconds = milliseconds
         self.token = f"{socket.gethostname()}:{os.getpid()}:{token_hex(8)}"
+        self.keeper: threading.Thread | None = None
+        self.let_go = threading.Event()
 
     def acquire(self) -> None:
         """Takes the lease, or waits for a dead holder's to run out. Raises LeaseHeld once a living holder renews it."""
+        self.take()
+        self.let_go.set()
+        self.let_go = threading.Event()
+        self.keeper = threading.Thread(target=self.keep, args=(self.let_go,), daemon=True)
+        self.keeper.start()
+
+    def keep(self, let_go: threading.Event) -> None:
+        """Renews until it is let go, or lost."""
+        while not let_go.wait(self.milliseconds / 3000):
+            try:
+                if not self.client.eval(RENEW, 1, KEY, self.token, self.milliseconds):
+                    let_go.set()
+            except RedisError:
+                # The loop meets the same, and starts anew.
+                let_go.set()
+
+    def take(self) -> None:
         lowest = None
         while not self.client.set(KEY, self.token, nx=True, px=self.milliseconds):
             holder = self.client.get(KEY)
@@ -41,10 +69,11 @@ class Lease:
             lowest = left
             time.sleep(min(0.1, max(left, 1) / 1000))
 
-    def renew(self) -> None:
-        """Raises LeaseLost."""
-        if not self.client.eval(RENEW, 1, KEY, self.token, self.milliseconds):
+    def check(self) -> None:
+        """Raises LeaseLost where it is known to be lost; a commit finds out for certain."""
+        if self.let_go.is_set():
             raise LeaseLost(self.token)
 
     def release(self) -> None:
+        self.let_go.set()
         self.client.eval(RELEASE, 1, KEY, self.token)

@@ -73,7 +73,9 @@ def load_ship_class(data: Any, path: str = "ship_class") -> ShipClass:
         "rcs_isp": (burns_rcs, ISP),
     }
     for name, (divides, allowed) in divisors.items():
-        given[name] = number(required(data, name, path), f"{path}.{name}", allowed if divides else Range(-1e300, 1e300, ""))
+        given[name] = number(
+            required(data, name, path), f"{path}.{name}", allowed if divides else Range(-1e300, 1e300, "")
+        )
     if data.get("dry_inertia_ratio") is not None:
         given["dry_inertia_ratio"] = number(data["dry_inertia_ratio"], f"{path}.dry_inertia_ratio", INERTIA_RATIO)
         if given["fuel_capacity"] > 0:
@@ -99,9 +101,7 @@ def load_tensor(value: Any, path: str) -> list[list[float]]:
     if not skew <= 3e-9 * mean:
         raise Refusal(f"{path}: expected a symmetric tensor, got elements that differ by {skew:g} kg m^2")
     determinant = (
-        a[0] * (b[1] * c[2] - b[2] * c[1])
-        - a[1] * (b[0] * c[2] - b[2] * c[0])
-        + a[2] * (b[0] * c[1] - b[1] * c[0])
+        a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
     )
     if not (a[0] * b[1] - a[1] * b[0] > 0 and determinant > 0):
         raise Refusal(f"{path}: expected a positive definite tensor")

@@ -7,7 +7,7 @@ completes when the ship has landed; it aborts when the ship has tipped or crashe
 from dataclasses import dataclass
 from math import sqrt
 
-from .models import CONTACT, FLYING, LANDED, NEUTRAL, TIPPED, Controls, Ship, World
+from .models import CONTACT, LANDED, NEUTRAL, TIPPED, Controls, Ship, World
 from .vectors import Vec3, axes_of, cross, dot, rotate_back, scale, subtract, up_of
 
 DESCENT = "descent"

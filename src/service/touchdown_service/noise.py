@@ -34,9 +34,7 @@ def unsigned(integer: int) -> float:
 @lru_cache(maxsize=4096)
 def corners(i: int, j: int, k: int, seed: int) -> tuple[float, ...]:
     """The cell's values, x running fastest."""
-    return tuple(
-        signed(lattice_hash(i + a, j + b, k + c, seed)) for c in (0, 1) for b in (0, 1) for a in (0, 1)
-    )
+    return tuple(signed(lattice_hash(i + a, j + b, k + c, seed)) for c in (0, 1) for b in (0, 1) for a in (0, 1))
 
 
 def fade(f: float) -> float:

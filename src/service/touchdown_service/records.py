@@ -112,9 +112,7 @@ def from_hash(fields: dict[str, str], path: str) -> dict[str, Any]:
     return record
 
 
-def ship_of_record(
-    record: dict[str, Any], classes: dict[str, ShipClass], bodies: list[Body], path: str
-) -> Ship:
+def ship_of_record(record: dict[str, Any], classes: dict[str, ShipClass], bodies: list[Body], path: str) -> Ship:
     """The ship that ship_record made this of."""
     data = mapping(record, path) | {"attitude": w_last(required(record, "attitude", path), f"{path}.attitude")}
     ship = load_ship(data, classes, bodies, path)

@@ -3,6 +3,7 @@
 import json
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta, timezone
+from secrets import token_hex
 from typing import Any
 
 from redis import Redis
@@ -11,10 +12,9 @@ from redis.exceptions import WatchError
 
 from . import lease as lease_key
 from .frames import event_record, ship_in_frame, write_events, write_frame
-from .galaxy import Changes, Galaxy, Tempo, make_galaxy
+from .galaxy import Changes, Galaxy, make_galaxy
 from .lease import Lease, LeaseLost
-from .limits import Refusal, mapping, number, required, text, whole
-from .maneuver_landing import Landing
+from .limits import Refusal, required
 from .records import (
     body_of_record,
     body_record,
@@ -26,8 +26,9 @@ from .records import (
     to_hash,
     to_texts,
 )
+from .stored import CLOCK, landing_values, load_clock, load_landing
 
-WORLD, CLOCK, BODIES, PENDING = "touchdown:world", "touchdown:clock", "touchdown:bodies", "touchdown:pending"
+WORLD, BODIES, PENDING = "touchdown:world", "touchdown:bodies", "touchdown:pending"
 INBOX, STATUS = "touchdown:inbox", "touchdown:status"
 COMPLETED = "tick_completed"
 ASKED = ("game:tick_rate", "game:time_scale", "game:paused", "game:time_sync")
@@ -55,6 +56,8 @@ class RedisState:
         self.pending_text = ""
         self.landings: dict[str, tuple] = {}
         self.members: set[str] = set()
+        # Of the last transaction that was read or written: another means that the world has moved on.
+        self.commit_id: str | None = None
         # Why the last ship that could not be read was left out.
         self.refused = ""
 
@@ -78,6 +81,7 @@ class RedisState:
         galaxy = make_galaxy(
             json.loads(definition), [body_of_record(b, f"{BODIES}[{i}]") for i, b in enumerate(json.loads(bodies))]
         )
+        self.commit_id = clock.get("commit")
         if clock:
             load_clock(galaxy, clock)
         self.load_ships(galaxy)
@@ -119,9 +123,11 @@ class RedisState:
         """All of a tick, or nothing. Raises LeaseLost where another service may have written meanwhile."""
         pipe = self.client.pipeline(transaction=True)
         try:
-            pipe.watch(lease_key.KEY)
-            if pipe.get(lease_key.KEY) != self.lease.token:
+            pipe.watch(lease_key.KEY, CLOCK)
+            holder, commit = pipe.get(lease_key.KEY), pipe.hget(CLOCK, "commit")
+            if holder not in (None, self.lease.token) or commit != self.commit_id:
                 raise LeaseLost(self.lease.token)
+            self.commit_id = token_hex(8)
             pipe.multi()
             ships = self.write_ships(pipe, galaxy, changes)
             self.write_clock(pipe, galaxy, asked)
@@ -166,7 +172,12 @@ class RedisState:
         now = datetime.fromtimestamp(0, timezone.utc) + timedelta(seconds=galaxy.epoch + galaxy.game_time)
         pipe.set("game:tick", galaxy.tick)
         pipe.set("game:time", now.isoformat(timespec="microseconds"))
-        in_force = (repr(tempo.tick_rate), repr(tempo.asked_scale), json.dumps(tempo.paused), json.dumps(tempo.time_sync))
+        in_force = (
+            repr(tempo.tick_rate),
+            repr(tempo.asked_scale),
+            json.dumps(tempo.paused),
+            json.dumps(tempo.time_sync),
+        )
         for key, value in zip(ASKED, in_force):
             if asked.values.get(key) is None:
                 pipe.set(key, value)
@@ -179,6 +190,7 @@ class RedisState:
             "time_sync": json.dumps(tempo.time_sync),
             "paused": json.dumps(tempo.paused),
             "cursor": galaxy.cursor,
+            "commit": self.commit_id,
         }
         pipe.hset(CLOCK, mapping=clock)
         waiting = {id: [input_record(i) for i in s.pending] for id, s in galaxy.ships.items() if s.pending}
@@ -195,7 +207,7 @@ class RedisState:
 
     def write_bodies_at_end(self, galaxy: Galaxy) -> None:
         """At a shutdown: the body hashes at the present tick."""
-        self.lease.renew()
+        self.lease.check()
         pipe = self.client.pipeline(transaction=True)
         write_body_hashes(pipe, galaxy)
         pipe.execute()
@@ -218,27 +230,3 @@ def write_body_hashes(pipe: Pipeline, galaxy: Galaxy) -> None:
         record = body_record(body) | {"tick": galaxy.tick}
         pipe.execute_command("HSET", f"body:{body.name}", *to_hash(to_texts(record)))
     pipe.sadd(f"system:{galaxy.system_id}:bodies", *(body.name for body in galaxy.world.bodies))
-
-
-def load_clock(galaxy: Galaxy, clock: dict[str, str]) -> None:
-    data = from_hash({name: value for name, value in clock.items() if name != "cursor"}, CLOCK)
-    mapping(data, CLOCK)
-    galaxy.tick = whole(required(data, "tick", CLOCK), f"{CLOCK}.tick")
-    galaxy.game_time = number(required(data, "game_time", CLOCK), f"{CLOCK}.game_time")
-    galaxy.cursor = text(required(clock, "cursor", CLOCK), f"{CLOCK}.cursor")
-    galaxy.tempo = Tempo(
-        number(required(data, "tick_rate", CLOCK), f"{CLOCK}.tick_rate"),
-        number(required(data, "time_scale", CLOCK), f"{CLOCK}.time_scale"),
-        bool(required(data, "paused", CLOCK)),
-        number(required(data, "asked_scale", CLOCK), f"{CLOCK}.asked_scale"),
-        bool(required(data, "time_sync", CLOCK)),
-    )
-
-
-def load_landing(fields: dict[str, str]) -> Landing:
-    ticks = [whole(fields.get(name, "0"), f"maneuver.{name}") for name in ("started_tick", "updated_tick")]
-    return Landing(fields.get("phase", ""), fields.get("reason", ""), *ticks)
-
-
-def landing_values(landing: Landing) -> tuple:
-    return ("landing", landing.phase, landing.reason, landing.started_tick, landing.updated_tick)

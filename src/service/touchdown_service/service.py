@@ -24,6 +24,8 @@ PAUSE_POLL = 0.1
 # Wall seconds between two looks at Redis's clock.
 CLOCK_INTERVAL = 60
 RETRY_SECONDS = 0.5
+# Wall seconds after which a waiting loop looks whether it is told to stop.
+LOOK_UP = 0.2
 
 
 class Service:
@@ -70,6 +72,9 @@ class Service:
             galaxy = self.state.load()
         if galaxy is None:
             raise Refusal("touchdown:world: missing after it was written")
+        if galaxy.tick == 0:
+            # A world that is new begins as it is asked to.
+            self.settle(galaxy, self.state.read_asked(galaxy.cursor))
         if self.state.refused:
             log.warning("%s", self.state.refused)
             self.refused = self.state.refused
@@ -112,7 +117,7 @@ class Service:
         if asked.entries or galaxy.tempo != before:
             self.state.commit(galaxy, changes, self.redis_time(now), asked, self.status(galaxy, now))
         else:
-            self.lease.renew()
+            self.lease.check()
         return now + 1 / galaxy.tempo.tick_rate
 
     def settle(self, galaxy: Galaxy, asked: Asked) -> None:
@@ -126,15 +131,13 @@ class Service:
             self.refused = refusal
 
     def wait_until(self, due: float) -> bool:
-        """Keeps the lease meanwhile; whether it came to that."""
-        most = self.lease.milliseconds / 3000
+        """Whether it came to that."""
         while not self.stopping:
             left = due - time.monotonic()
             if left <= 0:
                 return True
-            time.sleep(min(left, most))
-            if left > most:
-                self.lease.renew()
+            time.sleep(min(left, LOOK_UP))
+            self.lease.check()
         return False
 
     def next_due(self, galaxy: Galaxy, due: float) -> float:

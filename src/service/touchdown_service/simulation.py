@@ -65,9 +65,7 @@ def run_tick(
     return happened
 
 
-def run_ship(
-    ship: Ship, world: World, span: Span, happened: Happened, after_substep: AfterSubstep | None
-) -> None:
+def run_ship(ship: Ship, world: World, span: Span, happened: Happened, after_substep: AfterSubstep | None) -> None:
     """One ship through consecutive substeps of a tick."""
     tick, dt = span.tick, span.dt
     pending = ship.pending

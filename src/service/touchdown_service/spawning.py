@@ -17,9 +17,7 @@ STATE_FIELDS = IDENTITY | {
 POLE: Vec3 = (0.0, 1.0, 0.0)
 
 
-def ship_of_order(
-    data: Any, classes: dict[str, ShipClass], bodies: list[Body], terrain_height: TerrainHeight
-) -> Ship:
+def ship_of_order(data: Any, classes: dict[str, ShipClass], bodies: list[Body], terrain_height: TerrainHeight) -> Ship:
     """Raises Refusal with the field that cannot be used."""
     mapping(data, "data")
     ship_id = text(required(data, "ship_id", ""), "ship_id")
@@ -34,9 +32,7 @@ def ship_of_order(
     return ship_of_record(order, classes, bodies, "data")
 
 
-def placed(
-    order: dict[str, Any], cls: ShipClass, bodies: list[Body], terrain_height: TerrainHeight
-) -> dict[str, Any]:
+def placed(order: dict[str, Any], cls: ShipClass, bodies: list[Body], terrain_height: TerrainHeight) -> dict[str, Any]:
     """The state of a ship at rest over a place, or moving over it, as it stands to the ground."""
     name = one_of(order["body"], "body", tuple(body.name for body in bodies))
     body = next(body for body in bodies if body.name == name)

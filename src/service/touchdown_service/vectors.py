@@ -96,24 +96,28 @@ def product(a: Quat, b: Quat) -> Quat:
     """The rotation b, then the rotation a; normalized."""
     ax, ay, az, aw = a
     bx, by, bz, bw = b
-    return normalize((
-        ax * bw + aw * bx + ay * bz - az * by,
-        ay * bw + aw * by + az * bx - ax * bz,
-        az * bw + aw * bz + ax * by - ay * bx,
-        aw * bw - ax * bx - ay * by - az * bz,
-    ))
+    return normalize(
+        (
+            ax * bw + aw * bx + ay * bz - az * by,
+            ay * bw + aw * by + az * bx - ax * bz,
+            az * bw + aw * bz + ax * by - ay * bx,
+            aw * bw - ax * bx - ay * by - az * bz,
+        )
+    )
 
 
 def turned(q: Quat, h: Vec3) -> Quat:
     """normalize(q + (h, 0) q), h half an angle's worth of turn: no sine, no cosine."""
     x, y, z, w = q
     hx, hy, hz = h
-    return normalize((
-        x + (hx * w + hy * z - hz * y),
-        y + (hy * w + hz * x - hx * z),
-        z + (hz * w + hx * y - hy * x),
-        w - (hx * x + hy * y + hz * z),
-    ))
+    return normalize(
+        (
+            x + (hx * w + hy * z - hz * y),
+            y + (hy * w + hz * x - hx * z),
+            z + (hz * w + hx * y - hy * x),
+            w - (hx * x + hy * y + hz * z),
+        )
+    )
 
 
 def small_rotation(h: Vec3) -> Quat:

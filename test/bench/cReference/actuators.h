@@ -5,8 +5,8 @@
 
 // What a substep carries from its actuators to its end: kg, N, N m, m, s.
 typedef struct {
-  double mass, ratio, weight, lift, depth, normal_force, dt;
-  vec3 thrust, torque;
+  double mass, factor, weight, lift, pressing, depth, normal_force, dt;
+  vec3 thrust, torque, along;
   mat3 axes;
 } load;
 
@@ -18,45 +18,78 @@ static vec3 error_to_target(const ship *s) {
              sign * (t.z * q.w - t.w * q.z - t.x * q.y + t.y * q.x));
 }
 
-static void steer_to_direction(vec3 *wish, const ship *s, int mode, vec3 normal, const mat3 *axes) {
-  vec3 along = s->u;
-  if (mode == MODE_NORMAL || mode == MODE_ANTINORMAL) along = cross(s->r, s->u);
-  if (mode == MODE_RADIAL || mode == MODE_ANTIRADIAL) along = normal;
+// The unit direction that a pointing mode points at; 0 where it is round-off.
+static int direction_of(vec3 *d, const ship *s, const body *b, int mode, vec3 normal, double distance) {
+  if (mode == MODE_RADIAL || mode == MODE_ANTIRADIAL) {
+    *d = scale(normal, mode == MODE_RADIAL ? 1 : -1);
+    return 1;
+  }
+  if (mode == MODE_SURFACE_RETROGRADE) {
+    vec3 v = sub(s->u, cross(b->angular_velocity, s->r));
+    double speed = length(v);
+    *d = scale(v, -1 / speed);
+    return !(speed < 0.1);
+  }
+  double speed = length(s->u);
+  if (speed < 1e-3) return 0;
+  if (mode == MODE_PROGRADE || mode == MODE_RETROGRADE) {
+    *d = scale(s->u, mode == MODE_PROGRADE ? 1 / speed : -1 / speed);
+    return 1;
+  }
+  vec3 along = cross(s->r, s->u);
   double size = length(along);
-  if (!(size > 0)) return;
-  int reversed = mode == MODE_RETROGRADE || mode == MODE_ANTINORMAL || mode == MODE_ANTIRADIAL;
-  vec3 d = rotate_back(axes, scale(along, reversed ? -1 / size : 1 / size));
-  double ex = -d.y, ey = d.x;
-  if (d.z < 0) {
+  *d = scale(along, mode == MODE_NORMAL ? 1 / size : -1 / size);
+  return !(size < 1e-6 * distance * speed);
+}
+
+static void steer_to_direction(vec3 *command, double stiffness, vec3 b) {
+  double ex = -b.y, ey = b.x;
+  if (b.z < 0) {
     double l = sqrt(ex * ex + ey * ey);
     ex = l <= 1e-6 ? 1 : ex / l;
     ey = l <= 1e-6 ? 0 : ey / l;
   }
-  wish->x += 4 * ex;
-  wish->y += 4 * ey;
+  command->x += stiffness * ex;
+  command->y += stiffness * ey;
 }
 
-static void attitude_torque(double torque[3], const ship *s, const world *in, const load *l, vec3 normal) {
+// What stick or attitude controller asks for; 0 where neither does.
+static int ask_torque(double asked[3], const ship *s, const world *in, const load *l, vec3 normal, double distance) {
   const ship_class *c = &in->ship_class;
   const double *stick = s->pilot.rotation_input;
-  int mode = s->pilot.attitude_mode, damps = s->pilot.attitude_hold;
-  if (s->state != FLYING && mode >= MODE_PROGRADE && mode <= MODE_ANTINORMAL) mode = MODE_NONE, damps = 1;
-  double available[3];
-  for (int k = 0; k < 3; k++) available[k] = s->fuel > 0 ? c->wheel_torque[k] + c->rcs_torque[k] : c->wheel_torque[k];
   if (stick[0] != 0 || stick[1] != 0 || stick[2] != 0) {
-    for (int k = 0; k < 3; k++) torque[k] = stick[k] * available[k];
-    return;
+    for (int k = 0; k < 3; k++)
+      asked[k] = stick[k] * (s->fuel > 0 ? c->wheel_torque[k] + c->rcs_torque[k] : c->wheel_torque[k]);
+    return 1;
   }
-  if (mode == MODE_NONE && !damps) return;
-  vec3 wish = scale(rotate_back(&l->axes, s->w), -4);
-  if (mode == MODE_HOLD) wish = add(wish, scale(rotate_back(&l->axes, error_to_target(s)), 4));
-  else if (mode != MODE_NONE) steer_to_direction(&wish, s, mode, normal, &l->axes);
-  vec3 asked = scale(rotate(&c->inertia, wish), l->ratio);
-  const double by_axis[3] = {asked.x, asked.y, asked.z};
+  int mode = s->pilot.attitude_mode, damps = s->pilot.attitude_hold;
+  int by_velocity = mode >= MODE_PROGRADE && mode <= MODE_ANTINORMAL;
+  if (mode == MODE_UNKNOWN || (s->state != FLYING && by_velocity)) mode = MODE_NONE, damps = 1;
+  if (mode == MODE_NONE && !damps) return 0;
+  vec3 command = scale(rotate_back(&l->axes, s->w), -c->attitude_damping), d;
+  if (mode == MODE_HOLD)
+    command = add(command, scale(rotate_back(&l->axes, error_to_target(s)), c->attitude_stiffness));
+  else if (mode != MODE_NONE && direction_of(&d, s, &in->bodies[s->body], mode, normal, distance))
+    steer_to_direction(&command, c->attitude_stiffness, rotate_back(&l->axes, d));
+  vec3 torque = scale(rotate(&c->inertia, command), l->factor);
+  asked[0] = torque.x, asked[1] = torque.y, asked[2] = torque.z;
+  return 1;
+}
+
+// Wheels give what they can until they are full, RCS the rest; the sum of RCS torque.
+static double give_torque(double torque[3], ship *s, const ship_class *c, double dt) {
+  double rcs = 0;
   for (int k = 0; k < 3; k++) {
-    double most = available[k];
-    torque[k] = by_axis[k] > most ? most : by_axis[k] < -most ? -most : by_axis[k];
+    double asked = torque[k], size = fabs(asked), p = s->wheel_momentum[k];
+    double left = (asked < 0 ? c->wheel_capacity[k] + p : c->wheel_capacity[k] - p) / dt;
+    double most = left < c->wheel_torque[k] ? (left > 0 ? left : 0) : c->wheel_torque[k];
+    double by_wheel = size < most ? size : most, by_rcs = 0;
+    s->wheel_momentum[k] = p + (asked < 0 ? -by_wheel : by_wheel) * dt;
+    if (s->fuel > 0) by_rcs = size - by_wheel < c->rcs_torque[k] ? size - by_wheel : c->rcs_torque[k];
+    torque[k] = asked < 0 ? -by_wheel - by_rcs : by_wheel + by_rcs;
+    rcs += by_rcs;
   }
+  return rcs;
 }
 
 static void push(load *l, ship *s, const world *in, double rcs) {
@@ -73,15 +106,10 @@ static void push(load *l, ship *s, const world *in, double rcs) {
   s->fuel = left > 0 ? left : 0;
 }
 
-static void actuate(load *l, ship *s, const world *in, vec3 normal) {
+static void actuate(load *l, ship *s, const world *in, vec3 normal, double distance) {
   double torque[3] = {0, 0, 0}, rcs = 0;
-  if (s->state != LANDED) {
-    attitude_torque(torque, s, in, l, normal);
-    for (int k = 0; k < 3; k++) {
-      double by_rcs = fabs(torque[k]) - in->ship_class.wheel_torque[k];
-      if (by_rcs > 0) rcs += by_rcs;
-    }
-  }
+  if (s->state != LANDED && ask_torque(torque, s, in, l, normal, distance))
+    rcs = give_torque(torque, s, &in->ship_class, l->dt);
   l->torque = vec(torque[0], torque[1], torque[2]);
   push(l, s, in, rcs);
   l->lift = dot(l->thrust, normal);

@@ -5,20 +5,23 @@
 #include "vectors.h"
 
 enum { FLYING, CONTACT, LANDED, TIPPED };
-enum { MODE_NONE, MODE_HOLD, MODE_PROGRADE, MODE_RETROGRADE, MODE_NORMAL, MODE_ANTINORMAL, MODE_RADIAL, MODE_ANTIRADIAL };
-enum { NO_EVENT, EVENT_CONTACT, EVENT_LANDED, EVENT_TIPPED, EVENT_RIGHTED, EVENT_CRASHED };
+enum { MODE_NONE, MODE_HOLD, MODE_PROGRADE, MODE_RETROGRADE, MODE_SURFACE_RETROGRADE, MODE_NORMAL, MODE_ANTINORMAL,
+       MODE_RADIAL, MODE_ANTIRADIAL, MODE_UNKNOWN };
+enum { NO_EVENT, EVENT_CONTACT, EVENT_LANDED, EVENT_TIPPED, EVENT_RIGHTED, EVENT_DESTROYED };
 
 typedef struct {
   double crash_speed, bounce_speed, settle_angular_vel, settle_linear_vel;
   double damping_ratio, friction_static, friction_kinetic;
   double cos_settle_tilt, cos_tipped_angle;
-  int aligned;
+  int aligned, terrain_normal;
 } settings;
 
 typedef struct {
-  double dry_mass, full_mass, ground_contact_offset, leg_radius;
+  double dry_mass, leg_radius;
+  double inertia_at_dry, inertia_per_fuel, support_inertia, scrub_inertia;
+  double attitude_stiffness, attitude_damping;
   double main_engine_thrust, main_flow, rcs_flow, force_per_torque;
-  double rcs_thrust[3], rcs_torque[3], wheel_torque[3];
+  double rcs_thrust[3], rcs_torque[3], wheel_torque[3], wheel_capacity[3];
   mat3 inertia, inverse_inertia;
 } ship_class;
 
@@ -40,7 +43,7 @@ typedef struct {
   vec3 r, u;
   quat q;
   vec3 w;
-  double fuel, impact_speed;
+  double fuel, wheel_momentum[3], impact_speed, ground_contact_offset;
   int state, body, crashed;
   controls pilot;
 } ship;

@@ -1,4 +1,4 @@
-/** Hands a landing to the law's twin in C, and asks what it came to. */
+/** Hands a landing to the law's reference in C, and asks what it came to. */
 import { spawnSync } from 'node:child_process';
 import {
   BODY_ANGULAR_VELOCITY,
@@ -21,14 +21,14 @@ export interface Landing {
   readonly ticks: number;
   readonly timing: Timing;
   readonly world: World;
-  /** Flat or a bowl: the twin knows no hills. */
+  /** Flat or a bowl: the reference knows no hills. */
   readonly terrain: CaseTerrain;
   readonly ships: Float64Array;
   readonly bodies: Float64Array;
   readonly inputs: readonly CaseInput[];
 }
 
-/** Runs the twin (see main.c) with landings on its standard input; the lines it prints. @throws with its own words. */
+/** Runs the reference (see main.c) with landings on its standard input; the lines it prints. @throws with its own words. */
 export function runTwin(twin: string, words: readonly string[], landings: readonly Landing[]): string[] {
   const doubles = Float64Array.from(landings.flatMap(doublesOf));
   const input = Buffer.from(doubles.buffer);
@@ -61,14 +61,16 @@ function settingsDoubles(s: LoadedSettings): number[] {
     ...[s.contactCrashSpeed, s.contactBounceSpeed, s.contactSettleAngularVel, s.contactSettleLinearVel],
     ...[s.contactDampingRatio, s.contactFrictionStatic, s.contactFrictionKinetic],
     ...[s.cosSettleTilt, s.cosTippedAngle, s.touchdownAttitude === 'aligned' ? 1 : 0],
+    s.surfaceNormal === 'terrain' ? 1 : 0,
   ];
 }
 
 function classDoubles(c: LoadedShipClass): number[] {
   return [
-    ...[c.dryMass, c.fullMass, c.groundContactOffset, c.legRadius],
+    ...[c.dryMass, c.legRadius, c.inertiaAtDry, c.inertiaPerFuel, c.supportInertia, c.scrubInertia],
+    ...[c.attitudeStiffness, c.attitudeDamping],
     ...[c.mainEngineThrust, c.mainEngineFlow, c.rcsFlow, c.forcePerTorque],
-    ...[...c.rcsThrust, ...c.rcsTorque, ...c.reactionWheelTorque],
+    ...[...c.rcsThrust, ...c.rcsTorque, ...c.reactionWheelTorque, ...c.wheelCapacity],
     ...[...c.inertia, ...c.inverseInertia],
   ];
 }

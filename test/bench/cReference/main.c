@@ -1,5 +1,5 @@
-// contact replay < CASES            a line a case: its substeps and the FNV-1a hash of all its rows, as src/dynamics/hash.ts makes it
-// contact time ROUNDS TIMES < CASE  a line a round: ns a substep, the case put back to its start every 50 substeps
+// contact replay < CASES            one line per case: its substeps and the FNV-1a hash of all its rows, as src/dynamics/hash.ts makes it
+// contact time ROUNDS TIMES < CASE  one line per round: ns per substep, the case put back to its start every 50 substeps
 // Cases are doubles, in the order that caseBytes.ts writes.
 #include <stdint.h>
 #include <stdio.h>
@@ -81,14 +81,17 @@ static settings read_settings(void) {
   s.crash_speed = next(), s.bounce_speed = next(), s.settle_angular_vel = next(), s.settle_linear_vel = next();
   s.damping_ratio = next(), s.friction_static = next(), s.friction_kinetic = next();
   s.cos_settle_tilt = next(), s.cos_tipped_angle = next(), s.aligned = (int)next();
+  s.terrain_normal = (int)next();
   return s;
 }
 
 static ship_class read_class(void) {
   ship_class c;
-  c.dry_mass = next(), c.full_mass = next(), c.ground_contact_offset = next(), c.leg_radius = next();
+  c.dry_mass = next(), c.leg_radius = next();
+  c.inertia_at_dry = next(), c.inertia_per_fuel = next(), c.support_inertia = next(), c.scrub_inertia = next();
+  c.attitude_stiffness = next(), c.attitude_damping = next();
   c.main_engine_thrust = next(), c.main_flow = next(), c.rcs_flow = next(), c.force_per_torque = next();
-  triple(c.rcs_thrust), triple(c.rcs_torque), triple(c.wheel_torque);
+  triple(c.rcs_thrust), triple(c.rcs_torque), triple(c.wheel_torque), triple(c.wheel_capacity);
   c.inertia = matrix(), c.inverse_inertia = matrix();
   return c;
 }
@@ -105,9 +108,10 @@ static body read_body(void) {
 static ship read_ship(void) {
   ship s;
   s.r = vector(), s.u = vector(), s.q = quaternion(), s.w = vector();
-  s.fuel = next(), s.impact_speed = next();
+  s.fuel = next(), triple(s.wheel_momentum), s.impact_speed = next();
   s.state = (int)next(), s.body = (int)next(), s.crashed = (int)next();
   next(); // the class: there is one
+  s.ground_contact_offset = next();
   s.pilot = pilot();
   return s;
 }
@@ -144,13 +148,14 @@ static uint32_t hash_doubles(uint32_t hash, const double *from, int count) {
 // The columns of src/dynamics/layout.ts, then the event.
 static uint32_t hash_ship(uint32_t hash, const ship *s, int event) {
   const controls *c = &s->pilot;
-  const double row[33] = {
+  const double row[37] = {
       s->r.x, s->r.y, s->r.z, s->u.x, s->u.y, s->u.z, s->q.x, s->q.y, s->q.z, s->q.w, s->w.x, s->w.y, s->w.z,
-      s->fuel, s->impact_speed, s->state, s->body, s->crashed, 0, c->thrust_level,
+      s->fuel, s->wheel_momentum[0], s->wheel_momentum[1], s->wheel_momentum[2], s->impact_speed, s->state, s->body,
+      s->crashed, 0, s->ground_contact_offset, c->thrust_level,
       c->translation_input[0], c->translation_input[1], c->translation_input[2],
       c->rotation_input[0], c->rotation_input[1], c->rotation_input[2], c->attitude_hold, c->attitude_mode,
       c->target_attitude.x, c->target_attitude.y, c->target_attitude.z, c->target_attitude.w, event};
-  return hash_doubles(hash, row, 33);
+  return hash_doubles(hash, row, 37);
 }
 
 static uint32_t hash_body(uint32_t hash, const body *b) {

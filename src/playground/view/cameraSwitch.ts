@@ -1,0 +1,21 @@
+import { CAMERA_VIEWS, type CameraView, type Stage } from '../../scene';
+import type { Banner } from '../panels/banner';
+
+/** What the page says when a camera is taken. */
+const WORDS: Readonly<Record<CameraView, string>> = {
+  follow: 'Camera: around the ship. Drag to turn it.',
+  chase: 'Camera: behind the ship, along its way.',
+  cockpit: 'Camera: from the cockpit.',
+  above: 'Camera: from above.',
+  free: 'Camera: stays where it is.',
+};
+
+/** Each call takes the next camera and says which. */
+export function createCameraSwitch(stage: Stage | null, banner: Banner): () => void {
+  let at = 0;
+  return () => {
+    at = (at + 1) % CAMERA_VIEWS.length;
+    stage?.setCamera(CAMERA_VIEWS[at]!);
+    banner.flash(WORDS[CAMERA_VIEWS[at]!]);
+  };
+}

@@ -1,0 +1,58 @@
+import type { ShipView, WorldView } from '../prediction';
+import { releaseRig } from './cameraRig';
+import { paintGround } from './ground/groundMaterial';
+import { layFrame, toBodyAxes, toLocalPoint, turnOfFrame } from './localFrame';
+import { frameOf, type SceneState } from './sceneState';
+import { clearActors } from './ships/actors';
+import { LEAST_HEIGHT } from './ships/shipActor';
+import { lookOf } from './sky/bodyLook';
+
+/** A frame is laid anew this far from its origin, m: the tangent plane still fits the ground. */
+const FRAME_REACH = 20_000;
+/** Distance of the eye in heights of the centre of mass over the feet. */
+const FIRST_DISTANCE = 5.2;
+
+/** Another body, or a ship that has gone far: the ground is laid anew around it. */
+export function layIfNeeded(state: SceneState, view: WorldView, watched: ShipView): void {
+  const body = view.bodies[watched.body]!;
+  if (state.frame?.bodyName !== body.name || state.frame.radius !== body.radius) lay(state, view, watched);
+  turnOfFrame(state.turn, frameOf(state), body.attitude);
+  toLocalPoint(state.point, frameOf(state), state.turn, watched.meshPosition);
+  if (Math.hypot(state.point[0]!, state.point[2]!) <= FRAME_REACH) return;
+  lay(state, view, watched);
+  turnOfFrame(state.turn, frameOf(state), body.attitude);
+}
+
+function lay(state: SceneState, view: WorldView, ship: ShipView): void {
+  const { ground, rocks, light, sky, wardrobe, dust, crash, shadows, groundMaterial, jets } = state.parts;
+  const body = view.bodies[ship.body]!;
+  const look = (state.look = lookOf(body.name));
+  toBodyAxes(state.point, body.attitude, ship.meshPosition);
+  const frame = (state.frame = layFrame(body, state.point, look.sun));
+  ground.lay(frame, state.terrain);
+  rocks.lay(frame, state.terrain);
+  light.paint(look, frame);
+  paintGround(groundMaterial, look, light.direction);
+  sky.paint(look, light.direction);
+  shadows.paint(light.direction);
+  wardrobe.hull.paint(look);
+  rocks.paint(look);
+  dust.paint(look, light.direction);
+  dust.clear();
+  crash.clear();
+  releaseRig(state.rig);
+  clearActors(state.actors, jets);
+  // The near ground stands before the first picture of it: a ship over a void is no place.
+  toLocalPoint(state.point, frame, turnOfFrame(state.turn, frame, body.attitude), ship.meshPosition);
+  ground.follow(state.point[0]!, state.point[2]!, Infinity);
+}
+
+/** Another class of ship is watched: another size, and another hull for its ghost. */
+export function wearHull(state: SceneState, watched: ShipView): void {
+  const { shipClass } = watched;
+  if (shipClass.name === state.watchedClass) return;
+  state.watchedClass = shipClass.name;
+  state.rig.distance = FIRST_DISTANCE * Math.max(shipClass.groundContactOffset, LEAST_HEIGHT);
+  state.parts.overlays.wear(state.parts.wardrobe.shelf.model(watched).geometry);
+  releaseRig(state.rig);
+}

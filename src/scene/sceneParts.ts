@@ -1,0 +1,77 @@
+import { ACESFilmicToneMapping, Group, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { createBlobShadows } from './effects/blobShadows';
+import { createCrash } from './effects/crash';
+import { createDust } from './effects/dust';
+import { createJetMaterial } from './effects/jets';
+import { createDetailTexture } from './ground/detailTexture';
+import { createGround } from './ground/ground';
+import { createGroundMaterial } from './ground/groundMaterial';
+import { createRocks } from './ground/rocks';
+import { createMarkers } from './overlays/markers';
+import { createOverlays } from './overlays/overlays';
+import { createPlumbLine } from './overlays/plumbLine';
+import type { Quality } from './quality';
+import { createHulls } from './ships/hulls';
+import { createShelf } from './ships/shipActor';
+import { createShipMaterial } from './ships/shipMaterial';
+import { createSky } from './sky/sky';
+import { createSunlight } from './sky/sunlight';
+
+/** Everything that is drawn, and what draws it. Made once; the GPU's part of it is given back by `disposeParts`. */
+export type SceneParts = ReturnType<typeof createParts>;
+
+/** @throws where there is no WebGL 2 */
+export function createParts(canvas: HTMLCanvasElement, quality: Quality) {
+  const renderer = createRenderer(canvas, quality);
+  const detail = createDetailTexture(quality.anisotropy);
+  const groundMaterial = createGroundMaterial(detail);
+  const wardrobe = { shelf: createShelf(), hull: createShipMaterial(), jet: createJetMaterial() };
+  const parts = {
+    renderer,
+    scene: new Scene(),
+    camera: new PerspectiveCamera(48, 16 / 9, 0.4, 600_000),
+    detail,
+    groundMaterial,
+    wardrobe,
+    ground: createGround(groundMaterial),
+    sky: createSky(detail),
+    light: createSunlight(),
+    rocks: createRocks(),
+    dust: createDust(detail),
+    crash: createCrash(),
+    hulls: createHulls(wardrobe.hull),
+    shadows: createBlobShadows(),
+    jets: new Group(),
+    overlays: createOverlays(),
+    markers: createMarkers(),
+    plumbLine: createPlumbLine(),
+  };
+  const { scene, sky, ground, light, rocks, hulls, jets, dust } = parts;
+  scene.add(sky.group, ground.group, light.group, rocks.mesh, parts.shadows.mesh, hulls.group, jets);
+  scene.add(dust.points, parts.crash.group, parts.overlays.group, parts.markers.group, parts.plumbLine.group);
+  return parts;
+}
+
+function createRenderer(canvas: HTMLCanvasElement, quality: Quality): WebGLRenderer {
+  const renderer = new WebGLRenderer({
+    canvas,
+    antialias: quality.antialias,
+    reversedDepthBuffer: true,
+    powerPreference: 'high-performance',
+  });
+  renderer.toneMapping = ACESFilmicToneMapping;
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.type = PCFShadowMap;
+  return renderer;
+}
+
+export function disposeParts(parts: SceneParts): void {
+  const { wardrobe, renderer } = parts;
+  const owned = [
+    ...[parts.ground, parts.sky, parts.light, parts.rocks, parts.dust, parts.crash, parts.hulls],
+    ...[parts.shadows, parts.overlays, parts.markers, parts.plumbLine, parts.groundMaterial, parts.detail],
+    ...[wardrobe.shelf, wardrobe.hull, wardrobe.jet],
+  ];
+  for (const each of owned) each.dispose();
+  renderer.dispose();
+}

@@ -1,0 +1,68 @@
+import { flatTerrain, type TerrainHeight } from '../dynamics';
+import { createRig, type MovingRig } from './cameraRig';
+import type { CameraView } from './cameras';
+import { groundPoint } from './ground/terrainLevel';
+import { createTurn, type LocalFrame, type Turn } from './localFrame';
+import type { Markers } from './overlays/markers';
+import { createPlaces } from './overlays/overlayPlaces';
+import type { OverlayChoice } from './overlays/overlays';
+import type { SceneParts } from './sceneParts';
+import { type Actors, createActors } from './ships/actors';
+import { type BodyLook, lookOf } from './sky/bodyLook';
+import { createCone, type ViewCone } from './viewCone';
+
+/** Where the eye starts: from the shadow's side, a little above the ground. */
+export const FIRST_AZIMUTH = 1.9;
+export const FIRST_ELEVATION = 0.16;
+
+/** What one stage remembers between pictures. */
+export interface SceneState {
+  readonly parts: SceneParts;
+  readonly actors: Actors;
+  readonly rig: MovingRig;
+  readonly choice: OverlayChoice;
+  readonly markers: Markers;
+  readonly turn: Turn;
+  readonly places: ReturnType<typeof createPlaces>;
+  readonly cone: ViewCone;
+  readonly opening: { across: number; upright: number };
+  readonly point: Float64Array;
+  readonly groundY: (x: number, z: number) => number;
+  terrain: TerrainHeight;
+  frame: LocalFrame | null;
+  look: BodyLook;
+  cameraView: CameraView;
+  watchedClass: string;
+  /** The clock of the picture before, s. */
+  before: number;
+}
+
+/** The frame that is laid: every step after `layIfNeeded` (laying.ts) has one. */
+export const frameOf = (state: SceneState) => state.frame!;
+
+export function createState(parts: SceneParts): SceneState {
+  const point = new Float64Array(3);
+  const state: SceneState = {
+    parts,
+    point,
+    actors: createActors(),
+    rig: createRig(FIRST_AZIMUTH, FIRST_ELEVATION, 24),
+    choice: { ghost: false, errorSegment: false, contactNormal: false, footprint: false, forces: false },
+    markers: { pads: [], touch: null },
+    turn: createTurn(),
+    places: createPlaces(),
+    cone: createCone(),
+    opening: { across: 1, upright: 1 },
+    groundY(x, z) {
+      groundPoint(point, 0, x, z, { frame: frameOf(state), terrainHeight: state.terrain });
+      return point[1]!;
+    },
+    terrain: flatTerrain,
+    frame: null,
+    look: lookOf(''),
+    cameraView: 'follow',
+    watchedClass: '',
+    before: NaN,
+  };
+  return state;
+}

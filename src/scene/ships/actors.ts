@@ -1,0 +1,63 @@
+import type { Group } from 'three';
+import type { ShipView, WorldView } from '../../prediction';
+import type { LocalFrame, Turn } from '../localFrame';
+import { createActor, poseActor, removeActor, type ShipActor, type Wardrobe } from './shipActor';
+
+/** The drawn ships of one body, by id. */
+export interface Actors {
+  readonly byId: Map<string, ShipActor>;
+  /** Pictures posed so far. */
+  count: number;
+}
+
+/** Where ships are posed. */
+export interface ActorPlace {
+  readonly frame: LocalFrame;
+  readonly turn: Turn;
+  /** The group that holds the jets. */
+  readonly jets: Group;
+  readonly wardrobe: Wardrobe;
+  readonly inAir: boolean;
+}
+
+export function createActors(): Actors {
+  return { byId: new Map(), count: 0 };
+}
+
+/** Poses every ship of the watched ship's body; `posed` is called for each. Ships that are no longer in the view leave. */
+export function poseActors(
+  actors: Actors,
+  view: WorldView,
+  body: number,
+  place: ActorPlace,
+  posed: (actor: ShipActor, ship: ShipView) => void,
+): void {
+  actors.count += 1;
+  for (const ship of view.ships) {
+    if (ship.body !== body) continue;
+    const actor = actorOf(actors, ship, place);
+    actor.seen = actors.count;
+    poseActor(actor, ship, view, place.frame, place.turn);
+    posed(actor, ship);
+  }
+  for (const [id, actor] of actors.byId) if (actor.seen !== actors.count) leave(actors, id, place.jets);
+}
+
+function actorOf(actors: Actors, ship: ShipView, { wardrobe, inAir, jets }: ActorPlace): ShipActor {
+  const known = actors.byId.get(ship.shipId);
+  if (known?.className === ship.shipClass.name) return known;
+  if (known !== undefined) removeActor(known, jets);
+  const made = createActor(ship, wardrobe, inAir);
+  actors.byId.set(ship.shipId, made);
+  jets.add(made.jets);
+  return made;
+}
+
+export function clearActors(actors: Actors, jets: Group): void {
+  for (const id of actors.byId.keys()) leave(actors, id, jets);
+}
+
+function leave(actors: Actors, id: string, jets: Group): void {
+  removeActor(actors.byId.get(id)!, jets);
+  actors.byId.delete(id);
+}

@@ -1,0 +1,97 @@
+import { Vector3 } from 'three';
+import type { ShipView, WorldView } from '../prediction';
+import { raiseDust } from './effects/dustSources';
+import { frameOf, type SceneState } from './sceneState';
+import { poseActors } from './ships/actors';
+import { placeJets, type ShipActor } from './ships/shipActor';
+import { coneMeets } from './viewCone';
+
+/** What a crash raises, as a touch at this speed would, m/s. */
+const CRASH_SPEED = 50;
+/** No ship is larger than this around its centre of mass, m. */
+const SHIP_REACH = 30;
+/** With more ships than this only the own one raises dust. */
+const MAX_DUSTY = 12;
+
+/** Poses the ships of the watched one's body; what they raise and lose begins. `seconds` since the picture before. */
+export function poseShips(state: SceneState, view: WorldView, watched: ShipView, seconds: number): void {
+  const { parts, turn } = state;
+  const { jets, wardrobe } = parts;
+  const place = { frame: frameOf(state), turn, jets, wardrobe, inAir: state.look.air !== null };
+  const isFew = view.ships.length < MAX_DUSTY;
+  poseActors(state.actors, view, watched.body, place, (actor, ship) => {
+    if (ship.own || isFew) raise(state, actor, ship, seconds);
+    const isWreck = ship.shownState === 'crashed';
+    // A ship met as a wreck crashed before it was seen.
+    if (isWreck && !actor.wasWreck && actor.posed > 1)
+      parts.crash.begin(actor.place, 2 * actor.height, state.groundY);
+    actor.wasWreck = isWreck;
+  });
+}
+
+function raise(state: SceneState, actor: ShipActor, ship: ShipView, seconds: number): void {
+  const { place, velocity, blows } = actor;
+  raiseDust(
+    state.parts.dust,
+    actor.dust,
+    {
+      place,
+      velocity,
+      blows,
+      groundY: state.groundY(place[0]!, place[2]!),
+      feetHeight: 0,
+      legRadius: ship.shipClass.legRadius,
+      grounded: ship.surfaceContactState !== '' || ship.crashed,
+      impactSpeed: ship.crashed ? CRASH_SPEED : ship.impactSpeed,
+      thrust: ship.crashed ? 0 : ship.shipClass.mainEngineThrust * ship.controls.thrustLevel,
+    },
+    seconds,
+  );
+}
+
+/** Hulls and jets of the ships in sight, and the shadows of those that the shadow map does not reach. */
+export function seatShips(state: SceneState, watched: ShipActor): void {
+  const { hulls, shadows, ground } = state.parts;
+  const { eye } = state.rig;
+  hulls.clear();
+  shadows.clear();
+  for (const actor of state.actors.byId.values()) {
+    const { place } = actor;
+    const isWatched = actor === watched;
+    if (isWatched || coneMeets(state.cone, place[0]!, place[2]!, SHIP_REACH)) {
+      const over = place[1]! - ground.shadowY(place[0]!, place[2]!);
+      const sunlit = sunlitShare(over, actor.height);
+      hulls.put(actor, eye, { isWatched, sunlit });
+      if (!isWatched && sunlit > 0) throwShadow(state, actor);
+    }
+    if (actor.jets.visible) placeJets(actor, eye);
+  }
+  hulls.finish();
+  shadows.finish();
+}
+
+/** How much of the sun reaches a ship whose centre of mass stands so far over the terrain's shadow, 0 … 1. */
+export function sunlitShare(over: number, height: number): number {
+  return Math.min(Math.max(0.5 + over / (2 * height), 0), 1);
+}
+
+const down = new Vector3();
+const slope = new Vector3();
+/** m: between the points that a shadow's slope is taken from. */
+const SLOPE_SPAN = 4;
+
+/** Down-sun from the ship to the ground: two steps find it well enough on anything but a cliff. */
+function throwShadow({ parts, rig, groundY }: SceneState, { place, height }: ShipActor): void {
+  const sun = parts.light.direction;
+  let [x, z] = [place[0]!, place[2]!];
+  for (let n = 0; n < 2; n++) {
+    const way = (place[1]! - groundY(x, z)) / Math.max(sun.y, 0.05);
+    x = place[0]! - sun.x * way;
+    z = place[2]! - sun.z * way;
+  }
+  down.set(x, groundY(x, z), z);
+  const rise = (dx: number, dz: number) =>
+    (groundY(x + dx, z + dz) - groundY(x - dx, z - dz)) / (2 * SLOPE_SPAN);
+  slope.set(-rise(SLOPE_SPAN, 0), 1, -rise(0, SLOPE_SPAN)).normalize();
+  parts.shadows.put(place, down, slope, rig.eye, height);
+}

@@ -1,0 +1,260 @@
+import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
+import { createDice, type Dice, NETWORK_PRESETS, type NetworkPreset } from '../../../src/scenarios';
+import {
+  createFaultyLine,
+  type FaultyLine,
+  type FaultyLineOptions,
+  instantOf,
+} from '../../prediction/faultyLine';
+import { type Figure, spread } from './figure';
+import { createLeastRoundTrip, type LeastRoundTrip, serverTimeBy, takeAnswer } from './leastRoundTrip';
+
+const RUNS = 200;
+const SEED = 2026;
+/** Before the fault, s; and after it, beyond the second or two ticks that are allowed. */
+const BEFORE = 8;
+const AFTER = 10;
+/** How long it is watched that nothing happens to, beyond the time that is measured, s. */
+const TWIN = 20;
+/** Off by more than this is not right, s (PREDICTION, second edition, section 1). */
+const WITHIN = 0.05;
+const WITHIN_ON_LAN = 0.01;
+const RATES = [0.1, 0.25, 1, 5, 20];
+const DRIFT = 5e-4;
+const COARSE = 0.1;
+/** Interval and lead aside, a state confirms for this long, s. */
+const CONFIRMS = 0.05;
+
+type Fault = (line: FaultyLine, seconds: number) => void;
+
+const FAULTS: Readonly<Record<string, Fault>> = {
+  'link held up': hold('up'),
+  'link held down': hold('down'),
+  'link held': hold('both'),
+  'page frozen': (line, seconds) => {
+    line.freezePage(seconds);
+  },
+  'now put on': shiftNow(1),
+  'now put back': shiftNow(-1),
+  'server standing, pings answered': pause(true),
+  'server standing': pause(false),
+  'server restarted': (line) => {
+    line.restartServer(0);
+  },
+};
+
+function hold(ways: 'up' | 'down' | 'both'): Fault {
+  return (line, seconds) => {
+    line.holdLink(seconds, ways);
+    line.run(seconds);
+  };
+}
+
+function pause(answers: boolean): Fault {
+  return (line, seconds) => {
+    line.pauseServer(seconds, answers);
+    line.run(seconds);
+  };
+}
+
+function shiftNow(sign: number): Fault {
+  return (line, seconds) => {
+    const { pageClock } = line;
+    line.pageClock = (now) => pageClock(now) + sign * seconds;
+  };
+}
+
+/** What one fault came to. */
+interface Outcome {
+  readonly fault: string;
+  /** s after things went on until the last frame that was not right; 0 where all were. */
+  rightAfter: number;
+  /** Worst from a second or two ticks on: instant drawn, s off what it was before. */
+  worstOff: number;
+  worstKey: number;
+  falselyConfirmed: number;
+  /** The yardstick's. */
+  yardstickRightAfter: number;
+  yardstickOff: number;
+  /** s that are allowed until it is right. */
+  readonly allowed: number;
+  readonly tolerance: number;
+}
+
+/** Stalls, freezes, jumps, pauses, restarts, drift and coarse clocks, drawn at random: how soon all is right again. */
+export function* faultFigures(): Generator<Figure> {
+  const dice = createDice(SEED);
+  const outcomes = Array.from({ length: RUNS }, () => runFault(dice));
+  const late = outcomes.map(({ rightAfter, allowed }) => Math.max(0, rightAfter - allowed));
+  const lateYardstick = outcomes.map(({ yardstickRightAfter, allowed }) =>
+    Math.max(0, yardstickRightAfter - allowed),
+  );
+  const note = `${RUNS} faults, seed ${SEED}; worst: ${worstOf(outcomes, late)}`;
+  const ours = spread(late);
+  const theirs = spread(lateYardstick);
+  yield {
+    ...{ name: 'faults: wrong for longer than 1 s or two ticks', unit: 's', ...ours, note },
+    ...{ target: 'p95 0', met: ours.p95 === 0 },
+  };
+  yield {
+    ...{ name: 'faults: the same of a least-round-trip filter', unit: 's', ...theirs },
+    ...{ target: 'the yardstick', met: true },
+  };
+  yield* comparedFigures(outcomes);
+}
+
+function* comparedFigures(outcomes: readonly Outcome[]): Generator<Figure> {
+  const right = spread(outcomes.map(({ rightAfter }) => rightAfter));
+  const yardstick = spread(outcomes.map(({ yardstickRightAfter }) => yardstickRightAfter));
+  const off = spread(outcomes.map(({ worstOff }) => worstOff * 1000));
+  const offYardstick = spread(outcomes.map(({ yardstickOff }) => yardstickOff * 1000));
+  const key = spread(outcomes.map(({ worstKey }) => worstKey * 1000));
+  const falsely = outcomes.reduce((sum, one) => sum + one.falselyConfirmed, 0);
+  yield {
+    ...{ name: 'faults: seconds until right again', unit: 's', ...right },
+    ...{
+      target: `p50, p99 ≤ the yardstick’s`,
+      met: right.p50 <= yardstick.p50 && right.p99 <= yardstick.p99,
+    },
+    note: `yardstick p50 ${yardstick.p50.toFixed(2)}, p99 ${yardstick.p99.toFixed(2)}, worst ${yardstick.max.toFixed(2)}`,
+  };
+  yield {
+    ...{ name: 'faults: instant drawn, off what it was before', unit: 'ms', ...off },
+    ...{ target: 'p99 ≤ the yardstick’s', met: off.p99 <= offYardstick.p99 },
+    note: `yardstick p50 ${offYardstick.p50.toFixed(1)}, p99 ${offYardstick.p99.toFixed(1)}, worst ${offYardstick.max.toFixed(1)}`,
+  };
+  yield {
+    ...{ name: 'faults: a key’s delay beyond what it was before', unit: 'ms', ...key },
+    ...{ target: 'p99 ≤ 50', met: key.p99 <= 50 },
+  };
+  yield {
+    ...{ name: 'faults: frames confirmed that were not', unit: '', value: falsely },
+    ...{ target: '0', met: falsely === 0 },
+  };
+}
+
+function worstOf(outcomes: readonly Outcome[], late: readonly number[]): string {
+  const worst = late.indexOf(Math.max(...late));
+  return outcomes[worst]!.fault;
+}
+
+function runFault(dice: Dice): Outcome {
+  const pick = <T>(list: readonly T[]): T => list[Math.floor(dice() * list.length)]!;
+  const preset = pick(Object.keys(NETWORK_PRESETS) as NetworkPreset[]);
+  const tickRate = pick(RATES);
+  const drift = pick([0, DRIFT, -DRIFT]);
+  const grain = pick([0, 0, COARSE]);
+  const seconds = 0.3 * 2000 ** dice();
+  const name = pick(Object.keys(FAULTS));
+  const seed = Math.floor(dice() * 1e9);
+  const make = () =>
+    lineAndFilter({ network: NETWORK_PRESETS[preset], tickRate, drift, seed, hello: true }, grain);
+  const allowed = Math.max(1, 2 / tickRate);
+  const tolerance = (preset === 'lan' ? WITHIN_ON_LAN : WITHIN) + grain;
+  const label = `${name} for ${seconds.toFixed(1)} s, ${preset}, ${tickRate} Hz, drift ${drift}, grain ${grain}`;
+  const twin = make();
+  const usual = usualOf(twin.line, twin.filter, allowed + AFTER + TWIN);
+  const { line, filter } = make();
+  const how = { fault: label, happen: FAULTS[name]!, seconds, allowed, tolerance, tickRate, usual };
+  return measure(line, filter, how);
+}
+
+/** A line, and the yardstick that hears the same pongs. */
+function lineAndFilter(
+  options: FaultyLineOptions,
+  grain: number,
+): { readonly line: FaultyLine; readonly filter: LeastRoundTrip } {
+  const filter = createLeastRoundTrip();
+  const onPong = (pinged: number, answered: number, now: number) => {
+    takeAnswer(filter, pinged, answered, now);
+  };
+  const line = createFaultyLine({ ...options, onPong });
+  if (grain > 0) line.pageClock = (now) => Math.floor(now / grain + 1e-9) * grain;
+  return { line, filter };
+}
+
+interface Measuring {
+  readonly usual: Usual;
+  readonly fault: string;
+  readonly happen: Fault;
+  readonly seconds: number;
+  readonly allowed: number;
+  readonly tolerance: number;
+  readonly tickRate: number;
+}
+
+function measure(line: FaultyLine, filter: LeastRoundTrip, how: Measuring): Outcome {
+  const { fault, allowed, tolerance, tickRate } = how;
+  const outcome: Outcome = {
+    ...{ fault, allowed, tolerance, rightAfter: 0, worstOff: 0, worstKey: 0, falselyConfirmed: 0 },
+    ...{ yardstickRightAfter: 0, yardstickOff: 0 },
+  };
+  line.run(Math.max(BEFORE, 3 / tickRate));
+  how.happen(line, how.seconds);
+  const since = line.now;
+  let pressed = line.inputs.length;
+  line.run(allowed + AFTER, (view) => {
+    const after = line.now - since;
+    const off = outside(instantOf(view) - line.serverNow(), how.usual.ours);
+    const filtered = serverTimeBy(filter, line.pageClock(line.now));
+    const offYardstick = outside(filtered - line.serverNow(), how.usual.yardstick);
+    if (!(off <= tolerance)) outcome.rightAfter = after;
+    if (!(offYardstick <= tolerance)) outcome.yardstickRightAfter = after;
+    if (after < allowed) return;
+    outcome.worstOff = Math.max(outcome.worstOff, off);
+    outcome.yardstickOff = Math.max(outcome.yardstickOff, offYardstick);
+    const reach = line.newestFrame + 1 / tickRate + view.diagnosis.lead + CONFIRMS;
+    if (view.own?.provenance === 'confirmed' && instantOf(view) > reach) outcome.falselyConfirmed += 1;
+    pressEachSecond(line, after);
+    for (; pressed < line.inputs.length; pressed++)
+      outcome.worstKey = Math.max(outcome.worstKey, delayOf(line, pressed, tickRate) - how.usual.key);
+  });
+  return outcome;
+}
+
+/** From the least to the most. */
+type Range = readonly [number, number];
+
+/** How far what is drawn, and the yardstick's server time, are ahead of the server where nothing happens. */
+interface Usual {
+  readonly ours: Range;
+  readonly yardstick: Range;
+  /** Of a key, s. */
+  readonly key: number;
+}
+
+function usualOf(line: FaultyLine, filter: LeastRoundTrip, seconds: number): Usual {
+  const ours = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY] as [number, number];
+  const yardstick = [...ours] as [number, number];
+  line.run(Math.max(BEFORE, 3 / line.tickRate));
+  const first = line.inputs.length;
+  const from = line.now;
+  line.run(seconds, (view) => {
+    pressEachSecond(line, line.now - from);
+    widen(ours, instantOf(view) - line.serverNow());
+    widen(yardstick, serverTimeBy(filter, line.pageClock(line.now)) - line.serverNow());
+  });
+  const keys = line.inputs.slice(first).map((_, i) => delayOf(line, first + i, line.tickRate));
+  return { ours, yardstick, key: Math.max(...keys) };
+}
+
+function pressEachSecond(line: FaultyLine, seconds: number): void {
+  line.controls =
+    Math.floor(seconds) % 2 === 0 ? { ...NEUTRAL_CONTROLS, attitudeHold: true } : NEUTRAL_CONTROLS;
+}
+
+function widen(range: [number, number], value: number): void {
+  range[0] = Math.min(range[0], value);
+  range[1] = Math.max(range[1], value);
+}
+
+function outside(value: number, [least, most]: Range): number {
+  return Number.isNaN(value) ? Number.POSITIVE_INFINITY : Math.max(0, value - most, least - value);
+}
+
+/** From the moment it left to the substep at which it acts, server s. */
+function delayOf(line: FaultyLine, index: number, tickRate: number): number {
+  const { record, sentAt } = line.inputs[index]!;
+  const substeps = Math.ceil(100 / tickRate);
+  return record.tick / tickRate + record.substep / substeps / tickRate - sentAt;
+}

@@ -5,7 +5,7 @@ import { requireOptions } from './checks/options';
 import type { EventNotice, WorldView } from './drawn/view';
 import { fillView } from './drawn/worldView';
 import { advanceFrame, place } from './frameLoop';
-import { takeUnsent } from './inputs/inputs';
+import { takeInputs } from './inputs/sending';
 import { createKept, keep, type PredictorSnapshot, restoreSnapshot, snapshotOf } from './lifecycle/snapshot';
 import type { PredictorOptions } from './options';
 import { changeOwnShip, dropShip, expectTeleport, type Removal, resetSession } from './ownership';
@@ -138,9 +138,11 @@ function fillGauges({ counters, clock }: Session): void {
   counters.lead = clock.present - serverTime(clock, clock.updatedAt);
 }
 
-function takeOutgoing({ pings, sim }: Session): ClientMessage[] {
+function takeOutgoing({ pings, sim, sending, advancedAt, counters }: Session): ClientMessage[] {
   const messages: ClientMessage[] = pings.queued.splice(0);
-  const inputs = takeUnsent(sim.inputs);
+  const inputs = takeInputs(sim, sending, advancedAt);
+  counters.pingsDropped = pings.dropped;
+  counters.inputsDropped = sim.inputs.dropped;
   if (inputs.length > 0) messages.push({ kind: 'inputs', inputs });
   return messages;
 }

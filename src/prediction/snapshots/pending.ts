@@ -1,6 +1,6 @@
-import type { PendingMessage, WorldEvent } from '../../wire';
+import type { PendingMessage, ServerMessage, WorldEvent } from '../../wire';
 import type { Session } from '../session';
-import { noteCall, receiveMessage } from './receiveMessage';
+import { noteCall } from './receiveMessage';
 import { refuse } from './receiver';
 
 /**
@@ -8,10 +8,19 @@ import { refuse } from './receiver';
  * are read, so that a page that was hidden for minutes comes back at once.
  */
 export interface PendingFrames {
-  readonly queue: { readonly message: PendingMessage; readonly at: number }[];
+  readonly queue: Waiting[];
   /** Of superseded frames, in their order. */
   readonly events: WorldEvent[];
 }
+
+/** A message and when it came, client wall s. */
+interface Waiting {
+  readonly message: PendingMessage;
+  readonly at: number;
+}
+
+/** What is done with a decoded message. */
+type Receive = (message: ServerMessage, now: number) => void;
 
 /** Frames that wait undecoded: more than come between two display frames of a page that is seen. */
 const MAX_QUEUED = 4;
@@ -23,12 +32,17 @@ export function createPendingFrames(): PendingFrames {
 }
 
 /** A message has arrived at client wall second `now`; a frame waits for `decodePending`, what else it is does not. */
-export function receivePending(session: Session, message: PendingMessage, now: number): void {
+export function receivePending(
+  session: Session,
+  message: PendingMessage,
+  now: number,
+  receive: Receive,
+): void {
   if (!noteCall(session, now)) return;
   const { queue, events } = session.pending;
   if (!message.isFrame) {
-    decodePending(session);
-    decodeOne(session, message, now);
+    decodePending(session, receive);
+    decodeOne(session, { message, at: now }, receive);
     return;
   }
   queue.push({ message, at: now });
@@ -39,13 +53,13 @@ export function receivePending(session: Session, message: PendingMessage, now: n
 }
 
 /** Decodes and receives what waits. */
-export function decodePending(session: Session): void {
+export function decodePending(session: Session, receive: Receive): void {
   const { queue } = session.pending;
   if (queue.length === 0) return;
-  for (const { message, at } of queue.splice(0)) decodeOne(session, message, at);
+  for (const one of queue.splice(0)) decodeOne(session, one, receive);
 }
 
-function decodeOne(session: Session, message: PendingMessage, at: number): void {
+function decodeOne(session: Session, { message, at }: Waiting, receive: Receive): void {
   const decoded = message.decode();
   if (!decoded.ok) {
     refuse(session.sim, decoded.reason);
@@ -54,6 +68,6 @@ function decodeOne(session: Session, message: PendingMessage, at: number): void 
   const events = decoded.value.kind === 'frame' ? session.pending.events.splice(0) : [];
   const { value } = decoded;
   if (value.kind === 'frame' && events.length > 0)
-    receiveMessage(session, { ...value, events: [...events, ...value.events] }, at);
-  else receiveMessage(session, value, at);
+    receive({ ...value, events: [...events, ...value.events] }, at);
+  else receive(value, at);
 }

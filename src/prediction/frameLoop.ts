@@ -38,12 +38,21 @@ export function advanceFrame(session: Session, controls: Controls | null, now: n
   const replayed = runReplays(sim, pace.budget);
   const check = (tick: number) => checkBoundary(session, tick);
   if (due > BACKDATED) stepFront(sim, later(sim, due - BACKDATED), check);
-  if (controls !== null)
+  if (controls !== null && areControls(session, controls))
     sampleControls(sim, pilot, controls, { now, steer: clock.steer, granularity: session.granularity });
   if (due > 0) stepFront(sim, target, check);
   if (replayed < pace.budget) runReplays(sim, pace.budget - replayed);
   place(sim, clock.present);
   announce(session);
+}
+
+/** Whether a plain caller's controls have their members; what is in them is checked when it is sampled. */
+function areControls({ warn }: Session, given: unknown): boolean {
+  const controls = given as Partial<Controls> | undefined;
+  const lists = [controls?.rotationInput, controls?.translationInput, controls?.targetAttitude];
+  if (typeof given === 'object' && lists.every(Array.isArray)) return true;
+  warn('controls-ignored', 'Controls lack members: hand in all of Controls, or null.', { controls });
+  return false;
 }
 
 /** Moves the clock; where the front cannot simply go on, puts it where the present is. Returns where the front is to go. */

@@ -5,7 +5,8 @@ import { beginWorld, type Session } from './session';
 import { forgetAfter } from './simulation/history';
 import { holdSleeping } from './simulation/sleep';
 import type { Simulation } from './simulation/simulation';
-import { removeTrack } from './simulation/track';
+import { startReplay } from './simulation/replay';
+import { copyRow, removeTrack, type Track } from './simulation/track';
 import { loadWorld } from './snapshots/worldConfig';
 import { forgetPings } from './time/pings';
 
@@ -23,12 +24,21 @@ export function changeOwnShip(session: Session, shipId: string): void {
   pilot.last = null;
   pilot.released = null;
   const { fleet } = sim;
-  if (fleet.own !== null) {
-    fleet.own.own = false;
-    fleet.own.log = null;
-  }
+  if (fleet.own !== null) giveUp(sim, fleet.own);
   fleet.own = fleet.byId.get(shipId) ?? null;
   if (fleet.own !== null) fleet.own.own = true;
+}
+
+/** Another pilot's from now on, or nobody's: back to the server's word, without what was commanded here. */
+function giveUp(sim: Simulation, track: Track): void {
+  track.own = false;
+  track.log = null;
+  if (track.mode === 'sleeping') {
+    copyRow(sim.fleet.front, track.at, track.serverRow, 0);
+    copyRow(sim.fleet.previous, track.at, track.serverRow, 0);
+  } else if (track.serverTick >= 0 && track.mode !== 'held') {
+    startReplay(track, sim, track.serverTick, track.serverRow, 0);
+  }
 }
 
 /** The ship leaves the list at once. Frames already received do not bring it back; a later one does. */

@@ -5,6 +5,7 @@ import { createDiagnosis } from './diagnosis';
 import type { Diagnosis, EventNotice } from './drawn/view';
 import { createShown, type Shown } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
+import { createSending, type Sending } from './inputs/sending';
 import { BUDGET, defaultWorld, type PredictorOptions } from './options';
 import { createSimulation, type Simulation } from './simulation/simulation';
 import { createGameTimeMeter, forgetGameTime, type GameTimeMeter } from './snapshots/gameTimeMeter';
@@ -26,6 +27,7 @@ export interface Session {
   readonly receiver: Receiver;
   readonly pilot: Pilot;
   readonly pings: Pings;
+  readonly sending: Sending;
   readonly pace: Pace;
   readonly listeners: Set<(notice: EventNotice) => void>;
   readonly meter: GameTimeMeter;
@@ -61,6 +63,7 @@ export function createSession(options: PredictorOptions): Session {
     receiver: createReceiver(clock, options.ownShipId ?? ''),
     pilot: createPilot(),
     pings: createPings(),
+    sending: createSending(),
     pace: createPace(options.maxSubstepsPerFrame ?? BUDGET),
     listeners: new Set(),
     meter: createGameTimeMeter(),

@@ -63,6 +63,16 @@ describe('free fall from 100 km over the Moon', () => {
     expect(Math.abs(error)).toBeLessThan(tolerance);
   });
 
+  // Target 0: Kepler, from 1 km over the Moon and Earth. Bound 1 mm in 10 s.
+  it.each(['Luna', 'Earth'])('is after 10 s over %s where Kepler says, within 1 mm', (name) => {
+    const body = still(name);
+    const trial = createTrial({ body, height: 1000 });
+    const from = lengthOf(vectorAt(trial.ships, POSITION));
+    run(trial, 10);
+    const ideal = fallenTo(from, GRAVITATIONAL_CONSTANT * body.mass, 10);
+    expect(Math.abs(lengthOf(vectorAt(trial.ships, POSITION)) - ideal)).toBeLessThan(1e-3);
+  });
+
   // Target 0.25: the error of a second-order step quarters with it.
   it('comes a quarter as far from it with half the step', () => {
     const errors = [4, 2].map((dt) => {

@@ -1,5 +1,13 @@
 import { describe, expect, it } from 'vitest';
-import { EVENT_LANDED, EVENT_TIPPED, LANDED, SHIP_CLASSES, type ShipClass, TIPPED } from '../../src/dynamics';
+import {
+  EVENT_LANDED,
+  EVENT_TIPPED,
+  LANDED,
+  type Mat3,
+  SHIP_CLASSES,
+  type ShipClass,
+  TIPPED,
+} from '../../src/dynamics';
 import {
   bodyNamed,
   classNamed,
@@ -58,6 +66,68 @@ describe('the tilt of no return', () => {
     (className, bodyName) => {
       const misses = everyWay.map((roll) => missOf(className, bodyName, roll));
       expect(Math.max(...misses)).toBeLessThan(0.022);
+    },
+  );
+
+  /** Moments from equal to eight to one, and a skewed tensor. */
+  const TENSORS: readonly (readonly [string, Mat3])[] = [
+    [
+      'round',
+      [
+        [100e3, 0, 0],
+        [0, 100e3, 0],
+        [0, 0, 100e3],
+      ],
+    ],
+    [
+      'two to one',
+      [
+        [160e3, 0, 0],
+        [0, 80e3, 0],
+        [0, 0, 90e3],
+      ],
+    ],
+    [
+      'four to one',
+      [
+        [160e3, 0, 0],
+        [0, 40e3, 0],
+        [0, 0, 150e3],
+      ],
+    ],
+    [
+      'eight to one',
+      [
+        [160e3, 0, 0],
+        [0, 150e3, 0],
+        [0, 0, 20e3],
+      ],
+    ],
+    [
+      'skewed',
+      [
+        [120e3, 25e3, -15e3],
+        [25e3, 80e3, 20e3],
+        [-15e3, 20e3, 60e3],
+      ],
+    ],
+  ];
+
+  // Target: arctan(leg_radius / h), whatever the tensor and in every one of 24 directions. An independent implementation: 0.001°.
+  it.each(TENSORS)(
+    'does not depend on the moments of inertia: %s',
+    { timeout: 120_000 },
+    (_, inertiaTensor) => {
+      const shipClass = { ...LANDER, inertiaTensor };
+      const ideal = Math.atan2(3, 4) * DEGREES;
+      for (let roll = 0; roll < 360; roll += 15) {
+        const ends = [ideal - 0.05, ideal + 0.05].map((tilt) => {
+          const trial = letGo('Luna', shipClass, tilt, roll);
+          run(trial, 300, settled);
+          return see(trial).state;
+        });
+        expect([roll, ...ends]).toEqual([roll, LANDED, TIPPED]);
+      }
     },
   );
 

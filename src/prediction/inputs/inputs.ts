@@ -19,6 +19,8 @@ export interface Inputs {
   applied: number;
   /** Records cut off: of a lost connection, never acknowledged. */
   lostUpTo: number;
+  /** Records that nobody took, so that they had to go: MAX_RECORDS. */
+  dropped: number;
 }
 
 /** Controls from the start of a substep on, known to client and server beforehand. */
@@ -46,7 +48,16 @@ const LOST_AFTER = 2;
 const CONTROL_TOLERANCE = 1e-6;
 
 export function createInputs(plan: readonly ScheduledInput[] = []): Inputs {
-  return { plan, records: [], unsent: 0, nextSeq: 1, acknowledges: false, applied: 0, lostUpTo: 0 };
+  return {
+    plan,
+    records: [],
+    unsent: 0,
+    nextSeq: 1,
+    acknowledges: false,
+    applied: 0,
+    lostUpTo: 0,
+    dropped: 0,
+  };
 }
 
 /** Stores `controls`, checked already, from (tick, substep) on. */
@@ -62,19 +73,41 @@ export function store(
   const early = last !== undefined && isBefore(stamp.tick, stamp.substep, last.tick, last.substep);
   const tick = early ? last.tick : stamp.tick;
   const substep = early ? last.substep : stamp.substep;
+  // Not sent yet, and for the same moment: the newer one counts, under the same number.
+  if (
+    last !== undefined &&
+    inputs.unsent < inputs.records.length &&
+    last.tick === tick &&
+    last.substep === substep
+  ) {
+    const replaced = { ...last, record: { ...last.record, controls } };
+    inputs.records[inputs.records.length - 1] = replaced;
+    return replaced;
+  }
   const record: InputRecord = { seq: inputs.nextSeq++, tick, substep, controls };
   const stored: StoredInput = { record, tick, substep, sampledAt, steer };
   inputs.records.push(stored);
-  if (inputs.records.length > MAX_RECORDS) drop(inputs, 1);
+  if (inputs.records.length > MAX_RECORDS) {
+    if (inputs.unsent === 0) inputs.dropped += 1;
+    drop(inputs, 1);
+  }
   return stored;
 }
 
-/** The records that have not been sent; they count as sent from now on. */
-export function takeUnsent(inputs: Inputs): InputRecord[] {
-  const records = inputs.records.slice(inputs.unsent).map((stored) => stored.record);
-  inputs.unsent = inputs.records.length;
-  return records;
+/** The records that have not been sent, but for those that `waits` says may be replaced yet; they count as sent from now on. */
+export function takeUnsent(
+  inputs: Inputs,
+  waits: (stored: StoredInput) => boolean = sendsAll,
+): InputRecord[] {
+  const { records } = inputs;
+  const newest = records.at(-1);
+  const held = newest !== undefined && inputs.unsent < records.length && waits(newest) ? 1 : 0;
+  const sent = records.slice(inputs.unsent, records.length - held).map((stored) => stored.record);
+  inputs.unsent = records.length - held;
+  return sent;
 }
+
+const sendsAll = (): boolean => false;
 
 /** A new connection: what was never acknowledged may never have arrived, and is sent again as stored. */
 export function resend(inputs: Inputs): void {

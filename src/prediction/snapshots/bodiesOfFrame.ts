@@ -6,6 +6,9 @@ import { spunMotion } from './bodySpin';
 import { boundaryAt, startBodiesAt, updateBodies } from './bodyTrack';
 import type { Receiver } from './receiver';
 
+/** Ticks over which the law carries bodies on only to compare them. */
+const MAX_CARRIED = 64;
+
 /** Where the bodies are at a frame's tick, by the server and as predicted. */
 export interface BodiesOfFrame {
   readonly bodies: Float64Array;
@@ -22,11 +25,14 @@ export function bodiesOfFrame(sim: Simulation, receiver: Receiver, frame: Server
   const { tick } = frame;
   if (sim.newestTick === tick && receiver.startsBodies) startBodiesAt(sim.bodies, tick);
   receiver.startsBodies = false;
+  const lastTick = receiver.lastBodies.tick;
   const motions = areOld(sim, receiver, frame) ? null : motionsOf(sim, frame);
   if (motions === null) {
     const bodies = boundaryAt(sim.bodies, sim.timeline, tick);
     return { bodies, predictedBodies: bodies, turned: 0 };
   }
+  // What the law comes to at this tick, to be compared.
+  if (tick - lastTick <= MAX_CARRIED && lastTick >= 0) boundaryAt(sim.bodies, sim.timeline, tick);
   const error = updateBodies(sim.bodies, tick, spun(sim, tick, motions));
   if (error.attitude > 0 || error.spin > 0) {
     sim.counters.correctionsBody += 1;

@@ -24,7 +24,12 @@ export function completeFrame(
   const held = sim.timeline.spans.length === 0 ? null : spanOf(sim.timeline, sim.newestTick);
   const tickRate = given.tickRate ?? held?.tickRate ?? tellDefault(sim, 'tickRate', 1);
   const told = given.timeScale ?? null;
-  const known = { ...given, tickRate, ships: listOf(given.ships), bodies: listOf(given.bodies) };
+  const known = {
+    ...given,
+    tickRate,
+    ships: recordsOf(sim, 'ships', given.ships),
+    bodies: recordsOf(sim, 'bodies', given.bodies),
+  };
   const timeScale = measureGameTime(meter, known, told) ?? told ?? tellDefault(sim, 'timeScale', 1);
   const timing = loadTiming(tickRate, timeScale, sim.world.settings);
   if (!timing.ok) return err(`frame.${timing.reason}`);
@@ -32,7 +37,7 @@ export function completeFrame(
     ...known,
     timeScale,
     paused: given.paused ?? false,
-    events: listOf(given.events),
+    events: recordsOf(sim, 'events', given.events),
     lastInput: acknowledgementOf(sim, given),
   });
 }
@@ -45,8 +50,18 @@ function tellDefault({ warn }: Simulation, name: string, value: number): number 
   return value;
 }
 
-function listOf<T>(value: readonly T[] | undefined | null): readonly T[] {
-  return Array.isArray(value) ? (value as readonly T[]) : [];
+/** A list of records; what is no record is left out and counted. */
+function recordsOf<T>(sim: Simulation, name: string, value: readonly T[] | undefined | null): readonly T[] {
+  if (!Array.isArray(value)) return [];
+  const list = value as readonly T[];
+  if (list.every(isRecord)) return list;
+  sim.counters.shipsRefused += 1;
+  sim.counters.lastRefusal = `frame.${name}: expected records`;
+  return list.filter(isRecord);
+}
+
+function isRecord(value: unknown): boolean {
+  return typeof value === 'object' && value !== null;
 }
 
 /** The acknowledgement, or null where there is none or where it cannot be: nothing is applied after its own frame. */

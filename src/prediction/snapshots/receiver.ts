@@ -69,6 +69,7 @@ export function forgetPast(receiver: Receiver): void {
   receiver.removed.clear();
   receiver.startsBodies = true;
   receiver.lastBodies.bodies = [];
+  receiver.lastBodies.tick = -1;
 }
 
 /** A complete frame of the world that is simulated: classified, counted, and where it can be used compared with what was predicted. */

@@ -6,6 +6,8 @@ export interface Pings {
   nextAt: number;
   readonly sentAt: Float64Array;
   readonly queued: Ping[];
+  /** Left out because nobody took them. */
+  dropped: number;
   /** When a ping was last answered, client wall s. */
   answeredAt: number;
 }
@@ -14,6 +16,8 @@ export interface Pings {
 const EVERY = 0.2;
 const FIRST_EVERY = 0.05;
 const FIRST = 8;
+/** Pings that wait to be sent; a host that never takes them gets no more. */
+const MAX_QUEUED = 4;
 /** Pings that can be on their way. */
 const LENGTH = 256;
 
@@ -23,6 +27,7 @@ export function createPings(): Pings {
     nextAt: Number.NEGATIVE_INFINITY,
     sentAt: new Float64Array(LENGTH).fill(Number.NaN),
     queued: [],
+    dropped: 0,
     answeredAt: Number.NEGATIVE_INFINITY,
   };
 }
@@ -33,6 +38,10 @@ export function pingIfDue(pings: Pings, now: number): void {
   const id = pings.nextId++;
   pings.sentAt[id % LENGTH] = now;
   pings.queued.push({ kind: 'ping', id });
+  if (pings.queued.length > MAX_QUEUED) {
+    pings.queued.shift();
+    pings.dropped += 1;
+  }
   pings.nextAt = now + (id <= FIRST ? FIRST_EVERY : EVERY);
 }
 

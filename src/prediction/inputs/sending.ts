@@ -1,0 +1,53 @@
+import type { InputRecord } from '../../wire';
+import type { Simulation } from '../simulation/simulation';
+import { indexOf, spanOf } from '../time/timeline';
+import { type StoredInput, takeUnsent } from './inputs';
+
+/**
+ * What of own inputs is sent when. A server of whole ticks applies one record a tick, so that a throttle that is dragged makes many
+ * records of one stamp: the first is sent at once, later ones replace each other and are sent now and then, and in any case before
+ * the stamp is due.
+ */
+export interface Sending {
+  /** Stamp of the newest record that was sent, and when, client wall s. */
+  tick: number;
+  substep: number;
+  at: number;
+}
+
+/** Least time between two records of one stamp, s: usually, and when the stamp is due soon. */
+const SELDOM = 0.5;
+const OFTEN = 0.05;
+/** How long before it is due a stamp is due soon, s; and when nothing waits any more: two display frames. */
+const SOON = 0.1;
+const AT_ONCE = 0.035;
+
+export function createSending(): Sending {
+  return { tick: -1, substep: 0, at: Number.NEGATIVE_INFINITY };
+}
+
+/** The records that are to be sent at client wall second `now`. */
+export function takeInputs(sim: Simulation, sending: Sending, now: number): InputRecord[] {
+  const records = takeUnsent(sim.inputs, (stored) => waits(sim, sending, stored, now));
+  const newest = records.at(-1);
+  if (newest !== undefined) {
+    sending.tick = newest.tick;
+    sending.substep = newest.substep;
+    sending.at = now;
+  }
+  return records;
+}
+
+function waits(sim: Simulation, sending: Sending, { record }: StoredInput, now: number): boolean {
+  if (record.tick !== sending.tick || record.substep !== sending.substep) return false;
+  const due = wallUntil(sim, record);
+  if (due <= AT_ONCE) return false;
+  return now - sending.at < (due <= SOON ? OFTEN : SELDOM);
+}
+
+/** Wall s until the front reaches a stamp. */
+function wallUntil({ timeline, front }: Simulation, { tick, substep }: InputRecord): number {
+  const substeps = indexOf(timeline, tick, substep) - indexOf(timeline, front.tick, front.substep);
+  const { timing, timeScale } = spanOf(timeline, front.tick);
+  return (substeps * timing.dt) / timeScale;
+}

@@ -1,0 +1,44 @@
+/** The Python tests of this folder, each file in a process of its own; those that talk to Redis start one for themselves. */
+import { spawn } from 'node:child_process';
+import { fileURLToPath } from 'node:url';
+import { expect } from 'vitest';
+import { redisServer, servicePython } from '../../.ci/python.mjs';
+import { MAY_SKIP } from '../exact/python';
+
+export const HERE = fileURLToPath(new URL('.', import.meta.url));
+
+/** Whether what a test needs is not on this machine, where tests may be skipped: in CI nothing is. */
+export function isMissing(what: 'python' | 'redis'): boolean {
+  if (!MAY_SKIP) return false;
+  try {
+    servicePython();
+    if (what === 'redis') redisServer();
+    return false;
+  } catch (error) {
+    console.warn(`skipped: ${error instanceof Error ? error.message : String(error)}`);
+    return true;
+  }
+}
+
+/** Runs a module's tests; expects that there are some, that none is skipped and all pass. */
+export async function expectUnittest(module: string): Promise<void> {
+  const { code, words } = await unittest(module);
+  expect(code, words).toBe(0);
+  // "Ran 0 tests" would pass as well.
+  expect(words).toMatch(/Ran [1-9]\d* tests? in/);
+  expect(words).not.toContain('skipped');
+}
+
+function unittest(module: string): Promise<{ code: number | null; words: string }> {
+  return new Promise((resolve, reject) => {
+    const { command, env } = servicePython();
+    const child = spawn(command, ['-B', '-m', 'unittest', module], { cwd: HERE, env });
+    const said: Buffer[] = [];
+    child.stdout.on('data', (chunk: Buffer) => said.push(chunk));
+    child.stderr.on('data', (chunk: Buffer) => said.push(chunk));
+    child.on('error', reject);
+    child.on('close', (code) => {
+      resolve({ code, words: Buffer.concat(said).toString() });
+    });
+  });
+}

@@ -2,7 +2,9 @@ import {
   ANGULAR_VELOCITY,
   ATTITUDE,
   CRASHED,
+  flatTerrain,
   FUEL,
+  GROUND_CONTACT_OFFSET,
   IMPACT_SPEED,
   NEUTRAL_CONTROLS,
   POSITION,
@@ -16,6 +18,7 @@ import {
   VELOCITY,
   type World,
   WHEEL_MOMENTUM,
+  writeGroundNormal,
 } from '../../dynamics';
 import { relax } from './ease';
 import { fillGhost } from './ghost';
@@ -64,6 +67,8 @@ export function createShipView(track: Track, world: World): ShipView {
     controls: NEUTRAL_CONTROLS,
     thrust: vectors(),
     groundRadius: 0,
+    groundNormal: vectors(),
+    groundContactOffset: 0,
     groundOffset: 0,
     groundConfidence: 0,
     carried: '',
@@ -116,6 +121,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.crashed = rows[from + CRASHED] === 1;
   out.body = rows[from + REFERENCE_BODY]!;
   out.shipClass = scene.world.shipClasses[rows[from + SHIP_CLASS]!]!;
+  out.groundContactOffset = rows[from + GROUND_CONTACT_OFFSET]!;
   out.name = track.name;
   out.carried = track.fit.carried;
   out.carriedStates = track.fit.states;
@@ -214,7 +220,7 @@ const drawn: GroundPose = { ...pose(), grounded: false, groundOffset: 0 };
 const turn = quaternion();
 
 /** The ground under the ship, as the server has it by what was learned, and how far that is above the drawn one. */
-function fillGround(out: ShipView, track: Track, { world, ground, at }: Scene): void {
+function fillGround(out: ShipView, track: Track, { world, ground, at, bodyAttitudes }: Scene): void {
   const body = world.bodies[out.body]!;
   const { picture } = track;
   const { places } = track.ground;
@@ -222,6 +228,7 @@ function fillGround(out: ShipView, track: Track, { world, ground, at }: Scene): 
   ground.bodyName = body.name;
   ground.radius = body.radius;
   out.groundRadius = groundRadius(ground, nx, ny, nz);
+  fillGroundNormal(out, world, bodyAttitudes[out.body]!);
   out.groundOffset = 0;
   out.groundConfidence = 0;
   drawn.groundOffset = 0;
@@ -235,6 +242,27 @@ function fillGround(out: ShipView, track: Track, { world, ground, at }: Scene): 
   drawn.groundOffset = picture.groundOffset;
 }
 
+/** The slope is looked for where the ship's feet are nearer to the ground than this, m. */
+const SLOPE_HEIGHT = 100;
+
+function fillGroundNormal(out: ShipView, world: World, bodyAttitude: Float64Array): void {
+  const feet = lengthOf(seen.position) - out.groundRadius - out.groundContactOffset;
+  if (world.settings.surfaceNormal !== 'terrain' || feet > SLOPE_HEIGHT) {
+    rotate(out.groundNormal, bodyAttitude, normal);
+    return;
+  }
+  const { name, radius } = world.bodies[out.body]!;
+  under.bodyName = name;
+  under.radius = radius;
+  under.legRadius = out.shipClass.legRadius;
+  under.terrainHeight = world.terrainHeight;
+  writeGroundNormal(slope, normal, under);
+  rotate(out.groundNormal, bodyAttitude, slope);
+}
+
+const slope = vector();
+const under = { bodyName: '', radius: 1, legRadius: 1, terrainHeight: flatTerrain };
+
 /** 1/s */
 const OFFSET_RATE = 10;
 
@@ -245,12 +273,11 @@ function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): 
   const surface = out.groundRadius - out.groundOffset;
   const above = lengthOf(drawn.position) - surface;
   // No part of the ship reaches as far as twice its height: nothing is under it.
-  const reach =
-    FAR * (shipClass.groundContactOffset + Math.abs(out.groundOffset) * REACH) + shipClass.legRadius;
+  const reach = FAR * (out.groundContactOffset + Math.abs(out.groundOffset) * REACH) + shipClass.legRadius;
   if (above > reach) {
     for (let k = 0; k < 3; k++) out.meshPosition[k] = out.easedPosition[k]!;
     for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = 0;
-    out.feetHeight = lengthOf(seen.position) - out.groundRadius - shipClass.groundContactOffset;
+    out.feetHeight = lengthOf(seen.position) - out.groundRadius - out.groundContactOffset;
     return exactly;
   }
   drawn.grounded = out.surfaceContactState !== '';

@@ -79,9 +79,9 @@ function act(link: Link, message: GameMessage): void {
   const { handlers } = link;
   switch (message.kind) {
     case 'welcome':
-      if (link.driver.state().phase !== 'authenticating') return;
+      // A later one tells what has changed: another ship.
       link.driver.happen({ kind: 'welcome' });
-      handlers.onWelcome?.(asObject(message.about));
+      if (link.driver.state().phase === 'live') handlers.onWelcome?.(asObject(message.about));
       break;
     case 'state':
       takeState(link, message.frame);

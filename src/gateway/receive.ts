@@ -1,9 +1,9 @@
 import type { InputRecord, WorldEvent } from '../wire';
 import { type Client, countExcess, dismiss } from './client';
-import { type Place, shipOf } from './gateway';
+import type { Place } from './gateway';
 import { CLOSE, take } from './limits';
-import { errorText, helloBytes, pongBytes, readBytes, readText, type Said, welcomeText } from './speech';
-import { helloFor, tellOne } from './tell';
+import { errorText, pongBytes, readBytes, readText, type Said } from './speech';
+import { sayHello, tellOne } from './tell';
 
 /** A message of a client, whatever it holds: it can cost its own connection, nothing else. */
 export function receive(place: Place, client: Client, data: Buffer, isBinary: boolean): void {
@@ -68,7 +68,7 @@ async function signIn(
   client.events.push(...missed);
   announce(place, client);
   keepToken(place, client);
-  sayHello(place, client, player.username);
+  sayHello(place, client);
   tellOne(place, client);
 }
 
@@ -79,13 +79,6 @@ async function eventsSince({ feed }: Place, since: number): Promise<readonly Wor
   } catch {
     return [];
   }
-}
-
-function sayHello(place: Place, client: Client, username: string): void {
-  const hello = helloFor(place, client);
-  client.shipId = shipOf(place, client.player?.playerId ?? '');
-  if (hello === null) return;
-  client.socket.send(client.protocol === 'json' ? welcomeText(hello, username) : helloBytes(hello));
 }
 
 function announce({ clients }: Place, client: Client): void {

@@ -4,7 +4,7 @@ import { type Client, mayTakeState, remember } from './client';
 import type { Removed, WorldFrame } from './feed';
 import { type Place, shipOf } from './gateway';
 import { NEARBY, shipsInSight } from './interest';
-import { helloBytes } from './speech';
+import { helloBytes, welcomeText } from './speech';
 
 const shares = new WeakMap<WorldFrame, SharedFrame>();
 /** Wall s between two orders of a ship for the same player. */
@@ -37,7 +37,7 @@ export function tellOne(place: Place, client: Client): void {
 }
 
 /** The hello of a client, or null before there is a world. */
-export function helloFor(place: Place, client: Client): Hello | null {
+function helloFor(place: Place, client: Client): Hello | null {
   const newest = place.feed.newest();
   if (place.world === null || newest === null || client.player === null) return null;
   const { tick, tickRate, timeScale, bodies } = newest.frame;
@@ -60,12 +60,12 @@ function tell(place: Place, client: Client, world: WorldFrame): void {
   const shared = sharedOf(world);
   const removed = client.removed.splice(0);
   const events = client.events.splice(0);
+  followShip(place, client);
   if (client.protocol === 'json') {
     tellRemoved(client, removed);
     client.socket.send(shared.json(seen));
     return;
   }
-  followShip(place, client);
   const lastInput = lastInputOf(client, world, own);
   client.socket.send(shared.bytes(seen, eventsInSight(events, frame, seen), lastInput));
 }
@@ -110,13 +110,18 @@ function lastInputOf(
   return { seq, tick, substep, margin };
 }
 
-/** Another ship for the player is told by another hello. */
+/** Another ship for the player is told by another welcome or hello. */
 function followShip(place: Place, client: Client): void {
-  const shipId = shipOf(place, client.player!.playerId);
-  if (shipId === client.shipId) return;
-  client.shipId = shipId;
+  if (shipOf(place, client.player!.playerId) !== client.shipId) sayHello(place, client);
+}
+
+/** What the player, his ship and the world are. */
+export function sayHello(place: Place, client: Client): void {
   const hello = helloFor(place, client);
-  if (hello !== null) client.socket.send(helloBytes(hello));
+  if (hello === null) return;
+  client.shipId = hello.shipId;
+  const { username } = client.player!;
+  client.socket.send(client.protocol === 'json' ? welcomeText(hello, username) : helloBytes(hello));
 }
 
 /** A player without a ship gets one from the hangar. */

@@ -6,7 +6,7 @@ export interface HudAppearance {
   readonly layout?: 'auto' | 'full' | 'compact';
 }
 
-const SMALL_WINDOW = '(max-width: 520px)';
+const SMALL_WINDOW = '(max-width: 32.5em)';
 
 /** A HUD's outermost element with its panel; the sheets read its attributes. */
 export interface HudFrame {

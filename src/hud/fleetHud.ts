@@ -5,8 +5,8 @@ import { createFleetRow, type FleetRowElement } from './fleetRow';
 import type { Hud } from './landingHud';
 import { showPart, showText } from './shown';
 
-/** px; fleet.css gives the rows this height. */
-const ROW_HEIGHT = 28;
+/** rem; fleet.css gives the rows this height. */
+const ROW_HEIGHT = 1.75;
 /** Rows in the DOM at most; a list taller than this shows shows no more of them. */
 const MAX_ROWS = 30;
 
@@ -32,15 +32,17 @@ export function createFleetHud(
   let newest: FleetReadout | null = null;
   let length = -1;
   let sight = 0;
+  /** px */
+  let rowHeight = 28;
   let scrolled = 0;
 
   function paintRows(readout: FleetReadout): void {
     if (readout.count !== length) {
       length = readout.count;
-      list.style.height = `${String(length * ROW_HEIGHT)}px`;
+      list.style.height = `${String(length * ROW_HEIGHT)}rem`;
     }
-    const wanted = Math.min(MAX_ROWS, Math.ceil(sight / ROW_HEIGHT) + 1, length);
-    const first = Math.max(0, Math.min(Math.floor(scrolled / ROW_HEIGHT), length - wanted));
+    const wanted = Math.min(MAX_ROWS, Math.ceil(sight / rowHeight) + 1, length);
+    const first = Math.max(0, Math.min(Math.floor(scrolled / rowHeight), length - wanted));
     while (rows.length < wanted) rows.push(createFleetRow(list, ROW_HEIGHT));
     while (rows.length > wanted) rows.pop()!.element.remove();
     for (let i = 0; i < wanted; i++) rows[i]!.paint(readout.rows[first + i]!, first + i, length);
@@ -48,6 +50,7 @@ export function createFleetHud(
 
   function look(): void {
     sight = scroller.clientHeight;
+    rowHeight = ROW_HEIGHT * rootFontSize(document);
     scrolled = scroller.scrollTop;
     if (newest !== null) paintRows(newest);
   }
@@ -68,6 +71,12 @@ export function createFleetHud(
       dispose();
     },
   };
+}
+
+/** px of a rem. */
+function rootFontSize(document: Document): number {
+  const size = document.defaultView?.getComputedStyle(document.documentElement).fontSize ?? '16px';
+  return parseFloat(size) || 16;
 }
 
 /** `2 tipped`, `1 contact`, …: only statuses that some ship has. */

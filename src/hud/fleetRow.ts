@@ -31,7 +31,7 @@ export function createFleetRow(list: Element, height: number): FleetRowElement {
     paint: (row, index, count) => {
       if (index !== at) {
         at = index;
-        element.style.transform = `translateY(${String(index * height)}px)`;
+        element.style.transform = `translateY(${String(index * height)}rem)`;
         paintPosition(String(index + 1));
       }
       if (count !== size) {

@@ -70,5 +70,5 @@ export { LESSONS } from './missions/lessons';
 export type { Mission, MissionGoal, Pad } from './missions/mission';
 export { flyRun, type RunInput, type RunOutcome, TRACK_RATE, TRACK_STRIDE } from './missions/flyRun';
 export { padPlaces } from './missions/pads';
-export { scoreRun, type Score, type ScoreLine } from './missions/score';
+export { meetsGoal, scoreRun, type Score, type ScoreLine } from './missions/score';
 export { readRun, writeRun } from './missions/runBytes';

@@ -99,7 +99,7 @@ describe('a run', () => {
       track: new Float64Array(0),
     };
     expect(scoreRun(mission, good).total).toBe(1000);
-    expect(scoreRun(mission, { ...good, touchSpeed: 5.5 }).total).toBe(850);
+    expect(scoreRun(mission, { ...good, touchSpeed: 5.5 }).total).toBe(450);
     expect(scoreRun(mission, { ...good, distance: 30 }).total).toBe(750);
     expect(scoreRun(mission, { ...good, hasTipped: true }).total).toBe(850);
     expect(scoreRun(mission, { ...good, outcome: 'unfinished' }).total).toBe(0);

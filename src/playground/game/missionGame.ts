@@ -1,5 +1,5 @@
 import type { WorldView } from '../../prediction';
-import { findMission, LESSONS, type Mission, MISSIONS, type RunInput } from '../../scenarios';
+import { findMission, LESSONS, meetsGoal, type Mission, MISSIONS, type RunInput } from '../../scenarios';
 import type { Action } from '../input/keyTable';
 import type { Choices } from '../panels/choices';
 import type { GoalPanel } from '../panels/goal';
@@ -156,7 +156,7 @@ export function createMissionGame(place: MissionPlace): MissionGame {
       const best = place.best.of(mission);
       const isBest = place.best.keep(run);
       show(
-        `Landed: ${run.score.total} of 1000`,
+        `${meetsGoal(mission, run.outcome) ? 'Landed' : 'Landed too hard'}: ${run.score.total} of 1000`,
         verdict(run, best, rival, isBest),
         [onward(mission), again(), { text: 'Copy race link', cap: '', act: () => share(place, run) }],
         run,

@@ -9,8 +9,8 @@ export const GAUGES = [
   { name: 'clockRate', title: 'Clock rate', unit: '×', scale: 1, digits: 4 },
   { name: 'errorPosition', title: 'Position error', unit: 'm', scale: 1, digits: 3 },
   { name: 'errorAngle', title: 'Attitude error', unit: '°', scale: 180 / Math.PI, digits: 2 },
-  { name: 'offsetPosition', title: 'Correction eased', unit: 'm', scale: 1, digits: 3 },
-  { name: 'offsetAngle', title: 'Correction eased', unit: '°', scale: 180 / Math.PI, digits: 2 },
+  { name: 'offsetPosition', title: 'Position correction', unit: 'm', scale: 1, digits: 3 },
+  { name: 'offsetAngle', title: 'Attitude correction', unit: '°', scale: 180 / Math.PI, digits: 2 },
 ] as const satisfies readonly Gauge[];
 
 export type GaugeName = (typeof GAUGES)[number]['name'];

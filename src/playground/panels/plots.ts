@@ -33,8 +33,7 @@ export function createPlots(host: Element): (samples: Samples) => void {
       state = 'ready';
     } catch {
       waiting.textContent =
-        'The plots could not be fetched: is the network off? The figures hold all the same. ' +
-        'With the network on again, load the page anew.';
+        'The plots did not load. Check the network and reload; the figures work meanwhile.';
     }
   };
 

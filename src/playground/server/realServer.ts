@@ -78,12 +78,18 @@ function createTeller(handlers: ConnectionHandlers) {
 
 function openGame(address: string, token: string, handlers: ConnectionHandlers): Link {
   const teller = createTeller(handlers);
+  /** The present connection has been told of. */
+  let isIn = false;
   const game = createGameConnection(
     { address, token, ...MACHINE },
     {
-      onStatus: teller.status,
+      onStatus(status) {
+        isIn &&= status.phase === 'live';
+        teller.status(status);
+      },
       onWelcome(about) {
-        teller.opened();
+        if (!isIn) teller.opened();
+        isIn = true;
         handlers.onWelcome(about);
       },
       onFrame: (frame, at) => handlers.onMessage(frame, at),

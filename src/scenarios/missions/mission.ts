@@ -29,6 +29,8 @@ export interface Mission {
   readonly isLesson: boolean;
   /** Flown on instruments: the picture is nearly dark. */
   readonly night: boolean;
+  /** Hardest touch that meets the goal, m/s; absent where the goal names none. */
+  readonly touchLimit?: number;
   /** Game seconds and kg of fuel that earn the full marks. */
   readonly parSeconds: number;
   readonly parFuel: number;

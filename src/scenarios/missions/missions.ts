@@ -19,6 +19,7 @@ export const MISSIONS: readonly Mission[] = [
       inputs: [{ at: 0, controls: { thrustLevel: 0.078, attitudeHold: true } }],
     }),
     goal: 'Land by the beacon, softer than 2 m/s.',
+    touchLimit: 2,
     pads: [{ east: 0, north: 0, radius: 30 }],
     parSeconds: 60,
     parFuel: 250,

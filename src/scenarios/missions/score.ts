@@ -3,7 +3,7 @@ import type { Mission } from './mission';
 
 /** One line of a score: what was measured, what it earned, and what earns full marks. */
 export interface ScoreLine {
-  readonly what: 'Touch' | 'Distance' | 'Tilt' | 'Fuel' | 'Time' | 'Tipped over';
+  readonly what: 'Touch' | 'Distance' | 'Tilt' | 'Fuel' | 'Time' | 'Tipped over' | 'Goal missed';
   readonly measured: string;
   readonly points: number;
   readonly most: number;
@@ -25,6 +25,7 @@ const LEANING = 30;
 /** Times the par that earn nothing. */
 const WASTED = 3;
 const TIPPED_PENALTY = -150;
+const GOAL_PENALTY = -400;
 
 /** What a landing was worth: touch speed, distance, tilt, fuel and time, each with its rule. */
 export function scoreRun(mission: Mission, run: RunOutcome): Score {
@@ -71,8 +72,21 @@ export function scoreRun(mission: Mission, run: RunOutcome): Score {
       most: 0,
       rule: 'righted again, but it fell',
     });
+  if (run.outcome === 'landed' && !meetsGoal(mission, run))
+    lines.push({
+      what: 'Goal missed',
+      measured: `${touchSpeed.toFixed(1)} m/s`,
+      points: GOAL_PENALTY,
+      most: 0,
+      rule: `the goal was softer than ${mission.touchLimit!} m/s`,
+    });
   const sum = lines.reduce((total, { points }) => total + points, 0);
   return { total: run.outcome === 'landed' ? Math.max(0, sum) : 0, lines };
+}
+
+/** Landed on every pad, and as softly as the goal says. */
+export function meetsGoal({ touchLimit }: Mission, { outcome, touchSpeed }: RunOutcome): boolean {
+  return outcome === 'landed' && touchSpeed <= (touchLimit ?? Infinity);
 }
 
 interface Rule {

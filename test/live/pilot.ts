@@ -1,0 +1,88 @@
+import { WebSocket } from 'ws';
+import { NEUTRAL_CONTROLS } from '../../src/dynamics';
+import { openServer } from '../../src/playground/server/realServer';
+import { createPredictor, type EventNotice, type Predictor, type WorldView } from '../../src/prediction';
+import type { PartialFrame } from '../../src/wire';
+
+/** A page without its picture: link, predictor and sixty frames a second, on the machine's clock. */
+export interface LivePilot {
+  readonly predictor: Predictor;
+  readonly view: () => WorldView;
+  readonly frames: () => readonly PartialFrame[];
+  readonly notices: readonly EventNotice[];
+  /** The link's words, in order. */
+  readonly words: readonly string[];
+  readonly trouble: readonly string[];
+  /** Calls `look` after each drawn frame until it says true. */
+  readonly fly: (look: (view: WorldView, now: number) => boolean) => Promise<void>;
+  readonly dispose: () => void;
+}
+
+const FRAME = 1000 / 60;
+/** Server frames kept: one flight. */
+const KEPT = 4000;
+
+/** As a browser's: an error is told by its close alone. */
+class PageSocket extends WebSocket {
+  constructor(address: string) {
+    super(address);
+    this.on('error', () => undefined);
+  }
+}
+
+export function startPilot(address: string): LivePilot {
+  (globalThis as { WebSocket: unknown }).WebSocket = PageSocket;
+  const now = () => performance.now() / 1000;
+  const predictor = createPredictor();
+  const notices: EventNotice[] = [];
+  predictor.onEvent((notice) => notices.push(notice));
+  const frames: PartialFrame[] = [];
+  const words: string[] = [];
+  const trouble: string[] = [];
+  const link = openServer(address, {
+    onOpen: () => undefined,
+    onMessage(message) {
+      predictor.receive(message, now());
+      if (message.kind !== 'frame') return;
+      frames.push(message);
+      if (frames.length > KEPT) frames.shift();
+    },
+    onUnusable: (reason) => trouble.push(reason),
+    onClosed: (reason) => trouble.push(reason),
+    onLink: (said) => words.push(said),
+    onWelcome: (about) => predictor.setOwnShip(String(about['ship_id'])),
+    onShipGone: (shipId) => predictor.removeShip(shipId, 'destroyed'),
+    onRefused: (reason) => trouble.push(reason),
+    onStatus: () => undefined,
+    onRun: () => undefined,
+  });
+
+  const looks = new Set<() => void>();
+  const timer = setInterval(() => {
+    predictor.advance(NEUTRAL_CONTROLS, now());
+    for (const message of predictor.takeOutgoing()) link.send(message);
+    for (const look of looks) look();
+  }, FRAME);
+
+  return {
+    predictor,
+    view: () => predictor.view(now()),
+    frames: () => frames,
+    notices,
+    words,
+    trouble,
+    fly: (look) =>
+      new Promise((resolve) => {
+        const check = () => {
+          if (!look(predictor.view(now()), now())) return;
+          looks.delete(check);
+          resolve();
+        };
+        looks.add(check);
+      }),
+    dispose() {
+      clearInterval(timer);
+      link.dispose();
+    },
+  };
+}

@@ -16,7 +16,7 @@ export interface Descent {
   feetHeight: number;
 }
 
-/** The design's limit of the landing HUD, m AGL. */
+/** Height of the feet, m, below which the design shows the descent data. */
 export const DESCENT_CEILING = 50_000;
 
 export function createDescent(): Descent {

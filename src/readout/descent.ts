@@ -17,7 +17,7 @@ export interface Descent {
 }
 
 /** Height of the feet, m, below which the design shows the descent data. */
-export const DESCENT_CEILING = 50_000;
+const DESCENT_CEILING = 50_000;
 
 export function createDescent(): Descent {
   return { shown: false, verticalSpeed: NaN, horizontalSpeed: NaN, timeToImpact: NaN, feetHeight: NaN };

@@ -4,6 +4,8 @@
 export type * from './records';
 /** What a server says, as bytes. */
 export { decodeServerMessage, encodeServerMessage } from './serverMessage';
+/** The same, decoded only when it is wanted. */
+export { type PendingMessage, pendingServerMessage } from './pendingMessage';
 /** A frame for many clients: each ship encoded once. */
 export { encodeCommonPart, encodeOwnPart, encodeShipPart, joinFrameParts } from './frameParts';
 /** What a client says, as bytes. */
@@ -24,12 +26,10 @@ export { textComplaint } from './reading';
 export {
   MAX_BODIES,
   MAX_CLIENT_BYTES,
-  MAX_EVENTS,
   MAX_INPUTS,
   MAX_SERVER_BYTES,
   MAX_SHIP_CLASSES,
   MAX_SHIPS,
-  MAX_SUBSTEPS,
   MAX_TEXT,
   MAX_TICK,
 } from './limits';

@@ -56,6 +56,8 @@ export {
 /** Server truth + own controls -> a pose for now, the states shown and the events. */
 export {
   type Channel,
+  type ClientTerrain,
+  type Connection,
   connectPredictor,
   createPredictor,
   type Defaults,

@@ -2,7 +2,7 @@
 
 /** The whole of it: receive, advance, view. */
 export { createPredictor, type Predictor } from './predictor';
-export type { Defaults, PredictorOptions } from './options';
+export type { ClientTerrain, Defaults, PredictorOptions } from './options';
 /** Why a ship leaves, and what a caller is warned of. */
 export type { Removal } from './ownership';
 export type { Warn } from './warnings';

@@ -28,7 +28,9 @@ export interface FromWorker {
 
 /** What of a Worker, a MessagePort or a worker's own global scope is used. */
 export interface Channel {
+  /** Sends a copy of plain data. */
   postMessage: (message: unknown) => void;
+  /** Called with what comes. */
   onmessage: ((event: { readonly data: unknown }) => void) | null;
 }
 

@@ -1,17 +1,19 @@
+import { flatTerrain, writeGroundNormal } from '../../dynamics';
 import { confidenceOf, offsetAt, placeAt } from '../ground/learnedGround';
 import type { Track } from '../simulation/track';
 import { groundRadius } from './drawnGround';
 import { createGroundedPose, type GroundedPose, snapToGround } from './groundSnap';
 import { hullOf, LEGS } from './hull';
 import { type LevelGround, snapToLevel } from './levelSnap';
-import { lengthOf, rotate } from './rotation';
+import { lengthOf, rotate, vector } from './rotation';
 import type { Scene } from './scene';
 import type { ShipView } from './view';
 
 /** A ship and the ground under it: the one it is predicted on, and the one that is drawn. */
 
 /** The ground under the ship, as the server has it by what was learned, and how far that is above the drawn one. */
-export function fillGround(out: ShipView, track: Track, { world, ground, at, normal, drawn }: Scene): void {
+export function fillGround(out: ShipView, track: Track, scene: Scene): void {
+  const { world, ground, at, normal, drawn } = scene;
   const body = world.bodies[out.body]!;
   const { picture } = track;
   const { places } = track.ground;
@@ -21,6 +23,7 @@ export function fillGround(out: ShipView, track: Track, { world, ground, at, nor
   ground.bodyName = body.name;
   ground.radius = body.radius;
   out.groundRadius = groundRadius(ground, nx, ny, nz);
+  fillGroundNormal(out, scene);
   out.groundOffset = 0;
   out.groundConfidence = 0;
   drawn.groundOffset = 0;
@@ -37,6 +40,29 @@ export function fillGround(out: ShipView, track: Track, { world, ground, at, nor
 /** 1/s */
 const OFFSET_RATE = 10;
 
+/** The slope is looked for where the ship's feet are nearer to the ground than this, m. */
+const SLOPE_HEIGHT = 100;
+
+/** Which way the ground under its feet faces, as the settings have it. */
+function fillGroundNormal(out: ShipView, { world, normal, seen, bodyAttitudes }: Scene): void {
+  const attitude = bodyAttitudes[out.body]!;
+  const feet = lengthOf(seen.position) - out.groundRadius - out.groundContactOffset;
+  if (world.settings.surfaceNormal !== 'terrain' || feet > SLOPE_HEIGHT) {
+    rotate(out.groundNormal, attitude, normal);
+    return;
+  }
+  const { name, radius } = world.bodies[out.body]!;
+  under.bodyName = name;
+  under.radius = radius;
+  under.legRadius = out.shipClass.legRadius;
+  under.terrainHeight = world.terrainHeight;
+  writeGroundNormal(slope, normal, under);
+  rotate(out.groundNormal, attitude, slope);
+}
+
+const slope = vector();
+const under = { bodyName: '', radius: 1, legRadius: 1, terrainHeight: flatTerrain };
+
 /**
  * Puts the mesh on the drawn ground where that is near.
  * @returns whether point by point, or as on level ground
@@ -48,12 +74,11 @@ export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64A
   const surface = out.groundRadius - out.groundOffset;
   const above = lengthOf(drawn.position) - surface;
   // No part of the ship reaches as far as twice its height: nothing is under it.
-  const reach =
-    FAR * (shipClass.groundContactOffset + Math.abs(out.groundOffset) * REACH) + shipClass.legRadius;
+  const reach = FAR * (out.groundContactOffset + Math.abs(out.groundOffset) * REACH) + shipClass.legRadius;
   if (above > reach) {
     for (let k = 0; k < 3; k++) out.meshPosition[k] = out.easedPosition[k]!;
     for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = 0;
-    out.feetHeight = lengthOf(seen.position) - out.groundRadius - shipClass.groundContactOffset;
+    out.feetHeight = lengthOf(seen.position) - out.groundRadius - out.groundContactOffset;
     return exactly;
   }
   drawn.grounded = out.surfaceContactState !== '';

@@ -3,6 +3,7 @@ import {
   ATTITUDE,
   CRASHED,
   FUEL,
+  GROUND_CONTACT_OFFSET,
   IMPACT_SPEED,
   NEUTRAL_CONTROLS,
   POSITION,
@@ -60,6 +61,8 @@ export function createShipView(track: Track, world: World): ShipView {
     controls: NEUTRAL_CONTROLS,
     thrust: vectors(),
     groundRadius: 0,
+    groundNormal: vectors(),
+    groundContactOffset: 0,
     groundOffset: 0,
     groundConfidence: 0,
     carried: '',
@@ -99,6 +102,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.crashed = rows[from + CRASHED] === 1;
   out.body = rows[from + REFERENCE_BODY]!;
   out.shipClass = scene.world.shipClasses[rows[from + SHIP_CLASS]!]!;
+  out.groundContactOffset = rows[from + GROUND_CONTACT_OFFSET]!;
   out.name = track.name;
   out.carried = track.fit.carried;
   out.carriedStates = track.fit.states;

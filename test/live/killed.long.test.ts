@@ -11,23 +11,16 @@ const VICTIMS: readonly (readonly ('service' | 'gateway' | 'redis')[])[] = [
   ['redis', 'service', 'gateway'],
 ];
 const ROUNDS = 20;
+/** ms between two looks at Redis. */
+const POLL = 20;
 
 /** Both ships fall and bounce; `disturb` comes while the first is on its way up or down again. */
-async function bounce(
-  operator: Operator,
-  pilots: readonly LivePilot[],
-  disturb: () => Promise<void>,
-): Promise<ShipEvent[][]> {
+async function bounce(operator: Operator, disturb: () => Promise<void>): Promise<ShipEvent[][]> {
   const before = (await operator.frame()).tick;
   for (const name of ['one', 'two']) await operator.drop(name, 5, 12);
   await untilFrame(operator, ({ tick, state }) => tick > before && state === 'contact');
   await disturb();
   await untilFrame(operator, ({ tick, state }) => tick > before && state === 'landed');
-  await Promise.all(
-    pilots.map((pilot) =>
-      pilot.fly((view) => view.own?.shownState === 'landed' && view.own.provenance === 'confirmed'),
-    ),
-  );
   const all = await Promise.all(['one', 'two'].map((name) => operator.eventsOf(`ship-${name}`)));
   return all.map((events) => events.filter(({ tick }) => tick >= before));
 }
@@ -41,7 +34,7 @@ async function untilFrame(
     const { tick, ships } = await operator.frame().catch(() => ({ tick: -1, ships: [] }));
     const states = ships.map((ship) => String(ship['surface_contact_state']));
     if (states.length === 2 && states.every((state) => met({ tick, state }))) return;
-    await new Promise((resolve) => setImmediate(resolve));
+    await new Promise((resolve) => setTimeout(resolve, POLL));
   }
 }
 
@@ -63,29 +56,25 @@ it(`tells every event once and loses no ship through ${ROUNDS} kills in mid-boun
       pilots.push(startPilot(await operator.addressOf(name, 'stream')));
     }
     await untilFrame(operator, ({ state }) => state === 'landed');
-    const undisturbed = (await bounce(operator, pilots, () => Promise.resolve())).map(types);
+    const undisturbed = (await bounce(operator, () => Promise.resolve())).map(types);
     expect(undisturbed[0]).toEqual(expect.arrayContaining(['ship.contact', 'ship.landed']));
     for (let round = 0; round < ROUNDS; round++) {
       const victims = VICTIMS[round % VICTIMS.length]!;
-      const events = await bounce(operator, pilots, () => restart(victims.map((name) => stack[name])));
+      const events = await bounce(operator, () => restart(victims.map((name) => stack[name])));
       const said = `round ${round}, ${victims.join(' and ')}`;
       expect(events.map(types), said).toEqual(undisturbed);
       for (const list of events)
         expect(new Set(list.map((event) => JSON.stringify(event))).size, said).toBe(list.length);
+      const { ships } = await operator.frame();
       expect(
-        pilots.map((pilot) => pilot.view().own?.shipId),
+        ships.map((ship) => ship['ship_id']),
         said,
       ).toEqual(['ship-one', 'ship-two']);
     }
-    const twice = pilots.flatMap(({ notices }) =>
-      notices
-        .filter(({ kind }) => kind === 'confirmed')
-        .map(({ type, shipId, tick, substep }) => `${shipId} ${type} ${tick} ${String(substep)}`),
-    );
-    console.log(
-      `pilots heard ${twice.length} confirmed events, ${new Set(twice).size} of them different; retracted: ${pilots.map(({ notices }) => notices.filter(({ kind }) => kind === 'retracted').length).join(', ')}`,
-    );
-    expect(new Set(twice).size).toBeGreaterThan(0);
+    for (const pilot of pilots) {
+      await pilot.fly((view) => view.own?.shownState === 'landed' && view.own.provenance === 'confirmed');
+      expect(pilot.trouble).toEqual([]);
+    }
   } finally {
     for (const pilot of pilots) pilot.dispose();
     await operator.stop();

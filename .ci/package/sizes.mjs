@@ -9,7 +9,7 @@ import { root, tool } from './tools.mjs';
 export const USES = [
   {
     name: 'predictor, JSON, readouts',
-    most: 44,
+    most: 62,
     code: `export { createPredictor, decodeFrameJson, decodeHelloJson, encodeControlsJson, createLandingReadout, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`,
     without: ['createElement', 'discardUnknown', 'WebGL'],
   },
@@ -19,7 +19,7 @@ export const USES = [
     code: `export { createCockpitLandingHud, createFleetHud } from 'galaxy-touchdown/hud';`,
     without: ['discardUnknown', 'angularVelocity', 'WebGL'],
   },
-  { name: 'their style sheet', most: 4, file: 'hud.css', without: [] },
+  { name: 'their style sheet', most: 5, file: 'hud.css', without: [] },
   {
     name: 'protobuf messages',
     most: 30,
@@ -73,6 +73,9 @@ export async function measure(folder) {
   return rows;
 }
 
+/** Share by which the table may be off: a change of a line is no reason to write it anew. */
+const SLACK = 0.05;
+
 /** Row of README.md's table of sizes: `| name | 12.3 kB |`. */
 function toldSize(readme, name) {
   const row = readme.split('\n').find((line) => line.startsWith(`| ${name} `));
@@ -93,7 +96,7 @@ export async function checkSizes(folder) {
   for (const { name, most, size } of rows) {
     if (size > most * 1000) throw new Error(`${name}: ${size} bytes gzipped, expected at most ${most} kB`);
     const told = toldSize(readme, name);
-    if (!(Math.abs(told * 1000 - size) <= 500))
+    if (!(Math.abs(told * 1000 - size) <= Math.max(500, SLACK * size)))
       throw new Error(`${name}: README.md says ${told} kB, measured ${(size / 1000).toFixed(1)} kB`);
   }
   return rows.map(({ name, size }) => `${name} ${(size / 1000).toFixed(1)} kB`).join(', ');

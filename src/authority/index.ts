@@ -8,7 +8,7 @@ export { type Counters, MAX_QUEUED } from './pilots';
 /** Ships as they are put into a world. */
 export { type SpawnOrder } from './roster';
 /** A row as the wire's record. */
-export { type ShipIdentity, type ShipPlace, toBodyStates, toShipState } from './shipState';
+export { type ShipIdentity, type ShipPlace } from './shipState';
 export { type Tempo } from './tempo';
 /** Rotations of plain tuples, exact. */
 export { add, compose, cross, inverse, rotate } from './rotation';

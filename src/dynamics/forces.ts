@@ -26,7 +26,7 @@ import {
 } from './quantities';
 
 /** k / m, s⁻²: the contact spring (DYNAMICS, Normal force). */
-export const STIFFNESS = 100;
+const STIFFNESS = 100;
 /** c / m of critical damping, s⁻¹: 2 √(k/m). */
 const CRITICAL_DAMPING = 20;
 /** Static friction holds below 1 cm/s, m²/s²: a slide, however slow, is not stopped dead by the stronger of the two frictions. */

@@ -2,7 +2,7 @@
  * FNV-1a over the bytes of doubles, 32 bits, little-endian on every machine: one number for a trajectory's bits.
  * Chain calls with the last result; start with FNV_OFFSET.
  */
-export const FNV_OFFSET = 0x811c9dc5;
+const FNV_OFFSET = 0x811c9dc5;
 
 export function hashRows(rows: Float64Array, hash: number = FNV_OFFSET): number {
   let h = hash;

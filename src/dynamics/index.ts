@@ -41,6 +41,8 @@ export { substep } from './substep';
 /** The step of a world, and how ticks are cut. */
 export { beginTick, endTick, loadTiming, stepWorld, type Timing, timingOfTick } from './tick';
 export type { TerrainHeight, World } from './world';
+/** Which way the ground faces under a ship's feet. */
+export { type GroundUnderShip, writeGroundNormal } from './groundNormal';
 /** Re-choosing the reference body at a tick's start. */
 export { chooseReferenceBody } from './referenceBody';
 /** Sine and cosine with the same bits everywhere, for configuration and scenarios. */

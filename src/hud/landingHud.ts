@@ -29,7 +29,7 @@ export interface LandingHudOptions extends HudAppearance {
 }
 
 /**
- * Creates the cockpit's landing HUD and appends it to `host`, which may be a shadow root (HUD, the design and beyond it).
+ * Creates the cockpit's landing HUD and appends it to `host`, which may be a shadow root (HUD, The landing HUD).
  * Its style sheet is hud.css: link it where the host is, in the shadow root if it is one. Nothing here needs more of a content
  * security policy than `default-src 'self'`.
  */

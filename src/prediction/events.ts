@@ -32,7 +32,7 @@ export interface LedgerEntry {
 }
 
 /** Substeps within which two events of a type are the same one. */
-export const SAME_EVENT = 50;
+const SAME_EVENT = 50;
 /** Entries kept; of a ship that rattles faster, no more is predicted until some are settled. */
 const MAX_ENTRIES = 64;
 

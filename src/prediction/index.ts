@@ -2,7 +2,7 @@
 
 /** The whole of it: receive, advance, view. */
 export { createPredictor, type Predictor } from './predictor';
-export type { Defaults, PredictorOptions } from './options';
+export type { ClientTerrain, Defaults, PredictorOptions } from './options';
 /** Why a ship leaves, and what a caller is warned of. */
 export type { Removal } from './ownership';
 export type { Warn } from './warnings';
@@ -15,5 +15,16 @@ export type { Connection } from './time/connection';
 export type { DrawnGround } from './drawn/drawnGround';
 export { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './drawn/groundSnap';
 export { type Hull, hullOf, LEGS } from './drawn/hull';
+/** Told last, as plain data: to go on from elsewhere. */
+export type { PredictorSnapshot } from './lifecycle/snapshot';
+/** A predictor in a worker. */
+export {
+  type Channel,
+  connectPredictor,
+  type FromWorker,
+  type RemotePredictor,
+  servePredictor,
+  type ToWorker,
+} from './lifecycle/remote';
 /** What goes through a predictor, written down and fed again. */
 export { type PredictorEntry, recordPredictor, replayEntries } from './recorder';

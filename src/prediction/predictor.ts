@@ -1,4 +1,4 @@
-import type { Controls } from '../dynamics';
+import type { Controls, Result } from '../dynamics';
 import type { ClientMessage, PartialFrame, ServerMessage } from '../wire';
 import { createChecks } from './checks/checks';
 import { requireOptions } from './checks/options';
@@ -6,6 +6,7 @@ import type { EventNotice, WorldView } from './drawn/view';
 import { fillView } from './drawn/worldView';
 import { advanceFrame, place } from './frameLoop';
 import { takeInputs } from './inputs/sending';
+import { createKept, keep, type PredictorSnapshot, restoreSnapshot, snapshotOf } from './lifecycle/snapshot';
 import type { PredictorOptions } from './options';
 import { changeOwnShip, dropShip, expectTeleport, type Removal, resetSession } from './ownership';
 import { announce, createSession, type Session } from './session';
@@ -41,6 +42,12 @@ export interface Predictor {
   teleported: (shipId: string) => void;
   /** Forgets ships, time, inputs and the clock, as for another server of the same world. The own ship and listeners stay. */
   reset: () => void;
+  /** What was told last, as plain data for JSON.stringify, to go on from after a reload or in a worker. */
+  snapshot: (now: number) => PredictorSnapshot;
+  /** Goes on from a snapshot, as if its frame had come `age` s ago; an error that names the field where it cannot be, and nothing changes. */
+  restore: (snapshot: unknown, now: number) => Result<null>;
+  /** Forgets everything, listeners too; later calls do nothing. */
+  dispose: () => void;
 }
 
 /** Creates a predictor without server state. Throws RangeError, naming the option, where one cannot be used. */
@@ -48,15 +55,19 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
   requireOptions(options);
   const session = createSession(options);
   const checks = createChecks(session);
+  const kept = createKept();
+  let isDisposed = false;
   return {
     receive(message, now) {
+      if (isDisposed) return;
       checks?.receive(message, now);
       receiveMessage(session, message, now);
+      keep(kept, message, now);
     },
     refused: (reason) => refuse(session.sim, reason),
     advance(controls, now) {
       checks?.advance(controls, now);
-      if (!noteCall(session, now)) return;
+      if (isDisposed || !noteCall(session, now)) return;
       pingIfDue(session.pings, now);
       if (session.sim.newestTick >= 0) advanceFrame(session, controls, now);
     },
@@ -80,6 +91,13 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
     },
     teleported: (shipId) => expectTeleport(session, shipId),
     reset: () => resetSession(session),
+    snapshot: (now) => snapshotOf(session, kept, now),
+    restore: (snapshot, now) => restoreSnapshot(session, kept, snapshot, now),
+    dispose() {
+      isDisposed = true;
+      session.listeners.clear();
+      resetSession(session);
+    },
   };
 }
 

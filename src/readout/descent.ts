@@ -16,8 +16,8 @@ export interface Descent {
   feetHeight: number;
 }
 
-/** The design's limit of the landing HUD, m AGL. */
-export const DESCENT_CEILING = 50_000;
+/** Height of the feet, m, below which the design shows the descent data. */
+const DESCENT_CEILING = 50_000;
 
 export function createDescent(): Descent {
   return { shown: false, verticalSpeed: NaN, horizontalSpeed: NaN, timeToImpact: NaN, feetHeight: NaN };

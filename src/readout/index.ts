@@ -18,7 +18,7 @@ export {
 /** Status: word, shape and colour together. */
 export { STATUS_LOOKS, type StatusId, type StatusLook } from './status';
 /** Parts of a landing. */
-export { type Descent, DESCENT_CEILING } from './descent';
+export { type Descent } from './descent';
 export type { Drift } from './drift';
 export type { Gate, Gates } from './gates';
 export type { Righting } from './righting';

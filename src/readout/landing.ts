@@ -85,7 +85,7 @@ export function createLandingReadout(): LandingReadout {
 }
 
 /**
- * What the pilot of `view.own` reads now (HUD, the whole page). Depends on the view and on what `out` remembers of the
+ * What the pilot of `view.own` reads now (HUD, The landing HUD). Depends on the view and on what `out` remembers of the
  * views before it, on no clock. Reuses `out` and returns it; allocates only where a run ahead of the law begins.
  */
 export function updateLandingReadout(out: LandingReadout, view: WorldView): LandingReadout {

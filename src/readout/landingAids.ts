@@ -106,7 +106,7 @@ export function updateLandingAids(out: LandingAids, view: WorldView): LandingAid
   return out;
 }
 
-export function forgetAids(out: LandingAids): void {
+function forgetAids(out: LandingAids): void {
   out.shown = false;
   out.outcome = 'working';
   out.touchSeconds = NaN;

@@ -25,10 +25,11 @@ import {
   writeControls,
 } from '../dynamics';
 import type { ShipView } from '../prediction';
+import { toBodyAxes } from './axes';
 
 /**
- * The law itself run ahead of a ship on a scratch row, a bounded number of substeps a call. The ground is taken as level
- * from here on: terrain heights are not the readout's to know.
+ * The law itself run ahead of a ship on a scratch row, a bounded number of substeps per call. The ground is taken as the plane
+ * under its feet from here on: terrain heights are not the readout's to know.
  */
 export interface Projection {
   readonly ships: Float64Array;
@@ -40,6 +41,8 @@ export interface Projection {
   elapsed: number;
   /** Terrain above the body's radius, m. */
   ground: number;
+  /** How it rises, metres per unit of direction, body axes: the plane that the ship's feet stand on. */
+  readonly rise: Float64Array;
 }
 
 /** Game s a substep: the law's longest. */
@@ -54,6 +57,7 @@ export function createProjection(): Projection {
     running: false,
     elapsed: 0,
     ground: 0,
+    rise: new Float64Array(3),
   };
 }
 
@@ -69,13 +73,14 @@ export function startProjection(
   out.running = out.world !== null && writeBodyMotion(out.bodies, 0, body) === null;
   out.elapsed = 0;
   out.ground = ship.groundRadius - body.radius;
+  writeRise(out.rise, ship, body);
   out.ships.set(ship.position, POSITION);
   out.ships.set(ship.velocity, VELOCITY);
   out.ships.set(ship.attitude, ATTITUDE);
   out.ships.set(ship.angularVelocity, ANGULAR_VELOCITY);
   out.ships.set(ship.wheelMomentum, WHEEL_MOMENTUM);
   out.ships[FUEL] = ship.fuel;
-  out.ships[GROUND_CONTACT_OFFSET] = ship.shipClass.groundContactOffset;
+  out.ships[GROUND_CONTACT_OFFSET] = ship.groundContactOffset;
   out.ships[IMPACT_SPEED] = ship.impactSpeed;
   out.ships[SURFACE_STATE] = SURFACE_STATES.indexOf(ship.surfaceContactState);
   out.ships[REFERENCE_BODY] = 0;
@@ -83,6 +88,19 @@ export function startProjection(
   out.ships[SHIP_CLASS] = 0;
   writeControls(out.ships, 0, controls);
 }
+
+/** The plane square to s through the ground below: n − s / (n · s) is its rise, level at the ship. */
+function writeRise(rise: Float64Array, ship: ShipView, body: BodyMotion): void {
+  const r = ship.position;
+  const distance = Math.sqrt(r[0]! * r[0]! + r[1]! * r[1]! + r[2]! * r[2]!);
+  const s = ship.groundNormal;
+  const cos = (r[0]! * s[0]! + r[1]! * s[1]! + r[2]! * s[2]!) / distance;
+  for (let k = 0; k < 3; k++) rise[k] = (r[k]! / distance - s[k]! / cos) * ship.groundRadius;
+  for (let k = 0; k < 4; k++) attitude[k] = body.attitude[k]!;
+  toBodyAxes(rise, attitude, rise);
+}
+
+const attitude = new Float64Array(4);
 
 /** One substep; the event it reported (EVENT_…). */
 export function stepProjection(out: Projection): number {
@@ -118,6 +136,6 @@ function worldFor(out: Projection, ship: ShipView, body: Body, settings: LoadedS
     settings,
     shipClasses: [ship.shipClass],
     bodies: [loaded.value],
-    terrainHeight: () => out.ground,
+    terrainHeight: (_body, x, y, z) => out.ground + (out.rise[0]! * x + out.rise[1]! * y + out.rise[2]! * z),
   };
 }

@@ -7,6 +7,7 @@ import {
 } from './actions';
 import { createRightingRun, forgetRightingRun, type RightingRun, runRighting } from './rightingRun';
 import type { Surface } from './surface';
+import { toppleTilt } from './tilt';
 
 /** How a tipped ship gets up again, or why it cannot (HUD, righting help; DYNAMICS, "What this gives"). */
 export interface Righting {
@@ -30,7 +31,7 @@ export interface Righting {
   /** Game s to hold, and kg until landed; NaN unless outcome is 'lands'. */
   holdSeconds: number;
   fuelNeeded: number;
-  /** The point of no return, degrees: hold until the tilt is below it. */
+  /** The point of no return, degrees of tilt from the ground: hold until the tilt is below it. */
   holdUntil: number;
   /** Rate damping is on already: letting go of the keys suffices. */
   damped: boolean;
@@ -84,7 +85,7 @@ export function measureRighting(
 ): void {
   out.shown = true;
   out.fuel = ship.fuel;
-  out.torqueNeeded = surface.weight * ship.shipClass.groundContactOffset;
+  out.torqueNeeded = surface.weight * ship.groundContactOffset;
   out.damped = ship.controls.attitudeHold && ship.controls.attitudeMode === 'none';
   chooseActions(out, memory.inputs, surface, ship);
   out.possible = out.torqueAvailable > out.torqueNeeded;
@@ -93,14 +94,14 @@ export function measureRighting(
   else forgetRightingRun(memory.run);
   out.outcome = memory.run.outcome;
   out.holdSeconds = memory.run.holdSeconds;
-  out.holdUntil = (surface.noReturn * 180) / Math.PI;
+  out.holdUntil = toppleTilt(surface);
   out.fuelNeeded = memory.run.fuelNeeded;
 }
 
-/** The turn that brings `up` back to n is about up × n, which in ship axes has no z. */
+/** The turn that brings `up` back to s is about up × s, which in ship axes has no z. */
 function chooseActions(out: Righting, inputs: Float64Array, surface: Surface, ship: ShipView): void {
-  const x = -surface.normalInShip[1]!;
-  const y = surface.normalInShip[0]!;
+  const x = -surface.groundInShip[1]!;
+  const y = surface.groundInShip[0]!;
   const level = Math.sqrt(x * x + y * y);
   // Exactly upside down every axis serves.
   const shareX = level > 1e-9 ? Math.abs(x) / level : 1;
@@ -136,7 +137,7 @@ function chooseHelp(out: Righting, surface: Surface, ship: ShipView): void {
   out.helpAction = '';
   out.helpMass = NaN;
   if (out.possible) return;
-  const h = ship.shipClass.groundContactOffset;
+  const h = ship.groundContactOffset;
   let lift = 0;
   for (let k = 0; k < 3; k++) {
     const part = ship.shipClass.rcsThrust[k]! * Math.abs(surface.normalInShip[k]!);

@@ -8,12 +8,19 @@ import { cross, toBodyAxes, toInertial, writeDot } from './axes';
  * Math.atan2 and friends are allowed.
  */
 export interface Surface {
-  /** n: local up and surface normal, unit. */
+  /** n: local up, unit. */
   readonly normal: Float64Array;
   /** The ship's +Z. */
   readonly up: Float64Array;
   /** Local up in ship axes. */
   readonly normalInShip: Float64Array;
+  /** s: the surface normal, unit, and in ship axes. */
+  readonly ground: Float64Array;
+  readonly groundInShip: Float64Array;
+  /** n · s. */
+  cosSlope: number;
+  /** Between them, rad. */
+  slope: number;
   /** ‖r‖, m. */
   distance: number;
   /** m/s², m/s² · kg = N */
@@ -29,17 +36,21 @@ export interface Surface {
   /** Along the ground, relative to the turning ground, m/s. */
   readonly tangential: Float64Array;
   tangentialSpeed: number;
-  /** √(v_radial² + 100 (penetration − depth)²), m/s (step 3). */
+  /** ‖v_rel − v_s s‖, m/s: along the slope, where there is one. */
+  slideSpeed: number;
+  /** √(v_s² + 100 (penetration c_s − depth)²), m/s (step 3). */
   vertical: number;
   /** ‖w − Ω‖, rad/s. */
   spin: number;
-  /** 0 … π. */
+  /** From the surface normal, 0 … π. */
   tilt: number;
+  /** From the vertical, 0 … π. */
+  lean: number;
   /** rad/s, positive = leaning over further. */
   tiltRate: number;
   /** Height of the law's own contact height above the ground, m: ‖r‖ − surface_r, negative when sunk in. */
   clearance: number;
-  /** arctan(leg_radius / h): past it the centre of mass is outside the feet, rad. */
+  /** arctan(leg_radius / h), rad: leaning further from the vertical the centre of mass is outside the feet. */
   noReturn: number;
 }
 
@@ -49,6 +60,10 @@ export function createSurface(): Surface {
     normal: new Float64Array(3),
     up: new Float64Array(3),
     normalInShip: new Float64Array(3),
+    ground: new Float64Array(3),
+    groundInShip: new Float64Array(3),
+    cosSlope: NaN,
+    slope: NaN,
     distance: NaN,
     gravity: NaN,
     mass: NaN,
@@ -58,9 +73,11 @@ export function createSurface(): Surface {
     radialSpeed: NaN,
     tangential: new Float64Array(3),
     tangentialSpeed: NaN,
+    slideSpeed: NaN,
     vertical: NaN,
     spin: NaN,
     tilt: NaN,
+    lean: NaN,
     tiltRate: NaN,
     clearance: NaN,
     noReturn: NaN,
@@ -79,6 +96,7 @@ const bodySpin = new Float64Array(3);
 const groundVelocity = new Float64Array(3);
 const spinAgainstGround = new Float64Array(3);
 const tiltAxis = new Float64Array(3);
+const across = new Float64Array(3);
 const product = new Float64Array(2);
 
 function measurePlace(out: Surface, ship: ShipView, body: Body): void {
@@ -91,8 +109,14 @@ function measurePlace(out: Surface, ship: ShipView, body: Body): void {
   out.weight = out.mass * out.gravity;
   writeDot(product, 0, ship.thrust, out.normal);
   out.lift = product[0]!;
-  out.clearance = out.distance - (ship.groundRadius + ship.shipClass.groundContactOffset);
+  out.clearance = out.distance - (ship.groundRadius + ship.groundContactOffset);
   out.penetration = -out.clearance;
+  for (let k = 0; k < 3; k++) out.ground[k] = ship.groundNormal[k]!;
+  cross(across, out.normal, out.ground);
+  writeDot(product, 0, across, across);
+  writeDot(product, 1, out.normal, out.ground);
+  out.cosSlope = product[1]!;
+  out.slope = Math.atan2(Math.sqrt(product[0]!), product[1]!);
 }
 
 function measureMotion(out: Surface, ship: ShipView, body: BodyMotion): void {
@@ -101,20 +125,30 @@ function measureMotion(out: Surface, ship: ShipView, body: BodyMotion): void {
   for (let k = 0; k < 3; k++) out.tangential[k] = ship.velocity[k]! - groundVelocity[k]!;
   writeDot(product, 0, out.tangential, out.normal);
   out.radialSpeed = product[0]!;
+  writeDot(product, 0, out.tangential, out.ground);
+  writeDot(product, 1, out.tangential, out.tangential);
+  const off = product[0]!;
+  out.slideSpeed = Math.sqrt(Math.max(0, product[1]! - off * off));
   for (let k = 0; k < 3; k++) out.tangential[k]! -= out.radialSpeed * out.normal[k]!;
   writeDot(product, 0, out.tangential, out.tangential);
   out.tangentialSpeed = Math.sqrt(product[0]!);
-  const depth = Math.max(0, out.weight - out.lift) / (100 * out.mass);
-  const stored = out.penetration - depth;
-  out.vertical = Math.sqrt(out.radialSpeed * out.radialSpeed + 100 * stored * stored);
+  writeDot(product, 0, ship.thrust, out.ground);
+  const load = Math.max(0, out.weight * out.cosSlope - product[0]!);
+  const stored = out.penetration * out.cosSlope - load / (100 * out.mass);
+  out.vertical = Math.sqrt(off * off + 100 * stored * stored);
 }
 
 function measureLean(out: Surface, ship: ShipView, body: BodyMotion): void {
   toInertial(out.up, ship.attitude, BODY_UP);
   toBodyAxes(out.normalInShip, ship.attitude, out.normal);
-  cross(tiltAxis, out.normal, out.up);
-  writeDot(product, 0, tiltAxis, tiltAxis);
+  toBodyAxes(out.groundInShip, ship.attitude, out.ground);
+  cross(across, out.normal, out.up);
+  writeDot(product, 0, across, across);
   writeDot(product, 1, out.normal, out.up);
+  out.lean = Math.atan2(Math.sqrt(product[0]!), product[1]!);
+  cross(tiltAxis, out.ground, out.up);
+  writeDot(product, 0, tiltAxis, tiltAxis);
+  writeDot(product, 1, out.ground, out.up);
   const sine = Math.sqrt(product[0]!);
   // atan2 keeps its precision at 0 and 90°, where acos and asin lose half the digits.
   out.tilt = Math.atan2(sine, product[1]!);
@@ -123,5 +157,5 @@ function measureLean(out: Surface, ship: ShipView, body: BodyMotion): void {
   writeDot(product, 1, spinAgainstGround, tiltAxis);
   out.spin = Math.sqrt(product[0]!);
   out.tiltRate = sine > 1e-9 ? product[1]! / sine : 0;
-  out.noReturn = Math.atan2(ship.shipClass.legRadius, ship.shipClass.groundContactOffset);
+  out.noReturn = Math.atan2(ship.shipClass.legRadius, ship.groundContactOffset);
 }

@@ -48,7 +48,7 @@ export function measureTipMargin(
   { now }: Journey,
 ): void {
   const ship = view.own!;
-  const left = surface.noReturn - surface.tilt;
+  const left = surface.noReturn - surface.lean;
   out.shown = true;
   out.degrees = (left * 180) / Math.PI;
   if (left > 0 && surface.tiltRate < WORTH_A_LOOK) {

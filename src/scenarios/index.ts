@@ -62,7 +62,7 @@ export {
 } from './recordings/recording';
 export { compareRecording, type RecordingComparison } from './recordings/compareRecording';
 /** A pilot for the last 200 metres. */
-export { approachOf, descend, type Approach, type LandingSite } from './autopilot/descent';
+export { type Approach, type LandingSite } from './autopilot/descent';
 export { BEGIN_LANDING, continueLanding, type LandingManeuver, type LandingPhase } from './autopilot/landing';
 /** Tasks for pilots as data; a run flown again from its inputs, its score, and its bytes for a link. */
 export { findMission, findScenario, MISSIONS } from './missions/missions';

@@ -24,12 +24,10 @@ export { textComplaint } from './reading';
 export {
   MAX_BODIES,
   MAX_CLIENT_BYTES,
-  MAX_EVENTS,
   MAX_INPUTS,
   MAX_SERVER_BYTES,
   MAX_SHIP_CLASSES,
   MAX_SHIPS,
-  MAX_SUBSTEPS,
   MAX_TEXT,
   MAX_TICK,
 } from './limits';

@@ -6,7 +6,14 @@ import type { SourceFile } from './source';
 /** Everything at the top: what a reader opens first, and what tools ask for by name. */
 const TOP = [
   ...['src', 'test', 'proto', 'public', 'README.md', 'LICENSE', 'CHANGELOG.md'],
-  ...['package.json', 'package-lock.json', 'tsconfig.json', 'vite.config.ts', 'eslint.config.js'],
+  ...[
+    'package.json',
+    'package-lock.json',
+    'tsconfig.json',
+    'vite.config.ts',
+    'eslint.config.js',
+    'typedoc.json',
+  ],
   ...[
     '.ci',
     '.github',

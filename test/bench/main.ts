@@ -2,6 +2,7 @@ import { cBaseline } from './cBaseline';
 import { heightmapFigures } from './heightmap';
 import { joltBody } from './jolt';
 import { type Figure, heapGrowth, timed } from './measure';
+import { workerFigures } from './worker';
 import { flying, landed, sliding, slidingOverHills, type Subject, tipped } from './subjects';
 
 /** `npm run bench`: what the law costs. A table, or with --json one line of JSON per figure. */
@@ -64,5 +65,6 @@ print(adoptAndReplay());
 print(fleetSecond());
 print(heapPerSubstep());
 for (const figure of heightmapFigures()) print(figure);
+for (const figure of workerFigures()) print(figure);
 const jolt = await joltBody();
 if (jolt) print(jolt);

@@ -28,7 +28,7 @@ describeInBrowser('the game on the built page', () => {
     );
     await untilPhase(page, 'done');
     await page.waitForFunction(() =>
-      /Landed: \d+ of 1000/.test(document.getElementById('card')!.textContent),
+      /Landed.*: \d+ of 1000/.test(document.getElementById('card')!.textContent),
     );
     const card = (await page.textContent('#card')) ?? '';
     for (const line of ['Touch', 'Distance', 'Tilt', 'Fuel', 'Time', 'full marks to 1 m/s'])

@@ -29,7 +29,8 @@ const trajectory = () => JSON.parse(text) as Trajectory;
 
 /** A record as HGETALL gives it: texts, quaternions [w, x, y, z]. */
 function asHash(record: Record<string, unknown>): Record<string, unknown> {
-  const { attitude, impact_speed: impact, crashed: _crashed, ...rest } = record;
+  const { attitude, impact_speed: impact, ...rest } = record;
+  delete rest['crashed'];
   const [x, y, z, w] = attitude as number[];
   const told = {
     ...rest,

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { createPageClock } from '../../src/playground/game/pageClock';
+import { createRecorder } from '../../src/playground/recording/recorder';
 import { createReplay } from '../../src/playground/recording/replay';
 import { createSamples, summarise } from '../../src/playground/game/samples';
 import { createSession } from '../../src/playground/server/session';
@@ -84,6 +85,30 @@ function play(seconds: number, during: (session: ReturnType<typeof createSession
 function poseOf(view: WorldView): number {
   return view.own === null ? NaN : view.own.easedPosition.reduce((sum, value, i) => sum + value * (i + 1), 0);
 }
+
+describe('a recorder', () => {
+  it('is full at a bound of bytes: a fleet of a thousand fills it in a hundred frames, one ship does not', () => {
+    const { recording } = play(2, () => undefined);
+    const frame = recording.entries.find(
+      (entry) => entry.kind === 'received' && entry.message.kind === 'frame',
+    )!;
+    if (frame.kind !== 'received' || frame.message.kind !== 'frame') throw new Error('no frame');
+    const { message } = frame;
+    const fleet = {
+      ...frame,
+      message: { ...message, ships: Array.from({ length: 1000 }, () => message.ships[0]!) },
+    };
+    const recorder = createRecorder();
+    recorder.begin([]);
+    for (let n = 0; n < 1000; n++) recorder.take(fleet);
+    expect(recorder.full()).toBe(true);
+    expect(recorder.recording('').entries.length).toBeLessThan(120);
+    recorder.begin([]);
+    for (let n = 0; n < 1000; n++) recorder.take(frame);
+    expect(recorder.full()).toBe(false);
+    expect(recorder.recording('').entries).toHaveLength(1000);
+  });
+});
 
 describe('replay', () => {
   it('shows every moment as it was, forward and backward, from the file too', () => {

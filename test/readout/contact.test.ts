@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { createLandingReadout, updateLandingReadout, type LandingReadout } from '../../src/readout';
 import type { ShipView } from '../../src/prediction';
 import { timeToTipped } from './law';
-import { later, makeView, type Pose } from './views';
+import { later, makeShip, makeView, type Pose } from './views';
 
 const read = (pose: Pose, changes: Partial<ShipView> = {}): LandingReadout =>
   updateLandingReadout(createLandingReadout(), makeView(pose, changes));
@@ -123,5 +123,41 @@ describe('the tip margin', () => {
       for (let i = 0; i < 60; i++) updateLandingReadout(out, view);
       expect(out.margin.outlook).toBe(outlook);
     }
+  });
+});
+
+describe('on a slope', () => {
+  /** A slope of so many degrees that rises to the north, the ship square to it: it leans to the south. */
+  function onSlope(degrees: number) {
+    const angle = (degrees * Math.PI) / 180;
+    const level = makeShip({ state: 'contact' });
+    const tilted = makeShip({ state: 'contact', tilt: degrees, leanTo: 180 });
+    const up = Array.from(level.position, (x: number) => x / Math.hypot(...level.position));
+    const [x, y, z, w] = tilted.attitude as unknown as [number, number, number, number];
+    const top = [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
+    expect(top[0]! * up[0]! + top[1]! * up[1]! + top[2]! * up[2]!).toBeCloseTo(Math.cos(angle), 9);
+    return updateLandingReadout(
+      createLandingReadout(),
+      makeView({ state: 'contact', tilt: degrees, leanTo: 180 }, { groundNormal: Float64Array.from(top) }),
+    );
+  }
+
+  it('measures tilt from the ground and the point of no return from the vertical', () => {
+    const { tilt, margin } = onSlope(20);
+    expect(tilt.degrees).toBeCloseTo(0, 6);
+    expect(tilt.noReturn).toBeCloseTo(36.87 - 20, 2);
+    expect(margin.degrees).toBeCloseTo(36.87 - 20, 2);
+  });
+
+  it('says that it slides on 38.9° of 38.7°, and not on 38°', () => {
+    const steep = onSlope(38.9).gates;
+    expect(steep.onSlope).toBe(true);
+    expect(steep.slope.limit).toBeCloseTo(38.66, 2);
+    expect([steep.slope.met, steep.balance.met]).toEqual([false, false]);
+    const less = onSlope(38).gates;
+    expect([less.slope.met, less.balance.met]).toEqual([true, false]);
+    const safe = onSlope(30).gates;
+    expect([safe.slope.met, safe.balance.met]).toEqual([true, true]);
+    expect(onSlope(0).gates.onSlope).toBe(false);
   });
 });

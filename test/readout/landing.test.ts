@@ -72,8 +72,9 @@ describe('time to impact', () => {
 
   it('lets the speed along the curved ground hold against gravity', () => {
     const orbital = Math.sqrt(MOON_GRAVITY * 1737400);
+    // The turning body adds 4 m/s to it or takes it off: under a hundredth of the time.
     const fast = read({ clearance: 1000, up: -1, north: 0.9 * orbital }).descent;
-    expect(fast.timeToImpact / fall(1000, 1, (1 - 0.81) * MOON_GRAVITY)).toBeCloseTo(1, 2);
+    expect(fast.timeToImpact / fall(1000, 1, (1 - 0.81) * MOON_GRAVITY)).toBeCloseTo(1, 1);
     expect(read({ clearance: 1000, up: -1, north: 1.1 * orbital }).descent.timeToImpact).toBeNaN();
   });
 

@@ -122,6 +122,8 @@ export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): Ship
     controls: NEUTRAL_CONTROLS,
     thrust: Float64Array.from(scaled(NORMAL, pose.lift ?? 0)),
     groundRadius: ground,
+    groundNormal: Float64Array.from(NORMAL),
+    groundContactOffset: given.groundContactOffset,
     groundOffset: 0,
     groundConfidence: 0,
     carried: '',

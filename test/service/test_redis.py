@@ -242,6 +242,16 @@ class Lease(WithService):
         self.until(lambda: self.tick() > at, "the long tick is committed")
         self.assertNotIn("lease lost", self.service.words())
 
+    def test_a_crowd_does_not_cost_the_lease(self) -> None:
+        pipe = self.client.pipeline()
+        for i in range(600):
+            pipe.xadd("touchdown:inbox", {"type": "spawn", "data": json.dumps(lander(f"s{i}", height=50_000))})
+        pipe.execute()
+        self.until(lambda: self.client.scard("system:sol:ships") == 600, "all are there")
+        at = self.tick()
+        self.until(lambda: self.tick() > at + 15, "it ticks on")
+        self.assertNotIn("lease lost", self.service.words())
+
     def test_told_to_stop_it_says_where_the_bodies_are_and_gives_the_lease_back(self) -> None:
         self.assertEqual(self.service.terminate(), 0)
         self.assertFalse(self.client.exists("touchdown:lease"))

@@ -24,7 +24,7 @@ export interface FlightHudOptions extends HudAppearance {
 }
 
 /**
- * The instruments of flying, appended to `host` (HUD, a pilot's instruments): lever with the hover mark, fuel, attitude ball, modes
+ * The instruments of flying, appended to `host` (HUD, The instruments of flying): lever with the hover mark, fuel, attitude ball, modes
  * with their keys, and the landing aids.
  */
 export function createFlightHud(

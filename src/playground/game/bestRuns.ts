@@ -26,7 +26,7 @@ export function verifyRun(mission: Mission, inputs: readonly RunInput[], by = ''
   return verifyBytes(mission, writeRun(inputs, substepsOf(mission)), by);
 }
 
-export function verifyBytes(mission: Mission, bytes: Uint8Array, by: string): VerifiedRun | null {
+function verifyBytes(mission: Mission, bytes: Uint8Array, by: string): VerifiedRun | null {
   const read = readRun(bytes, substepsOf(mission));
   if (!read.ok) return null;
   const outcome = flyRun(mission, read.value);
@@ -85,14 +85,14 @@ function readBest(store: Storage | null, mission: Mission): VerifiedRun | null {
 }
 
 /** base64url */
-export function textOf(bytes: Uint8Array): string {
+function textOf(bytes: Uint8Array): string {
   let binary = '';
   for (const byte of bytes) binary += String.fromCharCode(byte);
   return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
 
 /** Null where the text is none. */
-export function bytesOf(text: string): Uint8Array | null {
+function bytesOf(text: string): Uint8Array | null {
   if (!/^[\w-]*$/.test(text) || text.length > MAX_TEXT) return null;
   try {
     return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));

@@ -18,7 +18,7 @@ import { type Script, scriptOf } from './script';
 import { openTab, TAB_ADDRESS } from '../server/tabLink';
 import { type Connection, type ConnectionHandlers, openWorker, type ShipLoss } from '../server/connection';
 import type { Operation } from '../server/operation';
-import { openServer } from '../server/realServer';
+import { deferConnection } from '../server/deferred';
 
 /** What the page is told of a live game. */
 export interface LiveListeners {
@@ -134,7 +134,13 @@ export function createLive(program: string, listeners: LiveListeners): Live {
 
   function connect(name: string): Connection {
     if (address === '') return openWorker(program, handlers);
-    if (!TAB_ADDRESS.test(address)) return openServer(address, handlers);
+    if (!TAB_ADDRESS.test(address)) {
+      const given = address;
+      return deferConnection(
+        import('../server/realServer').then(({ openServer }) => openServer(given, handlers)),
+        () => listeners.onState('Part of the page did not load. Check the network and reload.'),
+      );
+    }
     return openTab(address, { guest: `guest-${Math.random().toString(36).slice(2, 8)}`, name }, handlers);
   }
 

@@ -40,7 +40,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       parts.cockpit.paint(view);
       const { flight, aids } = parts.cockpit;
       parts.devices.thumbs.show(flight.known ? flight.throttle : 0, flight.hover);
-      parts.sound.follow(view.own, flight, aids);
+      parts.sound?.follow(view.own, flight, aids);
       twin.tell(view, parts.cockpit.landing(), now);
       (replay?.baseline ?? parts.live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
       parts.dock.follow(view, now);

@@ -3,7 +3,7 @@ import { createDock } from '../panels/dock';
 import { createMissionCard } from '../panels/missionCard';
 import { createPanel, type Panel } from '../panels/panel';
 import { connectDevices, type Devices } from '../input/devices';
-import { createSound, type Sound } from '../sound/sound';
+import type { Sound } from '../sound/sound';
 import type { Cockpit } from '../view/cockpit';
 import type { FrameLoop } from '../view/frameLoop';
 import { createLookDown, type LookDown } from '../view/lookDown';
@@ -29,7 +29,8 @@ export interface Parts {
   game: MissionGame;
   cockpit: Cockpit;
   devices: Devices;
-  sound: Sound;
+  /** null until it is asked for: its code is fetched then. */
+  sound: Sound | null;
   loop: FrameLoop;
   lookDown: LookDown;
 }
@@ -42,7 +43,7 @@ export function wirePage(page: Page): Parts {
   parts.dock = createDock(page.part('dock'), parts.scene.listeners);
   parts.chooser = createChooser(page, parts);
   parts.panel = wirePanel(page, parts);
-  parts.sound = createSound(page.window);
+  parts.sound = null;
   parts.acts = wireActs(page, parts);
   parts.devices = wireDevices(page, parts);
   parts.lookDown = createLookDown(page.stage);
@@ -119,14 +120,22 @@ function wireActs(page: Page, parts: Parts): Acts {
     invite: parts.chooser.invite,
     toggleBare: () => document.body.classList.toggle('bare'),
     toggleAids: () => banner.flash(`Landing aids ${parts.cockpit.toggleAids() ? 'on' : 'off'}.`),
-    toggleSound() {
-      const isOn = parts.sound.set(!parts.sound.isOn()) && parts.sound.isOn();
-      parts.panel.press('sound', isOn);
-      banner.flash(isOn ? 'Sound on.' : 'Sound off.');
-    },
+    toggleSound: () => void toggleSound(page, parts),
     isReplaying: () => parts.scene.replay() !== null,
     meddled: (how) => parts.game.meddled(how),
   });
+}
+
+async function toggleSound({ window, banner, notice }: Page, parts: Parts): Promise<void> {
+  try {
+    parts.sound ??= (await import('../sound/sound')).createSound(window);
+  } catch {
+    notice.tell('The sound did not load. Check the network and press the key again.');
+    return;
+  }
+  const isOn = parts.sound.set(!parts.sound.isOn()) && parts.sound.isOn();
+  parts.panel.press('sound', isOn);
+  banner.flash(isOn ? 'Sound on.' : 'Sound off.');
 }
 
 function wireDevices(page: Page, parts: Parts): Devices {

@@ -18,7 +18,7 @@ const SIGNS: Readonly<Record<string, string>> = {
 };
 
 /** The character of a place on a US keyboard; '' where it prints none. */
-export function usCharacter(code: string): string {
+function usCharacter(code: string): string {
   if (/^Key[A-Z]$/.test(code)) return code.slice(3).toLowerCase();
   if (/^Digit\d$/.test(code)) return code.slice(5);
   return SIGNS[code] ?? '';
@@ -73,7 +73,7 @@ export function capOf(action: Action, map: KeyMap, layout: Layout): string {
   return key.toUpperCase();
 }
 
-export function printedAt(code: string, layout: Layout): string {
+function printedAt(code: string, layout: Layout): string {
   return layout.get(code) ?? (usCharacter(code) || code);
 }
 

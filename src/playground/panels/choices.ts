@@ -36,10 +36,10 @@ export interface Choices {
   picture: PictureChoice;
 }
 
-export const PICTURES = ['auto', 'fine'] as const;
+const PICTURES = ['auto', 'fine'] as const;
 export type PictureChoice = (typeof PICTURES)[number];
 
-export const CLIENT_MODES = ['predicted', 'gravity', 'last'] as const;
+const CLIENT_MODES = ['predicted', 'gravity', 'last'] as const;
 export type ClientMode = (typeof CLIENT_MODES)[number];
 export const OVERLAY_NAMES = ['ghost', 'errorSegment', 'contactNormal', 'footprint', 'forces'] as const;
 export type OverlayName = (typeof OVERLAY_NAMES)[number];
@@ -151,7 +151,7 @@ const FIELDS: readonly Field[] = [
   { name: 'picture', key: 'picture', ...oneOf(PICTURES) },
 ];
 
-export function isSocketAddress(text: string): boolean {
+function isSocketAddress(text: string): boolean {
   return /^wss?:\/\//.test(text) && text.length <= 500 && URL.canParse(text);
 }
 

@@ -20,7 +20,7 @@ const OVERLAY_WORDS: Readonly<Record<OverlayName, string>> = {
 };
 
 /** `fast_frigate` → `Fast frigate`: ids are for programs. */
-export function nameOf(id: string): string {
+function nameOf(id: string): string {
   const words = id.replaceAll('_', ' ');
   return words.charAt(0).toUpperCase() + words.slice(1);
 }

@@ -53,7 +53,7 @@ export interface SessionStatus {
   readonly slipped: number;
 }
 
-export const OWN_PLAYER = 'pilot';
+const OWN_PLAYER = 'pilot';
 export const OWN_SHIP = 'own';
 
 /** Inputs kept for a replay: an hour of flying. */

@@ -66,6 +66,7 @@ export function easeCorrection(
     snap(picture.ease);
     return;
   }
+  picture.body = front[at + REFERENCE_BODY]!;
   writeSeenPresent(now, sim, track);
   const sameBody = before.body === front[at + REFERENCE_BODY];
   if (!style.snaps && sameBody && isEasable(before.pose, speedOf(front, at), track.silence)) {

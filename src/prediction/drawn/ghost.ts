@@ -31,7 +31,9 @@ export function fillGhost(
   const { shipClass } = out;
   const { position } = ghost;
   const distance = lengthOf(position);
-  const [nx, ny, nz] = [position[0]! / distance, position[1]! / distance, position[2]! / distance];
+  const nx = position[0]! / distance;
+  const ny = position[1]! / distance;
+  const nz = position[2]! / distance;
   drawn.bodyName = body.name;
   drawn.radius = body.radius;
   ground.radius = groundRadius(drawn, nx, ny, nz);

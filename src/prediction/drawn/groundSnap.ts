@@ -127,7 +127,7 @@ export function drawnClearance(clearance: number, height: number, offset: number
  * higher than an upright ship's would be; it comes up from the ground over the first metre instead of popping up.
  * @param height of the centre of mass above where the law touches, m
  */
-export function flyingTarget(clearance: number, height: number): number {
+function flyingTarget(clearance: number, height: number): number {
   const hovering = clearance - (height > 0 ? height : 0);
   if (hovering <= 0 || height >= RELEASE_HEIGHT) return clearance;
   return clearance - hovering * (height <= 0 ? 1 : 1 - height / RELEASE_HEIGHT);

@@ -82,6 +82,13 @@ export interface ShipView {
    * come from it.
    */
   groundRadius: number;
+  /**
+   * The surface normal under its feet, unit, ICRF axes: local up, or the slope's where the settings say so and it is near the ground.
+   * Tilt is measured from it.
+   */
+  readonly groundNormal: Float64Array;
+  /** Height of its centre of mass above its feet, m: its own, or its class's. */
+  groundContactOffset: number;
   /** The server's ground above the drawn terrain there, m, as its states tell; 0 where they agree. And how sure, 0 … 1. */
   groundOffset: number;
   groundConfidence: number;

@@ -3,12 +3,12 @@ import {
   ATTITUDE,
   CRASHED,
   FUEL,
+  GROUND_CONTACT_OFFSET,
   IMPACT_SPEED,
   NEUTRAL_CONTROLS,
   POSITION,
   REFERENCE_BODY,
   SHIP_CLASS,
-  SHIP_STRIDE,
   SURFACE_STATE,
   SURFACE_STATES,
   THRUST_LEVEL,
@@ -17,18 +17,19 @@ import {
   type World,
   WHEEL_MOMENTUM,
 } from '../../dynamics';
+import type { Simulation } from '../simulation/simulation';
+import type { Track } from '../simulation/track';
+import { createTouchdownView, fillTouchdown } from '../touchdown/touchdownLog';
 import { relax } from './ease';
 import { fillGhost } from './ghost';
-import { type DrawnGround, groundRadius } from './drawnGround';
-import { confidenceOf, offsetAt, placeAt } from '../ground/learnedGround';
-import { hullOf, LEGS } from './hull';
-import { writeSleeping } from '../simulation/sleep';
-import { pose, writeAttitude } from './pose';
+import { LEGS } from './hull';
+import { fillGround, fillGrounded } from './onGround';
+import { outOfStep } from './outOfStep';
+import { writeAttitude } from './pose';
 import {
   compose,
   fromRotationVector,
   lengthOf,
-  put,
   quaternion,
   rotate,
   rotateBack,
@@ -36,12 +37,8 @@ import {
   take,
   vector,
 } from './rotation';
-import type { Simulation } from '../simulation/simulation';
-import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './groundSnap';
-import { type LevelGround, snapToLevel } from './levelSnap';
-import { fillControls, fillServerState, fillStatus, type Instant } from './status';
-import { createTouchdownView, fillTouchdown } from '../touchdown/touchdownLog';
-import { copyRow, type Track } from '../simulation/track';
+import type { Scene } from './scene';
+import { fillControls, fillServerState, fillStatus } from './status';
 import type { ShipView } from './view';
 
 export function createShipView(track: Track, world: World): ShipView {
@@ -64,6 +61,8 @@ export function createShipView(track: Track, world: World): ShipView {
     controls: NEUTRAL_CONTROLS,
     thrust: vectors(),
     groundRadius: 0,
+    groundNormal: vectors(),
+    groundContactOffset: 0,
     groundOffset: 0,
     groundConfidence: 0,
     carried: '',
@@ -87,19 +86,6 @@ export function createShipView(track: Track, world: World): ShipView {
   };
 }
 
-/** What all ships of one view share. */
-export interface Scene {
-  readonly world: World;
-  /** Of the body under the ship at hand. */
-  readonly ground: DrawnGround;
-  /** Attitude and spin of each body at the present, ICRF. */
-  bodyAttitudes: Float64Array[];
-  bodySpins: Float64Array[];
-  /** Ships that still may be put on the ground point by point: beyond them the ground counts as level under a ship. */
-  exactSnaps: number;
-  readonly at: Instant;
-}
-
 /** Fills a ship's view: predicted truth, the drawn pose, its ground, what is shown of its state. */
 export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene: Scene): void {
   const stepping = track.mode === 'stepping';
@@ -116,15 +102,16 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.crashed = rows[from + CRASHED] === 1;
   out.body = rows[from + REFERENCE_BODY]!;
   out.shipClass = scene.world.shipClasses[rows[from + SHIP_CLASS]!]!;
+  out.groundContactOffset = rows[from + GROUND_CONTACT_OFFSET]!;
   out.name = track.name;
   out.carried = track.fit.carried;
   out.carriedStates = track.fit.states;
   out.own = track.own;
   out.missingSends = sim.cadence.sends - track.lastSend;
   const attitude = scene.bodyAttitudes[out.body]!;
-  seeFromBody(out, attitude);
-  if (track.picture.ease.active) relax(track.picture.ease, normal, scene.at.elapsed);
-  fillDrawn(out, track, attitude);
+  seeFromBody(out, scene, attitude);
+  if (track.picture.ease.active) relax(track.picture.ease, scene.normal, scene.at.elapsed);
+  fillDrawn(out, track, scene, attitude);
   fillGround(out, track, scene);
   const exactly = fillGrounded(out, scene, attitude);
   fillThrust(out, rows, from);
@@ -155,26 +142,6 @@ function fillBetween(out: ShipView, sim: Simulation, track: Track): void {
   writeAttitude(out.attitude, sim, track);
 }
 
-/** The row of a ship that is not in step, placed at the present. */
-function outOfStep(sim: Simulation, track: Track, scene: Scene): Float64Array {
-  const known = track.mode === 'sleeping' || track.picture.hasHeld;
-  copyRow(row, 0, known ? sim.fleet.front : track.serverRow, known ? track.at : 0);
-  const body = row[REFERENCE_BODY]!;
-  const attitude = scene.bodyAttitudes[body]!;
-  if (track.mode === 'sleeping') {
-    writeSleeping(row, 0, track, attitude, scene.bodySpins[body]!);
-  } else if (track.picture.hasHeld) {
-    rotate(held.position, attitude, track.picture.heldPlace);
-    put(row, POSITION, held.position);
-    compose(held.attitude, attitude, track.picture.heldAttitude);
-    put(row, ATTITUDE, held.attitude);
-  }
-  return row;
-}
-
-const row = new Float64Array(SHIP_STRIDE);
-const held = pose();
-
 function fillFromRow(out: ShipView, from: Float64Array): void {
   take(out.position, from, POSITION);
   take(out.velocity, from, VELOCITY);
@@ -183,18 +150,15 @@ function fillFromRow(out: ShipView, from: Float64Array): void {
 }
 
 /** The pose as seen from the body's axes, and the local up there. */
-function seeFromBody(out: ShipView, body: Float64Array): void {
+function seeFromBody(out: ShipView, { seen, normal }: Scene, body: Float64Array): void {
   rotateBack(seen.position, body, out.position);
   seenFrom(seen.attitude, body, out.attitude);
   const perDistance = 1 / lengthOf(seen.position);
   for (let k = 0; k < 3; k++) normal[k] = seen.position[k]! * perDistance;
 }
 
-const seen = pose();
-const normal = vector();
-
 /** drawn = predicted + offset, in the body's axes and back. */
-function fillDrawn(out: ShipView, track: Track, body: Float64Array): void {
+function fillDrawn(out: ShipView, track: Track, { seen, drawn }: Scene, body: Float64Array): void {
   const { ease } = track.picture;
   for (let k = 0; k < 3; k++) drawn.position[k] = seen.position[k]!;
   for (let k = 0; k < 4; k++) drawn.attitude[k] = seen.attitude[k]!;
@@ -210,68 +174,7 @@ function fillDrawn(out: ShipView, track: Track, body: Float64Array): void {
   compose(out.meshAttitude, body, drawn.attitude);
 }
 
-const drawn: GroundPose = { ...pose(), grounded: false, groundOffset: 0 };
 const turn = quaternion();
-
-/** The ground under the ship, as the server has it by what was learned, and how far that is above the drawn one. */
-function fillGround(out: ShipView, track: Track, { world, ground, at }: Scene): void {
-  const body = world.bodies[out.body]!;
-  const { picture } = track;
-  const { places } = track.ground;
-  const [nx, ny, nz] = [normal[0]!, normal[1]!, normal[2]!];
-  ground.bodyName = body.name;
-  ground.radius = body.radius;
-  out.groundRadius = groundRadius(ground, nx, ny, nz);
-  out.groundOffset = 0;
-  out.groundConfidence = 0;
-  drawn.groundOffset = 0;
-  if (places.length === 0) return;
-  out.groundOffset = offsetAt(places, body.name, nx, ny, nz);
-  out.groundConfidence = confidenceOf(placeAt(track.ground, body.name, normal));
-  out.groundRadius += out.groundOffset;
-  // What is learned in flight moves the mesh no faster than a correction.
-  const follows = out.surfaceContactState === '' ? 1 - Math.exp(-OFFSET_RATE * at.elapsed) : 1;
-  picture.groundOffset += (out.groundOffset - picture.groundOffset) * follows;
-  drawn.groundOffset = picture.groundOffset;
-}
-
-/** 1/s */
-const OFFSET_RATE = 10;
-
-/** @returns whether point by point, or as on level ground */
-function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
-  const { shipClass } = out;
-  const exactly = out.own || scene.exactSnaps > 0;
-  const surface = out.groundRadius - out.groundOffset;
-  const above = lengthOf(drawn.position) - surface;
-  // No part of the ship reaches as far as twice its height: nothing is under it.
-  const reach =
-    FAR * (shipClass.groundContactOffset + Math.abs(out.groundOffset) * REACH) + shipClass.legRadius;
-  if (above > reach) {
-    for (let k = 0; k < 3; k++) out.meshPosition[k] = out.easedPosition[k]!;
-    for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = 0;
-    out.feetHeight = lengthOf(seen.position) - out.groundRadius - shipClass.groundContactOffset;
-    return exactly;
-  }
-  drawn.grounded = out.surfaceContactState !== '';
-  if (exactly) {
-    scene.exactSnaps -= 1;
-    snapToGround(groundedPose, drawn, hullOf(shipClass), scene.ground);
-  } else {
-    level.radius = surface;
-    snapToLevel(groundedPose, drawn, hullOf(shipClass), level);
-  }
-  rotate(out.meshPosition, bodyAttitude, groundedPose.position);
-  for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = groundedPose.legCompression[leg]!;
-  out.feetHeight = groundedPose.feetHeight;
-  return exactly;
-}
-
-const FAR = 2;
-/** Of the offset between the two grounds: twice this height above the ground the mesh has left it behind. */
-const REACH = 4.5;
-const level: LevelGround = { radius: 0 };
-const groundedPose: GroundedPose = createGroundedPose(LEGS);
 
 /** What engine and thrusters give now, N, ICRF (DYNAMICS, Actuators). */
 function fillThrust(out: ShipView, rows: Float64Array, from: number): void {

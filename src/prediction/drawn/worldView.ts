@@ -1,13 +1,14 @@
 import { BODY_ANGULAR_VELOCITY, BODY_POSITION, BODY_STRIDE, BODY_VELOCITY } from '../../dynamics';
 import { boundaryAt } from '../snapshots/bodyTrack';
 import { writeBodyAttitude } from './pose';
-import { lengthOf, quaternion, take, vector } from './rotation';
+import { lengthOf, take } from './rotation';
 import type { Simulation } from '../simulation/simulation';
 import { sendSeconds } from '../time/cadence';
 import { staleAfter } from '../time/connection';
-import { indexOf, type Moment, spanOf, wallOfTick } from '../time/timeline';
+import { indexOf, type Moment, spanOf } from '../time/timeline';
 import type { WorldView } from './view';
-import { createShipView, fillShipView, type Scene } from './viewing';
+import { createScene, type Scene } from './scene';
+import { createShipView, fillShipView } from './viewing';
 
 /** A view under construction: what the page sees, and what all its ships share. */
 export interface Shown {
@@ -53,22 +54,7 @@ export function createShown(sim: Simulation): Shown {
     own: null,
     diagnosis: sim.counters,
   };
-  const scene: Scene = {
-    world: sim.world,
-    ground: { bodyName: '', radius: 0, terrainHeight: sim.world.terrainHeight },
-    bodyAttitudes: bodies.map(quaternion),
-    bodySpins: bodies.map(vector),
-    exactSnaps: 0,
-    at: {
-      now: 0,
-      present: 0,
-      elapsed: 0,
-      staleAfter: 0,
-      confirms: 0,
-      paused: false,
-      wallOf: (tick) => wallOfTick(sim.timeline, tick),
-    },
-  };
+  const scene = createScene(sim);
   return { view, scene, viewedAt: Number.NaN };
 }
 

@@ -1,4 +1,4 @@
-import { type Controls, loadControls, NEUTRAL_CONTROLS, type Quat, type Vec3 } from '../../dynamics';
+import { type Controls, NEUTRAL_CONTROLS, type Quat, type Vec3 } from '../../dynamics';
 import type { InputAcknowledgement, InputRecord, StateControls } from '../../wire';
 import { isBefore, type Position } from '../time/timeline';
 
@@ -206,12 +206,6 @@ function dropIndex(inputs: Inputs, index: number): void {
   if (inputs.unsent > index) inputs.unsent -= 1;
 }
 
-/** Controls in range, or null with what is not finite. */
-export function checkedControls(given: Controls): Controls | null {
-  const checked = loadControls(given);
-  return checked.ok ? checked.value : null;
-}
-
 /** Whether two commands are the same, within what single precision keeps. */
 export function sameControls(a: Controls, b: StateControls): boolean {
   return (
@@ -222,12 +216,6 @@ export function sameControls(a: Controls, b: StateControls): boolean {
     nearAll(a.translationInput, b.translationInput) &&
     nearAll(a.targetAttitude, b.targetAttitude)
   );
-}
-
-/** What a pilot who has let go commands: the sticks centred and the engine off, the attitude mode as it was. */
-export function letGo(controls: Controls): Controls {
-  const { rotationInput, translationInput, thrustLevel } = NEUTRAL_CONTROLS;
-  return { ...controls, rotationInput, translationInput, thrustLevel };
 }
 
 /** Held keys released: the sticks centred; a throttle lever stays where it was put. */

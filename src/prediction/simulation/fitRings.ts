@@ -14,7 +14,7 @@ const LEAST_ROWS = 12;
 const ROW_BYTES = SHIP_STRIDE * Float64Array.BYTES_PER_ELEMENT;
 
 /** Rows each of `ships` ships may keep; the same for all numbers up to a power of two, so that growing fleets seldom change it. */
-export function rowsWithin(ships: number, ringOfRate: number): number {
+function rowsWithin(ships: number, ringOfRate: number): number {
   const rounded = 2 ** Math.ceil(Math.log2(Math.max(1, ships)));
   return Math.max(LEAST_ROWS, Math.min(ringOfRate, Math.floor(HISTORY_BYTES / (rounded * ROW_BYTES))));
 }

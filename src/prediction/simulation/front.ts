@@ -1,4 +1,5 @@
-import { NO_EVENT, SHIP_STRIDE } from '../../dynamics';
+import { NO_EVENT, REFERENCE_BODY, SHIP_STRIDE } from '../../dynamics';
+import { turnPicture } from '../drawn/changeBody';
 import { easeUprighting } from '../drawn/uprighting';
 import { predict } from '../events';
 import { applyDue, seek } from '../inputs/scheduledInput';
@@ -44,6 +45,8 @@ function stepShips(sim: Simulation): void {
     step.beforeAt = track.at;
     stepRow(step, sim, track);
     stepped += 1;
+    const body = step.rows[step.at + REFERENCE_BODY]!;
+    if (track.picture.body !== body) turnPicture(track.picture, step.bodies, body);
     track.picture.uprighted = false;
     if (step.event !== NO_EVENT) report(sim, track);
     if (track.log !== null) logSubstep(track.log.front, sim.world, step);

@@ -43,9 +43,11 @@ interface Measurement {
 
 /** What is nearer to 1 than this is as told: a ship's ICRF place alone leaves 1e-6 of a tenth of a second's turn. */
 const AS_TOLD = 1e-4;
-/** Nothing is measured of what turns slower, rad/s, nor believed that turns at more than twice the told spin. */
+/** Nothing is measured of what turns slower, rad/s, nor believed that is off by more than half the told spin. */
 const LEAST_SPIN = 1e-9;
-const MAX_OFF = 1;
+const MAX_OFF = 0.5;
+/** Of a ship's way: what it may move aside of the ground's. */
+const ASIDE = 1e-3;
 
 export function createBodySpin(): BodySpin {
   const measurement = (): Measurement => ({ believed: 1, last: Number.NaN });
@@ -98,13 +100,20 @@ export function measureByShip(
   for (let k = 0; k < 3; k++) middle[k] = (before[POSITION + k]! + after[POSITION + k]!) / 2;
   let along = 0;
   let squared = 0;
+  let moved = 0;
   for (let k = 0; k < 3; k++) {
     const [i, j] = [(k + 1) % 3, (k + 2) % 3];
     const speed = way[i]! * middle[j]! - way[j]! * middle[i]!;
-    along += speed * (after[POSITION + k]! - before[POSITION + k]!);
+    const step = after[POSITION + k]! - before[POSITION + k]!;
+    along += speed * step;
     squared += speed * speed;
+    moved += step * step;
   }
-  if (squared > LEAST_SPIN) believe(spin, spin.byShips, along / (squared * seconds));
+  if (!(squared > LEAST_SPIN)) return;
+  const aside = moved - (along * along) / squared;
+  // Just along the ground's way: with nothing aside one measurement is enough.
+  if (aside < ASIDE * ASIDE * moved) spin.byShips.last = along / (squared * seconds);
+  believe(spin, spin.byShips, along / (squared * seconds));
 }
 
 function believe(spin: BodySpin, measurement: Measurement, ratio: number): void {

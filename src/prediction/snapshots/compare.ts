@@ -43,21 +43,19 @@ const SPEED = 1;
 const SPIN = 2;
 
 /** First field in which two states differ, in the order they are looked at; none where they are equal. */
-export const FIELDS = [
-  'none',
-  'shipClass',
-  'referenceBody',
-  'crashed',
-  'surfaceContactState',
-  'position',
-  'velocity',
-  'attitude',
-  'angularVelocity',
-  'fuel',
-  'wheelMomentum',
-  'groundContactOffset',
-] as const;
-export type Field = (typeof FIELDS)[number];
+export type Field =
+  | 'none'
+  | 'shipClass'
+  | 'referenceBody'
+  | 'crashed'
+  | 'surfaceContactState'
+  | 'position'
+  | 'velocity'
+  | 'attitude'
+  | 'angularVelocity'
+  | 'fuel'
+  | 'wheelMomentum'
+  | 'groundContactOffset';
 
 /** Component of a quaternion: half the angle, rad. */
 const ATTITUDE_TOLERANCE = 1e-7;

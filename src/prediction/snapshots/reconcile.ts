@@ -10,9 +10,7 @@ import {
   WHEEL_MOMENTUM,
 } from '../../dynamics';
 import type { ShipState } from '../../wire';
-import { knowsGround } from '../ground/unknownGround';
-import { measureByShip } from './bodySpin';
-import { weighLaw } from './lawFit';
+import { learnFrom } from './learnFrom';
 import { adopt, drawableState, isExact } from './adopt';
 import {
   describeDifference,
@@ -31,7 +29,7 @@ import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from 
 import { abandonReplay, startReplay } from '../simulation/replay';
 import { commandsAnything } from '../simulation/heldControls';
 import type { Simulation } from '../simulation/simulation';
-import { keepEvidence, learnGround } from '../ground/learn';
+import { keepEvidence } from '../ground/learn';
 import { take } from '../drawn/rotation';
 import { isBefore, spanOf, writeLater } from '../time/timeline';
 import { logLanded } from '../touchdown/touchdownRing';
@@ -81,45 +79,14 @@ export function reconcile(
   if (Number.isNaN(told[WHEEL_MOMENTUM])) recallWheels(predicted);
   track.exact = isExact(state);
   const field = predicted === null ? null : differenceFrom(track, predicted);
-  const goesOver = takeTeaching(sim, track, word, { predicted, agrees: field === 'none', toldImpact });
+  const agrees = field === 'none';
+  const goesOver = learnFrom(sim, track, { row: told, context: word, predicted, agrees, toldImpact });
   remember(track, state, word, known);
   settle(sim, track, field === null ? null : { field, predicted: predicted! }, word);
   if (goesOver && !track.off) startReplay(track, sim, word.tick, told, 0);
   keepEvidence(track, told, word.tick);
   if (!track.own) holdControls(sim, track);
   return null;
-}
-
-/** What a state teaches of ground, spin and law. Returns whether the ship goes over from the law to being carried on, or back. */
-function takeTeaching(
-  sim: Simulation,
-  track: Track,
-  word: SnapshotContext,
-  was: { readonly predicted: Place | null; readonly agrees: boolean; readonly toldImpact: boolean },
-): boolean {
-  const { tick, bodies, now } = word;
-  const { fit, ground } = track;
-  const isKnown = knowsGround(told, bodies, sim.world);
-  const changes = isKnown === (fit.carried === 'ground');
-  if (changes) fit.carried = isKnown ? '' : 'ground';
-  if (fit.carried !== '') {
-    fit.states += 1;
-    sim.counters.statesCarried += 1;
-  }
-  if (!isKnown) return changes;
-  if (!was.agrees || ground.places.length > 0 || fit.carried !== '')
-    learnGround(sim, track, { row: told, tick, bodies, now, toldImpact: was.toldImpact });
-  if (!was.agrees) measureSpin(sim, track, word);
-  const { predicted, agrees } = was;
-  const isWeighed = weighLaw(sim, track, { state: server, tick, predicted, agrees });
-  return changes || isWeighed;
-}
-
-/** A ship that lies where it was not predicted tells how fast its body turns. */
-function measureSpin(sim: Simulation, { evidence }: Track, word: SnapshotContext): void {
-  if (evidence.tick < 0 || evidence.tick >= word.tick) return;
-  const seconds = (word.tick - evidence.tick) * spanOf(sim.timeline, word.tick).timing.tickSeconds;
-  measureByShip(sim.spins[told[REFERENCE_BODY]!]!, evidence.row, told, word.bodies, seconds);
 }
 
 /**

@@ -53,9 +53,9 @@ export interface Clock {
 /** Without a pong, half of this is taken for the way down, s. */
 const ASSUMED_ROUND_TRIP = 0.1;
 /** Kept between an input's arrival and its need, beside the jitter, s. */
-export const SLACK = 0.01;
+const SLACK = 0.01;
 /** An error beyond this is not slewed away but jumped, s (PREDICTION: hard reset beyond 2 s). */
-export const HARD_RESET = 2;
+const HARD_RESET = 2;
 /** Where a clock was set anew, an error beyond this is put right at once, s. */
 const STEP = 0.1;
 /** The same where the offset has just become certain again after it was not, s. */

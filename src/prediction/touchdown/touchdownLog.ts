@@ -25,9 +25,9 @@ import type { TouchdownView } from '../drawn/view';
  */
 
 /** Columns of a log's row. 1 once a touch was seen: a ship met on the ground has none. */
-export const KNOWN = 0;
+const KNOWN = 0;
 /** Index into OUTCOMES. */
-export const OUTCOME = 1;
+const OUTCOME = 1;
 /** Closing speed at the first touch, the law's impact speed, m/s. */
 const VERTICAL_SPEED = 2;
 /** Along the turning ground just before the first touch, m/s. */
@@ -50,8 +50,8 @@ const HOP_ALLOWANCE = 12;
 export const LOGGED_STATE = 13;
 export const LOG_STRIDE = 14;
 
-export const OUTCOMES = ['open', 'landed', 'tipped', 'crashed'] as const;
-export const OPEN = 0;
+const OUTCOMES = ['open', 'landed', 'tipped', 'crashed'] as const;
+const OPEN = 0;
 const CRASHED_THERE = 3;
 
 /** A hop with the engine on is a bounce up to this many times as long as without it would be; longer it is a new approach. */

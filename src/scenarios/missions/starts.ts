@@ -1,7 +1,7 @@
 import type { Scenario } from '../scenario';
 
 /** The level ground of the hills, 350 m around. */
-export const LEVEL_SITE: Scenario['site'] = { latitude: 28.6854, longitude: 43.15239 };
+const LEVEL_SITE: Scenario['site'] = { latitude: 28.6854, longitude: 43.15239 };
 
 /** Upright and still, with fuel for a while. */
 export const RESTING: Scenario['initial'] = {

@@ -76,4 +76,6 @@ class Lease:
 
     def release(self) -> None:
         self.let_go.set()
+        if self.keeper:
+            self.keeper.join()
         self.client.eval(RELEASE, 1, KEY, self.token)

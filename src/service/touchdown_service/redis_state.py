@@ -123,7 +123,8 @@ class RedisState:
         """All of a tick, or nothing. Raises LeaseLost where another service may have written meanwhile."""
         pipe = self.client.pipeline(transaction=True)
         try:
-            pipe.watch(lease_key.KEY, CLOCK)
+            # Not the lease: its renewals, and its running out under a long transaction, would break this one off.
+            pipe.watch(CLOCK)
             holder, commit = pipe.get(lease_key.KEY), pipe.hget(CLOCK, "commit")
             if holder not in (None, self.lease.token) or commit != self.commit_id:
                 raise LeaseLost(self.lease.token)

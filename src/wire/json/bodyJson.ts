@@ -79,7 +79,7 @@ function spinIn(r: Reading, from: Fields, time: number): Spin | null {
  * Ω = (2π / period) × axis. At game time 0 the prime meridian is where the shortest turn of the pole (body Y) to the axis
  * leaves it: the game does not publish its own, so the ground's longitude is this convention's.
  */
-export function spinOf(axis: Vec3, period: number, time: number): Spin {
+function spinOf(axis: Vec3, period: number, time: number): Spin {
   const rate = (2 * Math.PI) / period;
   const turns = time / period;
   const degrees = (turns - Math.floor(turns)) * 360;

@@ -1,5 +1,6 @@
 import { GRAVITATIONAL_CONSTANT, type Vec3 } from '../../../src/dynamics';
 import type { ShipView, WorldView } from '../../../src/prediction';
+import type { ShipState } from '../../../src/wire';
 import { CASES, type LiteralCase, USUAL_FLIGHTS } from '../../prediction/literalServer/cases';
 import {
   createLiteralRig,
@@ -79,7 +80,7 @@ export function flyForeign(flight: LiteralFlight, result: CaseResult): void {
     const view = rig.frame((frame) => {
       baselines.receive(frame, rig.now);
       heard += 1;
-      if (frame.ships[0]?.shipId === SHIP && frame.ships[0].landedBodyName !== '')
+      if (frame.ships[0]?.shipId === SHIP && isSettling(frame.ships[0], flight.difference))
         contactTicks.push(frame.tick);
     });
     // How fast time runs is told by no frame, and known from the third on.
@@ -112,6 +113,10 @@ export function flyForeign(flight: LiteralFlight, result: CaseResult): void {
     }
     last = { sample, truth };
   }
+}
+
+function isSettling(ship: ShipState, { settlesLanded }: LiteralCase): boolean {
+  return settlesLanded === true ? ship.surfaceContactState === 'landed' : ship.landedBodyName !== '';
 }
 
 function measure(out: Drawn, placed: Placed, truth: LiteralTruth, settled: boolean): void {

@@ -1,0 +1,23 @@
+import { BODY_ATTITUDE, BODY_STRIDE } from '../../dynamics';
+import type { Picture } from './picture';
+import { quaternion, rotate, rotateBack, take } from './rotation';
+
+/**
+ * A ship has gone over to another body: what is eased of it is told in that one's axes from now on, so that nothing drawn jumps.
+ * @param bodies rows of the substep at hand
+ */
+export function turnPicture(picture: Picture, bodies: Float64Array, index: number): void {
+  const { ease } = picture;
+  if (picture.body >= 0 && ease.active) {
+    take(from, bodies, picture.body * BODY_STRIDE + BODY_ATTITUDE);
+    take(to, bodies, index * BODY_STRIDE + BODY_ATTITUDE);
+    for (const part of [ease.offset, ease.rate, ease.turn, ease.turnRate]) {
+      rotate(part, from, part);
+      rotateBack(part, to, part);
+    }
+  }
+  picture.body = index;
+}
+
+const from = quaternion();
+const to = quaternion();

@@ -1,0 +1,102 @@
+import { flatTerrain, writeGroundNormal } from '../../dynamics';
+import { confidenceOf, offsetAt, placeAt } from '../ground/learnedGround';
+import type { Track } from '../simulation/track';
+import { groundRadius } from './drawnGround';
+import { createGroundedPose, type GroundedPose, snapToGround } from './groundSnap';
+import { hullOf, LEGS } from './hull';
+import { type LevelGround, snapToLevel } from './levelSnap';
+import { lengthOf, rotate, vector } from './rotation';
+import type { Scene } from './scene';
+import type { ShipView } from './view';
+
+/** A ship and the ground under it: the one it is predicted on, and the one that is drawn. */
+
+/** The ground under the ship, as the server has it by what was learned, and how far that is above the drawn one. */
+export function fillGround(out: ShipView, track: Track, scene: Scene): void {
+  const { world, ground, at, normal, drawn } = scene;
+  const body = world.bodies[out.body]!;
+  const { picture } = track;
+  const { places } = track.ground;
+  const nx = normal[0]!;
+  const ny = normal[1]!;
+  const nz = normal[2]!;
+  ground.bodyName = body.name;
+  ground.radius = body.radius;
+  out.groundRadius = groundRadius(ground, nx, ny, nz);
+  fillGroundNormal(out, scene);
+  out.groundOffset = 0;
+  out.groundConfidence = 0;
+  drawn.groundOffset = 0;
+  if (places.length === 0) return;
+  out.groundOffset = offsetAt(places, body.name, nx, ny, nz);
+  out.groundConfidence = confidenceOf(placeAt(track.ground, body.name, normal));
+  out.groundRadius += out.groundOffset;
+  // What is learned in flight moves the mesh no faster than a correction.
+  const follows = out.surfaceContactState === '' ? 1 - Math.exp(-OFFSET_RATE * at.elapsed) : 1;
+  picture.groundOffset += (out.groundOffset - picture.groundOffset) * follows;
+  drawn.groundOffset = picture.groundOffset;
+}
+
+/** 1/s */
+const OFFSET_RATE = 10;
+
+/** The slope is looked for where the ship's feet are nearer to the ground than this, m. */
+const SLOPE_HEIGHT = 100;
+
+/** Which way the ground under its feet faces, as the settings have it. */
+function fillGroundNormal(out: ShipView, { world, normal, seen, bodyAttitudes }: Scene): void {
+  const attitude = bodyAttitudes[out.body]!;
+  const feet = lengthOf(seen.position) - out.groundRadius - out.groundContactOffset;
+  if (world.settings.surfaceNormal !== 'terrain' || feet > SLOPE_HEIGHT) {
+    rotate(out.groundNormal, attitude, normal);
+    return;
+  }
+  const { name, radius } = world.bodies[out.body]!;
+  under.bodyName = name;
+  under.radius = radius;
+  under.legRadius = out.shipClass.legRadius;
+  under.terrainHeight = world.terrainHeight;
+  writeGroundNormal(slope, normal, under);
+  rotate(out.groundNormal, attitude, slope);
+}
+
+const slope = vector();
+const under = { bodyName: '', radius: 1, legRadius: 1, terrainHeight: flatTerrain };
+
+/**
+ * Puts the mesh on the drawn ground where that is near.
+ * @returns whether point by point, or as on level ground
+ */
+export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
+  const { shipClass } = out;
+  const { drawn, seen } = scene;
+  const exactly = out.own || scene.exactSnaps > 0;
+  const surface = out.groundRadius - out.groundOffset;
+  const above = lengthOf(drawn.position) - surface;
+  // No part of the ship reaches as far as twice its height: nothing is under it.
+  const reach = FAR * (out.groundContactOffset + Math.abs(out.groundOffset) * REACH) + shipClass.legRadius;
+  if (above > reach) {
+    for (let k = 0; k < 3; k++) out.meshPosition[k] = out.easedPosition[k]!;
+    for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = 0;
+    out.feetHeight = lengthOf(seen.position) - out.groundRadius - out.groundContactOffset;
+    return exactly;
+  }
+  drawn.grounded = out.surfaceContactState !== '';
+  if (exactly) {
+    scene.exactSnaps -= 1;
+    snapToGround(groundedPose, drawn, hullOf(shipClass), scene.ground);
+  } else {
+    level.radius = surface;
+    snapToLevel(groundedPose, drawn, hullOf(shipClass), level);
+  }
+  rotate(out.meshPosition, bodyAttitude, groundedPose.position);
+  for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = groundedPose.legCompression[leg]!;
+  out.feetHeight = groundedPose.feetHeight;
+  return exactly;
+}
+
+const FAR = 2;
+/** Of the offset between the two grounds: twice this height above the ground the mesh has left it behind. */
+const REACH = 4.5;
+const level: LevelGround = { radius: 0 };
+const groundedPose: GroundedPose = createGroundedPose(LEGS);

@@ -1,0 +1,67 @@
+import {
+  ANGULAR_VELOCITY,
+  ATTITUDE,
+  FLYING,
+  POSITION,
+  REFERENCE_BODY,
+  SHIP_STRIDE,
+  SURFACE_STATE,
+  VELOCITY,
+} from '../../dynamics';
+import type { Simulation } from '../simulation/simulation';
+import { writeSleeping } from '../simulation/sleep';
+import { copyRow, type Track } from '../simulation/track';
+import { pose } from './pose';
+import { compose, put, rotate, rotateBack, seenFrom, take, vector } from './rotation';
+
+/** How the bodies are turned at the present. */
+export interface TurnedBodies {
+  /** Attitude and spin of each body, ICRF. */
+  readonly bodyAttitudes: readonly Float64Array[];
+  readonly bodySpins: readonly Float64Array[];
+}
+
+/**
+ * The row of a ship that is not in step, placed at the present: asleep; held as it was last predicted; or as the server last had it,
+ * on its body, which has turned since.
+ */
+export function outOfStep(sim: Simulation, track: Track, turned: TurnedBodies): Float64Array {
+  const { picture } = track;
+  const known = track.mode === 'sleeping' || picture.hasHeld;
+  copyRow(row, 0, known ? sim.fleet.front : track.serverRow, known ? track.at : 0);
+  const index = row[REFERENCE_BODY]!;
+  const attitude = turned.bodyAttitudes[index]!;
+  const spin = turned.bodySpins[index]!;
+  if (track.mode === 'sleeping') {
+    writeSleeping(row, 0, track, attitude, spin);
+    return row;
+  }
+  if (picture.hasHeld) {
+    seen.position.set(picture.heldPlace);
+    seen.attitude.set(picture.heldAttitude);
+  } else {
+    take(seen.position, row, POSITION);
+    take(seen.attitude, row, ATTITUDE);
+    rotateBack(seen.position, track.serverBodyAttitude, seen.position);
+    seenFrom(seen.attitude, track.serverBodyAttitude, seen.attitude);
+  }
+  rotate(seen.position, attitude, seen.position);
+  compose(seen.attitude, attitude, seen.attitude);
+  put(row, POSITION, seen.position);
+  put(row, ATTITUDE, seen.attitude);
+  if (!picture.hasHeld && row[SURFACE_STATE] !== FLYING) moveWithBody(spin);
+  return row;
+}
+
+function moveWithBody(spin: Float64Array): void {
+  const [x, y, z] = [seen.position[0]!, seen.position[1]!, seen.position[2]!];
+  velocity[0] = spin[1]! * z - spin[2]! * y;
+  velocity[1] = spin[2]! * x - spin[0]! * z;
+  velocity[2] = spin[0]! * y - spin[1]! * x;
+  put(row, VELOCITY, velocity);
+  put(row, ANGULAR_VELOCITY, spin);
+}
+
+const row = new Float64Array(SHIP_STRIDE);
+const seen = pose();
+const velocity = vector();

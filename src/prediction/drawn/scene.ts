@@ -1,0 +1,47 @@
+import type { World } from '../../dynamics';
+import type { Simulation } from '../simulation/simulation';
+import { wallOfTick } from '../time/timeline';
+import type { DrawnGround } from './drawnGround';
+import type { GroundPose } from './groundSnap';
+import { type Pose, pose } from './pose';
+import { quaternion, vector } from './rotation';
+import type { Instant } from './status';
+
+/** What all ships of one view share. */
+export interface Scene {
+  readonly world: World;
+  /** Of the body under the ship at hand. */
+  readonly ground: DrawnGround;
+  /** Attitude and spin of each body at the present, ICRF. */
+  bodyAttitudes: Float64Array[];
+  bodySpins: Float64Array[];
+  /** Ships that still may be put on the ground point by point: beyond them the ground counts as level under a ship. */
+  exactSnaps: number;
+  readonly at: Instant;
+  /** Of the ship at hand, in its body's axes: as predicted, the local up there, and as drawn. */
+  readonly seen: Pose;
+  readonly normal: Float64Array;
+  readonly drawn: GroundPose;
+}
+
+export function createScene(sim: Simulation): Scene {
+  return {
+    world: sim.world,
+    ground: { bodyName: '', radius: 0, terrainHeight: sim.world.terrainHeight },
+    bodyAttitudes: sim.world.bodies.map(quaternion),
+    bodySpins: sim.world.bodies.map(vector),
+    exactSnaps: 0,
+    at: {
+      now: 0,
+      present: 0,
+      elapsed: 0,
+      staleAfter: 0,
+      confirms: 0,
+      paused: false,
+      wallOf: (tick) => wallOfTick(sim.timeline, tick),
+    },
+    seen: pose(),
+    normal: vector(),
+    drawn: { ...pose(), grounded: false, groundOffset: 0 },
+  };
+}

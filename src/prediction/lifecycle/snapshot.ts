@@ -1,0 +1,117 @@
+import { err, loadControls, ok, type Result } from '../../dynamics';
+import type { Hello, InputRecord, PartialFrame, ServerMessage } from '../../wire';
+import { resend, store } from '../inputs/inputs';
+import { changeOwnShip, resetSession } from '../ownership';
+import type { Session } from '../session';
+import { receiveMessage } from '../snapshots/receiveMessage';
+
+/** What a predictor has been told last, as plain data for JSON.stringify: enough to go on from in another page or worker. */
+export interface PredictorSnapshot {
+  readonly version: 1;
+  /** '' for a spectator. */
+  readonly ownShipId: string;
+  /** null: the server sent none. */
+  readonly hello: Hello | null;
+  /** The newest frame; null: none has come. */
+  readonly frame: PartialFrame | null;
+  /** Wall s since it came. */
+  readonly age: number;
+  /** Own inputs that the server has not been seen to apply. */
+  readonly inputs: readonly InputRecord[];
+  /** Number of the next input. */
+  readonly nextSeq: number;
+}
+
+/** The messages that a snapshot is made of, kept as they come. */
+export interface Kept {
+  hello: Hello | null;
+  frame: PartialFrame | null;
+  frameAt: number;
+}
+
+export function createKept(): Kept {
+  return { hello: null, frame: null, frameAt: Number.NaN };
+}
+
+/** Keeps what a later snapshot needs of a message. Messages of one tick are parts of one frame. */
+export function keep(kept: Kept, message: ServerMessage | PartialFrame, now: number): void {
+  const kind: unknown = (message as { kind?: unknown } | null | undefined)?.kind;
+  if (kind === 'hello') kept.hello = message as Hello;
+  if (kind !== 'frame') return;
+  const frame = message as PartialFrame;
+  const before = kept.frame;
+  if (before !== null && frame.tick < before.tick && kept.frameAt + OVERTAKEN > now) return;
+  const isPart = before !== null && before.tick === frame.tick && Array.isArray(frame.ships);
+  kept.frame = isPart ? { ...before, ...frame, ships: merged(before, frame) } : frame;
+  kept.frameAt = now;
+}
+
+/** s within which an older frame is one that was overtaken, not one of a server that began again. */
+const OVERTAKEN = 2;
+
+function merged(before: PartialFrame, frame: PartialFrame): PartialFrame['ships'] {
+  const ids = new Set(frame.ships.map(({ shipId }) => shipId));
+  return [...before.ships.filter(({ shipId }) => !ids.has(shipId)), ...frame.ships];
+}
+
+/** The snapshot at client wall second `now`. */
+export function snapshotOf({ receiver, sim }: Session, kept: Kept, now: number): PredictorSnapshot {
+  const { records, applied, nextSeq } = sim.inputs;
+  return {
+    version: 1,
+    ownShipId: receiver.ownShipId,
+    hello: kept.hello,
+    frame: kept.frame,
+    age: kept.frame === null ? 0 : Math.max(0, now - kept.frameAt),
+    inputs: records.map(({ record }) => record).filter(({ seq }) => seq > applied),
+    nextSeq,
+  };
+}
+
+/** Goes on from a snapshot, which may come from anywhere: a reason that names the field where it cannot be. */
+export function restoreSnapshot(session: Session, kept: Kept, given: unknown, now: number): Result<null> {
+  const reason = faultOf(given);
+  if (reason !== null) return err(`snapshot.${reason}`);
+  const { hello, frame, age, ownShipId, inputs, nextSeq } = given as PredictorSnapshot;
+  resetSession(session);
+  for (const message of [hello, frame]) {
+    if (message === null) continue;
+    keep(kept, message, now - age);
+    receiveMessage(session, message, now - age);
+  }
+  changeOwnShip(session, ownShipId);
+  const own = session.sim.inputs;
+  for (const record of inputs) {
+    const controls = loadControls(record.controls);
+    if (!controls.ok) continue;
+    own.nextSeq = record.seq;
+    store(own, controls.value, record, now, session.clock.steer);
+  }
+  own.nextSeq = Math.max(own.nextSeq, nextSeq);
+  resend(own);
+  return ok(null);
+}
+
+function faultOf(given: unknown): string | null {
+  if (typeof given !== 'object' || given === null) return 'version: expected 1, got no object';
+  const { version, hello, frame, age, ownShipId, inputs, nextSeq } = given as Partial<PredictorSnapshot>;
+  if (version !== 1) return `version: expected 1, got ${String(version)}`;
+  if (typeof ownShipId !== 'string') return 'ownShipId: expected a text';
+  if (hello === undefined || frame === undefined) return 'hello, frame: expected a message or null';
+  if (typeof age !== 'number' || !(age >= 0)) return 'age: expected a number ≥ 0';
+  if (!Array.isArray(inputs) || !inputs.every(isInput)) return 'inputs: expected a list of inputs';
+  if (!isCount(nextSeq)) return 'nextSeq: expected a whole number ≥ 1';
+  return null;
+}
+
+function isInput(given: unknown): boolean {
+  const record = given as InputRecord | null;
+  if (typeof record !== 'object' || record === null) return false;
+  const { seq, tick, substep, controls } = record;
+  const isRecord = typeof controls === 'object' && (controls as object | null) !== null;
+  return isCount(seq) && isCount(tick + 1) && isCount(substep + 1) && isRecord;
+}
+
+function isCount(value: unknown): boolean {
+  return Number.isSafeInteger(value) && (value as number) >= 1;
+}

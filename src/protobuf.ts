@@ -6,6 +6,8 @@ export {
   type ClientMessage,
   decodeClientMessage,
   decodeServerMessage,
+  type PendingMessage,
+  pendingServerMessage,
   encodeClientMessage,
   encodeServerMessage,
   type ServerMessage,

@@ -34,17 +34,18 @@ export function angleOf(): void {
   const ax = x < 0 ? -x : x;
   const ay = y < 0 ? -y : y;
   const larger = ay > ax ? ay : ax;
+  const smaller = ay > ax ? ax : ay;
   if (larger === 0) {
     arc[ARC_ANGLE] = 0;
     return;
   }
-  const t = (ay > ax ? ax : ay) / larger;
-  const reduced = t > SPLIT ? (t - 1) / (t + 1) : t;
+  const isSteep = smaller > SPLIT * larger;
+  const reduced = isSteep ? (smaller - larger) / (smaller + larger) : smaller / larger;
   const u = reduced * reduced;
   const high = C6 + u * (C7 + u * (C8 + u * (C9 + u * C10)));
   const low = C1 + u * (C2 + u * (C3 + u * (C4 + u * (C5 + u * high))));
   const small = reduced + reduced * (u * low);
-  const octant = t > SPLIT ? QUARTER_PI + small : small;
+  const octant = isSteep ? QUARTER_PI + small : small;
   const quadrant = ay > ax ? HALF_PI - octant : octant;
   const half = x < 0 ? PI - quadrant : quadrant;
   arc[ARC_ANGLE] = y < 0 ? -half : half;

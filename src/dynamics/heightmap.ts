@@ -53,7 +53,7 @@ export function readHeightmapSamples(bytes: Uint8Array): Result<Int16Array> {
 /**
  * Ground from heightmaps by body name, and `elsewhere` for bodies without one; or the reason that names the field which cannot be
  * used. Continuous everywhere: over the date line, and over the poles, where the height is the mean of the row next to it (the first
- * row is replaced by its mean). A look-up costs under 100 ns and allocates nothing.
+ * row is replaced by its mean). A look-up costs under 100 ns and allocates nothing of its own.
  */
 export function heightmapTerrain(
   maps: Readonly<Record<string, Heightmap>>,

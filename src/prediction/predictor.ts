@@ -1,5 +1,5 @@
 import type { Controls, Result } from '../dynamics';
-import type { ClientMessage, PartialFrame, ServerMessage } from '../wire';
+import type { ClientMessage, PartialFrame, PendingMessage, ServerMessage } from '../wire';
 import { createChecks } from './checks/checks';
 import { requireOptions } from './checks/options';
 import type { EventNotice, WorldView } from './drawn/view';
@@ -11,6 +11,7 @@ import type { PredictorOptions } from './options';
 import { changeOwnShip, dropShip, expectTeleport, type Removal, resetSession } from './ownership';
 import { announce, createSession, type Session } from './session';
 import { noteCall, receiveMessage } from './snapshots/receiveMessage';
+import { decodePending, receivePending } from './snapshots/pending';
 import { refuse } from './snapshots/receiver';
 import { jitterOf, serverTime } from './time/clock';
 import { connectionOf } from './time/connection';
@@ -24,6 +25,11 @@ import { spanOf } from './time/timeline';
 export interface Predictor {
   /** A checked message of the server has arrived; of a frame, tick and ships are enough. */
   receive: (message: ServerMessage | PartialFrame, now: number) => void;
+  /**
+   * A message of the server has arrived and is not decoded yet (pendingServerMessage of wire): the next `advance` decodes it, unless
+   * newer frames supersede it. For a page that may be hidden while hundreds of ships are sent.
+   */
+  receivePending: (message: PendingMessage, now: number) => void;
   /** A frame of the server that the wire refused; counted, its reason kept for the diagnosis. */
   refused: (reason: string) => void;
   /** Once a display frame: samples own controls (null: a spectator's, or the hand is off the stick) and simulates up to the present. Controls that are not finite are ignored. */
@@ -57,17 +63,22 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
   const checks = createChecks(session);
   const kept = createKept();
   let isDisposed = false;
+  const receive: Predictor['receive'] = (message, now) => {
+    if (isDisposed) return;
+    checks?.receive(message, now);
+    receiveMessage(session, message, now);
+    keep(kept, message, now);
+  };
   return {
-    receive(message, now) {
-      if (isDisposed) return;
-      checks?.receive(message, now);
-      receiveMessage(session, message, now);
-      keep(kept, message, now);
+    receive,
+    receivePending: (message, now) => {
+      if (!isDisposed) receivePending(session, message, now, receive);
     },
     refused: (reason) => refuse(session.sim, reason),
     advance(controls, now) {
       checks?.advance(controls, now);
       if (isDisposed || !noteCall(session, now)) return;
+      decodePending(session, receive);
       pingIfDue(session.pings, now);
       if (session.sim.newestTick >= 0) advanceFrame(session, controls, now);
     },

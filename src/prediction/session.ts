@@ -9,6 +9,7 @@ import { createSending, type Sending } from './inputs/sending';
 import { BUDGET, defaultWorld, type PredictorOptions } from './options';
 import { createSimulation, type Simulation } from './simulation/simulation';
 import { createGameTimeMeter, forgetGameTime, type GameTimeMeter } from './snapshots/gameTimeMeter';
+import { createPendingFrames, type PendingFrames } from './snapshots/pending';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
 import { loadWorld, type WorldConfig } from './snapshots/worldConfig';
 import { type Clock, createClock, forgetSchedule } from './time/clock';
@@ -28,6 +29,7 @@ export interface Session {
   readonly pilot: Pilot;
   readonly pings: Pings;
   readonly sending: Sending;
+  readonly pending: PendingFrames;
   readonly pace: Pace;
   readonly listeners: Set<(notice: EventNotice) => void>;
   readonly meter: GameTimeMeter;
@@ -64,6 +66,7 @@ export function createSession(options: PredictorOptions): Session {
     pilot: createPilot(),
     pings: createPings(),
     sending: createSending(),
+    pending: createPendingFrames(),
     pace: createPace(options.maxSubstepsPerFrame ?? BUDGET),
     listeners: new Set(),
     meter: createGameTimeMeter(),

@@ -4,6 +4,8 @@
 export type * from './records';
 /** What a server says, as bytes. */
 export { decodeServerMessage, encodeServerMessage } from './serverMessage';
+/** The same, decoded only when it is wanted. */
+export { type PendingMessage, pendingServerMessage } from './pendingMessage';
 /** A frame for many clients: each ship encoded once. */
 export { encodeCommonPart, encodeOwnPart, encodeShipPart, joinFrameParts } from './frameParts';
 /** What a client says, as bytes. */

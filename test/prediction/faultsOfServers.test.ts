@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { type Controls, NEUTRAL_CONTROLS } from '../../src/dynamics';
 import { createPredictor, type Predictor } from '../../src/prediction';
 import { NETWORK_PRESETS } from '../../src/scenarios';
-import type { ServerFrame, ShipState } from '../../src/wire';
+import { encodeServerMessage, pendingServerMessage, type ServerFrame, type ShipState } from '../../src/wire';
 import { createFaultyLine, frameAt, helloAt, STILL } from './faultyLine';
 import { createRig } from './rig';
 
@@ -428,5 +428,37 @@ describe('the memory of many ships', () => {
     const { diagnosis } = predictor.view(now);
     expect(diagnosis.historyBytes).toBeGreaterThan(1e6);
     expect(diagnosis.historyBytes).toBeLessThan(64 * 2 ** 20);
+  });
+});
+
+describe('a page that was hidden', () => {
+  it('decodes the newest frames alone, and tells the events of all', () => {
+    const predictor = createPredictor(OWN);
+    const heard: number[] = [];
+    predictor.onEvent(({ tick }) => heard.push(tick));
+    feed(predictor, range(0, 20), 20, 0);
+    let decoded = 0;
+    for (let tick = 20; tick < 200; tick++) {
+      const events =
+        tick === 30 || tick === 150
+          ? [{ type: 'ship.contact', shipId: 'ship-1', tick: tick - 1, substep: 2 }]
+          : [];
+      const message = pendingServerMessage(encodeServerMessage(frameAt(tick, 20, { events })));
+      const counted = {
+        ...message,
+        decode: () => {
+          decoded += 1;
+          return message.decode();
+        },
+      };
+      predictor.receivePending(counted, tick / 20);
+    }
+    predictor.advance(null, 10);
+    expect(decoded).toBe(4);
+    expect(heard).toEqual([29, 149]);
+    expect(predictor.view(10)).toMatchObject({
+      connection: 'live',
+      diagnosis: { framesSuperseded: 176, framesAccepted: 24 },
+    });
   });
 });

@@ -84,6 +84,8 @@ export const STILL: ShipState = {
   targetAttitude: [0, 0, 0, 1],
   fuel: 100,
   mass: 0,
+  wheelMomentum: null,
+  groundContactOffset: null,
   landedBodyName: BODY.name,
   surfaceContactState: 'landed',
   contactImpactSpeed: 0,

@@ -39,6 +39,7 @@ export function keep(kept: Kept, message: ServerMessage | PartialFrame, now: num
   if (kind === 'hello') kept.hello = message as Hello;
   if (kind !== 'frame') return;
   const frame = message as PartialFrame;
+  if (!Number.isSafeInteger(frame.tick)) return;
   const before = kept.frame;
   if (before !== null && frame.tick < before.tick && kept.frameAt + OVERTAKEN > now) return;
   const isPart = before !== null && before.tick === frame.tick && Array.isArray(frame.ships);
@@ -50,8 +51,15 @@ export function keep(kept: Kept, message: ServerMessage | PartialFrame, now: num
 const OVERTAKEN = 2;
 
 function merged(before: PartialFrame, frame: PartialFrame): PartialFrame['ships'] {
-  const ids = new Set(frame.ships.map(({ shipId }) => shipId));
-  return [...before.ships.filter(({ shipId }) => !ids.has(shipId)), ...frame.ships];
+  const ships = shipsOf(frame);
+  const ids = new Set(ships.map(({ shipId }) => shipId));
+  return [...shipsOf(before).filter(({ shipId }) => !ids.has(shipId)), ...ships];
+}
+
+/** A plain caller may hand in anything for a list of ships. */
+function shipsOf({ ships }: PartialFrame): PartialFrame['ships'] {
+  const isShip = (ship: unknown): boolean => typeof ship === 'object' && ship !== null;
+  return Array.isArray(ships) ? (ships as PartialFrame['ships']).filter(isShip) : [];
 }
 
 /** The snapshot at client wall second `now`. */

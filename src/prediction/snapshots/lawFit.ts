@@ -50,6 +50,15 @@ export function createLawFit(): LawFit {
   };
 }
 
+/** The law predicted a state of a ship that is under it: nothing to weigh. Returns false, for it stays there. */
+export function holdLaw(fit: LawFit): boolean {
+  const slot = fit.count % WINDOW;
+  fit.count += 1;
+  fit.law[slot] = 0;
+  fit.carry[slot] = 0;
+  return false;
+}
+
 /** A state, what was predicted for its tick, and whether the two agree. */
 export interface Judged {
   readonly state: Place;

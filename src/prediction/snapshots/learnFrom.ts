@@ -19,6 +19,11 @@ export interface Lesson {
   readonly toldImpact: boolean;
 }
 
+/** Whether a state that was predicted teaches nothing: the ship is on the ground and under the law that are known. */
+export function nothingToLearn({ ground, fit }: Track): boolean {
+  return ground.places.length === 0 && fit.carried === '';
+}
+
 /**
  * What a state teaches of the ground, of its body's spin and of the law (PREDICTION, second edition, sections 4 and 5).
  * @returns whether the ship goes over from the law to being carried on, or back

@@ -10,7 +10,8 @@ import {
   WHEEL_MOMENTUM,
 } from '../../dynamics';
 import type { ShipState } from '../../wire';
-import { learnFrom } from './learnFrom';
+import { learnFrom, nothingToLearn } from './learnFrom';
+import { holdLaw } from './lawFit';
 import { adopt, drawableState, isExact } from './adopt';
 import {
   describeDifference,
@@ -80,9 +81,12 @@ export function reconcile(
   track.exact = isExact(state);
   const field = predicted === null ? null : differenceFrom(track, predicted);
   const agrees = field === 'none';
-  const goesOver = learnFrom(sim, track, { row: told, context: word, predicted, agrees, toldImpact });
+  const goesOver =
+    agrees && nothingToLearn(track)
+      ? holdLaw(track.fit)
+      : learnFrom(sim, track, { row: told, context: word, predicted, agrees, toldImpact });
   remember(track, state, word, known);
-  settle(sim, track, field === null ? null : { field, predicted: predicted! }, word);
+  settle(sim, track, word, predicted, field);
   if (goesOver && !track.off) startReplay(track, sim, word.tick, told, 0);
   keepEvidence(track, told, word.tick);
   if (!track.own) holdControls(sim, track);
@@ -112,28 +116,31 @@ export function showAsTold(
   return null;
 }
 
-/** What was predicted for the state's tick, and the first field in which the state differs from it. */
-interface Compared {
-  readonly field: Field;
-  readonly predicted: Place;
-}
-
 function differenceFrom(track: Track, predicted: Place): Field {
   if (!track.exact) writeInexact(inexact, server);
   return firstDifference(server, predicted, track.exact ? EXACT : inexact);
 }
 
-function settle(sim: Simulation, track: Track, compared: Compared | null, word: SnapshotContext): void {
+/**
+ * The state is agreed with, or adopted.
+ * @param predicted what was predicted for its tick, and `field`, the first in which the state differs from it; null for nothing
+ */
+function settle(
+  sim: Simulation,
+  track: Track,
+  word: SnapshotContext,
+  predicted: Place | null,
+  field: Field | null,
+): void {
   if (track.off) {
     if (isAtRest(told, 0)) sleepAtFirst(sim, track, word);
     return;
   }
-  if (compared === null) {
+  if (predicted === null || field === null) {
     startReplay(track, sim, word.tick, told, 0);
     sleepAtFirst(sim, track, word);
     return;
   }
-  const { field, predicted } = compared;
   const commanded = sameCommand(told, 0, predicted.rows, predicted.at);
   if (field !== 'none' || !(commanded || sleepsThrough(track))) {
     correct(sim, track, field, predicted, word);

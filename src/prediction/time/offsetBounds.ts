@@ -58,7 +58,8 @@ function age(bounds: OffsetBounds, now: number): void {
     bounds.upper += DRIFT * seconds;
     bounds.lower -= DRIFT * seconds;
   }
-  bounds.agedTo = now;
+  // What waited undecoded is received later than it came.
+  if (!(now < bounds.agedTo)) bounds.agedTo = now;
 }
 
 /** What else is known when a sample is taken, s. */

@@ -23,15 +23,16 @@ def angle_of(y: float, x: float) -> float:
     ax = -x if x < 0 else x
     ay = -y if y < 0 else y
     larger = ay if ay > ax else ax
+    smaller = ax if ay > ax else ay
     if larger == 0:
         return 0.0
-    t = (ax if ay > ax else ay) / larger
-    reduced = (t - 1) / (t + 1) if t > SPLIT else t
+    is_steep = smaller > SPLIT * larger
+    reduced = (smaller - larger) / (smaller + larger) if is_steep else smaller / larger
     u = reduced * reduced
     high = C6 + u * (C7 + u * (C8 + u * (C9 + u * C10)))
     low = C1 + u * (C2 + u * (C3 + u * (C4 + u * (C5 + u * high))))
     small = reduced + reduced * (u * low)
-    octant = QUARTER_PI + small if t > SPLIT else small
+    octant = QUARTER_PI + small if is_steep else small
     quadrant = HALF_PI - octant if ay > ax else octant
     half = PI - quadrant if x < 0 else quadrant
     return -half if y < 0 else half

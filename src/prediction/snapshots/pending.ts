@@ -1,0 +1,73 @@
+import type { PendingMessage, ServerMessage, WorldEvent } from '../../wire';
+import type { Session } from '../session';
+import { noteCall } from './receiveMessage';
+import { refuse } from './receiver';
+
+/**
+ * Frames that have come and were not decoded yet. The next `advance` decodes the newest few; of what they supersede only the events
+ * are read, so that a page that was hidden for minutes comes back at once.
+ */
+export interface PendingFrames {
+  readonly queue: Waiting[];
+  /** Of superseded frames, in their order. */
+  readonly events: WorldEvent[];
+}
+
+/** A message and when it came, client wall s. */
+interface Waiting {
+  readonly message: PendingMessage;
+  readonly at: number;
+}
+
+/** What is done with a decoded message. */
+type Receive = (message: ServerMessage, now: number) => void;
+
+/** Frames that wait undecoded: more than come between two display frames of a page that is seen. */
+const MAX_QUEUED = 4;
+/** Events of superseded frames that are kept; the oldest go first. */
+const MAX_KEPT_EVENTS = 1000;
+
+export function createPendingFrames(): PendingFrames {
+  return { queue: [], events: [] };
+}
+
+/** A message has arrived at client wall second `now`; a frame waits for `decodePending`, what else it is does not. */
+export function receivePending(
+  session: Session,
+  message: PendingMessage,
+  now: number,
+  receive: Receive,
+): void {
+  if (!noteCall(session, now)) return;
+  const { queue, events } = session.pending;
+  if (!message.isFrame) {
+    decodePending(session, receive);
+    decodeOne(session, { message, at: now }, receive);
+    return;
+  }
+  queue.push({ message, at: now });
+  if (queue.length <= MAX_QUEUED) return;
+  events.push(...queue.shift()!.message.events());
+  if (events.length > MAX_KEPT_EVENTS) events.splice(0, events.length - MAX_KEPT_EVENTS);
+  session.counters.framesSuperseded += 1;
+}
+
+/** Decodes and receives what waits. */
+export function decodePending(session: Session, receive: Receive): void {
+  const { queue } = session.pending;
+  if (queue.length === 0) return;
+  for (const one of queue.splice(0)) decodeOne(session, one, receive);
+}
+
+function decodeOne(session: Session, { message, at }: Waiting, receive: Receive): void {
+  const decoded = message.decode();
+  if (!decoded.ok) {
+    refuse(session.sim, decoded.reason);
+    return;
+  }
+  const events = decoded.value.kind === 'frame' ? session.pending.events.splice(0) : [];
+  const { value } = decoded;
+  if (value.kind === 'frame' && events.length > 0)
+    receive({ ...value, events: [...events, ...value.events] }, at);
+  else receive(value, at);
+}

@@ -1,0 +1,72 @@
+import protobuf from 'protobufjs/minimal.js';
+import type { Result } from '../dynamics';
+import type { ServerMessage, WorldEvent } from './records';
+import { decodeServerMessage } from './serverMessage';
+
+/**
+ * A message of the server that has not been decoded: a page that was hidden for minutes decodes the newest frame alone, and of those
+ * before it their events (PREDICTION, Hidden tab, long stall, clock jump).
+ */
+export interface PendingMessage {
+  /** Whether it is a frame, which a newer one supersedes. */
+  readonly isFrame: boolean;
+  readonly decode: () => Result<ServerMessage>;
+  /** A frame's events alone; none where they cannot be read. */
+  readonly events: () => readonly WorldEvent[];
+}
+
+/** Field numbers of ServerMessage and ServerFrame in stream.proto. */
+const FRAME = 2;
+const BODIES = 5;
+const SHIPS = 6;
+const EVENTS = 7;
+const LENGTH_DELIMITED = 2;
+
+/** Looks at `bytes` no further than it has to. Never throws, whatever they are. */
+export function pendingServerMessage(bytes: Uint8Array): PendingMessage {
+  return {
+    isFrame: bytes.length > 0 && bytes[0] === ((FRAME << 3) | LENGTH_DELIMITED),
+    decode: () => decodeServerMessage(bytes),
+    events() {
+      const short = withoutShips(bytes);
+      if (short === null) return [];
+      const decoded = decodeServerMessage(short);
+      return decoded.ok && decoded.value.kind === 'frame' ? decoded.value.events : [];
+    },
+  };
+}
+
+/** The same frame without bodies and ships; null where it has no events, or is no frame in one part. */
+function withoutShips(bytes: Uint8Array): Uint8Array | null {
+  try {
+    const reader = protobuf.Reader.create(bytes);
+    if (reader.uint32() >>> 3 !== FRAME) return null;
+    const end = reader.uint32() + reader.pos;
+    const parts: Uint8Array[] = [];
+    let hasEvents = false;
+    while (reader.pos < end) {
+      const from = reader.pos;
+      const tag = reader.uint32();
+      const field = tag >>> 3;
+      reader.skipType(tag & 7);
+      if (field === EVENTS) hasEvents = true;
+      if (field !== BODIES && field !== SHIPS) parts.push(bytes.subarray(from, reader.pos));
+    }
+    return hasEvents ? sealed(parts) : null;
+  } catch {
+    return null;
+  }
+}
+
+function sealed(parts: readonly Uint8Array[]): Uint8Array {
+  const inner = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
+  let at = 0;
+  for (const part of parts) {
+    inner.set(part, at);
+    at += part.length;
+  }
+  return protobuf.Writer.create()
+    .uint32((FRAME << 3) | LENGTH_DELIMITED)
+    .bytes(inner)
+    .finish();
+}

@@ -217,12 +217,12 @@ export function createLive(program: string, listeners: LiveListeners): Live {
         return;
       }
       connection.setSpeed(choices.slow);
-      const { scenario, body, shipClass, terrain, seed, fleet, legacy } = choices;
+      const { scenario, body, shipClass, terrain, surfaceNormal, seed, fleet, legacy } = choices;
       const { tickRate, timeScale } = script;
       const network = networkOf(choices);
       connection.operate({
         kind: 'load',
-        ...{ scenario, body, shipClass, terrain, tickRate, timeScale, network, seed },
+        ...{ scenario, body, shipClass, terrain, surfaceNormal, tickRate, timeScale, network, seed },
         others: fleet,
         pilot: choices.pilot,
         legacy: legacy === 1,

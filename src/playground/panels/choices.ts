@@ -9,6 +9,8 @@ export interface Choices {
   body: string;
   shipClass: string;
   terrain: string;
+  /** Of the law: radial, or terrain: then slopes count. '' = the scenario's own. */
+  surfaceNormal: '' | 'radial' | 'terrain';
   /** Hz; 0 = the scenario's own. */
   tickRate: number;
   /** 0 = the scenario's own. */
@@ -51,6 +53,7 @@ export const DEFAULT_CHOICES: Choices = {
   body: '',
   shipClass: '',
   terrain: 'hills',
+  surfaceNormal: '',
   tickRate: 0,
   timeScale: 0,
   network: 'broadband',
@@ -115,6 +118,7 @@ const FIELDS: readonly Field[] = [
   { name: 'body', key: 'body', ...oneOf(names(BODIES)) },
   { name: 'shipClass', key: 'ship', ...oneOf(names(SHIP_CLASSES)) },
   { name: 'terrain', key: 'terrain', ...oneOf(['', ...Object.keys(TERRAINS)]) },
+  { name: 'surfaceNormal', key: 'normal', ...oneOf(['', 'radial', 'terrain']) },
   { name: 'tickRate', key: 'rate', ...orOwn(between(0.1, 100)) },
   { name: 'timeScale', key: 'scale', ...orOwn(between(0.1, 100)) },
   { name: 'network', key: 'net', ...oneOf(NETWORKS) },

@@ -21,6 +21,7 @@ const BUILT_IN_ONLY = new Set<keyof Choices>([
   'body',
   'shipClass',
   'terrain',
+  'surfaceNormal',
   'tickRate',
   'timeScale',
   'network',

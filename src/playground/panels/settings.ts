@@ -56,6 +56,7 @@ function appendWorld(world: Element, form: Form): void {
   form.field(world, 'Body', 'body', list(BODIES.map(({ name }) => name)));
   form.field(world, 'Ship', 'shipClass', list(SHIP_CLASSES.map(({ name }) => name)));
   form.field(world, 'Terrain', 'terrain', list(Object.keys(TERRAINS)));
+  form.field(world, 'Surface normal', 'surfaceNormal', list(['radial', 'terrain']));
   form.field(world, 'Tick rate, Hz', 'tickRate', createNumber(document, 0, 100, 0.1));
   form.field(world, 'Time scale', 'timeScale', createNumber(document, 0, 100, 0.1));
   append(world, 'p', 'quiet', '0: scenario default.');

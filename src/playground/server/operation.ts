@@ -36,6 +36,8 @@ export interface LoadOperation {
   readonly body: string;
   readonly shipClass: string;
   readonly terrain: string;
+  /** The law's `surface_normal`; absent or '': the scenario's own. */
+  readonly surfaceNormal?: '' | 'radial' | 'terrain';
   /** Hz */
   readonly tickRate: number;
   readonly timeScale: number;

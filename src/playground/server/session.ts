@@ -172,12 +172,13 @@ function seat(
 function stageOperation(operation: LoadOperation): Result<StagedScenario> {
   const scenario = findScenario(operation.scenario);
   if (scenario === null) return err(`scenario: no scenario named ${operation.scenario}`);
-  const { body, shipClass, terrain, tickRate, timeScale } = operation;
+  const { body, shipClass, terrain, surfaceNormal = '', tickRate, timeScale } = operation;
   return stage({
     ...scenario,
     body: body === '' ? scenario.body : body,
     shipClass: shipClass === '' ? scenario.shipClass : shipClass,
     terrain: terrain === '' ? scenario.terrain : terrain,
+    settings: surfaceNormal === '' ? scenario.settings : { ...scenario.settings, surfaceNormal },
     tickRate,
     timeScale,
   });

@@ -1,6 +1,7 @@
 // The whole game on this machine: Redis, physics service, gateway and page, for two pilots.
 //   npm run live                     at 1 Hz, the game's own rate
 //   npm run live -- --rate 10        at another
+//   npm run live -- --check          starts it all, looks that page and gateway answer, and ends
 // Ends with Ctrl-C. What dies meanwhile is started again, and the pilots fly on.
 import { randomBytes } from 'node:crypto';
 import { createClient } from 'redis';
@@ -99,6 +100,12 @@ try {
     const token = await signIn(stack.gatewayPort, username, password);
     const server = `ws://127.0.0.1:${stack.gatewayPort}/stream?token=${token}`;
     console.log(`pilot ${username}: ${address}?server=${encodeURIComponent(server)}\n`);
+  }
+  if (process.argv.includes('--check')) {
+    const health = await (await fetch(`http://127.0.0.1:${stack.gatewayPort}/healthz`)).json();
+    const html = await (await fetch(address)).text();
+    if (health.tick === null || !html.includes('<title>Touchdown</title>')) throw new Error('no answer');
+    await end();
   }
   console.log('Open each in a window of its own. Ctrl-C ends it all.');
 } catch (error) {

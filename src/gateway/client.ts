@@ -27,8 +27,8 @@ export interface Client {
   session: string;
   /** Of a protocol that numbers no inputs: the last number given. */
   seq: number;
-  /** The own ship as it was told last; '' for none. */
-  shipId: string;
+  /** The own ship as the last welcome told it, '' for none; null before the first. */
+  shipId: string | null;
   /** Messages beyond its rate. */
   excess: number;
   /** A state has been left out. */
@@ -61,7 +61,7 @@ export function createClient(
     player: null,
     session: '',
     seq: 0,
-    shipId: '',
+    shipId: null,
     excess: 0,
     isBehind: false,
     fullSince: Infinity,

@@ -141,7 +141,7 @@ function withEvents(world: WorldFrame, missed: readonly WorldEvent[]): WorldFram
 }
 
 /** The frame, or null where nothing can be made of it. Its ships and bodies that cannot be used are left out, and told. */
-function readWorldFrame(text: string, onRefused: (reason: string) => void): WorldFrame | null {
+export function readWorldFrame(text: string, onRefused: (reason: string) => void): WorldFrame | null {
   let sent: Record<string, unknown>;
   try {
     sent = JSON.parse(text) as Record<string, unknown>;

@@ -58,9 +58,10 @@ function tell(place: Place, client: Client, world: WorldFrame): void {
   const own = frame.ships.findIndex((ship) => ship.playerId === playerId);
   const seen = shipsInSight(frame.ships, own, place.options.interest ?? NEARBY);
   const shared = sharedOf(world);
+  followShip(place, client);
+  if (client.shipId === null) return;
   const removed = client.removed.splice(0);
   const events = client.events.splice(0);
-  followShip(place, client);
   if (client.protocol === 'json') {
     tellRemoved(client, removed);
     client.socket.send(shared.json(seen));

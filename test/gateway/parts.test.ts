@@ -1,0 +1,117 @@
+import { expect, it } from 'vitest';
+import { createAccounts } from '../../src/gateway/accounts';
+import { shareFrame } from '../../src/gateway/broadcast';
+import { readWorldFrame } from '../../src/gateway/feed';
+import { shipsInSight } from '../../src/gateway/interest';
+import { createBucket, MAX_STATE, take } from '../../src/gateway/limits';
+import { readText } from '../../src/gateway/speech';
+import { decodeFrameJson, decodeServerMessage, encodeFrameJson } from '../../src/wire';
+import { FRAME, SHIP } from '../wire/messages';
+
+const SECRET = 'a secret that is long enough for a test';
+
+it('puts a client’s frame together from shared parts, as if it were encoded whole', () => {
+  const shared = shareFrame(FRAME);
+  const decoded = decodeServerMessage(shared.bytes([1, 0], FRAME.events, FRAME.lastInput));
+  expect(decoded).toEqual({ ok: true, value: { ...FRAME, ships: [FRAME.ships[1], FRAME.ships[0]] } });
+  const some = decodeServerMessage(shared.bytes([1], [], null));
+  expect(some).toEqual({
+    ok: true,
+    value: { ...FRAME, ships: [FRAME.ships[1]], events: [], lastInput: null },
+  });
+});
+
+it('tells the game’s clients what the game tells, in at most 64 KB', () => {
+  const ships = Array.from({ length: 300 }, (_, i) => ({ ...SHIP, shipId: `ship-${i}` }));
+  const text = shareFrame({ ...FRAME, ships }).json(ships.map((_, i) => i));
+  expect(Buffer.byteLength(text)).toBeLessThanOrEqual(MAX_STATE);
+  expect(text).not.toMatch(/relative_position|reference_body|contact_impact_speed|last_input/);
+  const decoded = decodeFrameJson(JSON.parse(text));
+  if (!decoded.ok) throw new Error(decoded.reason);
+  expect(decoded.value.refusals).toEqual([]);
+  expect(decoded.value.ships.length).toBeGreaterThan(30);
+  expect(decoded.value.ships[0]).toMatchObject({
+    shipId: 'ship-0',
+    position: SHIP.position,
+    relativePosition: null,
+  });
+});
+
+it('sees the own ship first, then the nearest within the radius', () => {
+  const at = (x: number, shipId: string) => ({ ...SHIP, shipId, position: [x, 0, 0] as const });
+  const ships = [at(5000, 'far'), at(0, 'own'), at(10, 'near'), at(300, 'next')];
+  expect(shipsInSight(ships, 1, { radius: 1000, most: 10 })).toEqual([1, 2, 3]);
+  expect(shipsInSight(ships, 1, { radius: 1000, most: 2 })).toEqual([1, 2]);
+  expect(shipsInSight(ships, -1, { radius: 1, most: 3 })).toEqual([0, 1, 2]);
+});
+
+it('lets through a burst, and then a rate', () => {
+  const bucket = createBucket({ perSecond: 2, burst: 3 }, 0);
+  expect([1, 1, 1, 1].map((count) => take(bucket, count, 0))).toEqual([true, true, true, false]);
+  expect(take(bucket, 1, 0.5)).toBe(true);
+  expect(take(bucket, 1, 0.5)).toBe(false);
+  expect(take(bucket, 4, 1000)).toBe(false);
+});
+
+it('signs in by name and password alone, and believes its own tokens until they end', async () => {
+  let now = 1_800_000_000;
+  const made = { secret: SECRET, lifetime: 3600, now: () => now };
+  const account = { username: 'one', playerId: 'p1', password: 'x' };
+  const accounts = await createAccounts([account], made);
+  expect(await accounts.login('one', 'y')).toBeNull();
+  expect(await accounts.login('nobody', 'x')).toBeNull();
+  now = Date.now() / 1000;
+  const found = await accounts.login('one', 'x');
+  expect(await accounts.verify(found!.token)).toMatchObject({ playerId: 'p1', username: 'one' });
+  expect(await accounts.verify(`${found!.token}x`)).toBeNull();
+  const other = await createAccounts([account], { ...made, secret: `${SECRET}!` });
+  expect(await other.verify(found!.token)).toBeNull();
+  now = Date.now() / 1000 - 7200;
+  const old = await accounts.login('one', 'x');
+  expect(await accounts.verify(old!.token)).toBeNull();
+  await expect(createAccounts([], { ...made, secret: 'short' })).rejects.toThrow(
+    'secret: expected at least 32',
+  );
+});
+
+it('reads the service’s frame, and keeps what can be used of it', () => {
+  const told: string[] = [];
+  const sent = {
+    ...encodeFrameJson({ ...FRAME, lastInput: null }),
+    due: 12.5,
+    removed: [{ ship_id: 'gone', player_id: 'p', name: 'n', reason: 'collision' }],
+  } as Record<string, unknown>;
+  sent['ships'] = [
+    ...(sent['ships'] as object[]).map((ship) => ({
+      ...ship,
+      last_input: { session: 's', seq: 3, tick: 41, substep: 2, margin: 0.1 },
+    })),
+    { ship_id: 'broken' },
+  ];
+  const world = readWorldFrame(JSON.stringify(sent), (reason) => told.push(reason));
+  expect(world).toMatchObject({
+    due: 12.5,
+    frame: { tick: 42 },
+    removed: [{ shipId: 'gone', reason: 'collision' }],
+  });
+  expect(world!.frame.ships).toHaveLength(2);
+  expect(world!.lastInputs.get('ship-1')).toEqual({
+    session: 's',
+    seq: 3,
+    tick: 41,
+    substep: 2,
+    margin: 0.1,
+  });
+  expect(told).toEqual(['frame.ships[2].position: missing']);
+  expect(readWorldFrame('{', (reason) => told.push(reason))).toBeNull();
+});
+
+it.each([
+  ['{', 'message: not JSON'],
+  ['5', 'message: expected an object'],
+  ['{"type":"auth"}', 'auth.token: expected a text'],
+  ['{"type":"control","thrust_level":"much"}', 'control.thrust_level: expected a finite number, got "much"'],
+  ['{"type":"service"}', 'type: expected auth, control or ping'],
+])('refuses %s by name', (text, reason) => {
+  expect(readText(text)).toEqual({ kind: 'refused', reason });
+});

@@ -71,7 +71,7 @@ async function buildStyles() {
       emptyOutDir: false,
       cssMinify: false,
       rolldownOptions: {
-        input: join(root, 'src/hud/hud.css'),
+        input: join(root, 'src/hud/styles/hud.css'),
         output: { assetFileNames: '[name][extname]' },
       },
     },

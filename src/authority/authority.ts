@@ -85,7 +85,12 @@ export function createAuthority(options: AuthorityOptions): Result<Authority> {
   const { world, bodies } = loaded.value;
   const legacy = options.legacy ?? false;
   const granularity = legacy ? 'tick' : (options.inputGranularity ?? 'substep');
-  const tempo = createTempo(options.tickRate, options.timeScale, loaded.value.timing, loaded.value.world.settings);
+  const tempo = createTempo(
+    options.tickRate,
+    options.timeScale,
+    loaded.value.timing,
+    loaded.value.world.settings,
+  );
   const roster = createRoster();
   const pilots = new Map<string, Pilot>();
   /** By ship. */

@@ -1,13 +1,13 @@
 /** The law of motion and contact: what the server computes and the client computes the same. See DYNAMICS.md here. */
 
 /** Columns of a ship's and a body's row, states, modes, events. */
-export * from './layout';
+export * from './state/layout';
 /** Validation results and tuples. */
 export { ok, type Result, type Mat3, type Quat, err, type Vec3 } from './result';
 /** The server's contact settings. */
-export { DEFAULT_SETTINGS, loadSettings, type LoadedSettings, type Settings } from './settings';
+export { DEFAULT_SETTINGS, loadSettings, type LoadedSettings, type Settings } from './constants/settings';
 /** Ship classes: plain data in, constants out. */
-export { loadShipClass, type LoadedShipClass, type ShipClass, STANDARD_GRAVITY } from './shipClass';
+export { loadShipClass, type LoadedShipClass, type ShipClass, STANDARD_GRAVITY } from './constants/shipClass';
 /** Bodies: plain data in, constants out, motion in rows. */
 export {
   type Body,
@@ -20,9 +20,9 @@ export {
   settleBodies,
   moveBodies,
   writeBodyMotion,
-} from './body';
+} from './constants/body';
 /** The game's ship classes and bodies. */
-export { BODIES, SHIP_CLASSES } from './catalogue';
+export { BODIES, SHIP_CLASSES } from './constants/catalogue';
 /** What a pilot commands. */
 export {
   attitudeModeOf,
@@ -33,25 +33,25 @@ export {
   NEUTRAL_CONTROLS,
   readControls,
   writeControls,
-} from './controls';
+} from './state/controls';
 /** Between a row and a plain record. */
-export { landedBodyName, readShip, type ShipInit, type ShipRecord, spawnShip, writeShip } from './ship';
+export { landedBodyName, readShip, type ShipInit, type ShipRecord, spawnShip, writeShip } from './state/ship';
 /** The step of one ship. */
 export { substep } from './substep';
 /** The step of a world, and how ticks are cut. */
 export { beginTick, endTick, loadTiming, stepWorld, type Timing, timingOfTick } from './tick';
-export type { TerrainHeight, World } from './world';
+export type { TerrainHeight, World } from './constants/world';
 /** Which way the ground faces under a ship's feet. */
-export { type GroundUnderShip, writeGroundNormal } from './groundNormal';
+export { type GroundUnderShip, writeGroundNormal } from './contact/groundNormal';
 /** Re-choosing the reference body at a tick's start. */
 export { chooseReferenceBody } from './referenceBody';
 /** Sine and cosine with the same bits everywhere, for configuration and scenarios. */
-export { cosineOfDegrees, sineOfDegrees } from './angles';
+export { cosineOfDegrees, sineOfDegrees } from './arithmetic/angles';
 /** Which state may follow which. */
-export { isTransitionAllowed } from './stateTransitions';
+export { isTransitionAllowed } from './state/stateTransitions';
 /** One number for a trajectory's bits. */
-export { hashRows } from './hash';
+export { hashRows } from './state/hash';
 /** Terrain made of + − × ÷ √. */
-export { flatTerrain, hillsTerrain, LANDING_SITE, TERRAINS } from './terrain';
+export { flatTerrain, hillsTerrain, LANDING_SITE, TERRAINS } from './terrain/terrain';
 /** Terrain from a body's heights on a grid, in the game's format. */
-export { type Heightmap, heightmapTerrain, readHeightmapSamples } from './heightmap';
+export { type Heightmap, heightmapTerrain, readHeightmapSamples } from './terrain/heightmap';

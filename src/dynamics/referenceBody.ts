@@ -8,8 +8,8 @@ import {
   REFERENCE_BODY,
   SURFACE_STATE,
   VELOCITY,
-} from './layout';
-import type { World } from './world';
+} from './state/layout';
+import type { World } from './constants/world';
 
 /**
  * At a tick's start: a flying ship goes over to the body with the smallest distance / radius (ties to the body listed first), its

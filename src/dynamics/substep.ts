@@ -1,6 +1,6 @@
-import { actuate, commandsThrust } from './actuators';
-import { fly } from './flight';
-import { isPinned, moveOnGround, pressNormal } from './forces';
+import { actuate, commandsThrust } from './actuators/actuators';
+import { fly } from './contact/flight';
+import { isPinned, moveOnGround, pressNormal } from './contact/forces';
 import {
   BODY_AXES,
   BODY_END_AXES,
@@ -15,10 +15,10 @@ import {
   SHIP_STRIDE,
   SURFACE_STATE,
   TIPPED,
-} from './layout';
-import { addGroundMoments } from './moments';
-import { readAxes } from './pose';
-import { copyIn, copyOut } from './rowCopy';
+} from './state/layout';
+import { addGroundMoments } from './contact/moments';
+import { readAxes } from './contact/pose';
+import { copyIn, copyOut } from './state/rowCopy';
 import {
   DT,
   END,
@@ -31,13 +31,13 @@ import {
   START,
   type Step,
   WEIGHT,
-} from './quantities';
-import { restOnSide } from './rest';
-import { turnAttitudeWithGround, turnPlaceWithGround } from './rotations';
-import { turnByTorque } from './spin';
-import { readGround, readPenetration, readPlace } from './surface';
-import { makeTransition } from './transitions';
-import type { World } from './world';
+} from './contact/quantities';
+import { restOnSide } from './contact/rest';
+import { turnAttitudeWithGround, turnPlaceWithGround } from './arithmetic/rotations';
+import { turnByTorque } from './contact/spin';
+import { readGround, readPenetration, readPlace } from './contact/surface';
+import { makeTransition } from './contact/transitions';
+import type { World } from './constants/world';
 
 /**
  * One substep of one ship, in the order of DYNAMICS ("One substep").

@@ -1,10 +1,10 @@
-import { moveBodies, settleBodies, turnBodies } from './body';
+import { moveBodies, settleBodies, turnBodies } from './constants/body';
 import { ok, type Result, notFinite, err } from './result';
-import { SHIP_STRIDE } from './layout';
+import { SHIP_STRIDE } from './state/layout';
 import { chooseReferenceBody } from './referenceBody';
-import type { Settings } from './settings';
+import type { Settings } from './constants/settings';
 import { substep } from './substep';
-import type { World } from './world';
+import type { World } from './constants/world';
 
 /** How a tick is cut into substeps (DYNAMICS, Time). */
 export interface Timing {

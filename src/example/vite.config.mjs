@@ -9,7 +9,7 @@ export default defineConfig({
   cacheDir: here('../../node_modules/.vite/example'),
   resolve: {
     alias: [
-      { find: 'galaxy-touchdown/hud.css', replacement: here('../hud/hud.css') },
+      { find: 'galaxy-touchdown/hud.css', replacement: here('../hud/styles/hud.css') },
       { find: 'galaxy-touchdown/hud', replacement: here('../hud/index.ts') },
       { find: 'galaxy-touchdown/game', replacement: here('../game/index.ts') },
       { find: 'galaxy-touchdown', replacement: here('../index.ts') },

@@ -4,14 +4,14 @@ import { createClient as createRedis, type RedisClientType } from 'redis';
 import { type WebSocket, WebSocketServer } from 'ws';
 import { decodeHelloJson, type Hello } from '../wire';
 import { type Accounts, createAccounts } from './accounts';
-import { type Client, createClient, dismiss } from './client';
-import { createFeed, type Feed } from './feed';
+import { type Client, createClient, dismiss } from './clients/client';
+import { createFeed, type Feed } from './redis/feed';
 import { createHttpHandler } from './http';
-import { createInbox, type Inbox } from './inbox';
-import { AUTH_WITHIN, CLOSE, MAX_CLIENT_MESSAGE, MAX_FROM_ADDRESS, MAX_UNSIGNED } from './limits';
+import { createInbox, type Inbox } from './redis/inbox';
+import { AUTH_WITHIN, CLOSE, MAX_CLIENT_MESSAGE, MAX_FROM_ADDRESS, MAX_UNSIGNED } from './clients/limits';
 import type { GatewayOptions } from './options';
-import { receive } from './receive';
-import { tellAll, tellBehind } from './tell';
+import { receive } from './clients/receive';
+import { tellAll, tellBehind } from './clients/tell';
 
 /** All that one gateway holds. It keeps nothing that it could not lose: the world is Redis's. */
 export interface Place {

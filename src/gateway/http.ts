@@ -1,6 +1,6 @@
 import type { IncomingMessage, ServerResponse } from 'node:http';
 import type { Accounts } from './accounts';
-import { type Bucket, createBucket, take } from './limits';
+import { type Bucket, createBucket, take } from './clients/limits';
 
 /** What beside the sockets is answered. */
 export interface HttpPlace {

@@ -1,6 +1,6 @@
 import type { Account } from './accounts';
-import type { WorldFrame } from './feed';
-import type { Interest } from './interest';
+import type { WorldFrame } from './redis/feed';
+import type { Interest } from './clients/interest';
 
 export interface GatewayOptions {
   /** redis://… */

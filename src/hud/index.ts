@@ -1,10 +1,10 @@
 /** The HUDs: painting only. What they show is decided in readout; their style sheet is hud.css. */
 
-export { createCockpitLandingHud, type Hud, type LandingHudOptions } from './landingHud';
-export { createFleetHud } from './fleetHud';
+export { createCockpitLandingHud, type Hud, type LandingHudOptions } from './landing/landingHud';
+export { createFleetHud } from './fleet/fleetHud';
 export { createFlightHud, type FlightHudOptions, type FlightPanels } from './flight/flightHud';
 export type { FlightKey } from './flight/modesPanel';
 /** Theme and layout. */
 export type { HudAppearance } from './appearance';
 /** Names keys in hints. */
-export type { KeyLabel, TurnKey, TurnKeys } from './rightingPanel';
+export type { KeyLabel, TurnKey, TurnKeys } from './landing/rightingPanel';

@@ -1,6 +1,6 @@
 import { FINE, qualityFor } from '../scene';
 import { createAddress } from './game/address';
-import { createBestRuns, readRace } from './game/bestRuns';
+import { createBestRuns, readRace } from './game/mission/bestRuns';
 import { readChoices, writeChoices } from './panels/choices';
 import { createBanner } from './panels/banner';
 import { createNotice } from './panels/notice';

@@ -6,7 +6,7 @@ import { runReplays } from './simulation/replay';
 import { checkRollback } from './simulation/rollbackCheck';
 import { stepFront } from './simulation/front';
 import type { Simulation } from './simulation/simulation';
-import { isFarBehind, realign } from './snapshots/realign';
+import { isFarBehind, realign } from './snapshots/reconcile/realign';
 import { horizonOf } from './time/cadence';
 import { advanceClock } from './time/clock';
 import { keepPace } from './time/pace';

@@ -12,9 +12,14 @@ export type { ScheduledInput } from './inputs/inputs';
 export type * from './drawn/view';
 export type { Connection } from './time/connection';
 /** A drawn pose on the drawn ground. */
-export type { DrawnGround } from './drawn/drawnGround';
-export { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './drawn/groundSnap';
-export { type Hull, hullOf, LEGS } from './drawn/hull';
+export type { DrawnGround } from './drawn/snap/drawnGround';
+export {
+  createGroundedPose,
+  type GroundPose,
+  snapToGround,
+  type GroundedPose,
+} from './drawn/snap/groundSnap';
+export { type Hull, hullOf, LEGS } from './drawn/snap/hull';
 /** Told last, as plain data: to go on from elsewhere. */
 export type { PredictorSnapshot } from './lifecycle/snapshot';
 /** A predictor in a worker. */

@@ -1,5 +1,5 @@
 import type { Provenance, ShipView, WorldView } from '../prediction';
-import { standsOnGround } from './descent';
+import { standsOnGround } from './landing/descent';
 import { type StatusId, statusOf } from './status';
 
 /** One ship's row. */

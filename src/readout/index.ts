@@ -1,11 +1,11 @@
 /** Numbers a pilot reads, computed from a view by pure functions: painting decides nothing. */
 
 /** The own ship's landing. */
-export { createLandingReadout, updateLandingReadout, type LandingReadout } from './landing';
+export { createLandingReadout, updateLandingReadout, type LandingReadout } from './landing/landing';
 /** The instruments of flying, what helps to land, and where the pad is. */
-export { createFlightReadout, updateFlightReadout, type FlightReadout } from './flight';
-export { createLandingAids, updateLandingAids, type LandingAids } from './landingAids';
-export { createTargetReadout, updateTargetReadout, type Target, type TargetReadout } from './target';
+export { createFlightReadout, updateFlightReadout, type FlightReadout } from './flight/flight';
+export { createLandingAids, updateLandingAids, type LandingAids } from './flight/landingAids';
+export { createTargetReadout, updateTargetReadout, type Target, type TargetReadout } from './flight/target';
 export { toBodyAxes, toInertial } from './axes';
 /** All ships, those that need help first. */
 export {
@@ -18,13 +18,13 @@ export {
 /** Status: word, shape and colour together. */
 export { STATUS_LOOKS, type StatusId, type StatusLook } from './status';
 /** Parts of a landing. */
-export { type Descent } from './descent';
-export type { Drift } from './drift';
-export type { Gate, Gates } from './gates';
-export type { Righting } from './righting';
-export type { Tilt } from './tilt';
-export type { TipMargin } from './tipping';
-export type { Touchdown } from './touchdown';
+export { type Descent } from './landing/descent';
+export type { Drift } from './landing/drift';
+export type { Gate, Gates } from './landing/gates';
+export type { Righting } from './landing/righting';
+export type { Tilt } from './landing/tilt';
+export type { TipMargin } from './landing/tipping';
+export type { Touchdown } from './landing/touchdown';
 /** What keys are bound to, for hints that name them. */
 export {
   type HintAction,

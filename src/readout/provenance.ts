@@ -1,4 +1,4 @@
-import type { LandingReadout } from './landing';
+import type { LandingReadout } from './landing/landing';
 import { DURATION } from './formats';
 
 /** `PRED`, `CONF 0.4 s`, `PRED OFF ×100`, `STALE 2.1 s` (HUD, Provenance). A claim of a ground state tells its age too. */

@@ -4,4 +4,4 @@ export { createStage } from './sceneView';
 export type { Stage } from './stage';
 export type { Markers } from './overlays/markers';
 export type { OverlayChoice } from './overlays/overlays';
-export { CAMERA_VIEWS, type CameraView } from './cameras';
+export { CAMERA_VIEWS, type CameraView } from './camera/cameras';

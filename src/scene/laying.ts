@@ -1,5 +1,5 @@
 import type { ShipView, WorldView } from '../prediction';
-import { releaseRig } from './cameraRig';
+import { releaseRig } from './camera/cameraRig';
 import { paintGround } from './ground/groundMaterial';
 import { layFrame, toBodyAxes, toLocalPoint, turnOfFrame } from './localFrame';
 import { frameOf, type SceneState } from './sceneState';

@@ -1,6 +1,6 @@
 import { flatTerrain, type TerrainHeight } from '../dynamics';
-import { createRig, type MovingRig } from './cameraRig';
-import type { CameraView } from './cameras';
+import { createRig, type MovingRig } from './camera/cameraRig';
+import type { CameraView } from './camera/cameras';
 import { groundPoint } from './ground/terrainLevel';
 import { createTurn, type LocalFrame, type Turn } from './localFrame';
 import type { Markers } from './overlays/markers';
@@ -9,7 +9,7 @@ import type { OverlayChoice } from './overlays/overlays';
 import type { SceneParts } from './sceneParts';
 import { type Actors, createActors } from './ships/actors';
 import { type BodyLook, lookOf } from './sky/bodyLook';
-import { createCone, type ViewCone } from './viewCone';
+import { createCone, type ViewCone } from './camera/viewCone';
 
 /** Where the eye starts: from the shadow's side, a little above the ground. */
 export const FIRST_AZIMUTH = 1.9;

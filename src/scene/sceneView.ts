@@ -1,7 +1,7 @@
 import { GRAVITATIONAL_CONSTANT } from '../dynamics';
 import type { ShipView, WorldView } from '../prediction';
-import { releaseRig, turnRig, zoomRig } from './cameraRig';
-import { aimCamera } from './cameras';
+import { releaseRig, turnRig, zoomRig } from './camera/cameraRig';
+import { aimCamera } from './camera/cameras';
 import { createFence } from './fence';
 import { placeGrain } from './ground/groundMaterial';
 import { shineOnGround } from './ground/groundShine';
@@ -14,7 +14,7 @@ import { createState, FIRST_AZIMUTH, FIRST_ELEVATION, frameOf, type SceneState }
 import { poseShips, seatShips, sunlitShare } from './shipsInScene';
 import type { ShipActor } from './ships/shipActor';
 import type { Stage } from './stage';
-import { aimCone } from './viewCone';
+import { aimCone } from './camera/viewCone';
 
 /** s: a longer pause between two pictures raises no more dust than this. */
 const LONGEST_STEP = 0.25;

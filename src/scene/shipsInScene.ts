@@ -4,7 +4,7 @@ import { raiseDust } from './effects/dustSources';
 import { frameOf, type SceneState } from './sceneState';
 import { poseActors } from './ships/actors';
 import { placeJets, type ShipActor } from './ships/shipActor';
-import { coneMeets } from './viewCone';
+import { coneMeets } from './camera/viewCone';
 
 /** What a crash raises, as a touch at this speed would, m/s. */
 const CRASH_SPEED = 50;

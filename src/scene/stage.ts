@@ -1,6 +1,6 @@
 import type { TerrainHeight } from '../dynamics';
 import type { WorldView } from '../prediction';
-import type { CameraView } from './cameras';
+import type { CameraView } from './camera/cameras';
 import type { Markers } from './overlays/markers';
 import type { OverlayChoice } from './overlays/overlays';
 

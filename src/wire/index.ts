@@ -3,13 +3,13 @@
 /** What the checked records are. */
 export type * from './records';
 /** What a server says, as bytes. */
-export { decodeServerMessage, encodeServerMessage } from './serverMessage';
+export { decodeServerMessage, encodeServerMessage } from './messages/serverMessage';
 /** The same, decoded only when it is wanted. */
 export { type PendingMessage, pendingServerMessage } from './pendingMessage';
 /** A frame for many clients: each ship encoded once. */
-export { encodeCommonPart, encodeOwnPart, encodeShipPart, joinFrameParts } from './frameParts';
+export { encodeCommonPart, encodeOwnPart, encodeShipPart, joinFrameParts } from './messages/frameParts';
 /** What a client says, as bytes. */
-export { decodeClientMessage, encodeClientMessage } from './clientMessage';
+export { decodeClientMessage, encodeClientMessage } from './messages/clientMessage';
 /** The game's JSON, under any envelope: a frame, what stands in for a hello, controls, states by themselves. */
 export { decodeFrameJson, type DecodedFrame, encodeFrameJson, type FrameJsonOptions } from './json/frameJson';
 export { decodeHelloJson, type DecodedHello, encodeHelloJson } from './json/helloJson';
@@ -21,7 +21,7 @@ export {
   type ShipStateJson,
 } from './json/shipStateJson';
 /** Why a text cannot be a name or an id on the wire. */
-export { textComplaint } from './reading';
+export { textComplaint } from './fields/reading';
 /** What a message may hold at most. */
 export {
   MAX_BODIES,

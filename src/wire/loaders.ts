@@ -1,5 +1,5 @@
 import type { Result } from '../dynamics';
-import { type Reading, refuse } from './reading';
+import { type Reading, refuse } from './fields/reading';
 
 /**
  * Refuses the message when one of dynamics' loaders refused what it holds. The loader's reason is

@@ -1,7 +1,7 @@
 import protobuf from 'protobufjs/minimal.js';
 import type { Result } from '../dynamics';
 import type { ServerMessage, WorldEvent } from './records';
-import { decodeServerMessage } from './serverMessage';
+import { decodeServerMessage } from './messages/serverMessage';
 
 /**
  * A message of the server that has not been decoded: a page that was hidden for minutes decodes the newest frame alone, and of those

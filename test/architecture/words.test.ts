@@ -77,7 +77,7 @@ describe('names', () => {
     'src/Misc.ts',
   ])('%s says nothing', (path) => expect(isEmptyName(path)).toBe(true));
 
-  it.each(['src/dynamics/layout.ts', 'src/hud/utilisation.ts'])('%s does', (path) => {
+  it.each(['src/dynamics/state/layout.ts', 'src/hud/utilisation.ts'])('%s does', (path) => {
     expect(isEmptyName(path)).toBe(false);
   });
 });

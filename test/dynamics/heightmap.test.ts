@@ -5,7 +5,7 @@ import {
   readHeightmapSamples,
   type TerrainHeight,
 } from '../../src/dynamics';
-import { angleOf, arc, ARC_ANGLE, ARC_X, ARC_Y } from '../../src/dynamics/arctangent';
+import { angleOf, arc, ARC_ANGLE, ARC_X, ARC_Y } from '../../src/dynamics/terrain/arctangent';
 import { createDice } from '../../src/scenarios';
 import { unitVector } from '../exact/draw';
 import { surveyMap } from '../exact/survey';

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { quantities, SLOTS, SURFACE_SLOTS } from '../../src/dynamics/quantities';
+import { quantities, SLOTS, SURFACE_SLOTS } from '../../src/dynamics/contact/quantities';
 
 /** Slots that two entries share, or that lie outside. */
 function faultsOf(slots: typeof SLOTS, length: number): string[] {

@@ -1,10 +1,10 @@
 import { expect, it } from 'vitest';
 import { createAccounts } from '../../src/gateway/accounts';
-import { shareFrame } from '../../src/gateway/broadcast';
-import { readWorldFrame } from '../../src/gateway/feed';
-import { shipsInSight } from '../../src/gateway/interest';
-import { createBucket, MAX_STATE, take } from '../../src/gateway/limits';
-import { readText } from '../../src/gateway/speech';
+import { shareFrame } from '../../src/gateway/redis/broadcast';
+import { readWorldFrame } from '../../src/gateway/redis/feed';
+import { shipsInSight } from '../../src/gateway/clients/interest';
+import { createBucket, MAX_STATE, take } from '../../src/gateway/clients/limits';
+import { readText } from '../../src/gateway/clients/speech';
 import { decodeFrameJson, decodeServerMessage, encodeFrameJson } from '../../src/wire';
 import { FRAME, SHIP } from '../wire/messages';
 

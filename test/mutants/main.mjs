@@ -1,6 +1,6 @@
 // npm run mutants: changes the source in one place at a time and looks whether the room's tests notice.
 //   npm run mutants -- [ROOM …] [--count 24] [--seed 1]
-//   npm run mutants -- --at src/wire/frame.ts:41    all changes of one line
+//   npm run mutants -- --at src/wire/messages/frame.ts:41    all changes of one line
 // Prints the survivors by file and line, and "killed/tried" of each room. The changes are drawn by the seed: the same ones each time.
 // Nothing is written to the source: the change is made while the tests' bundles are built (test/bundle.mjs).
 import { spawn } from 'node:child_process';

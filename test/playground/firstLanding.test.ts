@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { verifyRun } from '../../src/playground/game/bestRuns';
-import { createMissionTracker } from '../../src/playground/game/missionTracker';
+import { verifyRun } from '../../src/playground/game/mission/bestRuns';
+import { createMissionTracker } from '../../src/playground/game/mission/missionTracker';
 import type { WorldView } from '../../src/prediction';
 import {
   createLandingAids,

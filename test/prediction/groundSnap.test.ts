@@ -8,7 +8,7 @@ import {
   LEGS,
   snapToGround,
 } from '../../src/prediction';
-import { snapToLevel } from '../../src/prediction/drawn/levelSnap';
+import { snapToLevel } from '../../src/prediction/drawn/snap/levelSnap';
 import { flyAndMeasure } from './measure';
 import { createRig, value } from './rig';
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createJourney, followJourney } from '../../src/readout/journey';
+import { createJourney, followJourney } from '../../src/readout/landing/journey';
 import { makeView } from './views';
 
 describe('the readout’s own clock', () => {

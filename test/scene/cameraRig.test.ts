@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createRig, placeEye, updateRig } from '../../src/scene/cameraRig';
+import { createRig, placeEye, updateRig } from '../../src/scene/camera/cameraRig';
 
 const STEP = 1 / 60;
 

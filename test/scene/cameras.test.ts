@@ -1,7 +1,7 @@
 import { PerspectiveCamera } from 'three';
 import { expect, it } from 'vitest';
-import { createRig } from '../../src/scene/cameraRig';
-import { aimCamera, type CameraView } from '../../src/scene/cameras';
+import { createRig } from '../../src/scene/camera/cameraRig';
+import { aimCamera, type CameraView } from '../../src/scene/camera/cameras';
 import type { ShipActor } from '../../src/scene/ships/shipActor';
 
 /** A ship 100 m up that stands upright (its z axis is local y) and flies along −x. */

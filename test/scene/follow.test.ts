@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createRig as createCamera, placeEye, updateRig } from '../../src/scene/cameraRig';
+import { createRig as createCamera, placeEye, updateRig } from '../../src/scene/camera/cameraRig';
 import {
   createTurn,
   layFrame,

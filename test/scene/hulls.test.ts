@@ -2,7 +2,7 @@ import { type Box3, type BufferGeometry, InstancedMesh, Matrix4, Vector3 } from 
 import { describe, expect, it } from 'vitest';
 import { SHIP_CLASSES } from '../../src/dynamics';
 import { createHulls, type Hulls } from '../../src/scene/ships/hulls';
-import { buildShip } from '../../src/scene/ships/models';
+import { buildShip } from '../../src/scene/ships/models/models';
 import type { ShipActor } from '../../src/scene/ships/shipActor';
 import { createShipMaterial } from '../../src/scene/ships/shipMaterial';
 import type { ShipModel } from '../../src/scene/ships/shipModel';

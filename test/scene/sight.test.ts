@@ -13,7 +13,7 @@ import {
   moveLevel,
   type TerrainLevel,
 } from '../../src/scene/ground/terrainLevel';
-import { aimCone, coneMeets, createCone, type ViewCone } from '../../src/scene/viewCone';
+import { aimCone, coneMeets, createCone, type ViewCone } from '../../src/scene/camera/viewCone';
 
 const hills = TERRAINS['hills']!;
 const SUN = { elevation: 13, azimuth: 58 };

@@ -1,6 +1,6 @@
 import { createFrame, type HudAppearance } from '../appearance';
 import type { FlightReadout, LandingAids, TargetReadout } from '../../readout';
-import type { Hud } from '../landingHud';
+import type { Hud } from '../landing/landingHud';
 import { createAidsPanel } from './aidsPanel';
 import { createApproachDial } from './approachDial';
 import { createAttitudeBall } from './attitudeBall';

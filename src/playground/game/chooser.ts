@@ -3,7 +3,7 @@ import { findMission, findScenario } from '../../scenarios';
 import { saveKeys } from '../input/keyTable';
 import { type Choices, OVERLAY_NAMES, setChoice } from '../panels/choices';
 import type { Help } from '../panels/help';
-import { keyCapOf } from './controlWords';
+import { keyCapOf } from './words/controlWords';
 import { networkOf } from './live';
 import type { Page } from './pageParts';
 import type { Parts } from './wiring';

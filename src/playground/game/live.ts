@@ -13,7 +13,7 @@ import { type Baseline, createBaseline } from './baseline';
 import type { Choices } from '../panels/choices';
 import { createHands, type Hands } from './hands';
 import { createPageClock, type PageClock } from './pageClock';
-import { createRunHash } from './runHash';
+import { createRunHash } from './mission/runHash';
 import { type Script, scriptOf } from './script';
 import { openTab, TAB_ADDRESS } from '../server/tabLink';
 import { type Connection, type ConnectionHandlers, openWorker, type ShipLoss } from '../server/connection';

@@ -5,7 +5,7 @@ import type { Choices } from '../panels/choices';
 import type { Notice } from '../panels/notice';
 import type { Resolution } from '../view/resolution';
 import type { Address } from './address';
-import type { BestRuns } from './bestRuns';
+import type { BestRuns } from './mission/bestRuns';
 
 /** What the page is made of before anything runs. */
 export interface Page {

@@ -2,8 +2,8 @@ import { keepForOffline } from '../offline/keep';
 import { createFrameLoop, type FrameLoop } from '../view/frameLoop';
 import { pixelRatioOf } from '../view/pageSize';
 import type { Page } from './pageParts';
-import { createReport } from './report';
-import { createTwin } from './textTwin';
+import { createReport } from './mission/report';
+import { createTwin } from './words/textTwin';
 import type { Parts } from './wiring';
 
 /** What happens in a frame: hands are read, the view is taken, everything shown of it is painted. */

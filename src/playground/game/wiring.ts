@@ -1,5 +1,5 @@
 import { createGoalPanel } from '../panels/goal';
-import { createDock } from '../panels/dock';
+import { createDock } from '../panels/workshop/dock';
 import { createMissionCard } from '../panels/missionCard';
 import { createPanel, type Panel } from '../panels/panel';
 import { connectDevices, type Devices } from '../input/devices';
@@ -12,9 +12,9 @@ import { watchSize } from '../view/pageSize';
 import { type Acts, createActs } from './actions';
 import { createCameraSwitch } from '../view/cameraSwitch';
 import { createChooser, type Chooser } from './chooser';
-import { keyCapOf, wireCockpit } from './controlWords';
+import { keyCapOf, wireCockpit } from './words/controlWords';
 import { createLive, type Live } from './live';
-import { createMissionGame, type MissionGame } from './missionGame';
+import { createMissionGame, type MissionGame } from './mission/missionGame';
 import type { Page } from './pageParts';
 import { wireFrames } from './showing';
 

@@ -4,7 +4,7 @@ import { giveFocusBack, listenToKeys } from './keyboard';
 import { createLayout, type Layout } from './layout';
 import type { Stick } from './stick';
 import { createThumbs, type Thumbs } from './thumbs';
-import type { Device } from '../game/flightWords';
+import type { Device } from '../game/words/flightWords';
 
 export interface DevicesPlace {
   readonly settings: () => KeySettings;

@@ -1,6 +1,6 @@
 import type { WorldView } from '../../prediction';
 import type { Stage } from '../../scene';
-import { gameSeconds } from '../game/missionTracker';
+import { gameSeconds } from '../game/mission/missionTracker';
 import type { Resolution } from './resolution';
 
 /** What a frame needs of the page. */

@@ -1,11 +1,11 @@
 import { FLYING, REFERENCE_BODY, SURFACE_STATE, type World } from '../../dynamics';
-import { type DrawnGround, groundRadius } from './drawnGround';
-import { hullOf, LEGS } from './hull';
+import { type DrawnGround, groundRadius } from './snap/drawnGround';
+import { hullOf, LEGS } from './snap/hull';
 import { pose } from './pose';
 import { lengthOf, rotateBack, seenFrom } from './rotation';
-import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './groundSnap';
+import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './snap/groundSnap';
 import { offsetAt } from '../ground/learnedGround';
-import { type LevelGround, snapToLevel } from './levelSnap';
+import { type LevelGround, snapToLevel } from './snap/levelSnap';
 import type { Track } from '../simulation/track';
 import type { ShipView } from './view';
 

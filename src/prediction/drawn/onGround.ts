@@ -1,10 +1,10 @@
 import { flatTerrain, writeGroundNormal } from '../../dynamics';
 import { confidenceOf, offsetAt, placeAt } from '../ground/learnedGround';
 import type { Track } from '../simulation/track';
-import { groundRadius } from './drawnGround';
-import { createGroundedPose, type GroundedPose, snapToGround } from './groundSnap';
-import { hullOf, LEGS } from './hull';
-import { type LevelGround, snapToLevel } from './levelSnap';
+import { groundRadius } from './snap/drawnGround';
+import { createGroundedPose, type GroundedPose, snapToGround } from './snap/groundSnap';
+import { hullOf, LEGS } from './snap/hull';
+import { type LevelGround, snapToLevel } from './snap/levelSnap';
 import { lengthOf, rotate, vector } from './rotation';
 import type { Scene } from './scene';
 import type { ShipView } from './view';

@@ -1,5 +1,5 @@
 import { ATTITUDE, BODY_ATTITUDE, BODY_END_ATTITUDE, BODY_STRIDE, POSITION } from '../../dynamics';
-import { boundaryAt, knowsBoundary, rowsAt } from '../snapshots/bodyTrack';
+import { boundaryAt, knowsBoundary, rowsAt } from '../snapshots/bodies/bodyTrack';
 import { blend, quaternion, rotateBack, seenFrom, take, vector } from './rotation';
 import type { Simulation } from '../simulation/simulation';
 import { spanOf } from '../time/timeline';

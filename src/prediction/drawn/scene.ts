@@ -1,8 +1,8 @@
 import type { World } from '../../dynamics';
 import type { Simulation } from '../simulation/simulation';
 import { wallOfTick } from '../time/timeline';
-import type { DrawnGround } from './drawnGround';
-import type { GroundPose } from './groundSnap';
+import type { DrawnGround } from './snap/drawnGround';
+import type { GroundPose } from './snap/groundSnap';
 import { type Pose, pose } from './pose';
 import { quaternion, vector } from './rotation';
 import type { Instant } from './status';

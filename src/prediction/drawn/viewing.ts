@@ -22,7 +22,7 @@ import type { Track } from '../simulation/track';
 import { createTouchdownView, fillTouchdown } from '../touchdown/touchdownLog';
 import { relax } from './ease';
 import { fillGhost } from './ghost';
-import { LEGS } from './hull';
+import { LEGS } from './snap/hull';
 import { fillGround, fillGrounded } from './onGround';
 import { outOfStep } from './outOfStep';
 import { writeAttitude } from './pose';

@@ -1,5 +1,5 @@
 import { BODY_ANGULAR_VELOCITY, BODY_POSITION, BODY_STRIDE, BODY_VELOCITY } from '../../dynamics';
-import { boundaryAt } from '../snapshots/bodyTrack';
+import { boundaryAt } from '../snapshots/bodies/bodyTrack';
 import { writeBodyAttitude } from './pose';
 import { lengthOf, take } from './rotation';
 import type { Simulation } from '../simulation/simulation';

@@ -1,5 +1,5 @@
 import { SHIP_STRIDE } from '../../dynamics';
-import { cutsOf, resizedBodies } from '../snapshots/bodyTrack';
+import { cutsOf, resizedBodies } from '../snapshots/bodies/bodyTrack';
 import { resizeLogs } from '../touchdown/touchdownRing';
 import { resized, ringLength } from './history';
 import type { Simulation } from './simulation';

@@ -1,6 +1,6 @@
 import { NO_EVENT, REFERENCE_BODY, SHIP_STRIDE } from '../../dynamics';
 import { turnPicture } from '../drawn/changeBody';
-import { easeUprighting } from '../drawn/uprighting';
+import { easeUprighting } from '../drawn/snap/uprighting';
 import { predict } from '../events';
 import { applyDue, seek } from '../inputs/scheduledInput';
 import type { Position } from '../time/timeline';

@@ -1,6 +1,6 @@
 import { CRASHED, NO_EVENT } from '../../dynamics';
 import { easeCorrection, holdDrawn, seeDrawn } from '../drawn/correction';
-import { uprights } from '../drawn/uprighting';
+import { uprights } from '../drawn/snap/uprighting';
 import { indexOf } from '../time/timeline';
 import { logSubstep } from '../touchdown/touchdownLog';
 import { rewindLog } from '../touchdown/touchdownRewind';

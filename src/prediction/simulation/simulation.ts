@@ -2,8 +2,8 @@ import { BODY_STRIDE, type BodyMotion, type World, writeBodyMotion } from '../..
 import type { Diagnosis, EventNotice } from '../drawn/view';
 import { withoutGround } from '../ground/unknownGround';
 import { createInputs, type Inputs, type ScheduledInput } from '../inputs/inputs';
-import { type BodySpin, createBodySpin } from '../snapshots/bodySpin';
-import { type BodyTrack, createBodyTrack } from '../snapshots/bodyTrack';
+import { type BodySpin, createBodySpin } from '../snapshots/bodies/bodySpin';
+import { type BodyTrack, createBodyTrack } from '../snapshots/bodies/bodyTrack';
 import { type Cadence, createCadence } from '../time/cadence';
 import { createTimeline, type Position, type Timeline } from '../time/timeline';
 import { ringLength } from './history';

@@ -15,7 +15,7 @@ import {
   TRANSLATION_INPUT,
   VELOCITY,
 } from '../../dynamics';
-import { boundaryAt, knowsBoundary } from '../snapshots/bodyTrack';
+import { boundaryAt, knowsBoundary } from '../snapshots/bodies/bodyTrack';
 import { keep } from './history';
 import { writeBodyAttitude } from '../drawn/pose';
 import { compose, put, quaternion, rotate, rotateBack, seenFrom, take, vector } from '../drawn/rotation';

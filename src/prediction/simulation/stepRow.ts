@@ -1,6 +1,6 @@
 import { chooseReferenceBody, FLYING, NO_EVENT, SHIP_STRIDE, substep, SURFACE_STATE } from '../../dynamics';
 import { applyDue, seek } from '../inputs/scheduledInput';
-import { boundaryAt, rowsAt } from '../snapshots/bodyTrack';
+import { boundaryAt, rowsAt } from '../snapshots/bodies/bodyTrack';
 import { type Position, spanOf } from '../time/timeline';
 import { worldOf } from '../ground/learnedGround';
 import { carryRow } from './carry';

@@ -4,10 +4,10 @@ import { knowsGround } from '../ground/unknownGround';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import { spanOf } from '../time/timeline';
-import { measureByShip } from './bodySpin';
-import type { Place } from './compare';
-import { weighLaw } from './lawFit';
-import type { SnapshotContext } from './reconcile';
+import { measureByShip } from './bodies/bodySpin';
+import type { Place } from './reconcile/compare';
+import { weighLaw } from './reconcile/lawFit';
+import type { SnapshotContext } from './reconcile/reconcile';
 
 /** One ship's newest state, and what became of the prediction for its tick. */
 export interface Lesson {

@@ -6,7 +6,7 @@ import { clearFleet, removeTrack } from '../simulation/track';
 import { forgetCadence, noteSend } from '../time/cadence';
 import { type Clock, forgetSchedule } from '../time/clock';
 import { spanOf } from '../time/timeline';
-import { forgetAfter as forgetBodiesAfter } from './bodyTrack';
+import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { classifySnapshot, type SnapshotKind } from './classify';
 import { settleEvents, tellEvents } from './settleEvents';
 import { takeOlder, takePart, takeStates } from './takeStates';

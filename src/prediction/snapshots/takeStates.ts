@@ -6,11 +6,11 @@ import { historyLength } from '../simulation/fitRings';
 import type { Simulation } from '../simulation/simulation';
 import { addTrack, removeTrack } from '../simulation/track';
 import { steerByMargin } from '../time/clock';
-import { unknownNameOf } from './adopt';
-import { bodiesOfFrame } from './bodiesOfFrame';
-import { boundaryAt, knowsBoundary } from './bodyTrack';
+import { unknownNameOf } from './reconcile/adopt';
+import { bodiesOfFrame } from './bodies/bodiesOfFrame';
+import { boundaryAt, knowsBoundary } from './bodies/bodyTrack';
 import type { Receiver } from './receiver';
-import { reconcile, showAsTold, type SnapshotContext } from './reconcile';
+import { reconcile, showAsTold, type SnapshotContext } from './reconcile/reconcile';
 import { shipFault } from './shipFault';
 
 /** The newest frame's bodies and ships, each compared with what was predicted for its tick. */

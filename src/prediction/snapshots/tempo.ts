@@ -5,7 +5,7 @@ import type { Simulation } from '../simulation/simulation';
 import { sampleDown, sentAt } from '../time/clock';
 import { setTempo, spanOf, wallOfTick } from '../time/timeline';
 import { forgetLogsAfter } from '../touchdown/touchdownRing';
-import { forgetAfter as forgetBodiesAfter } from './bodyTrack';
+import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { differs } from './classify';
 import type { Receiver } from './receiver';
 

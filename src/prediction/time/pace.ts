@@ -1,5 +1,5 @@
 import { POSITION, REFERENCE_BODY } from '../../dynamics';
-import { MAX_SUBSTEPS_A_TICK } from '../snapshots/bodyTrack';
+import { MAX_SUBSTEPS_A_TICK } from '../snapshots/bodies/bodyTrack';
 import { abandonReplay, hold, startReplay } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
 import { spanOf } from './timeline';

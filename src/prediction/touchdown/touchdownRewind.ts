@@ -11,7 +11,7 @@ import {
   SURFACE_STATE,
   VELOCITY,
 } from '../../dynamics';
-import { boundaryAt } from '../snapshots/bodyTrack';
+import { boundaryAt } from '../snapshots/bodies/bodyTrack';
 import { has, offsetOf } from '../simulation/history';
 import { lengthOf, quaternion, rotateBack, take, vector } from '../drawn/rotation';
 import type { Simulation } from '../simulation/simulation';

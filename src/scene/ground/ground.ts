@@ -22,7 +22,7 @@ import {
   shadeOver,
   type TerrainLevel,
 } from './terrainLevel';
-import type { ViewCone } from '../viewCone';
+import type { ViewCone } from '../camera/viewCone';
 
 /** Spacing of the finest level, m: between its vertices the drawn ground is within a millimetre of smooth terrain. */
 const FINEST = 0.4;

@@ -1,5 +1,5 @@
 import { CELLS, type TerrainLevel, VERTICES } from './terrainLevel';
-import type { ViewCone } from '../viewCone';
+import type { ViewCone } from '../camera/viewCone';
 
 /**
  * A level's triangles ordered by sectors around its centre, so that one draw leaves out what lies behind the eye. They are

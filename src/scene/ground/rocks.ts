@@ -12,7 +12,7 @@ import type { BodyLook } from '../sky/bodyLook';
 import type { LocalFrame } from '../localFrame';
 import { cellNoise } from './noise';
 import { groundPoint } from './terrainLevel';
-import { coneMeets, type ViewCone } from '../viewCone';
+import { coneMeets, type ViewCone } from '../camera/viewCone';
 
 /** Cells of stones around the ship: metres a cell, cells to each side. */
 const CELL = 5;

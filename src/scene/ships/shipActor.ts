@@ -4,7 +4,7 @@ import type { ShipView, WorldView } from '../../prediction';
 import { createDustState, type DustState } from '../effects/dustSources';
 import { askedTurn, asksForPower, buildJets, canBurn, firePower, writePower } from '../effects/jets';
 import { type LocalFrame, rotate, toLocalPoint, type Turn } from '../localFrame';
-import { buildShip } from './models';
+import { buildShip } from './models/models';
 import type { ShipMaterial } from './shipMaterial';
 import type { ShipModel } from './shipModel';
 import { crumple } from './wreck';

@@ -1,4 +1,4 @@
-import type { ShipGeometries } from './parts';
+import type { ShipGeometries } from './models/parts';
 
 type Point = readonly [number, number, number];
 

@@ -1,4 +1,4 @@
-"""The angle of a vector from + - * / and a polynomial: the same bits as src/dynamics/arctangent.ts (ORDER, Heightmap)."""
+"""The angle of a vector from + - * / and a polynomial: the same bits as src/dynamics/terrain/arctangent.ts (ORDER, Heightmap)."""
 
 C1 = -0.3333333333332844
 C2 = 0.19999999998855109

@@ -1,4 +1,4 @@
-"""Ground from heightmaps in the game's format: the same bits as src/dynamics/heightmap.ts (ORDER, Heightmap)."""
+"""Ground from heightmaps in the game's format: the same bits as src/dynamics/terrain/heightmap.ts (ORDER, Heightmap)."""
 
 import sys
 from array import array

@@ -1,4 +1,4 @@
-"""What may enter: ranges, and checks that refuse with the path of the field (the ranges of src/dynamics/limits.ts).
+"""What may enter: ranges, and checks that refuse with the path of the field (the ranges of src/dynamics/constants/limits.ts).
 
 A check returns the value as the simulation holds it (floats, tuples) or raises Refusal.
 """

@@ -3,7 +3,7 @@
     python3 -m touchdown_service.replay < cases.jsonl           one line a case: name, substeps, SHA-256 of all its rows
     python3 -m touchdown_service.replay --rows < cases.jsonl    one line a row: tick, substep, the row's bytes in hex
 
-A row is the ship after a substep, as little-endian doubles in the columns of src/dynamics/layout.ts, then the event's number.
+A row is the ship after a substep, as little-endian doubles in the columns of src/dynamics/state/layout.ts, then the event's number.
 After a tick's last substep comes a row for each body (substep -1): position, velocity, attitude.
 """
 

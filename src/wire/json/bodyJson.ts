@@ -9,9 +9,9 @@ import {
 } from '../../dynamics';
 import { BODY_MASS, type Bound, METRES, METRES_PER_SECOND, RADIANS_PER_SECOND } from '../limits';
 import { refuseLoaded } from '../loaders';
-import { type Fields, nameIn, numberIn, type Reading, refuse, valueIn } from '../reading';
+import { type Fields, nameIn, numberIn, type Reading, refuse, valueIn } from '../fields/reading';
 import type { BodyState } from '../records';
-import { optionalQuaternionIn, optionalVectorIn, vectorIn } from '../vectors';
+import { optionalQuaternionIn, optionalVectorIn, vectorIn } from '../fields/vectors';
 
 /** What fills in for a body that tells less than all. */
 export interface BodyDefaults {

@@ -1,6 +1,6 @@
 import type { Controls, Result } from '../../dynamics';
-import { controlFields, readControlFields } from '../controls';
-import { beginReading, endReading, fieldsOf } from '../reading';
+import { controlFields, readControlFields } from '../fields/controls';
+import { beginReading, endReading, fieldsOf } from '../fields/reading';
 
 /**
  * Controls for JSON.stringify, under the game's names: thrust_level, translation_input and rotation_input {x, y, z},

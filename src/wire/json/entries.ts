@@ -9,7 +9,7 @@ import {
   refuse,
   type Step,
   valueIn,
-} from '../reading';
+} from '../fields/reading';
 
 /** One pass over a JSON message whose parts stand or fall by themselves. */
 export interface Partial {

@@ -7,7 +7,7 @@ import {
   loadTiming,
   type Result,
 } from '../../dynamics';
-import { frameFields, readAcknowledgement } from '../frame';
+import { frameFields, readAcknowledgement } from '../messages/frame';
 import { FINITE, MAX_BODIES, MAX_EVENTS, MAX_SHIPS, MAX_TICK } from '../limits';
 import {
   beginReading,
@@ -21,11 +21,11 @@ import {
   type Reading,
   refuse,
   valueIn,
-} from '../reading';
+} from '../fields/reading';
 import type { PartialFrame } from '../records';
 import { refuseLoaded } from '../loaders';
-import { readShipState } from '../shipState';
-import { readEvent } from '../worldEvent';
+import { readShipState } from '../fields/shipState';
+import { readEvent } from '../fields/worldEvent';
 import { type BodyDefaults, readBodyJson } from './bodyJson';
 import { entriesIn, type Partial, partIn } from './entries';
 import { gameTimeIn } from './gameTime';

@@ -1,5 +1,5 @@
 import { GAME_SECONDS } from '../limits';
-import { describe, type Fields, numberIn, type Reading, refuse, valueIn } from '../reading';
+import { describe, type Fields, numberIn, type Reading, refuse, valueIn } from '../fields/reading';
 
 /** ISO 8601 as `game:time` has it: a date, a time, a zone or none (then UTC). */
 const ISO = /^(\d{4})-(\d\d)-(\d\d)[T ](\d\d):(\d\d):(\d\d(?:\.\d{1,9})?)(?:Z|([+-])(\d\d):?(\d\d))?$/;

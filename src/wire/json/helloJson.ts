@@ -1,5 +1,5 @@
 import { BODIES, type Result, SHIP_CLASSES } from '../../dynamics';
-import { helloFields, readTiming } from '../hello';
+import { helloFields, readTiming } from '../messages/hello';
 import { MAX_BODIES, MAX_SHIP_CLASSES, MAX_TICK } from '../limits';
 import {
   beginReading,
@@ -11,10 +11,10 @@ import {
   messageIn,
   textIn,
   valueIn,
-} from '../reading';
+} from '../fields/reading';
 import type { Hello } from '../records';
-import { readSettings } from '../settings';
-import { readShipClass } from '../shipClass';
+import { readSettings } from '../fields/settings';
+import { readShipClass } from '../fields/shipClass';
 import { readBodyJson } from './bodyJson';
 import { entriesIn, type Partial } from './entries';
 

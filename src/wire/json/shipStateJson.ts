@@ -10,9 +10,9 @@ import {
   refuse,
   refuseRepeats,
   valueIn,
-} from '../reading';
+} from '../fields/reading';
 import type { ShipState } from '../records';
-import { readShipState, shipStateFields } from '../shipState';
+import { readShipState, shipStateFields } from '../fields/shipState';
 
 /** A ShipState for JSON.stringify, under the game's names; vectors {x, y, z}, quaternions {w, x, y, z}. */
 export type ShipStateJson = Readonly<Record<string, unknown>>;

@@ -10,7 +10,7 @@ import { createSimulation } from '../../../src/prediction/simulation/simulation'
 import { runReplays, startReplay } from '../../../src/prediction/simulation/replay';
 import { addTrack } from '../../../src/prediction/simulation/track';
 import { setTempo } from '../../../src/prediction/time/timeline';
-import { updateBodies } from '../../../src/prediction/snapshots/bodyTrack';
+import { updateBodies } from '../../../src/prediction/snapshots/bodies/bodyTrack';
 import { loadWorld } from '../../../src/prediction/snapshots/worldConfig';
 
 const SHIPS = 1000;

@@ -16,7 +16,7 @@ const KEYS: Record<string, string> = {
   yawMinus: 'A',
   rateDamping: 'T',
 };
-const SHEET = new URL('../../../src/hud/hud.css', import.meta.url).href;
+const SHEET = new URL('../../../src/hud/styles/hud.css', import.meta.url).href;
 
 const place = document.querySelector<HTMLElement>('#place')!;
 

@@ -1,0 +1,106 @@
+import { ATTITUDE, BODY_TURN, POSITION } from '../state/layout';
+import { AXIS, FROM, quantities, ROTATION, type Step, TO, SMI_MASK } from '../contact/quantities';
+import { moveWithGround, spinWithGround } from '../contact/pose';
+
+/** Landed or pinned: the ship's place turns with the ground over the substep; u = Ω × r. */
+export function turnPlaceWithGround(step: Step): void {
+  const q = quantities;
+  const { bodies } = step;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const ax = bodies[bodyAt + BODY_TURN]!;
+  const ay = bodies[bodyAt + BODY_TURN + 1]!;
+  const az = bodies[bodyAt + BODY_TURN + 2]!;
+  const aw = bodies[bodyAt + BODY_TURN + 3]!;
+  const x = q[POSITION]!;
+  const y = q[POSITION + 1]!;
+  const z = q[POSITION + 2]!;
+  const tx = ay * z - az * y;
+  const ty = az * x - ax * z;
+  const tz = ax * y - ay * x;
+  const twice = 2 * aw;
+  // From left to right, v + 2w (a × v) + 2 a × (a × v): in another order a ship pinned for a minute ends 0.1 µm elsewhere.
+  q[POSITION] = x + tx * twice + 2 * (ay * tz - az * ty);
+  q[POSITION + 1] = y + ty * twice + 2 * (az * tx - ax * tz);
+  q[POSITION + 2] = z + tz * twice + 2 * (ax * ty - ay * tx);
+  moveWithGround(step);
+}
+
+/** Landed: the attitude turns with the ground too; w = Ω. */
+export function turnAttitudeWithGround(step: Step): void {
+  const q = quantities;
+  const { bodies } = step;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  for (let k = 0; k < 4; k++) q[ROTATION + k] = bodies[bodyAt + BODY_TURN + k]!;
+  rotateAttitude();
+  spinWithGround(step);
+}
+
+/** q = normalize(ROTATION q): a rotation in ICRF axes, on the left. */
+export function rotateAttitude(): void {
+  const q = quantities;
+  const ax = q[ROTATION]!;
+  const ay = q[ROTATION + 1]!;
+  const az = q[ROTATION + 2]!;
+  const aw = q[ROTATION + 3]!;
+  const bx = q[ATTITUDE]!;
+  const by = q[ATTITUDE + 1]!;
+  const bz = q[ATTITUDE + 2]!;
+  const bw = q[ATTITUDE + 3]!;
+  const x = ax * bw + aw * bx + ay * bz - az * by;
+  const y = ay * bw + aw * by + az * bx - ax * bz;
+  const z = az * bw + aw * bz + ax * by - ay * bx;
+  const w = aw * bw - ax * bx - ay * by - az * bz;
+  const perLength = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
+  q[ATTITUDE] = x * perLength;
+  q[ATTITUDE + 1] = y * perLength;
+  q[ATTITUDE + 2] = z * perLength;
+  q[ATTITUDE + 3] = w * perLength;
+}
+
+/** ROTATION = the shortest rotation from unit FROM to unit TO: normalize(a × b, 1 + a·b), or half a turn where they oppose. */
+export function shortestRotation(): void {
+  const q = quantities;
+  const ax = q[FROM]!;
+  const ay = q[FROM + 1]!;
+  const az = q[FROM + 2]!;
+  const bx = q[TO]!;
+  const by = q[TO + 1]!;
+  const bz = q[TO + 2]!;
+  const dot = ax * bx + ay * by + az * bz;
+  if (dot < -0.999999) {
+    perpendicularAxis(FROM);
+    q[ROTATION] = q[AXIS]!;
+    q[ROTATION + 1] = q[AXIS + 1]!;
+    q[ROTATION + 2] = q[AXIS + 2]!;
+    q[ROTATION + 3] = 0;
+    return;
+  }
+  const x = ay * bz - az * by;
+  const y = az * bx - ax * bz;
+  const z = ax * by - ay * bx;
+  const w = 1 + dot;
+  const perLength = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
+  q[ROTATION] = x * perLength;
+  q[ROTATION + 1] = y * perLength;
+  q[ROTATION + 2] = z * perLength;
+  q[ROTATION + 3] = w * perLength;
+}
+
+/** AXIS = unit(a × x), x = (1,0,0), or (0,1,0) if |a_x| ≥ 0.9, of the unit vector a at `from`. */
+export function perpendicularAxis(from: number): void {
+  const q = quantities;
+  const ax = q[from]!;
+  const ay = q[from + 1]!;
+  const az = q[from + 2]!;
+  if (ax >= 0.9 || ax <= -0.9) {
+    const perLength = 1 / Math.sqrt(az * az + ax * ax);
+    q[AXIS] = -az * perLength;
+    q[AXIS + 1] = 0;
+    q[AXIS + 2] = ax * perLength;
+    return;
+  }
+  const perLength = 1 / Math.sqrt(az * az + ay * ay);
+  q[AXIS] = 0;
+  q[AXIS + 1] = az * perLength;
+  q[AXIS + 2] = -ay * perLength;
+}

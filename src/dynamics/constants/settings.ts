@@ -1,0 +1,123 @@
+import { cosineOfDegrees } from '../arithmetic/angles';
+import { ok, type Result, notFinite, err } from '../result';
+import { outside, SPEED, SPIN_SPEED } from './limits';
+
+/** The server's contact settings under the design's names (DYNAMICS, Settings). SI units, degrees where the name says so. */
+export interface Settings {
+  /** Impact above which a ship crashes, m/s. */
+  readonly contactCrashSpeed: number;
+  /** Impact up to which a ship settles without a bounce, m/s. */
+  readonly contactBounceSpeed: number;
+  /** Tilt up to which a ship counts as landed, degrees. */
+  readonly contactSettleTiltDeg: number;
+  /** rad/s */
+  readonly contactSettleAngularVel: number;
+  /** m/s */
+  readonly contactSettleLinearVel: number;
+  /** Tilt from which a ship counts as tipped, degrees. */
+  readonly contactTippedAngleDeg: number;
+  /** ζ of a bouncing impact. */
+  readonly contactDampingRatio: number;
+  /** Coefficient up to which feet hold. */
+  readonly contactFrictionStatic: number;
+  /** Coefficient of sliding feet. */
+  readonly contactFrictionKinetic: number;
+  /** What a touch does to attitude and spin: aligned with the surface normal and stilled, or kept as they are. */
+  readonly touchdownAttitude: 'aligned' | 'kept';
+  /** Which way is off the ground: along the radius, as on a ball, or square to the slope that the feet stand on. */
+  readonly surfaceNormal: 'radial' | 'terrain';
+  /** Game seconds: a tick is cut into equal substeps that are no longer. */
+  readonly contactLongestSubstep: number;
+}
+
+export const DEFAULT_SETTINGS: Settings = Object.freeze({
+  contactCrashSpeed: 50,
+  contactBounceSpeed: 10,
+  contactSettleTiltDeg: 5,
+  contactSettleAngularVel: 0.01,
+  contactSettleLinearVel: 0.5,
+  contactTippedAngleDeg: 80,
+  contactDampingRatio: 0.3,
+  contactFrictionStatic: 0.8,
+  contactFrictionKinetic: 0.5,
+  touchdownAttitude: 'aligned',
+  surfaceNormal: 'radial',
+  contactLongestSubstep: 0.01,
+});
+
+/** Bounds of contactLongestSubstep, s. Beyond the longest, ships with moments of inertia far apart shake on their legs. */
+const SHORTEST_SUBSTEP = 0.001;
+const LONGEST_SUBSTEP = 0.022;
+
+/** Checked settings and what a substep needs of them: angles as cosines. */
+export interface LoadedSettings extends Settings {
+  /** Cosine of contactSettleTiltDeg. */
+  readonly cosSettleTilt: number;
+  /** Cosine of contactTippedAngleDeg. */
+  readonly cosTippedAngle: number;
+}
+
+/** Settings as loaded, or a reason that names the first setting out of its range, and the range. Absent settings keep their defaults. */
+export function loadSettings(given: Partial<Settings>): Result<LoadedSettings> {
+  const s: Settings = { ...DEFAULT_SETTINGS, ...given };
+  for (const [name, value] of Object.entries(s)) {
+    if (name === 'touchdownAttitude' || name === 'surfaceNormal') continue;
+    if (!(name in DEFAULT_SETTINGS)) return err(`${name}: no such setting`);
+    const reason = notFinite(name, value);
+    if (reason !== null) return err(reason);
+  }
+  const outOfRange = firstOutOfRange(s);
+  if (outOfRange !== null) return err(outOfRange);
+  return ok(
+    Object.freeze({
+      ...s,
+      cosSettleTilt: cosineOfDegrees(s.contactSettleTiltDeg),
+      cosTippedAngle: cosineOfDegrees(s.contactTippedAngleDeg),
+    }),
+  );
+}
+
+function firstOutOfRange(s: Settings): string | null {
+  const attitude: string = s.touchdownAttitude;
+  const normal: string = s.surfaceNormal;
+  const ranges: readonly (readonly [keyof Settings, boolean, string])[] = [
+    ['contactCrashSpeed', s.contactCrashSpeed > 0, '> 0 m/s'],
+    ['contactBounceSpeed', s.contactBounceSpeed > 0, '> 0 m/s'],
+    [
+      'contactBounceSpeed',
+      s.contactBounceSpeed < s.contactCrashSpeed,
+      `< contactCrashSpeed (${String(s.contactCrashSpeed)} m/s)`,
+    ],
+    ['contactSettleAngularVel', s.contactSettleAngularVel > 0, '> 0 rad/s'],
+    ['contactSettleLinearVel', s.contactSettleLinearVel > 0, '> 0 m/s'],
+    ['contactSettleTiltDeg', s.contactSettleTiltDeg > 0, '> 0°'],
+    [
+      'contactSettleTiltDeg',
+      s.contactSettleTiltDeg < s.contactTippedAngleDeg,
+      `< contactTippedAngleDeg (${String(s.contactTippedAngleDeg)}°)`,
+    ],
+    ['contactTippedAngleDeg', s.contactTippedAngleDeg < 90, '< 90°'],
+    ['contactDampingRatio', s.contactDampingRatio > 0 && s.contactDampingRatio <= 1, '> 0 and ≤ 1'],
+    ['contactFrictionStatic', s.contactFrictionStatic >= 0 && s.contactFrictionStatic <= 2, '≥ 0 and ≤ 2'],
+    [
+      'contactFrictionKinetic',
+      s.contactFrictionKinetic >= 0 && s.contactFrictionKinetic <= s.contactFrictionStatic,
+      `≥ 0 and ≤ contactFrictionStatic (${String(s.contactFrictionStatic)})`,
+    ],
+    ['touchdownAttitude', attitude === 'aligned' || attitude === 'kept', "'aligned' or 'kept'"],
+    ['surfaceNormal', normal === 'radial' || normal === 'terrain', "'radial' or 'terrain'"],
+    [
+      'contactLongestSubstep',
+      s.contactLongestSubstep >= SHORTEST_SUBSTEP && s.contactLongestSubstep <= LONGEST_SUBSTEP,
+      `${SHORTEST_SUBSTEP} … ${LONGEST_SUBSTEP} s`,
+    ],
+  ];
+  for (const [name, inRange, range] of ranges) {
+    if (!inRange) return `${name}: expected ${range}, got ${String(s[name])}`;
+  }
+  return (
+    outside('contactCrashSpeed', s.contactCrashSpeed, SPEED) ??
+    outside('contactSettleAngularVel', s.contactSettleAngularVel, SPIN_SPEED) ??
+    outside('contactSettleLinearVel', s.contactSettleLinearVel, SPEED)
+  );
+}

@@ -1,0 +1,270 @@
+import { ok, type Result, type Mat3, notFinite, notFiniteTuple, err, type Vec3 } from '../result';
+import {
+  anyOutside,
+  FORCE,
+  FUEL_MASS,
+  INERTIA,
+  INERTIA_RATIO,
+  ISP,
+  LEVER,
+  NATURAL_FREQUENCY,
+  outside,
+  SHIP_LENGTH,
+  SHIP_MASS,
+  TANKS,
+  TORQUE,
+  WHEEL_CAPACITY,
+} from './limits';
+
+/** A ship class under the game's names. SI units, body axes: +Z is the thrust axis and "up". */
+export interface ShipClass {
+  readonly name: string;
+  /** kg */
+  readonly dryMass: number;
+  /** kg */
+  readonly fuelCapacity: number;
+  /** kg m², body axes, with full tanks; symmetric, positive definite, not assumed diagonal. */
+  readonly inertiaTensor: Mat3;
+  /** h: height of the centre of mass above the feet, m, ≥ 0; a ship's state may carry its own. */
+  readonly groundContactOffset: number;
+  /** Radius of the landing-leg footprint, m. */
+  readonly legRadius: number;
+  /** N */
+  readonly mainEngineThrust: number;
+  /** s */
+  readonly mainEngineIsp: number;
+  /** N along body x, y, z. */
+  readonly rcsThrust: Vec3;
+  /** N m about body x, y, z. */
+  readonly rcsTorque: Vec3;
+  /** Arm that turns RCS torque into force, m. */
+  readonly rcsLever: number;
+  /** s */
+  readonly rcsIsp: number;
+  /** N m about body x, y, z; burns no fuel. */
+  readonly reactionWheelTorque: Vec3;
+  /** N m s about body x, y, z; null: the wheels are never full. */
+  readonly reactionWheelCapacity: Vec3 | null;
+  /** ω_n of the attitude controller, rad/s; it is critically damped. */
+  readonly attitudeNaturalFrequency: number;
+  /** Inertia with dry tanks over inertia with full ones; null: in proportion to mass. */
+  readonly dryInertiaRatio: number | null;
+}
+
+/** A checked class and its constants, computed once. */
+export interface LoadedShipClass extends ShipClass {
+  /** kg: dry mass + fuel capacity. */
+  readonly fullMass: number;
+  /** kg m², row by row, with full tanks. */
+  readonly inertia: Float64Array;
+  /** Its inverse, row by row. */
+  readonly inverseInertia: Float64Array;
+  /** What the tensor is multiplied by: inertiaAtDry + inertiaPerFuel · fuel. */
+  readonly inertiaAtDry: number;
+  /** 1/kg */
+  readonly inertiaPerFuel: number;
+  /** J: the least moment of inertia against tilting, with full tanks, kg m²: what the legs' support turns. */
+  readonly supportInertia: number;
+  /** J': a bound below the least moment of inertia, with full tanks, kg m²: what the feet's scrub slows. */
+  readonly scrubInertia: number;
+  /** ω_n², s⁻². */
+  readonly attitudeStiffness: number;
+  /** 2 ω_n, s⁻¹. */
+  readonly attitudeDamping: number;
+  /** N m s about body x, y, z; Infinity: never full. */
+  readonly wheelCapacity: Vec3;
+  /** kg/s per newton of main engine thrust. */
+  readonly mainEngineFlow: number;
+  /** kg/s per newton of RCS force. */
+  readonly rcsFlow: number;
+  /** RCS force per newton metre of torque, 1/m. */
+  readonly forcePerTorque: number;
+}
+
+/** Standard gravity, m/s²: turns a specific impulse in seconds into an exhaust velocity. */
+export const STANDARD_GRAVITY = 9.80665;
+
+/** Of an inertia tensor: its determinant over the cube of its mean moment; 1 for a ball, 3.4 / k for a rod of moments k, k, 1. */
+const LEAST_ROUNDNESS = 1e-6;
+
+/** The class with its constants, or a reason that names the field and its range. */
+export function loadShipClass(given: ShipClass): Result<LoadedShipClass> {
+  const reason = malformed(given) ?? outOfRange(given);
+  if (reason !== null) return err(`ship class ${given.name}: ${reason}`);
+  const fullMass = given.dryMass + given.fuelCapacity;
+  const inertia = Float64Array.from(given.inertiaTensor.flat());
+  const inverseInertia = inverse(inertia);
+  const { attitudeNaturalFrequency } = given;
+  const burnsMain = given.mainEngineThrust > 0;
+  const turnsByRcs = largest(given.rcsTorque) > 0;
+  const burnsRcs = turnsByRcs || largest(given.rcsThrust) > 0;
+  return ok(
+    Object.freeze({
+      ...given,
+      fullMass,
+      inertia,
+      inverseInertia,
+      ...inertiaByFuel(given, fullMass),
+      ...scalarInertias(inverseInertia),
+      attitudeStiffness: attitudeNaturalFrequency * attitudeNaturalFrequency,
+      attitudeDamping: 2 * attitudeNaturalFrequency,
+      wheelCapacity: given.reactionWheelCapacity ?? NEVER_FULL,
+      mainEngineFlow: burnsMain ? 1 / (given.mainEngineIsp * STANDARD_GRAVITY) : 0,
+      rcsFlow: burnsRcs ? 1 / (given.rcsIsp * STANDARD_GRAVITY) : 0,
+      forcePerTorque: turnsByRcs ? 1 / given.rcsLever : 0,
+    }),
+  );
+}
+
+const NEVER_FULL: Vec3 = [Infinity, Infinity, Infinity];
+
+/** Linear in fuel: from dry to full as dryInertiaRatio has it, without one (or without tanks) as mass. */
+function inertiaByFuel(
+  { dryMass, fuelCapacity, dryInertiaRatio }: ShipClass,
+  fullMass: number,
+): Pick<LoadedShipClass, 'inertiaAtDry' | 'inertiaPerFuel'> {
+  if (dryInertiaRatio === null || fuelCapacity === 0)
+    return { inertiaAtDry: dryMass / fullMass, inertiaPerFuel: 1 / fullMass };
+  return { inertiaAtDry: dryInertiaRatio, inertiaPerFuel: (1 - dryInertiaRatio) / fuelCapacity };
+}
+
+/** The legs' moment of inertia is at most this many times the bound below the least: a needle would spin about its own axis. */
+const MOST_SUPPORT = 4;
+
+/** J and J' (DYNAMICS, Angular), from K = I⁻¹. */
+function scalarInertias(k: Float64Array): Pick<LoadedShipClass, 'supportInertia' | 'scrubInertia'> {
+  const row = (i: number) => Math.abs(k[i]!) + Math.abs(k[i + 1]!) + Math.abs(k[i + 2]!);
+  const scrubInertia = 1 / Math.max(row(0), row(3), row(6));
+  const mean = (k[0]! + k[4]!) / 2;
+  const half = (k[0]! - k[4]!) / 2;
+  const tilting = 1 / (mean + Math.sqrt(half * half + k[1]! * k[1]!));
+  return { supportInertia: Math.min(tilting, MOST_SUPPORT * scrubInertia), scrubInertia };
+}
+
+const SCALARS = [
+  'dryMass',
+  'fuelCapacity',
+  'groundContactOffset',
+  'legRadius',
+  'mainEngineThrust',
+  'mainEngineIsp',
+  'rcsLever',
+  'rcsIsp',
+  'attitudeNaturalFrequency',
+] as const;
+const TRIPLES = ['rcsThrust', 'rcsTorque', 'reactionWheelTorque'] as const;
+
+function malformed(c: ShipClass): string | null {
+  if (typeof c.name !== 'string' || c.name === '') return 'name: expected a text';
+  for (const field of SCALARS) {
+    const reason = notFinite(field, c[field]);
+    if (reason !== null) return reason;
+  }
+  for (const field of TRIPLES) {
+    const reason = notFiniteTuple(field, c[field], 3);
+    if (reason !== null) return reason;
+  }
+  if (c.dryInertiaRatio !== null) {
+    const reason = notFinite('dryInertiaRatio', c.dryInertiaRatio);
+    if (reason !== null) return reason;
+  }
+  if (c.reactionWheelCapacity !== null) {
+    const reason = notFiniteTuple('reactionWheelCapacity', c.reactionWheelCapacity, 3);
+    if (reason !== null) return reason;
+  }
+  const rows: readonly unknown[] = Array.isArray(c.inertiaTensor) ? c.inertiaTensor : [];
+  if (rows.length !== 3) return 'inertiaTensor: expected 3 rows of 3 numbers';
+  for (let row = 0; row < 3; row++) {
+    const reason = notFiniteTuple(`inertiaTensor[${String(row)}]`, rows[row], 3);
+    if (reason !== null) return reason;
+  }
+  return null;
+}
+
+function outOfRange(c: ShipClass): string | null {
+  const turnsByRcs = largest(c.rcsTorque) > 0;
+  const burnsRcs = turnsByRcs || largest(c.rcsThrust) > 0;
+  return (
+    outside('dryMass', c.dryMass, SHIP_MASS) ??
+    outside('fuelCapacity', c.fuelCapacity, FUEL_MASS) ??
+    outside('groundContactOffset', c.groundContactOffset, SHIP_LENGTH) ??
+    (c.fuelCapacity !== 0 ? outside('fuelCapacity', c.fuelCapacity, TANKS) : null) ??
+    outside('legRadius', c.legRadius, LEVER) ??
+    outside('mainEngineThrust', c.mainEngineThrust, FORCE) ??
+    anyOutside('rcsThrust', c.rcsThrust, FORCE) ??
+    anyOutside('rcsTorque', c.rcsTorque, TORQUE) ??
+    anyOutside('reactionWheelTorque', c.reactionWheelTorque, TORQUE) ??
+    (c.reactionWheelCapacity === null
+      ? null
+      : anyOutside('reactionWheelCapacity', c.reactionWheelCapacity, WHEEL_CAPACITY)) ??
+    outside('attitudeNaturalFrequency', c.attitudeNaturalFrequency, NATURAL_FREQUENCY) ??
+    (c.dryInertiaRatio === null ? null : outside('dryInertiaRatio', c.dryInertiaRatio, INERTIA_RATIO)) ??
+    // Where they divide nothing they are not looked at.
+    (c.mainEngineThrust > 0 ? outside('mainEngineIsp', c.mainEngineIsp, ISP) : null) ??
+    (turnsByRcs ? outside('rcsLever', c.rcsLever, LEVER) : null) ??
+    (burnsRcs ? outside('rcsIsp', c.rcsIsp, ISP) : null) ??
+    noTensor(c.inertiaTensor)
+  );
+}
+
+/**
+ * Why a tensor is none, the first reason that holds: its diagonal, its symmetry (to a part in 10⁹: recordings print rounded
+ * values), Sylvester's criterion, and that it is no needle: the ground's impulse on a lying hull (DYNAMICS, Tipped) spins one whose
+ * moments lie more than some million times apart ever faster. Moments that no mass could have, one above the sum of the other two,
+ * are taken: nothing in the law asks for less.
+ */
+function noTensor([a, b, c]: Mat3): string | null {
+  for (const [i, moment] of [a[0], b[1], c[2]].entries()) {
+    const field = `inertiaTensor[${i}][${i}]`;
+    if (!(moment > 0)) return `${field}: expected > 0, as a positive definite tensor has, got ${moment}`;
+    const reason = outside(field, moment, INERTIA);
+    if (reason !== null) return reason;
+  }
+  const mean = (a[0] + b[1] + c[2]) / 3;
+  const skew = largest([a[1] - b[0], a[2] - c[0], b[2] - c[1]].map(Math.abs) as unknown as Vec3);
+  if (!(skew <= 3e-9 * mean))
+    return `inertiaTensor: expected a symmetric tensor, got elements that differ by ${skew} kg m²`;
+  const minor = a[0] * b[1] - a[1] * b[0];
+  const determinant =
+    a[0] * (b[1] * c[2] - b[2] * c[1]) -
+    a[1] * (b[0] * c[2] - b[2] * c[0]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
+  if (!(minor > 0 && determinant > 0)) return 'inertiaTensor: expected a positive definite tensor';
+  const roundness = determinant / (mean * mean * mean);
+  if (roundness >= LEAST_ROUNDNESS) return null;
+  return `inertiaTensor: expected a determinant of at least ${LEAST_ROUNDNESS} of its mean moment cubed, got ${roundness}`;
+}
+
+/** Adjugate over determinant, row by row. */
+function inverse(m: Float64Array): Float64Array {
+  const [a, b, c, d, e, f, g, h, i] = m as unknown as [
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+    number,
+  ];
+  const ca = e * i - f * h;
+  const cb = f * g - d * i;
+  const cc = d * h - e * g;
+  const determinant = a * ca + b * cb + c * cc;
+  return Float64Array.of(
+    ca / determinant,
+    (c * h - b * i) / determinant,
+    (b * f - c * e) / determinant,
+    cb / determinant,
+    (a * i - c * g) / determinant,
+    (c * d - a * f) / determinant,
+    cc / determinant,
+    (b * g - a * h) / determinant,
+    (a * e - b * d) / determinant,
+  );
+}
+
+function largest([x, y, z]: Vec3): number {
+  return Math.max(x, y, z);
+}

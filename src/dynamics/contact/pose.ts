@@ -1,0 +1,73 @@
+import { ANGULAR_VELOCITY, ATTITUDE, BODY_ANGULAR_VELOCITY, POSITION, VELOCITY } from '../state/layout';
+import { AXES, COS_TILT, END, quantities, SMI_MASK, type Step, SURFACE_NORMAL } from './quantities';
+
+/** Fills AXES, the rotation matrix of the ship's attitude as it is now. */
+export function readAxes(): void {
+  const q = quantities;
+  const x = q[ATTITUDE]!;
+  const y = q[ATTITUDE + 1]!;
+  const z = q[ATTITUDE + 2]!;
+  const w = q[ATTITUDE + 3]!;
+  const x2 = x + x;
+  const y2 = y + y;
+  const z2 = z + z;
+  q[AXES] = 1 - (y * y2 + z * z2);
+  q[AXES + 1] = x * y2 - w * z2;
+  q[AXES + 2] = x * z2 + w * y2;
+  q[AXES + 3] = x * y2 + w * z2;
+  q[AXES + 4] = 1 - (x * x2 + z * z2);
+  q[AXES + 5] = y * z2 - w * x2;
+  q[AXES + 6] = x * z2 - w * y2;
+  q[AXES + 7] = y * z2 + w * x2;
+  q[AXES + 8] = 1 - (x * x2 + y * y2);
+}
+
+/** Fills the third column of AXES alone: `up` of the attitude as it is now. */
+export function readUp(): void {
+  const q = quantities;
+  const x = q[ATTITUDE]!;
+  const y = q[ATTITUDE + 1]!;
+  const z = q[ATTITUDE + 2]!;
+  const w = q[ATTITUDE + 3]!;
+  const x2 = x + x;
+  const y2 = y + y;
+  const z2 = z + z;
+  q[AXES + 2] = x * z2 + w * y2;
+  q[AXES + 5] = y * z2 - w * x2;
+  q[AXES + 8] = 1 - (x * x2 + y * y2);
+}
+
+/** COS_TILT = s · up at the substep's end, from the third column of AXES. */
+export function readTilt(): void {
+  const q = quantities;
+  q[COS_TILT] =
+    q[END + SURFACE_NORMAL]! * q[AXES + 2]! +
+    q[END + SURFACE_NORMAL + 1]! * q[AXES + 5]! +
+    q[END + SURFACE_NORMAL + 2]! * q[AXES + 8]!;
+}
+
+/** u = Ω × r: the ship moves as the ground at its centre of mass. */
+export function moveWithGround(step: Step): void {
+  const q = quantities;
+  const { bodies } = step;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const rx = q[POSITION]!;
+  const ry = q[POSITION + 1]!;
+  const rz = q[POSITION + 2]!;
+  q[VELOCITY] = oy * rz - oz * ry;
+  q[VELOCITY + 1] = oz * rx - ox * rz;
+  q[VELOCITY + 2] = ox * ry - oy * rx;
+}
+
+/** w = Ω: the ship turns as the ground. */
+export function spinWithGround(step: Step): void {
+  const q = quantities;
+  const { bodies } = step;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  q[ANGULAR_VELOCITY] = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  q[ANGULAR_VELOCITY + 1] = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  q[ANGULAR_VELOCITY + 2] = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+}

@@ -1,0 +1,117 @@
+import { ANGULAR_VELOCITY, BODY_ANGULAR_VELOCITY } from '../state/layout';
+import {
+  AXES,
+  AXIS,
+  COS_TILT,
+  DT,
+  END,
+  FROM,
+  quantities,
+  ROTATION,
+  SURFACE_NORMAL,
+  type Step,
+  TO,
+  SMI_MASK,
+} from './quantities';
+import { perpendicularAxis, rotateAttitude, shortestRotation } from '../arithmetic/rotations';
+import { readAxes, readTilt, readUp } from './pose';
+
+/**
+ * Step 8: the hull of a tipped ship rests on its side. Past 90° of tilt the ground's impulse stops it from turning further,
+ * and it is turned back, at 1 rad/s or by what is left. Reads END and `up` as they are after the step; leaves `up` current.
+ */
+export function restOnSide(step: Step): void {
+  const q = quantities;
+  readTilt();
+  if (!(q[COS_TILT]! < 0)) return;
+  readAxes();
+  findAxis();
+  stopFurtherTilt(step);
+  if (-q[COS_TILT]! > q[DT]!) turnBack();
+  else layFlat();
+  rotateAttitude();
+  readUp();
+}
+
+/** ROTATION = normalize(−½ dt axis, 1): back at 1 rad/s. */
+function turnBack(): void {
+  const q = quantities;
+  const half = -0.5 * q[DT]!;
+  const x = half * q[AXIS]!;
+  const y = half * q[AXIS + 1]!;
+  const z = half * q[AXIS + 2]!;
+  const perLength = 1 / Math.sqrt(x * x + y * y + z * z + 1);
+  q[ROTATION] = x * perLength;
+  q[ROTATION + 1] = y * perLength;
+  q[ROTATION + 2] = z * perLength;
+  q[ROTATION + 3] = perLength;
+}
+
+/** AXIS = unit(s × up), the axis the ship tips about; any one along the ground where it stands on its head. */
+function findAxis(): void {
+  const q = quantities;
+  const nx = q[END + SURFACE_NORMAL]!;
+  const ny = q[END + SURFACE_NORMAL + 1]!;
+  const nz = q[END + SURFACE_NORMAL + 2]!;
+  const x = ny * q[AXES + 8]! - nz * q[AXES + 5]!;
+  const y = nz * q[AXES + 2]! - nx * q[AXES + 8]!;
+  const z = nx * q[AXES + 5]! - ny * q[AXES + 2]!;
+  const length = Math.sqrt(x * x + y * y + z * z);
+  if (length <= 1e-6) {
+    perpendicularAxis(END + SURFACE_NORMAL);
+    return;
+  }
+  const perLength = 1 / length;
+  q[AXIS] = x * perLength;
+  q[AXIS + 1] = y * perLength;
+  q[AXIS + 2] = z * perLength;
+}
+
+/**
+ * w −= j f / (j · axis), j = I_world⁻¹ axis: the ground's impulse about the axis. The fuel's factor in I cancels.
+ * Along the axis alone it would feed the other axes of a full tensor for ever.
+ */
+function stopFurtherTilt(step: Step): void {
+  const q = quantities;
+  const { bodies } = step;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const ax = q[AXIS]!;
+  const ay = q[AXIS + 1]!;
+  const az = q[AXIS + 2]!;
+  const wx = q[ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  const wy = q[ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  const wz = q[ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const speed = wx * ax + wy * ay + wz * az;
+  if (!(speed > 0)) return;
+  const inverse = step.shipClass.inverseInertia;
+  const bx = q[AXES]! * ax + q[AXES + 3]! * ay + q[AXES + 6]! * az;
+  const by = q[AXES + 1]! * ax + q[AXES + 4]! * ay + q[AXES + 7]! * az;
+  const bz = q[AXES + 2]! * ax + q[AXES + 5]! * ay + q[AXES + 8]! * az;
+  const ix = inverse[0]! * bx + inverse[1]! * by + inverse[2]! * bz;
+  const iy = inverse[3]! * bx + inverse[4]! * by + inverse[5]! * bz;
+  const iz = inverse[6]! * bx + inverse[7]! * by + inverse[8]! * bz;
+  const jx = q[AXES]! * ix + q[AXES + 1]! * iy + q[AXES + 2]! * iz;
+  const jy = q[AXES + 3]! * ix + q[AXES + 4]! * iy + q[AXES + 5]! * iz;
+  const jz = q[AXES + 6]! * ix + q[AXES + 7]! * iy + q[AXES + 8]! * iz;
+  const impulse = speed / (jx * ax + jy * ay + jz * az);
+  q[ANGULAR_VELOCITY] = q[ANGULAR_VELOCITY]! - jx * impulse;
+  q[ANGULAR_VELOCITY + 1] = q[ANGULAR_VELOCITY + 1]! - jy * impulse;
+  q[ANGULAR_VELOCITY + 2] = q[ANGULAR_VELOCITY + 2]! - jz * impulse;
+}
+
+/** ROTATION = the shortest rotation that takes up to unit(up − cos_tilt s). */
+function layFlat(): void {
+  const q = quantities;
+  const cos = q[COS_TILT]!;
+  q[FROM] = q[AXES + 2]!;
+  q[FROM + 1] = q[AXES + 5]!;
+  q[FROM + 2] = q[AXES + 8]!;
+  const x = q[FROM] - cos * q[END + SURFACE_NORMAL]!;
+  const y = q[FROM + 1]! - cos * q[END + SURFACE_NORMAL + 1]!;
+  const z = q[FROM + 2]! - cos * q[END + SURFACE_NORMAL + 2]!;
+  const perLength = 1 / Math.sqrt(x * x + y * y + z * z);
+  q[TO] = x * perLength;
+  q[TO + 1] = y * perLength;
+  q[TO + 2] = z * perLength;
+  shortestRotation();
+}

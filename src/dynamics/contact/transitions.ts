@@ -1,0 +1,190 @@
+import { isNearlyAtRest, readLoad } from './forces';
+import {
+  ANGULAR_VELOCITY,
+  BODY_ANGULAR_VELOCITY,
+  CONTACT,
+  CRASHED,
+  EVENT_CONTACT,
+  EVENT_DESTROYED,
+  EVENT_LANDED,
+  EVENT_RIGHTED,
+  EVENT_TIPPED,
+  FLYING,
+  GROUND_CONTACT_OFFSET,
+  IMPACT_SPEED,
+  LANDED,
+  NO_EVENT,
+  SURFACE_STATE,
+  TIPPED,
+} from '../state/layout';
+import { moveWithGround, readTilt, spinWithGround } from './pose';
+import {
+  AXES,
+  COS_SLOPE,
+  COS_TILT,
+  DT,
+  END,
+  FROM,
+  IMPACT,
+  NORMAL,
+  NORMAL_SPEED,
+  PENETRATION,
+  quantities,
+  SLOPE,
+  SMI_MASK,
+  START,
+  type Step,
+  SURFACE_NORMAL,
+  TANGENTIAL_SPEED_SQUARED,
+  TO,
+} from './quantities';
+import { rotateAttitude, shortestRotation } from '../arithmetic/rotations';
+
+/** A ship whose feet hang this far above the ground has left it, m: the ground fell away under it. */
+const LET_GO_HEIGHT = 0.1;
+
+/** Step 9: the first transition that applies to the state at the substep's end, at most one. Returns the event. */
+export function makeTransition(step: Step): number {
+  const q = quantities;
+  const state = q[SURFACE_STATE]!;
+  const touching = q[END + PENETRATION]! > 0;
+  if (state === FLYING && !touching) return NO_EVENT;
+  readImpact();
+  if (touching && q[IMPACT]! > step.world.settings.contactCrashSpeed) return crash();
+  if (state === FLYING) return q[IMPACT]! > 0 ? touch(step) : NO_EVENT;
+  if (leavesGround()) {
+    q[SURFACE_STATE] = FLYING;
+    q[IMPACT_SPEED] = 0;
+    return NO_EVENT;
+  }
+  readTilt();
+  const cos = q[COS_TILT]!;
+  if (state === TIPPED)
+    return cos > step.world.settings.cosTippedAngle && isRighting(step) ? right() : NO_EVENT;
+  if (!touching) return NO_EVENT;
+  if (cos < step.world.settings.cosTippedAngle) return tip();
+  return cos > step.world.settings.cosSettleTilt && isSettled(step) ? land(step) : NO_EVENT;
+}
+
+/**
+ * IMPACT: speed at which ship and ground close, m/s. On level ground the two agree; where ground rises ahead of a fast ship
+ * only the second sees it, and a ship that flies into a hill crashes instead of being flung out of it.
+ */
+function readImpact(): void {
+  const q = quantities;
+  const falling = -q[END + NORMAL_SPEED]!;
+  const closing = ((q[END + PENETRATION]! - q[START + PENETRATION]!) * q[END + COS_SLOPE]!) / q[DT]!;
+  q[IMPACT] = falling > closing ? falling : closing;
+}
+
+/** It rises off the ground, or the ground fell away. */
+function leavesGround(): boolean {
+  const q = quantities;
+  const penetration = q[END + PENETRATION]!;
+  return (penetration <= 0 && q[END + NORMAL_SPEED]! > 0) || penetration < -LET_GO_HEIGHT;
+}
+
+function touch(step: Step): number {
+  const q = quantities;
+  q[SURFACE_STATE] = CONTACT;
+  q[IMPACT_SPEED] = q[IMPACT]!;
+  if (step.world.settings.touchdownAttitude === 'aligned') alignWithSurface(step);
+  return EVENT_CONTACT;
+}
+
+function alignWithSurface(step: Step): void {
+  const q = quantities;
+  spinWithGround(step);
+  q[FROM] = q[AXES + 2]!;
+  q[FROM + 1] = q[AXES + 5]!;
+  q[FROM + 2] = q[AXES + 8]!;
+  q[TO] = q[END + SURFACE_NORMAL]!;
+  q[TO + 1] = q[END + SURFACE_NORMAL + 1]!;
+  q[TO + 2] = q[END + SURFACE_NORMAL + 2]!;
+  shortestRotation();
+  rotateAttitude();
+}
+
+/** A result, not a state: the rest of the ship's state stays as it was, and it is out of the simulation. */
+function crash(): number {
+  const q = quantities;
+  q[CRASHED] = 1;
+  q[SURFACE_STATE] = FLYING;
+  return EVENT_DESTROYED;
+}
+
+function tip(): number {
+  const q = quantities;
+  q[SURFACE_STATE] = TIPPED;
+  return EVENT_TIPPED;
+}
+
+/** w_rel · (s × up) < 0: it turns back towards upright. */
+function isRighting(step: Step): boolean {
+  const q = quantities;
+  const { bodies } = step;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const sx = q[END + SURFACE_NORMAL]!;
+  const sy = q[END + SURFACE_NORMAL + 1]!;
+  const sz = q[END + SURFACE_NORMAL + 2]!;
+  const wx = q[ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  const wy = q[ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  const wz = q[ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const x = sy * q[AXES + 8]! - sz * q[AXES + 5]!;
+  const y = sz * q[AXES + 2]! - sx * q[AXES + 8]!;
+  const z = sx * q[AXES + 5]! - sy * q[AXES + 2]!;
+  return wx * x + wy * y + wz * z < 0;
+}
+
+function right(): number {
+  const q = quantities;
+  q[SURFACE_STATE] = CONTACT;
+  q[IMPACT_SPEED] = 0;
+  return EVENT_RIGHTED;
+}
+
+/** Spin, vertical speed (the spring's energy counted in) and slide below the settle limits, and the ground holds it. */
+function isSettled(step: Step): boolean {
+  const q = quantities;
+  const { bodies } = step;
+  const bodyAt = step.bodyAt & SMI_MASK;
+  const { contactSettleAngularVel, contactSettleLinearVel } = step.world.settings;
+  if (!(q[END + TANGENTIAL_SPEED_SQUARED]! < contactSettleLinearVel * contactSettleLinearVel)) return false;
+  const wx = q[ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
+  const wy = q[ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
+  const wz = q[ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  if (!(wx * wx + wy * wy + wz * wz < contactSettleAngularVel * contactSettleAngularVel)) return false;
+  readLoad(END);
+  return isNearlyAtRest(END, step) && isHeldByGround(step);
+}
+
+/** The slope is not too steep for static friction, and the ship's weight is inside its feet. */
+function isHeldByGround(step: Step): boolean {
+  const q = quantities;
+  const slope = Math.sqrt(
+    q[END + SLOPE]! * q[END + SLOPE]! +
+      q[END + SLOPE + 1]! * q[END + SLOPE + 1]! +
+      q[END + SLOPE + 2]! * q[END + SLOPE + 2]!,
+  );
+  if (!(slope <= step.world.settings.contactFrictionStatic * q[END + COS_SLOPE]!)) return false;
+  const nx = q[END + NORMAL]!;
+  const ny = q[END + NORMAL + 1]!;
+  const nz = q[END + NORMAL + 2]!;
+  const upX = q[AXES + 2]!;
+  const upY = q[AXES + 5]!;
+  const upZ = q[AXES + 8]!;
+  const x = ny * upZ - nz * upY;
+  const y = nz * upX - nx * upZ;
+  const z = nx * upY - ny * upX;
+  const offset = q[GROUND_CONTACT_OFFSET]!;
+  const level = nx * upX + ny * upY + nz * upZ;
+  return offset * Math.sqrt(x * x + y * y + z * z) <= step.shipClass.legRadius * level;
+}
+
+function land(step: Step): number {
+  const q = quantities;
+  q[SURFACE_STATE] = LANDED;
+  moveWithGround(step);
+  spinWithGround(step);
+  return EVENT_LANDED;
+}

@@ -1,0 +1,78 @@
+import type { Vec3 } from '../result';
+import { crater, noise, noisePoint, noiseValue } from './noise';
+import type { TerrainHeight } from '../constants/world';
+
+/** Level ground at the body's radius. */
+export const flatTerrain: TerrainHeight = () => 0;
+
+/** Unit direction in body axes of the level ground in `hillsTerrain`, on every body. */
+export const LANDING_SITE: Vec3 = [0.6, 0.48, 0.64];
+
+/** How a body's hills are made. Lengths and heights of the layers below are those of a body of scale 1. */
+interface Relief {
+  /** m, the body's. */
+  readonly radius: number;
+  /** Of lengths and heights: small bodies have small hills. */
+  readonly scale: number;
+  /** Weight of the craters; air and water wear them away. */
+  readonly craters: number;
+  readonly seed: number;
+}
+
+const RELIEFS: Readonly<Record<string, Relief>> = {
+  Luna: { radius: 1737400, scale: 1, craters: 1, seed: 11 },
+  Earth: { radius: 6371000, scale: 1, craters: 0, seed: 23 },
+  Mars: { radius: 3389500, scale: 1, craters: 0.6, seed: 37 },
+  Phobos: { radius: 11267, scale: 0.08, craters: 1, seed: 53 },
+};
+const UNKNOWN_BODY: Relief = { radius: 1000000, scale: 1, craters: 1, seed: 71 };
+
+/** Layers of the relief: edge of the noise's cells, m, and height, m. Their sum stays within ±2 km. */
+const SWELL = { cell: 12000, height: 650 };
+const RIDGES = { cell: 4300, height: 420 };
+const HILLS = { cell: 1100, height: 60 };
+const BUMPS = { cell: 130, height: 2.5 };
+/** Craters, one at most a cell: edge of the cells, m, and what keeps the two layers apart. */
+const CRATERS = { cell: 1500, seed: 4 };
+const PITS = { cell: 260, seed: 5 };
+/** The site is level to 350 m of its centre and the relief is whole from 4.5 km on, m. */
+const LEVEL_RADIUS = 350;
+const WHOLE_RADIUS = 4500;
+
+/**
+ * Ridges, hills, craters and a level landing site, from + − × ÷ √, floor and integer hashing alone: the same bits everywhere.
+ * Continuous; within ±2 km. Body axes as in TerrainHeight.
+ */
+export const hillsTerrain: TerrainHeight = (bodyName, nx, ny, nz) => {
+  const relief = RELIEFS[bodyName] ?? UNKNOWN_BODY;
+  const size = relief.radius / relief.scale;
+  const sx = nx - LANDING_SITE[0];
+  const sy = ny - LANDING_SITE[1];
+  const sz = nz - LANDING_SITE[2];
+  const fromSite = Math.sqrt(sx * sx + sy * sy + sz * sz) * size;
+  if (fromSite <= LEVEL_RADIUS) return 0;
+  noisePoint[0] = nx * size;
+  noisePoint[1] = ny * size;
+  noisePoint[2] = nz * size;
+  noise(SWELL.cell, relief.seed);
+  const swell = SWELL.height * noiseValue[0]!;
+  noise(RIDGES.cell, relief.seed + 1);
+  const crest = 1 - (noiseValue[0]! < 0 ? -noiseValue[0]! : noiseValue[0]!);
+  const ridge = RIDGES.height * (crest * crest * crest);
+  noise(HILLS.cell, relief.seed + 2);
+  const hills = HILLS.height * noiseValue[0]!;
+  noise(BUMPS.cell, relief.seed + 3);
+  const bumps = BUMPS.height * noiseValue[0]!;
+  crater(CRATERS.cell, relief.seed + CRATERS.seed);
+  const bowl = noiseValue[0]!;
+  crater(PITS.cell, relief.seed + PITS.seed);
+  const ground = swell + ridge + hills + bumps + relief.craters * (bowl + noiseValue[0]!);
+  const t = fromSite < WHOLE_RADIUS ? (fromSite - LEVEL_RADIUS) / (WHOLE_RADIUS - LEVEL_RADIUS) : 1;
+  return relief.scale * (t * t * (3 - 2 * t)) * ground;
+};
+
+/** The terrains a hello may name. */
+export const TERRAINS: Readonly<Record<string, TerrainHeight>> = Object.freeze({
+  flat: flatTerrain,
+  hills: hillsTerrain,
+});

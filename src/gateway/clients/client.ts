@@ -1,0 +1,111 @@
+import { WebSocket } from 'ws';
+import type { WorldEvent } from '../../wire';
+import type { Player } from '../accounts';
+import type { Removed } from '../redis/feed';
+import {
+  type Bucket,
+  CLOSE,
+  createBucket,
+  INPUTS,
+  MAX_BUFFERED,
+  MAX_EVENTS_WAITING,
+  MAX_EXCESS,
+  MESSAGES,
+  SLOW_FOR,
+} from './limits';
+
+/** One connection, and all that is kept for it: nothing of it grows without a bound. */
+export interface Client {
+  readonly socket: WebSocket;
+  readonly protocol: 'json' | 'stream';
+  readonly address: string;
+  readonly messages: Bucket;
+  readonly inputs: Bucket;
+  /** null before it has signed in. */
+  player: Player | null;
+  /** What the service tells its inputs by. */
+  session: string;
+  /** Of a protocol that numbers no inputs: the last number given. */
+  seq: number;
+  /** The own ship as the last welcome told it, '' for none; null before the first. */
+  shipId: string | null;
+  /** Messages beyond its rate. */
+  excess: number;
+  /** A state has been left out. */
+  isBehind: boolean;
+  /** Wall s since which its socket is full; Infinity while it is not. */
+  fullSince: number;
+  /** Told with its next state. */
+  events: WorldEvent[];
+  removed: Removed[];
+  /** The player has had a ship on this connection. */
+  hadShip: boolean;
+  /** Wall s since which the player has no ship; Infinity while it has one. */
+  shiplessSince: number;
+  /** Ends what only time ends: the wait for a sign-in, the token. */
+  readonly timers: Set<ReturnType<typeof setTimeout>>;
+}
+
+export function createClient(
+  socket: WebSocket,
+  protocol: Client['protocol'],
+  address: string,
+  now: number,
+): Client {
+  return {
+    socket,
+    protocol,
+    address,
+    messages: createBucket(MESSAGES, now),
+    inputs: createBucket(INPUTS, now),
+    player: null,
+    session: '',
+    seq: 0,
+    shipId: null,
+    excess: 0,
+    isBehind: false,
+    fullSince: Infinity,
+    events: [],
+    removed: [],
+    hadShip: false,
+    shiplessSince: Infinity,
+    timers: new Set(),
+  };
+}
+
+/** Ends a connection with a reason; one that does not take its end is cut. */
+export function dismiss(client: Client, code: number, reason: string): void {
+  for (const timer of client.timers) clearTimeout(timer);
+  client.timers.clear();
+  if (client.socket.readyState === WebSocket.CLOSED) return;
+  client.socket.close(code, reason);
+  const cut = setTimeout(() => client.socket.terminate(), 2000);
+  client.socket.once('close', () => clearTimeout(cut));
+}
+
+/** Counts a message beyond the rate; whether the client was sent away for it. */
+export function countExcess(client: Client): boolean {
+  client.excess += 1;
+  if (client.excess < MAX_EXCESS) return false;
+  dismiss(client, CLOSE.flood, 'Too many messages');
+  return true;
+}
+
+/** Keeps what the client has to be told; one that is too far behind is sent away and begins anew. */
+export function remember(client: Client, events: readonly WorldEvent[], removed: readonly Removed[]): void {
+  client.events.push(...events);
+  client.removed.push(...removed);
+  if (client.events.length + client.removed.length > MAX_EVENTS_WAITING)
+    dismiss(client, CLOSE.slow, 'Too slow: too many events waiting');
+}
+
+/** Whether a state may go out now; a client that has been too slow for too long is sent away. */
+export function mayTakeState(client: Client, now: number): boolean {
+  if (client.socket.readyState !== WebSocket.OPEN) return false;
+  const isFull = client.socket.bufferedAmount > MAX_BUFFERED;
+  client.isBehind = isFull;
+  if (!isFull) client.fullSince = Infinity;
+  else if (client.fullSince === Infinity) client.fullSince = now;
+  else if (now - client.fullSince > SLOW_FOR) dismiss(client, CLOSE.slow, 'Too slow');
+  return !isFull;
+}

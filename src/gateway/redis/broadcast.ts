@@ -1,0 +1,87 @@
+import {
+  encodeCommonPart,
+  encodeFrameJson,
+  encodeOwnPart,
+  encodeShipPart,
+  encodeShipStateJson,
+  type InputAcknowledgement,
+  joinFrameParts,
+  type ServerFrame,
+  type ShipState,
+  type WorldEvent,
+} from '../../wire';
+import { MAX_STATE } from '../clients/limits';
+
+/** One frame for many clients: each ship is written once, whoever sees it. */
+export interface SharedFrame {
+  readonly frame: ServerFrame;
+  /** The game's state message with the ships of `indices`, nearest first, as many as 64 KB hold. */
+  readonly json: (indices: readonly number[]) => string;
+  /** The protocol's bytes with the ships of `indices`. */
+  readonly bytes: (
+    indices: readonly number[],
+    events: readonly WorldEvent[],
+    lastInput: InputAcknowledgement | null,
+  ) => Uint8Array;
+}
+
+/** What the game's own ships do not tell: with it a client would not be one of the game's. */
+const NOT_THE_GAMES = [
+  'contact_impact_speed',
+  'reference_body',
+  'relative_position',
+  'relative_velocity',
+  'crashed',
+] as const;
+
+export function shareFrame(frame: ServerFrame): SharedFrame {
+  const { ships } = frame;
+  const texts = new Array<Sized | undefined>(ships.length);
+  const parts = new Array<Uint8Array | undefined>(ships.length);
+  let headText: string | null = null;
+  let common: Uint8Array | null = null;
+  return {
+    frame,
+    json(indices) {
+      headText ??= headOf(frame);
+      let size = Buffer.byteLength(headText) + 2;
+      const told: string[] = [];
+      for (const index of indices) {
+        const { text, bytes } = (texts[index] ??= sized(shipText(ships[index]!)));
+        size += bytes + 1;
+        if (size > MAX_STATE) break;
+        told.push(text);
+      }
+      return `${headText}${told.join(',')}]}`;
+    },
+    bytes(indices, events, lastInput) {
+      common ??= encodeCommonPart(frame);
+      const seen = indices.map((index) => (parts[index] ??= encodeShipPart(ships[index]!)));
+      return joinFrameParts([common, ...seen, encodeOwnPart(events, lastInput)]);
+    },
+  };
+}
+
+interface Sized {
+  readonly text: string;
+  readonly bytes: number;
+}
+
+function sized(text: string): Sized {
+  return { text, bytes: Buffer.byteLength(text) };
+}
+
+/** Everything of the state message up to its ships, which come last. */
+function headOf({ kind, tick, tickRate, timeScale, gameTime, paused, bodies }: ServerFrame): string {
+  const time = gameTime === undefined ? {} : { gameTime };
+  const told = encodeFrameJson({ kind, tick, tickRate, timeScale, ...time, paused, bodies, ships: [] });
+  const text = JSON.stringify({ type: 'state', ...told, ships: undefined });
+  return `${text.slice(0, -1)},"ships":[`;
+}
+
+function shipText(ship: ShipState): string {
+  const fields: Record<string, unknown> = { ...encodeShipStateJson(ship) };
+  return JSON.stringify(fields, (key, value: unknown) =>
+    (NOT_THE_GAMES as readonly string[]).includes(key) ? undefined : value,
+  );
+}

@@ -1,0 +1,98 @@
+import type { RedisClientType } from 'redis';
+import { type Controls } from '../../dynamics';
+import { encodeControlsJson } from '../../wire';
+import { MAX_WAITING } from '../clients/limits';
+
+/** The way into the service: one stream (REDIS.md, touchdown:inbox). */
+export interface Inbox {
+  /** Own controls; without a stamp they act at the next tick. */
+  readonly controls: (input: OwnInput) => void;
+  readonly command: (type: 'spawn' | 'respawn' | 'remove' | 'maneuver', data: object) => void;
+  /** Sends what waited while Redis was away. */
+  readonly flush: () => void;
+  /** Entries that wait, and that were dropped because too many did. */
+  readonly counts: () => { readonly waiting: number; readonly dropped: number };
+}
+
+export interface OwnInput {
+  readonly shipId: string;
+  readonly playerId: string;
+  readonly session: string;
+  readonly seq: number;
+  readonly controls: Controls;
+  readonly stamp: { readonly tick: number; readonly substep: number } | null;
+}
+
+type Entry = Record<string, string>;
+
+const INBOX = 'touchdown:inbox';
+const KEPT = 100_000;
+
+/** An entry that got no answer is sent again: the service tells inputs apart by session and number. */
+export function createInbox(redis: RedisClientType): Inbox {
+  const waiting: Entry[] = [];
+  let dropped = 0;
+  let isFlushing = false;
+
+  function keep(entry: Entry): void {
+    waiting.push(entry);
+    if (waiting.length <= MAX_WAITING) return;
+    waiting.shift();
+    dropped += 1;
+  }
+
+  function add(entry: Entry): void {
+    // In the order in which they came: nothing overtakes what waits.
+    if (waiting.length > 0 || !redis.isReady) keep(entry);
+    else write(entry).catch(() => keep(entry));
+  }
+
+  async function write(entry: Entry): Promise<void> {
+    await redis.xAdd(INBOX, '*', entry, {
+      TRIM: { strategy: 'MAXLEN', strategyModifier: '~', threshold: KEPT },
+    });
+  }
+
+  async function flush(): Promise<void> {
+    if (isFlushing) return;
+    isFlushing = true;
+    try {
+      while (waiting.length > 0 && redis.isReady) {
+        await write(waiting[0]!);
+        waiting.shift();
+      }
+    } catch {
+      // Redis went away again; what is left waits for it.
+    } finally {
+      isFlushing = false;
+    }
+  }
+
+  return {
+    controls({ shipId, playerId, session, seq, controls, stamp }) {
+      add({
+        type: 'controls',
+        ship_id: shipId,
+        player_id: playerId,
+        session,
+        seq: String(seq),
+        ...(stamp !== null && { tick: String(stamp.tick), substep: String(stamp.substep) }),
+        controls: JSON.stringify(inArrays(controls)),
+      });
+    },
+    command: (type, data) => add({ type, data: JSON.stringify(data) }),
+    flush: () => void flush(),
+    counts: () => ({ waiting: waiting.length, dropped }),
+  };
+}
+
+/** Vectors [x, y, z], the quaternion [w, x, y, z], as the service reads them. */
+function inArrays(controls: Controls): Record<string, unknown> {
+  const [x, y, z, w] = controls.targetAttitude;
+  return {
+    ...encodeControlsJson(controls),
+    translation_input: controls.translationInput,
+    rotation_input: controls.rotationInput,
+    target_attitude: [w, x, y, z],
+  };
+}

@@ -1,0 +1,201 @@
+import {
+  ANGLE,
+  DURATION,
+  type HintAction,
+  MASS,
+  type Righting,
+  type RotationAction,
+  TORQUE,
+} from '../../readout';
+import { append } from '../elements';
+import { showAttribute, showNumber, showPart, showText } from '../shown';
+
+/** The text on the key that an action is bound to now; '' when it has none. Asked anew at every paint. */
+export type KeyLabel = (action: HintAction) => string;
+
+/**
+ * The controls that turn the ship about its own axes now, better one first: a page whose keys follow the camera says which they are.
+ * What stands on each, and in words what it does.
+ */
+export type TurnKeys = (actions: readonly RotationAction[]) => readonly TurnKey[];
+
+export interface TurnKey {
+  /** '' where nothing is bound. */
+  readonly cap: string;
+  readonly words: string;
+}
+
+/** The design's words. */
+const HINT = 'Use RCS rotation to right the ship';
+
+const ACTION_WORDS: Readonly<Record<HintAction, string>> = {
+  pitchPlus: 'pitch +',
+  pitchMinus: 'pitch −',
+  yawPlus: 'yaw +',
+  yawMinus: 'yaw −',
+  rollPlus: 'roll +',
+  rollMinus: 'roll −',
+  translateXPlus: 'thrusters +X',
+  translateXMinus: 'thrusters −X',
+  translateYPlus: 'thrusters +Y',
+  translateYMinus: 'thrusters −Y',
+  translateZPlus: 'thrusters +Z',
+  translateZMinus: 'thrusters −Z',
+  rateDamping: 'rate damping',
+};
+
+/** What to press, whether it suffices, and if not what else may help (HUD, Righting help). */
+export function createRightingPanel(
+  parent: Element,
+  keyLabel: KeyLabel,
+  turnKeys: TurnKeys = (actions) =>
+    actions.map((action) => ({ cap: keyLabel(action), words: ACTION_WORDS[action] })),
+): (righting: Righting) => void {
+  const panel = append(parent, 'div', 'td-righting');
+  append(panel, 'p', 'td-hint', HINT);
+  const hold = append(panel, 'p', 'td-hold');
+  append(hold, 'span', 'td-label', 'HOLD');
+  const paintFirst = createTurnKey(hold);
+  const paintSecond = createTurnKey(hold);
+  const time = append(hold, 'span', 'td-of');
+  const paintTime = showNumber(time, DURATION);
+  const paintTimeShown = showPart(time);
+  const then = append(panel, 'p', 'td-hold');
+  append(then, 'span', 'td-label', 'RELEASE');
+  const paintHoldShown = showPart(hold);
+  const paintThenShown = showPart(then);
+  // Held on to for longer, the swing carries the ship over to its other side.
+  const paintUntil = showNumber(append(then, 'span', 'td-until', 'below '), ANGLE);
+  const press = append(then, 'span', '', ', then press');
+  const paintPressShown = showPart(press);
+  const paintDamping = createKey(then, keyLabel);
+  const paintTorque = createTorque(panel);
+  const paintFuel = createFuel(panel);
+  const paintVerdict = createVerdict(panel, keyLabel);
+  const paintShown = showPart(panel);
+  return (righting) => {
+    paintShown(righting.shown);
+    if (!righting.shown) return;
+    paintHoldShown(righting.possible);
+    paintThenShown(righting.possible);
+    const keys = turnKeys(righting.actions);
+    paintFirst(keys[0] ?? null);
+    paintSecond(keys[1] ?? null);
+    paintTime(righting.holdSeconds);
+    paintTimeShown(righting.outcome === 'lands');
+    paintUntil(righting.holdUntil);
+    paintPressShown(!righting.damped);
+    paintDamping(righting.damped ? '' : 'rateDamping');
+    paintTorque(righting);
+    paintFuel(righting);
+    paintVerdict(righting);
+  };
+}
+
+function createTurnKey(parent: Element): (key: TurnKey | null) => void {
+  const holder = append(parent, 'span', 'td-action');
+  const cap = append(holder, 'kbd');
+  const paintCapShown = showPart(cap);
+  const paintCap = showText(cap);
+  const paintWords = showText(append(holder, 'span'));
+  const paintShown = showPart(holder);
+  return (key) => {
+    paintShown(key !== null);
+    if (key === null) return;
+    paintCapShown(key.cap !== '');
+    paintCap(key.cap);
+    paintWords(key.words);
+  };
+}
+
+function createKey(parent: Element, keyLabel: KeyLabel): (action: HintAction | '') => void {
+  const holder = append(parent, 'span', 'td-action');
+  const cap = append(holder, 'kbd');
+  const paintCapShown = showPart(cap);
+  const paintCap = showText(cap);
+  const paintAxis = showText(append(holder, 'span'));
+  const paintShown = showPart(holder);
+  return (action) => {
+    paintShown(action !== '');
+    if (action === '') return;
+    const label = keyLabel(action);
+    paintCapShown(label !== '');
+    paintCap(label);
+    paintAxis(ACTION_WORDS[action]);
+  };
+}
+
+/** `55 kN m of 142 kN m`: what is needed of what there is, as in every line. */
+function createTorque(parent: Element): (righting: Righting) => void {
+  const line = append(parent, 'p', 'td-need');
+  append(line, 'span', 'td-label', 'TORQUE');
+  const values = append(line, 'span', 'td-value');
+  const paintNeeded = showNumber(values, TORQUE);
+  append(values, 'span', 'td-of', ' of ');
+  const paintAvailable = showNumber(values, TORQUE);
+  const paintMark = createMark(line);
+  return (righting) => {
+    paintAvailable(righting.torqueAvailable);
+    paintNeeded(righting.torqueNeeded);
+    paintMark(righting.possible ? 'true' : 'false');
+  };
+}
+
+/** `39 kg of 7 200 kg` from the law run ahead. */
+function createFuel(parent: Element): (righting: Righting) => void {
+  const line = append(parent, 'p', 'td-need');
+  append(line, 'span', 'td-label', 'FUEL');
+  const values = append(line, 'span', 'td-value');
+  const paintNeeded = showNumber(values, MASS);
+  append(values, 'span', 'td-of', ' of ');
+  const paintAboard = showNumber(values, MASS);
+  const paintMark = createMark(line);
+  const paintShown = showPart(line);
+  return (righting) => {
+    paintShown(righting.possible);
+    paintNeeded(righting.fuelNeeded);
+    paintAboard(righting.fuel);
+    paintMark(righting.outcome === 'working' ? 'unknown' : righting.outcome === 'lands' ? 'true' : 'false');
+  };
+}
+
+function createMark(line: Element): (met: 'true' | 'false' | 'unknown') => void {
+  const mark = append(line, 'span', 'td-tick');
+  mark.setAttribute('role', 'img');
+  const paintMark = showText(mark);
+  const paintLabel = showAttribute(mark, 'aria-label');
+  const paintMet = showAttribute(line, 'data-met');
+  return (met) => {
+    paintMet(met);
+    paintMark(met === 'unknown' ? '' : met === 'true' ? '✓' : '✗');
+    paintLabel(met === 'unknown' ? 'not known' : met === 'true' ? 'enough' : 'not enough');
+  };
+}
+
+/** Only where the ship cannot be righted as it is: that it cannot, and what may help. */
+function createVerdict(parent: Element, keyLabel: KeyLabel): (righting: Righting) => void {
+  const line = append(parent, 'p', 'td-verdict');
+  const paintText = showText(append(line, 'span'));
+  const paintKey = createKey(line, keyLabel);
+  const mass = append(line, 'span');
+  const paintMass = showNumber(mass, MASS);
+  const paintMassShown = showPart(mass);
+  const paintShown = showPart(line);
+  return (righting) => {
+    const stuck = !righting.possible || righting.outcome === 'fails';
+    paintShown(stuck);
+    if (!stuck) return;
+    paintText(verdict(righting));
+    paintKey(righting.possible ? '' : righting.helpAction);
+    const lighter = !righting.possible && righting.help === 'lighter';
+    paintMassShown(lighter);
+    if (lighter) paintMass(righting.helpMass);
+  };
+}
+
+function verdict({ possible, help }: Righting): string {
+  if (possible) return 'In simulation it does not land: too little fuel, or it falls over again.';
+  if (help === 'translation') return 'Too heavy as it lies. Take weight off its feet with';
+  if (help === 'lighter') return 'Too heavy as it is. Burn fuel until it weighs less than';
+  return 'It cannot be righted here: nothing on board can turn this weight.';
+}

@@ -1,0 +1,90 @@
+import { ANGLE, type Tilt } from '../../readout';
+import { append, appendPicture, appendSvg } from '../elements';
+import { showAttribute, showFigures } from '../shown';
+
+/** The dial is true to angle: straight up is 0°, lying flat is 90°, and the needle leans as the ship does. */
+const PIVOT_X = 28;
+const PIVOT_Y = 100;
+const RADIUS = 79;
+/** Degrees the needle can show; beyond them the number tells. */
+const DIAL_END = 96;
+
+/** Arc gauge of the tilt, with the settle, no-return and tipped marks (HUD, Tilt). */
+export function createTiltGauge(parent: Element): (tilt: Tilt) => void {
+  const gauge = append(parent, 'div', 'td-tilt-gauge');
+  gauge.setAttribute('role', 'meter');
+  gauge.setAttribute('aria-label', 'Tilt');
+  gauge.setAttribute('aria-valuemin', '0');
+  gauge.setAttribute('aria-valuemax', '180');
+  const picture = appendPicture(gauge, 'td-dial', '0 -3 150 128');
+  const paintScale = createScale(picture);
+  const needle = createNeedle(picture);
+  const paintNow = showFigures(gauge, 'aria-valuenow', 1, String);
+  const paintText = showAttribute(gauge, 'aria-valuetext');
+  const paintKnown = showAttribute(gauge, 'data-known');
+  let shownText = Infinity;
+  return (tilt) => {
+    const known = !Number.isNaN(tilt.degrees);
+    paintKnown(known ? 'true' : 'false');
+    paintScale(tilt);
+    needle(known ? Math.min(tilt.degrees, DIAL_END) : 0);
+    const whole = Math.round(tilt.degrees);
+    if (Object.is(whole, shownText)) return;
+    shownText = whole;
+    paintNow(known ? whole : 0);
+    paintText(known ? `${ANGLE.text(whole * 10)} of tilt` : 'not known');
+  };
+}
+
+/** The arc in four parts, settles, rocks back, topples, lies, with marks between; bare until a ship gives them. */
+function createScale(picture: Element): (tilt: Tilt) => void {
+  appendSvg(picture, 'path', { class: 'td-zone', d: arc(0, DIAL_END) });
+  const zones = ['settled', 'leaning', 'toppling', 'tipped'].map((zone) =>
+    appendSvg(picture, 'path', { class: `td-zone td-zone-${zone}` }),
+  );
+  const marks = [createMark(picture), createMark(picture), createMark(picture)];
+  let shown = [NaN, NaN, NaN];
+  return ({ settle, noReturn, tipped }) => {
+    if (Number.isNaN(settle)) return;
+    if (settle === shown[0] && noReturn === shown[1] && tipped === shown[2]) return;
+    shown = [settle, noReturn, tipped];
+    const from = [0, settle, Math.max(settle, Math.min(noReturn, tipped)), tipped, DIAL_END];
+    zones.forEach((zone, i) => zone.setAttribute('d', arc(from[i]!, from[i + 1]!)));
+    marks.forEach((mark, i) => mark(shown[i]!));
+  };
+}
+
+function createMark(picture: Element): (angle: number) => void {
+  const line = appendSvg(picture, 'path', { class: 'td-mark' });
+  const label = appendSvg(picture, 'text', { class: 'td-mark-text' });
+  return (angle) => {
+    line.setAttribute('d', `M${point(angle, RADIUS - 8)}L${point(angle, RADIUS + 6)}`);
+    label.setAttribute('transform', `translate(${point(angle, RADIUS + 15)})`);
+    label.textContent = `${String(Math.round(angle))}°`;
+  };
+}
+
+/** A lander seen from the side, its axis drawn out to the scale. */
+function createNeedle(picture: Element): (angle: number) => void {
+  const needle = appendSvg(picture, 'g', { class: 'td-needle' });
+  appendSvg(needle, 'path', { class: 'td-needle-axis', d: `M0 -10V${String(5 - RADIUS)}` });
+  appendSvg(needle, 'path', { class: 'td-needle-legs', d: 'M-6 4L-13 17M6 4L13 17M-16 17H-10M10 17H16' });
+  appendSvg(needle, 'path', { class: 'td-needle-hull', d: 'M-8 9H8L10 0L6 -12H-6L-10 0Z' });
+  return showFigures(
+    needle,
+    'transform',
+    5,
+    (angle) => `translate(${String(PIVOT_X)} ${String(PIVOT_Y)}) rotate(${String(angle)})`,
+  );
+}
+
+function arc(from: number, to: number): string {
+  return `M${point(from, RADIUS)}A${String(RADIUS)} ${String(RADIUS)} 0 0 1 ${point(to, RADIUS)}`;
+}
+
+function point(angle: number, radius: number): string {
+  const radians = (angle * Math.PI) / 180;
+  const x = PIVOT_X + radius * Math.sin(radians);
+  const y = PIVOT_Y - radius * Math.cos(radians);
+  return `${x.toFixed(1)} ${y.toFixed(1)}`;
+}

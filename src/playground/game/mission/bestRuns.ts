@@ -1,0 +1,128 @@
+import {
+  findMission,
+  flyRun,
+  type Mission,
+  readRun,
+  type RunInput,
+  type RunOutcome,
+  type Score,
+  scoreRun,
+  stage,
+  writeRun,
+} from '../../../scenarios';
+
+/** A run that was flown again from its inputs: what it came to and what it was worth. */
+export interface VerifiedRun {
+  readonly mission: Mission;
+  readonly bytes: Uint8Array;
+  readonly outcome: RunOutcome;
+  readonly score: Score;
+  /** Whose; '' = one's own. */
+  readonly by: string;
+}
+
+/** Flies the inputs again; null where they are no run. What is kept is what a link carries: its inputs, written and read. */
+export function verifyRun(mission: Mission, inputs: readonly RunInput[], by = ''): VerifiedRun | null {
+  return verifyBytes(mission, writeRun(inputs, substepsOf(mission)), by);
+}
+
+function verifyBytes(mission: Mission, bytes: Uint8Array, by: string): VerifiedRun | null {
+  const read = readRun(bytes, substepsOf(mission));
+  if (!read.ok) return null;
+  const outcome = flyRun(mission, read.value);
+  if (!outcome.ok) return null;
+  return { mission, bytes, outcome: outcome.value, score: scoreRun(mission, outcome.value), by };
+}
+
+function substepsOf({ scenario }: Mission): number {
+  const staged = stage(scenario);
+  return staged.ok ? staged.value.timing.substeps : 100;
+}
+
+const PLACE = 'touchdown.best.';
+
+export interface BestRuns {
+  /** The best run of a mission, flown again; null without one. */
+  readonly of: (mission: Mission) => VerifiedRun | null;
+  /** Keeps a run that is better than the best; whether it is. */
+  readonly keep: (run: VerifiedRun) => boolean;
+}
+
+/** One best run per mission, kept in this browser as text. */
+export function createBestRuns(store: Storage | null): BestRuns {
+  const known = new Map<string, VerifiedRun | null>();
+  const of = (mission: Mission): VerifiedRun | null => {
+    const { name } = mission.scenario;
+    if (!known.has(name)) known.set(name, readBest(store, mission));
+    return known.get(name) ?? null;
+  };
+  return {
+    of,
+    keep(run) {
+      const best = of(run.mission);
+      if (best !== null && best.score.total >= run.score.total) return false;
+      if (run.outcome.outcome !== 'landed') return false;
+      known.set(run.mission.scenario.name, run);
+      try {
+        store?.setItem(PLACE + run.mission.scenario.name, textOf(run.bytes));
+      } catch {
+        // A full or forbidden store: the best run holds until the page closes.
+      }
+      return true;
+    },
+  };
+}
+
+function readBest(store: Storage | null, mission: Mission): VerifiedRun | null {
+  try {
+    const text = store?.getItem(PLACE + mission.scenario.name) ?? null;
+    const bytes = text === null ? null : bytesOf(text);
+    const run = bytes === null ? null : verifyBytes(mission, bytes, '');
+    return run?.outcome.outcome === 'landed' ? run : null;
+  } catch {
+    return null;
+  }
+}
+
+/** base64url */
+function textOf(bytes: Uint8Array): string {
+  let binary = '';
+  for (const byte of bytes) binary += String.fromCharCode(byte);
+  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+}
+
+/** Null where the text is none. */
+function bytesOf(text: string): Uint8Array | null {
+  if (!/^[\w-]*$/.test(text) || text.length > MAX_TEXT) return null;
+  try {
+    return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
+  } catch {
+    return null;
+  }
+}
+
+const MAX_TEXT = 200_000;
+/** Characters of a link that mail and chat leave whole. */
+export const LONGEST_LINK = 8000;
+const LONGEST_NAME = 24;
+
+/** The part of an address that lets a friend race a run. */
+export function raceQuery(run: VerifiedRun, by: string): string {
+  const query = new URLSearchParams({ scenario: run.mission.scenario.name, run: textOf(run.bytes) });
+  if (by !== '') query.set('by', by.slice(0, LONGEST_NAME));
+  return `?${query.toString()}`;
+}
+
+/** A friend's run in the page's address: verified by flying it again; a reason where it cannot be; null without one. */
+export function readRace(query: URLSearchParams): VerifiedRun | string | null {
+  const text = query.get('run');
+  if (text === null) return null;
+  const mission = findMission(query.get('scenario') ?? '');
+  if (mission === null) return 'run: expected with scenario= and a mission';
+  const bytes = bytesOf(text);
+  const run =
+    bytes === null
+      ? null
+      : verifyBytes(mission, bytes, (query.get('by') ?? 'a friend').slice(0, LONGEST_NAME));
+  return run ?? 'run: these inputs cannot be flown';
+}

@@ -1,0 +1,23 @@
+import type { WorldView } from '../../../prediction';
+import type { Parts } from '../wiring';
+
+/** What the page shows, for tests and screenshots: on the root element, nowhere else. */
+export function createReport(root: HTMLElement, parts: Parts): (view: WorldView) => void {
+  const set = (name: string, text: string) => {
+    if (root.dataset[name] !== text) root.dataset[name] = text;
+  };
+  let run = '';
+  return ({ own }) => {
+    set('status', own === null ? '' : own.shownState === '' ? 'flight' : own.shownState);
+    set('provenance', own?.provenance ?? '');
+    set('phase', parts.game.tracker.mission() === null ? '' : parts.game.tracker.phase());
+    const next = parts.live.hash();
+    if (next === run) return;
+    run = next;
+    set('run', run);
+    const [tick, hash] = run.split(':');
+    parts.panel.showRun(
+      run === '' ? '' : `State hash at tick ${tick!}: ${hash!}${parts.live.ended() ? ' (end)' : ''}`,
+    );
+  };
+}

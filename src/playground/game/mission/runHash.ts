@@ -1,0 +1,40 @@
+import { hashRows } from '../../../dynamics';
+import type { PartialFrame } from '../../../wire';
+
+/** Tick and bits of the own ship's last state that belongs to the scenario: a landed ship goes on turning with the ground. */
+export interface RunHash {
+  readonly begin: (lastTick: number) => void;
+  readonly take: (frame: PartialFrame) => void;
+  /** `tick:hash`, '' before the first state. */
+  readonly text: () => string;
+  readonly ended: () => boolean;
+}
+
+export function createRunHash(): RunHash {
+  let lastTick = -1;
+  let hashedTick = -1;
+  let text = '';
+  return {
+    begin(next) {
+      lastTick = next;
+      hashedTick = -1;
+      text = '';
+    },
+    take(frame) {
+      if (frame.tick <= hashedTick || frame.tick > lastTick) return;
+      const own = frame.ships.find(({ shipId }) => shipId === 'own');
+      if (own?.relativePosition === undefined || own.relativePosition === null) return;
+      hashedTick = frame.tick;
+      const row = Float64Array.of(
+        ...own.relativePosition,
+        ...(own.relativeVelocity ?? []),
+        ...own.attitude,
+        ...own.angularVelocity,
+        own.fuel,
+      );
+      text = `${frame.tick}:${String(hashRows(row))}`;
+    },
+    text: () => text,
+    ended: () => lastTick >= 0 && hashedTick >= lastTick,
+  };
+}

@@ -1,0 +1,56 @@
+import type { TurnKeys } from '../../../hud';
+import { ROTATION_ACTIONS, type TranslationAction } from '../../../readout';
+import type { Action } from '../../input/keyTable';
+import { capOf } from '../../input/layout';
+import { pushKeyFor, turnKeysFor } from '../../input/steering';
+import { type Cockpit, createCockpit } from '../../view/cockpit';
+import { controlName } from './flightWords';
+import type { Page } from '../pageParts';
+import type { Parts } from '../wiring';
+
+/** What is printed on the key of an action, on this keyboard; '' where keys are off. */
+export function keyCapOf(page: Page, parts: Parts): (action: Action) => string {
+  return (action) => (page.keys.enabled ? capOf(action, page.keys.map, parts.devices.layout()) : '');
+}
+
+const TURN_WORDS = {
+  pitchPlus: 'tilt towards you',
+  pitchMinus: 'tilt away',
+  yawPlus: 'tilt left',
+  yawMinus: 'tilt right',
+  rollPlus: 'turn left',
+  rollMinus: 'turn right',
+} as const;
+
+const SHIP_AXES = Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
+
+/** The displays, naming what the pilot uses: keys as printed, gamepad, or thumb sticks. */
+export function wireCockpit(page: Page, parts: Parts): Cockpit {
+  const { stick, autopilot } = parts.live.hands;
+  const screen = new Float64Array(9);
+  const seen = () => page.stage?.screenAxes(screen) === true;
+  parts.live.hands.aimBy(() => (seen() ? screen : null));
+  const cap = keyCapOf(page, parts);
+  const name = (action: Action) => controlName(parts.devices.device(), action, cap);
+  const turnKeys: TurnKeys = (actions) => {
+    let [x, y] = [0, 0];
+    for (const action of actions) {
+      if (action === ROTATION_ACTIONS[0]![0]) x = 1;
+      if (action === ROTATION_ACTIONS[0]![1]) x = -1;
+      if (action === ROTATION_ACTIONS[1]![0]) y = 1;
+      if (action === ROTATION_ACTIONS[1]![1]) y = -1;
+    }
+    return turnKeysFor(stick.aim, x, y).map((key) => ({ cap: name(key), words: TURN_WORDS[key] }));
+  };
+  return createCockpit(page.document, {
+    host: page.part('hud'),
+    flightHost: page.part('flight'),
+    keyLabel: (action) =>
+      name(action.startsWith('translate') ? pushKeyFor(stick.aim, action as TranslationAction) : action),
+    turnKeys,
+    modeLabel: (key) => (parts.devices.device() === 'keys' ? cap(key) : ''),
+    target: () => parts.game.tracker.target(),
+    screen: () => (seen() ? screen : SHIP_AXES),
+    isAutopilotOn: autopilot.isOn,
+  });
+}

@@ -1,0 +1,91 @@
+import type { Mission } from '../../../scenarios';
+import type { Action } from '../../input/keyTable';
+
+/** What the pilot flies with: hints name it. */
+export type Device = 'keys' | 'gamepad' | 'thumbs';
+
+/** What each control is called on a device without keys; keys are named by what is printed on them. */
+const GAMEPAD: Partial<Record<Action, string>> = {
+  throttleUp: 'RT',
+  throttleDown: 'LT',
+  throttleCut: 'B',
+  rateDamping: 'X',
+  autopilot: 'Y',
+  modeUpright: 'Pad up',
+  killRates: 'Pad down',
+  modeRetrograde: 'Pad left',
+  modeHold: 'Pad right',
+  pitchMinus: 'Left stick up',
+  pitchPlus: 'Left stick down',
+  yawPlus: 'Left stick left',
+  yawMinus: 'Left stick right',
+  rollPlus: 'LB',
+  rollMinus: 'RB',
+  translateYPlus: 'Right stick up',
+  translateYMinus: 'Right stick down',
+  translateXMinus: 'Right stick left',
+  translateXPlus: 'Right stick right',
+  restart: 'Back',
+  pause: 'Start',
+};
+const THUMBS: Partial<Record<Action, string>> = {
+  throttleUp: 'Engine lever up',
+  throttleDown: 'Engine lever down',
+  throttleCut: 'Cut',
+  rateDamping: 'Damping',
+  autopilot: 'Auto',
+  modeUpright: 'Upright',
+  pitchMinus: 'Tilt up',
+  pitchPlus: 'Tilt down',
+  yawPlus: 'Tilt left',
+  yawMinus: 'Tilt right',
+  translateYPlus: 'Push up',
+  translateYMinus: 'Push down',
+  translateXMinus: 'Push left',
+  translateXPlus: 'Push right',
+};
+
+/** What to press for an action on a device; '' where it has nothing for it. */
+export function controlName(device: Device, action: Action, keyCap: (action: Action) => string): string {
+  if (device === 'keys') return keyCap(action);
+  return (device === 'gamepad' ? GAMEPAD : THUMBS)[action] ?? '';
+}
+
+const FIRST: Readonly<Record<Device, string>> = {
+  keys: 'You fly: {throttleUp} more thrust, {throttleDown} less, {throttleCut} cut the engine.',
+  gamepad: 'You fly: {throttleUp} more thrust, {throttleDown} less, {throttleCut} cut the engine.',
+  thumbs: 'You fly: slide the Engine lever for thrust, {throttleCut} stops it.',
+};
+const LATER: Readonly<Record<Device, string>> = {
+  keys: 'Tilt {pitchMinus}{yawPlus}{pitchPlus}{yawMinus} · push {translateYPlus}{translateXMinus}{translateYMinus}{translateXPlus} · thrust {throttleUp} {throttleDown} · cut {throttleCut} · upright {modeUpright} · autopilot {autopilot}',
+  gamepad:
+    'Left stick tilts, right stick pushes · thrust {throttleUp} {throttleDown} · cut {throttleCut} · upright {modeUpright} · autopilot {autopilot}',
+  thumbs: 'Tilt and Push are under your thumbs · Engine is the lever · Upright levels the ship',
+};
+const FALLEN: Readonly<Record<Device, string>> = {
+  keys: 'Hold the key that the display names. Release it below the angle shown, then press {rateDamping}.',
+  gamepad:
+    'Hold the control that the display names. Release it below the angle shown, then press {rateDamping}.',
+  thumbs: 'Hold Tilt as the display says. Release it below the angle shown, then press {rateDamping}.',
+};
+
+/** How to fly a mission, in the words of the device, its controls in braces. */
+export function howToFly(
+  mission: Mission | null,
+  device: Device,
+  keyCap: (action: Action) => string,
+): string {
+  const name = mission?.scenario.name ?? '';
+  const text =
+    name === 'school-right'
+      ? FALLEN[device]
+      : mission !== null && mission.how !== ''
+        ? mission.how
+        : name === 'first-landing'
+          ? FIRST[device]
+          : LATER[device];
+  return text.replace(/\{(\w+)\}/g, (_, action: string) => {
+    const control = controlName(device, action as Action, keyCap);
+    return control === '' ? '' : `{${control}}`;
+  });
+}

@@ -1,0 +1,47 @@
+import type { WorldView } from '../../../prediction';
+import type { LandingReadout } from '../../../readout';
+
+/** The picture in words, for those who do not see it. Told anew every two seconds, never announced. */
+export interface Twin {
+  readonly tell: (view: WorldView, readout: LandingReadout, now: number) => void;
+}
+
+const EVERY = 2;
+
+const STATES: Readonly<Record<string, string>> = {
+  '': 'is in flight',
+  contact: 'is in contact with the ground',
+  landed: 'stands on the ground, landed',
+  tipped: 'lies on its side',
+  crashed: 'has crashed',
+};
+
+export function createTwin(element: Element): Twin {
+  let toldAt = -Infinity;
+  return {
+    tell(view, readout, now) {
+      if (now - toldAt < EVERY && now >= toldAt) return;
+      toldAt = now;
+      element.textContent = words(view, readout);
+    },
+  };
+}
+
+function words(view: WorldView, readout: LandingReadout): string {
+  const ship = view.own ?? view.ships[0];
+  const body = ship === undefined ? undefined : view.bodies[ship.body];
+  if (!view.ready || ship === undefined || body === undefined) return 'No ship in view yet.';
+  const height = Math.max(0, ship.feetHeight);
+  const parts = [`${ship.name}, a ${ship.shipClass.name}, ${STATES[ship.shownState] ?? ''}`];
+  if (ship.shownState === '')
+    parts.push(
+      `${height < 10 ? height.toFixed(1) : height.toFixed(0)} m above ${body.name === 'Luna' ? 'the Moon' : body.name}`,
+    );
+  else parts.push(`on ${body.name === 'Luna' ? 'the Moon' : body.name}`);
+  const engine = ship.controls.thrustLevel;
+  if (engine > 0) parts.push(`engine at ${Math.round(engine * 100)} %`);
+  const others = view.ships.length - 1;
+  if (others > 0) parts.push(`${others} other ${others === 1 ? 'ship' : 'ships'}`);
+  if (readout.withdrawn !== '') parts.push(`${readout.withdrawn} withdrawn`);
+  return `${parts.join(', ')}.`;
+}

@@ -1,0 +1,45 @@
+import type { WorldView } from '../../../prediction';
+import { append, appendDetails } from '../elements';
+import { createFigures } from './figures';
+import { createNetStrip } from './netStrip';
+import { createPlots } from './plots';
+import {
+  createRecordingPanel,
+  type RecordingListeners,
+  type RecordingPanel,
+} from '../../recording/recordingPanel';
+import { createSamples } from '../../game/samples';
+
+/** What stands along the bottom: frames by fate, figures, plots, recording. */
+export interface Dock {
+  readonly recording: RecordingPanel;
+  /** Once a frame; paints ten times a second. */
+  readonly follow: (view: WorldView, now: number) => void;
+  readonly clear: () => void;
+}
+
+export function createDock(host: Element, listeners: RecordingListeners): Dock {
+  const strip = createNetStrip(host);
+  const parts = append(host, 'div', 'parts');
+  const figuresPart = appendDetails(parts, 'Figures', false);
+  const paintFigures = createFigures(figuresPart);
+  const plotsPart = appendDetails(parts, 'Plots', false);
+  const paintPlots = createPlots(plotsPart);
+  const recordingPart = appendDetails(parts, 'Recording', false);
+  const recording = createRecordingPanel(recordingPart, listeners);
+  const samples = createSamples();
+  return {
+    recording,
+    follow({ diagnosis }, now) {
+      strip.watch(diagnosis, now);
+      if (!samples.take(diagnosis, now)) return;
+      strip.paint(diagnosis, now);
+      if (figuresPart.open) paintFigures(samples);
+      if (plotsPart.open) paintPlots(samples);
+    },
+    clear() {
+      strip.clear();
+      samples.clear();
+    },
+  };
+}

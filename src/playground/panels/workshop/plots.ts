@@ -1,0 +1,99 @@
+import { append } from '../elements';
+import type Plotting from './plotting';
+import { type GaugeName, GAUGES, type Samples } from '../../game/samples';
+
+/** Which gauges share a plot. */
+const PLOTS: readonly { readonly title: string; readonly gauges: readonly GaugeName[] }[] = [
+  { title: 'Position, m', gauges: ['errorPosition', 'offsetPosition'] },
+  { title: 'Attitude, °', gauges: ['errorAngle', 'offsetAngle'] },
+  { title: 'Network, ms', gauges: ['roundTrip', 'lead', 'jitter'] },
+  { title: 'Clock', gauges: ['clockRate'] },
+];
+const HEIGHT = 92;
+const STROKES = ['#ffd24a', '#58b8ff', '#ff9d92'] as const;
+/** Lines of one plot differ in more than colour; px drawn and left out. */
+const DASHES = [[], [6, 3], [2, 3]] as const;
+
+type Setter = (samples: Samples) => void;
+
+/** Paints the plots; fetches the plotting code when it is first asked to. */
+export function createPlots(host: Element): (samples: Samples) => void {
+  const holder = append(host, 'div', 'plots');
+  let plots: readonly Setter[] = [];
+  let state: 'idle' | 'loading' | 'ready' = 'idle';
+
+  const load = async () => {
+    state = 'loading';
+    holder.replaceChildren();
+    const waiting = append(holder, 'p', 'quiet', 'Fetching the plots …');
+    try {
+      const { default: Plot } = await import('./plotting');
+      waiting.remove();
+      plots = PLOTS.map((plot) => createPlot(Plot, holder, plot));
+      state = 'ready';
+    } catch {
+      waiting.textContent =
+        'The plots did not load. Check the network and reload; the figures work meanwhile.';
+    }
+  };
+
+  return (samples) => {
+    if (state === 'idle') void load();
+    for (const show of plots) show(samples);
+  };
+}
+
+function createPlot(
+  Plot: typeof Plotting,
+  holder: Element,
+  { title, gauges }: (typeof PLOTS)[number],
+): Setter {
+  const rings = gauges.map((name) => GAUGES.findIndex((gauge) => gauge.name === name));
+  const series = rings.map((ring, i) => ({
+    label: GAUGES[ring]!.title,
+    stroke: STROKES[i]!,
+    dash: [...DASHES[i]!],
+    width: 1.5,
+  }));
+  const axis = {
+    stroke: getComputedStyle(holder).color,
+    grid: { stroke: 'rgba(128,144,160,0.25)', width: 1 },
+    ticks: { show: false },
+  };
+  const place = append(holder, 'div');
+  const made = new Plot(
+    {
+      title,
+      width: Math.max(200, place.clientWidth),
+      height: HEIGHT,
+      legend: { live: false },
+      cursor: { show: false },
+      scales: { x: { time: false } },
+      axes: [
+        { ...axis, size: 20 },
+        { ...axis, size: 46, values: (_, splits) => splits.map(tickText) },
+      ],
+      series: [{}, ...series],
+    },
+    [[], ...gauges.map(() => [])],
+    place,
+  );
+  return (samples) => {
+    const times = samples.times();
+    const newest = times.at(-1) ?? 0;
+    const ago = times.map((time) => time - newest);
+    made.setData([ago, ...rings.map((ring) => samples.values(ring).map(orGap))]);
+  };
+}
+
+/** Errors are millimetres and less: a tick must not read 0 for each of them. */
+function tickText(value: number): string {
+  return value === 0 || Math.abs(value) >= 0.001
+    ? String(Number(value.toPrecision(4)))
+    : value.toExponential(0);
+}
+
+/** What is not known is a gap in the line. */
+function orGap(value: number): number | null {
+  return Number.isFinite(value) ? value : null;
+}

@@ -1,0 +1,154 @@
+import { type DrawnGround, groundRadius } from './drawnGround';
+import type { Hull } from './hull';
+import { lengthOf, rotate, vector } from '../rotation';
+
+/** A pose to be put on the ground: position (m, from the body's centre) and attitude, both in the body's axes. */
+export interface GroundPose {
+  readonly position: Float64Array;
+  readonly attitude: Float64Array;
+  /** In contact, tipped or landed. */
+  grounded: boolean;
+  /** The ground that the pose is predicted on, above the drawn one, m: 0 where the server's ground is the drawn one. */
+  groundOffset: number;
+}
+
+export interface GroundedPose {
+  /** m, from the body's centre, in the body's axes; the attitude stays. */
+  readonly position: Float64Array;
+  /** Along the local up, m; negative where a lying ship is let down. */
+  lift: number;
+  /** m a leg, 0 … stroke. */
+  readonly legCompression: Float64Array;
+  /** Height of the lowest unloaded foot of the pose as given, above the ground it is predicted on, m. */
+  feetHeight: number;
+}
+
+export function createGroundedPose(legs: number): GroundedPose {
+  return { position: new Float64Array(3), lift: 0, legCompression: new Float64Array(legs), feetHeight: 0 };
+}
+
+/** Rounds of lifting and looking again: on a slope the ground beneath a point is another after the lift. */
+const ROUNDS = 3;
+/** m: closer than this is touching. */
+const TOUCHING = 1e-4;
+/** m */
+const RELEASE_HEIGHT = 1;
+/** Of the offset between predicted and drawn ground: from this height on a flying ship is drawn as it is predicted. */
+const FADE_HEIGHTS = 8;
+
+/**
+ * Puts a drawn pose on the drawn ground (PREDICTION, What is drawn). The law keeps the centre of mass at height h whatever the
+ * tilt, and lets impacts sink; drawn like that a lying ship would hover and a landing one would go underground. So the legs give way
+ * first, up to their stroke; then the whole ship is lifted along the local up until no point of hull or feet is below the ground,
+ * and a grounded one is let down until its lowest point touches.
+ * @param out the grounded pose
+ * @param pose as drawn
+ */
+export function snapToGround(
+  out: GroundedPose,
+  pose: GroundPose,
+  hull: Hull,
+  ground: DrawnGround,
+): GroundedPose {
+  out.position.set(pose.position);
+  const distance = lengthOf(pose.position);
+  for (let k = 0; k < 3; k++) up[k] = pose.position[k]! / distance;
+  axis.set(ALONG);
+  rotate(axis, pose.attitude, axis);
+  // How much of a leg's travel goes into height: none of it lying down.
+  const upright = axis[0]! * up[0]! + axis[1]! * up[1]! + axis[2]! * up[2]!;
+  out.feetHeight = pressLegs(out, pose, hull, { ground, upright });
+  out.lift = 0;
+  let clearance = lowestPoint(out, pose, hull, ground);
+  const height = distance - groundRadius(ground, up[0]!, up[1]!, up[2]!) + hull.feet[2]!;
+  const target = pose.grounded ? 0 : drawnClearance(clearance, height, pose.groundOffset);
+  for (let round = 0; round < ROUNDS && Math.abs(target - clearance) > TOUCHING; round++) {
+    const lift = target - clearance;
+    out.lift += lift;
+    for (let k = 0; k < 3; k++) out.position[k] = out.position[k]! + up[k]! * lift;
+    clearance = lowestPoint(out, pose, hull, ground);
+  }
+  return out;
+}
+
+/** Presses each leg in as far as its foot is below the ground, up to the stroke; returns the lowest foot's height. */
+function pressLegs(
+  out: GroundedPose,
+  pose: GroundPose,
+  hull: Hull,
+  place: { readonly ground: DrawnGround; readonly upright: number },
+): number {
+  let lowest = Number.POSITIVE_INFINITY;
+  for (let leg = 0; leg * 3 < hull.feet.length; leg++) {
+    for (let k = 0; k < 3; k++) point[k] = hull.feet[leg * 3 + k]!;
+    const height = heightOf(point, out.position, pose.attitude, place.ground) - pose.groundOffset;
+    if (height < lowest) lowest = height;
+    const travel = place.upright > 0.1 && height < 0 ? -height / place.upright : 0;
+    out.legCompression[leg] = travel > hull.stroke ? hull.stroke : travel;
+  }
+  return lowest;
+}
+
+/** Height of the lowest point of hull and pressed legs above the ground, m. */
+function lowestPoint(out: GroundedPose, pose: GroundPose, hull: Hull, ground: DrawnGround): number {
+  let lowest = Number.POSITIVE_INFINITY;
+  for (let leg = 0; leg * 3 < hull.feet.length; leg++) {
+    for (let k = 0; k < 3; k++) point[k] = hull.feet[leg * 3 + k]!;
+    point[2] = point[2]! + out.legCompression[leg]!;
+    const height = heightOf(point, out.position, pose.attitude, ground);
+    if (height < lowest) lowest = height;
+  }
+  for (let i = 0; i < hull.outline.length; i += 3) {
+    for (let k = 0; k < 3; k++) point[k] = hull.outline[i + k]!;
+    const height = heightOf(point, out.position, pose.attitude, ground);
+    if (height < lowest) lowest = height;
+  }
+  return lowest;
+}
+
+/**
+ * The clearance above the drawn ground at which a ship that is predicted over a ground `offset` m higher is drawn in flight: its own
+ * high up, and none where it touches, so that it meets the ground it is drawn on without a pop.
+ * @param clearance of its lowest point above the drawn ground, m
+ * @param height of the centre of mass above where the law would touch the drawn ground, m
+ */
+export function drawnClearance(clearance: number, height: number, offset: number): number {
+  const above = clearance - offset;
+  const over = height - offset;
+  const target = above < 0 ? 0 : flyingTarget(above, over);
+  if (offset === 0) return target;
+  const reach = Math.max(RELEASE_HEIGHT, FADE_HEIGHTS * Math.abs(offset));
+  const t = over <= 0 ? 0 : over >= reach ? 1 : over / reach;
+  return Math.max(0, target + offset * (t * t * (3 - 2 * t)));
+}
+
+/**
+ * The clearance, m, at which a flying ship is drawn: its own, but for a lying one that has just let go, whose lowest point is
+ * higher than an upright ship's would be; it comes up from the ground over the first metre instead of popping up.
+ * @param height of the centre of mass above where the law touches, m
+ */
+function flyingTarget(clearance: number, height: number): number {
+  const hovering = clearance - (height > 0 ? height : 0);
+  if (hovering <= 0 || height >= RELEASE_HEIGHT) return clearance;
+  return clearance - hovering * (height <= 0 ? 1 : 1 - height / RELEASE_HEIGHT);
+}
+
+/** Height above the ground of a point in ship axes, m; the point is overwritten. */
+function heightOf(
+  p: Float64Array,
+  position: Float64Array,
+  attitude: Float64Array,
+  ground: DrawnGround,
+): number {
+  rotate(p, attitude, p);
+  const x = p[0]! + position[0]!;
+  const y = p[1]! + position[1]!;
+  const z = p[2]! + position[2]!;
+  const distance = Math.sqrt(x * x + y * y + z * z);
+  return distance - groundRadius(ground, x / distance, y / distance, z / distance);
+}
+
+const ALONG = Float64Array.of(0, 0, 1);
+const up = vector();
+const axis = vector();
+const point = vector();

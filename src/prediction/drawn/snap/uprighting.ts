@@ -1,0 +1,47 @@
+import {
+  ANGULAR_VELOCITY,
+  ATTITUDE,
+  BODY_END_ATTITUDE,
+  BODY_STRIDE,
+  EVENT_CONTACT,
+  REFERENCE_BODY,
+} from '../../../dynamics';
+import type { Simulation } from '../../simulation/simulation';
+import type { RowStep } from '../../simulation/stepRow';
+import type { Track } from '../../simulation/track';
+import { addToOffset } from '../correction';
+import { pose } from '../pose';
+import { compose, fromRotationVector, quaternion, seenFrom, take, vector } from '../rotation';
+
+/** Whether the law turns a ship upright in an instant at this event. */
+export function uprights(sim: Simulation, event: number): boolean {
+  return event === EVENT_CONTACT && sim.world.settings.touchdownAttitude === 'aligned';
+}
+
+/**
+ * The law's own jump: an aligned touchdown uprights the ship within a substep. The offset takes up the difference to the attitude
+ * its spin would have brought it to, so that the drawn ship rights itself smoothly. No correction.
+ */
+export function easeUprighting(sim: Simulation, track: Track, step: RowStep): void {
+  if (!uprights(sim, step.event)) return;
+  const { rows, at, before, beforeAt, bodies } = step;
+  take(body, bodies, rows[at + REFERENCE_BODY]! * BODY_STRIDE + BODY_END_ATTITUDE);
+  take(spin, before, beforeAt + ANGULAR_VELOCITY);
+  for (let k = 0; k < 3; k++) spin[k] = spin[k]! * step.dt[0];
+  fromRotationVector(turn, spin);
+  take(unturned.attitude, before, beforeAt + ATTITUDE);
+  compose(unturned.attitude, turn, unturned.attitude);
+  take(turned.attitude, rows, at + ATTITUDE);
+  seenFrom(unturned.attitude, body, unturned.attitude);
+  seenFrom(turned.attitude, body, turned.attitude);
+  unturned.position.fill(0);
+  turned.position.fill(0);
+  addToOffset(track.picture.ease, unturned, turned);
+  track.picture.uprighted = true;
+}
+
+const body = quaternion();
+const turn = quaternion();
+const spin = vector();
+const unturned = pose();
+const turned = pose();

@@ -1,0 +1,133 @@
+import { BODY_STRIDE, type BodyMotion, readBodyMotion } from '../../../dynamics';
+import type { BodyState, ServerFrame } from '../../../wire';
+import type { Simulation } from '../../simulation/simulation';
+import { spanOf } from '../../time/timeline';
+import { spunMotion } from './bodySpin';
+import { boundaryAt, startBodiesAt, updateBodies } from './bodyTrack';
+import type { Receiver } from '../receiver';
+
+/** Ticks over which the law carries bodies on only to compare them. */
+const MAX_CARRIED = 64;
+
+/** Where the bodies are at a frame's tick, by the server and as predicted. */
+export interface BodiesOfFrame {
+  readonly bodies: Float64Array;
+  readonly predictedBodies: Float64Array;
+  /** How far the predicted bodies' attitudes and spins were off, as a component. */
+  readonly turned: number;
+}
+
+/**
+ * The frame's bodies, compared with the predicted ones. Bodies that are not told, that tell no attitude or spin, or that are the last
+ * frame's once more, are carried on by the law.
+ */
+export function bodiesOfFrame(sim: Simulation, receiver: Receiver, frame: ServerFrame): BodiesOfFrame {
+  const { tick } = frame;
+  if (sim.newestTick === tick && receiver.startsBodies) startBodiesAt(sim.bodies, tick);
+  receiver.startsBodies = false;
+  const lastTick = receiver.lastBodies.tick;
+  const motions = areOld(sim, receiver, frame) ? null : motionsOf(sim, frame);
+  if (motions === null) {
+    const bodies = boundaryAt(sim.bodies, sim.timeline, tick);
+    return { bodies, predictedBodies: bodies, turned: 0 };
+  }
+  // What the law comes to at this tick, to be compared.
+  if (tick - lastTick <= MAX_CARRIED && lastTick >= 0) boundaryAt(sim.bodies, sim.timeline, tick);
+  const error = updateBodies(sim.bodies, tick, spun(sim, tick, motions));
+  if (error.attitude > 0 || error.spin > 0) {
+    sim.counters.correctionsBody += 1;
+    sim.counters.errorBodyAttitude = error.attitude;
+    sim.counters.errorBodySpin = error.spin;
+  }
+  return {
+    bodies: boundaryAt(sim.bodies, sim.timeline, tick),
+    predictedBodies: sim.bodies.replaced,
+    turned: Math.max(error.attitude, error.spin),
+  };
+}
+
+/** The motions with the spins that were measured; the same list where those are the told ones. */
+function spun(sim: Simulation, tick: number, motions: readonly BodyMotion[]): readonly BodyMotion[] {
+  const { tickSeconds } = spanOf(sim.timeline, tick).timing;
+  let differs = false;
+  for (const [i, told] of motions.entries()) {
+    const spin = sim.spins[i]!;
+    const motion = spunMotion(spin, told, tick, (tick - spin.tick) * tickSeconds);
+    measured[i] = motion;
+    if (motion !== told) differs = true;
+  }
+  return differs ? measured.slice(0, motions.length) : motions;
+}
+
+const measured: BodyMotion[] = [];
+
+/** Whether no body has moved since the last frame though its tick did, and some should have: the server sends old ones. */
+function areOld({ warn }: Simulation, receiver: Receiver, { tick, bodies }: ServerFrame): boolean {
+  const { lastBodies } = receiver;
+  if (bodies.length === 0) return false;
+  const { tick: before, bodies: told } = lastBodies;
+  lastBodies.tick = tick;
+  lastBodies.bodies = bodies;
+  if (tick === before || told.length !== bodies.length) return false;
+  let moves = false;
+  for (const [i, body] of bodies.entries()) {
+    const last = told[i]!;
+    if (last.name !== body.name || !sameVector(last.position, body.position)) return false;
+    if (body.velocity.some((v) => Math.abs(v) > 1e-6)) moves = true;
+  }
+  if (moves) {
+    const details = { tick, lastTick: before };
+    warn(
+      'bodies-old',
+      'Bodies did not move between two ticks: they are carried on by their velocity.',
+      details,
+    );
+  }
+  return moves;
+}
+
+function sameVector(a: readonly number[], b: readonly number[]): boolean {
+  return a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
+}
+
+/** The frame's bodies in the world's order; null where none is told. */
+function motionsOf(sim: Simulation, frame: ServerFrame): readonly BodyMotion[] | null {
+  const { bodies } = sim.world;
+  if (frame.bodies.length === 0) return null;
+  const inOrder =
+    frame.bodies.length === bodies.length &&
+    frame.bodies.every((body, i) => body.name === bodies[i]!.name && isWhole(body));
+  if (inOrder) return frame.bodies;
+  const byLaw = boundaryAt(sim.bodies, sim.timeline, frame.tick);
+  return bodies.map(({ name }, i) => {
+    const predicted = readBodyMotion(byLaw, i * BODY_STRIDE);
+    const told = frame.bodies.find((body) => body.name === name);
+    return told === undefined ? predicted : completed(told, predicted);
+  });
+}
+
+/** What is told and finite, and of the rest what was predicted. */
+function completed(told: BodyState, predicted: BodyMotion): BodyMotion {
+  const moves = areNumbers(told.position, 3) && areNumbers(told.velocity, 3);
+  return {
+    position: moves ? told.position : predicted.position,
+    velocity: moves ? told.velocity : predicted.velocity,
+    attitude: areNumbers(told.attitude, 4) ? told.attitude : predicted.attitude,
+    angularVelocity: areNumbers(told.angularVelocity, 3) ? told.angularVelocity : predicted.angularVelocity,
+  };
+}
+
+function isWhole({ position, velocity, attitude, angularVelocity }: BodyState): boolean {
+  return (
+    areNumbers(position, 3) &&
+    areNumbers(velocity, 3) &&
+    areNumbers(attitude, 4) &&
+    areNumbers(angularVelocity, 3)
+  );
+}
+
+function areNumbers(value: unknown, count: number): boolean {
+  if (!Array.isArray(value) || value.length !== count) return false;
+  for (let k = 0; k < count; k++) if (!Number.isFinite(value[k])) return false;
+  return true;
+}

@@ -1,0 +1,136 @@
+import {
+  BODY_ANGULAR_VELOCITY,
+  BODY_STRIDE,
+  type BodyMotion,
+  LANDED,
+  POSITION,
+  type Quat,
+  REFERENCE_BODY,
+  SURFACE_STATE,
+  type Vec3,
+} from '../../../dynamics';
+import {
+  compose,
+  fromRotationVector,
+  quaternion,
+  take,
+  toRotationVector,
+  turnBetween,
+  vector,
+} from '../../drawn/rotation';
+
+/**
+ * How fast a body really turns (PREDICTION, A law, or a world, that is not quite ours): measured from the attitudes that are told of
+ * it, or from ships that lie on it, over the spin that is told.
+ */
+export interface BodySpin {
+  /** The real spin over the told one: 1 while what is told fits. */
+  factor: number;
+  readonly byAttitude: Measurement;
+  readonly byShips: Measurement;
+  /** Told attitudes that are made of the told spin lack this angle about its axis, rad. */
+  lacking: number;
+  /** Of the last frame that told of it. */
+  tick: number;
+  readonly attitude: Float64Array;
+}
+
+/** A ratio that is believed once two measurements agree. */
+interface Measurement {
+  believed: number;
+  last: number;
+}
+
+/** What is nearer to 1 than this is as told: a ship's ICRF place alone leaves 1e-6 of a tenth of a second's turn. */
+const AS_TOLD = 1e-4;
+/** Nothing is measured of what turns slower, rad/s, nor believed that is off by more than half the told spin. */
+const LEAST_SPIN = 1e-9;
+const MAX_OFF = 0.5;
+/** Of a ship's way: what it may move aside of the ground's. */
+const ASIDE = 1e-3;
+
+export function createBodySpin(): BodySpin {
+  const measurement = (): Measurement => ({ believed: 1, last: Number.NaN });
+  return {
+    ...{ factor: 1, byAttitude: measurement(), byShips: measurement() },
+    ...{ lacking: 0, tick: -1, attitude: quaternion() },
+  };
+}
+
+/** A body's motion at `tick`, told `seconds` of game time after the last one, with the spin and the attitude that it really has. */
+export function spunMotion(spin: BodySpin, told: BodyMotion, tick: number, seconds: number): BodyMotion {
+  const [x, y, z] = told.angularVelocity;
+  const rate = Math.sqrt(x * x + y * y + z * z);
+  now.set(told.attitude);
+  if (spin.tick >= 0 && tick > spin.tick && rate > LEAST_SPIN) {
+    turnBetween(turn, now, spin.attitude);
+    toRotationVector(way, turn);
+    const turned = (way[0]! * x + way[1]! * y + way[2]! * z) / rate;
+    believe(spin, spin.byAttitude, turned / (rate * seconds));
+    if (isAsTold(spin.byAttitude.believed)) spin.lacking += (spin.factor - 1) * rate * seconds;
+  }
+  spin.tick = tick;
+  spin.attitude.set(now);
+  if (spin.factor === 1 && spin.lacking === 0) return told;
+  for (const [k, w] of told.angularVelocity.entries()) way[k] = (w / rate) * spin.lacking;
+  fromRotationVector(turn, way);
+  compose(now, turn, now);
+  return {
+    ...told,
+    attitude: [...now] as unknown as Quat,
+    angularVelocity: told.angularVelocity.map((w) => w * spin.factor) as unknown as Vec3,
+  };
+}
+
+/**
+ * Two states, `seconds` of game time apart, of one ship that the server has landed at both: it moved as the ground does.
+ * @param bodies rows as they are reckoned with, of the second state's tick
+ */
+export function measureByShip(
+  spin: BodySpin,
+  before: Float64Array,
+  after: Float64Array,
+  bodies: Float64Array,
+  seconds: number,
+): void {
+  if (before[SURFACE_STATE] !== LANDED || after[SURFACE_STATE] !== LANDED) return;
+  if (before[REFERENCE_BODY] !== after[REFERENCE_BODY]) return;
+  take(way, bodies, after[REFERENCE_BODY]! * BODY_STRIDE + BODY_ANGULAR_VELOCITY);
+  for (let k = 0; k < 3; k++) way[k] = way[k]! / spin.factor;
+  for (let k = 0; k < 3; k++) middle[k] = (before[POSITION + k]! + after[POSITION + k]!) / 2;
+  let along = 0;
+  let squared = 0;
+  let moved = 0;
+  for (let k = 0; k < 3; k++) {
+    const [i, j] = [(k + 1) % 3, (k + 2) % 3];
+    const speed = way[i]! * middle[j]! - way[j]! * middle[i]!;
+    const step = after[POSITION + k]! - before[POSITION + k]!;
+    along += speed * step;
+    squared += speed * speed;
+    moved += step * step;
+  }
+  if (!(squared > LEAST_SPIN)) return;
+  const aside = moved - (along * along) / squared;
+  // Just along the ground's way: with nothing aside one measurement is enough.
+  if (aside < ASIDE * ASIDE * moved) spin.byShips.last = along / (squared * seconds);
+  believe(spin, spin.byShips, along / (squared * seconds));
+}
+
+function believe(spin: BodySpin, measurement: Measurement, ratio: number): void {
+  if (!(Math.abs(ratio - 1) < MAX_OFF)) return;
+  if (Math.abs(ratio - measurement.last) < AS_TOLD) measurement.believed = ratio;
+  measurement.last = ratio;
+  const { byAttitude, byShips } = spin;
+  const real = isAsTold(byAttitude.believed) ? byShips.believed : byAttitude.believed;
+  if (isAsTold(real)) spin.factor = 1;
+  else if (Math.abs(real - spin.factor) > AS_TOLD) spin.factor = real;
+}
+
+function isAsTold(ratio: number): boolean {
+  return Math.abs(ratio - 1) < AS_TOLD;
+}
+
+const now = quaternion();
+const turn = quaternion();
+const way = vector();
+const middle = vector();

@@ -1,0 +1,214 @@
+import {
+  BODY_ANGULAR_VELOCITY,
+  BODY_ATTITUDE,
+  BODY_POSITION,
+  BODY_STRIDE,
+  BODY_VELOCITY,
+  type BodyMotion,
+  moveBodies,
+  settleBodies,
+  turnBodies,
+  writeBodyMotion,
+} from '../../../dynamics';
+import { spanOf, type Timeline } from '../../time/timeline';
+
+/**
+ * Where the bodies are, at each tick boundary and in each substep (DYNAMICS, Frame): the server's word where it gave one, the
+ * law from there on. The rows of a substep are made once and shared by the front and by every replay that passes it.
+ */
+export interface BodyTrack {
+  readonly count: number;
+  readonly length: number;
+  /** Rows at tick boundaries: slot = tick mod length. */
+  readonly boundaries: Float64Array[];
+  readonly ticks: Float64Array;
+  readonly cuts: TickCut[];
+  /** Where the bodies are while no boundary is known. */
+  readonly start: Float64Array;
+  /** The boundary a frame replaced, as it was predicted. */
+  readonly replaced: Float64Array;
+}
+
+/** One tick's rows, substep by substep, each turned for its substep. */
+interface TickCut {
+  tick: number;
+  made: number;
+  rows: Float64Array[];
+}
+
+/** A tick of more substeps is too fast to follow: its rows alone would fill 16 MB with four bodies. */
+export const MAX_SUBSTEPS_A_TICK = 12_800;
+
+/** @param start rows of the bodies at whatever tick comes first, unless a frame says otherwise */
+export function createBodyTrack(start: Float64Array, length: number, substeps: number): BodyTrack {
+  const size = start.length;
+  const count = size / BODY_STRIDE;
+  return {
+    count,
+    length,
+    boundaries: Array.from({ length }, () => new Float64Array(size)),
+    ticks: new Float64Array(length).fill(-1),
+    cuts: Array.from({ length: cutsOf(substeps) }, () => ({ tick: -1, made: 0, rows: [] })),
+    start,
+    replaced: new Float64Array(size),
+  };
+}
+
+/** How many ticks' substeps are kept: as many as fit some memory, at least those of a replay across a boundary. */
+export function cutsOf(substeps: number): number {
+  return Math.max(3, Math.min(64, Math.floor(4096 / substeps)));
+}
+
+/** The same boundaries in a ring of another length. */
+export function resizedBodies(track: BodyTrack, length: number, substeps: number): BodyTrack {
+  const next = createBodyTrack(track.start, length, substeps);
+  for (let slot = 0; slot < track.length; slot++) {
+    const tick = track.ticks[slot]!;
+    if (tick < 0 || tick <= next.ticks[tick % length]!) continue;
+    next.boundaries[tick % length]!.set(track.boundaries[slot]!);
+    next.ticks[tick % length] = tick;
+  }
+  next.replaced.set(track.replaced);
+  return next;
+}
+
+/** Whether the boundary at `tick` is known, told or made. */
+export function knowsBoundary(track: BodyTrack, tick: number): boolean {
+  return track.ticks[tick % track.length] === tick;
+}
+
+/** Rows at tick boundary `tick`; made by the law from the newest boundary before it. */
+export function boundaryAt(track: BodyTrack, timeline: Timeline, tick: number): Float64Array {
+  if (knowsBoundary(track, tick)) return track.boundaries[tick % track.length]!;
+  let from = tick;
+  while (!knowsBoundary(track, from) && tick - from < track.length - 1 && from > 0) from--;
+  if (!knowsBoundary(track, from)) skipTo(track, timeline, from);
+  for (; from < tick; from++) makeNext(track, timeline, from);
+  return track.boundaries[tick % track.length]!;
+}
+
+/** Nothing is known of the ring's length before: the bodies go on from where they were last, in one turn and one move. */
+function skipTo(track: BodyTrack, timeline: Timeline, tick: number): void {
+  let newest = -1;
+  for (const known of track.ticks) if (known > newest && known < tick) newest = known;
+  const rows = track.boundaries[tick % track.length]!;
+  rows.set(newest < 0 ? track.start : track.boundaries[newest % track.length]!);
+  if (newest >= 0) {
+    const seconds = (tick - newest) * spanOf(timeline, tick).timing.tickSeconds;
+    turnBodies(rows, track.count, seconds);
+    settleBodies(rows, track.count);
+    moveBodies(rows, track.count, seconds);
+  }
+  track.ticks[tick % track.length] = tick;
+}
+
+function makeNext(track: BodyTrack, timeline: Timeline, tick: number): void {
+  const { timing } = spanOf(timeline, tick);
+  const next = track.boundaries[(tick + 1) % track.length]!;
+  next.set(rowsAt(track, timeline, tick, timing.substeps - 1));
+  settleBodies(next, track.count);
+  moveBodies(next, track.count, timing.tickSeconds);
+  track.ticks[(tick + 1) % track.length] = tick + 1;
+}
+
+/** Rows turned for substep `substep` of the interval that begins at `tick` (DYNAMICS, step 7). */
+export function rowsAt(track: BodyTrack, timeline: Timeline, tick: number, substep: number): Float64Array {
+  const cut = track.cuts[tick % track.cuts.length]!;
+  if (cut.tick === tick && substep < cut.made) return cut.rows[substep]!;
+  return makeRows(track, timeline, cut, { tick, substep });
+}
+
+function makeRows(
+  track: BodyTrack,
+  timeline: Timeline,
+  cut: TickCut,
+  to: { tick: number; substep: number },
+): Float64Array {
+  const { dt, substeps } = spanOf(timeline, to.tick).timing;
+  if (cut.tick !== to.tick) {
+    const start = boundaryAt(track, timeline, to.tick);
+    cut.tick = to.tick;
+    cut.made = 0;
+    while (cut.rows.length < substeps) cut.rows.push(new Float64Array(track.count * BODY_STRIDE));
+    cut.rows[0]!.set(start);
+  }
+  for (; cut.made <= to.substep; cut.made++) {
+    const rows = cut.rows[cut.made]!;
+    if (cut.made > 0) {
+      rows.set(cut.rows[cut.made - 1]!);
+      settleBodies(rows, track.count);
+    }
+    turnBodies(rows, track.count, dt);
+  }
+  return cut.rows[to.substep]!;
+}
+
+/** How far bodies were off: the largest component of an attitude, and of a spin, rad/s. */
+export interface BodyError {
+  attitude: number;
+  spin: number;
+}
+
+/**
+ * The server's bodies at `tick`. What was predicted stays in `replaced`; later boundaries are made anew.
+ * @param told one motion for each body, in the world's order
+ * @returns how far the predicted ones were off: 0 where the law agreed to the bit, or nothing was predicted
+ */
+export function updateBodies(track: BodyTrack, tick: number, told: readonly BodyMotion[]): BodyError {
+  const known = knowsBoundary(track, tick);
+  const boundary = track.boundaries[tick % track.length]!;
+  if (known) {
+    track.replaced.set(boundary);
+    if (told.every((motion, i) => agrees(boundary, i * BODY_STRIDE, motion))) return NO_ERROR;
+  }
+  for (let i = 0; i < told.length; i++) writeBodyMotion(boundary, i * BODY_STRIDE, told[i]!);
+  if (!known) track.replaced.set(boundary);
+  track.ticks[tick % track.length] = tick;
+  forgetAfter(track, tick);
+  return errorBetween(track.replaced, boundary, track.count);
+}
+
+const NO_ERROR: Readonly<BodyError> = Object.freeze({ attitude: 0, spin: 0 });
+
+/** Nothing has been told yet: the bodies are where they start at `tick`. */
+export function startBodiesAt(track: BodyTrack, tick: number): void {
+  track.boundaries[tick % track.length]!.set(track.start);
+  track.ticks.fill(-1);
+  track.ticks[tick % track.length] = tick;
+}
+
+/** Everything after boundary `tick` is made anew, e.g. by another tempo. */
+export function forgetAfter(track: BodyTrack, tick: number): void {
+  for (let slot = 0; slot < track.length; slot++) if (track.ticks[slot]! > tick) track.ticks[slot] = -1;
+  for (const cut of track.cuts) if (cut.tick >= tick) cut.tick = -1;
+}
+
+function agrees(rows: Float64Array, at: number, motion: BodyMotion): boolean {
+  return (
+    holds(rows, at + BODY_POSITION, motion.position) &&
+    holds(rows, at + BODY_VELOCITY, motion.velocity) &&
+    holds(rows, at + BODY_ATTITUDE, motion.attitude) &&
+    holds(rows, at + BODY_ANGULAR_VELOCITY, motion.angularVelocity)
+  );
+}
+
+function holds(rows: Float64Array, at: number, values: readonly number[]): boolean {
+  for (let k = 0; k < values.length; k++) if (rows[at + k] !== values[k]) return false;
+  return true;
+}
+
+function errorBetween(a: Float64Array, b: Float64Array, count: number): BodyError {
+  const error: BodyError = { attitude: 0, spin: 0 };
+  for (let i = 0; i < count; i++) {
+    const at = i * BODY_STRIDE;
+    error.attitude = Math.max(error.attitude, largest(a, b, at + BODY_ATTITUDE, 4));
+    error.spin = Math.max(error.spin, largest(a, b, at + BODY_ANGULAR_VELOCITY, 3));
+  }
+  return error;
+}
+
+function largest(a: Float64Array, b: Float64Array, from: number, count: number): number {
+  let most = 0;
+  for (let k = from; k < from + count; k++) most = Math.max(most, Math.abs(a[k]! - b[k]!));
+  return most;
+}

@@ -1,0 +1,250 @@
+import {
+  ANGULAR_VELOCITY,
+  ATTITUDE,
+  ATTITUDE_HOLD,
+  BODY_ATTITUDE,
+  BODY_POSITION,
+  BODY_STRIDE,
+  CRASHED,
+  FUEL,
+  GROUND_CONTACT_OFFSET,
+  POSITION,
+  REFERENCE_BODY,
+  SHIP_CLASS,
+  SHIP_STRIDE,
+  SURFACE_STATE,
+  SURFACE_STATES,
+  THRUST_LEVEL,
+  VELOCITY,
+  WHEEL_MOMENTUM,
+} from '../../../dynamics';
+import {
+  angleOf,
+  lengthOf,
+  quaternion,
+  rotateBack,
+  seenFrom,
+  take,
+  turnBetween,
+  vector,
+} from '../../drawn/rotation';
+
+/** A row among rows, and the bodies its tick had. */
+export interface Place {
+  rows: Float64Array;
+  at: number;
+  bodies: Float64Array;
+}
+
+/** How far two states of one tick may be apart and still be called equal: position m, velocity m/s, spin rad/s. */
+export type Tolerance = Float64Array;
+const PLACE = 0;
+const SPEED = 1;
+const SPIN = 2;
+
+/** First field in which two states differ, in the order they are looked at; none where they are equal. */
+export type Field =
+  | 'none'
+  | 'shipClass'
+  | 'referenceBody'
+  | 'crashed'
+  | 'surfaceContactState'
+  | 'position'
+  | 'velocity'
+  | 'attitude'
+  | 'angularVelocity'
+  | 'fuel'
+  | 'wheelMomentum'
+  | 'groundContactOffset';
+
+/** Component of a quaternion: half the angle, rad. */
+const ATTITUDE_TOLERANCE = 1e-7;
+/** kg: the law's own fixtures are held to it. */
+const FUEL_TOLERANCE = 1e-6;
+/** N m s, likewise. */
+const WHEEL_TOLERANCE = 1e-4;
+/** Single precision on the wire is no other command. */
+const COMMAND_TOLERANCE = 1e-6;
+
+/** The tolerance of a server that tells the relative state. */
+export const EXACT: Tolerance = Float64Array.of(1e-6, 1e-6, 1e-6);
+
+/** The tolerance of a server that tells ICRF alone: 8 ulp of the largest coordinate, and 10 s⁻¹ times that. */
+export function writeInexact(out: Tolerance, server: Place): void {
+  const body = server.rows[server.at + REFERENCE_BODY]! * BODY_STRIDE + BODY_POSITION;
+  let largest = 0;
+  for (let k = 0; k < 3; k++) {
+    const x = Math.abs(server.bodies[body + k]! + server.rows[server.at + POSITION + k]!);
+    if (x > largest) largest = x;
+  }
+  out[PLACE] = Math.max(EXACT[PLACE]!, 8 * ulpOf(largest));
+  out[SPEED] = 10 * out[PLACE];
+  out[SPIN] = EXACT[SPIN]!;
+}
+
+/**
+ * Compares what the server says with what was predicted for the same tick, both relative to the body and in the body's axes as each
+ * side had them (PREDICTION, Reconciliation).
+ */
+export function firstDifference(server: Place, predicted: Place, tolerance: Tolerance): Field {
+  const s = server.rows;
+  const p = predicted.rows;
+  const i = server.at;
+  const j = predicted.at;
+  if (s[i + SHIP_CLASS] !== p[j + SHIP_CLASS]) return 'shipClass';
+  if (s[i + REFERENCE_BODY] !== p[j + REFERENCE_BODY]) return 'referenceBody';
+  if (s[i + CRASHED] !== p[j + CRASHED]) return 'crashed';
+  if (s[i + SURFACE_STATE] !== p[j + SURFACE_STATE]) return 'surfaceContactState';
+  seeFromBody(ours, server);
+  seeFromBody(theirs, predicted);
+  if (!near(ours.place, theirs.place, tolerance, PLACE)) return 'position';
+  if (!near(ours.velocity, theirs.velocity, tolerance, SPEED)) return 'velocity';
+  if (!sameAttitude(ours.attitude, theirs.attitude)) return 'attitude';
+  if (!near(ours.spin, theirs.spin, tolerance, SPIN)) return 'angularVelocity';
+  if (!(Math.abs(s[i + FUEL]! - p[j + FUEL]!) <= FUEL_TOLERANCE)) return 'fuel';
+  for (let k = WHEEL_MOMENTUM; k < WHEEL_MOMENTUM + 3; k++)
+    if (!(Math.abs(s[i + k]! - p[j + k]!) <= WHEEL_TOLERANCE)) return 'wheelMomentum';
+  if (s[i + GROUND_CONTACT_OFFSET] !== p[j + GROUND_CONTACT_OFFSET]) return 'groundContactOffset';
+  return 'none';
+}
+
+/** How far a prediction was off. */
+export interface PredictionError {
+  /** m */
+  errorPosition: number;
+  /** rad */
+  errorAngle: number;
+}
+
+/** Writes how far `predicted` was from the server's word for the same tick, as seen from the body of both; NaN where that cannot be said. */
+export function writeError(out: PredictionError, server: Place, predicted: Place | null): void {
+  const body = server.rows[server.at + REFERENCE_BODY];
+  if (predicted === null || predicted.rows[predicted.at + REFERENCE_BODY] !== body) {
+    out.errorPosition = Number.NaN;
+    out.errorAngle = Number.NaN;
+    return;
+  }
+  seeFromBody(ours, server);
+  seeFromBody(theirs, predicted);
+  for (let k = 0; k < 3; k++) ours.place[k] = ours.place[k]! - theirs.place[k]!;
+  out.errorPosition = lengthOf(ours.place);
+  turnBetween(turn, ours.attitude, theirs.attitude);
+  out.errorAngle = angleOf(turn);
+}
+
+const turn = quaternion();
+
+/** Whether two rows hold the same command. */
+export function sameCommand(a: Float64Array, i: number, b: Float64Array, j: number): boolean {
+  for (let k = THRUST_LEVEL; k < SHIP_STRIDE; k++) {
+    const tolerance = k === ATTITUDE_HOLD ? 0 : COMMAND_TOLERANCE;
+    if (!(Math.abs(a[i + k]! - b[j + k]!) <= tolerance)) return false;
+  }
+  return true;
+}
+
+/** The field in words, with both values, in the body's axes where it is a vector. */
+export function describeDifference(field: Field, server: Place, predicted: Place): string {
+  seeFromBody(ours, server);
+  seeFromBody(theirs, predicted);
+  const [told, made] = valuesOf(field, server, predicted);
+  return `${field}: server ${told}, predicted ${made}`;
+}
+
+interface Seen {
+  readonly place: Float64Array;
+  readonly velocity: Float64Array;
+  readonly attitude: Float64Array;
+  readonly spin: Float64Array;
+}
+
+const seen = (): Seen => ({ place: vector(), velocity: vector(), attitude: quaternion(), spin: vector() });
+const ours = seen();
+const theirs = seen();
+const body = quaternion();
+
+function seeFromBody(out: Seen, { rows, at, bodies }: Place): void {
+  take(body, bodies, rows[at + REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);
+  take(out.place, rows, at + POSITION);
+  rotateBack(out.place, body, out.place);
+  take(out.velocity, rows, at + VELOCITY);
+  rotateBack(out.velocity, body, out.velocity);
+  take(out.attitude, rows, at + ATTITUDE);
+  seenFrom(out.attitude, body, out.attitude);
+  take(out.spin, rows, at + ANGULAR_VELOCITY);
+  rotateBack(out.spin, body, out.spin);
+}
+
+function near(a: Float64Array, b: Float64Array, tolerance: Tolerance, which: number): boolean {
+  const x = a[0]! - b[0]!;
+  const y = a[1]! - b[1]!;
+  const z = a[2]! - b[2]!;
+  return x * x + y * y + z * z <= tolerance[which]! * tolerance[which]!;
+}
+
+/** Component by component, to q or to −q: a sign says nothing. */
+function sameAttitude(q: Float64Array, p: Float64Array): boolean {
+  let same = true;
+  let opposite = true;
+  for (let k = 0; k < 4; k++) {
+    if (!(Math.abs(q[k]! - p[k]!) <= ATTITUDE_TOLERANCE)) same = false;
+    if (!(Math.abs(q[k]! + p[k]!) <= ATTITUDE_TOLERANCE)) opposite = false;
+  }
+  return same || opposite;
+}
+
+function valuesOf(field: Field, server: Place, predicted: Place): [string, string] {
+  const number = (column: number): [string, string] => [
+    String(server.rows[server.at + column]),
+    String(predicted.rows[predicted.at + column]),
+  ];
+  const list = (a: Float64Array, b: Float64Array): [string, string] => [
+    `[${a.join(', ')}]`,
+    `[${b.join(', ')}]`,
+  ];
+  switch (field) {
+    case 'position':
+      return list(ours.place, theirs.place);
+    case 'velocity':
+      return list(ours.velocity, theirs.velocity);
+    case 'attitude':
+      return list(ours.attitude, theirs.attitude);
+    case 'angularVelocity':
+      return list(ours.spin, theirs.spin);
+    case 'surfaceContactState':
+      return [
+        `'${SURFACE_STATES[server.rows[server.at + SURFACE_STATE]!]}'`,
+        `'${SURFACE_STATES[predicted.rows[predicted.at + SURFACE_STATE]!]}'`,
+      ];
+    case 'fuel':
+      return number(FUEL);
+    case 'wheelMomentum':
+      return list(
+        server.rows.slice(server.at + WHEEL_MOMENTUM, server.at + WHEEL_MOMENTUM + 3),
+        predicted.rows.slice(predicted.at + WHEEL_MOMENTUM, predicted.at + WHEEL_MOMENTUM + 3),
+      );
+    case 'groundContactOffset':
+      return number(GROUND_CONTACT_OFFSET);
+    case 'crashed':
+      return number(CRASHED);
+    case 'referenceBody':
+      return number(REFERENCE_BODY);
+    case 'shipClass':
+      return number(SHIP_CLASS);
+    case 'none':
+      return ['', ''];
+  }
+}
+
+/** Spacing of doubles at `x` ≥ 1: 2⁻⁵² of the power of two below it, read from its exponent. */
+function ulpOf(x: number): number {
+  DOUBLE[0] = x < 1 ? 1 : x;
+  WORDS[HIGH] = (WORDS[HIGH]! & 0x7ff00000) - (52 << 20);
+  WORDS[1 - HIGH] = 0;
+  return DOUBLE[0];
+}
+
+const DOUBLE = new Float64Array(1);
+const WORDS = new Uint32Array(DOUBLE.buffer);
+/** Where this machine puts the word with the exponent. */
+const HIGH = new Uint8Array(new Uint32Array([1]).buffer)[0] === 1 ? 1 : 0;

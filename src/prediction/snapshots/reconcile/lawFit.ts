@@ -1,0 +1,170 @@
+import {
+  ATTITUDE,
+  BODY_ATTITUDE,
+  BODY_STRIDE,
+  GROUND_CONTACT_OFFSET,
+  POSITION,
+  REFERENCE_BODY,
+  SHIP_STRIDE,
+} from '../../../dynamics';
+import { angleOf, quaternion, rotateBack, take, turnBetween, vector } from '../../drawn/rotation';
+import { type Misfit, replayBetween, replayedRow } from '../../ground/trial';
+import { actsBetween } from '../../inputs/scheduledInput';
+import { carryRow } from '../../simulation/carry';
+import type { Simulation } from '../../simulation/simulation';
+import { copyRow, type Track } from '../../simulation/track';
+import { spanOf } from '../../time/timeline';
+import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
+import { type Place, sameCommand } from './compare';
+
+/**
+ * Whether the law fits a ship (PREDICTION, A law, or a world, that is not quite ours): where it has been worse over the last few
+ * states than carrying the motion on would have been, the ship is carried until the law fits again.
+ */
+export interface LawFit {
+  /** '': by the law. 'law': that does not fit. 'ground': none is known under it. */
+  carried: '' | 'law' | 'ground';
+  /** Errors of the last states, m, slot = count mod length. */
+  readonly law: Float64Array;
+  readonly carry: Float64Array;
+  count: number;
+  /** States that came while it was carried. */
+  states: number;
+}
+
+const WINDOW = 4;
+/** States that are needed for a judgement. */
+const NEEDED = 3;
+/** Worse by this share, and by this much a state, m, than carrying on: the law is left; no worse by that much: it is taken up. */
+const WORSE = 1.25;
+const NOTABLE = 0.03;
+const TAKEN_UP = 0.02;
+/** Substeps between two states beyond which neither is tried; pieces in which a motion is carried on. */
+const MAX_INTERVAL = 400;
+const PIECES = 10;
+
+export function createLawFit(): LawFit {
+  return {
+    ...{ carried: '', law: new Float64Array(WINDOW), carry: new Float64Array(WINDOW) },
+    ...{ count: 0, states: 0 },
+  };
+}
+
+/** The law predicted a state of a ship that is under it: nothing to weigh. Returns false, for it stays there. */
+export function holdLaw(fit: LawFit): boolean {
+  const slot = fit.count % WINDOW;
+  fit.count += 1;
+  fit.law[slot] = 0;
+  fit.carry[slot] = 0;
+  return false;
+}
+
+/** A state, what was predicted for its tick, and whether the two agree. */
+export interface Judged {
+  readonly state: Place;
+  readonly tick: number;
+  readonly predicted: Place | null;
+  readonly agrees: boolean;
+}
+
+/** Weighs the law against carrying on, by what each made of the last state. Returns whether the ship goes over from one to the other. */
+export function weighLaw(sim: Simulation, track: Track, judged: Judged): boolean {
+  const { fit } = track;
+  if (fit.carried === 'ground') return false;
+  if (!isComparable(sim, track, judged)) return false;
+  const slot = fit.count % WINDOW;
+  fit.count += 1;
+  const isCarried = fit.carried !== '';
+  fit.law[slot] = judged.agrees && !isCarried ? 0 : lawError(sim, track, judged);
+  fit.carry[slot] = judged.agrees && !isCarried ? 0 : carryError(sim, track, judged);
+  const states = Math.min(fit.count, WINDOW);
+  const law = sumOf(fit.law);
+  const carry = sumOf(fit.carry);
+  const next =
+    states < NEEDED
+      ? fit.carried
+      : isCarried
+        ? law <= carry + TAKEN_UP * states
+          ? ''
+          : 'law'
+        : law > WORSE * carry + NOTABLE * states
+          ? 'law'
+          : '';
+  if (next === fit.carried) return false;
+  fit.carried = next;
+  return true;
+}
+
+/** Nothing but law and ground lies between the last state and this one. */
+function isComparable(sim: Simulation, track: Track, { state, tick, predicted }: Judged): boolean {
+  const { evidence } = track;
+  // An input that came late, or never, is no fault of the law's.
+  if (predicted !== null && !sameCommand(predicted.rows, predicted.at, state.rows, 0)) return false;
+  if (track.own && actsBetween(sim.inputs, evidence.tick, tick)) return false;
+  if (evidence.tick < 0 || evidence.tick >= tick || !knowsBoundary(sim.bodies, evidence.tick)) return false;
+  if (evidence.row[REFERENCE_BODY] !== state.rows[REFERENCE_BODY]) return false;
+  const { timing, paused } = spanOf(sim.timeline, evidence.tick);
+  const same = spanOf(sim.timeline, tick).timing.substeps === timing.substeps;
+  return (
+    same &&
+    !paused &&
+    (tick - evidence.tick) * timing.substeps <= MAX_INTERVAL &&
+    sameCommand(evidence.row, 0, state.rows, 0)
+  );
+}
+
+function lawError(sim: Simulation, track: Track, { state, tick, predicted }: Judged): number {
+  if (track.fit.carried === '') return predicted === null ? 0 : errorOf(predicted, state);
+  const { evidence } = track;
+  replayBetween(misfit, sim, track, {
+    ...{ from: evidence.row, fromTick: evidence.tick },
+    ...{ to: state.rows, toTick: tick },
+  });
+  made.rows = replayedRow();
+  made.bodies = state.bodies;
+  return errorOf(made, state);
+}
+
+function carryError(sim: Simulation, { evidence }: Track, { state, tick }: Judged): number {
+  const { tickSeconds } = spanOf(sim.timeline, tick).timing;
+  const dt = ((tick - evidence.tick) * tickSeconds) / PIECES;
+  const bodies = boundaryAt(sim.bodies, sim.timeline, evidence.tick);
+  copyRow(carried, 0, evidence.row, 0);
+  for (let i = 0; i < PIECES; i++) carryRow(carried, 0, bodies, sim.world, dt);
+  made.rows = carried;
+  made.bodies = state.bodies;
+  return errorOf(made, state);
+}
+
+/** m: of the place, as each side's body has it, and of the attitude at the ship's own height. */
+function errorOf(a: Place, b: Place): number {
+  seen(place, a);
+  seen(other, b);
+  const apart = Math.hypot(place[0]! - other[0]!, place[1]! - other[1]!, place[2]! - other[2]!);
+  take(attitude, a.rows, a.at + ATTITUDE);
+  take(otherAttitude, b.rows, b.at + ATTITUDE);
+  turnBetween(turn, attitude, otherAttitude);
+  return apart + b.rows[b.at + GROUND_CONTACT_OFFSET]! * angleOf(turn);
+}
+
+function seen(out: Float64Array, { rows, at, bodies }: Place): void {
+  take(body, bodies, rows[at + REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);
+  take(out, rows, at + POSITION);
+  rotateBack(out, body, out);
+}
+
+function sumOf(errors: Float64Array): number {
+  let sum = 0;
+  for (const error of errors) sum += error;
+  return sum;
+}
+
+const misfit: Misfit = { height: 0, climb: 0, along: 0, sameState: false };
+const carried = new Float64Array(SHIP_STRIDE);
+const made: Place = { rows: carried, at: 0, bodies: carried };
+const place = vector();
+const other = vector();
+const body = quaternion();
+const attitude = quaternion();
+const otherAttitude = quaternion();
+const turn = quaternion();

@@ -1,0 +1,33 @@
+import { hold, startReplay } from '../../simulation/replay';
+import type { Simulation } from '../../simulation/simulation';
+import { indexOf, type Position, spanOf } from '../../time/timeline';
+
+/** A present this far behind the front is not waited for, wall s. */
+const MAX_BEHIND = 0.25;
+
+/** Whether the present has fallen so far behind what is simulated that the ships must go back. */
+export function isFarBehind(sim: Simulation, target: Position): boolean {
+  const { timeline, front } = sim;
+  const behind =
+    indexOf(timeline, front.tick, front.substep) - indexOf(timeline, target.tick, target.substep);
+  const { timing, timeScale } = spanOf(timeline, target.tick);
+  return behind > 2 && (behind * timing.dt) / timeScale > MAX_BEHIND;
+}
+
+/**
+ * Puts the front where the present is, without simulating what lies between: every ship in step is held as it is drawn and replayed
+ * from the server's newest state (PREDICTION, Hidden tab, long stall, clock jump), or, where only time was cut anew, from where the
+ * newest frame left it.
+ */
+export function realign(sim: Simulation, target: Position, how: { readonly resync: boolean }): void {
+  for (const track of sim.fleet.tracks) {
+    if (track.mode === 'stepping') hold(sim, track);
+    if (track.mode !== 'waiting' || (track.replaying && !how.resync)) continue;
+    if (track.serverTick >= 0 && track.serverTick <= target.tick)
+      startReplay(track, sim, track.serverTick, track.serverRow, 0);
+  }
+  sim.front.tick = target.tick;
+  sim.front.substep = target.substep;
+  sim.alpha = 1;
+  sim.frontIsStale = false;
+}

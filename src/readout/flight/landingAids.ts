@@ -1,0 +1,194 @@
+import { EVENT_CONTACT, EVENT_DESTROYED, IMPACT_SPEED, POSITION, VELOCITY } from '../../dynamics';
+import type { ShipView, WorldView } from '../../prediction';
+import { cross, writeDot } from '../axes';
+import { createJourney, followJourney, type Journey } from '../landing/journey';
+import {
+  createProjection,
+  type Projection,
+  projectedCosTilt,
+  startProjection,
+  stepProjection,
+} from './projection';
+import { createSurface, measureSurface, type Surface } from '../surface';
+
+/** What helps to land: the touchdown that the law predicts, when to brake at the latest, how fast to come down. SI units. */
+export interface LandingAids {
+  /** In flight, below the ceiling of the descent data. */
+  shown: boolean;
+  /** The law run ahead under the controls held now: 'touch' once it has touched, 'none' if it does not within two minutes. */
+  outcome: 'working' | 'touch' | 'none';
+  /** Game s until that touch. */
+  touchSeconds: number;
+  /** m/s at the touch, against the ground. */
+  touchVertical: number;
+  touchHorizontal: number;
+  /** Degrees. */
+  touchTilt: number;
+  /** Relative to the body's centre, ICRF axes, over the ground as it is turned now, m. */
+  readonly touchPlace: Float64Array;
+  /** Game s until full thrust must begin to stop just above the ground; ≤ 0 is now, NaN while nothing falls. */
+  burnSeconds: number;
+  /** The approach corridor: speed down that leaves half of the engine in reserve, and how the ship keeps it. */
+  aimSpeed: number;
+  corridor: 'slow' | 'good' | 'fast' | 'none';
+  readonly memory: AidsMemory;
+}
+
+interface AidsMemory {
+  readonly surface: Surface;
+  readonly journey: Journey;
+  readonly projection: Projection;
+  startedAt: number;
+  /** Of the last touch predicted, on the journey's clock; NaN before. */
+  touchAt: number;
+}
+
+/** Game s the run goes ahead. */
+const HORIZON = 120;
+/** Some 80 µs a call. */
+const SUBSTEPS_A_CALL = 400;
+/** m AGL, as the descent data. */
+const CEILING = 50_000;
+/** m/s over the last metres; the goal of a landing is below 2. */
+const TOUCH_SPEED = 1.2;
+/** Most of a speed to aim at, m/s. */
+const MAX_SPEED = 30;
+const LAST_METRES = 2;
+/** Shares of the speed to aim at that bound the corridor. */
+const SLOWEST = 0.5;
+const FASTEST = 1.35;
+/** m/s: close to the ground a share alone would ask for too much. */
+const SLACK = 0.5;
+
+export function createLandingAids(): LandingAids {
+  return {
+    shown: false,
+    outcome: 'working',
+    touchSeconds: NaN,
+    touchVertical: NaN,
+    touchHorizontal: NaN,
+    touchTilt: NaN,
+    touchPlace: new Float64Array(3),
+    burnSeconds: NaN,
+    aimSpeed: NaN,
+    corridor: 'none',
+    memory: {
+      surface: createSurface(),
+      journey: createJourney(),
+      projection: createProjection(),
+      startedAt: 0,
+      touchAt: NaN,
+    },
+  };
+}
+
+/** Depends on the view and on the run ahead that `out` carries on; a ship on the ground or gone costs nothing. */
+export function updateLandingAids(out: LandingAids, view: WorldView): LandingAids {
+  const ship = view.ready ? view.own : null;
+  const body = ship === null ? undefined : view.bodies[ship.body];
+  const { surface, journey, projection } = out.memory;
+  const flies =
+    ship !== null && ship.surfaceContactState === '' && !ship.crashed && ship.provenance !== 'stale';
+  if (ship === null || body === undefined || !flies) {
+    forgetAids(out);
+    return out;
+  }
+  measureSurface(surface, ship, body);
+  if (!followJourney(journey, view, ship)) forgetAids(out);
+  out.shown = surface.clearance < CEILING;
+  if (!out.shown) return out;
+  measureCorridor(out, ship);
+  if (!projection.running) {
+    out.memory.startedAt = journey.now;
+    startProjection(projection, ship, body, view.settings, ship.controls);
+  }
+  runAhead(out, view, ship);
+  return out;
+}
+
+function forgetAids(out: LandingAids): void {
+  out.shown = false;
+  out.outcome = 'working';
+  out.touchSeconds = NaN;
+  out.touchVertical = NaN;
+  out.touchHorizontal = NaN;
+  out.touchTilt = NaN;
+  out.burnSeconds = NaN;
+  out.aimSpeed = NaN;
+  out.corridor = 'none';
+  out.memory.projection.running = false;
+}
+
+/** Stopping from v at full thrust takes v² / (2 a): the fall until then is solved for its time, upright and over level ground. */
+function measureCorridor(out: LandingAids, ship: ShipView): void {
+  const { gravity, mass, radialSpeed, clearance } = out.memory.surface;
+  const falling = -radialSpeed;
+  const height = Math.max(0, clearance);
+  const full = ship.fuel > 0 ? ship.shipClass.mainEngineThrust / mass : 0;
+  const braking = full - gravity;
+  if (braking <= 0) {
+    out.burnSeconds = falling > 0 ? 0 : NaN;
+    out.aimSpeed = NaN;
+    out.corridor = 'none';
+    return;
+  }
+  const spare = falling * falling - 2 * braking * height;
+  const discriminant = falling * falling - (gravity * spare) / full;
+  out.burnSeconds =
+    falling <= 0 || discriminant < 0 ? NaN : spare >= 0 ? 0 : (Math.sqrt(discriminant) - falling) / gravity;
+  const toBrake = Math.max(0, height - LAST_METRES);
+  const gentle = Math.min(0.5 * braking, Math.max(gravity, 0.3));
+  out.aimSpeed = Math.min(Math.sqrt(TOUCH_SPEED * TOUCH_SPEED + 2 * 0.25 * gentle * toBrake), MAX_SPEED);
+  out.corridor =
+    falling > FASTEST * out.aimSpeed + SLACK
+      ? 'fast'
+      : falling < SLOWEST * out.aimSpeed - SLACK
+        ? 'slow'
+        : 'good';
+}
+
+const groundVelocity = new Float64Array(3);
+const bodySpin = new Float64Array(3);
+const place = new Float64Array(3);
+const product = new Float64Array(2);
+
+function runAhead(out: LandingAids, view: WorldView, ship: ShipView): void {
+  const { projection, journey } = out.memory;
+  for (let i = 0; i < SUBSTEPS_A_CALL && projection.running; i++) {
+    const event = stepProjection(projection);
+    const touched = event === EVENT_CONTACT || event === EVENT_DESTROYED;
+    if (!touched && projection.elapsed < HORIZON) continue;
+    projection.running = false;
+    out.outcome = touched ? 'touch' : 'none';
+    if (touched) readTouch(out, view, ship);
+  }
+  out.touchSeconds = out.outcome === 'touch' ? Math.max(0, out.memory.touchAt - journey.now) : NaN;
+  if (out.outcome !== 'none') return;
+  out.touchVertical = NaN;
+  out.touchHorizontal = NaN;
+  out.touchTilt = NaN;
+}
+
+function readTouch(out: LandingAids, view: WorldView, ship: ShipView): void {
+  const { projection, startedAt } = out.memory;
+  const { ships, elapsed } = projection;
+  const body = view.bodies[ship.body]!;
+  out.memory.touchAt = startedAt + elapsed;
+  for (let k = 0; k < 3; k++) {
+    place[k] = ships[POSITION + k]!;
+    bodySpin[k] = body.angularVelocity[k]!;
+  }
+  cross(groundVelocity, bodySpin, place);
+  let along = 0;
+  writeDot(product, 0, place, place);
+  const distance = Math.sqrt(product[0]!);
+  for (let k = 0; k < 3; k++) along += ((ships[VELOCITY + k]! - groundVelocity[k]!) * place[k]!) / distance;
+  let level = 0;
+  for (let k = 0; k < 3; k++)
+    level += (ships[VELOCITY + k]! - groundVelocity[k]! - (along * place[k]!) / distance) ** 2;
+  out.touchVertical = Math.max(ships[IMPACT_SPEED]!, Math.abs(along));
+  out.touchHorizontal = Math.sqrt(level);
+  out.touchTilt = (Math.acos(Math.min(1, Math.max(-1, projectedCosTilt(projection)))) * 180) / Math.PI;
+  // The ground turns meanwhile: the place is where that ground is now.
+  for (let k = 0; k < 3; k++) out.touchPlace[k] = place[k]! - groundVelocity[k]! * elapsed;
+}

@@ -1,0 +1,68 @@
+import type { ShipView } from '../../prediction';
+import { writeDot } from '../axes';
+import type { Surface } from '../surface';
+
+/** The design's descent data. m, m/s, s; NaN where a number is not known or has no meaning now. */
+export interface Descent {
+  /** Below 50 km AGL. */
+  shown: boolean;
+  /** VSPD: positive = descending. */
+  verticalSpeed: number;
+  /** HSPD: relative to the turning ground. */
+  horizontalSpeed: number;
+  /** TTI: NaN when ascending, on the ground, or when the thrust stops the descent before it. */
+  timeToImpact: number;
+  /** AGL of the feet. */
+  feetHeight: number;
+}
+
+/** Height of the feet, m, below which the design shows the descent data. */
+const DESCENT_CEILING = 50_000;
+
+export function createDescent(): Descent {
+  return { shown: false, verticalSpeed: NaN, horizontalSpeed: NaN, timeToImpact: NaN, feetHeight: NaN };
+}
+
+export function measureDescent(out: Descent, surface: Surface, ship: ShipView): void {
+  out.feetHeight = standsOnGround(ship) ? 0 : ship.feetHeight;
+  out.shown = out.feetHeight < DESCENT_CEILING;
+  out.verticalSpeed = -surface.radialSpeed;
+  out.horizontalSpeed = surface.tangentialSpeed;
+  measureTimeToImpact(out, surface, ship);
+}
+
+/** On the ground the drawn legs stand on it, whatever depth the law has (PREDICTION, "nothing is drawn underground"). */
+export function standsOnGround(ship: ShipView): boolean {
+  return ship.surfaceContactState !== '' || ship.feetHeight < 0;
+}
+
+export function forgetDescent(out: Descent): void {
+  out.shown = false;
+  out.verticalSpeed = NaN;
+  out.horizontalSpeed = NaN;
+  out.timeToImpact = NaN;
+  out.feetHeight = NaN;
+}
+
+/**
+ * Until the law's own touch (‖r‖ = surface_r) over level ground: clearance = v t + ½ a t², a the downward acceleration of
+ * gravity, less what thrust and the speed along the curved ground hold against it, all as they are now.
+ */
+function measureTimeToImpact(out: Descent, surface: Surface, ship: ShipView): void {
+  out.timeToImpact = NaN;
+  const falling = -surface.radialSpeed;
+  if (ship.surfaceContactState !== '' || ship.crashed || !(falling > 0)) return;
+  if (surface.clearance <= 0) {
+    out.timeToImpact = 0;
+    return;
+  }
+  writeDot(product, 0, ship.velocity, surface.normal);
+  writeDot(product, 1, ship.velocity, ship.velocity);
+  const circling = (product[1]! - product[0]! * product[0]!) / surface.distance;
+  const a = surface.gravity - surface.lift / surface.mass - circling;
+  const discriminant = falling * falling + 2 * a * surface.clearance;
+  // This form of the root stays exact as a goes through 0.
+  if (discriminant >= 0) out.timeToImpact = (2 * surface.clearance) / (falling + Math.sqrt(discriminant));
+}
+
+const product = new Float64Array(2);

@@ -1,0 +1,48 @@
+import type { ShipView, WorldView } from '../../prediction';
+
+/** The readout's own game clock and the ship it follows, from view to view. */
+export interface Journey {
+  shipId: string;
+  body: number;
+  /** Game s since the first view; stands still while the game is paused, never runs back. */
+  now: number;
+  /** Game s since the view before. */
+  elapsed: number;
+  tick: number;
+  sinceTick: number;
+  /** Where the ship was, relative to its body, m. */
+  readonly position: Float64Array;
+}
+
+/** m: what a correction may move a ship; more is a respawn. */
+const LARGEST_CORRECTION = 100;
+
+export function createJourney(): Journey {
+  return { shipId: '', body: -1, now: 0, elapsed: 0, tick: 0, sinceTick: 0, position: new Float64Array(3) };
+}
+
+/** Takes the next view in; false when the ship is another one or was put elsewhere. */
+export function followJourney(out: Journey, view: WorldView, ship: ShipView): boolean {
+  const ticks = view.tick - out.tick;
+  const passed = (ticks * view.timeScale) / view.tickRate + view.sinceTick - out.sinceTick;
+  out.elapsed = passed > 0 && out.body >= 0 ? passed : 0;
+  out.now += out.elapsed;
+  const same = out.shipId === ship.shipId && out.body === ship.body && inReach(out, ship);
+  out.shipId = ship.shipId;
+  out.body = ship.body;
+  out.tick = view.tick;
+  out.sinceTick = view.sinceTick;
+  out.position.set(ship.position);
+  return same;
+}
+
+/** Twice the way its speed allows: the ship may have been faster in between. */
+function inReach(out: Journey, ship: ShipView): boolean {
+  let way = 0;
+  let speed = 0;
+  for (let k = 0; k < 3; k++) {
+    way += (ship.position[k]! - out.position[k]!) ** 2;
+    speed += ship.velocity[k]! ** 2;
+  }
+  return Math.sqrt(way) < LARGEST_CORRECTION + 2 * Math.sqrt(speed) * out.elapsed;
+}

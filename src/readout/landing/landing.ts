@@ -1,0 +1,157 @@
+import type { Provenance, ShipView, WorldView } from '../../prediction';
+import { createDescent, type Descent, forgetDescent, measureDescent } from './descent';
+import { createDrift, type Drift, measureDrift } from './drift';
+import { createGates, type Gates, measureGates } from './gates';
+import { createJourney, followJourney, type Journey } from './journey';
+import {
+  createRighting,
+  createRightingMemory,
+  measureRighting,
+  type Righting,
+  type RightingMemory,
+} from './righting';
+import { forgetRightingRun } from './rightingRun';
+import { type StatusId, statusOf } from '../status';
+import { createSurface, measureSurface, type Surface } from '../surface';
+import { createTilt, forgetTilt, measureTilt, type Tilt } from './tilt';
+import {
+  createTipMargin,
+  createTippingMemory,
+  forgetTipping,
+  measureTipMargin,
+  type TipMargin,
+  type TippingMemory,
+} from './tipping';
+import { createTouchdown, readTouchdown, type Touchdown } from './touchdown';
+
+/** Everything the cockpit's landing HUD shows of the own ship: numbers in named units, decisions made. */
+export interface LandingReadout {
+  status: StatusId;
+  provenance: Provenance;
+  /** Wall s, of the provenance. */
+  age: number;
+  timeScale: number;
+  /** A predicted state the server did not have, to be said so; '' = none. */
+  withdrawn: ShipView['withdrawn'];
+  /** False without a ship or a recent state: numbers are NaN, to be dashed, and the status hatched. */
+  known: boolean;
+  shipName: string;
+  bodyName: string;
+  readonly descent: Descent;
+  readonly tilt: Tilt;
+  readonly drift: Drift;
+  readonly gates: Gates;
+  readonly margin: TipMargin;
+  readonly righting: Righting;
+  readonly touchdown: Touchdown;
+  /** The card belongs to the status shown. */
+  touchdownShown: boolean;
+  /** What carries on from view to view; not for showing. */
+  readonly memory: LandingMemory;
+}
+
+interface LandingMemory {
+  readonly surface: Surface;
+  readonly journey: Journey;
+  readonly tipping: TippingMemory;
+  readonly righting: RightingMemory;
+}
+
+export function createLandingReadout(): LandingReadout {
+  return {
+    status: 'none',
+    provenance: 'stale',
+    age: 0,
+    timeScale: 1,
+    withdrawn: '',
+    known: false,
+    shipName: '',
+    bodyName: '',
+    descent: createDescent(),
+    tilt: createTilt(),
+    drift: createDrift(),
+    gates: createGates(),
+    margin: createTipMargin(),
+    righting: createRighting(),
+    touchdown: createTouchdown(),
+    touchdownShown: false,
+    memory: {
+      surface: createSurface(),
+      journey: createJourney(),
+      tipping: createTippingMemory(),
+      righting: createRightingMemory(),
+    },
+  };
+}
+
+/**
+ * What the pilot of `view.own` reads now (HUD, The landing HUD). Depends on the view and on what `out` remembers of the
+ * views before it, on no clock. Reuses `out` and returns it; allocates only where a run ahead of the law begins.
+ */
+export function updateLandingReadout(out: LandingReadout, view: WorldView): LandingReadout {
+  const ship = view.ready ? view.own : null;
+  const body = ship === null ? undefined : view.bodies[ship.body];
+  hideParts(out);
+  out.timeScale = view.timeScale;
+  if (ship === null || body === undefined) {
+    out.status = 'none';
+    out.provenance = 'stale';
+    out.withdrawn = '';
+    out.shipName = '';
+    out.bodyName = '';
+    forgetNumbers(out);
+    return out;
+  }
+  out.status = statusOf(ship.shownState);
+  out.provenance = ship.provenance;
+  out.age = ship.age;
+  out.withdrawn = ship.withdrawn;
+  out.shipName = ship.name;
+  out.bodyName = body.name;
+  const { surface, journey } = out.memory;
+  measureSurface(surface, ship, body);
+  if (!followJourney(journey, view, ship)) forgetRuns(out.memory);
+  readTouchdown(out.touchdown, ship);
+  if (ship.provenance === 'stale') forgetNumbers(out);
+  else readNumbers(out, view, ship);
+  return out;
+}
+
+/** Numbers are predicted truth (PREDICTION, "HUD numbers are predicted truth, the mesh is eased"). */
+function readNumbers(out: LandingReadout, view: WorldView, ship: ShipView): void {
+  const { surface, journey, tipping, righting } = out.memory;
+  out.known = true;
+  measureDescent(out.descent, surface, ship);
+  measureTilt(out.tilt, surface, view.settings);
+  out.tilt.prominent = out.status === 'contact' || out.status === 'tipped';
+  measureDrift(out.drift, surface, ship.attitude);
+  out.touchdownShown =
+    out.touchdown.known && (out.status === 'landed' || out.status === 'tipped' || out.status === 'crashed');
+  if (out.status === 'contact') {
+    measureGates(out.gates, surface, view.settings);
+    measureTipMargin(out.margin, tipping, surface, view, journey);
+  } else forgetTipping(tipping);
+  if (out.status === 'tipped') measureRighting(out.righting, righting, surface, view, ship);
+  else forgetRightingRun(righting.run);
+}
+
+/** What was run ahead of another ship, or of this one elsewhere, says nothing of it now. */
+function forgetRuns({ tipping, righting }: LandingMemory): void {
+  forgetTipping(tipping);
+  forgetRightingRun(righting.run);
+}
+
+function hideParts(out: LandingReadout): void {
+  out.gates.shown = false;
+  out.margin.shown = false;
+  out.righting.shown = false;
+  out.touchdownShown = false;
+}
+
+function forgetNumbers(out: LandingReadout): void {
+  out.known = false;
+  forgetDescent(out.descent);
+  forgetTilt(out.tilt);
+  out.drift.x = NaN;
+  out.drift.y = NaN;
+}

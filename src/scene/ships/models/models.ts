@@ -1,0 +1,13 @@
+import type { ShipClass } from '../../../dynamics';
+import { buildFrigate } from './frigate';
+import { buildHauler } from './hauler';
+import { buildLander } from './lander';
+import type { ShipModel, Stance } from '../shipModel';
+
+/** The model of a class; classes we have no model for are drawn as landers of their own height and stance. */
+export function buildShip(shipClass: ShipClass): ShipModel {
+  const stance: Stance = { h: shipClass.groundContactOffset, legRadius: shipClass.legRadius };
+  if (shipClass.name === 'fast_frigate') return buildFrigate(stance);
+  if (shipClass.name === 'cargo_hauler') return buildHauler(stance);
+  return buildLander(stance);
+}

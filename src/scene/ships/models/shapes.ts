@@ -1,0 +1,107 @@
+import {
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  CylinderGeometry,
+  LatheGeometry,
+  SphereGeometry,
+  TorusGeometry,
+  Vector2,
+} from 'three';
+import { cellNoise } from '../../ground/noise';
+import type { Finish, Flex, Parts } from './parts';
+
+/** Geometries whose axis is z, m. Three's own stand along y. */
+
+export function box(x: number, y: number, z: number): BufferGeometry {
+  return new BoxGeometry(x, y, z);
+}
+
+/** From z = −length/2 (radius `low`) to +length/2 (radius `high`). */
+export function tube(low: number, high: number, length: number, sides = 16): BufferGeometry {
+  return new CylinderGeometry(high, low, length, sides).rotateX(Math.PI / 2);
+}
+
+export function ball(radius: number, sides = 16): BufferGeometry {
+  return new SphereGeometry(radius, sides, Math.max(6, sides / 2)).rotateX(Math.PI / 2);
+}
+
+export function ring(radius: number, thickness: number, sides = 24): BufferGeometry {
+  return new TorusGeometry(radius, thickness, 6, sides);
+}
+
+/** Turned from a profile of [radius, z], bottom first. */
+export function turned(profile: readonly (readonly [number, number])[], sides = 24): BufferGeometry {
+  const points = profile.map(([radius, z]) => new Vector2(radius, z));
+  return new LatheGeometry(points, sides).rotateX(Math.PI / 2);
+}
+
+/** An engine bell whose throat is at z = 0 and whose mouth of `radius` is at z = −length. */
+export function bell(radius: number, length: number): BufferGeometry {
+  const outside: [number, number][] = [];
+  for (let n = 0; n <= 8; n++) {
+    const t = 1 - n / 8;
+    outside.push([radius * (0.28 + 0.72 * Math.pow(t, 0.6)), -length * t]);
+  }
+  const inside = outside.map(([r, z]): [number, number] => [r * 0.94, z]).reverse();
+  return turned([...inside, ...outside], 20);
+}
+
+/** A flat plate across y, `thickness` m, from the corners [x, z] of a convex outline, counter-clockwise. */
+export function plate(outline: readonly (readonly [number, number])[], thickness: number): BufferGeometry {
+  const half = thickness / 2;
+  const corners: number[] = [];
+  const put = (y: number, ...indices: readonly number[]) => {
+    for (const i of indices) corners.push(outline[i]![0], y, outline[i]![1]);
+  };
+  for (let i = 1; i + 1 < outline.length; i++) {
+    put(-half, 0, i, i + 1);
+    put(half, 0, i + 1, i);
+  }
+  for (let i = 0; i < outline.length; i++) {
+    const next = (i + 1) % outline.length;
+    put(-half, next, i);
+    put(half, i);
+    put(-half, next);
+    put(half, i, next);
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(corners), 3));
+  geometry.computeVertexNormals();
+  return geometry;
+}
+
+/** A regular prism with flat sides, crumpled like foil by `crumple` m. */
+export function foilPrism(radius: number, length: number, sides: number, crumple: number): BufferGeometry {
+  const geometry = new CylinderGeometry(radius, radius, length, sides * 4, 7).toNonIndexed();
+  const position = geometry.getAttribute('position');
+  const step = (2 * Math.PI) / sides;
+  for (let i = 0; i < position.count; i++) {
+    const [x, y, z] = [position.getX(i), position.getY(i), position.getZ(i)];
+    const angle = Math.atan2(z, x);
+    // The round column is pressed flat onto the prism's sides.
+    const within = angle - step * Math.floor(angle / step) - step / 2;
+    const press = Math.cos(step / 2) / Math.cos(within);
+    const key = Math.round(angle * 40) & 1023;
+    const dent = crumple * (cellNoise(key, Math.round(y * 50), 9) - 0.5);
+    const edge = Math.abs(y) > length * 0.49 ? 0 : dent;
+    position.setXYZ(i, x * press * (1 + edge), y, z * press * (1 + edge));
+  }
+  geometry.computeVertexNormals();
+  return geometry.rotateX(Math.PI / 2);
+}
+
+/** A rod between two points of body axes. */
+export interface Strut {
+  readonly from: readonly [number, number, number];
+  readonly to: readonly [number, number, number];
+  readonly radius: number;
+  readonly flex?: Flex;
+}
+
+export function addStrut(parts: Parts, finish: Finish, { from, to, radius, flex }: Strut): void {
+  const along: [number, number, number] = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
+  const at: [number, number, number] = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2, (from[2] + to[2]) / 2];
+  const placement = flex === undefined ? { at, along } : { at, along, flex };
+  parts.add(tube(radius, radius, Math.hypot(...along), 8), finish, placement);
+}

@@ -1,0 +1,58 @@
+import {
+  attitudeModeOf,
+  type AttitudeMode,
+  type Controls,
+  loadControls,
+  NEUTRAL_CONTROLS,
+} from '../../dynamics';
+import type { galaxy } from '../generated/codec.js';
+import { FINITE } from '../limits';
+import { type Fields, flagIn, numberIn, type Reading, refuse, textIn } from './reading';
+import type { StateControls } from '../records';
+import { optionalQuaternionIn, optionalVectorIn, quaternionFields, vectorFields } from './vectors';
+
+/**
+ * The six fields of Controls, which ShipState has too. One that is not sent is neutral; what is out of range is clamped, and an
+ * attitude mode that the law does not know is 'unknown' (DYNAMICS, Actuators).
+ */
+export function readControlFields(r: Reading, from: Fields): Controls {
+  return readWithMode(r, from, attitudeModeOf(textIn(r, from, 'attitude_mode') || 'none'));
+}
+
+/** As readControlFields, of a state: a mode that is not known stays what it is called. */
+export function readStateControls(r: Reading, from: Fields): StateControls {
+  const sent = textIn(r, from, 'attitude_mode');
+  const controls = readWithMode(r, from, attitudeModeOf(sent || 'none'));
+  return controls.attitudeMode === 'unknown' ? { ...controls, attitudeMode: sent } : controls;
+}
+
+function readWithMode(r: Reading, from: Fields, attitudeMode: AttitudeMode): Controls {
+  const neutral = NEUTRAL_CONTROLS;
+  const sent: Controls = {
+    thrustLevel: numberIn(r, from, 'thrust_level', FINITE, 0),
+    translationInput: optionalVectorIn(r, from, 'translation_input', FINITE) ?? neutral.translationInput,
+    rotationInput: optionalVectorIn(r, from, 'rotation_input', FINITE) ?? neutral.rotationInput,
+    attitudeHold: flagIn(r, from, 'attitude_hold'),
+    attitudeMode,
+    targetAttitude: optionalQuaternionIn(r, from, 'target_attitude') ?? neutral.targetAttitude,
+  };
+  const loaded = loadControls(sent);
+  if (!loaded.ok) {
+    refuse(r, '', loaded.reason);
+    return neutral;
+  }
+  // The target is unit already; normalised once more it could change in the last bit, and client and server would
+  // then apply different inputs.
+  return { ...loaded.value, targetAttitude: sent.targetAttitude };
+}
+
+export function controlFields(controls: StateControls): galaxy.stream.Controls.$Properties {
+  return {
+    thrust_level: controls.thrustLevel,
+    translation_input: vectorFields(controls.translationInput),
+    rotation_input: vectorFields(controls.rotationInput),
+    attitude_hold: controls.attitudeHold,
+    attitude_mode: controls.attitudeMode,
+    target_attitude: quaternionFields(controls.targetAttitude),
+  };
+}

@@ -1,0 +1,209 @@
+import { type Result, ok, err } from '../../dynamics';
+import { type Bound, MAX_TEXT } from '../limits';
+
+/**
+ * One pass over one message from outside, the same for a decoded protobuf message and for JSON (the generated codec
+ * keeps the proto's names). Every reader below takes the field `name` of `from` and gives a value that is always of its
+ * type; the first one that is not what it should be leaves its reason here, and then the whole message is refused.
+ */
+export interface Reading {
+  /** Protobuf leaves out what is 0, false or empty; JSON leaves out what is not sent. */
+  readonly source: 'protobuf' | 'json';
+  /** Where the pass is: names, and indices into lists. */
+  readonly path: Step[];
+  /** Of the first refusal, with the path of the field. */
+  reason: string | null;
+}
+
+/** A name, an index into a list, or a key of an object from outside, already quoted: ["ship-1"]. */
+export type Step = string | number;
+
+export type Fields = Readonly<Record<string, unknown>>;
+
+const NO_FIELDS: Fields = Object.freeze({});
+
+export function beginReading(source: Reading['source'], ...path: Step[]): Reading {
+  return { source, path, reason: null };
+}
+
+/** The message that was read, or why it is refused. */
+export function endReading<T>(r: Reading, message: T): Result<T> {
+  return r.reason === null ? ok(message) : err(r.reason);
+}
+
+/** Refuses the message because of the field `name` (empty: because of what the path itself leads to). */
+export function refuse(r: Reading, name: string, complaint: string): void {
+  if (r.reason !== null) return;
+  const steps = name === '' ? r.path : [...r.path, name];
+  let path = '';
+  for (const step of steps) {
+    if (typeof step === 'number') path += `[${step}]`;
+    else path += path === '' || step.startsWith('[') ? step : `.${step}`;
+  }
+  r.reason = `${path === '' ? 'message' : path}: ${complaint}`;
+}
+
+/** The field, or undefined: own properties only, null counts as not sent. JSON may spell `name` in camelCase too. */
+export function valueIn(r: Reading, from: Fields, name: string): unknown {
+  if (Object.hasOwn(from, name)) return from[name] ?? undefined;
+  if (r.source === 'protobuf') return undefined;
+  const spelled = inCamelCase(name);
+  return Object.hasOwn(from, spelled) ? (from[spelled] ?? undefined) : undefined;
+}
+
+/** `value` as fields; without any, and refused, when it is no object. */
+export function fieldsOf(r: Reading, value: unknown): Fields {
+  if (typeof value === 'object' && value !== null && !Array.isArray(value)) return value as Fields;
+  refuse(r, '', value === undefined ? 'missing' : `expected an object, got ${describe(value)}`);
+  return NO_FIELDS;
+}
+
+/** Reads the submessage `name` with `read`; refused when it is missing. */
+export function messageIn<T>(r: Reading, from: Fields, name: string, read: (r: Reading, f: Fields) => T): T {
+  r.path.push(name);
+  const message = read(r, fieldsOf(r, valueIn(r, from, name)));
+  r.path.pop();
+  return message;
+}
+
+/** At most `most` submessages; none when the list is not sent. */
+export function listIn<T>(
+  r: Reading,
+  from: Fields,
+  name: string,
+  most: number,
+  read: (r: Reading, f: Fields) => T,
+): T[] {
+  const list = valueIn(r, from, name) ?? [];
+  const items: T[] = [];
+  if (!Array.isArray(list)) refuse(r, name, `expected a list, got ${describe(list)}`);
+  else if (list.length > most) refuse(r, name, `expected at most ${most}, got ${list.length}`);
+  else {
+    r.path.push(name, 0);
+    for (let i = 0; i < list.length && r.reason === null; i++) {
+      r.path[r.path.length - 1] = i;
+      items.push(read(r, fieldsOf(r, list[i])));
+    }
+    r.path.length -= 2;
+  }
+  return items;
+}
+
+/** Refuses a list in which two items have the same `key` text. */
+export function refuseRepeats(r: Reading, list: string, key: string, texts: readonly string[]): void {
+  if (new Set(texts).size === texts.length) return;
+  const seen = new Set<string>();
+  const repeated = texts.findIndex((text) => seen.size === seen.add(text).size);
+  refuse(r, `${list}[${repeated}].${key}`, `expected each once, got ${describe(texts[repeated])} again`);
+}
+
+/** A finite number within `bound`. Not sent: `absent`, or in JSON refused if that is not given. */
+export function numberIn(r: Reading, from: Fields, name: string, bound: Bound, absent?: number): number {
+  const value = plainNumber(r, valueIn(r, from, name)) ?? absent ?? zeroOf(r);
+  if (typeof value !== 'number' || !Number.isFinite(value)) {
+    refuse(r, name, value === undefined ? 'missing' : `expected a finite number, got ${describe(value)}`);
+    return 0;
+  }
+  if (value >= bound.low && value <= bound.high) return value;
+  refuse(r, name, `expected ${bound.low} to ${bound.high} ${bound.unit}`.trimEnd() + `, got ${value}`);
+  return 0;
+}
+
+/** A whole number from `low` to `high`, at most 2⁵³ − 1; 0 when it is not sent. A 64-bit integer of the codec ends here. */
+export function integerIn(r: Reading, from: Fields, name: string, low: number, high: number): number {
+  const value = wholeNumber(plainNumber(r, valueIn(r, from, name)) ?? 0);
+  if (Number.isSafeInteger(value) && value >= low && value <= high) return value;
+  refuse(r, name, `expected a whole number from ${low} to ${high}, got ${value}`);
+  return low;
+}
+
+/** A well-formed text of at most MAX_TEXT characters; empty when it is not sent. */
+export function textIn(r: Reading, from: Fields, name: string): string {
+  const value = valueIn(r, from, name) ?? '';
+  const complaint = textComplaint(value);
+  if (complaint === null) return value as string;
+  refuse(r, name, complaint);
+  return '';
+}
+
+/** Why `value` cannot be sent as a name or an id, or null. */
+export function textComplaint(value: unknown): string | null {
+  if (typeof value !== 'string') return `expected a text, got ${describe(value)}`;
+  if (value.length > MAX_TEXT) return `expected at most ${MAX_TEXT} characters, got ${value.length}`;
+  return LONE_SURROGATE.test(value) ? 'expected well-formed Unicode' : null;
+}
+
+/** A text that is not empty. */
+export function nameIn(r: Reading, from: Fields, name: string): string {
+  const text = textIn(r, from, name);
+  if (text === '') refuse(r, name, 'expected a text that is not empty');
+  return text;
+}
+
+/** One of `choices`; the first of them when it is not sent or empty and `mayBeEmpty`. */
+export function choiceIn<T extends string>(
+  r: Reading,
+  from: Fields,
+  name: string,
+  choices: readonly [T, ...T[]],
+  mayBeEmpty: boolean,
+): T {
+  const value = valueIn(r, from, name) ?? '';
+  const found = choices.find((choice) => choice === value);
+  if (found !== undefined) return found;
+  const listed = choices.map((choice) => JSON.stringify(choice)).join(', ');
+  if (value !== '' || !mayBeEmpty) refuse(r, name, `expected one of ${listed}, got ${describe(value)}`);
+  return choices[0];
+}
+
+/** True or false; false when it is not sent. */
+export function flagIn(r: Reading, from: Fields, name: string): boolean {
+  const value = valueIn(r, from, name) ?? false;
+  if (typeof value === 'boolean') return value;
+  if (r.source === 'json' && (value === 'true' || value === 'false')) return value === 'true';
+  refuse(r, name, `expected true or false, got ${describe(value)}`);
+  return false;
+}
+
+/** What a reason says of a value from outside: short, and printable whatever it is. */
+export function describe(value: unknown): string {
+  if (value === null) return 'null';
+  if (typeof value === 'number') return String(value);
+  if (typeof value === 'string') return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
+  return Array.isArray(value) ? `a list of ${value.length}` : typeof value;
+}
+
+const LONE_SURROGATE = /\p{Surrogate}/u;
+/** A decimal number as Redis keeps it. */
+const DECIMAL = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?$/;
+/** No double needs more characters. */
+const MAX_DECIMAL = 64;
+
+/** A number that JSON sent as a text, as a number; anything else as it is. */
+function plainNumber(r: Reading, value: unknown): unknown {
+  if (r.source === 'protobuf' || typeof value !== 'string') return value;
+  return value.length <= MAX_DECIMAL && DECIMAL.test(value) ? Number(value) : value;
+}
+
+const camelCaseOf = new Map<string, string>();
+
+function inCamelCase(name: string): string {
+  let spelled = camelCaseOf.get(name);
+  if (spelled === undefined) {
+    spelled = name.replace(/_(\w)/g, (_, letter: string) => letter.toUpperCase());
+    camelCaseOf.set(name, spelled);
+  }
+  return spelled;
+}
+
+function zeroOf(r: Reading): number | undefined {
+  return r.source === 'protobuf' ? 0 : undefined;
+}
+
+/** Of a number or of the codec's unsigned 64-bit integer, as near as a double comes; NaN of anything else. */
+function wholeNumber(value: unknown): number {
+  if (typeof value === 'number') return value;
+  const { high, low } = Object(value) as { readonly high?: unknown; readonly low?: unknown };
+  if (typeof high !== 'number' || typeof low !== 'number') return NaN;
+  return (high >>> 0) * 4294967296 + (low >>> 0);
+}

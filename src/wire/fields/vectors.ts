@@ -1,0 +1,90 @@
+import type { Quat, Vec3 } from '../../dynamics';
+import { type Bound, FINITE } from '../limits';
+import { describe, type Fields, fieldsOf, numberIn, type Reading, refuse, valueIn } from './reading';
+
+/** Furthest a quaternion's length may be from 1. */
+const UNIT_WITHIN = 1e-3;
+/** Nearer to 1 than this a quaternion keeps its bits, so that a state that was sent replays to the same bits. */
+const KEPT_WITHIN = 1e-12;
+
+const ZERO: Vec3 = [0, 0, 0];
+const IDENTITY: Quat = [0, 0, 0, 1];
+
+/** {x, y, z} or [x, y, z], in JSON also as a text of one; refused when it is not sent. */
+export function vectorIn(r: Reading, from: Fields, name: string, bound: Bound): Vec3 {
+  const vector = optionalVectorIn(r, from, name, bound);
+  if (vector === null) refuse(r, name, 'missing');
+  return vector ?? ZERO;
+}
+
+/** {x, y, z} or [x, y, z]; null when it is not sent. */
+export function optionalVectorIn(r: Reading, from: Fields, name: string, bound: Bound): Vec3 | null {
+  const value = valueIn(r, from, name);
+  if (value === undefined) return null;
+  r.path.push(name);
+  const parts = partsOf(r, value, ['x', 'y', 'z']);
+  const vector: Vec3 = [
+    numberIn(r, parts, 'x', bound),
+    numberIn(r, parts, 'y', bound),
+    numberIn(r, parts, 'z', bound),
+  ];
+  r.path.pop();
+  return vector;
+}
+
+/** {w, x, y, z} or [w, x, y, z], of length 1 within 1e-3, as [x, y, z, w]; refused when it is not sent. */
+export function quaternionIn(r: Reading, from: Fields, name: string): Quat {
+  const quaternion = optionalQuaternionIn(r, from, name);
+  if (quaternion === null) refuse(r, name, 'missing');
+  return quaternion ?? IDENTITY;
+}
+
+/** As quaternionIn; null when it is not sent. */
+export function optionalQuaternionIn(r: Reading, from: Fields, name: string): Quat | null {
+  const value = valueIn(r, from, name);
+  if (value === undefined) return null;
+  r.path.push(name);
+  const parts = partsOf(r, value, ['w', 'x', 'y', 'z']);
+  const w = numberIn(r, parts, 'w', FINITE);
+  const x = numberIn(r, parts, 'x', FINITE);
+  const y = numberIn(r, parts, 'y', FINITE);
+  const z = numberIn(r, parts, 'z', FINITE);
+  const length = Math.sqrt(x * x + y * y + z * z + w * w);
+  const error = Math.abs(length - 1);
+  if (!(error <= UNIT_WITHIN))
+    refuse(r, '', `expected a quaternion of length 1 within ${UNIT_WITHIN}, got ${length}`);
+  r.path.pop();
+  return error <= KEPT_WITHIN ? [x, y, z, w] : [x / length, y / length, z / length, w / length];
+}
+
+/** Longest text that can hold a vector or quaternion, with some white space. */
+const MAX_VECTOR_TEXT = 256;
+
+/** An object's own parts, or a list's under `names`. */
+function partsOf(r: Reading, sent: unknown, names: readonly string[]): Fields {
+  const value = r.source === 'json' && typeof sent === 'string' ? parsedOr(sent) : sent;
+  if (!Array.isArray(value)) return fieldsOf(r, value);
+  if (value.length !== names.length)
+    refuse(r, '', `expected ${names.length} numbers, got ${describe(value)}`);
+  return Object.fromEntries(names.map((name, i) => [name, value[i] as unknown]));
+}
+
+/** What a text of JSON holds; the text itself where it is none. */
+function parsedOr(text: string): unknown {
+  if (text.length > MAX_VECTOR_TEXT) return text;
+  try {
+    return JSON.parse(text) as unknown;
+  } catch {
+    return text;
+  }
+}
+
+/** As protobuf and JSON carry it. */
+export function vectorFields([x, y, z]: Vec3): { x: number; y: number; z: number } {
+  return { x, y, z };
+}
+
+/** As protobuf and JSON carry it, w first. */
+export function quaternionFields([x, y, z, w]: Quat): { w: number; x: number; y: number; z: number } {
+  return { w, x, y, z };
+}

@@ -1,0 +1,69 @@
+import protobuf from 'protobufjs/minimal.js';
+import { type Result, ok, err } from '../../dynamics';
+
+/** How many entries each list of a message in an envelope may have; keyed by field numbers of stream.proto. */
+export interface Envelope {
+  readonly maxBytes: number;
+  readonly lists: ReadonlyMap<number, ReadonlyMap<number, ListLimit>>;
+}
+
+export interface ListLimit {
+  /** With its path, for the reason. */
+  readonly name: string;
+  readonly most: number;
+}
+
+/**
+ * What `decode` makes of the bytes, or why they are not the message. Lists are counted before anything is built:
+ * 8 MB of empty entries would otherwise become 400 MB of objects.
+ */
+export function openEnvelope<T>(
+  bytes: Uint8Array,
+  envelope: Envelope,
+  decode: (reader: protobuf.Reader) => T,
+): Result<T> {
+  if (bytes.length > envelope.maxBytes)
+    return err(`message: expected at most ${envelope.maxBytes} bytes, got ${bytes.length}`);
+  try {
+    const overfull = firstOverfull(bytes, envelope);
+    if (overfull !== null) return err(overfull);
+    const reader = protobuf.Reader.create(bytes);
+    reader.discardUnknown = true;
+    return ok(decode(reader));
+  } catch (error) {
+    return err(`message: not of this protocol (${error instanceof Error ? error.message : String(error)})`);
+  }
+}
+
+/** The bytes in a buffer of their own, which may be transferred. */
+export function sealEnvelope(writer: protobuf.Writer): Uint8Array<ArrayBuffer> {
+  // The writer's own are a part of a buffer that the next message shares.
+  return new Uint8Array(writer.finish());
+}
+
+const LENGTH_DELIMITED = 2;
+
+/** A message may come in several parts, which the decoder merges: entries are counted over all of them. */
+function firstOverfull(bytes: Uint8Array, envelope: Envelope): string | null {
+  const counts = new Map<ListLimit, number>();
+  const reader = protobuf.Reader.create(bytes);
+  while (reader.pos < reader.len) {
+    const tag = reader.tag();
+    const lists = envelope.lists.get(tag >>> 3);
+    if (lists === undefined || (tag & 7) !== LENGTH_DELIMITED) {
+      reader.skipType(tag & 7, 0, tag >>> 3);
+      continue;
+    }
+    const end = reader.size() + reader.pos;
+    while (reader.pos < end) {
+      const inner = reader.tag();
+      const list = lists.get(inner >>> 3);
+      reader.skipType(inner & 7, 0, inner >>> 3);
+      if (list === undefined || (inner & 7) !== LENGTH_DELIMITED) continue;
+      const count = (counts.get(list) ?? 0) + 1;
+      counts.set(list, count);
+      if (count > list.most) return `${list.name}: expected at most ${list.most}, got more`;
+    }
+  }
+  return null;
+}

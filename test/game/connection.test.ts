@@ -99,7 +99,7 @@ function connect(change: Partial<GameConnectionOptions> = {}) {
       token: 'jwt-1',
       clock,
       dice: () => 0.5,
-      openSocket: (to) => new WebSocket(to) as unknown as GameSocket,
+      openSocket: (to) => new WebSocket(to),
       ...change,
     },
     handlers,

@@ -39,6 +39,8 @@ export function createScene(sim: Simulation): Scene {
       confirms: 0,
       paused: false,
       wallOf: (tick) => wallOfTick(sim.timeline, tick),
+      serverTick: Number.NaN,
+      serverWall: 0,
     },
     seen: pose(),
     normal: vector(),

@@ -5,6 +5,19 @@ import { frameAt, helloAt, STILL } from './faultyLine';
 import { OWN, thrust, named, feed, range } from './feed';
 
 describe('messages that are valid and still wrong', () => {
+  it('keeps the world that holds where a hello speaks another major version, and takes a newer minor one', () => {
+    const predictor = createPredictor(OWN);
+    feed(predictor, range(0, 3), 1, 0);
+    const before = [...predictor.view(2).own!.position];
+    predictor.receive(helloAt(3, 1, { protocolVersion: '2.0', shipId: 'other' }), 2);
+    const { own, diagnosis } = predictor.view(2);
+    expect(diagnosis.lastRefusal).toBe('hello.protocolVersion: expected 1.x, got 2.0');
+    expect(diagnosis.helloReceived).toBe(false);
+    expect([...own!.position]).toEqual(before);
+    predictor.receive(helloAt(3, 1, { protocolVersion: '1.9' }), 2);
+    expect(predictor.view(2).diagnosis).toMatchObject({ helloReceived: true, framesRefused: 1 });
+  });
+
   it('throws at nothing that a plain caller hands in, and warns of each kind once', () => {
     const codes: string[] = [];
     const predictor = createPredictor({ ...OWN, onWarning: (code) => codes.push(code) });

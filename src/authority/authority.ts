@@ -13,6 +13,7 @@ import {
   stepWorld,
   type Vec3,
 } from '../dynamics';
+import { PROTOCOL_VERSION } from '../protocol';
 import type { ClientMessage, Hello, Pong, ServerFrame, WorldEvent } from '../wire';
 import { type AuthorityOptions, loadOptions } from './options';
 import {
@@ -167,6 +168,7 @@ export function createAuthority(options: AuthorityOptions): Result<Authority> {
   function hello(pilot: Pilot): Hello {
     return {
       kind: 'hello',
+      protocolVersion: PROTOCOL_VERSION,
       playerId: pilot.playerId,
       shipId: pilot.shipId,
       settings: { ...DEFAULT_SETTINGS, ...options.settings },

@@ -8,7 +8,7 @@ import { stepFront } from './simulation/front';
 import type { Simulation } from './simulation/simulation';
 import { isFarBehind, realign } from './snapshots/reconcile/realign';
 import { horizonOf } from './time/cadence';
-import { advanceClock } from './time/clock';
+import { advanceClock } from './time/present';
 import { keepPace } from './time/pace';
 import {
   indexOf,

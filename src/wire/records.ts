@@ -81,6 +81,8 @@ export interface WorldEvent {
 /** From the server, once: what a client may not assume. */
 export interface Hello {
   readonly kind: 'hello';
+  /** "major.minor" of the messages that the server speaks (PROTOCOL_VERSION); absent: "1.0". Another major is refused. */
+  readonly protocolVersion?: string;
   readonly playerId: string;
   /** The client's own ship; empty for a spectator. */
   readonly shipId: string;

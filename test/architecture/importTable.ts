@@ -11,16 +11,18 @@ const ALL = 'all';
 /** By folder of src: the folders and packages that it may import. */
 export const IMPORT_TABLE: Readonly<Record<string, typeof ALL | Readonly<Record<string, Allowance>>>> = {
   dynamics: { 'gl-matrix': 'values' },
-  wire: { dynamics: 'values', protobufjs: 'values' },
-  prediction: { dynamics: 'values', wire: 'types' },
+  protocol: {},
+  wire: { dynamics: 'values', protocol: 'values', protobufjs: 'values' },
+  prediction: { dynamics: 'values', protocol: 'values', wire: 'types' },
   readout: { dynamics: 'values', prediction: 'types' },
   hud: { readout: 'values' },
   scene: { dynamics: 'values', prediction: 'types', three: 'values', 'gl-matrix': 'values' },
-  authority: { dynamics: 'values', wire: 'values' },
+  authority: { dynamics: 'values', protocol: 'values', wire: 'values' },
   scenarios: { dynamics: 'values', wire: 'values', authority: 'values' },
   game: { dynamics: 'values', wire: 'values' },
   gateway: {
     dynamics: 'values',
+    protocol: 'values',
     wire: 'values',
     ws: 'values',
     redis: 'values',

@@ -10,6 +10,7 @@ import {
   TERRAINS,
 } from '../../src/dynamics';
 import { rehearse, type Scenario, SCENARIOS } from '../../src/scenarios';
+import { PROTOCOL_VERSION } from '../../src/protocol';
 import { decodeServerMessage, encodeServerMessage } from '../../src/wire';
 import { frameOf, input, MOON, moonWith, runTo, shipOf, valueOf } from './moon';
 
@@ -93,6 +94,7 @@ describe('the world loop', () => {
     const hello = valueOf(authority.join('ann', 'own'));
     expect(hello).toMatchObject({
       kind: 'hello',
+      protocolVersion: PROTOCOL_VERSION,
       shipId: 'own',
       terrain: 'flat',
       inputGranularity: 'substep',

@@ -7,7 +7,6 @@ import {
   type GameConnection,
   type GameConnectionOptions,
   type GameHandlers,
-  type GameSocket,
   MAX_MESSAGE,
 } from '../../src/game';
 import { createVirtualClock } from './virtualClock';

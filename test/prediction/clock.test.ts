@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
 import {
-  advanceClock,
   createClock,
   leadOf,
   sampleDown,
@@ -8,6 +7,7 @@ import {
   serverTime,
   steerByMargin,
 } from '../../src/prediction/time/clock';
+import { advanceClock } from '../../src/prediction/time/present';
 import { createDice } from '../../src/scenarios';
 
 const SUBSTEP = 0.01;

@@ -1,7 +1,7 @@
 /** The mistakes of those who use the predictor for the first time, as data: what was done, and the warning that is right. */
-import { BODIES, NEUTRAL_CONTROLS } from '../../src/dynamics';
+import { BODIES, DEFAULT_SETTINGS, NEUTRAL_CONTROLS, SHIP_CLASSES } from '../../src/dynamics';
 import { createPredictor, type Predictor } from '../../src/prediction';
-import type { ServerFrame, ShipState } from '../../src/wire';
+import type { Hello, ServerFrame, ShipState } from '../../src/wire';
 
 const LUNA = BODIES.find(({ name }) => name === 'Luna')!;
 const HEIGHT = LUNA.radius + 4.56;
@@ -33,6 +33,10 @@ const ship: ShipState = {
 const frame: ServerFrame = {
   ...{ kind: 'frame', tick: 1, tickRate: 1, timeScale: 1, paused: false },
   ...{ bodies: [LUNA], ships: [ship], events: [], lastInput: null },
+};
+const hello: Hello = {
+  ...{ kind: 'hello', playerId: 'p', shipId: 'a', settings: DEFAULT_SETTINGS, shipClasses: SHIP_CLASSES },
+  ...{ bodies: [LUNA], terrain: 'flat', tick: 1, tickRate: 1, timeScale: 1, inputGranularity: 'tick' },
 };
 const withShip = (changes: object): ServerFrame => ({ ...frame, ships: [{ ...ship, ...changes }] });
 const withBody = (changes: object): ServerFrame => ({
@@ -126,6 +130,18 @@ export const MISTAKES: readonly (readonly [
   ['kind misspelt', 'message-kind', /mean frame/, () => received({ ...frame, kind: 'Frame' })],
   ['kind missing', 'message-kind', /hello, frame or pong/, () => received({ ...frame, kind: undefined })],
   ['null', 'message-kind', /kind/, () => received(null)],
+  [
+    'a newer minor version',
+    'protocol-version',
+    /1\.1.*accepted.*update/,
+    () => received(frame, { ...hello, protocolVersion: '1.1' }),
+  ],
+  [
+    'another major version',
+    'protocol-version',
+    /2\.0.*refused/,
+    () => received(frame, { ...hello, protocolVersion: '2.0' }),
+  ],
   ['tick_rate', 'unknown-field', /mean tickRate/, () => received({ ...frame, tick_rate: 1 })],
   ['ship for ships', 'unknown-field', /mean ships/, () => received({ ...frame, ship: [] })],
   ['ships by id', 'ships-missing', /list/, () => received({ ...frame, ships: { a: ship } })],

@@ -17,6 +17,7 @@ it('takes the design’s own for what is not told', () => {
     ok: true,
     value: {
       kind: 'hello',
+      protocolVersion: '1.0',
       playerId: 'p',
       shipId: 's',
       settings: DEFAULT_SETTINGS,

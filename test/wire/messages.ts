@@ -76,6 +76,7 @@ export const HELLO: Hello = {
     contactFrictionKinetic: 0.25,
     surfaceNormal: 'terrain',
   },
+  protocolVersion: '1.7',
   shipClasses: [
     {
       name: 'fast_frigate',

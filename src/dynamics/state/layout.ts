@@ -69,7 +69,6 @@ export const MODE_HOLD = 1;
 export const MODE_PROGRADE = 2;
 export const MODE_RETROGRADE = 3;
 export const MODE_SURFACE_RETROGRADE = 4;
-export const MODE_NORMAL = 5;
 export const MODE_ANTINORMAL = 6;
 export const MODE_RADIAL = 7;
 export const MODE_ANTIRADIAL = 8;

@@ -1,3 +1,4 @@
+import { PROTOCOL_VERSION } from '../../protocol';
 import type { Hello, InputAcknowledgement, ServerFrame, WorldEvent } from '../../wire';
 import { type SharedFrame, shareFrame } from '../redis/broadcast';
 import { type Client, mayTakeState, remember } from './client';
@@ -44,6 +45,7 @@ function helloFor(place: Place, client: Client): Hello | null {
   const { playerId } = client.player;
   return {
     ...place.world,
+    protocolVersion: PROTOCOL_VERSION,
     playerId,
     shipId: shipOf(place, playerId),
     ...{ tick, tickRate, timeScale, bodies },

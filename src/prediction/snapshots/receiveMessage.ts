@@ -1,4 +1,5 @@
 import type { Result, World } from '../../dynamics';
+import { matchVersion, PROTOCOL_VERSION } from '../../protocol';
 import type { Hello, PartialFrame, Pong, ServerMessage } from '../../wire';
 import { resend } from '../inputs/inputs';
 import { changeOwnShip } from '../ownership';
@@ -56,6 +57,7 @@ export function noteCall({ clock, pings, warn }: Session, now: number): boolean 
 /** A new connection, and so a new timeline: the same world goes on only where its time does. */
 function takeHello(session: Session, hello: Hello, now: number): void {
   const { receiver, counters } = session;
+  if (!speaks(session, hello)) return;
   const loaded = loadGiven(hello, session);
   if (!loaded.ok) {
     refuse(session.sim, `hello.${loaded.reason}`);
@@ -73,6 +75,21 @@ function takeHello(session: Session, hello: Hello, now: number): void {
   receiver.firstTick = Number.isSafeInteger(hello.tick) ? hello.tick : 0;
   receiver.tellsEvents = true;
   resend(session.sim.inputs);
+}
+
+/** Whether the server's version can be understood: one with another major is refused, a newer minor is told of. */
+function speaks({ sim, warn }: Session, { protocolVersion: version }: Hello): boolean {
+  const match = matchVersion(version);
+  if (match === 'same' || match === 'older') return true;
+  const isForeign = match === 'foreign';
+  const told = `hello.protocolVersion is ${String(version)}, and this client speaks ${PROTOCOL_VERSION}`;
+  const effect = isForeign
+    ? 'The hello is refused: use the client made for that server.'
+    : 'It is accepted, and what the newer version adds is skipped: update the client.';
+  warn('protocol-version', `${told}. ${effect}`, { value: version, known: PROTOCOL_VERSION });
+  const [major] = PROTOCOL_VERSION.split('.');
+  if (isForeign) refuse(sim, `hello.protocolVersion: expected ${major}.x, got ${String(version)}`);
+  return !isForeign;
 }
 
 /** The world that a hello or a frame tells, or why it is refused; members that are not there are no reason to throw. */

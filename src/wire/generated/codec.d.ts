@@ -213,6 +213,9 @@ export namespace galaxy {
             /** Hello input_granularity. */
             input_granularity: string;
 
+            /** Hello protocol_version. */
+            protocol_version: string;
+
             /**
              * Encodes the specified Hello message. Does not implicitly {@link galaxy.stream.Hello.verify|verify} messages.
              * @param message Hello message or plain object to encode
@@ -266,6 +269,9 @@ export namespace galaxy {
 
                 /** Hello input_granularity */
                 input_granularity?: (string|null);
+
+                /** Hello protocol_version */
+                protocol_version?: (string|null);
 
                 /** Unknown fields preserved while decoding when enabled */
                 $unknowns?: Uint8Array[];

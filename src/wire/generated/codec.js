@@ -406,6 +406,7 @@ export const galaxy = $root.galaxy = (() => {
              * @property {number|null} [tick_rate] Hello tick_rate
              * @property {number|null} [time_scale] Hello time_scale
              * @property {string|null} [input_granularity] Hello input_granularity
+             * @property {string|null} [protocol_version] Hello protocol_version
              * @property {Array.<Uint8Array>} [$unknowns] Unknown fields preserved while decoding when enabled
              */
 
@@ -520,6 +521,14 @@ export const galaxy = $root.galaxy = (() => {
             Hello.prototype.input_granularity = "";
 
             /**
+             * Hello protocol_version.
+             * @member {string} protocol_version
+             * @memberof galaxy.stream.Hello
+             * @instance
+             */
+            Hello.prototype.protocol_version = "";
+
+            /**
              * Encodes the specified Hello message. Does not implicitly {@link galaxy.stream.Hello.verify|verify} messages.
              * @function encode
              * @memberof galaxy.stream.Hello
@@ -557,6 +566,8 @@ export const galaxy = $root.galaxy = (() => {
                     writer.uint32(/* id 9, wireType 1 =*/73).double(message.time_scale);
                 if (message.input_granularity != null && $Object.hasOwnProperty.call(message, "input_granularity") && message.input_granularity !== "")
                     writer.uint32(/* id 10, wireType 2 =*/82).string(message.input_granularity);
+                if (message.protocol_version != null && $Object.hasOwnProperty.call(message, "protocol_version") && message.protocol_version !== "")
+                    writer.uint32(/* id 11, wireType 2 =*/90).string(message.protocol_version);
                 if (message.$unknowns != null && $Object.hasOwnProperty.call(message, "$unknowns"))
                     for (let i = 0; i < message.$unknowns.length; ++i)
                         writer.raw(message.$unknowns[i]);
@@ -684,6 +695,15 @@ export const galaxy = $root.galaxy = (() => {
                                 message.input_granularity = value;
                             else
                                 delete message.input_granularity;
+                            continue;
+                        }
+                    case 11: {
+                            if (wireType !== 2)
+                                break;
+                            if ((value = reader.stringVerify()).length)
+                                message.protocol_version = value;
+                            else
+                                delete message.protocol_version;
                             continue;
                         }
                     }

@@ -1,5 +1,5 @@
 import { BODIES, type Result, SHIP_CLASSES } from '../../dynamics';
-import { helloFields, readTiming } from '../messages/hello';
+import { helloFields, readProtocolVersion, readTiming } from '../messages/hello';
 import { MAX_BODIES, MAX_SHIP_CLASSES, MAX_TICK } from '../limits';
 import {
   beginReading,
@@ -28,14 +28,15 @@ const UNTOLD: Fields = { settings: {}, tick_rate: 1, time_scale: 1, input_granul
 
 /**
  * What a JSON server tells once, as a hello: any of `player_id`, `ship_id`, `settings`, `ship_classes` and `bodies` (a
- * list, or an object by name), `terrain`, `tick`, `tick_rate`, `time_scale`, `input_granularity`. What it leaves out is
- * the design's: default settings, the game's classes and bodies, flat ground, 1 Hz, whole-tick inputs. Spelling as in
+ * list, or an object by name), `terrain`, `tick`, `tick_rate`, `time_scale`, `input_granularity`, `protocol_version`. What it leaves out is
+ * the design's: default settings, the game's classes and bodies, flat ground, 1 Hz, whole-tick inputs, protocol version 1.0. Spelling as in
  * decodeFrameJson. Refused with the path of the first bad field that is not a class or a body. Never throws.
  */
 export function decodeHelloJson(value: unknown): Result<DecodedHello> {
   const r = beginReading('json');
   const sent = fieldsOf(r, value);
   const from = completed(sent);
+  const protocolVersion = readProtocolVersion(r, from);
   const pass: Partial = { refusals: [] };
   const shipClasses = entriesIn(pass, from, {
     name: 'ship_classes',
@@ -52,6 +53,7 @@ export function decodeHelloJson(value: unknown): Result<DecodedHello> {
   });
   const hello: DecodedHello = {
     kind: 'hello',
+    protocolVersion,
     playerId: textIn(r, from, 'player_id'),
     shipId: textIn(r, from, 'ship_id'),
     settings: messageIn(r, from, 'settings', readSettings),

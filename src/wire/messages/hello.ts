@@ -5,6 +5,7 @@ import { FINITE, MAX_BODIES, MAX_SHIP_CLASSES, MAX_TICK } from '../limits';
 import { refuseLoaded } from '../loaders';
 import {
   choiceIn,
+  describe,
   type Fields,
   integerIn,
   listIn,
@@ -12,10 +13,12 @@ import {
   nameIn,
   numberIn,
   type Reading,
+  refuse,
   refuseRepeats,
   textIn,
 } from '../fields/reading';
 import type { Hello } from '../records';
+import { FIRST_VERSION, matchVersion, PROTOCOL_VERSION } from '../../protocol';
 import { readSettings, settingsFields } from '../fields/settings';
 import { readShipClass, shipClassFields } from '../fields/shipClass';
 
@@ -23,6 +26,7 @@ import { readShipClass, shipClassFields } from '../fields/shipClass';
 export function readHello(r: Reading, from: Fields): Hello {
   const hello: Hello = {
     kind: 'hello',
+    protocolVersion: readProtocolVersion(r, from),
     playerId: textIn(r, from, 'player_id'),
     shipId: textIn(r, from, 'ship_id'),
     settings: messageIn(r, from, 'settings', readSettings),
@@ -37,6 +41,16 @@ export function readHello(r: Reading, from: Fields): Hello {
   refuseRepeats(r, 'ship_classes', 'name', named(hello.shipClasses));
   refuseRepeats(r, 'bodies', 'name', named(hello.bodies));
   return hello;
+}
+
+/** First of all fields: where it is another major, the reason is the version, not a field that it changed. */
+export function readProtocolVersion(r: Reading, from: Fields): string {
+  const version = textIn(r, from, 'protocol_version') || FIRST_VERSION;
+  if (matchVersion(version) === 'foreign') {
+    const [major] = PROTOCOL_VERSION.split('.');
+    refuse(r, 'protocol_version', `expected ${major}.x, which this client speaks, got ${describe(version)}`);
+  }
+  return version;
 }
 
 /** Tick rate and time scale within the ranges of DYNAMICS, Time. */
@@ -59,5 +73,6 @@ export function helloFields(hello: Hello): galaxy.stream.Hello.$Properties {
     tick_rate: hello.tickRate,
     time_scale: hello.timeScale,
     input_granularity: hello.inputGranularity,
+    protocol_version: hello.protocolVersion ?? FIRST_VERSION,
   };
 }

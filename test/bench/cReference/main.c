@@ -1,4 +1,4 @@
-// contact replay < CASES            one line per case: its substeps and the FNV-1a hash of all its rows, as src/dynamics/hash.ts makes it
+// contact replay < CASES            one line per case: its substeps and the FNV-1a hash of all its rows, as src/dynamics/state/hash.ts makes it
 // contact time ROUNDS TIMES < CASE  one line per round: ns per substep, the case put back to its start every 50 substeps
 // Cases are doubles, in the order that caseBytes.ts writes.
 #include <stdint.h>
@@ -145,7 +145,7 @@ static uint32_t hash_doubles(uint32_t hash, const double *from, int count) {
   return hash;
 }
 
-// The columns of src/dynamics/layout.ts, then the event.
+// The columns of src/dynamics/state/layout.ts, then the event.
 static uint32_t hash_ship(uint32_t hash, const ship *s, int event) {
   const controls *c = &s->pilot;
   const double row[37] = {

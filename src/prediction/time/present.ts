@@ -1,0 +1,98 @@
+import { type Clock, leadOf, serverTime, slackOf } from './clock';
+
+/** An error beyond this is not slewed away but jumped, s (PREDICTION: hard reset beyond 2 s). */
+const HARD_RESET = 2;
+/** Where a clock was set anew, an error beyond this is put right at once, s. */
+const STEP = 0.1;
+/** The same where the offset has just become certain again after it was not, s. */
+const STEP_WHEN_CERTAIN = 0.008;
+/** Bounds no wider than the least round trip and this make an offset certain; beyond the second it is not, s. */
+const TIGHT = 0.03;
+const LOOSE = 0.06;
+/** A present that is ahead by up to this waits for the server rather than going back, s. */
+const MAX_WAIT = 0.8;
+/** The present runs at most this much faster or slower than the wall. */
+const MAX_SLEW = 0.1;
+/** The rate's correction is the error over this time, s, so that a small error is not chased at full slew. */
+const SLEW_TIME = 0.5;
+/** A slew that has begun goes on until this little is left, s. */
+const SLEWED = 0.001;
+/** The steered lead is given back at this rate, s/s. */
+const STEER_DECAY = 0.004;
+/** A frame that takes longer is an absence, s. */
+const MAX_FRAME = 0.25;
+/** No page's clock is coarser, s. */
+const MAX_GRAIN = 0.25;
+
+/** By what the present is moved. */
+export interface Pacing {
+  /** Wall s of error that is left alone: half a substep. */
+  readonly deadZone: number;
+  /** Server wall s beyond which the present does not run, whatever the clock says: the newest frame and the prediction horizon. */
+  readonly limit: number;
+}
+
+/**
+ * Moves the present to `now`.
+ * @returns whether it jumped: by a clock that was set anew, or because it has just begun
+ */
+export function advanceClock(clock: Clock, now: number, { deadZone, limit }: Pacing): boolean {
+  const elapsed = Number.isNaN(clock.updatedAt) ? 0 : Math.max(0, now - clock.updatedAt);
+  clock.updatedAt = now;
+  noteGrain(clock, elapsed);
+  clock.steer = Math.max(0, clock.steer - elapsed * STEER_DECAY);
+  const aim = serverTime(clock, now) + leadOf(clock);
+  const target = Math.min(aim, limit);
+  const step = stepOf(clock);
+  if (aim > limit || Math.abs(clock.offset - clock.settledOffset) > step) clock.stepped = true;
+  // A rate was meant for the next frame, not for as long as the page was away.
+  const slewed = (clock.rate - 1) * Math.min(elapsed, MAX_FRAME);
+  if (elapsed > MAX_FRAME) clock.wasLoose = true;
+  const next = Math.min(clock.present + elapsed + slewed, Math.max(limit, clock.present));
+  const error = target - next;
+  const jumps = clock.stepped ? error > step || error < -MAX_WAIT : Math.abs(error) > HARD_RESET;
+  if (jumps || Number.isNaN(error)) return jumpTo(clock, target);
+  // A present that is ahead of a server that stood waits for it, once it has begun to until it is there.
+  if (clock.stepped && error < -(clock.rate === 0 ? deadZone : step)) {
+    clock.rate = 0;
+    return false;
+  }
+  clock.present = next;
+  if (aim <= limit) {
+    clock.stepped = false;
+    clock.settledOffset = clock.offset;
+    if (step !== STEP) clock.wasLoose = false;
+  }
+  clock.slewing = Math.abs(error) > (clock.slewing ? Math.min(SLEWED, deadZone) : deadZone);
+  clock.rate = clock.slewing ? 1 + Math.max(-MAX_SLEW, Math.min(MAX_SLEW, error / SLEW_TIME)) : 1;
+  return false;
+}
+
+/** Beyond which error the present is put right at once. */
+function stepOf(clock: Clock): number {
+  const slack = slackOf(clock);
+  if (slack > LOOSE && slack < Number.POSITIVE_INFINITY) clock.wasLoose = true;
+  return clock.wasLoose && slack <= TIGHT ? STEP_WHEN_CERTAIN : STEP;
+}
+
+function jumpTo(clock: Clock, target: number): boolean {
+  clock.present = target;
+  clock.settledOffset = clock.offset;
+  clock.rate = 1;
+  clock.slewing = false;
+  clock.stepped = false;
+  if (slackOf(clock) <= TIGHT) clock.wasLoose = false;
+  return true;
+}
+
+/** The least step of a clock that stands still between steps. */
+function noteGrain(clock: Clock, elapsed: number): void {
+  if (elapsed === 0) {
+    clock.stillCalls += 1;
+    return;
+  }
+  if (clock.stillCalls > 0 && elapsed <= MAX_GRAIN && elapsed > 0)
+    clock.grain = clock.grain === 0 ? elapsed : Math.min(clock.grain, elapsed);
+  else if (elapsed > 0 && elapsed < clock.grain * 0.9) clock.grain = 0;
+  clock.stillCalls = 0;
+}

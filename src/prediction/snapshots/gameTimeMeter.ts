@@ -100,8 +100,8 @@ function near(a: number, b: number, tolerance: number): boolean {
 /** Game s that bodies were on their way, by how far they came: the median of all that move; NaN where none does. */
 function byBodies(before: readonly BodyState[], after: readonly BodyState[]): number {
   return medianOf(
-    after.map((body) => {
-      const old = before.find(({ name }) => name === body.name);
+    after.map((body, i) => {
+      const old = before[i]?.name === body.name ? before[i] : before.find(({ name }) => name === body.name);
       return old === undefined ? Number.NaN : secondsBetween(old, body);
     }),
   );
@@ -109,9 +109,10 @@ function byBodies(before: readonly BodyState[], after: readonly BodyState[]): nu
 
 /** As of bodies, by ships that fly without thrust. */
 function byShips(before: readonly ShipState[], after: readonly ShipState[]): number {
+  const byId = new Map(before.filter(isShip).map((ship) => [ship.shipId, ship]));
   return medianOf(
     after.filter(isShip).map((ship) => {
-      const old = before.filter(isShip).find(({ shipId }) => shipId === ship.shipId);
+      const old = byId.get(ship.shipId);
       return old !== undefined && coasts(old) && coasts(ship) ? secondsBetween(old, ship) : Number.NaN;
     }),
   );

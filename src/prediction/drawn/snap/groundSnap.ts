@@ -1,6 +1,6 @@
 import { type DrawnGround, groundRadius } from './drawnGround';
 import type { Hull } from './hull';
-import { lengthOf, rotate, vector } from '../rotation';
+import { rotate, vector } from '../rotation';
 
 /** A pose to be put on the ground: position (m, from the body's centre) and attitude, both in the body's axes. */
 export interface GroundPose {
@@ -51,22 +51,28 @@ export function snapToGround(
   ground: DrawnGround,
 ): GroundedPose {
   out.position.set(pose.position);
-  const distance = lengthOf(pose.position);
-  for (let k = 0; k < 3; k++) up[k] = pose.position[k]! / distance;
+  const { position } = pose;
+  // Here, not by a function: the double that one returns is boxed.
+  const distance = Math.sqrt(
+    position[0]! * position[0]! + position[1]! * position[1]! + position[2]! * position[2]!,
+  );
+  for (let k = 0; k < 3; k++) up[k] = position[k]! / distance;
   axis.set(ALONG);
   rotate(axis, pose.attitude, axis);
   // How much of a leg's travel goes into height: none of it lying down.
   const upright = axis[0]! * up[0]! + axis[1]! * up[1]! + axis[2]! * up[2]!;
   out.feetHeight = pressLegs(out, pose, hull, { ground, upright });
   out.lift = 0;
-  let clearance = lowestPoint(out, pose, hull, ground);
+  findLowest(out, pose, hull, ground);
+  let clearance = lowest[0]!;
   const height = distance - groundRadius(ground, up[0]!, up[1]!, up[2]!) + hull.feet[2]!;
   const target = pose.grounded ? 0 : drawnClearance(clearance, height, pose.groundOffset);
   for (let round = 0; round < ROUNDS && Math.abs(target - clearance) > TOUCHING; round++) {
     const lift = target - clearance;
     out.lift += lift;
     for (let k = 0; k < 3; k++) out.position[k] = out.position[k]! + up[k]! * lift;
-    clearance = lowestPoint(out, pose, hull, ground);
+    findLowest(out, pose, hull, ground);
+    clearance = lowest[0]!;
   }
   return out;
 }
@@ -89,21 +95,21 @@ function pressLegs(
   return lowest;
 }
 
-/** Height of the lowest point of hull and pressed legs above the ground, m. */
-function lowestPoint(out: GroundedPose, pose: GroundPose, hull: Hull, ground: DrawnGround): number {
-  let lowest = Number.POSITIVE_INFINITY;
+/** Writes the height of the lowest point of hull and pressed legs above the ground, m, to `lowest`. */
+function findLowest(out: GroundedPose, pose: GroundPose, hull: Hull, ground: DrawnGround): void {
+  let least = Number.POSITIVE_INFINITY;
   for (let leg = 0; leg * 3 < hull.feet.length; leg++) {
     for (let k = 0; k < 3; k++) point[k] = hull.feet[leg * 3 + k]!;
     point[2] = point[2]! + out.legCompression[leg]!;
     const height = heightOf(point, out.position, pose.attitude, ground);
-    if (height < lowest) lowest = height;
+    if (height < least) least = height;
   }
   for (let i = 0; i < hull.outline.length; i += 3) {
     for (let k = 0; k < 3; k++) point[k] = hull.outline[i + k]!;
     const height = heightOf(point, out.position, pose.attitude, ground);
-    if (height < lowest) lowest = height;
+    if (height < least) least = height;
   }
-  return lowest;
+  lowest[0] = least;
 }
 
 /**
@@ -152,3 +158,4 @@ const ALONG = Float64Array.of(0, 0, 1);
 const up = vector();
 const axis = vector();
 const point = vector();
+const lowest = new Float64Array(1);

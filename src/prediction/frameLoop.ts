@@ -67,7 +67,7 @@ function alignFront(session: Session, now: number): Position {
   if (absent && now - advancedBefore > KEYS_HELD) pilot.released = pilot.last;
   if (absent || (jumped && !sim.frontIsStale)) counters.resyncs += 1;
   if (jumped || absent || sim.frontIsStale || isFarBehind(sim, target))
-    realign(sim, target, { resync: jumped || absent });
+    realign(sim, target, { resync: jumped || absent, stepped: jumped && !absent });
   return target;
 }
 

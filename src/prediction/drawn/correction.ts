@@ -60,6 +60,8 @@ export function easeCorrection(
 ): void {
   const { picture, at } = track;
   const { front } = sim.fleet;
+  const stall = Math.max(track.silence, picture.skipped);
+  picture.skipped = 0;
   picture.hasHeld = false;
   picture.uprighted = style.uprights;
   if (!before.known) {
@@ -69,7 +71,7 @@ export function easeCorrection(
   picture.body = front[at + REFERENCE_BODY]!;
   writeSeenPresent(now, sim, track);
   const sameBody = before.body === front[at + REFERENCE_BODY];
-  if (!style.snaps && sameBody && isEasable(before.pose, speedOf(front, at), track.silence)) {
+  if (!style.snaps && sameBody && isEasable(before.pose, speedOf(front, at), stall)) {
     addToOffset(picture.ease, before.pose, now);
     return;
   }
@@ -103,11 +105,11 @@ function writeSeenPresent(out: Pose, sim: Simulation, track: Track): void {
   writeSeen(out, out, body);
 }
 
-/** Within 25 m + speed × the time the server was silent, and within 60°. */
-function isEasable(old: Pose, speed: number, silence: number): boolean {
+/** Within 25 m + speed × the time that the server was silent or the present was moved by, s, and within 60°. */
+function isEasable(old: Pose, speed: number, stall: number): boolean {
   for (let k = 0; k < 3; k++) jump[k] = old.position[k]! - now.position[k]!;
   turnBetween(turn, old.attitude, now.attitude);
-  return lengthOf(jump) <= SNAP_DISTANCE + speed * silence && angleOf(turn) <= SNAP_ANGLE;
+  return lengthOf(jump) <= SNAP_DISTANCE + speed * stall && angleOf(turn) <= SNAP_ANGLE;
 }
 
 function speedOf(rows: Float64Array, at: number): number {

@@ -13,6 +13,8 @@ export interface Picture {
   hasHeld: boolean;
   readonly heldPlace: Float64Array;
   readonly heldAttitude: Float64Array;
+  /** Game s by which the present was moved at once since what is held was drawn: the ship's own way in that time is no correction. */
+  skipped: number;
   /** Predicted ground above the drawn one as the mesh has it, m; follows what is learned. */
   groundOffset: number;
   readonly status: Status;
@@ -45,6 +47,7 @@ export function createPicture(): Picture {
     hasHeld: false,
     heldPlace: new Float64Array(3),
     heldAttitude: Float64Array.of(0, 0, 0, 1),
+    skipped: 0,
     groundOffset: 0,
     status: {
       state: -1,

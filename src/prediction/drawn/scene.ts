@@ -42,6 +42,8 @@ export function createScene(sim: Simulation, springs: Springs): Scene {
       confirms: 0,
       paused: false,
       wallOf: (tick) => wallOfTick(sim.timeline, tick),
+      serverTick: Number.NaN,
+      serverWall: 0,
     },
     springs,
     seen: pose(),

@@ -29,6 +29,9 @@ export interface Instant {
   paused: boolean;
   /** Server wall s at a tick boundary. */
   wallOf: (tick: number) => number;
+  /** The newest tick asked for in this view and its wall s: most ships were told of in one frame. */
+  serverTick: number;
+  serverWall: number;
 }
 
 /** Least time for which CONTACT is shown once it is, s. */
@@ -62,7 +65,11 @@ export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from
 export function fillServerState(out: ShipView, track: Track, at: Instant): boolean {
   if (track.picture.status.serverTick === track.serverTick) return false;
   track.picture.status.serverTick = track.serverTick;
-  track.picture.status.serverWall = at.wallOf(track.serverTick);
+  if (at.serverTick !== track.serverTick) {
+    at.serverTick = track.serverTick;
+    at.serverWall = at.wallOf(track.serverTick);
+  }
+  track.picture.status.serverWall = at.serverWall;
   out.serverKnown = track.serverTick >= 0;
   take(out.serverPosition, track.serverRow, POSITION);
   take(out.serverAttitude, track.serverRow, ATTITUDE);

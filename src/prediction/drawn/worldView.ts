@@ -94,6 +94,8 @@ export function fillView(shown: Shown, sim: Simulation, { now, present, lead }: 
   at.staleAfter = staleAfter(sim.cadence, view.tickRate);
   at.confirms = sendSeconds(sim.cadence, view.tickRate) + lead + GRACE;
   at.paused = view.paused;
+  // What it was timed by may have changed since the last view.
+  at.serverTick = Number.NaN;
   scene.exactSnaps = MAX_EXACT_SNAPS;
   fillShips(shown, sim);
 }

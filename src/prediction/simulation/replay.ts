@@ -64,7 +64,11 @@ function replay(sim: Simulation, track: Track, budget: number): number {
   if (left === 0) copyRow(step.before, 0, fleet.replayed, track.at);
   placeStep(step, sim, track.replayTick, track.replaySubstep);
   step.event = NO_EVENT;
-  for (let i = 0; i < steps; i++) replaySubstep(sim, track);
+  for (let i = 0; i < steps; i++) {
+    // Nothing reads the row before a substep but the log, and what is drawn of the last one.
+    step.keepsBefore = left - i === 1 || track.log !== null;
+    replaySubstep(sim, track);
+  }
   track.replayTick = step.tick;
   track.replaySubstep = step.substep;
   if (steps === left) arrive(sim, track);

@@ -18,6 +18,8 @@ export interface RowStep extends Position {
   /** The row at the start of the substep just taken, relative to the body that it has since: save. */
   before: Float64Array;
   beforeAt: number;
+  /** False where nothing will read the row before: it is not written then. */
+  keepsBefore: boolean;
   /** Counts through what acts on the own ship. */
   inputs: number;
   /** Rows of the bodies, turned for the substep just taken, and its game s (Span.step). */
@@ -31,7 +33,7 @@ export interface RowStep extends Position {
 export function createRowStep(rows = new Float64Array(SHIP_STRIDE), at = 0): RowStep {
   return {
     ...{ tick: 0, substep: 0, rows, at },
-    ...{ before: new Float64Array(SHIP_STRIDE), beforeAt: 0 },
+    ...{ before: new Float64Array(SHIP_STRIDE), beforeAt: 0, keepsBefore: true },
     ...{ inputs: 0, bodies: new Float64Array(0), dt: [0, null], event: NO_EVENT },
   };
 }
@@ -57,7 +59,7 @@ export function stepRow(step: RowStep, sim: Simulation, track: Track): void {
   const { rows, at } = step;
   if (step.substep === 0)
     chooseReferenceBody(rows, at, boundaryAt(sim.bodies, sim.timeline, step.tick), sim.world);
-  copyRow(step.before, step.beforeAt, rows, at);
+  if (step.keepsBefore) copyRow(step.before, step.beforeAt, rows, at);
   if (isReleased(track, step.tick, step.substep)) release(rows, at);
   if (track.own) step.inputs = applyDue(sim.inputs, step.inputs, step, rows, at);
   if (track.fit.carried === '')

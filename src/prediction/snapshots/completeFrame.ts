@@ -33,9 +33,14 @@ export function completeFrame(
   const timeScale = measureGameTime(meter, known, told) ?? told ?? tellDefault(sim, 'timeScale', 1);
   const timing = loadTiming(tickRate, timeScale, sim.world.settings);
   if (!timing.ok) return err(`frame.${timing.reason}`);
+  // Member by member: the hidden class of a spread record goes with the next collection, and the code compiled for it too.
   return ok({
-    ...known,
+    kind: 'frame',
+    tick,
+    tickRate,
     timeScale,
+    ships: known.ships,
+    bodies: known.bodies,
     paused: given.paused ?? false,
     events: recordsOf(sim, 'events', given.events),
     lastInput: acknowledgementOf(sim, given),

@@ -7,7 +7,7 @@ import { spanOf } from '../time/timeline';
 import { measureByShip } from './bodies/bodySpin';
 import type { Place } from './reconcile/compare';
 import { weighLaw } from './reconcile/lawFit';
-import type { SnapshotContext } from './reconcile/reconcile';
+import type { SnapshotContext } from './snapshotContext';
 
 /** One ship's newest state, and what became of the prediction for its tick. */
 export interface Lesson {

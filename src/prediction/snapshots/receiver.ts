@@ -8,6 +8,7 @@ import { type Clock, forgetSchedule } from '../time/clock';
 import { spanOf } from '../time/timeline';
 import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { classifySnapshot, type SnapshotKind } from './classify';
+import { createSnapshotContext, type SnapshotContext } from './snapshotContext';
 import { settleEvents, tellEvents } from './settleEvents';
 import { takeOlder, takePart, takeStates } from './takeStates';
 import { followTempo } from './tempo';
@@ -35,6 +36,8 @@ export interface Receiver {
   startsBodies: boolean;
   /** The bodies told last, to see whether they move. */
   readonly lastBodies: { tick: number; bodies: readonly BodyState[] };
+  /** Of the frame that is being taken in. */
+  readonly context: SnapshotContext;
 }
 
 /** Sends without a ship after which it leaves the list, if it has been silent for FADE_SECONDS too. */
@@ -55,6 +58,7 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     removed: new Map(),
     startsBodies: true,
     lastBodies: { tick: -1, bodies: [] },
+    context: createSnapshotContext(),
   };
 }
 

@@ -17,8 +17,11 @@ export function shipFault(given: unknown): string | null {
   if (!areNumbers(state.targetAttitude, 4)) return complaint('targetAttitude', 4, state.targetAttitude);
   if (!Number.isFinite(state.thrustLevel)) return complaint('thrustLevel', 1, state.thrustLevel);
   if (!Number.isFinite(state.fuel)) return complaint('fuel', 1, state.fuel);
-  for (const name of ['relativePosition', 'relativeVelocity'] as const)
-    if (state[name] !== null && !areNumbers(state[name], 3)) return complaint(name, 3, state[name]);
+  const { relativePosition, relativeVelocity } = state;
+  if (relativePosition !== null && !areNumbers(relativePosition, 3))
+    return complaint('relativePosition', 3, relativePosition);
+  if (relativeVelocity !== null && !areNumbers(relativeVelocity, 3))
+    return complaint('relativeVelocity', 3, relativeVelocity);
   return null;
 }
 

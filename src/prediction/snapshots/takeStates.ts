@@ -7,21 +7,21 @@ import type { Simulation } from '../simulation/simulation';
 import { addTrack, removeTrack } from '../simulation/track';
 import { steerByMargin } from '../time/clock';
 import { unknownNameOf } from './reconcile/adopt';
-import { bodiesOfFrame } from './bodies/bodiesOfFrame';
+import { writeBodiesOfFrame } from './bodies/bodiesOfFrame';
 import { boundaryAt, knowsBoundary } from './bodies/bodyTrack';
 import type { Receiver } from './receiver';
-import { reconcile, showAsTold, type SnapshotContext } from './reconcile/reconcile';
+import { reconcile, showAsTold } from './reconcile/reconcile';
 import { shipFault } from './shipFault';
+import type { SnapshotContext } from './snapshotContext';
 
 /** The newest frame's bodies and ships, each compared with what was predicted for its tick. */
 export function takeStates(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
-  const context: SnapshotContext = {
-    ...bodiesOfFrame(sim, receiver, frame),
-    tick: frame.tick,
-    now,
-    inputs: 'asPredicted',
-  };
-  for (const state of frame.ships) takeShip(sim, receiver, { frame, context, state });
+  const { context } = receiver;
+  writeBodiesOfFrame(context, sim, receiver, frame);
+  context.tick = frame.tick;
+  context.now = now;
+  context.lastInput = frame.lastInput;
+  for (const state of frame.ships) takeShip(sim, receiver, state);
   for (const track of sim.fleet.tracks) {
     if (track.mode !== 'waiting' || track.replaying || track.off || track.serverTick < 0) continue;
     if (has(track.history, frame.tick))
@@ -33,53 +33,54 @@ export function takeStates(sim: Simulation, receiver: Receiver, frame: ServerFra
 /** Another message of the newest tick: the ships that it has and the ones before had not. */
 export function takePart(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const bodies = boundaryAt(sim.bodies, sim.timeline, frame.tick);
-  takeMissing(sim, receiver, frame, contextOf(frame, bodies, now));
+  placeContext(receiver.context, frame, bodies, now);
+  takeMissing(sim, receiver, frame);
 }
 
 /** A frame overtaken by newer ones: its ships that no newer frame told of. */
 export function takeOlder(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   if (!knowsBoundary(sim.bodies, frame.tick)) return;
   const bodies = boundaryAt(sim.bodies, sim.timeline, frame.tick);
-  takeMissing(sim, receiver, frame, contextOf(frame, bodies, now));
+  placeContext(receiver.context, frame, bodies, now);
+  takeMissing(sim, receiver, frame);
 }
 
-function contextOf({ tick }: ServerFrame, bodies: Float64Array, now: number): SnapshotContext {
-  return { tick, now, bodies, predictedBodies: bodies, turned: 0, inputs: 'asPredicted' };
-}
-
-function takeMissing(
-  sim: Simulation,
-  receiver: Receiver,
-  frame: ServerFrame,
-  context: SnapshotContext,
+function placeContext(
+  out: SnapshotContext,
+  { tick, lastInput }: ServerFrame,
+  bodies: Float64Array,
+  now: number,
 ): void {
+  out.tick = tick;
+  out.now = now;
+  out.bodies = bodies;
+  out.predictedBodies = bodies;
+  out.turned = 0;
+  out.lastInput = lastInput;
+}
+
+function takeMissing(sim: Simulation, receiver: Receiver, frame: ServerFrame): void {
   for (const state of frame.ships) {
     const track = sim.fleet.byId.get(state.shipId);
-    if (track === undefined || track.serverTick < frame.tick)
-      takeShip(sim, receiver, { frame, context, state });
+    if (track === undefined || track.serverTick < frame.tick) takeShip(sim, receiver, state);
   }
 }
 
-/** One ship's state in a frame. */
-interface Told {
-  readonly frame: ServerFrame;
-  readonly context: SnapshotContext;
-  readonly state: ShipState;
-}
-
-function takeShip(sim: Simulation, receiver: Receiver, { frame, context, state }: Told): void {
+/** One ship's state in the frame that the receiver's context is of. */
+function takeShip(sim: Simulation, receiver: Receiver, state: ShipState): void {
+  const { context } = receiver;
   const fault = shipFault(state);
   if (fault !== null) {
     refuseShip(sim, state, fault);
     return;
   }
-  if (isRemoved(receiver, state.shipId, frame.tick)) return;
+  if (isRemoved(receiver, state.shipId, context.tick)) return;
   const own = state.shipId === receiver.ownShipId;
   const track =
     sim.fleet.byId.get(state.shipId) ?? addTrack(sim.fleet, state.shipId, historyLength(sim, own));
   track.own = own;
   if (own) sim.fleet.own = track;
-  context.inputs = own ? answered(sim, receiver, frame, { state, now: context.now }) : 'asPredicted';
+  context.inputs = own ? answered(sim, receiver, state) : 'asPredicted';
   const unknown = unknownNameOf(state, sim.world);
   const reason =
     unknown === null ? reconcile(sim, track, state, context) : showAsTold(sim, track, state, context);
@@ -105,21 +106,16 @@ function refuseShip({ counters, warn }: Simulation, state: ShipState, reason: st
 }
 
 /** What the frame says of own inputs, also to the steering of the lead. */
-function answered(
-  sim: Simulation,
-  receiver: Receiver,
-  frame: ServerFrame,
-  { state, now }: { readonly state: ShipState; readonly now: number },
-): InputFate {
+function answered(sim: Simulation, { clock, context }: Receiver, state: ShipState): InputFate {
   const { inputs } = sim;
-  const told = frame.lastInput;
+  const { tick, now, lastInput: told } = context;
   const before = inputs.applied;
-  const fate = acknowledge(inputs, frame.tick, told, state, now);
+  const fate = acknowledge(inputs, tick, told, state, now);
   if (told !== null && told.seq > before) {
     const stored = inputs.records.find((candidate) => candidate.record.seq === told.seq);
-    if (stored !== undefined) steerByMargin(receiver.clock, told.margin, stored.steer, now);
+    if (stored !== undefined) steerByMargin(clock, told.margin, stored.steer, now);
     sim.counters.margin = told.margin;
   }
-  prune(inputs, frame.tick - sim.ringLength);
+  prune(inputs, tick - sim.ringLength);
   return fate;
 }

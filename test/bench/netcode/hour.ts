@@ -74,8 +74,9 @@ export function* hourFigures(): Generator<Figure> {
 
 /** The frame as a server whose clock is off tells it: the body turned on by the error, and all that stands on it. */
 function shifted(frame: ServerFrame, { angularVelocity }: Pick<BodyState, 'angularVelocity'>): ServerFrame {
-  const half = (angularVelocity[1] * CLOCK_ERROR) / 2;
-  const turn = [0, Math.sin(half), 0, Math.cos(half)] as const;
+  // About the body's own pole; the angle is so small that its sine is itself to 1e-18.
+  const [x, y, z] = angularVelocity.map((each) => (each * CLOCK_ERROR) / 2) as unknown as Vec3;
+  const turn = [x, y, z, Math.sqrt(1 - x * x - y * y - z * z)] as const;
   return {
     ...frame,
     bodies: frame.bodies.map((body) => ({ ...body, attitude: compose(turn, body.attitude) })),
@@ -96,10 +97,9 @@ function shifted(frame: ServerFrame, { angularVelocity }: Pick<BodyState, 'angul
 type Quat = readonly [number, number, number, number];
 type Vec3 = readonly [number, number, number];
 
-/** About the pole alone. */
-function rotate([, y, , w]: Quat, [vx, vy, vz]: Vec3): Vec3 {
-  const [cos, sin] = [1 - 2 * y * y, 2 * y * w];
-  return [cos * vx + sin * vz, vy, cos * vz - sin * vx];
+function rotate([x, y, z, w]: Quat, [vx, vy, vz]: Vec3): Vec3 {
+  const [tx, ty, tz] = [2 * (y * vz - z * vy), 2 * (z * vx - x * vz), 2 * (x * vy - y * vx)];
+  return [vx + w * tx + y * tz - z * ty, vy + w * ty + z * tx - x * tz, vz + w * tz + x * ty - y * tx];
 }
 
 function compose([ax, ay, az, aw]: Quat, [bx, by, bz, bw]: Quat): Quat {

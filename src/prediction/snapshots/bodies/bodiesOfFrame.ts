@@ -11,25 +11,32 @@ const MAX_CARRIED = 64;
 
 /** Where the bodies are at a frame's tick, by the server and as predicted. */
 export interface BodiesOfFrame {
-  readonly bodies: Float64Array;
-  readonly predictedBodies: Float64Array;
+  bodies: Float64Array;
+  predictedBodies: Float64Array;
   /** How far the predicted bodies' attitudes and spins were off, as a component. */
-  readonly turned: number;
+  turned: number;
 }
 
 /**
- * The frame's bodies, compared with the predicted ones. Bodies that are not told, that tell no attitude or spin, or that are the last
+ * Writes the frame's bodies, compared with the predicted ones. Bodies that are not told, that tell no attitude or spin, or that are the last
  * frame's once more, are carried on by the law.
  */
-export function bodiesOfFrame(sim: Simulation, receiver: Receiver, frame: ServerFrame): BodiesOfFrame {
+export function writeBodiesOfFrame(
+  out: BodiesOfFrame,
+  sim: Simulation,
+  receiver: Receiver,
+  frame: ServerFrame,
+): void {
   const { tick } = frame;
   if (sim.newestTick === tick && receiver.startsBodies) startBodiesAt(sim.bodies, tick);
   receiver.startsBodies = false;
   const lastTick = receiver.lastBodies.tick;
   const motions = areOld(sim, receiver, frame) ? null : motionsOf(sim, frame);
   if (motions === null) {
-    const bodies = boundaryAt(sim.bodies, sim.timeline, tick);
-    return { bodies, predictedBodies: bodies, turned: 0 };
+    out.bodies = boundaryAt(sim.bodies, sim.timeline, tick);
+    out.predictedBodies = out.bodies;
+    out.turned = 0;
+    return;
   }
   // What the law comes to at this tick, to be compared.
   if (tick - lastTick <= MAX_CARRIED && lastTick >= 0) boundaryAt(sim.bodies, sim.timeline, tick);
@@ -39,11 +46,9 @@ export function bodiesOfFrame(sim: Simulation, receiver: Receiver, frame: Server
     sim.counters.errorBodyAttitude = error.attitude;
     sim.counters.errorBodySpin = error.spin;
   }
-  return {
-    bodies: boundaryAt(sim.bodies, sim.timeline, tick),
-    predictedBodies: sim.bodies.replaced,
-    turned: Math.max(error.attitude, error.spin),
-  };
+  out.bodies = boundaryAt(sim.bodies, sim.timeline, tick);
+  out.predictedBodies = sim.bodies.replaced;
+  out.turned = Math.max(error.attitude, error.spin);
 }
 
 /** The motions with the spins that were measured; the same list where those are the told ones. */

@@ -11,6 +11,7 @@ import {
 } from '../../../dynamics';
 import type { ShipState } from '../../../wire';
 import { learnFrom, nothingToLearn } from '../learnFrom';
+import type { SnapshotContext } from '../snapshotContext';
 import { holdLaw } from './lawFit';
 import { adopt, drawableState, isExact } from './adopt';
 import {
@@ -25,7 +26,6 @@ import {
   writeInexact,
 } from './compare';
 import { has, offsetOf } from '../../simulation/history';
-import type { InputFate } from '../../inputs/inputs';
 import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from '../../simulation/sleep';
 import { abandonReplay, startReplay } from '../../simulation/replay';
 import { commandsAnything } from '../../simulation/heldControls';
@@ -35,20 +35,6 @@ import { take } from '../../drawn/rotation';
 import { isBefore, spanOf, writeLater } from '../../time/timeline';
 import { logLanded } from '../../touchdown/touchdownRing';
 import { copyRow, type Track } from '../../simulation/track';
-
-/** A frame, as far as one ship is concerned. */
-export interface SnapshotContext {
-  tick: number;
-  /** Client wall s. */
-  now: number;
-  /** The server's bodies at the tick, and those predicted for it, as rows. */
-  bodies: Float64Array;
-  predictedBodies: Float64Array;
-  /** How far the predicted bodies' attitudes and spins were off, as a component. */
-  turned: number;
-  /** What the frame's acknowledgement says of the own ship's inputs. */
-  inputs: InputFate;
-}
 
 /** Sends without news for which other pilots' controls are held. */
 const HELD_SENDS = 1.5;

@@ -1,0 +1,29 @@
+import type { InputAcknowledgement } from '../../wire';
+import type { InputFate } from '../inputs/inputs';
+import type { BodiesOfFrame } from './bodies/bodiesOfFrame';
+
+/**
+ * A frame, as far as one ship is concerned; `bodies` and `predictedBodies` are rows at its tick. One record per connection: of one
+ * that is made for each frame the hidden class goes with the next collection, and the compiled code of a reconciliation with it.
+ */
+export interface SnapshotContext extends BodiesOfFrame {
+  tick: number;
+  /** Client wall s. */
+  now: number;
+  /** The frame's acknowledgement, and what it says of the own ship's inputs. */
+  lastInput: InputAcknowledgement | null;
+  inputs: InputFate;
+}
+
+export function createSnapshotContext(): SnapshotContext {
+  const none = new Float64Array(0);
+  return {
+    bodies: none,
+    predictedBodies: none,
+    turned: 0,
+    tick: -1,
+    now: 0,
+    lastInput: null,
+    inputs: 'asPredicted',
+  };
+}

@@ -58,6 +58,16 @@ async function setRate(redisUrl, rate) {
   await redis.close();
 }
 
+/** Until the gateway has seen a tick of the service. @throws after half a minute */
+async function untilTicking(url) {
+  const until = Date.now() + 30_000;
+  while (Date.now() < until) {
+    if ((await (await fetch(url)).json()).tick !== null) return;
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  throw new Error(`no tick within 30 s, says ${url}`);
+}
+
 const rate = rateOf(process.argv.slice(2));
 const accounts = PILOTS.map((username) => ({
   username,
@@ -102,9 +112,10 @@ try {
     console.log(`pilot ${username}: ${address}?server=${encodeURIComponent(server)}\n`);
   }
   if (process.argv.includes('--check')) {
-    const health = await (await fetch(`http://127.0.0.1:${stack.gatewayPort}/healthz`)).json();
+    await untilTicking(`http://127.0.0.1:${stack.gatewayPort}/healthz`);
     const html = await (await fetch(address)).text();
-    if (health.tick === null || !html.includes('<title>Touchdown</title>')) throw new Error('no answer');
+    if (!html.includes('<title>Touchdown</title>'))
+      throw new Error(`the page at ${address} is not the playground`);
     await end();
   }
   console.log('Open each in a window of its own. Ctrl-C ends it all.');

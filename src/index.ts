@@ -69,6 +69,7 @@ export {
   type Predictor,
   type PredictorEntry,
   type PredictorOptions,
+  type Smoothing,
   type PredictorSnapshot,
   type Provenance,
   recordPredictor,

@@ -10,6 +10,8 @@ export type { Warn } from './warnings';
 export type { ScheduledInput } from './inputs/inputs';
 /** What it gives. */
 export type * from './drawn/view';
+/** How fast a correction fades. */
+export type { Smoothing } from './drawn/ease';
 export type { Connection } from './time/connection';
 /** A drawn pose on the drawn ground. */
 export type { DrawnGround } from './drawn/snap/drawnGround';

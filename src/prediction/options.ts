@@ -7,6 +7,7 @@ import {
   type ShipClass,
   type TerrainHeight,
 } from '../dynamics';
+import type { Smoothing } from './drawn/ease';
 import type { ScheduledInput } from './inputs/inputs';
 import type { WorldConfig } from './snapshots/worldConfig';
 import type { Warn } from './warnings';
@@ -22,6 +23,8 @@ export interface PredictorOptions {
   readonly defaults?: Partial<Defaults>;
   /** Ship substeps a frame may take; 20,000 unless given. */
   readonly maxSubstepsPerFrame?: number;
+  /** Settle times of what is drawn after a correction, s; what is left out has the default. What is predicted stays as it is. */
+  readonly smoothing?: Partial<Smoothing>;
   /** The own ship of a client whose server sends no hello. */
   readonly ownShipId?: string;
   /**

@@ -2,6 +2,7 @@ import type { BodyMotion, TerrainHeight, World } from '../dynamics';
 import { TERRAINS } from '../dynamics';
 import type { Hello } from '../wire';
 import { createDiagnosis } from './diagnosis';
+import { springsOf } from './drawn/ease';
 import type { Diagnosis, EventNotice } from './drawn/view';
 import { createShown, type Shown } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
@@ -71,7 +72,7 @@ export function createSession(options: PredictorOptions): Session {
     listeners: new Set(),
     meter: createGameTimeMeter(),
     sim,
-    shown: createShown(sim),
+    shown: createShown(sim, springsOf(options.smoothing)),
     config: defaults,
     granularity: 'tick',
     advancedAt: Number.NaN,
@@ -91,7 +92,7 @@ function newSimulation(
 /** All ships and all time of the world before are forgotten; a listener added before goes on hearing. */
 export function beginWorld(session: Session, world: World, bodies: readonly BodyMotion[]): void {
   session.sim = newSimulation(world, bodies, session);
-  session.shown = createShown(session.sim);
+  session.shown = createShown(session.sim, springsOf(session.options.smoothing));
   forgetSchedule(session.clock);
   forgetPast(session.receiver);
   forgetGameTime(session.meter);

@@ -10,6 +10,7 @@ import { decodeServerMessage } from './messages/serverMessage';
 export interface PendingMessage {
   /** Whether it is a frame, which a newer one supersedes. */
   readonly isFrame: boolean;
+  /** The whole message, checked; where it cannot be used, an error whose reason names the first bad field. Never throws. */
   readonly decode: () => Result<ServerMessage>;
   /** A frame's events alone; none where they cannot be read. */
   readonly events: () => readonly WorldEvent[];

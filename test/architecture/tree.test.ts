@@ -5,7 +5,8 @@ import type { SourceFile } from './source';
 
 /** Everything at the top: what a reader opens first, and what tools ask for by name. */
 const TOP = [
-  ...['src', 'test', 'proto', 'public', 'README.md', 'LICENSE', 'CHANGELOG.md'],
+  ...['src', 'test', 'proto', 'public', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md'],
+  ...['LICENSE', 'CHANGELOG.md'],
   ...[
     'package.json',
     'package-lock.json',

@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { createEase, type Ease, relax, restartEase } from '../../src/prediction/drawn/ease';
+import { createEase, type Ease, relax, restartEase, springsOf } from '../../src/prediction/drawn/ease';
+import type { ServerFrame } from '../../src/wire';
+import type { Vec3 } from '../../src/dynamics';
 import { createRig } from './rig';
 import { angleBetween, distance } from './samples';
 
@@ -13,13 +15,25 @@ function corrected(offset: readonly number[], turn: readonly number[] = [0, 0, 0
   return ease;
 }
 
-function run(ease: Ease, seconds: number, hz: number): number[][] {
+function run(ease: Ease, seconds: number, hz: number, springs = springsOf()): number[][] {
   const path = [[...ease.offset, ...ease.turn]];
   for (let i = 0; i < Math.round(seconds * hz); i++) {
-    relax(ease, UP, 1 / hz);
+    relax(ease, UP, 1 / hz, springs);
     path.push([...ease.offset, ...ease.turn]);
   }
   return path;
+}
+
+const raised = ([x, y, z]: Vec3): Vec3 => [x, y + 2, z];
+
+/** The same frame with each ship 2 m off. */
+function shifted(frame: ServerFrame): ServerFrame {
+  const ships = frame.ships.map((ship) => ({
+    ...ship,
+    position: raised(ship.position),
+    relativePosition: raised(ship.relativePosition!),
+  }));
+  return { ...frame, ships };
 }
 
 const size = (v: readonly number[]) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
@@ -45,6 +59,38 @@ describe('the drawn offset', () => {
     const large = corrected([0, 0, 3]);
     run(large, 0.24, 120);
     expect(size([...large.offset])).toBeLessThan(0.05 * 3);
+  });
+
+  it.each([0.1, 0.2, 0.3, 1, 2])('settles within the times that are asked for: %s s', (settle) => {
+    const springs = springsOf({ alongGround: settle, alongNormal: settle, angle: settle });
+    const ease = corrected([0.15, 0, 0.1], [0.2, 0, 0]);
+    const before = size([0.15, 0.1]);
+    run(ease, settle / 4, 240, springs);
+    expect(size([...ease.offset])).toBeGreaterThan(0.05 * before);
+    run(ease, settle * 0.75, 240, springs);
+    expect(size([...ease.offset])).toBeLessThan(0.05 * before);
+    expect(size([...ease.turn])).toBeLessThan(0.05 * 0.2);
+  });
+
+  it('fades as the option says in what a predictor draws', () => {
+    /** The offset 0.4 s after a state 2 m off, by the largest. */
+    const left = (settle: number): number => {
+      const smoothing = { alongGround: settle, alongNormal: settle };
+      const rig = createRig({ scenario: 'opening', predictor: { smoothing } });
+      rig.tamper = (message) => [message.kind === 'frame' && message.tick >= 1 ? shifted(message) : message];
+      let largest = 0;
+      let came = Number.NaN;
+      let last = 0;
+      rig.fly(2, ({ diagnosis }) => {
+        if (!(rig.now > came + 0.4)) last = diagnosis.offsetPosition;
+        if (diagnosis.offsetPosition > 1 && Number.isNaN(came)) came = rig.now;
+        largest = Math.max(largest, diagnosis.offsetPosition);
+      });
+      expect(largest).toBeGreaterThan(1);
+      return last / largest;
+    };
+    expect(left(2)).toBeGreaterThan(0.5);
+    expect(left(0.3)).toBeLessThan(0.05);
   });
 
   it.each([30, 60, 144])('moves by at most 8 % of the correction or 2 cm in 1/60 s, at %i Hz', (hz) => {
@@ -78,7 +124,7 @@ describe('the drawn offset', () => {
     ease.offset[1] = ease.offset[1]! + 0.5;
     restartEase(ease);
     expect([...ease.rate]).toEqual(rate);
-    relax(ease, UP, 1 / 240);
+    relax(ease, UP, 1 / 240, springsOf());
     expect(Math.abs(ease.rate[1]!)).toBeLessThan(1);
   });
 

@@ -99,6 +99,12 @@ export const MISTAKES: readonly (readonly [
   ['shipId for ownShipId', 'unknown-option', /mean ownShipId/, () => made({ shipId: 'a' })],
   ['on_warning', 'unknown-option', /mean onWarning/, () => made({ on_warning: () => undefined })],
   ['budget', 'unknown-option', /Known are/, () => made({ budget: 1 })],
+  [
+    'smoothing.alongground',
+    'unknown-option',
+    /mean alongGround/,
+    () => made({ smoothing: { alongground: 1 } }),
+  ],
   ['defaults.terrains', 'unknown-default', /mean terrain/, () => made({ defaults: { terrains: 'flat' } })],
   [
     'defaults.ship_classes',

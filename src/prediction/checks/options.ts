@@ -1,4 +1,5 @@
 import { DEFAULT_SETTINGS } from '../../dynamics';
+import { DEFAULT_SMOOTHING, SMOOTHING_BOUNDS } from '../drawn/ease';
 import type { PredictorOptions } from '../options';
 import type { Warn } from '../warnings';
 import { warnOfUnknown } from './names';
@@ -8,6 +9,7 @@ const OPTIONS = [
   'defaults',
   'maxSubstepsPerFrame',
   'ownShipId',
+  'smoothing',
   'plan',
   'onWarning',
   'forcedRollback',
@@ -28,6 +30,7 @@ const EXPECTED: Readonly<Record<string, readonly [Check, string]>> = {
   ],
   defaults: [isRecord, 'an object with settings, shipClasses, bodies, terrain'],
   maxSubstepsPerFrame: [(value) => isCount(value) && value !== 0, 'a whole number > 0'],
+  smoothing: [isRecord, 'an object with alongGround, alongNormal, angle'],
   ownShipId: [(value) => typeof value === 'string', 'a text'],
   plan: [Array.isArray, 'a list of inputs'],
   onWarning: [isFunction, 'a function (code, message, details)'],
@@ -44,12 +47,25 @@ export function requireOptions(given: PredictorOptions): void {
         `options.${name}: expected ${expected}, got ${typeof value === 'object' ? 'an object' : JSON.stringify(value)}`,
       );
   }
+  requireSmoothing(given.smoothing ?? {});
+}
+
+function requireSmoothing(given: NonNullable<PredictorOptions['smoothing']>): void {
+  for (const [name, [low, high]] of Object.entries(SMOOTHING_BOUNDS)) {
+    if (!Object.hasOwn(given, name)) continue;
+    const value: unknown = given[name as keyof typeof given];
+    if (typeof value === 'number' && value >= low && value <= high) continue;
+    throw new RangeError(`options.smoothing.${name}: expected ${low} to ${high} s, got ${String(value)}`);
+  }
 }
 
 /** Warns of options, defaults and settings that nobody reads. */
 export function checkOptions(warn: Warn, given: PredictorOptions): void {
   warnOfUnknown(warn, { code: 'unknown-option', path: 'options', known: OPTIONS }, given);
-  const { defaults } = given;
+  const { defaults, smoothing } = given;
+  const known = Object.keys(DEFAULT_SMOOTHING);
+  if (smoothing !== undefined)
+    warnOfUnknown(warn, { code: 'unknown-option', path: 'options.smoothing', known }, smoothing);
   if (defaults === undefined) return;
   warnOfUnknown(warn, { code: 'unknown-default', path: 'options.defaults', known: DEFAULTS }, defaults);
   checkSettings(warn, 'options.defaults.settings', defaults.settings);

@@ -24,7 +24,54 @@ export interface Ease {
   active: boolean;
 }
 
-/** Stiffness, 1/s, along the ground, along the normal, in angle. Each with its cap leaves less than 5 % at its time. */
+/** Times, s, after which a correction is within 5 %: how fast what is drawn goes over to what is predicted. */
+export interface Smoothing {
+  /** 0.1 to 2 s; 0.3 unless given. */
+  readonly alongGround: number;
+  /** 0.05 to 2 s; 0.15 unless given. The cap lengthens it for a correction of more than 15 cm. */
+  readonly alongNormal: number;
+  /** 0.1 to 2 s; 0.25 unless given. */
+  readonly angle: number;
+}
+
+export const DEFAULT_SMOOTHING: Smoothing = { alongGround: 0.3, alongNormal: 0.15, angle: 0.25 };
+/** s, lowest and highest. */
+export const SMOOTHING_BOUNDS: Readonly<Record<keyof Smoothing, readonly [number, number]>> = {
+  alongGround: [0.1, 2],
+  alongNormal: [0.05, 2],
+  angle: [0.1, 2],
+};
+
+/** What settle times come to. */
+export interface Springs {
+  /** Stiffness, 1/s. */
+  readonly ground: number;
+  readonly normal: number;
+  readonly angle: number;
+  /** By how much the caps are raised for times below the default ones, ≥ 1. */
+  readonly haste: number;
+  readonly turnHaste: number;
+}
+
+/** The springs of these settle times, which are within SMOOTHING_BOUNDS. */
+export function springsOf(given: Partial<Smoothing> = {}): Springs {
+  const usual = DEFAULT_SMOOTHING;
+  const { alongGround, alongNormal, angle } = { ...usual, ...given };
+  return {
+    ground: GROUND * (usual.alongGround / alongGround),
+    normal: NORMAL * (usual.alongNormal / alongNormal),
+    angle: ANGLE * (usual.angle / angle),
+    haste: hasteFor(Math.max(usual.alongGround / alongGround, usual.alongNormal / alongNormal)),
+    turnHaste: hasteFor(usual.angle / angle),
+  };
+}
+
+/** The default caps leave 5 % at the default times with nothing to spare: for shorter times they are raised by 5 % more. */
+function hasteFor(ratio: number): number {
+  return ratio > 1 ? 1.05 * ratio : 1;
+}
+
+/** Stiffness, 1/s, of the default settle times. Each with its cap leaves less than 5 % at its time. */
 const GROUND = 20;
 const NORMAL = 60;
 const ANGLE = 30;
@@ -34,7 +81,7 @@ const SHARE_CAP = 4.4;
 const SPEED_CAP = 1.15;
 /** rad/s: 0.45° in 1/60 s. */
 const TURN_CAP = 0.47;
-/** s; the caps are applied this often, whatever the frame rate. */
+/** s; the caps are applied this often, or more often in haste, whatever the frame rate. */
 const SLICE = 1 / 240;
 /** s; nothing visible is left after it. */
 const FORGOTTEN = 2;
@@ -72,51 +119,52 @@ export function restartEase(ease: Ease): void {
 }
 
 /** Lets `elapsed` s pass. `normal` is the local up at the ship, unit, in the body's axes. */
-export function relax(ease: Ease, normal: Float64Array, elapsed: number): void {
+export function relax(ease: Ease, normal: Float64Array, elapsed: number, springs: Springs): void {
   if (!ease.active || !(elapsed > 0)) return;
   if (elapsed > FORGOTTEN) {
     snap(ease);
     return;
   }
-  const slices = Math.ceil(elapsed / SLICE);
+  const slices = Math.ceil((elapsed / SLICE) * Math.max(springs.haste, springs.turnHaste));
   const dt = elapsed / slices;
   for (let i = 0; i < slices; i++) {
-    moveOffset(ease, normal, dt);
-    moveTurn(ease, dt);
+    moveOffset(ease, normal, dt, springs);
+    moveTurn(ease, dt, springs);
   }
   if (length(ease.offset) + length(ease.turn) + length(ease.rate) + length(ease.turnRate) < NOTHING)
     snap(ease);
 }
 
-function moveOffset(ease: Ease, normal: Float64Array, dt: number): void {
+function moveOffset(ease: Ease, normal: Float64Array, dt: number, springs: Springs): void {
   const { offset, rate } = ease;
-  const decayGround = Math.exp(-GROUND * dt);
-  const decayNormal = Math.exp(-NORMAL * dt);
+  const { ground: stiff, normal: stiffUp, haste } = springs;
+  const decayGround = Math.exp(-stiff * dt);
+  const decayNormal = Math.exp(-stiffUp * dt);
   const high = dot(offset, normal);
   const climb = dot(rate, normal);
-  const highPush = climb + NORMAL * high;
+  const highPush = climb + stiffUp * high;
   const highNext = (high + highPush * dt) * decayNormal;
-  const climbNext = (climb - NORMAL * highPush * dt) * decayNormal;
+  const climbNext = (climb - stiffUp * highPush * dt) * decayNormal;
   for (let k = 0; k < 3; k++) {
     const n = normal[k]!;
     const x = offset[k]! - high * n;
     const v = rate[k]! - climb * n;
-    const push = v + GROUND * x;
+    const push = v + stiff * x;
     step[k] = (x + push * dt) * decayGround + highNext * n - offset[k]!;
-    speed[k] = (v - GROUND * push * dt) * decayGround + climbNext * n;
+    speed[k] = (v - stiff * push * dt) * decayGround + climbNext * n;
   }
-  take(offset, rate, dt, Math.max(SPEED_CAP, SHARE_CAP * ease.size));
+  take(offset, rate, dt, haste * Math.max(SPEED_CAP, SHARE_CAP * ease.size));
 }
 
-function moveTurn(ease: Ease, dt: number): void {
+function moveTurn(ease: Ease, dt: number, { angle: stiff, turnHaste }: Springs): void {
   const { turn, turnRate } = ease;
-  const decay = Math.exp(-ANGLE * dt);
+  const decay = Math.exp(-stiff * dt);
   for (let k = 0; k < 3; k++) {
-    const push = turnRate[k]! + ANGLE * turn[k]!;
+    const push = turnRate[k]! + stiff * turn[k]!;
     step[k] = (turn[k]! + push * dt) * decay - turn[k]!;
-    speed[k] = (turnRate[k]! - ANGLE * push * dt) * decay;
+    speed[k] = (turnRate[k]! - stiff * push * dt) * decay;
   }
-  take(turn, turnRate, dt, Math.max(TURN_CAP, SHARE_CAP * ease.turnSize));
+  take(turn, turnRate, dt, turnHaste * Math.max(TURN_CAP, SHARE_CAP * ease.turnSize));
 }
 
 /** value += step, rate = speed, both no faster than `cap`. */

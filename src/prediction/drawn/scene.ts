@@ -5,6 +5,7 @@ import type { DrawnGround } from './snap/drawnGround';
 import type { GroundPose } from './snap/groundSnap';
 import { type Pose, pose } from './pose';
 import { quaternion, vector } from './rotation';
+import type { Springs } from './ease';
 import type { Instant } from './status';
 
 /** What all ships of one view share. */
@@ -18,13 +19,15 @@ export interface Scene {
   /** Ships that still may be put on the ground point by point: beyond them the ground counts as level under a ship. */
   exactSnaps: number;
   readonly at: Instant;
+  /** How fast corrections fade. */
+  readonly springs: Springs;
   /** Of the ship at hand, in its body's axes: as predicted, the local up there, and as drawn. */
   readonly seen: Pose;
   readonly normal: Float64Array;
   readonly drawn: GroundPose;
 }
 
-export function createScene(sim: Simulation): Scene {
+export function createScene(sim: Simulation, springs: Springs): Scene {
   return {
     world: sim.world,
     ground: { bodyName: '', radius: 0, terrainHeight: sim.world.terrainHeight },
@@ -42,6 +45,7 @@ export function createScene(sim: Simulation): Scene {
       serverTick: Number.NaN,
       serverWall: 0,
     },
+    springs,
     seen: pose(),
     normal: vector(),
     drawn: { ...pose(), grounded: false, groundOffset: 0 },

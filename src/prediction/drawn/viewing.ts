@@ -110,7 +110,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.missingSends = sim.cadence.sends - track.lastSend;
   const attitude = scene.bodyAttitudes[out.body]!;
   seeFromBody(out, scene, attitude);
-  if (track.picture.ease.active) relax(track.picture.ease, scene.normal, scene.at.elapsed);
+  if (track.picture.ease.active) relax(track.picture.ease, scene.normal, scene.at.elapsed, scene.springs);
   fillDrawn(out, track, scene, attitude);
   fillGround(out, track, scene);
   const exactly = fillGrounded(out, scene, attitude);

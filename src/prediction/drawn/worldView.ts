@@ -7,6 +7,7 @@ import { sendSeconds } from '../time/cadence';
 import { staleAfter } from '../time/connection';
 import { indexOf, type Moment, spanOf } from '../time/timeline';
 import type { WorldView } from './view';
+import type { Springs } from './ease';
 import { createScene, type Scene } from './scene';
 import { createShipView, fillShipView } from './viewing';
 
@@ -27,7 +28,7 @@ interface BodyView {
   readonly angularVelocity: [number, number, number];
 }
 
-export function createShown(sim: Simulation): Shown {
+export function createShown(sim: Simulation, springs: Springs): Shown {
   const bodies = sim.world.bodies.map(({ name, mass, radius }): BodyView => {
     return {
       name,
@@ -54,7 +55,7 @@ export function createShown(sim: Simulation): Shown {
     own: null,
     diagnosis: sim.counters,
   };
-  const scene = createScene(sim);
+  const scene = createScene(sim, springs);
   return { view, scene, viewedAt: Number.NaN };
 }
 

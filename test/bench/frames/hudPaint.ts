@@ -22,7 +22,7 @@ export async function serveHudPage(): Promise<{ url: string; close: () => Promis
   await build({
     configFile: false,
     root: PAGES,
-    base: '../frames/',
+    base: './',
     logLevel: 'warn',
     build: {
       target: 'es2022',

@@ -33,8 +33,8 @@ function movedBy(name: string, share: number, dt: number, seconds: number): numb
   return lengthOf(plus(moved, up, -dot(moved, up)));
 }
 
-// Target: mu_static 0.8 of the weight, whatever the substep. Today 0.79 moves it by less than
-// 0.4 µm in 10 s, and 1.4 µm on Earth at 1 ms: 10,000 roundings of a place 6,371 km from the centre.
+// Target: mu_static 0.8 of the weight, whatever the substep. Today 0.79 moves it by less than 0.4 µm in 10 s, but on Earth at 1 ms,
+// where a place 6,371 km from the centre is rounded 10,000 times: half a unit in its last place at each substep is allowed.
 describe.each([
   ['Luna', 0.001],
   ['Luna', 0.005],
@@ -44,8 +44,9 @@ describe.each([
   ['Earth', 0.01],
 ])('static friction on %s at substeps of %d s', (name, dt) => {
   it('holds a push of 0.3 and of 0.79 of the weight', () => {
-    expect(movedBy(name, 0.3, dt, 5)).toBeLessThan(2e-6);
-    expect(movedBy(name, 0.79, dt, 10)).toBeLessThan(2e-6);
+    const rounding = bodyNamed(name).radius * 2 ** -53;
+    expect(movedBy(name, 0.3, dt, 5)).toBeLessThan(1e-6 + (rounding * 5) / dt);
+    expect(movedBy(name, 0.79, dt, 10)).toBeLessThan(1e-6 + (rounding * 10) / dt);
   });
 
   it('lets go at 0.81', () => {

@@ -91,13 +91,13 @@ describe('the landing autopilot, in an authority from 200 m', () => {
     const shipClass = { ...LANDER_CLASS, rcsTorque: [0, 0, 0] } as const;
     const tipped = flyDown({ body: 'Luna', tickRate: 10, initial, settings, shipClass });
     expect(tipped.phases).toEqual(['descent', 'touchdown', 'failed']);
-    expect(tipped.maneuver.reason).toBe('tipped over on Moon');
+    expect(tipped.maneuver.reason).toBe('tipped over on Luna');
     expect(tipped.ship.surfaceContactState).toBe('tipped');
   });
 
   it('fails with a reason when it comes too fast, and when the engine is too weak', () => {
     const crash = flyDown({ body: 'Luna', tickRate: 10, initial: { velocity: [0, 0, -150] } });
-    expect([crash.maneuver.phase, crash.maneuver.reason]).toEqual(['failed', 'crashed on Moon']);
+    expect([crash.maneuver.phase, crash.maneuver.reason]).toEqual(['failed', 'crashed on Luna']);
     const hauler = SHIP_CLASSES.find(({ name }) => name === 'cargo_hauler')!;
     const weak = flyDown({ body: 'Earth', tickRate: 10, shipClass: hauler });
     expect(weak.maneuver.reason).toMatch(/^mainEngineThrust: 400000 N cannot hold a weight of \d+ N$/);
@@ -126,10 +126,10 @@ describe('the landing maneuver', () => {
   it('fails with a reason on tipped and on crashed', () => {
     expect(next({ surfaceContactState: 'tipped' }, descending)).toMatchObject({
       phase: 'failed',
-      reason: 'tipped over on Moon',
+      reason: 'tipped over on Luna',
       controls: { thrustLevel: 0 },
     });
-    expect(next({ crashed: true }, descending)).toMatchObject({ phase: 'failed', reason: 'crashed on Moon' });
+    expect(next({ crashed: true }, descending)).toMatchObject({ phase: 'failed', reason: 'crashed on Luna' });
   });
 
   it('stays at its end, whatever the ship does', () => {

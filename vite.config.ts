@@ -4,6 +4,7 @@ import type { UserConfig } from 'vite';
 import { compactShaders } from './.ci/compactShaders.mjs';
 import { writeNotices } from './.ci/notices.mjs';
 import { listForOffline, OFFLINE_SCRIPT } from './.ci/offline.mjs';
+import type * as TestProjects from './test/projects.mjs';
 
 /**
  * Top-level constants stay `const`: as `var`, vite's default, the engine loads the law's scratch arrays anew at every access
@@ -60,6 +61,6 @@ const testProjects = new URL('./test/projects.mjs', import.meta.url).href;
 
 export default defineConfig(async ({ mode }) => {
   if (mode !== 'test' && mode !== 'long') return page;
-  const { tests, longTests } = (await import(testProjects)) as typeof import('./test/projects.mjs');
+  const { tests, longTests } = (await import(testProjects)) as typeof TestProjects;
   return mode === 'test' ? tests : longTests;
 });

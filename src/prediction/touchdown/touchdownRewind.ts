@@ -43,13 +43,33 @@ export function rewindLog(track: Track, sim: Simulation, to: Adopted): void {
   track.log ??= createTouchdownRing(track.history.length);
   const { replayed, front } = track.log;
   const state = to.rows[to.from + SURFACE_STATE]!;
-  const known = recall(track, track.log, to.tick) || carryOn(track, sim, track.log, to.tick);
+  const known =
+    redo(track, sim, track.log, to.tick) ||
+    recall(track, track.log, to.tick) ||
+    carryOn(track, sim, track.log, to.tick);
   if (track.replaySnaps || (known && wasPutElsewhere(track, to))) beginLog(replayed, state);
   else if (known) agree(replayed, track.log, sim, to);
   else if (front[LOGGED_STATE] === LANDED && state === LANDED && liesWhereItLay(track, sim, to))
     replayed.set(front);
   else beginLog(replayed, state);
   keepLog(track.log, to.tick, replayed);
+}
+
+/**
+ * The tick before the state, by the law from where it began and with the inputs as the server has had them: what a late input did
+ * within it is then in the log.
+ */
+function redo(track: Track, sim: Simulation, ring: TouchdownRing, tick: number): boolean {
+  const kept = tick < 1 ? null : logAt(ring, tick - 1);
+  if (kept === null || !has(track.history, tick - 1) || !has(track.history, tick)) return false;
+  ring.replayed.set(kept);
+  copyRow(predicted, 0, track.history.rows, offsetOf(track.history, tick - 1));
+  placeStep(step, sim, tick - 1, 0);
+  for (let reached = false; !reached;) {
+    reached = advanceRow(step, sim, track);
+    logSubstep(ring.replayed, sim.world, step);
+  }
+  return true;
 }
 
 /** What was predicted for a tick: row and log. */

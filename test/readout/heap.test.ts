@@ -9,15 +9,18 @@ const RUN_AHEAD = 1000;
 const FLEET = 1000;
 
 // Target 0. Today 0, 650 where a run ahead begins; before, 16 to 128 for the own ship's and 8,000 for a fleet of 1,000.
-it('a readout allocates nothing, of a view that stays or goes on', { timeout: 120_000 }, () => {
-  const bytes = Object.entries(heapFigures('test/readout/heapOfReadouts.ts'));
-  expect(bytes).toHaveLength(16);
-  for (const [name, grown] of bytes) {
-    const bound = name.startsWith('fleet')
-      ? FLEET
-      : name === 'toppling, frame after frame'
-        ? RUN_AHEAD
-        : NONE;
-    expect(grown, name).toBeLessThan(bound);
-  }
+const boundOf = (name: string) =>
+  name.startsWith('fleet') ? FLEET : name === 'toppling, frame after frame' ? RUN_AHEAD : NONE;
+
+/** Runs of the measurement: beside a busy machine the compiler's own garbage falls into one now and then, a readout's into all. */
+const RUNS = 3;
+
+it('a readout allocates nothing, of a view that stays or goes on', () => {
+  const least: Record<string, number> = {};
+  const isOver = () => Object.entries(least).some(([name, grown]) => grown >= boundOf(name));
+  for (let run = 0; run < RUNS && (run === 0 || isOver()); run++)
+    for (const [name, grown] of Object.entries(heapFigures('test/readout/heapOfReadouts.ts')))
+      least[name] = Math.min(grown, least[name] ?? Infinity);
+  expect(Object.keys(least)).toHaveLength(16);
+  for (const [name, grown] of Object.entries(least)) expect(grown, name).toBeLessThan(boundOf(name));
 });

@@ -16,9 +16,9 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /**
  * Modules that only define things: what is fetched on demand then takes along what it alone needs from behind a folder's index.
- * Not so the two programs, and the index that brings a style sheet.
+ * Not so the two programs.
  */
-const PURE = /\/src\/(?!playground\/(main|offline\/serviceWorker)\.ts|hud\/index\.ts).*\.ts$/;
+const PURE = /\/src\/(?!playground\/(main|offline\/serviceWorker)\.ts).*\.ts$/;
 
 const page: UserConfig = {
   root: 'src/playground',

@@ -16,13 +16,12 @@ const FIRST_DISTANCE = 5.2;
 export function layIfNeeded(state: SceneState, view: WorldView, watched: ShipView): void {
   const body = view.bodies[watched.body]!;
   if (state.frame?.bodyName !== body.name || state.frame.radius !== body.radius) lay(state, view, watched);
-  turnOfFrame(state.turn, frameOf(state), body.attitude);
+  else turnOfFrame(state.turn, state.frame, body.attitude);
   toLocalPoint(state.point, frameOf(state), state.turn, watched.meshPosition);
-  if (Math.hypot(state.point[0]!, state.point[2]!) <= FRAME_REACH) return;
-  lay(state, view, watched);
-  turnOfFrame(state.turn, frameOf(state), body.attitude);
+  if (Math.hypot(state.point[0]!, state.point[2]!) > FRAME_REACH) lay(state, view, watched);
 }
 
+/** Lays everything around the ship anew, and turns the frame as its body is turned. */
 function lay(state: SceneState, view: WorldView, ship: ShipView): void {
   const { ground, rocks, light, sky, wardrobe, dust, crash, shadows, groundMaterial, jets } = state.parts;
   const body = view.bodies[ship.body]!;

@@ -11,7 +11,7 @@ import { anyChosen, placeOverlays } from './overlays/overlayPlaces';
 import type { Quality } from './quality';
 import { createParts, disposeParts } from './sceneParts';
 import { createState, FIRST_AZIMUTH, FIRST_ELEVATION, frameOf, type SceneState } from './sceneState';
-import { poseShips, seatShips, sunlitShare } from './shipsInScene';
+import { poseShips, seatShips } from './shipsInScene';
 import type { ShipActor } from './ships/shipActor';
 import type { Stage } from './stage';
 import { aimCone } from './camera/viewCone';
@@ -66,13 +66,15 @@ function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seco
   state.before = seconds;
   layIfNeeded(state, view, watched);
   wearHull(state, watched);
-  updateEffects(state, view, watched, seconds);
+  const gravity = gravityOf(view, watched);
+  updateDust(state, gravity, seconds);
   poseShips(state, view, watched, Math.min(waited, LONGEST_STEP));
   const actor = state.actors.byId.get(watched.shipId)!;
   const { parts, rig, groundY } = state;
   aimCamera(parts.camera, rig, state.cameraView, { actor, seconds: waited, groundY });
   placeGround(state, actor);
   seatShips(state, actor);
+  parts.crash.update(seconds, gravity, rig.eye);
   lightScene(state, actor, waited);
   placeMarks(state, view, watched, actor);
   shineOnGround(parts.groundMaterial, actor, watched, rig.eye);
@@ -81,15 +83,16 @@ function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seco
   parts.renderer.render(parts.scene, parts.camera);
 }
 
-function updateEffects({ parts }: SceneState, view: WorldView, watched: ShipView, seconds: number): void {
+/** Before ships raise dust: a grain is thrown at the time that is set here. */
+function updateDust({ parts }: SceneState, gravity: number, seconds: number): void {
   const pixels = parts.renderer.domElement.height / (2 * Math.tan((parts.camera.fov * Math.PI) / 360));
-  parts.dust.update(seconds, gravityOf(view, watched), pixels);
+  parts.dust.update(seconds, gravity, pixels);
 }
 
-function placeGround({ parts, rig, cone, opening, actors }: SceneState, { place }: ShipActor): void {
+function placeGround({ parts, rig, cone, opening }: SceneState, { place }: ShipActor): void {
   const { ground, rocks, dust, groundMaterial } = parts;
   const { eye, focus } = rig;
-  ground.follow(place[0]!, place[2]!, actors.count === 1 ? Infinity : 2);
+  ground.follow(place[0]!, place[2]!, 2);
   rocks.follow(place[0]!, place[2]!, ground.shadowY);
   aimCone(cone, eye, focus, opening);
   ground.place(eye, cone);
@@ -98,14 +101,13 @@ function placeGround({ parts, rig, cone, opening, actors }: SceneState, { place 
   dust.points.position.set(-eye[0]!, -eye[1]!, -eye[2]!);
 }
 
-function lightScene(state: SceneState, { place, height }: ShipActor, seconds: number): void {
-  const { light, ground, sky, renderer } = state.parts;
+function lightScene(state: SceneState, { place, height, sunlit }: ShipActor, seconds: number): void {
+  const { light, sky, renderer } = state.parts;
   const { eye } = state.rig;
   const size = height * 2.2;
   const above = Math.max(place[1]! - state.groundY(place[0]!, place[2]!), 0);
   light.follow(place, eye, size, size * 2 + above / light.direction.y);
-  const over = place[1]! - ground.shadowY(place[0]!, place[2]!);
-  renderer.toneMappingExposure = light.shade(sunlitShare(over, height), seconds);
+  renderer.toneMappingExposure = light.shade(sunlit, seconds);
   sky.look(eye[1]!, frameOf(state).radius, state.turn.quaternion);
 }
 
@@ -125,7 +127,6 @@ function placeMarks(state: SceneState, view: WorldView, ship: ShipView, actor: S
   const feet = place[1]! - ship.shipClass.groundContactOffset;
   const clear = isFlying ? feet - groundY(place[0]!, place[2]!) : 0;
   parts.plumbLine.place([place[0]!, feet, place[2]!], clear, eye);
-  parts.crash.update(state.before, gravityOf(view, ship), eye);
 }
 
 function gravityOf(view: WorldView, ship: ShipView): number {

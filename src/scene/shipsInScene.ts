@@ -59,10 +59,9 @@ export function seatShips(state: SceneState, watched: ShipActor): void {
     const { place } = actor;
     const isWatched = actor === watched;
     if (isWatched || coneMeets(state.cone, place[0]!, place[2]!, SHIP_REACH)) {
-      const over = place[1]! - ground.shadowY(place[0]!, place[2]!);
-      const sunlit = sunlitShare(over, actor.height);
-      hulls.put(actor, eye, { isWatched, sunlit });
-      if (!isWatched && sunlit > 0) throwShadow(state, actor);
+      actor.sunlit = sunlitShare(place[1]! - ground.shadowY(place[0]!, place[2]!), actor.height);
+      hulls.put(actor, eye, isWatched);
+      if (!isWatched && actor.sunlit > 0) throwShadow(state, actor);
     }
     if (actor.jets.visible) placeJets(actor, eye);
   }
@@ -71,7 +70,7 @@ export function seatShips(state: SceneState, watched: ShipActor): void {
 }
 
 /** How much of the sun reaches a ship whose centre of mass stands so far over the terrain's shadow, 0 … 1. */
-export function sunlitShare(over: number, height: number): number {
+function sunlitShare(over: number, height: number): number {
   return Math.min(Math.max(0.5 + over / (2 * height), 0), 1);
 }
 

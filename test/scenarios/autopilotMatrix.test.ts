@@ -16,8 +16,8 @@ const STARTS: Readonly<Record<string, Partial<LocalState>>> = {
 };
 const CASES = Object.keys(STARTS).flatMap((start) => BODY_NAMES.map((body) => [start, body] as const));
 /**
- * m. The controller turns the lander at ω_n / 2 = 0.5 rad/s at most: upside down over Earth it falls about 130 m before its engine
- * points up and has braked, and at 1 Hz with a tick's delay twice as far again.
+ * m. The controller turns the lander at ω_n / 2 = 0.5 rad/s at most: upside down over Earth it then needs 400 m to land
+ * softly at 10 Hz and 600 m at 1 Hz with a tick's delay, by trial in steps of 100 m; the rest is for spin and drift.
  */
 const HEIGHTS: Readonly<Record<string, number>> = { Earth: 900 };
 const startFrom = (body: string, start: Partial<LocalState>) => ({ height: HEIGHTS[body] ?? 200, ...start });

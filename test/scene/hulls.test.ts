@@ -15,6 +15,7 @@ function actorAt(model: ShipModel, place: readonly number[], compression = [0, 0
     place: Float64Array.from(place),
     turn: Float64Array.of(0, 0, 0, 1),
     compression: Float32Array.from(compression),
+    sunlit: 1,
   } as unknown as ShipActor;
 }
 
@@ -69,8 +70,8 @@ describe('hulls', () => {
     const hulls = createHulls(material);
     const far = Array.from({ length: 60 }, (_, n) => 1000 + n);
     hulls.clear();
-    hulls.put(actorAt(model, [5, 0, 0]), EYE, { isWatched: false, sunlit: 1 });
-    for (const x of far) hulls.put(actorAt(model, [x, 0, 0]), EYE, { isWatched: false, sunlit: 1 });
+    hulls.put(actorAt(model, [5, 0, 0]), EYE, false);
+    for (const x of far) hulls.put(actorAt(model, [x, 0, 0]), EYE, false);
     hulls.finish();
     const drawn = drawnBy(hulls);
     expect(drawn.map(({ count }) => count)).toEqual([1, 60]);
@@ -85,8 +86,8 @@ describe('hulls', () => {
   it('draws the watched ship whole however far off, with its own legs’ travel', () => {
     const hulls = createHulls(material);
     hulls.clear();
-    hulls.put(actorAt(model, [6, 0, 0], [0.5, 0, 0, 0.25]), EYE, { isWatched: false, sunlit: 1 });
-    hulls.put(actorAt(model, [900, 0, 0], [0, 0.125, 0, 0]), EYE, { isWatched: true, sunlit: 1 });
+    hulls.put(actorAt(model, [6, 0, 0], [0.5, 0, 0, 0.25]), EYE, false);
+    hulls.put(actorAt(model, [900, 0, 0], [0, 0.125, 0, 0]), EYE, true);
     hulls.finish();
     const mesh = drawnBy(hulls)[0]!;
     expect(placesOf(mesh)).toEqual([6, 900]);

@@ -60,16 +60,12 @@ export function rewindLog(track: Track, sim: Simulation, to: Adopted): void {
  * within it is then in the log.
  */
 function redo(track: Track, sim: Simulation, ring: TouchdownRing, tick: number): boolean {
-  const kept = tick < 1 ? null : logAt(ring, tick - 1);
+  const kept = tick < 1 || logAt(ring, tick) === null ? null : logAt(ring, tick - 1);
   if (kept === null || !has(track.history, tick - 1) || !has(track.history, tick)) return false;
   ring.replayed.set(kept);
   copyRow(predicted, 0, track.history.rows, offsetOf(track.history, tick - 1));
   placeStep(step, sim, tick - 1, 0);
-  for (let reached = false; !reached;) {
-    reached = advanceRow(step, sim, track);
-    logSubstep(ring.replayed, sim.world, step);
-  }
-  return true;
+  return advanceLog(track, sim, ring, tick);
 }
 
 /** What was predicted for a tick: row and log. */
@@ -86,7 +82,7 @@ function recall(track: Track, ring: TouchdownRing, tick: number): boolean {
  * where the ship is.
  */
 function carryOn(track: Track, sim: Simulation, ring: TouchdownRing, tick: number): boolean {
-  const { fleet, front, timeline } = sim;
+  const { fleet, front } = sim;
   if (track.replaying) {
     placeStep(step, sim, track.replayTick, track.replaySubstep);
     copyRow(predicted, 0, fleet.replayed, track.at);
@@ -95,7 +91,12 @@ function carryOn(track: Track, sim: Simulation, ring: TouchdownRing, tick: numbe
     copyRow(predicted, 0, fleet.front, track.at);
     ring.replayed.set(ring.front);
   } else return false;
-  const ahead = indexOf(timeline, tick, 0) - indexOf(timeline, step.tick, step.substep);
+  return advanceLog(track, sim, ring, tick);
+}
+
+/** The log and its row, by the law, from where `step` stands to a tick boundary; false where that lies behind or too far ahead. */
+function advanceLog(track: Track, sim: Simulation, ring: TouchdownRing, tick: number): boolean {
+  const ahead = indexOf(sim.timeline, tick, 0) - indexOf(sim.timeline, step.tick, step.substep);
   if (ahead < 0 || ahead > MAX_CARRIED) return false;
   for (let i = 0; i < ahead; i++) {
     advanceRow(step, sim, track);

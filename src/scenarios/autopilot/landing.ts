@@ -30,10 +30,10 @@ const LOW_HOP = 3;
 /**
  * The game's maneuver_landing for ships that have legs, a pure step from one ship state to the next: descends, takes contact for
  * the touchdown (engine off, hold), completes on landed, fails with a reason on tipped or crashed. A high
- * bounce is flown like the descent. States come as often as they come: at 1 Hz the feet still touch below 3 m/s, from any attitude
- * and spin, if `site.delay` is told. What it cannot save: a ship that falls the height it has before it has turned its engine down
- * and braked, as a frigate (a half turn takes it 13 s) upside down 200 m over Earth, and one that is told too low a delay there:
- * either hits the ground, and the maneuver fails with the crash as its reason or goes on from the bounce.
+ * bounce is flown like the descent. At 1 Hz the feet still touch below 3 m/s, from any attitude and spin, if `site.delay` is given
+ * and there is height enough to turn the engine down and brake: 200 m over the Moon, Mars and Phobos; over Earth an upside-down
+ * lander needs 400 m at 10 Hz and 600 m at 1 Hz a tick late. With less, or with too small a delay, the ship hits the ground: the
+ * maneuver fails with the crash as its reason, or continues from the bounce.
  * @returns what to keep and command; or a reason that names the field a state has no use for, and `before` stays good
  */
 export function continueLanding(

@@ -1,5 +1,6 @@
 import type { Mission } from './mission';
-import { missionStart, PILOTED, RESTING } from './starts';
+import { STILL } from '../start';
+import { missionStart, PILOTED } from './starts';
 
 const LESSON = { isLesson: true, night: false, parSeconds: 60, parFuel: 300 } as const;
 
@@ -60,7 +61,7 @@ export const LESSONS: readonly Mission[] = [
     scenario: missionStart('school-right', 'Lesson 5: right a fallen ship', {
       about: 'The ship lies on its side: turn it up again.',
       settings: { touchdownAttitude: 'kept' },
-      initial: { ...RESTING, height: 3, velocity: [0, 0, -1], tilt: 42, leanTo: 90 },
+      initial: { ...STILL, height: 3, velocity: [0, 0, -1], tilt: 42, leanTo: 90 },
     }),
     goal: 'Stand the ship up until it says LANDED.',
     how: 'Hold the key that the display names. Release it below the angle shown, then press {rateDamping}.',

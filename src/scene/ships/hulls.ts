@@ -18,11 +18,7 @@ export interface Hulls {
   /** Begins a frame: nobody is on the stage. */
   clear(): void;
   /** Puts a posed ship on the stage. `eye` local, m; the watched ship is drawn whole and throws a shadow, however far off. */
-  put(
-    actor: ShipActor,
-    eye: Float64Array,
-    how: { readonly isWatched: boolean; readonly sunlit: number },
-  ): void;
+  put(actor: ShipActor, eye: Float64Array, isWatched: boolean): void;
   /** Ends a frame. */
   finish(): void;
   dispose(): void;
@@ -66,7 +62,7 @@ export function createHulls(material: ShipMaterial): Hulls {
     clear() {
       for (const levels of classes.values()) for (const level of levels) level.count = 0;
     },
-    put(actor, eye, { isWatched, sunlit }) {
+    put(actor, eye, isWatched) {
       const levels = levelsOf(actor.model);
       place.set(actor.place[0]! - eye[0]!, actor.place[1]! - eye[1]!, actor.place[2]! - eye[2]!);
       const heights = place.length() / (2 * actor.model.geometry.boundingSphere!.radius);
@@ -77,7 +73,7 @@ export function createHulls(material: ShipMaterial): Hulls {
       turn.set(actor.turn[0]!, actor.turn[1]!, actor.turn[2]!, actor.turn[3]!);
       level.mesh.setMatrixAt(level.count, matrix.compose(place, turn, ONE));
       if (level.isWhole) level.compression.set(actor.compression, level.count * 4);
-      level.sunlit.setX(level.count, sunlit);
+      level.sunlit.setX(level.count, actor.sunlit);
       level.count++;
     },
     finish() {

@@ -31,6 +31,8 @@ export interface ShipActor {
   seen: number;
   posed: number;
   wasWreck: boolean;
+  /** Share of the sun that reaches it, 0 … 1. */
+  sunlit: number;
 }
 
 /** Geometries by class and air: built once, shared by all ships of the class. */
@@ -95,6 +97,7 @@ export function createActor(ship: ShipView, wardrobe: Wardrobe, inAir: boolean):
     seen: 0,
     posed: 0,
     wasWreck: false,
+    sunlit: 1,
   };
 }
 

@@ -7,16 +7,7 @@ import {
   updateLandingReadout,
 } from '../../../src/readout';
 import type { WorldView } from '../../../src/prediction';
-import { makeFleet, STATES, type StateName } from './hudStates';
-
-const KEYS: Record<string, string> = {
-  pitchPlus: 'S',
-  pitchMinus: 'W',
-  yawPlus: 'D',
-  yawMinus: 'A',
-  translateYPlus: 'I',
-  rateDamping: 'T',
-};
+import { KEYS, makeFleet, STATES, type StateName } from './hudStates';
 
 const landing = createCockpitLandingHud(document, document.querySelector('#landing')!, {
   theme: 'system',

@@ -6,16 +6,8 @@ import {
   updateFleetReadout,
   updateLandingReadout,
 } from '../../../src/readout';
-import { makeFleet, STATES, type StateName } from './hudStates';
+import { KEYS, makeFleet, STATES, type StateName } from './hudStates';
 
-/** As hud.ts binds them. */
-const KEYS: Record<string, string> = {
-  pitchPlus: 'S',
-  pitchMinus: 'W',
-  yawPlus: 'D',
-  yawMinus: 'A',
-  rateDamping: 'T',
-};
 const SHEET = new URL('../../../src/hud/styles/hud.css', import.meta.url).href;
 
 const place = document.querySelector<HTMLElement>('#place')!;

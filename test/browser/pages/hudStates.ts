@@ -2,6 +2,16 @@
 import type { ShipView, WorldView } from '../../../src/prediction';
 import { later, makeShip, makeView, type Pose } from '../../readout/views';
 
+/** The keys that the HUDs name, until a test binds others. */
+export const KEYS: Record<string, string> = {
+  pitchPlus: 'S',
+  pitchMinus: 'W',
+  yawPlus: 'D',
+  yawMinus: 'A',
+  translateYPlus: 'I',
+  rateDamping: 'T',
+};
+
 export type StateName =
   | 'noData'
   | 'flight'

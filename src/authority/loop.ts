@@ -2,18 +2,18 @@ import type { Authority } from './authority';
 
 /**
  * When an authority's ticks are due on a wall clock that is handed in: shared by the page's worker, tests and benchmarks.
- * Wall seconds, monotonic.
+ * All times are monotonic wall seconds.
  */
 export interface Loop {
   /** When the next boundary is due. */
   nextAt: number;
-  /** A frozen server neither ticks nor sends; it goes on where it stood. */
+  /** A frozen server neither ticks nor sends; afterwards it continues from the same boundary. */
   frozen: boolean;
-  /** Boundaries that came later than the schedule because the host slept: moved, not made up for. */
+  /** Boundaries postponed because the host slept. */
   slipped: number;
 }
 
-/** Ticks made up for at once after a stall; the schedule of the rest moves. A server that bursts on is a server that spirals. */
+/** Most ticks run at once after a stall; later ones are postponed. A server that catches up without a limit falls further behind. */
 export const MAX_CATCH_UP = 5;
 
 /** A loop whose present boundary is at `now`. */
@@ -23,8 +23,8 @@ export function startLoop(authority: Authority, now: number): Loop {
 }
 
 /**
- * Advances the authority over every boundary due by `now`; `sent(at)` is called after each, for the frames.
- * @returns the number of boundaries passed
+ * Runs every tick due by `now`; `sent(at)` is called after each, to send the frames.
+ * @returns the number of ticks run
  */
 export function runDueTicks(
   loop: Loop,
@@ -41,7 +41,7 @@ export function runDueTicks(
   return passed;
 }
 
-/** Moves a schedule that is too far behind, so that at most MAX_CATCH_UP boundaries are due by `now`. */
+/** Postpones a schedule that is too far behind, so that at most MAX_CATCH_UP ticks are due by `now`. */
 export function skipBacklog(loop: Loop, authority: Authority, now: number): void {
   if (loop.frozen) return;
   const tickRate = authority.tempo.tickRate();
@@ -51,7 +51,7 @@ export function skipBacklog(loop: Loop, authority: Authority, now: number): void
   loop.nextAt += (due - MAX_CATCH_UP) / tickRate;
 }
 
-/** Advances the authority over the next boundary; the wall second at which that was due. */
+/** Runs the next tick; returns the wall second at which it was due. */
 export function runNextTick(loop: Loop, authority: Authority): number {
   const at = loop.nextAt;
   authority.tick(at);

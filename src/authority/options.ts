@@ -19,27 +19,27 @@ import {
 } from '../dynamics';
 import type { BodyState, InputRecord } from '../wire';
 
-/** What an authority is made of. */
+/** The world of an authority, and how it talks to clients. */
 export interface AuthorityOptions {
   /** Settings that differ from the defaults. */
   readonly settings?: Partial<Settings>;
   readonly shipClasses: readonly ShipClass[];
-  /** At the first tick; from then on each moves by its velocity and turns by its angular velocity. */
+  /** At the first tick; afterwards each moves by its velocity and turns by its angular velocity. */
   readonly bodies: readonly BodyState[];
-  /** The name the hello tells, and the key into `terrains`. */
+  /** The terrain's name in the hello, and the key into `terrains`. */
   readonly terrain: string;
   readonly terrains: Readonly<Record<string, TerrainHeight>>;
   /** Hz, 0.1–100. */
   readonly tickRate: number;
   /** 0.1–100. */
   readonly timeScale: number;
-  /** The number of the first tick boundary; 0 unless said. */
+  /** The number of the first tick boundary; 0 by default. */
   readonly tick?: number;
-  /** 'tick': inputs act at tick starts alone. 'substep' unless said. */
+  /** 'tick': inputs act at tick starts alone. 'substep' by default. */
   readonly inputGranularity?: 'substep' | 'tick';
-  /** Speaks as the game's own server does: no hello, no ShipState fields 31–34, no acknowledgements, whole-tick inputs. */
+  /** Talks as the game's own server does: no hello, no ShipState fields 31–34, no acknowledgements, whole-tick inputs. */
   readonly legacy?: boolean;
-  /** Called when a pilot's input acts on its ship: what replays the flight. It must not throw. */
+  /** Called when a pilot's input acts on its ship, so that the flight can be replayed. Must not throw. */
   readonly onInput?: (shipId: string, input: Omit<InputRecord, 'seq'>) => void;
 }
 
@@ -53,7 +53,7 @@ export interface LoadedOptions {
 const MAX_BODIES = 256;
 const MAX_CLASSES = 256;
 
-/** The world an authority simulates, or a reason that names the first field that cannot be used. */
+/** The world an authority simulates, or a reason that names the first invalid field. */
 export function loadOptions(options: AuthorityOptions): Result<LoadedOptions> {
   const settings = loadSettings(options.settings ?? {});
   if (!settings.ok) return err(`settings.${settings.reason}`);
@@ -95,7 +95,7 @@ function loadAll<Given extends { name: string }, Loaded extends LoadedBody | Loa
     const checked = load(one);
     if (!checked.ok) return err(`${field}[${i}]: ${checked.reason}`);
     if (loaded.some((other) => other.name === one.name))
-      return err(`${field}[${i}]: name: ${one.name} is there twice`);
+      return err(`${field}[${i}]: name: ${one.name} appears twice`);
     loaded.push(checked.value);
   }
   return ok(loaded);

@@ -1,11 +1,11 @@
 import { ok, type Result, loadControls, err, writeControls } from '../dynamics';
 import type { InputRecord } from '../wire';
-import { type Roster, rowOf } from './roster';
+import { rowOf, type ShipTable } from './shipTable';
 
 /** Controls from the start of a substep on. */
 export type PlannedInput = Omit<InputRecord, 'seq'>;
 
-/** What a ship does by itself until its player's first input acts. */
+/** Inputs that a ship applies by itself until its player's first input acts. */
 export interface Plan {
   readonly inputs: readonly PlannedInput[];
   next: number;
@@ -13,7 +13,7 @@ export interface Plan {
 
 const MAX_PLANNED = 10_000;
 
-/** The plan, its controls in range, or a reason that names the field. */
+/** The checked plan, or a reason that names the field. */
 export function loadPlan(given: readonly PlannedInput[]): Result<Plan> {
   if (given.length > MAX_PLANNED) return err(`plan: expected at most ${MAX_PLANNED}, got ${given.length}`);
   const inputs: PlannedInput[] = [];
@@ -22,7 +22,7 @@ export function loadPlan(given: readonly PlannedInput[]): Result<Plan> {
     const whole = Number.isSafeInteger(tick) && Number.isSafeInteger(substep) && substep >= 0;
     if (!whole || tick < before.tick || (tick === before.tick && substep < before.substep))
       return err(
-        `plan[${i}]: expected whole numbers in the order of time, got tick ${tick} substep ${substep}`,
+        `plan[${i}]: expected whole numbers, ascending in time, got tick ${tick} substep ${substep}`,
       );
     const checked = loadControls(controls);
     if (!checked.ok) return err(`plan[${i}].controls.${checked.reason}`);
@@ -31,12 +31,12 @@ export function loadPlan(given: readonly PlannedInput[]): Result<Plan> {
   return ok({ inputs, next: 0 });
 }
 
-/** Writes into the ships' rows what their plans have due at the start of substep `substep` of the interval of `tick`. */
-export function flyPlans(plans: Map<string, Plan>, roster: Roster, tick: number, substep: number): void {
+/** Writes the planned inputs that are due at the start of substep `substep` of the interval of `tick` into the ships' rows. */
+export function flyPlans(plans: Map<string, Plan>, table: ShipTable, tick: number, substep: number): void {
   for (const [shipId, plan] of plans) {
     for (let due = plan.inputs[plan.next]; due !== undefined; due = plan.inputs[plan.next]) {
       if (due.tick > tick || (due.tick === tick && due.substep > substep)) break;
-      writeControls(roster.rows, rowOf(roster, shipId), due.controls);
+      writeControls(table.rows, rowOf(table, shipId), due.controls);
       plan.next += 1;
     }
     if (plan.next === plan.inputs.length) plans.delete(shipId);

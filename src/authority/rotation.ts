@@ -1,6 +1,6 @@
 import type { Quat, Vec3 } from '../dynamics';
 
-/** Rotations from + − × ÷ √ alone, so that what is placed with them has the same bits in every engine. Quaternions [x, y, z, w]. */
+/** Rotations from + − × ÷ √ alone, so that poses computed with them have the same bits in every engine. Quaternions [x, y, z, w]. */
 
 /** Rotates `v` by the unit quaternion `q`: v + 2w (q×v) + 2 q×(q×v). */
 export function rotate([x, y, z, w]: Quat, v: Vec3): Vec3 {

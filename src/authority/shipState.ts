@@ -11,14 +11,14 @@ import {
 import type { BodyState, ShipState } from '../wire';
 import { add } from './rotation';
 
-/** Who a ship is, beside its row. */
+/** Names of a ship; its row holds the rest. */
 export interface ShipIdentity {
   readonly shipId: string;
   readonly playerId: string;
   readonly name: string;
 }
 
-/** A ship's row and its bodies, as the rows hold them at a tick boundary. */
+/** A ship's row and its bodies, at a tick boundary. */
 export interface ShipPlace {
   readonly ships: Float64Array;
   readonly at: number;
@@ -27,8 +27,8 @@ export interface ShipPlace {
 }
 
 /**
- * A row as the wire's ShipState (PREDICTION, What the server says): ICRF position and velocity are made here, from the state
- * relative to the reference body, and nowhere else (DYNAMICS, Frame). `legacy` leaves out what the game's own server does not send.
+ * A row as the wire's ShipState (PREDICTION, What the server says): ICRF position and velocity are computed here alone, from
+ * the state relative to the reference body (DYNAMICS, Frame). `legacy` omits what the game's own server does not send.
  */
 export function toShipState(place: ShipPlace, identity: ShipIdentity, legacy = false): ShipState {
   const { ships, at, bodies, world } = place;
@@ -59,7 +59,7 @@ export function toShipState(place: ShipPlace, identity: ShipIdentity, legacy = f
   };
 }
 
-/** The bodies of `world` as their rows have them, plain. */
+/** The bodies of `world` as plain records. */
 export function toBodyStates(bodies: Float64Array, world: World): BodyState[] {
   return world.bodies.map(({ name, mass, radius }, i) => ({
     name,

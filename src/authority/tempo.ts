@@ -1,6 +1,6 @@
 import { loadTiming, type Settings, type Timing, timingOfTick } from '../dynamics';
 
-/** How fast the server ticks, and what has been asked for but does not hold before the next boundary. */
+/** How fast the server ticks. Changes are requested at any time and take effect at the next boundary. */
 export interface Tempo {
   /** Hz */
   readonly tickRate: () => number;
@@ -10,9 +10,9 @@ export interface Tempo {
   setTickRate: (tickRate: number) => string | null;
   setTimeScale: (timeScale: number) => string | null;
   setPaused: (paused: boolean) => void;
-  /** While paused: run at once, for one interval of one tick or one substep, then be as before. */
+  /** While paused: runs for one interval of one tick or one substep, then pauses again. */
   armStep: (unit: 'substep' | 'tick') => string | null;
-  /** At a boundary: what has been asked for holds. */
+  /** At a boundary: requested changes take effect. */
   settle: () => void;
 }
 
@@ -23,40 +23,40 @@ interface Values {
 }
 
 export function createTempo(tickRate: number, timeScale: number, timing: Timing, settings: Settings): Tempo {
-  let held: Values = { tickRate, timeScale, paused: false };
-  let asked: Values = held;
-  let heldTiming = timing;
+  let current: Values = { tickRate, timeScale, paused: false };
+  let requested: Values = current;
+  let currentTiming = timing;
 
-  function ask(change: Partial<Values>): string | null {
-    const next = { ...asked, ...change };
+  function request(change: Partial<Values>): string | null {
+    const next = { ...requested, ...change };
     const checked = loadTiming(next.tickRate, next.timeScale, settings);
     if (!checked.ok) return checked.reason;
-    asked = next;
+    requested = next;
     return null;
   }
 
-  function hold(values: Values): void {
-    held = values;
-    heldTiming = timingOfTick(values.timeScale / values.tickRate, settings.contactLongestSubstep);
+  function apply(values: Values): void {
+    current = values;
+    currentTiming = timingOfTick(values.timeScale / values.tickRate, settings.contactLongestSubstep);
   }
 
   return {
-    tickRate: () => held.tickRate,
-    timeScale: () => held.timeScale,
-    paused: () => held.paused,
-    timing: () => heldTiming,
-    setTickRate: (tickRate) => ask({ tickRate }),
-    setTimeScale: (timeScale) => ask({ timeScale }),
-    setPaused: (paused) => void ask({ paused }),
+    tickRate: () => current.tickRate,
+    timeScale: () => current.timeScale,
+    paused: () => current.paused,
+    timing: () => currentTiming,
+    setTickRate: (tickRate) => request({ tickRate }),
+    setTimeScale: (timeScale) => request({ timeScale }),
+    setPaused: (paused) => void request({ paused }),
     armStep(unit) {
-      if (!held.paused) return 'step: the server is not paused';
-      asked = { ...asked, paused: true };
-      if (unit === 'tick') hold({ ...held, paused: false });
-      else hold({ tickRate: 100, timeScale: Math.max(0.1, heldTiming.dt * 100), paused: false });
+      if (!current.paused) return 'step: the server is not paused';
+      requested = { ...requested, paused: true };
+      if (unit === 'tick') apply({ ...current, paused: false });
+      else apply({ tickRate: 100, timeScale: Math.max(0.1, currentTiming.dt * 100), paused: false });
       return null;
     },
     settle: () => {
-      if (asked !== held) hold(asked);
+      if (requested !== current) apply(requested);
     },
   };
 }

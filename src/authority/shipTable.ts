@@ -25,65 +25,70 @@ import type { PlannedInput } from './plans';
 import { compose, inverse, rotate } from './rotation';
 import type { ShipIdentity } from './shipState';
 
-/** A ship to be put into the world. */
+/** A ship to spawn. */
 export interface SpawnOrder extends ShipIdentity {
   readonly ship: ShipInit;
-  /** Neutral unless said. */
+  /** Neutral by default. */
   readonly controls?: Controls;
-  /** What it does by itself until its player's first input acts; in the order of time. */
+  /** Inputs it applies by itself until its player's first input acts; ascending in time. */
   readonly plan?: readonly PlannedInput[];
 }
 
-/** The ships of a world: row i belongs to identity i. */
-export interface Roster {
+/** The ships of a world: row i belongs to entry i. */
+export interface ShipTable {
   rows: Float64Array;
-  /** What each ship reported in a substep. */
+  /** The event of each ship in the last substep. */
   events: Uint8Array;
-  readonly berths: Berth[];
+  readonly entries: Entry[];
 }
 
-interface Berth {
+interface Entry {
   readonly identity: ShipIdentity;
-  /** As spawned, and how its body was turned then: a respawn is over the same ground. */
+  /** As spawned, and its body's attitude then: a respawn is over the same ground. */
   readonly ship: ShipInit;
   readonly bodyAttitude: Quat;
 }
 
 const MAX_SHIPS = 10_000;
-/** Beyond this a kick is a slip of the caller's, m/s and rad/s. */
+/** A larger kick is a mistake of the caller's, m/s and rad/s. */
 const LARGEST_KICK = 1e4;
 
-export function createRoster(): Roster {
-  return { rows: new Float64Array(0), events: new Uint8Array(0), berths: [] };
+export function createShipTable(): ShipTable {
+  return { rows: new Float64Array(0), events: new Uint8Array(0), entries: [] };
 }
 
 /** The row offset of a ship, or -1. */
-export function rowOf(roster: Roster, shipId: string): number {
-  return roster.berths.findIndex((berth) => berth.identity.shipId === shipId) * SHIP_STRIDE;
+export function rowOf(table: ShipTable, shipId: string): number {
+  return table.entries.findIndex((entry) => entry.identity.shipId === shipId) * SHIP_STRIDE;
 }
 
-/** Adds a ship; a reason that names the field leaves the roster as it was. */
-export function spawn(roster: Roster, order: SpawnOrder, bodies: Float64Array, world: World): string | null {
+/** Adds a ship; a reason that names the field leaves the table unchanged. */
+export function spawn(
+  table: ShipTable,
+  order: SpawnOrder,
+  bodies: Float64Array,
+  world: World,
+): string | null {
   const { shipId, playerId, name, ship } = order;
-  const unsaid = notOnWire(order);
-  if (unsaid !== null) return unsaid;
-  if (rowOf(roster, shipId) >= 0) return `shipId: ${shipId} is there already`;
-  if (roster.berths.length >= MAX_SHIPS) return `ships: ${MAX_SHIPS} are there already`;
-  const at = roster.rows.length;
+  const invalid = invalidName(order);
+  if (invalid !== null) return invalid;
+  if (rowOf(table, shipId) >= 0) return `shipId: ${shipId} exists already`;
+  if (table.entries.length >= MAX_SHIPS) return `ships: the limit of ${MAX_SHIPS} is reached`;
+  const at = table.rows.length;
   const rows = new Float64Array(at + SHIP_STRIDE);
-  rows.set(roster.rows);
+  rows.set(table.rows);
   const reason = spawnShip(rows, at, ship, world) ?? command(rows, at, order.controls);
   if (reason !== null) return reason;
-  roster.rows = rows;
-  roster.events = new Uint8Array(rows.length / SHIP_STRIDE);
+  table.rows = rows;
+  table.events = new Uint8Array(rows.length / SHIP_STRIDE);
   const bodyAttitude = attitudeOf(bodies, rows[at + REFERENCE_BODY]!);
-  roster.berths.push({ identity: { shipId, playerId, name }, ship, bodyAttitude });
+  table.entries.push({ identity: { shipId, playerId, name }, ship, bodyAttitude });
   return null;
 }
 
-/** Why the order's names could not be told to any client, or null. */
-function notOnWire({ shipId, playerId, name }: ShipIdentity): string | null {
-  if (shipId === '') return 'shipId: expected a text';
+/** The reason why the order's names cannot be sent to clients, or null. */
+function invalidName({ shipId, playerId, name }: ShipIdentity): string | null {
+  if (shipId === '') return 'shipId: expected a non-empty text';
   for (const [field, text] of Object.entries({ shipId, playerId, name })) {
     const complaint = textComplaint(text);
     if (complaint !== null) return `${field}: ${complaint}`;
@@ -91,40 +96,41 @@ function notOnWire({ shipId, playerId, name }: ShipIdentity): string | null {
   return null;
 }
 
-/** Takes a ship out of the world. */
-export function despawn(roster: Roster, shipId: string): string | null {
-  const at = rowOf(roster, shipId);
+/** Removes a ship from the world. */
+export function despawn(table: ShipTable, shipId: string): string | null {
+  const at = rowOf(table, shipId);
   if (at < 0) return `shipId: no ship named ${shipId}`;
-  const rows = new Float64Array(roster.rows.length - SHIP_STRIDE);
-  rows.set(roster.rows.subarray(0, at));
-  rows.set(roster.rows.subarray(at + SHIP_STRIDE), at);
-  roster.rows = rows;
-  roster.events = new Uint8Array(rows.length / SHIP_STRIDE);
-  roster.berths.splice(at / SHIP_STRIDE, 1);
+  const rows = new Float64Array(table.rows.length - SHIP_STRIDE);
+  rows.set(table.rows.subarray(0, at));
+  rows.set(table.rows.subarray(at + SHIP_STRIDE), at);
+  table.rows = rows;
+  table.events = new Uint8Array(rows.length / SHIP_STRIDE);
+  table.entries.splice(at / SHIP_STRIDE, 1);
   return null;
 }
 
-/** Puts a ship back as it was spawned, over the same ground of the turned body, or as `ship` says; controls neutral. */
+/** Puts a ship back as it was spawned, over the same ground of the turned body, or into the state `ship`; controls neutral. */
 export function respawn(
-  roster: Roster,
+  table: ShipTable,
   shipId: string,
   bodies: Float64Array,
   world: World,
   ship?: ShipInit,
 ): string | null {
-  const at = rowOf(roster, shipId);
+  const at = rowOf(table, shipId);
   if (at < 0) return `shipId: no ship named ${shipId}`;
-  return spawnShip(roster.rows, at, ship ?? overSameGround(roster, at, bodies, world), world);
+  return spawnShip(table.rows, at, ship ?? overSameGround(table, at, bodies, world), world);
 }
 
 /**
- * Adds `dv` (m/s) and `spin` (rad/s), ICRF axes, to a ship: an operator's doing, outside the law. A landed ship is attached to
- * the ground and a settling one is held down (DYNAMICS, Linear): pushed upward they fly, pushed otherwise a landed one slides.
+ * Adds `dv` (m/s) and `spin` (rad/s), ICRF axes, to a ship: an operator's order, outside the dynamics. A landed ship is
+ * attached to the ground and a settling one is held down (DYNAMICS, Linear): pushed upward they fly, pushed otherwise a landed one
+ * slides.
  */
-export function kick(roster: Roster, shipId: string, dv: Vec3, spin: Vec3): string | null {
-  const at = rowOf(roster, shipId);
+export function kick(table: ShipTable, shipId: string, dv: Vec3, spin: Vec3): string | null {
+  const at = rowOf(table, shipId);
   if (at < 0) return `shipId: no ship named ${shipId}`;
-  const { rows } = roster;
+  const { rows } = table;
   for (const [name, vector] of [
     ['dv', dv],
     ['spin', spin],
@@ -145,8 +151,8 @@ export function kick(roster: Roster, shipId: string, dv: Vec3, spin: Vec3): stri
   return null;
 }
 
-function overSameGround(roster: Roster, at: number, bodies: Float64Array, world: World): ShipInit {
-  const { ship, bodyAttitude } = roster.berths[at / SHIP_STRIDE]!;
+function overSameGround(table: ShipTable, at: number, bodies: Float64Array, world: World): ShipInit {
+  const { ship, bodyAttitude } = table.entries[at / SHIP_STRIDE]!;
   const body = world.bodies.findIndex((candidate) => candidate.name === ship.referenceBody);
   const turn = compose(attitudeOf(bodies, body), inverse(bodyAttitude));
   return {

@@ -1,15 +1,10 @@
 import {
-  ok,
-  type Body,
   BODY_STRIDE,
-  type Result,
-  loadBody,
-  type LoadedBody,
-  type LoadedShipClass,
-  loadSettings,
-  loadShipClass,
-  loadTiming,
   err,
+  loadTiming,
+  loadWorld,
+  ok,
+  type Result,
   type Settings,
   type ShipClass,
   type TerrainHeight,
@@ -55,48 +50,38 @@ const MAX_CLASSES = 256;
 
 /** The world an authority simulates, or a reason that names the first invalid field. */
 export function loadOptions(options: AuthorityOptions): Result<LoadedOptions> {
-  const settings = loadSettings(options.settings ?? {});
-  if (!settings.ok) return err(`settings.${settings.reason}`);
-  const timing = loadTiming(options.tickRate, options.timeScale, settings.value);
-  if (!timing.ok) return timing;
-  const tick = options.tick ?? 0;
-  if (!Number.isSafeInteger(tick) || tick < 0)
-    return err(`tick: expected a whole number ≥ 0, got ${String(tick)}`);
-  const shipClasses = loadAll('shipClasses', options.shipClasses, MAX_CLASSES, loadShipClass);
-  if (!shipClasses.ok) return shipClasses;
-  const bodies = loadAll('bodies', options.bodies, MAX_BODIES, (body: Body) => loadBody(body));
-  if (!bodies.ok) return bodies;
-  const rows = new Float64Array(options.bodies.length * BODY_STRIDE);
-  for (const [i, body] of options.bodies.entries()) {
-    const reason = writeBodyMotion(rows, i * BODY_STRIDE, body);
-    if (reason !== null) return err(`bodies[${i}] (${body.name}): ${reason}`);
-  }
-  if (!Object.hasOwn(options.terrains, options.terrain))
-    return err(`terrain: no terrain named ${options.terrain}`);
-  const world: World = {
-    settings: settings.value,
-    shipClasses: shipClasses.value,
-    bodies: bodies.value,
+  const reason = invalidTick(options.tick) ?? invalidNames(options);
+  if (reason !== null) return err(reason);
+  const world = loadWorld({
+    settings: options.settings ?? {},
+    shipClasses: options.shipClasses,
+    bodies: options.bodies,
     terrainHeight: options.terrains[options.terrain]!,
-  };
-  return ok({ world, bodies: rows, timing: timing.value });
+  });
+  if (!world.ok) return world;
+  const timing = loadTiming(options.tickRate, options.timeScale, world.value.settings);
+  if (!timing.ok) return timing;
+  const bodies = new Float64Array(options.bodies.length * BODY_STRIDE);
+  for (const [i, body] of options.bodies.entries()) {
+    const invalid = writeBodyMotion(bodies, i * BODY_STRIDE, body);
+    if (invalid !== null) return err(`bodies[${i}] (${body.name}): ${invalid}`);
+  }
+  return ok({ world: world.value, bodies, timing: timing.value });
 }
 
-function loadAll<Given extends { name: string }, Loaded extends LoadedBody | LoadedShipClass>(
-  field: string,
-  given: readonly Given[],
-  most: number,
-  load: (one: Given) => Result<Loaded>,
-): Result<readonly Loaded[]> {
-  if (given.length === 0 || given.length > most)
-    return err(`${field}: expected 1 to ${most}, got ${given.length}`);
-  const loaded: Loaded[] = [];
-  for (const [i, one] of given.entries()) {
-    const checked = load(one);
-    if (!checked.ok) return err(`${field}[${i}]: ${checked.reason}`);
-    if (loaded.some((other) => other.name === one.name))
-      return err(`${field}[${i}]: name: ${one.name} appears twice`);
-    loaded.push(checked.value);
-  }
-  return ok(loaded);
+function invalidTick(tick = 0): string | null {
+  if (Number.isSafeInteger(tick) && tick >= 0) return null;
+  return `tick: expected a whole number ≥ 0, got ${String(tick)}`;
+}
+
+function invalidNames({ shipClasses, bodies, terrain, terrains }: AuthorityOptions): string | null {
+  if (!Object.hasOwn(terrains, terrain)) return `terrain: no terrain named ${terrain}`;
+  return invalidList('shipClasses', shipClasses, MAX_CLASSES) ?? invalidList('bodies', bodies, MAX_BODIES);
+}
+
+function invalidList(field: string, items: readonly { name: string }[], most: number): string | null {
+  if (items.length === 0 || items.length > most)
+    return `${field}: expected 1 to ${most}, got ${items.length}`;
+  const twice = items.findIndex(({ name }, i) => items.findIndex((other) => other.name === name) < i);
+  return twice < 0 ? null : `${field}[${twice}]: name: ${items[twice]!.name} appears twice`;
 }

@@ -41,6 +41,8 @@ export { substep } from './substep';
 /** The step of a world, and how ticks are cut. */
 export { beginTick, endTick, loadTiming, stepWorld, type Timing, timingOfTick } from './tick';
 export type { TerrainHeight, World } from './constants/world';
+/** A world: plain data in, constants out. */
+export { loadWorld, type WorldData } from './constants/loadWorld';
 /** Which way the ground faces under a ship's feet. */
 export { type GroundUnderShip, writeGroundNormal } from './contact/groundNormal';
 /** Re-choosing the reference body at a tick's start. */

@@ -7,7 +7,7 @@ import { holdSleeping } from './simulation/sleep';
 import type { Simulation } from './simulation/simulation';
 import { startReplay } from './simulation/replay';
 import { copyRow, removeTrack, type Track } from './simulation/track';
-import { loadWorld } from './snapshots/worldConfig';
+import { loadConfig } from './snapshots/worldConfig';
 import { forgetPings } from './time/pings';
 
 /** Whose ship is whose (PREDICTION, Who flies what): what the caller says, and what the server's word comes to. */
@@ -71,7 +71,7 @@ export function expectTeleport({ sim }: Session, shipId: string): void {
 /** Ships, time, inputs and the clock are forgotten; the world that a hello told, the own ship and listeners stay. */
 export function resetSession(session: Session): void {
   const { config, terrains, pilot, pings } = session;
-  const world = loadWorld(config, terrains);
+  const world = loadConfig(config, terrains);
   if (world.ok) beginWorld(session, world.value, config.bodies);
   forgetPings(pings);
   pilot.last = null;

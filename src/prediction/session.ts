@@ -12,7 +12,7 @@ import { createSimulation, type Simulation } from './simulation/simulation';
 import { createGameTimeMeter, forgetGameTime, type GameTimeMeter } from './snapshots/gameTimeMeter';
 import { createPendingFrames, type PendingFrames } from './snapshots/pending';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
-import { loadWorld, type WorldConfig } from './snapshots/worldConfig';
+import { loadConfig, type WorldConfig } from './snapshots/worldConfig';
 import { type Clock, createClock, forgetSchedule } from './time/clock';
 import { createPace, type Pace } from './time/pace';
 import { createPings, type Pings } from './time/pings';
@@ -50,7 +50,7 @@ export function createSession(options: PredictorOptions): Session {
   // Null adds up as 0, and no ship is predicted on it (knowsGround).
   const terrains = { ...TERRAINS, ...options.terrains } as Readonly<Record<string, TerrainHeight>>;
   const defaults = defaultWorld(options.defaults);
-  const world = loadWorld(defaults, terrains);
+  const world = loadConfig(defaults, terrains);
   if (!world.ok) throw new RangeError(`defaults: ${world.reason}`);
   const warn = createWarn(options.onWarning);
   const counters = createDiagnosis();

@@ -1,7 +1,7 @@
 /** Scenarios, simulated network, recordings: shared by tests, benchmarks and page. */
 
 /** Landings as data, and what they come to on the dynamics alone. */
-export { SCENARIOS } from './scenarios';
+export { SCENARIOS } from './catalogue';
 export {
   type Scenario,
   type ScenarioInput,

@@ -5,12 +5,11 @@ import {
   type Result,
   CRASHED,
   endTick,
+  err,
   EVENT_NAMES,
   hashRows,
   isTransitionAllowed,
-  loadBody,
-  loadSettings,
-  loadShipClass,
+  loadWorld,
   NO_EVENT,
   SHIP_STRIDE,
   type ShipEventName,
@@ -77,22 +76,18 @@ export function prepare({
   terrainHeight,
   ship,
 }: StagedScenario): Result<Prepared> {
-  const settings = loadSettings(scenario.settings);
-  if (!settings.ok) return settings;
-  const loadedClass = loadShipClass(shipClass);
-  if (!loadedClass.ok) return loadedClass;
-  const loadedBody = loadBody(body);
-  if (!loadedBody.ok) return loadedBody;
-  const world: World = {
-    settings: settings.value,
-    shipClasses: [loadedClass.value],
-    bodies: [loadedBody.value],
+  const loaded = loadWorld({
+    settings: scenario.settings,
+    shipClasses: [shipClass],
+    bodies: [body],
     terrainHeight,
-  };
+  });
+  if (!loaded.ok) return loaded;
+  const world = loaded.value;
   const row = new Float64Array(SHIP_STRIDE);
   const bodies = new Float64Array(BODY_STRIDE);
   const reason = writeBodyMotion(bodies, 0, body) ?? spawnShip(row, 0, ship, world);
-  return reason === null ? ok({ world, ship: row, bodies }) : { ok: false, reason };
+  return reason === null ? ok({ world, ship: row, bodies }) : err(reason);
 }
 
 export interface Prepared {

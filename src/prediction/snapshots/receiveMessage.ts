@@ -10,7 +10,7 @@ import { answeredPing, forgetPings } from '../time/pings';
 import { spanOf, wallOfTick } from '../time/timeline';
 import { completeFrame } from './completeFrame';
 import { receiveSnapshot, refuse, startAnew } from './receiver';
-import { loadWorld, sameWorld, type WorldConfig } from './worldConfig';
+import { loadConfig, sameWorld, type WorldConfig } from './worldConfig';
 
 /**
  * A message of the server has arrived at client wall second `now`. Whatever is handed in, nothing is thrown: what cannot be is
@@ -95,7 +95,7 @@ function speaks({ sim, warn }: Session, { protocolVersion: version }: Hello): bo
 /** The world that a hello or a frame tells, or why it is refused; members that are not there are no reason to throw. */
 function loadGiven(config: WorldConfig, { terrains }: Session): Result<World> {
   try {
-    return loadWorld(config, terrains);
+    return loadConfig(config, terrains);
   } catch (error) {
     return { ok: false, reason: `world: ${String(error)}` };
   }

@@ -1,6 +1,6 @@
 import { LESSONS } from './lessons';
 import type { Scenario } from '../scenario';
-import { SCENARIOS } from '../scenarios';
+import { SCENARIOS } from '../catalogue';
 import type { Mission } from './mission';
 import { missionStart, PILOTED } from './starts';
 

@@ -6,10 +6,8 @@ import {
   type Result,
   type Controls,
   EVENT_NAMES,
-  loadBody,
   loadControls,
-  loadSettings,
-  loadShipClass,
+  loadWorld,
   NO_EVENT,
   readControls,
   readShip,
@@ -143,34 +141,17 @@ function runInterval(
   return ok({ ship: readShip(row, 0, world), controls: readControls(row, 0), events });
 }
 
-/** What the hello tells; the game's own classes and bodies, default settings and level ground where there is none. */
+/** The world of the session's hello; without one, the game's own classes and bodies, default settings and level ground. */
 function worldOf({ hello, frames }: RecordedSession): Result<World> {
-  const [first] = frames.values();
-  const settings = loadSettings(hello?.settings ?? {});
-  if (!settings.ok) return err(`settings.${settings.reason}`);
   const terrain = hello?.terrain ?? 'flat';
   if (!Object.hasOwn(TERRAINS, terrain)) return err(`terrain: no terrain named ${terrain}`);
-  const shipClasses = all(hello?.shipClasses ?? SHIP_CLASSES, loadShipClass);
-  const told = hello?.bodies ?? BODIES.filter(({ name }) => first?.bodies.some((body) => body.name === name));
-  const bodies = all(told, loadBody);
-  if (!shipClasses.ok) return shipClasses;
-  if (!bodies.ok) return bodies;
-  return ok({
-    settings: settings.value,
-    shipClasses: shipClasses.value,
-    bodies: bodies.value,
+  const [first] = frames.values();
+  return loadWorld({
+    settings: hello?.settings ?? {},
+    shipClasses: hello?.shipClasses ?? SHIP_CLASSES,
+    bodies: hello?.bodies ?? BODIES.filter(({ name }) => first?.bodies.some((body) => body.name === name)),
     terrainHeight: TERRAINS[terrain]!,
   });
-}
-
-function all<Given, Loaded>(given: readonly Given[], load: (one: Given) => Result<Loaded>): Result<Loaded[]> {
-  const loaded: Loaded[] = [];
-  for (const one of given) {
-    const checked = load(one);
-    if (!checked.ok) return checked;
-    loaded.push(checked.value);
-  }
-  return ok(loaded);
 }
 
 /** The ship's own height of its centre of mass, else its class's. */

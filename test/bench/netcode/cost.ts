@@ -11,7 +11,7 @@ import { runReplays, startReplay } from '../../../src/prediction/simulation/repl
 import { addTrack } from '../../../src/prediction/simulation/track';
 import { setTempo } from '../../../src/prediction/time/timeline';
 import { updateBodies } from '../../../src/prediction/snapshots/bodies/bodyTrack';
-import { loadWorld } from '../../../src/prediction/snapshots/worldConfig';
+import { loadConfig } from '../../../src/prediction/snapshots/worldConfig';
 
 const SHIPS = 1000;
 /** Hz: many frames to judge in little time. */
@@ -143,7 +143,7 @@ function quietestMedian(values: readonly number[], length: number): number {
 function replayOfHundred(): Figure {
   const staged = value(stage(SLIDE));
   const told = { settings: {}, shipClasses: [staged.shipClass], bodies: [staged.body], terrain: 'flat' };
-  const world = value(loadWorld(told, { flat: staged.terrainHeight }));
+  const world = value(loadConfig(told, { flat: staged.terrainHeight }));
   const sim = createSimulation(world, [staged.body], {
     counters: createDiagnosis(),
     warn: () => undefined,

@@ -1,0 +1,111 @@
+import type { Scenario } from '../scenario';
+import { KEPT, START, STILL } from '../start';
+
+/** Landings on the Moon, in the order of what can happen: touch, bounce, slide, topple, launch, crash. */
+export const FLAT_GROUND: readonly Scenario[] = [
+  {
+    ...START,
+    name: 'opening',
+    title: 'Opening',
+    about: 'Descends on the Moon at 12 m/s with sideways drift: bounces once, slides and lands.',
+    initial: { ...STILL, height: 12.2, velocity: [13, 5, -10.2], tilt: 8, leanTo: 250, heading: 20 },
+    duration: 20,
+    expected: ['ship.contact', 'ship.contact', 'ship.landed'],
+  },
+  {
+    ...START,
+    name: 'settle',
+    title: 'Settle',
+    about: 'Touches at 5 m/s, below the bounce speed: the legs absorb it and the ship lands.',
+    initial: { ...STILL, height: 6, velocity: [0, 0, -2.5], tilt: 3, leanTo: 200 },
+    duration: 8,
+    expected: ['ship.contact', 'ship.landed'],
+  },
+  {
+    ...START,
+    name: 'bounce',
+    title: 'Bounce',
+    about: 'Touches at 25 m/s and bounces twice, each time with a third of the energy, then lands.',
+    initial: { ...STILL, height: 20, velocity: [1, 0, -23.6] },
+    duration: 28,
+    expected: ['ship.contact', 'ship.contact', 'ship.contact', 'ship.landed'],
+  },
+  {
+    ...START,
+    name: 'slide',
+    title: 'Slide',
+    about: 'Touches at 4 m/s while moving along the ground at 15 m/s: friction stops it within v²/(2 μ g).',
+    initial: { ...STILL, height: 2, velocity: [15, 0, -3], heading: 90 },
+    duration: 26,
+    expected: ['ship.contact', 'ship.landed'],
+  },
+  {
+    ...START,
+    name: 'topple',
+    title: 'Topple',
+    about:
+      'Keeps its touchdown attitude: a tilt of 40° is past the point of no return, and the ship topples.',
+    settings: KEPT,
+    initial: { ...STILL, height: 3, velocity: [0, 0, -1], tilt: 40, leanTo: 90 },
+    duration: 12,
+    expected: ['ship.contact', 'ship.tipped'],
+  },
+  {
+    ...START,
+    name: 'right-itself',
+    title: 'Right itself',
+    about:
+      'Topples as in the scenario before; a second of RCS and wheels about the axis it fell over rights it.',
+    settings: KEPT,
+    initial: { ...STILL, height: 3, velocity: [0, 0, -1], tilt: 40, leanTo: 90 },
+    inputs: [
+      { at: 9, controls: { rotationInput: [0, -1, 0] } },
+      { at: 10.1, controls: { rotationInput: [0, 0, 0] } },
+    ],
+    duration: 25,
+    expected: ['ship.contact', 'ship.tipped', 'ship.righted', 'ship.landed'],
+  },
+  {
+    ...START,
+    name: 'launch',
+    title: 'Launch',
+    about: 'Starts at rest on the ground: two seconds of thrust, a hop, and down again.',
+    initial: { ...STILL, surfaceContactState: 'landed' },
+    inputs: [
+      { at: 2, controls: { thrustLevel: 0.3, attitudeHold: true } },
+      { at: 4, controls: { thrustLevel: 0 } },
+    ],
+    duration: 20,
+    expected: ['ship.contact', 'ship.landed'],
+  },
+  {
+    ...START,
+    name: 'crash',
+    title: 'Crash',
+    about: 'Touches above the crash speed of 50 m/s.',
+    initial: { ...STILL, height: 60, velocity: [10, 0, -52] },
+    duration: 4,
+    expected: ['ship.destroyed'],
+  },
+  {
+    ...START,
+    name: 'kept-tilt',
+    title: 'Crooked but safe',
+    about: 'Keeps its touchdown attitude: at a tilt of 25° it rocks back onto its legs.',
+    settings: KEPT,
+    initial: { ...STILL, height: 4, velocity: [0.5, 0, -2], tilt: 25, leanTo: 135 },
+    duration: 15,
+    expected: ['ship.contact', 'ship.landed'],
+  },
+  {
+    ...START,
+    name: 'on-its-side',
+    title: 'On its side',
+    about:
+      'Keeps its touchdown attitude: touches lying on its side at 12 m/s along the ground, and slides to rest.',
+    settings: KEPT,
+    initial: { ...STILL, height: 2, velocity: [0, 12, -2], tilt: 86, leanTo: 0 },
+    duration: 25,
+    expected: ['ship.contact', 'ship.tipped'],
+  },
+];

@@ -1,5 +1,5 @@
 import type { WorldView } from '../../prediction';
-import type { Stage } from '../../scene';
+import type { SceneView } from '../../scene';
 
 /** High over its pad a ship is seen from above, so that the pad is in the picture; near the ground from the side. */
 export interface LookDown {
@@ -14,7 +14,7 @@ const FROM_HEIGHT = 60;
 /** rad: smaller turns wait, so that the picture does not swim. */
 const STEP = 0.02;
 
-export function createLookDown(stage: Stage | null): LookDown {
+export function createLookDown(stage: SceneView | null): LookDown {
   let turned = 0;
   return {
     begin() {

@@ -6,7 +6,7 @@ import { connectDevices, type Devices } from '../input/devices';
 import type { Sound } from '../sound/sound';
 import type { Cockpit } from '../view/cockpit';
 import type { FrameLoop } from '../view/frameLoop';
-import { createSceneView, type SceneView, takeDrops } from '../view/pageView';
+import { createPageView, type PageView, takeDrops } from '../view/pageView';
 import { watchSize } from '../view/pageSize';
 import { type Acts, createActs } from './actions';
 import { createCameraSwitch } from '../view/cameraSwitch';
@@ -20,7 +20,7 @@ import { wireFrames } from './showing';
 /** Everything that runs, each made when those it is made of stand. What it calls later may be made after it. */
 export interface Parts {
   live: Live;
-  scene: SceneView;
+  scene: PageView;
   dock: ReturnType<typeof createDock>;
   panel: Panel;
   chooser: Chooser;
@@ -70,8 +70,8 @@ function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
   });
 }
 
-function wireScene({ query, notice, banner }: Page, parts: Parts): SceneView {
-  return createSceneView({
+function wireScene({ query, notice, banner }: Page, parts: Parts): PageView {
+  return createPageView({
     panel: () => parts.dock.recording,
     note: query,
     tell: notice.tell,

@@ -6,7 +6,7 @@ import {
   type NetworkNumbers,
   type RecordingEntry,
   type RunInput,
-  type StagedInput,
+  type ScheduledInput,
 } from '../../scenarios';
 import type { PartialFrame, ServerMessage } from '../../wire';
 import { type Baseline, createBaseline } from './baseline';
@@ -24,7 +24,7 @@ import { deferConnection } from '../server/deferred';
 export interface LiveListeners {
   readonly onState: (text: string) => void;
   /** A new world begins: what was of the old one is gone. `plan`: what the own ship does by itself in it. */
-  readonly onWorld: (plan: readonly StagedInput[]) => void;
+  readonly onWorld: (plan: readonly ScheduledInput[]) => void;
   readonly onRefused: (reason: string) => void;
   readonly onEvent: (notice: EventNotice) => void;
   /** Everything that goes through the predictor, in its order. */

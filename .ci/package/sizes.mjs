@@ -29,7 +29,7 @@ export const USES = [
   {
     name: 'scene (without three)',
     most: 30,
-    code: `export { createStage } from 'galaxy-touchdown/scene';`,
+    code: `export { createSceneView } from 'galaxy-touchdown/scene';`,
     without: ['discardUnknown'],
   },
 ];

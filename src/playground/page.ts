@@ -7,7 +7,7 @@ import { createNotice } from './panels/notice';
 import { loadKeys } from './input/keyTable';
 import type { Page } from './game/pageParts';
 import { wirePage } from './game/wiring';
-import { openStage, watchContext } from './view/graphics';
+import { openSceneView, watchContext } from './view/graphics';
 import { createResolution } from './view/resolution';
 import { steerCamera } from './input/pointer';
 
@@ -29,7 +29,7 @@ export function begin(document: Document, program: string): void {
     notice.tell(`Some values in this link are invalid and were ignored.\n${wrong.join('\n')}`);
   const store = storeOf(window);
   const isFine = choices.picture === 'fine';
-  const stage = openStage(canvas, isFine ? FINE : qualityFor(document), notice.tell);
+  const stage = openSceneView(canvas, isFine ? FINE : qualityFor(document), notice.tell);
   const page: Page = {
     document,
     window,

@@ -1,7 +1,7 @@
-/** The picture, in three alone: stage, ships, ground, sky, dust, overlays, floating origin. */
+/** The picture, drawn with three.js alone: scene view, ships, ground, sky, dust, overlays, floating origin. */
 export { FINE, type Quality, qualityFor } from './quality';
-export { createStage } from './sceneView';
-export type { Stage } from './stage';
+export { createSceneView } from './createSceneView';
+export type { SceneView } from './sceneView';
 export type { Markers } from './overlays/markers';
 export type { OverlayChoice } from './overlays/overlays';
 export { CAMERA_VIEWS, type CameraView } from './camera/cameras';

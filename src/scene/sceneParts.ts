@@ -12,7 +12,7 @@ import { createOverlays } from './overlays/overlays';
 import { createPlumbLine } from './overlays/plumbLine';
 import type { Quality } from './quality';
 import { createHulls } from './ships/hulls';
-import { createShelf } from './ships/shipActor';
+import { createModelCache } from './ships/shipActor';
 import { createShipMaterial } from './ships/shipMaterial';
 import { createSky } from './sky/sky';
 import { createSunlight } from './sky/sunlight';
@@ -25,21 +25,21 @@ export function createParts(canvas: HTMLCanvasElement, quality: Quality) {
   const renderer = createRenderer(canvas, quality);
   const detail = createDetailTexture(quality.anisotropy);
   const groundMaterial = createGroundMaterial(detail);
-  const wardrobe = { shelf: createShelf(), hull: createShipMaterial(), jet: createJetMaterial() };
+  const shipResources = { cache: createModelCache(), hull: createShipMaterial(), jet: createJetMaterial() };
   const parts = {
     renderer,
     scene: new Scene(),
     camera: new PerspectiveCamera(48, 16 / 9, 0.4, 600_000),
     detail,
     groundMaterial,
-    wardrobe,
+    shipResources,
     ground: createGround(groundMaterial),
     sky: createSky(detail),
     light: createSunlight(),
     rocks: createRocks(),
     dust: createDust(detail),
     crash: createCrash(),
-    hulls: createHulls(wardrobe.hull),
+    hulls: createHulls(shipResources.hull),
     shadows: createBlobShadows(),
     jets: new Group(),
     overlays: createOverlays(),
@@ -66,11 +66,11 @@ function createRenderer(canvas: HTMLCanvasElement, quality: Quality): WebGLRende
 }
 
 export function disposeParts(parts: SceneParts): void {
-  const { wardrobe, renderer } = parts;
+  const { shipResources, renderer } = parts;
   const owned = [
     ...[parts.ground, parts.sky, parts.light, parts.rocks, parts.dust, parts.crash, parts.hulls],
     ...[parts.shadows, parts.overlays, parts.markers, parts.plumbLine, parts.groundMaterial, parts.detail],
-    ...[wardrobe.shelf, wardrobe.hull, wardrobe.jet],
+    ...[shipResources.cache, shipResources.hull, shipResources.jet],
   ];
   for (const each of owned) each.dispose();
   renderer.dispose();

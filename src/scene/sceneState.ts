@@ -15,7 +15,7 @@ import { createCone, type ViewCone } from './camera/viewCone';
 export const FIRST_AZIMUTH = 1.9;
 export const FIRST_ELEVATION = 0.16;
 
-/** What one stage remembers between pictures. */
+/** What the scene view keeps between pictures. */
 export interface SceneState {
   readonly parts: SceneParts;
   readonly actors: Actors;
@@ -37,7 +37,7 @@ export interface SceneState {
   before: number;
 }
 
-/** The frame that is laid: every step after `layIfNeeded` (laying.ts) has one. */
+/** The frame that is laid: every step after `rebuildIfNeeded` (laying.ts) has one. */
 export const frameOf = (state: SceneState) => state.frame!;
 
 export function createState(parts: SceneParts): SceneState {

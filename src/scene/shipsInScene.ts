@@ -16,8 +16,8 @@ const MAX_DUSTY = 12;
 /** Poses the ships of the watched one's body; what they raise and lose begins. `seconds` since the picture before. */
 export function poseShips(state: SceneState, view: WorldView, watched: ShipView, seconds: number): void {
   const { parts, turn } = state;
-  const { jets, wardrobe } = parts;
-  const place = { frame: frameOf(state), turn, jets, wardrobe, inAir: state.look.air !== null };
+  const { jets, shipResources } = parts;
+  const place = { frame: frameOf(state), turn, jets, shipResources, inAir: state.look.air !== null };
   const isFew = view.ships.length < MAX_DUSTY;
   poseActors(state.actors, view, watched.body, place, (actor, ship) => {
     if (ship.own || isFew) raise(state, actor, ship, seconds);
@@ -50,7 +50,7 @@ function raise(state: SceneState, actor: ShipActor, ship: ShipView, seconds: num
 }
 
 /** Hulls and jets of the ships in sight, and the shadows of those that the shadow map does not reach. */
-export function seatShips(state: SceneState, watched: ShipActor): void {
+export function placeShips(state: SceneState, watched: ShipActor): void {
   const { hulls, shadows, ground } = state.parts;
   const { eye } = state.rig;
   hulls.clear();

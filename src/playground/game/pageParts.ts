@@ -1,4 +1,4 @@
-import type { Stage } from '../../scene';
+import type { SceneView } from '../../scene';
 import type { KeySettings } from '../input/keyTable';
 import type { Banner } from '../panels/banner';
 import type { Choices } from '../panels/choices';
@@ -15,7 +15,7 @@ export interface Page {
   readonly program: string;
   readonly part: (id: string) => HTMLElement;
   readonly canvas: HTMLCanvasElement;
-  readonly stage: Stage | null;
+  readonly stage: SceneView | null;
   readonly notice: Notice;
   readonly banner: Banner;
   readonly choices: Choices;

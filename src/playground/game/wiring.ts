@@ -6,8 +6,7 @@ import { connectDevices, type Devices } from '../input/devices';
 import type { Sound } from '../sound/sound';
 import type { Cockpit } from '../view/cockpit';
 import type { FrameLoop } from '../view/frameLoop';
-import { createLookDown, type LookDown } from '../view/lookDown';
-import { createSceneView, type SceneView, takeDrops } from '../view/pageView';
+import { createPageView, type PageView, takeDrops } from '../view/pageView';
 import { watchSize } from '../view/pageSize';
 import { type Acts, createActs } from './actions';
 import { createCameraSwitch } from '../view/cameraSwitch';
@@ -21,7 +20,7 @@ import { wireFrames } from './showing';
 /** Everything that runs, each made when those it is made of stand. What it calls later may be made after it. */
 export interface Parts {
   live: Live;
-  scene: SceneView;
+  scene: PageView;
   dock: ReturnType<typeof createDock>;
   panel: Panel;
   chooser: Chooser;
@@ -32,7 +31,6 @@ export interface Parts {
   /** null until it is asked for: its code is fetched then. */
   sound: Sound | null;
   loop: FrameLoop;
-  lookDown: LookDown;
 }
 
 /** Makes the parts and connects them. */
@@ -46,7 +44,6 @@ export function wirePage(page: Page): Parts {
   parts.sound = null;
   parts.acts = wireActs(page, parts);
   parts.devices = wireDevices(page, parts);
-  parts.lookDown = createLookDown(page.stage);
   parts.game = wireGame(page, parts);
   parts.cockpit = wireCockpit(page, parts);
   parts.loop = wireFrames(page, parts);
@@ -73,8 +70,8 @@ function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
   });
 }
 
-function wireScene({ query, notice, banner }: Page, parts: Parts): SceneView {
-  return createSceneView({
+function wireScene({ query, notice, banner }: Page, parts: Parts): PageView {
+  return createPageView({
     panel: () => parts.dock.recording,
     note: query,
     tell: notice.tell,
@@ -178,6 +175,6 @@ function wireGame(page: Page, parts: Parts): MissionGame {
     best,
     device: parts.devices.device,
     cap: keyCapOf(page, parts),
-    lookDown: parts.lookDown.begin,
+    resetCamera: () => page.stage?.resetCamera(),
   });
 }

@@ -1,11 +1,11 @@
-import type { Stage } from '../../scene';
+import type { SceneView } from '../../scene';
 
 /** rad a CSS pixel of dragging; a key's turn, rad. */
 const DRAG = 0.006;
 const KEY_TURN = 0.09;
 
 /** Turns and zooms the camera: dragging, wheel, two fingers; arrow keys, + and − while the picture has the focus. */
-export function steerCamera(canvas: HTMLCanvasElement, stage: Stage): void {
+export function steerCamera(canvas: HTMLCanvasElement, stage: SceneView): void {
   canvas.tabIndex = 0;
   const fingers = new Map<number, { x: number; y: number }>();
   let spread = 0;

@@ -1,4 +1,4 @@
-import { CAMERA_VIEWS, type CameraView, type Stage } from '../../scene';
+import { CAMERA_VIEWS, type CameraView, type SceneView } from '../../scene';
 import type { Banner } from '../panels/banner';
 
 /** What the page says when a camera is taken. */
@@ -11,7 +11,7 @@ const WORDS: Readonly<Record<CameraView, string>> = {
 };
 
 /** Each call takes the next camera and says which. */
-export function createCameraSwitch(stage: Stage | null, banner: Banner): () => void {
+export function createCameraSwitch(stage: SceneView | null, banner: Banner): () => void {
   let at = 0;
   return () => {
     at = (at + 1) % CAMERA_VIEWS.length;

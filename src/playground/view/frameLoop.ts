@@ -1,11 +1,11 @@
 import type { WorldView } from '../../prediction';
-import type { Stage } from '../../scene';
+import type { SceneView } from '../../scene';
 import { gameSeconds } from '../game/mission/missionTracker';
 import type { Resolution } from './resolution';
 
 /** What a frame needs of the page. */
 export interface FramePlace {
-  readonly stage: Stage | null;
+  readonly stage: SceneView | null;
   /** The view to show now; `milliseconds` of the frame. */
   readonly look: (milliseconds: number) => { readonly view: WorldView; readonly now: number };
   /** Everything that is shown of it, the picture apart. */

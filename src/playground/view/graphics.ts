@@ -1,4 +1,4 @@
-import { createStage, type Quality, type Stage } from '../../scene';
+import { createSceneView, type Quality, type SceneView } from '../../scene';
 import type { Notice } from '../panels/notice';
 
 const CONTEXT_LOST =
@@ -14,13 +14,13 @@ export function watchContext(canvas: HTMLCanvasElement, notice: Notice, restored
 }
 
 /** The picture, or null and a word about it where the browser gives none. */
-export function openStage(
+export function openSceneView(
   canvas: HTMLCanvasElement,
   quality: Quality,
   tell: (text: string) => void,
-): Stage | null {
+): SceneView | null {
   try {
-    return createStage(canvas, quality);
+    return createSceneView(canvas, quality);
   } catch {
     tell(
       'WebGL 2 is unavailable, so there is no picture: fly on instruments. ' +

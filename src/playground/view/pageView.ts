@@ -6,7 +6,7 @@ import type { Replay } from '../recording/replay';
 import type * as Replaying from '../recording/replaying';
 
 /** Recording and replaying: what the page shows instead of the game while a recording plays. */
-export interface SceneView {
+export interface PageView {
   readonly recorder: Recorder;
   readonly listeners: RecordingListeners;
   /** The replay that is on, or null. */
@@ -17,7 +17,7 @@ export interface SceneView {
   readonly leave: () => void;
 }
 
-export interface SceneViewPlace {
+export interface PageViewPlace {
   readonly panel: () => RecordingPanel;
   readonly note: () => string;
   readonly tell: (text: string) => void;
@@ -26,7 +26,7 @@ export interface SceneViewPlace {
   readonly changed: (on: boolean) => void;
 }
 
-export function createSceneView(place: SceneViewPlace): SceneView {
+export function createPageView(place: PageViewPlace): PageView {
   const recorder = createRecorder();
   let replay: Replay | null = null;
   let playing = true;
@@ -112,7 +112,7 @@ export function createSceneView(place: SceneViewPlace): SceneView {
 }
 
 /** The code that plays, reads and writes recordings; says so where it does not load. */
-async function fetchPart({ tell }: SceneViewPlace): Promise<typeof Replaying | null> {
+async function fetchPart({ tell }: PageViewPlace): Promise<typeof Replaying | null> {
   try {
     return await import('../recording/replaying');
   } catch {

@@ -40,7 +40,7 @@ export interface OverlayPlaces {
 
 export interface Overlays {
   readonly group: Group;
-  wear(hull: BufferGeometry): void;
+  setGhostHull(hull: BufferGeometry): void;
   update(choice: OverlayChoice, places: OverlayPlaces): void;
   dispose(): void;
 }
@@ -104,7 +104,7 @@ export function createOverlays(): Overlays {
 
   return {
     group,
-    wear(hull) {
+    setGhostHull(hull) {
       ghost.geometry = hull;
     },
     update(choice, places) {

@@ -1,7 +1,7 @@
 import type { Group } from 'three';
 import type { ShipView, WorldView } from '../../prediction';
 import type { LocalFrame, Turn } from '../localFrame';
-import { createActor, poseActor, removeActor, type ShipActor, type Wardrobe } from './shipActor';
+import { createActor, poseActor, removeActor, type ShipActor, type ShipResources } from './shipActor';
 
 /** The drawn ships of one body, by id. */
 export interface Actors {
@@ -16,7 +16,7 @@ export interface ActorPlace {
   readonly turn: Turn;
   /** The group that holds the jets. */
   readonly jets: Group;
-  readonly wardrobe: Wardrobe;
+  readonly shipResources: ShipResources;
   readonly inAir: boolean;
 }
 
@@ -43,11 +43,11 @@ export function poseActors(
   for (const [id, actor] of actors.byId) if (actor.seen !== actors.count) leave(actors, id, place.jets);
 }
 
-function actorOf(actors: Actors, ship: ShipView, { wardrobe, inAir, jets }: ActorPlace): ShipActor {
+function actorOf(actors: Actors, ship: ShipView, { shipResources, inAir, jets }: ActorPlace): ShipActor {
   const known = actors.byId.get(ship.shipId);
   if (known?.className === ship.shipClass.name) return known;
   if (known !== undefined) removeActor(known, jets);
-  const made = createActor(ship, wardrobe, inAir);
+  const made = createActor(ship, shipResources, inAir);
   actors.byId.set(ship.shipId, made);
   jets.add(made.jets);
   return made;

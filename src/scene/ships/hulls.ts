@@ -15,9 +15,9 @@ import type { ShipModel } from './shipModel';
 /** All ships' hulls: a draw for each class and level of detail, whatever the number of ships. */
 export interface Hulls {
   readonly group: Group;
-  /** Begins a frame: nobody is on the stage. */
+  /** Begins a frame: nobody is in the scene. */
   clear(): void;
-  /** Puts a posed ship on the stage. `eye` local, m; the watched ship is drawn whole and throws a shadow, however far off. */
+  /** Puts a posed ship in the scene. `eye` local, m; the watched ship is drawn whole and throws a shadow, however far off. */
   put(actor: ShipActor, eye: Float64Array, isWatched: boolean): void;
   /** Ends a frame. */
   finish(): void;

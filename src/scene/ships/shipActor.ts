@@ -12,7 +12,7 @@ import { crumple } from './wreck';
 /** A class may have its centre of mass at its feet; sizes are taken from at least so many m. */
 export const LEAST_HEIGHT = 2;
 
-/** One ship on the stage. Places and velocities in local axes, doubles. */
+/** One ship in the scene. Places and velocities in local axes, doubles. */
 export interface ShipActor {
   readonly className: string;
   readonly model: ShipModel;
@@ -36,13 +36,13 @@ export interface ShipActor {
 }
 
 /** Geometries by class and air: built once, shared by all ships of the class. */
-export interface ModelShelf {
+export interface ModelCache {
   model(ship: ShipView): ShipModel;
   jets(ship: ShipView, inAir: boolean): BufferGeometry;
   dispose(): void;
 }
 
-export function createShelf(): ModelShelf {
+export function createModelCache(): ModelCache {
   const models = new Map<string, ShipModel>();
   const jets = new Map<string, BufferGeometry>();
   const model = (ship: ShipView) => {
@@ -66,16 +66,16 @@ export function createShelf(): ModelShelf {
   };
 }
 
-export interface Wardrobe {
-  readonly shelf: ModelShelf;
+export interface ShipResources {
+  readonly cache: ModelCache;
   readonly hull: ShipMaterial;
   readonly jet: ShaderMaterial;
 }
 
-export function createActor(ship: ShipView, wardrobe: Wardrobe, inAir: boolean): ShipActor {
-  const model = wardrobe.shelf.model(ship);
+export function createActor(ship: ShipView, shipResources: ShipResources, inAir: boolean): ShipActor {
+  const model = shipResources.cache.model(ship);
   const power = new Float32Array(36);
-  const jets = new Mesh(wardrobe.shelf.jets(ship, inAir), wardrobe.jet);
+  const jets = new Mesh(shipResources.cache.jets(ship, inAir), shipResources.jet);
   jets.frustumCulled = false;
   jets.renderOrder = 3;
   jets.visible = false;

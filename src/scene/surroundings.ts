@@ -13,7 +13,7 @@ const FRAME_REACH = 20_000;
 const FIRST_DISTANCE = 5.2;
 
 /** Another body, or a ship that has gone far: the ground is laid anew around it. */
-export function layIfNeeded(state: SceneState, view: WorldView, watched: ShipView): void {
+export function rebuildIfNeeded(state: SceneState, view: WorldView, watched: ShipView): void {
   const body = view.bodies[watched.body]!;
   if (state.frame?.bodyName !== body.name || state.frame.radius !== body.radius) lay(state, view, watched);
   else turnOfFrame(state.turn, state.frame, body.attitude);
@@ -23,7 +23,8 @@ export function layIfNeeded(state: SceneState, view: WorldView, watched: ShipVie
 
 /** Lays everything around the ship anew, and turns the frame as its body is turned. */
 function lay(state: SceneState, view: WorldView, ship: ShipView): void {
-  const { ground, rocks, light, sky, wardrobe, dust, crash, shadows, groundMaterial, jets } = state.parts;
+  const { ground, rocks, light, sky, shipResources, dust, crash, shadows, groundMaterial, jets } =
+    state.parts;
   const body = view.bodies[ship.body]!;
   const look = (state.look = lookOf(body.name));
   toBodyAxes(state.point, body.attitude, ship.meshPosition);
@@ -34,7 +35,7 @@ function lay(state: SceneState, view: WorldView, ship: ShipView): void {
   paintGround(groundMaterial, look, light.direction);
   sky.paint(look, light.direction);
   shadows.paint(light.direction);
-  wardrobe.hull.paint(look);
+  shipResources.hull.paint(look);
   rocks.paint(look);
   dust.paint(look, light.direction);
   dust.clear();
@@ -47,11 +48,11 @@ function lay(state: SceneState, view: WorldView, ship: ShipView): void {
 }
 
 /** Another class of ship is watched: another size, and another hull for its ghost. */
-export function wearHull(state: SceneState, watched: ShipView): void {
+export function showWatchedClass(state: SceneState, watched: ShipView): void {
   const { shipClass } = watched;
   if (shipClass.name === state.watchedClass) return;
   state.watchedClass = shipClass.name;
   state.rig.distance = FIRST_DISTANCE * Math.max(shipClass.groundContactOffset, LEAST_HEIGHT);
-  state.parts.overlays.wear(state.parts.wardrobe.shelf.model(watched).geometry);
+  state.parts.overlays.setGhostHull(state.parts.shipResources.cache.model(watched).geometry);
   releaseRig(state.rig);
 }

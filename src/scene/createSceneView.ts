@@ -1,0 +1,153 @@
+import { GRAVITATIONAL_CONSTANT } from '../dynamics';
+import type { ShipView, WorldView } from '../prediction';
+import { releaseRig, turnRig, zoomRig } from './camera/cameraRig';
+import { aimCamera } from './camera/cameras';
+import { createFence } from './fence';
+import { placeGrain } from './ground/groundMaterial';
+import { shineOnGround } from './ground/groundShine';
+import { rebuildIfNeeded, showWatchedClass } from './surroundings';
+import { writeScreenAxes } from './localFrame';
+import { anyChosen, placeOverlays } from './overlays/overlayPlaces';
+import type { Quality } from './quality';
+import { createParts, disposeParts } from './sceneParts';
+import { createState, FIRST_AZIMUTH, FIRST_ELEVATION, frameOf, type SceneState } from './sceneState';
+import { poseShips, placeShips } from './shipsInScene';
+import type { ShipActor } from './ships/shipActor';
+import type { SceneView } from './sceneView';
+import { aimCone } from './camera/viewCone';
+
+/** s: a longer pause between two pictures raises no more dust than this. */
+const LONGEST_STEP = 0.25;
+
+/** Creates the picture in `canvas`. Throws where the browser gives no WebGL 2. */
+export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): SceneView {
+  const state = createState(createParts(canvas, quality));
+  const { parts, rig } = state;
+  const fence = createFence(parts.renderer.getContext() as WebGL2RenderingContext);
+  return {
+    overlays: state.choice,
+    markers: state.markers,
+    screenAxes(out) {
+      if (state.frame === null) return false;
+      writeScreenAxes(out, state.turn, rig.eye, rig.focus);
+      return true;
+    },
+    setTerrain(terrainHeight) {
+      state.terrain = terrainHeight;
+      state.frame = null;
+    },
+    draw(view, seconds) {
+      const watched = view.own ?? view.ships[0];
+      if (!view.ready || watched === undefined) return;
+      drawWatched(state, view, watched, seconds);
+      if (state.actors.count === 1) fence.set();
+    },
+    hasDrawn: fence.isPassed,
+    resize: (width, height, pixelRatio) => resize(state, width, height, pixelRatio),
+    turnCamera: (azimuth, elevation) => turnRig(rig, azimuth, elevation),
+    zoomCamera: (factor) => zoomRig(rig, factor, 8),
+    setCamera(view) {
+      state.cameraView = view;
+      // The eye goes over at once: half-way between two cameras there is nothing to see.
+      releaseRig(rig);
+    },
+    resetCamera() {
+      rig.azimuth = FIRST_AZIMUTH;
+      rig.elevation = FIRST_ELEVATION;
+      rig.raised = 0;
+      state.watchedClass = '';
+    },
+    dispose: () => disposeParts(parts),
+  };
+}
+
+/** One picture, in the order in which each step needs what the one before found. */
+function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seconds: number): void {
+  const waited = Number.isNaN(state.before) ? 0 : Math.max(seconds - state.before, 0);
+  state.before = seconds;
+  rebuildIfNeeded(state, view, watched);
+  showWatchedClass(state, watched);
+  const gravity = gravityOf(view, watched);
+  updateDust(state, gravity, seconds);
+  poseShips(state, view, watched, Math.min(waited, LONGEST_STEP));
+  const actor = state.actors.byId.get(watched.shipId)!;
+  const { parts, rig, groundY } = state;
+  aimCamera(parts.camera, rig, state.cameraView, {
+    actor,
+    seconds: waited,
+    groundY,
+    hasPad: state.markers.pads.length > 0,
+  });
+  placeGround(state, actor);
+  placeShips(state, actor);
+  parts.crash.update(seconds, gravity, rig.eye);
+  lightScene(state, actor, waited);
+  placeMarks(state, view, watched, actor);
+  shineOnGround(parts.groundMaterial, actor, watched, rig.eye);
+  const flicker = 0.92 + 0.08 * Math.sin(seconds * 61) * Math.sin(seconds * 37);
+  parts.shipResources.jet.uniforms['flicker']!.value = flicker;
+  parts.renderer.render(parts.scene, parts.camera);
+}
+
+/** Before ships raise dust: a grain is thrown at the time that is set here. */
+function updateDust({ parts }: SceneState, gravity: number, seconds: number): void {
+  const pixels = parts.renderer.domElement.height / (2 * Math.tan((parts.camera.fov * Math.PI) / 360));
+  parts.dust.update(seconds, gravity, pixels);
+}
+
+function placeGround({ parts, rig, cone, opening }: SceneState, { place }: ShipActor): void {
+  const { ground, rocks, dust, groundMaterial } = parts;
+  const { eye, focus } = rig;
+  ground.follow(place[0]!, place[2]!, 2);
+  rocks.follow(place[0]!, place[2]!, ground.shadowY);
+  aimCone(cone, eye, focus, opening);
+  ground.place(eye, cone);
+  placeGrain(groundMaterial, eye);
+  rocks.place(eye, cone);
+  dust.points.position.set(-eye[0]!, -eye[1]!, -eye[2]!);
+}
+
+function lightScene(state: SceneState, { place, height, sunlit }: ShipActor, seconds: number): void {
+  const { light, sky, renderer } = state.parts;
+  const { eye } = state.rig;
+  const size = height * 2.2;
+  const above = Math.max(place[1]! - state.groundY(place[0]!, place[2]!), 0);
+  light.follow(place, eye, size, size * 2 + above / light.direction.y);
+  renderer.toneMappingExposure = light.shade(sunlit, seconds);
+  sky.look(eye[1]!, frameOf(state).radius, state.turn.quaternion);
+}
+
+function placeMarks(state: SceneState, view: WorldView, ship: ShipView, actor: ShipActor): void {
+  const { parts, choice, turn, groundY } = state;
+  const { eye } = state.rig;
+  const frame = frameOf(state);
+  const { overlays } = parts;
+  overlays.group.visible = anyChosen(choice);
+  if (overlays.group.visible) {
+    placeOverlays(state.places, { view, ship, actor, frame, turn, eye, groundY });
+    overlays.update(choice, state.places);
+  }
+  parts.markers.place(state.markers, { frame, turn, eye, groundY });
+  const { place } = actor;
+  const isFlying = ship.surfaceContactState === '' && !ship.crashed;
+  const feet = place[1]! - ship.shipClass.groundContactOffset;
+  const clear = isFlying ? feet - groundY(place[0]!, place[2]!) : 0;
+  parts.plumbLine.place([place[0]!, feet, place[2]!], clear, eye);
+}
+
+function gravityOf(view: WorldView, ship: ShipView): number {
+  const body = view.bodies[ship.body]!;
+  return (GRAVITATIONAL_CONSTANT * body.mass) / body.radius ** 2;
+}
+
+function resize({ parts, opening }: SceneState, width: number, height: number, pixelRatio: number): void {
+  const { renderer, camera } = parts;
+  renderer.setPixelRatio(pixelRatio);
+  renderer.setSize(width, height, false);
+  camera.aspect = width / height;
+  // A tall window sees as much to the sides as a square one.
+  camera.fov = camera.aspect >= 1 ? 48 : 62;
+  camera.updateProjectionMatrix();
+  opening.upright = Math.tan((camera.fov * Math.PI) / 360);
+  opening.across = opening.upright * camera.aspect;
+}

@@ -99,6 +99,26 @@ describe('a recording of it', () => {
   });
 });
 
+describe('a page that was hidden', () => {
+  it('does not decode superseded frames, and its recording replays to the same pose', async () => {
+    const game = await open({ scenario: 'settle', network: 'broadband', tickRate: 20 });
+    game.play(60, 3);
+    const before = game.live.frame().diagnosis.framesAccepted;
+    vi.advanceTimersByTime(30_000);
+    game.play(60, 3);
+    const view = game.live.frame();
+    expect(view.diagnosis.framesSuperseded).toBeGreaterThan(550);
+    expect(view.diagnosis.framesAccepted - before).toBeLessThan(100);
+    expect(view.diagnosis).toMatchObject({ framesRefused: 0, correctionsMismatch: 0 });
+    const received = game.entries.filter(
+      (entry) => entry.kind === 'received' && entry.message.kind === 'frame',
+    );
+    expect(received).toHaveLength(view.diagnosis.framesAccepted);
+    const recording = { header: { note: '', shipId: 'own' }, entries: game.entries.slice() };
+    expect(createReplay(recording).seek(Infinity).own!.easedPosition).toEqual(view.own!.easedPosition);
+  });
+});
+
 describe('a pause', () => {
   it('with a key held, and going on, leaves no mismatch: what is held or pressed meanwhile does nothing', async () => {
     const { live, play } = await open({ scenario: 'school-hover', network: 'broadband' });

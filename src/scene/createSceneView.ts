@@ -54,6 +54,7 @@ export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): Sc
     resetCamera() {
       rig.azimuth = FIRST_AZIMUTH;
       rig.elevation = FIRST_ELEVATION;
+      rig.raised = 0;
       state.watchedClass = '';
     },
     dispose: () => disposeParts(parts),
@@ -71,7 +72,12 @@ function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seco
   poseShips(state, view, watched, Math.min(waited, LONGEST_STEP));
   const actor = state.actors.byId.get(watched.shipId)!;
   const { parts, rig, groundY } = state;
-  aimCamera(parts.camera, rig, state.cameraView, { actor, seconds: waited, groundY });
+  aimCamera(parts.camera, rig, state.cameraView, {
+    actor,
+    seconds: waited,
+    groundY,
+    hasPad: state.markers.pads.length > 0,
+  });
   placeGround(state, actor);
   placeShips(state, actor);
   parts.crash.update(seconds, gravity, rig.eye);

@@ -33,10 +33,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
     },
     paint(view, now) {
       const replay = parts.scene.replay();
-      if (replay === null) {
-        parts.game.watch(view);
-        if (parts.game.tracker.mission() !== null) parts.lookDown.follow(view);
-      }
+      if (replay === null) parts.game.watch(view);
       parts.cockpit.paint(view);
       const { flight, aids } = parts.cockpit;
       parts.devices.thumbs.show(flight.known ? flight.throttle : 0, flight.hover);

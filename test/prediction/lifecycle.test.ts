@@ -66,7 +66,7 @@ describe('a snapshot', () => {
     rig.predictor = createPredictor({
       ...options(rig),
       ownShipId: 'ship-1',
-      defaults: { terrain: rig.staged.scenario.terrain },
+      defaults: { terrain: rig.loaded.scenario.terrain },
     });
     expect(rig.predictor.restore(JSON.parse(JSON.stringify(snapshot)), rig.now).ok).toBe(true);
     rig.frame();

@@ -10,7 +10,7 @@ import { copyRow, removeTrack, type Track } from './simulation/track';
 import { loadConfig } from './snapshots/worldConfig';
 import { forgetPings } from './time/pings';
 
-/** Whose ship is whose (PREDICTION, Who flies what): what the caller says, and what the server's word comes to. */
+/** Whose ship is whose (PREDICTION, Ownership): what the caller says, and what the server's word comes to. */
 
 /** Why a ship is no longer there. */
 export type Removal = 'destroyed' | 'docked' | 'gone';

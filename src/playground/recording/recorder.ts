@@ -1,5 +1,5 @@
 import type { Controls } from '../../dynamics';
-import type { Recording, RecordingEntry, StagedInput } from '../../scenarios';
+import type { Recording, RecordingEntry, ScheduledInput } from '../../scenarios';
 import { decodeServerMessage, encodeServerMessage, type PartialFrame, type ServerFrame } from '../../wire';
 
 /** Entries that a recording holds at most: more than an hour of one ship. */
@@ -17,7 +17,7 @@ const PACKED_BYTES = 200;
 export interface Recorder {
   readonly take: (entry: RecordingEntry) => void;
   /** A new world, and what its own ship does by itself. */
-  readonly begin: (plan: readonly StagedInput[]) => void;
+  readonly begin: (plan: readonly ScheduledInput[]) => void;
   readonly seconds: () => number;
   readonly full: () => boolean;
   readonly recording: (note: string) => Recording;
@@ -32,7 +32,7 @@ interface PackedFrame {
 
 export function createRecorder(): Recorder {
   let entries: (RecordingEntry | PackedFrame)[] = [];
-  let plan: readonly StagedInput[] = [];
+  let plan: readonly ScheduledInput[] = [];
   let bytes = 0;
   let controls: Controls | null | undefined;
   const isFull = () => entries.length >= MAX_ENTRIES || bytes >= MAX_BYTES;

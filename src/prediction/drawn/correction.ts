@@ -15,7 +15,7 @@ import {
   vector,
 } from './rotation';
 
-/** What a correction does to the picture (PREDICTION, What is drawn): the old drawn pose fades into the new predicted one. */
+/** What a correction does to the picture (PREDICTION, Drawing): the old drawn pose fades into the new predicted one. */
 
 /** Beyond these a correction is not eased: m, and rad. */
 const SNAP_DISTANCE = 25;
@@ -88,7 +88,7 @@ export function holdDrawn(sim: Simulation, track: Track): void {
   picture.hasHeld = true;
 }
 
-/** A correction: offset += old predicted − new predicted, both of one instant and in the body's axes (PREDICTION, What is drawn). */
+/** A correction: offset += old predicted − new predicted, both of one instant and in the body's axes (PREDICTION, Drawing). */
 export function addToOffset(ease: Ease, old: Pose, next: Pose): void {
   for (let k = 0; k < 3; k++) ease.offset[k] = ease.offset[k]! + (old.position[k]! - next.position[k]!);
   turnBetween(turn, old.attitude, next.attitude);

@@ -42,7 +42,7 @@ export const WITHDRAWN_SHOWN = 2;
 const STALE_SENDS = 2;
 
 /**
- * What is shown of a ship's states, and how far it can be trusted (PREDICTION, States and events as predicted things).
+ * What is shown of a ship's states, and how far it can be trusted (PREDICTION, Events).
  * @param rows where the states that hold at the present stand, at `from`
  */
 export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from: number, at: Instant): void {

@@ -6,7 +6,7 @@ import { spanOf } from './timeline';
 import { copyRow, type Track } from '../simulation/track';
 
 /**
- * Too fast to follow (PREDICTION, The timeline): when the substeps due exceed the budget, prediction switches off for the far ships
+ * Too fast to follow (PREDICTION, Timeline): when the substeps due exceed the budget, prediction switches off for the far ships
  * first, then for all; never a confident fiction, never a frame that waits.
  */
 export interface Pace {

@@ -1,7 +1,7 @@
 import { type Timing, timingOfTick } from '../../dynamics';
 
 /**
- * Ticks and substeps on the server's wall clock, across re-timing and pause (PREDICTION, The timeline).
+ * Ticks and substeps on the server's wall clock, across re-timing and pause (PREDICTION, Timeline).
  * Whole numbers for ticks and substeps; a wall time is a product of a tick count, never a sum of seconds.
  */
 

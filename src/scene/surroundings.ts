@@ -30,7 +30,7 @@ function lay(state: SceneState, view: WorldView, ship: ShipView): void {
   toBodyAxes(state.point, body.attitude, ship.meshPosition);
   const frame = (state.frame = layFrame(body, state.point, look.sun));
   ground.lay(frame, state.terrain);
-  rocks.lay(frame, state.terrain);
+  rocks.setGround(frame, state.terrain);
   light.paint(look, frame);
   paintGround(groundMaterial, look, light.direction);
   sky.paint(look, light.direction);

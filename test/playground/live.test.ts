@@ -3,7 +3,7 @@ import { hashRows, NEUTRAL_CONTROLS, readShip, SHIP_STRIDE } from '../../src/dyn
 import { DEFAULT_CHOICES } from '../../src/playground/panels/choices';
 import { createReplay } from '../../src/playground/recording/replay';
 import { scriptOf } from '../../src/playground/game/script';
-import { compareRecording, readRecording, rehearse, SCENARIOS, writeRecording } from '../../src/scenarios';
+import { compareRecording, readRecording, runScenario, SCENARIOS, writeRecording } from '../../src/scenarios';
 import { valueOf } from '../authority/moon';
 import { open, useGameClock } from './openGame';
 
@@ -12,7 +12,7 @@ useGameClock();
 /** What the page should show at the end: the scenario on the dynamics alone. */
 function truth(name: string, tickRate: number): { readonly run: string; readonly seconds: number } {
   const scenario = SCENARIOS.find((candidate) => candidate.name === name)!;
-  const { ships, world } = valueOf(rehearse({ ...scenario, terrain: 'hills', tickRate }));
+  const { ships, world } = valueOf(runScenario({ ...scenario, terrain: 'hills', tickRate }));
   const lastTick = ships.length / SHIP_STRIDE - 1;
   const { relativePosition, relativeVelocity, attitude, angularVelocity, fuel } = readShip(
     ships,

@@ -13,7 +13,7 @@ import {
 import { createRig } from './rig';
 
 const options = (rig: ReturnType<typeof createRig>) => ({
-  terrains: { [rig.staged.scenario.terrain]: rig.staged.terrainHeight },
+  terrains: { [rig.loaded.scenario.terrain]: rig.loaded.terrainHeight },
 });
 
 describe('a snapshot', () => {

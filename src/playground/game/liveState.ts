@@ -1,6 +1,6 @@
 import { flatTerrain, TERRAINS } from '../../dynamics';
 import { createPredictor, type EventNotice, type Predictor, type WorldView } from '../../prediction';
-import type { RecordingEntry, RunInput, StagedInput } from '../../scenarios';
+import type { RecordingEntry, RunInput, ScheduledInput } from '../../scenarios';
 import type { PartialFrame, ServerMessage } from '../../wire';
 import type { Connection, ShipLoss } from '../server/connection';
 import { type Baseline, createBaseline } from './baseline';
@@ -14,7 +14,7 @@ import type { Script } from './script';
 export interface LiveListeners {
   readonly onState: (text: string) => void;
   /** A new world begins: everything of the old one is gone. `plan`: inputs that the own ship applies by itself in it. */
-  readonly onWorld: (plan: readonly StagedInput[]) => void;
+  readonly onWorld: (plan: readonly ScheduledInput[]) => void;
   readonly onRefused: (reason: string) => void;
   readonly onEvent: (notice: EventNotice) => void;
   /** Everything that goes through the predictor, in its order. */

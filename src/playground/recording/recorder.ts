@@ -1,4 +1,4 @@
-import type { Recording, RecordingEntry, StagedInput } from '../../scenarios';
+import type { Recording, RecordingEntry, ScheduledInput } from '../../scenarios';
 
 /** Entries that a recording holds at most: about half an hour of one ship. */
 const MAX_ENTRIES = 250_000;
@@ -12,7 +12,7 @@ const SHIP_BYTES = 1500;
 export interface Recorder {
   readonly take: (entry: RecordingEntry) => void;
   /** A new world, and what its own ship does by itself. */
-  readonly begin: (plan: readonly StagedInput[]) => void;
+  readonly begin: (plan: readonly ScheduledInput[]) => void;
   readonly seconds: () => number;
   readonly full: () => boolean;
   readonly recording: (note: string) => Recording;
@@ -20,7 +20,7 @@ export interface Recorder {
 
 export function createRecorder(): Recorder {
   let entries: RecordingEntry[] = [];
-  let plan: readonly StagedInput[] = [];
+  let plan: readonly ScheduledInput[] = [];
   let bytes = 0;
   const isFull = () => entries.length >= MAX_ENTRIES || bytes >= MAX_BYTES;
   return {

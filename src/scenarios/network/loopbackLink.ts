@@ -3,44 +3,44 @@ import { decodeClientMessage, encodeServerMessage, type ServerMessage } from '..
 import { createLink, type Delivery, type Link, type NetworkNumbers } from './network';
 
 /**
- * An authority on a wall clock that is handed in, and its clients, each behind a simulated connection that carries the protocol's
- * bytes: what the page's worker runs, and tests and benchmarks without a page.
+ * An authority and its clients, each behind a simulated connection that carries the protocol's bytes; run by the page's worker, and by
+ * tests and benchmarks without a page. Wall seconds are arguments.
  */
-export interface Exchange {
+export interface LoopbackLink {
   readonly authority: Authority;
   readonly loop: Loop;
-  readonly counters: Readonly<ExchangeCounters>;
-  /** A client joins, is told the hello and sent the present frame; or the reason why it cannot. */
+  readonly counters: Readonly<LoopbackCounters>;
+  /** A client joins and is sent the hello and the present frame; returns null, or the reason why it cannot join. */
   readonly connect: (playerId: string, shipId: string, now: number) => string | null;
-  /** The client's connection breaks. The server flies its ship on. */
+  /** Breaks the client's connection. The server keeps simulating its ship. */
   readonly drop: (playerId: string) => void;
-  /** The client joins again over a new connection. */
+  /** The client rejoins over a new connection. */
   readonly reconnect: (playerId: string, now: number) => void;
-  /** From a client, as bytes. */
+  /** Sends a client's message, as bytes. */
   readonly send: (playerId: string, bytes: Uint8Array, now: number) => void;
-  /** What has come to a client by `now`. */
+  /** The messages that have reached a client by `now`. */
   readonly deliver: (playerId: string, now: number) => Delivery[];
-  /** Lets everything up to `now` happen at its own time and in its order: arrivals at the server, and ticks. */
+  /** Processes everything due by `now` in order of time: arrivals at the server, and ticks. */
   readonly run: (now: number) => void;
-  /** When something happens next: an arrival at either end, or a tick. */
+  /** When the next arrival, at either end, or tick is due. */
   readonly nextAt: () => number;
-  /** A frozen server neither ticks, sends nor answers. What came meanwhile, it reads when it goes on. */
+  /** A frozen server neither ticks, sends nor answers. It reads what arrived meanwhile when it resumes. */
   readonly setFrozen: (frozen: boolean, now: number) => void;
-  /** While paused: one tick or one substep at once, with the frames before and after it. */
+  /** While paused: runs one tick or one substep, and sends the frames before and after it. */
   readonly step: (unit: 'substep' | 'tick', now: number) => string | null;
   readonly setNetwork: (numbers: NetworkNumbers) => void;
 }
 
-export interface ExchangeCounters {
+export interface LoopbackCounters {
   framesSent: number;
   bytesSent: number;
-  /** Messages of clients that wire or authority refused. */
+  /** Client messages that the wire or the authority refused. */
   refused: number;
-  /** Why, the last time. */
+  /** The reason of the last refusal. */
   lastRefusal: string;
 }
 
-interface Line {
+interface Connection {
   readonly playerId: string;
   readonly shipId: string;
   readonly up: Link;
@@ -48,70 +48,70 @@ interface Line {
 }
 
 /** @param now wall seconds at which the authority's present boundary is */
-export function createExchange(
+export function createLoopbackLink(
   authority: Authority,
   network: NetworkNumbers,
   seed: number,
   now: number,
-): Exchange {
+): LoopbackLink {
   const loop = startLoop(authority, now);
-  const lines = new Map<string, Line>();
-  const counters: ExchangeCounters = { framesSent: 0, bytesSent: 0, refused: 0, lastRefusal: '' };
+  const connections = new Map<string, Connection>();
+  const counters: LoopbackCounters = { framesSent: 0, bytesSent: 0, refused: 0, lastRefusal: '' };
   let numbers = network;
   let links = 0;
-  let thawedAt = -Infinity;
+  let resumedAt = -Infinity;
 
   function newLink(): Link {
     links += 1;
-    // Far apart, so that two links share no stretch of their numbers' beginning.
+    // Seeds far apart, so that the random sequences of two links do not overlap.
     return createLink(numbers, seed + links * 0x9e3779b1);
   }
 
-  function tell(line: Line, message: ServerMessage, at: number): void {
+  function send(connection: Connection, message: ServerMessage, at: number): void {
     const bytes = encodeServerMessage(message);
     counters.bytesSent += bytes.length;
-    line.down.send(bytes, at);
+    connection.down.send(bytes, at);
   }
 
-  function tellFrame(line: Line, at: number): void {
-    const frame = authority.frameFor(line.playerId);
+  function sendFrame(connection: Connection, at: number): void {
+    const frame = authority.frameFor(connection.playerId);
     if (frame === null) return;
     counters.framesSent += 1;
-    tell(line, frame, at);
+    send(connection, frame, at);
   }
 
-  function tellFrames(at: number): void {
-    for (const line of lines.values()) tellFrame(line, at);
+  function sendFrames(at: number): void {
+    for (const connection of connections.values()) sendFrame(connection, at);
   }
 
-  function welcome(line: Line, at: number): string | null {
-    const hello = authority.join(line.playerId, line.shipId);
+  function welcome(connection: Connection, at: number): string | null {
+    const hello = authority.join(connection.playerId, connection.shipId);
     if (!hello.ok) return hello.reason;
-    if (hello.value !== null) tell(line, hello.value, at);
-    tellFrame(line, at);
+    if (hello.value !== null) send(connection, hello.value, at);
+    sendFrame(connection, at);
     return null;
   }
 
-  function hear(line: Line, { bytes }: Delivery, at: number): void {
+  function handle(connection: Connection, { bytes }: Delivery, at: number): void {
     const message = decodeClientMessage(bytes);
-    const answer = message.ok ? authority.receive(line.playerId, message.value, at) : message;
+    const answer = message.ok ? authority.receive(connection.playerId, message.value, at) : message;
     if (!answer.ok) {
       counters.refused += 1;
       counters.lastRefusal = answer.reason;
-    } else if (answer.value !== null) tell(line, answer.value, at);
+    } else if (answer.value !== null) send(connection, answer.value, at);
   }
 
-  /** The line whose client's message reaches the server first. */
-  function firstUp(): { line: Line | null; at: number } {
-    let first: Line | null = null;
+  /** The connection whose message reaches the server first. */
+  function firstUp(): { connection: Connection | null; at: number } {
+    let first: Connection | null = null;
     let at = Infinity;
-    for (const line of lines.values()) {
-      const next = line.up.nextAt();
+    for (const connection of connections.values()) {
+      const next = connection.up.nextAt();
       if (next === null || next >= at) continue;
-      first = line;
+      first = connection;
       at = next;
     }
-    return { line: first, at };
+    return { connection: first, at };
   }
 
   return {
@@ -119,56 +119,57 @@ export function createExchange(
     loop,
     counters,
     connect(playerId, shipId, at) {
-      const line: Line = { playerId, shipId, up: newLink(), down: newLink() };
-      const reason = welcome(line, at);
-      if (reason === null) lines.set(playerId, line);
+      const connection: Connection = { playerId, shipId, up: newLink(), down: newLink() };
+      const reason = welcome(connection, at);
+      if (reason === null) connections.set(playerId, connection);
       return reason;
     },
     drop(playerId) {
-      lines.get(playerId)?.up.drop();
-      lines.get(playerId)?.down.drop();
+      connections.get(playerId)?.up.drop();
+      connections.get(playerId)?.down.drop();
     },
     reconnect(playerId, at) {
-      const line = lines.get(playerId);
-      if (line === undefined) return;
-      line.up.reconnect(at);
-      line.down.reconnect(at);
-      welcome(line, at);
+      const connection = connections.get(playerId);
+      if (connection === undefined) return;
+      connection.up.reconnect(at);
+      connection.down.reconnect(at);
+      welcome(connection, at);
     },
-    send: (playerId, bytes, at) => lines.get(playerId)?.up.send(bytes, at),
-    deliver: (playerId, at) => lines.get(playerId)?.down.deliver(at) ?? [],
+    send: (playerId, bytes, at) => connections.get(playerId)?.up.send(bytes, at),
+    deliver: (playerId, at) => connections.get(playerId)?.down.deliver(at) ?? [],
     run(until) {
       if (loop.frozen) return;
       skipBacklog(loop, authority, until);
       while (true) {
-        const { line, at } = firstUp();
-        // What arrives with a boundary is in time for the interval before it.
-        if (line !== null && at <= Math.min(until, loop.nextAt)) {
-          for (const delivery of line.up.deliver(at)) hear(line, delivery, Math.max(at, thawedAt));
-        } else if (loop.nextAt <= until) tellFrames(runNextTick(loop, authority));
+        const { connection, at } = firstUp();
+        // A message that arrives at a boundary is in time for the interval before it.
+        if (connection !== null && at <= Math.min(until, loop.nextAt)) {
+          for (const delivery of connection.up.deliver(at))
+            handle(connection, delivery, Math.max(at, resumedAt));
+        } else if (loop.nextAt <= until) sendFrames(runNextTick(loop, authority));
         else return;
       }
     },
     nextAt() {
       let next = loop.frozen ? Infinity : Math.min(loop.nextAt, firstUp().at);
-      for (const { down } of lines.values()) next = Math.min(next, down.nextAt() ?? Infinity);
+      for (const { down } of connections.values()) next = Math.min(next, down.nextAt() ?? Infinity);
       return next;
     },
     setFrozen(frozen, at) {
-      if (loop.frozen && !frozen) thawedAt = at;
+      if (loop.frozen && !frozen) resumedAt = at;
       setFrozen(loop, authority, frozen, at);
     },
     step(unit, at) {
       const reason = authority.armStep(unit);
       if (reason !== null) return reason;
-      tellFrames(at);
+      sendFrames(at);
       authority.tick(at);
-      tellFrames(at);
+      sendFrames(at);
       return null;
     },
     setNetwork(next) {
       numbers = next;
-      for (const { up, down } of lines.values()) {
+      for (const { up, down } of connections.values()) {
         up.setNumbers(next);
         down.setNumbers(next);
       }

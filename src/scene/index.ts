@@ -3,5 +3,5 @@ export { FINE, type Quality, qualityFor } from './quality';
 export { createSceneView } from './createSceneView';
 export type { SceneView } from './sceneView';
 export type { Markers } from './overlays/markers';
-export type { OverlayChoice } from './overlays/overlays';
+export { OVERLAY_COLOURS, type OverlayChoice } from './overlays/overlays';
 export { CAMERA_VIEWS, type CameraView } from './camera/cameras';

@@ -28,7 +28,10 @@ export interface LoopbackLink {
   readonly setFrozen: (frozen: boolean, now: number) => void;
   /** While paused: runs one tick or one substep, and sends the frames before and after it. */
   readonly step: (unit: 'substep' | 'tick', now: number) => string | null;
-  readonly setNetwork: (numbers: NetworkNumbers) => void;
+  /** `up`: of messages to the server, where they differ. */
+  readonly setNetwork: (numbers: NetworkNumbers, up?: NetworkNumbers) => void;
+  /** A lag spike: nothing that is sent from now on arrives before wall second `until`, in either direction. */
+  readonly stall: (until: number) => void;
 }
 
 export interface LoopbackCounters {
@@ -58,10 +61,11 @@ export function createLoopbackLink(
   const connections = new Map<string, Connection>();
   const counters: LoopbackCounters = { framesSent: 0, bytesSent: 0, refused: 0, lastRefusal: '' };
   let numbers = network;
+  let upNumbers = network;
   let links = 0;
   let resumedAt = -Infinity;
 
-  function newLink(): Link {
+  function newLink(numbers: NetworkNumbers): Link {
     links += 1;
     // Seeds far apart, so that the random sequences of two links do not overlap.
     return createLink(numbers, seed + links * 0x9e3779b1);
@@ -119,7 +123,7 @@ export function createLoopbackLink(
     loop,
     counters,
     connect(playerId, shipId, at) {
-      const connection: Connection = { playerId, shipId, up: newLink(), down: newLink() };
+      const connection: Connection = { playerId, shipId, up: newLink(upNumbers), down: newLink(numbers) };
       const reason = welcome(connection, at);
       if (reason === null) connections.set(playerId, connection);
       return reason;
@@ -167,11 +171,18 @@ export function createLoopbackLink(
       sendFrames(at);
       return null;
     },
-    setNetwork(next) {
+    setNetwork(next, upNext = next) {
       numbers = next;
+      upNumbers = upNext;
       for (const { up, down } of connections.values()) {
-        up.setNumbers(next);
+        up.setNumbers(upNext);
         down.setNumbers(next);
+      }
+    },
+    stall(until) {
+      for (const { up, down } of connections.values()) {
+        up.stall(until);
+        down.stall(until);
       }
     },
   };

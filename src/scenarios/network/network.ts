@@ -79,6 +79,8 @@ export interface Link {
   readonly nextAt: () => number | null;
   /** Applies to messages sent from now on. */
   readonly setNumbers: (numbers: NetworkNumbers) => void;
+  /** Nothing that is sent from now on arrives before wall second `until`. */
+  readonly stall: (until: number) => void;
   /** Breaks the connection: nothing arrives, and messages sent are lost. */
   readonly drop: () => void;
   /**
@@ -135,6 +137,9 @@ export function createLink(initial: NetworkNumbers, seed: number): Link {
     nextAt: () => (down ? null : (flights[0]?.at ?? null)),
     setNumbers(next) {
       numbers = next;
+    },
+    stall(until) {
+      lastAt = Math.max(lastAt, until);
     },
     drop() {
       down = true;

@@ -5,7 +5,7 @@ import { type LivePilot, startPilot } from './pilot';
 
 /** One way, s. */
 const DELAY = 0.05;
-/** s; offsets are within 5 % after 0.3 (PREDICTION, What is drawn). */
+/** s; offsets are within 5 % after 0.3 (PREDICTION, Drawing). */
 const EASED = 1;
 
 let operator: Operator;

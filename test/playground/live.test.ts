@@ -122,7 +122,7 @@ describe('a page that was hidden', () => {
 
 describe('a link to a flight', () => {
   /** The query that the page would copy of a game so far. */
-  async function linkOf(game: Awaited<ReturnType<typeof open>>, choices: Choices): Promise<string> {
+  function linkOf(game: Awaited<ReturnType<typeof open>>, choices: Choices): string {
     const copied: string[] = [];
     const link = createFlightLink({
       live: () => game.live,
@@ -156,7 +156,7 @@ describe('a link to a flight', () => {
       game.live.hands.release(action);
       game.live.steer();
     }
-    const query = await linkOf(game, { ...DEFAULT_CHOICES, ...asked });
+    const query = linkOf(game, { ...DEFAULT_CHOICES, ...asked });
     game.play(60, 60);
     const flown = game.live.hash();
     game.live.dispose();
@@ -166,7 +166,7 @@ describe('a link to a flight', () => {
     again.play(20, 70);
     expect(again.live.hash()).toBe(flown);
     expect(again.live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
-    expect(await linkOf(again, choices)).toBe(query);
+    expect(linkOf(again, choices)).toBe(query);
   });
 });
 

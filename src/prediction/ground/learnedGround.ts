@@ -1,7 +1,7 @@
 import type { TerrainHeight, World } from '../../dynamics';
 
 /**
- * What one ship's server states say of the ground where it differs from ours (PREDICTION, A ground that is not quite the server's):
+ * What one ship's server states say of the ground where it differs from ours (PREDICTION, Learned ground):
  * places with an offset and a slope, m above our terrain. None where the two agree: then the world is used as it is.
  */
 export interface LearnedGround {

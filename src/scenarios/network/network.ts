@@ -20,7 +20,7 @@ export interface NetworkNumbers {
 
 const STEADY = { stallShare: 0, stallSeconds: 0.2, stallRun: 1 };
 
-/** The networks of PREDICTION, What is measured: ± is a standard deviation, and a loss is a resend after 200 ms. */
+/** The networks of PREDICTION, Measurements: ± is a standard deviation, and a loss is a resend after 200 ms. */
 export const NETWORK_PRESETS = Object.freeze({
   lan: { ...STEADY, delay: 0.002, jitter: 0 },
   broadband: { ...STEADY, delay: 0.02, jitter: 0.003 },

@@ -16,7 +16,7 @@ const BEFORE = 8;
 const AFTER = 10;
 /** How long it is watched that nothing happens to, beyond the time that is measured, s. */
 const TWIN = 20;
-/** Off by more than this is not right, s (PREDICTION, The clock believes what a queue says). */
+/** Off by more than this is not right, s (PREDICTION, Clock). */
 const WITHIN = 0.05;
 const WITHIN_ON_LAN = 0.01;
 const RATES = [0.1, 0.25, 1, 5, 20];

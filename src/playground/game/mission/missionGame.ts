@@ -125,7 +125,6 @@ export function createMissionGame(place: MissionPlace): MissionGame {
       tracker.begin(mission);
       place.card.hide();
       ghost.race(mission === null ? null : rival?.mission === mission ? rival : place.best.of(mission));
-      document.body.classList.toggle('night', mission?.night ?? false);
       if (mission !== null) place.resetCamera();
       if (mission === null) place.goal.hide();
       else place.goal.show(mission.scenario.title, mission.goal);

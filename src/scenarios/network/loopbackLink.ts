@@ -118,12 +118,7 @@ export function createLoopbackLink(
         down.setNumbers(next);
       }
     },
-    stall(until) {
-      for (const { up, down } of connections.values()) {
-        up.stall(until);
-        down.stall(until);
-      }
-    },
+    stall: (until) => connections.forEach(({ up, down }) => [up, down].forEach((link) => link.stall(until))),
   };
 }
 

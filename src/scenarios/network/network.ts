@@ -138,9 +138,7 @@ export function createLink(initial: NetworkNumbers, seed: number): Link {
     setNumbers(next) {
       numbers = next;
     },
-    stall(until) {
-      lastAt = Math.max(lastAt, until);
-    },
+    stall: (until) => void (lastAt = Math.max(lastAt, until)),
     drop() {
       down = true;
     },

@@ -8,7 +8,7 @@ const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/
 
 describeInBrowser('the built page', () => {
   it('shows a landing: picture, displays, nothing wrong', async () => {
-    const page = await openBuiltPage('?scenario=opening', { framesPerSecond: 4 });
+    const page = await openBuiltPage('?scenario=opening&slow=4', { framesPerSecond: 2 });
     await page.waitForSelector('html[data-ready=true]');
     await untilStatus(page, 'landed');
     expect(await page.textContent('.td-landing')).toContain('LANDED');

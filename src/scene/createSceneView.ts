@@ -31,6 +31,12 @@ export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): Sc
       writeScreenAxes(out, state.turn, rig.eye, rig.focus);
       return true;
     },
+    pixelSize() {
+      const { eye, focus } = rig;
+      const distance = Math.hypot(eye[0]! - focus[0]!, eye[1]! - focus[1]!, eye[2]! - focus[2]!);
+      const height = parts.renderer.domElement.height / parts.renderer.getPixelRatio();
+      return (2 * distance * state.opening.upright) / Math.max(height, 1);
+    },
     setTerrain(terrainHeight) {
       state.terrain = terrainHeight;
       state.frame = null;

@@ -65,6 +65,7 @@ export function expectTeleport({ sim }: Session, shipId: string): void {
   if (track === undefined) return;
   if (track.mode === 'sleeping') holdSleeping(track);
   forgetAfter(track.history, -1);
+  track.states = null;
   track.replaySnaps = true;
 }
 

@@ -77,7 +77,7 @@ export function easeCorrection(
   const sameBody = before.body === front[at + REFERENCE_BODY];
   const { timeScale } = spanOf(sim.timeline, sim.front.tick);
   const covered = Math.max(before.speed, speedOf(front, at)) * unseen * timeScale;
-  if (!style.snaps && sameBody && isEasable(before.pose, covered)) {
+  if (!style.snaps && sameBody && isEasable(before.pose, now, covered)) {
     addToOffset(picture.ease, before.pose, now);
     return;
   }
@@ -93,6 +93,30 @@ export function holdDrawn(sim: Simulation, track: Track): void {
   picture.heldAttitude.set(now.attitude);
   picture.hasHeld = true;
 }
+
+/**
+ * A ship that is drawn by another policy from now on: where it was drawn before fades into `seen`. What is drawn is kept, for the
+ * policy to change again.
+ * @param seen where it is drawn now, from its body's axes
+ */
+export function fadeFromHeld(sim: Simulation, { picture, at, serverRow }: Track, seen: Pose): void {
+  if (picture.hasHeld) {
+    picture.hasHeld = false;
+    held.position.set(picture.heldPlace);
+    held.attitude.set(picture.heldAttitude);
+    const sameBody = sim.fleet.front[at + REFERENCE_BODY] === serverRow[REFERENCE_BODY];
+    const { timeScale } = spanOf(sim.timeline, sim.front.tick);
+    if (sameBody && isEasable(held, seen, speedOf(serverRow, 0) * POLICY_STALL * timeScale))
+      addToOffset(picture.ease, held, seen);
+    else snap(picture.ease);
+  }
+  picture.heldPlace.set(seen.position);
+  picture.heldAttitude.set(seen.attitude);
+}
+
+const held: Pose = pose();
+/** Wall s by which two policies may draw a ship at different instants, for the picture to go over from one to the other. */
+export const POLICY_STALL = 2;
 
 /** A correction: offset += old predicted − new predicted, both of one instant and in the body's axes (PREDICTION, Drawing). */
 export function addToOffset(ease: Ease, old: Pose, next: Pose): void {
@@ -119,9 +143,9 @@ function ageOf({ timeline, front }: Simulation, { serverTick }: Track): number {
 }
 
 /** Within 60°, and 25 m + the distance, m, covered since the state before or while the present was moved. */
-function isEasable(old: Pose, covered: number): boolean {
-  for (let k = 0; k < 3; k++) jump[k] = old.position[k]! - now.position[k]!;
-  turnBetween(turn, old.attitude, now.attitude);
+function isEasable(old: Pose, next: Pose, covered: number): boolean {
+  for (let k = 0; k < 3; k++) jump[k] = old.position[k]! - next.position[k]!;
+  turnBetween(turn, old.attitude, next.attitude);
   return lengthOf(jump) <= SNAP_DISTANCE + covered && angleOf(turn) <= SNAP_ANGLE;
 }
 

@@ -90,7 +90,7 @@ function bringBack(sim: Simulation, room: number): void {
   let anyOff = false;
   for (const track of sim.fleet.tracks) {
     if (track.off) anyOff = true;
-    else if (track.mode !== 'sleeping') free -= 1;
+    else if (track.mode !== 'sleeping' && track.policy === 'predict') free -= 1;
   }
   if (!anyOff || free <= 0) return;
   const off = sim.fleet.tracks.filter((track) => track.off);

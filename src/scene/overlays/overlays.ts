@@ -46,7 +46,9 @@ export interface Overlays {
 }
 
 const Z = new Vector3(0, 0, 1);
-const LOOKS = {
+/** 0xrrggbb, for the picture and its legend. */
+export const OVERLAY_COLOURS = {
+  ghost: 0x58b8ff,
   error: 0xff5a4f,
   normal: 0x7fe0ff,
   footprint: 0xffd24a,
@@ -77,7 +79,7 @@ export function createOverlays(): Overlays {
     return made;
   };
   const ghostMaterial = new MeshBasicMaterial({
-    color: new Color(0x58b8ff),
+    color: new Color(OVERLAY_COLOURS.ghost),
     wireframe: true,
     transparent: true,
     opacity: 0.22,
@@ -85,11 +87,15 @@ export function createOverlays(): Overlays {
   });
   materials.push(ghostMaterial);
   const ghost = new Mesh(new BufferGeometry(), ghostMaterial);
-  const error = new Mesh(shaft, paint(LOOKS.error));
-  const ring = new Mesh(new TorusGeometry(1, 0.012, 6, 64), paint(LOOKS.footprint));
+  const error = new Mesh(shaft, paint(OVERLAY_COLOURS.error));
+  const ring = new Mesh(new TorusGeometry(1, 0.012, 6, 64), paint(OVERLAY_COLOURS.footprint));
   group.add(ghost, error, ring);
-  const normal = arrow(LOOKS.normal);
-  const forces = { thrust: arrow(LOOKS.thrust), weight: arrow(LOOKS.weight), support: arrow(LOOKS.support) };
+  const normal = arrow(OVERLAY_COLOURS.normal);
+  const forces = {
+    thrust: arrow(OVERLAY_COLOURS.thrust),
+    weight: arrow(OVERLAY_COLOURS.weight),
+    support: arrow(OVERLAY_COLOURS.support),
+  };
   const way = new Vector3();
 
   const point = (made: ReturnType<typeof arrow>, from: Vector3, vector: Vector3, visible: boolean) => {

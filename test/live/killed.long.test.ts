@@ -57,15 +57,17 @@ async function restart({ stack }: Operator, victims: (typeof VICTIMS)[number]): 
 
 const types = (events: readonly ShipEvent[]) => events.map(({ event }) => event);
 
-/** The events of a ship that a pilot's page showed as confirmed, of the ticks from `first` on. */
-function confirmedOf({ notices }: LivePilot, shipId: string, first: number): string[] {
-  return notices
-    .filter((notice) => notice.kind === 'confirmed' && notice.shipId === shipId && notice.tick >= first)
+/** The events of a ship in the frames that reached a pilot, of the ticks from `first` on. */
+function receivedBy(pilot: LivePilot, shipId: string, first: number): string[] {
+  return pilot
+    .frames()
+    .flatMap(({ events = [] }) => events)
+    .filter((event) => event.shipId === shipId && event.tick >= first)
     .map(({ type }) => type);
 }
 
-/** Every pilot is told every event of both ships once; a pilot whose gateway died may still be reconnecting. */
-async function expectTold(
+/** Every pilot receives every event of both ships once; a pilot whose gateway died may still be reconnecting. */
+async function expectReceived(
   pilots: readonly LivePilot[],
   events: readonly (readonly ShipEvent[])[],
   label: string,
@@ -73,7 +75,7 @@ async function expectTold(
   for (const pilot of pilots)
     for (const [i, shipId] of SHIPS.entries())
       await expect
-        .poll(() => confirmedOf(pilot, shipId, events[i]![0]!.tick), { timeout: PATIENCE, message: label })
+        .poll(() => receivedBy(pilot, shipId, events[i]![0]!.tick), { timeout: PATIENCE, message: label })
         .toEqual(types(events[i]!));
 }
 
@@ -98,12 +100,12 @@ it(`reports every event once and loses no ship through ${ROUNDS} kills in mid-bo
       expect(events.map(types), label).toEqual(expected);
       const ids = (await operator.frame()).ships.map((ship) => ship['ship_id']);
       expect(ids, label).toEqual(SHIPS);
-      await expectTold(pilots, events, label);
+      await expectReceived(pilots, events, label);
     }
     const all = await Promise.all(SHIPS.map((shipId) => operator.eventsOf(shipId)));
     const since = all.map((events, i) => events.filter(({ tick }) => tick >= undisturbed[i]![0]!.tick));
     expect(since.map((events) => events.length)).toEqual([3 * (ROUNDS + 1), 3 * (ROUNDS + 1)]);
-    await expectTold(pilots, since, 'all rounds');
+    await expectReceived(pilots, since, 'all rounds');
     for (const pilot of pilots) expect(pilot.trouble).toEqual([]);
   } finally {
     for (const pilot of pilots) pilot.dispose();

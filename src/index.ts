@@ -66,6 +66,7 @@ export {
   type FromWorker,
   type Hull,
   hullOf,
+  type Policy,
   type Predictor,
   type PredictorEntry,
   type PredictorOptions,

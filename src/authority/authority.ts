@@ -12,7 +12,7 @@ import { despawn, kick, respawn, spawn, type SpawnOrder } from './shipTable';
 import type { Tempo } from './tempo';
 
 /**
- * The world loop that plays the server (PREDICTION, What the server says; DYNAMICS, Time). It has no clock, no random numbers and
+ * The world loop that plays the server (PREDICTION, Server messages; DYNAMICS, Time). It has no clock, no random numbers and
  * no transport: wall seconds are arguments, messages are plain records. Orders return null, or the reason why they changed nothing.
  */
 export interface Authority {

@@ -3,20 +3,20 @@ import type { InputRecord } from '../wire';
 import { rowOf, type ShipTable } from './shipTable';
 
 /** Controls from the start of a substep on. */
-export type PlannedInput = Omit<InputRecord, 'seq'>;
+export type ScheduledInput = Omit<InputRecord, 'seq'>;
 
 /** Inputs that a ship applies by itself until its player's first input acts. */
 export interface Plan {
-  readonly inputs: readonly PlannedInput[];
+  readonly inputs: readonly ScheduledInput[];
   next: number;
 }
 
 const MAX_PLANNED = 10_000;
 
 /** The checked plan, or a reason that names the field. */
-export function loadPlan(given: readonly PlannedInput[]): Result<Plan> {
+export function loadPlan(given: readonly ScheduledInput[]): Result<Plan> {
   if (given.length > MAX_PLANNED) return err(`plan: expected at most ${MAX_PLANNED}, got ${given.length}`);
-  const inputs: PlannedInput[] = [];
+  const inputs: ScheduledInput[] = [];
   for (const [i, { tick, substep, controls }] of given.entries()) {
     const before = inputs.at(-1) ?? { tick: 0, substep: 0 };
     const whole = Number.isSafeInteger(tick) && Number.isSafeInteger(substep) && substep >= 0;

@@ -27,7 +27,7 @@ export interface ShipPlace {
 }
 
 /**
- * A row as the wire's ShipState (PREDICTION, What the server says): ICRF position and velocity are computed here alone, from
+ * A row as the wire's ShipState (PREDICTION, Server messages): ICRF position and velocity are computed here alone, from
  * the state relative to the reference body (DYNAMICS, Frame). `legacy` omits what the game's own server does not send.
  */
 export function toShipState(place: ShipPlace, identity: ShipIdentity, legacy = false): ShipState {

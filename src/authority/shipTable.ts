@@ -21,7 +21,7 @@ import {
   writeControls,
 } from '../dynamics';
 import { textComplaint } from '../wire';
-import type { PlannedInput } from './plans';
+import type { ScheduledInput } from './plans';
 import { compose, inverse, rotate } from './rotation';
 import type { ShipIdentity } from './shipState';
 
@@ -31,7 +31,7 @@ export interface SpawnOrder extends ShipIdentity {
   /** Neutral by default. */
   readonly controls?: Controls;
   /** Inputs it applies by itself until its player's first input acts; ascending in time. */
-  readonly plan?: readonly PlannedInput[];
+  readonly plan?: readonly ScheduledInput[];
 }
 
 /** The ships of a world: row i belongs to entry i. */

@@ -12,7 +12,7 @@ import type { WorldEvent } from '../wire';
 import type { EventNotice } from './drawn/view';
 
 /**
- * The events of one ship, predicted and told (PREDICTION, States and events as predicted things). An event keeps its identity
+ * The events of one ship, predicted and told (PREDICTION, Events). An event keeps its identity
  * through replays: the same type within 50 substeps is the same event, and listeners hear of each at most once as predicted, once
  * as confirmed, once as retracted.
  */

@@ -29,7 +29,7 @@ const USUAL = 3;
 /** Own controls act from at most this many substeps before the present on: what a 60 Hz frame spans. */
 const BACKDATED = 2;
 
-/** One display frame: own controls are sampled, and everything is simulated up to the present (PREDICTION, The timeline). */
+/** One display frame: own controls are sampled, and everything is simulated up to the present (PREDICTION, Timeline). */
 export function advanceFrame(session: Session, controls: Controls | null, now: number): void {
   const { sim, clock, pilot, pace } = session;
   const target = alignFront(session, now);

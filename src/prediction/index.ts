@@ -7,6 +7,7 @@ export type { ClientTerrain, Defaults, PredictorOptions } from './options';
 export type { Removal } from './ownership';
 export type { Warn } from './warnings';
 /** What the own ship does by itself. */
+export type { Policy } from './simulation/track';
 export type { ScheduledInput } from './inputs/inputs';
 /** What it gives. */
 export type * from './drawn/view';

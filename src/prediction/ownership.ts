@@ -10,7 +10,7 @@ import { copyRow, removeTrack, type Track } from './simulation/track';
 import { loadConfig } from './snapshots/worldConfig';
 import { forgetPings } from './time/pings';
 
-/** Whose ship is whose (PREDICTION, Who flies what): what the caller says, and what the server's word comes to. */
+/** Whose ship is whose (PREDICTION, Ownership): what the caller says, and what the server's word comes to. */
 
 /** Why a ship is no longer there. */
 export type Removal = 'destroyed' | 'docked' | 'gone';
@@ -65,6 +65,7 @@ export function expectTeleport({ sim }: Session, shipId: string): void {
   if (track === undefined) return;
   if (track.mode === 'sleeping') holdSleeping(track);
   forgetAfter(track.history, -1);
+  track.states = null;
   track.replaySnaps = true;
 }
 

@@ -5,15 +5,24 @@ import { requireOptions } from './checks/options';
 import type { EventNotice, WorldView } from './drawn/view';
 import { fillView } from './drawn/worldView';
 import { advanceFrame, place } from './frameLoop';
-import { takeInputs } from './inputs/sending';
-import { createKept, keep, type PredictorSnapshot, restoreSnapshot, snapshotOf } from './lifecycle/snapshot';
-import type { PredictorOptions } from './options';
+import { lastControls, takeInputs } from './inputs/sending';
+import { configure } from './lifecycle/configure';
+import { changePolicy } from './lifecycle/policy';
+import {
+  createKept,
+  type PredictorSnapshot,
+  receiveAndKeep,
+  restoreSnapshot,
+  snapshotOf,
+} from './lifecycle/snapshot';
+import type { Defaults, PredictorOptions } from './options';
 import { changeOwnShip, dropShip, expectTeleport, type Removal, resetSession } from './ownership';
 import { announce, createSession, type Session } from './session';
-import { noteCall, receiveMessage } from './snapshots/receiveMessage';
+import type { Policy } from './simulation/track';
+import { noteCall } from './snapshots/receiveMessage';
 import { decodePending, receivePending } from './snapshots/pending';
 import { refuse } from './snapshots/receiver';
-import { jitterOf, serverTime } from './time/clock';
+import { jitterOf, sentAt, serverTime } from './time/clock';
 import { connectionOf } from './time/connection';
 import { pingIfDue } from './time/pings';
 import { spanOf } from './time/timeline';
@@ -38,6 +47,11 @@ export interface Predictor {
   view: (now: number) => WorldView;
   /** What is to be sent since the last call. */
   takeOutgoing: () => ClientMessage[];
+  /**
+   * For a server of the game's JSON, instead of takeOutgoing: the controls to send since the last call (encodeControlsJson), or null
+   * when nothing has changed. Pings are left to the connection.
+   */
+  takeControls: () => Controls | null;
   /** Predicted, confirmed and retracted events, in order, during `receive` and `advance`. Returns how to stop listening. */
   onEvent: (listener: (notice: EventNotice) => void) => () => void;
   /** From now on the player flies `shipId`; null: none, a spectator. Inputs made for the ship before are dropped, never sent for this one. */
@@ -46,6 +60,18 @@ export interface Predictor {
   removeShip: (shipId: string, reason: Removal) => void;
   /** The server is about to put the ship somewhere else: its next state is shown at once and counts as no error. */
   teleported: (shipId: string) => void;
+  /**
+   * How the ship is drawn from now on, whether it is there yet or not: simulated to the present (`predict`, the default), between its
+   * server states about one send ago (`interpolate`), or where its newest server state has it (`hold`). The picture goes over
+   * smoothly. A ship that is not predicted has no predicted events and is `confirmed` or `stale`.
+   */
+  setPolicy: (shipId: string, policy: Policy) => void;
+  /**
+   * Changes settings (member by member), ship classes, terrain or bodies while running. Ships, time, inputs and listeners stay, and each
+   * ship goes on from its newest server state; only another list of body names begins a new world. A hello with other values does the
+   * same. An error names the field that cannot be used, and nothing changes.
+   */
+  configure: (changes: Partial<Defaults>) => Result<null>;
   /** Forgets ships, time, inputs and the clock, as for another server of the same world. The own ship and listeners stay. */
   reset: () => void;
   /** What was told last, as plain data for JSON.stringify, to go on from after a reload or in a worker. */
@@ -66,8 +92,7 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
   const receive: Predictor['receive'] = (message, now) => {
     if (isDisposed) return;
     checks?.receive(message, now);
-    receiveMessage(session, message, now);
-    keep(kept, message, now);
+    receiveAndKeep(session, kept, message, now);
   };
   return {
     receive,
@@ -90,6 +115,10 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
       checks?.taken();
       return takeOutgoing(session);
     },
+    takeControls() {
+      checks?.taken();
+      return lastControls(takeOutgoing(session));
+    },
     onEvent(listener) {
       if (!isListener(session, listener)) return () => undefined;
       session.listeners.add(listener);
@@ -101,6 +130,8 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
       announce(session);
     },
     teleported: (shipId) => expectTeleport(session, shipId),
+    setPolicy: (shipId, policy) => changePolicy(session, shipId, policy),
+    configure: (changes) => configure(session, changes),
     reset: () => resetSession(session),
     snapshot: (now) => snapshotOf(session, kept, now),
     restore: (snapshot, now) => restoreSnapshot(session, kept, snapshot, now),
@@ -125,7 +156,7 @@ function viewAt(session: Session, now: number): WorldView {
   const present = clock.present + Math.max(0, now - clock.updatedAt) * clock.rate;
   place(sim, present);
   const lead = clock.present - serverTime(clock, clock.updatedAt);
-  fillView(shown, sim, { now, present, lead });
+  fillView(shown, sim, { now, present, lead, heard: sentAt(clock, now) - jitterOf(clock) });
   fillGauges(session);
   return shown.view;
 }

@@ -1,5 +1,6 @@
 import type { Controls } from '../dynamics';
 import type { ClientMessage, PartialFrame, ServerMessage } from '../wire';
+import { lastControls } from './inputs/sending';
 import type { Predictor } from './predictor';
 
 /** What went through a predictor, in its order; `at`: client wall s. A JSON line each, as rehearsal writes them. */
@@ -10,10 +11,15 @@ export type PredictorEntry =
 
 /**
  * The same predictor, every message, input and time of which is handed to `write` (PREDICTION, Diagnosis). Nothing else goes into
- * a predictor, so feeding the entries to a new one does the same again, to the bit.
+ * a predictor but the calls that say whose ship is whose, so feeding the entries to a new one does the same again, to the bit.
  */
 export function recordPredictor(predictor: Predictor, write: (entry: PredictorEntry) => void): Predictor {
   let now = 0;
+  const taken = (): ClientMessage[] => {
+    const messages = predictor.takeOutgoing();
+    for (const message of messages) write({ kind: 'sent', at: now, message });
+    return messages;
+  };
   return {
     ...predictor,
     receive(message, at) {
@@ -25,11 +31,8 @@ export function recordPredictor(predictor: Predictor, write: (entry: PredictorEn
       write({ kind: 'advanced', at, controls });
       predictor.advance(controls, at);
     },
-    takeOutgoing() {
-      const messages = predictor.takeOutgoing();
-      for (const message of messages) write({ kind: 'sent', at: now, message });
-      return messages;
-    },
+    takeOutgoing: taken,
+    takeControls: () => lastControls(taken()),
   };
 }
 

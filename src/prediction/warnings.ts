@@ -1,5 +1,5 @@
 /**
- * What a caller or a server got wrong and nothing has to stop for (PREDICTION, Messages that are valid and still wrong): each code
+ * What a caller or a server got wrong and nothing has to stop for (PREDICTION, Invalid messages): each code
  * is told once per predictor and field, with the value that was found and what to do about it.
  */
 export type Warn = (code: string, message: string, details: Readonly<Record<string, unknown>>) => void;

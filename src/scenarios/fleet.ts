@@ -1,17 +1,18 @@
 import type { SpawnOrder } from '../authority';
-import { bell, createDice } from './network/random';
-import type { Scenario, StagedScenario } from './scenario';
+import { normalNoise, createRandom } from './network/random';
+import type { Scenario, LoadedScenario } from './scenario';
 import { toBodyRelative } from './site';
 
 /**
- * Ships of other players around a scenario's site: its own initial state, strewn by a seed over place, height, speed and tilt.
+ * Ships of other players around a scenario's site: its initial state, with position,
+ * height, speed and heading varied at random by a seed.
  * @param count 0 … 9,999
  */
-export function fleetOrders(staged: StagedScenario, count: number, seed: number): SpawnOrder[] {
-  const dice = createDice(seed);
-  const { body, shipClass, terrainHeight, scenario } = staged;
+export function fleetOrders(loaded: LoadedScenario, count: number, seed: number): SpawnOrder[] {
+  const rng = createRandom(seed);
+  const { body, shipClass, terrainHeight, scenario } = loaded;
   return Array.from({ length: count }, (_, i) => {
-    const { initial, site } = strewn(scenario, body.radius, i, dice);
+    const { initial, site } = scattered(scenario, body.radius, i, rng);
     const craft = { ...initial, shipClass, fuel: initial.fuelFraction * shipClass.fuelCapacity };
     return {
       shipId: `other-${i + 1}`,
@@ -23,31 +24,31 @@ export function fleetOrders(staged: StagedScenario, count: number, seed: number)
 }
 
 const NAMES = ['Heron', 'Kestrel', 'Wagtail', 'Curlew', 'Dunnock', 'Plover'];
-/** Between ships, m: twice the largest class's legs and room to slide. */
-const APART = 40;
+/** Distance between ships, m: twice the largest class's legs, and room to slide. */
+const SPACING = 40;
 const DEGREES_PER_RADIAN = 180 / 3.141592653589793;
 
-/** Row by row on a square grid around the site, the site itself left free. */
-function strewn(
+/** The i-th place on a square grid around the site; the site itself stays free. */
+function scattered(
   scenario: Scenario,
   radius: number,
   i: number,
-  dice: () => number,
+  rng: () => number,
 ): Pick<Scenario, 'initial' | 'site'> {
   const { initial, site } = scenario;
   const [column, row] = spiral(i + 1);
-  const degrees = (APART / radius) * DEGREES_PER_RADIAN;
-  const sideways = () => initial.velocity[0] * 0.3 * bell(dice) + bell(dice);
+  const degrees = (SPACING / radius) * DEGREES_PER_RADIAN;
+  const sideways = () => initial.velocity[0] * 0.3 * normalNoise(rng) + normalNoise(rng);
   return {
     site: { latitude: site.latitude + row * degrees, longitude: site.longitude + column * degrees },
     initial: {
       ...initial,
-      height: initial.height === 0 ? 0 : initial.height * (1 + dice()),
+      height: initial.height === 0 ? 0 : initial.height * (1 + rng()),
       velocity:
         initial.height === 0
           ? initial.velocity
           : [initial.velocity[0] + sideways(), initial.velocity[1] + sideways(), initial.velocity[2]],
-      heading: 360 * dice(),
+      heading: 360 * rng(),
     },
   };
 }

@@ -1,17 +1,17 @@
-/** Scenarios, simulated network, recordings: shared by tests, benchmarks and page. */
+/** Scenarios, missions, recordings and the simulated network: shared by tests, benchmarks and the page. */
 
-/** Landings as data, and what they come to on the dynamics alone. */
+/** Landings as data, and their trajectories on the dynamics alone. */
 export { SCENARIOS } from './catalogue';
 export {
   type Scenario,
   type ScenarioInput,
   pilotAt,
-  stage,
-  type StagedInput,
-  type StagedScenario,
+  loadScenario,
+  type ScheduledInput,
+  type LoadedScenario,
   ticksOf,
 } from './scenario';
-export { rehearse, type Rehearsed, type RehearsedEvent } from './runScenario';
+export { runScenario, type ScenarioRun, type ScenarioEvent } from './runScenario';
 /** Local east, north, up at a place on a body. */
 export {
   type Craft,
@@ -23,9 +23,9 @@ export {
   siteToIcrf,
   toBodyRelative,
 } from './site';
-/** Seeded numbers, the same in every engine. */
-export { bell, createDice, type Dice } from './network/random';
-/** Trajectories of other implementations, and how far this one is from them. */
+/** Seeded random numbers, the same in every engine. */
+export { normalNoise, createRandom, type Random } from './network/random';
+/** Trajectories of other implementations, and the differences to this one. */
 export type { Fixture, FixtureEvent, FixtureInput, FixtureState, FixtureTerrain } from './fixtures/fixture';
 export { readFixture } from './fixtures/readFixture';
 export {
@@ -36,7 +36,7 @@ export {
   type Differences,
   TOLERANCES,
 } from './fixtures/compareFixture';
-/** A WebSocket's delays, simulated; and an authority with clients behind them. */
+/** The simulated delays of a WebSocket, and an authority whose clients connect through them. */
 export {
   createLink,
   type Delivery,
@@ -47,10 +47,10 @@ export {
   type NetworkNumbers,
   type NetworkPreset,
 } from './network/network';
-export { createExchange, type Exchange, type ExchangeCounters } from './network/loopbackLink';
+export { createLoopbackLink, type LoopbackLink, type LoopbackCounters } from './network/loopbackLink';
 /** Other players' ships around a scenario. */
 export { fleetOrders } from './fleet';
-/** What a client received, sent and was asked for, as JSON lines; and how a recorded server keeps to the law. */
+/** What a client received, sent and simulated, as JSON lines; and how a recorded server compares with the dynamics. */
 export {
   createRecordingWriter,
   readRecording,
@@ -61,10 +61,10 @@ export {
   writeRecording,
 } from './recordings/recording';
 export { compareRecording, type RecordingComparison } from './recordings/compareRecording';
-/** A pilot for the last 200 metres. */
+/** An autopilot for the last 200 metres. */
 export { type Approach, type LandingSite } from './autopilot/descent';
 export { BEGIN_LANDING, continueLanding, type LandingManeuver, type LandingPhase } from './autopilot/landing';
-/** Tasks for pilots as data; a run flown again from its inputs, its score, and its bytes for a link. */
+/** Missions as data; a run replayed from its inputs, its score, and its bytes for a link. */
 export { findMission, findScenario, MISSIONS } from './missions/missions';
 export { LESSONS } from './missions/lessons';
 export type { Mission, MissionGoal, Pad } from './missions/mission';

@@ -21,61 +21,61 @@ import {
   writeBodyMotion,
   writeControls,
 } from '../dynamics';
-import { type Scenario, stage, type StagedScenario, ticksOf } from './scenario';
+import { type Scenario, loadScenario, type LoadedScenario, ticksOf } from './scenario';
 
-/** What a scenario comes to, run on the dynamics alone. */
-export interface Rehearsed {
-  readonly staged: StagedScenario;
+/** The trajectory of a scenario, run on the dynamics alone. */
+export interface ScenarioRun {
+  readonly loaded: LoadedScenario;
   readonly world: World;
-  /** Ship rows at tick boundaries 0, 1, …, one after another. */
+  /** The ship's row at tick boundaries 0, 1, … */
   readonly ships: Float64Array;
-  /** Body rows at the same boundaries. */
+  /** The body's row at the same boundaries. */
   readonly bodies: Float64Array;
-  readonly events: readonly RehearsedEvent[];
-  /** Moves between surface states that the law does not know; empty unless the law is broken. */
-  readonly illegalMoves: readonly string[];
-  /** Of all ship rows: one number for the trajectory's bits. */
+  readonly events: readonly ScenarioEvent[];
+  /** Transitions between surface states that the state transitions table does not have; empty unless the dynamics are broken. */
+  readonly illegalTransitions: readonly string[];
+  /** Hash of all ship rows, bit by bit. */
   readonly hash: number;
 }
 
-/** What happened in substep `substep` of the interval that begins at tick `tick`. */
-export interface RehearsedEvent {
+/** An event in substep `substep` of the interval that begins at tick `tick`. */
+export interface ScenarioEvent {
   readonly type: ShipEventName;
   readonly tick: number;
   readonly substep: number;
 }
 
-/** Runs a scenario from its start to the end of its duration; a reason that names the field when it cannot be staged. */
-export function rehearse(scenario: Scenario): Result<Rehearsed> {
-  const checked = stage(scenario);
+/** Runs a scenario from its start to the end of its duration; or returns a reason that names the invalid field. */
+export function runScenario(scenario: Scenario): Result<ScenarioRun> {
+  const checked = loadScenario(scenario);
   if (!checked.ok) return checked;
-  const staged = checked.value;
-  const prepared = prepare(staged);
+  const loaded = checked.value;
+  const prepared = createScenarioWorld(loaded);
   if (!prepared.ok) return prepared;
   const { world, ship, bodies } = prepared.value;
-  const ticks = ticksOf(staged);
+  const ticks = ticksOf(loaded);
   const ships = new Float64Array((ticks + 1) * SHIP_STRIDE);
   const bodyRows = new Float64Array((ticks + 1) * BODY_STRIDE);
   ships.set(ship);
   bodyRows.set(bodies);
-  const run: Run = { staged, world, ship, bodies, events: [], illegalMoves: [], nextInput: 0 };
+  const run: Run = { loaded, world, ship, bodies, events: [], illegalTransitions: [], nextInput: 0 };
   for (let tick = 0; tick < ticks; tick++) {
     runTick(run, tick);
     ships.set(ship, (tick + 1) * SHIP_STRIDE);
     bodyRows.set(bodies, (tick + 1) * BODY_STRIDE);
   }
-  const { events, illegalMoves } = run;
-  return ok({ staged, world, ships, bodies: bodyRows, events, illegalMoves, hash: hashRows(ships) });
+  const { events, illegalTransitions } = run;
+  return ok({ loaded, world, ships, bodies: bodyRows, events, illegalTransitions, hash: hashRows(ships) });
 }
 
 /** The world of a scenario at its start: one ship, one body. */
-export function prepare({
+export function createScenarioWorld({
   scenario,
   body,
   shipClass,
   terrainHeight,
   ship,
-}: StagedScenario): Result<Prepared> {
+}: LoadedScenario): Result<ScenarioWorld> {
   const loaded = loadWorld({
     settings: scenario.settings,
     shipClasses: [shipClass],
@@ -90,38 +90,38 @@ export function prepare({
   return reason === null ? ok({ world, ship: row, bodies }) : err(reason);
 }
 
-export interface Prepared {
+export interface ScenarioWorld {
   readonly world: World;
   readonly ship: Float64Array;
   readonly bodies: Float64Array;
 }
 
-interface Run extends Prepared {
-  readonly staged: StagedScenario;
-  readonly events: RehearsedEvent[];
-  readonly illegalMoves: string[];
+interface Run extends ScenarioWorld {
+  readonly loaded: LoadedScenario;
+  readonly events: ScenarioEvent[];
+  readonly illegalTransitions: string[];
   nextInput: number;
 }
 
 const reported = new Uint8Array(1);
 
 function runTick(run: Run, tick: number): void {
-  const { staged, world, ship, bodies } = run;
-  const { substeps, dt } = staged.timing;
+  const { loaded, world, ship, bodies } = run;
+  const { substeps, dt } = loaded.timing;
   beginTick(ship, bodies, world);
   for (let s = 0; s < substeps; s++) {
     applyInputs(run, tick, s);
     const before = ship[SURFACE_STATE]!;
     stepWorld(ship, bodies, reported, world, dt);
-    checkMove(run, before, `tick ${tick} substep ${s}`);
+    checkTransition(run, before, `tick ${tick} substep ${s}`);
     if (reported[0] === NO_EVENT) continue;
     run.events.push({ type: EVENT_NAMES[reported[0]!] as ShipEventName, tick, substep: s });
   }
-  endTick(bodies, world, staged.timing);
+  endTick(bodies, world, loaded.timing);
 }
 
 function applyInputs(run: Run, tick: number, substep: number): void {
-  const { inputs } = run.staged;
+  const { inputs } = run.loaded;
   while (run.nextInput < inputs.length) {
     const next = inputs[run.nextInput]!;
     if (next.tick > tick || (next.tick === tick && next.substep > substep)) return;
@@ -130,9 +130,9 @@ function applyInputs(run: Run, tick: number, substep: number): void {
   }
 }
 
-function checkMove(run: Run, before: number, when: string): void {
+function checkTransition(run: Run, before: number, when: string): void {
   const after = run.ship[SURFACE_STATE]!;
   if (run.ship[CRASHED] === 1 || isTransitionAllowed(before, after)) return;
   const [from, to] = [SURFACE_STATES[before] ?? before, SURFACE_STATES[after] ?? after];
-  run.illegalMoves.push(`${when}: '${from}' → '${to}'`);
+  run.illegalTransitions.push(`${when}: '${from}' → '${to}'`);
 }

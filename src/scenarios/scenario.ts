@@ -22,13 +22,13 @@ import {
 } from '../dynamics';
 import { type LocalState, type Site, toBodyRelative } from './site';
 
-/** One landing as data: tests, golden hashes, benchmarks and the page run the same. SI units, degrees where said. */
+/** One landing as data, run by tests, golden hashes, benchmarks and the page alike. SI units; angles in degrees. */
 export interface Scenario {
   readonly name: string;
-  /** For people. */
+  /** For display. */
   readonly title: string;
   readonly about: string;
-  /** A name in BODIES. Alone in its world. */
+  /** A name in BODIES. It is the only body of its world. */
   readonly body: string;
   /** A name in SHIP_CLASSES. */
   readonly shipClass: string;
@@ -38,9 +38,9 @@ export interface Scenario {
   /** Hz */
   readonly tickRate: number;
   readonly timeScale: number;
-  /** Of the class's main engine thrust; 1 unless said. */
+  /** Share of the class's main engine thrust; 1 by default. */
   readonly engineShare?: number;
-  /** Times the body's own spin; 1 unless said. */
+  /** Factor on the body's spin; 1 by default. */
   readonly spinFactor?: number;
   readonly site: Site;
   readonly initial: LocalState & {
@@ -49,41 +49,41 @@ export interface Scenario {
     readonly surfaceContactState: SurfaceState;
     readonly contactImpactSpeed: number;
   };
-  /** In the order of their time. */
+  /** Ascending in time. */
   readonly inputs: readonly ScenarioInput[];
   /** Game seconds. */
   readonly duration: number;
-  /** The events of the whole duration in their order. */
+  /** All events of the duration, in order. */
   readonly expected: readonly ShipEventName[];
 }
 
-/** Controls from a moment on; what is absent keeps its value. */
+/** Controls from an instant on; absent ones keep their value. */
 export interface ScenarioInput {
-  /** Game seconds since the start: taken to the nearest substep, so that it means the same at every tick rate. */
+  /** Game seconds since the start, rounded to the nearest substep, so that it means the same at every tick rate. */
   readonly at: number;
   readonly controls: Partial<Controls>;
 }
 
-/** A scenario's data looked up and checked: what a world is made of. */
-export interface StagedScenario {
+/** A scenario with its names resolved and its data checked. */
+export interface LoadedScenario {
   readonly scenario: Scenario;
   readonly body: Body & BodyMotion;
   readonly shipClass: ShipClass;
   readonly terrainHeight: TerrainHeight;
   readonly timing: Timing;
   readonly ship: ShipInit;
-  readonly inputs: readonly StagedInput[];
+  readonly inputs: readonly ScheduledInput[];
 }
 
 /** Full controls from the start of a substep. */
-export interface StagedInput {
+export interface ScheduledInput {
   readonly tick: number;
   readonly substep: number;
   readonly controls: Controls;
 }
 
-/** Looks a scenario's names up and places its ship; a reason that names the field when that cannot be done. */
-export function stage(scenario: Scenario): Result<StagedScenario> {
+/** Resolves a scenario's names and places its ship, or returns a reason that names the field. */
+export function loadScenario(scenario: Scenario): Result<LoadedScenario> {
   const knownBody = BODIES.find((candidate) => candidate.name === scenario.body);
   if (knownBody === undefined) return err(`body: no body named ${scenario.body}`);
   const knownClass = SHIP_CLASSES.find((candidate) => candidate.name === scenario.shipClass);
@@ -96,7 +96,7 @@ export function stage(scenario: Scenario): Result<StagedScenario> {
   if (!settings.ok) return err(`settings.${settings.reason}`);
   const timing = loadTiming(scenario.tickRate, scenario.timeScale, settings.value);
   if (!timing.ok) return timing;
-  const inputs = stageInputs(scenario.inputs, timing.value);
+  const inputs = loadInputs(scenario.inputs, timing.value);
   if (!inputs.ok) return inputs;
   const { initial, site } = scenario;
   const fuel = initial.fuelFraction * shipClass.fuelCapacity;
@@ -122,13 +122,13 @@ function throttled(shipClass: ShipClass, share: number): ShipClass {
   return share === 1 ? shipClass : { ...shipClass, mainEngineThrust: shipClass.mainEngineThrust * share };
 }
 
-/** The whole ticks that hold a scenario's duration. */
-export function ticksOf({ scenario, timing }: StagedScenario): number {
+/** The number of ticks that cover a scenario's duration. */
+export function ticksOf({ scenario, timing }: LoadedScenario): number {
   return Math.ceil(scenario.duration / timing.tickSeconds - 1e-9);
 }
 
-/** The controls a scenario's pilot gives at `seconds` of game time since its start; neutral before the first input. */
-export function pilotAt({ scenario, inputs }: StagedScenario, seconds: number): Controls {
+/** The scenario's controls at `seconds` of game time since its start; neutral before the first input. */
+export function pilotAt({ scenario, inputs }: LoadedScenario, seconds: number): Controls {
   let controls = NEUTRAL_CONTROLS;
   for (const [i, input] of scenario.inputs.entries()) {
     if (input.at > seconds) break;
@@ -137,21 +137,21 @@ export function pilotAt({ scenario, inputs }: StagedScenario, seconds: number): 
   return controls;
 }
 
-function stageInputs(inputs: readonly ScenarioInput[], timing: Timing): Result<StagedInput[]> {
-  const staged: StagedInput[] = [];
+function loadInputs(inputs: readonly ScenarioInput[], timing: Timing): Result<ScheduledInput[]> {
+  const loaded: ScheduledInput[] = [];
   let controls = NEUTRAL_CONTROLS;
   for (const [i, input] of inputs.entries()) {
     const checked = loadControls({ ...controls, ...input.controls });
     if (!checked.ok) return err(`inputs[${i}].${checked.reason}`);
     if (!(input.at >= (inputs[i - 1]?.at ?? 0)))
-      return err(`inputs[${i}].at: expected ≥ 0 and in the order of time, got ${input.at}`);
+      return err(`inputs[${i}].at: expected ≥ 0 and ascending, got ${input.at}`);
     controls = checked.value;
     const substeps = Math.round(input.at / timing.dt);
-    staged.push({
+    loaded.push({
       tick: Math.floor(substeps / timing.substeps),
       substep: substeps % timing.substeps,
       controls,
     });
   }
-  return ok(staged);
+  return ok(loaded);
 }

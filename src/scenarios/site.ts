@@ -18,13 +18,13 @@ export interface Site {
   readonly longitude: number;
 }
 
-/** A ship as one on the ground would tell it: local axes are [east, north, up], the ground turns with the body. */
+/** A ship as seen from the ground. Local axes are [east, north, up]; the ground turns with the body. */
 export interface LocalState {
-  /** Of the feet of an upright ship above the ground below, m; negative is sunk in. */
+  /** Height of an upright ship's feet above the ground, m; negative is below it. */
   readonly height: number;
   /** Relative to the ground, m/s. */
   readonly velocity: Vec3;
-  /** Degrees from the vertical, and where the top leans to: degrees from north toward east. */
+  /** Degrees from the vertical, and the direction in which the top leans: degrees from north toward east. */
   readonly tilt: number;
   readonly leanTo: number;
   /** Where body +Y points, seen from above an upright ship: degrees from north toward east. */
@@ -33,14 +33,14 @@ export interface LocalState {
   readonly spin: Vec3;
 }
 
-/** The ground a local state stands on. */
+/** The place and ground of a local state. */
 export interface Ground {
   readonly body: Body & BodyMotion;
   readonly site: Site;
   readonly terrainHeight: TerrainHeight;
 }
 
-/** What of a ship a place does not say. */
+/** The part of a ship's state that does not depend on its place. */
 export interface Craft {
   readonly shipClass: ShipClass;
   readonly fuel: number;
@@ -48,14 +48,14 @@ export interface Craft {
   readonly contactImpactSpeed: number;
 }
 
-/** The ship relative to the body's centre in ICRF axes; exact arithmetic, so that scenarios begin with the same bits everywhere. */
+/** The ship relative to the body's centre in ICRF axes; exact arithmetic, so that scenarios start with the same bits in every engine. */
 export function toBodyRelative(local: LocalState, craft: Craft, ground: Ground): ShipInit {
   const { body } = ground;
   const axes = localAxes(ground);
   const up = rotate(axes, [0, 0, 1]);
   const reach = surfaceReach(craft.shipClass, ground) + local.height;
   const relativePosition: Vec3 = [up[0] * reach, up[1] * reach, up[2] * reach];
-  // About up × the direction it leans to.
+  // About the axis up × lean direction.
   const lean = rotationAbout([-cosineOfDegrees(local.leanTo), sineOfDegrees(local.leanTo), 0], local.tilt);
   const heading = rotationAbout([0, 0, 1], -local.heading);
   return {
@@ -72,16 +72,16 @@ export function toBodyRelative(local: LocalState, craft: Craft, ground: Ground):
   };
 }
 
-/** Where a ship is and how it moves in the axes of a site, m and m/s: [east, north, up] from the ground at the site. */
+/** Position (m), velocity (m/s) and spin (rad/s) of a ship in [east, north, up] from the ground at a site. */
 export interface SeenFromSite {
   readonly position: Vec3;
   readonly velocity: Vec3;
-  /** Unit: where the ship's top (body +Z) points. */
+  /** Unit vector: the direction of the ship's top (body +Z). */
   readonly top: Vec3;
   readonly spin: Vec3;
 }
 
-/** The inverse of toBodyRelative; `ground.body` as it is turned at that instant. */
+/** The inverse of toBodyRelative; `ground.body` in its attitude at that instant. */
 export function fromBodyRelative(ship: ShipInit, shipClass: ShipClass, ground: Ground): SeenFromSite {
   const { body } = ground;
   const toLocal = inverse(localAxes(ground));
@@ -96,7 +96,7 @@ export function fromBodyRelative(ship: ShipInit, shipClass: ShipClass, ground: G
   };
 }
 
-/** A vector of the site's [east, north, up] in ICRF axes; `ground.body` as it is turned at that instant. */
+/** A vector of the site's [east, north, up] in ICRF axes; `ground.body` in its attitude at that instant. */
 export function siteToIcrf(vector: Vec3, ground: Ground): Vec3 {
   return rotate(localAxes(ground), vector);
 }

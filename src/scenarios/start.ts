@@ -1,6 +1,6 @@
 import type { Scenario } from './scenario';
 
-/** Where a scenario begins unless it says otherwise. */
+/** Where scenarios begin by default. */
 export const START: Pick<
   Scenario,
   'body' | 'shipClass' | 'settings' | 'terrain' | 'tickRate' | 'timeScale' | 'site' | 'inputs'
@@ -12,11 +12,12 @@ export const START: Pick<
   // The game's defaults.
   tickRate: 1,
   timeScale: 1,
-  // LANDING_SITE of the hills, level to 350 m around.
+  // LANDING_SITE of the hills, level within 350 m.
   site: { latitude: 28.6854, longitude: 43.15239 },
   inputs: [],
 };
 
+/** At rest and upright on the ground. */
 export const STILL: Scenario['initial'] = {
   height: 0,
   velocity: [0, 0, 0],
@@ -29,4 +30,5 @@ export const STILL: Scenario['initial'] = {
   contactImpactSpeed: 0,
 };
 
+/** Settings in which a ship keeps its attitude at touchdown, so that it can topple. */
 export const KEPT = { touchdownAttitude: 'kept' } as const;

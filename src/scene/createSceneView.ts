@@ -4,7 +4,6 @@ import { releaseRig, turnRig, zoomRig } from './camera/cameraRig';
 import { aimCamera } from './camera/cameras';
 import { createFence } from './fence';
 import { placeGrain } from './ground/groundMaterial';
-import { shineOnGround } from './ground/groundShine';
 import { rebuildIfNeeded, showWatchedClass } from './surroundings';
 import { writeScreenAxes } from './localFrame';
 import { anyChosen, placeOverlays } from './overlays/overlayPlaces';
@@ -36,6 +35,11 @@ export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): Sc
       state.terrain = terrainHeight;
       state.frame = null;
     },
+    setSunElevation(elevation) {
+      if (elevation === state.sunElevation) return;
+      state.sunElevation = elevation;
+      state.frame = null;
+    },
     draw(view, seconds) {
       const watched = view.own ?? view.ships[0];
       if (!view.ready || watched === undefined) return;
@@ -54,6 +58,7 @@ export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): Sc
     resetCamera() {
       rig.azimuth = FIRST_AZIMUTH;
       rig.elevation = FIRST_ELEVATION;
+      rig.raised = 0;
       state.watchedClass = '';
     },
     dispose: () => disposeParts(parts),
@@ -71,14 +76,19 @@ function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seco
   poseShips(state, view, watched, Math.min(waited, LONGEST_STEP));
   const actor = state.actors.byId.get(watched.shipId)!;
   const { parts, rig, groundY } = state;
-  aimCamera(parts.camera, rig, state.cameraView, { actor, seconds: waited, groundY });
+  aimCamera(parts.camera, rig, state.cameraView, {
+    actor,
+    seconds: waited,
+    groundY,
+    hasPad: state.markers.pads.length > 0,
+  });
   placeGround(state, actor);
   placeShips(state, actor);
   parts.crash.update(seconds, gravity, rig.eye);
   lightScene(state, actor, waited);
   placeMarks(state, view, watched, actor);
-  shineOnGround(parts.groundMaterial, actor, watched, rig.eye);
   const flicker = 0.92 + 0.08 * Math.sin(seconds * 61) * Math.sin(seconds * 37);
+  parts.flame.place(actor, watched, rig.eye, flicker);
   parts.shipResources.jet.uniforms['flicker']!.value = flicker;
   parts.renderer.render(parts.scene, parts.camera);
 }
@@ -102,12 +112,13 @@ function placeGround({ parts, rig, cone, opening }: SceneState, { place }: ShipA
 }
 
 function lightScene(state: SceneState, { place, height, sunlit }: ShipActor, seconds: number): void {
-  const { light, sky, renderer } = state.parts;
+  const { light, sky, renderer, dust } = state.parts;
   const { eye } = state.rig;
   const size = height * 2.2;
   const above = Math.max(place[1]! - state.groundY(place[0]!, place[2]!), 0);
   light.follow(place, eye, size, size * 2 + above / light.direction.y);
   renderer.toneMappingExposure = light.shade(sunlit, seconds);
+  dust.shade(sunlit);
   sky.look(eye[1]!, frameOf(state).radius, state.turn.quaternion);
 }
 

@@ -1,4 +1,4 @@
-import { Vector3 } from 'three';
+import type { Vector3 } from 'three';
 import type { ShipView, WorldView } from '../prediction';
 import { raiseDust } from './effects/dustSources';
 import { frameOf, type SceneState } from './sceneState';
@@ -74,23 +74,46 @@ function sunlitShare(over: number, height: number): number {
   return Math.min(Math.max(0.5 + over / (2 * height), 0), 1);
 }
 
-const down = new Vector3();
-const slope = new Vector3();
 /** m: between the points that a shadow's slope is taken from. */
 const SLOPE_SPAN = 4;
+/** m: a ship that moved by less throws the shadow it threw. The slope under it is asked for less often. */
+const SHADOW_STEP = 0.03;
+const SLOPE_STEP = 1.5;
+
+function throwShadow({ parts, rig, groundY }: SceneState, { place, height, shadow }: ShipActor): void {
+  if (!isWithin(SHADOW_STEP, shadow.from, place)) {
+    shadow.from.set(place);
+    findShadow(shadow.at, place, parts.light.direction, groundY);
+  }
+  if (!isWithin(SLOPE_STEP, shadow.slopeFrom, place)) {
+    shadow.slopeFrom.set(place);
+    findNormal(shadow.normal, shadow.at, groundY);
+  }
+  parts.shadows.put(place, shadow.at, shadow.normal, rig.eye, height);
+}
+
+/** False for a place that was never set (NaN). */
+function isWithin(distance: number, from: Float64Array, to: Float64Array): boolean {
+  const x = to[0]! - from[0]!;
+  const y = to[1]! - from[1]!;
+  const z = to[2]! - from[2]!;
+  return x * x + y * y + z * z < distance * distance;
+}
 
 /** Down-sun from the ship to the ground: two steps find it well enough on anything but a cliff. */
-function throwShadow({ parts, rig, groundY }: SceneState, { place, height }: ShipActor): void {
-  const sun = parts.light.direction;
-  let [x, z] = [place[0]!, place[2]!];
+function findShadow(out: Vector3, place: Float64Array, sun: Vector3, groundY: SceneState['groundY']): void {
+  let x = place[0]!;
+  let z = place[2]!;
   for (let n = 0; n < 2; n++) {
     const way = (place[1]! - groundY(x, z)) / Math.max(sun.y, 0.05);
     x = place[0]! - sun.x * way;
     z = place[2]! - sun.z * way;
   }
-  down.set(x, groundY(x, z), z);
-  const rise = (dx: number, dz: number) =>
-    (groundY(x + dx, z + dz) - groundY(x - dx, z - dz)) / (2 * SLOPE_SPAN);
-  slope.set(-rise(SLOPE_SPAN, 0), 1, -rise(0, SLOPE_SPAN)).normalize();
-  parts.shadows.put(place, down, slope, rig.eye, height);
+  out.set(x, groundY(x, z), z);
+}
+
+function findNormal(out: Vector3, { x, z }: Vector3, groundY: SceneState['groundY']): void {
+  const riseX = groundY(x + SLOPE_SPAN, z) - groundY(x - SLOPE_SPAN, z);
+  const riseZ = groundY(x, z + SLOPE_SPAN) - groundY(x, z - SLOPE_SPAN);
+  out.set(-riseX / (2 * SLOPE_SPAN), 1, -riseZ / (2 * SLOPE_SPAN)).normalize();
 }

@@ -5,7 +5,7 @@ import { decodeServerMessage } from './messages/serverMessage';
 
 /**
  * A message of the server that has not been decoded: a page that was hidden for minutes decodes the newest frame alone, and of those
- * before it their events (PREDICTION, Hidden tab, long stall, clock jump).
+ * before it their events (PREDICTION, Absence).
  */
 export interface PendingMessage {
   /** Whether it is a frame, which a newer one supersedes. */

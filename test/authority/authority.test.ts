@@ -9,51 +9,51 @@ import {
   SHIP_STRIDE,
   TERRAINS,
 } from '../../src/dynamics';
-import { rehearse, type Scenario, SCENARIOS } from '../../src/scenarios';
+import { runScenario, type Scenario, SCENARIOS } from '../../src/scenarios';
 import { PROTOCOL_VERSION } from '../../src/protocol';
 import { decodeServerMessage, encodeServerMessage } from '../../src/wire';
 import { frameOf, input, MOON, moonWith, runTo, shipOf, valueOf } from './moon';
 
 /** The scenario played through messages: inputs sent as a client's records, states read from frames. */
 function play(scenario: Scenario) {
-  const rehearsed = valueOf(rehearse(scenario));
-  const { staged, world } = rehearsed;
+  const run = valueOf(runScenario(scenario));
+  const { loaded, world } = run;
   const authority = valueOf(
     createAuthority({
       settings: scenario.settings,
       shipClasses: SHIP_CLASSES,
-      bodies: [staged.body],
+      bodies: [loaded.body],
       terrain: scenario.terrain,
       terrains: TERRAINS,
       tickRate: scenario.tickRate,
       timeScale: scenario.timeScale,
     }),
   );
-  expect(authority.spawn({ shipId: 's', playerId: 'p', name: 'n', ship: staged.ship })).toBeNull();
+  expect(authority.spawn({ shipId: 's', playerId: 'p', name: 'n', ship: loaded.ship })).toBeNull();
   valueOf(authority.join('p', 's'));
   const frames = [frameOf(authority, 'p')];
-  const ticks = rehearsed.ships.length / SHIP_STRIDE - 1;
+  const ticks = run.ships.length / SHIP_STRIDE - 1;
   let next = 0;
   for (let tick = 0; tick < ticks; tick++) {
     // Sent a tick ahead, so that none is refused as too far in the future.
-    while (next < staged.inputs.length && staged.inputs[next]!.tick <= tick) {
-      const { substep, controls } = staged.inputs[next++]!;
-      const inputs = [{ seq: next, tick: staged.inputs[next - 1]!.tick, substep, controls }];
+    while (next < loaded.inputs.length && loaded.inputs[next]!.tick <= tick) {
+      const { substep, controls } = loaded.inputs[next++]!;
+      const inputs = [{ seq: next, tick: loaded.inputs[next - 1]!.tick, substep, controls }];
       valueOf(authority.receive('p', { kind: 'inputs', inputs }, tick));
     }
     authority.tick(tick + 1);
     frames.push(frameOf(authority, 'p'));
   }
-  return { rehearsed, world, frames };
+  return { run, world, frames };
 }
 
 describe('the world loop', () => {
   it.each(SCENARIOS.map((scenario) => [scenario.name, scenario] as const))(
     'plays %s to the same bits and events as the dynamics alone',
     (_name, scenario) => {
-      const { rehearsed, world, frames } = play(scenario);
+      const { run, world, frames } = play(scenario);
       for (const [tick, frame] of frames.entries()) {
-        const expected = readShip(rehearsed.ships, tick * SHIP_STRIDE, world);
+        const expected = readShip(run.ships, tick * SHIP_STRIDE, world);
         const ship = frame.ships[0]!;
         expect({
           shipClass: ship.shipClass,
@@ -69,10 +69,10 @@ describe('the world loop', () => {
           contactImpactSpeed: ship.contactImpactSpeed,
           crashed: ship.crashed,
         }).toEqual(expected);
-        expect(frame.bodies[0]).toMatchObject(readBodyMotion(rehearsed.bodies, tick * BODY_STRIDE));
+        expect(frame.bodies[0]).toMatchObject(readBodyMotion(run.bodies, tick * BODY_STRIDE));
       }
       const events = frames.flatMap((frame) => frame.events);
-      expect(events.map(({ type, tick, substep }) => ({ type, tick, substep }))).toEqual(rehearsed.events);
+      expect(events.map(({ type, tick, substep }) => ({ type, tick, substep }))).toEqual(run.events);
     },
   );
 

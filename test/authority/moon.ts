@@ -8,7 +8,7 @@ import {
   type ShipInit,
   TERRAINS,
 } from '../../src/dynamics';
-import { SCENARIOS, stage } from '../../src/scenarios';
+import { SCENARIOS, loadScenario } from '../../src/scenarios';
 import type { InputRecord, ServerFrame } from '../../src/wire';
 
 export const MOON: AuthorityOptions = {
@@ -28,7 +28,7 @@ export function valueOf<T>(checked: { ok: true; value: T } | { ok: false; reason
 
 /** The ship of a scenario at its start. */
 export function shipOf(scenario: string): ShipInit {
-  return valueOf(stage(SCENARIOS.find(({ name }) => name === scenario)!)).ship;
+  return valueOf(loadScenario(SCENARIOS.find(({ name }) => name === scenario)!)).ship;
 }
 
 /** An authority over the Moon, with one ship 'own' of player 'ann', who has joined. */

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createAuthority, type SpawnOrder } from '../../src/authority';
 import { NEUTRAL_CONTROLS, SHIP_STRIDE } from '../../src/dynamics';
-import { rehearse, SCENARIOS, stage } from '../../src/scenarios';
+import { runScenario, SCENARIOS, loadScenario } from '../../src/scenarios';
 import { frameOf, input, MOON, runTo, shipOf, valueOf } from './moon';
 
 const thrust = (tick: number, substep: number, thrustLevel: number) => ({
@@ -23,15 +23,15 @@ describe('a ship with a plan', () => {
     'flies %s as on the dynamics alone, to the bit',
     (name) => {
       const scenario = SCENARIOS.find((candidate) => candidate.name === name)!;
-      const staged = valueOf(stage(scenario));
+      const loaded = valueOf(loadScenario(scenario));
       const { settings, terrain, tickRate, timeScale } = scenario;
       const authority = valueOf(
-        createAuthority({ ...MOON, settings, terrain, tickRate, timeScale, bodies: [staged.body] }),
+        createAuthority({ ...MOON, settings, terrain, tickRate, timeScale, bodies: [loaded.body] }),
       );
-      const { ship, inputs: plan } = staged;
+      const { ship, inputs: plan } = loaded;
       expect(authority.spawn({ shipId: 'own', playerId: 'ann', name: 'Own', ship, plan })).toBeNull();
       valueOf(authority.join('ann', 'own'));
-      const { ships } = valueOf(rehearse(scenario));
+      const { ships } = valueOf(runScenario(scenario));
       const ticks = ships.length / SHIP_STRIDE - 1;
       for (let tick = 1; tick <= ticks; tick++) {
         runTo(authority, tick);

@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { hashRows, readShip, SHIP_STRIDE } from '../../src/dynamics';
-import { rehearse, SCENARIOS } from '../../src/scenarios';
+import { runScenario, SCENARIOS } from '../../src/scenarios';
 import { describeInBrowser, openBuiltPage, openUrl, problemsOf } from './pages';
 import { FLUENT, PATIENT, SMALL, untilStatus, untilTiltBelow } from './waits';
 
@@ -17,11 +17,11 @@ async function endOfRun(page: Page, lastTick: number): Promise<string> {
 }
 
 /** The same of a scenario on the dynamics alone, without a page: on the hills, where the page opens it. */
-function rehearsedRun(name: string): string {
+function scenarioRun(name: string): string {
   const scenario = SCENARIOS.find((candidate) => candidate.name === name)!;
-  const rehearsed = rehearse({ ...scenario, terrain: 'hills' });
-  if (!rehearsed.ok) throw new Error(rehearsed.reason);
-  const { ships, world } = rehearsed.value;
+  const run = runScenario({ ...scenario, terrain: 'hills' });
+  if (!run.ok) throw new Error(run.reason);
+  const { ships, world } = run.value;
   const last = ships.length - SHIP_STRIDE;
   const end = readShip(ships, last, world);
   const vectors = [end.relativePosition, end.relativeVelocity, end.attitude, end.angularVelocity].flat();
@@ -66,7 +66,7 @@ describeInBrowser('a run on the built page', () => {
     const query = '?scenario=freighter-hold&net=satellite&seed=3&slow=4';
     const page = await openBuiltPage(query, FLUENT);
     const run = await endOfRun(page, 15);
-    expect(run).toBe(rehearsedRun('freighter-hold'));
+    expect(run).toBe(scenarioRun('freighter-hold'));
     await page.context().close();
     const slow = await openBuiltPage(query, SMALL);
     expect(await endOfRun(slow, 15)).toBe(run);

@@ -6,7 +6,7 @@ import {
   type TerrainHeight,
 } from '../../src/dynamics';
 import { angleOf, arc, ARC_ANGLE, ARC_X, ARC_Y } from '../../src/dynamics/terrain/arctangent';
-import { createDice } from '../../src/scenarios';
+import { createRandom } from '../../src/scenarios';
 import { unitVector } from '../exact/draw';
 import { surveyMap } from '../exact/survey';
 
@@ -45,10 +45,10 @@ function angle(y: number, x: number): number {
 
 describe('the angle of a vector', () => {
   it('is within 6e-16 rad of the true one', () => {
-    const dice = createDice(3);
+    const rng = createRandom(3);
     let worst = 0;
     for (let i = 0; i < 50_000; i++) {
-      const [x, y] = unitVector(dice);
+      const [x, y] = unitVector(rng);
       worst = Math.max(worst, Math.abs(angle(y, x) - Math.atan2(y, x)));
     }
     // Math.atan2 is itself only near the truth.
@@ -87,11 +87,11 @@ describe.each(METHODS)('%s ground from a heightmap', (interpolation) => {
 
   it('follows a smooth shape between the samples', () => {
     const terrain = terrainOf({ ...smooth, interpolation });
-    const dice = createDice(4);
+    const rng = createRandom(4);
     let worst = 0;
     for (let i = 0; i < 3000; i++) {
-      const latitude = 2.6 * (dice() - 0.5);
-      const longitude = 2 * Math.PI * (dice() - 0.5);
+      const latitude = 2.6 * (rng() - 0.5);
+      const longitude = 2 * Math.PI * (rng() - 0.5);
       const truth = 4000 * Math.cos(latitude) * Math.sin(3 * longitude + latitude);
       worst = Math.max(worst, Math.abs(at(terrain, latitude, longitude) - truth));
     }

@@ -153,8 +153,8 @@ describe('energy on the ground without engines', () => {
   }
 
   const weight = 16_000 * gravityOn(LUNA);
-  const dice = createRandom(11);
-  const between = (a: number, b: number) => a + (b - a) * dice();
+  const rng = createRandom(11);
+  const between = (a: number, b: number) => a + (b - a) * rng();
   const touches = Array.from({ length: 5 }, () => ({
     velocity: [between(-6, 6), between(-6, 6), -between(0.5, 30)] as const,
     roll: between(0, 360),

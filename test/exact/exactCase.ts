@@ -10,7 +10,7 @@ import {
   type ShipInit,
   type Vec3,
 } from '../../src/dynamics';
-import { type Scenario, stage, ticksOf } from '../../src/scenarios';
+import { type Scenario, loadScenario, ticksOf } from '../../src/scenarios';
 
 /** One ship, its world, its pilot. SI units, frames as in ShipInit. */
 export interface ExactCase {
@@ -40,13 +40,13 @@ export interface CaseInput {
   readonly controls: Controls;
 }
 
-/** A rehearsal as a case, or the reason why it cannot be staged. */
+/** A rehearsal as a case, or the reason why it cannot be loaded. */
 export function caseOf(scenario: Scenario): Result<ExactCase> {
-  const staged = stage(scenario);
-  if (!staged.ok) return staged;
-  const { body, shipClass, ship, inputs } = staged.value;
+  const loaded = loadScenario(scenario);
+  if (!loaded.ok) return loaded;
+  const { body, shipClass, ship, inputs } = loaded.value;
   const { name, tickRate, timeScale, settings, terrain } = scenario;
-  const ticks = ticksOf(staged.value);
+  const ticks = ticksOf(loaded.value);
   return ok({
     name,
     tickRate,

@@ -7,7 +7,7 @@ import { type CaseInput, caseOf, caseToJson, type ExactCase, withSnakeKeys } fro
 
 export const SCENARIO_FILE = fileURLToPath(new URL('../service/scenarios.json', import.meta.url));
 
-/** Every rehearsal as a case. @throws when one cannot be staged. */
+/** Every rehearsal as a case. @throws when one cannot be loaded. */
 export function rehearsalCases(): ExactCase[] {
   return SCENARIOS.map((scenario) => {
     const exact = caseOf(scenario);

@@ -1,6 +1,6 @@
 /** Points of the terrains, and their heights as bits: a ship's row holds a height only after a radius was added to it. */
 import { BODIES, type Heightmap, heightmapTerrain, LANDING_SITE, TERRAINS } from '../../src/dynamics';
-import { createDice } from '../../src/scenarios';
+import { createRandom } from '../../src/scenarios';
 import { triple, unitVector } from './draw';
 import type { SurveyPoint } from './python';
 
@@ -26,7 +26,7 @@ export function surveyMaps(): unknown[] {
 
 /** Over the maps: anywhere, near the poles and the date line, and on the samples themselves. */
 export function heightmapPoints(): SurveyPoint[] {
-  const dice = createDice(9);
+  const rng = createRandom(9);
   const points: SurveyPoint[] = [];
   for (const terrain of ['bilinear', 'bicubic']) {
     for (const [x, y, z] of [
@@ -40,9 +40,9 @@ export function heightmapPoints(): SurveyPoint[] {
     ] as const)
       points.push([terrain, 'map', x, y, z]);
     for (let i = 0; i < POINTS; i++) {
-      points.push([terrain, 'map', ...unitVector(dice)]);
-      const [x, , z] = triple(dice, 1e-3);
-      points.push([terrain, 'map', x, dice() < 0.5 ? 1 : -1, z]);
+      points.push([terrain, 'map', ...unitVector(rng)]);
+      const [x, , z] = triple(rng, 1e-3);
+      points.push([terrain, 'map', x, rng() < 0.5 ? 1 : -1, z]);
       points.push([terrain, 'map', 1e-9 * x, z, -1]);
     }
   }
@@ -51,13 +51,13 @@ export function heightmapPoints(): SurveyPoint[] {
 
 /** Anywhere on every body and on one that no terrain knows, and as many round the landing site. */
 export function surveyPoints(): SurveyPoint[] {
-  const dice = createDice(8);
+  const rng = createRandom(8);
   const bodies = [...BODIES.map(({ name }) => name), 'Nemo'];
   const points: SurveyPoint[] = [['flat', 'Luna', 0, 0, 1]];
   for (let i = 0; i < POINTS; i++) {
     const body = bodies[i % bodies.length]!;
-    points.push(['hills', body, ...unitVector(dice)]);
-    const [x, y, z] = triple(dice, body === 'Phobos' ? 0.03 : 0.003);
+    points.push(['hills', body, ...unitVector(rng)]);
+    const [x, y, z] = triple(rng, body === 'Phobos' ? 0.03 : 0.003);
     points.push(['hills', body, LANDING_SITE[0] + x, LANDING_SITE[1] + y, LANDING_SITE[2] + z]);
   }
   return points;

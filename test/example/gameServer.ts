@@ -3,7 +3,7 @@ import type { AddressInfo } from 'node:net';
 import { WebSocketServer } from 'ws';
 import { createAuthority, runDueTicks, startLoop } from '../../src/authority';
 import { BODIES, type Controls, SHIP_CLASSES, TERRAINS } from '../../src/dynamics';
-import { SCENARIOS, stage } from '../../src/scenarios';
+import { SCENARIOS, loadScenario } from '../../src/scenarios';
 import { decodeControlsJson, encodeFrameJson } from '../../src/wire';
 import { valueOf } from '../authority/moon';
 
@@ -18,8 +18,8 @@ export interface GameServer {
 
 /** @param name of the scenario that is flown, with one ship, on its first body */
 export async function startGameServer(name: string, tickRate: number): Promise<GameServer> {
-  const staged = valueOf(stage({ ...SCENARIOS.find((one) => one.name === name)!, tickRate }));
-  const { scenario } = staged;
+  const loaded = valueOf(loadScenario({ ...SCENARIOS.find((one) => one.name === name)!, tickRate }));
+  const { scenario } = loaded;
   const authority = valueOf(
     createAuthority({
       ...{
@@ -31,7 +31,7 @@ export async function startGameServer(name: string, tickRate: number): Promise<G
       ...{ bodies: BODIES.filter((body) => body.name === scenario.body), tickRate, timeScale: 1 },
     }),
   );
-  const order = { shipId: 'ship-1', playerId: 'ada', name: 'Kestrel', ship: staged.ship };
+  const order = { shipId: 'ship-1', playerId: 'ada', name: 'Kestrel', ship: loaded.ship };
   const reason = authority.spawn(order);
   if (reason !== null) throw new Error(reason);
   valueOf(authority.join('ada', 'ship-1'));

@@ -39,15 +39,20 @@ export function startPilot(address: string): LivePilot {
   const frames: PartialFrame[] = [];
   const words: string[] = [];
   const trouble: string[] = [];
+  const take = (frame: PartialFrame) => {
+    predictor.receive(frame, now());
+    frames.push(frame);
+    if (frames.length > KEPT) frames.shift();
+  };
   const link = openServer(address, {
     onOpen: () => undefined,
-    onMessage(message) {
-      predictor.receive(message, now());
-      if (message.kind !== 'frame') return;
-      frames.push(message);
-      if (frames.length > KEPT) frames.shift();
+    onPending(message) {
+      const decoded = message.decode();
+      if (!decoded.ok) trouble.push(decoded.reason);
+      else if (decoded.value.kind === 'frame') take(decoded.value);
+      else predictor.receive(decoded.value, now());
     },
-    onUnusable: (reason) => trouble.push(reason),
+    onFrame: take,
     onClosed: (reason) => trouble.push(reason),
     onLink: (said) => words.push(said),
     onWelcome: (about) => predictor.setOwnShip(String(about['ship_id'])),

@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, describe, expect, it } from 'vitest';
 import { writeRecording } from '../../src/scenarios';
-import { listen, moonExchange, recordingOf } from '../scenarios/recordedExchange';
+import { listen, moonExchange, recordingOf } from '../scenarios/recordedSession';
 
 const ROOT = join(import.meta.dirname, '../..');
 const FIXTURES = join(import.meta.dirname, 'fixtures');

@@ -3,7 +3,7 @@ import { hashRows, NEUTRAL_CONTROLS, readShip, SHIP_STRIDE } from '../../src/dyn
 import { DEFAULT_CHOICES } from '../../src/playground/panels/choices';
 import { createReplay } from '../../src/playground/recording/replay';
 import { scriptOf } from '../../src/playground/game/script';
-import { compareRecording, readRecording, rehearse, SCENARIOS, writeRecording } from '../../src/scenarios';
+import { compareRecording, readRecording, runScenario, SCENARIOS, writeRecording } from '../../src/scenarios';
 import { valueOf } from '../authority/moon';
 import { open, useGameClock } from './openGame';
 
@@ -12,7 +12,7 @@ useGameClock();
 /** What the page should show at the end: the scenario on the dynamics alone. */
 function truth(name: string, tickRate: number): { readonly run: string; readonly seconds: number } {
   const scenario = SCENARIOS.find((candidate) => candidate.name === name)!;
-  const { ships, world } = valueOf(rehearse({ ...scenario, terrain: 'hills', tickRate }));
+  const { ships, world } = valueOf(runScenario({ ...scenario, terrain: 'hills', tickRate }));
   const lastTick = ships.length / SHIP_STRIDE - 1;
   const { relativePosition, relativeVelocity, attitude, angularVelocity, fuel } = readShip(
     ships,
@@ -96,6 +96,26 @@ describe('a recording of it', () => {
     const plan = [{ tick: 1, substep: 3, controls: NEUTRAL_CONTROLS }, second as never];
     const read = readRecording(writeRecording({ header: { note: '', shipId: 'own', plan }, entries: [] }));
     expect(read).toMatchObject({ ok: false, reason: expect.stringContaining(`line 1: ${field}`) as string });
+  });
+});
+
+describe('a page that was hidden', () => {
+  it('does not decode superseded frames, and its recording replays to the same pose', async () => {
+    const game = await open({ scenario: 'settle', network: 'broadband', tickRate: 20 });
+    game.play(60, 3);
+    const before = game.live.frame().diagnosis.framesAccepted;
+    vi.advanceTimersByTime(30_000);
+    game.play(60, 3);
+    const view = game.live.frame();
+    expect(view.diagnosis.framesSuperseded).toBeGreaterThan(550);
+    expect(view.diagnosis.framesAccepted - before).toBeLessThan(100);
+    expect(view.diagnosis).toMatchObject({ framesRefused: 0, correctionsMismatch: 0 });
+    const received = game.entries.filter(
+      (entry) => entry.kind === 'received' && entry.message.kind === 'frame',
+    );
+    expect(received).toHaveLength(view.diagnosis.framesAccepted);
+    const recording = { header: { note: '', shipId: 'own' }, entries: game.entries.slice() };
+    expect(createReplay(recording).seek(Infinity).own!.easedPosition).toEqual(view.own!.easedPosition);
   });
 });
 

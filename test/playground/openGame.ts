@@ -3,7 +3,7 @@ import type { Live } from '../../src/playground/game/live';
 import { type Choices, DEFAULT_CHOICES } from '../../src/playground/panels/choices';
 import type { FromServer, ToServer } from '../../src/playground/server/connection';
 import type { WorldView } from '../../src/prediction';
-import { bell, createDice, type RecordingEntry, type RunInput } from '../../src/scenarios';
+import { normalNoise, createRandom, type RecordingEntry, type RunInput } from '../../src/scenarios';
 
 /** Page and worker as they are, on one clock of our own: between them only the messages that a browser would carry. */
 export interface Game {
@@ -70,7 +70,7 @@ export async function open(asked: Partial<Choices>): Promise<Game> {
     onScenario: () => undefined,
   });
   live.begin({ ...DEFAULT_CHOICES, ...asked });
-  const dice = createDice(11);
+  const rng = createRandom(11);
   return {
     live,
     entries,
@@ -78,8 +78,8 @@ export async function open(asked: Partial<Choices>): Promise<Game> {
     play(fps, seconds, each) {
       for (let passed = 0; passed < seconds * 1000;) {
         // No frame comes when it should: off by a fifth, and one in fifty five times as late.
-        const late = dice() < 0.02 ? 5 : 1;
-        const wait = Math.max(1, (1000 / fps) * late * (1 + bell(dice) / 5));
+        const late = rng() < 0.02 ? 5 : 1;
+        const wait = Math.max(1, (1000 / fps) * late * (1 + normalNoise(rng) / 5));
         passed += wait;
         vi.advanceTimersByTime(wait);
         each?.(live.frame());

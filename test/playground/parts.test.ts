@@ -96,7 +96,10 @@ describe('a recorder', () => {
     const { message } = frame;
     const fleet = {
       ...frame,
-      message: { ...message, ships: Array.from({ length: 1000 }, () => message.ships[0]!) },
+      message: {
+        ...message,
+        ships: Array.from({ length: 1000 }, (_, n) => ({ ...message.ships[0]!, shipId: `ship-${n}` })),
+      },
     };
     const recorder = createRecorder();
     recorder.begin([]);
@@ -107,6 +110,14 @@ describe('a recorder', () => {
     for (let n = 0; n < 1000; n++) recorder.take(frame);
     expect(recorder.full()).toBe(false);
     expect(recorder.recording('').entries).toHaveLength(1000);
+  });
+
+  it('gives back what it took, frames, controls and messages alike', () => {
+    const { recording } = play(4, () => undefined);
+    const recorder = createRecorder();
+    recorder.begin([]);
+    for (const entry of recording.entries) recorder.take(entry);
+    expect(recorder.recording('').entries).toEqual(recording.entries);
   });
 });
 

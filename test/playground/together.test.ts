@@ -49,10 +49,8 @@ function playTogether() {
     { guest: 'guest-1', name: 'Bob' },
     {
       onOpen: (what) => told.push(`open ${what}`),
-      onMessage: (message) => {
-        if ('kind' in message) guest.receive(message, now);
-      },
-      onUnusable: (reason) => told.push(reason),
+      onPending: (message) => guest.receivePending(message, now),
+      onFrame: ignore,
       onLink: (words) => told.push(words),
       onScenario: (scenario, terrain) => told.push(`${scenario} on ${terrain}`),
       ...{ onClosed: ignore, onWelcome: ignore, onShipGone: ignore },

@@ -8,7 +8,7 @@ import {
   steerByMargin,
 } from '../../src/prediction/time/clock';
 import { advanceClock } from '../../src/prediction/time/present';
-import { createDice } from '../../src/scenarios';
+import { createRandom } from '../../src/scenarios';
 
 const SUBSTEP = 0.01;
 const PACING = { deadZone: SUBSTEP, limit: Number.POSITIVE_INFINITY };
@@ -43,8 +43,8 @@ describe('the clock', () => {
   });
 
   it('is led by the least delays, not by stalls', () => {
-    const dice = createDice(3);
-    const delay = () => 0.04 + 0.02 * dice() + (dice() < 0.1 ? 0.2 : 0);
+    const rng = createRandom(3);
+    const delay = () => 0.04 + 0.02 * rng() + (rng() < 0.1 ? 0.2 : 0);
     const { clock, now } = run(20, { up: delay, down: delay });
     expect(Math.abs(serverTime(clock, now) - (now - 100))).toBeLessThan(0.004);
   });

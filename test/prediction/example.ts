@@ -5,14 +5,14 @@ import { decodeServerMessage, encodeClientMessage } from '../../src/protobuf';
 const predictor = createPredictor({ ownShipId: 'my-ship' });
 const seconds = (): number => performance.now() / 1000;
 
-/** The socket's `message`: where `_clientPos` and `_blendOffset` were set. */
+/** On the socket's `message` event, where `_clientPos` and `_blendOffset` were set. */
 export function onBytes(bytes: Uint8Array): void {
   const message = decodeServerMessage(bytes);
   if (message.ok) predictor.receive(message.value, seconds());
   else predictor.refused(message.reason);
 }
 
-/** Each display frame: where the position was extrapolated under gravity. */
+/** On each display frame, where the position was extrapolated under gravity. */
 export function onFrame(controls: Controls, send: (bytes: Uint8Array) => void): WorldView {
   const now = seconds();
   predictor.advance(controls, now);
@@ -22,7 +22,7 @@ export function onFrame(controls: Controls, send: (bytes: Uint8Array) => void): 
 // #endregion
 
 // #region json
-/** The game's own JSON: the object that holds `tick` and `ships`, and whatever else of a frame it tells. */
+/** The game's own JSON: the object with `tick` and `ships`, and any other members of a frame. */
 export function onJson(state: unknown): void {
   const frame = decodeFrameJson(state);
   if (!frame.ok) {
@@ -35,7 +35,7 @@ export function onJson(state: unknown): void {
 // #endregion
 
 // #region drawing
-/** What to draw, and what to show. */
+/** Places the mesh and returns the status text. */
 export function place(view: WorldView, mesh: { position: Float64Array; attitude: Float64Array }): string {
   const ship = view.own;
   if (ship === null) return '';

@@ -8,7 +8,7 @@ const COASTING = ['settle', 'bounce', 'slide', 'topple', 'crash'];
 describe('the law: one instant, one state', () => {
   it.each(SCENARIOS.map(({ name }) => name))('%s is drawn as the server simulates it', (scenario) => {
     const rig = createRig({ scenario });
-    const measured = flyAndMeasure(rig, Math.min(24, rig.staged.scenario.duration + 2));
+    const measured = flyAndMeasure(rig, Math.min(24, rig.loaded.scenario.duration + 2));
     expect(measured.frames).toBeGreaterThan(100);
     expect(rig.authority.counters.inputsLate).toBe(0);
     expect(corrections(rig)).toBe(0);

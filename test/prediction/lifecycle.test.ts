@@ -1,6 +1,6 @@
 /** A predictor that goes on elsewhere: from a snapshot, in a worker; and one that ends. */
 import { MessageChannel } from 'node:worker_threads';
-import { afterEach, describe, expect, it } from 'vitest';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
 import {
   type Channel,
@@ -10,10 +10,11 @@ import {
   servePredictor,
   type WorldView,
 } from '../../src/prediction';
+import type { Hello, ServerMessage } from '../../src/wire';
 import { createRig } from './rig';
 
 const options = (rig: ReturnType<typeof createRig>) => ({
-  terrains: { [rig.staged.scenario.terrain]: rig.staged.terrainHeight },
+  terrains: { [rig.loaded.scenario.terrain]: rig.loaded.terrainHeight },
 });
 
 describe('a snapshot', () => {
@@ -49,6 +50,52 @@ describe('a snapshot', () => {
     next.restore(JSON.parse(JSON.stringify(snapshot)), rig.now);
     const again = next.takeOutgoing().flatMap((message) => (message.kind === 'inputs' ? message.inputs : []));
     expect(again).toEqual(sent);
+  });
+
+  it('has the bodies and the tempo that the newest frame left out', () => {
+    const rig = createRig({ scenario: 'bounce', tickRate: 10, legacy: true });
+    rig.tamper = (message) =>
+      [
+        message.kind === 'frame' && message.tick > 1
+          ? { kind: 'frame', tick: message.tick, ships: message.ships, bodies: [] }
+          : message,
+      ] as ServerMessage[];
+    rig.fly(3);
+    const { bodies, tickRate } = rig.view();
+    const snapshot = rig.predictor.snapshot(rig.now);
+    rig.predictor = createPredictor({
+      ...options(rig),
+      ownShipId: 'ship-1',
+      defaults: { terrain: rig.loaded.scenario.terrain },
+    });
+    expect(rig.predictor.restore(JSON.parse(JSON.stringify(snapshot)), rig.now).ok).toBe(true);
+    rig.frame();
+    const after = rig.view();
+    expect([after.tickRate, after.bodies.length]).toEqual([tickRate, bodies.length]);
+    // A body moves by up to 30 km in a second: two frames and what the clock learns anew.
+    const moved = Math.hypot(...bodies[0]!.position.map((x, i) => x - after.bodies[0]!.position[i]!));
+    expect(moved).toBeLessThan(30_000 * 0.2);
+    rig.fly(20);
+    expect(rig.view().own!.shownState).toBe('landed');
+  });
+
+  it('has no hello that was refused, and no frame but the newest that was taken', () => {
+    const rig = createRig({ scenario: 'bounce', tickRate: 5 });
+    let hello: Hello | null = null;
+    rig.tamper = (message) => {
+      if (message.kind === 'hello') hello = message;
+      return [message];
+    };
+    rig.fly(3);
+    const before = rig.predictor.snapshot(rig.now);
+    const { tick } = before.frame!;
+    rig.predictor.receive({ ...hello!, terrain: 'none such' }, rig.now);
+    rig.predictor.receive({ ...before.frame!, tick: tick + 100_000 }, rig.now);
+    rig.predictor.receive({ ...before.frame!, tick: tick - 1, ships: [] }, rig.now);
+    rig.predictor.receive({ ...before.frame!, tick: tick + 1, tickRate: -1 }, rig.now);
+    const after = rig.predictor.snapshot(rig.now);
+    expect(after.hello).toEqual(before.hello);
+    expect(after.frame).toEqual(before.frame);
   });
 
   it.each([
@@ -101,7 +148,8 @@ describe('a disposed predictor', () => {
 });
 
 describe('a predictor in a worker', () => {
-  const { port1, port2 } = new MessageChannel();
+  let { port1, port2 } = new MessageChannel();
+  beforeEach(() => ({ port1, port2 } = new MessageChannel()));
   afterEach(() => {
     port1.close();
     port2.close();
@@ -133,5 +181,48 @@ describe('a predictor in a worker', () => {
     expect(sent).toContain('ping');
     remote.dispose();
     remote.advance(null, rig.now);
+  });
+
+  it('changes policy and settings there, and hands its snapshot over', async () => {
+    const rig = createRig({ scenario: 'bounce', tickRate: 5 });
+    servePredictor(port2 as unknown as Channel, options(rig));
+    const remote = connectPredictor(port1 as unknown as Channel);
+    rig.tamper = (message) => {
+      remote.receive(message, rig.now);
+      return [message];
+    };
+    remote.setPolicy('ship-1', 'hold');
+    remote.configure({ settings: { contactCrashSpeed: 77 } });
+    const fly = async (frames: number) => {
+      for (let i = 0; i < frames; i++) {
+        rig.frame();
+        remote.advance(NEUTRAL_CONTROLS, rig.now);
+        await new Promise(setImmediate);
+      }
+    };
+    await fly(120);
+    remote.configure({ settings: { contactCrashSpeed: 60 } });
+    remote.configure({ settings: { contactCrashSpeed: -1 } });
+    const snapshot = await remote.snapshot(rig.now);
+    expect(snapshot.policies).toEqual({ 'ship-1': 'hold' });
+    await fly(3);
+    expect(remote.view()!.settings.contactCrashSpeed).toBe(60);
+    expect(remote.view()!.diagnosis.lastRefusal).toContain('contactCrashSpeed');
+    expect(remote.view()!.own!.provenance).toBe('confirmed');
+    remote.restore({ ...snapshot, version: 2 }, rig.now);
+    await fly(3);
+    expect(remote.view()!.diagnosis.lastRefusal).toContain('snapshot.version');
+    remote.dispose();
+  });
+
+  it('gives the controls to send alone, for a server of the game’s JSON', () => {
+    const rig = createRig({ scenario: 'bounce', tickRate: 5 });
+    rig.fly(2);
+    expect(rig.predictor.takeControls()).toBeNull();
+    rig.predictor.advance({ ...NEUTRAL_CONTROLS, thrustLevel: 0.5 }, rig.now + 0.01);
+    rig.predictor.advance({ ...NEUTRAL_CONTROLS, thrustLevel: 0.6 }, rig.now + 0.02);
+    expect(rig.predictor.takeControls()).toMatchObject({ thrustLevel: expect.any(Number) as number });
+    expect(rig.predictor.takeControls()?.thrustLevel ?? 0.6).toBe(0.6);
+    expect(rig.predictor.takeOutgoing().filter(({ kind }) => kind === 'inputs')).toEqual([]);
   });
 });

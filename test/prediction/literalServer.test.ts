@@ -16,7 +16,7 @@ function truthOf(scenario: string, hz: number, seconds: number) {
 describe('the literal server', () => {
   it('falls as a stone does', () => {
     const { rig, at } = truthOf('bounce', 50, 1);
-    const { body, ship } = rig.staged;
+    const { body, ship } = rig.loaded;
     const r = length(ship.relativePosition);
     const g = (6.6743e-11 * body.mass) / r ** 2;
     const climb = dot(ship.relativeVelocity, ship.relativePosition) / r;
@@ -26,7 +26,7 @@ describe('the literal server', () => {
 
   it('slides v² / (2 μ g) and lands', () => {
     const { rig, at } = truthOf('slide', 50, 24);
-    const { ship, body } = rig.staged;
+    const { ship, body } = rig.loaded;
     const from = ship.relativePosition;
     // The ground has turned on by then.
     const to = rotate(rotationBy(scale(body.angularVelocity, -23)), at(23).position);
@@ -42,7 +42,7 @@ describe('the literal server', () => {
 
   it('lands while it is still sinking in: the design asks for its speed alone', () => {
     const { rig, at } = truthOf('settle', 50, 8);
-    const { body, shipClass } = rig.staged;
+    const { body, shipClass } = rig.loaded;
     const depth = body.radius + shipClass.groundContactOffset - length(at(7.5).position);
     expect(at(7.5).state).toBe('landed');
     // An impact of v sinks v / 10 / e into critical damping.

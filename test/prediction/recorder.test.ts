@@ -18,7 +18,7 @@ describe('the recorder', () => {
     const file = writeRecording({ header: { note: 'a test', shipId: 'ship-1' }, entries });
     const read = value(readRecording(file));
     expect(read.entries).toHaveLength(entries.length);
-    const twin = createPredictor({ terrains: { [rig.staged.scenario.terrain]: rig.staged.terrainHeight } });
+    const twin = createPredictor({ terrains: { [rig.loaded.scenario.terrain]: rig.loaded.terrainHeight } });
     let replayed = 0;
     replayEntries(twin, read.entries, (at) => {
       const { own } = twin.view(at);

@@ -15,16 +15,16 @@ import {
   type WorldView,
 } from '../../src/prediction';
 import {
-  createExchange,
-  type Exchange,
+  createLoopbackLink,
+  type LoopbackLink,
   fleetOrders,
   type NetworkNumbers,
   NETWORK_PRESETS,
   pilotAt,
   type Scenario,
   SCENARIOS,
-  stage,
-  type StagedScenario,
+  loadScenario,
+  type LoadedScenario,
 } from '../../src/scenarios';
 import {
   type ClientMessage,
@@ -37,8 +37,8 @@ import { type Truth, watch } from './truth';
 
 /** A server, a network and a client on one wall clock that is handed in: what tests and benchmarks fly. */
 export interface Rig {
-  readonly staged: StagedScenario;
-  readonly exchange: Exchange;
+  readonly loaded: LoadedScenario;
+  readonly exchange: LoopbackLink;
   readonly authority: Authority;
   readonly truth: Truth;
   predictor: Predictor;
@@ -100,18 +100,18 @@ export function createRig(options: RigOptions): Rig {
     tickRate: options.tickRate ?? given.tickRate,
     timeScale: options.timeScale ?? given.timeScale,
   };
-  const staged = value(stage(scenario));
-  const bodies = [staged.body];
+  const loaded = value(loadScenario(scenario));
+  const bodies = [loaded.body];
   const told = scenario.settings;
   const settings = { ...told, ...options.secretSettings };
   const toldSettings = value(loadSettings(told));
   const inner = value(
     createAuthority({
       settings,
-      shipClasses: [staged.shipClass],
+      shipClasses: [loaded.shipClass],
       bodies,
       terrain: scenario.terrain,
-      terrains: { [scenario.terrain]: staged.terrainHeight },
+      terrains: { [scenario.terrain]: loaded.terrainHeight },
       tickRate: scenario.tickRate,
       timeScale: scenario.timeScale,
       legacy: options.legacy ?? false,
@@ -119,12 +119,12 @@ export function createRig(options: RigOptions): Rig {
   );
   const world: World = {
     settings: value(loadSettings(settings)),
-    shipClasses: [value(loadShipClass(staged.shipClass))],
+    shipClasses: [value(loadShipClass(loaded.shipClass))],
     bodies: bodies.map((body) => value(loadBody(body))),
-    terrainHeight: staged.terrainHeight,
+    terrainHeight: loaded.terrainHeight,
   };
-  const own: SpawnOrder = { shipId: SHIP, playerId: ME, name: 'Own', ship: staged.ship };
-  const orders = [own, ...(options.orders ?? fleetOrders(staged, options.others ?? 0, 7))];
+  const own: SpawnOrder = { shipId: SHIP, playerId: ME, name: 'Own', ship: loaded.ship };
+  const orders = [own, ...(options.orders ?? fleetOrders(loaded, options.others ?? 0, 7))];
   const truth = watch(inner, world, orders, options.legacy === true ? 'tick' : 'substep');
   const { authority } = truth;
   for (const order of orders) {
@@ -133,9 +133,9 @@ export function createRig(options: RigOptions): Rig {
   }
 
   const network = options.network ?? NETWORK_PRESETS.fourG;
-  const exchange = createExchange(authority, network, options.seed ?? 1, 0);
+  const exchange = createLoopbackLink(authority, network, options.seed ?? 1, 0);
   const predictor = createPredictor({
-    terrains: { [scenario.terrain]: staged.terrainHeight, flat: flatTerrain },
+    terrains: { [scenario.terrain]: loaded.terrainHeight, flat: flatTerrain },
     ...(options.legacy === true
       ? { ownShipId: SHIP, defaults: { settings: told, terrain: scenario.terrain, bodies } }
       : {}),
@@ -145,12 +145,12 @@ export function createRig(options: RigOptions): Rig {
   const notices: EventNotice[] = [];
   predictor.onEvent((notice) => notices.push(notice));
   exchange.connect(ME, SHIP, 0);
-  const pilot = options.pilot ?? ((game: number) => pilotAt(staged, game));
+  const pilot = options.pilot ?? ((game: number) => pilotAt(loaded, game));
   const waiting: { bytes: Uint8Array; leaves: number }[] = [];
   let frames = 0;
 
   const rig: Rig = {
-    staged,
+    loaded,
     exchange,
     authority,
     truth,

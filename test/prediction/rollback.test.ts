@@ -8,7 +8,7 @@ const BACK = 8;
 describe('forced rollback: save, step, go back 8 ticks, replay, compare bits', () => {
   it.each(SCENARIOS.map(({ name }) => name))('%s', (scenario) => {
     const rig = createRig({ scenario, tickRate: 5, predictor: { forcedRollback: BACK } });
-    rig.fly(Math.min(16, rig.staged.scenario.duration));
+    rig.fly(Math.min(16, rig.loaded.scenario.duration));
     const { rollbacksCompared, rollbacksDifferent } = rig.view().diagnosis;
     expect(rollbacksCompared).toBeGreaterThan(10);
     expect(rollbacksDifferent).toBe(0);

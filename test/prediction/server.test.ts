@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { type Controls, NEUTRAL_CONTROLS } from '../../src/dynamics';
 import type { ShipView } from '../../src/prediction';
-import { NETWORK_PRESETS, stage } from '../../src/scenarios';
+import { NETWORK_PRESETS, loadScenario } from '../../src/scenarios';
 import { corrections, flyAndMeasure, fromServer } from './measure';
 import { createRig, scenarioNamed, value } from './rig';
 import { distance } from './samples';
@@ -95,7 +95,7 @@ describe('a server that is steered while it runs', () => {
     expect(early).toBe(0);
     expect(rig.view().own!.shownState).toBe('crashed');
     const { snaps } = rig.view().diagnosis;
-    rig.authority.respawn('ship-1', value(stage(scenarioNamed('bounce'))).ship);
+    rig.authority.respawn('ship-1', value(loadScenario(scenarioNamed('bounce'))).ship);
     for (let i = 0; i < 90 && rig.view().own!.shownState === 'crashed'; i++) rig.frame();
     expect(rig.view().own!.shownState).not.toBe('crashed');
     expect(rig.view().own!.crashed).toBe(false);

@@ -3,7 +3,8 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { createPredictor } from '../../src/prediction';
-import { made, MISTAKES, played } from './mistakes';
+import { made, played } from './mistakes/given';
+import { MISTAKES } from './mistakes/warned';
 
 const ROOM = join(import.meta.dirname, '../../src/prediction');
 describe('a mistake is told of once, by its code', () => {

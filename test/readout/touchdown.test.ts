@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { type Controls, NEUTRAL_CONTROLS } from '../../src/dynamics';
 import type { ShipView, WorldView } from '../../src/prediction';
-import { NETWORK_PRESETS, stage } from '../../src/scenarios';
+import { NETWORK_PRESETS, loadScenario } from '../../src/scenarios';
 import type { ClientMessage } from '../../src/wire';
 import { createLandingReadout, updateLandingReadout, type LandingReadout } from '../../src/readout';
 import { createRig, type Rig, type RigOptions, SHIP, value } from '../prediction/rig';
@@ -22,13 +22,13 @@ function fly(
   const rig = createRig(options);
   const readout = createLandingReadout();
   const track: Track = { rows: [], dt: 0, tick: 0 };
-  rig.fly(rig.staged.scenario.duration, (view) => {
+  rig.fly(rig.loaded.scenario.duration, (view) => {
     updateLandingReadout(readout, view);
     follow(track, rig.truth);
     each?.(rig, readout);
   });
   expect(rig.truth.disagreements).toBe(0);
-  return { rig, readout, truth: cardOf(track, rig.staged.body) };
+  return { rig, readout, truth: cardOf(track, rig.loaded.body) };
 }
 
 const RATES = [2, 7, 30, 144];
@@ -96,7 +96,7 @@ describe('the touchdown card', () => {
     const readout = createLandingReadout();
     rig.fly(0.5, (view) => updateLandingReadout(readout, view));
     expect(readout.touchdownShown).toBe(true);
-    expectCard(readout, cardOf(track, rig.staged.body));
+    expectCard(readout, cardOf(track, rig.loaded.body));
   });
 
   it('counts a touch that was predicted and taken back as if it had never been', () => {
@@ -120,7 +120,7 @@ describe('the touchdown card', () => {
     const readout = createLandingReadout();
     const rig = createRig({ scenario: 'crash' });
     const track: Track = { rows: [], dt: 0, tick: 0 };
-    rig.fly(rig.staged.scenario.duration, (view) => {
+    rig.fly(rig.loaded.scenario.duration, (view) => {
       updateLandingReadout(readout, view);
       follow(track, rig.truth);
     });
@@ -161,8 +161,8 @@ describe('the touchdown card', () => {
     other.fly(24, (view) => updateLandingReadout(readout, view));
     expect(readout.touchdownShown).toBe(true);
     // 300 m to the north, landed.
-    const site = { ...rig.staged.scenario.site, latitude: rig.staged.scenario.site.latitude + 0.01 };
-    const elsewhere = value(stage({ ...rig.staged.scenario, site }));
+    const site = { ...rig.loaded.scenario.site, latitude: rig.loaded.scenario.site.latitude + 0.01 };
+    const elsewhere = value(loadScenario({ ...rig.loaded.scenario, site }));
     expect(other.authority.respawn(SHIP, elsewhere.ship)).toBeNull();
     other.fly(2, (view) => updateLandingReadout(readout, view));
     expect(readout).toMatchObject({ status: 'landed', touchdownShown: false });

@@ -12,7 +12,7 @@ import {
   type RunInput,
   SCENARIOS,
   scoreRun,
-  stage,
+  loadScenario,
   writeRun,
 } from '../../src/scenarios';
 import { valueOf } from '../authority/moon';
@@ -33,22 +33,23 @@ describe('missions', () => {
   it.each(ALL.map((mission) => [mission.scenario.name, mission] as const))(
     '%s can be begun, and its pads lie on its ground',
     (_, mission) => {
-      const staged = valueOf(stage(mission.scenario));
-      for (const place of padPlaces(mission, staged)) {
+      const loaded = valueOf(loadScenario(mission.scenario));
+      for (const place of padPlaces(mission, loaded)) {
         const distance = Math.hypot(...place);
         const [x, y, z] = place.map((v) => v / distance) as [number, number, number];
-        const ground = staged.body.radius + staged.terrainHeight(staged.body.name, x, y, z);
+        const ground = loaded.body.radius + loaded.terrainHeight(loaded.body.name, x, y, z);
         expect(distance).toBeCloseTo(ground, 6);
       }
     },
   );
 
   it('an engine’s share and a body’s spin are the scenario’s', () => {
-    const half = valueOf(stage(findScenario('half-engine')!));
-    const whole = valueOf(stage({ ...findScenario('half-engine')!, engineShare: 1 }));
+    const half = valueOf(loadScenario(findScenario('half-engine')!));
+    const whole = valueOf(loadScenario({ ...findScenario('half-engine')!, engineShare: 1 }));
     expect(half.shipClass.mainEngineThrust).toBe(whole.shipClass.mainEngineThrust / 2);
-    const spun = valueOf(stage(findScenario('fast-rotator')!)).body.angularVelocity;
-    const own = valueOf(stage({ ...findScenario('fast-rotator')!, spinFactor: 1 })).body.angularVelocity;
+    const spun = valueOf(loadScenario(findScenario('fast-rotator')!)).body.angularVelocity;
+    const own = valueOf(loadScenario({ ...findScenario('fast-rotator')!, spinFactor: 1 })).body
+      .angularVelocity;
     expect(Math.hypot(...spun)).toBeCloseTo(2.6 * Math.hypot(...own), 12);
   });
 });

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import {
-  bell,
-  createDice,
+  normalNoise,
+  createRandom,
   createLink,
   type Link,
   loadNetwork,
@@ -30,19 +30,19 @@ const deviation = (values: number[]) => {
   return Math.sqrt(mean(values.map((value) => (value - middle) ** 2)));
 };
 
-describe('dice', () => {
+describe('random numbers', () => {
   it('are sfc32: the first numbers of a seed by the author’s algorithm', () => {
-    const dice = createDice(7);
-    expect([dice(), dice(), dice()].map((value) => value * 4294967296)).toEqual(SFC32_OF_7);
+    const rng = createRandom(7);
+    expect([rng(), rng(), rng()].map((value) => value * 4294967296)).toEqual(SFC32_OF_7);
   });
 
   it('are even, and a bell has deviation 1', () => {
-    const dice = createDice(1);
-    const values = Array.from({ length: 50_000 }, dice);
+    const rng = createRandom(1);
+    const values = Array.from({ length: 50_000 }, rng);
     expect(mean(values)).toBeCloseTo(0.5, 2);
     expect(Math.min(...values)).toBeGreaterThanOrEqual(0);
     expect(Math.max(...values)).toBeLessThan(1);
-    const bells = Array.from({ length: 50_000 }, () => bell(dice));
+    const bells = Array.from({ length: 50_000 }, () => normalNoise(rng));
     expect(Math.abs(mean(bells))).toBeLessThan(0.02);
     expect(deviation(bells)).toBeCloseTo(1, 1);
   });

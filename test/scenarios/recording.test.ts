@@ -11,7 +11,7 @@ import {
 import { fromBase64, toBase64 } from '../../src/scenarios/recordings/base64';
 import { decodeFrameJson } from '../../src/wire';
 import { input, valueOf } from '../authority/moon';
-import { type Client, listen, moonExchange, recordingOf } from './recordedExchange';
+import { type Client, listen, moonExchange, recordingOf } from './recordedSession';
 
 const LEAST_SHIP = {
   ship_id: 'a',
@@ -93,7 +93,7 @@ describe('a recording', () => {
       'line 3: at: expected a finite',
     );
     expect(reasonOf(withLine(3, '{"kind":"received","at":-1,"bytes":""}'))).toContain(
-      'line 3: at: expected in the order',
+      'line 3: at: expected ascending times',
     );
     expect(reasonOf(withLine(3, '{"kind":"guessed","at":150}'))).toContain('line 3: kind: expected one of');
     expect(reasonOf(withLine(3, '{"kind":"received","at":150,"bytes":"?"}'))).toContain(

@@ -4,11 +4,11 @@ import {
   fleetOrders,
   fromBodyRelative,
   pilotAt,
-  rehearse,
-  type Rehearsed,
+  runScenario,
+  type ScenarioRun,
   type Scenario,
   SCENARIOS,
-  stage,
+  loadScenario,
 } from '../../src/scenarios';
 import { valueOf } from '../authority/moon';
 import golden from './golden.json';
@@ -16,22 +16,22 @@ import golden from './golden.json';
 const NAMED = SCENARIOS.map((scenario) => [scenario.name, scenario] as const);
 const named = (name: string) => SCENARIOS.find((scenario) => scenario.name === name)!;
 
-function types({ events }: Rehearsed) {
+function types({ events }: ScenarioRun) {
   return events.map(({ type }) => type);
 }
 
 /** Game seconds at which each event is visible. */
-function times({ events, staged }: Rehearsed): number[] {
-  const { substeps, dt } = staged.timing;
+function times({ events, loaded }: ScenarioRun): number[] {
+  const { substeps, dt } = loaded.timing;
   return events.map(({ tick, substep }) => (tick * substeps + substep + 1) * dt);
 }
 
 /** The ship at a tick, as seen from the scenario's site. */
-function seenAt({ staged, ships, bodies, world }: Rehearsed, tick: number) {
-  const body = { ...staged.body, ...readBodyMotion(bodies, tick * BODY_STRIDE) };
-  const { site } = staged.scenario;
+function seenAt({ loaded, ships, bodies, world }: ScenarioRun, tick: number) {
+  const body = { ...loaded.body, ...readBodyMotion(bodies, tick * BODY_STRIDE) };
+  const { site } = loaded.scenario;
   const ship = readShip(ships, tick * SHIP_STRIDE, world);
-  return fromBodyRelative(ship, staged.shipClass, { body, site, terrainHeight: staged.terrainHeight });
+  return fromBodyRelative(ship, loaded.shipClass, { body, site, terrainHeight: loaded.terrainHeight });
 }
 
 describe('every scenario', () => {
@@ -60,9 +60,9 @@ describe('every scenario', () => {
     '%s makes only moves the law knows, and ends as it says, at any tick rate',
     (_name, scenario) => {
       for (const tickRate of [0.3, 1, 5, 20, 100]) {
-        const rehearsed = valueOf(rehearse({ ...scenario, tickRate }));
-        expect(rehearsed.illegalMoves).toEqual([]);
-        expect(types(rehearsed), `${tickRate} Hz`).toEqual(scenario.expected);
+        const run = valueOf(runScenario({ ...scenario, tickRate }));
+        expect(run.illegalTransitions).toEqual([]);
+        expect(types(run), `${tickRate} Hz`).toEqual(scenario.expected);
       }
     },
   );
@@ -70,7 +70,7 @@ describe('every scenario', () => {
   it.each(NAMED)(
     '%s has the bits it always had (else: node test/run.mjs test/scenarios/writeGolden.ts)',
     (name, scenario) => {
-      const { hash } = valueOf(rehearse(scenario));
+      const { hash } = valueOf(runScenario(scenario));
       expect(hash.toString(16)).toBe((golden as Record<string, string>)[name]);
     },
   );
@@ -78,9 +78,9 @@ describe('every scenario', () => {
   it.each(NAMED)(
     '%s ends somewhere: on the ground, crashed, or where its duration says',
     (_name, scenario) => {
-      const rehearsed = valueOf(rehearse(scenario));
-      const last = rehearsed.ships.length / SHIP_STRIDE - 1;
-      const { position, velocity } = seenAt(rehearsed, last);
+      const run = valueOf(runScenario(scenario));
+      const last = run.ships.length / SHIP_STRIDE - 1;
+      const { position, velocity } = seenAt(run, last);
       expect([...position, ...velocity].every(Number.isFinite)).toBe(true);
       const end = scenario.expected.at(-1);
       // Nothing stops on 44° of slope.
@@ -91,15 +91,15 @@ describe('every scenario', () => {
 });
 
 describe('the opening', () => {
-  const rehearsed = valueOf(rehearse(named('opening')));
+  const run = valueOf(runScenario(named('opening')));
 
   it('touches within 2 s at about 12 m/s, bounces once, and is landed within 15 s', () => {
-    const [first, second, landed] = times(rehearsed);
+    const [first, second, landed] = times(run);
     expect(first).toBeLessThan(2);
     expect(second! - first!).toBeGreaterThan(3);
     // A second and a half are left for a 1 Hz server to say so over a slow network.
     expect(landed).toBeLessThan(13.5);
-    const shortly = valueOf(rehearse({ ...named('opening'), tickRate: 100, duration: first! }));
+    const shortly = valueOf(runScenario({ ...named('opening'), tickRate: 100, duration: first! }));
     const touch = readShip(shortly.ships, shortly.ships.length - SHIP_STRIDE, shortly.world);
     expect(touch.surfaceContactState).toBe('contact');
     expect(touch.contactImpactSpeed).toBeGreaterThan(11.5);
@@ -107,8 +107,8 @@ describe('the opening', () => {
   });
 
   it('slides where it comes down the second time', () => {
-    const [, second, landed] = times(rehearsed);
-    const [from, to] = [seenAt(rehearsed, Math.ceil(second!)), seenAt(rehearsed, Math.ceil(landed!))];
+    const [, second, landed] = times(run);
+    const [from, to] = [seenAt(run, Math.ceil(second!)), seenAt(run, Math.ceil(landed!))];
     expect(Math.hypot(to.position[0] - from.position[0], to.position[1] - from.position[1])).toBeGreaterThan(
       2,
     );
@@ -117,17 +117,17 @@ describe('the opening', () => {
 
 describe('a slide', () => {
   it('is as long as friction makes it', () => {
-    const rehearsed = valueOf(rehearse(named('slide')));
+    const run = valueOf(runScenario(named('slide')));
     const gravity = (6.6743e-11 * 7.342e22) / 1737404.56 ** 2;
     // From the first whole second after the touch, once the legs have settled.
-    const from = seenAt(rehearsed, 3);
-    const to = seenAt(rehearsed, rehearsed.ships.length / SHIP_STRIDE - 1);
+    const from = seenAt(run, 3);
+    const to = seenAt(run, run.ships.length / SHIP_STRIDE - 1);
     const speed = Math.hypot(from.velocity[0], from.velocity[1]);
     const length = Math.hypot(to.position[0] - from.position[0], to.position[1] - from.position[1]);
     // It lands below 0.5 m/s and stops dead: 0.5²/(2 μ g) short of the full length.
     const expected = (speed ** 2 - 0.5 ** 2) / (2 * 0.5 * gravity);
     // Semi-implicit Euler moves with the new speed: half a substep's loss short, 5 cm here.
-    const short = ((speed - 0.5) * rehearsed.staged.timing.dt) / 2;
+    const short = ((speed - 0.5) * run.loaded.timing.dt) / 2;
     expect(Math.abs(length - (expected - short))).toBeLessThan(0.01);
   });
 });
@@ -150,13 +150,13 @@ describe('staging', () => {
     ],
     ['inputs[0].at', { inputs: [{ at: -1, controls: {} }] }],
   ] as [string, Partial<Scenario>][])('refuses %s by name', (field, change) => {
-    const staged = stage({ ...named('settle'), ...change });
-    expect(staged.ok ? '' : staged.reason).toContain(`${field}:`);
+    const loaded = loadScenario({ ...named('settle'), ...change });
+    expect(loaded.ok ? '' : loaded.reason).toContain(`${field}:`);
   });
 
   it('puts inputs onto the nearest substep at any tick rate', () => {
     const at = (tickRate: number) => {
-      const { tick, substep } = valueOf(stage({ ...named('right-itself'), tickRate })).inputs[1]!;
+      const { tick, substep } = valueOf(loadScenario({ ...named('right-itself'), tickRate })).inputs[1]!;
       return [tick, substep];
     };
     expect(at(1)).toEqual([10, 10]);
@@ -165,20 +165,20 @@ describe('staging', () => {
   });
 
   it('tells what its pilot commands at a time', () => {
-    const staged = valueOf(stage(named('launch')));
-    expect(pilotAt(staged, 1.99).thrustLevel).toBe(0);
-    expect(pilotAt(staged, 2)).toMatchObject({ thrustLevel: 0.3, attitudeHold: true });
-    expect(pilotAt(staged, 100)).toMatchObject({ thrustLevel: 0, attitudeHold: true });
+    const loaded = valueOf(loadScenario(named('launch')));
+    expect(pilotAt(loaded, 1.99).thrustLevel).toBe(0);
+    expect(pilotAt(loaded, 2)).toMatchObject({ thrustLevel: 0.3, attitudeHold: true });
+    expect(pilotAt(loaded, 100)).toMatchObject({ thrustLevel: 0, attitudeHold: true });
   });
 });
 
 describe('a fleet', () => {
   it('stands around the site, each ship apart from all others, the same for the same seed', () => {
-    const staged = valueOf(stage(named('opening')));
-    const orders = fleetOrders(staged, 200, 5);
-    expect(orders).toEqual(fleetOrders(staged, 200, 5));
-    expect(orders).not.toEqual(fleetOrders(staged, 200, 6));
-    const places = [staged.ship, ...orders.map(({ ship }) => ship)].map((ship) => ship.relativePosition);
+    const loaded = valueOf(loadScenario(named('opening')));
+    const orders = fleetOrders(loaded, 200, 5);
+    expect(orders).toEqual(fleetOrders(loaded, 200, 5));
+    expect(orders).not.toEqual(fleetOrders(loaded, 200, 6));
+    const places = [loaded.ship, ...orders.map(({ ship }) => ship)].map((ship) => ship.relativePosition);
     let nearest = Infinity;
     for (const [i, a] of places.entries())
       for (const b of places.slice(0, i))

@@ -44,7 +44,7 @@ function watched(scenario: string, seconds: number) {
     ]);
     if (ship.crashed) velocity.fill(0);
     updateRig(camera, place, velocity, 1 / HZ);
-    const terrainHeight = rig.staged.terrainHeight;
+    const terrainHeight = rig.loaded.terrainHeight;
     placeEye(camera, (gx, gz) => {
       groundPoint(spot, 0, gx, gz, { frame: frame!, terrainHeight });
       return spot[1]!;

@@ -1,7 +1,7 @@
 import { Frustum, Matrix4, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { BODIES, LANDING_SITE, TERRAINS } from '../../src/dynamics';
-import { createDice } from '../../src/scenarios';
+import { createRandom } from '../../src/scenarios';
 import { createSectors, visibleRange, writeSectors } from '../../src/scene/ground/groundSectors';
 import { isOverHorizon } from '../../src/scene/sky/horizon';
 import { layFrame, type LocalFrame } from '../../src/scene/localFrame';
@@ -32,15 +32,15 @@ function levelOf(frame: LocalFrame, spacing: number, x: number, z: number): Terr
 }
 
 /** An eye `distance` m from a focus near the ground, and what three sees from there. */
-function eyeAt(dice: () => number, distance: number) {
-  const focus = Float64Array.of(dice() * 200 - 100, 3 + dice() * 60, dice() * 200 - 100);
-  const [azimuth, elevation] = [dice() * 2 * Math.PI, dice() * 1.7 - 0.2];
+function eyeAt(rng: () => number, distance: number) {
+  const focus = Float64Array.of(rng() * 200 - 100, 3 + rng() * 60, rng() * 200 - 100);
+  const [azimuth, elevation] = [rng() * 2 * Math.PI, rng() * 1.7 - 0.2];
   const eye = Float64Array.of(
     focus[0]! + distance * Math.cos(elevation) * Math.cos(azimuth),
     focus[1]! + distance * Math.sin(elevation),
     focus[2]! + distance * Math.cos(elevation) * Math.sin(azimuth),
   );
-  const camera = new PerspectiveCamera(48, dice() < 0.5 ? 16 / 9 : 9 / 16, 0.1, 1e6);
+  const camera = new PerspectiveCamera(48, rng() < 0.5 ? 16 / 9 : 9 / 16, 0.1, 1e6);
   camera.position.set(eye[0]!, eye[1]!, eye[2]);
   camera.lookAt(focus[0]!, focus[1]!, focus[2]!);
   camera.updateMatrixWorld();
@@ -78,13 +78,13 @@ function hiddenButSeen(level: TerrainLevel, finer: TerrainLevel, cone: ViewCone,
 describe('ground that is left out', () => {
   it.each(['Luna', 'Earth', 'Mars', 'Phobos'])('is out of the picture, on %s', (name) => {
     const frame = frameOn(name);
-    const dice = createDice(7);
+    const rng = createRandom(7);
     let [left, all] = [0, 0];
     for (const spacing of [0.8, 6.4, 102.4, 1638.4]) {
       const finer = levelOf(frame, spacing / 2, 20, -35);
       const level = levelOf(frame, spacing, 20, -35);
       for (let n = 0; n < 60; n++) {
-        const { cone, frustum } = eyeAt(dice, 10 * 40 ** dice());
+        const { cone, frustum } = eyeAt(rng, 10 * 40 ** rng());
         const found = hiddenButSeen(level, finer, cone, frustum);
         expect(found.wrong).toBe(0);
         left += found.left;
@@ -131,13 +131,13 @@ function nearestToCentre(level: TerrainLevel, eye: Float64Array, radius: number)
 
 describe('view cone', () => {
   it('meets every circle of which the picture shows a point', () => {
-    const dice = createDice(3);
+    const rng = createRandom(3);
     const point = new Vector3();
     let outside = 0;
     for (let n = 0; n < 4000; n++) {
-      const { cone, frustum } = eyeAt(dice, 24);
-      point.set(dice() * 600 - 300, dice() * 40 - 20, dice() * 600 - 300);
-      const [x, z] = [point.x + dice() * 4 - 2, point.z + dice() * 4 - 2];
+      const { cone, frustum } = eyeAt(rng, 24);
+      point.set(rng() * 600 - 300, rng() * 40 - 20, rng() * 600 - 300);
+      const [x, z] = [point.x + rng() * 4 - 2, point.z + rng() * 4 - 2];
       const meets = coneMeets(cone, x, z, Math.hypot(x - point.x, z - point.z) + 1e-9);
       if (frustum.containsPoint(point)) expect(meets).toBe(true);
       if (!meets) outside++;

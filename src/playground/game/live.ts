@@ -1,48 +1,23 @@
-import { type Controls, flatTerrain, NEUTRAL_CONTROLS, TERRAINS } from '../../dynamics';
-import { createPredictor, type EventNotice, type Predictor, type WorldView } from '../../prediction';
-import {
-  findScenario,
-  NETWORK_PRESETS,
-  type NetworkNumbers,
-  type RecordingEntry,
-  type RunInput,
-  type StagedInput,
-} from '../../scenarios';
-import type { PartialFrame, ServerMessage } from '../../wire';
-import { type Baseline, createBaseline } from './baseline';
+import { type Controls, NEUTRAL_CONTROLS } from '../../dynamics';
+import type { WorldView } from '../../prediction';
+import { findScenario, NETWORK_PRESETS, type NetworkNumbers } from '../../scenarios';
 import type { Choices } from '../panels/choices';
-import { createHands, type Hands } from './hands';
-import { createPageClock, type PageClock } from './pageClock';
-import { createRunHash } from './mission/runHash';
-import { type Script, scriptOf } from './script';
-import { openTab, TAB_ADDRESS } from '../server/tabLink';
-import { type Connection, type ConnectionHandlers, openWorker, type ShipLoss } from '../server/connection';
-import type { Operation } from '../server/operation';
+import { type Connection, type ConnectionHandlers, openWorker } from '../server/connection';
 import { deferConnection } from '../server/deferred';
-
-/** What the page is told of a live game. */
-export interface LiveListeners {
-  readonly onState: (text: string) => void;
-  /** A new world begins: what was of the old one is gone. `plan`: what the own ship does by itself in it. */
-  readonly onWorld: (plan: readonly StagedInput[]) => void;
-  readonly onRefused: (reason: string) => void;
-  readonly onEvent: (notice: EventNotice) => void;
-  /** Everything that goes through the predictor, in its order. */
-  readonly onEntry: (entry: RecordingEntry) => void;
-  /** The own ship was destroyed, and a real server has said so. */
-  readonly onLost: (ship: ShipLoss) => void;
-  /** The inputs that acted on the own ship, as asked for by { kind: 'run' }. */
-  readonly onRun: (inputs: readonly RunInput[]) => void;
-  /** The host of a shared world has begun a scenario. */
-  readonly onScenario: (scenario: string, terrain: string) => void;
-}
+import type { LoadOperation, Operation } from '../server/operation';
+import { openTab, TAB_ADDRESS } from '../server/tabLink';
+import type { Baseline } from './baseline';
+import type { Hands } from './hands';
+import { createLiveState, forgetWorld, type LiveListeners, type LiveState, noteMessage } from './liveState';
+import type { PageClock } from './pageClock';
+import { type Script, scriptOf } from './script';
 
 /** A game against a server: connection, predictor, hands. */
 export interface Live {
   readonly clock: PageClock;
   readonly hands: Hands;
   readonly baseline: Baseline;
-  /** receive → advance → view, and what is to be sent goes out. */
+  /** advance → view, and what is to be sent goes out. */
   readonly frame: () => WorldView;
   /** The stick was moved: taken at once, however far off the next frame is. */
   readonly steer: () => void;
@@ -77,173 +52,149 @@ export function networkOf(choices: Choices): NetworkNumbers {
 
 /** @param program address of the page's own main module, which the worker runs too */
 export function createLive(program: string, listeners: LiveListeners): Live {
-  const clock = createPageClock(() => performance.now() / 1000);
-  const hands = createHands(
-    () => view,
-    () => TERRAINS[ground] ?? flatTerrain,
-  );
-  const runHash = createRunHash();
-  let ground = '';
-  const baseline = createBaseline();
-  const inbox: { readonly message: ServerMessage | PartialFrame; readonly at: number }[] = [];
-  let script: Script | null = null;
-  let predictor = newPredictor();
-  let connection: Connection | null = null;
-  let address = '';
-  let sampledAt = NaN;
-  let held = false;
-  let isLoading = false;
-  let view = predictor.view(clock.now());
+  const state = createLiveState(program, listeners);
+  const { clock, hands, baseline, runHash } = state;
+  return {
+    clock,
+    hands,
+    baseline,
+    frame: () => (state.isHeld ? state.view : takeFrame(state, clock.now())),
+    steer() {
+      if (state.isHeld) return;
+      const now = clock.now();
+      advance(state, now);
+      send(state, now);
+    },
+    begin: (choices) => beginWorld(state, choices),
+    operate: (operation) => state.connection?.operate(operation),
+    reconnect: () => state.connection?.reconnect(),
+    setSpeed(speed) {
+      clock.setSpeed(speed);
+      state.connection?.setSpeed(speed);
+    },
+    hold(held) {
+      state.isHeld = held;
+      if (held) hands.letGo();
+    },
+    view: () => state.view,
+    isLoading: () => state.isLoading,
+    hash: runHash.text,
+    ended: runHash.ended,
+    dispose() {
+      state.connection?.dispose();
+    },
+  };
+}
 
-  function newPredictor(): Predictor {
-    const made = createPredictor({ ownShipId: 'own', plan: script?.plan ?? [] });
-    made.onEvent(listeners.onEvent);
-    return made;
+function takeFrame(state: LiveState, now: number): WorldView {
+  advance(state, now);
+  state.view = state.predictor.view(now);
+  send(state, now);
+  return state.view;
+}
+
+/** What the hands command; null while they have touched nothing of a scenario, and its plan flies. */
+function fly(state: LiveState, now: number): Controls | null {
+  const seconds = Number.isNaN(state.sampledAt) ? 0 : now - state.sampledAt;
+  state.sampledAt = now;
+  const commanded = state.hands.controls(state.view, now, seconds / state.clock.speed());
+  return commanded === null && state.script === null ? NEUTRAL_CONTROLS : commanded;
+}
+
+function advance(state: LiveState, now: number): void {
+  const controls = fly(state, now);
+  state.predictor.advance(controls, now);
+  state.listeners.onEntry({ kind: 'advanced', at: now, controls });
+}
+
+function send(state: LiveState, now: number): void {
+  for (const message of state.predictor.takeOutgoing()) {
+    state.connection?.send(message);
+    state.listeners.onEntry({ kind: 'sent', at: now, message });
   }
+}
 
-  const handlers: ConnectionHandlers = {
+function beginWorld(state: LiveState, choices: Choices): void {
+  const script = scriptOf(choices);
+  state.script = script;
+  state.ground = choices.terrain === '' ? (findScenario(choices.scenario)?.terrain ?? '') : choices.terrain;
+  if (state.connection === null || choices.server !== state.address) {
+    state.connection?.dispose();
+    state.address = choices.server;
+    forgetWorld(state);
+    state.connection = connect(state, choices.pilot);
+  }
+  state.isLoading = true;
+  state.clock.setSpeed(choices.slow);
+  if (state.address !== '') {
+    state.script = null;
+    return;
+  }
+  state.connection.setSpeed(choices.slow);
+  state.connection.operate(loadOf(choices, script));
+}
+
+function loadOf(choices: Choices, { tickRate, timeScale }: Script): LoadOperation {
+  const { scenario, body, shipClass, terrain, surfaceNormal, seed, fleet, pilot, legacy } = choices;
+  return {
+    kind: 'load',
+    ...{ scenario, body, shipClass, terrain, surfaceNormal, tickRate, timeScale, seed, pilot },
+    network: networkOf(choices),
+    others: fleet,
+    legacy: legacy === 1,
+  };
+}
+
+function connect(state: LiveState, name: string): Connection {
+  const { address, program, listeners } = state;
+  const handlers = handlersOf(state);
+  if (address === '') return openWorker(program, handlers);
+  if (TAB_ADDRESS.test(address))
+    return openTab(address, { guest: `guest-${Math.random().toString(36).slice(2, 8)}`, name }, handlers);
+  return deferConnection(
+    import('../server/realServer').then(({ openServer }) => openServer(address, handlers)),
+    () => listeners.onState('Part of the page did not load. Check the network and reload.'),
+  );
+}
+
+function handlersOf(state: LiveState): ConnectionHandlers {
+  const { listeners, clock, tap } = state;
+  return {
     onOpen(what) {
       if (what === 'world') {
-        isLoading = false;
-        forgetWorld();
+        state.isLoading = false;
+        forgetWorld(state);
       }
       listeners.onState('');
     },
-    onMessage: (message) => inbox.push({ message, at: clock.now() }),
-    onUnusable: (reason) => predictor.refused(reason),
+    onPending(message) {
+      const at = clock.now();
+      const tapped = tap.wrap(message, (taken) => noteMessage(state, taken, at));
+      state.predictor.receivePending(tapped, at);
+    },
+    onFrame(frame) {
+      const at = clock.now();
+      state.predictor.receive(frame, at);
+      noteMessage(state, frame, at);
+    },
     onClosed: (reason) => listeners.onState(`Connection lost: ${reason}.`),
     onLink: (words) => listeners.onState(words),
     onWelcome(about) {
       const shipId = about['ship_id'] ?? about['shipId'];
-      predictor.setOwnShip(typeof shipId === 'string' ? shipId : null);
+      state.predictor.setOwnShip(typeof shipId === 'string' ? shipId : null);
     },
     onShipGone(shipId, own) {
-      predictor.removeShip(shipId, own === null ? 'gone' : 'destroyed');
+      state.predictor.removeShip(shipId, own === null ? 'gone' : 'destroyed');
       if (own !== null) listeners.onLost(own);
     },
     onRefused: listeners.onRefused,
     onRun: listeners.onRun,
     onScenario(scenario, terrain) {
-      ground = terrain;
+      state.ground = terrain;
       listeners.onScenario(scenario, terrain);
     },
     onStatus() {
       // The panel reads the predictor's view, which is what a real server's player has.
-    },
-  };
-
-  function connect(name: string): Connection {
-    if (address === '') return openWorker(program, handlers);
-    if (!TAB_ADDRESS.test(address)) {
-      const given = address;
-      return deferConnection(
-        import('../server/realServer').then(({ openServer }) => openServer(given, handlers)),
-        () => listeners.onState('Part of the page did not load. Check the network and reload.'),
-      );
-    }
-    return openTab(address, { guest: `guest-${Math.random().toString(36).slice(2, 8)}`, name }, handlers);
-  }
-
-  function forgetWorld(): void {
-    inbox.length = 0;
-    predictor = newPredictor();
-    baseline.forget();
-    hands.reset();
-    runHash.begin(script?.lastTick ?? -1);
-    listeners.onWorld(script?.plan ?? []);
-  }
-
-  function receive(message: ServerMessage | PartialFrame, at: number): void {
-    predictor.receive(message, at);
-    listeners.onEntry({ kind: 'received', at, message });
-    if (message.kind !== 'frame') return;
-    baseline.take(message, at);
-    runHash.take(message);
-  }
-
-  /** What the hands command; null while they have touched nothing of a scenario, and its plan flies. */
-  function fly(now: number): Controls | null {
-    const seconds = Number.isNaN(sampledAt) ? 0 : now - sampledAt;
-    sampledAt = now;
-    const commanded = hands.controls(view, now, seconds / clock.speed());
-    return commanded === null && script === null ? NEUTRAL_CONTROLS : commanded;
-  }
-
-  function advance(now: number): void {
-    const controls = fly(now);
-    predictor.advance(controls, now);
-    listeners.onEntry({ kind: 'advanced', at: now, controls });
-  }
-
-  function send(now: number): void {
-    for (const message of predictor.takeOutgoing()) {
-      connection?.send(message);
-      listeners.onEntry({ kind: 'sent', at: now, message });
-    }
-  }
-
-  return {
-    clock,
-    hands,
-    baseline,
-    frame() {
-      const now = clock.now();
-      if (held) return view;
-      for (const { message, at } of inbox.splice(0)) receive(message, at);
-      advance(now);
-      view = predictor.view(now);
-      send(now);
-      return view;
-    },
-    steer() {
-      if (held) return;
-      const now = clock.now();
-      advance(now);
-      send(now);
-    },
-    begin(choices) {
-      script = scriptOf(choices);
-      ground = choices.terrain === '' ? (findScenario(choices.scenario)?.terrain ?? '') : choices.terrain;
-      if (connection === null || choices.server !== address) {
-        connection?.dispose();
-        address = choices.server;
-        forgetWorld();
-        connection = connect(choices.pilot);
-      }
-      isLoading = true;
-      clock.setSpeed(choices.slow);
-      if (address !== '') {
-        script = null;
-        return;
-      }
-      connection.setSpeed(choices.slow);
-      const { scenario, body, shipClass, terrain, surfaceNormal, seed, fleet, legacy } = choices;
-      const { tickRate, timeScale } = script;
-      const network = networkOf(choices);
-      connection.operate({
-        kind: 'load',
-        ...{ scenario, body, shipClass, terrain, surfaceNormal, tickRate, timeScale, network, seed },
-        others: fleet,
-        pilot: choices.pilot,
-        legacy: legacy === 1,
-      });
-    },
-    operate: (operation) => connection?.operate(operation),
-    reconnect: () => connection?.reconnect(),
-    setSpeed(speed) {
-      clock.setSpeed(speed);
-      connection?.setSpeed(speed);
-    },
-    hold(next) {
-      held = next;
-      if (next) hands.letGo();
-    },
-    view: () => view,
-    isLoading: () => isLoading,
-    hash: runHash.text,
-    ended: runHash.ended,
-    dispose() {
-      connection?.dispose();
     },
   };
 }

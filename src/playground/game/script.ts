@@ -1,4 +1,4 @@
-import { findScenario, SCENARIOS, stage, type StagedInput, ticksOf } from '../../scenarios';
+import { findScenario, SCENARIOS, loadScenario, type ScheduledInput, ticksOf } from '../../scenarios';
 import type { Choices } from '../panels/choices';
 
 /**
@@ -6,7 +6,7 @@ import type { Choices } from '../panels/choices';
  * and the predictor knows it beforehand, so that the run is the same whatever the display's rate and the network.
  */
 export interface Script {
-  readonly plan: readonly StagedInput[];
+  readonly plan: readonly ScheduledInput[];
   /** Tick of the last boundary. */
   readonly lastTick: number;
   /** Hz and times, as asked for or the scenario's own. */
@@ -18,7 +18,7 @@ export function scriptOf(choices: Choices): Script {
   const scenario = findScenario(choices.scenario) ?? SCENARIOS[0]!;
   const tickRate = choices.tickRate === 0 ? scenario.tickRate : choices.tickRate;
   const timeScale = choices.timeScale === 0 ? scenario.timeScale : choices.timeScale;
-  const staged = stage({ ...scenario, tickRate, timeScale });
-  if (!staged.ok) return { plan: [], lastTick: 0, tickRate, timeScale };
-  return { plan: staged.value.inputs, lastTick: ticksOf(staged.value), tickRate, timeScale };
+  const loaded = loadScenario({ ...scenario, tickRate, timeScale });
+  if (!loaded.ok) return { plan: [], lastTick: 0, tickRate, timeScale };
+  return { plan: loaded.value.inputs, lastTick: ticksOf(loaded.value), tickRate, timeScale };
 }

@@ -1,5 +1,6 @@
 import { keepForOffline } from '../offline/keep';
 import { createFrameLoop, type FrameLoop } from '../view/frameLoop';
+import { NIGHT_ELEVATION } from '../../scene';
 import { pixelRatioOf } from '../view/pageSize';
 import type { Page } from './pageParts';
 import { createReport } from './mission/report';
@@ -33,10 +34,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
     },
     paint(view, now) {
       const replay = parts.scene.replay();
-      if (replay === null) {
-        parts.game.watch(view);
-        if (parts.game.tracker.mission() !== null) parts.lookDown.follow(view);
-      }
+      if (replay === null) parts.game.watch(view);
       parts.cockpit.paint(view);
       const { flight, aids } = parts.cockpit;
       parts.devices.thumbs.show(flight.known ? flight.throttle : 0, flight.hover);
@@ -45,6 +43,8 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       (replay?.baseline ?? parts.live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
       parts.dock.follow(view, now);
       if (stage !== null) {
+        const isNight = parts.game.tracker.mission()?.night ?? false;
+        stage.setSunElevation(isNight ? NIGHT_ELEVATION : null);
         stage.markers.pads = parts.game.tracker.pads();
         stage.markers.touch = parts.cockpit.aidsOn() && aids.outcome === 'touch' ? aids.touchPlace : null;
       }

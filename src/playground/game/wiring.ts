@@ -6,7 +6,6 @@ import { connectDevices, type Devices } from '../input/devices';
 import type { Sound } from '../sound/sound';
 import type { Cockpit } from '../view/cockpit';
 import type { FrameLoop } from '../view/frameLoop';
-import { createLookDown, type LookDown } from '../view/lookDown';
 import { createPageView, type PageView, takeDrops } from '../view/pageView';
 import { watchSize } from '../view/pageSize';
 import { type Acts, createActs } from './actions';
@@ -32,7 +31,6 @@ export interface Parts {
   /** null until it is asked for: its code is fetched then. */
   sound: Sound | null;
   loop: FrameLoop;
-  lookDown: LookDown;
 }
 
 /** Makes the parts and connects them. */
@@ -46,7 +44,6 @@ export function wirePage(page: Page): Parts {
   parts.sound = null;
   parts.acts = wireActs(page, parts);
   parts.devices = wireDevices(page, parts);
-  parts.lookDown = createLookDown(page.stage);
   parts.game = wireGame(page, parts);
   parts.cockpit = wireCockpit(page, parts);
   parts.loop = wireFrames(page, parts);
@@ -178,6 +175,6 @@ function wireGame(page: Page, parts: Parts): MissionGame {
     best,
     device: parts.devices.device,
     cap: keyCapOf(page, parts),
-    lookDown: parts.lookDown.begin,
+    resetCamera: () => page.stage?.resetCamera(),
   });
 }

@@ -90,11 +90,12 @@ export interface LayoutSource {
 
 /** @param changed called when a key turns out to print something else than thought */
 export function createLayout(navigator: Navigator, changed: () => void): LayoutSource {
-  const known = new Map<string, string>();
+  // Replaced and never changed: what is derived from a layout is kept for as long as it is the same one.
+  let known: Layout = new Map();
   const keyboard = (navigator as Navigator & KeyboardWithLayout).keyboard;
   keyboard?.getLayoutMap?.().then(
     (map) => {
-      for (const [code, character] of map) known.set(code, character);
+      known = new Map([...known, ...map]);
       changed();
     },
     // A page in a frame may not ask; what is pressed shows it.
@@ -106,7 +107,7 @@ export function createLayout(navigator: Navigator, changed: () => void): LayoutS
       if (!/^.$/u.test(key) || code === '') return;
       const character = key.toLowerCase();
       if (printedAt(code, known) === character) return;
-      known.set(code, character);
+      known = new Map([...known, [code, character]]);
       changed();
     },
   };

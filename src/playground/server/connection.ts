@@ -1,10 +1,10 @@
 import type { RunInput } from '../../scenarios';
 import {
   type ClientMessage,
-  decodeServerMessage,
   encodeClientMessage,
   type PartialFrame,
-  type ServerMessage,
+  type PendingMessage,
+  pendingServerMessage,
 } from '../../wire';
 import { scriptUrl } from '../scriptUrl';
 import type { Operation } from './operation';
@@ -34,10 +34,10 @@ export interface Connection {
 export interface ConnectionHandlers {
   /** A connection stands: after a load of a new world, or a reconnect. What it carries comes after this. */
   readonly onOpen: (what: 'world' | 'again') => void;
-  /** A checked message of the server; `at`: the page's wall s. */
-  readonly onMessage: (message: ServerMessage | PartialFrame, at: number) => void;
-  /** A message of the server that cannot be used, and why. */
-  readonly onUnusable: (reason: string) => void;
+  /** A message of the server, not decoded yet: a frame that a newer one supersedes need not be. */
+  readonly onPending: (message: PendingMessage) => void;
+  /** A checked frame of a server that speaks JSON. */
+  readonly onFrame: (frame: PartialFrame) => void;
   /** The worker's server has gone. */
   readonly onClosed: (reason: string) => void;
   /** How the link to a real server stands, in words; '' while all is well. */
@@ -108,19 +108,13 @@ function startWorker(program: string, failed: (why: string) => void): Worker | n
   }
 }
 
-function hear(bytes: Uint8Array, handlers: ConnectionHandlers): void {
-  const decoded = decodeServerMessage(bytes);
-  if (decoded.ok) handlers.onMessage(decoded.value, performance.now() / 1000);
-  else handlers.onUnusable(decoded.reason);
-}
-
 function dispatch(message: FromServer, handlers: ConnectionHandlers): void {
   switch (message.kind) {
     case 'open':
       handlers.onOpen(message.what);
       break;
     case 'bytes':
-      hear(message.bytes, handlers);
+      handlers.onPending(pendingServerMessage(message.bytes));
       break;
     case 'closed':
       handlers.onClosed(message.reason);

@@ -7,9 +7,10 @@ import {
 } from '../../game';
 import {
   type ClientMessage,
-  decodeServerMessage,
   encodeClientMessage,
   MAX_TICK,
+  pendingServerMessage,
+  type PendingMessage,
   type ServerMessage,
 } from '../../wire';
 import type { Connection, ConnectionHandlers } from './connection';
@@ -92,7 +93,7 @@ function openGame(address: string, token: string, handlers: ConnectionHandlers):
         isIn = true;
         handlers.onWelcome(about);
       },
-      onFrame: (frame, at) => handlers.onMessage(frame, at),
+      onFrame: handlers.onFrame,
       onShipGone: handlers.onShipGone,
       onRefused: handlers.onRefused,
     },
@@ -116,17 +117,30 @@ function openStream(address: string, token: string, handlers: ConnectionHandlers
   // One page load is one session: inputs that are sent again after a break are known as the same.
   const session = Array.from({ length: 4 }, () => Math.random().toString(36).slice(2, 10)).join('');
   let since = -1;
+  /** Seconds between two states, as far as a frame has told it. */
+  let interval: number | undefined;
 
   function hear(message: ServerMessage): void {
     const { phase } = driver.state();
     if (message.kind === 'hello' && phase === 'authenticating') {
       driver.happen({ kind: 'welcome' });
       teller.opened();
-    } else if (message.kind === 'frame') {
-      since = message.tick;
-      driver.heardState(1 / message.tickRate);
     } else if (message.kind === 'pong') driver.happen({ kind: 'pong' });
-    handlers.onMessage(message, clock.now());
+  }
+
+  /** A frame that reads its tick for the next connection when it is decoded. */
+  function noting(message: PendingMessage): PendingMessage {
+    return {
+      ...message,
+      decode() {
+        const decoded = message.decode();
+        if (decoded.ok && decoded.value.kind === 'frame') {
+          since = decoded.value.tick;
+          interval = 1 / decoded.value.tickRate;
+        }
+        return decoded;
+      },
+    };
   }
 
   const driver = createDriver({
@@ -141,9 +155,15 @@ function openStream(address: string, token: string, handlers: ConnectionHandlers
         handlers.onRefused(`${address} sent text; the protocol is bytes`);
         return;
       }
-      const decoded = decodeServerMessage(new Uint8Array(data));
+      const message = pendingServerMessage(new Uint8Array(data));
+      if (message.isFrame) {
+        driver.heardState(interval);
+        handlers.onPending(noting(message));
+        return;
+      }
+      const decoded = message.decode();
       if (decoded.ok) hear(decoded.value);
-      else handlers.onUnusable(decoded.reason);
+      handlers.onPending({ ...message, decode: () => decoded });
     },
   });
   return {

@@ -1,15 +1,15 @@
 import { createAuthority } from '../../authority';
 import { type Result, err, SHIP_CLASSES, TERRAINS, type Vec3 } from '../../dynamics';
 import {
-  createExchange,
+  createLoopbackLink,
   type Delivery,
-  type Exchange,
+  type LoopbackLink,
   findScenario,
   fleetOrders,
   type RunInput,
   siteToIcrf,
-  stage,
-  type StagedScenario,
+  loadScenario,
+  type LoadedScenario,
 } from '../../scenarios';
 import { loadOperation, type LoadOperation, type Operation } from './operation';
 
@@ -60,8 +60,8 @@ export const OWN_SHIP = 'own';
 const MAX_APPLIED = 20_000;
 
 interface Loaded {
-  readonly staged: StagedScenario;
-  readonly exchange: Exchange;
+  readonly loaded: LoadedScenario;
+  readonly exchange: LoopbackLink;
   readonly applied: readonly RunInput[];
   /** Guests by player. */
   readonly seats: Set<string>;
@@ -102,16 +102,16 @@ export function createSession(): Session {
     sendFrom: (playerId, bytes, now) => loaded?.exchange.send(playerId, bytes, now),
     deliverTo: (playerId, now) => loaded?.exchange.deliver(playerId, now) ?? [],
     world: () => ({
-      scenario: loaded?.staged.scenario.name ?? '',
-      terrain: loaded?.staged.scenario.terrain ?? '',
+      scenario: loaded?.loaded.scenario.name ?? '',
+      terrain: loaded?.loaded.scenario.terrain ?? '',
     }),
   };
 }
 
 function load(operation: LoadOperation, now: number): Result<Loaded> {
-  const staged = stageOperation(operation);
-  if (!staged.ok) return staged;
-  const { scenario, body, ship, shipClass, inputs } = staged.value;
+  const loaded = stageOperation(operation);
+  if (!loaded.ok) return loaded;
+  const { scenario, body, ship, shipClass, inputs } = loaded.value;
   const applied: RunInput[] = [];
   const authority = createAuthority({
     settings: scenario.settings,
@@ -134,19 +134,19 @@ function load(operation: LoadOperation, now: number): Result<Loaded> {
     ship,
     plan: inputs,
   };
-  for (const order of [own, ...fleetOrders(staged.value, operation.others, operation.seed)]) {
+  for (const order of [own, ...fleetOrders(loaded.value, operation.others, operation.seed)]) {
     const reason = authority.value.spawn(order);
     if (reason !== null) return err(`${order.shipId}.${reason}`);
   }
-  const exchange = createExchange(authority.value, operation.network, operation.seed, now);
+  const exchange = createLoopbackLink(authority.value, operation.network, operation.seed, now);
   const reason = exchange.connect(OWN_PLAYER, OWN_SHIP, now);
   if (reason !== null) return err(reason);
-  return { ok: true, value: { staged: staged.value, exchange, applied, seats: new Set(), connected: true } };
+  return { ok: true, value: { loaded: loaded.value, exchange, applied, seats: new Set(), connected: true } };
 }
 
 /** A guest's ship stands where the fleet's would, farther out with each guest; who comes again flies the same one on. */
 function seat(
-  { staged, exchange, seats }: Loaded,
+  { loaded, exchange, seats }: Loaded,
   playerId: string,
   name: string,
   now: number,
@@ -156,24 +156,24 @@ function seat(
     return null;
   }
   const place = seats.size + 1;
-  const order = fleetOrders(staged, place, place).at(-1)!;
+  const order = fleetOrders(loaded, place, place).at(-1)!;
   const reason = exchange.authority.spawn({
     ...order,
     shipId: playerId,
     playerId,
     name,
-    plan: staged.inputs,
+    plan: loaded.inputs,
   });
   if (reason !== null) return reason;
   seats.add(playerId);
   return exchange.connect(playerId, playerId, now);
 }
 
-function stageOperation(operation: LoadOperation): Result<StagedScenario> {
+function stageOperation(operation: LoadOperation): Result<LoadedScenario> {
   const scenario = findScenario(operation.scenario);
   if (scenario === null) return err(`scenario: no scenario named ${operation.scenario}`);
   const { body, shipClass, terrain, surfaceNormal = '', tickRate, timeScale } = operation;
-  return stage({
+  return loadScenario({
     ...scenario,
     body: body === '' ? scenario.body : body,
     shipClass: shipClass === '' ? scenario.shipClass : shipClass,
@@ -225,9 +225,9 @@ function operateWorld(
   }
 }
 
-function kick({ staged, exchange }: Loaded, velocity: Vec3, spin: Vec3): string | null {
-  const motion = exchange.authority.frameFor(OWN_PLAYER)?.bodies[0] ?? staged.body;
-  const ground = { body: motion, site: staged.scenario.site, terrainHeight: staged.terrainHeight };
+function kick({ loaded, exchange }: Loaded, velocity: Vec3, spin: Vec3): string | null {
+  const motion = exchange.authority.frameFor(OWN_PLAYER)?.bodies[0] ?? loaded.body;
+  const ground = { body: motion, site: loaded.scenario.site, terrainHeight: loaded.terrainHeight };
   return exchange.authority.kick(OWN_SHIP, siteToIcrf(velocity, ground), siteToIcrf(spin, ground));
 }
 

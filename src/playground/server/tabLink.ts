@@ -1,4 +1,4 @@
-import { decodeServerMessage, encodeClientMessage } from '../../wire';
+import { encodeClientMessage, pendingServerMessage } from '../../wire';
 import type { Connection, ConnectionHandlers } from './connection';
 
 /** Guest → host, over a channel that every tab of the browser hears. */
@@ -139,11 +139,7 @@ export function openTab(
       handlers.onLink('');
       handlers.onScenario?.(message.scenario, message.terrain);
       handlers.onOpen('world');
-    } else {
-      const decoded = decodeServerMessage(message.bytes);
-      if (decoded.ok) handlers.onMessage(decoded.value, performance.now() / 1000);
-      else handlers.onUnusable(decoded.reason);
-    }
+    } else handlers.onPending(pendingServerMessage(message.bytes));
   };
   knock();
   return {

@@ -15,7 +15,7 @@ import {
   vector,
 } from './rotation';
 
-/** What a correction does to the picture (PREDICTION, What is drawn): the old drawn pose fades into the new predicted one. */
+/** What a correction does to the picture (PREDICTION, Drawing): the old drawn pose fades into the new predicted one. */
 
 /** Beyond these a correction is not eased: m, and rad. */
 const SNAP_DISTANCE = 25;
@@ -71,7 +71,7 @@ export function easeCorrection(
   picture.body = front[at + REFERENCE_BODY]!;
   writeSeenPresent(now, sim, track);
   const sameBody = before.body === front[at + REFERENCE_BODY];
-  if (!style.snaps && sameBody && isEasable(before.pose, speedOf(front, at), stall)) {
+  if (!style.snaps && sameBody && isEasable(before.pose, now, speedOf(front, at), stall)) {
     addToOffset(picture.ease, before.pose, now);
     return;
   }
@@ -88,7 +88,30 @@ export function holdDrawn(sim: Simulation, track: Track): void {
   picture.hasHeld = true;
 }
 
-/** A correction: offset += old predicted − new predicted, both of one instant and in the body's axes (PREDICTION, What is drawn). */
+/**
+ * A ship that is drawn by another policy from now on: where it was drawn before fades into `seen`. What is drawn is kept, for the
+ * policy to change again.
+ * @param seen where it is drawn now, from its body's axes
+ */
+export function fadeFromHeld(sim: Simulation, { picture, at, serverRow }: Track, seen: Pose): void {
+  if (picture.hasHeld) {
+    picture.hasHeld = false;
+    held.position.set(picture.heldPlace);
+    held.attitude.set(picture.heldAttitude);
+    const sameBody = sim.fleet.front[at + REFERENCE_BODY] === serverRow[REFERENCE_BODY];
+    if (sameBody && isEasable(held, seen, speedOf(serverRow, 0), POLICY_STALL))
+      addToOffset(picture.ease, held, seen);
+    else snap(picture.ease);
+  }
+  picture.heldPlace.set(seen.position);
+  picture.heldAttitude.set(seen.attitude);
+}
+
+const held: Pose = pose();
+/** s by which two policies may draw a ship at different instants, for the picture to go over from one to the other. */
+export const POLICY_STALL = 2;
+
+/** A correction: offset += old predicted − new predicted, both of one instant and in the body's axes (PREDICTION, Drawing). */
 export function addToOffset(ease: Ease, old: Pose, next: Pose): void {
   for (let k = 0; k < 3; k++) ease.offset[k] = ease.offset[k]! + (old.position[k]! - next.position[k]!);
   turnBetween(turn, old.attitude, next.attitude);
@@ -106,9 +129,9 @@ function writeSeenPresent(out: Pose, sim: Simulation, track: Track): void {
 }
 
 /** Within 25 m + speed × the time that the server was silent or the present was moved by, s, and within 60°. */
-function isEasable(old: Pose, speed: number, stall: number): boolean {
-  for (let k = 0; k < 3; k++) jump[k] = old.position[k]! - now.position[k]!;
-  turnBetween(turn, old.attitude, now.attitude);
+function isEasable(old: Pose, next: Pose, speed: number, stall: number): boolean {
+  for (let k = 0; k < 3; k++) jump[k] = old.position[k]! - next.position[k]!;
+  turnBetween(turn, old.attitude, next.attitude);
   return lengthOf(jump) <= SNAP_DISTANCE + speed * stall && angleOf(turn) <= SNAP_ANGLE;
 }
 

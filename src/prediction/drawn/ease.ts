@@ -1,5 +1,5 @@
 /**
- * The drawn offset of one ship (PREDICTION, What is drawn): drawn = predicted + offset, and the offset goes to zero as a
+ * The drawn offset of one ship (PREDICTION, Drawing): drawn = predicted + offset, and the offset goes to zero as a
  * critically damped spring by elapsed time. In the reference body's axes, so that it turns with the ground.
  * The angular offset is one rotation vector on the left: drawn attitude = exp(offset) · predicted attitude, both as seen from the
  * body's axes. Simulation never reads any of it.

@@ -11,6 +11,8 @@ import {
 import type { Simulation } from '../simulation/simulation';
 import { writeSleeping } from '../simulation/sleep';
 import { copyRow, type Track } from '../simulation/track';
+import { fadeFromHeld } from './correction';
+import { type Playback, turnWithBody, writeBetween } from './interpolate';
 import { pose } from './pose';
 import { compose, put, rotate, rotateBack, seenFrom, take, vector } from './rotation';
 
@@ -19,6 +21,8 @@ export interface TurnedBodies {
   /** Attitude and spin of each body, ICRF. */
   readonly bodyAttitudes: readonly Float64Array[];
   readonly bodySpins: readonly Float64Array[];
+  /** Where ships are drawn that are interpolated between their server states. */
+  readonly playback: Playback;
 }
 
 /**
@@ -27,6 +31,7 @@ export interface TurnedBodies {
  */
 export function outOfStep(sim: Simulation, track: Track, turned: TurnedBodies): Float64Array {
   const { picture } = track;
+  if (track.policy !== 'predict') return asPolicyHas(sim, track, turned);
   const known = track.mode === 'sleeping' || picture.hasHeld;
   copyRow(row, 0, known ? sim.fleet.front : track.serverRow, known ? track.at : 0);
   const index = row[REFERENCE_BODY]!;
@@ -39,18 +44,47 @@ export function outOfStep(sim: Simulation, track: Track, turned: TurnedBodies): 
   if (picture.hasHeld) {
     seen.position.set(picture.heldPlace);
     seen.attitude.set(picture.heldAttitude);
-  } else {
+  } else seeServerState(track);
+  place(attitude);
+  if (!picture.hasHeld && row[SURFACE_STATE] !== FLYING) moveWithBody(spin);
+  return row;
+}
+
+/** A ship that is not predicted, as the caller wishes: between its server states, or as the newest has it. */
+function asPolicyHas(sim: Simulation, track: Track, turned: TurnedBodies): Float64Array {
+  copyRow(row, 0, track.serverRow, 0);
+  const index = row[REFERENCE_BODY]!;
+  const attitude = turned.bodyAttitudes[index]!;
+  const spin = turned.bodySpins[index]!;
+  if (track.policy === 'interpolate' && track.states !== null) {
+    writeBetween(row, track.states, turned.playback);
     take(seen.position, row, POSITION);
     take(seen.attitude, row, ATTITUDE);
-    rotateBack(seen.position, track.serverBodyAttitude, seen.position);
-    seenFrom(seen.attitude, track.serverBodyAttitude, seen.attitude);
+    fadeFromHeld(sim, track, seen);
+    turnWithBody(row, attitude, spin);
+    return row;
   }
+  seeServerState(track);
+  fadeFromHeld(sim, track, seen);
+  place(attitude);
+  if (row[SURFACE_STATE] !== FLYING) moveWithBody(spin);
+  return row;
+}
+
+/** Reads the row's pose as seen from the axes that its body had at its tick. */
+function seeServerState({ serverBodyAttitude }: Track): void {
+  take(seen.position, row, POSITION);
+  take(seen.attitude, row, ATTITUDE);
+  rotateBack(seen.position, serverBodyAttitude, seen.position);
+  seenFrom(seen.attitude, serverBodyAttitude, seen.attitude);
+}
+
+/** Writes the pose that is seen from its body's axes into the row, in ICRF axes. */
+function place(attitude: Float64Array): void {
   rotate(seen.position, attitude, seen.position);
   compose(seen.attitude, attitude, seen.attitude);
   put(row, POSITION, seen.position);
   put(row, ATTITUDE, seen.attitude);
-  if (!picture.hasHeld && row[SURFACE_STATE] !== FLYING) moveWithBody(spin);
-  return row;
 }
 
 function moveWithBody(spin: Float64Array): void {

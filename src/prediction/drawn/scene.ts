@@ -3,6 +3,7 @@ import type { Simulation } from '../simulation/simulation';
 import { wallOfTick } from '../time/timeline';
 import type { DrawnGround } from './snap/drawnGround';
 import type { GroundPose } from './snap/groundSnap';
+import type { Playback } from './interpolate';
 import { type Pose, pose } from './pose';
 import { quaternion, vector } from './rotation';
 import type { Springs } from './ease';
@@ -10,7 +11,7 @@ import type { Instant } from './status';
 
 /** What all ships of one view share. */
 export interface Scene {
-  readonly world: World;
+  world: World;
   /** Of the body under the ship at hand. */
   readonly ground: DrawnGround;
   /** Attitude and spin of each body at the present, ICRF. */
@@ -19,6 +20,8 @@ export interface Scene {
   /** Ships that still may be put on the ground point by point: beyond them the ground counts as level under a ship. */
   exactSnaps: number;
   readonly at: Instant;
+  /** Where ships are drawn that are interpolated between their server states. */
+  readonly playback: { -readonly [K in keyof Playback]: Playback[K] };
   /** How fast corrections fade. */
   readonly springs: Springs;
   /** Of the ship at hand, in its body's axes: as predicted, the local up there, and as drawn. */
@@ -28,6 +31,7 @@ export interface Scene {
 }
 
 export function createScene(sim: Simulation, springs: Springs): Scene {
+  const wallOf = (tick: number) => wallOfTick(sim.timeline, tick);
   return {
     world: sim.world,
     ground: { bodyName: '', radius: 0, terrainHeight: sim.world.terrainHeight },
@@ -41,10 +45,11 @@ export function createScene(sim: Simulation, springs: Springs): Scene {
       staleAfter: 0,
       confirms: 0,
       paused: false,
-      wallOf: (tick) => wallOfTick(sim.timeline, tick),
+      wallOf,
       serverTick: Number.NaN,
       serverWall: 0,
     },
+    playback: { wallOf, at: 0, timeScale: 1 },
     springs,
     seen: pose(),
     normal: vector(),

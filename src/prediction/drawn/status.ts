@@ -42,7 +42,7 @@ export const WITHDRAWN_SHOWN = 2;
 const STALE_SENDS = 2;
 
 /**
- * What is shown of a ship's states, and how far it can be trusted (PREDICTION, States and events as predicted things).
+ * What is shown of a ship's states, and how far it can be trusted (PREDICTION, Events).
  * @param rows where the states that hold at the present stand, at `from`
  */
 export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from: number, at: Instant): void {
@@ -80,7 +80,7 @@ const WITHDRAWN = EVENT_NAMES.map((name) => name.slice('ship.'.length) as ShipVi
 
 /** Simulation state is never dwelled: only what is shown. A crash is final once the server says so. */
 function shownState(track: Track, state: number, crashes: boolean, at: Instant): ShipView['shownState'] {
-  if (track.serverRow[CRASHED] === 1) return 'crashed';
+  if (track.serverRow[CRASHED] === 1 && (crashes || track.policy === 'predict')) return 'crashed';
   if (crashes) return 'contact';
   if (state !== TIPPED && at.now < track.picture.status.contactUntil) return 'contact';
   return SURFACE_STATES[state]!;
@@ -91,7 +91,7 @@ function provenanceOf(out: ShipView, track: Track, crashes: boolean, at: Instant
   const crashed = track.serverRow[CRASHED] === 1;
   const silent = at.now - track.seenAt > at.staleAfter || out.missingSends >= STALE_SENDS;
   if (!at.paused && !crashed && silent) return 'stale';
-  if (crashed) return 'confirmed';
+  if (crashed || track.policy !== 'predict') return 'confirmed';
   const { state, serverWall } = track.picture.status;
   if (!at.paused && at.present - serverWall > at.confirms) return 'predicted';
   const agrees = track.serverRow[SURFACE_STATE] === state && !crashes && track.fit.carried === '';

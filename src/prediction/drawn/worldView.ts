@@ -20,8 +20,8 @@ export interface Shown {
 
 interface BodyView {
   readonly name: string;
-  readonly mass: number;
-  readonly radius: number;
+  mass: number;
+  radius: number;
   readonly position: [number, number, number];
   readonly velocity: [number, number, number];
   readonly attitude: [number, number, number, number];
@@ -59,6 +59,18 @@ export function createShown(sim: Simulation, springs: Springs): Shown {
   return { view, scene, viewedAt: Number.NaN };
 }
 
+/** The simulation has another world of the same bodies: what is shown goes on with its constants. */
+export function showWorld({ view, scene }: Shown, { world }: Simulation): void {
+  view.settings = world.settings;
+  scene.world = world;
+  scene.ground.terrainHeight = world.terrainHeight;
+  for (const [i, { mass, radius }] of world.bodies.entries()) {
+    const body = view.bodies[i] as BodyView;
+    body.mass = mass;
+    body.radius = radius;
+  }
+}
+
 /** A state confirms for this much longer, s: the next one is on its way. */
 const GRACE = 0.04;
 /** Ships put on the ground point by point in one view, the own one not counted. */
@@ -79,10 +91,12 @@ export interface Viewed {
   /** Server wall s of the present, and how far it is ahead of the server. */
   readonly present: number;
   readonly lead: number;
+  /** Server wall s at which what arrives now was sent, later ones with the usual delay of 19 in 20. */
+  readonly heard: number;
 }
 
 /** Fills the view for the present as it is placed. */
-export function fillView(shown: Shown, sim: Simulation, { now, present, lead }: Viewed): void {
+export function fillView(shown: Shown, sim: Simulation, { now, present, lead, heard }: Viewed): void {
   const { view, scene } = shown;
   fillLabel(view, sim);
   fillBodies(shown, sim);
@@ -94,6 +108,8 @@ export function fillView(shown: Shown, sim: Simulation, { now, present, lead }: 
   at.staleAfter = staleAfter(sim.cadence, view.tickRate);
   at.confirms = sendSeconds(sim.cadence, view.tickRate) + lead + GRACE;
   at.paused = view.paused;
+  scene.playback.at = heard - sendSeconds(sim.cadence, view.tickRate);
+  scene.playback.timeScale = view.timeScale;
   // What it was timed by may have changed since the last view.
   at.serverTick = Number.NaN;
   scene.exactSnaps = MAX_EXACT_SNAPS;

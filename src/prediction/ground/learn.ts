@@ -40,8 +40,7 @@ const STEEPEST = 0.6;
 
 /**
  * Learns the ground from a state that was not predicted, or on ground that was learned before: by replay between this ship's last
- * two states where nothing but the ground can be the cause, else from what the state says outright (PREDICTION, A ground that is
- * not quite the server's). With the server's own ground nothing is learned.
+ * two states where nothing but the ground can be the cause, else from what the state says outright (PREDICTION, Learned ground). With the server's own ground nothing is learned.
  */
 export function learnGround(sim: Simulation, track: Track, news: GroundNews): void {
   const { ground } = track;

@@ -1,7 +1,7 @@
-import type { TerrainHeight, World } from '../../dynamics';
+import { HEIGHT, readHeight, type TerrainHeight, terrainInPlace, type World } from '../../dynamics';
 
 /**
- * What one ship's server states say of the ground where it differs from ours (PREDICTION, A ground that is not quite the server's):
+ * What one ship's server states say of the ground where it differs from ours (PREDICTION, Learned ground):
  * places with an offset and a slope, m above our terrain. None where the two agree: then the world is used as it is.
  */
 export interface LearnedGround {
@@ -55,8 +55,11 @@ export function worldOf(ground: LearnedGround, world: World): World {
 }
 
 function raised(places: readonly GroundPlace[], terrainHeight: TerrainHeight): TerrainHeight {
-  return (bodyName, nx, ny, nz) =>
-    terrainHeight(bodyName, nx, ny, nz) + offsetAt(places, bodyName, nx, ny, nz);
+  return terrainInPlace((point, bodyName) => {
+    const offset = offsetAt(places, bodyName, point[0]!, point[1]!, point[2]!);
+    readHeight(point, terrainHeight, bodyName);
+    point[HEIGHT] = point[HEIGHT]! + offset;
+  });
 }
 
 /** The server's ground above ours, m, along a unit direction in the body's axes. Continuous: a step would be a wall. */

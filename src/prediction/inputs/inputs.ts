@@ -3,7 +3,7 @@ import type { InputAcknowledgement, InputRecord, StateControls } from '../../wir
 import { isBefore, type Position } from '../time/timeline';
 
 /**
- * Own controls as records (PREDICTION, The timeline): sampled once, stored, sent as stored, and applied by client and server at
+ * Own controls as records (PREDICTION, Timeline): sampled once, stored, sent as stored, and applied by client and server at
  * the same substep. What the server says of them is the truth.
  */
 export interface Inputs {

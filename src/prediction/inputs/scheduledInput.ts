@@ -3,8 +3,7 @@ import type { Inputs, ScheduledInput } from './inputs';
 import { isBefore, type Position } from '../time/timeline';
 
 /**
- * What acts on the own ship, in its order: its plan until the pilot's first input acts, then the pilot's inputs (PREDICTION, The
- * timeline). A cursor counts through both.
+ * What acts on the own ship, in its order: its plan until the pilot's first input acts, then the pilot's inputs (PREDICTION, Timeline). A cursor counts through both.
  */
 
 /** The cursor before the first that acts at or after (tick, substep). */

@@ -1,4 +1,5 @@
-import type { InputRecord } from '../../wire';
+import type { Controls } from '../../dynamics';
+import type { ClientMessage, InputRecord } from '../../wire';
 import type { Simulation } from '../simulation/simulation';
 import { indexOf, spanOf } from '../time/timeline';
 import { type StoredInput, takeUnsent } from './inputs';
@@ -36,6 +37,12 @@ export function takeInputs(sim: Simulation, sending: Sending, now: number): Inpu
     sending.at = now;
   }
   return records;
+}
+
+/** The controls that hold after all of these messages; null where none has any. */
+export function lastControls(messages: readonly ClientMessage[]): Controls | null {
+  const inputs = messages.findLast((message) => message.kind === 'inputs');
+  return inputs?.inputs.at(-1)?.controls ?? null;
 }
 
 function waits(sim: Simulation, sending: Sending, { record }: StoredInput, now: number): boolean {

@@ -1,9 +1,11 @@
-import type { Controls } from '../../dynamics';
+import type { Controls, Result } from '../../dynamics';
 import type { ClientMessage, PartialFrame, ServerMessage } from '../../wire';
 import type { EventNotice, WorldView } from '../drawn/view';
-import type { PredictorOptions } from '../options';
+import type { Defaults, PredictorOptions } from '../options';
 import type { Removal } from '../ownership';
 import { createPredictor, type Predictor } from '../predictor';
+import type { Policy } from '../simulation/track';
+import type { PredictorSnapshot } from './snapshot';
 
 /** The predictor in a worker: what goes over the channel, either way. Everything is plain data and is copied. */
 
@@ -15,16 +17,22 @@ export type ToWorker =
   | { readonly kind: 'setOwnShip'; readonly shipId: string | null }
   | { readonly kind: 'removeShip'; readonly shipId: string; readonly reason: Removal }
   | { readonly kind: 'teleported'; readonly shipId: string }
+  | { readonly kind: 'setPolicy'; readonly shipId: string; readonly policy: Policy }
+  | { readonly kind: 'configure'; readonly changes: Partial<Defaults> }
+  | { readonly kind: 'snapshot'; readonly now: number }
+  | { readonly kind: 'restore'; readonly snapshot: unknown; readonly now: number }
   | { readonly kind: 'reset' }
   | { readonly kind: 'dispose' };
 
-/** From the worker: the answer to each advance. */
-export interface FromWorker {
-  readonly kind: 'advanced';
-  readonly view: WorldView;
-  readonly outgoing: readonly ClientMessage[];
-  readonly notices: readonly EventNotice[];
-}
+/** From the worker: the answer to each advance and to each request for a snapshot, in their order. */
+export type FromWorker =
+  | {
+      readonly kind: 'advanced';
+      readonly view: WorldView;
+      readonly outgoing: readonly ClientMessage[];
+      readonly notices: readonly EventNotice[];
+    }
+  | { readonly kind: 'snapshot'; readonly snapshot: PredictorSnapshot };
 
 /** What of a Worker, a MessagePort or a worker's own global scope is used. */
 export interface Channel {
@@ -36,114 +44,162 @@ export interface Channel {
 
 /**
  * In the worker: makes a predictor of `options` and lets the page drive it through `channel` (`self`). Terrains are functions, which
- * cannot be sent: they are made here. Throws as createPredictor does.
+ * cannot be sent: they are made here. Throws as createPredictor does. After `dispose` the channel is let go.
  *
  * @example
- * servePredictor(self, { ownShipId: 'my-ship', terrains: { luna }, defaults: { terrain: 'luna' } });
+ * ```ts
+ * servePredictor(self, { ownShipId: 'ship-1', terrains: { luna: () => 0 }, defaults: { terrain: 'luna' } });
+ * ```
  */
 export function servePredictor(channel: Channel, options: PredictorOptions = {}): Predictor {
   const predictor = createPredictor(options);
   let notices: EventNotice[] = [];
   predictor.onEvent((notice) => notices.push(notice));
+  const answer = (message: FromWorker): void => channel.postMessage(message);
   channel.onmessage = ({ data }) => {
     const message = data as ToWorker;
-    carryOut(predictor, message);
+    (CALLS[message.kind] as (predictor: Predictor, message: ToWorker) => void)(predictor, message);
+    if (message.kind === 'dispose') channel.onmessage = null;
+    if (message.kind === 'snapshot') answer({ kind: 'snapshot', snapshot: predictor.snapshot(message.now) });
     if (message.kind !== 'advance') return;
     const outgoing = predictor.takeOutgoing();
-    const answer: FromWorker = { kind: 'advanced', view: predictor.view(message.now), outgoing, notices };
-    channel.postMessage(answer);
+    answer({ kind: 'advanced', view: predictor.view(message.now), outgoing, notices });
     notices = [];
   };
   return predictor;
 }
 
-function carryOut(predictor: Predictor, message: ToWorker): void {
-  switch (message.kind) {
-    case 'receive':
-      predictor.receive(message.message, message.now);
-      break;
-    case 'refused':
-      predictor.refused(message.reason);
-      break;
-    case 'advance':
-      predictor.advance(message.controls, message.now);
-      break;
-    case 'setOwnShip':
-      predictor.setOwnShip(message.shipId);
-      break;
-    case 'removeShip':
-      predictor.removeShip(message.shipId, message.reason);
-      break;
-    case 'teleported':
-      predictor.teleported(message.shipId);
-      break;
-    case 'reset':
-      predictor.reset();
-      break;
-    case 'dispose':
-      predictor.dispose();
-  }
+/** The call that each kind of message stands for. What cannot be used is counted in the diagnosis, with its reason. */
+const CALLS: {
+  readonly [K in ToWorker['kind']]: (predictor: Predictor, message: Extract<ToWorker, { kind: K }>) => void;
+} = {
+  receive: (predictor, { message, now }) => predictor.receive(message, now),
+  refused: (predictor, { reason }) => predictor.refused(reason),
+  advance: (predictor, { controls, now }) => predictor.advance(controls, now),
+  setOwnShip: (predictor, { shipId }) => predictor.setOwnShip(shipId),
+  removeShip: (predictor, { shipId, reason }) => predictor.removeShip(shipId, reason),
+  teleported: (predictor, { shipId }) => predictor.teleported(shipId),
+  setPolicy: (predictor, { shipId, policy }) => predictor.setPolicy(shipId, policy),
+  configure: (predictor, { changes }) => noteRefusal(predictor, predictor.configure(changes)),
+  snapshot: () => undefined,
+  restore: (predictor, { snapshot, now }) => noteRefusal(predictor, predictor.restore(snapshot, now)),
+  reset: (predictor) => predictor.reset(),
+  dispose: (predictor) => predictor.dispose(),
+};
+
+function noteRefusal(predictor: Predictor, outcome: Result<null>): void {
+  if (!outcome.ok) predictor.refused(outcome.reason);
 }
 
 /** A predictor in a worker, as the page sees it: the same calls, a view that is one answer old. */
 export interface RemotePredictor
   extends
     Pick<Predictor, 'receive' | 'refused' | 'advance' | 'takeOutgoing' | 'onEvent'>,
-    Pick<Predictor, 'setOwnShip' | 'removeShip' | 'teleported' | 'reset' | 'dispose'> {
+    Pick<Predictor, 'setOwnShip' | 'removeShip' | 'teleported' | 'setPolicy' | 'reset' | 'dispose'> {
   /** The newest view that has come back; null before the first. It is the caller's to keep. */
   readonly view: () => WorldView | null;
+  /** As Predictor.configure; why it was refused is in the next view's `diagnosis.lastRefusal`. */
+  readonly configure: (changes: Partial<Defaults>) => void;
+  /** As Predictor.snapshot, when the worker has answered; never after `dispose`. */
+  readonly snapshot: (now: number) => Promise<PredictorSnapshot>;
+  /** As Predictor.restore; why it was refused is in the next view's `diagnosis.lastRefusal`. */
+  readonly restore: (snapshot: unknown, now: number) => void;
+}
+
+/** What one end has on its way. */
+interface Link {
+  readonly listeners: Set<(notice: EventNotice) => void>;
+  readonly requests: ((snapshot: PredictorSnapshot) => void)[];
+  outgoing: ClientMessage[];
+  newest: WorldView | null;
+  /** An advance was sent and is not answered. */
+  underway: boolean;
+  /** The newest advance that waits for that answer. */
+  waiting: ToWorker | null;
 }
 
 /**
  * In the page: drives the predictor that servePredictor made at the other end of `channel` (a Worker). At most one advance is on its
- * way: while the worker has not answered, later ones wait as one, with the newest controls.
+ * way: while the worker has not answered, later ones wait as one, with the newest controls. `dispose` lets the channel go and leaves
+ * the worker itself to the caller (`worker.terminate()`).
  *
  * @example
- * const predictor = connectPredictor(new Worker(new URL('./predictor.js', import.meta.url), { type: 'module' }));
+ * ```ts
+ * const worker = new Worker(new URL('./predictor.js', import.meta.url), { type: 'module' });
+ * const predictor = connectPredictor(worker);
+ * predictor.advance(NEUTRAL_CONTROLS, performance.now() / 1000);
+ * const view = predictor.view(); // null until the worker has answered once
+ * ```
  */
 export function connectPredictor(channel: Channel): RemotePredictor {
-  const listeners = new Set<(notice: EventNotice) => void>();
-  let outgoing: ClientMessage[] = [];
-  let newest: WorldView | null = null;
-  let underway = false;
-  let waiting: ToWorker | null = null;
-  const post = (message: ToWorker): void => channel.postMessage(message);
-  channel.onmessage = ({ data }) => {
-    const answer = data as FromWorker;
-    newest = answer.view;
-    outgoing.push(...answer.outgoing);
-    underway = waiting !== null;
-    if (waiting !== null) post(waiting);
-    waiting = null;
-    for (const notice of answer.notices) for (const listener of listeners) listener(notice);
+  const link: Link = {
+    listeners: new Set(),
+    requests: [],
+    outgoing: [],
+    newest: null,
+    underway: false,
+    waiting: null,
   };
+  const post = (message: ToWorker): void => channel.postMessage(message);
+  channel.onmessage = ({ data }) => hear(link, data as FromWorker, post);
+  return { ...callsThrough(post), ...ownCalls(link, post, channel) };
+}
+
+/** Calls that go to the worker as they are. */
+function callsThrough(post: (message: ToWorker) => void) {
   return {
     receive: (message, now) => post({ kind: 'receive', message, now }),
     refused: (reason) => post({ kind: 'refused', reason }),
-    advance(controls, now) {
-      const message: ToWorker = { kind: 'advance', controls, now };
-      if (underway) waiting = message;
-      else post(message);
-      underway = true;
-    },
-    view: () => newest,
-    takeOutgoing() {
-      const taken = outgoing;
-      outgoing = [];
-      return taken;
-    },
-    onEvent(listener) {
-      listeners.add(listener);
-      return () => listeners.delete(listener);
-    },
     setOwnShip: (shipId) => post({ kind: 'setOwnShip', shipId }),
     removeShip: (shipId, reason) => post({ kind: 'removeShip', shipId, reason }),
     teleported: (shipId) => post({ kind: 'teleported', shipId }),
+    setPolicy: (shipId, policy) => post({ kind: 'setPolicy', shipId, policy }),
+    configure: (changes) => post({ kind: 'configure', changes }),
+    restore: (snapshot, now) => post({ kind: 'restore', snapshot, now }),
     reset: () => post({ kind: 'reset' }),
+  } satisfies Partial<RemotePredictor>;
+}
+
+/** Calls with something to do on this side. */
+function ownCalls(link: Link, post: (message: ToWorker) => void, channel: Channel) {
+  return {
+    advance(controls, now) {
+      const message: ToWorker = { kind: 'advance', controls, now };
+      if (link.underway) link.waiting = message;
+      else post(message);
+      link.underway = true;
+    },
+    view: () => link.newest,
+    takeOutgoing() {
+      const taken = link.outgoing;
+      link.outgoing = [];
+      return taken;
+    },
+    onEvent(listener) {
+      link.listeners.add(listener);
+      return () => link.listeners.delete(listener);
+    },
+    snapshot(now) {
+      post({ kind: 'snapshot', now });
+      return new Promise((resolve) => link.requests.push(resolve));
+    },
     dispose() {
-      listeners.clear();
+      link.listeners.clear();
       post({ kind: 'dispose' });
       channel.onmessage = null;
     },
-  };
+  } satisfies Partial<RemotePredictor>;
+}
+
+function hear(link: Link, answer: FromWorker, post: (message: ToWorker) => void): void {
+  if (answer.kind === 'snapshot') {
+    link.requests.shift()?.(answer.snapshot);
+    return;
+  }
+  link.newest = answer.view;
+  link.outgoing.push(...answer.outgoing);
+  link.underway = link.waiting !== null;
+  if (link.waiting !== null) post(link.waiting);
+  link.waiting = null;
+  for (const notice of answer.notices) for (const listener of link.listeners) listener(notice);
 }

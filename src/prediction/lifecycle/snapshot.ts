@@ -1,9 +1,13 @@
-import { err, loadControls, ok, type Result } from '../../dynamics';
+import { BODY_STRIDE, err, loadControls, ok, readBodyMotion, type Result } from '../../dynamics';
 import type { Hello, InputRecord, PartialFrame, ServerMessage } from '../../wire';
 import { resend, store } from '../inputs/inputs';
 import { changeOwnShip, resetSession } from '../ownership';
 import type { Session } from '../session';
+import type { Policy } from '../simulation/track';
+import { boundaryAt } from '../snapshots/bodies/bodyTrack';
 import { receiveMessage } from '../snapshots/receiveMessage';
+import { spanOf } from '../time/timeline';
+import { changePolicy } from './policy';
 
 /** What a predictor has been told last, as plain data for JSON.stringify: enough to go on from in another page or worker. */
 export interface PredictorSnapshot {
@@ -20,6 +24,8 @@ export interface PredictorSnapshot {
   readonly inputs: readonly InputRecord[];
   /** Number of the next input. */
   readonly nextSeq: number;
+  /** Ships that are not predicted, by id. */
+  readonly policies?: Readonly<Record<string, Policy>>;
 }
 
 /** The messages that a snapshot is made of, kept as they come. */
@@ -33,27 +39,32 @@ export function createKept(): Kept {
   return { hello: null, frame: null, frameAt: Number.NaN };
 }
 
-/** Keeps what a later snapshot needs of a message. Messages of one tick are parts of one frame. */
-export function keep(kept: Kept, message: ServerMessage | PartialFrame, now: number): void {
+/** Receives a message, and keeps what a later snapshot needs of it, unless it was refused or is not of the newest tick. */
+export function receiveAndKeep(
+  session: Session,
+  kept: Kept,
+  message: ServerMessage | PartialFrame,
+  now: number,
+): void {
+  const { counters } = session;
+  const [refused, accepted] = [counters.framesRefused, counters.framesAccepted];
+  receiveMessage(session, message, now);
+  if (counters.framesRefused > refused || !Number.isFinite(now)) return;
   const kind: unknown = (message as { kind?: unknown } | null | undefined)?.kind;
   if (kind === 'hello') kept.hello = message as Hello;
-  if (kind !== 'frame') return;
   const frame = message as PartialFrame;
-  if (!Number.isSafeInteger(frame.tick)) return;
-  const before = kept.frame;
-  if (before !== null && frame.tick < before.tick && kept.frameAt + OVERTAKEN > now) return;
-  const isPart = before !== null && before.tick === frame.tick && Array.isArray(frame.ships);
-  kept.frame = isPart ? { ...before, ...frame, ships: merged(before, frame) } : frame;
+  const isNewest = counters.framesAccepted > accepted && frame.tick === session.sim.newestTick;
+  if (kind !== 'frame' || !isNewest) return;
+  kept.frame = kept.frame?.tick === frame.tick ? joined(kept.frame, frame) : frame;
   kept.frameAt = now;
 }
 
-/** s within which an older frame is one that was overtaken, not one of a server that began again. */
-const OVERTAKEN = 2;
-
-function merged(before: PartialFrame, frame: PartialFrame): PartialFrame['ships'] {
+/** Two messages of one tick are parts of one frame. */
+function joined(before: PartialFrame, frame: PartialFrame): PartialFrame {
   const ships = shipsOf(frame);
   const ids = new Set(ships.map(({ shipId }) => shipId));
-  return [...shipsOf(before).filter(({ shipId }) => !ids.has(shipId)), ...ships];
+  const others = shipsOf(before).filter(({ shipId }) => !ids.has(shipId));
+  return { ...before, ...frame, ships: [...others, ...ships] };
 }
 
 /** A plain caller may hand in anything for a list of ships. */
@@ -63,30 +74,42 @@ function shipsOf({ ships }: PartialFrame): PartialFrame['ships'] {
 }
 
 /** The snapshot at client wall second `now`. */
-export function snapshotOf({ receiver, sim }: Session, kept: Kept, now: number): PredictorSnapshot {
+export function snapshotOf(session: Session, kept: Kept, now: number): PredictorSnapshot {
+  const { receiver, sim } = session;
   const { records, applied, nextSeq } = sim.inputs;
   return {
     version: 1,
     ownShipId: receiver.ownShipId,
     hello: kept.hello,
-    frame: kept.frame,
+    frame: kept.frame === null || sim.newestTick < 0 ? null : completed(session, kept.frame),
     age: kept.frame === null ? 0 : Math.max(0, now - kept.frameAt),
     inputs: records.map(({ record }) => record).filter(({ seq }) => seq > applied),
     nextSeq,
+    policies: Object.fromEntries(receiver.policies),
   };
+}
+
+/** The frame with what it left out: the tempo and the bodies that held at its tick. */
+function completed({ sim }: Session, frame: PartialFrame): PartialFrame {
+  const { tickRate, timeScale, paused } = spanOf(sim.timeline, sim.newestTick);
+  const rows = boundaryAt(sim.bodies, sim.timeline, sim.newestTick);
+  const bodies = sim.world.bodies.map(({ name, mass, radius }, i) => ({
+    ...{ name, mass, radius },
+    ...readBodyMotion(rows, i * BODY_STRIDE),
+  }));
+  return { ...frame, tickRate, timeScale, paused, bodies };
 }
 
 /** Goes on from a snapshot, which may come from anywhere: a reason that names the field where it cannot be. */
 export function restoreSnapshot(session: Session, kept: Kept, given: unknown, now: number): Result<null> {
   const reason = faultOf(given);
   if (reason !== null) return err(`snapshot.${reason}`);
-  const { hello, frame, age, ownShipId, inputs, nextSeq } = given as PredictorSnapshot;
+  const { hello, frame, age, ownShipId, inputs, nextSeq, policies } = given as PredictorSnapshot;
   resetSession(session);
-  for (const message of [hello, frame]) {
-    if (message === null) continue;
-    keep(kept, message, now - age);
-    receiveMessage(session, message, now - age);
-  }
+  session.receiver.policies.clear();
+  for (const [shipId, policy] of Object.entries(policies ?? {})) changePolicy(session, shipId, policy);
+  for (const message of [hello, frame])
+    if (message !== null) receiveAndKeep(session, kept, message, now - age);
   changeOwnShip(session, ownShipId);
   const own = session.sim.inputs;
   for (const record of inputs) {
@@ -102,13 +125,16 @@ export function restoreSnapshot(session: Session, kept: Kept, given: unknown, no
 
 function faultOf(given: unknown): string | null {
   if (typeof given !== 'object' || given === null) return 'version: expected 1, got no object';
-  const { version, hello, frame, age, ownShipId, inputs, nextSeq } = given as Partial<PredictorSnapshot>;
+  const { version, hello, frame, age, ownShipId, inputs, nextSeq, policies } =
+    given as Partial<PredictorSnapshot>;
   if (version !== 1) return `version: expected 1, got ${String(version)}`;
   if (typeof ownShipId !== 'string') return 'ownShipId: expected a text';
   if (hello === undefined || frame === undefined) return 'hello, frame: expected a message or null';
   if (typeof age !== 'number' || !(age >= 0)) return 'age: expected a number ≥ 0';
   if (!Array.isArray(inputs) || !inputs.every(isInput)) return 'inputs: expected a list of inputs';
   if (!isCount(nextSeq)) return 'nextSeq: expected a whole number ≥ 1';
+  if (policies !== undefined && (typeof policies !== 'object' || (policies as object | null) === null))
+    return 'policies: expected predict, interpolate or hold by ship id';
   return null;
 }
 

@@ -17,7 +17,7 @@ import type { Warn } from '../warnings';
 export interface Simulation {
   world: World;
   /** The world for a flying ship under which no ground is known. */
-  readonly groundless: World;
+  groundless: World;
   readonly timeline: Timeline;
   bodies: BodyTrack;
   /** How fast each body really turns, in the world's order. */

@@ -6,6 +6,7 @@ import { createHistory, type History } from './history';
 import { createLearnedGround, type LearnedGround } from '../ground/learnedGround';
 import { createLastState, type LastState } from '../ground/lastState';
 import type { TouchdownRing } from '../touchdown/touchdownRing';
+import type { ServerStates } from './serverStates';
 
 /** How a ship's present comes about. */
 export type Mode =
@@ -18,6 +19,15 @@ export type Mode =
   /** Not carried on: too fast to follow, or no server state for longer than the ring. Drawn as the server last had it. */
   | 'held';
 
+/** How a ship is drawn. */
+export type Policy =
+  /** Simulated to the present (the default). */
+  | 'predict'
+  /** Between the two server states around one send interval ago: smooth, late, never a guess. */
+  | 'interpolate'
+  /** Where the newest server state has it, turning with its body. */
+  | 'hold';
+
 /** What the predictor keeps of one ship. Its rows stand in the fleet's arrays at `at`. */
 export interface Track {
   readonly shipId: string;
@@ -29,6 +39,10 @@ export interface Track {
   mode: Mode;
   /** Switched off because time outruns the budget. */
   off: boolean;
+  /** How it is drawn, as the caller wishes. */
+  policy: Policy;
+  /** Its last server states, while the policy is to interpolate between them. */
+  states: ServerStates | null;
   /** Of a class or in a state that is not known here: drawn as the server tells it. */
   unpredictable: boolean;
 
@@ -118,6 +132,8 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
     at,
     mode: 'waiting',
     off: false,
+    policy: 'predict',
+    states: null,
     unpredictable: false,
     history: createHistory(ringLength),
     serverTick: -1,

@@ -5,7 +5,7 @@ import { serverTime } from '../time/clock';
 import { spanOf, wallOfTick } from '../time/timeline';
 import type { Receiver } from './receiver';
 
-/** What a frame is beside those before it (PREDICTION, Time that starts again). */
+/** What a frame is beside those before it (PREDICTION, Restarts). */
 export type SnapshotKind =
   /** Goes on from the newest one. */
   | 'newest'

@@ -1,7 +1,7 @@
 import type { BodyState, PartialFrame, ShipState } from '../../wire';
 
 /**
- * Game time from one tick to the next, measured from what moves (PREDICTION, A law, or a world, that is not quite ours): a server may
+ * Game time from one tick to the next, measured from what moves (PREDICTION, Foreign dynamics): a server may
  * run at a time scale it does not tell, or bend it by a few per cent to keep in step with a calendar.
  */
 export interface GameTimeMeter {

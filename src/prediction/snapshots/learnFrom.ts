@@ -25,7 +25,7 @@ export function nothingToLearn({ ground, fit }: Track): boolean {
 }
 
 /**
- * What a state teaches of the ground, of its body's spin and of the law (PREDICTION, A ground that is not quite the server's).
+ * What a state teaches of the ground, of its body's spin and of the law (PREDICTION, Learned ground).
  * @returns whether the ship goes over from the law to being carried on, or back
  */
 export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolean {

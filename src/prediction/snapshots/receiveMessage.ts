@@ -1,7 +1,7 @@
-import type { Result, World } from '../../dynamics';
 import { matchVersion, PROTOCOL_VERSION } from '../../protocol';
 import type { Hello, PartialFrame, Pong, ServerMessage } from '../../wire';
 import { resend } from '../inputs/inputs';
+import { changeWorld } from '../lifecycle/changeWorld';
 import { changeOwnShip } from '../ownership';
 import { announce, beginWorld, type Session } from '../session';
 import type { Simulation } from '../simulation/simulation';
@@ -10,7 +10,7 @@ import { answeredPing, forgetPings } from '../time/pings';
 import { spanOf, wallOfTick } from '../time/timeline';
 import { completeFrame } from './completeFrame';
 import { receiveSnapshot, refuse, startAnew } from './receiver';
-import { loadConfig, sameWorld, type WorldConfig } from './worldConfig';
+import { loadGiven, sameWorld } from './worldConfig';
 
 /**
  * A message of the server has arrived at client wall second `now`. Whatever is handed in, nothing is thrown: what cannot be is
@@ -58,16 +58,17 @@ export function noteCall({ clock, pings, warn }: Session, now: number): boolean 
 function takeHello(session: Session, hello: Hello, now: number): void {
   const { receiver, counters } = session;
   if (!speaks(session, hello)) return;
-  const loaded = loadGiven(hello, session);
+  const loaded = loadGiven(hello, session.terrains);
   if (!loaded.ok) {
     refuse(session.sim, `hello.${loaded.reason}`);
     return;
   }
   const ownShipId = typeof hello.shipId === 'string' ? hello.shipId : '';
   changeOwnShip(session, ownShipId);
-  if (!counters.helloReceived || !sameWorld(session.config, hello))
-    beginWorld(session, loaded.value, hello.bodies);
-  else if (session.sim.newestTick >= 0 && !goesOn(session, hello, now)) startAnew(session.sim, receiver);
+  const { sim } = session;
+  if (sim.newestTick >= 0 && counters.helloReceived && !goesOn(session, hello, now)) startAnew(sim, receiver);
+  if (!counters.helloReceived) beginWorld(session, loaded.value, hello.bodies);
+  else if (!sameWorld(session.config, hello)) changeWorld(session, loaded.value, hello);
   session.config = hello;
   counters.helloReceived = true;
   session.granularity = hello.inputGranularity;
@@ -92,15 +93,6 @@ function speaks({ sim, warn }: Session, { protocolVersion: version }: Hello): bo
   return !isForeign;
 }
 
-/** The world that a hello or a frame tells, or why it is refused; members that are not there are no reason to throw. */
-function loadGiven(config: WorldConfig, { terrains }: Session): Result<World> {
-  try {
-    return loadConfig(config, terrains);
-  } catch (error) {
-    return { ok: false, reason: `world: ${String(error)}` };
-  }
-}
-
 /** Whether the hello's tick is where the server's clock must have come to by now: a restarted server's is not. */
 function goesOn({ sim, clock }: Session, { tick, tickRate }: Hello, now: number): boolean {
   if (tick < sim.newestTick) return false;
@@ -112,7 +104,7 @@ function goesOn({ sim, clock }: Session, { tick, tickRate }: Hello, now: number)
 const GOES_ON = 2;
 
 function takeFrame(session: Session, given: PartialFrame, now: number): void {
-  const { counters, defaults, receiver } = session;
+  const { counters, receiver } = session;
   const complete = completeFrame(session.sim, session.meter, given);
   if (!complete.ok) {
     refuse(session.sim, complete.reason);
@@ -121,8 +113,9 @@ function takeFrame(session: Session, given: PartialFrame, now: number): void {
   const frame = complete.value;
   if (session.sim.newestTick < 0 && !counters.helloReceived && frame.bodies.length > 0) {
     // A server without a hello may have other bodies than the defaults: its frames say which.
-    const loaded = loadGiven({ ...defaults, bodies: frame.bodies }, session);
-    if (loaded.ok) beginWorld(session, loaded.value, frame.bodies);
+    const config = { ...session.config, bodies: frame.bodies };
+    const loaded = loadGiven(config, session.terrains);
+    if (loaded.ok) changeWorld(session, loaded.value, config);
   }
   receiveSnapshot(session.sim, receiver, frame, now);
   announce(session);

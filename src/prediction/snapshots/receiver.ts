@@ -2,7 +2,7 @@ import type { BodyState, ServerFrame } from '../../wire';
 import { forgetRecords } from '../inputs/inputs';
 import { fitRings } from '../simulation/fitRings';
 import type { Simulation } from '../simulation/simulation';
-import { clearFleet, removeTrack } from '../simulation/track';
+import { clearFleet, type Policy, removeTrack } from '../simulation/track';
 import { forgetCadence, noteSend } from '../time/cadence';
 import { type Clock, forgetSchedule } from '../time/clock';
 import { spanOf } from '../time/timeline';
@@ -30,6 +30,8 @@ export interface Receiver {
   /** The newest tick taken in, and when, client wall s. */
   newest: number;
   acceptedAt: number;
+  /** Ships that are not to be predicted, whether they are there or not. */
+  readonly policies: Map<string, Policy>;
   /** Ships that were taken out by name, with the newest tick then: states of such ticks do not bring them back. */
   readonly removed: Map<string, number>;
   /** The bodies that hold before the first frame are of its own tick, unless it tells others. */
@@ -55,6 +57,7 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     seen: new Float64Array(1024).fill(-1),
     newest: -1,
     acceptedAt: Number.NEGATIVE_INFINITY,
+    policies: new Map(),
     removed: new Map(),
     startsBodies: true,
     lastBodies: { tick: -1, bodies: [] },

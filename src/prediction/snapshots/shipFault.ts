@@ -2,7 +2,7 @@ import type { ShipState } from '../../wire';
 
 /**
  * Why a plain record is no ShipState, or null. What came through the wire has been checked; a plain JavaScript caller may hand in
- * anything (PREDICTION, Messages that are valid and still wrong).
+ * anything (PREDICTION, Invalid messages).
  */
 export function shipFault(given: unknown): string | null {
   if (typeof given !== 'object' || given === null) return 'expected an object';

@@ -82,8 +82,9 @@ function takeShip(sim: Simulation, receiver: Receiver, state: ShipState): void {
   if (own) sim.fleet.own = track;
   context.inputs = own ? answered(sim, receiver, state) : 'asPredicted';
   const unknown = unknownNameOf(state, sim.world);
-  const reason =
-    unknown === null ? reconcile(sim, track, state, context) : showAsTold(sim, track, state, context);
+  track.policy = receiver.policies.get(state.shipId) ?? 'predict';
+  const isPredicted = unknown === null && track.policy === 'predict';
+  const reason = isPredicted ? reconcile(sim, track, state, context) : showAsTold(sim, track, state, context);
   if (reason === null) track.lastSend = sim.cadence.sends;
   if (reason !== null || unknown !== null) refuseShip(sim, state, reason ?? unknown!);
   if (reason !== null && track.serverTick < 0) removeTrack(sim.fleet, track);

@@ -28,6 +28,23 @@ export function loadConfig(
   return loadWorld({ ...config, terrainHeight: terrains[config.terrain]! });
 }
 
+/** The same of a config that a plain caller or a server gave: members that are not there are no reason to throw. */
+export function loadGiven(
+  config: WorldConfig,
+  terrains: Readonly<Record<string, TerrainHeight>>,
+): Result<World> {
+  try {
+    return loadConfig(config, terrains);
+  } catch (error) {
+    return err(`world: ${String(error)}`);
+  }
+}
+
+/** Whether two worlds have the same bodies, in the same order: then rows of one are rows of the other but for the class. */
+export function sameBodies(a: World, b: World): boolean {
+  return a.bodies.length === b.bodies.length && a.bodies.every(({ name }, i) => name === b.bodies[i]!.name);
+}
+
 /** Whether two configs make the same world, apart from the bodies' positions and motions, which frames carry. */
 export function sameWorld(a: WorldConfig, b: WorldConfig): boolean {
   const constants = ({ settings, shipClasses, bodies, terrain }: WorldConfig) =>

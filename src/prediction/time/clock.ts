@@ -11,7 +11,7 @@ import {
 } from './offsetBounds';
 
 /**
- * The server's clock as the client knows it, and the present that is drawn (PREDICTION, The timeline, The clock believes what a queue says).
+ * The server's clock as the client knows it, and the present that is drawn (PREDICTION, Timeline, Clock).
  * Wall seconds throughout: `now` is the client's, handed in; server time counts from the timeline's origin. The offset lies between
  * two bounds, and half way between them unless the ways differ; with the lead added that half cancels: what matters is when our
  * inputs arrive.

@@ -1,6 +1,6 @@
 import { type Cadence, sendSeconds } from './cadence';
 
-/** How it stands between client and server (PREDICTION, The clock believes what a queue says). */
+/** How it stands between client and server (PREDICTION, Clock). */
 export type Connection =
   /** No frame has come yet. */
   | 'waiting'

@@ -6,7 +6,7 @@ import { spanOf } from './timeline';
 import { copyRow, type Track } from '../simulation/track';
 
 /**
- * Too fast to follow (PREDICTION, The timeline): when the substeps due exceed the budget, prediction switches off for the far ships
+ * Too fast to follow (PREDICTION, Timeline): when the substeps due exceed the budget, prediction switches off for the far ships
  * first, then for all; never a confident fiction, never a frame that waits.
  */
 export interface Pace {
@@ -90,7 +90,7 @@ function bringBack(sim: Simulation, room: number): void {
   let anyOff = false;
   for (const track of sim.fleet.tracks) {
     if (track.off) anyOff = true;
-    else if (track.mode !== 'sleeping') free -= 1;
+    else if (track.mode !== 'sleeping' && track.policy === 'predict') free -= 1;
   }
   if (!anyOff || free <= 0) return;
   const off = sim.fleet.tracks.filter((track) => track.off);

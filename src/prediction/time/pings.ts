@@ -1,6 +1,6 @@
 import type { Ping } from '../../wire';
 
-/** Pings on their way, so that the round trip is measured apart from the tick (PREDICTION, What the server says). Client wall s. */
+/** Pings on their way, so that the round trip is measured apart from the tick (PREDICTION, Server messages). Client wall s. */
 export interface Pings {
   nextId: number;
   nextAt: number;

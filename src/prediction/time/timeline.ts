@@ -1,7 +1,7 @@
 import { type Timing, timingOfTick } from '../../dynamics';
 
 /**
- * Ticks and substeps on the server's wall clock, across re-timing and pause (PREDICTION, The timeline).
+ * Ticks and substeps on the server's wall clock, across re-timing and pause (PREDICTION, Timeline).
  * Whole numbers for ticks and substeps; a wall time is a product of a tick count, never a sum of seconds.
  */
 
@@ -28,7 +28,7 @@ export interface Span extends Tempo {
 export interface Timeline {
   readonly spans: Span[];
   /** Game s: the settings' contactLongestSubstep. */
-  readonly longestSubstep: number;
+  longestSubstep: number;
 }
 
 /** A substep boundary: the start of substep `substep` of the interval that begins at `tick`. */
@@ -73,6 +73,18 @@ export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: n
   spans.push(makeSpan(timeline, tempo, tick, at, index));
   if (spans.length > MAX_SPANS) spans.shift();
   return !same;
+}
+
+/** Ticks are cut by another longest substep, game s: all that is counted in substeps is another number from now on. */
+export function recut(timeline: Timeline, longestSubstep: number): void {
+  timeline.longestSubstep = longestSubstep;
+  const { spans } = timeline;
+  for (let i = 0; i < spans.length; i++) {
+    const span = spans[i]!;
+    const index =
+      i === 0 ? span.fromIndex : indexOf({ ...timeline, spans: [spans[i - 1]!] }, span.fromTick, 0);
+    spans[i] = makeSpan(timeline, span, span.fromTick, span.fromWall, index);
+  }
 }
 
 function makeSpan(

@@ -18,52 +18,53 @@ export interface LandingSite {
   readonly shipClass: ShipClass;
   readonly terrainHeight: TerrainHeight;
   /**
-   * Game seconds from a state to the middle of the time in which the controls made of it act: half a tick where they act at once,
-   * one and a half where they act a tick later. 0 unless told; a ship that turns upright on its way down then starts its engine later.
+   * Game seconds from a state to the middle of the interval in which the controls computed from it act: half a tick if they act at once,
+   * one and a half if they act a tick later. 0 by default; a ship that turns upright during the descent then starts its engine later.
    */
   readonly delay?: number;
 }
 
-/** A ship as its pilot over the site feels it. SI units; up is local up, speeds are relative to the turning ground. */
+/** A ship relative to the ground below it. SI units; up is local up, speeds are relative to the turning ground. */
 export interface Approach {
-  /** Of an upright ship's feet above the ground, m. */
+  /** Height of an upright ship's feet above the ground, m. */
   readonly height: number;
   /** m/s, positive upward. */
   readonly climb: number;
-  /** Along the ground, body axes, m/s. */
+  /** Speed along the ground, body axes, m/s. */
   readonly drift: Vec3;
-  /** Cosine of the tilt, or of what it will be by the time the controls act, whichever is the more upright. */
+  /** Cosine of the tilt now or when the controls act, whichever is more upright. */
   readonly upright: number;
   /** m/s² */
   readonly gravity: number;
 }
 
 const TOP: Vec3 = [0, 0, 1];
-/** Speed down in the last metres, m/s: below every bounce, above what noise of a slow tick could turn into a hover. */
+/** Descent speed in the last metres, m/s: below the bounce speed, and high enough that a slow tick does not turn it into a hover. */
 const TOUCH_SPEED = 1.5;
-/** Speed down at most, m/s: a second's delay at it is still braked away. */
+/** Largest descent speed, m/s: after a delay of a second the ship can still brake. */
 const MAX_SPEED = 15;
-/** Height over which it comes down at TOUCH_SPEED, m. */
+/** Height below which it descends at TOUCH_SPEED, m. */
 const LAST_METRES = 3;
-/** Share of what the engine has over the weight that braking plans with; the rest is for correcting. */
+/** Share of the thrust in excess of the weight that braking plans with; the rest is for corrections. */
 const BRAKING_SHARE = 0.5;
-/** m/s²: more would come too late for states a second apart, however strong the engine. */
+/** m/s²: stronger braking would start too late with states a second apart, however strong the engine. */
 const MAX_BRAKING = 1;
-/** s⁻¹: speed errors are answered in two seconds, slow enough for states that come once a second and act a second later. */
+/** s⁻¹: speed errors are corrected within two seconds, slow enough for one state per second and controls that act a second later. */
 const RESPONSE = 0.5;
-/** Tilts past 60° push more along the ground than up: there the engine waits for the ship to come upright. */
+/** At tilts past 60° the engine pushes more sideways than up, so it waits until the ship is more upright. */
 const LEAST_UPRIGHT = 0.5;
-/** In which a ship's turning is carried on. */
+/** Steps in which a ship's rotation is extrapolated. */
 const STEPS = 4;
 
-/** The approach of a ship, or a reason that names the field that has no finite value. */
+/** The approach of a ship, or a reason that names the field without a finite value. */
 export function approachOf(ship: ShipState, site: LandingSite): Result<Approach> {
   const { body, shipClass, terrainHeight, delay = 0 } = site;
   // The game's own server sends ICRF alone: at 1 au good to 15 µm, enough for a pilot.
   const position = ship.relativePosition ?? minus(ship.position, body.position);
   const velocity = ship.relativeVelocity ?? minus(ship.velocity, body.velocity);
   const distance = length(position);
-  if (!(distance >= 1 && distance < Infinity)) return err('relativePosition: no place over the body');
+  if (!(distance >= 1 && distance < Infinity))
+    return err('relativePosition: expected a position above the body');
   const up = scaled(position, 1 / distance);
   const overGround = minus(velocity, cross(body.angularVelocity, position));
   if (!overGround.every(Number.isFinite)) return err('relativeVelocity: expected finite numbers');
@@ -83,7 +84,7 @@ export function approachOf(ship: ShipState, site: LandingSite): Result<Approach>
   });
 }
 
-/** The attitude after `seconds` more of the ship's turning, in steps each of which turns a little less than it should. */
+/** The attitude after rotating for `seconds` at the present rate, in steps that each turn slightly too little. */
 function turned({ attitude, angularVelocity }: ShipState, seconds: number): Quat {
   const [x, y, z] = scaled(angularVelocity, seconds / (2 * STEPS));
   const perLength = 1 / Math.sqrt(x * x + y * y + z * z + 1);
@@ -94,8 +95,8 @@ function turned({ attitude, angularVelocity }: ShipState, seconds: number): Quat
 }
 
 /**
- * The controls of a vertical descent: top up, drift along the ground nulled by the thrusters, and down no faster than half of
- * the engine's reserve can brake. Where gravity is too weak to bring the ship down, the thrusters push it.
+ * The controls of a vertical descent: upright, with the thrusters cancelling the drift, and no faster than half of the engine's reserve
+ * can brake. Where gravity is too weak to bring the ship down, the thrusters push it.
  */
 export function descend(approach: Approach, mass: number, shipClass: ShipClass): Controls {
   const { height, climb, drift, upright, gravity } = approach;
@@ -105,7 +106,7 @@ export function descend(approach: Approach, mass: number, shipClass: ShipClass):
   const toBrake = height > LAST_METRES ? height - LAST_METRES : 0;
   const planned = Math.sqrt(TOUCH_SPEED * TOUCH_SPEED + 2 * braking * toBrake);
   const speed = planned < MAX_SPEED ? planned : MAX_SPEED;
-  // How fast the planned speed falls as the ship does; at the cap and in the last metres it stays.
+  // The rate at which the planned speed decreases on the way down; zero at the cap and in the last metres.
   const onCurve = toBrake > 0 && planned < MAX_SPEED && climb < 0;
   const easing = onCurve ? (braking * -climb) / planned : 0;
   const wanted = gravity + easing + RESPONSE * (-speed - climb);
@@ -125,7 +126,7 @@ export function descend(approach: Approach, mass: number, shipClass: ShipClass):
   };
 }
 
-/** `force` as a share of `most`, −1 … 1; 0 where there is nothing to push with. */
+/** `force` as a share of `most`, −1 … 1; 0 without thrust. */
 function share(force: number, most: number): number {
   if (!(most > 0)) return 0;
   const part = force / most;

@@ -2,19 +2,19 @@ import { ok, type Result, type Controls, err, NEUTRAL_CONTROLS } from '../../dyn
 import type { ShipState } from '../../wire';
 import { approachOf, descend, type LandingSite } from './descent';
 
-/** How far a landing has come; 'complete' and 'failed' are its ends. */
+/** Phases of a landing; it ends in 'complete' or 'failed'. */
 export type LandingPhase = 'descent' | 'touchdown' | 'complete' | 'failed';
 
-/** A landing under way, plain data: keep it, and hand it back with the next state. */
+/** A landing in progress as plain data: keep it, and pass it back with the next state. */
 export interface LandingManeuver {
   readonly phase: LandingPhase;
-  /** Why it failed; else empty. */
+  /** The reason of a failure; otherwise empty. */
   readonly reason: string;
-  /** To be commanded until the next state. */
+  /** Controls until the next state. */
   readonly controls: Controls;
 }
 
-/** A landing that has not yet seen its ship. */
+/** A landing before its first state. */
 export const BEGIN_LANDING: LandingManeuver = Object.freeze<LandingManeuver>({
   phase: 'descent',
   reason: '',

@@ -20,38 +20,38 @@ import {
   type Vec3,
   writeControls,
 } from '../../dynamics';
-import { prepare, type Prepared } from '../runScenario';
-import { stage, type StagedInput } from '../scenario';
+import { createScenarioWorld, type ScenarioWorld } from '../runScenario';
+import { loadScenario, type ScheduledInput } from '../scenario';
 import type { Mission } from './mission';
 import { padPlaces } from './pads';
 
-/** Controls from the start of a substep on, in the order of time. */
-export type RunInput = StagedInput;
+/** Controls from the start of a substep on, ascending in time. */
+export type RunInput = ScheduledInput;
 
-/** What a flight came to. SI units, degrees. */
+/** The result of a flight. SI units, degrees. */
 export interface RunOutcome {
-  /** 'landed' on the last pad, 'crashed', or 'unfinished' when the inputs and the time ran out before. */
+  /** 'landed' on the last pad, 'crashed', or 'unfinished' when the time ran out. */
   readonly outcome: 'landed' | 'crashed' | 'unfinished';
   /** Game seconds from the start to the end. */
   readonly seconds: number;
   readonly padsReached: number;
   /** Hardest touch of the landings that count, m/s. */
   readonly touchSpeed: number;
-  /** From the centre of the pad, the worst of the landings, m. */
+  /** Largest distance of the landings from the pad's centre, m. */
   readonly distance: number;
   /** Largest lean between a touch and rest. */
   readonly tilt: number;
   readonly fuelUsed: number;
   readonly hasTipped: boolean;
-  /** Ten places a second, body axes: x, y, z, and the attitude against the body's (x, y, z, w). */
+  /** Ten poses per second in body axes: position x, y, z (m), and attitude relative to the body's (x, y, z, w). */
   readonly track: Float64Array;
 }
 
-/** Numbers of one place of a track, and places a second. */
+/** Numbers per pose of a track, and poses per second. */
 export const TRACK_STRIDE = 7;
 export const TRACK_RATE = 10;
 
-interface Flight extends Prepared {
+interface Flight extends ScenarioWorld {
   readonly track: number[];
   padsReached: number;
   touchSpeed: number;
@@ -63,16 +63,16 @@ interface Flight extends Prepared {
 }
 
 /**
- * Flies a mission again from its inputs, on the dynamics alone: the same inputs give the same flight to the bit, which is the proof
- * of a run. Ends on the last pad, in a crash, or after the scenario's duration.
+ * Replays a mission from its inputs on the dynamics alone. The same inputs give the same flight to the bit, which verifies a run.
+ * Ends on the last pad, in a crash, or after the scenario's duration.
  */
 export function flyRun(mission: Mission, inputs: readonly RunInput[]): Result<RunOutcome> {
-  const staged = stage(mission.scenario);
-  if (!staged.ok) return staged;
-  const prepared = prepare(staged.value);
+  const loaded = loadScenario(mission.scenario);
+  if (!loaded.ok) return loaded;
+  const prepared = createScenarioWorld(loaded.value);
   if (!prepared.ok) return prepared;
-  const { timing, scenario } = staged.value;
-  const pads = padPlaces(mission, staged.value);
+  const { timing, scenario } = loaded.value;
+  const pads = padPlaces(mission, loaded.value);
   const flight: Flight = {
     ...prepared.value,
     track: [],
@@ -85,7 +85,7 @@ export function flyRun(mission: Mission, inputs: readonly RunInput[]): Result<Ru
   };
   const { ship, bodies, world } = flight;
   const began = ship[FUEL]!;
-  const flown = createHands(staged.value.inputs, inputs);
+  const flown = createInputs(loaded.value.inputs, inputs);
   const ticks = Math.ceil(scenario.duration / timing.tickSeconds);
   let substeps = 0;
   for (let tick = 0; tick < ticks; tick++) {
@@ -120,14 +120,14 @@ export function flyRun(mission: Mission, inputs: readonly RunInput[]): Result<Ru
 
 const reported = new Uint8Array(1);
 
-/** The scenario's own inputs until the pilot's first one, as the authority plays them. */
-function createHands(
-  plan: readonly StagedInput[],
+/** The scenario's own inputs until the pilot's first one, as the authority applies them. */
+function createInputs(
+  plan: readonly ScheduledInput[],
   inputs: readonly RunInput[],
 ): (tick: number, substep: number) => Controls | null {
   let planned = 0;
   let next = 0;
-  const isDue = (input: StagedInput | undefined, tick: number, substep: number) =>
+  const isDue = (input: ScheduledInput | undefined, tick: number, substep: number) =>
     input !== undefined && (input.tick < tick || (input.tick === tick && input.substep <= substep));
   return (tick, substep) => {
     let controls: Controls | null = null;
@@ -148,7 +148,7 @@ function watchTouch(flight: Flight, event: number): void {
   flight.touching.tilt = Math.max(flight.touching.tilt, tiltOf(ship));
 }
 
-/** At a tick boundary, where body and ship agree on the time. */
+/** Called at a tick boundary, where body and ship are at the same instant. */
 function takePad(flight: Flight, pads: readonly Vec3[], mission: Mission): void {
   const { ship, bodies } = flight;
   if (ship[SURFACE_STATE] !== LANDED || flight.touching === null) return;
@@ -167,7 +167,7 @@ function takePad(flight: Flight, pads: readonly Vec3[], mission: Mission): void 
   flight.padsReached++;
 }
 
-/** Of an offset its length along the ground at `at`. */
+/** The length of an offset along the ground at `at`. */
 function lengthOf(offset: Vec3, at: Vec3): number {
   const distance = Math.hypot(...at);
   const up = (offset[0] * at[0] + offset[1] * at[1] + offset[2] * at[2]) / distance;

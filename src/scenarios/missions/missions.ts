@@ -5,16 +5,16 @@ import type { Mission } from './mission';
 import { missionStart, PILOTED } from './starts';
 
 const SCORED = { isLesson: false, night: false, how: '', done: { kind: 'land' } } as const;
-/** Slopes are felt: the ground's own normal carries the ship. */
+/** Slopes matter: contact forces act along the terrain's normal. */
 const ON_THE_GROUND = { surfaceNormal: 'terrain' } as const;
 const UPRIGHT = { attitudeMode: 'radial', attitudeHold: true } as const;
 
-/** The missions, easiest first. The first is what the page opens on. */
+/** The missions, easiest first. The page opens with the first. */
 export const MISSIONS: readonly Mission[] = [
   {
     ...SCORED,
     scenario: missionStart('first-landing', 'First landing', {
-      about: 'Two hundred metres over level ground, straight above the beacon.',
+      about: 'Two hundred metres above level ground, straight over the beacon.',
       initial: { ...PILOTED, velocity: [0, 0, -6] },
       inputs: [{ at: 0, controls: { thrustLevel: 0.078, attitudeHold: true } }],
     }),
@@ -39,7 +39,7 @@ export const MISSIONS: readonly Mission[] = [
   {
     ...SCORED,
     scenario: missionStart('long-approach', 'Long approach', {
-      about: 'In from the east at 40 m/s, 600 m up: brake, turn upright, land.',
+      about: 'Approaching from the east at 40 m/s and 600 m up: brake, turn upright and land.',
       initial: { ...PILOTED, height: 600, velocity: [-40, 0, -8], tilt: 30, leanTo: 90 },
     }),
     goal: 'Brake from 40 m/s and land by the beacon.',
@@ -64,7 +64,7 @@ export const MISSIONS: readonly Mission[] = [
   {
     ...SCORED,
     scenario: missionStart('crater-rim', 'Crater rim', {
-      about: 'A knoll forty metres over its surroundings: miss it, and the ground falls away.',
+      about: 'A knoll forty metres above its surroundings: next to it, the ground drops away.',
       settings: ON_THE_GROUND,
       site: { latitude: 28.81995, longitude: 43.32381 },
       initial: { ...PILOTED, height: 150, velocity: [3, 5, -4] },
@@ -78,7 +78,7 @@ export const MISSIONS: readonly Mission[] = [
   {
     ...SCORED,
     scenario: missionStart('ridge', 'On the ridge', {
-      about: 'Eight hundred metres over the plain, a top hardly wider than the pad.',
+      about: 'A ridge eight hundred metres above the plain, hardly wider than the pad.',
       settings: ON_THE_GROUND,
       site: { latitude: 28.43411, longitude: 42.95165 },
       initial: { ...PILOTED, height: 140, velocity: [-6, 2, -3], tilt: 10, leanTo: 200 },
@@ -92,7 +92,7 @@ export const MISSIONS: readonly Mission[] = [
     ...SCORED,
     night: true,
     scenario: missionStart('night', 'Night landing', {
-      about: 'The ground is dark: the instruments and the beacon are all there is.',
+      about: 'The ground is dark: rely on the instruments and the beacon.',
       initial: { ...PILOTED, height: 250, velocity: [5, 3, -6] },
       inputs: [{ at: 0, controls: { ...UPRIGHT, thrustLevel: 0.08 } }],
     }),
@@ -114,14 +114,14 @@ export const MISSIONS: readonly Mission[] = [
   },
   {
     ...SCORED,
-    scenario: missionStart('half-engine', 'Half an engine', {
-      about: 'Over Earth with half the thrust: a tenth more than the weight.',
+    scenario: missionStart('half-engine', 'Half thrust', {
+      about: 'Over Earth at half thrust, a tenth more than the weight.',
       body: 'Earth',
       engineShare: 0.5,
       initial: { ...PILOTED, height: 120, velocity: [0, 0, -4], fuelFraction: 0.15 },
       inputs: [{ at: 0, controls: { ...UPRIGHT, thrustLevel: 0.88 } }],
     }),
-    goal: 'Land by the beacon on half an engine.',
+    goal: 'Land by the beacon with half the thrust.',
     pads: [{ east: 0, north: 0, radius: 25 }],
     parSeconds: 35,
     parFuel: 900,
@@ -129,7 +129,7 @@ export const MISSIONS: readonly Mission[] = [
   {
     ...SCORED,
     scenario: missionStart('heavy-hauler', 'Heavy hauler', {
-      about: 'A hundred and thirty tonnes that turn slowly.',
+      about: 'A hundred and thirty tonnes, slow to turn.',
       shipClass: 'cargo_hauler',
       initial: { ...PILOTED, height: 250, velocity: [-4, 3, -6], fuelFraction: 0.5 },
       inputs: [{ at: 0, controls: { ...UPRIGHT, thrustLevel: 0.5 } }],
@@ -142,13 +142,13 @@ export const MISSIONS: readonly Mission[] = [
   {
     ...SCORED,
     scenario: missionStart('fast-rotator', 'Fast rotator', {
-      about: 'Phobos spun up to a day of three hours: the ground nearly throws the ship off.',
+      about: 'Phobos with a day of three hours: its rotation nearly throws the ship off.',
       body: 'Phobos',
       spinFactor: 2.6,
       initial: { ...PILOTED, height: 40, velocity: [0.5, 0, 0] },
       inputs: [{ at: 0, controls: UPRIGHT }],
     }),
-    goal: 'Land, and stay landed, on a body that spins.',
+    goal: 'Land on a fast-spinning moon and stay on the ground.',
     pads: [{ east: 10, north: 0, radius: 25 }],
     parSeconds: 80,
     parFuel: 60,
@@ -156,7 +156,7 @@ export const MISSIONS: readonly Mission[] = [
   {
     ...SCORED,
     scenario: missionStart('steep-slope', 'Slope of 25°', {
-      about: 'A hillside as steep as a roof. Touch slowly and friction holds.',
+      about: 'A hillside as steep as a roof: friction holds a ship that touches down slowly.',
       settings: ON_THE_GROUND,
       site: { latitude: 28.48951, longitude: 42.71031 },
       initial: { ...PILOTED, height: 100, velocity: [1, 1, -3] },
@@ -170,7 +170,7 @@ export const MISSIONS: readonly Mission[] = [
   {
     ...SCORED,
     scenario: missionStart('tumble', 'Tumble', {
-      about: 'Tumbling at 20° a second, five hundred metres up.',
+      about: 'Tumbling at 20°/s, five hundred metres up.',
       initial: {
         ...PILOTED,
         height: 500,
@@ -204,12 +204,12 @@ export const MISSIONS: readonly Mission[] = [
   },
 ];
 
-/** The mission or lesson of a scenario's name, or null. */
+/** The mission or lesson with this scenario name, or null. */
 export function findMission(scenario: string): Mission | null {
   return [...MISSIONS, ...LESSONS].find((mission) => mission.scenario.name === scenario) ?? null;
 }
 
-/** The scenario of a name: of the rehearsed ones or a mission's. */
+/** The scenario with this name, of the catalogue or of a mission, or null. */
 export function findScenario(name: string): Scenario | null {
   return SCENARIOS.find((scenario) => scenario.name === name) ?? findMission(name)?.scenario ?? null;
 }

@@ -1,15 +1,15 @@
 import { cosineOfDegrees, sineOfDegrees, type Vec3 } from '../../dynamics';
-import type { StagedScenario } from '../scenario';
+import type { LoadedScenario } from '../scenario';
 import type { Mission, Pad } from './mission';
 
 const DEGREES_PER_RADIAN = 180 / 3.141592653589793;
 
-/** Where a mission's pads lie, body axes, m from the body's centre: on the ground. */
-export function padPlaces(mission: Mission, staged: StagedScenario): Vec3[] {
-  return mission.pads.map((pad) => padPlace(pad, staged));
+/** Positions of a mission's pads on the ground, m from the body's centre, body axes. */
+export function padPlaces(mission: Mission, loaded: LoadedScenario): Vec3[] {
+  return mission.pads.map((pad) => padPlace(pad, loaded));
 }
 
-function padPlace({ east, north }: Pad, { scenario, body, terrainHeight }: StagedScenario): Vec3 {
+function padPlace({ east, north }: Pad, { scenario, body, terrainHeight }: LoadedScenario): Vec3 {
   const degrees = DEGREES_PER_RADIAN / body.radius;
   const latitude = scenario.site.latitude + north * degrees;
   const longitude = scenario.site.longitude + (east * degrees) / cosineOfDegrees(scenario.site.latitude);

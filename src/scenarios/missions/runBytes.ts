@@ -10,17 +10,17 @@ import {
 } from '../../dynamics';
 import type { RunInput } from './flyRun';
 
-/** Steps of the page's lever and sticks: controls on this grid come back to the same bits. */
+/** Resolution of the page's lever and sticks: controls on this grid are restored to the same bits. */
 const LEVER_STEP = 0.005;
 const STICK_STEPS = 100;
 
 const [THRUST, TURN, PUSH, MODE, TARGET] = [1, 2, 4, 8, 16] as const;
-/** An hour of changes at every substep would be more than a link can hold. */
+/** More would not fit into a link. */
 const MAX_INPUTS = 20_000;
 
 /**
- * A run's inputs in few bytes: for each, substeps since the one before (varint), what changed, and that. Controls off the page's
- * grid are moved onto it, so write what was read before comparing.
+ * Encodes a run's inputs compactly: for each, the substeps since the one before (varint), flags of what changed, and the new values.
+ * Controls are rounded to the page's grid, so compare only runs that were decoded.
  */
 export function writeRun(inputs: readonly RunInput[], substepsPerTick: number): Uint8Array {
   const bytes: number[] = [];
@@ -53,7 +53,7 @@ export function writeRun(inputs: readonly RunInput[], substepsPerTick: number): 
   return Uint8Array.from(bytes);
 }
 
-/** The inputs of a run, or why these bytes are none. */
+/** Decodes the inputs of a run, or returns a reason why the bytes are invalid. */
 export function readRun(bytes: Uint8Array, substepsPerTick: number): Result<RunInput[]> {
   const inputs: RunInput[] = [];
   let controls: Controls = NEUTRAL_CONTROLS;

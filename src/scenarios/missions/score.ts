@@ -1,7 +1,7 @@
 import type { RunOutcome } from './flyRun';
 import type { Mission } from './mission';
 
-/** One line of a score: what was measured, what it earned, and what earns full marks. */
+/** One line of a score: what was measured, the points it earned, and the rule for full points. */
 export interface ScoreLine {
   readonly what: 'Touch' | 'Distance' | 'Tilt' | 'Fuel' | 'Time' | 'Tipped over' | 'Goal missed';
   readonly measured: string;
@@ -16,18 +16,18 @@ export interface Score {
   readonly lines: readonly ScoreLine[];
 }
 
-/** Speeds of touch that earn all and nothing, m/s. */
+/** Touch speeds that earn full points and none, m/s. */
 const SOFT = 1;
 const HARD = 10;
-/** Degrees of lean after the touch that earn all and nothing. */
+/** Degrees of tilt after the touch that earn full points and none. */
 const STEADY = 3;
 const LEANING = 30;
-/** Times the par that earn nothing. */
+/** Multiple of the par that earns no points. */
 const WASTED = 3;
 const TIPPED_PENALTY = -150;
 const GOAL_PENALTY = -400;
 
-/** What a landing was worth: touch speed, distance, tilt, fuel and time, each with its rule. */
+/** Scores a landing by touch speed, distance, tilt, fuel and time, each with its rule. */
 export function scoreRun(mission: Mission, run: RunOutcome): Score {
   const { touchSpeed, distance, tilt, fuelUsed, seconds } = run;
   const radius = Math.min(...mission.pads.map((pad) => pad.radius));
@@ -37,31 +37,31 @@ export function scoreRun(mission: Mission, run: RunOutcome): Score {
       most: 300,
       full: SOFT,
       none: HARD,
-      rule: `full marks to ${SOFT} m/s, none from ${HARD} m/s`,
+      rule: `full points up to ${SOFT} m/s, none from ${HARD} m/s`,
     }),
     line('Distance', distance, `${distance.toFixed(1)} m`, {
       most: 250,
       full: 2,
       none: radius,
-      rule: `full marks within 2 m of the centre, none at the ring (${radius} m)`,
+      rule: `full points within 2 m of the centre, none at the ring (${radius} m)`,
     }),
     line('Tilt', tilt, `${tilt.toFixed(1)}°`, {
       most: 100,
       full: STEADY,
       none: LEANING,
-      rule: `full marks to ${STEADY}°, none from ${LEANING}°`,
+      rule: `full points up to ${STEADY}°, none from ${LEANING}°`,
     }),
     line('Fuel', fuelUsed, kg(fuelUsed), {
       most: 200,
       full: mission.parFuel,
       none: WASTED * mission.parFuel,
-      rule: `full marks to ${kg(mission.parFuel)}, none from ${kg(WASTED * mission.parFuel)}`,
+      rule: `full points up to ${kg(mission.parFuel)}, none from ${kg(WASTED * mission.parFuel)}`,
     }),
     line('Time', seconds, `${seconds.toFixed(1)} s`, {
       most: 150,
       full: mission.parSeconds,
       none: WASTED * mission.parSeconds,
-      rule: `full marks to ${mission.parSeconds} s, none from ${WASTED * mission.parSeconds} s`,
+      rule: `full points up to ${mission.parSeconds} s, none from ${WASTED * mission.parSeconds} s`,
     }),
   ];
   if (run.hasTipped)
@@ -70,7 +70,7 @@ export function scoreRun(mission: Mission, run: RunOutcome): Score {
       measured: 'yes',
       points: TIPPED_PENALTY,
       most: 0,
-      rule: 'righted again, but it fell',
+      rule: 'the ship tipped over before it was righted',
     });
   if (run.outcome === 'landed' && !meetsGoal(mission, run))
     lines.push({
@@ -78,13 +78,13 @@ export function scoreRun(mission: Mission, run: RunOutcome): Score {
       measured: `${touchSpeed.toFixed(1)} m/s`,
       points: GOAL_PENALTY,
       most: 0,
-      rule: `the goal was softer than ${mission.touchLimit!} m/s`,
+      rule: `the goal was to touch softer than ${mission.touchLimit!} m/s`,
     });
   const sum = lines.reduce((total, { points }) => total + points, 0);
   return { total: run.outcome === 'landed' ? Math.max(0, sum) : 0, lines };
 }
 
-/** Landed on every pad, and as softly as the goal says. */
+/** Whether the run landed on every pad, as softly as the goal demands. */
 export function meetsGoal({ touchLimit }: Mission, { outcome, touchSpeed }: RunOutcome): boolean {
   return outcome === 'landed' && touchSpeed <= (touchLimit ?? Infinity);
 }

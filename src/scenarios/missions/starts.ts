@@ -1,10 +1,10 @@
 import type { Scenario } from '../scenario';
 import { START, STILL } from '../start';
 
-/** In flight over the pad. */
+/** In flight above the pad. */
 export const PILOTED: Scenario['initial'] = { ...STILL, height: 200, fuelFraction: 0.25 };
 
-/** A mission's scenario. It flies until the pilot is done: its duration is the longest flight that is scored. */
+/** The scenario of a mission. Its duration is the longest flight that is scored. */
 export function missionStart(
   name: string,
   title: string,

@@ -3,175 +3,206 @@ import { decodeClientMessage, encodeServerMessage, type ServerMessage } from '..
 import { createLink, type Delivery, type Link, type NetworkNumbers } from './network';
 
 /**
- * An authority on a wall clock that is handed in, and its clients, each behind a simulated connection that carries the protocol's
- * bytes: what the page's worker runs, and tests and benchmarks without a page.
+ * An authority and its clients, each behind a simulated connection that carries the protocol's bytes; run by the page's worker, and by
+ * tests and benchmarks without a page. Wall seconds are arguments.
  */
-export interface Exchange {
+export interface LoopbackLink {
   readonly authority: Authority;
   readonly loop: Loop;
-  readonly counters: Readonly<ExchangeCounters>;
-  /** A client joins, is told the hello and sent the present frame; or the reason why it cannot. */
+  readonly counters: Readonly<LoopbackCounters>;
+  /** A client joins and is sent the hello and the present frame; returns null, or the reason why it cannot join. */
   readonly connect: (playerId: string, shipId: string, now: number) => string | null;
-  /** The client's connection breaks. The server flies its ship on. */
+  /** Breaks the client's connection. The server keeps simulating its ship. */
   readonly drop: (playerId: string) => void;
-  /** The client joins again over a new connection. */
+  /** The client rejoins over a new connection. */
   readonly reconnect: (playerId: string, now: number) => void;
-  /** From a client, as bytes. */
+  /** Sends a client's message, as bytes. */
   readonly send: (playerId: string, bytes: Uint8Array, now: number) => void;
-  /** What has come to a client by `now`. */
+  /** The messages that have reached a client by `now`. */
   readonly deliver: (playerId: string, now: number) => Delivery[];
-  /** Lets everything up to `now` happen at its own time and in its order: arrivals at the server, and ticks. */
+  /** Processes everything due by `now` in order of time: arrivals at the server, and ticks. */
   readonly run: (now: number) => void;
-  /** When something happens next: an arrival at either end, or a tick. */
+  /** When the next arrival, at either end, or tick is due. */
   readonly nextAt: () => number;
-  /** A frozen server neither ticks, sends nor answers. What came meanwhile, it reads when it goes on. */
+  /** A frozen server neither ticks, sends nor answers. It reads what arrived meanwhile when it resumes. */
   readonly setFrozen: (frozen: boolean, now: number) => void;
-  /** While paused: one tick or one substep at once, with the frames before and after it. */
+  /** While paused: runs one tick or one substep, and sends the frames before and after it. */
   readonly step: (unit: 'substep' | 'tick', now: number) => string | null;
   readonly setNetwork: (numbers: NetworkNumbers) => void;
 }
 
-export interface ExchangeCounters {
+export interface LoopbackCounters {
   framesSent: number;
   bytesSent: number;
-  /** Messages of clients that wire or authority refused. */
+  /** Client messages that the wire or the authority refused. */
   refused: number;
-  /** Why, the last time. */
+  /** The reason of the last refusal. */
   lastRefusal: string;
 }
 
-interface Line {
+interface Connection {
   readonly playerId: string;
   readonly shipId: string;
   readonly up: Link;
   readonly down: Link;
 }
 
+interface LinkState {
+  readonly authority: Authority;
+  readonly loop: Loop;
+  readonly counters: LoopbackCounters;
+  readonly seed: number;
+  /** By player. */
+  readonly connections: Map<string, Connection>;
+  numbers: NetworkNumbers;
+  linksOpened: number;
+  /** Wall seconds at which the last freeze ended. */
+  resumedAt: number;
+}
+
 /** @param now wall seconds at which the authority's present boundary is */
-export function createExchange(
+export function createLoopbackLink(
   authority: Authority,
   network: NetworkNumbers,
   seed: number,
   now: number,
-): Exchange {
-  const loop = startLoop(authority, now);
-  const lines = new Map<string, Line>();
-  const counters: ExchangeCounters = { framesSent: 0, bytesSent: 0, refused: 0, lastRefusal: '' };
-  let numbers = network;
-  let links = 0;
-  let thawedAt = -Infinity;
-
-  function newLink(): Link {
-    links += 1;
-    // Far apart, so that two links share no stretch of their numbers' beginning.
-    return createLink(numbers, seed + links * 0x9e3779b1);
-  }
-
-  function tell(line: Line, message: ServerMessage, at: number): void {
-    const bytes = encodeServerMessage(message);
-    counters.bytesSent += bytes.length;
-    line.down.send(bytes, at);
-  }
-
-  function tellFrame(line: Line, at: number): void {
-    const frame = authority.frameFor(line.playerId);
-    if (frame === null) return;
-    counters.framesSent += 1;
-    tell(line, frame, at);
-  }
-
-  function tellFrames(at: number): void {
-    for (const line of lines.values()) tellFrame(line, at);
-  }
-
-  function welcome(line: Line, at: number): string | null {
-    const hello = authority.join(line.playerId, line.shipId);
-    if (!hello.ok) return hello.reason;
-    if (hello.value !== null) tell(line, hello.value, at);
-    tellFrame(line, at);
-    return null;
-  }
-
-  function hear(line: Line, { bytes }: Delivery, at: number): void {
-    const message = decodeClientMessage(bytes);
-    const answer = message.ok ? authority.receive(line.playerId, message.value, at) : message;
-    if (!answer.ok) {
-      counters.refused += 1;
-      counters.lastRefusal = answer.reason;
-    } else if (answer.value !== null) tell(line, answer.value, at);
-  }
-
-  /** The line whose client's message reaches the server first. */
-  function firstUp(): { line: Line | null; at: number } {
-    let first: Line | null = null;
-    let at = Infinity;
-    for (const line of lines.values()) {
-      const next = line.up.nextAt();
-      if (next === null || next >= at) continue;
-      first = line;
-      at = next;
-    }
-    return { line: first, at };
-  }
-
+): LoopbackLink {
+  const state: LinkState = {
+    authority,
+    loop: startLoop(authority, now),
+    counters: { framesSent: 0, bytesSent: 0, refused: 0, lastRefusal: '' },
+    seed,
+    connections: new Map(),
+    numbers: network,
+    linksOpened: 0,
+    resumedAt: -Infinity,
+  };
+  const { loop, counters, connections } = state;
   return {
     authority,
     loop,
     counters,
-    connect(playerId, shipId, at) {
-      const line: Line = { playerId, shipId, up: newLink(), down: newLink() };
-      const reason = welcome(line, at);
-      if (reason === null) lines.set(playerId, line);
-      return reason;
-    },
+    connect: (playerId, shipId, at) => connect(state, playerId, shipId, at),
     drop(playerId) {
-      lines.get(playerId)?.up.drop();
-      lines.get(playerId)?.down.drop();
+      connections.get(playerId)?.up.drop();
+      connections.get(playerId)?.down.drop();
     },
     reconnect(playerId, at) {
-      const line = lines.get(playerId);
-      if (line === undefined) return;
-      line.up.reconnect(at);
-      line.down.reconnect(at);
-      welcome(line, at);
+      const connection = connections.get(playerId);
+      if (connection === undefined) return;
+      connection.up.reconnect(at);
+      connection.down.reconnect(at);
+      welcome(state, connection, at);
     },
-    send: (playerId, bytes, at) => lines.get(playerId)?.up.send(bytes, at),
-    deliver: (playerId, at) => lines.get(playerId)?.down.deliver(at) ?? [],
+    send: (playerId, bytes, at) => connections.get(playerId)?.up.send(bytes, at),
+    deliver: (playerId, at) => connections.get(playerId)?.down.deliver(at) ?? [],
     run(until) {
-      if (loop.frozen) return;
-      skipBacklog(loop, authority, until);
-      while (true) {
-        const { line, at } = firstUp();
-        // What arrives with a boundary is in time for the interval before it.
-        if (line !== null && at <= Math.min(until, loop.nextAt)) {
-          for (const delivery of line.up.deliver(at)) hear(line, delivery, Math.max(at, thawedAt));
-        } else if (loop.nextAt <= until) tellFrames(runNextTick(loop, authority));
-        else return;
-      }
+      run(state, until);
     },
-    nextAt() {
-      let next = loop.frozen ? Infinity : Math.min(loop.nextAt, firstUp().at);
-      for (const { down } of lines.values()) next = Math.min(next, down.nextAt() ?? Infinity);
-      return next;
-    },
+    nextAt: () => nextAt(state),
     setFrozen(frozen, at) {
-      if (loop.frozen && !frozen) thawedAt = at;
+      if (loop.frozen && !frozen) state.resumedAt = at;
       setFrozen(loop, authority, frozen, at);
     },
-    step(unit, at) {
-      const reason = authority.armStep(unit);
-      if (reason !== null) return reason;
-      tellFrames(at);
-      authority.tick(at);
-      tellFrames(at);
-      return null;
-    },
+    step: (unit, at) => step(state, unit, at),
     setNetwork(next) {
-      numbers = next;
-      for (const { up, down } of lines.values()) {
+      state.numbers = next;
+      for (const { up, down } of connections.values()) {
         up.setNumbers(next);
         down.setNumbers(next);
       }
     },
   };
+}
+
+function connect(state: LinkState, playerId: string, shipId: string, at: number): string | null {
+  const connection: Connection = { playerId, shipId, up: openLink(state), down: openLink(state) };
+  const reason = welcome(state, connection, at);
+  if (reason === null) state.connections.set(playerId, connection);
+  return reason;
+}
+
+function openLink(state: LinkState): Link {
+  state.linksOpened += 1;
+  // Seeds far apart, so that the random sequences of two links do not overlap.
+  return createLink(state.numbers, state.seed + state.linksOpened * 0x9e3779b1);
+}
+
+function welcome(state: LinkState, connection: Connection, at: number): string | null {
+  const hello = state.authority.join(connection.playerId, connection.shipId);
+  if (!hello.ok) return hello.reason;
+  if (hello.value !== null) sendDown(state, connection, hello.value, at);
+  sendFrame(state, connection, at);
+  return null;
+}
+
+function sendDown({ counters }: LinkState, { down }: Connection, message: ServerMessage, at: number): void {
+  const bytes = encodeServerMessage(message);
+  counters.bytesSent += bytes.length;
+  down.send(bytes, at);
+}
+
+function sendFrame(state: LinkState, connection: Connection, at: number): void {
+  const frame = state.authority.frameFor(connection.playerId);
+  if (frame === null) return;
+  state.counters.framesSent += 1;
+  sendDown(state, connection, frame, at);
+}
+
+function sendFrames(state: LinkState, at: number): void {
+  for (const connection of state.connections.values()) sendFrame(state, connection, at);
+}
+
+function run(state: LinkState, until: number): void {
+  const { authority, loop, resumedAt } = state;
+  if (loop.frozen) return;
+  skipBacklog(loop, authority, until);
+  while (true) {
+    const { connection, at } = firstArrival(state);
+    // A message that arrives at a boundary is in time for the interval before it.
+    if (connection !== null && at <= Math.min(until, loop.nextAt)) {
+      for (const delivery of connection.up.deliver(at))
+        receive(state, connection, delivery, Math.max(at, resumedAt));
+    } else if (loop.nextAt <= until) sendFrames(state, runNextTick(loop, authority));
+    else return;
+  }
+}
+
+function receive(state: LinkState, connection: Connection, { bytes }: Delivery, at: number): void {
+  const { authority, counters } = state;
+  const message = decodeClientMessage(bytes);
+  const answer = message.ok ? authority.receive(connection.playerId, message.value, at) : message;
+  if (!answer.ok) {
+    counters.refused += 1;
+    counters.lastRefusal = answer.reason;
+  } else if (answer.value !== null) sendDown(state, connection, answer.value, at);
+}
+
+/** The connection whose message reaches the server first, and when. */
+function firstArrival({ connections }: LinkState): { connection: Connection | null; at: number } {
+  let first: Connection | null = null;
+  let at = Infinity;
+  for (const connection of connections.values()) {
+    const next = connection.up.nextAt();
+    if (next === null || next >= at) continue;
+    first = connection;
+    at = next;
+  }
+  return { connection: first, at };
+}
+
+function nextAt(state: LinkState): number {
+  const { loop, connections } = state;
+  let next = loop.frozen ? Infinity : Math.min(loop.nextAt, firstArrival(state).at);
+  for (const { down } of connections.values()) next = Math.min(next, down.nextAt() ?? Infinity);
+  return next;
+}
+
+function step(state: LinkState, unit: 'substep' | 'tick', at: number): string | null {
+  const reason = state.authority.armStep(unit);
+  if (reason !== null) return reason;
+  sendFrames(state, at);
+  state.authority.tick(at);
+  sendFrames(state, at);
+  return null;
 }

@@ -1,26 +1,26 @@
 import { ok, type Result, err } from '../../dynamics';
-import { bell, createDice, type Dice } from './random';
+import { normalNoise, createRandom, type Random } from './random';
 
 /**
- * One direction of a WebSocket over a network, simulated: it never loses a message, it is late. A lost packet is sent again, and
- * all that was sent after it waits behind it (head-of-line blocking). Wall seconds, handed in; a seed gives the same delays always.
+ * One direction of a simulated WebSocket connection: messages are never lost, only late. A lost packet is sent again, and everything
+ * sent after it waits (head-of-line blocking). Wall seconds are arguments; the same seed gives the same delays.
  */
 export interface NetworkNumbers {
   /** One way, s. */
   readonly delay: number;
-  /** Standard deviation of the delay, s; no packet is off by more than three of them. */
+  /** Standard deviation of the delay, s; no packet deviates by more than three of them. */
   readonly jitter: number;
   /** Share of packets that are lost once and sent again. */
   readonly stallShare: number;
-  /** What sending it again costs, s. */
+  /** Delay of sending it again, s. */
   readonly stallSeconds: number;
-  /** Packets lost in a row, on average: Gilbert–Elliott's bad state. */
+  /** Mean number of packets lost in a row: Gilbert–Elliott's bad state. */
   readonly stallRun: number;
 }
 
 const STEADY = { stallShare: 0, stallSeconds: 0.2, stallRun: 1 };
 
-/** The networks of PREDICTION, What is measured: ± is taken for a standard deviation, and loss for a resend after 200 ms. */
+/** The networks of PREDICTION, Measurements: ± is a standard deviation, and a loss is a resend after 200 ms. */
 export const NETWORK_PRESETS = Object.freeze({
   lan: { ...STEADY, delay: 0.002, jitter: 0 },
   broadband: { ...STEADY, delay: 0.02, jitter: 0.003 },
@@ -39,7 +39,7 @@ const RANGES: Readonly<Record<keyof NetworkNumbers, readonly [number, number, st
   stallRun: [1, 100, 'packets'],
 };
 
-/** The numbers, or a reason that names the one out of its range. */
+/** The numbers, or a reason that names the one out of range. */
 export function loadNetwork(given: NetworkNumbers): Result<NetworkNumbers> {
   for (const [name, [low, high, unit]] of Object.entries(RANGES)) {
     const value: unknown = given[name as keyof NetworkNumbers];
@@ -47,7 +47,7 @@ export function loadNetwork(given: NetworkNumbers): Result<NetworkNumbers> {
       return err(`${name}: expected ${low} to ${high} ${unit}`.trimEnd() + `, got ${String(value)}`);
   }
   const { delay, jitter, stallShare, stallSeconds, stallRun } = given;
-  // The chain leaves the good state with share/(1 − share)/run a packet, which must be a probability.
+  // The chain leaves the good state with probability share/(1 − share)/run per packet.
   const most = stallRun / (stallRun + 1);
   if (stallShare > most)
     return err(`stallShare: expected at most ${most} with runs of ${stallRun}, got ${stallShare}`);
@@ -60,12 +60,12 @@ export interface Delivery {
   readonly at: number;
 }
 
-/** Monotone. */
+/** Monotonic. */
 export interface LinkCounters {
   sent: number;
-  /** Lost once, and late for it. */
+  /** Lost once and sent again. */
   stalled: number;
-  /** Across reconnects: sent again though it had come, come after younger ones, never come. */
+  /** Across reconnects: delivered twice, delivered after newer ones, never delivered. */
   duplicated: number;
   reordered: number;
   lost: number;
@@ -77,27 +77,27 @@ export interface Link {
   readonly deliver: (now: number) => Delivery[];
   /** When the next message arrives, or null. */
   readonly nextAt: () => number | null;
-  /** For messages sent from now on. */
+  /** Applies to messages sent from now on. */
   readonly setNumbers: (numbers: NetworkNumbers) => void;
-  /** The connection breaks: nothing arrives, what is sent is lost. */
+  /** Breaks the connection: nothing arrives, and messages sent are lost. */
   readonly drop: () => void;
   /**
-   * A new connection. Of what was under way when the old one broke, each message may still come out of the old one's buffers, may be
-   * sent again on the new one, both or neither: a die decides.
+   * Opens a new connection. Each message in flight when the old one broke may still be delivered from its buffers, may be sent again on
+   * the new one, both or neither, at random.
    */
   readonly reconnect: (now: number) => void;
   readonly counters: Readonly<LinkCounters>;
 }
 
 interface Flight extends Delivery {
-  /** The how-manieth sent. */
+  /** Its position in the order of sending. */
   readonly order: number;
 }
 
 export function createLink(initial: NetworkNumbers, seed: number): Link {
-  const dice = createDice(seed);
+  const rng = createRandom(seed);
   const counters: LinkCounters = { sent: 0, stalled: 0, duplicated: 0, reordered: 0, lost: 0 };
-  const chain = createStalls(dice);
+  const chain = createStalls(rng);
   let numbers = initial;
   let flights: Flight[] = [];
   let down = false;
@@ -107,8 +107,8 @@ export function createLink(initial: NetworkNumbers, seed: number): Link {
   function fly(bytes: Uint8Array, order: number, now: number): void {
     const stalled = chain(numbers);
     if (stalled) counters.stalled += 1;
-    const late = numbers.delay + numbers.jitter * bell(dice) + (stalled ? numbers.stallSeconds : 0);
-    // In order: nothing overtakes within a connection.
+    const late = numbers.delay + numbers.jitter * normalNoise(rng) + (stalled ? numbers.stallSeconds : 0);
+    // Within a connection, messages keep their order.
     lastAt = Math.max(lastAt, now + Math.max(0, late));
     insert(flights, { bytes, order, at: lastAt });
   }
@@ -145,10 +145,10 @@ export function createLink(initial: NetworkNumbers, seed: number): Link {
       down = false;
       lastAt = now;
       for (const flight of under) {
-        const [buffered, again] = [dice() < 0.5, dice() < 0.5];
-        // Old buffers empty within about one more delay.
+        const [buffered, again] = [rng() < 0.5, rng() < 0.5];
+        // Old buffers drain within about one more delay.
         if (buffered)
-          insert(flights, { ...flight, at: Math.max(flight.at, now + 2 * numbers.delay * dice()) });
+          insert(flights, { ...flight, at: Math.max(flight.at, now + 2 * numbers.delay * rng()) });
         if (again) fly(flight.bytes, flight.order, now);
         if (buffered && again) counters.duplicated += 1;
         if (!buffered && !again) counters.lost += 1;
@@ -157,13 +157,13 @@ export function createLink(initial: NetworkNumbers, seed: number): Link {
   };
 }
 
-/** Gilbert–Elliott: whether the next packet is lost. Its long-run share is stallShare, its runs are stallRun long on average. */
-function createStalls(dice: Dice): (numbers: NetworkNumbers) => boolean {
+/** Gilbert–Elliott: whether the next packet is lost. In the long run a share of stallShare, in runs of stallRun on average. */
+function createStalls(rng: Random): (numbers: NetworkNumbers) => boolean {
   let bad = false;
   return ({ stallShare, stallRun }) => {
     const leave = 1 / stallRun;
     const enter = (stallShare * leave) / (1 - stallShare);
-    bad = dice() < (bad ? 1 - leave : enter);
+    bad = rng() < (bad ? 1 - leave : enter);
     return bad;
   };
 }

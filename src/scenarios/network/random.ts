@@ -1,10 +1,10 @@
 /**
- * sfc32 (Doty-Humphrey's PractRand): a seed's numbers are the same in every engine, being 32-bit integer arithmetic.
+ * sfc32 (Doty-Humphrey's PractRand): 32-bit integer arithmetic, so that a seed gives the same numbers in every engine.
  * Each call gives the next number in [0, 1).
  */
-export type Dice = () => number;
+export type Random = () => number;
 
-export function createDice(seed: number): Dice {
+export function createRandom(seed: number): Random {
   let a = 0;
   let b = seed | 0;
   let c = Math.floor(seed / 4294967296) | 0;
@@ -18,12 +18,12 @@ export function createDice(seed: number): Dice {
     c = (c + t) | 0;
     return (t >>> 0) / 4294967296;
   }
-  // The author's own seeding: a few rounds until every bit of the seed has reached every word.
+  // The author's seeding: rounds until every bit of the seed has reached every word.
   for (let i = 0; i < 15; i++) next();
   return next;
 }
 
-/** About 0 with standard deviation 1, never beyond ±3: three uniform numbers added up, for no engine agrees on log and cos. */
-export function bell(dice: Dice): number {
-  return 2 * (dice() + dice() + dice() - 1.5);
+/** Mean 0, standard deviation 1, within ±3: the sum of three uniform numbers, since engines differ in log and cos. */
+export function normalNoise(rng: Random): number {
+  return 2 * (rng() + rng() + rng() - 1.5);
 }

@@ -1,11 +1,11 @@
-/** Bytes as base64, without a call that takes a frame's thousand bytes as arguments. */
+/** Bytes as base64, without passing thousands of bytes as arguments of one call. */
 export function toBase64(bytes: Uint8Array): string {
   let text = '';
   for (const byte of bytes) text += String.fromCharCode(byte);
   return btoa(text);
 }
 
-/** The bytes, or null for what is no base64. */
+/** The bytes, or null if `text` is not base64. */
 export function fromBase64(text: unknown): Uint8Array | null {
   if (typeof text !== 'string' || !/^[A-Za-z0-9+/]*={0,2}$/.test(text) || text.length % 4 !== 0) return null;
   const decoded = atob(text);

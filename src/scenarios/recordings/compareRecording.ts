@@ -28,21 +28,21 @@ import type { ServerFrame, ShipState } from '../../wire';
 import { type Compared, type Comparison, noDifferences, raise } from '../fixtures/compareFixture';
 import { type RecordedSession, sessionsOf } from './recordedSessions';
 import type { Recording } from './recording';
-import type { StagedInput } from '../scenario';
+import type { ScheduledInput } from '../scenario';
 
-/** How a server's states compare with the law, interval by interval. */
+/** How a server's states compare with the dynamics, interval by interval. */
 export interface RecordingComparison extends Comparison {
-  /** Intervals of a ship that could not be compared: its controls changed by inputs that are not in the recording. */
+  /** Intervals not compared because inputs that are not in the recording changed the ship's controls. */
   readonly unknownInputs: number;
-  /** Ships' intervals without fields 33 and 34, whose state is not told to the last digit. */
+  /** Intervals not compared because the state has no fields 33 and 34, and so is not exact. */
   readonly withoutRelativeState: number;
 }
 
 /**
- * From each frame that has a successor, one interval of the law, compared with what the server says came of it. Frames may be
- * missing, doubled, or out of order: an interval needs both its ends, under one hello, and is compared with what that hello told;
- * from the last frame before a new hello to the first after it nobody knows what was in force.
- * @returns a reason when nothing can be compared
+ * Simulates one interval from each frame that has a successor, and compares the result with it. Frames may be missing, doubled or out
+ * of order: an interval needs both its ends under one hello. The interval across a new hello is not compared, since either config may
+ * have been in force.
+ * @returns a reason if nothing could be compared
  */
 export function compareRecording(recording: Recording): Result<RecordingComparison> {
   const found: Found = {
@@ -66,7 +66,7 @@ export function compareRecording(recording: Recording): Result<RecordingComparis
 
 type Found = { -readonly [Field in keyof RecordingComparison]: RecordingComparison[Field] };
 
-/** Adds to what was found; or the reason why a session cannot be compared. */
+/** Adds a session's intervals to `found`, or returns the reason why it cannot be compared. */
 function compareSession(found: Found, session: RecordedSession, own: string): string | null {
   const { frames } = session;
   const world = worldOf(session);
@@ -111,7 +111,7 @@ function runInterval(
   world: World,
   frame: ServerFrame,
   start: ShipState,
-  inputs: readonly StagedInput[],
+  inputs: readonly ScheduledInput[],
 ): Result<Outcome> {
   const row = new Float64Array(SHIP_STRIDE);
   const bodies = new Float64Array(world.bodies.length * BODY_STRIDE);
@@ -154,7 +154,7 @@ function worldOf({ hello, frames }: RecordedSession): Result<World> {
   });
 }
 
-/** The ship's own height of its centre of mass, else its class's. */
+/** The ship's own height of its centre of mass, or its class's. */
 function heightOf({ groundContactOffset, shipClass }: ShipState, { shipClasses }: World): number {
   return groundContactOffset ?? shipClasses.find(({ name }) => name === shipClass)?.groundContactOffset ?? 0;
 }
@@ -179,10 +179,12 @@ function otherOutcome({ ship, events }: Outcome, expected: ShipState, frame: Ser
   if (ship.crashed !== expected.crashed) return `crashed ${ship.crashed}, expected ${expected.crashed}`;
   if (ship.surfaceContactState !== expected.surfaceContactState)
     return `state '${ship.surfaceContactState}', expected '${expected.surfaceContactState}'`;
-  const told = frame.events.filter(({ shipId }) => shipId === expected.shipId).map(({ type }) => type);
-  return events.join() === told.join()
+  const expectedEvents = frame.events
+    .filter(({ shipId }) => shipId === expected.shipId)
+    .map(({ type }) => type);
+  return events.join() === expectedEvents.join()
     ? null
-    : `events ${events.join(', ') || 'none'}, expected ${told.join(', ') || 'none'}`;
+    : `events ${events.join(', ') || 'none'}, expected ${expectedEvents.join(', ') || 'none'}`;
 }
 
 function sameControls(a: Controls, b: Controls): boolean {

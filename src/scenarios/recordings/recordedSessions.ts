@@ -1,15 +1,15 @@
 import type { Hello, InputRecord, ServerFrame } from '../../wire';
 import { isWhole, type Recording } from './recording';
-import type { StagedInput } from '../scenario';
+import type { ScheduledInput } from '../scenario';
 
-/** What a recording holds between one hello and the next: a connection, or the time after the server changed its settings. */
+/** The part of a recording between two hellos: one connection, or one set of server settings. */
 export interface RecordedSession {
-  /** What was in force; null where the server says no hello. */
+  /** The world config in force; null if the server sends no hello. */
   readonly hello: Hello | null;
-  /** The last frame of each tick: while paused a tick comes again, and what it says last holds. */
+  /** The last frame of each tick: while paused a tick is repeated, and its last frame counts. */
   readonly frames: ReadonlyMap<number, ServerFrame>;
-  /** What acted on the recording's own ship, by tick. */
-  readonly inputs: ReadonlyMap<number, readonly StagedInput[]>;
+  /** Inputs that acted on the recording's own ship, by tick. */
+  readonly inputs: ReadonlyMap<number, readonly ScheduledInput[]>;
 }
 
 interface Gathered {
@@ -19,8 +19,8 @@ interface Gathered {
 }
 
 /**
- * The sessions in their order; what came before the first hello belongs to it. A server whose ticks go on over a new hello is still
- * the same and knows the inputs that it had been sent; one that counts anew has begun anew.
+ * The sessions in order; entries before the first hello belong to it. A server whose ticks continue across a new hello is the same and
+ * knows the inputs it was sent before; one whose ticks start again has restarted.
  */
 export function sessionsOf({ header, entries }: Recording): RecordedSession[] {
   const gathered = gather(entries);
@@ -42,7 +42,7 @@ function gather(entries: Recording['entries']): Gathered[] {
     if (entry.kind === 'sent' && entry.message.kind === 'inputs') session.sent.push(...entry.message.inputs);
     if (entry.kind !== 'received') continue;
     const { message } = entry;
-    // A frame that does not tell its tempo and bodies cannot be compared with the law.
+    // A frame without its tempo and bodies cannot be compared with the dynamics.
     if (message.kind === 'frame' && isWhole(message)) session.frames.set(message.tick, message);
     if (message.kind !== 'hello') continue;
     if (session.hello !== null) {
@@ -54,16 +54,19 @@ function gather(entries: Recording['entries']): Gathered[] {
   return sessions;
 }
 
-/** A plan holds up to the first input that was sent. */
-function plannedBefore(first: InputRecord | undefined, plan: readonly StagedInput[]): readonly StagedInput[] {
+/** The plan applies until the first input that was sent. */
+function plannedBefore(
+  first: InputRecord | undefined,
+  plan: readonly ScheduledInput[],
+): readonly ScheduledInput[] {
   if (first === undefined) return plan;
   return plan.filter(
     ({ tick, substep }) => tick < first.tick || (tick === first.tick && substep < first.substep),
   );
 }
 
-function byTick(inputs: readonly StagedInput[]): Map<number, StagedInput[]> {
-  const found = new Map<number, StagedInput[]>();
+function byTick(inputs: readonly ScheduledInput[]): Map<number, ScheduledInput[]> {
+  const found = new Map<number, ScheduledInput[]>();
   for (const input of inputs) {
     const there = found.get(input.tick);
     if (there === undefined) found.set(input.tick, [input]);

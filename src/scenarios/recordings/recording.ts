@@ -13,41 +13,41 @@ import {
 } from '../../wire';
 import { fromBase64, toBase64 } from './base64';
 import { createFields, type Fields, type JsonRecord } from '../fixtures/fields';
-import type { StagedInput } from '../scenario';
+import type { ScheduledInput } from '../scenario';
 
 /**
- * What a client received, sent and was asked for, and when: a predictor fed with it again does the same again (PREDICTION,
- * Diagnosis). As a file: JSON lines, the first the header; messages as the protocol's bytes in base64; controls only where they change.
+ * What a client received, sent and simulated, and when: a predictor fed with it reproduces the session (PREDICTION, Diagnosis). The
+ * file has JSON lines, the header first; messages are the protocol's bytes in base64; controls are given only where they change.
  */
 export interface Recording {
   readonly header: RecordingHeader;
-  /** In the order of time. */
+  /** Ascending in time. */
   readonly entries: readonly RecordingEntry[];
 }
 
 export interface RecordingHeader {
-  /** For people: where it comes from. */
+  /** For people: the recording's origin. */
   readonly note: string;
   /** The client's own ship. */
   readonly shipId: string;
-  /** What it did by itself until the first input, as client and server knew beforehand. */
-  readonly plan?: readonly StagedInput[];
+  /** Inputs scheduled in advance, which apply until the first one sent. */
+  readonly plan?: readonly ScheduledInput[];
 }
 
-/** `at`: the client's wall seconds. */
+/** `at`: wall seconds of the client. */
 export type RecordingEntry =
   | { readonly kind: 'received'; readonly at: number; readonly message: ServerMessage | PartialFrame }
   | { readonly kind: 'sent'; readonly at: number; readonly message: ClientMessage }
-  /** The page's frame: the controls held then, null for a spectator. */
+  /** A frame of the page, with the controls held then; null for a spectator. */
   | { readonly kind: 'advanced'; readonly at: number; readonly controls: Controls | null };
 
 const FORMAT = 'touchdown-recording';
 const VERSION = 1;
-/** An hour at 60 Hz, with messages, several times over. */
+/** Several hours at 60 Hz, with messages. */
 const MAX_LINES = 1_000_000;
 const MAX_PLANNED = 10_000;
 
-/** Writes a recording line by line, as it comes: each call gives one line with its line feed. */
+/** Writes a recording line by line: each call returns one line with its line feed. */
 export interface RecordingWriter {
   readonly header: (header: RecordingHeader) => string;
   readonly entry: (entry: RecordingEntry) => string;
@@ -85,14 +85,14 @@ export function writeRecording({ header, entries }: Recording): string {
   return writer.header(header) + entries.map((entry) => writer.entry(entry)).join('');
 }
 
-/** The protocol's bytes; of a frame that does not tell all, what a JSON server told. */
+/** The protocol's bytes; of a partial frame, the JSON that the server sent. */
 function received(message: ServerMessage | PartialFrame): Record<string, unknown> {
   return isWhole(message)
     ? { bytes: toBase64(encodeServerMessage(message)) }
     : { frame: encodeFrameJson(message) };
 }
 
-/** Whether a message tells all that the protocol's bytes carry. */
+/** Whether a message has everything that the protocol's bytes carry. */
 export function isWhole(message: ServerMessage | PartialFrame): message is ServerMessage {
   if (message.kind !== 'frame') return true;
   const { tickRate, timeScale, paused, bodies, events, lastInput } = message as Partial<ServerFrame>;
@@ -116,7 +116,7 @@ export function readRecording(text: string): Result<Recording> {
   return ok({ header: first.value, entries });
 }
 
-/** What a line leaves to the next. */
+/** What a line inherits from the lines before it. */
 interface Past {
   at: number;
   controls: Controls | null | undefined;
@@ -149,8 +149,8 @@ function readHeader(fields: Fields, given: JsonRecord): RecordingHeader {
   return { note, shipId, ...(plan.length === 0 ? {} : { plan }) };
 }
 
-/** In the order of time, as a client hands it to its predictor. */
-function readPlan(fields: Fields, given: unknown): StagedInput[] {
+/** Ascending in time, as a client hands it to its predictor. */
+function readPlan(fields: Fields, given: unknown): ScheduledInput[] {
   let before = { tick: 0, substep: 0 };
   return fields.list(given, 'plan', MAX_PLANNED).map(({ value, path }) => {
     const input = fields.record(value, path);
@@ -168,7 +168,7 @@ function readPlan(fields: Fields, given: unknown): StagedInput[] {
 
 function readEntry(fields: Fields, given: JsonRecord, past: Past): RecordingEntry {
   const at = fields.number(given['at'], 'at');
-  if (at < past.at) fields.fault('at', `expected in the order of time, at least ${past.at}, got ${at}`);
+  if (at < past.at) fields.fault('at', `expected ascending times, at least ${past.at}, got ${at}`);
   past.at = at;
   const kind = fields.choice(given['kind'], 'kind', ['advanced', 'received', 'sent']);
   if (kind === 'advanced') return { kind, at, controls: readControls(fields, given, past) };

@@ -3,6 +3,8 @@ export interface CameraRig {
   azimuth: number;
   elevation: number;
   distance: number;
+  /** Part of the elevation that the camera itself has added, rad. */
+  raised: number;
   /** Local, doubles. */
   readonly focus: Float64Array;
   readonly eye: Float64Array;
@@ -37,6 +39,7 @@ export function createRig(azimuth: number, elevation: number, distance: number):
     azimuth,
     elevation,
     distance,
+    raised: 0,
     focus: new Float64Array(3),
     eye: new Float64Array(3),
     motion: {

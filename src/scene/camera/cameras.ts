@@ -1,5 +1,5 @@
 import type { PerspectiveCamera } from 'three';
-import { type MovingRig, placeEye, updateRig } from './cameraRig';
+import { type MovingRig, placeEye, turnRig, updateRig } from './cameraRig';
 import { rotateByQuat, type ShipActor } from '../ships/shipActor';
 
 /** Where the picture is taken from. */
@@ -30,6 +30,8 @@ export interface CameraPlace {
   /** Since the frame before, s. */
   readonly seconds: number;
   readonly groundY: (x: number, z: number) => number;
+  /** There is a pad to land on. */
+  readonly hasPad: boolean;
 }
 
 /** Moves the eye and aims the camera; afterwards `rig.eye` and `rig.focus` are local, m. */
@@ -41,6 +43,7 @@ export function aimCamera(
 ): void {
   const { actor, seconds } = place;
   camera.up.set(0, 1, 0);
+  if (view === 'follow') raiseOverPad(rig, place);
   if (view === 'chase') turnBehind(rig, actor.velocity, seconds);
   if (view !== 'free') updateRig(rig, actor.place, actor.velocity, seconds);
   if (view === 'cockpit') sitInside(camera, rig, place);
@@ -49,6 +52,24 @@ export function aimCamera(
   setNear(camera, view === 'cockpit' ? HULL_REACH * actor.height : NEAR);
   const { eye, focus } = rig;
   camera.lookAt(focus[0]! - eye[0]!, focus[1]! - eye[1]!, focus[2]! - eye[2]!);
+}
+
+/** rad over the first view from PAD_HEIGHT m up; lower than PAD_LOW m the ship is seen from the side. */
+const PAD_ELEVATION = 1.15;
+const PAD_HEIGHT = 68;
+const PAD_LOW = 8;
+/** rad: smaller turns wait, so that the picture does not swim. */
+const PAD_STEP = 0.02;
+
+/** High over its pad a ship is seen from above, so that the pad is in the picture. What the hand turns comes on top of it. */
+function raiseOverPad(rig: MovingRig, { actor, groundY, hasPad }: CameraPlace): void {
+  const [x, y, z] = actor.place as unknown as [number, number, number];
+  const height = hasPad ? y - actor.height - groundY(x, z) : 0;
+  const share = Math.min(Math.max((height - PAD_LOW) / (PAD_HEIGHT - PAD_LOW), 0), 1);
+  const wanted = PAD_ELEVATION * share;
+  if (Math.abs(wanted - rig.raised) < PAD_STEP && wanted !== 0) return;
+  turnRig(rig, 0, wanted - rig.raised);
+  rig.raised = wanted;
 }
 
 function turnBehind(rig: MovingRig, velocity: Float64Array, seconds: number): void {

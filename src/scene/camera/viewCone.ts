@@ -47,10 +47,26 @@ export function aimCone(
   inward[3] = sin * fz - cos * fx;
 }
 
+export function copyCone(out: ViewCone, cone: ViewCone): void {
+  out.x = cone.x;
+  out.z = cone.z;
+  out.whole = cone.whole;
+  out.inward.set(cone.inward);
+}
+
+/** Whether a cone is another one moved by less than `distance`, m, and turned by less than `angle`, rad. */
+export function isNearCone(cone: ViewCone, other: ViewCone, distance: number, angle: number): boolean {
+  if (cone.whole !== other.whole) return false;
+  if (cone.whole) return true;
+  for (let i = 0; i < 4; i++) if (Math.abs(cone.inward[i]! - other.inward[i]!) > angle) return false;
+  return Math.abs(cone.x - other.x) < distance && Math.abs(cone.z - other.z) < distance;
+}
+
 /** Whether a circle about (x, z) reaches into the cone. */
 export function coneMeets(cone: ViewCone, x: number, z: number, radius: number): boolean {
   if (cone.whole) return true;
   const { inward } = cone;
-  const [offX, offZ] = [x - cone.x, z - cone.z];
+  const offX = x - cone.x;
+  const offZ = z - cone.z;
   return offX * inward[0]! + offZ * inward[1]! > -radius && offX * inward[2]! + offZ * inward[3]! > -radius;
 }

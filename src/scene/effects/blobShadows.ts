@@ -108,8 +108,11 @@ export function createBlobShadows(): BlobShadows {
     finish() {
       mesh.count = count;
       mesh.visible = count > 0;
-      mesh.instanceMatrix.needsUpdate = true;
-      darkness.needsUpdate = true;
+      for (const attribute of [mesh.instanceMatrix, darkness]) {
+        attribute.clearUpdateRanges();
+        attribute.addUpdateRange(0, count * attribute.itemSize);
+        attribute.needsUpdate = true;
+      }
     },
     paint(sunDirection) {
       sun.copy(sunDirection);

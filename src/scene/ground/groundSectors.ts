@@ -69,6 +69,12 @@ export interface IndexRange {
   count: number;
 }
 
+/** Directions of the sectors' bounds. */
+const COS = Float64Array.from({ length: SECTORS + 1 }, (_, n) => Math.cos((n / SECTORS) * WHOLE));
+const SIN = Float64Array.from({ length: SECTORS + 1 }, (_, n) => Math.sin((n / SECTORS) * WHOLE));
+/** To the square's corners, and far enough that the chord between two corners of the outline clears the arc; in cells. */
+const OUTER_CELLS = ((CELLS / 2) * Math.SQRT2) / Math.cos(WHOLE / SECTORS / 2);
+
 const seen = new Uint8Array(SECTORS);
 /** Outline of a sector: x, z of its four corners. */
 const outline = new Float64Array(8);
@@ -113,11 +119,10 @@ function outlineSector(sector: number, level: TerrainLevel, innerCells: number):
   const { spacing } = level;
   const x = (level.cornerX + CELLS / 2) * spacing;
   const z = (level.cornerZ + CELLS / 2) * spacing;
-  // To the square's corners, and far enough that the chord between two corners of the outline clears the arc.
-  const outer = ((CELLS / 2) * Math.SQRT2 * spacing) / Math.cos(WHOLE / SECTORS / 2);
+  const outer = OUTER_CELLS * spacing;
   for (let side = 0; side < 2; side++) {
-    const angle = ((sector + side) / SECTORS) * WHOLE;
-    const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+    const cos = COS[sector + side]!;
+    const sin = SIN[sector + side]!;
     outline[side * 4] = x + cos * innerCells * spacing;
     outline[side * 4 + 1] = z + sin * innerCells * spacing;
     outline[side * 4 + 2] = x + cos * outer;

@@ -1,4 +1,4 @@
-/** A number in [0, 1) from two cell indices and a seed: the same everywhere, no dice. */
+/** A number in [0, 1) from two cell indices and a seed: the same everywhere, no random. */
 export function cellNoise(i: number, k: number, seed: number): number {
   let h = Math.imul(i, 0x27d4eb2d) ^ Math.imul(k, 0x165667b1) ^ Math.imul(seed, 0x9e3779b1);
   h = Math.imul(h ^ (h >>> 15), 0x85ebca6b);

@@ -1,5 +1,6 @@
 import {
   Color,
+  DynamicDrawUsage,
   IcosahedronGeometry,
   InstancedMesh,
   Matrix4,
@@ -12,23 +13,26 @@ import type { BodyLook } from '../sky/bodyLook';
 import type { LocalFrame } from '../localFrame';
 import { cellNoise } from './noise';
 import { groundPoint } from './terrainLevel';
-import { coneMeets, type ViewCone } from '../camera/viewCone';
+import { coneMeets, copyCone, createCone, isNearCone, type ViewCone } from '../camera/viewCone';
 
-/** Cells of stones around the ship: metres a cell, cells to each side. */
+/** Cells of stones around the ship: size of a cell in m, cells to each side, stones in a cell. */
 const CELL = 5;
 const REACH = 11;
 const PER_CELL = 2;
-const MOST = (2 * REACH + 1) ** 2 * PER_CELL;
+const MAX_STONES = (2 * REACH + 1) ** 2 * PER_CELL;
 /** The sun's shadow map reaches about as far around the ship, m: stones farther off throw no shadow. */
 const SHADOW_REACH = 18;
+/** m: how far outside the picture a stone is still drawn, so that the choice holds while the eye moves a little. */
+const MARGIN = 2;
 
-/** Stones up to knee height, half sunk; the law does not know them, so none is large enough to be missed under a foot. */
+/** Stones up to knee height, half sunk. The dynamics do not know them, so all are too small to matter under a foot. */
 export interface Rocks {
   readonly mesh: InstancedMesh;
-  lay(frame: LocalFrame, terrainHeight: TerrainHeight): void;
-  /** `shadowY` tells below which local y the terrain's shadow lies: stones in it are black on black and left out. */
+  /** The ground of another frame or terrain. */
+  setGround(frame: LocalFrame, terrainHeight: TerrainHeight): void;
+  /** `shadowY`: local y below which the terrain's shadow lies. Stones in it are black on black and left out. */
   follow(x: number, z: number, shadowY: (x: number, z: number) => number): void;
-  /** Places them relative to the eye (local, m) and leaves out what it cannot see. */
+  /** Places them relative to the eye (local, m) and leaves out those out of sight. */
   place(eye: Float64Array, cone: ViewCone): void;
   paint(look: BodyLook): void;
   dispose(): void;
@@ -37,96 +41,47 @@ export interface Rocks {
 export function createRocks(): Rocks {
   const geometry = stone();
   const material = new MeshLambertMaterial({ flatShading: true });
-  const mesh = new InstancedMesh(geometry, material, MOST);
+  const mesh = new InstancedMesh(geometry, material, MAX_STONES);
+  mesh.instanceMatrix.setUsage(DynamicDrawUsage);
   mesh.castShadow = true;
   mesh.receiveShadow = true;
   mesh.frustumCulled = false;
   mesh.count = 0;
-  let shadowed = 0;
-  let seen = 0;
-  mesh.onBeforeShadow = () => (mesh.count = shadowed);
-  mesh.onAfterShadow = () => (mesh.count = seen);
-  /** Matrices of all stones, those within the shadows' reach first, and how many there are of either. */
-  const matrices = new Float32Array(MOST * 16);
-  let all = 0;
-  let close = 0;
-  let where: { frame: LocalFrame; terrainHeight: TerrainHeight } | null = null;
-  let cellX = NaN;
-  let cellZ = NaN;
-  let stoniness = 1;
-  const origin = new Float64Array(3);
-  const point = new Float64Array(3);
-  const matrix = new Matrix4();
-  const turn = new Quaternion();
-  const axis = new Vector3();
-  const size = new Vector3();
-  const at = new Vector3();
-
-  const scatter = (shadowY: (x: number, z: number) => number) => {
-    if (where === null) return;
-    groundPoint(origin, 0, cellX * CELL, cellZ * CELL, where);
-    const far: Matrix4[] = [];
-    all = 0;
-    for (let k = cellZ - REACH; k <= cellZ + REACH; k++) {
-      for (let i = cellX - REACH; i <= cellX + REACH; i++) {
-        for (let n = 0; n < PER_CELL; n++) {
-          const seed = 31 + n * 7;
-          if (cellNoise(i, k, seed) > 0.3 * stoniness) continue;
-          const x = (i + cellNoise(i, k, seed + 1)) * CELL;
-          const z = (k + cellNoise(i, k, seed + 2)) * CELL;
-          groundPoint(point, 0, x, z, where);
-          if (point[1]! < shadowY(x, z)) continue;
-          const radius = 0.05 + 0.3 * cellNoise(i, k, seed + 3) ** 4;
-          at.set(point[0]! - origin[0]!, point[1]! - origin[1]! + radius * 0.15, point[2]! - origin[2]!);
-          axis.set(cellNoise(i, k, seed + 4) - 0.5, 1, cellNoise(i, k, seed + 5) - 0.5).normalize();
-          turn.setFromAxisAngle(axis, 6.28 * cellNoise(i, k, seed + 6));
-          size.set(radius, radius * (0.55 + 0.4 * cellNoise(i, k, seed + 4)), radius * 0.85);
-          matrix.compose(at, turn, size);
-          if (Math.hypot(at.x, at.z) < SHADOW_REACH) matrix.toArray(matrices, 16 * all++);
-          else far.push(matrix.clone());
-        }
-      }
-    }
-    close = all;
-    for (const each of far) each.toArray(matrices, 16 * all++);
-  };
-
-  const leaveOutHidden = (cone: ViewCone) => {
-    const drawn = mesh.instanceMatrix.array;
-    seen = 0;
-    shadowed = 0;
-    for (let n = 0; n < all; n++) {
-      const from = n * 16;
-      if (!coneMeets(cone, matrices[from + 12]! + origin[0]!, matrices[from + 14]! + origin[2]!, 1)) continue;
-      for (let i = 0; i < 16; i++) drawn[seen * 16 + i] = matrices[from + i]!;
-      seen++;
-      if (n < close) shadowed = seen;
-    }
-    mesh.count = seen;
-    mesh.instanceMatrix.needsUpdate = true;
-  };
+  const drawn = { seen: 0, shadowed: 0 };
+  mesh.onBeforeShadow = () => (mesh.count = drawn.shadowed);
+  mesh.onAfterShadow = () => (mesh.count = drawn.seen);
+  const field = createField();
+  const culled = createCone();
+  let isCulled = false;
+  let where: StoneGround | null = null;
 
   return {
     mesh,
-    lay(frame, terrainHeight) {
+    setGround(frame, terrainHeight) {
       where = { frame, terrainHeight };
-      cellX = NaN;
+      field.cellX = NaN;
     },
     follow(x, z, shadowY) {
-      const [i, k] = [Math.round(x / CELL), Math.round(z / CELL)];
-      if (Math.abs(i - cellX) <= 1 && Math.abs(k - cellZ) <= 1) return;
-      cellX = i;
-      cellZ = k;
-      scatter(shadowY);
+      const i = Math.round(x / CELL);
+      const k = Math.round(z / CELL);
+      if (where === null || (Math.abs(i - field.cellX) <= 1 && Math.abs(k - field.cellZ) <= 1)) return;
+      field.cellX = i;
+      field.cellZ = k;
+      scatter(field, where, shadowY);
+      isCulled = false;
     },
     place(eye, cone) {
-      leaveOutHidden(cone);
+      const { origin } = field;
       mesh.position.set(origin[0]! - eye[0]!, origin[1]! - eye[1]!, origin[2]! - eye[2]!);
+      if (isCulled && isNearCone(culled, cone, MARGIN / 2, MARGIN / (2 * REACH * CELL))) return;
+      copyCone(culled, cone);
+      isCulled = true;
+      writeVisible(mesh, drawn, field, cone);
     },
     paint(look) {
       const [r, g, b] = look.stone;
       material.color.copy(new Color().setRGB(r, g, b));
-      stoniness = look.stoniness;
+      field.stoniness = look.stoniness;
     },
     dispose() {
       geometry.dispose();
@@ -134,6 +89,106 @@ export function createRocks(): Rocks {
       mesh.dispose();
     },
   };
+}
+
+interface StoneGround {
+  readonly frame: LocalFrame;
+  readonly terrainHeight: TerrainHeight;
+}
+
+/** The stones around a cell. */
+interface StoneField {
+  cellX: number;
+  cellZ: number;
+  stoniness: number;
+  /** Local, m; the matrices are relative to it. */
+  readonly origin: Float64Array;
+  /** Those within the shadows' reach first. */
+  readonly matrices: Float32Array;
+  count: number;
+  /** How many are within the shadows' reach. */
+  close: number;
+}
+
+function createField(): StoneField {
+  return {
+    cellX: NaN,
+    cellZ: NaN,
+    stoniness: 1,
+    origin: new Float64Array(3),
+    matrices: new Float32Array(MAX_STONES * 16),
+    count: 0,
+    close: 0,
+  };
+}
+
+const matrix = new Matrix4();
+const point = new Float64Array(3);
+
+function scatter(field: StoneField, where: StoneGround, shadowY: (x: number, z: number) => number): void {
+  const { cellX, cellZ, origin, matrices } = field;
+  groundPoint(origin, 0, cellX * CELL, cellZ * CELL, where);
+  const far: Matrix4[] = [];
+  field.count = 0;
+  for (let k = cellZ - REACH; k <= cellZ + REACH; k++) {
+    for (let i = cellX - REACH; i <= cellX + REACH; i++) {
+      for (let n = 0; n < PER_CELL; n++) {
+        const seed = 31 + n * 7;
+        if (cellNoise(i, k, seed) > 0.3 * field.stoniness) continue;
+        const x = (i + cellNoise(i, k, seed + 1)) * CELL;
+        const z = (k + cellNoise(i, k, seed + 2)) * CELL;
+        groundPoint(point, 0, x, z, where);
+        if (point[1]! < shadowY(x, z)) continue;
+        const away = poseStone(matrix, i, k, seed, origin);
+        if (away < SHADOW_REACH) matrix.toArray(matrices, 16 * field.count++);
+        else far.push(matrix.clone());
+      }
+    }
+  }
+  field.close = field.count;
+  for (const each of far) each.toArray(matrices, 16 * field.count++);
+}
+
+const turn = new Quaternion();
+const axis = new Vector3();
+const size = new Vector3();
+const at = new Vector3();
+
+/** The stone of a cell at `point`, half sunk; gives its distance along the ground from the origin, m. */
+function poseStone(out: Matrix4, i: number, k: number, seed: number, origin: Float64Array): number {
+  const radius = 0.05 + 0.3 * cellNoise(i, k, seed + 3) ** 4;
+  at.set(point[0]! - origin[0]!, point[1]! - origin[1]! + radius * 0.15, point[2]! - origin[2]!);
+  axis.set(cellNoise(i, k, seed + 4) - 0.5, 1, cellNoise(i, k, seed + 5) - 0.5).normalize();
+  turn.setFromAxisAngle(axis, 2 * Math.PI * cellNoise(i, k, seed + 6));
+  size.set(radius, radius * (0.55 + 0.4 * cellNoise(i, k, seed + 4)), radius * 0.85);
+  out.compose(at, turn, size);
+  return Math.hypot(at.x, at.z);
+}
+
+/** Copies the stones in sight to the instances, and only those to the GPU. */
+function writeVisible(
+  mesh: InstancedMesh,
+  drawn: { seen: number; shadowed: number },
+  { matrices, origin, count, close }: StoneField,
+  cone: ViewCone,
+): void {
+  const { instanceMatrix } = mesh;
+  const to = instanceMatrix.array;
+  let seen = 0;
+  drawn.shadowed = 0;
+  for (let n = 0; n < count; n++) {
+    const from = n * 16;
+    if (!coneMeets(cone, matrices[from + 12]! + origin[0]!, matrices[from + 14]! + origin[2]!, MARGIN))
+      continue;
+    for (let i = 0; i < 16; i++) to[seen * 16 + i] = matrices[from + i]!;
+    seen++;
+    if (n < close) drawn.shadowed = seen;
+  }
+  drawn.seen = seen;
+  mesh.count = seen;
+  instanceMatrix.clearUpdateRanges();
+  instanceMatrix.addUpdateRange(0, seen * 16);
+  instanceMatrix.needsUpdate = true;
 }
 
 function stone(): IcosahedronGeometry {

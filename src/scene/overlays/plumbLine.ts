@@ -1,8 +1,15 @@
-import { BufferAttribute, BufferGeometry, Group, LineSegments, LineBasicMaterial } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+} from 'three';
 
 /**
- * How high a flying ship is, as one sees it: a line from its feet straight down to the ground, with a tick every 10 m (100 m far up)
- * and a cross where it ends. It is drawn over the ground, so that a hill between eye and ship does not hide it.
+ * Height cue of a flying ship: a line from its feet straight down to the ground, with a tick every 10 m (100 m far up) and a cross
+ * at its end. It is drawn over the ground, so that a hill between eye and ship does not hide it.
  */
 export interface PlumbLine {
   readonly group: Group;
@@ -11,18 +18,21 @@ export interface PlumbLine {
   dispose(): void;
 }
 
-/** Below this height of the feet the ship and its shadow say it themselves, m. */
+/** Below this height of the feet the ship and its shadow show it themselves, m. */
 const LOWEST = 12;
-/** From here on the ticks stand 100 m apart, m. */
+/** From here on the ticks are 100 m apart, m. */
 const HIGH = 400;
 const MAX_TICKS = 40;
 /** Half widths of a tick and of the cross on the ground, m. */
 const TICK = 0.5;
 const CROSS = 3;
+/** Two points of three coordinates; the line itself and the cross come before the ticks, each tick is two segments. */
+const SEGMENT = 6;
+const FIRST_TICK = 3;
 
 export function createPlumbLine(): PlumbLine {
-  const points = new Float32Array((1 + 2 + 2 * MAX_TICKS) * 2 * 3);
-  const position = new BufferAttribute(points, 3);
+  const points = new Float32Array((FIRST_TICK + 2 * MAX_TICKS) * SEGMENT);
+  const position = new BufferAttribute(points, 3).setUsage(DynamicDrawUsage);
   const geometry = new BufferGeometry().setAttribute('position', position);
   const material = new LineBasicMaterial({
     color: 0xbfeaff,
@@ -36,36 +46,21 @@ export function createPlumbLine(): PlumbLine {
   lines.renderOrder = 4;
   const group = new Group();
   group.add(lines);
-  let drawn = NaN;
-
-  const layOut = (height: number) => {
-    const step = height > HIGH ? 100 : 10;
-    let at = 0;
-    const segment = (y: number, dx: number, dy: number, dz: number) => {
-      points.set([-dx, y - dy, -dz, dx, y + dy, dz], at);
-      at += 6;
-    };
-    segment(height / 2, 0, height / 2, 0);
-    segment(0, CROSS, 0, 0);
-    segment(0, 0, 0, CROSS);
-    for (let n = 1; n * step < height && n <= MAX_TICKS; n++) {
-      const wide = TICK * (step / 10) * (n % 5 === 0 ? 2 : 1);
-      segment(n * step, wide, 0, 0);
-      segment(n * step, 0, 0, wide);
-    }
-    geometry.setDrawRange(0, at / 3);
-    position.needsUpdate = true;
-  };
+  let step = NaN;
 
   return {
     group,
     place(foot, height, eye) {
       group.visible = height > LOWEST;
       if (!group.visible) return;
-      // Tenths of a metre are not seen on it.
-      const rounded = Math.round(height * 10) / 10;
-      if (rounded !== drawn) layOut(rounded);
-      drawn = rounded;
+      const wanted = height > HIGH ? 100 : 10;
+      if (wanted !== step) writeTicks(points, wanted);
+      step = wanted;
+      // The upper end of the line: the only point that moves while the ship does.
+      points[4] = height;
+      position.needsUpdate = true;
+      const ticks = Math.min(Math.ceil(height / step) - 1, MAX_TICKS);
+      geometry.setDrawRange(0, 2 * (FIRST_TICK + 2 * ticks));
       group.position.set(foot[0]! - eye[0]!, foot[1]! - height - eye[1]!, foot[2]! - eye[2]!);
     },
     dispose() {
@@ -73,4 +68,17 @@ export function createPlumbLine(): PlumbLine {
       material.dispose();
     },
   };
+}
+
+/** The cross and the ticks, relative to the line's lower end. */
+function writeTicks(points: Float32Array, step: number): void {
+  const across = (segment: number, y: number, dx: number, dz: number) =>
+    points.set([-dx, y, -dz, dx, y, dz], segment * SEGMENT);
+  across(1, 0, CROSS, 0);
+  across(2, 0, 0, CROSS);
+  for (let n = 1; n <= MAX_TICKS; n++) {
+    const half = TICK * (step / 10) * (n % 5 === 0 ? 2 : 1);
+    across(FIRST_TICK + 2 * (n - 1), n * step, half, 0);
+    across(FIRST_TICK + 2 * (n - 1) + 1, n * step, 0, half);
+  }
 }

@@ -33,13 +33,16 @@ export function poseActors(
   posed: (actor: ShipActor, ship: ShipView) => void,
 ): void {
   actors.count += 1;
+  let present = 0;
   for (const ship of view.ships) {
     if (ship.body !== body) continue;
     const actor = actorOf(actors, ship, place);
+    present += 1;
     actor.seen = actors.count;
     poseActor(actor, ship, view, place.frame, place.turn);
     posed(actor, ship);
   }
+  if (present === actors.byId.size) return;
   for (const [id, actor] of actors.byId) if (actor.seen !== actors.count) leave(actors, id, place.jets);
 }
 

@@ -82,9 +82,9 @@ export function createHulls(material: ShipMaterial): Hulls {
           mesh.count = count;
           mesh.visible = count > 0;
           if (count === 0) continue;
-          mesh.instanceMatrix.needsUpdate = true;
-          sunlit.needsUpdate = true;
-          if (isWhole) compression.needsUpdate = true;
+          upload(mesh.instanceMatrix, count);
+          upload(sunlit, count);
+          if (isWhole) upload(compression, count);
         }
       }
     },
@@ -92,6 +92,13 @@ export function createHulls(material: ShipMaterial): Hulls {
       for (const levels of classes.values()) for (const { mesh } of levels) mesh.dispose();
     },
   };
+}
+
+/** Sends the first `count` instances to the GPU. */
+function upload(attribute: InstancedBufferAttribute, count: number): void {
+  attribute.clearUpdateRanges();
+  attribute.addUpdateRange(0, count * attribute.itemSize);
+  attribute.needsUpdate = true;
 }
 
 function createLevel(geometry: BufferGeometry, isWhole: boolean, material: ShipMaterial): Level {

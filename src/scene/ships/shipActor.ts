@@ -1,4 +1,4 @@
-import { type BufferGeometry, type Group, Mesh, type ShaderMaterial } from 'three';
+import { type BufferGeometry, type Group, Mesh, type ShaderMaterial, Vector3 } from 'three';
 import { quat } from 'gl-matrix';
 import type { ShipView, WorldView } from '../../prediction';
 import { createDustState, type DustState } from '../effects/dustSources';
@@ -33,6 +33,17 @@ export interface ShipActor {
   wasWreck: boolean;
   /** Share of the sun that reaches it, 0 … 1. */
   sunlit: number;
+  readonly shadow: ThrownShadow;
+}
+
+/** Where a ship's shadow falls, found from the ship at `from`. Local axes, m. */
+export interface ThrownShadow {
+  /** NaN before the first time. */
+  readonly from: Float64Array;
+  readonly at: Vector3;
+  /** Of the ground there, unit, found from the ship at `slopeFrom`. */
+  readonly normal: Vector3;
+  readonly slopeFrom: Float64Array;
 }
 
 /** Geometries by class and air: built once, shared by all ships of the class. */
@@ -98,6 +109,12 @@ export function createActor(ship: ShipView, shipResources: ShipResources, inAir:
     posed: 0,
     wasWreck: false,
     sunlit: 1,
+    shadow: {
+      from: new Float64Array(3).fill(NaN),
+      at: new Vector3(),
+      normal: new Vector3(0, 1, 0),
+      slopeFrom: new Float64Array(3).fill(NaN),
+    },
   };
 }
 

@@ -15,7 +15,7 @@ import { optionalVectorIn, quaternionFields, quaternionIn, vectorFields, vectorI
 
 /**
  * The game's ShipState, from protobuf or JSON. A server that does not send the fields 30 to 35 is an ordinary case
- * (PREDICTION, What the server says): what they mean together is the predictor's to say, not this reader's.
+ * (PREDICTION, Server messages): what they mean together is the predictor's to say, not this reader's.
  */
 export function readShipState(r: Reading, from: Fields): ShipState {
   const relativePosition = optionalVectorIn(r, from, 'relative_position', METRES);

@@ -24,7 +24,7 @@ const ENVELOPE: Envelope = {
 /**
  * A message from a client, for the authority: checked, finite, plain; or why it is refused whole, with the path of the
  * first bad field ("inputs[2].controls.thrust_level: …"). Controls are clamped into range. Never throws, whatever the
- * bytes (PREDICTION, The timeline).
+ * bytes (PREDICTION, Timeline).
  */
 export function decodeClientMessage(bytes: Uint8Array): Result<ClientMessage> {
   const opened = openEnvelope(bytes, ENVELOPE, (reader) => galaxy.stream.ClientMessage.decode(reader));

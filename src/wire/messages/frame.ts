@@ -26,7 +26,7 @@ import type { InputAcknowledgement, PartialFrame, ServerFrame } from '../records
 import { readShipState, shipStateFields } from '../fields/shipState';
 import { eventFields, readEvent } from '../fields/worldEvent';
 
-/** PREDICTION, What the server says: ServerFrame. */
+/** PREDICTION, Server messages: ServerFrame. */
 export function readFrame(r: Reading, from: Fields): ServerFrame {
   const tick = integerIn(r, from, 'tick', 0, MAX_TICK);
   const frame: ServerFrame = {

@@ -22,7 +22,7 @@ import { FIRST_VERSION, matchVersion, PROTOCOL_VERSION } from '../../protocol';
 import { readSettings, settingsFields } from '../fields/settings';
 import { readShipClass, shipClassFields } from '../fields/shipClass';
 
-/** PREDICTION, What the server says: hello. */
+/** PREDICTION, Server messages: hello. */
 export function readHello(r: Reading, from: Fields): Hello {
   const hello: Hello = {
     kind: 'hello',

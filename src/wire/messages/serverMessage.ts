@@ -48,7 +48,7 @@ const ENVELOPE: Envelope = {
 /**
  * A message from the server: checked, finite, plain; or why it is refused whole, with the path of the first bad field
  * ("frame.ships[3].relative_position.y: expected a finite number, got NaN"). Never throws, whatever the bytes.
- * SI units, ICRF axes, quaternions [x, y, z, w] (PREDICTION, What the server says).
+ * SI units, ICRF axes, quaternions [x, y, z, w] (PREDICTION, Server messages).
  */
 export function decodeServerMessage(bytes: Uint8Array): Result<ServerMessage> {
   const opened = openEnvelope(bytes, ENVELOPE, (reader) => galaxy.stream.ServerMessage.decode(reader));

@@ -1,5 +1,5 @@
 import { BODY_STRIDE, SHIP_STRIDE, stepWorld, writeBodyMotion, writeShip } from '../../../src/dynamics';
-import { fleetOrders, type Scenario, stage } from '../../../src/scenarios';
+import { fleetOrders, type Scenario, loadScenario } from '../../../src/scenarios';
 import { scenarioNamed, value } from '../../prediction/rig';
 import type { ServerFrame } from '../../../src/wire';
 import { type Figure, spread } from './figure';
@@ -38,18 +38,18 @@ function gc(): void {
 }
 
 function* thousandShips(): Generator<Figure> {
-  const staged = value(stage(SLIDE));
+  const loaded = value(loadScenario(SLIDE));
   const authority = value(
     createAuthority({
-      shipClasses: [staged.shipClass],
-      bodies: [staged.body],
+      shipClasses: [loaded.shipClass],
+      bodies: [loaded.body],
       terrain: 'flat',
-      terrains: { flat: staged.terrainHeight },
+      terrains: { flat: loaded.terrainHeight },
       tickRate: TICK_RATE,
       timeScale: 1,
     }),
   );
-  for (const order of fleetOrders(staged, SHIPS, 3)) authority.spawn(order);
+  for (const order of fleetOrders(loaded, SHIPS, 3)) authority.spawn(order);
   const predictor = createPredictor();
   predictor.receive(value(authority.join('me', ''))!, 0);
   const frames: ServerFrame[] = [];
@@ -141,27 +141,27 @@ function quietestMedian(values: readonly number[], length: number): number {
 
 /** Adopt and replay 100 substeps of one ship, against the law's own world stepping it 100 times. */
 function replayOfHundred(): Figure {
-  const staged = value(stage(SLIDE));
-  const told = { settings: {}, shipClasses: [staged.shipClass], bodies: [staged.body], terrain: 'flat' };
-  const world = value(loadConfig(told, { flat: staged.terrainHeight }));
-  const sim = createSimulation(world, [staged.body], {
+  const loaded = value(loadScenario(SLIDE));
+  const told = { settings: {}, shipClasses: [loaded.shipClass], bodies: [loaded.body], terrain: 'flat' };
+  const world = value(loadConfig(told, { flat: loaded.terrainHeight }));
+  const sim = createSimulation(world, [loaded.body], {
     counters: createDiagnosis(),
     warn: () => undefined,
     sleeps: false,
     plan: [],
   });
   setTempo(sim.timeline, 0, { tickRate: 1, timeScale: 1, paused: false }, null);
-  updateBodies(sim.bodies, 0, [staged.body]);
+  updateBodies(sim.bodies, 0, [loaded.body]);
   const track = addTrack(sim.fleet, 'ship-1', sim.ringLength);
   const start = new Float64Array(SHIP_STRIDE);
-  writeShip(start, 0, { ...staged.ship, surfaceContactState: 'contact' }, world);
+  writeShip(start, 0, { ...loaded.ship, surfaceContactState: 'contact' }, world);
   sim.front.tick = 1;
   const rows = start.slice();
   const bodies = new Float64Array(BODY_STRIDE);
   const events = new Uint8Array(1);
   const plain = () => {
     rows.set(start);
-    writeBodyMotion(bodies, 0, staged.body);
+    writeBodyMotion(bodies, 0, loaded.body);
     for (let s = 0; s < 100; s++) stepWorld(rows, bodies, events, world, 0.01);
   };
   const replayed = () => {

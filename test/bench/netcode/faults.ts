@@ -1,5 +1,5 @@
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
-import { createDice, type Dice, NETWORK_PRESETS, type NetworkPreset } from '../../../src/scenarios';
+import { createRandom, type Random, NETWORK_PRESETS, type NetworkPreset } from '../../../src/scenarios';
 import {
   createFaultyLine,
   type FaultyLine,
@@ -16,7 +16,7 @@ const BEFORE = 8;
 const AFTER = 10;
 /** How long it is watched that nothing happens to, beyond the time that is measured, s. */
 const TWIN = 20;
-/** Off by more than this is not right, s (PREDICTION, The clock believes what a queue says). */
+/** Off by more than this is not right, s (PREDICTION, Clock). */
 const WITHIN = 0.05;
 const WITHIN_ON_LAN = 0.01;
 const RATES = [0.1, 0.25, 1, 5, 20];
@@ -83,8 +83,8 @@ interface Outcome {
 
 /** Stalls, freezes, jumps, pauses, restarts, drift and coarse clocks, drawn at random: how soon all is right again. */
 export function* faultFigures(): Generator<Figure> {
-  const dice = createDice(SEED);
-  const outcomes = Array.from({ length: RUNS }, () => runFault(dice));
+  const rng = createRandom(SEED);
+  const outcomes = Array.from({ length: RUNS }, () => runFault(rng));
   const late = outcomes.map(({ rightAfter, allowed }) => Math.max(0, rightAfter - allowed));
   const lateYardstick = outcomes.map(({ yardstickRightAfter, allowed }) =>
     Math.max(0, yardstickRightAfter - allowed),
@@ -138,15 +138,15 @@ function worstOf(outcomes: readonly Outcome[], late: readonly number[]): string 
   return outcomes[worst]!.fault;
 }
 
-function runFault(dice: Dice): Outcome {
-  const pick = <T>(list: readonly T[]): T => list[Math.floor(dice() * list.length)]!;
+function runFault(rng: Random): Outcome {
+  const pick = <T>(list: readonly T[]): T => list[Math.floor(rng() * list.length)]!;
   const preset = pick(Object.keys(NETWORK_PRESETS) as NetworkPreset[]);
   const tickRate = pick(RATES);
   const drift = pick([0, DRIFT, -DRIFT]);
   const grain = pick([0, 0, COARSE]);
-  const seconds = 0.3 * 2000 ** dice();
+  const seconds = 0.3 * 2000 ** rng();
   const name = pick(Object.keys(FAULTS));
-  const seed = Math.floor(dice() * 1e9);
+  const seed = Math.floor(rng() * 1e9);
   const make = () =>
     lineAndFilter({ network: NETWORK_PRESETS[preset], tickRate, drift, seed, hello: true }, grain);
   const allowed = Math.max(1, 2 / tickRate);

@@ -22,8 +22,8 @@ interface Known {
 /** s in which the blend leaves 5 %, as today's client has it. */
 const BLEND_RATE = 3 / 0.5;
 
-export function createForeignBaselines({ staged, terrainHeight }: LiteralRig, G: number): Carried {
-  const { body, shipClass } = staged;
+export function createForeignBaselines({ loaded, terrainHeight }: LiteralRig, G: number): Carried {
+  const { body, shipClass } = loaded;
   const kept: Known[] = [];
   let fresh = false;
   let offset: Vec3 = [0, 0, 0];

@@ -1,7 +1,7 @@
 import { createPredictor } from '../../../src/prediction';
 import { BODIES, DEFAULT_SETTINGS, SHIP_CLASSES } from '../../../src/dynamics';
 import { createAuthority } from '../../../src/authority';
-import { stage } from '../../../src/scenarios';
+import { loadScenario } from '../../../src/scenarios';
 import { scenarioNamed, value } from '../../prediction/rig';
 import type { BodyState, ServerFrame } from '../../../src/wire';
 import type { Figure } from './figure';
@@ -18,20 +18,23 @@ export function* hourFigures(): Generator<Figure> {
     terrain: 'flat',
     site: { latitude: 0, longitude: 40 },
   };
-  const staged = value(
-    stage({ ...scenario, initial: { ...scenario.initial, height: 0.5, velocity: [0, 0, -1], tilt: 0 } }),
+  const loaded = value(
+    loadScenario({
+      ...scenario,
+      initial: { ...scenario.initial, height: 0.5, velocity: [0, 0, -1], tilt: 0 },
+    }),
   );
   const authority = value(
     createAuthority({
       shipClasses: SHIP_CLASSES,
       bodies: [earth],
       terrain: 'flat',
-      terrains: { flat: staged.terrainHeight },
+      terrains: { flat: loaded.terrainHeight },
       tickRate: 1,
       timeScale: 1,
     }),
   );
-  authority.spawn({ shipId: 'ship-1', playerId: 'me', name: 'Own', ship: staged.ship });
+  authority.spawn({ shipId: 'ship-1', playerId: 'me', name: 'Own', ship: loaded.ship });
   const predictor = createPredictor();
   const hello = value(authority.join('me', 'ship-1'))!;
   predictor.receive({ ...hello, settings: DEFAULT_SETTINGS }, 0);

@@ -3,7 +3,7 @@ import { type Figure, spread } from './figure';
 import { createSeededPilot } from './pilots';
 import { NETWORK_PRESETS } from '../../../src/scenarios';
 import type { ClientMessage } from '../../../src/wire';
-import { createDice } from '../../../src/scenarios';
+import { createRandom } from '../../../src/scenarios';
 
 const COASTING = ['settle', 'bounce', 'slide', 'topple', 'crash'];
 const FLOWN = ['right-itself', 'launch', 'opening'];
@@ -132,10 +132,10 @@ export function flyPilot(
   network = NETWORK_PRESETS.fourG,
 ): Flight {
   const pilot = createSeededPilot(100 + seed);
-  const dice = createDice(500 + seed);
+  const rng = createRandom(500 + seed);
   const holdBack = (message: ClientMessage, now: number) => {
-    if (message.kind !== 'inputs' || lateShare === undefined || dice() >= lateShare) return now;
-    return message.inputs[0]!.tick + 1 - network.delay + 0.02 + 0.18 * dice();
+    if (message.kind !== 'inputs' || lateShare === undefined || rng() >= lateShare) return now;
+    return message.inputs[0]!.tick + 1 - network.delay + 0.02 + 0.18 * rng();
   };
   return flyMeasured({ scenario: 'slide', seed, network, pilot: (game) => pilot.at(game), holdBack }, 62);
 }

@@ -1,5 +1,5 @@
 import { type Controls, NEUTRAL_CONTROLS } from '../../../src/dynamics';
-import { createDice, type Dice } from '../../../src/scenarios';
+import { createRandom, type Random } from '../../../src/scenarios';
 import type { Rig } from '../../prediction/rig';
 
 /** A pilot who changes one control at exponential times of mean 2 s: thrust around hovering on the Moon, thrusters, attitude. */
@@ -15,15 +15,15 @@ const LEVELS = [0, 0.05, 0.1, 0.15, 0.2];
 const MODES = ['none', 'hold', 'radial', 'retrograde'] as const;
 
 export function createSeededPilot(seed: number): SeededPilot {
-  const dice = createDice(seed);
+  const rng = createRandom(seed);
   let controls: Controls = { ...NEUTRAL_CONTROLS, attitudeHold: true };
-  let next = interval(dice);
+  let next = interval(rng);
   return {
     nextAt: () => next,
     at(now) {
       while (now >= next) {
-        controls = changed(controls, dice);
-        next += interval(dice);
+        controls = changed(controls, rng);
+        next += interval(rng);
       }
       return controls;
     },
@@ -31,8 +31,8 @@ export function createSeededPilot(seed: number): SeededPilot {
 }
 
 /** Exponential, by the inverse of its distribution; the logarithm as a sum of ln 2s and a series, for engines differ in theirs. */
-function interval(dice: Dice): number {
-  let u = 1 - dice();
+function interval(rng: Random): number {
+  let u = 1 - rng();
   let log = 0;
   while (u < 0.5) {
     u *= 2;
@@ -47,12 +47,12 @@ function interval(dice: Dice): number {
   return MEAN * log;
 }
 
-function changed(controls: Controls, dice: Dice): Controls {
-  const which = dice();
-  const stick = () => Math.floor(dice() * 3) - 1;
-  if (which < 0.4) return { ...controls, thrustLevel: LEVELS[Math.floor(dice() * LEVELS.length)]! };
+function changed(controls: Controls, rng: Random): Controls {
+  const which = rng();
+  const stick = () => Math.floor(rng() * 3) - 1;
+  if (which < 0.4) return { ...controls, thrustLevel: LEVELS[Math.floor(rng() * LEVELS.length)]! };
   if (which < 0.7) return { ...controls, translationInput: [stick(), stick(), 0] };
-  if (which < 0.85) return { ...controls, attitudeMode: MODES[Math.floor(dice() * MODES.length)]! };
+  if (which < 0.85) return { ...controls, attitudeMode: MODES[Math.floor(rng() * MODES.length)]! };
   return { ...controls, rotationInput: [0.03 * stick(), 0.03 * stick(), 0.03 * stick()] };
 }
 

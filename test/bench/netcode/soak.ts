@@ -1,5 +1,5 @@
 import { type Controls, NEUTRAL_CONTROLS } from '../../../src/dynamics';
-import { createDice, type Dice, NETWORK_PRESETS } from '../../../src/scenarios';
+import { createRandom, type Random, NETWORK_PRESETS } from '../../../src/scenarios';
 import type { ServerMessage } from '../../../src/wire';
 import { createRig, type Rig } from '../../prediction/rig';
 import type { Figure } from './figure';
@@ -12,7 +12,7 @@ const FAULT_EVERY = 7;
 const READ_EVERY = 300;
 
 /** What goes wrong, and how it is put right a few seconds later. */
-const FAULTS: readonly (readonly [begin: (rig: Rig, dice: Dice) => void, end?: (rig: Rig) => void])[] = [
+const FAULTS: readonly (readonly [begin: (rig: Rig, rng: Random) => void, end?: (rig: Rig) => void])[] = [
   [({ exchange }) => exchange.drop('me'), ({ exchange, now }) => exchange.reconnect('me', now)],
   [
     ({ exchange, now }) => exchange.setFrozen(true, now),
@@ -22,7 +22,7 @@ const FAULTS: readonly (readonly [begin: (rig: Rig, dice: Dice) => void, end?: (
   [({ authority }) => authority.setTickRate(20), ({ authority }) => authority.setTickRate(1)],
   [({ authority }) => authority.setTickRate(5), ({ authority }) => authority.setTickRate(1)],
   [({ authority }) => authority.setTimeScale(10), ({ authority }) => authority.setTimeScale(1)],
-  [({ authority }, dice) => authority.kick('ship-1', [dice(), dice(), 2 * dice()], [0, 0.1 * dice(), 0])],
+  [({ authority }, rng) => authority.kick('ship-1', [rng(), rng(), 2 * rng()], [0, 0.1 * rng(), 0])],
   [({ authority }) => authority.respawn('ship-1')],
   [({ authority }) => authority.despawn('other-1'), respawnOther],
   [hide],
@@ -30,8 +30,8 @@ const FAULTS: readonly (readonly [begin: (rig: Rig, dice: Dice) => void, end?: (
   [({ predictor, now }) => predictor.advance({ ...NEUTRAL_CONTROLS, thrustLevel: Number.NaN }, now)],
 ];
 
-function respawnOther({ authority, staged }: Rig): void {
-  authority.spawn({ shipId: 'other-1', playerId: 'player-1', name: 'Back', ship: staged.ship });
+function respawnOther({ authority, loaded }: Rig): void {
+  authority.spawn({ shipId: 'other-1', playerId: 'player-1', name: 'Back', ship: loaded.ship });
 }
 
 function hide(rig: Rig): void {
@@ -40,7 +40,7 @@ function hide(rig: Rig): void {
 
 /** An hour at 60 Hz on a broken network, with every fault on: nothing thrown, and the heap flat. */
 export function* soakFigures(): Generator<Figure> {
-  const dice = createDice(99);
+  const rng = createRandom(99);
   const pilot = createSeededPilot(4);
   const controls: { now: Controls } = { now: NEUTRAL_CONTROLS };
   const rig = createRig({
@@ -49,7 +49,7 @@ export function* soakFigures(): Generator<Figure> {
     others: 3,
     pilot: () => controls.now,
   });
-  rig.tamper = disorder(rig.tamper, dice);
+  rig.tamper = disorder(rig.tamper, rng);
   const heaps: number[] = [];
   let thrown = '';
   let faults = 0;
@@ -59,7 +59,7 @@ export function* soakFigures(): Generator<Figure> {
       const [begin, end] = FAULTS[faults % FAULTS.length]!;
       faults += 1;
       controls.now = pilot.at(rig.now);
-      begin(rig, dice);
+      begin(rig, rng);
       rig.fly(FAULT_EVERY / 2);
       end?.(rig);
       rig.fly(FAULT_EVERY / 2);
@@ -101,15 +101,15 @@ function mean(values: readonly number[]): number {
 }
 
 /** Some messages twice, some held until the one after. */
-function disorder(tamper: Rig['tamper'], dice: Dice): Rig['tamper'] {
+function disorder(tamper: Rig['tamper'], rng: Random): Rig['tamper'] {
   let held: ServerMessage | null = null;
   return (message) => {
     const out = [...tamper(message)];
-    if (dice() < 0.05) out.push(...out);
+    if (rng() < 0.05) out.push(...out);
     if (held !== null) {
       out.push(held);
       held = null;
-    } else if (message.kind === 'frame' && dice() < 0.1) held = out.pop() ?? null;
+    } else if (message.kind === 'frame' && rng() < 0.1) held = out.pop() ?? null;
     return out;
   };
 }

@@ -28,8 +28,12 @@ function ear() {
   };
   const handlers: ConnectionHandlers = {
     onOpen: notice((what) => told.push(`open ${what}`)),
-    onMessage: notice((message) => messages.push(message)),
-    onUnusable: notice((reason) => told.push(`unusable ${reason}`)),
+    onPending: notice((message) => {
+      const decoded = message.decode();
+      if (decoded.ok) messages.push(decoded.value);
+      else told.push(`unusable ${decoded.reason}`);
+    }),
+    onFrame: notice((frame) => messages.push(frame)),
     onLink: notice((words) => told.push(`link ${words}`)),
     onWelcome: notice((about) => told.push(`welcome ${String(about['ship_id'])}`)),
     onShipGone: notice((shipId) => told.push(`gone ${shipId}`)),

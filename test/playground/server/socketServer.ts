@@ -2,7 +2,7 @@ import type { AddressInfo } from 'node:net';
 import { WebSocketServer } from 'ws';
 import { type Authority, createAuthority, runDueTicks, startLoop } from '../../../src/authority';
 import { BODIES, SHIP_CLASSES, TERRAINS } from '../../../src/dynamics';
-import { type Scenario, SCENARIOS, stage } from '../../../src/scenarios';
+import { type Scenario, SCENARIOS, loadScenario } from '../../../src/scenarios';
 import { decodeClientMessage, encodeServerMessage, type ServerMessage } from '../../../src/wire';
 import { valueOf } from '../../authority/moon';
 
@@ -25,8 +25,10 @@ export async function startSocketServer(
   change: Partial<Scenario> = {},
   port = 0,
 ): Promise<SocketServer> {
-  const staged = valueOf(stage({ ...SCENARIOS.find((scenario) => scenario.name === name)!, ...change }));
-  const { scenario } = staged;
+  const loaded = valueOf(
+    loadScenario({ ...SCENARIOS.find((scenario) => scenario.name === name)!, ...change }),
+  );
+  const { scenario } = loaded;
   const authority = valueOf(
     createAuthority({
       settings: scenario.settings,
@@ -53,7 +55,7 @@ export async function startSocketServer(
     const playerId = `player-${joined}`;
     const shipId = `ship-${joined}`;
     const tell = (message: ServerMessage) => socket.send(encodeServerMessage(message));
-    const reason = authority.spawn({ shipId, playerId, name: shipId, ship: staged.ship });
+    const reason = authority.spawn({ shipId, playerId, name: shipId, ship: loaded.ship });
     if (reason !== null) {
       socket.close(1011, reason);
       return;

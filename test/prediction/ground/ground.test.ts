@@ -51,7 +51,7 @@ describe('a ground that is not quite the server’s', () => {
 describe('the server’s own ground', () => {
   it.each(SCENARIOS.map(({ name }) => name))('%s: nothing is learned of it', (scenario) => {
     const rig = createRig({ scenario, tickRate: 5 });
-    flyAndMeasure(rig, Math.min(20, rig.staged.scenario.duration), ({ own, diagnosis }) => {
+    flyAndMeasure(rig, Math.min(20, rig.loaded.scenario.duration), ({ own, diagnosis }) => {
       expect(own?.groundOffset ?? 0).toBe(0);
       expect(diagnosis.groundConfidence).toBe(0);
     });

@@ -51,7 +51,7 @@ describe('a law that does not fit', () => {
 });
 
 let cut = false;
-const neutral = createRig({ scenario: 'launch' }).staged.inputs.at(-1)!.controls;
+const neutral = createRig({ scenario: 'launch' }).loaded.inputs.at(-1)!.controls;
 const hover = {
   ...neutral,
   get thrustLevel() {

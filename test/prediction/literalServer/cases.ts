@@ -10,7 +10,7 @@ import type { Site } from '../../../src/scenarios';
 import type { LiteralOptions } from './literalServer';
 import { cross, dot, scale } from './vectors';
 
-/** One way in which the game's server may differ from what its client thinks (PREDICTION, A ground that is not quite the server's). */
+/** One way in which the game's server may differ from what its client thinks (PREDICTION, Learned ground). */
 export interface LiteralCase {
   readonly name: string;
   readonly options: Partial<Omit<LiteralOptions, 'terrainHeight' | 'hz' | 'every'>>;

@@ -6,14 +6,14 @@ import {
   type WorldView,
 } from '../../../src/prediction';
 import {
-  bell,
-  createDice,
+  normalNoise,
+  createRandom,
   type NetworkNumbers,
   NETWORK_PRESETS,
   pilotAt,
   type Scenario,
-  stage,
-  type StagedScenario,
+  loadScenario,
+  type LoadedScenario,
 } from '../../../src/scenarios';
 import type { ServerFrame } from '../../../src/wire';
 import { scenarioNamed, SHIP, value } from '../rig';
@@ -23,7 +23,7 @@ import { plus, scale } from './vectors';
 
 /** The literal server, a network and a client on one wall clock. */
 export interface LiteralRig {
-  readonly staged: StagedScenario;
+  readonly loaded: LoadedScenario;
   readonly server: LiteralServer;
   readonly predictor: Predictor;
   readonly terrainHeight: TerrainHeight;
@@ -46,11 +46,11 @@ export interface LiteralFlight {
 
 export function createLiteralRig(flight: LiteralFlight): LiteralRig {
   const scenario = typeof flight.scenario === 'string' ? scenarioNamed(flight.scenario) : flight.scenario;
-  const staged = value(stage({ ...scenario, tickRate: flight.hz, timeScale: 1 }));
+  const loaded = value(loadScenario({ ...scenario, tickRate: flight.hz, timeScale: 1 }));
   const { difference } = flight;
-  const { body, shipClass, terrainHeight } = staged;
+  const { body, shipClass, terrainHeight } = loaded;
   const server = createLiteralServer(
-    { body, ships: shipsOf(staged, difference) },
+    { body, ships: shipsOf(loaded, difference) },
     {
       ...AS_TOLD,
       aligned: scenario.settings.touchdownAttitude !== 'kept',
@@ -68,9 +68,9 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
     },
     ...flight.predictor,
   });
-  const missing = createDice((flight.seed ?? 1) * 77);
+  const missing = createRandom((flight.seed ?? 1) * 77);
   const { delay, jitter } = flight.network ?? NETWORK_PRESETS.broadband;
-  const late = createDice(flight.seed ?? 1);
+  const late = createRandom(flight.seed ?? 1);
   let lastAt = 0;
   const waiting: { frame: ServerFrame; at: number }[] = [];
   let ticks = 0;
@@ -83,13 +83,13 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
         ? frame.ships.map((ship) => ({ ...frame, ships: [ship] }))
         : [frame];
     // In order: nothing overtakes on one connection.
-    lastAt = Math.max(lastAt, at + Math.max(0, delay + jitter * bell(late)));
+    lastAt = Math.max(lastAt, at + Math.max(0, delay + jitter * normalNoise(late)));
     for (const part of parts) waiting.push({ frame: part, at: lastAt });
   }
 
   send(server.frame(), 0);
   const rig: LiteralRig = {
-    ...{ staged, server, predictor, terrainHeight, now: 0 },
+    ...{ loaded, server, predictor, terrainHeight, now: 0 },
     frame(each) {
       frames += 1;
       rig.now = frames / 60;
@@ -105,7 +105,7 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
       }
       const view = predictor.view(rig.now);
       const game = view.ready ? (view.tick - FIRST_TICK) / flight.hz + view.sinceTick : 0;
-      predictor.advance(pilotAt(staged, game), rig.now);
+      predictor.advance(pilotAt(loaded, game), rig.now);
       for (const message of predictor.takeOutgoing())
         if (message.kind === 'inputs')
           for (const { controls } of message.inputs) server.control(SHIP, controls);
@@ -115,11 +115,11 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
   return rig;
 }
 
-function shipsOf(staged: StagedScenario, difference: LiteralCase) {
-  const own = { id: SHIP, shipClass: staged.shipClass, ship: staged.ship };
+function shipsOf(loaded: LoadedScenario, difference: LiteralCase) {
+  const own = { id: SHIP, shipClass: loaded.shipClass, ship: loaded.ship };
   if (difference.oneMessagePerShip !== true) return [own];
-  const beside = plus(staged.ship.relativePosition, [12, 0, 0]);
-  return [own, { ...own, id: 'ship-2', ship: { ...staged.ship, relativePosition: beside } }];
+  const beside = plus(loaded.ship.relativePosition, [12, 0, 0]);
+  return [own, { ...own, id: 'ship-2', ship: { ...loaded.ship, relativePosition: beside } }];
 }
 
 /** Where the server really had a ship at a fraction of a tick; null while it has not come there. */

@@ -7,7 +7,7 @@ import {
   type RunOutcome,
   type Score,
   scoreRun,
-  stage,
+  loadScenario,
   writeRun,
 } from '../../../scenarios';
 
@@ -35,8 +35,8 @@ function verifyBytes(mission: Mission, bytes: Uint8Array, by: string): VerifiedR
 }
 
 function substepsOf({ scenario }: Mission): number {
-  const staged = stage(scenario);
-  return staged.ok ? staged.value.timing.substeps : 100;
+  const loaded = loadScenario(scenario);
+  return loaded.ok ? loaded.value.timing.substeps : 100;
 }
 
 const PLACE = 'touchdown.best.';

@@ -42,8 +42,7 @@ export interface MissionPlace {
   readonly best: BestRuns;
   readonly device: () => Device;
   readonly cap: (action: Action) => string;
-  /** The camera is raised until ship and pad are in the picture. */
-  readonly lookDown: () => void;
+  readonly resetCamera: () => void;
 }
 
 export function createMissionGame(place: MissionPlace): MissionGame {
@@ -125,8 +124,7 @@ export function createMissionGame(place: MissionPlace): MissionGame {
       tracker.begin(mission);
       place.card.hide();
       ghost.race(mission === null ? null : rival?.mission === mission ? rival : place.best.of(mission));
-      document.body.classList.toggle('night', mission?.night ?? false);
-      if (mission !== null) place.lookDown();
+      if (mission !== null) place.resetCamera();
       if (mission === null) place.goal.hide();
       else place.goal.show(mission.scenario.title, mission.goal);
       reword();

@@ -2,7 +2,7 @@ import { type Vec3 } from '../../../dynamics';
 import type { WorldView } from '../../../prediction';
 import { toInertial } from '../../../readout';
 import type { Target } from '../../../readout';
-import { findScenario, type Mission, padPlaces, stage } from '../../../scenarios';
+import { findScenario, type Mission, padPlaces, loadScenario } from '../../../scenarios';
 
 /** How a mission stands, from the confirmed states alone: a prediction may be withdrawn. */
 export type MissionPhase =
@@ -106,8 +106,8 @@ export function createMissionTracker(): MissionTracker {
       held = 0;
       before = NaN;
       const scenario = given === null ? null : findScenario(given.scenario.name);
-      const staged = scenario === null ? null : stage(scenario);
-      places = staged?.ok === true && given !== null ? padPlaces(given, staged.value) : [];
+      const loaded = scenario === null ? null : loadScenario(scenario);
+      places = loaded?.ok === true && given !== null ? padPlaces(given, loaded.value) : [];
       mark();
     },
     mission: () => mission,

@@ -1,7 +1,7 @@
 import type { TurnKeys } from '../../../hud';
 import { ROTATION_ACTIONS, type TranslationAction } from '../../../readout';
-import type { Action } from '../../input/keyTable';
-import { capOf } from '../../input/layout';
+import type { Action, KeyMap } from '../../input/keyTable';
+import { capOf, type Layout } from '../../input/layout';
 import { pushKeyFor, turnKeysFor } from '../../input/steering';
 import { type Cockpit, createCockpit } from '../../view/cockpit';
 import { controlName } from './flightWords';
@@ -10,7 +10,20 @@ import type { Parts } from '../wiring';
 
 /** What is printed on the key of an action, on this keyboard; '' where keys are off. */
 export function keyCapOf(page: Page, parts: Parts): (action: Action) => string {
-  return (action) => (page.keys.enabled ? capOf(action, page.keys.map, parts.devices.layout()) : '');
+  const caps = new Map<Action, string>();
+  let map: KeyMap | null = null;
+  let layout: Layout | null = null;
+  return (action) => {
+    if (!page.keys.enabled) return '';
+    const current = parts.devices.layout();
+    // The displays ask for every key in every frame, and finding one goes through the whole table.
+    if (map !== page.keys.map || layout !== current) caps.clear();
+    map = page.keys.map;
+    layout = current;
+    const cap = caps.get(action) ?? capOf(action, map, layout);
+    caps.set(action, cap);
+    return cap;
+  };
 }
 
 const TURN_WORDS = {

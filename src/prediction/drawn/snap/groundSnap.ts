@@ -37,7 +37,7 @@ const RELEASE_HEIGHT = 1;
 const FADE_HEIGHTS = 8;
 
 /**
- * Puts a drawn pose on the drawn ground (PREDICTION, What is drawn). The law keeps the centre of mass at height h whatever the
+ * Puts a drawn pose on the drawn ground (PREDICTION, Drawing). The law keeps the centre of mass at height h whatever the
  * tilt, and lets impacts sink; drawn like that a lying ship would hover and a landing one would go underground. So the legs give way
  * first, up to their stroke; then the whole ship is lifted along the local up until no point of hull or feet is below the ground,
  * and a grounded one is let down until its lowest point touches.

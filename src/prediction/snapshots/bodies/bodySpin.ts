@@ -20,7 +20,7 @@ import {
 } from '../../drawn/rotation';
 
 /**
- * How fast a body really turns (PREDICTION, A law, or a world, that is not quite ours): measured from the attitudes that are told of
+ * How fast a body really turns (PREDICTION, Foreign dynamics): measured from the attitudes that are told of
  * it, or from ships that lie on it, over the spin that is told.
  */
 export interface BodySpin {

@@ -30,7 +30,7 @@ import {
 import type { ShipState } from '../../../wire';
 
 /**
- * Writes the wire's ShipState as a row (PREDICTION, What the server says), with what a server leaves out made good: the relative
+ * Writes the wire's ShipState as a row (PREDICTION, Server messages), with what a server leaves out made good: the relative
  * state from ICRF, the reference body from the body landed on or the nearest by its own measure, the state from `landedBodyName`.
  * IMPACT_SPEED and WHEEL_MOMENTUM are NaN where the server does not tell them: only the ship's own history can know them.
  * @param row one ship's row; as it was where a reason is returned

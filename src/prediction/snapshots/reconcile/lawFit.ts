@@ -18,7 +18,7 @@ import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
 import { type Place, sameCommand } from './compare';
 
 /**
- * Whether the law fits a ship (PREDICTION, A law, or a world, that is not quite ours): where it has been worse over the last few
+ * Whether the law fits a ship (PREDICTION, Foreign dynamics): where it has been worse over the last few
  * states than carrying the motion on would have been, the ship is carried until the law fits again.
  */
 export interface LawFit {

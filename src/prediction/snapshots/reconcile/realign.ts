@@ -27,7 +27,7 @@ export interface Realignment {
 
 /**
  * Puts the front where the present is, without simulating what lies between: every ship in step is held as it is drawn and replayed
- * from the server's newest state (PREDICTION, Hidden tab, long stall, clock jump), or, where only time was cut anew, from where the
+ * from the server's newest state (PREDICTION, Absence), or, where only time was cut anew, from where the
  * newest frame left it.
  */
 export function realign(sim: Simulation, target: Position, how: Realignment): void {

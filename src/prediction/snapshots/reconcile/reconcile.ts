@@ -13,7 +13,7 @@ import type { ShipState } from '../../../wire';
 import { learnFrom, nothingToLearn } from '../learnFrom';
 import type { SnapshotContext } from '../snapshotContext';
 import { holdLaw } from './lawFit';
-import { adopt, drawableState, isExact } from './adopt';
+import { adopt, drawableState, isExact, unknownNameOf } from './adopt';
 import {
   describeDifference,
   EXACT,
@@ -27,6 +27,7 @@ import {
 } from './compare';
 import { has, offsetOf } from '../../simulation/history';
 import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from '../../simulation/sleep';
+import { createServerStates, keepServerState } from '../../simulation/serverStates';
 import { abandonReplay, startReplay } from '../../simulation/replay';
 import { commandsAnything } from '../../simulation/heldControls';
 import type { Simulation } from '../../simulation/simulation';
@@ -80,7 +81,8 @@ export function reconcile(
 }
 
 /**
- * A ship whose class or surface state is not known here: it is drawn where the server says it is, and not carried on.
+ * A ship whose class or surface state is not known here, or that is not to be predicted: it is drawn where the server says it is, and
+ * not carried on.
  * @returns null, or the reason why the state cannot be used
  */
 export function showAsTold(
@@ -96,9 +98,11 @@ export function showAsTold(
   if (Number.isNaN(told[IMPACT_SPEED])) told[IMPACT_SPEED] = 0;
   remember(track, state, word, track.serverTick >= 0);
   abandonReplay(track);
-  track.unpredictable = true;
+  track.unpredictable = unknownNameOf(state, sim.world) !== null;
   track.mode = 'held';
-  track.picture.hasHeld = false;
+  if (track.policy === 'predict') track.picture.hasHeld = false;
+  if (track.policy !== 'interpolate') track.states = null;
+  else keepServerState((track.states ??= createServerStates()), word.tick, told, word.bodies);
   return null;
 }
 

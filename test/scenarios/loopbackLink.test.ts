@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { RecordingEntry } from '../../src/scenarios';
 import { NETWORK_PRESETS } from '../../src/scenarios';
 import { input } from '../authority/moon';
-import { listen, moonExchange } from './recordedExchange';
+import { listen, moonExchange } from './recordedSession';
 
 function received(entries: readonly RecordingEntry[], kind: string) {
   return entries.filter((entry) => entry.kind === 'received').filter(({ message }) => message.kind === kind);

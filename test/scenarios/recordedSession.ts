@@ -1,8 +1,8 @@
 import { createAuthority } from '../../src/authority';
 import type { Settings } from '../../src/dynamics';
 import {
-  createExchange,
-  type Exchange,
+  createLoopbackLink,
+  type LoopbackLink,
   NETWORK_PRESETS,
   type NetworkPreset,
   type Recording,
@@ -18,10 +18,10 @@ export function moonExchange(
   seed = 1,
   legacy = false,
   settings: Partial<Settings> = {},
-): Exchange {
+): LoopbackLink {
   const authority = valueOf(createAuthority({ ...MOON, legacy, settings }));
   const order = { shipId: 'own', playerId: 'ann', name: 'Own', ship: shipOf(scenario) };
-  const exchange = createExchange(authority, NETWORK_PRESETS[preset], seed, 100);
+  const exchange = createLoopbackLink(authority, NETWORK_PRESETS[preset], seed, 100);
   const reason = authority.spawn(order) ?? exchange.connect('ann', 'own', 100);
   if (reason !== null) throw new Error(reason);
   return exchange;
@@ -35,7 +35,7 @@ export interface Client {
 }
 
 /** A client that keeps what it hears and says, as a recording. */
-export function listen(exchange: Exchange): Client {
+export function listen(exchange: LoopbackLink): Client {
   const entries: RecordingEntry[] = [];
   const client: Client = {
     entries,

@@ -1,92 +1,21 @@
 /** The mistakes of those who use the predictor for the first time, as data: what was done, and the warning that is right. */
-import { BODIES, DEFAULT_SETTINGS, NEUTRAL_CONTROLS, SHIP_CLASSES } from '../../src/dynamics';
-import { createPredictor, type Predictor } from '../../src/prediction';
-import type { Hello, ServerFrame, ShipState } from '../../src/wire';
-
-const LUNA = BODIES.find(({ name }) => name === 'Luna')!;
-const HEIGHT = LUNA.radius + 4.56;
-
-/** A ship that has landed on the Moon's pole side, upright along +X. */
-const ship: ShipState = {
-  ...{ shipId: 'a', playerId: 'p', name: 'A', shipClass: 'planetary_lander' },
-  position: [LUNA.position[0] + HEIGHT, LUNA.position[1], LUNA.position[2]],
-  velocity: LUNA.velocity,
-  // +Z of the ship along +X.
-  attitude: [0, Math.SQRT1_2, 0, Math.SQRT1_2],
-  angularVelocity: [0, 0, 0],
-  ...{ rotationInput: [0, 0, 0], translationInput: [0, 0, 0], thrustLevel: 0, attitudeHold: false },
-  ...{ attitudeMode: 'none', targetAttitude: [0, 0, 0, 1], fuel: 100, mass: 1000 },
-  ...{
-    wheelMomentum: null,
-    groundContactOffset: null,
-    landedBodyName: 'Luna',
-    surfaceContactState: 'landed',
-  },
-  ...{
-    contactImpactSpeed: null,
-    referenceBody: '',
-    relativePosition: null,
-    relativeVelocity: null,
-    crashed: false,
-  },
-};
-const frame: ServerFrame = {
-  ...{ kind: 'frame', tick: 1, tickRate: 1, timeScale: 1, paused: false },
-  ...{ bodies: [LUNA], ships: [ship], events: [], lastInput: null },
-};
-const hello: Hello = {
-  ...{ kind: 'hello', playerId: 'p', shipId: 'a', settings: DEFAULT_SETTINGS, shipClasses: SHIP_CLASSES },
-  ...{ bodies: [LUNA], terrain: 'flat', tick: 1, tickRate: 1, timeScale: 1, inputGranularity: 'tick' },
-};
-const withShip = (changes: object): ServerFrame => ({ ...frame, ships: [{ ...ship, ...changes }] });
-const withBody = (changes: object): ServerFrame => ({
-  ...frame,
-  bodies: [{ ...LUNA, ...changes }],
-});
-const thousandth = (v: readonly number[]) => v.map((x) => x / 1000);
-
-export interface Warning {
-  readonly code: string;
-  readonly message: string;
-  readonly details: Readonly<Record<string, unknown>>;
-}
-
-/** The warnings of a predictor with which `use` does something. */
-function warningsOf(use: (predictor: Predictor) => void, options: object = {}): Warning[] {
-  const found: Warning[] = [];
-  const predictor = createPredictor({
-    ownShipId: 'a',
-    onWarning: (code, message, details) => found.push({ code, message, details }),
-    ...options,
-  });
-  use(predictor);
-  return found;
-}
-
-export const made = (options: object) => warningsOf(() => undefined, options);
-const received = (...messages: unknown[]) =>
-  warningsOf((p) => messages.forEach((message, i) => p.receive(message as ServerFrame, i)));
-const flown = (controls: unknown) =>
-  warningsOf((p) => {
-    p.receive(frame, 0);
-    p.advance(controls as typeof NEUTRAL_CONTROLS, 0.01);
-  });
-/** Frames at 60 Hz and states at 1 Hz for `seconds`, with what each call is given. */
-export const played = (
-  seconds: number,
-  { now = (s: number) => s, hz = 60, times = 1, receiveAt = (s: number) => s, id = 'a', take = true } = {},
-) =>
-  warningsOf((p) => {
-    for (let i = 0; i < seconds * hz; i++) {
-      const at = i / hz;
-      if (i % hz === 0)
-        p.receive({ ...frame, tick: 1 + i / hz, ships: [{ ...ship, shipId: id }] }, receiveAt(at));
-      for (let k = 0; k < times; k++)
-        p.advance({ ...NEUTRAL_CONTROLS, thrustLevel: i % 2 ? 0.001 : 0 }, now(at));
-      p.view(now(at));
-      if (take) p.takeOutgoing();
-    }
-  });
+import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
+import {
+  flown,
+  frame,
+  HEIGHT,
+  hello,
+  LUNA,
+  made,
+  played,
+  received,
+  ship,
+  thousandth,
+  type Warning,
+  warningsOf,
+  withBody,
+  withShip,
+} from './given';
 
 /** What was done, by the code that tells of it, and a part of the message that helps. */
 export const MISTAKES: readonly (readonly [
@@ -286,6 +215,12 @@ export const MISTAKES: readonly (readonly [
         },
         { ownShipId: undefined },
       ),
+  ],
+  [
+    'a policy of another name',
+    'policy-unknown',
+    /predict, interpolate or hold/,
+    () => warningsOf((p) => p.setPolicy('a', 'extrapolate' as 'hold')),
   ],
   [
     'a listener that is none',

@@ -1,0 +1,107 @@
+import { flatTerrain, TERRAINS } from '../../dynamics';
+import { createPredictor, type EventNotice, type Predictor, type WorldView } from '../../prediction';
+import type { RecordingEntry, RunInput, ScheduledInput } from '../../scenarios';
+import type { PartialFrame, ServerMessage } from '../../wire';
+import type { Connection, ShipLoss } from '../server/connection';
+import { type Baseline, createBaseline } from './baseline';
+import { createHands, type Hands } from './hands';
+import { createRunHash, type RunHash } from './mission/runHash';
+import { createPageClock, type PageClock } from './pageClock';
+import { createPendingTap, type PendingTap } from './receiving';
+import type { Script } from './script';
+
+/** What a live game reports to the page. */
+export interface LiveListeners {
+  readonly onState: (text: string) => void;
+  /** A new world begins: everything of the old one is gone. `plan`: inputs that the own ship applies by itself in it. */
+  readonly onWorld: (plan: readonly ScheduledInput[]) => void;
+  readonly onRefused: (reason: string) => void;
+  readonly onEvent: (notice: EventNotice) => void;
+  /** Everything that goes through the predictor, in its order. */
+  readonly onEntry: (entry: RecordingEntry) => void;
+  /** A real server reports that the own ship was destroyed. */
+  readonly onLost: (ship: ShipLoss) => void;
+  /** The inputs that acted on the own ship, as asked for by { kind: 'run' }. */
+  readonly onRun: (inputs: readonly RunInput[]) => void;
+  /** The host of a shared world has begun a scenario. */
+  readonly onScenario: (scenario: string, terrain: string) => void;
+}
+
+/** What a live game keeps between frames. */
+export interface LiveState {
+  /** Address of the page's own main module, which the worker runs too. */
+  readonly program: string;
+  readonly listeners: LiveListeners;
+  readonly clock: PageClock;
+  readonly hands: Hands;
+  readonly baseline: Baseline;
+  readonly runHash: RunHash;
+  readonly tap: PendingTap;
+  predictor: Predictor;
+  connection: Connection | null;
+  /** Of the present connection; '' is the built-in server. */
+  address: string;
+  /** null: the ship does nothing by itself. */
+  script: Script | null;
+  /** Name of the present terrain. */
+  ground: string;
+  /** Wall s of the page's clock at which the hands were sampled last; NaN before. */
+  sampledAt: number;
+  /** While true no frame is taken, as in a hidden tab. */
+  isHeld: boolean;
+  /** A world has been asked for and has not come yet. */
+  isLoading: boolean;
+  view: WorldView;
+}
+
+export function createLiveState(program: string, listeners: LiveListeners): LiveState {
+  const clock = createPageClock(() => performance.now() / 1000);
+  const predictor = newPredictor(null, listeners);
+  const state: LiveState = {
+    program,
+    listeners,
+    clock,
+    hands: createHands(
+      () => state.view,
+      () => TERRAINS[state.ground] ?? flatTerrain,
+    ),
+    baseline: createBaseline(),
+    runHash: createRunHash(),
+    tap: createPendingTap(),
+    predictor,
+    connection: null,
+    address: '',
+    script: null,
+    ground: '',
+    sampledAt: NaN,
+    isHeld: false,
+    isLoading: false,
+    view: predictor.view(clock.now()),
+  };
+  return state;
+}
+
+function newPredictor(script: Script | null, { onEvent }: LiveListeners): Predictor {
+  const predictor = createPredictor({ ownShipId: 'own', plan: script?.plan ?? [] });
+  predictor.onEvent(onEvent);
+  return predictor;
+}
+
+/** A new world: what was known of the old one goes. */
+export function forgetWorld(state: LiveState): void {
+  const { script, listeners } = state;
+  state.tap.clear();
+  state.predictor = newPredictor(script, listeners);
+  state.baseline.forget();
+  state.hands.reset();
+  state.runHash.begin(script?.lastTick ?? -1);
+  listeners.onWorld(script?.plan ?? []);
+}
+
+/** Notes a message that the predictor has just taken; `at`: page clock s of its arrival. */
+export function noteMessage(state: LiveState, message: ServerMessage | PartialFrame, at: number): void {
+  state.listeners.onEntry({ kind: 'received', at, message });
+  if (message.kind !== 'frame') return;
+  state.baseline.take(message, at);
+  state.runHash.take(message);
+}

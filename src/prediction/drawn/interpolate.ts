@@ -1,0 +1,109 @@
+import { ANGULAR_VELOCITY, ATTITUDE, FLYING, POSITION, SURFACE_STATE, VELOCITY } from '../../dynamics';
+import type { ServerStates } from '../simulation/serverStates';
+import {
+  compose,
+  fromRotationVector,
+  put,
+  quaternion,
+  rotate,
+  take,
+  toRotationVector,
+  turnBetween,
+  vector,
+} from './rotation';
+
+/**
+ * Writes the row of a ship between the two of its server states around the instant of `playback`; before the first state the first,
+ * after the last the last. In flight the place follows the cubic that has the states' velocities, on the ground a straight line.
+ * @param row as the earlier of the two states has it; place, velocity, attitude and spin in the axes of its body, the velocity
+ *   against the turning body
+ */
+export function writeBetween(
+  row: Float64Array,
+  { ticks, rows }: ServerStates,
+  { wallOf, at, timeScale }: Playback,
+): void {
+  let i = rows.length - 1;
+  while (i > 0 && wallOf(ticks[i]!) > at) i--;
+  const a = rows[i]!;
+  const b = rows[i + 1];
+  row.set(a);
+  if (b === undefined) return;
+  const from = wallOf(ticks[i]!);
+  const wall = wallOf(ticks[i + 1]!) - from;
+  const share = wall > 0 ? Math.max(0, (at - from) / wall) : 1;
+  const between: Between = { a, b, share, seconds: wall * timeScale };
+  writePlace(row, between);
+  blendColumns(row, ANGULAR_VELOCITY, between);
+  turnOver(row, between);
+}
+
+/** The instant that interpolated ships are drawn at. */
+export interface Playback {
+  /** Server wall s at a tick boundary. */
+  readonly wallOf: (tick: number) => number;
+  /** Server wall s. */
+  readonly at: number;
+  /** Game s per wall s. */
+  readonly timeScale: number;
+}
+
+interface Between {
+  readonly a: Float64Array;
+  readonly b: Float64Array;
+  /** 0 … 1 of the way from a to b. */
+  readonly share: number;
+  /** Game s from a to b. */
+  readonly seconds: number;
+}
+
+function writePlace(row: Float64Array, between: Between): void {
+  const { a, b, share: s, seconds } = between;
+  blendColumns(row, VELOCITY, between);
+  if (a[SURFACE_STATE] !== FLYING || b[SURFACE_STATE] !== FLYING) {
+    blendColumns(row, POSITION, between);
+    return;
+  }
+  const [p0, p1] = [(1 + 2 * s) * (1 - s) ** 2, s * s * (3 - 2 * s)];
+  const [v0, v1] = [s * (1 - s) ** 2 * seconds, s * s * (s - 1) * seconds];
+  for (let k = 0; k < 3; k++)
+    row[POSITION + k] =
+      p0 * a[POSITION + k]! + p1 * b[POSITION + k]! + v0 * a[VELOCITY + k]! + v1 * b[VELOCITY + k]!;
+}
+
+function blendColumns(row: Float64Array, column: number, { a, b, share }: Between): void {
+  for (let k = column; k < column + 3; k++) row[k] = a[k]! + (b[k]! - a[k]!) * share;
+}
+
+/** The attitude on the shorter arc from a's to b's. */
+function turnOver(row: Float64Array, { a, b, share }: Between): void {
+  take(first, a, ATTITUDE);
+  take(second, b, ATTITUDE);
+  turnBetween(turn, second, first);
+  toRotationVector(way, turn);
+  for (let k = 0; k < 3; k++) way[k] = way[k]! * share;
+  fromRotationVector(turn, way);
+  compose(first, turn, first);
+  put(row, ATTITUDE, first);
+}
+
+/** Turns a row that is seen from the axes of a body of this attitude and spin into ICRF axes. */
+export function turnWithBody(row: Float64Array, attitude: Float64Array, spin: Float64Array): void {
+  for (const column of [POSITION, VELOCITY, ANGULAR_VELOCITY]) {
+    take(way, row, column);
+    rotate(way, attitude, way);
+    put(row, column, way);
+  }
+  take(first, row, ATTITUDE);
+  compose(first, attitude, first);
+  put(row, ATTITUDE, first);
+  const [x, y, z] = [row[POSITION]!, row[POSITION + 1]!, row[POSITION + 2]!];
+  row[VELOCITY] = row[VELOCITY]! + (spin[1]! * z - spin[2]! * y);
+  row[VELOCITY + 1] = row[VELOCITY + 1]! + (spin[2]! * x - spin[0]! * z);
+  row[VELOCITY + 2] = row[VELOCITY + 2]! + (spin[0]! * y - spin[1]! * x);
+}
+
+const first = quaternion();
+const second = quaternion();
+const turn = quaternion();
+const way = vector();

@@ -1,0 +1,69 @@
+import { GROUND_CONTACT_OFFSET, SHIP_CLASS, type World } from '../../dynamics';
+import { showWorld } from '../drawn/worldView';
+import { withoutGround } from '../ground/unknownGround';
+import { beginWorld, type Session } from '../session';
+import { forgetAfter } from '../simulation/history';
+import { abandonReplay, hold } from '../simulation/replay';
+import type { Simulation } from '../simulation/simulation';
+import { holdSleeping } from '../simulation/sleep';
+import type { Track } from '../simulation/track';
+import { forgetAfter as forgetBodiesAfter } from '../snapshots/bodies/bodyTrack';
+import { sameBodies, type WorldConfig } from '../snapshots/worldConfig';
+import { recut } from '../time/timeline';
+import { forgetLogsAfter } from '../touchdown/touchdownRing';
+
+/**
+ * Settings, classes, terrain, masses and radii of the running world are others from now on. Ships, time, inputs and listeners stay:
+ * each ship goes on from its newest server state, and what is drawn fades into what the new world makes of it. With other bodies, or
+ * before the first frame, a new world begins.
+ * @param config what `world` was made from
+ */
+export function changeWorld(session: Session, world: World, config: WorldConfig): void {
+  const { sim, shown } = session;
+  session.config = config;
+  if (sim.newestTick < 0 || !sameBodies(sim.world, world)) {
+    beginWorld(session, world, config.bodies);
+    return;
+  }
+  const before = sim.world;
+  for (const track of sim.fleet.tracks) {
+    if (track.mode === 'stepping') hold(sim, track);
+    if (track.mode === 'sleeping') holdSleeping(track);
+  }
+  sim.world = world;
+  sim.groundless = withoutGround(world);
+  recut(sim.timeline, world.settings.contactLongestSubstep);
+  forgetBodiesAfter(sim.bodies, sim.newestTick);
+  for (const track of sim.fleet.tracks) goOn(sim, track, before);
+  sim.frontIsStale = true;
+  showWorld(shown, sim);
+}
+
+/** What was predicted of the ship is of the world before: its rows are of the new one, and it waits to be replayed. */
+function goOn(sim: Simulation, track: Track, before: World): void {
+  const { world, fleet } = sim;
+  forgetAfter(track.history, -1);
+  if (track.log !== null) forgetLogsAfter(track.log, -1);
+  abandonReplay(track);
+  track.agreedTick = -1;
+  // What was learned of the ground made up for what the world before had wrong.
+  track.ground.places.length = 0;
+  track.evidence.tick = -1;
+  const isKnown = [fleet.previous, fleet.front, fleet.replayed]
+    .map((rows) => renumber(rows, track.at, before, world))
+    .every(Boolean);
+  if (renumber(track.serverRow, 0, before, world) && isKnown) return;
+  track.unpredictable = true;
+  track.mode = 'held';
+}
+
+/** The row's class by its number in the new world; its offset, where it was the class's. Returns false for a class that is gone. */
+function renumber(rows: Float64Array, at: number, before: World, world: World): boolean {
+  const old = before.shipClasses[rows[at + SHIP_CLASS]!]!;
+  const number = world.shipClasses.findIndex(({ name }) => name === old.name);
+  rows[at + SHIP_CLASS] = Math.max(0, number);
+  const { groundContactOffset } = world.shipClasses[Math.max(0, number)]!;
+  if (rows[at + GROUND_CONTACT_OFFSET] === old.groundContactOffset)
+    rows[at + GROUND_CONTACT_OFFSET] = groundContactOffset;
+  return number >= 0;
+}

@@ -1,0 +1,71 @@
+import {
+  ANGULAR_VELOCITY,
+  ATTITUDE,
+  BODY_ANGULAR_VELOCITY,
+  BODY_ATTITUDE,
+  BODY_STRIDE,
+  POSITION,
+  REFERENCE_BODY,
+  SHIP_STRIDE,
+  VELOCITY,
+} from '../../dynamics';
+import { put, quaternion, rotateBack, seenFrom, take, vector } from '../drawn/rotation';
+
+/**
+ * The newest server states of one ship, oldest first, for a ship that is drawn between them. In each row place, velocity, attitude and
+ * spin are in the axes of the reference body, and the velocity is against the turning body: between two states the body turns.
+ */
+export interface ServerStates {
+  readonly ticks: number[];
+  readonly rows: Float64Array[];
+}
+
+/** States kept: a burst after a stall brings several at once. */
+const KEPT = 8;
+
+export function createServerStates(): ServerStates {
+  return { ticks: [], rows: [] };
+}
+
+/** Keeps the state `row` of `tick`. A state of another body than the ones before starts over. */
+export function keepServerState(
+  { ticks, rows }: ServerStates,
+  tick: number,
+  row: Float64Array,
+  bodies: Float64Array,
+): void {
+  const newest = rows.at(-1);
+  if (newest !== undefined && newest[REFERENCE_BODY] !== row[REFERENCE_BODY]) {
+    ticks.length = 0;
+    rows.length = 0;
+  }
+  const kept = rows.length < KEPT ? new Float64Array(SHIP_STRIDE) : rows.shift()!;
+  if (ticks.length === KEPT) ticks.shift();
+  kept.set(row);
+  seeFromBody(kept, bodies);
+  rows.push(kept);
+  ticks.push(tick);
+}
+
+function seeFromBody(row: Float64Array, bodies: Float64Array): void {
+  const at = row[REFERENCE_BODY]! * BODY_STRIDE;
+  take(body, bodies, at + BODY_ATTITUDE);
+  take(spin, bodies, at + BODY_ANGULAR_VELOCITY);
+  const [x, y, z] = [row[POSITION]!, row[POSITION + 1]!, row[POSITION + 2]!];
+  row[VELOCITY] = row[VELOCITY]! - (spin[1]! * z - spin[2]! * y);
+  row[VELOCITY + 1] = row[VELOCITY + 1]! - (spin[2]! * x - spin[0]! * z);
+  row[VELOCITY + 2] = row[VELOCITY + 2]! - (spin[0]! * y - spin[1]! * x);
+  for (const column of [POSITION, VELOCITY, ANGULAR_VELOCITY]) {
+    take(place, row, column);
+    rotateBack(place, body, place);
+    put(row, column, place);
+  }
+  take(attitude, row, ATTITUDE);
+  seenFrom(attitude, body, attitude);
+  put(row, ATTITUDE, attitude);
+}
+
+const body = quaternion();
+const attitude = quaternion();
+const spin = vector();
+const place = vector();

@@ -1,6 +1,6 @@
 import type { Quaternion } from 'three';
 import {
-  BufferGeometry,
+  type BufferGeometry,
   Color,
   ConeGeometry,
   CylinderGeometry,
@@ -11,6 +11,7 @@ import {
   TorusGeometry,
   Vector3,
 } from 'three';
+import { createGhost } from './ghost';
 
 /** What can be laid over the picture. */
 export interface OverlayChoice {
@@ -76,18 +77,10 @@ export function createOverlays(): Overlays {
     group.add(made.whole);
     return made;
   };
-  const ghostMaterial = new MeshBasicMaterial({
-    color: new Color(0x58b8ff),
-    wireframe: true,
-    transparent: true,
-    opacity: 0.22,
-    depthWrite: false,
-  });
-  materials.push(ghostMaterial);
-  const ghost = new Mesh(new BufferGeometry(), ghostMaterial);
+  const ghost = createGhost();
   const error = new Mesh(shaft, paint(LOOKS.error));
   const ring = new Mesh(new TorusGeometry(1, 0.012, 6, 64), paint(LOOKS.footprint));
-  group.add(ghost, error, ring);
+  group.add(ghost.group, error, ring);
   const normal = arrow(LOOKS.normal);
   const forces = { thrust: arrow(LOOKS.thrust), weight: arrow(LOOKS.weight), support: arrow(LOOKS.support) };
   const way = new Vector3();
@@ -104,13 +97,9 @@ export function createOverlays(): Overlays {
 
   return {
     group,
-    setGhostHull(hull) {
-      ghost.geometry = hull;
-    },
+    setGhostHull: (hull) => ghost.setHull(hull),
     update(choice, places) {
-      ghost.visible = choice.ghost && places.ghostKnown;
-      ghost.position.copy(places.ghost);
-      ghost.quaternion.copy(places.ghostTurn);
+      ghost.show(choice.ghost && places.ghostKnown, places.ghost, places.ghostTurn);
       const gap = places.error.length();
       error.visible = choice.errorSegment && gap > 0.01;
       if (error.visible) {
@@ -129,6 +118,7 @@ export function createOverlays(): Overlays {
       }
     },
     dispose() {
+      ghost.dispose();
       for (const geometry of [shaft, head, ring.geometry]) geometry.dispose();
       for (const material of materials) material.dispose();
     },

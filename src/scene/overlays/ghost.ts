@@ -9,8 +9,6 @@ export interface Ghost {
   dispose(): void;
 }
 
-const COLOUR = 0x58b8ff;
-
 const VERTEX = /* glsl */ `
 varying vec3 vNormal;
 varying vec3 vToEye;
@@ -30,11 +28,11 @@ void main() {
   gl_FragColor = vec4(colour, 0.16 + 0.6 * (1.0 - facing) * (1.0 - facing));
 }`;
 
-export function createGhost(): Ghost {
+export function createGhost(colour: number): Ghost {
   // Pushed back: where the ghost and the ship agree the ship alone is seen.
   const behind = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 8 };
   const shaders = { vertexShader: VERTEX, fragmentShader: FRAGMENT, transparent: true, ...behind };
-  const uniforms = { colour: { value: new Color(COLOUR) } };
+  const uniforms = { colour: { value: new Color(colour) } };
   // Depth first, so that only the nearest surface is drawn and not every part behind it.
   const depth = new ShaderMaterial({ ...shaders, uniforms, colorWrite: false });
   const surface = new ShaderMaterial({ ...shaders, uniforms, depthWrite: false });

@@ -28,7 +28,10 @@ export interface LoopbackLink {
   readonly setFrozen: (frozen: boolean, now: number) => void;
   /** While paused: runs one tick or one substep, and sends the frames before and after it. */
   readonly step: (unit: 'substep' | 'tick', now: number) => string | null;
-  readonly setNetwork: (numbers: NetworkNumbers) => void;
+  /** `up`: of messages to the server, where they differ. */
+  readonly setNetwork: (numbers: NetworkNumbers, up?: NetworkNumbers) => void;
+  /** A lag spike: nothing that is sent from now on arrives before wall second `until`, in either direction. */
+  readonly stall: (until: number) => void;
 }
 
 export interface LoopbackCounters {
@@ -55,6 +58,7 @@ interface LinkState {
   /** By player. */
   readonly connections: Map<string, Connection>;
   numbers: NetworkNumbers;
+  upNumbers: NetworkNumbers;
   linksOpened: number;
   /** Wall seconds at which the last freeze ended. */
   resumedAt: number;
@@ -74,6 +78,7 @@ export function createLoopbackLink(
     seed,
     connections: new Map(),
     numbers: network,
+    upNumbers: network,
     linksOpened: 0,
     resumedAt: -Infinity,
   };
@@ -105,27 +110,34 @@ export function createLoopbackLink(
       setFrozen(loop, authority, frozen, at);
     },
     step: (unit, at) => step(state, unit, at),
-    setNetwork(next) {
+    setNetwork(next, upNext = next) {
       state.numbers = next;
+      state.upNumbers = upNext;
       for (const { up, down } of connections.values()) {
-        up.setNumbers(next);
+        up.setNumbers(upNext);
         down.setNumbers(next);
       }
     },
+    stall: (until) => connections.forEach(({ up, down }) => [up, down].forEach((link) => link.stall(until))),
   };
 }
 
 function connect(state: LinkState, playerId: string, shipId: string, at: number): string | null {
-  const connection: Connection = { playerId, shipId, up: openLink(state), down: openLink(state) };
+  const connection: Connection = {
+    playerId,
+    shipId,
+    up: openLink(state, state.upNumbers),
+    down: openLink(state, state.numbers),
+  };
   const reason = welcome(state, connection, at);
   if (reason === null) state.connections.set(playerId, connection);
   return reason;
 }
 
-function openLink(state: LinkState): Link {
+function openLink(state: LinkState, numbers: NetworkNumbers): Link {
   state.linksOpened += 1;
   // Seeds far apart, so that the random sequences of two links do not overlap.
-  return createLink(state.numbers, state.seed + state.linksOpened * 0x9e3779b1);
+  return createLink(numbers, state.seed + state.linksOpened * 0x9e3779b1);
 }
 
 function welcome(state: LinkState, connection: Connection, at: number): string | null {

@@ -37,7 +37,7 @@ export const USES = [
   },
   {
     name: 'scene (without three)',
-    most: 30,
+    most: 31,
     code: `export { createSceneView } from 'galaxy-touchdown/scene';`,
     without: ['discardUnknown'],
   },

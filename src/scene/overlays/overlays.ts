@@ -27,9 +27,15 @@ export interface OverlayPlaces {
   readonly ghost: Vector3;
   readonly ghostTurn: Quaternion;
   readonly ghostKnown: boolean;
-  /** From where the ship is drawn to where it is predicted at the same instant: nought while nothing is being corrected. */
+  /** From where the ship is drawn to where it is predicted at the same instant: 0 while nothing is being corrected. */
   readonly error: Vector3;
+  /** On the ground straight below the ship. */
   readonly foot: Vector3;
+  /** On the ground, the centre of the landing legs' circle. */
+  readonly footprint: Vector3;
+  /** The surface normal, unit: local up, or the slope's where the settings have it so. */
+  readonly ground: Vector3;
+  /** Local up, unit. */
   readonly up: Vector3;
   readonly legRadius: number;
   /** m/s², in local axes: what thrust, weight and ground give the ship. */
@@ -55,7 +61,7 @@ const LOOKS = {
   support: 0x7dff9a,
 } as const;
 
-/** Metres of arrow a m/s² of acceleration. */
+/** Metres of arrow per m/s² of acceleration. */
 const SCALE = 1.6;
 
 export function createOverlays(): Overlays {
@@ -119,10 +125,10 @@ export function createOverlays(): Overlays {
         error.scale.set(1, 1, gap);
       }
       ring.visible = choice.footprint;
-      ring.position.copy(places.foot).addScaledVector(places.up, 0.05);
-      ring.quaternion.setFromUnitVectors(Z, places.up);
+      ring.position.copy(places.footprint).addScaledVector(places.ground, 0.05);
+      ring.quaternion.setFromUnitVectors(Z, places.ground);
       ring.scale.setScalar(places.legRadius);
-      point(normal, places.foot, way.copy(places.up).multiplyScalar(4).clone(), choice.contactNormal);
+      point(normal, places.foot, places.ground.clone().multiplyScalar(4), choice.contactNormal);
       for (const name of ['thrust', 'weight', 'support'] as const) {
         const from = name === 'support' ? places.foot : places.ship;
         point(forces[name], from, places[name].clone().multiplyScalar(SCALE), choice.forces);

@@ -7,6 +7,7 @@ import { fillView } from './drawn/worldView';
 import { advanceFrame, place } from './frameLoop';
 import { lastControls, takeInputs } from './inputs/sending';
 import { configure } from './lifecycle/configure';
+import { copyOwned, type Owned } from './lifecycle/fork';
 import { changePolicy } from './lifecycle/policy';
 import {
   createKept,
@@ -85,9 +86,29 @@ export interface Predictor {
 /** Creates a predictor without server state. Throws RangeError, naming the option, where one cannot be used. */
 export function createPredictor(options: PredictorOptions = {}): Predictor {
   requireOptions(options);
-  const session = createSession(options);
+  return predictorOf({ session: createSession(options), kept: createKept() });
+}
+
+const owners = new WeakMap<Predictor, Owned>();
+
+/**
+ * A second predictor in the same state, which goes on independently: fed the same, both give the same bits. Listeners stay with the
+ * first. For keyframes of a replay. Throws TypeError for anything that createPredictor did not make.
+ */
+export function forkPredictor(predictor: Predictor): Predictor {
+  const owned = owners.get(predictor);
+  if (owned === undefined) throw new TypeError('forkPredictor: expected a predictor of createPredictor');
+  return predictorOf(copyOwned(owned));
+}
+
+function predictorOf(owned: Owned): Predictor {
+  const predictor = createFace(owned);
+  owners.set(predictor, owned);
+  return predictor;
+}
+
+function createFace({ session, kept }: Owned): Predictor {
   const checks = createChecks(session);
-  const kept = createKept();
   let isDisposed = false;
   const receive: Predictor['receive'] = (message, now) => {
     if (isDisposed) return;

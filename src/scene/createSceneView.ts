@@ -31,6 +31,12 @@ export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): Sc
       writeScreenAxes(out, state.turn, rig.eye, rig.focus);
       return true;
     },
+    pixelSize() {
+      const { eye, focus } = rig;
+      const distance = Math.hypot(eye[0]! - focus[0]!, eye[1]! - focus[1]!, eye[2]! - focus[2]!);
+      const height = parts.renderer.domElement.height / parts.renderer.getPixelRatio();
+      return (2 * distance * state.opening.upright) / Math.max(height, 1);
+    },
     setTerrain(terrainHeight) {
       state.terrain = terrainHeight;
       state.frame = null;
@@ -116,7 +122,8 @@ function lightScene(state: SceneState, { place, height, sunlit }: ShipActor, sec
   const { eye } = state.rig;
   const size = height * 2.2;
   const above = Math.max(place[1]! - state.groundY(place[0]!, place[2]!), 0);
-  light.follow(place, eye, size, size * 2 + above / light.direction.y);
+  // Past the ground under the map's farthest row: ground beyond the map's depth would be black.
+  light.follow(place, eye, size, size + (above + size) / light.direction.y);
   renderer.toneMappingExposure = light.shade(sunlit, seconds);
   dust.shade(sunlit);
   sky.look(eye[1]!, frameOf(state).radius, state.turn.quaternion);

@@ -4,5 +4,5 @@ export { createSceneView } from './createSceneView';
 export { NIGHT_ELEVATION } from './sky/underSun';
 export type { SceneView } from './sceneView';
 export type { Markers } from './overlays/markers';
-export type { OverlayChoice } from './overlays/overlays';
+export { OVERLAY_COLOURS, type OverlayChoice } from './overlays/overlays';
 export { CAMERA_VIEWS, type CameraView } from './camera/cameras';

@@ -12,6 +12,8 @@ export interface SceneView {
   readonly markers: Markers;
   /** Right, away along the ground and up on the screen, ICRF axes, nine numbers; false before the first picture. */
   screenAxes(out: Float64Array): boolean;
+  /** Metres that a CSS pixel spans at the ship's distance. */
+  pixelSize(): number;
   /** The ground of the next draw; before the first call it is flat. */
   setTerrain(terrainHeight: TerrainHeight): void;
   /**

@@ -30,7 +30,7 @@ function lay(state: SceneState, view: WorldView, ship: ShipView): void {
   const look = (state.look = underSun(lookOf(body.name), state.sunElevation));
   toBodyAxes(state.point, body.attitude, ship.meshPosition);
   const frame = (state.frame = layFrame(body, state.point, look.sun));
-  ground.lay(frame, state.terrain);
+  ground.rebuild(frame, state.terrain);
   rocks.setGround(frame, state.terrain);
   light.paint(look, frame);
   paintGround(groundMaterial, look, light.direction);

@@ -69,25 +69,22 @@ function planeOf(degrees: number): DrawnGround {
 }
 
 describe('a ship that stands flush on a slope', () => {
-  it.each([0, 10, 25])(
-    'of %i° has its four feet on it',
-    (degrees) => {
-      const out = createGroundedPose(LEGS);
-      // The law puts the centre of mass h above the ground, measured along the local up.
-      const given = pose(h, -degrees, true);
-      snapToGround(out, given, hull, planeOf(degrees));
-      const half = (-degrees * Math.PI) / 360;
-      const [cos, sin] = [1 - 2 * Math.sin(half) ** 2, 2 * Math.sin(half) * Math.cos(half)];
-      for (let leg = 0; leg < LEGS; leg++) {
-        const [x, , z] = hull.feet.subarray(leg * 3, leg * 3 + 3);
-        const pressed = z! + out.legCompression[leg]!;
-        const px = out.position[0]! + cos * x! + sin * pressed;
-        const pz = out.position[2]! + cos * pressed - sin * x!;
-        const off = (pz - RADIUS) * cos + px * sin;
-        expect(Math.abs(off), `leg ${String(leg)}`).toBeLessThan(2e-3);
-      }
-    },
-  );
+  it.each([0, 10, 25])('of %i° has its four feet on it', (degrees) => {
+    const out = createGroundedPose(LEGS);
+    // The law puts the centre of mass h above the ground, measured along the local up.
+    const given = pose(h, -degrees, true);
+    snapToGround(out, given, hull, planeOf(degrees));
+    const half = (-degrees * Math.PI) / 360;
+    const [cos, sin] = [1 - 2 * Math.sin(half) ** 2, 2 * Math.sin(half) * Math.cos(half)];
+    for (let leg = 0; leg < LEGS; leg++) {
+      const [x, , z] = hull.feet.subarray(leg * 3, leg * 3 + 3);
+      const pressed = z! + out.legCompression[leg]!;
+      const px = out.position[0]! + cos * x! + sin * pressed;
+      const pz = out.position[2]! + cos * pressed - sin * x!;
+      const off = (pz - RADIUS) * cos + px * sin;
+      expect(Math.abs(off), `leg ${String(leg)}`).toBeLessThan(2e-3);
+    }
+  });
 });
 
 describe('the hull of a ship with a contact offset of its own', () => {

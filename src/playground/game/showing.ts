@@ -25,7 +25,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       const passed = Number.isNaN(before) ? 0 : now - before;
       before = now;
       const replayed = parts.scene.frame(passed);
-      const replay = parts.scene.replay();
+      const replay = parts.scene.deck.replay();
       if (replay !== null && replay.generation() !== generation) {
         generation = replay.generation();
         parts.cockpit.forget();
@@ -33,7 +33,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       return { view: replayed ?? parts.live.frame(), now };
     },
     paint(view, now) {
-      const replay = parts.scene.replay();
+      const replay = parts.scene.deck.replay();
       if (replay === null) parts.game.watch(view);
       parts.cockpit.paint(view);
       const { flight, aids } = parts.cockpit;
@@ -51,7 +51,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       if (parts.loop.isWarm()) report(view);
     },
     isLoading: parts.live.isLoading,
-    dress: (view) => (parts.scene.replay() === null ? parts.game.ghost.join(view) : view),
+    dress: (view) => (parts.scene.deck.replay() === null ? parts.game.ghost.join(view) : view),
     opened() {
       banner.rest('');
       keepForOffline(window, () => (root.dataset['offline'] = 'kept'));

@@ -19,7 +19,7 @@ export interface FlightPanels {
 }
 
 export interface FlightHudOptions extends HudAppearance {
-  /** Names the key of a mode; '' when it has none. Asked anew at every paint. */
+  /** Names the key of a mode; '' when it has none. Called at every paint. */
   readonly keyLabel?: (key: FlightKey) => string;
 }
 

@@ -194,8 +194,7 @@ function createVerdict(parent: Element, keyLabel: KeyLabel): (righting: Righting
 }
 
 function verdict({ possible, help }: Righting): string {
-  if (possible)
-    return 'In simulation the ship does not stay upright: it runs out of fuel or falls over.';
+  if (possible) return 'In simulation the ship does not stay upright: it runs out of fuel or falls over.';
   if (help === 'translation') return 'Too heavy to turn. Take weight off its feet with';
   if (help === 'lighter') return 'Too heavy to turn. Burn fuel until it weighs less than';
   return 'It cannot be righted here: nothing on board can turn this weight.';

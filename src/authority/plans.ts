@@ -1,9 +1,6 @@
 import { ok, type Result, loadControls, err, writeControls } from '../dynamics';
-import type { InputRecord } from '../wire';
+import type { ScheduledInput } from './scheduledInput';
 import { rowOf, type ShipTable } from './shipTable';
-
-/** Controls from the start of a substep on. */
-export type ScheduledInput = Omit<InputRecord, 'seq'>;
 
 /** Inputs that a ship applies by itself until its player's first input acts. */
 export interface Plan {

@@ -21,7 +21,7 @@ import {
   writeControls,
 } from '../dynamics';
 import { textComplaint } from '../wire';
-import type { ScheduledInput } from './plans';
+import type { ScheduledInput } from './scheduledInput';
 import { compose, inverse, rotate } from './rotation';
 import type { ShipIdentity } from './shipState';
 

@@ -40,7 +40,7 @@ export { landedBodyName, readShip, type ShipInit, type ShipRecord, spawnShip, wr
 export { substep } from './substep';
 /** The step of a world, and how ticks are cut. */
 export { beginTick, endTick, loadTiming, stepWorld, type Timing, timingOfTick } from './tick';
-export type { TerrainHeight, World } from './constants/world';
+export type { HeightInPlace, TerrainHeight, World } from './constants/world';
 /** A world: plain data in, constants out. */
 export { loadWorld, type WorldData } from './constants/loadWorld';
 /** Which way the ground faces under a ship's feet. */
@@ -53,6 +53,8 @@ export { cosineOfDegrees, sineOfDegrees } from './arithmetic/angles';
 export { isTransitionAllowed } from './state/stateTransitions';
 /** One number for a trajectory's bits. */
 export { hashRows } from './state/hash';
+/** A terrain that is asked in scratch doubles. */
+export { HEIGHT, readHeight, terrainInPlace } from './terrain/inPlace';
 /** Terrain made of + − × ÷ √. */
 export { flatTerrain, hillsTerrain, LANDING_SITE, TERRAINS } from './terrain/terrain';
 /** Terrain from a body's heights on a grid, in the game's format. */

@@ -29,8 +29,8 @@ export function notFiniteTuple(field: string, value: unknown, length: number): s
     return `${field}: expected ${String(length)} numbers, got ${describe(value)}`;
   }
   for (let i = 0; i < length; i++) {
-    const reason = notFinite(`${field}[${String(i)}]`, value[i]);
-    if (reason !== null) return reason;
+    // The field's text is made only for a refusal: valid tuples are checked without garbage.
+    if (!Number.isFinite(value[i])) return notFinite(`${field}[${String(i)}]`, value[i]);
   }
   return null;
 }

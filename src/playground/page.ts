@@ -49,7 +49,7 @@ export function begin(document: Document, program: string): void {
   };
   const parts = wirePage(page);
   if (stage !== null) {
-    steerCamera(canvas, stage);
+    steerCamera(canvas, stage, parts.carry!);
     watchContext(canvas, notice, parts.loop.resized);
     banner.rest(BUILDING);
   }

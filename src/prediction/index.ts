@@ -1,7 +1,7 @@
 /** Server truth and own controls -> a pose for now. */
 
 /** The whole of it: receive, advance, view. */
-export { createPredictor, type Predictor } from './predictor';
+export { createPredictor, forkPredictor, type Predictor } from './predictor';
 export type { ClientTerrain, Defaults, PredictorOptions } from './options';
 /** Why a ship leaves, and what a caller is warned of. */
 export type { Removal } from './ownership';

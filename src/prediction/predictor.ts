@@ -8,6 +8,7 @@ import { advanceFrame } from './frameLoop';
 import { viewAt } from './viewAt';
 import { lastControls, takeInputs } from './inputs/sending';
 import { configure } from './lifecycle/configure';
+import { copyOwned, type Owned } from './lifecycle/fork';
 import { changePolicy } from './lifecycle/policy';
 import {
   createKept,
@@ -96,8 +97,28 @@ export interface Predictor {
  */
 export function createPredictor(options: PredictorOptions = {}): Predictor {
   requireOptions(options);
-  const session = createSession(options);
-  const kept = createKept();
+  return predictorOf({ session: createSession(options), kept: createKept() });
+}
+
+const owners = new WeakMap<Predictor, Owned>();
+
+/**
+ * A second predictor in the same state, which goes on independently: fed the same, both give the same bits. Listeners stay with the
+ * first. For keyframes of a replay. Throws TypeError for anything that createPredictor did not make.
+ */
+export function forkPredictor(predictor: Predictor): Predictor {
+  const owned = owners.get(predictor);
+  if (owned === undefined) throw new TypeError('forkPredictor: expected a predictor of createPredictor');
+  return predictorOf(copyOwned(owned));
+}
+
+function predictorOf(owned: Owned): Predictor {
+  const predictor = createFace(owned);
+  owners.set(predictor, owned);
+  return predictor;
+}
+
+function createFace({ session, kept }: Owned): Predictor {
   const life = createLife(session);
   return {
     ...frameCalls(session, kept, life),

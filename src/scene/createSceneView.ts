@@ -4,7 +4,6 @@ import { releaseRig, turnRig, zoomRig } from './camera/cameraRig';
 import { aimCamera } from './camera/cameras';
 import { createFence } from './fence';
 import { placeGrain } from './ground/groundMaterial';
-import { shineOnGround } from './ground/groundShine';
 import { rebuildIfNeeded, showWatchedClass } from './surroundings';
 import { writeScreenAxes } from './localFrame';
 import { anyChosen, placeOverlays } from './overlays/overlayPlaces';
@@ -32,8 +31,19 @@ export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): Sc
       writeScreenAxes(out, state.turn, rig.eye, rig.focus);
       return true;
     },
+    pixelSize() {
+      const { eye, focus } = rig;
+      const distance = Math.hypot(eye[0]! - focus[0]!, eye[1]! - focus[1]!, eye[2]! - focus[2]!);
+      const height = parts.renderer.domElement.height / parts.renderer.getPixelRatio();
+      return (2 * distance * state.opening.upright) / Math.max(height, 1);
+    },
     setTerrain(terrainHeight) {
       state.terrain = terrainHeight;
+      state.frame = null;
+    },
+    setSunElevation(elevation) {
+      if (elevation === state.sunElevation) return;
+      state.sunElevation = elevation;
       state.frame = null;
     },
     draw(view, seconds) {
@@ -83,8 +93,8 @@ function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seco
   parts.crash.update(seconds, gravity, rig.eye);
   lightScene(state, actor, waited);
   placeMarks(state, view, watched, actor);
-  shineOnGround(parts.groundMaterial, actor, watched, rig.eye);
   const flicker = 0.92 + 0.08 * Math.sin(seconds * 61) * Math.sin(seconds * 37);
+  parts.flame.place(actor, watched, rig.eye, flicker);
   parts.shipResources.jet.uniforms['flicker']!.value = flicker;
   parts.renderer.render(parts.scene, parts.camera);
 }
@@ -108,12 +118,14 @@ function placeGround({ parts, rig, cone, opening }: SceneState, { place }: ShipA
 }
 
 function lightScene(state: SceneState, { place, height, sunlit }: ShipActor, seconds: number): void {
-  const { light, sky, renderer } = state.parts;
+  const { light, sky, renderer, dust } = state.parts;
   const { eye } = state.rig;
   const size = height * 2.2;
   const above = Math.max(place[1]! - state.groundY(place[0]!, place[2]!), 0);
-  light.follow(place, eye, size, size * 2 + above / light.direction.y);
+  // Past the ground under the map's farthest row: ground beyond the map's depth would be black.
+  light.follow(place, eye, size, size + (above + size) / light.direction.y);
   renderer.toneMappingExposure = light.shade(sunlit, seconds);
+  dust.shade(sunlit);
   sky.look(eye[1]!, frameOf(state).radius, state.turn.quaternion);
 }
 

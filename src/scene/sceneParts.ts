@@ -2,6 +2,7 @@ import { ACESFilmicToneMapping, Group, PCFShadowMap, PerspectiveCamera, Scene, W
 import { createBlobShadows } from './effects/blobShadows';
 import { createCrash } from './effects/crash';
 import { createDust } from './effects/dust';
+import { createFlame } from './effects/flame';
 import { createJetMaterial } from './effects/jets';
 import { createDetailTexture } from './ground/detailTexture';
 import { createGround } from './ground/ground';
@@ -24,20 +25,22 @@ export type SceneParts = ReturnType<typeof createParts>;
 export function createParts(canvas: HTMLCanvasElement, quality: Quality) {
   const renderer = createRenderer(canvas, quality);
   const detail = createDetailTexture(quality.anisotropy);
-  const groundMaterial = createGroundMaterial(detail);
+  const flame = createFlame();
+  const groundMaterial = createGroundMaterial(detail, flame.uniforms);
   const shipResources = { cache: createModelCache(), hull: createShipMaterial(), jet: createJetMaterial() };
   const parts = {
     renderer,
     scene: new Scene(),
     camera: new PerspectiveCamera(48, 16 / 9, 0.4, 600_000),
     detail,
+    flame,
     groundMaterial,
     shipResources,
     ground: createGround(groundMaterial),
     sky: createSky(detail),
     light: createSunlight(),
     rocks: createRocks(),
-    dust: createDust(detail),
+    dust: createDust(detail, flame.uniforms),
     crash: createCrash(),
     hulls: createHulls(shipResources.hull),
     shadows: createBlobShadows(),
@@ -48,7 +51,14 @@ export function createParts(canvas: HTMLCanvasElement, quality: Quality) {
   };
   const { scene, sky, ground, light, rocks, hulls, jets, dust } = parts;
   scene.add(sky.group, ground.group, light.group, rocks.mesh, parts.shadows.mesh, hulls.group, jets);
-  scene.add(dust.points, parts.crash.group, parts.overlays.group, parts.markers.group, parts.plumbLine.group);
+  scene.add(
+    flame.light,
+    dust.points,
+    parts.crash.group,
+    parts.overlays.group,
+    parts.markers.group,
+    parts.plumbLine.group,
+  );
   return parts;
 }
 
@@ -68,7 +78,7 @@ function createRenderer(canvas: HTMLCanvasElement, quality: Quality): WebGLRende
 export function disposeParts(parts: SceneParts): void {
   const { shipResources, renderer } = parts;
   const owned = [
-    ...[parts.ground, parts.sky, parts.light, parts.rocks, parts.dust, parts.crash, parts.hulls],
+    ...[parts.ground, parts.sky, parts.light, parts.flame, parts.rocks, parts.dust, parts.crash, parts.hulls],
     ...[parts.shadows, parts.overlays, parts.markers, parts.plumbLine, parts.groundMaterial, parts.detail],
     ...[shipResources.cache, shipResources.hull, shipResources.jet],
   ];

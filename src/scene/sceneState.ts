@@ -8,7 +8,8 @@ import { createPlaces } from './overlays/overlayPlaces';
 import type { OverlayChoice } from './overlays/overlays';
 import type { SceneParts } from './sceneParts';
 import { type Actors, createActors } from './ships/actors';
-import { type BodyLook, lookOf } from './sky/bodyLook';
+import { lookOf } from './sky/bodyLook';
+import { type SceneLook, underSun } from './sky/underSun';
 import { createCone, type ViewCone } from './camera/viewCone';
 
 /** Where the eye starts: from the shadow's side, a little above the ground. */
@@ -30,7 +31,9 @@ export interface SceneState {
   readonly groundY: (x: number, z: number) => number;
   terrain: TerrainHeight;
   frame: LocalFrame | null;
-  look: BodyLook;
+  look: SceneLook;
+  /** Degrees; null: as it is over the body by default. */
+  sunElevation: number | null;
   cameraView: CameraView;
   watchedClass: string;
   /** The clock of the picture before, s. */
@@ -59,7 +62,8 @@ export function createState(parts: SceneParts): SceneState {
     },
     terrain: flatTerrain,
     frame: null,
-    look: lookOf(''),
+    look: underSun(lookOf(''), null),
+    sunElevation: null,
     cameraView: 'follow',
     watchedClass: '',
     before: NaN,

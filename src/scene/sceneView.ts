@@ -12,8 +12,15 @@ export interface SceneView {
   readonly markers: Markers;
   /** Right, away along the ground and up on the screen, ICRF axes, nine numbers; false before the first picture. */
   screenAxes(out: Float64Array): boolean;
+  /** Metres that a CSS pixel spans at the ship's distance. */
+  pixelSize(): number;
   /** The ground of the next draw; before the first call it is flat. */
   setTerrain(terrainHeight: TerrainHeight): void;
+  /**
+   * How high the sun is over the landing site, degrees; at or below 0 it is night. null: as the body has it by default. Takes effect
+   * with the next draw, which lays out the ground again.
+   */
+  setSunElevation(elevation: number | null): void;
   /** Draws a ready view. `seconds` is a clock for easing and effects: monotone, and still while time stands still. */
   draw(view: WorldView, seconds: number): void;
   /** Whether the first picture stands: making the GPU's programs takes it seconds, while the calls have long returned. */

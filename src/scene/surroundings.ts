@@ -6,6 +6,7 @@ import { frameOf, type SceneState } from './sceneState';
 import { clearActors } from './ships/actors';
 import { LEAST_HEIGHT } from './ships/shipActor';
 import { lookOf } from './sky/bodyLook';
+import { underSun } from './sky/underSun';
 
 /** A frame is laid anew this far from its origin, m: the tangent plane still fits the ground. */
 const FRAME_REACH = 20_000;
@@ -26,14 +27,14 @@ function lay(state: SceneState, view: WorldView, ship: ShipView): void {
   const { ground, rocks, light, sky, shipResources, dust, crash, shadows, groundMaterial, jets } =
     state.parts;
   const body = view.bodies[ship.body]!;
-  const look = (state.look = lookOf(body.name));
+  const look = (state.look = underSun(lookOf(body.name), state.sunElevation));
   toBodyAxes(state.point, body.attitude, ship.meshPosition);
   const frame = (state.frame = layFrame(body, state.point, look.sun));
-  ground.lay(frame, state.terrain);
+  ground.rebuild(frame, state.terrain);
   rocks.setGround(frame, state.terrain);
   light.paint(look, frame);
   paintGround(groundMaterial, look, light.direction);
-  sky.paint(look, light.direction);
+  sky.paint(look);
   shadows.paint(light.direction);
   shipResources.hull.paint(look);
   rocks.paint(look);

@@ -14,6 +14,7 @@ import { build } from 'vite';
 import { findChromium, launchChromium } from '../browser/chromium';
 import { serveFolder } from '../browser/staticServer';
 import { hudPaintFigures, serveHudPage } from './frames/hudPaint';
+import { leaveOutTriangles } from './frames/leaveOutTriangles';
 import { type FrameFigure, frameFigures, type TraceEvent } from './frames/trace';
 import type { Figure } from './measure';
 
@@ -41,17 +42,6 @@ async function trace(browser: Browser, page: Page): Promise<TraceEvent[]> {
   await page.waitForTimeout(TRACED * 1000);
   const told = await browser.stopTracing();
   return (JSON.parse(told.toString()) as { traceEvents: TraceEvent[] }).traceEvents;
-}
-
-/** Runs in the page, before its own script. */
-function leaveOutTriangles(): void {
-  const nothing = () => undefined;
-  Object.assign(WebGL2RenderingContext.prototype, {
-    drawElements: nothing,
-    drawArrays: nothing,
-    drawElementsInstanced: nothing,
-    drawArraysInstanced: nothing,
-  });
 }
 
 async function measure(browser: Browser, url: string, { name, query, drawn }: Show): Promise<FrameFigure[]> {

@@ -2,6 +2,7 @@ import { cBaseline } from './cBaseline';
 import { heightmapFigures } from './heightmap';
 import { joltBody } from './jolt';
 import { type Figure, heapGrowth, timed } from './measure';
+import { replayFigures } from './page/replay';
 import { workerFigures } from './worker';
 import { flying, landed, sliding, slidingOverHills, type Subject, tipped } from './subjects';
 
@@ -66,5 +67,6 @@ print(fleetSecond());
 print(heapPerSubstep());
 for (const figure of heightmapFigures()) print(figure);
 for (const figure of workerFigures()) print(figure);
+for (const figure of replayFigures()) print(figure);
 const jolt = await joltBody();
 if (jolt) print(jolt);

@@ -96,7 +96,10 @@ describe('a recorder', () => {
     const { message } = frame;
     const fleet = {
       ...frame,
-      message: { ...message, ships: Array.from({ length: 1000 }, () => message.ships[0]!) },
+      message: {
+        ...message,
+        ships: Array.from({ length: 1000 }, (_, n) => ({ ...message.ships[0]!, shipId: `ship-${n}` })),
+      },
     };
     const recorder = createRecorder();
     recorder.begin([]);
@@ -107,6 +110,14 @@ describe('a recorder', () => {
     for (let n = 0; n < 1000; n++) recorder.take(frame);
     expect(recorder.full()).toBe(false);
     expect(recorder.recording('').entries).toHaveLength(1000);
+  });
+
+  it('gives back what it took, frames, controls and messages alike', () => {
+    const { recording } = play(4, () => undefined);
+    const recorder = createRecorder();
+    recorder.begin([]);
+    for (const entry of recording.entries) recorder.take(entry);
+    expect(recorder.recording('').entries).toEqual(recording.entries);
   });
 });
 
@@ -121,6 +132,40 @@ describe('replay', () => {
     for (const n of [40, 41, 200, 130, 359, 60, 61])
       expect(poseOf(replay.seek(n / 60 + 1e-9))).toBe(poses[n]);
     expect(replay.generation()).toBeGreaterThan(2);
+  });
+
+  it('steps to the next tick and substep, forward and back, and each gives the same pose both ways', () => {
+    const { recording } = play(6, () => undefined);
+    const replay = createReplay(recording);
+    replay.seek(2.5);
+    const label = ({ tick, sinceTick }: WorldView) => tick + sinceTick;
+    const ways = ['tick', 'substep'] as const;
+    for (const unit of ways) {
+      const size = unit === 'tick' ? 1 : 0.01;
+      const start = label(replay.step(unit, 1));
+      expect(start / size).toBeCloseTo(Math.round(start / size), 2);
+      const seen = [poseOf(replay.view())];
+      for (let n = 1; n <= 2; n++) {
+        const view = replay.step(unit, 1);
+        expect(label(view)).toBeCloseTo(start + n * size, 4);
+        seen.push(poseOf(view));
+      }
+      for (let n = 1; n >= 0; n--) {
+        const view = replay.step(unit, -1);
+        expect(label(view)).toBeCloseTo(start + n * size, 4);
+        expect(poseOf(view) / seen[n]!).toBeCloseTo(1, 9);
+      }
+    }
+    expect(replay.step('tick', -1).own).not.toBeNull();
+    for (let n = 0; n < 20; n++) replay.step('tick', -1);
+    expect(replay.position()).toBe(replay.from);
+  });
+
+  it('finds every moment from keyframes that were made ahead', () => {
+    const { recording, poses } = play(12, () => undefined);
+    const replay = createReplay(recording);
+    replay.prepare(() => false);
+    for (const n of [700, 10, 360, 359, 239, 121]) expect(poseOf(replay.seek(n / 60 + 1e-9))).toBe(poses[n]);
   });
 
   it('marks the first divergence where the server left the law', () => {

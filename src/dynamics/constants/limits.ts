@@ -63,15 +63,22 @@ export function outside(field: string, value: number, range: Range): string | nu
 
 /** The reason why one of some finite numbers is out of a range, or null. */
 export function anyOutside(field: string, values: readonly number[], range: Range): string | null {
+  const { least, most } = range;
   for (let i = 0; i < values.length; i++) {
-    const reason = outside(field, values[i]!, range);
-    if (reason !== null) return `${field}[${i}]${reason.slice(field.length)}`;
+    // Inside, most often: a double handed on would be boxed.
+    if (values[i]! > least && values[i]! <= most) continue;
+    const reason = outside(`${field}[${i}]`, values[i]!, range);
+    if (reason !== null) return reason;
   }
   return null;
 }
 
 /** The reason why four finite numbers are no attitude, or null. */
-export function notUnit(field: string, [x, y, z, w]: Quat): string | null {
+export function notUnit(field: string, attitude: Quat): string | null {
+  const x = attitude[0];
+  const y = attitude[1];
+  const z = attitude[2];
+  const w = attitude[3];
   const length = Math.sqrt(x * x + y * y + z * z + w * w);
   if (Math.abs(length - 1) <= UNIT_WITHIN) return null;
   return `${field}: expected length 1 within ${UNIT_WITHIN}, got ${length}`;

@@ -6,7 +6,14 @@ import type { LoadedShipClass } from './shipClass';
  * The game's terrain call: metres above the body's radius along the unit direction (nx, ny, nz) in the body's axes
  * (Y pole, Z prime meridian, X 90° E). Finite, continuous (a step is a wall), and for exactness from + − × ÷ √ alone.
  */
-export type TerrainHeight = (bodyName: string, nx: number, ny: number, nz: number) => number;
+export interface TerrainHeight {
+  (bodyName: string, nx: number, ny: number, nz: number): number;
+  /** The same height in scratch doubles, where the terrain offers it; the substep then asks for it this way. */
+  readonly inPlace?: HeightInPlace;
+}
+
+/** Reads the unit direction at `point[0..2]`, body's axes, and leaves its height at `point[3]`, m. */
+export type HeightInPlace = (point: Float64Array, bodyName: string) => void;
 
 /** Everything a substep reads of the world; what it changes are rows. */
 export interface World {

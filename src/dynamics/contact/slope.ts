@@ -15,6 +15,7 @@ import {
   SURFACE_NORMAL,
 } from './quantities';
 import type { TerrainHeight } from '../constants/world';
+import { groundPoint, HEIGHT, readHeight } from '../terrain/inPlace';
 
 /** s = the normal of the plane that the feet stand on: the ground one leg radius ahead and behind, in two level directions. */
 export function readSlope(surface: number, step: Step, bodyAxes: number): void {
@@ -102,9 +103,17 @@ function readRise(to: number, step: Step, direction: number, rise: number): void
   const ex = q[direction]! * spread;
   const ey = q[direction + 1]! * spread;
   const ez = q[direction + 2]! * spread;
-  const ahead = world.terrainHeight(body.name, x + ex, y + ey, z + ez);
-  const behind = world.terrainHeight(body.name, x - ex, y - ey, z - ez);
-  q[rise] = (ahead - behind) / (2 * shipClass.legRadius);
+  const point = groundPoint;
+  point[0] = x + ex;
+  point[1] = y + ey;
+  point[2] = z + ez;
+  readHeight(point, world.terrainHeight, body.name);
+  const ahead = point[HEIGHT]!;
+  point[0] = x - ex;
+  point[1] = y - ey;
+  point[2] = z - ez;
+  readHeight(point, world.terrainHeight, body.name);
+  q[rise] = (ahead - point[HEIGHT]!) / (2 * shipClass.legRadius);
 }
 
 /**

@@ -17,6 +17,7 @@ import {
   TANGENTIAL_VELOCITY,
 } from './quantities';
 import { readSlope } from './slope';
+import { groundPoint, HEIGHT, readHeight } from '../terrain/inPlace';
 
 /** Fills NORMAL, DISTANCE and GRAVITY at `surface` (START or END) from the ship's position as it is now. */
 export function readPlace(surface: number, step: Step): void {
@@ -53,7 +54,12 @@ export function readPenetration(surface: number, step: Step, bodyAxes: number): 
   q[to + BODY_NORMAL] = bx;
   q[to + BODY_NORMAL + 1] = by;
   q[to + BODY_NORMAL + 2] = bz;
-  const ground = body.radius + step.world.terrainHeight(body.name, bx, by, bz);
+  const point = groundPoint;
+  point[0] = bx;
+  point[1] = by;
+  point[2] = bz;
+  readHeight(point, step.world.terrainHeight, body.name);
+  const ground = body.radius + point[HEIGHT]!;
   q[to + GROUND_RADIUS] = ground;
   q[to + PENETRATION] = ground + q[GROUND_CONTACT_OFFSET]! - q[to + DISTANCE]!;
 }

@@ -1,8 +1,9 @@
 import { angleOf, arc, ARC_ANGLE, ARC_X, ARC_Y } from './arctangent';
 import { BODY_RADIUS, outside, PLACE } from '../constants/limits';
 import { err, notFinite, ok, type Result } from '../result';
+import { HEIGHT, readHeight, terrainInPlace } from './inPlace';
 import { flatTerrain } from './terrain';
-import type { TerrainHeight } from '../constants/world';
+import type { HeightInPlace, TerrainHeight } from '../constants/world';
 
 /** Heights of a whole body on a grid of latitude and longitude, in the game's format. */
 export interface Heightmap {
@@ -65,9 +66,15 @@ export function heightmapTerrain(
     if (!checked.ok) return err(`${name}.${checked.reason}`);
     loaded.set(name, checked.value);
   }
-  return ok((bodyName, nx, ny, nz) => {
+  const inPlace: HeightInPlace = (direction, bodyName) => {
     const map = loaded.get(bodyName);
-    if (map === undefined) return elsewhere(bodyName, nx, ny, nz);
+    if (map === undefined) {
+      readHeight(direction, elsewhere, bodyName);
+      return;
+    }
+    const nx = direction[0]!;
+    const ny = direction[1]!;
+    const nz = direction[2]!;
     arc[ARC_Y] = Math.sqrt(nx * nx + nz * nz);
     arc[ARC_X] = ny;
     angleOf();
@@ -78,8 +85,9 @@ export function heightmapTerrain(
     point[EAST] = arc[ARC_ANGLE]! * map.columnsPerRadian;
     if (map.isBicubic) bicubic(map);
     else bilinear(map);
-    return map.base + map.scale * point[UNITS]!;
-  });
+    direction[HEIGHT] = map.base + map.scale * point[UNITS]!;
+  };
+  return ok(terrainInPlace(inPlace));
 }
 
 function loadHeightmap(map: Heightmap): Result<LoadedHeightmap> {

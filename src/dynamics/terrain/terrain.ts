@@ -1,9 +1,12 @@
 import type { Vec3 } from '../result';
 import { crater, noise, noisePoint, noiseValue } from './noise';
 import type { TerrainHeight } from '../constants/world';
+import { HEIGHT, terrainInPlace } from './inPlace';
 
 /** Level ground at the body's radius. */
-export const flatTerrain: TerrainHeight = () => 0;
+export const flatTerrain: TerrainHeight = terrainInPlace((point) => {
+  point[HEIGHT] = 0;
+});
 
 /** Unit direction in body axes of the level ground in `hillsTerrain`, on every body. */
 export const LANDING_SITE: Vec3 = [0.6, 0.48, 0.64];
@@ -43,14 +46,20 @@ const WHOLE_RADIUS = 4500;
  * Ridges, hills, craters and a level landing site, from + − × ÷ √, floor and integer hashing alone: the same bits everywhere.
  * Continuous; within ±2 km. Body axes as in TerrainHeight.
  */
-export const hillsTerrain: TerrainHeight = (bodyName, nx, ny, nz) => {
+export const hillsTerrain: TerrainHeight = terrainInPlace((point, bodyName) => {
+  const nx = point[0]!;
+  const ny = point[1]!;
+  const nz = point[2]!;
   const relief = RELIEFS[bodyName] ?? UNKNOWN_BODY;
   const size = relief.radius / relief.scale;
   const sx = nx - LANDING_SITE[0];
   const sy = ny - LANDING_SITE[1];
   const sz = nz - LANDING_SITE[2];
   const fromSite = Math.sqrt(sx * sx + sy * sy + sz * sz) * size;
-  if (fromSite <= LEVEL_RADIUS) return 0;
+  if (fromSite <= LEVEL_RADIUS) {
+    point[HEIGHT] = 0;
+    return;
+  }
   noisePoint[0] = nx * size;
   noisePoint[1] = ny * size;
   noisePoint[2] = nz * size;
@@ -68,8 +77,8 @@ export const hillsTerrain: TerrainHeight = (bodyName, nx, ny, nz) => {
   crater(PITS.cell, relief.seed + PITS.seed);
   const ground = swell + ridge + hills + bumps + relief.craters * (bowl + noiseValue[0]!);
   const t = fromSite < WHOLE_RADIUS ? (fromSite - LEVEL_RADIUS) / (WHOLE_RADIUS - LEVEL_RADIUS) : 1;
-  return relief.scale * (t * t * (3 - 2 * t)) * ground;
-};
+  point[HEIGHT] = relief.scale * (t * t * (3 - 2 * t)) * ground;
+});
 
 /** The terrains a hello may name. */
 export const TERRAINS: Readonly<Record<string, TerrainHeight>> = Object.freeze({

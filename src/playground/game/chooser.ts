@@ -4,7 +4,7 @@ import { saveKeys } from '../input/keyTable';
 import { type Choices, OVERLAY_NAMES, setChoice } from '../panels/choices';
 import type { Help } from '../panels/help';
 import { keyCapOf } from './words/controlWords';
-import { networkOf } from './live';
+import { networkOf, upNetworkOf } from './live';
 import type { Page } from './pageParts';
 import type { Parts } from './wiring';
 
@@ -18,6 +18,9 @@ const LIVE_CHOICES: readonly (keyof Choices)[] = [
   'jitter',
   'stalled',
   'stall',
+  'upDelay',
+  'upJitter',
+  'upStalled',
   'pilot',
 ];
 
@@ -43,12 +46,15 @@ export function createChooser(page: Page, parts: Parts): Chooser {
     if (stage !== null)
       for (const name of OVERLAY_NAMES) stage.overlays[name] = choices.overlays.includes(name);
   };
+  const operateNetwork = () => {
+    const up = upNetworkOf(choices);
+    parts.live.operate({ kind: 'network', numbers: networkOf(choices), ...(up !== undefined && { up }) });
+  };
   const applyLive = (name: keyof Choices) => {
     if (name === 'slow') {
       parts.live.setSpeed(choices.slow);
       if (choices.slow < 1) parts.game.meddled('it was flown in slow motion');
-    } else if (name !== 'mode' && name !== 'overlays' && name !== 'pilot')
-      parts.live.operate({ kind: 'network', numbers: networkOf(choices) });
+    } else if (name !== 'mode' && name !== 'overlays' && name !== 'pilot') operateNetwork();
     showOverlays();
   };
   const beginWorld = () => {
@@ -67,6 +73,8 @@ export function createChooser(page: Page, parts: Parts): Chooser {
   const change = (name: keyof Choices, text: string): string | null => {
     const reason = setChoice(choices, name, text);
     if (reason !== null) return reason;
+    // A flight was flown in one world: another begins without it.
+    if (name !== 'flight' && !LIVE_CHOICES.includes(name)) choices.flight = '';
     if (LIVE_CHOICES.includes(name)) applyLive(name);
     else beginAnew();
     address.write(query());

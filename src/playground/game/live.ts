@@ -50,6 +50,19 @@ export function networkOf(choices: Choices): NetworkNumbers {
   };
 }
 
+/** Of the link to the server, where it differs. */
+export function upNetworkOf(choices: Choices): NetworkNumbers | undefined {
+  const { network, upDelay, upJitter, upStalled } = choices;
+  if (network !== 'custom' || (upDelay === '' && upJitter === '' && upStalled === '')) return undefined;
+  const { delay, jitter, stalled } = choices;
+  return networkOf({
+    ...choices,
+    delay: upDelay === '' ? delay : upDelay,
+    jitter: upJitter === '' ? jitter : upJitter,
+    stalled: upStalled === '' ? stalled : upStalled,
+  });
+}
+
 /** @param program address of the page's own main module, which the worker runs too */
 export function createLive(program: string, listeners: LiveListeners): Live {
   const state = createLiveState(program, listeners);
@@ -134,12 +147,15 @@ function beginWorld(state: LiveState, choices: Choices): void {
   state.connection.operate(loadOf(choices, script));
 }
 
-function loadOf(choices: Choices, { tickRate, timeScale }: Script): LoadOperation {
+function loadOf(choices: Choices, { plan, tickRate, timeScale }: Script): LoadOperation {
   const { scenario, body, shipClass, terrain, surfaceNormal, seed, fleet, pilot, legacy } = choices;
+  const up = upNetworkOf(choices);
   return {
     kind: 'load',
     ...{ scenario, body, shipClass, terrain, surfaceNormal, tickRate, timeScale, seed, pilot },
     network: networkOf(choices),
+    ...(up !== undefined && { upNetwork: up }),
+    ...(choices.flight !== '' && { plan }),
     others: fleet,
     legacy: legacy === 1,
   };

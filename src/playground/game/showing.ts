@@ -1,5 +1,6 @@
 import { keepForOffline } from '../offline/keep';
 import { createFrameLoop, type FrameLoop } from '../view/frameLoop';
+import { NIGHT_ELEVATION } from '../../scene';
 import { pixelRatioOf } from '../view/pageSize';
 import type { Page } from './pageParts';
 import { createReport } from './mission/report';
@@ -24,7 +25,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       const passed = Number.isNaN(before) ? 0 : now - before;
       before = now;
       const replayed = parts.scene.frame(passed);
-      const replay = parts.scene.replay();
+      const replay = parts.scene.deck.replay();
       if (replay !== null && replay.generation() !== generation) {
         generation = replay.generation();
         parts.cockpit.forget();
@@ -32,7 +33,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       return { view: replayed ?? parts.live.frame(), now };
     },
     paint(view, now) {
-      const replay = parts.scene.replay();
+      const replay = parts.scene.deck.replay();
       if (replay === null) parts.game.watch(view);
       parts.cockpit.paint(view);
       const { flight, aids } = parts.cockpit;
@@ -42,13 +43,15 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       (replay?.baseline ?? parts.live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
       parts.dock.follow(view, now);
       if (stage !== null) {
+        const isNight = parts.game.tracker.mission()?.night ?? false;
+        stage.setSunElevation(isNight ? NIGHT_ELEVATION : null);
         stage.markers.pads = parts.game.tracker.pads();
         stage.markers.touch = parts.cockpit.aidsOn() && aids.outcome === 'touch' ? aids.touchPlace : null;
       }
       if (parts.loop.isWarm()) report(view);
     },
     isLoading: parts.live.isLoading,
-    dress: (view) => (parts.scene.replay() === null ? parts.game.ghost.join(view) : view),
+    dress: (view) => (parts.scene.deck.replay() === null ? parts.game.ghost.join(view) : view),
     opened() {
       banner.rest('');
       keepForOffline(window, () => (root.dataset['offline'] = 'kept'));

@@ -2,6 +2,7 @@ import { createGoalPanel } from '../panels/goal';
 import { createDock } from '../panels/workshop/dock';
 import { createMissionCard } from '../panels/missionCard';
 import { createPanel, type Panel } from '../panels/panel';
+import { type Carry, createCarry } from '../input/carry';
 import { connectDevices, type Devices } from '../input/devices';
 import type { Sound } from '../sound/sound';
 import type { Cockpit } from '../view/cockpit';
@@ -12,6 +13,7 @@ import { type Acts, createActs } from './actions';
 import { createCameraSwitch } from '../view/cameraSwitch';
 import { createChooser, type Chooser } from './chooser';
 import { keyCapOf, wireCockpit } from './words/controlWords';
+import { createFlightLink, type FlightLink } from './flightLink';
 import { createLive, type Live } from './live';
 import { createMissionGame, type MissionGame } from './mission/missionGame';
 import type { Page } from './pageParts';
@@ -27,6 +29,9 @@ export interface Parts {
   acts: Acts;
   game: MissionGame;
   cockpit: Cockpit;
+  /** null without a picture. */
+  carry: Carry | null;
+  flightLink: FlightLink;
   devices: Devices;
   /** null until it is asked for: its code is fetched then. */
   sound: Sound | null;
@@ -42,6 +47,11 @@ export function wirePage(page: Page): Parts {
   parts.chooser = createChooser(page, parts);
   parts.panel = wirePanel(page, parts);
   parts.sound = null;
+  parts.carry =
+    page.stage === null
+      ? null
+      : createCarry(page.stage, (offset, begins) => parts.live.operate({ kind: 'carry', offset, begins }));
+  parts.flightLink = wireFlightLink(page, parts);
   parts.acts = wireActs(page, parts);
   parts.devices = wireDevices(page, parts);
   parts.game = wireGame(page, parts);
@@ -65,7 +75,9 @@ function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
       parts.game.begin();
     },
     onEntry: (entry) => parts.scene.recorder.take(entry),
-    onRun: (inputs) => parts.game.onRun(inputs),
+    onRun(inputs) {
+      if (!parts.flightLink.take(inputs)) parts.game.onRun(inputs);
+    },
     onScenario: (scenario, terrain) => parts.chooser.follow(scenario, terrain),
   });
 }
@@ -102,7 +114,7 @@ function wirePanel({ part, document, choices }: Page, parts: Parts): Panel {
 }
 
 function wireActs(page: Page, parts: Parts): Acts {
-  const { banner, choices, document, stage, address, query } = page;
+  const { banner, choices, document, stage } = page;
   return createActs({
     live: parts.live,
     panel: parts.panel,
@@ -113,14 +125,28 @@ function wireActs(page: Page, parts: Parts): Acts {
     help: parts.chooser.openHelp,
     resetCamera: () => stage?.resetCamera(),
     nextCamera: createCameraSwitch(stage, banner),
-    copyLink: () => address.copy(query(), 'Link copied.'),
+    copyLink: () => copyLink(page, parts),
+    copyFlight: () =>
+      parts.scene.deck.recording() === null ? parts.flightLink.copy() : copyLink(page, parts),
+    toggleCarry: () => parts.carry?.toggle() ?? false,
     invite: parts.chooser.invite,
     toggleBare: () => document.body.classList.toggle('bare'),
     toggleAids: () => banner.flash(`Landing aids ${parts.cockpit.toggleAids() ? 'on' : 'off'}.`),
     toggleSound: () => void toggleSound(page, parts),
-    isReplaying: () => parts.scene.replay() !== null,
+    deck: parts.scene.deck,
     meddled: (how) => parts.game.meddled(how),
   });
+}
+
+function wireFlightLink({ choices, address, notice }: Page, parts: Parts): FlightLink {
+  return createFlightLink({ live: () => parts.live, choices: () => choices, address, notice });
+}
+
+/** The world as it is chosen; while a recording plays, the flight that it holds. */
+function copyLink({ address, query }: Page, parts: Parts): void {
+  const recording = parts.scene.deck.recording();
+  if (recording === null) address.copy(query(), 'Link copied.');
+  else parts.flightLink.copyOf(recording);
 }
 
 async function toggleSound({ window, banner, notice }: Page, parts: Parts): Promise<void> {
@@ -137,6 +163,7 @@ async function toggleSound({ window, banner, notice }: Page, parts: Parts): Prom
 
 function wireDevices(page: Page, parts: Parts): Devices {
   const { hands, steer } = parts.live;
+  const isReplaying = () => parts.scene.deck.replay() !== null;
   return connectDevices(page.window, {
     settings: () => page.keys,
     stick: hands.stick,
@@ -148,16 +175,18 @@ function wireDevices(page: Page, parts: Parts): Devices {
       steer();
     },
     lever(throttle) {
+      if (isReplaying()) return;
       hands.setThrottle(throttle);
       steer();
     },
     moved() {
+      if (isReplaying()) return;
       hands.deflect();
       steer();
     },
     changed: () => parts.game.reword(),
     tell: page.banner.flash,
-    isResting: hands.isResting,
+    isResting: () => hands.isResting() || isReplaying(),
   });
 }
 

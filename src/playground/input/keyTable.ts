@@ -17,6 +17,7 @@ export type Action =
   | 'restart'
   | 'pause'
   | 'stepSubstep'
+  | 'stepBack'
   | 'previousScenario'
   | 'nextScenario'
   | 'landingAids'
@@ -65,6 +66,7 @@ export const KEY_TABLE: readonly KeyRow[] = [
   { action: 'restart', key: 'r', about: 'Restart', group: 'Playground' },
   { action: 'pause', key: 'p', about: 'Pause or resume', group: 'Playground' },
   { action: 'stepSubstep', key: 'o', about: 'Step one substep', group: 'Playground' },
+  { action: 'stepBack', key: ',', about: 'Replay: one substep back', group: 'Playground' },
   { action: 'previousScenario', key: '[', about: 'Previous mission or scenario', group: 'Playground' },
   { action: 'nextScenario', key: ']', about: 'Next mission or scenario', group: 'Playground' },
   { action: 'landingAids', key: '1', about: 'Landing aids on or off', group: 'Playground' },

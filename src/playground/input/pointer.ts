@@ -1,3 +1,4 @@
+import type { Carry } from './carry';
 import type { SceneView } from '../../scene';
 
 /** rad a CSS pixel of dragging; a key's turn, rad. */
@@ -5,42 +6,54 @@ const DRAG = 0.006;
 const KEY_TURN = 0.09;
 
 /** Turns and zooms the camera: dragging, wheel, two fingers; arrow keys, + and − while the picture has the focus. */
-export function steerCamera(canvas: HTMLCanvasElement, stage: SceneView): void {
+export function steerCamera(canvas: HTMLCanvasElement, scene: SceneView, carry: Carry): void {
   canvas.tabIndex = 0;
+  listenToPointers(canvas, scene, carry);
+  canvas.addEventListener(
+    'wheel',
+    (event) => {
+      event.preventDefault();
+      scene.zoomCamera(Math.exp(Math.max(-1, Math.min(1, event.deltaY / 300))));
+    },
+    { passive: false },
+  );
+  listenToArrows(canvas, scene);
+}
+
+/** One finger turns the camera, or moves the ship while that is on; two zoom. */
+function listenToPointers(canvas: HTMLCanvasElement, scene: SceneView, carry: Carry): void {
   const fingers = new Map<number, { x: number; y: number }>();
   let spread = 0;
   canvas.addEventListener('pointerdown', (event) => {
     canvas.setPointerCapture(event.pointerId);
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     spread = 0;
+    if (carry.isOn() && fingers.size === 1) carry.begin();
   });
   canvas.addEventListener('pointermove', (event) => {
     const finger = fingers.get(event.pointerId);
     if (finger === undefined) return;
-    if (fingers.size === 1)
-      stage.turnCamera(DRAG * (event.clientX - finger.x), DRAG * (event.clientY - finger.y));
+    const [right, down] = [event.clientX - finger.x, event.clientY - finger.y];
+    if (fingers.size === 1 && carry.isOn()) carry.move(right, down);
+    else if (fingers.size === 1) scene.turnCamera(DRAG * right, DRAG * down);
     finger.x = event.clientX;
     finger.y = event.clientY;
     if (fingers.size !== 2) return;
     const [a, b] = [...fingers.values()];
     const apart = Math.hypot(a!.x - b!.x, a!.y - b!.y);
-    if (spread > 0 && apart > 0) stage.zoomCamera(spread / apart);
+    if (spread > 0 && apart > 0) scene.zoomCamera(spread / apart);
     spread = apart;
   });
   const lift = (event: PointerEvent) => {
     fingers.delete(event.pointerId);
     spread = 0;
+    carry.end();
   };
   canvas.addEventListener('pointerup', lift);
   canvas.addEventListener('pointercancel', lift);
-  canvas.addEventListener(
-    'wheel',
-    (event) => {
-      event.preventDefault();
-      stage.zoomCamera(Math.exp(Math.max(-1, Math.min(1, event.deltaY / 300))));
-    },
-    { passive: false },
-  );
+}
+
+function listenToArrows(canvas: HTMLCanvasElement, scene: SceneView): void {
   canvas.addEventListener('keydown', (event) => {
     const turns: Readonly<Record<string, readonly [number, number]>> = {
       ArrowLeft: [-KEY_TURN, 0],
@@ -49,10 +62,10 @@ export function steerCamera(canvas: HTMLCanvasElement, stage: SceneView): void {
       ArrowDown: [0, -KEY_TURN],
     };
     const turn = Object.hasOwn(turns, event.key) ? turns[event.key] : undefined;
-    if (turn !== undefined) stage.turnCamera(turn[0], turn[1]);
-    else if (event.key === '+' || event.key === '=') stage.zoomCamera(0.88);
-    else if (event.key === '-') stage.zoomCamera(1 / 0.88);
-    else if (event.key === 'Home') stage.resetCamera();
+    if (turn !== undefined) scene.turnCamera(turn[0], turn[1]);
+    else if (event.key === '+' || event.key === '=') scene.zoomCamera(0.88);
+    else if (event.key === '-') scene.zoomCamera(1 / 0.88);
+    else if (event.key === 'Home') scene.resetCamera();
     else return;
     event.preventDefault();
   });

@@ -1,4 +1,5 @@
 import { BODIES, SHIP_CLASSES, TERRAINS } from '../../dynamics';
+import { readFlight } from '../game/mission/runText';
 import { TAB_ADDRESS } from '../server/tabLink';
 import { LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
 
@@ -21,6 +22,10 @@ export interface Choices {
   jitter: number;
   stalled: number;
   stall: number;
+  /** Of the link to the server, where they differ; '' = as of the link from it. */
+  upDelay: number | '';
+  upJitter: number | '';
+  upStalled: number | '';
   seed: number;
   mode: ClientMode;
   overlays: readonly OverlayName[];
@@ -30,6 +35,8 @@ export interface Choices {
   server: string;
   /** The pilot's name, for others; '' = none. */
   pilot: string;
+  /** Inputs that the own ship applies by itself, as writeFlight writes them; '' = the scenario's own. */
+  flight: string;
   /** Ships beside one's own. */
   fleet: number;
   /** 1: the worker speaks like the game's own server of today: no hello, no fields 31–34, whole-tick inputs. */
@@ -61,12 +68,16 @@ export const DEFAULT_CHOICES: Choices = {
   jitter: 8,
   stalled: 2,
   stall: 200,
+  upDelay: '',
+  upJitter: '',
+  upStalled: '',
   seed: 1,
   mode: 'predicted',
   overlays: [],
   slow: 1,
   server: '',
   pilot: '',
+  flight: '',
   fleet: 0,
   legacy: 0,
   picture: 'auto',
@@ -103,6 +114,10 @@ const orOwn = (field: { expects: string; read: (text: string) => unknown }) => (
   expects: `${field.expects}, or 0 for the scenario's own`,
   read: (text: string) => (text === '0' ? 0 : field.read(text)),
 });
+const orSame = (field: { expects: string; read: (text: string) => unknown }) => ({
+  expects: `${field.expects}, or nothing: as the link from the server`,
+  read: (text: string) => (text.trim() === '' ? '' : field.read(text)),
+});
 const names = (given: readonly { readonly name: string }[]) => ['', ...given.map(({ name }) => name)];
 
 /** Missions, lessons and rehearsals, in the order of the keys that go through them. */
@@ -126,6 +141,9 @@ const FIELDS: readonly Field[] = [
   { name: 'jitter', key: 'jitter', ...between(0, 1000) },
   { name: 'stalled', key: 'stalled', ...between(0, 50) },
   { name: 'stall', key: 'stall', ...between(0, 10_000) },
+  { name: 'upDelay', key: 'updelay', ...orSame(between(0, 5000)) },
+  { name: 'upJitter', key: 'upjitter', ...orSame(between(0, 1000)) },
+  { name: 'upStalled', key: 'upstalled', ...orSame(between(0, 50)) },
   { name: 'seed', key: 'seed', ...whole(0, 0xffffffff) },
   { name: 'mode', key: 'mode', ...oneOf(CLIENT_MODES) },
   {
@@ -150,10 +168,19 @@ const FIELDS: readonly Field[] = [
     expects: 'at most 24 characters',
     read: (text) => (text.length <= 24 && !/\p{Surrogate}/u.test(text) ? text : undefined),
   },
+  {
+    name: 'flight',
+    key: 'flight',
+    expects: 'a flight as this page writes it',
+    read: (text) => (text === '' || readFlight(text, ANY_SUBSTEPS).ok ? text : undefined),
+  },
   { name: 'fleet', key: 'fleet', ...whole(0, 999) },
   { name: 'legacy', key: 'legacy', ...whole(0, 1) },
   { name: 'picture', key: 'picture', ...oneOf(PICTURES) },
 ];
+
+/** A flight is valid whatever the tick rate. */
+const ANY_SUBSTEPS = 100;
 
 function isSocketAddress(text: string): boolean {
   return /^wss?:\/\//.test(text) && text.length <= 500 && URL.canParse(text);
@@ -161,11 +188,11 @@ function isSocketAddress(text: string): boolean {
 
 export interface ReadChoices {
   readonly choices: Choices;
-  /** What was asked for and cannot be had, in words. */
+  /** Which values were invalid, and what was expected. */
   readonly complaints: readonly string[];
 }
 
-/** Choices from a query; what is out of range keeps its default and is complained of. */
+/** Choices from a query; an invalid value keeps its default and is listed in `complaints`. */
 export function readChoices(query: URLSearchParams): ReadChoices {
   const complaints: string[] = [];
   const choices: Choices = { ...DEFAULT_CHOICES };
@@ -190,7 +217,7 @@ export function writeChoices(choices: Choices): string {
   return text === '' ? '' : `?${text}`;
 }
 
-/** One field from a form's text, checked as in a link: the reason it cannot be had, or null and it is set. */
+/** Sets one field from a form's text, checked as in a link; the reason why it is invalid, or null. */
 export function setChoice(choices: Choices, name: keyof Choices, text: string): string | null {
   const field = FIELDS.find((candidate) => candidate.name === name)!;
   const value = field.read(text);

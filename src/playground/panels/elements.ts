@@ -28,6 +28,12 @@ export function appendDetails(parent: Element, title: string, open: boolean): HT
   return details;
 }
 
+/** Where the licences of what the page bundles are. */
+export function appendLicences(parent: Element): void {
+  const link = append(parent, 'a', '', 'Licences of the bundled libraries');
+  link.href = './notices.txt';
+}
+
 let fields = 0;
 
 /** A label and its control side by side; `complain` says below what is wrong with it, '' when nothing is. */

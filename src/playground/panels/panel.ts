@@ -1,6 +1,6 @@
 import { findScenario, LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
 import type { Choices } from './choices';
-import { append, appendButton, appendDetails, createSelect } from './elements';
+import { append, appendButton, appendDetails, appendLicences, createSelect } from './elements';
 import { createForm } from './form';
 import { appendSettings } from './settings';
 
@@ -10,10 +10,15 @@ export type PanelAct =
   | 'pause'
   | 'stepSubstep'
   | 'kick'
+  | 'spike'
   | 'freeze'
   | 'drop'
   | 'away'
+  | 'snapshot'
+  | 'restore'
+  | 'carry'
   | 'copyLink'
+  | 'copyFlight'
   | 'invite'
   | 'help'
   | 'sound'
@@ -46,9 +51,47 @@ const BUILT_IN_ONLY: readonly PanelAct[] = [
   'pause',
   'stepSubstep',
   'kick',
+  'spike',
   'freeze',
   'drop',
+  'snapshot',
+  'restore',
+  'carry',
+  'copyFlight',
   'invite',
+];
+
+type ButtonRow = readonly (readonly [act: PanelAct, text: string])[];
+
+const RUN: ButtonRow = [
+  ['restart', 'Restart'],
+  ['pause', 'Pause'],
+  ['help', 'Keys'],
+  ['sound', 'Sound'],
+];
+const TRIES: ButtonRow = [
+  ['tryHop', 'Hop: full throttle for a second, then land again'],
+  ['tryTopple', 'Tip over, then right the ship with the key shown'],
+  ['tryLastState', 'See the same without prediction'],
+];
+const TROUBLES: ButtonRow = [
+  ['kick', 'Kick the ship'],
+  ['spike', 'Lag spike'],
+  ['freeze', 'Freeze the server'],
+  ['drop', 'Drop the connection'],
+  ['away', 'Hide for a minute'],
+];
+const EXPERIMENTS: ButtonRow = [
+  ['stepSubstep', 'Step'],
+  ['snapshot', 'Snapshot'],
+  ['restore', 'Restore'],
+  ['carry', 'Move the ship'],
+];
+const SHARE: ButtonRow = [
+  ['copyLink', 'Copy link'],
+  ['copyFlight', 'Copy flight link'],
+  ['resetCamera', 'Reset view'],
+  ['nextCamera', 'Next camera'],
 ];
 
 /** The playground's form: native controls, each with its label. Missions on top, the workshop folded below. */
@@ -58,47 +101,40 @@ export function createPanel(
   listeners: PanelListeners,
 ): Panel {
   const buttons = new Map<PanelAct, HTMLButtonElement>();
-  const button = (parent: Element, act: PanelAct, text: string) =>
+  const addButton = (parent: Element, act: PanelAct, text: string) =>
     buttons.set(
       act,
       appendButton(parent, text, () => listeners.act(act)),
     );
+  const addRow = (parent: Element, row: ButtonRow) => {
+    const element = append(parent, 'div', 'row');
+    for (const [act, text] of row) addButton(element, act, text);
+  };
   append(host, 'h2', '', 'Touchdown');
   const form = createForm(listeners.change);
   form.field(host, 'Mission', 'scenario', createScenarioList(host.ownerDocument));
   const about = append(host, 'p', 'quiet');
   form.also(({ scenario }) => (about.textContent = findScenario(scenario)?.about ?? ''));
-  const runs = append(host, 'div', 'row');
-  button(runs, 'restart', 'Restart');
-  button(runs, 'pause', 'Pause');
-  button(runs, 'help', 'Keys');
-  button(runs, 'sound', 'Sound');
-  const schools = append(host, 'div', 'row');
-  appendButton(schools, 'Flight school', () => listeners.change('scenario', LESSONS[0]!.scenario.name));
-  appendButton(schools, 'Free flight', () => listeners.change('scenario', 'launch'));
-  button(schools, 'invite', 'Fly together');
+  addRow(host, RUN);
+  const starts = append(host, 'div', 'row');
+  appendButton(starts, 'Flight school', () => listeners.change('scenario', LESSONS[0]!.scenario.name));
+  appendButton(starts, 'Free flight', () => listeners.change('scenario', 'launch'));
+  addButton(starts, 'invite', 'Fly together');
 
   const workshop = appendDetails(host, 'Workshop', workshopOpen);
   workshop.addEventListener('toggle', () => listeners.workshop(workshop.open));
   append(workshop, 'h3', '', 'Three things to try');
   const tries = append(workshop, 'ul', 'tries');
-  button(append(tries, 'li'), 'tryHop', 'Hop: full throttle for a second, then land again');
-  button(append(tries, 'li'), 'tryTopple', 'Tip over, then right the ship with the key shown');
-  button(append(tries, 'li'), 'tryLastState', 'See the same without prediction');
+  for (const [act, text] of TRIES) addButton(append(tries, 'li'), act, text);
   appendSettings(workshop, form);
-  append(workshop, 'h3', '', 'Make trouble');
-  const troubles = append(workshop, 'div', 'row');
-  button(troubles, 'stepSubstep', 'Step');
-  button(troubles, 'kick', 'Kick the ship');
-  button(troubles, 'freeze', 'Freeze the server');
-  button(troubles, 'drop', 'Drop the connection');
-  button(troubles, 'away', 'Hide for a minute');
-  append(workshop, 'h3', '', 'Share');
-  const share = append(workshop, 'div', 'row');
-  button(share, 'copyLink', 'Copy link');
-  button(share, 'resetCamera', 'Reset view');
-  button(share, 'nextCamera', 'Next camera');
+  append(workshop, 'h3', '', 'Experiment');
+  addRow(workshop, EXPERIMENTS);
+  append(workshop, 'h3', '', 'Disturb');
+  addRow(workshop, TROUBLES);
+  append(workshop, 'h3', '', 'Share and view');
+  addRow(workshop, SHARE);
   const run = append(workshop, 'p', 'quiet');
+  appendLicences(append(workshop, 'p', 'quiet'));
   form.also(({ server }) => {
     for (const act of BUILT_IN_ONLY) buttons.get(act)!.disabled = server !== '';
   });

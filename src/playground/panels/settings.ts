@@ -2,6 +2,7 @@ import { BODIES, SHIP_CLASSES, TERRAINS } from '../../dynamics';
 import { type Choices, NETWORKS, OVERLAY_NAMES, type OverlayName } from './choices';
 import { append, appendDetails, createNumber, createSelect } from './elements';
 import type { Form } from './form';
+import { createOverlayLegend } from './overlayLegend';
 
 const NETWORK_WORDS: Readonly<Record<(typeof NETWORKS)[number], string>> = {
   lan: 'LAN, 2 ms',
@@ -41,6 +42,10 @@ export function appendSettings(host: Element, form: Form): void {
   form.field(custom, 'Jitter, ms', 'jitter', createNumber(document, 0, 1000, 1));
   form.field(custom, 'Stalled, %', 'stalled', createNumber(document, 0, 50, 0.1));
   form.field(custom, 'Stall, ms', 'stall', createNumber(document, 0, 10_000, 10));
+  append(custom, 'p', 'quiet', 'Link to the server; empty: as the link from it.');
+  form.field(custom, 'Up delay, ms', 'upDelay', createNumber(document, 0, 5000, 1));
+  form.field(custom, 'Up jitter, ms', 'upJitter', createNumber(document, 0, 1000, 1));
+  form.field(custom, 'Up stalled, %', 'upStalled', createNumber(document, 0, 50, 0.1));
   form.also(({ network }) => (custom.hidden = network !== 'custom'));
   const speeds = [0.1, 0.25, 0.5, 1, 2, 4].map((speed) => [String(speed), `${speed} ×`] as const);
   form.field(host, 'Speed', 'slow', createSelect(document, speeds));
@@ -77,7 +82,7 @@ function appendWorld(world: Element, form: Form): void {
   form.field(world, 'Your name', 'pilot', pilot);
 }
 
-/** Boxes to tick for what lies over the picture. */
+/** Check boxes for the overlays, and a legend of those that are on. */
 function createChecks(
   host: Element,
   change: (name: keyof Choices, text: string) => string | null,
@@ -95,7 +100,9 @@ function createChecks(
     });
     return box;
   });
+  const showLegend = createOverlayLegend(host);
   return ({ overlays }) => {
     OVERLAY_NAMES.forEach((name, i) => (boxes[i]!.checked = overlays.includes(name)));
+    showLegend(overlays);
   };
 }

@@ -1,4 +1,5 @@
 import { ok, type Result, err } from '../../dynamics';
+import { DEFAULT_CHOICES } from '../panels/choices';
 import { createRecordingWriter, readRecording, type Recording } from '../../scenarios';
 
 /** What a dropped or chosen file may weigh: an hour of frames, several times over. */
@@ -21,6 +22,13 @@ export async function writeSlowly(recording: Recording, progress: (share: number
     await new Promise((resolve) => setTimeout(resolve));
   }
   return new Blob(parts, { type: 'application/jsonl' });
+}
+
+/** What to save a recording as: its scenario and the time, so that two files differ. */
+export function fileName({ header }: Recording, now: Date): string {
+  const scenario = new URLSearchParams(header.note).get('scenario') ?? DEFAULT_CHOICES.scenario;
+  const stamp = now.toISOString().slice(0, 19).replaceAll(/[:T]/g, '-');
+  return `touchdown-${scenario.replaceAll(/[^\w-]/g, '')}-${stamp}.jsonl`;
 }
 
 /** A recording from a file, or why it is none. */

@@ -1,5 +1,5 @@
 import { append, appendButton } from '../panels/elements';
-import type { Replay } from './replay';
+import type { Replay, StepUnit } from './replay';
 
 export interface RecordingListeners {
   readonly replay: () => void;
@@ -8,14 +8,23 @@ export interface RecordingListeners {
   readonly load: (file: File) => void;
   readonly seek: (at: number) => void;
   readonly play: (playing: boolean) => void;
+  readonly step: (unit: StepUnit, direction: 1 | -1) => void;
 }
 
 export interface RecordingPanel {
   readonly showLength: (seconds: number, full: boolean) => void;
   readonly showReplay: (replay: Replay | null) => void;
-  readonly showPosition: (at: number, playing: boolean) => void;
+  /** `where`: tick and substep in words. */
+  readonly showPosition: (at: number, playing: boolean, where: string) => void;
   readonly showProgress: (share: number | null) => void;
 }
+
+const STEPS = [
+  ['◂ Tick', 'One tick back', 'tick', -1],
+  ['◂ Substep', 'One substep back', 'substep', -1],
+  ['Substep ▸', 'One substep forward', 'substep', 1],
+  ['Tick ▸', 'One tick forward', 'tick', 1],
+] as const;
 
 /** Record, replay, save and load; the scrubber goes both ways and marks the first divergence. */
 export function createRecordingPanel(host: Element, listeners: RecordingListeners): RecordingPanel {
@@ -43,6 +52,8 @@ export function createRecordingPanel(host: Element, listeners: RecordingListener
   const controls = append(deck, 'div', 'row');
   let playing = true;
   const play = appendButton(controls, 'Pause', () => listeners.play(!playing));
+  for (const [text, label, unit, direction] of STEPS)
+    appendButton(controls, text, () => listeners.step(unit, direction)).setAttribute('aria-label', label);
   const scrubber = append(controls, 'div', 'scrubber');
   const range = append(scrubber, 'input');
   range.type = 'range';
@@ -76,12 +87,12 @@ export function createRecordingPanel(host: Element, listeners: RecordingListener
       const share = ((replay.divergence.at ?? from) - from) / long;
       mark.style.setProperty('left', `calc(8px + ${share} * (100% - 16px))`);
     },
-    showPosition(at, isPlaying) {
+    showPosition(at, isPlaying, where) {
       playing = isPlaying;
       const text = isPlaying ? 'Pause' : 'Play';
       if (play.textContent !== text) play.textContent = text;
       range.value = (at - from).toFixed(2);
-      time.textContent = `${(at - from).toFixed(1)} / ${long.toFixed(1)} s`;
+      time.textContent = `${(at - from).toFixed(2)} / ${long.toFixed(1)} s · ${where}`;
     },
     showProgress(share) {
       progress.hidden = share === null;

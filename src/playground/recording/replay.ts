@@ -1,58 +1,64 @@
-import { createPredictor, type Predictor, type WorldView } from '../../prediction';
+import { timingOfTick } from '../../dynamics';
+import type { WorldView } from '../../prediction';
 import { compareRecording, type Recording, type RecordingEntry } from '../../scenarios';
 import { type Baseline, createBaseline } from '../game/baseline';
+import { copyFed, createKeyframes, type Fed, feed } from './keyframes';
 
-/** A recording being played: the predictor is fed again what it was fed then, so that every moment comes out the same. */
+export type StepUnit = 'substep' | 'tick';
+
+/** A recording being played: predictors are fed again what one was fed then, so that every moment comes out the same. */
 export interface Replay {
   /** Wall seconds of the recording. */
   readonly from: number;
   readonly to: number;
   readonly baseline: Baseline;
   readonly divergence: Divergence;
-  /** The view at a time; forward it goes on, backward it begins anew. */
+  /** The frame that was drawn last at a time. */
   readonly seek: (at: number) => WorldView;
+  /** Forward (+1) or back (−1) to the next boundary of a tick or substep. */
+  readonly step: (unit: StepUnit, direction: 1 | -1) => WorldView;
+  /** What `seek` or `step` gave last. */
+  readonly view: () => WorldView;
   readonly position: () => number;
-  /** Counts the times it began anew: readouts that remember must begin anew too. */
+  /** Counts jumps back and skips: readouts that remember must begin again after each. */
   readonly generation: () => number;
+  /** Makes keyframes ahead until `isOver` says so. */
+  readonly prepare: (isOver: () => boolean) => void;
 }
 
 export interface Divergence {
-  /** Wall seconds of the recording, or null: the recorded server kept to the law throughout. */
+  /** Wall seconds of the recording, or null: the recorded server followed the dynamics throughout. */
   readonly at: number | null;
   readonly words: string;
 }
 
 export function createReplay(recording: Recording): Replay {
-  const { entries, header } = recording;
+  const { entries } = recording;
+  const keyframes = createKeyframes(recording);
   const from = entries[0]?.at ?? 0;
   const to = entries.at(-1)?.at ?? from;
   const baseline = createBaseline();
-  let generation = 0;
-  let next = 0;
+  let generation = 1;
+  let fed = keyframes.before(from);
   let position = from;
-  let shownAt = from;
-  let predictor = begin();
+  let view = fed.predictor.view(from);
 
-  function begin(): Predictor {
-    next = 0;
-    shownAt = from;
-    generation++;
-    baseline.forget();
-    return createPredictor({ ownShipId: header.shipId, plan: header.plan ?? [] });
-  }
-
-  function feed(entry: RecordingEntry): void {
-    if (entry.kind === 'received') {
-      predictor.receive(entry.message, entry.at);
-      if (entry.message.kind === 'frame') baseline.take(entry.message, entry.at);
-    } else if (entry.kind === 'advanced') {
-      predictor.advance(entry.controls, entry.at);
-      predictor.view(entry.at);
-      predictor.takeOutgoing();
-      shownAt = entry.at;
+  const moveTo = (at: number) => {
+    const wanted = Math.min(Math.max(at, from), to);
+    if (wanted < position) {
+      fed = keyframes.before(wanted);
+      generation++;
+      baseline.forget();
+      const frame = lastFrameBefore(entries, fed.next);
+      if (frame !== null) baseline.take(frame.message, frame.at);
     }
-  }
-
+    position = wanted;
+    while (fed.next < entries.length && entries[fed.next]!.at <= wanted) {
+      const entry = entries[fed.next]!;
+      feed(fed, entries);
+      if (isFrame(entry)) baseline.take(entry.message, entry.at);
+    }
+  };
   return {
     from,
     to,
@@ -60,18 +66,76 @@ export function createReplay(recording: Recording): Replay {
     divergence: findDivergence(recording),
     position: () => position,
     generation: () => generation,
+    prepare: keyframes.prepare,
+    view: () => view,
     seek(at) {
-      const wanted = Math.min(Math.max(at, from), to);
-      if (wanted < position) predictor = begin();
-      position = wanted;
-      while (next < entries.length && entries[next]!.at <= wanted) feed(entries[next++]!);
-      // Between two frames of then there was no picture: the earlier one's stays.
-      return predictor.view(shownAt);
+      moveTo(at);
+      // Between two frames there was no picture: the earlier one's stays.
+      view = fed.predictor.view(fed.shownAt);
+      return view;
+    },
+    step(unit, direction) {
+      for (let tries = 0; tries < MAX_TRIES; tries++) {
+        const off = secondsTo(view, unit, tries === 0 ? direction : 0);
+        if (Math.abs(off) < CLOSE) break;
+        moveTo(position + off);
+        view = viewBetween(fed, position);
+      }
+      return view;
     },
   };
 }
 
-/** The first tick at which the recorded server left the law. */
+/** A step's first try is off by what the clock was steered in between, a share of a per cent. */
+const MAX_TRIES = 2;
+/** s of wall time that do not show. */
+const CLOSE = 1e-5;
+
+type FrameEntry = Extract<RecordingEntry, { kind: 'received' }> & {
+  readonly message: { readonly kind: 'frame' };
+};
+
+function isFrame(entry: RecordingEntry): entry is FrameEntry {
+  return entry.kind === 'received' && entry.message.kind === 'frame';
+}
+
+function lastFrameBefore(entries: readonly RecordingEntry[], next: number): FrameEntry | null {
+  for (let i = next - 1; i >= 0; i--) {
+    const entry = entries[i]!;
+    if (isFrame(entry)) return entry;
+  }
+  return null;
+}
+
+/** The view at a time between two recorded frames: of a copy, so that the recorded ones stay as they were. */
+function viewBetween(fed: Fed, at: number): WorldView {
+  if (at <= fed.shownAt) return fed.predictor.view(fed.shownAt);
+  const { predictor, controls } = copyFed(fed);
+  predictor.advance(controls, at);
+  return predictor.view(at);
+}
+
+/** Wall seconds from a view to the boundary that is `direction` boundaries away; 0: to the nearest. Paused, time is wall time. */
+function secondsTo(view: WorldView, unit: StepUnit, direction: -1 | 0 | 1): number {
+  const { sinceTick, tickRate, timeScale, paused, settings, diagnosis } = view;
+  const { tickSeconds, dt } = timingOfTick(timeScale / tickRate, settings.contactLongestSubstep);
+  const span = unit === 'tick' ? tickSeconds : dt;
+  const share = sinceTick / span;
+  const isAt = Math.abs(share - Math.round(share)) < ON_BOUNDARY;
+  const target =
+    direction === 0 || isAt
+      ? Math.round(share) + direction
+      : direction > 0
+        ? Math.ceil(share)
+        : Math.floor(share);
+  const wall = ((target - share) * span) / timeScale;
+  return paused ? direction / tickRate : wall / (diagnosis.clockRate || 1);
+}
+
+/** Of a span: nearer is on the boundary. */
+const ON_BOUNDARY = 0.02;
+
+/** The first tick at which the recorded server left the dynamics. */
 function findDivergence(recording: Recording): Divergence {
   const compared = compareRecording(recording);
   if (!compared.ok) return { at: null, words: `Nothing to check against the physics: ${compared.reason}.` };
@@ -81,9 +145,6 @@ function findDivergence(recording: Recording): Divergence {
     return { at: null, words: `No divergence: ${statesCompared} states match the physics.` };
   const how =
     disagreement?.tick === first ? disagreement.how : `${outOfTolerance?.field ?? 'state'} out of tolerance`;
-  const entry = recording.entries.find(
-    ({ kind, ...rest }) =>
-      kind === 'received' && 'message' in rest && rest.message.kind === 'frame' && rest.message.tick >= first,
-  );
+  const entry = recording.entries.find((each) => isFrame(each) && each.message.tick >= first);
   return { at: entry?.at ?? null, words: `First divergence at tick ${first}: ${how}.` };
 }

@@ -1,6 +1,6 @@
 import { ok, type Result, err } from '../../dynamics';
 import { TAB_ADDRESS } from './tabLink';
-import { loadNetwork, type NetworkNumbers } from '../../scenarios';
+import { loadNetwork, type NetworkNumbers, type ScheduledInput } from '../../scenarios';
 
 /** What the page's operator asks of the server in the worker, beside the protocol. */
 export type Operation =
@@ -12,11 +12,19 @@ export type Operation =
   /** Hz, from the next tick. */
   | { readonly kind: 'tickRate'; readonly tickRate: number }
   | { readonly kind: 'timeScale'; readonly timeScale: number }
-  | { readonly kind: 'network'; readonly numbers: NetworkNumbers }
+  /** `up`: of the messages to the server, where they differ. */
+  | { readonly kind: 'network'; readonly numbers: NetworkNumbers; readonly up?: NetworkNumbers }
+  /** Nothing arrives for some wall seconds, in either direction; then everything does. */
+  | { readonly kind: 'spike'; readonly seconds: number }
   /** The own ship as it was at the start. */
   | { readonly kind: 'restart' }
   /** Pushes the own ship: [east, north, up] at the scenario's site, m/s and rad/s. */
   | { readonly kind: 'kick'; readonly velocity: Triple; readonly spin: Triple }
+  /** Keeps the state of all ships, and puts them back into it, over the same ground. */
+  | { readonly kind: 'snapshot' }
+  | { readonly kind: 'restore' }
+  /** Puts the own ship at rest, `offset` (ICRF axes, m) from where it was when the carrying began. */
+  | { readonly kind: 'carry'; readonly offset: Triple; readonly begins: boolean }
   | { readonly kind: 'freeze'; readonly frozen: boolean }
   | { readonly kind: 'drop' }
   /** Lets other tabs of this browser in, by an address of the form tab:…. */
@@ -42,6 +50,10 @@ export interface LoadOperation {
   readonly tickRate: number;
   readonly timeScale: number;
   readonly network: NetworkNumbers;
+  /** Of the messages to the server, where they differ. */
+  readonly upNetwork?: NetworkNumbers;
+  /** What the own ship does by itself, instead of the scenario's own inputs. */
+  readonly plan?: readonly ScheduledInput[];
   /** A whole number ≥ 0. */
   readonly seed: number;
   /** As the game's own server speaks: no hello, no fields 31–34, whole-tick inputs. */
@@ -53,6 +65,8 @@ export interface LoadOperation {
 }
 
 const MAX_OTHERS = 1000;
+/** Wall s. */
+const MAX_SPIKE = 30;
 
 /** The operation, or a reason that names the field. What the world itself checks (names, rates) is left to it. */
 export function loadOperation(given: unknown): Result<Operation> {
@@ -69,10 +83,20 @@ export function loadOperation(given: unknown): Result<Operation> {
       return operation.unit === 'tick' || (operation.unit as unknown) === 'substep'
         ? ok(operation)
         : err("unit: expected 'tick' or 'substep'");
-    case 'network': {
-      const numbers = loadNetwork(operation.numbers);
-      return numbers.ok ? ok({ kind: 'network', numbers: numbers.value }) : numbers;
-    }
+    case 'network':
+      return loadNetworks(operation.numbers, operation.up, (numbers, up) => ({
+        kind: 'network',
+        numbers,
+        ...(up !== undefined && { up }),
+      }));
+    case 'spike':
+      return operation.seconds > 0 && operation.seconds <= MAX_SPIKE
+        ? ok(operation)
+        : err(`seconds: expected up to ${MAX_SPIKE}, got ${String(operation.seconds)}`);
+    case 'carry':
+      return isTriple(operation.offset)
+        ? flag('begins', operation.begins, operation)
+        : err('offset: expected 3 finite numbers');
     case 'kick':
       if (!isTriple(operation.velocity)) return err('velocity: expected 3 finite numbers');
       return isTriple(operation.spin) ? ok(operation) : err('spin: expected 3 finite numbers');
@@ -81,6 +105,8 @@ export function loadOperation(given: unknown): Result<Operation> {
     case 'tickRate':
     case 'timeScale':
     case 'restart':
+    case 'snapshot':
+    case 'restore':
     case 'run':
     case 'drop':
     case 'reconnect':
@@ -91,13 +117,27 @@ export function loadOperation(given: unknown): Result<Operation> {
 }
 
 function loadLoad(given: LoadOperation): Result<Operation> {
-  const network = loadNetwork(given.network);
-  if (!network.ok) return err(`network.${network.reason}`);
   if (!Number.isSafeInteger(given.seed) || given.seed < 0)
     return err(`seed: expected a whole number ≥ 0, got ${String(given.seed)}`);
   if (!Number.isSafeInteger(given.others) || given.others < 0 || given.others > MAX_OTHERS)
     return err(`others: expected 0 to ${MAX_OTHERS}, got ${String(given.others)}`);
-  return ok({ ...given, network: network.value });
+  return loadNetworks(given.network, given.upNetwork, (network, upNetwork) => ({
+    ...given,
+    network,
+    ...(upNetwork !== undefined && { upNetwork }),
+  }));
+}
+
+function loadNetworks(
+  down: NetworkNumbers,
+  up: NetworkNumbers | undefined,
+  make: (down: NetworkNumbers, up: NetworkNumbers | undefined) => Operation,
+): Result<Operation> {
+  const numbers = loadNetwork(down);
+  if (!numbers.ok) return err(`network.${numbers.reason}`);
+  if (up === undefined) return ok(make(numbers.value, undefined));
+  const upward = loadNetwork(up);
+  return upward.ok ? ok(make(numbers.value, upward.value)) : err(`up.${upward.reason}`);
 }
 
 function flag(name: string, value: unknown, operation: Operation): Result<Operation> {

@@ -1,17 +1,7 @@
-import { createAuthority } from '../../authority';
-import { type Result, err, SHIP_CLASSES, TERRAINS, type Vec3 } from '../../dynamics';
-import {
-  createLoopbackLink,
-  type Delivery,
-  type LoopbackLink,
-  findScenario,
-  fleetOrders,
-  type RunInput,
-  siteToIcrf,
-  loadScenario,
-  type LoadedScenario,
-} from '../../scenarios';
-import { loadOperation, type LoadOperation, type Operation } from './operation';
+import type { Delivery, RunInput } from '../../scenarios';
+import { type LoadedWorld, loadWorld, OWN_PLAYER, seatGuest } from './loadedWorld';
+import { loadOperation } from './operation';
+import { operateWorld } from './operator';
 
 /**
  * The server the page plays against: a scenario's authority behind a simulated connection, with an operator. No clock: wall
@@ -53,193 +43,55 @@ export interface SessionStatus {
   readonly slipped: number;
 }
 
-const OWN_PLAYER = 'pilot';
-export const OWN_SHIP = 'own';
-
-/** Inputs kept for a replay: an hour of flying. */
-const MAX_APPLIED = 20_000;
-
-interface Loaded {
-  readonly loaded: LoadedScenario;
-  readonly exchange: LoopbackLink;
-  readonly applied: readonly RunInput[];
-  /** Guests by player. */
-  readonly seats: Set<string>;
-  connected: boolean;
-}
-
 export function createSession(): Session {
-  let loaded: Loaded | null = null;
+  let world: LoadedWorld | null = null;
 
   function operate(given: unknown, now: number): string | null {
     const checked = loadOperation(given);
     if (!checked.ok) return checked.reason;
     const operation = checked.value;
     if (operation.kind !== 'load')
-      return loaded === null ? 'no world is loaded' : operateWorld(loaded, operation, now);
-    const world = load(operation, now);
-    if (!world.ok) return world.reason;
-    loaded = world.value;
+      return world === null ? 'no world is loaded' : operateWorld(world, operation, now);
+    const loaded = loadWorld(operation, now);
+    if (!loaded.ok) return loaded.reason;
+    world = loaded.value;
     return null;
   }
 
   return {
     operate,
-    send: (bytes, now) => loaded?.exchange.send(OWN_PLAYER, bytes, now),
+    send: (bytes, now) => world?.link.send(OWN_PLAYER, bytes, now),
     run(now) {
-      loaded?.exchange.run(now);
-      return loaded?.exchange.deliver(OWN_PLAYER, now) ?? [];
+      world?.link.run(now);
+      return world?.link.deliver(OWN_PLAYER, now) ?? [];
     },
-    nextAt: () => loaded?.exchange.nextAt() ?? Infinity,
-    status: () => (loaded === null ? null : statusOf(loaded)),
-    applied: () => loaded?.applied ?? [],
+    nextAt: () => world?.link.nextAt() ?? Infinity,
+    status: () => (world === null ? null : statusOf(world)),
+    applied: () => world?.applied ?? [],
     join: (playerId, name, now) =>
-      loaded === null ? 'no world is loaded' : seat(loaded, playerId, name, now),
+      world === null ? 'no world is loaded' : seatGuest(world, playerId, name, now),
     leave(playerId) {
-      loaded?.exchange.drop(playerId);
-      loaded?.exchange.authority.despawn(playerId);
+      world?.link.drop(playerId);
+      world?.link.authority.despawn(playerId);
     },
-    sendFrom: (playerId, bytes, now) => loaded?.exchange.send(playerId, bytes, now),
-    deliverTo: (playerId, now) => loaded?.exchange.deliver(playerId, now) ?? [],
+    sendFrom: (playerId, bytes, now) => world?.link.send(playerId, bytes, now),
+    deliverTo: (playerId, now) => world?.link.deliver(playerId, now) ?? [],
     world: () => ({
-      scenario: loaded?.loaded.scenario.name ?? '',
-      terrain: loaded?.loaded.scenario.terrain ?? '',
+      scenario: world?.loaded.scenario.name ?? '',
+      terrain: world?.loaded.scenario.terrain ?? '',
     }),
   };
 }
 
-function load(operation: LoadOperation, now: number): Result<Loaded> {
-  const loaded = stageOperation(operation);
-  if (!loaded.ok) return loaded;
-  const { scenario, body, ship, shipClass, inputs } = loaded.value;
-  const applied: RunInput[] = [];
-  const authority = createAuthority({
-    settings: scenario.settings,
-    shipClasses: SHIP_CLASSES.map((known) => (known.name === shipClass.name ? shipClass : known)),
-    bodies: [body],
-    terrain: scenario.terrain,
-    terrains: TERRAINS,
-    tickRate: scenario.tickRate,
-    timeScale: scenario.timeScale,
-    legacy: operation.legacy,
-    onInput(shipId, input) {
-      if (shipId === OWN_SHIP && applied.length < MAX_APPLIED) applied.push(input);
-    },
-  });
-  if (!authority.ok) return authority;
-  const own = {
-    shipId: OWN_SHIP,
-    playerId: OWN_PLAYER,
-    name: operation.pilot || 'Touchdown',
-    ship,
-    plan: inputs,
-  };
-  for (const order of [own, ...fleetOrders(loaded.value, operation.others, operation.seed)]) {
-    const reason = authority.value.spawn(order);
-    if (reason !== null) return err(`${order.shipId}.${reason}`);
-  }
-  const exchange = createLoopbackLink(authority.value, operation.network, operation.seed, now);
-  const reason = exchange.connect(OWN_PLAYER, OWN_SHIP, now);
-  if (reason !== null) return err(reason);
-  return { ok: true, value: { loaded: loaded.value, exchange, applied, seats: new Set(), connected: true } };
-}
-
-/** A guest's ship stands where the fleet's would, farther out with each guest; who comes again flies the same one on. */
-function seat(
-  { loaded, exchange, seats }: Loaded,
-  playerId: string,
-  name: string,
-  now: number,
-): string | null {
-  if (seats.has(playerId)) {
-    exchange.reconnect(playerId, now);
-    return null;
-  }
-  const place = seats.size + 1;
-  const order = fleetOrders(loaded, place, place).at(-1)!;
-  const reason = exchange.authority.spawn({
-    ...order,
-    shipId: playerId,
-    playerId,
-    name,
-    plan: loaded.inputs,
-  });
-  if (reason !== null) return reason;
-  seats.add(playerId);
-  return exchange.connect(playerId, playerId, now);
-}
-
-function stageOperation(operation: LoadOperation): Result<LoadedScenario> {
-  const scenario = findScenario(operation.scenario);
-  if (scenario === null) return err(`scenario: no scenario named ${operation.scenario}`);
-  const { body, shipClass, terrain, surfaceNormal = '', tickRate, timeScale } = operation;
-  return loadScenario({
-    ...scenario,
-    body: body === '' ? scenario.body : body,
-    shipClass: shipClass === '' ? scenario.shipClass : shipClass,
-    terrain: terrain === '' ? scenario.terrain : terrain,
-    settings: surfaceNormal === '' ? scenario.settings : { ...scenario.settings, surfaceNormal },
-    tickRate,
-    timeScale,
-  });
-}
-
-function operateWorld(
-  loaded: Loaded,
-  operation: Exclude<Operation, LoadOperation>,
-  now: number,
-): string | null {
-  const { exchange } = loaded;
-  const { authority } = exchange;
-  switch (operation.kind) {
-    case 'pause':
-      authority.setPaused(operation.paused);
-      return null;
-    case 'step':
-      return exchange.step(operation.unit, now);
-    case 'tickRate':
-      return authority.setTickRate(operation.tickRate);
-    case 'timeScale':
-      return authority.setTimeScale(operation.timeScale);
-    case 'network':
-      exchange.setNetwork(operation.numbers);
-      return null;
-    case 'run':
-    case 'invite':
-      return null;
-    case 'restart':
-      return authority.respawn(OWN_SHIP);
-    case 'kick':
-      return kick(loaded, operation.velocity, operation.spin);
-    case 'freeze':
-      exchange.setFrozen(operation.frozen, now);
-      return null;
-    case 'drop':
-      exchange.drop(OWN_PLAYER);
-      loaded.connected = false;
-      return null;
-    case 'reconnect':
-      exchange.reconnect(OWN_PLAYER, now);
-      loaded.connected = true;
-      return null;
-  }
-}
-
-function kick({ loaded, exchange }: Loaded, velocity: Vec3, spin: Vec3): string | null {
-  const motion = exchange.authority.frameFor(OWN_PLAYER)?.bodies[0] ?? loaded.body;
-  const ground = { body: motion, site: loaded.scenario.site, terrainHeight: loaded.terrainHeight };
-  return exchange.authority.kick(OWN_SHIP, siteToIcrf(velocity, ground), siteToIcrf(spin, ground));
-}
-
-function statusOf({ exchange, connected }: Loaded): SessionStatus {
-  const { authority, loop, counters } = exchange;
+function statusOf({ link, isConnected }: LoadedWorld): SessionStatus {
+  const { authority, loop, counters } = link;
   return {
     tick: authority.tickNumber(),
     tickRate: authority.tempo.tickRate(),
     timeScale: authority.tempo.timeScale(),
     paused: authority.tempo.paused(),
     frozen: loop.frozen,
-    connected,
+    connected: isConnected,
     refused: counters.refused,
     lastRefusal: counters.lastRefusal,
     slipped: loop.slipped,

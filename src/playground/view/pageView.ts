@@ -2,15 +2,15 @@ import type { WorldView } from '../../prediction';
 import type { Recording } from '../../scenarios';
 import { createRecorder, type Recorder } from '../recording/recorder';
 import type { RecordingListeners, RecordingPanel } from '../recording/recordingPanel';
-import type { Replay } from '../recording/replay';
+import { createReplayDeck, type ReplayDeck } from '../recording/replayDeck';
 import type * as Replaying from '../recording/replaying';
 
 /** Recording and replaying: what the page shows instead of the game while a recording plays. */
 export interface PageView {
   readonly recorder: Recorder;
   readonly listeners: RecordingListeners;
-  /** The replay that is on, or null. */
-  readonly replay: () => Replay | null;
+  /** The replay, if one plays. */
+  readonly deck: ReplayDeck;
   /** The replay's view after `seconds` of playing, once a frame. */
   readonly frame: (seconds: number) => WorldView | null;
   readonly load: (file: File) => void;
@@ -28,9 +28,8 @@ export interface PageViewPlace {
 
 export function createPageView(place: PageViewPlace): PageView {
   const recorder = createRecorder();
-  let replay: Replay | null = null;
-  let playing = true;
-  /** Counts what was asked for: whoever comes back from a fetch checks whether it is still wanted. */
+  const deck = createReplayDeck(place.panel);
+  /** Counts requests: one that comes back from a fetch is dropped if another came after it. */
   let request = 0;
 
   const open = async (recording: Recording) => {
@@ -41,33 +40,19 @@ export function createPageView(place: PageViewPlace): PageView {
     const mine = ++request;
     const part = await fetchPart(place);
     if (part === null || mine !== request) return;
-    replay = part.createReplay(recording);
-    playing = true;
-    replay.seek(replay.from);
+    const replay = part.createReplay(recording);
+    deck.insert(recording, replay);
     place.panel().showReplay(replay);
     place.banner('Replay');
     place.changed(true);
   };
   const leave = () => {
     request += 1;
-    if (replay === null) return;
-    replay = null;
+    if (deck.replay() === null) return;
+    deck.eject();
     place.panel().showReplay(null);
     place.banner('');
     place.changed(false);
-  };
-  const save = async () => {
-    const panel = place.panel();
-    const recording = recorder.recording(place.note());
-    const part = await fetchPart(place);
-    if (part === null) return;
-    const blob = await part.writeSlowly(recording, panel.showProgress);
-    panel.showProgress(null);
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(blob);
-    link.download = 'touchdown.jsonl';
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
   };
   const load = async (file: File) => {
     place.banner(`Reading ${file.name} …`);
@@ -78,37 +63,38 @@ export function createPageView(place: PageViewPlace): PageView {
     if (read.ok) await open(read.value);
     else place.tell(part.refusalWords(file.name, read));
   };
-
+  const record = () => recorder.recording(place.note());
   return {
     recorder,
-    replay: () => replay,
+    deck,
     leave,
     load: (file) => void load(file),
     listeners: {
-      replay: () => void open(recorder.recording(place.note())),
+      ...deck.controls,
+      replay: () => void open(record()),
       leave,
-      save: () => void save(),
+      save: () => void save(place, record()),
       load: (file) => void load(file),
-      seek(at) {
-        playing = false;
-        replay?.seek(at);
-      },
-      play(next) {
-        playing = next;
-        if (playing && replay !== null && replay.position() >= replay.to) replay.seek(replay.from);
-      },
     },
     frame(seconds) {
-      if (replay === null) {
-        place.panel().showLength(recorder.seconds(), recorder.full());
-        return null;
-      }
-      const view = replay.seek(replay.position() + (playing ? seconds : 0));
-      if (replay.position() >= replay.to) playing = false;
-      place.panel().showPosition(replay.position(), playing);
+      const view = deck.frame(seconds);
+      if (view === null) place.panel().showLength(recorder.seconds(), recorder.full());
       return view;
     },
   };
+}
+
+async function save(place: PageViewPlace, recording: Recording): Promise<void> {
+  const panel = place.panel();
+  const part = await fetchPart(place);
+  if (part === null) return;
+  const blob = await part.writeSlowly(recording, panel.showProgress);
+  panel.showProgress(null);
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = part.fileName(recording, new Date());
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
 /** The code that plays, reads and writes recordings; says so where it does not load. */

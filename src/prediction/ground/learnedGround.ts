@@ -1,4 +1,4 @@
-import type { TerrainHeight, World } from '../../dynamics';
+import { HEIGHT, readHeight, type TerrainHeight, terrainInPlace, type World } from '../../dynamics';
 
 /**
  * What one ship's server states say of the ground where it differs from ours (PREDICTION, Learned ground):
@@ -55,8 +55,11 @@ export function worldOf(ground: LearnedGround, world: World): World {
 }
 
 function raised(places: readonly GroundPlace[], terrainHeight: TerrainHeight): TerrainHeight {
-  return (bodyName, nx, ny, nz) =>
-    terrainHeight(bodyName, nx, ny, nz) + offsetAt(places, bodyName, nx, ny, nz);
+  return terrainInPlace((point, bodyName) => {
+    const offset = offsetAt(places, bodyName, point[0]!, point[1]!, point[2]!);
+    readHeight(point, terrainHeight, bodyName);
+    point[HEIGHT] = point[HEIGHT]! + offset;
+  });
 }
 
 /** The server's ground above ours, m, along a unit direction in the body's axes. Continuous: a step would be a wall. */

@@ -8,6 +8,7 @@ import {
   CRASHED,
   FUEL,
   GROUND_CONTACT_OFFSET,
+  HEIGHT,
   IMPACT_SPEED,
   loadBody,
   type LoadedSettings,
@@ -18,6 +19,7 @@ import {
   stepWorld,
   SURFACE_STATE,
   SURFACE_STATES,
+  terrainInPlace,
   VELOCITY,
   WHEEL_MOMENTUM,
   type World,
@@ -136,6 +138,9 @@ function worldFor(out: Projection, ship: ShipView, body: Body, settings: LoadedS
     settings,
     shipClasses: [ship.shipClass],
     bodies: [loaded.value],
-    terrainHeight: (_body, x, y, z) => out.ground + (out.rise[0]! * x + out.rise[1]! * y + out.rise[2]! * z),
+    terrainHeight: terrainInPlace((point) => {
+      const { rise } = out;
+      point[HEIGHT] = out.ground + (rise[0]! * point[0]! + rise[1]! * point[1]! + rise[2]! * point[2]!);
+    }),
   };
 }

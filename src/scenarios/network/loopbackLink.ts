@@ -28,7 +28,10 @@ export interface LoopbackLink {
   readonly setFrozen: (frozen: boolean, now: number) => void;
   /** While paused: runs one tick or one substep, and sends the frames before and after it. */
   readonly step: (unit: 'substep' | 'tick', now: number) => string | null;
-  readonly setNetwork: (numbers: NetworkNumbers) => void;
+  /** `up`: of messages to the server, where they differ. */
+  readonly setNetwork: (numbers: NetworkNumbers, up?: NetworkNumbers) => void;
+  /** A lag spike: nothing that is sent from now on arrives before wall second `until`, in either direction. */
+  readonly stall: (until: number) => void;
 }
 
 export interface LoopbackCounters {
@@ -47,6 +50,20 @@ interface Connection {
   readonly down: Link;
 }
 
+interface LinkState {
+  readonly authority: Authority;
+  readonly loop: Loop;
+  readonly counters: LoopbackCounters;
+  readonly seed: number;
+  /** By player. */
+  readonly connections: Map<string, Connection>;
+  numbers: NetworkNumbers;
+  upNumbers: NetworkNumbers;
+  linksOpened: number;
+  /** Wall seconds at which the last freeze ended. */
+  resumedAt: number;
+}
+
 /** @param now wall seconds at which the authority's present boundary is */
 export function createLoopbackLink(
   authority: Authority,
@@ -54,76 +71,23 @@ export function createLoopbackLink(
   seed: number,
   now: number,
 ): LoopbackLink {
-  const loop = startLoop(authority, now);
-  const connections = new Map<string, Connection>();
-  const counters: LoopbackCounters = { framesSent: 0, bytesSent: 0, refused: 0, lastRefusal: '' };
-  let numbers = network;
-  let links = 0;
-  let resumedAt = -Infinity;
-
-  function newLink(): Link {
-    links += 1;
-    // Seeds far apart, so that the random sequences of two links do not overlap.
-    return createLink(numbers, seed + links * 0x9e3779b1);
-  }
-
-  function send(connection: Connection, message: ServerMessage, at: number): void {
-    const bytes = encodeServerMessage(message);
-    counters.bytesSent += bytes.length;
-    connection.down.send(bytes, at);
-  }
-
-  function sendFrame(connection: Connection, at: number): void {
-    const frame = authority.frameFor(connection.playerId);
-    if (frame === null) return;
-    counters.framesSent += 1;
-    send(connection, frame, at);
-  }
-
-  function sendFrames(at: number): void {
-    for (const connection of connections.values()) sendFrame(connection, at);
-  }
-
-  function welcome(connection: Connection, at: number): string | null {
-    const hello = authority.join(connection.playerId, connection.shipId);
-    if (!hello.ok) return hello.reason;
-    if (hello.value !== null) send(connection, hello.value, at);
-    sendFrame(connection, at);
-    return null;
-  }
-
-  function handle(connection: Connection, { bytes }: Delivery, at: number): void {
-    const message = decodeClientMessage(bytes);
-    const answer = message.ok ? authority.receive(connection.playerId, message.value, at) : message;
-    if (!answer.ok) {
-      counters.refused += 1;
-      counters.lastRefusal = answer.reason;
-    } else if (answer.value !== null) send(connection, answer.value, at);
-  }
-
-  /** The connection whose message reaches the server first. */
-  function firstUp(): { connection: Connection | null; at: number } {
-    let first: Connection | null = null;
-    let at = Infinity;
-    for (const connection of connections.values()) {
-      const next = connection.up.nextAt();
-      if (next === null || next >= at) continue;
-      first = connection;
-      at = next;
-    }
-    return { connection: first, at };
-  }
-
+  const state: LinkState = {
+    authority,
+    loop: startLoop(authority, now),
+    counters: { framesSent: 0, bytesSent: 0, refused: 0, lastRefusal: '' },
+    seed,
+    connections: new Map(),
+    numbers: network,
+    upNumbers: network,
+    linksOpened: 0,
+    resumedAt: -Infinity,
+  };
+  const { loop, counters, connections } = state;
   return {
     authority,
     loop,
     counters,
-    connect(playerId, shipId, at) {
-      const connection: Connection = { playerId, shipId, up: newLink(), down: newLink() };
-      const reason = welcome(connection, at);
-      if (reason === null) connections.set(playerId, connection);
-      return reason;
-    },
+    connect: (playerId, shipId, at) => connect(state, playerId, shipId, at),
     drop(playerId) {
       connections.get(playerId)?.up.drop();
       connections.get(playerId)?.down.drop();
@@ -133,46 +97,124 @@ export function createLoopbackLink(
       if (connection === undefined) return;
       connection.up.reconnect(at);
       connection.down.reconnect(at);
-      welcome(connection, at);
+      welcome(state, connection, at);
     },
     send: (playerId, bytes, at) => connections.get(playerId)?.up.send(bytes, at),
     deliver: (playerId, at) => connections.get(playerId)?.down.deliver(at) ?? [],
     run(until) {
-      if (loop.frozen) return;
-      skipBacklog(loop, authority, until);
-      while (true) {
-        const { connection, at } = firstUp();
-        // A message that arrives at a boundary is in time for the interval before it.
-        if (connection !== null && at <= Math.min(until, loop.nextAt)) {
-          for (const delivery of connection.up.deliver(at))
-            handle(connection, delivery, Math.max(at, resumedAt));
-        } else if (loop.nextAt <= until) sendFrames(runNextTick(loop, authority));
-        else return;
-      }
+      run(state, until);
     },
-    nextAt() {
-      let next = loop.frozen ? Infinity : Math.min(loop.nextAt, firstUp().at);
-      for (const { down } of connections.values()) next = Math.min(next, down.nextAt() ?? Infinity);
-      return next;
-    },
+    nextAt: () => nextAt(state),
     setFrozen(frozen, at) {
-      if (loop.frozen && !frozen) resumedAt = at;
+      if (loop.frozen && !frozen) state.resumedAt = at;
       setFrozen(loop, authority, frozen, at);
     },
-    step(unit, at) {
-      const reason = authority.armStep(unit);
-      if (reason !== null) return reason;
-      sendFrames(at);
-      authority.tick(at);
-      sendFrames(at);
-      return null;
-    },
-    setNetwork(next) {
-      numbers = next;
+    step: (unit, at) => step(state, unit, at),
+    setNetwork(next, upNext = next) {
+      state.numbers = next;
+      state.upNumbers = upNext;
       for (const { up, down } of connections.values()) {
-        up.setNumbers(next);
+        up.setNumbers(upNext);
         down.setNumbers(next);
       }
     },
+    stall: (until) => connections.forEach(({ up, down }) => [up, down].forEach((link) => link.stall(until))),
   };
+}
+
+function connect(state: LinkState, playerId: string, shipId: string, at: number): string | null {
+  const connection: Connection = {
+    playerId,
+    shipId,
+    up: openLink(state, state.upNumbers),
+    down: openLink(state, state.numbers),
+  };
+  const reason = welcome(state, connection, at);
+  if (reason === null) state.connections.set(playerId, connection);
+  return reason;
+}
+
+function openLink(state: LinkState, numbers: NetworkNumbers): Link {
+  state.linksOpened += 1;
+  // Seeds far apart, so that the random sequences of two links do not overlap.
+  return createLink(numbers, state.seed + state.linksOpened * 0x9e3779b1);
+}
+
+function welcome(state: LinkState, connection: Connection, at: number): string | null {
+  const hello = state.authority.join(connection.playerId, connection.shipId);
+  if (!hello.ok) return hello.reason;
+  if (hello.value !== null) sendDown(state, connection, hello.value, at);
+  sendFrame(state, connection, at);
+  return null;
+}
+
+function sendDown({ counters }: LinkState, { down }: Connection, message: ServerMessage, at: number): void {
+  const bytes = encodeServerMessage(message);
+  counters.bytesSent += bytes.length;
+  down.send(bytes, at);
+}
+
+function sendFrame(state: LinkState, connection: Connection, at: number): void {
+  const frame = state.authority.frameFor(connection.playerId);
+  if (frame === null) return;
+  state.counters.framesSent += 1;
+  sendDown(state, connection, frame, at);
+}
+
+function sendFrames(state: LinkState, at: number): void {
+  for (const connection of state.connections.values()) sendFrame(state, connection, at);
+}
+
+function run(state: LinkState, until: number): void {
+  const { authority, loop, resumedAt } = state;
+  if (loop.frozen) return;
+  skipBacklog(loop, authority, until);
+  while (true) {
+    const { connection, at } = firstArrival(state);
+    // A message that arrives at a boundary is in time for the interval before it.
+    if (connection !== null && at <= Math.min(until, loop.nextAt)) {
+      for (const delivery of connection.up.deliver(at))
+        receive(state, connection, delivery, Math.max(at, resumedAt));
+    } else if (loop.nextAt <= until) sendFrames(state, runNextTick(loop, authority));
+    else return;
+  }
+}
+
+function receive(state: LinkState, connection: Connection, { bytes }: Delivery, at: number): void {
+  const { authority, counters } = state;
+  const message = decodeClientMessage(bytes);
+  const answer = message.ok ? authority.receive(connection.playerId, message.value, at) : message;
+  if (!answer.ok) {
+    counters.refused += 1;
+    counters.lastRefusal = answer.reason;
+  } else if (answer.value !== null) sendDown(state, connection, answer.value, at);
+}
+
+/** The connection whose message reaches the server first, and when. */
+function firstArrival({ connections }: LinkState): { connection: Connection | null; at: number } {
+  let first: Connection | null = null;
+  let at = Infinity;
+  for (const connection of connections.values()) {
+    const next = connection.up.nextAt();
+    if (next === null || next >= at) continue;
+    first = connection;
+    at = next;
+  }
+  return { connection: first, at };
+}
+
+function nextAt(state: LinkState): number {
+  const { loop, connections } = state;
+  let next = loop.frozen ? Infinity : Math.min(loop.nextAt, firstArrival(state).at);
+  for (const { down } of connections.values()) next = Math.min(next, down.nextAt() ?? Infinity);
+  return next;
+}
+
+function step(state: LinkState, unit: 'substep' | 'tick', at: number): string | null {
+  const reason = state.authority.armStep(unit);
+  if (reason !== null) return reason;
+  sendFrames(state, at);
+  state.authority.tick(at);
+  sendFrames(state, at);
+  return null;
 }

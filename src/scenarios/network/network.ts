@@ -79,6 +79,8 @@ export interface Link {
   readonly nextAt: () => number | null;
   /** Applies to messages sent from now on. */
   readonly setNumbers: (numbers: NetworkNumbers) => void;
+  /** Nothing that is sent from now on arrives before wall second `until`. */
+  readonly stall: (until: number) => void;
   /** Breaks the connection: nothing arrives, and messages sent are lost. */
   readonly drop: () => void;
   /**
@@ -136,6 +138,7 @@ export function createLink(initial: NetworkNumbers, seed: number): Link {
     setNumbers(next) {
       numbers = next;
     },
+    stall: (until) => void (lastAt = Math.max(lastAt, until)),
     drop() {
       down = true;
     },

@@ -51,14 +51,16 @@ void main() {
   gl_FragColor = vec4(0.0, 0.0, 0.0, vDark * smoothstep(1.0, 0.72, off));
 }`;
 
-export function createBlobShadows(): BlobShadows {
+/** A square on the ground, faded to a disc by its shader. */
+function createSquare(): BufferGeometry {
   const geometry = new BufferGeometry();
-  geometry.setAttribute(
-    'position',
-    new BufferAttribute(Float32Array.of(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), 3),
-  );
-  geometry.setIndex([0, 1, 2, 0, 2, 3]);
-  const material = new ShaderMaterial({
+  const corners = Float32Array.of(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1);
+  geometry.setAttribute('position', new BufferAttribute(corners, 3));
+  return geometry.setIndex([0, 1, 2, 0, 2, 3]);
+}
+
+function createMaterial(): ShaderMaterial {
+  return new ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     transparent: true,
@@ -68,6 +70,11 @@ export function createBlobShadows(): BlobShadows {
     polygonOffsetFactor: -2,
     polygonOffsetUnits: -8,
   });
+}
+
+export function createBlobShadows(): BlobShadows {
+  const geometry = createSquare();
+  const material = createMaterial();
   const mesh = new InstancedMesh(geometry, material, MAX_SHADOWS);
   mesh.instanceMatrix.setUsage(DynamicDrawUsage);
   const darkness = new InstancedBufferAttribute(new Float32Array(MAX_SHADOWS), 1);

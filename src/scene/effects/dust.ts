@@ -9,9 +9,10 @@ import {
   Vector3,
 } from 'three';
 import type { BodyLook } from '../sky/bodyLook';
+import type { FlameUniforms } from './flame';
 import { cellNoise } from '../ground/noise';
 
-const MOST = 1500;
+const MAX_GRAINS = 1500;
 
 const VERTEX = /* glsl */ `
 attribute vec3 velocity;
@@ -20,7 +21,9 @@ uniform float time;
 uniform float gravity;
 uniform float drag;
 uniform float pixelsPerMetre;
+uniform vec4 flame;
 varying float vAlpha;
+varying float vFlame;
 varying vec2 vPatch;
 void main() {
   float age = time - span.x;
@@ -32,16 +35,24 @@ void main() {
   bool alive = share >= 0.0 && share < 1.0 && place.y > position.y - 0.6;
   float size = span.z * (0.5 + share * (drag > 0.0 ? 3.6 : 2.2));
   vAlpha = alive ? span.w * (1.0 - share) * (1.0 - share) * smoothstep(0.0, 0.06, share) : 0.0;
+  // A grain before the lens is a disc over half the picture.
+  vAlpha *= smoothstep(1.5, 14.0, -mvPosition.z);
   vPatch = span.yz * 7.0;
+  // The eye is at the world's origin, as the flame's place has it.
+  vec3 toFlame = flame.xyz - (modelMatrix * vec4(place, 1.0)).xyz;
+  vFlame = max(flame.w, 0.0) / (dot(toFlame, toFlame) + 6.0);
   gl_PointSize = alive ? clamp(size * pixelsPerMetre / -mvPosition.z, 1.0, 160.0) : 0.0;
   gl_Position = alive ? projectionMatrix * mvPosition : vec4(2.0, 2.0, 2.0, 1.0);
 }`;
 const FRAGMENT = /* glsl */ `
-uniform vec3 colour;
+uniform vec3 albedo;
+uniform float sunlight;
+uniform vec3 flameColour;
 uniform vec3 sunDirection;
 uniform sampler2D detail;
 uniform float grit;
 varying float vAlpha;
+varying float vFlame;
 varying vec2 vPatch;
 void main() {
   vec2 off = gl_PointCoord * 2.0 - 1.0;
@@ -50,10 +61,10 @@ void main() {
   // A puff and no disc: ragged by the ground's own texture, lit from the sun's side of the picture.
   // Of its blurred levels: on a puff as large as the picture the finest grain would show as squares.
   float lump = texture2D(detail, vPatch + gl_PointCoord * grit, 3.0).b;
-  float thick = round * smoothstep(0.2, 0.75, lump);
+  float thick = round * round * smoothstep(0.2, 0.75, lump);
   vec3 toSun = (viewMatrix * vec4(sunDirection, 0.0)).xyz;
   float lit = 0.75 + 0.45 * dot(vec3(off.x, -off.y, round), toSun) * round;
-  gl_FragColor = vec4(colour * lit, min(vAlpha * thick * 1.6, 1.0));
+  gl_FragColor = vec4(albedo * (sunlight * lit + flameColour * vFlame), min(vAlpha * thick * 1.6, 1.0));
   #include <tonemapping_fragment>
   #include <colorspace_fragment>
 }`;
@@ -65,6 +76,8 @@ export interface Dust {
   throwGrain(place: ArrayLike<number>, velocity: ArrayLike<number>, look: GrainLook): void;
   paint(look: BodyLook, sunDirection: Vector3): void;
   update(time: number, gravity: number, pixelsPerMetre: number): void;
+  /** Share of the sun that reaches the watched ship, and with it the dust around it, 0 … 1. */
+  shade(share: number): void;
   clear(): void;
   dispose(): void;
 }
@@ -75,17 +88,56 @@ export interface GrainLook {
   readonly opacity: number;
 }
 
-export function createDust(detail: DataTexture): Dust {
-  const geometry = new BufferGeometry();
-  const dynamic = (size: number) =>
-    new BufferAttribute(new Float32Array(MOST * size), size).setUsage(DynamicDrawUsage);
-  const places = dynamic(3);
-  const velocities = dynamic(3);
-  const spans = dynamic(4);
-  geometry.setAttribute('position', places);
-  geometry.setAttribute('velocity', velocities);
-  geometry.setAttribute('span', spans);
-  const material = new ShaderMaterial({
+export function createDust(detail: DataTexture, flame: FlameUniforms): Dust {
+  const grains = createGrains();
+  const material = createMaterial(detail, flame);
+  const { uniforms } = material;
+  const points = new Points(grains.geometry, material);
+  points.frustumCulled = false;
+  points.renderOrder = 2;
+  let time = 0;
+  let latest = -Infinity;
+  let sunlight = 0;
+
+  return {
+    points,
+    throwGrain(place, velocity, look) {
+      latest = Math.max(latest, time + grains.put(place, velocity, look, time));
+    },
+    paint(look, sunDirection) {
+      // Grains that hang in the sun are lit from all sides: brighter than the ground they came from.
+      sunlight = look.sunStrength * (look.air === null ? 1.1 : 1.05);
+      const [r, g, b] = look.dust;
+      (uniforms['albedo']!.value as Color).setRGB(r, g, b);
+      (uniforms['sunDirection']!.value as Vector3).copy(sunDirection);
+      uniforms['drag']!.value = look.air?.drag ?? 0;
+      // Billows in air; without it sheets of grains.
+      uniforms['grit']!.value = look.air === null ? 0.4 : 0.16;
+    },
+    shade(share) {
+      // In a hill's shadow the sunlit ground around still lights them.
+      uniforms['sunlight']!.value = sunlight * (0.12 + 0.88 * share);
+    },
+    update(now, gravity, pixelsPerMetre) {
+      time = now;
+      uniforms['time']!.value = now;
+      uniforms['gravity']!.value = gravity;
+      uniforms['pixelsPerMetre']!.value = pixelsPerMetre;
+      points.visible = now < latest;
+    },
+    clear() {
+      grains.clear();
+      latest = -Infinity;
+    },
+    dispose() {
+      grains.geometry.dispose();
+      material.dispose();
+    },
+  };
+}
+
+function createMaterial(detail: DataTexture, flame: FlameUniforms): ShaderMaterial {
+  return new ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     transparent: true,
@@ -95,59 +147,49 @@ export function createDust(detail: DataTexture): Dust {
       gravity: { value: 1.6 },
       drag: { value: 0 },
       pixelsPerMetre: { value: 800 },
-      colour: { value: new Color() },
+      albedo: { value: new Color() },
+      sunlight: { value: 1 },
       sunDirection: { value: new Vector3() },
       detail: { value: detail },
       grit: { value: 0 },
+      ...flame,
     },
   });
-  const points = new Points(geometry, material);
-  points.frustumCulled = false;
-  points.renderOrder = 2;
-  let next = 0;
-  let time = 0;
-  let thrown = 0;
-  let latest = -Infinity;
+}
 
-  const clear = () => {
-    (spans.array as Float32Array).fill(0);
-    spans.needsUpdate = true;
-    latest = -Infinity;
+/** A ring of grains: the newest takes the oldest one's place. */
+function createGrains() {
+  const geometry = new BufferGeometry();
+  const dynamic = (name: string, size: number) => {
+    const attribute = new BufferAttribute(new Float32Array(MAX_GRAINS * size), size).setUsage(
+      DynamicDrawUsage,
+    );
+    geometry.setAttribute(name, attribute);
+    return attribute;
   };
+  const places = dynamic('position', 3);
+  const velocities = dynamic('velocity', 3);
+  const spans = dynamic('span', 4);
+  let next = 0;
+  let thrown = 0;
   return {
-    points,
-    throwGrain(place, velocity, { seconds, size, opacity }) {
+    geometry,
+    /** Gives how long the grain lives, s. */
+    put(place: ArrayLike<number>, velocity: ArrayLike<number>, look: GrainLook, time: number): number {
+      const vary = 0.6 + 0.8 * cellNoise(next, thrown++ & 0xffff, 77);
+      const lives = look.seconds * vary;
       places.setXYZ(next, place[0]!, place[1]!, place[2]!);
       velocities.setXYZ(next, velocity[0]!, velocity[1]!, velocity[2]!);
-      const vary = 0.6 + 0.8 * cellNoise(next, thrown++ & 0xffff, 77);
-      spans.setXYZW(next, time, seconds * vary, size * vary, opacity);
+      spans.setXYZW(next, time, lives, look.size * vary, look.opacity);
       places.needsUpdate = true;
       velocities.needsUpdate = true;
       spans.needsUpdate = true;
-      next = (next + 1) % MOST;
-      latest = Math.max(latest, time + seconds * vary);
+      next = (next + 1) % MAX_GRAINS;
+      return lives;
     },
-    paint(look, sunDirection) {
-      // Grains that hang in the sun are lit from all sides: brighter than the ground they came from.
-      const light = look.sunStrength * (look.air === null ? 1.1 : 1.05);
-      const [r, g, b] = look.dust;
-      (material.uniforms['colour']!.value as Color).setRGB(r * light, g * light, b * light);
-      (material.uniforms['sunDirection']!.value as Vector3).copy(sunDirection);
-      material.uniforms['drag']!.value = look.air?.drag ?? 0;
-      // Billows in air; without it sheets of grains.
-      material.uniforms['grit']!.value = look.air === null ? 0.4 : 0.16;
-    },
-    update(now, gravity, pixelsPerMetre) {
-      time = now;
-      material.uniforms['time']!.value = now;
-      material.uniforms['gravity']!.value = gravity;
-      material.uniforms['pixelsPerMetre']!.value = pixelsPerMetre;
-      points.visible = now < latest;
-    },
-    clear,
-    dispose() {
-      geometry.dispose();
-      material.dispose();
+    clear() {
+      (spans.array as Float32Array).fill(0);
+      spans.needsUpdate = true;
     },
   };
 }

@@ -55,7 +55,7 @@ function splash(dust: Dust, state: DustState, ship: DustyShip): void {
     velocity[2] = Math.sin(around) * out + ship.velocity[2]! * 0.25;
     dust.throwGrain(place, velocity, {
       seconds: 2.2 + 2.4 * roll(state),
-      size: 0.6 + 0.05 * hard * roll(state),
+      size: 0.5 + 0.022 * hard * roll(state),
       opacity: 0.75,
     });
   }

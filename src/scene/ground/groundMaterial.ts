@@ -1,4 +1,5 @@
 import { Color, type DataTexture, ShaderMaterial, UniformsLib, UniformsUtils, Vector3 } from 'three';
+import type { FlameUniforms } from '../effects/flame';
 import type { BodyLook } from '../sky/bodyLook';
 
 const VERTEX = /* glsl */ `
@@ -53,7 +54,7 @@ void main() {
   vec4 mid = texture2D(detail, vPlane.yx * (1.0 / 32.0));
   vec4 wide = texture2D(detail, vPlane.zw * (1.0 / 512.0));
   vec4 vast = texture2D(detail, vPlane.wz * (1.0 / 4096.0));
-  vec2 slope = (fine.rg - 0.5) * 0.9 + (mid.gr - 0.5) * 0.8 + (wide.rg - 0.5) * 0.55 + (vast.gr - 0.5) * 0.3;
+  vec2 slope = (fine.rg - 0.5) * 0.9 + (mid.gr - 0.5) * 0.7 + (wide.rg - 0.5) * 0.4 + (vast.gr - 0.5) * 0.2;
   vec3 normal = normalize(vNormal - vec3(slope.x, 0.0, slope.y));
   float stony = clamp(fine.a * 0.9 + mid.a * 0.5, 0.0, 1.0);
   vec3 albedo = mix(dust, cover, smoothstep(0.42, 0.58, 0.5 * wide.b + 0.5 * vast.b));
@@ -63,11 +64,15 @@ void main() {
 
   vec3 toFlame = flame.xyz - vPosition;
   float flameRange = dot(toFlame, toFlame);
-  // Below nought: a wreck's scorched ground, of that radius in m.
+  // Below 0: a wreck's scorched ground, of that radius in m.
   float scorched = flame.w < 0.0 ? smoothstep(1.0, 0.2, sqrt(flameRange) / -flame.w + 0.7 * (mid.b - 0.5)) : 0.0;
   albedo *= 1.0 - 0.82 * scorched;
 
-  float toSun = max(dot(normal, sunDirection), 0.0);
+  // The terrain alone decides where it is night. Grain is lit relative to it, with a soft minimum: under a low sun every other grain
+  // is turned away, and cut off at zero these run together into black blotches.
+  float facing = max(dot(normalize(vNormal), sunDirection), 0.0);
+  float relief = dot(normal, sunDirection) / max(facing, 0.06);
+  float toSun = facing * min(0.5 * (relief + sqrt(relief * relief + 0.3)), 2.4);
   float toView = max(dot(normal, toEye), 0.0);
   float lambert = toSun;
   float backscatter = toSun / (toSun + toView + 0.2) * (0.8 + 0.5 * pow(max(dot(toEye, sunDirection), 0.0), 6.0));
@@ -91,7 +96,7 @@ void main() {
 const FINE_PERIOD = 32;
 const GRAIN_PERIOD = 4096;
 
-/** Tells where the eye (local, m) is over the grain, kept small so that floats hold it exactly. */
+/** Sets where the eye (local, m) is over the grain, as a remainder, so that floats hold it exactly. */
 export function placeGrain(material: ShaderMaterial, eye: Float64Array): void {
   const grain = material.uniforms['eyeGrain']!.value as number[];
   grain[0] = eye[0]! % FINE_PERIOD;
@@ -100,7 +105,7 @@ export function placeGrain(material: ShaderMaterial, eye: Float64Array): void {
   grain[3] = eye[2]! % GRAIN_PERIOD;
 }
 
-export function createGroundMaterial(detail: DataTexture): ShaderMaterial {
+export function createGroundMaterial(detail: DataTexture, flame: FlameUniforms): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
@@ -119,8 +124,7 @@ export function createGroundMaterial(detail: DataTexture): ShaderMaterial {
       hazeColour: { value: new Color() },
       hazeGlow: { value: new Color() },
       hazePerMetre: { value: 0 },
-      flame: { value: [0, 0, 0, 0] },
-      flameColour: { value: new Color(1, 0.62, 0.32) },
+      ...flame,
     },
   });
 }

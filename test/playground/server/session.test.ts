@@ -1,8 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import type { Operation } from '../../../src/playground/server/operation';
-import { createSession, OWN_SHIP, type Session } from '../../../src/playground/server/session';
+import { OWN_SHIP } from '../../../src/playground/server/loadedWorld';
+import { createSession, type Session } from '../../../src/playground/server/session';
 import { NETWORK_PRESETS } from '../../../src/scenarios';
-import { decodeServerMessage, type ServerFrame, type ServerMessage } from '../../../src/wire';
+import {
+  decodeServerMessage,
+  encodeClientMessage,
+  type ServerFrame,
+  type ServerMessage,
+} from '../../../src/wire';
 import { valueOf } from '../../authority/moon';
 
 const LOAD: Operation = {
@@ -105,7 +111,63 @@ describe('the server in the page', () => {
     expect(height).toBeCloseTo(12.2 - 10.2 - 1.6233 / 2, 1);
   });
 
+  it('restores a snapshot: the ship goes through the same states again', () => {
+    const session = loaded({ network: NETWORK_PRESETS.lan });
+    const own = (from: number, until: number) => frames(runTo(session, from, until)).at(-1)!.ships[0]!;
+    expect(session.operate({ kind: 'restore' }, 10)).toBe('restore: take a snapshot first');
+    own(10, 11.5);
+    expect(session.operate({ kind: 'snapshot' }, 11.5)).toBeNull();
+    const heights = (state: ReturnType<typeof own>) => Math.hypot(...state.relativePosition!);
+    const first = [12.5, 13.5].map((until) => heights(own(until - 1, until)));
+    own(13.5, 20.5);
+    expect(session.operate({ kind: 'restore' }, 20.5)).toBeNull();
+    const again = [21.5, 22.5].map((until) => heights(own(until - 1, until)));
+    again.forEach((height, i) => expect(height).toBeCloseTo(first[i]!, 6));
+  });
+
+  it('carries the ship: displaced from where it was taken up, at rest over the ground', () => {
+    const session = loaded({ network: NETWORK_PRESETS.lan, tickRate: 20 });
+    const own = (from: number, until: number) => frames(runTo(session, from, until)).at(-1)!.ships[0]!;
+    const before = own(10, 25).relativePosition!;
+    const up = before.map((value) => (value / Math.hypot(...before)) * 30) as [number, number, number];
+    expect(session.operate({ kind: 'carry', offset: [0, 0, 0], begins: true }, 25)).toBeNull();
+    expect(session.operate({ kind: 'carry', offset: up, begins: false }, 25)).toBeNull();
+    const after = own(25, 25.06);
+    expect(Math.hypot(...after.relativePosition!) - Math.hypot(...before)).toBeCloseTo(30, 1);
+    expect(after.surfaceContactState).toBe('');
+  });
+
+  it('holds everything back in a lag spike, then delivers it in order', () => {
+    const session = loaded({ network: NETWORK_PRESETS.lan, tickRate: 20 });
+    runTo(session, 10, 12);
+    expect(session.operate({ kind: 'spike', seconds: 1.5 }, 12)).toBeNull();
+    // What was on the line before still arrives.
+    expect(frames(runTo(session, 12.01, 13.4)).length).toBeLessThan(2);
+    const ticks = frames(runTo(session, 13.4, 14)).map(({ tick }) => tick);
+    expect(ticks.length).toBeGreaterThan(30);
+    expect(ticks).toEqual([...ticks].sort((a, b) => a - b));
+  });
+
+  it('has a link of its own in each direction', () => {
+    const slow = { ...NETWORK_PRESETS.lan, delay: 0.5 };
+    const answered = (change: object) => {
+      const session = loaded({ network: NETWORK_PRESETS.lan, ...change });
+      session.send(encodeClientMessage({ kind: 'ping', id: 5 }), 10);
+      let at = 10;
+      while (at < 12 && !runTo(session, at, at + 0.01).some(({ kind }) => kind === 'pong')) at += 0.01;
+      return at - 10;
+    };
+    expect(answered({})).toBeLessThan(0.03);
+    expect(answered({ upNetwork: slow })).toBeCloseTo(0.5, 1);
+    expect(answered({ upNetwork: slow, network: slow })).toBeCloseTo(1, 1);
+  });
+
   it.each([
+    ['seconds', { kind: 'spike', seconds: 0 }],
+    ['offset', { kind: 'carry', offset: [0, NaN, 0], begins: true }],
+    ['begins', { kind: 'carry', offset: [0, 0, 0], begins: 1 }],
+    ['up.jitter', { ...LOAD, upNetwork: { ...NETWORK_PRESETS.lan, jitter: -1 } }],
+    ['own.plan[0]', { ...LOAD, plan: [{ tick: -1, substep: 0, controls: null }] }],
     ['kind', { kind: 'explode' }],
     ['operation', null],
     ['scenario', { ...LOAD, scenario: 'heist' }],

@@ -10,6 +10,7 @@ import {
   loadScenario,
   writeRun,
 } from '../../../scenarios';
+import { bytesOf, textOf } from './runText';
 
 /** A run that was flown again from its inputs: what it came to and what it was worth. */
 export interface VerifiedRun {
@@ -84,26 +85,6 @@ function readBest(store: Storage | null, mission: Mission): VerifiedRun | null {
   }
 }
 
-/** base64url */
-function textOf(bytes: Uint8Array): string {
-  let binary = '';
-  for (const byte of bytes) binary += String.fromCharCode(byte);
-  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
-}
-
-/** Null where the text is none. */
-function bytesOf(text: string): Uint8Array | null {
-  if (!/^[\w-]*$/.test(text) || text.length > MAX_TEXT) return null;
-  try {
-    return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
-  } catch {
-    return null;
-  }
-}
-
-const MAX_TEXT = 200_000;
-/** Characters of a link that mail and chat leave whole. */
-export const LONGEST_LINK = 8000;
 const LONGEST_NAME = 24;
 
 /** The part of an address that lets a friend race a run. */

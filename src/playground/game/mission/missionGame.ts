@@ -6,10 +6,11 @@ import type { GoalPanel } from '../../panels/goal';
 import type { CardAction, MissionCard } from '../../panels/missionCard';
 import type { Notice } from '../../panels/notice';
 import type { Address } from '../address';
-import { type BestRuns, LONGEST_LINK, raceQuery, type VerifiedRun, verifyRun } from './bestRuns';
+import { type BestRuns, raceQuery, type VerifiedRun, verifyRun } from './bestRuns';
 import { controlName, type Device, howToFly } from '../words/flightWords';
 import { createGhostFlight, type GhostFlight } from './ghost';
 import type { Live } from '../live';
+import { LONGEST_LINK } from './runText';
 import { createMissionTracker, type MissionTracker } from './missionTracker';
 
 /** Missions as a game: the goal, what a flight came to, what to do next. */
@@ -124,7 +125,6 @@ export function createMissionGame(place: MissionPlace): MissionGame {
       tracker.begin(mission);
       place.card.hide();
       ghost.race(mission === null ? null : rival?.mission === mission ? rival : place.best.of(mission));
-      document.body.classList.toggle('night', mission?.night ?? false);
       if (mission !== null) place.resetCamera();
       if (mission === null) place.goal.hide();
       else place.goal.show(mission.scenario.title, mission.goal);
@@ -205,7 +205,9 @@ function whyUnranked({
   slow,
   server,
   legacy,
+  flight,
 }: Choices): string {
+  if (flight !== '') return 'it was flown from a link';
   if (server !== '') return 'a real server keeps no inputs';
   if (body !== '' || shipClass !== '' || (terrain !== '' && terrain !== 'hills'))
     return 'the world was changed';

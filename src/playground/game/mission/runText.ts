@@ -1,0 +1,36 @@
+import { ok, type Result, err } from '../../../dynamics';
+import { readRun, type RunInput, writeRun } from '../../../scenarios';
+
+const MAX_TEXT = 200_000;
+/** Characters of a link that mail and chat leave whole. */
+export const LONGEST_LINK = 8000;
+
+/** The bytes of a run as base64url, for a link or the store. */
+export function textOf(bytes: Uint8Array): string {
+  let binary = '';
+  for (const byte of bytes) binary += String.fromCharCode(byte);
+  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+}
+
+/** The bytes of a text; null where it is not base64url. */
+export function bytesOf(text: string): Uint8Array | null {
+  if (!/^[\w-]*$/.test(text) || text.length > MAX_TEXT) return null;
+  try {
+    return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
+  } catch {
+    return null;
+  }
+}
+
+/** @param substeps of a tick */
+export function writeFlight(inputs: readonly RunInput[], substeps: number): string {
+  return textOf(writeRun(inputs, substeps));
+}
+
+/** The inputs of a flight's text, or why they cannot be read. */
+export function readFlight(text: string, substeps: number): Result<readonly RunInput[]> {
+  const bytes = bytesOf(text);
+  if (bytes === null) return err('not base64url');
+  const read = readRun(bytes, substeps);
+  return read.ok ? ok(read.value) : read;
+}

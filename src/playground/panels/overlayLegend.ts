@@ -1,0 +1,31 @@
+import { OVERLAY_COLOURS } from '../../scene';
+import type { OverlayName } from './choices';
+import { append } from './elements';
+
+/** What each colour over the picture stands for: colour as 0xrrggbb, and words. */
+const LEGEND: Readonly<Record<OverlayName, readonly (readonly [number, string])[]>> = {
+  ghost: [[OVERLAY_COLOURS.ghost, 'Hull: where the newest server state has the ship']],
+  errorSegment: [[OVERLAY_COLOURS.error, 'Line: from the drawn ship to the predicted one']],
+  contactNormal: [[OVERLAY_COLOURS.normal, 'Arrow: normal of the ground under the ship']],
+  footprint: [[OVERLAY_COLOURS.footprint, 'Ring: circle of the legs on the ground']],
+  forces: [
+    [OVERLAY_COLOURS.thrust, 'Arrow: thrust'],
+    [OVERLAY_COLOURS.weight, 'Arrow: weight'],
+    [OVERLAY_COLOURS.support, 'Arrow: force of the ground'],
+  ],
+};
+
+/** Shows the legend of the overlays that are on. */
+export function createOverlayLegend(host: Element): (shown: readonly OverlayName[]) => void {
+  const list = append(host, 'ul', 'overlay-legend');
+  return (shown) => {
+    list.replaceChildren();
+    list.hidden = shown.length === 0;
+    for (const [colour, words] of shown.flatMap((name) => LEGEND[name])) {
+      const row = append(list, 'li');
+      const swatch = append(row, 'span', 'swatch');
+      swatch.style.setProperty('background', `#${colour.toString(16).padStart(6, '0')}`);
+      append(row, 'span', '', words);
+    }
+  };
+}

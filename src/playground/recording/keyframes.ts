@@ -1,0 +1,81 @@
+import { createPredictor, forkPredictor, type Predictor } from '../../prediction';
+import type { Recording, RecordingEntry } from '../../scenarios';
+import type { Controls } from '../../dynamics';
+
+/** A predictor that has been fed the entries before `next`. */
+export interface Fed {
+  readonly predictor: Predictor;
+  /** Index of the next entry. */
+  next: number;
+  /** Client wall s of the last frame drawn; the recording's start before the first. */
+  shownAt: number;
+  /** Controls of that frame. */
+  controls: Controls | null;
+}
+
+/** Wall seconds between two keyframes: feeding them again is what a step back costs. */
+const INTERVAL = 2;
+/** Bytes that all keyframes take at most, and one ship's share of a keyframe. */
+const MAX_BYTES = 200e6;
+const SHIP_BYTES = 22_000;
+
+/** Copies of the predictor along a recording, so that any moment of it is found from the nearest one before. */
+export interface Keyframes {
+  /** A copy fed up to the nearest keyframe at or before `at`; whatever lies before it is read first. */
+  readonly before: (at: number) => Fed;
+  /** Reads on until `isOver` says so or the recording ends. */
+  readonly prepare: (isOver: () => boolean) => void;
+}
+
+export function createKeyframes({ entries, header }: Recording): Keyframes {
+  const from = entries[0]?.at ?? 0;
+  const to = entries.at(-1)?.at ?? from;
+  const interval = Math.max(INTERVAL, (to - from) / mostKeyframes(entries));
+  const scout: Fed = {
+    predictor: createPredictor({ ownShipId: header.shipId, plan: header.plan ?? [] }),
+    next: 0,
+    shownAt: from,
+    controls: null,
+  };
+  const kept: Fed[] = [copyFed(scout)];
+  const readOne = () => {
+    const isDrawn = entries[scout.next]!.kind === 'advanced';
+    feed(scout, entries);
+    if (isDrawn && scout.shownAt - kept.at(-1)!.shownAt >= interval) kept.push(copyFed(scout));
+  };
+  return {
+    prepare(isOver) {
+      while (scout.next < entries.length && !isOver()) readOne();
+    },
+    before(at) {
+      while (scout.next < entries.length && entries[scout.next]!.at <= at) readOne();
+      return copyFed(kept.findLast(({ shownAt }) => shownAt <= at) ?? kept[0]!);
+    },
+  };
+}
+
+/** As many as the memory holds for the largest frame of the recording. */
+function mostKeyframes(entries: readonly RecordingEntry[]): number {
+  let ships = 1;
+  for (const entry of entries)
+    if (entry.kind === 'received' && entry.message.kind === 'frame')
+      ships = Math.max(ships, entry.message.ships.length);
+  return Math.max(1, MAX_BYTES / (ships * SHIP_BYTES));
+}
+
+export function copyFed(fed: Fed): Fed {
+  return { ...fed, predictor: forkPredictor(fed.predictor) };
+}
+
+/** Feeds the next entry, exactly as it went through the predictor when it was recorded. */
+export function feed(fed: Fed, entries: readonly RecordingEntry[]): void {
+  const entry = entries[fed.next++]!;
+  const { predictor } = fed;
+  if (entry.kind === 'received') predictor.receive(entry.message, entry.at);
+  if (entry.kind !== 'advanced') return;
+  predictor.advance(entry.controls, entry.at);
+  predictor.view(entry.at);
+  predictor.takeOutgoing();
+  fed.shownAt = entry.at;
+  fed.controls = entry.controls;
+}

@@ -1,0 +1,116 @@
+import type { Vec3 } from '../../dynamics';
+import { siteToIcrf } from '../../scenarios';
+import type { BodyState } from '../../wire';
+import { type LoadedWorld, OWN_PLAYER, OWN_SHIP } from './loadedWorld';
+import type { LoadOperation, Operation } from './operation';
+import { carriedTo, saveShips, stateNow } from './savedShips';
+
+/** Does what the operator asks of a world; the reason why not, or null. */
+export function operateWorld(
+  world: LoadedWorld,
+  operation: Exclude<Operation, LoadOperation>,
+  now: number,
+): string | null {
+  const { link } = world;
+  const { authority } = link;
+  switch (operation.kind) {
+    case 'pause':
+      authority.setPaused(operation.paused);
+      return null;
+    case 'step':
+      return link.step(operation.unit, now);
+    case 'tickRate':
+      return authority.setTickRate(operation.tickRate);
+    case 'timeScale':
+      return authority.setTimeScale(operation.timeScale);
+    case 'restart':
+      return authority.respawn(OWN_SHIP);
+    case 'kick':
+      return kick(world, operation.velocity, operation.spin);
+    case 'snapshot':
+      return snapshot(world);
+    case 'restore':
+      return restore(world);
+    case 'carry':
+      return carry(world, operation.offset, operation.begins);
+    case 'run':
+    case 'invite':
+      return null;
+    default:
+      return operateNetwork(world, operation, now);
+  }
+}
+
+type NetworkOperation = Extract<
+  Operation,
+  { readonly kind: 'network' | 'spike' | 'freeze' | 'drop' | 'reconnect' }
+>;
+
+function operateNetwork(world: LoadedWorld, operation: NetworkOperation, now: number): null {
+  const { link } = world;
+  switch (operation.kind) {
+    case 'network':
+      link.setNetwork(operation.numbers, operation.up);
+      break;
+    case 'spike':
+      link.stall(now + operation.seconds);
+      break;
+    case 'freeze':
+      link.setFrozen(operation.frozen, now);
+      break;
+    case 'drop':
+      link.drop(OWN_PLAYER);
+      world.isConnected = false;
+      break;
+    case 'reconnect':
+      link.reconnect(OWN_PLAYER, now);
+      world.isConnected = true;
+      break;
+  }
+  return null;
+}
+
+function kick({ loaded, link }: LoadedWorld, velocity: Vec3, spin: Vec3): string | null {
+  const motion = link.authority.frameFor(OWN_PLAYER)?.bodies[0] ?? loaded.body;
+  const ground = { body: motion, site: loaded.scenario.site, terrainHeight: loaded.terrainHeight };
+  return link.authority.kick(OWN_SHIP, siteToIcrf(velocity, ground), siteToIcrf(spin, ground));
+}
+
+function snapshot(world: LoadedWorld): string | null {
+  const frame = world.link.authority.frameFor(OWN_PLAYER);
+  if (frame === null) return 'snapshot: no ship is flown';
+  const saved = saveShips(frame);
+  if (!saved.ok) return `snapshot: ${saved.reason}`;
+  world.saved = saved.value;
+  return null;
+}
+
+function restore(world: LoadedWorld): string | null {
+  const { saved, link } = world;
+  if (saved === null) return 'restore: take a snapshot first';
+  for (const ship of saved) {
+    const body = bodyOf(world, ship.state.referenceBody);
+    // A guest that has left since is not brought back.
+    if (body !== null) link.authority.respawn(ship.shipId, stateNow(ship, body));
+  }
+  return null;
+}
+
+/** The offset is from where the ship was when it was taken up. */
+function carry(world: LoadedWorld, offset: Vec3, begins: boolean): string | null {
+  const { authority } = world.link;
+  if (begins || world.carried === null) {
+    const frame = authority.frameFor(OWN_PLAYER);
+    const saved = frame === null ? null : saveShips(frame);
+    if (saved?.ok !== true) return 'carry: no ship to move';
+    world.carried = saved.value.find(({ shipId }) => shipId === OWN_SHIP) ?? null;
+  }
+  const { carried } = world;
+  const body = carried === null ? null : bodyOf(world, carried.state.referenceBody);
+  if (carried === null || body === null) return 'carry: no ship to move';
+  return authority.respawn(OWN_SHIP, carriedTo(carried, body, offset));
+}
+
+function bodyOf({ link }: LoadedWorld, name: string): BodyState | null {
+  return link.authority.frameFor(OWN_PLAYER)?.bodies.find((body) => body.name === name) ?? null;
+}

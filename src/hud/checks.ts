@@ -44,7 +44,7 @@ interface Painted<Readout> {
 /** Paints after which the style sheet has had the time to come. */
 const PAINTS = 60;
 
-/** The same HUD, which ignores what is no readout and calls after `dispose`, and warns of them and of what cannot be seen. */
+/** Wraps what paints: anything but a readout, and calls after `dispose`, are ignored with a warning; so is what keeps it from being seen. */
 export function checked<Readout>(
   { root, paint, dispose, member, madeBy }: Painted<Readout>,
   onWarning: HudWarn | undefined,

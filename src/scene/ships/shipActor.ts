@@ -160,6 +160,9 @@ export function poseActor(
   actor.blows.fill(0);
   actor.blows[2] = -1;
   rotateByQuat(actor.blows, actor.turn, actor.blows);
+  // The model is its class's: it is moved along its own axis until its feet are the ship's.
+  const raised = ship.shipClass.groundContactOffset - ship.groundContactOffset;
+  for (let k = 0; k < 3; k++) actor.place[k] = actor.place[k]! - raised * actor.blows[k]!;
   // Not before the server confirmed it.
   if (ship.shownState === 'crashed') crumple(actor, ship.shipClass.groundContactOffset);
 

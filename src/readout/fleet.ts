@@ -1,6 +1,7 @@
 import type { Provenance, ShipView, WorldView } from '../prediction';
 import { isGroundKnown, standsOnGround } from './landing/descent';
 import { type StatusId, statusOf } from './status';
+import { viewOf } from './arguments';
 
 /** One ship's row. */
 export interface FleetRow {
@@ -37,7 +38,8 @@ export function createFleetReadout(): FleetReadout {
 }
 
 /** Fills `out` in two passes over the ships: count, then place. Allocates only where the fleet has grown. */
-export function updateFleetReadout(out: FleetReadout, view: WorldView): FleetReadout {
+export function updateFleetReadout(out: FleetReadout, given: WorldView | null): FleetReadout {
+  const view = viewOf('updateFleetReadout', out, given);
   const ships = view.ready ? view.ships : NO_SHIPS;
   const { rows, counts } = out;
   for (const status of FLEET_ORDER) counts[status] = 0;

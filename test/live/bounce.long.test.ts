@@ -7,7 +7,7 @@ import { readServiceStates, type ServiceStates } from './serviceStates';
 
 /** One way, s. */
 const DELAY = 0.05;
-/** s; the offset of the respawn itself is within 5 % after 0.3 s (PREDICTION, What is drawn). */
+/** s; the offset of the respawn itself is within 5 % after 0.3 s (PREDICTION, Drawing). */
 const EASED = 1;
 /** Share of the looks that have to agree. */
 const P95 = 0.95;

@@ -30,7 +30,13 @@ export interface OverlayPlaces {
   readonly ghostKnown: boolean;
   /** From where the ship is drawn to where it is predicted at the same instant: zero while nothing is being corrected. */
   readonly error: Vector3;
+  /** On the ground straight below the ship. */
   readonly foot: Vector3;
+  /** On the ground, the centre of the landing legs' circle. */
+  readonly footprint: Vector3;
+  /** The surface normal, unit: local up, or the slope's where the settings have it so. */
+  readonly ground: Vector3;
+  /** Local up, unit. */
   readonly up: Vector3;
   readonly legRadius: number;
   /** m/s², in local axes: what thrust, weight and ground give the ship. */
@@ -101,10 +107,10 @@ export function createOverlays(): Overlays {
         error.scale.set(1, 1, gap);
       }
       ring.visible = choice.footprint;
-      ring.position.copy(places.foot).addScaledVector(places.up, 0.05);
-      ring.quaternion.setFromUnitVectors(Z, places.up);
+      ring.position.copy(places.footprint).addScaledVector(places.ground, 0.05);
+      ring.quaternion.setFromUnitVectors(Z, places.ground);
       ring.scale.setScalar(places.legRadius);
-      point(normal, places.foot, scaled.copy(places.up).multiplyScalar(4), choice.contactNormal);
+      point(normal, places.foot, scaled.copy(places.ground).multiplyScalar(4), choice.contactNormal);
       for (const name of ['thrust', 'weight', 'support'] as const) {
         const from = name === 'support' ? places.foot : places.ship;
         point(forces[name], from, scaled.copy(places[name]).multiplyScalar(SCALE), choice.forces);

@@ -11,7 +11,7 @@ import {
 } from 'three';
 
 /**
- * Soft shadows of the ships that the shadow map does not reach: it covers the watched ship alone. Each lies on the ground's slope
+ * Soft shadows of the ships outside the shadow map, which covers the watched ship only. Each is laid on the slope of the ground
  * where the sun throws it, drawn out along the light as a low sun draws it.
  */
 export interface BlobShadows {
@@ -31,7 +31,7 @@ const DARKNESS = 0.62;
 const FADES = 1 / 120;
 /** A low sun's shadow is not drawn longer than this many widths. */
 const MAX_STRETCH = 8;
-/** m above the ground it lies on. */
+/** m above the ground. */
 const LIFT = 0.06;
 
 const VERTEX = /* glsl */ `

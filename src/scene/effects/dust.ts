@@ -69,7 +69,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** Grains thrown once and left to gravity (and to the air where there is some): the way is worked out on the GPU. */
+/** Grains thrown once, then moved by gravity and, where there is air, drag. The GPU computes their way. */
 export interface Dust {
   readonly points: Points<BufferGeometry, ShaderMaterial>;
   /** A grain: local place and velocity relative to `origin`, m and m/s; seconds it lives, size m, opacity. */

@@ -37,7 +37,7 @@ export interface Ground {
   follow(x: number, z: number, levelsAtOnce: number): void;
   /** Places the meshes relative to the eye (local, m) and leaves out what it cannot see. */
   place(eye: Float64Array, cone: ViewCone): void;
-  /** Height, local y, below which the terrain's own shadow lies over (x, z). */
+  /** Local y below which a point over (x, z) is in the terrain's own shadow, m. */
   readonly shadowY: (x: number, z: number) => number;
   dispose(): void;
 }

@@ -6,7 +6,7 @@ import { type LocalFrame, rotate, type Turn } from '../localFrame';
 import type { OverlayChoice, OverlayPlaces } from './overlays';
 import type { ShipActor } from '../ships/shipActor';
 
-/** Everything of a frame that the overlays stand on. */
+/** Everything of a frame that the overlays depend on. */
 export interface OverlayScene {
   readonly view: WorldView;
   readonly ship: ShipView;
@@ -23,7 +23,7 @@ type Places = { -readonly [Name in keyof OverlayPlaces]: OverlayPlaces[Name] };
 const point = new Float64Array(3);
 const attitude = new Float64Array(4);
 
-/** Where this frame's overlays go, relative to the eye. */
+/** Writes the places of this frame's overlays, relative to the eye. */
 export function placeOverlays(out: Places, scene: OverlayScene): void {
   const { view, ship, actor, frame, turn, eye, groundY } = scene;
   const { place } = actor;

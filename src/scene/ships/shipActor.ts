@@ -90,7 +90,7 @@ export function createActor(ship: ShipView, shipResources: ShipResources, inAir:
   jets.frustumCulled = false;
   jets.renderOrder = 3;
   jets.visible = false;
-  // Most stand still and dark: placeJets moves those that are seen.
+  // Most are at rest and not lit: placeJets moves those in sight.
   jets.matrixAutoUpdate = false;
   firePower(jets, power);
   return {
@@ -134,7 +134,7 @@ const asked = new Float64Array(3);
 const spin = new Float64Array(3);
 const inverse = new Float64Array(4);
 
-/** Where the ship is drawn and what its nozzles do. */
+/** Sets where the ship is drawn and what its nozzles do. */
 export function poseActor(
   actor: ShipActor,
   ship: ShipView,

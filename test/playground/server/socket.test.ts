@@ -189,7 +189,7 @@ describe('the game’s own server', () => {
     });
     connection.send({ kind: 'inputs', inputs: [input(3, 6, 0, { thrustLevel: 0.75 })] });
     const last = () => heard.at(-1) as { thrust_level?: number };
-    await vi.waitUntil(() => last().thrust_level === 0.75);
+    await expect.poll(() => last().thrust_level).toBe(0.75);
     expect(heard).toMatchObject([
       '/ws',
       { type: 'auth', token: 'jwt' },
@@ -201,7 +201,7 @@ describe('the game’s own server', () => {
   it('that refuses is not called again by itself, and the page says why', async () => {
     const { handlers, told, until } = ear();
     sockets.on('connection', (socket) => socket.close(4003, 'Origin not allowed'));
-    connection = openServer(address(), handlers);
+    connection = openServer(`${address()}?token=jwt`, handlers);
     await until(() => told.some((text) => text.includes('does not accept pages from here')));
     expect(told.at(-1)).toContain('(code 4003, “Origin not allowed”): open the page from an allowed origin.');
   });

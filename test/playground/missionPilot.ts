@@ -89,7 +89,7 @@ export function pilot(view: WorldView, target: Target, mission: Mission): Contro
   const [rcs] = own.shipClass.rcsThrust;
   const wanted = limited(
     along(seen.toPad, 0.12),
-    Math.max(3, Math.min(9, Math.sqrt((rcs! / seen.mass) * off))),
+    Math.max(3, Math.min(9, Math.sqrt((rcs / seen.mass) * off))),
   );
   const push = toShip(
     own.attitude as unknown as [number, number, number, number],
@@ -101,9 +101,9 @@ export function pilot(view: WorldView, target: Target, mission: Mission): Contro
     ...upright,
     thrustLevel: grid(clamp(wantedLift / thrust, 0, 1), 200),
     translationInput: [
-      grid(clamp((0.6 * push[0] * seen.mass) / rcs!, -1, 1), 100),
-      grid(clamp((0.6 * push[1] * seen.mass) / own.shipClass.rcsThrust[1]!, -1, 1), 100),
-      grid(clamp(Math.min(0, (wantedLift * seen.mass) / own.shipClass.rcsThrust[2]!), -1, 1), 100),
+      grid(clamp((0.6 * push[0] * seen.mass) / rcs, -1, 1), 100),
+      grid(clamp((0.6 * push[1] * seen.mass) / own.shipClass.rcsThrust[1], -1, 1), 100),
+      grid(clamp(Math.min(0, (wantedLift * seen.mass) / own.shipClass.rcsThrust[2]), -1, 1), 100),
     ],
   };
 }

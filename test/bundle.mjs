@@ -1,8 +1,9 @@
 // One file of a TypeScript entry point and of all source behind it, by the bundler that ships the page, with constants inlined
 // across modules. Unbundled, the test runner turns every import into a property look-up at each use, which slows the law's inner
 // loops up to 13 times, and loads each of hundreds of modules by itself.
-import { readFileSync } from 'node:fs';
-import { dirname } from 'node:path';
+import { createHash } from 'node:crypto';
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { basename, dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { rolldown } from 'rolldown';
 
@@ -82,8 +83,35 @@ export async function bundle(entry, { inside = /^$/, plugins = [] } = {}) {
   }
 }
 
-/** Vite plugin: each test file is loaded as one bundle. */
+/** Bundles of this process: another run in this folder, or a changed file, must not be mistaken for them. */
+function bundlesFolder() {
+  const folders = fileURLToPath(new URL('../node_modules/.cache/touchdown/tests/', import.meta.url));
+  const mine = join(folders, String(process.pid));
+  mkdirSync(mine, { recursive: true });
+  // A run that was killed has left its own.
+  for (const pid of readdirSync(folders)) if (!isRunning(Number(pid))) remove(join(folders, pid));
+  process.on('exit', () => remove(mine));
+  return mine;
+}
+
+function remove(folder) {
+  rmSync(folder, { recursive: true, force: true });
+}
+
+function isRunning(pid) {
+  try {
+    return process.kill(pid, 0);
+  } catch (error) {
+    return error.code === 'EPERM';
+  }
+}
+
+/**
+ * Vite plugin: each test file is one bundle, which node imports as it is. The runner's own transform of it, and the look-ups that this
+ * makes of each import, would cost more than the bundle itself.
+ */
 export function bundledTests() {
+  let folder;
   return {
     name: 'bundled-tests',
     enforce: 'pre',
@@ -96,7 +124,14 @@ export function bundledTests() {
       }
       const { code, map, modules } = await bundle(entry, { plugins: [leaveDynamicImports] });
       for (const module of modules) this.addWatchFile(module);
-      return { code, map };
+      // What is loaded anew after vi.resetModules() has to be loaded by the runner.
+      if (isAlone || code.includes(ALONE)) return { code, map };
+      folder ??= bundlesFolder();
+      const hash = createHash('sha256').update(code).digest('hex').slice(0, 16);
+      map.sources = map.sources.map((path) => relative(folder, resolve(dirname(entry), path)));
+      const file = join(folder, `${basename(entry, '.ts')}-${hash}.mjs`);
+      writeFileSync(file, `${code}\n//# sourceMappingURL=${map.toUrl()}\n`);
+      return `import ${JSON.stringify(pathToFileURL(file).href)};`;
     },
   };
 }

@@ -1,10 +1,12 @@
 // Builds dist/package, what `npm pack ./dist/package` packs: each door of the library as an ES module, as CommonJS and as
-// declarations, one style sheet, and a manifest.
+// declarations, one style sheet, and a manifest. The modules are there twice: as they are, and for production (production.mjs).
 import { spawnSync } from 'node:child_process';
-import { cpSync, existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
+import { numbers } from './numbers.mjs';
+import { production } from './production.mjs';
 import { pure } from './pure.mjs';
 import { writeTypes } from './types.mjs';
 
@@ -33,20 +35,22 @@ const SHARED_ROOMS = ['dynamics', 'wire', 'readout'];
 const SHARED = { configFile: false, root, logLevel: 'warn', publicDir: false };
 
 /** One format at a time: a CommonJS file shares nothing with a module. */
-async function buildCode(format) {
+async function buildCode({ format, folder = '', plugins = [] }) {
   const extension = format === 'es' ? 'js' : 'cjs';
+
   await build({
     ...SHARED,
-    plugins: [pure(join(root, 'src/'))],
+    plugins: [...plugins, numbers(join(root, 'src/')), pure(join(root, 'src/'))],
     build: {
       target: 'es2022',
-      outDir: out,
-      emptyOutDir: format === 'es',
+      outDir: join(out, folder),
+      emptyOutDir: false,
       minify: false,
       sourcemap: true,
       lib: { entry: doors, formats: [format] },
       rolldownOptions: {
         external: [/^three($|\/)/],
+        checks: { bundlerTimings: false },
         treeshake: { moduleSideEffects: [{ test: /\/src\/.*\.[jt]s$/, sideEffects: false }] },
         output: {
           entryFileNames: `[name].${extension}`,
@@ -87,7 +91,7 @@ function repository() {
 
 function writeManifest() {
   const conditions = (door) => ({
-    import: { types: `./${door}.d.ts`, default: `./${door}.js` },
+    import: { types: `./${door}.d.ts`, production: `./production/${door}.js`, default: `./${door}.js` },
     require: { types: `./${door}.d.cts`, default: `./${door}.cjs` },
   });
   const entries = names.map((door) => [door === 'index' ? '.' : `./${door}`, conditions(door)]);
@@ -105,7 +109,10 @@ function writeManifest() {
       './package.json': './package.json',
     },
     ...{ main: './index.cjs', module: './index.js', types: './index.d.ts' },
-    files: ['*.js', '*.cjs', '*.map', '*.d.ts', '*.d.cts', 'hud.css', 'chunks', 'CHANGELOG.md', 'NOTICES.md'],
+    files: [
+      ...['*.js', '*.cjs', '*.map', '*.d.ts', '*.d.cts', 'hud.css', 'chunks', 'production'],
+      ...['CHANGELOG.md', 'NOTICES.md'],
+    ],
     peerDependencies: { three: '>=0.160.0' },
     peerDependenciesMeta: { three: { optional: true } },
   };
@@ -125,8 +132,10 @@ function writeNotices() {
 
 /** Builds the package; throws with what is wrong. */
 export async function buildPackage() {
-  await buildCode('es');
-  await buildCode('cjs');
+  rmSync(out, { recursive: true, force: true });
+  await buildCode({ format: 'es' });
+  await buildCode({ format: 'cjs' });
+  await buildCode({ format: 'es', folder: 'production', plugins: [production(join(root, 'src'))] });
   await buildStyles();
   for (const file of ['hud.css.d.ts', 'hud.css.d.cts']) writeFileSync(join(out, file), 'export {};\n');
   await writeTypes(root, doors, out);

@@ -24,6 +24,13 @@ function checkImportMap(folder) {
   return run(process.execPath, entry, root).trim().split('\n').at(-1);
 }
 
+/** The core for production as node loads it, and what it shows against the default one. */
+function checkProduction(folder) {
+  run(process.execPath, ['--conditions=production', 'main.mjs'], folder);
+  const entry = ['test/run.mjs', 'test/package/production.ts', join(folder, 'node_modules/galaxy-touchdown')];
+  return run(process.execPath, entry, root).trim().split('\n').at(-1);
+}
+
 const temporary = mkdtempSync(join(tmpdir(), 'touchdown-pack-'));
 try {
   installTools();
@@ -34,6 +41,7 @@ try {
   await inProject(tarball, async (folder) => {
     for (const check of [
       checkNode,
+      checkProduction,
       checkEsbuild,
       checkWebpack,
       checkVite,

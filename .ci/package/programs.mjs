@@ -98,7 +98,9 @@ export async function checkVite(folder) {
     warn: (text) => warned.push(text),
     warnOnce: (text) => warned.push(text),
   };
-  await build({ root: folder, configFile: false, customLogger, build: { outDir: join(folder, 'vite') } });
+  // How long plugins take depends on the machine's load: vite warns of that too.
+  const options = { outDir: join(folder, 'vite'), rolldownOptions: { checks: { bundlerTimings: false } } };
+  await build({ root: folder, configFile: false, customLogger, build: options });
   if (warned.length > 0) throw new Error(`vite warns: ${warned[0]}`);
   const assets = readdirSync(join(folder, 'vite/assets'));
   const text = (ending) =>

@@ -1,16 +1,25 @@
-// What each use of the package costs a page: bundled and minified by esbuild, gzip level 9, in bytes.
+// What each use of the package costs a page: bundled for production and minified by esbuild, gzip level 9, in bytes.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { root, tool } from './tools.mjs';
 
+const PREDICTOR = `export { createPredictor, decodeFrameJson, decodeHelloJson, encodeControlsJson, createLandingReadout, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`;
+
 /** `most` in kB (1,000 bytes); the table in README.md has the same rows. */
 export const USES = [
   {
     name: 'predictor, JSON, readouts',
-    most: 62,
-    code: `export { createPredictor, decodeFrameJson, decodeHelloJson, encodeControlsJson, createLandingReadout, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`,
+    most: 61,
+    code: PREDICTOR,
+    without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
+  },
+  {
+    name: 'with the checks of development',
+    most: 65,
+    code: PREDICTOR,
+    conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],
   },
   {
@@ -42,12 +51,12 @@ const NOTHING = [
   [`export { updateFleetReadout } from 'galaxy-touchdown';`, 3000],
 ];
 
-async function bundle(folder, code) {
+async function bundle(folder, code, conditions = ['production']) {
   const { build } = createRequire(import.meta.url)(tool('esbuild'));
   const { outputFiles } = await build({
     stdin: { contents: code, resolveDir: folder },
     ...{ bundle: true, minify: true, write: false, format: 'esm', target: 'es2022', logLevel: 'error' },
-    external: ['three', 'three/*'],
+    ...{ conditions, external: ['three', 'three/*'] },
   });
   return outputFiles[0].text;
 }
@@ -62,10 +71,10 @@ export const gzipped = (text) => gzipSync(text, { level: 9 }).length;
 /** `{ name, most, size }` of each use, size in bytes. */
 export async function measure(folder) {
   const rows = [];
-  for (const { name, most, code, file, without } of USES) {
+  for (const { name, most, code, conditions, file, without } of USES) {
     const text = file
       ? await minifiedStyles(join(folder, 'node_modules/galaxy-touchdown', file))
-      : await bundle(folder, code);
+      : await bundle(folder, code, conditions);
     const strange = without.find((word) => text.includes(word));
     if (strange !== undefined) throw new Error(`${name}: its bundle has “${strange}” in it`);
     rows.push({ name, most, size: gzipped(text) });

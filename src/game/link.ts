@@ -1,6 +1,6 @@
 /**
  * The states of one link to the game's server, as plain data: `stepLink` takes a state and what happened, and gives the
- * next state and what is to be done. No clock, no dice, no socket: they are the caller's (GAME.md, Talk).
+ * next state and what is to be done. No clock, no dice, no socket: they are the caller's (GAME.md, Protocol).
  */
 
 export type Phase = 'connecting' | 'authenticating' | 'live' | 'waiting' | 'refused' | 'ended';

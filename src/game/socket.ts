@@ -15,7 +15,7 @@ export interface GameSocket {
   close: () => void;
 }
 
-/** Largest message either way, bytes of UTF-8 (GAME.md, Talk). */
+/** Largest message either way, bytes of UTF-8 (GAME.md, Protocol). */
 export const MAX_MESSAGE = 64 * 1024;
 /** readyState of a socket that takes messages. */
 export const OPEN = 1;

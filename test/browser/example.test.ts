@@ -30,9 +30,7 @@ describeInBrowser('the example client', () => {
       if (message.type() === 'warning' && !/GPU|GL Driver|WebGL/.test(message.text()))
         warnings.push(message.text());
     });
-    await expect
-      .poll(() => page.textContent('.td-landing .td-status'), { timeout: 50_000 })
-      .toMatch(/LANDED/);
+    await expect.poll(() => page.textContent('.td-landing .td-status')).toMatch(/LANDED/);
     expect(await page.textContent('.td-fleet')).toContain('Kestrel');
     expect(game.controls).toEqual([]);
     await page.keyboard.press('f');

@@ -32,7 +32,7 @@ describeInBrowser('the built page', () => {
     const page = await openBuiltPage('', { framesPerSecond: 3 });
     expect(await page.title()).toBe('Touchdown');
     // A cleared canvas has one colour, a sky without a ground few.
-    await expect.poll(() => coloursOf(page), { timeout: 30_000 }).toBeGreaterThan(50);
+    await expect.poll(() => coloursOf(page)).toBeGreaterThan(50);
     const hasWebGL2 = await page
       .locator('#stage')
       .evaluate((stage) => (stage as HTMLCanvasElement).getContext('webgl2') !== null);
@@ -44,7 +44,7 @@ describeInBrowser('the built page', () => {
   // without a network: twice the weight, but nothing that anyone waits for. It is counted neither here nor as part of the load.
   it(`weighs at most ${HEAVIEST / 1000} kB, apart from plots, replays and help, which come when they are asked for`, async () => {
     const page = await openBuiltPage('', { framesPerSecond: 3 });
-    await page.waitForSelector('html[data-ready=true]', { timeout: 30_000 });
+    await page.waitForSelector('html[data-ready=true]');
     const fetched = await page.evaluate(() =>
       performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname.split('/').at(-1)!),
     );

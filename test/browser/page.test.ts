@@ -9,7 +9,7 @@ const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/
 describeInBrowser('the built page', () => {
   it('shows a landing: picture, displays, nothing wrong', async () => {
     const page = await openBuiltPage('?scenario=opening', { framesPerSecond: 4 });
-    await page.waitForSelector('html[data-ready=true]', { timeout: 45_000 });
+    await page.waitForSelector('html[data-ready=true]');
     await untilStatus(page, 'landed');
     expect(await page.textContent('.td-landing')).toContain('LANDED');
     expect(await page.textContent('.td-fleet')).toContain('LANDED');
@@ -17,9 +17,7 @@ describeInBrowser('the built page', () => {
       true,
     );
     expect(await shadesOf(page)).toBeGreaterThan(500);
-    await page.waitForFunction(() => document.getElementById('twin')?.textContent.includes('landed'), null, {
-      timeout: 15_000,
-    });
+    await page.waitForFunction(() => document.getElementById('twin')?.textContent.includes('landed'));
     expect(problemsOf(page)).toEqual([]);
   });
 
@@ -32,11 +30,11 @@ describeInBrowser('the built page', () => {
       viewport: { width, height },
       colorScheme,
     });
-    await page.waitForSelector('html[data-ready=true]', { timeout: 45_000 });
+    await page.waitForSelector('html[data-ready=true]');
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
     expect(wide).toBeLessThanOrEqual(0);
     for (const title of ['Figures', 'Recording', 'World'])
-      await page.locator('summary', { hasText: title }).click({ timeout: 30_000 });
+      await page.locator('summary', { hasText: title }).click();
     // Through the debugger's door: the page's own policy forbids scripts from elsewhere, rightly.
     await page.evaluate(axeSource);
     const found = await page.evaluate(async () => {

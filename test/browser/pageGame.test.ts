@@ -2,14 +2,7 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { describeInBrowser, openBuiltPage, problemsOf } from './pages';
-import { FLUENT, SMALL } from './waits';
-
-async function untilPhase(page: Page, phase: string): Promise<void> {
-  await page.waitForFunction((wanted) => document.documentElement.dataset['phase'] === wanted, phase, {
-    timeout: 90_000,
-    polling: 100,
-  });
-}
+import { FLUENT, SMALL, untilPhase } from './waits';
 
 function throttleOf(page: Page): Promise<number> {
   return page.locator('.td-lever').getAttribute('aria-valuenow').then(Number);
@@ -18,7 +11,7 @@ function throttleOf(page: Page): Promise<number> {
 describeInBrowser('the game on the built page', () => {
   it('says what to do and with which keys, lands, tells what it was worth and what comes next', async () => {
     const page = await openBuiltPage('?slow=2', FLUENT);
-    await page.waitForSelector('html[data-ready=true]', { timeout: 45_000 });
+    await page.waitForSelector('html[data-ready=true]');
     const goal = await page.textContent('#goal');
     expect(goal).toContain('Land by the beacon, softer than 2 m/s.');
     expect(goal).toContain('You fly: F more thrust, V less, X cut the engine.');
@@ -40,27 +33,27 @@ describeInBrowser('the game on the built page', () => {
     await page.evaluate(() => {
       Object.defineProperty(navigator, 'clipboard', { value: undefined });
     });
-    await page.getByRole('button', { name: 'Copy race link' }).click({ timeout: 30_000 });
+    await page.getByRole('button', { name: 'Copy race link' }).click();
     const link = await page.locator('.notice-link').inputValue();
     expect(link).toMatch(/\?scenario=first-landing&run=[\w-]+$/);
-    await page.getByRole('button', { name: 'Close' }).click({ timeout: 30_000 });
+    await page.getByRole('button', { name: 'Close' }).click();
     await page.locator('#stage').focus();
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => location.search.includes('scenario=sidestep'));
     expect(problemsOf(page)).toEqual([]);
 
     await page.goto(link);
-    await page.waitForSelector('#notice:not([hidden])', { timeout: 45_000 });
+    await page.waitForSelector('#notice:not([hidden])');
     expect(await page.textContent('#notice')).toMatch(/Race a friend: \d+ points in \d+ s/);
   });
 
   it('flies with any focus but a text field’s, and lets go of what the browser loses sight of', async () => {
     const page = await openBuiltPage('?scenario=launch', SMALL);
-    await page.waitForSelector('html[data-ready=true]', { timeout: 45_000 });
-    const full = () => expect.poll(() => throttleOf(page), { timeout: 20_000 }).toBe(100);
+    await page.waitForSelector('html[data-ready=true]');
+    const full = () => expect.poll(() => throttleOf(page)).toBe(100);
     const cut = async () => {
       await page.keyboard.press('x');
-      await expect.poll(() => throttleOf(page), { timeout: 20_000 }).toBe(0);
+      await expect.poll(() => throttleOf(page)).toBe(0);
     };
     await page.getByLabel('Mission').focus();
     await page.keyboard.press('z');
@@ -83,7 +76,7 @@ describeInBrowser('the game on the built page', () => {
     await cut();
     // Command goes down while a key is held: macOS never tells that it came up.
     await page.keyboard.down('f');
-    await expect.poll(() => throttleOf(page), { timeout: 20_000 }).toBeGreaterThan(2);
+    await expect.poll(() => throttleOf(page)).toBeGreaterThan(2);
     await stroke('MetaLeft', 'Meta');
     // Were it still held, the lever would reach its end.
     await page.waitForFunction(() => {

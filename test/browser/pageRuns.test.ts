@@ -34,7 +34,7 @@ describeInBrowser('a run on the built page', () => {
     await untilStatus(page, 'tipped');
     // One key or two together: they follow the camera.
     const caps = page.locator('.td-hold').first().locator('kbd:visible');
-    await caps.first().waitFor({ timeout: 20_000 });
+    await caps.first().waitFor();
     const keys = (await caps.allTextContents()).map((cap) => cap.toLowerCase());
     const [letGo] = /[\d.]+/.exec((await page.textContent('.td-until')) ?? '') ?? ['36'];
     expect(await page.textContent('.td-landing')).toContain('Use RCS rotation to right the ship');
@@ -44,8 +44,8 @@ describeInBrowser('a run on the built page', () => {
     await untilTiltBelow(page, Number(letGo));
     for (const key of keys) await page.keyboard.up(key);
     await page.keyboard.press('t');
-    await untilTiltBelow(page, 15);
     await page.getByLabel('Speed').selectOption('1');
+    await untilTiltBelow(page, 15);
     await untilStatus(page, 'landed');
     expect(problemsOf(page)).toEqual([]);
   });
@@ -54,7 +54,7 @@ describeInBrowser('a run on the built page', () => {
     const page = await openBuiltPage('?scenario=settle&seed=7&net=fourG&slow=4', SMALL);
     await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
     const run = await endOfRun(page, 8);
-    await page.getByRole('button', { name: 'Copy link' }).click({ timeout: 30_000 });
+    await page.getByRole('button', { name: 'Copy link' }).click();
     const link = await page.evaluate(() => navigator.clipboard.readText());
     expect(new URL(link).search).toBe('?scenario=settle&net=fourG&seed=7&slow=4');
     await page.context().close();

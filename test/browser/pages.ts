@@ -23,6 +23,9 @@ export interface PageOptions {
   readonly prepare?: (page: Page) => Promise<unknown>;
 }
 
+/** ms for a hang alone, less than a test's own limit, so that what was waited for is what is said. */
+const HANG = 120_000;
+
 const browsers = inject('chromium');
 /** The one for this test file: files that run at the same time are spread over all. */
 const address = browsers[Number(process.env['VITEST_POOL_ID'] ?? 0) % Math.max(1, browsers.length)];
@@ -87,6 +90,7 @@ export async function openUrl(url: string, options: PageOptions = {}): Promise<P
   const usual = { viewport: { width: 1280, height: 720 }, colorScheme: 'light' as const };
   const running = await theBrowser();
   const context = await running.newContext({ ...usual, ...given, ...EVERYWHERE_THE_SAME });
+  context.setDefaultTimeout(HANG);
   const page = await context.newPage();
   watchForProblems(page);
   // Not the state of `expect`: in a later beforeAll that still names the test before.

@@ -27,49 +27,45 @@ const given = fc
   );
 
 // Today the largest number that any of 14,000 such worlds came to was 1e46.
-it(
-  'whatever is accepted, at the ends of the ranges and between them, stays finite for a thousand substeps',
-  { timeout: 30_000 },
-  () => {
-    let [refused, accepted] = [0, 0];
-    const seen = new Set<number>();
-    fc.assert(
-      fc.property(given, (made) => {
-        const loaded = [
-          loadSettings(made.settings),
-          loadShipClass(made.shipClass),
-          loadBody(made.body),
-        ] as const;
-        const [ships, bodies] = [new Float64Array(SHIP_STRIDE), new Float64Array(BODY_STRIDE)];
-        if (!loaded.every(({ ok }) => ok) || writeBodyMotion(bodies, 0, made.body) !== null) {
-          refused++;
-          return;
-        }
-        const world: World = {
-          settings: must(loaded[0]),
-          shipClasses: [must(loaded[1])],
-          bodies: [must(loaded[2])],
-          terrainHeight: flatTerrain,
-        };
-        if (spawnShip(ships, 0, made.ship, world) !== null) {
-          refused++;
-          return;
-        }
-        accepted++;
-        writeControls(ships, 0, must(loadControls(made.controls)));
-        const events = new Uint8Array(1);
-        for (let i = 0; i < SUBSTEPS; i++) {
-          stepWorld(ships, bodies, events, world, made.dt);
-          const wrong = ships.findIndex((value) => !Number.isFinite(value));
-          if (wrong >= 0) throw new Error(`substep ${i}: column ${wrong} is ${ships[wrong]!}`);
-          seen.add(ships[CRASHED] === 1 ? -1 : ships[SURFACE_STATE]!);
-        }
-        expect(bodies.every(Number.isFinite)).toBe(true);
-      }),
-      { seed: 20_260, numRuns: 800 },
-    );
-    expect(accepted).toBeGreaterThan(200);
-    expect(refused).toBeGreaterThan(100);
-    expect([...seen].sort()).toEqual([-1, 0, 1, 2, 3]);
-  },
-);
+it('whatever is accepted, at the ends of the ranges and between them, stays finite for a thousand substeps', () => {
+  let [refused, accepted] = [0, 0];
+  const seen = new Set<number>();
+  fc.assert(
+    fc.property(given, (made) => {
+      const loaded = [
+        loadSettings(made.settings),
+        loadShipClass(made.shipClass),
+        loadBody(made.body),
+      ] as const;
+      const [ships, bodies] = [new Float64Array(SHIP_STRIDE), new Float64Array(BODY_STRIDE)];
+      if (!loaded.every(({ ok }) => ok) || writeBodyMotion(bodies, 0, made.body) !== null) {
+        refused++;
+        return;
+      }
+      const world: World = {
+        settings: must(loaded[0]),
+        shipClasses: [must(loaded[1])],
+        bodies: [must(loaded[2])],
+        terrainHeight: flatTerrain,
+      };
+      if (spawnShip(ships, 0, made.ship, world) !== null) {
+        refused++;
+        return;
+      }
+      accepted++;
+      writeControls(ships, 0, must(loadControls(made.controls)));
+      const events = new Uint8Array(1);
+      for (let i = 0; i < SUBSTEPS; i++) {
+        stepWorld(ships, bodies, events, world, made.dt);
+        const wrong = ships.findIndex((value) => !Number.isFinite(value));
+        if (wrong >= 0) throw new Error(`substep ${i}: column ${wrong} is ${ships[wrong]!}`);
+        seen.add(ships[CRASHED] === 1 ? -1 : ships[SURFACE_STATE]!);
+      }
+      expect(bodies.every(Number.isFinite)).toBe(true);
+    }),
+    { seed: 20_260, numRuns: 800 },
+  );
+  expect(accepted).toBeGreaterThan(200);
+  expect(refused).toBeGreaterThan(100);
+  expect([...seen].sort()).toEqual([-1, 0, 1, 2, 3]);
+});

@@ -54,7 +54,7 @@ function fault(trial: Trial, before: number, event: number): string {
 }
 
 describe('any ship over any body, doing anything', () => {
-  it('stays finite and unit, moves legally and reports what it does', { timeout: 60_000 }, () => {
+  it('stays finite and unit, moves legally and reports what it does', () => {
     const seen = new Set<string>();
     fc.assert(
       fc.property(setup, (given) => {
@@ -88,7 +88,7 @@ describe('any ship over any body, doing anything', () => {
 
   // By the impact's definition: a touch that is no crash has sunk in by no more than one substep of the crash speed. Level ground;
   // a rotating body's bulge of r² / 2R is below the centimetre allowed here.
-  it('sinks in at a touch by at most the crash speed times dt', { timeout: 60_000 }, () => {
+  it('sinks in at a touch by at most the crash speed times dt', () => {
     let touches = 0;
     fc.assert(
       fc.property(setup, (given) => {
@@ -107,7 +107,7 @@ describe('any ship over any body, doing anything', () => {
     expect(touches).toBeGreaterThan(50);
   });
 
-  it('does nothing more once it has crashed', { timeout: 60_000 }, () => {
+  it('does nothing more once it has crashed', () => {
     fc.assert(
       fc.property(setup, (given) => {
         const trial = createTrial(given);
@@ -144,7 +144,7 @@ describe('every bounce', () => {
     },
   }));
 
-  it('has an end', { timeout: 60_000 }, () => {
+  it('has an end', () => {
     const ends = new Set<string>();
     let bounced = 0;
     fc.assert(

@@ -16,7 +16,7 @@ const TOLERANCES: readonly (readonly [string, number, number])[] = [
 ];
 
 describe('a landed ship over a day', () => {
-  it('stands still in the axes of its body', { timeout: 120_000 }, () => {
+  it('stands still in the axes of its body', () => {
     const printed = execFileSync(process.execPath, ['test/run.mjs', 'test/dynamics/landedDay.ts'], {
       cwd: ROOT,
       encoding: 'utf8',

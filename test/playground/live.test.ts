@@ -42,7 +42,7 @@ describe('a scenario that flies by itself', () => {
     [60, 'satellite', 100],
     [144, 'fourG', 5],
   ] as const;
-  describe.each(PLANNED)('%s', { timeout: 60_000 }, (scenario) => {
+  describe.each(PLANNED)('%s', (scenario) => {
     it.each(ways)('ends in the same bits at %i frames a second over %s, ticks of %i Hz', async (...way) => {
       const [fps, network, tickRate] = way;
       const { live, play } = await open({ scenario, network, tickRate });

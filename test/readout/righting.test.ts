@@ -52,7 +52,7 @@ describe('righting help', () => {
     expect(dry.possible).toBe(false);
   });
 
-  it('names keys that do right the ship, whichever way it lies', { timeout: 30_000 }, () => {
+  it('names keys that do right the ship, whichever way it lies', () => {
     const seen = new Set<string>();
     for (let heading = 0; heading < 360; heading += 30) {
       const pose = { ...ON_SIDE, heading };

@@ -1,0 +1,57 @@
+// Writes a module's numbers where they are used: minifiers of its users inline imported constants alone, and every constant that
+// stays costs a name, a line and a look-up. What is computed is the same, bit for bit.
+import { parseAst } from 'vite';
+
+const isNumber = (node) =>
+  (node?.type === 'Literal' && typeof node.value === 'number') ||
+  (node?.type === 'UnaryExpression' && node.operator === '-' && isNumber(node.argument));
+
+/** Declarations `const NAME = <number>` of a module's top level, by name. */
+function numbersOf(program) {
+  const declarations = program.body
+    .map((statement) => (statement.type === 'ExportNamedDeclaration' ? statement.declaration : statement))
+    .filter((statement) => statement?.type === 'VariableDeclaration' && statement.kind === 'const')
+    .flatMap((statement) => statement.declarations)
+    .filter(({ id, init }) => /^[A-Z][A-Z0-9_]*$/.test(id.name) && isNumber(init));
+  return new Map(declarations.map(({ id, init }) => [id.name, { id, init }]));
+}
+
+/** Calls `visit` with each identifier that may be a use of a variable, and its parent. */
+function eachUse(node, parent, visit) {
+  if (node === null || typeof node !== 'object') return;
+  if (node.type === 'Identifier' && !isName(node, parent)) visit(node, parent);
+  const above = typeof node.type === 'string' ? node : parent;
+  for (const value of Array.isArray(node) ? node : Object.values(node)) eachUse(value, above, visit);
+}
+
+const isName = (node, parent) =>
+  (parent.type === 'MemberExpression' && parent.property === node && !parent.computed) ||
+  (parent.type === 'Property' && parent.key === node && !parent.computed) ||
+  /Specifier$/.test(parent.type);
+
+/** The code with its top-level numbers under upper-case names written where they are used; no line moves. */
+export function inlineNumbers(code) {
+  const program = parseAst(code);
+  const numbers = numbersOf(program);
+  const uses = [];
+  eachUse(program, program, (node, parent) => {
+    const number = numbers.get(node.name);
+    if (number === undefined || node === number.id) return;
+    const value = code.slice(number.init.start, number.init.end);
+    const text = number.init.type === 'Literal' ? value : `(${value})`;
+    const isShorthand = parent.type === 'Property' && parent.shorthand;
+    uses.push([node, isShorthand ? `${node.name}: ${text}` : text]);
+  });
+  return uses
+    .sort(([a], [b]) => b.start - a.start)
+    .reduce((text, [{ start, end }, use]) => text.slice(0, start) + use + text.slice(end), code);
+}
+
+/** The vite plugin, for modules of the folder `src` alone. */
+export const numbers = (src) => ({
+  name: 'inline-numbers',
+  enforce: 'post',
+  transform: (code, id) =>
+    // No line moves: the source map made so far stays good to the line.
+    id.startsWith(src) && id.endsWith('.ts') ? { code: inlineNumbers(code), map: null } : null,
+});

@@ -1,0 +1,75 @@
+/**
+ * Replays recorded flights through both builds of the packed core, the default one and the one for production, and compares what
+ * they show, number by number.
+ *   node test/run.mjs test/package/production.ts FOLDER    with the package in FOLDER
+ */
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import type * as Core from '../../src';
+import { type PredictorEntry, type PredictorOptions, recordPredictor } from '../../src/prediction';
+import { createRig, type RigOptions } from '../prediction/rig';
+
+const FLIGHTS: readonly (RigOptions & { readonly scenario: string })[] = [
+  { scenario: 'right-itself', others: 2 },
+  { scenario: 'stands-on-a-slope', others: 1, legacy: true, secretSettings: { contactFrictionKinetic: 0.2 } },
+];
+const SECONDS = 14;
+/** Views per look: a full comparison of each is slow. */
+const EVERY = 7;
+
+interface Flight {
+  readonly entries: readonly PredictorEntry[];
+  readonly options: PredictorOptions;
+}
+
+function record(options: RigOptions): Flight {
+  const entries: PredictorEntry[] = [];
+  const rig = createRig(options);
+  rig.predictor = recordPredictor(rig.predictor, (entry) => entries.push(entry));
+  rig.fly(SECONDS);
+  const { scenario, terrainHeight, body, shipClass } = rig.loaded;
+  const defaults = { bodies: [body], shipClasses: [shipClass], terrain: scenario.terrain };
+  return {
+    entries,
+    options: { ownShipId: 'ship-1', terrains: { [scenario.terrain]: terrainHeight }, defaults },
+  };
+}
+
+/** Everything that a build shows of a flight, as text. */
+function shown(core: typeof Core, { entries, options }: Flight): string[] {
+  const predictor = core.createPredictor(options);
+  const landing = core.createLandingReadout();
+  const fleet = core.createFleetReadout();
+  const lines: string[] = [];
+  predictor.onEvent((notice) => lines.push(JSON.stringify(notice)));
+  let views = 0;
+  core.replayEntries(predictor, entries, (now) => {
+    views += 1;
+    if (views % EVERY !== 0) return;
+    const view = predictor.view(now);
+    const readouts = [core.updateLandingReadout(landing, view), core.updateFleetReadout(fleet, view)];
+    lines.push(JSON.stringify([view, readouts, predictor.snapshot(now)]));
+  });
+  return lines;
+}
+
+const folder = process.argv[2]!;
+const load = async (file: string): Promise<typeof Core> =>
+  (await import(/* @vite-ignore */ pathToFileURL(join(folder, file)).href)) as typeof Core;
+const asIs = await load('index.js');
+const forProduction = await load('production/index.js');
+let count = 0;
+for (const options of FLIGHTS) {
+  const flight = record(options);
+  const expected = shown(asIs, flight);
+  const got = shown(forProduction, flight);
+  const at = expected.findIndex((line, i) => line !== got[i]);
+  if (expected.length < 50 || expected.length !== got.length || at >= 0)
+    throw new Error(
+      `${options.scenario}: line ${String(at)} of ${expected.length} (${got.length} in production)\n${expected[at] ?? ''}\n${got[at] ?? ''}`,
+    );
+  if (!expected.some((line) => line.includes('"shownState":"landed"')))
+    throw new Error(`${options.scenario}: nothing landed`);
+  count += expected.length;
+}
+console.log(`production shows the same in ${count} views and events`);

@@ -2,41 +2,20 @@ import { createGoalPanel } from '../panels/goal';
 import { createDock } from '../panels/workshop/dock';
 import { createMissionCard } from '../panels/missionCard';
 import { createPanel, type Panel } from '../panels/panel';
-import { type Carry, createCarry } from '../input/carry';
+import { createCarry } from '../input/carry';
 import { connectDevices, type Devices } from '../input/devices';
-import type { Sound } from '../sound/sound';
-import type { Cockpit } from '../view/cockpit';
-import type { FrameLoop } from '../view/frameLoop';
 import { createPageView, type PageView, takeDrops } from '../view/pageView';
 import { watchSize } from '../view/pageSize';
 import { type Acts, createActs } from './actions';
 import { createCameraSwitch } from '../view/cameraSwitch';
-import { createChooser, type Chooser } from './chooser';
+import { createChooser } from './chooser';
 import { keyCapOf, wireCockpit } from './words/controlWords';
 import { createFlightLink, type FlightLink } from './flightLink';
 import { createLive, type Live } from './live';
 import { createMissionGame, type MissionGame } from './mission/missionGame';
 import type { Page } from './pageParts';
+import type { Parts } from './parts';
 import { wireFrames } from './showing';
-
-/** Everything that runs, each made when those it is made of stand. What it calls later may be made after it. */
-export interface Parts {
-  live: Live;
-  scene: PageView;
-  dock: ReturnType<typeof createDock>;
-  panel: Panel;
-  chooser: Chooser;
-  acts: Acts;
-  game: MissionGame;
-  cockpit: Cockpit;
-  /** null without a picture. */
-  carry: Carry | null;
-  flightLink: FlightLink;
-  devices: Devices;
-  /** null until it is asked for: its code is fetched then. */
-  sound: Sound | null;
-  loop: FrameLoop;
-}
 
 /** Makes the parts and connects them. */
 export function wirePage(page: Page): Parts {

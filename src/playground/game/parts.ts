@@ -2,7 +2,7 @@ import type { Carry } from '../input/carry';
 import type { Devices } from '../input/devices';
 import type { Choices } from '../panels/choices';
 import type { Panel } from '../panels/panel';
-import type { Dock } from '../panels/workshop/dock';
+import type { LazyDock } from '../panels/workshop/lazyDock';
 import type { Sound } from '../sound/sound';
 import type { Cockpit } from '../view/cockpit';
 import type { FrameLoop } from '../view/frameLoop';
@@ -16,7 +16,7 @@ import type { MissionGame } from './mission/missionGame';
 export interface Parts {
   live: Live;
   scene: PageView;
-  dock: Dock;
+  dock: LazyDock;
   panel: Panel;
   chooser: Chooser;
   acts: Acts;

@@ -1,5 +1,5 @@
 import { createGoalPanel } from '../panels/goal';
-import { createDock } from '../panels/workshop/dock';
+import { createLazyDock } from '../panels/workshop/lazyDock';
 import { createMissionCard } from '../panels/missionCard';
 import { createPanel, type Panel } from '../panels/panel';
 import { createCarry } from '../input/carry';
@@ -17,12 +17,16 @@ import type { Page } from './pageParts';
 import type { Parts } from './parts';
 import { wireFrames } from './showing';
 
+const WORKSHOP_FAILED = 'The workshop did not load. Check the network and open it again.';
+
 /** Makes the parts and connects them. */
 export function wirePage(page: Page): Parts {
   const parts = {} as Parts;
   parts.live = wireLive(page, parts);
   parts.scene = wireScene(page, parts);
-  parts.dock = createDock(page.part('dock'), parts.scene.listeners);
+  parts.dock = createLazyDock(page.part('dock'), parts.scene.listeners, () =>
+    page.notice.tell(WORKSHOP_FAILED),
+  );
   parts.chooser = createChooser(page, parts);
   parts.panel = wirePanel(page, parts);
   parts.sound = null;
@@ -75,8 +79,11 @@ function wireScene({ query, notice, banner }: Page, parts: Parts): PageView {
   });
 }
 
-function wirePanel({ part, document, choices }: Page, parts: Parts): Panel {
-  const showDock = (open: boolean) => document.body.classList.toggle('workshop', open);
+function wirePanel({ part, document, choices, notice }: Page, parts: Parts): Panel {
+  const showDock = (open: boolean) => {
+    document.body.classList.toggle('workshop', open);
+    if (open) parts.dock.load();
+  };
   const isMission = parts.chooser.isMission(choices.scenario);
   showDock(!isMission);
   const panel = createPanel(
@@ -86,6 +93,7 @@ function wirePanel({ part, document, choices }: Page, parts: Parts): Panel {
       change: (name, text) => parts.chooser.change(name, text),
       act: (act) => parts.acts.act(act),
       workshop: showDock,
+      failed: () => notice.tell(WORKSHOP_FAILED),
     },
   );
   panel.press('sound', false);
@@ -170,7 +178,7 @@ function wireDevices(page: Page, parts: Parts): Devices {
 }
 
 function wireGame(page: Page, parts: Parts): MissionGame {
-  const { choices, address, notice, best, part } = page;
+  const { choices, address, notice, runs, part } = page;
   return createMissionGame({
     live: parts.live,
     choices: () => choices,
@@ -180,7 +188,7 @@ function wireGame(page: Page, parts: Parts): MissionGame {
     card: createMissionCard(part('card')),
     address,
     notice,
-    best,
+    runs,
     device: parts.devices.device,
     cap: keyCapOf(page, parts),
     resetCamera: () => page.stage?.resetCamera(),

@@ -1,4 +1,4 @@
-import { LESSONS, meetsGoal, type Mission, MISSIONS } from '../../../scenarios';
+import { LESSONS, type Mission, MISSIONS } from '../../../scenarios';
 import type { Action } from '../../input/keyTable';
 import type { Choices } from '../../panels/choices';
 import type { CardAction, CardText } from '../../panels/missionCard';
@@ -74,7 +74,7 @@ export function landedCard(mission: Mission, words: string, place: CardPlace): C
 /** The score of a run, line by line. */
 export function scoreCard(run: VerifiedRun, words: string, copyRace: () => void, place: CardPlace): CardText {
   const { mission, score } = run;
-  const landed = meetsGoal(mission, run.outcome) ? 'Landed' : 'Landed too hard';
+  const landed = run.meetsGoal ? 'Landed' : 'Landed too hard';
   return {
     title: `${landed}: ${score.total} of 1000`,
     words,

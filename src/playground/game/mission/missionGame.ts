@@ -6,10 +6,11 @@ import type { GoalPanel } from '../../panels/goal';
 import type { CardAction, CardText, MissionCard } from '../../panels/missionCard';
 import type { Notice } from '../../panels/notice';
 import type { Address } from '../address';
-import { type BestRuns, raceQuery, type VerifiedRun, verifyRun } from './bestRuns';
+import type { VerifiedRun } from './bestRuns';
 import { type Device, howToFly } from '../words/flightWords';
 import { createGhostFlight, type GhostFlight } from './ghost';
 import type { Live } from '../live';
+import type { Runs } from './runs';
 import { LONGEST_LINK } from './runText';
 import { landedCard, nextAction, phaseCard, scoreCard, verdict } from './missionCards';
 import { createMissionTracker, type MissionTracker } from './missionTracker';
@@ -41,7 +42,7 @@ export interface MissionPlace {
   readonly card: MissionCard;
   readonly address: Address;
   readonly notice: Notice;
-  readonly best: BestRuns;
+  readonly runs: Runs;
   readonly device: () => Device;
   readonly cap: (action: Action) => string;
   readonly resetCamera: () => void;
@@ -79,7 +80,7 @@ export function createMissionGame(place: MissionPlace): MissionGame {
       flight.meddling = whyUnranked(place.choices());
       tracker.begin(mission);
       show(null);
-      ghost.race(ghostOf(mission, flight.rival, place.best));
+      void raceGhost(mission, flight.rival, { tracker, ghost, runs: place.runs });
       if (mission === null) place.goal.hide();
       else {
         place.resetCamera();
@@ -101,38 +102,53 @@ export function createMissionGame(place: MissionPlace): MissionGame {
     onRun(inputs) {
       const mission = tracker.mission();
       if (mission !== null && tracker.phase() === 'done' && flight.meddling === '')
-        show(judge(mission, inputs, flight.rival, place));
+        void judge(mission, inputs, flight.rival, place).then((card) => {
+          if (tracker.mission() === mission && tracker.phase() === 'done') show(card);
+        });
     },
     race(run) {
       flight.rival = run;
+      if (tracker.mission() === run.mission) ghost.race(run);
     },
   };
 }
 
-/** The rival's run in its mission, one's own best in the others. */
-function ghostOf(mission: Mission | null, rival: VerifiedRun | null, best: BestRuns): VerifiedRun | null {
-  if (mission === null) return null;
-  return rival?.mission === mission ? rival : best.of(mission);
+/** Beside the pilot flies the rival's run in its mission, one's own best in the others. */
+async function raceGhost(
+  mission: Mission | null,
+  rival: VerifiedRun | null,
+  { tracker, ghost, runs }: Pick<MissionGame, 'tracker' | 'ghost'> & Pick<MissionPlace, 'runs'>,
+): Promise<void> {
+  const isRace = rival !== null && rival.mission === mission;
+  ghost.race(isRace ? rival : null);
+  if (mission === null || isRace || !runs.isKept(mission)) return;
+  const loaded = await runs.load().catch(() => null);
+  if (loaded !== null && tracker.mission() === mission) ghost.race(loaded.best.of(mission));
 }
 
 /** Flies the run again, keeps it if it is the best, and says what it was worth. */
-function judge(
+async function judge(
   mission: Mission,
   inputs: readonly RunInput[],
   rival: VerifiedRun | null,
   place: MissionPlace,
-): CardText {
-  const run = verifyRun(mission, inputs);
-  if (run?.outcome.outcome !== 'landed')
-    return landedCard(mission, 'Not scored: flown again from its inputs, it does not land.', place);
-  const best = place.best.of(mission);
-  const isBest = place.best.keep(run);
-  return scoreCard(run, verdict(run, best, rival, isBest), () => share(place, run), place);
+): Promise<CardText> {
+  try {
+    const { module, best } = await place.runs.load();
+    const run = module.verifyRun(mission, inputs);
+    if (run?.outcome.outcome !== 'landed')
+      return landedCard(mission, 'Not scored: flown again from its inputs, it does not land.', place);
+    const before = best.of(mission);
+    const isBest = best.keep(run);
+    const copyRace = () => share(place, module.raceQuery(run, ''));
+    return scoreCard(run, verdict(run, before, rival, isBest), copyRace, place);
+  } catch {
+    return landedCard(mission, 'Not scored: part of the page did not load.', place);
+  }
 }
 
 /** Flown from its inputs alone: a friend who opens the link sees this very flight, and the score is computed there again. */
-function share({ address, notice }: MissionPlace, run: VerifiedRun): void {
-  const query = raceQuery(run, '');
+function share({ address, notice }: MissionPlace, query: string): void {
   if (query.length > LONGEST_LINK)
     notice.tell(`This flight makes a link of ${query.length} characters; some programs cut links that long.`);
   address.copy(query, 'Race link copied.');

@@ -27,4 +27,5 @@ export function freePort(): Promise<number>;
 export function createStack(options: {
   gatewayEnv: Record<string, string>;
   appendfsync: 'always' | 'everysec' | 'no';
+  serviceArgs?: readonly string[];
 }): Promise<Stack>;

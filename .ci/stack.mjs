@@ -71,9 +71,9 @@ export function freePort() {
 
 /**
  * Redis, service and gateway on free ports of this machine, none started yet. Throws an Error that says what is to be
- * installed. `appendfsync`: always, everysec, or no (nothing is kept).
+ * installed. `appendfsync`: always, everysec, or no (nothing is kept). `serviceArgs`: further arguments of the service.
  */
-export async function createStack({ gatewayEnv, appendfsync }) {
+export async function createStack({ gatewayEnv, appendfsync, serviceArgs = [] }) {
   const [redisCommand, python] = [redisServer(), servicePython()];
   const [redisPort, gatewayPort] = [await freePort(), await freePort()];
   const folder = mkdtempSync(join(tmpdir(), 'touchdown-live-'));
@@ -91,7 +91,7 @@ export async function createStack({ gatewayEnv, appendfsync }) {
   const service = createProcess({
     name: 'service',
     command: python.command,
-    args: ['-m', 'touchdown_service', '--redis', redisUrl],
+    args: ['-m', 'touchdown_service', '--redis', redisUrl, ...serviceArgs],
     env: python.env,
     upWhen: / INFO tick /,
   });

@@ -8,6 +8,7 @@ import { build } from 'vite';
 import { numbers } from './numbers.mjs';
 import { production } from './production.mjs';
 import { pure } from './pure.mjs';
+import { shortenNames } from './shortNames.mjs';
 import { writeTypes } from './types.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -130,6 +131,16 @@ function writeNotices() {
   writeFileSync(join(out, 'NOTICES.md'), `# Code of others in this package\n\n${notices.join('\n')}`);
 }
 
+/** Declarations without their comments: the package's own, and those of what JavaScript offers. */
+function declarations() {
+  const platform = join(root, 'node_modules/typescript/lib');
+  const read = (folder, pattern) =>
+    readdirSync(folder)
+      .filter((file) => pattern.test(file))
+      .map((file) => readFileSync(join(folder, file), 'utf8').replace(/\/\*[\s\S]*?\*\//g, ''));
+  return { own: read(out, /\.d\.ts$/), language: read(platform, /^lib\.(es|decorators).*\.d\.ts$/) };
+}
+
 /** Builds the package; throws with what is wrong. */
 export async function buildPackage() {
   rmSync(out, { recursive: true, force: true });
@@ -139,6 +150,7 @@ export async function buildPackage() {
   await buildStyles();
   for (const file of ['hud.css.d.ts', 'hud.css.d.cts']) writeFileSync(join(out, file), 'export {};\n');
   await writeTypes(root, doors, out);
+  shortenNames(join(out, 'production'), declarations());
   writeManifest();
   writeNotices();
   for (const file of ['LICENSE', 'CHANGELOG.md']) cpSync(join(root, file), join(out, file));

@@ -11,7 +11,7 @@ const PREDICTOR = `export { createPredictor, decodeFrameJson, decodeHelloJson, e
 export const USES = [
   {
     name: 'predictor, JSON, readouts',
-    most: 61,
+    most: 60,
     code: PREDICTOR,
     without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
@@ -37,7 +37,7 @@ export const USES = [
   },
   {
     name: 'scene (without three)',
-    most: 30,
+    most: 31,
     code: `export { createSceneView } from 'galaxy-touchdown/scene';`,
     without: ['discardUnknown'],
   },

@@ -3,7 +3,7 @@ import { decodeFrameJson } from '../wire';
 import { asObject, type GameMessage, openGameMessage, packControls } from './envelope';
 import { createDriver, type Driver } from './driver';
 import type { LinkState } from './link';
-import type { GameConnectionOptions, GameHandlers } from './options';
+import { type GameConnectionOptions, type GameHandlers, requireConnection } from './options';
 import { isTooLarge, MAX_MESSAGE } from './socket';
 import type { LinkStatus } from './words';
 
@@ -31,8 +31,20 @@ interface Link {
   readonly held: { token: string };
 }
 
-/** Connects at once. Nothing throws, whatever the server sends. */
+/**
+ * Connects at once. Nothing throws, whatever the server sends.
+ * @throws RangeError, naming the option or the handler, where one cannot be used
+ *
+ * @example
+ * ```ts
+ * const connection = createGameConnection(
+ *   { address: 'wss://game.example/ws', token, clock, dice: Math.random, openSocket: (url) => new WebSocket(url) },
+ *   { onFrame: (frame, at) => predictor.receive(frame, at) },
+ * );
+ * ```
+ */
 export function createGameConnection(options: GameConnectionOptions, handlers: GameHandlers): GameConnection {
+  requireConnection(options, handlers);
   const { address, clock, dice, openSocket } = options;
   const held = { token: options.token };
   const driver = createDriver({
@@ -46,7 +58,7 @@ export function createGameConnection(options: GameConnectionOptions, handlers: G
   return {
     state: driver.state,
     status: driver.status,
-    sendControls: (controls) => say(own, (options.pack ?? packControls)(controls)),
+    sendControls: (controls) => sayControls(own, controls),
     send: (message) => say(own, message),
     retry: () => driver.happen({ kind: 'retry' }),
     dispose: () => driver.happen({ kind: 'end' }),
@@ -59,6 +71,16 @@ function say({ driver, handlers }: Link, message: unknown): boolean {
   if (!isTooLarge(text)) return driver.write(text);
   handlers.onRefused?.(`message: expected at most ${MAX_MESSAGE} bytes`);
   return false;
+}
+
+/** Controls that cannot be used are told as refused, and not sent. */
+function sayControls(link: Link, controls: Controls): boolean {
+  try {
+    return say(link, (link.options.pack ?? packControls)(controls));
+  } catch (error) {
+    link.handlers.onRefused?.(error instanceof Error ? error.message : String(error));
+    return false;
+  }
 }
 
 function take(link: Link, data: unknown): void {

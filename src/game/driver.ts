@@ -31,7 +31,7 @@ export interface Driver {
   readonly happen: (event: LinkEvent) => void;
   /** A state came; `told`: the wall s between two that it tells itself, if it does. */
   readonly heardState: (told: number | undefined) => void;
-  /** False while no socket is open. */
+  /** Sends a message of the caller's; false, and nothing is sent, unless the link is live: before the welcome a server refuses it. */
   readonly write: (message: string | Uint8Array<ArrayBuffer>) => boolean;
 }
 
@@ -75,7 +75,7 @@ export function createDriver(options: DriverOptions): Driver {
       held.lastStateAt = now;
       happen(options, held, { kind: 'state', interval: held.interval });
     },
-    write: (message) => write(held, message),
+    write: (message) => held.state.phase === 'live' && write(held, message),
   };
 }
 

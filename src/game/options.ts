@@ -51,3 +51,25 @@ export interface GameConnectionOptions {
   /** Fill in bodies that tell no attitude or spin, by name. */
   readonly bodies?: readonly (Body & BodyMotion)[];
 }
+
+/** Throws RangeError, naming the option or the handler, where one cannot be used. */
+export function requireConnection(options: GameConnectionOptions, handlers: GameHandlers): void {
+  const given = (options as GameConnectionOptions | undefined) ?? ({} as Partial<GameConnectionOptions>);
+  const { address, token, clock } = given;
+  if (typeof address !== 'string' || !/^wss?:\/\//.test(address))
+    throw new RangeError(`options.address: expected ws://… or wss://…, got ${String(address)}`);
+  if (typeof token !== 'string' || token === '')
+    throw new RangeError(`options.token: expected the token of the login, got ${JSON.stringify(token)}`);
+  const told = (handlers as GameHandlers | undefined) ?? ({} as Partial<GameHandlers>);
+  const functions = {
+    ...{ 'options.clock.now': clock?.now, 'options.clock.after': clock?.after },
+    ...{
+      'options.dice': given.dice,
+      'options.openSocket': given.openSocket,
+      'handlers.onFrame': told.onFrame,
+    },
+  };
+  for (const [name, value] of Object.entries(functions))
+    if (typeof value !== 'function')
+      throw new RangeError(`${name}: expected a function, got ${String(value)}`);
+}

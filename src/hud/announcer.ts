@@ -2,7 +2,7 @@ import { type LandingReadout, STATUS_LOOKS, type StatusId } from '../readout';
 import { append } from './elements';
 
 /**
- * What a screen reader is told unasked: transitions that the server has confirmed, once each, in one role=status region;
+ * Announcements for screen readers: transitions that the server has confirmed, once each, in one role=status region;
  * TIPPED and CRASHED in a role=alert (HUD, Access). Never numbers, never a prediction that may be withdrawn.
  */
 export function createAnnouncer(parent: Element): (readout: LandingReadout) => void {
@@ -10,15 +10,16 @@ export function createAnnouncer(parent: Element): (readout: LandingReadout) => v
   status.setAttribute('role', 'status');
   const alert = append(parent, 'p', 'td-unseen');
   alert.setAttribute('role', 'alert');
-  let told: StatusId = 'none';
+  let announced: StatusId = 'none';
   return (readout) => {
-    if (readout.status === told || readout.status === 'none' || readout.provenance !== 'confirmed') return;
-    const first = told === 'none';
-    told = readout.status;
-    const alarming = told === 'tipped' || told === 'crashed';
+    if (readout.status === announced || readout.status === 'none' || readout.provenance !== 'confirmed')
+      return;
+    const first = announced === 'none';
+    announced = readout.status;
+    const alarming = announced === 'tipped' || announced === 'crashed';
     // What holds when the page opens is read with the page; only what is wrong is said at once.
     if (first && !alarming) return;
-    const word = STATUS_LOOKS[told].word.toLowerCase();
+    const word = STATUS_LOOKS[announced].word.toLowerCase();
     const text = `${readout.shipName}: ${word}`;
     (alarming ? alert : status).textContent = text;
     (alarming ? status : alert).textContent = '';

@@ -1,9 +1,13 @@
+import type { HudWarn } from './checks';
+
 /** How a HUD looks, whatever it shows. Its container may have any width from 200 px. */
 export interface HudAppearance {
   /** Colours: dark over space (default), light, or as the reader's system is set. */
   readonly theme?: 'dark' | 'light' | 'system';
   /** Full height, about half of it, or (default) compact where the window is at most 520 px wide. */
   readonly layout?: 'auto' | 'full' | 'compact';
+  /** Told once of each thing that keeps the HUD from being seen: no style sheet, no room, calls after dispose. */
+  readonly onWarning?: HudWarn;
 }
 
 const SMALL_WINDOW = '(max-width: 32.5em)';

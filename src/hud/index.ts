@@ -6,5 +6,7 @@ export { createFlightHud, type FlightHudOptions, type FlightPanels } from './fli
 export type { FlightKey } from './flight/modesPanel';
 /** Theme and layout. */
 export type { HudAppearance } from './appearance';
+/** What keeps a HUD from being seen. */
+export type { HudWarn } from './checks';
 /** Names keys in hints. */
 export type { KeyLabel, TurnKey, TurnKeys } from './landing/rightingPanel';

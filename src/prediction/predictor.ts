@@ -1,16 +1,18 @@
-import type { Controls, Result } from '../dynamics';
+import { type Controls, err, type Result } from '../dynamics';
 import type { ClientMessage, PartialFrame, PendingMessage, ServerMessage } from '../wire';
 import { createChecks } from './checks/checks';
+import { describe } from './checks/describe';
 import { requireOptions } from './checks/options';
 import type { EventNotice, WorldView } from './drawn/view';
-import { fillView } from './drawn/worldView';
-import { advanceFrame, place } from './frameLoop';
+import { advanceFrame } from './frameLoop';
+import { viewAt } from './viewAt';
 import { lastControls, takeInputs } from './inputs/sending';
 import { configure } from './lifecycle/configure';
 import { copyOwned, type Owned } from './lifecycle/fork';
 import { changePolicy } from './lifecycle/policy';
 import {
   createKept,
+  type Kept,
   type PredictorSnapshot,
   receiveAndKeep,
   restoreSnapshot,
@@ -23,10 +25,7 @@ import type { Policy } from './simulation/track';
 import { noteCall } from './snapshots/receiveMessage';
 import { decodePending, receivePending } from './snapshots/pending';
 import { refuse } from './snapshots/receiver';
-import { jitterOf, sentAt, serverTime } from './time/clock';
-import { connectionOf } from './time/connection';
 import { pingIfDue } from './time/pings';
-import { spanOf } from './time/timeline';
 
 /**
  * Server truth + own controls → a pose for now (PREDICTION). Wall seconds `now` are monotonic and handed in; nothing here reads a
@@ -83,7 +82,19 @@ export interface Predictor {
   dispose: () => void;
 }
 
-/** Creates a predictor without server state. Throws RangeError, naming the option, where one cannot be used. */
+/**
+ * Creates a predictor without server state.
+ * @throws RangeError, naming the option, where one cannot be used
+ *
+ * @example
+ * ```ts
+ * const predictor = createPredictor({ ownShipId: 'ship-1', onWarning: (code, message) => console.warn(code, message) });
+ * const decoded = decodeFrameJson(message); // a parsed message of the game's server
+ * if (decoded.ok) predictor.receive(decoded.value, now);
+ * predictor.advance({ ...NEUTRAL_CONTROLS, thrustLevel: 0.4 }, now);
+ * const { own } = predictor.view(now);
+ * ```
+ */
 export function createPredictor(options: PredictorOptions = {}): Predictor {
   requireOptions(options);
   return predictorOf({ session: createSession(options), kept: createKept() });
@@ -108,29 +119,75 @@ function predictorOf(owned: Owned): Predictor {
 }
 
 function createFace({ session, kept }: Owned): Predictor {
-  const checks = createChecks(session);
+  const life = createLife(session);
+  return {
+    ...frameCalls(session, kept, life),
+    ...shipCalls(session, life),
+    refused: (reason) => refuse(session.sim, reason),
+    onEvent(listener) {
+      if (!life.goesOn('onEvent') || !isListener(session, listener)) return () => undefined;
+      session.listeners.add(listener);
+      return () => session.listeners.delete(listener);
+    },
+    configure: (changes) =>
+      life.goesOn('configure') ? configure(session, changes) : err('configure: disposed'),
+    reset: () => resetSession(session),
+    snapshot: (now) => snapshotOf(session, kept, now),
+    restore: (snapshot, now) =>
+      life.goesOn('restore') ? restoreSnapshot(session, kept, snapshot, now) : err('snapshot: disposed'),
+    dispose() {
+      life.end();
+      session.listeners.clear();
+      resetSession(session);
+    },
+  };
+}
+
+/** Until `dispose`. */
+interface Life {
+  /** Whether a call is to be carried out; warns of one that comes too late. */
+  readonly goesOn: (call: string) => boolean;
+  readonly end: () => void;
+}
+
+function createLife({ warn }: Session): Life {
   let isDisposed = false;
+  return {
+    goesOn(call) {
+      if (!isDisposed) return true;
+      warn('disposed', `${call} was called after dispose and does nothing: stop the frame loop first.`, {
+        call,
+      });
+      return false;
+    },
+    end: () => (isDisposed = true),
+  };
+}
+
+/** The calls of each message and each display frame. */
+function frameCalls(session: Session, kept: Kept, life: Life) {
+  const checks = createChecks(session);
   const receive: Predictor['receive'] = (message, now) => {
-    if (isDisposed) return;
+    if (!life.goesOn('receive')) return;
     checks?.receive(message, now);
     receiveAndKeep(session, kept, message, now);
   };
   return {
     receive,
     receivePending: (message, now) => {
-      if (!isDisposed) receivePending(session, message, now, receive);
+      if (life.goesOn('receivePending')) receivePending(session, message, now, receive);
     },
-    refused: (reason) => refuse(session.sim, reason),
     advance(controls, now) {
+      if (!life.goesOn('advance')) return;
       checks?.advance(controls, now);
-      if (isDisposed || !noteCall(session, now)) return;
+      if (!noteCall(session, now)) return;
       decodePending(session, receive);
       pingIfDue(session.pings, now);
       if (session.sim.newestTick >= 0) advanceFrame(session, controls, now);
     },
     view(now) {
-      checks?.view();
-      return viewAt(session, now);
+      checks?.view(now);
+      return Number.isFinite(now) || noteCall(session, now) ? viewAt(session, now) : session.shown.view;
     },
     takeOutgoing() {
       checks?.taken();
@@ -140,65 +197,44 @@ function createFace({ session, kept }: Owned): Predictor {
       checks?.taken();
       return lastControls(takeOutgoing(session));
     },
-    onEvent(listener) {
-      if (!isListener(session, listener)) return () => undefined;
-      session.listeners.add(listener);
-      return () => session.listeners.delete(listener);
+  } satisfies Partial<Predictor>;
+}
+
+/** The calls about single ships. A call with something else than an id is ignored, with a warning. */
+function shipCalls(session: Session, life: Life) {
+  const isOf = (call: string, shipId: unknown): boolean =>
+    life.goesOn(call) && isShipId(session, call, shipId);
+  return {
+    setOwnShip(shipId) {
+      if (shipId === null ? life.goesOn('setOwnShip') : isOf('setOwnShip', shipId))
+        changeOwnShip(session, shipId ?? '');
     },
-    setOwnShip: (shipId) => changeOwnShip(session, shipId ?? ''),
     removeShip(shipId, reason) {
+      if (!isOf('removeShip', shipId)) return;
       dropShip(session, shipId, reason);
       announce(session);
     },
-    teleported: (shipId) => expectTeleport(session, shipId),
-    setPolicy: (shipId, policy) => changePolicy(session, shipId, policy),
-    configure: (changes) => configure(session, changes),
-    reset: () => resetSession(session),
-    snapshot: (now) => snapshotOf(session, kept, now),
-    restore: (snapshot, now) => restoreSnapshot(session, kept, snapshot, now),
-    dispose() {
-      isDisposed = true;
-      session.listeners.clear();
-      resetSession(session);
+    teleported(shipId) {
+      if (isOf('teleported', shipId)) expectTeleport(session, shipId);
     },
-  };
+    setPolicy(shipId, policy) {
+      if (isOf('setPolicy', shipId)) changePolicy(session, shipId, policy);
+    },
+  } satisfies Partial<Predictor>;
+}
+
+function isShipId({ warn }: Session, call: string, shipId: unknown): boolean {
+  if (typeof shipId === 'string') return true;
+  const message = `${call}: expected the id of a ship, a text, got ${describe(shipId)}. The call was ignored.`;
+  warn('ship-id', message, { field: call, value: shipId });
+  return false;
 }
 
 function isListener({ warn }: Session, listener: unknown): boolean {
   if (typeof listener === 'function') return true;
-  warn('listener-not-function', `onEvent: expected a function, got ${String(listener)}.`, { listener });
+  const message = `onEvent: expected one function (notice) for all events, got ${describe(listener)}.`;
+  warn('listener-not-function', message, { listener });
   return false;
-}
-
-function viewAt(session: Session, now: number): WorldView {
-  const { sim, shown, clock, advancedAt } = session;
-  fillConnection(session, now);
-  if (Number.isNaN(advancedAt) || sim.newestTick < 0 || sim.frontIsStale) return shown.view;
-  const present = clock.present + Math.max(0, now - clock.updatedAt) * clock.rate;
-  place(sim, present);
-  const lead = clock.present - serverTime(clock, clock.updatedAt);
-  fillView(shown, sim, { now, present, lead, heard: sentAt(clock, now) - jitterOf(clock) });
-  fillGauges(session);
-  return shown.view;
-}
-
-function fillConnection({ shown, receiver, pings, sim }: Session, now: number): void {
-  const { view } = shown;
-  view.silence = Math.max(0, now - receiver.acceptedAt);
-  if (sim.timeline.spans.length === 0) {
-    view.connection = 'waiting';
-    return;
-  }
-  const heard = { frame: view.silence, pong: Math.max(0, now - pings.answeredAt) };
-  view.connection = connectionOf(heard, sim.cadence, spanOf(sim.timeline, sim.newestTick));
-}
-
-function fillGauges({ counters, clock }: Session): void {
-  counters.clockOffset = clock.offset;
-  counters.clockRate = clock.rate;
-  counters.roundTrip = clock.roundTrip;
-  counters.jitter = jitterOf(clock);
-  counters.lead = clock.present - serverTime(clock, clock.updatedAt);
 }
 
 function takeOutgoing({ pings, sim, sending, advancedAt, counters }: Session): ClientMessage[] {

@@ -1,6 +1,7 @@
 import type { BodyMotion, TerrainHeight, World } from '../dynamics';
 import { TERRAINS } from '../dynamics';
 import type { Hello } from '../wire';
+import { guardTerrain } from './checks/terrains';
 import { createDiagnosis } from './diagnosis';
 import { springsOf } from './drawn/ease';
 import type { Diagnosis, EventNotice } from './drawn/view';
@@ -47,12 +48,11 @@ export interface Session {
 
 /** A predictor's state before anything was received. Throws RangeError if the default world is refused, and says which part. */
 export function createSession(options: PredictorOptions): Session {
-  // Null adds up as 0, and no ship is predicted on it (knowsGround).
-  const terrains = { ...TERRAINS, ...options.terrains } as Readonly<Record<string, TerrainHeight>>;
+  const warn = createWarn(options.onWarning);
+  const terrains = terrainsOf(options, warn);
   const defaults = defaultWorld(options.defaults);
   const world = loadConfig(defaults, terrains);
   if (!world.ok) throw new RangeError(`defaults: ${world.reason}`);
-  const warn = createWarn(options.onWarning);
   const counters = createDiagnosis();
   const clock = createClock();
   const sim = newSimulation(world.value, defaults.bodies, { options, counters, warn });
@@ -78,6 +78,18 @@ export function createSession(options: PredictorOptions): Session {
     advancedAt: Number.NaN,
     usualGap: Number.NaN,
   };
+}
+
+/** The terrains that a hello or the defaults may name. Null adds up as 0, and no ship is predicted on it (knowsGround). */
+function terrainsOf(
+  { terrains = {} }: PredictorOptions,
+  warn: Warn,
+): Readonly<Record<string, TerrainHeight>> {
+  const guarded = Object.entries(terrains).map(([name, terrain]) => [
+    name,
+    guardTerrain(terrain, name, warn),
+  ]);
+  return { ...TERRAINS, ...(Object.fromEntries(guarded) as Record<string, TerrainHeight>) };
 }
 
 function newSimulation(

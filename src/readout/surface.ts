@@ -119,6 +119,9 @@ function measurePlace(out: Surface, ship: ShipView, body: Body): void {
   out.slope = Math.atan2(Math.sqrt(product[0]!), product[1]!);
 }
 
+/** k / m of the contact spring, s⁻²: the law's. */
+const STIFFNESS = 100;
+
 function measureMotion(out: Surface, ship: ShipView, body: BodyMotion): void {
   for (let k = 0; k < 3; k++) bodySpin[k] = body.angularVelocity[k]!;
   cross(groundVelocity, bodySpin, ship.position);
@@ -134,9 +137,12 @@ function measureMotion(out: Surface, ship: ShipView, body: BodyMotion): void {
   out.tangentialSpeed = Math.sqrt(product[0]!);
   writeDot(product, 0, ship.thrust, out.ground);
   const load = Math.max(0, out.weight * out.cosSlope - product[0]!);
-  const stored = out.penetration * out.cosSlope - load / (100 * out.mass);
-  out.vertical = Math.sqrt(off * off + 100 * stored * stored);
+  const stored = out.penetration * out.cosSlope - load / (STIFFNESS * out.mass);
+  out.vertical = Math.sqrt(off * off + STIFFNESS * stored * stored);
 }
+
+/** Sine of a tilt below which it has no axis. */
+const LEAST_SINE = 1e-9;
 
 function measureLean(out: Surface, ship: ShipView, body: BodyMotion): void {
   toInertial(out.up, ship.attitude, BODY_UP);
@@ -156,6 +162,6 @@ function measureLean(out: Surface, ship: ShipView, body: BodyMotion): void {
   writeDot(product, 0, spinAgainstGround, spinAgainstGround);
   writeDot(product, 1, spinAgainstGround, tiltAxis);
   out.spin = Math.sqrt(product[0]!);
-  out.tiltRate = sine > 1e-9 ? product[1]! / sine : 0;
+  out.tiltRate = sine > LEAST_SINE ? product[1]! / sine : 0;
   out.noReturn = Math.atan2(ship.shipClass.legRadius, ship.groundContactOffset);
 }

@@ -15,10 +15,10 @@ import type { ShipActor } from './ships/shipActor';
 import type { SceneView } from './sceneView';
 import { aimCone } from './camera/viewCone';
 
-/** s: a longer pause between two pictures raises no more dust than this. */
+/** s: a longer pause between two pictures raises no more dust than this one. */
 const LONGEST_STEP = 0.25;
 
-/** Creates the picture in `canvas`. Throws where the browser gives no WebGL 2. */
+/** Creates the scene in `canvas`. @throws where the browser has no WebGL 2 */
 export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): SceneView {
   const state = createState(createParts(canvas, quality));
   const { parts, rig } = state;
@@ -71,7 +71,7 @@ export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): Sc
   };
 }
 
-/** One picture, in the order in which each step needs what the one before found. */
+/** One picture; each step uses what the steps before it computed. */
 function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seconds: number): void {
   const waited = Number.isNaN(state.before) ? 0 : Math.max(seconds - state.before, 0);
   state.before = seconds;
@@ -99,7 +99,7 @@ function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seco
   parts.renderer.render(parts.scene, parts.camera);
 }
 
-/** Before ships raise dust: a grain is thrown at the time that is set here. */
+/** To be called before ships raise dust: it sets the time at which grains are thrown. */
 function updateDust({ parts }: SceneState, gravity: number, seconds: number): void {
   const pixels = parts.renderer.domElement.height / (2 * Math.tan((parts.camera.fov * Math.PI) / 360));
   parts.dust.update(seconds, gravity, pixels);
@@ -122,7 +122,8 @@ function lightScene(state: SceneState, { place, height, sunlit }: ShipActor, sec
   const { eye } = state.rig;
   const size = height * 2.2;
   const above = Math.max(place[1]! - state.groundY(place[0]!, place[2]!), 0);
-  light.follow(place, eye, size, size * 2 + above / light.direction.y);
+  // Past the ground under the map's farthest row: ground beyond the map's depth would be black.
+  light.follow(place, eye, size, size + (above + size) / light.direction.y);
   renderer.toneMappingExposure = light.shade(sunlit, seconds);
   dust.shade(sunlit);
   sky.look(eye[1]!, frameOf(state).radius, state.turn.quaternion);

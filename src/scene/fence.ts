@@ -1,4 +1,4 @@
-/** Tells when the GPU has done what it was given before the fence was set. */
+/** Reports when the GPU has finished what it was given before the fence was set. */
 export interface Fence {
   readonly set: () => void;
   /** False before `set`. Asked again in a later task: within one task the answer stays. */

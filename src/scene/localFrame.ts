@@ -2,7 +2,7 @@ import { mat3, quat, vec3 } from 'gl-matrix';
 import type { Body, Quat } from '../dynamics';
 
 /**
- * The axes in which the scene is laid out: fixed in the body, origin on its sphere of `radius`; x points along the ground
+ * The axes of the scene: fixed in the body, origin on its sphere of `radius`; x points along the ground
  * towards the sun (so that shadows of the terrain fall along rows of the ground's grid), y up, z = x × y. Metres, doubles.
  */
 export interface LocalFrame {
@@ -14,7 +14,7 @@ export interface LocalFrame {
   readonly sunSlope: number;
 }
 
-/** Where the sun stands over a frame's origin: degrees above the horizon, and from east towards north. */
+/** The sun's place over a frame's origin: degrees above the horizon, and from east towards north. */
 export interface SunPlace {
   readonly elevation: number;
   readonly azimuth: number;

@@ -1,4 +1,4 @@
-/** What of the picture is dear where the processor draws: both together are more than half of a picture's time there. */
+/** Costly parts of the picture where the processor draws: together they take more than half of the time there. */
 export interface Quality {
   readonly antialias: boolean;
   /** Samples along the ground as it is seen at a grazing angle. */
@@ -10,7 +10,7 @@ const QUICK: Quality = { antialias: false, anisotropy: 1 };
 
 const BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
-/** What the machine keeps up with, by the name of what draws; a browser that hides the name is taken to draw with a GPU. */
+/** What the machine keeps up with, by the renderer's name; a browser that hides it is assumed to draw with a GPU. */
 export function qualityFor(document: Document): Quality {
   const gl = document.createElement('canvas').getContext('webgl2');
   if (gl === null) return QUICK;

@@ -18,7 +18,7 @@ import { createShipMaterial } from './ships/shipMaterial';
 import { createSky } from './sky/sky';
 import { createSunlight } from './sky/sunlight';
 
-/** Everything that is drawn, and what draws it. Made once; the GPU's part of it is given back by `disposeParts`. */
+/** Everything that is drawn, and the renderer. Created once; `disposeParts` releases the GPU's memory. */
 export type SceneParts = ReturnType<typeof createParts>;
 
 /** @throws where there is no WebGL 2 */

@@ -12,11 +12,11 @@ import { lookOf } from './sky/bodyLook';
 import { type SceneLook, underSun } from './sky/underSun';
 import { createCone, type ViewCone } from './camera/viewCone';
 
-/** Where the eye starts: from the shadow's side, a little above the ground. */
+/** The eye's first direction from the ship, rad: on the shadow's side, a little above the ground. */
 export const FIRST_AZIMUTH = 1.9;
 export const FIRST_ELEVATION = 0.16;
 
-/** What the scene view keeps between pictures. */
+/** The scene view's state between pictures. */
 export interface SceneState {
   readonly parts: SceneParts;
   readonly actors: Actors;
@@ -36,11 +36,11 @@ export interface SceneState {
   sunElevation: number | null;
   cameraView: CameraView;
   watchedClass: string;
-  /** The clock of the picture before, s. */
+  /** Clock of the last picture, s; NaN before the first. */
   before: number;
 }
 
-/** The frame that is laid: every step after `rebuildIfNeeded` (laying.ts) has one. */
+/** The current frame: every step after `rebuildIfNeeded` (laying.ts) has one. */
 export const frameOf = (state: SceneState) => state.frame!;
 
 export function createState(parts: SceneParts): SceneState {

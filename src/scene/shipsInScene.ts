@@ -6,14 +6,14 @@ import { poseActors } from './ships/actors';
 import { placeJets, type ShipActor } from './ships/shipActor';
 import { coneMeets } from './camera/viewCone';
 
-/** What a crash raises, as a touch at this speed would, m/s. */
+/** A crash raises as much dust as a touch at this speed, m/s. */
 const CRASH_SPEED = 50;
 /** No ship is larger than this around its centre of mass, m. */
 const SHIP_REACH = 30;
 /** With more ships than this only the own one raises dust. */
 const MAX_DUSTY = 12;
 
-/** Poses the ships of the watched one's body; what they raise and lose begins. `seconds` since the picture before. */
+/** Poses the ships near the watched one's body and starts their dust and crashes. `seconds` since the last picture. */
 export function poseShips(state: SceneState, view: WorldView, watched: ShipView, seconds: number): void {
   const { parts, turn } = state;
   const { jets, shipResources } = parts;
@@ -69,7 +69,7 @@ export function placeShips(state: SceneState, watched: ShipActor): void {
   shadows.finish();
 }
 
-/** How much of the sun reaches a ship whose centre of mass stands so far over the terrain's shadow, 0 … 1. */
+/** Share of the sun that reaches a ship whose centre of mass is `over` m above the terrain's shadow, 0 … 1. */
 function sunlitShare(over: number, height: number): number {
   return Math.min(Math.max(0.5 + over / (2 * height), 0), 1);
 }

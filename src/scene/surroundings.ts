@@ -8,12 +8,12 @@ import { LEAST_HEIGHT } from './ships/shipActor';
 import { lookOf } from './sky/bodyLook';
 import { underSun } from './sky/underSun';
 
-/** A frame is laid anew this far from its origin, m: the tangent plane still fits the ground. */
+/** The frame is replaced this far from its origin, m: up to there the tangent plane fits the ground. */
 const FRAME_REACH = 20_000;
 /** Distance of the eye in heights of the centre of mass over the feet. */
 const FIRST_DISTANCE = 5.2;
 
-/** Another body, or a ship that has gone far: the ground is laid anew around it. */
+/** Builds the surroundings again for another body, or for a ship that has gone far. */
 export function rebuildIfNeeded(state: SceneState, view: WorldView, watched: ShipView): void {
   const body = view.bodies[watched.body]!;
   if (state.frame?.bodyName !== body.name || state.frame.radius !== body.radius) lay(state, view, watched);
@@ -22,7 +22,7 @@ export function rebuildIfNeeded(state: SceneState, view: WorldView, watched: Shi
   if (Math.hypot(state.point[0]!, state.point[2]!) > FRAME_REACH) lay(state, view, watched);
 }
 
-/** Lays everything around the ship anew, and turns the frame as its body is turned. */
+/** Builds everything around the ship, and turns the frame as its body is turned. */
 function lay(state: SceneState, view: WorldView, ship: ShipView): void {
   const { ground, rocks, light, sky, shipResources, dust, crash, shadows, groundMaterial, jets } =
     state.parts;
@@ -30,7 +30,7 @@ function lay(state: SceneState, view: WorldView, ship: ShipView): void {
   const look = (state.look = underSun(lookOf(body.name), state.sunElevation));
   toBodyAxes(state.point, body.attitude, ship.meshPosition);
   const frame = (state.frame = layFrame(body, state.point, look.sun));
-  ground.lay(frame, state.terrain);
+  ground.rebuild(frame, state.terrain);
   rocks.setGround(frame, state.terrain);
   light.paint(look, frame);
   paintGround(groundMaterial, look, light.direction);
@@ -43,12 +43,12 @@ function lay(state: SceneState, view: WorldView, ship: ShipView): void {
   crash.clear();
   releaseRig(state.rig);
   clearActors(state.actors, jets);
-  // The near ground stands before the first picture of it: a ship over a void is no place.
+  // All of the ground before the first picture of it: otherwise the ship would be over a void.
   toLocalPoint(state.point, frame, turnOfFrame(state.turn, frame, body.attitude), ship.meshPosition);
   ground.follow(state.point[0]!, state.point[2]!, Infinity);
 }
 
-/** Another class of ship is watched: another size, and another hull for its ghost. */
+/** Adapts camera and ghost when the watched ship has another class. */
 export function showWatchedClass(state: SceneState, watched: ShipView): void {
   const { shipClass } = watched;
   if (shipClass.name === state.watchedClass) return;

@@ -12,7 +12,7 @@ import { describeInBrowser, openBuiltPage, problemsOf } from './pages';
 const HEAVIEST = 300_000;
 /** What the page fetches only when it is asked for. */
 const ON_DEMAND =
-  /(help|plotting|replaying|sound|dock|settings|tabLink|bestRuns|realServer|frameJson)-[\w-]+\.(js|css)$/;
+  /(help|plotting|replaying|sound|dock|settings|tabLink|bestRuns|flightLink|realServer|frameJson)-[\w-]+\.(js|css)$/;
 
 /** How many different colours the stage alone shows, of the pixels on a grid of 16 pixels. */
 async function coloursOf(page: Page): Promise<number> {

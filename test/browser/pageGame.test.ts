@@ -10,7 +10,7 @@ function throttleOf(page: Page): Promise<number> {
 
 describeInBrowser('the game on the built page', () => {
   it('says what to do and with which keys, lands, tells what it was worth and what comes next', async () => {
-    const page = await openBuiltPage('?slow=2', FLUENT);
+    const page = await openBuiltPage('', FLUENT);
     await page.waitForSelector('html[data-ready=true]');
     const goal = await page.textContent('#goal');
     expect(goal).toContain('Land by the beacon, softer than 2 m/s.');

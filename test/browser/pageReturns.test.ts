@@ -7,8 +7,11 @@ describeInBrowser('the built page', () => {
   it('replays what it recorded, both ways, with the first divergence marked', async () => {
     const page = await openBuiltPage('?scenario=settle&slow=2', FLUENT);
     await untilStatus(page, 'landed');
+    // Slowly: the flight lasts for seconds of the game, and a slow display's frames are as far apart.
+    await page.getByLabel('Speed').selectOption('0.25');
     await page.getByRole('button', { name: 'Kick the ship' }).click();
     await untilStatus(page, 'flight');
+    await page.getByLabel('Speed').selectOption('2');
     await untilStatus(page, 'landed', 'tipped');
     await page.locator('summary', { hasText: 'Recording' }).click();
     await page.getByRole('button', { name: 'Replay' }).click();

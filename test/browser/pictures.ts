@@ -38,11 +38,11 @@ async function take(browser: Browser, url: string, picture: Picture, folder: str
   const slow = picture.at > 6 ? 1 : 0.1;
   await page.goto(`${url}?${picture.query}&picture=fine&slow=${slow}&freeze=${picture.at}`);
   // From the first report on the page listens to keys.
-  await page.waitForSelector('html[data-status]', { timeout: 60_000 });
+  await page.waitForSelector('html[data-status]', { timeout: 120_000 });
   if (!picture.panels) await page.keyboard.press('h');
-  await page.waitForSelector('html[data-frozen=true]', { timeout: 180_000 });
+  await page.waitForSelector('html[data-frozen=true]', { timeout: 400_000 });
   const path = join(folder, `${picture.name}.jpg`);
-  await page.screenshot({ path, type: 'jpeg', quality: 80, timeout: 60_000 });
+  await page.screenshot({ path, type: 'jpeg', quality: 80, timeout: 180_000 });
   console.log(`${picture.name}: ${(await page.getAttribute('html', 'data-status')) ?? ''}`);
   await context.close();
 }

@@ -1,9 +1,10 @@
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { afterEach, describe, expect, it, vi } from 'vitest';
+import { afterEach, describe, expect, it } from 'vitest';
 import { firstDifference, hashCase } from './compare';
 import { drawCase } from './drawCase';
+import type { ExactCase } from './exactCase';
 import { caseTerrain } from './playCase';
 import { MAY_SKIP, pythonVersion, replayInPython, SERVER_HOME, surveyInPython } from './python';
 import { heightsHere, surveyPoints } from './survey';
@@ -34,11 +35,21 @@ function brokenServer(file: string, expression: string, instead: string): string
   return home;
 }
 
+/** Cases that Python plays before it is asked for more: each of these laws is found out by most cases. */
+const BATCH = 12;
+
+/** The first case on which a broken server parts from the law, or null. */
+async function firstDiffering(broken: string): Promise<ExactCase | null> {
+  for (let from = 0; from < cases.length; from += BATCH) {
+    const theirs = await replayInPython(cases.slice(from, from + BATCH), broken);
+    const at = theirs.findIndex(({ hash }, i) => hash !== ours[from + i]!.hash);
+    if (at >= 0) return cases[from + at]!;
+  }
+  return null;
+}
+
 const HEX = String.raw`typescript 0x[0-9a-f]{16} \(.+\), python 0x[0-9a-f]{16} \(.+\)`;
 const REPORT = new RegExp(String.raw`^\S+: tick \d+ substep -?\d+: [a-z_ .]+: ${HEX}$`);
-
-// Other tests may have the machine's cores.
-vi.setConfig({ testTimeout: 120_000 });
 
 describe('a law that adds up in another order is found out', () => {
   withPython.each([
@@ -67,10 +78,9 @@ describe('a law that adds up in another order is found out', () => {
     ['ship_class.py', '(c * h - b * i) / determinant', '(c * h - b * i) * (1 / determinant)'],
   ])('%s: %s', async (file, expression, instead) => {
     const broken = brokenServer(file, expression, instead);
-    const theirs = await replayInPython(cases, broken);
-    const differing = cases.filter((_, i) => theirs[i]!.hash !== ours[i]!.hash);
-    expect(differing.length).toBeGreaterThan(0);
-    expect(await firstDifference(differing[0]!, { home: broken })).toMatch(REPORT);
+    const differing = await firstDiffering(broken);
+    expect(differing, `none of ${cases.length} cases differs`).not.toBeNull();
+    expect(await firstDifference(differing!, { home: broken })).toMatch(REPORT);
   });
 
   withPython('noise.py: c0 + (c1 - c0) * tz', async () => {

@@ -1,18 +1,18 @@
 import { createClient } from 'redis';
 import { createStack, type Stack } from '../../.ci/stack.mjs';
 
-/** A live stack with the hands of whoever operates it. */
+/** A running stack, and what its operator does to it. */
 export interface Operator {
   readonly stack: Stack;
-  /** Signs a pilot in; his address on /stream or /ws, through another port where one is given. */
+  /** Signs a pilot in. Returns the pilot's address on /stream or /ws, through another port where one is given. */
   readonly addressOf: (pilot: string, path: 'ws' | 'stream', port?: number) => Promise<string>;
   readonly tokenOf: (pilot: string) => Promise<string>;
   readonly set: (key: string, value: string) => Promise<void>;
-  /** Puts a pilot's ship anew over the landing site, falling at `speed` m/s from `height` m. */
+  /** Respawns a pilot's ship over the landing site, `height` m up and falling at `speed` m/s. */
   readonly drop: (pilot: string, height: number, speed: number) => Promise<void>;
-  /** All events of a ship that the service ever told, in order. */
+  /** All events of a ship in touchdown:events, in order. */
   readonly eventsOf: (shipId: string) => Promise<readonly ShipEvent[]>;
-  /** The newest frame that is in Redis. */
+  /** The newest frame in Redis; tick -1 without ships where there is none. */
   readonly frame: () => Promise<RedisFrame>;
   readonly stop: () => Promise<void>;
 }
@@ -41,7 +41,7 @@ function connectTo(url: string) {
 
 export async function startOperator(
   appendfsync: 'always' | 'no',
-  env: Record<string, string> = {},
+  serviceArgs: readonly string[] = [],
 ): Promise<Operator> {
   const accounts = Object.keys(PLACES).map((username) => ({
     username,
@@ -51,12 +51,11 @@ export async function startOperator(
   const gatewayEnv = {
     TOUCHDOWN_SECRET: SECRET,
     TOUCHDOWN_ACCOUNTS: JSON.stringify(accounts),
-    ...env,
   };
-  const stack = await createStack({ gatewayEnv, appendfsync });
+  const stack = await createStack({ gatewayEnv, appendfsync, serviceArgs });
   for (const one of [stack.redis, stack.service, stack.gateway]) await one.start();
 
-  /** One question, on a connection of its own: Redis may have died since the last. */
+  /** Asks on a connection of its own: Redis may have been restarted since the last question. */
   async function ask<T>(question: (redis: ReturnType<typeof connectTo>) => Promise<T>): Promise<T> {
     const redis = connectTo(stack.redisUrl);
     redis.on('error', () => undefined);

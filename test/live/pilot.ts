@@ -1,7 +1,13 @@
 import { WebSocket } from 'ws';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
 import { openServer } from '../../src/playground/server/realServer';
-import { createPredictor, type EventNotice, type Predictor, type WorldView } from '../../src/prediction';
+import {
+  createPredictor,
+  type EventNotice,
+  type Predictor,
+  type PredictorOptions,
+  type WorldView,
+} from '../../src/prediction';
 import type { PartialFrame } from '../../src/wire';
 
 /** A page without its picture: link, predictor and sixty frames a second, on the machine's clock. */
@@ -10,10 +16,10 @@ export interface LivePilot {
   readonly view: () => WorldView;
   readonly frames: () => readonly PartialFrame[];
   readonly notices: readonly EventNotice[];
-  /** The link's words, in order. */
+  /** The link's status texts, in order. */
   readonly words: readonly string[];
   readonly trouble: readonly string[];
-  /** Calls `look` after each drawn frame until it says true. */
+  /** Calls `look` after each drawn frame until it returns true. */
   readonly fly: (look: (view: WorldView, now: number) => boolean) => Promise<void>;
   readonly dispose: () => void;
 }
@@ -22,7 +28,7 @@ const FRAME = 1000 / 60;
 /** Server frames kept: one flight. */
 const KEPT = 4000;
 
-/** As a browser's: an error is told by its close alone. */
+/** Like a browser's WebSocket: an error shows as a close alone. */
 class PageSocket extends WebSocket {
   constructor(address: string) {
     super(address);
@@ -30,10 +36,10 @@ class PageSocket extends WebSocket {
   }
 }
 
-export function startPilot(address: string): LivePilot {
+export function startPilot(address: string, options: PredictorOptions = {}): LivePilot {
   (globalThis as { WebSocket: unknown }).WebSocket = PageSocket;
   const now = () => performance.now() / 1000;
-  const predictor = createPredictor();
+  const predictor = createPredictor(options);
   const notices: EventNotice[] = [];
   predictor.onEvent((notice) => notices.push(notice));
   const frames: PartialFrame[] = [];

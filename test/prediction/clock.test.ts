@@ -1,12 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import {
   createClock,
+  jitterOf,
   leadOf,
   sampleDown,
   samplePong,
   serverTime,
   steerByMargin,
 } from '../../src/prediction/time/clock';
+import { boundBothSides, createOffsetBounds } from '../../src/prediction/time/offsetBounds';
 import { advanceClock } from '../../src/prediction/time/present';
 import { createRandom } from '../../src/scenarios';
 
@@ -96,6 +98,42 @@ describe('the clock', () => {
     expect(leadOf(clock) - before).toBeCloseTo(0.035, 9);
     steerByMargin(clock, 0.2, clock.steer, now + 4);
     expect(leadOf(clock) - before).toBeCloseTo(0.035, 9);
+  });
+
+  it('does not take one or two resent packets among few for jitter', () => {
+    let pings = 0;
+    const rng = createRandom(5);
+    // 3 of 40 wait for 0.2 s, which is more than one in twenty.
+    const up = () => 0.05 + 0.01 * rng() + (pings++ % 13 === 12 ? 0.2 : 0);
+    const { clock } = run(8, { up, down: () => 0.05 });
+    expect(jitterOf(clock)).toBeLessThan(0.025);
+  });
+
+  it('keeps true bounds where answers waited in a queue while the clocks drifted', () => {
+    const bounds = createOffsetBounds();
+    const offset = (now: number) => 100 - 5e-4 * now;
+    // Nothing comes down for a minute; then every answer comes at once.
+    for (let pinged = 0; pinged < 60; pinged += 0.2)
+      boundBothSides(bounds, { pinged, answered: pinged + 0.002 - offset(pinged), now: 60 }, 0);
+    expect(bounds.lower).toBeLessThanOrEqual(offset(60));
+    expect(bounds.lower).toBeGreaterThan(offset(60) - 0.01);
+    expect(bounds.upper).toBeGreaterThanOrEqual(offset(60));
+  });
+
+  it('is drawn where a server stands, until the server is heard to go on', () => {
+    const { clock, now } = run(6, { up: () => 0.3, down: () => 0.3 });
+    const stood = now - 100;
+    for (let i = 0; i < 300; i++) {
+      const at = now + 2 + i / 60;
+      if (i % 12 === 0) samplePong(clock, at - 0.6, { at: stood, standing: true }, at);
+      advanceClock(clock, at, PACING);
+    }
+    expect(Math.abs(clock.present - (stood + leadOf(clock)))).toBeLessThan(2 * SUBSTEP);
+    // It goes on, and its next tick arrives 0.3 s later.
+    sampleDown(clock, stood, now + 7.1);
+    advanceClock(clock, now + 7.1, PACING);
+    expect(clock.present - (stood + leadOf(clock))).toBeGreaterThanOrEqual(0.3);
+    expect(clock.present - (stood + leadOf(clock))).toBeLessThan(0.5);
   });
 
   it('takes half an assumed round trip where no pong ever comes', () => {

@@ -57,6 +57,54 @@ function heights(given: GroundPose, ground: DrawnGround): number[] {
   });
 }
 
+/** A plane of so many degrees of slope along x, through the sphere at the pole of z. */
+function planeOf(degrees: number): DrawnGround {
+  const tangent = Math.tan((degrees * Math.PI) / 180);
+  return {
+    bodyName: 'Moon',
+    radius: RADIUS,
+    // Points p with p_z − tangent p_x = RADIUS.
+    terrainHeight: (_, nx, _ny, nz) => RADIUS / (nz - tangent * nx) - RADIUS,
+  };
+}
+
+describe('a ship that stands flush on a slope', () => {
+  it.each([0, 10, 25])('of %i° has its four feet on it', (degrees) => {
+    const out = createGroundedPose(LEGS);
+    // The law puts the centre of mass h above the ground, measured along the local up.
+    const given = pose(h, -degrees, true);
+    snapToGround(out, given, hull, planeOf(degrees));
+    const half = (-degrees * Math.PI) / 360;
+    const [cos, sin] = [1 - 2 * Math.sin(half) ** 2, 2 * Math.sin(half) * Math.cos(half)];
+    for (let leg = 0; leg < LEGS; leg++) {
+      const [x, , z] = hull.feet.subarray(leg * 3, leg * 3 + 3);
+      const pressed = z! + out.legCompression[leg]!;
+      const px = out.position[0]! + cos * x! + sin * pressed;
+      const pz = out.position[2]! + cos * pressed - sin * x!;
+      const off = (pz - RADIUS) * cos + px * sin;
+      expect(Math.abs(off), `leg ${String(leg)}`).toBeLessThan(2e-3);
+    }
+  });
+});
+
+describe('the hull of a ship with a contact offset of its own', () => {
+  it.each([0, 2.5, 7])('of %f m has its feet there, and the class’s shape', (own) => {
+    const moved = hullOf(shipClass, own);
+    for (let leg = 0; leg < LEGS; leg++) expect(moved.feet[leg * 3 + 2]).toBe(-own);
+    for (let i = 2; i < hull.outline.length; i += 3)
+      expect(moved.outline[i]! - hull.outline[i]!).toBeCloseTo(h - own, 12);
+    const out = createGroundedPose(LEGS);
+    snapToGround(out, pose(own, 0, true), moved, level);
+    expect(out.lift).toBeCloseTo(0, 3);
+    expect(hullOf(shipClass, own)).toBe(moved);
+  });
+
+  it('is not that of its class', () => {
+    expect(hullOf(shipClass, h)).toBe(hull);
+    expect(hullOf(shipClass, h + 1)).not.toBe(hull);
+  });
+});
+
 describe('snapToGround', () => {
   const tilts = [0, 5, 20, 36, 60, 80, 90, 120, 180];
 

@@ -5,6 +5,21 @@ import { FIRST_TICK } from './literalServer/literalServer';
 import { dot, length, minus, rotate, rotationBy, scale } from './literalServer/vectors';
 import { SHIP } from './rig';
 
+describe('a server that runs ten times as fast', () => {
+  it('is drawn without jumps: what counts as too far to be eased is game time, not the wall’s', () => {
+    const difference = CASES.find(({ name }) => name === 'time scale 10 not told')!;
+    const rig = createLiteralRig({ scenario: 'slide', hz: 50, sends: 1, difference });
+    let snaps = 0;
+    for (let i = 0; i < 60 * 12; i++) {
+      const { diagnosis, own } = rig.frame();
+      // The first three states measure the time scale.
+      if (i === 60 * 5) snaps = diagnosis.snaps;
+      if (own?.crashed === true) break;
+    }
+    expect(rig.predictor.view(rig.now).diagnosis.snaps - snaps).toBe(0);
+  });
+});
+
 /** The server that others are held against is held against physics itself. */
 function truthOf(scenario: string, hz: number, seconds: number) {
   const rig = createLiteralRig({ scenario, hz, sends: 1, difference: CASES[0]! });

@@ -44,14 +44,16 @@ function refusal(ship: Partial<ShipState>, site = SITE): string {
 
 describe('the landing autopilot, in an authority from 200 m', () => {
   const bodies = ['Luna', 'Earth', 'Mars', 'Phobos'];
-  const classes = ['planetary_lander', 'fast_frigate'];
+  const classes = ['planetary_lander', 'fast_frigate'].map((name) =>
+    SHIP_CLASSES.find((known) => known.name === name)!,
+  );
 
   // Touches between 0.9 and 1.8 m/s today; the design asks for less than 3. Without and with a tick between state and controls.
   it.each(bodies.flatMap((body) => [1, 10, 50].map((tickRate) => [body, tickRate] as const)))(
     'lands softly on %s at %d Hz',
     (body, tickRate) => {
       for (const delay of [0, 1]) {
-        for (const shipClass of SHIP_CLASSES.filter(({ name }) => classes.includes(name))) {
+        for (const shipClass of classes) {
           const { maneuver, phases, ship, impact, touches } = flyDown({ body, tickRate, delay, shipClass });
           expect([maneuver.phase, maneuver.reason]).toEqual(['complete', '']);
           expect(phases.at(0)).toBe('descent');
@@ -121,6 +123,16 @@ describe('the landing maneuver', () => {
   it('completes on landed', () => {
     const landed = next({ surfaceContactState: 'landed' }, next({ surfaceContactState: 'contact' }));
     expect(landed).toEqual({ phase: 'complete', reason: '', controls: NEUTRAL_CONTROLS });
+  });
+
+  it('fails with the impact speed on a touch that is hard enough to bounce', () => {
+    const contact = { surfaceContactState: 'contact', landedBodyName: 'Luna' };
+    expect(next({ ...contact, contactImpactSpeed: 10 }).phase).toBe('touchdown');
+    const hit = next({ ...contact, contactImpactSpeed: 33.14 });
+    expect([hit.phase, hit.reason]).toEqual(['failed', 'hit Luna at 33.1 m/s']);
+    expect(
+      next({ ...contact, contactImpactSpeed: 33.14 }, BEGIN_LANDING, { ...SITE, bounceSpeed: 40 }).phase,
+    ).toBe('touchdown');
   });
 
   it('fails with a reason on tipped and on crashed', () => {

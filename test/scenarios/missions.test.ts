@@ -34,7 +34,9 @@ describe('missions', () => {
     '%s can be begun, and its pads lie on its ground',
     (_, mission) => {
       const loaded = valueOf(loadScenario(mission.scenario));
-      for (const place of padPlaces(mission, loaded)) {
+      const places = padPlaces(mission, loaded);
+      expect(places).toHaveLength(mission.pads.length);
+      for (const place of places) {
         const distance = Math.hypot(...place);
         const [x, y, z] = place.map((v) => v / distance) as [number, number, number];
         const ground = loaded.body.radius + loaded.terrainHeight(loaded.body.name, x, y, z);

@@ -11,7 +11,7 @@ import { createRig } from '../prediction/rig';
 const SUN = { elevation: 15, azimuth: 60 };
 const ALL = { ghost: true, errorSegment: true, contactNormal: true, footprint: true, forces: true };
 
-/** The overlays of a view, as the stage places them; the eye stands at the frame's origin. */
+/** The overlays of a view, as the scene view places them; the eye is at the frame's origin. */
 function laidOver(view: WorldView, ship: ShipView) {
   const body = view.bodies[ship.body]!;
   const frame = layFrame(body, ship.ghostPosition, SUN);
@@ -38,7 +38,7 @@ describe('overlays', () => {
     expect(places.error.length()).toBe(0);
   });
 
-  it('draws no segment for a correction of nought, however far the ship has flown since the server’s state', () => {
+  it('draws no segment without a correction, however far the ship has flown since the server’s state', () => {
     const rig = createRig({ scenario: 'slide', network: NETWORK_PRESETS.lan });
     rig.fly(2.9);
     const view = rig.view();
@@ -46,6 +46,31 @@ describe('overlays', () => {
     expect(places.ghost.distanceTo(places.ship)).toBeGreaterThan(3);
     expect(places.error.length()).toBeLessThan(1e-9);
   });
+
+  it.each([0, 10, 25, 40])(
+    'lays the footprint on a slope of %i°, below the feet of a ship that is flush with it',
+    (degrees) => {
+      const rig = createRig({ scenario: 'settle' });
+      rig.fly(6);
+      const view = rig.view();
+      const ship = view.own!;
+      const up = new Vector3(...ship.position).normalize();
+      const across = new Vector3(0.3, 0.5, -0.8).cross(up).normalize();
+      const normal = up.clone().applyAxisAngle(across, (degrees * Math.PI) / 180);
+      ship.groundNormal.set(normal.toArray());
+      const places = laidOver(view, ship);
+      expect((places.ground.angleTo(places.up) * 180) / Math.PI).toBeCloseTo(degrees, 4);
+      const fromFoot = places.footprint.clone().sub(places.foot);
+      expect(Math.abs(fromFoot.dot(places.ground))).toBeLessThan(1e-6);
+      expect(places.ship.clone().sub(places.footprint).cross(places.ground).length()).toBeLessThan(1e-3);
+      const overlays = createOverlays();
+      overlays.update(ALL, places);
+      const ring = overlays.group.children[2]!;
+      const axis = new Vector3(0, 0, 1).applyQuaternion(ring.quaternion);
+      expect(axis.angleTo(places.ground)).toBeLessThan(1e-6);
+      overlays.dispose();
+    },
+  );
 
   it('draws the segment from the drawn ship to where it is predicted', () => {
     const rig = createRig({ scenario: 'settle' });

@@ -23,10 +23,16 @@ export function isMissing(what: 'python' | 'redis'): boolean {
 /** Runs a module's tests; expects that there are some, that none is skipped and all pass. */
 export async function expectUnittest(module: string): Promise<void> {
   const { code, words } = await unittest(module);
-  expect(code, words).toBe(0);
+  expect(code, `${whatFailed(words)}\n${words}`).toBe(0);
   // "Ran 0 tests" would pass as well.
   expect(words).toMatch(/Ran [1-9]\d* tests? in/);
   expect(words).not.toContain('skipped');
+}
+
+/** The names of unittest's failures and what each raised, in one line. */
+function whatFailed(words: string): string {
+  const found = words.match(/^(FAIL|ERROR): .+|^\w*(Error|Exception|Interrupt)\b.*/gm) ?? [];
+  return found.join('; ');
 }
 
 function unittest(module: string): Promise<{ code: number | null; words: string }> {

@@ -1,18 +1,22 @@
 """What enters is checked by name."""
 
 import json
+import tempfile
 import unittest
+from array import array
 from copy import deepcopy
+from pathlib import Path
 from typing import Any
 
 from harness import SERVICE_HOME  # noqa: F401  (puts the service on the path)
 
 from touchdown_service.cases import load_case
 from touchdown_service.config import load_config
-from touchdown_service.galaxy import Tempo
+from touchdown_service.galaxy import Tempo, make_galaxy
 from touchdown_service.limits import Refusal
-from touchdown_service.records import load_controls_json
+from touchdown_service.records import body_of_record, load_controls_json
 from touchdown_service.tempo import next_tempo
+from touchdown_service.terrain import with_whole_paths
 
 WORLD = json.loads((SERVICE_HOME / "touchdown_service" / "world.json").read_text(encoding="utf-8"))
 
@@ -118,6 +122,54 @@ class Loading(unittest.TestCase):
         )
         tempo, refusals = next_tempo(now, {"game:tick_rate": "10", "game:time_sync": "true"}, 5.0)
         self.assertEqual((tempo.tick_rate, tempo.time_scale, refusals), (10.0, 1.05, []))
+
+
+class Heightmaps(unittest.TestCase):
+    """A world file that names heightmaps; `changes` are of the map of Luna, ... takes a field out."""
+
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        samples = array("h", [100 * row + column for row in range(4) for column in range(8)])
+        (self.folder / "luna.i16").write_bytes(samples.tobytes())
+
+    def height(self, direction: tuple[float, float, float], body: str = "Luna", **changes: Any) -> float:
+        grid = {"path": "luna.i16", "columns": 8, "rows": 4, "scale": 0.5, "reference_radius": 1737400.0} | changes
+        grid = {name: value for name, value in grid.items() if value is not ...}
+        bodies = [body_of_record(record, "bodies") for record in WORLD["bodies"]]
+        kept = {name: value for name, value in WORLD.items() if name != "bodies"}
+        definition = with_whole_paths(kept | {"terrain": "surveyed", "heightmaps": {body: grid}}, self.folder)
+        return make_galaxy(definition, bodies).world.terrain_height(body, *direction)
+
+    def refused(self, words: str, **changes: Any) -> None:
+        with self.assertRaises(Refusal) as caught:
+            self.height((0.0, 0.0, 1.0), **changes)
+        self.assertIn(words, str(caught.exception))
+
+    def test_heights_come_from_the_file(self) -> None:
+        # Latitude 0, longitude 0: row 2, column 0, in units of half a metre.
+        self.assertEqual(self.height((0.0, 0.0, 1.0)), 100.0)
+        self.assertEqual(self.height((0.0, 0.0, 1.0), reference_radius=1737410.0), 110.0)
+        self.assertEqual(self.height((0.0, 0.0, 1.0), interpolation="bicubic"), 100.0)
+
+    def test_what_cannot_be_used_is_refused_by_name(self) -> None:
+        self.refused("world.heightmaps.Luna.rows: missing", rows=...)
+        self.refused("world.heightmaps.Luna.columns: expected a whole number", columns=7.5)
+        self.refused("world.heightmaps.Luna.path: expected 80 bytes, 8 x 5 samples, got 64", rows=5)
+        self.refused("cannot be read: [Errno 2]", path="nowhere.i16")
+        self.refused("world.heightmaps.Luna.path: ", path="\0")
+        self.refused("world.heightmaps.Luna.path: expected a text", path=5)
+        self.refused("world.heightmaps.Luna.scale: expected a finite number", scale="0.5")
+        self.refused("world.heightmaps.Luna.reference_radius: expected >= 0.001 m", reference_radius=0)
+        self.refused("world.heightmaps.Luna.interpolation: expected one of 'bilinear', 'bicubic'", interpolation="cubic")
+        self.refused("world.heightmaps.Luna.row: no such field", row=4)
+        self.refused("world.heightmaps: expected one of", body="Lunar")
+
+    def test_a_built_in_name_is_not_a_name_for_heightmaps(self) -> None:
+        with self.assertRaises(Refusal) as caught:
+            make_galaxy({"terrain": "hills", "heightmaps": {}, "ship_classes": []}, [])
+        self.assertIn("world.terrain: expected a name of its own beside heightmaps", str(caught.exception))
 
 
 if __name__ == "__main__":

@@ -57,6 +57,9 @@ export function rotateAttitude(): void {
   q[ATTITUDE + 3] = w * perLength;
 }
 
+/** a · b below which two unit vectors oppose, 179.92° and more: there a × b is short, and its direction is lost to rounding. */
+const OPPOSED = -0.999999;
+
 /** ROTATION = the shortest rotation from unit FROM to unit TO: normalize(a × b, 1 + a·b), or half a turn where they oppose. */
 export function shortestRotation(): void {
   const q = quantities;
@@ -67,7 +70,7 @@ export function shortestRotation(): void {
   const by = q[TO + 1]!;
   const bz = q[TO + 2]!;
   const dot = ax * bx + ay * by + az * bz;
-  if (dot < -0.999999) {
+  if (dot < OPPOSED) {
     perpendicularAxis(FROM);
     q[ROTATION] = q[AXIS]!;
     q[ROTATION + 1] = q[AXIS + 1]!;
@@ -86,13 +89,16 @@ export function shortestRotation(): void {
   q[ROTATION + 3] = w * perLength;
 }
 
+/** |a_x| from which a is too near to x for a × x to serve as an axis; the cross product with y is then at least as long. */
+const NEAR_X = 0.9;
+
 /** AXIS = unit(a × x), x = (1,0,0), or (0,1,0) if |a_x| ≥ 0.9, of the unit vector a at `from`. */
 export function perpendicularAxis(from: number): void {
   const q = quantities;
   const ax = q[from]!;
   const ay = q[from + 1]!;
   const az = q[from + 2]!;
-  if (ax >= 0.9 || ax <= -0.9) {
+  if (ax >= NEAR_X || ax <= -NEAR_X) {
     const perLength = 1 / Math.sqrt(az * az + ax * ax);
     q[AXIS] = -az * perLength;
     q[AXIS + 1] = 0;

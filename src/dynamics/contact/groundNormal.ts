@@ -1,4 +1,5 @@
 import type { TerrainHeight } from '../constants/world';
+import { NEAR_POLE } from './slope';
 
 /** The ground of one body under one ship. */
 export interface GroundUnderShip {
@@ -17,7 +18,7 @@ export interface GroundUnderShip {
  */
 export function writeGroundNormal(out: Float64Array, normal: Float64Array, ground: GroundUnderShip): void {
   const [x, y, z] = normal as unknown as readonly [number, number, number];
-  const isNearPole = y >= 0.9 || y <= -0.9;
+  const isNearPole = y >= NEAR_POLE || y <= -NEAR_POLE;
   const length = isNearPole ? Math.sqrt(z * z + y * y) : Math.sqrt(z * z + x * x);
   const ax = isNearPole ? 0 : z / length;
   const ay = isNearPole ? -z / length : 0;

@@ -47,6 +47,9 @@ function turnBack(): void {
   q[ROTATION + 3] = perLength;
 }
 
+/** ‖s × up‖ up to which a tipped ship is upside down and s × up gives no direction. */
+const ON_ITS_HEAD = 1e-6;
+
 /** AXIS = unit(s × up), the axis the ship tips about; any one along the ground where it stands on its head. */
 function findAxis(): void {
   const q = quantities;
@@ -57,7 +60,7 @@ function findAxis(): void {
   const y = nz * q[AXES + 2]! - nx * q[AXES + 8]!;
   const z = nx * q[AXES + 5]! - ny * q[AXES + 2]!;
   const length = Math.sqrt(x * x + y * y + z * z);
-  if (length <= 1e-6) {
+  if (length <= ON_ITS_HEAD) {
     perpendicularAxis(END + SURFACE_NORMAL);
     return;
   }

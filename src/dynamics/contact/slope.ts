@@ -60,7 +60,7 @@ export function readSlope(surface: number, step: Step, bodyAxes: number): void {
 }
 
 /** Near the pole (Y of the body's axes) the first level direction is taken from X instead: p × n_b would be round-off there. */
-const NEAR_POLE = 0.9;
+export const NEAR_POLE = 0.9;
 
 /** LEVEL_1 = unit(p × n_b), p the pole or near it X; LEVEL_2 = n_b × LEVEL_1. Body's axes. */
 function findLevelDirections(to: number): void {

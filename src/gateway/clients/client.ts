@@ -2,6 +2,7 @@ import { WebSocket } from 'ws';
 import type { WorldEvent } from '../../wire';
 import type { Player } from '../accounts';
 import type { Removed } from '../redis/feed';
+import type { Said } from './speech';
 import {
   type Bucket,
   CLOSE,
@@ -23,6 +24,8 @@ export interface Client {
   readonly inputs: Bucket;
   /** null before it has signed in. */
   player: Player | null;
+  /** Messages that came while the token was being verified, in order; null where no sign-in is under way. */
+  early: Said[] | null;
   /** What the service tells its inputs by. */
   session: string;
   /** Of a protocol that numbers no inputs: the last number given. */
@@ -59,6 +62,7 @@ export function createClient(
     messages: createBucket(MESSAGES, now),
     inputs: createBucket(INPUTS, now),
     player: null,
+    early: null,
     session: '',
     seq: 0,
     shipId: null,

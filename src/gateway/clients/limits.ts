@@ -6,6 +6,8 @@ export const MAX_CLIENT_MESSAGE = 64 * 1024;
 export const MAX_STATE = 64 * 1024;
 /** Wall s for a client to sign in. */
 export const AUTH_WITHIN = 5;
+/** Messages kept while a client's token is verified; later ones are dropped. */
+export const MAX_EARLY = 32;
 /** Messages a second, and how many at once. */
 export const MESSAGES = { perSecond: 60, burst: 120 };
 /** Input records a second on /stream, and how many at once: after an outage a client sends its last seconds again. */

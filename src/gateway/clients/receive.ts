@@ -1,7 +1,7 @@
 import type { InputRecord, WorldEvent } from '../../wire';
 import { type Client, countExcess, dismiss } from './client';
-import type { Place } from '../gateway';
-import { CLOSE, take } from './limits';
+import type { Place } from '../place';
+import { CLOSE, MAX_EARLY, take } from './limits';
 import { errorText, pongBytes, readBytes, readText, type Said } from './speech';
 import { sayHello, tellOne } from './tell';
 
@@ -16,18 +16,29 @@ export function receive(place: Place, client: Client, data: Buffer, isBinary: bo
     return;
   }
   const said = isBinary ? readBytes(new Uint8Array(data)) : readText(data.toString());
-  if (client.player === null && said.kind !== 'auth') {
-    dismiss(client, CLOSE.auth, 'Sign in first');
-    return;
-  }
-  act(place, client, said);
+  if (client.player !== null) act(place, client, said);
+  else if (client.early !== null) {
+    if (client.early.length < MAX_EARLY) client.early.push(said);
+  } else if (said.kind === 'auth') beginSignIn(place, client, said);
+  else dismiss(client, CLOSE.auth, 'Sign in first');
+}
+
+/** Messages that follow the sign-in at once wait until the token has been verified. */
+function beginSignIn(place: Place, client: Client, auth: Said & { kind: 'auth' }): void {
+  client.early = [];
+  signIn(place, client, auth)
+    .then(() => {
+      const { early, player } = client;
+      client.early = null;
+      if (player !== null) for (const said of early ?? []) act(place, client, said);
+    })
+    .catch(() => dismiss(client, CLOSE.auth, 'Sign-in failed'));
 }
 
 function act(place: Place, client: Client, said: Said): void {
   switch (said.kind) {
     case 'auth':
-      if (client.player === null)
-        signIn(place, client, said).catch(() => dismiss(client, CLOSE.auth, 'Sign-in failed'));
+      // Signed in already.
       break;
     case 'ping':
       answerPing(place, client, said.id);
@@ -60,7 +71,7 @@ async function signIn(
     return;
   }
   const missed = since === null || client.protocol === 'json' ? [] : await eventsSince(place, since);
-  if (client.socket.readyState !== client.socket.OPEN || client.player !== null) return;
+  if (client.socket.readyState !== client.socket.OPEN) return;
   for (const timer of client.timers) clearTimeout(timer);
   client.timers.clear();
   client.player = player;

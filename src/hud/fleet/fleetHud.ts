@@ -1,5 +1,6 @@
 import { FLEET_ORDER, type FleetReadout, STATUS_LOOKS, type StatusId } from '../../readout';
 import { createFrame, type HudAppearance } from '../appearance';
+import { checked, requireHost } from '../checks';
 import { append } from '../elements';
 import { createFleetRow, type FleetRowElement } from './fleetRow';
 import type { Hud } from '../landing/landingHud';
@@ -19,6 +20,7 @@ export function createFleetHud(
   host: Element | ShadowRoot,
   options: HudAppearance = {},
 ): Hud<FleetReadout> {
+  requireHost(document, host, { ...options });
   const { root, panel, dispose } = createFrame(document, 'fleet', 'Fleet', options);
   const header = append(panel, 'header', 'td-fleet-header');
   append(header, 'h2', '', 'Fleet');
@@ -60,8 +62,9 @@ export function createFleetHud(
   // Asking for the height at every paint would make the browser lay the page out each time.
   const watcher = document.defaultView === null ? null : new document.defaultView.ResizeObserver(look);
   watcher?.observe(scroller);
-  return {
-    paint: (readout) => {
+  const hud = {
+    ...({ root, member: 'counts', madeBy: 'updateFleetReadout' } as const),
+    paint: (readout: FleetReadout) => {
       newest = readout;
       paintCounts(readout);
       paintRows(readout);
@@ -71,6 +74,7 @@ export function createFleetHud(
       dispose();
     },
   };
+  return checked(hud, options.onWarning);
 }
 
 /** px of a rem. */

@@ -7,7 +7,7 @@ const RADIUS = 40;
 const PER_DEGREE = RADIUS / 90;
 
 /**
- * The attitude ball, seen along the thrust axis from behind: the zenith mark lies in the middle when the ship is upright, and moves
+ * The attitude ball, seen along the thrust axis from behind: the zenith mark is in the middle when the ship is upright, and moves
  * away from the side that leans down. Beside it heading, pitch and the fullest reaction wheel.
  */
 export function createAttitudeBall(parent: Element): (flight: FlightReadout) => void {

@@ -1,4 +1,5 @@
 import { createFrame, type HudAppearance } from '../appearance';
+import { checked, requireHost } from '../checks';
 import type { FlightReadout, LandingAids, TargetReadout } from '../../readout';
 import type { Hud } from '../landing/landingHud';
 import { createAidsPanel } from './aidsPanel';
@@ -19,7 +20,7 @@ export interface FlightPanels {
 }
 
 export interface FlightHudOptions extends HudAppearance {
-  /** Names the key of a mode; '' when it has none. Asked anew at every paint. */
+  /** Names the key of a mode; '' when it has none. Called at every paint. */
   readonly keyLabel?: (key: FlightKey) => string;
 }
 
@@ -32,6 +33,7 @@ export function createFlightHud(
   host: Element | ShadowRoot,
   options: FlightHudOptions = {},
 ): Hud<FlightPanels> {
+  requireHost(document, host, { ...options });
   const { root, panel, dispose } = createFrame(document, 'flight', 'Flight', options);
   const paintLever = createEngineLever(panel);
   const paintFuel = createFuelPanel(panel);
@@ -40,8 +42,9 @@ export function createFlightHud(
   const paintAids = createAidsPanel(panel);
   const paintDial = createApproachDial(panel);
   host.append(root);
-  return {
-    paint({ flight, aids, target, autopilot, aidsOn }) {
+  const hud = {
+    ...({ root, member: 'flight', madeBy: 'updateFlightReadout, as flight,' } as const),
+    paint({ flight, aids, target, autopilot, aidsOn }: FlightPanels) {
       paintLever(flight);
       paintFuel(flight);
       paintBall(flight);
@@ -51,4 +54,5 @@ export function createFlightHud(
     },
     dispose,
   };
+  return checked(hud, options.onWarning);
 }

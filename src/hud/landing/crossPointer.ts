@@ -65,7 +65,7 @@ function createLean(picture: Element): (tilt: Tilt) => void {
   };
 }
 
-/** Cosine of 20°: nearer than this the wedge lies on the letter. */
+/** Cosine of 20°: closer than this the wedge covers the letter. */
 const COVERED = 0.94;
 
 function createLetter(picture: Element, text: string, x: number, y: number): (covered: string) => void {

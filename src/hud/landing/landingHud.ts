@@ -1,6 +1,7 @@
 import type { LandingReadout } from '../../readout';
 import { createAnnouncer } from '../announcer';
 import { createFrame, type HudAppearance } from '../appearance';
+import { checked, requireHost } from '../checks';
 import { createCrossPointer } from './crossPointer';
 import { createDescentPanel } from './descentPanel';
 import { append } from '../elements';
@@ -38,6 +39,7 @@ export function createCockpitLandingHud(
   host: Element | ShadowRoot,
   options: LandingHudOptions = {},
 ): Hud<LandingReadout> {
+  requireHost(document, host, { ...options });
   const { root, panel, dispose } = createFrame(document, 'landing', 'Landing', options);
   const paintStatus = createStatusSlot(panel);
   const paintTilt = createTiltPanel(panel);
@@ -53,8 +55,9 @@ export function createCockpitLandingHud(
   const announce = createAnnouncer(panel);
   host.append(root);
   const unwatch = scrollWhereShort(parts, 'Landing, further down');
-  return {
-    paint: (readout) => {
+  const hud = {
+    ...({ root, member: 'descent', madeBy: 'updateLandingReadout' } as const),
+    paint: (readout: LandingReadout) => {
       paintStatus(readout);
       paintTilt(readout);
       paintDrift(readout.drift, readout.tilt);
@@ -70,4 +73,5 @@ export function createCockpitLandingHud(
       dispose();
     },
   };
+  return checked(hud, options.onWarning);
 }

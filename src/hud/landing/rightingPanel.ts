@@ -10,12 +10,12 @@ import {
 import { append } from '../elements';
 import { showAttribute, showNumber, showPart, showText } from '../shown';
 
-/** The text on the key that an action is bound to now; '' when it has none. Asked anew at every paint. */
+/** The text on the key that an action is bound to now; '' when it has none. Called at every paint. */
 export type KeyLabel = (action: HintAction) => string;
 
 /**
  * The controls that turn the ship about its own axes now, better one first: a page whose keys follow the camera says which they are.
- * What stands on each, and in words what it does.
+ * The text printed on each, and in words what it does.
  */
 export type TurnKeys = (actions: readonly RotationAction[]) => readonly TurnKey[];
 
@@ -125,7 +125,7 @@ function createKey(parent: Element, keyLabel: KeyLabel): (action: HintAction | '
   };
 }
 
-/** `55 kN m of 142 kN m`: what is needed of what there is, as in every line. */
+/** `55 kN m of 142 kN m`: needed of available, as in every line. */
 function createTorque(parent: Element): (righting: Righting) => void {
   const line = append(parent, 'p', 'td-need');
   append(line, 'span', 'td-label', 'TORQUE');
@@ -141,7 +141,7 @@ function createTorque(parent: Element): (righting: Righting) => void {
   };
 }
 
-/** `39 kg of 7 200 kg` from the law run ahead. */
+/** `39 kg of 7 200 kg`, from running the dynamics ahead. */
 function createFuel(parent: Element): (righting: Righting) => void {
   const line = append(parent, 'p', 'td-need');
   append(line, 'span', 'td-label', 'FUEL');
@@ -172,7 +172,7 @@ function createMark(line: Element): (met: 'true' | 'false' | 'unknown') => void 
   };
 }
 
-/** Only where the ship cannot be righted as it is: that it cannot, and what may help. */
+/** Shown only where the ship cannot be righted as it is: says so, and what may help. */
 function createVerdict(parent: Element, keyLabel: KeyLabel): (righting: Righting) => void {
   const line = append(parent, 'p', 'td-verdict');
   const paintText = showText(append(line, 'span'));
@@ -194,8 +194,8 @@ function createVerdict(parent: Element, keyLabel: KeyLabel): (righting: Righting
 }
 
 function verdict({ possible, help }: Righting): string {
-  if (possible) return 'In simulation it does not land: too little fuel, or it falls over again.';
-  if (help === 'translation') return 'Too heavy as it lies. Take weight off its feet with';
-  if (help === 'lighter') return 'Too heavy as it is. Burn fuel until it weighs less than';
+  if (possible) return 'In simulation the ship does not stay upright: it runs out of fuel or falls over.';
+  if (help === 'translation') return 'Too heavy to turn. Take weight off its feet with';
+  if (help === 'lighter') return 'Too heavy to turn. Burn fuel until it weighs less than';
   return 'It cannot be righted here: nothing on board can turn this weight.';
 }

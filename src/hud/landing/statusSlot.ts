@@ -36,7 +36,7 @@ export function createStatusSlot(parent: Element): (readout: LandingReadout) => 
   };
 }
 
-/** Made anew only where a part of it changed: the age alone does ten times a second. */
+/** The text is made only when a part of it changed: the age alone changes ten times a second. */
 function createProvenance(parent: Element): (readout: LandingReadout) => void {
   const paint = showText(parent);
   let kind = '';

@@ -36,7 +36,7 @@ export function createTiltGauge(parent: Element): (tilt: Tilt) => void {
   };
 }
 
-/** The arc in four parts, settles, rocks back, topples, lies, with marks between; bare until a ship gives them. */
+/** The arc in four parts (settles, rocks back, topples, tipped) with marks between; without parts until a ship gives the angles. */
 function createScale(picture: Element): (tilt: Tilt) => void {
   appendSvg(picture, 'path', { class: 'td-zone', d: arc(0, DIAL_END) });
   const zones = ['settled', 'leaning', 'toppling', 'tipped'].map((zone) =>

@@ -10,7 +10,7 @@ import { type Acts, createActs } from './actions';
 import { createCameraSwitch } from '../view/cameraSwitch';
 import { createChooser } from './chooser';
 import { keyCapOf, wireCockpit } from './words/controlWords';
-import { createFlightLink, type FlightLink } from './flightLink';
+import type { FlightLink } from './flightLink';
 import { createLive, type Live } from './live';
 import { createMissionGame, type MissionGame } from './mission/missionGame';
 import type { Page } from './pageParts';
@@ -125,8 +125,21 @@ function wireActs(page: Page, parts: Parts): Acts {
   });
 }
 
+/** The code of flight links is loaded when the first one is asked for. */
 function wireFlightLink({ choices, address, notice }: Page, parts: Parts): FlightLink {
-  return createFlightLink({ live: () => parts.live, choices: () => choices, address, notice });
+  let link: FlightLink | null = null;
+  const use = (act: (loaded: FlightLink) => void) => {
+    import('./flightLink').then(
+      ({ createFlightLink }) =>
+        act((link ??= createFlightLink({ live: () => parts.live, choices: () => choices, address, notice }))),
+      () => notice.tell('Part of the page did not load. Check the network and try again.'),
+    );
+  };
+  return {
+    copy: () => use(({ copy }) => copy()),
+    take: (inputs) => link?.take(inputs) ?? false,
+    copyOf: (recording) => use(({ copyOf }) => copyOf(recording)),
+  };
 }
 
 /** The world as it is chosen; while a recording plays, the flight that it holds. */

@@ -27,8 +27,17 @@ function checkBody(warn: Warn, body: BodyState): void {
     warn('body-unusable', message, { body: name, field, value });
     return;
   }
+  const attitude = (body as Partial<BodyState>).attitude ?? [1];
+  if (Math.abs(Math.hypot(...attitude) - 1) > 1e-3)
+    warn(
+      'attitude-not-unit',
+      `The attitude of body ${name} has length ${Math.hypot(...attitude)}: expected a unit quaternion [x, y, z, w].`,
+      {
+        ...{ field: `body ${name}`, value: attitude },
+      },
+    );
   const density = mass / ((4 / 3) * Math.PI * radius ** 3);
-  if (density < LEAST_DENSITY || density > MOST_DENSITY)
+  if (!(density >= LEAST_DENSITY && density <= MOST_DENSITY))
     warn('body-density', `Body ${name} weighs ${density} kg/m³: mass in kg, radius in m (not km)?`, {
       body: name,
       mass,

@@ -15,6 +15,9 @@ export interface Calls {
   advancedAt: number;
   receivedAt: number;
   takenAt: number;
+  /** Tick and arrival of the first frame; NaN before. */
+  firstTick: number;
+  firstAt: number;
 }
 
 export function createCalls(): Calls {
@@ -22,6 +25,7 @@ export function createCalls(): Calls {
     ...{ advances: 0, views: 0, frames: 0, unseen: 0 },
     ...{ repeated: 0, millisecondGaps: 0, slowGaps: 0 },
     ...{ advancedAt: Number.NaN, receivedAt: Number.NaN, takenAt: 0 },
+    ...{ firstTick: Number.NaN, firstAt: Number.NaN },
   };
 }
 
@@ -29,7 +33,7 @@ export function createCalls(): Calls {
 const ROW = 10;
 /** s between two display frames: below it a page draws, above it nobody does, and milliseconds look like this. */
 const SLOW_GAP = 0.15;
-const HIDDEN_GAP = 1;
+const HIDDEN_GAP = 5;
 const MILLISECOND_GAP = 4;
 const LONGEST_GAP = 300;
 /** s by which the clocks of two callers of one predictor may be apart. */
@@ -72,6 +76,7 @@ export function noteFrame(warn: Warn, calls: Calls, frame: PartialFrame, now: nu
         frames: calls.frames,
       },
     );
+  noteRate(warn, calls, frame, now);
   const ships = Array.isArray(frame.ships) ? frame.ships : [];
   const isThere = own === '' || ships.some((ship) => (ship as ShipState | null)?.shipId === own);
   calls.unseen = isThere ? 0 : calls.unseen + 1;
@@ -82,8 +87,30 @@ export function noteFrame(warn: Warn, calls: Calls, frame: PartialFrame, now: nu
     });
 }
 
+/** Warns of a tick rate that is not the one at which ticks come: a period for a rate, milliseconds for seconds. */
+function noteRate(warn: Warn, calls: Calls, { tick, tickRate, paused }: PartialFrame, now: number): void {
+  if (Number.isNaN(calls.firstTick) || tick < calls.firstTick || paused === true) {
+    calls.firstTick = tick;
+    calls.firstAt = now;
+  }
+  const seconds = now - calls.firstAt;
+  const come = (tick - calls.firstTick) / seconds;
+  if (typeof tickRate !== 'number' || calls.frames < ROW || !(seconds >= MEASURED)) return;
+  if (come < tickRate * OTHER_RATE && come * OTHER_RATE > tickRate) return;
+  const message = `tickRate is ${tickRate} Hz, and ticks come at ${come.toPrecision(3)} a second: hand in ticks per second, not their length.`;
+  warn('tick-rate', message, { tickRate, measured: come });
+}
+
+/** s over which the rate of ticks is measured, and by how many times it may differ from what is told: a stall is no other rate. */
+const MEASURED = 3;
+const OTHER_RATE = 5;
+
 /** `view` was called. */
-export function noteView(warn: Warn, calls: Calls): void {
+export function noteView(warn: Warn, calls: Calls, now: number): void {
+  if (calls.advances > 0 && Math.abs(now - calls.advancedAt) > CLOCKS_APART) {
+    const details = { now, advancedAt: calls.advancedAt };
+    warn('two-clocks', 'advance and view are given times of two clocks: use one for both.', details);
+  }
   calls.views += 1;
   if (calls.views === ROW && calls.advances === 0 && calls.frames > 0)
     warn('advance-never', 'view is called and advance never: it shows nothing until advance is called.', {

@@ -5,12 +5,13 @@ import { type Calls, createCalls, noteAdvance, noteFrame, noteUntaken, noteView 
 import { checkControls } from './controls';
 import { checkKind, checkMessage } from './messages';
 import { checkOptions } from './options';
+import { checkTerrains } from './terrains';
 
 /** Looks at what a caller hands in, and warns (ERRORS.md). Changes nothing; not there unless someone listens. */
 export interface Checks {
   readonly receive: (message: ServerMessage | PartialFrame, now: number) => void;
   readonly advance: (controls: Controls | null, now: number) => void;
-  readonly view: () => void;
+  readonly view: (now: number) => void;
   readonly taken: () => void;
 }
 
@@ -38,7 +39,7 @@ export function createChecks(session: Session): Checks | null {
         warn('controls-without-ship', message, { controls });
       }
     },
-    view: () => noteView(warn, calls),
+    view: (now) => noteView(warn, calls, now),
     taken: () => (calls.takenAt = calls.advances),
   };
 }
@@ -51,7 +52,21 @@ function lookAtMessage(
 ): void {
   const { warn, config, receiver } = session;
   if (!checkKind(warn, message)) return;
-  if (message.kind === 'frame' && Number.isFinite(now))
+  if (message.kind === 'frame' && Number.isFinite(now)) {
     noteFrame(warn, calls, message, now, receiver.ownShipId);
+    checkAcknowledgement(session, message);
+    if (calls.frames === FRAMES_BEFORE) checkTerrains(session);
+  }
   if (calls.frames <= FIRST || calls.frames % SAMPLED === 0) checkMessage(warn, message, config.bodies);
 }
+
+/** Warns of an acknowledgement of more inputs than were made here. */
+function checkAcknowledgement({ warn, sim }: Session, { lastInput }: PartialFrame): void {
+  const { nextSeq } = sim.inputs;
+  if (lastInput === null || lastInput === undefined || nextSeq === 1 || !(lastInput.seq >= nextSeq)) return;
+  const message = `Input ${lastInput.seq} is acknowledged, and ${nextSeq - 1} were made here: two predictors on one connection, or a reloaded page without restore?`;
+  warn('acknowledgement-foreign', message, { seq: lastInput.seq, made: nextSeq - 1 });
+}
+
+/** Frames after which a hello would have come. */
+const FRAMES_BEFORE = 10;

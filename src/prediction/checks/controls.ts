@@ -1,6 +1,7 @@
-import { type Controls, loadControls, NEUTRAL_CONTROLS } from '../../dynamics';
+import { ATTITUDE_MODES, type Controls, loadControls, NEUTRAL_CONTROLS } from '../../dynamics';
 import type { Warn } from '../warnings';
-import { warnOfUnknown } from './names';
+import { describe } from './describe';
+import { nearestName, warnOfUnknown } from './names';
 
 const NAMING = {
   code: 'unknown-control',
@@ -12,20 +13,38 @@ const NAMING = {
 export function checkControls(warn: Warn, given: Controls | null): void {
   if (given === null) return;
   if (typeof given !== 'object') {
-    warn('controls-ignored', `controls: expected an object or null, got ${String(given)}.`, { value: given });
+    warn('controls-ignored', `controls: expected an object or null, got ${describe(given)}.`, {
+      value: given,
+    });
     return;
   }
   warnOfUnknown(warn, NAMING, given);
   const loaded = loadControls(given);
   if (!loaded.ok) {
-    const message = `The controls are ignored, the last good ones hold: ${loaded.reason}. Start from NEUTRAL_CONTROLS.`;
+    const message = `The controls are ignored, the last good ones hold: ${loaded.reason}. Start from NEUTRAL_CONTROLS, and set numbers and lists of numbers.`;
     warn('controls-ignored', message, { reason: loaded.reason, value: given });
     return;
   }
+  checkAttitude(warn, given);
   const { thrustLevel, translationInput, rotationInput } = given;
   const largest = Math.max(thrustLevel, ...[...translationInput, ...rotationInput].map(Math.abs));
   if (largest > 1 + 1e-9 || thrustLevel < 0) {
     const message = `Controls go from 0 (thrustLevel) or −1 to 1, got ${largest}: they are clamped. Percent?`;
     warn('controls-clamped', message, { value: given });
+  }
+}
+
+function checkAttitude(warn: Warn, { attitudeMode, targetAttitude }: Controls): void {
+  const modes: readonly string[] = ATTITUDE_MODES;
+  if (!modes.includes(attitudeMode)) {
+    const nearest = nearestName(attitudeMode, modes);
+    const hint = nearest === '' ? `Known are ${modes.join(', ')}.` : `Did you mean ${nearest}?`;
+    const message = `controls.attitudeMode is ${describe(attitudeMode)}, which is not known here: nothing turns the ship. ${hint}`;
+    warn('attitude-mode', message, { value: attitudeMode, nearest });
+  }
+  const length = Math.hypot(...targetAttitude);
+  if (Math.abs(length - 1) > 0.01) {
+    const message = `controls.targetAttitude has length ${length}: hand in a unit quaternion [x, y, z, w], not degrees.`;
+    warn('attitude-not-unit', message, { field: 'controls.targetAttitude', value: targetAttitude });
   }
 }

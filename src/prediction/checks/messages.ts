@@ -1,6 +1,7 @@
 import type { BodyState, PartialFrame, ServerMessage, ShipState } from '../../wire';
 import type { Warn } from '../warnings';
 import { checkBodies } from './bodies';
+import { describe, kindOf } from './describe';
 import { nearestName, warnOfUnknown } from './names';
 import { checkSettings } from './options';
 import { checkShip } from './ships';
@@ -30,10 +31,9 @@ const KINDS = ['hello', 'frame', 'pong'];
 
 /** Warns of a message that is none: not decoded, still in its Result, of a misspelt kind. Returns whether it may be one. */
 export function checkKind(warn: Warn, message: unknown): boolean {
-  if (typeof message === 'string' || ArrayBuffer.isView(message) || message instanceof ArrayBuffer) {
-    const text =
-      'receive was given what the socket gave: decode it first (decodeFrameJson, decodeServerMessage).';
-    warn('message-not-decoded', text, { value: message });
+  const undecoded = howToDecode(message);
+  if (undecoded !== '') {
+    warn('message-not-decoded', `receive was given ${describe(message)}: ${undecoded}.`, { value: message });
     return false;
   }
   if (typeof message !== 'object' || message === null) return false;
@@ -43,10 +43,23 @@ export function checkKind(warn: Warn, message: unknown): boolean {
     return false;
   }
   if (KINDS.includes(kind as string)) return true;
-  const nearest = nearestName(String(kind), KINDS);
+  const nearest = nearestName(describe(kind), KINDS);
   const hint = nearest === '' ? 'hello, frame or pong is expected' : `did you mean ${nearest}?`;
-  warn('message-kind', `A message is of kind ${String(kind)}: ${hint}.`, { kind, nearest });
+  const decode = kind === undefined ? ' A parsed JSON message goes through decodeFrameJson first.' : '';
+  warn('message-kind', `A message is of kind ${describe(kind)}: ${hint}.${decode}`, { kind, nearest });
   return false;
+}
+
+/** What has to be done before a message can be received; '' for what may be one. */
+function howToDecode(message: unknown): string {
+  if (typeof message === 'string') return 'parse it with JSON.parse, then decode it with decodeFrameJson';
+  if (typeof message !== 'object' || message === null) return '';
+  if (ArrayBuffer.isView(message) || kindOf(message) === 'ArrayBuffer')
+    return 'decode the bytes with decodeServerMessage';
+  if (kindOf(message) === 'Blob') return 'set socket.binaryType to "arraybuffer", and decode what comes then';
+  if (kindOf(message) === 'Promise') return 'await it first';
+  if ('data' in message && !('kind' in message)) return 'an event holds the message in .data: decode that';
+  return '';
 }
 
 /** Warns of what in a message nobody reads, or cannot be. `bodies`: the world's, where the frame tells none. */
@@ -71,12 +84,28 @@ export function checkMessage(
     });
     return;
   }
+  checkIds(warn, ships);
   for (const ship of ships as readonly ShipState[]) {
     if (isSnake(ship)) {
       const text =
         'A ship has ship_id: its state is as the socket has it. Decode the frame with decodeFrameJson.';
       warn('ship-not-decoded', text, { value: ship });
+    } else if (typeof ship !== 'object' || (ship as unknown) === null) {
+      const text = `frame.ships: expected ship states, got ${describe(ship)}. It is left out.`;
+      warn('ship-unusable', text, { value: ship });
     } else if (isWhole(ship)) checkShip(warn, ship, told.length > 0 ? told : bodies);
+  }
+}
+
+function checkIds(warn: Warn, ships: readonly unknown[]): void {
+  const seen = new Set<unknown>();
+  for (const ship of ships) {
+    const shipId = (ship as ShipState | null)?.shipId;
+    if (shipId !== undefined && seen.has(shipId)) {
+      const message = `frame.ships has ${describe(shipId)} twice: only one of them is used. Send each ship once.`;
+      warn('ship-twice', message, { shipId });
+    }
+    seen.add(shipId);
   }
 }
 

@@ -1,7 +1,8 @@
 import { DEFAULT_SETTINGS } from '../../dynamics';
 import { DEFAULT_SMOOTHING, SMOOTHING_BOUNDS } from '../drawn/ease';
-import type { PredictorOptions } from '../options';
+import type { Defaults, PredictorOptions } from '../options';
 import type { Warn } from '../warnings';
+import { describe, kindOf } from './describe';
 import { warnOfUnknown } from './names';
 
 const OPTIONS = [
@@ -18,36 +19,66 @@ const DEFAULTS = ['settings', 'shipClasses', 'bodies', 'terrain'];
 
 type Check = (value: unknown) => boolean;
 
-const isRecord: Check = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
+const isRecord: Check = (value) => typeof value === 'object' && value !== null && kindOf(value) === 'Object';
 const isFunction: Check = (value) => typeof value === 'function';
+const isText: Check = (value) => typeof value === 'string';
 const isCount: Check = (value) => Number.isSafeInteger(value) && (value as number) >= 0;
+const isPlan: Check = (value) =>
+  Array.isArray(value) &&
+  value.every((entry: unknown) => {
+    const { tick, substep, controls } = (entry ?? {}) as Readonly<Record<string, unknown>>;
+    return isCount(tick) && isCount(substep) && isRecord(controls);
+  });
+
+type Expected = Readonly<Record<string, readonly [Check, string]>>;
 
 /** What each option has to be. */
-const EXPECTED: Readonly<Record<string, readonly [Check, string]>> = {
+const EXPECTED: Expected = {
   terrains: [
     (value) => isRecord(value) && Object.values(value as object).every(isFunction),
-    'functions (bodyName, nx, ny, nz) → metres, by name',
+    'functions (bodyName, nx, ny, nz) → metres above the radius, by name',
   ],
   defaults: [isRecord, 'an object with settings, shipClasses, bodies, terrain'],
   maxSubstepsPerFrame: [(value) => isCount(value) && value !== 0, 'a whole number > 0'],
   smoothing: [isRecord, 'an object with alongGround, alongNormal, angle'],
-  ownShipId: [(value) => typeof value === 'string', 'a text'],
-  plan: [Array.isArray, 'a list of inputs'],
+  ownShipId: [isText, 'a text'],
+  plan: [isPlan, 'a list of { tick, substep, controls }'],
   onWarning: [isFunction, 'a function (code, message, details)'],
   forcedRollback: [isCount, 'a whole number ≥ 0'],
 };
 
+/** What each member of `defaults` has to be; what is in them is checked where the world is loaded. */
+const EXPECTED_DEFAULTS: Expected = {
+  settings: [isRecord, 'an object of settings by name'],
+  shipClasses: [Array.isArray, 'a list of ship classes'],
+  bodies: [Array.isArray, 'a list of bodies'],
+  terrain: [isText, 'the name of a terrain'],
+};
+
 /** Throws RangeError, naming the option, where one cannot be used. */
 export function requireOptions(given: PredictorOptions): void {
-  if (!isRecord(given)) throw new RangeError(`options: expected an object, got ${typeof given}`);
-  for (const [name, [check, expected]] of Object.entries(EXPECTED)) {
-    const value: unknown = given[name as keyof PredictorOptions];
-    if (value !== undefined && !check(value))
-      throw new RangeError(
-        `options.${name}: expected ${expected}, got ${typeof value === 'object' ? 'an object' : JSON.stringify(value)}`,
-      );
-  }
+  if (!isRecord(given)) throw new RangeError(`options: expected an object, got ${describe(given)}`);
+  requireMembers('options', EXPECTED, given);
+  requireMembers('options.defaults', EXPECTED_DEFAULTS, given.defaults ?? {});
   requireSmoothing(given.smoothing ?? {});
+}
+
+function requireMembers(path: string, members: Expected, given: object): void {
+  const fault = faultIn(members, given);
+  if (fault !== null) throw new RangeError(`${path}.${fault}`);
+}
+
+function faultIn(members: Expected, given: object): string | null {
+  for (const [name, [check, expected]] of Object.entries(members)) {
+    const value = (given as Readonly<Record<string, unknown>>)[name];
+    if (value !== undefined && !check(value)) return `${name}: expected ${expected}, got ${describe(value)}`;
+  }
+  return null;
+}
+
+/** The first member of the defaults that is of another kind, and what is expected there; null for none. */
+export function faultOfDefaults(given: object): string | null {
+  return faultIn(EXPECTED_DEFAULTS, given);
 }
 
 function requireSmoothing(given: NonNullable<PredictorOptions['smoothing']>): void {
@@ -55,7 +86,7 @@ function requireSmoothing(given: NonNullable<PredictorOptions['smoothing']>): vo
     if (!Object.hasOwn(given, name)) continue;
     const value: unknown = given[name as keyof typeof given];
     if (typeof value === 'number' && value >= low && value <= high) continue;
-    throw new RangeError(`options.smoothing.${name}: expected ${low} to ${high} s, got ${String(value)}`);
+    throw new RangeError(`options.smoothing.${name}: expected ${low} to ${high} s, got ${describe(value)}`);
   }
 }
 
@@ -66,9 +97,13 @@ export function checkOptions(warn: Warn, given: PredictorOptions): void {
   const known = Object.keys(DEFAULT_SMOOTHING);
   if (smoothing !== undefined)
     warnOfUnknown(warn, { code: 'unknown-option', path: 'options.smoothing', known }, smoothing);
-  if (defaults === undefined) return;
-  warnOfUnknown(warn, { code: 'unknown-default', path: 'options.defaults', known: DEFAULTS }, defaults);
-  checkSettings(warn, 'options.defaults.settings', defaults.settings);
+  if (defaults !== undefined) checkDefaults(warn, 'options.defaults', defaults);
+}
+
+/** Warns of members of the defaults, and of settings, that nothing reads. */
+export function checkDefaults(warn: Warn, path: string, given: object): void {
+  warnOfUnknown(warn, { code: 'unknown-default', path, known: DEFAULTS }, given);
+  checkSettings(warn, `${path}.settings`, (given as Partial<Defaults>).settings);
 }
 
 /** Warns of settings that nobody reads, and of angles that look like radians. */

@@ -31,6 +31,7 @@ export function checkShip(warn: Warn, ship: ShipState, bodies: readonly BodyStat
     });
   const [x, y, z, w] = ship.attitude;
   if (x === 1 && y === 0 && z === 0 && w === 0) warnOfOrder(warn, ship);
+  checkCommands(warn, ship);
   const near = nearestBody(ship.position, bodies);
   if (near !== null) checkPlace(warn, ship, near);
   checkRelative(warn, ship, bodies);
@@ -110,6 +111,7 @@ function checkRelative(warn: Warn, ship: ShipState, bodies: readonly BodyState[]
   if (Array.isArray(relativePosition)) {
     const body = bodies.find(({ name }) => name === referenceBody);
     const distance = lengthOf(relativePosition as Vector);
+    if (body !== undefined) checkBothPlaces(warn, ship, body);
     if (body !== undefined && distance < 0.01 * body.radius)
       warn(
         'position-in-kilometres',
@@ -125,5 +127,36 @@ function checkRelative(warn: Warn, ship: ShipState, bodies: readonly BodyState[]
     warn('body-unknown', `${shipId} is at ${named}, which no frame and no hello tells: hand its body in.`, {
       shipId,
       body: named,
+    });
+}
+
+/** The place against the body, m, may differ from the ICRF one by what a double has there, and by a tick of the body's way. */
+const PLACES_APART = 100_000;
+
+function checkBothPlaces(warn: Warn, ship: ShipState, body: BodyState): void {
+  const { shipId, position, relativePosition } = ship;
+  if (!Array.isArray(body.position)) return;
+  const apart = lengthOf(minus(minus(position, body.position), relativePosition as Vector));
+  if (apart <= PLACES_APART) return;
+  const message = `relativePosition of ${shipId} and its position are ${apart} m apart: relativePosition is from the centre of ${body.name}, in ICRF axes.`;
+  warn('relative-position', message, { shipId, position, relativePosition });
+}
+
+function checkCommands(warn: Warn, ship: ShipState): void {
+  const { shipId, thrustLevel, rotationInput, translationInput, fuel } = ship;
+  const largest = Math.max(thrustLevel, ...[...rotationInput, ...translationInput].map(Math.abs));
+  if (largest > 1.001 || thrustLevel < 0)
+    warn(
+      'state-out-of-range',
+      `${shipId} is steered with ${largest}: 0 (thrustLevel) or −1 to 1, not percent.`,
+      {
+        ...{ field: 'controls', shipId, thrustLevel, rotationInput, translationInput },
+      },
+    );
+  if (fuel < 0)
+    warn('state-out-of-range', `${shipId} has ${fuel} kg of fuel: 0 or more.`, {
+      field: 'fuel',
+      shipId,
+      fuel,
     });
 }

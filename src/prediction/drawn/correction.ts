@@ -1,6 +1,7 @@
 import { REFERENCE_BODY, VELOCITY } from '../../dynamics';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
+import { spanOf, wallOfTick } from '../time/timeline';
 import { type Ease, restartEase, snap } from './ease';
 import { type Pose, pose, writeBodyAttitude, writePredicted, writeSeen } from './pose';
 import {
@@ -25,6 +26,8 @@ const SNAP_ANGLE = Math.PI / 3;
 export interface DrawnBefore {
   readonly pose: Pose;
   body: number;
+  /** m/s of game time, relative to the body. */
+  speed: number;
   /** False where nothing drawn is worth easing from. */
   known: boolean;
 }
@@ -41,6 +44,7 @@ export interface CorrectionStyle {
 export function seeDrawn(sim: Simulation, track: Track): DrawnBefore {
   const { picture } = track;
   drawn.body = sim.fleet.front[track.at + REFERENCE_BODY]!;
+  drawn.speed = speedOf(sim.fleet.front, track.at);
   drawn.known = track.mode === 'stepping' || picture.hasHeld;
   if (picture.hasHeld) {
     drawn.pose.position.set(picture.heldPlace);
@@ -49,7 +53,7 @@ export function seeDrawn(sim: Simulation, track: Track): DrawnBefore {
   return drawn;
 }
 
-const drawn: DrawnBefore = { pose: pose(), body: 0, known: false };
+const drawn: DrawnBefore = { pose: pose(), body: 0, speed: 0, known: false };
 
 /** Whether the correction is eased, or snaps: counted where something was drawn before. */
 export function easeCorrection(
@@ -60,7 +64,7 @@ export function easeCorrection(
 ): void {
   const { picture, at } = track;
   const { front } = sim.fleet;
-  const stall = Math.max(track.silence, picture.skipped);
+  const unseen = Math.max(track.silence, picture.skipped) + ageOf(sim, track);
   picture.skipped = 0;
   picture.hasHeld = false;
   picture.uprighted = style.uprights;
@@ -71,7 +75,9 @@ export function easeCorrection(
   picture.body = front[at + REFERENCE_BODY]!;
   writeSeenPresent(now, sim, track);
   const sameBody = before.body === front[at + REFERENCE_BODY];
-  if (!style.snaps && sameBody && isEasable(before.pose, now, speedOf(front, at), stall)) {
+  const { timeScale } = spanOf(sim.timeline, sim.front.tick);
+  const covered = Math.max(before.speed, speedOf(front, at)) * unseen * timeScale;
+  if (!style.snaps && sameBody && isEasable(before.pose, now, covered)) {
     addToOffset(picture.ease, before.pose, now);
     return;
   }
@@ -99,7 +105,8 @@ export function fadeFromHeld(sim: Simulation, { picture, at, serverRow }: Track,
     held.position.set(picture.heldPlace);
     held.attitude.set(picture.heldAttitude);
     const sameBody = sim.fleet.front[at + REFERENCE_BODY] === serverRow[REFERENCE_BODY];
-    if (sameBody && isEasable(held, seen, speedOf(serverRow, 0), POLICY_STALL))
+    const { timeScale } = spanOf(sim.timeline, sim.front.tick);
+    if (sameBody && isEasable(held, seen, speedOf(serverRow, 0) * POLICY_STALL * timeScale))
       addToOffset(picture.ease, held, seen);
     else snap(picture.ease);
   }
@@ -108,7 +115,7 @@ export function fadeFromHeld(sim: Simulation, { picture, at, serverRow }: Track,
 }
 
 const held: Pose = pose();
-/** s by which two policies may draw a ship at different instants, for the picture to go over from one to the other. */
+/** Wall s by which two policies may draw a ship at different instants, for the picture to go over from one to the other. */
 export const POLICY_STALL = 2;
 
 /** A correction: offset += old predicted − new predicted, both of one instant and in the body's axes (PREDICTION, Drawing). */
@@ -128,11 +135,18 @@ function writeSeenPresent(out: Pose, sim: Simulation, track: Track): void {
   writeSeen(out, out, body);
 }
 
-/** Within 25 m + speed × the time that the server was silent or the present was moved by, s, and within 60°. */
-function isEasable(old: Pose, next: Pose, speed: number, stall: number): boolean {
+/** How far the front is ahead of the ship's newest state, wall s. */
+function ageOf({ timeline, front }: Simulation, { serverTick }: Track): number {
+  const { timing, timeScale } = spanOf(timeline, front.tick);
+  const into = (front.substep * timing.dt) / timeScale;
+  return Math.max(0, wallOfTick(timeline, front.tick) + into - wallOfTick(timeline, serverTick));
+}
+
+/** Within 60°, and 25 m + the distance, m, covered since the state before or while the present was moved. */
+function isEasable(old: Pose, next: Pose, covered: number): boolean {
   for (let k = 0; k < 3; k++) jump[k] = old.position[k]! - next.position[k]!;
   turnBetween(turn, old.attitude, next.attitude);
-  return lengthOf(jump) <= SNAP_DISTANCE + speed * stall && angleOf(turn) <= SNAP_ANGLE;
+  return lengthOf(jump) <= SNAP_DISTANCE + covered && angleOf(turn) <= SNAP_ANGLE;
 }
 
 function speedOf(rows: Float64Array, at: number): number {

@@ -1,6 +1,13 @@
-import { FLYING, REFERENCE_BODY, SURFACE_STATE, type World } from '../../dynamics';
+import {
+  FLYING,
+  GROUND_CONTACT_OFFSET,
+  REFERENCE_BODY,
+  type LoadedShipClass,
+  SURFACE_STATE,
+  type World,
+} from '../../dynamics';
 import { type DrawnGround, groundRadius } from './snap/drawnGround';
-import { hullOf, LEGS } from './snap/hull';
+import { hullOfShip, LEGS } from './snap/hull';
 import { pose } from './pose';
 import { lengthOf, rotateBack, seenFrom } from './rotation';
 import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './snap/groundSnap';
@@ -27,7 +34,8 @@ export function fillGhost(
   ghost.grounded = track.serverRow[SURFACE_STATE] !== FLYING;
   out.ghostPosition.set(ghost.position);
   out.ghostAttitude.set(ghost.attitude);
-  const { shipClass } = out;
+  shape.shipClass = out.shipClass;
+  shape.groundContactOffset = track.serverRow[GROUND_CONTACT_OFFSET]!;
   const { position } = ghost;
   const distance = lengthOf(position);
   const nx = position[0]! / distance;
@@ -39,12 +47,13 @@ export function fillGhost(
   const { places } = track.ground;
   ghost.groundOffset = places.length === 0 ? 0 : offsetAt(places, body.name, nx, ny, nz);
   // Out of the ground's reach, as for the ship itself.
-  if (distance - ground.radius > 2 * shipClass.groundContactOffset + shipClass.legRadius) return;
-  if (exactly) snapToGround(groundedPose, ghost, hullOf(shipClass), drawn);
-  else snapToLevel(groundedPose, ghost, hullOf(shipClass), ground);
+  if (distance - ground.radius > 2 * shape.groundContactOffset + out.shipClass.legRadius) return;
+  if (exactly) snapToGround(groundedPose, ghost, hullOfShip(shape), drawn);
+  else snapToLevel(groundedPose, ghost, hullOfShip(shape), ground);
   out.ghostPosition.set(groundedPose.position);
 }
 
 const ghost: GroundPose = { ...pose(), grounded: false, groundOffset: 0 };
 const ground: LevelGround = { radius: 0 };
+const shape = { groundContactOffset: 0 } as { shipClass: LoadedShipClass; groundContactOffset: number };
 const groundedPose: GroundedPose = createGroundedPose(LEGS);

@@ -1,4 +1,5 @@
 import { ANGULAR_VELOCITY, ATTITUDE, FLYING, POSITION, SURFACE_STATE, VELOCITY } from '../../dynamics';
+import { type Timeline, wallOfTick } from '../time/timeline';
 import type { ServerStates } from '../simulation/serverStates';
 import {
   compose,
@@ -21,16 +22,16 @@ import {
 export function writeBetween(
   row: Float64Array,
   { ticks, rows }: ServerStates,
-  { wallOf, at, timeScale }: Playback,
+  { timeline, at, timeScale }: Playback,
 ): void {
   let i = rows.length - 1;
-  while (i > 0 && wallOf(ticks[i]!) > at) i--;
+  while (i > 0 && wallOfTick(timeline, ticks[i]!) > at) i--;
   const a = rows[i]!;
   const b = rows[i + 1];
   row.set(a);
   if (b === undefined) return;
-  const from = wallOf(ticks[i]!);
-  const wall = wallOf(ticks[i + 1]!) - from;
+  const from = wallOfTick(timeline, ticks[i]!);
+  const wall = wallOfTick(timeline, ticks[i + 1]!) - from;
   const share = wall > 0 ? Math.max(0, (at - from) / wall) : 1;
   const between: Between = { a, b, share, seconds: wall * timeScale };
   writePlace(row, between);
@@ -40,8 +41,8 @@ export function writeBetween(
 
 /** The instant that interpolated ships are drawn at. */
 export interface Playback {
-  /** Server wall s at a tick boundary. */
-  readonly wallOf: (tick: number) => number;
+  /** What the states' ticks are timed by. */
+  readonly timeline: Timeline;
   /** Server wall s. */
   readonly at: number;
   /** Game s per wall s. */

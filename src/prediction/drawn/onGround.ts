@@ -3,7 +3,7 @@ import { confidenceOf, offsetAt, placeAt } from '../ground/learnedGround';
 import type { Track } from '../simulation/track';
 import { groundRadius } from './snap/drawnGround';
 import { createGroundedPose, type GroundedPose, snapToGround } from './snap/groundSnap';
-import { hullOf, LEGS } from './snap/hull';
+import { hullOfShip, LEGS } from './snap/hull';
 import { type LevelGround, snapToLevel } from './snap/levelSnap';
 import { lengthOf, rotate, vector } from './rotation';
 import type { Scene } from './scene';
@@ -84,10 +84,10 @@ export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64A
   drawn.grounded = out.surfaceContactState !== '';
   if (exactly) {
     scene.exactSnaps -= 1;
-    snapToGround(groundedPose, drawn, hullOf(shipClass), scene.ground);
+    snapToGround(groundedPose, drawn, hullOfShip(out), scene.ground);
   } else {
     level.radius = surface;
-    snapToLevel(groundedPose, drawn, hullOf(shipClass), level);
+    snapToLevel(groundedPose, drawn, hullOfShip(out), level);
   }
   rotate(out.meshPosition, bodyAttitude, groundedPose.position);
   for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = groundedPose.legCompression[leg]!;

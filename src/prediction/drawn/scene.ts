@@ -1,6 +1,5 @@
 import type { World } from '../../dynamics';
 import type { Simulation } from '../simulation/simulation';
-import { wallOfTick } from '../time/timeline';
 import type { DrawnGround } from './snap/drawnGround';
 import type { GroundPose } from './snap/groundSnap';
 import type { Playback } from './interpolate';
@@ -31,7 +30,7 @@ export interface Scene {
 }
 
 export function createScene(sim: Simulation, springs: Springs): Scene {
-  const wallOf = (tick: number) => wallOfTick(sim.timeline, tick);
+  const { timeline } = sim;
   return {
     world: sim.world,
     ground: { bodyName: '', radius: 0, terrainHeight: sim.world.terrainHeight },
@@ -45,11 +44,11 @@ export function createScene(sim: Simulation, springs: Springs): Scene {
       staleAfter: 0,
       confirms: 0,
       paused: false,
-      wallOf,
+      timeline,
       serverTick: Number.NaN,
       serverWall: 0,
     },
-    playback: { wallOf, at: 0, timeScale: 1 },
+    playback: { timeline, at: 0, timeScale: 1 },
     springs,
     seen: pose(),
     normal: vector(),

@@ -13,6 +13,7 @@ import {
 import { take } from './rotation';
 import type { Track } from '../simulation/track';
 import type { Provenance, ShipView } from './view';
+import { type Timeline, wallOfTick } from '../time/timeline';
 
 /** The instant a view is of. */
 export interface Instant {
@@ -27,8 +28,8 @@ export interface Instant {
   /** s past a state of the server up to which it can confirm what is drawn: until the next one is due, and the lead. */
   confirms: number;
   paused: boolean;
-  /** Server wall s at a tick boundary. */
-  wallOf: (tick: number) => number;
+  /** What tick boundaries are timed by, server wall s. */
+  readonly timeline: Timeline;
   /** The newest tick asked for in this view and its wall s: most ships were told of in one frame. */
   serverTick: number;
   serverWall: number;
@@ -67,7 +68,7 @@ export function fillServerState(out: ShipView, track: Track, at: Instant): boole
   track.picture.status.serverTick = track.serverTick;
   if (at.serverTick !== track.serverTick) {
     at.serverTick = track.serverTick;
-    at.serverWall = at.wallOf(track.serverTick);
+    at.serverWall = wallOfTick(at.timeline, track.serverTick);
   }
   track.picture.status.serverWall = at.serverWall;
   out.serverKnown = track.serverTick >= 0;

@@ -1,4 +1,6 @@
 import { err, ok, type Result } from '../../dynamics';
+import { checkDefaults, faultOfDefaults } from '../checks/options';
+import { describe } from '../checks/describe';
 import type { Defaults } from '../options';
 import type { Session } from '../session';
 import { loadGiven } from '../snapshots/worldConfig';
@@ -6,15 +8,24 @@ import { changeWorld } from './changeWorld';
 
 /** The members of the running world that a caller changes. A reason that names the field where one cannot be; nothing changes then. */
 export function configure(session: Session, changes: Partial<Defaults> | null): Result<null> {
+  const { config, terrains, warn } = session;
   if (typeof changes !== 'object' || changes === null)
-    return err(
-      `configure: expected an object with settings, shipClasses, bodies, terrain, got ${typeof changes}`,
+    return refuse(
+      session,
+      `expected an object with settings, shipClasses, bodies, terrain, got ${describe(changes)}`,
     );
-  const { config, terrains } = session;
+  const fault = faultOfDefaults(changes);
+  if (fault !== null) return refuse(session, fault);
+  checkDefaults(warn, 'configure', changes);
   const settings = { ...config.settings, ...changes.settings };
   const next = { ...config, ...changes, settings };
   const world = loadGiven(next, terrains);
-  if (!world.ok) return err(`configure: ${world.reason}`);
+  if (!world.ok) return refuse(session, world.reason);
   changeWorld(session, world.value, next);
   return ok(null);
+}
+
+function refuse({ warn }: Session, reason: string): Result<null> {
+  warn('configure-refused', `configure: ${reason}. Nothing was changed.`, { reason });
+  return err(`configure: ${reason}`);
 }

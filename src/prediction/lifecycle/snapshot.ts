@@ -1,6 +1,7 @@
 import { BODY_STRIDE, err, loadControls, ok, readBodyMotion, type Result } from '../../dynamics';
 import type { Hello, InputRecord, PartialFrame, ServerMessage } from '../../wire';
 import { resend, store } from '../inputs/inputs';
+import { describe } from '../checks/describe';
 import { changeOwnShip, resetSession } from '../ownership';
 import type { Session } from '../session';
 import type { Policy } from '../simulation/track';
@@ -103,7 +104,10 @@ function completed({ sim }: Session, frame: PartialFrame): PartialFrame {
 /** Goes on from a snapshot, which may come from anywhere: a reason that names the field where it cannot be. */
 export function restoreSnapshot(session: Session, kept: Kept, given: unknown, now: number): Result<null> {
   const reason = faultOf(given);
-  if (reason !== null) return err(`snapshot.${reason}`);
+  if (reason !== null) {
+    session.warn('restore-refused', `snapshot.${reason}. Nothing was changed.`, { reason });
+    return err(`snapshot.${reason}`);
+  }
   const { hello, frame, age, ownShipId, inputs, nextSeq, policies } = given as PredictorSnapshot;
   resetSession(session);
   session.receiver.policies.clear();
@@ -124,7 +128,8 @@ export function restoreSnapshot(session: Session, kept: Kept, given: unknown, no
 }
 
 function faultOf(given: unknown): string | null {
-  if (typeof given !== 'object' || given === null) return 'version: expected 1, got no object';
+  if (typeof given !== 'object' || given === null)
+    return `version: expected 1, got ${describe(given)}; parse a text with JSON.parse`;
   const { version, hello, frame, age, ownShipId, inputs, nextSeq, policies } =
     given as Partial<PredictorSnapshot>;
   if (version !== 1) return `version: expected 1, got ${String(version)}`;

@@ -128,9 +128,11 @@ function count({ counters }: Simulation, kind: SnapshotKind): boolean {
   return true;
 }
 
-export function refuse(sim: Simulation, reason: string): void {
-  sim.counters.framesRefused += 1;
-  sim.counters.lastRefusal = reason;
+/** Counts a message that cannot be used, and why. */
+export function refuse({ counters, warn }: Simulation, reason: string): void {
+  counters.framesRefused += 1;
+  counters.lastRefusal = reason;
+  warn('message-refused', `A message was refused, and the last good state stays. ${reason}.`, { reason });
 }
 
 /** Another time altogether: nothing that was predicted can be compared with what comes. */

@@ -1,4 +1,5 @@
 import type { ShipState } from '../../wire';
+import { describe } from '../checks/describe';
 
 /**
  * Why a plain record is no ShipState, or null. What came through the wire has been checked; a plain JavaScript caller may hand in
@@ -32,6 +33,6 @@ function areNumbers(value: unknown, count: number): boolean {
 }
 
 function complaint(name: string, count: number, value: unknown): string {
-  const found = Array.isArray(value) ? `[${value.join(', ')}]` : String(value);
-  return `${name}: expected ${count === 1 ? 'a finite number' : `${count} finite numbers`}, got ${found}`;
+  const expected = count === 1 ? 'a finite number' : `a list of ${count} finite numbers`;
+  return `${name}: expected ${expected}, got ${describe(value)}`;
 }

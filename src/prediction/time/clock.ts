@@ -18,11 +18,13 @@ import {
  */
 export interface Clock {
   readonly bounds: OffsetBounds;
-  /** Delays of pings on their way up, and round trips, s. */
+  /** By how much pings took longer than the fastest on their way up, and round trips, s. */
   readonly up: Delays;
   readonly roundTrips: Delays;
   /** Client − server time, s; NaN before the first sample. */
   offset: number;
+  /** When the offset was last estimated, client s. */
+  offsetAt: number;
   /** The offset when the present was last where it should be. */
   settledOffset: number;
   /** Added to the lead because inputs came late, s; and the last late input, that a second has to bear out. */
@@ -45,6 +47,8 @@ export interface Clock {
   pongAt: number;
   timedPongAt: number;
   answeredAt: number;
+  /** Server time at which the server stands, by its last answer; infinite while it runs. */
+  stoodAt: number;
   /** Client s by which the page's clock moves at once; 0 for a fine one. */
   grain: number;
   stillCalls: number;
@@ -62,6 +66,10 @@ const MAX_STEER = 1;
 const STALL = 0.3;
 /** Late inputs further apart than the first and closer than the second, s, are two, and of one kind. */
 const TWO_LATE = [0.3, 10] as const;
+/** Changes of the offset up to this, s, are averaged over this time, s; over less until so many pings were answered. */
+const AVERAGED = 0.01;
+const OVER = 2;
+const SETTLED_AFTER = 80;
 /** Pings that reached the server within this of each other though sent further apart waited in one queue, s. */
 const ONE_QUEUE = 0.01;
 /** Pings are being answered if one was within this, s. */
@@ -73,6 +81,7 @@ export function createClock(): Clock {
     up: createDelays(256),
     roundTrips: createDelays(50),
     offset: Number.NaN,
+    offsetAt: Number.NEGATIVE_INFINITY,
     settledOffset: Number.NaN,
     steer: 0,
     lateAt: Number.NEGATIVE_INFINITY,
@@ -87,6 +96,7 @@ export function createClock(): Clock {
     pongAt: Number.NEGATIVE_INFINITY,
     timedPongAt: Number.NEGATIVE_INFINITY,
     answeredAt: Number.NEGATIVE_INFINITY,
+    stoodAt: Number.POSITIVE_INFINITY,
     grain: 0,
     stillCalls: 0,
   };
@@ -95,7 +105,8 @@ export function createClock(): Clock {
 /** Something the server sent at server time `sentAt` arrived. */
 export function sampleDown(clock: Clock, sentAt: number, now: number): void {
   if (boundAbove(clock.bounds, sentAt, now, samplingOf(clock, now))) clock.stepped = true;
-  settleOffset(clock);
+  if (sentAt >= clock.stoodAt) clock.stoodAt = Number.POSITIVE_INFINITY;
+  settleOffset(clock, now);
 }
 
 function samplingOf(clock: Clock, now: number): Sampling {
@@ -122,20 +133,34 @@ export function samplePong(clock: Clock, pinged: number, answer: Answer | null, 
   if (answer === null) return;
   const answered = answer.at;
   clock.timedPongAt = now;
+  clock.stoodAt = answer.standing ? answered : Number.POSITIVE_INFINITY;
   if (answer.standing) boundBelow(clock.bounds, { pinged, stood: answered, now });
   else if (boundBothSides(clock.bounds, { pinged, answered, now }, clock.grain)) clock.stepped = true;
-  settleOffset(clock);
+  settleOffset(clock, now);
   // One stall is one sample, however many pings waited in it; and what it cost is no jitter.
   const counts = !answer.standing && roundTrip <= leastRoundTrip(clock) + STALL && slackOf(clock) <= CERTAIN;
-  if (counts && answered - clock.answeredAt > ONE_QUEUE) addDelay(clock.up, answered - pinged + clock.offset);
+  // Measured from the lower bound, which is the fastest way up: the offset moves with what comes down, too.
+  if (counts && answered - clock.answeredAt > ONE_QUEUE)
+    addDelay(clock.up, answered - pinged + clock.bounds.lower);
   clock.answeredAt = answered;
 }
 
-function settleOffset(clock: Clock): void {
+/** The middle of the bounds wanders with the luck of the last few delays: small changes of it are averaged. */
+function settleOffset(clock: Clock, now: number): void {
+  const middle = middleOf(clock);
+  const elapsed = Math.max(0, now - clock.offsetAt);
+  const change = middle - clock.offset;
+  const over = OVER * Math.min(1, clock.roundTrips.count / SETTLED_AFTER);
+  const isAveraged = Math.abs(change) <= AVERAGED && elapsed < over;
+  clock.offset = isAveraged ? clock.offset + (change * elapsed) / over : middle;
+  clock.offsetAt = now;
+}
+
+function middleOf(clock: Clock): number {
   const { upper, lower } = clock.bounds;
   const half = leastRoundTrip(clock) / 2;
-  if (lower === Number.NEGATIVE_INFINITY) clock.offset = upper - half;
-  else clock.offset = upper === Number.POSITIVE_INFINITY ? lower + half : (upper + lower) / 2;
+  if (lower === Number.NEGATIVE_INFINITY) return upper - half;
+  return upper === Number.POSITIVE_INFINITY ? lower + half : (upper + lower) / 2;
 }
 
 /** How much wider the bounds of the offset are than the least round trip, s; infinite where one is not known. */
@@ -154,6 +179,7 @@ export function forgetSchedule(clock: Clock): void {
   clock.offset = Number.NaN;
   clock.present = Number.NaN;
   clock.answeredAt = Number.NEGATIVE_INFINITY;
+  clock.stoodAt = Number.POSITIVE_INFINITY;
 }
 
 /** Server time at which something that arrives now was sent, as estimated. */
@@ -161,7 +187,7 @@ export function sentAt(clock: Clock, now: number): number {
   return serverTime(clock, now) - leastRoundTrip(clock) / 2;
 }
 
-/** Server time now, as estimated; NaN before the first sample. */
+/** Server time now, as estimated, if the server runs; NaN before the first sample. */
 export function serverTime(clock: Clock, now: number): number {
   return now - clock.offset;
 }
@@ -199,6 +225,7 @@ export function noteNow(clock: Clock, now: number): boolean {
   clock.updatedAt = now;
   clock.offset -= back;
   clock.settledOffset -= back;
+  clock.offsetAt = Math.min(clock.offsetAt, now);
   clock.pongAt = Math.min(clock.pongAt, now);
   clock.timedPongAt = Math.min(clock.timedPongAt, now);
   clock.lateAt = Number.NEGATIVE_INFINITY;

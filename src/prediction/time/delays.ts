@@ -11,6 +11,10 @@ export interface Delays {
 
 /** Share of the samples that lie below `spreadOf`. */
 const MOST = 0.95;
+/** Share of the samples that no resent packet is among, and how many times their spread is the limit; s, the least limit. */
+const USUAL = 0.8;
+const LIMIT = 1.5;
+const LEAST_LIMIT = 0.02;
 
 /** @param length how many are kept */
 export function createDelays(length: number): Delays {
@@ -37,7 +41,11 @@ export function leastOf({ values, count }: Delays): number {
   return least;
 }
 
-/** How far above the least of them 19 of 20 lie at most, those more than `most` above it not counted; 0 without any. */
+/**
+ * How far above the least of them 19 of 20 lie at most, s; those more than `most` above it are not counted. 0 without any. Of a few
+ * dozen delays two or three resent packets are one in twenty, and come and go: they count as no more than what usual delays
+ * spread, and half as much again.
+ */
 export function spreadOf(delays: Delays, most: number): number {
   const least = leastOf(delays);
   if (Number.isNaN(least)) return 0;
@@ -47,5 +55,6 @@ export function spreadOf(delays: Delays, most: number): number {
     if (values[i]! - least <= most) sorted[n++] = values[i]! - least;
   sorted.fill(Number.POSITIVE_INFINITY, n);
   sorted.sort();
-  return sorted[Math.min(n - 1, Math.floor(n * MOST))]!;
+  const at = (share: number) => sorted[Math.min(n - 1, Math.floor(n * share))]!;
+  return Math.min(at(MOST), Math.max(LEAST_LIMIT, LIMIT * at(USUAL)));
 }

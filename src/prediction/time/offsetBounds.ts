@@ -17,6 +17,8 @@ export interface OffsetBounds {
 
 /** How far two clocks may drift apart, s/s: 500 ppm, and some. */
 const DRIFT = 6e-4;
+/** An answer within this tells what holds now, s. */
+const FRESH = 1;
 /** Contradictions up to this are the roundings of clocks, s. */
 const MARGIN = 0.005;
 /** An arrival this much before the fastest is no luck, s: the bound before was a delayed one, or the server's schedule went ahead. */
@@ -110,6 +112,11 @@ function isShifted(bounds: OffsetBounds, sent: number, now: number, grain: numbe
   return bounds.late >= (now - sent - bounds.upper > RESENT ? 2 : 3);
 }
 
+/** s by which a lower bound has aged already: a ping tells what the offset was when it left, and its answer may have waited. */
+function agedBy(pinged: number, now: number): number {
+  return DRIFT * Math.max(0, now - pinged - FRESH);
+}
+
 /**
  * A ping of client time `pinged` was answered while the server stood at server time `stood`: the offset grows until it goes on, so
  * that the answer bounds it from below alone, and what bounded it from above does so no more.
@@ -119,7 +126,7 @@ export function boundBelow(
   { pinged, stood, now }: { readonly pinged: number; readonly stood: number; readonly now: number },
 ): void {
   age(bounds, now);
-  bounds.lower = Math.max(bounds.lower, pinged - stood);
+  bounds.lower = Math.max(bounds.lower, pinged - stood - agedBy(pinged, now));
   bounds.upper = Number.POSITIVE_INFINITY;
   bounds.late = 0;
 }
@@ -134,7 +141,7 @@ export function boundBothSides(
   grain: number,
 ): boolean {
   age(bounds, now);
-  const low = pinged - answered;
+  const low = pinged - answered - agedBy(pinged, now);
   const high = now - answered;
   const margin = MARGIN + grain;
   const wentUp = low > bounds.upper + margin;

@@ -36,12 +36,13 @@ export interface Pacing {
  * Moves the present to `now`.
  * @returns whether it jumped: by a clock that was set anew, or because it has just begun
  */
-export function advanceClock(clock: Clock, now: number, { deadZone, limit }: Pacing): boolean {
+export function advanceClock(clock: Clock, now: number, { deadZone, limit: horizon }: Pacing): boolean {
   const elapsed = Number.isNaN(clock.updatedAt) ? 0 : Math.max(0, now - clock.updatedAt);
   clock.updatedAt = now;
   noteGrain(clock, elapsed);
   clock.steer = Math.max(0, clock.steer - elapsed * STEER_DECAY);
   const aim = serverTime(clock, now) + leadOf(clock);
+  const limit = Math.min(horizon, clock.stoodAt + leadOf(clock));
   const target = Math.min(aim, limit);
   const step = stepOf(clock);
   if (aim > limit || Math.abs(clock.offset - clock.settledOffset) > step) clock.stepped = true;

@@ -16,7 +16,7 @@ import { has, offsetOf } from '../simulation/history';
 import { lengthOf, quaternion, rotateBack, take, vector } from '../drawn/rotation';
 import type { Simulation } from '../simulation/simulation';
 import { advanceRow, createRowStep, placeStep } from '../simulation/stepRow';
-import { indexOf } from '../time/timeline';
+import { indexOf, spanOf } from '../time/timeline';
 import { beginLog, come, comeDown, leave, LOGGED_STATE, logSubstep } from './touchdownLog';
 import { createTouchdownRing, keepLog, logAt, type TouchdownRing } from './touchdownRing';
 import { copyRow, type Track } from '../simulation/track';
@@ -47,7 +47,7 @@ export function rewindLog(track: Track, sim: Simulation, to: Adopted): void {
     redo(track, sim, track.log, to.tick) ||
     recall(track, track.log, to.tick) ||
     carryOn(track, sim, track.log, to.tick);
-  if (track.replaySnaps || (known && wasPutElsewhere(track, to))) beginLog(replayed, state);
+  if (track.replaySnaps || (known && wasPutElsewhere(sim, track, to))) beginLog(replayed, state);
   else if (known) agree(replayed, track.log, sim, to);
   else if (front[LOGGED_STATE] === LANDED && state === LANDED && liesWhereItLay(track, sim, to))
     replayed.set(front);
@@ -133,7 +133,11 @@ function takeBack(log: Float64Array, ring: TouchdownRing, { tick, rows, from }: 
 }
 
 /** Another body, or farther away than it could have flown while the server was silent. */
-function wasPutElsewhere({ silence }: Track, { rows, from }: Adopted): boolean {
+function wasPutElsewhere(
+  { timeline }: Simulation,
+  { silence }: Track,
+  { tick, rows, from }: Adopted,
+): boolean {
   if (predicted[REFERENCE_BODY] !== rows[from + REFERENCE_BODY]) return true;
   let way = 0;
   let speed = 0;
@@ -141,7 +145,7 @@ function wasPutElsewhere({ silence }: Track, { rows, from }: Adopted): boolean {
     way += (rows[from + POSITION + k]! - predicted[POSITION + k]!) ** 2;
     speed += rows[from + VELOCITY + k]! ** 2;
   }
-  return Math.sqrt(way) > LARGEST_CORRECTION + Math.sqrt(speed) * silence;
+  return Math.sqrt(way) > LARGEST_CORRECTION + Math.sqrt(speed) * silence * spanOf(timeline, tick).timeScale;
 }
 
 /** Landed where it slept, as seen from the body's axes. */

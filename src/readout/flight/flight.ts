@@ -2,6 +2,7 @@ import type { AttitudeMode } from '../../dynamics';
 import type { ShipView, WorldView } from '../../prediction';
 import { cross, toInertial, writeDot } from '../axes';
 import { createSurface, measureSurface, type Surface } from '../surface';
+import { viewOf } from '../arguments';
 
 /** The instruments of flying: engine, fuel, attitude control, heading. SI units, degrees where said; NaN where not known. */
 export interface FlightReadout {
@@ -53,7 +54,8 @@ export function createFlightReadout(): FlightReadout {
 }
 
 /** What the instruments show now. Reuses `out` and returns it; allocates nothing. A ship that is gone has no numbers. */
-export function updateFlightReadout(out: FlightReadout, view: WorldView): FlightReadout {
+export function updateFlightReadout(out: FlightReadout, given: WorldView | null): FlightReadout {
+  const view = viewOf('updateFlightReadout', out, given);
   const ship = view.ready ? view.own : null;
   const body = ship === null ? undefined : view.bodies[ship.body];
   if (ship === null || body === undefined || ship.shownState === 'crashed' || ship.provenance === 'stale') {

@@ -10,6 +10,7 @@ import {
   stepProjection,
 } from './projection';
 import { createSurface, measureSurface, type Surface } from '../surface';
+import { viewOf } from '../arguments';
 
 /** What helps to land: the touchdown that the law predicts, when to brake at the latest, how fast to come down. SI units. */
 export interface LandingAids {
@@ -83,7 +84,8 @@ export function createLandingAids(): LandingAids {
 }
 
 /** Depends on the view and on the run ahead that `out` carries on; a ship on the ground or gone costs nothing. */
-export function updateLandingAids(out: LandingAids, view: WorldView): LandingAids {
+export function updateLandingAids(out: LandingAids, given: WorldView | null): LandingAids {
+  const view = viewOf('updateLandingAids', out, given);
   const ship = view.ready ? view.own : null;
   const body = ship === null ? undefined : view.bodies[ship.body];
   const { surface, journey, projection } = out.memory;

@@ -23,6 +23,7 @@ import {
   type TippingMemory,
 } from './tipping';
 import { createTouchdown, readTouchdown, type Touchdown } from './touchdown';
+import { viewOf } from '../arguments';
 
 /** Everything the cockpit's landing HUD shows of the own ship: numbers in named units, decisions made. */
 export interface LandingReadout {
@@ -88,7 +89,8 @@ export function createLandingReadout(): LandingReadout {
  * What the pilot of `view.own` reads now (HUD, The landing HUD). Depends on the view and on what `out` remembers of the
  * views before it, on no clock. Reuses `out` and returns it; allocates only where a run ahead of the law begins.
  */
-export function updateLandingReadout(out: LandingReadout, view: WorldView): LandingReadout {
+export function updateLandingReadout(out: LandingReadout, given: WorldView | null): LandingReadout {
+  const view = viewOf('updateLandingReadout', out, given);
   const ship = view.ready ? view.own : null;
   const body = ship === null ? undefined : view.bodies[ship.body];
   hideParts(out);

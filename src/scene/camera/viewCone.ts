@@ -1,5 +1,5 @@
 /**
- * What the eye can see of the ground, seen from above: a wedge between two upright planes through the eye. It is wider than the
+ * The part of the ground in sight, seen from above: a wedge between two vertical planes through the eye. It is wider than the
  * picture where the eye looks down, and everything where it looks steeply down. Local axes, m.
  */
 export interface ViewCone {

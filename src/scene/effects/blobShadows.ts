@@ -11,7 +11,7 @@ import {
 } from 'three';
 
 /**
- * Soft shadows of the ships that the shadow map does not reach: it covers the watched ship alone. Each lies on the ground's slope
+ * Soft shadows of the ships outside the shadow map, which covers the watched ship only. Each is laid on the slope of the ground
  * where the sun throws it, drawn out along the light as a low sun draws it.
  */
 export interface BlobShadows {
@@ -31,7 +31,7 @@ const DARKNESS = 0.62;
 const FADES = 1 / 120;
 /** A low sun's shadow is not drawn longer than this many widths. */
 const MAX_STRETCH = 8;
-/** m above the ground it lies on. */
+/** m above the ground. */
 const LIFT = 0.06;
 
 const VERTEX = /* glsl */ `
@@ -51,14 +51,16 @@ void main() {
   gl_FragColor = vec4(0.0, 0.0, 0.0, vDark * smoothstep(1.0, 0.72, off));
 }`;
 
-export function createBlobShadows(): BlobShadows {
+/** A square on the ground, faded to a disc by its shader. */
+function createSquare(): BufferGeometry {
   const geometry = new BufferGeometry();
-  geometry.setAttribute(
-    'position',
-    new BufferAttribute(Float32Array.of(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1), 3),
-  );
-  geometry.setIndex([0, 1, 2, 0, 2, 3]);
-  const material = new ShaderMaterial({
+  const corners = Float32Array.of(-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1);
+  geometry.setAttribute('position', new BufferAttribute(corners, 3));
+  return geometry.setIndex([0, 1, 2, 0, 2, 3]);
+}
+
+function createMaterial(): ShaderMaterial {
+  return new ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     transparent: true,
@@ -68,6 +70,11 @@ export function createBlobShadows(): BlobShadows {
     polygonOffsetFactor: -2,
     polygonOffsetUnits: -8,
   });
+}
+
+export function createBlobShadows(): BlobShadows {
+  const geometry = createSquare();
+  const material = createMaterial();
   const mesh = new InstancedMesh(geometry, material, MAX_SHADOWS);
   mesh.instanceMatrix.setUsage(DynamicDrawUsage);
   const darkness = new InstancedBufferAttribute(new Float32Array(MAX_SHADOWS), 1);

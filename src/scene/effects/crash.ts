@@ -1,20 +1,7 @@
-import {
-  AdditiveBlending,
-  DynamicDrawUsage,
-  Group,
-  InstancedMesh,
-  Matrix4,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
-  Quaternion,
-  SphereGeometry,
-  TetrahedronGeometry,
-  Vector3,
-} from 'three';
-import { cellNoise } from '../ground/noise';
+import { AdditiveBlending, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
+import { createDebris } from './debris';
 
-/** A crash as one sees it: a flash, and pieces that fly, fall by the body's own gravity and stay lying. */
+/** A crash: a flash, and pieces that fly, fall by the body's own gravity and come to rest on the ground. */
 export interface Crash {
   readonly group: Group;
   /** Begins at a local place, m; `size` of the ship, m. `groundY(x, z)`: local height of the ground, m. */
@@ -25,93 +12,41 @@ export interface Crash {
   dispose(): void;
 }
 
-const PIECES = 64;
 /** s: the flash is over; and how wide it grows, in sizes of the ship. */
 const FLASH = 0.5;
 const FLASH_SIZE = 2.6;
-/** m/s: the fastest piece. */
-const FASTEST = 22;
-
-interface Piece {
-  readonly velocity: Vector3;
-  readonly axis: Vector3;
-  readonly size: number;
-  /** s after the crash at which it lies. */
-  lands: number;
-}
 
 export function createCrash(): Crash {
-  const shape = new TetrahedronGeometry(1, 0);
-  const metal = new MeshStandardMaterial({
-    color: 0x3a3a3e,
-    roughness: 0.8,
-    metalness: 0.4,
-    flatShading: true,
-  });
-  const mesh = new InstancedMesh(shape, metal, PIECES);
-  mesh.instanceMatrix.setUsage(DynamicDrawUsage);
-  mesh.castShadow = true;
-  mesh.frustumCulled = false;
-  const glow = new MeshBasicMaterial({
-    color: 0xffe2b0,
-    transparent: true,
-    blending: AdditiveBlending,
-    depthWrite: false,
-  });
-  const flash = new Mesh(new SphereGeometry(1, 24, 16), glow);
-  flash.renderOrder = 4;
+  const debris = createDebris();
+  const flash = createFlash();
   const group = new Group();
-  group.add(mesh, flash);
+  group.add(debris.mesh, flash.mesh);
   group.visible = false;
-  const pieces = Array.from({ length: PIECES }, (_, n) => pieceOf(n));
   const origin = new Float64Array(3);
-  const at = new Vector3();
-  const turn = new Quaternion();
-  const scale = new Vector3();
-  const matrix = new Matrix4();
   let began = NaN;
   let waiting = false;
   let reach = 1;
   let groundAt: (x: number, z: number) => number = () => 0;
 
-  const begin = (time: number, gravity: number) => {
-    began = time;
-    waiting = false;
-    for (const piece of pieces) piece.lands = landingOf(piece, gravity, origin, groundAt);
-  };
-  const placePieces = (age: number, gravity: number) => {
-    for (const [n, piece] of pieces.entries()) {
-      const t = Math.min(age, piece.lands);
-      at.copy(piece.velocity).multiplyScalar(t);
-      at.y -= 0.5 * gravity * t * t;
-      turn.setFromAxisAngle(piece.axis, 7 * t);
-      mesh.setMatrixAt(
-        n,
-        matrix.compose(at, turn, scale.set(1, 0.3, 0.7).multiplyScalar(piece.size * reach)),
-      );
-    }
-    mesh.instanceMatrix.needsUpdate = true;
-  };
-
   return {
     group,
     begin(place, size, groundY) {
-      origin.set([place[0]!, place[1]!, place[2]!]);
+      for (let k = 0; k < 3; k++) origin[k] = place[k]!;
       reach = size;
       groundAt = groundY;
       waiting = true;
     },
     update(time, gravity, eye) {
-      if (waiting) begin(time, gravity);
+      if (waiting) {
+        began = time;
+        debris.begin(origin, gravity, groundAt);
+      }
+      waiting = false;
       group.visible = !Number.isNaN(began);
       if (!group.visible) return;
-      const age = time - began;
       group.position.set(origin[0]! - eye[0]!, origin[1]! - eye[1]!, origin[2]! - eye[2]!);
-      placePieces(age, gravity);
-      const share = Math.min(age / FLASH, 1);
-      flash.visible = share < 1;
-      flash.scale.setScalar(Math.max(reach * FLASH_SIZE * Math.sqrt(share), 0.01));
-      glow.opacity = (1 - share) ** 2;
+      debris.place(time - began, gravity, reach);
+      flash.show((time - began) / FLASH, reach * FLASH_SIZE);
     },
     clear() {
       began = NaN;
@@ -119,42 +54,33 @@ export function createCrash(): Crash {
       group.visible = false;
     },
     dispose() {
-      for (const each of [shape, metal, mesh, glow, flash.geometry]) each.dispose();
+      debris.dispose();
+      flash.dispose();
     },
   };
 }
 
-/** Out and up in all directions, small pieces faster: the same at every crash. */
-function pieceOf(n: number): Piece {
-  const around = 2 * Math.PI * cellNoise(n, 1, 91);
-  const up = 0.25 + 0.9 * cellNoise(n, 2, 91);
-  const size = 0.006 + 0.035 * cellNoise(n, 3, 91) ** 2;
-  const speed = FASTEST * (0.25 + 0.75 * cellNoise(n, 4, 91)) * (0.012 / (size + 0.006)) ** 0.5;
+function createFlash() {
+  const material = new MeshBasicMaterial({
+    color: 0xffe2b0,
+    transparent: true,
+    blending: AdditiveBlending,
+    depthWrite: false,
+  });
+  const mesh = new Mesh(new SphereGeometry(1, 24, 16), material);
+  mesh.renderOrder = 4;
   return {
-    velocity: new Vector3(Math.cos(around), up, Math.sin(around))
-      .normalize()
-      .multiplyScalar(Math.min(speed, FASTEST)),
-    axis: new Vector3(
-      cellNoise(n, 5, 91) - 0.5,
-      cellNoise(n, 6, 91) - 0.5,
-      cellNoise(n, 7, 91) - 0.5,
-    ).normalize(),
-    size,
-    lands: 0,
+    mesh,
+    /** `share` of its time, 0 … 1; `size`: radius at its end, m. */
+    show(share: number, size: number) {
+      mesh.visible = share < 1;
+      if (!mesh.visible) return;
+      mesh.scale.setScalar(Math.max(size * Math.sqrt(share), 0.01));
+      material.opacity = (1 - share) ** 2;
+    },
+    dispose() {
+      mesh.geometry.dispose();
+      material.dispose();
+    },
   };
-}
-
-/** s until a piece meets the ground, found in quarter seconds: it may sink or hang by what a small piece hides. */
-function landingOf(
-  { velocity }: Piece,
-  gravity: number,
-  origin: Float64Array,
-  groundY: (x: number, z: number) => number,
-): number {
-  const longest = 60;
-  for (let t = 0.25; t < longest; t += 0.25) {
-    const y = origin[1]! + velocity.y * t - 0.5 * gravity * t * t;
-    if (y < groundY(origin[0]! + velocity.x * t, origin[2]! + velocity.z * t)) return t;
-  }
-  return longest;
 }

@@ -35,6 +35,8 @@ void main() {
   bool alive = share >= 0.0 && share < 1.0 && place.y > position.y - 0.6;
   float size = span.z * (0.5 + share * (drag > 0.0 ? 3.6 : 2.2));
   vAlpha = alive ? span.w * (1.0 - share) * (1.0 - share) * smoothstep(0.0, 0.06, share) : 0.0;
+  // A grain before the lens is a disc over half the picture.
+  vAlpha *= smoothstep(1.5, 14.0, -mvPosition.z);
   vPatch = span.yz * 7.0;
   // The eye is at the world's origin, as the flame's place has it.
   vec3 toFlame = flame.xyz - (modelMatrix * vec4(place, 1.0)).xyz;
@@ -59,7 +61,7 @@ void main() {
   // A puff and no disc: ragged by the ground's own texture, lit from the sun's side of the picture.
   // Of its blurred levels: on a puff as large as the picture the finest grain would show as squares.
   float lump = texture2D(detail, vPatch + gl_PointCoord * grit, 3.0).b;
-  float thick = round * smoothstep(0.2, 0.75, lump);
+  float thick = round * round * smoothstep(0.2, 0.75, lump);
   vec3 toSun = (viewMatrix * vec4(sunDirection, 0.0)).xyz;
   float lit = 0.75 + 0.45 * dot(vec3(off.x, -off.y, round), toSun) * round;
   gl_FragColor = vec4(albedo * (sunlight * lit + flameColour * vFlame), min(vAlpha * thick * 1.6, 1.0));
@@ -67,7 +69,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** Grains thrown once and left to gravity (and to the air where there is some): the way is worked out on the GPU. */
+/** Grains thrown once, then moved by gravity and, where there is air, drag. The GPU computes their way. */
 export interface Dust {
   readonly points: Points<BufferGeometry, ShaderMaterial>;
   /** A grain: local place and velocity relative to `origin`, m and m/s; seconds it lives, size m, opacity. */

@@ -1,7 +1,7 @@
 import type { Dust } from './dust';
 import { cellNoise } from '../ground/noise';
 
-/** What the dust needs to know of a drawn ship. Local axes, m, m/s. */
+/** A drawn ship as far as the dust depends on it. Local axes, m, m/s. */
 export interface DustyShip {
   readonly place: Float64Array;
   /** Relative to the turning ground. */
@@ -17,7 +17,7 @@ export interface DustyShip {
   readonly blows: Float64Array;
 }
 
-/** What has to be remembered of a ship between frames. */
+/** Of a ship, between frames. */
 export interface DustState {
   wasGrounded: boolean;
   owed: number;
@@ -31,7 +31,7 @@ export function createDustState(): DustState {
 const place = new Float64Array(3);
 const velocity = new Float64Array(3);
 
-/** Throws up what a touch, a slide and an exhaust raise in `seconds`. */
+/** Throws the grains that a touch, a slide and the exhaust raise in `seconds`. */
 export function raiseDust(dust: Dust, state: DustState, ship: DustyShip, seconds: number): void {
   if (ship.grounded && !state.wasGrounded) splash(dust, state, ship);
   state.wasGrounded = ship.grounded;
@@ -55,7 +55,7 @@ function splash(dust: Dust, state: DustState, ship: DustyShip): void {
     velocity[2] = Math.sin(around) * out + ship.velocity[2]! * 0.25;
     dust.throwGrain(place, velocity, {
       seconds: 2.2 + 2.4 * roll(state),
-      size: 0.6 + 0.05 * hard * roll(state),
+      size: 0.5 + 0.022 * hard * roll(state),
       opacity: 0.75,
     });
   }

@@ -10,13 +10,13 @@ import {
 import type { Controls, ShipClass } from '../../dynamics';
 import type { ShipModel } from '../ships/shipModel';
 
-/** The most nozzles a model has: four engines and eight clusters of four. */
-const MOST = 36;
+/** Nozzles of a model at most: four engines and eight clusters of four. */
+const MAX_NOZZLES = 36;
 
 const VERTEX = /* glsl */ `
 attribute vec3 mouth;
 attribute vec2 jet;
-uniform float power[${MOST}];
+uniform float power[${MAX_NOZZLES}];
 varying float vAlong;
 varying float vPower;
 varying vec3 vNormal;
@@ -57,7 +57,7 @@ export function createJetMaterial(): ShaderMaterial {
     side: DoubleSide,
     blending: AdditiveBlending,
     uniforms: {
-      power: { value: new Float32Array(MOST) },
+      power: { value: new Float32Array(MAX_NOZZLES) },
       core: { value: new Vector3(2.2, 1.75, 1.25) },
       edge: { value: new Vector3(0.75, 0.42, 0.9) },
       flicker: { value: 1 },

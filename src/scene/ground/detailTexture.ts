@@ -4,8 +4,8 @@ import { cellNoise, tiledNoise } from './noise';
 const SIZE = 256;
 
 /**
- * What the terrain callback does not know: grain, pebbles and small pits, as slopes (R, G; 0.5 = level), brightness (B) and
- * stoniness (A). It repeats; the ground samples it at several scales. Only light plays on it: nothing stands on it.
+ * Detail below the terrain callback's scale: grain, pebbles and small pits, as slopes (R, G; 0.5 = level), brightness (B) and
+ * stoniness (A). It repeats; the ground samples it at several scales. It changes the light only, not the ground's height.
  */
 export function createDetailTexture(anisotropy: number): DataTexture {
   const heights = new Float32Array(SIZE * SIZE);

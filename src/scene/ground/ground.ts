@@ -31,13 +31,13 @@ const SLACK = 6;
 
 export interface Ground {
   readonly group: Group;
-  /** Lays the ground for another frame or terrain at once. */
-  lay(frame: LocalFrame, terrainHeight: TerrainHeight): void;
+  /** The ground of another frame or terrain; `follow` fills it. */
+  rebuild(frame: LocalFrame, terrainHeight: TerrainHeight): void;
   /** Follows a local point: a few levels a call move, coarsest first. */
   follow(x: number, z: number, levelsAtOnce: number): void;
   /** Places the meshes relative to the eye (local, m) and leaves out what it cannot see. */
   place(eye: Float64Array, cone: ViewCone): void;
-  /** Height, local y, below which the terrain's own shadow lies over (x, z). */
+  /** Local y below which a point over (x, z) is in the terrain's own shadow, m. */
   readonly shadowY: (x: number, z: number) => number;
   dispose(): void;
 }
@@ -63,6 +63,16 @@ function lowestOf(rings: readonly Ring[]): number {
   return lowest;
 }
 
+/** Cells between a level's centre and where it would be centred for a ship at (x, z). */
+function offCentre(level: TerrainLevel, x: number, z: number): number {
+  const { cornerX, cornerZ } = level;
+  return Math.max(Math.abs(cornerFor(level, x) - cornerX), Math.abs(cornerFor(level, z) - cornerZ));
+}
+
+function isUnder(level: TerrainLevel, x: number, z: number): boolean {
+  return level.filled && offCentre(level, x, z) < CELLS / 2;
+}
+
 export function createGround(material: ShaderMaterial): Ground {
   const group = new Group();
   let rings: Ring[] = [];
@@ -78,15 +88,14 @@ export function createGround(material: ShaderMaterial): Ground {
 
   const follow = (x: number, z: number, levelsAtOnce: number) => {
     if (place === null) return;
-    let left = levelsAtOnce;
+    // A ship that was put elsewhere: its ground is whole in the next picture, however long that takes.
+    let left = isUnder(rings[0]!.level, x, z) ? levelsAtOnce : Infinity;
     let changed = false;
     for (let n = rings.length - 1; n >= 0 && left > 0; n--) {
       const { level, mesh } = rings[n]!;
-      const cornerX = cornerFor(level, x);
-      const cornerZ = cornerFor(level, z);
-      const off = Math.max(Math.abs(cornerX - level.cornerX), Math.abs(cornerZ - level.cornerZ));
-      if (level.filled && off <= SLACK) continue;
-      moveLevel(level, [cornerX, cornerZ], place.frame, place.terrainHeight);
+      if (level.filled && offCentre(level, x, z) <= SLACK) continue;
+      const corner = [cornerFor(level, x), cornerFor(level, z)] as const;
+      moveLevel(level, corner, place.frame, place.terrainHeight);
       shadeLevel(level, rings[n + 1]?.level ?? null, place.frame);
       layOutLevel(level);
       upload(mesh.geometry);
@@ -98,7 +107,7 @@ export function createGround(material: ShaderMaterial): Ground {
 
   return {
     group,
-    lay(frame, terrainHeight) {
+    rebuild(frame, terrainHeight) {
       drop();
       place = { frame, terrainHeight };
       rings = Array.from({ length: levelCount(frame.radius) }, (_, n) =>
@@ -117,16 +126,18 @@ export function createGround(material: ShaderMaterial): Ground {
         mesh.position.set(origin[0]! - eye[0]!, origin[1]! - eye[1]!, origin[2]! - eye[2]!);
       }
     },
-    shadowY(x, z) {
-      for (const { level } of rings) {
-        const { origin, spacing } = level;
-        const off = Math.max(Math.abs(x - origin[0]!), Math.abs(z - origin[2]!));
-        if (level.filled && off < (CELLS / 2) * spacing) return shadeOver(level, x, z);
-      }
-      return -Infinity;
-    },
+    shadowY: (x, z) => shadowOver(rings, x, z),
     dispose: drop,
   };
+}
+
+function shadowOver(rings: readonly Ring[], x: number, z: number): number {
+  for (const { level } of rings) {
+    const { origin, spacing } = level;
+    const off = Math.max(Math.abs(x - origin[0]!), Math.abs(z - origin[2]!));
+    if (level.filled && off < (CELLS / 2) * spacing) return shadeOver(level, x, z);
+  }
+  return -Infinity;
 }
 
 function createRing(spacing: number, material: ShaderMaterial): Ring {

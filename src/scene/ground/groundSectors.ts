@@ -2,7 +2,7 @@ import { CELLS, type TerrainLevel, VERTICES } from './terrainLevel';
 import type { ViewCone } from '../camera/viewCone';
 
 /**
- * A level's triangles ordered by sectors around its centre, so that one draw leaves out what lies behind the eye. They are
+ * A level's triangles ordered by sectors around its centre, so that one draw leaves out what is behind the eye. They are
  * there twice in a row: any run of neighbouring sectors, across the last too, is one range.
  */
 export interface GroundSectors {
@@ -24,7 +24,7 @@ export function createSectors(): GroundSectors {
   };
 }
 
-/** The sector in which each cell's centre lies. */
+/** The sector of each cell's centre. */
 const SECTOR_OF = Uint8Array.from({ length: CELLS * CELLS }, (_, cell) => {
   const x = (cell % CELLS) + 0.5 - CELLS / 2;
   const z = Math.floor(cell / CELLS) + 0.5 - CELLS / 2;
@@ -109,7 +109,7 @@ export function visibleRange(
   out.count = starts[first + run]! - out.start;
 }
 
-/** The grid lies on the tangent plane, its points on the sphere: within an eighth of the radius they are less than a cell apart. */
+/** The grid is on the tangent plane, its points on the sphere: within an eighth of the radius they are less than a cell apart. */
 function isNearlyFlat({ spacing, cornerX, cornerZ, radius }: TerrainLevel): boolean {
   const off = Math.max(Math.abs(cornerX + CELLS / 2), Math.abs(cornerZ + CELLS / 2));
   return (off + CELLS) * spacing < radius / 8;

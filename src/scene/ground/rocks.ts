@@ -30,7 +30,7 @@ export interface Rocks {
   readonly mesh: InstancedMesh;
   /** The ground of another frame or terrain. */
   setGround(frame: LocalFrame, terrainHeight: TerrainHeight): void;
-  /** `shadowY`: local y below which the terrain's shadow lies. Stones in it are black on black and left out. */
+  /** `shadowY`: local y below which it is in the terrain's shadow. Stones in it are black on black and left out. */
   follow(x: number, z: number, shadowY: (x: number, z: number) => number): void;
   /** Places them relative to the eye (local, m) and leaves out those out of sight. */
   place(eye: Float64Array, cone: ViewCone): void;

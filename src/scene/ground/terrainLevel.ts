@@ -60,7 +60,7 @@ export function cornerFor(level: TerrainLevel, along: number): number {
   return 2 * Math.round(along / level.spacing / 2) - CELLS / 2;
 }
 
-/** Moves a level to a corner: asks the terrain only for points it did not have, then lays out what is drawn. */
+/** Moves a level to a corner; computes only the points it did not have. */
 export function moveLevel(
   level: TerrainLevel,
   corner: readonly [number, number],
@@ -140,7 +140,7 @@ export function groundPoint(out: Float64Array, at: number, x: number, z: number,
   out[at + 2] = lz * r;
 }
 
-/** Sweeps each row away from the sun; at the sunward edge the coarser level knows what stands beyond. */
+/** Sweeps each row away from the sun; at the sunward edge the coarser level supplies the shadow of what is beyond. */
 export function shadeLevel(level: TerrainLevel, coarser: TerrainLevel | null, frame: LocalFrame): void {
   const { points, shade } = level;
   const drop = level.spacing * frame.sunSlope;

@@ -6,7 +6,7 @@ import { type LocalFrame, rotate, type Turn } from '../localFrame';
 import type { OverlayChoice, OverlayPlaces } from './overlays';
 import type { ShipActor } from '../ships/shipActor';
 
-/** Everything of a frame that the overlays stand on. */
+/** Everything of a frame that the overlays depend on. */
 export interface OverlayScene {
   readonly view: WorldView;
   readonly ship: ShipView;
@@ -23,7 +23,7 @@ type Places = { -readonly [Name in keyof OverlayPlaces]: OverlayPlaces[Name] };
 const point = new Float64Array(3);
 const attitude = new Float64Array(4);
 
-/** Where this frame's overlays go, relative to the eye. */
+/** Writes the places of this frame's overlays, relative to the eye. */
 export function placeOverlays(out: Places, scene: OverlayScene): void {
   const { view, ship, actor, frame, turn, eye, groundY } = scene;
   const { place } = actor;
@@ -34,11 +34,16 @@ export function placeOverlays(out: Places, scene: OverlayScene): void {
   quat.multiply(attitude, view.bodies[ship.body]!.attitude, ship.ghostAttitude);
   quat.multiply(attitude, turn.quaternion, attitude);
   out.ghostTurn.set(attitude[0]!, attitude[1]!, attitude[2]!, attitude[3]!);
+  const raised = ship.shipClass.groundContactOffset - ship.groundContactOffset;
+  out.ghost.addScaledVector(way.set(0, 0, 1).applyQuaternion(out.ghostTurn), raised);
   for (let k = 0; k < 3; k++) point[k] = ship.position[k]! - ship.easedPosition[k]!;
   rotate(point, turn.matrix, point);
   out.error.set(point[0]!, point[1]!, point[2]);
   const [x, z] = [actor.place[0]!, actor.place[2]!];
   out.foot.set(x - eye[0]!, groundY(x, z) - eye[1]!, z - eye[2]!);
+  rotate(point, turn.matrix, ship.groundNormal);
+  out.ground.set(point[0]!, point[1]!, point[2]);
+  placeFootprint(out, ship);
   out.legRadius = ship.shipClass.legRadius;
 
   const mass = ship.shipClass.dryMass + ship.fuel;
@@ -54,6 +59,20 @@ export function placeOverlays(out: Places, scene: OverlayScene): void {
   out.support.copy(out.up).multiplyScalar(carried);
 }
 
+const way = new Vector3();
+
+/**
+ * The footprint's centre: below the ship along the surface normal, where the feet of a ship that stands flush are. High above a slope
+ * it is no further aside than from the ship's own height.
+ */
+function placeFootprint(out: Places, ship: ShipView): void {
+  way.subVectors(out.ship, out.foot);
+  const off = way.dot(out.ground);
+  way.addScaledVector(out.ground, -off);
+  const share = off > ship.groundContactOffset ? ship.groundContactOffset / off : 1;
+  out.footprint.copy(out.foot).addScaledVector(way, share);
+}
+
 export function anyChosen(choice: OverlayChoice): boolean {
   return choice.ghost || choice.errorSegment || choice.contactNormal || choice.footprint || choice.forces;
 }
@@ -66,6 +85,8 @@ export function createPlaces(): Places {
     ghostKnown: false,
     error: new Vector3(),
     foot: new Vector3(),
+    footprint: new Vector3(),
+    ground: new Vector3(0, 1, 0),
     up: new Vector3(),
     legRadius: 1,
     thrust: new Vector3(),

@@ -1,6 +1,6 @@
 import type { Quaternion } from 'three';
 import {
-  BufferGeometry,
+  type BufferGeometry,
   Color,
   ConeGeometry,
   CylinderGeometry,
@@ -11,8 +11,9 @@ import {
   TorusGeometry,
   Vector3,
 } from 'three';
+import { createGhost } from './ghost';
 
-/** What can be laid over the picture. */
+/** What is shown over the picture. */
 export interface OverlayChoice {
   ghost: boolean;
   errorSegment: boolean;
@@ -27,9 +28,15 @@ export interface OverlayPlaces {
   readonly ghost: Vector3;
   readonly ghostTurn: Quaternion;
   readonly ghostKnown: boolean;
-  /** From where the ship is drawn to where it is predicted at the same instant: nought while nothing is being corrected. */
+  /** From where the ship is drawn to where it is predicted at the same instant: zero while nothing is being corrected. */
   readonly error: Vector3;
+  /** On the ground straight below the ship. */
   readonly foot: Vector3;
+  /** On the ground, the centre of the landing legs' circle. */
+  readonly footprint: Vector3;
+  /** The surface normal, unit: local up, or the slope's where the settings have it so. */
+  readonly ground: Vector3;
+  /** Local up, unit. */
   readonly up: Vector3;
   readonly legRadius: number;
   /** m/s², in local axes: what thrust, weight and ground give the ship. */
@@ -57,7 +64,7 @@ export const OVERLAY_COLOURS = {
   support: 0x7dff9a,
 } as const;
 
-/** Metres of arrow a m/s² of acceleration. */
+/** Length of an arrow per acceleration, m per m/s². */
 const SCALE = 1.6;
 
 export function createOverlays(): Overlays {
@@ -71,72 +78,74 @@ export function createOverlays(): Overlays {
   const shaft = new CylinderGeometry(0.05, 0.05, 1, 8).rotateX(Math.PI / 2).translate(0, 0, 0.5);
   const head = new ConeGeometry(0.2, 0.5, 12).rotateX(Math.PI / 2).translate(0, 0, 0.25);
   const arrow = (colour: number) => {
-    const material = paint(colour);
-    const made = { whole: new Group(), shaft: new Mesh(shaft, material), head: new Mesh(head, material) };
-    made.whole.add(made.shaft, made.head);
-    made.whole.renderOrder = 5;
+    const made = createArrow(shaft, head, paint(colour));
     group.add(made.whole);
     return made;
   };
-  const ghostMaterial = new MeshBasicMaterial({
-    color: new Color(OVERLAY_COLOURS.ghost),
-    wireframe: true,
-    transparent: true,
-    opacity: 0.22,
-    depthWrite: false,
-  });
-  materials.push(ghostMaterial);
-  const ghost = new Mesh(new BufferGeometry(), ghostMaterial);
+  const ghost = createGhost(OVERLAY_COLOURS.ghost);
   const error = new Mesh(shaft, paint(OVERLAY_COLOURS.error));
   const ring = new Mesh(new TorusGeometry(1, 0.012, 6, 64), paint(OVERLAY_COLOURS.footprint));
-  group.add(ghost, error, ring);
+  group.add(ghost.group, error, ring);
   const normal = arrow(OVERLAY_COLOURS.normal);
   const forces = {
     thrust: arrow(OVERLAY_COLOURS.thrust),
     weight: arrow(OVERLAY_COLOURS.weight),
     support: arrow(OVERLAY_COLOURS.support),
   };
-  const way = new Vector3();
-
-  const point = (made: ReturnType<typeof arrow>, from: Vector3, vector: Vector3, visible: boolean) => {
-    const length = vector.length();
-    made.whole.visible = visible && length > 0.05;
-    if (!made.whole.visible) return;
-    made.whole.position.copy(from);
-    made.whole.quaternion.setFromUnitVectors(Z, way.copy(vector).normalize());
-    made.shaft.scale.z = Math.max(length - 0.4, 0.01);
-    made.head.position.z = Math.max(length - 0.5, 0);
-  };
+  const scaled = new Vector3();
 
   return {
     group,
-    setGhostHull(hull) {
-      ghost.geometry = hull;
-    },
+    setGhostHull: (hull) => ghost.setHull(hull),
     update(choice, places) {
-      ghost.visible = choice.ghost && places.ghostKnown;
-      ghost.position.copy(places.ghost);
-      ghost.quaternion.copy(places.ghostTurn);
+      ghost.show(choice.ghost && places.ghostKnown, places.ghost, places.ghostTurn);
       const gap = places.error.length();
       error.visible = choice.errorSegment && gap > 0.01;
       if (error.visible) {
         error.position.copy(places.ship);
-        error.quaternion.setFromUnitVectors(Z, way.copy(places.error).divideScalar(gap));
+        error.quaternion.setFromUnitVectors(Z, scaled.copy(places.error).divideScalar(gap));
         error.scale.set(1, 1, gap);
       }
       ring.visible = choice.footprint;
-      ring.position.copy(places.foot).addScaledVector(places.up, 0.05);
-      ring.quaternion.setFromUnitVectors(Z, places.up);
+      ring.position.copy(places.footprint).addScaledVector(places.ground, 0.05);
+      ring.quaternion.setFromUnitVectors(Z, places.ground);
       ring.scale.setScalar(places.legRadius);
-      point(normal, places.foot, way.copy(places.up).multiplyScalar(4).clone(), choice.contactNormal);
+      point(normal, places.foot, scaled.copy(places.ground).multiplyScalar(4), choice.contactNormal);
       for (const name of ['thrust', 'weight', 'support'] as const) {
         const from = name === 'support' ? places.foot : places.ship;
-        point(forces[name], from, places[name].clone().multiplyScalar(SCALE), choice.forces);
+        point(forces[name], from, scaled.copy(places[name]).multiplyScalar(SCALE), choice.forces);
       }
     },
     dispose() {
+      ghost.dispose();
       for (const geometry of [shaft, head, ring.geometry]) geometry.dispose();
       for (const material of materials) material.dispose();
     },
   };
+}
+
+interface Arrow {
+  readonly whole: Group;
+  readonly shaft: Mesh;
+  readonly head: Mesh;
+}
+
+function createArrow(shaft: BufferGeometry, head: BufferGeometry, material: Material): Arrow {
+  const made = { whole: new Group(), shaft: new Mesh(shaft, material), head: new Mesh(head, material) };
+  made.whole.add(made.shaft, made.head);
+  made.whole.renderOrder = 5;
+  return made;
+}
+
+const way = new Vector3();
+
+/** Points an arrow along a vector; one too short to see is hidden. */
+function point({ whole, shaft, head }: Arrow, from: Vector3, vector: Vector3, visible: boolean): void {
+  const length = vector.length();
+  whole.visible = visible && length > 0.05;
+  if (!whole.visible) return;
+  whole.position.copy(from);
+  whole.quaternion.setFromUnitVectors(Z, way.copy(vector).normalize());
+  shaft.scale.z = Math.max(length - 0.4, 0.01);
+  head.position.z = Math.max(length - 0.5, 0);
 }

@@ -12,10 +12,10 @@ import type { ShipActor } from './shipActor';
 import type { ShipMaterial } from './shipMaterial';
 import type { ShipModel } from './shipModel';
 
-/** All ships' hulls: a draw for each class and level of detail, whatever the number of ships. */
+/** All ships' hulls: one draw per class and level of detail, whatever the number of ships. */
 export interface Hulls {
   readonly group: Group;
-  /** Begins a frame: nobody is in the scene. */
+  /** Begins a frame without ships. */
   clear(): void;
   /** Puts a posed ship in the scene. `eye` local, m; the watched ship is drawn whole and throws a shadow, however far off. */
   put(actor: ShipActor, eye: Float64Array, isWatched: boolean): void;

@@ -90,7 +90,7 @@ export function createActor(ship: ShipView, shipResources: ShipResources, inAir:
   jets.frustumCulled = false;
   jets.renderOrder = 3;
   jets.visible = false;
-  // Most stand still and dark: placeJets moves those that are seen.
+  // Most are at rest and not lit: placeJets moves those in sight.
   jets.matrixAutoUpdate = false;
   firePower(jets, power);
   return {
@@ -134,7 +134,7 @@ const asked = new Float64Array(3);
 const spin = new Float64Array(3);
 const inverse = new Float64Array(4);
 
-/** Where the ship is drawn and what its nozzles do. */
+/** Sets where the ship is drawn and what its nozzles do. */
 export function poseActor(
   actor: ShipActor,
   ship: ShipView,
@@ -160,6 +160,9 @@ export function poseActor(
   actor.blows.fill(0);
   actor.blows[2] = -1;
   rotateByQuat(actor.blows, actor.turn, actor.blows);
+  // The model is its class's: it is moved along its own axis until its feet are the ship's.
+  const raised = ship.shipClass.groundContactOffset - ship.groundContactOffset;
+  for (let k = 0; k < 3; k++) actor.place[k] = actor.place[k]! - raised * actor.blows[k]!;
   // Not before the server confirmed it.
   if (ship.shownState === 'crashed') crumple(actor, ship.shipClass.groundContactOffset);
 

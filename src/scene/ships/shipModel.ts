@@ -16,11 +16,11 @@ export interface Engine {
 
 export interface Thruster {
   readonly at: Point;
-  /** Where its gas goes; the ship is pushed the other way. */
+  /** Direction of its gas; the ship is pushed the other way. */
   readonly blows: Point;
 }
 
-/** What a model is built to: height of the centre of mass over the feet and radius of the feet, m. */
+/** The dimensions that a model is built to: height of the centre of mass over the feet and radius of the feet, m. */
 export interface Stance {
   readonly h: number;
   readonly legRadius: number;

@@ -15,7 +15,7 @@ export interface BodyLook {
   readonly air: Air | null;
   /** Light that shadows get where there is no air: from sunlit ground around. */
   readonly fill: readonly [number, number, number];
-  /** What else hangs in the sky: direction in the local frame, angular radius in degrees, colours. */
+  /** Another body in the sky: direction in the local frame, angular radius in degrees, colours. */
   readonly neighbour: Neighbour | null;
   /** Stones a square metre near the ship, relative. */
   readonly stoniness: number;
@@ -130,7 +130,7 @@ const EARTH: BodyLook = {
 
 const LOOKS: Readonly<Record<string, BodyLook>> = { Luna: MOON, Earth: EARTH, Mars: MARS, Phobos: PHOBOS };
 
-/** The look of a body by its name; bodies we do not know look like the Moon. */
+/** The look of a body by its name; unknown bodies look like the Moon. */
 export function lookOf(bodyName: string): BodyLook {
   return Object.hasOwn(LOOKS, bodyName) ? LOOKS[bodyName]! : MOON;
 }

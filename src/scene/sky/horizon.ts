@@ -1,7 +1,7 @@
 import { CELLS, type TerrainLevel } from '../ground/terrainLevel';
 
 /**
- * Whether all of a level lies behind the body's bulge: farther round the body than eye and ground together can look over a
+ * Whether all of a level is behind the body's bulge: farther round the body than eye and ground together can look over a
  * sphere that touches the `lowest` ground. `eye` local, m; heights over the body's sphere, m.
  */
 export function isOverHorizon(

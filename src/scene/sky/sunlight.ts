@@ -10,7 +10,7 @@ export interface Sunlight {
   paint(look: BodyLook, frame: LocalFrame): void;
   /**
    * How much of the sun reaches the watched ship, 0 … 1. Gives how far the camera is open, 1 in the sun, `seconds` after the call
-   * before: it opens as the eye does to see what stands in the dark.
+   * before: it opens as an eye adapts to the dark.
    */
   shade(share: number, seconds: number): number;
   /** Centres the shadow map on a local point, `reach` m to each side; `depth` m down-sun to the ground. */

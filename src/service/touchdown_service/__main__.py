@@ -14,6 +14,7 @@ from redis.retry import Retry
 from .lease import LeaseHeld
 from .limits import Refusal
 from .service import Service
+from .terrain import with_whole_paths
 
 # Exit codes: the world or the arguments cannot be used; another service runs.
 REFUSED = 2
@@ -26,7 +27,7 @@ def main() -> None:
     # A command that may have been carried out is never sent again: the service looks at what Redis holds instead.
     client = Redis.from_url(args.redis, decode_responses=True, socket_timeout=5, retry=Retry(NoBackoff(), 0))
     try:
-        definition = json.loads(args.world.read_text(encoding="utf-8"))
+        definition = with_whole_paths(json.loads(args.world.read_text(encoding="utf-8")), args.world.resolve().parent)
         service = Service(client, definition, args.lease_ms)
         for name in (signal.SIGTERM, signal.SIGINT):
             signal.signal(name, lambda *_: service.stop())

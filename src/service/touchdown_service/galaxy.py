@@ -9,7 +9,7 @@ from .loading import load_ship_class
 from .maneuver_landing import Landing, abort, continue_landing
 from .models import Body, Change, Event, Ship, ShipClass, World
 from .simulation import run_tick
-from .terrain import load_terrain_name
+from .terrain import load_ground
 
 
 @dataclass(slots=True)
@@ -67,7 +67,7 @@ def make_galaxy(definition: Any, bodies: list[Body]) -> Galaxy:
     world = World(
         load_config(definition.get("settings", {}), "world.settings"),
         bodies,
-        load_terrain_name(definition.get("terrain", "flat"), "world.terrain"),
+        load_ground(definition, bodies, "world"),
     )
     one_of(definition.get("input_granularity", "substep"), "world.input_granularity", ("substep",))
     return Galaxy(
@@ -90,6 +90,10 @@ def run_interval(galaxy: Galaxy, due: float, changes: Changes) -> None:
     changes.controls += happened.changes
     galaxy.tick += 1
     galaxy.game_time += timing.tick_seconds
+    for event in happened.events:
+        landing = galaxy.landings.get(event.ship.ship_id)
+        if event.type == "ship.contact" and landing and not landing.is_over:
+            landing.touch_speed = max(landing.touch_speed, event.impact_speed)
     for ship_id, applied in before.items():
         if galaxy.ships[ship_id].applied is not applied:
             end_landing(galaxy, ship_id, "the pilot took the controls")

@@ -4,13 +4,18 @@ import sys
 from array import array
 from dataclasses import dataclass
 from math import floor, sqrt
+from pathlib import Path
+from typing import Any
 
 from .arctangent import angle_of
-from .limits import BODY_RADIUS, PLACE, Refusal, number, one_of, whole
+from .limits import BODY_RADIUS, PLACE, Refusal, known_fields, mapping, number, one_of, required, text, whole
 from .models import TerrainHeight
 
 PI = 3.141592653589793
 INTERPOLATIONS = ("bilinear", "bicubic")
+FIELDS = frozenset(("path", "columns", "rows", "scale", "reference_radius", "interpolation"))
+# Columns or rows; a grid of 1 arc second would have 1,296,000 columns and take 1.7 TB.
+MOST_SAMPLES_ACROSS = 200_000
 
 
 @dataclass(slots=True)
@@ -62,6 +67,33 @@ def read_samples(data: bytes) -> array:
     if sys.byteorder == "big":
         samples.byteswap()
     return samples
+
+
+def load_heightmap(data: Any, path: str, body_radius: float) -> Heightmap:
+    """A heightmap as a world file describes it, its samples read from the file at `path` in it.
+
+    `body_radius`, m: what heights come out above. Raises Refusal with the field that cannot be used.
+    """
+    mapping(data, path)
+    known_fields(data, FIELDS, path)
+    columns, rows = (
+        whole(required(data, name, path), f"{path}.{name}", least=2, most=MOST_SAMPLES_ACROSS)
+        for name in ("columns", "rows")
+    )
+    file = text(required(data, "path", path), f"{path}.path", most=4096)
+    try:
+        content = Path(file).read_bytes()
+    except (OSError, ValueError) as error:
+        raise Refusal(f"{path}.path: {file!r} cannot be read: {error}") from None
+    if len(content) != 2 * columns * rows:
+        size = 2 * columns * rows
+        raise Refusal(f"{path}.path: expected {size} bytes, {columns} x {rows} samples, got {len(content)} in {file}")
+    scale, reference = required(data, "scale", path), required(data, "reference_radius", path)
+    interpolation = data.get("interpolation", "bilinear")
+    try:
+        return Heightmap(read_samples(content), columns, rows, scale, reference, body_radius, interpolation)
+    except Refusal as refusal:
+        raise Refusal(f"{path}.{refusal}") from None
 
 
 def heightmap_terrain(maps: dict[str, Heightmap], elsewhere: TerrainHeight) -> TerrainHeight:

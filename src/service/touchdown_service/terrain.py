@@ -2,9 +2,12 @@
 
 from dataclasses import dataclass
 from math import sqrt
+from pathlib import Path
+from typing import Any
 
-from .limits import one_of
-from .models import TerrainHeight
+from .heightmap import heightmap_terrain, load_heightmap
+from .limits import Refusal, mapping, one_of, text
+from .models import Body, TerrainHeight
 from .noise import crater, noise
 from .vectors import Vec3
 
@@ -80,3 +83,37 @@ TERRAINS: dict[str, TerrainHeight] = {"flat": flat, "hills": hills}
 
 def load_terrain_name(name: object, path: str) -> TerrainHeight:
     return TERRAINS[one_of(name, path, tuple(TERRAINS))]
+
+
+def load_ground(definition: dict[str, Any], bodies: list[Body], path: str) -> TerrainHeight:
+    """The ground of a world: a terrain that is built in, or one of the world's own name with a heightmap for each body that has one.
+
+    Bodies without one are flat. Raises Refusal with the field that cannot be used.
+    """
+    name = definition.get("terrain", "flat")
+    if "heightmaps" not in definition:
+        return load_terrain_name(name, f"{path}.terrain")
+    if text(name, f"{path}.terrain") in TERRAINS:
+        raise Refusal(f"{path}.terrain: expected a name of its own beside heightmaps, got {name!r}, which is built in")
+    given = definition["heightmaps"]
+    mapping(given, f"{path}.heightmaps")
+    radii = {body.name: body.radius for body in bodies}
+    for body_name in given:
+        one_of(body_name, f"{path}.heightmaps", tuple(radii))
+    return heightmap_terrain(
+        {body: load_heightmap(data, f"{path}.heightmaps.{body}", radii[body]) for body, data in given.items()}, flat
+    )
+
+
+def with_whole_paths(definition: Any, folder: Path) -> Any:
+    """A world definition whose heightmap files no longer depend on where the process runs: they lie relative to `folder`."""
+    heightmaps = definition.get("heightmaps") if isinstance(definition, dict) else None
+    if not isinstance(heightmaps, dict):
+        return definition
+    whole = {
+        body: given | {"path": str(folder / given["path"])}
+        if isinstance(given, dict) and isinstance(given.get("path"), str)
+        else given
+        for body, given in heightmaps.items()
+    }
+    return definition | {"heightmaps": whole}

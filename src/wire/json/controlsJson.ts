@@ -1,12 +1,22 @@
-import type { Controls, Result } from '../../dynamics';
+import { type Controls, loadControls, type Result } from '../../dynamics';
 import { controlFields, readControlFields } from '../fields/controls';
 import { beginReading, endReading, fieldsOf } from '../fields/reading';
 
 /**
  * Controls for JSON.stringify, under the game's names: thrust_level, translation_input and rotation_input {x, y, z},
- * attitude_hold, attitude_mode, target_attitude {w, x, y, z}.
+ * attitude_hold, attitude_mode, target_attitude {w, x, y, z}. Controls that `takeControls` gives can always be encoded.
+ * @throws RangeError, naming the member, where controls made by hand are incomplete or not finite
+ *
+ * @example
+ * ```ts
+ * const controls = predictor.takeControls();
+ * if (controls !== null) socket.send(JSON.stringify({ type: 'control', ...encodeControlsJson(controls) }));
+ * ```
  */
 export function encodeControlsJson(controls: Controls): Readonly<Record<string, unknown>> {
+  const given: unknown = controls;
+  const loaded = loadControls((given ?? {}) as Controls);
+  if (!loaded.ok) throw new RangeError(`controls.${loaded.reason}. Start from NEUTRAL_CONTROLS.`);
   return { ...controlFields(controls) };
 }
 

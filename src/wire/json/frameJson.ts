@@ -28,6 +28,7 @@ import { readShipState } from '../fields/shipState';
 import { readEvent } from '../fields/worldEvent';
 import { type BodyDefaults, readBodyJson } from './bodyJson';
 import { entriesIn, type Partial, partIn } from './entries';
+import { notPlain, wrappedIn } from '../fields/sentObject';
 import { gameTimeIn } from './gameTime';
 
 /** A frame from JSON, and what of it was left out. */
@@ -50,9 +51,11 @@ export interface FrameJsonOptions {
  * cannot be used is in `refusals`. SI units, ICRF axes, quaternions of the record [x, y, z, w]. Never throws.
  */
 export function decodeFrameJson(value: unknown, options: FrameJsonOptions = {}): Result<DecodedFrame> {
+  const mistaken = notPlain(value);
+  if (mistaken !== '') return err(`message: expected a parsed JSON object, got ${mistaken}`);
   const r = beginReading('json');
   const from = fieldsOf(r, value);
-  if (r.reason === null && valueIn(r, from, 'tick') === undefined) refuse(r, 'tick', 'missing');
+  if (r.reason === null && valueIn(r, from, 'tick') === undefined) refuse(r, 'tick', missingTick(value));
   const tick = integerIn(r, from, 'tick', 0, MAX_TICK);
   if (r.reason === null && valueIn(r, from, 'ships') === undefined) refuse(r, 'ships', 'missing');
   if (r.reason !== null) return endReading<DecodedFrame>(r, { kind: 'frame', tick, ships: [], refusals: [] });
@@ -68,6 +71,12 @@ export function decodeFrameJson(value: unknown, options: FrameJsonOptions = {}):
   const tempo = readTempo(pass, from);
   const rest = readRest(pass, from, { tick, time: timeOf(tick, tempo), known: options.bodies ?? BODIES });
   return endReading(r, { kind: 'frame', tick, ...tempo, ships, ...rest, refusals: pass.refusals });
+}
+
+/** Where a frame without a tick has it, if it is still in its envelope. */
+function missingTick(message: unknown): string {
+  const member = wrappedIn(message, ['tick', 'ships']);
+  return member === '' ? 'missing' : `missing; it is in the message's ${member}: hand that in`;
 }
 
 type Tempo = Pick<PartialFrame, 'tickRate' | 'timeScale' | 'gameTime' | 'paused'>;

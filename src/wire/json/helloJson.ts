@@ -1,4 +1,4 @@
-import { BODIES, type Result, SHIP_CLASSES } from '../../dynamics';
+import { BODIES, err, type Result, SHIP_CLASSES } from '../../dynamics';
 import { helloFields, readProtocolVersion, readTiming } from '../messages/hello';
 import { MAX_BODIES, MAX_SHIP_CLASSES, MAX_TICK } from '../limits';
 import {
@@ -17,12 +17,25 @@ import { readSettings } from '../fields/settings';
 import { readShipClass } from '../fields/shipClass';
 import { readBodyJson } from './bodyJson';
 import { entriesIn, type Partial } from './entries';
+import { notPlain } from '../fields/sentObject';
 
 /** A hello from JSON, and what of it was left out. */
 export interface DecodedHello extends Hello {
   /** Path and reason of each ship class and body that could not be used; the rest of the hello stands. */
   readonly refusals: readonly string[];
 }
+
+/** Of these a hello has at least one. */
+const TOLD = [
+  'player_id',
+  'ship_id',
+  'settings',
+  'ship_classes',
+  'terrain',
+  'bodies',
+  'tick_rate',
+  'protocol_version',
+];
 
 const UNTOLD: Fields = { settings: {}, tick_rate: 1, time_scale: 1, input_granularity: 'tick' };
 
@@ -33,8 +46,15 @@ const UNTOLD: Fields = { settings: {}, tick_rate: 1, time_scale: 1, input_granul
  * decodeFrameJson. Refused with the path of the first bad field that is not a class or a body. Never throws.
  */
 export function decodeHelloJson(value: unknown): Result<DecodedHello> {
+  const mistaken = notPlain(value);
+  if (mistaken !== '') return err(`message: expected a parsed JSON object, got ${mistaken}`);
   const r = beginReading('json');
   const sent = fieldsOf(r, value);
+  const isFrame = valueIn(r, sent, 'ships') !== undefined;
+  if (r.reason === null && (isFrame || !TOLD.some((name) => valueIn(r, sent, name) !== undefined)))
+    return err(
+      `message: ${isFrame ? 'a frame: hand it to decodeFrameJson' : `expected at least one of ${TOLD.join(', ')}`}`,
+    );
   const from = completed(sent);
   const protocolVersion = readProtocolVersion(r, from);
   const pass: Partial = { refusals: [] };

@@ -47,8 +47,16 @@ export function decodeClientMessage(bytes: Uint8Array): Result<ClientMessage> {
   return err('message: expected inputs or a ping');
 }
 
-/** The bytes of a checked message, in a buffer of their own. Decoding gives the record back, bit by bit. */
+/**
+ * The bytes of a checked message, in a buffer of their own. Decoding gives the record back, bit by bit.
+ * @throws RangeError for what is no message of takeOutgoing
+ */
 export function encodeClientMessage(message: ClientMessage): Uint8Array<ArrayBuffer> {
+  const kind: unknown = (message as ClientMessage | null | undefined)?.kind;
+  if (kind !== 'ping' && kind !== 'inputs')
+    throw new RangeError(
+      `message.kind: expected inputs or ping, got ${String(kind)}. Encode each message of takeOutgoing.`,
+    );
   const fields: galaxy.stream.ClientMessage.$Properties =
     message.kind === 'ping'
       ? { ping: { id: message.id } }

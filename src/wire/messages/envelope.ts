@@ -22,6 +22,8 @@ export function openEnvelope<T>(
   envelope: Envelope,
   decode: (reader: protobuf.Reader) => T,
 ): Result<T> {
+  const mistaken = notBytes(bytes);
+  if (mistaken !== '') return err(`message: expected bytes in a Uint8Array, got ${mistaken}`);
   if (bytes.length > envelope.maxBytes)
     return err(`message: expected at most ${envelope.maxBytes} bytes, got ${bytes.length}`);
   try {
@@ -31,8 +33,26 @@ export function openEnvelope<T>(
     reader.discardUnknown = true;
     return ok(decode(reader));
   } catch (error) {
-    return err(`message: not of this protocol (${error instanceof Error ? error.message : String(error)})`);
+    const cause = error instanceof Error ? error.message : String(error);
+    const hint = bytes[0] === BRACE && bytes[1] === QUOTE ? '; a text of JSON goes to decodeFrameJson' : '';
+    return err(`message: not of this protocol (${cause})${hint}`);
   }
+}
+
+/** What JSON's objects begin with. */
+const BRACE = 0x7b;
+const QUOTE = 0x22;
+
+/** '' for bytes; else what was handed in instead, and what to do about it. */
+function notBytes(value: unknown): string {
+  if (value instanceof Uint8Array || Object.prototype.toString.call(value) === '[object Uint8Array]')
+    return '';
+  if (typeof value === 'string') return 'a text: JSON goes to decodeFrameJson';
+  const kind = Object.prototype.toString.call(value).slice(8, -1);
+  if (kind === 'ArrayBuffer') return 'an ArrayBuffer: hand in new Uint8Array(buffer)';
+  if (kind === 'Blob') return 'a Blob: set socket.binaryType to "arraybuffer"';
+  if (kind === 'Promise') return 'a Promise: await it first';
+  return kind === 'Object' || kind.endsWith('Event') ? 'an object: bytes are in the .data of an event' : kind;
 }
 
 /** The bytes in a buffer of their own, which may be transferred. */

@@ -44,9 +44,12 @@ describe('a law that does not fit', () => {
 
   it('leaves a ship alone that it fits', () => {
     const rig = createRig({ scenario: 'opening', tickRate: 5 });
+    let looked = 0;
     rig.fly(20, ({ ships }) => {
+      looked += ships.length;
       for (const { carried, carriedStates } of ships) expect([carried, carriedStates]).toEqual(['', 0]);
     });
+    expect(looked).toBeGreaterThan(500);
   });
 });
 

@@ -45,6 +45,9 @@ export const withBody = (changes: object): ServerFrame => ({
 });
 export const thousandth = (v: readonly number[]) => v.map((x) => x / 1000);
 
+/** What was done, the code that tells of it, a part of the message that helps, and doing it. */
+export type Mistake = readonly [what: string, code: string, help: RegExp, run: () => Warning[]];
+
 export interface Warning {
   readonly code: string;
   readonly message: string;
@@ -74,7 +77,15 @@ export const flown = (controls: unknown) =>
 /** Frames at 60 Hz and states at 1 Hz for `seconds`, with what each call is given. */
 export const played = (
   seconds: number,
-  { now = (s: number) => s, hz = 60, times = 1, receiveAt = (s: number) => s, id = 'a', take = true } = {},
+  {
+    now = (s: number): number => s,
+    hz = 60,
+    times = 1,
+    receiveAt = (s: number) => s,
+    viewAt = null as ((s: number) => number) | null,
+    id = 'a',
+    take = true,
+  } = {},
 ) =>
   warningsOf((p) => {
     for (let i = 0; i < seconds * hz; i++) {
@@ -83,7 +94,25 @@ export const played = (
         p.receive({ ...frame, tick: 1 + i / hz, ships: [{ ...ship, shipId: id }] }, receiveAt(at));
       for (let k = 0; k < times; k++)
         p.advance({ ...NEUTRAL_CONTROLS, thrustLevel: i % 2 ? 0.001 : 0 }, now(at));
-      p.view(now(at));
+      p.view((viewAt ?? now)(at));
       if (take) p.takeOutgoing();
     }
   });
+
+/** Frames of `count` ticks, one a second. */
+export const ticks = (count: number, changes: object = {}) =>
+  Array.from({ length: count }, (_, i) => ({ ...frame, ...changes, tick: i + 1 }));
+/** A dozen frames and display frames with these options, after a hello if there is one. */
+export const frames = (options: object, first: Hello | null = null) =>
+  warningsOf((p) => {
+    if (first !== null) p.receive(first, 0);
+    for (const [i, one] of ticks(12).entries()) {
+      p.receive({ ...one, tick: i + 2 }, i + 1);
+      p.advance(null, i + 1.01);
+    }
+  }, options);
+/** Options with this as the ground. */
+export const ground = (height: () => unknown) => ({
+  terrains: { mine: height },
+  defaults: { terrain: 'mine' },
+});

@@ -19,22 +19,56 @@ const TOP = 1;
 /** Of h: the hull's lower edge, above the feet by more than the stroke. */
 const BOTTOM = -0.6;
 
+/** A ship as far as its hull is concerned. */
+export interface HullOwner {
+  readonly shipClass: LoadedShipClass;
+  /** The ship's own, m. */
+  readonly groundContactOffset: number;
+}
+
 /**
  * The hull of a class, derived from h and leg radius: the game publishes no outline. Feet at 45°, 135°, … on the footprint's circle,
  * h below the centre; the hull a cylinder of half that height's radius, by the octagons of its two rims.
+ * @param groundContactOffset a ship's own, m: the class's shape is moved along body z until its feet are this far below the centre
  */
-export function hullOf(shipClass: LoadedShipClass): Hull {
-  const known = hulls.get(shipClass);
-  if (known !== undefined) return known;
-  const { groundContactOffset: h, legRadius } = shipClass;
-  const feet = ring(LEGS, legRadius, -h);
-  const outline = Float64Array.of(...ring(8, RADIUS * h, BOTTOM * h), ...ring(8, RADIUS * h, TOP * h));
-  const hull: Hull = { feet, stroke: STROKE * h, outline };
-  hulls.set(shipClass, hull);
+export function hullOf(
+  shipClass: LoadedShipClass,
+  groundContactOffset = shipClass.groundContactOffset,
+): Hull {
+  return hullOfShip({ shipClass, groundContactOffset });
+}
+
+/** As hullOf. In a record, since a double that is an argument is boxed at each call. */
+export function hullOfShip(ship: HullOwner): Hull {
+  const { shipClass } = ship;
+  const known = hulls.get(shipClass) ?? [];
+  for (const hull of known) if (hull.groundContactOffset === ship.groundContactOffset) return hull;
+  const hull = buildHull(ship);
+  if (known.length === MAX_HULLS) known.shift();
+  known.push(hull);
+  hulls.set(shipClass, known);
   return hull;
 }
 
-const hulls = new WeakMap<LoadedShipClass, Hull>();
+interface OffsetHull extends Hull {
+  readonly groundContactOffset: number;
+}
+
+function buildHull({ shipClass, groundContactOffset }: HullOwner): OffsetHull {
+  const { groundContactOffset: h, legRadius } = shipClass;
+  const raised = h - groundContactOffset;
+  const rim = (z: number) => ring(8, RADIUS * h, z * h + raised);
+  return {
+    groundContactOffset,
+    feet: ring(LEGS, legRadius, -groundContactOffset),
+    stroke: STROKE * h,
+    outline: Float64Array.of(...rim(BOTTOM), ...rim(TOP)),
+  };
+}
+
+/** Kept per class: ships of one class carry few different offsets, a hostile server any number. */
+const MAX_HULLS = 16;
+const hulls = new WeakMap<LoadedShipClass, OffsetHull[]>();
 
 function ring(count: number, radius: number, z: number): Float64Array {
   const points = new Float64Array(count * 3);

@@ -121,6 +121,11 @@ function addBridge(parts: Parts, m: Scale): void {
       at: [0, 0, 0],
     },
   );
+  addAntennas(parts, m);
+  addLamps(parts, m);
+}
+
+function addAntennas(parts: Parts, m: Scale): void {
   addStrut(parts, FINISHES.silver, {
     from: [m(1), m(1), m(8.4)],
     to: [m(1.2), m(1.2), m(10.4)],
@@ -143,6 +148,9 @@ function addBridge(parts: Parts, m: Scale): void {
     to: [m(-1.2), m(0.8), m(9)],
     radius: m(0.08),
   });
+}
+
+function addLamps(parts: Parts, m: Scale): void {
   parts.add(ball(m(0.14), 8), FINISHES.port, { at: [0, m(3.5), m(6.5)] });
   parts.add(ball(m(0.14), 8), FINISHES.starboard, { at: [0, m(-3.5), m(6.5)] });
   parts.add(ball(m(0.16), 8), FINISHES.lamp, { at: [m(3.5), 0, m(6.5)] });

@@ -1,0 +1,100 @@
+// Shortens the names of the core's inner properties in the build for production: no minifier of the package's users may, since it
+// cannot know which names others rely on. Here that is known: a name is kept if it is in a declaration file, in a text, a property in
+// another door's code, or of JavaScript itself (the core uses nothing of browsers).
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { parseAst } from 'vite';
+
+const wordsOf = (text) => text.match(/[A-Za-z_$][\w$]*/g) ?? [];
+
+/** Calls `visit` with each node of a program. */
+function eachNode(node, visit) {
+  if (node === null || typeof node !== 'object') return;
+  if (typeof node.type === 'string') visit(node);
+  for (const value of Array.isArray(node) ? node : Object.values(node)) eachNode(value, visit);
+}
+
+const KEYED = new Set(['Property', 'MethodDefinition', 'PropertyDefinition']);
+
+/** The identifier that names a property at `node`, or undefined. */
+function nameAt(node) {
+  if (node.computed) return undefined;
+  const name = node.type === 'MemberExpression' ? node.property : KEYED.has(node.type) ? node.key : undefined;
+  return name?.type === 'Identifier' ? name : undefined;
+}
+
+/** Property names of a file, `{ name, start, end, isShorthand }` each, and the words of its texts. */
+function read(path) {
+  const code = readFileSync(path, 'utf8');
+  const names = [];
+  const texts = [];
+  eachNode(parseAst(code), (node) => {
+    if (node.type === 'Literal' || node.type === 'TemplateElement')
+      texts.push(code.slice(node.start, node.end));
+    const found = nameAt(node);
+    if (found === undefined) return;
+    names.push({
+      name: found.name,
+      start: found.start,
+      end: found.end,
+      isShorthand: node.shorthand === true,
+    });
+  });
+  return { path, code, names, texts: texts.join('\n') };
+}
+
+/** a … z, aa … */
+function* letters() {
+  for (let i = 0; ; i++) {
+    const tail = String.fromCharCode(97 + (i % 26));
+    yield i < 26 ? tail : String.fromCharCode(96 + Math.floor(i / 26)) + tail;
+  }
+}
+
+/** A short name for each that may change, the most used first. */
+function shortNames(files, kept, taken) {
+  const counts = new Map();
+  for (const { name } of files.flatMap(({ names }) => names)) counts.set(name, (counts.get(name) ?? 0) + 1);
+  const free = letters();
+  const next = () => {
+    let name = free.next().value;
+    while (taken.has(name) || counts.has(name)) name = free.next().value;
+    return name;
+  };
+  const changing = [...counts].filter(([name]) => !kept.has(name) && name.length > 2);
+  return new Map(
+    changing.sort(([a, m], [b, n]) => n - m || (a < b ? -1 : 1)).map(([name]) => [name, next()]),
+  );
+}
+
+function rewrite({ path, code, names }, short) {
+  const changed = names
+    .filter(({ name }) => short.has(name))
+    .sort((a, b) => b.start - a.start)
+    .reduce((text, { name, start, end, isShorthand }) => {
+      const use = isShorthand ? `${short.get(name)}: ${name}` : short.get(name);
+      return text.slice(0, start) + use + text.slice(end);
+    }, code);
+  // No line moves: the source map stays good to the line.
+  writeFileSync(path, changed);
+}
+
+/**
+ * Rewrites the core in `folder` (index.js and the chunks). `own` are the texts of the package's declaration files, `language` of
+ * JavaScript's. Throws where it finds next to nothing to shorten: then the lists are wrong.
+ */
+export function shortenNames(folder, { own, language }) {
+  const list = (path) => readdirSync(path).filter((file) => file.endsWith('.js'));
+  const chunks = list(join(folder, 'chunks')).map((file) => join(folder, 'chunks', file));
+  const others = list(folder).filter((file) => file !== 'index.js');
+  const files = [join(folder, 'index.js'), ...chunks].map(read);
+  const outside = others.map((file) => read(join(folder, file)));
+  const texts = [...files, ...outside].map((file) => file.texts);
+  const taken = new Set([
+    ...[...own, ...texts].flatMap(wordsOf),
+    ...outside.flatMap(({ names }) => names).map(({ name }) => name),
+  ]);
+  const short = shortNames(files, new Set([...taken, ...language.flatMap(wordsOf)]), taken);
+  if (short.size < 100) throw new Error(`only ${short.size} names may be shortened`);
+  for (const file of files) rewrite(file, short);
+}

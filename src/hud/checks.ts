@@ -1,0 +1,94 @@
+/** Told of what keeps a HUD from being seen, each code once, with what to do. */
+export type HudWarn = (code: string, message: string) => void;
+
+const CHOICES = { theme: ['dark', 'light', 'system'], layout: ['auto', 'full', 'compact'] } as const;
+
+/** Throws RangeError, naming the argument or the option, where a HUD cannot be made of them. */
+export function requireHost(
+  document: Document,
+  host: Element | ShadowRoot,
+  options: Readonly<Record<string, unknown>>,
+): void {
+  if (!has(document, 'createElement'))
+    throw new RangeError(`document: expected the page's document first, got ${kindOf(document)}`);
+  if (!has(host, 'append'))
+    throw new RangeError(
+      `host: expected an element or a shadow root, got ${kindOf(host)}. Is it in the page when this runs?`,
+    );
+  for (const [name, choices] of Object.entries(CHOICES)) {
+    const value = options[name];
+    if (value !== undefined && !(choices as readonly unknown[]).includes(value))
+      throw new RangeError(`options.${name}: expected ${choices.join(', ')}, got ${JSON.stringify(value)}`);
+  }
+}
+
+function has(value: unknown, method: string): boolean {
+  return typeof (value as Readonly<Record<string, unknown>> | null | undefined)?.[method] === 'function';
+}
+
+/** 'Null', 'Undefined', 'String', 'HTMLDocument', … */
+function kindOf(value: unknown): string {
+  return Object.prototype.toString.call(value).slice(8, -1);
+}
+
+/** What is painted, and where. */
+interface Painted<Readout> {
+  readonly root: HTMLElement;
+  readonly paint: (readout: Readout) => void;
+  readonly dispose: () => void;
+  /** A member that every such readout has, and the function that makes one. */
+  readonly member: keyof Readout & string;
+  readonly madeBy: string;
+}
+
+/** Paints after which the style sheet has had the time to come. */
+const PAINTS = 60;
+
+/** Wraps what paints: anything but a readout, and calls after `dispose`, are ignored with a warning; so is what keeps it from being seen. */
+export function checked<Readout>(
+  { root, paint, dispose, member, madeBy }: Painted<Readout>,
+  onWarning: HudWarn | undefined,
+): { readonly paint: (readout: Readout) => void; readonly dispose: () => void } {
+  const told = new Set<string>();
+  const warn: HudWarn = (code, message) => {
+    if (told.has(code)) return;
+    told.add(code);
+    onWarning?.(code, message);
+  };
+  let paints = 0;
+  let isDisposed = false;
+  return {
+    paint(readout) {
+      if (isDisposed) {
+        warn('hud-disposed', 'paint was called after dispose: stop the frame loop first.');
+        return;
+      }
+      if (typeof readout !== 'object' || readout === null || !(member in readout)) {
+        warn('hud-readout', `paint was given no readout: hand in what ${madeBy} returns.`);
+        return;
+      }
+      paint(readout);
+      paints += 1;
+      if (paints === PAINTS && onWarning !== undefined) checkSight(root, warn);
+    },
+    dispose() {
+      if (!isDisposed) dispose();
+      isDisposed = true;
+    },
+  };
+}
+
+function checkSight(root: HTMLElement, warn: HudWarn): void {
+  const style = root.ownerDocument.defaultView?.getComputedStyle(root);
+  if (style?.getPropertyValue('--td-ink') === '')
+    warn(
+      'hud-unstyled',
+      'hud.css is not applied: link it in the page, or in the shadow root that the HUD is in.',
+    );
+  if (!root.isConnected) warn('hud-detached', 'The host of the HUD is not in the page: append it.');
+  else if (root.clientWidth === 0)
+    warn(
+      'hud-no-room',
+      'The HUD is 0 px wide: give its host a width of at least 200 px, and do not hide it.',
+    );
+}

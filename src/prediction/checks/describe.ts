@@ -1,0 +1,18 @@
+/** What was found in place of what was expected, in a few words: for messages to a developer. */
+export function describe(value: unknown): string {
+  if (typeof value === 'string')
+    return value.length <= 40 ? JSON.stringify(value) : `a text of ${value.length} characters`;
+  if (typeof value === 'function') return 'a function';
+  if (typeof value !== 'object' || value === null) return String(value);
+  if (Array.isArray(value))
+    return value.length <= 4 ? `[${value.map(describe).join(', ')}]` : `a list of ${value.length}`;
+  const kind = kindOf(value);
+  if (kind !== 'Object') return /^[AEIOU]/.test(kind) ? `an ${kind}` : `a ${kind}`;
+  const names = Object.keys(value);
+  return `{ ${names.slice(0, 5).join(', ')}${names.length > 5 ? ', …' : ''} }`;
+}
+
+/** 'Promise', 'Blob', 'MessageEvent', 'Float32Array', …; 'Object' for a plain record. */
+export function kindOf(value: object): string {
+  return Object.prototype.toString.call(value).slice(8, -1);
+}

@@ -1,0 +1,39 @@
+import type { WorldView } from './drawn/view';
+import { fillView } from './drawn/worldView';
+import { place } from './frameLoop';
+import type { Session } from './session';
+import { jitterOf, sentAt, serverTime } from './time/clock';
+import { connectionOf } from './time/connection';
+import { spanOf } from './time/timeline';
+
+/** The world at client wall second `now`, with connection and gauges; before the first `advance` as it is without a server. */
+export function viewAt(session: Session, now: number): WorldView {
+  const { sim, shown, clock, advancedAt } = session;
+  fillConnection(session, now);
+  if (Number.isNaN(advancedAt) || sim.newestTick < 0 || sim.frontIsStale) return shown.view;
+  const present = clock.present + Math.max(0, now - clock.updatedAt) * clock.rate;
+  place(sim, present);
+  const lead = clock.present - serverTime(clock, clock.updatedAt);
+  fillView(shown, sim, { now, present, lead, heard: sentAt(clock, now) - jitterOf(clock) });
+  fillGauges(session);
+  return shown.view;
+}
+
+function fillConnection({ shown, receiver, pings, sim }: Session, now: number): void {
+  const { view } = shown;
+  view.silence = Math.max(0, now - receiver.acceptedAt);
+  if (sim.timeline.spans.length === 0) {
+    view.connection = 'waiting';
+    return;
+  }
+  const heard = { frame: view.silence, pong: Math.max(0, now - pings.answeredAt) };
+  view.connection = connectionOf(heard, sim.cadence, spanOf(sim.timeline, sim.newestTick));
+}
+
+function fillGauges({ counters, clock }: Session): void {
+  counters.clockOffset = clock.offset;
+  counters.clockRate = clock.rate;
+  counters.roundTrip = clock.roundTrip;
+  counters.jitter = jitterOf(clock);
+  counters.lead = clock.present - serverTime(clock, clock.updatedAt);
+}

@@ -1,0 +1,30 @@
+/** What a caller may hand in for a parsed message by mistake, and what to do about it. */
+
+/** '' for a plain object; else what it is and what has to be done with it first. */
+export function notPlain(value: unknown): string {
+  if (typeof value === 'string') return 'a text: parse it with JSON.parse first';
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) return '';
+  const kind = Object.prototype.toString.call(value).slice(8, -1);
+  const todo = TODO[kind] ?? (ArrayBuffer.isView(value) ? BYTES : '');
+  if (todo !== '') return `a ${kind}: ${todo}`;
+  if (kind !== 'Object' && 'data' in value) return `an event: its .data holds the text of the message`;
+  const { ok, value: held } = value as { ok?: unknown; value?: unknown };
+  if (typeof ok === 'boolean' && held !== undefined)
+    return 'a Result: it is decoded already, look at .ok and .value';
+  return '';
+}
+
+const BYTES = 'bytes are decoded with decodeServerMessage of the protobuf entry';
+const TODO: Readonly<Record<string, string>> = {
+  Promise: 'await it first',
+  Blob: 'await its text(), and parse that with JSON.parse',
+  ArrayBuffer: BYTES,
+};
+
+/** The member of an envelope that holds all of these names; '' where there is none. */
+export function wrappedIn(envelope: unknown, names: readonly string[]): string {
+  if (typeof envelope !== 'object' || envelope === null) return '';
+  const holds = (inner: unknown): boolean =>
+    typeof inner === 'object' && inner !== null && names.every((name) => Object.hasOwn(inner, name));
+  return Object.entries(envelope).find(([, inner]) => holds(inner))?.[0] ?? '';
+}

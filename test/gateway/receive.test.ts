@@ -1,0 +1,57 @@
+import { expect, it } from 'vitest';
+import { createAccounts } from '../../src/gateway/accounts';
+import { createClient } from '../../src/gateway/clients/client';
+import { receive } from '../../src/gateway/clients/receive';
+import type { Place } from '../../src/gateway/place';
+
+const SECRET = 'a secret that is long enough for a test';
+
+/** A client of a gateway whose world has not come yet, and all that its socket was sent. */
+async function connectedClient() {
+  const secret = { secret: SECRET, lifetime: 3600, now: () => 1_800_000_000 };
+  const accounts = await createAccounts([{ username: 'one', playerId: 'p1', password: 'x' }], secret);
+  const sent: string[] = [];
+  const socket = {
+    readyState: 1,
+    OPEN: 1,
+    send: (text: string) => sent.push(text),
+    close: (code: number) => sent.push(`closed ${code}`),
+    once: () => undefined,
+    terminate: () => undefined,
+  };
+  const clients = new Set();
+  const feed = { newest: () => null };
+  const options = { clock: () => 1_800_000_000, nonce: () => 'session', log: () => undefined };
+  const place = { accounts, clients, feed, options, world: null } as unknown as Place;
+  const client = createClient(socket as never, 'json', '127.0.0.1', 0);
+  return {
+    client,
+    sent,
+    say: (message: object) => receive(place, client, Buffer.from(JSON.stringify(message)), false),
+    token: (await accounts.login('one', 'x'))!.token,
+    dispose: () => client.timers.forEach((timer) => clearTimeout(timer)),
+  };
+}
+
+it('answers messages that follow the sign-in at once, after the token has been verified', async () => {
+  const { client, sent, say, token, dispose } = await connectedClient();
+  say({ type: 'auth', token });
+  say({ type: 'ping' });
+  say({ type: 'fly' });
+  expect(sent).toEqual([]);
+  await expect.poll(() => client.player?.playerId).toBe('p1');
+  await expect
+    .poll(() => sent)
+    .toEqual(['{"type":"pong"}', expect.stringContaining('type: expected auth, control or ping')]);
+  dispose();
+});
+
+it('closes a connection whose first message is not a sign-in, or whose token is wrong, with 4001', async () => {
+  const eager = await connectedClient();
+  eager.say({ type: 'ping' });
+  expect(eager.sent).toEqual(['closed 4001']);
+  const forged = await connectedClient();
+  forged.say({ type: 'auth', token: `${forged.token}x` });
+  forged.say({ type: 'ping' });
+  await expect.poll(() => forged.sent).toEqual(['closed 4001']);
+});

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { circlesOf } from './circles';
 import { filesUnder } from './source';
 
-const WITHOUT_ANY = ['wire', 'readout', 'hud', 'scenarios', 'game', 'authority'];
+const WITHOUT_ANY = ['scene', 'wire', 'readout', 'hud', 'scenarios', 'game', 'authority'];
 
 describe('circles of imports', () => {
   const files = filesUnder('src', /(?<!\.d)\.ts$/);

@@ -29,8 +29,7 @@ describeInBrowser('the example client', () => {
     page.on('console', (message) => {
       // A busy machine draws seldom, and the predictor rightly says so.
       const isOfMachine = /GPU|GL Driver|WebGL|^advance-seldom/.test(message.text());
-      if (message.type() === 'warning' && !isOfMachine)
-        warnings.push(message.text());
+      if (message.type() === 'warning' && !isOfMachine) warnings.push(message.text());
     });
     await expect.poll(() => page.textContent('.td-landing .td-status')).toMatch(/LANDED/);
     expect(await page.textContent('.td-fleet')).toContain('Kestrel');

@@ -2,31 +2,17 @@ import { createServer, type IncomingMessage, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { createClient as createRedis, type RedisClientType } from 'redis';
 import { type WebSocket, WebSocketServer } from 'ws';
-import { decodeHelloJson, type Hello } from '../wire';
-import { type Accounts, createAccounts } from './accounts';
+import { decodeHelloJson } from '../wire';
+import { createAccounts } from './accounts';
 import { type Client, createClient, dismiss } from './clients/client';
 import { createFeed, type Feed } from './redis/feed';
 import { createHttpHandler } from './http';
-import { createInbox, type Inbox } from './redis/inbox';
+import { createInbox } from './redis/inbox';
 import { AUTH_WITHIN, CLOSE, MAX_CLIENT_MESSAGE, MAX_FROM_ADDRESS, MAX_UNSIGNED } from './clients/limits';
 import type { GatewayOptions } from './options';
+import { type Place, shipOf } from './place';
 import { receive } from './clients/receive';
 import { tellAll, tellBehind } from './clients/tell';
-
-/** All that one gateway holds. It keeps nothing that it could not lose: the world is Redis's. */
-export interface Place {
-  readonly options: GatewayOptions;
-  readonly accounts: Accounts;
-  readonly redis: RedisClientType;
-  readonly inbox: Inbox;
-  readonly clients: Set<Client>;
-  feed: Feed;
-  /** What every hello is made of; null before the service has written its world. */
-  world: Hello | null;
-  /** Redis's clock less ours, s. */
-  clockOffset: number;
-  refused: number;
-}
 
 export interface Gateway {
   readonly port: number;
@@ -189,12 +175,6 @@ function welcomeSocket(
 function isAllowedOrigin(origins: readonly string[], origin: string | undefined): boolean {
   if (origin === undefined || origins.includes(origin)) return true;
   return /^https?:\/\/(localhost|127\.0\.0\.1|\[::1\])(:\d+)?$/.test(origin);
-}
-
-/** The ship that the world has for a player, or that it will have. */
-export function shipOf({ feed, options }: Place, playerId: string): string {
-  const ship = feed.newest()?.frame.ships.find((candidate) => candidate.playerId === playerId);
-  return ship?.shipId ?? options.hangar?.shipId(playerId) ?? '';
 }
 
 function healthOf({ feed, clients, inbox, refused, redis }: Place): Readonly<Record<string, unknown>> {

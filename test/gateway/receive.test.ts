@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { createAccounts } from '../../src/gateway/accounts';
 import { createClient } from '../../src/gateway/clients/client';
 import { receive } from '../../src/gateway/clients/receive';
-import type { Place } from '../../src/gateway/gateway';
+import type { Place } from '../../src/gateway/place';
 
 const SECRET = 'a secret that is long enough for a test';
 

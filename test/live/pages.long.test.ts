@@ -12,7 +12,7 @@ import { readServiceStates, type ServiceStates } from './serviceStates';
 
 /** One way, s. */
 const DELAY = 0.05;
-/** Wall s after the first state of a fall; the offset of the respawn itself is within 5 % after 0.3 s (PREDICTION). */
+/** Wall s after the first state of a fall; the offset of the respawn itself is within 5 % after 0.3 s (PREDICTION, Drawing). */
 const EASED = 1;
 const PATIENCE = { timeout: 120_000, interval: 100 };
 const SHIPS = ['ship-pilot-one', 'ship-pilot-two'];

@@ -125,6 +125,16 @@ describe('the landing maneuver', () => {
     expect(landed).toEqual({ phase: 'complete', reason: '', controls: NEUTRAL_CONTROLS });
   });
 
+  it('fails with the impact speed on a touch that is hard enough to bounce', () => {
+    const contact = { surfaceContactState: 'contact', landedBodyName: 'Luna' };
+    expect(next({ ...contact, contactImpactSpeed: 10 }).phase).toBe('touchdown');
+    const hit = next({ ...contact, contactImpactSpeed: 33.14 });
+    expect([hit.phase, hit.reason]).toEqual(['failed', 'hit Luna at 33.1 m/s']);
+    expect(
+      next({ ...contact, contactImpactSpeed: 33.14 }, BEGIN_LANDING, { ...SITE, bounceSpeed: 40 }).phase,
+    ).toBe('touchdown');
+  });
+
   it('fails with a reason on tipped and on crashed', () => {
     expect(next({ surfaceContactState: 'tipped' }, descending)).toMatchObject({
       phase: 'failed',

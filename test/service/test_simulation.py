@@ -110,6 +110,7 @@ class Simulation(unittest.TestCase):
         for order, input, reason in (
             ({"height": 4000}, {"thrust_level": 0.0}, "the pilot took the controls"),
             ({"height": 30, "velocity": [0, 0, -70]}, None, "crashed on Luna"),
+            ({"height": 30, "velocity": [0, 0, -30]}, None, "hit Luna at 15.7 m/s"),
             ({"height": 900, "fuel": 0}, None, "main engine: 0 N cannot hold"),
         ):
             galaxy = galaxy_with(lander(**order))

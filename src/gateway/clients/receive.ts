@@ -1,6 +1,6 @@
 import type { InputRecord, WorldEvent } from '../../wire';
 import { type Client, countExcess, dismiss } from './client';
-import type { Place } from '../gateway';
+import type { Place } from '../place';
 import { CLOSE, MAX_EARLY, take } from './limits';
 import { errorText, pongBytes, readBytes, readText, type Said } from './speech';
 import { sayHello, tellOne } from './tell';

@@ -3,7 +3,7 @@ import type { Hello, InputAcknowledgement, ServerFrame, WorldEvent } from '../..
 import { type SharedFrame, shareFrame } from '../redis/broadcast';
 import { type Client, mayTakeState, remember } from './client';
 import type { Removed, WorldFrame } from '../redis/feed';
-import { type Place, shipOf } from '../gateway';
+import { type Place, shipOf } from '../place';
 import { NEARBY, shipsInSight } from './interest';
 import { helloBytes, welcomeText } from './speech';
 

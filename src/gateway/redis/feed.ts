@@ -88,23 +88,9 @@ export function createFeed(reader: RedisClientType, asker: RedisClientType, hand
     const world = readWorldFrame(text, handlers.onRefused);
     if (world === null) return;
     const gap = newest !== null && world.frame.tick > newest.frame.tick + 1;
-    const missed = gap ? await missedEvents(newest!.frame.tick, world.frame) : [];
+    const missed = gap ? await missedEvents(asker, newest!.frame.tick, world.frame) : [];
     newest = missed.length === 0 ? world : withEvents(world, missed);
     handlers.onFrame(newest);
-  }
-
-  /** Of the ticks between two frames, the later of which is not the next. */
-  async function missedEvents(tick: number, { events }: ServerFrame): Promise<readonly WorldEvent[]> {
-    const first = events[0]?.tick ?? Infinity;
-    return (await eventsSince(tick, 1000)).filter((event) => event.tick < first);
-  }
-
-  async function eventsSince(tick: number, most: number): Promise<readonly WorldEvent[]> {
-    const entries = await asker.xRevRange(EVENTS, '+', '-', { COUNT: most });
-    const sent = (entries ?? []).reverse().map(({ message }) => message);
-    const decoded = decodeFrameJson({ tick: 2 ** 52, ships: [], events: sent });
-    const events = decoded.ok ? decoded.value.events : undefined;
-    return (events ?? []).filter((event) => event.tick >= tick);
   }
 
   return {
@@ -112,7 +98,7 @@ export function createFeed(reader: RedisClientType, asker: RedisClientType, hand
     stop: () => {
       stopped = true;
     },
-    eventsSince,
+    eventsSince: (tick, most) => readEvents(asker, tick, most),
     async run() {
       while (!isStopped()) {
         try {
@@ -125,6 +111,28 @@ export function createFeed(reader: RedisClientType, asker: RedisClientType, hand
       }
     },
   };
+}
+
+/** Events of the ticks between two frames, where the later one is not the next. */
+async function missedEvents(
+  asker: RedisClientType,
+  tick: number,
+  { events }: ServerFrame,
+): Promise<readonly WorldEvent[]> {
+  const first = events[0]?.tick ?? Infinity;
+  return (await readEvents(asker, tick, 1000)).filter((event) => event.tick < first);
+}
+
+async function readEvents(
+  asker: RedisClientType,
+  tick: number,
+  most: number,
+): Promise<readonly WorldEvent[]> {
+  const entries = await asker.xRevRange(EVENTS, '+', '-', { COUNT: most });
+  const sent = (entries ?? []).reverse().map(({ message }) => message);
+  const decoded = decodeFrameJson({ tick: 2 ** 52, ships: [], events: sent });
+  const events = decoded.ok ? decoded.value.events : undefined;
+  return (events ?? []).filter((event) => event.tick >= tick);
 }
 
 type StreamReply = { messages: { id: string; message: Record<string, string> }[] }[];

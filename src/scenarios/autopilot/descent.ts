@@ -22,6 +22,8 @@ export interface LandingSite {
    * one and a half if they act a tick later. 0 by default; a ship that turns upright during the descent then starts its engine later.
    */
   readonly delay?: number;
+  /** m/s: a harder touch fails the landing; the default of contact_bounce_speed, 10, unless given. */
+  readonly bounceSpeed?: number;
 }
 
 /** A ship relative to the ground below it. SI units; up is local up, speeds are relative to the turning ground. */

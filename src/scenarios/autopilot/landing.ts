@@ -24,6 +24,9 @@ export const BEGIN_LANDING: LandingManeuver = Object.freeze<LandingManeuver>({
 /** In contact the engine is off and rates are damped; legs, friction and gravity do the rest. */
 const HOLD: Controls = Object.freeze<Controls>({ ...NEUTRAL_CONTROLS, attitudeHold: true });
 
+/** m/s: contact_bounce_speed unless the site has another. */
+const BOUNCE_SPEED = 10;
+
 /** Height below which a hop after contact is left to the ground, m: even from Earth's it comes down below the bounce speed. */
 const LOW_HOP = 3;
 
@@ -33,7 +36,8 @@ const LOW_HOP = 3;
  * bounce is flown like the descent. At 1 Hz the feet still touch below 3 m/s, from any attitude and spin, if `site.delay` is given
  * and there is height enough to turn the engine down and brake: 200 m over the Moon, Mars and Phobos; over Earth an upside-down
  * lander needs 400 m at 10 Hz and 600 m at 1 Hz a tick late. With less, or with too small a delay, the ship hits the ground: the
- * maneuver fails with the crash as its reason, or continues from the bounce.
+ * maneuver fails with the crash or the impact speed as its reason. A bounce between two states, and one of a server that sends no
+ * impact speed, is not seen: the maneuver then continues from it.
  * @returns what to keep and command; or a reason that names the field a state has no use for, and `before` stays good
  */
 export function continueLanding(
@@ -49,7 +53,7 @@ export function continueLanding(
     case 'landed':
       return ok({ phase: 'complete', reason: '', controls: NEUTRAL_CONTROLS });
     case 'contact':
-      return ok({ phase: 'touchdown', reason: '', controls: HOLD });
+      return ok(touchdown(ship, site));
     case '':
       return fly(before, ship, site);
     default:
@@ -68,6 +72,12 @@ function fly(before: LandingManeuver, ship: ShipState, site: LandingSite): Resul
     return ok(failed(`mainEngineThrust: ${thrust} N cannot hold a weight of ${Math.round(weight)} N`));
   const controls = descend(approach.value, ship.mass, site.shipClass);
   return ok({ phase: 'descent', reason: '', controls });
+}
+
+function touchdown({ contactImpactSpeed }: ShipState, { body, bounceSpeed = BOUNCE_SPEED }: LandingSite) {
+  const speed = contactImpactSpeed ?? 0;
+  if (speed > bounceSpeed) return failed(`hit ${body.name} at ${speed.toFixed(1)} m/s`);
+  return { phase: 'touchdown', reason: '', controls: HOLD } as const;
 }
 
 function failed(reason: string): LandingManeuver {

@@ -90,6 +90,10 @@ def run_interval(galaxy: Galaxy, due: float, changes: Changes) -> None:
     changes.controls += happened.changes
     galaxy.tick += 1
     galaxy.game_time += timing.tick_seconds
+    for event in happened.events:
+        landing = galaxy.landings.get(event.ship.ship_id)
+        if event.type == "ship.contact" and landing and not landing.is_over:
+            landing.touch_speed = max(landing.touch_speed, event.impact_speed)
     for ship_id, applied in before.items():
         if galaxy.ships[ship_id].applied is not applied:
             end_landing(galaxy, ship_id, "the pilot took the controls")

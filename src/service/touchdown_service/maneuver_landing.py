@@ -1,7 +1,8 @@
 """The landing autopilot: brings a ship down from where it is, lets legs and friction do the touchdown, and ends.
 
 The rules of src/scenarios/autopilot: a vertical descent, top up, no faster than half of the engine's reserve can brake. It
-completes when the ship has landed; it aborts when the ship has tipped or crashed, or when its engine cannot hold it.
+completes when the ship has landed; it aborts when the ship has tipped or crashed, when a touch was hard enough to bounce, or when
+its engine cannot hold it.
 """
 
 from dataclasses import dataclass
@@ -44,6 +45,8 @@ class Landing:
     reason: str = ""
     started_tick: int = 0
     updated_tick: int = 0
+    # m/s: the hardest touch since it began; a bounce may begin and end between two steps.
+    touch_speed: float = 0.0
 
     @property
     def is_over(self) -> bool:
@@ -59,6 +62,8 @@ def continue_landing(landing: Landing, ship: Ship, world: World) -> Controls:
         return abort(landing, f"crashed on {ship.body.name}")
     if state == TIPPED:
         return abort(landing, f"tipped over on {ship.body.name}")
+    if landing.touch_speed > world.config.contact_bounce_speed:
+        return abort(landing, f"hit {ship.body.name} at {landing.touch_speed:.1f} m/s")
     if state == LANDED:
         landing.phase = COMPLETE
         return NEUTRAL

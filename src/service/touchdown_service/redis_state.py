@@ -33,6 +33,9 @@ INBOX, STATUS = "touchdown:inbox", "touchdown:status"
 COMPLETED = "tick_completed"
 ASKED = ("game:tick_rate", "game:time_scale", "game:paused", "game:time_sync")
 
+# As landing_values has them.
+LANDING_FIELDS = ("type", "phase", "reason", "started_tick", "updated_tick", "touch_speed")
+
 # Ticks between writes of the body hashes, as in the game (REDIS_WRITE_INTERVAL).
 BODY_INTERVAL = 10
 INBOX_COUNT = 5000
@@ -218,7 +221,7 @@ class RedisState:
             key = f"maneuver:{ship_id}"
             values = landing_values(landing)
             if self.landings.get(ship_id) != values:
-                pipe.hset(key, mapping=dict(zip(("type", "phase", "reason", "started_tick", "updated_tick"), values)))
+                pipe.hset(key, mapping=dict(zip(LANDING_FIELDS, values)))
                 pipe.persist(key)
                 self.landings[ship_id] = values
             if ship_id not in galaxy.ships:

@@ -1,7 +1,7 @@
 """Clock and maneuvers as Redis holds them, read back."""
 
 from .galaxy import Galaxy, Tempo
-from .limits import mapping, number, required, text, whole
+from .limits import SPEED, mapping, number, required, text, whole
 from .maneuver_landing import Landing
 from .records import from_hash
 
@@ -25,8 +25,11 @@ def load_clock(galaxy: Galaxy, clock: dict[str, str]) -> None:
 
 def load_landing(fields: dict[str, str]) -> Landing:
     ticks = [whole(fields.get(name, "0"), f"maneuver.{name}") for name in ("started_tick", "updated_tick")]
-    return Landing(fields.get("phase", ""), fields.get("reason", ""), *ticks)
+    data = from_hash({"touch_speed": fields.get("touch_speed", "0")}, "maneuver")
+    touch_speed = number(data["touch_speed"], "maneuver.touch_speed", SPEED)
+    return Landing(fields.get("phase", ""), fields.get("reason", ""), *ticks, touch_speed)
 
 
 def landing_values(landing: Landing) -> tuple:
-    return ("landing", landing.phase, landing.reason, landing.started_tick, landing.updated_tick)
+    ticks = landing.started_tick, landing.updated_tick
+    return ("landing", landing.phase, landing.reason, *ticks, repr(landing.touch_speed))

@@ -7,6 +7,7 @@ import { holdSleeping } from './simulation/sleep';
 import type { Simulation } from './simulation/simulation';
 import { startReplay } from './simulation/replay';
 import { copyRow, removeTrack, type Track } from './simulation/track';
+import { forgetPending } from './snapshots/pending';
 import { loadConfig } from './snapshots/worldConfig';
 import { forgetPings } from './time/pings';
 
@@ -71,8 +72,9 @@ export function expectTeleport({ sim }: Session, shipId: string): void {
 
 /** Ships, time, inputs and the clock are forgotten; the world that a hello told, the own ship and listeners stay. */
 export function resetSession(session: Session): void {
-  const { config, terrains, pilot, pings } = session;
+  const { config, terrains, pilot, pings, pending } = session;
   const world = loadConfig(config, terrains);
+  forgetPending(pending);
   if (world.ok) beginWorld(session, world.value, config.bodies);
   forgetPings(pings);
   pilot.last = null;

@@ -1,38 +1,137 @@
 import type { Controls } from '../dynamics';
-import type { ClientMessage, PartialFrame, ServerMessage } from '../wire';
+import type { ClientMessage, PartialFrame, PendingMessage, ServerMessage, WorldEvent } from '../wire';
 import { lastControls } from './inputs/sending';
+import type { Defaults } from './options';
+import type { Removal } from './ownership';
 import type { Predictor } from './predictor';
+import type { Policy } from './simulation/track';
+import { MAX_KEPT_EVENTS } from './snapshots/pending';
 
-/** What went through a predictor, in its order; `at`: client wall s. A JSON line each, as rehearsal writes them. */
+/** What went through a predictor, in order; `at`: client wall s. The recordings of `scenarios` hold one JSON line for each entry. */
 export type PredictorEntry =
   | { readonly kind: 'received'; readonly at: number; readonly message: ServerMessage | PartialFrame }
   | { readonly kind: 'sent'; readonly at: number; readonly message: ClientMessage }
-  | { readonly kind: 'advanced'; readonly at: number; readonly controls: Controls | null };
+  | { readonly kind: 'advanced'; readonly at: number; readonly controls: Controls | null }
+  | { readonly kind: 'called'; readonly at: number; readonly call: PredictorCall };
+
+/** A call that changes what a predictor does, other than a message or a frame. */
+export type PredictorCall =
+  | { readonly name: 'setOwnShip'; readonly shipId: string | null }
+  | { readonly name: 'removeShip'; readonly shipId: string; readonly reason: Removal }
+  | { readonly name: 'teleported'; readonly shipId: string }
+  | { readonly name: 'setPolicy'; readonly shipId: string; readonly policy: Policy }
+  | { readonly name: 'configure'; readonly changes: unknown }
+  | { readonly name: 'restore'; readonly snapshot: unknown }
+  | { readonly name: 'reset' };
+
+type Write = (entry: PredictorEntry) => void;
 
 /**
- * The same predictor, every message, input and time of which is handed to `write` (PREDICTION, Diagnosis). Nothing else goes into
- * a predictor but the calls that say whose ship is whose, so feeding the entries to a new one does the same again, to the bit.
+ * Wraps a predictor so that every message, call, input and time is handed to `write` (PREDICTION, Diagnosis). Nothing else goes into
+ * a predictor, so a new one that is fed with the entries does the same, to the bit. Of messages that are handed in undecoded, those
+ * are written that were decoded, when they were.
  */
-export function recordPredictor(predictor: Predictor, write: (entry: PredictorEntry) => void): Predictor {
-  let now = 0;
+export function recordPredictor(predictor: Predictor, write: Write): Predictor {
+  const last = { at: 0 };
+  const written: Write = (entry) => {
+    last.at = entry.at;
+    write(entry);
+  };
   const taken = (): ClientMessage[] => {
     const messages = predictor.takeOutgoing();
-    for (const message of messages) write({ kind: 'sent', at: now, message });
+    for (const message of messages) write({ kind: 'sent', at: last.at, message });
     return messages;
   };
+  const pending = createPendingRecorder(written);
   return {
     ...predictor,
+    ...recordCalls(predictor, write, last),
     receive(message, at) {
-      write({ kind: 'received', at, message });
+      written({ kind: 'received', at, message });
       predictor.receive(message, at);
     },
+    receivePending(message, at) {
+      predictor.receivePending(pending.wrap(message, at), at);
+    },
     advance(controls, at) {
-      now = at;
-      write({ kind: 'advanced', at, controls });
+      // After the call: messages that waited are decoded in it, and come before the frame.
       predictor.advance(controls, at);
+      written({ kind: 'advanced', at, controls });
+    },
+    reset() {
+      pending.forget();
+      write({ kind: 'called', at: last.at, call: { name: 'reset' } });
+      predictor.reset();
     },
     takeOutgoing: taken,
     takeControls: () => lastControls(taken()),
+  };
+}
+
+type Calls = Pick<Predictor, Exclude<PredictorCall['name'], 'reset'>>;
+
+function recordCalls(predictor: Predictor, write: Write, last: { readonly at: number }): Calls {
+  const wrote = (call: PredictorCall) => write({ kind: 'called', at: last.at, call });
+  return {
+    setOwnShip(shipId) {
+      wrote({ name: 'setOwnShip', shipId });
+      predictor.setOwnShip(shipId);
+    },
+    removeShip(shipId, reason) {
+      wrote({ name: 'removeShip', shipId, reason });
+      predictor.removeShip(shipId, reason);
+    },
+    teleported(shipId) {
+      wrote({ name: 'teleported', shipId });
+      predictor.teleported(shipId);
+    },
+    setPolicy(shipId, policy) {
+      wrote({ name: 'setPolicy', shipId, policy });
+      predictor.setPolicy(shipId, policy);
+    },
+    configure(changes) {
+      wrote({ name: 'configure', changes });
+      return predictor.configure(changes);
+    },
+    restore(snapshot, now) {
+      write({ kind: 'called', at: now, call: { name: 'restore', snapshot } });
+      return predictor.restore(snapshot, now);
+    },
+  };
+}
+
+/** Wraps undecoded messages: what is decoded is written, with the events of the frames that it superseded. */
+interface PendingRecorder {
+  readonly wrap: (message: PendingMessage, at: number) => PendingMessage;
+  /** What waits is dropped. */
+  readonly forget: () => void;
+}
+
+function createPendingRecorder(write: Write): PendingRecorder {
+  let superseded: WorldEvent[] = [];
+  const wrap = (message: PendingMessage, at: number): PendingMessage => ({
+    isFrame: message.isFrame,
+    events() {
+      const events = message.events();
+      superseded = [...superseded, ...events].slice(-MAX_KEPT_EVENTS);
+      return events;
+    },
+    decode() {
+      const decoded = message.decode();
+      if (!decoded.ok) return decoded;
+      const { value } = decoded;
+      if (value.kind === 'frame' && superseded.length > 0) {
+        write({ kind: 'received', at, message: { ...value, events: [...superseded, ...value.events] } });
+        superseded = [];
+      } else write({ kind: 'received', at, message: value });
+      return decoded;
+    },
+  });
+  return {
+    wrap,
+    forget() {
+      superseded = [];
+    },
   };
 }
 
@@ -44,9 +143,36 @@ export function replayEntries(
 ): void {
   for (const entry of entries) {
     if (entry.kind === 'received') predictor.receive(entry.message, entry.at);
+    if (entry.kind === 'called') callAgain(predictor, entry.call, entry.at);
     if (entry.kind !== 'advanced') continue;
     predictor.advance(entry.controls, entry.at);
     predictor.takeOutgoing();
     advanced(entry.at);
+  }
+}
+
+function callAgain(predictor: Predictor, call: PredictorCall, at: number): void {
+  switch (call.name) {
+    case 'setOwnShip':
+      predictor.setOwnShip(call.shipId);
+      break;
+    case 'removeShip':
+      predictor.removeShip(call.shipId, call.reason);
+      break;
+    case 'teleported':
+      predictor.teleported(call.shipId);
+      break;
+    case 'setPolicy':
+      predictor.setPolicy(call.shipId, call.policy);
+      break;
+    case 'configure':
+      // The predictor checks it, as it does for any caller.
+      predictor.configure(call.changes as Partial<Defaults>);
+      break;
+    case 'restore':
+      predictor.restore(call.snapshot, at);
+      break;
+    case 'reset':
+      predictor.reset();
   }
 }

@@ -1,5 +1,5 @@
 import type { Provenance, ShipView, WorldView } from '../prediction';
-import { standsOnGround } from './landing/descent';
+import { isGroundKnown, standsOnGround } from './landing/descent';
 import { type StatusId, statusOf } from './status';
 import { viewOf } from './arguments';
 
@@ -11,7 +11,7 @@ export interface FleetRow {
   status: StatusId;
   provenance: Provenance;
   withdrawn: ShipView['withdrawn'];
-  /** AGL of the feet, m; 0 on the ground, NaN without a recent state. */
+  /** AGL of the feet, m; 0 on the ground, NaN without a recent state or over unknown ground. */
   height: number;
 }
 
@@ -85,8 +85,9 @@ function fillRow(row: FleetRow, ship: ShipView): void {
   row.status = statusOf(ship.shownState);
   row.provenance = ship.provenance;
   row.withdrawn = ship.withdrawn;
-  // Three stores, not one of three values: whole number and double in one place are boxed.
+  // Stores of their own, not one of several values: whole number and double in one place are boxed.
   if (ship.provenance === 'stale') row.height = NaN;
   else if (standsOnGround(ship)) row.height = 0;
+  else if (!isGroundKnown(ship)) row.height = NaN;
   else row.height = ship.feetHeight;
 }

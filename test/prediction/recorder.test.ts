@@ -1,8 +1,15 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { hashRows } from '../../src/dynamics';
-import { createPredictor, type PredictorEntry, recordPredictor, replayEntries } from '../../src/prediction';
+import {
+  createPredictor,
+  type Predictor,
+  type PredictorEntry,
+  recordPredictor,
+  replayEntries,
+} from '../../src/prediction';
 import { readRecording, writeRecording } from '../../src/scenarios';
+import { encodeServerMessage, pendingServerMessage } from '../../src/wire';
 import { flyPilot } from '../bench/netcode/law';
 import { createRig, value } from './rig';
 
@@ -27,6 +34,53 @@ describe('the recorder', () => {
     });
     expect(flown).not.toBe(0);
     expect(replayed).toBe(flown);
+  });
+});
+
+describe('the recorder of a session with calls and undecoded messages', () => {
+  it('writes calls and what was decoded, so that a new predictor does the same', () => {
+    const entries: PredictorEntry[] = [];
+    const rig = createRig({ scenario: 'slide', others: 2, tickRate: 20 });
+    rig.predictor = recordPredictor(rig.predictor, (entry) => entries.push(entry));
+    const { predictor } = rig;
+    rig.tamper = (message) => {
+      predictor.receivePending(pendingServerMessage(encodeServerMessage(message)), rig.now);
+      return [];
+    };
+    const flown: number[] = [];
+    // What is predicted: what is drawn depends on when a view was asked for, too.
+    const look = (predictor: Predictor, at: number, out: number[]) => {
+      for (const ship of predictor.view(at).ships)
+        out.push(hashRows(Float64Array.of(...ship.position, ...ship.attitude, ship.missingSends)));
+    };
+    for (let i = 0; i < 60 * 8; i++) {
+      if (i === 120) predictor.setPolicy('ship-2', 'interpolate');
+      if (i === 180) predictor.removeShip('ship-3', 'docked');
+      if (i === 240) predictor.setOwnShip('ship-2');
+      if (i === 260) predictor.teleported('ship-1');
+      if (i === 300) predictor.reset();
+      rig.frame();
+      look(predictor, rig.now, flown);
+      // A page that was hidden: most of what comes is superseded.
+      if (i % 100 === 99) for (let k = 0; k < 60; k++) rig.receiveOnly();
+    }
+    const file = writeRecording({ header: { note: 'calls', shipId: 'ship-1' }, entries });
+    const read = value(readRecording(file));
+    expect(read.entries).toEqual(entries);
+    expect(entries.filter(({ kind }) => kind === 'called')).toHaveLength(5);
+    expect(rig.view().diagnosis.framesSuperseded).toBeGreaterThan(20);
+    const { scenario, terrainHeight } = rig.loaded;
+    const twin = createPredictor({ terrains: { [scenario.terrain]: terrainHeight } });
+    const replayed: number[] = [];
+    replayEntries(twin, read.entries, (at) => look(twin, at, replayed));
+    expect(replayed).toEqual(flown);
+  });
+
+  it('is refused where a call cannot be one', () => {
+    const call = { name: 'removeShip', shipId: 'a', reason: 'bored' };
+    const header = writeRecording({ header: { note: '', shipId: 'a' }, entries: [] });
+    const read = readRecording(header + JSON.stringify({ kind: 'called', at: 1, call }));
+    expect(read.ok ? '' : read.reason).toContain('call.reason');
   });
 });
 

@@ -35,6 +35,14 @@ describe('descent data', () => {
     expect(read({ tilt: 89, state: 'tipped' }).descent.feetHeight).toBe(0);
   });
 
+  it('gives no height and no time to impact over ground that is not loaded', () => {
+    const { descent } = read({ clearance: 86, up: -12.3 }, { carried: 'ground' });
+    expect(descent.feetHeight).toBeNaN();
+    expect(descent.timeToImpact).toBeNaN();
+    expect(descent.verticalSpeed).toBeCloseTo(12.3, 6);
+    expect(read({ state: 'landed' }, { carried: 'ground' }).descent.feetHeight).toBe(0);
+  });
+
   it('is shown below 50 km', () => {
     expect(read({ clearance: 49_990 }).descent.shown).toBe(true);
     expect(read({ clearance: 50_010 }).descent.shown).toBe(false);

@@ -11,7 +11,7 @@ import {
   BODY_VELOCITY,
 } from '../state/layout';
 import { anyOutside, BODY_MASS, PLACE, BODY_RADIUS, notUnit, outside, SPIN, VELOCITY_RANGE } from './limits';
-import { SMI_MASK } from '../contact/quantities';
+import { SMI_MASK } from '../state/smiMask';
 
 /** What of a body never changes. */
 export interface Body {

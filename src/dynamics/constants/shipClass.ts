@@ -1,9 +1,9 @@
 import { ok, type Result, type Mat3, notFinite, notFiniteTuple, err, type Vec3 } from '../result';
+import { inverse, largest, noTensor, scalarInertias } from './inertia';
 import {
   anyOutside,
   FORCE,
   FUEL_MASS,
-  INERTIA,
   INERTIA_RATIO,
   ISP,
   LEVER,
@@ -84,9 +84,6 @@ export interface LoadedShipClass extends ShipClass {
 /** Standard gravity, m/s²: turns a specific impulse in seconds into an exhaust velocity. */
 export const STANDARD_GRAVITY = 9.80665;
 
-/** Of an inertia tensor: its determinant over the cube of its mean moment; 1 for a ball, 3.4 / k for a rod of moments k, k, 1. */
-const LEAST_ROUNDNESS = 1e-6;
-
 /** The class with its constants, or a reason that names the field and its range. */
 export function loadShipClass(given: ShipClass): Result<LoadedShipClass> {
   const reason = malformed(given) ?? outOfRange(given);
@@ -126,19 +123,6 @@ function inertiaByFuel(
   if (dryInertiaRatio === null || fuelCapacity === 0)
     return { inertiaAtDry: dryMass / fullMass, inertiaPerFuel: 1 / fullMass };
   return { inertiaAtDry: dryInertiaRatio, inertiaPerFuel: (1 - dryInertiaRatio) / fuelCapacity };
-}
-
-/** The legs' moment of inertia is at most this many times the bound below the least: a needle would spin about its own axis. */
-const MOST_SUPPORT = 4;
-
-/** J and J' (DYNAMICS, Angular), from K = I⁻¹. */
-function scalarInertias(k: Float64Array): Pick<LoadedShipClass, 'supportInertia' | 'scrubInertia'> {
-  const row = (i: number) => Math.abs(k[i]!) + Math.abs(k[i + 1]!) + Math.abs(k[i + 2]!);
-  const scrubInertia = 1 / Math.max(row(0), row(3), row(6));
-  const mean = (k[0]! + k[4]!) / 2;
-  const half = (k[0]! - k[4]!) / 2;
-  const tilting = 1 / (mean + Math.sqrt(half * half + k[1]! * k[1]!));
-  return { supportInertia: Math.min(tilting, MOST_SUPPORT * scrubInertia), scrubInertia };
 }
 
 const SCALARS = [
@@ -205,66 +189,4 @@ function outOfRange(c: ShipClass): string | null {
     (burnsRcs ? outside('rcsIsp', c.rcsIsp, ISP) : null) ??
     noTensor(c.inertiaTensor)
   );
-}
-
-/**
- * Why a tensor is none, the first reason that holds: its diagonal, its symmetry (to a part in 10⁹: recordings print rounded
- * values), Sylvester's criterion, and that it is no needle: the ground's impulse on a lying hull (DYNAMICS, Tipped) spins one whose
- * moments lie more than some million times apart ever faster. Moments that no mass could have, one above the sum of the other two,
- * are taken: nothing in the law asks for less.
- */
-function noTensor([a, b, c]: Mat3): string | null {
-  for (const [i, moment] of [a[0], b[1], c[2]].entries()) {
-    const field = `inertiaTensor[${i}][${i}]`;
-    if (!(moment > 0)) return `${field}: expected > 0, as a positive definite tensor has, got ${moment}`;
-    const reason = outside(field, moment, INERTIA);
-    if (reason !== null) return reason;
-  }
-  const mean = (a[0] + b[1] + c[2]) / 3;
-  const skew = largest([a[1] - b[0], a[2] - c[0], b[2] - c[1]].map(Math.abs) as unknown as Vec3);
-  if (!(skew <= 3e-9 * mean))
-    return `inertiaTensor: expected a symmetric tensor, got elements that differ by ${skew} kg m²`;
-  const minor = a[0] * b[1] - a[1] * b[0];
-  const determinant =
-    a[0] * (b[1] * c[2] - b[2] * c[1]) -
-    a[1] * (b[0] * c[2] - b[2] * c[0]) +
-    a[2] * (b[0] * c[1] - b[1] * c[0]);
-  if (!(minor > 0 && determinant > 0)) return 'inertiaTensor: expected a positive definite tensor';
-  const roundness = determinant / (mean * mean * mean);
-  if (roundness >= LEAST_ROUNDNESS) return null;
-  return `inertiaTensor: expected a determinant of at least ${LEAST_ROUNDNESS} of its mean moment cubed, got ${roundness}`;
-}
-
-/** Adjugate over determinant, row by row. */
-function inverse(m: Float64Array): Float64Array {
-  const [a, b, c, d, e, f, g, h, i] = m as unknown as [
-    number,
-    number,
-    number,
-    number,
-    number,
-    number,
-    number,
-    number,
-    number,
-  ];
-  const ca = e * i - f * h;
-  const cb = f * g - d * i;
-  const cc = d * h - e * g;
-  const determinant = a * ca + b * cb + c * cc;
-  return Float64Array.of(
-    ca / determinant,
-    (c * h - b * i) / determinant,
-    (b * f - c * e) / determinant,
-    cb / determinant,
-    (a * i - c * g) / determinant,
-    (c * d - a * f) / determinant,
-    cc / determinant,
-    (b * g - a * h) / determinant,
-    (a * e - b * d) / determinant,
-  );
-}
-
-function largest([x, y, z]: Vec3): number {
-  return Math.max(x, y, z);
 }

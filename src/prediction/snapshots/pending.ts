@@ -25,10 +25,16 @@ type Receive = (message: ServerMessage, now: number) => void;
 /** Frames that wait undecoded: more than come between two display frames of a page that is seen. */
 const MAX_QUEUED = 4;
 /** Events of superseded frames that are kept; the oldest go first. */
-const MAX_KEPT_EVENTS = 1000;
+export const MAX_KEPT_EVENTS = 1000;
 
 export function createPendingFrames(): PendingFrames {
   return { queue: [], events: [] };
+}
+
+/** What waits is of another session, and is never decoded. */
+export function forgetPending({ queue, events }: PendingFrames): void {
+  queue.length = 0;
+  events.length = 0;
 }
 
 /** A message has arrived at client wall second `now`; a frame waits for `decodePending`, what else it is does not. */

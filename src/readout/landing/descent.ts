@@ -10,9 +10,9 @@ export interface Descent {
   verticalSpeed: number;
   /** HSPD: relative to the turning ground. */
   horizontalSpeed: number;
-  /** TTI: NaN when ascending, on the ground, or when the thrust stops the descent before it. */
+  /** TTI: NaN when ascending, on the ground, over unknown ground, or when the thrust stops the descent before it. */
   timeToImpact: number;
-  /** AGL of the feet. */
+  /** AGL of the feet; NaN over unknown ground. */
   feetHeight: number;
 }
 
@@ -24,11 +24,18 @@ export function createDescent(): Descent {
 }
 
 export function measureDescent(out: Descent, surface: Surface, ship: ShipView): void {
-  out.feetHeight = standsOnGround(ship) ? 0 : ship.feetHeight;
-  out.shown = out.feetHeight < DESCENT_CEILING;
+  out.shown = !(ship.feetHeight >= DESCENT_CEILING);
   out.verticalSpeed = -surface.radialSpeed;
   out.horizontalSpeed = surface.tangentialSpeed;
-  measureTimeToImpact(out, surface, ship);
+  out.feetHeight = standsOnGround(ship) ? 0 : ship.feetHeight;
+  out.timeToImpact = NaN;
+  if (isGroundKnown(ship)) measureTimeToImpact(out, surface, ship);
+  else if (ship.surfaceContactState === '') out.feetHeight = NaN;
+}
+
+/** Whether the ground under the ship is known; where its terrain is not loaded, no height above it is. */
+export function isGroundKnown(ship: ShipView): boolean {
+  return ship.carried !== 'ground';
 }
 
 /** On the ground the drawn legs stand on it, whatever depth the law has (PREDICTION, "nothing is drawn underground"). */
@@ -49,7 +56,6 @@ export function forgetDescent(out: Descent): void {
  * gravity, less what thrust and the speed along the curved ground hold against it, all as they are now.
  */
 function measureTimeToImpact(out: Descent, surface: Surface, ship: ShipView): void {
-  out.timeToImpact = NaN;
   const falling = -surface.radialSpeed;
   if (ship.surfaceContactState !== '' || ship.crashed || !(falling > 0)) return;
   if (surface.clearance <= 0) {

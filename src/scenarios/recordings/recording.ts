@@ -12,6 +12,7 @@ import {
   type ServerMessage,
 } from '../../wire';
 import { fromBase64, toBase64 } from './base64';
+import { readCall, type RecordedCall } from './recordedCall';
 import { createFields, type Fields, type JsonRecord } from '../fixtures/fields';
 import type { ScheduledInput } from '../scenario';
 
@@ -39,7 +40,9 @@ export type RecordingEntry =
   | { readonly kind: 'received'; readonly at: number; readonly message: ServerMessage | PartialFrame }
   | { readonly kind: 'sent'; readonly at: number; readonly message: ClientMessage }
   /** A frame of the page, with the controls held then; null for a spectator. */
-  | { readonly kind: 'advanced'; readonly at: number; readonly controls: Controls | null };
+  | { readonly kind: 'advanced'; readonly at: number; readonly controls: Controls | null }
+  /** A call that changed what is predicted, for instance another own ship. */
+  | { readonly kind: 'called'; readonly at: number; readonly call: RecordedCall };
 
 const FORMAT = 'touchdown-recording';
 const VERSION = 1;
@@ -66,6 +69,7 @@ export function createRecordingWriter(): RecordingWriter {
   function plain(entry: RecordingEntry): Record<string, unknown> {
     const { kind, at } = entry;
     if (kind === 'received') return { kind, at, ...received(entry.message) };
+    if (kind === 'called') return { kind, at, call: entry.call };
     return kind === 'sent'
       ? { kind, at, bytes: toBase64(encodeClientMessage(entry.message)) }
       : advanced(entry);
@@ -170,7 +174,8 @@ function readEntry(fields: Fields, given: JsonRecord, past: Past): RecordingEntr
   const at = fields.number(given['at'], 'at');
   if (at < past.at) fields.fault('at', `expected ascending times, at least ${past.at}, got ${at}`);
   past.at = at;
-  const kind = fields.choice(given['kind'], 'kind', ['advanced', 'received', 'sent']);
+  const kind = fields.choice(given['kind'], 'kind', ['advanced', 'received', 'sent', 'called']);
+  if (kind === 'called') return { kind, at, call: readCall(fields, fields.record(given['call'], 'call')) };
   if (kind === 'advanced') return { kind, at, controls: readControls(fields, given, past) };
   if (kind === 'received' && given['frame'] !== undefined) return readPartialFrame(fields, given, at);
   const bytes = fromBase64(given['bytes']);

@@ -6,7 +6,10 @@ import { runScenario, SCENARIOS } from '../../src/scenarios';
 import { describeInBrowser, openBuiltPage, openUrl, problemsOf } from './pages';
 import { FLUENT, PATIENT, SMALL, untilStatus, untilTiltBelow } from './waits';
 
-/** Tick and bits of the own ship at the scenario's end. */
+/**
+ * Tick and bits of the own ship at the scenario's end. Not sped up: of more than four states between two frames of a slow display the
+ * page reads the newest alone, which may not be the one looked for.
+ */
 async function endOfRun(page: Page, lastTick: number): Promise<string> {
   await page.waitForFunction(
     (tick) => document.documentElement.dataset['run']?.startsWith(`${tick}:`),
@@ -51,19 +54,19 @@ describeInBrowser('a run on the built page', () => {
   });
 
   it('shares a link that ends in the same bits', async () => {
-    const page = await openBuiltPage('?scenario=settle&seed=7&net=fourG&slow=4', SMALL);
+    const page = await openBuiltPage('?scenario=settle&seed=7&net=fourG&slow=0.5', SMALL);
     await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
     const run = await endOfRun(page, 8);
     await page.getByRole('button', { name: 'Copy link' }).click();
     const link = await page.evaluate(() => navigator.clipboard.readText());
-    expect(new URL(link).search).toBe('?scenario=settle&net=fourG&seed=7&slow=4');
+    expect(new URL(link).search).toBe('?scenario=settle&net=fourG&seed=7&slow=0.5');
     await page.context().close();
     const again = await openUrl(link, SMALL);
     expect(await endOfRun(again, 8)).toBe(run);
   });
 
   it('shares a scenario that flies by itself: the same bits on a slow display too', async () => {
-    const query = '?scenario=freighter-hold&net=satellite&seed=3&slow=4';
+    const query = '?scenario=freighter-hold&net=satellite&seed=3';
     const page = await openBuiltPage(query, FLUENT);
     const run = await endOfRun(page, 15);
     expect(run).toBe(scenarioRun('freighter-hold'));

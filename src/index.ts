@@ -25,6 +25,7 @@ export {
   type ShipClass,
   type ShipEventName,
   type SurfaceState,
+  type HeightInPlace,
   type TerrainHeight,
   TERRAINS,
   type Vec3,

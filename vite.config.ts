@@ -20,6 +20,22 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
  */
 const PURE = /\/src\/(?!playground\/(main|offline\/serviceWorker)\.ts).*\.ts$/;
 
+/**
+ * The checks of a predictor's caller that the page does without: it listens to no warnings, which switches the checks of calls off,
+ * hands in options of its own making, and never calls `configure`.
+ */
+const CALLER_CHECKS: Readonly<Record<string, string>> = {
+  '/src/prediction/checks/checks.ts': 'export const createChecks = () => null;',
+  '/src/prediction/checks/options.ts':
+    'const none = () => null; export { none as requireOptions, none as checkDefaults, none as faultOfDefaults };',
+};
+
+const withoutCallerChecks = {
+  name: 'without-caller-checks',
+  apply: 'build' as const,
+  load: (id: string) => Object.entries(CALLER_CHECKS).find(([path]) => id.endsWith(path))?.[1] ?? null,
+};
+
 const page: UserConfig = {
   root: 'src/playground',
   publicDir: '../../public',
@@ -52,7 +68,7 @@ const page: UserConfig = {
       },
     },
   },
-  plugins: [compactShaders(), writeNotices(), listForOffline(here('public'))],
+  plugins: [withoutCallerChecks, compactShaders(), writeNotices(), listForOffline(here('public'))],
   worker: { format: 'es', rolldownOptions: { output: CONSTANTS } },
 };
 

@@ -25,6 +25,7 @@ export {
   type ShipClass,
   type ShipEventName,
   type SurfaceState,
+  type HeightInPlace,
   type TerrainHeight,
   TERRAINS,
   type Vec3,
@@ -68,6 +69,7 @@ export {
   hullOf,
   type Policy,
   type Predictor,
+  type PredictorCall,
   type PredictorEntry,
   type PredictorOptions,
   type Smoothing,
@@ -84,6 +86,7 @@ export {
   type ToWorker,
   type Warn,
   type WorldView,
+  type Write,
 } from './prediction';
 
 /** The numbers a pilot reads, from a view. */

@@ -35,8 +35,8 @@ export function createCockpitExtrapolation({ address, token, shipId, onStatus })
   function frame(controls) {
     const now = seconds();
     predictor.advance(controls, now);
-    for (const message of predictor.takeOutgoing())
-      if (message.kind === 'inputs') connection.sendControls(message.inputs.at(-1).controls);
+    const changed = predictor.takeControls();
+    if (changed !== null) connection.sendControls(changed);
     return predictor.view(now);
   }
 

@@ -1,11 +1,12 @@
 import { FINE, qualityFor } from '../scene';
 import { createAddress } from './game/address';
-import { createBestRuns, readRace } from './game/mission/bestRuns';
+import { createRuns } from './game/mission/runs';
 import { readChoices, writeChoices } from './panels/choices';
 import { createBanner } from './panels/banner';
 import { createNotice } from './panels/notice';
 import { loadKeys } from './input/keyTable';
 import type { Page } from './game/pageParts';
+import type { Parts } from './game/parts';
 import { wirePage } from './game/wiring';
 import { openSceneView, watchContext } from './view/graphics';
 import { createResolution } from './view/resolution';
@@ -23,10 +24,7 @@ export function begin(document: Document, program: string): void {
   const banner = createBanner(part('banner'));
   const query = new URLSearchParams(window.location.search);
   const { choices, complaints } = readChoices(query);
-  const race = readRace(query);
-  const wrong = [...complaints, ...(typeof race === 'string' ? [race] : [])];
-  if (wrong.length > 0)
-    notice.tell(`Some values in this link are invalid and were ignored.\n${wrong.join('\n')}`);
+  if (complaints.length > 0) notice.tell(invalidWords(complaints));
   const store = storeOf(window);
   const isFine = choices.picture === 'fine';
   const stage = openSceneView(canvas, isFine ? FINE : qualityFor(document), notice.tell);
@@ -43,7 +41,7 @@ export function begin(document: Document, program: string): void {
     store,
     keys: loadKeys(store),
     address: createAddress(window, banner, notice),
-    best: createBestRuns(store),
+    runs: createRuns(store),
     resolution: isFine ? null : createResolution(),
     query: () => writeChoices(choices),
   };
@@ -53,16 +51,28 @@ export function begin(document: Document, program: string): void {
     watchContext(canvas, notice, parts.loop.resized);
     banner.rest(BUILDING);
   }
-  if (race !== null && typeof race !== 'string') {
-    parts.game.race(race);
-    notice.tell(
-      `Race ${race.by}: ${race.score.total} points in ${race.outcome.seconds.toFixed(0)} s. Their ship flies beside yours.`,
-    );
-  }
   parts.panel.show(choices);
   parts.loop.resized();
   parts.chooser.beginWorld();
   parts.loop.start();
+  if (query.has('run')) void joinRace(query, page, parts);
+}
+
+function invalidWords(complaints: readonly string[]): string {
+  return `Some values in this link are invalid and were ignored.\n${complaints.join('\n')}`;
+}
+
+/** A friend's run in the address: flown again, and raced. */
+async function joinRace(query: URLSearchParams, { runs, notice }: Page, { game }: Parts): Promise<void> {
+  const loaded = await runs.load().catch(() => null);
+  const race = loaded?.module.readRace(query) ?? 'run: part of the page did not load';
+  if (typeof race === 'string') {
+    notice.tell(invalidWords([race]));
+    return;
+  }
+  game.race(race);
+  const seconds = race.outcome.seconds.toFixed(0);
+  notice.tell(`Race ${race.by}: ${race.score.total} points in ${seconds} s. Their ship flies beside yours.`);
 }
 
 /** The page's own store; a browser may forbid even asking for it. */

@@ -35,4 +35,10 @@ export {
   type ToWorker,
 } from './lifecycle/remote';
 /** What goes through a predictor, written down and fed again. */
-export { type PredictorEntry, recordPredictor, replayEntries } from './recorder';
+export {
+  type PredictorEntry,
+  recordPredictor,
+  replayEntries,
+  type PredictorCall,
+  type Write,
+} from './recorder';

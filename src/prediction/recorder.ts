@@ -24,7 +24,7 @@ export type PredictorCall =
   | { readonly name: 'restore'; readonly snapshot: unknown }
   | { readonly name: 'reset' };
 
-type Write = (entry: PredictorEntry) => void;
+export type Write = (entry: PredictorEntry) => void;
 
 /**
  * Wraps a predictor so that every message, call, input and time is handed to `write` (PREDICTION, Diagnosis). Nothing else goes into

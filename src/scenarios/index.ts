@@ -68,7 +68,8 @@ export { BEGIN_LANDING, continueLanding, type LandingManeuver, type LandingPhase
 export { findMission, findScenario, MISSIONS } from './missions/missions';
 export { LESSONS } from './missions/lessons';
 export type { Mission, MissionGoal, Pad } from './missions/mission';
-export { flyRun, type RunInput, type RunOutcome, TRACK_RATE, TRACK_STRIDE } from './missions/flyRun';
+export { flyRun, type RunInput, type RunOutcome } from './missions/flyRun';
+export { TRACK_RATE, TRACK_STRIDE } from './missions/track';
 export { padPlaces } from './missions/pads';
 export { meetsGoal, scoreRun, type Score, type ScoreLine } from './missions/score';
 export { readRun, writeRun } from './missions/runBytes';

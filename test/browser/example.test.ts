@@ -27,8 +27,9 @@ describeInBrowser('the example client', () => {
     const page = await openUrl(`${host.resolvedUrls!.local[0]!}?server=${game.address}&user=ada&password=x`);
     const warnings: string[] = [];
     page.on('console', (message) => {
-      if (message.type() === 'warning' && !/GPU|GL Driver|WebGL/.test(message.text()))
-        warnings.push(message.text());
+      // A busy machine draws seldom, and the predictor rightly says so.
+      const isOfMachine = /GPU|GL Driver|WebGL|^advance-seldom/.test(message.text());
+      if (message.type() === 'warning' && !isOfMachine) warnings.push(message.text());
     });
     await expect.poll(() => page.textContent('.td-landing .td-status')).toMatch(/LANDED/);
     expect(await page.textContent('.td-fleet')).toContain('Kestrel');

@@ -11,7 +11,8 @@ import { describeInBrowser, openBuiltPage, problemsOf } from './pages';
 /** The most that an opened page's code may weigh, in bytes as sent with gzip, terrain and models apart. */
 const HEAVIEST = 300_000;
 /** What the page fetches only when it is asked for. */
-const ON_DEMAND = /(help|plotting|replaying|sound|realServer|frameJson)-[\w-]+\.(js|css)$/;
+const ON_DEMAND =
+  /(help|plotting|replaying|sound|dock|settings|tabLink|bestRuns|flightLink|realServer|frameJson)-[\w-]+\.(js|css)$/;
 
 /** How many different colours the stage alone shows, of the pixels on a grid of 16 pixels. */
 async function coloursOf(page: Page): Promise<number> {

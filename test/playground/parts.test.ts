@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createPageClock } from '../../src/playground/game/pageClock';
 import { createRecorder } from '../../src/playground/recording/recorder';
+import { axisRange } from '../../src/playground/panels/workshop/plots';
 import { createReplay } from '../../src/playground/recording/replay';
 import { createSamples, summarise } from '../../src/playground/game/samples';
 import { createSession } from '../../src/playground/server/session';
@@ -21,6 +22,17 @@ describe('page clock', () => {
     clock.setSpeed(5);
     clock.setSpeed(NaN);
     expect(clock.speed()).toBe(0.25);
+  });
+});
+
+describe('a plot', () => {
+  it('has an axis as large as what it shows: errors of zero do not lie on one to 100', () => {
+    const errors = { base: 0, least: 0.001 };
+    expect(axisRange(errors, 0, 0)[1]).toBeLessThan(0.0011);
+    expect(axisRange(errors, NaN, NaN)).toEqual(axisRange(errors, 0, 0));
+    expect(axisRange(errors, 0.2, 4)[0]).toBe(0);
+    expect(axisRange(errors, 0.2, 4)[1]).toBeCloseTo(4.2, 12);
+    expect(axisRange({ base: 1, least: 0.001 }, 0.98, 0.99)[0]).toBe(0.98);
   });
 });
 

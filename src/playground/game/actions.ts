@@ -1,10 +1,8 @@
-import { type Choices, SCENARIO_NAMES } from '../panels/choices';
+import { SCENARIO_NAMES } from '../panels/choices';
 import type { Action } from '../input/keyTable';
 import { isFlight } from '../input/stick';
-import type { Banner } from '../panels/banner';
-import type { Panel, PanelAct } from '../panels/panel';
-import type { ReplayDeck } from '../recording/replayDeck';
-import type { Live } from './live';
+import type { PanelAct } from '../panels/panel';
+import type { ActsPlace } from './actsPlace';
 import { createOperatorActs, isRemote, type OperatorActs } from './operatorActs';
 
 /** What keys, pads and buttons do. */
@@ -16,32 +14,6 @@ export interface Acts {
   readonly tick: (wall: number) => void;
   /** A new world has begun: nothing is paused or frozen any more. */
   readonly reset: () => void;
-}
-
-export interface ActsPlace {
-  readonly live: Live;
-  readonly panel: Panel;
-  readonly banner: Banner;
-  readonly choices: () => Choices;
-  /** Takes a choice and does what it asks. */
-  readonly choose: (name: keyof Choices, text: string) => void;
-  readonly begin: () => void;
-  readonly help: () => void;
-  readonly resetCamera: () => void;
-  readonly nextCamera: () => void;
-  readonly copyLink: () => void;
-  readonly copyFlight: () => void;
-  /** Lets another tab in, and copies its link. */
-  readonly invite: () => void;
-  readonly toggleBare: () => void;
-  readonly toggleAids: () => void;
-  readonly toggleSound: () => void;
-  /** Switches dragging the ship on or off; whether it is on. */
-  readonly toggleCarry: () => boolean;
-  /** While a recording plays, the game behind it takes no commands. */
-  readonly deck: ReplayDeck;
-  /** The flight no longer follows from the pilot's inputs alone. */
-  readonly meddled: (how: string) => void;
 }
 
 /** Seconds of full throttle in "Hop". */

@@ -6,7 +6,7 @@ import type { Help } from '../panels/help';
 import { keyCapOf } from './words/controlWords';
 import { networkOf, upNetworkOf } from './live';
 import type { Page } from './pageParts';
-import type { Parts } from './wiring';
+import type { Chooser, Parts } from './parts';
 
 /** Choices that change a running world; the others begin a new one. */
 const LIVE_CHOICES: readonly (keyof Choices)[] = [
@@ -23,21 +23,6 @@ const LIVE_CHOICES: readonly (keyof Choices)[] = [
   'upStalled',
   'pilot',
 ];
-
-/** Takes choices and does what they ask. */
-export interface Chooser {
-  /** Why the text cannot be taken, or null. */
-  readonly change: (name: keyof Choices, text: string) => string | null;
-  readonly choose: (name: keyof Choices, text: string) => void;
-  readonly beginAnew: () => void;
-  readonly beginWorld: () => void;
-  readonly isMission: (scenario: string) => boolean;
-  readonly openHelp: () => void;
-  /** The host of a shared world has begun a scenario. */
-  readonly follow: (scenario: string, terrain: string) => void;
-  /** Lets other tabs in and hands out the link. */
-  readonly invite: () => void;
-}
 
 export function createChooser(page: Page, parts: Parts): Chooser {
   const { choices, stage, notice, address, query } = page;

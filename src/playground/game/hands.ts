@@ -35,76 +35,96 @@ export interface Hands {
   readonly controls: (view: WorldView, now: number, seconds: number) => Controls | null;
 }
 
+interface HandsState {
+  readonly stick: Stick;
+  readonly autopilot: Autopilot;
+  readonly view: () => WorldView;
+  isResting: boolean;
+  screen: (() => Float64Array | null) | null;
+  /** The autopilot flew at the last sample. */
+  wasOn: boolean;
+}
+
 export function createHands(view: () => WorldView, terrainHeight: () => TerrainHeight): Hands {
   const stick = createStick();
   const autopilot = createAutopilot(terrainHeight);
-  let resting = false;
-  let screen: (() => Float64Array | null) | null = null;
-  let wasOn = false;
-  const flown = () => view().own?.controls ?? NEUTRAL_CONTROLS;
-  /** The pilot takes over what the autopilot was doing. */
-  const giveBack = () => {
-    autopilot.set(false);
-    wasOn = false;
-    stick.touched = false;
-    takeOver(stick, { ...flown(), attitudeMode: 'none', attitudeHold: true });
-  };
-  const aim = () => {
-    const ship = view().own;
-    if (ship !== null) takeAim(stick.aim, screen?.() ?? null, ship.attitude, ship.surfaceContactState === '');
-  };
+  const state: HandsState = { stick, autopilot, view, isResting: false, screen: null, wasOn: false };
   return {
     stick,
     autopilot,
-    rest(next) {
-      resting = next;
-      if (next) letGo(stick);
+    rest(resting) {
+      state.isResting = resting;
+      if (resting) letGo(stick);
     },
-    isResting: () => resting,
+    isResting: () => state.isResting,
     deflect() {
-      if (resting) {
-        letGo(stick);
-        return;
+      if (state.isResting) letGo(stick);
+      else {
+        takeStick(state);
+        takeOver(stick, flown(state));
       }
-      if (autopilot.isOn()) giveBack();
-      aim();
-      takeOver(stick, flown());
     },
     press(action) {
-      if (resting) return;
-      if (action === 'autopilot') {
-        if (autopilot.isOn()) giveBack();
-        else {
-          letGo(stick);
-          autopilot.set(true);
-          wasOn = true;
-        }
-        return;
+      if (state.isResting) return;
+      if (action === 'autopilot') toggleAutopilot(state);
+      else {
+        takeStick(state);
+        press(stick, action, flown(state), view().own?.attitude);
       }
-      if (autopilot.isOn()) giveBack();
-      aim();
-      press(stick, action, flown(), view().own?.attitude);
     },
     release: (action) => release(stick, action),
     setThrottle(throttle) {
-      if (resting) return;
-      if (autopilot.isOn()) giveBack();
-      setThrottle(stick, throttle, flown());
+      if (state.isResting) return;
+      if (autopilot.isOn()) giveBack(state);
+      setThrottle(stick, throttle, flown(state));
     },
     letGo: () => letGo(stick),
     reset() {
       resetStick(stick);
       autopilot.set(false);
-      wasOn = false;
-      resting = false;
+      state.wasOn = false;
+      state.isResting = false;
     },
-    aimBy: (next) => (screen = next),
+    aimBy: (screen) => (state.screen = screen),
     controls(seen, now, seconds) {
       if (autopilot.isOn()) return autopilot.fly(seen, now);
-      if (wasOn) giveBack();
-      if (stick.held.size === 0) aim();
-      const byHand = sampleStick(stick, resting ? 0 : seconds);
+      if (state.wasOn) giveBack(state);
+      if (stick.held.size === 0) aim(state);
+      const byHand = sampleStick(stick, state.isResting ? 0 : seconds);
       return stick.touched ? byHand : null;
     },
   };
+}
+
+function flown({ view }: HandsState): Controls {
+  return view().own?.controls ?? NEUTRAL_CONTROLS;
+}
+
+/** The pilot flies from here on, in the axes of the moment. */
+function takeStick(state: HandsState): void {
+  if (state.autopilot.isOn()) giveBack(state);
+  aim(state);
+}
+
+function toggleAutopilot(state: HandsState): void {
+  if (state.autopilot.isOn()) giveBack(state);
+  else {
+    letGo(state.stick);
+    state.autopilot.set(true);
+    state.wasOn = true;
+  }
+}
+
+/** The pilot takes over what the autopilot was doing. */
+function giveBack(state: HandsState): void {
+  const { stick, autopilot } = state;
+  autopilot.set(false);
+  state.wasOn = false;
+  stick.touched = false;
+  takeOver(stick, { ...flown(state), attitudeMode: 'none', attitudeHold: true });
+}
+
+function aim({ stick, view, screen }: HandsState): void {
+  const ship = view().own;
+  if (ship !== null) takeAim(stick.aim, screen?.() ?? null, ship.attitude, ship.surfaceContactState === '');
 }

@@ -1,11 +1,12 @@
 import { type Controls, NEUTRAL_CONTROLS } from '../../dynamics';
 import type { WorldView } from '../../prediction';
+import type { PendingMessage } from '../../wire';
 import { findScenario, NETWORK_PRESETS, type NetworkNumbers } from '../../scenarios';
 import type { Choices } from '../panels/choices';
 import { type Connection, type ConnectionHandlers, openWorker } from '../server/connection';
 import { deferConnection } from '../server/deferred';
 import type { LoadOperation, Operation } from '../server/operation';
-import { openTab, TAB_ADDRESS } from '../server/tabLink';
+import { TAB_ADDRESS } from '../server/tabAddress';
 import type { Baseline } from './baseline';
 import type { Hands } from './hands';
 import { createLiveState, forgetWorld, type LiveListeners, type LiveState, noteMessage } from './liveState';
@@ -127,6 +128,9 @@ function send(state: LiveState, now: number): void {
   }
 }
 
+/** Other ships up to which a superseded frame is cheap to decode. */
+const FEW = 10;
+
 function beginWorld(state: LiveState, choices: Choices): void {
   const script = scriptOf(choices);
   state.script = script;
@@ -138,6 +142,7 @@ function beginWorld(state: LiveState, choices: Choices): void {
     state.connection = connect(state, choices.pilot);
   }
   state.isLoading = true;
+  state.hasFleet = choices.fleet > FEW;
   state.clock.setSpeed(choices.slow);
   if (state.address !== '') {
     state.script = null;
@@ -165,12 +170,24 @@ function connect(state: LiveState, name: string): Connection {
   const { address, program, listeners } = state;
   const handlers = handlersOf(state);
   if (address === '') return openWorker(program, handlers);
-  if (TAB_ADDRESS.test(address))
-    return openTab(address, { guest: `guest-${Math.random().toString(36).slice(2, 8)}`, name }, handlers);
-  return deferConnection(
-    import('../server/realServer').then(({ openServer }) => openServer(address, handlers)),
-    () => listeners.onState('Part of the page did not load. Check the network and reload.'),
+  return deferConnection(openRemote(address, name, handlers), () =>
+    listeners.onState('Part of the page did not load. Check the network and reload.'),
   );
+}
+
+/** Another tab's world or a real server: their code is loaded then. */
+async function openRemote(address: string, name: string, handlers: ConnectionHandlers): Promise<Connection> {
+  if (!TAB_ADDRESS.test(address)) return (await import('../server/realServer')).openServer(address, handlers);
+  const { openTab } = await import('../server/tabLink');
+  const guest = `guest-${Math.random().toString(36).slice(2, 8)}`;
+  return openTab(address, { guest, name }, handlers);
+}
+
+/** Until a scenario's end its states are hashed, on a slow display too; those of a fleet would cost too much to decode. */
+function hashSuperseded({ runHash, hasFleet }: LiveState, message: PendingMessage): void {
+  if (hasFleet || runHash.ended()) return;
+  const decoded = message.decode();
+  if (decoded.ok && decoded.value.kind === 'frame') runHash.take(decoded.value);
 }
 
 function handlersOf(state: LiveState): ConnectionHandlers {
@@ -185,7 +202,11 @@ function handlersOf(state: LiveState): ConnectionHandlers {
     },
     onPending(message) {
       const at = clock.now();
-      const tapped = tap.wrap(message, (taken) => noteMessage(state, taken, at));
+      const tapped = tap.wrap(
+        message,
+        (taken) => noteMessage(state, taken, at),
+        () => hashSuperseded(state, message),
+      );
       state.predictor.receivePending(tapped, at);
     },
     onFrame(frame) {

@@ -51,6 +51,8 @@ export interface LiveState {
   isHeld: boolean;
   /** A world has been asked for and has not come yet. */
   isLoading: boolean;
+  /** Many other ships fly in this world. */
+  hasFleet: boolean;
   view: WorldView;
 }
 
@@ -76,6 +78,7 @@ export function createLiveState(program: string, listeners: LiveListeners): Live
     sampledAt: NaN,
     isHeld: false,
     isLoading: false,
+    hasFleet: false,
     view: predictor.view(clock.now()),
   };
   return state;

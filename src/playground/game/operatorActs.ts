@@ -1,4 +1,4 @@
-import type { ActsPlace } from './actions';
+import type { ActsPlace } from './actsPlace';
 
 /** Wall seconds of hiding, and of a lag spike. */
 const AWAY = 60;
@@ -29,9 +29,25 @@ interface OperatorState {
 
 const AT_FIRST: OperatorState = { isPaused: false, isFrozen: false, isDropped: false, awayUntil: NaN };
 
-type OperatorPlace = Pick<ActsPlace, 'live' | 'panel' | 'banner' | 'choices' | 'meddled' | 'toggleCarry'>;
+type OperatorPlace = Pick<
+  ActsPlace,
+  'live' | 'panel' | 'banner' | 'choices' | 'meddled' | 'toggleCarry' | 'deck'
+>;
 
+/** The operator's acts; while a recording plays, the game behind it takes none. */
 export function createOperatorActs(place: OperatorPlace): OperatorActs {
+  const { reset, tick, ...acts } = actsOf(place);
+  const guarded = Object.entries(acts).map(([name, act]) => [
+    name,
+    () => {
+      if (place.deck.replay() === null) act();
+      else place.banner.flash('A recording plays: go back to the game first.');
+    },
+  ]);
+  return { ...(Object.fromEntries(guarded) as typeof acts), reset, tick };
+}
+
+function actsOf(place: OperatorPlace): OperatorActs {
   const { live, panel, banner } = place;
   const state = { ...AT_FIRST };
   const pause = () => togglePause(place, state);

@@ -5,7 +5,7 @@ import type { Choices } from '../panels/choices';
 import type { Notice } from '../panels/notice';
 import type { Resolution } from '../view/resolution';
 import type { Address } from './address';
-import type { BestRuns } from './mission/bestRuns';
+import type { Runs } from './mission/runs';
 
 /** What the page is made of before anything runs. */
 export interface Page {
@@ -22,7 +22,7 @@ export interface Page {
   readonly store: Storage | null;
   keys: KeySettings;
   readonly address: Address;
-  readonly best: BestRuns;
+  readonly runs: Runs;
   /** null: always at its finest. */
   readonly resolution: Resolution | null;
   /** The query that reads back as the present choices. */

@@ -5,7 +5,12 @@ const MAX_EVENTS = 1000;
 
 /** Wraps pending messages so that what the predictor decodes is also recorded, hashed and drawn from. */
 export interface PendingTap {
-  readonly wrap: (message: PendingMessage, took: (message: ServerMessage) => void) => PendingMessage;
+  /** `took` a decoded message; `passed` over a superseded frame. */
+  readonly wrap: (
+    message: PendingMessage,
+    took: (message: ServerMessage) => void,
+    passed: () => void,
+  ) => PendingMessage;
   readonly clear: () => void;
 }
 
@@ -16,9 +21,10 @@ export function createPendingTap(): PendingTap {
     clear() {
       superseded = [];
     },
-    wrap: (message, took) => ({
+    wrap: (message, took, passed) => ({
       isFrame: message.isFrame,
       events() {
+        passed();
         const events = message.events();
         superseded.push(...events);
         superseded.splice(0, Math.max(0, superseded.length - MAX_EVENTS));

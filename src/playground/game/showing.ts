@@ -5,7 +5,7 @@ import { pixelRatioOf } from '../view/pageSize';
 import type { Page } from './pageParts';
 import { createReport } from './mission/report';
 import { createTwin } from './words/textTwin';
-import type { Parts } from './wiring';
+import type { Parts } from './parts';
 
 /** What happens in a frame: hands are read, the view is taken, everything shown of it is painted. */
 export function wireFrames(page: Page, parts: Parts): FrameLoop {

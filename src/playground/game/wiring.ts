@@ -1,49 +1,32 @@
 import { createGoalPanel } from '../panels/goal';
-import { createDock } from '../panels/workshop/dock';
+import { createLazyDock } from '../panels/workshop/lazyDock';
 import { createMissionCard } from '../panels/missionCard';
 import { createPanel, type Panel } from '../panels/panel';
-import { type Carry, createCarry } from '../input/carry';
+import { createCarry } from '../input/carry';
 import { connectDevices, type Devices } from '../input/devices';
-import type { Sound } from '../sound/sound';
-import type { Cockpit } from '../view/cockpit';
-import type { FrameLoop } from '../view/frameLoop';
 import { createPageView, type PageView, takeDrops } from '../view/pageView';
 import { watchSize } from '../view/pageSize';
 import { type Acts, createActs } from './actions';
 import { createCameraSwitch } from '../view/cameraSwitch';
-import { createChooser, type Chooser } from './chooser';
+import { createChooser } from './chooser';
 import { keyCapOf, wireCockpit } from './words/controlWords';
-import { createFlightLink, type FlightLink } from './flightLink';
+import type { FlightLink } from './flightLink';
 import { createLive, type Live } from './live';
 import { createMissionGame, type MissionGame } from './mission/missionGame';
 import type { Page } from './pageParts';
+import type { Parts } from './parts';
 import { wireFrames } from './showing';
 
-/** Everything that runs, each made when those it is made of stand. What it calls later may be made after it. */
-export interface Parts {
-  live: Live;
-  scene: PageView;
-  dock: ReturnType<typeof createDock>;
-  panel: Panel;
-  chooser: Chooser;
-  acts: Acts;
-  game: MissionGame;
-  cockpit: Cockpit;
-  /** null without a picture. */
-  carry: Carry | null;
-  flightLink: FlightLink;
-  devices: Devices;
-  /** null until it is asked for: its code is fetched then. */
-  sound: Sound | null;
-  loop: FrameLoop;
-}
+const WORKSHOP_FAILED = 'The workshop did not load. Check the network and open it again.';
 
 /** Makes the parts and connects them. */
 export function wirePage(page: Page): Parts {
   const parts = {} as Parts;
   parts.live = wireLive(page, parts);
   parts.scene = wireScene(page, parts);
-  parts.dock = createDock(page.part('dock'), parts.scene.listeners);
+  parts.dock = createLazyDock(page.part('dock'), parts.scene.listeners, () =>
+    page.notice.tell(WORKSHOP_FAILED),
+  );
   parts.chooser = createChooser(page, parts);
   parts.panel = wirePanel(page, parts);
   parts.sound = null;
@@ -96,8 +79,11 @@ function wireScene({ query, notice, banner }: Page, parts: Parts): PageView {
   });
 }
 
-function wirePanel({ part, document, choices }: Page, parts: Parts): Panel {
-  const showDock = (open: boolean) => document.body.classList.toggle('workshop', open);
+function wirePanel({ part, document, choices, notice }: Page, parts: Parts): Panel {
+  const showDock = (open: boolean) => {
+    document.body.classList.toggle('workshop', open);
+    if (open) parts.dock.load();
+  };
   const isMission = parts.chooser.isMission(choices.scenario);
   showDock(!isMission);
   const panel = createPanel(
@@ -107,6 +93,7 @@ function wirePanel({ part, document, choices }: Page, parts: Parts): Panel {
       change: (name, text) => parts.chooser.change(name, text),
       act: (act) => parts.acts.act(act),
       workshop: showDock,
+      failed: () => notice.tell(WORKSHOP_FAILED),
     },
   );
   panel.press('sound', false);
@@ -138,8 +125,21 @@ function wireActs(page: Page, parts: Parts): Acts {
   });
 }
 
+/** The code of flight links is loaded when the first one is asked for. */
 function wireFlightLink({ choices, address, notice }: Page, parts: Parts): FlightLink {
-  return createFlightLink({ live: () => parts.live, choices: () => choices, address, notice });
+  let link: FlightLink | null = null;
+  const use = (act: (loaded: FlightLink) => void) => {
+    import('./flightLink').then(
+      ({ createFlightLink }) =>
+        act((link ??= createFlightLink({ live: () => parts.live, choices: () => choices, address, notice }))),
+      () => notice.tell('Part of the page did not load. Check the network and try again.'),
+    );
+  };
+  return {
+    copy: () => use(({ copy }) => copy()),
+    take: (inputs) => link?.take(inputs) ?? false,
+    copyOf: (recording) => use(({ copyOf }) => copyOf(recording)),
+  };
 }
 
 /** The world as it is chosen; while a recording plays, the flight that it holds. */
@@ -191,7 +191,7 @@ function wireDevices(page: Page, parts: Parts): Devices {
 }
 
 function wireGame(page: Page, parts: Parts): MissionGame {
-  const { choices, address, notice, best, part } = page;
+  const { choices, address, notice, runs, part } = page;
   return createMissionGame({
     live: parts.live,
     choices: () => choices,
@@ -201,7 +201,7 @@ function wireGame(page: Page, parts: Parts): MissionGame {
     card: createMissionCard(part('card')),
     address,
     notice,
-    best,
+    runs,
     device: parts.devices.device,
     cap: keyCapOf(page, parts),
     resetCamera: () => page.stage?.resetCamera(),

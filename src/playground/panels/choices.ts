@@ -1,6 +1,6 @@
 import { BODIES, SHIP_CLASSES, TERRAINS } from '../../dynamics';
 import { readFlight } from '../game/mission/runText';
-import { TAB_ADDRESS } from '../server/tabLink';
+import { TAB_ADDRESS } from '../server/tabAddress';
 import { LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
 
 /** What the page can be asked for, all of it in the URL. */

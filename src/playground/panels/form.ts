@@ -13,6 +13,8 @@ export interface Form {
   readonly also: (show: (choices: Choices) => void) => void;
   readonly change: (name: keyof Choices, text: string) => string | null;
   readonly show: (choices: Choices) => void;
+  /** Shows the present choices in fields that were added since. */
+  readonly showAgain: () => void;
 }
 
 /** What a real server does not take: its world is its own. */
@@ -37,10 +39,17 @@ const BUILT_IN_ONLY = new Set<keyof Choices>([
 
 export function createForm(change: (name: keyof Choices, text: string) => string | null): Form {
   const shows: ((choices: Choices) => void)[] = [];
+  let latest: Choices | null = null;
   return {
     change,
     also: (show) => shows.push(show),
-    show: (choices) => shows.forEach((show) => show(choices)),
+    show(choices) {
+      latest = choices;
+      shows.forEach((show) => show(choices));
+    },
+    showAgain() {
+      if (latest !== null) shows.forEach((show) => show(latest!));
+    },
     field(parent, title, name, control) {
       const made = appendField(parent, title, control);
       control.addEventListener('change', () => made.complain(change(name, control.value) ?? ''));

@@ -1,8 +1,7 @@
 import { findScenario, LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
 import type { Choices } from './choices';
 import { append, appendButton, appendDetails, appendLicences, createSelect } from './elements';
-import { createForm } from './form';
-import { appendSettings } from './settings';
+import { createForm, type Form } from './form';
 
 /** Buttons of the panel. */
 export type PanelAct =
@@ -34,6 +33,8 @@ export interface PanelListeners {
   readonly act: (act: PanelAct) => void;
   /** The workshop was opened or closed. */
   readonly workshop: (open: boolean) => void;
+  /** A part of the panel did not load. */
+  readonly failed: () => void;
 }
 
 export interface Panel {
@@ -122,11 +123,16 @@ export function createPanel(
   addButton(starts, 'invite', 'Fly together');
 
   const workshop = appendDetails(host, 'Workshop', workshopOpen);
-  workshop.addEventListener('toggle', () => listeners.workshop(workshop.open));
+  workshop.addEventListener('toggle', () => {
+    if (workshop.open) loadSettings();
+    listeners.workshop(workshop.open);
+  });
   append(workshop, 'h3', '', 'Three things to try');
   const tries = append(workshop, 'ul', 'tries');
   for (const [act, text] of TRIES) addButton(append(tries, 'li'), act, text);
-  appendSettings(workshop, form);
+  const settings = append(workshop, 'div');
+  const loadSettings = createSettingsLoader(settings, form, listeners.failed);
+  if (workshopOpen) loadSettings();
   append(workshop, 'h3', '', 'Experiment');
   addRow(workshop, EXPERIMENTS);
   append(workshop, 'h3', '', 'Disturb');
@@ -149,6 +155,25 @@ export function createPanel(
     showRun(text) {
       if (run.textContent !== text) run.textContent = text;
     },
+  };
+}
+
+/** The settings' code is loaded when the workshop opens for the first time. */
+function createSettingsLoader(host: Element, form: Form, failed: () => void): () => void {
+  let isLoading = false;
+  return () => {
+    if (isLoading) return;
+    isLoading = true;
+    import('./settings').then(
+      ({ appendSettings }) => {
+        appendSettings(host, form);
+        form.showAgain();
+      },
+      () => {
+        isLoading = false;
+        failed();
+      },
+    );
   };
 }
 

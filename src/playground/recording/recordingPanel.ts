@@ -32,6 +32,31 @@ export function createRecordingPanel(host: Element, listeners: RecordingListener
   const length = append(row, 'span', 'quiet');
   const replayButton = appendButton(row, 'Replay', listeners.replay);
   const save = appendButton(row, 'Save', listeners.save);
+  appendFileField(row, listeners);
+  const progress = append(row, 'progress');
+  progress.max = 1;
+  progress.hidden = true;
+  progress.setAttribute('aria-label', 'Writing the recording');
+  const deck = appendDeck(host, listeners);
+  return {
+    showLength(seconds, full) {
+      const text = `Recorded ${seconds.toFixed(0)} s${full ? ' (full)' : ''}`;
+      if (length.textContent !== text) length.textContent = text;
+    },
+    showReplay(replay) {
+      replayButton.disabled = replay !== null;
+      save.disabled = replay !== null;
+      deck.showReplay(replay);
+    },
+    showPosition: deck.showPosition,
+    showProgress(share) {
+      progress.hidden = share === null;
+      progress.value = share ?? 0;
+    },
+  };
+}
+
+function appendFileField(row: Element, { load }: RecordingListeners): void {
   const label = append(row, 'label', 'row');
   append(label, 'span', '', 'Load');
   const file = append(label, 'input');
@@ -39,19 +64,21 @@ export function createRecordingPanel(host: Element, listeners: RecordingListener
   file.accept = '.jsonl,application/jsonl';
   file.addEventListener('change', () => {
     const chosen = file.files?.[0];
-    if (chosen !== undefined) listeners.load(chosen);
+    if (chosen !== undefined) load(chosen);
     file.value = '';
   });
-  const progress = append(row, 'progress');
-  progress.max = 1;
-  progress.hidden = true;
-  progress.setAttribute('aria-label', 'Writing the recording');
+}
 
+/** The controls of a replay: hidden without one. */
+function appendDeck(
+  host: Element,
+  listeners: RecordingListeners,
+): Pick<RecordingPanel, 'showReplay' | 'showPosition'> {
   const deck = append(host, 'div');
   deck.hidden = true;
   const controls = append(deck, 'div', 'row');
-  let playing = true;
-  const play = appendButton(controls, 'Pause', () => listeners.play(!playing));
+  let isPlaying = true;
+  const play = appendButton(controls, 'Pause', () => listeners.play(!isPlaying));
   for (const [text, label, unit, direction] of STEPS)
     appendButton(controls, text, () => listeners.step(unit, direction)).setAttribute('aria-label', label);
   const scrubber = append(controls, 'div', 'scrubber');
@@ -67,36 +94,25 @@ export function createRecordingPanel(host: Element, listeners: RecordingListener
   words.setAttribute('role', 'status');
   let from = 0;
   let long = 1;
-
   return {
-    showLength(seconds, full) {
-      const text = `Recorded ${seconds.toFixed(0)} s${full ? ' (full)' : ''}`;
-      if (length.textContent !== text) length.textContent = text;
-    },
     showReplay(replay) {
       deck.hidden = replay === null;
-      replayButton.disabled = replay !== null;
-      save.disabled = replay !== null;
       if (replay === null) return;
       from = replay.from;
       long = Math.max(replay.to - replay.from, 1e-3);
       range.max = long.toFixed(2);
       words.textContent = replay.divergence.words;
       mark.hidden = replay.divergence.at === null;
-      // The knob's middle runs from half a knob (8 px) to half a knob before the end.
+      // The middle of the slider's thumb moves from 8 px after its start to 8 px before its end.
       const share = ((replay.divergence.at ?? from) - from) / long;
       mark.style.setProperty('left', `calc(8px + ${share} * (100% - 16px))`);
     },
-    showPosition(at, isPlaying, where) {
-      playing = isPlaying;
-      const text = isPlaying ? 'Pause' : 'Play';
+    showPosition(at, playing, where) {
+      isPlaying = playing;
+      const text = playing ? 'Pause' : 'Play';
       if (play.textContent !== text) play.textContent = text;
       range.value = (at - from).toFixed(2);
       time.textContent = `${(at - from).toFixed(2)} / ${long.toFixed(1)} s · ${where}`;
-    },
-    showProgress(share) {
-      progress.hidden = share === null;
-      progress.value = share ?? 0;
     },
   };
 }

@@ -43,7 +43,7 @@ export function loadWorld(operation: LoadOperation, now: number): Result<LoadedW
   const own = {
     shipId: OWN_SHIP,
     playerId: OWN_PLAYER,
-    name: operation.pilot || 'Touchdown',
+    name: operation.pilot || 'Eagle',
     ship: loaded.value.ship,
     plan: operation.plan ?? loaded.value.inputs,
   };

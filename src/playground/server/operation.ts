@@ -1,5 +1,5 @@
 import { ok, type Result, err } from '../../dynamics';
-import { TAB_ADDRESS } from './tabLink';
+import { TAB_ADDRESS } from './tabAddress';
 import { loadNetwork, type NetworkNumbers, type ScheduledInput } from '../../scenarios';
 
 /** What the page's operator asks of the server in the worker, beside the protocol. */

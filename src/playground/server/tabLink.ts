@@ -21,9 +21,6 @@ export interface TabChannel {
   close: () => void;
 }
 
-/** Begins an address of a room in this browser, where a socket's begins with ws:. */
-export const TAB_ADDRESS = /^tab:[\w-]{1,32}$/;
-
 /** One name for all tabs of this host, so that two pages of it do not hear each other. */
 export function openChannel(address: string): TabChannel {
   return new BroadcastChannel(`touchdown ${address}`) as unknown as TabChannel;

@@ -24,6 +24,7 @@ import { createScenarioWorld, type ScenarioWorld } from '../runScenario';
 import { loadScenario, type ScheduledInput } from '../scenario';
 import type { Mission } from './mission';
 import { padPlaces } from './pads';
+import { TRACK_RATE } from './track';
 
 /** Controls from the start of a substep on, ascending in time. */
 export type RunInput = ScheduledInput;
@@ -46,10 +47,6 @@ export interface RunOutcome {
   /** Ten poses per second in body axes: position x, y, z (m), and attitude relative to the body's (x, y, z, w). */
   readonly track: Float64Array;
 }
-
-/** Numbers per pose of a track, and poses per second. */
-export const TRACK_STRIDE = 7;
-export const TRACK_RATE = 10;
 
 interface Flight extends ScenarioWorld {
   readonly track: number[];

@@ -1,6 +1,12 @@
 import { Color, PointLight, Vector4 } from 'three';
 import type { ShipView } from '../../prediction';
-import type { ShipActor } from '../ships/shipActor';
+
+/** Of a drawn ship (ShipActor): where it is, which way its engines blow, and whether any nozzle does. */
+interface BurningShip {
+  readonly place: Float64Array;
+  readonly blows: Float64Array;
+  readonly jets: { readonly visible: boolean };
+}
 
 /** Shared by the materials that the flame lights. */
 export interface FlameUniforms {
@@ -14,7 +20,7 @@ export interface Flame {
   readonly light: PointLight;
   readonly uniforms: FlameUniforms;
   /** The flame of the watched ship; `eye` local, m; `flicker` around 1. */
-  place(actor: ShipActor, ship: ShipView, eye: Float64Array, flicker: number): void;
+  place(actor: BurningShip, ship: ShipView, eye: Float64Array, flicker: number): void;
   dispose(): void;
 }
 

@@ -1,5 +1,12 @@
 import { quat } from 'gl-matrix';
-import type { ShipActor } from './shipActor';
+
+/** Of a drawn ship (ShipActor): what a crash changes. */
+interface WreckedPose {
+  readonly place: Float64Array;
+  readonly turn: Float64Array;
+  readonly blows: Float64Array;
+  readonly compression: Float32Array;
+}
 
 /** Of h: how far the legs are folded. */
 const FOLD = 0.55;
@@ -7,7 +14,7 @@ const FOLD = 0.55;
 const LEAN = quat.fromEuler(new Float64Array(4), 9, 0, 16);
 
 /** Poses a crashed ship as a wreck: on its belly, the legs folded, leaning. */
-export function crumple(actor: ShipActor, h: number): void {
+export function crumple(actor: WreckedPose, h: number): void {
   const upright = -actor.blows[1]!;
   // One that came down on its side needs no other pose.
   if (upright < 0.5) return;

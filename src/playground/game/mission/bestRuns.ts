@@ -1,6 +1,7 @@
 import {
   findMission,
   flyRun,
+  meetsGoal,
   type Mission,
   readRun,
   type RunInput,
@@ -10,7 +11,7 @@ import {
   loadScenario,
   writeRun,
 } from '../../../scenarios';
-import { bytesOf, textOf } from './runText';
+import { BEST_RUN_KEY, bytesOf, textOf } from './runText';
 
 /** A run that was flown again from its inputs: what it came to and what it was worth. */
 export interface VerifiedRun {
@@ -18,6 +19,8 @@ export interface VerifiedRun {
   readonly bytes: Uint8Array;
   readonly outcome: RunOutcome;
   readonly score: Score;
+  /** As softly as the goal says. */
+  readonly meetsGoal: boolean;
   /** Whose; '' = one's own. */
   readonly by: string;
 }
@@ -32,15 +35,20 @@ function verifyBytes(mission: Mission, bytes: Uint8Array, by: string): VerifiedR
   if (!read.ok) return null;
   const outcome = flyRun(mission, read.value);
   if (!outcome.ok) return null;
-  return { mission, bytes, outcome: outcome.value, score: scoreRun(mission, outcome.value), by };
+  return {
+    mission,
+    bytes,
+    outcome: outcome.value,
+    score: scoreRun(mission, outcome.value),
+    meetsGoal: meetsGoal(mission, outcome.value),
+    by,
+  };
 }
 
 function substepsOf({ scenario }: Mission): number {
   const loaded = loadScenario(scenario);
   return loaded.ok ? loaded.value.timing.substeps : 100;
 }
-
-const PLACE = 'touchdown.best.';
 
 export interface BestRuns {
   /** The best run of a mission, flown again; null without one. */
@@ -65,7 +73,7 @@ export function createBestRuns(store: Storage | null): BestRuns {
       if (run.outcome.outcome !== 'landed') return false;
       known.set(run.mission.scenario.name, run);
       try {
-        store?.setItem(PLACE + run.mission.scenario.name, textOf(run.bytes));
+        store?.setItem(BEST_RUN_KEY + run.mission.scenario.name, textOf(run.bytes));
       } catch {
         // A full or forbidden store: the best run holds until the page closes.
       }
@@ -76,7 +84,7 @@ export function createBestRuns(store: Storage | null): BestRuns {
 
 function readBest(store: Storage | null, mission: Mission): VerifiedRun | null {
   try {
-    const text = store?.getItem(PLACE + mission.scenario.name) ?? null;
+    const text = store?.getItem(BEST_RUN_KEY + mission.scenario.name) ?? null;
     const bytes = text === null ? null : bytesOf(text);
     const run = bytes === null ? null : verifyBytes(mission, bytes, '');
     return run?.outcome.outcome === 'landed' ? run : null;

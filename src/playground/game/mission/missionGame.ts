@@ -1,16 +1,18 @@
 import type { WorldView } from '../../../prediction';
-import { findMission, LESSONS, meetsGoal, type Mission, MISSIONS, type RunInput } from '../../../scenarios';
+import { findMission, type Mission, type RunInput } from '../../../scenarios';
 import type { Action } from '../../input/keyTable';
 import type { Choices } from '../../panels/choices';
 import type { GoalPanel } from '../../panels/goal';
-import type { CardAction, MissionCard } from '../../panels/missionCard';
+import type { CardAction, CardText, MissionCard } from '../../panels/missionCard';
 import type { Notice } from '../../panels/notice';
 import type { Address } from '../address';
-import { type BestRuns, raceQuery, type VerifiedRun, verifyRun } from './bestRuns';
-import { controlName, type Device, howToFly } from '../words/flightWords';
+import type { VerifiedRun } from './bestRuns';
+import { type Device, howToFly } from '../words/flightWords';
 import { createGhostFlight, type GhostFlight } from './ghost';
 import type { Live } from '../live';
+import type { Runs } from './runs';
 import { LONGEST_LINK } from './runText';
+import { landedCard, nextAction, phaseCard, scoreCard, verdict } from './missionCards';
 import { createMissionTracker, type MissionTracker } from './missionTracker';
 
 /** Missions as a game: the goal, what a flight came to, what to do next. */
@@ -40,159 +42,116 @@ export interface MissionPlace {
   readonly card: MissionCard;
   readonly address: Address;
   readonly notice: Notice;
-  readonly best: BestRuns;
+  readonly runs: Runs;
   readonly device: () => Device;
   readonly cap: (action: Action) => string;
   readonly resetCamera: () => void;
 }
 
+/** What the game remembers of the present flight. */
+interface Flight {
+  /** Why it is not scored; '' where it is. */
+  meddling: string;
+  rival: VerifiedRun | null;
+  actions: readonly CardAction[];
+}
+
 export function createMissionGame(place: MissionPlace): MissionGame {
   const tracker = createMissionTracker();
   const ghost = createGhostFlight();
-  let meddling = '';
-  let rival: VerifiedRun | null = null;
-  let actions: readonly CardAction[] = [];
-
+  const flight: Flight = { meddling: '', rival: null, actions: [] };
+  const show = (card: CardText | null) => {
+    flight.actions = card?.actions ?? [];
+    if (card === null) place.card.hide();
+    else place.card.show(card);
+  };
   const reword = () => place.goal.how(howToFly(tracker.mission(), place.device(), place.cap));
-  const show = (
-    title: string,
-    words: string,
-    next: readonly CardAction[],
-    run: VerifiedRun | null = null,
-  ) => {
-    actions = next;
-    place.card.show({ title, words, lines: run?.score.lines ?? [], actions: next });
+  const showPhase = (mission: Mission) => {
+    show(phaseCard(tracker, mission, place));
+    if (tracker.phase() !== 'done' || mission.isLesson) return;
+    if (flight.meddling === '') place.live.operate({ kind: 'run' });
+    else show(landedCard(mission, `Not scored: ${flight.meddling}.`, place));
   };
-  const enter = () => ({ keys: 'Enter', gamepad: 'A', thumbs: '' })[place.device()];
-  const onward = (mission: Mission): CardAction => {
-    const list = mission.isLesson ? LESSONS : MISSIONS;
-    const next = list[list.indexOf(mission) + 1] ?? MISSIONS[0]!;
-    return {
-      text: `Next: ${next.scenario.title}`,
-      cap: enter(),
-      act: () => place.choose('scenario', next.scenario.name),
-    };
-  };
-  const again = (): CardAction => ({
-    text: 'Try again',
-    cap: controlName(place.device(), 'restart', place.cap),
-    act: place.restart,
-  });
-
-  const tell = (mission: Mission) => {
-    const phase = tracker.phase();
-    if (phase === 'crashed')
-      show('Crashed', 'Too fast: a touch above 50 m/s breaks the ship.', [
-        { ...again(), cap: enter() },
-        onwardUnkeyed(onward(mission)),
-      ]);
-    else if (phase === 'tipped')
-      show('Tipped over', 'Right the ship with the key the display names, or try again.', [again()]);
-    else if (phase === 'beside')
-      show(
-        mission.done.kind === 'land' ? `Landed ${tracker.off().toFixed(0)} m from the beacon` : 'Landed',
-        mission.done.kind === 'land'
-          ? 'Take off again and land inside the ring, or try again.'
-          : mission.goal,
-        [again()],
-      );
-    else if (phase === 'padReached')
-      show(`Pad ${tracker.reached()} of ${mission.pads.length}`, 'On to the next beacon.', []);
-    else if (phase === 'done') tellDone(mission);
-    else {
-      actions = [];
-      place.card.hide();
-    }
-  };
-  const tellDone = (mission: Mission) => {
-    if (mission.isLesson) {
-      show('Well done', mission.scenario.about, [onward(mission), again()]);
-      return;
-    }
-    show('Landed', 'The flight is being checked …', [onward(mission), again()]);
-    if (meddling === '') place.live.operate({ kind: 'run' });
-    else show('Landed', `Not scored: ${meddling}.`, [onward(mission), again()]);
-  };
-
   return {
     tracker,
     ghost,
     begin() {
-      const { scenario } = place.choices();
-      const mission = findMission(scenario);
-      meddling = whyUnranked(place.choices());
-      actions = [];
+      const mission = findMission(place.choices().scenario);
+      flight.meddling = whyUnranked(place.choices());
       tracker.begin(mission);
-      place.card.hide();
-      ghost.race(mission === null ? null : rival?.mission === mission ? rival : place.best.of(mission));
-      if (mission !== null) place.resetCamera();
+      show(null);
+      void raceGhost(mission, flight.rival, { tracker, ghost, runs: place.runs });
       if (mission === null) place.goal.hide();
-      else place.goal.show(mission.scenario.title, mission.goal);
+      else {
+        place.resetCamera();
+        place.goal.show(mission.scenario.title, mission.goal);
+      }
       reword();
     },
     watch(view) {
       const mission = tracker.mission();
-      if (mission !== null && tracker.watch(view)) tell(mission);
+      if (mission !== null && tracker.watch(view)) showPhase(mission);
     },
     confirm() {
       const mission = tracker.mission();
-      if (actions.length > 0) actions[0]!.act();
-      else if (mission?.isLesson === true) onward(mission).act();
+      if (flight.actions.length > 0) flight.actions[0]!.act();
+      else if (mission?.isLesson === true) nextAction(mission, place).act();
     },
     reword,
-    meddled: (how) => (meddling = how),
+    meddled: (how) => (flight.meddling = how),
     onRun(inputs) {
       const mission = tracker.mission();
-      if (mission === null || tracker.phase() !== 'done' || meddling !== '') return;
-      const run = verifyRun(mission, inputs);
-      if (run?.outcome.outcome !== 'landed') {
-        show('Landed', 'Not scored: flown again from its inputs, it does not land.', [
-          onward(mission),
-          again(),
-        ]);
-        return;
-      }
-      const best = place.best.of(mission);
-      const isBest = place.best.keep(run);
-      show(
-        `${meetsGoal(mission, run.outcome) ? 'Landed' : 'Landed too hard'}: ${run.score.total} of 1000`,
-        verdict(run, best, rival, isBest),
-        [onward(mission), again(), { text: 'Copy race link', cap: '', act: () => share(place, run) }],
-        run,
-      );
+      if (mission !== null && tracker.phase() === 'done' && flight.meddling === '')
+        void judge(mission, inputs, flight.rival, place).then((card) => {
+          if (tracker.mission() === mission && tracker.phase() === 'done') show(card);
+        });
     },
     race(run) {
-      rival = run;
+      flight.rival = run;
+      if (tracker.mission() === run.mission) ghost.race(run);
     },
   };
 }
 
-function onwardUnkeyed(action: CardAction): CardAction {
-  return { ...action, cap: '' };
+/** Beside the pilot flies the rival's run in its mission, one's own best in the others. */
+async function raceGhost(
+  mission: Mission | null,
+  rival: VerifiedRun | null,
+  { tracker, ghost, runs }: Pick<MissionGame, 'tracker' | 'ghost'> & Pick<MissionPlace, 'runs'>,
+): Promise<void> {
+  const isRace = rival !== null && rival.mission === mission;
+  ghost.race(isRace ? rival : null);
+  if (mission === null || isRace || !runs.isKept(mission)) return;
+  const loaded = await runs.load().catch(() => null);
+  if (loaded !== null && tracker.mission() === mission) ghost.race(loaded.best.of(mission));
+}
+
+/** Flies the run again, keeps it if it is the best, and says what it was worth. */
+async function judge(
+  mission: Mission,
+  inputs: readonly RunInput[],
+  rival: VerifiedRun | null,
+  place: MissionPlace,
+): Promise<CardText> {
+  try {
+    const { module, best } = await place.runs.load();
+    const run = module.verifyRun(mission, inputs);
+    if (run?.outcome.outcome !== 'landed')
+      return landedCard(mission, 'Not scored: flown again from its inputs, it does not land.', place);
+    const before = best.of(mission);
+    const isBest = best.keep(run);
+    const copyRace = () => share(place, module.raceQuery(run, ''));
+    return scoreCard(run, verdict(run, before, rival, isBest), copyRace, place);
+  } catch {
+    return landedCard(mission, 'Not scored: part of the page did not load.', place);
+  }
 }
 
 /** Flown from its inputs alone: a friend who opens the link sees this very flight, and the score is computed there again. */
-function share({ address, notice }: MissionPlace, run: VerifiedRun): void {
-  const query = raceQuery(run, '');
+function share({ address, notice }: MissionPlace, query: string): void {
   if (query.length > LONGEST_LINK)
     notice.tell(`This flight makes a link of ${query.length} characters; some programs cut links that long.`);
   address.copy(query, 'Race link copied.');
-}
-
-function verdict(
-  run: VerifiedRun,
-  best: VerifiedRun | null,
-  rival: VerifiedRun | null,
-  isBest: boolean,
-): string {
-  const parts: string[] = [];
-  if (rival?.mission === run.mission) {
-    const ahead = run.score.total - rival.score.total;
-    parts.push(ahead > 0 ? `${ahead} points ahead of ${rival.by}.` : `${-ahead} points behind ${rival.by}.`);
-  }
-  if (isBest) parts.push(best === null ? 'Your first score here.' : `Your best: ${best.score.total} before.`);
-  else if (best !== null) parts.push(`Your best is ${best.score.total}.`);
-  return parts.join(' ');
 }
 
 /** A world that is not the mission's is not scored; '' where it is. */

@@ -1,8 +1,8 @@
 import { type Vec3 } from '../../../dynamics';
-import type { WorldView } from '../../../prediction';
+import type { ShipView, WorldView } from '../../../prediction';
 import { toInertial } from '../../../readout';
 import type { Target } from '../../../readout';
-import { findScenario, type Mission, padPlaces, loadScenario } from '../../../scenarios';
+import { findScenario, loadScenario, type Mission, type MissionGoal, padPlaces } from '../../../scenarios';
 
 /** How a mission stands, from the confirmed states alone: a prediction may be withdrawn. */
 export type MissionPhase =
@@ -39,94 +39,125 @@ export interface PadMark {
   readonly isNext: boolean;
 }
 
+/** Where a mission is, between two frames. */
+interface Tracked {
+  mission: Mission | null;
+  /** Of the pads, body axes. */
+  places: readonly Vec3[];
+  marks: readonly PadMark[];
+  phase: MissionPhase;
+  reached: number;
+  off: number;
+  held: number;
+  /** Game seconds of the frame before; NaN at first. */
+  before: number;
+  readonly target: { readonly place: Float64Array; radius: number };
+}
+
+const AT_FIRST = { phase: 'flying', reached: 0, off: NaN, held: 0, before: NaN } as const;
+
 export function createMissionTracker(): MissionTracker {
-  let mission: Mission | null = null;
-  let places: Vec3[] = [];
-  let marks: PadMark[] = [];
-  let phase: MissionPhase = 'flying';
-  let reached = 0;
-  let off = NaN;
-  let held = 0;
-  let before = NaN;
-  const bodyPlace = new Float64Array(3);
-  const target = { place: new Float64Array(3), radius: 0 };
-  const attitude = new Float64Array(4);
-
-  const mark = () => {
-    marks = (mission?.pads ?? []).map(({ radius }, i) => ({
-      place: places[i]!,
-      radius,
-      isNext: i === reached,
-    }));
+  const tracked: Tracked = {
+    ...AT_FIRST,
+    mission: null,
+    places: [],
+    marks: [],
+    target: { place: new Float64Array(3), radius: 0 },
   };
-  const aim = (view: WorldView, index: number) => {
-    const body = view.bodies[view.own!.body]!;
-    bodyPlace.set(places[index]!);
-    attitude.set(body.attitude);
-    toInertial(target.place, attitude, bodyPlace);
-    target.radius = mission!.pads[index]!.radius;
-  };
-  const offOf = (position: Float64Array): number => {
-    const away = [0, 1, 2].map((k) => position[k]! - target.place[k]!);
-    const up = [0, 1, 2].reduce((sum, k) => sum + (away[k]! * position[k]!) / Math.hypot(...position), 0);
-    return Math.sqrt(Math.max(0, away.reduce((sum, v) => sum + v * v, 0) - up * up));
-  };
-  const next = (view: WorldView): MissionPhase => {
-    const ship = view.own!;
-    const { done, pads } = mission!;
-    if (phase === 'done' || phase === 'crashed') return phase;
-    if (ship.provenance !== 'confirmed' && ship.shownState !== '') return phase;
-    if (ship.shownState === 'crashed') return 'crashed';
-    if (done.kind === 'hover') {
-      const passed = gameSeconds(view) - before;
-      const inside = ship.shownState === '' && ship.feetHeight >= done.low && ship.feetHeight <= done.high;
-      held = inside ? held + Math.max(0, Number.isNaN(passed) ? 0 : passed) : 0;
-      if (held >= done.seconds) return 'done';
-    } else if (done.kind === 'reach' && ship.shownState === '') {
-      const slow = speedOverGround(view) < done.speed;
-      if (offOf(ship.position) <= pads[reached]!.radius && ship.feetHeight < done.below && slow)
-        return 'done';
-    }
-    if (ship.shownState === 'tipped') return 'tipped';
-    if (ship.shownState !== 'landed') return 'flying';
-    if (phase === 'padReached' || phase === 'beside') return phase;
-    off = offOf(ship.position);
-    if (done.kind !== 'land' || off > pads[reached]!.radius) return 'beside';
-    reached += 1;
-    mark();
-    return reached === pads.length ? 'done' : 'padReached';
-  };
-
   return {
-    begin(given) {
-      mission = given;
-      reached = 0;
-      phase = 'flying';
-      off = NaN;
-      held = 0;
-      before = NaN;
-      const scenario = given === null ? null : findScenario(given.scenario.name);
-      const loaded = scenario === null ? null : loadScenario(scenario);
-      places = loaded?.ok === true && given !== null ? padPlaces(given, loaded.value) : [];
-      mark();
+    begin(mission) {
+      Object.assign(tracked, AT_FIRST, { mission, places: placesOf(mission) });
+      markPads(tracked);
     },
-    mission: () => mission,
+    mission: () => tracked.mission,
     watch(view) {
-      if (mission === null || !view.ready || view.own === null || places.length === 0) return false;
-      aim(view, Math.min(reached, places.length - 1));
-      const now = next(view);
-      before = gameSeconds(view);
-      const changed = now !== phase;
-      phase = now;
-      return changed;
+      if (tracked.mission === null || !view.ready || view.own === null || tracked.places.length === 0)
+        return false;
+      aim(tracked, view, view.own);
+      const phase = nextPhase(tracked, tracked.mission, view, view.own);
+      tracked.before = gameSeconds(view);
+      const hasChanged = phase !== tracked.phase;
+      tracked.phase = phase;
+      return hasChanged;
     },
-    phase: () => phase,
-    reached: () => reached,
-    off: () => off,
-    target: () => (mission === null || places.length === 0 || target.radius === 0 ? null : target),
-    pads: () => marks,
-    held: () => held,
+    phase: () => tracked.phase,
+    reached: () => tracked.reached,
+    off: () => tracked.off,
+    target: () =>
+      tracked.mission === null || tracked.places.length === 0 || tracked.target.radius === 0
+        ? null
+        : tracked.target,
+    pads: () => tracked.marks,
+    held: () => tracked.held,
   };
+}
+
+function placesOf(mission: Mission | null): readonly Vec3[] {
+  const scenario = mission === null ? null : findScenario(mission.scenario.name);
+  const loaded = scenario === null ? null : loadScenario(scenario);
+  return loaded?.ok === true && mission !== null ? padPlaces(mission, loaded.value) : [];
+}
+
+function markPads(tracked: Tracked): void {
+  tracked.marks = (tracked.mission?.pads ?? []).map(({ radius }, i) => ({
+    place: tracked.places[i]!,
+    radius,
+    isNext: i === tracked.reached,
+  }));
+}
+
+const bodyPlace = new Float64Array(3);
+const bodyAttitude = new Float64Array(4);
+
+/** The target is the next pad, as the body is turned now. */
+function aim({ mission, places, reached, target }: Tracked, view: WorldView, own: ShipView): void {
+  const index = Math.min(reached, places.length - 1);
+  bodyPlace.set(places[index]!);
+  bodyAttitude.set(view.bodies[own.body]!.attitude);
+  toInertial(target.place, bodyAttitude, bodyPlace);
+  target.radius = mission!.pads[index]!.radius;
+}
+
+/** m along the ground from the target. */
+function distanceTo({ place }: Tracked['target'], position: Float64Array): number {
+  const away = [0, 1, 2].map((k) => position[k]! - place[k]!);
+  const up = [0, 1, 2].reduce((sum, k) => sum + (away[k]! * position[k]!) / Math.hypot(...position), 0);
+  return Math.sqrt(Math.max(0, away.reduce((sum, v) => sum + v * v, 0) - up * up));
+}
+
+function nextPhase(tracked: Tracked, { done, pads }: Mission, view: WorldView, own: ShipView): MissionPhase {
+  const { phase } = tracked;
+  if (phase === 'done' || phase === 'crashed') return phase;
+  if (own.provenance !== 'confirmed' && own.shownState !== '') return phase;
+  if (own.shownState === 'crashed') return 'crashed';
+  if (done.kind === 'hover' && hasHovered(tracked, done, view, own)) return 'done';
+  if (done.kind === 'reach' && hasReached(tracked, done, view, own)) return 'done';
+  if (own.shownState === 'tipped') return 'tipped';
+  if (own.shownState !== 'landed') return 'flying';
+  if (phase === 'padReached' || phase === 'beside') return phase;
+  tracked.off = distanceTo(tracked.target, own.position);
+  if (done.kind !== 'land' || tracked.off > pads[tracked.reached]!.radius) return 'beside';
+  tracked.reached += 1;
+  markPads(tracked);
+  return tracked.reached === pads.length ? 'done' : 'padReached';
+}
+
+type Goal<Kind extends MissionGoal['kind']> = Extract<MissionGoal, { readonly kind: Kind }>;
+
+function hasHovered(tracked: Tracked, { low, high, seconds }: Goal<'hover'>, view: WorldView, own: ShipView) {
+  const passed = gameSeconds(view) - tracked.before;
+  const isInside = own.shownState === '' && own.feetHeight >= low && own.feetHeight <= high;
+  tracked.held = isInside ? tracked.held + Math.max(0, Number.isNaN(passed) ? 0 : passed) : 0;
+  return tracked.held >= seconds;
+}
+
+function hasReached({ target }: Tracked, { below, speed }: Goal<'reach'>, view: WorldView, own: ShipView) {
+  return (
+    own.shownState === '' &&
+    own.feetHeight < below &&
+    distanceTo(target, own.position) <= target.radius &&
+    speedOverGround(view) < speed
+  );
 }
 
 /** Game seconds since tick 0. */

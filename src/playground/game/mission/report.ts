@@ -1,5 +1,5 @@
 import type { WorldView } from '../../../prediction';
-import type { Parts } from '../wiring';
+import type { Parts } from '../parts';
 
 /** What the page shows, for tests and screenshots: on the root element, nowhere else. */
 export function createReport(root: HTMLElement, parts: Parts): (view: WorldView) => void {

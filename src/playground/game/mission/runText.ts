@@ -1,6 +1,9 @@
 import { ok, type Result, err } from '../../../dynamics';
 import { readRun, type RunInput, writeRun } from '../../../scenarios';
 
+/** Before a mission's name: where its best run is kept. */
+export const BEST_RUN_KEY = 'touchdown.best.';
+
 const MAX_TEXT = 200_000;
 /** Characters of a link that mail and chat leave whole. */
 export const LONGEST_LINK = 8000;

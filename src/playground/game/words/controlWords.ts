@@ -6,7 +6,7 @@ import { pushKeyFor, turnKeysFor } from '../../input/steering';
 import { type Cockpit, createCockpit } from '../../view/cockpit';
 import { controlName } from './flightWords';
 import type { Page } from '../pageParts';
-import type { Parts } from '../wiring';
+import type { Parts } from '../parts';
 
 /** What is printed on the key of an action, on this keyboard; '' where keys are off. */
 export function keyCapOf(page: Page, parts: Parts): (action: Action) => string {

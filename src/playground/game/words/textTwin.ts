@@ -1,7 +1,7 @@
 import type { WorldView } from '../../../prediction';
 import type { LandingReadout } from '../../../readout';
 
-/** The picture in words, for those who do not see it. Told anew every two seconds, never announced. */
+/** The picture in words, for those who do not see it. Updated every two seconds, never announced. */
 export interface Twin {
   readonly tell: (view: WorldView, readout: LandingReadout, now: number) => void;
 }
@@ -32,7 +32,9 @@ function words(view: WorldView, readout: LandingReadout): string {
   const body = ship === undefined ? undefined : view.bodies[ship.body];
   if (!view.ready || ship === undefined || body === undefined) return 'No ship in view yet.';
   const height = Math.max(0, ship.feetHeight);
-  const parts = [`${ship.name}, a ${ship.shipClass.name}, ${STATES[ship.shownState] ?? ''}`];
+  const parts = [
+    `${ship.name}, a ${ship.shipClass.name.replaceAll('_', ' ')}, ${STATES[ship.shownState] ?? ''}`,
+  ];
   if (ship.shownState === '')
     parts.push(
       `${height < 10 ? height.toFixed(1) : height.toFixed(0)} m above ${body.name === 'Luna' ? 'the Moon' : body.name}`,

@@ -3,12 +3,27 @@ import type Plotting from './plotting';
 import { type GaugeName, GAUGES, type Samples } from '../../game/samples';
 
 /** Which gauges share a plot. */
-const PLOTS: readonly { readonly title: string; readonly gauges: readonly GaugeName[] }[] = [
-  { title: 'Position, m', gauges: ['errorPosition', 'offsetPosition'] },
-  { title: 'Attitude, °', gauges: ['errorAngle', 'offsetAngle'] },
-  { title: 'Network, ms', gauges: ['roundTrip', 'lead', 'jitter'] },
-  { title: 'Clock', gauges: ['clockRate'] },
+const PLOTS: readonly PlotKind[] = [
+  { title: 'Position, m', gauges: ['errorPosition', 'offsetPosition'], base: 0, least: 0.001 },
+  { title: 'Attitude, °', gauges: ['errorAngle', 'offsetAngle'], base: 0, least: 0.01 },
+  { title: 'Network, ms', gauges: ['roundTrip', 'lead', 'jitter'], base: 0, least: 10 },
+  { title: 'Clock', gauges: ['clockRate'], base: 1, least: 0.001 },
 ];
+
+interface PlotKind {
+  readonly title: string;
+  readonly gauges: readonly GaugeName[];
+  /** Always on the axis, and how far from it the axis reaches at least. */
+  readonly base: number;
+  readonly least: number;
+}
+
+/** The axis of a plot: errors of zero do not stand on an axis to 100. */
+export function axisRange({ base, least }: Pick<PlotKind, 'base' | 'least'>, low: number, high: number) {
+  const top = Math.max(Number.isFinite(high) ? high : base, base + least);
+  const bottom = Math.min(Number.isFinite(low) ? low : base, base);
+  return [bottom, top + 0.05 * (top - bottom)] as const;
+}
 const HEIGHT = 92;
 const STROKES = ['#ffd24a', '#58b8ff', '#ff9d92'] as const;
 /** Lines of one plot differ in more than colour; px drawn and left out. */
@@ -25,7 +40,7 @@ export function createPlots(host: Element): (samples: Samples) => void {
   const load = async () => {
     state = 'loading';
     holder.replaceChildren();
-    const waiting = append(holder, 'p', 'quiet', 'Fetching the plots …');
+    const waiting = append(holder, 'p', 'quiet', 'Loading the plots …');
     try {
       const { default: Plot } = await import('./plotting');
       waiting.remove();
@@ -43,11 +58,8 @@ export function createPlots(host: Element): (samples: Samples) => void {
   };
 }
 
-function createPlot(
-  Plot: typeof Plotting,
-  holder: Element,
-  { title, gauges }: (typeof PLOTS)[number],
-): Setter {
+function createPlot(Plot: typeof Plotting, holder: Element, kind: PlotKind): Setter {
+  const { title, gauges } = kind;
   const rings = gauges.map((name) => GAUGES.findIndex((gauge) => gauge.name === name));
   const series = rings.map((ring, i) => ({
     label: GAUGES[ring]!.title,
@@ -68,7 +80,10 @@ function createPlot(
       height: HEIGHT,
       legend: { live: false },
       cursor: { show: false },
-      scales: { x: { time: false } },
+      scales: {
+        x: { time: false },
+        y: { range: (_, low, high) => [...axisRange(kind, low, high)] },
+      },
       axes: [
         { ...axis, size: 20 },
         { ...axis, size: 46, values: (_, splits) => splits.map(tickText) },

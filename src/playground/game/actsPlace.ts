@@ -1,0 +1,32 @@
+import type { Banner } from '../panels/banner';
+import type { Choices } from '../panels/choices';
+import type { Panel } from '../panels/panel';
+import type { ReplayDeck } from '../recording/replayDeck';
+import type { Live } from './live';
+
+/** What keys, pads and buttons act on. */
+export interface ActsPlace {
+  readonly live: Live;
+  readonly panel: Panel;
+  readonly banner: Banner;
+  readonly choices: () => Choices;
+  /** Takes a choice and does what it asks. */
+  readonly choose: (name: keyof Choices, text: string) => void;
+  readonly begin: () => void;
+  readonly help: () => void;
+  readonly resetCamera: () => void;
+  readonly nextCamera: () => void;
+  readonly copyLink: () => void;
+  readonly copyFlight: () => void;
+  /** Lets another tab in, and copies its link. */
+  readonly invite: () => void;
+  readonly toggleBare: () => void;
+  readonly toggleAids: () => void;
+  readonly toggleSound: () => void;
+  /** Switches dragging the ship on or off; whether it is on. */
+  readonly toggleCarry: () => boolean;
+  /** While a recording plays, the game behind it takes no commands. */
+  readonly deck: ReplayDeck;
+  /** The flight no longer follows from the pilot's inputs alone. */
+  readonly meddled: (how: string) => void;
+}

@@ -1,0 +1,47 @@
+import type { Carry } from '../input/carry';
+import type { Devices } from '../input/devices';
+import type { Choices } from '../panels/choices';
+import type { Panel } from '../panels/panel';
+import type { LazyDock } from '../panels/workshop/lazyDock';
+import type { Sound } from '../sound/sound';
+import type { Cockpit } from '../view/cockpit';
+import type { FrameLoop } from '../view/frameLoop';
+import type { PageView } from '../view/pageView';
+import type { Acts } from './actions';
+import type { FlightLink } from './flightLink';
+import type { Live } from './live';
+import type { MissionGame } from './mission/missionGame';
+
+/** Everything that runs, each made when those it is made of stand. What it calls later may be made after it. */
+export interface Parts {
+  live: Live;
+  scene: PageView;
+  dock: LazyDock;
+  panel: Panel;
+  chooser: Chooser;
+  acts: Acts;
+  game: MissionGame;
+  cockpit: Cockpit;
+  /** null without a picture. */
+  carry: Carry | null;
+  flightLink: FlightLink;
+  devices: Devices;
+  /** null until it is asked for: its code is fetched then. */
+  sound: Sound | null;
+  loop: FrameLoop;
+}
+
+/** Takes choices and does what they ask. */
+export interface Chooser {
+  /** Why the text cannot be taken, or null. */
+  readonly change: (name: keyof Choices, text: string) => string | null;
+  readonly choose: (name: keyof Choices, text: string) => void;
+  readonly beginAnew: () => void;
+  readonly beginWorld: () => void;
+  readonly isMission: (scenario: string) => boolean;
+  readonly openHelp: () => void;
+  /** The host of a shared world has begun a scenario. */
+  readonly follow: (scenario: string, terrain: string) => void;
+  /** Lets other tabs in and hands out the link. */
+  readonly invite: () => void;
+}

@@ -4,6 +4,7 @@ import type { UserConfig } from 'vite';
 import { compactShaders } from './.ci/compactShaders.mjs';
 import { writeNotices } from './.ci/notices.mjs';
 import { listForOffline, OFFLINE_SCRIPT } from './.ci/offline.mjs';
+import { withoutXr } from './.ci/withoutXr.mjs';
 import type * as TestProjects from './test/projects.mjs';
 
 /**
@@ -68,7 +69,13 @@ const page: UserConfig = {
       },
     },
   },
-  plugins: [withoutCallerChecks, compactShaders(), writeNotices(), listForOffline(here('public'))],
+  plugins: [
+    withoutCallerChecks,
+    withoutXr(),
+    compactShaders(),
+    writeNotices(),
+    listForOffline(here('public')),
+  ],
   worker: { format: 'es', rolldownOptions: { output: CONSTANTS } },
 };
 

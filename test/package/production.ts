@@ -3,6 +3,7 @@
  * they show, number by number.
  *   node test/run.mjs test/package/production.ts FOLDER    with the package in FOLDER
  */
+import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import type * as Core from '../../src';
@@ -53,7 +54,32 @@ function shown(core: typeof Core, { entries, options }: Flight): string[] {
   return lines;
 }
 
+/** The warning codes that the build for production still contains, in the order of ERRORS.md's table. */
+function remainingCodes(codes: readonly string[]): string[] {
+  const files = readdirSync(join(folder, 'production'), { recursive: true, encoding: 'utf8' });
+  const code = files
+    .filter((file) => /^(index|chunks\/.*)\.js$/.test(file))
+    .map((file) => readFileSync(join(folder, 'production', file), 'utf8'))
+    .join('\n');
+  return codes.filter((name) => new RegExp(`["'\`]${name}["'\`]`).test(code));
+}
+
+/** Throws where ERRORS.md lists other codes for production than that build contains. */
+function checkCodes(): void {
+  const page = readFileSync('src/prediction/ERRORS.md', 'utf8');
+  const table = page.slice(page.indexOf('| code'), page.indexOf('## HUDs'));
+  const codes = [...table.matchAll(/^\| `([a-z-]+)`/gm)].map(([, name]) => name!);
+  const paragraph = /remain there: ([^.]*)\./.exec(page)?.[1] ?? '';
+  const listed = [...paragraph.matchAll(/`([a-z-]+)`/g)].map(([, name]) => name!);
+  const remaining = remainingCodes(codes);
+  if (remaining.length === 0 || listed.join() !== remaining.join())
+    throw new Error(
+      `ERRORS.md lists for production: ${listed.join(', ')}\nthere are: ${remaining.join(', ')}`,
+    );
+}
+
 const folder = process.argv[2]!;
+checkCodes();
 const load = async (file: string): Promise<typeof Core> =>
   (await import(/* @vite-ignore */ pathToFileURL(join(folder, file)).href)) as typeof Core;
 const asIs = await load('index.js');

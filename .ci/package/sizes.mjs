@@ -11,13 +11,13 @@ const PREDICTOR = `export { createPredictor, decodeFrameJson, decodeHelloJson, e
 export const USES = [
   {
     name: 'predictor, JSON, readouts',
-    most: 60,
+    most: 62,
     code: PREDICTOR,
     without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'with the checks of development',
-    most: 65,
+    most: 67,
     code: PREDICTOR,
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],

@@ -12,9 +12,8 @@ import type { WorldEvent } from '../wire';
 import type { EventNotice } from './drawn/view';
 
 /**
- * The events of one ship, predicted and told (PREDICTION, Events). An event keeps its identity
- * through replays: the same type within 50 substeps is the same event, and listeners hear of each at most once as predicted, once
- * as confirmed, once as retracted.
+ * The events of one ship, predicted and sent (PREDICTION, Events). An event keeps its identity through replays: the same type within 50
+ * substeps is the same event, and listeners are called for each at most once as predicted, once as confirmed, once as retracted.
  */
 export interface Ledger {
   readonly shipId: string;
@@ -23,24 +22,24 @@ export interface Ledger {
 
 export interface LedgerEntry {
   readonly event: number;
-  /** Its birth: the substep at whose end it happened. */
+  /** The substep at whose end it happened. */
   tick: number;
   substep: number;
   fate: 'predicted' | 'confirmed' | 'retracted';
-  /** The newest pass over the ship's time that met it: one pass does not meet one event twice. */
+  /** The newest pass over the ship's time that had it: one pass never has an event twice. */
   pass: number;
 }
 
 /** Substeps within which two events of a type are the same one. */
 const SAME_EVENT = 50;
-/** Entries kept; of a ship that rattles faster, no more is predicted until some are settled. */
+/** Most entries; a ship that bounces faster gets no more predictions until some are settled. */
 const MAX_ENTRIES = 64;
 
 export function createLedger(shipId: string): Ledger {
   return { shipId, entries: [] };
 }
 
-/** The simulation met `event` in pass `pass`; a notice if nobody has heard of it. */
+/** The simulation met `event` in pass `pass`; a notice if it is new. */
 export function predict(
   ledger: Ledger,
   event: number,
@@ -67,7 +66,7 @@ export function predict(
   return noticeOf(ledger, add(ledger, event, birth, pass));
 }
 
-/** An event of the server as the ledger counts it; null of one that only the server knows, or of no certain substep. */
+/** A server event in the ledger's form; null if only the server knows it, or without a substep. */
 export function knownEvent({
   type,
   tick,
@@ -77,7 +76,7 @@ export function knownEvent({
   return event <= 0 || substep === null ? null : { event, tick, substep };
 }
 
-/** The server told of `event`; a notice unless it had told of it before. */
+/** The server sent `event`; a notice unless it was sent before. */
 export function confirm(
   ledger: Ledger,
   event: number,
@@ -97,8 +96,8 @@ export function confirm(
 }
 
 /**
- * A frame of `tick` has come: the oldest predicted event that it covers, birth + 50 substeps, and that no server event has
- * confirmed is retracted. Call until null.
+ * A frame of `tick` arrived: retracts the oldest predicted event that it covers with 50 substeps to spare and that no server event has
+ * confirmed. Call until null.
  */
 export function retract(ledger: Ledger, tick: number, timeline: Timeline): EventNotice | null {
   for (const entry of ledger.entries) {
@@ -111,8 +110,7 @@ export function retract(ledger: Ledger, tick: number, timeline: Timeline): Event
 }
 
 /**
- * A server that sends no events shows its states: the oldest predicted event whose state the frame of `tick` shows counts as
- * confirmed. Call until null.
+ * For a server that sends no events: confirms the oldest predicted event whose surface state the frame of `tick` has. Call until null.
  */
 export function confirmByState(
   ledger: Ledger,
@@ -129,7 +127,7 @@ export function confirmByState(
   return null;
 }
 
-/** States of a frame that can only follow each event, or that may. */
+/** Surface states that can only follow each event, or that may. */
 const SHOWN_BY: Readonly<Record<number, readonly string[]>> = {
   [EVENT_CONTACT]: ['contact', 'landed', 'tipped'],
   [EVENT_LANDED]: ['landed'],
@@ -137,15 +135,15 @@ const SHOWN_BY: Readonly<Record<number, readonly string[]>> = {
   [EVENT_RIGHTED]: ['contact', 'landed'],
 };
 
-/** The pass that the prediction has come out of, and the tick at which it began. */
+/** The pass that produced the prediction, and the tick at which it began. */
 export interface PredictedBy {
   readonly pass: number;
   readonly fromTick: number;
 }
 
 /**
- * The server's state of `tick` is the predicted one: so are the events that led there, and those of passes given up since are not.
- * Settles the oldest predicted one that the frame covers, birth + 50 substeps; null where it says nothing of any. Call until null.
+ * The server's state of `tick` agrees with the prediction: its events are confirmed, and those of abandoned passes are not. Settles the
+ * oldest predicted event that the frame covers with 50 substeps to spare; null if there is none. Call until null.
  */
 export function settleByAgreement(
   ledger: Ledger,
@@ -209,7 +207,7 @@ function add(
   return entry;
 }
 
-/** Whether there is room for one more: the oldest that is settled goes. One that is not would be told again by the next replay. */
+/** Whether there is room for one more: the oldest settled one is dropped. An unsettled one would be reported again by the next replay. */
 function makeRoom({ entries }: Ledger): boolean {
   if (entries.length < MAX_ENTRIES) return true;
   const settled = entries.findIndex(({ fate }) => fate !== 'predicted');

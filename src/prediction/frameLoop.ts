@@ -20,11 +20,11 @@ import {
   writeMoment,
 } from './time/timeline';
 
-/** Without an advance for longer than this the page was hidden or stalled, s: one resync, nothing replayed. */
+/** After a longer gap between two calls the page was hidden or stalled, s: one resynchronisation, nothing replayed. */
 const LONG_GAP = 1;
-/** s: keys held before an absence longer than this count as released. A page that draws slowly still holds them. */
+/** s: keys held before a longer absence count as released. A page that draws slowly still holds them. */
 const KEYS_HELD = 2;
-/** A gap of up to this many usual ones is none. */
+/** A gap of up to this many usual ones is no absence. */
 const USUAL = 3;
 /** Own controls act from at most this many substeps before the present on: what a 60 Hz frame spans. */
 const BACKDATED = 2;
@@ -46,7 +46,7 @@ export function advanceFrame(session: Session, controls: Controls | null, now: n
   announce(session);
 }
 
-/** Whether a plain caller's controls have their members; what is in them is checked when it is sampled. */
+/** Whether a JavaScript caller's controls have their members; their values are checked when sampled. */
 function areControls({ warn }: Session, given: unknown): boolean {
   const controls = given as Partial<Controls> | undefined;
   const lists = [controls?.rotationInput, controls?.translationInput, controls?.targetAttitude];
@@ -55,7 +55,7 @@ function areControls({ warn }: Session, given: unknown): boolean {
   return false;
 }
 
-/** Moves the clock; where the front cannot simply go on, puts it where the present is. Returns where the front is to go. */
+/** Moves the clock; if the front cannot follow continuously, moves it to the present. Returns the front's target. */
 function alignFront(session: Session, now: number): Position {
   const { sim, clock, pilot, counters, advancedAt: advancedBefore } = session;
   const { timing, timeScale, tickRate, paused } = spanOf(sim.timeline, sim.newestTick);
@@ -81,7 +81,7 @@ function wasAbsent(session: Session, now: number): boolean {
   return gap > LONG_GAP && !isUsual;
 }
 
-/** Where the present, server wall s, lies between the two substep boundaries around it. */
+/** The position of the present, server wall s, between the two substep boundaries around it. */
 export function place(sim: Simulation, present: number): void {
   writeMoment(moment, sim.timeline, present);
   placePresent(sim, moment);

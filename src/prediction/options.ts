@@ -12,27 +12,27 @@ import type { ScheduledInput } from './inputs/inputs';
 import type { WorldConfig } from './snapshots/worldConfig';
 import type { Warn } from './warnings';
 
-/** A terrain that may not be loaded where it is asked: null, and ships there are carried on from their states. */
+/** A terrain that may not be loaded everywhere: there it returns null, and ships are extrapolated from their states. */
 export type ClientTerrain = (...place: Parameters<TerrainHeight>) => number | null;
 
-/** What a predictor is made with; everything may be left out. */
+/** Options of a predictor; all are optional. */
 export interface PredictorOptions {
-  /** Terrains by the name the hello tells, beside TERRAINS of dynamics. */
+  /** Terrains by the name in the hello, in addition to TERRAINS of dynamics. */
   readonly terrains?: Readonly<Record<string, ClientTerrain>>;
-  /** What holds for a server that sends no hello; the game's catalogue and defaults unless given. */
+  /** The world of a server that sends no hello; by default the game's catalogue and settings. */
   readonly defaults?: Partial<Defaults>;
-  /** Ship substeps a frame may take; 20,000 unless given. */
+  /** Ship substeps per frame; 20,000 by default. */
   readonly maxSubstepsPerFrame?: number;
-  /** Settle times of what is drawn after a correction, s; what is left out has the default. What is predicted stays as it is. */
+  /** Settle times of the drawn pose after a correction, s; absent ones have their defaults. The prediction is not affected. */
   readonly smoothing?: Partial<Smoothing>;
   /** The own ship of a client whose server sends no hello. */
   readonly ownShipId?: string;
   /**
-   * What the own ship does by itself until its pilot's first input acts, as the server was told to let it: in the order of time.
-   * Until then `advance` is given null.
+   * Scheduled inputs of the own ship until its pilot's first input acts, the same as on the server; ascending in time. Until then pass null
+   * to `advance`.
    */
   readonly plan?: readonly ScheduledInput[];
-  /** Told of each kind of fault in options, messages or calls, once per code, with the value and what to do. May throw: it is ignored. */
+  /** Called for each kind of mistake in options, messages or calls, once per code, with the value and what to do. If it throws, it is ignored. */
   readonly onWarning?: Warn;
   /** Test mode: at every tick boundary go back this many ticks, replay, and compare bits. Counted in the diagnosis. */
   readonly forcedRollback?: number;
@@ -40,7 +40,7 @@ export interface PredictorOptions {
 
 /** The world of a server that sends no hello. */
 export interface Defaults {
-  /** Contact settings; what is left out has the game’s default. */
+  /** Contact settings; absent ones have the game’s defaults. */
   readonly settings: Partial<Settings>;
   /** All classes that ships may have. */
   readonly shipClasses: readonly ShipClass[];
@@ -50,7 +50,7 @@ export interface Defaults {
   readonly terrain: string;
 }
 
-/** Ship substeps a frame may take, unless the options say otherwise. */
+/** Default of ship substeps per frame. */
 export const BUDGET = 20_000;
 
 /** The defaults of the options, completed by the game's own catalogue. */

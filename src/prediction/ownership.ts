@@ -11,12 +11,12 @@ import { forgetPending } from './snapshots/pending';
 import { loadConfig } from './snapshots/worldConfig';
 import { forgetPings } from './time/pings';
 
-/** Whose ship is whose (PREDICTION, Ownership): what the caller says, and what the server's word comes to. */
+/** Ownership of ships (PREDICTION, Ownership), as set by the caller or the server. */
 
-/** Why a ship is no longer there. */
+/** Why a ship was removed. */
 export type Removal = 'destroyed' | 'docked' | 'gone';
 
-/** From now on the client flies `shipId` ('' for none). Inputs belong to the ship they were made for: the old ship's are dropped. */
+/** Makes `shipId` the own ship ('' for none). Inputs belong to the ship they were made for: the old ship's are dropped. */
 export function changeOwnShip(session: Session, shipId: string): void {
   const { receiver, sim, pilot } = session;
   if (receiver.ownShipId === shipId) return;
@@ -30,7 +30,7 @@ export function changeOwnShip(session: Session, shipId: string): void {
   if (fleet.own !== null) fleet.own.own = true;
 }
 
-/** Another pilot's from now on, or nobody's: back to the server's word, without what was commanded here. */
+/** The ship becomes another pilot's or unmanned: it returns to its server state, without the client's inputs. */
 function giveUp(sim: Simulation, track: Track): void {
   track.own = false;
   track.log = null;
@@ -42,7 +42,7 @@ function giveUp(sim: Simulation, track: Track): void {
   }
 }
 
-/** The ship leaves the list at once. Frames already received do not bring it back; a later one does. */
+/** Removes the ship at once. Frames already received do not restore it; a later one does. */
 export function dropShip({ sim, receiver }: Session, shipId: string, reason: Removal): void {
   receiver.removed.set(shipId, sim.newestTick);
   const track = sim.fleet.byId.get(shipId);
@@ -55,12 +55,12 @@ export function dropShip({ sim, receiver }: Session, shipId: string, reason: Rem
   removeTrack(sim.fleet, track);
 }
 
-/** The server says no more than that it was destroyed: by the newest tick it told of. */
+/** The server only reports that it was destroyed: as of its newest tick. */
 function birthOfEnd({ newestTick }: Simulation): { tick: number; substep: number } {
   return { tick: newestTick, substep: 0 };
 }
 
-/** The next state of the ship is where it is: it is shown there at once, and no prediction error is counted. */
+/** The ship's next state is shown at once, and no prediction error is counted. */
 export function expectTeleport({ sim }: Session, shipId: string): void {
   const track = sim.fleet.byId.get(shipId);
   if (track === undefined) return;
@@ -70,7 +70,7 @@ export function expectTeleport({ sim }: Session, shipId: string): void {
   track.replaySnaps = true;
 }
 
-/** Ships, time, inputs and the clock are forgotten; the world that a hello told, the own ship and listeners stay. */
+/** Clears ships, time, inputs and the clock; the world of the hello, the own ship and listeners stay. */
 export function resetSession(session: Session): void {
   const { config, terrains, pilot, pings, pending } = session;
   const world = loadConfig(config, terrains);

@@ -28,24 +28,24 @@ import { refuse } from './snapshots/receiver';
 import { pingIfDue } from './time/pings';
 
 /**
- * Server truth + own controls → a pose for now (PREDICTION). Wall seconds `now` are monotonic and handed in; nothing here reads a
- * clock, nothing throws at what a server or a pilot gives.
+ * Server states + own controls → the present pose (PREDICTION). `now` is an argument, in monotonic wall seconds; nothing reads a clock,
+ * and nothing that a server or a pilot sends makes it throw.
  */
 export interface Predictor {
-  /** A checked message of the server has arrived; of a frame, tick and ships are enough. */
+  /** Receives a checked message of the server; a frame needs only tick and ships. */
   receive: (message: ServerMessage | PartialFrame, now: number) => void;
   /**
-   * A message of the server has arrived and is not decoded yet (pendingServerMessage of wire): the next `advance` decodes it, unless
-   * newer frames supersede it. For a page that may be hidden while hundreds of ships are sent.
+   * Receives an undecoded message of the server (pendingServerMessage of wire): the next `advance` decodes it, unless newer frames
+   * supersede it. For a page that may be hidden while hundreds of ships are sent.
    */
   receivePending: (message: PendingMessage, now: number) => void;
-  /** A frame of the server that the wire refused; counted, its reason kept for the diagnosis. */
+  /** Reports a frame that the wire refused; it is counted, and the diagnosis keeps its reason. */
   refused: (reason: string) => void;
-  /** Once a display frame: samples own controls (null: a spectator's, or the hand is off the stick) and simulates up to the present. Controls that are not finite are ignored. */
+  /** Called once per display frame: samples own controls (null for a spectator, or without input) and simulates up to the present. Controls that are not finite are ignored. */
   advance: (controls: Controls | null, now: number) => void;
   /** The world at the present; one record, valid until the next call. */
   view: (now: number) => WorldView;
-  /** What is to be sent since the last call. */
+  /** The messages to send since the last call. */
   takeOutgoing: () => ClientMessage[];
   /**
    * For a server of the game's JSON, instead of takeOutgoing: the controls to send since the last call (encodeControlsJson), or null
@@ -54,37 +54,37 @@ export interface Predictor {
   takeControls: () => Controls | null;
   /** Predicted, confirmed and retracted events, in order, during `receive` and `advance`. Returns how to stop listening. */
   onEvent: (listener: (notice: EventNotice) => void) => () => void;
-  /** From now on the player flies `shipId`; null: none, a spectator. Inputs made for the ship before are dropped, never sent for this one. */
+  /** Makes `shipId` the player's ship; null for a spectator. Inputs made for the previous ship are dropped, never sent for this one. */
   setOwnShip: (shipId: string | null) => void;
-  /** The ship is no longer there: it leaves the view at once. A later frame that has it again brings it back. */
+  /** Removes the ship from the view at once. A later frame that has it restores it. */
   removeShip: (shipId: string, reason: Removal) => void;
-  /** The server is about to put the ship somewhere else: its next state is shown at once and counts as no error. */
+  /** Announces that the server moves the ship elsewhere: its next state is shown at once and counts as no error. */
   teleported: (shipId: string) => void;
   /**
-   * How the ship is drawn from now on, whether it is there yet or not: simulated to the present (`predict`, the default), between its
-   * server states about one send ago (`interpolate`), or where its newest server state has it (`hold`). The picture goes over
-   * smoothly. A ship that is not predicted has no predicted events and is `confirmed` or `stale`.
+   * Sets how the ship is drawn, present or not: simulated to the present (`predict`, the default), between its
+   * server states about one send ago (`interpolate`), or where its newest server state has it (`hold`). The change is
+   * eased. A ship that is not predicted has no predicted events and is `confirmed` or `stale`.
    */
   setPolicy: (shipId: string, policy: Policy) => void;
   /**
    * Changes settings (member by member), ship classes, terrain or bodies while running. Ships, time, inputs and listeners stay, and each
    * ship goes on from its newest server state; only another list of body names begins a new world. A hello with other values does the
-   * same. An error names the field that cannot be used, and nothing changes.
+   * same. An error names the invalid field, and nothing changes.
    */
   configure: (changes: Partial<Defaults>) => Result<null>;
-  /** Forgets ships, time, inputs and the clock, as for another server of the same world. The own ship and listeners stay. */
+  /** Clears ships, time, inputs and the clock, as for another server of the same world. The own ship and listeners stay. */
   reset: () => void;
-  /** What was told last, as plain data for JSON.stringify, to go on from after a reload or in a worker. */
+  /** The last messages as plain data for JSON.stringify, to continue from after a reload or in a worker. */
   snapshot: (now: number) => PredictorSnapshot;
-  /** Goes on from a snapshot, as if its frame had come `age` s ago; an error that names the field where it cannot be, and nothing changes. */
+  /** Continues from a snapshot, as if its frame had arrived `age` s ago; or returns an error that names the invalid field, and nothing changes. */
   restore: (snapshot: unknown, now: number) => Result<null>;
-  /** Forgets everything, listeners too; later calls do nothing. */
+  /** Releases everything, listeners too; later calls do nothing. */
   dispose: () => void;
 }
 
 /**
  * Creates a predictor without server state.
- * @throws RangeError, naming the option, where one cannot be used
+ * @throws RangeError that names the invalid option
  *
  * @example
  * ```ts
@@ -103,7 +103,7 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
 const owners = new WeakMap<Predictor, Owned>();
 
 /**
- * A second predictor in the same state, which goes on independently: fed the same, both give the same bits. Listeners stay with the
+ * A second predictor in the same state, independent of the first: with the same input both give the same bits. Listeners stay with the
  * first. For keyframes of a replay. Throws TypeError for anything that createPredictor did not make.
  */
 export function forkPredictor(predictor: Predictor): Predictor {
@@ -145,7 +145,7 @@ function createFace({ session, kept }: Owned): Predictor {
 
 /** Until `dispose`. */
 interface Life {
-  /** Whether a call is to be carried out; warns of one that comes too late. */
+  /** Whether a call is carried out; warns of one after `dispose`. */
   readonly goesOn: (call: string) => boolean;
   readonly end: () => void;
 }

@@ -37,7 +37,7 @@ export interface Session {
   readonly meter: GameTimeMeter;
   sim: Simulation;
   shown: Shown;
-  /** The world that holds: the defaults until a hello tells another. */
+  /** The world in force: the defaults until a hello has another. */
   config: WorldConfig;
   granularity: Hello['inputGranularity'];
   /** Client wall s of the last `advance`; NaN before the first. */
@@ -80,7 +80,7 @@ export function createSession(options: PredictorOptions): Session {
   };
 }
 
-/** The terrains that a hello or the defaults may name. Null adds up as 0, and no ship is predicted on it (knowsGround). */
+/** The terrains that a hello or the defaults may name. Null counts as 0 in sums, and no ship is predicted on it (knowsGround). */
 function terrainsOf(
   { terrains = {} }: PredictorOptions,
   warn: Warn,
@@ -101,7 +101,7 @@ function newSimulation(
   return createSimulation(world, bodies, { counters, warn, sleeps, plan: options.plan ?? [] });
 }
 
-/** All ships and all time of the world before are forgotten; a listener added before goes on hearing. */
+/** Clears all ships and the timeline of the previous world; listeners stay. */
 export function beginWorld(session: Session, world: World, bodies: readonly BodyMotion[]): void {
   session.sim = newSimulation(world, bodies, session);
   session.shown = createShown(session.sim, springsOf(session.options.smoothing));
@@ -110,7 +110,7 @@ export function beginWorld(session: Session, world: World, bodies: readonly Body
   forgetGameTime(session.meter);
 }
 
-/** Tells each listener of what has happened; one that throws keeps nobody else from hearing. */
+/** Calls each listener; one that throws does not affect the others. */
 export function announce({ sim, listeners, warn }: Session): void {
   for (const notice of sim.notices.splice(0)) {
     for (const listener of listeners) {

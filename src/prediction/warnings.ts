@@ -1,13 +1,13 @@
 /**
- * What a caller or a server got wrong and nothing has to stop for (PREDICTION, Invalid messages): each code
- * is told once per predictor and field, with the value that was found and what to do about it.
+ * Mistakes of a caller or a server that stop nothing (PREDICTION, Invalid messages): each code is reported once per predictor and field,
+ * with the value found and what to do about it.
  */
 export type Warn = (code: string, message: string, details: Readonly<Record<string, unknown>>) => void;
 
-/** Warnings of one predictor: a caller that makes up names does not fill the memory. */
+/** Most warnings of one predictor, so that made-up names do not fill the memory. */
 const MAX_TOLD = 200;
 
-/** Makes a `warn` that passes on each code once, and once per `details.field` where there is one. A listener that throws is ignored; without one nothing happens. */
+/** Creates a `warn` that reports each code once, or once per `details.field`. A listener that throws is ignored; without one nothing happens. */
 export function createWarn(listener: Warn | undefined): Warn {
   const told = new Set<string>();
   return (code, message, details) => {
@@ -19,7 +19,7 @@ export function createWarn(listener: Warn | undefined): Warn {
     try {
       listener(code, message, details);
     } catch {
-      // The listener's own fault: nobody else is to suffer from it.
+      // A fault of the listener must not affect others.
     }
   };
 }

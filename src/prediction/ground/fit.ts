@@ -4,7 +4,7 @@ import type { GroundPlace, LearnedGround } from './learnedGround';
 import type { Observation } from './observe';
 import { costOf, type Evidence, type Misfit, replayBetween } from './trial';
 
-/** The ground that explains two states best, out of guesses and of a refinement of the best of them. */
+/** The ground that explains two states best: the best of several guesses, refined. */
 
 /** An offset, m, and a slope along the way, m/m. */
 export interface Guess {
@@ -17,20 +17,20 @@ export interface FitTask {
   readonly track: Track;
   readonly evidence: Evidence;
   readonly seen: Observation;
-  /** Where the guesses are tried; the newest place of the track's ground while they are. */
+  /** The place at which guesses are tried: the newest of the track's ground meanwhile. */
   readonly place: GroundPlace;
 }
 
-/** Offsets that are scanned where nothing better is known, m. */
+/** Offsets that are scanned without a better guess, m. */
 const SCAN = [-1.2, -0.9, -0.6, -0.3, 0.3, 0.6, 0.9, 1.2];
-/** Steps by which derivatives are taken, m and m/m, and how far a refinement may go at once. */
+/** Steps of the derivatives, m and m/m, and the largest step of a refinement. */
 const NUDGE = { offset: 0.02, slope: 0.01 };
 const MAX_STEP = { offset: 0.6, slope: 0.15 };
 const REFINEMENTS = 3;
-/** A slope along a way slower than this is not sought, m/s. */
+/** Below this speed no slope is fitted, m/s. */
 const SLOW = 1;
 
-/** Tries the guesses and refines the best. Returns its cost; the place is left as the best guess has it. */
+/** Tries the guesses and refines the best. Returns its cost; the place keeps the best guess. */
 export function fitGround(
   task: FitTask,
   ground: LearnedGround,
@@ -59,7 +59,7 @@ export function fitGround(
   return best;
 }
 
-/** One Gauss–Newton step on height and climb at the second state; on the offset alone where the ship does not move along the ground. */
+/** One Gauss–Newton step on height and climb at the second state; on the offset alone if the ship does not move along the ground. */
 function refined(task: FitTask, at: Guess): Guess {
   const here = residuals(task, at);
   const up = residuals(task, { ...at, offset: at.offset + NUDGE.offset });

@@ -1,6 +1,6 @@
 import { SHIP_STRIDE } from '../../dynamics';
 
-/** The state that a ship's next one is held against. */
+/** The state with which a ship's next one is compared. */
 export interface LastState {
   readonly row: Float64Array;
   /** -1 before the first. */

@@ -17,30 +17,30 @@ export interface GroundNews {
   readonly bodies: Float64Array;
   /** Client wall s. */
   readonly now: number;
-  /** The server told the speed of the touch; else the replay that explains the state does. */
+  /** The server sent the impact speed; otherwise the replay that explains the state gives it. */
   readonly toldImpact: boolean;
 }
 
-/** Feet this far above the ground of a ship that the server has on it, or below it of one that flies, contradict it, m. */
+/** Feet this far above the ground on a grounded ship, or below it on a flying one, contradict the ground, m. */
 const ABOVE = 0.1;
 const BELOW = 0.03;
-/** A landed ship may rest this far from its static depth, m: the law lets it. */
+/** A landed ship may rest this far from its static depth, m. */
 const RESTING = 0.06;
-/** Costs: a ground that explains two states this well is right; a new one must halve the old one's, and in flight explain them. */
+/** Costs: a ground below the first is right; a new one must halve the old one's cost, and in flight explain the states. */
 const EXPLAINED = 0.1;
 const BETTER = 0.5;
 const EXPLAINED_IN_FLIGHT = 2;
-/** Substeps between two states beyond which they are not replayed, and the share of a fit that others may have in one frame. */
+/** Most substeps between two replayed states, and the share of a fit that other ships may use in one frame. */
 const MAX_INTERVAL = 400;
 const OTHERS_BUDGET = 8_000;
-/** Replays a fit takes, about. */
+/** Approximate number of replays of a fit. */
 const REPLAYS = 20;
-/** Slopes steeper than this are no slopes, m/m. */
+/** Steepest slope, m/m. */
 const STEEPEST = 0.6;
 
 /**
- * Learns the ground from a state that was not predicted, or on ground that was learned before: by replay between this ship's last
- * two states where nothing but the ground can be the cause, else from what the state says outright (PREDICTION, Learned ground). With the server's own ground nothing is learned.
+ * Learns the ground from a state that was not predicted, or on learned ground: by replaying this ship's last two states if only the
+ * ground can be the cause, otherwise from the state alone (PREDICTION, Learned ground). If the grounds agree, nothing is learned.
  */
 export function learnGround(sim: Simulation, track: Track, news: GroundNews): void {
   const { ground } = track;
@@ -73,13 +73,13 @@ export function learnGround(sim: Simulation, track: Track, news: GroundNews): vo
   if (!news.toldImpact && seen.grounded) recallImpact(sim, track, evidence, row);
 }
 
-/** Remembers a state as the one that the next is held against. */
+/** Keeps a state for comparison with the next. */
 export function keepEvidence(track: Track, row: Float64Array, tick: number): void {
   copyRow(track.evidence.row, 0, row, 0);
   track.evidence.tick = tick;
 }
 
-/** What a state says of the ground by itself, m above ours, or null: nothing that is not known already. */
+/** The ground above ours that a state alone gives, m, or null for nothing new. */
 function outright({ row }: GroundNews, known: number): number | null {
   const above = seen.feet - known;
   const depth = seen.gravity / 100;
@@ -92,7 +92,7 @@ function isResting(row: Float64Array): boolean {
   return row[SURFACE_STATE] === LANDED || (row[SURFACE_STATE] === TIPPED && seen.speed < 0.5);
 }
 
-/** Grounds worth trying: as it is known; as deep as the ship would rest; with the slope that its climb, or the last place, gives. */
+/** Guesses: the known ground; the depth at which the ship would rest; the slope of its climb or of the last place. */
 function guessesOf({ row }: GroundNews, known: number, old: GroundPlace | null): Guess[] {
   const slope = old === null ? 0 : dot(old.slope, seen.way);
   const guesses: Guess[] = [{ offset: known, slope }];
@@ -108,7 +108,7 @@ function guessesOf({ row }: GroundNews, known: number, old: GroundPlace | null):
   return guesses;
 }
 
-/** The last state and this one, where nothing between them is unknown but the ground; else null. */
+/** The last state and this one if only the ground between them is unknown; otherwise null. */
 function evidenceOf(sim: Simulation, track: Track, { row, tick }: GroundNews): Evidence | null {
   const { evidence } = track;
   const { timeline, bodies } = sim;
@@ -124,7 +124,7 @@ function evidenceOf(sim: Simulation, track: Track, { row, tick }: GroundNews): E
   return { from: evidence.row, fromTick: evidence.tick, to: row, toTick: tick };
 }
 
-/** Others share what a frame may spend; who comes too late is judged by its state alone. */
+/** Other ships share a frame's budget; beyond it a ship's state alone is used. */
 function takeBudget(sim: Simulation, tick: number, substeps: number): boolean {
   const { learning } = sim;
   if (learning.tick !== tick) {
@@ -136,7 +136,7 @@ function takeBudget(sim: Simulation, tick: number, substeps: number): boolean {
   return true;
 }
 
-/** The touch that began this contact, by the replay on the ground as it is known now; where that has none, the speed it fell with. */
+/** The impact speed of this contact, from the replay on the ground as known now; without a touch there, the speed of the fall. */
 function recallImpact(sim: Simulation, track: Track, evidence: Evidence, row: Float64Array): void {
   replayBetween(misfit, sim, track, evidence);
   const replayed = replayedRow();

@@ -1,11 +1,11 @@
 import { HEIGHT, readHeight, type TerrainHeight, terrainInPlace, type World } from '../../dynamics';
 
 /**
- * What one ship's server states say of the ground where it differs from ours (PREDICTION, Learned ground):
- * places with an offset and a slope, m above our terrain. None where the two agree: then the world is used as it is.
+ * Differences between the server's ground and ours, from one ship's server states (PREDICTION, Learned ground): places with an offset
+ * above our terrain, m, and a slope. Without any, the world is used unchanged.
  */
 export interface LearnedGround {
-  /** The newest last: where places overlap it has the first say. */
+  /** The newest last; where places overlap it counts first. */
   readonly places: GroundPlace[];
   /** The simulation's world with the places on its ground; null without any. */
   world: World | null;
@@ -23,7 +23,7 @@ export interface GroundPlace {
   offset: number;
   /** How the offset grows along the ground, m per m, in the body's axes, at right angles to `direction`. */
   readonly slope: Float64Array;
-  /** Server states that bear it out. */
+  /** Server states that confirm it. */
   states: number;
   /** Client wall s of the newest of them. */
   seenAt: number;
@@ -31,10 +31,10 @@ export interface GroundPlace {
   weight: number;
 }
 
-/** m from a place: to here it holds in full, from there on not at all. */
+/** Distances from a place, m: full effect up to the first, none beyond the second. */
 const WHOLE = 150;
 const GONE = 1000;
-/** Client wall s since a place was borne out: to here it holds in full, from there on not at all. */
+/** Client wall s since a place was confirmed: full effect up to the first, none beyond the second. */
 const FRESH = 300;
 const FORGOTTEN = 1200;
 /** Places kept per ship. */
@@ -44,7 +44,7 @@ export function createLearnedGround(): LearnedGround {
   return { places: [], world: null, base: null };
 }
 
-/** The world a ship is simulated in: the one that was told, with what was learned on its ground. */
+/** The world in which a ship is simulated: the configured one with the learned ground. */
 export function worldOf(ground: LearnedGround, world: World): World {
   if (ground.places.length === 0) return world;
   if (ground.world === null || ground.base !== world) {
@@ -94,7 +94,7 @@ function nearness(distance: number): number {
   return t * t * (3 - 2 * t);
 }
 
-/** The newest place that holds in full at a direction, or null. */
+/** The newest place with full effect at a direction, or null. */
 export function placeAt(
   { places }: LearnedGround,
   bodyName: string,
@@ -107,7 +107,7 @@ export function placeAt(
   return null;
 }
 
-/** m along the ground from a place, near enough for a few hundred of them. */
+/** Distance along the ground from a place, m, accurate for a few hundred. */
 export function metresFrom({ direction: from, bodyRadius }: GroundPlace, direction: Float64Array): number {
   const x = direction[0]! - from[0]!;
   const y = direction[1]! - from[1]!;
@@ -115,7 +115,7 @@ export function metresFrom({ direction: from, bodyRadius }: GroundPlace, directi
   return Math.sqrt(x * x + y * y + z * z) * bodyRadius;
 }
 
-/** Keeps a place; the one it replaces, near it, goes. */
+/** Keeps a place and removes a nearby one that it replaces. */
 export function keepPlace(ground: LearnedGround, place: GroundPlace): void {
   const { places } = ground;
   const old = placeAt(ground, place.bodyName, place.direction);
@@ -124,7 +124,7 @@ export function keepPlace(ground: LearnedGround, place: GroundPlace): void {
   if (places.length > MAX_PLACES) places.shift();
 }
 
-/** Lets places grow old; those that are forgotten go. */
+/** Ages places and removes expired ones. */
 export function agePlaces({ places }: LearnedGround, now: number): void {
   for (let i = places.length - 1; i >= 0; i--) {
     const place = places[i]!;
@@ -134,7 +134,7 @@ export function agePlaces({ places }: LearnedGround, now: number): void {
   }
 }
 
-/** 0 … 1: how sure the ground is known at a place, ½ after one state. */
+/** 0 … 1: confidence in the ground at a place, ½ after one state. */
 export function confidenceOf(place: GroundPlace | null): number {
   return place === null ? 0 : (place.weight * place.states) / (place.states + 1);
 }

@@ -13,9 +13,9 @@ import {
 } from '../../dynamics';
 import { quaternion, rotateBack, take, vector } from '../drawn/rotation';
 
-/** A server state as seen from the ground that it is on, or over. */
+/** A server state relative to the ground at or below it. */
 export interface Observation {
-  /** Of its radial direction and of its way along the ground: unit, in the body's axes. */
+  /** Radial direction, and direction of motion along the ground: unit, in the body's axes. */
   readonly direction: Float64Array;
   readonly way: Float64Array;
   /** Height of an upright ship's feet above our terrain, m. */
@@ -36,7 +36,7 @@ export function createObservation(): Observation {
   };
 }
 
-/** Writes what the row at 0 in `row` says; `bodies` are of its tick. */
+/** Observes the row at 0 in `row`; `bodies` are of its tick. */
 export function observe(out: Observation, row: Float64Array, bodies: Float64Array, world: World): void {
   const index = row[REFERENCE_BODY]!;
   const body = world.bodies[index]!;

@@ -4,7 +4,7 @@ import { advanceRow, createRowStep, placeStep } from '../simulation/stepRow';
 import { copyRow, type Track } from '../simulation/track';
 import type { GroundPlace } from './learnedGround';
 
-/** Two server states of one ship; the law between them tells of the ground. */
+/** Two server states of one ship, between which the dynamics depend on the ground. */
 export interface Evidence {
   readonly from: Float64Array;
   readonly fromTick: number;
@@ -12,7 +12,7 @@ export interface Evidence {
   readonly toTick: number;
 }
 
-/** How far the law, replayed between two states, is from the second. */
+/** The error of the dynamics, replayed from the first state, at the second. */
 export interface Misfit {
   /** m and m/s along the radius, predicted − server. */
   height: number;
@@ -23,17 +23,17 @@ export interface Misfit {
   sameState: boolean;
 }
 
-/** What counts as one: m, m/s, m. */
+/** Unit errors: m, m/s, m. */
 const HEIGHT = 0.05;
 const CLIMB = 0.25;
 const ALONG = 0.3;
-/** Another state than the server's. */
+/** Cost of another surface state than the server's. */
 const OTHER_STATE = 4;
-/** Offsets and slopes that are small are likelier: m, m/m. */
+/** Small offsets and slopes are likelier: m, m/m. */
 const OFFSET = 5;
 const SLOPE = 0.5;
 
-/** Replays the law from one state to the other, on the ground as the track has it now. */
+/** Replays the dynamics from one state to the other, on the track's present ground. */
 export function replayBetween(out: Misfit, sim: Simulation, track: Track, evidence: Evidence): void {
   const { from, fromTick, to, toTick } = evidence;
   copyRow(row, 0, from, 0);
@@ -63,7 +63,7 @@ export function replayBetween(out: Misfit, sim: Simulation, track: Track, eviden
 /** The row where the last replay ended. */
 export const replayedRow = (): Float64Array => row;
 
-/** One number for how badly a ground explains two states; under 1 it does. */
+/** The cost of a ground: below 1 it explains the two states. */
 export function costOf({ height, climb, along, sameState }: Misfit, place: GroundPlace | null): number {
   const steep = place === null ? 0 : Math.hypot(place.slope[0]!, place.slope[1]!, place.slope[2]!);
   return (

@@ -1,7 +1,7 @@
 import { BODY_ATTITUDE, BODY_STRIDE, POSITION, REFERENCE_BODY, type World } from '../../dynamics';
 import { quaternion, rotateBack, take, vector } from '../drawn/rotation';
 
-/** Ground that a client has not loaded: its terrain answers null, or nothing that is a height. */
+/** Ground that the client has not loaded: its terrain returns null, or no height. */
 
 /** Whether the ground is known under the row at 0 in `row`; `bodies` are of its tick. */
 export function knowsGround(row: Float64Array, bodies: Float64Array, world: World): boolean {

@@ -59,7 +59,7 @@ function report(sim: Simulation, track: Track): void {
   easeUprighting(sim, track, step);
 }
 
-/** The own ship out of step: its row still says what its pilot commands, and an input that burns wakes it where it sleeps. */
+/** The own ship out of step: its row still holds its pilot's controls, and an input that burns wakes it from sleep. */
 function commandIdle(sim: Simulation, own: Track): void {
   const { fleet, front, inputs } = sim;
   const cursor = seek(inputs, front.tick, front.substep);

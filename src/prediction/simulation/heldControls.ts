@@ -1,14 +1,14 @@
 import { ROTATION_INPUT, THRUST_LEVEL, TRANSLATION_INPUT } from '../../dynamics';
 import type { Track } from './track';
 
-/** Other pilots' last known controls, held for a while and then let go (PREDICTION, Other ships). */
+/** Other pilots' last known controls, held for a while and then released (PREDICTION, Other ships). */
 
-/** Whether another pilot's controls are let go at (tick, substep). */
+/** Whether another pilot's controls are released at (tick, substep). */
 export function isReleased(track: Track, tick: number, substep: number): boolean {
   return track.releaseTick === tick && track.releaseSubstep === substep;
 }
 
-/** Sticks centred and engine off, the attitude mode as it was. */
+/** Sticks centred and engine off; the attitude mode stays. */
 export function release(rows: Float64Array, at: number): void {
   rows[at + THRUST_LEVEL] = 0;
   for (let k = 0; k < 3; k++) {
@@ -17,7 +17,7 @@ export function release(rows: Float64Array, at: number): void {
   }
 }
 
-/** Whether a row commands anything that `release` would end. */
+/** Whether a row commands anything that `release` would change. */
 export function commandsAnything(rows: Float64Array, at: number): boolean {
   if (rows[at + THRUST_LEVEL] !== 0) return true;
   for (let k = 0; k < 3; k++) {

@@ -2,7 +2,7 @@ import { SHIP_STRIDE } from '../../dynamics';
 
 /**
  * A ring of one ship's predicted rows at tick boundaries (PREDICTION, Reconciliation): slot = tick mod length.
- * A row is as the server's frame of that tick has it: before the tick's own inputs and choice of reference body.
+ * A row is the state in the server's frame of that tick, before the tick's inputs and choice of reference body.
  */
 export interface History {
   readonly length: number;
@@ -11,7 +11,7 @@ export interface History {
   readonly ticks: Float64Array;
 }
 
-/** Ticks that span at least 10 s of wall time, and never fewer than 12, so that a slow server has a past too. */
+/** Ticks that span at least 10 s of wall time, and never fewer than 12, so that slow servers have a history too. */
 export function ringLength(tickRate: number): number {
   return Math.max(12, Math.ceil(10 * tickRate) + 2);
 }
@@ -37,7 +37,7 @@ export function has(history: History, tick: number): boolean {
   return history.ticks[tick % history.length] === tick;
 }
 
-/** Offset of the row at `tick` in `rows`. Throws where `has` is false: a fault of the predictor, never of what it is told. */
+/** Offset of the row at `tick` in `rows`. Throws if `has` is false, which is a fault of the predictor, never of its input. */
 export function offsetOf(history: History, tick: number): number {
   const slot = tick % history.length;
   const held = history.ticks[slot]!;

@@ -12,11 +12,11 @@ import { createRowStep, enterSubstep, leaveSubstep, placeStep, stepRow } from '.
 import { copyRow, type Track } from './track';
 
 /**
- * Adopt and replay (PREDICTION, Reconciliation): a ship goes back to a state of a tick and through all stored inputs since. What a
- * frame's budget does not allow goes on in the next one, while the old prediction is drawn and kept in step.
+ * Adopt and replay (PREDICTION, Reconciliation): a ship is reset to a state at a tick and simulated with all stored inputs since. What
+ * exceeds a frame's budget continues in the next, while the old prediction is drawn and kept in step.
  */
 
-/** The ship goes back to the row at `from` in `rows`, which is its state at tick boundary `tick`. */
+/** Resets the ship to the row at `from` in `rows`, its state at tick boundary `tick`. */
 export function startReplay(
   track: Track,
   sim: Simulation,
@@ -36,7 +36,7 @@ export function startReplay(
   track.replayPass = ++track.passes;
 }
 
-/** Forgets a replay under way: a newer state of the server agrees with what is drawn. */
+/** Cancels a replay in progress: a newer server state agrees with the prediction. */
 export function abandonReplay(track: Track): void {
   track.replaying = false;
   track.replaySnaps = false;
@@ -52,7 +52,7 @@ export function runReplays(sim: Simulation, budget: number): number {
   return used;
 }
 
-/** Runs one replay for at most `budget` substeps; where it reaches the front, the ship goes on from there. */
+/** Runs one replay for at most `budget` substeps; once it reaches the front, the ship continues from there. */
 function replay(sim: Simulation, track: Track, budget: number): number {
   const { fleet, front, timeline } = sim;
   const left =
@@ -65,7 +65,7 @@ function replay(sim: Simulation, track: Track, budget: number): number {
   placeStep(step, sim, track.replayTick, track.replaySubstep);
   step.event = NO_EVENT;
   for (let i = 0; i < steps; i++) {
-    // Nothing reads the row before a substep but the log, and what is drawn of the last one.
+    // Only the log reads the row before a substep, and drawing that of the last one.
     step.keepsBefore = left - i === 1 || track.log !== null;
     replaySubstep(sim, track);
   }
@@ -87,7 +87,7 @@ function replaySubstep(sim: Simulation, track: Track): void {
   if (track.log !== null) keepLog(track.log, step.tick, track.log.replayed);
 }
 
-/** The replay has reached the front: it is the prediction now, and what was drawn fades into it. */
+/** The replay has reached the front and becomes the prediction; the drawn pose fades into it. */
 function arrive(sim: Simulation, track: Track): void {
   const { fleet } = sim;
   const { at } = track;
@@ -107,8 +107,8 @@ function arrive(sim: Simulation, track: Track): void {
 }
 
 /**
- * Takes a ship out of step, to be replayed from a state of `tick` to a front elsewhere: what is drawn of it now is held, as seen
- * from the body's axes, until then.
+ * Takes a ship out of step, to be replayed from a state of `tick` to a front elsewhere: until then its drawn pose is held in
+ * the body's axes.
  */
 export function hold(sim: Simulation, track: Track): void {
   if (track.mode === 'stepping') holdDrawn(sim, track);

@@ -5,9 +5,8 @@ import { advanceRow, createRowStep, placeStep } from './stepRow';
 import { copyRow, type Track } from './track';
 
 /**
- * The sync test of rollback netcode: at tick boundary `tick` every ship in step goes back `ticks` ticks, is replayed with the stored
- * inputs, and must come out with the same bits. Anything a row does not hold, and anything a replay does otherwise than the front
- * did, shows here.
+ * The sync test of rollback netcode: at tick boundary `tick` every ship in step is reset by `ticks` ticks, replayed with the stored
+ * inputs, and must have the same bits. State that a row does not hold, and differences between replay and front, show here.
  */
 export function checkRollback(sim: Simulation, tick: number, ticks: number): void {
   for (const track of sim.fleet.tracks) {

@@ -11,12 +11,12 @@ import { createFleet, type Fleet } from './track';
 import type { Warn } from '../warnings';
 
 /**
- * What is simulated: all ships to one front, the first substep boundary at or after the present that is drawn. Plain data; the
- * predictor owns one and the functions of this folder work on it.
+ * The simulation: all ships at one front, the first substep boundary at or after the drawn present. Plain data, owned by the predictor;
+ * the functions of this folder work on it.
  */
 export interface Simulation {
   world: World;
-  /** The world for a flying ship under which no ground is known. */
+  /** The world for a flying ship above unknown ground. */
   groundless: World;
   readonly timeline: Timeline;
   bodies: BodyTrack;
@@ -25,7 +25,7 @@ export interface Simulation {
   readonly fleet: Fleet;
   readonly inputs: Inputs;
   readonly front: Position;
-  /** Time was cut anew, or jumped: the front is to be put where the present is, and every ship replayed to it. */
+  /** The timeline changed or jumped: the front must move to the present, and every ship be replayed to it. */
   frontIsStale: boolean;
   /** 0 … 1: where the present lies between the substep boundary before the front and the front. */
   alpha: number;
@@ -37,23 +37,23 @@ export interface Simulation {
   readonly cadence: Cadence;
   /** Newest tick a frame was accepted of, -1 before the first. */
   newestTick: number;
-  /** Not yet told to listeners. */
+  /** Not yet passed to listeners. */
   readonly notices: EventNotice[];
   /** Substeps that fitting the ground of other pilots' ships took of a tick's frame. */
   readonly learning: { tick: number; spent: number };
   readonly counters: Diagnosis;
-  /** Faults of the caller's or the server's that nothing has to stop for. */
+  /** Reports faults of the caller or the server that stop nothing. */
   readonly warn: Warn;
   /** Landed ships that agree cost no substep; off while rollbacks are forced, which compare bits. */
   readonly sleeps: boolean;
 }
 
-/** What a simulation is made with, beside its world. */
+/** Options of a simulation, in addition to its world. */
 export interface SimulationOptions {
   readonly counters: Diagnosis;
   readonly warn: Warn;
   readonly sleeps: boolean;
-  /** What the own ship does by itself. */
+  /** Scheduled inputs of the own ship. */
   readonly plan: readonly ScheduledInput[];
 }
 

@@ -28,7 +28,7 @@ import { copyRow, type Track } from './track';
  * costs no substep. An input that burns wakes it, and so does a server state that differs.
  */
 
-/** Whether a row changes, landed as it is: it burns, and may lift. */
+/** Whether a landed row changes: it burns, and may lift off. */
 export function wakesOn(rows: Float64Array, at: number): boolean {
   if (rows[at + FUEL] === 0) return false;
   if (rows[at + THRUST_LEVEL] !== 0) return true;
@@ -36,7 +36,7 @@ export function wakesOn(rows: Float64Array, at: number): boolean {
   return false;
 }
 
-/** Puts a ship to sleep that the server and the front both have at rest. `serverRow` and `bodies` are of the same tick. */
+/** Puts a ship to sleep that is at rest on the server and at the front. `serverRow` and `bodies` are of the same tick. */
 export function sleepIfAtRest(sim: Simulation, track: Track, bodies: Float64Array): boolean {
   const { fleet } = sim;
   if (!sim.sleeps || !isAtRest(track.serverRow, 0) || !isAtRest(fleet.front, track.at)) return false;
@@ -49,7 +49,7 @@ export function isAtRest(rows: Float64Array, at: number): boolean {
   return rows[at + SURFACE_STATE] === LANDED && rows[at + CRASHED] === 0 && !wakesOn(rows, at);
 }
 
-/** Asleep, a ship takes the server's own pose, so that roundings of an hour do not add up. */
+/** Asleep, a ship takes the server's pose, so that rounding errors do not accumulate. */
 export function sleepAt(track: Track, bodies: Float64Array): void {
   take(body, bodies, track.serverRow[REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);
   take(track.sleepPlace, track.serverRow, POSITION);
@@ -84,7 +84,7 @@ export function writeSleepingAt(rows: Float64Array, at: number, track: Track, bo
   writeSleeping(rows, at, track, body, spin);
 }
 
-/** Woken by a server state that differs: drawn where it lay until it has been replayed. */
+/** Wakes a ship whose server state differs: it is drawn in place until it has been replayed. */
 export function holdSleeping(track: Track): void {
   track.picture.heldPlace.set(track.sleepPlace);
   track.picture.heldAttitude.set(track.sleepAttitude);
@@ -92,7 +92,7 @@ export function holdSleeping(track: Track): void {
   track.mode = 'waiting';
 }
 
-/** Back into step: its rows at the front, and its past at the boundaries since the server's newest word. */
+/** Puts a ship back into step: writes its rows at the front and its history since the newest server state. */
 export function wake(sim: Simulation, track: Track): void {
   const { fleet, front, timeline } = sim;
   const index = fleet.front[track.at + REFERENCE_BODY]!;

@@ -9,8 +9,8 @@ import type { Simulation } from './simulation';
 import { copyRow, type Track } from './track';
 
 /**
- * One ship's row on its way through time: the one step of the frame loop, of replays, of the rollback check, of the touchdown log
- * and of the fit of the ground. `tick` and `substep` are the start of the substep to come.
+ * One ship's row in time: the step shared by the frame loop, of replays, of the rollback check, of the touchdown log
+ * and of the fit of the ground. `tick` and `substep` are the start of the next substep.
  */
 export interface RowStep extends Position {
   rows: Float64Array;
@@ -18,14 +18,14 @@ export interface RowStep extends Position {
   /** The row at the start of the substep just taken, relative to the body that it has since: save. */
   before: Float64Array;
   beforeAt: number;
-  /** False where nothing will read the row before: it is not written then. */
+  /** False if nothing reads the row before the substep: it is then not written. */
   keepsBefore: boolean;
-  /** Counts through what acts on the own ship. */
+  /** Cursor into the inputs that act on the own ship. */
   inputs: number;
   /** Rows of the bodies, turned for the substep just taken, and its game s (Span.step). */
   bodies: Float64Array;
   dt: readonly [dt: number, none: null];
-  /** What the law reported of the substep just taken. */
+  /** The event of the last substep. */
   event: number;
 }
 
@@ -45,7 +45,7 @@ export function placeStep(step: RowStep, sim: Simulation, tick: number, substepO
   step.inputs = seek(sim.inputs, tick, substepOfTick);
 }
 
-/** Reads what all ships share in the substep to come. */
+/** Reads what all ships share in the next substep. */
 export function enterSubstep(step: RowStep, sim: Simulation): void {
   step.dt = spanOf(sim.timeline, step.tick).step;
   step.bodies = rowsAt(sim.bodies, sim.timeline, step.tick, step.substep);
@@ -67,7 +67,7 @@ export function stepRow(step: RowStep, sim: Simulation, track: Track): void {
   else carry(step, sim, track);
 }
 
-/** Not by the law: carried on, and where no ground is known flown on by the law. */
+/** Without the dynamics: extrapolated or, above unknown ground, flown by the dynamics. */
 function carry(step: RowStep, sim: Simulation, track: Track): void {
   const { rows, at } = step;
   const [dt] = step.dt;
@@ -77,7 +77,7 @@ function carry(step: RowStep, sim: Simulation, track: Track): void {
   else carryRow(rows, at, step.bodies, sim.world, dt);
 }
 
-/** On to the next substep. Returns whether a tick boundary was reached. */
+/** Moves to the next substep. Returns whether a tick boundary was reached. */
 export function leaveSubstep(step: RowStep, sim: Simulation): boolean {
   step.substep += 1;
   if (step.substep < spanOf(sim.timeline, step.tick).timing.substeps) return false;

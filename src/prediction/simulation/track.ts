@@ -8,27 +8,27 @@ import { createLastState, type LastState } from '../ground/lastState';
 import type { TouchdownRing } from '../touchdown/touchdownRing';
 import type { ServerStates } from './serverStates';
 
-/** How a ship's present comes about. */
+/** How a ship's present state is obtained. */
 export type Mode =
   /** Simulated to the front, substep by substep. */
   | 'stepping'
   /** Landed, and the server agrees: constant in the body's axes, no substep. */
   | 'sleeping'
-  /** Nothing drawn is worth going on from: a replay from the server's state has not reached the front yet. */
+  /** No usable prediction: a replay from the server's state has not reached the front yet. */
   | 'waiting'
-  /** Not carried on: too fast to follow, or no server state for longer than the ring. Drawn as the server last had it. */
+  /** Not simulated: too fast to follow, or no server state for longer than the ring. Drawn at its last server state. */
   | 'held';
 
 /** How a ship is drawn. */
 export type Policy =
   /** Simulated to the present (the default). */
   | 'predict'
-  /** Between the two server states around one send interval ago: smooth, late, never a guess. */
+  /** Interpolated between the two server states around one send interval ago: smooth and late. */
   | 'interpolate'
   /** Where the newest server state has it, turning with its body. */
   | 'hold';
 
-/** What the predictor keeps of one ship. Its rows stand in the fleet's arrays at `at`. */
+/** The predictor's record of one ship. Its rows are in the fleet's arrays at `at`. */
 export interface Track {
   readonly shipId: string;
   playerId: string;
@@ -39,19 +39,19 @@ export interface Track {
   mode: Mode;
   /** Switched off because time outruns the budget. */
   off: boolean;
-  /** How it is drawn, as the caller wishes. */
+  /** How it is drawn, as the caller chose. */
   policy: Policy;
   /** Its last server states, while the policy is to interpolate between them. */
   states: ServerStates | null;
-  /** Of a class or in a state that is not known here: drawn as the server tells it. */
+  /** Of an unknown class or surface state: drawn from its server states. */
   unpredictable: boolean;
 
   history: History;
-  /** Newest tick the server told of, -1 before the first; its row, and its body's attitude then. */
+  /** Newest tick with a server state, -1 before the first; its row, and its body's attitude then. */
   serverTick: number;
   readonly serverRow: Float64Array;
   readonly serverBodyAttitude: Float64Array;
-  /** 33 and 34 were told: comparable to the micrometre. */
+  /** Fields 33 and 34 were sent: comparable to the micrometre. */
   exact: boolean;
   /** Client wall s. */
   seenAt: number;
@@ -59,14 +59,14 @@ export interface Track {
   silence: number;
   /** The server's send (Cadence) that had it last. */
   lastSend: number;
-  /** Newest tick whose state of the server came out as it was predicted, -1 for none. */
+  /** Newest tick whose server state agreed with the prediction, -1 for none. */
   agreedTick: number;
 
   /** Position of the replay in the fleet's `replayed` row. */
   replaying: boolean;
   replayTick: number;
   replaySubstep: number;
-  /** Tick of the newest state that was adopted: what is kept of ticks before it leads elsewhere. */
+  /** Tick of the newest adopted state: history before it leads elsewhere. */
   adoptedTick: number;
   /** The replay adopts a state that makes easing meaningless: respawned, or on another body. */
   replaySnaps: boolean;
@@ -75,7 +75,7 @@ export interface Track {
   replayPass: number;
   passes: number;
 
-  /** Other pilots: where their controls are let go; -1 for none. */
+  /** Other pilots: where their controls are released; -1 for none. */
   releaseTick: number;
   releaseSubstep: number;
 
@@ -84,14 +84,14 @@ export interface Track {
   readonly sleepAttitude: Float64Array;
 
   readonly ledger: Ledger;
-  /** What its states say of the ground, and the one that the next is held against. */
+  /** The ground learned from its states, and the state to compare the next with. */
   readonly ground: LearnedGround;
   readonly evidence: LastState;
-  /** Whether it is simulated by the law, or carried on. */
+  /** Whether it is simulated by the dynamics or extrapolated. */
   readonly fit: LawFit;
   /** Of the own ship. */
   log: TouchdownRing | null;
-  /** What is drawn and shown of it. Nothing here reads it to compute. */
+  /** What is drawn and shown of it. The simulation does not read it. */
   readonly picture: Picture;
 }
 
@@ -120,7 +120,7 @@ export function createFleet(): Fleet {
   };
 }
 
-/** A track at the end of the fleet, nothing known of it. */
+/** A new track at the end of the fleet. */
 export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Track {
   const at = fleet.tracks.length * SHIP_STRIDE;
   if (fleet.front.length < at + SHIP_STRIDE) grow(fleet);
@@ -168,14 +168,14 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
   return track;
 }
 
-/** Takes all tracks out. */
+/** Removes all tracks. */
 export function clearFleet(fleet: Fleet): void {
   fleet.own = null;
   fleet.tracks.length = 0;
   fleet.byId.clear();
 }
 
-/** Takes a track out; the last one takes its rows. */
+/** Removes a track; the last one takes over its rows. */
 export function removeTrack(fleet: Fleet, track: Track): void {
   const last = fleet.tracks.pop()!;
   fleet.byId.delete(track.shipId);

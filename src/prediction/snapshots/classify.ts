@@ -5,28 +5,28 @@ import { serverTime } from '../time/clock';
 import { spanOf, wallOfTick } from '../time/timeline';
 import type { Receiver } from './receiver';
 
-/** What a frame is beside those before it (PREDICTION, Restarts). */
+/** The class of a frame relative to the frames before it (PREDICTION, Restarts). */
 export type SnapshotKind =
-  /** Goes on from the newest one. */
+  /** Continues from the newest one. */
   | 'newest'
-  /** The newest tick again, with news: time stands still, stops or goes on. */
+  /** The newest tick again with changes: time is paused, stops or resumes. */
   | 'again'
-  /** The newest tick again, with ships not told of yet: a part of the same snapshot. */
+  /** The newest tick again with other ships: part of the same snapshot. */
   | 'part'
   /** Overtaken by newer ones, not seen yet. */
   | 'older'
   | 'duplicate'
   | 'tooOld'
   | 'future'
-  /** Another time: the server began anew, or its counter jumped. */
+  /** Another timeline: the server restarted, or its counter jumped. */
   | 'jump';
 
-/** A frame this far ahead of where the server can be is of another time, s. */
+/** A frame this far ahead of the server's clock is of another timeline, s. */
 const FUTURE = 2;
-/** Frames in a row that go forward bear each other out, even when they come all at once. */
+/** Consecutive frames that go forward confirm each other, even if they arrive at once. */
 const BURST = 3;
 
-/** Changes nothing but what the receiver keeps of frames that may be a jump. */
+/** Changes only the receiver's record of possible jumps. */
 export function classifySnapshot(
   sim: Simulation,
   receiver: Receiver,
@@ -47,7 +47,7 @@ export function classifySnapshot(
   return receiver.seen[tick % receiver.seen.length] === tick ? 'duplicate' : 'older';
 }
 
-/** Whether a server may have come to this tick by now, by what has passed since the newest frame or by its clock. */
+/** Whether the server can have reached this tick, by the time since the newest frame or by its clock. */
 function isPlausible(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): boolean {
   const { tick, tickRate } = frame;
   const tolerance = Math.max(FUTURE, 2 * sendSeconds(sim.cadence, tickRate));
@@ -56,8 +56,8 @@ function isPlausible(sim: Simulation, receiver: Receiver, frame: ServerFrame, no
 }
 
 /**
- * A jump in time is believed when the next frame goes on from it, at the pace of the wall clock: late copies of old frames come all
- * at once, or between newer ones.
+ * A jump is accepted when the next frame continues from it at the pace of the wall clock: late copies of old frames arrive at once, or
+ * between newer ones.
  */
 function isConfirmed(receiver: Receiver, { tick, tickRate }: ServerFrame, now: number): boolean {
   const { jump } = receiver;
@@ -82,7 +82,7 @@ function sameTick(sim: Simulation, frame: ServerFrame): SnapshotKind {
   return 'duplicate';
 }
 
-/** Whether a frame's tempo is another than the one held for its tick. */
+/** Whether a frame's tempo differs from the one known for its tick. */
 export function differs(sim: Simulation, { tick, tickRate, timeScale, paused }: ServerFrame): boolean {
   const held = spanOf(sim.timeline, tick);
   return held.paused !== paused || held.tickRate !== tickRate || held.timeScale !== timeScale;

@@ -9,9 +9,9 @@ import { measureGameTime } from './gameTimeMeter';
 const MAX_TICK = 2 ** 52;
 
 /**
- * A frame with every member: what is absent holds on from before, what cannot be is left out and counted. The time scale is the
- * measured one where what is told does not fit what moves.
- * @returns the frame, or the reason, naming the field, why it is refused whole
+ * Completes a frame: absent members keep their last values, invalid ones are dropped and counted. The time scale is the measured one if
+ * the one sent contradicts the motions.
+ * @returns the frame, or the reason, naming the field, why it is refused
  */
 export function completeFrame(
   sim: Simulation,
@@ -33,7 +33,7 @@ export function completeFrame(
   const timeScale = measureGameTime(meter, known, told) ?? told ?? tellDefault(sim, 'timeScale', 1);
   const timing = loadTiming(tickRate, timeScale, sim.world.settings);
   if (!timing.ok) return err(`frame.${timing.reason}`);
-  // Member by member: the hidden class of a spread record goes with the next collection, and the code compiled for it too.
+  // Member by member: the hidden class of a spread record dies with the next garbage collection, and the code compiled for it too.
   return ok({
     kind: 'frame',
     tick,
@@ -55,7 +55,7 @@ function tellDefault({ warn }: Simulation, name: string, value: number): number 
   return value;
 }
 
-/** A list of records; what is no record is left out and counted. */
+/** A list of records; anything else is dropped and counted. */
 function recordsOf<T>(sim: Simulation, name: string, value: readonly T[] | undefined | null): readonly T[] {
   if (!Array.isArray(value)) return [];
   const list = value as readonly T[];
@@ -69,7 +69,7 @@ function isRecord(value: unknown): boolean {
   return typeof value === 'object' && value !== null;
 }
 
-/** The acknowledgement, or null where there is none or where it cannot be: nothing is applied after its own frame. */
+/** The acknowledgement, or null if it is absent or invalid: no input is applied after its own frame. */
 function acknowledgementOf(sim: Simulation, { tick, lastInput }: PartialFrame): InputAcknowledgement | null {
   if (lastInput === undefined || lastInput === null) return null;
   const { seq, tick: applied, substep, margin } = lastInput;

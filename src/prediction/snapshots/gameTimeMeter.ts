@@ -2,27 +2,27 @@ import type { BodyState, PartialFrame, ShipState } from '../../wire';
 
 /**
  * Game time from one tick to the next, measured from what moves (PREDICTION, Foreign dynamics): a server may
- * run at a time scale it does not tell, or bend it by a few per cent to keep in step with a calendar.
+ * not send its time scale, or vary it by a few per cent to stay in step with a calendar.
  */
 export interface GameTimeMeter {
   tick: number;
   gameTime: number;
   bodies: readonly BodyState[];
   ships: readonly ShipState[];
-  /** The last measurements that did not fit what was told, game s per tick: how many in a row that agree, and the last one. */
+  /** The last measurements that contradict the tempo sent, game s per tick: how many agree in a row, and the last one. */
   agreeing: number;
   last: number;
-  /** Believed, as game s per tick; NaN while what is told fits. */
+  /** The accepted measurement, game s per tick; NaN while the tempo sent fits. */
   perTick: number;
 }
 
-/** How exactly a source measures, as a share: what is nearer than this to what is told is what is told. */
+/** Relative accuracy of a source: a measurement closer than this to the tempo sent agrees with it. */
 const EXACT = 1e-3;
 const BY_SHIPS = 0.02;
-/** Measurements in a row that must agree, by how exactly they measure. */
+/** Consecutive measurements that must agree, by accuracy. */
 const NEEDED = 2;
 const NEEDED_BY_SHIPS = 3;
-/** m/s: what moves slower measures nothing. */
+/** m/s: slower motions measure nothing. */
 const LEAST_SPEED = 1;
 
 export function createGameTimeMeter(): GameTimeMeter {
@@ -37,12 +37,12 @@ export function createGameTimeMeter(): GameTimeMeter {
   };
 }
 
-/** Another world, or another time. */
+/** Starts over: another world or timeline. */
 export function forgetGameTime(meter: GameTimeMeter): void {
   Object.assign(meter, createGameTimeMeter());
 }
 
-/** What a measurement reads of a frame. */
+/** The part of a frame that is measured. */
 type Measured = Pick<PartialFrame, 'tick' | 'gameTime' | 'ships'> & {
   readonly tickRate: number;
   readonly bodies: readonly BodyState[];
@@ -51,7 +51,7 @@ type Measured = Pick<PartialFrame, 'tick' | 'gameTime' | 'ships'> & {
 /**
  * Takes in a frame.
  * @param told the frame's own time scale, or null
- * @returns the time scale that holds, where what is told does not fit or nothing is told; null where nothing else is known
+ * @returns the measured time scale if the one sent does not fit or is absent; null if there is no better one
  */
 export function measureGameTime(meter: GameTimeMeter, frame: Measured, told: number | null): number | null {
   const { tickRate } = frame;
@@ -86,7 +86,7 @@ function weigh(
     return;
   }
   if (near(perTick, meter.perTick, tolerance)) return;
-  // What is bent by a few per cent changes from tick to tick, and is believed as it comes.
+  // A scale that varies by a few per cent changes from tick to tick, and is accepted as measured.
   const alike = near(perTick, meter.last, isExact ? 0.02 : BY_SHIPS);
   meter.agreeing = alike ? meter.agreeing + 1 : 1;
   meter.last = perTick;
@@ -97,7 +97,7 @@ function near(a: number, b: number, tolerance: number): boolean {
   return Math.abs(a - b) <= tolerance * Math.abs(b);
 }
 
-/** Game s that bodies were on their way, by how far they came: the median of all that move; NaN where none does. */
+/** Game s of the bodies' motion, from the distance covered: the median of all that move; NaN if none does. */
 function byBodies(before: readonly BodyState[], after: readonly BodyState[]): number {
   return medianOf(
     after.map((body, i) => {
@@ -107,7 +107,7 @@ function byBodies(before: readonly BodyState[], after: readonly BodyState[]): nu
   );
 }
 
-/** As of bodies, by ships that fly without thrust. */
+/** The same for ships that fly without thrust. */
 function byShips(before: readonly ShipState[], after: readonly ShipState[]): number {
   const byId = new Map(before.filter(isShip).map((ship) => [ship.shipId, ship]));
   return medianOf(
@@ -128,7 +128,7 @@ function coasts(ship: ShipState): boolean {
   );
 }
 
-/** The way over the mean velocity; NaN where it did not move, or where either is no vector. */
+/** The distance over the mean velocity; NaN without motion, or if either is no vector. */
 function secondsBetween(
   a: Pick<ShipState, 'position' | 'velocity'>,
   b: Pick<ShipState, 'position' | 'velocity'>,
@@ -143,7 +143,7 @@ function secondsBetween(
   return square >= LEAST_SPEED * LEAST_SPEED && along !== 0 ? along / square : Number.NaN;
 }
 
-/** Of a vector that a plain caller may have left out. */
+/** For a vector that a JavaScript caller may have omitted. */
 function component(vector: unknown, k: number): number {
   const value: unknown = Array.isArray(vector) ? vector[k] : undefined;
   return typeof value === 'number' ? value : Number.NaN;

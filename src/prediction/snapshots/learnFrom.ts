@@ -9,9 +9,9 @@ import type { Place } from './reconcile/compare';
 import { weighLaw } from './reconcile/lawFit';
 import type { SnapshotContext } from './snapshotContext';
 
-/** One ship's newest state, and what became of the prediction for its tick. */
+/** One ship's newest state, and the prediction for its tick. */
 export interface Lesson {
-  /** The state; its impact speed is filled in where the server does not tell it. */
+  /** The state; its impact speed is filled in if the server does not send it. */
   readonly row: Float64Array;
   readonly context: SnapshotContext;
   readonly predicted: Place | null;
@@ -19,14 +19,14 @@ export interface Lesson {
   readonly toldImpact: boolean;
 }
 
-/** Whether a state that was predicted teaches nothing: the ship is on the ground and under the law that are known. */
+/** Whether a predicted state teaches nothing: the ground and the dynamics are as known. */
 export function nothingToLearn({ ground, fit }: Track): boolean {
   return ground.places.length === 0 && fit.carried === '';
 }
 
 /**
- * What a state teaches of the ground, of its body's spin and of the law (PREDICTION, Learned ground).
- * @returns whether the ship goes over from the law to being carried on, or back
+ * Learns the ground, the body's spin and the fit of the dynamics from a state (PREDICTION, Learned ground).
+ * @returns whether the ship changes between simulation and extrapolation
  */
 export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolean {
   const { row, context, predicted, agrees, toldImpact } = lesson;
@@ -49,7 +49,7 @@ export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolea
   return changes || isWeighed;
 }
 
-/** A ship that lies where it was not predicted tells how fast its body turns. */
+/** A ship at rest in another place than predicted measures its body's spin. */
 function measureSpin(sim: Simulation, { evidence }: Track, { row, context }: Lesson): void {
   const { tick, bodies } = context;
   if (evidence.tick < 0 || evidence.tick >= tick) return;

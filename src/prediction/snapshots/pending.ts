@@ -4,25 +4,25 @@ import { noteCall } from './receiveMessage';
 import { refuse } from './receiver';
 
 /**
- * Frames that have come and were not decoded yet. The next `advance` decodes the newest few; of what they supersede only the events
- * are read, so that a page that was hidden for minutes comes back at once.
+ * Received frames that are not decoded yet. The next `advance` decodes the newest few and reads only the events of those they supersede,
+ * so that a page hidden for minutes returns at once.
  */
 export interface PendingFrames {
   readonly queue: Waiting[];
-  /** Of superseded frames, in their order. */
+  /** Of superseded frames, in order. */
   readonly events: WorldEvent[];
 }
 
-/** A message and when it came, client wall s. */
+/** A message and its arrival, client wall s. */
 interface Waiting {
   readonly message: PendingMessage;
   readonly at: number;
 }
 
-/** What is done with a decoded message. */
+/** Handles a decoded message. */
 type Receive = (message: ServerMessage, now: number) => void;
 
-/** Frames that wait undecoded: more than come between two display frames of a page that is seen. */
+/** Frames that wait undecoded: more than arrive between two display frames of a visible page. */
 const MAX_QUEUED = 4;
 /** Events of superseded frames that are kept; the oldest go first. */
 export const MAX_KEPT_EVENTS = 1000;
@@ -31,13 +31,13 @@ export function createPendingFrames(): PendingFrames {
   return { queue: [], events: [] };
 }
 
-/** What waits is of another session, and is never decoded. */
+/** Drops what waits: it is of another session. */
 export function forgetPending({ queue, events }: PendingFrames): void {
   queue.length = 0;
   events.length = 0;
 }
 
-/** A message has arrived at client wall second `now`; a frame waits for `decodePending`, what else it is does not. */
+/** A message has arrived at client wall second `now`; a frame waits for `decodePending`, anything else does not. */
 export function receivePending(
   session: Session,
   message: PendingMessage,
@@ -58,7 +58,7 @@ export function receivePending(
   session.counters.framesSuperseded += 1;
 }
 
-/** Decodes and receives what waits. */
+/** Decodes and receives the waiting messages. */
 export function decodePending(session: Session, receive: Receive): void {
   const { queue } = session.pending;
   if (queue.length === 0) return;

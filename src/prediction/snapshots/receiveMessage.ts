@@ -13,8 +13,8 @@ import { receiveSnapshot, refuse, startAnew } from './receiver';
 import { loadGiven, sameWorld } from './worldConfig';
 
 /**
- * A message of the server has arrived at client wall second `now`. Whatever is handed in, nothing is thrown: what cannot be is
- * refused with a reason, and the last good state stays.
+ * Receives a message of the server at client wall second `now`. Never throws: what is invalid is refused with a reason, and the last
+ * good state stays.
  */
 export function receiveMessage(session: Session, message: ServerMessage | PartialFrame, now: number): void {
   if (!noteCall(session, now)) return;
@@ -38,7 +38,7 @@ function kindOf(message: unknown): unknown {
   return (message as { kind?: unknown } | null | undefined)?.kind;
 }
 
-/** Whether `now` is a time. A clock that went back takes along what is known of the server's. */
+/** Whether `now` is a time. If the clock went back, the estimates of the server's clock are shifted with it. */
 export function noteCall({ clock, pings, warn }: Session, now: number): boolean {
   if (!Number.isFinite(now)) {
     warn(
@@ -54,7 +54,7 @@ export function noteCall({ clock, pings, warn }: Session, now: number): boolean 
   return true;
 }
 
-/** A new connection, and so a new timeline: the same world goes on only where its time does. */
+/** A new connection starts a new timeline; the same world continues only if its time does. */
 function takeHello(session: Session, hello: Hello, now: number): void {
   const { receiver, counters } = session;
   if (!speaks(session, hello)) return;
@@ -78,7 +78,7 @@ function takeHello(session: Session, hello: Hello, now: number): void {
   resend(session.sim.inputs);
 }
 
-/** Whether the server's version can be understood: one with another major is refused, a newer minor is told of. */
+/** Whether the server's version can be understood: another major version is refused, a newer minor one is warned of. */
 function speaks({ sim, warn }: Session, { protocolVersion: version }: Hello): boolean {
   const match = matchVersion(version);
   if (match === 'same' || match === 'older') return true;
@@ -93,14 +93,14 @@ function speaks({ sim, warn }: Session, { protocolVersion: version }: Hello): bo
   return !isForeign;
 }
 
-/** Whether the hello's tick is where the server's clock must have come to by now: a restarted server's is not. */
+/** Whether the hello's tick agrees with the server's clock; that of a restarted server does not. */
 function goesOn({ sim, clock }: Session, { tick, tickRate }: Hello, now: number): boolean {
   if (tick < sim.newestTick) return false;
   const ahead = wallOfTick(sim.timeline, tick) - serverTime(clock, now);
   return Math.abs(ahead) <= Math.max(GOES_ON, 2 / tickRate);
 }
 
-/** s by which the time of a server that went on may seem to be off. */
+/** s by which the clock of a continuing server may seem to be off. */
 const GOES_ON = 2;
 
 function takeFrame(session: Session, given: PartialFrame, now: number): void {
@@ -112,7 +112,7 @@ function takeFrame(session: Session, given: PartialFrame, now: number): void {
   }
   const frame = complete.value;
   if (session.sim.newestTick < 0 && !counters.helloReceived && frame.bodies.length > 0) {
-    // A server without a hello may have other bodies than the defaults: its frames say which.
+    // A server without a hello may have other bodies than the defaults: its frames list them.
     const config = { ...session.config, bodies: frame.bodies };
     const loaded = loadGiven(config, session.terrains);
     if (loaded.ok) changeWorld(session, loaded.value, config);
@@ -139,8 +139,8 @@ function takePong({ sim, clock, pings }: Session, pong: Pong, now: number): void
 const OVERDUE = 0.01;
 
 /**
- * When a pong was sent, or null where its stamp says nothing. Where a tick is overdue the server stands: its time
- * has come to the next tick's boundary and no further.
+ * When a pong was sent, or null if its stamp is unusable. If a tick is overdue, the server has stopped: its time has reached the next
+ * tick's boundary and no further.
  */
 function answerTime(
   { timeline, newestTick, ringLength }: Simulation,

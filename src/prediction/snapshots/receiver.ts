@@ -13,36 +13,36 @@ import { settleEvents, tellEvents } from './settleEvents';
 import { takeOlder, takePart, takeStates } from './takeStates';
 import { followTempo } from './tempo';
 
-/** What one connection's frames are judged by, beside the simulation. */
+/** State by which one connection's frames are classified. */
 export interface Receiver {
   readonly clock: Clock;
   ownShipId: string;
-  /** The server tells of events; one that does not is believed by its states. */
+  /** The server sends events; without them, states confirm predicted events. */
   tellsEvents: boolean;
-  /** A new connection: the next frame may be of any tick. */
+  /** A new connection: the next frame may have any tick. */
   fresh: boolean;
-  /** Frames before this tick are of the world or the connection before. */
+  /** Frames before this tick are of the previous world or connection. */
   firstTick: number;
-  /** Set aside: a frame that would be a jump in time; how many in a row, the last one's tick and arrival. */
+  /** Possible jumps in time: how many in a row, the last one's tick and arrival. */
   readonly jump: { tick: number; at: number; count: number };
-  /** Ticks of frames taken in, slot = tick mod length. */
+  /** Ticks of received frames, slot = tick mod length. */
   readonly seen: Float64Array;
-  /** The newest tick taken in, and when, client wall s. */
+  /** The newest received tick, and its arrival, client wall s. */
   newest: number;
   acceptedAt: number;
-  /** Ships that are not to be predicted, whether they are there or not. */
+  /** Ships that are not to be predicted, present or not. */
   readonly policies: Map<string, Policy>;
-  /** Ships that were taken out by name, with the newest tick then: states of such ticks do not bring them back. */
+  /** Ships removed by the caller, with the newest tick then: states up to that tick do not restore them. */
   readonly removed: Map<string, number>;
-  /** The bodies that hold before the first frame are of its own tick, unless it tells others. */
+  /** The bodies known before the first frame are taken to be of its tick, unless it has others. */
   startsBodies: boolean;
-  /** The bodies told last, to see whether they move. */
+  /** The bodies sent last, to detect whether they move. */
   readonly lastBodies: { tick: number; bodies: readonly BodyState[] };
-  /** Of the frame that is being taken in. */
+  /** Of the frame being received. */
   readonly context: SnapshotContext;
 }
 
-/** Sends without a ship after which it leaves the list, if it has been silent for FADE_SECONDS too. */
+/** Sends without a ship after which it is removed, if it has also been silent for FADE_SECONDS. */
 const FADE_SENDS = 3;
 const FADE_SECONDS = 1;
 
@@ -65,7 +65,7 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
   };
 }
 
-/** Nothing that was received before says anything of what comes. */
+/** Starts over: earlier frames do not relate to later ones. */
 export function forgetPast(receiver: Receiver): void {
   receiver.jump.count = 0;
   receiver.fresh = true;
@@ -79,7 +79,7 @@ export function forgetPast(receiver: Receiver): void {
   receiver.lastBodies.tick = -1;
 }
 
-/** A complete frame of the world that is simulated: classified, counted, and where it can be used compared with what was predicted. */
+/** Receives a complete frame of the simulated world: classifies and counts it, and compares it with the prediction if it is used. */
 export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const kind = classifySnapshot(sim, receiver, frame, now);
   if (!count(sim, kind)) return;
@@ -128,14 +128,14 @@ function count({ counters }: Simulation, kind: SnapshotKind): boolean {
   return true;
 }
 
-/** Counts a message that cannot be used, and why. */
+/** Counts a refused message, with the reason. */
 export function refuse({ counters, warn }: Simulation, reason: string): void {
   counters.framesRefused += 1;
   counters.lastRefusal = reason;
   warn('message-refused', `A message was refused, and the last good state stays. ${reason}.`, { reason });
 }
 
-/** Another time altogether: nothing that was predicted can be compared with what comes. */
+/** Starts another timeline: the predictions so far cannot be compared with later states. */
 export function startAnew(sim: Simulation, receiver: Receiver): void {
   sim.counters.resyncs += 1;
   sim.timeline.spans.length = 0;
@@ -149,7 +149,7 @@ export function startAnew(sim: Simulation, receiver: Receiver): void {
   sim.frontIsStale = true;
 }
 
-/** Ships that stop being sent leave the list after 3 sends; one that is sent seldom stays. */
+/** Removes ships that have not been sent for 3 sends and FADE_SECONDS; a ship that is sent seldom stays. */
 function fade(sim: Simulation, now: number): void {
   const { tracks } = sim.fleet;
   for (let i = tracks.length - 1; i >= 0; i--) {

@@ -7,7 +7,7 @@ import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import type { Receiver } from './receiver';
 
-/** The server's events: each confirms a predicted one, or is told as its own. Unknown types, and of ships not there, count nothing. */
+/** The server's events: each confirms a predicted one or is reported on its own. Unknown types and unknown ships are ignored. */
 export function tellEvents(sim: Simulation, receiver: Receiver, { events }: ServerFrame): void {
   for (const event of events) {
     const known = knownEvent(event);
@@ -21,7 +21,7 @@ export function tellEvents(sim: Simulation, receiver: Receiver, { events }: Serv
   }
 }
 
-/** A frame's events, and what it says of those predicted up to its tick: confirmed by event or state, or retracted. */
+/** Settles a frame's events and those predicted up to its tick: confirmed by event or state, or retracted. */
 export function settleEvents(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   tellEvents(sim, receiver, frame);
   for (const track of sim.fleet.tracks) {
@@ -43,7 +43,7 @@ function settleShip(
     const by = { pass: track.pass, fromTick: track.adoptedTick };
     tellAll(sim, track, now, () => {
       const notice = settleByAgreement(ledger, tick, sim.timeline, by);
-      // The server had the same event, and does not tell of it.
+      // The server had the same event but did not send it.
       if (notice?.kind === 'confirmed') receiver.tellsEvents = false;
       return notice;
     });
@@ -52,7 +52,7 @@ function settleShip(
   else confirmStates(sim, track, frame);
 }
 
-/** Passes on notices until there are no more; what is retracted is shown as withdrawn for a while. */
+/** Passes notices to listeners; a retracted event is shown as withdrawn for a while. */
 function tellAll(sim: Simulation, { picture }: Track, now: number, next: () => EventNotice | null): void {
   for (let notice = next(); notice !== null; notice = next()) {
     sim.notices.push(notice);

@@ -2,8 +2,7 @@ import type { ShipState } from '../../wire';
 import { describe } from '../checks/describe';
 
 /**
- * Why a plain record is no ShipState, or null. What came through the wire has been checked; a plain JavaScript caller may hand in
- * anything (PREDICTION, Invalid messages).
+ * The reason why a plain record is no ShipState, or null. The wire has checked its messages; a JavaScript caller may pass anything (PREDICTION, Invalid messages).
  */
 export function shipFault(given: unknown): string | null {
   if (typeof given !== 'object' || given === null) return 'expected an object';

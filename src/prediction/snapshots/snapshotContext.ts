@@ -3,14 +3,14 @@ import type { InputFate } from '../inputs/inputs';
 import type { BodiesOfFrame } from './bodies/bodiesOfFrame';
 
 /**
- * A frame, as far as one ship is concerned; `bodies` and `predictedBodies` are rows at its tick. One record per connection: of one
- * that is made for each frame the hidden class goes with the next collection, and the compiled code of a reconciliation with it.
+ * The context of a frame for its ships; `bodies` and `predictedBodies` are rows at its tick. One record per connection: a new one per
+ * frame would lose its hidden class at the next garbage collection, and the compiled code of a reconciliation with it.
  */
 export interface SnapshotContext extends BodiesOfFrame {
   tick: number;
   /** Client wall s. */
   now: number;
-  /** The frame's acknowledgement, and what it says of the own ship's inputs. */
+  /** The frame's acknowledgement of the own ship's inputs. */
   lastInput: InputAcknowledgement | null;
   inputs: InputFate;
 }

@@ -14,7 +14,7 @@ import { reconcile, showAsTold } from './reconcile/reconcile';
 import { shipFault } from './shipFault';
 import type { SnapshotContext } from './snapshotContext';
 
-/** The newest frame's bodies and ships, each compared with what was predicted for its tick. */
+/** Compares the newest frame's bodies and ships with the predictions for its tick. */
 export function takeStates(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const { context } = receiver;
   writeBodiesOfFrame(context, sim, receiver, frame);
@@ -30,14 +30,14 @@ export function takeStates(sim: Simulation, receiver: Receiver, frame: ServerFra
   }
 }
 
-/** Another message of the newest tick: the ships that it has and the ones before had not. */
+/** Takes another message of the newest tick: the ships that earlier ones did not have. */
 export function takePart(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const bodies = boundaryAt(sim.bodies, sim.timeline, frame.tick);
   placeContext(receiver.context, frame, bodies, now);
   takeMissing(sim, receiver, frame);
 }
 
-/** A frame overtaken by newer ones: its ships that no newer frame told of. */
+/** Takes a frame overtaken by newer ones: its ships that no newer frame has. */
 export function takeOlder(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   if (!knowsBoundary(sim.bodies, frame.tick)) return;
   const bodies = boundaryAt(sim.bodies, sim.timeline, frame.tick);
@@ -66,7 +66,7 @@ function takeMissing(sim: Simulation, receiver: Receiver, frame: ServerFrame): v
   }
 }
 
-/** One ship's state in the frame that the receiver's context is of. */
+/** One ship's state in the frame of the receiver's context. */
 function takeShip(sim: Simulation, receiver: Receiver, state: ShipState): void {
   const { context } = receiver;
   const fault = shipFault(state);
@@ -90,7 +90,7 @@ function takeShip(sim: Simulation, receiver: Receiver, state: ShipState): void {
   if (reason !== null && track.serverTick < 0) removeTrack(sim.fleet, track);
 }
 
-/** Taken out by name: only a later frame than those that had come then brings it back. */
+/** Removed by the caller: only a frame later than those received by then restores it. */
 function isRemoved({ removed }: Receiver, shipId: string, tick: number): boolean {
   const removedAt = removed.get(shipId);
   if (removedAt === undefined) return false;
@@ -106,7 +106,7 @@ function refuseShip({ counters, warn }: Simulation, state: ShipState, reason: st
   warn('ship-unusable', `A ship is not predicted. ${counters.lastRefusal}`, { shipId, reason });
 }
 
-/** What the frame says of own inputs, also to the steering of the lead. */
+/** Takes the frame's acknowledgement of own inputs, also for steering the lead. */
 function answered(sim: Simulation, { clock, context }: Receiver, state: ShipState): InputFate {
   const { inputs } = sim;
   const { tick, now, lastInput: told } = context;

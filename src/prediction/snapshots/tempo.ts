@@ -9,7 +9,7 @@ import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { differs } from './classify';
 import type { Receiver } from './receiver';
 
-/** Clock sample and tempo of a frame; where the tempo changed, everything after its tick is to be simulated anew. */
+/** Clock sample and tempo of a frame; if the tempo changed, everything after its tick must be simulated again. */
 export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const { timeline } = sim;
   const first = timeline.spans.length === 0;
@@ -18,7 +18,7 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
   if (!stood && !first) sampleDown(receiver.clock, wallOfTick(timeline, frame.tick), now);
   const goesOn = stood && !frame.paused;
   const changes = !first && differs(sim, frame);
-  // What is drawn now is of the tempo so far.
+  // The present pose is of the old tempo.
   if (changes) for (const track of sim.fleet.tracks) if (track.mode === 'stepping') hold(sim, track);
   setTempo(timeline, frame.tick, frame, goesOn || frame.tick > sim.newestTick ? wall : null);
   if (first) sampleDown(receiver.clock, 0, now);
@@ -26,7 +26,7 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
   sim.newestTick = frame.tick;
 }
 
-/** A paused server's boundaries keep their beat: the one that ended the pause was a whole number of ticks after the one that began it. */
+/** A paused server keeps its schedule: the pause ended a whole number of ticks after it began. */
 function wallAfterPause(sim: Simulation, receiver: Receiver, now: number): number {
   const span = sim.timeline.spans.at(-1)!;
   const beats = Math.round((sentAt(receiver.clock, now) - span.fromWall) * span.tickRate);

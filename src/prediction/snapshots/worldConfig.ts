@@ -28,7 +28,7 @@ export function loadConfig(
   return loadWorld({ ...config, terrainHeight: terrains[config.terrain]! });
 }
 
-/** The same of a config that a plain caller or a server gave: members that are not there are no reason to throw. */
+/** The same for a config of a JavaScript caller or a server: absent members do not throw. */
 export function loadGiven(
   config: WorldConfig,
   terrains: Readonly<Record<string, TerrainHeight>>,
@@ -40,7 +40,7 @@ export function loadGiven(
   }
 }
 
-/** Whether two worlds have the same bodies, in the same order: then rows of one are rows of the other but for the class. */
+/** Whether two worlds have the same bodies, in the same order: then rows of one are rows of the other, apart from the class. */
 export function sameBodies(a: World, b: World): boolean {
   return a.bodies.length === b.bodies.length && a.bodies.every(({ name }, i) => name === b.bodies[i]!.name);
 }

@@ -2,19 +2,19 @@
 export interface Cadence {
   /** Ticks sent so far, each counted once. */
   sends: number;
-  /** Usual ticks from one send to the next; 0 before two were seen. */
+  /** Usual number of ticks between two sends; 0 before the second. */
   ticks: number;
   readonly recent: number[];
 }
 
-/** Sends of which the usual distance is the median: one in a few may be missed. */
+/** Number of sends whose median spacing is the usual one, so that an occasional miss does not count. */
 const RECENT = 7;
 
 export function createCadence(): Cadence {
   return { sends: 0, ticks: 0, recent: [] };
 }
 
-/** The server sent a newer tick, `ticks` after the one before; 0: nothing comparable came before. */
+/** The server sent a newer tick, `ticks` after the one before; 0 if there is no comparable one before. */
 export function noteSend(cadence: Cadence, ticks: number): void {
   cadence.sends += 1;
   if (ticks <= 0) return;
@@ -24,18 +24,18 @@ export function noteSend(cadence: Cadence, ticks: number): void {
   cadence.ticks = sorted[Math.floor((sorted.length - 1) / 2)]!;
 }
 
-/** Another time: distances between its sends are not known yet. */
+/** A new timeline: the spacing of its sends is not known yet. */
 export function forgetCadence(cadence: Cadence): void {
   cadence.recent.length = 0;
   cadence.ticks = 0;
 }
 
-/** Usual wall s from one send to the next, at a server of `tickRate` Hz; one tick before anything is known. */
+/** Usual wall s from one send to the next, at a server of `tickRate` Hz; one tick until it is known. */
 export function sendSeconds({ ticks }: Cadence, tickRate: number): number {
   return Math.max(1, ticks) / tickRate;
 }
 
-/** Wall s that are predicted past the newest frame at most: three sends, and what a stall of a network may be. */
+/** Longest prediction past the newest frame, wall s: three sends, or the length of a network stall. */
 export function horizonOf(cadence: Cadence, tickRate: number): number {
   return Math.max(HORIZON, 3 * sendSeconds(cadence, tickRate));
 }

@@ -11,58 +11,58 @@ import {
 } from './offsetBounds';
 
 /**
- * The server's clock as the client knows it, and the present that is drawn (PREDICTION, Timeline, Clock).
- * Wall seconds throughout: `now` is the client's, handed in; server time counts from the timeline's origin. The offset lies between
+ * The server's clock as estimated by the client, and the present that is drawn (PREDICTION, Timeline, Clock).
+ * All times are wall seconds: `now` is an argument, the client's; server time counts from the timeline's origin. The offset lies between
  * two bounds, and half way between them unless the ways differ; with the lead added that half cancels: what matters is when our
  * inputs arrive.
  */
 export interface Clock {
   readonly bounds: OffsetBounds;
-  /** By how much pings took longer than the fastest on their way up, and round trips, s. */
+  /** Upstream delay of pings above the smallest, and round trips, s. */
   readonly up: Delays;
   readonly roundTrips: Delays;
   /** Client − server time, s; NaN before the first sample. */
   offset: number;
   /** When the offset was last estimated, client s. */
   offsetAt: number;
-  /** The offset when the present was last where it should be. */
+  /** The offset when the present was last on target. */
   settledOffset: number;
-  /** Added to the lead because inputs came late, s; and the last late input, that a second has to bear out. */
+  /** Added to the lead because inputs arrived late, s; and the last late input, which a second one must confirm. */
   steer: number;
   lateAt: number;
   lateWanted: number;
   /** Server time that is drawn: estimate + lead, slewed. NaN before the first sample. */
   present: number;
-  /** At which the present runs: 0.9 … 1.1, 0 while it waits for the server. */
+  /** Rate of the present: 0.9 … 1.1, 0 while it waits for the server. */
   rate: number;
   slewing: boolean;
-  /** Bounds contradicted each other, or the present was held: what is wrong now is put right at once. */
+  /** Bounds contradicted each other, or the present was held: the error is corrected at once. */
   stepped: boolean;
-  /** The offset was not certain since the present was last settled. */
+  /** The offset has been uncertain since the present was last on target. */
   wasLoose: boolean;
   updatedAt: number;
   /** Latest round trip, s, smoothed. */
   roundTrip: number;
-  /** When a ping was last answered, and with a time that says something, client s; and the last answer's own time. */
+  /** When a ping was last answered, and last answered with a usable time, client s; and the last answer's own time. */
   pongAt: number;
   timedPongAt: number;
   answeredAt: number;
-  /** Server time at which the server stands, by its last answer; infinite while it runs. */
+  /** Server time at which the server has stopped, by its last answer; infinite while it runs. */
   stoodAt: number;
-  /** Client s by which the page's clock moves at once; 0 for a fine one. */
+  /** Grain of the page's clock, s; 0 for a fine one. */
   grain: number;
   stillCalls: number;
 }
 
-/** Without a pong, half of this is taken for the way down, s. */
+/** Without a pong, half of this is the assumed delay downstream, s. */
 const ASSUMED_ROUND_TRIP = 0.1;
-/** Kept between an input's arrival and its need, beside the jitter, s. */
+/** Slack between an input's arrival and its stamp, in addition to the jitter, s. */
 const SLACK = 0.01;
-/** Of bounds no wider than this the delay of a ping can be told, s. */
+/** Bounds no wider than this give the delay of a ping, s. */
 const CERTAIN = 0.006;
-/** More lead than this is not asked for, whatever the margins say, s. */
+/** Largest lead, whatever the margins are, s. */
 const MAX_STEER = 1;
-/** A delay this far above the least is a stall, no jitter: no lead makes up for it, s. */
+/** A delay this far above the smallest is a stall, not jitter: no lead compensates for it, s. */
 const STALL = 0.3;
 /** Late inputs further apart than the first and closer than the second, s, are two, and of one kind. */
 const TWO_LATE = [0.3, 10] as const;
@@ -70,9 +70,9 @@ const TWO_LATE = [0.3, 10] as const;
 const AVERAGED = 0.01;
 const OVER = 2;
 const SETTLED_AFTER = 80;
-/** Pings that reached the server within this of each other though sent further apart waited in one queue, s. */
+/** Pings that were sent further apart than this but reached the server within it waited in one queue, s. */
 const ONE_QUEUE = 0.01;
-/** Pings are being answered if one was within this, s. */
+/** Pings count as answered if one was answered within this, s. */
 const PONGS_HEARD = 3;
 
 export function createClock(): Clock {
@@ -102,7 +102,7 @@ export function createClock(): Clock {
   };
 }
 
-/** Something the server sent at server time `sentAt` arrived. */
+/** Something that the server sent at server time `sentAt` arrived. */
 export function sampleDown(clock: Clock, sentAt: number, now: number): void {
   if (boundAbove(clock.bounds, sentAt, now, samplingOf(clock, now))) clock.stepped = true;
   if (sentAt >= clock.stoodAt) clock.stoodAt = Number.POSITIVE_INFINITY;
@@ -117,11 +117,11 @@ function samplingOf(clock: Clock, now: number): Sampling {
 /** When a pong was sent, server s. */
 export interface Answer {
   readonly at: number;
-  /** The server stood there: its next tick was overdue. */
+  /** The server had stopped: its next tick was overdue. */
   readonly standing: boolean;
 }
 
-/** A ping of `pinged` was answered and the pong arrived; null: answered at a time that says nothing. */
+/** A ping of `pinged` was answered and the pong arrived; null: answered with an unusable time. */
 export function samplePong(clock: Clock, pinged: number, answer: Answer | null, now: number): void {
   const roundTrip = now - pinged;
   if (!(roundTrip >= 0)) return;
@@ -137,15 +137,15 @@ export function samplePong(clock: Clock, pinged: number, answer: Answer | null, 
   if (answer.standing) boundBelow(clock.bounds, { pinged, stood: answered, now });
   else if (boundBothSides(clock.bounds, { pinged, answered, now }, clock.grain)) clock.stepped = true;
   settleOffset(clock, now);
-  // One stall is one sample, however many pings waited in it; and what it cost is no jitter.
+  // A stall is one sample, however many pings waited in it, and its delay is not jitter.
   const counts = !answer.standing && roundTrip <= leastRoundTrip(clock) + STALL && slackOf(clock) <= CERTAIN;
-  // Measured from the lower bound, which is the fastest way up: the offset moves with what comes down, too.
+  // Measured from the lower bound, the fastest upstream path: the offset also depends on downstream delays.
   if (counts && answered - clock.answeredAt > ONE_QUEUE)
     addDelay(clock.up, answered - pinged + clock.bounds.lower);
   clock.answeredAt = answered;
 }
 
-/** The middle of the bounds wanders with the luck of the last few delays: small changes of it are averaged. */
+/** The middle of the bounds varies with the last few delays: small changes are averaged. */
 function settleOffset(clock: Clock, now: number): void {
   const middle = middleOf(clock);
   const elapsed = Math.max(0, now - clock.offsetAt);
@@ -163,7 +163,7 @@ function middleOf(clock: Clock): number {
   return upper === Number.POSITIVE_INFINITY ? lower + half : (upper + lower) / 2;
 }
 
-/** How much wider the bounds of the offset are than the least round trip, s; infinite where one is not known. */
+/** How much wider the bounds of the offset are than the least round trip, s; infinite if either is unknown. */
 export function slackOf(clock: Clock): number {
   return clock.bounds.upper - clock.bounds.lower - leastRoundTrip(clock);
 }
@@ -173,7 +173,7 @@ function leastRoundTrip(clock: Clock): number {
   return Number.isNaN(least) ? ASSUMED_ROUND_TRIP : least;
 }
 
-/** The server's schedule is another one: only delays still say something. */
+/** The server's schedule has changed: only delays are still usable. */
 export function forgetSchedule(clock: Clock): void {
   forgetBounds(clock.bounds);
   clock.offset = Number.NaN;
@@ -182,12 +182,12 @@ export function forgetSchedule(clock: Clock): void {
   clock.stoodAt = Number.POSITIVE_INFINITY;
 }
 
-/** Server time at which something that arrives now was sent, as estimated. */
+/** Estimated server time at which something that arrives now was sent. */
 export function sentAt(clock: Clock, now: number): number {
   return serverTime(clock, now) - leastRoundTrip(clock) / 2;
 }
 
-/** Server time now, as estimated, if the server runs; NaN before the first sample. */
+/** Estimated server time now, if the server runs; NaN before the first sample. */
 export function serverTime(clock: Clock, now: number): number {
   return now - clock.offset;
 }
@@ -197,15 +197,14 @@ export function leadOf(clock: Clock): number {
   return leastRoundTrip(clock) / 2 + jitterOf(clock) + SLACK + clock.steer;
 }
 
-/** How much longer than the least delay inputs take, in 19 of 20 cases, s; stalls not counted. */
+/** How much longer than the smallest delay inputs take in 19 of 20 cases, s, without stalls. */
 export function jitterOf(clock: Clock): number {
   return spreadOf(clock.up, STALL);
 }
 
 /**
  * An input that was sent under `steerThen` arrived `margin` s before it was needed (negative: late). What the steering has added
- * since it was sent is in flight already, and not asked for twice. A stall is nothing to be steered by: only a second late input,
- * some time after, is believed.
+ * since then is not added twice. A stall must not steer: only a second late input, some time later, counts.
  */
 export function steerByMargin(clock: Clock, margin: number, steerThen: number, now: number): void {
   const wanted = Math.min(MAX_STEER, steerThen + SLACK / 2 - margin);
@@ -217,7 +216,7 @@ export function steerByMargin(clock: Clock, margin: number, steerThen: number, n
   clock.lateWanted = wanted;
 }
 
-/** Notes `now`, of whatever call, before it is used. A clock that went back takes what is known along. Returns whether it did. */
+/** Notes `now`, of whatever call, before it is used. If the clock went back, all estimates are shifted with it. Returns whether it did. */
 export function noteNow(clock: Clock, now: number): boolean {
   const back = clock.updatedAt - now;
   if (!(back > 0)) return false;

@@ -1,27 +1,27 @@
 import { type Cadence, sendSeconds } from './cadence';
 
-/** How it stands between client and server (PREDICTION, Clock). */
+/** State of the connection between client and server (PREDICTION, Clock). */
 export type Connection =
-  /** No frame has come yet. */
+  /** No frame has arrived yet. */
   | 'waiting'
-  /** Frames come as they usually do. */
+  /** Frames arrive as usual. */
   | 'live'
-  /** No frames, but pings are answered, or the server said that it is paused: it stands. */
+  /** No frames, but pings are answered, or the server is paused. */
   | 'serverPaused'
-  /** Neither frames nor answers: the link stands, or nothing runs in the page. */
+  /** Neither frames nor answers: the link has stalled, or the page was frozen. */
   | 'stalled'
-  /** The same, for so long that nobody should wait. */
+  /** The same for so long that waiting is pointless. */
   | 'gone';
 
 /** Pings are answered if one was within this, s. */
 const ANSWERED = 1;
-/** Silence after which nobody should wait, s, and in sends. */
+/** Silence after which the server counts as lost, s, and in sends. */
 const GONE = 10;
 const GONE_SENDS = 5;
 /** Silent for two sends, and at fast servers for this long, a state is stale, s: a stall of a mobile link alone is 0.2 s. */
 const STALE_AFTER = 0.3;
 const STALE_SENDS = 2;
-/** How late the second frame may be while nobody knows how often the server sends, s. */
+/** How late the second frame may be while the send interval is unknown, s. */
 const FIRST_SENDS = 1.5;
 
 /** Silence after which a ship's state is stale, s, at a server of `tickRate` Hz. */
@@ -30,7 +30,7 @@ export function staleAfter(cadence: Cadence, tickRate: number): number {
   return Math.max(STALE_SENDS * sendSeconds(cadence, tickRate), least);
 }
 
-/** What has been heard, client wall s ago. */
+/** Client wall s since each kind of message. */
 export interface Heard {
   readonly frame: number;
   readonly pong: number;

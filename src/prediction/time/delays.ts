@@ -1,15 +1,15 @@
 /**
- * The last delays of one kind, s: the least of them, and how far most lie above it. They are counted, not timed: after a silence the
- * last ones still say most.
+ * The last delays of one kind, s: the smallest, and the spread above it. They are kept by count, not by time: after a silence the
+ * last ones are still the best estimate.
  */
 export interface Delays {
   readonly values: Float64Array;
   readonly sorted: Float64Array;
-  /** Ever taken; slot = count mod length. */
+  /** Samples ever taken; slot = count mod length. */
   count: number;
 }
 
-/** Share of the samples that lie below `spreadOf`. */
+/** Share of the samples below `spreadOf`. */
 const MOST = 0.95;
 /** Share of the samples that no resent packet is among, and how many times their spread is the limit; s, the least limit. */
 const USUAL = 0.8;
@@ -26,7 +26,7 @@ export function addDelay(delays: Delays, value: number): void {
   delays.count += 1;
 }
 
-/** The last delay was one of several that waited in one queue: the least of them counts. */
+/** The last delay was one of several that waited in one queue: the smallest counts. */
 export function lessenDelay({ values, count }: Delays, value: number): void {
   const slot = (count - 1) % values.length;
   values[slot] = Math.min(values[slot]!, value);

@@ -1,8 +1,8 @@
 /**
- * What is known of the offset, client − server time in seconds, as two bounds (the clock filter of RFC 5905, each way for itself):
- * whatever arrives here was sent before, so each arrival bounds the offset from above; whatever arrived there was sent before, so
- * each answered ping bounds it from below. Queues only ever add to a delay: they make a bound weaker, never wrong. A bound ages by
- * what the two clocks may drift apart. Bounds that contradict each other say that one of the clocks was set anew, or stood.
+ * The offset, client − server time in seconds, as two bounds (the clock filter of RFC 5905, separately for each direction). A message is
+ * sent before it arrives: each arrival bounds the offset from above, each answered ping from below. Queueing only adds delay, so it makes
+ * a bound weaker, never wrong. A bound ages by the largest drift of the two clocks. Bounds that contradict each other mean that one of
+ * the clocks has jumped or stopped.
  */
 export interface OffsetBounds {
   upper: number;
@@ -15,19 +15,19 @@ export interface OffsetBounds {
   lateArrived: number;
 }
 
-/** How far two clocks may drift apart, s/s: 500 ppm, and some. */
+/** Largest drift between two clocks, s/s: slightly more than 500 ppm. */
 const DRIFT = 6e-4;
-/** An answer within this tells what holds now, s. */
+/** An answer within this is current, s. */
 const FRESH = 1;
-/** Contradictions up to this are the roundings of clocks, s. */
+/** Contradictions up to this are rounding errors of clocks, s. */
 const MARGIN = 0.005;
-/** An arrival this much before the fastest is no luck, s: the bound before was a delayed one, or the server's schedule went ahead. */
+/** An arrival this much before the fastest is significant, s: the old bound was delayed, or the server's schedule moved ahead. */
 const EARLY = 0.1;
-/** Later than the fastest by this much, and again and again by the same, is a schedule that was shifted, s. */
+/** Arrivals repeatedly later than the fastest by the same amount, at least this much, mean a shifted schedule, s. */
 const LATE = 0.05;
 /** How much two arrivals of a shifted schedule may differ, s. */
 const ALIKE = 0.1;
-/** Lateness that a network's resends may come to, s: one arrival more has to bear it out. */
+/** Lateness that a network's resends can cause, s: one more arrival must confirm it. */
 const RESENT = 0.35;
 
 export function createOffsetBounds(): OffsetBounds {
@@ -41,12 +41,12 @@ export function createOffsetBounds(): OffsetBounds {
   };
 }
 
-/** Nothing is known any more. */
+/** Forgets both bounds. */
 export function forgetBounds(bounds: OffsetBounds): void {
   Object.assign(bounds, createOffsetBounds());
 }
 
-/** The client's clock went back by `seconds`, and some time passed meanwhile that nobody knows: an upper bound stays one. */
+/** The client's clock went back by `seconds`, and an unknown time passed meanwhile: an upper bound stays valid. */
 export function shiftBounds(bounds: OffsetBounds, seconds: number): void {
   bounds.upper -= seconds;
   bounds.lower = Number.NEGATIVE_INFINITY;
@@ -60,13 +60,13 @@ function age(bounds: OffsetBounds, now: number): void {
     bounds.upper += DRIFT * seconds;
     bounds.lower -= DRIFT * seconds;
   }
-  // What waited undecoded is received later than it came.
+  // Undecoded messages are received later than they arrived.
   if (!(now < bounds.agedTo)) bounds.agedTo = now;
 }
 
-/** What else is known when a sample is taken, s. */
+/** Further estimates when a sample is taken, s. */
 export interface Sampling {
-  /** The least round trip. */
+  /** The smallest round trip. */
   readonly roundTrip: number;
   /** The grain of the client's clock: 0 for a fine one. */
   readonly grain: number;
@@ -76,7 +76,7 @@ export interface Sampling {
 
 /**
  * Something sent at server time `sent` arrived at client time `now`.
- * @returns whether it contradicts what was known: then only this sample counts
+ * @returns whether it contradicts the bounds: then only this sample counts
  */
 export function boundAbove(bounds: OffsetBounds, sent: number, now: number, known: Sampling): boolean {
   age(bounds, now);
@@ -101,7 +101,7 @@ export function boundAbove(bounds: OffsetBounds, sent: number, now: number, know
   return true;
 }
 
-/** Late like the one before and as far behind it as it was sent: no queue that empties, but a schedule that was shifted. */
+/** As late as the one before, and spaced as it was sent: not a draining queue but a shifted schedule. */
 function isShifted(bounds: OffsetBounds, sent: number, now: number, grain: number): boolean {
   const apart = sent - bounds.lateSent;
   const gap = now - bounds.lateArrived;
@@ -112,14 +112,14 @@ function isShifted(bounds: OffsetBounds, sent: number, now: number, grain: numbe
   return bounds.late >= (now - sent - bounds.upper > RESENT ? 2 : 3);
 }
 
-/** s by which a lower bound has aged already: a ping tells what the offset was when it left, and its answer may have waited. */
+/** s by which a lower bound has aged already: a ping bounds the offset at its sending, and its answer may have waited. */
 function agedBy(pinged: number, now: number): number {
   return DRIFT * Math.max(0, now - pinged - FRESH);
 }
 
 /**
- * A ping of client time `pinged` was answered while the server stood at server time `stood`: the offset grows until it goes on, so
- * that the answer bounds it from below alone, and what bounded it from above does so no more.
+ * A ping of client time `pinged` was answered while the server had stopped at server time `stood`. The offset grows until it resumes, so
+ * the answer bounds it only from below, and the upper bound becomes invalid.
  */
 export function boundBelow(
   bounds: OffsetBounds,
@@ -133,7 +133,7 @@ export function boundBelow(
 
 /**
  * A ping of client time `pinged` was answered at server time `answered`, and the answer arrived at `now`.
- * @returns whether it contradicts what was known: the bound that it contradicts is forgotten then
+ * @returns whether it contradicts a bound, which is then dropped
  */
 export function boundBothSides(
   bounds: OffsetBounds,

@@ -6,23 +6,23 @@ import { spanOf } from './timeline';
 import { copyRow, type Track } from '../simulation/track';
 
 /**
- * Too fast to follow (PREDICTION, Timeline): when the substeps due exceed the budget, prediction switches off for the far ships
- * first, then for all; never a confident fiction, never a frame that waits.
+ * Too fast to follow (PREDICTION, Timeline): when the due substeps exceed the budget, prediction is switched off for distant
+ * ships first, then for all, so that no frame waits.
  */
 export interface Pace {
-  /** Ship substeps a frame may take. */
+  /** Ship substeps per frame. */
   readonly budget: number;
-  /** Substeps a ship has been due in a frame, smoothed: a single long frame is no reason to switch off. */
+  /** Smoothed number of substeps due per ship and frame: a single long frame does not switch off. */
   due: number;
 }
 
-/** Of the budget: what keeping in step may take, so that replays always go on. */
+/** Share of the budget for ships in step; the rest keeps replays going. */
 const STEPPING_SHARE = 0.75;
-/** Of that: what must be free before a ship is switched on again, so that none flickers. */
+/** Share of that which must be free before a ship is switched on again, so that none flickers. */
 const RETURN_SHARE = 0.8;
 /** Weight of a new frame in the smoothed due. */
 const SMOOTHING = 0.1;
-/** A frame of this many times the usual due is a hitch. */
+/** A frame with this many times the usual substeps is a hitch. */
 const HITCH = 3;
 
 export function createPace(budget: number): Pace {
@@ -30,8 +30,8 @@ export function createPace(budget: number): Pace {
 }
 
 /**
- * Before the front moves on by `due` substeps: which ships can follow. The others are switched off, or where only this one frame is
- * too long, taken out of step to catch up by replay.
+ * Decides, before the front moves by `due` substeps, which ships can follow. The others are switched off or, if only this frame is too
+ * long, taken out of step to catch up by replay.
  */
 export function keepPace(sim: Simulation, pace: Pace, due: number): void {
   const hitch = due > HITCH * pace.due;
@@ -71,7 +71,7 @@ function switchOff(track: Track): void {
   track.off = true;
 }
 
-/** Goes on from where it stands, by replay, as budgets allow; drawn as it is until then. */
+/** Continues from its present state by replay, as budgets allow; drawn in place until then. */
 function catchUpLater(sim: Simulation, track: Track): void {
   if (track.replaying) return;
   const { front, fleet } = sim;
@@ -84,7 +84,7 @@ function catchUpLater(sim: Simulation, track: Track): void {
   track.replayPass = track.pass;
 }
 
-/** The nearest ships that are switched off go on again from the server's newest state, while fewer than `room` are in step. */
+/** Switches the nearest ships on again, from the server's newest state, while fewer than `room` are in step. */
 function bringBack(sim: Simulation, room: number): void {
   let free = room;
   let anyOff = false;

@@ -1,24 +1,24 @@
 import type { Ping } from '../../wire';
 
-/** Pings on their way, so that the round trip is measured apart from the tick (PREDICTION, Server messages). Client wall s. */
+/** Pings in flight, which measure the round trip independently of ticks (PREDICTION, Server messages). Client wall s. */
 export interface Pings {
   nextId: number;
   nextAt: number;
   readonly sentAt: Float64Array;
   readonly queued: Ping[];
-  /** Left out because nobody took them. */
+  /** Skipped because the host did not take them. */
   dropped: number;
   /** When a ping was last answered, client wall s. */
   answeredAt: number;
 }
 
-/** s between pings; the first few come faster, so that the clock settles. */
+/** s between pings; the first few are closer, so that the clock settles. */
 const EVERY = 0.2;
 const FIRST_EVERY = 0.05;
 const FIRST = 8;
-/** Pings that wait to be sent; a host that never takes them gets no more. */
+/** Most pings that wait to be sent; a host that never takes them gets no more. */
 const MAX_QUEUED = 4;
-/** Pings that can be on their way. */
+/** Most pings in flight. */
 const LENGTH = 256;
 
 export function createPings(): Pings {
@@ -45,7 +45,7 @@ export function pingIfDue(pings: Pings, now: number): void {
   pings.nextAt = now + (id <= FIRST ? FIRST_EVERY : EVERY);
 }
 
-/** When ping `id` was sent; NaN if it never was, was answered already, or is forgotten. */
+/** When ping `id` was sent; NaN if it was not, was answered already, or was dropped. */
 export function answeredPing(pings: Pings, id: number): number {
   if (!(id < pings.nextId && id >= pings.nextId - LENGTH && id >= 1)) return Number.NaN;
   const sent = pings.sentAt[id % LENGTH]!;
@@ -53,7 +53,7 @@ export function answeredPing(pings: Pings, id: number): number {
   return sent;
 }
 
-/** Pings on their way say nothing any more: another server answers, or the page was frozen while they were. */
+/** Pings in flight become unusable: another server answers, or the page was frozen meanwhile. */
 export function forgetPings(pings: Pings): void {
   pings.sentAt.fill(Number.NaN);
 }

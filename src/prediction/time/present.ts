@@ -1,40 +1,40 @@
 import { type Clock, leadOf, serverTime, slackOf } from './clock';
 
-/** An error beyond this is not slewed away but jumped, s (PREDICTION: hard reset beyond 2 s). */
+/** A larger error is corrected by a jump, s (PREDICTION: hard reset beyond 2 s). */
 const HARD_RESET = 2;
-/** Where a clock was set anew, an error beyond this is put right at once, s. */
+/** After a clock jump, a larger error is corrected at once, s. */
 const STEP = 0.1;
-/** The same where the offset has just become certain again after it was not, s. */
+/** The same once an uncertain offset becomes certain again, s. */
 const STEP_WHEN_CERTAIN = 0.008;
-/** Bounds no wider than the least round trip and this make an offset certain; beyond the second it is not, s. */
+/** An offset is certain if its bounds are no wider than the smallest round trip plus the first; uncertain beyond the second, s. */
 const TIGHT = 0.03;
 const LOOSE = 0.06;
-/** A present that is ahead by up to this waits for the server rather than going back, s. */
+/** A present ahead by up to this waits for the server instead of going back, s. */
 const MAX_WAIT = 0.8;
 /** The present runs at most this much faster or slower than the wall. */
 const MAX_SLEW = 0.1;
 /** The rate's correction is the error over this time, s, so that a small error is not chased at full slew. */
 const SLEW_TIME = 0.5;
-/** A slew that has begun goes on until this little is left, s. */
+/** A slew continues until the error is below this, s. */
 const SLEWED = 0.001;
-/** The steered lead is given back at this rate, s/s. */
+/** The steered lead decays at this rate, s/s. */
 const STEER_DECAY = 0.004;
 /** A frame that takes longer is an absence, s. */
 const MAX_FRAME = 0.25;
-/** No page's clock is coarser, s. */
+/** Coarsest clock of a page, s. */
 const MAX_GRAIN = 0.25;
 
-/** By what the present is moved. */
+/** Limits of the present's movement. */
 export interface Pacing {
-  /** Wall s of error that is left alone: half a substep. */
+  /** Error that is tolerated, wall s: half a substep. */
   readonly deadZone: number;
-  /** Server wall s beyond which the present does not run, whatever the clock says: the newest frame and the prediction horizon. */
+  /** Server wall s that the present never passes: the newest frame plus the prediction horizon. */
   readonly limit: number;
 }
 
 /**
  * Moves the present to `now`.
- * @returns whether it jumped: by a clock that was set anew, or because it has just begun
+ * @returns whether it jumped: after a clock jump, or because it has just started
  */
 export function advanceClock(clock: Clock, now: number, { deadZone, limit: horizon }: Pacing): boolean {
   const elapsed = Number.isNaN(clock.updatedAt) ? 0 : Math.max(0, now - clock.updatedAt);
@@ -46,14 +46,14 @@ export function advanceClock(clock: Clock, now: number, { deadZone, limit: horiz
   const target = Math.min(aim, limit);
   const step = stepOf(clock);
   if (aim > limit || Math.abs(clock.offset - clock.settledOffset) > step) clock.stepped = true;
-  // A rate was meant for the next frame, not for as long as the page was away.
+  // The rate was for the next frame, not for the duration of an absence.
   const slewed = (clock.rate - 1) * Math.min(elapsed, MAX_FRAME);
   if (elapsed > MAX_FRAME) clock.wasLoose = true;
   const next = Math.min(clock.present + elapsed + slewed, Math.max(limit, clock.present));
   const error = target - next;
   const jumps = clock.stepped ? error > step || error < -MAX_WAIT : Math.abs(error) > HARD_RESET;
   if (jumps || Number.isNaN(error)) return jumpTo(clock, target);
-  // A present that is ahead of a server that stood waits for it, once it has begun to until it is there.
+  // A present ahead of a server that had stopped waits until the server has caught up.
   if (clock.stepped && error < -(clock.rate === 0 ? deadZone : step)) {
     clock.rate = 0;
     return false;
@@ -69,7 +69,7 @@ export function advanceClock(clock: Clock, now: number, { deadZone, limit: horiz
   return false;
 }
 
-/** Beyond which error the present is put right at once. */
+/** The error beyond which the present is corrected at once. */
 function stepOf(clock: Clock): number {
   const slack = slackOf(clock);
   if (slack > LOOSE && slack < Number.POSITIVE_INFINITY) clock.wasLoose = true;
@@ -86,7 +86,7 @@ function jumpTo(clock: Clock, target: number): boolean {
   return true;
 }
 
-/** The least step of a clock that stands still between steps. */
+/** The smallest step of a coarse clock. */
 function noteGrain(clock: Clock, elapsed: number): void {
   if (elapsed === 0) {
     clock.stillCalls += 1;

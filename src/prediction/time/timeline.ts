@@ -5,7 +5,7 @@ import { type Timing, timingOfTick } from '../../dynamics';
  * Whole numbers for ticks and substeps; a wall time is a product of a tick count, never a sum of seconds.
  */
 
-/** How fast the server ticks, as a frame tells it: holds from that frame's tick on. */
+/** The server's tempo as a frame carries it; applies from that frame's tick on. */
 export interface Tempo {
   /** Hz */
   readonly tickRate: number;
@@ -13,7 +13,7 @@ export interface Tempo {
   readonly paused: boolean;
 }
 
-/** Ticks of one tempo, in order, the last one open-ended. */
+/** A range of ticks with one tempo; the last one is open-ended. */
 export interface Span extends Tempo {
   readonly fromTick: number;
   /** Server wall s at `fromTick`; the origin is the first frame's. */
@@ -21,7 +21,7 @@ export interface Span extends Tempo {
   /** Substeps from the origin to `fromTick`. */
   readonly fromIndex: number;
   readonly timing: Timing;
-  /** Game s a substep, boxed once: read from a list of mixed kinds it is handed on as it is, read from a field it is boxed at each call. */
+  /** Game s per substep, in a list of mixed kinds, where it is boxed once; a number field would be boxed at each call. */
   readonly step: readonly [dt: number, none: null];
 }
 
@@ -37,7 +37,7 @@ export interface Position {
   substep: number;
 }
 
-/** Tempo changes remembered: more than a ring of predicted states can span. */
+/** Tempo changes kept: more than a ring of predicted states spans. */
 const MAX_SPANS = 32;
 
 export function createTimeline(longestSubstep: number): Timeline {
@@ -53,8 +53,8 @@ export function spanOf(timeline: Timeline, tick: number): Span {
 }
 
 /**
- * From `tick` on this tempo holds; `wall` is the server's wall time at `tick` where it is known better than by counting ticks
- * (after a pause), else null. Returns whether anything after `tick` is timed otherwise than before.
+ * Sets the tempo from `tick` on. `wall` is the server's wall time at `tick` if it is known better than by counting ticks (after a
+ * pause), else null. Returns whether the timing after `tick` has changed.
  */
 export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: number | null): boolean {
   const { spans } = timeline;
@@ -75,7 +75,7 @@ export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: n
   return !same;
 }
 
-/** Ticks are cut by another longest substep, game s: all that is counted in substeps is another number from now on. */
+/** Divides ticks by another longest substep, game s: all counts of substeps change. */
 export function recut(timeline: Timeline, longestSubstep: number): void {
   timeline.longestSubstep = longestSubstep;
   const { spans } = timeline;
@@ -129,13 +129,13 @@ export function writeLater(
   out.substep = s;
 }
 
-/** Where a moment of the server's wall clock lies: the tick before it, and substeps, with a fraction, since that boundary. */
+/** An instant of the server's wall clock: the tick before it, and fractional substeps since that boundary. */
 export interface Moment {
   tick: number;
   substeps: number;
 }
 
-/** Writes the moment at server wall time `wall`; during a pause time stands at the pause's tick. */
+/** Writes the instant at server wall time `wall`; during a pause it is the pause's tick. */
 export function writeMoment(out: Moment, timeline: Timeline, wall: number): void {
   const { spans } = timeline;
   let i = spans.length - 1;

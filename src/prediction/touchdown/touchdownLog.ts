@@ -19,12 +19,11 @@ import {
 import type { TouchdownView } from '../drawn/view';
 
 /**
- * What the own ship's touchdown came to so far (HUD, touchdown card): a row of doubles, written substep by substep beside the
- * ship's own and rewound with it (touchdownRewind). However seldom the page draws, no touch falls between two frames, and one that
- * is taken back is as if it had never been counted.
+ * The own ship's touchdown so far (HUD, touchdown card): a row of doubles, written substep by substep with the ship's row and rewound
+ * with it (touchdownRewind). So no touch is lost between two display frames, and a retracted touch leaves no trace.
  */
 
-/** Columns of a log's row. 1 once a touch was seen: a ship met on the ground has none. */
+/** Columns of a log's row. 1 once a touch was simulated; a ship first seen on the ground has none. */
 const KNOWN = 0;
 /** Index into OUTCOMES. */
 const OUTCOME = 1;
@@ -33,7 +32,7 @@ const VERTICAL_SPEED = 2;
 /** Along the turning ground just before the first touch, m/s. */
 const HORIZONTAL_SPEED = 3;
 const BOUNCES = 4;
-/** Way along the ground while on it, m. */
+/** Distance slid along the ground, m. */
 const SLIDE = 5;
 /** Game s since the first touch, as long as the ship is not at rest. */
 const SINCE = 6;
@@ -54,10 +53,10 @@ const OUTCOMES = ['open', 'landed', 'tipped', 'crashed'] as const;
 const OPEN = 0;
 const CRASHED_THERE = 3;
 
-/** A hop with the engine on is a bounce up to this many times as long as without it would be; longer it is a new approach. */
+/** A hop under thrust counts as a bounce up to this many times its length without thrust; a longer one is a new approach. */
 const HOP_PATIENCE = 2;
 
-/** A ship of which nothing was seen before its state `surfaceState`. */
+/** A ship without history before its state `surfaceState`. */
 export function beginLog(log: Float64Array, surfaceState: number): void {
   log.fill(0);
   log[LOGGED_STATE] = surfaceState;
@@ -148,7 +147,7 @@ function crash(log: Float64Array, { before, beforeAt, rows: after, at, bodies }:
   log[SETTLED] = log[SINCE]!;
 }
 
-/** The law moves a ship by its speed at the substep's end. */
+/** The dynamics move a ship by its velocity at the substep's end. */
 function slide(log: Float64Array, { rows: after, at, bodies, dt }: LoggedSubstep): void {
   log[SLIDE]! += alongGround(after, at, bodies) * dt[0];
 }

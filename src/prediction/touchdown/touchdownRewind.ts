@@ -21,22 +21,22 @@ import { beginLog, come, comeDown, leave, LOGGED_STATE, logSubstep } from './tou
 import { createTouchdownRing, keepLog, logAt, type TouchdownRing } from './touchdownRing';
 import { copyRow, type Track } from '../simulation/track';
 
-/** The own ship's row at `from` in `rows`, its state at tick boundary `tick`, to which it goes back. */
+/** The own ship's row at `from` in `rows`: its state at tick boundary `tick`, to which it is reset. */
 export interface Adopted {
   tick: number;
   rows: Float64Array;
   from: number;
 }
 
-/** m beyond the way it flew: what a correction may move a ship; more is a respawn. */
+/** Largest correction in addition to the distance flown, m; more is a respawn. */
 const LARGEST_CORRECTION = 100;
-/** Substeps that a log is carried over, to a state the ship is not simulated up to: a frame of 100× time is 10,000, some 2 ms. */
+/** Most substeps by which a log is advanced to a state beyond the simulation: a frame at 100 × is 10,000, some 2 ms. */
 const MAX_CARRIED = 12_000;
 
 /**
- * The own ship goes back to a state of the server's: so does its log, to what it was at that tick, and agrees with that state. To be
- * called while history and replay are still as they were. Where nothing was predicted for that tick a touch may have been missed:
- * there is no card, unless the ship lies landed as it did.
+ * Resets the log together with the own ship to a server state, so that the log agrees with that state. Must be called while history and
+ * replay are unchanged. Without a prediction for that tick a touch may have been missed: then there is no card, unless the ship is
+ * still landed in the same place.
  */
 export function rewindLog(track: Track, sim: Simulation, to: Adopted): void {
   if (!track.own) return;
@@ -56,8 +56,7 @@ export function rewindLog(track: Track, sim: Simulation, to: Adopted): void {
 }
 
 /**
- * The tick before the state, by the law from where it began and with the inputs as the server has had them: what a late input did
- * within it is then in the log.
+ * Repeats the tick before the state with the inputs as the server applied them, so that the log contains the effect of a late input.
  */
 function redo(track: Track, sim: Simulation, ring: TouchdownRing, tick: number): boolean {
   const kept = tick < 1 || logAt(ring, tick) === null ? null : logAt(ring, tick - 1);
@@ -68,7 +67,7 @@ function redo(track: Track, sim: Simulation, ring: TouchdownRing, tick: number):
   return advanceLog(track, sim, ring, tick);
 }
 
-/** What was predicted for a tick: row and log. */
+/** The prediction for a tick: row and log. */
 function recall(track: Track, ring: TouchdownRing, tick: number): boolean {
   const kept = logAt(ring, tick);
   if (kept === null || !has(track.history, tick)) return false;
@@ -78,8 +77,7 @@ function recall(track: Track, ring: TouchdownRing, tick: number): boolean {
 }
 
 /**
- * A state of a tick that the ship is not simulated up to: the page draws seldom, or is hidden. The law, for the log alone, from
- * where the ship is.
+ * Advances the log alone to a state beyond the simulation: the page draws seldom or is hidden.
  */
 function carryOn(track: Track, sim: Simulation, ring: TouchdownRing, tick: number): boolean {
   const { fleet, front } = sim;
@@ -94,7 +92,7 @@ function carryOn(track: Track, sim: Simulation, ring: TouchdownRing, tick: numbe
   return advanceLog(track, sim, ring, tick);
 }
 
-/** The log and its row, by the law, from where `step` stands to a tick boundary; false where that lies behind or too far ahead. */
+/** Advances the log and its row from `step` to a tick boundary; false if that is in the past or too far ahead. */
 function advanceLog(track: Track, sim: Simulation, ring: TouchdownRing, tick: number): boolean {
   const ahead = indexOf(sim.timeline, tick, 0) - indexOf(sim.timeline, step.tick, step.substep);
   if (ahead < 0 || ahead > MAX_CARRIED) return false;
@@ -120,8 +118,8 @@ function agree(log: Float64Array, ring: TouchdownRing, sim: Simulation, to: Adop
 }
 
 /**
- * A ship that falls, predicted to have touched in the tick before, has not: its log is that of a tick ago. One that rises has
- * touched and left. A hop of less than a tick that ends in falling is taken for no touch: the server's state does not tell.
+ * A falling ship that was predicted to touch in the tick before has not touched: its log is that of a tick ago. A rising one has
+ * touched and left. A hop shorter than a tick that ends in a fall counts as no touch: the server's state does not show it.
  */
 function takeBack(log: Float64Array, ring: TouchdownRing, { tick, rows, from }: Adopted): boolean {
   let rising = 0;
@@ -148,7 +146,7 @@ function wasPutElsewhere(
   return Math.sqrt(way) > LARGEST_CORRECTION + Math.sqrt(speed) * silence * spanOf(timeline, tick).timeScale;
 }
 
-/** Landed where it slept, as seen from the body's axes. */
+/** Landed in its sleeping pose, in the body's axes. */
 function liesWhereItLay({ sleepPlace }: Track, sim: Simulation, { tick, rows, from }: Adopted): boolean {
   const body = rows[from + REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE;
   take(attitude, boundaryAt(sim.bodies, sim.timeline, tick), body);

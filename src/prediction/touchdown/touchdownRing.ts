@@ -1,7 +1,7 @@
 import { LANDED } from '../../dynamics';
 import { beginLog, LOG_STRIDE, LOGGED_STATE } from './touchdownLog';
 
-/** The own ship's touchdown logs: one each where its rows are. */
+/** The own ship's touchdown logs, one for each of its rows. */
 export interface TouchdownRing {
   /** At the front. */
   readonly front: Float64Array;
@@ -49,7 +49,7 @@ export function resizeLogs(ring: TouchdownRing, length: number): void {
     if (tick >= 0 && tick > ring.ticks[tick % length]!) keepLog(ring, tick, kept[slot]!);
 }
 
-/** A ship first seen landed: nothing was seen of how it came there. */
+/** A ship first seen landed has no touchdown. */
 export function logLanded({ front }: TouchdownRing): void {
   if (front[LOGGED_STATE] !== LANDED) beginLog(front, LANDED);
 }

@@ -6,20 +6,20 @@ import { spunMotion } from './bodySpin';
 import { boundaryAt, startBodiesAt, updateBodies } from './bodyTrack';
 import type { Receiver } from '../receiver';
 
-/** Ticks over which the law carries bodies on only to compare them. */
+/** Most ticks over which bodies are moved only to compare them. */
 const MAX_CARRIED = 64;
 
-/** Where the bodies are at a frame's tick, by the server and as predicted. */
+/** The bodies at a frame's tick, of the server and as predicted. */
 export interface BodiesOfFrame {
   bodies: Float64Array;
   predictedBodies: Float64Array;
-  /** How far the predicted bodies' attitudes and spins were off, as a component. */
+  /** Largest error of the predicted bodies' attitudes and spins, by component. */
   turned: number;
 }
 
 /**
- * Writes the frame's bodies, compared with the predicted ones. Bodies that are not told, that tell no attitude or spin, or that are the last
- * frame's once more, are carried on by the law.
+ * Writes the frame's bodies and compares them with the predicted ones. Bodies that are not sent, have no attitude or spin, or repeat the
+ * last frame's, are moved by the dynamics.
  */
 export function writeBodiesOfFrame(
   out: BodiesOfFrame,
@@ -38,7 +38,7 @@ export function writeBodiesOfFrame(
     out.turned = 0;
     return;
   }
-  // What the law comes to at this tick, to be compared.
+  // The dynamics' result at this tick, to be compared.
   if (tick - lastTick <= MAX_CARRIED && lastTick >= 0) boundaryAt(sim.bodies, sim.timeline, tick);
   const error = updateBodies(sim.bodies, tick, spun(sim, tick, motions));
   if (error.attitude > 0 || error.spin > 0) {
@@ -51,7 +51,7 @@ export function writeBodiesOfFrame(
   out.turned = Math.max(error.attitude, error.spin);
 }
 
-/** The motions with the spins that were measured; the same list where those are the told ones. */
+/** The motions with the measured spins; the same list if they are as sent. */
 function spun(sim: Simulation, tick: number, motions: readonly BodyMotion[]): readonly BodyMotion[] {
   const { tickSeconds } = spanOf(sim.timeline, tick).timing;
   let differs = false;
@@ -66,7 +66,7 @@ function spun(sim: Simulation, tick: number, motions: readonly BodyMotion[]): re
 
 const measured: BodyMotion[] = [];
 
-/** Whether no body has moved since the last frame though its tick did, and some should have: the server sends old ones. */
+/** Whether no body has moved since the last frame although some should have: the server sends old bodies. */
 function areOld({ warn }: Simulation, receiver: Receiver, { tick, bodies }: ServerFrame): boolean {
   const { lastBodies } = receiver;
   if (bodies.length === 0) return false;
@@ -95,7 +95,7 @@ function sameVector(a: readonly number[], b: readonly number[]): boolean {
   return a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
 }
 
-/** The frame's bodies in the world's order; null where none is told. */
+/** The frame's bodies in the world's order; null if it has none. */
 function motionsOf(sim: Simulation, frame: ServerFrame): readonly BodyMotion[] | null {
   const { bodies } = sim.world;
   if (frame.bodies.length === 0) return null;
@@ -111,7 +111,7 @@ function motionsOf(sim: Simulation, frame: ServerFrame): readonly BodyMotion[] |
   });
 }
 
-/** What is told and finite, and of the rest what was predicted. */
+/** The finite members as sent, the others as predicted. */
 function completed(told: BodyState, predicted: BodyMotion): BodyMotion {
   const moves = areNumbers(told.position, 3) && areNumbers(told.velocity, 3);
   return {

@@ -20,33 +20,33 @@ import {
 } from '../../drawn/rotation';
 
 /**
- * How fast a body really turns (PREDICTION, Foreign dynamics): measured from the attitudes that are told of
- * it, or from ships that lie on it, over the spin that is told.
+ * A body's real spin (PREDICTION, Foreign dynamics): measured from its attitudes, or from ships at rest on it, relative to the spin
+ * sent.
  */
 export interface BodySpin {
-  /** The real spin over the told one: 1 while what is told fits. */
+  /** The real spin over the one sent: 1 while that fits. */
   factor: number;
   readonly byAttitude: Measurement;
   readonly byShips: Measurement;
-  /** Told attitudes that are made of the told spin lack this angle about its axis, rad. */
+  /** Attitudes computed from the spin sent lack this angle about its axis, rad. */
   lacking: number;
-  /** Of the last frame that told of it. */
+  /** Of the last frame that had it. */
   tick: number;
   readonly attitude: Float64Array;
 }
 
-/** A ratio that is believed once two measurements agree. */
+/** A ratio that counts once two measurements agree. */
 interface Measurement {
   believed: number;
   last: number;
 }
 
-/** What is nearer to 1 than this is as told: a ship's ICRF place alone leaves 1e-6 of a tenth of a second's turn. */
+/** A ratio closer to 1 than this is 1: a ship's ICRF position alone has an error of 1e-6 of the rotation in a tenth of a second. */
 const AS_TOLD = 1e-4;
-/** Nothing is measured of what turns slower, rad/s, nor believed that is off by more than half the told spin. */
+/** Slower bodies are not measured, rad/s, and deviations beyond half of the spin sent are ignored. */
 const LEAST_SPIN = 1e-9;
 const MAX_OFF = 0.5;
-/** Of a ship's way: what it may move aside of the ground's. */
+/** Share of a ship's path by which it may deviate from the ground's. */
 const ASIDE = 1e-3;
 
 export function createBodySpin(): BodySpin {
@@ -57,7 +57,7 @@ export function createBodySpin(): BodySpin {
   };
 }
 
-/** A body's motion at `tick`, told `seconds` of game time after the last one, with the spin and the attitude that it really has. */
+/** A body's motion at `tick`, `seconds` of game time after the last one, with its real spin and attitude. */
 export function spunMotion(spin: BodySpin, told: BodyMotion, tick: number, seconds: number): BodyMotion {
   const [x, y, z] = told.angularVelocity;
   const rate = Math.sqrt(x * x + y * y + z * z);
@@ -83,8 +83,8 @@ export function spunMotion(spin: BodySpin, told: BodyMotion, tick: number, secon
 }
 
 /**
- * Two states, `seconds` of game time apart, of one ship that the server has landed at both: it moved as the ground does.
- * @param bodies rows as they are reckoned with, of the second state's tick
+ * Two states, `seconds` of game time apart, of one ship, landed in both: it moved with the ground.
+ * @param bodies rows in use, of the second state's tick
  */
 export function measureByShip(
   spin: BodySpin,
@@ -111,7 +111,7 @@ export function measureByShip(
   }
   if (!(squared > LEAST_SPIN)) return;
   const aside = moved - (along * along) / squared;
-  // Just along the ground's way: with nothing aside one measurement is enough.
+  // Exactly along the ground's path: one measurement is enough.
   if (aside < ASIDE * ASIDE * moved) spin.byShips.last = along / (squared * seconds);
   believe(spin, spin.byShips, along / (squared * seconds));
 }

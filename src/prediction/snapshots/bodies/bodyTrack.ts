@@ -13,8 +13,8 @@ import {
 import { spanOf, type Timeline } from '../../time/timeline';
 
 /**
- * Where the bodies are, at each tick boundary and in each substep (DYNAMICS, Frame): the server's word where it gave one, the
- * law from there on. The rows of a substep are made once and shared by the front and by every replay that passes it.
+ * The bodies at each tick boundary and in each substep (DYNAMICS, Frame): as sent by the server, moved by the dynamics from there on. The
+ * rows of a substep are computed once and shared by the front and all replays.
  */
 export interface BodyTrack {
   readonly count: number;
@@ -23,9 +23,9 @@ export interface BodyTrack {
   readonly boundaries: Float64Array[];
   readonly ticks: Float64Array;
   readonly cuts: TickCut[];
-  /** Where the bodies are while no boundary is known. */
+  /** The bodies while no boundary is known. */
   readonly start: Float64Array;
-  /** The boundary a frame replaced, as it was predicted. */
+  /** The boundary that a frame replaced, as predicted. */
   readonly replaced: Float64Array;
 }
 
@@ -36,10 +36,10 @@ interface TickCut {
   rows: Float64Array[];
 }
 
-/** A tick of more substeps is too fast to follow: its rows alone would fill 16 MB with four bodies. */
+/** A tick of more substeps is too fast to follow: its rows alone would take 16 MB with four bodies. */
 export const MAX_SUBSTEPS_A_TICK = 12_800;
 
-/** @param start rows of the bodies at whatever tick comes first, unless a frame says otherwise */
+/** @param start rows of the bodies at the first tick, unless a frame has others */
 export function createBodyTrack(start: Float64Array, length: number, substeps: number): BodyTrack {
   const size = start.length;
   const count = size / BODY_STRIDE;
@@ -54,7 +54,7 @@ export function createBodyTrack(start: Float64Array, length: number, substeps: n
   };
 }
 
-/** How many ticks' substeps are kept: as many as fit some memory, at least those of a replay across a boundary. */
+/** How many ticks' substeps are kept: as many as a memory limit allows, at least those of a replay across a boundary. */
 export function cutsOf(substeps: number): number {
   return Math.max(3, Math.min(64, Math.floor(4096 / substeps)));
 }
@@ -72,12 +72,12 @@ export function resizedBodies(track: BodyTrack, length: number, substeps: number
   return next;
 }
 
-/** Whether the boundary at `tick` is known, told or made. */
+/** Whether the boundary at `tick` is known, sent or computed. */
 export function knowsBoundary(track: BodyTrack, tick: number): boolean {
   return track.ticks[tick % track.length] === tick;
 }
 
-/** Rows at tick boundary `tick`; made by the law from the newest boundary before it. */
+/** Rows at tick boundary `tick`; computed from the newest boundary before it. */
 export function boundaryAt(track: BodyTrack, timeline: Timeline, tick: number): Float64Array {
   if (knowsBoundary(track, tick)) return track.boundaries[tick % track.length]!;
   let from = tick;
@@ -87,7 +87,7 @@ export function boundaryAt(track: BodyTrack, timeline: Timeline, tick: number): 
   return track.boundaries[tick % track.length]!;
 }
 
-/** Nothing is known of the ring's length before: the bodies go on from where they were last, in one turn and one move. */
+/** No boundary within the ring's length is known: the bodies continue from the last one in one rotation and one move. */
 function skipTo(track: BodyTrack, timeline: Timeline, tick: number): void {
   let newest = -1;
   for (const known of track.ticks) if (known > newest && known < tick) newest = known;
@@ -150,9 +150,9 @@ export interface BodyError {
 }
 
 /**
- * The server's bodies at `tick`. What was predicted stays in `replaced`; later boundaries are made anew.
+ * The server's bodies at `tick`. The prediction stays in `replaced`; later boundaries are computed again.
  * @param told one motion for each body, in the world's order
- * @returns how far the predicted ones were off: 0 where the law agreed to the bit, or nothing was predicted
+ * @returns how far the predicted ones were off: 0 if they agreed to the bit, or nothing was predicted
  */
 export function updateBodies(track: BodyTrack, tick: number, told: readonly BodyMotion[]): BodyError {
   const known = knowsBoundary(track, tick);
@@ -170,14 +170,14 @@ export function updateBodies(track: BodyTrack, tick: number, told: readonly Body
 
 const NO_ERROR: Readonly<BodyError> = Object.freeze({ attitude: 0, spin: 0 });
 
-/** Nothing has been told yet: the bodies are where they start at `tick`. */
+/** Before the first frame: the bodies are at their start at `tick`. */
 export function startBodiesAt(track: BodyTrack, tick: number): void {
   track.boundaries[tick % track.length]!.set(track.start);
   track.ticks.fill(-1);
   track.ticks[tick % track.length] = tick;
 }
 
-/** Everything after boundary `tick` is made anew, e.g. by another tempo. */
+/** Everything after boundary `tick` is computed again, e.g. at another tempo. */
 export function forgetAfter(track: BodyTrack, tick: number): void {
   for (let slot = 0; slot < track.length; slot++) if (track.ticks[slot]! > tick) track.ticks[slot] = -1;
   for (const cut of track.cuts) if (cut.tick >= tick) cut.tick = -1;

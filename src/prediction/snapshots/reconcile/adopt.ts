@@ -30,10 +30,10 @@ import {
 import type { ShipState } from '../../../wire';
 
 /**
- * Writes the wire's ShipState as a row (PREDICTION, Server messages), with what a server leaves out made good: the relative
+ * Writes the wire's ShipState as a row (PREDICTION, Server messages), with omitted fields completed: the relative
  * state from ICRF, the reference body from the body landed on or the nearest by its own measure, the state from `landedBodyName`.
- * IMPACT_SPEED and WHEEL_MOMENTUM are NaN where the server does not tell them: only the ship's own history can know them.
- * @param row one ship's row; as it was where a reason is returned
+ * IMPACT_SPEED and WHEEL_MOMENTUM are NaN if the server does not send them: only the ship's own history has them.
+ * @param row one ship's row; unchanged if a reason is returned
  * @param bodies rows at the state's tick
  * @returns null, or the reason, naming the field, why the state cannot be used
  */
@@ -69,7 +69,7 @@ export function adopt(
   return null;
 }
 
-/** Why a state cannot be predicted though it can be drawn: its class or surface state is not known here. Null where both are. */
+/** The reason why a state can be drawn but not predicted: an unknown class or surface state. Null otherwise. */
 export function unknownNameOf({ shipClass, surfaceContactState }: ShipState, world: World): string | null {
   if (indexOfName(world.shipClasses, shipClass) < 0) return `shipClass: no class named ${shipClass}`;
   if (indexIn(SURFACE_STATES, surfaceContactState) < 0)
@@ -77,7 +77,7 @@ export function unknownNameOf({ shipClass, surfaceContactState }: ShipState, wor
   return null;
 }
 
-/** The state with what is not known replaced by what can be drawn: the first class, no contact. */
+/** The state with unknown values replaced by ones that can be drawn: the first class, no contact. */
 export function drawableState(state: ShipState, world: World): ShipState {
   const known = indexOfName(world.shipClasses, state.shipClass) >= 0;
   return {
@@ -88,7 +88,7 @@ export function drawableState(state: ShipState, world: World): ShipState {
   };
 }
 
-/** Whether the relative state came from the server itself, not from a difference of ICRF places. */
+/** Whether the server sent the relative state, so that it is not a difference of ICRF positions. */
 export function isExact(state: ShipState): boolean {
   return state.relativePosition !== null && state.relativeVelocity !== null;
 }
@@ -128,7 +128,7 @@ function nearestBody(state: ShipState, bodies: Float64Array, world: World): numb
   return best;
 }
 
-/** Less than a metre from the centre the radial direction has no meaning. */
+/** Within a metre of the centre the radial direction is undefined. */
 function tooNearCentre(state: ShipState, bodies: Float64Array, body: number): boolean {
   const given = state.relativePosition;
   if (given === null) return !(distanceSquared(state, bodies, body) >= 1);
@@ -143,7 +143,7 @@ function distanceSquared(state: ShipState, bodies: Float64Array, body: number): 
   return x * x + y * y + z * z;
 }
 
-/** Of a name that may be none of them: −1 then. */
+/** The index of a name, or −1. */
 function indexIn(names: readonly string[], name: string): number {
   return names.indexOf(name);
 }

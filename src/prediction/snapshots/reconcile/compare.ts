@@ -36,13 +36,13 @@ export interface Place {
   bodies: Float64Array;
 }
 
-/** How far two states of one tick may be apart and still be called equal: position m, velocity m/s, spin rad/s. */
+/** Largest difference between two states of one tick that still count as equal: position m, velocity m/s, spin rad/s. */
 export type Tolerance = Float64Array;
 const PLACE = 0;
 const SPEED = 1;
 const SPIN = 2;
 
-/** First field in which two states differ, in the order they are looked at; none where they are equal. */
+/** First field in which two states differ, in order of comparison; none if they are equal. */
 export type Field =
   | 'none'
   | 'shipClass'
@@ -59,17 +59,17 @@ export type Field =
 
 /** Component of a quaternion: half the angle, rad. */
 const ATTITUDE_TOLERANCE = 1e-7;
-/** kg: the law's own fixtures are held to it. */
+/** kg: the tolerance of the fixtures. */
 const FUEL_TOLERANCE = 1e-6;
 /** N m s, likewise. */
 const WHEEL_TOLERANCE = 1e-4;
-/** Single precision on the wire is no other command. */
+/** Differences within single precision on the wire are no other command. */
 const COMMAND_TOLERANCE = 1e-6;
 
-/** The tolerance of a server that tells the relative state. */
+/** The tolerance for a server that sends the relative state. */
 export const EXACT: Tolerance = Float64Array.of(1e-6, 1e-6, 1e-6);
 
-/** The tolerance of a server that tells ICRF alone: 8 ulp of the largest coordinate, and 10 s⁻¹ times that. */
+/** The tolerance for a server that sends ICRF alone: 8 ulp of the largest coordinate, and 10 s⁻¹ times that. */
 export function writeInexact(out: Tolerance, server: Place): void {
   const body = server.rows[server.at + REFERENCE_BODY]! * BODY_STRIDE + BODY_POSITION;
   let largest = 0;
@@ -83,8 +83,7 @@ export function writeInexact(out: Tolerance, server: Place): void {
 }
 
 /**
- * Compares what the server says with what was predicted for the same tick, both relative to the body and in the body's axes as each
- * side had them (PREDICTION, Reconciliation).
+ * Compares a server state with the prediction for the same tick, each relative to its own body and in that body's axes (PREDICTION, Reconciliation).
  */
 export function firstDifference(server: Place, predicted: Place, tolerance: Tolerance): Field {
   const s = server.rows;
@@ -108,7 +107,7 @@ export function firstDifference(server: Place, predicted: Place, tolerance: Tole
   return 'none';
 }
 
-/** How far a prediction was off. */
+/** The error of a prediction. */
 export interface PredictionError {
   /** m */
   errorPosition: number;
@@ -116,7 +115,7 @@ export interface PredictionError {
   errorAngle: number;
 }
 
-/** Writes how far `predicted` was from the server's word for the same tick, as seen from the body of both; NaN where that cannot be said. */
+/** Writes the error of `predicted` relative to the server state of the same tick, in the body's axes; NaN if their bodies differ. */
 export function writeError(out: PredictionError, server: Place, predicted: Place | null): void {
   const body = server.rows[server.at + REFERENCE_BODY];
   if (predicted === null || predicted.rows[predicted.at + REFERENCE_BODY] !== body) {
@@ -182,7 +181,7 @@ function near(a: Float64Array, b: Float64Array, tolerance: Tolerance, which: num
   return x * x + y * y + z * z <= tolerance[which]! * tolerance[which]!;
 }
 
-/** Component by component, to q or to −q: a sign says nothing. */
+/** Component by component, to q or to −q, which are the same rotation. */
 function sameAttitude(q: Float64Array, p: Float64Array): boolean {
   let same = true;
   let opposite = true;

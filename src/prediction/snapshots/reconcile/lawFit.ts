@@ -18,28 +18,28 @@ import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
 import { type Place, sameCommand } from './compare';
 
 /**
- * Whether the law fits a ship (PREDICTION, Foreign dynamics): where it has been worse over the last few
- * states than carrying the motion on would have been, the ship is carried until the law fits again.
+ * Whether the dynamics fit a ship (PREDICTION, Foreign dynamics): if they were worse over the last few states than extrapolation, the
+ * ship is extrapolated until they fit again.
  */
 export interface LawFit {
-  /** '': by the law. 'law': that does not fit. 'ground': none is known under it. */
+  /** '': simulated. 'law': the dynamics do not fit. 'ground': the ground below it is unknown. */
   carried: '' | 'law' | 'ground';
   /** Errors of the last states, m, slot = count mod length. */
   readonly law: Float64Array;
   readonly carry: Float64Array;
   count: number;
-  /** States that came while it was carried. */
+  /** States received while it was extrapolated. */
   states: number;
 }
 
 const WINDOW = 4;
-/** States that are needed for a judgement. */
+/** States needed for a decision. */
 const NEEDED = 3;
 /** Worse by this share, and by this much a state, m, than carrying on: the law is left; no worse by that much: it is taken up. */
 const WORSE = 1.25;
 const NOTABLE = 0.03;
 const TAKEN_UP = 0.02;
-/** Substeps between two states beyond which neither is tried; pieces in which a motion is carried on. */
+/** Most substeps between two states that are compared; steps of an extrapolation. */
 const MAX_INTERVAL = 400;
 const PIECES = 10;
 
@@ -50,7 +50,7 @@ export function createLawFit(): LawFit {
   };
 }
 
-/** The law predicted a state of a ship that is under it: nothing to weigh. Returns false, for it stays there. */
+/** A simulated ship's state agreed: nothing to compare. Returns false, since it stays simulated. */
 export function holdLaw(fit: LawFit): boolean {
   const slot = fit.count % WINDOW;
   fit.count += 1;
@@ -59,7 +59,7 @@ export function holdLaw(fit: LawFit): boolean {
   return false;
 }
 
-/** A state, what was predicted for its tick, and whether the two agree. */
+/** A state, the prediction for its tick, and whether the two agree. */
 export interface Judged {
   readonly state: Place;
   readonly tick: number;
@@ -67,7 +67,7 @@ export interface Judged {
   readonly agrees: boolean;
 }
 
-/** Weighs the law against carrying on, by what each made of the last state. Returns whether the ship goes over from one to the other. */
+/** Compares the dynamics with extrapolation by their errors at the last state. Returns whether the ship changes between them. */
 export function weighLaw(sim: Simulation, track: Track, judged: Judged): boolean {
   const { fit } = track;
   if (fit.carried === 'ground') return false;
@@ -95,10 +95,10 @@ export function weighLaw(sim: Simulation, track: Track, judged: Judged): boolean
   return true;
 }
 
-/** Nothing but law and ground lies between the last state and this one. */
+/** Only dynamics and ground determine the motion between the last state and this one. */
 function isComparable(sim: Simulation, track: Track, { state, tick, predicted }: Judged): boolean {
   const { evidence } = track;
-  // An input that came late, or never, is no fault of the law's.
+  // A late or lost input is no fault of the dynamics.
   if (predicted !== null && !sameCommand(predicted.rows, predicted.at, state.rows, 0)) return false;
   if (track.own && actsBetween(sim.inputs, evidence.tick, tick)) return false;
   if (evidence.tick < 0 || evidence.tick >= tick || !knowsBoundary(sim.bodies, evidence.tick)) return false;

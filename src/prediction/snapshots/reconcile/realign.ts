@@ -2,13 +2,13 @@ import { hold, startReplay } from '../../simulation/replay';
 import type { Simulation } from '../../simulation/simulation';
 import { indexOf, type Position, spanOf } from '../../time/timeline';
 
-/** A present this far behind the front is not waited for, wall s. */
+/** The front does not wait for a present further behind than this, wall s. */
 const MAX_BEHIND = 0.25;
 
-/** A step of the clock by more than this is another time, whose picture has nothing to do with the last one, game s. */
+/** After a larger step of the clock the picture does not ease from the last one, game s. */
 const MAX_SKIPPED = 2;
 
-/** Whether the present has fallen so far behind what is simulated that the ships must go back. */
+/** Whether the present is so far behind the simulation that the ships must be reset. */
 export function isFarBehind(sim: Simulation, target: Position): boolean {
   const { timeline, front } = sim;
   const behind =
@@ -17,18 +17,17 @@ export function isFarBehind(sim: Simulation, target: Position): boolean {
   return behind > 2 && (behind * timing.dt) / timeScale > MAX_BEHIND;
 }
 
-/** Why the front is put elsewhere. */
+/** Why the front is moved. */
 export interface Realignment {
-  /** Time went on otherwise than it was simulated; false where it was only cut anew. */
+  /** Time passed differently than simulated; false if only its division changed. */
   readonly resync: boolean;
-  /** The clock was put right at once, with the page there and the server heard. */
+  /** The clock was corrected at once while page and server were running. */
   readonly stepped: boolean;
 }
 
 /**
- * Puts the front where the present is, without simulating what lies between: every ship in step is held as it is drawn and replayed
- * from the server's newest state (PREDICTION, Absence), or, where only time was cut anew, from where the
- * newest frame left it.
+ * Moves the front to the present without simulating the time between: every ship in step keeps its drawn pose and is replayed from the
+ * server's newest state (PREDICTION, Absence) or, if only the division of time changed, from its state after the newest frame.
  */
 export function realign(sim: Simulation, target: Position, how: Realignment): void {
   const skipped = how.stepped ? skippedTo(sim, target) : 0;
@@ -45,7 +44,7 @@ export function realign(sim: Simulation, target: Position, how: Realignment): vo
   sim.frontIsStale = false;
 }
 
-/** Game s from the front to `target`, 0 where that is too far for one picture to go over into the other. */
+/** Game s from the front to `target`, 0 if that is too far for easing. */
 function skippedTo({ timeline, front }: Simulation, target: Position): number {
   const substeps =
     indexOf(timeline, target.tick, target.substep) - indexOf(timeline, front.tick, front.substep);

@@ -39,12 +39,12 @@ import { copyRow, type Track } from '../../simulation/track';
 
 /** Sends without news for which other pilots' controls are held. */
 const HELD_SENDS = 1.5;
-/** Bodies turned by more than this carry their ships with them, rad. */
+/** Ships are moved along with bodies that turned by more than this, rad. */
 const SAME_BODIES = 1e-12;
 
 /**
- * One ship's state in one frame against what was predicted for the same tick: equal, the local state is kept and nothing replayed;
- * else the server's is adopted and every stored input since is replayed (PREDICTION, Reconciliation).
+ * Compares one ship's state in one frame with the prediction for the same tick. If they agree, the local state is kept and nothing is
+ * replayed; otherwise the server's is adopted and every stored input since is replayed (PREDICTION, Reconciliation).
  * @returns null, or the reason why the state cannot be used
  */
 export function reconcile(
@@ -81,8 +81,7 @@ export function reconcile(
 }
 
 /**
- * A ship whose class or surface state is not known here, or that is not to be predicted: it is drawn where the server says it is, and
- * not carried on.
+ * A ship of an unknown class or surface state, or one that is not to be predicted: it is drawn at its server state and not simulated.
  * @returns null, or the reason why the state cannot be used
  */
 export function showAsTold(
@@ -112,8 +111,8 @@ function differenceFrom(track: Track, predicted: Place): Field {
 }
 
 /**
- * The state is agreed with, or adopted.
- * @param predicted what was predicted for its tick, and `field`, the first in which the state differs from it; null for nothing
+ * Confirms or adopts the state.
+ * @param predicted the prediction for its tick, and `field`, the first in which the state differs; null for none
  */
 function settle(
   sim: Simulation,
@@ -152,7 +151,7 @@ function agree(sim: Simulation, track: Track, word: SnapshotContext): void {
     if (!track.own) copyRow(sim.fleet.front, track.at, told, 0);
     return;
   }
-  // Not there yet: what agreed is the prediction it would replace.
+  // The replay is not done: what agreed is the prediction that it would replace.
   if (track.replaying && isBefore(track.replayTick, track.replaySubstep, word.tick, 0)) abandonReplay(track);
   if (track.replaying) return;
   if (sleepIfAtRest(sim, track, word.bodies)) return;
@@ -175,7 +174,7 @@ function correct(sim: Simulation, track: Track, field: Field, predicted: Place, 
   startReplay(track, sim, word.tick, told, 0);
 }
 
-/** A ship told of for the first time, landed: it sleeps at once and is drawn where the server has it. */
+/** A ship first seen landed: it sleeps at once, drawn at its server state. */
 function sleepAtFirst(sim: Simulation, track: Track, word: SnapshotContext): void {
   if (!sim.sleeps || track.mode === 'stepping' || track.picture.hasHeld || !isAtRest(told, 0)) return;
   track.off = false;
@@ -186,7 +185,7 @@ function sleepAtFirst(sim: Simulation, track: Track, word: SnapshotContext): voi
   sleepIfAtRest(sim, track, word.bodies);
 }
 
-/** What a sleeping ship does not notice: a command that neither burns nor lifts. */
+/** Commands that do not wake a sleeping ship: they neither burn nor lift. */
 function sleepsThrough(track: Track): boolean {
   return track.mode === 'sleeping' && isAtRest(told, 0);
 }
@@ -205,7 +204,7 @@ function findPredicted(sim: Simulation, track: Track, word: SnapshotContext): Pl
   return kept;
 }
 
-/** The speed at the touch that began this contact, from the ship's own history, else settling: 0. */
+/** The impact speed of this contact from the ship's own history; otherwise 0, settling. */
 function recalledImpact(predicted: Place | null): number {
   if (predicted === null) return 0;
   const { rows, at } = predicted;
@@ -214,7 +213,7 @@ function recalledImpact(predicted: Place | null): number {
   return sameContact ? rows[at + IMPACT_SPEED]! : 0;
 }
 
-/** What the wheels have given, from the ship's own history, else nothing. */
+/** The wheels' momentum from the ship's own history; otherwise none. */
 function recallWheels(predicted: Place | null): void {
   for (let k = WHEEL_MOMENTUM; k < WHEEL_MOMENTUM + 3; k++)
     told[k] = predicted === null ? 0 : predicted.rows[predicted.at + k]!;
@@ -230,7 +229,7 @@ function remember(track: Track, state: ShipState, word: SnapshotContext, known: 
   take(track.serverBodyAttitude, word.bodies, told[REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);
 }
 
-/** Another pilot's last known controls hold for 1.5 sends of the server from the present on, then they are let go. */
+/** Another pilot's last known controls apply for 1.5 send intervals from the present on; then they are released. */
 function holdControls(sim: Simulation, track: Track): void {
   const { timeline, front } = sim;
   const substeps = Math.ceil(

@@ -1,22 +1,22 @@
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
-import { WebSocketServer } from 'ws';
+import { type WebSocket, WebSocketServer } from 'ws';
 import { createAuthority, runDueTicks, startLoop } from '../../src/authority';
 import { BODIES, type Controls, SHIP_CLASSES, TERRAINS } from '../../src/dynamics';
 import { SCENARIOS, loadScenario } from '../../src/scenarios';
 import { decodeControlsJson, encodeFrameJson } from '../../src/wire';
 import { valueOf } from '../authority/moon';
 
-/** A server that speaks the game's JSON as GAME.md has it: login, auth, welcome, states; controls act from the next tick on. */
+/** A server that speaks the game's JSON as in GAME.md: login, auth, welcome, states; controls act from the next tick on. */
 export interface GameServer {
   /** http://… of the login; the socket is at /ws of it. */
   readonly address: string;
-  /** Controls that came, in their order. */
+  /** Received controls, in order. */
   readonly controls: Controls[];
   readonly close: () => Promise<void>;
 }
 
-/** @param name of the scenario that is flown, with one ship, on its first body */
+/** @param name of the scenario to run, with one ship */
 export async function startGameServer(name: string, tickRate: number): Promise<GameServer> {
   const loaded = valueOf(loadScenario({ ...SCENARIOS.find((one) => one.name === name)!, tickRate }));
   const { scenario } = loaded;
@@ -45,10 +45,14 @@ export async function startGameServer(name: string, tickRate: number): Promise<G
     response.end(JSON.stringify({ player_id: 'ada', ship_id: 'ship-1', token: 'token', is_admin: false }));
   });
   const sockets = new WebSocketServer({ server: http, path: '/ws' });
+  /** Signed in: the game sends states to no other socket. */
+  const players = new Set<WebSocket>();
   const state = () => JSON.stringify({ type: 'state', ...encodeFrameJson(authority.frameFor('ada')!) });
 
-  function answer(message: Record<string, unknown>, say: (text: string) => void): void {
+  function answer(message: Record<string, unknown>, socket: WebSocket): void {
+    const say = (text: string) => socket.send(text);
     if (message['type'] === 'auth') {
+      players.add(socket);
       say(JSON.stringify({ type: 'welcome', player_id: 'ada', ship_id: 'ship-1' }));
       say(state());
     } else if (message['type'] === 'ping') say('{"type":"pong"}');
@@ -61,14 +65,14 @@ export async function startGameServer(name: string, tickRate: number): Promise<G
     }
   }
   sockets.on('connection', (socket) => {
-    const say = (text: string) => socket.send(text);
+    socket.on('close', () => players.delete(socket));
     socket.on('message', (data: Buffer) =>
-      answer(JSON.parse(data.toString()) as Record<string, unknown>, say),
+      answer(JSON.parse(data.toString()) as Record<string, unknown>, socket),
     );
   });
   await new Promise<void>((resolve) => http.listen(0, '127.0.0.1', resolve));
-  const tell = () => sockets.clients.forEach((socket) => socket.send(state()));
-  const timer = setInterval(() => runDueTicks(loop, authority, clock(), tell), 5);
+  const sendStates = () => players.forEach((socket) => socket.send(state()));
+  const timer = setInterval(() => runDueTicks(loop, authority, clock(), sendStates), 5);
   return {
     address: `http://127.0.0.1:${(http.address() as AddressInfo).port}`,
     controls,

@@ -1,2 +1,2 @@
-/** Which version of the messages is spoken, and how another stands to it: for those who write, read and use a hello. */
+/** The version of the messages, and its compatibility with others, for all that write, read and use a hello. */
 export { FIRST_VERSION, matchVersion, PROTOCOL_VERSION } from './version';

@@ -1,15 +1,15 @@
 /**
- * The version of these messages that this code speaks, "major.minor". A minor step adds what an older reader may skip; a
- * major step changes what is there.
+ * This code's version of the messages, "major.minor". A minor version adds what an older reader may skip; a major version changes
+ * existing messages.
  */
 export const PROTOCOL_VERSION = '1.0';
-/** What a server speaks that tells no version. */
+/** The version of a server that sends none. */
 export const FIRST_VERSION = '1.0';
 
-/** How a server's version stands to PROTOCOL_VERSION: `newer` has a higher minor, `foreign` another major or is no version. */
+/** Compatibility of a server's version with PROTOCOL_VERSION: `newer` has a higher minor, `foreign` another major or is no version. */
 type VersionMatch = 'same' | 'older' | 'newer' | 'foreign';
 
-/** Compares "major.minor" or "major" alone (minor 0) with PROTOCOL_VERSION; not told is FIRST_VERSION. Never throws, whatever is given. */
+/** Compares "major.minor" or "major" alone (minor 0) with PROTOCOL_VERSION; absent is FIRST_VERSION. Never throws, whatever is given. */
 export function matchVersion(version: unknown): VersionMatch {
   const given = version ?? FIRST_VERSION;
   const told = VERSION.exec(typeof given === 'string' ? given : '');

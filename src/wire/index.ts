@@ -1,16 +1,16 @@
-/** Bytes and the game's JSON <-> checked plain records. Nothing behind this folder sees anything else of the outside. */
+/** Bytes and the game's JSON <-> checked plain records. Later rooms see nothing else from outside. */
 
-/** What the checked records are. */
+/** The checked records. */
 export type * from './records';
-/** What a server says, as bytes. */
+/** Server messages, as bytes. */
 export { decodeServerMessage, encodeServerMessage } from './messages/serverMessage';
-/** The same, decoded only when it is wanted. */
+/** Server messages that are decoded on demand. */
 export { type PendingMessage, pendingServerMessage } from './pendingMessage';
 /** A frame for many clients: each ship encoded once. */
 export { encodeCommonPart, encodeOwnPart, encodeShipPart, joinFrameParts } from './messages/frameParts';
-/** What a client says, as bytes. */
+/** Client messages, as bytes. */
 export { decodeClientMessage, encodeClientMessage } from './messages/clientMessage';
-/** The game's JSON, under any envelope: a frame, what stands in for a hello, controls, states by themselves. */
+/** The game's JSON, without its envelope: frames, hellos, controls, single states. */
 export { decodeFrameJson, type DecodedFrame, encodeFrameJson, type FrameJsonOptions } from './json/frameJson';
 export { decodeHelloJson, type DecodedHello, encodeHelloJson } from './json/helloJson';
 export { decodeControlsJson, encodeControlsJson } from './json/controlsJson';
@@ -20,9 +20,9 @@ export {
   encodeShipStateJson,
   type ShipStateJson,
 } from './json/shipStateJson';
-/** Why a text cannot be a name or an id on the wire. */
+/** The reason why a text cannot be a name or an id on the wire. */
 export { textComplaint } from './fields/reading';
-/** What a message may hold at most. */
+/** Limits of a message. */
 export {
   MAX_BODIES,
   MAX_CLIENT_BYTES,

@@ -1,6 +1,6 @@
 /**
- * What a message may hold at most. Far above anything the game has, so that they refuse only what would overflow a
- * computation, fill a memory or freeze a page.
+ * Limits of a message, far above the game's values: they refuse only what would overflow a computation, fill the memory or freeze a
+ * page.
  */
 
 /** Bytes of a server message; 10,000 ships take 4 MB. */
@@ -36,7 +36,7 @@ export const RADIANS_PER_SECOND: Bound = { low: -1e6, high: 1e6, unit: 'rad/s' }
 export const SHIP_MASS: Bound = { low: 0, high: 1e15, unit: 'kg' };
 /** Height of a ship's centre of mass above its feet. */
 export const SHIP_HEIGHT: Bound = { low: 0, high: 1e6, unit: 'm' };
-/** What reaction wheels have given. */
+/** Momentum of reaction wheels. */
 export const NEWTON_METRE_SECONDS: Bound = { low: -1e25, high: 1e25, unit: 'N m s' };
 /** A billion suns. */
 export const BODY_MASS: Bound = { low: 0, high: 1e40, unit: 'kg' };

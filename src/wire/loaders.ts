@@ -2,8 +2,8 @@ import type { Result } from '../dynamics';
 import { type Reading, refuse } from './fields/reading';
 
 /**
- * Refuses the message when one of dynamics' loaders refused what it holds. The loader's reason is
- * "`prefix`field: what was expected"; the field is renamed as it is called on the wire.
+ * Refuses the message if one of dynamics' loaders refused its contents. The loader's reason is
+ * "`prefix`field: what was expected"; the field gets its name on the wire.
  */
 export function refuseLoaded(r: Reading, loaded: Result<unknown>, prefix: string): void {
   if (loaded.ok) return;

@@ -4,15 +4,15 @@ import type { ServerMessage, WorldEvent } from './records';
 import { decodeServerMessage } from './messages/serverMessage';
 
 /**
- * A message of the server that has not been decoded: a page that was hidden for minutes decodes the newest frame alone, and of those
- * before it their events (PREDICTION, Absence).
+ * An undecoded message of the server: a page that was hidden for minutes decodes only the newest frame, and the events of those before
+ * it (PREDICTION, Absence).
  */
 export interface PendingMessage {
   /** Whether it is a frame, which a newer one supersedes. */
   readonly isFrame: boolean;
-  /** The whole message, checked; where it cannot be used, an error whose reason names the first bad field. Never throws. */
+  /** The whole message, checked, or an error that names the first invalid field. Never throws. */
   readonly decode: () => Result<ServerMessage>;
-  /** A frame's events alone; none where they cannot be read. */
+  /** A frame's events alone; none if they cannot be read. */
   readonly events: () => readonly WorldEvent[];
 }
 
@@ -23,7 +23,7 @@ const SHIPS = 6;
 const EVENTS = 7;
 const LENGTH_DELIMITED = 2;
 
-/** Looks at `bytes` no further than it has to. Never throws, whatever they are. */
+/** Reads `bytes` only as far as needed. Never throws, whatever they are. */
 export function pendingServerMessage(bytes: Uint8Array): PendingMessage {
   return {
     isFrame: bytes.length > 0 && bytes[0] === ((FRAME << 3) | LENGTH_DELIMITED),
@@ -37,7 +37,7 @@ export function pendingServerMessage(bytes: Uint8Array): PendingMessage {
   };
 }
 
-/** The same frame without bodies and ships; null where it has no events, or is no frame in one part. */
+/** The same frame without bodies and ships; null if it has no events, or is not a frame in one part. */
 function withoutShips(bytes: Uint8Array): Uint8Array | null {
   try {
     const reader = protobuf.Reader.create(bytes);

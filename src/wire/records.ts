@@ -1,14 +1,14 @@
 import type { Body, BodyMotion, Controls, Quat, Settings, ShipClass, Vec3 } from '../dynamics';
 
-/** Checked, finite and plain: what everything behind the wire sees. SI units, ICRF, quaternions [x, y, z, w]. */
+/** The checked, finite, plain records that later rooms use. SI units, ICRF, quaternions [x, y, z, w]. */
 
 /** The game's ShipState. */
 export interface ShipState {
   /** Unique in its world. */
   readonly shipId: string;
-  /** Whose ship it is. */
+  /** The player that owns the ship. */
   readonly playerId: string;
-  /** For people; any text. */
+  /** For display; any text. */
   readonly name: string;
   /** Name of one of the ship classes. */
   readonly shipClass: string;
@@ -36,9 +36,9 @@ export interface ShipState {
   readonly fuel: number;
   /** kg */
   readonly mass: number;
-  /** What the reaction wheels have given so far, N m s, body axes; null when the server does not send it. */
+  /** Momentum stored in the reaction wheels, N m s, body axes; null if the server does not send it. */
   readonly wheelMomentum: Vec3 | null;
-  /** Height of the centre of mass above the feet, m; null when the server does not send it: the class's then holds. */
+  /** Height of the centre of mass above the feet, m; null if the server does not send it: the class's then applies. */
   readonly groundContactOffset: number | null;
   /** The body it touches; empty in flight. */
   readonly landedBodyName: string;
@@ -51,7 +51,7 @@ export interface ShipState {
   /** Relative to the reference body's centre, ICRF axes; null when the server does not send fields 33 and 34. */
   readonly relativePosition: Vec3 | null;
   readonly relativeVelocity: Vec3 | null;
-  /** It is gone until it is spawned again. */
+  /** The ship is destroyed until it is spawned again. */
   readonly crashed: boolean;
 }
 
@@ -67,7 +67,7 @@ export interface WorldEvent {
   readonly type: string;
   readonly shipId: string;
   readonly tick: number;
-  /** null where the server tells the tick alone. */
+  /** null if the server sends only the tick. */
   readonly substep: number | null;
   /** Of ship.contact: a touch after a bounce, not the first of this contact. */
   readonly again?: boolean;
@@ -78,7 +78,7 @@ export interface WorldEvent {
   readonly reason?: string;
 }
 
-/** From the server, once: what a client may not assume. */
+/** From the server, once: the world config. */
 export interface Hello {
   readonly kind: 'hello';
   /** "major.minor" of the messages that the server speaks (PROTOCOL_VERSION); absent: "1.0". Another major is refused. */
@@ -101,7 +101,7 @@ export interface Hello {
 /** The last of this client's inputs that the server applied. */
 export interface InputAcknowledgement {
   readonly seq: number;
-  /** Where it was applied; later than its stamp when it came late. */
+  /** When it was applied; later than its stamp if it arrived late. */
   readonly tick: number;
   readonly substep: number;
   /** Wall seconds before the server simulated its stamp's substep that it arrived; negative: late. */
@@ -118,11 +118,11 @@ export interface ServerFrame extends PartialFrame {
   readonly lastInput: InputAcknowledgement | null;
 }
 
-/** A frame of which tick and ships are sure to be told; what is absent was not told. */
+/** A frame with at least tick and ships; absent members were not sent. */
 export interface PartialFrame {
   readonly kind: 'frame';
   readonly tick: number;
-  /** Hz; tickRate, timeScale and paused hold from this tick to the next. */
+  /** Hz; tickRate, timeScale and paused apply from this tick to the next. */
   readonly tickRate?: number;
   readonly timeScale?: number;
   /** Game time at `tick`, s since 1970-01-01T00:00:00Z. */

@@ -3,8 +3,8 @@ import type { Picture } from './picture';
 import { quaternion, rotate, rotateBack, take } from './rotation';
 
 /**
- * A ship has gone over to another body: what is eased of it is told in that one's axes from now on, so that nothing drawn jumps.
- * @param bodies rows of the substep at hand
+ * A ship has changed its body: its offset is converted to the new body's axes, so that the drawn pose does not jump.
+ * @param bodies rows of the present substep
  */
 export function turnPicture(picture: Picture, bodies: Float64Array, index: number): void {
   const { ease } = picture;

@@ -16,31 +16,31 @@ import {
   vector,
 } from './rotation';
 
-/** What a correction does to the picture (PREDICTION, Drawing): the old drawn pose fades into the new predicted one. */
+/** Easing of corrections (PREDICTION, Drawing): the old drawn pose fades into the new predicted one. */
 
-/** Beyond these a correction is not eased: m, and rad. */
+/** Larger corrections are not eased: m, and rad. */
 const SNAP_DISTANCE = 25;
 const SNAP_ANGLE = Math.PI / 3;
 
-/** What was predicted at the present before a correction, as seen from the axes of the ship's body then. */
+/** The prediction at the present before a correction, in the axes of the ship's body then. */
 export interface DrawnBefore {
   readonly pose: Pose;
   body: number;
   /** m/s of game time, relative to the body. */
   speed: number;
-  /** False where nothing drawn is worth easing from. */
+  /** False if there is no drawn pose to ease from. */
   known: boolean;
 }
 
 /** How a correction is shown. */
 export interface CorrectionStyle {
-  /** Easing would be meaningless: respawned. */
+  /** Do not ease: the ship was respawned. */
   readonly snaps: boolean;
   /** The last substep uprighted the ship. */
   readonly uprights: boolean;
 }
 
-/** What is drawn of a ship now, before its rows are replaced; one record, valid until the next call. */
+/** A ship's drawn pose before its rows are replaced; one record, valid until the next call. */
 export function seeDrawn(sim: Simulation, track: Track): DrawnBefore {
   const { picture } = track;
   drawn.body = sim.fleet.front[track.at + REFERENCE_BODY]!;
@@ -55,7 +55,7 @@ export function seeDrawn(sim: Simulation, track: Track): DrawnBefore {
 
 const drawn: DrawnBefore = { pose: pose(), body: 0, speed: 0, known: false };
 
-/** Whether the correction is eased, or snaps: counted where something was drawn before. */
+/** Whether the correction is eased or snaps; counted if the ship was drawn before. */
 export function easeCorrection(
   sim: Simulation,
   track: Track,
@@ -85,7 +85,7 @@ export function easeCorrection(
   sim.counters.snaps += 1;
 }
 
-/** Keeps what is drawn now, as seen from the body's axes, while the ship is out of step. */
+/** Keeps the drawn pose, in the body's axes, while the ship is out of step. */
 export function holdDrawn(sim: Simulation, track: Track): void {
   const { picture } = track;
   writeSeenPresent(now, sim, track);
@@ -95,9 +95,8 @@ export function holdDrawn(sim: Simulation, track: Track): void {
 }
 
 /**
- * A ship that is drawn by another policy from now on: where it was drawn before fades into `seen`. What is drawn is kept, for the
- * policy to change again.
- * @param seen where it is drawn now, from its body's axes
+ * Eases a change of policy: the pose drawn before fades into `seen`. The drawn pose is kept, in case the policy changes again.
+ * @param seen the pose drawn from now on, in its body's axes
  */
 export function fadeFromHeld(sim: Simulation, { picture, at, serverRow }: Track, seen: Pose): void {
   if (picture.hasHeld) {
@@ -115,7 +114,7 @@ export function fadeFromHeld(sim: Simulation, { picture, at, serverRow }: Track,
 }
 
 const held: Pose = pose();
-/** Wall s by which two policies may draw a ship at different instants, for the picture to go over from one to the other. */
+/** Largest difference between the instants at which two policies draw a ship for which the change is eased, wall s. */
 export const POLICY_STALL = 2;
 
 /** A correction: offset += old predicted − new predicted, both of one instant and in the body's axes (PREDICTION, Drawing). */

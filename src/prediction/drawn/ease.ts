@@ -18,19 +18,19 @@ export interface Ease {
   readonly turn: Float64Array;
   /** rad/s */
   readonly turnRate: Float64Array;
-  /** How large the correction under way was when it came, m and rad. */
+  /** Initial size of the correction in progress, m and rad. */
   size: number;
   turnSize: number;
   active: boolean;
 }
 
-/** Times, s, after which a correction is within 5 %: how fast what is drawn goes over to what is predicted. */
+/** Times after which a correction is within 5 %, s. */
 export interface Smoothing {
-  /** 0.1 to 2 s; 0.3 unless given. */
+  /** 0.1 to 2 s; 0.3 by default. */
   readonly alongGround: number;
-  /** 0.05 to 2 s; 0.15 unless given. The cap lengthens it for a correction of more than 15 cm. */
+  /** 0.05 to 2 s; 0.15 by default. The cap lengthens it for a correction of more than 15 cm. */
   readonly alongNormal: number;
-  /** 0.1 to 2 s; 0.25 unless given. */
+  /** 0.1 to 2 s; 0.25 by default. */
   readonly angle: number;
 }
 
@@ -42,13 +42,13 @@ export const SMOOTHING_BOUNDS: Readonly<Record<keyof Smoothing, readonly [number
   angle: [0.1, 2],
 };
 
-/** What settle times come to. */
+/** Springs for settle times. */
 export interface Springs {
   /** Stiffness, 1/s. */
   readonly ground: number;
   readonly normal: number;
   readonly angle: number;
-  /** By how much the caps are raised for times below the default ones, ≥ 1. */
+  /** Factor on the caps for times below the defaults, ≥ 1. */
   readonly haste: number;
   readonly turnHaste: number;
 }
@@ -85,7 +85,7 @@ const TURN_CAP = 0.47;
 const SLICE = 1 / 240;
 /** s; nothing visible is left after it. */
 const FORGOTTEN = 2;
-/** m and rad, nothing anyone could see. */
+/** m and rad, invisible. */
 const NOTHING = 1e-9;
 
 export function createEase(): Ease {
@@ -100,7 +100,7 @@ export function createEase(): Ease {
   };
 }
 
-/** Nothing is offset any more: what is drawn jumps to what is predicted. */
+/** Clears the offset: the drawn pose jumps to the predicted one. */
 export function snap(ease: Ease): void {
   ease.offset.fill(0);
   ease.rate.fill(0);
@@ -111,7 +111,7 @@ export function snap(ease: Ease): void {
   ease.active = false;
 }
 
-/** `offset` and `turn` were changed by a correction; their rates go on, so that nothing drawn changes its speed at once. */
+/** A correction changed `offset` and `turn`; their rates continue, so that the drawn velocity does not jump. */
 export function restartEase(ease: Ease): void {
   ease.size = length(ease.offset);
   ease.turnSize = length(ease.turn);

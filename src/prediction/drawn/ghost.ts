@@ -46,7 +46,7 @@ export function fillGhost(
   ground.radius = groundRadius(drawn, nx, ny, nz);
   const { places } = track.ground;
   ghost.groundOffset = places.length === 0 ? 0 : offsetAt(places, body.name, nx, ny, nz);
-  // Out of the ground's reach, as for the ship itself.
+  // Too high to touch the ground, as for the ship itself.
   if (distance - ground.radius > 2 * shape.groundContactOffset + out.shipClass.legRadius) return;
   if (exactly) snapToGround(groundedPose, ghost, hullOfShip(shape), drawn);
   else snapToLevel(groundedPose, ghost, hullOfShip(shape), ground);

@@ -39,9 +39,9 @@ export function writeBetween(
   turnOver(row, between);
 }
 
-/** The instant that interpolated ships are drawn at. */
+/** The instant at which interpolated ships are drawn. */
 export interface Playback {
-  /** What the states' ticks are timed by. */
+  /** The timeline of the states' ticks. */
   readonly timeline: Timeline;
   /** Server wall s. */
   readonly at: number;

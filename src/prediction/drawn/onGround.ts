@@ -9,9 +9,9 @@ import { lengthOf, rotate, vector } from './rotation';
 import type { Scene } from './scene';
 import type { ShipView } from './view';
 
-/** A ship and the ground under it: the one it is predicted on, and the one that is drawn. */
+/** A ship and the ground below it, as predicted and as drawn. */
 
-/** The ground under the ship, as the server has it by what was learned, and how far that is above the drawn one. */
+/** The server's ground below the ship, as learned, and its height above the drawn one. */
 export function fillGround(out: ShipView, track: Track, scene: Scene): void {
   const { world, ground, at, normal, drawn } = scene;
   const body = world.bodies[out.body]!;
@@ -31,7 +31,7 @@ export function fillGround(out: ShipView, track: Track, scene: Scene): void {
   out.groundOffset = offsetAt(places, body.name, nx, ny, nz);
   out.groundConfidence = confidenceOf(placeAt(track.ground, body.name, normal));
   out.groundRadius += out.groundOffset;
-  // What is learned in flight moves the mesh no faster than a correction.
+  // Ground learned in flight moves the mesh no faster than a correction.
   const follows = out.surfaceContactState === '' ? 1 - Math.exp(-OFFSET_RATE * at.elapsed) : 1;
   picture.groundOffset += (out.groundOffset - picture.groundOffset) * follows;
   drawn.groundOffset = picture.groundOffset;
@@ -40,10 +40,10 @@ export function fillGround(out: ShipView, track: Track, scene: Scene): void {
 /** 1/s */
 const OFFSET_RATE = 10;
 
-/** The slope is looked for where the ship's feet are nearer to the ground than this, m. */
+/** The slope is computed if the ship's feet are closer to the ground than this, m. */
 const SLOPE_HEIGHT = 100;
 
-/** Which way the ground under its feet faces, as the settings have it. */
+/** The surface normal below its feet, as the settings define it. */
 function fillGroundNormal(out: ShipView, { world, normal, seen, bodyAttitudes }: Scene): void {
   const attitude = bodyAttitudes[out.body]!;
   const feet = lengthOf(seen.position) - out.groundRadius - out.groundContactOffset;
@@ -64,7 +64,7 @@ const slope = vector();
 const under = { bodyName: '', radius: 1, legRadius: 1, terrainHeight: flatTerrain };
 
 /**
- * Puts the mesh on the drawn ground where that is near.
+ * Puts the mesh on the drawn ground if that is near.
  * @returns whether point by point, or as on level ground
  */
 export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
@@ -73,7 +73,7 @@ export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64A
   const exactly = out.own || scene.exactSnaps > 0;
   const surface = out.groundRadius - out.groundOffset;
   const above = lengthOf(drawn.position) - surface;
-  // No part of the ship reaches as far as twice its height: nothing is under it.
+  // No part of the ship extends to twice its height: it cannot touch the ground.
   const reach = FAR * (out.groundContactOffset + Math.abs(out.groundOffset) * REACH) + shipClass.legRadius;
   if (above > reach) {
     for (let k = 0; k < 3; k++) out.meshPosition[k] = out.easedPosition[k]!;

@@ -16,12 +16,12 @@ import { type Playback, turnWithBody, writeBetween } from './interpolate';
 import { pose } from './pose';
 import { compose, put, rotate, rotateBack, seenFrom, take, vector } from './rotation';
 
-/** How the bodies are turned at the present. */
+/** The bodies' attitudes at the present. */
 export interface TurnedBodies {
   /** Attitude and spin of each body, ICRF. */
   readonly bodyAttitudes: readonly Float64Array[];
   readonly bodySpins: readonly Float64Array[];
-  /** Where ships are drawn that are interpolated between their server states. */
+  /** The instant of ships that are interpolated between their server states. */
   readonly playback: Playback;
 }
 
@@ -50,7 +50,7 @@ export function outOfStep(sim: Simulation, track: Track, turned: TurnedBodies): 
   return row;
 }
 
-/** A ship that is not predicted, as the caller wishes: between its server states, or as the newest has it. */
+/** A ship that is not predicted by the caller's choice: between its server states, or at the newest one. */
 function asPolicyHas(sim: Simulation, track: Track, turned: TurnedBodies): Float64Array {
   copyRow(row, 0, track.serverRow, 0);
   const index = row[REFERENCE_BODY]!;
@@ -71,7 +71,7 @@ function asPolicyHas(sim: Simulation, track: Track, turned: TurnedBodies): Float
   return row;
 }
 
-/** Reads the row's pose as seen from the axes that its body had at its tick. */
+/** Reads the row's pose in the axes that its body had at its tick. */
 function seeServerState({ serverBodyAttitude }: Track): void {
   take(seen.position, row, POSITION);
   take(seen.attitude, row, ATTITUDE);
@@ -79,7 +79,7 @@ function seeServerState({ serverBodyAttitude }: Track): void {
   seenFrom(seen.attitude, serverBodyAttitude, seen.attitude);
 }
 
-/** Writes the pose that is seen from its body's axes into the row, in ICRF axes. */
+/** Writes a pose in its body's axes into the row, in ICRF axes. */
 function place(attitude: Float64Array): void {
   rotate(seen.position, attitude, seen.position);
   compose(seen.attitude, attitude, seen.attitude);

@@ -2,34 +2,34 @@ import { SHIP_STRIDE, THRUST_LEVEL } from '../../dynamics';
 import { createEase, type Ease } from './ease';
 import type { ShipView } from './view';
 
-/** What is drawn and shown of one ship, beside its track, which holds what is predicted. The simulation never computes with it. */
+/** What is drawn and shown of one ship; its track holds the prediction. The simulation never reads it. */
 export interface Picture {
   readonly ease: Ease;
   /** Index of the body in whose axes `ease` is; -1 before the first view. */
   body: number;
   /** The front's last substep uprighted it: what is drawn inside that substep is the attitude before, through the offset. */
   uprighted: boolean;
-  /** Taken out of step by a resync or another tempo: the last predicted pose, as seen from the body's axes, to ease from. */
+  /** The last predicted pose, in the body's axes, to ease from after a resynchronisation or a change of tempo. */
   hasHeld: boolean;
   readonly heldPlace: Float64Array;
   readonly heldAttitude: Float64Array;
-  /** Game s by which the present was moved at once since what is held was drawn: the ship's own way in that time is no correction. */
+  /** Game s by which the present jumped since the held pose: the ship's motion in that time is no correction. */
   skipped: number;
-  /** Predicted ground above the drawn one as the mesh has it, m; follows what is learned. */
+  /** Predicted ground above the drawn one, as the mesh uses it, m; follows the learned ground. */
   groundOffset: number;
   readonly status: Status;
-  /** What the page sees of it; made when it is first seen. */
+  /** Its view; created when it is first seen. */
   view: ShipView | null;
 }
 
-/** What is shown of its states. */
+/** Its shown state. */
 export interface Status {
-  /** The present surface state, -1 before the first, and since when it holds, server wall s. */
+  /** The present surface state, -1 before the first, and when it began, server wall s. */
   state: number;
   since: number;
-  /** Until when CONTACT stays shown, client wall s. */
+  /** CONTACT stays shown until this client wall s. */
   contactUntil: number;
-  /** Event of the last retracted prediction, and until when that is told, client wall s. */
+  /** Event of the last retracted prediction, and until when it is shown, client wall s. */
   withdrawn: number;
   withdrawnUntil: number;
   /** Tick of the server's state that the view shows, and server wall s then. */

@@ -16,10 +16,10 @@ export interface Scene {
   /** Attitude and spin of each body at the present, ICRF. */
   bodyAttitudes: Float64Array[];
   bodySpins: Float64Array[];
-  /** Ships that still may be put on the ground point by point: beyond them the ground counts as level under a ship. */
+  /** Ships that may still be put on the ground point by point; for others the ground counts as level. */
   exactSnaps: number;
   readonly at: Instant;
-  /** Where ships are drawn that are interpolated between their server states. */
+  /** The instant of ships that are interpolated between their server states. */
   readonly playback: { -readonly [K in keyof Playback]: Playback[K] };
   /** How fast corrections fade. */
   readonly springs: Springs;

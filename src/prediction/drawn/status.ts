@@ -25,25 +25,25 @@ export interface Instant {
   elapsed: number;
   /** Silence, s, after which a ship's state is stale. */
   staleAfter: number;
-  /** s past a state of the server up to which it can confirm what is drawn: until the next one is due, and the lead. */
+  /** s after a server state for which it confirms the drawn pose: until the next one is due, plus the lead. */
   confirms: number;
   paused: boolean;
   /** What tick boundaries are timed by, server wall s. */
   readonly timeline: Timeline;
-  /** The newest tick asked for in this view and its wall s: most ships were told of in one frame. */
+  /** The newest tick looked up in this view and its wall s: most ships come in one frame. */
   serverTick: number;
   serverWall: number;
 }
 
-/** Least time for which CONTACT is shown once it is, s. */
+/** Shortest time for which CONTACT is shown, s. */
 const CONTACT_DWELL = 0.3;
-/** A withdrawn prediction is told for this long, s. */
+/** A withdrawn prediction is shown for this long, s. */
 export const WITHDRAWN_SHOWN = 2;
 /** Sends in a row without a ship, while others come, after which its state is stale. */
 const STALE_SENDS = 2;
 
 /**
- * What is shown of a ship's states, and how far it can be trusted (PREDICTION, Events).
+ * A ship's shown state and its provenance (PREDICTION, Events).
  * @param rows where the states that hold at the present stand, at `from`
  */
 export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from: number, at: Instant): void {
@@ -62,7 +62,7 @@ export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from
   out.withdrawn = at.now < status.withdrawnUntil ? WITHDRAWN[status.withdrawn]! : '';
 }
 
-/** What the server last said of the ship, for its ghost; at a frame's pace, not at the display's. Returns whether it is new. */
+/** The ship's newest server state, for its ghost; at the frame rate of the server, not of the display. Returns whether it is new. */
 export function fillServerState(out: ShipView, track: Track, at: Instant): boolean {
   if (track.picture.status.serverTick === track.serverTick) return false;
   track.picture.status.serverTick = track.serverTick;
@@ -79,7 +79,7 @@ export function fillServerState(out: ShipView, track: Track, at: Instant): boole
 
 const WITHDRAWN = EVENT_NAMES.map((name) => name.slice('ship.'.length) as ShipView['withdrawn']);
 
-/** Simulation state is never dwelled: only what is shown. A crash is final once the server says so. */
+/** Only the shown state dwells, never the simulated one. A crash is final once the server confirms it. */
 function shownState(track: Track, state: number, crashes: boolean, at: Instant): ShipView['shownState'] {
   if (track.serverRow[CRASHED] === 1 && (crashes || track.policy === 'predict')) return 'crashed';
   if (crashes) return 'contact';
@@ -99,7 +99,7 @@ function provenanceOf(out: ShipView, track: Track, crashes: boolean, at: Instant
   return agrees ? 'confirmed' : 'predicted';
 }
 
-/** A new record only where a command has changed. */
+/** A new record only if a command has changed. */
 export function fillControls(out: ShipView, commands: Float64Array, rows: Float64Array, from: number): void {
   const at = from + THRUST_LEVEL;
   for (let k = 0; k < commands.length; k++) {

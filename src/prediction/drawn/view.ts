@@ -10,22 +10,22 @@ import type {
 
 import type { Connection } from '../time/connection';
 
-/** What `view(now)` gives: plain records, owned and reused by the predictor, valid until the next call. SI units. */
+/** The result of `view(now)`: plain records, owned and reused by the predictor, valid until the next call. SI units. */
 
-/** How far a shown state can be trusted. */
+/** Provenance of a shown state. */
 export type Provenance =
-  /** The server's own newest state of this ship says the same; `age` wall s since that state's instant. */
+  /** The server's newest state of this ship agrees; `age` is the wall s since that state's instant. */
   | 'confirmed'
   /** Predicted past the server's newest state, or against it until it answers; `age` wall s since the state began. */
   | 'predicted'
   /** No server state for two sends or more. */
   | 'stale'
-  /** Time scale outruns the budget: the server's last state, not carried on. */
+  /** The time scale exceeds the budget: the server's last state, not extrapolated. */
   | 'off';
 
 /** The own ship's last touchdown, from the first touch to rest, as the law's substeps had it. Speeds relative to the turning ground. */
 export interface TouchdownView {
-  /** A touch was seen: a ship met on the ground, or one that came down while the page was away, has no card. */
+  /** A touch was simulated: a ship first seen on the ground, or one that touched during an absence, has no card. */
   known: boolean;
   /** 'open' until the ship has landed, tipped or crashed. */
   outcome: 'open' | 'landed' | 'tipped' | 'crashed';
@@ -33,20 +33,20 @@ export interface TouchdownView {
   verticalSpeed: number;
   /** Just before the first touch, m/s. */
   horizontalSpeed: number;
-  /** Times it came down again. */
+  /** Number of further touches. */
   bounces: number;
-  /** Way along the ground while on it, hops not counted, m. */
+  /** Distance slid along the ground, without hops, m. */
   slideMetres: number;
   /** Game s from the first touch to rest, or so far. */
   settleSeconds: number;
-  /** Rad, since the first touch; the tilt it came with counts. */
+  /** Largest tilt since the first touch, that of the approach included, rad. */
   largestTilt: number;
 }
 
 export interface ShipView {
   /** As the server has it. */
   readonly shipId: string;
-  /** For people; any text. */
+  /** For display; any text. */
   name: string;
   /** Whether the player flies it. */
   own: boolean;
@@ -55,7 +55,7 @@ export interface ShipView {
   /** Index into WorldView.bodies. */
   body: number;
 
-  /** Predicted truth at the present: relative to the body's centre, ICRF axes. HUD numbers come from these. */
+  /** Predicted state at the present: relative to the body's centre, ICRF axes. HUD numbers come from these. */
   readonly position: Float64Array;
   /** m/s, likewise. */
   readonly velocity: Float64Array;
@@ -63,7 +63,7 @@ export interface ShipView {
   readonly attitude: Float64Array;
   /** rad/s, ICRF axes. */
   readonly angularVelocity: Float64Array;
-  /** What the reaction wheels have given so far, N m s, body axes. */
+  /** Momentum stored in the reaction wheels, N m s, body axes. */
   readonly wheelMomentum: Float64Array;
   /** kg. */
   fuel: number;
@@ -71,11 +71,11 @@ export interface ShipView {
   impactSpeed: number;
   /** Empty in flight. */
   surfaceContactState: SurfaceState;
-  /** Predicted or told: it is gone. */
+  /** Predicted or sent: the ship is destroyed. */
   crashed: boolean;
-  /** What it is flown with now. */
+  /** Its present controls. */
   controls: Controls;
-  /** N, ICRF axes: what engine and thrusters give now. */
+  /** N, ICRF axes: present thrust of engine and thrusters. */
   readonly thrust: Float64Array;
   /**
    * Radius of the ground along the ship's own radial direction, m: body radius + terrain height + groundOffset. Heights above ground
@@ -89,26 +89,26 @@ export interface ShipView {
   readonly groundNormal: Float64Array;
   /** Height of its centre of mass above its feet, m: its own, or its class's. */
   groundContactOffset: number;
-  /** The server's ground above the drawn terrain there, m, as its states tell; 0 where they agree. And how sure, 0 … 1. */
+  /** The server's ground above the drawn terrain there, m, learned from its states; 0 where they agree. And the confidence, 0 … 1. */
   groundOffset: number;
   groundConfidence: number;
   /**
-   * '' where the ship is predicted by the law. Else its motion is carried on from the server's states: 'law' where the law has been
-   * worse than that over the last few of them, 'ground' where no ground is known under it. Never confirmed then.
+   * '' if the ship is predicted by the dynamics. Otherwise it is extrapolated from the server's states, and never confirmed: 'law' if the
+   * dynamics were worse than that over the last few states, 'ground' if the ground below it is unknown.
    */
   carried: '' | 'law' | 'ground';
-  /** Server states that came while it was carried on. */
+  /** Server states received while it was extrapolated. */
   carriedStates: number;
 
-  /** What is drawn: predicted + fading offset. Nothing computes with it but the view. */
+  /** The drawn pose: predicted + fading offset. The simulation does not read it. */
   readonly easedPosition: Float64Array;
-  /** [x, y, z, w], of the same. */
+  /** [x, y, z, w], likewise. */
   readonly meshAttitude: Float64Array;
-  /** The drawn place, lifted or lowered along the local up until the drawn attitude is on the ground (snapToGround), ICRF axes. */
+  /** The drawn position, lifted or lowered along the local up until the drawn attitude is on the ground (snapToGround), ICRF axes. */
   readonly meshPosition: Float64Array;
   /** How far each leg is pressed in, m, in the order of the class's hull (hullOf). */
   readonly legCompression: Float64Array;
-  /** Height of the lowest foot of the predicted pose above the ground beneath it, m; negative while an impact sinks it. */
+  /** Height of the lowest foot of the predicted pose above the ground, m; negative during an impact. */
   feetHeight: number;
 
   /** Surface state to show: CONTACT dwells 300 ms so that a bounce can be read. 'crashed' only once the server confirmed it. */
@@ -117,29 +117,29 @@ export interface ShipView {
   provenance: Provenance;
   /** Wall s, see Provenance. */
   age: number;
-  /** A predicted state the server did not have: shown for 2 s, else ''. */
+  /** A predicted state that the server did not have: shown for 2 s, otherwise ''. */
   withdrawn: '' | 'contact' | 'landed' | 'tipped' | 'righted' | 'crashed';
 
-  /** Of the own ship; of others never known. */
+  /** Of the own ship; unknown for others. */
   readonly touchdown: TouchdownView;
 
   /** The server's newest state of this ship: relative to the body at that tick, ICRF axes. */
   readonly serverPosition: Float64Array;
   /** [x, y, z, w]. */
   readonly serverAttitude: Float64Array;
-  /** The same as a ghost to draw: put on the ground as meshPosition is, in the axes of its body, with which it turns. */
+  /** The same as a ghost to draw: on the ground as meshPosition is, in the axes of its body. */
   readonly ghostPosition: Float64Array;
   /** [x, y, z, w]. */
   readonly ghostAttitude: Float64Array;
   /** false before the first state of this ship. */
   serverKnown: boolean;
-  /** Sends of the server without this ship: it leaves the list at 3, if that took a second. A crashed ship says so in shownState. */
+  /** Sends without this ship: it is removed at 3, if that took a second. A crash shows in shownState. */
   missingSends: number;
 }
 
-/** A predicted or server-told event, in the order of its birth. */
+/** A predicted event or one of the server, in order of time. */
 export interface EventNotice {
-  /** Told once each, in this order. */
+  /** Reported once each, in this order. */
   readonly kind: 'predicted' | 'confirmed' | 'retracted';
   /** The game’s event name. */
   readonly type: ShipEventName;
@@ -157,15 +157,15 @@ export interface WorldView {
   tickRate: number;
   /** Game s per wall s. */
   timeScale: number;
-  /** The server’s time stands still. */
+  /** The server is paused. */
   paused: boolean;
-  /** False until a hello (or defaults) and a first frame have come. */
+  /** False until a hello (or defaults) and a first frame have arrived. */
   ready: boolean;
-  /** Whether the server is heard: a paused one, a link that stalls and a server that is gone are told apart. */
+  /** State of the connection: distinguishes a paused server, a stalled link and a lost server. */
   connection: Connection;
-  /** Client wall s since the newest frame came; infinite before the first. */
+  /** Client wall s since the newest frame; infinite before the first. */
   silence: number;
-  /** Contact settings that hold. */
+  /** Contact settings in force. */
   settings: LoadedSettings;
   readonly bodies: (Body & BodyMotion)[];
   readonly ships: ShipView[];
@@ -175,7 +175,7 @@ export interface WorldView {
   diagnosis: Diagnosis;
 }
 
-/** Counters and gauges, monotone unless said. */
+/** Counters, monotonic, and gauges where stated. */
 export interface Diagnosis {
   framesAccepted: number;
   framesDuplicate: number;
@@ -183,10 +183,10 @@ export interface Diagnosis {
   framesTooOld: number;
   framesFromFuture: number;
   framesRefused: number;
-  /** Ships of accepted frames that could not be used, and why the last refusal, of a frame or of a ship, was. */
+  /** Refused ships of accepted frames, and the reason of the last refusal, of a frame or a ship. */
   shipsRefused: number;
   lastRefusal: string;
-  /** False while the server has sent no hello: settings, classes and terrain are then the defaults, not what it told. */
+  /** False while the server has sent no hello: settings, classes and terrain are then the defaults. */
   helloReceived: boolean;
   /** Corrections by kind. */
   correctionsLateInput: number;
@@ -205,12 +205,12 @@ export interface Diagnosis {
   correctionsBody: number;
   errorBodyAttitude: number;
   errorBodySpin: number;
-  /** Acknowledgements of inputs that cannot be: later than their own frame, or of no number. */
+  /** Invalid acknowledgements: later than their own frame, or without a number. */
   acknowledgementsRefused: number;
-  /** Left out because the host did not take its outgoing messages. */
+  /** Dropped because the host did not take outgoing messages. */
   pingsDropped: number;
   inputsDropped: number;
-  /** Frames that newer ones overtook before they were decoded: their events were told, nothing else. */
+  /** Frames superseded before they were decoded: only their events were used. */
   framesSuperseded: number;
   /** Gauge: memory of the predicted states of all ships, bytes. */
   historyBytes: number;
@@ -227,15 +227,15 @@ export interface Diagnosis {
   /** Arrival margin of the last acknowledged input. */
   margin: number;
   /**
-   * How far the own ship's prediction was from the server's newest word for the same tick, m and rad, as seen from the body; NaN
-   * where nothing was predicted for it.
+   * Error of the own ship's prediction at the server's newest state, m and rad, in the body's axes; NaN without a prediction
+   * for its tick.
    */
   errorPosition: number;
   errorAngle: number;
-  /** Ships that are carried on now, not predicted by the law, and the states that came while one was. */
+  /** Ships extrapolated at present, not predicted by the dynamics, and states received while one was. */
   shipsCarried: number;
   statesCarried: number;
-  /** The server's ground above the drawn terrain under the own ship, m, and how sure that is, 0 … 1. */
+  /** The server's ground above the drawn terrain under the own ship, m, and the confidence, 0 … 1. */
   groundOffset: number;
   groundConfidence: number;
   /** Size of the offset being eased on the own ship, m and rad. */

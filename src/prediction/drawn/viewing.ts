@@ -86,11 +86,11 @@ export function createShipView(track: Track, world: World): ShipView {
   };
 }
 
-/** Fills a ship's view: predicted truth, the drawn pose, its ground, what is shown of its state. */
+/** Fills a ship's view: predicted state, drawn pose, ground, shown state. */
 export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene: Scene): void {
   const stepping = track.mode === 'stepping';
   const { fleet, alpha } = sim;
-  // The states that hold at the present are those of the last substep boundary passed.
+  // The surface state at the present is that of the last substep boundary.
   const rows = stepping ? (alpha === 1 ? fleet.front : fleet.previous) : outOfStep(sim, track, scene);
   const from = stepping ? track.at : 0;
   if (stepping) fillBetween(out, sim, track);
@@ -126,7 +126,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
     );
 }
 
-/** Predicted truth between the substep boundaries around the present. */
+/** The predicted state between the substep boundaries around the present. */
 function fillBetween(out: ShipView, sim: Simulation, track: Track): void {
   const { previous, front } = sim.fleet;
   const { alpha } = sim;
@@ -149,7 +149,7 @@ function fillFromRow(out: ShipView, from: Float64Array): void {
   take(out.angularVelocity, from, ANGULAR_VELOCITY);
 }
 
-/** The pose as seen from the body's axes, and the local up there. */
+/** The pose in the body's axes, and the local up there. */
 function seeFromBody(out: ShipView, { seen, normal }: Scene, body: Float64Array): void {
   rotateBack(seen.position, body, out.position);
   seenFrom(seen.attitude, body, out.attitude);
@@ -176,7 +176,7 @@ function fillDrawn(out: ShipView, track: Track, { seen, drawn }: Scene, body: Fl
 
 const turn = quaternion();
 
-/** What engine and thrusters give now, N, ICRF (DYNAMICS, Actuators). */
+/** Present thrust of engine and thrusters, N, ICRF (DYNAMICS, Actuators). */
 function fillThrust(out: ShipView, rows: Float64Array, from: number): void {
   const { mainEngineThrust, rcsThrust } = out.shipClass;
   const burns = out.fuel > 0 && !out.crashed ? 1 : 0;

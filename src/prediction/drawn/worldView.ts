@@ -11,7 +11,7 @@ import type { Springs } from './ease';
 import { createScene, type Scene } from './scene';
 import { createShipView, fillShipView } from './viewing';
 
-/** A view under construction: what the page sees, and what all its ships share. */
+/** A view under construction, and what all its ships share. */
 export interface Shown {
   readonly view: WorldView;
   readonly scene: Scene;
@@ -59,7 +59,7 @@ export function createShown(sim: Simulation, springs: Springs): Shown {
   return { view, scene, viewedAt: Number.NaN };
 }
 
-/** The simulation has another world of the same bodies: what is shown goes on with its constants. */
+/** The simulation has another world of the same bodies: views continue with its constants. */
 export function showWorld({ view, scene }: Shown, { world }: Simulation): void {
   view.settings = world.settings;
   scene.world = world;
@@ -71,7 +71,7 @@ export function showWorld({ view, scene }: Shown, { world }: Simulation): void {
   }
 }
 
-/** A state confirms for this much longer, s: the next one is on its way. */
+/** Additional time for which a state confirms, s: the next one is in flight. */
 const GRACE = 0.04;
 /** Ships put on the ground point by point in one view, the own one not counted. */
 const MAX_EXACT_SNAPS = 32;
@@ -110,13 +110,13 @@ export function fillView(shown: Shown, sim: Simulation, { now, present, lead, he
   at.paused = view.paused;
   scene.playback.at = heard - sendSeconds(sim.cadence, view.tickRate);
   scene.playback.timeScale = view.timeScale;
-  // What it was timed by may have changed since the last view.
+  // The timeline may have changed since the last view.
   at.serverTick = Number.NaN;
   scene.exactSnaps = MAX_EXACT_SNAPS;
   fillShips(shown, sim);
 }
 
-/** The label of the present: exactly the place between two substep boundaries that is drawn. */
+/** The label of the present: exactly the drawn instant between two substep boundaries. */
 function fillLabel(view: WorldView, sim: Simulation): void {
   const { front, timeline, alpha } = sim;
   const onBoundary = front.substep === 0 && alpha === 1;

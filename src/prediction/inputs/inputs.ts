@@ -4,22 +4,22 @@ import { isBefore, type Position } from '../time/timeline';
 
 /**
  * Own controls as records (PREDICTION, Timeline): sampled once, stored, sent as stored, and applied by client and server at
- * the same substep. What the server says of them is the truth.
+ * the same substep. The server's acknowledgements override them.
  */
 export interface Inputs {
-  /** What the own ship does by itself until the first record acts; in the order of its time, emptied once that is long past. */
+  /** Scheduled inputs of the own ship until the first record acts; ascending in time, cleared once they are long past. */
   plan: readonly ScheduledInput[];
   readonly records: StoredInput[];
-  /** Index of the first record that has not been handed to `outgoing`. */
+  /** Index of the first record that has not been sent. */
   unsent: number;
   nextSeq: number;
-  /** The server tells what it applied. Servers of the game's own kind do not. */
+  /** The server acknowledges inputs. Servers of the game's own kind do not. */
   acknowledges: boolean;
   /** Highest sequence number known to be applied. */
   applied: number;
-  /** Records cut off: of a lost connection, never acknowledged. */
+  /** Dropped records of a lost connection, never acknowledged. */
   lostUpTo: number;
-  /** Records that nobody took, so that they had to go: MAX_RECORDS. */
+  /** Records dropped because the host did not take them: MAX_RECORDS. */
   dropped: number;
 }
 
@@ -28,7 +28,7 @@ export type ScheduledInput = Omit<InputRecord, 'seq'>;
 
 export interface StoredInput {
   readonly record: InputRecord;
-  /** Where it acts, as far as is known: its stamp, or later. */
+  /** Known time of its effect: its stamp, or later. */
   tick: number;
   substep: number;
   /** Client wall s. */
@@ -37,12 +37,12 @@ export interface StoredInput {
   readonly steer: number;
 }
 
-/** What a frame's acknowledgement revealed. */
+/** Result of a frame's acknowledgement. */
 export type InputFate = 'asPredicted' | 'late' | 'lost';
 
-/** Records kept: 10 s at 100 changes a second and some. */
+/** Most records: slightly more than 10 s at 100 changes per second. */
 const MAX_RECORDS = 1024;
-/** Unacknowledged for longer than this after it was due, an input is taken for lost, wall s. */
+/** An input unacknowledged for longer than this after it was due counts as lost, wall s. */
 const LOST_AFTER = 2;
 /** A server may carry controls in single precision. */
 const CONTROL_TOLERANCE = 1e-6;
@@ -60,7 +60,7 @@ export function createInputs(plan: readonly ScheduledInput[] = []): Inputs {
   };
 }
 
-/** Stores `controls`, checked already, from (tick, substep) on. */
+/** Stores checked `controls` from (tick, substep) on. */
 export function store(
   inputs: Inputs,
   controls: Controls,
@@ -69,11 +69,11 @@ export function store(
   steer: number,
 ): StoredInput {
   const last = inputs.records.at(-1);
-  // Never before the one before it: they act in the order of their numbers.
+  // Never before the previous one: they act in the order of their numbers.
   const early = last !== undefined && isBefore(stamp.tick, stamp.substep, last.tick, last.substep);
   const tick = early ? last.tick : stamp.tick;
   const substep = early ? last.substep : stamp.substep;
-  // Not sent yet, and for the same moment: the newer one counts, under the same number.
+  // Not sent yet, and with the same stamp: the newer one replaces it under the same number.
   if (
     last !== undefined &&
     inputs.unsent < inputs.records.length &&
@@ -94,7 +94,7 @@ export function store(
   return stored;
 }
 
-/** The records that have not been sent, but for those that `waits` says may be replaced yet; they count as sent from now on. */
+/** The unsent records, except those that may still be replaced according to `waits`; they count as sent from now on. */
 export function takeUnsent(
   inputs: Inputs,
   waits: (stored: StoredInput) => boolean = sendsAll,
@@ -109,16 +109,16 @@ export function takeUnsent(
 
 const sendsAll = (): boolean => false;
 
-/** A new connection: what was never acknowledged may never have arrived, and is sent again as stored. */
+/** After a reconnect, unacknowledged records may not have arrived and are sent again as stored. */
 export function resend(inputs: Inputs): void {
   const first = inputs.records.findIndex((stored) => stored.record.seq > inputs.applied);
   inputs.unsent = first < 0 ? inputs.records.length : first;
 }
 
 /**
- * A frame of `tick` has come: what it acknowledges acts where it says, what should have acted before and is not acknowledged is
- * late and acts from the frame's own boundary on, the first moment left to it.
- * @param told the acknowledgement, or null where the server gives none
+ * Applies a frame of `tick`: acknowledged records act when it says. Records that were due before and are not acknowledged are late and
+ * act from the frame's boundary on, the earliest possible time.
+ * @param told the acknowledgement, or null if the server sends none
  * @param inForce the ship's controls in that frame
  */
 export function acknowledge(
@@ -143,7 +143,7 @@ export function acknowledge(
   return delayUnapplied(inputs, tick, now) ?? fate;
 }
 
-/** Moves what did not act in time to the start of `tick`; gives up what has been due for too long. */
+/** Moves late records to the start of `tick`; drops those overdue for too long. */
 function delayUnapplied(inputs: Inputs, tick: number, now: number): InputFate | null {
   let fate: InputFate | null = null;
   for (let i = inputs.records.length - 1; i >= 0; i--) {
@@ -163,7 +163,7 @@ function delayUnapplied(inputs: Inputs, tick: number, now: number): InputFate | 
   return fate;
 }
 
-/** The newest record due before `tick` whose controls are in force there: what a silent server must have applied. */
+/** The newest record due before `tick` whose controls are in force there: without acknowledgements, the server must have applied it. */
 function inferred(inputs: Inputs, tick: number, inForce: StateControls): InputAcknowledgement | null {
   for (let i = inputs.records.length - 1; i >= 0; i--) {
     const stored = inputs.records[i]!;
@@ -175,7 +175,7 @@ function inferred(inputs: Inputs, tick: number, inForce: StateControls): InputAc
   return null;
 }
 
-/** Forgets what acted before `tick`, but for the newest. */
+/** Drops records that acted before `tick`, except the newest. */
 export function prune(inputs: Inputs, tick: number): void {
   let n = 0;
   while (
@@ -187,7 +187,7 @@ export function prune(inputs: Inputs, tick: number): void {
   if (n > 0) drop(inputs, n);
 }
 
-/** Forgets all records: their ticks are of another time. */
+/** Drops all records: their ticks are of another timeline. */
 export function forgetRecords(inputs: Inputs): void {
   if (inputs.records.length > 0) inputs.plan = [];
   inputs.records.length = 0;
@@ -195,7 +195,7 @@ export function forgetRecords(inputs: Inputs): void {
 }
 
 function drop(inputs: Inputs, count: number): void {
-  // What ended the plan goes: the plan goes with it.
+  // The record that ended the plan is dropped, and the plan with it.
   inputs.plan = [];
   inputs.records.splice(0, count);
   inputs.unsent = Math.max(0, inputs.unsent - count);

@@ -14,14 +14,14 @@ import { releaseKeys, sameControls, store } from './inputs';
 import type { Simulation } from '../simulation/simulation';
 import { isBefore } from '../time/timeline';
 
-/** The hand on the stick. */
+/** The pilot's input device. */
 export interface Pilot {
   last: Controls | null;
-  /** After an absence: keys that were held before it, and count as released until they change. */
+  /** After an absence: keys held before it, which count as released until they change. */
   released: Controls | null;
 }
 
-/** What a sample is taken with. */
+/** Context of a sample. */
 export interface Sampling {
   /** Client wall s. */
   readonly now: number;
@@ -35,8 +35,8 @@ export function createPilot(): Pilot {
 }
 
 /**
- * Samples own controls: what differs from what is in force, or on its way to be, becomes an input that acts from the front on, or
- * for a server of whole ticks from the next tick on. Controls that are not finite are ignored.
+ * Samples own controls: a difference to the controls in force, or already sent, becomes an input that acts from the front on or, on a
+ * server of whole ticks, from the next tick on. Controls that are not finite are ignored.
  */
 export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, sampling: Sampling): void {
   const track = sim.fleet.own;
@@ -44,7 +44,7 @@ export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, s
   const { front, inputs, fleet } = sim;
   const newest = inputs.records.at(-1);
   const pending = newest !== undefined && !isBefore(newest.tick, newest.substep, front.tick, front.substep);
-  // Whatever the hand does first ends the plan, even what the ship is doing already.
+  // The first sample ends the plan, even if it equals the controls in force.
   const takesOver = isPlanned(inputs, front);
   if (!takesOver && pilot.released === null && !pending && commands(fleet.front, track.at, given)) {
     pilot.last = given;
@@ -67,7 +67,7 @@ export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, s
 
 const stamp = { tick: 0, substep: 0 };
 
-/** Whether a row holds this very command, within what single precision keeps. */
+/** Whether a row holds this command, within single precision. */
 function commands(rows: Float64Array, at: number, given: Controls): boolean {
   return (
     near(rows[at + THRUST_LEVEL]!, given.thrustLevel) &&

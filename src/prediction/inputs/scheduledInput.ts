@@ -3,7 +3,8 @@ import type { Inputs, ScheduledInput } from './inputs';
 import { isBefore, type Position } from '../time/timeline';
 
 /**
- * What acts on the own ship, in its order: its plan until the pilot's first input acts, then the pilot's inputs (PREDICTION, Timeline). A cursor counts through both.
+ * Inputs of the own ship in order: its plan until the pilot's first input acts, then the pilot's inputs (PREDICTION, Timeline). A cursor
+ * indexes both.
  */
 
 /** The cursor before the first that acts at or after (tick, substep). */
@@ -16,7 +17,7 @@ export function seek({ plan, records }: Inputs, tick: number, substep: number): 
   return k;
 }
 
-/** Writes what acts at `due` into the row at `at`, from `cursor` on; returns the cursor behind it. */
+/** Writes the inputs due at `due` into the row at `at`, from `cursor` on; returns the cursor after them. */
 export function applyDue(
   { plan, records }: Inputs,
   cursor: number,
@@ -38,7 +39,7 @@ export function applyDue(
   return i;
 }
 
-/** Whether the plan has something left to do at or after `from`, with no input of the pilot's to end it. */
+/** Whether the plan has inputs at or after `from`, and no input of the pilot ends it. */
 export function isPlanned({ plan, records }: Inputs, from: Position): boolean {
   const last = plan.at(-1);
   return (
@@ -50,7 +51,7 @@ function isDue({ tick, substep }: Position | ScheduledInput, due: Position): boo
   return !isBefore(due.tick, due.substep, tick, substep);
 }
 
-/** Whether anything acts on the own ship from tick boundary `from` on and before tick boundary `to`. */
+/** Whether an input acts on the own ship from tick boundary `from` to before tick boundary `to`. */
 export function actsBetween({ plan, records }: Inputs, from: number, to: number): boolean {
   const isBetween = ({ tick, substep }: Position): boolean =>
     !isBefore(tick, substep, from, 0) && isBefore(tick, substep, to, 0);

@@ -5,9 +5,9 @@ import { indexOf, spanOf } from '../time/timeline';
 import { type StoredInput, takeUnsent } from './inputs';
 
 /**
- * What of own inputs is sent when. A server of whole ticks applies one record a tick, so that a throttle that is dragged makes many
- * records of one stamp: the first is sent at once, later ones replace each other and are sent now and then, and in any case before
- * the stamp is due.
+ * Schedules the sending of own inputs. A server of whole ticks applies one record per tick, so a dragged throttle makes many records
+ * with one stamp: the first is sent at once, later ones replace each other and are sent at intervals, and always before the stamp is
+ * due.
  */
 export interface Sending {
   /** Stamp of the newest record that was sent, and when, client wall s. */
@@ -16,10 +16,10 @@ export interface Sending {
   at: number;
 }
 
-/** Least time between two records of one stamp, s: usually, and when the stamp is due soon. */
+/** Shortest time between two records with one stamp, s: usually, and when the stamp is due soon. */
 const SELDOM = 0.5;
 const OFTEN = 0.05;
-/** How long before it is due a stamp is due soon, s; and when nothing waits any more: two display frames. */
+/** A stamp is due soon this long before it is due, s; within the second, two display frames, nothing waits. */
 const SOON = 0.1;
 const AT_ONCE = 0.035;
 
@@ -39,7 +39,7 @@ export function takeInputs(sim: Simulation, sending: Sending, now: number): Inpu
   return records;
 }
 
-/** The controls that hold after all of these messages; null where none has any. */
+/** The controls after all of these messages; null if none has any. */
 export function lastControls(messages: readonly ClientMessage[]): Controls | null {
   const inputs = messages.findLast((message) => message.kind === 'inputs');
   return inputs?.inputs.at(-1)?.controls ?? null;

@@ -12,14 +12,14 @@ import type { StateControls } from '../records';
 import { optionalQuaternionIn, optionalVectorIn, quaternionFields, vectorFields } from './vectors';
 
 /**
- * The six fields of Controls, which ShipState has too. One that is not sent is neutral; what is out of range is clamped, and an
- * attitude mode that the law does not know is 'unknown' (DYNAMICS, Actuators).
+ * The six fields of Controls, which ShipState has too. Absent ones are neutral; values out of range are clamped; an unknown attitude mode
+ * is 'unknown' (DYNAMICS, Actuators).
  */
 export function readControlFields(r: Reading, from: Fields): Controls {
   return readWithMode(r, from, attitudeModeOf(textIn(r, from, 'attitude_mode') || 'none'));
 }
 
-/** As readControlFields, of a state: a mode that is not known stays what it is called. */
+/** As readControlFields, for a state: an unknown mode keeps its name. */
 export function readStateControls(r: Reading, from: Fields): StateControls {
   const sent = textIn(r, from, 'attitude_mode');
   const controls = readWithMode(r, from, attitudeModeOf(sent || 'none'));

@@ -3,13 +3,13 @@ import { type Bound, MAX_TEXT } from '../limits';
 
 /**
  * One pass over one message from outside, the same for a decoded protobuf message and for JSON (the generated codec
- * keeps the proto's names). Every reader below takes the field `name` of `from` and gives a value that is always of its
- * type; the first one that is not what it should be leaves its reason here, and then the whole message is refused.
+ * keeps the proto's names). Every reader below takes the field `name` of `from` and returns a value that is always of its
+ * type. The first invalid one leaves its reason here, and the whole message is refused.
  */
 export interface Reading {
-  /** Protobuf leaves out what is 0, false or empty; JSON leaves out what is not sent. */
+  /** Protobuf omits what is 0, false or empty; JSON omits what is not sent. */
   readonly source: 'protobuf' | 'json';
-  /** Where the pass is: names, and indices into lists. */
+  /** Path of the pass: names, and indices into lists. */
   readonly path: Step[];
   /** Of the first refusal, with the path of the field. */
   reason: string | null;
@@ -26,7 +26,7 @@ export function beginReading(source: Reading['source'], ...path: Step[]): Readin
   return { source, path, reason: null };
 }
 
-/** The message that was read, or why it is refused. */
+/** The message, or the reason why it is refused. */
 export function endReading<T>(r: Reading, message: T): Result<T> {
   return r.reason === null ? ok(message) : err(r.reason);
 }
@@ -126,7 +126,7 @@ export function textIn(r: Reading, from: Fields, name: string): string {
   return '';
 }
 
-/** Why `value` cannot be sent as a name or an id, or null. */
+/** The reason why `value` cannot be sent as a name or an id, or null. */
 export function textComplaint(value: unknown): string | null {
   if (typeof value !== 'string') return `expected a text, got ${describe(value)}`;
   if (value.length > MAX_TEXT) return `expected at most ${MAX_TEXT} characters, got ${value.length}`;
@@ -165,7 +165,7 @@ export function flagIn(r: Reading, from: Fields, name: string): boolean {
   return false;
 }
 
-/** What a reason says of a value from outside: short, and printable whatever it is. */
+/** Describes a value from outside for a reason: short, and always printable. */
 export function describe(value: unknown): string {
   if (value === null) return 'null';
   if (typeof value === 'number') return String(value);
@@ -174,7 +174,7 @@ export function describe(value: unknown): string {
 }
 
 const LONE_SURROGATE = /\p{Surrogate}/u;
-/** A decimal number as Redis keeps it. */
+/** A decimal number as Redis holds it. */
 const DECIMAL = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?$/;
 /** No double needs more characters. */
 const MAX_DECIMAL = 64;

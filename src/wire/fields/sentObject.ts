@@ -1,6 +1,6 @@
-/** What a caller may hand in for a parsed message by mistake, and what to do about it. */
+/** Values that callers pass by mistake instead of a parsed message, and what to do about each. */
 
-/** '' for a plain object; else what it is and what has to be done with it first. */
+/** '' for a plain object; otherwise what it is and what must be done with it first. */
 export function notPlain(value: unknown): string {
   if (typeof value === 'string') return 'a text: parse it with JSON.parse first';
   if (typeof value !== 'object' || value === null || Array.isArray(value)) return '';
@@ -21,7 +21,7 @@ const TODO: Readonly<Record<string, string>> = {
   ArrayBuffer: BYTES,
 };
 
-/** The member of an envelope that holds all of these names; '' where there is none. */
+/** The member of an envelope that holds all of these names; '' if there is none. */
 export function wrappedIn(envelope: unknown, names: readonly string[]): string {
   if (typeof envelope !== 'object' || envelope === null) return '';
   const holds = (inner: unknown): boolean =>

@@ -15,7 +15,7 @@ import { optionalVectorIn, quaternionFields, quaternionIn, vectorFields, vectorI
 
 /**
  * The game's ShipState, from protobuf or JSON. A server that does not send the fields 30 to 35 is an ordinary case
- * (PREDICTION, Server messages): what they mean together is the predictor's to say, not this reader's.
+ * (PREDICTION, Server messages): the predictor decides what they mean together, not this reader.
  */
 export function readShipState(r: Reading, from: Fields): ShipState {
   const relativePosition = optionalVectorIn(r, from, 'relative_position', METRES);
@@ -50,7 +50,7 @@ export function readShipState(r: Reading, from: Fields): ShipState {
   };
 }
 
-/** What is null in the record is left out. */
+/** Members that are null are omitted. */
 export function shipStateFields(state: ShipState): galaxy.physics.ShipState.$Properties {
   const { contactImpactSpeed, relativePosition, relativeVelocity } = state;
   return {

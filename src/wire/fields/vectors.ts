@@ -4,7 +4,7 @@ import { describe, type Fields, fieldsOf, numberIn, type Reading, refuse, valueI
 
 /** Furthest a quaternion's length may be from 1. */
 const UNIT_WITHIN = 1e-3;
-/** Nearer to 1 than this a quaternion keeps its bits, so that a state that was sent replays to the same bits. */
+/** Within this of length 1 a quaternion keeps its bits, so that a sent state replays to the same bits. */
 const KEPT_WITHIN = 1e-12;
 
 const ZERO: Vec3 = [0, 0, 0];
@@ -69,7 +69,7 @@ function partsOf(r: Reading, sent: unknown, names: readonly string[]): Fields {
   return Object.fromEntries(names.map((name, i) => [name, value[i] as unknown]));
 }
 
-/** What a text of JSON holds; the text itself where it is none. */
+/** The value of a JSON text; any other text unchanged. */
 function parsedOr(text: string): unknown {
   if (text.length > MAX_VECTOR_TEXT) return text;
   try {

@@ -26,7 +26,7 @@ export function readEvent(r: Reading, from: Fields, frameTick: number): WorldEve
   };
 }
 
-/** What the record does not say is left out. */
+/** Absent members are omitted. */
 export function eventFields(event: WorldEvent): galaxy.stream.Event.$Properties {
   const { type, shipId, tick, substep, again, playerId, body, reason } = event;
   return {

@@ -13,11 +13,11 @@ import { type Fields, nameIn, numberIn, type Reading, refuse, valueIn } from '..
 import type { BodyState } from '../records';
 import { optionalQuaternionIn, optionalVectorIn, vectorIn } from '../fields/vectors';
 
-/** What fills in for a body that tells less than all. */
+/** Values for absent members of a body. */
 export interface BodyDefaults {
   /** By name: mass, radius, attitude and spin. */
   readonly known: readonly (Body & BodyMotion)[];
-  /** Game time of the message, s: how far a body with an axis and a period has turned. */
+  /** Game time of the message, s, which gives the rotation of a body with axis and period. */
   readonly time: number;
 }
 
@@ -59,7 +59,7 @@ interface Spin {
   readonly angularVelocity: Vec3;
 }
 
-/** Of axis and period, or null where one of them is not sent. */
+/** From axis and period, or null if one of them is absent. */
 function spinIn(r: Reading, from: Fields, time: number): Spin | null {
   const axisName = valueIn(r, from, 'spin_axis') === undefined ? 'axis' : 'spin_axis';
   const periodName = valueIn(r, from, 'rotation_period') === undefined ? 'period' : 'rotation_period';
@@ -96,7 +96,7 @@ function poleTo([x, y, z]: Vec3): Quat {
   return unit([z, 0, -x, 1 + y]);
 }
 
-/** The turn `b`, then `a`. */
+/** The rotation `b`, then `a`. */
 function compose([ax, ay, az, aw]: Quat, [bx, by, bz, bw]: Quat): Quat {
   return unit([
     aw * bx + ax * bw + ay * bz - az * by,

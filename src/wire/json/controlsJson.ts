@@ -5,7 +5,7 @@ import { beginReading, endReading, fieldsOf } from '../fields/reading';
 /**
  * Controls for JSON.stringify, under the game's names: thrust_level, translation_input and rotation_input {x, y, z},
  * attitude_hold, attitude_mode, target_attitude {w, x, y, z}. Controls that `takeControls` gives can always be encoded.
- * @throws RangeError, naming the member, where controls made by hand are incomplete or not finite
+ * @throws RangeError that names the member, if controls are incomplete or not finite
  *
  * @example
  * ```ts
@@ -21,8 +21,8 @@ export function encodeControlsJson(controls: Controls): Readonly<Record<string, 
 }
 
 /**
- * Controls that a client says in JSON, clamped into range; what it leaves out is neutral. Refused with the path of the
- * first bad field, below `path`. Never throws on a parsed JSON value.
+ * Controls of a client in JSON, clamped into range; absent ones are neutral. Refused with the path of the first invalid field, below
+ * `path`. Never throws on a parsed JSON value.
  */
 export function decodeControlsJson(value: unknown, path = 'controls'): Result<Controls> {
   const r = beginReading('json', path);

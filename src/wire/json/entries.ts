@@ -11,9 +11,9 @@ import {
   valueIn,
 } from '../fields/reading';
 
-/** One pass over a JSON message whose parts stand or fall by themselves. */
+/** One pass over a JSON message whose parts are accepted or refused individually. */
 export interface Partial {
-  /** Of the parts that were left out: path and reason, in the order of the message. */
+  /** Path and reason of each part left out, in the order of the message. */
   readonly refusals: string[];
 }
 
@@ -27,7 +27,7 @@ export interface EntryList<T> {
 }
 
 /**
- * The entries that can be used; each of the others leaves its refusal. Undefined when the list is not sent, or is none.
+ * The valid entries; each invalid one leaves a refusal. Undefined if the list is absent or no list.
  */
 export function entriesIn<T>(pass: Partial, from: Fields, list: EntryList<T>): T[] | undefined {
   const root = beginReading('json');
@@ -53,7 +53,7 @@ export function entriesIn<T>(pass: Partial, from: Fields, list: EntryList<T>): T
   return items;
 }
 
-/** A part of the message by itself: undefined when it is not sent, or refused. */
+/** A single part of the message: undefined if it is absent or refused. */
 export function partIn<T>(pass: Partial, from: Fields, name: string, read: (r: Reading) => T): T | undefined {
   const r = beginReading('json');
   if (valueIn(r, from, name) === undefined) return undefined;

@@ -31,24 +31,24 @@ import { entriesIn, type Partial, partIn } from './entries';
 import { notPlain, wrappedIn } from '../fields/sentObject';
 import { gameTimeIn } from './gameTime';
 
-/** A frame from JSON, and what of it was left out. */
+/** A frame from JSON, and what was left out of it. */
 export interface DecodedFrame extends PartialFrame {
-  /** Path and reason of each ship, body, event or other part that could not be used; the rest of the frame stands. */
+  /** Path and reason of each invalid ship, body, event or other part; the rest of the frame is valid. */
   readonly refusals: readonly string[];
 }
 
 export interface FrameJsonOptions {
-  /** Fill in mass, radius, attitude and spin of bodies that do not tell them, by name; the game's bodies unless given. */
+  /** By name, mass, radius, attitude and spin of bodies without them; by default the game's bodies. */
   readonly bodies?: readonly (Body & BodyMotion)[];
 }
 
 /**
- * A frame that a JSON server says, under any envelope that has been opened: `tick` and `ships` (a list, or an object by
- * ship_id); and where they are told `tick_rate`, `time_scale`, `game_time` (s or ISO 8601), `paused`, `bodies` (a list,
- * or an object by name), `events` and `last_input`. Names in snake_case or camelCase; values as themselves or as Redis
- * keeps them, in texts; vectors [x, y, z] or {x, y, z}, quaternions [w, x, y, z] or {w, x, y, z}. Modes, classes,
- * states and events that are not known stay what they are called. Refused whole only without a tick or ships; what else
- * cannot be used is in `refusals`. SI units, ICRF axes, quaternions of the record [x, y, z, w]. Never throws.
+ * A frame of a JSON server, without its envelope: `tick` and `ships` (a list, or an object by
+ * ship_id); and optionally `tick_rate`, `time_scale`, `game_time` (s or ISO 8601), `paused`, `bodies` (a list,
+ * or an object by name), `events` and `last_input`. Names in snake_case or camelCase; values as JSON values or as Redis
+ * holds them, in texts; vectors [x, y, z] or {x, y, z}, quaternions [w, x, y, z] or {w, x, y, z}. Unknown modes, classes,
+ * states and events keep their names. Refused only without a tick or ships; other invalid parts are in
+ * `refusals`. SI units, ICRF axes, quaternions of the record [x, y, z, w]. Never throws.
  */
 export function decodeFrameJson(value: unknown, options: FrameJsonOptions = {}): Result<DecodedFrame> {
   const mistaken = notPlain(value);
@@ -143,7 +143,7 @@ function readRest(pass: Partial, from: Fields, about: BodyDefaults & { readonly 
   };
 }
 
-/** A frame for JSON.stringify: all that protobuf carries, in snake_case; decodeFrameJson gives it back but for the sign of −0. */
+/** A frame for JSON.stringify: everything that protobuf carries, in snake_case; decodeFrameJson restores it, except for the sign of −0. */
 export function encodeFrameJson(frame: PartialFrame): Readonly<Record<string, unknown>> {
   return { ...frameFields(frame), ...(frame.lastInput === null && { last_input: null }) };
 }

@@ -19,9 +19,9 @@ import { readBodyJson } from './bodyJson';
 import { entriesIn, type Partial } from './entries';
 import { notPlain } from '../fields/sentObject';
 
-/** A hello from JSON, and what of it was left out. */
+/** A hello from JSON, and what was left out of it. */
 export interface DecodedHello extends Hello {
-  /** Path and reason of each ship class and body that could not be used; the rest of the hello stands. */
+  /** Path and reason of each invalid ship class and body; the rest of the hello is valid. */
   readonly refusals: readonly string[];
 }
 
@@ -40,10 +40,10 @@ const TOLD = [
 const UNTOLD: Fields = { settings: {}, tick_rate: 1, time_scale: 1, input_granularity: 'tick' };
 
 /**
- * What a JSON server tells once, as a hello: any of `player_id`, `ship_id`, `settings`, `ship_classes` and `bodies` (a
- * list, or an object by name), `terrain`, `tick`, `tick_rate`, `time_scale`, `input_granularity`, `protocol_version`. What it leaves out is
+ * The hello of a JSON server: any of `player_id`, `ship_id`, `settings`, `ship_classes` and `bodies` (a
+ * list, or an object by name), `terrain`, `tick`, `tick_rate`, `time_scale`, `input_granularity`, `protocol_version`. Defaults are
  * the design's: default settings, the game's classes and bodies, flat ground, 1 Hz, whole-tick inputs, protocol version 1.0. Spelling as in
- * decodeFrameJson. Refused with the path of the first bad field that is not a class or a body. Never throws.
+ * decodeFrameJson. Refused with the path of the first invalid field that is not a class or a body. Never throws.
  */
 export function decodeHelloJson(value: unknown): Result<DecodedHello> {
   const mistaken = notPlain(value);
@@ -88,7 +88,7 @@ export function decodeHelloJson(value: unknown): Result<DecodedHello> {
   return endReading(r, hello);
 }
 
-/** A hello for JSON.stringify: all that protobuf carries, in snake_case. */
+/** A hello for JSON.stringify: everything that protobuf carries, in snake_case. */
 export function encodeHelloJson(hello: Hello): Readonly<Record<string, unknown>> {
   return { ...helloFields(hello) };
 }

@@ -19,9 +19,9 @@ export type ShipStateJson = Readonly<Record<string, unknown>>;
 
 /**
  * A ShipState as the game's browser socket has it: a parsed JSON object, names in snake_case or camelCase, values as
- * themselves or in texts as Redis keeps them, vectors {x, y, z} or [x, y, z], quaternions {w, x, y, z} or [w, x, y, z]. Needed are ship_id, position, velocity, attitude,
+ * JSON values or as texts, as Redis holds them, vectors {x, y, z} or [x, y, z], quaternions {w, x, y, z} or [w, x, y, z]. Required are ship_id, position, velocity, attitude,
  * angular_velocity and fuel; the others count as not sent when they are absent or null, with the meaning that has in
- * protobuf. Refused with the path of the first bad field, below `path`. Never throws on a parsed JSON value.
+ * protobuf. Refused with the path of the first invalid field, below `path`. Never throws on a parsed JSON value.
  */
 export function decodeShipStateJson(value: unknown, path = 'ship'): Result<ShipState> {
   const r = beginReading('json', path);
@@ -30,7 +30,7 @@ export function decodeShipStateJson(value: unknown, path = 'ship'): Result<ShipS
 
 /**
  * Several of them: a list, or an object by ship_id, whose states may leave their ship_id out. Refused whole. The game's
- * envelope around its states is not published: hand in what lies inside it.
+ * envelope around its states is not published: pass its contents.
  */
 export function decodeShipStatesJson(value: unknown, path = 'ships'): Result<ShipState[]> {
   const r = beginReading('json');

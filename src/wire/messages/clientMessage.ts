@@ -22,8 +22,8 @@ const ENVELOPE: Envelope = {
 };
 
 /**
- * A message from a client, for the authority: checked, finite, plain; or why it is refused whole, with the path of the
- * first bad field ("inputs[2].controls.thrust_level: …"). Controls are clamped into range. Never throws, whatever the
+ * A message from a client, for the authority: checked, finite, plain; or the reason why it is refused, with the path of the
+ * first invalid field ("inputs[2].controls.thrust_level: …"). Controls are clamped into range. Never throws, whatever the
  * bytes (PREDICTION, Timeline).
  */
 export function decodeClientMessage(bytes: Uint8Array): Result<ClientMessage> {
@@ -49,7 +49,7 @@ export function decodeClientMessage(bytes: Uint8Array): Result<ClientMessage> {
 
 /**
  * The bytes of a checked message, in a buffer of their own. Decoding gives the record back, bit by bit.
- * @throws RangeError for what is no message of takeOutgoing
+ * @throws RangeError for anything but a message of takeOutgoing
  */
 export function encodeClientMessage(message: ClientMessage): Uint8Array<ArrayBuffer> {
   const kind: unknown = (message as ClientMessage | null | undefined)?.kind;

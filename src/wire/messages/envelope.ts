@@ -14,7 +14,7 @@ export interface ListLimit {
 }
 
 /**
- * What `decode` makes of the bytes, or why they are not the message. Lists are counted before anything is built:
+ * The decoded bytes, or the reason why they are not the message. Lists are counted before anything is built:
  * 8 MB of empty entries would otherwise become 400 MB of objects.
  */
 export function openEnvelope<T>(
@@ -43,7 +43,7 @@ export function openEnvelope<T>(
 const BRACE = 0x7b;
 const QUOTE = 0x22;
 
-/** '' for bytes; else what was handed in instead, and what to do about it. */
+/** '' for bytes; otherwise what was passed instead, and what to do about it. */
 function notBytes(value: unknown): string {
   if (value instanceof Uint8Array || Object.prototype.toString.call(value) === '[object Uint8Array]')
     return '';

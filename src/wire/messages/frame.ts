@@ -54,7 +54,7 @@ export function readFrame(r: Reading, from: Fields): ServerFrame {
   return frame;
 }
 
-/** What the server applied before the boundary `frameTick`: nothing is acknowledged before it acts. */
+/** The input applied last before the boundary `frameTick`: nothing is acknowledged before it acts. */
 export function readAcknowledgement(r: Reading, from: Fields, frameTick: number): InputAcknowledgement {
   return {
     seq: integerIn(r, from, 'seq', 1, Number.MAX_SAFE_INTEGER),
@@ -64,7 +64,7 @@ export function readAcknowledgement(r: Reading, from: Fields, frameTick: number)
   };
 }
 
-/** What the frame does not tell is left out. */
+/** Absent members are omitted. */
 export function frameFields(frame: PartialFrame): galaxy.stream.ServerFrame.$Properties {
   const { tickRate, timeScale, gameTime, paused, bodies, events, lastInput } = frame;
   return {

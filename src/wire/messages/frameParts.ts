@@ -6,8 +6,8 @@ import { shipStateFields } from '../fields/shipState';
 import { eventFields } from '../fields/worldEvent';
 
 /**
- * A ServerMessage with a frame in parts, for whoever sends one world to many clients: each ship is encoded once, and a
- * client's frame is put together from the bytes of the ships it sees. The parts of a message may come in any order.
+ * A ServerMessage with a frame in parts, to send one world to many clients: each ship is encoded once, and a
+ * client's frame is composed from the bytes of the ships it sees. The parts of a message may come in any order.
  */
 
 /** Tags of length-delimited fields: ServerMessage.frame = 2, ServerFrame.ships = 6 (stream.proto). */
@@ -20,13 +20,13 @@ export function encodeShipPart(state: ShipState): Uint8Array {
   return galaxy.physics.ShipState.encode(shipStateFields(state), writer).ldelim().finish();
 }
 
-/** What all clients get alike: tick, tempo, bodies. */
+/** Common to all clients: tick, tempo, bodies. */
 export function encodeCommonPart(frame: ServerFrame): Uint8Array {
   const common = frameFields({ ...frame, ships: [], events: [], lastInput: null });
   return galaxy.stream.ServerFrame.encode(common).finish();
 }
 
-/** What is one client's own. */
+/** Specific to one client. */
 export function encodeOwnPart(
   events: readonly WorldEvent[],
   lastInput: InputAcknowledgement | null,
@@ -38,7 +38,7 @@ export function encodeOwnPart(
   return galaxy.stream.ServerFrame.encode(own).finish();
 }
 
-/** The message: what encodeServerMessage gives of the whole frame, but for the order of fields. */
+/** The message: as encodeServerMessage of the whole frame, except for the order of fields. */
 export function joinFrameParts(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   let length = 0;
   for (const part of parts) length += part.length;

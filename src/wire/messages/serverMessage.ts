@@ -46,7 +46,7 @@ const ENVELOPE: Envelope = {
 };
 
 /**
- * A message from the server: checked, finite, plain; or why it is refused whole, with the path of the first bad field
+ * A message from the server: checked, finite, plain; or the reason why it is refused, with the path of the first invalid field
  * ("frame.ships[3].relative_position.y: expected a finite number, got NaN"). Never throws, whatever the bytes.
  * SI units, ICRF axes, quaternions [x, y, z, w] (PREDICTION, Server messages).
  */

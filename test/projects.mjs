@@ -62,7 +62,8 @@ export const longTests = {
   plugins: [bundledTests()],
   test: {
     reporters: ['default', ['json', { outputFile: 'node_modules/.cache/touchdown/long-tests.json' }]],
-    maxWorkers,
+    // One after the other: those that run in real time measure what a busy machine would change.
+    fileParallelism: false,
     include: [LONG_TESTS],
     testTimeout: 1_800_000,
     hookTimeout: 1_800_000,

@@ -19,7 +19,6 @@ export function createPilot(playerId: string): Pilot {
 
 /** Whether the pilot may have another ping answered at wall second `now`; counts it if so. */
 export function takePing(pilot: Pilot, now: number): boolean {
-  // Not `>=`: a clock that jumps backwards leaves the difference negative, and the window must not stay open.
   if (!(now - pilot.pingsSince < 1)) {
     pilot.pingsSince = now;
     pilot.pings = 0;

@@ -4,10 +4,9 @@ import { createRecorder } from '../../src/playground/recording/recorder';
 import { axisRange } from '../../src/playground/panels/workshop/plots';
 import { createReplay } from '../../src/playground/recording/replay';
 import { createSamples, summarise } from '../../src/playground/game/samples';
-import { createSession } from '../../src/playground/server/session';
 import { createPredictor, type WorldView } from '../../src/prediction';
-import { NETWORK_PRESETS, readRecording, type RecordingEntry, writeRecording } from '../../src/scenarios';
-import { decodeServerMessage, encodeClientMessage } from '../../src/wire';
+import { readRecording, writeRecording } from '../../src/scenarios';
+import { type Play, recordPlay } from './recordPlay';
 
 describe('page clock', () => {
   it('changes its speed without a jump, within 0.1 to 4', () => {
@@ -58,40 +57,12 @@ describe('figures', () => {
   });
 });
 
-/** Plays a scenario through the worker's session and a predictor, as the page does, and records it. */
-function play(seconds: number, during: (session: ReturnType<typeof createSession>, now: number) => void) {
-  const session = createSession();
-  const predictor = createPredictor({ ownShipId: 'own' });
-  const entries: RecordingEntry[] = [];
-  const load = {
-    kind: 'load',
-    scenario: 'settle',
-    body: '',
-    shipClass: '',
-    terrain: '',
-    legacy: false,
-  } as const;
-  const options = { tickRate: 1, timeScale: 1, network: NETWORK_PRESETS.broadband, seed: 3, others: 0 };
-  expect(session.operate({ ...load, ...options }, 0)).toBeNull();
+/** A recorded landing, and the pose of each of its frames. */
+function play(seconds: number, before: NonNullable<Play['before']>) {
   const poses: number[] = [];
-  for (let n = 0; n < seconds * 60; n++) {
-    const at = n / 60;
-    during(session, at);
-    for (const { bytes } of session.run(at)) {
-      const decoded = decodeServerMessage(bytes);
-      if (!decoded.ok) throw new Error(decoded.reason);
-      predictor.receive(decoded.value, at);
-      entries.push({ kind: 'received', at, message: decoded.value });
-    }
-    predictor.advance(null, at);
-    entries.push({ kind: 'advanced', at, controls: null });
-    poses.push(poseOf(predictor.view(at)));
-    for (const message of predictor.takeOutgoing()) {
-      session.send(encodeClientMessage(message), at);
-      entries.push({ kind: 'sent', at, message });
-    }
-  }
-  return { recording: { header: { note: '', shipId: 'own' }, entries }, poses };
+  const onView = (view: WorldView) => poses.push(poseOf(view));
+  const recording = recordPlay({ scenario: 'settle', others: 0, seconds, before, onView });
+  return { recording, poses };
 }
 
 function poseOf(view: WorldView): number {

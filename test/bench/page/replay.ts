@@ -1,6 +1,6 @@
 import { createReplay } from '../../../src/playground/recording/replay';
+import { recordPlay } from '../../playground/recordPlay';
 import { type Figure, figure } from '../measure';
-import { recordFleet } from './tenMinutes';
 
 const SHIPS = 30;
 const SECONDS = 600;
@@ -12,7 +12,7 @@ const STEPS = 60;
  * the collector's threads counted, so that other work on the machine does not show.
  */
 export function replayFigures(): readonly Figure[] {
-  const replay = createReplay(recordFleet(SHIPS, SECONDS));
+  const replay = createReplay(recordPlay({ scenario: 'bounce', others: SHIPS - 1, seconds: SECONDS }));
   const from = performance.now();
   replay.prepare(() => false);
   const prepared = performance.now() - from;

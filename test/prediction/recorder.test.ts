@@ -25,10 +25,10 @@ describe('the recorder', () => {
     const file = writeRecording({ header: { note: 'a test', shipId: 'ship-1' }, entries });
     const read = value(readRecording(file));
     expect(read.entries).toHaveLength(entries.length);
-    const twin = createPredictor({ terrains: { [rig.loaded.scenario.terrain]: rig.loaded.terrainHeight } });
+    const second = createPredictor({ terrains: { [rig.loaded.scenario.terrain]: rig.loaded.terrainHeight } });
     let replayed = 0;
-    replayEntries(twin, read.entries, (at) => {
-      const { own } = twin.view(at);
+    replayEntries(second, read.entries, (at) => {
+      const { own } = second.view(at);
       if (own !== null)
         replayed = hashRows(Float64Array.of(replayed, ...own.easedPosition, ...own.meshAttitude));
     });
@@ -70,9 +70,9 @@ describe('the recorder of a session with calls and undecoded messages', () => {
     expect(entries.filter(({ kind }) => kind === 'called')).toHaveLength(5);
     expect(rig.view().diagnosis.framesSuperseded).toBeGreaterThan(20);
     const { scenario, terrainHeight } = rig.loaded;
-    const twin = createPredictor({ terrains: { [scenario.terrain]: terrainHeight } });
+    const second = createPredictor({ terrains: { [scenario.terrain]: terrainHeight } });
     const replayed: number[] = [];
-    replayEntries(twin, read.entries, (at) => look(twin, at, replayed));
+    replayEntries(second, read.entries, (at) => look(second, at, replayed));
     expect(replayed).toEqual(flown);
   });
 

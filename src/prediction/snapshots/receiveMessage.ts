@@ -9,7 +9,7 @@ import { type Answer, noteNow, samplePong, serverTime } from '../time/clock';
 import { answeredPing, forgetPings } from '../time/pings';
 import { spanOf, wallOfTick } from '../time/timeline';
 import { completeFrame } from './completeFrame';
-import { receiveSnapshot, refuse, startAnew } from './receiver';
+import { receiveSnapshot, refuse, startAnew } from './receiveSnapshot';
 import { loadGiven, sameWorld } from './worldConfig';
 
 /**

@@ -5,17 +5,10 @@ import { spanOf } from '../../time/timeline';
 import { spunMotion } from './bodySpin';
 import { boundaryAt, startBodiesAt, updateBodies } from './bodyTrack';
 import type { Receiver } from '../receiver';
+import type { BodiesOfFrame } from '../snapshotContext';
 
 /** Most ticks over which bodies are moved only to compare them. */
 const MAX_CARRIED = 64;
-
-/** The bodies at a frame's tick, of the server and as predicted. */
-export interface BodiesOfFrame {
-  bodies: Float64Array;
-  predictedBodies: Float64Array;
-  /** Largest error of the predicted bodies' attitudes and spins, by component. */
-  turned: number;
-}
 
 /**
  * Writes the frame's bodies and compares them with the predicted ones. Bodies that are not sent, have no attitude or spin, or repeat the

@@ -12,7 +12,7 @@ import {
 import type { ShipState } from '../../../wire';
 import { learnFrom, nothingToLearn } from '../learnFrom';
 import type { SnapshotContext } from '../snapshotContext';
-import { holdLaw } from './lawFit';
+import { holdLaw } from './lawErrors';
 import { adopt, drawableState, isExact, unknownNameOf } from './adopt';
 import {
   describeDifference,

@@ -3,7 +3,7 @@ import { createJourney, followJourney } from '../../src/readout/landing/journey'
 import { makeView } from './views';
 
 describe('the readout’s own clock', () => {
-  it('begins with the first view, and counts game seconds on the body of number 0 too', () => {
+  it('begins with the first view, and counts game seconds on the body of index 0 too', () => {
     const journey = createJourney();
     const view = makeView({ body: 'Luna' });
     expect(view.own.body).toBe(0);

@@ -17,18 +17,18 @@ const ROOMS = [
   'example',
 ];
 
-describe('circles of imports', () => {
+describe('import cycles', () => {
   const files = filesUnder('src', /(?<!\.d)\.[jt]s$/);
 
   const inRooms = (rooms: readonly string[]) =>
     files.filter(({ path }) => rooms.some((room) => path.startsWith(`src/${room}/`)));
 
-  it('of values are none', () => {
+  it('do not exist among values', () => {
     expect(inRooms(ROOMS).length).toBeGreaterThan(100);
     expect(circlesOf(inRooms(ROOMS), 'values')).toEqual([]);
   });
 
-  it.each(ROOMS)('of types are none in src/%s', (room) => {
+  it.each(ROOMS)('do not exist among types in src/%s', (room) => {
     expect(inRooms([room]).length).toBeGreaterThan(3);
     expect(circlesOf(inRooms([room]), 'all')).toEqual([]);
   });
@@ -39,7 +39,7 @@ describe('circles of imports', () => {
       kinds,
     );
 
-  it('are found, through types and an index too', () => {
+  it('are found through types and an index too', () => {
     expect(
       circlesIn({
         'src/a.ts': "import type { B } from './b';",

@@ -50,7 +50,9 @@ describe('the nearest event of the same type', () => {
     ] as const) {
       const { timeline, ledger } = twoTouches();
       confirm(ledger, EVENT_CONTACT, at(3, substep), timeline);
-      expect(ledger.entries.map(({ fate }) => fate).indexOf('confirmed'), `at ${substep}`).toBe(found);
+      expect(ledger.entries.map(({ status: fate }) => fate).indexOf('confirmed'), `at ${substep}`).toBe(
+        found,
+      );
       expect(ledger.entries).toHaveLength(2);
     }
   });

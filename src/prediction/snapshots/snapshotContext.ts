@@ -1,5 +1,5 @@
 import type { InputAcknowledgement } from '../../wire';
-import type { InputFate } from '../inputs/inputs';
+import type { InputOutcome } from '../inputs/inputs';
 
 /** The bodies at a frame's tick, of the server and as predicted. */
 export interface BodiesOfFrame {
@@ -19,7 +19,7 @@ export interface SnapshotContext extends BodiesOfFrame {
   now: number;
   /** The frame's acknowledgement of the own ship's inputs. */
   lastInput: InputAcknowledgement | null;
-  inputs: InputFate;
+  inputs: InputOutcome;
 }
 
 export function createSnapshotContext(): SnapshotContext {

@@ -49,10 +49,10 @@ export function checked<Readout>(
   { root, paint, dispose, member, madeBy }: Painted<Readout>,
   onWarning: HudWarn | undefined,
 ): { readonly paint: (readout: Readout) => void; readonly dispose: () => void } {
-  const told = new Set<string>();
+  const reported = new Set<string>();
   const warn: HudWarn = (code, message) => {
-    if (told.has(code)) return;
-    told.add(code);
+    if (reported.has(code)) return;
+    reported.add(code);
     onWarning?.(code, message);
   };
   let paints = 0;

@@ -25,7 +25,7 @@ export interface LedgerEntry {
   /** The substep at whose end it happened. */
   tick: number;
   substep: number;
-  fate: 'predicted' | 'confirmed' | 'retracted';
+  status: 'predicted' | 'confirmed' | 'retracted';
   /** The newest pass over the ship's time that had it: one pass never has an event twice. */
   pass: number;
 }
@@ -52,11 +52,11 @@ export function predict(
     event,
     birth,
     timeline,
-    (entry) => entry.pass !== pass && entry.fate !== 'retracted',
+    (entry) => entry.pass !== pass && entry.status !== 'retracted',
   );
   if (known !== null) {
     known.pass = pass;
-    if (known.fate === 'predicted') {
+    if (known.status === 'predicted') {
       known.tick = birth.tick;
       known.substep = birth.substep;
     }
@@ -83,13 +83,13 @@ export function confirm(
   birth: { readonly tick: number; readonly substep: number },
   timeline: Timeline,
 ): EventNotice | null {
-  const told = (entry: LedgerEntry) =>
-    entry.fate === 'confirmed' && entry.tick === birth.tick && entry.substep === birth.substep;
-  if (ledger.entries.some((entry) => entry.event === event && told(entry))) return null;
+  const isReported = (entry: LedgerEntry) =>
+    entry.status === 'confirmed' && entry.tick === birth.tick && entry.substep === birth.substep;
+  if (ledger.entries.some((entry) => entry.event === event && isReported(entry))) return null;
   const entry =
-    nearest(ledger, event, birth, timeline, (candidate) => candidate.fate === 'predicted') ??
+    nearest(ledger, event, birth, timeline, (candidate) => candidate.status === 'predicted') ??
     addConfirmed(ledger, event, birth);
-  entry.fate = 'confirmed';
+  entry.status = 'confirmed';
   entry.tick = birth.tick;
   entry.substep = birth.substep;
   return noticeOf(ledger, entry);
@@ -101,9 +101,9 @@ export function confirm(
  */
 export function retract(ledger: Ledger, tick: number, timeline: Timeline): EventNotice | null {
   for (const entry of ledger.entries) {
-    if (entry.fate !== 'predicted') continue;
+    if (entry.status !== 'predicted') continue;
     if (indexOf(timeline, tick, 0) - indexOf(timeline, entry.tick, entry.substep) < SAME_EVENT) continue;
-    entry.fate = 'retracted';
+    entry.status = 'retracted';
     return noticeOf(ledger, entry);
   }
   return null;
@@ -119,9 +119,9 @@ export function confirmByState(
   crashed: boolean,
 ): EventNotice | null {
   for (const entry of ledger.entries) {
-    if (entry.fate !== 'predicted' || !isBefore(entry.tick, entry.substep, tick, 0)) continue;
+    if (entry.status !== 'predicted' || !isBefore(entry.tick, entry.substep, tick, 0)) continue;
     if (crashed ? entry.event !== EVENT_DESTROYED : !(SHOWN_BY[entry.event] ?? []).includes(state)) continue;
-    entry.fate = 'confirmed';
+    entry.status = 'confirmed';
     return noticeOf(ledger, entry);
   }
   return null;
@@ -152,9 +152,9 @@ export function settleByAgreement(
   by: PredictedBy,
 ): EventNotice | null {
   for (const entry of ledger.entries) {
-    if (entry.fate !== 'predicted' || entry.tick < by.fromTick) continue;
+    if (entry.status !== 'predicted' || entry.tick < by.fromTick) continue;
     if (indexOf(timeline, tick, 0) - indexOf(timeline, entry.tick, entry.substep) < SAME_EVENT) continue;
-    entry.fate = entry.pass === by.pass ? 'confirmed' : 'retracted';
+    entry.status = entry.pass === by.pass ? 'confirmed' : 'retracted';
     return noticeOf(ledger, entry);
   }
   return null;
@@ -163,7 +163,7 @@ export function settleByAgreement(
 /** Forgets what was settled before `tick`. */
 export function pruneLedger(ledger: Ledger, tick: number): void {
   const { entries } = ledger;
-  while (entries.length > 0 && entries[0]!.tick < tick && entries[0]!.fate !== 'predicted') entries.shift();
+  while (entries.length > 0 && entries[0]!.tick < tick && entries[0]!.status !== 'predicted') entries.shift();
 }
 
 function nearest(
@@ -202,7 +202,7 @@ function add(
   pass: number,
 ): LedgerEntry {
   const { tick, substep } = birth;
-  const entry: LedgerEntry = { event, tick, substep, fate: 'predicted', pass };
+  const entry: LedgerEntry = { event, tick, substep, status: 'predicted', pass };
   ledger.entries.push(entry);
   return entry;
 }
@@ -210,13 +210,13 @@ function add(
 /** Whether there is room for one more: the oldest settled one is dropped. An unsettled one would be reported again by the next replay. */
 function makeRoom({ entries }: Ledger): boolean {
   if (entries.length < MAX_ENTRIES) return true;
-  const settled = entries.findIndex(({ fate }) => fate !== 'predicted');
+  const settled = entries.findIndex(({ status }) => status !== 'predicted');
   if (settled < 0) return false;
   entries.splice(settled, 1);
   return true;
 }
 
 function noticeOf(ledger: Ledger, entry: LedgerEntry): EventNotice {
-  const { tick, substep, fate: kind, event } = entry;
+  const { tick, substep, status: kind, event } = entry;
   return { kind, type: EVENT_NAMES[event] as ShipEventName, shipId: ledger.shipId, tick, substep };
 }

@@ -7,7 +7,7 @@ import { holdSleeping } from './simulation/sleep';
 import type { Simulation } from './simulation/simulation';
 import { startReplay } from './simulation/replay';
 import { copyRow, removeTrack, type Track } from './simulation/track';
-import { forgetPending } from './snapshots/pending';
+import { forgetPending } from './snapshots/pendingFrames';
 import { loadConfig } from './snapshots/worldConfig';
 import { forgetPings } from './time/pings';
 

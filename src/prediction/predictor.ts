@@ -24,7 +24,7 @@ import { announce, createSession, type Session } from './session';
 import type { Policy } from './simulation/track';
 import { noteCall } from './snapshots/receiveMessage';
 import { decodePending, receivePending } from './snapshots/pending';
-import { refuse } from './snapshots/receiver';
+import { refuse } from './snapshots/receiveSnapshot';
 import { pingIfDue } from './time/pings';
 
 /**

@@ -5,7 +5,7 @@ import type { Defaults } from './options';
 import type { Removal } from './ownership';
 import type { Predictor } from './predictor';
 import type { Policy } from './simulation/track';
-import { MAX_KEPT_EVENTS } from './snapshots/pending';
+import { MAX_KEPT_EVENTS } from './snapshots/pendingFrames';
 
 /** What went through a predictor, in order; `at`: client wall s. The recordings of `scenarios` hold one JSON line for each entry. */
 export type PredictorEntry =

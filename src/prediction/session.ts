@@ -1,7 +1,7 @@
 import type { BodyMotion, TerrainHeight, World } from '../dynamics';
 import { TERRAINS } from '../dynamics';
 import type { Hello } from '../wire';
-import { guardTerrain } from './checks/terrains';
+import { guardTerrain } from './checks/guardTerrain';
 import { createDiagnosis } from './diagnosis';
 import { springsOf } from './drawn/ease';
 import type { Diagnosis, EventNotice } from './drawn/view';
@@ -11,7 +11,7 @@ import { createSending, type Sending } from './inputs/sending';
 import { BUDGET, defaultWorld, type PredictorOptions } from './options';
 import { createSimulation, type Simulation } from './simulation/simulation';
 import { createGameTimeMeter, forgetGameTime, type GameTimeMeter } from './snapshots/gameTimeMeter';
-import { createPendingFrames, type PendingFrames } from './snapshots/pending';
+import { createPendingFrames, type PendingFrames } from './snapshots/pendingFrames';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
 import { loadConfig, type WorldConfig } from './snapshots/worldConfig';
 import { type Clock, createClock, forgetSchedule } from './time/clock';
@@ -118,7 +118,7 @@ export function announce({ sim, listeners, warn }: Session): void {
         listener(notice);
       } catch (error) {
         const details = { notice, error: String(error) };
-        warn('listener-threw', 'An event listener threw: mend it. The other listeners were told.', details);
+        warn('listener-threw', 'An event listener threw: mend it. The other listeners were called.', details);
       }
     }
   }

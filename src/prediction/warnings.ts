@@ -5,17 +5,17 @@
 export type Warn = (code: string, message: string, details: Readonly<Record<string, unknown>>) => void;
 
 /** Most warnings of one predictor, so that made-up names do not fill the memory. */
-const MAX_TOLD = 200;
+const MAX_REPORTED = 200;
 
 /** Creates a `warn` that reports each code once, or once per `details.field`. A listener that throws is ignored; without one nothing happens. */
 export function createWarn(listener: Warn | undefined): Warn {
-  const told = new Set<string>();
+  const reported = new Set<string>();
   return (code, message, details) => {
-    if (listener === undefined || told.size >= MAX_TOLD) return;
+    if (listener === undefined || reported.size >= MAX_REPORTED) return;
     const { field } = details;
     const key = typeof field === 'string' ? `${code} ${field}` : code;
-    if (told.has(key)) return;
-    told.add(key);
+    if (reported.has(key)) return;
+    reported.add(key);
     try {
       listener(code, message, details);
     } catch {

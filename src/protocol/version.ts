@@ -12,10 +12,10 @@ type VersionMatch = 'same' | 'older' | 'newer' | 'foreign';
 /** Compares "major.minor" or "major" alone (minor 0) with PROTOCOL_VERSION; absent is FIRST_VERSION. Never throws, whatever is given. */
 export function matchVersion(version: unknown): VersionMatch {
   const given = version ?? FIRST_VERSION;
-  const told = VERSION.exec(typeof given === 'string' ? given : '');
+  const theirs = VERSION.exec(typeof given === 'string' ? given : '');
   const own = VERSION.exec(PROTOCOL_VERSION)!;
-  if (told === null || Number(told[1]) !== Number(own[1])) return 'foreign';
-  const ahead = Number(told[2] ?? 0) - Number(own[2] ?? 0);
+  if (theirs === null || Number(theirs[1]) !== Number(own[1])) return 'foreign';
+  const ahead = Number(theirs[2] ?? 0) - Number(own[2] ?? 0);
   if (ahead === 0) return 'same';
   return ahead > 0 ? 'newer' : 'older';
 }

@@ -9,14 +9,14 @@ const TEXT = /(?<!\.d)\.(ts|mjs|js|py|md|proto|css|html|c|h|yml)$|\/run$/;
 
 const hasPath = (path: string) => existsSync(join(ROOT, path));
 
-describe('what documents and comments point at', () => {
+describe('links and citations in documents and comments', () => {
   const documents = [
     ...topFiles(/\.md$/),
     ...['src', 'test', '.ci'].flatMap((name) => filesUnder(name, /\.md$/)),
   ];
   const known = readDocuments(documents, hasPath);
 
-  it('is there: links, files and sections', () => {
+  it('point at existing files and sections', () => {
     const files = [...topFiles(TEXT), ...FOLDERS.flatMap((folder) => filesUnder(folder, TEXT))];
     const own = /^test\/(architecture|mutants)\/.*test\.ts$/;
     expect(known.sections.size).toBeGreaterThan(4);
@@ -36,7 +36,7 @@ describe('what documents and comments point at', () => {
       '// LAW, "What it gives": so much\n/* LAW.md, step 1 and src/a.ts\n * LAW, what it\n * gives */',
     ],
     ['src/a.ts', '// LAW (Range) and the OTHER, whatever'],
-  ])('in %s: %s', (path, text) => {
+  ])('accepted in %s: %s', (path, text) => {
     const file = { path, text };
     const both = readDocuments([file, { path: 'src/LAW.md', text: '## What it gives' }], () => true);
     expect(citationFaults(file, path.endsWith('.md') ? both : example)).toEqual([]);
@@ -49,7 +49,7 @@ describe('what documents and comments point at', () => {
     ['src/a.ts', '// LAW, What it givesaway', 'no such section'],
     ['src/a.ts', '// LAW.md, step 2', 'no such section'],
     ['src/a.ts', '// as src/gone.ts does', 'not there'],
-  ])('in %s: %s is a fault', (path, text, said) => {
+  ])('a fault in %s: %s', (path, text, said) => {
     expect(citationFaults({ path, text }, example)).toEqual([expect.stringContaining(said)]);
   });
 });

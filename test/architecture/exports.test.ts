@@ -11,7 +11,7 @@ const EXAMPLE = /^src\/example\//;
 /** The columns and small integers of a row stand together, those that nobody asks for too. */
 const TOGETHER = /^src\/dynamics\/layout\.ts: /;
 
-describe('exports', () => {
+describe('exported values', () => {
   it('are imported somewhere', () => {
     const files = ['src', 'test', '.ci']
       .flatMap((folder) => filesUnder(folder, /(?<!\.d)\.(ts|mjs|js)$/))
@@ -27,7 +27,7 @@ describe('exports', () => {
       ['src/index.ts'],
     );
 
-  it('are found where nobody does, also through an index', () => {
+  it('that nothing imports are found, also through an index', () => {
     const room = {
       'src/a/index.ts': "export { b, c } from './b';",
       'src/a/b.ts': 'export const b = 1, c = 2;',
@@ -43,7 +43,7 @@ describe('exports', () => {
     expect(unusedIn({ ...room, 'src/index.ts': "void import('./a');" })).toEqual([]);
   });
 
-  it('are no fault when they are types', () => {
+  it('do not include types', () => {
     expect(
       unusedIn({ 'src/index.ts': '', 'src/a.ts': 'export interface A { b: 1 }\nexport type B = A;' }),
     ).toEqual([]);

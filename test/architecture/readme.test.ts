@@ -41,7 +41,7 @@ it.each(commandsOf(read('README.md')))('CI runs `%s`', (command) => {
   expect(runByCi()).toContain(INSIDE[command] ?? command);
 });
 
-it('finds the commands', () => {
+it('finds the commands of a README', () => {
   expect(commandsOf(read('README.md')).length).toBeGreaterThan(8);
   expect(commandsOf('```sh\nnpm run a -- b  # c\n```\n')).toEqual(['npm run a']);
 });

@@ -49,7 +49,7 @@ describe('the set-up', () => {
   }
   const has = (name: string) => existsSync(join(folder, 'node_modules', name));
 
-  it('installs what is missing, once, and says so', () => {
+  it('installs what is missing, once, and reports it', () => {
     const first = setUp('start');
     expect(first).toMatchObject({ status: 0, err: '' });
     expect(first.out).toMatch(/1 package is missing/);
@@ -57,7 +57,7 @@ describe('the set-up', () => {
     expect(setUp('start')).toEqual({ status: 0, out: '', err: '' });
   });
 
-  it('adds the test packages for a test, and a start keeps them', () => {
+  it('adds the test packages for a test, and a later start keeps them', () => {
     setUp('start');
     expect(setUp('test').status).toBe(0);
     expect([has('shown'), has('vitest')]).toEqual([true, true]);
@@ -74,7 +74,7 @@ describe('the set-up', () => {
     expect(setUp('start').out).toBe('');
   });
 
-  it('says what is wrong when npm fails', () => {
+  it('reports the cause when npm fails', () => {
     const run = setUp('start', 'npm error code ENOTFOUND');
     expect(run.status).toBe(1);
     expect(run.err).toMatch(/ENOTFOUND[^]*registry cannot be reached/);
@@ -83,14 +83,14 @@ describe('the set-up', () => {
 });
 
 describe('what the set-up decides', () => {
-  it.each(['18.20.0', '20.18.9', '21.7.0', '22.11.0'])('node %s is refused', (version) => {
+  it.each(['18.20.0', '20.18.9', '21.7.0', '22.11.0'])('refuses node %s', (version) => {
     expect(nodeComplaint(version)).toContain(version);
   });
-  it.each(['20.19.0', '22.12.0', '23.0.0', '24.1.0', '26.0.0'])('node %s will do', (version) => {
+  it.each(['20.19.0', '22.12.0', '23.0.0', '24.1.0', '26.0.0'])('accepts node %s', (version) => {
     expect(nodeComplaint(version)).toBeNull();
   });
 
-  it('asks for the native part of this machine alone', () => {
+  it('requests the native package of this machine only', () => {
     const native = { version: '1.0.0', optional: true, cpu: ['x64'] };
     const packages = {
       'node_modules/for-glibc': { ...native, os: ['linux'], libc: ['glibc'] },
@@ -106,16 +106,16 @@ describe('what the set-up decides', () => {
     expect(onMachine({ os: 'linux', cpu: 'arm64', libc: 'glibc' })).toEqual([]);
   });
 
-  it('knows common causes', () => {
+  it('names common causes', () => {
     expect(causeOf('npm error code ENOSPC')).toMatch(/disk is full/);
     expect(causeOf('npm error Missing: a@1.0.0 from lock file')).toMatch(/disagree/);
     expect(causeOf('npm error code EODD')).toMatch(/npm’s own words/);
   });
 });
 
-describe('the count that closes a run', () => {
+describe('the final count', () => {
   const good = { numPassedTests: 5, numFailedTests: 0, numPendingTests: 0, numTodoTests: 0, success: true };
-  it('is good when every test ran and passed', () => {
+  it('succeeds when every test ran and passed', () => {
     expect(verdictOf([good])).toEqual({ line: '5 passed, 0 failed', complaint: null });
     expect(verdictOf([good, good])).toEqual({ line: '10 passed, 0 failed', complaint: null });
   });
@@ -125,7 +125,7 @@ describe('the count that closes a run', () => {
     [{ numPendingTests: 2 }, '5 passed, 0 failed, 2 skipped'],
     [{ numTodoTests: 1 }, '5 passed, 0 failed, 1 skipped'],
     [{ success: false }, '5 passed, 0 failed'],
-  ])('is not with %j', (change, line) => {
+  ])('fails with %j', (change, line) => {
     const verdict = verdictOf([{ ...good, ...change }]);
     expect(verdict.line).toBe(line);
     expect(verdict.complaint).not.toBeNull();

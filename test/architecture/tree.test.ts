@@ -48,7 +48,7 @@ function tooLong(files: readonly SourceFile[]): string[] {
 }
 
 describe('the tree', () => {
-  it('has exactly the known entries at the top', () => {
+  it('has exactly the known entries at the top level', () => {
     const found = readdirSync(ROOT).filter((name) => !NOT_OURS.has(name) && !name.endsWith('.log'));
     expect(found.sort()).toEqual(TOP.sort());
   });
@@ -60,7 +60,7 @@ describe('the tree', () => {
     expect(tooLong(files)).toEqual([]);
   });
 
-  it('would find a file too long', () => {
+  it('fails for a file that is too long', () => {
     const text = 'x\n'.repeat(MAX_LINES);
     expect(tooLong([{ path: 'a.ts', text }])).toEqual([]);
     expect(tooLong([{ path: 'a.ts', text: `${text}x\n` }])).toEqual(['a.ts: 301 lines']);

@@ -46,13 +46,13 @@ function unusedPackages(manifest: string, texts: readonly string[]): string[] {
   });
 }
 
-describe('nothing is kept for nobody', () => {
-  it('each file is imported, or named by what starts it', () => {
+describe('unused files and packages', () => {
+  it('there is no file that is neither imported nor started by name', () => {
     expect(CODE.length).toBeGreaterThan(300);
     expect(unreached(CODE, [...CONFIG, ...PAGES, ...STARTS])).toEqual([]);
   });
 
-  it('a file that nothing reaches is found', () => {
+  it('an unreachable file is found', () => {
     // Put together here, so that this file does not name it.
     const path = `src/hud/${['for', 'gotten'].join('')}.ts`;
     const dead = { path, text: 'export const a = 1;' };
@@ -66,11 +66,11 @@ describe('nothing is kept for nobody', () => {
     ...[...CODE, ...PAGES, ...CONFIG.filter(({ path }) => path !== 'package.json')].map(({ text }) => text),
   ];
 
-  it('each package is imported or run', () => {
+  it('there is no package that is neither imported nor run', () => {
     expect(unusedPackages(manifest, texts)).toEqual([]);
   });
 
-  it('a package that is not is found', () => {
+  it('an unused package is found', () => {
     // Put together here, so that this file does not name it.
     const name = ['never', 'asked'].join('-');
     const withOne = JSON.stringify({

@@ -3,7 +3,7 @@ import { isEmptyName, wordFaults } from './forbiddenWords';
 import { filesUnder } from './source';
 
 describe('forbidden words', () => {
-  it('stand in no file of src', () => {
+  it('are in no file of src', () => {
     const files = filesUnder('src', /(?<!\.d)\.[jt]s$/);
     expect(files.filter((file) => file.path.startsWith('src/dynamics/')).length).toBeGreaterThan(10);
     expect(files.flatMap(wordFaults)).toEqual([]);
@@ -37,7 +37,7 @@ describe('forbidden words', () => {
     '// Math.sin(x) would differ, as would x ** 2',
     "const said = 'performance of Math.sin'",
     'const tick = count % 10',
-  ])('in dynamics: %s is none', (text) => {
+  ])('in dynamics: %s is allowed', (text) => {
     expect(wordFaults({ path: 'src/dynamics/a.ts', text })).toEqual([]);
   });
 
@@ -57,12 +57,12 @@ describe('forbidden words', () => {
     ['src/playground/a.ts', 'const now = performance.now()'],
     ['src/readout/a.ts', 'const y = Math.atan2(a, b)'],
     ['src/hud/a.ts', 'row.textContent = name'],
-  ])('%s: %s is none', (path, text) => {
+  ])('%s: %s is allowed', (path, text) => {
     expect(wordFaults({ path, text })).toEqual([]);
   });
 });
 
-describe('names', () => {
+describe('file and folder names', () => {
   it('say what is inside', () => {
     const files = [...filesUnder('src', /./), ...filesUnder('test', /./), ...filesUnder('proto', /./)];
     expect(files.length).toBeGreaterThan(20);
@@ -75,9 +75,9 @@ describe('names', () => {
     'src/utils/row.ts',
     'test/ship-manager.ts',
     'src/Misc.ts',
-  ])('%s says nothing', (path) => expect(isEmptyName(path)).toBe(true));
+  ])('%s is refused', (path) => expect(isEmptyName(path)).toBe(true));
 
-  it.each(['src/dynamics/state/layout.ts', 'src/hud/utilisation.ts'])('%s does', (path) => {
+  it.each(['src/dynamics/state/layout.ts', 'src/hud/utilisation.ts'])('%s is accepted', (path) => {
     expect(isEmptyName(path)).toBe(false);
   });
 });

@@ -49,7 +49,7 @@ function play(scenario: Scenario) {
 
 describe('the world loop', () => {
   it.each(SCENARIOS.map((scenario) => [scenario.name, scenario] as const))(
-    'plays %s to the same bits and events as the dynamics alone',
+    'simulates %s to the same bits and events as the dynamics alone',
     (_name, scenario) => {
       const { run, world, frames } = play(scenario);
       for (const [tick, frame] of frames.entries()) {
@@ -76,7 +76,7 @@ describe('the world loop', () => {
     },
   );
 
-  it('makes ICRF position and velocity from the body and the relative state', () => {
+  it('computes ICRF position and velocity from the body and the relative state', () => {
     const authority = moonWith('opening');
     runTo(authority, 3);
     const { bodies, ships } = frameOf(authority);
@@ -89,7 +89,7 @@ describe('the world loop', () => {
     expect(ship.mass).toBe(8000 + ship.fuel);
   });
 
-  it('tells a hello and frames that survive the wire unchanged', () => {
+  it('sends a hello and frames that survive the wire unchanged', () => {
     const authority = moonWith('opening');
     const hello = valueOf(authority.join('ann', 'own'));
     expect(hello).toMatchObject({
@@ -106,7 +106,7 @@ describe('the world loop', () => {
     expect(valueOf(decodeServerMessage(encodeServerMessage(frame)))).toEqual(frame);
   });
 
-  it('hands the events of an interval out with the boundary that ends it, once', () => {
+  it('reports the events of an interval once, with the boundary that ends it', () => {
     const authority = moonWith('opening');
     runTo(authority, 2);
     expect(frameOf(authority).events).toHaveLength(1);
@@ -115,7 +115,7 @@ describe('the world loop', () => {
     expect(frameOf(authority).events).toHaveLength(0);
   });
 
-  it('lets a flying ship fall to the body that pulls it most, from a tick’s start on', () => {
+  it('gives a flying ship the nearest body as reference from a tick’s start on', () => {
     const bodies = BODIES.filter(({ name }) => name === 'Earth' || name === 'Luna');
     const authority = moonWith('opening', { bodies });
     const earth = bodies.find(({ name }) => name === 'Earth')!;
@@ -131,7 +131,7 @@ describe('the world loop', () => {
     expect(Math.hypot(...frameOf(authority).ships[1]!.relativePosition!)).toBeCloseTo(1.6e7, -5);
   });
 
-  it('knows no frame for one who has not joined, and joins nobody to a ship that is flown', () => {
+  it('has no frame for a client that has not joined, and refuses a ship that is already flown', () => {
     const authority = moonWith('opening');
     expect(authority.frameFor('bob')).toBeNull();
     expect(authority.join('bob', 'own')).toEqual({
@@ -161,7 +161,7 @@ describe('the world loop', () => {
 });
 
 describe('a game server of today', () => {
-  it('says no hello, leaves out fields 31 to 34, acknowledges nothing and takes whole ticks', () => {
+  it('sends no hello, leaves out fields 31 to 34, acknowledges nothing and applies whole ticks', () => {
     const authority = moonWith('launch', { legacy: true });
     expect(valueOf(authority.join('ann', 'own'))).toBeNull();
     valueOf(authority.receive('ann', { kind: 'inputs', inputs: [input(1, 0, 30, { thrustLevel: 1 })] }, 0.1));
@@ -181,7 +181,7 @@ describe('a game server of today', () => {
 });
 
 describe('ships', () => {
-  it('refuses a spawn by name and leaves the world as it was', () => {
+  it('refuses an invalid spawn by name and leaves the world unchanged', () => {
     const authority = moonWith('opening');
     const order = { shipId: 'two', playerId: 'bob', name: 'Two', ship: shipOf('settle') };
     expect(authority.spawn({ ...order, shipId: 'own' })).toContain('shipId');
@@ -202,7 +202,7 @@ describe('ships', () => {
     expect(frameOf(authority).ships.map(({ shipId }) => shipId)).toEqual(['own', 'two']);
   });
 
-  it('takes one ship out without touching the others', () => {
+  it('removes one ship without changing the others', () => {
     const authority = moonWith('opening');
     const ship = shipOf('settle');
     for (const shipId of ['two', 'three'])
@@ -219,7 +219,7 @@ describe('ships', () => {
     ]);
   });
 
-  it('takes a crashed ship out of the simulation until it is respawned, over the same ground', () => {
+  it('removes a crashed ship from the simulation until it is respawned, over the same ground', () => {
     const authority = moonWith('crash');
     const start = frameOf(authority).ships[0]!;
     const before = frameOf(authority).bodies[0]!.attitude;
@@ -244,7 +244,7 @@ describe('ships', () => {
     expect(frameOf(authority).ships[0]!.crashed).toBe(true);
   });
 
-  it('kicks a ship, waking it from the ground; refuses a kick that is none', () => {
+  it('kicks a ship, waking it from the ground, and refuses an invalid kick', () => {
     const authority = moonWith('launch');
     expect(authority.kick('own', [0, 0, Number.NaN], [0, 0, 0])).toContain('dv');
     expect(authority.kick('own', [0, 0, 0], [1e9, 0, 0])).toContain('spin');

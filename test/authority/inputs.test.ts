@@ -10,7 +10,7 @@ function send(authority: Authority, inputs: InputRecord[], now: number, playerId
 const thrust = (authority: Authority) => frameOf(authority).ships[0]!.thrustLevel;
 
 describe('inputs', () => {
-  it('act from the start of the substep they name, to the bit', () => {
+  it('take effect from the start of the substep they name, to the bit', () => {
     // Half the tick's substeps of engine are half the fuel.
     const burnt = [0, 50, 99].map((substep) => {
       const authority = moonWith('opening');
@@ -24,7 +24,7 @@ describe('inputs', () => {
     expect(burnt[2]).toBeCloseTo(perSubstep, 9);
   });
 
-  it('acknowledges the last applied with its place and its margin', () => {
+  it('are acknowledged, the last applied one with its place and its margin', () => {
     const authority = moonWith('opening');
     expect(frameOf(authority).lastInput).toBeNull();
     valueOf(send(authority, [input(1, 0, 10, {}), input(2, 0, 90, {}), input(3, 1, 5, {})], 0.25));
@@ -35,7 +35,7 @@ describe('inputs', () => {
     expect(authority.counters).toMatchObject({ inputsApplied: 3, inputsLate: 0 });
   });
 
-  it('applies a late one at the next substep it simulates, and says so with a negative margin', () => {
+  it('are applied at the next substep when late, with a negative margin', () => {
     const authority = moonWith('opening');
     runTo(authority, 3);
     valueOf(send(authority, [input(1, 1, 40, { thrustLevel: 0.5 })], 3.2));
@@ -49,7 +49,7 @@ describe('inputs', () => {
     expect(authority.counters).toMatchObject({ inputsApplied: 1, inputsLate: 1 });
   });
 
-  it('has the margin of the boundary as it really was, though the schedule has changed since', () => {
+  it('have the margin of the boundary’s true time, even after the schedule changed', () => {
     const authority = moonWith('opening');
     for (const at of [1, 2.5, 7, 7.25]) authority.tick(at);
     valueOf(send(authority, [input(1, 1, 99, {})], 7.3));
@@ -57,7 +57,7 @@ describe('inputs', () => {
     expect(frameOf(authority).lastInput!.margin).toBeCloseTo(2.5 - 7.3, 12);
   });
 
-  it('of granularity tick act at tick starts alone', () => {
+  it('of granularity tick apply at tick starts only', () => {
     const authority = moonWith('opening', { inputGranularity: 'tick' });
     valueOf(send(authority, [input(1, 0, 1, { thrustLevel: 1 })], 0.1));
     runTo(authority, 1);
@@ -67,7 +67,7 @@ describe('inputs', () => {
     expect(frameOf(authority).ships[0]!.fuel).toBeCloseTo(4800 - 200000 / (340 * 9.80665), 9);
   });
 
-  it('come once, whatever the network repeats, and never after a younger one', () => {
+  it('apply once, whatever the network repeats, and never after a newer one', () => {
     const authority = moonWith('opening');
     const first = input(1, 0, 0, { thrustLevel: 0.1 });
     valueOf(send(authority, [first, first], 0));
@@ -82,7 +82,7 @@ describe('inputs', () => {
     expect(authority.counters).toMatchObject({ inputsApplied: 2, inputsDuplicate: 3, inputsSuperseded: 1 });
   });
 
-  it('are numbered anew by a page that was loaded anew, and not by one that reconnects', () => {
+  it('start again from 1 for a reloaded page, and continue for one that reconnects', () => {
     const authority = moonWith('opening');
     valueOf(send(authority, [input(1, 0, 0, { thrustLevel: 0.1 }), input(2, 0, 0, {})], 0));
     runTo(authority, 1);
@@ -95,7 +95,7 @@ describe('inputs', () => {
     expect(thrust(authority)).toBe(0.4);
   });
 
-  it('move no ship but the sender’s own', () => {
+  it('move the sender’s own ship only', () => {
     const authority = moonWith('opening');
     valueOf(authority.join('watcher', ''));
     const refused = send(authority, [input(1, 0, 0, { thrustLevel: 1 })], 0, 'watcher');
@@ -126,7 +126,7 @@ describe('inputs', () => {
     expect([inputsMalformed + inputsFromFuture, inputsApplied]).toEqual([1, 1]);
   });
 
-  it('do not pile up: a flood is refused and counted, what was queued holds', () => {
+  it('do not pile up: a flood is refused and counted, and queued ones still apply', () => {
     const authority = moonWith('opening');
     const flood = Array.from({ length: MAX_QUEUED + 500 }, (_, i) => input(i + 1, 5, 0, { thrustLevel: 1 }));
     const refused = send(authority, flood, 0);

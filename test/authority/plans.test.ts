@@ -41,14 +41,14 @@ describe('a ship with a plan', () => {
     },
   );
 
-  it('flies it at its substeps though the server takes inputs at whole ticks alone', () => {
+  it('flies it at its substeps though the server takes inputs at whole ticks only', () => {
     const authority = moonFlying([thrust(0, 50, 1)], { inputGranularity: 'tick' });
     runTo(authority, 1);
     const burnt = 4800 - frameOf(authority).ships[0]!.fuel;
     expect(burnt).toBeCloseTo((50 * 0.01 * 200000) / (340 * 9.80665), 9);
   });
 
-  it('leaves it for its player’s first input, and acknowledges nothing of it', () => {
+  it('drops it at its player’s first input, and acknowledges nothing of it', () => {
     const authority = moonFlying([thrust(0, 10, 0.5), thrust(2, 0, 0.7)]);
     runTo(authority, 1);
     expect(frameOf(authority)).toMatchObject({ lastInput: null, ships: [{ thrustLevel: 0.5 }] });
@@ -57,7 +57,7 @@ describe('a ship with a plan', () => {
     expect(frameOf(authority)).toMatchObject({ lastInput: { seq: 1 }, ships: [{ thrustLevel: 0.2 }] });
   });
 
-  it('despawned and spawned anew has none', () => {
+  it('has none after despawn and spawn', () => {
     const authority = moonFlying([thrust(2, 0, 0.7)]);
     expect(authority.despawn('own')).toBeNull();
     runTo(authority, 1);
@@ -73,7 +73,7 @@ describe('a ship with a plan', () => {
     ['plan[0]: expected whole numbers', [thrust(-1, 0, 0)]],
     ['plan[0].controls.thrustLevel', [thrust(0, 0, Number.NaN)]],
     ['plan: expected at most', Array.from({ length: 10_001 }, () => thrust(0, 0, 0))],
-  ])('is refused with its field: %s', (field, plan) => {
+  ])('is refused by field: %s', (field, plan) => {
     const authority = valueOf(createAuthority(MOON));
     const order = { shipId: 'own', playerId: 'ann', name: 'Own', ship: shipOf('opening') };
     expect(authority.spawn({ ...order, plan })).toContain(field);

@@ -3,7 +3,7 @@ import { MAX_CATCH_UP, runDueTicks, setFrozen, startLoop } from '../../src/autho
 import { frameOf, moonWith, runTo, valueOf } from './moon';
 
 describe('tick rate and time scale', () => {
-  it('changed while it runs, hold from the next boundary', () => {
+  it('apply from the next boundary when changed at run time', () => {
     const authority = moonWith('opening');
     expect(authority.setTickRate(20)).toBeNull();
     expect(authority.setTimeScale(10)).toBeNull();
@@ -18,7 +18,7 @@ describe('tick rate and time scale', () => {
     expect(after - middle).toBeCloseTo(26510 / 2, 3);
   });
 
-  it('out of range are refused by name and change nothing', () => {
+  it('are refused by name when out of range, and change nothing', () => {
     const authority = moonWith('opening');
     expect(authority.setTickRate(0)).toContain('tickRate');
     expect(authority.setTickRate(Number.NaN)).toContain('tickRate');
@@ -29,7 +29,7 @@ describe('tick rate and time scale', () => {
 });
 
 describe('pause', () => {
-  it('holds from the next boundary; the same tick comes again, and nothing moves', () => {
+  it('applies from the next boundary; the same tick repeats, and nothing moves', () => {
     const authority = moonWith('opening');
     runTo(authority, 1);
     authority.setPaused(true);
@@ -47,7 +47,7 @@ describe('pause', () => {
     expect(frameOf(authority).tick).toBe(3);
   });
 
-  it('changes nothing of the trajectory', () => {
+  it('changes nothing in the trajectory', () => {
     const straight = moonWith('opening');
     runTo(straight, 9);
     const paused = moonWith('opening');
@@ -75,7 +75,7 @@ describe('a step', () => {
     expect(moonWith('opening').armStep('tick')).toContain('not paused');
   });
 
-  it('pauses again after it, whatever was asked for before', () => {
+  it('ends in a pause, whatever was requested before', () => {
     const authority = moonWith('opening');
     authority.setPaused(true);
     authority.tick(1);
@@ -85,7 +85,7 @@ describe('a step', () => {
     expect(frameOf(authority)).toMatchObject({ tick: 2, paused: true });
   });
 
-  it('of a substep is an interval of one substep, told by the frame before it', () => {
+  it('of a substep is an interval of one substep, announced by the frame before it', () => {
     const authority = moonWith('opening');
     authority.setPaused(true);
     authority.tick(1);
@@ -98,7 +98,7 @@ describe('a step', () => {
     expect(moved).toBeCloseTo(265.1, 3);
   });
 
-  it('of a tick is a tick; a hundred of substeps are the same bits', () => {
+  it('of a tick equals a hundred substeps, bit for bit', () => {
     const whole = moonWith('opening');
     const parts = moonWith('opening');
     for (const authority of [whole, parts]) {
@@ -129,7 +129,7 @@ describe('the loop', () => {
     expect(authority.tickNumber()).toBe(4);
   });
 
-  it('follows a tick rate that changes while it runs', () => {
+  it('follows a tick rate that changes at run time', () => {
     const authority = moonWith('opening');
     const loop = startLoop(authority, 0);
     authority.setTickRate(10);
@@ -138,7 +138,7 @@ describe('the loop', () => {
     expect(loop.nextAt).toBeCloseTo(1.4, 12);
   });
 
-  it('makes up a bounded number of ticks after a stall and moves the rest of the schedule', () => {
+  it('catches up a bounded number of ticks after a stall and shifts the rest of the schedule', () => {
     const authority = moonWith('opening', { tickRate: 10 });
     const loop = startLoop(authority, 0);
     const passed = runDueTicks(loop, authority, 60.01, () => undefined);
@@ -147,7 +147,7 @@ describe('the loop', () => {
     expect(loop.nextAt).toBeCloseTo(60.1, 9);
   });
 
-  it('frozen, stands still and goes on where it stood', () => {
+  it('does not advance while frozen, and continues where it stopped', () => {
     const authority = moonWith('opening');
     const loop = startLoop(authority, 0);
     runDueTicks(loop, authority, 2.5, () => undefined);

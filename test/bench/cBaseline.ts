@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { timingOfTick } from '../../src/dynamics';
 import { figure, type Figure } from './measure';
 import type { Subject } from './subjects';
-import { type Landing, runTwin } from './cReference/landing';
+import { type Landing, runReference } from './cReference/landing';
 
 const SOURCES = fileURLToPath(new URL('./cReference/', import.meta.url));
 const CACHE = fileURLToPath(new URL('../../node_modules/.cache/touchdown/', import.meta.url));
@@ -27,11 +27,11 @@ const COMPILERS = [process.env['CC'] ?? 'cc', 'cc', 'gcc', 'clang'];
 const ROUNDS = 15;
 const TIMES = 100_000;
 
-/** ns a substep of `subject`'s first ship in C, as `contact-substep` measures it in TypeScript; null without a compiler. */
+/** ns per substep of `subject`'s first ship in C, as `contact-substep` measures it in TypeScript; null without a compiler. */
 export function cBaseline(subject: Subject): Figure | null {
-  const twin = compileTwin();
-  if (twin === null) return null;
-  const rounds = runTwin(twin, ['time', String(ROUNDS), String(TIMES)], [landingOf(subject)]);
+  const program = compileReference();
+  if (program === null) return null;
+  const rounds = runReference(program, ['time', String(ROUNDS), String(TIMES)], [landingOf(subject)]);
   return figure('contact-substep-c', 'ns', rounds.map(Number));
 }
 
@@ -41,14 +41,14 @@ export function landingOf({ world, ships, bodies }: Subject, ticks = 1): Landing
   return { ticks, timing, world, terrain: { name: 'flat' }, ships, bodies, inputs: [] };
 }
 
-/** The path of the compiled twin, compiled anew when its source changed; null without a compiler. @throws when it does not compile. */
-export function compileTwin(compilers: readonly string[] = COMPILERS): string | null {
+/** The path of the compiled reference, compiled again when its source changed; null without a compiler. @throws when it does not compile. */
+export function compileReference(compilers: readonly string[] = COMPILERS): string | null {
   const compiler = compilers.find((name) => spawnSync(name, ['--version']).status === 0);
   if (compiler === undefined) return null;
   const files = readdirSync(SOURCES).filter((name) => /\.[ch]$/.test(name));
   const hash = createHash('sha256').update(`${compiler} ${FLAGS.join(' ')}`);
   for (const name of files) hash.update(readFileSync(join(SOURCES, name)));
-  const path = join(CACHE, `twin-${hash.digest('hex').slice(0, 12)}`);
+  const path = join(CACHE, `c-reference-${hash.digest('hex').slice(0, 12)}`);
   if (existsSync(path)) return path;
   mkdirSync(CACHE, { recursive: true });
   const made = `${path}-${String(process.pid)}`;

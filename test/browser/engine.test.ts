@@ -7,7 +7,7 @@ import { PINNED_HASH } from '../engines/hash';
 import { describeInBrowser, openUrl } from './pages';
 
 describeInBrowser('the browser’s engine', () => {
-  it('comes to the pinned hash of all trajectories', async () => {
+  it('Chromium computes the pinned hash of all trajectories', async () => {
     const folder = mkdtempSync(join(tmpdir(), 'touchdown-'));
     try {
       const script = readFileSync(await bundleScript(folder), 'utf8');

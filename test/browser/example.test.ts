@@ -23,7 +23,7 @@ describeInBrowser('the example client', () => {
     await game.close();
   });
 
-  it('signs in, draws the ship until it has landed, and sends what the pilot does', async () => {
+  it('signs in, draws the ship until it has landed, and sends the pilot’s controls', async () => {
     const page = await openUrl(`${host.resolvedUrls!.local[0]!}?server=${game.address}&user=ada&password=x`);
     const warnings: string[] = [];
     page.on('console', (message) => {

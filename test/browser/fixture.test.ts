@@ -14,7 +14,7 @@ const OUTSIDE = `window.outsideRan = true;
 try { window.evaluated = new Function('return 1')() } catch (error) { window.refused = error.name }`;
 const ICON = '<svg xmlns="http://www.w3.org/2000/svg" width="1" height="1"/>';
 
-describeInBrowser('the browser tests’ ground', () => {
+describeInBrowser('the browser test fixture', () => {
   const folder = mkdtempSync(join(tmpdir(), 'touchdown-'));
   let server: StaticServer;
   beforeAll(async () => {
@@ -57,7 +57,7 @@ describeInBrowser('the browser tests’ ground', () => {
     expect(pixel).toEqual([51, 102, 153, 255]);
   });
 
-  it('reports a request that fails and an error that nobody catches', async () => {
+  it('reports a failed request and an uncaught error', async () => {
     const page = await openUrl(server.url);
     await page.evaluate(async () => {
       setTimeout(() => {
@@ -69,7 +69,7 @@ describeInBrowser('the browser tests’ ground', () => {
     expect(problemsOf(page).join('\n')).toMatch(/404/);
   });
 
-  it('serves its folder alone', () => {
+  it('serves its own folder only', () => {
     expect(fileFor(folder, '/games/touchdown/')).toBe(join(folder, 'index.html'));
     expect(fileFor(folder, '/games/touchdown/../../../../../../etc/passwd')).toBeNull();
     expect(fileFor(folder, '/index.html')).toBeNull();

@@ -29,7 +29,7 @@ describeInBrowser('the landing HUD', () => {
   beforeAll(() => open());
   afterAll(() => page.context().close());
 
-  it('says what the design says in each state', async () => {
+  it('prints the design’s words in each state', async () => {
     await show('tipped');
     expect(await page.textContent('.td-hint')).toBe('Use RCS rotation to right the ship');
     expect(await page.locator('.td-hint').isVisible()).toBe(true);
@@ -81,7 +81,7 @@ describeInBrowser('the landing HUD', () => {
     expect(await largest('tipped')).toBe('89.6°');
   });
 
-  it('dashes every number when no state has come for two ticks', async () => {
+  it('prints a dash for every number when no state has come for two ticks', async () => {
     await show('contact', 'stale');
     expect(await page.locator('.td-descent').innerText()).toBe('VSPD\n--\nHSPD\n--\nTTI\n--\nAGL\n--');
     expect(await page.textContent('.td-tilt-value')).toBe('--');
@@ -92,7 +92,7 @@ describeInBrowser('the landing HUD', () => {
     expect(hatched).toContain('repeating-linear-gradient');
   });
 
-  it('touches the DOM only where what is shown changed', async () => {
+  it('touches the DOM only where the display changed', async () => {
     const changes = (state: string | null) =>
       page.evaluate((name) => {
         const { hud } = window as unknown as HudWindow;
@@ -112,7 +112,7 @@ describeInBrowser('the landing HUD', () => {
     expect((await changes('confirmed')).sort()).toEqual(['#text', 'P', 'SPAN']);
   });
 
-  it('names the keys that are bound now', async () => {
+  it('names the current key bindings', async () => {
     await show('tipped');
     expect(await page.locator('.td-righting kbd:visible').allTextContents()).toEqual(['W', 'T']);
     await page.evaluate(() => (window as unknown as HudWindow).hud.rebind('pitchMinus', '7'));
@@ -125,7 +125,7 @@ describeInBrowser('the landing HUD', () => {
     await page.evaluate(() => (window as unknown as HudWindow).hud.rebind('pitchMinus', 'W'));
   });
 
-  it('says that a ship cannot be righted here', async () => {
+  it('says when a ship cannot be righted', async () => {
     await show('stuck');
     expect(await page.locator('.td-verdict').innerText()).toContain('cannot be righted here');
     expect(await page.locator('.td-hold:visible').count()).toBe(0);
@@ -143,7 +143,7 @@ describeInBrowser('the landing HUD', () => {
     expect(await page.locator('.td-verdict').isVisible()).toBe(false);
   });
 
-  it('announces confirmed transitions once, and alarms for TIPPED and CRASHED alone', async () => {
+  it('announces confirmed transitions once, and alerts for TIPPED and CRASHED only', async () => {
     await page.reload();
     await page.waitForSelector('html[data-ready=true]');
     const told = async () => [
@@ -182,7 +182,7 @@ describeInBrowser('the landing HUD', () => {
     );
   });
 
-  it('takes itself out of the host', async () => {
+  it('removes itself from the host', async () => {
     await page.evaluate(() => {
       const { hud } = window as unknown as HudWindow;
       hud.landing.dispose();
@@ -200,7 +200,7 @@ describeInBrowser('the pulse', () => {
       return `${animationName} ${animationDuration} ${animationIterationCount}`;
     });
 
-  it('is one of 300 ms when a ground state begins', async () => {
+  it('lasts 300 ms when a ground state begins', async () => {
     await open('no-preference');
     await show('flight');
     expect(await animation()).toMatch(/^none/);
@@ -210,7 +210,7 @@ describeInBrowser('the pulse', () => {
     expect(await animation()).toBe('td-pulse-b 0.3s 1');
   });
 
-  it('is not there for those who prefer reduced motion', async () => {
+  it('is absent for users who prefer reduced motion', async () => {
     await open('reduce');
     await show('flight', 'contact');
     expect(await animation()).toMatch(/^none/);

@@ -58,7 +58,7 @@ describeInBrowser('the HUDs on the playground', () => {
     describe(`at ${String(viewport.width)} × ${String(viewport.height)}`, () => {
       beforeAll(() => page.setViewportSize(viewport));
 
-      it.each(STATES)('fit whole, in a narrow font and in a wide one: %s', async (state) => {
+      it.each(STATES)('fit without clipping, in a narrow font and in a wide one: %s', async (state) => {
         for (const spacing of ['normal', WIDE]) {
           await page.evaluate(
             (wide) => document.documentElement.style.setProperty('letter-spacing', wide),
@@ -73,7 +73,7 @@ describeInBrowser('the HUDs on the playground', () => {
       });
     });
 
-  it('scroll by keyboard where the window is too low, status and tilt standing still', async () => {
+  it('scroll by keyboard where the window is too low, with status and tilt fixed', async () => {
     await page.setViewportSize({ width: 1280, height: 720 });
     await show(page, 'tipped');
     const places = () =>
@@ -106,7 +106,7 @@ describeInBrowser('the HUDs on the playground', () => {
     expect(await parts.getAttribute('tabindex')).toBeNull();
   });
 
-  it('would be found not to fit', async () => {
+  it('are found when they do not fit', async () => {
     await page.setViewportSize({ width: 1280, height: 720 });
     await show(page, 'tipped');
     const low = await page.addStyleTag({ content: '#hud .td-landing { max-height: 400px }' });

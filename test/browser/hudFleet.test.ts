@@ -18,7 +18,7 @@ describeInBrowser('the fleet HUD', () => {
     await page.waitForSelector('html[data-ready=true]');
   });
 
-  it('counts in its header and puts TIPPED first, then CONTACT', async () => {
+  it('shows counts in its header and puts TIPPED first, then CONTACT', async () => {
     await showFleet(20);
     expect(await page.locator('.td-count:visible').allTextContents()).toEqual([
       '2 tipped',
@@ -60,7 +60,7 @@ describeInBrowser('the fleet HUD', () => {
     expect(seen.size).toBe(1000);
   });
 
-  it('has at most 30 row elements while it scrolls: by key, by wheel, in jumps, and never a gap', async () => {
+  it('has at most 30 row elements and never a gap while it scrolls by key, by wheel or in jumps', async () => {
     await showFleet(1000);
     await page.waitForSelector('.td-row:nth-child(12)');
     // Counted at every change of the list, not only once it has come to rest; and looked at in every frame.

@@ -56,7 +56,7 @@ describeInBrowser('the HUDs on a host’s page', () => {
   afterAll(() => page.context().close());
 
   it.each(['tipped', 'contact', 'landed', 'flight'])(
-    'look as kept whatever the host’s styles are, in the page and in a shadow root: %s',
+    'match the kept pictures whatever the host’s styles are, in the page and in a shadow root: %s',
     async (state) => {
       for (const shadow of [false, true]) {
         await mount(state, 360, shadow);
@@ -69,7 +69,7 @@ describeInBrowser('the HUDs on a host’s page', () => {
     },
   );
 
-  it('leave the host’s elements as they are', async () => {
+  it('leave the host’s elements unchanged', async () => {
     const look = () =>
       page.evaluate(() =>
         [...document.querySelectorAll('html, body, main, h1, p.hud')].map((element) =>
@@ -88,7 +88,7 @@ describeInBrowser('the HUDs on a host’s page', () => {
     expect(names(styled)).toEqual(names(bare));
   });
 
-  it('name every class, keyframe and custom property with the prefix', async () => {
+  it('have the prefix in every class, keyframe and custom property', async () => {
     await mount('tipped', 360);
     const strange = await page.evaluate(() => {
       const found: string[] = [];
@@ -117,7 +117,7 @@ describeInBrowser('the HUDs on a host’s page', () => {
     expect(strange).toEqual([]);
   });
 
-  it('take colours, font and width from custom properties of the host, into a shadow root too', async () => {
+  it('take colours, font and width from the host’s custom properties, also in a shadow root', async () => {
     await setStyle(
       '--touchdown-ink: rgb(1, 2, 3); --touchdown-scrim: rgb(4, 5, 6); --touchdown-max-width: 200px',
     );
@@ -133,7 +133,7 @@ describeInBrowser('the HUDs on a host’s page', () => {
     await setStyle('');
   });
 
-  it('are light where that is asked for, and follow the system only where that is', async () => {
+  it('are light when requested, and follow the system only when requested', async () => {
     const ink = async (look: HudAppearance) => {
       await mount('flight', 360, false, look);
       return page.locator('.td-panel').evaluate((element) => getComputedStyle(element).color);

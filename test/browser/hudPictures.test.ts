@@ -48,7 +48,7 @@ async function faults(page: Page): Promise<string[]> {
   return violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(' ')}`));
 }
 
-describeInBrowser('the HUDs’ looks', () => {
+describeInBrowser('HUD pictures', () => {
   let page: Page;
   beforeAll(async () => {
     page = await openTestPage('hud.html', { reducedMotion: 'reduce' });
@@ -94,14 +94,14 @@ describeInBrowser('the HUDs’ looks', () => {
     }
   }
 
-  it('would be objected to by axe were a text too faint', async () => {
+  it('axe reports a text that is too faint', async () => {
     await show(page, 'contact');
     const style = await page.addStyleTag({ content: '.td-gates th { color: #8a8f94 }' });
     expect((await faults(page)).join()).toContain('color-contrast');
     await style.evaluate((element) => (element as HTMLStyleElement).remove());
   });
 
-  it('are told apart by the kept pictures: every state differs from every other by more than is tolerated', () => {
+  it('the kept pictures differ between all states by more than the tolerance', () => {
     // Those that differ by a few letters alone are told apart by the text of the slot.
     const alike = new Set(['flight confirmed', 'predicted withdrawn', 'flight off', 'confirmed off']);
     const pictures = STATES.map(([state]) => [state, kept(`landing-${state}-dark-1280`)!] as const);

@@ -102,8 +102,8 @@ const workersOf = (page: Page) =>
 const isOffline = async (page: Page) =>
   page.evaluate(async () => (await navigator.serviceWorker.getRegistrations()).length > 0);
 
-describeInBrowser('the built page, its host gone', () => {
-  it('opens at any link to it, lands, and fetches nothing more: plots opened for the first time', async () => {
+describeInBrowser('the built page without its host', () => {
+  it('opens at any link to it, lands, and fetches nothing more when plots are first opened', async () => {
     const server = await deploy();
     const page = await openAndKeep(server);
     await server.close();
@@ -113,7 +113,7 @@ describeInBrowser('the built page, its host gone', () => {
     expect(problemsOf(page)).toEqual([]);
   });
 
-  it('plays on where the browser keeps nothing, and says what it cannot fetch', async () => {
+  it('runs where the browser stores nothing, and says what it cannot fetch', async () => {
     const server = await deploy();
     const page = await openUrl(`${server.url}?scenario=settle&slow=4`, { ...SMALL, serviceWorkers: 'block' });
     await page.waitForSelector('html[data-status=landed]');
@@ -125,8 +125,8 @@ describeInBrowser('the built page, its host gone', () => {
   });
 });
 
-describeInBrowser('the built page, its host in trouble', () => {
-  it('shows the kept page when the host accepts and never answers, or answers 5xx', async () => {
+describeInBrowser('the built page with a failing host', () => {
+  it('shows the stored page when the host accepts and never answers, or answers 5xx', async () => {
     const server = await deploy();
     const page = await openAndKeep(server);
     server.fault = () => true;
@@ -141,7 +141,7 @@ describeInBrowser('the built page, its host in trouble', () => {
     await untilRunning(page);
   });
 
-  it('keeps nothing of a host that answers a script with a document, and keeps the page once it is well', async () => {
+  it('stores nothing from a host that answers a script with a document, and stores the page once the host works', async () => {
     const server = await deploy();
     server.fault = (file, response) => {
       // To the page the true script, to the worker that keeps it (which asks for all at once) a document.
@@ -161,7 +161,7 @@ describeInBrowser('the built page, its host in trouble', () => {
     await untilKept(page);
   });
 
-  it('fetches again what the browser dropped', async () => {
+  it('fetches again what the browser evicted', async () => {
     const server = await deploy();
     const page = await openAndKeep(server);
     const keptFiles = () =>
@@ -176,7 +176,7 @@ describeInBrowser('the built page, its host in trouble', () => {
     await expect.poll(keptFiles).toBe(all);
   });
 
-  it('lets the host switch it off for good: without offline.js nothing stays kept', async () => {
+  it('lets the host switch it off for good: without offline.js nothing stays stored', async () => {
     const server = await deploy();
     const page = await openAndKeep(server);
     server.remove('offline.js');
@@ -186,7 +186,7 @@ describeInBrowser('the built page, its host in trouble', () => {
   });
 });
 
-describeInBrowser('the built page, deployed anew', () => {
+describeInBrowser('the built page after a new deployment', () => {
   it('shows the new build on the second load at the latest, whole and without a network', async () => {
     const server = await deploy();
     const page = await openAndKeep(server);
@@ -200,7 +200,7 @@ describeInBrowser('the built page, deployed anew', () => {
     await untilRunning(page);
   });
 
-  it('shows the old build, whole, while a script of the new one cannot be fetched', async () => {
+  it('shows the old build, complete, while a script of the new one cannot be fetched', async () => {
     const server = await deploy();
     const page = await openAndKeep(server);
     server.deployAgain((html) => html.replace(/assets\/index-[\w-]+\.js/, 'assets/index-gone.js'));

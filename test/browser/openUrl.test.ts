@@ -5,29 +5,29 @@ import { describeInBrowser, openUrl } from './pages';
 describeInBrowser('a page', () => {
   let inside: Page | undefined;
 
-  describe('opened before the first tests of a file', () => {
+  describe('a page opened before the first tests of a file', () => {
     let page: Page;
     beforeAll(async () => {
       page = await openUrl('about:blank');
     });
 
-    it('is there for them, as is one that a test opens itself', async () => {
+    it('is available to them, as is one that a test opens itself', async () => {
       inside = await openUrl('about:blank');
       expect([page.isClosed(), inside.isClosed()]).toEqual([false, false]);
     });
   });
 
-  describe('opened before later tests, when others have run', () => {
+  describe('a page opened before later tests, after others have run', () => {
     let page: Page;
     beforeAll(async () => {
       page = await openUrl('about:blank');
     });
 
-    it('is there for them, and the one of the test before is closed', () => {
+    it('is available to them, and the previous test’s page is closed', () => {
       expect([page.isClosed(), inside?.isClosed()]).toEqual([false, true]);
     });
 
-    it('stays for all of them', () => {
+    it('stays open for all of them', () => {
       expect(page.isClosed()).toBe(false);
     });
   });

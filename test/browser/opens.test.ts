@@ -43,7 +43,7 @@ describeInBrowser('the built page', () => {
 
   // Once the page has its first picture and time to spare, its service worker fetches all of it again, plots too, to have it
   // without a network: twice the weight, but nothing that anyone waits for. It is counted neither here nor as part of the load.
-  it(`weighs at most ${HEAVIEST / 1000} kB, apart from plots, replays and help, which come when they are asked for`, async () => {
+  it(`weighs at most ${HEAVIEST / 1000} kB, apart from plots, replays and help, which load on demand`, async () => {
     const page = await openBuiltPage('', { framesPerSecond: 3 });
     await page.waitForSelector('html[data-ready=true]');
     const fetched = await page.evaluate(() =>

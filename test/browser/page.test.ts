@@ -7,7 +7,7 @@ import { shadesOf, SMALL, untilStatus } from './waits';
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 describeInBrowser('the built page', () => {
-  it('shows a landing: picture, displays, nothing wrong', async () => {
+  it('shows a landing: picture, displays, no error', async () => {
     const page = await openBuiltPage('?scenario=opening&slow=4', { framesPerSecond: 2 });
     await page.waitForSelector('html[data-ready=true]');
     await untilStatus(page, 'landed');
@@ -24,7 +24,7 @@ describeInBrowser('the built page', () => {
   it.each([
     ['dark', 1280, 720],
     ['light', 390, 844],
-  ] as const)('has nothing for axe to find (%s, %i × %i)', async (colorScheme, width, height) => {
+  ] as const)('passes axe (%s, %i × %i)', async (colorScheme, width, height) => {
     const page = await openBuiltPage('?scenario=settle', {
       ...SMALL,
       viewport: { width, height },
@@ -72,7 +72,7 @@ describeInBrowser('the built page', () => {
     expect(problemsOf(page)).toEqual([]);
   });
 
-  it('works with the network off once loaded', async () => {
+  it('works without network once loaded', async () => {
     const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
     await untilStatus(page, 'landed');
     await page.context().setOffline(true);

@@ -9,7 +9,7 @@ function throttleOf(page: Page): Promise<number> {
 }
 
 describeInBrowser('the game on the built page', () => {
-  it('says what to do and with which keys, lands, tells what it was worth and what comes next', async () => {
+  it('names the goal and the keys, lands, and shows the score and the next mission', async () => {
     const page = await openBuiltPage('', FLUENT);
     await page.waitForSelector('html[data-ready=true]');
     const goal = await page.textContent('#goal');
@@ -47,7 +47,7 @@ describeInBrowser('the game on the built page', () => {
     expect(await page.textContent('#notice')).toMatch(/Race a friend: \d+ points in \d+ s/);
   });
 
-  it('flies with any focus but a text field’s, and lets go of what the browser loses sight of', async () => {
+  it('flies with the focus anywhere but in a text field, and releases keys when it loses the focus', async () => {
     const page = await openBuiltPage('?scenario=launch', SMALL);
     await page.waitForSelector('html[data-ready=true]');
     const full = () => expect.poll(() => throttleOf(page)).toBe(100);

@@ -4,7 +4,7 @@ import { describeInBrowser, openBuiltPage, problemsOf } from './pages';
 import { FLUENT, SMALL, untilBanner, untilProvenance, untilStatus } from './waits';
 
 describeInBrowser('the built page', () => {
-  it('replays what it recorded, both ways, with the first divergence marked', async () => {
+  it('replays what it recorded, forward and backward, with the first divergence marked', async () => {
     const page = await openBuiltPage('?scenario=settle&slow=2', FLUENT);
     await untilStatus(page, 'landed');
     // Slowly: the flight lasts for seconds of the game, and a slow display's frames are as far apart.

@@ -65,7 +65,7 @@ describeInBrowser('a run on the built page', () => {
     expect(await endOfRun(again, 8)).toBe(run);
   });
 
-  it('shares a scenario that flies by itself: the same bits on a slow display too', async () => {
+  it('shares a scenario with planned inputs: the same bits on a slow display too', async () => {
     const query = '?scenario=freighter-hold&net=satellite&seed=3';
     const page = await openBuiltPage(query, FLUENT);
     const run = await endOfRun(page, 15);

@@ -38,7 +38,7 @@ describeInBrowser('the built page, when something is wrong', () => {
     expect(words).toContain('body: expected one of Luna, Earth, Mars, Phobos');
   });
 
-  it('says why a file is no recording and what one is', async () => {
+  it('says why a file is not a recording, and what a recording is', async () => {
     const page = await openBuiltPage('?scenario=settle', SMALL);
     await page.waitForSelector('html[data-ready=true]');
     const file = {
@@ -70,7 +70,7 @@ describeInBrowser('the built page, when something is wrong', () => {
     await untilBanner(page, 'did not load');
   });
 
-  it('says that the picture was taken away, and shows it again', async () => {
+  it('says that the picture was lost, and restores it', async () => {
     const page = await openBuiltPage('?scenario=settle', SMALL);
     await untilStatus(page, 'landed');
     const before = await shadesOf(page);
@@ -93,7 +93,7 @@ describeInBrowser('the built page, when something is wrong', () => {
     await expect.poll(() => shadesOf(page)).toBeGreaterThan(before / 2);
   });
 
-  it('goes on by its displays where there is no WebGL', async () => {
+  it('works by its displays where there is no WebGL', async () => {
     const blind = () => {
       HTMLCanvasElement.prototype.getContext = () => null;
     };

@@ -49,7 +49,7 @@ describe('the 16 t class', () => {
     for (const bounces of found) expect([2, 3]).toContain(bounces);
   });
 
-  it('sinks in 3.4 m at 49.8 m/s', () => {
+  it('compresses 3.4 m at 49.8 m/s', () => {
     for (const body of ['Luna', 'Earth']) {
       expect(Math.abs(comeDown(body, 49.8).deepest - 3.4)).toBeLessThan(0.05);
     }

@@ -43,8 +43,8 @@ function angle(y: number, x: number): number {
   return arc[ARC_ANGLE]!;
 }
 
-describe('the angle of a vector', () => {
-  it('is within 6e-16 rad of the true one', () => {
+describe('angle of a vector', () => {
+  it('is within 6e-16 rad of atan2', () => {
     const rng = createRandom(3);
     let worst = 0;
     for (let i = 0; i < 50_000; i++) {
@@ -65,8 +65,8 @@ describe('the angle of a vector', () => {
   ])('of (%d, %d)', (y, x, expected) => expect(angle(y, x)).toBeCloseTo(expected, 15));
 });
 
-describe.each(METHODS)('%s ground from a heightmap', (interpolation) => {
-  it('has the samples where they lie, north up, east from the prime meridian', () => {
+describe.each(METHODS)('%s heightmap terrain', (interpolation) => {
+  it('returns the samples at their grid points, north up, east from the prime meridian', () => {
     const terrain = terrainOf({ ...smooth, interpolation });
     for (const [row, column] of [
       [1, 0],
@@ -79,13 +79,13 @@ describe.each(METHODS)('%s ground from a heightmap', (interpolation) => {
     }
   });
 
-  it('comes out above the body’s radius', () => {
+  it('returns heights above the body’s radius', () => {
     const terrain = terrainOf({ ...smooth, interpolation, bodyRadius: 1737000 });
     const plain = terrainOf({ ...smooth, interpolation });
     expect(at(terrain, 0.3, 1) - at(plain, 0.3, 1)).toBeCloseTo(400, 6);
   });
 
-  it('follows a smooth shape between the samples', () => {
+  it('follows a smooth shape between samples', () => {
     const terrain = terrainOf({ ...smooth, interpolation });
     const rng = createRandom(4);
     let worst = 0;
@@ -116,7 +116,7 @@ describe.each(METHODS)('%s ground from a heightmap', (interpolation) => {
   });
 });
 
-it('bicubic ground has no edges: its slope is continuous at a sample', () => {
+it('bicubic terrain has a continuous slope at a sample', () => {
   const terrain = terrainOf({ ...smooth, interpolation: 'bicubic' });
   const column = (5 * 2 * Math.PI) / COLUMNS;
   const step = 1e-6;
@@ -125,12 +125,12 @@ it('bicubic ground has no edges: its slope is continuous at a sample', () => {
   expect(Math.abs(after - before)).toBeLessThan(0.01 * Math.abs(before));
 });
 
-it('a body without a map stands on the ground told', () => {
+it('a body without a heightmap uses the fallback terrain', () => {
   const terrain = heightmapTerrain({ Luna: smooth }, () => 7);
   expect(terrain.ok && terrain.value('Earth', 0, 0, 1)).toBe(7);
 });
 
-it('reads a file’s bytes, little-endian, from any offset', () => {
+it('reads little-endian samples from any byte offset', () => {
   const bytes = Uint8Array.of(9, 1, 0, 0xff, 0xff, 0, 0x80);
   expect(readHeightmapSamples(bytes.subarray(1))).toEqual({ ok: true, value: Int16Array.of(1, -1, -32768) });
   expect(readHeightmapSamples(bytes)).toEqual({ ok: false, reason: 'bytes: expected an even number, got 7' });
@@ -142,6 +142,6 @@ it.each([
   [{ scale: Number.NaN }, 'Luna.scale: expected a finite number, got NaN'],
   [{ interpolation: 'cubic' }, "Luna.interpolation: expected 'bilinear' or 'bicubic', got cubic"],
   [{ referenceRadius: 0 }, 'Luna.referenceRadius: expected ≥ 0.001 m, got 0'],
-])('refuses %j by name', (change, reason) => {
+])('refuses %j and names the field', (change, reason) => {
   expect(heightmapTerrain({ Luna: { ...smooth, ...change } as Heightmap })).toEqual({ ok: false, reason });
 });

@@ -19,9 +19,9 @@ import {
 } from '../../src/dynamics';
 import { LANDER, must } from './provingGround';
 
-describe('angles as cosines', () => {
+describe('angle thresholds', () => {
   // Target: within 1e-15 of the cosine. Today 2.3e-16 of Math.cos, itself within 1.2e-16.
-  it('are within 1e-15 of Math.cos from 0 to 90°', () => {
+  it('load as cosines within 1e-15 of Math.cos from 0 to 90°', () => {
     for (let k = 1; k < 9000; k++) {
       const degrees = k / 100;
       const settle = must(loadSettings({ contactSettleTiltDeg: degrees, contactTippedAngleDeg: 89.9999 }));
@@ -70,7 +70,7 @@ describe('ship class constants', () => {
     product.forEach((part, at) => expect(Math.abs(part - one[at]!)).toBeLessThan(1e-15));
   });
 
-  it('are full mass and fuel flows by the rocket’s formula', () => {
+  it('give full mass and fuel flow by the rocket equation', () => {
     const loaded = must(loadShipClass(LANDER));
     expect(loaded.fullMass).toBe(16000);
     expect(loaded.mainEngineFlow * LANDER.mainEngineThrust).toBeCloseTo(60000 / (311 * 9.80665), 12);
@@ -78,7 +78,7 @@ describe('ship class constants', () => {
     expect(loaded.forcePerTorque).toBe(0.25);
   });
 
-  it('do not change: what is loaded is frozen', () => {
+  it('are frozen once loaded', () => {
     expect(Object.isFrozen(must(loadShipClass(LANDER)))).toBe(true);
     expect(Object.isFrozen(must(loadSettings({})))).toBe(true);
     expect(Object.isFrozen(must(loadBody(BODIES[0]!)))).toBe(true);
@@ -92,7 +92,7 @@ describe('a body’s gravity parameter', () => {
     ['Earth', 3.986004e14],
     ['Mars', 4.282837e13],
     ['Phobos', 7.087e5],
-  ])('of %s is what tracking finds, within 0.5 %', (name, measured) => {
+  ])('of %s agrees with the tracked value within 0.5 %', (name, measured) => {
     const { gravityParameter, mass } = must(loadBody(BODIES.find((body) => body.name === name)!));
     expect(gravityParameter).toBe(GRAVITATIONAL_CONSTANT * mass);
     expect(Math.abs(gravityParameter / measured - 1)).toBeLessThan(0.005);
@@ -115,14 +115,14 @@ describe('controls', () => {
     expect(must(loadControls({ ...NEUTRAL_CONTROLS, thrustLevel: -0.1 })).thrustLevel).toBe(0);
   });
 
-  it('have a target of length 1', () => {
+  it('normalise the target attitude', () => {
     const load = (targetAttitude: [number, number, number, number]) =>
       must(loadControls({ ...NEUTRAL_CONTROLS, targetAttitude })).targetAttitude;
     expect(load([3, 0, 4, 0])).toEqual([0.6, 0, 0.8, 0]);
     expect(Math.hypot(...load([0.1, -0.7, 0.3, 0.2]))).toBeCloseTo(1, 15);
   });
 
-  it('load again to the same bits, so that a stored input replays to the same flight', () => {
+  it('load to the same bits a second time, so that a stored input replays to the same flight', () => {
     const any = fc.double({ min: -10, max: 10, noNaN: true });
     const target = fc.tuple(any, any, any, any).filter((q) => Math.hypot(...q) > 0.01);
     let moving = 0;
@@ -140,14 +140,14 @@ describe('controls', () => {
     expect(moving).toBeGreaterThan(20);
   });
 
-  it('take a target within 1e-12 of length 1 to the bit, and set any other to it', () => {
+  it('keep a target within 1e-12 of unit length to the bit, and normalise any other', () => {
     const load = (w: number) =>
       must(loadControls({ ...NEUTRAL_CONTROLS, targetAttitude: [0, 0, 0, w] })).targetAttitude[3];
     for (const off of [2 ** -52, -(2 ** -53), 9e-13, -9e-13]) expect(load(1 + off)).toBe(1 + off);
     for (const off of [1.1e-12, -1.1e-12, 1e-6, -0.5]) expect(load(1 + off)).toBe(1);
   });
 
-  it('go through a row and back', () => {
+  it('survive a round trip through a row', () => {
     const given = must(
       loadControls({
         thrustLevel: 0.3,
@@ -188,7 +188,7 @@ describe('timing', () => {
     expect(timing.dt).toBe(timing.tickSeconds / substeps);
   });
 
-  it('has whole substeps of at most 10 ms, and no more of them than that needs, at any rate', () => {
+  it('uses the fewest whole substeps of at most 10 ms, at any rate', () => {
     for (let rate = 0.1; rate <= 100; rate += 0.37) {
       for (const scale of [0.1, 0.7, 1, 3, 17, 100]) {
         const { substeps, dt, tickSeconds } = must(loadTiming(rate, scale, DEFAULT_SETTINGS));
@@ -200,7 +200,7 @@ describe('timing', () => {
     }
   });
 
-  it('is not cut finer by a rounding of the tick', () => {
+  it('adds no substep for a rounding error of the tick', () => {
     expect(timingOfTick(0.07, 0.01).substeps).toBe(7);
     expect(timingOfTick(0.1 + 0.2, 0.01).substeps).toBe(30);
     expect(timingOfTick(1e-6, 0.01).substeps).toBe(1);

@@ -53,8 +53,8 @@ function fault(trial: Trial, before: number, event: number): string {
   return led[event]?.includes(after) === true ? '' : `event ${event} from ${before} to ${after}`;
 }
 
-describe('any ship over any body, doing anything', () => {
-  it('stays finite and unit, moves legally and reports what it does', () => {
+describe('any ship over any body under any controls', () => {
+  it('stays finite with unit attitude, makes legal transitions only and reports each event', () => {
     const seen = new Set<string>();
     fc.assert(
       fc.property(setup, (given) => {
@@ -88,7 +88,7 @@ describe('any ship over any body, doing anything', () => {
 
   // By the impact's definition: a touch that is no crash has sunk in by no more than one substep of the crash speed. Level ground;
   // a rotating body's bulge of r² / 2R is below the centimetre allowed here.
-  it('sinks in at a touch by at most the crash speed times dt', () => {
+  it('penetrates at first contact by at most crash speed × dt', () => {
     let touches = 0;
     fc.assert(
       fc.property(setup, (given) => {
@@ -107,7 +107,7 @@ describe('any ship over any body, doing anything', () => {
     expect(touches).toBeGreaterThan(50);
   });
 
-  it('does nothing more once it has crashed', () => {
+  it('does not move once it has crashed', () => {
     fc.assert(
       fc.property(setup, (given) => {
         const trial = createTrial(given);
@@ -121,7 +121,7 @@ describe('any ship over any body, doing anything', () => {
   });
 });
 
-describe('every bounce', () => {
+describe('a bouncing ship', () => {
   // Without thrust each touch is slower than the one before, so a ship comes to its end: landed, crashed, or tipped and lying
   // still. Where it can within minutes: some friction and damping, gravity that brings it down again.
   const ending = setup.map((given) => ({
@@ -144,7 +144,7 @@ describe('every bounce', () => {
     },
   }));
 
-  it('has an end', () => {
+  it('comes to rest', () => {
     const ends = new Set<string>();
     let bounced = 0;
     fc.assert(

@@ -82,7 +82,7 @@ const LEFT = { ...bodyNamed('Phobos'), name: 'Left', position: [0, 0, 0], veloci
 const RIGHT = { ...LEFT, name: 'Right', position: [1e6, 0, 0], velocity: [3, -4, 12] } as const;
 
 describe('the reference body', () => {
-  it('is the one that is nearest by its own measure, distance / radius', () => {
+  it('is the body with the smallest distance / radius', () => {
     expect(choose(placeBetween([LEFT, RIGHT], [499_999, 0, 0]))).toBe(0);
     expect(choose(placeBetween([LEFT, RIGHT], [500_001, 0, 0]))).toBe(1);
     // Twice the radius reaches twice as far, whatever the mass.
@@ -114,7 +114,7 @@ describe('the reference body', () => {
     expect(world.bodies[ships[REFERENCE_BODY]!]!.name).toBe('Phobos');
   });
 
-  it('is the one listed first where two are as near', () => {
+  it('is the first in the list when two are equally near', () => {
     expect(choose(placeBetween([LEFT, RIGHT], [500_000, 0, 0]))).toBe(0);
     const swapped = placeBetween([RIGHT, LEFT], [-500_000, 0, 0]);
     expect(choose(swapped)).toBe(0);
@@ -125,7 +125,7 @@ describe('the reference body', () => {
     expect(late.ships[POSITION]).toBe(500_000);
   });
 
-  it('leaves where the ship is and how it moves in ICRF', () => {
+  it('changes without changing position and velocity in ICRF', () => {
     const place = placeBetween([LEFT, RIGHT], [700_000, 1234.5, -99], [10, 20, -30]);
     const before = icrf(place);
     expect(choose(place)).toBe(1);
@@ -135,7 +135,7 @@ describe('the reference body', () => {
   });
 
   // Target 0. Bodies' places are doubles of 1.5e11 m, good to 15 µm; the change adds no more than one rounding of them.
-  it('changes by no more than ICRF itself holds at 1 au', () => {
+  it('changes ICRF by no more than a double resolves at 1 au', () => {
     const moon = bodyNamed('Luna');
     const earth = bodyNamed('Earth');
     const place = placeBetween([moon, earth], [-3.6e8, -2e8, 1e6], [100, -50, 3]);
@@ -151,7 +151,7 @@ describe('the reference body', () => {
   it.each([
     ['on the ground', SURFACE_STATE, CONTACT],
     ['crashed', CRASHED, 1],
-  ])('stays for a ship %s', (_, column, value) => {
+  ])('does not change for a ship %s', (_, column, value) => {
     const place = placeBetween([LEFT, RIGHT], [700_000, 0, 0]);
     place.ships[column] = value;
     const before = Array.from(place.ships);

@@ -33,7 +33,7 @@ describe('settings', () => {
   });
 
   it.each(NUMBERS.flatMap((name) => NO_NUMBERS.map((value) => [name, value] as const)))(
-    'refuse %s = %s by name',
+    'refuse %s = %s and name it',
     (name, value) => {
       expect(reasonOf(loadSettings({ [name]: value }))).toMatch(
         new RegExp(`^${name}: expected a finite number`),
@@ -75,7 +75,7 @@ describe('settings', () => {
     { surfaceNormal: 'terrain' },
     { contactLongestSubstep: 0.001 },
     { contactLongestSubstep: 0.022 },
-  ])('take the ends of the ranges: %j', (given) => {
+  ])('accept the ends of the ranges: %j', (given) => {
     expect(reasonOf(loadSettings(given))).toBe('accepted');
   });
 
@@ -83,7 +83,7 @@ describe('settings', () => {
     ['contactCrashSpeed', 1e9, 'm/s'],
     ['contactSettleLinearVel', 1e9, 'm/s'],
     ['contactSettleAngularVel', 1e6, 'rad/s'],
-  ])('take %s up to %d and refuse more', (name, most, unit) => {
+  ])('accept %s up to %d and refuse more', (name, most, unit) => {
     expect(reasonOf(loadSettings({ [name]: most }))).toBe('accepted');
     for (const value of [most * 1.001, Number.MAX_VALUE])
       expect(reasonOf(loadSettings({ [name]: value }))).toBe(
@@ -91,7 +91,7 @@ describe('settings', () => {
       );
   });
 
-  it('refuse what they do not know', () => {
+  it('refuse unknown names', () => {
     expect(reasonOf(loadSettings({ contactSprings: 1 } as Partial<Settings>))).toBe(
       'contactSprings: no such setting',
     );
@@ -114,14 +114,14 @@ describe('a ship class', () => {
   }
 
   it.each([...SCALARS, ...DRIVES].flatMap((name) => NO_NUMBERS.map((value) => [name, value] as const)))(
-    'refuses %s = %s by name',
+    'refuses %s = %s and names it',
     (name, value) => {
       expect(refusal({ [name]: value })).toContain(`lander: ${name}: expected a finite number`);
     },
   );
 
   it.each(TRIPLES.flatMap((name) => NO_NUMBERS.map((value) => [name, value] as const)))(
-    'refuses %s with a %s by name',
+    'refuses %s with a %s and names it',
     (name, value) => {
       expect(refusal({ [name]: [1, value, 1] })).toContain(`${name}[1]: expected a finite number`);
       // Without a capacity wheels are never full.
@@ -141,7 +141,7 @@ describe('a ship class', () => {
     ['rcsLever', '≥ 0.001', 1e-3, 1e6, 'm'],
     ['rcsIsp', '≥ 0.001', 1e-3, 1e8, 's'],
     ['attitudeNaturalFrequency', '> 0', Number.MIN_VALUE, 5, 'rad/s'],
-  ])('takes a %s %s, from %d to %d %s, and refuses what is beyond by name', (name, ...range) => {
+  ])('accepts a %s %s from %d to %d %s and names it when out of range', (name, ...range) => {
     const [low, least, most, unit] = range;
     const reason = `ship class lander: ${name}: expected`;
     for (const value of [least, most]) expect(refusal({ [name]: value })).toBe('accepted');
@@ -151,7 +151,7 @@ describe('a ship class', () => {
       expect(refusal({ [name]: value })).toBe(`${reason} ≤ ${most} ${unit}, got ${value}`);
   });
 
-  it('takes a dryInertiaRatio up to 1, or none, and refuses what is beyond by name', () => {
+  it('accepts a dryInertiaRatio up to 1, or none, and names it when out of range', () => {
     for (const value of [null, 1e-6, 0.5, 1]) expect(refusal({ dryInertiaRatio: value })).toBe('accepted');
     const reason = 'ship class lander: dryInertiaRatio: expected';
     for (const value of [-1, 0])
@@ -160,7 +160,7 @@ describe('a ship class', () => {
     expect(refusal({ dryInertiaRatio: NaN })).toContain(`${reason} a finite number`);
   });
 
-  it('takes wheels that are never full and tanks of at least a milligram', () => {
+  it('accepts infinite wheel capacity and a tank of at least a milligram', () => {
     expect(refusal({ reactionWheelCapacity: null })).toBe('accepted');
     expect(refusal({ fuelCapacity: 1e-6 })).toBe('accepted');
     expect(refusal({ fuelCapacity: 1e-7 })).toContain('fuelCapacity: expected ≥ 0.000001 kg');
@@ -171,14 +171,14 @@ describe('a ship class', () => {
     ['rcsTorque', 'N m'],
     ['reactionWheelTorque', 'N m'],
     ['reactionWheelCapacity', 'N m s'],
-  ])('takes %s up to 1e15 about each axis', (name, unit) => {
+  ])('accepts %s up to 1e15 about each axis', (name, unit) => {
     expect(refusal({ [name]: [1e15, 0, 1e15] })).toBe('accepted');
     expect(refusal({ [name]: [0, 0, 1.1e15] })).toContain(
       `${name}[2]: expected ≤ 1000000000000000 ${unit}, got`,
     );
   });
 
-  it('needs an isp and a lever only for what it has', () => {
+  it('needs isp and lever only for the drives it has', () => {
     const without = { mainEngineThrust: 0, mainEngineIsp: 0, rcsThrust: [0, 0, 0], rcsTorque: [0, 0, 0] };
     expect(refusal({ ...without, rcsLever: 0, rcsIsp: 0 })).toBe('accepted');
     expect(refusal({ ...without, rcsThrust: [0, 0, 1], rcsIsp: 0 })).toContain('rcsIsp: ');

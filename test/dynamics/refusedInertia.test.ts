@@ -126,7 +126,7 @@ describe('a ship class', () => {
     ['a mast 1,000 times as long as wide', [2e5, 2e5, 1]],
     ['moments that no mass has', [1, 1, 5]],
     ['a ball', [7, 7, 7]],
-  ])('takes the tensor of %s', (_, [x, y, z]) => {
+  ])('accepts the tensor of %s', (_, [x, y, z]) => {
     const inertiaTensor = [
       [x, 0, 0],
       [0, y, 0],

@@ -22,7 +22,7 @@ import { bodyNamed, createTrial, type Trial } from './provingGround';
 describe('a body', () => {
   const MOON = bodyNamed('Luna');
 
-  it.each([...NO_NUMBERS, 0, -1])('refuses mass and radius %s by name', (value) => {
+  it.each([...NO_NUMBERS, 0, -1])('refuses mass and radius %s and names the field', (value) => {
     expect(reasonOf(loadBody({ ...MOON, mass: value } as Body))).toMatch(/^body Luna: mass: /);
     expect(reasonOf(loadBody({ ...MOON, radius: value } as Body))).toMatch(/^body Luna: radius: /);
   });
@@ -30,7 +30,7 @@ describe('a body', () => {
   it.each([
     ['mass', '> 0', Number.MIN_VALUE, 1e40, 'kg'],
     ['radius', '≥ 0.001', 1e-3, 1e18, 'm'],
-  ])('takes a %s %s, from %d to %d, and refuses what is beyond by name', (name, low, least, most, unit) => {
+  ])('accepts a %s %s from %d to %d and names it when out of range', (name, low, least, most, unit) => {
     for (const value of [least, most])
       expect(reasonOf(loadBody({ ...MOON, [name]: value }))).toBe('accepted');
     const refusal = (value: number) => reasonOf(loadBody({ ...MOON, [name]: value }));
@@ -43,7 +43,7 @@ describe('a body', () => {
     ['position', 1e18, 'm'],
     ['velocity', 1e9, 'm/s'],
     ['angularVelocity', 1e6, 'rad/s'],
-  ])('takes a %s of up to %d and refuses more, either way, by name', (field, most, unit) => {
+  ])('accepts a %s of up to %d either way and names it when out of range', (field, most, unit) => {
     const given = (part: number) =>
       writeBodyMotion(new Float64Array(BODY_STRIDE), 0, { ...MOON, [field]: [0, part, 0] });
     expect([given(most), given(-most)]).toEqual([null, null]);
@@ -53,7 +53,7 @@ describe('a body', () => {
     }
   });
 
-  it('has an attitude of length 1 within 1e-3', () => {
+  it('accepts an attitude of length 1 within 1e-3', () => {
     const given = (w: number) =>
       writeBodyMotion(new Float64Array(BODY_STRIDE), 0, { ...MOON, attitude: [0, 0, 0, w] });
     expect([1, 1.0009, 0.9991, -1].map(given)).toEqual([null, null, null, null]);
@@ -61,12 +61,12 @@ describe('a body', () => {
       expect(given(w)).toMatch(/^attitude: expected length 1 within 0.001, got /);
   });
 
-  it('refuses a name that is none', () => {
+  it('refuses an empty name', () => {
     expect(reasonOf(loadBody({ ...MOON, name: '' }))).toContain('body name');
   });
 
   it.each(['position', 'velocity', 'attitude', 'angularVelocity'] as const)(
-    'keeps its last motion where %s is refused',
+    'keeps its last motion when %s is refused',
     (field) => {
       const rows = new Float64Array(BODY_STRIDE);
       expect(writeBodyMotion(rows, 0, MOON)).toBeNull();
@@ -98,13 +98,13 @@ describe('a ship', () => {
     return reason;
   }
 
-  it('goes in and comes out as it is', () => {
+  it('survives a round trip through a row', () => {
     expect(refusal({})).toBeNull();
     expect(readShip(ships, 0, world)).toEqual(good);
   });
 
   it.each(['relativePosition', 'relativeVelocity', 'attitude', 'angularVelocity'] as const)(
-    'with a %s of no numbers is refused by name and leaves the row',
+    'keeps its row when %s is refused, and names the field',
     (field) => {
       for (const value of NO_NUMBERS) {
         const parts = good[field].map((part, k) => (k === 1 ? value : part));
@@ -129,12 +129,12 @@ describe('a ship', () => {
     ['surfaceContactState', 'hovering'],
     ['fuel', 1.001e15],
     ['contactImpactSpeed', 1.001e9],
-  ])('with %s %j is refused by name', (field, value) => {
+  ])('is refused with %s %j, by name', (field, value) => {
     expect(refusal({ [field]: value })).toMatch(new RegExp(`^${field}: `));
   });
 });
 
-describe('a ship far out', () => {
+describe('a distant ship', () => {
   const { world, ships }: Trial = createTrial({});
   const good = readShip(ships, 0, world);
 
@@ -142,7 +142,7 @@ describe('a ship far out', () => {
     ['relativePosition', 1e18, 'm'],
     ['relativeVelocity', 1e9, 'm/s'],
     ['angularVelocity', 1e6, 'rad/s'],
-  ])('has a %s of up to %d, and is refused beyond, either way, by name', (field, most, unit) => {
+  ])('accepts a %s of up to %d either way and names it when out of range', (field, most, unit) => {
     const given = (part: number) =>
       writeShip(new Float64Array(SHIP_STRIDE), 0, { ...good, [field]: [part, 0, 0] }, world);
     expect([given(most), given(-most)]).toEqual([null, null]);
@@ -155,7 +155,7 @@ describe('a ship far out', () => {
 
 describe('timing', () => {
   it.each([...NO_NUMBERS, 0, -1, 0.0999, 100.001])(
-    'refuses a tick rate or time scale of %s by name',
+    'refuses a tick rate or time scale of %s and names it',
     (value) => {
       expect(reasonOf(loadTiming(value as number, 1, DEFAULT_SETTINGS))).toMatch(/^tickRate: expected/);
       expect(reasonOf(loadTiming(1, value as number, DEFAULT_SETTINGS))).toMatch(/^timeScale: expected/);
@@ -168,7 +168,7 @@ describe('controls', () => {
     return reasonOf(loadControls({ ...NEUTRAL_CONTROLS, ...given } as Controls));
   }
 
-  it.each(NO_NUMBERS)('refuse %s where it enters, by name', (value) => {
+  it.each(NO_NUMBERS)('refuse %s on entry and name the field', (value) => {
     expect(refusal({ thrustLevel: value })).toMatch(/^thrustLevel: /);
     expect(refusal({ translationInput: [0, value, 0] })).toMatch(/^translationInput\[1\]: /);
     expect(refusal({ rotationInput: [0, 0, value] })).toMatch(/^rotationInput\[2\]: /);
@@ -184,7 +184,7 @@ describe('controls', () => {
     ['attitudeHold', 1],
     ['attitudeHold', undefined],
     ['attitudeMode', 3],
-  ])('refuse %s = %j by name', (field, value) => {
+  ])('refuse %s = %j and name it', (field, value) => {
     expect(refusal({ [field]: value })).toMatch(new RegExp(`^${field}: `));
   });
 });

@@ -12,7 +12,7 @@ import {
 } from '../../src/dynamics';
 import { createTrial, run } from './provingGround';
 
-describe('legal moves', () => {
+describe('state transitions', () => {
   // By DYNAMICS' table of transitions, a launch being able to touch again in its own substep, and staying always allowed.
   const LEGAL: readonly (readonly [number, number])[] = [
     [FLYING, CONTACT],
@@ -25,7 +25,7 @@ describe('legal moves', () => {
     [TIPPED, CONTACT],
   ];
 
-  it('are these and no others', () => {
+  it('are those of the table and no others', () => {
     for (const from of [FLYING, CONTACT, LANDED, TIPPED]) {
       for (const to of [FLYING, CONTACT, LANDED, TIPPED]) {
         const legal = from === to || LEGAL.some(([a, b]) => a === from && b === to);
@@ -34,15 +34,15 @@ describe('legal moves', () => {
     }
   });
 
-  it('are none from or to what is no state', () => {
+  it('include none from or to an unknown state', () => {
     expect(isTransitionAllowed(FLYING, 4)).toBe(false);
     expect(isTransitionAllowed(7, FLYING)).toBe(false);
     expect(isTransitionAllowed(Number.NaN, FLYING)).toBe(false);
   });
 });
 
-describe('names', () => {
-  it('are the game’s own, in the order of their numbers', () => {
+describe('state and event names', () => {
+  it('are the game’s, in numerical order', () => {
     expect(SURFACE_STATES).toEqual(['', 'contact', 'landed', 'tipped']);
     expect(EVENT_NAMES.slice(1).map((name) => name.slice(5))).toEqual([
       'contact',
@@ -55,9 +55,9 @@ describe('names', () => {
   });
 });
 
-describe('the hash of rows', () => {
+describe('row hash', () => {
   // FNV-1a, 32 bits, of the published test vectors' kind: eight zero bytes, and the bytes of 1.0, worked out by hand in Python.
-  it('is FNV-1a over the bytes, little end first', () => {
+  it('is FNV-1a over the bytes, least significant first', () => {
     expect(hashRows(new Float64Array(0))).toBe(0x811c9dc5);
     let zeros = 0x811c9dc5n;
     for (let i = 0; i < 8; i++) zeros = (zeros * 0x01000193n) & 0xffffffffn;
@@ -68,19 +68,19 @@ describe('the hash of rows', () => {
     expect(hashRows(Float64Array.of(1))).toBe(Number(one));
   });
 
-  it('chains', () => {
+  it('chains over several rows', () => {
     const rows = Float64Array.of(1.5, -2.25, 1e-300);
     expect(hashRows(rows.subarray(1), hashRows(rows.subarray(0, 1)))).toBe(hashRows(rows));
   });
 
-  it('tells one bit, the order and the sign of zero apart', () => {
+  it('changes with one bit, with the order and with the sign of zero', () => {
     const base = hashRows(Float64Array.of(1, 2));
     expect(hashRows(Float64Array.of(1 + Number.EPSILON, 2))).not.toBe(base);
     expect(hashRows(Float64Array.of(2, 1))).not.toBe(base);
     expect(hashRows(Float64Array.of(-0))).not.toBe(hashRows(Float64Array.of(0)));
   });
 
-  it('is the same for the same trajectory run twice, and another for one that began 1 nm beside', () => {
+  it('repeats for the same trajectory, and changes for a start 1 nm away', () => {
     const hashed = (height: number) => {
       const trial = createTrial({ height, velocity: [3, 1, -12] });
       run(trial, 5);

@@ -21,6 +21,6 @@ it('no two quantities of a substep share a slot', () => {
   expect(SURFACE_SLOTS.reduce((sum, [, size]) => sum + size, 0)).toBe(surface);
 });
 
-it('sees slots that overlap', () => {
+it('detects slots that overlap', () => {
   expect(faultsOf([...SLOTS, [40, 2]], quantities.length)).toHaveLength(2);
 });

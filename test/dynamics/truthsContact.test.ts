@@ -30,7 +30,7 @@ describe('sag at rest', () => {
   });
 
   // Target: (weight − lift) / (100 m). The burn of 10 s makes the ship lighter while the thrust stays. Today 3e-9 m.
-  it('is what the thrust leaves of the weight over 100 m', () => {
+  it('shrinks with thrust to (weight − thrust) over 100 m', () => {
     const body = still('Luna');
     const controls = { thrustLevel: 0.2 };
     const trial = createTrial({
@@ -70,7 +70,7 @@ describe('a slide', () => {
     ['Luna', 15, 0.75],
     ['Earth', 15, 0.5],
     ['Mars', 20, 0.5],
-  ])('on %s at %d m/s with mu %d ends after v² / (2 mu g)', (name, speed, mu) => {
+  ])('on %s at %d m/s with mu %d covers v² / (2 mu g)', (name, speed, mu) => {
     const { measured, ideal } = slide(name, speed, mu);
     expect(Math.abs(measured - ideal)).toBeLessThan((speed * 0.01) / 2 + 0.001);
   });
@@ -120,7 +120,7 @@ describe('rebound at damping ratio 0.3', () => {
     ['Phobos', 25],
   ] as const;
 
-  it.each(CASES)('on %s at %d m/s is that of the spring-damper within 4.2 %', (name, impact) => {
+  it.each(CASES)('on %s at %d m/s matches the spring-damper within 4.2 %', (name, impact) => {
     const ideal = rebound(impact, 0.3, gravityOn(still(name)));
     const { deepest, speed } = bounce(name, impact, 0.01);
     expect(Math.abs(speed / ideal.speed - 1)).toBeLessThan(0.042);
@@ -128,7 +128,7 @@ describe('rebound at damping ratio 0.3', () => {
   });
 
   // The same with a tenth of the step: today 0.2 to 0.4 %, and 0.10 to 0.13 % of the depth.
-  it.each(CASES)('on %s at %d m/s is within 0.4 % with 1 ms substeps', (name, impact) => {
+  it.each(CASES)('on %s at %d m/s matches within 0.4 % at 1 ms substeps', (name, impact) => {
     const ideal = rebound(impact, 0.3, gravityOn(still(name)));
     const { deepest, speed } = bounce(name, impact, 0.001);
     expect(Math.abs(speed / ideal.speed - 1)).toBeLessThan(0.004);
@@ -136,7 +136,7 @@ describe('rebound at damping ratio 0.3', () => {
   });
 
   // Without gravity the formula has a closed end: e^(−ζ (π − 2 asin ζ... ) / √(1 − ζ²)). Checks the checker.
-  it('is of a formula that agrees with its own closed form', () => {
+  it('is checked against a simulation that agrees with the closed form', () => {
     const zeta = 0.3;
     const root = Math.sqrt(1 - zeta ** 2);
     const ideal = Math.exp((-zeta / root) * Math.atan2(2 * zeta * root, 2 * zeta ** 2 - 1));

@@ -15,8 +15,8 @@ const TOLERANCES: readonly (readonly [string, number, number])[] = [
   ['Luna', 6e-4, 2e-10],
 ];
 
-describe('a landed ship over a day', () => {
-  it('stands still in the axes of its body', () => {
+describe('a landed ship over one day', () => {
+  it('keeps its body-fixed pose', () => {
     const printed = execFileSync(process.execPath, ['test/run.mjs', 'test/dynamics/landedDay.ts'], {
       cwd: ROOT,
       encoding: 'utf8',

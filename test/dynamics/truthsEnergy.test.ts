@@ -79,7 +79,7 @@ const CASES = CLASSES.flatMap((name) => ['Luna', 'Earth', 'Phobos'].map((body) =
 
 describe('energy in contact without thrust', () => {
   // Target 0. Level touches from 0 to 49 m/s with a slide: nothing rocks, so the sum is kinetic + height + spring. Today 0.
-  it('never grows in level touches, whether they settle, bounce or slide', () => {
+  it('never grows in level touchdowns that settle, bounce or slide', () => {
     for (const bodyName of ['Luna', 'Earth', 'Phobos']) {
       for (const setup of touches('lander', bodyName, 14)) {
         const { share } = plainRise(createTrial({ ...setup, tilt: 0, spin: [0, 0, 0] }));
@@ -89,27 +89,27 @@ describe('energy in contact without thrust', () => {
   });
 
   // Target 0: tilted up to 120°, spinning, sliding, settling and bouncing. Bound 0.5 %.
-  it.each(CASES)(
-    'of %s on %s grows by less than 0.5 % once the work of the legs is entered',
-    (name, body) => {
-      const shares = touches(name, body, 9).map((setup) => ledgerRise(createTrial(setup)).share);
-      expect(Math.max(...shares)).toBeLessThan(0.005);
-    },
-  );
+  it.each(CASES)('of %s on %s grows by less than 0.5 % once the legs’ work is counted', (name, body) => {
+    const shares = touches(name, body, 9).map((setup) => ledgerRise(createTrial(setup)).share);
+    expect(Math.max(...shares)).toBeLessThan(0.005);
+  });
 
   // The bare sum grows by what the legs do: they lift a ship back from a tilt, by at most weight · leg_radius, and in a bounce
   // turn it upright while little weight is on it, by at most weight · h.
-  it.each(CASES)('of %s on %s grows by less than weight · (leg_radius + h) in the bare sum', (name, body) => {
-    for (const setup of touches(name, body, 5)) {
-      const trial = createTrial(setup);
-      const { legRadius, groundContactOffset } = trial.world.shipClasses[0]!;
-      const bound = energyOf(trial).weight * (legRadius + groundContactOffset);
-      const allowance = 0.002 * energyOf(trial).kinetic;
-      expect(plainRise(trial).joules).toBeLessThan(bound + allowance);
-    }
-  });
+  it.each(CASES)(
+    'of %s on %s grows by less than weight · (leg_radius + h) without the legs’ work',
+    (name, body) => {
+      for (const setup of touches(name, body, 5)) {
+        const trial = createTrial(setup);
+        const { legRadius, groundContactOffset } = trial.world.shipClasses[0]!;
+        const bound = energyOf(trial).weight * (legRadius + groundContactOffset);
+        const allowance = 0.002 * energyOf(trial).kinetic;
+        expect(plainRise(trial).joules).toBeLessThan(bound + allowance);
+      }
+    },
+  );
 
-  it('would be seen to grow under thrust along slippery ground', () => {
+  it('is seen to grow under thrust along slippery ground', () => {
     const settings = { contactFrictionKinetic: 0, contactFrictionStatic: 0 };
     const controls = { translationInput: [1, 0, 0] } as const;
     const setup = { settings, controls, place: [0, 0, 1], height: 1e-9, velocity: [2, 0, -1] } as const;

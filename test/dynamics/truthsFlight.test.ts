@@ -55,7 +55,7 @@ describe('free fall from 100 km over the Moon', () => {
     [10, 1e-6],
     [100, 1e-6],
     [300, 1e-5],
-  ])('is after %d s where Kepler says, within %d m', (seconds, tolerance) => {
+  ])('matches Kepler after %d s within %d m', (seconds, tolerance) => {
     const trial = createTrial({ body: moon, height: 100_000 });
     const from = lengthOf(vectorAt(trial.ships, POSITION));
     run(trial, seconds);
@@ -64,7 +64,7 @@ describe('free fall from 100 km over the Moon', () => {
   });
 
   // Target 0: Kepler, from 1 km over the Moon and Earth. Bound 1 mm in 10 s.
-  it.each(['Luna', 'Earth'])('is after 10 s over %s where Kepler says, within 1 mm', (name) => {
+  it.each(['Luna', 'Earth'])('matches Kepler after 10 s over %s within 1 mm', (name) => {
     const body = still(name);
     const trial = createTrial({ body, height: 1000 });
     const from = lengthOf(vectorAt(trial.ships, POSITION));
@@ -74,7 +74,7 @@ describe('free fall from 100 km over the Moon', () => {
   });
 
   // Target 0.25: the error of a second-order step quarters with it.
-  it('comes a quarter as far from it with half the step', () => {
+  it('has a quarter of the error at half the step', () => {
     const errors = [4, 2].map((dt) => {
       const trial = createTrial({ body: moon, height: 100_000 });
       const from = lengthOf(vectorAt(trial.ships, POSITION));
@@ -85,7 +85,7 @@ describe('free fall from 100 km over the Moon', () => {
   });
 
   // Target 0 of the total energy m (v²/2 − μ/r), in units of what the fall turns over. Today 3.50e-5.
-  it('keeps its energy', () => {
+  it('conserves energy', () => {
     const trial = createTrial({ body: moon, height: 100_000 });
     const energy = () => speedOf(trial) ** 2 / 2 - mu / lengthOf(vectorAt(trial.ships, POSITION));
     const before = energy();
@@ -94,7 +94,7 @@ describe('free fall from 100 km over the Moon', () => {
   });
 
   // Target 0: a circular orbit comes back after 2π √(r³/μ), 7,143 s. Today 0.8 m of 11,500 km.
-  it('goes round once in a circular orbit and meets itself', () => {
+  it('closes a circular orbit after one period', () => {
     const trial = createTrial({ body: moon, height: 300_000 });
     const start = vectorAt(trial.ships, POSITION);
     const radius = lengthOf(start);
@@ -113,7 +113,7 @@ describe('free fall from 100 km over the Moon', () => {
 
 describe('the engine', () => {
   // Targets: Δv = Isp g0 ln(m0 / m1) and F t / (Isp g0) of fuel. Today 1.7e-6 of Δv, 5e-13 kg.
-  it('gives what the rocket equation says', () => {
+  it('follows the rocket equation', () => {
     const trial = createTrial({ height: FAR, body: still('Phobos'), controls: { thrustLevel: 1 } });
     run(trial, 100);
     const exhaust = LANDER.mainEngineIsp * STANDARD_GRAVITY;
@@ -124,7 +124,7 @@ describe('the engine', () => {
   });
 
   // Target 0: thrust of exactly the weight keeps the height. Today 4e-10 m in a second, as the fuel burnt is 20 kg of 16 t.
-  it('hovers on a thrust that is the weight', () => {
+  it('hovers when thrust equals weight', () => {
     const body = still('Luna');
     const weight = 16000 * gravityOn(body, 1004);
     const trial = createTrial({ body, height: 1000, controls: { thrustLevel: weight / 60000 } });
@@ -134,7 +134,7 @@ describe('the engine', () => {
     expect(Math.abs(see(trial).climb)).toBeLessThan(1e-12);
   });
 
-  it('stops with the fuel', () => {
+  it('stops when the fuel runs out', () => {
     const fuel = 3;
     const trial = createTrial({ height: FAR, body: still('Phobos'), fuel, controls: { thrustLevel: 1 } });
     run(trial, 1);
@@ -149,7 +149,7 @@ describe('the engine', () => {
     expect(speedOf(trial)).toBeCloseTo(spent, 10);
   });
 
-  it('burns for RCS force and torque too, and nothing for the wheels', () => {
+  it('burns fuel for RCS force and torque, and none for the wheels', () => {
     const burntBy = (controls: Parameters<typeof createTrial>[0]['controls']) => {
       const trial = createTrial({ height: FAR, body: still('Phobos'), controls: controls! });
       run(trial, 1);
@@ -163,9 +163,9 @@ describe('the engine', () => {
   });
 });
 
-describe('turning freely', () => {
+describe('free rotation', () => {
   // Target 0: w t about the axis. The half-step quaternion is 2 atan(w dt/2): (w dt)³/12 short a substep. Today 8.3e-7 of 10 rad.
-  it('turns by w t', () => {
+  it('turns by ω t', () => {
     const trial = createTrial({ height: FAR, body: still('Phobos'), tilt: 33 });
     const before = quaternionAt(trial.ships, ATTITUDE);
     const w: Vec3 = [0.06, -0.08, 0];
@@ -179,7 +179,7 @@ describe('turning freely', () => {
   it.each([
     [8000, 1],
     [0, 2],
-  ])('spins up by torque over inertia with %d kg of fuel', (fuel, gain) => {
+  ])('spins up by torque / inertia with %d kg of fuel', (fuel, gain) => {
     const shipClass = { ...LANDER, rcsTorque: [0, 0, 0] as const };
     const controls = { rotationInput: [0, 0, 1] as const };
     const trial = createTrial({ height: FAR, body: still('Phobos'), shipClass, fuel, controls });
@@ -206,7 +206,7 @@ describe('turning freely', () => {
   it.each([
     ['prograde', 1],
     ['retrograde', -1],
-  ] as const)('points %s, and from straight away too', (attitudeMode, sign) => {
+  ] as const)('points %s, also from the opposite direction', (attitudeMode, sign) => {
     const trial = createTrial({ height: FAR, body: still('Phobos'), tilt: 20, controls: { attitudeMode } });
     const top = () => plus([0, 0, 0], rotateTop(trial));
     trial.ships.set(

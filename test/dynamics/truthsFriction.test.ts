@@ -51,7 +51,7 @@ describe.each([
     expect(movedBy(name, 0.79, dt, 10)).toBeLessThan(bound);
   });
 
-  it('lets go at 0.81', () => {
+  it('slips at 0.81', () => {
     // Kinetic friction of 0.5 then leaves 0.31 g: ½ · 0.31 g t².
     const ideal = 0.5 * 0.31 * gravityOn(bodyNamed(name)) * 3 ** 2;
     const moved = movedBy(name, 0.81, dt, 2);

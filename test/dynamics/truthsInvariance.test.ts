@@ -54,7 +54,7 @@ describe('smaller substeps', () => {
   }
 
   // Target: each half of the one before, first order. A bounce and a slide: today 1.58, 0.80, 0.39, 0.19 m.
-  it('bring a bounce and slide to where it converges', () => {
+  it('converge for a bounce and slide', () => {
     const found = misses({ ...TOUCH, body: bodyNamed('Luna'), velocity: [5, 2, -25] });
     expect(found[0]).toBeLessThan(1.7);
     for (let k = 1; k < found.length; k++) {
@@ -64,14 +64,14 @@ describe('smaller substeps', () => {
   });
 
   // A settling touch on Earth: where in a substep the touch falls moves the end by up to v dt / 2; then it converges.
-  it('bring a settling touch to where it converges', () => {
+  it('converge for a settling touchdown', () => {
     const found = misses({ ...TOUCH, velocity: [5, 2, -8] });
     expect(found[0]).toBeLessThan(0.05);
     expect(found.at(-1)).toBeLessThan(found[0]! / 6);
   });
 });
 
-describe('turning the world', () => {
+describe('rotating the world', () => {
   const turn: Quat = product(turnAbout(unit([1, 2, -1]), 2.1), turnAbout(unit([-3, 1, 1]), 1.3));
 
   function turned(body: MovingBody): MovingBody {
@@ -90,7 +90,7 @@ describe('turning the world', () => {
   }
 
   // Target 0. What is left is rounding of places 6,371 km from the centre, 1 nm, that a stiff contact carries on.
-  it('turns the trajectory with it', () => {
+  it('rotates the trajectory with it', () => {
     const here = createTrial(TOUCH);
     const there = turnedShip(createTrial(TOUCH));
     const body = turned(TOUCH.body!);
@@ -122,7 +122,7 @@ describe('moving the body', () => {
       [-4.1e12, 2.2e12, 7e11],
       [-5000, 3000, 100],
     ],
-  ] as const)('to %j changes no bit', (position, velocity) => {
+  ] as const)('to %j changes no bit of the trajectory', (position, velocity) => {
     const origin = createTrial({
       ...TOUCH,
       body: { ...TOUCH.body!, position: [0, 0, 0], velocity: [0, 0, 0] },

@@ -36,7 +36,7 @@ function settled(event: number): boolean {
   return event === EVENT_LANDED || event === EVENT_TIPPED;
 }
 
-describe('the tilt of no return', () => {
+describe('the toppling angle', () => {
   const classes = [LANDER, ...SHIP_CLASSES].map((shipClass) => shipClass.name);
 
   /** Degrees between the tilt from which the ship topples, found by halving, and arctan(leg_radius / h). */
@@ -61,7 +61,7 @@ describe('the tilt of no return', () => {
   // Target: arctan(leg_radius / h), 36.8699° for every class here, to 0.05°, whichever way it leans. Today
   // 0.0001° (the halving) with a symmetric tensor, 0.0187° fast_frigate, 0.0046° cargo_hauler, whose tensors turn them aside.
   it.each(classes.flatMap((name) => ['Luna', 'Earth'].map((body) => [name, body] as const)))(
-    'of %s on %s is arctan(leg radius / h), whichever way it leans',
+    'of %s on %s is arctan(leg radius / h) in every direction',
     (className, bodyName) => {
       const misses = everyWay.map((roll) => missOf(className, bodyName, roll));
       expect(Math.max(...misses)).toBeLessThan(0.022);
@@ -113,7 +113,7 @@ describe('the tilt of no return', () => {
   ];
 
   // Target: arctan(leg_radius / h), whatever the tensor and in every one of 24 directions. An independent implementation: 0.001°.
-  it.each(TENSORS)('does not depend on the moments of inertia: %s', (_, inertiaTensor) => {
+  it.each(TENSORS)('does not depend on the inertia tensor: %s', (_, inertiaTensor) => {
     const shipClass = { ...LANDER, inertiaTensor };
     const ideal = Math.atan2(3, 4) * DEGREES;
     for (let roll = 0; roll < 360; roll += 15) {
@@ -139,7 +139,7 @@ describe('the tilt of no return', () => {
   });
 });
 
-describe('what DYNAMICS says of the 16 t class', () => {
+describe('the 16 t class as described in DYNAMICS.md', () => {
   it('rocks back and lands from 36.8°', () => {
     const trial = letGo('Luna', LANDER, 36.8);
     run(trial, 60, settled);
@@ -147,7 +147,7 @@ describe('what DYNAMICS says of the 16 t class', () => {
     expect(see(trial).tilt).toBeLessThan(0.1);
   });
 
-  it('topples from 36.9°: tipped after 7 s on the Moon, and it lies at 90°', () => {
+  it('topples from 36.9°: tipped after 7 s on the Moon, at rest at 90°', () => {
     const trial = letGo('Luna', LANDER, 36.9);
     const seconds = run(trial, 60, settled) * 0.01;
     expect(see(trial).state).toBe(TIPPED);
@@ -159,7 +159,7 @@ describe('what DYNAMICS says of the 16 t class', () => {
   });
 
   // Touchdown attitude kept, Moon, 1 to 9 m/s: touchdowns tilted by up to 36° land, by 37.5° and more tip.
-  it.each([1, 3, 5, 7, 9])('lands tilted touchdowns at %d m/s up to 36° and tips from 37.5° on', (speed) => {
+  it.each([1, 3, 5, 7, 9])('lands at %d m/s with up to 36° of tilt and tips from 37.5° on', (speed) => {
     const end = (tilt: number) => {
       const trial = createTrial({
         body: bodyNamed('Luna'),

@@ -10,7 +10,7 @@ const CAPACITY = FRIGATE.reactionWheelCapacity![0];
 
 describe('reaction wheels', () => {
   // Target: capacity / torque = 10 s. The stick asks for just what the wheel can give.
-  it('take a torque for capacity / torque seconds, and then RCS burns fuel for it', () => {
+  it('absorb a torque for capacity / torque seconds, then RCS burns fuel for it', () => {
     const stick = TORQUE / (TORQUE + FRIGATE.rcsTorque[0]);
     const controls = { rotationInput: [stick, 0, 0] as const };
     const trial = createTrial({ body: still('Phobos'), shipClass: FRIGATE, height: FAR, controls });
@@ -27,7 +27,7 @@ describe('reaction wheels', () => {
     expect(spin).toBeCloseTo((TORQUE * (seconds + 0.99)) / 80000, 5);
   });
 
-  it('give their momentum back when they turn it the other way', () => {
+  it('give their momentum back when they turn the other way', () => {
     const controls = { rotationInput: [-1, 0, 0] as const };
     const trial = createTrial({ body: still('Phobos'), shipClass: FRIGATE, height: FAR, controls });
     trial.ships[WHEEL_MOMENTUM] = CAPACITY;
@@ -35,7 +35,7 @@ describe('reaction wheels', () => {
     expect(trial.ships[WHEEL_MOMENTUM]).toBeCloseTo(-CAPACITY, 6);
   });
 
-  it('are never full without a capacity', () => {
+  it('never saturate when the capacity is infinite', () => {
     const shipClass = { ...FRIGATE, reactionWheelCapacity: null };
     const controls = { rotationInput: [1, 0, 0] as const };
     const trial = createTrial({ body: still('Phobos'), shipClass, height: FAR, controls });
@@ -47,7 +47,7 @@ describe('reaction wheels', () => {
 describe('the attitude controller', () => {
   // Target: (1 + ω t) e^(−ω t) of the angle is left at t = 8 s = 4 / ω: 9.2 %.
   it.each(['prograde', 'retrograde', 'surface_retrograde', 'radial', 'antinormal'] as const)(
-    'brings a frigate that is 20° off within a tenth of that in 8 s: %s',
+    'reduces a frigate’s error of 20° to a tenth within 8 s: %s',
     (attitudeMode) => {
       const controls = { attitudeMode };
       const velocity = [300, 100, 0] as const;

@@ -9,7 +9,7 @@ describe('the hash of all trajectories', () => {
     expect(trajectoryHash(hashes)).toBe(PINNED_HASH);
   });
 
-  it('is another as soon as one bit of one landing is', () => {
+  it('changes with one bit of one landing', () => {
     const changed = hashes.map((one, i) => (i === 7 ? { ...one, hash: one.hash ^ 1 } : one));
     expect(trajectoryHash(changed)).not.toBe(PINNED_HASH);
   });
@@ -19,13 +19,13 @@ describe('the verdict on the engines', () => {
   const lines = ['opening 2000 0badcafe', 'all 12345678'];
   const agreeing = ['V8', 'JavaScriptCore', 'Hermes'].map((family) => ({ family, label: 'x 1.0', lines }));
 
-  it('is good when three families agree on the pinned hash', () => {
+  it('passes when three families agree on the pinned hash', () => {
     const { summary, complaints } = verdictOf(agreeing, '12345678');
     expect(complaints).toEqual([]);
     expect(summary).toBe('3 families agree on 1 landings: V8, JavaScriptCore, Hermes');
   });
 
-  it('says which landing differs in which engine', () => {
+  it('names the landing that differs, and the engine', () => {
     const other = { family: 'Boa', label: 'boa 1.0', lines: ['opening 2000 0badcaff', 'all 87654321'] };
     const { complaints } = verdictOf([...agreeing, other], '12345678');
     expect(complaints).toHaveLength(1);
@@ -39,17 +39,17 @@ describe('the verdict on the engines', () => {
     ['an answer cut short', [...agreeing.slice(0, 2), { family: 'Hermes', lines: lines.slice(0, 1) }]],
     ['a failure', [...agreeing, { family: 'Boa', failure: 'exit 1' }]],
     ['no answer at all', []],
-  ])('is bad with %s', (_, answers) => {
+  ])('fails with %s', (_, answers) => {
     expect(verdictOf(answers, '12345678').complaints).not.toEqual([]);
   });
 
-  it('is bad when all agree on another hash than the pinned one', () => {
+  it('fails when all agree on another hash than the pinned one', () => {
     expect(verdictOf(agreeing, '12345679').complaints).toEqual([
       'test/engines/hash.ts pins 12345679, here it is 12345678',
     ]);
   });
 
-  it('says what it skips, and why', () => {
+  it('names what it skips, and why', () => {
     expect(describeAnswer({ family: 'Boa', missing: 'not installed' }, lines).line).toMatch(
       /^Boa +skipped: not installed$/,
     );

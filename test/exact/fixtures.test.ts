@@ -17,16 +17,16 @@ function filesIn(folder: string): Map<string, string> {
 // Other tests may have the machine's cores.
 vi.setConfig({ testTimeout: 120_000 });
 
-describe('the Python server’s trajectories', () => {
-  it('are made from the rehearsals as they are (else: node test/run.mjs test/exact/writeScenarios.ts)', () => {
+describe('the Python service’s trajectories', () => {
+  it('come from the current scenarios (else: node test/run.mjs test/exact/writeScenarios.ts)', () => {
     expect(readFileSync(SCENARIO_FILE, 'utf8')).toBe(scenarioText());
   });
 
-  it('fly in the catalogue’s world (else: the same command)', () => {
+  it('use the catalogue’s bodies and classes (else: the same command)', () => {
     expect(readFileSync(WORLD_FILE, 'utf8')).toBe(worldText());
   });
 
-  it('are there for every rehearsal', () => {
+  it('exist for every scenario', () => {
     expect([...filesIn(COMMITTED).keys()]).toEqual(SCENARIOS.map(({ name }) => `${name}.json`).sort());
   });
 
@@ -46,7 +46,7 @@ describe('the Python server’s trajectories', () => {
     },
   );
 
-  it.each(SCENARIOS.map(({ name }) => name))('%s: the dynamics agree without any difference', (name) => {
+  it.each(SCENARIOS.map(({ name }) => name))('%s: the dynamics agree exactly', (name) => {
     const fixture = readFixture(readFileSync(join(COMMITTED, `${name}.json`), 'utf8'));
     if (!fixture.ok) throw new Error(fixture.reason);
     const compared = compareFixture(fixture.value);

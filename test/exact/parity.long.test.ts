@@ -6,7 +6,7 @@ import { MAY_SKIP, pythonVersion } from './python';
 const SUBSTEPS = 1_000_000;
 
 describe.skipIf(pythonVersion() === null && MAY_SKIP)('TypeScript and Python agree in every bit', () => {
-  it(`over ${SUBSTEPS} substeps of cases drawn by a seed`, async () => {
+  it(`over ${SUBSTEPS} substeps of random cases`, async () => {
     const { cases, ours, coverage } = playDrawnCases(SUBSTEPS);
     const theirs = await replaySpread(cases);
     expect(await differences(cases, ours, theirs)).toEqual([]);

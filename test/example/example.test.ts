@@ -19,7 +19,7 @@ it('has at most 200 lines, with the game’s module names', () => {
   );
 });
 
-it('is what the guide shows: each block of code stands in a file, line by line', () => {
+it('is what the guide shows: each block of code occurs in a file, line by line', () => {
   const guide = readFileSync(join(FOLDER, 'GUIDE.md'), 'utf8');
   const blocks = [...guide.matchAll(/^```js\n([^]*?)^```/gm)].map((match) => match[1]!);
   expect(blocks.length).toBeGreaterThan(5);

@@ -116,7 +116,7 @@ async function welcomed() {
   return made;
 }
 
-it('authenticates on open, and tells welcome and states', async () => {
+it('authenticates on open, and reports welcome and states', async () => {
   const { told } = await welcomed();
   expect(heard).toEqual([{ type: 'auth', token: 'jwt-1' }]);
   say(STATE);
@@ -129,7 +129,7 @@ it('authenticates on open, and tells welcome and states', async () => {
   ]);
 });
 
-it('sends controls only while it is welcome, in the caller’s own envelope', async () => {
+it('sends controls only while welcome, in the caller’s own envelope', async () => {
   const made = connect({ pack: (controls) => ({ type: 'control', data: { thrust: controls.thrustLevel } }) });
   expect(made.live.sendControls(NEUTRAL_CONTROLS)).toBe(false);
   await until(() => heard.length === 1);
@@ -159,7 +159,7 @@ it('pings each 30 s, and reconnects when no pong comes in 10 s', async () => {
   await until(() => sockets.length === 2);
 });
 
-it('says that nothing answers, goes on trying, and says that it is back', async () => {
+it('reports that nothing answers, keeps trying, and reports that it is back', async () => {
   const port = Number(new URL(address).port);
   await stopServer();
   const { clock, told } = connect();
@@ -183,7 +183,7 @@ it('says that nothing answers, goes on trying, and says that it is back', async 
 it.each([
   [4001, 'refused the sign-in'],
   [4003, 'does not accept pages from here'],
-])('does not try again after close code %i, and says why', async (code, words) => {
+])('does not reconnect after close code %i, and reports why', async (code, words) => {
   const { clock, told, live } = connect();
   await until(() => heard.length === 1);
   sockets[0]!.close(code, 'no');
@@ -195,7 +195,7 @@ it.each([
   await until(() => sockets.length === 2);
 });
 
-it('has one socket at any time, however often it is told to try again', async () => {
+it('has one socket at any time, however often a retry is requested', async () => {
   const { told, live } = await welcomed();
   for (let i = 0; i < 5; i++) live.retry();
   sockets[0]!.terminate();
@@ -206,7 +206,7 @@ it('has one socket at any time, however often it is told to try again', async ()
   expect(server.clients.size).toBe(1);
 });
 
-it('tells of destroyed and removed ships, and keeps a refreshed token for the next connection', async () => {
+it('reports destroyed and removed ships, and keeps a refreshed token for the next connection', async () => {
   const { clock, told } = await welcomed();
   say({ type: 'ship.destroyed', ship_id: 'a', ship_name: 'Kite', body: 'Luna', reason: 'collision' });
   say({ type: 'ship.removed', ship_id: 'b' });
@@ -223,7 +223,7 @@ it('tells of destroyed and removed ships, and keeps a refreshed token for the ne
   expect(heard[1]).toEqual({ type: 'auth', token: 'jwt-2' });
 });
 
-it('refuses by name what it cannot use, and lives on', async () => {
+it('refuses invalid messages by name, and goes on', async () => {
   const { told, live } = await welcomed();
   const raw = (data: string | Uint8Array) => sockets[0]!.send(data);
   raw('{');
@@ -247,7 +247,7 @@ it('refuses by name what it cannot use, and lives on', async () => {
   expect(live.state().phase).toBe('live');
 });
 
-it('gives up a welcome that does not come in 10 s', async () => {
+it('gives up when no welcome comes in 10 s', async () => {
   const { clock, told } = connect();
   await until(() => heard.length === 1);
   say(STATE);
@@ -256,7 +256,7 @@ it('gives up a welcome that does not come in 10 s', async () => {
   expect(told.at(-1)).toContain('did not welcome us within 10 s');
 });
 
-it('tells an address that is none like a server that does not answer', () => {
+it('reports an invalid address like a server that does not answer', () => {
   const { told } = connect({
     openSocket: () => {
       throw new Error('invalid address');

@@ -3,7 +3,7 @@ import { createDriver } from '../../src/game';
 import type { GameSocket } from '../../src/game/socket';
 import { createVirtualClock } from './virtualClock';
 
-it('sends nothing of the caller’s between the opening of the socket and the welcome', () => {
+it('sends nothing of the caller’s between the socket’s opening and the welcome', () => {
   const sent: unknown[] = [];
   const socket: GameSocket = {
     ...{ onopen: null, onmessage: null, onclose: null, onerror: null },

@@ -19,7 +19,7 @@ const TIME: LinkEvent = { kind: 'time' };
 const closed = (code: number, reason = ''): LinkEvent => ({ kind: 'closed', code, reason });
 
 describe('a link', () => {
-  it('opens, authenticates, is welcomed', () => {
+  it('opens, authenticates and is welcomed', () => {
     expect(beginLink(0).effects).toEqual(['open']);
     expect(play([...OPENED]).effects).toEqual(['auth']);
     expect(words(play([...OPENED]).state, 1)).toBe('Connected to wss://game.example/ws; signing in…');
@@ -37,7 +37,7 @@ describe('a link', () => {
     );
   });
 
-  it('pings each 30 s, and takes 10 s without an answer for the end', () => {
+  it('pings each 30 s, and closes after 10 s without an answer', () => {
     const steady: [number, LinkEvent][] = [...LIVE, [29, { kind: 'state', interval: 1 }]];
     const pinged = play(...steady, [30.2, TIME]);
     expect(pinged.effects).toEqual(['ping']);
@@ -49,7 +49,7 @@ describe('a link', () => {
     expect(words(dead.state, 40.2)).toContain('did not answer a ping within 10 s');
   });
 
-  it('tells a paused server, which answers, from one that is gone', () => {
+  it('distinguishes a paused server, which answers, from one that is gone', () => {
     const asked = play(...LIVE, [1, { kind: 'state', interval: 1 }], [4, TIME]);
     expect(asked.effects).toEqual(['ping']);
     expect(words(asked.state, 4)).toContain('asking whether it is still there');
@@ -60,12 +60,12 @@ describe('a link', () => {
     expect(stepLink(asked.state, TIME, 14, 0.5).state.phase).toBe('waiting');
   });
 
-  it('does not take a slow server for a silent one', () => {
+  it('does not mistake a slow server for a silent one', () => {
     const slow = play(...LIVE, [1, { kind: 'state', interval: 10 }]);
     expect(slow.state.stateBy).toBe(31);
   });
 
-  it('waits longer from attempt to attempt, by the dice a quarter more or less, at most half a minute or so', () => {
+  it('backs off from attempt to attempt, with a quarter of jitter, to about half a minute at most', () => {
     let { state } = beginLink(0);
     let now = 0;
     const waits: number[] = [];
@@ -84,7 +84,7 @@ describe('a link', () => {
     for (const [i, wait] of waits.entries()) expect(wait).toBeCloseTo(expected[i]!, 9);
   });
 
-  it('says that it is back, until the first state', () => {
+  it('reports that it is back until the first state', () => {
     const lost = play(...LIVE, [5, closed(1006)]);
     expect(words(lost.state, 5)).toBe(
       'The connection to wss://game.example/ws was lost (code 1006). Retrying in 1 s.',
@@ -101,7 +101,7 @@ describe('a link', () => {
     expect(words(state, 6.3)).toBe('');
   });
 
-  it('does not try again by itself where the server refuses, and does when asked', () => {
+  it('does not reconnect by itself after a refusal, and does when asked', () => {
     const auth = play([...OPENED], [0.3, closed(4001, 'Unauthorized')]);
     expect(auth.state).toMatchObject({ phase: 'refused', ended: { cause: 'auth' } });
     expect(dueAt(auth.state)).toBe(Infinity);
@@ -115,7 +115,7 @@ describe('a link', () => {
     expect(stepLink(auth.state, { kind: 'retry' }, 2, 0.5).effects).toEqual(['open']);
   });
 
-  it('ends for good', () => {
+  it('ends for good when closed', () => {
     const ended = play(...LIVE, [1, { kind: 'end' }]);
     expect(ended.effects).toEqual(['close']);
     for (const event of [closed(1006), TIME, { kind: 'opened' }, { kind: 'retry' }] as const)

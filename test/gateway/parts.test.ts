@@ -10,7 +10,7 @@ import { FRAME, SHIP } from '../wire/messages';
 
 const SECRET = 'a secret that is long enough for a test';
 
-it('puts a client’s frame together from shared parts, as if it were encoded whole', () => {
+it('joins a client’s frame from shared parts, byte for byte as if encoded whole', () => {
   const shared = shareFrame(FRAME);
   const decoded = decodeServerMessage(shared.bytes([1, 0], FRAME.events, FRAME.lastInput));
   expect(decoded).toEqual({ ok: true, value: { ...FRAME, ships: [FRAME.ships[1], FRAME.ships[0]] } });
@@ -21,7 +21,7 @@ it('puts a client’s frame together from shared parts, as if it were encoded wh
   });
 });
 
-it('tells the game’s clients what the game tells, in at most 64 KB', () => {
+it('sends the game’s clients the game’s own messages, in at most 64 KB', () => {
   const ships = Array.from({ length: 300 }, (_, i) => ({ ...SHIP, shipId: `ship-${i}` }));
   const text = shareFrame({ ...FRAME, ships }).json(ships.map((_, i) => i));
   expect(Buffer.byteLength(text)).toBeLessThanOrEqual(MAX_STATE);
@@ -37,7 +37,7 @@ it('tells the game’s clients what the game tells, in at most 64 KB', () => {
   });
 });
 
-it('sees the own ship first, then the nearest within the radius', () => {
+it('sends the own ship first, then the nearest within the radius', () => {
   const at = (x: number, shipId: string) => ({ ...SHIP, shipId, position: [x, 0, 0] as const });
   const ships = [at(5000, 'far'), at(0, 'own'), at(10, 'near'), at(300, 'next')];
   expect(shipsInSight(ships, 1, { radius: 1000, most: 10 })).toEqual([1, 2, 3]);
@@ -45,7 +45,7 @@ it('sees the own ship first, then the nearest within the radius', () => {
   expect(shipsInSight(ships, -1, { radius: 1, most: 3 })).toEqual([0, 1, 2]);
 });
 
-it('lets through a burst, and then a rate', () => {
+it('allows a burst, and then a rate', () => {
   const bucket = createBucket({ perSecond: 2, burst: 3 }, 0);
   expect([1, 1, 1, 1].map((count) => take(bucket, count, 0))).toEqual([true, true, true, false]);
   expect(take(bucket, 1, 0.5)).toBe(true);
@@ -53,7 +53,7 @@ it('lets through a burst, and then a rate', () => {
   expect(take(bucket, 4, 1000)).toBe(false);
 });
 
-it('signs in by name and password alone, and believes its own tokens until they end', async () => {
+it('signs in by name and password only, and accepts its own tokens until they expire', async () => {
   let now = 1_800_000_000;
   const made = { secret: SECRET, lifetime: 3600, now: () => now };
   const account = { username: 'one', playerId: 'p1', password: 'x' };
@@ -74,7 +74,7 @@ it('signs in by name and password alone, and believes its own tokens until they 
   );
 });
 
-it('reads the service’s frame, and keeps what can be used of it', () => {
+it('reads the service’s frame, and keeps what is valid in it', () => {
   const told: string[] = [];
   const sent = {
     ...encodeFrameJson({ ...FRAME, lastInput: null }),
@@ -112,6 +112,6 @@ it.each([
   ['{"type":"auth"}', 'auth.token: expected a text'],
   ['{"type":"control","thrust_level":"much"}', 'control.thrust_level: expected a finite number, got "much"'],
   ['{"type":"service"}', 'type: expected auth, control or ping'],
-])('refuses %s by name', (text, reason) => {
+])('refuses an invalid %s by name', (text, reason) => {
   expect(readText(text)).toEqual({ kind: 'refused', reason });
 });

@@ -6,7 +6,7 @@ const changed = (text: string) =>
     ({ start, end, text: instead }) => text.slice(0, start) + instead + text.slice(end),
   );
 
-describe('the changes that tests should notice', () => {
+describe('mutants', () => {
   it.each([
     ['const a = b + c;', ['const a = b - c;']],
     ['const a = b < 3;', ['const a = b <= 3;', 'const a = b < 4;']],

@@ -28,7 +28,7 @@ function written(name: string, text: string): string {
 }
 
 describe('npm run parity', () => {
-  it('takes the fixtures of the repository when none is named, and exits 0', () => {
+  it('checks the fixtures of the repository when no file is named, and exits 0', () => {
     const { status, lines } = parity();
     expect(lines.at(-1)).toMatch(/^(\d+) of \1 files agree$/);
     expect(lines.filter((line) => line.includes('states and events agree')).length).toBeGreaterThanOrEqual(
@@ -37,7 +37,7 @@ describe('npm run parity', () => {
     expect(status).toBe(0);
   }, 30_000);
 
-  it('runs every file though some fail, names what is wrong, and exits 1', () => {
+  it('checks every file even when some fail, names the faults, and exits 1', () => {
     const good = readFileSync(join(FIXTURES, 'crash.json'), 'utf8');
     const { status, lines } = parity(
       written('broken.json', '{"tick_seconds": '),
@@ -56,7 +56,7 @@ describe('npm run parity', () => {
     expect(all).toMatch(/1 of 5 files agree/);
   }, 30_000);
 
-  it('takes recordings of a server', () => {
+  it('accepts recordings of a server', () => {
     const client = listen(moonExchange('topple', 'broadband'));
     for (let now = 101; now <= 112; now++) client.runTo(now + 0.5);
     const { status, lines } = parity(written('server.jsonl', writeRecording(recordingOf(client))));

@@ -21,7 +21,7 @@ function spoilt(name: string, spoil: (file: ReturnType<typeof json>) => void): s
 }
 
 describe('parity', () => {
-  it('has trajectories to agree with', () => {
+  it('has trajectories to compare with', () => {
     expect(FILES.length).toBe(45);
   });
 
@@ -41,7 +41,7 @@ describe('parity', () => {
     ['velocity', 'relative_velocity', 1, 2e-5],
     ['attitude', 'attitude', 2, 2e-7],
     ['spin', 'angular_velocity', 0, 2e-7],
-  ])('sees a %s that is off by twice its tolerance', (_what, field, k, off) => {
+  ])('detects a %s that is off by twice its tolerance', (_what, field, k, off) => {
     const file = spoilt('topple.json', ({ states }) => {
       (states[20]![field] as number[])[k]! += off;
     });
@@ -53,21 +53,21 @@ describe('parity', () => {
   it.each([
     ['fuel', 'fuel', 2e-6],
     ['impact speed', 'impact_speed', 2e-5],
-  ])('sees a %s that is off by twice its tolerance', (_what, field, off) => {
+  ])('detects a %s that is off by twice its tolerance', (_what, field, off) => {
     const file = spoilt('launch.json', ({ states }) => {
       states[3]![field] = (states[3]![field] as number) + off;
     });
     expect(valueOf(compareFixture(valueOf(readFixture(file)))).outOfTolerance).not.toBeNull();
   });
 
-  it('takes an attitude with its sign turned for the same', () => {
+  it('accepts an attitude with its sign reversed', () => {
     const file = spoilt('topple.json', ({ states }) => {
       states[20]!['attitude'] = (states[20]!['attitude'] as number[]).map((value) => -value);
     });
     expect(agrees(valueOf(compareFixture(valueOf(readFixture(file)))))).toBe(true);
   });
 
-  it('names the first tick that disagrees in state or event', () => {
+  it('names the first tick that differs in state or event', () => {
     const state = spoilt('settle-moon.json', ({ states }) => {
       states[7]!['surface_contact_state'] = 'contact';
     });
@@ -92,7 +92,7 @@ describe('parity', () => {
     expect(valueOf(compareFixture(valueOf(readFixture(extra)))).disagreement?.tick).toBe(230);
   });
 
-  it('sees a law with other settings', () => {
+  it('detects a law with other settings', () => {
     const file = spoilt('slide-origin.json', (fixture) => {
       fixture['config'] = { contact_friction_kinetic: 0.5001 };
     });
@@ -100,7 +100,7 @@ describe('parity', () => {
     expect(comparison.outOfTolerance).not.toBeNull();
   });
 
-  it('prints a line a file: differences, or the field that is wrong', () => {
+  it('prints one line per file: differences, or the invalid field', () => {
     const good = parityLine('topple.json', text('topple.json'));
     expect(good.passed).toBe(true);
     expect(good.line).toMatch(/^topple\.json +position .* m {2}velocity .* m\/s.*states and events agree/);
@@ -170,7 +170,7 @@ describe('a malformed fixture is refused by its field', () => {
     expect(line.startsWith(`bad.json: ${field}: `)).toBe(true);
   });
 
-  it('numbers beyond doubles, lists beyond counts, and texts that are no JSON', () => {
+  it('with numbers beyond doubles, lists beyond counts, or text that is not JSON', () => {
     const infinite = text('topple.json').replace('"mass":7.342e+22', '"mass":7.342e+999');
     expect(parityLine('f', infinite).line).toContain('body.mass: expected a finite number, got Infinity');
     const many = spoilt('topple.json', (f) => (f.events = Array.from({ length: 100_001 }, () => ({}))));

@@ -45,7 +45,7 @@ function asHash(record: Record<string, unknown>): Record<string, unknown> {
 }
 
 describe('the schema', () => {
-  it('takes every fixture of the repository', () => {
+  it('accepts every fixture of the repository', () => {
     expect(files.length).toBeGreaterThan(40);
     const refused = files.filter((file) => !validate(JSON.parse(readFileSync(file, 'utf8'))));
     expect(refused).toEqual([]);
@@ -79,7 +79,7 @@ describe('the schema', () => {
 });
 
 describe('npm run parity', () => {
-  it('lists every fault of a file at once, a line each', () => {
+  it('lists every fault of a file at once, one per line', () => {
     const file = trajectory();
     delete file.ship_class['dry_mass'];
     file.body['position'] = 'here';
@@ -95,7 +95,7 @@ describe('npm run parity', () => {
     ]);
   });
 
-  it('says of what is not there once, and not of all that would be in it', () => {
+  it('reports a missing object once, and not its contents', () => {
     const { line } = parityLine('file.json', '{"states": 7}');
     expect(line).toContain('body: expected an object, got nothing');
     expect(line).not.toContain('body.mass');
@@ -110,7 +110,7 @@ describe('npm run parity', () => {
     );
   });
 
-  it('takes what Redis holds: hashes of texts, quaternions with w first', () => {
+  it('accepts Redis hashes of texts, and quaternions with w first', () => {
     const file = trajectory();
     const redis = {
       ...file,

@@ -4,7 +4,7 @@ import { DEFAULT_CHOICES, readChoices, setChoice, writeChoices } from '../../src
 const read = (query: string) => readChoices(new URLSearchParams(query));
 
 describe('choices in the URL', () => {
-  it('come back as they were written', () => {
+  it('survive a round trip', () => {
     const choices = {
       ...DEFAULT_CHOICES,
       scenario: 'slide',
@@ -28,7 +28,7 @@ describe('choices in the URL', () => {
     expect(again.choices).toEqual(choices);
   });
 
-  it('are left out where they are the defaults', () => {
+  it('are left out when they are the defaults', () => {
     expect(writeChoices({ ...DEFAULT_CHOICES })).toBe('');
     expect(read('').choices).toEqual(DEFAULT_CHOICES);
   });
@@ -50,14 +50,14 @@ describe('choices in the URL', () => {
     ['server=http://example.org', 'server'],
     ['fleet=1000', 'fleet'],
     ['stalled=Infinity', 'stalled'],
-  ])('%s is complained of by name, and the default holds', (query, key) => {
+  ])('%s is reported by name, and the default applies', (query, key) => {
     const { choices, complaints } = read(`${query}&mode=gravity`);
     expect(complaints).toHaveLength(1);
     expect(complaints[0]).toMatch(new RegExp(`^${key}: expected `));
     expect(choices).toEqual({ ...DEFAULT_CHOICES, mode: 'gravity' });
   });
 
-  it('set one by one are checked the same', () => {
+  it('set one by one are checked the same way', () => {
     const choices = { ...DEFAULT_CHOICES };
     expect(setChoice(choices, 'tickRate', '200')).toMatch(/0.1 to 100/);
     expect(choices.tickRate).toBe(0);

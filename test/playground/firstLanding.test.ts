@@ -47,7 +47,7 @@ function createNewcomer({ live }: Game): (view: WorldView, now: number) => void 
 }
 
 describe('the first minute', () => {
-  it('a newcomer lands softer than 2 m/s by the beacon at the first try, and the run is proved by flying it again', async () => {
+  it('a newcomer lands softer than 2 m/s by the beacon at the first try, and a replay of the run proves it', async () => {
     const mission = findMission('first-landing')!;
     const tracker = createMissionTracker();
     tracker.begin(mission);
@@ -77,7 +77,7 @@ describe('the first minute', () => {
     expect(run.score.total).toBe(run.score.lines.reduce((sum, { points }) => sum + points, 0));
   });
 
-  it('who does nothing at all still comes down whole: there is a second try', async () => {
+  it('without any input the ship still comes down intact, so there is a second try', async () => {
     const game = await open({});
     const states = new Set<string>();
     game.play(10, 120, (view) => states.add(view.own?.shownState ?? ''));

@@ -26,7 +26,7 @@ function storeWith(text: string | null): Storage {
 }
 
 describe('key table', () => {
-  it('has the game’s keys, each once, none with a modifier', () => {
+  it('has the game’s keys, each once, without modifiers', () => {
     const { map } = defaultKeys();
     expect(firstDoubled(map)).toBeNull();
     expect(KEY_TABLE.every(({ action, key }) => isBindable(action, key))).toBe(true);
@@ -38,7 +38,7 @@ describe('key table', () => {
     expect(turns.map((action) => map[action].slice(3)).sort()).toEqual(['A', 'D', 'E', 'Q', 'S', 'W']);
   });
 
-  it('is remapped by exchange, saved and read again', () => {
+  it('is remapped by swapping, saved and read again', () => {
     const { map } = defaultKeys();
     const next = rebind(map, 'pitchPlus', 'KeyW');
     expect([next.pitchPlus, next.pitchMinus]).toEqual(['KeyW', 'KeyS']);
@@ -60,7 +60,7 @@ describe('key table', () => {
     expect(loadKeys(storeWith(text))).toEqual(defaultKeys());
   });
 
-  it('does without a store that refuses', () => {
+  it('works without a store that refuses', () => {
     const refusing = {
       getItem: () => {
         throw new Error('forbidden');
@@ -101,7 +101,7 @@ describe.each(Object.keys(LAYOUTS))('on a %s keyboard', (name) => {
   const keys = defaultKeys();
   const typed = (code: string) => actionOf(keys, layout, stroke(code, layout.get(code) ?? ''));
 
-  it('flies by place', () => {
+  it('flies by key position', () => {
     const asdw = ['KeyW', 'KeyA', 'KeyS', 'KeyD', 'KeyF', 'KeyX'];
     expect(asdw.map(typed)).toEqual([
       'pitchMinus',
@@ -113,7 +113,7 @@ describe.each(Object.keys(LAYOUTS))('on a %s keyboard', (name) => {
     ]);
   });
 
-  it('has a key for every command, and names the key that does it', () => {
+  it('has a key for every command, and names that key', () => {
     for (const action of ['restart', 'pause', 'stepSubstep', 'hide'] as const) {
       const cap = capOf(action, keys.map, layout);
       const code = [...placesOf(keys.map, layout)].find(([, owner]) => owner === action)?.[0];
@@ -129,7 +129,7 @@ describe('letters and modifiers', () => {
   const keys = defaultKeys();
   const qwertz: Layout = new Map(PLACES.map((code, i) => [code, LAYOUTS['qwertz']!.charAt(i)]));
   const layout: Layout = new Map();
-  it('AltGr types a sign, whether or not the browser calls it Ctrl + Alt', () => {
+  it('AltGr types a character, whether or not the browser reports it as Ctrl + Alt', () => {
     const altGr = { ctrlKey: true, altKey: true, altGraph: true };
     expect(actionOf(keys, qwertz, stroke('Digit9', ']', altGr))).toBe('nextScenario');
     expect(actionOf(keys, qwertz, stroke('Digit9', ']', { altGraph: true }))).toBe('nextScenario');
@@ -149,7 +149,7 @@ describe('letters and modifiers', () => {
 });
 
 describe('stick', () => {
-  it('gives the same controls object while nothing changes', () => {
+  it('returns the same controls object while nothing changes', () => {
     const stick = createStick();
     press(stick, 'pitchPlus', NEUTRAL_CONTROLS);
     const first = sampleStick(stick, 0.016);
@@ -159,7 +159,7 @@ describe('stick', () => {
     expect(sampleStick(stick, 0.016).rotationInput).toEqual([0, 0, 0]);
   });
 
-  it('moves the throttle a per cent at a tap, slowly and then fast while held, and stops at its ends', () => {
+  it('moves the throttle by 1 % per tap, slowly and then fast while held, and stops at its ends', () => {
     const stick = createStick();
     press(stick, 'throttleUp', NEUTRAL_CONTROLS);
     expect(sampleStick(stick, 0).thrustLevel).toBeCloseTo(0.01, 12);
@@ -170,7 +170,7 @@ describe('stick', () => {
     expect(sampleStick(stick, 0.016).thrustLevel).toBe(0);
   });
 
-  it('takes over what the scenario’s own pilot was doing, and forgets it at a restart', () => {
+  it('takes over from the scenario’s own pilot, and forgets the pilot’s input at a restart', () => {
     const stick = createStick();
     press(stick, 'yawMinus', { ...NEUTRAL_CONTROLS, thrustLevel: 0.7, attitudeHold: true });
     const taken = sampleStick(stick, 0.016);

@@ -32,8 +32,8 @@ function truth(name: string, tickRate: number): { readonly run: string; readonly
 
 const PLANNED = SCENARIOS.filter(({ inputs }) => inputs.length > 0).map(({ name }) => name);
 
-describe('a scenario that flies by itself', () => {
-  it('is more than one of them', () => expect(PLANNED.length).toBeGreaterThan(3));
+describe('a scenario with planned inputs', () => {
+  it('exists more than once', () => expect(PLANNED.length).toBeGreaterThan(3));
 
   const ways = [
     [7, 'satellite', 1],
@@ -43,7 +43,7 @@ describe('a scenario that flies by itself', () => {
     [144, 'fourG', 5],
   ] as const;
   describe.each(PLANNED)('%s', (scenario) => {
-    it.each(ways)('ends in the same bits at %i frames a second over %s, ticks of %i Hz', async (...way) => {
+    it.each(ways)('ends in the same bits at %i frames per second over %s, at %i Hz', async (...way) => {
       const [fps, network, tickRate] = way;
       const { live, play } = await open({ scenario, network, tickRate });
       const { run, seconds } = truth(scenario, tickRate);
@@ -65,7 +65,7 @@ describe('a scenario that flies by itself', () => {
 });
 
 describe('a recording of it', () => {
-  it('keeps the plan: the law bears every interval out, and the replay corrects nothing', async () => {
+  it('keeps the plan: every interval agrees with the law, and the replay corrects nothing', async () => {
     const game = await open({ scenario: 'freighter-hold' });
     game.play(60, 9.5);
     const { plan } = scriptOf({ ...DEFAULT_CHOICES, scenario: 'freighter-hold' });
@@ -93,7 +93,7 @@ describe('a recording of it', () => {
       'plan[1]: controls.thrustLevel',
       { tick: 2, substep: 0, controls: { ...NEUTRAL_CONTROLS, thrustLevel: '1' } },
     ],
-  ])('is refused for a faulty %s', (field, second) => {
+  ])('is refused for an invalid %s', (field, second) => {
     const plan = [{ tick: 1, substep: 3, controls: NEUTRAL_CONTROLS }, second as never];
     const read = readRecording(writeRecording({ header: { note: '', shipId: 'own', plan }, entries: [] }));
     expect(read).toMatchObject({ ok: false, reason: expect.stringContaining(`line 1: ${field}`) as string });
@@ -141,7 +141,7 @@ describe('a link to a flight', () => {
     return copied[0]!;
   }
 
-  it('flies the same inputs in the same world to the same bits, whatever network and display', async () => {
+  it('flies the same inputs in the same world to the same bits, on any network and display', async () => {
     const asked = { scenario: 'launch', body: 'Mars', network: 'broadband' };
     const game = await open(asked);
     game.play(60, 1);
@@ -171,7 +171,7 @@ describe('a link to a flight', () => {
 });
 
 describe('a pause', () => {
-  it('with a key held, and going on, leaves no mismatch: what is held or pressed meanwhile does nothing', async () => {
+  it('with a key held leaves no mismatch after it: keys held or pressed meanwhile do nothing', async () => {
     const { live, play } = await open({ scenario: 'school-hover', network: 'broadband' });
     play(60, 2.3);
     live.hands.press('throttleUp');
@@ -192,7 +192,7 @@ describe('a pause', () => {
 });
 
 describe('the autopilot', () => {
-  it('lands softly from the mission’s start, and is given back by the key that took it', async () => {
+  it('lands softly from the mission’s start, and is switched off by the key that switched it on', async () => {
     const { live, play } = await open({ scenario: 'first-landing', network: 'broadband' });
     play(30, 1);
     live.hands.press('autopilot');
@@ -212,8 +212,8 @@ describe('the autopilot', () => {
   });
 });
 
-describe('the hand on the stick', () => {
-  it('ends the plan with its first touch, whatever it touches, and nothing fights it', async () => {
+describe('manual input', () => {
+  it('ends the plan at its first use, with any control, and nothing overrides it', async () => {
     const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
     play(60, 1);
     expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0.5, attitudeMode: 'radial' });
@@ -232,7 +232,7 @@ describe('the hand on the stick', () => {
     });
   });
 
-  it('that is heard late lets the plan fly on there until then, and no longer', async () => {
+  it('that arrives late lets the plan run until it arrives, and no longer', async () => {
     const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
     play(60, 1);
     live.operate({ kind: 'drop' });
@@ -249,7 +249,7 @@ describe('the hand on the stick', () => {
     expect(own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0], attitudeMode: 'radial' });
   });
 
-  it('taps as long as the finger did, however far apart the frames are', async () => {
+  it('taps for as long as the key was down, however far apart the frames are', async () => {
     const { live, play, entries } = await open({ scenario: 'opening', network: 'lan' });
     play(2, 3);
     for (const hand of ['press', 'release'] as const) {
@@ -273,7 +273,7 @@ describe('the hand on the stick', () => {
     expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsLateInput: 0 });
   });
 
-  it('takes over without a change of controls too', async () => {
+  it('takes over also without a change of controls', async () => {
     const { live, play } = await open({ scenario: 'launch', network: 'lan' });
     play(60, 1);
     live.hands.press('throttleCut');

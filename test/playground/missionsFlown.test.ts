@@ -69,9 +69,9 @@ function expectProof(mission: Mission, inputs: readonly RunInput[], off: number)
   expect(raced.score).toEqual(run.score);
 }
 
-describe('flown to its end by a pilot who sees the displays', () => {
+describe('a mission flown by a pilot who sees only the displays', () => {
   it.each(MISSIONS.map((mission) => [mission.scenario.name, mission] as const))(
-    'mission %s is won, its score is explained, and its race link proves it',
+    '%s is won, its score is explained, and its race link proves it',
     { timeout: 120_000 },
     (_, mission) => {
       const { phase, inputs, off } = fly(mission, 500);

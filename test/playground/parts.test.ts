@@ -25,7 +25,7 @@ describe('page clock', () => {
 });
 
 describe('a plot', () => {
-  it('has an axis as large as what it shows: errors of zero do not lie on one to 100', () => {
+  it('scales its axis to the data: errors of zero are not drawn on an axis from 1 to 100', () => {
     const errors = { base: 0, least: 0.001 };
     expect(axisRange(errors, 0, 0)[1]).toBeLessThan(0.0011);
     expect(axisRange(errors, NaN, NaN)).toEqual(axisRange(errors, 0, 0));
@@ -36,13 +36,13 @@ describe('a plot', () => {
 });
 
 describe('figures', () => {
-  it('are last, mean, 95th percentile and largest of what is finite', () => {
+  it('are last, mean, 95th percentile and largest of the finite values', () => {
     const values = Array.from({ length: 100 }, (_, i) => i + 1);
     expect(summarise([...values, NaN])).toEqual({ last: 100, mean: 50.5, p95: 95, max: 100 });
     expect(summarise([NaN]).max).toBeNaN();
   });
 
-  it('are sampled ten times a second and kept thirty seconds', () => {
+  it('are sampled ten times per second and kept for thirty seconds', () => {
     const samples = createSamples();
     const { diagnosis } = createPredictor().view(0);
     let taken = 0;
@@ -95,7 +95,7 @@ describe('a recorder', () => {
     expect(recorder.recording('').entries).toHaveLength(1000);
   });
 
-  it('gives back what it took, frames, controls and messages alike', () => {
+  it('returns what it recorded, frames, controls and messages alike', () => {
     const { recording } = play(4, () => undefined);
     const recorder = createRecorder();
     recorder.begin([]);
@@ -105,7 +105,7 @@ describe('a recorder', () => {
 });
 
 describe('replay', () => {
-  it('shows every moment as it was, forward and backward, from the file too', () => {
+  it('shows every moment as it was, forward and backward, also from the file', () => {
     const { recording, poses } = play(6, () => undefined);
     const read = readRecording(writeRecording(recording));
     if (!read.ok) throw new Error(read.reason);
@@ -117,7 +117,7 @@ describe('replay', () => {
     expect(replay.generation()).toBeGreaterThan(2);
   });
 
-  it('steps to the next tick and substep, forward and back, and each gives the same pose both ways', () => {
+  it('steps to the next tick and substep, forward and back, with the same pose both ways', () => {
     const { recording } = play(6, () => undefined);
     const replay = createReplay(recording);
     replay.seek(2.5);
@@ -144,7 +144,7 @@ describe('replay', () => {
     expect(replay.position()).toBe(replay.from);
   });
 
-  it('finds every moment from keyframes that were made ahead', () => {
+  it('finds every moment from keyframes made in advance', () => {
     const { recording, poses } = play(12, () => undefined);
     const replay = createReplay(recording);
     replay.prepare(() => false);

@@ -10,22 +10,22 @@ function play(resolution: Resolution, seconds: number, rateAt: (share: number) =
 }
 
 describe('resolution', () => {
-  it('stays whole on a machine that keeps up', () => {
+  it('stays full on a machine that keeps up', () => {
     expect(play(createResolution(), 60, () => 60)).toEqual([1]);
   });
 
-  it('goes down step by step as far as a machine needs that is held up by pixels', () => {
+  it('goes down step by step as far as a machine limited by pixels needs', () => {
     const resolution = createResolution();
     expect(play(resolution, 60, (share) => 15 / share ** 2)).toEqual([1, 0.8, 0.62]);
   });
 
-  it('takes a step back that did not help, and tries again only much later', () => {
+  it('reverts a step that did not help, and tries again only much later', () => {
     const resolution = createResolution();
     expect(play(resolution, 30, () => 6)).toEqual([1, 0.8, 1]);
     expect(play(createResolution(), 60, () => 6)).toEqual([1, 0.8, 1, 0.8, 1]);
   });
 
-  it('leaves out the frame in which the buffers of another size are made', () => {
+  it('ignores the frame in which buffers of another size are created', () => {
     const resolution = createResolution();
     const shares = [resolution.share()];
     let hasChanged = false;
@@ -36,7 +36,7 @@ describe('resolution', () => {
     expect(shares).toEqual([1, 0.8, 0.62, 0.5]);
   });
 
-  it('goes back up when the machine has room again', () => {
+  it('goes back up when the machine has headroom again', () => {
     const resolution = createResolution();
     play(resolution, 10, (share) => 10 / share ** 2);
     expect(resolution.share()).toBeLessThan(1);
@@ -46,7 +46,7 @@ describe('resolution', () => {
     expect(shares.at(-1)).toBe(1);
   });
 
-  it('does not take a hidden tab for a slow machine', () => {
+  it('does not mistake a hidden tab for a slow machine', () => {
     const resolution = createResolution();
     for (let now = 0; now < 600; now += 60) expect(resolution.measure(now)).toBe(false);
   });

@@ -50,7 +50,7 @@ describe('steering as the camera sees it', () => {
     expect(push[1]).toBeGreaterThan(0.9);
   });
 
-  it('rights a ship that lies on its side with one key, and never rolls it', () => {
+  it('rights a ship on its side with one key, and never rolls it', () => {
     // Fallen over to the east or the north-east, seen from the south.
     for (const [x, y] of [
       [0, 1],
@@ -72,12 +72,12 @@ describe('steering as the camera sees it', () => {
     }
   });
 
-  it('gives part of the torque in flight and all of it on the ground', () => {
+  it('applies part of the torque in flight and all of it on the ground', () => {
     expect(turnInput(aimOf(headed(0)), -1, 0, 0)).toEqual([-0.35, 0, 0]);
     expect(turnInput(aimOf(headed(0), false), -1, 0, 0)).toEqual([-1, 0, 0]);
   });
 
-  it('names the keys that turn the ship about its own axes', () => {
+  it('names the keys that rotate the ship about its own axes', () => {
     expect(turnKeysFor(aimOf(headed(0)), 1, 0)).toEqual(['pitchPlus']);
     expect(turnKeysFor(aimOf(headed(180)), 1, 0)).toEqual(['pitchMinus']);
     expect(turnKeysFor(aimOf(headed(90)), 1, 0)).toHaveLength(1);
@@ -102,7 +102,7 @@ describe('a gamepad', () => {
     buttons: Array.from({ length: 17 }, (_, i) => button(buttons[i] ?? 0)),
   });
 
-  it('has dead zones, and the whole range beyond them', () => {
+  it('has dead zones, and the full range beyond them', () => {
     expect([0, 0.1, -0.15, 0.16].map(withDeadZone)).toEqual([0, 0, 0, 0]);
     expect(withDeadZone(1)).toBe(1);
     expect(withDeadZone(-1)).toBe(-1);
@@ -118,11 +118,11 @@ describe('a gamepad', () => {
     expect(out).toMatchObject({ tiltRight: 0, pushRight: -1, pushAway: -1, lever: -1, turnLeft: 1 });
   });
 
-  it('of another mapping is left alone', () => {
+  it('of another mapping is ignored', () => {
     expect(readPad(createDeflection(), { ...pad([1, 1, 1, 1]), mapping: '' })).toBe(false);
   });
 
-  it('deflects the stick, keys go before it, and all is let go at once', () => {
+  it('deflects the stick, yields to keys, and releases everything at once', () => {
     const stick = createStick();
     stick.touched = true;
     stick.deflection.tiltAway = 0.5;

@@ -76,7 +76,7 @@ function playTogether() {
 }
 
 describe('two tabs on one world', () => {
-  it('see each other by name, each flies its own ship, and no hand moves the other’s', () => {
+  it('show each other by name, fly their own ships, and cannot move the other’s', () => {
     const { step, told, connection, host } = playTogether();
     let views = step(null);
     for (let n = 0; n < 150; n++) views = step({ ...NEUTRAL_CONTROLS, thrustLevel: 0.5 });
@@ -96,7 +96,7 @@ describe('two tabs on one world', () => {
     expect(namesOf(views.own)).toEqual(['Ann']);
   });
 
-  it('go on together in the host’s next world', () => {
+  it('continue together in the host’s next world', () => {
     const { step, session, host, told, connection } = playTogether();
     for (let n = 0; n < 20; n++) step(null);
     expect(session.operate({ ...LOAD, scenario: 'ridge' }, 0.4)).toBeNull();
@@ -108,7 +108,7 @@ describe('two tabs on one world', () => {
     connection.dispose();
   });
 
-  it('whatever else is on the channel changes nothing', () => {
+  it('are not affected by other messages on the channel', () => {
     const channelOf = createRoom();
     const stranger = channelOf();
     const heard: ToGuest[] = [];

@@ -6,7 +6,7 @@ import { createRig } from './rig';
 
 const caseNamed = (name: string) => CASES.find((one) => one.name === name)!;
 
-describe('a body that turns by 1 % otherwise than it is told', () => {
+describe('a body whose true spin differs by 1 % from the sent one', () => {
   it.each([
     ['spin 1 % off, attitudes true', 10],
     ['spin 1 % off, attitudes made of it', 10],
@@ -18,7 +18,7 @@ describe('a body that turns by 1 % otherwise than it is told', () => {
     expect(spread(ours.settled).p95).toBeLessThan(0.2);
   });
 
-  it('is measured of no server that tells what it does', () => {
+  it('no spin correction is made for a server that sends the true spin', () => {
     const rig = createRig({ scenario: 'slide-mars', tickRate: 5 });
     rig.fly(18);
     expect(rig.view().own!.surfaceContactState).toBe('landed');

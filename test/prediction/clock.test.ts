@@ -37,21 +37,21 @@ function run(
 }
 
 describe('the clock', () => {
-  it('knows the server’s time to half the ways’ difference, and the lead makes up for that half', () => {
+  it('estimates server time to half the path asymmetry, and the lead compensates for that half', () => {
     const { clock, now } = run(6, { up: () => 0.08, down: () => 0.02 });
     expect(serverTime(clock, now)).toBeCloseTo(now - 100 + 0.03, 9);
     // An input stamped with the present arrives 0.08 s after it left, in time by the slack.
     expect(serverTime(clock, now) + leadOf(clock)).toBeCloseTo(now - 100 + 0.08 + 0.01, 9);
   });
 
-  it('is led by the least delays, not by stalls', () => {
+  it('follows the smallest delays, not stalls', () => {
     const rng = createRandom(3);
     const delay = () => 0.04 + 0.02 * rng() + (rng() < 0.1 ? 0.2 : 0);
     const { clock, now } = run(20, { up: delay, down: delay });
     expect(Math.abs(serverTime(clock, now) - (now - 100))).toBeLessThan(0.004);
   });
 
-  it('slews at most by a tenth, and leaves an error of less than a substep alone', () => {
+  it('slews by at most a tenth, and ignores an error below one substep', () => {
     let late = 0;
     const link = { up: () => 0.05 + late, down: () => 0.05 };
     const first = run(6, link);
@@ -68,7 +68,7 @@ describe('the clock', () => {
     expect(Math.abs(third.clock.present - settled - 3)).toBeLessThan(SUBSTEP);
   });
 
-  it('puts a schedule that was set anew right with the first answer, forward at once, back by waiting', () => {
+  it('corrects a shifted schedule at the first pong, forward at once, back by waiting', () => {
     let shift = 0;
     const link = { up: () => 0.05, down: () => 0.05, offset: () => 100 + shift };
     const first = run(6, link);
@@ -85,7 +85,7 @@ describe('the clock', () => {
     expect(Math.abs(far.clock.present - (far.now - 1 / 60 - 90 + 0.06))).toBeLessThan(0.02);
   });
 
-  it('steers by a second late input, not by one, not by a stall, and not twice for what is on its way', () => {
+  it('raises the lead at the second late input, not at the first, not for a stall, and once per round trip', () => {
     const { clock, now } = run(6, { up: () => 0.05, down: () => 0.05 });
     const before = leadOf(clock);
     steerByMargin(clock, -0.03, 0, now);
@@ -100,7 +100,7 @@ describe('the clock', () => {
     expect(leadOf(clock) - before).toBeCloseTo(0.035, 9);
   });
 
-  it('does not take one or two resent packets among few for jitter', () => {
+  it('does not count one or two resent packets as jitter', () => {
     let pings = 0;
     const rng = createRandom(5);
     // 3 of 40 wait for 0.2 s, which is more than one in twenty.
@@ -109,7 +109,7 @@ describe('the clock', () => {
     expect(jitterOf(clock)).toBeLessThan(0.025);
   });
 
-  it('keeps true bounds where answers waited in a queue while the clocks drifted', () => {
+  it('keeps valid bounds when pongs queue while the clocks drift', () => {
     const bounds = createOffsetBounds();
     const offset = (now: number) => 100 - 5e-4 * now;
     // Nothing comes down for a minute; then every answer comes at once.
@@ -120,7 +120,7 @@ describe('the clock', () => {
     expect(bounds.upper).toBeGreaterThanOrEqual(offset(60));
   });
 
-  it('is drawn where a server stands, until the server is heard to go on', () => {
+  it('stays at a paused server’s time until the server is known to run again', () => {
     const { clock, now } = run(6, { up: () => 0.3, down: () => 0.3 });
     const stood = now - 100;
     for (let i = 0; i < 300; i++) {
@@ -136,7 +136,7 @@ describe('the clock', () => {
     expect(clock.present - (stood + leadOf(clock))).toBeLessThan(0.5);
   });
 
-  it('takes half an assumed round trip where no pong ever comes', () => {
+  it('uses half an assumed round trip when no pong ever comes', () => {
     const clock = createClock();
     for (let tick = 0; tick < 8; tick++) sampleDown(clock, tick, tick + 100.03);
     expect(serverTime(clock, 108)).toBeCloseTo(8 - 0.03 + 0.05, 9);

@@ -38,9 +38,9 @@ const land = (rig: ReturnType<typeof flying>) => {
   return diagnosis.correctionsMismatch - before;
 };
 
-describe('settings that change while running', () => {
+describe('settings that change at run time', () => {
   it.each([[{ contactBounceSpeed: 3 }], [{ contactLongestSubstep: 0.005 }], [{ contactDampingRatio: 0.5 }]])(
-    'by configure: the ships stay and agree with the server that has them: %j',
+    'by configure: ships stay and agree with a server that has the same settings: %j',
     (settings) => {
       const rig = flying(settings);
       goesOn(rig, () => {
@@ -71,7 +71,7 @@ describe('settings that change while running', () => {
   });
 });
 
-describe('ship classes that change while running', () => {
+describe('ship classes that change at run time', () => {
   const classOf = (rig: ReturnType<typeof flying>) => rig.view().own!.shipClass;
 
   it('in another order are the same classes', () => {
@@ -82,7 +82,7 @@ describe('ship classes that change while running', () => {
     expect(land(rig)).toBe(0);
   });
 
-  it('with other numbers hold from the newest state on', () => {
+  it('with other numbers apply from the newest state on', () => {
     const rig = flying();
     const { name } = classOf(rig);
     const heavier = SHIP_CLASSES.map((one) =>
@@ -92,7 +92,7 @@ describe('ship classes that change while running', () => {
     expect(classOf(rig).dryMass).toBe(heavier.find((one) => one.name === name)!.dryMass);
   });
 
-  it('without the ship’s own leave it drawn by its states, until it is there again', () => {
+  it('that miss a ship’s class leave it drawn from its states until the class is back', () => {
     const rig = flying();
     const { name } = classOf(rig);
     rig.predictor.configure({ shipClasses: SHIP_CLASSES.filter((one) => one.name !== name) });
@@ -106,7 +106,7 @@ describe('ship classes that change while running', () => {
   });
 });
 
-describe('a change that cannot be', () => {
+describe('an invalid change', () => {
   it.each([
     [{ settings: { contactCrashSpeed: -1 } }, 'configure: settings.contactCrashSpeed'],
     [{ terrain: 'mars' }, 'configure: terrain: no terrain named mars'],
@@ -114,7 +114,7 @@ describe('a change that cannot be', () => {
     [{ bodies: 7 }, 'configure: '],
     [null, 'configure: expected an object'],
     [7, 'configure: expected an object'],
-  ])('is refused by its field, and nothing changes: %j', (changes, reason) => {
+  ])('is refused by field, and nothing changes: %j', (changes, reason) => {
     const rig = flying();
     const { settings } = rig.view();
     const outcome = rig.predictor.configure(changes as object);
@@ -126,7 +126,7 @@ describe('a change that cannot be', () => {
   });
 });
 
-it('before the first frame holds for what comes', () => {
+it('before the first frame, a valid change applies from the first frame on', () => {
   const rig = createRig({ scenario: 'bounce', tickRate: 10, legacy: true });
   rig.predictor.configure({ settings: { contactCrashSpeed: 99 } });
   rig.fly(2);

@@ -61,7 +61,7 @@ describe('the drawn offset', () => {
     expect(size([...large.offset])).toBeLessThan(0.05 * 3);
   });
 
-  it.each([0.1, 0.2, 0.3, 1, 2])('settles within the times that are asked for: %s s', (settle) => {
+  it.each([0.1, 0.2, 0.3, 1, 2])('settles within the configured times: %s s', (settle) => {
     const springs = springsOf({ alongGround: settle, alongNormal: settle, angle: settle });
     const ease = corrected([0.15, 0, 0.1], [0.2, 0, 0]);
     const before = size([0.15, 0.1]);
@@ -72,7 +72,7 @@ describe('the drawn offset', () => {
     expect(size([...ease.turn])).toBeLessThan(0.05 * 0.2);
   });
 
-  it('fades as the option says in what a predictor draws', () => {
+  it('fades in the drawn pose as the option says', () => {
     /** The offset 0.4 s after a state 2 m off, by the largest. */
     const left = (settle: number): number => {
       const smoothing = { alongGround: settle, alongNormal: settle };
@@ -107,7 +107,7 @@ describe('the drawn offset', () => {
     expect(Math.min(...path)).toBeGreaterThanOrEqual(-1e-9);
   });
 
-  it('goes the same way whatever the frame rate', () => {
+  it('follows the same path at any frame rate', () => {
     const at = (hz: number) => {
       const ease = corrected([1, 0.5, -2], [0.2, 0, 0.1]);
       run(ease, 0.2, hz);
@@ -117,7 +117,7 @@ describe('the drawn offset', () => {
     for (const [k, value] of coarse.entries()) expect(value).toBeCloseTo(fine[k]!, 9);
   });
 
-  it('takes a second correction on the way without a jump in rate', () => {
+  it('takes a second correction during the first without a jump in rate', () => {
     const ease = corrected([1, 0, 0]);
     run(ease, 0.1, 60);
     const rate = [...ease.rate];
@@ -128,7 +128,7 @@ describe('the drawn offset', () => {
     expect(Math.abs(ease.rate[1]!)).toBeLessThan(1);
   });
 
-  it('eases the law’s own uprighting, which is no error', () => {
+  it('also eases the law’s own uprighting, which is not counted as an error', () => {
     const rig = createRig({ scenario: 'opening' });
     let touched = Number.NaN;
     let largest = 0;

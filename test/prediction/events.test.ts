@@ -12,8 +12,8 @@ function ledgerAt(tickRate = 1) {
 
 const at = (tick: number, substep: number) => ({ tick, substep });
 
-describe('the ledger of one ship', () => {
-  it('hears of a predicted event once, however often it is replayed, and wherever within 50 substeps', () => {
+describe('the event ledger of one ship', () => {
+  it('reports a predicted event once, however often it is replayed and wherever within 50 substeps', () => {
     const { ledger, timeline } = ledgerAt();
     expect(predict(ledger, EVENT_CONTACT, at(3, 40), timeline, 0)).toMatchObject({
       kind: 'predicted',
@@ -24,7 +24,7 @@ describe('the ledger of one ship', () => {
     expect(predict(ledger, EVENT_CONTACT, at(4, 41), timeline, 3)).toMatchObject({ tick: 4, substep: 41 });
   });
 
-  it('tells two touches of one pass apart, even within 50 substeps', () => {
+  it('keeps two touches of one pass apart, even within 50 substeps', () => {
     const { ledger, timeline } = ledgerAt();
     expect(predict(ledger, EVENT_CONTACT, at(3, 40), timeline, 0)).not.toBeNull();
     expect(predict(ledger, EVENT_CONTACT, at(3, 60), timeline, 0)).not.toBeNull();
@@ -32,7 +32,7 @@ describe('the ledger of one ship', () => {
     expect(predict(ledger, EVENT_CONTACT, at(3, 62), timeline, 1)).toBeNull();
   });
 
-  it('confirms and re-times the nearest of its type, once', () => {
+  it('confirms the nearest event of the type once, and moves it to the server’s substep', () => {
     const { ledger, timeline } = ledgerAt(20);
     predict(ledger, EVENT_CONTACT, at(30, 2), timeline, 0);
     predict(ledger, EVENT_LANDED, at(31, 0), timeline, 0);
@@ -48,7 +48,7 @@ describe('the ledger of one ship', () => {
     expect(predict(ledger, EVENT_CONTACT, at(60, 1), timeline, 0)).toBeNull();
   });
 
-  it('retracts with the first frame that covers birth + 50 substeps, and not before', () => {
+  it('retracts with the first frame that covers the predicted substep + 50, and not before', () => {
     const { ledger, timeline } = ledgerAt();
     predict(ledger, EVENT_LANDED, at(3, 40), timeline, 0);
     predict(ledger, EVENT_LANDED, at(5, 60), timeline, 0);
@@ -61,7 +61,7 @@ describe('the ledger of one ship', () => {
     expect(predict(ledger, EVENT_LANDED, at(3, 41), timeline, 1)).toMatchObject({ kind: 'predicted' });
   });
 
-  it('believes the states of a server that tells no events', () => {
+  it('confirms by state when a server sends no events', () => {
     const { ledger, timeline } = ledgerAt();
     predict(ledger, EVENT_CONTACT, at(3, 40), timeline, 0);
     predict(ledger, EVENT_LANDED, at(3, 90), timeline, 0);
@@ -71,8 +71,8 @@ describe('the ledger of one ship', () => {
   });
 });
 
-describe('what is shown of a prediction the server does not share', () => {
-  it('CONTACT and LANDED are withdrawn by the first frame that covers them, and that is told for 2 s', () => {
+describe('a prediction that the server contradicts', () => {
+  it('CONTACT and LANDED are withdrawn by the first frame that covers them, and shown as withdrawn for 2 s', () => {
     const rig = createRig({ scenario: 'settle' });
     rig.fly(1.3);
     // An operator lifts the ship between two frames: it will not touch where the client thinks it does.

@@ -108,7 +108,7 @@ const CASES: readonly Case[] = [
   },
 ];
 
-describe('the clock on a network, a server and a page that stand', () => {
+describe('the clock when the network, the server or the page stalls', () => {
   it.each(CASES)('$name for $seconds s, $network, $tickRate Hz: right after 1 s or two ticks', (one) => {
     const { grain = 0, tickRate } = one;
     const line = createFaultyLine({
@@ -133,7 +133,7 @@ describe('the clock on a network, a server and a page that stand', () => {
     expect(falselyConfirmed).toBe(0);
   });
 
-  it('lets a key act as promptly after a stall as before it', () => {
+  it('applies a key as promptly after a stall as before it', () => {
     const line = createFaultyLine({
       network: NETWORK_PRESETS.broadband,
       tickRate: 1,
@@ -156,7 +156,7 @@ describe('the clock on a network, a server and a page that stand', () => {
     expect(Math.abs(after - before)).toBeLessThan(1.05);
   });
 
-  it('draws nothing further ahead of the last frame than its horizon, and says that it is stale', () => {
+  it('draws no further ahead of the last frame than its horizon, and marks it stale', () => {
     const line = createFaultyLine({ network: NETWORK_PRESETS.broadband, tickRate: 20, seed: 3 });
     line.run(5);
     line.holdLink(60, 'both');
@@ -173,7 +173,7 @@ describe('the clock on a network, a server and a page that stand', () => {
     expect(ahead).toBeLessThanOrEqual(5 + 1e-6);
   });
 
-  it('tells a server that stands from a link that stalls, and both from one that is gone', () => {
+  it('distinguishes a paused server, a stalled link and a server that is gone', () => {
     const line = createFaultyLine({ network: NETWORK_PRESETS.broadband, tickRate: 1, seed: 4 });
     expect(line.predictor.view(0).connection).toBe('waiting');
     line.run(5);

@@ -4,8 +4,8 @@ import { createPredictor } from '../../src/prediction';
 import { frameAt, helloAt, STILL } from './faultyLine';
 import { OWN, thrust, named, feed, range } from './feed';
 
-describe('messages that are valid and still wrong', () => {
-  it('keeps the world that holds where a hello speaks another major version, and takes a newer minor one', () => {
+describe('messages that decode but are wrong', () => {
+  it('keeps the current world when a hello has another major version, and accepts a newer minor one', () => {
     const predictor = createPredictor(OWN);
     feed(predictor, range(0, 3), 1, 0);
     const before = [...predictor.view(2).own!.position];
@@ -18,7 +18,7 @@ describe('messages that are valid and still wrong', () => {
     expect(predictor.view(2).diagnosis).toMatchObject({ helloReceived: true, framesRefused: 1 });
   });
 
-  it('throws at nothing that a plain caller hands in, and warns of each kind once', () => {
+  it('never throws for any argument, and warns once per kind', () => {
     const codes: string[] = [];
     const predictor = createPredictor({ ...OWN, onWarning: (code) => codes.push(code) });
     feed(predictor, range(0, 3), 1, 0);
@@ -58,7 +58,7 @@ describe('messages that are valid and still wrong', () => {
     expect(codes).toContain('message-kind');
   });
 
-  it('refuses a pong and an acknowledgement that cannot be', () => {
+  it('refuses an impossible pong or acknowledgement', () => {
     const predictor = createPredictor();
     predictor.receive(helloAt(0, 1), 0);
     feed(predictor, range(0, 3), 1, 0);
@@ -75,7 +75,7 @@ describe('messages that are valid and still wrong', () => {
     expect(predictor.view(3.2).diagnosis.acknowledgementsRefused).toBe(1);
   });
 
-  it('tells every listener though one throws', () => {
+  it('calls every listener even when one throws', () => {
     const heard: string[] = [];
     const predictor = createPredictor(OWN);
     predictor.onEvent(() => {
@@ -88,7 +88,7 @@ describe('messages that are valid and still wrong', () => {
     expect(heard).toEqual(['ship.tipped']);
   });
 
-  it('starts bodies that are not told at the first frame’s own tick', () => {
+  it('starts bodies that are not sent at the first frame’s tick', () => {
     const moving = { ...helloAt(0, 1).bodies[0]!, velocity: [1000, 0, 0] as const };
     const predictor = createPredictor({ ...OWN, defaults: { bodies: [moving] } });
     const ships = [
@@ -99,7 +99,7 @@ describe('messages that are valid and still wrong', () => {
     expect(predictor.view(0).own!.position[0]).toBeCloseTo(0, 6);
   });
 
-  it('carries bodies on by their velocity where a server sends old ones', () => {
+  it('moves bodies by their velocity when a server sends outdated ones', () => {
     const body = { ...helloAt(0, 1).bodies[0]!, velocity: [1000, 0, 0] as const };
     const predictor = createPredictor(OWN);
     for (let tick = 0; tick < 8; tick++) {
@@ -115,7 +115,7 @@ describe('messages that are valid and still wrong', () => {
     expect(Math.abs(predictor.view(7).own!.position[0]!)).toBeLessThan(1e-3);
   });
 
-  it('reports a spin that was told wrong', () => {
+  it('reports a wrong spin', () => {
     const predictor = createPredictor(OWN);
     const [body] = helloAt(0, 1).bodies;
     feed(predictor, range(0, 3), 1, 0, { bodies: [{ ...body!, angularVelocity: [0, 0.01, 0] }] });
@@ -124,7 +124,7 @@ describe('messages that are valid and still wrong', () => {
     expect(predictor.view(3).diagnosis.errorBodySpin).toBeCloseTo(0.01, 9);
   });
 
-  it('measures game time that is not told: ten times as fast', () => {
+  it('measures a time scale that is not sent: ten times as fast', () => {
     const predictor = createPredictor(OWN);
     const [body] = helloAt(0, 1).bodies;
     for (let tick = 0; tick < 6; tick++) {

@@ -7,7 +7,7 @@ import { createFaultyLine, frameAt, helloAt } from './faultyLine';
 import { createRig } from './rig';
 import { OWN, thrust, named, feed, range } from './feed';
 
-describe('events of a server that does not tell them', () => {
+describe('events of a server that sends none', () => {
   it('are confirmed by its states, and none is withdrawn', () => {
     const rig = createRig({ scenario: 'bounce' });
     const { tamper } = rig;
@@ -24,7 +24,7 @@ describe('events of a server that does not tell them', () => {
 });
 
 describe('what is sent', () => {
-  it('is tens of messages where a throttle is dragged for 13 s at a server of whole ticks', () => {
+  it('is tens of messages when a throttle is dragged for 13 s at a server with whole-tick inputs', () => {
     const line = createFaultyLine({ network: NETWORK_PRESETS.broadband, tickRate: 1, seed: 6 });
     line.run(3);
     for (let i = 0; i < 13 * 60; i++) {
@@ -38,7 +38,7 @@ describe('what is sent', () => {
     expect(line.inputs.at(-1)!.record.tick).toBeGreaterThanOrEqual(last.tick);
   });
 
-  it('does not queue for a host that never takes it', () => {
+  it('does not queue up when the host never takes it', () => {
     const predictor = createPredictor(OWN);
     for (let i = 0; i < 4 * 3600; i++) {
       if (i % 10 === 0) predictor.receive(frameAt(i / 10, 0.1), i);
@@ -49,7 +49,7 @@ describe('what is sent', () => {
     expect(predictor.view(4 * 3600).diagnosis.pingsDropped).toBeGreaterThan(10_000);
   });
 
-  it('is nothing more, and costs no substep, where advance is called twice in a frame', () => {
+  it('is nothing more, and costs no substep, when advance is called twice per frame', () => {
     const line = createFaultyLine({ network: NETWORK_PRESETS.broadband, tickRate: 1, seed: 6, hello: true });
     line.run(3);
     line.predictor.takeOutgoing();
@@ -74,8 +74,8 @@ describe('what is sent', () => {
   });
 });
 
-describe('the memory of many ships', () => {
-  it('stays within its bound for 1,000 ships at 100 Hz, and is not made anew by turns of 1 and 100 Hz', () => {
+describe('history of many ships', () => {
+  it('stays within its bound for 1,000 ships at 100 Hz, and is not reallocated between 1 and 100 Hz', () => {
     const predictor = createPredictor();
     predictor.receive(helloAt(0, 100), 0);
     const ships = Array.from({ length: 1000 }, (_, i) => named(`ship-${i + 1}`));
@@ -98,7 +98,7 @@ describe('the memory of many ships', () => {
 });
 
 describe('a page that was hidden', () => {
-  it('decodes the newest frames alone, and tells the events of all', () => {
+  it('decodes the newest frames only, and reports the events of all', () => {
     const predictor = createPredictor(OWN);
     const heard: number[] = [];
     predictor.onEvent(({ tick }) => heard.push(tick));

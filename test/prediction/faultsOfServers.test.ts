@@ -5,8 +5,8 @@ import { createFaultyLine, frameAt, helloAt, STILL } from './faultyLine';
 import { createRig } from './rig';
 import { OWN, thrust, named, feed, range } from './feed';
 
-describe('time that starts again', () => {
-  it('takes the first frame of a new connection, whatever it counts from', () => {
+describe('a server whose time starts again', () => {
+  it('accepts the first frame of a new connection at any tick', () => {
     const predictor = createPredictor();
     predictor.receive(helloAt(0, 1), 0);
     const now = feed(predictor, range(0, 9), 1, 0);
@@ -20,7 +20,7 @@ describe('time that starts again', () => {
     expect(predictor.view(now + 2).diagnosis.framesDuplicate).toBe(0);
   });
 
-  it('takes the first frame of a restarted server of the same world', () => {
+  it('accepts the first frame of a restarted server of the same world', () => {
     const predictor = createPredictor();
     predictor.receive(helloAt(0, 1), 0);
     const now = feed(predictor, range(0, 9), 1, 0);
@@ -31,7 +31,7 @@ describe('time that starts again', () => {
   });
 
   it.each([-199_000, 500_000])(
-    'believes a counter that jumps by %i with the second frame, 50 Hz sent at 10 Hz',
+    'accepts a tick that jumps by %i at the second frame, 50 Hz sent at 10 Hz',
     (by) => {
       const predictor = createPredictor(OWN);
       const now = feed(predictor, range(200_000, 200_500, 5), 50, 0);
@@ -41,14 +41,14 @@ describe('time that starts again', () => {
     },
   );
 
-  it('believes a server without a hello that began anew with the second frame that goes on', () => {
+  it('accepts a restarted server without a hello at its second consecutive frame', () => {
     const predictor = createPredictor(OWN);
     const now = feed(predictor, range(0, 9), 1, 0);
     feed(predictor, range(0, 3), 1, now + 3);
     expect(predictor.view(now + 5).tick).toBeLessThan(4);
   });
 
-  it('takes the frame after a late one at 0.25 Hz', () => {
+  it('accepts the frame after a late one at 0.25 Hz', () => {
     const predictor = createPredictor(OWN);
     const now = feed(predictor, range(0, 4), 0.25, 0);
     predictor.receive(frameAt(4, 0.25), now + 4 + 6);
@@ -56,7 +56,7 @@ describe('time that starts again', () => {
     expect(predictor.view(now + 11).diagnosis).toMatchObject({ framesAccepted: 6, framesFromFuture: 0 });
   });
 
-  it('refuses ticks that cannot be counted, and comes back from advance', () => {
+  it('refuses ticks beyond the safe range, and advance returns', () => {
     const predictor = createPredictor(OWN);
     feed(predictor, range(0, 3), 1, 0);
     for (const tick of [2 ** 53 - 1, 2 ** 52 + 1, 0.5, -1, Number.NaN])
@@ -66,7 +66,7 @@ describe('time that starts again', () => {
     expect(predictor.view(6).diagnosis.framesRefused).toBe(5);
   });
 
-  it('takes a frame overtaken after a new world as out of order, and none from before its hello', () => {
+  it('counts a late frame of the new world as out of order, and refuses one from before its hello', () => {
     const predictor = createPredictor();
     const heard: string[] = [];
     predictor.onEvent(({ kind, type, tick }) => heard.push(`${kind} ${type} ${tick}`));
@@ -82,7 +82,7 @@ describe('time that starts again', () => {
     expect(heard).toEqual(['confirmed ship.contact 6']);
   });
 
-  it('counts staleness and fading in sends, and takes one message a ship for parts of one snapshot', () => {
+  it('counts staleness and fading in sends, and merges per-ship messages into one snapshot', () => {
     const predictor = createPredictor(OWN);
     let stale = 0;
     let missing = 0;
@@ -105,7 +105,7 @@ describe('time that starts again', () => {
     expect(predictor.view(10).diagnosis.framesDuplicate).toBe(0);
   });
 
-  it('keeps a ship that is sent every fourth tick at 20 Hz, and shows it stale', () => {
+  it('keeps a ship that is sent every fourth tick at 20 Hz, and marks it stale', () => {
     const predictor = createPredictor(OWN);
     let left = 0;
     let stale = 0;
@@ -137,14 +137,14 @@ describe('time that starts again', () => {
   });
 });
 
-describe('who flies what', () => {
+describe('which ship the page flies', () => {
   const flown = (rig: ReturnType<typeof createRig>) => {
     rig.fly(3);
     for (let i = 0; i < 9; i++) rig.frame({ ...thrust(1), rotationInput: [0.5, 0, 0] });
     return rig;
   };
 
-  it.each(['ship-2', ''])('drops the old ship’s inputs at a hello with ship "%s"', (shipId) => {
+  it.each(['ship-2', ''])('drops the former ship’s inputs at a hello with ship "%s"', (shipId) => {
     const predictor = createPredictor();
     predictor.receive(helloAt(0, 1), 0);
     feed(predictor, range(0, 3), 1, 0, { ships: [STILL, named('ship-2')] });
@@ -162,7 +162,7 @@ describe('who flies what', () => {
     for (const ship of ships) expect(ship.controls.thrustLevel).toBe(0);
   });
 
-  it('takes the ship, its removal, a teleport and a reset from the caller', () => {
+  it('follows the caller’s ship, removal, teleport and reset', () => {
     const rig = flown(createRig({ scenario: 'bounce', others: 2 }));
     rig.predictor.setOwnShip('other-1');
     expect(rig.predictor.takeOutgoing().filter(({ kind }) => kind === 'inputs')).toEqual([]);
@@ -183,7 +183,7 @@ describe('who flies what', () => {
     expect(rig.predictor.view(rig.now + 4 / 60)).toMatchObject({ ready: false, connection: 'waiting' });
   });
 
-  it('goes on as ship-1 where a page that flew ship-2 meets a server that began anew', () => {
+  it('flies ship-1 when a page that flew ship-2 meets a restarted server', () => {
     const predictor = createPredictor();
     predictor.receive(helloAt(0, 20, { shipId: 'ship-2' }), 0);
     const now = feed(predictor, range(0, 100), 20, 0, { ships: [STILL, named('ship-2')] });

@@ -26,8 +26,8 @@ function lifted(frame: ServerFrame, metres: number): ServerFrame {
   });
 }
 
-describe('frames as networks and servers have them', () => {
-  it('counts duplicates and frames out of order, and changes nothing for them', () => {
+describe('imperfect frame delivery', () => {
+  it('counts duplicates and frames out of order, and ignores them', () => {
     const rig = createRig({ scenario: 'bounce' });
     let kept: ServerFrame | null = null;
     tamperFrames(rig, (frame) => {
@@ -46,7 +46,7 @@ describe('frames as networks and servers have them', () => {
     expect(measured.worst).toBeLessThan(1e-6);
   });
 
-  it('counts frames from far ago and from the far future, and changes nothing for them', () => {
+  it('counts frames from the distant past and future, and ignores them', () => {
     const rig = createRig({ scenario: 'bounce' });
     const kept: ServerFrame[] = [];
     tamperFrames(rig, (frame) => {
@@ -63,7 +63,7 @@ describe('frames as networks and servers have them', () => {
     expect(measured.worst).toBeLessThan(1e-6);
   });
 
-  it('believes another time once a second frame bears it out', () => {
+  it('accepts another time once a second frame confirms it', () => {
     const rig = createRig({ scenario: 'bounce' });
     rig.fly(4);
     tamperFrames(rig, (frame) => [{ ...frame, tick: frame.tick + 100_000 }]);
@@ -74,7 +74,7 @@ describe('frames as networks and servers have them', () => {
     expect(Number.isFinite(rig.view().own!.easedPosition[0]!)).toBe(true);
   });
 
-  it('refuses a frame whose tempo is out of range, and keeps the last good state', () => {
+  it('refuses a frame with tick rate or time scale out of range, and keeps the last good state', () => {
     const rig = createRig({ scenario: 'settle' });
     rig.fly(3);
     const before = [...rig.view().own!.position];
@@ -87,7 +87,7 @@ describe('frames as networks and servers have them', () => {
     expect([...rig.view().own!.position]).toEqual(before);
   });
 
-  it('draws a ship of an unknown class as its states tell it, and says which class', () => {
+  it('draws a ship of an unknown class from its states, and names the class', () => {
     const rig = createRig({ scenario: 'settle', others: 2 });
     tamperFrames(rig, (frame) => [
       {
@@ -105,7 +105,7 @@ describe('frames as networks and servers have them', () => {
     expect(rig.view().diagnosis.lastRefusal).toBe('frame.ships (other-1): shipClass: no class named ufo');
   });
 
-  it('takes quaternions of either sign', () => {
+  it('accepts quaternions of either sign', () => {
     const rig = createRig({ scenario: 'topple' });
     tamperFrames(rig, (frame) => [
       frame.tick % 2 === 0
@@ -119,7 +119,7 @@ describe('frames as networks and servers have them', () => {
 });
 
 describe('corrections', () => {
-  it('two in one display frame: the newer one stands', () => {
+  it('two in one display frame: the newer one applies', () => {
     const rig = createRig({ scenario: 'bounce' });
     const waiting: ServerFrame[] = [];
     tamperFrames(rig, (frame) => {
@@ -134,7 +134,7 @@ describe('corrections', () => {
     expect(flyAndMeasure(rig, 3).worst).toBeLessThan(1e-6);
   });
 
-  it('a deeper one after a shallower one: the shallower, newer one stands', () => {
+  it('a deeper one after a shallower one: the shallower, newer one applies', () => {
     const rig = createRig({ scenario: 'bounce' });
     let late: ServerFrame | null = null;
     tamperFrames(rig, (frame) => {
@@ -153,7 +153,7 @@ describe('corrections', () => {
     expect(flyAndMeasure(rig, 3).worst).toBeLessThan(1e-6);
   });
 
-  it('one that the budget spreads over frames survives the frames between', () => {
+  it('one that the budget spreads over several frames survives the frames between', () => {
     const rig = createRig({ scenario: 'bounce', others: 60, predictor: { maxSubstepsPerFrame: 400 } });
     rig.fly(12);
     const { diagnosis, ships } = rig.view();
@@ -186,8 +186,8 @@ describe('corrections', () => {
   });
 });
 
-describe('an absence', () => {
-  it('of a minute ends in one resync: nothing is replayed, no inputs burst out, held keys are released', () => {
+describe('a gap in the frames', () => {
+  it('of a minute ends in one resync: nothing is replayed, no burst of inputs, held keys are released', () => {
     const held = { ...NEUTRAL_CONTROLS, rotationInput: [0.02, 0, 0] as const, attitudeHold: true };
     const rig = createRig({ scenario: 'bounce', pilot: () => held });
     rig.fly(4);
@@ -209,7 +209,7 @@ describe('an absence', () => {
     expect(flyAndMeasure(rig, 2).worst).toBeLessThan(1e-6);
   });
 
-  it('leaves ships that are no longer sent after 3 ticks, apart from those that crashed', () => {
+  it('removes ships that are not sent for 3 ticks, except crashed ones', () => {
     const rig = createRig({ scenario: 'crash', others: 1 });
     rig.fly(3);
     expect(rig.view().ships.map(({ shipId }) => shipId)).toContain('other-1');

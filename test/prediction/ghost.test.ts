@@ -21,7 +21,7 @@ describe('ghost of the server’s state', () => {
     { name: 'settle-earth', seconds: 5.5, state: 'landed' },
     { name: 'up-a-slope', seconds: 25, state: 'landed' },
   ] as const)
-    it(`${name}: lies in the drawn ship where nothing is left to correct`, () => {
+    it(`${name}: coincides with the drawn ship when nothing is left to correct`, () => {
       const rig = createRig({ scenario: name });
       rig.fly(seconds);
       const view = rig.view();
@@ -36,7 +36,7 @@ describe('ghost of the server’s state', () => {
       expect(apart(alongGhost, alongShip)).toBeLessThan(2e-3);
     });
 
-  it('is let down from where the law has a lying ship, and is left alone in flight', () => {
+  it('is lowered from where the law has a tipped ship, and is unchanged in flight', () => {
     const rig = createRig({ scenario: 'topple' });
     rig.fly(11);
     const { own } = rig.view();

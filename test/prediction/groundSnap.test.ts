@@ -68,8 +68,8 @@ function planeOf(degrees: number): DrawnGround {
   };
 }
 
-describe('a ship that stands flush on a slope', () => {
-  it.each([0, 10, 25])('of %i° has its four feet on it', (degrees) => {
+describe('a ship flush on a slope', () => {
+  it.each([0, 10, 25])('of %i° has all four feet on it', (degrees) => {
     const out = createGroundedPose(LEGS);
     // The law puts the centre of mass h above the ground, measured along the local up.
     const given = pose(h, -degrees, true);
@@ -87,8 +87,8 @@ describe('a ship that stands flush on a slope', () => {
   });
 });
 
-describe('the hull of a ship with a contact offset of its own', () => {
-  it.each([0, 2.5, 7])('of %f m has its feet there, and the class’s shape', (own) => {
+describe('the hull of a ship with its own contact offset', () => {
+  it.each([0, 2.5, 7])('of %f m has its feet there and keeps the class’s shape', (own) => {
     const moved = hullOf(shipClass, own);
     for (let leg = 0; leg < LEGS; leg++) expect(moved.feet[leg * 3 + 2]).toBe(-own);
     for (let i = 2; i < hull.outline.length; i += 3)
@@ -99,7 +99,7 @@ describe('the hull of a ship with a contact offset of its own', () => {
     expect(hullOf(shipClass, own)).toBe(moved);
   });
 
-  it('is not that of its class', () => {
+  it('differs from the class’s hull', () => {
     expect(hullOf(shipClass, h)).toBe(hull);
     expect(hullOf(shipClass, h + 1)).not.toBe(hull);
   });
@@ -116,14 +116,14 @@ describe('snapToGround', () => {
     }
   });
 
-  it.each(tilts)('tilted by %i°, flying: never below, and left alone high up', (tilt) => {
+  it.each(tilts)('tilted by %i°, flying: never below, and unchanged high up', (tilt) => {
     for (const height of [h - 2, h + 0.3, h + 5])
       expect(Math.min(...heights(pose(height, tilt, false), slope))).toBeGreaterThan(-2e-3);
     const out = createGroundedPose(LEGS);
     expect(snapToGround(out, pose(h + 20, tilt, false), hull, level).lift).toBe(0);
   });
 
-  it('presses the legs in before it lifts the ship', () => {
+  it('compresses the legs before it lifts the ship', () => {
     const out = createGroundedPose(LEGS);
     snapToGround(out, pose(h - 0.5, 0, true), hull, level);
     expect(out.lift).toBeCloseTo(0, 3);
@@ -134,7 +134,7 @@ describe('snapToGround', () => {
     expect(out.feetHeight).toBeCloseTo(-3.4, 3);
   });
 
-  it('comes up smoothly where a lying ship lets go of the ground', () => {
+  it('rises smoothly when a tipped ship leaves the ground', () => {
     const lift = (height: number, grounded: boolean) =>
       snapToGround(createGroundedPose(LEGS), pose(h + height, 90, grounded), hull, level).lift;
     expect(lift(0, true)).toBeLessThan(-1);
@@ -143,7 +143,7 @@ describe('snapToGround', () => {
     expect(lift(1, false)).toBe(0);
   });
 
-  it('is put on level ground as point by point', () => {
+  it('matches the point-by-point result on level ground', () => {
     const [exact, quick] = [createGroundedPose(LEGS), createGroundedPose(LEGS)];
     for (const tilt of tilts) {
       for (const [height, grounded] of [
@@ -163,7 +163,7 @@ describe('snapToGround', () => {
   });
 
   it.each([1, 0.3, -0.3, -1])(
-    'meets the drawn ground without a pop where the predicted one is %d m above it, and is left alone high up',
+    'follows the drawn ground without a jump when the predicted one is %d m above it, and is unchanged high up',
     (offset) => {
       const out = createGroundedPose(LEGS);
       const clearance = (height: number, grounded: boolean) =>

@@ -46,7 +46,7 @@ describe('own inputs', () => {
     expect(takeUnsent(inputs).map(({ seq }) => seq)).toEqual([2]);
   });
 
-  it('act at their substep, the newest of one substep last', () => {
+  it('take effect at their substep, the last one of a substep winning', () => {
     const inputs = stored([3, 10], [3, 50], [3, 50]);
     expect(inForce(inputs, 3, 3, 9)).toBe(0);
     expect(inForce(inputs, 3, 3, 10)).toBe(0.1);
@@ -54,7 +54,7 @@ describe('own inputs', () => {
     expect(inForce(inputs, 4, 4, 0)).toBe(0);
   });
 
-  it('act where the server says: later when late, and from the frame on when nothing is said yet', () => {
+  it('take effect where the server says: later when late, and from the newest frame on when not yet acknowledged', () => {
     const inputs = stored([3, 10], [3, 50]);
     expect(acknowledge(inputs, 4, { seq: 1, tick: 3, substep: 10, margin: 0.5 }, thrust(0.1), 0)).toBe(
       'late',
@@ -70,7 +70,7 @@ describe('own inputs', () => {
     );
   });
 
-  it('are given up as lost when they have been due for long', () => {
+  it('are given up as lost when overdue', () => {
     const inputs = stored([3, 10]);
     inputs.acknowledges = true;
     expect(acknowledge(inputs, 4, null, NEUTRAL_CONTROLS, 1)).toBe('late');
@@ -78,7 +78,7 @@ describe('own inputs', () => {
     expect(inputs.records).toHaveLength(0);
   });
 
-  it('of a server that acknowledges nothing are read off the controls it sends', () => {
+  it('are inferred from the sent controls when a server acknowledges nothing', () => {
     const inputs = stored([3, 0], [4, 0], [5, 0]);
     expect(acknowledge(inputs, 5, null, thrust(0.2), 0)).toBe('asPredicted');
     expect(inputs.applied).toBe(2);
@@ -86,7 +86,7 @@ describe('own inputs', () => {
     expect(inForce(inputs, 6, 6, 0)).toBe(0.3);
   });
 
-  it('that are not finite are ignored, and those out of range clamped', () => {
+  it('are ignored when not finite, and clamped when out of range', () => {
     const rig = createRig({ scenario: 'bounce' });
     rig.fly(3);
     for (const bad of [Number.NaN, Number.POSITIVE_INFINITY]) rig.frame(thrust(bad));
@@ -96,7 +96,7 @@ describe('own inputs', () => {
     expect(rig.sentInputs[0]!.controls.thrustLevel).toBe(1);
   });
 
-  it('hold for other pilots 1.5 tick intervals without news, then the stick is let go', () => {
+  it('hold for other pilots 1.5 tick intervals without news, then the stick is released', () => {
     const rig = createRig({ scenario: 'bounce', others: 1 });
     rig.authority.join('player-1', 'other-1');
     rig.fly(3);
@@ -117,14 +117,14 @@ describe('own inputs', () => {
   });
 });
 
-describe('a plan', () => {
+describe('a scheduled input plan', () => {
   const plan = [
     { tick: 0, substep: 0, controls: thrust(0.1) },
     { tick: 2, substep: 30, controls: thrust(0.2) },
     { tick: 8, substep: 0, controls: thrust(0.3) },
   ];
 
-  it('acts at its substeps, from wherever a replay begins', () => {
+  it('takes effect at its substeps, from any start of a replay', () => {
     const inputs = createInputs(plan);
     expect(inForce(inputs, 0, 2, 29)).toBe(0.1);
     expect(inForce(inputs, 0, 2, 30)).toBe(0.2);
@@ -134,7 +134,7 @@ describe('a plan', () => {
     expect(takeUnsent(inputs)).toEqual([]);
   });
 
-  it('ends where the first input acts, also when that is learned to be later', () => {
+  it('ends where the first input takes effect, also when that turns out to be later', () => {
     const inputs = createInputs(plan);
     store(inputs, thrust(0.9), { tick: 2, substep: 10 }, 0, 0);
     expect(inForce(inputs, 0, 2, 9)).toBe(0.1);
@@ -144,7 +144,7 @@ describe('a plan', () => {
     expect(inForce(inputs, 0, 9, 0)).toBe(0.9);
   });
 
-  it('does not come back when what ended it is forgotten', () => {
+  it('does not return when the input that ended it is forgotten', () => {
     const pruned = createInputs(plan);
     for (const tick of [1, 20]) store(pruned, thrust(0.9), { tick, substep: 0 }, 0, 0);
     acknowledge(pruned, 2, { seq: 1, tick: 1, substep: 0, margin: 1 }, thrust(0.9), 0);
@@ -156,13 +156,13 @@ describe('a plan', () => {
     expect(inForce(anew, 6, 9, 0)).toBe(0);
   });
 
-  it('goes on after a jump in time that found no input', () => {
+  it('continues after a jump in time that found no input', () => {
     const inputs = createInputs(plan);
     forgetRecords(inputs);
     expect(inForce(inputs, 6, 9, 0)).toBe(0.3);
   });
 
-  it('is there to be ended as long as something of it is left', () => {
+  it('can be ended as long as part of it remains', () => {
     const inputs = createInputs(plan);
     expect(isPlanned(inputs, { tick: 8, substep: 0 })).toBe(true);
     expect(isPlanned(inputs, { tick: 8, substep: 1 })).toBe(false);

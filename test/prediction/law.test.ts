@@ -5,7 +5,7 @@ import { createRig } from './rig';
 
 const COASTING = ['settle', 'bounce', 'slide', 'topple', 'crash'];
 
-describe('the law: one instant, one state', () => {
+describe('the law at one instant', () => {
   it.each(SCENARIOS.map(({ name }) => name))('%s is drawn as the server simulates it', (scenario) => {
     const rig = createRig({ scenario });
     const measured = flyAndMeasure(rig, Math.min(24, rig.loaded.scenario.duration + 2));
@@ -35,7 +35,7 @@ describe('the law: one instant, one state', () => {
     }
   });
 
-  it('tells each event once as predicted and once as confirmed, at the server’s substep', () => {
+  it('reports each event once as predicted and once as confirmed, at the server’s substep', () => {
     const rig = createRig({ scenario: 'bounce' });
     rig.fly(26);
     const told = rig.truth.events.map(({ type, tick, substep }) => `${type} ${tick}.${substep}`);
@@ -47,7 +47,7 @@ describe('the law: one instant, one state', () => {
     expect(heard('retracted')).toEqual([]);
   });
 
-  it('costs a landed ship that agrees no substep', () => {
+  it('spends no substep on a landed ship that agrees', () => {
     const rig = createRig({ scenario: 'settle' });
     rig.fly(6);
     const before = { ...rig.view().diagnosis };

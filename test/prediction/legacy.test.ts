@@ -30,7 +30,7 @@ describe('the game’s own server: no hello, no acknowledgements, no fields 31 t
   });
 });
 
-describe('older and odder servers', () => {
+describe('older and incomplete servers', () => {
   const moon = BODIES[0]!;
   const state = (more: Partial<ShipState>): ShipState => ({
     ...{ shipId: 's', playerId: '', name: 'S', shipClass: 'planetary_lander' },
@@ -49,7 +49,7 @@ describe('older and odder servers', () => {
     ...{ tick, tickRate: 1, timeScale: 1, paused: false, bodies, ships, events: [], lastInput: null },
   });
 
-  it('takes a body landed on without a state for landed', () => {
+  it('treats a body landed on without a state as landed', () => {
     const predictor = createPredictor();
     predictor.receive(frame(5, [state({ landedBodyName: 'Luna' })]), 0);
     predictor.advance(null, 0.02);
@@ -60,7 +60,7 @@ describe('older and odder servers', () => {
     expect(predictor.view(0.02).diagnosis.steppedSubsteps).toBe(0);
   });
 
-  it('finds the reference body by the strongest gravity', () => {
+  it('chooses the reference body itself when the server names none', () => {
     const predictor = createPredictor();
     predictor.receive(frame(5, [state({})]), 0);
     predictor.advance(null, 0.02);
@@ -69,7 +69,7 @@ describe('older and odder servers', () => {
     expect(view.ships[0]!.groundRadius).toBe(moon.radius);
   });
 
-  it('goes on from the game’s JSON, without bodies in it', () => {
+  it('continues from the game’s JSON without bodies', () => {
     const predictor = createPredictor();
     const json: unknown = JSON.parse(JSON.stringify(encodeShipStateJson(state({ landedBodyName: 'Luna' }))));
     for (let tick = 1; tick <= 40; tick++) {

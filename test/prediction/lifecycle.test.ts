@@ -18,7 +18,7 @@ const options = (rig: ReturnType<typeof createRig>) => ({
 });
 
 describe('a snapshot', () => {
-  it('goes through JSON, and the landing goes on from it without a mismatch', () => {
+  it('survives JSON, and the landing continues from it without a mismatch', () => {
     const rig = createRig({ scenario: 'bounce', tickRate: 5 });
     rig.fly(3.3);
     const before = rig.view().own!;
@@ -39,7 +39,7 @@ describe('a snapshot', () => {
     expect(diagnosis.framesRefused).toBe(0);
   });
 
-  it('has the inputs that were not acknowledged, and they are sent again under their numbers', () => {
+  it('keeps unacknowledged inputs, which are sent again under their numbers', () => {
     const rig = createRig({ scenario: 'bounce', tickRate: 1, holdBack: () => Infinity });
     rig.fly(2);
     for (let i = 0; i < 5; i++) rig.frame({ ...NEUTRAL_CONTROLS, thrustLevel: i / 10 });
@@ -52,7 +52,7 @@ describe('a snapshot', () => {
     expect(again).toEqual(sent);
   });
 
-  it('has the bodies and the tempo that the newest frame left out', () => {
+  it('keeps the bodies and the time scale that the newest frame left out', () => {
     const rig = createRig({ scenario: 'bounce', tickRate: 10, legacy: true });
     rig.tamper = (message) =>
       [
@@ -79,7 +79,7 @@ describe('a snapshot', () => {
     expect(rig.view().own!.shownState).toBe('landed');
   });
 
-  it('has no hello that was refused, and no frame but the newest that was taken', () => {
+  it('holds no refused hello, and only the newest accepted frame', () => {
     const rig = createRig({ scenario: 'bounce', tickRate: 5 });
     let hello: Hello | null = null;
     rig.tamper = (message) => {
@@ -110,13 +110,13 @@ describe('a snapshot', () => {
       { version: 1, ownShipId: '', hello: null, frame: null, age: 0, inputs: [], nextSeq: 0 },
       'snapshot.nextSeq',
     ],
-  ])('that cannot be is refused by its field: %j', (given, reason) => {
+  ])('is refused by field when invalid: %j', (given, reason) => {
     const outcome = createPredictor().restore(given, 0);
     expect(outcome.ok).toBe(false);
     if (!outcome.ok) expect(outcome.reason).toContain(reason);
   });
 
-  it('of anything does not throw', () => {
+  it('never throws for any value', () => {
     const predictor = createPredictor();
     const odd = {
       version: 1,
@@ -134,7 +134,7 @@ describe('a snapshot', () => {
 });
 
 describe('a disposed predictor', () => {
-  it('does nothing any more', () => {
+  it('does nothing', () => {
     const rig = createRig({ scenario: 'settle' });
     rig.fly(3);
     let heard = 0;
@@ -155,7 +155,7 @@ describe('a predictor in a worker', () => {
     port2.close();
   });
 
-  it('gives the views, events and messages that it would give in the page, an answer later', async () => {
+  it('gives the same views, events and messages as in the page, one answer later', async () => {
     const rig = createRig({ scenario: 'settle', tickRate: 5 });
     servePredictor(port2 as unknown as Channel, options(rig));
     const remote: RemotePredictor = connectPredictor(port1 as unknown as Channel);
@@ -183,7 +183,7 @@ describe('a predictor in a worker', () => {
     remote.advance(null, rig.now);
   });
 
-  it('changes policy and settings there, and hands its snapshot over', async () => {
+  it('changes policy and settings there, and returns its snapshot', async () => {
     const rig = createRig({ scenario: 'bounce', tickRate: 5 });
     servePredictor(port2 as unknown as Channel, options(rig));
     const remote = connectPredictor(port1 as unknown as Channel);
@@ -215,7 +215,7 @@ describe('a predictor in a worker', () => {
     remote.dispose();
   });
 
-  it('gives the controls to send alone, for a server of the game’s JSON', () => {
+  it('returns the controls alone, for a server with the game’s JSON', () => {
     const rig = createRig({ scenario: 'bounce', tickRate: 5 });
     rig.fly(2);
     expect(rig.predictor.takeControls()).toBeNull();

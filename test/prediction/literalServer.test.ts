@@ -6,7 +6,7 @@ import { dot, length, minus, rotate, rotationBy, scale } from './literalServer/v
 import { SHIP } from './rig';
 
 describe('a server that runs ten times as fast', () => {
-  it('is drawn without jumps: what counts as too far to be eased is game time, not the wall’s', () => {
+  it('is drawn without jumps: the limit for easing is in game time, not wall time', () => {
     const difference = CASES.find(({ name }) => name === 'time scale 10 not told')!;
     const rig = createLiteralRig({ scenario: 'slide', hz: 50, sends: 1, difference });
     let snaps = 0;
@@ -29,7 +29,7 @@ function truthOf(scenario: string, hz: number, seconds: number) {
 }
 
 describe('the literal server', () => {
-  it('falls as a stone does', () => {
+  it('follows free fall', () => {
     const { rig, at } = truthOf('bounce', 50, 1);
     const { body, ship } = rig.loaded;
     const r = length(ship.relativePosition);
@@ -55,7 +55,7 @@ describe('the literal server', () => {
     expect(way * body.radius).toBeLessThan(15 * fall + 15 ** 2 / (2 * 0.5 * g) + 2);
   });
 
-  it('lands while it is still sinking in: the design asks for its speed alone', () => {
+  it('lands while it is still compressing: the design checks its speed alone', () => {
     const { rig, at } = truthOf('settle', 50, 8);
     const { body, shipClass } = rig.loaded;
     const depth = body.radius + shipClass.groundContactOffset - length(at(7.5).position);

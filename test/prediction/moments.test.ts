@@ -13,13 +13,13 @@ function momentAt(timeline: ReturnType<typeof createTimeline>, wall: number) {
 }
 
 describe('the moment of a wall time', () => {
-  it('before the first tempo is counted back by it', () => {
+  it('before the first tick rate is extrapolated backwards with it', () => {
     const timeline = createTimeline(0.01);
     setTempo(timeline, 5, tempo(1), 100);
     expect(momentAt(timeline, 98.25)).toEqual({ tick: 3, substeps: 25 });
   });
 
-  it('stands at the tick of the next tempo until that begins', () => {
+  it('stays at the next rate’s first tick until that begins', () => {
     const timeline = createTimeline(0.01);
     setTempo(timeline, 5, tempo(1), 100);
     setTempo(timeline, 8, tempo(2), 200);
@@ -31,7 +31,7 @@ describe('the moment of a wall time', () => {
   });
 });
 
-describe('the event of the same type that is nearest', () => {
+describe('the nearest event of the same type', () => {
   const at = (tick: number, substep: number) => ({ tick, substep });
   function twoTouches() {
     const timeline = createTimeline(0.01);
@@ -42,7 +42,7 @@ describe('the event of the same type that is nearest', () => {
     return { timeline, ledger };
   }
 
-  it('is confirmed: before, after, and the older of two as far away', () => {
+  it('is confirmed: before, after, and the older of two at equal distance', () => {
     for (const [substep, found] of [
       [25, 0],
       [55, 1],
@@ -50,12 +50,14 @@ describe('the event of the same type that is nearest', () => {
     ] as const) {
       const { timeline, ledger } = twoTouches();
       confirm(ledger, EVENT_CONTACT, at(3, substep), timeline);
-      expect(ledger.entries.map(({ fate }) => fate).indexOf('confirmed'), `at ${substep}`).toBe(found);
+      expect(ledger.entries.map(({ status: fate }) => fate).indexOf('confirmed'), `at ${substep}`).toBe(
+        found,
+      );
       expect(ledger.entries).toHaveLength(2);
     }
   });
 
-  it('is the same up to 50 substeps away, and another beyond', () => {
+  it('is the same event up to 50 substeps away, and another beyond', () => {
     const { timeline, ledger } = twoTouches();
     confirm(ledger, EVENT_CONTACT, at(4, 10), timeline);
     expect(ledger.entries).toHaveLength(2);

@@ -11,11 +11,11 @@ function inBody(view: WorldView): Float64Array {
   return place;
 }
 
-describe('too fast to follow', () => {
+describe('a ship too fast to predict', () => {
   it.each([
     ['tipped', 'topple-mars'],
     ['landed', 'settle-earth'],
-  ])('a ship that lies %s stays on its ground', (state, name) => {
+  ])('stays on its ground when %s', (state, name) => {
     const rig = createRig({ scenario: scenarioNamed(name), tickRate: 0.5 });
     rig.fly(state === 'tipped' ? 24 : 8);
     rig.authority.setTimeScale(100);

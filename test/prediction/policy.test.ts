@@ -19,8 +19,8 @@ function flown(policy: 'interpolate' | 'hold', tickRate: number) {
   return rig;
 }
 
-describe('a ship on hold', () => {
-  it('is where the newest server state has it, turning with its body, and confirmed', () => {
+describe('policy hold', () => {
+  it('shows the newest server state, turning with its body, as confirmed', () => {
     const rig = flown('hold', 5);
     let told = 0;
     rig.fly(3, ({ own }) => {
@@ -37,8 +37,8 @@ describe('a ship on hold', () => {
   });
 });
 
-describe('a ship that is interpolated', () => {
-  it.each([1, 5, 20])('at %d Hz is on the way that the server simulated, at most two sends late', (rate) => {
+describe('policy interpolate', () => {
+  it.each([1, 5, 20])('at %d Hz stays on the server’s trajectory, at most two sends behind', (rate) => {
     const rig = flown('interpolate', rate);
     rig.fly(1);
     let worst = 0;
@@ -61,7 +61,7 @@ describe('a ship that is interpolated', () => {
     expect(worst).toBeLessThan(0.05);
   });
 
-  it('moves from frame to frame as fast as it says', () => {
+  it('moves from frame to frame as fast as its velocity says', () => {
     const rig = flown('interpolate', 5);
     rig.fly(1);
     let before: ShipView | null = null;
@@ -81,13 +81,13 @@ describe('a ship that is interpolated', () => {
   });
 });
 
-describe('a policy that changes', () => {
+describe('a change of policy', () => {
   it.each([
     ['interpolate', 'predict'],
     ['hold', 'predict'],
     ['predict', 'interpolate'],
     ['predict', 'hold'],
-  ] as const)('from %s to %s moves the drawn ship on without a jump', (from, to) => {
+  ] as const)('from %s to %s causes no jump of the drawn ship', (from, to) => {
     const rig = createRig({ scenario: 'bounce', tickRate: 10, network: NETWORK_PRESETS.lan });
     rig.predictor.setPolicy(SHIP, from);
     rig.fly(2);
@@ -105,7 +105,7 @@ describe('a policy that changes', () => {
     expect(rig.view().diagnosis.correctionsMismatch).toBe(0);
   });
 
-  it('before the ship is there, holds when it comes, and after a reset too', () => {
+  it('before the ship is there applies when it comes, and after a reset too', () => {
     const rig = flown('hold', 5);
     rig.predictor.reset();
     rig.fly(3);
@@ -113,7 +113,7 @@ describe('a policy that changes', () => {
     expect(rig.predictor.snapshot(rig.now).policies).toEqual({ [SHIP]: 'hold' });
   });
 
-  it('leaves the own ship’s inputs on their way', () => {
+  it('keeps the own ship’s pending inputs', () => {
     const rig = flown('interpolate', 5);
     rig.fly(2);
     expect(rig.sentInputs.length).toBeGreaterThan(0);

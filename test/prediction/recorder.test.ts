@@ -14,7 +14,7 @@ import { flyPilot } from '../bench/netcode/law';
 import { createRig, value } from './rig';
 
 describe('the recorder', () => {
-  it('writes what a new predictor needs to do the same again, to the bit, through a file of JSON lines', () => {
+  it('records what a new predictor needs to repeat every bit, through a file of JSON lines', () => {
     const entries: PredictorEntry[] = [];
     const rig = createRig({ scenario: 'right-itself', others: 2 });
     rig.predictor = recordPredictor(rig.predictor, (entry) => entries.push(entry));
@@ -25,10 +25,10 @@ describe('the recorder', () => {
     const file = writeRecording({ header: { note: 'a test', shipId: 'ship-1' }, entries });
     const read = value(readRecording(file));
     expect(read.entries).toHaveLength(entries.length);
-    const twin = createPredictor({ terrains: { [rig.loaded.scenario.terrain]: rig.loaded.terrainHeight } });
+    const second = createPredictor({ terrains: { [rig.loaded.scenario.terrain]: rig.loaded.terrainHeight } });
     let replayed = 0;
-    replayEntries(twin, read.entries, (at) => {
-      const { own } = twin.view(at);
+    replayEntries(second, read.entries, (at) => {
+      const { own } = second.view(at);
       if (own !== null)
         replayed = hashRows(Float64Array.of(replayed, ...own.easedPosition, ...own.meshAttitude));
     });
@@ -38,7 +38,7 @@ describe('the recorder', () => {
 });
 
 describe('the recorder of a session with calls and undecoded messages', () => {
-  it('writes calls and what was decoded, so that a new predictor does the same', () => {
+  it('records calls and decoded messages, so that a new predictor does the same', () => {
     const entries: PredictorEntry[] = [];
     const rig = createRig({ scenario: 'slide', others: 2, tickRate: 20 });
     rig.predictor = recordPredictor(rig.predictor, (entry) => entries.push(entry));
@@ -70,13 +70,13 @@ describe('the recorder of a session with calls and undecoded messages', () => {
     expect(entries.filter(({ kind }) => kind === 'called')).toHaveLength(5);
     expect(rig.view().diagnosis.framesSuperseded).toBeGreaterThan(20);
     const { scenario, terrainHeight } = rig.loaded;
-    const twin = createPredictor({ terrains: { [scenario.terrain]: terrainHeight } });
+    const second = createPredictor({ terrains: { [scenario.terrain]: terrainHeight } });
     const replayed: number[] = [];
-    replayEntries(twin, read.entries, (at) => look(twin, at, replayed));
+    replayEntries(second, read.entries, (at) => look(second, at, replayed));
     expect(replayed).toEqual(flown);
   });
 
-  it('is refused where a call cannot be one', () => {
+  it('refuses an invalid call', () => {
     const call = { name: 'removeShip', shipId: 'a', reason: 'bored' };
     const header = writeRecording({ header: { note: '', shipId: 'a' }, entries: [] });
     const read = readRecording(header + JSON.stringify({ kind: 'called', at: 1, call }));
@@ -85,7 +85,7 @@ describe('the recorder of a session with calls and undecoded messages', () => {
 });
 
 describe('own inputs that come late', () => {
-  it('are corrected, and every correction says why', () => {
+  it('are corrected, and every correction gives its reason', () => {
     const { rig } = flyPilot(2, 0.3);
     const { diagnosis } = rig.view();
     expect(rig.authority.counters.inputsLate).toBeGreaterThan(2);
@@ -96,8 +96,8 @@ describe('own inputs that come late', () => {
   });
 });
 
-describe('the page for a cockpit developer', () => {
-  it('quotes example code that compiles: the regions of example.ts, word for word', () => {
+describe('the guide for cockpit developers', () => {
+  it('quotes code that compiles: the regions of example.ts, word for word', () => {
     const page = readFileSync('src/prediction/README.md', 'utf8');
     const example = readFileSync('test/prediction/example.ts', 'utf8');
     const regions = [...example.matchAll(/\/\/ #region \w+\n([\s\S]*?)\/\/ #endregion/g)];

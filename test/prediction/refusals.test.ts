@@ -58,7 +58,7 @@ const REFUSED: readonly Refused[] = [
   ],
 ];
 
-describe('what cannot be decoded is refused, with what to do', () => {
+describe('an undecodable message is refused, with what to do', () => {
   it.each(REFUSED)('%s', (_what, run, help) => {
     const outcome = run();
     expect(outcome.ok).toBe(false);
@@ -140,18 +140,18 @@ const THROWN: readonly (readonly [what: string, run: () => unknown, help: RegExp
   ['a plan of controls', () => createPredictor({ plan: [NEUTRAL_CONTROLS] as never }), /options\.plan/],
 ];
 
-describe('what cannot be made says which argument is wrong', () => {
+describe('an invalid argument is named', () => {
   it.each(THROWN)('%s', (_what, run, help) => {
     expect(run).toThrow(help);
   });
 });
 
-it('a view that has not come yet reads as no ship', () => {
+it('a view before the first frame reads as no ship', () => {
   expect(updateLandingReadout(createLandingReadout(), null).status).toBe('none');
   expect(updateFleetReadout(createFleetReadout(), null).count).toBe(0);
 });
 
-it('controls that cannot be used are refused by the connection, not thrown', () => {
+it('invalid controls are refused by the connection, not thrown', () => {
   const reasons: string[] = [];
   const connection = createGameConnection(link as never, {
     onFrame: () => undefined,

@@ -14,7 +14,7 @@ describe('forced rollback: save, step, go back 8 ticks, replay, compare bits', (
     expect(rollbacksDifferent).toBe(0);
   });
 
-  it('fires for a twin whose ground remembers how often it was asked', () => {
+  it('fails for a terrain that depends on how often it was called', () => {
     let asked = 0;
     const broken = () => (asked++ % 1000) * 1e-12;
     const scenario = { ...scenarioNamed('slide'), terrain: 'flat' };

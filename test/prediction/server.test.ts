@@ -6,8 +6,8 @@ import { corrections, flyAndMeasure, fromServer } from './measure';
 import { createRig, scenarioNamed, value } from './rig';
 import { distance } from './samples';
 
-describe('a server that is steered while it runs', () => {
-  it('pauses and goes on', () => {
+describe('a server operated at run time', () => {
+  it('pauses and resumes', () => {
     const rig = createRig({ scenario: 'bounce' });
     rig.fly(4);
     rig.authority.setPaused(true);
@@ -35,7 +35,7 @@ describe('a server that is steered while it runs', () => {
     [20, 1, 1, 1],
     [1, 1, 1, 10],
     [5, 100, 1, 1],
-  ])('re-times from %i to %i Hz, scale %i to %i, in mid-bounce', (from, to, scale, toScale) => {
+  ])('changes rate from %i to %i Hz, scale %i to %i, in mid-bounce', (from, to, scale, toScale) => {
     const rig = createRig({ scenario: 'bounce', tickRate: from, timeScale: scale });
     rig.fly(5);
     rig.authority.setTickRate(to);
@@ -65,7 +65,7 @@ describe('a server that is steered while it runs', () => {
     expect(rig.notices.filter(({ kind }) => kind === 'retracted')).toEqual([]);
   });
 
-  it('flies on with inputs after a reconnect, and none of them is lost for good', () => {
+  it('applies inputs after a reconnect and loses none for good', () => {
     const thrust: Controls = { ...NEUTRAL_CONTROLS, thrustLevel: 0.12 };
     let wanted: Controls = NEUTRAL_CONTROLS;
     const rig = createRig({ scenario: 'bounce', pilot: () => wanted });
@@ -81,7 +81,7 @@ describe('a server that is steered while it runs', () => {
     expect(rig.view().diagnosis.correctionsMismatch).toBe(0);
   });
 
-  it('shows no crash as final before the server says so, and takes up a respawned ship', () => {
+  it('shows no crash as final before the server does, and predicts a respawned ship', () => {
     const rig = createRig({ scenario: 'crash', network: { ...NETWORK_PRESETS.fourG, stallShare: 0 } });
     let early = 0;
     let predictedCrash = 0;
@@ -103,7 +103,7 @@ describe('a server that is steered while it runs', () => {
     expect(flyAndMeasure(rig, 0.4).worst).toBeLessThan(1e-6);
   });
 
-  it('names the field in which a server that hides its friction differs', () => {
+  it('names the field in which the server’s friction differs from its settings', () => {
     const rig = createRig({ scenario: 'slide', secretSettings: { contactFrictionKinetic: 0.3 } });
     rig.fly(6);
     const { diagnosis } = rig.view();
@@ -118,7 +118,7 @@ describe('a server that is steered while it runs', () => {
     expect(fromServer(rig)).toBeLessThan(10);
   });
 
-  it('switches prediction off when time outruns the budget, the far ships first, and on again', () => {
+  it('switches prediction off when time exceeds the budget, the farthest ships first, and on again', () => {
     const crash = scenarioNamed('crash');
     const rig = createRig({
       scenario: { ...crash, initial: { ...crash.initial, height: 400_000 } },
@@ -143,8 +143,8 @@ describe('a server that is steered while it runs', () => {
   });
 });
 
-describe('the error told', () => {
-  it('is nothing where the law is the same, and not known before the first comparison', () => {
+describe('the reported error', () => {
+  it('is zero where the law is the same, and unknown before the first comparison', () => {
     const rig = createRig({ scenario: 'bounce' });
     expect(rig.view().diagnosis.errorPosition).toBeNaN();
     rig.fly(6);
@@ -153,7 +153,7 @@ describe('the error told', () => {
     expect(errorAngle).toBeLessThan(1e-6);
   });
 
-  it('is what the server did to the ship behind the prediction’s back, found with the frame after it', () => {
+  it('is what the server changed outside the prediction, found with the next frame', () => {
     const rig = createRig({
       scenario: 'pointing',
       network: NETWORK_PRESETS.lan,

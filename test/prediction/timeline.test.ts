@@ -21,7 +21,7 @@ import {
 const tempo = (tickRate: number, timeScale = 1, paused = false) => ({ tickRate, timeScale, paused });
 
 describe('the timeline', () => {
-  it('counts ticks and substeps in whole numbers across re-timing', () => {
+  it('counts ticks and substeps in whole numbers across rate changes', () => {
     const timeline = createTimeline(0.01);
     setTempo(timeline, 10, tempo(1), 0);
     expect(setTempo(timeline, 12, tempo(1), null)).toBe(false);
@@ -37,7 +37,7 @@ describe('the timeline', () => {
     expect(later).toEqual({ tick: 14, substep: 3 });
   });
 
-  it('finds the moment of a wall time; a pause stands', () => {
+  it('finds the moment of a wall time, which does not advance in a pause', () => {
     const timeline = createTimeline(0.01);
     setTempo(timeline, 5, tempo(1), 100);
     const moment = { tick: 0, substeps: 0 };
@@ -70,7 +70,7 @@ describe('the ring of predicted states', () => {
     expect(() => offsetOf(createHistory(12), 3)).toThrow('its slot holds none');
   });
 
-  it('keeps the newest states in a ring of another length', () => {
+  it('keeps the newest states when its length changes', () => {
     const history = createHistory(30);
     for (let tick = 1; tick <= 40; tick++) keep(history, tick, row(tick), 0);
     const shorter = resized(history, 12);

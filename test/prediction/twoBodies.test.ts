@@ -102,8 +102,8 @@ function largestJump(frame: () => WorldView, seconds: number, until?: (view: Wor
   return { most, atBorder, bodies };
 }
 
-describe('from one body to the other', () => {
-  it.each([1, 20])('at %i Hz the view goes on in ICRF within 1 mm', (tickRate) => {
+describe('from one reference body to another', () => {
+  it.each([1, 20])('at %i Hz the view continues in ICRF within 1 mm', (tickRate) => {
     const { frame } = fly(tickRate, 800);
     const { most, bodies } = largestJump(frame, 6);
     expect(bodies).toEqual([0, 1]);
@@ -131,7 +131,7 @@ describe('from one body to the other', () => {
     expect(most).toBeLessThan(600 * (1 / tickRate + 0.15));
   });
 
-  it('an offset that is being eased goes over with the ship, whatever way the bodies are turned', () => {
+  it('an offset being eased moves with the ship, however the bodies are turned', () => {
     const { authority, frame } = fly(20, 800);
     let kicked = false;
     const { atBorder, bodies } = largestJump(frame, 6, (view) => {

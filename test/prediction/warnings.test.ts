@@ -11,7 +11,7 @@ import { SHIPS } from './mistakes/ships';
 
 const MISTAKES = [...OPTIONS, ...MESSAGES, ...SHIPS, ...CALLS];
 const ROOM = join(import.meta.dirname, '../../src/prediction');
-describe('a mistake is told of once, by its code', () => {
+describe('a caller’s mistake is reported once, by its code', () => {
   it.each(MISTAKES)('%s: %s', (_what, code, help, run) => {
     const found = run().filter((warning) => warning.code === code);
     expect(found).toHaveLength(1);
@@ -19,13 +19,13 @@ describe('a mistake is told of once, by its code', () => {
     expect(Object.keys(found[0]!.details).length).toBeGreaterThan(0);
   });
 
-  it('and nothing is said where nothing is wrong', () => {
+  it('no warning is given where nothing is wrong', () => {
     expect(played(30).filter(({ code }) => code !== 'bodies-old')).toEqual([]);
     expect(made({ defaults: { settings: { contactCrashSpeed: 60 } } })).toEqual([]);
   });
 });
 
-describe('an option that cannot be used', () => {
+describe('an invalid option', () => {
   const thrown = (options: object) => () => createPredictor(options);
   it.each([
     [{ ownShipId: 7 }, 'options.ownShipId: expected a text'],
@@ -68,7 +68,7 @@ it('ERRORS.md has each code of the sources, and no other', () => {
   expect(rows.length).toBeGreaterThan(30);
 });
 
-it('each code has a mistake here that brings it about', () => {
+it('each code has a mistake here that triggers it', () => {
   const tried = new Set(MISTAKES.map(([, code]) => code));
   expect(codesInSources().filter((code) => !tried.has(code))).toEqual([]);
 });

@@ -20,7 +20,7 @@ describe('the four gates', () => {
     gates.horizontal.met,
   ];
 
-  it('are all met by a ship at rest, and shown in contact alone', () => {
+  it('are all met by a ship at rest, and shown in contact only', () => {
     expect(read(AT_REST).gates.shown).toBe(true);
     expect(met(read(AT_REST))).toEqual([true, true, true, true]);
     for (const state of ['', 'landed', 'tipped'] as const) expect(read({ state }).gates.shown).toBe(false);
@@ -66,13 +66,13 @@ describe('the four gates', () => {
 describe('the tip margin', () => {
   const noReturn = (Math.atan(0.75) * 180) / Math.PI;
 
-  it('is what is left before the point of no return', () => {
+  it('is what remains before the point of no return', () => {
     const { margin } = read({ ...AT_REST, tilt: 12 });
     expect(margin).toMatchObject({ shown: true, outlook: 'steady' });
     expect(margin.degrees).toBeCloseTo(noReturn - 12, 9);
   });
 
-  it('runs no law for a ship that stands still inside its feet, nor in flight', () => {
+  it('runs no simulation for a ship at rest within its feet, nor in flight', () => {
     for (const pose of [
       { ...AT_REST, tilt: 12 },
       { clearance: 50, tilt: 60 },
@@ -91,14 +91,14 @@ describe('the tip margin', () => {
     return { predicted: out.margin.timeToTipped, truth: timeToTipped(pose) };
   }
 
-  it('past it tells when the law tips the ship', () => {
+  it('past that point gives the time until the law tips the ship', () => {
     const pose: Pose = { ...AT_REST, tilt: 38, leanTo: 140 };
     const { predicted, truth } = predictedAndTrue(pose);
     expect(truth).toBeGreaterThan(1);
     expect(predicted).toBeCloseTo(truth, 2);
   });
 
-  it('counts down as game time passes', () => {
+  it('counts down with game time', () => {
     const out = createLandingReadout();
     // The readout's clock has run for a while when the ship begins to topple.
     const upright = makeView({ ...AT_REST, tilt: 3 });
@@ -112,7 +112,7 @@ describe('the tip margin', () => {
     expect(out.margin.timeToTipped).toBeCloseTo(before - 0.5, 6);
   });
 
-  it('says so when the attitude control holds the ship, and when it is too weak to', () => {
+  it('says when the attitude control holds the ship, and when it is too weak to', () => {
     for (const [shipClass, outlook] of [
       ['planetary_lander', 'holds'],
       ['cargo_hauler', 'tips'],
@@ -149,7 +149,7 @@ describe('on a slope', () => {
     expect(margin.degrees).toBeCloseTo(36.87 - 20, 2);
   });
 
-  it('says that it slides on 38.9° of 38.7°, and not on 38°', () => {
+  it('reports sliding on 38.9° of 38.7°, and not on 38°', () => {
     const steep = onSlope(38.9).gates;
     expect(steep.onSlope).toBe(true);
     expect(steep.slope.limit).toBeCloseTo(38.66, 2);

@@ -31,7 +31,7 @@ describe('updateFleetReadout', () => {
     expect(out.counts).toEqual({ tipped: 2, contact: 1, crashed: 1, flight: 2, landed: 2, none: 0 });
   });
 
-  it('follows a fleet that shrinks and grows without new rows for the old', () => {
+  it('follows a fleet that shrinks and grows, and reuses its rows', () => {
     const out = createFleetReadout();
     updateFleetReadout(out, fleet(STATES));
     const rows = [...out.rows];
@@ -47,7 +47,7 @@ describe('updateFleetReadout', () => {
     );
   });
 
-  it('gives heights, and none of a stale ship', () => {
+  it('gives heights, and none for a stale ship', () => {
     const heights = (view: WorldView) => {
       const out = updateFleetReadout(createFleetReadout(), view);
       return out.rows.slice(0, out.count).map((row) => row.height);

@@ -16,7 +16,7 @@ describe('the instruments of flying', () => {
   const read = (pose: Pose, changes = {}) =>
     updateFlightReadout(createFlightReadout(), makeView({ clearance: 80, ...pose }, changes));
 
-  it('mark the throttle that hovers, and say how long the fuel lasts and what is left to fly', () => {
+  it('mark the hover throttle, and give fuel time and remaining Δv', () => {
     const view = makeView({ clearance: 80, fuel: 2000 }, controls(0.1));
     const { own } = view;
     const out = updateFlightReadout(createFlightReadout(), view);
@@ -32,7 +32,7 @@ describe('the instruments of flying', () => {
     expect([out.fuel, out.fuelShare, out.throttle]).toEqual([2000, 0.25, 0.1]);
   });
 
-  it('read attitude: pitch, lean, and the heading of the ship’s +Y from north to east', () => {
+  it('give attitude: pitch, lean, and the heading of the ship’s +Y from north to east', () => {
     expect(read({}).pitch).toBeCloseTo(90, 6);
     expect(read({ tilt: 30, leanTo: 90 }).pitch).toBeCloseTo(60, 6);
     const out = read({ tilt: 30, leanTo: 90 });
@@ -41,14 +41,14 @@ describe('the instruments of flying', () => {
     expect((a - b + 360) % 360).toBeCloseTo(50, 6);
   });
 
-  it('read the wheels against their capacity', () => {
+  it('give the wheels’ momentum as a share of their capacity', () => {
     const view = makeView({ clearance: 80 });
     const capacity = view.own.shipClass.reactionWheelCapacity!;
     view.own.wheelMomentum[1] = -capacity[1] / 4;
     expect(updateFlightReadout(createFlightReadout(), view).wheels[1]).toBeCloseTo(-0.25, 12);
   });
 
-  it('of a ship that is gone stop', () => {
+  it('are blank for a ship that is gone', () => {
     const out = read({}, { crashed: true, shownState: 'crashed' });
     expect(out.known).toBe(false);
     expect([out.throttle, out.fuel, out.pitch, out.heading]).toEqual([NaN, NaN, NaN, NaN]);
@@ -79,7 +79,7 @@ describe('landing aids', () => {
     expect(off).toBeCloseTo(2 * seconds, 0);
   });
 
-  it('say when full thrust must begin: from there it stops at the ground', () => {
+  it('say when full thrust must begin so that it stops at the ground', () => {
     const { out, view } = settle({ clearance: 200, up: -10 });
     const body = view.bodies[view.own.body]!;
     const mass = view.own.shipClass.dryMass + view.own.fuel;
@@ -92,14 +92,14 @@ describe('landing aids', () => {
     expect(height).toBeCloseTo(stop, 6);
   });
 
-  it('keep to a corridor that ends below two metres a second', () => {
+  it('keep to a corridor that ends below two metres per second', () => {
     expect(settle({ clearance: 0.5, up: -1 }).out).toMatchObject({ corridor: 'good' });
     expect(settle({ clearance: 0.5, up: -1 }).out.aimSpeed).toBeLessThan(2);
     expect(settle({ clearance: 20, up: -15 }).out.corridor).toBe('fast');
     expect(settle({ clearance: 500, up: 0 }).out.corridor).toBe('slow');
   });
 
-  it('are none on the ground, and none of a ship that climbs away', () => {
+  it('are hidden on the ground and for a climbing ship', () => {
     expect(settle({ clearance: -0.016, state: 'landed' }).out.shown).toBe(false);
     const { out } = settle({ clearance: 80, up: 400 });
     expect([out.outcome, out.touchSeconds]).toEqual(['none', NaN]);
@@ -108,7 +108,7 @@ describe('landing aids', () => {
 });
 
 describe('the beacon', () => {
-  it('is so far to the right and ahead as the screen’s axes say, and the miss is measured from it', () => {
+  it('is given to the right and ahead in the screen’s axes, and the miss is measured from it', () => {
     const view = makeView({ clearance: 80 });
     const right = Float64Array.of(0.8, 0, -0.36);
     const length = Math.hypot(...right);

@@ -38,13 +38,13 @@ describe('formats', () => {
     expect(shown(COUNT, 2)).toBe('2');
   });
 
-  it('dash what is not known', () => {
+  it('print a dash for unknown values', () => {
     for (const format of [VERTICAL_SPEED, SPEED, DISTANCE, DURATION, ANGLE, SPIN, FINE_SPEED, TORQUE, MASS]) {
       expect(shown(format, NaN)).toBe('--');
     }
   });
 
-  it('show the value itself, to half of the last digit shown', () => {
+  it('print the value to within half of the last digit', () => {
     const formats: readonly (readonly [Format, toUnit: number])[] = [
       [VERTICAL_SPEED, 1],
       [SPEED, 1],
@@ -74,7 +74,7 @@ describe('formats', () => {
     }
   });
 
-  it('have one key for what shows as one text, so that nothing is painted twice', () => {
+  it('have one key per printed text, so that nothing is painted twice', () => {
     expect(DISTANCE.key(49_860)).toBe(DISTANCE.key(49_940));
     expect(DISTANCE.key(432.6)).toBe(DISTANCE.key(433.4));
     expect(DURATION.key(124.6)).toBe(DURATION.key(125.4));

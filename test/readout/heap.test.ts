@@ -12,7 +12,7 @@ const FLEET = 1000;
 const boundOf = (name: string) =>
   name.startsWith('fleet') ? FLEET : name === 'toppling, frame after frame' ? RUN_AHEAD : NONE;
 
-it('a readout allocates nothing, of a view that stays or goes on', () => {
+it('a readout allocates nothing, for an unchanged view or the next one', () => {
   // The engine then compiles at the same calls in each run, whatever else the machine does.
   const figures = Object.entries(heapFigures('test/readout/heapOfReadouts.ts', ['--single-threaded']));
   expect(figures).toHaveLength(16);

@@ -27,7 +27,7 @@ describe('descent data', () => {
     expect(tilted).toBeCloseTo(100 + h - lowest, 6);
   });
 
-  it('stands at 0 on the ground, however deep the law has sunk', () => {
+  it('is 0 on the ground, however deep the contact penetrates', () => {
     for (const state of ['contact', 'landed', 'tipped'] as const) {
       expect(read({ clearance: -3.4, state }).descent.feetHeight).toBe(0);
     }
@@ -35,7 +35,7 @@ describe('descent data', () => {
     expect(read({ tilt: 89, state: 'tipped' }).descent.feetHeight).toBe(0);
   });
 
-  it('gives no height and no time to impact over ground that is not loaded', () => {
+  it('gives no height and no time to impact over terrain that is not loaded', () => {
     const { descent } = read({ clearance: 86, up: -12.3 }, { carried: 'ground' });
     expect(descent.feetHeight).toBeNaN();
     expect(descent.timeToImpact).toBeNaN();
@@ -66,7 +66,7 @@ describe('time to impact', () => {
     expect(timeToImpact).toBeCloseTo(fall(86, 12.3, MOON_GRAVITY), 2);
   });
 
-  it('takes the thrust of now into account', () => {
+  it('includes the present thrust', () => {
     const mass = 8000 + 4000;
     const half = read({ clearance: 86, up: -12.3, lift: 0.5 * mass * MOON_GRAVITY }).descent;
     expect(half.timeToImpact).toBeCloseTo(fall(86, 12.3, MOON_GRAVITY / 2), 2);
@@ -78,7 +78,7 @@ describe('time to impact', () => {
     expect(hovering.timeToImpact).toBeCloseTo(43, 2);
   });
 
-  it('lets the speed along the curved ground hold against gravity', () => {
+  it('includes the centrifugal effect of ground speed', () => {
     const orbital = Math.sqrt(MOON_GRAVITY * 1737400);
     // The turning body adds 4 m/s to it or takes it off: under a hundredth of the time.
     const fast = read({ clearance: 1000, up: -1, north: 0.9 * orbital }).descent;
@@ -86,7 +86,7 @@ describe('time to impact', () => {
     expect(read({ clearance: 1000, up: -1, north: 1.1 * orbital }).descent.timeToImpact).toBeNaN();
   });
 
-  it('is not known when ascending or on the ground', () => {
+  it('is unknown when ascending or on the ground', () => {
     expect(read({ clearance: 86, up: 0.1 }).descent.timeToImpact).toBeNaN();
     expect(read({ clearance: 86, up: 0 }).descent.timeToImpact).toBeNaN();
     expect(read({ clearance: -0.1, up: -1, state: 'contact' }).descent.timeToImpact).toBeNaN();
@@ -94,7 +94,7 @@ describe('time to impact', () => {
 });
 
 describe('tilt', () => {
-  it('keeps its precision at 0, 90 and 180°, where acos loses it', () => {
+  it('is precise at 0, 90 and 180°, where acos is not', () => {
     for (const tilt of [0, 1e-6, 5, 36.87, 80, 89.999999, 90, 179.999999]) {
       expect(read({ tilt, leanTo: 200, clearance: 10 }).tilt.degrees).toBeCloseTo(tilt, 7);
     }
@@ -107,7 +107,7 @@ describe('tilt', () => {
     expect(tilt.noReturn).toBeCloseTo((Math.atan(LANDER.legRadius / LANDER.h) * 180) / Math.PI, 10);
   });
 
-  it('tells whether it leans on or comes up', () => {
+  it('says whether it grows or shrinks', () => {
     expect(read({ tilt: 20, tiltRate: 0.05, leanTo: 130 }).tilt.trend).toBe(1);
     expect(read({ tilt: 20, tiltRate: -0.05, leanTo: 130 }).tilt.trend).toBe(-1);
     expect(read({ tilt: 20, tiltRate: 0.005, leanTo: 130 }).tilt.trend).toBe(0);
@@ -139,7 +139,7 @@ describe('tilt', () => {
     }
   });
 
-  it('is the largest number in contact and tipped alone', () => {
+  it('is the largest number in contact and tipped only', () => {
     for (const [state, prominent] of [
       ['', false],
       ['contact', true],
@@ -152,7 +152,7 @@ describe('tilt', () => {
 });
 
 describe('cross-pointer', () => {
-  it('keeps the size and the side of the drift, whatever the tilt', () => {
+  it('keeps the size and side of the drift at any tilt', () => {
     for (const tilt of [0, 20, 89, 120]) {
       // Leaning across the drift turns the ship about the drift itself: its axes along it stay.
       const { drift } = read({ tilt, leanTo: 0, north: 7, clearance: 50 });
@@ -171,7 +171,7 @@ describe('cross-pointer', () => {
     expect(after.y).toBeCloseTo(-before.x, 9);
   });
 
-  it('ranges by itself, up at once and down with patience', () => {
+  it('selects its range, up at once and down after a delay', () => {
     const out = createLandingReadout();
     const scaleAt = (north: number) => updateLandingReadout(out, makeView({ north })).drift.scale;
     expect([0.4, 1.5, 4, 9, 41].map(scaleAt)).toEqual([1, 2, 5, 10, 50]);

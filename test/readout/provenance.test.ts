@@ -17,7 +17,7 @@ const read = (pose: Pose, changes: Partial<ShipView> = {}): LandingReadout =>
 const says = (readout: LandingReadout) => provenanceText(readout, DURATION.key(readout.age));
 
 describe('status', () => {
-  it('has the design’s words, and a shape and a colour to each', () => {
+  it('has the design’s words, each with a shape and a colour', () => {
     const looks = (['', 'contact', 'landed', 'tipped'] as const).map((state) => {
       const { word, shape, colour } = STATUS_LOOKS[read({ state }).status];
       return `${shape} ${word} ${colour}`;
@@ -27,14 +27,14 @@ describe('status', () => {
     expect(`${crashed.shape} ${crashed.word} ${crashed.colour}`).toBe('✖ CRASHED red');
   });
 
-  it('is the shown state, while the numbers are those of the predicted truth', () => {
+  it('is the shown state, while the numbers are those of the predicted state', () => {
     // A bounce: CONTACT dwells, but the ship is 0.8 m up already.
     const hop = read({ state: '', clearance: 0.8, up: 3 }, { shownState: 'contact' });
     expect(hop.status).toBe('contact');
     expect(hop.descent.feetHeight).toBeCloseTo(0.8, 6);
   });
 
-  it('does not say CRASHED before the server has', () => {
+  it('does not say CRASHED before the server does', () => {
     expect(read({}, { crashed: true, shownState: '' }).status).toBe('flight');
   });
 
@@ -65,7 +65,7 @@ const numbersOf = ({ descent, tilt, drift }: LandingReadout) => [
 ];
 
 describe('provenance', () => {
-  it('is told in the HUD’s words', () => {
+  it('uses the HUD’s words', () => {
     expect(says(read({}, { provenance: 'confirmed', age: 0.42 }))).toBe('CONF 0.4 s');
     expect(says(read({}, { provenance: 'predicted', age: 31 }))).toBe('PRED');
     expect(says(read({ state: 'contact' }, { provenance: 'predicted', age: 0.31 }))).toBe('PRED 0.3 s');
@@ -74,7 +74,7 @@ describe('provenance', () => {
     expect(says(updateLandingReadout(createLandingReadout(), fast))).toBe('PRED OFF ×100');
   });
 
-  it('dashes every number of a stale state, and brings them back with the next one', () => {
+  it('prints dashes for a stale state, and numbers again with the next one', () => {
     const out = createLandingReadout();
     const pose: Pose = { state: 'tipped', tilt: 88, clearance: -0.02 };
     updateLandingReadout(out, makeView(pose));
@@ -94,7 +94,7 @@ describe('provenance', () => {
     expect(off.descent.verticalSpeed).toBeCloseTo(5, 6);
   });
 
-  it('says so when a predicted state was taken back', () => {
+  it('says when a predicted state was withdrawn', () => {
     expect(withdrawnText(read({}, { withdrawn: 'landed' }).withdrawn)).toBe('LANDED withdrawn');
     expect(withdrawnText(read({}).withdrawn)).toBe('');
   });

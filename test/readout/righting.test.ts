@@ -34,14 +34,14 @@ function inputOf(actions: readonly HintAction[]): [number, number, number] {
 }
 
 describe('righting help', () => {
-  it('is there while tipped alone', () => {
+  it('is shown while tipped only', () => {
     expect(read(ON_SIDE).righting.shown).toBe(true);
     for (const state of ['', 'contact', 'landed'] as const) {
       expect(read({ ...ON_SIDE, state, tilt: 0 }).righting.shown).toBe(false);
     }
   });
 
-  it('names torque available and needed: weight · h', () => {
+  it('gives the available and the needed torque: weight · h', () => {
     const { righting } = read({ ...ON_SIDE, leanTo: 0, heading: 0 });
     expect(righting.torqueNeeded).toBeCloseTo(12_000 * MOON_GRAVITY * 4.56, -1);
     expect(righting.possible).toBe(true);
@@ -52,7 +52,7 @@ describe('righting help', () => {
     expect(dry.possible).toBe(false);
   });
 
-  it('names keys that do right the ship, whichever way it lies', () => {
+  it('names keys that right the ship, whichever side it is on', () => {
     const seen = new Set<string>();
     for (let heading = 0; heading < 360; heading += 30) {
       const pose = { ...ON_SIDE, heading };
@@ -80,13 +80,13 @@ describe('righting help', () => {
     expect([...counts].sort()).toEqual([1, 2]);
   });
 
-  it('says that the lander cannot be righted on Earth, and that nothing helps', () => {
+  it('says that the lander cannot be righted on Earth, and that no control helps', () => {
     const { righting } = read({ ...ON_SIDE, body: 'Earth' });
     expect(righting).toMatchObject({ possible: false, help: 'none', helpAction: '' });
     expect(righting.torqueNeeded / righting.torqueAvailable).toBeGreaterThan(3);
   });
 
-  it('says below which mass it could be, where burning fuel gets there', () => {
+  it('gives the mass below which it can be righted, where burning fuel gets there', () => {
     const { righting } = read({ ...ON_SIDE, body: 'Mars', fuel: 4000 });
     expect(righting).toMatchObject({ possible: false, help: 'lighter', helpAction: '' });
     expect(righting.helpMass).toBeCloseTo(righting.torqueAvailable / (MARS_GRAVITY * 4.56), -1);
@@ -95,7 +95,7 @@ describe('righting help', () => {
     expect(read({ ...enough, fuel: enough.fuel + 40 }).righting.possible).toBe(false);
   });
 
-  it('names the thruster that takes the weight off its feet, and the law agrees', () => {
+  it('names the thruster that unloads its feet, and the law agrees', () => {
     const pose: Pose = { ...ON_SIDE, body: 'Mars', fuel: 600 };
     const { righting } = read(pose);
     expect(righting).toMatchObject({ possible: false, help: 'translation' });
@@ -115,7 +115,7 @@ describe('righting help', () => {
     expect(rights({ ...NEUTRAL_CONTROLS, rotationInput, translationInput })).toBe(true);
   });
 
-  it('costs no substep once it has its answer', () => {
+  it('spends no substep once it has its answer', () => {
     const out = createLandingReadout();
     const view = makeView(ON_SIDE);
     for (let i = 0; i < 60; i++) updateLandingReadout(out, view);

@@ -58,7 +58,7 @@ describe('the touchdown card', () => {
     'slide-mars',
     'settle-phobos',
   ])
-    it(`of ${scenario} is the law’s at ${RATES.join(', ')} pictures a second`, () => {
+    it(`of ${scenario} matches the law at ${RATES.join(', ')} frames per second`, () => {
       for (const hz of RATES) {
         const { readout, truth } = fly({ scenario, hz });
         expect(readout.touchdownShown).toBe(true);
@@ -66,7 +66,7 @@ describe('the touchdown card', () => {
       }
     });
 
-  it('is the law’s through late inputs and their corrections', () => {
+  it('matches the law through late inputs and their corrections', () => {
     // Pushes to and fro the whole way: what is late changes when, where and how fast it touches.
     const pilot = (game: number): Controls => {
       const push = game > 9 ? 0 : Math.floor(game * 3) % 2 === 1 ? 1 : -1;
@@ -85,7 +85,7 @@ describe('the touchdown card', () => {
     expect(corrected).toBeGreaterThan(10);
   });
 
-  it('is the law’s when the page was hidden for the whole landing', () => {
+  it('matches the law when the page was hidden for the whole landing', () => {
     const rig = createRig({ scenario: 'bounce' });
     const track: Track = { rows: [], dt: 0, tick: 0 };
     rig.fly(0.5);
@@ -99,7 +99,7 @@ describe('the touchdown card', () => {
     expectCard(readout, cardOf(track, rig.loaded.body));
   });
 
-  it('counts a touch that was predicted and taken back as if it had never been', () => {
+  it('drops a predicted touch that was withdrawn', () => {
     const seen: number[] = [];
     let kicked = false;
     const { rig, readout, truth } = fly({ scenario: 'settle', hz: 60 }, ({ now, view, authority }, read) => {
@@ -116,7 +116,7 @@ describe('the touchdown card', () => {
     expectCard(readout, truth);
   });
 
-  it('tells a crash by the velocity that the law leaves', () => {
+  it('detects a crash by the velocity that the law leaves', () => {
     const readout = createLandingReadout();
     const rig = createRig({ scenario: 'crash' });
     const track: Track = { rows: [], dt: 0, tick: 0 };
@@ -133,7 +133,7 @@ describe('the touchdown card', () => {
     expect(falling).toBeGreaterThan(30);
   });
 
-  it('stays until the next approach, and begins anew with it', () => {
+  it('stays until the next approach, and starts again with it', () => {
     const rig = createRig({ scenario: 'bounce' });
     const readout = createLandingReadout();
     const read = (view: WorldView) => updateLandingReadout(readout, view);
@@ -152,7 +152,7 @@ describe('the touchdown card', () => {
     expect(readout.status).toBe('landed');
   });
 
-  it('has nothing to tell of a ship met on the ground, or put there', () => {
+  it('is empty for a ship that was on the ground from the start, or put there', () => {
     const readout = createLandingReadout();
     const rig = createRig({ scenario: 'launch' });
     rig.fly(0.5, (view) => updateLandingReadout(readout, view));

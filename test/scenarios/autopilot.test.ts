@@ -75,19 +75,19 @@ describe('the landing autopilot, in an authority from 200 m', () => {
     expect(ship.surfaceContactState).toBe('landed');
   });
 
-  it('lands on hills too', () => {
+  it('lands on hills', () => {
     const { maneuver, impact } = flyDown({ body: 'Luna', tickRate: 10, terrain: 'hills' });
     expect(maneuver.phase).toBe('complete');
     expect(impact).toBeLessThan(2.5);
   });
 
-  it('lands by ICRF alone where the server sends no relative state', () => {
+  it('lands from ICRF alone when the server sends no relative state', () => {
     const { maneuver, ship } = flyDown({ body: 'Luna', tickRate: 10, legacy: true });
     expect(ship.relativePosition).toBeNull();
     expect(maneuver.phase).toBe('complete');
   });
 
-  it('fails with a reason when it goes over', () => {
+  it('fails with a reason when the ship topples', () => {
     const initial = { height: 0.2, velocity: [0, 0, -1], tilt: 60 } as const;
     const settings = { touchdownAttitude: 'kept' } as const;
     const shipClass = { ...LANDER_CLASS, rcsTorque: [0, 0, 0] } as const;
@@ -97,7 +97,7 @@ describe('the landing autopilot, in an authority from 200 m', () => {
     expect(tipped.ship.surfaceContactState).toBe('tipped');
   });
 
-  it('fails with a reason when it comes too fast, and when the engine is too weak', () => {
+  it('fails with a reason when it approaches too fast, and when the engine is too weak', () => {
     const crash = flyDown({ body: 'Luna', tickRate: 10, initial: { velocity: [0, 0, -150] } });
     expect([crash.maneuver.phase, crash.maneuver.reason]).toEqual(['failed', 'crashed on Luna']);
     const hauler = SHIP_CLASSES.find(({ name }) => name === 'cargo_hauler')!;
@@ -109,7 +109,7 @@ describe('the landing autopilot, in an authority from 200 m', () => {
 describe('the landing maneuver', () => {
   const descending = next({});
 
-  it('takes contact for the touchdown: engine off, rates damped', () => {
+  it('treats contact as touchdown: engine off, rates damped', () => {
     expect(descending.phase).toBe('descent');
     expect(next({ relativeVelocity: [4.62, 0, -14] }).controls.thrustLevel).toBeGreaterThan(0);
     const touchdown = next({ surfaceContactState: 'contact', landedBodyName: 'Luna' }, descending);
@@ -125,7 +125,7 @@ describe('the landing maneuver', () => {
     expect(landed).toEqual({ phase: 'complete', reason: '', controls: NEUTRAL_CONTROLS });
   });
 
-  it('fails with the impact speed on a touch that is hard enough to bounce', () => {
+  it('fails with the impact speed on a touch hard enough to bounce', () => {
     const contact = { surfaceContactState: 'contact', landedBodyName: 'Luna' };
     expect(next({ ...contact, contactImpactSpeed: 10 }).phase).toBe('touchdown');
     const hit = next({ ...contact, contactImpactSpeed: 33.14 });
@@ -144,7 +144,7 @@ describe('the landing maneuver', () => {
     expect(next({ crashed: true }, descending)).toMatchObject({ phase: 'failed', reason: 'crashed on Luna' });
   });
 
-  it('stays at its end, whatever the ship does', () => {
+  it('stays in its final phase, whatever the ship does', () => {
     const complete = next({ surfaceContactState: 'landed' });
     const failed = next({ surfaceContactState: 'tipped' });
     for (const state of ['', 'contact', 'landed', 'tipped'] as const) {
@@ -153,13 +153,13 @@ describe('the landing maneuver', () => {
     }
   });
 
-  it('leaves a low hop to the ground and flies a high bounce', () => {
+  it('leaves a low hop alone and flies a high bounce', () => {
     const touchdown = next({ surfaceContactState: 'contact' });
     expect(next({ relativePosition: [0, 0, 1737406.5] }, touchdown).phase).toBe('touchdown');
     expect(next({ relativePosition: [0, 0, 1737504.5] }, touchdown).phase).toBe('descent');
   });
 
-  it('is pure: the same state gives the same, and nothing handed in changes', () => {
+  it('is pure: the same state gives the same result, and arguments are not changed', () => {
     const frozen = Object.freeze({ ...ABOVE });
     const [once, again] = [
       continueLanding(descending, frozen, SITE),
@@ -180,16 +180,16 @@ describe('the landing maneuver', () => {
     ['angularVelocity', { angularVelocity: [Infinity, 0, 0] }],
     ['mass', { mass: Number.NaN }],
     ['mass', { mass: 0 }],
-  ])('refuses by the name of %s', (field, ship) => {
+  ])('refuses an invalid %s by name', (field, ship) => {
     expect(refusal(ship)).toMatch(new RegExp(`^${field}: `));
   });
 
-  it('refuses a delay that is none', () => {
+  it('refuses an invalid delay', () => {
     for (const delay of [Number.NaN, Infinity, -0.1])
       expect(refusal({}, { ...SITE, delay })).toMatch(/^delay: /);
   });
 
-  it('refuses terrain that has no height', () => {
+  it('refuses terrain without a height', () => {
     expect(refusal({}, { ...SITE, terrainHeight: () => Number.NaN })).toMatch(/^terrainHeight: /);
   });
 });

@@ -15,8 +15,8 @@ function ticks(entries: readonly RecordingEntry[]): number[] {
   );
 }
 
-describe('an exchange', () => {
-  it('begins with a hello and the present frame, then a frame a tick, each a delay after its boundary', () => {
+describe('loopback link', () => {
+  it('starts with a hello and the present frame, then sends one frame per tick, each delayed after its boundary', () => {
     const exchange = moonExchange('opening', 'satellite');
     const client = listen(exchange);
     client.runTo(105.9);
@@ -30,7 +30,7 @@ describe('an exchange', () => {
       expect(Math.abs(at - (100 + tick) - delay)).toBeLessThanOrEqual(3 * jitter + 1e-9);
   });
 
-  it('gives the same bytes at the same times however coarsely it is run', () => {
+  it('delivers the same bytes at the same times however coarsely it is run', () => {
     const [fine, coarse] = [
       listen(moonExchange('opening', 'broken', 4)),
       listen(moonExchange('opening', 'broken', 4)),
@@ -46,7 +46,7 @@ describe('an exchange', () => {
     expect(coarse.entries.length).toBeGreaterThan(8);
   });
 
-  it('acknowledges an input with the margin it had', () => {
+  it('acknowledges an input with its true margin', () => {
     const exchange = moonExchange('opening', 'lan');
     const client = listen(exchange);
     client.say({ kind: 'inputs', inputs: [input(1, 0, 60, { thrustLevel: 0.4 })] }, 100.2);
@@ -57,7 +57,7 @@ describe('an exchange', () => {
     expect(margin).toBeCloseTo(101 - 100.202, 9);
   });
 
-  it('takes an input that arrives after the boundary for late, though both are due in one run', () => {
+  it('treats an input that arrives after the boundary as late, even when both are due in one run', () => {
     const exchange = moonExchange('opening', 'lan');
     const client = listen(exchange);
     client.say({ kind: 'inputs', inputs: [input(1, 0, 60, {})] }, 100.999);
@@ -67,7 +67,7 @@ describe('an exchange', () => {
     expect(lastInput!.margin).toBeCloseTo(-0.001, 9);
   });
 
-  it('says when something happens next, and nothing happens before', () => {
+  it('says when the next event is due, and nothing happens before', () => {
     const exchange = moonExchange('opening', 'broadband');
     const client = listen(exchange);
     for (let i = 0; i < 20; i++) {
@@ -80,7 +80,7 @@ describe('an exchange', () => {
     }
   });
 
-  it('flies on while a connection is down, and welcomes its client back', () => {
+  it('keeps simulating while a connection is down, and welcomes its client back', () => {
     const exchange = moonExchange('opening', 'lan');
     const client = listen(exchange);
     client.runTo(102.5);
@@ -93,7 +93,7 @@ describe('an exchange', () => {
     expect(ticks(client.entries)).toEqual([0, 1, 2, 7, 8]);
   });
 
-  it('frozen, neither ticks nor answers; it hears afterwards what came meanwhile', () => {
+  it('neither ticks nor answers while frozen, and then reads what came meanwhile', () => {
     const exchange = moonExchange('opening', 'lan');
     const client = listen(exchange);
     client.runTo(102.5);
@@ -110,7 +110,7 @@ describe('an exchange', () => {
     expect(pong!.message).toMatchObject({ tick: 2, sinceTick: 0 });
   });
 
-  it('steps one substep while paused, telling the frame before and after it', () => {
+  it('steps one substep while paused, and sends the frame before and after it', () => {
     const exchange = moonExchange('opening', 'lan');
     const client = listen(exchange);
     expect(exchange.step('substep', 100.5)).toContain('not paused');
@@ -125,7 +125,7 @@ describe('an exchange', () => {
     ]);
   });
 
-  it('counts and survives what is no message', () => {
+  it('counts and survives invalid messages', () => {
     const exchange = moonExchange('opening', 'lan');
     exchange.send('ann', Uint8Array.of(255, 255, 255), 100);
     exchange.send('ann', new Uint8Array(0), 100);

@@ -20,7 +20,7 @@ import { valueOf } from '../authority/moon';
 const ALL = [...MISSIONS, ...LESSONS];
 
 describe('missions', () => {
-  it('are a dozen and more, the school six, each name once', () => {
+  it('include at least twelve missions and six lessons, with unique names', () => {
     expect(MISSIONS.length).toBeGreaterThanOrEqual(12);
     expect(LESSONS).toHaveLength(6);
     const names = [...ALL.map(({ scenario }) => scenario.name), ...SCENARIOS.map(({ name }) => name)];
@@ -31,7 +31,7 @@ describe('missions', () => {
   });
 
   it.each(ALL.map((mission) => [mission.scenario.name, mission] as const))(
-    '%s can be begun, and its pads lie on its ground',
+    '%s can be started, and its pads are on its terrain',
     (_, mission) => {
       const loaded = valueOf(loadScenario(mission.scenario));
       const places = padPlaces(mission, loaded);
@@ -45,7 +45,7 @@ describe('missions', () => {
     },
   );
 
-  it('an engine’s share and a body’s spin are the scenario’s', () => {
+  it('use the scenario’s share of engine thrust and its factor on the spin', () => {
     const half = valueOf(loadScenario(findScenario('half-engine')!));
     const whole = valueOf(loadScenario({ ...findScenario('half-engine')!, engineShare: 1 }));
     expect(half.shipClass.mainEngineThrust).toBe(whole.shipClass.mainEngineThrust / 2);
@@ -70,7 +70,7 @@ const SOFT: readonly RunInput[] = [
 describe('a run', () => {
   const mission = findMission('first-landing')!;
 
-  it('flown again comes out the same to the bit, from its bytes too', () => {
+  it('replays to the same bits, also from its encoded form', () => {
     const first = valueOf(flyRun(mission, SOFT));
     const bytes = writeRun(SOFT, 100);
     const again = valueOf(flyRun(mission, valueOf(readRun(bytes, 100))));
@@ -79,7 +79,7 @@ describe('a run', () => {
     expect(scoreRun(mission, again)).toEqual(scoreRun(mission, first));
   });
 
-  it('that ends in a crash is worth nothing', () => {
+  it('that ends in a crash scores nothing', () => {
     const dive: RunInput[] = [
       { tick: 0, substep: 1, controls: { ...NEUTRAL_CONTROLS, rotationInput: [1, 0, 0] } },
       { tick: 1, substep: 40, controls: { ...NEUTRAL_CONTROLS, attitudeMode: 'antiradial', thrustLevel: 1 } },
@@ -89,7 +89,7 @@ describe('a run', () => {
     expect(scoreRun(mission, run).total).toBe(0);
   });
 
-  it('loses points by each line for what it says, and by nothing else', () => {
+  it('loses points exactly as its score lines say', () => {
     const good = {
       outcome: 'landed' as const,
       seconds: 50,
@@ -108,7 +108,7 @@ describe('a run', () => {
     expect(scoreRun(mission, { ...good, outcome: 'unfinished' }).total).toBe(0);
   });
 
-  it('of any bytes is read or refused with a reason, never thrown over', () => {
+  it('is decoded or refused with a reason, and never throws, for any bytes', () => {
     fc.assert(
       fc.property(fc.uint8Array({ maxLength: 200 }), (bytes) => {
         const read = readRun(bytes, 100);
@@ -117,7 +117,7 @@ describe('a run', () => {
     );
   });
 
-  it('of controls on the page’s grid keeps every bit', () => {
+  it('keeps every bit of controls on the page’s grid', () => {
     const stick = fc.integer({ min: -100, max: 100 }).map((v) => v / 100 + 0);
     const triple = fc.tuple(stick, stick, stick);
     const input = fc.record({

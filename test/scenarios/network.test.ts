@@ -31,12 +31,12 @@ const deviation = (values: number[]) => {
 };
 
 describe('random numbers', () => {
-  it('are sfc32: the first numbers of a seed by the author’s algorithm', () => {
+  it('are sfc32: the first numbers of a seed match the author’s algorithm', () => {
     const rng = createRandom(7);
     expect([rng(), rng(), rng()].map((value) => value * 4294967296)).toEqual(SFC32_OF_7);
   });
 
-  it('are even, and a bell has deviation 1', () => {
+  it('are uniform, and normal ones have deviation 1', () => {
     const rng = createRandom(1);
     const values = Array.from({ length: 50_000 }, rng);
     expect(mean(values)).toBeCloseTo(0.5, 2);
@@ -51,7 +51,7 @@ describe('random numbers', () => {
 describe.each(PRESETS)('the %s preset', (preset) => {
   const numbers = NETWORK_PRESETS[preset];
 
-  it('has the delays, the jitter and the stalls it says', () => {
+  it('has its declared delays, jitter and stalls', () => {
     const link = createLink(numbers, 42);
     const found = delays(link, 20_000, 2);
     expect(found).toHaveLength(20_000);
@@ -64,7 +64,7 @@ describe.each(PRESETS)('the %s preset', (preset) => {
     if (numbers.stallShare > 0) expect(mean(stalled)).toBeCloseTo(numbers.delay + numbers.stallSeconds, 2);
   });
 
-  it('gives the same delays for the same seed, and others for another', () => {
+  it('gives the same delays for the same seed, and others for another seed', () => {
     const of = (seed: number) => delays(createLink(numbers, seed), 200, 2);
     expect(of(3)).toEqual(of(3));
     if (numbers.jitter > 0) expect(of(3)).not.toEqual(of(4));
@@ -72,14 +72,14 @@ describe.each(PRESETS)('the %s preset', (preset) => {
 });
 
 describe('a link', () => {
-  it('loses in runs as long as it says', () => {
+  it('loses packets in bursts of the declared length', () => {
     const numbers = { ...NETWORK_PRESETS.broken, jitter: 0, stallRun: 4, stallSeconds: 1 };
     const late = delays(createLink(numbers, 9), 40_000, 3).map((delay) => delay > 0.5);
     const runs = late.filter((stalled, i) => stalled && !late[i - 1]).length;
     expect(late.filter(Boolean).length / runs).toBeCloseTo(4, 0);
   });
 
-  it('keeps the order: what is sent behind a stalled packet waits for it', () => {
+  it('keeps the order: later packets wait behind a stalled one', () => {
     const link = createLink({ ...NETWORK_PRESETS.broken, stallShare: 0.3 }, 5);
     for (let i = 0; i < 500; i++) link.send(Uint8Array.of(i & 255, i >> 8), i * 0.01);
     const arrived = link.deliver(1000);
@@ -91,7 +91,7 @@ describe('a link', () => {
     expect(link.counters).toMatchObject({ sent: 500, lost: 0, reordered: 0, duplicated: 0 });
   });
 
-  it('delivers nothing early, and says when the next is due', () => {
+  it('delivers nothing early, and says when the next packet is due', () => {
     const link = createLink(NETWORK_PRESETS.satellite, 1);
     expect(link.nextAt()).toBeNull();
     link.send(Uint8Array.of(1), 10);
@@ -101,7 +101,7 @@ describe('a link', () => {
     expect(link.deliver(at)).toEqual([]);
   });
 
-  it('across a reconnect loses, repeats and reorders; every message has one of four fates', () => {
+  it('across a reconnect delivers, loses, duplicates or reorders every message, and counts each', () => {
     const link = createLink(NETWORK_PRESETS.satellite, 11);
     let [sent, arrived] = [0, 0];
     const seen = new Map<number, number>();

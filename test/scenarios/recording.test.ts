@@ -48,7 +48,7 @@ function flown(
 }
 
 describe('a recording', () => {
-  it('comes back from its file as it was', () => {
+  it('survives a round trip through its file', () => {
     const recording = flown();
     const controls = { ...NEUTRAL_CONTROLS, thrustLevel: 0.1 };
     const entries = [
@@ -63,7 +63,7 @@ describe('a recording', () => {
     expect(text.trimEnd().split('\n').at(-1)).toBe('{"kind":"advanced","at":202}');
   });
 
-  it('keeps what a JSON server left untold', () => {
+  it('keeps what a JSON server left out', () => {
     const decoded = valueOf(
       decodeFrameJson({ tick: 3, ships: [{ ...LEAST_SHIP, attitude_mode: 'sideways' }], tick_rate: 10 }),
     );
@@ -108,7 +108,7 @@ describe('a recording', () => {
     );
   });
 
-  it('carries any bytes in base64, and takes nothing else for it', () => {
+  it('carries any bytes in base64, and accepts nothing else for it', () => {
     const bytes = Uint8Array.from({ length: 256 }, (_, i) => i);
     for (let length = 0; length < 256; length++)
       expect(fromBase64(toBase64(bytes.subarray(0, length)))).toEqual(bytes.slice(0, length));
@@ -123,7 +123,7 @@ function bySeconds(client: Client, until: number): void {
 }
 
 describe('a recorded server', () => {
-  it('that keeps to the law agrees with it, known inputs included', () => {
+  it('that follows the law agrees with it, known inputs included', () => {
     const comparison = valueOf(compareRecording(flown()));
     expect(comparison).toMatchObject({
       statesCompared: 12,
@@ -136,7 +136,7 @@ describe('a recorded server', () => {
     expect(Math.max(...(Object.values(comparison.worst) as number[]))).toBe(0);
   });
 
-  it('is compared where its inputs are known, and the rest is counted', () => {
+  it('is compared where its inputs are known, and the other intervals are counted', () => {
     const recording = flown();
     const entries = recording.entries.filter(({ kind }) => kind === 'received');
     expect(valueOf(compareRecording({ ...recording, entries }))).toMatchObject({
@@ -146,7 +146,7 @@ describe('a recorded server', () => {
     });
   });
 
-  it('that pushes a ship is caught at the tick', () => {
+  it('that pushes a ship is detected at that tick', () => {
     const pushed = flown((second, { authority }) => {
       if (second === 5) authority.kick('own', [0.001, 0, 0], [0, 0, 0]);
     });
@@ -155,7 +155,7 @@ describe('a recorded server', () => {
     expect(agrees(comparison)).toBe(false);
   });
 
-  it('with another friction than it told is caught, in state or number', () => {
+  it('with friction other than it sent is detected, in state or number', () => {
     const recording = flown();
     const entries = recording.entries.map((entry) =>
       entry.kind === 'received' && entry.message.kind === 'hello'
@@ -193,7 +193,7 @@ describe('a recorded server', () => {
     return { header: { note: 'a test', shipId: 'own' }, entries: [...first.entries, ...later] };
   }
 
-  it('is compared with the settings in force: those of the hello before each frame', () => {
+  it('is compared with the settings of the last hello before each frame', () => {
     for (const beginsAnew of [false, true]) {
       const comparison = valueOf(compareRecording(overNewSettings(0.3, 0.3, beginsAnew)));
       expect(comparison).toMatchObject({
@@ -206,12 +206,12 @@ describe('a recorded server', () => {
     }
   });
 
-  it('that tells a new friction and keeps the old one, or the other way about, is caught', () => {
+  it('that sends new friction but keeps the old, or the reverse, is detected', () => {
     expect(agrees(valueOf(compareRecording(overNewSettings(0.5, 0.3, true))))).toBe(false);
     expect(agrees(valueOf(compareRecording(overNewSettings(0.3, 0.5, true))))).toBe(false);
   });
 
-  it('that counts its ticks anew no longer knows what it was sent before', () => {
+  it('that restarts its tick count no longer knows earlier inputs', () => {
     const exchange = moonExchange('opening', 'lan');
     const before = listen(exchange);
     before.say(
@@ -226,7 +226,7 @@ describe('a recorded server', () => {
     expect(comparison).toMatchObject({ statesCompared: 10, unknownInputs: 0, outOfTolerance: null });
   });
 
-  it('that goes on over a lost connection still knows it', () => {
+  it('that continues over a lost connection still knows them', () => {
     const exchange = moonExchange('opening', 'lan');
     const client = listen(exchange);
     client.say(
@@ -242,7 +242,7 @@ describe('a recorded server', () => {
     expect(Math.max(...(Object.values(comparison.worst) as number[]))).toBe(0);
   });
 
-  it('of today’s game cannot be compared, and that is said', () => {
+  it('like today’s game cannot be compared, and the report says so', () => {
     const client = listen(moonExchange('opening', 'lan', 1, true));
     client.runTo(105);
     expect(compareRecording(recordingOf(client))).toEqual({

@@ -34,8 +34,8 @@ function seenAt({ loaded, ships, bodies, world }: ScenarioRun, tick: number) {
   return fromBodyRelative(ship, loaded.shipClass, { body, site, terrainHeight: loaded.terrainHeight });
 }
 
-describe('every scenario', () => {
-  it('has a name of its own, and words for people', () => {
+describe('scenarios', () => {
+  it('have a unique name, a title and a description', () => {
     expect(new Set(SCENARIOS.map(({ name }) => name)).size).toBe(SCENARIOS.length);
     for (const { name, title, about } of SCENARIOS) {
       expect(name).toMatch(/^[a-z-]+$/);
@@ -44,7 +44,7 @@ describe('every scenario', () => {
     }
   });
 
-  it('among them come all events and all bodies', () => {
+  it('cover all events and all bodies', () => {
     const events = new Set(SCENARIOS.flatMap(({ expected }) => expected));
     expect([...events].sort()).toEqual(EVENT_NAMES.filter((name) => name !== '').sort());
     expect([...new Set(SCENARIOS.map(({ body }) => body))].sort()).toEqual([
@@ -57,7 +57,7 @@ describe('every scenario', () => {
 
   // 0.3 Hz is a tick of 3.3 s in 334 substeps shorter than 0.01 s: other bits, the same story.
   it.each(NAMED)(
-    '%s makes only moves the law knows, and ends as it says, at any tick rate',
+    '%s makes legal transitions only, and ends as declared, at any tick rate',
     (_name, scenario) => {
       for (const tickRate of [0.3, 1, 5, 20, 100]) {
         const run = valueOf(runScenario({ ...scenario, tickRate }));
@@ -68,26 +68,23 @@ describe('every scenario', () => {
   );
 
   it.each(NAMED)(
-    '%s has the bits it always had (else: node test/run.mjs test/scenarios/writeGolden.ts)',
+    '%s keeps its pinned hash (else: node test/run.mjs test/scenarios/writeGolden.ts)',
     (name, scenario) => {
       const { hash } = valueOf(runScenario(scenario));
       expect(hash.toString(16)).toBe((golden as Record<string, string>)[name]);
     },
   );
 
-  it.each(NAMED)(
-    '%s ends somewhere: on the ground, crashed, or where its duration says',
-    (_name, scenario) => {
-      const run = valueOf(runScenario(scenario));
-      const last = run.ships.length / SHIP_STRIDE - 1;
-      const { position, velocity } = seenAt(run, last);
-      expect([...position, ...velocity].every(Number.isFinite)).toBe(true);
-      const end = scenario.expected.at(-1);
-      // Nothing stops on 44° of slope.
-      if ((end === 'ship.landed' || end === 'ship.tipped') && scenario.name !== 'too-steep')
-        expect(Math.hypot(...velocity), 'at rest').toBeLessThan(0.02);
-    },
-  );
+  it.each(NAMED)('%s ends on the ground, crashed, or at its duration', (_name, scenario) => {
+    const run = valueOf(runScenario(scenario));
+    const last = run.ships.length / SHIP_STRIDE - 1;
+    const { position, velocity } = seenAt(run, last);
+    expect([...position, ...velocity].every(Number.isFinite)).toBe(true);
+    const end = scenario.expected.at(-1);
+    // Nothing stops on 44° of slope.
+    if ((end === 'ship.landed' || end === 'ship.tipped') && scenario.name !== 'too-steep')
+      expect(Math.hypot(...velocity), 'at rest').toBeLessThan(0.02);
+  });
 });
 
 describe('the opening', () => {
@@ -106,7 +103,7 @@ describe('the opening', () => {
     expect(touch.contactImpactSpeed).toBeLessThan(12.5);
   });
 
-  it('slides where it comes down the second time', () => {
+  it('slides where it touches the second time', () => {
     const [, second, landed] = times(run);
     const [from, to] = [seenAt(run, Math.ceil(second!)), seenAt(run, Math.ceil(landed!))];
     expect(Math.hypot(to.position[0] - from.position[0], to.position[1] - from.position[1])).toBeGreaterThan(
@@ -116,7 +113,7 @@ describe('the opening', () => {
 });
 
 describe('a slide', () => {
-  it('is as long as friction makes it', () => {
+  it('covers the distance that friction allows', () => {
     const run = valueOf(runScenario(named('slide')));
     const gravity = (6.6743e-11 * 7.342e22) / 1737404.56 ** 2;
     // From the first whole second after the touch, once the legs have settled.
@@ -132,7 +129,7 @@ describe('a slide', () => {
   });
 });
 
-describe('staging', () => {
+describe('loading a scenario', () => {
   it.each([
     ['body', { body: 'Pluto' }],
     ['shipClass', { shipClass: 'brick' }],
@@ -164,7 +161,7 @@ describe('staging', () => {
     expect(at(100)).toEqual([1010, 0]);
   });
 
-  it('tells what its pilot commands at a time', () => {
+  it('gives the pilot’s controls at any time', () => {
     const loaded = valueOf(loadScenario(named('launch')));
     expect(pilotAt(loaded, 1.99).thrustLevel).toBe(0);
     expect(pilotAt(loaded, 2)).toMatchObject({ thrustLevel: 0.3, attitudeHold: true });
@@ -173,7 +170,7 @@ describe('staging', () => {
 });
 
 describe('a fleet', () => {
-  it('stands around the site, each ship apart from all others, the same for the same seed', () => {
+  it('is placed around the site, ships apart from each other, the same for the same seed', () => {
     const loaded = valueOf(loadScenario(named('opening')));
     const orders = fleetOrders(loaded, 200, 5);
     expect(orders).toEqual(fleetOrders(loaded, 200, 5));

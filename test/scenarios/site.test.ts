@@ -37,7 +37,7 @@ function expectClose(given: readonly number[], expected: readonly number[], digi
 }
 
 describe('a site', () => {
-  it('lies where the game’s axes say: Y pole, Z prime meridian, X 90° E', () => {
+  it('follows the game’s axes: Y pole, Z prime meridian, X 90° E', () => {
     const reach = MOON.radius + LANDER.groundContactOffset;
     const at = (latitude: number, longitude: number) =>
       toBodyRelative(STILL, CRAFT, ground(latitude, longitude)).relativePosition;
@@ -47,7 +47,7 @@ describe('a site', () => {
     expectClose(at(-90, 123), [0, -reach, 0], 6);
   });
 
-  it('has east, north and up in right-handed order', () => {
+  it('has east, north and up as a right-handed frame', () => {
     const here = ground(0, 0);
     expectClose(siteToIcrf([1, 0, 0], here), [1, 0, 0]);
     expectClose(siteToIcrf([0, 1, 0], here), [0, 1, 0]);
@@ -59,13 +59,13 @@ describe('a site', () => {
     ]);
   });
 
-  it('moves with the turning ground: 465 m/s east on Earth’s equator', () => {
+  it('moves with the rotating ground: 465 m/s east on Earth’s equator', () => {
     const ship = toBodyRelative(STILL, CRAFT, ground(0, 0, EARTH));
     expectClose(ship.relativeVelocity, [7.2921e-5 * (EARTH.radius + LANDER.groundContactOffset), 0, 0], 9);
     expectClose(ship.angularVelocity, [0, 7.2921e-5, 0], 15);
   });
 
-  it('leans a ship toward its direction, by its tilt', () => {
+  it('tilts a ship toward its lean direction', () => {
     const east = toBodyRelative({ ...STILL, tilt: 30, leanTo: 90 }, CRAFT, ground(0, 0));
     const seen = fromBodyRelative(east, LANDER, ground(0, 0));
     expectClose(seen.top, [0.5, 0, Math.sqrt(0.75)]);
@@ -85,7 +85,7 @@ describe('a site', () => {
     [20, 30],
     [-67, 211],
     [89.9, -135],
-  ])('round-trips a state at latitude %d, longitude %d on a turned Earth', (latitude, longitude) => {
+  ])('round-trips a state at latitude %d, longitude %d on a rotated Earth', (latitude, longitude) => {
     const turned = { ...EARTH, attitude: [0, Math.sin(0.4), 0, Math.cos(0.4)] as const };
     const here = ground(latitude, longitude, turned);
     const local: LocalState = {
@@ -109,7 +109,7 @@ describe('a site', () => {
     ]);
   });
 
-  it('stands on the terrain, not on the radius', () => {
+  it('is on the terrain, not on the radius', () => {
     const hill = { ...ground(20, 30), terrainHeight: () => 123 };
     const reach = Math.hypot(...toBodyRelative(STILL, CRAFT, hill).relativePosition);
     expect(reach).toBeCloseTo(MOON.radius + 123 + LANDER.groundContactOffset, 6);

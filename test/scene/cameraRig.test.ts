@@ -16,7 +16,7 @@ describe('camera', () => {
     expect(off).toBeLessThan(0.02);
   });
 
-  it('does not lurch at a correction: 2 m come in over many frames, with no jump of rate', () => {
+  it('does not lurch at a correction: 2 m are spread over many frames, without a jump of rate', () => {
     const rig = createRig(2, 0.2, 20);
     const still = new Float64Array(3);
     const place = new Float64Array(3);
@@ -39,7 +39,7 @@ describe('camera', () => {
     expect(Math.abs(rig.focus[0]! - 2)).toBeLessThan(1e-3);
   });
 
-  it('takes a ship put elsewhere at once, and stays above the ground', () => {
+  it('follows a teleported ship at once, and stays above the ground', () => {
     const rig = createRig(1, -0.2, 30);
     updateRig(rig, new Float64Array(3), new Float64Array(3), STEP);
     updateRig(rig, Float64Array.of(500, 0, 0), new Float64Array(3), STEP);

@@ -27,20 +27,20 @@ function lookOf(view: CameraView): { way: number[]; eye: number[]; camera: Persp
   return { way: way.map((each) => each / length), eye: [...rig.eye], camera };
 }
 
-it('chases from behind, looking the way the ship goes', () => {
+it('chases from behind, facing the direction of motion', () => {
   const { way, eye } = lookOf('chase');
   expect(way[0]).toBeLessThan(-0.9);
   expect(Math.abs(way[2]!)).toBeLessThan(0.05);
   expect(eye[1]).toBeGreaterThan(100);
 });
 
-it('looks straight down from above, with a top to the picture', () => {
+it('looks straight down from above, with a defined up direction', () => {
   const { way } = lookOf('above');
   expect(way[1]).toBeLessThan(-0.99);
   expect(Math.hypot(way[0]!, way[2]!)).toBeGreaterThan(0.01);
 });
 
-it('sits in the ship and turns with it: the ship’s z axis is the picture’s up', () => {
+it('sits in the ship and turns with it: the ship’s z axis is up', () => {
   const { eye, camera, way } = lookOf('cockpit');
   expect(Math.hypot(eye[0]! - 20, eye[1]! - 100, eye[2]! + 30)).toBeLessThan(4);
   expect(camera.up.y).toBeCloseTo(1, 12);
@@ -49,7 +49,7 @@ it('sits in the ship and turns with it: the ship’s z axis is the picture’s u
   expect(way[1]).toBeLessThan(0);
 });
 
-it('stays where it is as free camera', () => {
+it('stays in place as free camera', () => {
   const rig = createRig(1.9, 0.16, 24);
   const camera = new PerspectiveCamera();
   const actor = flying();
@@ -61,7 +61,7 @@ it('stays where it is as free camera', () => {
   expect([...rig.eye]).toEqual(before);
 });
 
-it('looks down on the pad from high up, and from the side near the ground; what the hand turned stays', () => {
+it('looks down on the pad from high up, and from the side near the ground, and keeps manual rotation', () => {
   const rig = createRig(1.9, 0.16, 24);
   const camera = new PerspectiveCamera();
   const actor = flying();

@@ -29,7 +29,7 @@ const FLYING: DustyShip = {
 };
 
 describe('dust', () => {
-  it('is thrown once at a touch, from the feet, more of it and faster for a harder touch', () => {
+  it('is emitted once at a touch, from the feet, more and faster for a harder touch', () => {
     const thrown = [2, 12].map((impactSpeed) => {
       const { dust, grains } = counted();
       const state = createDustState();
@@ -50,7 +50,7 @@ describe('dust', () => {
     expect(thrown[1]!.fastest).toBeGreaterThan(4 * thrown[0]!.fastest);
   });
 
-  it('is thrown along a slide, forward, as much in few frames as in many, and ends with it', () => {
+  it('is emitted along a slide, forward, as much in few frames as in many, and ends with it', () => {
     const ploughed = [10, 60].map((hz) => {
       const { dust, grains } = counted();
       const state = createDustState();

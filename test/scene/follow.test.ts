@@ -87,9 +87,9 @@ const BOUNDS = [
   { name: 'into-a-ridge', seconds: 6, acceleration: 1400, degrees: 12 },
 ] as const;
 
-describe('camera over whole rehearsals', () => {
+describe('camera over whole scenarios', () => {
   for (const { name, seconds, acceleration, degrees } of BOUNDS)
-    it(`${name}: keeps the ship in the picture, and its own acceleration bounded`, () => {
+    it(`${name}: keeps the ship in the picture and its own acceleration bounded`, () => {
       const seen = watched(name, seconds);
       expect(seen.frames).toBeGreaterThan(seconds * HZ * 0.9);
       expect(seen.acceleration).toBeLessThan(acceleration);

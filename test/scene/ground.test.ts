@@ -57,7 +57,7 @@ function drawnHeight(level: TerrainLevel, x: number, z: number): number {
 }
 
 describe('drawn ground', () => {
-  it('lies within a millimetre of the terrain under the feet, among hills too', () => {
+  it('is within a millimetre of the terrain under the feet, also on hills', () => {
     const frame = frameAt(3000);
     const level = levelAt(0.4, 0, 0, frame);
     const truth = new Float64Array(3);
@@ -85,7 +85,7 @@ describe('drawn ground', () => {
     }
   });
 
-  it('keeps its points when it moves: the same as laid anew', () => {
+  it('keeps its vertices when it moves: the same as built there from the start', () => {
     const frame = frameAt(3000);
     const moved = levelAt(0.4, 0, 0, frame);
     let calls = 0;
@@ -128,7 +128,7 @@ describe('drawn ground', () => {
     expect(corners(once)).toEqual(corners(0));
   });
 
-  it('throws the shadow of a wall as far as the sun’s height says', () => {
+  it('casts a shadow of the length that the sun’s elevation gives', () => {
     const frame = frameAt(0);
     const level = createLevel(1);
     const wall = 6;

@@ -64,16 +64,19 @@ function layersAround(ground: Ground, x: number, z: number, reach: number): numb
   });
 }
 
-describe('the ground of the first picture', () => {
-  it.each(ALL.map((scenario) => [scenario.name, scenario] as const))('is whole in %s', (_, scenario) => {
-    const ground = groundOf(scenario);
-    ground.follow(0, 0, Infinity);
-    const layers = layersAround(ground, 0, 0, 3000);
-    expect(layers.every((count) => count === 1)).toBe(true);
-    ground.dispose();
-  });
+describe('drawn ground around the ship', () => {
+  it.each(ALL.map((scenario) => [scenario.name, scenario] as const))(
+    'has no gap in the first frame of %s',
+    (_, scenario) => {
+      const ground = groundOf(scenario);
+      ground.follow(0, 0, Infinity);
+      const layers = layersAround(ground, 0, 0, 3000);
+      expect(layers.every((count) => count === 1)).toBe(true);
+      ground.dispose();
+    },
+  );
 
-  it('is whole and fine at once where a ship has been put elsewhere', () => {
+  it('has no gap and full detail at once after a teleport', () => {
     const ground = groundOf(SCENARIOS[0]!);
     ground.follow(0, 0, Infinity);
     ground.follow(1234, -2345, 2);
@@ -83,7 +86,7 @@ describe('the ground of the first picture', () => {
     ground.dispose();
   });
 
-  it('stays whole under a ship that flies, with two levels moved in a picture', () => {
+  it('has no gap under a flying ship when two levels move per frame', () => {
     const ground = groundOf(SCENARIOS[0]!);
     ground.follow(0, 0, Infinity);
     for (let n = 1; n <= 60; n++) {

@@ -43,7 +43,7 @@ const drawnBy = ({ group }: Hulls) =>
 describe.each(SHIP_CLASSES)('model of $name', (shipClass) => {
   const model = buildShip(shipClass);
 
-  it('has ever fewer triangles farther off, stands on the same feet and keeps its outline', () => {
+  it('has fewer triangles at each lower level of detail, with the same feet and outline', () => {
     let finer = trianglesOf(model.geometry);
     const whole = boxOf(model.geometry);
     expect(model.coarser.length).toBeGreaterThan(0);
@@ -67,7 +67,7 @@ describe('hulls', () => {
   const model = buildShip(SHIP_CLASSES[0]!);
   const material = createShipMaterial();
 
-  it('draws a fleet in a mesh a level of detail, each ship in its place, none lost when it grows', () => {
+  it('draws a fleet in one mesh per level of detail, each ship in place, none lost when it grows', () => {
     const hulls = createHulls(material);
     const far = Array.from({ length: 60 }, (_, n) => 1000 + n);
     hulls.clear();
@@ -84,7 +84,7 @@ describe('hulls', () => {
     hulls.dispose();
   });
 
-  it('draws the watched ship whole however far off, with its own legs’ travel', () => {
+  it('draws the watched ship in full detail at any distance, with its own leg travel', () => {
     const hulls = createHulls(material);
     hulls.clear();
     hulls.put(actorAt(model, [6, 0, 0], [0.5, 0, 0, 0.25]), EYE, false);

@@ -28,7 +28,7 @@ function laidOver(view: WorldView, ship: ShipView) {
 }
 
 describe('overlays', () => {
-  it('lays the ghost into the drawn ship where server and prediction agree, on ground that moves at 408 m/s', () => {
+  it('puts the ghost at the drawn ship where server and prediction agree, on ground that moves at 408 m/s', () => {
     const rig = createRig({ scenario: 'settle-earth' });
     rig.fly(5.5);
     const view = rig.view();
@@ -48,7 +48,7 @@ describe('overlays', () => {
   });
 
   it.each([0, 10, 25, 40])(
-    'lays the footprint on a slope of %i°, below the feet of a ship that is flush with it',
+    'puts the footprint on a slope of %i°, below the feet of a ship that is flush with it',
     (degrees) => {
       const rig = createRig({ scenario: 'settle' });
       rig.fly(6);
@@ -72,7 +72,7 @@ describe('overlays', () => {
     },
   );
 
-  it('draws the segment from the drawn ship to where it is predicted', () => {
+  it('draws the segment from the drawn ship to its predicted place', () => {
     const rig = createRig({ scenario: 'settle' });
     rig.fly(6);
     const view = rig.view();

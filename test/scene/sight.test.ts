@@ -75,8 +75,8 @@ function hiddenButSeen(level: TerrainLevel, finer: TerrainLevel, cone: ViewCone,
   return { wrong, left: all - range.count, all };
 }
 
-describe('ground that is left out', () => {
-  it.each(['Luna', 'Earth', 'Mars', 'Phobos'])('is out of the picture, on %s', (name) => {
+describe('culled ground', () => {
+  it.each(['Luna', 'Earth', 'Mars', 'Phobos'])('is outside the picture, on %s', (name) => {
     const frame = frameOn(name);
     const rng = createRandom(7);
     let [left, all] = [0, 0];
@@ -95,7 +95,7 @@ describe('ground that is left out', () => {
     expect(left / all).toBeGreaterThan(name === 'Phobos' ? 0.1 : 0.2);
   });
 
-  it('over the horizon lies behind the body, and near ground is never', () => {
+  it('over the horizon is behind the body, and near ground never is', () => {
     let hidden = 0;
     for (const name of ['Luna', 'Earth', 'Phobos']) {
       const frame = frameOn(name);
@@ -130,7 +130,7 @@ function nearestToCentre(level: TerrainLevel, eye: Float64Array, radius: number)
 }
 
 describe('view cone', () => {
-  it('meets every circle of which the picture shows a point', () => {
+  it('meets every circle of which a point is in the picture', () => {
     const rng = createRandom(3);
     const point = new Vector3();
     let outside = 0;

@@ -24,7 +24,7 @@ function inBodyAxes(name: string, sun: { azimuth: number; elevation: number }, a
 describe.each(NAMES)('the light over %s', (name) => {
   const look = lookOf(name);
 
-  it('comes from the sun by day, at the elevation asked for', () => {
+  it('comes from the sun by day, at the given elevation', () => {
     const low = underSun(look, 5);
     expect(low.sun).toEqual({ azimuth: look.sun.azimuth, elevation: 5 });
     expect(low.trueSun).toEqual({ azimuth: 0, elevation: 5 });
@@ -32,7 +32,7 @@ describe.each(NAMES)('the light over %s', (name) => {
     expect(underSun(look, null).trueSun.elevation).toBe(look.sun.elevation);
   });
 
-  it('comes by night from above the horizon, with the sun below it where it was in azimuth', () => {
+  it('comes at night from above the horizon, while the sun keeps its azimuth below it', () => {
     const day = underSun(look, 10);
     const night = underSun(look, NIGHT_ELEVATION);
     expect(night.isNight).toBe(true);
@@ -43,7 +43,7 @@ describe.each(NAMES)('the light over %s', (name) => {
     expect(Math.hypot(dx! - nx!, dy! - ny!, dz! - nz!)).toBeLessThan(1e-9);
   });
 
-  it('comes by night from the neighbour, which stays where it is in the sky', () => {
+  it('comes at night from the neighbouring body, which keeps its place in the sky', () => {
     const night = underSun(look, NIGHT_ELEVATION);
     if (look.neighbour === null || night.neighbour === null) {
       expect(night.neighbour).toBe(look.neighbour);

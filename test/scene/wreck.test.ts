@@ -12,7 +12,7 @@ function actorWith(blows: readonly [number, number, number]): ShipActor {
 }
 
 describe('wreck', () => {
-  it('lies on its belly: legs folded, let down by as much, leaning', () => {
+  it('rests on its belly: legs folded, lowered by their length, leaning', () => {
     const actor = actorWith([0, -1, 0]);
     const before = [...actor.turn];
     crumple(actor, 4);
@@ -27,7 +27,7 @@ describe('wreck', () => {
     expect(lean).toBeLessThan(30);
   });
 
-  it('is left as it lies when it came down on its side', () => {
+  it('keeps its pose when it came down on its side', () => {
     const actor = actorWith([1, -0.1, 0]);
     crumple(actor, 4);
     expect([...actor.place]).toEqual([5, 7, -3]);

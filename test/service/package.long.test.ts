@@ -6,7 +6,7 @@ import { expect, it } from 'vitest';
 import { servicePython } from '../../.ci/python.mjs';
 import { SERVER_HOME } from '../exact/python';
 
-it('the service installs with pip from its folder, with redis alone, and runs from where it was installed', () => {
+it('the service installs with pip from its folder, with redis alone, and runs from the installed package', () => {
   const { command } = servicePython();
   const folder = mkdtempSync(join(tmpdir(), 'service-'));
   const before = readdirSync(SERVER_HOME).sort();

@@ -8,7 +8,7 @@ import { compareFixture, readFixture } from '../../src/scenarios';
 import { HERE, isMissing } from './pythonTests';
 
 it.skipIf(isMissing('redis'))(
-  'a landing recorded from a running service replays here without any difference',
+  'a landing recorded from a running service replays without any difference',
   async () => {
     const folder = mkdtempSync(join(tmpdir(), 'recorded-'));
     const { command, env } = servicePython();

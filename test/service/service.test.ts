@@ -16,7 +16,7 @@ describe.skipIf(isMissing('redis')).concurrent('against a real Redis', () => {
   it.each([...WITH_REDIS, 'test_recorder'])('%s passes', expectUnittest, 6 * MINUTES);
 });
 
-it('runs every file, here or in service.long.test.ts', () => {
+it('every file is run, here or in service.long.test.ts', () => {
   const files = readdirSync(HERE).filter((name) => /^test_\w+\.py$/.test(name));
   const known = [
     'test_crash.py',

@@ -10,7 +10,7 @@ import { HELLO } from './messages';
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const GENERATED = join(ROOT, 'src/wire/generated');
 
-it('is what `npm run proto` makes of the proto files, to the byte', () => {
+it('is byte for byte what `npm run proto` generates', () => {
   const folder = mkdtempSync(join(tmpdir(), 'codec-'));
   try {
     const run = spawnSync(process.execPath, [join(ROOT, '.ci/proto.mjs'), folder], { encoding: 'utf8' });

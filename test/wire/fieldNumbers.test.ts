@@ -29,7 +29,7 @@ function shipFrom(ship: Bytes): ShipState {
   return decoded.value.ships[0]!;
 }
 
-it('reads the game’s fields 29 to 35 at their numbers', () => {
+it('reads fields 29 to 35 of ShipState at their numbers', () => {
   const ship = shipFrom([
     ...olderShip('a'),
     ...text(29, 'Luna'),
@@ -57,7 +57,7 @@ it('has w first on the wire and last in memory', () => {
   expect(ship.attitude).toEqual([0.7, -0.1, 0.7, 0.1]);
 });
 
-it('writes a whole ShipState as the description of the encoding says', () => {
+it('writes a whole ShipState as the protobuf encoding defines', () => {
   const [ax, ay, az, aw] = SHIP.attitude;
   const [tx, ty, tz, tw] = SHIP.targetAttitude;
   const byHand: Bytes = [
@@ -103,7 +103,7 @@ it('writes a whole ShipState as the description of the encoding says', () => {
   expect(encodeServerMessage(frame)).toEqual(expected);
 });
 
-it('reads inputs and pings written by hand', () => {
+it('reads hand-written inputs and pings', () => {
   const controls = delimited(4, double(1, 0.5), text(5, 'radial'), quaternion(6, 0, 1, 0, 0));
   const message = bytesOf(
     delimited(1, delimited(1, integer(1, 7), integer(2, 42), integer(3, 99), controls)),
@@ -135,7 +135,7 @@ it('reads inputs and pings written by hand', () => {
   });
 });
 
-it('keeps 64-bit integers out: a safe number, or a refusal that names the field', () => {
+it('reads 64-bit integers as safe numbers, or refuses them and names the field', () => {
   const largest = BigInt(MAX_TICK);
   const pong = (tick: bigint) => decodeServerMessage(bytesOf(delimited(3, integer(1, 1), integer(2, tick))));
   expect(pong(largest)).toEqual({
@@ -148,7 +148,7 @@ it('keeps 64-bit integers out: a safe number, or a refusal that names the field'
   }
 });
 
-it('says the numbers in the proto files that it was tested with', () => {
+it('tests every field number of the proto files', () => {
   const folder = fileURLToPath(new URL('../../proto/', import.meta.url));
   expect(readdirSync(folder).sort()).toEqual(['common.proto', 'physics.proto', 'stream.proto']);
   const physics = readFileSync(`${folder}physics.proto`, 'utf8');

@@ -33,7 +33,7 @@ function reasonOf(value: unknown): string {
   return decoded.ok ? 'accepted' : decoded.reason;
 }
 
-it('needs a tick and ships, and nothing else', () => {
+it('requires a tick and ships only', () => {
   expect(accepted({ tick: 7, ships: {} })).toEqual({ kind: 'frame', tick: 7, ships: [], refusals: [] });
   expect(reasonOf({ ships: [] })).toBe('tick: missing');
   expect(reasonOf({ tick: 7 })).toBe('ships: missing');
@@ -43,7 +43,7 @@ it('needs a tick and ships, and nothing else', () => {
   expect(reasonOf(null)).toBe('message: expected an object, got null');
 });
 
-it('reads numbers, flags, vectors and quaternions as Redis keeps them, in either spelling', () => {
+it('reads numbers, flags, vectors and quaternions as Redis stores them, in either spelling', () => {
   const redis = {
     tick: '1201',
     tickRate: '10',
@@ -84,7 +84,7 @@ it('reads numbers, flags, vectors and quaternions as Redis keeps them, in either
   });
 });
 
-it('leaves out what cannot be used, by path, and keeps the rest of the frame', () => {
+it('leaves out invalid values, lists their paths and keeps the rest of the frame', () => {
   const decoded = accepted({
     tick: 7,
     tick_rate: 1000,
@@ -115,7 +115,7 @@ it('leaves out what cannot be used, by path, and keeps the rest of the frame', (
   ]);
 });
 
-it('costs one ship nothing when another has an unknown mode, state or class', () => {
+it('does not drop one ship for another’s unknown mode, state or class', () => {
   const odd = {
     ...LEAST,
     attitude_mode: 'surface_prograde',
@@ -137,7 +137,7 @@ it('costs one ship nothing when another has an unknown mode, state or class', ()
   });
 });
 
-it('reads the events of the game’s stream, which tell no time', () => {
+it('reads events of the game’s stream, which have no time', () => {
   const event = { event: 'ship.destroyed', ship_id: 'a', player_id: 'p', body: 'Luna', reason: 'collision' };
   expect(accepted({ tick: 8, ships: [], events: [event] }).events).toEqual([
     {
@@ -152,7 +152,7 @@ it('reads the events of the game’s stream, which tell no time', () => {
   ]);
 });
 
-it('gives a body attitude and spin from its axis and period', () => {
+it('derives a body’s attitude and spin from axis and period', () => {
   const period = 86164.1;
   const body = { ...MOON, spin_axis: [0, 0, 1], rotation_period: period };
   const at = (gameTime: number) =>
@@ -175,7 +175,7 @@ it('gives a body attitude and spin from its axis and period', () => {
   ).toBeCloseTo((2 * Math.PI) / 10, 12);
 });
 
-it('fills in a known body, and refuses an unknown one that does not tell how it lies', () => {
+it('completes a known body, and refuses an unknown one without orientation', () => {
   const decoded = accepted({
     tick: 0,
     ships: [],
@@ -205,13 +205,13 @@ it.each([
   expect(accepted({ tick: 0, ships: [], game_time: sent }).gameTime).toBe(seconds);
 });
 
-it('lists a game time that is none', () => {
+it('lists an invalid game time', () => {
   expect(accepted({ tick: 0, ships: [], game_time: '2026-11-28' }).refusals).toEqual([
     'game_time: expected seconds or ISO 8601, got "2026-11-28"',
   ]);
 });
 
-it('refuses more ships than the wire holds, and what is named twice', () => {
+it('refuses more ships than the wire allows, and duplicate ids', () => {
   const many = Array.from({ length: MAX_SHIPS + 1 }, () => LEAST);
   expect(reasonOf({ tick: 0, ships: many })).toBe(
     `ships: expected at most ${MAX_SHIPS}, got ${MAX_SHIPS + 1}`,
@@ -225,7 +225,7 @@ it('refuses more ships than the wire holds, and what is named twice', () => {
 /** toEqual of what protobuf and JSON make of one frame: JSON has no −0. */
 const withoutSign = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
 
-it('carries everything that protobuf carries', () => {
+it('carries every field that protobuf carries', () => {
   fc.assert(
     fc.property(frame, (message) => {
       const bytes = decodeServerMessage(encodeServerMessage(message));
@@ -239,7 +239,7 @@ it('carries everything that protobuf carries', () => {
   );
 });
 
-it('survives any JSON in any place, as protobuf survives any bytes', () => {
+it('never throws for any JSON in any field', () => {
   const names = Object.keys(encodeFrameJson(FRAME));
   const within = Object.keys(LEAST);
   fc.assert(

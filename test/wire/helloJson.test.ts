@@ -5,14 +5,14 @@ import { HELLO, INPUT } from './messages';
 
 const throughText = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
 
-it('gives a hello back', () => {
+it('survives a round trip', () => {
   expect(decodeHelloJson(throughText(encodeHelloJson(HELLO)))).toEqual({
     ok: true,
     value: { ...HELLO, refusals: [] },
   });
 });
 
-it('takes the design’s own for what is not told', () => {
+it('uses the design’s defaults for absent settings', () => {
   expect(decodeHelloJson({ playerId: 'p', ship_id: 's', tickRate: '10', time_scale: null })).toEqual({
     ok: true,
     value: {
@@ -33,7 +33,7 @@ it('takes the design’s own for what is not told', () => {
   });
 });
 
-it('reads an inertia tensor as a list of rows too', () => {
+it('accepts an inertia tensor as a list of rows', () => {
   const { ship_classes: classes } = throughText(encodeHelloJson(HELLO)) as { ship_classes: object[] };
   const { inertiaTensor } = HELLO.shipClasses[0]!;
   const rows = { ship_classes: [{ ...classes[0], inertia_tensor: inertiaTensor }] };
@@ -45,7 +45,7 @@ it('reads an inertia tensor as a list of rows too', () => {
   });
 });
 
-it('lists classes and bodies that cannot be used, and refuses a bad setting by name', () => {
+it('lists invalid classes and bodies, and refuses an invalid setting by name', () => {
   const { ship_classes: classes } = throughText(encodeHelloJson(HELLO)) as { ship_classes: object[] };
   const decoded = decodeHelloJson({
     ship_classes: [classes[0], { ...classes[0], name: 'b', dry_mass: 0 }],
@@ -71,7 +71,7 @@ it('lists classes and bodies that cannot be used, and refuses a bad setting by n
   expect(decodeHelloJson('welcome')).toMatchObject({ ok: false });
 });
 
-it('gives controls back, and clamps and refuses as protobuf does', () => {
+it('survives a round trip of controls, and clamps and refuses as protobuf does', () => {
   const { controls } = INPUT;
   expect(encodeControlsJson(controls)).toEqual({
     thrust_level: 0.5,

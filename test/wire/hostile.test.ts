@@ -41,11 +41,11 @@ function reasonOf(bytes: Uint8Array): string {
   return decoded.ok ? 'accepted' : decoded.reason;
 }
 
-it('accepts what the fuzzing below starts from', () => {
+it('accepts the messages that the fuzzing below starts from', () => {
   for (const [, bytes, decode] of MESSAGES) expect(decode(bytes).ok).toBe(true);
 });
 
-it('survives any bytes', () => {
+it('never throws for any bytes', () => {
   const anything = fc.uint8Array({ maxLength: 200 });
   fc.assert(
     fc.property(anything, (bytes) => {
@@ -68,7 +68,7 @@ it.each(MESSAGES)('refuses every truncation of %s', (_, bytes, decode) => {
   }
 });
 
-it.each(MESSAGES)('survives every flipped bit of %s', (_, bytes, decode) => {
+it.each(MESSAGES)('never throws for any flipped bit of %s', (_, bytes, decode) => {
   let refused = 0;
   for (let bit = 0; bit < bytes.length * 8; bit++) {
     const flipped = Uint8Array.from(bytes);
@@ -80,7 +80,7 @@ it.each(MESSAGES)('survives every flipped bit of %s', (_, bytes, decode) => {
   expect(refused).toBeGreaterThan(bytes.length / 2);
 });
 
-it.each(MESSAGES)('survives %s cut up and put together again', (_, bytes, decode) => {
+it.each(MESSAGES)('never throws for %s cut up and joined again', (_, bytes, decode) => {
   const place = fc.nat(bytes.length);
   fc.assert(
     fc.property(fc.array(fc.tuple(place, place), { minLength: 1, maxLength: 6 }), (cuts) => {
@@ -92,7 +92,7 @@ it.each(MESSAGES)('survives %s cut up and put together again', (_, bytes, decode
   );
 });
 
-it('refuses what is nothing', () => {
+it('refuses empty input', () => {
   expect(reasonOf(new Uint8Array())).toBe('message: expected a hello, a frame or a pong');
   expect(decodeClientMessage(bytesOf(delimited(9)))).toEqual({
     ok: false,
@@ -100,7 +100,7 @@ it('refuses what is nothing', () => {
   });
 });
 
-it('refuses too many bytes unread', () => {
+it('refuses oversized input without reading it', () => {
   const over = 'message: expected at most';
   expect(reasonOf(new Uint8Array(MAX_SERVER_BYTES + 1))).toBe(
     `${over} ${MAX_SERVER_BYTES} bytes, got ${MAX_SERVER_BYTES + 1}`,
@@ -119,7 +119,7 @@ function emptyEntries(message: number, field: number, count: number): Uint8Array
   return bytes;
 }
 
-it('refuses millions of empty entries before it builds any', () => {
+it('refuses millions of empty entries before it allocates any', () => {
   expect(reasonOf(emptyEntries(2, 6, 1_000_000))).toBe('frame.ships: expected at most 10000, got more');
   expect(reasonOf(emptyEntries(2, 7, 1_000_000))).toBe('frame.events: expected at most 100000, got more');
   expect(reasonOf(emptyEntries(1, 4, 1_000_000))).toBe('hello.ship_classes: expected at most 256, got more');
@@ -127,26 +127,26 @@ it('refuses millions of empty entries before it builds any', () => {
   expect(inputs).toEqual({ ok: false, reason: 'inputs: expected at most 1000, got more' });
 });
 
-it('counts the entries of a list that comes in several parts', () => {
+it('counts the entries of a list sent in several parts', () => {
   const part = [...emptyEntries(2, 5, 200)];
   expect(reasonOf(bytesOf(part, part))).toBe('frame.bodies: expected at most 256, got more');
 });
 
-it('refuses groups nested deeper than any stack', () => {
+it('refuses deeply nested groups', () => {
   const groups = Array.from({ length: 100_000 }, () => tag(15, START_GROUP)).flat();
   expect(reasonOf(bytesOf(groups))).toMatch(/^message: not of this protocol \(.+\)$/);
   expect(reasonOf(bytesOf(delimited(2, groups)))).toMatch(/^message: not of this protocol \(.+\)$/);
   expect(reasonOf(frameOf([...olderShip('a'), ...groups]))).toMatch(/^message: not of this protocol \(.+\)$/);
 });
 
-it('refuses a text that is not UTF-8', () => {
+it('refuses text that is not UTF-8', () => {
   expect(reasonOf(frameOf([...olderShip('a'), ...delimited(3, [0xc3, 0x28])]))).toMatch(/^message: /);
   expect(reasonOf(frameOf([...olderShip('a'), ...delimited(3, [0xed, 0xa0, 0x80])]))).toMatch(
     /^(message|frame)/,
   );
 });
 
-it('takes a field of another wire type for one it does not know', () => {
+it('treats a field of another wire type as unknown', () => {
   const wrong = [...integer(33, 5), ...integer(15, 5), ...double(29, 1)];
   expect(decodeServerMessage(frameOf([...olderShip('a'), ...wrong]))).toEqual(
     decodeServerMessage(frameOf(olderShip('a'))),

@@ -13,7 +13,7 @@ function shipOf(decoded: Result<ServerMessage>): ShipState {
 const shipFrom = (...ship: Bytes[]) =>
   shipOf(decodeServerMessage(frameOf([...olderShip('a'), ...ship.flat()])));
 
-it('reads a server that knows nothing of the fields 29 to 35', () => {
+it('reads a server without fields 29 to 35', () => {
   expect(shipFrom()).toEqual({
     shipId: 'a',
     playerId: '',
@@ -51,7 +51,7 @@ it('passes on a landed body without a state, as older servers send it', () => {
   });
 });
 
-it('tells an impact speed of 0 from none by the relative state', () => {
+it('distinguishes an impact speed of 0 from none by the relative state', () => {
   const relative = [...vec3(33, 1, 2, 3), ...vec3(34, 0, 0, 0)];
   expect(shipFrom().contactImpactSpeed).toBeNull();
   expect(shipFrom(double(31, 0)).contactImpactSpeed).toBeNull();
@@ -60,7 +60,7 @@ it('tells an impact speed of 0 from none by the relative state', () => {
   expect(shipFrom(relative, double(31, 7)).contactImpactSpeed).toBe(7);
 });
 
-it('tells a relative state of zeros from none', () => {
+it('distinguishes a relative state of zeros from none', () => {
   expect(shipFrom(delimited(33), delimited(34))).toMatchObject({
     relativePosition: [0, 0, 0],
     relativeVelocity: [0, 0, 0],
@@ -68,11 +68,11 @@ it('tells a relative state of zeros from none', () => {
   expect(shipFrom(delimited(33))).toMatchObject({ relativePosition: [0, 0, 0], relativeVelocity: null });
 });
 
-it('reads fields it does not know as not there', () => {
+it('ignores unknown fields', () => {
   expect(shipFrom(double(20, NaN), text(4000, 'later'), delimited(28, [1, 2, 3]))).toEqual(shipFrom());
 });
 
-it('reads a state that comes in several parts as one', () => {
+it('merges a state that comes in several parts', () => {
   const halves = frameOf([...olderShip('a'), ...delimited(33, double(1, 5)), ...delimited(33, double(3, 7))]);
   expect(shipOf(decodeServerMessage(halves)).relativePosition).toEqual([5, 0, 7]);
 });
@@ -86,7 +86,7 @@ it('keeps a quaternion’s sign', () => {
   expect(attitudeBack([-0, -0.6, -0, -0.8])).toEqual([-0, -0.6, -0, -0.8]);
 });
 
-it('keeps the bits of a quaternion within 1e-12 of unit, and normalises beyond', () => {
+it('keeps the bits of a quaternion within 1e-12 of unit length, and normalises others', () => {
   const near: Quat = [0, 0, 0, 1 + 9e-13];
   expect(attitudeBack(near)).toEqual(near);
   expect(attitudeBack([0, 0, 0, 1 + 2e-12])).toEqual([0, 0, 0, 1]);
@@ -106,7 +106,7 @@ it('normalises a target attitude by the same rule, so that a stored input replay
   expect(ship.targetAttitude).toEqual(targetAttitude);
 });
 
-it('refuses a quaternion further than 1e-3 from unit', () => {
+it('refuses a quaternion further than 1e-3 from unit length', () => {
   for (const scale of [1.0011, 0.9989, 0, 1e200]) {
     const refusal = decodeServerMessage(frameOf([...olderShip('a'), ...quaternion(7, scale, 0, 0, 0)]));
     expect(refusal.ok ? 'accepted' : refusal.reason).toMatch(

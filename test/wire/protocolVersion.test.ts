@@ -22,7 +22,7 @@ it.each([
   [1, 'foreign'],
 ])('%s is %s', (version, match) => expect(matchVersion(version)).toBe(match));
 
-it('is 1.0 where it is not told, by bytes and by JSON', () => {
+it('defaults to 1.0, in bytes and in JSON', () => {
   const json = { ...encodeHelloJson(HELLO), protocol_version: null };
   expect(decodeHelloJson(json)).toMatchObject({ ok: true, value: { protocolVersion: '1.0' } });
   expect(viaBytes({ ...HELLO, protocolVersion: '' })).toMatchObject({

@@ -54,7 +54,7 @@ it.each([
   expect(shipReason(change)).toContain(`frame.ships[0].${reason}`);
 });
 
-it('takes modes, states, classes and events that it does not know for values', () => {
+it('passes on unknown modes, states, classes and events', () => {
   expect(
     shipReason({ attitudeMode: 'surface_prograde', surfaceContactState: 'docked', shipClass: 'tug' }),
   ).toBe('');
@@ -66,7 +66,7 @@ it('takes modes, states, classes and events that it does not know for values', (
   });
 });
 
-it('refuses an acknowledgement that is later than its frame', () => {
+it('refuses an acknowledgement later than its frame', () => {
   const lastInput = { ...FRAME.lastInput!, tick: FRAME.tick + 1 };
   expect(frameReason({ lastInput })).toBe(
     'frame.last_input.tick: expected a whole number from 0 to 42, got 43',
@@ -106,7 +106,7 @@ it.each([
   expect(settingsReason(change)).toContain(`hello.settings.${reason}`);
 });
 
-it('takes a setting that is 0 for 0, and one that is not sent for the design’s default', () => {
+it('keeps a setting of 0, and uses the default for one that is absent', () => {
   expect(settingsReason({ contactFrictionStatic: undefined })).toBe('');
   const decoded = decodeServerMessage(
     encodeServerMessage({
@@ -158,7 +158,7 @@ it.each([
   expect(helloReason(change)).toBe(`hello.${reason}`);
 });
 
-it('refuses a hello without a terrain or with an input granularity it does not know', () => {
+it('refuses a hello without a terrain or with an unknown input granularity', () => {
   expect(helloReason({ terrain: '' })).toBe('hello.terrain: expected a text that is not empty');
   for (const inputGranularity of ['', 'frame']) {
     expect(helloReason({ inputGranularity })).toMatch(
@@ -167,7 +167,7 @@ it('refuses a hello without a terrain or with an input granularity it does not k
   }
 });
 
-it('refuses what is named twice', () => {
+it('refuses duplicate names', () => {
   const [shipClass] = HELLO.shipClasses;
   const again = 'expected each once, got';
   expect(frameReason({ ships: [SHIP, { ...SHIP, shipId: 'b' }, SHIP] })).toBe(

@@ -17,11 +17,11 @@ function expectBack(message: ServerMessage): void {
   expect(decodeServerMessage(encodeServerMessage(message))).toEqual({ ok: true, value: message });
 }
 
-it('gives every legal frame back, bit by bit', () => {
+it('preserves every legal frame bit by bit', () => {
   fc.assert(fc.property(frame, expectBack), { numRuns: 300 });
 });
 
-it('gives every legal list of inputs back, bit by bit', () => {
+it('preserves every legal list of inputs bit by bit', () => {
   fc.assert(
     fc.property(fc.array(input, { maxLength: 5 }), (inputs) => {
       const message = { kind: 'inputs', inputs } as const;
@@ -31,7 +31,7 @@ it('gives every legal list of inputs back, bit by bit', () => {
   );
 });
 
-it('gives a hello, pings and pongs back', () => {
+it('preserves a hello, pings and pongs', () => {
   expectBack(HELLO);
   expectBack({ kind: 'pong', id: 3, tick: 12, sinceTick: 0.125 });
   for (const id of [0, 1, 2 ** 32, MAX_TICK]) {
@@ -51,14 +51,14 @@ it('carries empty frames and a frame without an acknowledgement', () => {
   expect(decodeClientMessage(encodeClientMessage(nothing))).toEqual({ ok: true, value: nothing });
 });
 
-it('gives bytes a buffer of their own, so that they can be transferred', () => {
+it('returns bytes in a buffer of their own, so that they can be transferred', () => {
   for (const bytes of [encodeServerMessage(FRAME), encodeClientMessage(INPUTS)]) {
     expect(bytes.constructor).toBe(Uint8Array);
     expect(bytes.buffer.byteLength).toBe(bytes.byteLength);
   }
 });
 
-it('reads a message that lies inside a larger buffer', () => {
+it('reads a message inside a larger buffer', () => {
   const bytes = encodeServerMessage(FRAME);
   const larger = new Uint8Array(bytes.length + 20).fill(0xff);
   larger.set(bytes, 7);

@@ -68,11 +68,11 @@ it('reads vectors and quaternions as objects and as lists', () => {
   expect(decodeShipStateJson(lists)).toEqual(accepted(SHIP));
 });
 
-it('writes what the game’s socket would send', () => {
+it('writes what the game’s socket sends', () => {
   expect(encodeShipStateJson(SHIP)).toEqual(JSON_SHIP);
 });
 
-it('gives every legal ShipState back through a text', () => {
+it('preserves every legal ShipState through text', () => {
   fc.assert(
     fc.property(ship, (state) => {
       const text = JSON.stringify(encodeShipStateJson(state));
@@ -84,13 +84,13 @@ it('gives every legal ShipState back through a text', () => {
   );
 });
 
-it('reads as protobuf does', () => {
+it('reads the same values as protobuf', () => {
   const decoded = decodeServerMessage(encodeServerMessage({ ...FRAME, ships: [SHIP] }));
   expect(decoded).toMatchObject({ ok: true, value: { ships: [SHIP] } });
   expect(decodeShipStateJson(encodeShipStateJson(SHIP))).toEqual(accepted(SHIP));
 });
 
-it('takes what is absent or null for not sent', () => {
+it('treats null like an absent field', () => {
   const nulls = { ...LEAST, relative_position: null, landed_body_name: null, thrust_level: null };
   for (const sent of [LEAST, nulls]) {
     expect(decodeShipStateJson(sent)).toMatchObject(
@@ -144,7 +144,7 @@ it.each([
   expect(reasonOf({ ...LEAST, ...change })).toContain(`ship.${reason}`);
 });
 
-it('survives any JSON, in any place', () => {
+it('never throws for any JSON in any field', () => {
   const json = fc.oneof(fc.jsonValue(), fc.anything());
   fc.assert(
     fc.property(json, fc.constantFrom(...Object.keys(JSON_SHIP)), (value, name) => {
@@ -163,7 +163,7 @@ it('survives any JSON, in any place', () => {
   );
 });
 
-it('reads a list of states, or an object by ship_id', () => {
+it('reads a list of states, or an object keyed by ship_id', () => {
   const other = { ...LEAST, ship_id: 'b' };
   const ids = (value: unknown) => {
     const decoded = decodeShipStatesJson(value);
@@ -189,7 +189,7 @@ afterEach(() => {
   delete POLLUTED.crashed;
 });
 
-it('reads own properties only and leaves prototypes alone', () => {
+it('reads own properties only and does not touch prototypes', () => {
   const keys = Object.getOwnPropertyNames(Object.prototype);
   const withoutFuel = Object.fromEntries(Object.entries(LEAST).filter(([name]) => name !== 'fuel'));
   const text = JSON.stringify(withoutFuel).replace('{', '{"__proto__": {"fuel": 10, "crashed": true},');

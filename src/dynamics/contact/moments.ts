@@ -20,7 +20,7 @@ import {
   WEIGHT,
 } from './quantities';
 
-/** s⁻² and s⁻¹ per unit of inertia: the rotational twin of the spring-damper, critical. */
+/** s⁻² and s⁻¹ per unit of inertia: the rotational counterpart of the spring-damper, critical. */
 const SUPPORT_STIFFNESS = 100;
 const SUPPORT_DAMPING = 20;
 const SCRUB_DAMPING = 20;

@@ -75,8 +75,8 @@ export function checkMessage(
   }
   if (message.kind !== 'frame') return;
   warnOfUnknown(warn, FRAME, message);
-  const told = Array.isArray(message.bodies) ? message.bodies : [];
-  checkBodies(warn, told);
+  const sentBodies = Array.isArray(message.bodies) ? message.bodies : [];
+  checkBodies(warn, sentBodies);
   const ships: unknown = message.ships;
   if (!Array.isArray(ships)) {
     warn('ships-missing', 'frame.ships: expected a list of ship states, empty where there are none.', {
@@ -93,7 +93,7 @@ export function checkMessage(
     } else if (typeof ship !== 'object' || (ship as unknown) === null) {
       const text = `frame.ships: expected ship states, got ${describe(ship)}. It is left out.`;
       warn('ship-unusable', text, { value: ship });
-    } else if (isWhole(ship)) checkShip(warn, ship, told.length > 0 ? told : bodies);
+    } else if (isWhole(ship)) checkShip(warn, ship, sentBodies.length > 0 ? sentBodies : bodies);
   }
 }
 

@@ -124,7 +124,7 @@ function checkRelative(warn: Warn, ship: ShipState, bodies: readonly BodyState[]
   }
   const named = landedBodyName || referenceBody;
   if (bodies.length > 0 && named !== '' && !bodies.some(({ name }) => name === named))
-    warn('body-unknown', `${shipId} is at ${named}, which no frame and no hello tells: hand its body in.`, {
+    warn('body-unknown', `${shipId} is at ${named}, which no frame or hello has sent: pass in that body.`, {
       shipId,
       body: named,
     });

@@ -18,7 +18,7 @@ export interface GroundNews {
   /** Client wall s. */
   readonly now: number;
   /** The server sent the impact speed; otherwise the replay that explains the state gives it. */
-  readonly toldImpact: boolean;
+  readonly hasImpact: boolean;
 }
 
 /** Feet this far above the ground on a grounded ship, or below it on a flying one, contradict the ground, m. */
@@ -70,7 +70,7 @@ export function learnGround(sim: Simulation, track: Track, news: GroundNews): vo
   const explains = cost < before * BETTER && (seen.grounded || cost < EXPLAINED_IN_FLIGHT);
   if (explains) keepPlace(ground, place);
   else if (guess !== null) keepPlace(ground, placeOf(news, body, { old, offset: guess }));
-  if (!news.toldImpact && seen.grounded) recallImpact(sim, track, evidence, row);
+  if (!news.hasImpact && seen.grounded) recallImpact(sim, track, evidence, row);
 }
 
 /** Keeps a state for comparison with the next. */

@@ -38,7 +38,7 @@ export interface StoredInput {
 }
 
 /** Result of a frame's acknowledgement. */
-export type InputFate = 'asPredicted' | 'late' | 'lost';
+export type InputOutcome = 'asPredicted' | 'late' | 'lost';
 
 /** Most records: slightly more than 10 s at 100 changes per second. */
 const MAX_RECORDS = 1024;
@@ -118,34 +118,34 @@ export function resend(inputs: Inputs): void {
 /**
  * Applies a frame of `tick`: acknowledged records act when it says. Records that were due before and are not acknowledged are late and
  * act from the frame's boundary on, the earliest possible time.
- * @param told the acknowledgement, or null if the server sends none
+ * @param acknowledgement the acknowledgement, or null if the server sends none
  * @param inForce the ship's controls in that frame
  */
 export function acknowledge(
   inputs: Inputs,
   tick: number,
-  told: InputAcknowledgement | null,
+  acknowledgement: InputAcknowledgement | null,
   inForce: StateControls,
   now: number,
-): InputFate {
-  if (told !== null) inputs.acknowledges = true;
-  const last = inputs.acknowledges ? told : inferred(inputs, tick, inForce);
-  let fate: InputFate = 'asPredicted';
+): InputOutcome {
+  if (acknowledgement !== null) inputs.acknowledges = true;
+  const last = inputs.acknowledges ? acknowledgement : inferred(inputs, tick, inForce);
+  let outcome: InputOutcome = 'asPredicted';
   if (last !== null && last.seq > inputs.applied) {
     const stored = inputs.records.find((candidate) => candidate.record.seq === last.seq);
     if (stored !== undefined && (stored.tick !== last.tick || stored.substep !== last.substep)) {
-      fate = 'late';
+      outcome = 'late';
       stored.tick = last.tick;
       stored.substep = last.substep;
     }
     inputs.applied = last.seq;
   }
-  return delayUnapplied(inputs, tick, now) ?? fate;
+  return delayUnapplied(inputs, tick, now) ?? outcome;
 }
 
 /** Moves late records to the start of `tick`; drops those overdue for too long. */
-function delayUnapplied(inputs: Inputs, tick: number, now: number): InputFate | null {
-  let fate: InputFate | null = null;
+function delayUnapplied(inputs: Inputs, tick: number, now: number): InputOutcome | null {
+  let outcome: InputOutcome | null = null;
   for (let i = inputs.records.length - 1; i >= 0; i--) {
     const stored = inputs.records[i]!;
     if (stored.record.seq <= inputs.applied) break;
@@ -153,14 +153,14 @@ function delayUnapplied(inputs: Inputs, tick: number, now: number): InputFate | 
     if (now - stored.sampledAt > LOST_AFTER + 1) {
       inputs.lostUpTo = Math.max(inputs.lostUpTo, stored.record.seq);
       dropIndex(inputs, i);
-      fate = 'lost';
+      outcome = 'lost';
     } else {
       stored.tick = tick;
       stored.substep = 0;
-      fate ??= 'late';
+      outcome ??= 'late';
     }
   }
-  return fate;
+  return outcome;
 }
 
 /** The newest record due before `tick` whose controls are in force there: without acknowledgements, the server must have applied it. */

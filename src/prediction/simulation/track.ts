@@ -1,7 +1,7 @@
 import { SHIP_STRIDE } from '../../dynamics';
 import { createPicture, type Picture } from '../drawn/picture';
 import { createLedger, type Ledger } from '../events';
-import { createLawFit, type LawFit } from '../snapshots/reconcile/lawFit';
+import { createLawFit, type LawFit } from '../snapshots/reconcile/lawErrors';
 import { createHistory, type History } from './history';
 import { createLearnedGround, type LearnedGround } from '../ground/learnedGround';
 import { createLastState, type LastState } from '../ground/lastState';

@@ -22,15 +22,15 @@ export function completeFrame(
   if (!Number.isSafeInteger(tick) || tick < 0 || tick > MAX_TICK)
     return err(`frame.tick: expected a whole number from 0 to 2⁵², got ${String(tick)}`);
   const held = sim.timeline.spans.length === 0 ? null : spanOf(sim.timeline, sim.newestTick);
-  const tickRate = given.tickRate ?? held?.tickRate ?? tellDefault(sim, 'tickRate', 1);
-  const told = given.timeScale ?? null;
+  const tickRate = given.tickRate ?? held?.tickRate ?? warnDefault(sim, 'tickRate', 1);
+  const sentScale = given.timeScale ?? null;
   const known = {
     ...given,
     tickRate,
     ships: recordsOf(sim, 'ships', given.ships),
     bodies: recordsOf(sim, 'bodies', given.bodies),
   };
-  const timeScale = measureGameTime(meter, known, told) ?? told ?? tellDefault(sim, 'timeScale', 1);
+  const timeScale = measureGameTime(meter, known, sentScale) ?? sentScale ?? warnDefault(sim, 'timeScale', 1);
   const timing = loadTiming(tickRate, timeScale, sim.world.settings);
   if (!timing.ok) return err(`frame.${timing.reason}`);
   // Member by member: the hidden class of a spread record dies with the next garbage collection, and the code compiled for it too.
@@ -47,8 +47,8 @@ export function completeFrame(
   });
 }
 
-function tellDefault({ warn }: Simulation, name: string, value: number): number {
-  warn('tempo-missing', `No frame has told ${name} yet: ${value} is used. Hand it in with each frame.`, {
+function warnDefault({ warn }: Simulation, name: string, value: number): number {
+  warn('tempo-missing', `No frame has sent ${name} yet: ${value} is used. Pass it with each frame.`, {
     name,
     value,
   });

@@ -50,10 +50,10 @@ type Measured = Pick<PartialFrame, 'tick' | 'gameTime' | 'ships'> & {
 
 /**
  * Takes in a frame.
- * @param told the frame's own time scale, or null
+ * @param sent the frame's own time scale, or null
  * @returns the measured time scale if the one sent does not fit or is absent; null if there is no better one
  */
-export function measureGameTime(meter: GameTimeMeter, frame: Measured, told: number | null): number | null {
+export function measureGameTime(meter: GameTimeMeter, frame: Measured, sent: number | null): number | null {
   const { tickRate } = frame;
   const ticks = frame.tick - meter.tick;
   if (ticks <= 0) return scaleOf(meter, tickRate);
@@ -66,7 +66,7 @@ export function measureGameTime(meter: GameTimeMeter, frame: Measured, told: num
   meter.bodies = frame.bodies;
   meter.ships = frame.ships;
   if (seconds > 0)
-    weigh(meter, seconds / ticks, { told: (told ?? 1) / tickRate, isExact: !Number.isNaN(exact) });
+    weigh(meter, seconds / ticks, { sent: (sent ?? 1) / tickRate, isExact: !Number.isNaN(exact) });
   return scaleOf(meter, tickRate);
 }
 
@@ -77,10 +77,10 @@ function scaleOf({ perTick }: GameTimeMeter, tickRate: number): number | null {
 function weigh(
   meter: GameTimeMeter,
   perTick: number,
-  { told, isExact }: { readonly told: number; readonly isExact: boolean },
+  { sent, isExact }: { readonly sent: number; readonly isExact: boolean },
 ): void {
   const tolerance = isExact ? EXACT : BY_SHIPS;
-  if (near(perTick, told, tolerance)) {
+  if (near(perTick, sent, tolerance)) {
     meter.agreeing = 0;
     meter.perTick = Number.NaN;
     return;

@@ -16,7 +16,7 @@ export interface Lesson {
   readonly context: SnapshotContext;
   readonly predicted: Place | null;
   readonly agrees: boolean;
-  readonly toldImpact: boolean;
+  readonly hasImpact: boolean;
 }
 
 /** Whether a predicted state teaches nothing: the ground and the dynamics are as known. */
@@ -29,7 +29,7 @@ export function nothingToLearn({ ground, fit }: Track): boolean {
  * @returns whether the ship changes between simulation and extrapolation
  */
 export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolean {
-  const { row, context, predicted, agrees, toldImpact } = lesson;
+  const { row, context, predicted, agrees, hasImpact } = lesson;
   const { tick, bodies, now } = context;
   const { fit, ground } = track;
   const isKnown = knowsGround(row, bodies, sim.world);
@@ -41,7 +41,7 @@ export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolea
   }
   if (!isKnown) return changes;
   if (!agrees || ground.places.length > 0 || fit.carried !== '')
-    learnGround(sim, track, { row, tick, bodies, now, toldImpact });
+    learnGround(sim, track, { row, tick, bodies, now, hasImpact });
   if (!agrees) measureSpin(sim, track, lesson);
   state.rows = row;
   state.bodies = bodies;

@@ -1,41 +1,14 @@
-import type { PendingMessage, ServerMessage, WorldEvent } from '../../wire';
+import type { PendingMessage, ServerMessage } from '../../wire';
 import type { Session } from '../session';
+import { MAX_KEPT_EVENTS, type Waiting } from './pendingFrames';
 import { noteCall } from './receiveMessage';
-import { refuse } from './receiver';
-
-/**
- * Received frames that are not decoded yet. The next `advance` decodes the newest few and reads only the events of those they supersede,
- * so that a page hidden for minutes returns at once.
- */
-export interface PendingFrames {
-  readonly queue: Waiting[];
-  /** Of superseded frames, in order. */
-  readonly events: WorldEvent[];
-}
-
-/** A message and its arrival, client wall s. */
-interface Waiting {
-  readonly message: PendingMessage;
-  readonly at: number;
-}
+import { refuse } from './receiveSnapshot';
 
 /** Handles a decoded message. */
 type Receive = (message: ServerMessage, now: number) => void;
 
 /** Frames that wait undecoded: more than arrive between two display frames of a visible page. */
 const MAX_QUEUED = 4;
-/** Events of superseded frames that are kept; the oldest go first. */
-export const MAX_KEPT_EVENTS = 1000;
-
-export function createPendingFrames(): PendingFrames {
-  return { queue: [], events: [] };
-}
-
-/** Drops what waits: it is of another session. */
-export function forgetPending({ queue, events }: PendingFrames): void {
-  queue.length = 0;
-  events.length = 0;
-}
 
 /** A message has arrived at client wall second `now`; a frame waits for `decodePending`, anything else does not. */
 export function receivePending(

@@ -9,7 +9,7 @@ import { type Answer, noteNow, samplePong, serverTime } from '../time/clock';
 import { answeredPing, forgetPings } from '../time/pings';
 import { spanOf, wallOfTick } from '../time/timeline';
 import { completeFrame } from './completeFrame';
-import { receiveSnapshot, refuse, startAnew } from './receiver';
+import { receiveSnapshot, refuse, startAnew } from './receiveSnapshot';
 import { loadGiven, sameWorld } from './worldConfig';
 
 /**
@@ -83,11 +83,11 @@ function speaks({ sim, warn }: Session, { protocolVersion: version }: Hello): bo
   const match = matchVersion(version);
   if (match === 'same' || match === 'older') return true;
   const isForeign = match === 'foreign';
-  const told = `hello.protocolVersion is ${String(version)}, and this client speaks ${PROTOCOL_VERSION}`;
+  const mismatch = `hello.protocolVersion is ${String(version)}, and this client speaks ${PROTOCOL_VERSION}`;
   const effect = isForeign
     ? 'The hello is refused: use the client made for that server.'
     : 'It is accepted, and what the newer version adds is skipped: update the client.';
-  warn('protocol-version', `${told}. ${effect}`, { value: version, known: PROTOCOL_VERSION });
+  warn('protocol-version', `${mismatch}. ${effect}`, { value: version, known: PROTOCOL_VERSION });
   const [major] = PROTOCOL_VERSION.split('.');
   if (isForeign) refuse(sim, `hello.protocolVersion: expected ${major}.x, got ${String(version)}`);
   return !isForeign;

@@ -1,6 +1,13 @@
 import type { InputAcknowledgement } from '../../wire';
-import type { InputFate } from '../inputs/inputs';
-import type { BodiesOfFrame } from './bodies/bodiesOfFrame';
+import type { InputOutcome } from '../inputs/inputs';
+
+/** The bodies at a frame's tick, of the server and as predicted. */
+export interface BodiesOfFrame {
+  bodies: Float64Array;
+  predictedBodies: Float64Array;
+  /** Largest error of the predicted bodies' attitudes and spins, by component. */
+  turned: number;
+}
 
 /**
  * The context of a frame for its ships; `bodies` and `predictedBodies` are rows at its tick. One record per connection: a new one per
@@ -12,7 +19,7 @@ export interface SnapshotContext extends BodiesOfFrame {
   now: number;
   /** The frame's acknowledgement of the own ship's inputs. */
   lastInput: InputAcknowledgement | null;
-  inputs: InputFate;
+  inputs: InputOutcome;
 }
 
 export function createSnapshotContext(): SnapshotContext {

@@ -1,5 +1,5 @@
 import type { ServerFrame, ShipState } from '../../wire';
-import { acknowledge, type InputFate, prune } from '../inputs/inputs';
+import { acknowledge, type InputOutcome, prune } from '../inputs/inputs';
 import { has, offsetOf } from '../simulation/history';
 import { startReplay } from '../simulation/replay';
 import { historyLength } from '../simulation/fitRings';
@@ -10,7 +10,7 @@ import { unknownNameOf } from './reconcile/adopt';
 import { writeBodiesOfFrame } from './bodies/bodiesOfFrame';
 import { boundaryAt, knowsBoundary } from './bodies/bodyTrack';
 import type { Receiver } from './receiver';
-import { reconcile, showAsTold } from './reconcile/reconcile';
+import { reconcile, showServerState } from './reconcile/reconcile';
 import { shipFault } from './shipFault';
 import type { SnapshotContext } from './snapshotContext';
 
@@ -84,7 +84,9 @@ function takeShip(sim: Simulation, receiver: Receiver, state: ShipState): void {
   const unknown = unknownNameOf(state, sim.world);
   track.policy = receiver.policies.get(state.shipId) ?? 'predict';
   const isPredicted = unknown === null && track.policy === 'predict';
-  const reason = isPredicted ? reconcile(sim, track, state, context) : showAsTold(sim, track, state, context);
+  const reason = isPredicted
+    ? reconcile(sim, track, state, context)
+    : showServerState(sim, track, state, context);
   if (reason === null) track.lastSend = sim.cadence.sends;
   if (reason !== null || unknown !== null) refuseShip(sim, state, reason ?? unknown!);
   if (reason !== null && track.serverTick < 0) removeTrack(sim.fleet, track);
@@ -107,16 +109,16 @@ function refuseShip({ counters, warn }: Simulation, state: ShipState, reason: st
 }
 
 /** Takes the frame's acknowledgement of own inputs, also for steering the lead. */
-function answered(sim: Simulation, { clock, context }: Receiver, state: ShipState): InputFate {
+function answered(sim: Simulation, { clock, context }: Receiver, state: ShipState): InputOutcome {
   const { inputs } = sim;
-  const { tick, now, lastInput: told } = context;
+  const { tick, now, lastInput: acknowledgement } = context;
   const before = inputs.applied;
-  const fate = acknowledge(inputs, tick, told, state, now);
-  if (told !== null && told.seq > before) {
-    const stored = inputs.records.find((candidate) => candidate.record.seq === told.seq);
-    if (stored !== undefined) steerByMargin(clock, told.margin, stored.steer, now);
-    sim.counters.margin = told.margin;
+  const outcome = acknowledge(inputs, tick, acknowledgement, state, now);
+  if (acknowledgement !== null && acknowledgement.seq > before) {
+    const stored = inputs.records.find((candidate) => candidate.record.seq === acknowledgement.seq);
+    if (stored !== undefined) steerByMargin(clock, acknowledgement.margin, stored.steer, now);
+    sim.counters.margin = acknowledgement.margin;
   }
   prune(inputs, tick - sim.ringLength);
-  return fate;
+  return outcome;
 }

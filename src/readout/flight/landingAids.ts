@@ -1,7 +1,7 @@
 import { EVENT_CONTACT, EVENT_DESTROYED, IMPACT_SPEED, POSITION, VELOCITY } from '../../dynamics';
 import type { ShipView, WorldView } from '../../prediction';
 import { cross, writeDot } from '../axes';
-import { createJourney, followJourney, type Journey } from '../landing/journey';
+import { createViewClock, followView, type ViewClock } from '../landing/viewClock';
 import {
   createProjection,
   type Projection,
@@ -37,10 +37,10 @@ export interface LandingAids {
 
 interface AidsMemory {
   readonly surface: Surface;
-  readonly journey: Journey;
+  readonly clock: ViewClock;
   readonly projection: Projection;
   startedAt: number;
-  /** Of the last touch predicted, on the journey's clock; NaN before. */
+  /** Of the last touch predicted, on the view clock; NaN before. */
   touchAt: number;
 }
 
@@ -75,7 +75,7 @@ export function createLandingAids(): LandingAids {
     corridor: 'none',
     memory: {
       surface: createSurface(),
-      journey: createJourney(),
+      clock: createViewClock(),
       projection: createProjection(),
       startedAt: 0,
       touchAt: NaN,
@@ -88,7 +88,7 @@ export function updateLandingAids(out: LandingAids, given: WorldView | null): La
   const view = viewOf('updateLandingAids', out, given);
   const ship = view.ready ? view.own : null;
   const body = ship === null ? undefined : view.bodies[ship.body];
-  const { surface, journey, projection } = out.memory;
+  const { surface, clock, projection } = out.memory;
   const flies =
     ship !== null && ship.surfaceContactState === '' && !ship.crashed && ship.provenance !== 'stale';
   if (ship === null || body === undefined || !flies) {
@@ -96,12 +96,12 @@ export function updateLandingAids(out: LandingAids, given: WorldView | null): La
     return out;
   }
   measureSurface(surface, ship, body);
-  if (!followJourney(journey, view, ship)) forgetAids(out);
+  if (!followView(clock, view, ship)) forgetAids(out);
   out.shown = surface.clearance < CEILING;
   if (!out.shown) return out;
   measureCorridor(out, ship);
   if (!projection.running) {
-    out.memory.startedAt = journey.now;
+    out.memory.startedAt = clock.now;
     startProjection(projection, ship, body, view.settings, ship.controls);
   }
   runAhead(out, view, ship);
@@ -155,7 +155,7 @@ const place = new Float64Array(3);
 const product = new Float64Array(2);
 
 function runAhead(out: LandingAids, view: WorldView, ship: ShipView): void {
-  const { projection, journey } = out.memory;
+  const { projection, clock } = out.memory;
   for (let i = 0; i < SUBSTEPS_A_CALL && projection.running; i++) {
     const event = stepProjection(projection);
     const touched = event === EVENT_CONTACT || event === EVENT_DESTROYED;
@@ -164,7 +164,7 @@ function runAhead(out: LandingAids, view: WorldView, ship: ShipView): void {
     out.outcome = touched ? 'touch' : 'none';
     if (touched) readTouch(out, view, ship);
   }
-  out.touchSeconds = out.outcome === 'touch' ? Math.max(0, out.memory.touchAt - journey.now) : NaN;
+  out.touchSeconds = out.outcome === 'touch' ? Math.max(0, out.memory.touchAt - clock.now) : NaN;
   if (out.outcome !== 'none') return;
   out.touchVertical = NaN;
   out.touchHorizontal = NaN;

@@ -2,7 +2,7 @@ import type { Provenance, ShipView, WorldView } from '../../prediction';
 import { createDescent, type Descent, forgetDescent, measureDescent } from './descent';
 import { createDrift, type Drift, measureDrift } from './drift';
 import { createGates, type Gates, measureGates } from './gates';
-import { createJourney, followJourney, type Journey } from './journey';
+import { createViewClock, followView, type ViewClock } from './viewClock';
 import {
   createRighting,
   createRightingMemory,
@@ -53,7 +53,7 @@ export interface LandingReadout {
 
 interface LandingMemory {
   readonly surface: Surface;
-  readonly journey: Journey;
+  readonly clock: ViewClock;
   readonly tipping: TippingMemory;
   readonly righting: RightingMemory;
 }
@@ -78,7 +78,7 @@ export function createLandingReadout(): LandingReadout {
     touchdownShown: false,
     memory: {
       surface: createSurface(),
-      journey: createJourney(),
+      clock: createViewClock(),
       tipping: createTippingMemory(),
       righting: createRightingMemory(),
     },
@@ -110,9 +110,9 @@ export function updateLandingReadout(out: LandingReadout, given: WorldView | nul
   out.withdrawn = ship.withdrawn;
   out.shipName = ship.name;
   out.bodyName = body.name;
-  const { surface, journey } = out.memory;
+  const { surface, clock } = out.memory;
   measureSurface(surface, ship, body);
-  if (!followJourney(journey, view, ship)) forgetRuns(out.memory);
+  if (!followView(clock, view, ship)) forgetRuns(out.memory);
   readTouchdown(out.touchdown, ship);
   if (ship.provenance === 'stale') forgetNumbers(out);
   else readNumbers(out, view, ship);
@@ -121,7 +121,7 @@ export function updateLandingReadout(out: LandingReadout, given: WorldView | nul
 
 /** Numbers are predicted truth (PREDICTION, "HUD numbers are predicted truth, the mesh is eased"). */
 function readNumbers(out: LandingReadout, view: WorldView, ship: ShipView): void {
-  const { surface, journey, tipping, righting } = out.memory;
+  const { surface, clock, tipping, righting } = out.memory;
   out.known = true;
   measureDescent(out.descent, surface, ship);
   measureTilt(out.tilt, surface, view.settings);
@@ -131,7 +131,7 @@ function readNumbers(out: LandingReadout, view: WorldView, ship: ShipView): void
     out.touchdown.known && (out.status === 'landed' || out.status === 'tipped' || out.status === 'crashed');
   if (out.status === 'contact') {
     measureGates(out.gates, surface, view.settings);
-    measureTipMargin(out.margin, tipping, surface, view, journey);
+    measureTipMargin(out.margin, tipping, surface, view, clock);
   } else forgetTipping(tipping);
   if (out.status === 'tipped') measureRighting(out.righting, righting, surface, view, ship);
   else forgetRightingRun(righting.run);

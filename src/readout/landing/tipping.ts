@@ -1,7 +1,7 @@
 import { EVENT_DESTROYED, EVENT_LANDED, EVENT_TIPPED } from '../../dynamics';
 import type { WorldView } from '../../prediction';
 import { createProjection, type Projection, startProjection, stepProjection } from '../flight/projection';
-import type { Journey } from './journey';
+import type { ViewClock } from './viewClock';
 import type { Surface } from '../surface';
 
 /** How far a ship in contact is from toppling (HUD, tip margin). */
@@ -45,7 +45,7 @@ export function measureTipMargin(
   memory: TippingMemory,
   surface: Surface,
   view: WorldView,
-  { now }: Journey,
+  { now }: ViewClock,
 ): void {
   const ship = view.own!;
   const left = surface.noReturn - surface.lean;

@@ -134,7 +134,7 @@ function readRest(pass: Partial, from: Fields, about: BodyDefaults & { readonly 
     from['last_input'] === null || from['lastInput'] === null
       ? null
       : partIn(pass, from, 'last_input', (r) =>
-          messageIn(r, from, 'last_input', (own, told) => readAcknowledgement(own, told, tick)),
+          messageIn(r, from, 'last_input', (own, value) => readAcknowledgement(own, value, tick)),
         );
   return {
     ...(bodies !== undefined && { bodies }),

@@ -43,7 +43,7 @@ export function readFrame(r: Reading, from: Fields): ServerFrame {
     lastInput:
       valueIn(r, from, 'last_input') === undefined
         ? null
-        : messageIn(r, from, 'last_input', (own, told) => readAcknowledgement(own, told, tick)),
+        : messageIn(r, from, 'last_input', (own, value) => readAcknowledgement(own, value, tick)),
   };
   const bodyNames = frame.bodies.map(({ name }) => name);
   const shipIds = frame.ships.map(({ shipId }) => shipId);

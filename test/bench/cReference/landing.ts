@@ -1,4 +1,4 @@
-/** Hands a landing to the law's reference in C, and asks what it came to. */
+/** Runs a landing in the C reference of the law and reads its result. */
 import { spawnSync } from 'node:child_process';
 import {
   BODY_ANGULAR_VELOCITY,
@@ -21,19 +21,23 @@ export interface Landing {
   readonly ticks: number;
   readonly timing: Timing;
   readonly world: World;
-  /** Flat or a bowl: the reference knows no hills. */
+  /** Flat or a bowl: the C reference has no hills. */
   readonly terrain: CaseTerrain;
   readonly ships: Float64Array;
   readonly bodies: Float64Array;
   readonly inputs: readonly CaseInput[];
 }
 
-/** Runs the reference (see main.c) with landings on its standard input; the lines it prints. @throws with its own words. */
-export function runTwin(twin: string, words: readonly string[], landings: readonly Landing[]): string[] {
+/** Runs the reference (see main.c) with landings on its standard input; returns the lines it prints. @throws with its error output. */
+export function runReference(
+  program: string,
+  words: readonly string[],
+  landings: readonly Landing[],
+): string[] {
   const doubles = Float64Array.from(landings.flatMap(doublesOf));
   const input = Buffer.from(doubles.buffer);
-  const { status, stdout, stderr, error } = spawnSync(twin, words, { input, maxBuffer: 1 << 26 });
-  if (status !== 0) throw new Error(`${twin} ${words.join(' ')}: ${error?.message ?? stderr.toString()}`);
+  const { status, stdout, stderr, error } = spawnSync(program, words, { input, maxBuffer: 1 << 26 });
+  if (status !== 0) throw new Error(`${program} ${words.join(' ')}: ${error?.message ?? stderr.toString()}`);
   return stdout.toString().trimEnd().split('\n');
 }
 

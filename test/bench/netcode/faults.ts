@@ -14,8 +14,8 @@ const SEED = 2026;
 /** Before the fault, s; and after it, beyond the second or two ticks that are allowed. */
 const BEFORE = 8;
 const AFTER = 10;
-/** How long it is watched that nothing happens to, beyond the time that is measured, s. */
-const TWIN = 20;
+/** Length of the run without a fault, beyond the measured time, s. */
+const USUAL = 20;
 /** Off by more than this is not right, s (PREDICTION, Clock). */
 const WITHIN = 0.05;
 const WITHIN_ON_LAN = 0.01;
@@ -152,8 +152,8 @@ function runFault(rng: Random): Outcome {
   const allowed = Math.max(1, 2 / tickRate);
   const tolerance = (preset === 'lan' ? WITHIN_ON_LAN : WITHIN) + grain;
   const label = `${name} for ${seconds.toFixed(1)} s, ${preset}, ${tickRate} Hz, drift ${drift}, grain ${grain}`;
-  const twin = make();
-  const usual = usualOf(twin.line, twin.filter, allowed + AFTER + TWIN);
+  const undisturbed = make();
+  const usual = usualOf(undisturbed.line, undisturbed.filter, allowed + AFTER + USUAL);
   const { line, filter } = make();
   const how = { fault: label, happen: FAULTS[name]!, seconds, allowed, tolerance, tickRate, usual };
   return measure(line, filter, how);

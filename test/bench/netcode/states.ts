@@ -68,7 +68,7 @@ function openPredictions({ rig }: Flight): EventNotice[] {
   return covered.slice(Math.min(covered.length, answered));
 }
 
-/** Wall time from the frame in which a stick moved to the first frame whose drawn pose differs from a twin's whose stick did not. */
+/** Wall time from the frame in which a stick moved to the first frame whose drawn pose differs from the pose of a run with an idle stick. */
 function stickToScreen(): Figure {
   const delays: number[] = [];
   for (let i = 0; i < 20; i++) {
@@ -90,8 +90,8 @@ function stickToScreen(): Figure {
       (rig, view) => {
         frame += 1;
         if (view.own === null || !Number.isNaN(seen)) return;
-        const twin = poses.shift()!;
-        if (twin.some((value, k) => value !== view.own!.easedPosition[k])) seen = rig.now;
+        const idle = poses.shift()!;
+        if (idle.some((value, k) => value !== view.own!.easedPosition[k])) seen = rig.now;
       },
     );
     delays.push((seen - Math.ceil(moved * 60) / 60) * 1000);

@@ -44,7 +44,7 @@ function loaded(change: Partial<typeof LOAD> = {}): Session {
 }
 
 describe('the server in the page', () => {
-  it('plays a scenario to its end over the protocol', () => {
+  it('runs a scenario to its end over the protocol', () => {
     const messages = runTo(loaded(), 10, 30);
     expect(messages[0]).toMatchObject({ kind: 'hello', shipId: OWN_SHIP });
     const events = frames(messages).flatMap(({ events }) => events.map(({ type }) => type));
@@ -74,7 +74,7 @@ describe('the server in the page', () => {
     check(frames(runTo(loaded(change), 10, 11))[0]!);
   });
 
-  it('takes the operator’s orders', () => {
+  it('carries out the operator’s commands', () => {
     const session = loaded({ network: NETWORK_PRESETS.lan });
     const operate = (operation: Operation, now: number) => expect(session.operate(operation, now)).toBeNull();
     runTo(session, 10, 12.5);
@@ -99,7 +99,7 @@ describe('the server in the page', () => {
     expect(runTo(session, 22, 23).some(({ kind }) => kind === 'hello')).toBe(true);
   });
 
-  it('restarts the own ship, and pushes it up', () => {
+  it('restarts the own ship, and kicks it upward', () => {
     const session = loaded({ network: NETWORK_PRESETS.lan });
     const state = (from: number, until: number) => frames(runTo(session, from, until)).at(-1)!.ships[0]!;
     expect(state(10, 25.5).surfaceContactState).toBe('landed');
@@ -125,7 +125,7 @@ describe('the server in the page', () => {
     again.forEach((height, i) => expect(height).toBeCloseTo(first[i]!, 6));
   });
 
-  it('carries the ship: displaced from where it was taken up, at rest over the ground', () => {
+  it('moves the ship relative to where it was picked up, at rest above the ground', () => {
     const session = loaded({ network: NETWORK_PRESETS.lan, tickRate: 20 });
     const own = (from: number, until: number) => frames(runTo(session, from, until)).at(-1)!.ships[0]!;
     const before = own(10, 25).relativePosition!;
@@ -137,7 +137,7 @@ describe('the server in the page', () => {
     expect(after.surfaceContactState).toBe('');
   });
 
-  it('holds everything back in a lag spike, then delivers it in order', () => {
+  it('holds all messages back in a lag spike, then delivers them in order', () => {
     const session = loaded({ network: NETWORK_PRESETS.lan, tickRate: 20 });
     runTo(session, 10, 12);
     expect(session.operate({ kind: 'spike', seconds: 1.5 }, 12)).toBeNull();
@@ -148,7 +148,7 @@ describe('the server in the page', () => {
     expect(ticks).toEqual([...ticks].sort((a, b) => a - b));
   });
 
-  it('has a link of its own in each direction', () => {
+  it('has one link per direction', () => {
     const slow = { ...NETWORK_PRESETS.lan, delay: 0.5 };
     const answered = (change: object) => {
       const session = loaded({ network: NETWORK_PRESETS.lan, ...change });
@@ -181,7 +181,7 @@ describe('the server in the page', () => {
     ['timeScale', { kind: 'timeScale', timeScale: 1e9 }],
     ['velocity', { kind: 'kick', velocity: [0, 0], spin: [0, 0, 0] }],
     ['delay', { kind: 'network', numbers: { ...NETWORK_PRESETS.lan, delay: Number.NaN } }],
-  ])('refuses %s by name and plays on', (field, operation) => {
+  ])('refuses an invalid %s by name and goes on', (field, operation) => {
     const session = loaded();
     expect(session.operate(operation, 10.5)).toContain(field);
     expect(frames(runTo(session, 10.5, 15)).length).toBeGreaterThan(3);

@@ -69,7 +69,7 @@ describe('a real server', () => {
     vi.unstubAllGlobals();
   });
 
-  it('tells its hello and frames, answers pings and flies by inputs', async () => {
+  it('sends its hello and frames, answers pings and applies inputs', async () => {
     const { handlers, messages, told, until } = ear();
     connection = openServer(server.address, handlers);
     await until(() => messages.length >= 3);
@@ -90,7 +90,7 @@ describe('a real server', () => {
     expect(messages.find(flying)).toMatchObject({ lastInput: { seq: 1 } });
   });
 
-  it('that hangs up is told so, is called again, and has one socket at any time', async () => {
+  it('that closes the connection is reported and called again, with one socket at any time', async () => {
     const { handlers, messages, told, until } = ear();
     connection = openServer(server.address, handlers);
     await until(() => messages.length > 0);
@@ -106,7 +106,7 @@ describe('a real server', () => {
     expect(server.connections()).toEqual({ open: 1, ever: 2 });
   });
 
-  it('that speaks text is refused by name', async () => {
+  it('that sends text is refused by name', async () => {
     const { handlers, messages, told, until } = ear();
     connection = openServer(server.address, handlers);
     await until(() => messages.length > 0);
@@ -115,7 +115,7 @@ describe('a real server', () => {
     expect(told.at(-1)).toContain(`refused ${server.address} sent text`);
   });
 
-  it('that is not there, and an address that is none, do not answer', async () => {
+  it('that is absent, or whose address is invalid, is reported as not answering', async () => {
     const { handlers, told, until } = ear();
     const address = server.address;
     await server.close();
@@ -126,7 +126,7 @@ describe('a real server', () => {
     expect(told.at(-1)).toMatch(/^link Nothing answers at nowhere\./);
   });
 
-  it('takes no orders', () => {
+  it('accepts no operator commands', () => {
     const { handlers, told } = ear();
     connection = openServer(server.address, handlers);
     connection.operate({ kind: 'restart' });
@@ -162,7 +162,7 @@ describe('the game’s own server', () => {
     fuel: 1,
   };
 
-  it('is spoken to in its JSON: signed in with the token of the address, which is not shown', async () => {
+  it('is addressed in its JSON: signed in with the token of the address, which is not shown', async () => {
     const { handlers, messages, told, until } = ear();
     sockets.on('connection', (socket, request) => {
       heard.push(request.url);
@@ -198,7 +198,7 @@ describe('the game’s own server', () => {
     ]);
   });
 
-  it('that refuses is not called again by itself, and the page says why', async () => {
+  it('that refuses is not called again automatically, and the page says why', async () => {
     const { handlers, told, until } = ear();
     sockets.on('connection', (socket) => socket.close(4003, 'Origin not allowed'));
     connection = openServer(`${address()}?token=jwt`, handlers);

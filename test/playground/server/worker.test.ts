@@ -60,13 +60,13 @@ describe('the worker', () => {
     vi.unstubAllGlobals();
   });
 
-  it('takes what came while its program was loading, first', () => {
+  it('first handles what arrived while its program was loading', () => {
     serve([new MessageEvent<ToServer>('message', { data: { kind: 'operate', operation: LOAD } })]);
     operate({ kind: 'drop' });
     expect(heard()).toEqual(['open', 'closed']);
   });
 
-  it('opens a world, then lets bytes come on the page’s clock', () => {
+  it('opens a world, then delivers bytes on the page’s clock', () => {
     serve([]);
     operate(LOAD);
     expect(heard()).toEqual(['open']);
@@ -76,7 +76,7 @@ describe('the worker', () => {
     expect(heard()).toEqual(['frame', 'frame', 'frame']);
   });
 
-  it('hears the protocol’s bytes and answers', () => {
+  it('receives the protocol’s bytes and answers', () => {
     serve([]);
     operate(LOAD);
     post({ kind: 'bytes', bytes: encodeClientMessage({ kind: 'ping', id: 4 }) });
@@ -91,7 +91,7 @@ describe('the worker', () => {
     expect(heard()).toContain('pong');
   });
 
-  it('refuses an order by name and goes on', () => {
+  it('refuses an invalid command by name and goes on', () => {
     serve([]);
     operate({ ...LOAD, scenario: 'heist' });
     expect(posted).toEqual([{ kind: 'refused', reason: 'scenario: no scenario named heist' }]);
@@ -101,7 +101,7 @@ describe('the worker', () => {
     expect(heard()).toEqual(['hello', 'frame']);
   });
 
-  it('closes and opens a dropped connection', () => {
+  it('closes and reopens a dropped connection', () => {
     serve([]);
     operate(LOAD);
     vi.advanceTimersByTime(100);
@@ -116,7 +116,7 @@ describe('the worker', () => {
     expect(heard()).toEqual(['hello', 'frame']);
   });
 
-  it('tells how it stands after whatever happened', () => {
+  it('reports its state after every event', () => {
     serve([]);
     operate(LOAD);
     vi.advanceTimersByTime(2500);

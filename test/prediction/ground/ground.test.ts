@@ -9,7 +9,7 @@ import { createRig, SHIP } from '../rig';
 
 const caseNamed = (name: string) => CASES.find((one) => one.name === name)!;
 
-describe('a ground that is not quite the server’s', () => {
+describe('terrain that differs slightly from the server’s', () => {
   it.each([
     ['ground +1 m', 10],
     ['ground −1 m', 10],
@@ -29,7 +29,7 @@ describe('a ground that is not quite the server’s', () => {
     expect(spread(ours.errors).p95).toBeLessThan(0.5);
   });
 
-  it.each([1, -1])('%d m: says so, how sure it is, and measures heights from it', (metres) => {
+  it.each([1, -1])('%d m: reports the offset and its confidence, and measures heights from it', (metres) => {
     const name = `ground ${metres > 0 ? '+' : '−'}1 m`;
     const rig = createLiteralRig({ scenario: 'settle', hz: 50, sends: 10, difference: caseNamed(name) });
     let view = rig.frame();
@@ -48,8 +48,8 @@ describe('a ground that is not quite the server’s', () => {
   });
 });
 
-describe('the server’s own ground', () => {
-  it.each(SCENARIOS.map(({ name }) => name))('%s: nothing is learned of it', (scenario) => {
+describe('terrain equal to the server’s', () => {
+  it.each(SCENARIOS.map(({ name }) => name))('%s: no offset is learned', (scenario) => {
     const rig = createRig({ scenario, tickRate: 5 });
     flyAndMeasure(rig, Math.min(20, rig.loaded.scenario.duration), ({ own, diagnosis }) => {
       expect(own?.groundOffset ?? 0).toBe(0);
@@ -57,7 +57,7 @@ describe('the server’s own ground', () => {
     });
   });
 
-  it('is not doubted where an input came late, or was lost', () => {
+  it('is kept when an input came late or was lost', () => {
     const rig = createRig({
       scenario: 'right-itself',
       tickRate: 5,

@@ -15,8 +15,8 @@ function errorsOf(rig: ReturnType<typeof createRig>, seconds: number): number[] 
   });
 }
 
-describe('a law that does not fit', () => {
-  it('is left for carrying the motion on, never confirmed then, counted, and taken up again', () => {
+describe('a ship that the law does not fit', () => {
+  it('is extrapolated, never confirmed meanwhile, counted, and predicted again later', () => {
     // The client thinks that its ships weigh a fiftieth: its own thrust flings it away.
     const scenario = { ...scenarioNamed('launch'), duration: 40 };
     const rig = createRig({ scenario, tickRate: 5, pilot: () => hover });
@@ -42,7 +42,7 @@ describe('a law that does not fit', () => {
     expect(rig.view().own!.carried).toBe('');
   });
 
-  it('leaves a ship alone that it fits', () => {
+  it('applies to no ship that the law fits', () => {
     const rig = createRig({ scenario: 'opening', tickRate: 5 });
     let looked = 0;
     rig.fly(20, ({ ships }) => {
@@ -62,8 +62,8 @@ const hover = {
   },
 };
 
-describe('a ground that is not loaded', () => {
-  it('null: drawn from its states, says so, and predicted again once it is there', () => {
+describe('terrain that is not loaded', () => {
+  it('null: the ship is drawn from its states, says so, and is predicted again once the terrain is there', () => {
     let loaded = false;
     const terrain = (...place: Parameters<typeof hillsTerrain>) => (loaded ? hillsTerrain(...place) : null);
     const rig = createRig({ scenario: 'slide', tickRate: 5, predictor: { terrains: { hills: terrain } } });

@@ -5,17 +5,10 @@ import { spanOf } from '../../time/timeline';
 import { spunMotion } from './bodySpin';
 import { boundaryAt, startBodiesAt, updateBodies } from './bodyTrack';
 import type { Receiver } from '../receiver';
+import type { BodiesOfFrame } from '../snapshotContext';
 
 /** Most ticks over which bodies are moved only to compare them. */
 const MAX_CARRIED = 64;
-
-/** The bodies at a frame's tick, of the server and as predicted. */
-export interface BodiesOfFrame {
-  bodies: Float64Array;
-  predictedBodies: Float64Array;
-  /** Largest error of the predicted bodies' attitudes and spins, by component. */
-  turned: number;
-}
 
 /**
  * Writes the frame's bodies and compares them with the predicted ones. Bodies that are not sent, have no attitude or spin, or repeat the
@@ -55,11 +48,11 @@ export function writeBodiesOfFrame(
 function spun(sim: Simulation, tick: number, motions: readonly BodyMotion[]): readonly BodyMotion[] {
   const { tickSeconds } = spanOf(sim.timeline, tick).timing;
   let differs = false;
-  for (const [i, told] of motions.entries()) {
+  for (const [i, sent] of motions.entries()) {
     const spin = sim.spins[i]!;
-    const motion = spunMotion(spin, told, tick, (tick - spin.tick) * tickSeconds);
+    const motion = spunMotion(spin, sent, tick, (tick - spin.tick) * tickSeconds);
     measured[i] = motion;
-    if (motion !== told) differs = true;
+    if (motion !== sent) differs = true;
   }
   return differs ? measured.slice(0, motions.length) : motions;
 }
@@ -70,13 +63,13 @@ const measured: BodyMotion[] = [];
 function areOld({ warn }: Simulation, receiver: Receiver, { tick, bodies }: ServerFrame): boolean {
   const { lastBodies } = receiver;
   if (bodies.length === 0) return false;
-  const { tick: before, bodies: told } = lastBodies;
+  const { tick: before, bodies: sent } = lastBodies;
   lastBodies.tick = tick;
   lastBodies.bodies = bodies;
-  if (tick === before || told.length !== bodies.length) return false;
+  if (tick === before || sent.length !== bodies.length) return false;
   let moves = false;
   for (const [i, body] of bodies.entries()) {
-    const last = told[i]!;
+    const last = sent[i]!;
     if (last.name !== body.name || !sameVector(last.position, body.position)) return false;
     if (body.velocity.some((v) => Math.abs(v) > 1e-6)) moves = true;
   }
@@ -106,19 +99,19 @@ function motionsOf(sim: Simulation, frame: ServerFrame): readonly BodyMotion[] |
   const byLaw = boundaryAt(sim.bodies, sim.timeline, frame.tick);
   return bodies.map(({ name }, i) => {
     const predicted = readBodyMotion(byLaw, i * BODY_STRIDE);
-    const told = frame.bodies.find((body) => body.name === name);
-    return told === undefined ? predicted : completed(told, predicted);
+    const sent = frame.bodies.find((body) => body.name === name);
+    return sent === undefined ? predicted : completed(sent, predicted);
   });
 }
 
 /** The finite members as sent, the others as predicted. */
-function completed(told: BodyState, predicted: BodyMotion): BodyMotion {
-  const moves = areNumbers(told.position, 3) && areNumbers(told.velocity, 3);
+function completed(sent: BodyState, predicted: BodyMotion): BodyMotion {
+  const moves = areNumbers(sent.position, 3) && areNumbers(sent.velocity, 3);
   return {
-    position: moves ? told.position : predicted.position,
-    velocity: moves ? told.velocity : predicted.velocity,
-    attitude: areNumbers(told.attitude, 4) ? told.attitude : predicted.attitude,
-    angularVelocity: areNumbers(told.angularVelocity, 3) ? told.angularVelocity : predicted.angularVelocity,
+    position: moves ? sent.position : predicted.position,
+    velocity: moves ? sent.velocity : predicted.velocity,
+    attitude: areNumbers(sent.attitude, 4) ? sent.attitude : predicted.attitude,
+    angularVelocity: areNumbers(sent.angularVelocity, 3) ? sent.angularVelocity : predicted.angularVelocity,
   };
 }
 

@@ -58,10 +58,10 @@ export function createBodySpin(): BodySpin {
 }
 
 /** A body's motion at `tick`, `seconds` of game time after the last one, with its real spin and attitude. */
-export function spunMotion(spin: BodySpin, told: BodyMotion, tick: number, seconds: number): BodyMotion {
-  const [x, y, z] = told.angularVelocity;
+export function spunMotion(spin: BodySpin, sent: BodyMotion, tick: number, seconds: number): BodyMotion {
+  const [x, y, z] = sent.angularVelocity;
   const rate = Math.sqrt(x * x + y * y + z * z);
-  now.set(told.attitude);
+  now.set(sent.attitude);
   if (spin.tick >= 0 && tick > spin.tick && rate > LEAST_SPIN) {
     turnBetween(turn, now, spin.attitude);
     toRotationVector(way, turn);
@@ -71,14 +71,14 @@ export function spunMotion(spin: BodySpin, told: BodyMotion, tick: number, secon
   }
   spin.tick = tick;
   spin.attitude.set(now);
-  if (spin.factor === 1 && spin.lacking === 0) return told;
-  for (const [k, w] of told.angularVelocity.entries()) way[k] = (w / rate) * spin.lacking;
+  if (spin.factor === 1 && spin.lacking === 0) return sent;
+  for (const [k, w] of sent.angularVelocity.entries()) way[k] = (w / rate) * spin.lacking;
   fromRotationVector(turn, way);
   compose(now, turn, now);
   return {
-    ...told,
+    ...sent,
     attitude: [...now] as unknown as Quat,
-    angularVelocity: told.angularVelocity.map((w) => w * spin.factor) as unknown as Vec3,
+    angularVelocity: sent.angularVelocity.map((w) => w * spin.factor) as unknown as Vec3,
   };
 }
 

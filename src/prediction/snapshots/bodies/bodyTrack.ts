@@ -151,17 +151,17 @@ export interface BodyError {
 
 /**
  * The server's bodies at `tick`. The prediction stays in `replaced`; later boundaries are computed again.
- * @param told one motion for each body, in the world's order
+ * @param sent one motion for each body, in the world's order
  * @returns how far the predicted ones were off: 0 if they agreed to the bit, or nothing was predicted
  */
-export function updateBodies(track: BodyTrack, tick: number, told: readonly BodyMotion[]): BodyError {
+export function updateBodies(track: BodyTrack, tick: number, sent: readonly BodyMotion[]): BodyError {
   const known = knowsBoundary(track, tick);
   const boundary = track.boundaries[tick % track.length]!;
   if (known) {
     track.replaced.set(boundary);
-    if (told.every((motion, i) => agrees(boundary, i * BODY_STRIDE, motion))) return NO_ERROR;
+    if (sent.every((motion, i) => agrees(boundary, i * BODY_STRIDE, motion))) return NO_ERROR;
   }
-  for (let i = 0; i < told.length; i++) writeBodyMotion(boundary, i * BODY_STRIDE, told[i]!);
+  for (let i = 0; i < sent.length; i++) writeBodyMotion(boundary, i * BODY_STRIDE, sent[i]!);
   if (!known) track.replaced.set(boundary);
   track.ticks[tick % track.length] = tick;
   forgetAfter(track, tick);

@@ -47,9 +47,9 @@ export function adopt(
   if (shipClass < 0) return `shipClass: no class named ${state.shipClass}`;
   if (indexIn(SURFACE_STATES, state.surfaceContactState) < 0)
     return `surfaceContactState: no state named ${state.surfaceContactState}`;
-  const told = state.referenceBody !== '' ? state.referenceBody : state.landedBodyName;
-  const body = told !== '' ? indexOfName(world.bodies, told) : nearestBody(state, bodies, world);
-  if (body < 0) return `referenceBody: no body named ${told}`;
+  const bodyName = state.referenceBody !== '' ? state.referenceBody : state.landedBodyName;
+  const body = bodyName !== '' ? indexOfName(world.bodies, bodyName) : nearestBody(state, bodies, world);
+  if (body < 0) return `referenceBody: no body named ${bodyName}`;
   if (tooNearCentre(state, bodies, body)) return 'position: expected ≥ 1 m from the body’s centre';
 
   writePlace(row, state, bodies, body);

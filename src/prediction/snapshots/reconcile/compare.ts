@@ -146,8 +146,8 @@ export function sameCommand(a: Float64Array, i: number, b: Float64Array, j: numb
 export function describeDifference(field: Field, server: Place, predicted: Place): string {
   seeFromBody(ours, server);
   seeFromBody(theirs, predicted);
-  const [told, made] = valuesOf(field, server, predicted);
-  return `${field}: server ${told}, predicted ${made}`;
+  const [serverValue, predictedValue] = valuesOf(field, server, predicted);
+  return `${field}: server ${serverValue}, predicted ${predictedValue}`;
 }
 
 interface Seen {

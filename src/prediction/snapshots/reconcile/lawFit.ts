@@ -16,23 +16,8 @@ import { copyRow, type Track } from '../../simulation/track';
 import { spanOf } from '../../time/timeline';
 import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
 import { type Place, sameCommand } from './compare';
+import { WINDOW } from './lawErrors';
 
-/**
- * Whether the dynamics fit a ship (PREDICTION, Foreign dynamics): if they were worse over the last few states than extrapolation, the
- * ship is extrapolated until they fit again.
- */
-export interface LawFit {
-  /** '': simulated. 'law': the dynamics do not fit. 'ground': the ground below it is unknown. */
-  carried: '' | 'law' | 'ground';
-  /** Errors of the last states, m, slot = count mod length. */
-  readonly law: Float64Array;
-  readonly carry: Float64Array;
-  count: number;
-  /** States received while it was extrapolated. */
-  states: number;
-}
-
-const WINDOW = 4;
 /** States needed for a decision. */
 const NEEDED = 3;
 /** Worse by this share, and by this much a state, m, than carrying on: the law is left; no worse by that much: it is taken up. */
@@ -42,22 +27,6 @@ const TAKEN_UP = 0.02;
 /** Most substeps between two states that are compared; steps of an extrapolation. */
 const MAX_INTERVAL = 400;
 const PIECES = 10;
-
-export function createLawFit(): LawFit {
-  return {
-    ...{ carried: '', law: new Float64Array(WINDOW), carry: new Float64Array(WINDOW) },
-    ...{ count: 0, states: 0 },
-  };
-}
-
-/** A simulated ship's state agreed: nothing to compare. Returns false, since it stays simulated. */
-export function holdLaw(fit: LawFit): boolean {
-  const slot = fit.count % WINDOW;
-  fit.count += 1;
-  fit.law[slot] = 0;
-  fit.carry[slot] = 0;
-  return false;
-}
 
 /** A state, the prediction for its tick, and whether the two agree. */
 export interface Judged {

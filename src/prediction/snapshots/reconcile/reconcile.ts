@@ -1,18 +1,16 @@
 import {
   CRASHED,
-  FLYING,
   IMPACT_SPEED,
   BODY_ATTITUDE,
   BODY_STRIDE,
   REFERENCE_BODY,
   SHIP_STRIDE,
-  SURFACE_STATE,
   WHEEL_MOMENTUM,
 } from '../../../dynamics';
 import type { ShipState } from '../../../wire';
 import { learnFrom, nothingToLearn } from '../learnFrom';
 import type { SnapshotContext } from '../snapshotContext';
-import { holdLaw } from './lawFit';
+import { holdLaw } from './lawErrors';
 import { adopt, drawableState, isExact, unknownNameOf } from './adopt';
 import {
   describeDifference,
@@ -25,6 +23,7 @@ import {
   writeError,
   writeInexact,
 } from './compare';
+import { recalledImpact, recallWheels } from './recall';
 import { has, offsetOf } from '../../simulation/history';
 import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from '../../simulation/sleep';
 import { createServerStates, keepServerState } from '../../simulation/serverStates';
@@ -51,31 +50,31 @@ export function reconcile(
   sim: Simulation,
   track: Track,
   state: ShipState,
-  word: SnapshotContext,
+  context: SnapshotContext,
 ): string | null {
-  if (word.tick < track.serverTick) return null;
-  const reason = adopt(told, state, word.bodies, sim.world);
+  if (context.tick < track.serverTick) return null;
+  const reason = adopt(sent, state, context.bodies, sim.world);
   if (reason !== null) return reason;
   const known = track.serverTick >= 0;
-  if (known && track.serverRow[CRASHED]! > told[CRASHED]!) track.replaySnaps = true;
-  const predicted = findPredicted(sim, track, word);
-  server.bodies = word.bodies;
+  if (known && track.serverRow[CRASHED]! > sent[CRASHED]!) track.replaySnaps = true;
+  const predicted = findPredicted(sim, track, context);
+  server.bodies = context.bodies;
   if (track.own) writeError(sim.counters, server, predicted);
-  const toldImpact = !Number.isNaN(told[IMPACT_SPEED]);
-  if (!toldImpact) told[IMPACT_SPEED] = recalledImpact(predicted);
+  const hasImpact = !Number.isNaN(sent[IMPACT_SPEED]);
+  if (!hasImpact) sent[IMPACT_SPEED] = recalledImpact(sent, predicted);
   track.unpredictable = false;
-  if (Number.isNaN(told[WHEEL_MOMENTUM])) recallWheels(predicted);
+  if (Number.isNaN(sent[WHEEL_MOMENTUM])) recallWheels(sent, predicted);
   track.exact = isExact(state);
   const field = predicted === null ? null : differenceFrom(track, predicted);
   const agrees = field === 'none';
   const goesOver =
     agrees && nothingToLearn(track)
       ? holdLaw(track.fit)
-      : learnFrom(sim, track, { row: told, context: word, predicted, agrees, toldImpact });
-  remember(track, state, word, known);
-  settle(sim, track, word, predicted, field);
-  if (goesOver && !track.off) startReplay(track, sim, word.tick, told, 0);
-  keepEvidence(track, told, word.tick);
+      : learnFrom(sim, track, { row: sent, context, predicted, agrees, hasImpact });
+  remember(track, state, context, known);
+  settle(sim, track, context, predicted, field);
+  if (goesOver && !track.off) startReplay(track, sim, context.tick, sent, 0);
+  keepEvidence(track, sent, context.tick);
   if (!track.own) holdControls(sim, track);
   return null;
 }
@@ -84,24 +83,24 @@ export function reconcile(
  * A ship of an unknown class or surface state, or one that is not to be predicted: it is drawn at its server state and not simulated.
  * @returns null, or the reason why the state cannot be used
  */
-export function showAsTold(
+export function showServerState(
   sim: Simulation,
   track: Track,
   state: ShipState,
-  word: SnapshotContext,
+  context: SnapshotContext,
 ): string | null {
-  if (word.tick < track.serverTick) return null;
-  const reason = adopt(told, drawableState(state, sim.world), word.bodies, sim.world);
+  if (context.tick < track.serverTick) return null;
+  const reason = adopt(sent, drawableState(state, sim.world), context.bodies, sim.world);
   if (reason !== null) return reason;
-  if (Number.isNaN(told[WHEEL_MOMENTUM])) recallWheels(null);
-  if (Number.isNaN(told[IMPACT_SPEED])) told[IMPACT_SPEED] = 0;
-  remember(track, state, word, track.serverTick >= 0);
+  if (Number.isNaN(sent[WHEEL_MOMENTUM])) recallWheels(sent, null);
+  if (Number.isNaN(sent[IMPACT_SPEED])) sent[IMPACT_SPEED] = 0;
+  remember(track, state, context, track.serverTick >= 0);
   abandonReplay(track);
   track.unpredictable = unknownNameOf(state, sim.world) !== null;
   track.mode = 'held';
   if (track.policy === 'predict') track.picture.hasHeld = false;
   if (track.policy !== 'interpolate') track.states = null;
-  else keepServerState((track.states ??= createServerStates()), word.tick, told, word.bodies);
+  else keepServerState((track.states ??= createServerStates()), context.tick, sent, context.bodies);
   return null;
 }
 
@@ -117,116 +116,108 @@ function differenceFrom(track: Track, predicted: Place): Field {
 function settle(
   sim: Simulation,
   track: Track,
-  word: SnapshotContext,
+  context: SnapshotContext,
   predicted: Place | null,
   field: Field | null,
 ): void {
   if (track.off) {
-    if (isAtRest(told, 0)) sleepAtFirst(sim, track, word);
+    if (isAtRest(sent, 0)) sleepAtFirst(sim, track, context);
     return;
   }
   if (predicted === null || field === null) {
-    startReplay(track, sim, word.tick, told, 0);
-    sleepAtFirst(sim, track, word);
+    startReplay(track, sim, context.tick, sent, 0);
+    sleepAtFirst(sim, track, context);
     return;
   }
-  const commanded = sameCommand(told, 0, predicted.rows, predicted.at);
+  const commanded = sameCommand(sent, 0, predicted.rows, predicted.at);
   if (field !== 'none' || !(commanded || sleepsThrough(track))) {
-    correct(sim, track, field, predicted, word);
+    correct(sim, track, field, predicted, context);
     return;
   }
-  if (track.own && word.inputs !== 'asPredicted' && track.mode !== 'sleeping') {
-    correct(sim, track, field, predicted, word);
+  if (track.own && context.inputs !== 'asPredicted' && track.mode !== 'sleeping') {
+    correct(sim, track, field, predicted, context);
     return;
   }
-  track.agreedTick = word.tick;
-  agree(sim, track, word);
+  track.agreedTick = context.tick;
+  agree(sim, track, context);
 }
 
 /** Equal: the local state is kept. */
-function agree(sim: Simulation, track: Track, word: SnapshotContext): void {
+function agree(sim: Simulation, track: Track, context: SnapshotContext): void {
   const { front } = sim;
   if (track.mode === 'sleeping') {
-    sleepAt(track, word.bodies);
-    if (!track.own) copyRow(sim.fleet.front, track.at, told, 0);
+    sleepAt(track, context.bodies);
+    if (!track.own) copyRow(sim.fleet.front, track.at, sent, 0);
     return;
   }
   // The replay is not done: what agreed is the prediction that it would replace.
-  if (track.replaying && isBefore(track.replayTick, track.replaySubstep, word.tick, 0)) abandonReplay(track);
+  if (track.replaying && isBefore(track.replayTick, track.replaySubstep, context.tick, 0))
+    abandonReplay(track);
   if (track.replaying) return;
-  if (sleepIfAtRest(sim, track, word.bodies)) return;
+  if (sleepIfAtRest(sim, track, context.bodies)) return;
   const letGo = isBefore(track.releaseTick, track.releaseSubstep, front.tick, front.substep);
-  const wasReleased = !track.own && track.releaseTick >= 0 && letGo && commandsAnything(told, 0);
-  if (wasReleased || word.turned > SAME_BODIES) startReplay(track, sim, word.tick, told, 0);
+  const wasReleased = !track.own && track.releaseTick >= 0 && letGo && commandsAnything(sent, 0);
+  if (wasReleased || context.turned > SAME_BODIES) startReplay(track, sim, context.tick, sent, 0);
 }
 
 /** Not equal: counted by its cause, adopted, replayed. */
-function correct(sim: Simulation, track: Track, field: Field, predicted: Place, word: SnapshotContext): void {
+function correct(
+  sim: Simulation,
+  track: Track,
+  field: Field,
+  predicted: Place,
+  context: SnapshotContext,
+): void {
   const { counters } = sim;
-  if (track.own && word.inputs === 'late') counters.correctionsLateInput += 1;
-  else if (track.own && word.inputs === 'lost') counters.correctionsLostInput += 1;
-  else if (!sameCommand(told, 0, predicted.rows, predicted.at)) counters.correctionsOtherPilot += 1;
+  if (track.own && context.inputs === 'late') counters.correctionsLateInput += 1;
+  else if (track.own && context.inputs === 'lost') counters.correctionsLostInput += 1;
+  else if (!sameCommand(sent, 0, predicted.rows, predicted.at)) counters.correctionsOtherPilot += 1;
   else {
     counters.correctionsMismatch += 1;
-    counters.lastMismatch = `${track.shipId} at tick ${word.tick}: ${describeDifference(field, server, predicted)}`;
+    counters.lastMismatch = `${track.shipId} at tick ${context.tick}: ${describeDifference(field, server, predicted)}`;
   }
   if (track.mode === 'sleeping') holdSleeping(track);
-  startReplay(track, sim, word.tick, told, 0);
+  startReplay(track, sim, context.tick, sent, 0);
 }
 
 /** A ship first seen landed: it sleeps at once, drawn at its server state. */
-function sleepAtFirst(sim: Simulation, track: Track, word: SnapshotContext): void {
-  if (!sim.sleeps || track.mode === 'stepping' || track.picture.hasHeld || !isAtRest(told, 0)) return;
+function sleepAtFirst(sim: Simulation, track: Track, context: SnapshotContext): void {
+  if (!sim.sleeps || track.mode === 'stepping' || track.picture.hasHeld || !isAtRest(sent, 0)) return;
   track.off = false;
-  copyRow(sim.fleet.front, track.at, told, 0);
-  copyRow(sim.fleet.previous, track.at, told, 0);
+  copyRow(sim.fleet.front, track.at, sent, 0);
+  copyRow(sim.fleet.previous, track.at, sent, 0);
   abandonReplay(track);
   if (track.log !== null) logLanded(track.log);
-  sleepIfAtRest(sim, track, word.bodies);
+  sleepIfAtRest(sim, track, context.bodies);
 }
 
 /** Commands that do not wake a sleeping ship: they neither burn nor lift. */
 function sleepsThrough(track: Track): boolean {
-  return track.mode === 'sleeping' && isAtRest(told, 0);
+  return track.mode === 'sleeping' && isAtRest(sent, 0);
 }
 
-function findPredicted(sim: Simulation, track: Track, word: SnapshotContext): Place | null {
+function findPredicted(sim: Simulation, track: Track, context: SnapshotContext): Place | null {
   if (track.mode === 'sleeping') {
     copyRow(asleep, 0, sim.fleet.front, track.at);
-    writeSleepingAt(asleep, 0, track, word.bodies);
-    posed.bodies = word.bodies;
+    writeSleepingAt(asleep, 0, track, context.bodies);
+    posed.bodies = context.bodies;
     return posed;
   }
-  if (track.mode === 'held' || !has(track.history, word.tick)) return null;
+  if (track.mode === 'held' || !has(track.history, context.tick)) return null;
   kept.rows = track.history.rows;
-  kept.at = offsetOf(track.history, word.tick);
-  kept.bodies = word.predictedBodies;
+  kept.at = offsetOf(track.history, context.tick);
+  kept.bodies = context.predictedBodies;
   return kept;
 }
 
-/** The impact speed of this contact from the ship's own history; otherwise 0, settling. */
-function recalledImpact(predicted: Place | null): number {
-  if (predicted === null) return 0;
-  const { rows, at } = predicted;
-  const sameContact =
-    rows[at + SURFACE_STATE] !== FLYING && rows[at + REFERENCE_BODY] === told[REFERENCE_BODY];
-  return sameContact ? rows[at + IMPACT_SPEED]! : 0;
-}
-
-/** The wheels' momentum from the ship's own history; otherwise none. */
-function recallWheels(predicted: Place | null): void {
-  for (let k = WHEEL_MOMENTUM; k < WHEEL_MOMENTUM + 3; k++)
-    told[k] = predicted === null ? 0 : predicted.rows[predicted.at + k]!;
-}
-
-function remember(track: Track, state: ShipState, word: SnapshotContext, known: boolean): void {
+function remember(track: Track, state: ShipState, context: SnapshotContext, known: boolean): void {
   track.name = state.name;
   track.playerId = state.playerId;
-  track.silence = known ? Math.max(0, word.now - track.seenAt) : 0;
-  track.seenAt = word.now;
-  track.serverTick = word.tick;
-  copyRow(track.serverRow, 0, told, 0);
-  take(track.serverBodyAttitude, word.bodies, told[REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);
+  track.silence = known ? Math.max(0, context.now - track.seenAt) : 0;
+  track.seenAt = context.now;
+  track.serverTick = context.tick;
+  copyRow(track.serverRow, 0, sent, 0);
+  take(track.serverBodyAttitude, context.bodies, sent[REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);
 }
 
 /** Another pilot's last known controls apply for 1.5 send intervals from the present on; then they are released. */
@@ -241,9 +232,9 @@ function holdControls(sim: Simulation, track: Track): void {
 }
 
 const later = { tick: 0, substep: 0 };
-const told = new Float64Array(SHIP_STRIDE);
-const server: Place = { rows: told, at: 0, bodies: told };
+const sent = new Float64Array(SHIP_STRIDE);
+const server: Place = { rows: sent, at: 0, bodies: sent };
 const inexact: Tolerance = new Float64Array(3);
 const asleep = new Float64Array(SHIP_STRIDE);
 const posed: Place = { rows: asleep, at: 0, bodies: asleep };
-const kept: Place = { rows: told, at: 0, bodies: told };
+const kept: Place = { rows: sent, at: 0, bodies: sent };

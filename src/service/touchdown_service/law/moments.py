@@ -7,7 +7,7 @@ from ..models import TIPPED, Ship
 from .surface import Ground, Place
 from .vectors import Mat3, Vec3
 
-# s^-2 and 1/s per unit of inertia: the rotational twin of the spring-damper, critical
+# s^-2 and 1/s per unit of inertia: the rotational counterpart of the spring-damper, critical
 SUPPORT_STIFFNESS = 100
 SUPPORT_DAMPING = 20
 SCRUB_DAMPING = 20

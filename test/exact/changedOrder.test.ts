@@ -21,24 +21,24 @@ afterEach(() => {
   home = null;
 });
 
-/** A copy of the Python server with one expression written in another way. */
+/** A copy of the Python server with one expression written differently. */
 function brokenServer(file: string, expression: string, instead: string): string {
-  home = mkdtempSync(join(tmpdir(), 'twin-'));
+  home = mkdtempSync(join(tmpdir(), 'law-'));
   cpSync(join(SERVER_HOME, 'touchdown_service'), join(home, 'touchdown_service'), {
     recursive: true,
     filter: (path) => !/fixtures$|__pycache__/.test(path),
   });
   const path = join(home, 'touchdown_service', file);
   const source = readFileSync(path, 'utf8');
-  expect(source.split(expression), `${expression} stands once in ${file}`).toHaveLength(2);
+  expect(source.split(expression), `${expression} occurs once in ${file}`).toHaveLength(2);
   writeFileSync(path, source.replace(expression, instead));
   return home;
 }
 
-/** Cases that Python plays before it is asked for more: each of these laws is found out by most cases. */
+/** Cases that Python plays before it is asked for more: most cases reveal each of these laws. */
 const BATCH = 12;
 
-/** The first case on which a broken server parts from the law, or null. */
+/** The first case in which a broken server differs from the law, or null. */
 async function firstDiffering(broken: string): Promise<ExactCase | null> {
   for (let from = 0; from < cases.length; from += BATCH) {
     const theirs = await replayInPython(cases.slice(from, from + BATCH), broken);
@@ -51,7 +51,7 @@ async function firstDiffering(broken: string): Promise<ExactCase | null> {
 const HEX = String.raw`typescript 0x[0-9a-f]{16} \(.+\), python 0x[0-9a-f]{16} \(.+\)`;
 const REPORT = new RegExp(String.raw`^\S+: tick \d+ substep -?\d+: [a-z_ .]+: ${HEX}$`);
 
-describe('a law that adds up in another order is found out', () => {
+describe('a Python law with another order of operations', () => {
   withPython.each([
     ['law/surface.py', 'vx * sx + vy * sy + vz * sz', 'vx * sx + (vy * sy + vz * sz)'],
     [

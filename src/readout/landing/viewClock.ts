@@ -1,7 +1,7 @@
 import type { ShipView, WorldView } from '../../prediction';
 
 /** The readout's own game clock and the ship it follows, from view to view. */
-export interface Journey {
+export interface ViewClock {
   shipId: string;
   body: number;
   /** Game s since the first view; stands still while the game is paused, never runs back. */
@@ -17,12 +17,12 @@ export interface Journey {
 /** m: what a correction may move a ship; more is a respawn. */
 const LARGEST_CORRECTION = 100;
 
-export function createJourney(): Journey {
+export function createViewClock(): ViewClock {
   return { shipId: '', body: -1, now: 0, elapsed: 0, tick: 0, sinceTick: 0, position: new Float64Array(3) };
 }
 
 /** Takes the next view in; false when the ship is another one or was put elsewhere. */
-export function followJourney(out: Journey, view: WorldView, ship: ShipView): boolean {
+export function followView(out: ViewClock, view: WorldView, ship: ShipView): boolean {
   const ticks = view.tick - out.tick;
   const passed = (ticks * view.timeScale) / view.tickRate + view.sinceTick - out.sinceTick;
   out.elapsed = passed > 0 && out.body >= 0 ? passed : 0;
@@ -37,7 +37,7 @@ export function followJourney(out: Journey, view: WorldView, ship: ShipView): bo
 }
 
 /** Twice the way its speed allows: the ship may have been faster in between. */
-function inReach(out: Journey, ship: ShipView): boolean {
+function inReach(out: ViewClock, ship: ShipView): boolean {
   let way = 0;
   let speed = 0;
   for (let k = 0; k < 3; k++) {

@@ -1,15 +1,15 @@
 import { describe, expect, it } from 'vitest';
 import { beginTick, endTick, hashRows, SHIP_STRIDE, stepWorld, timingOfTick } from '../../src/dynamics';
-import { compileTwin, landingOf } from '../bench/cBaseline';
+import { compileReference, landingOf } from '../bench/cBaseline';
 import { flying, landed, sliding, type Subject, tipped } from '../bench/subjects';
-import { type Landing, runTwin } from '../bench/cReference/landing';
+import { type Landing, runReference } from '../bench/cReference/landing';
 import { drawCase } from './drawCase';
 import type { ExactCase } from './exactCase';
 import { BODY_ROW, caseTerrain, loadCase, playCase, SHIP_ROW, writeBodyRow } from './playCase';
 
-// The bench compares the law with its twin in C: that says something only if both compute the same.
-const twin = compileTwin();
-if (twin === null) console.warn('no C compiler: the law is not compared with its twin in C');
+// The bench compares the law with its C reference: that is meaningful only when both compute the same.
+const program = compileReference();
+if (program === null) console.warn('no C compiler: the law is not compared with its C reference');
 
 function toLanding(exact: ExactCase): Landing {
   const loaded = loadCase(exact, caseTerrain(exact.terrain));
@@ -32,20 +32,20 @@ function lineOf(substeps: number, hash: number): string {
   return `${substeps} ${hash.toString(16).padStart(8, '0')}`;
 }
 
-describe('the twin in C', () => {
-  it('is left out where nothing can compile it', () => {
-    expect(compileTwin(['no-such-compiler'])).toBeNull();
+describe('C reference', () => {
+  it('is left out where no compiler is found', () => {
+    expect(compileReference(['no-such-compiler'])).toBeNull();
   });
 
-  if (twin !== null) agreesInEveryBit(twin);
+  if (program !== null) agreesInEveryBit(program);
 });
 
 function agreesInEveryBit(program: string): void {
-  it('agrees in every bit over 200,000 substeps of drawn cases', () => {
+  it('agrees in every bit over 200,000 substeps of random cases', () => {
     const cases = Array.from({ length: 400 }, (_, i) => drawCase(i + 1)).filter(
       ({ terrain }) => !('name' in terrain && terrain.name === 'hills'),
     );
-    const lines = runTwin(program, ['replay'], cases.map(toLanding));
+    const lines = runReference(program, ['replay'], cases.map(toLanding));
     const ours = cases.map(here);
     expect(ours.filter((line, i) => line !== lines[i])).toEqual([]);
     expect(lines).toHaveLength(cases.length);
@@ -59,11 +59,11 @@ function agreesInEveryBit(program: string): void {
     ['tipped', tipped],
     ['landed', landed],
   ] satisfies [string, () => Subject][])(
-    'agrees in every bit over what the bench times: %s',
+    'agrees in every bit on the benchmark subject: %s',
     (_, subjectOf) => {
       const ticks = 50;
       const subject = subjectOf();
-      const [line] = runTwin(program, ['replay'], [landingOf(subject, ticks)]);
+      const [line] = runReference(program, ['replay'], [landingOf(subject, ticks)]);
       expect(line).toBe(lineOf(ticks, playSubject(subject, ticks)));
     },
   );

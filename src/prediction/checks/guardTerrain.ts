@@ -1,0 +1,27 @@
+import type { ClientTerrain } from '../options';
+import type { Warn } from '../warnings';
+import { describe } from './describe';
+
+/** The terrain of a caller: what it answers that is no height, or throws, counts as not loaded, and is warned of. */
+export function guardTerrain(terrain: ClientTerrain, name: string, warn: Warn): ClientTerrain {
+  // One of the library's own, read without boxing.
+  if ('inPlace' in terrain) return terrain;
+  return (bodyName, nx, ny, nz) => {
+    let height: unknown = null;
+    try {
+      height = terrain(bodyName, nx, ny, nz);
+      if (typeof height === 'number' && height - height === 0) return height;
+    } catch (error) {
+      height = error;
+    }
+    if (height === null) return null;
+    const message = `The terrain ${name} answered ${describe(height)} for ${bodyName}: return metres above the body's radius, or null where it is not loaded. It counts as not loaded.`;
+    warn('terrain-unusable', message, {
+      terrain: name,
+      body: bodyName,
+      direction: [nx, ny, nz],
+      value: height,
+    });
+    return null;
+  };
+}

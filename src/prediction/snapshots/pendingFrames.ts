@@ -1,0 +1,30 @@
+import type { PendingMessage, WorldEvent } from '../../wire';
+
+/**
+ * Received frames that are not decoded yet. The next `advance` decodes the newest few and reads only the events of those they supersede,
+ * so that a page hidden for minutes returns at once.
+ */
+export interface PendingFrames {
+  readonly queue: Waiting[];
+  /** Of superseded frames, in order. */
+  readonly events: WorldEvent[];
+}
+
+/** A message and its arrival, client wall s. */
+export interface Waiting {
+  readonly message: PendingMessage;
+  readonly at: number;
+}
+
+/** Events of superseded frames that are kept; the oldest go first. */
+export const MAX_KEPT_EVENTS = 1000;
+
+export function createPendingFrames(): PendingFrames {
+  return { queue: [], events: [] };
+}
+
+/** Drops what waits: it is of another session. */
+export function forgetPending({ queue, events }: PendingFrames): void {
+  queue.length = 0;
+  events.length = 0;
+}

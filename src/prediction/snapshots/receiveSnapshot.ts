@@ -1,0 +1,98 @@
+import type { ServerFrame } from '../../wire';
+import { forgetRecords } from '../inputs/inputs';
+import { fitRings } from '../simulation/fitRings';
+import type { Simulation } from '../simulation/simulation';
+import { clearFleet, removeTrack } from '../simulation/track';
+import { forgetCadence, noteSend } from '../time/cadence';
+import { forgetSchedule } from '../time/clock';
+import { spanOf } from '../time/timeline';
+import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
+import { classifySnapshot, type SnapshotKind } from './classify';
+import { forgetPast, type Receiver } from './receiver';
+import { settleEvents, tellEvents } from './settleEvents';
+import { takeOlder, takePart, takeStates } from './takeStates';
+import { followTempo } from './tempo';
+
+/** Sends without a ship after which it is removed, if it has also been silent for FADE_SECONDS. */
+const FADE_SENDS = 3;
+const FADE_SECONDS = 1;
+
+/** Receives a complete frame of the simulated world: classifies and counts it, and compares it with the prediction if it is used. */
+export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
+  const kind = classifySnapshot(sim, receiver, frame, now);
+  if (!count(sim, kind)) return;
+  if (kind === 'jump') startAnew(sim, receiver);
+  receiver.seen[frame.tick % receiver.seen.length] = frame.tick;
+  if (kind === 'older') {
+    tellEvents(sim, receiver, frame);
+    takeOlder(sim, receiver, frame, now);
+    return;
+  }
+  receiver.acceptedAt = now;
+  receiver.jump.count = 0;
+  if (kind === 'part') takePart(sim, receiver, frame, now);
+  else {
+    noteSend(sim.cadence, sim.newestTick < 0 ? 0 : frame.tick - sim.newestTick);
+    followTempo(sim, receiver, frame, now);
+    receiver.newest = frame.tick;
+    receiver.fresh = false;
+    const { substeps } = spanOf(sim.timeline, frame.tick).timing;
+    const ships = Math.max(sim.fleet.tracks.length, frame.ships.length);
+    fitRings(sim, { tickRate: frame.tickRate, substeps, ships });
+    takeStates(sim, receiver, frame, now);
+  }
+  settleEvents(sim, receiver, frame, now);
+  if (kind !== 'part') fade(sim, now);
+}
+
+/** Counts a frame by its kind. Returns whether it is used. */
+function count({ counters }: Simulation, kind: SnapshotKind): boolean {
+  switch (kind) {
+    case 'duplicate':
+      counters.framesDuplicate += 1;
+      return false;
+    case 'tooOld':
+      counters.framesTooOld += 1;
+      return false;
+    case 'future':
+      counters.framesFromFuture += 1;
+      return false;
+    case 'older':
+      counters.framesOutOfOrder += 1;
+      break;
+    default:
+  }
+  counters.framesAccepted += 1;
+  return true;
+}
+
+/** Counts a refused message, with the reason. */
+export function refuse({ counters, warn }: Simulation, reason: string): void {
+  counters.framesRefused += 1;
+  counters.lastRefusal = reason;
+  warn('message-refused', `A message was refused, and the last good state stays. ${reason}.`, { reason });
+}
+
+/** Starts another timeline: the predictions so far cannot be compared with later states. */
+export function startAnew(sim: Simulation, receiver: Receiver): void {
+  sim.counters.resyncs += 1;
+  sim.timeline.spans.length = 0;
+  forgetRecords(sim.inputs);
+  forgetSchedule(receiver.clock);
+  forgetBodiesAfter(sim.bodies, -1);
+  clearFleet(sim.fleet);
+  forgetCadence(sim.cadence);
+  forgetPast(receiver);
+  sim.newestTick = -1;
+  sim.frontIsStale = true;
+}
+
+/** Removes ships that have not been sent for 3 sends and FADE_SECONDS; a ship that is sent seldom stays. */
+function fade(sim: Simulation, now: number): void {
+  const { tracks } = sim.fleet;
+  for (let i = tracks.length - 1; i >= 0; i--) {
+    const track = tracks[i]!;
+    if (sim.cadence.sends - track.lastSend >= FADE_SENDS && now - track.seenAt >= FADE_SECONDS)
+      removeTrack(sim.fleet, track);
+  }
+}

@@ -1,0 +1,33 @@
+/**
+ * Whether the dynamics fit a ship (PREDICTION, Foreign dynamics): if they were worse over the last few states than extrapolation, the
+ * ship is extrapolated until they fit again.
+ */
+export interface LawFit {
+  /** '': simulated. 'law': the dynamics do not fit. 'ground': the ground below it is unknown. */
+  carried: '' | 'law' | 'ground';
+  /** Errors of the last states, m, slot = count mod length. */
+  readonly law: Float64Array;
+  readonly carry: Float64Array;
+  count: number;
+  /** States received while it was extrapolated. */
+  states: number;
+}
+
+/** States over which the errors are summed. */
+export const WINDOW = 4;
+
+export function createLawFit(): LawFit {
+  return {
+    ...{ carried: '', law: new Float64Array(WINDOW), carry: new Float64Array(WINDOW) },
+    ...{ count: 0, states: 0 },
+  };
+}
+
+/** A simulated ship's state agreed: nothing to compare. Returns false, since it stays simulated. */
+export function holdLaw(fit: LawFit): boolean {
+  const slot = fit.count % WINDOW;
+  fit.count += 1;
+  fit.law[slot] = 0;
+  fit.carry[slot] = 0;
+  return false;
+}

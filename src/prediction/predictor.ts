@@ -19,10 +19,10 @@ import {
   snapshotOf,
 } from './lifecycle/snapshot';
 import type { Defaults, PredictorOptions } from './options';
+import { wallAt } from './callTime';
 import { changeOwnShip, dropShip, expectTeleport, type Removal, resetSession } from './ownership';
 import { announce, createSession, type Session } from './session';
 import type { Policy } from './simulation/track';
-import { noteCall } from './snapshots/receiveMessage';
 import { decodePending, receivePending } from './snapshots/pending';
 import { refuse } from './snapshots/receiveSnapshot';
 import { pingIfDue } from './time/pings';
@@ -132,9 +132,11 @@ function createFace({ session, kept }: Owned): Predictor {
     configure: (changes) =>
       life.goesOn('configure') ? configure(session, changes) : err('configure: disposed'),
     reset: () => resetSession(session),
-    snapshot: (now) => snapshotOf(session, kept, now),
+    snapshot: (now) => snapshotOf(session, kept, wallAt(session, now)),
     restore: (snapshot, now) =>
-      life.goesOn('restore') ? restoreSnapshot(session, kept, snapshot, now) : err('snapshot: disposed'),
+      life.goesOn('restore')
+        ? restoreSnapshot(session, kept, snapshot, wallAt(session, now))
+        : err('snapshot: disposed'),
     dispose() {
       life.end();
       session.listeners.clear();
@@ -167,27 +169,31 @@ function createLife({ warn }: Session): Life {
 /** The calls of each message and each display frame. */
 function frameCalls(session: Session, kept: Kept, life: Life) {
   const checks = createChecks(session);
-  const receive: Predictor['receive'] = (message, now) => {
-    if (!life.goesOn('receive')) return;
+  const receiveAt = (message: ServerMessage | PartialFrame, now: number, at: number) => {
     checks?.receive(message, now);
-    receiveAndKeep(session, kept, message, now);
+    if (!Number.isNaN(at)) receiveAndKeep(session, kept, message, at);
   };
   return {
-    receive,
-    receivePending: (message, now) => {
-      if (life.goesOn('receivePending')) receivePending(session, message, now, receive);
+    receive(message, now) {
+      if (life.goesOn('receive')) receiveAt(message, now, wallAt(session, now));
+    },
+    receivePending(message, now) {
+      if (life.goesOn('receivePending')) receivePending(session, message, now, receiveAt);
     },
     advance(controls, now) {
       if (!life.goesOn('advance')) return;
       checks?.advance(controls, now);
-      if (!noteCall(session, now)) return;
-      decodePending(session, receive);
-      pingIfDue(session.pings, now);
-      if (session.sim.newestTick >= 0) advanceFrame(session, controls, now);
+      const at = wallAt(session, now);
+      if (Number.isNaN(at)) return;
+      decodePending(session, receiveAt);
+      pingIfDue(session.pings, at);
+      if (session.sim.newestTick >= 0) advanceFrame(session, controls, at);
     },
     view(now) {
       checks?.view(now);
-      return Number.isFinite(now) || noteCall(session, now) ? viewAt(session, now) : session.shown.view;
+      if (Number.isFinite(now)) return viewAt(session, now + session.setBack);
+      wallAt(session, now);
+      return session.shown.view;
     },
     takeOutgoing() {
       checks?.taken();

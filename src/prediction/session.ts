@@ -40,6 +40,8 @@ export interface Session {
   /** The world in force: the defaults until a hello has another. */
   config: WorldConfig;
   granularity: Hello['inputGranularity'];
+  /** s by which the caller's clock has been set back so far: client wall s are what it reads, and this. */
+  setBack: number;
   /** Client wall s of the last `advance`; NaN before the first. */
   advancedAt: number;
   /** Usual client wall s between two calls of `advance`. */
@@ -75,6 +77,7 @@ export function createSession(options: PredictorOptions): Session {
     shown: createShown(sim, springsOf(options.smoothing)),
     config: defaults,
     granularity: 'tick',
+    setBack: 0,
     advancedAt: Number.NaN,
     usualGap: Number.NaN,
   };

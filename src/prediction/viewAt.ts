@@ -30,8 +30,8 @@ function fillConnection({ shown, receiver, pings, sim }: Session, now: number): 
   view.connection = connectionOf(heard, sim.cadence, spanOf(sim.timeline, sim.newestTick));
 }
 
-function fillGauges({ counters, clock }: Session): void {
-  counters.clockOffset = clock.offset;
+function fillGauges({ counters, clock, setBack }: Session): void {
+  counters.clockOffset = clock.offset - setBack;
   counters.clockRate = clock.rate;
   counters.roundTrip = clock.roundTrip;
   counters.jitter = jitterOf(clock);

@@ -50,7 +50,7 @@ export function receiveAndKeep(
   const { counters } = session;
   const [refused, accepted] = [counters.framesRefused, counters.framesAccepted];
   receiveMessage(session, message, now);
-  if (counters.framesRefused > refused || !Number.isFinite(now)) return;
+  if (counters.framesRefused > refused) return;
   const kind: unknown = (message as { kind?: unknown } | null | undefined)?.kind;
   if (kind === 'hello') kept.hello = message as Hello;
   const frame = message as PartialFrame;

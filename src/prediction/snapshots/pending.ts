@@ -1,30 +1,31 @@
 import type { PendingMessage, ServerMessage } from '../../wire';
+import { wallAt } from '../callTime';
 import type { Session } from '../session';
 import { MAX_KEPT_EVENTS, type Waiting } from './pendingFrames';
-import { noteCall } from './receiveMessage';
 import { refuse } from './receiveSnapshot';
 
-/** Handles a decoded message. */
-type Receive = (message: ServerMessage, now: number) => void;
+/** Handles a decoded message that arrived at the caller's `now`, client wall second `at`. */
+type Receive = (message: ServerMessage, now: number, at: number) => void;
 
 /** Frames that wait undecoded: more than arrive between two display frames of a visible page. */
 const MAX_QUEUED = 4;
 
-/** A message has arrived at client wall second `now`; a frame waits for `decodePending`, anything else does not. */
+/** A message has arrived at the caller's `now`; a frame waits for `decodePending`, anything else does not. */
 export function receivePending(
   session: Session,
   message: PendingMessage,
   now: number,
   receive: Receive,
 ): void {
-  if (!noteCall(session, now)) return;
+  const at = wallAt(session, now);
+  if (Number.isNaN(at)) return;
   const { queue, events } = session.pending;
   if (!message.isFrame) {
     decodePending(session, receive);
-    decodeOne(session, { message, at: now }, receive);
+    decodeOne(session, { message, now, at }, receive);
     return;
   }
-  queue.push({ message, at: now });
+  queue.push({ message, now, at });
   if (queue.length <= MAX_QUEUED) return;
   events.push(...queue.shift()!.message.events());
   if (events.length > MAX_KEPT_EVENTS) events.splice(0, events.length - MAX_KEPT_EVENTS);
@@ -38,7 +39,7 @@ export function decodePending(session: Session, receive: Receive): void {
   for (const one of queue.splice(0)) decodeOne(session, one, receive);
 }
 
-function decodeOne(session: Session, { message, at }: Waiting, receive: Receive): void {
+function decodeOne(session: Session, { message, now, at }: Waiting, receive: Receive): void {
   const decoded = message.decode();
   if (!decoded.ok) {
     refuse(session.sim, decoded.reason);
@@ -47,6 +48,6 @@ function decodeOne(session: Session, { message, at }: Waiting, receive: Receive)
   const events = decoded.value.kind === 'frame' ? session.pending.events.splice(0) : [];
   const { value } = decoded;
   if (value.kind === 'frame' && events.length > 0)
-    receive({ ...value, events: [...events, ...value.events] }, at);
-  else receive(value, at);
+    receive({ ...value, events: [...events, ...value.events] }, now, at);
+  else receive(value, now, at);
 }

@@ -10,9 +10,10 @@ export interface PendingFrames {
   readonly events: WorldEvent[];
 }
 
-/** A message and its arrival, client wall s. */
+/** A message and its arrival: as the caller gave it, and client wall s. */
 export interface Waiting {
   readonly message: PendingMessage;
+  readonly now: number;
   readonly at: number;
 }
 

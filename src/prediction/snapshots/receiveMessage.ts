@@ -5,8 +5,8 @@ import { changeWorld } from '../lifecycle/changeWorld';
 import { changeOwnShip } from '../ownership';
 import { announce, beginWorld, type Session } from '../session';
 import type { Simulation } from '../simulation/simulation';
-import { type Answer, noteNow, samplePong, serverTime } from '../time/clock';
-import { answeredPing, forgetPings } from '../time/pings';
+import { type Answer, samplePong, serverTime } from '../time/clock';
+import { answeredPing } from '../time/pings';
 import { spanOf, wallOfTick } from '../time/timeline';
 import { completeFrame } from './completeFrame';
 import { receiveSnapshot, refuse, startAnew } from './receiveSnapshot';
@@ -17,7 +17,6 @@ import { loadGiven, sameWorld } from './worldConfig';
  * good state stays.
  */
 export function receiveMessage(session: Session, message: ServerMessage | PartialFrame, now: number): void {
-  if (!noteCall(session, now)) return;
   switch (kindOf(message)) {
     case 'hello':
       takeHello(session, message as Hello, now);
@@ -36,22 +35,6 @@ export function receiveMessage(session: Session, message: ServerMessage | Partia
 
 function kindOf(message: unknown): unknown {
   return (message as { kind?: unknown } | null | undefined)?.kind;
-}
-
-/** Whether `now` is a time. If the clock went back, the estimates of the server's clock are shifted with it. */
-export function noteCall({ clock, pings, warn }: Session, now: number): boolean {
-  if (!Number.isFinite(now)) {
-    warn(
-      'now-not-finite',
-      'now must be finite wall seconds, e.g. performance.now() / 1000. The call was ignored.',
-      {
-        now,
-      },
-    );
-    return false;
-  }
-  if (noteNow(clock, now)) forgetPings(pings);
-  return true;
 }
 
 /** A new connection starts a new timeline; the same world continues only if its time does. */

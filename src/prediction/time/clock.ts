@@ -7,7 +7,7 @@ import {
   forgetBounds,
   type OffsetBounds,
   type Sampling,
-  shiftBounds,
+  forgetLower,
 } from './offsetBounds';
 
 /**
@@ -216,17 +216,8 @@ export function steerByMargin(clock: Clock, margin: number, steerThen: number, n
   clock.lateWanted = wanted;
 }
 
-/** Notes `now`, of whatever call, before it is used. If the clock went back, all estimates are shifted with it. Returns whether it did. */
-export function noteNow(clock: Clock, now: number): boolean {
-  const back = clock.updatedAt - now;
-  if (!(back > 0)) return false;
-  shiftBounds(clock.bounds, back);
-  clock.updatedAt = now;
-  clock.offset -= back;
-  clock.settledOffset -= back;
-  clock.offsetAt = Math.min(clock.offsetAt, now);
-  clock.pongAt = Math.min(clock.pongAt, now);
-  clock.timedPongAt = Math.min(clock.timedPongAt, now);
+/** The caller's clock was set back: how much time passed meanwhile is unknown. */
+export function noteSetBack(clock: Clock): void {
+  forgetLower(clock.bounds);
   clock.lateAt = Number.NEGATIVE_INFINITY;
-  return true;
 }

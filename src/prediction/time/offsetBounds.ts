@@ -46,11 +46,9 @@ export function forgetBounds(bounds: OffsetBounds): void {
   Object.assign(bounds, createOffsetBounds());
 }
 
-/** The client's clock went back by `seconds`, and an unknown time passed meanwhile: an upper bound stays valid. */
-export function shiftBounds(bounds: OffsetBounds, seconds: number): void {
-  bounds.upper -= seconds;
+/** An unknown time passed while the client's clock stood: an upper bound stays valid. */
+export function forgetLower(bounds: OffsetBounds): void {
   bounds.lower = Number.NEGATIVE_INFINITY;
-  bounds.agedTo -= seconds;
   bounds.late = 0;
 }
 

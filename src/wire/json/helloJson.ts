@@ -53,7 +53,7 @@ export function decodeHelloJson(value: unknown): Result<DecodedHello> {
   const isFrame = valueIn(r, sent, 'ships') !== undefined;
   if (r.reason === null && (isFrame || !TOLD.some((name) => valueIn(r, sent, name) !== undefined)))
     return err(
-      `message: ${isFrame ? 'a frame: hand it to decodeFrameJson' : `expected at least one of ${TOLD.join(', ')}`}`,
+      `message: ${isFrame ? 'a frame: pass it to decodeFrameJson' : `expected at least one of ${TOLD.join(', ')}`}`,
     );
   const from = completed(sent);
   const protocolVersion = readProtocolVersion(r, from);

@@ -53,28 +53,32 @@ const REPORT = new RegExp(String.raw`^\S+: tick \d+ substep -?\d+: [a-z_ .]+: ${
 
 describe('a Python law with another order of operations', () => {
   withPython.each([
-    ['surface.py', 'vx * sx + vy * sy + vz * sz', 'vx * sx + (vy * sy + vz * sz)'],
+    ['law/surface.py', 'vx * sx + vy * sy + vz * sz', 'vx * sx + (vy * sy + vz * sz)'],
     [
-      'surface.py',
+      'law/surface.py',
       'x - rise_1 * first[0] - rise_2 * second[0]',
       'x - (rise_1 * first[0] + rise_2 * second[0])',
     ],
-    ['pose.py', 'x + tx * twice + 2 * (ay * tz - az * ty)', 'x + (tx * twice + 2 * (ay * tz - az * ty))'],
-    ['flight.py', 'x + (ux * dt + ax * half_squared)', '(x + ux * dt) + ax * half_squared'],
+    ['law/pose.py', 'x + tx * twice + 2 * (ay * tz - az * ty)', 'x + (tx * twice + 2 * (ay * tz - az * ty))'],
+    ['law/flight.py', 'x + (ux * dt + ax * half_squared)', '(x + ux * dt) + ax * half_squared'],
     [
-      'actuators.py',
+      'law/actuators.py',
       'ship.fuel - (main * cls.main_flow + burn * cls.rcs_flow) * dt',
       'ship.fuel - main * cls.main_flow * dt - burn * cls.rcs_flow * dt',
     ],
-    ['attitude_control.py', 'tx * qw - tw * qx - ty * qz + tz * qy', 'tx * qw + tz * qy - tw * qx - ty * qz'],
-    ['forces.py', 'dx * sx + dy * sy + dz * sz', 'dx * sx + (dy * sy + dz * sz)'],
     [
-      'moments.py',
+      'law/attitude_control.py',
+      'tx * qw - tw * qx - ty * qz + tz * qy',
+      'tx * qw + tz * qy - tw * qx - ty * qz',
+    ],
+    ['law/forces.py', 'dx * sx + dy * sy + dz * sz', 'dx * sx + (dy * sy + dz * sz)'],
+    [
+      'law/moments.py',
       'toppling * (ny * upz - nz * upy) + mx + kx',
       'toppling * (ny * upz - nz * upy) + (mx + kx)',
     ],
-    ['vectors.py', 'ay * bw + aw * by + az * bx - ax * bz', 'aw * by + az * bx + ay * bw - ax * bz'],
-    ['pose.py', 'hx * w + hy * z - hz * y', 'hx * w - hz * y + hy * z'],
+    ['law/vectors.py', 'ay * bw + aw * by + az * bx - ax * bz', 'aw * by + az * bx + ay * bw - ax * bz'],
+    ['law/pose.py', 'hx * w + hy * z - hz * y', 'hx * w - hz * y + hy * z'],
     ['ship_class.py', '(c * h - b * i) / determinant', '(c * h - b * i) * (1 / determinant)'],
   ])('%s: %s', async (file, expression, instead) => {
     const broken = brokenServer(file, expression, instead);
@@ -84,7 +88,7 @@ describe('a Python law with another order of operations', () => {
   });
 
   withPython('noise.py: c0 + (c1 - c0) * tz', async () => {
-    const broken = brokenServer('noise.py', 'c0 + (c1 - c0) * tz', '(1 - tz) * c0 + c1 * tz');
+    const broken = brokenServer('ground/noise.py', 'c0 + (c1 - c0) * tz', '(1 - tz) * c0 + c1 * tz');
     const points = surveyPoints();
     const theirs = await surveyInPython(points, broken);
     expect(heightsHere(points).filter((height, i) => height !== theirs[i]).length).toBeGreaterThan(100);

@@ -61,7 +61,7 @@ export function caseOf(scenario: Scenario): Result<ExactCase> {
   });
 }
 
-/** The same data with the game's names: what src/service/touchdown_service/cases.py reads. */
+/** The same data with the game's names: what src/service/touchdown_service/comparison/cases.py reads. */
 export function caseToJson(exact: ExactCase): unknown {
   return withSnakeKeys(exact);
 }

@@ -36,7 +36,7 @@ export async function replayInPython(
   cases: readonly ExactCase[],
   home: string = SERVER_HOME,
 ): Promise<PythonResult[]> {
-  const lines = await run('touchdown_service.replay', cases.map(caseToJson), { home });
+  const lines = await run('touchdown_service.comparison.replay', cases.map(caseToJson), { home });
   return lines.map((line) => {
     const [name = '', substeps = '', hash = ''] = line.split(' ');
     return { name, substeps: Number(substeps), hash };
@@ -52,18 +52,27 @@ export interface PythonRow {
 
 /** Every row of one case. */
 export async function rowsInPython(exact: ExactCase, home: string = SERVER_HOME): Promise<PythonRow[]> {
-  const lines = await run('touchdown_service.replay', [caseToJson(exact)], { home, options: ['--rows'] });
+  const lines = await run('touchdown_service.comparison.replay', [caseToJson(exact)], {
+    home,
+    options: ['--rows'],
+  });
   return lines.map((line) => {
     const [tick = '', substep = '', bytes = ''] = line.split(' ');
     return { tick: Number(tick), substep: Number(substep), bytes };
   });
 }
 
-/** Runs `python3 -m touchdown_service.fixtures`, which writes every rehearsal as a fixture into `folder`. */
+/** Runs `python3 -m touchdown_service.comparison.fixtures`, which writes every scenario as a fixture into `folder`. */
 export function writeFixtures(folder: string): void {
-  const command = ['-B', '-m', 'touchdown_service.fixtures', join(SERVICE_TESTS, 'scenarios.json'), folder];
+  const command = [
+    '-B',
+    '-m',
+    'touchdown_service.comparison.fixtures',
+    join(SERVICE_TESTS, 'scenarios.json'),
+    folder,
+  ];
   const { status, stderr } = spawnSync(PYTHON, command, { cwd: SERVER_HOME, encoding: 'utf8' });
-  if (status !== 0) throw new Error(`touchdown_service.fixtures failed: ${stderr}`);
+  if (status !== 0) throw new Error(`touchdown_service.comparison.fixtures failed: ${stderr}`);
 }
 
 /** A terrain's name, a body's name, and a unit direction in the body's axes. */
@@ -75,7 +84,7 @@ export function surveyInPython(
   home: string = SERVER_HOME,
   maps: readonly unknown[] = [],
 ): Promise<string[]> {
-  return run('touchdown_service.survey', [...maps, ...points], { home });
+  return run('touchdown_service.comparison.survey', [...maps, ...points], { home });
 }
 
 /** Runs a module of the server with `input`, a line of JSON an item; the lines of its answer. */

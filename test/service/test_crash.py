@@ -8,9 +8,9 @@ from typing import Any
 
 from harness import SERVICE_HOME, RedisServer, ServiceProcess, entries, lander, send, until
 
-from touchdown_service.galaxy import Changes, make_galaxy, run_interval
-from touchdown_service.inbox import take_in
-from touchdown_service.records import body_of_record, ship_record, to_texts
+from touchdown_service.runtime.galaxy import Changes, make_galaxy, run_interval
+from touchdown_service.runtime.inbox import take_in
+from touchdown_service.storage.records import body_of_record, ship_record, to_texts
 
 WORLD = json.loads((SERVICE_HOME / "touchdown_service" / "world.json").read_text(encoding="utf-8"))
 RATE = 100

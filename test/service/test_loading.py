@@ -10,13 +10,13 @@ from typing import Any
 
 from harness import SERVICE_HOME  # noqa: F401  (puts the service on the path)
 
-from touchdown_service.cases import load_case
+from touchdown_service.comparison.cases import load_case
 from touchdown_service.config import load_config
-from touchdown_service.galaxy import Tempo, make_galaxy
-from touchdown_service.limits import Refusal
-from touchdown_service.records import body_of_record, load_controls_json
-from touchdown_service.tempo import next_tempo
-from touchdown_service.terrain import with_whole_paths
+from touchdown_service.ground.terrain import with_whole_paths
+from touchdown_service.runtime.galaxy import Tempo, make_galaxy
+from touchdown_service.runtime.tempo import next_tempo
+from touchdown_service.storage.records import body_of_record, load_controls_json
+from touchdown_service.validation.limits import Refusal
 
 WORLD = json.loads((SERVICE_HOME / "touchdown_service" / "world.json").read_text(encoding="utf-8"))
 

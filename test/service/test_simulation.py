@@ -6,12 +6,12 @@ import unittest
 from harness import SERVICE_HOME, lander
 
 from touchdown_service.config import load_timing
-from touchdown_service.galaxy import Changes, Galaxy, make_galaxy, run_interval
-from touchdown_service.inbox import take_in
 from touchdown_service.models import Input
-from touchdown_service.records import body_of_record
+from touchdown_service.runtime.galaxy import Changes, Galaxy, make_galaxy, run_interval
+from touchdown_service.runtime.inbox import take_in
+from touchdown_service.runtime.spawning import ship_of_order
 from touchdown_service.simulation import run_tick
-from touchdown_service.spawning import ship_of_order
+from touchdown_service.storage.records import body_of_record
 
 WORLD = json.loads((SERVICE_HOME / "touchdown_service" / "world.json").read_text(encoding="utf-8"))
 
@@ -89,7 +89,7 @@ class Simulation(unittest.TestCase):
             lander("up", height=100), lander("over", height=100, tilt=30, lean_to=90, velocity=[3, 4, 5])
         )
         up, over = galaxy.ships["up"], galaxy.ships["over"]
-        from touchdown_service.vectors import cross, dot, subtract, unit, up_of
+        from touchdown_service.law.vectors import cross, dot, subtract, unit, up_of
 
         normal = unit(up.position)
         self.assertAlmostEqual(dot(up_of(up.attitude), normal), 1, 12)
@@ -155,7 +155,7 @@ class Spawning(unittest.TestCase):
         self.assertIn("ship_id: expected a text", changes.results[0]["reason"])
 
     def test_a_full_state_comes_back_to_the_bit(self) -> None:
-        from touchdown_service.records import from_hash, ship_of_record, ship_record, to_hash, to_texts
+        from touchdown_service.storage.records import from_hash, ship_of_record, ship_record, to_hash, to_texts
 
         galaxy = galaxy_with(lander(height=3, velocity=[1, 2, -3], tilt=12))
         run(galaxy, 3)

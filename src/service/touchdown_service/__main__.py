@@ -11,10 +11,10 @@ from redis import Redis
 from redis.backoff import NoBackoff
 from redis.retry import Retry
 
-from .lease import LeaseHeld
-from .limits import Refusal
-from .service import Service
-from .terrain import with_whole_paths
+from .ground.terrain import with_whole_paths
+from .runtime.lease import LeaseHeld
+from .runtime.service import Service
+from .validation.limits import Refusal
 
 # Exit codes: the world or the arguments cannot be used; another service runs.
 REFUSED = 2

@@ -14,12 +14,12 @@ from statistics import median
 from time import perf_counter
 
 from .config import Config, timing_of_tick
-from .galaxy import make_galaxy
+from .ground.terrain import TERRAINS, flat
 from .models import CONTACT, FLYING, LANDED, NEUTRAL, TIPPED, Controls, Ship, TerrainHeight, World
-from .records import body_of_record, ship_record, to_hash, to_object, to_texts
+from .runtime.galaxy import make_galaxy
+from .runtime.spawning import ship_of_order
 from .simulation import run_tick
-from .spawning import ship_of_order
-from .terrain import TERRAINS, flat
+from .storage.records import body_of_record, ship_record, to_hash, to_object, to_texts
 
 SUBSTEPS = 50
 ROUNDS = 40

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field, fields
 from math import ceil
 from typing import Any
 
-from .limits import ANY, Range, Refusal, known_fields, mapping, number, one_of
+from .validation.limits import ANY, Range, Refusal, known_fields, mapping, number, one_of
 
 RADIANS_PER_DEGREE = 3.141592653589793 / 180
 

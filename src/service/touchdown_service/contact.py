@@ -1,8 +1,8 @@
 """One substep of one ship, in the order of DYNAMICS; every sum in the order of ORDER."""
 
-from .actuators import actuate
-from .flight import fly
-from .forces import (
+from .law.actuators import actuate
+from .law.flight import fly
+from .law.forces import (
     accelerate,
     along_ground,
     cap_rise,
@@ -13,13 +13,13 @@ from .forces import (
     settles_without_bounce,
     spring_force,
 )
+from .law.moments import ground_torque
+from .law.pose import spin_by_torque, turn_attitude_with_ground, turn_by_spin, turn_place_with_ground
+from .law.rest import rest_on_side
+from .law.surface import Ground, Place, ground_of, over_ground, penetration_of, place_of
+from .law.transitions import End, leave_or_change, touch_or_crash
+from .law.vectors import Mat3, Quat, Vec3, add, axes_of, dot, up_of
 from .models import FLYING, LANDED, TIPPED, BodyStep, Ship, World
-from .moments import ground_torque
-from .pose import spin_by_torque, turn_attitude_with_ground, turn_by_spin, turn_place_with_ground
-from .rest import rest_on_side
-from .surface import Ground, Place, ground_of, over_ground, penetration_of, place_of
-from .transitions import End, leave_or_change, touch_or_crash
-from .vectors import Mat3, Quat, Vec3, add, axes_of, dot, up_of
 
 NOTHING: Vec3 = (0.0, 0.0, 0.0)
 NO_AXES: Mat3 = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)

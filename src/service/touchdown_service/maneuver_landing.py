@@ -8,8 +8,8 @@ its engine cannot hold it.
 from dataclasses import dataclass
 from math import sqrt
 
+from .law.vectors import Vec3, axes_of, cross, dot, rotate_back, scale, subtract, up_of
 from .models import CONTACT, LANDED, NEUTRAL, TIPPED, Controls, Ship, World
-from .vectors import Vec3, axes_of, cross, dot, rotate_back, scale, subtract, up_of
 
 DESCENT = "descent"
 TOUCHDOWN = "touchdown"

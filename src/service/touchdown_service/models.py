@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from .config import Config
+from .law.vectors import Mat3, Quat, Vec3
 from .ship_class import ShipClass
-from .vectors import Mat3, Quat, Vec3
 
 GRAVITATIONAL_CONSTANT = 6.6743e-11
 

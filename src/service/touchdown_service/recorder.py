@@ -15,12 +15,12 @@ from typing import Any
 
 from redis import Redis
 
+from .comparison.fixtures import to_text
 from .config import load_config, timing_of_tick
-from .fixtures import to_text
-from .frames import FRAMES
-from .galaxy import Tempo
-from .limits import Refusal
-from .records import w_last
+from .runtime.galaxy import Tempo
+from .storage.frames import FRAMES
+from .storage.records import w_last
+from .validation.limits import Refusal
 
 # Wall ms for which the next frame is waited for: twice the longest interval.
 PATIENCE = 20_000

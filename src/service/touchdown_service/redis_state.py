@@ -10,12 +10,11 @@ from redis import Redis
 from redis.client import Pipeline
 from redis.exceptions import WatchError
 
-from . import lease as lease_key
-from .frames import event_record, ship_in_frame, write_events, write_frame
-from .galaxy import Changes, Galaxy, make_galaxy
-from .lease import Lease, LeaseLost
-from .limits import Refusal, required
-from .records import (
+from .runtime import lease as lease_key
+from .runtime.galaxy import Changes, Galaxy, make_galaxy
+from .runtime.lease import Lease, LeaseLost
+from .storage.frames import event_record, ship_in_frame, write_events, write_frame
+from .storage.records import (
     body_of_record,
     body_record,
     from_hash,
@@ -26,7 +25,8 @@ from .records import (
     to_hash,
     to_texts,
 )
-from .stored import CLOCK, landing_values, load_clock, load_landing
+from .storage.stored import CLOCK, landing_values, load_clock, load_landing
+from .validation.limits import Refusal, required
 
 WORLD, BODIES, PENDING = "touchdown:world", "touchdown:bodies", "touchdown:pending"
 INBOX, STATUS = "touchdown:inbox", "touchdown:status"

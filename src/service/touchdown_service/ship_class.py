@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from math import inf, sqrt
 
-from .vectors import Mat3, Vec3
+from .law.vectors import Mat3, Vec3
 
 STANDARD_GRAVITY = 9.80665
 

@@ -6,8 +6,8 @@ from math import inf
 
 from .config import Timing
 from .contact import substep
+from .law.vectors import add, axes_of, dot, scale, small_rotation, subtract, turned
 from .models import FLYING, Applied, Body, BodyStep, Change, Event, Input, Ship, World
-from .vectors import add, axes_of, dot, scale, small_rotation, subtract, turned
 
 AfterSubstep = Callable[[Ship, int, str], None]
 

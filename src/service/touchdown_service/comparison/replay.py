@@ -1,7 +1,7 @@
 """Plays cases and prints what every substep came to, so that another implementation can be compared bit by bit.
 
-    python3 -m touchdown_service.replay < cases.jsonl           one line a case: name, substeps, SHA-256 of all its rows
-    python3 -m touchdown_service.replay --rows < cases.jsonl    one line a row: tick, substep, the row's bytes in hex
+    python3 -m touchdown_service.comparison.replay < cases.jsonl           one line a case: name, substeps, SHA-256 of all its rows
+    python3 -m touchdown_service.comparison.replay --rows < cases.jsonl    one line a row: tick, substep, the row's bytes in hex
 
 A row is the ship after a substep, as little-endian doubles in the columns of src/dynamics/state/layout.ts, then the event's number.
 After a tick's last substep comes a row for each body (substep -1): position, velocity, attitude.
@@ -14,9 +14,9 @@ from hashlib import sha256
 from struct import Struct
 from typing import Any
 
+from ..models import ATTITUDE_MODES, SURFACE_CONTACT_STATES, Body, Ship
+from ..simulation import run_tick
 from .cases import Case, load_case
-from .models import ATTITUDE_MODES, SURFACE_CONTACT_STATES, Body, Ship
-from .simulation import run_tick
 
 EVENTS = ("", "ship.contact", "ship.landed", "ship.tipped", "ship.righted", "ship.destroyed")
 # A mode that is not known has the number behind the last.

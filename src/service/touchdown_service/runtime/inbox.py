@@ -5,11 +5,11 @@ from bisect import insort
 from math import ceil
 from typing import Any
 
+from ..maneuver_landing import Landing
+from ..models import Input, Ship
+from ..storage.records import load_controls_json
+from ..validation.limits import Refusal, mapping, one_of, required, text, whole
 from .galaxy import Changes, Galaxy, end_landing, remove_ship
-from .limits import Refusal, mapping, one_of, required, text, whole
-from .maneuver_landing import Landing
-from .models import Input, Ship
-from .records import load_controls_json
 from .spawning import ship_of_order
 
 # Inputs of one ship that may wait: ten wall seconds at 0.1 Hz with a change every 10 ms, twice over.

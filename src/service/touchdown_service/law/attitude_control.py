@@ -2,7 +2,7 @@
 
 from math import sqrt
 
-from .models import ATTITUDE_MODES, FLYING, Ship
+from ..models import ATTITUDE_MODES, FLYING, Ship
 from .surface import Place
 from .vectors import Mat3, Vec3, add, cross, length, rotate, rotate_back, scale, subtract
 

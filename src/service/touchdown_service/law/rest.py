@@ -1,6 +1,6 @@
 """Step 8: the hull of a tipped ship rests on its side."""
 
-from .models import Ship
+from ..models import Ship
 from .vectors import (
     Mat3,
     Vec3,

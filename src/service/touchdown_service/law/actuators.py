@@ -1,7 +1,7 @@
 """Engine, thrusters and wheels (DYNAMICS, Actuators; ORDER, step 1)."""
 
+from ..models import LANDED, Ship
 from .attitude_control import asked_torque
-from .models import LANDED, Ship
 from .surface import Place
 from .vectors import Mat3, Vec3
 

@@ -5,11 +5,11 @@ from math import sqrt
 from pathlib import Path
 from typing import Any
 
+from ..law.vectors import Vec3
+from ..models import Body, TerrainHeight
+from ..validation.limits import Refusal, mapping, one_of, text
 from .heightmap import heightmap_terrain, load_heightmap
-from .limits import Refusal, mapping, one_of, text
-from .models import Body, TerrainHeight
 from .noise import crater, noise
-from .vectors import Vec3
 
 LANDING_SITE = (0.6, 0.48, 0.64)
 # m: the site is level to the first and the relief is whole from the second on

@@ -2,7 +2,7 @@
 
 from math import sqrt
 
-from .models import Ship
+from ..models import Ship
 from .vectors import Mat3, Quat, Vec3, product, rotate
 
 

@@ -3,13 +3,13 @@
 from dataclasses import dataclass, field
 from typing import Any
 
-from .config import Timing, load_config, load_timing
-from .limits import mapping, number, one_of, required, text
-from .loading import load_ship_class
-from .maneuver_landing import Landing, abort, continue_landing
-from .models import Body, Change, Event, Ship, ShipClass, World
-from .simulation import run_tick
-from .terrain import load_ground
+from ..config import Timing, load_config, load_timing
+from ..ground.terrain import load_ground
+from ..maneuver_landing import Landing, abort, continue_landing
+from ..models import Body, Change, Event, Ship, ShipClass, World
+from ..simulation import run_tick
+from ..validation.limits import mapping, number, one_of, required, text
+from ..validation.loading import load_ship_class
 
 
 @dataclass(slots=True)

@@ -3,10 +3,35 @@
 from math import cos, radians, sin, sqrt
 from typing import Any
 
-from .limits import PLACE, SPIN, VELOCITY, Refusal, known_fields, mapping, number, one_of, required, text, vector
-from .models import Body, Ship, ShipClass, TerrainHeight
-from .records import ship_of_record
-from .vectors import Mat3, Quat, Vec3, add, axes_of, cross, normalize, perpendicular_axis, product, rotate, scale, unit
+from ..law.vectors import (
+    Mat3,
+    Quat,
+    Vec3,
+    add,
+    axes_of,
+    cross,
+    normalize,
+    perpendicular_axis,
+    product,
+    rotate,
+    scale,
+    unit,
+)
+from ..models import Body, Ship, ShipClass, TerrainHeight
+from ..storage.records import ship_of_record
+from ..validation.limits import (
+    PLACE,
+    SPIN,
+    VELOCITY,
+    Refusal,
+    known_fields,
+    mapping,
+    number,
+    one_of,
+    required,
+    text,
+    vector,
+)
 
 IDENTITY = frozenset({"ship_id", "player_id", "name", "ship_class", "fuel", "ground_contact_offset"})
 PLACE_FIELDS = IDENTITY | {"body", "direction", "height", "velocity", "heading", "tilt", "lean_to", "spin"}

@@ -7,6 +7,8 @@ from dataclasses import fields
 from math import sqrt
 from typing import Any
 
+from ..law.vectors import Quat
+from ..models import SURFACE_CONTACT_STATES, Body, Controls, Ship, ShipClass
 from .limits import (
     BODY_MASS,
     BODY_RADIUS,
@@ -39,8 +41,6 @@ from .limits import (
     text,
     vector,
 )
-from .models import SURFACE_CONTACT_STATES, Body, Controls, Ship, ShipClass
-from .vectors import Quat
 
 CLASS_SCALARS = {
     "dry_mass": SHIP_MASS,

@@ -2,8 +2,8 @@
 
 from math import sqrt
 
-from .config import Config
-from .models import TIPPED, Ship
+from ..config import Config
+from ..models import TIPPED, Ship
 from .surface import Ground, OverGround, Place
 from .vectors import Vec3
 

@@ -4,10 +4,10 @@ import json
 from json.encoder import encode_basestring_ascii as quoted
 from typing import Any
 
-from .limits import Refusal, boolean, mapping, number, required, text, whole
-from .loading import CONTROL_FIELDS, load_body, load_change, load_ship
-from .models import Applied, Body, Controls, Input, Ship, ShipClass
-from .vectors import Quat, add
+from ..law.vectors import Quat, add
+from ..models import Applied, Body, Controls, Input, Ship, ShipClass
+from ..validation.limits import Refusal, boolean, mapping, number, required, text, whole
+from ..validation.loading import CONTROL_FIELDS, load_body, load_change, load_ship
 
 # In the order of their numbers, rcs_firing's pods: signs of x, y, z (GAME's order).
 PODS = tuple((sx, sy, sz) for sz in (1, -1) for sy in (1, -1) for sx in (1, -1))

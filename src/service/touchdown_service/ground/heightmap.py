@@ -7,9 +7,20 @@ from math import floor, sqrt
 from pathlib import Path
 from typing import Any
 
+from ..models import TerrainHeight
+from ..validation.limits import (
+    BODY_RADIUS,
+    PLACE,
+    Refusal,
+    known_fields,
+    mapping,
+    number,
+    one_of,
+    required,
+    text,
+    whole,
+)
 from .arctangent import angle_of
-from .limits import BODY_RADIUS, PLACE, Refusal, known_fields, mapping, number, one_of, required, text, whole
-from .models import TerrainHeight
 
 PI = 3.141592653589793
 INTERPOLATIONS = ("bilinear", "bicubic")

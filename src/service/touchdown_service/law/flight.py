@@ -1,6 +1,6 @@
 """Step 5 in the air: velocity Verlet under gravity and thrust (ORDER, step 5)."""
 
-from .models import Ship
+from ..models import Ship
 from .surface import Place, place_of
 from .vectors import Vec3
 

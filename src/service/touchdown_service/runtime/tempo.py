@@ -3,9 +3,9 @@
 from dataclasses import replace
 from typing import Any
 
-from .config import TICK_RATE, TIME_SCALE
+from ..config import TICK_RATE, TIME_SCALE
+from ..validation.limits import Range, Refusal, number
 from .galaxy import Tempo
-from .limits import Range, Refusal, number
 
 # Of game:time_scale: how far time sync moves the effective one.
 SYNC_SHARE = 0.05

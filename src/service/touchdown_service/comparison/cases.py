@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 from typing import Any
 
-from .config import Timing, load_config, load_timing
-from .limits import mapping, number, required, text, vector, whole
-from .loading import load_body, load_change, load_ship, load_ship_class
-from .models import Input, Ship, TerrainHeight, World
-from .terrain import bowl, load_terrain_name
+from ..config import Timing, load_config, load_timing
+from ..ground.terrain import bowl, load_terrain_name
+from ..models import Input, Ship, TerrainHeight, World
+from ..validation.limits import mapping, number, required, text, vector, whole
+from ..validation.loading import load_body, load_change, load_ship, load_ship_class
 
 
 @dataclass(slots=True)

@@ -1,6 +1,6 @@
-"""Writes every rehearsal scenario as a trajectory that other implementations can be held to.
+"""Writes every scenario as a trajectory for comparison with other implementations.
 
-    python3 -m touchdown_service.fixtures SCENARIOS FOLDER
+    python3 -m touchdown_service.comparison.fixtures SCENARIOS FOLDER
 
 SCENARIOS is a file like test/service/scenarios.json. The format is that of test/parity/fixtures/README.md;
 `npm run parity -- test/service/fixtures/*.json` replays the files.
@@ -12,10 +12,10 @@ from math import ceil
 from pathlib import Path
 from typing import Any
 
+from ..law.vectors import add
+from ..models import Ship
+from ..simulation import run_tick
 from .cases import load_case
-from .models import Ship
-from .simulation import run_tick
-from .vectors import add
 
 # States a fixture, about: a file stays readable.
 STATES = 60
@@ -87,7 +87,7 @@ def to_text(data: dict[str, Any]) -> str:
 
 def main() -> None:
     if len(sys.argv) != 3:
-        sys.exit("usage: python3 -m touchdown_service.fixtures SCENARIOS FOLDER")
+        sys.exit("usage: python3 -m touchdown_service.comparison.fixtures SCENARIOS FOLDER")
     folder = Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
     scenarios = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))

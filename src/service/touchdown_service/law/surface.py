@@ -5,7 +5,7 @@ Place: n, distance and g. Ground: penetration, the surface normal s, c_s = n . s
 
 from math import sqrt
 
-from .models import Body, Ship, World
+from ..models import Body, Ship, World
 from .vectors import Mat3, Vec3
 
 Place = tuple[float, float, float, float, float]

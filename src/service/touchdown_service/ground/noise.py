@@ -3,7 +3,7 @@
 from functools import lru_cache
 from math import floor
 
-from .vectors import Vec3
+from ..law.vectors import Vec3
 
 MASK = 0xFFFFFFFF
 

@@ -8,11 +8,11 @@ from typing import Any
 from redis import Redis
 from redis.exceptions import RedisError
 
+from ..redis_state import Asked, RedisState
+from ..validation.limits import Refusal
 from .galaxy import Changes, Galaxy, run_interval
 from .inbox import take_in
 from .lease import Lease, LeaseLost
-from .limits import Refusal
-from .redis_state import Asked, RedisState
 from .tempo import next_tempo
 
 log = logging.getLogger("touchdown_service")

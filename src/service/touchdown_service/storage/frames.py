@@ -5,8 +5,8 @@ from typing import Any
 
 from redis.client import Pipeline
 
-from .galaxy import Changes, Galaxy
-from .models import Change, Event, Ship
+from ..models import Change, Event, Ship
+from ..runtime.galaxy import Changes, Galaxy
 from .records import body_record, controls_record, to_object
 
 FRAMES, EVENTS, GALAXY_SHIPS = "touchdown:frames", "touchdown:events", "galaxy:ships"

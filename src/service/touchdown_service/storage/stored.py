@@ -1,8 +1,8 @@
 """Clock and maneuvers as Redis holds them, read back."""
 
-from .galaxy import Galaxy, Tempo
-from .limits import SPEED, mapping, number, required, text, whole
-from .maneuver_landing import Landing
+from ..maneuver_landing import Landing
+from ..runtime.galaxy import Galaxy, Tempo
+from ..validation.limits import SPEED, mapping, number, required, text, whole
 from .records import from_hash
 
 CLOCK = "touchdown:clock"

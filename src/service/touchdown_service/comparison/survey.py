@@ -1,6 +1,6 @@
 """Prints terrain heights, so that another implementation can be compared bit by bit.
 
-    python3 -m touchdown_service.survey < lines    one line per point: the height's double in hex, most significant byte first
+    python3 -m touchdown_service.comparison.survey < lines    one line per point: the height's double in hex, most significant byte first
 
 A line is a point, ["hills", "Luna", nx, ny, nz]: a terrain, a body and a direction in the body's axes; or an object that defines a
 terrain from a heightmap for the lines below it: {"terrain", "body", "samples", "columns", "rows", "scale", ...}.
@@ -11,8 +11,8 @@ import sys
 from array import array
 from struct import pack
 
-from .heightmap import Heightmap, heightmap_terrain
-from .terrain import TERRAINS, flat
+from ..ground.heightmap import Heightmap, heightmap_terrain
+from ..ground.terrain import TERRAINS, flat
 
 
 def main() -> None:

@@ -3,9 +3,9 @@
 from math import sqrt
 from typing import NamedTuple
 
-from .config import Config
+from ..config import Config
+from ..models import CONTACT, FLYING, LANDED, TIPPED, Ship
 from .forces import depth_of, is_nearly_at_rest
-from .models import CONTACT, FLYING, LANDED, TIPPED, Ship
 from .pose import move_with_ground
 from .surface import Ground, OverGround, Place
 from .vectors import Vec3, cross, dot, product, shortest_rotation, subtract, up_of

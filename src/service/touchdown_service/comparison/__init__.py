@@ -1,0 +1,1 @@
+"""Trajectories and heights, written for comparison with other implementations."""

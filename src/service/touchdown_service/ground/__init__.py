@@ -1,0 +1,1 @@
+"""Ground heights: named terrains, their noise, and heightmaps in the game's format."""

@@ -1,0 +1,1 @@
+"""Ships, bodies, clock and frames as Redis holds them."""

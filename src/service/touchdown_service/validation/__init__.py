@@ -1,0 +1,1 @@
+"""Checks of all input: a refusal names the field."""

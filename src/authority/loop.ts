@@ -1,7 +1,7 @@
 import type { Authority } from './authority';
 
 /**
- * When an authority's ticks are due on a wall clock that is handed in: shared by the page's worker, tests and benchmarks.
+ * When an authority's ticks are due on a wall clock that is passed: shared by the page's worker, tests and benchmarks.
  * All times are monotonic wall seconds.
  */
 export interface Loop {

@@ -19,7 +19,7 @@ export function createCockpitExtrapolation({ address, token, shipId, onStatus })
       address,
       token,
       clock: { now: seconds, after },
-      dice: Math.random,
+      jitter: Math.random,
       openSocket: (url) => new WebSocket(url),
     },
     {

@@ -9,7 +9,7 @@ import type { LinkStatus } from './words';
 
 /** One link to the game's server, which reconnects by itself; at most one socket at any time. */
 export interface GameConnection {
-  /** How the link stands, as plain data. */
+  /** The link's state as plain data. */
   readonly state: () => LinkState;
   /** The same in words for a person. */
   readonly status: () => LinkStatus;
@@ -19,7 +19,7 @@ export interface GameConnection {
   readonly send: (message: unknown) => boolean;
   /** Tries again at once, after a refusal too. */
   readonly retry: () => void;
-  /** Closes the socket for good; nothing is told any more. */
+  /** Closes the socket for good; no handler is called afterwards. */
   readonly dispose: () => void;
 }
 
@@ -32,23 +32,23 @@ interface Link {
 }
 
 /**
- * Connects at once. Nothing throws, whatever the server sends.
- * @throws RangeError, naming the option or the handler, where one cannot be used
+ * Connects at once. Never throws, whatever the server sends.
+ * @throws RangeError that names the invalid option or handler
  *
  * @example
  * ```ts
  * const connection = createGameConnection(
- *   { address: 'wss://game.example/ws', token, clock, dice: Math.random, openSocket: (url) => new WebSocket(url) },
+ *   { address: 'wss://game.example/ws', token, clock, jitter: Math.random, openSocket: (url) => new WebSocket(url) },
  *   { onFrame: (frame, at) => predictor.receive(frame, at) },
  * );
  * ```
  */
 export function createGameConnection(options: GameConnectionOptions, handlers: GameHandlers): GameConnection {
   requireConnection(options, handlers);
-  const { address, clock, dice, openSocket } = options;
+  const { address, clock, jitter, openSocket } = options;
   const held = { token: options.token };
   const driver = createDriver({
-    ...{ address, clock, dice, openSocket },
+    ...{ address, clock, jitter, openSocket },
     auth: () => JSON.stringify({ type: 'auth', token: held.token }),
     ping: () => JSON.stringify({ type: 'ping' }),
     onData: (data) => take(own, data),
@@ -73,7 +73,7 @@ function say({ driver, handlers }: Link, message: unknown): boolean {
   return false;
 }
 
-/** Controls that cannot be used are told as refused, and not sent. */
+/** Invalid controls are reported as refused, and not sent. */
 function sayControls(link: Link, controls: Controls): boolean {
   try {
     return say(link, (link.options.pack ?? packControls)(controls));
@@ -101,7 +101,7 @@ function act(link: Link, message: GameMessage): void {
   const { handlers } = link;
   switch (message.kind) {
     case 'welcome':
-      // A later one tells what has changed: another ship.
+      // A later welcome has what changed, such as another ship.
       link.driver.happen({ kind: 'welcome' });
       if (link.driver.state().phase === 'live') handlers.onWelcome?.(asObject(message.about));
       break;
@@ -134,7 +134,7 @@ function takeState(link: Link, sent: unknown): void {
   const frame = decodeFrameJson(sent, known);
   if (!frame.ok) return handlers.onRefused?.(`state.${frame.reason}`);
   const { tickRate } = frame.value;
-  driver.heardState(tickRate === undefined ? undefined : 1 / tickRate);
+  driver.stateReceived(tickRate === undefined ? undefined : 1 / tickRate);
   handlers.onFrame(frame.value, options.clock.now());
 }
 

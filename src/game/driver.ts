@@ -3,47 +3,47 @@ import type { GameClock } from './options';
 import { abandon, type GameSocket, OPEN } from './socket';
 import { type LinkStatus, statusOf } from './words';
 
-/** What a link speaks: the driver itself knows sockets and times alone. */
+/** The messages of a link; the driver itself knows only sockets and times. */
 export interface DriverOptions {
   readonly address: string;
   readonly clock: GameClock;
   /** 0 to 1, for the jitter of reconnects. */
-  readonly dice: () => number;
+  readonly jitter: () => number;
   /** Opens a socket: (address) => new WebSocket(address). */
   readonly openSocket: (address: string) => GameSocket;
-  /** Said when the socket stands; null: nothing has to be. */
+  /** The first message once the socket is open; null for none. */
   readonly auth: () => string | Uint8Array<ArrayBuffer> | null;
-  /** Asks the server for an answer. */
+  /** A message that the server answers. */
   readonly ping: () => string | Uint8Array<ArrayBuffer>;
-  /** A message came, as it is. */
+  /** Called with each message, unread. */
   readonly onData: (data: unknown) => void;
-  /** How the link stands, whenever that changes. */
+  /** Called when the link's status changes. */
   readonly onStatus: ((status: LinkStatus) => void) | undefined;
 }
 
-/** One link that comes back by itself; at most one socket at any time. */
+/** One link that reconnects by itself, with at most one socket at any time. */
 export interface Driver {
-  /** How the link stands, as plain data. */
+  /** The link's state as plain data. */
   readonly state: () => LinkState;
   /** The same in words for a person. */
   readonly status: () => LinkStatus;
-  /** What was heard, for the link's states. */
+  /** Feeds an event to the link. */
   readonly happen: (event: LinkEvent) => void;
-  /** A state came; `told`: the wall s between two that it tells itself, if it does. */
-  readonly heardState: (told: number | undefined) => void;
+  /** A state arrived; `sentInterval`: the wall s between two states, if the state has it. */
+  readonly stateReceived: (sentInterval: number | undefined) => void;
   /** Sends a message of the caller's; false, and nothing is sent, unless the link is live: before the welcome a server refuses it. */
   readonly write: (message: string | Uint8Array<ArrayBuffer>) => boolean;
 }
 
-/** A pause this long says nothing of the usual time between two states, s. */
+/** A longer pause does not count toward the usual interval between two states, s. */
 const LONGEST_INTERVAL = 10;
 
 interface Held {
   state: LinkState;
   socket: GameSocket | null;
   cancelTimer: (() => void) | null;
-  /** The status told last. */
-  told: string;
+  /** The status reported last. */
+  reportedKey: string;
   lastStateAt: number;
   /** Usual wall s between two states. */
   interval: number;
@@ -57,7 +57,7 @@ export function createDriver(options: DriverOptions): Driver {
     state: first.state,
     socket: null,
     cancelTimer: null,
-    told: '',
+    reportedKey: '',
     lastStateAt: NaN,
     interval: 1,
   };
@@ -66,11 +66,11 @@ export function createDriver(options: DriverOptions): Driver {
     state: () => held.state,
     status: () => statusOf(held.state, options.address, clock.now()),
     happen: (event) => happen(options, held, event),
-    heardState(told) {
+    stateReceived(sentInterval) {
       const now = clock.now();
       const since = Math.min(now - held.lastStateAt, LONGEST_INTERVAL);
       const isFirst = Number.isNaN(since);
-      if (told !== undefined) held.interval = isFirst ? told : Math.max(told, since);
+      if (sentInterval !== undefined) held.interval = isFirst ? sentInterval : Math.max(sentInterval, since);
       else if (!isFirst) held.interval += (since - held.interval) / 4;
       held.lastStateAt = now;
       happen(options, held, { kind: 'state', interval: held.interval });
@@ -80,7 +80,7 @@ export function createDriver(options: DriverOptions): Driver {
 }
 
 function happen(options: DriverOptions, held: Held, event: LinkEvent): void {
-  apply(options, held, stepLink(held.state, event, options.clock.now(), options.dice()));
+  apply(options, held, stepLink(held.state, event, options.clock.now(), options.jitter()));
 }
 
 function apply(options: DriverOptions, held: Held, { state, effects }: Step): void {
@@ -91,7 +91,7 @@ function apply(options: DriverOptions, held: Held, { state, effects }: Step): vo
   if (failed !== undefined) happen(options, held, { kind: 'closed', code: 0, reason: failed });
 }
 
-/** Why no socket could be made, or null. */
+/** The reason why no socket could be created, or null. */
 function perform(options: DriverOptions, held: Held, effect: Effect): string | null {
   const message = effect === 'auth' ? options.auth() : effect === 'ping' ? options.ping() : null;
   if (message !== null) write(held, message);
@@ -115,7 +115,7 @@ function open(options: DriverOptions, held: Held): string | null {
   socket.onmessage = ({ data }: { readonly data: unknown }) => options.onData(data);
   socket.onclose = ({ code, reason }: { readonly code: number; readonly reason: string }) =>
     happen(options, held, { kind: 'closed', code, reason });
-  // Told by the close that follows.
+  // The close that follows reports it.
   socket.onerror = () => undefined;
   return null;
 }
@@ -132,8 +132,8 @@ function schedule(options: DriverOptions, held: Held): void {
 function tellStatus(options: DriverOptions, held: Held): void {
   const status = statusOf(held.state, options.address, options.clock.now());
   const key = `${status.phase} ${status.words}`;
-  if (key === held.told) return;
-  held.told = key;
+  if (key === held.reportedKey) return;
+  held.reportedKey = key;
   options.onStatus?.(status);
 }
 

@@ -1,9 +1,9 @@
 import type { Controls } from '../dynamics';
 import { encodeControlsJson } from '../wire';
 
-/** What a message of the game's server comes to, whatever its envelope. The parts are as they came, unchecked. */
+/** The content of a message of the game's server, whatever its envelope. The parts are unchecked. */
 export type GameMessage =
-  /** The player is in; `about`: whatever it tells of player, ship and world. */
+  /** The player is signed in; `about`: what the welcome says of player, ship and world. */
   | { readonly kind: 'welcome'; readonly about: unknown }
   /** `frame`: the object that holds tick and ships. */
   | { readonly kind: 'state'; readonly frame: unknown }
@@ -11,15 +11,15 @@ export type GameMessage =
   | { readonly kind: 'token'; readonly token: unknown }
   | { readonly kind: 'destroyed'; readonly about: unknown }
   | { readonly kind: 'removed'; readonly about: unknown }
-  /** A type that nothing here needs: player_joined, error, one of tomorrow. */
+  /** A type that is not used here: player_joined, error, a future one. */
   | { readonly kind: 'other'; readonly type: string; readonly message: unknown };
 
 /** Names under which a message may wrap its content. */
 const WRAPPERS = ['data', 'payload', 'state'];
 
 /**
- * The game publishes its messages' types, not their members: content is looked for in the message itself, then one level
- * down. Where the game differs, hand another function to createGameConnection.
+ * The game publishes its messages' types, not their members: content is looked up in the message itself, then one level
+ * down. Where the game differs, pass another function to createGameConnection.
  */
 export function openGameMessage(message: unknown): GameMessage {
   const fields = asObject(message);

@@ -1,6 +1,6 @@
-/** The game's WebSocket: connect, authenticate, read its JSON, send controls. GAME.md says what the game publishes. */
+/** The game's WebSocket: connect, authenticate, read its JSON, send controls. GAME.md describes what the game publishes. */
 
-/** The connection itself, with its words for what is wrong. */
+/** The connection itself. */
 export { createGameConnection, type GameConnection } from './connection';
 export type { GameClock, GameConnectionOptions, GameHandlers } from './options';
 export { type GameSocket, MAX_MESSAGE } from './socket';
@@ -17,7 +17,7 @@ export {
   type Step,
   stepLink,
 } from './link';
-/** What a person is told of a state. */
+/** A description of a state for the player. */
 export { type LinkStatus, statusOf } from './words';
-/** How the game packs its messages: replace where it differs. */
+/** The game's envelopes: replace them where they differ. */
 export { type GameMessage, openGameMessage, packControls } from './envelope';

@@ -1,6 +1,6 @@
 /**
- * The states of one link to the game's server, as plain data: `stepLink` takes a state and what happened, and gives the
- * next state and what is to be done. No clock, no dice, no socket: they are the caller's (GAME.md, Protocol).
+ * The states of one link to the game's server, as plain data: `stepLink` takes a state and an event, and returns the
+ * next state and the effects to carry out. Clock, random numbers and socket belong to the caller (GAME.md, Protocol).
  */
 
 export type Phase = 'connecting' | 'authenticating' | 'live' | 'waiting' | 'refused' | 'ended';
@@ -10,25 +10,25 @@ export interface LinkState {
   readonly phase: Phase;
   /** Attempts that failed since the last welcome. */
   readonly failures: number;
-  /** There was a welcome before this attempt. */
+  /** Whether there was a welcome before this attempt. */
   readonly wasLive: boolean;
-  /** Live again, and no state has come yet. */
+  /** Live again, and no state has arrived yet. */
   readonly returned: boolean;
-  /** No state for longer than usual: the server was asked whether it is there, and has answered. */
+  /** No state for longer than usual, but the server answered a ping. */
   readonly silence: 'none' | 'asked' | 'answered';
   readonly welcomeBy: number;
   readonly pingAt: number;
   readonly pongBy: number;
-  /** A state is usual before this. */
+  /** A state is expected before this. */
   readonly stateBy: number;
   readonly retryAt: number;
-  /** Of 'waiting' and 'refused': what ended the attempt. */
+  /** In 'waiting' and 'refused': what ended the attempt. */
   readonly ended: Ending | null;
 }
 
 export interface Ending {
   readonly cause: 'unreachable' | 'lost' | 'noWelcome' | 'noPong' | 'auth' | 'origin';
-  /** WebSocket close code; 0 where the link was given up from here. */
+  /** WebSocket close code; 0 where this side gave up. */
   readonly code: number;
   readonly reason: string;
 }
@@ -36,12 +36,12 @@ export interface Ending {
 export type LinkEvent =
   | { readonly kind: 'opened' }
   | { readonly kind: 'welcome' }
-  /** A state came; usual seconds between two of them. */
+  /** A state arrived; usual seconds between two of them. */
   | { readonly kind: 'state'; readonly interval: number }
   | { readonly kind: 'pong' }
   | { readonly kind: 'closed'; readonly code: number; readonly reason: string }
   | { readonly kind: 'time' }
-  /** The player asks for another attempt at once. */
+  /** The player requests another attempt at once. */
   | { readonly kind: 'retry' }
   | { readonly kind: 'end' };
 
@@ -82,9 +82,9 @@ export function beginLink(now: number): Step {
 
 /**
  * @param now wall s, not before the last step's
- * @param dice 0 to 1, drawn anew for each step
+ * @param jitter 0 to 1, drawn for each step
  */
-export function stepLink(state: LinkState, event: LinkEvent, now: number, dice: number): Step {
+export function stepLink(state: LinkState, event: LinkEvent, now: number, jitter: number): Step {
   switch (event.kind) {
     case 'opened':
       return state.phase === 'connecting'
@@ -93,7 +93,7 @@ export function stepLink(state: LinkState, event: LinkEvent, now: number, dice: 
     case 'welcome':
       return state.phase === 'authenticating' ? welcomed(state, now) : stay(state);
     case 'state':
-      return state.phase === 'live' ? stay(heard(state, now, event.interval)) : stay(state);
+      return state.phase === 'live' ? stay(receiveState(state, now, event.interval)) : stay(state);
     case 'pong':
       return stay({
         ...state,
@@ -101,17 +101,17 @@ export function stepLink(state: LinkState, event: LinkEvent, now: number, dice: 
         silence: state.silence === 'asked' ? 'answered' : state.silence,
       });
     case 'closed':
-      return closed(state, event, now, dice);
+      return closed(state, event, now, jitter);
     case 'retry':
       return state.phase === 'waiting' || state.phase === 'refused' ? connect(state, now) : stay(state);
     case 'end':
       return { state: { ...state, ...NOTHING_DUE, phase: 'ended' }, effects: ['close'] };
     case 'time':
-      return onTime(state, now, dice);
+      return onTime(state, now, jitter);
   }
 }
 
-/** When `stepLink` wants to be told the time next, wall s; Infinity: only when something happens. */
+/** When `stepLink` must be called next, wall s; Infinity: only on an event. */
 export function dueAt(state: LinkState): number {
   return Math.min(state.welcomeBy, state.pingAt, state.pongBy, state.stateBy, state.retryAt);
 }
@@ -121,7 +121,7 @@ function stay(state: LinkState): Step {
 }
 
 function connect(state: LinkState, now: number): Step {
-  // A socket that never opens is given up like a welcome that never comes.
+  // A socket that never opens is treated like a welcome that never comes.
   const next = { ...state, ...NOTHING_DUE, phase: 'connecting', welcomeBy: now + WELCOME_WITHIN } as const;
   return { state: next, effects: ['open'] };
 }
@@ -132,12 +132,12 @@ function welcomed(state: LinkState, now: number): Step {
   return stay(due);
 }
 
-function heard(state: LinkState, now: number, interval: number): LinkState {
+function receiveState(state: LinkState, now: number, interval: number): LinkState {
   const stateBy = now + Math.max(SILENT_AFTER, 3 * interval);
   return { ...state, stateBy, silence: 'none', returned: false };
 }
 
-function closed(state: LinkState, event: LinkEvent & { kind: 'closed' }, now: number, dice: number): Step {
+function closed(state: LinkState, event: LinkEvent & { kind: 'closed' }, now: number, jitter: number): Step {
   const { code, reason } = event;
   if (state.phase === 'waiting' || state.phase === 'refused' || state.phase === 'ended') return stay(state);
   if (code === CLOSED_AUTH || code === CLOSED_ORIGIN) {
@@ -146,23 +146,26 @@ function closed(state: LinkState, event: LinkEvent & { kind: 'closed' }, now: nu
     return { state: { ...state, ...NOTHING_DUE, ...refused }, effects: ['close'] };
   }
   const cause = state.phase === 'connecting' ? 'unreachable' : 'lost';
-  return giveUp(state, { cause, code, reason }, now, dice);
+  return giveUp(state, { cause, code, reason }, now, jitter);
 }
 
-/** Another attempt after a wait that doubles with each failure, a quarter either way by the dice: not all clients at once. */
-function giveUp(state: LinkState, ended: Ending, now: number, dice: number): Step {
-  const wait = Math.min(LAST_RETRY, FIRST_RETRY * 2 ** state.failures) * (0.75 + 0.5 * dice);
+/**
+ * Another attempt after a wait that doubles with each failure, with a quarter of jitter either way, so that clients do not reconnect all
+ * at once.
+ */
+function giveUp(state: LinkState, ended: Ending, now: number, jitter: number): Step {
+  const wait = Math.min(LAST_RETRY, FIRST_RETRY * 2 ** state.failures) * (0.75 + 0.5 * jitter);
   const waiting = { phase: 'waiting', failures: state.failures + 1, ended, retryAt: now + wait } as const;
   return { state: { ...state, ...NOTHING_DUE, ...waiting }, effects: ['close'] };
 }
 
-function onTime(state: LinkState, now: number, dice: number): Step {
+function onTime(state: LinkState, now: number, jitter: number): Step {
   if (now >= state.retryAt) return connect(state, now);
   if (now >= state.welcomeBy) {
     const cause = state.phase === 'connecting' ? 'unreachable' : 'noWelcome';
-    return giveUp(state, { cause, code: 0, reason: '' }, now, dice);
+    return giveUp(state, { cause, code: 0, reason: '' }, now, jitter);
   }
-  if (now >= state.pongBy) return giveUp(state, { cause: 'noPong', code: 0, reason: '' }, now, dice);
+  if (now >= state.pongBy) return giveUp(state, { cause: 'noPong', code: 0, reason: '' }, now, jitter);
   if (now >= state.stateBy) {
     const asked = { ...state, stateBy: Infinity, silence: 'asked' } as const;
     return { state: pinged(asked, now), effects: ['ping'] };

@@ -8,32 +8,32 @@ import type { LinkStatus } from './words';
 export interface GameClock {
   /** Wall seconds, monotonic. */
   readonly now: () => number;
-  /** Calls `act` once after `seconds`; returns how to call it off. */
+  /** Calls `act` once after `seconds`; returns a function that cancels it. */
   readonly after: (seconds: number, act: () => void) => () => void;
 }
 
-/** What the connection tells; only onFrame has to be there. */
+/** The connection's handlers; only onFrame is required. */
 export interface GameHandlers {
-  /** A state came, checked; `at`: wall s. */
+  /** A checked state arrived; `at`: wall s. */
   readonly onFrame: (frame: DecodedFrame, at: number) => void;
-  /** The player is in: what the welcome tells, unchecked. Every later frame is of this connection. */
+  /** The player is signed in: the content of the welcome, unchecked. Every later frame is of this connection. */
   readonly onWelcome?: (about: Readonly<Record<string, unknown>>) => void;
-  /** How the link stands, whenever that changes. */
+  /** The link's status, whenever it changes. */
   readonly onStatus?: (status: LinkStatus) => void;
-  /** A ship is gone for good; `own`: what its owner is told of it. */
+  /** A ship is gone for good; `own`: the details that its owner is sent. */
   readonly onShipGone?: (
     shipId: string,
     own: { readonly name: string; readonly body: string; readonly reason: string } | null,
   ) => void;
-  /** The server gave a new token; it is used from the next connection on. */
+  /** The server sent a new token; it is used from the next connection on. */
   readonly onToken?: (token: string) => void;
-  /** A message that could not be used, and why. */
+  /** A message that was refused, and why. */
   readonly onRefused?: (reason: string) => void;
-  /** A message of another type, as it came. */
+  /** A message of another type, unchecked. */
   readonly onOther?: (type: string, message: unknown) => void;
 }
 
-/** What a connection is made with. */
+/** Options of a connection. */
 export interface GameConnectionOptions {
   /** wss://…/ws */
   readonly address: string;
@@ -41,18 +41,18 @@ export interface GameConnectionOptions {
   readonly token: string;
   readonly clock: GameClock;
   /** 0 to 1, for the jitter of reconnects. */
-  readonly dice: () => number;
+  readonly jitter: () => number;
   /** Opens a socket: (address) => new WebSocket(address). */
   readonly openSocket: (address: string) => GameSocket;
-  /** What a parsed message comes to; openGameMessage unless given. */
+  /** Reads a parsed message; openGameMessage by default. */
   readonly open?: (message: unknown) => GameMessage;
-  /** The message that carries controls; packControls unless given. */
+  /** Builds the message that carries controls; packControls by default. */
   readonly pack?: (controls: Controls) => unknown;
-  /** Fill in bodies that tell no attitude or spin, by name. */
+  /** Bodies that complete, by name, those sent without attitude or spin. */
   readonly bodies?: readonly (Body & BodyMotion)[];
 }
 
-/** Throws RangeError, naming the option or the handler, where one cannot be used. */
+/** Throws RangeError that names the invalid option or handler. */
 export function requireConnection(options: GameConnectionOptions, handlers: GameHandlers): void {
   const given = (options as GameConnectionOptions | undefined) ?? ({} as Partial<GameConnectionOptions>);
   const { address, token, clock } = given;
@@ -64,7 +64,7 @@ export function requireConnection(options: GameConnectionOptions, handlers: Game
   const functions = {
     ...{ 'options.clock.now': clock?.now, 'options.clock.after': clock?.after },
     ...{
-      'options.dice': given.dice,
+      'options.jitter': given.jitter,
       'options.openSocket': given.openSocket,
       'handlers.onFrame': told.onFrame,
     },

@@ -20,16 +20,16 @@ export const MAX_MESSAGE = 64 * 1024;
 /** readyState of a socket that takes messages. */
 export const OPEN = 1;
 
-/** UTF-8 takes one to three bytes per UTF-16 unit: only what lies between is counted. */
+/** UTF-8 takes one to three bytes per UTF-16 unit: only lengths in between are counted. */
 export function isTooLarge(text: string): boolean {
   if (text.length * 3 <= MAX_MESSAGE) return false;
   return text.length > MAX_MESSAGE || new TextEncoder().encode(text).length > MAX_MESSAGE;
 }
 
-/** The socket is nobody's from now on: what it still says is not heard. */
+/** Detaches from the socket: later messages and events are ignored. */
 export function abandon(socket: GameSocket): void {
   socket.onopen = socket.onmessage = socket.onclose = null;
-  // A socket that is closed before it opened reports an error.
+  // A socket that is closed before it opens reports an error.
   socket.onerror = () => undefined;
   socket.close();
 }

@@ -1,6 +1,6 @@
 import type { Ending, LinkState, Phase } from './link';
 
-/** What a person is told of a link. */
+/** A link's status in words for the player. */
 export interface LinkStatus {
   readonly phase: Phase;
   /** A sentence or two; empty while all is well. */

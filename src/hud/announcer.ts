@@ -17,7 +17,7 @@ export function createAnnouncer(parent: Element): (readout: LandingReadout) => v
     const first = announced === 'none';
     announced = readout.status;
     const alarming = announced === 'tipped' || announced === 'crashed';
-    // What holds when the page opens is read with the page; only what is wrong is said at once.
+    // The state at page load is read with the page; only a bad one is announced at once.
     if (first && !alarming) return;
     const word = STATUS_LOOKS[announced].word.toLowerCase();
     const text = `${readout.shipName}: ${word}`;

@@ -6,7 +6,7 @@ export interface HudAppearance {
   readonly theme?: 'dark' | 'light' | 'system';
   /** Full height, about half of it, or (default) compact where the window is at most 520 px wide. */
   readonly layout?: 'auto' | 'full' | 'compact';
-  /** Told once of each thing that keeps the HUD from being seen: no style sheet, no room, calls after dispose. */
+  /** Called once for each thing that keeps the HUD from being seen: no style sheet, no room, calls after dispose. */
   readonly onWarning?: HudWarn;
 }
 
@@ -15,7 +15,7 @@ const SMALL_WINDOW = '(max-width: 32.5em)';
 /** A HUD's outermost element with its panel; the sheets read its attributes. */
 export interface HudFrame {
   readonly root: HTMLElement;
-  /** Everything that is shown goes in here: the root is the container whose width the sheets ask for. */
+  /** Holds everything that is shown; the root is the container whose width the style sheets query. */
   readonly panel: HTMLElement;
   readonly dispose: () => void;
 }

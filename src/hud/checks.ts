@@ -1,9 +1,9 @@
-/** Told of what keeps a HUD from being seen, each code once, with what to do. */
+/** Called with what keeps a HUD from being seen, once per code, and with what to do. */
 export type HudWarn = (code: string, message: string) => void;
 
 const CHOICES = { theme: ['dark', 'light', 'system'], layout: ['auto', 'full', 'compact'] } as const;
 
-/** Throws RangeError, naming the argument or the option, where a HUD cannot be made of them. */
+/** Throws RangeError that names the invalid argument or option. */
 export function requireHost(
   document: Document,
   host: Element | ShadowRoot,
@@ -31,20 +31,23 @@ function kindOf(value: unknown): string {
   return Object.prototype.toString.call(value).slice(8, -1);
 }
 
-/** What is painted, and where. */
+/** A HUD's element and painter, and how its readout is recognised. */
 interface Painted<Readout> {
   readonly root: HTMLElement;
   readonly paint: (readout: Readout) => void;
   readonly dispose: () => void;
-  /** A member that every such readout has, and the function that makes one. */
+  /** A member that every such readout has, and the function that creates one. */
   readonly member: keyof Readout & string;
   readonly madeBy: string;
 }
 
-/** Paints after which the style sheet has had the time to come. */
+/** Number of paints after which the style sheet must have loaded. */
 const PAINTS = 60;
 
-/** Wraps what paints: anything but a readout, and calls after `dispose`, are ignored with a warning; so is what keeps it from being seen. */
+/**
+ * Wraps a painter: anything but a readout, and calls after `dispose`, are ignored with a warning. Also warns of what keeps the HUD from
+ * being seen.
+ */
 export function checked<Readout>(
   { root, paint, dispose, member, madeBy }: Painted<Readout>,
   onWarning: HudWarn | undefined,
@@ -64,7 +67,7 @@ export function checked<Readout>(
         return;
       }
       if (typeof readout !== 'object' || readout === null || !(member in readout)) {
-        warn('hud-readout', `paint was given no readout: hand in what ${madeBy} returns.`);
+        warn('hud-readout', `paint was given no readout: pass what ${madeBy} returns.`);
         return;
       }
       paint(readout);

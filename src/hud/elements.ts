@@ -26,12 +26,12 @@ export function appendSvg<K extends keyof SVGElementTagNameMap>(
   return element;
 }
 
-/** A picture that a text beside it, or its parent's aria-valuetext, puts in words. */
+/** A picture that a text beside it, or its parent's aria-valuetext, describes. */
 export function appendPicture(parent: Element, className: string, viewBox: string): SVGSVGElement {
   return appendSvg(parent, 'svg', { class: className, viewBox, 'aria-hidden': 'true', focusable: 'false' });
 }
 
-/** A label over a value, as an instrument has them. */
+/** A label over a value, as on an instrument. */
 export function appendReading(parent: Element, label: string, name: string): HTMLElement {
   const reading = append(parent, 'div', `td-reading td-reading-${name}`);
   append(reading, 'span', 'td-label', label);

@@ -1,7 +1,7 @@
 import { DASHES, type Format } from '../readout';
 
 /**
- * Painters that remember what they show and touch the DOM only where it changes; strings are made only then.
+ * Painters that remember what they show and touch the DOM only where it changes; strings are built only then.
  */
 
 /** Shows a number in a format; NaN as dashes. */

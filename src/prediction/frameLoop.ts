@@ -22,7 +22,7 @@ import {
 
 /** After a longer gap between two calls the page was hidden or stalled, s: one resynchronisation, nothing replayed. */
 const LONG_GAP = 1;
-/** s: keys held before a longer absence count as released. A page that draws slowly still holds them. */
+/** s: keys held before a longer absence count as released. A page that draws slowly keeps them. */
 const KEYS_HELD = 2;
 /** A gap of up to this many usual ones is no absence. */
 const USUAL = 3;
@@ -51,7 +51,7 @@ function areControls({ warn }: Session, given: unknown): boolean {
   const controls = given as Partial<Controls> | undefined;
   const lists = [controls?.rotationInput, controls?.translationInput, controls?.targetAttitude];
   if (typeof given === 'object' && lists.every(Array.isArray)) return true;
-  warn('controls-ignored', 'Controls lack members: hand in all of Controls, or null.', { controls });
+  warn('controls-ignored', 'Controls lack members: pass all of Controls, or null.', { controls });
   return false;
 }
 

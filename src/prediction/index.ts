@@ -1,15 +1,15 @@
-/** Server truth and own controls -> a pose for now. */
+/** Server states and own controls → the present pose. */
 
-/** The whole of it: receive, advance, view. */
+/** The predictor: receive, advance, view. */
 export { createPredictor, forkPredictor, type Predictor } from './predictor';
 export type { ClientTerrain, Defaults, PredictorOptions } from './options';
-/** Why a ship leaves, and what a caller is warned of. */
+/** Why a ship is removed, and warnings to the caller. */
 export type { Removal } from './ownership';
 export type { Warn } from './warnings';
-/** What the own ship does by itself. */
+/** The own ship's scheduled inputs. */
 export type { Policy } from './simulation/track';
 export type { ScheduledInput } from './inputs/inputs';
-/** What it gives. */
+/** Its view. */
 export type * from './drawn/view';
 /** How fast a correction fades. */
 export type { Smoothing } from './drawn/ease';
@@ -23,7 +23,7 @@ export {
   type GroundedPose,
 } from './drawn/snap/groundSnap';
 export { type Hull, hullOf, LEGS } from './drawn/snap/hull';
-/** Told last, as plain data: to go on from elsewhere. */
+/** The last messages as plain data, to continue from elsewhere. */
 export type { PredictorSnapshot } from './lifecycle/snapshot';
 /** A predictor in a worker. */
 export {
@@ -34,7 +34,7 @@ export {
   servePredictor,
   type ToWorker,
 } from './lifecycle/remote';
-/** What goes through a predictor, written down and fed again. */
+/** Recording and replaying what goes through a predictor. */
 export {
   type PredictorEntry,
   recordPredictor,

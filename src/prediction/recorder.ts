@@ -7,14 +7,17 @@ import type { Predictor } from './predictor';
 import type { Policy } from './simulation/track';
 import { MAX_KEPT_EVENTS } from './snapshots/pendingFrames';
 
-/** What went through a predictor, in order; `at`: client wall s. The recordings of `scenarios` hold one JSON line for each entry. */
+/**
+ * One entry of what went through a predictor, in order; `at`: client wall s. The recordings of `scenarios` hold one JSON line for each
+ * entry.
+ */
 export type PredictorEntry =
   | { readonly kind: 'received'; readonly at: number; readonly message: ServerMessage | PartialFrame }
   | { readonly kind: 'sent'; readonly at: number; readonly message: ClientMessage }
   | { readonly kind: 'advanced'; readonly at: number; readonly controls: Controls | null }
   | { readonly kind: 'called'; readonly at: number; readonly call: PredictorCall };
 
-/** A call that changes what a predictor does, other than a message or a frame. */
+/** A call that changes a predictor's behaviour, other than a message or a display frame. */
 export type PredictorCall =
   | { readonly name: 'setOwnShip'; readonly shipId: string | null }
   | { readonly name: 'removeShip'; readonly shipId: string; readonly reason: Removal }
@@ -27,9 +30,9 @@ export type PredictorCall =
 export type Write = (entry: PredictorEntry) => void;
 
 /**
- * Wraps a predictor so that every message, call, input and time is handed to `write` (PREDICTION, Diagnosis). Nothing else goes into
- * a predictor, so a new one that is fed with the entries does the same, to the bit. Of messages that are handed in undecoded, those
- * are written that were decoded, when they were.
+ * Wraps a predictor so that every message, call, input and time is handed to `write` (PREDICTION, Diagnosis). A predictor has
+ * no other input, so a new one that is fed the entries does the same, to the bit. Undecoded messages are written when, and only if, they
+ * are decoded.
  */
 export function recordPredictor(predictor: Predictor, write: Write): Predictor {
   const last = { at: 0 };
@@ -54,7 +57,7 @@ export function recordPredictor(predictor: Predictor, write: Write): Predictor {
       predictor.receivePending(pending.wrap(message, at), at);
     },
     advance(controls, at) {
-      // After the call: messages that waited are decoded in it, and come before the frame.
+      // After the call: waiting messages are decoded in it, and precede the frame.
       predictor.advance(controls, at);
       written({ kind: 'advanced', at, controls });
     },
@@ -100,10 +103,10 @@ function recordCalls(predictor: Predictor, write: Write, last: { readonly at: nu
   };
 }
 
-/** Wraps undecoded messages: what is decoded is written, with the events of the frames that it superseded. */
+/** Wraps undecoded messages: decoded ones are written, with the events of the frames they supersede. */
 interface PendingRecorder {
   readonly wrap: (message: PendingMessage, at: number) => PendingMessage;
-  /** What waits is dropped. */
+  /** Waiting messages are dropped. */
   readonly forget: () => void;
 }
 

@@ -121,7 +121,7 @@ export function announce({ sim, listeners, warn }: Session): void {
         listener(notice);
       } catch (error) {
         const details = { notice, error: String(error) };
-        warn('listener-threw', 'An event listener threw: mend it. The other listeners were called.', details);
+        warn('listener-threw', 'An event listener threw: fix it. The other listeners were called.', details);
       }
     }
   }

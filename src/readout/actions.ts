@@ -1,4 +1,4 @@
-/** One direction of one stick: what a key is bound to. Axes are the ship's: pitch about x, yaw about y, roll about z. */
+/** One direction of one stick, to which a key is bound. Axes are the ship's: pitch about x, yaw about y, roll about z. */
 export type RotationAction = 'pitchPlus' | 'pitchMinus' | 'yawPlus' | 'yawMinus' | 'rollPlus' | 'rollMinus';
 
 /** The same for the translation thrusters, along the ship's axes. */

@@ -1,6 +1,6 @@
 import type { WorldView } from '../prediction';
 
-/** What is read where there is no view yet. */
+/** The view that is read before there is one. */
 const NO_VIEW = { ready: false, own: null, ships: [], timeScale: 1 } as unknown as WorldView;
 
 /**

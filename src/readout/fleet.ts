@@ -17,7 +17,7 @@ export interface FleetRow {
 
 /** All ships, those that need help first (HUD, Fleet). */
 export interface FleetReadout {
-  /** In the order shown; only the first `count` are ships of now. */
+  /** In the order shown; only the first `count` are present ships. */
   readonly rows: FleetRow[];
   count: number;
   /** Ships by status. */
@@ -85,7 +85,7 @@ function fillRow(row: FleetRow, ship: ShipView): void {
   row.status = statusOf(ship.shownState);
   row.provenance = ship.provenance;
   row.withdrawn = ship.withdrawn;
-  // Stores of their own, not one of several values: whole number and double in one place are boxed.
+  // Separate stores, not one with either value: a place that holds whole numbers and doubles is boxed.
   if (ship.provenance === 'stale') row.height = NaN;
   else if (standsOnGround(ship)) row.height = 0;
   else if (!isGroundKnown(ship)) row.height = NaN;

@@ -1,9 +1,9 @@
 /**
- * Numbers as a pilot reads them. Every format has two halves, so that painting can tell without making a string whether
- * what is shown would change: `…Key` rounds to the resolution shown, and the text is made from the key alone.
+ * Numbers as a pilot reads them. Every format has two halves, so that a painter can detect a visible change
+ * without building a string: `…Key` rounds to the resolution shown, and the text is made from the key alone.
  */
 
-/** What stands for a number that is not known or has no meaning now. */
+/** Shown for a number that is unknown or has no meaning now. */
 export const DASHES = '--';
 
 export interface Format {
@@ -29,7 +29,7 @@ export const SPEED: Format = {
   text: (key) => (Number.isNaN(key) ? DASHES : `${tenths(key)} m/s`),
 };
 
-/** Height or way, m: tenths below 100 m, whole metres below 10 km, then tenths of a kilometre. */
+/** Height or distance, m: tenths below 100 m, whole metres below 10 km, then tenths of a kilometre. */
 export const DISTANCE: Format = {
   key: (value) => {
     const size = Math.abs(value);
@@ -92,7 +92,7 @@ export const MASS: Format = {
   },
 };
 
-/** A share, 0 … 1: `42 %`. */
+/** Share, 0 … 1: `42 %`. */
 export const PERCENT: Format = {
   key: (value) => steps(value, 100),
   text: (key) => (Number.isNaN(key) ? DASHES : `${key} %`),
@@ -104,7 +104,7 @@ export const BEARING: Format = {
   text: (key) => (Number.isNaN(key) ? DASHES : `${String(key).padStart(3, '0')}°`),
 };
 
-/** Speed change left, m/s: whole, `540 m/s`. */
+/** Remaining Δv, m/s: whole, `540 m/s`. */
 export const DELTA_V: Format = {
   key: (value) => steps(value, 1),
   text: (key) => (Number.isNaN(key) ? DASHES : `${grouped(key)} m/s`),

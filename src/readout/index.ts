@@ -2,7 +2,7 @@
 
 /** The own ship's landing. */
 export { createLandingReadout, updateLandingReadout, type LandingReadout } from './landing/landing';
-/** The instruments of flying, what helps to land, and where the pad is. */
+/** The flight instruments, landing aids and the direction of the pad. */
 export { createFlightReadout, updateFlightReadout, type FlightReadout } from './flight/flight';
 export { createLandingAids, updateLandingAids, type LandingAids } from './flight/landingAids';
 export { createTargetReadout, updateTargetReadout, type Target, type TargetReadout } from './flight/target';

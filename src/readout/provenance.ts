@@ -1,7 +1,7 @@
 import type { LandingReadout } from './landing/landing';
 import { DURATION } from './formats';
 
-/** `PRED`, `CONF 0.4 s`, `PRED OFF ×100`, `STALE 2.1 s` (HUD, Provenance). A claim of a ground state tells its age too. */
+/** `PRED`, `CONF 0.4 s`, `PRED OFF ×100`, `STALE 2.1 s` (HUD, Provenance). A confirmed ground state also has its age. */
 export function provenanceText(
   { provenance, status, timeScale }: Pick<LandingReadout, 'provenance' | 'status' | 'timeScale'>,
   ageKey: number,
@@ -14,12 +14,12 @@ export function provenanceText(
   return status === 'flight' ? 'PRED' : `PRED ${age}`;
 }
 
-/** `LANDED withdrawn`; '' when nothing was. */
+/** `LANDED withdrawn`; '' when nothing was withdrawn. */
 export function withdrawnText(withdrawn: LandingReadout['withdrawn']): string {
   return withdrawn === '' ? '' : `${withdrawn.toUpperCase()} withdrawn`;
 }
 
-/** At most two decimals, none that are 0: 100, 2.5, 0.13. */
+/** At most two decimals, without trailing zeros: 100, 2.5, 0.13. */
 function scaleText(timeScale: number): string {
   return String(Math.round(timeScale * 100) / 100);
 }

@@ -8,7 +8,7 @@ export interface StatusLook {
   readonly id: StatusId;
   readonly word: string;
   readonly shape: '◌' | '◇' | '▲' | '■' | '✖';
-  /** Named, not mixed: the style sheet knows the values of both colour schemes. */
+  /** A name, not a value: the style sheet has the values of both colour schemes. */
   readonly colour: 'quiet' | 'neutral' | 'yellow' | 'cyan' | 'red';
 }
 
@@ -21,7 +21,7 @@ export const STATUS_LOOKS: Readonly<Record<StatusId, StatusLook>> = Object.freez
   crashed: { id: 'crashed', word: 'CRASHED', shape: '✖', colour: 'red' },
 });
 
-/** The status of a ship's shown state: the dwelled one; crashed only once the server confirmed it. */
+/** The status of a ship's shown state: the dwelled one; crashed only once the server has confirmed it. */
 export function statusOf(shownState: ShipView['shownState']): StatusId {
   return shownState === '' ? 'flight' : shownState;
 }

@@ -4,7 +4,7 @@ import { cross, toBodyAxes, toInertial, writeDot } from './axes';
 
 /**
  * A ship against the ground beneath it: the quantities of DYNAMICS ("Quantities, at the start of a substep"; step 3),
- * recomputed from a view. SI units, radians, ICRF axes unless said. Nothing here goes back into the simulation, so
+ * recomputed from a view. SI units, radians, ICRF axes unless stated. Nothing here enters the simulation, so
  * Math.atan2 and friends are allowed.
  */
 export interface Surface {
@@ -48,13 +48,13 @@ export interface Surface {
   lean: number;
   /** rad/s, positive = leaning over further. */
   tiltRate: number;
-  /** Height of the law's own contact height above the ground, m: ‖r‖ − surface_r, negative when sunk in. */
+  /** Height of the law's contact point above the ground, m: ‖r‖ − surface_r, negative when sunk in. */
   clearance: number;
-  /** arctan(leg_radius / h), rad: leaning further from the vertical the centre of mass is outside the feet. */
+  /** arctan(leg_radius / h), rad: at a larger lean from the vertical the centre of mass is outside the feet. */
   noReturn: number;
 }
 
-/** Numbers begin as NaN, a double: a whole one would be laid out as such, and boxed when it is not any more. */
+/** Numbers start as NaN, a double: a field that starts with a whole number is laid out for those, and boxed as soon as it is not one. */
 export function createSurface(): Surface {
   return {
     normal: new Float64Array(3),

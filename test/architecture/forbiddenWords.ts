@@ -26,7 +26,7 @@ const RULES: readonly Rule[] = [
   {
     where: /^src\/(?!playground\/|example\/|gateway\/main)/,
     names: names('Date performance random crypto'),
-    reason: 'no clock and no dice below the page: they are arguments',
+    reason: 'no clock and no random numbers below the page: they are arguments',
   },
   {
     where: /^src\/dynamics\//,

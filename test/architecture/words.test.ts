@@ -21,7 +21,7 @@ describe('forbidden words', () => {
     'const now = Date.now()',
     'const now = new Date()',
     'const now = globalThis.performance.now()',
-    'const dice = crypto.getRandomValues(row)',
+    'const bits = crypto.getRandomValues(row)',
     'setTimeout(step, 1)',
     "const y = x['toFixed'](3)",
     'const row = new Float32Array(3)',

@@ -144,20 +144,20 @@ export async function findChromium(): Promise<ChromiumProgram | null> {
   return installed ? { path: installed, env: {} } : npmChromium();
 }
 
-function launchOptions(program: ChromiumProgram): LaunchOptions {
+function launchOptions(program: ChromiumProgram, args: readonly string[] = []): LaunchOptions {
   const inherited = Object.entries(process.env).filter(
     (pair): pair is [string, string] => pair[1] !== undefined,
   );
   return {
     executablePath: program.path,
-    args: ARGS,
+    args: [...ARGS, ...args],
     env: { ...Object.fromEntries(inherited), ...program.env },
   };
 }
 
-/** Starts the browser, headless, drawing in software. */
-export function launchChromium(program: ChromiumProgram): Promise<Browser> {
-  return chromium.launch(launchOptions(program));
+/** Starts the browser, headless, drawing in software; `args`: further arguments of its command line. */
+export function launchChromium(program: ChromiumProgram, args?: readonly string[]): Promise<Browser> {
+  return chromium.launch(launchOptions(program, args));
 }
 
 /** Starts it for other processes, which connect to its `wsEndpoint()`. */

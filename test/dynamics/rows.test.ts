@@ -56,7 +56,7 @@ describe('state and event names', () => {
 });
 
 describe('row hash', () => {
-  // FNV-1a, 32 bits, of the published test vectors' kind: eight zero bytes, and the bytes of 1.0, worked out by hand in Python.
+  // FNV-1a, 32 bits, of the published test vectors' kind: eight zero bytes, and the bytes of 1.0, worked out by pass Python.
   it('is FNV-1a over the bytes, least significant first', () => {
     expect(hashRows(new Float64Array(0))).toBe(0x811c9dc5);
     let zeros = 0x811c9dc5n;

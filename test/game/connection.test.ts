@@ -97,7 +97,7 @@ function connect(change: Partial<GameConnectionOptions> = {}) {
       address,
       token: 'jwt-1',
       clock,
-      dice: () => 0.5,
+      jitter: () => 0.5,
       openSocket: (to) => new WebSocket(to),
       ...change,
     },

@@ -14,7 +14,7 @@ it('sends nothing of the caller’s between the socket’s opening and the welco
   const driver = createDriver({
     address: 'ws://localhost/stream',
     clock: createVirtualClock(),
-    dice: () => 0.5,
+    jitter: () => 0.5,
     openSocket: () => socket,
     auth: () => 'auth',
     ping: () => 'ping',

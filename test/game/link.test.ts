@@ -5,7 +5,7 @@ import { dueAt } from '../../src/game/link';
 const ADDRESS = 'wss://game.example/ws';
 const words = (state: LinkState, now: number) => statusOf(state, ADDRESS, now).words;
 
-/** Plays events at their times; the dice in the middle. */
+/** Plays events at their times, with jitter 0. */
 function play(...events: readonly [number, LinkEvent][]): Step {
   let step = beginLink(0);
   for (const [now, event] of events) step = stepLink(step.state, event, now, 0.5);

@@ -30,6 +30,31 @@ describe('the game’s own server: no hello, no acknowledgements, no fields 31 t
   });
 });
 
+describe('a page that pauses while a ship touches the ground, its impact speed not sent', () => {
+  /** s after which the ship of `bounce` first touches the ground. */
+  function firstTouch(tickRate: number): number {
+    const rig = createRig({ scenario: 'bounce', legacy: true, tickRate });
+    rig.fly(12);
+    const { tick, substep } = rig.truth.events.find(({ type }) => type === 'ship.contact')!;
+    return tick / tickRate + (substep ?? 0) * 0.01;
+  }
+
+  it.each([1, 10])('draws the bounce that the server has at %s Hz', (tickRate) => {
+    const touch = firstTouch(tickRate);
+    for (const pause of [0.4, 0.6, 0.9, 1.4, 2.6])
+      for (const before of [0.05, 0.2, 0.5, 0.8]) {
+        const rig = createRig({ scenario: 'bounce', legacy: true, tickRate });
+        rig.fly(Math.max(0.1, touch - before));
+        const until = rig.now + pause;
+        while (rig.now < until) rig.receiveOnly();
+        // After more than a second the page resynchronises, and what it drew before fades.
+        if (pause > 1) rig.fly(1);
+        const { worst } = flyAndMeasure(rig, 5);
+        expect(worst, `paused for ${pause} s, ${before} s before the touch`).toBeLessThan(0.01);
+      }
+  });
+});
+
 describe('older and incomplete servers', () => {
   const moon = BODIES[0]!;
   const state = (more: Partial<ShipState>): ShipState => ({

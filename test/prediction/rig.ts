@@ -35,7 +35,7 @@ import {
 } from '../../src/wire';
 import { type Truth, watch } from './truth';
 
-/** A server, a network and a client on one wall clock that is handed in: what tests and benchmarks fly. */
+/** A server, a network and a client on one wall clock that is passed: what tests and benchmarks fly. */
 export interface Rig {
   readonly loaded: LoadedScenario;
   readonly exchange: LoopbackLink;

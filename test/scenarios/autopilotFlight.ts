@@ -27,7 +27,7 @@ export interface Flight {
   /** Ticks from a state until what it led to is flown. */
   readonly delay?: number;
   /** The autopilot is not told of the delay. */
-  readonly isDelayUntold?: boolean;
+  readonly ignoresDelay?: boolean;
   /** As the game's own server, which sends ICRF alone. */
   readonly legacy?: boolean;
 }
@@ -73,7 +73,7 @@ export function flyDown(flight: Flight): Flown {
 function fly(
   authority: Authority,
   site: LandingSite,
-  { delay = 0, tickRate, isDelayUntold = false }: Flight,
+  { delay = 0, tickRate, ignoresDelay: ignoresDelay = false }: Flight,
 ): Flown {
   const phases: string[] = [];
   let maneuver: LandingManeuver = BEGIN_LANDING;
@@ -85,7 +85,7 @@ function fly(
       if (event.type === 'ship.contact') touches++;
       if (event.type === 'ship.contact' && touches === 1) impact = ship.contactImpactSpeed ?? 0;
     }
-    const lag = isDelayUntold ? 0 : (delay + 0.5) / tickRate;
+    const lag = ignoresDelay ? 0 : (delay + 0.5) / tickRate;
     const next = continueLanding(maneuver, ship, { ...site, body: frame.bodies[0]!, delay: lag });
     if (!next.ok) throw new Error(next.reason);
     maneuver = next.value;

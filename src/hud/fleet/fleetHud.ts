@@ -8,7 +8,7 @@ import { showPart, showText } from '../shown';
 
 /** rem; fleet.css gives the rows this height. */
 const ROW_HEIGHT = 1.75;
-/** Rows in the DOM at most; a list taller than this shows shows no more of them. */
+/** Most rows in the DOM, however tall the list is. */
 const MAX_ROWS = 30;
 
 /**
@@ -59,7 +59,7 @@ export function createFleetHud(
 
   host.append(root);
   scroller.addEventListener('scroll', look, { passive: true });
-  // Asking for the height at every paint would make the browser lay the page out each time.
+  // Reading the height at every paint would force a layout each time.
   const watcher = document.defaultView === null ? null : new document.defaultView.ResizeObserver(look);
   watcher?.observe(scroller);
   const hud = {

@@ -2,7 +2,7 @@ import { DISTANCE, type FleetRow, STATUS_LOOKS } from '../../readout';
 import { append } from '../elements';
 import { showAttribute, showNumber, showText } from '../shown';
 
-/** One of the few row elements there are: shows another ship each time the list scrolls. */
+/** One of the few row elements; it shows another ship each time the list scrolls. */
 export interface FleetRowElement {
   readonly element: HTMLLIElement;
   readonly paint: (row: FleetRow, index: number, count: number) => void;

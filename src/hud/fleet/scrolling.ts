@@ -1,5 +1,5 @@
 /**
- * Where a part is too short for what is in it, it scrolls, and by keyboard too: only then does Tab stop at it. Asking for heights
+ * Makes a part that is too short for its content scroll, also by keyboard: only then does Tab stop at it. Reading heights
  * at every paint would make the browser lay the page out each time, so the sizes are watched. Returns how to stop.
  */
 export function scrollWhereShort(part: HTMLElement, label: string): () => void {

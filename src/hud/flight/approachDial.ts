@@ -59,7 +59,7 @@ export function createApproachDial(parent: Element): (target: TargetReadout, aid
   };
 }
 
-/** Where the pad is, in words: a dial alone is no answer. */
+/** The direction and distance of the pad in words, for readers who cannot see the dial. */
 function wayOf({ x, y, distance, radius }: TargetReadout): string {
   if (distance <= radius) return 'below you';
   const along = Math.abs(y) > 0.4 * distance ? (y > 0 ? 'ahead' : 'behind') : '';

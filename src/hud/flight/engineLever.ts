@@ -2,7 +2,7 @@ import { type FlightReadout, PERCENT } from '../../readout';
 import { append, appendPicture, appendSvg } from '../elements';
 import { showAttribute, showFigures, showNumber } from '../shown';
 
-/** Height of the lever's way in the picture's units. */
+/** Height of the lever's travel in the picture's units. */
 const WAY = 100;
 
 /** The throttle as a lever that reads at a glance; a mark shows the throttle that carries the ship's weight. */

@@ -15,7 +15,7 @@ export interface FlightPanels {
   readonly aids: LandingAids;
   readonly target: TargetReadout;
   readonly autopilot: boolean;
-  /** The landing aids are switched on. */
+  /** Whether the landing aids are switched on. */
   readonly aidsOn: boolean;
 }
 

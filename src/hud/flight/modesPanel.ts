@@ -2,7 +2,7 @@ import type { FlightReadout } from '../../readout';
 import { append } from '../elements';
 import { showAttribute, showPart, showText } from '../shown';
 
-/** What of the attitude control and the autopilot has a key. */
+/** The modes of attitude control and autopilot that have a key. */
 export type FlightKey =
   'rateDamping' | 'modeHold' | 'modeUpright' | 'modeRetrograde' | 'killRates' | 'autopilot';
 

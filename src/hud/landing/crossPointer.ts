@@ -49,7 +49,7 @@ function paintDial(picture: Element): void {
   appendSvg(picture, 'path', { class: 'td-axes', d: 'M-50 0H50M0 -50V50' });
 }
 
-/** A wedge on the rim at the ship's lowest side; the letter of an axis gives way to it. */
+/** A wedge on the rim at the ship's lowest side; it hides the letter of an axis behind it. */
 function createLean(picture: Element): (tilt: Tilt) => void {
   const paintX = createLetter(picture, 'X', 58, 4);
   const paintY = createLetter(picture, 'Y', 0, -55);
@@ -85,7 +85,7 @@ function createScale(gauge: HTMLElement): (scale: number) => void {
   };
 }
 
-/** The dial in words, for whole metres a second: a screen reader that asks gets a sentence, not a stream. */
+/** The dial in words, in whole metres per second, so that a screen reader gets a sentence and not a stream. */
 function createWords(gauge: Element): (drift: Drift) => void {
   const paintText = showAttribute(gauge, 'aria-valuetext');
   const paintNow = showAttribute(gauge, 'aria-valuenow');

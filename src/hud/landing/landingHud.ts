@@ -25,7 +25,7 @@ export interface Hud<Readout> {
 export interface LandingHudOptions extends HudAppearance {
   /** Names the keys in the righting help; without it the help names the axes alone. */
   readonly keyLabel?: KeyLabel;
-  /** Which controls turn the ship now, where they are not one for each axis. */
+  /** The controls that turn the ship now, where there is not one for each axis. */
   readonly turnKeys?: TurnKeys;
 }
 

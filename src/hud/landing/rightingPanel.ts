@@ -14,8 +14,8 @@ import { showAttribute, showNumber, showPart, showText } from '../shown';
 export type KeyLabel = (action: HintAction) => string;
 
 /**
- * The controls that turn the ship about its own axes now, better one first: a page whose keys follow the camera says which they are.
- * The text printed on each, and in words what it does.
+ * The controls that turn the ship about its own axes now, the better one first, for a page whose keys follow the camera: the
+ * text printed on each, and a description of what it does.
  */
 export type TurnKeys = (actions: readonly RotationAction[]) => readonly TurnKey[];
 
@@ -64,7 +64,7 @@ export function createRightingPanel(
   append(then, 'span', 'td-label', 'RELEASE');
   const paintHoldShown = showPart(hold);
   const paintThenShown = showPart(then);
-  // Held on to for longer, the swing carries the ship over to its other side.
+  // If they are held longer, the swing carries the ship over to its other side.
   const paintUntil = showNumber(append(then, 'span', 'td-until', 'below '), ANGLE);
   const press = append(then, 'span', '', ', then press');
   const paintPressShown = showPart(press);
@@ -141,7 +141,7 @@ function createTorque(parent: Element): (righting: Righting) => void {
   };
 }
 
-/** `39 kg of 7 200 kg`, from running the dynamics ahead. */
+/** `39 kg of 7 200 kg`, from simulating ahead. */
 function createFuel(parent: Element): (righting: Righting) => void {
   const line = append(parent, 'p', 'td-need');
   append(line, 'span', 'td-label', 'FUEL');

@@ -36,7 +36,7 @@ export function createStatusSlot(parent: Element): (readout: LandingReadout) => 
   };
 }
 
-/** The text is made only when a part of it changed: the age alone changes ten times a second. */
+/** The text is built only when a part of it changed: the age changes only ten times per second. */
 function createProvenance(parent: Element): (readout: LandingReadout) => void {
   const paint = showText(parent);
   let kind = '';
@@ -69,7 +69,7 @@ function createPulse(slot: Element): (status: StatusId) => void {
     const first = shown === 'none';
     shown = status;
     if (first || status === 'flight' || status === 'none') return;
-    // Two animations of one look: only another name starts it again.
+    // Two identical animations: only another name restarts it.
     beat = !beat;
     slot.setAttribute('data-pulse', beat ? 'a' : 'b');
   };

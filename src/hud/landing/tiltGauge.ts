@@ -2,11 +2,11 @@ import { ANGLE, type Tilt } from '../../readout';
 import { append, appendPicture, appendSvg } from '../elements';
 import { showAttribute, showFigures } from '../shown';
 
-/** The dial is true to angle: straight up is 0°, lying flat is 90°, and the needle leans as the ship does. */
+/** The dial shows true angles: upright is 0°, on its side is 90°, and the needle leans as the ship does. */
 const PIVOT_X = 28;
 const PIVOT_Y = 100;
 const RADIUS = 79;
-/** Degrees the needle can show; beyond them the number tells. */
+/** Most degrees the needle can show; beyond that only the number shows the tilt. */
 const DIAL_END = 96;
 
 /** Arc gauge of the tilt, with the settle, no-return and tipped marks (HUD, Tilt). */

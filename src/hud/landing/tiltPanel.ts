@@ -27,7 +27,7 @@ export function createTiltPanel(parent: Element): (readout: LandingReadout) => v
   };
 }
 
-/** `24.5° to tip`; past the point of no return what the law, run ahead, says: `tips in 4.2 s`. */
+/** `24.5° to tip`; past the point of no return the result of simulating ahead: `tips in 4.2 s`. */
 function createMargin(parent: Element): (margin: TipMargin) => void {
   const line = append(parent, 'span', 'td-margin');
   const paintOutlook = showAttribute(line, 'data-outlook');

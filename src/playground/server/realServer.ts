@@ -63,7 +63,7 @@ function openSocket(address: string): GameSocket {
   return socket;
 }
 
-const MACHINE = { clock, dice: () => Math.random(), openSocket };
+const MACHINE = { clock, jitter: () => Math.random(), openSocket };
 
 /** What every link tells: the first welcome begins a world, the others go on in it. */
 function createTeller(handlers: ConnectionHandlers) {
@@ -157,7 +157,7 @@ function openStream(address: string, token: string, handlers: ConnectionHandlers
       }
       const message = pendingServerMessage(new Uint8Array(data));
       if (message.isFrame) {
-        driver.heardState(interval);
+        driver.stateReceived(interval);
         handlers.onPending(noting(message));
         return;
       }

@@ -5,7 +5,7 @@ import { operateWorld } from './operator';
 
 /**
  * The server the page plays against: a scenario's authority behind a simulated connection, with an operator. No clock: wall
- * seconds are handed in, so that a test plays it as the worker does.
+ * seconds are passed, so that a test plays it as the worker does.
  */
 export interface Session {
   /** Does what the operator asks, or says why not. */

@@ -4,10 +4,10 @@ import type { Warn } from '../warnings';
 /** kg/m³: of everything between a comet and a white dwarf. */
 const LEAST_DENSITY = 50;
 const MOST_DENSITY = 50_000;
-/** rad/s: a turn in two minutes, faster than any body that holds together by its weight. */
+/** rad/s: one turn in two minutes, faster than any body that its own weight holds together. */
 const FASTEST_SPIN = 0.05;
 
-/** Warns of bodies that cannot be: a vector that is no list, not finite, km for metres, degrees for radians. */
+/** Warns of implausible bodies: a vector that is not a list or not finite, km for metres, degrees for radians. */
 export function checkBodies(warn: Warn, bodies: readonly BodyState[]): void {
   for (const body of bodies as readonly unknown[])
     if (typeof body === 'object' && body !== null) checkBody(warn, body as BodyState);
@@ -45,7 +45,7 @@ function checkBody(warn: Warn, body: BodyState): void {
     });
   const spin = Math.hypot(...((body as Partial<BodyState>).angularVelocity ?? [0]));
   if (spin > FASTEST_SPIN)
-    warn('body-spin-in-degrees', `Body ${name} turns by ${spin} rad/s: hand in radians, not degrees.`, {
+    warn('body-spin-in-degrees', `Body ${name} turns by ${spin} rad/s: pass radians, not degrees.`, {
       body: name,
       value: body.angularVelocity,
     });

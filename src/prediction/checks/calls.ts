@@ -1,14 +1,14 @@
 import type { PartialFrame, ShipState } from '../../wire';
 import type { Warn } from '../warnings';
 
-/** How the calls of one predictor have come so far. */
+/** What is known of the calls to one predictor so far. */
 export interface Calls {
   advances: number;
   views: number;
   frames: number;
   /** Frames that did not have the own ship. */
   unseen: number;
-  /** Calls of `advance` in a row with the same `now`, and with a gap as of milliseconds or of a slow loop. */
+  /** Consecutive calls of `advance` with the same `now`, and with a gap typical of milliseconds or of a slow loop. */
   repeated: number;
   millisecondGaps: number;
   slowGaps: number;
@@ -29,9 +29,9 @@ export function createCalls(): Calls {
   };
 }
 
-/** Calls in a row after which a pattern is no accident. */
+/** Consecutive calls after which a pattern is not an accident. */
 const ROW = 10;
-/** s between two display frames: below it a page draws, above it nobody does, and milliseconds look like this. */
+/** s between two display frames: below the first a page draws normally; above it, and for milliseconds, this is seen. */
 const SLOW_GAP = 0.15;
 const HIDDEN_GAP = 5;
 const MILLISECOND_GAP = 4;
@@ -52,19 +52,19 @@ export function noteAdvance(warn: Warn, calls: Calls, now: number): void {
       now,
     });
   if (calls.millisecondGaps === ROW)
-    warn('now-in-milliseconds', `now grows by ${gap} a call: hand in seconds, performance.now() / 1000.`, {
+    warn('now-in-milliseconds', `now grows by ${gap} a call: pass seconds, performance.now() / 1000.`, {
       now,
     });
   if (calls.slowGaps === ROW)
     warn('advance-seldom', `advance is called every ${gap} s: call it once a display frame.`, { now, gap });
-  if (gap < 0) warn('now-went-back', `now went back by ${-gap} s: hand in a monotonic clock.`, { now, gap });
+  if (gap < 0) warn('now-went-back', `now went back by ${-gap} s: pass a monotonic clock.`, { now, gap });
   if (Math.abs(now - calls.receivedAt) > CLOCKS_APART * (1 + calls.millisecondGaps)) {
     const details = { now, receivedAt: calls.receivedAt };
     warn('two-clocks', 'receive and advance are given times of two clocks: use one for both.', details);
   }
 }
 
-/** A frame has come at `now`; `own` is the own ship's id, '' for a spectator. */
+/** A frame arrived at `now`; `own` is the own ship's id, '' for a spectator. */
 export function noteFrame(warn: Warn, calls: Calls, frame: PartialFrame, now: number, own: string): void {
   calls.frames += 1;
   calls.receivedAt = now;
@@ -87,7 +87,7 @@ export function noteFrame(warn: Warn, calls: Calls, frame: PartialFrame, now: nu
     });
 }
 
-/** Warns of a tick rate that is not the one at which ticks come: a period for a rate, milliseconds for seconds. */
+/** Warns of a tick rate other than the rate at which ticks arrive: a period for a rate, milliseconds for seconds. */
 function noteRate(warn: Warn, calls: Calls, { tick, tickRate, paused }: PartialFrame, now: number): void {
   if (Number.isNaN(calls.firstTick) || tick < calls.firstTick || paused === true) {
     calls.firstTick = tick;
@@ -97,11 +97,11 @@ function noteRate(warn: Warn, calls: Calls, { tick, tickRate, paused }: PartialF
   const come = (tick - calls.firstTick) / seconds;
   if (typeof tickRate !== 'number' || calls.frames < ROW || !(seconds >= MEASURED)) return;
   if (come < tickRate * OTHER_RATE && come * OTHER_RATE > tickRate) return;
-  const message = `tickRate is ${tickRate} Hz, and ticks come at ${come.toPrecision(3)} a second: hand in ticks per second, not their length.`;
+  const message = `tickRate is ${tickRate} Hz, and ticks come at ${come.toPrecision(3)} a second: pass ticks per second, not their length.`;
   warn('tick-rate', message, { tickRate, measured: come });
 }
 
-/** s over which the rate of ticks is measured, and by how many times it may differ from what is told: a stall is no other rate. */
+/** s over which the rate of ticks is measured, and the factor by which it may differ from the rate sent, so that a stall does not count. */
 const MEASURED = 3;
 const OTHER_RATE = 5;
 
@@ -118,7 +118,7 @@ export function noteView(warn: Warn, calls: Calls, now: number): void {
     });
 }
 
-/** What is to be sent has been waiting since `takenAt` advances ago. */
+/** Messages to send have been waiting since call `takenAt` of `advance`. */
 export function noteUntaken(warn: Warn, calls: Calls, waiting: number): void {
   if (waiting === 0 || calls.advances - calls.takenAt < LONGEST_GAP) return;
   const text = `${waiting} inputs wait to be sent: call takeOutgoing (protobuf) or takeControls (JSON) each frame.`;

@@ -7,7 +7,7 @@ import { checkKind, checkMessage } from './messages';
 import { checkOptions } from './options';
 import { checkTerrains } from './terrains';
 
-/** Looks at what a caller hands in, and warns (ERRORS.md). Changes nothing; not there unless someone listens. */
+/** Checks what a caller passes, and warns (ERRORS.md). Changes nothing; absent without a listener. */
 export interface Checks {
   readonly receive: (message: ServerMessage | PartialFrame, now: number) => void;
   readonly advance: (controls: Controls | null, now: number) => void;
@@ -15,11 +15,11 @@ export interface Checks {
   readonly taken: () => void;
 }
 
-/** Frames that are looked at one by one; later ones in samples: what is wrong is mostly wrong from the start. */
+/** Number of first frames that are all checked; later ones are sampled, since most mistakes are there from the start. */
 const FIRST = 50;
 const SAMPLED = 50;
 
-/** The checks of one predictor, or null where nobody listens. */
+/** The checks of one predictor, or null without a listener. */
 export function createChecks(session: Session): Checks | null {
   const { warn, options } = session;
   if (options.onWarning === undefined) return null;
@@ -35,7 +35,7 @@ export function createChecks(session: Session): Checks | null {
       noteUntaken(warn, calls, inputs.records.length - inputs.unsent);
       if (controls !== null && session.receiver.ownShipId === '' && calls.frames > 0) {
         const message =
-          'Controls are given and there is no own ship: set ownShipId, or give null as a spectator.';
+          'Controls are passed and there is no own ship: set ownShipId, or pass null as a spectator.';
         warn('controls-without-ship', message, { controls });
       }
     },
@@ -60,7 +60,7 @@ function lookAtMessage(
   if (calls.frames <= FIRST || calls.frames % SAMPLED === 0) checkMessage(warn, message, config.bodies);
 }
 
-/** Warns of an acknowledgement of more inputs than were made here. */
+/** Warns of an acknowledgement of an input that was not made here. */
 function checkAcknowledgement({ warn, sim }: Session, { lastInput }: PartialFrame): void {
   const { nextSeq } = sim.inputs;
   if (lastInput === null || lastInput === undefined || nextSeq === 1 || !(lastInput.seq >= nextSeq)) return;

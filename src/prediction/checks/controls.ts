@@ -9,7 +9,7 @@ const NAMING = {
   known: Object.keys(NEUTRAL_CONTROLS),
 };
 
-/** Warns of controls that are ignored or clamped; `given` is whatever `advance` was called with. */
+/** Warns of controls that are ignored or clamped; `given` is the argument of `advance`. */
 export function checkControls(warn: Warn, given: Controls | null): void {
   if (given === null) return;
   if (typeof given !== 'object') {
@@ -39,12 +39,12 @@ function checkAttitude(warn: Warn, { attitudeMode, targetAttitude }: Controls): 
   if (!modes.includes(attitudeMode)) {
     const nearest = nearestName(attitudeMode, modes);
     const hint = nearest === '' ? `Known are ${modes.join(', ')}.` : `Did you mean ${nearest}?`;
-    const message = `controls.attitudeMode is ${describe(attitudeMode)}, which is not known here: nothing turns the ship. ${hint}`;
+    const message = `controls.attitudeMode is ${describe(attitudeMode)}, which is unknown here: the ship is not turned. ${hint}`;
     warn('attitude-mode', message, { value: attitudeMode, nearest });
   }
   const length = Math.hypot(...targetAttitude);
   if (Math.abs(length - 1) > 0.01) {
-    const message = `controls.targetAttitude has length ${length}: hand in a unit quaternion [x, y, z, w], not degrees.`;
+    const message = `controls.targetAttitude has length ${length}: pass a unit quaternion [x, y, z, w], not degrees.`;
     warn('attitude-not-unit', message, { field: 'controls.targetAttitude', value: targetAttitude });
   }
 }

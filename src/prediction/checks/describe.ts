@@ -1,4 +1,4 @@
-/** What was found in place of what was expected, in a few words: for messages to a developer. */
+/** A short description of a value that was found instead of the expected one, for messages to developers. */
 export function describe(value: unknown): string {
   if (typeof value === 'string')
     return value.length <= 40 ? JSON.stringify(value) : `a text of ${value.length} characters`;

@@ -2,7 +2,7 @@ import type { ClientTerrain } from '../options';
 import type { Warn } from '../warnings';
 import { describe } from './describe';
 
-/** The terrain of a caller: what it answers that is no height, or throws, counts as not loaded, and is warned of. */
+/** Wraps a caller's terrain: where it returns no height, or throws, the ground counts as not loaded, with a warning. */
 export function guardTerrain(terrain: ClientTerrain, name: string, warn: Warn): ClientTerrain {
   // One of the library's own, read without boxing.
   if ('inPlace' in terrain) return terrain;
@@ -15,7 +15,7 @@ export function guardTerrain(terrain: ClientTerrain, name: string, warn: Warn): 
       height = error;
     }
     if (height === null) return null;
-    const message = `The terrain ${name} answered ${describe(height)} for ${bodyName}: return metres above the body's radius, or null where it is not loaded. It counts as not loaded.`;
+    const message = `The terrain ${name} returned ${describe(height)} for ${bodyName}: return metres above the body's radius, or null where it is not loaded. It counts as not loaded.`;
     warn('terrain-unusable', message, {
       terrain: name,
       body: bodyName,

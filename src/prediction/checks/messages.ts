@@ -29,7 +29,7 @@ const FRAME = {
 
 const KINDS = ['hello', 'frame', 'pong'];
 
-/** Warns of a message that is none: not decoded, still in its Result, of a misspelt kind. Returns whether it may be one. */
+/** Warns of an invalid message: not decoded, still in its Result, of a misspelt kind. Returns whether it may be valid. */
 export function checkKind(warn: Warn, message: unknown): boolean {
   const undecoded = howToDecode(message);
   if (undecoded !== '') {
@@ -39,7 +39,7 @@ export function checkKind(warn: Warn, message: unknown): boolean {
   if (typeof message !== 'object' || message === null) return false;
   const { kind, ok, value } = message as { kind?: unknown; ok?: unknown; value?: unknown };
   if (kind === undefined && typeof ok === 'boolean') {
-    warn('message-in-result', 'receive was given a Result: look at .ok, then hand in .value.', { ok, value });
+    warn('message-in-result', 'receive was given a Result: look at .ok, then pass .value.', { ok, value });
     return false;
   }
   if (KINDS.includes(kind as string)) return true;
@@ -50,19 +50,19 @@ export function checkKind(warn: Warn, message: unknown): boolean {
   return false;
 }
 
-/** What has to be done before a message can be received; '' for what may be one. */
+/** What the caller must do before the message can be received; '' if it may be valid. */
 function howToDecode(message: unknown): string {
   if (typeof message === 'string') return 'parse it with JSON.parse, then decode it with decodeFrameJson';
   if (typeof message !== 'object' || message === null) return '';
   if (ArrayBuffer.isView(message) || kindOf(message) === 'ArrayBuffer')
     return 'decode the bytes with decodeServerMessage';
-  if (kindOf(message) === 'Blob') return 'set socket.binaryType to "arraybuffer", and decode what comes then';
+  if (kindOf(message) === 'Blob') return 'set socket.binaryType to "arraybuffer", and decode the ArrayBuffer';
   if (kindOf(message) === 'Promise') return 'await it first';
   if ('data' in message && !('kind' in message)) return 'an event holds the message in .data: decode that';
   return '';
 }
 
-/** Warns of what in a message nobody reads, or cannot be. `bodies`: the world's, where the frame tells none. */
+/** Warns of unknown members and implausible values of a message. `bodies`: the world's, where the frame has none. */
 export function checkMessage(
   warn: Warn,
   message: ServerMessage | PartialFrame,
@@ -113,7 +113,7 @@ function isSnake(ship: unknown): boolean {
   return typeof ship === 'object' && ship !== null && 'ship_id' in ship;
 }
 
-/** Malformed ones are told of where they are refused. */
+/** Malformed ones are reported where they are refused. */
 function isWhole(ship: ShipState | null): boolean {
   const lists: unknown[] = [ship?.position, ship?.velocity, ship?.attitude, ship?.angularVelocity];
   return lists.every((list) => Array.isArray(list) && list.every(Number.isFinite));

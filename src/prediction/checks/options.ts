@@ -32,7 +32,7 @@ const isPlan: Check = (value) =>
 
 type Expected = Readonly<Record<string, readonly [Check, string]>>;
 
-/** What each option has to be. */
+/** What each option must be. */
 const EXPECTED: Expected = {
   terrains: [
     (value) => isRecord(value) && Object.values(value as object).every(isFunction),
@@ -47,7 +47,7 @@ const EXPECTED: Expected = {
   forcedRollback: [isCount, 'a whole number ≥ 0'],
 };
 
-/** What each member of `defaults` has to be; what is in them is checked where the world is loaded. */
+/** What each member of `defaults` must be; their contents are checked when the world is loaded. */
 const EXPECTED_DEFAULTS: Expected = {
   settings: [isRecord, 'an object of settings by name'],
   shipClasses: [Array.isArray, 'a list of ship classes'],
@@ -55,7 +55,7 @@ const EXPECTED_DEFAULTS: Expected = {
   terrain: [isText, 'the name of a terrain'],
 };
 
-/** Throws RangeError, naming the option, where one cannot be used. */
+/** Throws RangeError that names the invalid option. */
 export function requireOptions(given: PredictorOptions): void {
   if (!isRecord(given)) throw new RangeError(`options: expected an object, got ${describe(given)}`);
   requireMembers('options', EXPECTED, given);
@@ -76,7 +76,7 @@ function faultIn(members: Expected, given: object): string | null {
   return null;
 }
 
-/** The first member of the defaults that is of another kind, and what is expected there; null for none. */
+/** The first member of the defaults of another type, and what is expected there; null for none. */
 export function faultOfDefaults(given: object): string | null {
   return faultIn(EXPECTED_DEFAULTS, given);
 }
@@ -90,7 +90,7 @@ function requireSmoothing(given: NonNullable<PredictorOptions['smoothing']>): vo
   }
 }
 
-/** Warns of options, defaults and settings that nobody reads. */
+/** Warns of unknown options, defaults and settings. */
 export function checkOptions(warn: Warn, given: PredictorOptions): void {
   warnOfUnknown(warn, { code: 'unknown-option', path: 'options', known: OPTIONS }, given);
   const { defaults, smoothing } = given;
@@ -100,17 +100,17 @@ export function checkOptions(warn: Warn, given: PredictorOptions): void {
   if (defaults !== undefined) checkDefaults(warn, 'options.defaults', defaults);
 }
 
-/** Warns of members of the defaults, and of settings, that nothing reads. */
+/** Warns of unknown members of the defaults, and of unknown settings. */
 export function checkDefaults(warn: Warn, path: string, given: object): void {
   warnOfUnknown(warn, { code: 'unknown-default', path, known: DEFAULTS }, given);
   checkSettings(warn, `${path}.settings`, (given as Partial<Defaults>).settings);
 }
 
-/** Warns of settings that nobody reads, and of angles that look like radians. */
+/** Warns of unknown settings, and of angles that look like radians. */
 export function checkSettings(warn: Warn, path: string, settings: unknown): void {
   if (!isRecord(settings)) return;
   const known = Object.keys(DEFAULT_SETTINGS);
-  // A loaded record brings its constants along.
+  // A loaded record includes its derived constants.
   const naming = { code: 'unknown-setting', path, known: [...known, 'cosSettleTilt', 'cosTippedAngle'] };
   warnOfUnknown(warn, naming, settings as object);
   const tipped = (settings as { contactTippedAngleDeg?: unknown }).contactTippedAngleDeg;

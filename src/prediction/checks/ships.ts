@@ -9,12 +9,12 @@ const lengthOf = (v: readonly number[]): number => Math.hypot(...v);
 
 /** rad/s: two turns a second, which no ship's thrusters reach and no pilot survives. */
 const FASTEST_SPIN = 12.6;
-/** m by which a ship that has landed may be off the ball of its body: the highest mountains. */
+/** m by which a landed ship may be off its body's radius: the highest mountains. */
 const HIGHEST_GROUND = 30_000;
-/** m/s: what lands moves no faster against its body than this. */
+/** m/s: a landing ship moves no faster than this relative to its body. */
 const FAST = 10_000;
 
-/** Warns of a ship's state that cannot be: other units, another order of components, another place. Not called for malformed ones. */
+/** Warns of an implausible ship state: other units, another order of components, another place. Not called for malformed ones. */
 export function checkShip(warn: Warn, ship: ShipState, bodies: readonly BodyState[]): void {
   const { shipId } = ship;
   const size = lengthOf(ship.attitude);
@@ -25,7 +25,7 @@ export function checkShip(warn: Warn, ship: ShipState, bodies: readonly BodyStat
     });
   const spin = lengthOf(ship.angularVelocity);
   if (spin > FASTEST_SPIN)
-    warn('spin-in-degrees', `${shipId} turns by ${spin} rad/s: hand in radians, not degrees.`, {
+    warn('spin-in-degrees', `${shipId} turns by ${spin} rad/s: pass radians, not degrees.`, {
       shipId,
       value: ship.angularVelocity,
     });
@@ -38,11 +38,11 @@ export function checkShip(warn: Warn, ship: ShipState, bodies: readonly BodyStat
 }
 
 function warnOfOrder(warn: Warn, { shipId, attitude }: ShipState): void {
-  const message = `The attitude of ${shipId} looks like [w, x, y, z]: hand in [x, y, z, w].`;
+  const message = `The attitude of ${shipId} looks like [w, x, y, z]: pass [x, y, z, w].`;
   warn('quaternion-order', message, { shipId, value: attitude });
 }
 
-/** The body whose ground is nearest, if any is told with a place. */
+/** The body whose ground is nearest, if any has a position. */
 function nearestBody(position: Vector, bodies: readonly BodyState[]): BodyState | null {
   let best: BodyState | null = null;
   let least = Infinity;
@@ -62,7 +62,7 @@ function checkPlace(warn: Warn, ship: ShipState, body: BodyState): void {
   const distance = lengthOf(from);
   const enlarged = lengthOf(minus(times(ship.position, 1000), body.position));
   if (distance > 10 * body.radius && enlarged < 2 * body.radius) {
-    const message = `${shipId} is ${distance} m from ${body.name}, and near it a thousand times as far out: hand in metres, not km.`;
+    const message = `${shipId} is ${distance} m from ${body.name}, and would be near it at a thousand times the distance: pass metres, not km.`;
     warn('position-in-kilometres', message, { shipId, value: ship.position });
     return;
   }
@@ -75,10 +75,14 @@ function checkPlace(warn: Warn, ship: ShipState, body: BodyState): void {
   const speed = lengthOf(minus(ship.velocity, body.velocity));
   const enlargedSpeed = lengthOf(minus(times(ship.velocity, 1000), body.velocity));
   if (distance < 2 * body.radius && speed > FAST && enlargedSpeed < FAST)
-    warn('velocity-in-kilometres', `${shipId} moves by ${speed} m/s against ${body.name}: m/s, not km/s.`, {
-      shipId,
-      value: ship.velocity,
-    });
+    warn(
+      'velocity-in-kilometres',
+      `${shipId} moves at ${speed} m/s relative to ${body.name}: pass m/s, not km/s.`,
+      {
+        shipId,
+        value: ship.velocity,
+      },
+    );
   if (ship.landedBodyName === body.name) checkLanded(warn, ship, { body, from, distance });
 }
 
@@ -91,7 +95,7 @@ interface Landed {
 function checkLanded(warn: Warn, ship: ShipState, { body, from, distance }: Landed): void {
   const height = distance - body.radius;
   if (Math.abs(height) > HIGHEST_GROUND && distance > 0.5 * body.radius) {
-    const message = `${ship.shipId} stands on ${body.name}, ${height} m from its radius: are ship and bodies of one tick?`;
+    const message = `${ship.shipId} is on the ground of ${body.name}, ${height} m from its radius: are ship and bodies of the same tick?`;
     warn('landed-off-ground', message, { shipId: ship.shipId, height });
   }
   if (ship.surfaceContactState !== 'landed' && ship.surfaceContactState !== '') return;
@@ -130,7 +134,7 @@ function checkRelative(warn: Warn, ship: ShipState, bodies: readonly BodyState[]
     });
 }
 
-/** The place against the body, m, may differ from the ICRF one by what a double has there, and by a tick of the body's way. */
+/** The position relative to the body may differ from the ICRF one, m, by a double's resolution there and by the body's motion in a tick. */
 const PLACES_APART = 100_000;
 
 function checkBothPlaces(warn: Warn, ship: ShipState, body: BodyState): void {
@@ -138,7 +142,7 @@ function checkBothPlaces(warn: Warn, ship: ShipState, body: BodyState): void {
   if (!Array.isArray(body.position)) return;
   const apart = lengthOf(minus(minus(position, body.position), relativePosition as Vector));
   if (apart <= PLACES_APART) return;
-  const message = `relativePosition of ${shipId} and its position are ${apart} m apart: relativePosition is from the centre of ${body.name}, in ICRF axes.`;
+  const message = `relativePosition of ${shipId} and its position are ${apart} m apart: relativePosition is relative to the centre of ${body.name}, in ICRF axes.`;
   warn('relative-position', message, { shipId, position, relativePosition });
 }
 
@@ -148,13 +152,13 @@ function checkCommands(warn: Warn, ship: ShipState): void {
   if (largest > 1.001 || thrustLevel < 0)
     warn(
       'state-out-of-range',
-      `${shipId} is steered with ${largest}: 0 (thrustLevel) or −1 to 1, not percent.`,
+      `${shipId} has a control of ${largest}: expected 0 (thrustLevel) or −1 to 1, not percent.`,
       {
         ...{ field: 'controls', shipId, thrustLevel, rotationInput, translationInput },
       },
     );
   if (fuel < 0)
-    warn('state-out-of-range', `${shipId} has ${fuel} kg of fuel: 0 or more.`, {
+    warn('state-out-of-range', `${shipId} has ${fuel} kg of fuel: expected 0 or more.`, {
       field: 'fuel',
       shipId,
       fuel,

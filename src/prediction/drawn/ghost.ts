@@ -17,7 +17,8 @@ import type { Track } from '../simulation/track';
 import type { ShipView } from './view';
 
 /**
- * The server's newest state as a ghost: put on the drawn ground by the same function as the ship itself (PREDICTION, Drawing), or a lying ship's ghost would hover; in the body's axes, so that it stays where it was while the body turns.
+ * The server's newest state as a ghost: put on the drawn ground by the same function as the ship itself (PREDICTION, Drawing), or a
+ * tipped ship's ghost would hover; in the body's axes, so that it stays where it was while the body turns.
  * @param drawn the drawn ground
  * @param exactly point by point, as the ship itself; else as on level ground
  */

@@ -33,9 +33,15 @@ const OTHER_STATE = 4;
 const OFFSET = 5;
 const SLOPE = 0.5;
 
-/** Replays the dynamics from one state to the other, on the track's present ground. */
-export function replayBetween(out: Misfit, sim: Simulation, track: Track, evidence: Evidence): void {
-  const { from, fromTick, to, toTick } = evidence;
+/**
+ * Replays the dynamics from one state to the tick of another, on the track's present ground. Returns the row there, valid until the
+ * next replay.
+ */
+export function replayTo(
+  sim: Simulation,
+  track: Track,
+  { from, fromTick, toTick }: Omit<Evidence, 'to'>,
+): Float64Array {
   copyRow(row, 0, from, 0);
   placeStep(step, sim, fromTick, 0);
   const { fit } = track;
@@ -43,6 +49,13 @@ export function replayBetween(out: Misfit, sim: Simulation, track: Track, eviden
   fit.carried = '';
   while (step.tick < toTick) advanceRow(step, sim, track);
   fit.carried = carried;
+  return row;
+}
+
+/** Replays the dynamics from one state to the other and measures the error there. */
+export function replayBetween(out: Misfit, sim: Simulation, track: Track, evidence: Evidence): void {
+  const { to } = evidence;
+  replayTo(sim, track, evidence);
   const distance = Math.hypot(to[POSITION]!, to[POSITION + 1]!, to[POSITION + 2]!);
   let height = 0;
   let climb = 0;

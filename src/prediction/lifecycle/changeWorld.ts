@@ -13,10 +13,10 @@ import { recut } from '../time/timeline';
 import { forgetLogsAfter } from '../touchdown/touchdownRing';
 
 /**
- * Settings, classes, terrain, masses and radii of the running world are others from now on. Ships, time, inputs and listeners stay:
- * each ship goes on from its newest server state, and what is drawn fades into what the new world makes of it. With other bodies, or
- * before the first frame, a new world begins.
- * @param config what `world` was made from
+ * Replaces settings, classes, terrain, masses and radii of the running world. Ships, time, inputs and listeners stay: each
+ * ship continues from its newest server state, and the drawn pose fades into the new prediction. With other bodies, or before the first
+ * frame, a new world begins.
+ * @param config what `world` was created from
  */
 export function changeWorld(session: Session, world: World, config: WorldConfig): void {
   const { sim, shown } = session;
@@ -39,14 +39,14 @@ export function changeWorld(session: Session, world: World, config: WorldConfig)
   showWorld(shown, sim);
 }
 
-/** What was predicted of the ship is of the world before: its rows are of the new one, and it waits to be replayed. */
+/** The ship's prediction is of the previous world: its rows are converted to the new one, and it waits to be replayed. */
 function goOn(sim: Simulation, track: Track, before: World): void {
   const { world, fleet } = sim;
   forgetAfter(track.history, -1);
   if (track.log !== null) forgetLogsAfter(track.log, -1);
   abandonReplay(track);
   track.agreedTick = -1;
-  // What was learned of the ground made up for what the world before had wrong.
+  // The learned ground compensated for errors of the previous world.
   track.ground.places.length = 0;
   track.evidence.tick = -1;
   const isKnown = [fleet.previous, fleet.front, fleet.replayed]
@@ -57,7 +57,10 @@ function goOn(sim: Simulation, track: Track, before: World): void {
   track.mode = 'held';
 }
 
-/** The row's class by its number in the new world; its offset, where it was the class's. Returns false for a class that is gone. */
+/**
+ * Sets the row's class number in the new world, and the contact offset if it was the class's. Returns false for a class that no longer
+ * exists.
+ */
 function renumber(rows: Float64Array, at: number, before: World, world: World): boolean {
   const old = before.shipClasses[rows[at + SHIP_CLASS]!]!;
   const number = world.shipClasses.findIndex(({ name }) => name === old.name);

@@ -6,7 +6,7 @@ import type { Session } from '../session';
 import { loadGiven } from '../snapshots/worldConfig';
 import { changeWorld } from './changeWorld';
 
-/** The members of the running world that a caller changes. A reason that names the field where one cannot be; nothing changes then. */
+/** Changes members of the running world. Returns an error that names the invalid field; then nothing changes. */
 export function configure(session: Session, changes: Partial<Defaults> | null): Result<null> {
   const { config, terrains, warn } = session;
   if (typeof changes !== 'object' || changes === null)

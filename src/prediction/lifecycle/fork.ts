@@ -1,14 +1,14 @@
 import type { Session } from '../session';
 import type { Kept } from './snapshot';
 
-/** All that a predictor owns: its session, and the messages of its next snapshot. */
+/** Everything a predictor owns: its session, and the messages of its next snapshot. */
 export interface Owned {
   readonly session: Session;
   readonly kept: Kept;
 }
 
 /**
- * A second copy of what a predictor owns, which goes on independently to the same bits. Constants (options, worlds, messages) and
+ * A second copy of what a predictor owns, which continues independently with the same bits. Constants (options, worlds, messages) and
  * functions are shared; listeners are not copied.
  */
 export function copyOwned({ session, kept }: Owned): Owned {
@@ -16,7 +16,7 @@ export function copyOwned({ session, kept }: Owned): Owned {
   const copies = new Map<object, object>();
   for (const shared of [options, terrains, defaults, config, warn]) copies.set(shared, shared);
   copies.set(session.listeners, new Set());
-  // Most of the memory, and made anew from the boundaries where they are needed.
+  // Most of the memory, and recomputed from the boundaries where needed.
   const { cuts } = session.sim.bodies;
   copies.set(
     cuts,
@@ -25,7 +25,7 @@ export function copyOwned({ session, kept }: Owned): Owned {
   return { session: copyOf(session, copies), kept: { ...kept } };
 }
 
-/** Deep copy of records, lists, maps, sets and arrays of numbers; what occurs twice in it stays one thing. */
+/** Deep copy of records, lists, maps, sets and arrays of numbers; a value that occurs twice in it is copied once. */
 function copyOf<T>(value: T, copies: Map<object, object>): T {
   if (typeof value !== 'object' || value === null || Object.isFrozen(value)) return value;
   const known = copies.get(value);

@@ -7,7 +7,7 @@ import { copyRow, type Policy, type Track } from '../simulation/track';
 
 const POLICIES: readonly unknown[] = ['predict', 'interpolate', 'hold'] satisfies readonly Policy[];
 
-/** From now on the ship is drawn by `policy`, whether it is there yet or not. Anything else than a policy is ignored, with a warning. */
+/** Draws the ship by `policy` from now on, present or not. An invalid policy is ignored, with a warning. */
 export function changePolicy({ sim, receiver, warn }: Session, shipId: string, policy: Policy): void {
   if (!POLICIES.includes(policy)) {
     const message = `setPolicy(${JSON.stringify(shipId)}, ${JSON.stringify(policy)}): expected predict, interpolate or hold. The call was ignored.`;
@@ -24,7 +24,7 @@ export function changePolicy({ sim, receiver, warn }: Session, shipId: string, p
   track.states = null;
 }
 
-/** Where it is drawn now is held, and fades into where the policy has it. */
+/** The drawn pose is held, and fades into the policy's. */
 function leavePrediction(sim: Simulation, track: Track): void {
   abandonReplay(track);
   if (track.mode === 'stepping') holdDrawn(sim, track);
@@ -33,7 +33,7 @@ function leavePrediction(sim: Simulation, track: Track): void {
   track.off = false;
 }
 
-/** Simulated from its newest server state on; where it is drawn now fades into that. */
+/** Simulates the ship from its newest server state on; the drawn pose fades into that. */
 function returnToPrediction(sim: Simulation, track: Track): void {
   if (track.unpredictable || track.serverTick < 0) return;
   copyRow(sim.fleet.front, track.at, track.serverRow, 0);

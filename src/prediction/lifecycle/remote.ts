@@ -7,7 +7,7 @@ import { createPredictor, type Predictor } from '../predictor';
 import type { Policy } from '../simulation/track';
 import type { PredictorSnapshot } from './snapshot';
 
-/** The predictor in a worker: what goes over the channel, either way. Everything is plain data and is copied. */
+/** The predictor in a worker: the messages over the channel, in both directions. All are plain data and are copied. */
 
 /** To the worker. */
 export type ToWorker =
@@ -34,17 +34,17 @@ export type FromWorker =
     }
   | { readonly kind: 'snapshot'; readonly snapshot: PredictorSnapshot };
 
-/** What of a Worker, a MessagePort or a worker's own global scope is used. */
+/** The part of a Worker, a MessagePort or a worker's global scope that is used. */
 export interface Channel {
   /** Sends a copy of plain data. */
   postMessage: (message: unknown) => void;
-  /** Called with what comes. */
+  /** Called with each message. */
   onmessage: ((event: { readonly data: unknown }) => void) | null;
 }
 
 /**
- * In the worker: makes a predictor of `options` and lets the page drive it through `channel` (`self`). Terrains are functions, which
- * cannot be sent: they are made here. Throws as createPredictor does. After `dispose` the channel is let go.
+ * In the worker: creates a predictor with `options` and lets the page drive it through `channel` (`self`). Terrains are functions, which
+ * cannot be sent, so they are created here. Throws as createPredictor does. After `dispose` the channel is released.
  *
  * @example
  * ```ts
@@ -69,7 +69,7 @@ export function servePredictor(channel: Channel, options: PredictorOptions = {})
   return predictor;
 }
 
-/** The call that each kind of message stands for. What cannot be used is counted in the diagnosis, with its reason. */
+/** The call for each kind of message. Invalid ones are counted in the diagnosis, with the reason. */
 const CALLS: {
   readonly [K in ToWorker['kind']]: (predictor: Predictor, message: Extract<ToWorker, { kind: K }>) => void;
 } = {
@@ -91,36 +91,36 @@ function noteRefusal(predictor: Predictor, outcome: Result<null>): void {
   if (!outcome.ok) predictor.refused(outcome.reason);
 }
 
-/** A predictor in a worker, as the page sees it: the same calls, a view that is one answer old. */
+/** The page's side of a predictor in a worker: the same calls, with a view that is one answer old. */
 export interface RemotePredictor
   extends
     Pick<Predictor, 'receive' | 'refused' | 'advance' | 'takeOutgoing' | 'onEvent'>,
     Pick<Predictor, 'setOwnShip' | 'removeShip' | 'teleported' | 'setPolicy' | 'reset' | 'dispose'> {
-  /** The newest view that has come back; null before the first. It is the caller's to keep. */
+  /** The newest view received; null before the first. The caller may keep it. */
   readonly view: () => WorldView | null;
-  /** As Predictor.configure; why it was refused is in the next view's `diagnosis.lastRefusal`. */
+  /** As Predictor.configure; the reason of a refusal is in the next view's `diagnosis.lastRefusal`. */
   readonly configure: (changes: Partial<Defaults>) => void;
-  /** As Predictor.snapshot, when the worker has answered; never after `dispose`. */
+  /** As Predictor.snapshot, resolved when the worker has answered; never after `dispose`. */
   readonly snapshot: (now: number) => Promise<PredictorSnapshot>;
-  /** As Predictor.restore; why it was refused is in the next view's `diagnosis.lastRefusal`. */
+  /** As Predictor.restore; the reason of a refusal is in the next view's `diagnosis.lastRefusal`. */
   readonly restore: (snapshot: unknown, now: number) => void;
 }
 
-/** What one end has on its way. */
+/** The pending messages of one end. */
 interface Link {
   readonly listeners: Set<(notice: EventNotice) => void>;
   readonly requests: ((snapshot: PredictorSnapshot) => void)[];
   outgoing: ClientMessage[];
   newest: WorldView | null;
-  /** An advance was sent and is not answered. */
+  /** Whether an advance was sent and not answered yet. */
   underway: boolean;
-  /** The newest advance that waits for that answer. */
+  /** The newest advance, waiting for that answer. */
   waiting: ToWorker | null;
 }
 
 /**
- * In the page: drives the predictor that servePredictor made at the other end of `channel` (a Worker). At most one advance is on its
- * way: while the worker has not answered, later ones wait as one, with the newest controls. `dispose` lets the channel go and leaves
+ * In the page: drives the predictor that servePredictor created at the other end of `channel` (a Worker). At most one advance is
+ * pending: until the worker answers, later ones are merged into one with the newest controls. `dispose` releases the channel and leaves
  * the worker itself to the caller (`worker.terminate()`).
  *
  * @example
@@ -145,7 +145,7 @@ export function connectPredictor(channel: Channel): RemotePredictor {
   return { ...callsThrough(post), ...ownCalls(link, post, channel) };
 }
 
-/** Calls that go to the worker as they are. */
+/** Calls that are sent to the worker unchanged. */
 function callsThrough(post: (message: ToWorker) => void) {
   return {
     receive: (message, now) => post({ kind: 'receive', message, now }),
@@ -160,7 +160,7 @@ function callsThrough(post: (message: ToWorker) => void) {
   } satisfies Partial<RemotePredictor>;
 }
 
-/** Calls with something to do on this side. */
+/** Calls that also act on this side. */
 function ownCalls(link: Link, post: (message: ToWorker) => void, channel: Channel) {
   return {
     advance(controls, now) {

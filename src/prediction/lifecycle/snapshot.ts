@@ -10,18 +10,18 @@ import { receiveMessage } from '../snapshots/receiveMessage';
 import { spanOf } from '../time/timeline';
 import { changePolicy } from './policy';
 
-/** What a predictor has been told last, as plain data for JSON.stringify: enough to go on from in another page or worker. */
+/** The last messages of a predictor as plain data for JSON.stringify: enough to continue from in another page or worker. */
 export interface PredictorSnapshot {
   readonly version: 1;
   /** '' for a spectator. */
   readonly ownShipId: string;
   /** null: the server sent none. */
   readonly hello: Hello | null;
-  /** The newest frame; null: none has come. */
+  /** The newest frame; null if none has arrived. */
   readonly frame: PartialFrame | null;
-  /** Wall s since it came. */
+  /** Wall s since it arrived. */
   readonly age: number;
-  /** Own inputs that the server has not been seen to apply. */
+  /** Own inputs that the server has not acknowledged. */
   readonly inputs: readonly InputRecord[];
   /** Number of the next input. */
   readonly nextSeq: number;
@@ -29,7 +29,7 @@ export interface PredictorSnapshot {
   readonly policies?: Readonly<Record<string, Policy>>;
 }
 
-/** The messages that a snapshot is made of, kept as they come. */
+/** The messages that make up a snapshot, kept as they arrive. */
 export interface Kept {
   hello: Hello | null;
   frame: PartialFrame | null;
@@ -40,7 +40,7 @@ export function createKept(): Kept {
   return { hello: null, frame: null, frameAt: Number.NaN };
 }
 
-/** Receives a message, and keeps what a later snapshot needs of it, unless it was refused or is not of the newest tick. */
+/** Receives a message, and keeps it for a later snapshot unless it was refused or is not of the newest tick. */
 export function receiveAndKeep(
   session: Session,
   kept: Kept,
@@ -68,7 +68,7 @@ function joined(before: PartialFrame, frame: PartialFrame): PartialFrame {
   return { ...before, ...frame, ships: [...others, ...ships] };
 }
 
-/** A plain caller may hand in anything for a list of ships. */
+/** A plain caller may pass anything for a list of ships. */
 function shipsOf({ ships }: PartialFrame): PartialFrame['ships'] {
   const isShip = (ship: unknown): boolean => typeof ship === 'object' && ship !== null;
   return Array.isArray(ships) ? (ships as PartialFrame['ships']).filter(isShip) : [];
@@ -90,7 +90,7 @@ export function snapshotOf(session: Session, kept: Kept, now: number): Predictor
   };
 }
 
-/** The frame with what it left out: the tempo and the bodies that held at its tick. */
+/** The frame, completed with the tempo and the bodies that applied at its tick. */
 function completed({ sim }: Session, frame: PartialFrame): PartialFrame {
   const { tickRate, timeScale, paused } = spanOf(sim.timeline, sim.newestTick);
   const rows = boundaryAt(sim.bodies, sim.timeline, sim.newestTick);
@@ -101,7 +101,7 @@ function completed({ sim }: Session, frame: PartialFrame): PartialFrame {
   return { ...frame, tickRate, timeScale, paused, bodies };
 }
 
-/** Goes on from a snapshot, which may come from anywhere: a reason that names the field where it cannot be. */
+/** Continues from a snapshot, which may be untrusted; returns an error that names the invalid field. */
 export function restoreSnapshot(session: Session, kept: Kept, given: unknown, now: number): Result<null> {
   const reason = faultOf(given);
   if (reason !== null) {

@@ -14,7 +14,7 @@ import {
 import { compose, fromRotationVector, quaternion, take, vector } from '../drawn/rotation';
 
 /**
- * Carrying a ship's motion on, as a client without the law does: in flight it falls, without thrust; on the ground it goes on over
+ * Extrapolates a ship's motion, as a client without the law does: in flight it falls, without thrust; on the ground it keeps moving along
  * it, turning with the body. Its state and its spin stay.
  * @param bodies rows of `dt` game s from now on
  */
@@ -44,22 +44,22 @@ export function carryRow(
   for (let k = 0; k < 4; k++) rows[at + ATTITUDE + k] = attitude[k]!;
 }
 
-/** Velocity Verlet, as flight is in the law. */
+/** Velocity Verlet, as the law integrates flight. */
 function fall(gravityParameter: number, dt: number): void {
   const before = pull(gravityParameter);
   for (let k = 0; k < 3; k++) place[k] = place[k]! + velocity[k]! * dt + 0.5 * before * place[k]! * dt * dt;
-  // The direction of the pull turns by no more than dt · speed / radius.
+  // The direction of gravity turns by no more than dt · speed / radius.
   const after = pull(gravityParameter);
   for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! + 0.5 * (before + after) * place[k]! * dt;
 }
 
-/** Acceleration over place, 1/s². */
+/** Acceleration over position, 1/s². */
 function pull(gravityParameter: number): number {
   const squared = place[0]! * place[0]! + place[1]! * place[1]! + place[2]! * place[2]!;
   return -gravityParameter / (squared * Math.sqrt(squared));
 }
 
-/** Relative to the turning ground the velocity stays; what would take it into the ground by more than its slope is left out. */
+/** Relative to the turning ground the velocity stays; the component into the ground beyond its slope is removed. */
 function goOn(dt: number): void {
   writeGroundVelocity();
   const distance = Math.hypot(place[0]!, place[1]!, place[2]!);
@@ -76,7 +76,7 @@ function goOn(dt: number): void {
   for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! + ground[k]!;
 }
 
-/** Steeper ways down are impacts, not slopes. */
+/** Steeper descents are impacts, not slopes. */
 const STEEPEST = 0.3;
 
 function writeGroundVelocity(): void {

@@ -5,7 +5,7 @@ import { resized, ringLength } from './history';
 import type { Simulation } from './simulation';
 import type { Track } from './track';
 
-/** How long the rings of predicted states are, so that together they stay within a memory. */
+/** The length of the rings of predicted states, so that together they stay within a memory limit. */
 
 /** Bytes that the histories of all ships but the own one may take. */
 const HISTORY_BYTES = 32 * 2 ** 20;
@@ -19,7 +19,7 @@ function rowsWithin(ships: number, ringOfRate: number): number {
   return Math.max(LEAST_ROWS, Math.min(ringOfRate, Math.floor(HISTORY_BYTES / (rounded * ROW_BYTES))));
 }
 
-/** What the rings have to hold. */
+/** What the rings must hold. */
 export interface RingNeeds {
   /** Hz */
   readonly tickRate: number;
@@ -29,7 +29,7 @@ export interface RingNeeds {
   readonly ships: number;
 }
 
-/** Makes the rings fit; what they hold stays. A ring that is longer than it has to be is kept while memory allows it. */
+/** Resizes the rings; their contents are kept. A ring that is longer than needed is kept while memory allows it. */
 export function fitRings(sim: Simulation, { tickRate, substeps, ships }: RingNeeds): void {
   const { tracks } = sim.fleet;
   sim.ringLength = ringLength(tickRate);

@@ -65,7 +65,7 @@ function replay(sim: Simulation, track: Track, budget: number): number {
   placeStep(step, sim, track.replayTick, track.replaySubstep);
   step.event = NO_EVENT;
   for (let i = 0; i < steps; i++) {
-    // Only the log reads the row before a substep, and drawing that of the last one.
+    // Only the log reads the row before each substep; drawing reads that of the last one.
     step.keepsBefore = left - i === 1 || track.log !== null;
     replaySubstep(sim, track);
   }

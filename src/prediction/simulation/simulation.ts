@@ -20,7 +20,7 @@ export interface Simulation {
   groundless: World;
   readonly timeline: Timeline;
   bodies: BodyTrack;
-  /** How fast each body really turns, in the world's order. */
+  /** The measured spin of each body, in the world's order. */
   readonly spins: readonly BodySpin[];
   readonly fleet: Fleet;
   readonly inputs: Inputs;

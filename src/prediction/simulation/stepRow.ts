@@ -38,7 +38,7 @@ export function createRowStep(rows = new Float64Array(SHIP_STRIDE), at = 0): Row
   };
 }
 
-/** The row stands at the start of substep `substep` of `tick`. */
+/** Sets the row's time to the start of substep `substep` of `tick`. */
 export function placeStep(step: RowStep, sim: Simulation, tick: number, substepOfTick: number): void {
   step.tick = tick;
   step.substep = substepOfTick;

@@ -25,7 +25,7 @@ export type Policy =
   | 'predict'
   /** Interpolated between the two server states around one send interval ago: smooth and late. */
   | 'interpolate'
-  /** Where the newest server state has it, turning with its body. */
+  /** At its newest server state, turning with its body. */
   | 'hold';
 
 /** The predictor's record of one ship. Its rows are in the fleet's arrays at `at`. */
@@ -39,9 +39,9 @@ export interface Track {
   mode: Mode;
   /** Switched off because time outruns the budget. */
   off: boolean;
-  /** How it is drawn, as the caller chose. */
+  /** The caller's choice of how it is drawn. */
   policy: Policy;
-  /** Its last server states, while the policy is to interpolate between them. */
+  /** Its last server states, under policy interpolate. */
   states: ServerStates | null;
   /** Of an unknown class or surface state: drawn from its server states. */
   unpredictable: boolean;
@@ -97,7 +97,7 @@ export interface Track {
 
 /** All ships: their tracks, and a row each of three arrays. */
 export interface Fleet {
-  /** The client's own ship, once it is there. */
+  /** The client's own ship, once it is present. */
   own: Track | null;
   readonly tracks: Track[];
   readonly byId: Map<string, Track>;

@@ -5,7 +5,7 @@ import { serverTime } from '../time/clock';
 import { spanOf, wallOfTick } from '../time/timeline';
 import type { Receiver } from './receiver';
 
-/** The class of a frame relative to the frames before it (PREDICTION, Restarts). */
+/** The kind of a frame relative to the frames before it (PREDICTION, Restarts). */
 export type SnapshotKind =
   /** Continues from the newest one. */
   | 'newest'

@@ -70,7 +70,7 @@ function count({ counters }: Simulation, kind: SnapshotKind): boolean {
 export function refuse({ counters, warn }: Simulation, reason: string): void {
   counters.framesRefused += 1;
   counters.lastRefusal = reason;
-  warn('message-refused', `A message was refused, and the last good state stays. ${reason}.`, { reason });
+  warn('message-refused', `A message was refused, and the last good state is kept. ${reason}.`, { reason });
 }
 
 /** Starts another timeline: the predictions so far cannot be compared with later states. */

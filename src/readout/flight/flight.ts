@@ -21,14 +21,14 @@ export interface FlightReadout {
   /** The game's attitude_hold. */
   damping: boolean;
   mode: AttitudeMode;
-  /** Degrees from north to east: where the ship's +Y points along the ground; NaN when it stands on that axis. */
+  /** Degrees from north to east: where the ship's +Y points along the ground; NaN when that axis is vertical. */
   heading: number;
   /** Degrees of the thrust axis over the horizon: 90 upright, −90 upside down. */
   pitch: number;
-  /** Degrees from upright towards the ship's +X and +Y: where the attitude ball's zenith lies. */
+  /** Degrees from upright towards the ship's +X and +Y: the position of the attitude ball's zenith. */
   leanX: number;
   leanY: number;
-  /** Momentum of the reaction wheels, of their capacity −1 … 1 about x, y, z; NaN where the class has no limit. */
+  /** Momentum of the reaction wheels as a share of their capacity, −1 … 1 about x, y, z; NaN where the class has no limit. */
   readonly wheels: Float64Array;
   readonly memory: Surface;
 }

@@ -52,13 +52,13 @@ const SUBSTEPS_A_CALL = 400;
 const CEILING = 50_000;
 /** m/s over the last metres; the goal of a landing is below 2. */
 const TOUCH_SPEED = 1.2;
-/** Most of a speed to aim at, m/s. */
+/** Highest speed to aim at, m/s. */
 const MAX_SPEED = 30;
 const LAST_METRES = 2;
 /** Shares of the speed to aim at that bound the corridor. */
 const SLOWEST = 0.5;
 const FASTEST = 1.35;
-/** m/s: close to the ground a share alone would ask for too much. */
+/** m/s: close to the ground a share alone would be too narrow. */
 const SLACK = 0.5;
 
 export function createLandingAids(): LandingAids {
@@ -83,7 +83,7 @@ export function createLandingAids(): LandingAids {
   };
 }
 
-/** Depends on the view and on the run ahead that `out` carries on; a ship on the ground or gone costs nothing. */
+/** Depends on the view and on the simulation ahead kept in `out`; a ship on the ground or gone costs nothing. */
 export function updateLandingAids(out: LandingAids, given: WorldView | null): LandingAids {
   const view = viewOf('updateLandingAids', out, given);
   const ship = view.ready ? view.own : null;
@@ -191,6 +191,6 @@ function readTouch(out: LandingAids, view: WorldView, ship: ShipView): void {
   out.touchVertical = Math.max(ships[IMPACT_SPEED]!, Math.abs(along));
   out.touchHorizontal = Math.sqrt(level);
   out.touchTilt = (Math.acos(Math.min(1, Math.max(-1, projectedCosTilt(projection)))) * 180) / Math.PI;
-  // The ground turns meanwhile: the place is where that ground is now.
+  // The ground turns meanwhile: the place is where that ground is at present.
   for (let k = 0; k < 3; k++) out.touchPlace[k] = place[k]! - groundVelocity[k]! * elapsed;
 }

@@ -30,8 +30,8 @@ import type { ShipView } from '../../prediction';
 import { toBodyAxes } from '../axes';
 
 /**
- * The law itself run ahead of a ship on a scratch row, a bounded number of substeps per call. The ground is taken as the plane
- * under its feet from here on: terrain heights are not the readout's to know.
+ * Simulates a ship ahead by the law on a scratch row, a bounded number of substeps per call. The ground is taken to
+ * be the plane under its feet, since a readout has no terrain heights.
  */
 export interface Projection {
   readonly ships: Float64Array;
@@ -39,15 +39,15 @@ export interface Projection {
   readonly events: Uint8Array;
   world: World | null;
   running: boolean;
-  /** Game s run ahead so far. */
+  /** Game s simulated ahead so far. */
   elapsed: number;
-  /** Terrain above the body's radius, m. */
+  /** Height of the terrain above the body's radius, m. */
   ground: number;
-  /** How it rises, metres per unit of direction, body axes: the plane that the ship's feet stand on. */
+  /** Its rise, metres per unit of direction, body axes: the plane under the ship's feet. */
   readonly rise: Float64Array;
 }
 
-/** Game s a substep: the law's longest. */
+/** Game s per substep: the law's longest. */
 const STEP_SECONDS = 0.01;
 
 export function createProjection(): Projection {
@@ -63,7 +63,7 @@ export function createProjection(): Projection {
   };
 }
 
-/** From the ship's predicted truth now, under `controls` held. Does not start on values no world can hold. */
+/** Starts from the ship's present predicted state, with `controls` held. Does not start from values that a world refuses. */
 export function startProjection(
   out: Projection,
   ship: ShipView,
@@ -112,7 +112,7 @@ export function stepProjection(out: Projection): number {
   return out.events[0]!;
 }
 
-/** n · up where the run stands now. */
+/** n · up at the run's present state. */
 export function projectedCosTilt({ ships }: Projection): number {
   const rx = ships[POSITION]!;
   const ry = ships[POSITION + 1]!;

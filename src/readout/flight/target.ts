@@ -2,7 +2,7 @@ import type { WorldView } from '../../prediction';
 import { writeDot } from '../axes';
 import type { LandingAids } from './landingAids';
 
-/** Where the pad is from the ship, and where the ship will come down: the approach dial. m, on the screen's axes: x right, y away. */
+/** The approach dial: the pad and the predicted touchdown relative to the ship, m, in the screen's axes: x right, y away. */
 export interface TargetReadout {
   shown: boolean;
   /** Along the ground to the pad's centre. */
@@ -20,7 +20,7 @@ export interface TargetReadout {
   scale: number;
 }
 
-/** What is aimed at: relative to the body's centre, ICRF axes as the body is turned now, m. */
+/** The pad aimed at: relative to the body's centre, ICRF axes at the body's present attitude, m. */
 export interface Target {
   readonly place: Float64Array;
   readonly radius: number;

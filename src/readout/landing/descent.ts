@@ -52,7 +52,7 @@ export function forgetDescent(out: Descent): void {
 }
 
 /**
- * Until the law's own touch (‖r‖ = surface_r) over level ground: clearance = v t + ½ a t², a the downward acceleration of
+ * Time until the law's contact (‖r‖ = surface_r) over level ground: clearance = v t + ½ a t², a the downward acceleration of
  * gravity, less what thrust and the speed along the curved ground hold against it, all as they are now.
  */
 function measureTimeToImpact(out: Descent, surface: Surface, ship: ShipView): void {

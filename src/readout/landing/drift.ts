@@ -2,7 +2,7 @@ import { toBodyAxes, writeDot } from '../axes';
 import type { Surface } from '../surface';
 
 /**
- * The cross-pointer: velocity along the ground in ship axes, seen along the ship's −Z. A leaning ship is stood up first by
+ * The cross-pointer: velocity along the ground in ship axes, seen along the ship's −Z. A leaning ship is first rotated upright by
  * the shortest rotation from local up to its own, so that the speed keeps its size whatever the tilt.
  */
 export interface Drift {
@@ -14,9 +14,9 @@ export interface Drift {
   scale: number;
 }
 
-/** Full deflections, m/s: the next one up when the pointer would leave the dial. */
+/** Full deflections, m/s: the next larger one applies when the pointer would leave the dial. */
 const SCALES = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000] as const;
-/** The next one down only below this share of it, so that the scale does not flicker. */
+/** The next smaller scale applies only below this share of it, so that the scale does not flicker. */
 const ROOM_TO_SHRINK = 0.8;
 
 export function createDrift(): Drift {

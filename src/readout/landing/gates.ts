@@ -20,11 +20,11 @@ export interface Gates {
   readonly vertical: Gate;
   /** ‖v_tangential‖, m/s. */
   readonly horizontal: Gate;
-  /** The ground slopes: then the two below say something. */
+  /** Whether the ground slopes: only then are the two below meaningful. */
   onSlope: boolean;
-  /** Slope, degrees, against arctan mu_static: above it slides. */
+  /** Slope, degrees, against arctan mu_static: above that the ship slides. */
   readonly slope: Gate;
-  /** Lean from the vertical, degrees, against arctan(leg_radius / h): above its weight is outside its feet. */
+  /** Lean from the vertical, degrees, against arctan(leg_radius / h): above that its weight is outside its feet. */
   readonly balance: Gate;
 }
 

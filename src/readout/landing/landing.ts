@@ -32,7 +32,7 @@ export interface LandingReadout {
   /** Wall s, of the provenance. */
   age: number;
   timeScale: number;
-  /** A predicted state the server did not have, to be said so; '' = none. */
+  /** A predicted state that the server did not have, shown as withdrawn; '' for none. */
   withdrawn: ShipView['withdrawn'];
   /** False without a ship or a recent state: numbers are NaN, to be dashed, and the status hatched. */
   known: boolean;
@@ -45,9 +45,9 @@ export interface LandingReadout {
   readonly margin: TipMargin;
   readonly righting: Righting;
   readonly touchdown: Touchdown;
-  /** The card belongs to the status shown. */
+  /** Whether the card belongs to the status shown. */
   touchdownShown: boolean;
-  /** What carries on from view to view; not for showing. */
+  /** Kept from view to view; not shown. */
   readonly memory: LandingMemory;
 }
 
@@ -86,8 +86,8 @@ export function createLandingReadout(): LandingReadout {
 }
 
 /**
- * What the pilot of `view.own` reads now (HUD, The landing HUD). Depends on the view and on what `out` remembers of the
- * views before it, on no clock. Reuses `out` and returns it; allocates only where a run ahead of the law begins.
+ * Updates what the pilot of `view.own` reads (HUD, The landing HUD). Depends on the view and on what `out` keeps of the views
+ * before it, not on a clock. Reuses `out` and returns it; allocates only when a simulation ahead begins.
  */
 export function updateLandingReadout(out: LandingReadout, given: WorldView | null): LandingReadout {
   const view = viewOf('updateLandingReadout', out, given);
@@ -137,7 +137,7 @@ function readNumbers(out: LandingReadout, view: WorldView, ship: ShipView): void
   else forgetRightingRun(righting.run);
 }
 
-/** What was run ahead of another ship, or of this one elsewhere, says nothing of it now. */
+/** Simulations ahead of another ship, or of this one elsewhere, no longer apply. */
 function forgetRuns({ tipping, righting }: LandingMemory): void {
   forgetTipping(tipping);
   forgetRightingRun(righting.run);

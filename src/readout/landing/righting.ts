@@ -24,8 +24,8 @@ export interface Righting {
   /** kg aboard. */
   fuel: number;
   /**
-   * The law run ahead: those actions held until the ship leans less than its point of no return, then rate damping.
-   * 'fails': it does not land so within a minute (fuel ran out, or it falls over again).
+   * Result of simulating ahead: those actions held until the ship leans less than its point of no return, then rate damping.
+   * 'fails': the ship does not land within a minute (fuel ran out, or it falls over again).
    */
   outcome: 'working' | 'lands' | 'fails';
   /** Game s to hold, and kg until landed; NaN unless outcome is 'lands'. */
@@ -33,9 +33,9 @@ export interface Righting {
   fuelNeeded: number;
   /** The point of no return, degrees of tilt from the ground: hold until the tilt is below it. */
   holdUntil: number;
-  /** Rate damping is on already: letting go of the keys suffices. */
+  /** Rate damping is on already: releasing the keys suffices. */
   damped: boolean;
-  /** Where the torque does not suffice: what else may help. */
+  /** What else may help when the torque does not suffice. */
   help: 'none' | 'translation' | 'lighter';
   /** For help 'translation': the thruster that takes the most weight off the feet. */
   helpAction: TranslationAction | '';
@@ -75,7 +75,7 @@ export function createRightingMemory(): RightingMemory {
   return { inputs: new Float64Array(3), run: createRightingRun() };
 }
 
-/** Of a tipped ship. One that lies still costs no substep once its run is done. */
+/** For a tipped ship. A ship at rest costs no substep once its run has ended. */
 export function measureRighting(
   out: Righting,
   memory: RightingMemory,
@@ -103,7 +103,7 @@ function chooseActions(out: Righting, inputs: Float64Array, surface: Surface, sh
   const x = -surface.groundInShip[1]!;
   const y = surface.groundInShip[0]!;
   const level = Math.sqrt(x * x + y * y);
-  // Exactly upside down every axis serves.
+  // When the ship is exactly upside down, any axis will do.
   const shareX = level > 1e-9 ? Math.abs(x) / level : 1;
   const shareY = level > 1e-9 ? Math.abs(y) / level : 0;
   writeAvailableTorque(torque, ship);
@@ -117,7 +117,7 @@ function chooseActions(out: Righting, inputs: Float64Array, surface: Surface, sh
   out.torqueAvailable = (useX ? torqueX : 0) + (useY ? torqueY : 0);
   const pitch = ROTATION_ACTIONS[0]![x < 0 ? 1 : 0];
   const yaw = ROTATION_ACTIONS[1]![y < 0 ? 1 : 0];
-  // Written in place: an emptied list gives its memory back, and this one is filled again in the next frame.
+  // Written in place: an emptied list releases its memory, and this one is filled again in the next frame.
   out.actions[0] = xFirst ? pitch : yaw;
   if (useX && useY) out.actions[1] = xFirst ? yaw : pitch;
   else if (out.actions.length > 1) out.actions.pop();

@@ -19,7 +19,7 @@ import {
 import type { Surface } from '../surface';
 
 /**
- * The law run ahead of a tipped ship as its pilot is told to fly it: the righting keys held until it leans less than its
+ * Simulates a tipped ship ahead, flown as the hint says: the righting keys held until it leans less than its
  * point of no return, then rate damping alone until it has landed. Without damping the swing that lifts a ship usually
  * carries it over to its other side.
  */
@@ -41,7 +41,7 @@ export interface RightingRun {
   startTilt: number;
 }
 
-/** Game s; a ship that needs longer than this to stand up is not being righted. */
+/** Game s; a ship that needs longer than this is not being righted. */
 const HORIZON = 60;
 /** Some 40 µs a call. */
 const SUBSTEPS_A_CALL = 200;
@@ -72,7 +72,7 @@ export function forgetRightingRun(run: RightingRun): void {
   run.startInputX = NaN;
 }
 
-/** Goes on with the run of these inputs, or starts it. The last answer stays until there is a new one. */
+/** Continues the run of these inputs, or starts it. The last answer is kept until there is a new one. */
 export function runRighting(
   run: RightingRun,
   inputs: Float64Array,

@@ -7,7 +7,7 @@ export interface Tilt {
   degrees: number;
   /** 1 leaning over further, −1 coming up, 0 neither. */
   trend: -1 | 0 | 1;
-  /** Unit, in ship axes (x, y): the side that is lowest; 0, 0 when upright. */
+  /** The lowest side, a unit vector in ship axes (x, y); 0, 0 when upright. */
   leanX: number;
   leanY: number;
   /**
@@ -17,11 +17,11 @@ export interface Tilt {
   settle: number;
   noReturn: number;
   tipped: number;
-  /** In contact or tipped it is the largest number. */
+  /** Whether it is shown as the largest number: in contact or tipped. */
   prominent: boolean;
 }
 
-/** rad/s: the spin at which a ship may settle is 0.01, so below it nothing leans on. */
+/** rad/s: the law lets a ship settle below a spin of 0.01, so below that no lean counts as growing. */
 const STILL = 0.01;
 /** rad: below a tenth of a degree a direction is noise. */
 const UPRIGHT = 0.0017;
@@ -42,7 +42,7 @@ export function createTilt(): Tilt {
 export function measureTilt(out: Tilt, surface: Surface, settings: LoadedSettings): void {
   out.degrees = (surface.tilt * 180) / Math.PI;
   out.trend = surface.tiltRate > STILL ? 1 : surface.tiltRate < -STILL ? -1 : 0;
-  // The side that faces down is the one the ground's normal points away from.
+  // The ground's normal points away from the side that faces down.
   const x = -surface.groundInShip[0]!;
   const y = -surface.groundInShip[1]!;
   const level = Math.sqrt(x * x + y * y);

@@ -10,13 +10,13 @@ export interface TipMargin {
   shown: boolean;
   /** Degrees left before the point of no return; negative past it. */
   degrees: number;
-  /** 'tips': the law, run ahead under the controls held now, tips the ship. 'holds': it does not, within HORIZON. */
+  /** 'tips': simulated ahead under the present controls, the ship tips. 'holds': it does not within HORIZON. */
   outlook: 'steady' | 'working' | 'tips' | 'holds';
   /** Game s until TIPPED; NaN unless outlook is 'tips'. */
   timeToTipped: number;
 }
 
-/** What carries on from call to call: one run ahead at a time, and the last one's answer. */
+/** Kept from call to call: one simulation ahead at a time, and the last one's answer. */
 export interface TippingMemory {
   readonly projection: Projection;
   startedAt: number;
@@ -24,11 +24,11 @@ export interface TippingMemory {
   tipsAt: number;
 }
 
-/** Game s: a lander past the point of no return on the Moon takes 7 s to tip, on Phobos minutes; further is not news. */
+/** Game s: a lander past the point of no return on the Moon takes 7 s to tip, on Phobos minutes; later does not matter. */
 const HORIZON = 30;
 /** Some 40 µs: a fleet's substep costs about 0.2 µs a ship. */
 const SUBSTEPS_A_CALL = 200;
-/** rad/s of leaning over from which a ship still inside its feet is looked after too. */
+/** rad/s of growing lean from which a ship still within its feet is simulated too. */
 const WORTH_A_LOOK = 0.02;
 
 export function createTipMargin(): TipMargin {
@@ -39,7 +39,7 @@ export function createTippingMemory(): TippingMemory {
   return { projection: createProjection(), startedAt: 0, tipsAt: NaN };
 }
 
-/** A steady ship costs no substep, nor does one whose game stands still. */
+/** A steady ship costs no substep, nor does a paused game. */
 export function measureTipMargin(
   out: TipMargin,
   memory: TippingMemory,
@@ -71,7 +71,7 @@ export function forgetTipping(memory: TippingMemory): void {
   memory.tipsAt = NaN;
 }
 
-/** Until it tips, or comes to rest otherwise, or the horizon. A hop goes on: it may tip at the next touch. */
+/** Runs until the ship tips, comes to rest, or reaches the horizon. A hop continues: the ship may tip at the next touch. */
 function runAhead(memory: TippingMemory): void {
   const { projection } = memory;
   for (let i = 0; i < SUBSTEPS_A_CALL && projection.running; i++) {

@@ -2,7 +2,7 @@ import type { ShipView } from '../../prediction';
 
 /** One touchdown, from the first touch to rest (HUD, touchdown card). Speeds relative to the turning ground. */
 export interface Touchdown {
-  /** A touch was seen: a ship met already on the ground has no card. */
+  /** Whether a touch was seen: a ship first seen on the ground has no card. */
   known: boolean;
   /** 'open' until the ship has landed, tipped or crashed. */
   outcome: ShipView['touchdown']['outcome'];
@@ -10,13 +10,13 @@ export interface Touchdown {
   verticalSpeed: number;
   /** Just before the first touch, m/s. */
   horizontalSpeed: number;
-  /** Times it came down again. */
+  /** Number of touches after the first. */
   bounces: number;
-  /** Way along the ground while on it, hops not counted, m. */
+  /** Distance along the ground while on it, without hops, m. */
   slideMetres: number;
-  /** Game s from the first touch to rest, or so far. */
+  /** Game s from the first touch to rest, or until now. */
   settleSeconds: number;
-  /** Degrees, since the first touch; the tilt it came with counts. */
+  /** Degrees, since the first touch, including the tilt at that touch. */
   largestTilt: number;
 }
 
@@ -33,7 +33,7 @@ export function createTouchdown(): Touchdown {
   };
 }
 
-/** The prediction keeps it substep by substep, so that no touch falls between two views. */
+/** The prediction records it substep by substep, so that no touch is missed between two views. */
 export function readTouchdown(out: Touchdown, { touchdown }: ShipView): void {
   out.known = touchdown.known;
   out.outcome = touchdown.outcome;

@@ -4,7 +4,7 @@ import type { ShipView, WorldView } from '../../prediction';
 export interface ViewClock {
   shipId: string;
   body: number;
-  /** Game s since the first view; stands still while the game is paused, never runs back. */
+  /** Game s since the first view; constant while the game is paused, never decreasing. */
   now: number;
   /** Game s since the view before. */
   elapsed: number;
@@ -21,7 +21,7 @@ export function createViewClock(): ViewClock {
   return { shipId: '', body: -1, now: 0, elapsed: 0, tick: 0, sinceTick: 0, position: new Float64Array(3) };
 }
 
-/** Takes the next view in; false when the ship is another one or was put elsewhere. */
+/** Reads the next view; false when the ship is another one or was moved elsewhere. */
 export function followView(out: ViewClock, view: WorldView, ship: ShipView): boolean {
   const ticks = view.tick - out.tick;
   const passed = (ticks * view.timeScale) / view.tickRate + view.sinceTick - out.sinceTick;
@@ -36,7 +36,7 @@ export function followView(out: ViewClock, view: WorldView, ship: ShipView): boo
   return same;
 }
 
-/** Twice the way its speed allows: the ship may have been faster in between. */
+/** Twice the distance that its speed allows, since the ship may have been faster in between. */
 function inReach(out: ViewClock, ship: ShipView): boolean {
   let way = 0;
   let speed = 0;

@@ -76,7 +76,7 @@ export function decodeFrameJson(value: unknown, options: FrameJsonOptions = {}):
 /** Where a frame without a tick has it, if it is still in its envelope. */
 function missingTick(message: unknown): string {
   const member = wrappedIn(message, ['tick', 'ships']);
-  return member === '' ? 'missing' : `missing; it is in the message's ${member}: hand that in`;
+  return member === '' ? 'missing' : `missing; it is in the message's ${member}: pass that`;
 }
 
 type Tempo = Pick<PartialFrame, 'tickRate' | 'timeScale' | 'gameTime' | 'paused'>;

@@ -26,7 +26,7 @@ export interface DecodedHello extends Hello {
 }
 
 /** Of these a hello has at least one. */
-const TOLD = [
+const HELLO_FIELDS = [
   'player_id',
   'ship_id',
   'settings',
@@ -37,7 +37,7 @@ const TOLD = [
   'protocol_version',
 ];
 
-const UNTOLD: Fields = { settings: {}, tick_rate: 1, time_scale: 1, input_granularity: 'tick' };
+const DEFAULT_FIELDS: Fields = { settings: {}, tick_rate: 1, time_scale: 1, input_granularity: 'tick' };
 
 /**
  * The hello of a JSON server: any of `player_id`, `ship_id`, `settings`, `ship_classes` and `bodies` (a
@@ -51,9 +51,9 @@ export function decodeHelloJson(value: unknown): Result<DecodedHello> {
   const r = beginReading('json');
   const sent = fieldsOf(r, value);
   const isFrame = valueIn(r, sent, 'ships') !== undefined;
-  if (r.reason === null && (isFrame || !TOLD.some((name) => valueIn(r, sent, name) !== undefined)))
+  if (r.reason === null && (isFrame || !HELLO_FIELDS.some((name) => valueIn(r, sent, name) !== undefined)))
     return err(
-      `message: ${isFrame ? 'a frame: hand it to decodeFrameJson' : `expected at least one of ${TOLD.join(', ')}`}`,
+      `message: ${isFrame ? 'a frame: pass it to decodeFrameJson' : `expected at least one of ${HELLO_FIELDS.join(', ')}`}`,
     );
   const from = completed(sent);
   const protocolVersion = readProtocolVersion(r, from);
@@ -97,6 +97,7 @@ export function encodeHelloJson(hello: Hello): Readonly<Record<string, unknown>>
 function completed(sent: Fields): Fields {
   const r = beginReading('json');
   const fields: Record<string, unknown> = { ...sent };
-  for (const [name, untold] of Object.entries(UNTOLD)) fields[name] = valueIn(r, sent, name) ?? untold;
+  for (const [name, byDefault] of Object.entries(DEFAULT_FIELDS))
+    fields[name] = valueIn(r, sent, name) ?? byDefault;
   return fields;
 }

@@ -49,7 +49,7 @@ function notBytes(value: unknown): string {
     return '';
   if (typeof value === 'string') return 'a text: JSON goes to decodeFrameJson';
   const kind = Object.prototype.toString.call(value).slice(8, -1);
-  if (kind === 'ArrayBuffer') return 'an ArrayBuffer: hand in new Uint8Array(buffer)';
+  if (kind === 'ArrayBuffer') return 'an ArrayBuffer: pass new Uint8Array(buffer)';
   if (kind === 'Blob') return 'a Blob: set socket.binaryType to "arraybuffer"';
   if (kind === 'Promise') return 'a Promise: await it first';
   return kind === 'Object' || kind.endsWith('Event') ? 'an object: bytes are in the .data of an event' : kind;

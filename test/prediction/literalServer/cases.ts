@@ -65,7 +65,7 @@ export const CASES: readonly LiteralCase[] = [
   { name: 'one message a ship', options: {}, oneMessagePerShip: true },
 ];
 
-export const AS_TOLD: Omit<LiteralOptions, 'terrainHeight' | 'hz' | 'every'> = {
+export const FAITHFUL: Omit<LiteralOptions, 'terrainHeight' | 'hz' | 'every'> = {
   frictionStatic: 0.8,
   frictionKinetic: 0.5,
   spring: 100,

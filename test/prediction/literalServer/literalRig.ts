@@ -17,7 +17,7 @@ import {
 } from '../../../src/scenarios';
 import type { ServerFrame } from '../../../src/wire';
 import { scenarioNamed, SHIP, value } from '../rig';
-import { AS_TOLD, groundOf, type LiteralCase } from './cases';
+import { FAITHFUL, groundOf, type LiteralCase } from './cases';
 import { createLiteralServer, FIRST_TICK, type LiteralServer, type LiteralTruth } from './literalServer';
 import { plus, scale } from './vectors';
 
@@ -52,7 +52,7 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
   const server = createLiteralServer(
     { body, ships: shipsOf(loaded, difference) },
     {
-      ...AS_TOLD,
+      ...FAITHFUL,
       aligned: scenario.settings.touchdownAttitude !== 'kept',
       ...difference.options,
       terrainHeight: groundOf(terrainHeight, difference.rise, { body, site: scenario.site }),

@@ -1,4 +1,4 @@
-/** Calls, times and controls: what was done, the code that tells of it, and a part of the message that helps. */
+/** Calls, times and controls: what was done, the expected code, and a part of the expected message. */
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import { type Mistake, flown, frame, played, received, ship, warningsOf } from './given';
 
@@ -46,7 +46,7 @@ export const CALLS: readonly Mistake[] = [
     () => warningsOf((p) => p.setPolicy('a', 'extrapolate' as 'hold')),
   ],
   [
-    'a listener that is none',
+    'a listener that is not a function',
     'listener-not-function',
     /function/,
     () => warningsOf((p) => p.onEvent(undefined as unknown as () => void)),
@@ -166,7 +166,7 @@ export const CALLS: readonly Mistake[] = [
   [
     'a listener that throws',
     'listener-threw',
-    /mend it/,
+    /fix it/,
     () =>
       warningsOf((p) => {
         p.onEvent(() => {

@@ -1,4 +1,4 @@
-/** A predictor with which something is done, and what it warns of: a ship landed on the Moon, its frame, its hello. */
+/** Runs a predictor and collects its warnings: a ship landed on the Moon, its frame, its hello. */
 import { BODIES, DEFAULT_SETTINGS, NEUTRAL_CONTROLS, SHIP_CLASSES } from '../../../src/dynamics';
 import { createPredictor, type Predictor } from '../../../src/prediction';
 import type { Hello, ServerFrame, ShipState } from '../../../src/wire';
@@ -45,7 +45,7 @@ export const withBody = (changes: object): ServerFrame => ({
 });
 export const thousandth = (v: readonly number[]) => v.map((x) => x / 1000);
 
-/** What was done, the code that tells of it, a part of the message that helps, and doing it. */
+/** What was done, the expected code, a part of the expected message, and a function that does it. */
 export type Mistake = readonly [what: string, code: string, help: RegExp, run: () => Warning[]];
 
 export interface Warning {
@@ -54,7 +54,7 @@ export interface Warning {
   readonly details: Readonly<Record<string, unknown>>;
 }
 
-/** The warnings of a predictor with which `use` does something. */
+/** The warnings that a predictor gives while `use` works with it. */
 export function warningsOf(use: (predictor: Predictor) => void, options: object = {}): Warning[] {
   const found: Warning[] = [];
   const predictor = createPredictor({
@@ -74,7 +74,7 @@ export const flown = (controls: unknown) =>
     p.receive(frame, 0);
     p.advance(controls as typeof NEUTRAL_CONTROLS, 0.01);
   });
-/** Frames at 60 Hz and states at 1 Hz for `seconds`, with what each call is given. */
+/** Frames at 60 Hz and states at 1 Hz for `seconds`, with the arguments of each call. */
 export const played = (
   seconds: number,
   {
@@ -99,7 +99,7 @@ export const played = (
     }
   });
 
-/** Frames of `count` ticks, one a second. */
+/** Frames of `count` ticks, one per second. */
 export const ticks = (count: number, changes: object = {}) =>
   Array.from({ length: count }, (_, i) => ({ ...frame, ...changes, tick: i + 1 }));
 /** A dozen frames and display frames with these options, after a hello if there is one. */
@@ -111,7 +111,7 @@ export const frames = (options: object, first: Hello | null = null) =>
       p.advance(null, i + 1.01);
     }
   }, options);
-/** Options with this as the ground. */
+/** Options with this terrain. */
 export const ground = (height: () => unknown) => ({
   terrains: { mine: height },
   defaults: { terrain: 'mine' },

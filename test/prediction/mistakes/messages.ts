@@ -1,4 +1,4 @@
-/** Messages of the server: what was done, the code that tells of it, and a part of the message that helps. */
+/** Messages of the server: what was done, the expected code, and a part of the expected message. */
 import { DEFAULT_SETTINGS, NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import type { ServerFrame } from '../../../src/wire';
 import { type Mistake, frame, hello, received, ship, ticks, warningsOf } from './given';
@@ -39,7 +39,7 @@ export const MESSAGES: readonly Mistake[] = [
     () => received(frame, { ...frame, tick: 2 }, { ...frame, tick: 3 }),
   ],
   [
-    'an acknowledgement of the future',
+    'an acknowledgement of a later tick',
     'acknowledgement-refused',
     /lastInput/,
     () => received({ ...frame, lastInput: { seq: 1, tick: 9, substep: 0, margin: 0 } }),
@@ -57,7 +57,7 @@ export const MESSAGES: readonly Mistake[] = [
   ],
   ['the game’s welcome', 'message-kind', /welcome/, () => received({ kind: 'welcome' })],
   [
-    'message and now the wrong way round',
+    'message and now swapped',
     'now-not-finite',
     /seconds/,
     () => warningsOf((p) => p.receive(1 as unknown as ServerFrame, frame as unknown as number)),
@@ -91,13 +91,13 @@ export const MESSAGES: readonly Mistake[] = [
     () => received({ ...hello, shipClasses: undefined }),
   ],
   [
-    'a hello of a terrain that was not handed in',
+    'a hello of a terrain that was not passed',
     'message-refused',
     /no terrain named mars/,
     () => received({ ...hello, terrain: 'mars' }),
   ],
   [
-    'a hello with a setting that cannot be',
+    'a hello with a setting that is invalid',
     'message-refused',
     /contactCrashSpeed/,
     () => received({ ...hello, settings: { ...DEFAULT_SETTINGS, contactCrashSpeed: 'fast' } }),

@@ -1,4 +1,4 @@
-/** Options, settings and terrains: what was done, the code that tells of it, and a part of the message that helps. */
+/** Options, settings and terrains: what was done, the expected code, and a part of the expected message. */
 import { type Mistake, frames, ground, hello, made, warningsOf } from './given';
 
 export const OPTIONS: readonly Mistake[] = [
@@ -26,7 +26,7 @@ export const OPTIONS: readonly Mistake[] = [
     () => made({ defaults: { settings: { contact_crash_speed: 60 } } }),
   ],
   [
-    'a setting made up',
+    'a made-up setting',
     'unknown-setting',
     /no effect/,
     () => made({ defaults: { settings: { gravity: 2 } } }),
@@ -45,7 +45,7 @@ export const OPTIONS: readonly Mistake[] = [
     () => made({ contactCrashSpeed: 60 }),
   ],
   [
-    'a setting of configure made up',
+    'a made-up setting in configure',
     'unknown-setting',
     /no effect/,
     () => warningsOf((p) => p.configure({ settings: { gravity: 2 } as object })),
@@ -100,7 +100,7 @@ export const OPTIONS: readonly Mistake[] = [
     () => frames(ground(() => 1_737_400)),
   ],
   [
-    'configure with a setting that cannot be',
+    'configure with a setting that is invalid',
     'configure-refused',
     /contactCrashSpeed/,
     () => warningsOf((p) => p.configure({ settings: { contactCrashSpeed: -1 } })),

@@ -1,4 +1,4 @@
-/** Ships and bodies in a frame: what was done, the code that tells of it, and a part of the message that helps. */
+/** Ships and bodies in a frame: what was done, the expected code, and a part of the expected message. */
 import { type Mistake, frame, HEIGHT, LUNA, received, ship, thousandth, withBody, withShip } from './given';
 
 export const SHIPS: readonly Mistake[] = [
@@ -9,7 +9,7 @@ export const SHIPS: readonly Mistake[] = [
     () => received(withShip({ position: { x: 1, y: 2, z: 3 } })),
   ],
   ['NaN in a ship', 'ship-unusable', /velocity/, () => received(withShip({ velocity: [0, NaN, 0] }))],
-  ['a class not known', 'ship-unusable', /class/i, () => received(withShip({ shipClass: 'zeppelin' }))],
+  ['an unknown class', 'ship-unusable', /class/i, () => received(withShip({ shipClass: 'zeppelin' }))],
   [
     'km',
     'position-in-kilometres',
@@ -65,10 +65,15 @@ export const SHIPS: readonly Mistake[] = [
   [
     'bodies of another tick',
     'landed-off-ground',
-    /one tick/,
+    /the same tick/,
     () => received(withShip({ position: [ship.position[0] + 300_000, ship.position[1], ship.position[2]] })),
   ],
-  ['a body nobody told', 'body-unknown', /Deimos/, () => received(withShip({ landedBodyName: 'Deimos' }))],
+  [
+    'a body that was never sent',
+    'body-unknown',
+    /Deimos/,
+    () => received(withShip({ landedBodyName: 'Deimos' })),
+  ],
   ['NaN in a body', 'body-unusable', /position/, () => received(withBody({ position: [NaN, 0, 0] }))],
   [
     'a body {x, y, z}',
@@ -148,7 +153,7 @@ export const SHIPS: readonly Mistake[] = [
   [
     'axes swapped (y for z)',
     'landed-off-ground',
-    /one tick/,
+    /the same tick/,
     () =>
       received(withShip({ position: [ship.position[0] - HEIGHT, ship.position[2] + 3e6, ship.position[1]] })),
   ],

@@ -59,7 +59,7 @@ function spun(sim: Simulation, tick: number, motions: readonly BodyMotion[]): re
 
 const measured: BodyMotion[] = [];
 
-/** Whether no body has moved since the last frame although some should have: the server sends old bodies. */
+/** Whether no body has moved since the last frame although some should have: the server sends outdated bodies. */
 function areOld({ warn }: Simulation, receiver: Receiver, { tick, bodies }: ServerFrame): boolean {
   const { lastBodies } = receiver;
   if (bodies.length === 0) return false;
@@ -77,7 +77,7 @@ function areOld({ warn }: Simulation, receiver: Receiver, { tick, bodies }: Serv
     const details = { tick, lastTick: before };
     warn(
       'bodies-old',
-      'Bodies did not move between two ticks: they are carried on by their velocity.',
+      'Bodies did not move between two ticks: they are extrapolated by their velocity.',
       details,
     );
   }

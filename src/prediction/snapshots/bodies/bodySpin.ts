@@ -42,7 +42,7 @@ interface Measurement {
 }
 
 /** A ratio closer to 1 than this is 1: a ship's ICRF position alone has an error of 1e-6 of the rotation in a tenth of a second. */
-const AS_TOLD = 1e-4;
+const SAME_SPIN = 1e-4;
 /** Slower bodies are not measured, rad/s, and deviations beyond half of the spin sent are ignored. */
 const LEAST_SPIN = 1e-9;
 const MAX_OFF = 0.5;
@@ -118,16 +118,16 @@ export function measureByShip(
 
 function believe(spin: BodySpin, measurement: Measurement, ratio: number): void {
   if (!(Math.abs(ratio - 1) < MAX_OFF)) return;
-  if (Math.abs(ratio - measurement.last) < AS_TOLD) measurement.believed = ratio;
+  if (Math.abs(ratio - measurement.last) < SAME_SPIN) measurement.believed = ratio;
   measurement.last = ratio;
   const { byAttitude, byShips } = spin;
   const real = isAsTold(byAttitude.believed) ? byShips.believed : byAttitude.believed;
   if (isAsTold(real)) spin.factor = 1;
-  else if (Math.abs(real - spin.factor) > AS_TOLD) spin.factor = real;
+  else if (Math.abs(real - spin.factor) > SAME_SPIN) spin.factor = real;
 }
 
 function isAsTold(ratio: number): boolean {
-  return Math.abs(ratio - 1) < AS_TOLD;
+  return Math.abs(ratio - 1) < SAME_SPIN;
 }
 
 const now = quaternion();

@@ -83,7 +83,8 @@ export function writeInexact(out: Tolerance, server: Place): void {
 }
 
 /**
- * Compares a server state with the prediction for the same tick, each relative to its own body and in that body's axes (PREDICTION, Reconciliation).
+ * Compares a server state with the prediction for the same tick, each relative to its own body and in that body's axes (PREDICTION,
+ * Reconciliation).
  */
 export function firstDifference(server: Place, predicted: Place, tolerance: Tolerance): Field {
   const s = server.rows;
@@ -245,5 +246,5 @@ function ulpOf(x: number): number {
 
 const DOUBLE = new Float64Array(1);
 const WORDS = new Uint32Array(DOUBLE.buffer);
-/** Where this machine puts the word with the exponent. */
+/** The index of the 32-bit half that holds the exponent on this machine. */
 const HIGH = new Uint8Array(new Uint32Array([1]).buffer)[0] === 1 ? 1 : 0;

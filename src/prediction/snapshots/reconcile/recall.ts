@@ -1,14 +1,56 @@
 /** What older servers do not send, from the ship's own prediction (PREDICTION, Reconciliation). */
-import { FLYING, IMPACT_SPEED, REFERENCE_BODY, SURFACE_STATE, WHEEL_MOMENTUM } from '../../../dynamics';
+import {
+  CONTACT,
+  CRASHED,
+  FLYING,
+  IMPACT_SPEED,
+  REFERENCE_BODY,
+  SURFACE_STATE,
+  WHEEL_MOMENTUM,
+} from '../../../dynamics';
+import { replayTo } from '../../ground/trial';
+import type { Simulation } from '../../simulation/simulation';
+import type { Track } from '../../simulation/track';
+import { spanOf } from '../../time/timeline';
+import { knowsBoundary } from '../bodies/bodyTrack';
 import type { Place } from './compare';
 
-/** The impact speed of the contact that `row` is in, m/s; 0, settling, where the prediction is in another contact or there is none. */
-export function recalledImpact(row: Float64Array, predicted: Place | null): number {
-  if (predicted === null) return 0;
-  const { rows, at } = predicted;
-  const sameContact =
-    rows[at + SURFACE_STATE] !== FLYING && rows[at + REFERENCE_BODY] === row[REFERENCE_BODY];
-  return sameContact ? rows[at + IMPACT_SPEED]! : 0;
+/** Most substeps that are replayed for a touch. */
+const MAX_REPLAY = 400;
+
+/**
+ * The impact speed of the contact that `row`, the ship's state at `tick`, is in, m/s. If the prediction has no such contact, as after
+ * a pause in which no frame was drawn, it comes from the dynamics since the last state; 0, settling, where these do not touch either.
+ */
+export function recalledImpact(
+  sim: Simulation,
+  track: Track,
+  state: { readonly row: Float64Array; readonly tick: number },
+  predicted: Place | null,
+): number {
+  const { row } = state;
+  if (predicted !== null && isSameContact(row, predicted.rows, predicted.at))
+    return predicted.rows[predicted.at + IMPACT_SPEED]!;
+  if (row[SURFACE_STATE] !== CONTACT || !canReplay(sim, track, state)) return 0;
+  const { evidence } = track;
+  const replayed = replayTo(sim, track, { from: evidence.row, fromTick: evidence.tick, toTick: state.tick });
+  return isSameContact(row, replayed, 0) ? replayed[IMPACT_SPEED]! : 0;
+}
+
+function isSameContact(row: Float64Array, rows: Float64Array, at: number): boolean {
+  return rows[at + SURFACE_STATE] !== FLYING && rows[at + REFERENCE_BODY] === row[REFERENCE_BODY];
+}
+
+/** Whether the dynamics lead from the last state to this one, by few enough substeps. */
+function canReplay(
+  { bodies, timeline }: Simulation,
+  { evidence }: Track,
+  { row, tick }: { readonly row: Float64Array; readonly tick: number },
+): boolean {
+  if (evidence.tick < 0 || evidence.tick >= tick || !knowsBoundary(bodies, evidence.tick)) return false;
+  if (evidence.row[CRASHED] === 1 || evidence.row[REFERENCE_BODY] !== row[REFERENCE_BODY]) return false;
+  const { timing, paused } = spanOf(timeline, evidence.tick);
+  return !paused && (tick - evidence.tick) * timing.substeps <= MAX_REPLAY;
 }
 
 /** Fills in the wheels' momentum of `row`; 0 without a prediction. */

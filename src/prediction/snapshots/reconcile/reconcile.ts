@@ -61,7 +61,8 @@ export function reconcile(
   server.bodies = context.bodies;
   if (track.own) writeError(sim.counters, server, predicted);
   const hasImpact = !Number.isNaN(sent[IMPACT_SPEED]);
-  if (!hasImpact) sent[IMPACT_SPEED] = recalledImpact(sent, predicted);
+  if (!hasImpact)
+    sent[IMPACT_SPEED] = recalledImpact(sim, track, { row: sent, tick: context.tick }, predicted);
   track.unpredictable = false;
   if (Number.isNaN(sent[WHEEL_MOMENTUM])) recallWheels(sent, predicted);
   track.exact = isExact(state);

@@ -1,7 +1,8 @@
 /** Server states and own controls → the present pose. */
 
 /** The predictor: receive, advance, view. */
-export { createPredictor, forkPredictor, type Predictor } from './predictor';
+export { createPredictor, forkPredictor } from './predictor';
+export type { Predictor } from './calls/api';
 export type { ClientTerrain, Defaults, PredictorOptions } from './options';
 /** Why a ship is removed, and warnings to the caller. */
 export type { Removal } from './ownership';

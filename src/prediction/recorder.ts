@@ -3,7 +3,7 @@ import type { ClientMessage, PartialFrame, PendingMessage, ServerMessage, WorldE
 import { lastControls } from './inputs/sending';
 import type { Defaults } from './options';
 import type { Removal } from './ownership';
-import type { Predictor } from './predictor';
+import type { Predictor } from './calls/api';
 import type { Policy } from './simulation/track';
 import { MAX_KEPT_EVENTS } from './snapshots/pendingFrames';
 

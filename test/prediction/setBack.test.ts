@@ -86,3 +86,18 @@ describe('a caller whose clock is set back by an hour', () => {
     expect(clockOffset).toBeLessThan(before - HOUR - 7);
   });
 });
+
+describe('a snapshot at a time that is none', () => {
+  it('has no age, and restores nothing', () => {
+    const predictor = createPredictor(OWN);
+    goOn(predictor, 5000, 0, 1);
+    const snapshot = predictor.snapshot(Number.NaN);
+    expect(snapshot.age).toBe(0);
+    const before = predictor.view(5001).tick;
+    expect(predictor.restore(snapshot, Number.NaN)).toEqual({
+      ok: false,
+      reason: 'now: expected finite wall s',
+    });
+    expect(predictor.view(5001).tick).toBe(before);
+  });
+});

@@ -3,7 +3,8 @@ import type { ClientMessage, PartialFrame, ServerMessage } from '../../wire';
 import type { EventNotice, WorldView } from '../drawn/view';
 import type { Defaults, PredictorOptions } from '../options';
 import type { Removal } from '../ownership';
-import { createPredictor, type Predictor } from '../predictor';
+import type { Predictor } from '../calls/api';
+import { createPredictor } from '../predictor';
 import type { Policy } from '../simulation/track';
 import type { PredictorSnapshot } from './snapshot';
 

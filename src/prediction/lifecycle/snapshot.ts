@@ -78,12 +78,13 @@ function shipsOf({ ships }: PartialFrame): PartialFrame['ships'] {
 export function snapshotOf(session: Session, kept: Kept, now: number): PredictorSnapshot {
   const { receiver, sim } = session;
   const { records, applied, nextSeq } = sim.inputs;
+  const age = now - kept.frameAt;
   return {
     version: 1,
     ownShipId: receiver.ownShipId,
     hello: kept.hello,
     frame: kept.frame === null || sim.newestTick < 0 ? null : completed(session, kept.frame),
-    age: kept.frame === null ? 0 : Math.max(0, now - kept.frameAt),
+    age: kept.frame !== null && age > 0 ? age : 0,
     inputs: records.map(({ record }) => record).filter(({ seq }) => seq > applied),
     nextSeq,
     policies: Object.fromEntries(receiver.policies),
@@ -103,6 +104,7 @@ function completed({ sim }: Session, frame: PartialFrame): PartialFrame {
 
 /** Continues from a snapshot, which may be untrusted; returns an error that names the invalid field. */
 export function restoreSnapshot(session: Session, kept: Kept, given: unknown, now: number): Result<null> {
+  if (Number.isNaN(now)) return err('now: expected finite wall s');
   const reason = faultOf(given);
   if (reason !== null) {
     session.warn('restore-refused', `snapshot.${reason}. Nothing was changed.`, { reason });

@@ -1,5 +1,5 @@
 import type { PendingMessage, ServerMessage } from '../../wire';
-import { wallAt } from '../callTime';
+import { wallAt } from '../calls/callTime';
 import type { Session } from '../session';
 import { MAX_KEPT_EVENTS, type Waiting } from './pendingFrames';
 import { refuse } from './receiveSnapshot';

@@ -1,6 +1,6 @@
-import type { Session } from './session';
-import { noteSetBack } from './time/clock';
-import { forgetPings } from './time/pings';
+import type { Session } from '../session';
+import { noteSetBack } from '../time/clock';
+import { forgetPings } from '../time/pings';
 
 /** s: a message stamped when it came may be handled after a later `advance`; a clock that was set back goes back by more. */
 const HANDLED_LATE = 0.25;

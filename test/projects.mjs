@@ -49,6 +49,7 @@ export const tests = {
         test: {
           name: 'browser',
           include: [BROWSER_TESTS],
+          exclude: [LONG_TESTS],
           globalSetup: ['test/browser/globalSetup.ts'],
           ...HANGS,
         },
@@ -65,6 +66,7 @@ export const longTests = {
     // One after the other: those that run in real time measure what a busy machine would change.
     fileParallelism: false,
     include: [LONG_TESTS],
+    globalSetup: ['test/browser/globalSetup.ts'],
     testTimeout: 1_800_000,
     hookTimeout: 1_800_000,
   },

@@ -4,8 +4,8 @@
  *
  * The browser here draws with the processor, a few frames a second; a frame then has a large part of a second of the game to
  * work through, in code that hardly ever runs. So each show is measured twice: as it is ("drawn"), and with the triangles
- * left out, all other calls to WebGL made, at the display's own rate: what is left on a machine whose GPU keeps up. Last the
- * HUDs alone, which take so little that they are timed by many paintings at once.
+ * left out, all other calls to WebGL made, at the display's own rate: what is left on a machine whose GPU keeps up. First the
+ * opening on a cold cache, until the first picture and until the first input shows. Last the HUDs alone, which take so little that they are timed by many paintings at once.
  */
 import { mkdirSync } from 'node:fs';
 import { resolve } from 'node:path';
@@ -15,6 +15,7 @@ import { findChromium, launchChromium } from '../browser/chromium';
 import { serveFolder } from '../browser/staticServer';
 import { hudPaintFigures, serveHudPage } from './frames/hudPaint';
 import { leaveOutTriangles } from './frames/leaveOutTriangles';
+import { openingFigures } from './frames/opening';
 import { type FrameFigure, frameFigures, type TraceEvent } from './frames/trace';
 import type { Figure } from './measure';
 
@@ -65,7 +66,7 @@ function print(figure: FrameFigure): void {
   }
 }
 
-function printPaint(figure: Figure): void {
+function printFigure(figure: Figure): void {
   const { name, unit, median, min, max } = figure;
   if (asJson) console.log(JSON.stringify(figure));
   else
@@ -86,8 +87,9 @@ async function main(): Promise<void> {
   if (!asJson)
     console.log(`${''.padEnd(27)} ${['p50', 'p95', 'max'].map((word) => word.padStart(9)).join(' ')}`);
   try {
+    (await openingFigures(browser, server.url)).forEach(printFigure);
     for (const show of SHOWS) (await measure(browser, server.url, show)).forEach(print);
-    (await hudPaintFigures(browser, huds.url)).forEach(printPaint);
+    (await hudPaintFigures(browser, huds.url)).forEach(printFigure);
   } finally {
     await browser.close();
     await server.close();

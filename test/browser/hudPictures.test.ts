@@ -1,9 +1,7 @@
 /** Each HUD state in both colour schemes at both sizes: its words, axe, and its picture. */
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import type { AxeResults, RunOptions } from 'axe-core';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { axeFaults } from './axe';
 import { compareWithKept, difference, kept, TOLERANCE } from './golden';
 import { describeInBrowser, openTestPage, problemsOf } from './pages';
 import { useTestFont } from './testFont';
@@ -30,23 +28,13 @@ const SIZES = [
   { width: 1280, height: 720 },
   { width: 390, height: 844 },
 ] as const;
-const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 interface HudWindow {
   hud: { show: (state: string) => void; showFleet: (size: number) => void };
-  axe: { run: (context: unknown, options: RunOptions) => Promise<AxeResults> };
 }
 
 const show = (page: Page, state: string) =>
   page.evaluate((name) => (window as unknown as HudWindow).hud.show(name), state);
-
-/** What axe objects to, one line each. */
-async function faults(page: Page): Promise<string[]> {
-  const { violations } = await page.evaluate(() =>
-    (window as unknown as HudWindow).axe.run(document, { resultTypes: ['violations'] }),
-  );
-  return violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(' ')}`));
-}
 
 describeInBrowser('HUD pictures', () => {
   let page: Page;
@@ -54,7 +42,6 @@ describeInBrowser('HUD pictures', () => {
     page = await openTestPage('hud.html', { reducedMotion: 'reduce' });
     await page.waitForSelector('html[data-ready=true]');
     await useTestFont(page);
-    await page.evaluate(AXE);
   });
   afterAll(() => page.context().close());
 
@@ -77,7 +64,7 @@ describeInBrowser('HUD pictures', () => {
           expect(status).toEqual(viewport.width === 390 ? slotAt390 : slotAt1280);
           expect(landing!.width).toBeLessThanOrEqual(viewport.width - 24);
           expect(await overflowing(page)).toEqual([]);
-          expect(await faults(page)).toEqual([]);
+          expect(await axeFaults(page)).toEqual([]);
           const picture = await page.locator('#landing').screenshot();
           expect(compareWithKept(`landing-${state}-${combination}`, picture)).toBe('');
         });
@@ -85,7 +72,7 @@ describeInBrowser('HUD pictures', () => {
         it('fleet', async () => {
           await page.evaluate(() => (window as unknown as HudWindow).hud.showFleet(1000));
           await page.waitForSelector('.td-row:nth-child(12)');
-          expect(await faults(page)).toEqual([]);
+          expect(await axeFaults(page)).toEqual([]);
           const picture = await page.locator('#fleet').screenshot();
           expect(compareWithKept(`fleet-${combination}`, picture)).toBe('');
           expect(problemsOf(page)).toEqual([]);
@@ -97,7 +84,7 @@ describeInBrowser('HUD pictures', () => {
   it('axe reports a text that is too faint', async () => {
     await show(page, 'contact');
     const style = await page.addStyleTag({ content: '.td-gates th { color: #8a8f94 }' });
-    expect((await faults(page)).join()).toContain('color-contrast');
+    expect((await axeFaults(page)).join()).toContain('color-contrast');
     await style.evaluate((element) => (element as HTMLStyleElement).remove());
   });
 

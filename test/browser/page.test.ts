@@ -1,10 +1,7 @@
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { expect, it } from 'vitest';
+import { axeFaults } from './axe';
 import { describeInBrowser, openBuiltPage, problemsOf } from './pages';
 import { shadesOf, SMALL, untilStatus } from './waits';
-
-const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 describeInBrowser('the built page', () => {
   it('shows a landing: picture, displays, no error', async () => {
@@ -35,22 +32,7 @@ describeInBrowser('the built page', () => {
     expect(wide).toBeLessThanOrEqual(0);
     for (const title of ['Figures', 'Recording', 'World'])
       await page.locator('summary', { hasText: title }).click();
-    // Through the debugger's door: the page's own policy forbids scripts from elsewhere, rightly.
-    await page.evaluate(axeSource);
-    const found = await page.evaluate(async () => {
-      const axe = (
-        globalThis as unknown as { axe: { run: (options: object) => Promise<{ violations: unknown[] }> } }
-      ).axe;
-      const { violations } = await axe.run({ runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa'] });
-      return violations.map((violation) => {
-        const { id, nodes } = violation as {
-          id: string;
-          nodes: { target: unknown; failureSummary: string }[];
-        };
-        return `${id}: ${nodes.map(({ target }) => String(target)).join(' ')} ${nodes[0]?.failureSummary ?? ''}`;
-      });
-    });
-    expect(found).toEqual([]);
+    expect(await axeFaults(page)).toEqual([]);
   });
 
   it('flies by keyboard alone', async () => {

@@ -27,6 +27,25 @@ describeInBrowser('the built page', () => {
     expect(problemsOf(page)).toEqual([]);
   });
 
+  it('leaves the game alone while a recording plays: flight keys do nothing, and P pauses the replay', async () => {
+    const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
+    await untilStatus(page, 'landed');
+    await page.locator('summary', { hasText: 'Recording' }).click();
+    await page.getByRole('button', { name: 'Replay' }).click();
+    await untilBanner(page, 'Replay');
+    await page.locator('#stage').focus();
+    await page.keyboard.press('z');
+    await page.keyboard.press('p');
+    await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
+    await page.keyboard.press(',');
+    await page.getByRole('button', { name: 'Back to the game' }).click();
+    await untilProvenance(page, 'confirmed');
+    await untilStatus(page, 'landed');
+    expect(await page.locator('.td-lever').getAttribute('aria-valuenow')).toBe('0');
+    expect(await page.getByRole('button', { name: 'Pause', exact: true }).first().isVisible()).toBe(true);
+    expect(problemsOf(page)).toEqual([]);
+  });
+
   it('survives a minute hidden and a lost connection', async () => {
     // At four times the speed a quarter of a minute is a minute to server and predictor.
     const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);

@@ -98,9 +98,11 @@ describeInBrowser('the built page, when something is wrong', () => {
       HTMLCanvasElement.prototype.getContext = () => null;
     };
     const prepare = (page: Page) => page.addInitScript(blind);
-    const page = await openBuiltPage('?scenario=settle&slow=4', { ...SMALL, prepare });
+    const page = await openBuiltPage('?scenario=settle&slow=4&rate=9000', { ...SMALL, prepare });
     await page.waitForSelector('#notice:not([hidden])');
     expect(await page.textContent('#notice')).toContain('WebGL 2 is unavailable');
+    // One notice does not hide another.
+    expect(await page.textContent('#notice')).toContain('rate: expected a number from 0.1 to 100');
     await untilStatus(page, 'landed');
   });
 });

@@ -17,6 +17,9 @@ export interface PageOptions {
   readonly serviceWorkers?: 'allow' | 'block';
   /** Device pixels per CSS pixel; 1 unless told. */
   readonly deviceScaleFactor?: number;
+  /** Fingers in place of a mouse, as on a phone; a phone's window follows its document's viewport. */
+  readonly hasTouch?: boolean;
+  readonly isMobile?: boolean;
   /** The most frames that the page may draw in a second, as on a slow display; as many as it can unless told. */
   readonly framesPerSecond?: number;
   /** Done to the page before its address is opened. */

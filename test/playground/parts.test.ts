@@ -5,7 +5,8 @@ import { axisRange } from '../../src/playground/panels/workshop/plots';
 import { createReplay } from '../../src/playground/recording/replay';
 import { createSamples, summarise } from '../../src/playground/game/samples';
 import { createPredictor, type WorldView } from '../../src/prediction';
-import { readRecording, writeRecording } from '../../src/scenarios';
+import { readRecording, type RecordingEntry, writeRecording } from '../../src/scenarios';
+import type { PartialFrame } from '../../src/wire';
 import { type Play, recordPlay } from './recordPlay';
 
 describe('page clock', () => {
@@ -69,30 +70,51 @@ function poseOf(view: WorldView): number {
   return view.own === null ? NaN : view.own.easedPosition.reduce((sum, value, i) => sum + value * (i + 1), 0);
 }
 
+type FrameEntry = Extract<RecordingEntry, { kind: 'received' }> & { readonly message: PartialFrame };
+
+function isFrame(entry: RecordingEntry): entry is FrameEntry {
+  return entry.kind === 'received' && entry.message.kind === 'frame';
+}
+
 describe('a recorder', () => {
-  it('is full at a bound of bytes: a fleet of a thousand fills it in a hundred frames, one ship does not', () => {
+  it('drops the oldest at a bound of bytes: of a fleet of a thousand the last hundred frames are kept, of one ship all', () => {
     const { recording } = play(2, () => undefined);
-    const frame = recording.entries.find(
-      (entry) => entry.kind === 'received' && entry.message.kind === 'frame',
-    )!;
-    if (frame.kind !== 'received' || frame.message.kind !== 'frame') throw new Error('no frame');
+    const frame = recording.entries.find(isFrame)!;
     const { message } = frame;
-    const fleet = {
-      ...frame,
-      message: {
-        ...message,
-        ships: Array.from({ length: 1000 }, (_, n) => ({ ...message.ships[0]!, shipId: `ship-${n}` })),
-      },
-    };
+    const ships = Array.from({ length: 1000 }, (_, n) => ({ ...message.ships[0]!, shipId: `ship-${n}` }));
     const recorder = createRecorder();
     recorder.begin([]);
-    for (let n = 0; n < 1000; n++) recorder.take(fleet);
-    expect(recorder.full()).toBe(true);
-    expect(recorder.recording('').entries.length).toBeLessThan(120);
+    for (let n = 0; n < 200; n++) recorder.take({ ...frame, at: n, message: { ...message, tick: n, ships } });
+    expect(recorder.hasDropped()).toBe(true);
+    const kept = recorder.recording('').entries;
+    expect(kept.length).toBeLessThan(120);
+    expect(kept.at(-1)!.at).toBe(199);
+    expect(recorder.seconds()).toBe(kept.length - 1);
     recorder.begin([]);
     for (let n = 0; n < 1000; n++) recorder.take(frame);
-    expect(recorder.full()).toBe(false);
+    expect(recorder.hasDropped()).toBe(false);
     expect(recorder.recording('').entries).toHaveLength(1000);
+  });
+
+  it('that has dropped its beginning still replays to the poses of the flight', () => {
+    const { recording, poses } = play(12, () => undefined);
+    const recorder = createRecorder();
+    recorder.begin([]);
+    // A fleet's frames between the first seconds and the rest push the beginning out; their world is another.
+    const begun = recording.entries.filter(({ at }) => at < 3);
+    const { message, ...frame } = recording.entries.find(isFrame)!;
+    const ships = Array.from({ length: 1000 }, (_, n) => ({ ...message.ships[0]!, shipId: `ship-${n}` }));
+    for (const entry of begun) recorder.take(entry);
+    for (let n = 0; n < 70; n++) recorder.take({ ...frame, at: 3, message: { ...message, ships } });
+    for (const entry of recording.entries.slice(begun.length)) recorder.take(entry);
+    expect(recorder.hasDropped()).toBe(true);
+    const { header, entries } = recorder.recording('');
+    const first = entries.findIndex((entry) => isFrame(entry) && entry.message.ships.length === 1);
+    const replay = createReplay({ header, entries: [entries[0]!, ...entries.slice(first)] });
+    expect(entries[0]).toMatchObject({ kind: 'received', message: { kind: 'hello' } });
+    // Its clock began anew, 0.1 s apart at most, and the ground turns at 4.6 m/s.
+    expect(Math.abs(poseOf(replay.seek(11)) - poses[660]!)).toBeLessThan(1);
+    expect(replay.view().own!.shownState).toBe('landed');
   });
 
   it('returns what it recorded, frames, controls and messages alike', () => {

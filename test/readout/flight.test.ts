@@ -99,6 +99,16 @@ describe('landing aids', () => {
     expect(settle({ clearance: 500, up: 0 }).out.corridor).toBe('slow');
   });
 
+  it('advise more thrust before the ship is too fast, and less only where it hardly comes down', () => {
+    const advice = (pose: Parameters<typeof settle>[0]) => settle(pose).out.advice;
+    expect(advice({ clearance: 188, up: -6 })).toBe('hold');
+    // In free fall a moment ahead: 5.5 m/s at 4 m are on no corridor, whatever the speed of now.
+    expect(advice({ clearance: 8, up: -3 })).toBe('more');
+    expect(settle({ clearance: 8, up: -3 }).out.corridor).toBe('good');
+    expect(advice({ clearance: 60, up: 5 })).toBe('less');
+    expect(advice({ clearance: -0.016, state: 'landed' })).toBe('none');
+  });
+
   it('are hidden on the ground and for a climbing ship', () => {
     expect(settle({ clearance: -0.016, state: 'landed' }).out.shown).toBe(false);
     const { out } = settle({ clearance: 80, up: 400 });

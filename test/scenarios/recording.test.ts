@@ -88,6 +88,9 @@ describe('a recording', () => {
       'line 1: version',
     );
     expect(reasonOf(withLine(3, '{'))).toBe('line 3: not JSON');
+    expect(reasonOf(withLine(3, '['.repeat(2_000_001)))).toBe(
+      'line 3: expected at most 2000000 characters, got 2000001',
+    );
     expect(reasonOf(withLine(3, '[]'))).toContain('line 3: line: expected an object');
     expect(reasonOf(withLine(3, '{"kind":"received","at":1e999,"bytes":""}'))).toContain(
       'line 3: at: expected a finite',

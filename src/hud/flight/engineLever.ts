@@ -28,7 +28,8 @@ export function createEngineLever(parent: Element): (flight: FlightReadout) => v
   const paintHover = showNumber(append(words, 'span', 'td-hover'), PERCENT);
   const paintNow = showAttribute(gauge, 'aria-valuenow');
   const paintText = showAttribute(gauge, 'aria-valuetext');
-  let shown = NaN;
+  // Unlike any key: a meter has a value from its first painting, also where nothing is known.
+  let shown = Infinity;
   return ({ throttle, hover }) => {
     const share = Number.isNaN(throttle) ? 0 : throttle;
     paintFill(WAY * (1 - share));

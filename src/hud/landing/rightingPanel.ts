@@ -66,7 +66,7 @@ export function createRightingPanel(
   const paintThenShown = showPart(then);
   // If they are held longer, the swing carries the ship over to its other side.
   const paintUntil = showNumber(append(then, 'span', 'td-until', 'below '), ANGLE);
-  const press = append(then, 'span', '', ', then press');
+  const press = append(then, 'span', '', 'then press');
   const paintPressShown = showPart(press);
   const paintDamping = createKey(then, keyLabel);
   const paintTorque = createTorque(panel);

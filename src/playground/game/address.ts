@@ -3,6 +3,8 @@ import type { Banner } from '../panels/banner';
 
 /** ms between two changes of the address: Safari throws after 100 in 30 s. */
 const EVERY = 400;
+/** ms until a change that the browser refused is tried again. */
+const AGAIN = 5000;
 
 export interface Address {
   /** The query the page should be found at; written soon. */
@@ -22,7 +24,9 @@ export function createAddress(window: Window, banner: Banner, notice: Notice): A
     try {
       window.history.replaceState(null, '', wanted);
     } catch {
-      // The browser's limit: the next change tries again.
+      // The browser's limit.
+      timer = setTimeout(put, AGAIN);
+      return;
     }
     wanted = null;
   };

@@ -37,6 +37,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       if (replay === null) parts.game.watch(view);
       parts.cockpit.paint(view);
       const { flight, aids } = parts.cockpit;
+      parts.game.advise(view, parts.cockpit.aidsOn() && replay === null ? aids : null);
       parts.devices.thumbs.show(flight.known ? flight.throttle : 0, flight.hover);
       parts.sound?.follow(view.own, flight, aids);
       twin.tell(view, parts.cockpit.landing(), now);

@@ -88,6 +88,10 @@ export function createGamepads(
       listeners.changed(name);
     }
     if (pad === null) return false;
+    // Sticks first: what a button sets is not moved on by a trigger that is up again. At rest the pad leaves thumb sticks alone.
+    const isActive = isDeflected(pad);
+    if (isActive || wasActive) readPad(deflection(), pad);
+    wasActive = isActive;
     for (const [number, action] of BUTTONS) {
       const pressed = pad.buttons[number]?.pressed ?? false;
       if (pressed === down.has(number)) continue;
@@ -98,10 +102,6 @@ export function createGamepads(
         else listeners.pressed(action);
       }
     }
-    const isActive = isDeflected(pad);
-    // At rest it leaves thumb sticks on the screen alone.
-    if (isActive || wasActive) readPad(deflection(), pad);
-    wasActive = isActive;
     return isActive;
   };
 }

@@ -107,7 +107,8 @@ export function createLayout(navigator: Navigator, changed: () => void): LayoutS
       if (!/^.$/u.test(key) || code === '') return;
       const character = key.toLowerCase();
       if (printedAt(code, known) === character) return;
-      known = new Map([...known, [code, character]]);
+      // Another layout than before: no letter has two places.
+      known = new Map([...[...known].filter(([, printed]) => printed !== character), [code, character]]);
       changed();
     },
   };

@@ -15,6 +15,8 @@ export interface Thumbs {
   readonly show: (throttle: number, hover: number) => void;
 }
 
+// The lever's place is the root of the throttle: a ship hovers at a tenth of it, and there a finger's width must not be a third.
+
 /** CSS px from a stick's middle to its full deflection. */
 const REACH = 44;
 const STEPS = 10;
@@ -41,7 +43,7 @@ export function createThumbs(host: HTMLElement, listeners: ThumbListeners): Thum
   lever.min = '0';
   lever.max = '100';
   lever.step = '0.5';
-  lever.addEventListener('input', () => listeners.lever(lever.valueAsNumber / 100));
+  lever.addEventListener('input', () => listeners.lever((lever.valueAsNumber / 100) ** 2));
   const buttons = append(middle, 'div', 'thumb-buttons');
   for (const [action, text] of BUTTONS) appendButton(buttons, text, () => listeners.pressed(action));
   createStickPad(host, 'Push', (right, away) => {
@@ -55,8 +57,10 @@ export function createThumbs(host: HTMLElement, listeners: ThumbListeners): Thum
       if (text === shown) return;
       shown = text;
       words.textContent = text;
-      if (document.activeElement !== lever || Math.abs(lever.valueAsNumber - throttle * 100) > 1)
-        lever.value = String(throttle * 100);
+      lever.setAttribute('aria-valuetext', text);
+      const place = Math.sqrt(throttle) * 100;
+      if (document.activeElement !== lever || Math.abs(lever.valueAsNumber - place) > 1)
+        lever.value = String(place);
     },
   };
 }

@@ -5,30 +5,39 @@ export interface GoalPanel {
   readonly show: (title: string, goal: string) => void;
   /** Pieces of text; those in braces are keys. */
   readonly how: (text: string) => void;
+  /** What to do now; '' for nothing. */
+  readonly advise: (text: string) => void;
   readonly hide: () => void;
 }
 
 export function createGoalPanel(element: HTMLElement): GoalPanel {
   const head = append(element, 'p', 'goal-title');
   const goal = append(element, 'p', 'goal-words');
-  const how = append(element, 'p', 'goal-how');
-  let shown = '';
+  const how = createKeyedText(append(element, 'p', 'goal-how'));
+  const advise = createKeyedText(append(element, 'p', 'goal-advice'));
   return {
     show(title, words) {
       head.textContent = title;
       goal.textContent = words;
       element.hidden = false;
     },
-    how(text) {
-      if (text === shown) return;
-      shown = text;
-      how.replaceChildren();
-      for (const [i, part] of text.split(/[{}]/).entries()) {
-        if (part === '') continue;
-        if (i % 2 === 1) append(how, 'kbd', '', part);
-        else how.append(part);
-      }
-    },
+    how,
+    advise,
     hide: () => (element.hidden = true),
+  };
+}
+
+/** Text with its keys in braces, set only where it changes. */
+function createKeyedText(element: HTMLElement): (text: string) => void {
+  let shown = '';
+  return (text) => {
+    if (text === shown) return;
+    shown = text;
+    element.replaceChildren();
+    for (const [i, part] of text.split(/[{}]/).entries()) {
+      if (part === '') continue;
+      if (i % 2 === 1) append(element, 'kbd', '', part);
+      else element.append(part);
+    }
   };
 }

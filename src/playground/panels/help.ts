@@ -1,3 +1,4 @@
+import './help.css';
 import { append, appendButton, appendLicences } from './elements';
 import { GAMEPAD_WORDS } from '../input/gamepad';
 import {

@@ -33,7 +33,7 @@ export function createMissionCard(element: HTMLElement): MissionCard {
       element.replaceChildren();
       append(element, 'h2', '', title);
       if (words !== '') append(element, 'p', '', words);
-      if (lines.length > 0) appendLines(element, lines);
+      // Before the score, which on a phone is longer than the card.
       const row = append(element, 'div', 'row');
       for (const { text, cap, act } of actions) {
         const button = appendButton(row, text, act);
@@ -42,6 +42,8 @@ export function createMissionCard(element: HTMLElement): MissionCard {
           append(button, 'kbd', '', cap);
         }
       }
+      if (lines.length > 0) appendLines(element, lines);
+      element.scrollTop = 0;
       element.hidden = false;
     },
   };

@@ -2,9 +2,9 @@ import type { Controls } from '../../dynamics';
 import type { Recording, RecordingEntry, ScheduledInput } from '../../scenarios';
 import { decodeServerMessage, encodeServerMessage, type PartialFrame, type ServerFrame } from '../../wire';
 
-/** Entries that a recording holds at most: more than an hour of one ship. */
+/** Entries that a recording holds at most: the last hour of one ship. */
 const MAX_ENTRIES = 250_000;
-/** Bytes of memory that it takes at most: about four minutes of 200 ships at 1 Hz. */
+/** Bytes of memory that it takes at most: the last four minutes of 200 ships at 1 Hz. */
 const MAX_BYTES = 14_000_000;
 /** Bytes of an entry, of a set of controls, and of each ship in a frame that is not packed. */
 const ENTRY_BYTES = 60;
@@ -13,13 +13,17 @@ const SHIP_BYTES = 1000;
 /** Of a packed frame, beside its own: the array and what holds it. */
 const PACKED_BYTES = 200;
 
-/** Keeps what goes through the predictor from a world's beginning on, bounded by entries and bytes. */
+/** Of either bound: what is left when the oldest goes, so that it goes seldom. */
+const LEFT = 0.9;
+
+/** Keeps what goes through the predictor, bounded by entries and bytes: the oldest gives way to the newest. */
 export interface Recorder {
   readonly take: (entry: RecordingEntry) => void;
   /** A new world, and what its own ship does by itself. */
   readonly begin: (plan: readonly ScheduledInput[]) => void;
   readonly seconds: () => number;
-  readonly full: () => boolean;
+  /** It no longer begins with its world. */
+  readonly hasDropped: () => boolean;
   readonly recording: (note: string) => Recording;
 }
 
@@ -30,49 +34,80 @@ interface PackedFrame {
   readonly bytes: Uint8Array;
 }
 
+type Kept = RecordingEntry | PackedFrame;
+
 export function createRecorder(): Recorder {
-  let entries: (RecordingEntry | PackedFrame)[] = [];
+  let entries: Kept[] = [];
+  /** Bytes of each entry. */
+  let weights: number[] = [];
   let plan: readonly ScheduledInput[] = [];
   let bytes = 0;
   let controls: Controls | null | undefined;
-  const isFull = () => entries.length >= MAX_ENTRIES || bytes >= MAX_BYTES;
+  /** The last of those dropped: without it the frames after it cannot be read. */
+  let hello: (RecordingEntry & { kind: 'received' }) | null = null;
+  let dropped = 0;
 
+  const push = (entry: Kept, weight: number) => {
+    entries.push(entry);
+    weights.push(weight);
+    bytes += weight;
+    if (entries.length > MAX_ENTRIES || bytes > MAX_BYTES) dropOldest();
+  };
+  /** What is left begins with a frame: a replay has a picture from its first moment. */
+  const dropOldest = () => {
+    let count = 0;
+    const isOver = () => bytes > LEFT * MAX_BYTES || entries.length - count > LEFT * MAX_ENTRIES;
+    while (count < entries.length - 1 && (isOver() || entries[count]!.kind !== 'packed')) {
+      const entry = entries[count]!;
+      if (entry.kind === 'received' && entry.message.kind === 'hello') hello = entry;
+      bytes -= weights[count++]!;
+    }
+    entries = entries.slice(count);
+    weights = weights.slice(count);
+    dropped += count;
+  };
   /** Controls are held for many frames: those of one hold are kept once. */
   const takeControls = (entry: RecordingEntry & { kind: 'advanced' }) => {
-    bytes += ENTRY_BYTES;
-    if (controls === undefined || !areSame(controls, entry.controls)) {
-      controls = entry.controls;
-      bytes += CONTROLS_BYTES;
-    }
-    entries.push({ ...entry, controls });
+    const isHeld = controls !== undefined && areSame(controls, entry.controls);
+    if (!isHeld) controls = entry.controls;
+    push({ ...entry, controls: controls ?? null }, ENTRY_BYTES + (isHeld ? 0 : CONTROLS_BYTES));
   };
   const takeFrame = (at: number, frame: ServerFrame) => {
     const packed = encodeServerMessage(frame);
-    bytes += PACKED_BYTES + packed.length;
-    entries.push({ kind: 'packed', at, bytes: packed });
+    push({ kind: 'packed', at, bytes: packed }, PACKED_BYTES + packed.length);
   };
 
   return {
     take(entry) {
-      if (isFull()) return;
       if (entry.kind === 'advanced') takeControls(entry);
       else if (entry.kind === 'received' && entry.message.kind === 'frame' && isWhole(entry.message))
         takeFrame(entry.at, entry.message);
-      else {
-        entries.push(entry);
-        bytes += bytesOf(entry);
-      }
+      else push(entry, bytesOf(entry));
     },
     begin(next) {
       plan = next;
       entries = [];
+      weights = [];
       bytes = 0;
       controls = undefined;
+      hello = null;
+      dropped = 0;
     },
     seconds: () => (entries.at(-1)?.at ?? 0) - (entries[0]?.at ?? 0),
-    full: isFull,
-    recording: (note) => ({ header: { note, shipId: 'own', plan }, entries: entries.map(unpacked) }),
+    hasDropped: () => dropped > 0,
+    recording: (note) => ({
+      header: { note, shipId: 'own', plan },
+      entries: begunBy(hello, entries.map(unpacked)),
+    }),
   };
+}
+
+/** Entries from their world's hello on, which is as old as the first of them. */
+function begunBy(
+  hello: (RecordingEntry & { kind: 'received' }) | null,
+  entries: readonly RecordingEntry[],
+): readonly RecordingEntry[] {
+  return hello === null || entries.length === 0 ? entries : [{ ...hello, at: entries[0]!.at }, ...entries];
 }
 
 /** Only a frame with all its fields comes back from bytes as it was. */

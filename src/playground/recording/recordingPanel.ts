@@ -12,7 +12,7 @@ export interface RecordingListeners {
 }
 
 export interface RecordingPanel {
-  readonly showLength: (seconds: number, full: boolean) => void;
+  readonly showLength: (seconds: number, hasDropped: boolean) => void;
   readonly showReplay: (replay: Replay | null) => void;
   /** `where`: tick and substep in words. */
   readonly showPosition: (at: number, playing: boolean, where: string) => void;
@@ -39,8 +39,8 @@ export function createRecordingPanel(host: Element, listeners: RecordingListener
   progress.setAttribute('aria-label', 'Writing the recording');
   const deck = appendDeck(host, listeners);
   return {
-    showLength(seconds, full) {
-      const text = `Recorded ${seconds.toFixed(0)} s${full ? ' (full)' : ''}`;
+    showLength(seconds, hasDropped) {
+      const text = `Recorded ${hasDropped ? 'the last ' : ''}${seconds.toFixed(0)} s`;
       if (length.textContent !== text) length.textContent = text;
     },
     showReplay(replay) {

@@ -32,6 +32,9 @@ export interface Divergence {
   readonly words: string;
 }
 
+/** Wall seconds: what lies further ahead than a frame of playing is found from its keyframe. */
+const JUMP = 1;
+
 export function createReplay(recording: Recording): Replay {
   const { entries } = recording;
   const keyframes = createKeyframes(recording);
@@ -45,7 +48,8 @@ export function createReplay(recording: Recording): Replay {
 
   const moveTo = (at: number) => {
     const wanted = Math.min(Math.max(at, from), to);
-    if (wanted < position) {
+    const isJump = wanted < position || keyframes.hasBetween(fed.shownAt + JUMP, wanted);
+    if (isJump) {
       fed = keyframes.before(wanted);
       generation++;
       baseline.forget();
@@ -56,6 +60,7 @@ export function createReplay(recording: Recording): Replay {
     while (fed.next < entries.length && entries[fed.next]!.at <= wanted) {
       const entry = entries[fed.next]!;
       feed(fed, entries);
+      if (isJump) keyframes.keepNear(fed);
       if (isFrame(entry)) baseline.take(entry.message, entry.at);
     }
   };

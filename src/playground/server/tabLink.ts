@@ -138,6 +138,13 @@ export function openTab(
       handlers.onOpen('world');
     } else handlers.onPending(pendingServerMessage(message.bytes));
   };
+  const leave = () => {
+    isIn = false;
+    channel.postMessage({ kind: 'leave', from: guest });
+  };
+  // A tab that is closed takes its ship along; one that comes back knocks again.
+  const { window } = globalThis as { readonly window?: Window };
+  window?.addEventListener('pagehide', leave);
   knock();
   return {
     send: (message) =>
@@ -149,7 +156,8 @@ export function openTab(
     },
     dispose() {
       clearInterval(timer);
-      channel.postMessage({ kind: 'leave', from: guest });
+      window?.removeEventListener('pagehide', leave);
+      leave();
       channel.close();
     },
   };

@@ -78,7 +78,7 @@ export function createPageView(place: PageViewPlace): PageView {
     },
     frame(seconds) {
       const view = deck.frame(seconds);
-      if (view === null) place.panel().showLength(recorder.seconds(), recorder.full());
+      if (view === null) place.panel().showLength(recorder.seconds(), recorder.hasDropped());
       return view;
     },
   };

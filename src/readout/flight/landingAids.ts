@@ -32,6 +32,8 @@ export interface LandingAids {
   /** The approach corridor: speed down that leaves half of the engine in reserve, and how the ship keeps it. */
   aimSpeed: number;
   corridor: 'slow' | 'good' | 'fast' | 'none';
+  /** What the throttle should do, from the corridor a moment ahead: a pilot acts late, and would overshoot the one of now. */
+  advice: 'more' | 'hold' | 'less' | 'none';
   readonly memory: AidsMemory;
 }
 
@@ -61,6 +63,11 @@ const FASTEST = 1.35;
 /** m/s: close to the ground a share alone would be too narrow. */
 const SLACK = 0.5;
 
+/** Game s between a look at the display and what the hand makes of it. */
+const LEAD = 1.5;
+/** Shares of the speed to aim at, and m/s, within which the throttle stays: narrower above, where the ground is hard. */
+const ADVISED = { slowest: 0.45, fastest: 1.1, slack: 0.3 };
+
 export function createLandingAids(): LandingAids {
   return {
     shown: false,
@@ -73,6 +80,7 @@ export function createLandingAids(): LandingAids {
     burnSeconds: NaN,
     aimSpeed: NaN,
     corridor: 'none',
+    advice: 'none',
     memory: {
       surface: createSurface(),
       clock: createViewClock(),
@@ -118,6 +126,7 @@ function forgetAids(out: LandingAids): void {
   out.burnSeconds = NaN;
   out.aimSpeed = NaN;
   out.corridor = 'none';
+  out.advice = 'none';
   out.memory.projection.running = false;
 }
 
@@ -132,21 +141,35 @@ function measureCorridor(out: LandingAids, ship: ShipView): void {
     out.burnSeconds = falling > 0 ? 0 : NaN;
     out.aimSpeed = NaN;
     out.corridor = 'none';
+    out.advice = 'none';
     return;
   }
   const spare = falling * falling - 2 * braking * height;
   const discriminant = falling * falling - (gravity * spare) / full;
   out.burnSeconds =
     falling <= 0 || discriminant < 0 ? NaN : spare >= 0 ? 0 : (Math.sqrt(discriminant) - falling) / gravity;
-  const toBrake = Math.max(0, height - LAST_METRES);
-  const gentle = Math.min(0.5 * braking, Math.max(gravity, 0.3));
-  out.aimSpeed = Math.min(Math.sqrt(TOUCH_SPEED * TOUCH_SPEED + 2 * 0.25 * gentle * toBrake), MAX_SPEED);
+  out.aimSpeed = speedToAimAt(height, gravity, braking);
   out.corridor =
     falling > FASTEST * out.aimSpeed + SLACK
       ? 'fast'
       : falling < SLOWEST * out.aimSpeed - SLACK
         ? 'slow'
         : 'good';
+  const soon = falling + (gravity - ship.controls.thrustLevel * full) * LEAD;
+  const aimSoon = speedToAimAt(height - (LEAD * (falling + soon)) / 2, gravity, braking);
+  out.advice =
+    soon > ADVISED.fastest * aimSoon + ADVISED.slack
+      ? 'more'
+      : soon < ADVISED.slowest * aimSoon - ADVISED.slack
+        ? 'less'
+        : 'hold';
+}
+
+/** m/s down at `height` m that a quarter of a gentle braking slows to the speed of the touch. */
+function speedToAimAt(height: number, gravity: number, braking: number): number {
+  const toBrake = Math.max(0, height - LAST_METRES);
+  const gentle = Math.min(0.5 * braking, Math.max(gravity, 0.3));
+  return Math.min(Math.sqrt(TOUCH_SPEED * TOUCH_SPEED + 2 * 0.25 * gentle * toBrake), MAX_SPEED);
 }
 
 const groundVelocity = new Float64Array(3);

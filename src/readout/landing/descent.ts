@@ -25,6 +25,11 @@ export function createDescent(): Descent {
 
 export function measureDescent(out: Descent, surface: Surface, ship: ShipView): void {
   out.shown = !(ship.feetHeight >= DESCENT_CEILING);
+  if (ship.shownState === 'crashed') {
+    // What is left of it moves no more; the speeds of the impact are the touchdown's.
+    forgetDescent(out);
+    return;
+  }
   out.verticalSpeed = -surface.radialSpeed;
   out.horizontalSpeed = surface.tangentialSpeed;
   out.feetHeight = standsOnGround(ship) ? 0 : ship.feetHeight;

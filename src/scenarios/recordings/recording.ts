@@ -48,6 +48,8 @@ const FORMAT = 'touchdown-recording';
 const VERSION = 1;
 /** Several hours at 60 Hz, with messages. */
 const MAX_LINES = 1_000_000;
+/** Characters of a frame of five thousand ships; a longer line of brackets would keep the parser busy for seconds. */
+const MAX_LINE_LENGTH = 2_000_000;
 const MAX_PLANNED = 10_000;
 
 /** Writes a recording line by line: each call returns one line with its line feed. */
@@ -131,6 +133,8 @@ function line(value: Record<string, unknown>): string {
 }
 
 function readLine<T>(text: string, read: (fields: Fields, given: JsonRecord) => T): Result<T> {
+  if (text.length > MAX_LINE_LENGTH)
+    return err(`expected at most ${MAX_LINE_LENGTH} characters, got ${text.length}`);
   let json: unknown;
   try {
     json = JSON.parse(text);

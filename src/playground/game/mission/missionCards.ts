@@ -38,6 +38,12 @@ function card(title: string, words: string, actions: readonly CardAction[]): Car
   return { title, words, lines: [], actions };
 }
 
+/** What went wrong and what to do next; beside "Try again", what a mission offers. */
+export function crashCard(place: CardPlace, others: readonly CardAction[]): CardText {
+  const retry = { ...retryAction(place), cap: confirmCap(place) };
+  return card('Crashed', 'Too fast: a touch above 50 m/s breaks the ship.', [retry, ...others]);
+}
+
 /** The card of a phase; null where there is none. */
 export function phaseCard(tracker: MissionTracker, mission: Mission, place: CardPlace): CardText | null {
   const isLanding = mission.done.kind === 'land';
@@ -46,10 +52,7 @@ export function phaseCard(tracker: MissionTracker, mission: Mission, place: Card
     case 'flying':
       return null;
     case 'crashed':
-      return card('Crashed', 'Too fast: a touch above 50 m/s breaks the ship.', [
-        { ...retry, cap: confirmCap(place) },
-        { ...nextAction(mission, place), cap: '' },
-      ]);
+      return crashCard(place, [{ ...nextAction(mission, place), cap: '' }]);
     case 'tipped':
       return card('Tipped over', 'Right the ship with the key the display names, or try again.', [retry]);
     case 'beside':

@@ -1,4 +1,5 @@
 import type { WorldView } from '../../../prediction';
+import type { LandingAids } from '../../../readout';
 import { findMission, type Mission, type RunInput } from '../../../scenarios';
 import type { Action } from '../../input/keyTable';
 import type { Choices } from '../../panels/choices';
@@ -7,12 +8,12 @@ import type { CardAction, CardText, MissionCard } from '../../panels/missionCard
 import type { Notice } from '../../panels/notice';
 import type { Address } from '../address';
 import type { VerifiedRun } from './bestRuns';
-import { type Device, howToFly } from '../words/flightWords';
+import { adviceWords, type Device, howToFly } from '../words/flightWords';
 import { createGhostFlight, type GhostFlight } from './ghost';
 import type { Live } from '../live';
 import type { Runs } from './runs';
 import { LONGEST_LINK } from './runText';
-import { landedCard, nextAction, phaseCard, scoreCard, verdict } from './missionCards';
+import { crashCard, landedCard, nextAction, phaseCard, scoreCard, verdict } from './missionCards';
 import { createMissionTracker, type MissionTracker } from './missionTracker';
 
 /** Missions as a game: the goal, what a flight came to, what to do next. */
@@ -22,6 +23,8 @@ export interface MissionGame {
   /** A new world has begun. */
   readonly begin: () => void;
   readonly watch: (view: WorldView) => void;
+  /** Says what to do now to land; null aids: they are off. */
+  readonly advise: (view: WorldView, aids: LandingAids | null) => void;
   /** Enter, or the gamepad's A: the card's first action, or skip a lesson. */
   readonly confirm: () => void;
   /** The pilot changed the device, or the keys. */
@@ -90,8 +93,11 @@ export function createMissionGame(place: MissionPlace): MissionGame {
     },
     watch(view) {
       const mission = tracker.mission();
-      if (mission !== null && tracker.watch(view)) showPhase(mission);
+      if (mission === null) {
+        if (flight.actions.length === 0 && isWrecked(view, place)) show(crashCard(place, []));
+      } else if (tracker.watch(view)) showPhase(mission);
     },
+    advise: (view, aids) => place.goal.advise(adviceFor(tracker.mission(), view, aids, place)),
     confirm() {
       const mission = tracker.mission();
       if (flight.actions.length > 0) flight.actions[0]!.act();
@@ -111,6 +117,20 @@ export function createMissionGame(place: MissionPlace): MissionGame {
       if (tracker.mission() === run.mission) ghost.race(run);
     },
   };
+}
+
+/** Without a mission a crash is an end too; a real server gives a new ship by itself. */
+function isWrecked({ own }: WorldView, { choices }: MissionPlace): boolean {
+  return own?.shownState === 'crashed' && choices().server === '';
+}
+
+function adviceFor(
+  mission: Mission | null,
+  view: WorldView,
+  aids: LandingAids | null,
+  { device, cap }: MissionPlace,
+): string {
+  return aids === null || mission?.done.kind !== 'land' ? '' : adviceWords(aids, view, device(), cap);
 }
 
 /** Beside the pilot flies the rival's run in its mission, one's own best in the others. */

@@ -7,20 +7,24 @@ export interface RunHash {
   readonly take: (frame: PartialFrame) => void;
   /** `tick:hash`, '' before the first state. */
   readonly text: () => string;
+  /** A state at or past the scenario's last tick has come, or nothing is hashed: no state needs to be decoded for this any more. */
   readonly ended: () => boolean;
 }
 
 export function createRunHash(): RunHash {
   let lastTick = -1;
   let hashedTick = -1;
+  let seenTick = -1;
   let text = '';
   return {
     begin(next) {
       lastTick = next;
       hashedTick = -1;
+      seenTick = -1;
       text = '';
     },
     take(frame) {
+      seenTick = Math.max(seenTick, frame.tick);
       if (frame.tick <= hashedTick || frame.tick > lastTick) return;
       const own = frame.ships.find(({ shipId }) => shipId === 'own');
       if (own?.relativePosition === undefined || own.relativePosition === null) return;
@@ -35,6 +39,6 @@ export function createRunHash(): RunHash {
       text = `${frame.tick}:${String(hashRows(row))}`;
     },
     text: () => text,
-    ended: () => lastTick >= 0 && hashedTick >= lastTick,
+    ended: () => seenTick >= lastTick,
   };
 }

@@ -1,3 +1,5 @@
+import type { WorldView } from '../../../prediction';
+import type { LandingAids } from '../../../readout';
 import type { Mission } from '../../../scenarios';
 import type { Action } from '../../input/keyTable';
 
@@ -29,8 +31,8 @@ const GAMEPAD: Partial<Record<Action, string>> = {
   pause: 'Start',
 };
 const THUMBS: Partial<Record<Action, string>> = {
-  throttleUp: 'Engine lever up',
-  throttleDown: 'Engine lever down',
+  throttleUp: 'Engine lever right',
+  throttleDown: 'Engine lever left',
   throttleCut: 'Cut',
   rateDamping: 'Damping',
   autopilot: 'Auto',
@@ -54,7 +56,7 @@ export function controlName(device: Device, action: Action, keyCap: (action: Act
 const FIRST: Readonly<Record<Device, string>> = {
   keys: 'You fly: {throttleUp} more thrust, {throttleDown} less, {throttleCut} cut the engine.',
   gamepad: 'You fly: {throttleUp} more thrust, {throttleDown} less, {throttleCut} cut the engine.',
-  thumbs: 'You fly: slide the Engine lever for thrust, {throttleCut} stops it.',
+  thumbs: 'You fly: slide Engine for thrust, {throttleCut} stops it.',
 };
 const LATER: Readonly<Record<Device, string>> = {
   keys: 'Tilt {pitchMinus}{yawPlus}{pitchPlus}{yawMinus} · push {translateYPlus}{translateXMinus}{translateYMinus}{translateXPlus} · thrust {throttleUp} {throttleDown} · cut {throttleCut} · upright {modeUpright} · autopilot {autopilot}',
@@ -84,8 +86,32 @@ export function howToFly(
         : name === 'first-landing'
           ? FIRST[device]
           : LATER[device];
+  return named(text, device, keyCap);
+}
+
+/** Actions in braces become what they are called on a device. */
+function named(text: string, device: Device, keyCap: (action: Action) => string): string {
   return text.replace(/\{(\w+)\}/g, (_, action: string) => {
     const control = controlName(device, action as Action, keyCap);
     return control === '' ? '' : `{${control}}`;
   });
+}
+
+const ADVICE: Readonly<Record<LandingAids['advice'], string>> = {
+  more: 'Too fast: more thrust {throttleUp}',
+  hold: 'Good speed',
+  less: 'Too slow: less thrust {throttleDown}',
+  none: '',
+};
+
+/** What to do now to land, in the words of the device. */
+export function adviceWords(
+  { advice }: LandingAids,
+  { own }: WorldView,
+  device: Device,
+  keyCap: (action: Action) => string,
+): string {
+  if (own?.shownState === 'contact' && own.controls.thrustLevel > 0)
+    return named('Down: cut the engine now {throttleCut}', device, keyCap);
+  return named(ADVICE[advice], device, keyCap);
 }

@@ -1,3 +1,4 @@
+import './dock.css';
 import type { WorldView } from '../../../prediction';
 import { append, appendDetails } from '../elements';
 import { createFigures } from './figures';

@@ -26,7 +26,7 @@ export function createLazyDock(host: Element, listeners: RecordingListeners, fai
   return {
     load,
     recording: {
-      showLength: (seconds, full) => dock?.recording.showLength(seconds, full),
+      showLength: (seconds, hasDropped) => dock?.recording.showLength(seconds, hasDropped),
       showReplay(replay) {
         playing = replay;
         if (replay !== null) load();

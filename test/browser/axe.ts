@@ -1,0 +1,20 @@
+/** What axe objects to on a page, in a real browser. */
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import type { AxeResults, RunOptions } from 'axe-core';
+import type { Page } from 'playwright-core';
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+interface AxeWindow {
+  axe?: { run: (context: unknown, options: RunOptions) => Promise<AxeResults> };
+}
+
+/** One line for each element: the rule and where. Brought in by the debugger: a page's policy forbids scripts from elsewhere. */
+export async function axeFaults(page: Page): Promise<string[]> {
+  if (await page.evaluate(() => (window as unknown as AxeWindow).axe === undefined)) await page.evaluate(AXE);
+  const { violations } = await page.evaluate(() =>
+    (window as unknown as Required<AxeWindow>).axe.run(document, { resultTypes: ['violations'] }),
+  );
+  return violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(' ')}`));
+}

@@ -1,5 +1,4 @@
 import { describe } from '../checks/describe';
-import { changePolicy } from '../lifecycle/policy';
 import { changeOwnShip, dropShip, expectTeleport } from '../ownership';
 import { announce, type Session } from '../session';
 import type { Predictor } from './api';
@@ -22,13 +21,11 @@ export function shipCalls(session: Session, life: Life) {
     teleported(shipId) {
       if (isOf('teleported', shipId)) expectTeleport(session, shipId);
     },
-    setPolicy(shipId, policy) {
-      if (isOf('setPolicy', shipId)) changePolicy(session, shipId, policy);
-    },
   } satisfies Partial<Predictor>;
 }
 
-function isShipId({ warn }: Session, call: string, shipId: unknown): boolean {
+/** Whether a JavaScript caller's `shipId` is one; warns if not. */
+export function isShipId({ warn }: Session, call: string, shipId: unknown): boolean {
   if (typeof shipId === 'string') return true;
   const message = `${call}: expected the id of a ship, a text, got ${describe(shipId)}. The call was ignored.`;
   warn('ship-id', message, { field: call, value: shipId });

@@ -30,6 +30,9 @@ const isPlan: Check = (value) =>
     return isCount(tick) && isCount(substep) && isRecord(controls);
   });
 
+const areFeatures: Check = (value) =>
+  Array.isArray(value) && value.every((entry: unknown) => isRecord(entry) && 'feature' in (entry as object));
+
 type Expected = Readonly<Record<string, readonly [Check, string]>>;
 
 /** What each option must be. */
@@ -45,6 +48,7 @@ const EXPECTED: Expected = {
   plan: [isPlan, 'a list of { tick, substep, controls }'],
   onWarning: [isFunction, 'a function (code, message, details)'],
   forcedRollback: [isCount, 'a whole number ≥ 0'],
+  features: [areFeatures, 'a list of features, as [learnedGround]'],
 };
 
 /** What each member of `defaults` must be; their contents are checked when the world is loaded. */

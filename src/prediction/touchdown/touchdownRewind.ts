@@ -18,15 +18,8 @@ import type { Simulation } from '../simulation/simulation';
 import { advanceRow, createRowStep, placeStep } from '../simulation/stepRow';
 import { indexOf, spanOf } from '../time/timeline';
 import { beginLog, come, comeDown, leave, LOGGED_STATE, logSubstep } from './touchdownLog';
-import { createTouchdownRing, keepLog, logAt, type TouchdownRing } from './touchdownRing';
+import { type Adopted, createTouchdownRing, keepLog, logAt, type TouchdownRing } from './touchdownRing';
 import { copyRow, type Track } from '../simulation/track';
-
-/** The own ship's row at `from` in `rows`: its state at tick boundary `tick`, to which it is reset. */
-export interface Adopted {
-  tick: number;
-  rows: Float64Array;
-  from: number;
-}
 
 /** Largest correction in addition to the distance flown, m; more is a respawn. */
 const LARGEST_CORRECTION = 100;

@@ -13,6 +13,13 @@ export interface TouchdownRing {
   ticks: Float64Array;
 }
 
+/** The own ship's row at `from` in `rows`: its state at tick boundary `tick`, to which it is reset. */
+export interface Adopted {
+  tick: number;
+  rows: Float64Array;
+  from: number;
+}
+
 export function createTouchdownRing(length: number): TouchdownRing {
   return {
     front: new Float64Array(LOG_STRIDE),

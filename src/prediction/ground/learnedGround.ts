@@ -53,7 +53,7 @@ export function createLearnedGround(): LearnedGround {
 }
 
 /** The world in which a ship is simulated: the configured one with the learned ground. */
-export function worldOf(ground: LearnedGround, world: World): World {
+function worldOf(ground: LearnedGround, world: World): World {
   if (ground.places.length === 0) return world;
   if (ground.world === null || ground.base !== world) {
     ground.base = world;
@@ -143,7 +143,7 @@ export function agePlaces({ places }: LearnedGround, now: number): void {
 }
 
 /** 0 … 1: confidence in the ground in a direction, ½ after one state. */
-export function confidenceAt(ground: LearnedGround, bodyName: string, direction: Float64Array): number {
+function confidenceAt(ground: LearnedGround, bodyName: string, direction: Float64Array): number {
   const place = placeAt(ground, bodyName, direction);
   return place === null ? 0 : (place.weight * place.states) / (place.states + 1);
 }

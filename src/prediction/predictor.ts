@@ -57,17 +57,17 @@ function createFace({ session, kept }: Owned): Predictor {
   return {
     ...calls,
     receivePending(message, now) {
-      if (life.goesOn('receivePending')) receivePending(session, message, now, receiveAt);
+      if (life.carriesOut('receivePending')) receivePending(session, message, now, receiveAt);
     },
     setPolicy(shipId, policy) {
-      if (life.goesOn('setPolicy') && isShipId(session, 'setPolicy', shipId))
+      if (life.carriesOut('setPolicy') && isShipId(session, 'setPolicy', shipId))
         changePolicy(session, shipId, policy);
     },
     configure: (changes) =>
-      life.goesOn('configure') ? configure(session, changes) : err('configure: disposed'),
+      life.carriesOut('configure') ? configure(session, changes) : err('configure: disposed'),
     snapshot: (now) => snapshotOf(session, kept, wallAt(session, now)),
     restore: (snapshot, now) =>
-      life.goesOn('restore')
+      life.carriesOut('restore')
         ? restoreSnapshot(session, kept, snapshot, wallAt(session, now))
         : err('snapshot: disposed'),
   };

@@ -19,7 +19,7 @@ export function commonCalls(session: Session, incoming: Incoming) {
       ...shipCalls(session, life),
       refused: (reason) => refuse(session.sim, reason),
       onEvent(listener) {
-        if (!life.goesOn('onEvent') || !isListener(session, listener)) return () => undefined;
+        if (!life.carriesOut('onEvent') || !isListener(session, listener)) return () => undefined;
         session.listeners.add(listener);
         return () => session.listeners.delete(listener);
       },

@@ -38,10 +38,10 @@ interface Frames {
 function callsOf(session: Session, life: Life, { checks, receiveAt, decodePending }: Frames) {
   return {
     receive(message, now) {
-      if (life.goesOn('receive')) receiveAt(message, now, wallAt(session, now));
+      if (life.carriesOut('receive')) receiveAt(message, now, wallAt(session, now));
     },
     advance(controls, now) {
-      if (!life.goesOn('advance')) return;
+      if (!life.carriesOut('advance')) return;
       checks?.advance(controls, now);
       const at = wallAt(session, now);
       if (Number.isNaN(at)) return;

@@ -24,6 +24,6 @@ export interface GroundNews {
   readonly bodies: Float64Array;
   /** Client wall s. */
   readonly now: number;
-  /** The server sent the impact speed; otherwise the replay that explains the state gives it. */
+  /** The server sent the impact speed; otherwise it comes from the replay. */
   readonly hasImpact: boolean;
 }

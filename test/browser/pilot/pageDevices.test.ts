@@ -1,0 +1,171 @@
+/** The built page by gamepad, by fingers and by ear. */
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
+import { FLUENT, untilBanner, untilPhase } from '../waits';
+
+const throttleOf = (page: Page) => page.locator('.td-lever').getAttribute('aria-valuenow').then(Number);
+const tiltOf = (page: Page) =>
+  page.locator('.td-landing [role=meter][aria-label=Tilt]').getAttribute('aria-valuenow').then(Number);
+
+interface PadWindow {
+  pad: { axes: number[]; buttons: { pressed: boolean; value: number }[] };
+  pads: unknown[];
+}
+
+/** A gamepad of the standard mapping that a test moves; runs before the page's own scripts. */
+function plugIn(): void {
+  const buttons = Array.from({ length: 17 }, () => ({ pressed: false, value: 0 }));
+  const pad = { id: 'Test pad', index: 0, connected: true, mapping: 'standard', axes: [0, 0, 0, 0], buttons };
+  const pads: unknown[] = [];
+  Object.assign(window, { pad, pads });
+  navigator.getGamepads = () => pads as Gamepad[];
+}
+
+const button = (page: Page, number: number, value: number) =>
+  page.evaluate(
+    ([at, to]) => {
+      (window as unknown as PadWindow).pad.buttons[at!] = { pressed: to! > 0.5, value: to! };
+    },
+    [number, value],
+  );
+const axis = (page: Page, number: number, value: number) =>
+  page.evaluate(
+    ([at, to]) => {
+      (window as unknown as PadWindow).pad.axes[at!] = to!;
+    },
+    [number, value],
+  );
+const [A, B, Y, RIGHT_TRIGGER] = [0, 1, 3, 7];
+
+describeInBrowser('a gamepad on the built page', () => {
+  it('is named, flies by triggers and sticks, lands by its autopilot button, and goes on with A', async () => {
+    const prepare = (page: Page) => page.addInitScript(plugIn);
+    const page = await openBuiltPage('', { ...FLUENT, prepare });
+    await page.waitForSelector('html[data-ready=true]');
+    await page.evaluate(() => {
+      const { pads, pad } = window as unknown as PadWindow;
+      pads.push(pad);
+    });
+    await untilBanner(page, 'Gamepad: Test pad');
+    await expect
+      .poll(() => page.textContent('#goal'))
+      .toContain('You fly: RT more thrust, LT less, B cut the engine.');
+    await button(page, RIGHT_TRIGGER, 1);
+    await expect.poll(() => throttleOf(page)).toBeGreaterThan(20);
+    await button(page, RIGHT_TRIGGER, 0);
+    await button(page, B, 1);
+    await expect.poll(() => throttleOf(page)).toBe(0);
+    await button(page, B, 0);
+    // A worn stick does not come back to 0, and this is nothing.
+    await axis(page, 0, 0.1);
+    expect(await tiltOf(page)).toBeLessThan(0.5);
+    await axis(page, 0, 1);
+    await expect.poll(() => tiltOf(page)).toBeGreaterThan(2);
+    await axis(page, 0, 0);
+    await button(page, Y, 1);
+    await button(page, Y, 0);
+    await untilPhase(page, 'done');
+    await button(page, A, 1);
+    await page.waitForFunction(() => location.search.includes('scenario=sidestep'));
+    await page.evaluate(() => (window as unknown as PadWindow).pads.splice(0));
+    await untilBanner(page, 'Gamepad disconnected.');
+    await expect.poll(() => page.textContent('#goal')).toContain('W');
+    expect(problemsOf(page)).toEqual([]);
+  });
+});
+
+interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+describeInBrowser('fingers on the built page', () => {
+  it('tilt and push at once, move the lever, let go, and scroll what is below the picture', async () => {
+    const page = await openBuiltPage('', {
+      ...FLUENT,
+      viewport: { width: 390, height: 844 },
+      hasTouch: true,
+      isMobile: true,
+    });
+    await page.waitForSelector('html[data-ready=true]');
+    const cdp = await page.context().newCDPSession(page);
+    const touch = (
+      type: 'touchStart' | 'touchMove' | 'touchEnd',
+      ...touchPoints: (Point & { id: number })[]
+    ) => cdp.send('Input.dispatchTouchEvent', { type, touchPoints });
+    const middleOf = async (selector: string): Promise<Point> => {
+      const { x, y, width, height } = (await page.locator(selector).boundingBox())!;
+      return { x: x + width / 2, y: y + height / 2 };
+    };
+    const [tilt, push] = [await middleOf('.thumb >> nth=0'), await middleOf('.thumb >> nth=1')];
+    await touch('touchStart', { ...tilt, id: 0 }, { ...push, id: 1 });
+    await touch('touchMove', { x: tilt.x + 40, y: tilt.y, id: 0 }, { x: push.x, y: push.y - 40, id: 1 });
+    await expect.poll(() => tiltOf(page)).toBeGreaterThan(2);
+    const speed = () => page.locator('.td-reading-hspd .td-value').textContent();
+    await expect.poll(speed).not.toMatch(/^0\.0/);
+    const knobs = () => page.locator('.knob').evaluateAll((all) => all.map((knob) => knob.style.translate));
+    expect((await knobs()).every((place) => place !== '' && !place.startsWith('0px 0px'))).toBe(true);
+    await touch('touchEnd');
+    await expect.poll(async () => (await knobs()).every((place) => /^0px( 0px)?$/.test(place))).toBe(true);
+
+    const before = await throttleOf(page);
+    const lever = await middleOf('.thumb-lever input');
+    await touch('touchStart', { ...lever, id: 0 });
+    await touch('touchMove', { x: lever.x + 30, y: lever.y, id: 0 });
+    await touch('touchEnd');
+    await expect.poll(() => throttleOf(page)).toBeGreaterThan(before + 10);
+    expect(await page.textContent('.thumb-lever')).toMatch(/Engine \d+ %, hover \d+ %/);
+    await page.getByRole('button', { name: 'Cut', exact: true }).tap();
+    await expect.poll(() => throttleOf(page)).toBe(0);
+
+    const hud = await middleOf('.td-landing');
+    await touch('touchStart', { ...hud, id: 0 });
+    for (let n = 1; n <= 6; n++) await touch('touchMove', { x: hud.x, y: hud.y - 40 * n, id: 0 });
+    await touch('touchEnd');
+    await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(50);
+    expect(problemsOf(page)).toEqual([]);
+  });
+});
+
+interface SoundWindow {
+  contexts: AudioContext[];
+}
+
+/** Keeps what the page opens of sound; runs before its own scripts. */
+function listenIn(): void {
+  const contexts: AudioContext[] = [];
+  const Given = window.AudioContext;
+  Object.assign(window, {
+    contexts,
+    AudioContext: class extends Given {
+      constructor() {
+        super();
+        contexts.push(this);
+      }
+    },
+  });
+}
+
+describeInBrowser('sound on the built page', () => {
+  it('is off until asked for, and the mute key and the button switch it on and off', async () => {
+    const prepare = (page: Page) => page.addInitScript(listenIn);
+    const page = await openBuiltPage('', { ...FLUENT, prepare });
+    await page.waitForSelector('html[data-ready=true]');
+    const states = () =>
+      page.evaluate(() => (window as unknown as SoundWindow).contexts.map(({ state }) => state));
+    await page.keyboard.press('z');
+    expect(await states()).toEqual([]);
+    const soundButton = page.getByRole('button', { name: 'Sound' });
+    expect(await soundButton.getAttribute('aria-pressed')).toBe('false');
+    await page.keyboard.press('2');
+    await expect.poll(states).toEqual(['running']);
+    await untilBanner(page, 'Sound on.');
+    expect(await soundButton.getAttribute('aria-pressed')).toBe('true');
+    await page.keyboard.press('2');
+    await expect.poll(states).toEqual(['suspended']);
+    await soundButton.click();
+    await expect.poll(states).toEqual(['running']);
+    expect(problemsOf(page)).toEqual([]);
+  });
+});

@@ -1,0 +1,99 @@
+/** Keys on the built page that a browser loses sight of, and keys of other layouts. */
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
+import { SMALL, untilBanner } from '../waits';
+
+const throttleOf = (page: Page) => page.locator('.td-lever').getAttribute('aria-valuenow').then(Number);
+
+const stroke = (page: Page, code: string, key: string, type = 'keydown') =>
+  page.evaluate(
+    ([name, at, printed]) =>
+      document.body.dispatchEvent(new KeyboardEvent(name!, { code: at!, key: printed!, bubbles: true })),
+    [type, code, key],
+  );
+
+/** Until the lever has stood for some frames: were its key still held, it would reach its end. */
+async function untilLeverRests(page: Page): Promise<number> {
+  let before = NaN;
+  await expect
+    .poll(
+      async () => {
+        const now = await throttleOf(page);
+        const rests = now === before;
+        before = now;
+        return rests;
+      },
+      { interval: 1500 },
+    )
+    .toBe(true);
+  return before;
+}
+
+/** How a page stops hearing of a key that is down. */
+const LOSSES: Readonly<Record<string, () => void>> = {
+  'Command goes down': () =>
+    void document.body.dispatchEvent(
+      new KeyboardEvent('keydown', { code: 'MetaLeft', key: 'Meta', bubbles: true }),
+    ),
+  'the window loses the focus': () => void window.dispatchEvent(new Event('blur')),
+  'the tab is hidden': () => {
+    Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
+    document.dispatchEvent(new Event('visibilitychange'));
+    Object.defineProperty(document, 'visibilityState', { value: 'visible', configurable: true });
+  },
+  'the page is left': () => void window.dispatchEvent(new Event('pagehide')),
+  'the page is frozen': () => void document.dispatchEvent(new Event('freeze')),
+  'a text field gets the focus': () => document.querySelector<HTMLInputElement>('input[type=text]')!.focus(),
+};
+
+/** What is printed on the places of F, X and Z, where P is, and what it prints there. */
+const LAYOUTS = [
+  ['QWERTY', 'f', 'x', 'z', 'KeyP', 'p'],
+  ['QWERTZ', 'f', 'x', 'y', 'KeyP', 'p'],
+  ['AZERTY', 'f', 'x', 'w', 'KeyP', 'p'],
+  ['Dvorak', 'u', 'q', ';', 'KeyR', 'p'],
+  ['Colemak', 't', 'x', 'z', 'KeyR', 'p'],
+  ['Cyrillic', 'а', 'ч', 'я', 'KeyP', 'з'],
+] as const;
+
+describeInBrowser('keys on the built page', () => {
+  it('held keys are released whenever the browser stops reporting them', async () => {
+    const page = await openBuiltPage('?scenario=launch', SMALL);
+    await page.waitForSelector('html[data-ready=true]');
+    await page.locator('summary', { hasText: 'World' }).click();
+    for (const [how, lose] of Object.entries(LOSSES)) {
+      await page.locator('#stage').focus();
+      await stroke(page, 'KeyX', 'x');
+      await stroke(page, 'KeyX', 'x', 'keyup');
+      await expect.poll(() => throttleOf(page)).toBe(0);
+      await stroke(page, 'KeyF', 'f');
+      await expect.poll(() => throttleOf(page)).toBeGreaterThan(1);
+      await page.evaluate(lose);
+      expect(await untilLeverRests(page), how).toBeLessThan(100);
+    }
+    expect(problemsOf(page)).toEqual([]);
+  });
+
+  it('fly by place and command by letter on six layouts, changed while the page is open', async () => {
+    const page = await openBuiltPage('?scenario=launch', SMALL);
+    await page.waitForSelector('html[data-ready=true]');
+    const tap = async (code: string, key: string) => {
+      await stroke(page, code, key);
+      await stroke(page, code, key, 'keyup');
+    };
+    for (const [name, more, cut, full, pause, p] of LAYOUTS) {
+      await tap('KeyZ', full);
+      await expect.poll(() => throttleOf(page), { message: name }).toBe(100);
+      await tap('KeyX', cut);
+      await expect.poll(() => throttleOf(page), { message: name }).toBe(0);
+      await tap('KeyF', more);
+      await expect.poll(() => throttleOf(page), { message: name }).toBeGreaterThan(0);
+      await tap(pause, p);
+      await untilBanner(page, 'Paused');
+      await tap(pause, p);
+      await expect.poll(() => page.textContent('#banner'), { message: name }).not.toContain('Paused');
+    }
+    expect(problemsOf(page)).toEqual([]);
+  });
+});

@@ -1,0 +1,146 @@
+/** The built page in windows that people have: another screen, large letters, forced colours, a host with Trusted Types. */
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { misfits } from '../hud/misfits';
+import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
+import type { PageOptions } from '../pages';
+import { CONTENT_SECURITY_POLICY } from '../staticServer';
+import { SMALL, untilStatus } from '../waits';
+
+const SIZES = [
+  { width: 320, height: 640, isTouch: true },
+  { width: 390, height: 844, isTouch: true },
+  { width: 1280, height: 720, isTouch: false },
+  { width: 1920, height: 1080, isTouch: false },
+  { width: 2560, height: 1440, isTouch: false },
+];
+/** Chromium's own size is 16 px. */
+const LARGE_LETTERS = { fontSizes: { standard: 32, fixed: 26 } };
+
+const sizeOf = ({ width, height, isTouch }: (typeof SIZES)[number]): PageOptions => ({
+  ...SMALL,
+  viewport: { width, height },
+  deviceScaleFactor: 240 / width,
+  hasTouch: isTouch,
+  isMobile: isTouch,
+});
+
+/** What of the page's own parts is cut off, wider than the window, or covers what must be seen. */
+function pageMisfits(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const out: string[] = [];
+    const boxOf = (id: string) => {
+      const part = document.getElementById(id)!;
+      return part.checkVisibility() ? part.getBoundingClientRect() : null;
+    };
+    for (const id of ['goal', 'banner', 'notice', 'card', 'pads', 'panel', 'foot', 'flight', 'hud']) {
+      const box = boxOf(id);
+      if (box === null || box.width === 0) continue;
+      if (box.left < -0.5 || box.right > innerWidth + 0.5) out.push(`${id} is wider than the window`);
+      const part = document.getElementById(id)!;
+      if (part.scrollWidth > part.clientWidth + 1) out.push(`${id} is cut off at its side`);
+    }
+    const [goal, pads, picture] = ['goal', 'pads', 'picture'].map(boxOf);
+    if (goal && pads && goal.bottom > pads.top) out.push('goal and pads overlap');
+    if (pads && picture && pads.height > 0.6 * picture.height) out.push('pads cover the picture');
+    if (goal && goal.bottom > innerHeight) out.push('the goal is below the fold');
+    if (document.documentElement.scrollWidth > innerWidth) out.push('the page scrolls sideways');
+    return out;
+  });
+}
+
+describeInBrowser('the built page in any window', () => {
+  it.each(SIZES)('$width × $height: nothing is cut off, with letters of 100 % and of 200 %', async (size) => {
+    const page = await openBuiltPage('', sizeOf(size));
+    await page.waitForSelector('html[data-ready=true]');
+    const found = [...(await misfits(page)), ...(await pageMisfits(page))];
+    const cdp = await page.context().newCDPSession(page);
+    await cdp.send('Page.setFontSizes', LARGE_LETTERS);
+    await page.reload();
+    await page.waitForSelector('html[data-ready=true]');
+    const letters = await page.evaluate(() => getComputedStyle(document.documentElement).fontSize);
+    expect(letters).toBe('32px');
+    found.push(...[...(await misfits(page)), ...(await pageMisfits(page))].map((fault) => `200 %: ${fault}`));
+    expect(found).toEqual([]);
+  });
+
+  it('keeps the ship in sight with figures and plots open in a low window', async () => {
+    const page = await openBuiltPage('?scenario=settle', {
+      ...SMALL,
+      viewport: { width: 1366, height: 650 },
+    });
+    await page.waitForSelector('html[data-ready=true]');
+    for (const title of ['Figures', 'Plots']) await page.locator('summary', { hasText: title }).click();
+    await page.waitForSelector('.plots .uplot');
+    const foot = (await page.locator('#foot').boundingBox())!;
+    const top = (await page.locator('#top').boundingBox())!;
+    expect(foot.y - (top.y + top.height)).toBeGreaterThan(0.3 * 650);
+  });
+
+  it('draws as finely as the screen that it is moved to', async () => {
+    const page = await openBuiltPage('?scenario=settle', { ...SMALL, deviceScaleFactor: 1 });
+    await page.waitForSelector('html[data-ready=true]');
+    const widthOf = () => page.locator('#stage').evaluate((stage) => (stage as HTMLCanvasElement).width);
+    const scaleOf = () =>
+      page.locator('#stage').evaluate((stage) => (stage as HTMLCanvasElement).clientWidth);
+    await page.setViewportSize({ width: 500, height: 400 });
+    await expect.poll(widthOf).toBe(await scaleOf());
+    const cdp = await page.context().newCDPSession(page);
+    const screen = { width: 500, height: 400, mobile: false };
+    await cdp.send('Emulation.setDeviceMetricsOverride', { ...screen, deviceScaleFactor: 2 });
+    await expect.poll(widthOf).toBe(2 * (await scaleOf()));
+    expect(problemsOf(page)).toEqual([]);
+  });
+
+  it('keeps every sign in forced colours: each state has its shape, and is told from the others without colour', async () => {
+    const page = await openBuiltPage('?scenario=topple&slow=4', SMALL);
+    await page.emulateMedia({ forcedColors: 'active' });
+    const signs = new Set<string>();
+    const read = async (state: string) => {
+      await untilStatus(page, state);
+      const shown = await page.locator('.td-landing .td-status').evaluate((slot) => {
+        const shape = slot.querySelector('.td-shape')!;
+        const { color } = getComputedStyle(shape);
+        const { backgroundColor, borderTopWidth } = getComputedStyle(slot);
+        return {
+          text: shape.textContent,
+          isSeen: color !== backgroundColor,
+          border: parseFloat(borderTopWidth),
+        };
+      });
+      expect(shown.isSeen, state).toBe(true);
+      expect(shown.border, state).toBeGreaterThan(0);
+      signs.add(shown.text);
+    };
+    await read('tipped');
+    await page.getByLabel('Mission').selectOption('settle');
+    await read('landed');
+    await page.getByLabel('Mission').selectOption('launch');
+    await page.keyboard.press('z');
+    await read('flight');
+    expect(signs.size).toBe(3);
+    // What says on or off, too: lever, ball and pressed modes.
+    const fills = await page
+      .locator('.td-lever-fill, .td-zenith')
+      .evaluateAll((parts) => parts.map((part) => getComputedStyle(part).fill));
+    const ground = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    expect(fills.every((fill) => fill !== ground && fill !== 'none')).toBe(true);
+  });
+
+  it('runs on a host that requires Trusted Types for scripts', async () => {
+    const strict = `${CONTENT_SECURITY_POLICY}; require-trusted-types-for 'script'`;
+    const prepare = (page: Page) =>
+      page.context().route(/\/(\?.*)?$/, async (route) => {
+        const response = await route.fetch();
+        const headers = { ...response.headers(), 'content-security-policy': strict };
+        await route.fulfill({ response, headers });
+      });
+    const page = await openBuiltPage('?scenario=settle&slow=4', {
+      ...SMALL,
+      serviceWorkers: 'block',
+      prepare,
+    });
+    await untilStatus(page, 'landed');
+    expect(problemsOf(page)).toEqual([]);
+  });
+});

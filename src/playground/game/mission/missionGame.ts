@@ -97,7 +97,7 @@ export function createMissionGame(place: MissionPlace): MissionGame {
         if (flight.actions.length === 0 && isWrecked(view, place)) show(crashCard(place, []));
       } else if (tracker.watch(view)) showPhase(mission);
     },
-    advise: (view, aids) => place.goal.advise(adviceFor(tracker.mission(), view, aids, place)),
+    advise: (view, aids) => place.goal.advise(adviceFor(tracker, view, aids, place)),
     confirm() {
       const mission = tracker.mission();
       if (flight.actions.length > 0) flight.actions[0]!.act();
@@ -124,13 +124,15 @@ function isWrecked({ own }: WorldView, { choices }: MissionPlace): boolean {
   return own?.shownState === 'crashed' && choices().server === '';
 }
 
+/** Beside the pad nobody is told to come down. */
 function adviceFor(
-  mission: Mission | null,
+  tracker: MissionTracker,
   view: WorldView,
   aids: LandingAids | null,
   { device, cap }: MissionPlace,
 ): string {
-  return aids === null || mission?.done.kind !== 'land' ? '' : adviceWords(aids, view, device(), cap);
+  if (aids === null || tracker.mission()?.done.kind !== 'land') return '';
+  return tracker.isOverPad() || aids.advice === 'more' ? adviceWords(aids, view, device(), cap) : '';
 }
 
 /** Beside the pilot flies the rival's run in its mission, one's own best in the others. */

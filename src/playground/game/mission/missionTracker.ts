@@ -27,6 +27,8 @@ export interface MissionTracker {
   readonly off: () => number;
   /** The pad to land on next, ICRF axes as the body is turned now; null without a mission. */
   readonly target: () => Target | null;
+  /** The ship is over the pad to land on next, at the last `watch`. */
+  readonly isOverPad: () => boolean;
   /** Body axes, for the picture; the same list while nothing changed. */
   readonly pads: () => readonly PadMark[];
   /** Of a hover lesson: seconds held so far. */
@@ -49,12 +51,13 @@ interface Tracked {
   reached: number;
   off: number;
   held: number;
+  isOverPad: boolean;
   /** Game seconds of the frame before; NaN at first. */
   before: number;
   readonly target: { readonly place: Float64Array; radius: number };
 }
 
-const AT_FIRST = { phase: 'flying', reached: 0, off: NaN, held: 0, before: NaN } as const;
+const AT_FIRST = { phase: 'flying', reached: 0, off: NaN, held: 0, isOverPad: false, before: NaN } as const;
 
 export function createMissionTracker(): MissionTracker {
   const tracked: Tracked = {
@@ -74,6 +77,7 @@ export function createMissionTracker(): MissionTracker {
       if (tracked.mission === null || !view.ready || view.own === null || tracked.places.length === 0)
         return false;
       aim(tracked, view, view.own);
+      tracked.isOverPad = distanceTo(tracked.target, view.own.position) <= tracked.target.radius;
       const phase = nextPhase(tracked, tracked.mission, view, view.own);
       tracked.before = gameSeconds(view);
       const hasChanged = phase !== tracked.phase;
@@ -87,6 +91,7 @@ export function createMissionTracker(): MissionTracker {
       tracked.mission === null || tracked.places.length === 0 || tracked.target.radius === 0
         ? null
         : tracked.target,
+    isOverPad: () => tracked.isOverPad,
     pads: () => tracked.marks,
     held: () => tracked.held,
   };

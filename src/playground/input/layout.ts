@@ -107,8 +107,9 @@ export function createLayout(navigator: Navigator, changed: () => void): LayoutS
       if (!/^.$/u.test(key) || code === '') return;
       const character = key.toLowerCase();
       if (printedAt(code, known) === character) return;
-      // Another layout than before: no letter has two places.
-      known = new Map([...[...known].filter(([, printed]) => printed !== character), [code, character]]);
+      // A place or a letter that is elsewhere now: another layout, of which nothing else is known.
+      const hasChanged = known.has(code) || [...known.values()].includes(character);
+      known = new Map([...(hasChanged ? [] : known), [code, character]]);
       changed();
     },
   };

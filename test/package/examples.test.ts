@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest';
 
 const ROOT = join(import.meta.dirname, '../..');
 const DOORS = ['index', 'protobuf', 'hud/index', 'scene/index', 'game/index'].map((door) => `src/${door}.ts`);
-const SANDBOX = join(ROOT, 'src/examples.sandbox.ts');
+const SANDBOX = join(ROOT, 'src', 'examples.sandbox.ts');
 
 /** What an example may use without a word: a frame loop's time, a message as it comes, the page, and a predictor that runs. */
 const GIVEN = `

@@ -59,7 +59,7 @@ interface LandingMemory {
 }
 
 /**
- * An empty readout of the landing HUD, filled by updateLandingReadout.
+ * An empty readout for the landing HUD; updateLandingReadout fills it.
  *
  * @example
  * ```ts

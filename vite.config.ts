@@ -4,6 +4,7 @@ import type { UserConfig } from 'vite';
 import { compactShaders } from './.ci/compactShaders.mjs';
 import { writeNotices } from './.ci/notices.mjs';
 import { listForOffline, OFFLINE_SCRIPT } from './.ci/offline.mjs';
+import { CALL_CHECKS, withoutChecks } from './.ci/package/production.mjs';
 import { withoutXr } from './.ci/withoutXr.mjs';
 import type * as TestProjects from './test/projects.mjs';
 
@@ -25,16 +26,9 @@ const PURE = /\/src\/(?!playground\/(main|offline\/serviceWorker)\.ts).*\.ts$/;
  * The checks of a predictor's caller that the page does without: it listens to no warnings, which switches the checks of calls off,
  * hands in options of its own making, and never calls `configure`.
  */
-const CALLER_CHECKS: Readonly<Record<string, string>> = {
-  '/src/prediction/checks/checks.ts': 'export const createChecks = () => null;',
-  '/src/prediction/checks/options.ts':
-    'const none = () => null; export { none as requireOptions, none as checkDefaults, none as faultOfDefaults };',
-};
-
-const withoutCallerChecks = {
-  name: 'without-caller-checks',
-  apply: 'build' as const,
-  load: (id: string) => Object.entries(CALLER_CHECKS).find(([path]) => id.endsWith(path))?.[1] ?? null,
+const CALLER_CHECKS = {
+  ...CALL_CHECKS,
+  'prediction/checks/options.ts': ['requireOptions', 'checkDefaults', 'faultOfDefaults'],
 };
 
 const page: UserConfig = {
@@ -70,7 +64,7 @@ const page: UserConfig = {
     },
   },
   plugins: [
-    withoutCallerChecks,
+    { ...withoutChecks(here('src'), CALLER_CHECKS), apply: 'build' },
     withoutXr(),
     compactShaders(),
     writeNotices(),

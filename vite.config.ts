@@ -4,7 +4,7 @@ import type { UserConfig } from 'vite';
 import { compactShaders } from './.ci/compactShaders.mjs';
 import { writeNotices } from './.ci/notices.mjs';
 import { listForOffline, OFFLINE_SCRIPT } from './.ci/offline.mjs';
-import { CALL_CHECKS, withoutChecks } from './.ci/package/production.mjs';
+import { production } from './.ci/package/production.mjs';
 import { withoutXr } from './.ci/withoutXr.mjs';
 import type * as TestProjects from './test/projects.mjs';
 
@@ -23,13 +23,10 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 const PURE = /\/src\/(?!playground\/(main|offline\/serviceWorker)\.ts).*\.ts$/;
 
 /**
- * The checks of a predictor's caller that the page does without: it listens to no warnings, which switches the checks of calls off,
- * hands in options of its own making, and never calls `configure`.
+ * The page does without the checks of a predictor's caller, as the package does in production: it listens to no warnings, hands in
+ * options of its own making, and never calls `configure`.
  */
-const CALLER_CHECKS = {
-  ...CALL_CHECKS,
-  'prediction/checks/options.ts': ['requireOptions', 'checkDefaults', 'faultOfDefaults'],
-};
+const withoutChecks = { ...production(here('src')), apply: 'build' as const };
 
 const page: UserConfig = {
   root: 'src/playground',
@@ -64,7 +61,7 @@ const page: UserConfig = {
     },
   },
   plugins: [
-    { ...withoutChecks(here('src'), CALLER_CHECKS), apply: 'build' },
+    withoutChecks,
     withoutXr(),
     compactShaders(),
     writeNotices(),

@@ -60,13 +60,7 @@ const page: UserConfig = {
       },
     },
   },
-  plugins: [
-    withoutChecks,
-    withoutXr(),
-    compactShaders(),
-    writeNotices(),
-    listForOffline(here('public')),
-  ],
+  plugins: [withoutChecks, withoutXr(), compactShaders(), writeNotices(), listForOffline(here('public'))],
   worker: { format: 'es', rolldownOptions: { output: CONSTANTS } },
 };
 

@@ -51,6 +51,7 @@ export const tests = {
           include: [BROWSER_TESTS],
           exclude: [LONG_TESTS],
           globalSetup: ['test/browser/globalSetup.ts'],
+          isolate: false,
           ...HANGS,
         },
       },

@@ -12,6 +12,8 @@ export function createEngineLever(parent: Element): (flight: FlightReadout) => v
   gauge.setAttribute('role', 'meter');
   gauge.setAttribute('aria-label', 'Throttle');
   gauge.setAttribute('aria-valuemin', '0');
+  // A meter has a value before its first painting, too.
+  gauge.setAttribute('aria-valuenow', '0');
   gauge.setAttribute('aria-valuemax', '100');
   const picture = appendPicture(gauge, 'td-lever-picture', '-4 -6 46 112');
   appendSvg(picture, 'rect', { class: 'td-lever-way', x: 0, y: 0, width: 18, height: WAY });
@@ -28,7 +30,6 @@ export function createEngineLever(parent: Element): (flight: FlightReadout) => v
   const paintHover = showNumber(append(words, 'span', 'td-hover'), PERCENT);
   const paintNow = showAttribute(gauge, 'aria-valuenow');
   const paintText = showAttribute(gauge, 'aria-valuetext');
-  // Unlike any key: a meter has a value from its first painting, also where nothing is known.
   let shown = Infinity;
   return ({ throttle, hover }) => {
     const share = Number.isNaN(throttle) ? 0 : throttle;

@@ -11,6 +11,8 @@ export function createCrossPointer(parent: Element): (drift: Drift, tilt: Tilt) 
   gauge.setAttribute('role', 'meter');
   gauge.setAttribute('aria-label', 'Drift along the ground');
   gauge.setAttribute('aria-valuemin', '0');
+  // A meter has a value before its first painting, too.
+  gauge.setAttribute('aria-valuenow', '0');
   const picture = appendPicture(gauge, 'td-dial', '-66 -69 132 138');
   paintDial(picture);
   const moving = appendSvg(picture, 'g', { class: 'td-cross' });

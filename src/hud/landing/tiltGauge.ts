@@ -15,6 +15,8 @@ export function createTiltGauge(parent: Element): (tilt: Tilt) => void {
   gauge.setAttribute('role', 'meter');
   gauge.setAttribute('aria-label', 'Tilt');
   gauge.setAttribute('aria-valuemin', '0');
+  // A meter has a value before its first painting, too.
+  gauge.setAttribute('aria-valuenow', '0');
   gauge.setAttribute('aria-valuemax', '180');
   const picture = appendPicture(gauge, 'td-dial', '0 -3 150 128');
   const paintScale = createScale(picture);

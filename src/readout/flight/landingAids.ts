@@ -68,6 +68,15 @@ const LEAD = 1.5;
 /** Shares of the speed to aim at, and m/s, within which the throttle stays: narrower above, where the ground is hard. */
 const ADVISED = { slowest: 0.45, fastest: 1.1, slack: 0.3 };
 
+/**
+ * Empty landing aids, filled by updateLandingAids.
+ *
+ * @example
+ * ```ts
+ * const aids = updateLandingAids(createLandingAids(), predictor.view(now));
+ * console.log(aids.outcome);
+ * ```
+ */
 export function createLandingAids(): LandingAids {
   return {
     shown: false,
@@ -91,7 +100,15 @@ export function createLandingAids(): LandingAids {
   };
 }
 
-/** Depends on the view and on the simulation ahead kept in `out`; a ship on the ground or gone costs nothing. */
+/**
+ * Depends on the view and on the simulation ahead kept in `out`; a ship on the ground or gone costs nothing.
+ *
+ * @example
+ * ```ts
+ * const aids = createLandingAids(); // once
+ * const { touchSeconds, touchVertical } = updateLandingAids(aids, predictor.view(now)); // s, m/s
+ * ```
+ */
 export function updateLandingAids(out: LandingAids, given: WorldView | null): LandingAids {
   const view = viewOf('updateLandingAids', out, given);
   const ship = view.ready ? view.own : null;

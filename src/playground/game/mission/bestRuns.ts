@@ -1,3 +1,4 @@
+export { scoreCard, verdict } from './scoreCard';
 import {
   findMission,
   flyRun,

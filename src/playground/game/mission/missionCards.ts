@@ -3,7 +3,6 @@ import type { Action } from '../../input/keyTable';
 import type { Choices } from '../../panels/choices';
 import type { CardAction, CardText } from '../../panels/missionCard';
 import { controlName, type Device } from '../words/flightWords';
-import type { VerifiedRun } from './bestRuns';
 import type { MissionTracker } from './missionTracker';
 
 /** What the buttons of a card do, and which keys they name. */
@@ -29,7 +28,7 @@ export function nextAction(mission: Mission, place: CardPlace): CardAction {
   };
 }
 
-function retryAction(place: CardPlace): CardAction {
+export function retryAction(place: CardPlace): CardAction {
   const cap = controlName(place.device(), 'restart', place.cap);
   return { text: 'Try again', cap, act: place.restart };
 }
@@ -72,37 +71,4 @@ export function phaseCard(tracker: MissionTracker, mission: Mission, place: Card
 
 export function landedCard(mission: Mission, words: string, place: CardPlace): CardText {
   return card('Landed', words, [nextAction(mission, place), retryAction(place)]);
-}
-
-/** The score of a run, line by line. */
-export function scoreCard(run: VerifiedRun, words: string, copyRace: () => void, place: CardPlace): CardText {
-  const { mission, score } = run;
-  const landed = run.meetsGoal ? 'Landed' : 'Landed too hard';
-  return {
-    title: `${landed}: ${score.total} of 1000`,
-    words,
-    lines: score.lines,
-    actions: [
-      nextAction(mission, place),
-      retryAction(place),
-      { text: 'Copy race link', cap: '', act: copyRace },
-    ],
-  };
-}
-
-/** How a run compares with the rival's and with one's own best before. */
-export function verdict(
-  run: VerifiedRun,
-  best: VerifiedRun | null,
-  rival: VerifiedRun | null,
-  isBest: boolean,
-): string {
-  const parts: string[] = [];
-  if (rival?.mission === run.mission) {
-    const ahead = run.score.total - rival.score.total;
-    parts.push(ahead > 0 ? `${ahead} points ahead of ${rival.by}.` : `${-ahead} points behind ${rival.by}.`);
-  }
-  if (isBest) parts.push(best === null ? 'Your first score here.' : `Your best: ${best.score.total} before.`);
-  else if (best !== null) parts.push(`Your best is ${best.score.total}.`);
-  return parts.join(' ');
 }

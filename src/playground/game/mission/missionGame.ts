@@ -13,7 +13,7 @@ import { createGhostFlight, type GhostFlight } from './ghost';
 import type { Live } from '../live';
 import type { Runs } from './runs';
 import { LONGEST_LINK } from './runText';
-import { crashCard, landedCard, nextAction, phaseCard, scoreCard, verdict } from './missionCards';
+import { crashCard, landedCard, nextAction, phaseCard } from './missionCards';
 import { createMissionTracker, type MissionTracker } from './missionTracker';
 
 /** Missions as a game: the goal, what a flight came to, what to do next. */
@@ -163,7 +163,7 @@ async function judge(
     const before = best.of(mission);
     const isBest = best.keep(run);
     const copyRace = () => share(place, module.raceQuery(run, ''));
-    return scoreCard(run, verdict(run, before, rival, isBest), copyRace, place);
+    return module.scoreCard(run, module.verdict(run, before, rival, isBest), copyRace, place);
   } catch {
     return landedCard(mission, 'Not scored: part of the page did not load.', place);
   }

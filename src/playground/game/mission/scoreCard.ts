@@ -1,0 +1,36 @@
+import type { CardText } from '../../panels/missionCard';
+import type { VerifiedRun } from './bestRuns';
+import { type CardPlace, nextAction, retryAction } from './missionCards';
+
+/** The score of a run, line by line. */
+export function scoreCard(run: VerifiedRun, words: string, copyRace: () => void, place: CardPlace): CardText {
+  const { mission, score } = run;
+  const landed = run.meetsGoal ? 'Landed' : 'Landed too hard';
+  return {
+    title: `${landed}: ${score.total} of 1000`,
+    words,
+    lines: score.lines,
+    actions: [
+      nextAction(mission, place),
+      retryAction(place),
+      { text: 'Copy race link', cap: '', act: copyRace },
+    ],
+  };
+}
+
+/** How a run compares with the rival's and with one's own best before. */
+export function verdict(
+  run: VerifiedRun,
+  best: VerifiedRun | null,
+  rival: VerifiedRun | null,
+  isBest: boolean,
+): string {
+  const parts: string[] = [];
+  if (rival?.mission === run.mission) {
+    const ahead = run.score.total - rival.score.total;
+    parts.push(ahead > 0 ? `${ahead} points ahead of ${rival.by}.` : `${-ahead} points behind ${rival.by}.`);
+  }
+  if (isBest) parts.push(best === null ? 'Your first score here.' : `Your best: ${best.score.total} before.`);
+  else if (best !== null) parts.push(`Your best is ${best.score.total}.`);
+  return parts.join(' ');
+}

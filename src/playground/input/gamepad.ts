@@ -16,20 +16,6 @@ const BUTTONS: readonly (readonly [number, Action | 'confirm'])[] = [
 ];
 const [LEFT_SHOULDER, RIGHT_SHOULDER, LEFT_TRIGGER, RIGHT_TRIGGER] = [4, 5, 6, 7] as const;
 
-/** What the buttons do, for help. */
-export const GAMEPAD_WORDS: readonly (readonly [string, string])[] = [
-  ['Left stick', 'Tilt'],
-  ['Right stick', 'Push'],
-  ['LB, RB', 'Turn left, right'],
-  ['LT, RT', 'Less, more thrust'],
-  ['A', 'Continue'],
-  ['B', 'Cut the engine'],
-  ['X', 'Rate damping'],
-  ['Y', 'Autopilot'],
-  ['Pad up, down', 'Upright, stop turning'],
-  ['Back, Start', 'Restart, pause'],
-];
-
 /** Deflection below which a stick is at rest: worn ones do not come back to 0. */
 const DEAD = 0.16;
 /** Steps of a deflection: what is not felt is not sent. */

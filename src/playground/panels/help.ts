@@ -1,6 +1,6 @@
 import './help.css';
 import { append, appendButton, appendLicences } from './elements';
-import { GAMEPAD_WORDS } from '../input/gamepad';
+import { GAMEPAD_WORDS, KEY_WORDS } from './helpWords';
 import {
   type Action,
   defaultKeys,
@@ -81,7 +81,8 @@ function appendKeys(dialog: HTMLDialogElement, place: HelpPlace): () => void {
   for (const group of GROUPS) {
     append(dialog, 'h3', '', group);
     const grid = append(dialog, 'div', 'keys');
-    for (const { action, about } of KEY_TABLE.filter((row) => row.group === group)) {
+    for (const { action } of KEY_TABLE.filter((row) => row.group === group)) {
+      const about = KEY_WORDS[action];
       const row = append(grid, 'div', 'key');
       append(row, 'span', '', about);
       const cap = appendButton(row, '', () => {

@@ -1,0 +1,52 @@
+import type { Action } from '../input/keyTable';
+
+/** What each key does, for help. Directions are as seen on the screen. */
+export const KEY_WORDS: Readonly<Record<Action, string>> = {
+  pitchMinus: 'Tilt away',
+  pitchPlus: 'Tilt towards you',
+  yawPlus: 'Tilt left',
+  yawMinus: 'Tilt right',
+  rollPlus: 'Turn left about the thrust axis',
+  rollMinus: 'Turn right about the thrust axis',
+  translateYPlus: 'Push away',
+  translateYMinus: 'Push towards you',
+  translateXMinus: 'Push left',
+  translateXPlus: 'Push right',
+  translateZPlus: 'Push up',
+  translateZMinus: 'Push down',
+  throttleUp: 'More thrust',
+  throttleDown: 'Less thrust',
+  throttleFull: 'Full thrust',
+  throttleCut: 'Cut the engine',
+  rateDamping: 'Rate damping on or off',
+  modeHold: 'Hold this attitude',
+  modeUpright: 'Upright (radial)',
+  modeRetrograde: 'Surface retrograde',
+  killRates: 'Stop turning',
+  autopilot: 'Autopilot: land, or give back',
+  restart: 'Restart',
+  pause: 'Pause or resume',
+  stepSubstep: 'Step one substep',
+  stepBack: 'Replay: one substep back',
+  previousScenario: 'Previous mission or scenario',
+  nextScenario: 'Next mission or scenario',
+  landingAids: 'Landing aids on or off',
+  mute: 'Sound on or off',
+  nextCamera: 'Next camera',
+  hide: 'Hide or show the panels',
+  help: 'Keys',
+};
+
+/** What the buttons do, for help. */
+export const GAMEPAD_WORDS: readonly (readonly [string, string])[] = [
+  ['Left stick', 'Tilt'],
+  ['Right stick', 'Push'],
+  ['LB, RB', 'Turn left, right'],
+  ['LT, RT', 'Less, more thrust'],
+  ['A', 'Continue'],
+  ['B', 'Cut the engine'],
+  ['X', 'Rate damping'],
+  ['Y', 'Autopilot'],
+  ['Pad up, down', 'Upright, stop turning'],
+  ['Back, Start', 'Restart, pause'],
+];

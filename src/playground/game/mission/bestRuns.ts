@@ -1,4 +1,5 @@
 export { scoreCard, verdict } from './scoreCard';
+export type { VerifiedRun } from './verifiedRun';
 import {
   findMission,
   flyRun,
@@ -6,25 +7,12 @@ import {
   type Mission,
   readRun,
   type RunInput,
-  type RunOutcome,
-  type Score,
   scoreRun,
   loadScenario,
   writeRun,
 } from '../../../scenarios';
 import { BEST_RUN_KEY, bytesOf, textOf } from './runText';
-
-/** A run that was flown again from its inputs: what it came to and what it was worth. */
-export interface VerifiedRun {
-  readonly mission: Mission;
-  readonly bytes: Uint8Array;
-  readonly outcome: RunOutcome;
-  readonly score: Score;
-  /** As softly as the goal says. */
-  readonly meetsGoal: boolean;
-  /** Whose; '' = one's own. */
-  readonly by: string;
-}
+import type { VerifiedRun } from './verifiedRun';
 
 /** Flies the inputs again; null where they are no run. What is kept is what a link carries: its inputs, written and read. */
 export function verifyRun(mission: Mission, inputs: readonly RunInput[], by = ''): VerifiedRun | null {

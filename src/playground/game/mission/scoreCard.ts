@@ -1,6 +1,7 @@
 import type { CardText } from '../../panels/missionCard';
-import type { VerifiedRun } from './bestRuns';
+
 import { type CardPlace, nextAction, retryAction } from './missionCards';
+import type { VerifiedRun } from './verifiedRun';
 
 /** The score of a run, line by line. */
 export function scoreCard(run: VerifiedRun, words: string, copyRace: () => void, place: CardPlace): CardText {

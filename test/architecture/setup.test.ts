@@ -78,7 +78,7 @@ describe('the set-up', () => {
     const run = setUp('start', 'npm error code ENOTFOUND');
     expect(run.status).toBe(1);
     expect(run.err).toMatch(/ENOTFOUND[^]*registry cannot be reached/);
-    expect(setUp('banquet').err).toMatch(/say what for/);
+    expect(setUp('banquet').err).toMatch(/expected a purpose/);
   });
 });
 
@@ -109,7 +109,7 @@ describe('what the set-up decides', () => {
   it('names common causes', () => {
     expect(causeOf('npm error code ENOSPC')).toMatch(/disk is full/);
     expect(causeOf('npm error Missing: a@1.0.0 from lock file')).toMatch(/disagree/);
-    expect(causeOf('npm error code EODD')).toMatch(/npm’s own words/);
+    expect(causeOf('npm error code EODD')).toMatch(/npm’s output above/);
   });
 });
 

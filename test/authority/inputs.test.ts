@@ -103,7 +103,7 @@ describe('inputs', () => {
     expect(send(authority, [input(1, 0, 0, { thrustLevel: 1 })], 0, 'stranger').ok).toBe(false);
     runTo(authority, 1);
     expect(thrust(authority)).toBe(0);
-    expect(authority.counters.inputsOfStrangers).toBe(2);
+    expect(authority.counters.inputsWithoutShip).toBe(2);
   });
 
   it.each([

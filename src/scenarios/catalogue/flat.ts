@@ -1,7 +1,7 @@
 import type { Scenario } from '../scenario';
 import { KEPT, START, STILL } from '../start';
 
-/** Landings on the Moon, in the order of what can happen: touch, bounce, slide, topple, launch, crash. */
+/** Landings on the Moon, by outcome: touch, bounce, slide, topple, launch, crash. */
 export const FLAT_GROUND: readonly Scenario[] = [
   {
     ...START,
@@ -69,7 +69,7 @@ export const FLAT_GROUND: readonly Scenario[] = [
     ...START,
     name: 'launch',
     title: 'Launch',
-    about: 'Starts at rest on the ground: two seconds of thrust, a hop, and down again.',
+    about: 'Starts at rest on the ground: two seconds of thrust, a hop, and a landing.',
     initial: { ...STILL, surfaceContactState: 'landed' },
     inputs: [
       { at: 2, controls: { thrustLevel: 0.3, attitudeHold: true } },

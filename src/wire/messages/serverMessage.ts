@@ -46,7 +46,7 @@ const ENVELOPE: Envelope = {
 };
 
 /**
- * A message from the server: checked, finite, plain; or the reason why it is refused, with the path of the first invalid field
+ * Decodes a server's message: checked, finite, plain; or the reason why it is refused, with the path of the first invalid field
  * ("frame.ships[3].relative_position.y: expected a finite number, got NaN"). Never throws, whatever the bytes.
  * SI units, ICRF axes, quaternions [x, y, z, w] (PREDICTION, Server messages).
  */
@@ -60,7 +60,7 @@ export function decodeServerMessage(bytes: Uint8Array): Result<ServerMessage> {
   return err('message: expected a hello, a frame or a pong');
 }
 
-/** The bytes of a checked message, in a buffer of their own. Decoding gives the record back, bit by bit. */
+/** Encodes a checked message into its own buffer. Decoding restores the record bit by bit. */
 export function encodeServerMessage(message: ServerMessage): Uint8Array<ArrayBuffer> {
   return sealEnvelope(galaxy.stream.ServerMessage.encode(envelopeFields(message)));
 }

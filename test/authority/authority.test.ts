@@ -120,7 +120,7 @@ describe('the world loop', () => {
     const authority = moonWith('opening', { bodies });
     const earth = bodies.find(({ name }) => name === 'Earth')!;
     const moon = bodies.find(({ name }) => name === 'Luna')!;
-    // 10,000 km above Earth, told relative to the Moon.
+    // 10,000 km above Earth, given relative to the Moon.
     const relativePosition = earth.position.map(
       (value, k) => value - moon.position[k]! + (k === 0 ? 1.6e7 : 0),
     );
@@ -186,7 +186,7 @@ describe('ships', () => {
     const order = { shipId: 'two', playerId: 'bob', name: 'Two', ship: shipOf('settle') };
     expect(authority.spawn({ ...order, shipId: 'own' })).toContain('shipId');
     expect(authority.spawn({ ...order, shipId: '' })).toContain('shipId');
-    // Told to a client, a name of more than 128 characters or half a surrogate would cost every frame from then on.
+    // A name of more than 128 characters or with half a surrogate would invalidate every later frame.
     for (const field of ['shipId', 'playerId', 'name'] as const) {
       expect(authority.spawn({ ...order, [field]: 'x'.repeat(129) })).toBe(
         `${field}: expected at most 128 characters, got 129`,
@@ -237,7 +237,7 @@ describe('ships', () => {
       ...ships[0]!.relativePosition!.map((value, k) => value - start.relativePosition![k]!),
     );
     expect(moved).toBeCloseTo(1737464.56 * Math.cos((28.6854 * Math.PI) / 180) * 2.6617e-6 * 500, 0);
-    // Half the turn, from the quaternions' difference: their product would round it away.
+    // Half the rotation, from the difference of the quaternions: in their product it would be lost to rounding.
     const half = Math.hypot(...bodies[0]!.attitude.map((value, k) => value - before[k]!));
     expect(half).toBeCloseTo(2.6617e-6 * 250, 8);
     runTo(authority, 503);

@@ -1,7 +1,7 @@
 import { createRig } from '../prediction/rig';
 import { type Figure, timed } from './measure';
 
-/** What a predictor in a worker costs the page beside the waiting: the copy of each view, with one ship and with 200. */
+/** Cost of a predictor in a worker for the page, besides waiting: the copy of each view, with one ship and with 200. */
 export function workerFigures(): Figure[] {
   return [1, 200].map((ships) => {
     const rig = createRig({ scenario: 'settle', tickRate: 5, others: ships - 1 });

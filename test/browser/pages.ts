@@ -8,26 +8,26 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, describe, inject, onTestFailed, onTestFinished, TestRunner } from 'vitest';
 
 export interface PageOptions {
-  /** Size of the window in CSS pixels; 1280 × 720 unless told. */
+  /** Size of the window in CSS pixels; 1280 × 720 by default. */
   readonly viewport?: { readonly width: number; readonly height: number };
-  /** 'light' unless told. */
+  /** 'light' by default. */
   readonly colorScheme?: 'light' | 'dark';
   readonly reducedMotion?: 'reduce' | 'no-preference';
-  /** 'allow' unless told. */
+  /** 'allow' by default. */
   readonly serviceWorkers?: 'allow' | 'block';
-  /** Device pixels per CSS pixel; 1 unless told. */
+  /** Device pixels per CSS pixel; 1 by default. */
   readonly deviceScaleFactor?: number;
-  /** The most frames that the page may draw in a second, as on a slow display; as many as it can unless told. */
+  /** Most frames per second that the page may draw, as on a slow display; unlimited by default. */
   readonly framesPerSecond?: number;
-  /** Done to the page before its address is opened. */
+  /** Called with the page before its address is opened. */
   readonly prepare?: (page: Page) => Promise<unknown>;
 }
 
-/** ms for a hang alone, less than a test's own limit, so that what was waited for is what is said. */
+/** ms, for hangs only; less than a test's limit, so that the error names what was waited for. */
 const HANG = 120_000;
 
 const browsers = inject('chromium');
-/** The one for this test file: files that run at the same time are spread over all. */
+/** The browser of this test file: concurrent files are spread over all browsers. */
 const address = browsers[Number(process.env['VITEST_POOL_ID'] ?? 0) % Math.max(1, browsers.length)];
 const problems = new WeakMap<Page, string[]>();
 let browser: Promise<Browser> | undefined;
@@ -35,7 +35,7 @@ let browser: Promise<Browser> | undefined;
 /** `describe`, skipped (and counted as such) on a machine without a Chromium. */
 export const describeInBrowser = describe.skipIf(address === undefined);
 
-/** A browser shared with other test files; what a file opens in it is its own, and goes with it. */
+/** A browser shared with other test files; each file closes what it has opened. */
 function theBrowser(): Promise<Browser> {
   if (address === undefined) throw new Error('there is no Chromium: put the test into describeInBrowser');
   browser ??= chromium.connect(address);
@@ -47,7 +47,7 @@ afterAll(async () => {
   browser = undefined;
 });
 
-/** What went wrong on the page so far: uncaught errors, console errors (policy violations too), failed requests. */
+/** Problems of the page so far: uncaught errors, console errors (including policy violations), failed requests. */
 export function problemsOf(page: Page): readonly string[] {
   return problems.get(page) ?? [];
 }
@@ -65,7 +65,7 @@ function watchForProblems(page: Page): void {
   });
 }
 
-// Told, since a machine without a language makes Chromium's "en-US@posix", which Intl refuses.
+// Set, since without a system language Chromium has "en-US@posix", which Intl refuses.
 const EVERYWHERE_THE_SAME = { locale: 'en-US', timezoneId: 'UTC' };
 
 /** Closes the page after the running test, and shows its problems beside the test's failure. */
@@ -76,7 +76,7 @@ function endWithTest(page: Page): void {
   });
 }
 
-/** The page draws no more often than this: the software renderer's frames are what a test's time goes into. */
+/** Limits the frame rate: most of a test's time goes into the software renderer's frames. */
 async function limitFrames(page: Page, framesPerSecond: number): Promise<void> {
   await page.addInitScript((gap) => {
     const soon = window.requestAnimationFrame.bind(window);
@@ -93,7 +93,7 @@ export async function openUrl(url: string, options: PageOptions = {}): Promise<P
   context.setDefaultTimeout(HANG);
   const page = await context.newPage();
   watchForProblems(page);
-  // Not the state of `expect`: in a later beforeAll that still names the test before.
+  // Not by the state of `expect`, which in a later beforeAll still names the previous test.
   if (TestRunner.getCurrentTest() !== undefined) endWithTest(page);
   if (framesPerSecond !== undefined) await limitFrames(page, framesPerSecond);
   await prepare?.(page);

@@ -23,12 +23,12 @@ const STATE = { type: 'state', tick: 7, ships: { a: SHIP } };
 let server: WebSocketServer;
 let address = '';
 let sockets: WebSocket[] = [];
-/** What the server heard, in order. */
+/** The messages that the server received, in order. */
 let heard: unknown[] = [];
 let connection: GameConnection | null = null;
 let waiting: (() => void)[] = [];
 
-/** Something was heard, told or closed: who waits looks again. */
+/** Wakes waiters after each message, report or close. */
 function notice(): void {
   for (const check of waiting) check();
 }

@@ -11,7 +11,7 @@ import {
 import { type ClientMessage, decodeServerMessage, encodeClientMessage } from '../../src/wire';
 import { MOON, shipOf, valueOf } from '../authority/moon';
 
-/** An exchange over the Moon that starts at wall second 100, with 'ann' flying 'own' as a scenario begins. */
+/** A loopback link over the Moon that starts at wall second 100, with 'ann' flying 'own' from a scenario's start. */
 export function moonExchange(
   scenario: string,
   preset: NetworkPreset,
@@ -30,11 +30,11 @@ export function moonExchange(
 export interface Client {
   readonly entries: RecordingEntry[];
   readonly say: (message: ClientMessage, now: number) => void;
-  /** Runs the exchange to `now`, and takes what came. */
+  /** Runs the link to `now`, and takes what has arrived. */
   readonly runTo: (now: number) => void;
 }
 
-/** A client that keeps what it hears and says, as a recording. */
+/** A client that records what it receives and sends. */
 export function listen(exchange: LoopbackLink): Client {
   const entries: RecordingEntry[] = [];
   const client: Client = {

@@ -117,7 +117,7 @@ describe('a recording', () => {
   });
 });
 
-/** A server that wakes up late skips ticks: run as it is, second by second. */
+/** Run second by second, since a server that wakes up late skips ticks. */
 function bySeconds(client: Client, until: number): void {
   for (let now = 101.5; now <= until; now++) client.runTo(now);
 }
@@ -171,7 +171,7 @@ describe('a recorded server', () => {
     expect(agrees(valueOf(compareRecording({ ...recording, entries })))).toBe(false);
   });
 
-  /** Seconds one to six of the opening under one friction, then six more under another, on a server that goes on or begins anew. */
+  /** Six seconds of the opening with one friction, then six more with another, on a server that continues or restarts. */
   function overNewSettings(friction: number, told: number, beginsAnew: boolean): Recording {
     const first = listen(moonExchange('opening', 'lan'));
     bySeconds(first, 106.5);

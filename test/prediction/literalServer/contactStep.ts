@@ -14,8 +14,8 @@ import {
 } from './vectors';
 
 /**
- * The design's pseudo-code as it stands ("Post-Touchdown Physics"): one step a tick whatever the tick, ICRF positions, the ground's
- * force along the radius, the legs no more than a bound on the tilt that gravity overcomes. Where it is silent, the shortest thing
+ * The design's pseudo-code, word for word ("Post-Touchdown Physics"): one step per tick of any length, ICRF positions, the ground's
+ * force along the radius, the legs no more than a bound on the tilt that gravity overcomes. Where the design is silent, the shortest code
  * that works: flight is velocity Verlet, a landed ship keeps its unit normal and its altitude.
  */
 
@@ -33,7 +33,7 @@ export interface LiteralBody {
   angularVelocity: Vec3;
 }
 
-/** What of the contact a server may have otherwise than its clients think. */
+/** Contact parameters in which a server may differ from its clients. */
 export interface ContactOptions {
   readonly terrainHeight: TerrainHeight;
   readonly frictionStatic: number;
@@ -42,11 +42,11 @@ export interface ContactOptions {
   readonly spring: number;
   /** ζ of an impact above the bounce speed. */
   readonly damping: number;
-  /** Of the mass that the client reckons with. */
+  /** Factor on the mass that the client assumes. */
   readonly massFactor: number;
-  /** Of the controller's gains. */
+  /** Factor on the controller's gains. */
   readonly gain: number;
-  /** False: attitude and spin go on at a touch. */
+  /** False: attitude and spin are kept at a touch. */
   readonly aligned: boolean;
 }
 
@@ -114,7 +114,7 @@ function fly(ship: LiteralShip, body: LiteralBody, options: ContactOptions, dt: 
     const r = minus(at, body.position);
     return plus(scale(r, (-G * body.mass) / length(r) ** 3), scale(thrust, 1 / mass));
   };
-  // The body has moved already: it falls freely, so the ship is carried with it.
+  // The body has already moved in free fall, and carries the ship along.
   const before = minus(ship.position, scale(body.velocity, -dt));
   const u = minus(ship.velocity, body.velocity);
   const a0 = pull(before);
@@ -178,7 +178,7 @@ function tilting(
   const up = rotate(ship.attitude, [0, 0, 1]);
   const gravityTorque = cross(scale(up, h), scale(ground.normal, -held));
   const tilt = Math.acos(Math.min(1, Math.max(-1, dot(up, ground.normal))));
-  // The legs damp what turns about the feet.
+  // The legs damp rotation about the feet.
   const spin = minus(ship.angularVelocity, body.angularVelocity);
   ship.angularVelocity = minus(ship.angularVelocity, scale(spin, Math.min(1, 2 * dt)));
   if (tilt >= Math.PI / 2) {

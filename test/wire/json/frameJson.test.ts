@@ -12,7 +12,7 @@ import { frame } from '../arbitraries';
 import { FRAME } from '../messages';
 import { faultsOf } from '../sound';
 
-/** What a ship needs, in the game's own spelling. */
+/** The required fields of a ship, in the game's spelling. */
 const LEAST = {
   position: [1, 2, 3],
   velocity: [4, 5, 6],
@@ -161,7 +161,7 @@ it('derives a body’s attitude and spin from axis and period', () => {
   expect(at(0).angularVelocity).toEqual([0, 0, rate]);
   for (const seconds of [0, 100, period / 3, 1e9]) {
     const [x, y, z, w] = at(seconds).attitude;
-    // Where the pole (0, 1, 0) and X of the body (1, 0, 0) point: R e_y and R e_x of a quaternion.
+    // Directions of the body's pole (0, 1, 0) and X axis: R e_y and R e_x of a quaternion.
     const pole = [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)];
     const east = [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)];
     const angle = rate * seconds;
@@ -222,7 +222,7 @@ it('refuses more ships than the wire allows, and duplicate ids', () => {
   ]);
 });
 
-/** toEqual of what protobuf and JSON make of one frame: JSON has no −0. */
+/** Normalises −0, which JSON does not have. */
 const withoutSign = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
 
 it('carries every field that protobuf carries', () => {

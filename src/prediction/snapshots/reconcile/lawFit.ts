@@ -15,7 +15,8 @@ import type { Simulation } from '../../simulation/simulation';
 import { copyRow, type Track } from '../../simulation/track';
 import { spanOf } from '../../time/timeline';
 import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
-import { type Place, sameCommand } from './compare';
+import { sameCommand } from '../../inputs/command';
+import type { Place } from './compare';
 import { WINDOW } from './lawErrors';
 
 /** States needed for a decision. */

@@ -6,6 +6,7 @@ import {
   type FaultyLineOptions,
   instantOf,
 } from '../../prediction/faults/faultyLine';
+import { type Fault, FAULTS } from './faultKinds';
 import { type Figure, spread } from './figure';
 import { createLeastRoundTrip, type LeastRoundTrip, serverTimeBy, takeAnswer } from './leastRoundTrip';
 
@@ -24,45 +25,6 @@ const DRIFT = 5e-4;
 const COARSE = 0.1;
 /** How long a state confirms in addition to interval and lead, s. */
 const CONFIRMS = 0.05;
-
-type Fault = (line: FaultyLine, seconds: number) => void;
-
-const FAULTS: Readonly<Record<string, Fault>> = {
-  'link held up': hold('up'),
-  'link held down': hold('down'),
-  'link held': hold('both'),
-  'page frozen': (line, seconds) => {
-    line.freezePage(seconds);
-  },
-  'now put on': shiftNow(1),
-  'now put back': shiftNow(-1),
-  'server standing, pings answered': pause(true),
-  'server standing': pause(false),
-  'server restarted': (line) => {
-    line.restartServer(0);
-  },
-};
-
-function hold(ways: 'up' | 'down' | 'both'): Fault {
-  return (line, seconds) => {
-    line.holdLink(seconds, ways);
-    line.run(seconds);
-  };
-}
-
-function pause(answers: boolean): Fault {
-  return (line, seconds) => {
-    line.pauseServer(seconds, answers);
-    line.run(seconds);
-  };
-}
-
-function shiftNow(sign: number): Fault {
-  return (line, seconds) => {
-    const { pageClock } = line;
-    line.pageClock = (now) => pageClock(now) + sign * seconds;
-  };
-}
 
 /** The result of one fault. */
 interface Outcome {

@@ -6,6 +6,7 @@
 import { chromium } from 'playwright-core';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, describe, inject, onTestFailed, onTestFinished, TestRunner } from 'vitest';
+import { leaveOutTriangles } from './leaveOutTriangles';
 
 export interface PageOptions {
   /** Size of the window in CSS pixels; 1280 × 720 by default. */
@@ -19,6 +20,8 @@ export interface PageOptions {
   readonly deviceScaleFactor?: number;
   /** Most frames per second that the page may draw, as on a slow display; unlimited by default. */
   readonly framesPerSecond?: number;
+  /** Whether the page's triangles are drawn, in software, which takes most of a test's time; true by default. */
+  readonly drawn?: boolean;
   /** Called with the page before its address is opened. */
   readonly prepare?: (page: Page) => Promise<unknown>;
 }
@@ -86,7 +89,7 @@ async function limitFrames(page: Page, framesPerSecond: number): Promise<void> {
 
 /** Opens any address; resolves when the page's load event has fired. */
 export async function openUrl(url: string, options: PageOptions = {}): Promise<Page> {
-  const { framesPerSecond, prepare, ...given } = options;
+  const { framesPerSecond, drawn = true, prepare, ...given } = options;
   const usual = { viewport: { width: 1280, height: 720 }, colorScheme: 'light' as const };
   const running = await theBrowser();
   const context = await running.newContext({ ...usual, ...given, ...EVERYWHERE_THE_SAME });
@@ -96,6 +99,7 @@ export async function openUrl(url: string, options: PageOptions = {}): Promise<P
   // Not by the state of `expect`, which in a later beforeAll still names the previous test.
   if (TestRunner.getCurrentTest() !== undefined) endWithTest(page);
   if (framesPerSecond !== undefined) await limitFrames(page, framesPerSecond);
+  if (!drawn) await page.addInitScript(leaveOutTriangles);
   await prepare?.(page);
   await page.goto(url);
   return page;

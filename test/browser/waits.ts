@@ -1,11 +1,23 @@
 import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 
-/** Options for little work in the software renderer: few pixels, and only as many frames as a test needs. */
-export const SMALL = { viewport: { width: 960, height: 540 }, deviceScaleFactor: 0.5, framesPerSecond: 2 };
+/** Options for tests of anything but the picture: nothing is drawn, nothing is stored for offline use, and only a few frames. */
+export const SMALL = {
+  viewport: { width: 960, height: 540 },
+  deviceScaleFactor: 0.5,
+  framesPerSecond: 4,
+  drawn: false,
+  serviceWorkers: 'block',
+} as const;
 
-/** The fewest pixels, but enough frames for work done per frame, like steering. */
-export const FLUENT = { viewport: { width: 960, height: 540 }, deviceScaleFactor: 0.25, framesPerSecond: 15 };
+/** The same with enough frames for work done per frame, like steering. */
+export const FLUENT = { ...SMALL, deviceScaleFactor: 0.25, framesPerSecond: 15 } as const;
+
+/** Options for tests of what is stored for offline use. */
+export const KEPT = { ...SMALL, serviceWorkers: 'allow' } as const;
+
+/** A slow display, whose frames are further apart than the server's states. */
+export const SLOW = { ...SMALL, framesPerSecond: 2 } as const;
 
 /** Not per frame: on a slow display frames are far apart. */
 export const PATIENT = { polling: 50 };

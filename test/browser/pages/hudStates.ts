@@ -1,4 +1,4 @@
-/** The states of a HUD, each as the views that lead to it. */
+/** Views that lead to each state of a HUD. */
 import type { ShipView, WorldView } from '../../../src/prediction';
 import { later, makeShip, makeView, type Pose } from '../../readout/views';
 

@@ -8,7 +8,7 @@ import { type CaseInput, caseOf, caseToJson, type ExactCase, withSnakeKeys } fro
 export const SCENARIO_FILE = fileURLToPath(new URL('../service/scenarios.json', import.meta.url));
 
 /** Every scenario as a case. @throws if one cannot be loaded */
-export function rehearsalCases(): ExactCase[] {
+export function scenarioCases(): ExactCase[] {
   return SCENARIOS.map((scenario) => {
     const exact = caseOf(scenario);
     if (!exact.ok) throw new Error(`${scenario.name}: ${exact.reason}`);
@@ -18,7 +18,7 @@ export function rehearsalCases(): ExactCase[] {
 
 /** The file's contents, one line per scenario. */
 export function scenarioText(): string {
-  const cases = rehearsalCases();
+  const cases = scenarioCases();
   const lines = SCENARIOS.map(({ about }, i) =>
     JSON.stringify({ about, ...(caseToJson(cases[i]!) as object) }),
   );

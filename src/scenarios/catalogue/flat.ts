@@ -69,7 +69,7 @@ export const FLAT_GROUND: readonly Scenario[] = [
     ...START,
     name: 'launch',
     title: 'Launch',
-    about: 'Starts at rest on the ground: two seconds of thrust, a hop, and a landing.',
+    about: 'Starts at rest on the ground: two seconds of thrust, a hop, and down again.',
     initial: { ...STILL, surfaceContactState: 'landed' },
     inputs: [
       { at: 2, controls: { thrustLevel: 0.3, attitudeHold: true } },

@@ -43,10 +43,10 @@ export function hexadecimal(hash: number): string {
 }
 
 function hashedCases(): ExactCase[] {
-  const rehearsals = SCENARIOS.map((scenario) => {
+  const scenarios = SCENARIOS.map((scenario) => {
     const exact = caseOf(scenario);
     if (!exact.ok) throw new Error(`${scenario.name}: ${exact.reason}`);
     return exact.value;
   });
-  return [...rehearsals, ...Array.from({ length: DRAWN_CASES }, (_, i) => drawCase(i + 1))];
+  return [...scenarios, ...Array.from({ length: DRAWN_CASES }, (_, i) => drawCase(i + 1))];
 }

@@ -16,7 +16,7 @@ const SUBSTEPS = 100_000;
 
 describe('TypeScript and Python agree in every bit', () => {
   withPython.each([
-    ['rehearsal', scenarioCases(), 18],
+    ['scenario', scenarioCases(), 18],
     ['recorded trajectory', recordedCases(), 28],
   ] as const)('over every substep of every %s', async (_, cases, atLeast) => {
     const ours = cases.map((exact) => hashCase(exact));

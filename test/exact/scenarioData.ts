@@ -1,4 +1,4 @@
-/** Landings that both implementations are given: the rehearsals, also as te../service/scenarios.json, and the recorded trajectories. */
+/** Landings for both implementations: the scenarios, also as test/service/scenarios.json, and the recorded trajectories. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { BODIES, NEUTRAL_CONTROLS, SHIP_CLASSES } from '../../src/dynamics';

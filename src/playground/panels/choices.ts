@@ -120,7 +120,7 @@ const orSame = (field: { expects: string; read: (text: string) => unknown }) => 
 });
 const names = (given: readonly { readonly name: string }[]) => ['', ...given.map(({ name }) => name)];
 
-/** Missions, lessons and rehearsals, in the order of the keys that go through them. */
+/** Missions, lessons and scenarios, in the order in which the keys step through them. */
 export const SCENARIO_NAMES: readonly string[] = [
   ...MISSIONS.map(({ scenario }) => scenario.name),
   ...LESSONS.map(({ scenario }) => scenario.name),

@@ -1,8 +1,8 @@
-// The whole stack on this machine: Redis, physics service, gateway and page, for two pilots.
+// The whole game on this machine: Redis, physics service, gateway and page, for two pilots.
 //   npm run live                     at 1 Hz, the game's own rate
-//   npm run live -- --rate 10        at another rate
-//   npm run live -- --check          starts it all, checks that page and gateway answer, and ends
-// Ends with Ctrl-C. A process that dies is restarted, and the flight continues.
+//   npm run live -- --rate 10        at another
+//   npm run live -- --check          starts it all, looks that page and gateway answer, and ends
+// Ends with Ctrl-C. What dies meanwhile is started again, and the pilots fly on.
 import { randomBytes } from 'node:crypto';
 import { createClient } from 'redis';
 import { createServer } from 'vite';
@@ -17,7 +17,7 @@ const HANGAR = {
   ship_class: 'planetary_lander',
   delay: 5,
 };
-/** ms before a dead process is restarted. */
+/** ms before what has died is started again. */
 const AGAIN = 500;
 
 function stop(message) {
@@ -32,7 +32,7 @@ function rateOf(args) {
   return rate;
 }
 
-/** Restarts the process whenever it dies by itself. */
+/** Starts it again whenever it dies by itself. */
 function keepUp(process) {
   process.whenItDies((how) => {
     console.log(`live: ${process.name} ended (${how}); starting it again …`);
@@ -58,14 +58,14 @@ async function setRate(redisUrl, rate) {
   await redis.close();
 }
 
-/** Waits until the gateway has seen a tick of the service. @throws after half a minute */
+/** Until the gateway has seen a tick of the service. @throws after half a minute */
 async function untilTicking(url) {
   const until = Date.now() + 30_000;
   while (Date.now() < until) {
     if ((await (await fetch(url)).json()).tick !== null) return;
     await new Promise((resolve) => setTimeout(resolve, 100));
   }
-  throw new Error(`${url}: no tick within 30 s`);
+  throw new Error(`no tick within 30 s, says ${url}`);
 }
 
 const rate = rateOf(process.argv.slice(2));
@@ -118,7 +118,7 @@ try {
       throw new Error(`the page at ${address} is not the playground`);
     await end();
   }
-  console.log('Open each in its own window. Ctrl-C stops everything.');
+  console.log('Open each in a window of its own. Ctrl-C ends it all.');
 } catch (error) {
   if (!isEnding) {
     console.error(`live: ${error.message}`);

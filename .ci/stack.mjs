@@ -1,4 +1,4 @@
-// The live stack's processes: each can be killed and restarted, as in operation.
+// The live stack's processes: each can be killed and started again, as it would be in operation.
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { createServer } from 'node:net';
@@ -8,12 +8,12 @@ import { fileURLToPath } from 'node:url';
 import { redisServer, servicePython } from './python.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
-/** Characters kept of a process's output. */
-const OUTPUT_KEPT = 4000;
+/** Characters of a process's output that are kept. */
+const SAID = 4000;
 
 /**
- * A process, not started yet. It is up when its output contains `upWhen`.
- * It has its own process group: Ctrl-C reaches it only through us, in the right order.
+ * A process that is not started yet. It is up when its output has `upWhen`.
+ * In a process group of its own: Ctrl-C reaches it through us alone, in the right order.
  */
 export function createProcess({ name, command, args, env, upWhen }) {
   let child = null;
@@ -30,7 +30,7 @@ export function createProcess({ name, command, args, env, upWhen }) {
       said = '';
       return new Promise((resolve, reject) => {
         const hear = (data) => {
-          said = (said + data.toString()).slice(-OUTPUT_KEPT);
+          said = (said + data.toString()).slice(-SAID);
           if (upWhen.test(said)) resolve();
         };
         own.stdout.on('data', hear);
@@ -70,8 +70,8 @@ export function freePort() {
 }
 
 /**
- * Redis, service and gateway on free ports of this machine, none started yet. Throws an Error that says what must be
- * installed. `appendfsync`: always, everysec, or no (nothing is stored). `serviceArgs`: further arguments of the service.
+ * Redis, service and gateway on free ports of this machine, none started yet. Throws an Error that says what is to be
+ * installed. `appendfsync`: always, everysec, or no (nothing is kept). `serviceArgs`: further arguments of the service.
  */
 export async function createStack({ gatewayEnv, appendfsync, serviceArgs = [] }) {
   const [redisCommand, python] = [redisServer(), servicePython()];

@@ -1,4 +1,4 @@
-/** The whole law in scalar C, if a compiler is installed: the reference for the law's speed. */
+/** The whole law in scalar C, where a compiler is installed: what the law's speed is compared with. */
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync } from 'node:fs';
@@ -35,13 +35,13 @@ export function cBaseline(subject: Subject): Figure | null {
   return figure('contact-substep-c', 'ns', rounds.map(Number));
 }
 
-/** A subject as a landing of `ticks` ticks of one substep of 10 ms each. */
+/** A subject as a landing of `ticks` ticks of one substep, 10 ms each, as the subjects are stepped. */
 export function landingOf({ world, ships, bodies }: Subject, ticks = 1): Landing {
   const timing = timingOfTick(0.01, 0.01);
   return { ticks, timing, world, terrain: { name: 'flat' }, ships, bodies, inputs: [] };
 }
 
-/** The path of the compiled reference, recompiled if its source has changed; null without a compiler. @throws if it does not compile */
+/** The path of the compiled reference, compiled again when its source changed; null without a compiler. @throws when it does not compile. */
 export function compileReference(compilers: readonly string[] = COMPILERS): string | null {
   const compiler = compilers.find((name) => spawnSync(name, ['--version']).status === 0);
   if (compiler === undefined) return null;

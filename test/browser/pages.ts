@@ -9,28 +9,28 @@ import { afterAll, describe, inject, onTestFailed, onTestFinished, TestRunner } 
 import { leaveOutTriangles } from './leaveOutTriangles';
 
 export interface PageOptions {
-  /** Size of the window in CSS pixels; 1280 × 720 by default. */
+  /** Size of the window in CSS pixels; 1280 × 720 unless told. */
   readonly viewport?: { readonly width: number; readonly height: number };
-  /** 'light' by default. */
+  /** 'light' unless told. */
   readonly colorScheme?: 'light' | 'dark';
   readonly reducedMotion?: 'reduce' | 'no-preference';
-  /** 'allow' by default. */
+  /** 'allow' unless told. */
   readonly serviceWorkers?: 'allow' | 'block';
-  /** Device pixels per CSS pixel; 1 by default. */
+  /** Device pixels per CSS pixel; 1 unless told. */
   readonly deviceScaleFactor?: number;
-  /** Most frames per second that the page may draw, as on a slow display; unlimited by default. */
+  /** The most frames that the page may draw in a second, as on a slow display; as many as it can unless told. */
   readonly framesPerSecond?: number;
-  /** Whether the page's triangles are drawn, in software, which takes most of a test's time; true by default. */
+  /** Whether the page's triangles are drawn, in software: all but a test's own seconds. They are unless told. */
   readonly drawn?: boolean;
-  /** Called with the page before its address is opened. */
+  /** Done to the page before its address is opened. */
   readonly prepare?: (page: Page) => Promise<unknown>;
 }
 
-/** ms, for hangs only; less than a test's limit, so that the error names what was waited for. */
+/** ms for a hang alone, less than a test's own limit, so that what was waited for is what is said. */
 const HANG = 120_000;
 
 const browsers = inject('chromium');
-/** The browser of this test file: concurrent files are spread over all browsers. */
+/** The one for this test file: files that run at the same time are spread over all. */
 const address = browsers[Number(process.env['VITEST_POOL_ID'] ?? 0) % Math.max(1, browsers.length)];
 const problems = new WeakMap<Page, string[]>();
 let browser: Promise<Browser> | undefined;
@@ -38,7 +38,7 @@ let browser: Promise<Browser> | undefined;
 /** `describe`, skipped (and counted as such) on a machine without a Chromium. */
 export const describeInBrowser = describe.skipIf(address === undefined);
 
-/** A browser shared with other test files; each file closes what it has opened. */
+/** A browser shared with other test files; what a file opens in it is its own, and goes with it. */
 function theBrowser(): Promise<Browser> {
   if (address === undefined) throw new Error('there is no Chromium: put the test into describeInBrowser');
   browser ??= chromium.connect(address);
@@ -50,7 +50,7 @@ afterAll(async () => {
   browser = undefined;
 });
 
-/** Problems of the page so far: uncaught errors, console errors (including policy violations), failed requests. */
+/** What went wrong on the page so far: uncaught errors, console errors (policy violations too), failed requests. */
 export function problemsOf(page: Page): readonly string[] {
   return problems.get(page) ?? [];
 }
@@ -68,7 +68,7 @@ function watchForProblems(page: Page): void {
   });
 }
 
-// Set, since without a system language Chromium has "en-US@posix", which Intl refuses.
+// Told, since a machine without a language makes Chromium's "en-US@posix", which Intl refuses.
 const EVERYWHERE_THE_SAME = { locale: 'en-US', timezoneId: 'UTC' };
 
 /** Closes the page after the running test, and shows its problems beside the test's failure. */
@@ -79,7 +79,7 @@ function endWithTest(page: Page): void {
   });
 }
 
-/** Limits the frame rate: most of a test's time goes into the software renderer's frames. */
+/** The page draws no more often than this: the software renderer's frames are what a test's time goes into. */
 async function limitFrames(page: Page, framesPerSecond: number): Promise<void> {
   await page.addInitScript((gap) => {
     const soon = window.requestAnimationFrame.bind(window);
@@ -96,7 +96,7 @@ export async function openUrl(url: string, options: PageOptions = {}): Promise<P
   context.setDefaultTimeout(HANG);
   const page = await context.newPage();
   watchForProblems(page);
-  // Not by the state of `expect`, which in a later beforeAll still names the previous test.
+  // Not the state of `expect`: in a later beforeAll that still names the test before.
   if (TestRunner.getCurrentTest() !== undefined) endWithTest(page);
   if (framesPerSecond !== undefined) await limitFrames(page, framesPerSecond);
   if (!drawn) await page.addInitScript(leaveOutTriangles);

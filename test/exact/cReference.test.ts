@@ -7,7 +7,7 @@ import { drawCase } from './cases/drawCase';
 import type { ExactCase } from './cases/exactCase';
 import { BODY_ROW, caseTerrain, loadCase, playCase, SHIP_ROW, writeBodyRow } from './cases/playCase';
 
-// The bench compares the law's speed with the C reference, which is meaningful only if both compute the same.
+// The bench compares the law with its C reference: that is meaningful only when both compute the same.
 const program = compileReference();
 if (program === null) console.warn('no C compiler: the law is not compared with its C reference');
 
@@ -69,7 +69,7 @@ function agreesInEveryBit(program: string): void {
   );
 }
 
-/** Steps a subject like a case of one-substep ticks, and hashes the same rows. */
+/** Steps a subject as a case of one-substep ticks is stepped, and hashes the same rows. */
 function playSubject({ world, ships, bodies }: Subject, ticks: number): number {
   const row = new Float64Array(SHIP_ROW);
   const bodyRow = new Float64Array(BODY_ROW);

@@ -23,12 +23,12 @@ const STATE = { type: 'state', tick: 7, ships: { a: SHIP } };
 let server: WebSocketServer;
 let address = '';
 let sockets: WebSocket[] = [];
-/** The messages that the server received, in order. */
+/** What the server heard, in order. */
 let heard: unknown[] = [];
 let connection: GameConnection | null = null;
 let waiting: (() => void)[] = [];
 
-/** Wakes waiters after each message, report or close. */
+/** Something was heard, told or closed: who waits looks again. */
 function notice(): void {
   for (const check of waiting) check();
 }

@@ -1,4 +1,4 @@
-/** The Python tests of this folder, each file in its own process; those that use Redis start their own. */
+/** The Python tests of this folder, each file in a process of its own; those that talk to Redis start one for themselves. */
 import { spawn } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { expect } from 'vitest';
@@ -7,7 +7,7 @@ import { MAY_SKIP } from '../exact/python';
 
 export const HERE = fileURLToPath(new URL('.', import.meta.url));
 
-/** Whether a test's requirement is missing and the test may be skipped; in CI none may. */
+/** Whether what a test needs is not on this machine, where tests may be skipped: in CI nothing is. */
 export function isMissing(what: 'python' | 'redis'): boolean {
   if (!MAY_SKIP) return false;
   try {

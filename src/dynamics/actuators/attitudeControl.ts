@@ -35,7 +35,7 @@ import {
   TORQUE,
 } from '../contact/quantities';
 
-/** TORQUE: commanded by stick or attitude controller, N m, body axes; false if neither commands any (DYNAMICS, Actuators). */
+/** TORQUE: what stick or attitude controller asks for, N m, body axes; false where neither asks (DYNAMICS, Actuators). */
 export function askTorque(step: Step): boolean {
   const q = quantities;
   if (holdsStick()) {
@@ -43,7 +43,7 @@ export function askTorque(step: Step): boolean {
     return true;
   }
   const mode = effectiveMode();
-  // A mode without a direction on the ground, or an unknown one, damps rates.
+  // A mode that has nothing to point at on the ground, or is not known, damps rates.
   if (mode === MODE_NONE && q[ATTITUDE_HOLD] !== 1 && q[ATTITUDE_MODE] === MODE_NONE) return false;
   dampRates(step);
   if (mode === MODE_HOLD) steerToTarget(step);
@@ -57,7 +57,7 @@ function holdsStick(): boolean {
   return q[ROTATION_INPUT] !== 0 || q[ROTATION_INPUT + 1] !== 0 || q[ROTATION_INPUT + 2] !== 0;
 }
 
-/** A ground-bound ship's velocity has no direction: the velocity modes then damp rates, like unknown modes. */
+/** A ground-bound ship's velocity has no direction to point at: there the velocity modes are rate damping, as unknown ones are. */
 function effectiveMode(): number {
   const q = quantities;
   const mode = q[ATTITUDE_MODE]!;
@@ -89,7 +89,7 @@ function dampRates(step: Step): void {
   q[ANGULAR_ACCEL_COMMAND + 2] = damping * (q[AXES + 2]! * wx + q[AXES + 5]! * wy + q[AXES + 8]! * wz);
 }
 
-/** a += ω_n² e, e = ±2 × vector part of target · q⁻¹, in body axes. */
+/** a += ω_n² e, e = ±2 × vector part of target · q⁻¹, turned into body axes. */
 function steerToTarget(step: Step): void {
   const q = quantities;
   const stiffness = step.shipClass.attitudeStiffness;
@@ -113,7 +113,7 @@ function steerToTarget(step: Step): void {
     q[ANGULAR_ACCEL_COMMAND + 2]! + stiffness * (q[AXES + 2]! * ex + q[AXES + 5]! * ey + q[AXES + 8]! * ez);
 }
 
-/** Below this ‖up × d‖ a ship points directly away from d, and any axis will do. */
+/** Below this ‖up × d‖ a ship points straight away from d, and no axis is better than another. */
 const STRAIGHT_AWAY = 1e-6;
 
 /** a += ω_n² e, e = up × d; in body axes up is z, so e = (−d_y, d_x, 0). */
@@ -129,7 +129,7 @@ function steerToDirection(step: Step, mode: number): void {
   let ex = -dy;
   let ey = dx;
   if (dz < 0) {
-    // A ship that points directly away must not stall: error of one unit, about x if any axis will do.
+    // It does not stall when it points straight away: a full unit of error, about x where no axis is better.
     const length = Math.sqrt(ex * ex + ey * ey);
     const straightAway = length <= STRAIGHT_AWAY;
     ex = straightAway ? 1 : ex / length;
@@ -140,14 +140,14 @@ function steerToDirection(step: Step, mode: number): void {
   q[ANGULAR_ACCEL_COMMAND + 1] = q[ANGULAR_ACCEL_COMMAND + 1]! + stiffness * ey;
 }
 
-/** m/s: a velocity below this is round-off, and so is its direction. */
-const MIN_SPEED = 1e-3;
-/** So is r × u if u is along r to one part in a million. */
-const MIN_SINE = 1e-6;
-/** m/s: below this ground speed the game keeps its last direction; damping stays near it and needs no memory. */
-const MIN_SURFACE_SPEED = 0.1;
+/** A velocity below 1 mm/s is round-off, and so is its direction. */
+const LEAST_SPEED = 1e-3;
+/** So is r × u where u is along r to a part in a million. */
+const LEAST_SINE = 1e-6;
+/** Below 0.1 m/s over the ground the game keeps its last direction; damping stays near it without remembering. */
+const LEAST_SURFACE_SPEED = 0.1;
 
-/** AXIS = the unit direction that a pointing mode aims at, ICRF; false if it is round-off. */
+/** AXIS = the unit direction a pointing mode points at, ICRF; false where it is round-off. */
 function pointingDirection(step: Step, mode: number): boolean {
   const q = quantities;
   if (mode === MODE_RADIAL || mode === MODE_ANTIRADIAL) {
@@ -160,7 +160,7 @@ function pointingDirection(step: Step, mode: number): boolean {
   const uz = q[VELOCITY + 2]!;
   if (mode === MODE_SURFACE_RETROGRADE) return pointAgainstGroundSpeed(step);
   const speed = Math.sqrt(ux * ux + uy * uy + uz * uz);
-  if (speed < MIN_SPEED) return false;
+  if (speed < LEAST_SPEED) return false;
   const reversed = mode === MODE_RETROGRADE || mode === MODE_ANTINORMAL;
   if (mode === MODE_PROGRADE || mode === MODE_RETROGRADE) {
     pointAlong(ux, uy, uz, reversed ? -1 / speed : 1 / speed);
@@ -173,7 +173,7 @@ function pointingDirection(step: Step, mode: number): boolean {
   const y = rz * ux - rx * uz;
   const z = rx * uy - ry * ux;
   const length = Math.sqrt(x * x + y * y + z * z);
-  if (length < MIN_SINE * q[START + DISTANCE]! * speed) return false;
+  if (length < LEAST_SINE * q[START + DISTANCE]! * speed) return false;
   pointAlong(x, y, z, reversed ? -1 / length : 1 / length);
   return true;
 }
@@ -193,7 +193,7 @@ function pointAgainstGroundSpeed(step: Step): boolean {
   const y = q[VELOCITY + 1]! - (oz * rx - ox * rz);
   const z = q[VELOCITY + 2]! - (ox * ry - oy * rx);
   const speed = Math.sqrt(x * x + y * y + z * z);
-  if (speed < MIN_SURFACE_SPEED) return false;
+  if (speed < LEAST_SURFACE_SPEED) return false;
   pointAlong(x, y, z, -1 / speed);
   return true;
 }

@@ -13,7 +13,7 @@ import {
 import { anyOutside, BODY_MASS, PLACE, BODY_RADIUS, notUnit, outside, SPIN, VELOCITY_RANGE } from './limits';
 import { SMI_MASK } from '../state/smiMask';
 
-/** A body's constants. */
+/** What of a body never changes. */
 export interface Body {
   /** Unique in its world. */
   readonly name: string;
@@ -23,7 +23,7 @@ export interface Body {
   readonly radius: number;
 }
 
-/** A body's motion at an instant, ICRF. */
+/** Where a body is: ICRF, m, m/s, rad/s. */
 export interface BodyMotion {
   /** m, ICRF. */
   readonly position: Vec3;
@@ -43,10 +43,9 @@ export interface LoadedBody extends Body {
 /** m³ kg⁻¹ s⁻² */
 export const GRAVITATIONAL_CONSTANT = 6.6743e-11;
 
-/** The body with derived constants, or an error that names the invalid field. */
+/** The body with its constants, or a reason that names the field. */
 export function loadBody(given: Body): Result<LoadedBody> {
-  if (typeof given.name !== 'string' || given.name === '')
-    return err('body name: expected a non-empty string');
+  if (typeof given.name !== 'string' || given.name === '') return err('body name: expected a string');
   const reason =
     notFinite('mass', given.mass) ??
     notFinite('radius', given.radius) ??
@@ -57,7 +56,7 @@ export function loadBody(given: Body): Result<LoadedBody> {
   return ok(Object.freeze({ name, mass, radius, gravityParameter: GRAVITATIONAL_CONSTANT * mass }));
 }
 
-/** Writes a motion into a body's row. Returns null, or a reason that names the invalid field; then the row is unchanged. */
+/** Writes a motion into a body's row; a reason that names the field leaves the row as it was. */
 export function writeBodyMotion(rows: Float64Array, at: number, motion: BodyMotion): string | null {
   const reason =
     notFiniteTuple('position', motion.position, 3) ??
@@ -89,16 +88,16 @@ export function readBodyMotion(rows: Float64Array, at: number): BodyMotion {
   };
 }
 
-/** Step 7: computes each body's attitude at the substep's end. Called once per substep, before the ships. */
+/** Step 7: where each body's attitude will be at the substep's end. Once a substep, before the ships. */
 export function turnBodies(rows: Float64Array, count: number, dt: number): void {
   for (let i = 0; i < count; i++) turnBody(rows, i * BODY_STRIDE, dt);
 }
 
-/** Called after the ships: the substep's end becomes the next one's start. */
+/** After the ships: the substep's end is the next one's start. */
 export function settleBodies(rows: Float64Array, count: number): void {
   for (let i = 0; i < count; i++) {
     const at = (i * BODY_STRIDE) & SMI_MASK;
-    // Attitude and axes are adjacent columns, at start and end. Written out, since a loop takes twice as long.
+    // Attitude and axes stand side by side, at the start as at the end; written out: a loop takes twice as long.
     rows[at + BODY_ATTITUDE] = rows[at + BODY_END_ATTITUDE]!;
     rows[at + BODY_ATTITUDE + 1] = rows[at + BODY_END_ATTITUDE + 1]!;
     rows[at + BODY_ATTITUDE + 2] = rows[at + BODY_END_ATTITUDE + 2]!;
@@ -115,7 +114,7 @@ export function settleBodies(rows: Float64Array, count: number): void {
   }
 }
 
-/** Called once per tick: each body moves by its velocity for `seconds` of game time. */
+/** Once a tick: each body moves by its velocity for `seconds` of game time. */
 export function moveBodies(rows: Float64Array, count: number, seconds: number): void {
   for (let i = 0; i < count; i++) {
     const at = i * BODY_STRIDE;
@@ -125,7 +124,7 @@ export function moveBodies(rows: Float64Array, count: number, seconds: number): 
   }
 }
 
-/** q = normalize(q + ½ dt (Ω, 0) q), and the rotation of ground-bound ships, normalize(Ω dt/2, 1). */
+/** q = normalize(q + ½ dt (Ω, 0) q), and the turn of ground-bound ships, normalize(Ω dt/2, 1). */
 function turnBody(rows: Float64Array, row: number, dt: number): void {
   const at = row & SMI_MASK;
   const half = 0.5 * dt;
@@ -154,7 +153,7 @@ function turnBody(rows: Float64Array, row: number, dt: number): void {
   writeAxes(rows, at + BODY_END_AXES, at + BODY_END_ATTITUDE);
 }
 
-/** Writes the rotation matrix, row by row, of the unit quaternion at `from`; both in `rows`. */
+/** The rotation matrix, row by row, of the unit quaternion at `from`; both in `rows`. */
 function writeAxes(rows: Float64Array, to: number, from: number): void {
   const x = rows[from]!;
   const y = rows[from + 1]!;

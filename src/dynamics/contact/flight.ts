@@ -2,7 +2,7 @@ import { POSITION, VELOCITY } from '../state/layout';
 import { DT, END, GRAVITY, MASS, NORMAL, quantities, START, type Step, THRUST } from './quantities';
 import { readPlace } from './surface';
 
-/** Step 5 in the air: velocity Verlet under gravity and thrust. Afterwards NORMAL, DISTANCE and GRAVITY at END are filled. */
+/** Step 5 in the air: velocity Verlet under gravity and thrust. Leaves the place at END read. */
 export function fly(step: Step): void {
   const q = quantities;
   const dt = q[DT]!;

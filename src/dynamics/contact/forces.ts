@@ -36,10 +36,10 @@ import {
 const STIFFNESS = 100;
 /** c / m of critical damping, s⁻¹: 2 √(k/m). */
 const CRITICAL_DAMPING = 20;
-/** m²/s²: static friction holds below 1 cm/s only, so that a slow slide is not stopped at once by the stronger friction. */
+/** Static friction holds below 1 cm/s, m²/s²: a slide, however slow, is not stopped dead by the stronger of the two frictions. */
 const HELD_SPEED_SQUARED = 1e-4;
 
-/** LOAD, the force into the ground, and DEPTH, the spring's static depth under it, from the gravity at `surface`. */
+/** LOAD, what presses into the ground, and DEPTH, where the spring rests under it; by the gravity at `surface`. */
 export function readLoad(surface: number): void {
   const q = quantities;
   const from = surface & SMI_MASK;
@@ -53,7 +53,7 @@ export function readLoad(surface: number): void {
   q[DEPTH] = q[LOAD] / (STIFFNESS * q[MASS]!);
 }
 
-/** ALONG: the force along the ground, thrust and weight on a slope. */
+/** ALONG: what pushes along the ground, weight on a slope less thrust. */
 function readAlong(): void {
   const q = quantities;
   const sx = q[START + SURFACE_NORMAL]!;
@@ -65,7 +65,7 @@ function readAlong(): void {
   q[ALONG + 2] = q[WEIGHT]! * q[START + SLOPE + 2]! - (q[THRUST + 2]! - off * sz);
 }
 
-/** Whether slide and vertical speed are small; the latter, √(v_s² + 100 (penetration c_s − DEPTH)²), includes the spring's energy. */
+/** Whether vertical speed, √(v_s² + 100 (penetration c_s − DEPTH)²), the spring's stored energy counted in, and slide are small. */
 export function isNearlyAtRest(surface: number, step: Step): boolean {
   const q = quantities;
   const limit = step.world.settings.contactSettleLinearVel;
@@ -77,7 +77,7 @@ export function isNearlyAtRest(surface: number, step: Step): boolean {
   );
 }
 
-/** Step 3, for a ship in the ground: its load, its static depth, and whether it is tipped and held by the ground. */
+/** Step 3, of a ship in the ground: its load, the depth it would rest at, and whether the ground holds it where it lies tipped. */
 export function isPinned(step: Step): boolean {
   const q = quantities;
   readLoad(START);
@@ -87,7 +87,7 @@ export function isPinned(step: Step): boolean {
   return q[ALONG]! * q[ALONG]! + q[ALONG + 1]! * q[ALONG + 1]! + q[ALONG + 2]! * q[ALONG + 2]! <= most * most;
 }
 
-/** Step 4, for a ship in the ground: F_n, from spring and damper, or the load if it is pinned. */
+/** Step 4, of a ship in the ground: F_n, spring and damper; the load where it is pinned. */
 export function pressNormal(step: Step, pinned: boolean): void {
   const q = quantities;
   if (pinned) {
@@ -103,13 +103,13 @@ export function pressNormal(step: Step, pinned: boolean): void {
   q[NORMAL_FORCE] = force > 0 ? force : 0;
 }
 
-/** For a grounded ship: tipped, or touched at no more than contact_bounce_speed. */
+/** Tipped, or in the contact of a touch not above contact_bounce_speed. Asked of grounded ships. */
 function settlesWithoutBounce(step: Step): boolean {
   const q = quantities;
   return q[SURFACE_STATE] === TIPPED || q[IMPACT_SPEED]! <= step.world.settings.contactBounceSpeed;
 }
 
-/** FRICTION: static, against slide, push, slope and the ground's rotation, or kinetic and at most enough to end the slide. */
+/** FRICTION: holds against slide, push, slope and the ground's own turning, or is kinetic and never more than ends the slide. */
 function rub(step: Step): void {
   const q = quantities;
   const { bodies } = step;
@@ -177,7 +177,7 @@ export function moveOnGround(step: Step): void {
   q[POSITION + 2] = q[POSITION + 2]! + q[VELOCITY + 2]! * dt;
 }
 
-/** A settling ship must not rise above its static depth: the excess speed along s is removed. */
+/** The speed off the ground of a settling ship ends at the static depth: the excess is taken off along s. */
 function capRise(step: Step): void {
   const q = quantities;
   const { bodies } = step;

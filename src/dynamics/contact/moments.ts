@@ -20,14 +20,14 @@ import {
   WEIGHT,
 } from './quantities';
 
-/** s⁻² and s⁻¹ per unit of inertia: a critically damped rotational spring. */
+/** s⁻² and s⁻¹ per unit of inertia: the rotational counterpart of the spring-damper, critical. */
 const SUPPORT_STIFFNESS = 100;
 const SUPPORT_DAMPING = 20;
 const SCRUB_DAMPING = 20;
 
 /**
- * Step 6, for a ship in the ground: adds gravity about the feet, the legs' support and the feet's scrub to TORQUE. In ICRF axes, with
- * scalar moments of inertia, so that one rotation to body axes suffices.
+ * Step 6, of a ship in the ground: gravity about the feet, the legs' support and the feet's scrub join TORQUE. In ICRF axes, with
+ * scalars for moments of inertia, so one turn into body axes is all it takes.
  */
 export function addGroundMoments(step: Step): void {
   const q = quantities;
@@ -51,13 +51,13 @@ export function addGroundMoments(step: Step): void {
   const yawY = yaw * sy;
   const yawZ = yaw * sz;
 
-  // The force on the feet, and the same share of the weight.
+  // What the feet carry, and as much of the weight.
   const most = q[WEIGHT]! * q[START + COS_SLOPE]!;
   const held = q[NORMAL_FORCE]! < most ? q[NORMAL_FORCE]! : most;
   const carried = held / q[START + COS_SLOPE]!;
   const toppling = carried * q[GROUND_CONTACT_OFFSET]!;
 
-  // Support: J (−100 (s × up) − 20 w_tilt), limited by the edge of the footprint.
+  // Support: J (−100 (s × up) − 20 w_tilt), at most what the footprint's edge gives.
   const support = shipClass.supportInertia * factor;
   const stiffness = -SUPPORT_STIFFNESS * support;
   const damping = SUPPORT_DAMPING * support;
@@ -74,7 +74,7 @@ export function addGroundMoments(step: Step): void {
     mz *= share;
   }
 
-  // Scrub: −20 J' x, x the yaw about s, and for a tipped hull also its roll about up.
+  // Scrub: −20 J' x, x the yaw about s, and for a tipped hull its roll about up as well.
   const roll = q[SURFACE_STATE] === TIPPED ? rx * upX + ry * upY + rz * upZ : 0;
   const scrubbing = -SCRUB_DAMPING * (shipClass.scrubInertia * factor);
   let kx = scrubbing * (yawX + roll * upX);

@@ -1,7 +1,7 @@
 import { ANGULAR_VELOCITY, ATTITUDE, BODY_ANGULAR_VELOCITY, POSITION, VELOCITY } from '../state/layout';
 import { AXES, COS_TILT, END, quantities, SMI_MASK, type Step, SURFACE_NORMAL } from './quantities';
 
-/** Fills AXES, the rotation matrix of the ship's current attitude. */
+/** Fills AXES, the rotation matrix of the ship's attitude as it is now. */
 export function readAxes(): void {
   const q = quantities;
   const x = q[ATTITUDE]!;
@@ -22,7 +22,7 @@ export function readAxes(): void {
   q[AXES + 8] = 1 - (x * x2 + y * y2);
 }
 
-/** Fills the third column of AXES only: `up` of the current attitude. */
+/** Fills the third column of AXES alone: `up` of the attitude as it is now. */
 export function readUp(): void {
   const q = quantities;
   const x = q[ATTITUDE]!;
@@ -46,7 +46,7 @@ export function readTilt(): void {
     q[END + SURFACE_NORMAL + 2]! * q[AXES + 8]!;
 }
 
-/** u = Ω × r: the ship moves with the ground at its centre of mass. */
+/** u = Ω × r: the ship moves as the ground at its centre of mass. */
 export function moveWithGround(step: Step): void {
   const q = quantities;
   const { bodies } = step;
@@ -62,7 +62,7 @@ export function moveWithGround(step: Step): void {
   q[VELOCITY + 2] = ox * ry - oy * rx;
 }
 
-/** w = Ω: the ship turns with the ground. */
+/** w = Ω: the ship turns as the ground. */
 export function spinWithGround(step: Step): void {
   const q = quantities;
   const { bodies } = step;

@@ -6,17 +6,17 @@ import type { World } from '../constants/world';
 export { SMI_MASK } from '../state/smiMask';
 
 /**
- * The quantities of one substep of one ship (DYNAMICS, Quantities), in scratch doubles shared by the passes:
- * a double that is passed to or returned by a function that is not inlined is boxed; a double here is not.
+ * The quantities of one substep of one ship (DYNAMICS, Quantities), in scratch doubles that the passes hand on:
+ * a double passed as an argument or returned by a function that is not inlined is boxed, one that stands here is not.
  */
 export const quantities = new Float64Array(160);
 
 /**
- * The first SHIP_STRIDE slots are the ship's row (layout.ts), copied in and out: a constant index of a constant array is read
- * without a bounds check.
+ * The first SHIP_STRIDE slots are the ship's row (layout.ts), copied in and out: a slot at a constant place of a constant array is read
+ * without a check of its bounds.
  */
 
-/** The ship relative to the ground, at the substep's start and at its end: the columns below are relative to one of these two. */
+/** Where the ship stands to the ground, at the substep's start and again at its end: columns from one of these two on. */
 export const START = 36;
 export const END = 60;
 /** n = r / ‖r‖, ICRF: local up. */
@@ -39,7 +39,7 @@ export const NORMAL_SPEED = 13;
 export const TANGENTIAL_VELOCITY = 14;
 /** ‖v_tangential‖², m²/s². */
 export const TANGENTIAL_SPEED_SQUARED = 17;
-/** n − c_s s, ICRF: the direction of the slope; 0 where the surface normal is radial. */
+/** n − c_s s, ICRF: how the ground slopes; 0 where the surface normal is radial. */
 export const SLOPE = 18;
 /** Radius of the ground below, terrain included, m. */
 export const GROUND_RADIUS = 21;
@@ -47,11 +47,11 @@ const SURFACE_LENGTH = 22;
 
 /** Rotation matrix of the ship's attitude, row by row; its third column is `up`. */
 export const AXES = 84;
-/** m, kg: before the burn. */
+/** m, kg: from before the burn. */
 export const MASS = 93;
-/** Factor on the class's inertia tensor at this fuel. */
+/** What the class's inertia tensor is multiplied by at this fuel. */
 export const INERTIA_FACTOR = 94;
-/** N, from the mass before the burn and gravity at the start. */
+/** N, from mass before the burn and gravity at the start. */
 export const WEIGHT = 95;
 /** N, ICRF. */
 export const THRUST = 96;
@@ -59,21 +59,21 @@ export const THRUST = 96;
 export const LIFT = 99;
 /** From the actuators, N m, body axes. */
 export const TORQUE = 100;
-/** Σ|tau_rcs|, N m: the torque that burns fuel. */
+/** Σ|tau_rcs|, N m: what burns fuel. */
 export const RCS_TORQUE_SUM = 103;
-/** Force into the ground, N, ≥ 0. */
+/** What presses into the ground, N, ≥ 0. */
 export const LOAD = 104;
-/** Force along the ground, N, ICRF. */
+/** What pushes along the ground, N, ICRF. */
 export const ALONG = 105;
 /** Static penetration under the load, m. */
 export const DEPTH = 108;
 /** F_n, N. */
 export const NORMAL_FORCE = 109;
-/** The angular acceleration commanded by the attitude controller, rad/s², body axes. */
+/** The angular acceleration that the attitude controller asks for, rad/s², body axes. */
 export const ANGULAR_ACCEL_COMMAND = 110;
-/** Quaternion of the rotation being applied. */
+/** A rotation under way, quaternion. */
 export const ROTATION = 113;
-/** The vectors from and to which a rotation leads, and its axis. */
+/** Vectors a rotation is made from and to, and its axis. */
 export const FROM = 117;
 export const TO = 120;
 export const AXIS = 123;
@@ -87,13 +87,13 @@ export const DT = 128;
 export const LEVEL_1 = 129;
 export const LEVEL_2 = 132;
 export const RISE = 135;
-/** The slope is measured at the four points n_b POINT[0] ± e POINT[1]. */
+/** The four points of the ground that it is measured at are n_b POINT[0] ± e POINT[1]. */
 export const POINT = 137;
 
 /** Friction, N, ICRF. */
 export const FRICTION = 139;
 
-/** All slots and their lengths, in doubles: a test fails if two overlap. */
+/** Every slot and how many doubles it holds: a test finds two that overlap. */
 export const SLOTS: readonly (readonly [slot: number, length: number])[] = [
   [0, SHIP_STRIDE],
   [START, SURFACE_LENGTH],
@@ -141,12 +141,12 @@ export const SURFACE_SLOTS: readonly (readonly [slot: number, length: number])[]
   [GROUND_RADIUS, 1],
 ];
 
-/** The rows that a substep changes, and the parts of the world that it reads. Filled anew for each ship. */
+/** What a substep works on: the rows it changes, and what of the world it reads. Filled anew for each ship. */
 export interface Step {
   /** Number of the ship's row. */
   row: number;
   bodies: Float64Array;
-  /** Offset of the reference body's row. */
+  /** Of the reference body's row. */
   bodyAt: number;
   body: LoadedBody;
   shipClass: LoadedShipClass;

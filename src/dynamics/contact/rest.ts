@@ -17,8 +17,8 @@ import { perpendicularAxis, rotateAttitude, shortestRotation } from '../arithmet
 import { readAxes, readTilt, readUp } from './pose';
 
 /**
- * Step 8: a tipped ship's hull rests on its side. Beyond 90° of tilt the ground's impulse stops it from turning further,
- * and it is turned back, at 1 rad/s or by the rest of the angle. Reads END and `up` after the step; keeps `up` current.
+ * Step 8: the hull of a tipped ship rests on its side. Past 90° of tilt the ground's impulse stops it from turning further,
+ * and it is turned back, at 1 rad/s or by what is left. Reads END and `up` as they are after the step; leaves `up` current.
  */
 export function restOnSide(step: Step): void {
   const q = quantities;
@@ -48,9 +48,9 @@ function turnBack(): void {
 }
 
 /** ‖s × up‖ up to which a tipped ship is upside down and s × up gives no direction. */
-const UPSIDE_DOWN = 1e-6;
+const ON_ITS_HEAD = 1e-6;
 
-/** AXIS = unit(s × up), the axis of its tilt; any axis along the ground if it is upside down. */
+/** AXIS = unit(s × up), the axis the ship tips about; any one along the ground where it stands on its head. */
 function findAxis(): void {
   const q = quantities;
   const nx = q[END + SURFACE_NORMAL]!;
@@ -60,7 +60,7 @@ function findAxis(): void {
   const y = nz * q[AXES + 2]! - nx * q[AXES + 8]!;
   const z = nx * q[AXES + 5]! - ny * q[AXES + 2]!;
   const length = Math.sqrt(x * x + y * y + z * z);
-  if (length <= UPSIDE_DOWN) {
+  if (length <= ON_ITS_HEAD) {
     perpendicularAxis(END + SURFACE_NORMAL);
     return;
   }
@@ -72,7 +72,7 @@ function findAxis(): void {
 
 /**
  * w −= j f / (j · axis), j = I_world⁻¹ axis: the ground's impulse about the axis. The fuel's factor in I cancels.
- * An impulse along the axis alone would add spin about the other axes of a full tensor without end.
+ * Along the axis alone it would feed the other axes of a full tensor for ever.
  */
 function stopFurtherTilt(step: Step): void {
   const q = quantities;

@@ -17,7 +17,7 @@ import {
 import type { TerrainHeight } from '../constants/world';
 import { groundPoint, HEIGHT, readHeight } from '../terrain/inPlace';
 
-/** s = the normal of the plane under the feet: the ground one leg radius ahead and behind, in two level directions. */
+/** s = the normal of the plane that the feet stand on: the ground one leg radius ahead and behind, in two level directions. */
 export function readSlope(surface: number, step: Step, bodyAxes: number): void {
   const q = quantities;
   const to = surface & SMI_MASK;
@@ -25,7 +25,7 @@ export function readSlope(surface: number, step: Step, bodyAxes: number): void {
   findLevelDirections(to);
   if (!recallRises(to, step)) {
     const arm = shipClass.legRadius / body.radius;
-    // n_b and e_i are perpendicular unit vectors, so all four n_b ± arm e_i have the same length.
+    // n_b and e_i are unit and at right angles, so n_b ± arm e_i have all four the same length.
     const perLength = 1 / Math.sqrt(1 + arm * arm);
     q[POINT] = perLength;
     q[POINT + 1] = arm * perLength;
@@ -117,15 +117,15 @@ function readRise(to: number, step: Step, direction: number, rise: number): void
 }
 
 /**
- * The last rises of each row: a substep starts where the last one ended, which saves half of the terrain look-ups, and the
- * numbers are the same. Recognised by position, height of the ground there, footprint, body and terrain.
+ * The rises last found for a row: a substep starts where the one before ended, so half of the terrain look-ups are spared, and the
+ * numbers are the same. Known again by place, height of the ground there, footprint, body and terrain.
  */
 const KEPT = 256;
 const KEPT_STRIDE = 8;
 const kept = new Float64Array(KEPT * KEPT_STRIDE).fill(NaN);
 const keptTerrain: (TerrainHeight | null)[] = Array.from({ length: KEPT }, () => null);
 
-/** Fills RISE if it is known; returns whether. */
+/** Whether RISE is known; fills it then. */
 function recallRises(to: number, step: Step): boolean {
   const q = quantities;
   const at = (step.row & (KEPT - 1)) * KEPT_STRIDE;

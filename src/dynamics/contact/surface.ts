@@ -19,7 +19,7 @@ import {
 import { readSlope } from './slope';
 import { groundPoint, HEIGHT, readHeight } from '../terrain/inPlace';
 
-/** Fills NORMAL, DISTANCE and GRAVITY at `surface` (START or END) from the ship's current position. */
+/** Fills NORMAL, DISTANCE and GRAVITY at `surface` (START or END) from the ship's position as it is now. */
 export function readPlace(surface: number, step: Step): void {
   const q = quantities;
   const to = surface & SMI_MASK;
@@ -37,8 +37,8 @@ export function readPlace(surface: number, step: Step): void {
 }
 
 /**
- * Fills PENETRATION at `surface`, after readPlace.
- * @param bodyAxes BODY_AXES at a substep's start, BODY_END_AXES at its end.
+ * Fills PENETRATION at `surface`, whose place has been read.
+ * @param bodyAxes BODY_AXES at a substep's start, BODY_END_AXES at its end: how the body lies under the ship.
  */
 export function readPenetration(surface: number, step: Step, bodyAxes: number): void {
   const q = quantities;
@@ -64,7 +64,7 @@ export function readPenetration(surface: number, step: Step, bodyAxes: number): 
   q[to + PENETRATION] = ground + q[GROUND_CONTACT_OFFSET]! - q[to + DISTANCE]!;
 }
 
-/** Fills the surface normal and the velocity relative to the ground at `surface`, after readPenetration. */
+/** Fills the surface normal and the velocity relative to the ground at `surface`, whose penetration has been read. */
 export function readGround(surface: number, step: Step, bodyAxes: number): void {
   if (step.world.settings.surfaceNormal === 'terrain') readSlope(surface, step, bodyAxes);
   else readLevel(surface);

@@ -40,8 +40,8 @@ import {
 } from './quantities';
 import { rotateAttitude, shortestRotation } from '../arithmetic/rotations';
 
-/** m: a ship whose feet are this far above the ground has left it, as over an edge. */
-const RELEASE_HEIGHT = 0.1;
+/** A ship whose feet hang this far above the ground has left it, m: the ground fell away under it. */
+const LET_GO_HEIGHT = 0.1;
 
 /** Step 9: the first transition that applies to the state at the substep's end, at most one. Returns the event. */
 export function makeTransition(step: Step): number {
@@ -67,8 +67,8 @@ export function makeTransition(step: Step): number {
 }
 
 /**
- * IMPACT: closing speed of ship and ground, m/s. On level ground both measures agree; where the ground rises ahead of a fast ship,
- * only the second includes the rise, so that a ship crashes into a hill instead of being thrown out of it.
+ * IMPACT: speed at which ship and ground close, m/s. On level ground the two agree; where ground rises ahead of a fast ship
+ * only the second sees it, and a ship that flies into a hill crashes instead of being flung out of it.
  */
 function readImpact(): void {
   const q = quantities;
@@ -77,11 +77,11 @@ function readImpact(): void {
   q[IMPACT] = falling > closing ? falling : closing;
 }
 
-/** Whether it rises off the ground, or the ground drops away. */
+/** It rises off the ground, or the ground fell away. */
 function leavesGround(): boolean {
   const q = quantities;
   const penetration = q[END + PENETRATION]!;
-  return (penetration <= 0 && q[END + NORMAL_SPEED]! > 0) || penetration < -RELEASE_HEIGHT;
+  return (penetration <= 0 && q[END + NORMAL_SPEED]! > 0) || penetration < -LET_GO_HEIGHT;
 }
 
 function touch(step: Step): number {
@@ -105,7 +105,7 @@ function alignWithSurface(step: Step): void {
   rotateAttitude();
 }
 
-/** A crash is an outcome, not a surface state: the ship's state is kept, and it leaves the simulation. */
+/** A result, not a state: the rest of the ship's state stays as it was, and it is out of the simulation. */
 function crash(): number {
   const q = quantities;
   q[CRASHED] = 1;
@@ -143,7 +143,7 @@ function right(): number {
   return EVENT_RIGHTED;
 }
 
-/** Whether spin, vertical speed (with the spring's energy) and slide are below the settle limits, and the ground holds the ship. */
+/** Spin, vertical speed (the spring's energy counted in) and slide below the settle limits, and the ground holds it. */
 function isSettled(step: Step): boolean {
   const q = quantities;
   const { bodies } = step;
@@ -158,7 +158,7 @@ function isSettled(step: Step): boolean {
   return isNearlyAtRest(END, step) && isHeldByGround(step);
 }
 
-/** Whether static friction holds on this slope, and the centre of mass is above the footprint. */
+/** The slope is not too steep for static friction, and the ship's weight is inside its feet. */
 function isHeldByGround(step: Step): boolean {
   const q = quantities;
   const slope = Math.sqrt(

@@ -11,13 +11,13 @@ export const flatTerrain: TerrainHeight = terrainInPlace((point) => {
 /** Unit direction in body axes of the level ground in `hillsTerrain`, on every body. */
 export const LANDING_SITE: Vec3 = [0.6, 0.48, 0.64];
 
-/** Parameters of a body's hills. Lengths and heights of the layers below are for scale 1. */
+/** How a body's hills are made. Lengths and heights of the layers below are those of a body of scale 1. */
 interface Relief {
   /** m, the body's. */
   readonly radius: number;
-  /** Factor on lengths and heights: small bodies have small hills. */
+  /** Of lengths and heights: small bodies have small hills. */
   readonly scale: number;
-  /** Weight of the craters: less on bodies with erosion. */
+  /** Weight of the craters; air and water wear them away. */
   readonly craters: number;
   readonly seed: number;
 }
@@ -35,10 +35,10 @@ const SWELL = { cell: 12000, height: 650 };
 const RIDGES = { cell: 4300, height: 420 };
 const HILLS = { cell: 1100, height: 60 };
 const BUMPS = { cell: 130, height: 2.5 };
-/** Craters, at most one per cell: edge of the cells, m, and seed, which differs between the two layers. */
+/** Craters, one at most a cell: edge of the cells, m, and what keeps the two layers apart. */
 const CRATERS = { cell: 1500, seed: 4 };
 const PITS = { cell: 260, seed: 5 };
-/** m: the site is level within 350 m of its centre, and the relief is complete from 4.5 km on. */
+/** The site is level to 350 m of its centre and the relief is whole from 4.5 km on, m. */
 const LEVEL_RADIUS = 350;
 const WHOLE_RADIUS = 4500;
 

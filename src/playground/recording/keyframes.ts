@@ -19,11 +19,11 @@ const INTERVAL = 2;
 const MAX_BYTES = 200e6;
 const SHIP_BYTES = 22_000;
 
-/** Copies of the predictor along a recording, so that any moment is reached from the nearest earlier copy. */
+/** Copies of the predictor along a recording, so that any moment of it is found from the nearest one before. */
 export interface Keyframes {
   /** A copy fed up to the nearest keyframe at or before `at`; whatever lies before it is read first. */
   readonly before: (at: number) => Fed;
-  /** Continues until `isOver` returns true or the recording ends. */
+  /** Reads on until `isOver` says so or the recording ends. */
   readonly prepare: (isOver: () => boolean) => void;
 }
 

@@ -13,10 +13,10 @@ const SHIP_BYTES = 1000;
 /** Of a packed frame, beside its own: the array and what holds it. */
 const PACKED_BYTES = 200;
 
-/** Records everything that goes through the predictor from a world's beginning on, bounded by entries and bytes. */
+/** Keeps what goes through the predictor from a world's beginning on, bounded by entries and bytes. */
 export interface Recorder {
   readonly take: (entry: RecordingEntry) => void;
-  /** A new world, and the own ship's scheduled inputs. */
+  /** A new world, and what its own ship does by itself. */
   readonly begin: (plan: readonly ScheduledInput[]) => void;
   readonly seconds: () => number;
   readonly full: () => boolean;
@@ -75,7 +75,7 @@ export function createRecorder(): Recorder {
   };
 }
 
-/** Only a frame with all fields is restored unchanged from bytes. */
+/** Only a frame with all its fields comes back from bytes as it was. */
 function isWhole(frame: PartialFrame): frame is ServerFrame {
   const { tickRate, timeScale, paused, bodies, events, lastInput } = frame;
   return [tickRate, timeScale, paused, bodies, events, lastInput].every((field) => field !== undefined);

@@ -1,5 +1,5 @@
-// The whole law of src/dynamics in scalar C, written straightforwardly: the bench compares the TypeScript's speed with it,
-// and it is a third implementation that agrees in every bit. SI units, frames as in src/dynamics/state/layout.ts.
+// The whole law of src/dynamics in scalar C, written straightforwardly: what the bench compares the TypeScript's speed with,
+// and a third implementation to agree with in every bit. SI units, frames as in src/dynamics/state/layout.ts.
 #ifndef CONTACT_H
 #define CONTACT_H
 #include "vectors.h"
@@ -54,16 +54,16 @@ struct world {
   ship_class ship_class;
   body bodies[3];
   int body_count;
-  // The terrain is a callback, as in the game: metres, n in the body's axes.
+  // The terrain is asked through a callback, as the game asks it: metres, n in the body's axes.
   double (*terrain_height)(const world *of, vec3 n);
   double terrain_base, terrain_amplitude;
   vec3 terrain_axis;
 };
 
-// Called before the first substep of a tick.
+// Before the first substep of a tick.
 void choose_reference_body(ship *s, const world *in);
-// One substep of all bodies and the ship. Returns the event.
+// One substep of all bodies and the ship; the event.
 int step_world(ship *s, world *in, double dt);
-// Called after the last substep of a tick.
+// After the last substep of a tick.
 void move_bodies(world *in, double tick_seconds);
 #endif

@@ -40,7 +40,7 @@ interface HudWindow {
 const show = (page: Page, state: string) =>
   page.evaluate((name) => (window as unknown as HudWindow).hud.show(name), state);
 
-/** The violations that axe reports, one line each. */
+/** What axe objects to, one line each. */
 async function faults(page: Page): Promise<string[]> {
   const { violations } = await page.evaluate(() =>
     (window as unknown as HudWindow).axe.run(document, { resultTypes: ['violations'] }),
@@ -73,7 +73,7 @@ describeInBrowser('HUD pictures', () => {
           expect(await page.textContent('.td-status')).toBe(slot);
           const landing = await page.locator('.td-landing').boundingBox();
           const status = await page.locator('.td-status').boundingBox();
-          // The slot neither moves nor changes its size with its text, and nothing overflows the HUD.
+          // The slot neither moves nor changes its size, whatever it says, and nothing runs out of the HUD.
           expect(status).toEqual(viewport.width === 390 ? slotAt390 : slotAt1280);
           expect(landing!.width).toBeLessThanOrEqual(viewport.width - 24);
           expect(await overflowing(page)).toEqual([]);
@@ -102,7 +102,7 @@ describeInBrowser('HUD pictures', () => {
   });
 
   it('the kept pictures differ between all states by more than the tolerance', () => {
-    // States that differ only by a few letters are distinguished by the text of the slot.
+    // Those that differ by a few letters alone are told apart by the text of the slot.
     const alike = new Set(['flight confirmed', 'predicted withdrawn', 'flight off', 'confirmed off']);
     const pictures = STATES.map(([state]) => [state, kept(`landing-${state}-dark-1280`)!] as const);
     for (const [a, first] of pictures) {
@@ -117,7 +117,7 @@ describeInBrowser('HUD pictures', () => {
 const slotAt1280 = { x: 25, y: 55, width: 334, height: 46 };
 const slotAt390 = { x: 21, y: 51, width: 342, height: 38 };
 
-/** Texts that overflow the HUD's box, by class. */
+/** Texts that stick out of the HUD's box, by class. */
 function overflowing(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const box = document.querySelector('.td-landing')!.getBoundingClientRect();

@@ -35,7 +35,7 @@ describeInBrowser('the built page', () => {
     expect(wide).toBeLessThanOrEqual(0);
     for (const title of ['Figures', 'Recording', 'World'])
       await page.locator('summary', { hasText: title }).click();
-    // By the debugging protocol, since the page's policy forbids foreign scripts.
+    // Through the debugger's door: the page's own policy forbids scripts from elsewhere, rightly.
     await page.evaluate(axeSource);
     const found = await page.evaluate(async () => {
       const axe = (
@@ -61,7 +61,7 @@ describeInBrowser('the built page', () => {
     await page.keyboard.press('x');
     await untilStatus(page, 'contact', 'landed');
     await untilStatus(page, 'landed', 'crashed');
-    // Help is opened, read and closed by keys; flight keys are off while it is open.
+    // Help is opened, read and closed by keys; flight keys rest while it is open.
     await page.keyboard.press('?');
     await page.waitForSelector('dialog[open]');
     expect(await page.textContent('dialog')).toContain('Tilt away');
@@ -79,7 +79,7 @@ describeInBrowser('the built page', () => {
     const settled = await page.evaluate(() => document.documentElement.dataset['run']);
     await page.keyboard.press(']');
     await page.waitForFunction(() => location.search.includes('scenario=bounce'));
-    // Checked by the ship's states of the new world: a slow display may not show its flight.
+    // Not by its flight, which a slow display may not show: the ship has states of the new world.
     await page.waitForFunction((before) => document.documentElement.dataset['run'] !== before, settled);
     await untilStatus(page, 'landed');
     expect(problemsOf(page)).toEqual([]);

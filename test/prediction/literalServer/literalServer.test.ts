@@ -20,7 +20,7 @@ describe('a server that runs ten times as fast', () => {
   });
 });
 
-/** The reference server is itself checked against formulas. */
+/** The server that others are held against is held against physics itself. */
 function truthOf(scenario: string, hz: number, seconds: number) {
   const rig = createLiteralRig({ scenario, hz, sends: 1, difference: CASES[0]! });
   for (let i = 0; i < seconds * 60; i++) rig.frame();
@@ -43,12 +43,12 @@ describe('the literal server', () => {
     const { rig, at } = truthOf('slide', 50, 24);
     const { ship, body } = rig.loaded;
     const from = ship.relativePosition;
-    // The ground has turned meanwhile.
+    // The ground has turned on by then.
     const to = rotate(rotationBy(scale(body.angularVelocity, -23)), at(23).position);
     const way = length(minus(scale(from, 1 / length(from)), scale(to, 1 / length(to))));
     const g = (6.6743e-11 * body.mass) / length(from) ** 2;
     expect(at(23).state).toBe('landed');
-    // It touches down after 1.1 s in the air, and friction during the bounce takes μ times the impact's momentum.
+    // It touches down after 1.1 s in the air, and the bounce's pressure brakes it by μ times the impact's momentum.
     const fall = (-3 + Math.sqrt(9 + 4 * g)) / g;
     const touch = 15 - 0.5 * (3 + g * fall);
     expect(way * body.radius).toBeGreaterThan(15 * fall + touch ** 2 / (2 * 0.5 * g) - 5);
@@ -60,7 +60,7 @@ describe('the literal server', () => {
     const { body, shipClass } = rig.loaded;
     const depth = body.radius + shipClass.groundContactOffset - length(at(7.5).position);
     expect(at(7.5).state).toBe('landed');
-    // With critical damping an impact of v sinks v / 10 / e deep.
+    // An impact of v sinks v / 10 / e into critical damping.
     expect(depth).toBeGreaterThan(0);
     expect(depth).toBeLessThan(5 / 10 / Math.E + 0.02);
   });

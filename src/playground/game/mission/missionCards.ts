@@ -6,7 +6,7 @@ import { controlName, type Device } from '../words/flightWords';
 import type { VerifiedRun } from './bestRuns';
 import type { MissionTracker } from './missionTracker';
 
-/** The actions of a card's buttons, and the keys they name. */
+/** What the buttons of a card do, and which keys they name. */
 export interface CardPlace {
   readonly choose: (name: keyof Choices, text: string) => void;
   readonly restart: () => void;
@@ -38,7 +38,7 @@ function card(title: string, words: string, actions: readonly CardAction[]): Car
   return { title, words, lines: [], actions };
 }
 
-/** The card of a phase; null if there is none. */
+/** The card of a phase; null where there is none. */
 export function phaseCard(tracker: MissionTracker, mission: Mission, place: CardPlace): CardText | null {
   const isLanding = mission.done.kind === 'land';
   const retry = retryAction(place);
@@ -87,7 +87,7 @@ export function scoreCard(run: VerifiedRun, words: string, copyRace: () => void,
   };
 }
 
-/** Comparison of a run with the rival's and with one's previous best. */
+/** How a run compares with the rival's and with one's own best before. */
 export function verdict(
   run: VerifiedRun,
   best: VerifiedRun | null,

@@ -4,7 +4,7 @@ import { toInertial } from '../../../readout';
 import type { Target } from '../../../readout';
 import { findScenario, loadScenario, type Mission, type MissionGoal, padPlaces } from '../../../scenarios';
 
-/** Progress of a mission, from confirmed states only, since a prediction may be withdrawn. */
+/** How a mission stands, from the confirmed states alone: a prediction may be withdrawn. */
 export type MissionPhase =
   | 'flying'
   /** Landed, but not on the pad. */
@@ -18,7 +18,7 @@ export type MissionPhase =
 export interface MissionTracker {
   readonly begin: (mission: Mission | null) => void;
   readonly mission: () => Mission | null;
-  /** Called once per frame; returns whether the phase has changed. */
+  /** Once a frame; true when the phase has changed. */
   readonly watch: (view: WorldView) => boolean;
   readonly phase: () => MissionPhase;
   /** Pads reached so far. */
@@ -39,7 +39,7 @@ export interface PadMark {
   readonly isNext: boolean;
 }
 
-/** State of a mission between two frames. */
+/** Where a mission is, between two frames. */
 interface Tracked {
   mission: Mission | null;
   /** Of the pads, body axes. */
@@ -49,7 +49,7 @@ interface Tracked {
   reached: number;
   off: number;
   held: number;
-  /** Game seconds of the last frame; NaN before the first. */
+  /** Game seconds of the frame before; NaN at first. */
   before: number;
   readonly target: { readonly place: Float64Array; radius: number };
 }

@@ -36,8 +36,15 @@ function filesUnder(folder, matching) {
     .sort();
 }
 
+/** Rooms that are tested on pages in Chromium, which come from the development server: all its tests stand before each source. */
+const ON_PAGES = { hud: 'browser/hud' };
+
 /** Which source files stand behind each test file of a room: [[test, Set of sources], …]. */
 async function sourcesBehind(room) {
+  if (room in ON_PAGES) {
+    const all = new Set(filesUnder(`src/${room}`, /\.ts$/));
+    return filesUnder(`test/${ON_PAGES[room]}`, /\.test\.ts$/).map((test) => [test, all]);
+  }
   const tests = ROOMS[room].flatMap((folder) => filesUnder(`test/${folder}`, /(?<!\.long)\.test\.ts$/));
   const behind = [];
   for (const test of tests) {
@@ -49,17 +56,20 @@ async function sourcesBehind(room) {
 
 /** Runs test files on the changed source: true when all pass. */
 function passes(tests, mutant) {
+  const project = tests[0].startsWith('test/browser') ? 'browser' : 'node';
   const args = [
     'node_modules/vitest/vitest.mjs',
     'run',
     '--project',
-    'node',
+    project,
     '--maxWorkers',
     '1',
     '--bail',
     '1',
   ];
-  const env = { ...process.env, TOUCHDOWN_MUTANT: mutant ? JSON.stringify(mutant) : '' };
+  // A test that is skipped would pass.
+  const told = { TOUCHDOWN_MUTANT: mutant ? JSON.stringify(mutant) : '', TOUCHDOWN_NO_SKIP: '1' };
+  const env = { ...process.env, ...told };
   const options = { cwd: ROOT, env, stdio: 'ignore', timeout: TIME_LIMIT };
   return new Promise((resolve) => {
     spawn(process.execPath, [...args, '--reporter', 'dot', ...tests], options).on('close', (code) =>
@@ -128,7 +138,8 @@ const { count, seed, at } = values;
 const draw = (all) => sampleOf(all, Number(count), Number(seed));
 const atLine = (all) => all.filter(({ path, line }) => `${path}:${line}` === at);
 const named = at === undefined ? positionals : [at.split('/')[1]];
-const rooms = named.length > 0 ? named : Object.keys(ROOMS);
-const unknown = rooms.find((room) => !(room in ROOMS));
-if (unknown) throw new Error(`no room ${unknown}; there are ${Object.keys(ROOMS).join(', ')}`);
+const known = Object.keys({ ...ROOMS, ...ON_PAGES });
+const rooms = named.length > 0 ? named : known;
+const unknown = rooms.find((room) => !known.includes(room));
+if (unknown) throw new Error(`no room ${unknown}; there are ${known.join(', ')}`);
 for (const room of rooms) await tryRoom(room, at === undefined ? draw : atLine);

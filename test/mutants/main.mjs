@@ -113,16 +113,17 @@ async function tryRoom(room, choose) {
     changesOf(path, readFileSync(join(ROOT, path), 'utf8')).map((change) => ({ path, ...change })),
   );
   const tried = choose(all);
-  const survivors = [];
+  let survivors = 0;
   await forEach(tried, async (mutant) => {
     const tests = behind.filter(([, sources]) => sources.has(mutant.path)).map(([test]) => test);
     const survives = await survivesAll(tests, mutant);
-    if (survives) survivors.push(mutant);
-    process.stderr.write(survives ? 'S' : '.');
+    if (survives) {
+      survivors += 1;
+      console.log(`  survives: ${mutant.path}:${mutant.line}  ${mutant.says}`);
+    } else process.stderr.write('.');
   });
   process.stderr.write('\n');
-  for (const { path, line, says } of survivors) console.log(`  survives: ${path}:${line}  ${says}`);
-  const killed = tried.length - survivors.length;
+  const killed = tried.length - survivors;
   console.log(`${room}: ${killed}/${tried.length} killed (${all.length} possible)`);
 }
 

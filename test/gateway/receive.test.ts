@@ -2,6 +2,7 @@ import { expect, it } from 'vitest';
 import { createAccounts } from '../../src/gateway/accounts';
 import { createClient } from '../../src/gateway/clients/client';
 import { receive } from '../../src/gateway/clients/receive';
+import { readText } from '../../src/gateway/clients/speech';
 import type { Place } from '../../src/gateway/place';
 
 const SECRET = 'a secret that is long enough for a test';
@@ -54,4 +55,25 @@ it('closes a connection whose first message is not a sign-in, or whose token is 
   forged.say({ type: 'auth', token: `${forged.token}x` });
   forged.say({ type: 'ping' });
   await expect.poll(() => forged.sent).toEqual(['closed 4001']);
+});
+
+it.each([
+  [{ thrust_level: 0.5 }, { thrustLevel: 0.5 }],
+  [
+    { attitudeMode: 'radial', attitude_hold: false },
+    { attitudeMode: 'radial', attitudeHold: false },
+  ],
+  [{ controls: { rotation_input: { x: 0, y: 1, z: 0 } } }, { rotationInput: [0, 1, 0] }],
+  [{ data: { thrust_level: '0.25' } }, { thrustLevel: 0.25 }],
+])('takes from the control message %j what it has, and leaves the rest as it is', (members, controls) => {
+  const said = readText(JSON.stringify({ type: 'control', ...members }));
+  expect(said).toEqual({ kind: 'control', controls });
+});
+
+it('refuses a control message without a control, and says what there is', () => {
+  expect(readText('{"type":"control","thrust":1}')).toEqual({
+    kind: 'refused',
+    reason:
+      'control: expected one of thrust_level, translation_input, rotation_input, attitude_hold, attitude_mode, target_attitude',
+  });
 });

@@ -1,6 +1,7 @@
 import type { InputRecord, WorldEvent } from '../../wire';
 import { type Client, countExcess, dismiss } from './client';
 import type { Place } from '../place';
+import type { OwnInput } from '../redis/inbox';
 import { CLOSE, MAX_EARLY, take } from './limits';
 import { errorText, pongBytes, readBytes, readText, type Said } from './speech';
 import { sayHello, tellOne } from './tell';
@@ -139,7 +140,7 @@ function passInputs(place: Place, client: Client, inputs: readonly InputRecord[]
 function pass(
   place: Place,
   { player, session }: Client,
-  input: Pick<InputRecord, 'seq' | 'controls'> & { stamp: { tick: number; substep: number } | null },
+  input: Pick<OwnInput, 'seq' | 'controls' | 'stamp'>,
 ): void {
   const { playerId } = player!;
   const ship = place.feed.newest()?.frame.ships.find((candidate) => candidate.playerId === playerId);

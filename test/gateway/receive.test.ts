@@ -19,6 +19,7 @@ async function connectedClient() {
     close: (code: number) => sent.push(`closed ${code}`),
     once: () => undefined,
     terminate: () => undefined,
+    pause: () => undefined,
   };
   const clients = new Set();
   const feed = { newest: () => null };

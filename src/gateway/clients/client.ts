@@ -34,6 +34,8 @@ export interface Client {
   shipId: string | null;
   /** Messages beyond its rate. */
   excess: number;
+  /** Told to go: what it still says is not heard. */
+  isDismissed: boolean;
   /** A state has been left out. */
   isBehind: boolean;
   /** Wall s since which its socket is full; Infinity while it is not. */
@@ -67,6 +69,7 @@ export function createClient(
     seq: 0,
     shipId: null,
     excess: 0,
+    isDismissed: false,
     isBehind: false,
     fullSince: Infinity,
     events: [],
@@ -81,7 +84,8 @@ export function createClient(
 export function dismiss(client: Client, code: number, reason: string): void {
   for (const timer of client.timers) clearTimeout(timer);
   client.timers.clear();
-  if (client.socket.readyState === WebSocket.CLOSED) return;
+  if (client.isDismissed || client.socket.readyState === WebSocket.CLOSED) return;
+  client.isDismissed = true;
   client.socket.close(code, reason);
   const cut = setTimeout(() => client.socket.terminate(), 2000);
   client.socket.once('close', () => clearTimeout(cut));
@@ -92,6 +96,8 @@ export function countExcess(client: Client): boolean {
   client.excess += 1;
   if (client.excess < MAX_EXCESS) return false;
   dismiss(client, CLOSE.flood, 'Too many messages');
+  // Nor read: the rest of a flood costs nothing.
+  client.socket.pause();
   return true;
 }
 

@@ -6,6 +6,10 @@ export const MAX_CLIENT_MESSAGE = 64 * 1024;
 export const MAX_STATE = 64 * 1024;
 /** Wall s for a client to sign in. */
 export const AUTH_WITHIN = 5;
+/** Wall s for an HTTP request to come in whole. */
+export const REQUEST_WITHIN = 10;
+/** Connections of any kind; more are cut at once. */
+export const MAX_CONNECTIONS = 4096;
 /** Messages kept while a client's token is verified; later ones are dropped. */
 export const MAX_EARLY = 32;
 /** Messages a second, and how many at once. */

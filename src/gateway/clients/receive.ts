@@ -2,12 +2,13 @@ import type { InputRecord, WorldEvent } from '../../wire';
 import { type Client, countExcess, dismiss } from './client';
 import type { Place } from '../place';
 import type { OwnInput } from '../redis/inbox';
-import { CLOSE, MAX_EARLY, take } from './limits';
+import { CLOSE, MAX_BUFFERED, MAX_EARLY, take } from './limits';
 import { errorText, pongBytes, readBytes, readText, type Said } from './speech';
 import { sayHello, tellOne } from './tell';
 
 /** A message of a client, whatever it holds: it can cost its own connection, nothing else. */
 export function receive(place: Place, client: Client, data: Buffer, isBinary: boolean): void {
+  if (client.isDismissed) return;
   if (!take(client.messages, 1, place.options.clock())) {
     countExcess(client);
     return;
@@ -22,6 +23,13 @@ export function receive(place: Place, client: Client, data: Buffer, isBinary: bo
     if (client.early.length < MAX_EARLY) client.early.push(said);
   } else if (said.kind === 'auth') beginSignIn(place, client, said);
   else dismiss(client, CLOSE.auth, 'Sign in first');
+}
+
+/** A ping of the WebSocket's own, which a browser cannot send: a message like any other, answered where there is room. */
+export function receivePing(place: Place, client: Client, data: Buffer): void {
+  if (client.isDismissed) return;
+  if (!take(client.messages, 1, place.options.clock())) countExcess(client);
+  else if (client.socket.bufferedAmount <= MAX_BUFFERED) client.socket.pong(data);
 }
 
 /** Messages that follow the sign-in at once wait until the token has been verified. */

@@ -1,3 +1,4 @@
+import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { createAccounts } from '../../src/gateway/accounts';
 import { createClient } from '../../src/gateway/clients/client';
@@ -28,6 +29,7 @@ async function connectedClient() {
   const client = createClient(socket as never, 'json', '127.0.0.1', 0);
   return {
     client,
+    place,
     sent,
     say: (message: object) => receive(place, client, Buffer.from(JSON.stringify(message)), false),
     token: (await accounts.login('one', 'x'))!.token,
@@ -77,4 +79,46 @@ it('refuses a control message without a control, and says what there is', () => 
     reason:
       'control: expected one of thrust_level, translation_input, rotation_input, attitude_hold, attitude_mode, target_attitude',
   });
+});
+
+it('never throws, whatever a client sends', async () => {
+  const { client, place, token, dispose } = await connectedClient();
+  client.player = { playerId: 'p1', username: 'one', expires: Infinity };
+  const names = [
+    'type',
+    'token',
+    'controls',
+    'data',
+    'thrust_level',
+    'rotation_input',
+    'attitude_mode',
+    'session',
+    'since',
+  ];
+  const values = fc.oneof(fc.constantFrom('auth', 'ping', 'control', token), fc.jsonValue(), fc.double());
+  const json = fc.dictionary(fc.constantFrom(...names), values).map((message) => JSON.stringify(message));
+  const text = fc.oneof(json, fc.string(), fc.json()).map((said) => Buffer.from(said));
+  const message = fc.oneof(
+    text,
+    fc.uint8Array({ maxLength: 400 }).map((bytes) => Buffer.from(bytes)),
+  );
+  fc.assert(
+    fc.property(message, fc.boolean(), fc.constantFrom('json', 'stream'), (data, isBinary, protocol) => {
+      Object.assign(client, { protocol, excess: 0, isDismissed: false });
+      client.messages.level = client.inputs.level = Infinity;
+      receive(place, client, data, isBinary);
+    }),
+    { numRuns: 2000 },
+  );
+  dispose();
+});
+
+it('hears nothing more of a client that it has sent away', async () => {
+  const { client, sent, say, dispose } = await connectedClient();
+  client.player = { playerId: 'p1', username: 'one', expires: Infinity };
+  for (let i = 0; i < 1000; i++) say({ type: 'ping' });
+  expect(sent.filter((text) => text === '{"type":"pong"}')).toHaveLength(120);
+  expect(sent.filter((text) => text === 'closed 4008')).toHaveLength(1);
+  expect(client.excess).toBe(200);
+  dispose();
 });

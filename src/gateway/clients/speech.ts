@@ -75,7 +75,7 @@ function snakeCase(name: string): string {
 
 /** `session` (a page load) and `since` (the last tick it was told) are this project's: the game's clients send neither. */
 function readAuth({ token, session, since }: Readonly<Record<string, unknown>>): Said {
-  if (typeof token !== 'string' || token === '') return refused('auth.token: expected a text');
+  if (typeof token !== 'string' || token === '') return refused('auth.token: expected a string');
   return {
     kind: 'auth',
     token,

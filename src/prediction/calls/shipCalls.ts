@@ -1,17 +1,16 @@
 import { describe } from '../checks/describe';
-import { changePolicy } from '../lifecycle/policy';
 import { changeOwnShip, dropShip, expectTeleport } from '../ownership';
 import { announce, type Session } from '../session';
 import type { Predictor } from './api';
 import type { Life } from './life';
 
-/** The calls about single ships. A call with something else than an id is ignored, with a warning. */
+/** The calls about single ships. A call without a ship id is ignored, with a warning. */
 export function shipCalls(session: Session, life: Life) {
   const isOf = (call: string, shipId: unknown): boolean =>
-    life.goesOn(call) && isShipId(session, call, shipId);
+    life.carriesOut(call) && isShipId(session, call, shipId);
   return {
     setOwnShip(shipId) {
-      if (shipId === null ? life.goesOn('setOwnShip') : isOf('setOwnShip', shipId))
+      if (shipId === null ? life.carriesOut('setOwnShip') : isOf('setOwnShip', shipId))
         changeOwnShip(session, shipId ?? '');
     },
     removeShip(shipId, reason) {
@@ -22,15 +21,13 @@ export function shipCalls(session: Session, life: Life) {
     teleported(shipId) {
       if (isOf('teleported', shipId)) expectTeleport(session, shipId);
     },
-    setPolicy(shipId, policy) {
-      if (isOf('setPolicy', shipId)) changePolicy(session, shipId, policy);
-    },
   } satisfies Partial<Predictor>;
 }
 
-function isShipId({ warn }: Session, call: string, shipId: unknown): boolean {
+/** Whether a JavaScript caller's `shipId` is one; warns if not. */
+export function isShipId({ warn }: Session, call: string, shipId: unknown): boolean {
   if (typeof shipId === 'string') return true;
-  const message = `${call}: expected the id of a ship, a text, got ${describe(shipId)}. The call was ignored.`;
+  const message = `${call}: expected a ship id (a string), got ${describe(shipId)}. The call was ignored.`;
   warn('ship-id', message, { field: call, value: shipId });
   return false;
 }

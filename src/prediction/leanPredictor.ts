@@ -29,6 +29,8 @@ export interface LeanOptions extends Omit<PredictorOptions, 'forcedRollback'> {
 export function createLeanPredictor(given: LeanOptions = {}): LeanPredictor {
   requireOptions(given);
   const { features = [], ...options } = given;
+  if ('forcedRollback' in options)
+    throw new RangeError('options.forcedRollback: only createPredictor has this test mode');
   const session = createSession(options, Object.freeze(Object.assign({}, ...features) as Features));
   return commonCalls(session, { take: (message, at) => receiveMessage(session, message, at) }).calls;
 }

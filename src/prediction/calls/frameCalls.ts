@@ -50,17 +50,18 @@ function callsOf(session: Session, life: Life, { checks, receiveAt, decodePendin
       if (session.sim.newestTick >= 0) advanceFrame(session, controls, at);
     },
     view(now) {
+      life.carriesOut('view');
       checks?.view(now);
       if (Number.isFinite(now)) return viewAt(session, now + session.setBack);
       wallAt(session, now);
       return session.shown.view;
     },
     takeOutgoing() {
-      checks?.taken();
+      checks?.taken('takeOutgoing');
       return takeOutgoing(session);
     },
     takeControls() {
-      checks?.taken();
+      checks?.taken('takeControls');
       return lastControls(takeOutgoing(session));
     },
   } satisfies Partial<Predictor>;

@@ -1,8 +1,10 @@
 import { describe } from '../checks/describe';
-import { changeOwnShip, dropShip, expectTeleport } from '../ownership';
+import { changeOwnShip, dropShip, expectTeleport, type Removal } from '../ownership';
 import { announce, type Session } from '../session';
 import type { Predictor } from './api';
 import type { Life } from './life';
+
+const REMOVALS: readonly unknown[] = ['destroyed', 'docked', 'gone'] satisfies readonly Removal[];
 
 /** The calls about single ships. A call without a ship id is ignored, with a warning. */
 export function shipCalls(session: Session, life: Life) {
@@ -15,6 +17,12 @@ export function shipCalls(session: Session, life: Life) {
     },
     removeShip(shipId, reason) {
       if (!isOf('removeShip', shipId)) return;
+      if (!REMOVALS.includes(reason))
+        session.warn(
+          'removal-unknown',
+          `removeShip(id, reason): expected ${REMOVALS.join(', ')}, got ${describe(reason)}. It counts as gone.`,
+          { shipId, reason },
+        );
       dropShip(session, shipId, reason);
       announce(session);
     },

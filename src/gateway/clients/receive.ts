@@ -10,11 +10,11 @@ import { sayHello, tellOne } from './tell';
 export function receive(place: Place, client: Client, data: Buffer, isBinary: boolean): void {
   if (client.isDismissed) return;
   if (!take(client.messages, 1, place.options.clock())) {
-    countExcess(client);
+    countExcess(client, place.options.clock());
     return;
   }
   if (isBinary && client.protocol === 'json') {
-    refuse(client, 'message: expected text');
+    refuse(place, client, 'message: expected text');
     return;
   }
   const said = isBinary ? readBytes(new Uint8Array(data)) : readText(data.toString());
@@ -28,7 +28,8 @@ export function receive(place: Place, client: Client, data: Buffer, isBinary: bo
 /** A ping of the WebSocket's own, which a browser cannot send: a message like any other, answered where there is room. */
 export function receivePing(place: Place, client: Client, data: Buffer): void {
   if (client.isDismissed) return;
-  if (!take(client.messages, 1, place.options.clock())) countExcess(client);
+  const now = place.options.clock();
+  if (!take(client.messages, 1, now)) countExcess(client, now);
   else if (client.socket.bufferedAmount <= MAX_BUFFERED) client.socket.pong(data);
 }
 
@@ -54,7 +55,7 @@ function act(place: Place, client: Client, said: Said): void {
       break;
     case 'control':
       if (client.protocol === 'stream') {
-        refuse(client, 'control: /stream takes inputs');
+        refuse(place, client, 'control: /stream takes inputs');
         return;
       }
       client.seq += 1;
@@ -64,7 +65,7 @@ function act(place: Place, client: Client, said: Said): void {
       passInputs(place, client, said.inputs);
       break;
     case 'refused':
-      refuse(client, said.reason);
+      refuse(place, client, said.reason);
       break;
   }
 }
@@ -137,7 +138,7 @@ function answerPing(place: Place, client: Client, id: number | null): void {
 
 function passInputs(place: Place, client: Client, inputs: readonly InputRecord[]): void {
   if (!take(client.inputs, inputs.length, place.options.clock())) {
-    countExcess(client);
+    countExcess(client, place.options.clock());
     return;
   }
   for (const { seq, tick, substep, controls } of inputs)
@@ -155,7 +156,7 @@ function pass(
   if (ship !== undefined) place.inbox.controls({ ...input, shipId: ship.shipId, playerId, session });
 }
 
-function refuse(client: Client, reason: string): void {
-  if (countExcess(client)) return;
+function refuse(place: Place, client: Client, reason: string): void {
+  if (countExcess(client, place.options.clock())) return;
   if (client.protocol === 'json') client.socket.send(errorText('E001', reason));
 }

@@ -1,5 +1,5 @@
 import { matchVersion, PROTOCOL_VERSION } from '../../protocol';
-import type { Hello, PartialFrame, Pong, ServerMessage } from '../../wire';
+import type { Hello, PartialFrame, Pong, ServerFrame, ServerMessage } from '../../wire';
 import { resend } from '../inputs/inputs';
 import { changeWorld } from '../lifecycle/changeWorld';
 import { changeOwnShip } from '../ownership';
@@ -9,6 +9,7 @@ import { type Answer, samplePong, serverTime } from '../time/clock';
 import { answeredPing } from '../time/pings';
 import { spanOf, wallOfTick } from '../time/timeline';
 import { completeFrame } from './completeFrame';
+import { measureGameTime } from './gameTimeMeter';
 import { receiveSnapshot, refuse, startAnew } from './receiveSnapshot';
 import { loadGiven, sameWorld } from './worldConfig';
 
@@ -94,14 +95,19 @@ function takeFrame(session: Session, given: PartialFrame, now: number): void {
     return;
   }
   const frame = complete.value;
-  if (session.sim.newestTick < 0 && !counters.helloReceived && frame.bodies.length > 0) {
-    // A server without a hello may have other bodies than the defaults: its frames list them.
-    const config = { ...session.config, bodies: frame.bodies };
-    const loaded = loadGiven(config, session.terrains);
-    if (loaded.ok) changeWorld(session, loaded.value, config);
-  }
+  if (session.sim.newestTick < 0 && !counters.helloReceived && frame.bodies.length > 0)
+    beginWithBodies(session, given, frame);
   receiveSnapshot(session.sim, receiver, frame, now);
   announce(session);
+}
+
+/** A server without a hello may have other bodies than the defaults: its frames list them. */
+function beginWithBodies(session: Session, given: PartialFrame, frame: ServerFrame): void {
+  const config = { ...session.config, bodies: frame.bodies };
+  const loaded = loadGiven(config, session.terrains);
+  if (loaded.ok) changeWorld(session, loaded.value, config);
+  // The world's game time is measured from this frame on, not from the next.
+  measureGameTime(session.meter, { ...given, ...frame }, null);
 }
 
 function takePong({ sim, clock, pings }: Session, pong: Pong, now: number): void {

@@ -21,7 +21,7 @@ export interface Lesson {
 
 /** Whether a predicted state teaches nothing: the ground and the dynamics are as known. */
 export function nothingToLearn({ ground, fit }: Track): boolean {
-  return ground.places.length === 0 && fit.carried === '';
+  return ground.places.length === 0 && fit.carried === '' && !fit.bounces;
 }
 
 /**

@@ -1,3 +1,5 @@
+import type { Place } from './compare';
+
 /**
  * Whether the dynamics fit a ship (PREDICTION, Foreign dynamics): if they were worse over the last few states than extrapolation, the
  * ship is extrapolated until they fit again.
@@ -9,8 +11,20 @@ export interface LawFit {
   readonly law: Float64Array;
   readonly carry: Float64Array;
   count: number;
+  /** How long touches were predicted wrongly and rightly to stay on the ground, s, and whether the ship is shown to bounce instead. */
+  groundedWrongly: number;
+  groundedRightly: number;
+  bounces: boolean;
   /** States received while it was extrapolated. */
   states: number;
+}
+
+/** A state, the prediction for its tick, and whether the two agree. */
+export interface Judged {
+  readonly state: Place;
+  readonly tick: number;
+  readonly predicted: Place | null;
+  readonly agrees: boolean;
 }
 
 /** States over which the errors are summed. */
@@ -19,7 +33,7 @@ export const WINDOW = 4;
 export function createLawFit(): LawFit {
   return {
     ...{ carried: '', law: new Float64Array(WINDOW), carry: new Float64Array(WINDOW) },
-    ...{ count: 0, states: 0 },
+    ...{ count: 0, states: 0, groundedWrongly: 0, groundedRightly: 0, bounces: false },
   };
 }
 

@@ -15,8 +15,9 @@ import type { Simulation } from '../../simulation/simulation';
 import { copyRow, type Track } from '../../simulation/track';
 import { spanOf } from '../../time/timeline';
 import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
+import { weighBounce } from './bounceFit';
 import { type Place, sameCommand } from './compare';
-import { WINDOW } from './lawErrors';
+import { type Judged, WINDOW } from './lawErrors';
 
 /** States needed for a decision. */
 const NEEDED = 3;
@@ -28,19 +29,12 @@ const TAKEN_UP = 0.02;
 const MAX_INTERVAL = 400;
 const PIECES = 10;
 
-/** A state, the prediction for its tick, and whether the two agree. */
-export interface Judged {
-  readonly state: Place;
-  readonly tick: number;
-  readonly predicted: Place | null;
-  readonly agrees: boolean;
-}
-
 /** Compares the dynamics with extrapolation by their errors at the last state. Returns whether the ship changes between them. */
 export function weighLaw(sim: Simulation, track: Track, judged: Judged): boolean {
   const { fit } = track;
   if (fit.carried === 'ground') return false;
   if (!isComparable(sim, track, judged)) return false;
+  weighBounce(track, judged, spanOf(sim.timeline, judged.tick).tickRate);
   const slot = fit.count % WINDOW;
   fit.count += 1;
   const isCarried = fit.carried !== '';

@@ -5,6 +5,7 @@ import { lastControls, takeInputs } from '../inputs/sending';
 import { type Kept, receiveAndKeep } from '../lifecycle/snapshot';
 import type { Session } from '../session';
 import { decodePending, receivePending } from '../snapshots/pending';
+import { receiveRest } from '../snapshots/receiveSnapshot';
 import { pingIfDue } from '../time/pings';
 import { viewAt } from '../viewAt';
 import type { Predictor } from './api';
@@ -32,6 +33,7 @@ export function frameCalls(session: Session, kept: Kept, life: Life) {
       if (Number.isNaN(at)) return;
       decodePending(session, receiveAt);
       pingIfDue(session.pings, at);
+      receiveRest(session.sim, session.receiver);
       if (session.sim.newestTick >= 0) advanceFrame(session, controls, at);
     },
     view(now) {

@@ -25,7 +25,7 @@ const helloOf = (value: unknown) => () => decodeHelloJson(value);
 const bytesOf = (value: unknown) => () => decodeServerMessage(value as Uint8Array);
 
 const REFUSED: readonly Refused[] = [
-  ['JSON as a text', frameOf(text), /text.*JSON\.parse/],
+  ['JSON as a text', frameOf(text), /string.*JSON\.parse/],
   ['JSON as bytes', frameOf(bytes), /Uint8Array.*decodeServerMessage/],
   ['JSON as an ArrayBuffer', frameOf(bytes.buffer), /ArrayBuffer.*decodeServerMessage/],
   ['a Blob', frameOf(new Blob([text])), /Blob.*text\(\)/],
@@ -43,7 +43,7 @@ const REFUSED: readonly Refused[] = [
   ['nothing of a hello', helloOf({}), /at least one of .*settings/],
   ['a text as a hello', helloOf(text), /JSON\.parse/],
   ['a setting as a text', helloOf({ settings: { contact_crash_speed: 'fast' } }), /contact_crash_speed/],
-  ['JSON’s text to the protobuf decoder', bytesOf(text), /text.*decodeFrameJson/],
+  ['JSON’s text to the protobuf decoder', bytesOf(text), /string.*decodeFrameJson/],
   ['JSON’s bytes to the protobuf decoder', bytesOf(bytes), /decodeFrameJson/],
   ['an ArrayBuffer to the protobuf decoder', bytesOf(new ArrayBuffer(4)), /new Uint8Array\(buffer\)/],
   ['a Blob to the protobuf decoder', bytesOf(new Blob(['x'])), /binaryType/],

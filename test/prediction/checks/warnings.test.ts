@@ -28,7 +28,7 @@ describe('a caller’s mistake is reported once, by its code', () => {
 describe('an invalid option', () => {
   const thrown = (options: object) => () => createPredictor(options);
   it.each([
-    [{ ownShipId: 7 }, 'options.ownShipId: expected a text'],
+    [{ ownShipId: 7 }, 'options.ownShipId: expected a string'],
     [{ terrains: { luna: [] } }, 'options.terrains: expected functions'],
     [{ maxSubstepsPerFrame: 0 }, 'options.maxSubstepsPerFrame: expected a whole number'],
     [{ smoothing: 0.3 }, 'options.smoothing: expected an object'],

@@ -110,7 +110,7 @@ it('leaves out invalid values, lists their paths and keeps the rest of the frame
     'paused: expected true or false, got "perhaps"',
     expect.stringMatching(/^bodies\["Hole"\]\.mass: expected /),
     "events[0].tick: expected at most the frame's own, 7",
-    'events[1].ship_id: expected a text that is not empty',
+    'events[1].ship_id: expected a non-empty string',
     'last_input.tick: expected a whole number from 0 to 7, got 1000007',
   ]);
 });

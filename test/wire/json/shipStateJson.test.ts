@@ -114,7 +114,7 @@ it('treats null like an absent field', () => {
 });
 
 it.each(Object.keys(LEAST))('refuses a state without %s', (name) => {
-  const complaint = name === 'ship_id' ? 'expected a text that is not empty' : 'missing';
+  const complaint = name === 'ship_id' ? 'expected a non-empty string' : 'missing';
   expect(reasonOf({ ...LEAST, [name]: undefined })).toBe(`ship.${name}: ${complaint}`);
 });
 
@@ -134,11 +134,11 @@ it.each([
   [{ fuel: '1e999' }, 'fuel: expected a finite number, got'],
   [{ fuel: true }, 'fuel: expected a finite number, got boolean'],
   [{ crashed: 1 }, 'crashed: expected true or false, got 1'],
-  [{ name: 5 }, 'name: expected a text, got 5'],
+  [{ name: 5 }, 'name: expected a string, got 5'],
   [{ name: 'x'.repeat(129) }, 'name: expected at most 128 characters, got 129'],
   [{ name: 'a\ud800' }, 'name: expected well-formed Unicode'],
-  [{ surface_contact_state: 5 }, 'surface_contact_state: expected a text, got 5'],
-  [{ attitude_mode: ['none'] }, 'attitude_mode: expected a text, got a list of 1'],
+  [{ surface_contact_state: 5 }, 'surface_contact_state: expected a string, got 5'],
+  [{ attitude_mode: ['none'] }, 'attitude_mode: expected a string, got a list of 1'],
 ])('refuses %j', (change, reason) => {
   expect(reasonOf(LEAST)).toBe('accepted');
   expect(reasonOf({ ...LEAST, ...change })).toContain(`ship.${reason}`);

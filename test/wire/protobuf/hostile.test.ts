@@ -151,7 +151,7 @@ it('treats a field of another wire type as unknown', () => {
   expect(decodeServerMessage(frameOf([...olderShip('a'), ...wrong]))).toEqual(
     decodeServerMessage(frameOf(olderShip('a'))),
   );
-  expect(reasonOf(frameOf(integer(1, 5)))).toBe('frame.ships[0].ship_id: expected a text that is not empty');
+  expect(reasonOf(frameOf(integer(1, 5)))).toBe('frame.ships[0].ship_id: expected a non-empty string');
 });
 
 it('takes the last of several messages in one envelope', () => {

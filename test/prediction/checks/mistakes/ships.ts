@@ -113,7 +113,7 @@ export const SHIPS: readonly Mistake[] = [
     /attitude.*\{ x, y, z, w \}/,
     () => received(withShip({ attitude: { x: 0, y: 0, z: 0, w: 1 } })),
   ],
-  ['a number for a ship’s id', 'ship-unusable', /shipId.*text/, () => received(withShip({ shipId: 7 }))],
+  ['a number for a ship’s id', 'ship-unusable', /shipId.*string/, () => received(withShip({ shipId: 7 }))],
   ['no fuel', 'ship-unusable', /fuel.*undefined/, () => received(withShip({ fuel: undefined }))],
   [
     'a class as people write it',

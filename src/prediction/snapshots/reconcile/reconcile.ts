@@ -23,10 +23,11 @@ import {
   writeError,
   writeInexact,
 } from './compare';
+import { keepServerState } from './keepStates';
 import { recalledImpact, recallWheels } from './recall';
 import { has, offsetOf } from '../../simulation/history';
 import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from '../../simulation/sleep';
-import { createServerStates, keepServerState } from '../../simulation/serverStates';
+import { createServerStates } from '../../simulation/serverStates';
 import { abandonReplay, startReplay } from '../../simulation/replay';
 import { commandsAnything } from '../../simulation/heldControls';
 import type { Simulation } from '../../simulation/simulation';
@@ -101,7 +102,7 @@ export function showServerState(
   track.mode = 'held';
   if (track.policy === 'predict') track.picture.hasHeld = false;
   if (track.policy !== 'interpolate') track.states = null;
-  else keepServerState((track.states ??= createServerStates()), context.tick, sent, context.bodies);
+  else keepServerState(sim, (track.states ??= createServerStates()), sent, context);
   return null;
 }
 

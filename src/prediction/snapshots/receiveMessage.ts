@@ -9,7 +9,6 @@ import { type Answer, samplePong, serverTime } from '../time/clock';
 import { answeredPing } from '../time/pings';
 import { spanOf, wallOfTick } from '../time/timeline';
 import { completeFrame } from './completeFrame';
-import { measureGameTime } from './gameTimeMeter';
 import { receiveSnapshot, refuse, startAnew } from './receiveSnapshot';
 import { loadGiven, sameWorld } from './worldConfig';
 
@@ -108,7 +107,7 @@ function beginWithBodies(session: Session, given: PartialFrame, frame: ServerFra
   const loaded = loadGiven(config, session.terrains);
   if (loaded.ok) changeWorld(session, loaded.value, config);
   // The world's game time is measured from this frame on, not from the next.
-  measureGameTime(session.meter, { ...given, ...frame }, null);
+  session.sim.features.measureGameTime?.(session.meter, { ...given, ...frame }, null);
 }
 
 function takePong({ sim, clock, pings }: Session, pong: Pong, now: number): void {

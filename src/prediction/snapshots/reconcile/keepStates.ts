@@ -12,8 +12,9 @@ import {
 import { turnWithBody } from '../../drawn/interpolate';
 import { quaternion, take, vector } from '../../drawn/rotation';
 import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
-import { seeFromBody, type ServerStates } from '../../simulation/serverStates';
+import { createServerStates, seeFromBody, type ServerStates } from '../../simulation/serverStates';
 import type { Simulation } from '../../simulation/simulation';
+import type { Track } from '../../simulation/track';
 
 /** States kept: a burst after a stall brings several at once. */
 const KEPT = 8;
@@ -21,10 +22,11 @@ const KEPT = 8;
 /** Keeps the state `row` of `tick`. If it is relative to another body than the earlier ones, they are converted to it. */
 export function keepServerState(
   sim: Simulation,
-  states: ServerStates,
+  track: Track,
   row: Float64Array,
   { tick, bodies }: { readonly tick: number; readonly bodies: Float64Array },
 ): void {
+  const states = (track.states ??= createServerStates());
   rebaseStates(states, sim, row[REFERENCE_BODY]!);
   const { ticks, rows } = states;
   const kept = rows.length < KEPT ? new Float64Array(SHIP_STRIDE) : rows.shift()!;

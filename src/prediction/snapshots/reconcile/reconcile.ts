@@ -23,15 +23,13 @@ import {
   writeError,
   writeInexact,
 } from './compare';
-import { keepServerState } from './keepStates';
 import { recalledImpact, recallWheels } from './recall';
 import { has, offsetOf } from '../../simulation/history';
 import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from '../../simulation/sleep';
-import { createServerStates } from '../../simulation/serverStates';
 import { abandonReplay, startReplay } from '../../simulation/replay';
 import { commandsAnything } from '../../simulation/heldControls';
 import type { Simulation } from '../../simulation/simulation';
-import { keepEvidence } from '../../ground/learn';
+import { keepState } from '../../ground/lastState';
 import { take } from '../../drawn/rotation';
 import { isBefore, spanOf, writeLater } from '../../time/timeline';
 import { logLanded } from '../../touchdown/touchdownRing';
@@ -76,7 +74,7 @@ export function reconcile(
   remember(track, state, context, known);
   settle(sim, track, context, predicted, field);
   if (goesOver && !track.off) startReplay(track, sim, context.tick, sent, 0);
-  keepEvidence(track, sent, context.tick);
+  keepState(track.evidence, sent, context.tick);
   if (!track.own) holdControls(sim, track);
   return null;
 }
@@ -102,7 +100,7 @@ export function showServerState(
   track.mode = 'held';
   if (track.policy === 'predict') track.picture.hasHeld = false;
   if (track.policy !== 'interpolate') track.states = null;
-  else keepServerState(sim, (track.states ??= createServerStates()), sent, context);
+  else sim.features.interpolation?.keep(sim, track, sent, context);
   return null;
 }
 

@@ -21,9 +21,6 @@ const WATCHED = 3;
 /** s: the time, and what a display frame and two timers of a busy machine add. */
 const RIGHT = 0.05;
 const UNSURE = 0.05;
-/** Below the ship's weight on the Moon: it burns fuel and stays where it is. */
-const HELD = 0.1;
-
 const program = await findChromium();
 if (program === null && process.env['TOUCHDOWN_NO_SKIP'] === '1') throw new Error('no Chromium found');
 
@@ -108,16 +105,24 @@ describe.skipIf(program === null)('a page in Chromium', () => {
     expect(await page.evaluate(() => window.client.troubles)).toEqual([]);
   }
 
+  /** The key that the server knows of a ship. */
+  const heldOf = (id: string) => socket.server.ships.get(id)!.controls.translationInput[0];
+
+  async function hold(sideways: number): Promise<void> {
+    await page.evaluate((key) => {
+      window.client.hold(key);
+    }, sideways);
+    await wait(0.5);
+  }
+
   /** Holds a key; then what `happen` does; then the key, held over an absence, counts as let go. */
   async function withKeyHeld(happen: () => Promise<unknown>): Promise<void> {
-    await page.evaluate((level) => window.client.hold(level), HELD);
-    await wait(0.5);
-    expect(socket.server.ships.get(socket.flown)!.controls.thrustLevel).toBe(HELD);
+    await hold(1);
+    expect(heldOf(socket.flown)).toBe(1);
     await happen();
     await expectRight();
-    expect(socket.server.ships.get(socket.flown)!.controls.thrustLevel, 'thrust after the absence').toBe(0);
-    await page.evaluate(() => window.client.hold(0));
-    await wait(0.3);
+    expect(heldOf(socket.flown), 'the key after the absence').toBe(0);
+    await hold(0);
   }
 
   it('is right again after it was frozen for 8 s with a key held', async () => {
@@ -149,15 +154,16 @@ describe.skipIf(program === null)('a page in Chromium', () => {
   });
 
   it('flies another ship, and leaves the one before alone', async () => {
-    await page.evaluate((level) => window.client.hold(level), HELD);
-    await wait(0.5);
+    await hold(1);
     await page.evaluate((id) => {
       window.client.predictor.setOwnShip(id);
     }, OTHER);
     socket.flown = OTHER;
     await wait(1);
-    const [own, other] = [OWN, OTHER].map((id) => socket.server.ships.get(id)!.controls.thrustLevel);
-    expect([own, other]).toEqual([HELD, HELD]);
+    expect(heldOf(OTHER)).toBe(1);
+    await hold(0);
+    // Let go on the other: what the one before was last sent stays.
+    expect([OWN, OTHER].map(heldOf)).toEqual([1, 0]);
     await expectRight();
   });
 });

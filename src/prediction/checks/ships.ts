@@ -12,14 +12,14 @@ const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] 
 const times = (a: Vector, k: number): Vector => [a[0] * k, a[1] * k, a[2] * k];
 const lengthOf = (v: readonly number[]): number => Math.hypot(...v);
 
-/** rad/s: two turns a second, which no ship's thrusters reach and no pilot survives. */
-const FASTEST_SPIN = 12.6;
-/** m by which a landed ship may be off its body's radius: the highest mountains. */
-const HIGHEST_GROUND = 30_000;
+/** rad/s: two turns per second, more than any thrusters reach. */
+const MAX_SPIN = 12.6;
+/** m above or below the body's radius at which a ship can be landed: the highest mountains. */
+const MAX_GROUND_HEIGHT = 30_000;
 /** m/s: a landing ship moves no faster than this relative to its body. */
 const FAST = 10_000;
 
-/** Warns of an implausible ship state: other units, another order of components, another place. Not called for malformed ones. */
+/** Warns of an implausible ship state: wrong units, order of components or frame. Malformed states are refused elsewhere. */
 export function checkShip(warn: Warn, ship: ShipState, bodies: readonly KnownBody[]): void {
   const { shipId } = ship;
   const size = lengthOf(ship.attitude);
@@ -29,13 +29,16 @@ export function checkShip(warn: Warn, ship: ShipState, bodies: readonly KnownBod
       value: ship.attitude,
     });
   const spin = lengthOf(ship.angularVelocity);
-  if (spin > FASTEST_SPIN)
+  if (spin > MAX_SPIN)
     warn('spin-in-degrees', `${shipId} turns by ${spin} rad/s: pass radians, not degrees.`, {
       shipId,
       value: ship.angularVelocity,
     });
   const [x, y, z, w] = ship.attitude;
-  if (x === 1 && y === 0 && z === 0 && w === 0) warnOfOrder(warn, ship);
+  const isFirst = x === 1 && y === 0 && z === 0 && w === 0;
+  // [0, 0, 0, 1] read as a list of JSON, which begins with w.
+  const isThird = z === 1 && x === 0 && y === 0 && w === 0;
+  if (isFirst || isThird) warnOfOrder(warn, ship);
   checkCommands(warn, ship);
   const near = nearestBody(ship.position, bodies);
   if (near !== null) checkPlace(warn, ship, near);
@@ -43,7 +46,7 @@ export function checkShip(warn: Warn, ship: ShipState, bodies: readonly KnownBod
 }
 
 function warnOfOrder(warn: Warn, { shipId, attitude }: ShipState): void {
-  const message = `The attitude of ${shipId} looks like [w, x, y, z]: pass [x, y, z, w].`;
+  const message = `The attitude of ${shipId} is in another order: records have [x, y, z, w], lists in JSON [w, x, y, z].`;
   warn('quaternion-order', message, { shipId, value: attitude });
 }
 
@@ -70,7 +73,8 @@ function checkPlace(warn: Warn, ship: ShipState, body: BodyState): void {
   const from = minus(ship.position, body.position);
   const distance = lengthOf(from);
   const enlarged = lengthOf(minus(times(ship.position, 1000), body.position));
-  if (distance > 10 * body.radius && enlarged < 2 * body.radius) {
+  const isNear = (metres: number) => Math.abs(metres / body.radius - 1) < 0.3;
+  if ((distance > 10 * body.radius && enlarged < 2 * body.radius) || isNear(distance * 1000)) {
     const message = `${shipId} is ${distance} m from ${body.name}, and would be near it at a thousand times the distance: pass metres, not km.`;
     warn('position-in-kilometres', message, { shipId, value: ship.position });
     return;
@@ -92,7 +96,16 @@ function checkPlace(warn: Warn, ship: ShipState, body: BodyState): void {
         value: ship.velocity,
       },
     );
+  else if (distance < 2 * body.radius) checkFrame(warn, ship, body, speed);
   if (ship.landedBodyName === body.name) checkLanded(warn, ship, { body, from, distance });
+}
+
+/** A ship beside a fast body that has next to none of its velocity: the velocity is relative to the body. */
+function checkFrame(warn: Warn, { shipId, velocity }: ShipState, body: BodyState, speed: number): void {
+  const own = lengthOf(body.velocity);
+  if (own < FAST || lengthOf(velocity) > 0.3 * own || speed < 0.7 * own) return;
+  const message = `${shipId} moves at ${speed} m/s relative to ${body.name}: velocity is ICRF; one relative to the body goes into relativeVelocity.`;
+  warn('velocity-frame', message, { shipId, value: velocity, speed });
 }
 
 interface Landed {
@@ -103,7 +116,7 @@ interface Landed {
 
 function checkLanded(warn: Warn, ship: ShipState, { body, from, distance }: Landed): void {
   const height = distance - body.radius;
-  if (Math.abs(height) > HIGHEST_GROUND && distance > 0.5 * body.radius) {
+  if (Math.abs(height) > MAX_GROUND_HEIGHT && distance > 0.5 * body.radius) {
     const message = `${ship.shipId} is on the ground of ${body.name}, ${height} m from its radius: are ship and bodies of the same tick?`;
     warn('landed-off-ground', message, { shipId: ship.shipId, height });
   }
@@ -114,7 +127,7 @@ function checkLanded(warn: Warn, ship: ShipState, { body, from, distance }: Land
   if (upright < 0.5 && reordered > 0.98) warnOfOrder(warn, ship);
 }
 
-/** The component along `v` of the ship's +Z, its up on the ground; `q` is [x, y, z, w]. */
+/** The component along `v` of the ship's +Z axis, its up; the quaternion is [x, y, z, w]. */
 function along([x, y, z, w]: readonly [number, number, number, number], v: Vector): number {
   return 2 * (x * z + w * y) * v[0] + 2 * (y * z - w * x) * v[1] + (1 - 2 * (x * x + y * y)) * v[2];
 }

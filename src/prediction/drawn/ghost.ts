@@ -11,16 +11,15 @@ import { hullOfShip, LEGS } from './snap/hull';
 import { pose } from './pose';
 import { lengthOf, rotateBack, seenFrom } from './rotation';
 import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './snap/groundSnap';
-import { offsetAt } from '../ground/learnedGround';
 import { type LevelGround, snapToLevel } from './snap/levelSnap';
 import type { Track } from '../simulation/track';
 import type { ShipView } from './view';
 
 /**
- * The server's newest state as a ghost: put on the drawn ground by the same function as the ship itself (PREDICTION, Drawing), or a
- * tipped ship's ghost would hover; in the body's axes, so that it stays where it was while the body turns.
+ * The server's newest state as a ghost: put on the drawn ground by the same function as the ship itself (PREDICTION, Drawing), because a
+ * tipped ship's ghost would hover. In the body's axes, so that it turns with the body.
  * @param drawn the drawn ground
- * @param exactly point by point, as the ship itself; else as on level ground
+ * @param exactly true: point by point, like the ship itself; false: as on level ground
  */
 export function fillGhost(
   out: ShipView,
@@ -45,8 +44,8 @@ export function fillGhost(
   drawn.bodyName = body.name;
   drawn.radius = body.radius;
   ground.radius = groundRadius(drawn, nx, ny, nz);
-  const { places } = track.ground;
-  ghost.groundOffset = places.length === 0 ? 0 : offsetAt(places, body.name, nx, ny, nz);
+  const { places, reading } = track.ground;
+  ghost.groundOffset = reading?.offsetAt(places, body.name, nx, ny, nz) ?? 0;
   // Too high to touch the ground, as for the ship itself.
   if (distance - ground.radius > 2 * shape.groundContactOffset + out.shipClass.legRadius) return;
   if (exactly) snapToGround(groundedPose, ghost, hullOfShip(shape), drawn);

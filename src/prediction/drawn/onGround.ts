@@ -1,5 +1,4 @@
 import { flatTerrain, writeGroundNormal } from '../../dynamics';
-import { confidenceOf, offsetAt, placeAt } from '../ground/learnedGround';
 import type { Track } from '../simulation/track';
 import { groundRadius } from './snap/drawnGround';
 import { createGroundedPose, type GroundedPose, snapToGround } from './snap/groundSnap';
@@ -16,7 +15,7 @@ export function fillGround(out: ShipView, track: Track, scene: Scene): void {
   const { world, ground, at, normal, drawn } = scene;
   const body = world.bodies[out.body]!;
   const { picture } = track;
-  const { places } = track.ground;
+  const { places, reading } = track.ground;
   const nx = normal[0]!;
   const ny = normal[1]!;
   const nz = normal[2]!;
@@ -27,11 +26,11 @@ export function fillGround(out: ShipView, track: Track, scene: Scene): void {
   out.groundOffset = 0;
   out.groundConfidence = 0;
   drawn.groundOffset = 0;
-  if (places.length === 0) return;
-  out.groundOffset = offsetAt(places, body.name, nx, ny, nz);
-  out.groundConfidence = confidenceOf(placeAt(track.ground, body.name, normal));
+  if (reading === null || places.length === 0) return;
+  out.groundOffset = reading.offsetAt(places, body.name, nx, ny, nz);
+  out.groundConfidence = reading.confidenceAt(track.ground, body.name, normal);
   out.groundRadius += out.groundOffset;
-  // Ground learned in flight moves the mesh no faster than a correction.
+  // In flight, newly learned ground moves the mesh no faster than a correction.
   const follows = out.surfaceContactState === '' ? 1 - Math.exp(-OFFSET_RATE * at.elapsed) : 1;
   picture.groundOffset += (out.groundOffset - picture.groundOffset) * follows;
   drawn.groundOffset = picture.groundOffset;
@@ -64,7 +63,7 @@ const slope = vector();
 const under = { bodyName: '', radius: 1, legRadius: 1, terrainHeight: flatTerrain };
 
 /**
- * Puts the mesh on the drawn ground if that is near.
+ * Puts the mesh on the drawn ground if the ground is near.
  * @returns whether point by point, or as on level ground
  */
 export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
@@ -73,7 +72,7 @@ export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64A
   const exactly = out.own || scene.exactSnaps > 0;
   const surface = out.groundRadius - out.groundOffset;
   const above = lengthOf(drawn.position) - surface;
-  // No part of the ship extends to twice its height: it cannot touch the ground.
+  // Beyond twice its height no part of the ship can touch the ground.
   const reach = FAR * (out.groundContactOffset + Math.abs(out.groundOffset) * REACH) + shipClass.legRadius;
   if (above > reach) {
     for (let k = 0; k < 3; k++) out.meshPosition[k] = out.easedPosition[k]!;
@@ -96,7 +95,7 @@ export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64A
 }
 
 const FAR = 2;
-/** Of the offset between the two grounds: twice this height above the ground the mesh has left it behind. */
+/** In offsets between the two grounds: at FAR times this height the mesh no longer follows the offset. */
 const REACH = 4.5;
 const level: LevelGround = { radius: 0 };
 const groundedPose: GroundedPose = createGroundedPose(LEGS);

@@ -5,12 +5,20 @@ import { HEIGHT, readHeight, type TerrainHeight, terrainInPlace, type World } fr
  * above our terrain, m, and a slope. Without any, the world is used unchanged.
  */
 export interface LearnedGround {
-  /** The newest last; where places overlap it counts first. */
+  /** Newest last; where places overlap, the newer one takes precedence. */
   readonly places: GroundPlace[];
   /** The simulation's world with the places on its ground; null without any. */
   world: World | null;
   /** The world it was made from. */
   base: World | null;
+  /** How the places are read; null while none was sought, so that a page without `learnedGround` does not load this. */
+  reading: GroundReading | null;
+}
+
+export interface GroundReading {
+  readonly worldOf: typeof worldOf;
+  readonly offsetAt: typeof offsetAt;
+  readonly confidenceAt: typeof confidenceAt;
 }
 
 export interface GroundPlace {
@@ -21,31 +29,31 @@ export interface GroundPlace {
   readonly direction: Float64Array;
   /** The server's ground above ours there, m. */
   offset: number;
-  /** How the offset grows along the ground, m per m, in the body's axes, at right angles to `direction`. */
+  /** Gradient of the offset along the ground, m/m, in the body's axes, perpendicular to `direction`. */
   readonly slope: Float64Array;
   /** Server states that confirm it. */
   states: number;
   /** Client wall s of the newest of them. */
   seenAt: number;
-  /** 0 … 1: fades with age. */
+  /** 0 … 1, fading with age. */
   weight: number;
 }
 
-/** Distances from a place, m: full effect up to the first, none beyond the second. */
+/** Distances from a place, m: full effect up to WHOLE, none beyond GONE. */
 const WHOLE = 150;
 const GONE = 1000;
-/** Client wall s since a place was confirmed: full effect up to the first, none beyond the second. */
+/** Client wall s since a place was confirmed: full effect up to FRESH, none beyond FORGOTTEN. */
 const FRESH = 300;
 const FORGOTTEN = 1200;
 /** Places kept per ship. */
 const MAX_PLACES = 8;
 
 export function createLearnedGround(): LearnedGround {
-  return { places: [], world: null, base: null };
+  return { places: [], world: null, base: null, reading: null };
 }
 
 /** The world in which a ship is simulated: the configured one with the learned ground. */
-export function worldOf(ground: LearnedGround, world: World): World {
+function worldOf(ground: LearnedGround, world: World): World {
   if (ground.places.length === 0) return world;
   if (ground.world === null || ground.base !== world) {
     ground.base = world;
@@ -86,7 +94,7 @@ export function offsetAt(
   return sum;
 }
 
-/** 1 at a place, 0 far from it, smooth between. */
+/** 1 at a place, 0 far from it, smooth in between. */
 function nearness(distance: number): number {
   if (distance <= WHOLE) return 1;
   if (distance >= GONE) return 0;
@@ -134,7 +142,15 @@ export function agePlaces({ places }: LearnedGround, now: number): void {
   }
 }
 
-/** 0 … 1: confidence in the ground at a place, ½ after one state. */
-export function confidenceOf(place: GroundPlace | null): number {
+/** 0 … 1: confidence in the ground in a direction, ½ after one state. */
+function confidenceAt(ground: LearnedGround, bodyName: string, direction: Float64Array): number {
+  const place = placeAt(ground, bodyName, direction);
   return place === null ? 0 : (place.weight * place.states) / (place.states + 1);
+}
+
+const READING: GroundReading = Object.freeze({ worldOf, offsetAt, confidenceAt });
+
+/** From now on the ship's places are part of its ground. */
+export function beginReading(ground: LearnedGround): void {
+  ground.reading = READING;
 }

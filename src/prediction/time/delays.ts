@@ -1,5 +1,5 @@
 /**
- * The last delays of one kind, s: the smallest, and the spread above it. They are kept by count, not by time: after a silence the
+ * The last delays of one kind, s: the smallest, and the spread above it. Kept by count, not by time: after a silence the
  * last ones are still the best estimate.
  */
 export interface Delays {
@@ -7,32 +7,44 @@ export interface Delays {
   readonly sorted: Float64Array;
   /** Samples ever taken; slot = count mod length. */
   count: number;
+  /** What `spreadOf` came to, and for which limit; NaN since a delay was added: every frame asks, and few bring a delay. */
+  spread: number;
+  spreadLimit: number;
 }
 
 /** Share of the samples below `spreadOf`. */
 const MOST = 0.95;
-/** Share of the samples that no resent packet is among, and how many times their spread is the limit; s, the least limit. */
+/** Share of the samples without resent packets; the limit is LIMIT times their spread, and at least MIN_LIMIT, s. */
 const USUAL = 0.8;
 const LIMIT = 1.5;
-const LEAST_LIMIT = 0.02;
+const MIN_LIMIT = 0.02;
 
-/** @param length how many are kept */
+/** @param length number of samples kept */
 export function createDelays(length: number): Delays {
-  return { values: new Float64Array(length), sorted: new Float64Array(length), count: 0 };
+  return {
+    values: new Float64Array(length),
+    sorted: new Float64Array(length),
+    count: 0,
+    spread: Number.NaN,
+    spreadLimit: Number.NaN,
+  };
 }
 
 export function addDelay(delays: Delays, value: number): void {
   delays.values[delays.count % delays.values.length] = value;
   delays.count += 1;
+  delays.spread = Number.NaN;
 }
 
-/** The last delay was one of several that waited in one queue: the smallest counts. */
-export function lessenDelay({ values, count }: Delays, value: number): void {
+/** Lowers the last delay to `value` if that is smaller: both waited in one queue, of which the smallest delay counts. */
+export function lessenDelay(delays: Delays, value: number): void {
+  const { values, count } = delays;
   const slot = (count - 1) % values.length;
   values[slot] = Math.min(values[slot]!, value);
+  delays.spread = Number.NaN;
 }
 
-/** NaN without any. */
+/** The smallest delay, s; NaN without samples. */
 export function leastOf({ values, count }: Delays): number {
   const n = Math.min(count, values.length);
   if (n === 0) return Number.NaN;
@@ -42,11 +54,19 @@ export function leastOf({ values, count }: Delays): number {
 }
 
 /**
- * How far above the least of them 19 of 20 lie at most, s; those more than `most` above it are not counted. 0 without any. Of a few
- * dozen delays two or three resent packets are one in twenty, and come and go: they count as no more than what usual delays
- * spread, and half as much again.
+ * The spread above the smallest delay that 19 of 20 do not exceed, s; delays more than `most` above it are not counted. 0 without samples. Of a few
+ * dozen delays two or three resent packets are one in twenty, and come and go: they count at most LIMIT times what usual delays
+ * spread.
  */
 export function spreadOf(delays: Delays, most: number): number {
+  if (Number.isNaN(delays.spread) || delays.spreadLimit !== most) {
+    delays.spread = measureSpread(delays, most);
+    delays.spreadLimit = most;
+  }
+  return delays.spread;
+}
+
+function measureSpread(delays: Delays, most: number): number {
   const least = leastOf(delays);
   if (Number.isNaN(least)) return 0;
   const { values, sorted, count } = delays;
@@ -56,5 +76,5 @@ export function spreadOf(delays: Delays, most: number): number {
   sorted.fill(Number.POSITIVE_INFINITY, n);
   sorted.sort();
   const at = (share: number) => sorted[Math.min(n - 1, Math.floor(n * share))]!;
-  return Math.min(at(MOST), Math.max(LEAST_LIMIT, LIMIT * at(USUAL)));
+  return Math.min(at(MOST), Math.max(MIN_LIMIT, LIMIT * at(USUAL)));
 }

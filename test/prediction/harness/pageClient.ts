@@ -19,7 +19,6 @@ export interface Drawn {
   readonly position: readonly number[];
   readonly shown: string;
   readonly provenance: string;
-  readonly thrustLevel: number;
 }
 
 export interface PageClient {
@@ -27,7 +26,8 @@ export interface PageClient {
   readonly troubles: string[];
   readonly predictor: Predictor;
   controls: Controls;
-  readonly hold: (thrustLevel: number) => void;
+  /** A key of the thrusters along ship x: −1, 0 or 1. */
+  readonly hold: (sideways: number) => void;
 }
 
 declare global {
@@ -41,8 +41,8 @@ window.startClient = (address, shipId) => {
   const predictor = createPredictor({ ownShipId: shipId });
   const client: PageClient = {
     ...{ drawn: [], troubles: [], predictor, controls: NEUTRAL_CONTROLS },
-    hold(thrustLevel) {
-      client.controls = { ...NEUTRAL_CONTROLS, thrustLevel };
+    hold(sideways) {
+      client.controls = { ...NEUTRAL_CONTROLS, translationInput: [sideways, 0, 0] };
     },
   };
   window.client = client;
@@ -71,7 +71,6 @@ window.startClient = (address, shipId) => {
       client.drawn.push({
         ...{ at: (performance.timeOrigin + performance.now()) / 1000, tick, sinceTick, shipId: own.shipId },
         ...{ position: [...own.position], shown: own.shownState, provenance: own.provenance },
-        thrustLevel: own.controls.thrustLevel,
       });
     requestAnimationFrame(draw);
   };

@@ -1,5 +1,7 @@
+import type { Place } from './compare';
+
 /**
- * Whether the dynamics fit a ship (PREDICTION, Foreign dynamics): if they were worse over the last few states than extrapolation, the
+ * Whether the dynamics fit a ship (PREDICTION, Foreign dynamics): if over the last few states they were worse than extrapolation, the
  * ship is extrapolated until they fit again.
  */
 export interface LawFit {
@@ -13,6 +15,14 @@ export interface LawFit {
   states: number;
 }
 
+/** A state, the prediction for its tick, and whether the two agree. */
+export interface Judged {
+  readonly state: Place;
+  readonly tick: number;
+  readonly predicted: Place | null;
+  readonly agrees: boolean;
+}
+
 /** States over which the errors are summed. */
 export const WINDOW = 4;
 
@@ -23,7 +33,7 @@ export function createLawFit(): LawFit {
   };
 }
 
-/** A simulated ship's state agreed: nothing to compare. Returns false, since it stays simulated. */
+/** Records that a simulated ship's state agreed. Returns false: it stays simulated. */
 export function holdLaw(fit: LawFit): boolean {
   const slot = fit.count % WINDOW;
   fit.count += 1;

@@ -1,7 +1,7 @@
 import type { Page } from './page';
 import type { Dice } from './random';
 import { OTHER, OWN, placeShip, TICK_RATES } from './setup';
-import { conjugate, minus, turned, unit } from './vectors';
+import { conjugate, minus, turned, unit } from './design/vectors';
 
 /** Something that goes wrong; it returns when it is over. `each` sees the display frames meanwhile. */
 export interface Fault {

@@ -8,11 +8,22 @@ import {
   type ShipClass,
   type TerrainHeight,
 } from '../../../src/index';
-import { type DesignBody, type DesignShip } from './designLaw';
-import { createDesignServer, type DesignServer, type SendsBodies } from './designServer';
+import { type DesignBody, type DesignShip } from './design/law';
+import { createDesignServer, type DesignServer, type SendsBodies } from './design/server';
 import type { Dice } from './random';
 import type { WayOptions } from './wire';
-import { conjugate, cross, dot, plus, times, type Turn, turned, turnOn, unit, type Vec } from './vectors';
+import {
+  conjugate,
+  cross,
+  dot,
+  plus,
+  times,
+  type Turn,
+  turned,
+  turnOn,
+  unit,
+  type Vec,
+} from './design/vectors';
 
 /** One world, server, network and page, drawn from a seed. */
 export interface Setup {

@@ -1,8 +1,8 @@
 import { hullOf, type ShipView, type WorldView } from '../../../src/index';
-import { type Era, timeOf, truthAt } from './designServer';
+import { type Era, timeOf, truthAt } from './design/server';
 import type { Page } from './page';
 import { aboveGround } from './setup';
-import { dot, length, minus, plus, type Turn, turned, unit, type Vec } from './vectors';
+import { dot, length, minus, plus, type Turn, turned, unit, type Vec } from './design/vectors';
 
 /** One display frame of the own ship, to be compared once the server has come as far. */
 export interface Sample {

@@ -2,15 +2,15 @@ import { join } from 'node:path';
 import { type Browser, type Page } from 'playwright-core';
 import { rolldown } from 'rolldown';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { BODIES, SHIP_CLASSES } from '../../src/index';
-import { findChromium, launchChromium } from '../browser/chromium';
-import type { DesignBody } from './harness/designLaw';
-import { createDesignServer, timeOf, truthAt } from './harness/designServer';
-import type { Drawn } from './harness/pageClient';
-import { createDice } from './harness/random';
-import { OTHER, OWN, placeShip } from './harness/setup';
-import { listenAsDesign, type SocketOfDesign } from './harness/socketOfDesign';
-import { length, minus, unit, type Vec } from './harness/vectors';
+import { BODIES, SHIP_CLASSES } from '../../../src/index';
+import { findChromium, launchChromium } from '../../browser/chromium';
+import type { DesignBody } from './design/law';
+import { createDesignServer, timeOf, truthAt } from './design/server';
+import type { Drawn } from './pageClient';
+import { createDice } from './random';
+import { OTHER, OWN, placeShip } from './setup';
+import { listenAsDesign, type SocketOfDesign } from './design/socket';
+import { length, minus, unit, type Vec } from './design/vectors';
 
 /** A page in a real browser on a server of the design: it is frozen, blocked, and its server restarts, with a key held. */
 
@@ -55,7 +55,7 @@ describe.skipIf(program === null)('a page in Chromium', () => {
   beforeAll(async () => {
     socket = await listenAsDesign(landers(), OWN);
     const built = await rolldown({
-      input: join(import.meta.dirname, 'harness/pageClient.ts'),
+      input: join(import.meta.dirname, 'pageClient.ts'),
       platform: 'browser',
     });
     const { output } = await built.generate({ format: 'iife' });

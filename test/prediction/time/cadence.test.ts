@@ -6,7 +6,7 @@ import {
   horizonOf,
   noteSend,
   sendSeconds,
-} from '../../src/prediction/time/cadence';
+} from '../../../src/prediction/time/cadence';
 
 /** 20 Hz, sent every 10 s. */
 function known() {

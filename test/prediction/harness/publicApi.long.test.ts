@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
-import { runSeed } from './harness/run';
-import { breaksOf } from './harness/verdict';
+import { runSeed } from './run';
+import { breaksOf } from './verdict';
 
 /** A server written from the design page and faults drawn from a seed, against the public API alone. */
 

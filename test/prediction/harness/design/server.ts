@@ -1,5 +1,5 @@
-import type { Controls, TerrainHeight } from '../../../src/index';
-import { type DesignBody, type DesignShip, updateShip } from './designLaw';
+import type { Controls, TerrainHeight } from '../../../../src/index';
+import { type DesignBody, type DesignShip, updateShip } from './law';
 import { minus, plus, times, type Turn, turnOn, type Vec } from './vectors';
 
 /** What a server says of its bodies: all, no attitude and no spin, or nothing. */

@@ -1,5 +1,5 @@
-import type { Controls, ShipClass, TerrainHeight } from '../../../src/index';
-import { burn, massOf, thrustOf, turnShip } from './designActuators';
+import type { Controls, ShipClass, TerrainHeight } from '../../../../src/index';
+import { burn, massOf, thrustOf, turnShip } from './actuators';
 import {
   conjugate,
   cross,

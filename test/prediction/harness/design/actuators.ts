@@ -1,4 +1,4 @@
-import type { DesignShip } from './designLaw';
+import type { DesignShip } from './law';
 import { conjugate, plus, times, turned, turnOn, type Vec, zero } from './vectors';
 
 /** What the pilot's controls do to a ship of the design: thrust, fuel and rotation. */

@@ -6,13 +6,17 @@ import {
   type BodyMotion,
   SHIP_CLASSES,
   writeBodyMotion,
-} from '../../src/dynamics';
-import { createPredictor, type Predictor } from '../../src/prediction';
-import { boundaryAt, createBodyTrack, startBodiesAt } from '../../src/prediction/snapshots/bodies/bodyTrack';
-import { createTimeline, setTempo } from '../../src/prediction/time/timeline';
-import type { ShipState } from '../../src/wire';
-import { frameAt, STILL } from './faultyLine';
-import { OWN } from './feed';
+} from '../../../src/dynamics';
+import { createPredictor, type Predictor } from '../../../src/prediction';
+import {
+  boundaryAt,
+  createBodyTrack,
+  startBodiesAt,
+} from '../../../src/prediction/snapshots/bodies/bodyTrack';
+import { createTimeline, setTempo } from '../../../src/prediction/time/timeline';
+import type { ShipState } from '../../../src/wire';
+import { frameAt, STILL } from '../faults/faultyLine';
+import { OWN } from '../faults/feed';
 
 const LUNA = BODIES[0]!;
 const HEIGHT = LUNA.radius + SHIP_CLASSES[0]!.groundContactOffset;

@@ -1,7 +1,7 @@
 import type { AddressInfo } from 'node:net';
 import { WebSocketServer } from 'ws';
-import type { ClientMessage } from '../../../src/index';
-import type { DesignServer } from './designServer';
+import type { ClientMessage } from '../../../../src/index';
+import type { DesignServer } from './server';
 
 /** The design's server on a real socket and the machine's clock; one player, who flies one of its ships. */
 export interface SocketOfDesign {

@@ -1,8 +1,18 @@
 /** The example client in a real browser, against a server that speaks the game's JSON. */
+import { PNG } from 'pngjs';
 import { createServer, type ViteDevServer } from 'vite';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { type GameServer, startGameServer } from '../example/gameServer';
 import { describeInBrowser, openUrl, problemsOf } from './pages';
+
+/** Pixels of the ghost's colour, 0x7fe4ff: it lies about the ship, not somewhere else on the Moon. */
+function cyanIn(picture: Buffer): number {
+  const { data } = PNG.sync.read(picture);
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4)
+    if (Math.abs(data[i]! - 0x7f) < 40 && data[i + 1]! > 180 && data[i + 2]! > 220) count += 1;
+  return count;
+}
 
 let game: GameServer;
 let host: ViteDevServer;
@@ -27,12 +37,15 @@ describeInBrowser('the example client', () => {
     const page = await openUrl(`${host.resolvedUrls!.local[0]!}?server=${game.address}&user=ada&password=x`);
     const warnings: string[] = [];
     page.on('console', (message) => {
-      // A busy machine draws seldom, and the predictor rightly says so.
+      // On a busy machine frames are rare, and the predictor rightly warns of it.
       const isOfMachine = /GPU|GL Driver|WebGL|^advance-seldom/.test(message.text());
       if (message.type() === 'warning' && !isOfMachine) warnings.push(message.text());
     });
     await expect.poll(() => page.textContent('.td-landing .td-status')).toMatch(/LANDED/);
     expect(await page.textContent('.td-fleet')).toContain('Kestrel');
+    // The HUDs have that colour too.
+    const style = '#landing, #fleet, #link { visibility: hidden }';
+    expect(cyanIn(await page.locator('#scene').screenshot({ style }))).toBeGreaterThan(20);
     expect(game.controls).toEqual([]);
     await page.keyboard.press('f');
     await expect.poll(() => game.controls.at(-1)?.thrustLevel).toBeCloseTo(0.1);

@@ -1,10 +1,11 @@
+import { connect } from 'node:net';
 import { expect, it } from 'vitest';
 import { WebSocket } from 'ws';
 import type { WorldView } from '../../src/prediction';
 import { type Operator, startOperator } from './operator';
 import { type LivePilot, startPilot } from './pilot';
 
-/** What must not move while others misbehave. On /ws states are rounded, and a ship in flight may differ by that. */
+/** Tolerances for a pilot while other clients misbehave. On /ws states are rounded, so a ship in flight may differ by that. */
 function figuresOf(pilot: LivePilot, index: number) {
   const { correctionsMismatch, correctionsLostInput, framesRefused, resyncs } = pilot.view().diagnosis;
   const mismatch = index === 0 ? { correctionsMismatch } : {};
@@ -13,7 +14,7 @@ function figuresOf(pilot: LivePilot, index: number) {
 
 const isHome = (view: WorldView) => view.own?.shownState === 'landed' && view.own.provenance === 'confirmed';
 
-/** A raw client of the gateway: what it received, and how it ended. */
+/** A raw client of the gateway: its received messages, and how its connection ended. */
 function rawClient(operator: Operator, path: string, options: { origin?: string } = {}) {
   const socket = new WebSocket(`ws://127.0.0.1:${operator.stack.gatewayPort}${path}`, options);
   const texts: string[] = [];
@@ -22,6 +23,19 @@ function rawClient(operator: Operator, path: string, options: { origin?: string 
   const opened = new Promise((resolve) => socket.once('open', resolve));
   const closed = new Promise<number>((resolve) => socket.once('close', resolve));
   return { socket, texts, opened, closed };
+}
+
+/** An upgrade request whose connection is reset before its answer can be written. */
+async function resetEarly(operator: Operator, path: string): Promise<void> {
+  const socket = connect(operator.stack.gatewayPort, '127.0.0.1');
+  socket.on('error', () => undefined);
+  await new Promise((resolve) => socket.once('connect', resolve));
+  const head = ['Host: game', 'Upgrade: websocket', 'Connection: Upgrade', 'Sec-WebSocket-Version: 13'];
+  const key = 'Sec-WebSocket-Key: x3JJHMbDL1EzLkh9GBhXDw==';
+  socket.write(`GET ${path} HTTP/1.1\r\n${[...head, key].join('\r\n')}\r\n\r\n`, () =>
+    socket.resetAndDestroy(),
+  );
+  await new Promise((resolve) => socket.once('close', resolve));
 }
 
 it('keeps malformed, oversized, unauthenticated, slow and flooding clients from disturbing a pilot on /stream and one on /ws', async () => {
@@ -67,12 +81,20 @@ it('keeps malformed, oversized, unauthenticated, slow and flooding clients from 
     malformed.socket.send(Uint8Array.of(1, 2, 3));
     await expect.poll(() => malformed.texts.filter((text) => text.includes('"error"')).length).toBe(5);
 
-    // Says whose ship it would fly: its own is the only one that moves.
+    // Names another ship to fly: only its own moves.
     malformed.socket.send(JSON.stringify({ type: 'control', ship_id: 'ship-one', thrust_level: 1 }));
     const stateOf = async (id: string) =>
       (await operator.frame()).ships.find((ship) => ship['ship_id'] === id)?.['surface_contact_state'];
     await expect.poll(() => stateOf('ship-two')).toBe('');
     expect(await stateOf('ship-one')).toBe('landed');
+
+    for (let i = 0; i < 50; i++) await resetEarly(operator, ['/nope', '/ws', '/stream'][i % 3]!);
+
+    const pinging = rawClient(operator, '/ws');
+    await pinging.opened;
+    pinging.socket.send(auth);
+    for (let i = 0; i < 2000; i++) pinging.socket.ping('x'.repeat(125));
+    expect(await pinging.closed).toBe(4008);
 
     const slow = rawClient(operator, '/stream');
     await slow.opened;

@@ -1,5 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { EVENT_NAMES, readBodyMotion, readShip, BODY_STRIDE, SHIP_STRIDE } from '../../src/dynamics';
+import {
+  EVENT_NAMES,
+  NEUTRAL_CONTROLS,
+  readBodyMotion,
+  readShip,
+  BODY_STRIDE,
+  SHIP_STRIDE,
+} from '../../src/dynamics';
 import {
   fleetOrders,
   fromBodyRelative,
@@ -10,6 +17,7 @@ import {
   SCENARIOS,
   loadScenario,
 } from '../../src/scenarios';
+import { scheduleOf, type ScheduledInput } from '../../src/scenarios/runTick';
 import { valueOf } from '../authority/moon';
 import golden from './golden.json';
 
@@ -55,7 +63,7 @@ describe('scenarios', () => {
     ]);
   });
 
-  // 0.3 Hz is a tick of 3.3 s in 334 substeps shorter than 0.01 s: other bits, the same story.
+  // 0.3 Hz is a tick of 3.3 s in 334 substeps shorter than 0.01 s: other bits, the same outcome.
   it.each(NAMED)(
     '%s makes legal transitions only, and ends as declared, at any tick rate',
     (_name, scenario) => {
@@ -94,7 +102,7 @@ describe('the opening', () => {
     const [first, second, landed] = times(run);
     expect(first).toBeLessThan(2);
     expect(second! - first!).toBeGreaterThan(3);
-    // A second and a half are left for a 1 Hz server to say so over a slow network.
+    // A 1 Hz server needs a second and a half to report it over a slow network.
     expect(landed).toBeLessThan(13.5);
     const shortly = valueOf(runScenario({ ...named('opening'), tickRate: 100, duration: first! }));
     const touch = readShip(shortly.ships, shortly.ships.length - SHIP_STRIDE, shortly.world);
@@ -121,7 +129,7 @@ describe('a slide', () => {
     const to = seenAt(run, run.ships.length / SHIP_STRIDE - 1);
     const speed = Math.hypot(from.velocity[0], from.velocity[1]);
     const length = Math.hypot(to.position[0] - from.position[0], to.position[1] - from.position[1]);
-    // It lands below 0.5 m/s and stops dead: 0.5²/(2 μ g) short of the full length.
+    // It lands below 0.5 m/s and stops at once: 0.5²/(2 μ g) short of the full length.
     const expected = (speed ** 2 - 0.5 ** 2) / (2 * 0.5 * gravity);
     // Semi-implicit Euler moves with the new speed: half a substep's loss short, 5 cm here.
     const short = ((speed - 0.5) * run.loaded.timing.dt) / 2;
@@ -183,5 +191,25 @@ describe('a fleet', () => {
     // 40 m along the meridian; along the parallel it is cos 20° of that.
     expect(nearest).toBeGreaterThan(35);
     expect(new Set(orders.map(({ shipId }) => shipId)).size).toBe(200);
+  });
+});
+
+const input = (tick: number, substep: number, thrustLevel: number): ScheduledInput => ({
+  ...{ tick, substep },
+  controls: { ...NEUTRAL_CONTROLS, thrustLevel },
+});
+
+describe('scheduled inputs', () => {
+  it('come into force once each, at their own substep', () => {
+    const schedule = scheduleOf([input(0, 1, 0.1), input(1, 0, 0.2)]);
+    const seen = [0, 1].flatMap((tick) => [0, 1, 2].map((s) => schedule(tick, s)?.thrustLevel ?? null));
+    expect(seen).toEqual([null, 0.1, null, 0.2, null, null]);
+  });
+
+  it('of one substep, or of those before the first, leave the last of them in force', () => {
+    const schedule = scheduleOf([input(0, 0, 0.1), input(0, 2, 0.2), input(3, 1, 0.3), input(3, 1, 0.4)]);
+    expect(schedule(1, 0)?.thrustLevel).toBe(0.2);
+    expect(schedule(3, 1)?.thrustLevel).toBe(0.4);
+    expect(schedule(3, 2)).toBeNull();
   });
 });

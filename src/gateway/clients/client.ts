@@ -7,15 +7,16 @@ import {
   type Bucket,
   CLOSE,
   createBucket,
+  EXCESS,
   INPUTS,
   MAX_BUFFERED,
   MAX_EVENTS_WAITING,
-  MAX_EXCESS,
   MESSAGES,
   SLOW_FOR,
+  take,
 } from './limits';
 
-/** One connection, and all that is kept for it: nothing of it grows without a bound. */
+/** One connection and its state, all of which is bounded. */
 export interface Client {
   readonly socket: WebSocket;
   readonly protocol: 'json' | 'stream';
@@ -26,14 +27,16 @@ export interface Client {
   player: Player | null;
   /** Messages that came while the token was being verified, in order; null where no sign-in is under way. */
   early: Said[] | null;
-  /** What the service tells its inputs by. */
+  /** The session by which the service distinguishes its inputs. */
   session: string;
   /** Of a protocol that numbers no inputs: the last number given. */
   seq: number;
-  /** The own ship as the last welcome told it, '' for none; null before the first. */
+  /** The own ship in the last welcome, '' for none; null before the first. */
   shipId: string | null;
-  /** Messages beyond its rate. */
-  excess: number;
+  /** Messages beyond its rate, and refused ones. */
+  readonly excess: Bucket;
+  /** Told to go: what it still says is not heard. */
+  isDismissed: boolean;
   /** A state has been left out. */
   isBehind: boolean;
   /** Wall s since which its socket is full; Infinity while it is not. */
@@ -66,7 +69,8 @@ export function createClient(
     session: '',
     seq: 0,
     shipId: null,
-    excess: 0,
+    excess: createBucket(EXCESS, now),
+    isDismissed: false,
     isBehind: false,
     fullSince: Infinity,
     events: [],
@@ -77,25 +81,27 @@ export function createClient(
   };
 }
 
-/** Ends a connection with a reason; one that does not take its end is cut. */
+/** Closes a connection with a reason; one that does not close is cut. */
 export function dismiss(client: Client, code: number, reason: string): void {
   for (const timer of client.timers) clearTimeout(timer);
   client.timers.clear();
-  if (client.socket.readyState === WebSocket.CLOSED) return;
+  if (client.isDismissed || client.socket.readyState === WebSocket.CLOSED) return;
+  client.isDismissed = true;
   client.socket.close(code, reason);
   const cut = setTimeout(() => client.socket.terminate(), 2000);
   client.socket.once('close', () => clearTimeout(cut));
 }
 
-/** Counts a message beyond the rate; whether the client was sent away for it. */
-export function countExcess(client: Client): boolean {
-  client.excess += 1;
-  if (client.excess < MAX_EXCESS) return false;
+/** Counts a message beyond the rate, or a refused one; whether the client was sent away for it. `now`: wall s. */
+export function countExcess(client: Client, now: number): boolean {
+  if (take(client.excess, 1, now)) return false;
   dismiss(client, CLOSE.flood, 'Too many messages');
+  // Nor read: the rest of a flood costs nothing.
+  client.socket.pause();
   return true;
 }
 
-/** Keeps what the client has to be told; one that is too far behind is sent away and begins anew. */
+/** Keeps the client's events; a client that is too far behind is disconnected and starts again. */
 export function remember(client: Client, events: readonly WorldEvent[], removed: readonly Removed[]): void {
   client.events.push(...events);
   client.removed.push(...removed);
@@ -103,7 +109,7 @@ export function remember(client: Client, events: readonly WorldEvent[], removed:
     dismiss(client, CLOSE.slow, 'Too slow: too many events waiting');
 }
 
-/** Whether a state may go out now; a client that has been too slow for too long is sent away. */
+/** Whether a state may be sent now; a client that has been too slow for too long is disconnected. */
 export function mayTakeState(client: Client, now: number): boolean {
   if (client.socket.readyState !== WebSocket.OPEN) return false;
   const isFull = client.socket.bufferedAmount > MAX_BUFFERED;

@@ -2,17 +2,19 @@ import { keepForOffline } from '../offline/keep';
 import { createFrameLoop, type FrameLoop } from '../view/frameLoop';
 import { NIGHT_ELEVATION } from '../../scene';
 import { pixelRatioOf } from '../view/pageSize';
+import type { Notice } from '../panels/notice';
 import type { Page } from './pageParts';
 import { createReport } from './mission/report';
 import { createTwin } from './words/textTwin';
 import type { Parts } from './parts';
 
-/** What happens in a frame: hands are read, the view is taken, everything shown of it is painted. */
+/** One frame: reads the controls, takes the view, paints everything. */
 export function wireFrames(page: Page, parts: Parts): FrameLoop {
   const { stage, canvas, window, choices, banner, resolution } = page;
   const root = page.document.documentElement;
   const twin = createTwin(page.part('twin'));
   const report = createReport(root, parts);
+  const autopilotEnd = createAutopilotEnd(page.notice);
   let before = NaN;
   let generation = 0;
   const loop = createFrameLoop(window, root, {
@@ -35,6 +37,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
     paint(view, now) {
       const replay = parts.scene.deck.replay();
       if (replay === null) parts.game.watch(view);
+      autopilotEnd(parts.live.hands.autopilot.reason());
       parts.cockpit.paint(view);
       const { flight, aids } = parts.cockpit;
       parts.game.advise(view, parts.cockpit.aidsOn() && replay === null ? aids : null);
@@ -56,7 +59,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
     opened() {
       banner.rest('');
       keepForOffline(window, () => (root.dataset['offline'] = 'kept'));
-      // Making the picture took seconds that the ship flew: it begins again, whole.
+      // Creating the scene took seconds of the flight, so the world begins again.
       if (stage !== null && choices.server === '') parts.chooser.beginWorld();
     },
     fit() {
@@ -66,4 +69,16 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
     },
   });
   return loop;
+}
+
+/** Says why the autopilot gave back by itself, until it is taken again. */
+function createAutopilotEnd(notice: Notice): (reason: string) => void {
+  let shown = '';
+  const textOf = (reason: string) => `Autopilot off: ${reason}.`;
+  return (reason) => {
+    if (reason === shown) return;
+    if (shown !== '') notice.withdraw(textOf(shown));
+    if (reason !== '') notice.tell(textOf(reason));
+    shown = reason;
+  };
 }

@@ -6,10 +6,9 @@ import {
   BODY_STRIDE,
   POSITION,
   REFERENCE_BODY,
-  SHIP_STRIDE,
   VELOCITY,
 } from '../../dynamics';
-import { put, quaternion, rotateBack, seenFrom, take, vector } from '../drawn/rotation';
+import { cross, put, quaternion, rotateBack, seenFrom, take, vector } from '../drawn/rotation';
 
 /**
  * The newest server states of one ship, oldest first, for interpolation. In each row position, velocity, attitude and
@@ -20,41 +19,18 @@ export interface ServerStates {
   readonly rows: Float64Array[];
 }
 
-/** States kept: a burst after a stall brings several at once. */
-const KEPT = 8;
-
 export function createServerStates(): ServerStates {
   return { ticks: [], rows: [] };
 }
 
-/** Keeps the state `row` of `tick`. A state relative to another body starts over. */
-export function keepServerState(
-  { ticks, rows }: ServerStates,
-  tick: number,
-  row: Float64Array,
-  bodies: Float64Array,
-): void {
-  const newest = rows.at(-1);
-  if (newest !== undefined && newest[REFERENCE_BODY] !== row[REFERENCE_BODY]) {
-    ticks.length = 0;
-    rows.length = 0;
-  }
-  const kept = rows.length < KEPT ? new Float64Array(SHIP_STRIDE) : rows.shift()!;
-  if (ticks.length === KEPT) ticks.shift();
-  kept.set(row);
-  seeFromBody(kept, bodies);
-  rows.push(kept);
-  ticks.push(tick);
-}
-
-function seeFromBody(row: Float64Array, bodies: Float64Array): void {
+/** Converts a row from ICRF axes to those of its reference body, with the velocity relative to the turning body. */
+export function seeFromBody(row: Float64Array, bodies: Float64Array): void {
   const at = row[REFERENCE_BODY]! * BODY_STRIDE;
   take(body, bodies, at + BODY_ATTITUDE);
   take(spin, bodies, at + BODY_ANGULAR_VELOCITY);
-  const [x, y, z] = [row[POSITION]!, row[POSITION + 1]!, row[POSITION + 2]!];
-  row[VELOCITY] = row[VELOCITY]! - (spin[1]! * z - spin[2]! * y);
-  row[VELOCITY + 1] = row[VELOCITY + 1]! - (spin[2]! * x - spin[0]! * z);
-  row[VELOCITY + 2] = row[VELOCITY + 2]! - (spin[0]! * y - spin[1]! * x);
+  take(place, row, POSITION);
+  cross(groundVelocity, spin, place);
+  for (let k = 0; k < 3; k++) row[VELOCITY + k] = row[VELOCITY + k]! - groundVelocity[k]!;
   for (const column of [POSITION, VELOCITY, ANGULAR_VELOCITY]) {
     take(place, row, column);
     rotateBack(place, body, place);
@@ -68,4 +44,5 @@ function seeFromBody(row: Float64Array, bodies: Float64Array): void {
 const body = quaternion();
 const attitude = quaternion();
 const spin = vector();
+const groundVelocity = vector();
 const place = vector();

@@ -1,13 +1,13 @@
 import type { Mission, RunOutcome, Score } from '../../../scenarios';
 
-/** A run that was flown again from its inputs: what it came to and what it was worth. */
+/** A run replayed from its inputs: its outcome and its score. */
 export interface VerifiedRun {
   readonly mission: Mission;
   readonly bytes: Uint8Array;
   readonly outcome: RunOutcome;
   readonly score: Score;
-  /** As softly as the goal says. */
+  /** Whether it meets the goal. */
   readonly meetsGoal: boolean;
-  /** Whose; '' = one's own. */
+  /** Name of its pilot; '' = one's own. */
   readonly by: string;
 }

@@ -18,11 +18,11 @@ import {
   type Field,
   firstDifference,
   type Place,
-  sameCommand,
   type Tolerance,
   writeError,
   writeInexact,
 } from './compare';
+import { sameCommand } from '../../inputs/command';
 import { recalledImpact, recallWheels } from './recall';
 import { has, offsetOf } from '../../simulation/history';
 import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from '../../simulation/sleep';
@@ -100,7 +100,7 @@ export function showServerState(
   track.mode = 'held';
   if (track.policy === 'predict') track.picture.hasHeld = false;
   if (track.policy !== 'interpolate') track.states = null;
-  else sim.features.interpolation?.keep(track, context.tick, sent, context.bodies);
+  else sim.features.interpolation?.keep(sim, track, sent, context);
   return null;
 }
 

@@ -1,15 +1,16 @@
-"""What may enter: ranges, and checks that refuse with the path of the field (the ranges of src/dynamics/constants/limits.ts).
+"""Ranges of input, and checks that refuse with the path of the field (the ranges of src/dynamics/constants/limits.ts).
 
 A check returns the value as the simulation holds it (floats, tuples) or raises Refusal.
 """
 
+import json
 from dataclasses import dataclass
 from math import isfinite, sqrt
 from typing import Any
 
 
 class Refusal(ValueError):
-    """Something from outside that cannot be used: 'field: expected this, got that'."""
+    """Invalid input: 'field: expected this, got that'."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +49,16 @@ ANY = Range(-1e300, 1e300, "")
 UNIT_WITHIN = 1e-3
 # Longest text.
 TEXT = 128
+
+
+def parse_json(given: Any, field: str) -> Any:
+    """What a JSON text holds; raises Refusal for anything else."""
+    if not isinstance(given, str):
+        raise Refusal(f"{field}: expected a text, got {shown(given)}")
+    try:
+        return json.loads(given)
+    except (ValueError, RecursionError):
+        raise Refusal(f"{field}: expected JSON, got {shown(given)}") from None
 
 
 def number(value: Any, field: str, allowed: Range = ANY) -> float:
@@ -129,6 +140,12 @@ def mapping(value: Any, field: str) -> dict[str, Any]:
     return value
 
 
+def listed(value: Any, field: str) -> list[Any]:
+    if not isinstance(value, list):
+        raise Refusal(f"{field}: expected a list, got {shown(value)}")
+    return value
+
+
 def required(data: dict[str, Any], name: str, field: str) -> Any:
     if name not in data:
         raise Refusal(f"{field}.{name}: missing" if field else f"{name}: missing")
@@ -142,7 +159,7 @@ def known_fields(data: dict[str, Any], names: set[str] | frozenset[str], field: 
 
 
 def shown(value: Any) -> str:
-    """A value as a message may carry it: short, whatever was sent."""
+    """A short description of a value, for messages."""
     try:
         said = repr(value)
     except (ValueError, RecursionError):

@@ -223,7 +223,7 @@ describe('a message', () => {
   it('is refused without a token, as a list, and as bytes that mean nothing', () => {
     expect(readText('{"type":"auth","token":""}')).toEqual({
       kind: 'refused',
-      reason: 'auth.token: expected a text',
+      reason: 'auth.token: expected a string',
     });
     expect(readText('[]')).toEqual({ kind: 'refused', reason: 'message: expected an object' });
     expect(readText('null')).toEqual({ kind: 'refused', reason: 'message: expected an object' });

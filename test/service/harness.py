@@ -21,7 +21,7 @@ sys.path.insert(0, str(SERVICE_HOME))
 
 SITE = [0.6, 0.48, 0.64]
 # Seconds after which a condition that should come true has failed.
-PATIENCE = 30
+PATIENCE = 180
 
 
 class RedisServer:

@@ -179,12 +179,8 @@ class Clock(WithService):
         # A busy machine moves the schedule by whole intervals; where it keeps up they are one apart.
         steps = (then["due"] - now["due"]) / 0.04
         self.assertAlmostEqual(steps, max(1, round(steps)), 4)
-
-        def is_in_step() -> bool:
-            dues = [f["due"] for f in frames(self.client)[changed:]]
-            return any(abs(after - before - 0.04) < 1e-6 for before, after in pairwise(dues))
-
-        self.until(is_in_step, "two frames 40 ms apart")
+        dues = lambda: [f["due"] for f in frames(self.client)[changed:]]
+        self.until(lambda: any(abs(b - a - 0.04) < 1e-6 for a, b in pairwise(dues())), "two frames 40 ms apart")
         self.client.set("game:paused", "true")
         self.until(lambda: frames(self.client)[-1]["paused"], "paused")
         stood = self.tick()

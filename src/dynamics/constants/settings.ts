@@ -55,6 +55,8 @@ export interface LoadedSettings extends Settings {
   readonly cosSettleTilt: number;
   /** Cosine of contactTippedAngleDeg. */
   readonly cosTippedAngle: number;
+  /** What of all this a substep reads: columns of constantRows.ts. */
+  readonly constants: Float64Array;
 }
 
 /** Settings as loaded, or a reason that names the first setting out of its range, and the range. Absent settings keep their defaults. */
@@ -68,12 +70,21 @@ export function loadSettings(given: Partial<Settings>): Result<LoadedSettings> {
   }
   const outOfRange = firstOutOfRange(s);
   if (outOfRange !== null) return err(outOfRange);
-  return ok(
-    Object.freeze({
-      ...s,
-      cosSettleTilt: cosineOfDegrees(s.contactSettleTiltDeg),
-      cosTippedAngle: cosineOfDegrees(s.contactTippedAngleDeg),
-    }),
+  const loaded = {
+    ...s,
+    cosSettleTilt: cosineOfDegrees(s.contactSettleTiltDeg),
+    cosTippedAngle: cosineOfDegrees(s.contactTippedAngleDeg),
+  };
+  return ok(Object.freeze({ ...loaded, constants: constantsOf(loaded) }));
+}
+
+/** In the order of constantRows.ts. */
+function constantsOf(s: Omit<LoadedSettings, 'constants'>): Float64Array {
+  return Float64Array.of(
+    ...[s.contactCrashSpeed, s.contactBounceSpeed, s.contactSettleAngularVel, s.contactSettleLinearVel],
+    ...[s.contactDampingRatio, s.contactFrictionStatic, s.contactFrictionKinetic],
+    ...[s.cosSettleTilt, s.cosTippedAngle],
+    ...[s.touchdownAttitude === 'aligned' ? 1 : 0, s.surfaceNormal === 'terrain' ? 1 : 0],
   );
 }
 

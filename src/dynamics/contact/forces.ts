@@ -1,11 +1,4 @@
-import {
-  BODY_ANGULAR_VELOCITY,
-  IMPACT_SPEED,
-  POSITION,
-  SURFACE_STATE,
-  TIPPED,
-  VELOCITY,
-} from '../state/layout';
+import { IMPACT_SPEED, POSITION, SURFACE_STATE, TIPPED, VELOCITY } from '../state/layout';
 import {
   ALONG,
   COS_SLOPE,
@@ -20,10 +13,10 @@ import {
   NORMAL_FORCE,
   NORMAL_SPEED,
   PENETRATION,
+  GROUND_SPIN,
   quantities,
   SLOPE,
-  SMI_MASK,
-  START,
+  start,
   type Step,
   SURFACE_NORMAL,
   TANGENTIAL_SPEED_SQUARED,
@@ -31,6 +24,13 @@ import {
   THRUST,
   WEIGHT,
 } from './quantities';
+import {
+  BOUNCE_SPEED,
+  DAMPING_RATIO,
+  FRICTION_KINETIC,
+  FRICTION_STATIC,
+  SETTLE_LINEAR_VEL,
+} from '../constants/constantRows';
 
 /** k / m, s⁻²: the contact spring (DYNAMICS, Normal force). */
 const STIFFNESS = 100;
@@ -40,15 +40,14 @@ const CRITICAL_DAMPING = 20;
 const HELD_SPEED_SQUARED = 1e-4;
 
 /** LOAD, what presses into the ground, and DEPTH, where the spring rests under it; by the gravity at `surface`. */
-export function readLoad(surface: number): void {
+export function readLoad(surface: Float64Array): void {
   const q = quantities;
-  const from = surface & SMI_MASK;
-  const weight = q[MASS]! * q[from + GRAVITY]!;
+  const weight = q[MASS]! * surface[GRAVITY]!;
   const load =
-    weight * q[from + COS_SLOPE]! -
-    (q[THRUST]! * q[from + SURFACE_NORMAL]! +
-      q[THRUST + 1]! * q[from + SURFACE_NORMAL + 1]! +
-      q[THRUST + 2]! * q[from + SURFACE_NORMAL + 2]!);
+    weight * surface[COS_SLOPE]! -
+    (q[THRUST]! * surface[SURFACE_NORMAL]! +
+      q[THRUST + 1]! * surface[SURFACE_NORMAL + 1]! +
+      q[THRUST + 2]! * surface[SURFACE_NORMAL + 2]!);
   q[LOAD] = load > 0 ? load : 0;
   q[DEPTH] = q[LOAD] / (STIFFNESS * q[MASS]!);
 }
@@ -56,34 +55,34 @@ export function readLoad(surface: number): void {
 /** ALONG: what pushes along the ground, weight on a slope less thrust. */
 function readAlong(): void {
   const q = quantities;
-  const sx = q[START + SURFACE_NORMAL]!;
-  const sy = q[START + SURFACE_NORMAL + 1]!;
-  const sz = q[START + SURFACE_NORMAL + 2]!;
+  const sx = start[SURFACE_NORMAL]!;
+  const sy = start[SURFACE_NORMAL + 1]!;
+  const sz = start[SURFACE_NORMAL + 2]!;
   const off = q[THRUST]! * sx + q[THRUST + 1]! * sy + q[THRUST + 2]! * sz;
-  q[ALONG] = q[WEIGHT]! * q[START + SLOPE]! - (q[THRUST]! - off * sx);
-  q[ALONG + 1] = q[WEIGHT]! * q[START + SLOPE + 1]! - (q[THRUST + 1]! - off * sy);
-  q[ALONG + 2] = q[WEIGHT]! * q[START + SLOPE + 2]! - (q[THRUST + 2]! - off * sz);
+  q[ALONG] = q[WEIGHT]! * start[SLOPE]! - (q[THRUST]! - off * sx);
+  q[ALONG + 1] = q[WEIGHT]! * start[SLOPE + 1]! - (q[THRUST + 1]! - off * sy);
+  q[ALONG + 2] = q[WEIGHT]! * start[SLOPE + 2]! - (q[THRUST + 2]! - off * sz);
 }
 
 /** Whether vertical speed, √(v_s² + 100 (penetration c_s − DEPTH)²), the spring's stored energy counted in, and slide are small. */
-export function isNearlyAtRest(surface: number, step: Step): boolean {
+export function isNearlyAtRest(surface: Float64Array, step: Step): boolean {
   const q = quantities;
-  const limit = step.world.settings.contactSettleLinearVel;
-  const speed = q[surface + NORMAL_SPEED]!;
-  const sunk = q[surface + PENETRATION]! * q[surface + COS_SLOPE]! - q[DEPTH]!;
+  const limit = step.settings[SETTLE_LINEAR_VEL]!;
+  const speed = surface[NORMAL_SPEED]!;
+  const sunk = surface[PENETRATION]! * surface[COS_SLOPE]! - q[DEPTH]!;
   return (
     speed * speed + STIFFNESS * (sunk * sunk) < limit * limit &&
-    q[surface + TANGENTIAL_SPEED_SQUARED]! < limit * limit
+    surface[TANGENTIAL_SPEED_SQUARED]! < limit * limit
   );
 }
 
 /** Step 3, of a ship in the ground: its load, the depth it would rest at, and whether the ground holds it where it lies tipped. */
 export function isPinned(step: Step): boolean {
   const q = quantities;
-  readLoad(START);
+  readLoad(start);
   readAlong();
-  if (q[SURFACE_STATE] !== TIPPED || !isNearlyAtRest(START, step)) return false;
-  const most = step.world.settings.contactFrictionStatic * q[LOAD]!;
+  if (q[SURFACE_STATE] !== TIPPED || !isNearlyAtRest(start, step)) return false;
+  const most = step.settings[FRICTION_STATIC]! * q[LOAD]!;
   return q[ALONG]! * q[ALONG]! + q[ALONG + 1]! * q[ALONG + 1]! + q[ALONG + 2]! * q[ALONG + 2]! <= most * most;
 }
 
@@ -97,48 +96,46 @@ export function pressNormal(step: Step, pinned: boolean): void {
   // c = 2 ζ √(k m) with k = 100 m.
   const damping = settlesWithoutBounce(step)
     ? CRITICAL_DAMPING
-    : CRITICAL_DAMPING * step.world.settings.contactDampingRatio;
-  const sunk = q[START + PENETRATION]! * q[START + COS_SLOPE]!;
-  const force = q[MASS]! * (STIFFNESS * sunk - damping * q[START + NORMAL_SPEED]!);
+    : CRITICAL_DAMPING * step.settings[DAMPING_RATIO]!;
+  const sunk = start[PENETRATION]! * start[COS_SLOPE]!;
+  const force = q[MASS]! * (STIFFNESS * sunk - damping * start[NORMAL_SPEED]!);
   q[NORMAL_FORCE] = force > 0 ? force : 0;
 }
 
 /** Tipped, or in the contact of a touch not above contact_bounce_speed. Asked of grounded ships. */
 function settlesWithoutBounce(step: Step): boolean {
   const q = quantities;
-  return q[SURFACE_STATE] === TIPPED || q[IMPACT_SPEED]! <= step.world.settings.contactBounceSpeed;
+  return q[SURFACE_STATE] === TIPPED || q[IMPACT_SPEED]! <= step.settings[BOUNCE_SPEED]!;
 }
 
 /** FRICTION: holds against slide, push, slope and the ground's own turning, or is kinetic and never more than ends the slide. */
 function rub(step: Step): void {
   const q = quantities;
-  const { bodies } = step;
-  const bodyAt = step.bodyAt & SMI_MASK;
-  const { contactFrictionKinetic, contactFrictionStatic } = step.world.settings;
+  const { settings } = step;
   const force = q[NORMAL_FORCE]!;
   const mass = q[MASS]!;
   const perSpeed = mass / q[DT]!;
   const half = 0.5 * mass;
-  const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const ox = q[GROUND_SPIN]!;
+  const oy = q[GROUND_SPIN + 1]!;
+  const oz = q[GROUND_SPIN + 2]!;
   const ux = q[VELOCITY]!;
   const uy = q[VELOCITY + 1]!;
   const uz = q[VELOCITY + 2]!;
-  let dx = q[START + TANGENTIAL_VELOCITY]! * perSpeed - (q[ALONG]! + half * (oy * uz - oz * uy));
-  let dy = q[START + TANGENTIAL_VELOCITY + 1]! * perSpeed - (q[ALONG + 1]! + half * (oz * ux - ox * uz));
-  let dz = q[START + TANGENTIAL_VELOCITY + 2]! * perSpeed - (q[ALONG + 2]! + half * (ox * uy - oy * ux));
-  const sx = q[START + SURFACE_NORMAL]!;
-  const sy = q[START + SURFACE_NORMAL + 1]!;
-  const sz = q[START + SURFACE_NORMAL + 2]!;
+  let dx = start[TANGENTIAL_VELOCITY]! * perSpeed - (q[ALONG]! + half * (oy * uz - oz * uy));
+  let dy = start[TANGENTIAL_VELOCITY + 1]! * perSpeed - (q[ALONG + 1]! + half * (oz * ux - ox * uz));
+  let dz = start[TANGENTIAL_VELOCITY + 2]! * perSpeed - (q[ALONG + 2]! + half * (ox * uy - oy * ux));
+  const sx = start[SURFACE_NORMAL]!;
+  const sy = start[SURFACE_NORMAL + 1]!;
+  const sz = start[SURFACE_NORMAL + 2]!;
   const off = dx * sx + dy * sy + dz * sz;
   dx -= off * sx;
   dy -= off * sy;
   dz -= off * sz;
   const demand = dx * dx + dy * dy + dz * dz;
-  const held = contactFrictionStatic * force;
-  const kinetic = contactFrictionKinetic * force;
-  const holds = q[START + TANGENTIAL_SPEED_SQUARED]! <= HELD_SPEED_SQUARED && demand <= held * held;
+  const held = settings[FRICTION_STATIC]! * force;
+  const kinetic = settings[FRICTION_KINETIC]! * force;
+  const holds = start[TANGENTIAL_SPEED_SQUARED]! <= HELD_SPEED_SQUARED && demand <= held * held;
   const share = holds || demand <= kinetic * kinetic ? 1 : kinetic / Math.sqrt(demand);
   q[FRICTION] = -dx * share;
   q[FRICTION + 1] = -dy * share;
@@ -156,38 +153,30 @@ export function moveOnGround(step: Step): void {
   else q[FRICTION] = q[FRICTION + 1] = q[FRICTION + 2] = 0;
   q[VELOCITY] =
     q[VELOCITY]! +
-    (force * q[START + SURFACE_NORMAL]! - weight * q[START + NORMAL]! + q[FRICTION]! + q[THRUST]!) * perMass;
+    (force * start[SURFACE_NORMAL]! - weight * start[NORMAL]! + q[FRICTION]! + q[THRUST]!) * perMass;
   q[VELOCITY + 1] =
     q[VELOCITY + 1]! +
-    (force * q[START + SURFACE_NORMAL + 1]! -
-      weight * q[START + NORMAL + 1]! +
-      q[FRICTION + 1]! +
-      q[THRUST + 1]!) *
+    (force * start[SURFACE_NORMAL + 1]! - weight * start[NORMAL + 1]! + q[FRICTION + 1]! + q[THRUST + 1]!) *
       perMass;
   q[VELOCITY + 2] =
     q[VELOCITY + 2]! +
-    (force * q[START + SURFACE_NORMAL + 2]! -
-      weight * q[START + NORMAL + 2]! +
-      q[FRICTION + 2]! +
-      q[THRUST + 2]!) *
+    (force * start[SURFACE_NORMAL + 2]! - weight * start[NORMAL + 2]! + q[FRICTION + 2]! + q[THRUST + 2]!) *
       perMass;
-  if (q[START + PENETRATION]! > 0 && q[LIFT]! <= weight && settlesWithoutBounce(step)) capRise(step);
+  if (start[PENETRATION]! > 0 && q[LIFT]! <= weight && settlesWithoutBounce(step)) capRise();
   q[POSITION] = q[POSITION]! + q[VELOCITY] * dt;
   q[POSITION + 1] = q[POSITION + 1]! + q[VELOCITY + 1]! * dt;
   q[POSITION + 2] = q[POSITION + 2]! + q[VELOCITY + 2]! * dt;
 }
 
 /** The speed off the ground of a settling ship ends at the static depth: the excess is taken off along s. */
-function capRise(step: Step): void {
+function capRise(): void {
   const q = quantities;
-  const { bodies } = step;
-  const bodyAt = step.bodyAt & SMI_MASK;
-  const sx = q[START + SURFACE_NORMAL]!;
-  const sy = q[START + SURFACE_NORMAL + 1]!;
-  const sz = q[START + SURFACE_NORMAL + 2]!;
-  const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const sx = start[SURFACE_NORMAL]!;
+  const sy = start[SURFACE_NORMAL + 1]!;
+  const sz = start[SURFACE_NORMAL + 2]!;
+  const ox = q[GROUND_SPIN]!;
+  const oy = q[GROUND_SPIN + 1]!;
+  const oz = q[GROUND_SPIN + 2]!;
   const rx = q[POSITION]!;
   const ry = q[POSITION + 1]!;
   const rz = q[POSITION + 2]!;
@@ -195,7 +184,7 @@ function capRise(step: Step): void {
   const vy = q[VELOCITY + 1]! - (oz * rx - ox * rz);
   const vz = q[VELOCITY + 2]! - (ox * ry - oy * rx);
   const rise = vx * sx + vy * sy + vz * sz;
-  const toRest = (q[START + PENETRATION]! * q[START + COS_SLOPE]! - q[DEPTH]!) / q[DT]!;
+  const toRest = (start[PENETRATION]! * start[COS_SLOPE]! - q[DEPTH]!) / q[DT]!;
   const most = toRest > 0 ? toRest : 0;
   if (!(rise > most)) return;
   const excess = rise - most;

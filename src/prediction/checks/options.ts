@@ -111,7 +111,7 @@ export function checkSettings(warn: Warn, path: string, settings: unknown): void
   if (!isRecord(settings)) return;
   const known = Object.keys(DEFAULT_SETTINGS);
   // A loaded record includes its derived constants.
-  const naming = { code: 'unknown-setting', path, known: [...known, 'cosSettleTilt', 'cosTippedAngle'] };
+  const naming = { code: 'unknown-setting', path, known: [...known, 'cosSettleTilt', 'cosTippedAngle', 'constants'] };
   warnOfUnknown(warn, naming, settings as object);
   const tipped = (settings as { contactTippedAngleDeg?: unknown }).contactTippedAngleDeg;
   if (typeof tipped === 'number' && tipped > 0 && tipped < 3.2) {

@@ -1,9 +1,9 @@
 import { DEFAULT_SETTINGS, SHIP_STRIDE } from '../dynamics';
 import { PROTOCOL_VERSION } from '../protocol';
 import type { Hello, ServerFrame } from '../wire';
-import type { Pilot } from './pilots';
+import type { Pilot } from './pilots/pilots';
 import { granularityOf, type ServerState } from './serverState';
-import { toBodyStates, toShipState } from './shipState';
+import { toBodyStates, toShipState } from './ships/shipState';
 
 /** The world config that a pilot receives once, on joining. */
 export function helloFor(server: ServerState, pilot: Pilot): Hello {

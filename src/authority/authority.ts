@@ -1,15 +1,15 @@
 import { ok, type Result, type ShipInit, type Vec3 } from '../dynamics';
 import type { ClientMessage, Hello, Pong, ServerFrame } from '../wire';
 import { frameFor } from './announcements';
-import { join, receive } from './clients';
-import type { Counters } from './counters';
+import { join, receive } from './pilots/clients';
+import type { Counters } from './pilots/counters';
 import { simulateInterval } from './interval';
 import type { AuthorityOptions } from './options';
-import { loadPlan } from './plans';
-import { passBoundary } from './schedule';
+import { loadPlan } from './ships/plans';
+import { passBoundary } from './time/schedule';
 import { createServerState, type ServerState } from './serverState';
-import { despawn, kick, respawn, spawn, type SpawnOrder } from './shipTable';
-import type { Tempo } from './tempo';
+import { despawn, kick, respawn, spawn, type SpawnOrder } from './ships/shipTable';
+import type { Tempo } from './time/tempo';
 
 /**
  * The world loop that plays the server (PREDICTION, Server messages; DYNAMICS, Time). It has no clock, no random numbers and

@@ -1,9 +1,9 @@
 import { beginTick, endTick, EVENT_NAMES, NO_EVENT, readControls, stepWorld } from '../dynamics';
 import type { WorldEvent } from '../wire';
-import { applyDue } from './inputQueue';
-import { flyPlans } from './plans';
+import { applyDue } from './pilots/inputQueue';
+import { flyPlans } from './ships/plans';
 import { presentOf, type ServerState } from './serverState';
-import { rowOf } from './shipTable';
+import { rowOf } from './ships/shipTable';
 
 /** Simulates the interval that begins at the present boundary, substep by substep, with the inputs that have arrived. */
 export function simulateInterval(server: ServerState): void {

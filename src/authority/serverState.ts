@@ -1,13 +1,13 @@
 import { ok, type Result, type World } from '../dynamics';
 import type { ServerFrame, WorldEvent } from '../wire';
-import { type Counters, createCounters } from './counters';
-import { type Present } from './inputQueue';
+import { type Counters, createCounters } from './pilots/counters';
+import { type Present } from './pilots/inputQueue';
 import { type AuthorityOptions, loadOptions } from './options';
-import type { Pilot } from './pilots';
-import type { Plan } from './plans';
-import { createSchedule, endOfTick, type Schedule } from './schedule';
-import { createShipTable, type ShipTable } from './shipTable';
-import { createTempo, type Tempo } from './tempo';
+import type { Pilot } from './pilots/pilots';
+import type { Plan } from './ships/plans';
+import { createSchedule, endOfTick, type Schedule } from './time/schedule';
+import { createShipTable, type ShipTable } from './ships/shipTable';
+import { createTempo, type Tempo } from './time/tempo';
 
 /** Everything an authority holds between two calls. */
 export interface ServerState {

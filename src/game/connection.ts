@@ -113,7 +113,7 @@ function act(link: Link, message: GameMessage): void {
       break;
     case 'token':
       if (typeof message.token !== 'string')
-        return handlers.onRefused?.('token_refresh.token: expected a text');
+        return handlers.onRefused?.('token_refresh.token: expected a string');
       link.held.token = message.token;
       handlers.onToken?.(message.token);
       break;
@@ -145,7 +145,7 @@ function takeGone(link: Link, message: GameMessage & { kind: 'destroyed' | 'remo
     return typeof found === 'string' ? found : '';
   };
   const shipId = text('ship_id', 'shipId');
-  if (shipId === '') return link.handlers.onRefused?.(`${message.kind}.ship_id: expected a text`);
+  if (shipId === '') return link.handlers.onRefused?.(`${message.kind}.ship_id: expected a string`);
   const own = { name: text('ship_name', 'shipName'), body: text('body'), reason: text('reason') };
   link.handlers.onShipGone?.(shipId, message.kind === 'destroyed' ? own : null);
 }

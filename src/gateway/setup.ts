@@ -44,7 +44,7 @@ function readAccounts(text: string): Result<Account[]> {
   for (const [i, account] of (list as Partial<Account>[]).entries()) {
     for (const field of ['username', 'playerId', 'password'] as const)
       if (typeof account[field] !== 'string' || account[field] === '')
-        return err(`TOUCHDOWN_ACCOUNTS[${i}].${field}: expected a text`);
+        return err(`TOUCHDOWN_ACCOUNTS[${i}].${field}: expected a string`);
   }
   return ok(list as Account[]);
 }

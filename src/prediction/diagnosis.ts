@@ -1,6 +1,6 @@
 import type { Diagnosis } from './drawn/view';
 
-/** Counters at zero, gauges at rest. */
+/** All counters at zero, all gauges at their initial value. */
 export function createDiagnosis(): Diagnosis {
   return {
     framesAccepted: 0,

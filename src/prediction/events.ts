@@ -22,24 +22,24 @@ export interface Ledger {
 
 export interface LedgerEntry {
   readonly event: number;
-  /** The substep at whose end it happened. */
+  /** It happened at the end of this substep. */
   tick: number;
   substep: number;
   status: 'predicted' | 'confirmed' | 'retracted';
-  /** The newest pass over the ship's time that had it: one pass never has an event twice. */
+  /** The newest simulation pass that produced it: one pass never has an event twice. */
   pass: number;
 }
 
 /** Substeps within which two events of a type are the same one. */
 const SAME_EVENT = 50;
-/** Most entries; a ship that bounces faster gets no more predictions until some are settled. */
+/** Beyond this, no event is predicted until an entry is settled. */
 const MAX_ENTRIES = 64;
 
 export function createLedger(shipId: string): Ledger {
   return { shipId, entries: [] };
 }
 
-/** The simulation met `event` in pass `pass`; a notice if it is new. */
+/** Records an event that the simulation produced in pass `pass`. Returns a notice if it is new. */
 export function predict(
   ledger: Ledger,
   event: number,
@@ -66,7 +66,7 @@ export function predict(
   return noticeOf(ledger, add(ledger, event, birth, pass));
 }
 
-/** A server event in the ledger's form; null if only the server knows it, or without a substep. */
+/** A server event in the ledger's form; null if the dynamics have no such event, or without a substep. */
 export function knownEvent({
   type,
   tick,
@@ -76,7 +76,7 @@ export function knownEvent({
   return event <= 0 || substep === null ? null : { event, tick, substep };
 }
 
-/** The server sent `event`; a notice unless it was sent before. */
+/** Records an event that the server sent. Returns a notice unless it was sent before. */
 export function confirm(
   ledger: Ledger,
   event: number,
@@ -127,7 +127,7 @@ export function confirmByState(
   return null;
 }
 
-/** Surface states that can only follow each event, or that may. */
+/** Surface states that show that each event has happened. */
 const SHOWN_BY: Readonly<Record<number, readonly string[]>> = {
   [EVENT_CONTACT]: ['contact', 'landed', 'tipped'],
   [EVENT_LANDED]: ['landed'],
@@ -135,7 +135,7 @@ const SHOWN_BY: Readonly<Record<number, readonly string[]>> = {
   [EVENT_RIGHTED]: ['contact', 'landed'],
 };
 
-/** The pass that produced the prediction, and the tick at which it began. */
+/** The pass that produced a prediction, and the tick at which the pass began. */
 export interface PredictedBy {
   readonly pass: number;
   readonly fromTick: number;

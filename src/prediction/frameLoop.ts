@@ -20,13 +20,13 @@ import {
   writeMoment,
 } from './time/timeline';
 
-/** After a longer gap between two calls the page was hidden or stalled, s: one resynchronisation, nothing replayed. */
+/** s: after a longer gap the page was hidden or stalled; it resynchronises once and replays nothing. */
 const LONG_GAP = 1;
-/** s: keys held before a longer absence count as released. A page that draws slowly keeps them. */
+/** s: keys held before a longer absence count as released. A slow page keeps them. */
 const KEYS_HELD = 2;
-/** A gap of up to this many usual ones is no absence. */
+/** A gap of up to this many usual gaps is no absence. */
 const USUAL = 3;
-/** Own controls act from at most this many substeps before the present on: what a 60 Hz frame spans. */
+/** Own controls act from at most this many substeps before the present: the span of a 60 Hz frame. */
 const BACKDATED = 2;
 
 /** One display frame: own controls are sampled, and everything is simulated up to the present (PREDICTION, Timeline). */
@@ -46,7 +46,7 @@ export function advanceFrame(session: Session, controls: Controls | null, now: n
   announce(session);
 }
 
-/** Whether a JavaScript caller's controls have their members; their values are checked when sampled. */
+/** Whether the controls of a JavaScript caller have all members; the values are checked when sampled. */
 function areControls({ warn }: Session, given: unknown): boolean {
   const controls = given as Partial<Controls> | undefined;
   const lists = [controls?.rotationInput, controls?.translationInput, controls?.targetAttitude];
@@ -55,7 +55,7 @@ function areControls({ warn }: Session, given: unknown): boolean {
   return false;
 }
 
-/** Moves the clock; if the front cannot follow continuously, moves it to the present. Returns the front's target. */
+/** Advances the clock. If the front cannot follow continuously, it is moved to the present. Returns the front's target. */
 function alignFront(session: Session, now: number): Position {
   const { sim, clock, pilot, counters, advancedAt: advancedBefore } = session;
   const { timing, timeScale, tickRate, paused } = spanOf(sim.timeline, sim.newestTick);
@@ -71,7 +71,7 @@ function alignFront(session: Session, now: number): Position {
   return target;
 }
 
-/** Whether the page was away: longer than a second, and than it usually takes from frame to frame. */
+/** Whether the page was away: for longer than a second, and longer than its usual frames take. */
 function wasAbsent(session: Session, now: number): boolean {
   const gap = now - session.advancedAt;
   session.advancedAt = now;

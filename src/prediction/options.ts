@@ -12,7 +12,7 @@ import type { ScheduledInput } from './inputs/inputs';
 import type { WorldConfig } from './snapshots/worldConfig';
 import type { Warn } from './warnings';
 
-/** A terrain that may not be loaded everywhere: there it returns null, and ships are extrapolated from their states. */
+/** A terrain that may be loaded only in part: elsewhere it returns null, and ships are extrapolated from their states. */
 export type ClientTerrain = (...place: Parameters<TerrainHeight>) => number | null;
 
 /** Options of a predictor; all are optional. */
@@ -28,13 +28,13 @@ export interface PredictorOptions {
   /** The own ship of a client whose server sends no hello. */
   readonly ownShipId?: string;
   /**
-   * Scheduled inputs of the own ship until its pilot's first input acts, the same as on the server; ascending in time. Until then pass null
+   * Scheduled inputs of the own ship until its pilot's first input acts, equal to the server's; ascending in time. Until then pass null
    * to `advance`.
    */
   readonly plan?: readonly ScheduledInput[];
   /** Called for each kind of mistake in options, messages or calls, once per code, with the value and what to do. If it throws, it is ignored. */
   readonly onWarning?: Warn;
-  /** Test mode: at every tick boundary go back this many ticks, replay, and compare bits. Counted in the diagnosis. */
+  /** Test mode: at every tick boundary goes back this many ticks, replays, and compares bits. Counted in the diagnosis. */
   readonly forcedRollback?: number;
 }
 
@@ -50,10 +50,10 @@ export interface Defaults {
   readonly terrain: string;
 }
 
-/** Default of ship substeps per frame. */
+/** Default of maxSubstepsPerFrame. */
 export const BUDGET = 20_000;
 
-/** The defaults of the options, completed by the game's own catalogue. */
+/** The default world of the options, completed by the game's own catalogue. */
 export function defaultWorld(given: Partial<Defaults> | undefined): WorldConfig {
   return {
     settings: given?.settings ?? {},

@@ -30,7 +30,7 @@ export function changeOwnShip(session: Session, shipId: string): void {
   if (fleet.own !== null) fleet.own.own = true;
 }
 
-/** The ship becomes another pilot's or unmanned: it returns to its server state, without the client's inputs. */
+/** The ship now belongs to another pilot or to none: it returns to its server state, without the client's inputs. */
 function giveUp(sim: Simulation, track: Track): void {
   track.own = false;
   track.log = null;
@@ -42,7 +42,7 @@ function giveUp(sim: Simulation, track: Track): void {
   }
 }
 
-/** Removes the ship at once. Frames already received do not restore it; a later one does. */
+/** Removes the ship at once. Frames already received do not restore it; later ones do. */
 export function dropShip({ sim, receiver }: Session, shipId: string, reason: Removal): void {
   receiver.removed.set(shipId, sim.newestTick);
   const track = sim.fleet.byId.get(shipId);
@@ -55,7 +55,7 @@ export function dropShip({ sim, receiver }: Session, shipId: string, reason: Rem
   removeTrack(sim.fleet, track);
 }
 
-/** The server only reports that it was destroyed: as of its newest tick. */
+/** A destruction has no stamp: it counts as of the newest tick. */
 function birthOfEnd({ newestTick }: Simulation): { tick: number; substep: number } {
   return { tick: newestTick, substep: 0 };
 }

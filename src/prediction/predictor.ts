@@ -57,16 +57,16 @@ function createFace({ session, kept }: Owned): Predictor {
     ...shipCalls(session, life),
     refused: (reason) => refuse(session.sim, reason),
     onEvent(listener) {
-      if (!life.goesOn('onEvent') || !isListener(session, listener)) return () => undefined;
+      if (!life.carriesOut('onEvent') || !isListener(session, listener)) return () => undefined;
       session.listeners.add(listener);
       return () => session.listeners.delete(listener);
     },
     configure: (changes) =>
-      life.goesOn('configure') ? configure(session, changes) : err('configure: disposed'),
+      life.carriesOut('configure') ? configure(session, changes) : err('configure: disposed'),
     reset: () => resetSession(session),
     snapshot: (now) => snapshotOf(session, kept, wallAt(session, now)),
     restore: (snapshot, now) =>
-      life.goesOn('restore')
+      life.carriesOut('restore')
         ? restoreSnapshot(session, kept, snapshot, wallAt(session, now))
         : err('snapshot: disposed'),
     dispose() {

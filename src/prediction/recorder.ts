@@ -8,7 +8,7 @@ import type { Policy } from './simulation/track';
 import { MAX_KEPT_EVENTS } from './snapshots/pendingFrames';
 
 /**
- * One entry of what went through a predictor, in order; `at`: client wall s. The recordings of `scenarios` hold one JSON line for each
+ * One input of a predictor, in order; `at` is client wall s. The recordings of `scenarios` hold one JSON line for each
  * entry.
  */
 export type PredictorEntry =
@@ -30,8 +30,8 @@ export type PredictorCall =
 export type Write = (entry: PredictorEntry) => void;
 
 /**
- * Wraps a predictor so that every message, call, input and time is handed to `write` (PREDICTION, Diagnosis). A predictor has
- * no other input, so a new one that is fed the entries does the same, to the bit. Undecoded messages are written when, and only if, they
+ * Wraps a predictor and passes every message, call, input and time to `write` (PREDICTION, Diagnosis). A predictor has
+ * no other input, so a new one that is fed the entries gives the same bits. Undecoded messages are written when, and only if, they
  * are decoded.
  */
 export function recordPredictor(predictor: Predictor, write: Write): Predictor {
@@ -57,7 +57,7 @@ export function recordPredictor(predictor: Predictor, write: Write): Predictor {
       predictor.receivePending(pending.wrap(message, at), at);
     },
     advance(controls, at) {
-      // After the call: waiting messages are decoded in it, and precede the frame.
+      // Written after the call: it decodes waiting messages, which precede the frame.
       predictor.advance(controls, at);
       written({ kind: 'advanced', at, controls });
     },
@@ -106,7 +106,7 @@ function recordCalls(predictor: Predictor, write: Write, last: { readonly at: nu
 /** Wraps undecoded messages: decoded ones are written, with the events of the frames they supersede. */
 interface PendingRecorder {
   readonly wrap: (message: PendingMessage, at: number) => PendingMessage;
-  /** Waiting messages are dropped. */
+  /** Drops waiting messages. */
   readonly forget: () => void;
 }
 
@@ -169,7 +169,7 @@ function callAgain(predictor: Predictor, call: PredictorCall, at: number): void 
       predictor.setPolicy(call.shipId, call.policy);
       break;
     case 'configure':
-      // The predictor checks it, as it does for any caller.
+      // The predictor checks it as for any caller.
       predictor.configure(call.changes as Partial<Defaults>);
       break;
     case 'restore':

@@ -40,7 +40,7 @@ export interface Session {
   /** The world in force: the defaults until a hello has another. */
   config: WorldConfig;
   granularity: Hello['inputGranularity'];
-  /** s by which the caller's clock has been set back so far: client wall s are what it reads, and this. */
+  /** s by which the caller's clock has been set back so far; client wall s are its reading plus this. */
   setBack: number;
   /** Client wall s of the last `advance`; NaN before the first. */
   advancedAt: number;
@@ -48,7 +48,7 @@ export interface Session {
   usualGap: number;
 }
 
-/** A predictor's state before anything was received. Throws RangeError if the default world is refused, and says which part. */
+/** A predictor's state before anything was received. Throws RangeError that names the invalid part of the default world. */
 export function createSession(options: PredictorOptions): Session {
   const warn = createWarn(options.onWarning);
   const terrains = terrainsOf(options, warn);
@@ -83,7 +83,7 @@ export function createSession(options: PredictorOptions): Session {
   };
 }
 
-/** The terrains that a hello or the defaults may name. Null counts as 0 in sums, and no ship is predicted on it (knowsGround). */
+/** The terrains that a hello or the defaults may name. Unknown ground (null) counts as 0 in sums; no ship is predicted on it (knowsGround). */
 function terrainsOf(
   { terrains = {} }: PredictorOptions,
   warn: Warn,

@@ -6,7 +6,7 @@ import { jitterOf, sentAt, serverTime } from './time/clock';
 import { connectionOf } from './time/connection';
 import { spanOf } from './time/timeline';
 
-/** The world at client wall second `now`, with connection and gauges; before the first `advance` as it is without a server. */
+/** The view at client wall second `now`, with connection and gauges; before the first `advance`, a view without server state. */
 export function viewAt(session: Session, now: number): WorldView {
   const { sim, shown, clock, advancedAt } = session;
   fillConnection(session, now);

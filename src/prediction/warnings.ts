@@ -1,10 +1,10 @@
 /**
- * Mistakes of a caller or a server that stop nothing (PREDICTION, Invalid messages): each code is reported once per predictor and field,
+ * Reports mistakes of the caller or the server; nothing stops (PREDICTION, Invalid messages). Each code is reported once per predictor and field,
  * with the value found and what to do about it.
  */
 export type Warn = (code: string, message: string, details: Readonly<Record<string, unknown>>) => void;
 
-/** Most warnings of one predictor, so that made-up names do not fill the memory. */
+/** Most warnings of one predictor, so that invented names cannot fill the memory. */
 const MAX_REPORTED = 200;
 
 /** Creates a `warn` that reports each code once, or once per `details.field`. A listener that throws is ignored; without one nothing happens. */
@@ -19,7 +19,7 @@ export function createWarn(listener: Warn | undefined): Warn {
     try {
       listener(code, message, details);
     } catch {
-      // A fault of the listener must not affect others.
+      // A fault of the listener must not affect the predictor.
     }
   };
 }

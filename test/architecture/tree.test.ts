@@ -1,4 +1,5 @@
 import { readdirSync } from 'node:fs';
+import { dirname } from 'node:path/posix';
 import { describe, expect, it } from 'vitest';
 import { ROOT, filesUnder } from './source';
 import type { SourceFile } from './source';
@@ -39,12 +40,27 @@ const NOT_OURS = new Set([
 
 const MAX_LINES = 300;
 
+/** Of a folder without folders inside: more ask for rooms. */
+const MAX_FILES = 12;
+
 /** "path: lines" of the files that ask for a split. */
 function tooLong(files: readonly SourceFile[]): string[] {
   return files.flatMap(({ path, text }) => {
     const lines = text.trimEnd().split('\n').length;
     return lines > MAX_LINES ? [`${path}: ${lines} lines`] : [];
   });
+}
+
+/** "folder: files" of the folders that ask for rooms of their own. Declarations beside a script count with it. */
+function crowded(paths: readonly string[]): string[] {
+  const files = new Map<string, number>();
+  for (const path of paths.filter((one) => !one.endsWith('.d.mts'))) {
+    files.set(dirname(path), (files.get(dirname(path)) ?? 0) + 1);
+  }
+  const hasRooms = (folder: string) => paths.some((path) => dirname(path).startsWith(`${folder}/`));
+  return [...files].flatMap(([folder, count]) =>
+    count > MAX_FILES && !hasRooms(folder) ? [`${folder}: ${count} files`] : [],
+  );
 }
 
 describe('the tree', () => {
@@ -58,6 +74,19 @@ describe('the tree', () => {
     const files = ['src', 'test', 'proto', '.ci'].flatMap((folder) => filesUnder(folder, source));
     expect(files.length).toBeGreaterThan(20);
     expect(tooLong(files)).toEqual([]);
+  });
+
+  it(`has no folder of over ${MAX_FILES} sources without folders`, () => {
+    const source = /\.(ts|js|mjs|py|css)$/;
+    const files = ['src', 'test', '.ci'].flatMap((folder) => filesUnder(folder, source));
+    expect(crowded(files.map(({ path }) => path))).toEqual([]);
+  });
+
+  it('fails for a folder that is too full, unless it has rooms', () => {
+    const full = Array.from({ length: MAX_FILES + 1 }, (_, i) => `src/a/${i}.ts`);
+    expect(crowded(full)).toEqual(['src/a: 13 files']);
+    expect(crowded(full.slice(1))).toEqual([]);
+    expect(crowded([...full, 'src/a/b/1.ts'])).toEqual([]);
   });
 
   it('fails for a file that is too long', () => {

@@ -1,14 +1,14 @@
 import { print } from './netcode/figure';
-import { lawFigures } from './netcode/law';
-import { clockFigures } from './netcode/clock';
+import { lawFigures } from './netcode/flights/law';
+import { clockFigures } from './netcode/flights/clock';
 import { costFigures } from './netcode/cost';
 import { faultFigures } from './netcode/faults';
-import { fleetFigures } from './netcode/fleet';
+import { fleetFigures } from './netcode/flights/fleet';
 import { soakFigures } from './netcode/soak';
-import { foreignFigures } from './netcode/foreign';
+import { foreignFigures } from './netcode/foreign/foreign';
 import { hourFigures } from './netcode/hour';
-import { stateFigures } from './netcode/states';
-import { smoothnessFigures } from './netcode/smoothness';
+import { stateFigures } from './netcode/flights/states';
+import { smoothnessFigures } from './netcode/flights/smoothness';
 
 const asJson = process.argv.includes('--json');
 let missed = 0;

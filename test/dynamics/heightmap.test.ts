@@ -7,7 +7,7 @@ import {
 } from '../../src/dynamics';
 import { angleOf, arc, ARC_ANGLE, ARC_X, ARC_Y } from '../../src/dynamics/terrain/arctangent';
 import { createRandom } from '../../src/scenarios';
-import { unitVector } from '../exact/draw';
+import { unitVector } from '../exact/cases/draw';
 import { surveyMap } from '../exact/survey';
 
 const ROWS = 36;

@@ -1,9 +1,9 @@
 /** What the law's bits come to, as one number an engine: every rehearsal, and cases drawn by a seed, hashed substep by substep. */
 import { hashRows } from '../../src/dynamics';
 import { SCENARIOS } from '../../src/scenarios';
-import { drawCase } from '../exact/drawCase';
-import { caseOf, type ExactCase } from '../exact/exactCase';
-import { playCase } from '../exact/playCase';
+import { drawCase } from '../exact/cases/drawCase';
+import { caseOf, type ExactCase } from '../exact/cases/exactCase';
+import { playCase } from '../exact/cases/playCase';
 
 /**
  * The hash of all trajectories, eight hexadecimal digits; the same in every engine. A change of the law, of a terrain, of a rehearsal

@@ -1,10 +1,10 @@
 /** The same cases here and in the Python server. */
 import { availableParallelism } from 'node:os';
 import { firstDifference, hashCase } from './compare';
-import { createCoverage } from './coverage';
-import type { Coverage } from './coverage';
-import { drawCase } from './drawCase';
-import type { ExactCase } from './exactCase';
+import { createCoverage } from './cases/coverage';
+import type { Coverage } from './cases/coverage';
+import { drawCase } from './cases/drawCase';
+import type { ExactCase } from './cases/exactCase';
 import { replayInPython } from './python';
 import type { PythonResult } from './python';
 

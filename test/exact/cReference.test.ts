@@ -3,9 +3,9 @@ import { beginTick, endTick, hashRows, SHIP_STRIDE, stepWorld, timingOfTick } fr
 import { compileReference, landingOf, type Reference, REFERENCES } from '../bench/cBaseline';
 import { flying, landed, sliding, type Subject, tipped } from '../bench/subjects';
 import { type Landing, runReference } from '../bench/cReference/landing';
-import { drawCase } from './drawCase';
-import type { ExactCase } from './exactCase';
-import { BODY_ROW, caseTerrain, loadCase, playCase, SHIP_ROW, writeBodyRow } from './playCase';
+import { drawCase } from './cases/drawCase';
+import type { ExactCase } from './cases/exactCase';
+import { BODY_ROW, caseTerrain, loadCase, playCase, SHIP_ROW, writeBodyRow } from './cases/playCase';
 
 // The bench compares the law with its C references: that is meaningful only when all compute the same.
 const programs = REFERENCES.map((reference) => [reference, compileReference(reference)] as const);

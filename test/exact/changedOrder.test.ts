@@ -3,9 +3,9 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, describe, expect, it } from 'vitest';
 import { firstDifference, hashCase } from './compare';
-import { drawCase } from './drawCase';
-import type { ExactCase } from './exactCase';
-import { caseTerrain } from './playCase';
+import { drawCase } from './cases/drawCase';
+import type { ExactCase } from './cases/exactCase';
+import { caseTerrain } from './cases/playCase';
 import { MAY_SKIP, pythonVersion, replayInPython, SERVER_HOME, surveyInPython } from './python';
 import { heightsHere, surveyPoints } from './survey';
 

@@ -1,7 +1,7 @@
 /** Compares the TypeScript and the Python law bit by bit, and finds where they part. */
 import { createHash } from 'node:crypto';
-import type { ExactCase } from './exactCase';
-import { AFTER_TICK, caseTerrain, playCase, type TakeRow } from './playCase';
+import type { ExactCase } from './cases/exactCase';
+import { AFTER_TICK, caseTerrain, playCase, type TakeRow } from './cases/playCase';
 import { type PythonResult, type PythonRow, rowsInPython, SERVER_HOME } from './python';
 
 /** Names of a ship row's doubles, in the order of dynamics/layout.ts, and of the event behind them. */

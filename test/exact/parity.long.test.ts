@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { differences, playDrawnCases, replaySpread } from './bothSides';
-import { fewestOf } from './coverage';
+import { fewestOf } from './cases/coverage';
 import { MAY_SKIP, pythonVersion } from './python';
 
 const SUBSTEPS = 1_000_000;

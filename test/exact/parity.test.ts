@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { differences, playDrawnCases, replaySpread } from './bothSides';
 import { hashCase } from './compare';
-import { fewestOf } from './coverage';
+import { fewestOf } from './cases/coverage';
 import { MAY_SKIP, pythonVersion, replayInPython, surveyInPython } from './python';
 import { recordedCases, rehearsalCases } from './scenarioData';
 import { heightmapPoints, heightsHere, surveyMaps, surveyPoints } from './survey';

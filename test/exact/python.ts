@@ -2,7 +2,7 @@
 import { spawn, spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { caseToJson, type ExactCase } from './exactCase';
+import { caseToJson, type ExactCase } from './cases/exactCase';
 
 /** The folder that holds the package `touchdown_service`. */
 export const SERVER_HOME = fileURLToPath(new URL('../../src/service', import.meta.url));

@@ -3,7 +3,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { BODIES, NEUTRAL_CONTROLS, SHIP_CLASSES } from '../../src/dynamics';
 import { type Fixture, readFixture, SCENARIOS } from '../../src/scenarios';
-import { type CaseInput, caseOf, caseToJson, type ExactCase, withSnakeKeys } from './exactCase';
+import { type CaseInput, caseOf, caseToJson, type ExactCase, withSnakeKeys } from './cases/exactCase';
 
 export const SCENARIO_FILE = fileURLToPath(new URL('../service/scenarios.json', import.meta.url));
 

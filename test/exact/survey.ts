@@ -1,7 +1,7 @@
 /** Points of the terrains, and their heights as bits: a ship's row holds a height only after a radius was added to it. */
 import { BODIES, type Heightmap, heightmapTerrain, LANDING_SITE, TERRAINS } from '../../src/dynamics';
 import { createRandom } from '../../src/scenarios';
-import { triple, unitVector } from './draw';
+import { triple, unitVector } from './cases/draw';
 import type { SurveyPoint } from './python';
 
 const POINTS = 3000;

@@ -240,8 +240,8 @@ it('refuses invalid messages by name, and goes on', async () => {
     'refused message: expected text, got bytes',
     expect.stringMatching(/^refused message: expected at most 65536 bytes/),
     'refused state.tick: missing',
-    'refused removed.ship_id: expected a text',
-    'refused token_refresh.token: expected a text',
+    'refused removed.ship_id: expected a string',
+    'refused token_refresh.token: expected a string',
   ]);
   expect(live.send({ type: 'service', note: 'x'.repeat(MAX_MESSAGE) })).toBe(false);
   expect(live.state().phase).toBe('live');

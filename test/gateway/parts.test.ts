@@ -109,7 +109,7 @@ it('reads the service’s frame, and keeps what is valid in it', () => {
 it.each([
   ['{', 'message: not JSON'],
   ['5', 'message: expected an object'],
-  ['{"type":"auth"}', 'auth.token: expected a text'],
+  ['{"type":"auth"}', 'auth.token: expected a string'],
   ['{"type":"control","thrust_level":"much"}', 'control.thrust_level: expected a finite number, got "much"'],
   ['{"type":"service"}', 'type: expected auth, control or ping'],
 ])('refuses an invalid %s by name', (text, reason) => {

@@ -10,7 +10,7 @@ import {
 } from '../../src/prediction';
 import { readRecording, writeRecording } from '../../src/scenarios';
 import { encodeServerMessage, pendingServerMessage } from '../../src/wire';
-import { flyPilot } from '../bench/netcode/law';
+import { flyPilot } from '../bench/netcode/flights/law';
 import { createRig, value } from './rig';
 
 describe('the recorder', () => {

@@ -159,7 +159,7 @@ class Heightmaps(unittest.TestCase):
         self.refused("world.heightmaps.Luna.path: expected 80 bytes, 8 x 5 samples, got 64", rows=5)
         self.refused("cannot be read: [Errno 2]", path="nowhere.i16")
         self.refused("world.heightmaps.Luna.path: ", path="\0")
-        self.refused("world.heightmaps.Luna.path: expected a text", path=5)
+        self.refused("world.heightmaps.Luna.path: expected a string", path=5)
         self.refused("world.heightmaps.Luna.scale: expected a finite number", scale="0.5")
         self.refused("world.heightmaps.Luna.reference_radius: expected >= 0.001 m", reference_radius=0)
         self.refused("world.heightmaps.Luna.interpolation: expected one of 'bilinear', 'bicubic'", interpolation="cubic")

@@ -147,7 +147,7 @@ class Inputs(WithService):
                 ({"thrust_level": 1}, {"tick": 10**9}, "tick: expected at most"),
                 ({"thrust_level": 1}, {"tick": "soon"}, "tick: expected a whole number"),
                 ({"thrust_level": 1}, {"ship_id": "s9"}, "ship_id: no ship named s9"),
-                ({"thrust_level": 1}, {"session": ""}, "session: expected a text that is not empty"),
+                ({"thrust_level": 1}, {"session": ""}, "session: expected a non-empty string"),
             ),
             1,
         ):

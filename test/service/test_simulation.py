@@ -139,7 +139,7 @@ class Spawning(unittest.TestCase):
             (lander("s2", direction=[0, 0, 0]), "direction: expected a length > 0"),
             (lander("s2", hight=3), "hight: no such field"),
             (lander("s2", ship_class="fast_frigat"), "ship_class: expected one of"),
-            (lander("", height=1), "ship_id: expected a text that is not empty"),
+            (lander("", height=1), "ship_id: expected a non-empty string"),
             (lander("s2", fuel=-1), "data.fuel: expected >= 0 kg"),
             (lander("x" * 129), "ship_id: expected at most 128 characters"),
         ):
@@ -152,7 +152,7 @@ class Spawning(unittest.TestCase):
         changes = Changes()
         galaxy = galaxy_with()
         take_in(galaxy, [("9-0", {"type": "spawn", "data": json.dumps(lander("s\ud800"))})], changes)
-        self.assertIn("ship_id: expected a text", changes.results[0]["reason"])
+        self.assertIn("ship_id: expected a string", changes.results[0]["reason"])
 
     def test_a_full_state_comes_back_to_the_bit(self) -> None:
         from touchdown_service.storage.records import from_hash, ship_of_record, ship_record, to_hash, to_texts

@@ -37,7 +37,7 @@ function inputsReason(inputs: readonly InputRecord[]): string {
 }
 
 it.each([
-  [{ shipId: '' }, 'ship_id: expected a text that is not empty'],
+  [{ shipId: '' }, 'ship_id: expected a non-empty string'],
   [
     { position: [0, 2e18, 0] },
     'position.y: expected -1000000000000000000 to 1000000000000000000 m, got 2000000000000000000',
@@ -74,7 +74,7 @@ it('refuses an acknowledgement later than its frame', () => {
 });
 
 it.each([
-  [{ name: '' }, 'name: expected a text that is not empty'],
+  [{ name: '' }, 'name: expected a non-empty string'],
   [{ mass: 0 }, 'mass: expected > 0 kg, got 0'],
   [{ mass: 1e41 }, 'mass: expected 0 to '],
   [{ radius: 0 }, 'radius: expected ≥ 0.001 m, got 0'],
@@ -84,8 +84,8 @@ it.each([
 });
 
 it.each([
-  [{ type: '' }, 'type: expected a text that is not empty'],
-  [{ shipId: '' }, 'ship_id: expected a text'],
+  [{ type: '' }, 'type: expected a non-empty string'],
+  [{ shipId: '' }, 'ship_id: expected a non-empty string'],
   [{ tick: 43 }, "tick: expected at most the frame's own, 42"],
 ])('refuses an event with %j', (change, reason) => {
   expect(eventReason({ tick: 42 })).toBe('');
@@ -128,7 +128,7 @@ it('keeps a setting of 0, and uses the default for one that is absent', () => {
 });
 
 it.each([
-  [{ name: '' }, 'name: expected a text'],
+  [{ name: '' }, 'name: expected a non-empty string'],
   [{ dryMass: 0 }, 'dry_mass: expected ≥ 0.001 kg, got 0'],
   [{ fuelCapacity: -1 }, 'fuel_capacity: expected ≥ 0 kg, got -1'],
   [{ legRadius: 0 }, 'leg_radius: expected ≥ 0.001 m, got 0'],
@@ -159,7 +159,7 @@ it.each([
 });
 
 it('refuses a hello without a terrain or with an unknown input granularity', () => {
-  expect(helloReason({ terrain: '' })).toBe('hello.terrain: expected a text that is not empty');
+  expect(helloReason({ terrain: '' })).toBe('hello.terrain: expected a non-empty string');
   for (const inputGranularity of ['', 'frame']) {
     expect(helloReason({ inputGranularity })).toMatch(
       /^hello\.input_granularity: expected one of "substep", "tick"/,

@@ -45,7 +45,7 @@ export const GRAVITATIONAL_CONSTANT = 6.6743e-11;
 
 /** The body with its constants, or a reason that names the field. */
 export function loadBody(given: Body): Result<LoadedBody> {
-  if (typeof given.name !== 'string' || given.name === '') return err('body name: expected a text');
+  if (typeof given.name !== 'string' || given.name === '') return err('body name: expected a string');
   const reason =
     notFinite('mass', given.mass) ??
     notFinite('radius', given.radius) ??

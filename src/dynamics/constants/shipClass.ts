@@ -151,7 +151,7 @@ const SCALARS = [
 const TRIPLES = ['rcsThrust', 'rcsTorque', 'reactionWheelTorque'] as const;
 
 function malformed(c: ShipClass): string | null {
-  if (typeof c.name !== 'string' || c.name === '') return 'name: expected a text';
+  if (typeof c.name !== 'string' || c.name === '') return 'name: expected a string';
   for (const field of SCALARS) {
     const reason = notFinite(field, c[field]);
     if (reason !== null) return reason;

@@ -52,7 +52,7 @@ export function loadControls(given: Controls): Result<Controls> {
     notFiniteTuple('targetAttitude', given.targetAttitude, 4);
   if (reason !== null) return err(reason);
   if (typeof given.attitudeHold !== 'boolean') return err('attitudeHold: expected true or false');
-  if (typeof given.attitudeMode !== 'string') return err('attitudeMode: expected a text');
+  if (typeof given.attitudeMode !== 'string') return err('attitudeMode: expected a string');
   const [x, y, z, w] = given.targetAttitude;
   const length = Math.sqrt(x * x + y * y + z * z + w * w);
   if (!(length > 1e-3 && length < 1e3)) return err('targetAttitude: expected a quaternion of length 1');

@@ -54,7 +54,7 @@ export function readBytes(bytes: Uint8Array): Said {
 
 /** `session` (a page load) and `since` (the last tick it was told) are this project's: the game's clients send neither. */
 function readAuth({ token, session, since }: Readonly<Record<string, unknown>>): Said {
-  if (typeof token !== 'string' || token === '') return refused('auth.token: expected a text');
+  if (typeof token !== 'string' || token === '') return refused('auth.token: expected a string');
   return {
     kind: 'auth',
     token,

@@ -31,7 +31,7 @@ export interface Predictor {
    * when nothing has changed. Pings are left to the connection.
    */
   takeControls: () => Controls | null;
-  /** Predicted, confirmed and retracted events, in order, during `receive` and `advance`. Returns how to stop listening. */
+  /** Predicted, confirmed and retracted events, in order, during `receive` and `advance`. Returns a function that stops listening. */
   onEvent: (listener: (notice: EventNotice) => void) => () => void;
   /** Makes `shipId` the player's ship; null for a spectator. Inputs made for the previous ship are dropped, never sent for this one. */
   setOwnShip: (shipId: string | null) => void;

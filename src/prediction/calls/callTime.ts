@@ -2,12 +2,12 @@ import type { Session } from '../session';
 import { noteSetBack } from '../time/clock';
 import { forgetPings } from '../time/pings';
 
-/** s: a message stamped when it came may be handled after a later `advance`; a clock that was set back goes back by more. */
+/** s. A message stamped on arrival may be handled after a later `advance`; a clock that is set back goes back further. */
 const HANDLED_LATE = 0.25;
 
 /**
- * Client wall s at the caller's `now`, in which everything is kept. If the caller's clock is set back, they go on from the last
- * `advance`. NaN, with a warning, if `now` is no time.
+ * Converts the caller's `now` to client wall s, the predictor's own time. If the caller's clock is set back, it continues from the last
+ * `advance`. NaN, with a warning, if `now` is not finite.
  */
 export function wallAt(session: Session, now: number): number {
   const { clock, pings, warn } = session;

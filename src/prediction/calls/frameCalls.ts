@@ -20,13 +20,13 @@ export function frameCalls(session: Session, kept: Kept, life: Life) {
   };
   return {
     receive(message, now) {
-      if (life.goesOn('receive')) receiveAt(message, now, wallAt(session, now));
+      if (life.carriesOut('receive')) receiveAt(message, now, wallAt(session, now));
     },
     receivePending(message, now) {
-      if (life.goesOn('receivePending')) receivePending(session, message, now, receiveAt);
+      if (life.carriesOut('receivePending')) receivePending(session, message, now, receiveAt);
     },
     advance(controls, now) {
-      if (!life.goesOn('advance')) return;
+      if (!life.carriesOut('advance')) return;
       checks?.advance(controls, now);
       const at = wallAt(session, now);
       if (Number.isNaN(at)) return;

@@ -3,14 +3,14 @@ import type { Session } from '../session';
 /** Until `dispose`. */
 export interface Life {
   /** Whether a call is carried out; warns of one after `dispose`. */
-  readonly goesOn: (call: string) => boolean;
+  readonly carriesOut: (call: string) => boolean;
   readonly end: () => void;
 }
 
 export function createLife({ warn }: Session): Life {
   let isDisposed = false;
   return {
-    goesOn(call) {
+    carriesOut(call) {
       if (!isDisposed) return true;
       warn('disposed', `${call} was called after dispose and does nothing: stop the frame loop first.`, {
         call,

@@ -5,13 +5,13 @@ import { announce, type Session } from '../session';
 import type { Predictor } from './api';
 import type { Life } from './life';
 
-/** The calls about single ships. A call with something else than an id is ignored, with a warning. */
+/** The calls about single ships. A call without a ship id is ignored, with a warning. */
 export function shipCalls(session: Session, life: Life) {
   const isOf = (call: string, shipId: unknown): boolean =>
-    life.goesOn(call) && isShipId(session, call, shipId);
+    life.carriesOut(call) && isShipId(session, call, shipId);
   return {
     setOwnShip(shipId) {
-      if (shipId === null ? life.goesOn('setOwnShip') : isOf('setOwnShip', shipId))
+      if (shipId === null ? life.carriesOut('setOwnShip') : isOf('setOwnShip', shipId))
         changeOwnShip(session, shipId ?? '');
     },
     removeShip(shipId, reason) {
@@ -30,7 +30,7 @@ export function shipCalls(session: Session, life: Life) {
 
 function isShipId({ warn }: Session, call: string, shipId: unknown): boolean {
   if (typeof shipId === 'string') return true;
-  const message = `${call}: expected the id of a ship, a text, got ${describe(shipId)}. The call was ignored.`;
+  const message = `${call}: expected a ship id (a string), got ${describe(shipId)}. The call was ignored.`;
   warn('ship-id', message, { field: call, value: shipId });
   return false;
 }

@@ -1,11 +1,11 @@
 import type { BodyState } from '../../wire';
 import type { Warn } from '../warnings';
 
-/** kg/m³: of everything between a comet and a white dwarf. */
-const LEAST_DENSITY = 50;
-const MOST_DENSITY = 50_000;
-/** rad/s: one turn in two minutes, faster than any body that its own weight holds together. */
-const FASTEST_SPIN = 0.05;
+/** kg/m³: a comet is denser than the first, and a planet far below the second. */
+const MIN_DENSITY = 50;
+const MAX_DENSITY = 50_000;
+/** rad/s: one turn in two minutes, faster than any body held together by gravity. */
+const MAX_SPIN = 0.05;
 
 /** Warns of implausible bodies: a vector that is not a list or not finite, km for metres, degrees for radians. */
 export function checkBodies(warn: Warn, bodies: readonly BodyState[]): void {
@@ -37,14 +37,14 @@ function checkBody(warn: Warn, body: BodyState): void {
       },
     );
   const density = mass / ((4 / 3) * Math.PI * radius ** 3);
-  if (!(density >= LEAST_DENSITY && density <= MOST_DENSITY))
+  if (!(density >= MIN_DENSITY && density <= MAX_DENSITY))
     warn('body-density', `Body ${name} weighs ${density} kg/m³: mass in kg, radius in m (not km)?`, {
       body: name,
       mass,
       radius,
     });
   const spin = Math.hypot(...((body as Partial<BodyState>).angularVelocity ?? [0]));
-  if (spin > FASTEST_SPIN)
+  if (spin > MAX_SPIN)
     warn('body-spin-in-degrees', `Body ${name} turns by ${spin} rad/s: pass radians, not degrees.`, {
       body: name,
       value: body.angularVelocity,

@@ -1,14 +1,14 @@
 import type { PartialFrame, ShipState } from '../../wire';
 import type { Warn } from '../warnings';
 
-/** What is known of the calls to one predictor so far. */
+/** The calls made to one predictor so far. */
 export interface Calls {
   advances: number;
   views: number;
   frames: number;
-  /** Frames that did not have the own ship. */
+  /** Frames without the own ship. */
   unseen: number;
-  /** Consecutive calls of `advance` with the same `now`, and with a gap typical of milliseconds or of a slow loop. */
+  /** Consecutive calls of `advance` with the same `now`, with `now` in milliseconds by its gaps, and from a slow loop. */
   repeated: number;
   millisecondGaps: number;
   slowGaps: number;
@@ -29,14 +29,14 @@ export function createCalls(): Calls {
   };
 }
 
-/** Consecutive calls after which a pattern is not an accident. */
-const ROW = 10;
-/** s between two display frames: below the first a page draws normally; above it, and for milliseconds, this is seen. */
+/** Consecutive calls that make a pattern. */
+const PATTERN = 10;
+/** s between two calls of `advance`. SLOW_GAP to HIDDEN_GAP: a slow loop. MILLISECOND_GAP to LONGEST_GAP: milliseconds were passed. */
 const SLOW_GAP = 0.15;
 const HIDDEN_GAP = 5;
 const MILLISECOND_GAP = 4;
 const LONGEST_GAP = 300;
-/** s by which the clocks of two callers of one predictor may be apart. */
+/** s: times further apart come from different clocks. */
 const CLOCKS_APART = 100;
 
 /** `advance` was called. */
@@ -47,20 +47,24 @@ export function noteAdvance(warn: Warn, calls: Calls, now: number): void {
   calls.repeated = gap === 0 ? calls.repeated + 1 : 0;
   calls.millisecondGaps = gap >= MILLISECOND_GAP && gap <= LONGEST_GAP ? calls.millisecondGaps + 1 : 0;
   calls.slowGaps = gap > SLOW_GAP && gap < HIDDEN_GAP ? calls.slowGaps + 1 : 0;
-  if (calls.repeated === ROW)
-    warn('advance-twice', 'advance is called more than once a frame with the same now: once is enough.', {
+  if (calls.repeated === PATTERN)
+    warn('advance-twice', 'advance is called more than once per frame with the same now: once is enough.', {
       now,
     });
-  if (calls.millisecondGaps === ROW)
-    warn('now-in-milliseconds', `now grows by ${gap} a call: pass seconds, performance.now() / 1000.`, {
+  if (calls.millisecondGaps === PATTERN)
+    warn('now-in-milliseconds', `now grows by ${gap} per call: pass seconds, performance.now() / 1000.`, {
       now,
     });
-  if (calls.slowGaps === ROW)
-    warn('advance-seldom', `advance is called every ${gap} s: call it once a display frame.`, { now, gap });
+  if (calls.slowGaps === PATTERN)
+    warn('advance-seldom', `advance is called every ${gap} s: call it once per display frame.`, { now, gap });
   if (gap < 0) warn('now-went-back', `now went back by ${-gap} s: pass a monotonic clock.`, { now, gap });
   if (Math.abs(now - calls.receivedAt) > CLOCKS_APART * (1 + calls.millisecondGaps)) {
     const details = { now, receivedAt: calls.receivedAt };
-    warn('two-clocks', 'receive and advance are given times of two clocks: use one for both.', details);
+    warn(
+      'two-clocks',
+      'receive and advance are given times from different clocks: use one for both.',
+      details,
+    );
   }
 }
 
@@ -68,10 +72,10 @@ export function noteAdvance(warn: Warn, calls: Calls, now: number): void {
 export function noteFrame(warn: Warn, calls: Calls, frame: PartialFrame, now: number, own: string): void {
   calls.frames += 1;
   calls.receivedAt = now;
-  if (calls.frames >= ROW && calls.advances === 0)
+  if (calls.frames >= PATTERN && calls.advances === 0)
     warn(
       'advance-never',
-      `${calls.frames} frames came and advance was never called: call it once a display frame.`,
+      `${calls.frames} frames came and advance was never called: call it once per display frame.`,
       {
         frames: calls.frames,
       },
@@ -80,7 +84,7 @@ export function noteFrame(warn: Warn, calls: Calls, frame: PartialFrame, now: nu
   const ships = Array.isArray(frame.ships) ? frame.ships : [];
   const isThere = own === '' || ships.some((ship) => (ship as ShipState | null)?.shipId === own);
   calls.unseen = isThere ? 0 : calls.unseen + 1;
-  if (calls.unseen === ROW)
+  if (calls.unseen === PATTERN)
     warn('own-ship-never-seen', `No frame has the own ship ${own}. Check ownShipId, or call setOwnShip.`, {
       ownShipId: own,
       ships: ships.slice(0, 10).map((ship) => (ship as ShipState | null)?.shipId),
@@ -95,13 +99,13 @@ function noteRate(warn: Warn, calls: Calls, { tick, tickRate, paused }: PartialF
   }
   const seconds = now - calls.firstAt;
   const come = (tick - calls.firstTick) / seconds;
-  if (typeof tickRate !== 'number' || calls.frames < ROW || !(seconds >= MEASURED)) return;
+  if (typeof tickRate !== 'number' || calls.frames < PATTERN || !(seconds >= MEASURED)) return;
   if (come < tickRate * OTHER_RATE && come * OTHER_RATE > tickRate) return;
-  const message = `tickRate is ${tickRate} Hz, and ticks come at ${come.toPrecision(3)} a second: pass ticks per second, not their length.`;
+  const message = `tickRate is ${tickRate} Hz, and ${come.toPrecision(3)} ticks arrive per second: pass ticks per second, not their length.`;
   warn('tick-rate', message, { tickRate, measured: come });
 }
 
-/** s over which the rate of ticks is measured, and the factor by which it may differ from the rate sent, so that a stall does not count. */
+/** s over which the tick rate is measured, and the factor by which it may differ from the rate sent: a stall is no fault. */
 const MEASURED = 3;
 const OTHER_RATE = 5;
 
@@ -109,16 +113,16 @@ const OTHER_RATE = 5;
 export function noteView(warn: Warn, calls: Calls, now: number): void {
   if (calls.advances > 0 && Math.abs(now - calls.advancedAt) > CLOCKS_APART) {
     const details = { now, advancedAt: calls.advancedAt };
-    warn('two-clocks', 'advance and view are given times of two clocks: use one for both.', details);
+    warn('two-clocks', 'advance and view are given times from different clocks: use one for both.', details);
   }
   calls.views += 1;
-  if (calls.views === ROW && calls.advances === 0 && calls.frames > 0)
-    warn('advance-never', 'view is called and advance never: it shows nothing until advance is called.', {
+  if (calls.views === PATTERN && calls.advances === 0 && calls.frames > 0)
+    warn('advance-never', 'view is called but advance never is: view shows nothing until then.', {
       views: calls.views,
     });
 }
 
-/** Messages to send have been waiting since call `takenAt` of `advance`. */
+/** Inputs have been waiting to be sent since call `takenAt` of `advance`. */
 export function noteUntaken(warn: Warn, calls: Calls, waiting: number): void {
   if (waiting === 0 || calls.advances - calls.takenAt < LONGEST_GAP) return;
   const text = `${waiting} inputs wait to be sent: call takeOutgoing (protobuf) or takeControls (JSON) each frame.`;

@@ -15,7 +15,7 @@ export interface Checks {
   readonly taken: () => void;
 }
 
-/** Number of first frames that are all checked; later ones are sampled, since most mistakes are there from the start. */
+/** The first frames are all checked; later ones are sampled, since most mistakes show from the start. */
 const FIRST = 50;
 const SAMPLED = 50;
 
@@ -35,7 +35,7 @@ export function createChecks(session: Session): Checks | null {
       noteUntaken(warn, calls, inputs.records.length - inputs.unsent);
       if (controls !== null && session.receiver.ownShipId === '' && calls.frames > 0) {
         const message =
-          'Controls are passed and there is no own ship: set ownShipId, or pass null as a spectator.';
+          'Controls are passed, but there is no own ship: set ownShipId, or pass null as a spectator.';
         warn('controls-without-ship', message, { controls });
       }
     },
@@ -60,13 +60,13 @@ function lookAtMessage(
   if (calls.frames <= FIRST || calls.frames % SAMPLED === 0) checkMessage(warn, message, config.bodies);
 }
 
-/** Warns of an acknowledgement of an input that was not made here. */
+/** Warns if the server acknowledges an input that this predictor has not made. */
 function checkAcknowledgement({ warn, sim }: Session, { lastInput }: PartialFrame): void {
   const { nextSeq } = sim.inputs;
   if (lastInput === null || lastInput === undefined || nextSeq === 1 || !(lastInput.seq >= nextSeq)) return;
-  const message = `Input ${lastInput.seq} is acknowledged, and ${nextSeq - 1} were made here: two predictors on one connection, or a reloaded page without restore?`;
+  const message = `Input ${lastInput.seq} is acknowledged, but only ${nextSeq - 1} were made here: two predictors on one connection, or a reloaded page without restore?`;
   warn('acknowledgement-foreign', message, { seq: lastInput.seq, made: nextSeq - 1 });
 }
 
-/** Frames after which a hello would have come. */
+/** Frames by which a hello would have arrived. */
 const FRAMES_BEFORE = 10;

@@ -21,7 +21,7 @@ export function checkControls(warn: Warn, given: Controls | null): void {
   warnOfUnknown(warn, NAMING, given);
   const loaded = loadControls(given);
   if (!loaded.ok) {
-    const message = `The controls are ignored, the last good ones hold: ${loaded.reason}. Start from NEUTRAL_CONTROLS, and set numbers and lists of numbers.`;
+    const message = `The controls are ignored and the last valid ones stay in force: ${loaded.reason}. Start from NEUTRAL_CONTROLS, and set numbers and lists of numbers.`;
     warn('controls-ignored', message, { reason: loaded.reason, value: given });
     return;
   }
@@ -29,7 +29,7 @@ export function checkControls(warn: Warn, given: Controls | null): void {
   const { thrustLevel, translationInput, rotationInput } = given;
   const largest = Math.max(thrustLevel, ...[...translationInput, ...rotationInput].map(Math.abs));
   if (largest > 1 + 1e-9 || thrustLevel < 0) {
-    const message = `Controls go from 0 (thrustLevel) or −1 to 1, got ${largest}: they are clamped. Percent?`;
+    const message = `Controls range from 0 (thrustLevel) or −1 to 1, got ${largest}: they are clamped. Percent?`;
     warn('controls-clamped', message, { value: given });
   }
 }
@@ -39,7 +39,7 @@ function checkAttitude(warn: Warn, { attitudeMode, targetAttitude }: Controls): 
   if (!modes.includes(attitudeMode)) {
     const nearest = nearestName(attitudeMode, modes);
     const hint = nearest === '' ? `Known are ${modes.join(', ')}.` : `Did you mean ${nearest}?`;
-    const message = `controls.attitudeMode is ${describe(attitudeMode)}, which is unknown here: the ship is not turned. ${hint}`;
+    const message = `controls.attitudeMode is ${describe(attitudeMode)}, which is unknown: the ship does not turn. ${hint}`;
     warn('attitude-mode', message, { value: attitudeMode, nearest });
   }
   const length = Math.hypot(...targetAttitude);

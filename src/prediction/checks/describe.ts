@@ -1,7 +1,7 @@
 /** A short description of a value that was found instead of the expected one, for messages to developers. */
 export function describe(value: unknown): string {
   if (typeof value === 'string')
-    return value.length <= 40 ? JSON.stringify(value) : `a text of ${value.length} characters`;
+    return value.length <= 40 ? JSON.stringify(value) : `a string of ${value.length} characters`;
   if (typeof value === 'function') return 'a function';
   if (typeof value !== 'object' || value === null) return String(value);
   if (Array.isArray(value))

@@ -4,7 +4,7 @@ import { describe } from './describe';
 
 /** Wraps a caller's terrain: where it returns no height, or throws, the ground counts as not loaded, with a warning. */
 export function guardTerrain(terrain: ClientTerrain, name: string, warn: Warn): ClientTerrain {
-  // One of the library's own, read without boxing.
+  // A terrain of the library, which is read without boxing.
   if ('inPlace' in terrain) return terrain;
   return (bodyName, nx, ny, nz) => {
     let height: unknown = null;

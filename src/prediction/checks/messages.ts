@@ -29,7 +29,7 @@ const FRAME = {
 
 const KINDS = ['hello', 'frame', 'pong'];
 
-/** Warns of an invalid message: not decoded, still in its Result, of a misspelt kind. Returns whether it may be valid. */
+/** Warns of a message that is not decoded, still in its Result, or of a misspelt kind. Returns whether it may be valid. */
 export function checkKind(warn: Warn, message: unknown): boolean {
   const undecoded = howToDecode(message);
   if (undecoded !== '') {
@@ -39,7 +39,7 @@ export function checkKind(warn: Warn, message: unknown): boolean {
   if (typeof message !== 'object' || message === null) return false;
   const { kind, ok, value } = message as { kind?: unknown; ok?: unknown; value?: unknown };
   if (kind === undefined && typeof ok === 'boolean') {
-    warn('message-in-result', 'receive was given a Result: look at .ok, then pass .value.', { ok, value });
+    warn('message-in-result', 'receive was given a Result: check .ok, then pass .value.', { ok, value });
     return false;
   }
   if (KINDS.includes(kind as string)) return true;
@@ -58,7 +58,7 @@ function howToDecode(message: unknown): string {
     return 'decode the bytes with decodeServerMessage';
   if (kindOf(message) === 'Blob') return 'set socket.binaryType to "arraybuffer", and decode the ArrayBuffer';
   if (kindOf(message) === 'Promise') return 'await it first';
-  if ('data' in message && !('kind' in message)) return 'an event holds the message in .data: decode that';
+  if ('data' in message && !('kind' in message)) return 'this is an event; decode its .data';
   return '';
 }
 
@@ -87,8 +87,7 @@ export function checkMessage(
   checkIds(warn, ships);
   for (const ship of ships as readonly ShipState[]) {
     if (isSnake(ship)) {
-      const text =
-        'A ship has ship_id: its state is as the socket has it. Decode the frame with decodeFrameJson.';
+      const text = 'A ship has ship_id: its state is not decoded. Decode the frame with decodeFrameJson.';
       warn('ship-not-decoded', text, { value: ship });
     } else if (typeof ship !== 'object' || (ship as unknown) === null) {
       const text = `frame.ships: expected ship states, got ${describe(ship)}. It is left out.`;
@@ -102,7 +101,7 @@ function checkIds(warn: Warn, ships: readonly unknown[]): void {
   for (const ship of ships) {
     const shipId = (ship as ShipState | null)?.shipId;
     if (shipId !== undefined && seen.has(shipId)) {
-      const message = `frame.ships has ${describe(shipId)} twice: only one of them is used. Send each ship once.`;
+      const message = `frame.ships has ${describe(shipId)} twice: only one of the states is used. Send each ship once.`;
       warn('ship-twice', message, { shipId });
     }
     seen.add(shipId);

@@ -12,7 +12,7 @@ export function nearestName(given: string, known: readonly string[]): string {
   return near ?? '';
 }
 
-/** How the names of a record are checked. */
+/** How the member names of a record are checked. */
 export interface Naming {
   readonly code: string;
   /** Path of the record, for the message. */

@@ -32,7 +32,7 @@ const isPlan: Check = (value) =>
 
 type Expected = Readonly<Record<string, readonly [Check, string]>>;
 
-/** What each option must be. */
+/** The check of each option, and what it expects. */
 const EXPECTED: Expected = {
   terrains: [
     (value) => isRecord(value) && Object.values(value as object).every(isFunction),
@@ -41,13 +41,13 @@ const EXPECTED: Expected = {
   defaults: [isRecord, 'an object with settings, shipClasses, bodies, terrain'],
   maxSubstepsPerFrame: [(value) => isCount(value) && value !== 0, 'a whole number > 0'],
   smoothing: [isRecord, 'an object with alongGround, alongNormal, angle'],
-  ownShipId: [isText, 'a text'],
+  ownShipId: [isText, 'a string'],
   plan: [isPlan, 'a list of { tick, substep, controls }'],
   onWarning: [isFunction, 'a function (code, message, details)'],
   forcedRollback: [isCount, 'a whole number ≥ 0'],
 };
 
-/** What each member of `defaults` must be; their contents are checked when the world is loaded. */
+/** The check of each member of `defaults`, and what it expects; the contents are checked when the world is loaded. */
 const EXPECTED_DEFAULTS: Expected = {
   settings: [isRecord, 'an object of settings by name'],
   shipClasses: [Array.isArray, 'a list of ship classes'],
@@ -55,7 +55,7 @@ const EXPECTED_DEFAULTS: Expected = {
   terrain: [isText, 'the name of a terrain'],
 };
 
-/** Throws RangeError that names the invalid option. */
+/** @throws RangeError that names the invalid option */
 export function requireOptions(given: PredictorOptions): void {
   if (!isRecord(given)) throw new RangeError(`options: expected an object, got ${describe(given)}`);
   requireMembers('options', EXPECTED, given);
@@ -76,7 +76,7 @@ function faultIn(members: Expected, given: object): string | null {
   return null;
 }
 
-/** The first member of the defaults of another type, and what is expected there; null for none. */
+/** The first member of the defaults with the wrong type, and what it expects; null if there is none. */
 export function faultOfDefaults(given: object): string | null {
   return faultIn(EXPECTED_DEFAULTS, given);
 }

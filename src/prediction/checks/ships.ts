@@ -7,14 +7,14 @@ const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] 
 const times = (a: Vector, k: number): Vector => [a[0] * k, a[1] * k, a[2] * k];
 const lengthOf = (v: readonly number[]): number => Math.hypot(...v);
 
-/** rad/s: two turns a second, which no ship's thrusters reach and no pilot survives. */
-const FASTEST_SPIN = 12.6;
-/** m by which a landed ship may be off its body's radius: the highest mountains. */
-const HIGHEST_GROUND = 30_000;
+/** rad/s: two turns per second, more than any thrusters reach. */
+const MAX_SPIN = 12.6;
+/** m above or below the body's radius at which a ship can be landed: the highest mountains. */
+const MAX_GROUND_HEIGHT = 30_000;
 /** m/s: a landing ship moves no faster than this relative to its body. */
 const FAST = 10_000;
 
-/** Warns of an implausible ship state: other units, another order of components, another place. Not called for malformed ones. */
+/** Warns of an implausible ship state: wrong units, order of components or frame. Malformed states are refused elsewhere. */
 export function checkShip(warn: Warn, ship: ShipState, bodies: readonly BodyState[]): void {
   const { shipId } = ship;
   const size = lengthOf(ship.attitude);
@@ -24,7 +24,7 @@ export function checkShip(warn: Warn, ship: ShipState, bodies: readonly BodyStat
       value: ship.attitude,
     });
   const spin = lengthOf(ship.angularVelocity);
-  if (spin > FASTEST_SPIN)
+  if (spin > MAX_SPIN)
     warn('spin-in-degrees', `${shipId} turns by ${spin} rad/s: pass radians, not degrees.`, {
       shipId,
       value: ship.angularVelocity,
@@ -94,7 +94,7 @@ interface Landed {
 
 function checkLanded(warn: Warn, ship: ShipState, { body, from, distance }: Landed): void {
   const height = distance - body.radius;
-  if (Math.abs(height) > HIGHEST_GROUND && distance > 0.5 * body.radius) {
+  if (Math.abs(height) > MAX_GROUND_HEIGHT && distance > 0.5 * body.radius) {
     const message = `${ship.shipId} is on the ground of ${body.name}, ${height} m from its radius: are ship and bodies of the same tick?`;
     warn('landed-off-ground', message, { shipId: ship.shipId, height });
   }
@@ -105,7 +105,7 @@ function checkLanded(warn: Warn, ship: ShipState, { body, from, distance }: Land
   if (upright < 0.5 && reordered > 0.98) warnOfOrder(warn, ship);
 }
 
-/** The component along `v` of the ship's +Z, its up on the ground; `q` is [x, y, z, w]. */
+/** The component along `v` of the ship's +Z axis, its up; the quaternion is [x, y, z, w]. */
 function along([x, y, z, w]: readonly [number, number, number, number], v: Vector): number {
   return 2 * (x * z + w * y) * v[0] + 2 * (y * z - w * x) * v[1] + (1 - 2 * (x * x + y * y)) * v[2];
 }

@@ -1,8 +1,8 @@
 import type { Session } from '../session';
 
-/** m: above the highest mountains, and below every radius. */
+/** m: above the highest mountains, and below every body's radius. */
 const HIGHEST = 50_000;
-/** Unit directions in a body's axes at which a terrain is checked. */
+/** Unit directions in the body's axes in which a terrain is sampled. */
 const DIRECTIONS = [
   [0, 1, 0],
   [0.6, 0, 0.8],
@@ -10,12 +10,12 @@ const DIRECTIONS = [
   [-0.48, 0.6, 0.64],
 ] as const;
 
-/** Warns of terrains that were passed and are not used, and of heights that cannot be. */
+/** Warns of terrains that were passed but are not used, and of impossible heights. */
 export function checkTerrains({ warn, options, config, sim }: Session): void {
   const given = Object.keys(options.terrains ?? {});
   const { terrain } = config;
   if (given.length > 0 && !given.includes(terrain)) {
-    const message = `The terrains ${given.join(', ')} are not used: the world has ${terrain}. Set defaults.terrain to one of their names, or name one in the hello.`;
+    const message = `The terrains ${given.join(', ')} are not used: the world's terrain is ${terrain}. Set defaults.terrain to one of their names, or name one in the hello.`;
     warn('terrain-unused', message, { terrain, given });
   }
   for (const { name } of sim.world.bodies)

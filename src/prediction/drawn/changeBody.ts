@@ -3,7 +3,7 @@ import type { Picture } from './picture';
 import { quaternion, rotate, rotateBack, take } from './rotation';
 
 /**
- * A ship has changed its body: its offset is converted to the new body's axes, so that the drawn pose does not jump.
+ * Converts a ship's offset to the axes of its new reference body, so that the drawn pose does not jump.
  * @param bodies rows of the present substep
  */
 export function turnPicture(picture: Picture, bodies: Float64Array, index: number): void {

@@ -18,7 +18,7 @@ import {
 
 /** Easing of corrections (PREDICTION, Drawing): the old drawn pose fades into the new predicted one. */
 
-/** Larger corrections are not eased: m, and rad. */
+/** Larger corrections snap: m, and rad. */
 const SNAP_DISTANCE = 25;
 const SNAP_ANGLE = Math.PI / 3;
 
@@ -34,9 +34,9 @@ export interface DrawnBefore {
 
 /** How a correction is shown. */
 export interface CorrectionStyle {
-  /** Do not ease: the ship was respawned. */
+  /** Do not ease: the ship respawned. */
   readonly snaps: boolean;
-  /** The last substep uprighted the ship. */
+  /** The last substep turned the ship upright. */
   readonly uprights: boolean;
 }
 
@@ -55,7 +55,7 @@ export function seeDrawn(sim: Simulation, track: Track): DrawnBefore {
 
 const drawn: DrawnBefore = { pose: pose(), body: 0, speed: 0, known: false };
 
-/** Whether the correction is eased or snaps; counted if the ship was drawn before. */
+/** Eases or snaps the correction, and counts it if the ship was drawn before. */
 export function easeCorrection(
   sim: Simulation,
   track: Track,
@@ -114,10 +114,10 @@ export function fadeFromHeld(sim: Simulation, { picture, at, serverRow }: Track,
 }
 
 const held: Pose = pose();
-/** Largest difference between the instants at which two policies draw a ship for which the change is eased, wall s. */
+/** Wall s: if two policies draw a ship at instants further apart, the change snaps. */
 export const POLICY_STALL = 2;
 
-/** A correction: offset += old predicted − new predicted, both of one instant and in the body's axes (PREDICTION, Drawing). */
+/** Applies a correction: offset += old predicted − new predicted, both at one instant and in the body's axes (PREDICTION, Drawing). */
 export function addToOffset(ease: Ease, old: Pose, next: Pose): void {
   for (let k = 0; k < 3; k++) ease.offset[k] = ease.offset[k]! + (old.position[k]! - next.position[k]!);
   turnBetween(turn, old.attitude, next.attitude);
@@ -141,7 +141,7 @@ function ageOf({ timeline, front }: Simulation, { serverTick }: Track): number {
   return Math.max(0, wallOfTick(timeline, front.tick) + into - wallOfTick(timeline, serverTick));
 }
 
-/** Within 60°, and 25 m + the distance, m, covered since the state before or while the present was moved. */
+/** Whether a correction is within 60°, and within 25 m plus `covered`, m: the distance flown since the last state, or skipped. */
 function isEasable(old: Pose, next: Pose, covered: number): boolean {
   for (let k = 0; k < 3; k++) jump[k] = old.position[k]! - next.position[k]!;
   turnBetween(turn, old.attitude, next.attitude);

@@ -48,12 +48,12 @@ export interface Springs {
   readonly ground: number;
   readonly normal: number;
   readonly angle: number;
-  /** Factor on the caps for times below the defaults, ≥ 1. */
+  /** Factor on the caps, ≥ 1: above 1 for settle times below the defaults. */
   readonly haste: number;
   readonly turnHaste: number;
 }
 
-/** The springs of these settle times, which are within SMOOTHING_BOUNDS. */
+/** The springs for the given settle times, which are within SMOOTHING_BOUNDS. */
 export function springsOf(given: Partial<Smoothing> = {}): Springs {
   const usual = DEFAULT_SMOOTHING;
   const { alongGround, alongNormal, angle } = { ...usual, ...given };
@@ -66,7 +66,7 @@ export function springsOf(given: Partial<Smoothing> = {}): Springs {
   };
 }
 
-/** The default caps leave 5 % at the default times with nothing to spare: for shorter times they are raised by 5 % more. */
+/** With the default caps exactly 5 % is left at the default times. Shorter times get a margin of 5 %. */
 function hasteFor(ratio: number): number {
   return ratio > 1 ? 1.05 * ratio : 1;
 }
@@ -75,15 +75,15 @@ function hasteFor(ratio: number): number {
 const GROUND = 20;
 const NORMAL = 60;
 const ANGLE = 30;
-/** Of the correction, 1/s: 7.3 % in 1/60 s. */
+/** Share of the correction per second, 1/s: 7.3 % in 1/60 s. */
 const SHARE_CAP = 4.4;
 /** m/s: 1.9 cm in 1/60 s. */
 const SPEED_CAP = 1.15;
 /** rad/s: 0.45° in 1/60 s. */
 const TURN_CAP = 0.47;
-/** s; the caps are applied this often, or more often in haste, whatever the frame rate. */
+/** s: longest interval between two applications of the caps, at any frame rate. */
 const SLICE = 1 / 240;
-/** s; nothing visible is left after it. */
+/** s after which nothing visible is left. */
 const FORGOTTEN = 2;
 /** m and rad, invisible. */
 const NOTHING = 1e-9;

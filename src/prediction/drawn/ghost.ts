@@ -17,10 +17,10 @@ import type { Track } from '../simulation/track';
 import type { ShipView } from './view';
 
 /**
- * The server's newest state as a ghost: put on the drawn ground by the same function as the ship itself (PREDICTION, Drawing), or a
- * tipped ship's ghost would hover; in the body's axes, so that it stays where it was while the body turns.
+ * The server's newest state as a ghost: put on the drawn ground by the same function as the ship itself (PREDICTION, Drawing), because a
+ * tipped ship's ghost would hover. In the body's axes, so that it turns with the body.
  * @param drawn the drawn ground
- * @param exactly point by point, as the ship itself; else as on level ground
+ * @param exactly true: point by point, like the ship itself; false: as on level ground
  */
 export function fillGhost(
   out: ShipView,

@@ -14,10 +14,10 @@ import {
 } from './rotation';
 
 /**
- * Writes the row of a ship between the two of its server states around the instant of `playback`; before the first state the first,
- * after the last the last. In flight the place follows the cubic that has the states' velocities, on the ground a straight line.
- * @param row as the earlier of the two states has it; place, velocity, attitude and spin in the axes of its body, the velocity
- *   against the turning body
+ * Interpolates a ship's row between the two server states around the instant of `playback`; the first state holds before the first,
+ * the last one after the last. In flight the position follows the cubic through the states' velocities, on the ground a straight line.
+ * @param row a copy of the earlier state, with position, velocity, attitude and spin in the body's axes, the velocity
+ *   relative to the turning body
  */
 export function writeBetween(
   row: Float64Array,
@@ -52,7 +52,7 @@ export interface Playback {
 interface Between {
   readonly a: Float64Array;
   readonly b: Float64Array;
-  /** 0 … 1 of the way from a to b. */
+  /** Fraction of the way from a to b, 0 … 1. */
   readonly share: number;
   /** Game s from a to b. */
   readonly seconds: number;
@@ -88,7 +88,7 @@ function turnOver(row: Float64Array, { a, b, share }: Between): void {
   put(row, ATTITUDE, first);
 }
 
-/** Turns a row that is seen from the axes of a body of this attitude and spin into ICRF axes. */
+/** Converts a row from the axes of a body with this attitude and spin to ICRF axes. */
 export function turnWithBody(row: Float64Array, attitude: Float64Array, spin: Float64Array): void {
   for (const column of [POSITION, VELOCITY, ANGULAR_VELOCITY]) {
     take(way, row, column);

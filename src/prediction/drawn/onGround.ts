@@ -31,7 +31,7 @@ export function fillGround(out: ShipView, track: Track, scene: Scene): void {
   out.groundOffset = offsetAt(places, body.name, nx, ny, nz);
   out.groundConfidence = confidenceOf(placeAt(track.ground, body.name, normal));
   out.groundRadius += out.groundOffset;
-  // Ground learned in flight moves the mesh no faster than a correction.
+  // In flight, newly learned ground moves the mesh no faster than a correction.
   const follows = out.surfaceContactState === '' ? 1 - Math.exp(-OFFSET_RATE * at.elapsed) : 1;
   picture.groundOffset += (out.groundOffset - picture.groundOffset) * follows;
   drawn.groundOffset = picture.groundOffset;
@@ -64,7 +64,7 @@ const slope = vector();
 const under = { bodyName: '', radius: 1, legRadius: 1, terrainHeight: flatTerrain };
 
 /**
- * Puts the mesh on the drawn ground if that is near.
+ * Puts the mesh on the drawn ground if the ground is near.
  * @returns whether point by point, or as on level ground
  */
 export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
@@ -73,7 +73,7 @@ export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64A
   const exactly = out.own || scene.exactSnaps > 0;
   const surface = out.groundRadius - out.groundOffset;
   const above = lengthOf(drawn.position) - surface;
-  // No part of the ship extends to twice its height: it cannot touch the ground.
+  // Beyond twice its height no part of the ship can touch the ground.
   const reach = FAR * (out.groundContactOffset + Math.abs(out.groundOffset) * REACH) + shipClass.legRadius;
   if (above > reach) {
     for (let k = 0; k < 3; k++) out.meshPosition[k] = out.easedPosition[k]!;
@@ -96,7 +96,7 @@ export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64A
 }
 
 const FAR = 2;
-/** Of the offset between the two grounds: twice this height above the ground the mesh has left it behind. */
+/** In offsets between the two grounds: at FAR times this height the mesh no longer follows the offset. */
 const REACH = 4.5;
 const level: LevelGround = { radius: 0 };
 const groundedPose: GroundedPose = createGroundedPose(LEGS);

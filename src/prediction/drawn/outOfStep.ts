@@ -21,13 +21,13 @@ export interface TurnedBodies {
   /** Attitude and spin of each body, ICRF. */
   readonly bodyAttitudes: readonly Float64Array[];
   readonly bodySpins: readonly Float64Array[];
-  /** The instant of ships that are interpolated between their server states. */
+  /** The instant at which interpolated ships are drawn. */
   readonly playback: Playback;
 }
 
 /**
- * The row of a ship that is not in step, placed at the present: asleep; held as it was last predicted; or as the server last had it,
- * on its body, which has turned since.
+ * The row at the present of a ship that is not in step: asleep, held as last predicted, or in its last server state,
+ * turned with its body since then.
  */
 export function outOfStep(sim: Simulation, track: Track, turned: TurnedBodies): Float64Array {
   const { picture } = track;
@@ -50,7 +50,7 @@ export function outOfStep(sim: Simulation, track: Track, turned: TurnedBodies): 
   return row;
 }
 
-/** A ship that is not predicted by the caller's choice: between its server states, or at the newest one. */
+/** The row of a ship that the caller chose not to predict: between its server states, or the newest one. */
 function asPolicyHas(sim: Simulation, track: Track, turned: TurnedBodies): Float64Array {
   copyRow(row, 0, track.serverRow, 0);
   const index = row[REFERENCE_BODY]!;
@@ -71,7 +71,7 @@ function asPolicyHas(sim: Simulation, track: Track, turned: TurnedBodies): Float
   return row;
 }
 
-/** Reads the row's pose in the axes that its body had at its tick. */
+/** Converts the server row's pose to the axes of its body at that tick. */
 function seeServerState({ serverBodyAttitude }: Track): void {
   take(seen.position, row, POSITION);
   take(seen.attitude, row, ATTITUDE);

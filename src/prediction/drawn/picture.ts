@@ -2,12 +2,12 @@ import { SHIP_STRIDE, THRUST_LEVEL } from '../../dynamics';
 import { createEase, type Ease } from './ease';
 import type { ShipView } from './view';
 
-/** What is drawn and shown of one ship; its track holds the prediction. The simulation never reads it. */
+/** The drawn and shown state of one ship; its track holds the prediction. The simulation never reads it. */
 export interface Picture {
   readonly ease: Ease;
   /** Index of the body in whose axes `ease` is; -1 before the first view. */
   body: number;
-  /** The front's last substep uprighted it: what is drawn inside that substep is the attitude before, through the offset. */
+  /** The front's last substep turned it upright; within that substep the offset keeps the attitude before it. */
   uprighted: boolean;
   /** The last predicted pose, in the body's axes, to ease from after a resynchronisation or a change of tempo. */
   hasHeld: boolean;

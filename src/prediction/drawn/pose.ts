@@ -5,7 +5,7 @@ import type { Simulation } from '../simulation/simulation';
 import { spanOf } from '../time/timeline';
 import type { Track } from '../simulation/track';
 
-/** Where a ship is at the present: between the substep boundary before the front and the front. ICRF axes, relative to the body. */
+/** A ship's pose at the present, between the substep boundary before the front and the front. ICRF axes, relative to the body. */
 export interface Pose {
   readonly position: Float64Array;
   readonly attitude: Float64Array;
@@ -30,7 +30,7 @@ export function writeAttitude(out: Float64Array, sim: Simulation, track: Track):
   const { previous, front } = sim.fleet;
   take(after, front, track.at + ATTITUDE);
   if (track.picture.uprighted) {
-    // The law turned it in an instant, at the substep's end; the offset makes of this the attitude before.
+    // The dynamics turned it instantly at the substep's end; the offset restores the attitude before.
     for (let k = 0; k < 4; k++) out[k] = after[k]!;
     return;
   }
@@ -61,7 +61,7 @@ export function writeBodyAttitude(out: Float64Array, sim: Simulation, index: num
 const start = quaternion();
 const end = quaternion();
 
-/** Writes an ICRF pose as seen from a body's axes. */
+/** Converts an ICRF pose to a body's axes. */
 export function writeSeen(out: Pose, given: Pose, body: Float64Array): void {
   rotateBack(out.position, body, given.position);
   seenFrom(out.attitude, body, given.attitude);

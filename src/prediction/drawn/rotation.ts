@@ -1,6 +1,6 @@
 /**
  * Rotations of doubles in place: vectors [x, y, z], quaternions [x, y, z, w], out first, out may be an argument.
- * Not part of the law (dynamics has its own, exact): these serve comparing, easing and drawing.
+ * For comparing, easing and drawing; the dynamics have exact ones of their own.
  */
 
 /** Scratch that is handed to the functions below. */
@@ -67,7 +67,7 @@ export function compose(out: Float64Array, a: Float64Array, b: Float64Array): vo
   out[3] = aw * bw - ax * bx - ay * by - az * bz;
 }
 
-/** out = a⁻¹ b: b as seen from a's axes. */
+/** out = a⁻¹ b: b in a's axes. */
 export function seenFrom(out: Float64Array, a: Float64Array, b: Float64Array): void {
   const ax = -a[0]!;
   const ay = -a[1]!;
@@ -83,7 +83,7 @@ export function seenFrom(out: Float64Array, a: Float64Array, b: Float64Array): v
   out[3] = aw * bw - ax * bx - ay * by - az * bz;
 }
 
-/** out = a b⁻¹: the rotation that leads from b to a, in the axes both are given in. */
+/** out = a b⁻¹: the rotation from b to a, in the axes in which both are given. */
 export function turnBetween(out: Float64Array, a: Float64Array, b: Float64Array): void {
   const ax = a[0]!;
   const ay = a[1]!;

@@ -11,7 +11,7 @@ import type { Instant } from './status';
 /** What all ships of one view share. */
 export interface Scene {
   world: World;
-  /** Of the body under the ship at hand. */
+  /** Of the current ship's body. */
   readonly ground: DrawnGround;
   /** Attitude and spin of each body at the present, ICRF. */
   bodyAttitudes: Float64Array[];
@@ -19,11 +19,11 @@ export interface Scene {
   /** Ships that may still be put on the ground point by point; for others the ground counts as level. */
   exactSnaps: number;
   readonly at: Instant;
-  /** The instant of ships that are interpolated between their server states. */
+  /** The instant at which interpolated ships are drawn. */
   readonly playback: { -readonly [K in keyof Playback]: Playback[K] };
   /** How fast corrections fade. */
   readonly springs: Springs;
-  /** Of the ship at hand, in its body's axes: as predicted, the local up there, and as drawn. */
+  /** Of the current ship, in its body's axes: predicted pose, local up, and drawn pose. */
   readonly seen: Pose;
   readonly normal: Float64Array;
   readonly drawn: GroundPose;

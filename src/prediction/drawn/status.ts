@@ -15,7 +15,7 @@ import type { Track } from '../simulation/track';
 import type { Provenance, ShipView } from './view';
 import { type Timeline, wallOfTick } from '../time/timeline';
 
-/** The instant a view is of. */
+/** The instant of a view. */
 export interface Instant {
   /** Client wall s. */
   now: number;
@@ -28,23 +28,23 @@ export interface Instant {
   /** s after a server state for which it confirms the drawn pose: until the next one is due, plus the lead. */
   confirms: number;
   paused: boolean;
-  /** What tick boundaries are timed by, server wall s. */
+  /** Gives the server wall s of tick boundaries. */
   readonly timeline: Timeline;
-  /** The newest tick looked up in this view and its wall s: most ships come in one frame. */
+  /** The last tick looked up in this view, and its wall s: most ships arrive in one frame. */
   serverTick: number;
   serverWall: number;
 }
 
 /** Shortest time for which CONTACT is shown, s. */
 const CONTACT_DWELL = 0.3;
-/** A withdrawn prediction is shown for this long, s. */
+/** How long a withdrawn prediction is shown, s. */
 export const WITHDRAWN_SHOWN = 2;
-/** Sends in a row without a ship, while others come, after which its state is stale. */
+/** Consecutive sends without a ship after which its state is stale. */
 const STALE_SENDS = 2;
 
 /**
  * A ship's shown state and its provenance (PREDICTION, Events).
- * @param rows where the states that hold at the present stand, at `from`
+ * @param rows holds the state at the present at `from`
  */
 export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from: number, at: Instant): void {
   const { status } = track.picture;
@@ -62,7 +62,7 @@ export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from
   out.withdrawn = at.now < status.withdrawnUntil ? WITHDRAWN[status.withdrawn]! : '';
 }
 
-/** The ship's newest server state, for its ghost; at the frame rate of the server, not of the display. Returns whether it is new. */
+/** Fills in the ship's newest server state, for its ghost, if there is a newer one. Returns whether there is. */
 export function fillServerState(out: ShipView, track: Track, at: Instant): boolean {
   if (track.picture.status.serverTick === track.serverTick) return false;
   track.picture.status.serverTick = track.serverTick;
@@ -79,7 +79,7 @@ export function fillServerState(out: ShipView, track: Track, at: Instant): boole
 
 const WITHDRAWN = EVENT_NAMES.map((name) => name.slice('ship.'.length) as ShipView['withdrawn']);
 
-/** Only the shown state dwells, never the simulated one. A crash is final once the server confirms it. */
+/** CONTACT dwells only in the shown state, never in the simulated one. A crash is final once the server confirms it. */
 function shownState(track: Track, state: number, crashes: boolean, at: Instant): ShipView['shownState'] {
   if (track.serverRow[CRASHED] === 1 && (crashes || track.policy === 'predict')) return 'crashed';
   if (crashes) return 'contact';
@@ -99,7 +99,7 @@ function provenanceOf(out: ShipView, track: Track, crashes: boolean, at: Instant
   return agrees ? 'confirmed' : 'predicted';
 }
 
-/** A new record only if a command has changed. */
+/** Creates a new record only if a command has changed. */
 export function fillControls(out: ShipView, commands: Float64Array, rows: Float64Array, from: number): void {
   const at = from + THRUST_LEVEL;
   for (let k = 0; k < commands.length; k++) {

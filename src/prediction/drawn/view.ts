@@ -16,20 +16,20 @@ import type { Connection } from '../time/connection';
 export type Provenance =
   /** The server's newest state of this ship agrees; `age` is the wall s since that state's instant. */
   | 'confirmed'
-  /** Predicted past the server's newest state, or against it until it answers; `age` wall s since the state began. */
+  /** Predicted beyond the server's newest state, or not confirmed by it yet; `age` wall s since the state began. */
   | 'predicted'
   /** No server state for two sends or more. */
   | 'stale'
   /** The time scale exceeds the budget: the server's last state, not extrapolated. */
   | 'off';
 
-/** The own ship's last touchdown, from the first touch to rest, as the law's substeps had it. Speeds relative to the turning ground. */
+/** The own ship's last touchdown, from the first touch to rest, substep by substep. Speeds relative to the turning ground. */
 export interface TouchdownView {
-  /** A touch was simulated: a ship first seen on the ground, or one that touched during an absence, has no card. */
+  /** A touch was simulated. False for a ship first seen on the ground, or one that touched while the page was away. */
   known: boolean;
   /** 'open' until the ship has landed, tipped or crashed. */
   outcome: 'open' | 'landed' | 'tipped' | 'crashed';
-  /** The law's impact speed at the first touch, m/s. */
+  /** Impact speed of the dynamics at the first touch, m/s. */
   verticalSpeed: number;
   /** Just before the first touch, m/s. */
   horizontalSpeed: number;
@@ -39,12 +39,12 @@ export interface TouchdownView {
   slideMetres: number;
   /** Game s from the first touch to rest, or so far. */
   settleSeconds: number;
-  /** Largest tilt since the first touch, that of the approach included, rad. */
+  /** Largest tilt since just before the first touch, rad. */
   largestTilt: number;
 }
 
 export interface ShipView {
-  /** As the server has it. */
+  /** The server's id. */
   readonly shipId: string;
   /** For display; any text. */
   name: string;
@@ -71,7 +71,7 @@ export interface ShipView {
   impactSpeed: number;
   /** Empty in flight. */
   surfaceContactState: SurfaceState;
-  /** Predicted or sent: the ship is destroyed. */
+  /** The ship is destroyed, as predicted or as sent. */
   crashed: boolean;
   /** Its present controls. */
   controls: Controls;
@@ -117,17 +117,17 @@ export interface ShipView {
   provenance: Provenance;
   /** Wall s, see Provenance. */
   age: number;
-  /** A predicted state that the server did not have: shown for 2 s, otherwise ''. */
+  /** A predicted state that the server did not confirm, for 2 s; otherwise ''. */
   withdrawn: '' | 'contact' | 'landed' | 'tipped' | 'righted' | 'crashed';
 
-  /** Of the own ship; unknown for others. */
+  /** The own ship's; `known` is false for others. */
   readonly touchdown: TouchdownView;
 
   /** The server's newest state of this ship: relative to the body at that tick, ICRF axes. */
   readonly serverPosition: Float64Array;
   /** [x, y, z, w]. */
   readonly serverAttitude: Float64Array;
-  /** The same as a ghost to draw: on the ground as meshPosition is, in the axes of its body. */
+  /** The same pose for drawing a ghost: on the ground like meshPosition, in its body's axes. */
   readonly ghostPosition: Float64Array;
   /** [x, y, z, w]. */
   readonly ghostAttitude: Float64Array;
@@ -139,7 +139,7 @@ export interface ShipView {
 
 /** A predicted event or one of the server, in order of time. */
 export interface EventNotice {
-  /** Reported once each, in this order. */
+  /** Each is reported at most once, in this order. */
   readonly kind: 'predicted' | 'confirmed' | 'retracted';
   /** The game’s event name. */
   readonly type: ShipEventName;

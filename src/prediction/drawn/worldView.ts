@@ -59,7 +59,7 @@ export function createShown(sim: Simulation, springs: Springs): Shown {
   return { view, scene, viewedAt: Number.NaN };
 }
 
-/** The simulation has another world of the same bodies: views continue with its constants. */
+/** The simulation has a new world with the same bodies: views continue with its constants. */
 export function showWorld({ view, scene }: Shown, { world }: Simulation): void {
   view.settings = world.settings;
   scene.world = world;
@@ -71,9 +71,9 @@ export function showWorld({ view, scene }: Shown, { world }: Simulation): void {
   }
 }
 
-/** Additional time for which a state confirms, s: the next one is in flight. */
+/** s for which a state still confirms after the next one is due, which is in flight. */
 const GRACE = 0.04;
-/** Ships put on the ground point by point in one view, the own one not counted. */
+/** Ships put on the ground point by point in one view, besides the own ship. */
 const MAX_EXACT_SNAPS = 32;
 
 /** Where the present lies between the substep boundary before the front and the front. */
@@ -84,14 +84,14 @@ export function placePresent(sim: Simulation, moment: Moment): void {
   sim.alpha = ahead <= 0 ? 1 : ahead >= 1 ? 0 : 1 - ahead;
 }
 
-/** The instant that is viewed. */
+/** The instant of the view. */
 export interface Viewed {
   /** Client wall s. */
   readonly now: number;
   /** Server wall s of the present, and how far it is ahead of the server. */
   readonly present: number;
   readonly lead: number;
-  /** Server wall s at which what arrives now was sent, later ones with the usual delay of 19 in 20. */
+  /** Server wall s at which a message was sent that arrives now with at most the delay of 19 in 20. */
   readonly heard: number;
 }
 
@@ -110,13 +110,13 @@ export function fillView(shown: Shown, sim: Simulation, { now, present, lead, he
   at.paused = view.paused;
   scene.playback.at = heard - sendSeconds(sim.cadence, view.tickRate);
   scene.playback.timeScale = view.timeScale;
-  // The timeline may have changed since the last view.
+  // The timeline may have changed since the last view: forget the looked-up tick.
   at.serverTick = Number.NaN;
   scene.exactSnaps = MAX_EXACT_SNAPS;
   fillShips(shown, sim);
 }
 
-/** The label of the present: exactly the drawn instant between two substep boundaries. */
+/** Labels the view with the exact instant that is drawn, between two substep boundaries. */
 function fillLabel(view: WorldView, sim: Simulation): void {
   const { front, timeline, alpha } = sim;
   const onBoundary = front.substep === 0 && alpha === 1;

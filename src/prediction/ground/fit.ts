@@ -17,17 +17,17 @@ export interface FitTask {
   readonly track: Track;
   readonly evidence: Evidence;
   readonly seen: Observation;
-  /** The place at which guesses are tried: the newest of the track's ground meanwhile. */
+  /** The place that holds the guess being tried, the newest of the track's ground. */
   readonly place: GroundPlace;
 }
 
-/** Offsets that are scanned without a better guess, m. */
+/** Offsets tried when no guess is good, m. */
 const SCAN = [-1.2, -0.9, -0.6, -0.3, 0.3, 0.6, 0.9, 1.2];
-/** Steps of the derivatives, m and m/m, and the largest step of a refinement. */
+/** Steps of the finite differences, m and m/m, and the largest step of a refinement. */
 const NUDGE = { offset: 0.02, slope: 0.01 };
 const MAX_STEP = { offset: 0.6, slope: 0.15 };
 const REFINEMENTS = 3;
-/** Below this speed no slope is fitted, m/s. */
+/** No slope is fitted below this speed, m/s. */
 const SLOW = 1;
 
 /** Tries the guesses and refines the best. Returns its cost; the place keeps the best guess. */

@@ -17,20 +17,20 @@ export interface GroundNews {
   readonly bodies: Float64Array;
   /** Client wall s. */
   readonly now: number;
-  /** The server sent the impact speed; otherwise the replay that explains the state gives it. */
+  /** The server sent the impact speed; otherwise it comes from the replay. */
   readonly hasImpact: boolean;
 }
 
-/** Feet this far above the ground on a grounded ship, or below it on a flying one, contradict the ground, m. */
+/** m: a grounded ship with its feet this far above the ground, or a flying one with its feet this far below, contradicts the ground. */
 const ABOVE = 0.1;
 const BELOW = 0.03;
-/** A landed ship may rest this far from its static depth, m. */
+/** A landed ship may be this far from its static depth, m. */
 const RESTING = 0.06;
-/** Costs: a ground below the first is right; a new one must halve the old one's cost, and in flight explain the states. */
+/** Costs: below EXPLAINED the ground is right. A new ground must halve the old one's cost and, in flight, explain the states. */
 const EXPLAINED = 0.1;
 const BETTER = 0.5;
 const EXPLAINED_IN_FLIGHT = 2;
-/** Most substeps between two replayed states, and the share of a fit that other ships may use in one frame. */
+/** Most substeps between two replayed states, and most substeps in one frame for fitting other pilots' ships. */
 const MAX_INTERVAL = 400;
 const OTHERS_BUDGET = 8_000;
 /** Approximate number of replays of a fit. */
@@ -39,8 +39,8 @@ const REPLAYS = 20;
 const STEEPEST = 0.6;
 
 /**
- * Learns the ground from a state that was not predicted, or on learned ground: by replaying this ship's last two states if only the
- * ground can be the cause, otherwise from the state alone (PREDICTION, Learned ground). If the grounds agree, nothing is learned.
+ * Learns the ground from a state that was mispredicted, or is on learned ground: by a replay between the ship's last two states if only the
+ * ground can explain them, otherwise from the state alone (PREDICTION, Learned ground). If the grounds agree, nothing is learned.
  */
 export function learnGround(sim: Simulation, track: Track, news: GroundNews): void {
   const { ground } = track;
@@ -79,7 +79,7 @@ export function keepEvidence(track: Track, row: Float64Array, tick: number): voi
   track.evidence.tick = tick;
 }
 
-/** The ground above ours that a state alone gives, m, or null for nothing new. */
+/** The server's ground above ours, m, from a state alone; null for nothing new. */
 function outright({ row }: GroundNews, known: number): number | null {
   const above = seen.feet - known;
   const depth = seen.gravity / 100;
@@ -92,7 +92,7 @@ function isResting(row: Float64Array): boolean {
   return row[SURFACE_STATE] === LANDED || (row[SURFACE_STATE] === TIPPED && seen.speed < 0.5);
 }
 
-/** Guesses: the known ground; the depth at which the ship would rest; the slope of its climb or of the last place. */
+/** Guesses: the known ground, the ship's static depth, the slope of its climb or of the last place. */
 function guessesOf({ row }: GroundNews, known: number, old: GroundPlace | null): Guess[] {
   const slope = old === null ? 0 : dot(old.slope, seen.way);
   const guesses: Guess[] = [{ offset: known, slope }];
@@ -108,7 +108,7 @@ function guessesOf({ row }: GroundNews, known: number, old: GroundPlace | null):
   return guesses;
 }
 
-/** The last state and this one if only the ground between them is unknown; otherwise null. */
+/** The last state and this one, if only the ground between them is unknown; otherwise null. */
 function evidenceOf(sim: Simulation, track: Track, { row, tick }: GroundNews): Evidence | null {
   const { evidence } = track;
   const { timeline, bodies } = sim;
@@ -124,7 +124,7 @@ function evidenceOf(sim: Simulation, track: Track, { row, tick }: GroundNews): E
   return { from: evidence.row, fromTick: evidence.tick, to: row, toTick: tick };
 }
 
-/** Other ships share a frame's budget; beyond it a ship's state alone is used. */
+/** Takes `substeps` from a frame's budget for other pilots' ships; false if it is used up: then only the ship's state is used. */
 function takeBudget(sim: Simulation, tick: number, substeps: number): boolean {
   const { learning } = sim;
   if (learning.tick !== tick) {
@@ -136,7 +136,7 @@ function takeBudget(sim: Simulation, tick: number, substeps: number): boolean {
   return true;
 }
 
-/** The impact speed of this contact, from the replay on the ground as known now; without a touch there, the speed of the fall. */
+/** Fills in the impact speed of this contact from a replay on the ground as known now; without a touch there, the speed of the fall. */
 function recallImpact(sim: Simulation, track: Track, evidence: Evidence, row: Float64Array): void {
   replayBetween(misfit, sim, track, evidence);
   const replayed = replayedRow();

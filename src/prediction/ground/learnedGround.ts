@@ -5,7 +5,7 @@ import { HEIGHT, readHeight, type TerrainHeight, terrainInPlace, type World } fr
  * above our terrain, m, and a slope. Without any, the world is used unchanged.
  */
 export interface LearnedGround {
-  /** The newest last; where places overlap it counts first. */
+  /** Newest last; where places overlap, the newer one takes precedence. */
   readonly places: GroundPlace[];
   /** The simulation's world with the places on its ground; null without any. */
   world: World | null;
@@ -21,20 +21,20 @@ export interface GroundPlace {
   readonly direction: Float64Array;
   /** The server's ground above ours there, m. */
   offset: number;
-  /** How the offset grows along the ground, m per m, in the body's axes, at right angles to `direction`. */
+  /** Gradient of the offset along the ground, m/m, in the body's axes, perpendicular to `direction`. */
   readonly slope: Float64Array;
   /** Server states that confirm it. */
   states: number;
   /** Client wall s of the newest of them. */
   seenAt: number;
-  /** 0 … 1: fades with age. */
+  /** 0 … 1, fading with age. */
   weight: number;
 }
 
-/** Distances from a place, m: full effect up to the first, none beyond the second. */
+/** Distances from a place, m: full effect up to WHOLE, none beyond GONE. */
 const WHOLE = 150;
 const GONE = 1000;
-/** Client wall s since a place was confirmed: full effect up to the first, none beyond the second. */
+/** Client wall s since a place was confirmed: full effect up to FRESH, none beyond FORGOTTEN. */
 const FRESH = 300;
 const FORGOTTEN = 1200;
 /** Places kept per ship. */
@@ -86,7 +86,7 @@ export function offsetAt(
   return sum;
 }
 
-/** 1 at a place, 0 far from it, smooth between. */
+/** 1 at a place, 0 far from it, smooth in between. */
 function nearness(distance: number): number {
   if (distance <= WHOLE) return 1;
   if (distance >= GONE) return 0;

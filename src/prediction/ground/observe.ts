@@ -20,7 +20,7 @@ export interface Observation {
   readonly way: Float64Array;
   /** Height of an upright ship's feet above our terrain, m. */
   feet: number;
-  /** m/s, relative to the turning ground: off it and along it. */
+  /** m/s, relative to the turning ground: away from it and along it. */
   climb: number;
   speed: number;
   /** m/s² */
@@ -36,7 +36,7 @@ export function createObservation(): Observation {
   };
 }
 
-/** Observes the row at 0 in `row`; `bodies` are of its tick. */
+/** Observes the row at 0 in `row`; `bodies` are the rows at its tick. */
 export function observe(out: Observation, row: Float64Array, bodies: Float64Array, world: World): void {
   const index = row[REFERENCE_BODY]!;
   const body = world.bodies[index]!;

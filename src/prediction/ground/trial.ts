@@ -23,13 +23,13 @@ export interface Misfit {
   sameState: boolean;
 }
 
-/** Unit errors: m, m/s, m. */
+/** Errors of cost 1: m, m/s, m. */
 const HEIGHT = 0.05;
 const CLIMB = 0.25;
 const ALONG = 0.3;
-/** Cost of another surface state than the server's. */
+/** Cost of a surface state that differs from the server's. */
 const OTHER_STATE = 4;
-/** Small offsets and slopes are likelier: m, m/m. */
+/** Offset and slope of cost 1, since small ones are likelier: m, m/m. */
 const OFFSET = 5;
 const SLOPE = 0.5;
 

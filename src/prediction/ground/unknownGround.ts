@@ -1,9 +1,9 @@
 import { BODY_ATTITUDE, BODY_STRIDE, POSITION, REFERENCE_BODY, type World } from '../../dynamics';
 import { quaternion, rotateBack, take, vector } from '../drawn/rotation';
 
-/** Ground that the client has not loaded: its terrain returns null, or no height. */
+/** Ground that the client has not loaded: its terrain returns null or no finite height. */
 
-/** Whether the ground is known under the row at 0 in `row`; `bodies` are of its tick. */
+/** Whether the ground below the row at 0 in `row` is known; `bodies` are the rows at its tick. */
 export function knowsGround(row: Float64Array, bodies: Float64Array, world: World): boolean {
   const index = row[REFERENCE_BODY]!;
   take(body, bodies, index * BODY_STRIDE + BODY_ATTITUDE);
@@ -19,7 +19,7 @@ export function knowsGround(row: Float64Array, bodies: Float64Array, world: Worl
   return typeof height === 'number' && Number.isFinite(height);
 }
 
-/** The world without a ground that a flying ship could touch. */
+/** The world with its ground out of reach of flying ships. */
 export function withoutGround(world: World): World {
   const radii = new Map(world.bodies.map(({ name, radius }) => [name, radius]));
   return { ...world, terrainHeight: (name) => -radii.get(name)! / 2 };

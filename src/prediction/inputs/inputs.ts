@@ -28,12 +28,12 @@ export type ScheduledInput = Omit<InputRecord, 'seq'>;
 
 export interface StoredInput {
   readonly record: InputRecord;
-  /** Known time of its effect: its stamp, or later. */
+  /** When it acts, as far as is known: at its stamp or later. */
   tick: number;
   substep: number;
   /** Client wall s. */
   readonly sampledAt: number;
-  /** Steering of the lead when it was sampled, s. */
+  /** Steering of the lead at its sampling, s. */
   readonly steer: number;
 }
 
@@ -44,7 +44,7 @@ export type InputOutcome = 'asPredicted' | 'late' | 'lost';
 const MAX_RECORDS = 1024;
 /** An input unacknowledged for longer than this after it was due counts as lost, wall s. */
 const LOST_AFTER = 2;
-/** A server may carry controls in single precision. */
+/** A server may send controls in single precision. */
 const CONTROL_TOLERANCE = 1e-6;
 
 export function createInputs(plan: readonly ScheduledInput[] = []): Inputs {
@@ -69,11 +69,11 @@ export function store(
   steer: number,
 ): StoredInput {
   const last = inputs.records.at(-1);
-  // Never before the previous one: they act in the order of their numbers.
+  // Not before the previous record: records act in the order of their numbers.
   const early = last !== undefined && isBefore(stamp.tick, stamp.substep, last.tick, last.substep);
   const tick = early ? last.tick : stamp.tick;
   const substep = early ? last.substep : stamp.substep;
-  // Not sent yet, and with the same stamp: the newer one replaces it under the same number.
+  // The last record has the same stamp and is not sent yet: replace it under the same number.
   if (
     last !== undefined &&
     inputs.unsent < inputs.records.length &&
@@ -116,7 +116,7 @@ export function resend(inputs: Inputs): void {
 }
 
 /**
- * Applies a frame of `tick`: acknowledged records act when it says. Records that were due before and are not acknowledged are late and
+ * Applies the frame of `tick`: acknowledged records act when it says. Records that were due before and are not acknowledged are late and
  * act from the frame's boundary on, the earliest possible time.
  * @param acknowledgement the acknowledgement, or null if the server sends none
  * @param inForce the ship's controls in that frame
@@ -195,7 +195,7 @@ export function forgetRecords(inputs: Inputs): void {
 }
 
 function drop(inputs: Inputs, count: number): void {
-  // The record that ended the plan is dropped, and the plan with it.
+  // The record that ended the plan is dropped, so the plan is dropped too.
   inputs.plan = [];
   inputs.records.splice(0, count);
   inputs.unsent = Math.max(0, inputs.unsent - count);
@@ -206,7 +206,7 @@ function dropIndex(inputs: Inputs, index: number): void {
   if (inputs.unsent > index) inputs.unsent -= 1;
 }
 
-/** Whether two commands are the same, within what single precision keeps. */
+/** Whether two commands are equal within single precision. */
 export function sameControls(a: Controls, b: StateControls): boolean {
   return (
     near(a.thrustLevel, b.thrustLevel) &&
@@ -218,7 +218,7 @@ export function sameControls(a: Controls, b: StateControls): boolean {
   );
 }
 
-/** Held keys released: the sticks centred; a throttle lever stays where it was put. */
+/** The controls with all keys released: sticks centred, the throttle lever unchanged. */
 export function releaseKeys(controls: Controls): Controls {
   const { rotationInput, translationInput } = NEUTRAL_CONTROLS;
   return { ...controls, rotationInput, translationInput };

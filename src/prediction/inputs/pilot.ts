@@ -17,7 +17,7 @@ import { isBefore } from '../time/timeline';
 /** The pilot's input device. */
 export interface Pilot {
   last: Controls | null;
-  /** After an absence: keys held before it, which count as released until they change. */
+  /** Keys held before an absence, which count as released until they change. */
   released: Controls | null;
 }
 
@@ -35,8 +35,8 @@ export function createPilot(): Pilot {
 }
 
 /**
- * Samples own controls: a difference to the controls in force, or already sent, becomes an input that acts from the front on or, on a
- * server of whole ticks, from the next tick on. Controls that are not finite are ignored.
+ * Samples own controls. Controls that differ from those in force, or already sent, become an input that acts from the front on or, with a
+ * server of whole-tick inputs, from the next tick on. Controls that are not finite are ignored.
  */
 export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, sampling: Sampling): void {
   const track = sim.fleet.own;
@@ -67,7 +67,7 @@ export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, s
 
 const stamp = { tick: 0, substep: 0 };
 
-/** Whether a row holds this command, within single precision. */
+/** Whether a row holds this command within single precision. */
 function commands(rows: Float64Array, at: number, given: Controls): boolean {
   return (
     near(rows[at + THRUST_LEVEL]!, given.thrustLevel) &&

@@ -7,7 +7,7 @@ import { isBefore, type Position } from '../time/timeline';
  * indexes both.
  */
 
-/** The cursor before the first that acts at or after (tick, substep). */
+/** The cursor at the first input that acts at or after (tick, substep). */
 export function seek({ plan, records }: Inputs, tick: number, substep: number): number {
   let i = records.length;
   while (i > 0 && !isBefore(records[i - 1]!.tick, records[i - 1]!.substep, tick, substep)) i--;
@@ -17,7 +17,7 @@ export function seek({ plan, records }: Inputs, tick: number, substep: number): 
   return k;
 }
 
-/** Writes the inputs due at `due` into the row at `at`, from `cursor` on; returns the cursor after them. */
+/** Writes the inputs due at `due` into the row at `at`, starting at `cursor`. Returns the cursor after them. */
 export function applyDue(
   { plan, records }: Inputs,
   cursor: number,
@@ -39,7 +39,7 @@ export function applyDue(
   return i;
 }
 
-/** Whether the plan has inputs at or after `from`, and no input of the pilot ends it. */
+/** Whether the plan has inputs at or after `from` that no input of the pilot overrides. */
 export function isPlanned({ plan, records }: Inputs, from: Position): boolean {
   const last = plan.at(-1);
   return (

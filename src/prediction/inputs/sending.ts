@@ -5,21 +5,21 @@ import { indexOf, spanOf } from '../time/timeline';
 import { type StoredInput, takeUnsent } from './inputs';
 
 /**
- * Schedules the sending of own inputs. A server of whole ticks applies one record per tick, so a dragged throttle makes many records
+ * Schedules the sending of own inputs. A server of whole-tick inputs applies one record per tick, so a dragged throttle makes many records
  * with one stamp: the first is sent at once, later ones replace each other and are sent at intervals, and always before the stamp is
  * due.
  */
 export interface Sending {
-  /** Stamp of the newest record that was sent, and when, client wall s. */
+  /** Stamp of the newest record sent, and when it was sent, client wall s. */
   tick: number;
   substep: number;
   at: number;
 }
 
-/** Shortest time between two records with one stamp, s: usually, and when the stamp is due soon. */
+/** Shortest time between two records with the same stamp, s: usually, and when the stamp is due soon. */
 const SELDOM = 0.5;
 const OFTEN = 0.05;
-/** A stamp is due soon this long before it is due, s; within the second, two display frames, nothing waits. */
+/** s before its time at which a stamp is due soon; within two display frames, the second value, nothing waits. */
 const SOON = 0.1;
 const AT_ONCE = 0.035;
 

@@ -16,7 +16,7 @@ import { forgetLogsAfter } from '../touchdown/touchdownRing';
  * Replaces settings, classes, terrain, masses and radii of the running world. Ships, time, inputs and listeners stay: each
  * ship continues from its newest server state, and the drawn pose fades into the new prediction. With other bodies, or before the first
  * frame, a new world begins.
- * @param config what `world` was created from
+ * @param config the config from which `world` was created
  */
 export function changeWorld(session: Session, world: World, config: WorldConfig): void {
   const { sim, shown } = session;
@@ -34,19 +34,19 @@ export function changeWorld(session: Session, world: World, config: WorldConfig)
   sim.groundless = withoutGround(world);
   recut(sim.timeline, world.settings.contactLongestSubstep);
   forgetBodiesAfter(sim.bodies, sim.newestTick);
-  for (const track of sim.fleet.tracks) goOn(sim, track, before);
+  for (const track of sim.fleet.tracks) carryOver(sim, track, before);
   sim.frontIsStale = true;
   showWorld(shown, sim);
 }
 
-/** The ship's prediction is of the previous world: its rows are converted to the new one, and it waits to be replayed. */
-function goOn(sim: Simulation, track: Track, before: World): void {
+/** Converts the ship's rows to the new world and puts it out of step until it has been replayed. */
+function carryOver(sim: Simulation, track: Track, before: World): void {
   const { world, fleet } = sim;
   forgetAfter(track.history, -1);
   if (track.log !== null) forgetLogsAfter(track.log, -1);
   abandonReplay(track);
   track.agreedTick = -1;
-  // The learned ground compensated for errors of the previous world.
+  // The learned ground corrected the previous world.
   track.ground.places.length = 0;
   track.evidence.tick = -1;
   const isKnown = [fleet.previous, fleet.front, fleet.replayed]

@@ -16,7 +16,7 @@ export function copyOwned({ session, kept }: Owned): Owned {
   const copies = new Map<object, object>();
   for (const shared of [options, terrains, defaults, config, warn]) copies.set(shared, shared);
   copies.set(session.listeners, new Set());
-  // Most of the memory, and recomputed from the boundaries where needed.
+  // The cuts are most of the memory and are recomputed from the boundaries.
   const { cuts } = session.sim.bodies;
   copies.set(
     cuts,
@@ -25,7 +25,7 @@ export function copyOwned({ session, kept }: Owned): Owned {
   return { session: copyOf(session, copies), kept: { ...kept } };
 }
 
-/** Deep copy of records, lists, maps, sets and arrays of numbers; a value that occurs twice in it is copied once. */
+/** Deep copy of records, lists, maps, sets and arrays of numbers; shared references stay shared. */
 function copyOf<T>(value: T, copies: Map<object, object>): T {
   if (typeof value !== 'object' || value === null || Object.isFrozen(value)) return value;
   const known = copies.get(value);

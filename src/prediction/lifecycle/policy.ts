@@ -24,7 +24,7 @@ export function changePolicy({ sim, receiver, warn }: Session, shipId: string, p
   track.states = null;
 }
 
-/** The drawn pose is held, and fades into the policy's. */
+/** Holds the drawn pose, which fades into the pose of the policy. */
 function leavePrediction(sim: Simulation, track: Track): void {
   abandonReplay(track);
   if (track.mode === 'stepping') holdDrawn(sim, track);
@@ -33,7 +33,7 @@ function leavePrediction(sim: Simulation, track: Track): void {
   track.off = false;
 }
 
-/** Simulates the ship from its newest server state on; the drawn pose fades into that. */
+/** Simulates the ship from its newest server state; the drawn pose fades into the prediction. */
 function returnToPrediction(sim: Simulation, track: Track): void {
   if (track.unpredictable || track.serverTick < 0) return;
   copyRow(sim.fleet.front, track.at, track.serverRow, 0);

@@ -8,7 +8,7 @@ import { createPredictor } from '../predictor';
 import type { Policy } from '../simulation/track';
 import type { PredictorSnapshot } from './snapshot';
 
-/** The predictor in a worker: the messages over the channel, in both directions. All are plain data and are copied. */
+/** A predictor in a worker: the messages in both directions. All are plain data and are copied. */
 
 /** To the worker. */
 export type ToWorker =
@@ -35,7 +35,7 @@ export type FromWorker =
     }
   | { readonly kind: 'snapshot'; readonly snapshot: PredictorSnapshot };
 
-/** The part of a Worker, a MessagePort or a worker's global scope that is used. */
+/** The members that a Worker, a MessagePort and a worker's global scope share. */
 export interface Channel {
   /** Sends a copy of plain data. */
   postMessage: (message: unknown) => void;

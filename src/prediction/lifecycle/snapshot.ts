@@ -15,7 +15,7 @@ export interface PredictorSnapshot {
   readonly version: 1;
   /** '' for a spectator. */
   readonly ownShipId: string;
-  /** null: the server sent none. */
+  /** null if the server has sent none. */
   readonly hello: Hello | null;
   /** The newest frame; null if none has arrived. */
   readonly frame: PartialFrame | null;
@@ -68,7 +68,7 @@ function joined(before: PartialFrame, frame: PartialFrame): PartialFrame {
   return { ...before, ...frame, ships: [...others, ...ships] };
 }
 
-/** A plain caller may pass anything for a list of ships. */
+/** A JavaScript caller may pass anything as the list of ships. */
 function shipsOf({ ships }: PartialFrame): PartialFrame['ships'] {
   const isShip = (ship: unknown): boolean => typeof ship === 'object' && ship !== null;
   return Array.isArray(ships) ? (ships as PartialFrame['ships']).filter(isShip) : [];
@@ -91,7 +91,7 @@ export function snapshotOf(session: Session, kept: Kept, now: number): Predictor
   };
 }
 
-/** The frame, completed with the tempo and the bodies that applied at its tick. */
+/** The frame, completed with the tempo and the bodies at its tick. */
 function completed({ sim }: Session, frame: PartialFrame): PartialFrame {
   const { tickRate, timeScale, paused } = spanOf(sim.timeline, sim.newestTick);
   const rows = boundaryAt(sim.bodies, sim.timeline, sim.newestTick);
@@ -131,17 +131,17 @@ export function restoreSnapshot(session: Session, kept: Kept, given: unknown, no
 
 function faultOf(given: unknown): string | null {
   if (typeof given !== 'object' || given === null)
-    return `version: expected 1, got ${describe(given)}; parse a text with JSON.parse`;
+    return `version: expected 1, got ${describe(given)}; parse a string with JSON.parse`;
   const { version, hello, frame, age, ownShipId, inputs, nextSeq, policies } =
     given as Partial<PredictorSnapshot>;
   if (version !== 1) return `version: expected 1, got ${String(version)}`;
-  if (typeof ownShipId !== 'string') return 'ownShipId: expected a text';
+  if (typeof ownShipId !== 'string') return 'ownShipId: expected a string';
   if (hello === undefined || frame === undefined) return 'hello, frame: expected a message or null';
   if (typeof age !== 'number' || !(age >= 0)) return 'age: expected a number ≥ 0';
   if (!Array.isArray(inputs) || !inputs.every(isInput)) return 'inputs: expected a list of inputs';
   if (!isCount(nextSeq)) return 'nextSeq: expected a whole number ≥ 1';
   if (policies !== undefined && (typeof policies !== 'object' || (policies as object | null) === null))
-    return 'policies: expected predict, interpolate or hold by ship id';
+    return 'policies: expected predict, interpolate or hold for each ship id';
   return null;
 }
 

@@ -14,9 +14,9 @@ import {
 import { compose, fromRotationVector, quaternion, take, vector } from '../drawn/rotation';
 
 /**
- * Extrapolates a ship's motion, as a client without the law does: in flight it falls, without thrust; on the ground it keeps moving along
- * it, turning with the body. Its state and its spin stay.
- * @param bodies rows of `dt` game s from now on
+ * Extrapolates a ship's motion like a client without the dynamics: in flight it falls without thrust; on the ground it keeps moving along
+ * it and turns with the body. Its surface state and its spin stay.
+ * @param bodies rows turned for the next `dt` game s
  */
 export function carryRow(
   rows: Float64Array,
@@ -32,7 +32,7 @@ export function carryRow(
   take(spin, bodies, index * BODY_STRIDE + BODY_ANGULAR_VELOCITY);
   const { gravityParameter } = world.bodies[index]!;
   if (rows[at + SURFACE_STATE] === FLYING) fall(gravityParameter, dt);
-  else goOn(dt);
+  else slideAlong(dt);
   for (let k = 0; k < 3; k++) {
     rows[at + POSITION + k] = place[k]!;
     rows[at + VELOCITY + k] = velocity[k]!;
@@ -44,7 +44,7 @@ export function carryRow(
   for (let k = 0; k < 4; k++) rows[at + ATTITUDE + k] = attitude[k]!;
 }
 
-/** Velocity Verlet, as the law integrates flight. */
+/** Velocity Verlet, like flight in the dynamics. */
 function fall(gravityParameter: number, dt: number): void {
   const before = pull(gravityParameter);
   for (let k = 0; k < 3; k++) place[k] = place[k]! + velocity[k]! * dt + 0.5 * before * place[k]! * dt * dt;
@@ -59,8 +59,8 @@ function pull(gravityParameter: number): number {
   return -gravityParameter / (squared * Math.sqrt(squared));
 }
 
-/** Relative to the turning ground the velocity stays; the component into the ground beyond its slope is removed. */
-function goOn(dt: number): void {
+/** Moves at constant velocity relative to the turning ground; a descent steeper than MAX_SLOPE is removed. */
+function slideAlong(dt: number): void {
   writeGroundVelocity();
   const distance = Math.hypot(place[0]!, place[1]!, place[2]!);
   let climb = 0;
@@ -69,15 +69,15 @@ function goOn(dt: number): void {
     climb += (velocity[k]! * place[k]!) / distance;
   }
   const speed = Math.sqrt(Math.max(0, dot(velocity, velocity) - climb * climb));
-  if (climb < -STEEPEST * speed)
+  if (climb < -MAX_SLOPE * speed)
     for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! - (climb * place[k]!) / distance;
   for (let k = 0; k < 3; k++) place[k] = place[k]! + (velocity[k]! + ground[k]!) * dt;
   writeGroundVelocity();
   for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! + ground[k]!;
 }
 
-/** Steeper descents are impacts, not slopes. */
-const STEEPEST = 0.3;
+/** m/m. Steeper descents are impacts, not slopes. */
+const MAX_SLOPE = 0.3;
 
 function writeGroundVelocity(): void {
   for (let k = 0; k < 3; k++) {

@@ -5,21 +5,21 @@ import { resized, ringLength } from './history';
 import type { Simulation } from './simulation';
 import type { Track } from './track';
 
-/** The length of the rings of predicted states, so that together they stay within a memory limit. */
+/** Sizes the rings of predicted states so that together they stay within a memory limit. */
 
 /** Bytes that the histories of all ships but the own one may take. */
 const HISTORY_BYTES = 32 * 2 ** 20;
 /** Rows that every ship keeps, however many there are. */
-const LEAST_ROWS = 12;
+const MIN_ROWS = 12;
 const ROW_BYTES = SHIP_STRIDE * Float64Array.BYTES_PER_ELEMENT;
 
-/** Rows each of `ships` ships may keep; the same for all numbers up to a power of two, so that growing fleets seldom change it. */
+/** Rows that each of `ships` ships may keep. `ships` is rounded up to a power of two, so that a growing fleet seldom changes it. */
 function rowsWithin(ships: number, ringOfRate: number): number {
   const rounded = 2 ** Math.ceil(Math.log2(Math.max(1, ships)));
-  return Math.max(LEAST_ROWS, Math.min(ringOfRate, Math.floor(HISTORY_BYTES / (rounded * ROW_BYTES))));
+  return Math.max(MIN_ROWS, Math.min(ringOfRate, Math.floor(HISTORY_BYTES / (rounded * ROW_BYTES))));
 }
 
-/** What the rings must hold. */
+/** What determines the length of the rings. */
 export interface RingNeeds {
   /** Hz */
   readonly tickRate: number;
@@ -29,7 +29,7 @@ export interface RingNeeds {
   readonly ships: number;
 }
 
-/** Resizes the rings; their contents are kept. A ring that is longer than needed is kept while memory allows it. */
+/** Resizes the rings; their contents are kept. A ring longer than needed is kept while memory allows it. */
 export function fitRings(sim: Simulation, { tickRate, substeps, ships }: RingNeeds): void {
   const { tracks } = sim.fleet;
   sim.ringLength = ringLength(tickRate);

@@ -59,7 +59,7 @@ function report(sim: Simulation, track: Track): void {
   easeUprighting(sim, track, step);
 }
 
-/** The own ship out of step: its row still holds its pilot's controls, and an input that burns wakes it from sleep. */
+/** Applies inputs to the own ship while it is out of step: its row still shows its pilot's controls, and an input that burns wakes it. */
 function commandIdle(sim: Simulation, own: Track): void {
   const { fleet, front, inputs } = sim;
   const cursor = seek(inputs, front.tick, front.substep);
@@ -82,7 +82,7 @@ function keepBoundary(sim: Simulation): void {
   }
 }
 
-/** The law reported `event` in the substep that begins at `at`, in pass `pass` over this ship's time. */
+/** Handles an event that the dynamics reported in the substep that begins at `at`, in simulation pass `pass` of this ship. */
 export function happened(sim: Simulation, track: Track, event: number, at: Position, pass: number): void {
   const notice = predict(track.ledger, event, at, sim.timeline, pass);
   if (notice !== null) sim.notices.push(notice);

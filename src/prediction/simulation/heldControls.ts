@@ -8,7 +8,7 @@ export function isReleased(track: Track, tick: number, substep: number): boolean
   return track.releaseTick === tick && track.releaseSubstep === substep;
 }
 
-/** Sticks centred and engine off; the attitude mode stays. */
+/** Centres the sticks and turns the engine off; the attitude mode stays. */
 export function release(rows: Float64Array, at: number): void {
   rows[at + THRUST_LEVEL] = 0;
   for (let k = 0; k < 3; k++) {

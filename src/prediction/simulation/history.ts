@@ -11,7 +11,7 @@ export interface History {
   readonly ticks: Float64Array;
 }
 
-/** Ticks that span at least 10 s of wall time, and never fewer than 12, so that slow servers have a history too. */
+/** Ticks in 10 s of wall time, but at least 12, so that slow servers have a history too. */
 export function ringLength(tickRate: number): number {
   return Math.max(12, Math.ceil(10 * tickRate) + 2);
 }
@@ -37,7 +37,7 @@ export function has(history: History, tick: number): boolean {
   return history.ticks[tick % history.length] === tick;
 }
 
-/** Offset of the row at `tick` in `rows`. Throws if `has` is false, which is a fault of the predictor, never of its input. */
+/** Offset of the row at `tick` in `rows`. Throws if `has` is false: a bug of the predictor, never a fault of its input. */
 export function offsetOf(history: History, tick: number): number {
   const slot = tick % history.length;
   const held = history.ticks[slot]!;

@@ -65,7 +65,7 @@ function replay(sim: Simulation, track: Track, budget: number): number {
   placeStep(step, sim, track.replayTick, track.replaySubstep);
   step.event = NO_EVENT;
   for (let i = 0; i < steps; i++) {
-    // Only the log reads the row before each substep; drawing reads that of the last one.
+    // Only the log reads the row before each substep; drawing reads it for the last one.
     step.keepsBefore = left - i === 1 || track.log !== null;
     replaySubstep(sim, track);
   }
@@ -107,7 +107,7 @@ function arrive(sim: Simulation, track: Track): void {
 }
 
 /**
- * Takes a ship out of step, to be replayed from a state of `tick` to a front elsewhere: until then its drawn pose is held in
+ * Takes a ship out of step because it must be replayed to another front; until then its drawn pose is held in
  * the body's axes.
  */
 export function hold(sim: Simulation, track: Track): void {

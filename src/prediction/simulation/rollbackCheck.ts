@@ -6,7 +6,7 @@ import { copyRow, type Track } from './track';
 
 /**
  * The sync test of rollback netcode: at tick boundary `tick` every ship in step is reset by `ticks` ticks, replayed with the stored
- * inputs, and must have the same bits. State that a row does not hold, and differences between replay and front, show here.
+ * inputs, and must have the same bits. It finds state that is missing from the row, and differences between replay and front.
  */
 export function checkRollback(sim: Simulation, tick: number, ticks: number): void {
   for (const track of sim.fleet.tracks) {
@@ -28,7 +28,7 @@ function replayTo(sim: Simulation, track: Track, from: number, to: number): void
 const row = new Float64Array(SHIP_STRIDE);
 const step = createRowStep(row);
 
-/** Bits, not values: −0 is not 0. */
+/** Compares bits, not values: −0 is not 0. */
 function sameBits(rows: Float64Array, from: number): boolean {
   for (let k = 0; k < SHIP_STRIDE; k++) if (!Object.is(rows[from + k], row[k])) return false;
   return true;

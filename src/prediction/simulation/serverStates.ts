@@ -12,8 +12,8 @@ import {
 import { put, quaternion, rotateBack, seenFrom, take, vector } from '../drawn/rotation';
 
 /**
- * The newest server states of one ship, oldest first, for a ship that is drawn between them. In each row place, velocity, attitude and
- * spin are in the axes of the reference body, and the velocity is against the turning body: between two states the body turns.
+ * The newest server states of one ship, oldest first, for interpolation. In each row position, velocity, attitude and
+ * spin are in the axes of the reference body, and the velocity is relative to the turning body: between two states the body turns.
  */
 export interface ServerStates {
   readonly ticks: number[];
@@ -27,7 +27,7 @@ export function createServerStates(): ServerStates {
   return { ticks: [], rows: [] };
 }
 
-/** Keeps the state `row` of `tick`. A state of another body than the ones before starts over. */
+/** Keeps the state `row` of `tick`. A state relative to another body starts over. */
 export function keepServerState(
   { ticks, rows }: ServerStates,
   tick: number,

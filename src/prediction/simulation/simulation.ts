@@ -29,22 +29,22 @@ export interface Simulation {
   frontIsStale: boolean;
   /** 0 … 1: where the present lies between the substep boundary before the front and the front. */
   alpha: number;
-  /** Ticks of predicted states that belong to 10 s. */
+  /** Ticks of predicted states in 10 s. */
   ringLength: number;
-  /** Rows that each ship but the own one keeps, as memory allows. */
+  /** Rows that each ship besides the own one keeps, as memory allows. */
   historyRows: number;
   /** How often the server sends. */
   readonly cadence: Cadence;
-  /** Newest tick a frame was accepted of, -1 before the first. */
+  /** Tick of the newest accepted frame, -1 before the first. */
   newestTick: number;
   /** Not yet passed to listeners. */
   readonly notices: EventNotice[];
-  /** Substeps that fitting the ground of other pilots' ships took of a tick's frame. */
+  /** Substeps spent in the frame of `tick` on fitting the ground of other pilots' ships. */
   readonly learning: { tick: number; spent: number };
   readonly counters: Diagnosis;
-  /** Reports faults of the caller or the server that stop nothing. */
+  /** Reports mistakes of the caller or the server; nothing stops. */
   readonly warn: Warn;
-  /** Landed ships that agree cost no substep; off while rollbacks are forced, which compare bits. */
+  /** Landed ships that agree with the server sleep. Off while rollbacks are forced, which compare bits. */
   readonly sleeps: boolean;
 }
 
@@ -57,7 +57,7 @@ export interface SimulationOptions {
   readonly plan: readonly ScheduledInput[];
 }
 
-/** A simulation of `world` without any ship or time yet. `bodies`: where they are, in the world's order. */
+/** Creates a simulation of `world` without ships or time. `bodies` are their motions, in the world's order. */
 export function createSimulation(
   world: World,
   bodies: readonly BodyMotion[],

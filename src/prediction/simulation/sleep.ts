@@ -25,10 +25,10 @@ import { copyRow, type Track } from './track';
 
 /**
  * The sleep of landed ships (PREDICTION, Reconciliation): a landed ship that agrees with the server is constant in the body's axes and
- * costs no substep. An input that burns wakes it, and so does a server state that differs.
+ * costs no substep. An input that burns and a server state that differs wake it.
  */
 
-/** Whether a landed row changes: it burns, and may lift off. */
+/** Whether a landed ship's controls wake it: it burns, and may lift off. */
 export function wakesOn(rows: Float64Array, at: number): boolean {
   if (rows[at + FUEL] === 0) return false;
   if (rows[at + THRUST_LEVEL] !== 0) return true;
@@ -49,7 +49,7 @@ export function isAtRest(rows: Float64Array, at: number): boolean {
   return rows[at + SURFACE_STATE] === LANDED && rows[at + CRASHED] === 0 && !wakesOn(rows, at);
 }
 
-/** Asleep, a ship takes the server's pose, so that rounding errors do not accumulate. */
+/** Puts a ship to sleep in the server's pose, so that rounding errors do not accumulate. */
 export function sleepAt(track: Track, bodies: Float64Array): void {
   take(body, bodies, track.serverRow[REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);
   take(track.sleepPlace, track.serverRow, POSITION);
@@ -58,7 +58,7 @@ export function sleepAt(track: Track, bodies: Float64Array): void {
   seenFrom(track.sleepAttitude, body, track.sleepAttitude);
 }
 
-/** Writes the sleeping pose into a row, for the body's attitude and spin given; the rest of the row stays. */
+/** Writes the sleeping pose into a row, for the given attitude and spin of the body; the rest of the row stays. */
 export function writeSleeping(
   rows: Float64Array,
   at: number,
@@ -84,7 +84,7 @@ export function writeSleepingAt(rows: Float64Array, at: number, track: Track, bo
   writeSleeping(rows, at, track, body, spin);
 }
 
-/** Wakes a ship whose server state differs: it is drawn in place until it has been replayed. */
+/** Wakes a ship whose server state differs; it is drawn in place until it has been replayed. */
 export function holdSleeping(track: Track): void {
   track.picture.heldPlace.set(track.sleepPlace);
   track.picture.heldAttitude.set(track.sleepAttitude);
@@ -92,7 +92,7 @@ export function holdSleeping(track: Track): void {
   track.mode = 'waiting';
 }
 
-/** Puts a ship back into step: writes its rows at the front and its history since the newest server state. */
+/** Puts a sleeping ship back into step: writes its rows at the front and its history since the newest server state. */
 export function wake(sim: Simulation, track: Track): void {
   const { fleet, front, timeline } = sim;
   const index = fleet.front[track.at + REFERENCE_BODY]!;

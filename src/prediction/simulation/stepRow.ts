@@ -9,16 +9,16 @@ import type { Simulation } from './simulation';
 import { copyRow, type Track } from './track';
 
 /**
- * One ship's row in time: the step shared by the frame loop, of replays, of the rollback check, of the touchdown log
- * and of the fit of the ground. `tick` and `substep` are the start of the next substep.
+ * One ship's row and its time: the step shared by the frame loop, replays, the rollback check, the touchdown log
+ * and the fit of the ground. `tick` and `substep` are the start of the next substep.
  */
 export interface RowStep extends Position {
   rows: Float64Array;
   at: number;
-  /** The row at the start of the substep just taken, relative to the body that it has since: save. */
+  /** The row at the start of the substep just taken, relative to its body after it. */
   before: Float64Array;
   beforeAt: number;
-  /** False if nothing reads the row before the substep: it is then not written. */
+  /** False if nothing reads `before`: it is then not written. */
   keepsBefore: boolean;
   /** Cursor into the inputs that act on the own ship. */
   inputs: number;
@@ -29,7 +29,7 @@ export interface RowStep extends Position {
   event: number;
 }
 
-/** A step over the row at `at` in `rows`; without `before` it keeps one of its own. */
+/** A step of the row at `at` in `rows`. */
 export function createRowStep(rows = new Float64Array(SHIP_STRIDE), at = 0): RowStep {
   return {
     ...{ tick: 0, substep: 0, rows, at },
@@ -52,7 +52,7 @@ export function enterSubstep(step: RowStep, sim: Simulation): void {
 }
 
 /**
- * One ship through one substep: re-base at a tick's start, save, apply the controls that act from here on, advance by the law
+ * Advances one ship by one substep: re-base at a tick's start, save, apply the controls that act from here on, advance by the law
  * (DYNAMICS, Frame and One substep).
  */
 export function stepRow(step: RowStep, sim: Simulation, track: Track): void {
@@ -67,7 +67,7 @@ export function stepRow(step: RowStep, sim: Simulation, track: Track): void {
   else carry(step, sim, track);
 }
 
-/** Without the dynamics: extrapolated or, above unknown ground, flown by the dynamics. */
+/** Extrapolates the ship or, above unknown ground, flies it by the dynamics. */
 function carry(step: RowStep, sim: Simulation, track: Track): void {
   const { rows, at } = step;
   const [dt] = step.dt;
@@ -86,7 +86,7 @@ export function leaveSubstep(step: RowStep, sim: Simulation): boolean {
   return true;
 }
 
-/** One ship alone through one substep. Returns whether a tick boundary was reached. */
+/** Advances one ship alone by one substep. Returns whether a tick boundary was reached. */
 export function advanceRow(step: RowStep, sim: Simulation, track: Track): boolean {
   enterSubstep(step, sim);
   stepRow(step, sim, track);

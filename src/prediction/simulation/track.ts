@@ -14,7 +14,7 @@ export type Mode =
   | 'stepping'
   /** Landed, and the server agrees: constant in the body's axes, no substep. */
   | 'sleeping'
-  /** No usable prediction: a replay from the server's state has not reached the front yet. */
+  /** No usable prediction: its replay has not reached the front yet. */
   | 'waiting'
   /** Not simulated: too fast to follow, or no server state for longer than the ring. Drawn at its last server state. */
   | 'held';
@@ -37,13 +37,13 @@ export interface Track {
   /** Offset of its row in each of the fleet's arrays. */
   at: number;
   mode: Mode;
-  /** Switched off because time outruns the budget. */
+  /** Switched off because time is faster than the budget allows. */
   off: boolean;
   /** The caller's choice of how it is drawn. */
   policy: Policy;
   /** Its last server states, under policy interpolate. */
   states: ServerStates | null;
-  /** Of an unknown class or surface state: drawn from its server states. */
+  /** Its class or surface state is unknown: it is drawn from its server states. */
   unpredictable: boolean;
 
   history: History;
@@ -57,7 +57,7 @@ export interface Track {
   seenAt: number;
   /** How long the server was silent before its newest state, s. */
   silence: number;
-  /** The server's send (Cadence) that had it last. */
+  /** The last send (Cadence) that included it. */
   lastSend: number;
   /** Newest tick whose server state agreed with the prediction, -1 for none. */
   agreedTick: number;
@@ -66,20 +66,20 @@ export interface Track {
   replaying: boolean;
   replayTick: number;
   replaySubstep: number;
-  /** Tick of the newest adopted state: history before it leads elsewhere. */
+  /** Tick of the newest adopted state: history before it is of an abandoned prediction. */
   adoptedTick: number;
   /** The replay adopts a state that makes easing meaningless: respawned, or on another body. */
   replaySnaps: boolean;
-  /** Numbers of the passes over this ship's time: of the front, of the replay, ever begun. */
+  /** Numbers of the simulation passes of this ship: the front's, the replay's, and the last begun. */
   pass: number;
   replayPass: number;
   passes: number;
 
-  /** Other pilots: where their controls are released; -1 for none. */
+  /** Where another pilot's controls are released; -1 for nowhere. */
   releaseTick: number;
   releaseSubstep: number;
 
-  /** Asleep: place (m) and attitude as seen from the body's axes. */
+  /** The sleeping pose: position, m, and attitude, in the body's axes. */
   readonly sleepPlace: Float64Array;
   readonly sleepAttitude: Float64Array;
 
@@ -87,15 +87,15 @@ export interface Track {
   /** The ground learned from its states, and the state to compare the next with. */
   readonly ground: LearnedGround;
   readonly evidence: LastState;
-  /** Whether it is simulated by the dynamics or extrapolated. */
+  /** Decides whether it is simulated by the dynamics or extrapolated. */
   readonly fit: LawFit;
-  /** Of the own ship. */
+  /** The own ship's; null for others. */
   log: TouchdownRing | null;
-  /** What is drawn and shown of it. The simulation does not read it. */
+  /** Its drawn and shown state. The simulation does not read it. */
   readonly picture: Picture;
 }
 
-/** All ships: their tracks, and a row each of three arrays. */
+/** All ships: their tracks, and one row per ship in each of three arrays. */
 export interface Fleet {
   /** The client's own ship, once it is present. */
   own: Track | null;

@@ -7,7 +7,7 @@ import type { Receiver } from './receiver';
 
 /** The kind of a frame relative to the frames before it (PREDICTION, Restarts). */
 export type SnapshotKind =
-  /** Continues from the newest one. */
+  /** Follows the newest one. */
   | 'newest'
   /** The newest tick again with changes: time is paused, stops or resumes. */
   | 'again'
@@ -21,12 +21,12 @@ export type SnapshotKind =
   /** Another timeline: the server restarted, or its counter jumped. */
   | 'jump';
 
-/** A frame this far ahead of the server's clock is of another timeline, s. */
+/** A frame further ahead of the server's clock than this is of another timeline, s. */
 const FUTURE = 2;
-/** Consecutive frames that go forward confirm each other, even if they arrive at once. */
+/** This many consecutive frames, each later than the one before, confirm each other even if they arrive together. */
 const BURST = 3;
 
-/** Changes only the receiver's record of possible jumps. */
+/** Classifies a frame. Changes only the receiver's record of possible jumps. */
 export function classifySnapshot(
   sim: Simulation,
   receiver: Receiver,
@@ -47,7 +47,7 @@ export function classifySnapshot(
   return receiver.seen[tick % receiver.seen.length] === tick ? 'duplicate' : 'older';
 }
 
-/** Whether the server can have reached this tick, by the time since the newest frame or by its clock. */
+/** Whether the server can have reached this tick: by the time since the newest frame, or by its clock. */
 function isPlausible(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): boolean {
   const { tick, tickRate } = frame;
   const tolerance = Math.max(FUTURE, 2 * sendSeconds(sim.cadence, tickRate));
@@ -56,15 +56,15 @@ function isPlausible(sim: Simulation, receiver: Receiver, frame: ServerFrame, no
 }
 
 /**
- * A jump is accepted when the next frame continues from it at the pace of the wall clock: late copies of old frames arrive at once, or
+ * A jump is accepted when the next frame follows it at the pace of the wall clock: late copies of old frames arrive together, or
  * between newer ones.
  */
 function isConfirmed(receiver: Receiver, { tick, tickRate }: ServerFrame, now: number): boolean {
   const { jump } = receiver;
   const span = (tick - jump.tick) / tickRate;
-  const goesOn = jump.count > 0 && tick > jump.tick && span <= Math.max(FUTURE, 2 * (now - jump.at));
-  jump.count = goesOn ? jump.count + 1 : 1;
-  const paced = goesOn && now - jump.at >= span / 2;
+  const follows = jump.count > 0 && tick > jump.tick && span <= Math.max(FUTURE, 2 * (now - jump.at));
+  jump.count = follows ? jump.count + 1 : 1;
+  const paced = follows && now - jump.at >= span / 2;
   const forward = tick > receiver.newest && jump.count >= BURST;
   jump.tick = tick;
   jump.at = now;

@@ -5,7 +5,7 @@ import { spanOf } from '../time/timeline';
 import type { GameTimeMeter } from './gameTimeMeter';
 import { measureGameTime } from './gameTimeMeter';
 
-/** Ticks: what the wire takes, and sums of two stay exact. */
+/** Highest tick that the wire accepts: sums of two are still exact. */
 const MAX_TICK = 2 ** 52;
 
 /**
@@ -33,7 +33,7 @@ export function completeFrame(
   const timeScale = measureGameTime(meter, known, sentScale) ?? sentScale ?? warnDefault(sim, 'timeScale', 1);
   const timing = loadTiming(tickRate, timeScale, sim.world.settings);
   if (!timing.ok) return err(`frame.${timing.reason}`);
-  // Member by member: the hidden class of a spread record dies with the next garbage collection, and the code compiled for it too.
+  // Member by member: the hidden class of a spread record dies with the next garbage collection, and so does the code compiled for it.
   return ok({
     kind: 'frame',
     tick,
@@ -48,7 +48,7 @@ export function completeFrame(
 }
 
 function warnDefault({ warn }: Simulation, name: string, value: number): number {
-  warn('tempo-missing', `No frame has sent ${name} yet: ${value} is used. Pass it with each frame.`, {
+  warn('tempo-missing', `No frame has had ${name} yet: ${value} is used. Pass it with each frame.`, {
     name,
     value,
   });
@@ -69,14 +69,14 @@ function isRecord(value: unknown): boolean {
   return typeof value === 'object' && value !== null;
 }
 
-/** The acknowledgement, or null if it is absent or invalid: no input is applied after its own frame. */
+/** The acknowledgement, or null if it is absent or invalid: an input cannot be applied after the frame that acknowledges it. */
 function acknowledgementOf(sim: Simulation, { tick, lastInput }: PartialFrame): InputAcknowledgement | null {
   if (lastInput === undefined || lastInput === null) return null;
   const { seq, tick: applied, substep, margin } = lastInput;
   const isWhole = [seq, applied, substep].every(Number.isSafeInteger) && Number.isFinite(margin);
   if (isWhole && (applied < tick || (applied === tick && substep === 0))) return lastInput;
   sim.counters.acknowledgementsRefused += 1;
-  sim.counters.lastRefusal = `frame.lastInput.tick: expected at most the frame's own, ${tick}, got ${String(applied)}`;
+  sim.counters.lastRefusal = `frame.lastInput.tick: expected at most the frame's tick, ${tick}, got ${String(applied)}`;
   sim.warn('acknowledgement-refused', sim.counters.lastRefusal, { lastInput, tick });
   return null;
 }

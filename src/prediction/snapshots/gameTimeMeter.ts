@@ -1,15 +1,15 @@
 import type { BodyState, PartialFrame, ShipState } from '../../wire';
 
 /**
- * Game time from one tick to the next, measured from what moves (PREDICTION, Foreign dynamics): a server may
- * not send its time scale, or vary it by a few per cent to stay in step with a calendar.
+ * Game time from one tick to the next, measured from motion (PREDICTION, Foreign dynamics): a server may
+ * omit its time scale, or vary it by a few per cent to stay in step with a calendar.
  */
 export interface GameTimeMeter {
   tick: number;
   gameTime: number;
   bodies: readonly BodyState[];
   ships: readonly ShipState[];
-  /** The last measurements that contradict the tempo sent, game s per tick: how many agree in a row, and the last one. */
+  /** Measurements that contradict the tempo sent, game s per tick: the number in a row that agree, and the last one. */
   agreeing: number;
   last: number;
   /** The accepted measurement, game s per tick; NaN while the tempo sent fits. */
@@ -22,8 +22,8 @@ const BY_SHIPS = 0.02;
 /** Consecutive measurements that must agree, by accuracy. */
 const NEEDED = 2;
 const NEEDED_BY_SHIPS = 3;
-/** m/s: slower motions measure nothing. */
-const LEAST_SPEED = 1;
+/** m/s: slower motions are not measured. */
+const MIN_SPEED = 1;
 
 export function createGameTimeMeter(): GameTimeMeter {
   return {
@@ -37,21 +37,21 @@ export function createGameTimeMeter(): GameTimeMeter {
   };
 }
 
-/** Starts over: another world or timeline. */
+/** Starts over for another world or timeline. */
 export function forgetGameTime(meter: GameTimeMeter): void {
   Object.assign(meter, createGameTimeMeter());
 }
 
-/** The part of a frame that is measured. */
+/** The measured part of a frame. */
 type Measured = Pick<PartialFrame, 'tick' | 'gameTime' | 'ships'> & {
   readonly tickRate: number;
   readonly bodies: readonly BodyState[];
 };
 
 /**
- * Takes in a frame.
+ * Measures a frame.
  * @param sent the frame's own time scale, or null
- * @returns the measured time scale if the one sent does not fit or is absent; null if there is no better one
+ * @returns the measured time scale if the one sent is absent or does not fit; otherwise null
  */
 export function measureGameTime(meter: GameTimeMeter, frame: Measured, sent: number | null): number | null {
   const { tickRate } = frame;
@@ -97,7 +97,7 @@ function near(a: number, b: number, tolerance: number): boolean {
   return Math.abs(a - b) <= tolerance * Math.abs(b);
 }
 
-/** Game s of the bodies' motion, from the distance covered: the median of all that move; NaN if none does. */
+/** Game s between two states of the bodies, from the distances covered: the median of all that move; NaN if none does. */
 function byBodies(before: readonly BodyState[], after: readonly BodyState[]): number {
   return medianOf(
     after.map((body, i) => {
@@ -128,7 +128,7 @@ function coasts(ship: ShipState): boolean {
   );
 }
 
-/** The distance over the mean velocity; NaN without motion, or if either is no vector. */
+/** Distance divided by mean velocity; NaN without motion, or if either is no vector. */
 function secondsBetween(
   a: Pick<ShipState, 'position' | 'velocity'>,
   b: Pick<ShipState, 'position' | 'velocity'>,
@@ -140,10 +140,10 @@ function secondsBetween(
     along += (component(b.position, k) - component(a.position, k)) * mean;
     square += mean * mean;
   }
-  return square >= LEAST_SPEED * LEAST_SPEED && along !== 0 ? along / square : Number.NaN;
+  return square >= MIN_SPEED * MIN_SPEED && along !== 0 ? along / square : Number.NaN;
 }
 
-/** For a vector that a JavaScript caller may have omitted. */
+/** A component of a vector that a JavaScript caller may have omitted. */
 function component(vector: unknown, k: number): number {
   const value: unknown = Array.isArray(vector) ? vector[k] : undefined;
   return typeof value === 'number' ? value : Number.NaN;

@@ -9,7 +9,7 @@ import type { Place } from './reconcile/compare';
 import { weighLaw } from './reconcile/lawFit';
 import type { SnapshotContext } from './snapshotContext';
 
-/** One ship's newest state, and the prediction for its tick. */
+/** A ship's newest state, and the prediction for its tick. */
 export interface Lesson {
   /** The state; its impact speed is filled in if the server does not send it. */
   readonly row: Float64Array;
@@ -19,7 +19,7 @@ export interface Lesson {
   readonly hasImpact: boolean;
 }
 
-/** Whether a predicted state teaches nothing: the ground and the dynamics are as known. */
+/** Whether there is nothing to learn from a state that was predicted correctly: no learned ground, and the dynamics fit. */
 export function nothingToLearn({ ground, fit }: Track): boolean {
   return ground.places.length === 0 && fit.carried === '';
 }
@@ -49,7 +49,7 @@ export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolea
   return changes || isWeighed;
 }
 
-/** A ship at rest in another place than predicted measures its body's spin. */
+/** Measures the body's spin by a ship at rest whose position was mispredicted. */
 function measureSpin(sim: Simulation, { evidence }: Track, { row, context }: Lesson): void {
   const { tick, bodies } = context;
   if (evidence.tick < 0 || evidence.tick >= tick) return;

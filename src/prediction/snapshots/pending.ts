@@ -10,7 +10,7 @@ type Receive = (message: ServerMessage, now: number, at: number) => void;
 /** Frames that wait undecoded: more than arrive between two display frames of a visible page. */
 const MAX_QUEUED = 4;
 
-/** A message has arrived at the caller's `now`; a frame waits for `decodePending`, anything else does not. */
+/** Receives a message at the caller's `now`. Frames wait for `decodePending`; other messages are decoded at once. */
 export function receivePending(
   session: Session,
   message: PendingMessage,

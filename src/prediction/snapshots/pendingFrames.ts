@@ -10,7 +10,7 @@ export interface PendingFrames {
   readonly events: WorldEvent[];
 }
 
-/** A message and its arrival: as the caller gave it, and client wall s. */
+/** A message and its arrival: the caller's `now`, and client wall s. */
 export interface Waiting {
   readonly message: PendingMessage;
   readonly now: number;
@@ -24,7 +24,7 @@ export function createPendingFrames(): PendingFrames {
   return { queue: [], events: [] };
 }
 
-/** Drops what waits: it is of another session. */
+/** Drops waiting messages: they are of another session. */
 export function forgetPending({ queue, events }: PendingFrames): void {
   queue.length = 0;
   events.length = 0;

@@ -13,8 +13,8 @@ import { receiveSnapshot, refuse, startAnew } from './receiveSnapshot';
 import { loadGiven, sameWorld } from './worldConfig';
 
 /**
- * Receives a message of the server at client wall second `now`. Never throws: what is invalid is refused with a reason, and the last
- * good state stays.
+ * Receives a message of the server at client wall second `now`. Never throws: an invalid message is refused with a reason, and the last
+ * valid state stays.
  */
 export function receiveMessage(session: Session, message: ServerMessage | PartialFrame, now: number): void {
   switch (kindOf(message)) {
@@ -29,7 +29,7 @@ export function receiveMessage(session: Session, message: ServerMessage | Partia
       break;
     default:
       refuse(session.sim, `message.kind: expected hello, frame or pong, got ${String(kindOf(message))}`);
-      session.warn('message-kind', 'A message is no hello, frame or pong: set its kind.', { message });
+      session.warn('message-kind', 'A message is neither hello, frame nor pong: set its kind.', { message });
   }
 }
 
@@ -37,10 +37,10 @@ function kindOf(message: unknown): unknown {
   return (message as { kind?: unknown } | null | undefined)?.kind;
 }
 
-/** A new connection starts a new timeline; the same world continues only if its time does. */
+/** A new connection starts a new timeline, unless the world is the same and its time continues. */
 function takeHello(session: Session, hello: Hello, now: number): void {
   const { receiver, counters } = session;
-  if (!speaks(session, hello)) return;
+  if (!isCompatible(session, hello)) return;
   const loaded = loadGiven(hello, session.terrains);
   if (!loaded.ok) {
     refuse(session.sim, `hello.${loaded.reason}`);
@@ -49,7 +49,8 @@ function takeHello(session: Session, hello: Hello, now: number): void {
   const ownShipId = typeof hello.shipId === 'string' ? hello.shipId : '';
   changeOwnShip(session, ownShipId);
   const { sim } = session;
-  if (sim.newestTick >= 0 && counters.helloReceived && !goesOn(session, hello, now)) startAnew(sim, receiver);
+  if (sim.newestTick >= 0 && counters.helloReceived && !continuesTimeline(session, hello, now))
+    startAnew(sim, receiver);
   if (!counters.helloReceived) beginWorld(session, loaded.value, hello.bodies);
   else if (!sameWorld(session.config, hello)) changeWorld(session, loaded.value, hello);
   session.config = hello;
@@ -57,19 +58,19 @@ function takeHello(session: Session, hello: Hello, now: number): void {
   session.granularity = hello.inputGranularity;
   receiver.fresh = true;
   receiver.firstTick = Number.isSafeInteger(hello.tick) ? hello.tick : 0;
-  receiver.tellsEvents = true;
+  receiver.sendsEvents = true;
   resend(session.sim.inputs);
 }
 
-/** Whether the server's version can be understood: another major version is refused, a newer minor one is warned of. */
-function speaks({ sim, warn }: Session, { protocolVersion: version }: Hello): boolean {
+/** Whether the server's version is compatible: another major version is refused, a newer minor one causes a warning. */
+function isCompatible({ sim, warn }: Session, { protocolVersion: version }: Hello): boolean {
   const match = matchVersion(version);
   if (match === 'same' || match === 'older') return true;
   const isForeign = match === 'foreign';
-  const mismatch = `hello.protocolVersion is ${String(version)}, and this client speaks ${PROTOCOL_VERSION}`;
+  const mismatch = `hello.protocolVersion is ${String(version)}, but this client speaks ${PROTOCOL_VERSION}`;
   const effect = isForeign
-    ? 'The hello is refused: use the client made for that server.'
-    : 'It is accepted, and what the newer version adds is skipped: update the client.';
+    ? 'The hello is refused: use the client for that server.'
+    : 'It is accepted, and additions of the newer version are ignored: update the client.';
   warn('protocol-version', `${mismatch}. ${effect}`, { value: version, known: PROTOCOL_VERSION });
   const [major] = PROTOCOL_VERSION.split('.');
   if (isForeign) refuse(sim, `hello.protocolVersion: expected ${major}.x, got ${String(version)}`);
@@ -77,14 +78,14 @@ function speaks({ sim, warn }: Session, { protocolVersion: version }: Hello): bo
 }
 
 /** Whether the hello's tick agrees with the server's clock; that of a restarted server does not. */
-function goesOn({ sim, clock }: Session, { tick, tickRate }: Hello, now: number): boolean {
+function continuesTimeline({ sim, clock }: Session, { tick, tickRate }: Hello, now: number): boolean {
   if (tick < sim.newestTick) return false;
   const ahead = wallOfTick(sim.timeline, tick) - serverTime(clock, now);
-  return Math.abs(ahead) <= Math.max(GOES_ON, 2 / tickRate);
+  return Math.abs(ahead) <= Math.max(MAX_CLOCK_ERROR, 2 / tickRate);
 }
 
-/** s by which the clock of a continuing server may seem to be off. */
-const GOES_ON = 2;
+/** s: largest apparent clock error of a server that continues its timeline. */
+const MAX_CLOCK_ERROR = 2;
 
 function takeFrame(session: Session, given: PartialFrame, now: number): void {
   const { counters, receiver } = session;
@@ -95,7 +96,7 @@ function takeFrame(session: Session, given: PartialFrame, now: number): void {
   }
   const frame = complete.value;
   if (session.sim.newestTick < 0 && !counters.helloReceived && frame.bodies.length > 0) {
-    // A server without a hello may have other bodies than the defaults: its frames list them.
+    // Without a hello the bodies of the frames replace the defaults.
     const config = { ...session.config, bodies: frame.bodies };
     const loaded = loadGiven(config, session.terrains);
     if (loaded.ok) changeWorld(session, loaded.value, config);
@@ -122,8 +123,8 @@ function takePong({ sim, clock, pings }: Session, pong: Pong, now: number): void
 const OVERDUE = 0.01;
 
 /**
- * When a pong was sent, or null if its stamp is unusable. If a tick is overdue, the server has stopped: its time has reached the next
- * tick's boundary and no further.
+ * When a pong was sent, or null if its stamp is unusable. If a tick is overdue, the server has stopped: its time is at the next
+ * tick's boundary.
  */
 function answerTime(
   { timeline, newestTick, ringLength }: Simulation,

@@ -9,7 +9,7 @@ import { spanOf } from '../time/timeline';
 import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { classifySnapshot, type SnapshotKind } from './classify';
 import { forgetPast, type Receiver } from './receiver';
-import { settleEvents, tellEvents } from './settleEvents';
+import { settleEvents, confirmEvents } from './settleEvents';
 import { takeOlder, takePart, takeStates } from './takeStates';
 import { followTempo } from './tempo';
 
@@ -17,14 +17,14 @@ import { followTempo } from './tempo';
 const FADE_SENDS = 3;
 const FADE_SECONDS = 1;
 
-/** Receives a complete frame of the simulated world: classifies and counts it, and compares it with the prediction if it is used. */
+/** Receives a complete frame: classifies and counts it and, if it is used, compares it with the prediction. */
 export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const kind = classifySnapshot(sim, receiver, frame, now);
   if (!count(sim, kind)) return;
   if (kind === 'jump') startAnew(sim, receiver);
   receiver.seen[frame.tick % receiver.seen.length] = frame.tick;
   if (kind === 'older') {
-    tellEvents(sim, receiver, frame);
+    confirmEvents(sim, receiver, frame);
     takeOlder(sim, receiver, frame, now);
     return;
   }
@@ -70,10 +70,10 @@ function count({ counters }: Simulation, kind: SnapshotKind): boolean {
 export function refuse({ counters, warn }: Simulation, reason: string): void {
   counters.framesRefused += 1;
   counters.lastRefusal = reason;
-  warn('message-refused', `A message was refused, and the last good state is kept. ${reason}.`, { reason });
+  warn('message-refused', `A message was refused; the last valid state is kept. ${reason}.`, { reason });
 }
 
-/** Starts another timeline: the predictions so far cannot be compared with later states. */
+/** Starts a new timeline: earlier predictions cannot be compared with later states. */
 export function startAnew(sim: Simulation, receiver: Receiver): void {
   sim.counters.resyncs += 1;
   sim.timeline.spans.length = 0;

@@ -8,12 +8,12 @@ export interface Receiver {
   readonly clock: Clock;
   ownShipId: string;
   /** The server sends events; without them, states confirm predicted events. */
-  tellsEvents: boolean;
+  sendsEvents: boolean;
   /** A new connection: the next frame may have any tick. */
   fresh: boolean;
   /** Frames before this tick are of the previous world or connection. */
   firstTick: number;
-  /** Possible jumps in time: how many in a row, the last one's tick and arrival. */
+  /** Possible jumps of the timeline: the number in a row, and the last one's tick and arrival. */
   readonly jump: { tick: number; at: number; count: number };
   /** Ticks of received frames, slot = tick mod length. */
   readonly seen: Float64Array;
@@ -24,7 +24,7 @@ export interface Receiver {
   readonly policies: Map<string, Policy>;
   /** Ships removed by the caller, with the newest tick then: states up to that tick do not restore them. */
   readonly removed: Map<string, number>;
-  /** The bodies known before the first frame are taken to be of its tick, unless it has others. */
+  /** Before the first frame: the bodies known so far are taken to be of its tick, unless it has its own. */
   startsBodies: boolean;
   /** The bodies sent last, to detect whether they move. */
   readonly lastBodies: { tick: number; bodies: readonly BodyState[] };
@@ -36,7 +36,7 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
   return {
     clock,
     ownShipId,
-    tellsEvents: false,
+    sendsEvents: false,
     fresh: true,
     firstTick: 0,
     jump: { tick: -1, at: 0, count: 0 },

@@ -7,12 +7,12 @@ import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import type { Receiver } from './receiver';
 
-/** The server's events: each confirms a predicted one or is reported on its own. Unknown types and unknown ships are ignored. */
-export function tellEvents(sim: Simulation, receiver: Receiver, { events }: ServerFrame): void {
+/** Each event of the server confirms a predicted one or is reported by itself. Unknown types and unknown ships are ignored. */
+export function confirmEvents(sim: Simulation, receiver: Receiver, { events }: ServerFrame): void {
   for (const event of events) {
     const known = knownEvent(event);
     if (known === null) continue;
-    receiver.tellsEvents = true;
+    receiver.sendsEvents = true;
     const track = sim.fleet.byId.get(event.shipId);
     const isOld = event.tick < receiver.firstTick || event.tick < sim.newestTick - sim.ringLength;
     if (track === undefined || isOld || event.tick >= sim.newestTick) continue;
@@ -21,9 +21,9 @@ export function tellEvents(sim: Simulation, receiver: Receiver, { events }: Serv
   }
 }
 
-/** Settles a frame's events and those predicted up to its tick: confirmed by event or state, or retracted. */
+/** Settles a frame's events and the predicted ones up to its tick: they are confirmed by event or state, or retracted. */
 export function settleEvents(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
-  tellEvents(sim, receiver, frame);
+  confirmEvents(sim, receiver, frame);
   for (const track of sim.fleet.tracks) {
     if (track.ledger.entries.length === 0 || track.serverTick !== frame.tick) continue;
     settleShip(sim, receiver, track, { frame, now });
@@ -41,19 +41,19 @@ function settleShip(
   const { tick } = frame;
   if (track.agreedTick === tick && !track.replaying) {
     const by = { pass: track.pass, fromTick: track.adoptedTick };
-    tellAll(sim, track, now, () => {
+    notifyAll(sim, track, now, () => {
       const notice = settleByAgreement(ledger, tick, sim.timeline, by);
-      // The server had the same event but did not send it.
-      if (notice?.kind === 'confirmed') receiver.tellsEvents = false;
+      // Confirmed by state: the server does not send its events.
+      if (notice?.kind === 'confirmed') receiver.sendsEvents = false;
       return notice;
     });
   }
-  if (receiver.tellsEvents) tellAll(sim, track, now, () => retract(ledger, tick, sim.timeline));
+  if (receiver.sendsEvents) notifyAll(sim, track, now, () => retract(ledger, tick, sim.timeline));
   else confirmStates(sim, track, frame);
 }
 
-/** Passes notices to listeners; a retracted event is shown as withdrawn for a while. */
-function tellAll(sim: Simulation, { picture }: Track, now: number, next: () => EventNotice | null): void {
+/** Queues notices for the listeners; a retracted event is shown as withdrawn for a while. */
+function notifyAll(sim: Simulation, { picture }: Track, now: number, next: () => EventNotice | null): void {
   for (let notice = next(); notice !== null; notice = next()) {
     sim.notices.push(notice);
     if (notice.kind !== 'retracted') continue;

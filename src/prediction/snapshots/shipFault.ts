@@ -2,12 +2,12 @@ import type { ShipState } from '../../wire';
 import { describe } from '../checks/describe';
 
 /**
- * The reason why a plain record is no ShipState, or null. The wire has checked its messages; a JavaScript caller may pass anything (PREDICTION, Invalid messages).
+ * Why a plain record is not a ShipState, or null. The wire has checked its messages; a JavaScript caller may pass anything (PREDICTION, Invalid messages).
  */
 export function shipFault(given: unknown): string | null {
   if (typeof given !== 'object' || given === null) return 'expected an object';
   const state = given as ShipState;
-  if (typeof state.shipId !== 'string' || state.shipId === '') return 'shipId: expected a text';
+  if (typeof state.shipId !== 'string' || state.shipId === '') return 'shipId: expected a string';
   if (!areNumbers(state.position, 3)) return complaint('position', 3, state.position);
   if (!areNumbers(state.velocity, 3)) return complaint('velocity', 3, state.velocity);
   if (!areNumbers(state.attitude, 4)) return complaint('attitude', 4, state.attitude);

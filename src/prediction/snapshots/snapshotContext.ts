@@ -1,7 +1,7 @@
 import type { InputAcknowledgement } from '../../wire';
 import type { InputOutcome } from '../inputs/inputs';
 
-/** The bodies at a frame's tick, of the server and as predicted. */
+/** The bodies at a frame's tick, as sent and as predicted. */
 export interface BodiesOfFrame {
   bodies: Float64Array;
   predictedBodies: Float64Array;

@@ -37,7 +37,7 @@ export function takePart(sim: Simulation, receiver: Receiver, frame: ServerFrame
   takeMissing(sim, receiver, frame);
 }
 
-/** Takes a frame overtaken by newer ones: its ships that no newer frame has. */
+/** Takes a frame overtaken by newer ones: only its ships that no newer frame had. */
 export function takeOlder(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   if (!knowsBoundary(sim.bodies, frame.tick)) return;
   const bodies = boundaryAt(sim.bodies, sim.timeline, frame.tick);
@@ -66,7 +66,7 @@ function takeMissing(sim: Simulation, receiver: Receiver, frame: ServerFrame): v
   }
 }
 
-/** One ship's state in the frame of the receiver's context. */
+/** Takes one ship's state in the frame of the receiver's context. */
 function takeShip(sim: Simulation, receiver: Receiver, state: ShipState): void {
   const { context } = receiver;
   const fault = shipFault(state);
@@ -92,7 +92,7 @@ function takeShip(sim: Simulation, receiver: Receiver, state: ShipState): void {
   if (reason !== null && track.serverTick < 0) removeTrack(sim.fleet, track);
 }
 
-/** Removed by the caller: only a frame later than those received by then restores it. */
+/** Whether the caller has removed the ship: only a frame later than those received by then restores it. */
 function isRemoved({ removed }: Receiver, shipId: string, tick: number): boolean {
   const removedAt = removed.get(shipId);
   if (removedAt === undefined) return false;

@@ -9,24 +9,24 @@ import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { differs } from './classify';
 import type { Receiver } from './receiver';
 
-/** Clock sample and tempo of a frame; if the tempo changed, everything after its tick must be simulated again. */
+/** Takes the clock sample and the tempo of a frame; if the tempo changed, everything after its tick is simulated again. */
 export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const { timeline } = sim;
   const first = timeline.spans.length === 0;
   const stood = !first && spanOf(timeline, frame.tick).paused;
   const wall = stood ? wallAfterPause(sim, receiver, now) : null;
   if (!stood && !first) sampleDown(receiver.clock, wallOfTick(timeline, frame.tick), now);
-  const goesOn = stood && !frame.paused;
+  const resumes = stood && !frame.paused;
   const changes = !first && differs(sim, frame);
   // The present pose is of the old tempo.
   if (changes) for (const track of sim.fleet.tracks) if (track.mode === 'stepping') hold(sim, track);
-  setTempo(timeline, frame.tick, frame, goesOn || frame.tick > sim.newestTick ? wall : null);
+  setTempo(timeline, frame.tick, frame, resumes || frame.tick > sim.newestTick ? wall : null);
   if (first) sampleDown(receiver.clock, 0, now);
   if (changes) retime(sim, frame.tick);
   sim.newestTick = frame.tick;
 }
 
-/** A paused server keeps its schedule: the pause ended a whole number of ticks after it began. */
+/** A paused server keeps its schedule: a pause lasts a whole number of ticks. */
 function wallAfterPause(sim: Simulation, receiver: Receiver, now: number): number {
   const span = sim.timeline.spans.at(-1)!;
   const beats = Math.round((sentAt(receiver.clock, now) - span.fromWall) * span.tickRate);

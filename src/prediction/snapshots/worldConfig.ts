@@ -19,7 +19,7 @@ export interface WorldConfig {
   readonly terrain: string;
 }
 
-/** The configured world with its constants, or a reason, naming the field, why it cannot be simulated. */
+/** The configured world with its constants, or an error that names the invalid field. */
 export function loadConfig(
   config: WorldConfig,
   terrains: Readonly<Record<string, TerrainHeight>>,
@@ -28,7 +28,7 @@ export function loadConfig(
   return loadWorld({ ...config, terrainHeight: terrains[config.terrain]! });
 }
 
-/** The same for a config of a JavaScript caller or a server: absent members do not throw. */
+/** The same for a config from a JavaScript caller or a server: missing members do not throw. */
 export function loadGiven(
   config: WorldConfig,
   terrains: Readonly<Record<string, TerrainHeight>>,
@@ -40,7 +40,7 @@ export function loadGiven(
   }
 }
 
-/** Whether two worlds have the same bodies, in the same order: then rows of one are rows of the other, apart from the class. */
+/** Whether two worlds have the same bodies, in the same order: then rows of one are valid in the other, except for the class. */
 export function sameBodies(a: World, b: World): boolean {
   return a.bodies.length === b.bodies.length && a.bodies.every(({ name }, i) => name === b.bodies[i]!.name);
 }

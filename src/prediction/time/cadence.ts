@@ -7,14 +7,14 @@ export interface Cadence {
   readonly recent: number[];
 }
 
-/** Number of sends whose median spacing is the usual one, so that an occasional miss does not count. */
+/** Number of sends whose median spacing counts as usual, so that an occasional loss does not matter. */
 const RECENT = 7;
 
 export function createCadence(): Cadence {
   return { sends: 0, ticks: 0, recent: [] };
 }
 
-/** The server sent a newer tick, `ticks` after the one before; 0 if there is no comparable one before. */
+/** Records a newer tick, sent `ticks` after the one before; 0 if there is no comparable one before. */
 export function noteSend(cadence: Cadence, ticks: number): void {
   cadence.sends += 1;
   if (ticks <= 0) return;

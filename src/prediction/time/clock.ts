@@ -13,12 +13,12 @@ import {
 /**
  * The server's clock as estimated by the client, and the present that is drawn (PREDICTION, Timeline, Clock).
  * All times are wall seconds: `now` is an argument, the client's; server time counts from the timeline's origin. The offset lies between
- * two bounds, and half way between them unless the ways differ; with the lead added that half cancels: what matters is when our
+ * two bounds, and half way between them if both directions take equally long. With the lead added that assumption cancels: what counts is when
  * inputs arrive.
  */
 export interface Clock {
   readonly bounds: OffsetBounds;
-  /** Upstream delay of pings above the smallest, and round trips, s. */
+  /** Upstream delays of pings above the smallest, and round trips, s. */
   readonly up: Delays;
   readonly roundTrips: Delays;
   /** Client − server time, s; NaN before the first sample. */
@@ -27,7 +27,7 @@ export interface Clock {
   offsetAt: number;
   /** The offset when the present was last on target. */
   settledOffset: number;
-  /** Added to the lead because inputs arrived late, s; and the last late input, which a second one must confirm. */
+  /** Added to the lead because inputs arrived late, s; and the last late input, which a second one must confirm before it counts. */
   steer: number;
   lateAt: number;
   lateWanted: number;
@@ -43,11 +43,11 @@ export interface Clock {
   updatedAt: number;
   /** Latest round trip, s, smoothed. */
   roundTrip: number;
-  /** When a ping was last answered, and last answered with a usable time, client s; and the last answer's own time. */
+  /** When a ping was last answered, and last answered with a usable time, client s; and that answer's server time. */
   pongAt: number;
   timedPongAt: number;
   answeredAt: number;
-  /** Server time at which the server has stopped, by its last answer; infinite while it runs. */
+  /** Server time at which the server stopped, by its last answer; infinite while it runs. */
   stoodAt: number;
   /** Grain of the page's clock, s; 0 for a fine one. */
   grain: number;
@@ -64,13 +64,13 @@ const CERTAIN = 0.006;
 const MAX_STEER = 1;
 /** A delay this far above the smallest is a stall, not jitter: no lead compensates for it, s. */
 const STALL = 0.3;
-/** Late inputs further apart than the first and closer than the second, s, are two, and of one kind. */
+/** s: two late inputs at least this far apart are separate, and at most this far apart confirm each other. */
 const TWO_LATE = [0.3, 10] as const;
-/** Changes of the offset up to this, s, are averaged over this time, s; over less until so many pings were answered. */
+/** Changes of the offset up to AVERAGED, s, are averaged over a time, s, which is shorter for the first few pings. */
 const AVERAGED = 0.01;
 const OVER = 2;
 const SETTLED_AFTER = 80;
-/** Pings that were sent further apart than this but reached the server within it waited in one queue, s. */
+/** Pings that were sent further apart than this but reached the server within it waited in the same queue, s. */
 const ONE_QUEUE = 0.01;
 /** Pings count as answered if one was answered within this, s. */
 const PONGS_HEARD = 3;
@@ -102,7 +102,7 @@ export function createClock(): Clock {
   };
 }
 
-/** Something that the server sent at server time `sentAt` arrived. */
+/** Takes the arrival of a message that the server sent at server time `sentAt`. */
 export function sampleDown(clock: Clock, sentAt: number, now: number): void {
   if (boundAbove(clock.bounds, sentAt, now, samplingOf(clock, now))) clock.stepped = true;
   if (sentAt >= clock.stoodAt) clock.stoodAt = Number.POSITIVE_INFINITY;
@@ -121,7 +121,7 @@ export interface Answer {
   readonly standing: boolean;
 }
 
-/** A ping of `pinged` was answered and the pong arrived; null: answered with an unusable time. */
+/** Takes the pong for a ping of client time `pinged`; `answer` is null if its time is unusable. */
 export function samplePong(clock: Clock, pinged: number, answer: Answer | null, now: number): void {
   const roundTrip = now - pinged;
   if (!(roundTrip >= 0)) return;
@@ -137,7 +137,7 @@ export function samplePong(clock: Clock, pinged: number, answer: Answer | null, 
   if (answer.standing) boundBelow(clock.bounds, { pinged, stood: answered, now });
   else if (boundBothSides(clock.bounds, { pinged, answered, now }, clock.grain)) clock.stepped = true;
   settleOffset(clock, now);
-  // A stall is one sample, however many pings waited in it, and its delay is not jitter.
+  // A stall is one sample, however many pings waited in it, and does not count as jitter.
   const counts = !answer.standing && roundTrip <= leastRoundTrip(clock) + STALL && slackOf(clock) <= CERTAIN;
   // Measured from the lower bound, the fastest upstream path: the offset also depends on downstream delays.
   if (counts && answered - clock.answeredAt > ONE_QUEUE)
@@ -145,7 +145,7 @@ export function samplePong(clock: Clock, pinged: number, answer: Answer | null, 
   clock.answeredAt = answered;
 }
 
-/** The middle of the bounds varies with the last few delays: small changes are averaged. */
+/** Estimates the offset. The middle of the bounds varies with the last few delays, so small changes are averaged. */
 function settleOffset(clock: Clock, now: number): void {
   const middle = middleOf(clock);
   const elapsed = Math.max(0, now - clock.offsetAt);
@@ -173,7 +173,7 @@ function leastRoundTrip(clock: Clock): number {
   return Number.isNaN(least) ? ASSUMED_ROUND_TRIP : least;
 }
 
-/** The server's schedule has changed: only delays are still usable. */
+/** Forgets all but the delays: the server's schedule has changed. */
 export function forgetSchedule(clock: Clock): void {
   forgetBounds(clock.bounds);
   clock.offset = Number.NaN;
@@ -182,7 +182,7 @@ export function forgetSchedule(clock: Clock): void {
   clock.stoodAt = Number.POSITIVE_INFINITY;
 }
 
-/** Estimated server time at which something that arrives now was sent. */
+/** Estimated server time at which a message that arrives now was sent. */
 export function sentAt(clock: Clock, now: number): number {
   return serverTime(clock, now) - leastRoundTrip(clock) / 2;
 }
@@ -192,19 +192,19 @@ export function serverTime(clock: Clock, now: number): number {
   return now - clock.offset;
 }
 
-/** How far the present should run ahead of the server so that inputs arrive in time: half the round trip + jitter + slack, steered. */
+/** How far the present runs ahead of the server so that inputs arrive in time, s: half the round trip + jitter + slack + steering. */
 export function leadOf(clock: Clock): number {
   return leastRoundTrip(clock) / 2 + jitterOf(clock) + SLACK + clock.steer;
 }
 
-/** How much longer than the smallest delay inputs take in 19 of 20 cases, s, without stalls. */
+/** Delay above the smallest that 19 of 20 inputs do not exceed, s; stalls are not counted. */
 export function jitterOf(clock: Clock): number {
   return spreadOf(clock.up, STALL);
 }
 
 /**
- * An input that was sent under `steerThen` arrived `margin` s before it was needed (negative: late). What the steering has added
- * since then is not added twice. A stall must not steer: only a second late input, some time later, counts.
+ * Steers by an input that arrived `margin` s before it was needed (negative: late), sent under steering `steerThen`. Steering added
+ * since then is not added again. A stall must not steer: only a second late input, some time later, counts.
  */
 export function steerByMargin(clock: Clock, margin: number, steerThen: number, now: number): void {
   const wanted = Math.min(MAX_STEER, steerThen + SLACK / 2 - margin);
@@ -216,7 +216,7 @@ export function steerByMargin(clock: Clock, margin: number, steerThen: number, n
   clock.lateWanted = wanted;
 }
 
-/** The caller's clock was set back: how much time passed meanwhile is unknown. */
+/** The caller's clock was set back: an unknown time has passed. */
 export function noteSetBack(clock: Clock): void {
   forgetLower(clock.bounds);
   clock.lateAt = Number.NEGATIVE_INFINITY;

@@ -10,27 +10,27 @@ export type Connection =
   | 'serverPaused'
   /** Neither frames nor answers: the link has stalled, or the page was frozen. */
   | 'stalled'
-  /** The same for so long that waiting is pointless. */
+  /** The same for so long that the server counts as lost. */
   | 'gone';
 
-/** Pings are answered if one was within this, s. */
+/** Pings count as answered if a pong arrived within this, s. */
 const ANSWERED = 1;
-/** Silence after which the server counts as lost, s, and in sends. */
+/** Silence after which the server counts as lost: the longer of this, s, and this many sends. */
 const GONE = 10;
 const GONE_SENDS = 5;
-/** Silent for two sends, and at fast servers for this long, a state is stale, s: a stall of a mobile link alone is 0.2 s. */
+/** Silence after which a state is stale: the longer of this, s, and two sends. A stall of a mobile link alone takes 0.2 s. */
 const STALE_AFTER = 0.3;
 const STALE_SENDS = 2;
-/** How late the second frame may be while the send interval is unknown, s. */
+/** The same while the send interval is unknown, s. */
 const FIRST_SENDS = 1.5;
 
-/** Silence after which a ship's state is stale, s, at a server of `tickRate` Hz. */
+/** Silence after which a ship's state is stale, s, with a server of `tickRate` Hz. */
 export function staleAfter(cadence: Cadence, tickRate: number): number {
   const least = cadence.ticks === 0 ? FIRST_SENDS : STALE_AFTER;
   return Math.max(STALE_SENDS * sendSeconds(cadence, tickRate), least);
 }
 
-/** Client wall s since each kind of message. */
+/** Client wall s since the last message of each kind. */
 export interface Heard {
   readonly frame: number;
   readonly pong: number;

@@ -1,5 +1,5 @@
 /**
- * The last delays of one kind, s: the smallest, and the spread above it. They are kept by count, not by time: after a silence the
+ * The last delays of one kind, s: the smallest, and the spread above it. Kept by count, not by time: after a silence the
  * last ones are still the best estimate.
  */
 export interface Delays {
@@ -11,12 +11,12 @@ export interface Delays {
 
 /** Share of the samples below `spreadOf`. */
 const MOST = 0.95;
-/** Share of the samples that no resent packet is among, and how many times their spread is the limit; s, the least limit. */
+/** Share of the samples without resent packets; the limit is LIMIT times their spread, and at least MIN_LIMIT, s. */
 const USUAL = 0.8;
 const LIMIT = 1.5;
-const LEAST_LIMIT = 0.02;
+const MIN_LIMIT = 0.02;
 
-/** @param length how many are kept */
+/** @param length number of samples kept */
 export function createDelays(length: number): Delays {
   return { values: new Float64Array(length), sorted: new Float64Array(length), count: 0 };
 }
@@ -26,13 +26,13 @@ export function addDelay(delays: Delays, value: number): void {
   delays.count += 1;
 }
 
-/** The last delay was one of several that waited in one queue: the smallest counts. */
+/** Lowers the last delay to `value` if that is smaller: both waited in one queue, of which the smallest delay counts. */
 export function lessenDelay({ values, count }: Delays, value: number): void {
   const slot = (count - 1) % values.length;
   values[slot] = Math.min(values[slot]!, value);
 }
 
-/** NaN without any. */
+/** The smallest delay, s; NaN without samples. */
 export function leastOf({ values, count }: Delays): number {
   const n = Math.min(count, values.length);
   if (n === 0) return Number.NaN;
@@ -42,9 +42,9 @@ export function leastOf({ values, count }: Delays): number {
 }
 
 /**
- * How far above the least of them 19 of 20 lie at most, s; those more than `most` above it are not counted. 0 without any. Of a few
- * dozen delays two or three resent packets are one in twenty, and come and go: they count as no more than what usual delays
- * spread, and half as much again.
+ * The spread above the smallest delay that 19 of 20 do not exceed, s; delays more than `most` above it are not counted. 0 without samples. Of a few
+ * dozen delays two or three resent packets are one in twenty, and come and go: they count at most LIMIT times what usual delays
+ * spread.
  */
 export function spreadOf(delays: Delays, most: number): number {
   const least = leastOf(delays);
@@ -56,5 +56,5 @@ export function spreadOf(delays: Delays, most: number): number {
   sorted.fill(Number.POSITIVE_INFINITY, n);
   sorted.sort();
   const at = (share: number) => sorted[Math.min(n - 1, Math.floor(n * share))]!;
-  return Math.min(at(MOST), Math.max(LEAST_LIMIT, LIMIT * at(USUAL)));
+  return Math.min(at(MOST), Math.max(MIN_LIMIT, LIMIT * at(USUAL)));
 }

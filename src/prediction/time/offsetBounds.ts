@@ -9,7 +9,7 @@ export interface OffsetBounds {
   lower: number;
   /** Client wall s to which both are aged. */
   agedTo: number;
-  /** The last arrivals in a row that were late, and by much the same: how many, and the newest one's times and delay. */
+  /** Consecutive arrivals that were late by about the same: their number, and the newest one's times and delay. */
   late: number;
   lateSent: number;
   lateArrived: number;
@@ -27,7 +27,7 @@ const EARLY = 0.1;
 const LATE = 0.05;
 /** How much two arrivals of a shifted schedule may differ, s. */
 const ALIKE = 0.1;
-/** Lateness that a network's resends can cause, s: one more arrival must confirm it. */
+/** Lateness that resent packets can cause, s: one more arrival must confirm it. */
 const RESENT = 0.35;
 
 export function createOffsetBounds(): OffsetBounds {
@@ -46,7 +46,7 @@ export function forgetBounds(bounds: OffsetBounds): void {
   Object.assign(bounds, createOffsetBounds());
 }
 
-/** An unknown time passed while the client's clock stood: an upper bound stays valid. */
+/** Forgets the lower bound: the client's clock stood for an unknown time, after which the upper bound is still valid. */
 export function forgetLower(bounds: OffsetBounds): void {
   bounds.lower = Number.NEGATIVE_INFINITY;
   bounds.late = 0;
@@ -62,7 +62,7 @@ function age(bounds: OffsetBounds, now: number): void {
   if (!(now < bounds.agedTo)) bounds.agedTo = now;
 }
 
-/** Further estimates when a sample is taken, s. */
+/** Estimates that a sample is judged by, s. */
 export interface Sampling {
   /** The smallest round trip. */
   readonly roundTrip: number;
@@ -73,7 +73,7 @@ export interface Sampling {
 }
 
 /**
- * Something sent at server time `sent` arrived at client time `now`.
+ * Takes a message sent at server time `sent` that arrived at client time `now`.
  * @returns whether it contradicts the bounds: then only this sample counts
  */
 export function boundAbove(bounds: OffsetBounds, sent: number, now: number, known: Sampling): boolean {
@@ -99,7 +99,7 @@ export function boundAbove(bounds: OffsetBounds, sent: number, now: number, know
   return true;
 }
 
-/** As late as the one before, and spaced as it was sent: not a draining queue but a shifted schedule. */
+/** Whether the arrival is as late as the one before, and spaced as sent: a shifted schedule, not a draining queue. */
 function isShifted(bounds: OffsetBounds, sent: number, now: number, grain: number): boolean {
   const apart = sent - bounds.lateSent;
   const gap = now - bounds.lateArrived;
@@ -110,13 +110,13 @@ function isShifted(bounds: OffsetBounds, sent: number, now: number, grain: numbe
   return bounds.late >= (now - sent - bounds.upper > RESENT ? 2 : 3);
 }
 
-/** s by which a lower bound has aged already: a ping bounds the offset at its sending, and its answer may have waited. */
+/** Age of a lower bound on arrival, s: a ping bounds the offset at its sending, and its answer may have waited. */
 function agedBy(pinged: number, now: number): number {
   return DRIFT * Math.max(0, now - pinged - FRESH);
 }
 
 /**
- * A ping of client time `pinged` was answered while the server had stopped at server time `stood`. The offset grows until it resumes, so
+ * Takes the answer to a ping of client time `pinged` by a server that had stopped at server time `stood`. The offset grows until it resumes, so
  * the answer bounds it only from below, and the upper bound becomes invalid.
  */
 export function boundBelow(
@@ -130,7 +130,7 @@ export function boundBelow(
 }
 
 /**
- * A ping of client time `pinged` was answered at server time `answered`, and the answer arrived at `now`.
+ * Takes the answer to a ping of client time `pinged`, sent at server time `answered`, that arrived at `now`.
  * @returns whether it contradicts a bound, which is then dropped
  */
 export function boundBothSides(

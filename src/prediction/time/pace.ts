@@ -1,24 +1,24 @@
 import { POSITION, REFERENCE_BODY } from '../../dynamics';
-import { MAX_SUBSTEPS_A_TICK } from '../snapshots/bodies/bodyTrack';
+import { MAX_SUBSTEPS_PER_TICK } from '../snapshots/bodies/bodyTrack';
 import { abandonReplay, hold, startReplay } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
 import { spanOf } from './timeline';
 import { copyRow, type Track } from '../simulation/track';
 
 /**
- * Too fast to follow (PREDICTION, Timeline): when the due substeps exceed the budget, prediction is switched off for distant
- * ships first, then for all, so that no frame waits.
+ * Budget of substeps (PREDICTION, Timeline): when the due substeps exceed it, prediction is switched off for distant
+ * ships first, then for all, so that no frame stalls.
  */
 export interface Pace {
   /** Ship substeps per frame. */
   readonly budget: number;
-  /** Smoothed number of substeps due per ship and frame: a single long frame does not switch off. */
+  /** Smoothed number of substeps due per ship and frame: a single long frame switches no ship off. */
   due: number;
 }
 
 /** Share of the budget for ships in step; the rest keeps replays going. */
 const STEPPING_SHARE = 0.75;
-/** Share of that which must be free before a ship is switched on again, so that none flickers. */
+/** A ship is switched on again only below this share of it, so that none flickers. */
 const RETURN_SHARE = 0.8;
 /** Weight of a new frame in the smoothed due. */
 const SMOOTHING = 0.1;
@@ -41,7 +41,7 @@ export function keepPace(sim: Simulation, pace: Pace, due: number): void {
       : pace.due + (due - pace.due) * SMOOTHING;
   const room = Math.floor((pace.budget * STEPPING_SHARE) / Math.max(due, 1));
   const usual = Math.floor((pace.budget * STEPPING_SHARE) / Math.max(pace.due, 1));
-  const tooFine = spanOf(sim.timeline, sim.front.tick).timing.substeps > MAX_SUBSTEPS_A_TICK;
+  const tooFine = spanOf(sim.timeline, sim.front.tick).timing.substeps > MAX_SUBSTEPS_PER_TICK;
   if (tooFine || moving(sim) > room) {
     sim.counters.budgetOverruns += 1;
     thinOut(sim, tooFine ? 0 : room, tooFine ? 0 : usual);
@@ -54,7 +54,7 @@ function moving(sim: Simulation): number {
   return count;
 }
 
-/** Ships in step beyond `room` drop out, the farthest first: beyond `usual` they are switched off. */
+/** Takes ships beyond `room` out of step, the farthest first; those beyond `usual` are switched off. */
 function thinOut(sim: Simulation, room: number, usual: number): void {
   const stepping = sim.fleet.tracks.filter((track) => track.mode === 'stepping');
   byDistance(sim, stepping);
@@ -71,7 +71,7 @@ function switchOff(track: Track): void {
   track.off = true;
 }
 
-/** Continues from its present state by replay, as budgets allow; drawn in place until then. */
+/** Lets the ship continue from its present state by replay as the budget allows; drawn in place until then. */
 function catchUpLater(sim: Simulation, track: Track): void {
   if (track.replaying) return;
   const { front, fleet } = sim;
@@ -101,7 +101,7 @@ function bringBack(sim: Simulation, room: number): void {
   }
 }
 
-/** The own ship first, then by distance from it; ships of another body last. */
+/** Sorts the own ship first, then by distance from it; ships of other bodies last. */
 function byDistance(sim: Simulation, tracks: Track[]): void {
   const { own } = sim.fleet;
   const distances = new Map(tracks.map((track) => [track, own === null ? 0 : distance(own, track)]));

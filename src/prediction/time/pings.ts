@@ -6,13 +6,13 @@ export interface Pings {
   nextAt: number;
   readonly sentAt: Float64Array;
   readonly queued: Ping[];
-  /** Skipped because the host did not take them. */
+  /** Skipped because the host did not take the waiting ones. */
   dropped: number;
   /** When a ping was last answered, client wall s. */
   answeredAt: number;
 }
 
-/** s between pings; the first few are closer, so that the clock settles. */
+/** s between pings; the first few are closer together, so that the clock settles. */
 const EVERY = 0.2;
 const FIRST_EVERY = 0.05;
 const FIRST = 8;
@@ -45,7 +45,7 @@ export function pingIfDue(pings: Pings, now: number): void {
   pings.nextAt = now + (id <= FIRST ? FIRST_EVERY : EVERY);
 }
 
-/** When ping `id` was sent; NaN if it was not, was answered already, or was dropped. */
+/** When ping `id` was sent, client wall s; NaN if it was not sent, already answered, or dropped. */
 export function answeredPing(pings: Pings, id: number): number {
   if (!(id < pings.nextId && id >= pings.nextId - LENGTH && id >= 1)) return Number.NaN;
   const sent = pings.sentAt[id % LENGTH]!;
@@ -53,7 +53,7 @@ export function answeredPing(pings: Pings, id: number): number {
   return sent;
 }
 
-/** Pings in flight become unusable: another server answers, or the page was frozen meanwhile. */
+/** Forgets the pings in flight: another server answers, or the page was frozen. */
 export function forgetPings(pings: Pings): void {
   pings.sentAt.fill(Number.NaN);
 }

@@ -1,12 +1,12 @@
 import { type Clock, leadOf, serverTime, slackOf } from './clock';
 
-/** A larger error is corrected by a jump, s (PREDICTION: hard reset beyond 2 s). */
+/** A larger error is corrected by a jump, s (PREDICTION, Clock). */
 const HARD_RESET = 2;
 /** After a clock jump, a larger error is corrected at once, s. */
 const STEP = 0.1;
-/** The same once an uncertain offset becomes certain again, s. */
+/** The same once an uncertain offset is certain again, s. */
 const STEP_WHEN_CERTAIN = 0.008;
-/** An offset is certain if its bounds are no wider than the smallest round trip plus the first; uncertain beyond the second, s. */
+/** s: an offset is certain if its bounds are at most this much wider than the smallest round trip, uncertain beyond the second value. */
 const TIGHT = 0.03;
 const LOOSE = 0.06;
 /** A present ahead by up to this waits for the server instead of going back, s. */
@@ -46,14 +46,14 @@ export function advanceClock(clock: Clock, now: number, { deadZone, limit: horiz
   const target = Math.min(aim, limit);
   const step = stepOf(clock);
   if (aim > limit || Math.abs(clock.offset - clock.settledOffset) > step) clock.stepped = true;
-  // The rate was for the next frame, not for the duration of an absence.
+  // The rate is meant for one frame, not for an absence.
   const slewed = (clock.rate - 1) * Math.min(elapsed, MAX_FRAME);
   if (elapsed > MAX_FRAME) clock.wasLoose = true;
   const next = Math.min(clock.present + elapsed + slewed, Math.max(limit, clock.present));
   const error = target - next;
   const jumps = clock.stepped ? error > step || error < -MAX_WAIT : Math.abs(error) > HARD_RESET;
   if (jumps || Number.isNaN(error)) return jumpTo(clock, target);
-  // A present ahead of a server that had stopped waits until the server has caught up.
+  // A present that ran ahead of a stopped server waits until the server has caught up.
   if (clock.stepped && error < -(clock.rate === 0 ? deadZone : step)) {
     clock.rate = 0;
     return false;
@@ -69,7 +69,7 @@ export function advanceClock(clock: Clock, now: number, { deadZone, limit: horiz
   return false;
 }
 
-/** The error beyond which the present is corrected at once. */
+/** The error, s, beyond which the present is corrected at once. */
 function stepOf(clock: Clock): number {
   const slack = slackOf(clock);
   if (slack > LOOSE && slack < Number.POSITIVE_INFINITY) clock.wasLoose = true;
@@ -86,7 +86,7 @@ function jumpTo(clock: Clock, target: number): boolean {
   return true;
 }
 
-/** The smallest step of a coarse clock. */
+/** Measures the grain of a coarse clock: its smallest step. */
 function noteGrain(clock: Clock, elapsed: number): void {
   if (elapsed === 0) {
     clock.stillCalls += 1;

@@ -1,7 +1,7 @@
 import { type Timing, timingOfTick } from '../../dynamics';
 
 /**
- * Ticks and substeps on the server's wall clock, across re-timing and pause (PREDICTION, Timeline).
+ * Ticks and substeps on the server's wall clock, across changes of tempo and pauses (PREDICTION, Timeline).
  * Whole numbers for ticks and substeps; a wall time is a product of a tick count, never a sum of seconds.
  */
 
@@ -21,7 +21,7 @@ export interface Span extends Tempo {
   /** Substeps from the origin to `fromTick`. */
   readonly fromIndex: number;
   readonly timing: Timing;
-  /** Game s per substep, in a list of mixed kinds, where it is boxed once; a number field would be boxed at each call. */
+  /** Game s per substep, in an array of mixed types, where it is boxed once; a number field would be boxed at each call. */
   readonly step: readonly [dt: number, none: null];
 }
 
@@ -75,7 +75,7 @@ export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: n
   return !same;
 }
 
-/** Divides ticks by another longest substep, game s: all counts of substeps change. */
+/** Divides ticks anew for another longest substep, game s: all substep counts change. */
 export function recut(timeline: Timeline, longestSubstep: number): void {
   timeline.longestSubstep = longestSubstep;
   const { spans } = timeline;
@@ -111,7 +111,7 @@ export function indexOf(timeline: Timeline, tick: number, substep: number): numb
   return span.fromIndex + (tick - span.fromTick) * span.timing.substeps + substep;
 }
 
-/** Writes the position `substeps` after (tick, substep), by the tempo that holds at each tick on the way. */
+/** Writes the position `substeps` after (tick, substep), with the tempo of each tick on the way. */
 export function writeLater(
   out: Position,
   timeline: Timeline,

@@ -23,25 +23,25 @@ import type { TouchdownView } from '../drawn/view';
  * with it (touchdownRewind). So no touch is lost between two display frames, and a retracted touch leaves no trace.
  */
 
-/** Columns of a log's row. 1 once a touch was simulated; a ship first seen on the ground has none. */
+/** Columns of a log's row. 1 once a touch was simulated; 0 for a ship first seen on the ground. */
 const KNOWN = 0;
 /** Index into OUTCOMES. */
 const OUTCOME = 1;
-/** Closing speed at the first touch, the law's impact speed, m/s. */
+/** Impact speed of the dynamics at the first touch, m/s. */
 const VERTICAL_SPEED = 2;
 /** Along the turning ground just before the first touch, m/s. */
 const HORIZONTAL_SPEED = 3;
 const BOUNCES = 4;
 /** Distance slid along the ground, m. */
 const SLIDE = 5;
-/** Game s since the first touch, as long as the ship is not at rest. */
+/** Game s since the first touch; stops at rest. */
 const SINCE = 6;
-/** SINCE when it last landed, tipped or crashed; while open, SINCE. */
+/** SINCE when it last landed, tipped or crashed; equal to SINCE while open. */
 const SETTLED = 7;
-/** Rad, and its cosine, which is cheaper to compare. */
+/** rad; and its cosine, which is cheaper to compare. */
 const LARGEST_TILT = 8;
 const LEAST_COS = 9;
-/** Game s in the air since it last left the ground, whether with its engine on, and how many of them then are a hop still. */
+/** Since it last left the ground: game s in the air, 1 if the engine was on, and game s up to which that is still a hop. */
 const IN_AIR = 10;
 const POWERED = 11;
 const HOP_ALLOWANCE = 12;
@@ -53,16 +53,16 @@ const OUTCOMES = ['open', 'landed', 'tipped', 'crashed'] as const;
 const OPEN = 0;
 const CRASHED_THERE = 3;
 
-/** A hop under thrust counts as a bounce up to this many times its length without thrust; a longer one is a new approach. */
+/** A hop under thrust counts as a bounce up to this many times its duration without thrust; a longer one is a new approach. */
 const HOP_PATIENCE = 2;
 
-/** A ship without history before its state `surfaceState`. */
+/** Begins a log for a ship without history, in surface state `surfaceState`. */
 export function beginLog(log: Float64Array, surfaceState: number): void {
   log.fill(0);
   log[LOGGED_STATE] = surfaceState;
 }
 
-/** One substep has brought a row from what it is at `beforeAt` in `before` to what it is at `at` in `rows`. */
+/** One substep of a row: before it at `beforeAt` in `before`, after it at `at` in `rows`. */
 export interface LoggedSubstep {
   before: Float64Array;
   beforeAt: number;
@@ -92,7 +92,7 @@ export function logSubstep(log: Float64Array, world: World, step: LoggedSubstep)
   come(log, to);
 }
 
-/** The state at the row's instant: at rest the card is closed, righted it goes on. */
+/** Logs the ship's surface state: at rest the card is closed; when a tipped ship is righted, it is opened again. */
 export function come(log: Float64Array, state: number): void {
   if (state === LANDED || state === TIPPED) log[OUTCOME] = state - CONTACT;
   else if (state === CONTACT && log[LOGGED_STATE] === TIPPED) log[OUTCOME] = OPEN;
@@ -100,7 +100,7 @@ export function come(log: Float64Array, state: number): void {
   log[LOGGED_STATE] = state;
 }
 
-/** Left the ground, as `rows` have it: how long a hop from here lasts, a drop of the ship's own height allowed for. */
+/** Logs a lift-off, after which the row is at `at`: computes how long a hop from here may last, with a drop of the ship's own height. */
 export function leave(log: Float64Array, world: World, rows: Float64Array, at: number): void {
   const body = world.bodies[rows[at + REFERENCE_BODY]!]!;
   const drop = world.shipClasses[rows[at + SHIP_CLASS]!]!.groundContactOffset;
@@ -112,7 +112,7 @@ export function leave(log: Float64Array, world: World, rows: Float64Array, at: n
   log[HOP_ALLOWANCE] = (HOP_PATIENCE * (rising + Math.sqrt(rising * rising + 2 * gravity * drop))) / gravity;
 }
 
-/** The ship as it was just before it came down: `rows` at `at`. A bounce, or the first touch of a new landing. */
+/** Logs a touch, before which the row is at `at`: a bounce, or the first touch of a new landing. */
 export function comeDown(
   log: Float64Array,
   verticalSpeed: number,
@@ -137,7 +137,7 @@ function touch(log: Float64Array, { before, beforeAt, rows: after, at, bodies }:
   comeDown(log, after[at + IMPACT_SPEED]!, before, beforeAt, bodies);
 }
 
-/** Out of flight, or at a rise of the ground that it slid into. The law leaves its velocity as it was. */
+/** Logs a crash from flight, or into rising ground. The dynamics leave the velocity as it was. */
 function crash(log: Float64Array, { before, beforeAt, rows: after, at, bodies }: LoggedSubstep): void {
   if (before[beforeAt + SURFACE_STATE] === FLYING) {
     const falling = -radialSpeed(after, at, Math.sqrt(squared(after, at + POSITION)));
@@ -147,12 +147,12 @@ function crash(log: Float64Array, { before, beforeAt, rows: after, at, bodies }:
   log[SETTLED] = log[SINCE]!;
 }
 
-/** The dynamics move a ship by its velocity at the substep's end. */
+/** Adds the distance slid: the dynamics move a ship by its velocity at the substep's end. */
 function slide(log: Float64Array, { rows: after, at, bodies, dt }: LoggedSubstep): void {
   log[SLIDE]! += alongGround(after, at, bodies) * dt[0];
 }
 
-/** atan2(|n × up|, n · up) wherever it is larger than before. */
+/** Logs the tilt, atan2(|n × up|, n · up), if it is the largest so far. */
 function lean(log: Float64Array, rows: Float64Array, at: number): void {
   const x = rows[at + ATTITUDE]!;
   const y = rows[at + ATTITUDE + 1]!;
@@ -190,7 +190,7 @@ function alongGround(rows: Float64Array, at: number, bodies: Float64Array): numb
   return Math.sqrt(tx * tx + ty * ty + tz * tz);
 }
 
-/** The turning ground does not move along the radius: v · n, m/s, positive = rising. */
+/** v · n, m/s, positive = rising. The turning ground does not move along the radius. */
 function radialSpeed(rows: Float64Array, at: number, distance: number): number {
   let sum = 0;
   for (let k = 0; k < 3; k++) sum += rows[at + VELOCITY + k]! * rows[at + POSITION + k]!;
@@ -214,7 +214,7 @@ export function createTouchdownView(): TouchdownView {
   };
 }
 
-/** `known`: false where the ship's state is not that of the prediction. */
+/** Fills the card; `known` is false if the ship is not predicted. */
 export function fillTouchdown(out: TouchdownView, log: Float64Array, known: boolean): void {
   out.known = known && log[KNOWN] === 1;
   out.outcome = OUTCOMES[log[OUTCOME]!]!;

@@ -21,7 +21,7 @@ import { beginLog, come, comeDown, leave, LOGGED_STATE, logSubstep } from './tou
 import { createTouchdownRing, keepLog, logAt, type TouchdownRing } from './touchdownRing';
 import { copyRow, type Track } from '../simulation/track';
 
-/** The own ship's row at `from` in `rows`: its state at tick boundary `tick`, to which it is reset. */
+/** The state to which the own ship is reset: the row at `from` in `rows`, at tick boundary `tick`. */
 export interface Adopted {
   tick: number;
   rows: Float64Array;
@@ -29,8 +29,8 @@ export interface Adopted {
 }
 
 /** Largest correction in addition to the distance flown, m; more is a respawn. */
-const LARGEST_CORRECTION = 100;
-/** Most substeps by which a log is advanced to a state beyond the simulation: a frame at 100 × is 10,000, some 2 ms. */
+const MAX_CORRECTION = 100;
+/** Most substeps by which a log is advanced to a state beyond the simulation: a frame at 100 × has 10,000, about 2 ms. */
 const MAX_CARRIED = 12_000;
 
 /**
@@ -106,7 +106,7 @@ function advanceLog(track: Track, sim: Simulation, ring: TouchdownRing, tick: nu
 const predicted = new Float64Array(SHIP_STRIDE);
 const step = createRowStep(predicted);
 
-/** Predicted in flight, but on the ground already; or predicted on the ground, but not there (yet, or any more). */
+/** Corrects the log where the state is on the ground and the prediction in flight, or the other way round. */
 function agree(log: Float64Array, ring: TouchdownRing, sim: Simulation, to: Adopted): void {
   const { tick, rows, from } = to;
   const state = rows[from + SURFACE_STATE]!;
@@ -118,7 +118,7 @@ function agree(log: Float64Array, ring: TouchdownRing, sim: Simulation, to: Adop
 }
 
 /**
- * A falling ship that was predicted to touch in the tick before has not touched: its log is that of a tick ago. A rising one has
+ * A falling ship that was predicted to touch in the last tick has not touched: its log is that of a tick ago. A rising ship has
  * touched and left. A hop shorter than a tick that ends in a fall counts as no touch: the server's state does not show it.
  */
 function takeBack(log: Float64Array, ring: TouchdownRing, { tick, rows, from }: Adopted): boolean {
@@ -130,7 +130,7 @@ function takeBack(log: Float64Array, ring: TouchdownRing, { tick, rows, from }: 
   return true;
 }
 
-/** Another body, or farther away than it could have flown while the server was silent. */
+/** Whether the ship is at another body, or farther away than it could have flown while the server was silent. */
 function wasPutElsewhere(
   { timeline }: Simulation,
   { silence }: Track,
@@ -143,17 +143,17 @@ function wasPutElsewhere(
     way += (rows[from + POSITION + k]! - predicted[POSITION + k]!) ** 2;
     speed += rows[from + VELOCITY + k]! ** 2;
   }
-  return Math.sqrt(way) > LARGEST_CORRECTION + Math.sqrt(speed) * silence * spanOf(timeline, tick).timeScale;
+  return Math.sqrt(way) > MAX_CORRECTION + Math.sqrt(speed) * silence * spanOf(timeline, tick).timeScale;
 }
 
-/** Landed in its sleeping pose, in the body's axes. */
+/** Whether the ship is landed in its sleeping pose, in the body's axes. */
 function liesWhereItLay({ sleepPlace }: Track, sim: Simulation, { tick, rows, from }: Adopted): boolean {
   const body = rows[from + REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE;
   take(attitude, boundaryAt(sim.bodies, sim.timeline, tick), body);
   take(place, rows, from + POSITION);
   rotateBack(place, attitude, place);
   for (let k = 0; k < 3; k++) place[k]! -= sleepPlace[k]!;
-  return lengthOf(place) <= LARGEST_CORRECTION;
+  return lengthOf(place) <= MAX_CORRECTION;
 }
 
 const attitude = quaternion();

@@ -22,7 +22,7 @@ export function createTouchdownRing(length: number): TouchdownRing {
   };
 }
 
-/** Keeps a log as it is at tick boundary `tick`. */
+/** Keeps a log as the one at tick boundary `tick`. */
 export function keepLog(ring: TouchdownRing, tick: number, log: Float64Array): void {
   const slot = tick % ring.kept.length;
   ring.kept[slot]!.set(log);

@@ -128,7 +128,7 @@ export function textIn(r: Reading, from: Fields, name: string): string {
 
 /** The reason why `value` cannot be sent as a name or an id, or null. */
 export function textComplaint(value: unknown): string | null {
-  if (typeof value !== 'string') return `expected a text, got ${describe(value)}`;
+  if (typeof value !== 'string') return `expected a string, got ${describe(value)}`;
   if (value.length > MAX_TEXT) return `expected at most ${MAX_TEXT} characters, got ${value.length}`;
   return LONE_SURROGATE.test(value) ? 'expected well-formed Unicode' : null;
 }
@@ -136,7 +136,7 @@ export function textComplaint(value: unknown): string | null {
 /** A text that is not empty. */
 export function nameIn(r: Reading, from: Fields, name: string): string {
   const text = textIn(r, from, name);
-  if (text === '') refuse(r, name, 'expected a text that is not empty');
+  if (text === '') refuse(r, name, 'expected a non-empty string');
   return text;
 }
 

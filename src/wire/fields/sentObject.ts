@@ -2,7 +2,7 @@
 
 /** '' for a plain object; otherwise what it is and what must be done with it first. */
 export function notPlain(value: unknown): string {
-  if (typeof value === 'string') return 'a text: parse it with JSON.parse first';
+  if (typeof value === 'string') return 'a string: parse it with JSON.parse first';
   if (typeof value !== 'object' || value === null || Array.isArray(value)) return '';
   const kind = Object.prototype.toString.call(value).slice(8, -1);
   const todo = TODO[kind] ?? (ArrayBuffer.isView(value) ? BYTES : '');

@@ -34,7 +34,7 @@ export function openEnvelope<T>(
     return ok(decode(reader));
   } catch (error) {
     const cause = error instanceof Error ? error.message : String(error);
-    const hint = bytes[0] === BRACE && bytes[1] === QUOTE ? '; a text of JSON goes to decodeFrameJson' : '';
+    const hint = bytes[0] === BRACE && bytes[1] === QUOTE ? '; JSON text goes to decodeFrameJson' : '';
     return err(`message: not of this protocol (${cause})${hint}`);
   }
 }
@@ -47,7 +47,7 @@ const QUOTE = 0x22;
 function notBytes(value: unknown): string {
   if (value instanceof Uint8Array || Object.prototype.toString.call(value) === '[object Uint8Array]')
     return '';
-  if (typeof value === 'string') return 'a text: JSON goes to decodeFrameJson';
+  if (typeof value === 'string') return 'a string: JSON goes to decodeFrameJson';
   const kind = Object.prototype.toString.call(value).slice(8, -1);
   if (kind === 'ArrayBuffer') return 'an ArrayBuffer: pass new Uint8Array(buffer)';
   if (kind === 'Blob') return 'a Blob: set socket.binaryType to "arraybuffer"';

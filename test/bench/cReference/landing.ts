@@ -14,7 +14,7 @@ import {
   type Timing,
   type World,
 } from '../../../src/dynamics';
-import type { CaseInput, CaseTerrain } from '../../exact/exactCase';
+import type { CaseInput, CaseTerrain } from '../../exact/cases/exactCase';
 
 /** One ship, the first of `ships`. */
 export interface Landing {

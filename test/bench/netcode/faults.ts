@@ -5,7 +5,7 @@ import {
   type FaultyLine,
   type FaultyLineOptions,
   instantOf,
-} from '../../prediction/faultyLine';
+} from '../../prediction/faults/faultyLine';
 import { type Figure, spread } from './figure';
 import { createLeastRoundTrip, type LeastRoundTrip, serverTimeBy, takeAnswer } from './leastRoundTrip';
 

@@ -3,7 +3,7 @@ import { createRandom, type Random, NETWORK_PRESETS } from '../../../src/scenari
 import type { ServerMessage } from '../../../src/wire';
 import { createRig, type Rig } from '../../prediction/rig';
 import type { Figure } from './figure';
-import { createSeededPilot } from './pilots';
+import { createSeededPilot } from './flights/pilots';
 
 const HOUR = 3600;
 /** Wall s between faults, each kind in turn. */

@@ -1,5 +1,5 @@
 import { createReplay } from '../../../src/playground/recording/replay';
-import { recordPlay } from '../../playground/recordPlay';
+import { recordPlay } from '../../playground/game/recordPlay';
 import { type Figure, figure } from '../measure';
 
 const SHIPS = 30;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { flyCase } from '../../bench/netcode/foreign';
+import { flyCase } from '../../bench/netcode/foreign/foreign';
 import { spread } from '../../bench/netcode/figure';
 import { SCENARIOS } from '../../../src/scenarios';
 import { CASES } from '../literalServer/cases';

@@ -16,6 +16,6 @@ export function groundRadius(
   nz: number,
 ): number {
   const height = terrainHeight(bodyName, nx, ny, nz);
-  // Not loaded: null, whatever the type says.
+  // Null if not loaded, despite its type.
   return height > -radius ? radius + height : radius;
 }

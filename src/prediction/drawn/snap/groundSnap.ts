@@ -15,9 +15,9 @@ export interface GroundPose {
 export interface GroundedPose {
   /** m, from the body's centre, in the body's axes; the attitude stays. */
   readonly position: Float64Array;
-  /** Along the local up, m; negative where a lying ship is let down. */
+  /** Along the local up, m; negative where a tipped ship is lowered. */
   lift: number;
-  /** m a leg, 0 … stroke. */
+  /** m, one per leg, 0 … stroke. */
   readonly legCompression: Float64Array;
   /** Height of the lowest unloaded foot of the pose as given, above the ground it is predicted on, m. */
   feetHeight: number;
@@ -27,18 +27,18 @@ export function createGroundedPose(legs: number): GroundedPose {
   return { position: new Float64Array(3), lift: 0, legCompression: new Float64Array(legs), feetHeight: 0 };
 }
 
-/** Rounds of lifting and looking again: on a slope the ground beneath a point is another after the lift. */
+/** Rounds of lifting: on a slope the lift changes the ground beneath each point. */
 const ROUNDS = 3;
 /** m: closer than this is touching. */
 const TOUCHING = 1e-4;
 /** m */
 const RELEASE_HEIGHT = 1;
-/** Of the offset between predicted and drawn ground: from this height on a flying ship is drawn as it is predicted. */
+/** In offsets between predicted and drawn ground: from this height on, a flying ship is drawn as predicted. */
 const FADE_HEIGHTS = 8;
 
 /**
- * Puts a drawn pose on the drawn ground (PREDICTION, Drawing). The law keeps the centre of mass at height h whatever the
- * tilt, and lets impacts sink; drawn like that a lying ship would hover and a landing one would go underground. So the legs give way
+ * Puts a drawn pose on the drawn ground (PREDICTION, Drawing). The dynamics keep the centre of mass at height h at any
+ * tilt, and let impacts sink. Drawn as is, a tipped ship would hover and a landing one would go underground. So the legs give way
  * first, up to their stroke; then the whole ship is lifted along the local up until no point of hull or feet is below the ground,
  * and a grounded one is let down until its lowest point touches.
  * @param out the grounded pose
@@ -59,7 +59,7 @@ export function snapToGround(
   for (let k = 0; k < 3; k++) up[k] = position[k]! / distance;
   axis.set(ALONG);
   rotate(axis, pose.attitude, axis);
-  // How much of a leg's travel goes into height: none of it lying down.
+  // Share of a leg's travel that changes the height: 0 for a ship on its side.
   const upright = axis[0]! * up[0]! + axis[1]! * up[1]! + axis[2]! * up[2]!;
   out.feetHeight = pressLegs(out, pose, hull, { ground, upright });
   out.lift = 0;
@@ -113,10 +113,10 @@ function findLowest(out: GroundedPose, pose: GroundPose, hull: Hull, ground: Dra
 }
 
 /**
- * The clearance above the drawn ground at which a ship that is predicted over a ground `offset` m higher is drawn in flight: its own
- * high up, and none where it touches, so that it meets the ground it is drawn on without a pop.
+ * The clearance, m, at which a flying ship is drawn that is predicted above ground `offset` m higher than drawn: its own
+ * high up, and 0 at touchdown, so that it meets the drawn ground without a pop.
  * @param clearance of its lowest point above the drawn ground, m
- * @param height of the centre of mass above where the law would touch the drawn ground, m
+ * @param height of the centre of mass above its height at contact with the drawn ground, m
  */
 export function drawnClearance(clearance: number, height: number, offset: number): number {
   const above = clearance - offset;
@@ -129,9 +129,9 @@ export function drawnClearance(clearance: number, height: number, offset: number
 }
 
 /**
- * The clearance, m, at which a flying ship is drawn: its own, but for a lying one that has just let go, whose lowest point is
- * higher than an upright ship's would be; it comes up from the ground over the first metre instead of popping up.
- * @param height of the centre of mass above where the law touches, m
+ * The clearance, m, at which a flying ship is drawn: its own, except just after a tipped ship has left the ground. Its lowest point is
+ * higher than an upright ship's, so it rises from the ground over the first metre instead of popping up.
+ * @param height of the centre of mass above its height at contact, m
  */
 function flyingTarget(clearance: number, height: number): number {
   const hovering = clearance - (height > 0 ? height : 0);

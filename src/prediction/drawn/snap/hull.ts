@@ -1,25 +1,25 @@
 import type { LoadedShipClass } from '../../../dynamics';
 
-/** A ship's shape as far as the ground is concerned: body axes, m, from the centre of mass. */
+/** A ship's shape for ground contact: ship axes, m, from the centre of mass. */
 export interface Hull {
   /** Feet of the landing legs, unloaded: [x, y, z] each. */
   readonly feet: Float64Array;
-  /** How far a leg can be pressed in along body −Z. */
+  /** How far a leg can be pressed in along the ship's −Z. */
   readonly stroke: number;
   /** Points of the rigid hull: [x, y, z] each. */
   readonly outline: Float64Array;
 }
 
-/** Legs of every class drawn. */
+/** Legs of every class, as drawn. */
 export const LEGS = 4;
-/** Of h: the legs' stroke, and the hull's radius and extent above the centre. */
+/** In units of h: the legs' stroke, and the hull's radius and extent above the centre. */
 const STROKE = 0.2;
 const RADIUS = 0.5;
 const TOP = 1;
-/** Of h: the hull's lower edge, above the feet by more than the stroke. */
+/** In units of h: the hull's lower edge, above the feet by more than the stroke. */
 const BOTTOM = -0.6;
 
-/** A ship as far as its hull is concerned. */
+/** What a ship's hull is derived from. */
 export interface HullOwner {
   readonly shipClass: LoadedShipClass;
   /** The ship's own, m. */
@@ -38,7 +38,7 @@ export function hullOf(
   return hullOfShip({ shipClass, groundContactOffset });
 }
 
-/** As hullOf. In a record, since a double that is an argument is boxed at each call. */
+/** As hullOf, but in a record: a double as an argument is boxed at each call. */
 export function hullOfShip(ship: HullOwner): Hull {
   const { shipClass } = ship;
   const known = hulls.get(shipClass) ?? [];
@@ -66,7 +66,7 @@ function buildHull({ shipClass, groundContactOffset }: HullOwner): OffsetHull {
   };
 }
 
-/** Kept per class: ships of one class carry few different offsets, a hostile server any number. */
+/** Hulls cached per class. Ships of one class have few different offsets, but a hostile server may send any number. */
 const MAX_HULLS = 16;
 const hulls = new WeakMap<LoadedShipClass, OffsetHull[]>();
 

@@ -2,14 +2,14 @@ import type { Hull } from './hull';
 import { lengthOf, rotateBack, vector } from '../rotation';
 import { drawnClearance, type GroundPose, type GroundedPose } from './groundSnap';
 
-/** In a record, since a double that is an argument is boxed at each call. */
+/** A record, since a double as an argument is boxed at each call. */
 export interface LevelGround {
   /** m from the body's centre, under the whole ship. */
   radius: number;
 }
 
 /**
- * snapToGround where the ground is level under the whole ship: a tenth of the cost, for the
+ * snapToGround for ground that is level under the whole ship, at a tenth of the cost: for the
  * many ships that are drawn small. On a slope its error is the slope's over the ship's extent.
  */
 export function snapToLevel(

@@ -13,14 +13,14 @@ import { addToOffset } from '../correction';
 import { pose } from '../pose';
 import { compose, fromRotationVector, quaternion, seenFrom, take, vector } from '../rotation';
 
-/** Whether the law turns a ship upright in an instant at this event. */
+/** Whether the dynamics turn a ship upright instantly at this event. */
 export function uprights(sim: Simulation, event: number): boolean {
   return event === EVENT_CONTACT && sim.world.settings.touchdownAttitude === 'aligned';
 }
 
 /**
- * The law's own jump: an aligned touchdown uprights the ship within a substep. The offset takes up the difference to the attitude
- * its spin would have brought it to, so that the drawn ship rights itself smoothly. No correction.
+ * Eases a jump of the dynamics: an aligned touchdown turns the ship upright in one substep. The offset takes up the difference to
+ * the attitude its spin would have led to, so that the drawn ship turns smoothly. Not counted as a correction.
  */
 export function easeUprighting(sim: Simulation, track: Track, step: RowStep): void {
   if (!uprights(sim, step.event)) return;

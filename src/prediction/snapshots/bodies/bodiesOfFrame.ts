@@ -7,12 +7,12 @@ import { boundaryAt, startBodiesAt, updateBodies } from './bodyTrack';
 import type { Receiver } from '../receiver';
 import type { BodiesOfFrame } from '../snapshotContext';
 
-/** Most ticks over which bodies are moved only to compare them. */
+/** Most ticks over which bodies are advanced just for the comparison. */
 const MAX_CARRIED = 64;
 
 /**
- * Writes the frame's bodies and compares them with the predicted ones. Bodies that are not sent, have no attitude or spin, or repeat the
- * last frame's, are moved by the dynamics.
+ * Writes the frame's bodies and compares them with the predicted ones. Bodies that are not sent, lack attitude or spin, or repeat the
+ * last frame's are advanced by the dynamics.
  */
 export function writeBodiesOfFrame(
   out: BodiesOfFrame,
@@ -31,7 +31,7 @@ export function writeBodiesOfFrame(
     out.turned = 0;
     return;
   }
-  // The dynamics' result at this tick, to be compared.
+  // The predicted bodies at this tick, for the comparison.
   if (tick - lastTick <= MAX_CARRIED && lastTick >= 0) boundaryAt(sim.bodies, sim.timeline, tick);
   const error = updateBodies(sim.bodies, tick, spun(sim, tick, motions));
   if (error.attitude > 0 || error.spin > 0) {
@@ -44,7 +44,7 @@ export function writeBodiesOfFrame(
   out.turned = Math.max(error.attitude, error.spin);
 }
 
-/** The motions with the measured spins; the same list if they are as sent. */
+/** The motions with the measured spins; the same list if all spins are as sent. */
 function spun(sim: Simulation, tick: number, motions: readonly BodyMotion[]): readonly BodyMotion[] {
   const { tickSeconds } = spanOf(sim.timeline, tick).timing;
   let differs = false;
@@ -59,7 +59,7 @@ function spun(sim: Simulation, tick: number, motions: readonly BodyMotion[]): re
 
 const measured: BodyMotion[] = [];
 
-/** Whether no body has moved since the last frame although some should have: the server sends outdated bodies. */
+/** Whether the server sends outdated bodies: none has moved since the last frame, but some should have. */
 function areOld({ warn }: Simulation, receiver: Receiver, { tick, bodies }: ServerFrame): boolean {
   const { lastBodies } = receiver;
   if (bodies.length === 0) return false;
@@ -104,7 +104,7 @@ function motionsOf(sim: Simulation, frame: ServerFrame): readonly BodyMotion[] |
   });
 }
 
-/** The finite members as sent, the others as predicted. */
+/** The body's motion: finite members as sent, the others as predicted. */
 function completed(sent: BodyState, predicted: BodyMotion): BodyMotion {
   const moves = areNumbers(sent.position, 3) && areNumbers(sent.velocity, 3);
   return {

@@ -24,29 +24,29 @@ import {
  * sent.
  */
 export interface BodySpin {
-  /** The real spin over the one sent: 1 while that fits. */
+  /** The real spin divided by the one sent: 1 while that fits. */
   factor: number;
   readonly byAttitude: Measurement;
   readonly byShips: Measurement;
-  /** Attitudes computed from the spin sent lack this angle about its axis, rad. */
+  /** Angle about the spin axis that is missing from an attitude computed with the spin sent, rad. */
   lacking: number;
   /** Of the last frame that had it. */
   tick: number;
   readonly attitude: Float64Array;
 }
 
-/** A ratio that counts once two measurements agree. */
+/** A ratio that is accepted once two measurements agree. */
 interface Measurement {
   believed: number;
   last: number;
 }
 
-/** A ratio closer to 1 than this is 1: a ship's ICRF position alone has an error of 1e-6 of the rotation in a tenth of a second. */
+/** A ratio closer to 1 than this counts as 1: rounding of a ship's ICRF position alone is 1e-6 of the rotation in a tenth of a second. */
 const SAME_SPIN = 1e-4;
-/** Slower bodies are not measured, rad/s, and deviations beyond half of the spin sent are ignored. */
-const LEAST_SPIN = 1e-9;
-const MAX_OFF = 0.5;
-/** Share of a ship's path by which it may deviate from the ground's. */
+/** rad/s: slower bodies are not measured. Deviations beyond MAX_DEVIATION of the spin sent are ignored. */
+const MIN_SPIN = 1e-9;
+const MAX_DEVIATION = 0.5;
+/** Sideways deviation of a ship's path from the ground's, as a share of its length, up to which one measurement is enough. */
 const ASIDE = 1e-3;
 
 export function createBodySpin(): BodySpin {
@@ -62,7 +62,7 @@ export function spunMotion(spin: BodySpin, sent: BodyMotion, tick: number, secon
   const [x, y, z] = sent.angularVelocity;
   const rate = Math.sqrt(x * x + y * y + z * z);
   now.set(sent.attitude);
-  if (spin.tick >= 0 && tick > spin.tick && rate > LEAST_SPIN) {
+  if (spin.tick >= 0 && tick > spin.tick && rate > MIN_SPIN) {
     turnBetween(turn, now, spin.attitude);
     toRotationVector(way, turn);
     const turned = (way[0]! * x + way[1]! * y + way[2]! * z) / rate;
@@ -83,8 +83,8 @@ export function spunMotion(spin: BodySpin, sent: BodyMotion, tick: number, secon
 }
 
 /**
- * Two states, `seconds` of game time apart, of one ship, landed in both: it moved with the ground.
- * @param bodies rows in use, of the second state's tick
+ * Measures the spin by one ship that was landed in two states, `seconds` of game time apart: it moved with the ground.
+ * @param bodies rows with the spin in use, at the second state's tick
  */
 export function measureByShip(
   spin: BodySpin,
@@ -109,7 +109,7 @@ export function measureByShip(
     squared += speed * speed;
     moved += step * step;
   }
-  if (!(squared > LEAST_SPIN)) return;
+  if (!(squared > MIN_SPIN)) return;
   const aside = moved - (along * along) / squared;
   // Exactly along the ground's path: one measurement is enough.
   if (aside < ASIDE * ASIDE * moved) spin.byShips.last = along / (squared * seconds);
@@ -117,7 +117,7 @@ export function measureByShip(
 }
 
 function believe(spin: BodySpin, measurement: Measurement, ratio: number): void {
-  if (!(Math.abs(ratio - 1) < MAX_OFF)) return;
+  if (!(Math.abs(ratio - 1) < MAX_DEVIATION)) return;
   if (Math.abs(ratio - measurement.last) < SAME_SPIN) measurement.believed = ratio;
   measurement.last = ratio;
   const { byAttitude, byShips } = spin;

@@ -13,7 +13,7 @@ import {
 import { spanOf, type Timeline } from '../../time/timeline';
 
 /**
- * The bodies at each tick boundary and in each substep (DYNAMICS, Frame): as sent by the server, moved by the dynamics from there on. The
+ * The bodies at each tick boundary and in each substep (DYNAMICS, Frame): as sent by the server, then advanced by the dynamics. The
  * rows of a substep are computed once and shared by the front and all replays.
  */
 export interface BodyTrack {
@@ -23,9 +23,9 @@ export interface BodyTrack {
   readonly boundaries: Float64Array[];
   readonly ticks: Float64Array;
   readonly cuts: TickCut[];
-  /** The bodies while no boundary is known. */
+  /** The bodies as long as no boundary is known. */
   readonly start: Float64Array;
-  /** The boundary that a frame replaced, as predicted. */
+  /** The predicted rows of the boundary that a frame replaced. */
   readonly replaced: Float64Array;
 }
 
@@ -36,8 +36,8 @@ interface TickCut {
   rows: Float64Array[];
 }
 
-/** A tick of more substeps is too fast to follow: its rows alone would take 16 MB with four bodies. */
-export const MAX_SUBSTEPS_A_TICK = 12_800;
+/** A tick of more substeps is too long to follow: its rows alone would take 16 MB with four bodies. */
+export const MAX_SUBSTEPS_PER_TICK = 12_800;
 
 /** @param start rows of the bodies at the first tick, unless a frame has others */
 export function createBodyTrack(start: Float64Array, length: number, substeps: number): BodyTrack {
@@ -54,7 +54,7 @@ export function createBodyTrack(start: Float64Array, length: number, substeps: n
   };
 }
 
-/** How many ticks' substeps are kept: as many as a memory limit allows, at least those of a replay across a boundary. */
+/** Number of ticks whose substeps are kept: as many as a memory limit allows, at least those of a replay across a boundary. */
 export function cutsOf(substeps: number): number {
   return Math.max(3, Math.min(64, Math.floor(4096 / substeps)));
 }
@@ -87,7 +87,7 @@ export function boundaryAt(track: BodyTrack, timeline: Timeline, tick: number): 
   return track.boundaries[tick % track.length]!;
 }
 
-/** No boundary within the ring's length is known: the bodies continue from the last one in one rotation and one move. */
+/** Advances the bodies from the last known boundary in one rotation and one translation: no boundary within the ring's length is known. */
 function skipTo(track: BodyTrack, timeline: Timeline, tick: number): void {
   let newest = -1;
   for (const known of track.ticks) if (known > newest && known < tick) newest = known;
@@ -143,16 +143,16 @@ function makeRows(
   return cut.rows[to.substep]!;
 }
 
-/** How far bodies were off: the largest component of an attitude, and of a spin, rad/s. */
+/** Largest error of predicted bodies: of an attitude's component, and of a spin's, rad/s. */
 export interface BodyError {
   attitude: number;
   spin: number;
 }
 
 /**
- * The server's bodies at `tick`. The prediction stays in `replaced`; later boundaries are computed again.
+ * Takes the server's bodies at `tick`. The prediction stays in `replaced`; later boundaries are computed again.
  * @param sent one motion for each body, in the world's order
- * @returns how far the predicted ones were off: 0 if they agreed to the bit, or nothing was predicted
+ * @returns the error of the predicted ones: 0 if they agreed to the bit, or nothing was predicted
  */
 export function updateBodies(track: BodyTrack, tick: number, sent: readonly BodyMotion[]): BodyError {
   const known = knowsBoundary(track, tick);
@@ -170,14 +170,14 @@ export function updateBodies(track: BodyTrack, tick: number, sent: readonly Body
 
 const NO_ERROR: Readonly<BodyError> = Object.freeze({ attitude: 0, spin: 0 });
 
-/** Before the first frame: the bodies are at their start at `tick`. */
+/** Before the first frame: sets the bodies to their start at `tick`. */
 export function startBodiesAt(track: BodyTrack, tick: number): void {
   track.boundaries[tick % track.length]!.set(track.start);
   track.ticks.fill(-1);
   track.ticks[tick % track.length] = tick;
 }
 
-/** Everything after boundary `tick` is computed again, e.g. at another tempo. */
+/** Forgets everything after boundary `tick`, which is then computed again, e.g. at another tempo. */
 export function forgetAfter(track: BodyTrack, tick: number): void {
   for (let slot = 0; slot < track.length; slot++) if (track.ticks[slot]! > tick) track.ticks[slot] = -1;
   for (const cut of track.cuts) if (cut.tick >= tick) cut.tick = -1;

@@ -30,11 +30,11 @@ import {
 import type { ShipState } from '../../../wire';
 
 /**
- * Writes the wire's ShipState as a row (PREDICTION, Server messages), with omitted fields completed: the relative
- * state from ICRF, the reference body from the body landed on or the nearest by its own measure, the state from `landedBodyName`.
+ * Writes a ShipState as a row (PREDICTION, Server messages) and completes omitted fields: the relative
+ * state from ICRF, the reference body from the body landed on or the nearest in radii, the surface state from `landedBodyName`.
  * IMPACT_SPEED and WHEEL_MOMENTUM are NaN if the server does not send them: only the ship's own history has them.
  * @param row one ship's row; unchanged if a reason is returned
- * @param bodies rows at the state's tick
+ * @param bodies the bodies' rows at the state's tick
  * @returns null, or the reason, naming the field, why the state cannot be used
  */
 export function adopt(
@@ -69,7 +69,7 @@ export function adopt(
   return null;
 }
 
-/** The reason why a state can be drawn but not predicted: an unknown class or surface state. Null otherwise. */
+/** Why a state can be drawn but not predicted: an unknown class or surface state. Null otherwise. */
 export function unknownNameOf({ shipClass, surfaceContactState }: ShipState, world: World): string | null {
   if (indexOfName(world.shipClasses, shipClass) < 0) return `shipClass: no class named ${shipClass}`;
   if (indexIn(SURFACE_STATES, surfaceContactState) < 0)
@@ -88,7 +88,7 @@ export function drawableState(state: ShipState, world: World): ShipState {
   };
 }
 
-/** Whether the server sent the relative state, so that it is not a difference of ICRF positions. */
+/** Whether the server sent the relative state; otherwise it is a difference of ICRF positions. */
 export function isExact(state: ShipState): boolean {
   return state.relativePosition !== null && state.relativeVelocity !== null;
 }

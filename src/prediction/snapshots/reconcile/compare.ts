@@ -29,14 +29,14 @@ import {
   vector,
 } from '../../drawn/rotation';
 
-/** A row among rows, and the bodies its tick had. */
+/** A row at `at` in `rows`, and the bodies at its tick. */
 export interface Place {
   rows: Float64Array;
   at: number;
   bodies: Float64Array;
 }
 
-/** Largest difference between two states of one tick that still count as equal: position m, velocity m/s, spin rad/s. */
+/** Largest differences at which two states of one tick still count as equal: position m, velocity m/s, spin rad/s. */
 export type Tolerance = Float64Array;
 const PLACE = 0;
 const SPEED = 1;
@@ -63,7 +63,7 @@ const ATTITUDE_TOLERANCE = 1e-7;
 const FUEL_TOLERANCE = 1e-6;
 /** N m s, likewise. */
 const WHEEL_TOLERANCE = 1e-4;
-/** Differences within single precision on the wire are no other command. */
+/** A server may send controls in single precision. */
 const COMMAND_TOLERANCE = 1e-6;
 
 /** The tolerance for a server that sends the relative state. */
@@ -182,7 +182,7 @@ function near(a: Float64Array, b: Float64Array, tolerance: Tolerance, which: num
   return x * x + y * y + z * z <= tolerance[which]! * tolerance[which]!;
 }
 
-/** Component by component, to q or to −q, which are the same rotation. */
+/** Compares component by component with q and with −q, which are the same rotation. */
 function sameAttitude(q: Float64Array, p: Float64Array): boolean {
   let same = true;
   let opposite = true;
@@ -236,7 +236,7 @@ function valuesOf(field: Field, server: Place, predicted: Place): [string, strin
   }
 }
 
-/** Spacing of doubles at `x` ≥ 1: 2⁻⁵² of the power of two below it, read from its exponent. */
+/** Spacing of doubles at `x` ≥ 1: 2⁻⁵² times the power of two at or below it, from its exponent. */
 function ulpOf(x: number): number {
   DOUBLE[0] = x < 1 ? 1 : x;
   WORDS[HIGH] = (WORDS[HIGH]! & 0x7ff00000) - (52 << 20);

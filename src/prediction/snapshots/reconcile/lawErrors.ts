@@ -1,5 +1,5 @@
 /**
- * Whether the dynamics fit a ship (PREDICTION, Foreign dynamics): if they were worse over the last few states than extrapolation, the
+ * Whether the dynamics fit a ship (PREDICTION, Foreign dynamics): if over the last few states they were worse than extrapolation, the
  * ship is extrapolated until they fit again.
  */
 export interface LawFit {
@@ -23,7 +23,7 @@ export function createLawFit(): LawFit {
   };
 }
 
-/** A simulated ship's state agreed: nothing to compare. Returns false, since it stays simulated. */
+/** Records that a simulated ship's state agreed. Returns false: it stays simulated. */
 export function holdLaw(fit: LawFit): boolean {
   const slot = fit.count % WINDOW;
   fit.count += 1;

@@ -20,11 +20,11 @@ import { WINDOW } from './lawErrors';
 
 /** States needed for a decision. */
 const NEEDED = 3;
-/** Worse by this share, and by this much a state, m, than carrying on: the law is left; no worse by that much: it is taken up. */
+/** A ship is extrapolated if the dynamics are worse by this factor and by this much per state, m; simulated again once they are not. */
 const WORSE = 1.25;
 const NOTABLE = 0.03;
 const TAKEN_UP = 0.02;
-/** Most substeps between two states that are compared; steps of an extrapolation. */
+/** Most substeps between two compared states; steps of an extrapolation. */
 const MAX_INTERVAL = 400;
 const PIECES = 10;
 
@@ -36,7 +36,7 @@ export interface Judged {
   readonly agrees: boolean;
 }
 
-/** Compares the dynamics with extrapolation by their errors at the last state. Returns whether the ship changes between them. */
+/** Compares the errors of the dynamics and of extrapolation at the last state. Returns whether the ship changes between them. */
 export function weighLaw(sim: Simulation, track: Track, judged: Judged): boolean {
   const { fit } = track;
   if (fit.carried === 'ground') return false;
@@ -64,7 +64,7 @@ export function weighLaw(sim: Simulation, track: Track, judged: Judged): boolean
   return true;
 }
 
-/** Only dynamics and ground determine the motion between the last state and this one. */
+/** Whether nothing but dynamics and ground determined the motion between the last state and this one. */
 function isComparable(sim: Simulation, track: Track, { state, tick, predicted }: Judged): boolean {
   const { evidence } = track;
   // A late or lost input is no fault of the dynamics.
@@ -105,7 +105,7 @@ function carryError(sim: Simulation, { evidence }: Track, { state, tick }: Judge
   return errorOf(made, state);
 }
 
-/** m: of the place, as each side's body has it, and of the attitude at the ship's own height. */
+/** m: of the position relative to the body, and of the attitude times the ship's height. */
 function errorOf(a: Place, b: Place): number {
   seen(place, a);
   seen(other, b);

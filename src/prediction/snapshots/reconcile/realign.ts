@@ -2,10 +2,10 @@ import { hold, startReplay } from '../../simulation/replay';
 import type { Simulation } from '../../simulation/simulation';
 import { indexOf, type Position, spanOf } from '../../time/timeline';
 
-/** The front does not wait for a present further behind than this, wall s. */
+/** The front waits for a present that is at most this far behind, wall s. */
 const MAX_BEHIND = 0.25;
 
-/** After a larger step of the clock the picture does not ease from the last one, game s. */
+/** After a larger step of the clock the drawn pose snaps, game s. */
 const MAX_SKIPPED = 2;
 
 /** Whether the present is so far behind the simulation that the ships must be reset. */
@@ -19,7 +19,7 @@ export function isFarBehind(sim: Simulation, target: Position): boolean {
 
 /** Why the front is moved. */
 export interface Realignment {
-  /** Time passed differently than simulated; false if only its division changed. */
+  /** Time has passed differently than simulated; false if only its division into ticks and substeps changed. */
   readonly resync: boolean;
   /** The clock was corrected at once while page and server were running. */
   readonly stepped: boolean;

@@ -1,4 +1,4 @@
-/** What older servers do not send, from the ship's own prediction (PREDICTION, Reconciliation). */
+/** Values that older servers do not send, from the ship's own prediction (PREDICTION, Reconciliation). */
 import {
   CONTACT,
   CRASHED,
@@ -41,7 +41,7 @@ function isSameContact(row: Float64Array, rows: Float64Array, at: number): boole
   return rows[at + SURFACE_STATE] !== FLYING && rows[at + REFERENCE_BODY] === row[REFERENCE_BODY];
 }
 
-/** Whether the dynamics lead from the last state to this one, by few enough substeps. */
+/** Whether a replay from the last state to this one is possible and short enough. */
 function canReplay(
   { bodies, timeline }: Simulation,
   { evidence }: Track,
@@ -53,7 +53,7 @@ function canReplay(
   return !paused && (tick - evidence.tick) * timing.substeps <= MAX_REPLAY;
 }
 
-/** Fills in the wheels' momentum of `row`; 0 without a prediction. */
+/** Fills in the wheel momentum of `row` from the prediction; 0 without one. */
 export function recallWheels(row: Float64Array, predicted: Place | null): void {
   for (let k = WHEEL_MOMENTUM; k < WHEEL_MOMENTUM + 3; k++)
     row[k] = predicted === null ? 0 : predicted.rows[predicted.at + k]!;

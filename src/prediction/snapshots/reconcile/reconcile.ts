@@ -36,7 +36,7 @@ import { isBefore, spanOf, writeLater } from '../../time/timeline';
 import { logLanded } from '../../touchdown/touchdownRing';
 import { copyRow, type Track } from '../../simulation/track';
 
-/** Sends without news for which other pilots' controls are held. */
+/** Sends for which other pilots' controls are held without news. */
 const HELD_SENDS = 1.5;
 /** Ships are moved along with bodies that turned by more than this, rad. */
 const SAME_BODIES = 1e-12;
@@ -81,7 +81,7 @@ export function reconcile(
 }
 
 /**
- * A ship of an unknown class or surface state, or one that is not to be predicted: it is drawn at its server state and not simulated.
+ * Shows a ship at its server state without simulating it: its class or surface state is unknown, or it is not to be predicted.
  * @returns null, or the reason why the state cannot be used
  */
 export function showServerState(
@@ -112,7 +112,7 @@ function differenceFrom(track: Track, predicted: Place): Field {
 
 /**
  * Confirms or adopts the state.
- * @param predicted the prediction for its tick, and `field`, the first in which the state differs; null for none
+ * @param predicted the prediction for its tick, null for none; `field` is the first in which the state differs
  */
 function settle(
   sim: Simulation,
@@ -143,7 +143,7 @@ function settle(
   agree(sim, track, context);
 }
 
-/** Equal: the local state is kept. */
+/** The states are equal: the local one is kept. */
 function agree(sim: Simulation, track: Track, context: SnapshotContext): void {
   const { front } = sim;
   if (track.mode === 'sleeping') {
@@ -151,7 +151,7 @@ function agree(sim: Simulation, track: Track, context: SnapshotContext): void {
     if (!track.own) copyRow(sim.fleet.front, track.at, sent, 0);
     return;
   }
-  // The replay is not done: what agreed is the prediction that it would replace.
+  // The replay is not done: the prediction that it would replace agrees.
   if (track.replaying && isBefore(track.replayTick, track.replaySubstep, context.tick, 0))
     abandonReplay(track);
   if (track.replaying) return;
@@ -161,7 +161,7 @@ function agree(sim: Simulation, track: Track, context: SnapshotContext): void {
   if (wasReleased || context.turned > SAME_BODIES) startReplay(track, sim, context.tick, sent, 0);
 }
 
-/** Not equal: counted by its cause, adopted, replayed. */
+/** The states differ: counts the correction by its cause, adopts the state, replays. */
 function correct(
   sim: Simulation,
   track: Track,
@@ -181,7 +181,7 @@ function correct(
   startReplay(track, sim, context.tick, sent, 0);
 }
 
-/** A ship first seen landed: it sleeps at once, drawn at its server state. */
+/** A ship first seen landed sleeps at once, at its server state. */
 function sleepAtFirst(sim: Simulation, track: Track, context: SnapshotContext): void {
   if (!sim.sleeps || track.mode === 'stepping' || track.picture.hasHeld || !isAtRest(sent, 0)) return;
   track.off = false;
@@ -192,7 +192,7 @@ function sleepAtFirst(sim: Simulation, track: Track, context: SnapshotContext): 
   sleepIfAtRest(sim, track, context.bodies);
 }
 
-/** Commands that do not wake a sleeping ship: they neither burn nor lift. */
+/** Whether a sleeping ship's commands leave it asleep: they neither burn nor lift it off. */
 function sleepsThrough(track: Track): boolean {
   return track.mode === 'sleeping' && isAtRest(sent, 0);
 }

@@ -94,11 +94,11 @@ def attitude(value: Any, field: str) -> tuple[float, ...]:
 
 def text(value: Any, field: str, may_be_empty: bool = False, most: int = TEXT) -> str:
     if not isinstance(value, str) or not is_encodable(value):
-        raise Refusal(f"{field}: expected a text, got {shown(value)}")
+        raise Refusal(f"{field}: expected a string, got {shown(value)}")
     if len(value) > most:
         raise Refusal(f"{field}: expected at most {most} characters, got {len(value)}")
     if value == "" and not may_be_empty:
-        raise Refusal(f"{field}: expected a text that is not empty")
+        raise Refusal(f"{field}: expected a non-empty string")
     return value
 
 

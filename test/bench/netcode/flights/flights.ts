@@ -1,0 +1,83 @@
+import type { WorldView } from '../../../../src/prediction';
+import { createRig, type Rig, type RigOptions } from '../../../prediction/rig';
+import {
+  angleBetween,
+  distance,
+  type Sample,
+  sampleOf,
+  type TruePose,
+  truthAt,
+} from '../../../prediction/samples';
+
+/** What one flight came to, measured against every substep of the server. */
+export interface Flight {
+  readonly rig: Rig;
+  /** One a ship and frame, in the order of time. */
+  readonly measures: readonly Measure[];
+  /** Label less lead against true server time, s, absolute, after the first 5 s. */
+  readonly clock: number[];
+}
+
+export interface Measure {
+  readonly sample: Sample;
+  readonly truth: TruePose;
+  /** |drawn − server| at the label, m and rad. */
+  readonly drawn: number;
+  readonly drawnAngle: number;
+  /** The same of the prediction, without the offset. */
+  readonly predicted: number;
+  readonly predictedAngle: number;
+}
+
+/** Flies and measures. Truth comes a tick after what was drawn, so the last second of a flight is not measured. */
+export function flyMeasured(
+  options: RigOptions,
+  seconds: number,
+  each?: (rig: Rig, view: WorldView) => void,
+): Flight {
+  const rig = createRig(options);
+  const measures: Measure[] = [];
+  const clock: number[] = [];
+  const waiting: Sample[] = [];
+  let head = 0;
+  rig.fly(seconds, (view) => {
+    each?.(rig, view);
+    if (!view.ready) return;
+    for (let i = 0; i < view.ships.length; i++) waiting.push(sampleOf(view, rig.now, i));
+    if (rig.now > 5) clock.push(Math.abs(clockError(view, rig)));
+    for (; head < waiting.length; head++) {
+      const measured = measure(waiting[head]!, rig);
+      if (measured === null) break;
+      measures.push(measured);
+    }
+  });
+  const { disagreements } = rig.truth;
+  if (disagreements > 0) throw new Error(`the truth differs from the authority in ${disagreements} ticks`);
+  return { rig, measures, clock };
+}
+
+function measure(sample: Sample, rig: Rig): Measure | null {
+  const truth = truthAt(rig.truth, sample);
+  if (truth === null) return null;
+  return {
+    sample,
+    truth,
+    drawn: distance(sample.drawn, truth.position),
+    drawnAngle: angleBetween(sample.attitude, truth.attitude),
+    predicted: distance(sample.position, truth.position),
+    predictedAngle: angleBetween(sample.predictedAttitude, truth.attitude),
+  };
+}
+
+/** Label of the present less its lead, as seconds of server wall time, against the wall: server and client share one here. */
+function clockError(view: WorldView, rig: Rig): number {
+  const { tick, sinceTick, tickRate, timeScale, diagnosis } = view;
+  return tick / tickRate + sinceTick / timeScale - diagnosis.lead - rig.now;
+}
+
+/** All corrections of a client, of whatever kind. */
+export function correctionsOf({ rig }: Flight): number {
+  const { correctionsLateInput, correctionsLostInput, correctionsOtherPilot, correctionsMismatch } =
+    rig.view().diagnosis;
+  return correctionsLateInput + correctionsLostInput + correctionsOtherPilot + correctionsMismatch;
+}

@@ -1,0 +1,63 @@
+/** The built page as a static host gives it: it opens, draws, obeys the policy, and is light. */
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import type { Page } from 'playwright-core';
+import { PNG } from 'pngjs';
+import { expect, it } from 'vitest';
+import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
+
+/** The most that an opened page's code may weigh, in bytes as sent with gzip, terrain and models apart. */
+const HEAVIEST = 300_000;
+/** What the page fetches only when it is asked for. */
+const ON_DEMAND =
+  /(help|plotting|replaying|sound|dock|settings|tabLink|bestRuns|flightLink|realServer|frameJson)-[\w-]+\.(js|css)$/;
+
+/** How many different colours the stage alone shows, of the pixels on a grid of 16 pixels. */
+async function coloursOf(page: Page): Promise<number> {
+  await page.locator('#stage').evaluate((stage) => {
+    document.body.style.visibility = 'hidden';
+    stage.style.visibility = 'visible';
+  });
+  const { width, height, data } = PNG.sync.read(await page.locator('#stage').screenshot());
+  const colours = new Set<number>();
+  for (let y = 0; y < height; y += 16) {
+    for (let x = 0; x < width; x += 16) colours.add(data.readUInt32BE((y * width + x) * 4));
+  }
+  return colours.size;
+}
+
+describeInBrowser('the built page', () => {
+  it('opens under the strict policy, below the root of its host, and draws a scene', async () => {
+    const page = await openBuiltPage('', { framesPerSecond: 3 });
+    expect(await page.title()).toBe('Touchdown');
+    // A cleared canvas has one colour, a sky without a ground few.
+    await expect.poll(() => coloursOf(page)).toBeGreaterThan(50);
+    const hasWebGL2 = await page
+      .locator('#stage')
+      .evaluate((stage) => (stage as HTMLCanvasElement).getContext('webgl2') !== null);
+    expect(hasWebGL2).toBe(true);
+    expect(problemsOf(page)).toEqual([]);
+  });
+
+  // Once the page has its first picture and time to spare, its service worker fetches all of it again, plots too, to have it
+  // without a network: twice the weight, but nothing that anyone waits for. It is counted neither here nor as part of the load.
+  it(`weighs at most ${HEAVIEST / 1000} kB, apart from plots, replays and help, which load on demand`, async () => {
+    const page = await openBuiltPage('', { framesPerSecond: 3 });
+    await page.waitForSelector('html[data-ready=true]');
+    const fetched = await page.evaluate(() =>
+      performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname.split('/').at(-1)!),
+    );
+    expect(fetched.length).toBeGreaterThan(2);
+    expect(fetched.filter((name) => ON_DEMAND.test(name))).toEqual([]);
+    const folder = fileURLToPath(new URL('../../../dist/page', import.meta.url));
+    const code = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) =>
+      /\.(html|js|css)$/.test(name),
+    );
+    const atOnce = code.filter((name) => !ON_DEMAND.test(name));
+    expect(atOnce.length).toBeLessThan(code.length);
+    const bytes = atOnce.map((name) => gzipSync(readFileSync(join(folder, name)), { level: 9 }).length);
+    expect(bytes.reduce((sum, one) => sum + one, 0)).toBeLessThanOrEqual(HEAVIEST);
+  });
+});

@@ -1,0 +1,87 @@
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { expect, it } from 'vitest';
+import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
+import { shadesOf, SMALL, untilStatus } from '../waits';
+
+const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+describeInBrowser('the built page', () => {
+  it('shows a landing: picture, displays, no error', async () => {
+    const page = await openBuiltPage('?scenario=opening&slow=4', { framesPerSecond: 2 });
+    await page.waitForSelector('html[data-ready=true]');
+    await untilStatus(page, 'landed');
+    expect(await page.textContent('.td-landing')).toContain('LANDED');
+    expect(await page.textContent('.td-fleet')).toContain('LANDED');
+    expect(await page.evaluate(() => document.querySelector('canvas')?.getContext('webgl2') !== null)).toBe(
+      true,
+    );
+    expect(await shadesOf(page)).toBeGreaterThan(500);
+    await page.waitForFunction(() => document.getElementById('twin')?.textContent.includes('landed'));
+    expect(problemsOf(page)).toEqual([]);
+  });
+
+  it.each([
+    ['dark', 1280, 720],
+    ['light', 390, 844],
+  ] as const)('passes axe (%s, %i × %i)', async (colorScheme, width, height) => {
+    const page = await openBuiltPage('?scenario=settle', {
+      ...SMALL,
+      viewport: { width, height },
+      colorScheme,
+    });
+    await page.waitForSelector('html[data-ready=true]');
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+    expect(wide).toBeLessThanOrEqual(0);
+    for (const title of ['Figures', 'Recording', 'World'])
+      await page.locator('summary', { hasText: title }).click();
+    // Through the debugger's door: the page's own policy forbids scripts from elsewhere, rightly.
+    await page.evaluate(axeSource);
+    const found = await page.evaluate(async () => {
+      const axe = (
+        globalThis as unknown as { axe: { run: (options: object) => Promise<{ violations: unknown[] }> } }
+      ).axe;
+      const { violations } = await axe.run({ runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa'] });
+      return violations.map((violation) => {
+        const { id, nodes } = violation as {
+          id: string;
+          nodes: { target: unknown; failureSummary: string }[];
+        };
+        return `${id}: ${nodes.map(({ target }) => String(target)).join(' ')} ${nodes[0]?.failureSummary ?? ''}`;
+      });
+    });
+    expect(found).toEqual([]);
+  });
+
+  it('flies by keyboard alone', async () => {
+    const page = await openBuiltPage('?scenario=settle&slow=2', SMALL);
+    await untilStatus(page, 'landed');
+    await page.keyboard.press('z');
+    await untilStatus(page, 'flight');
+    await page.keyboard.press('x');
+    await untilStatus(page, 'contact', 'landed');
+    await untilStatus(page, 'landed', 'crashed');
+    // Help is opened, read and closed by keys; flight keys rest while it is open.
+    await page.keyboard.press('?');
+    await page.waitForSelector('dialog[open]');
+    expect(await page.textContent('dialog')).toContain('Tilt away');
+    await page.keyboard.press('Escape');
+    await page.waitForSelector('dialog', { state: 'hidden' });
+    await page.keyboard.press(']');
+    await page.waitForFunction(() => location.search.includes('scenario=bounce'));
+    expect(problemsOf(page)).toEqual([]);
+  });
+
+  it('works without network once loaded', async () => {
+    const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
+    await untilStatus(page, 'landed');
+    await page.context().setOffline(true);
+    const settled = await page.evaluate(() => document.documentElement.dataset['run']);
+    await page.keyboard.press(']');
+    await page.waitForFunction(() => location.search.includes('scenario=bounce'));
+    // Not by its flight, which a slow display may not show: the ship has states of the new world.
+    await page.waitForFunction((before) => document.documentElement.dataset['run'] !== before, settled);
+    await untilStatus(page, 'landed');
+    expect(problemsOf(page)).toEqual([]);
+  });
+});

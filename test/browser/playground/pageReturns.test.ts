@@ -1,0 +1,47 @@
+/** The built page comes back: to a recording's moments, from a hidden tab, to a lost connection. */
+import { expect, it } from 'vitest';
+import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
+import { FLUENT, SMALL, untilBanner, untilProvenance, untilStatus } from '../waits';
+
+describeInBrowser('the built page', () => {
+  it('replays what it recorded, forward and backward, with the first divergence marked', async () => {
+    const page = await openBuiltPage('?scenario=settle&slow=2', FLUENT);
+    await untilStatus(page, 'landed');
+    // Slowly: the flight lasts for seconds of the game, and a slow display's frames are as far apart.
+    await page.getByLabel('Speed').selectOption('0.25');
+    await page.getByRole('button', { name: 'Kick the ship' }).click();
+    await untilStatus(page, 'flight');
+    await page.getByLabel('Speed').selectOption('2');
+    await untilStatus(page, 'landed', 'tipped');
+    await page.locator('summary', { hasText: 'Recording' }).click();
+    await page.getByRole('button', { name: 'Replay' }).click();
+    await page.waitForSelector('.scrubber .mark', { state: 'visible' });
+    expect(await page.textContent('#dock')).toMatch(/First divergence at tick \d+/);
+    await page.locator('.scrubber input').fill('0.2');
+    await untilStatus(page, 'flight');
+    const end = await page.locator('.scrubber input').getAttribute('max');
+    await page.locator('.scrubber input').fill(end ?? '');
+    await untilStatus(page, 'landed', 'tipped');
+    await page.getByRole('button', { name: 'Back to the game' }).click();
+    await untilProvenance(page, 'confirmed');
+    expect(problemsOf(page)).toEqual([]);
+  });
+
+  it('survives a minute hidden and a lost connection', async () => {
+    // At four times the speed a quarter of a minute is a minute to server and predictor.
+    const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
+    await untilStatus(page, 'landed');
+    await page.getByRole('button', { name: 'Hide for a minute' }).click();
+    await page.getByRole('button', { name: /Back now \((4[0-5]|[1-3]?\d) s\)/ }).click();
+    await untilProvenance(page, 'confirmed');
+    await untilStatus(page, 'landed');
+
+    await page.getByRole('button', { name: 'Drop the connection' }).click();
+    await untilProvenance(page, 'stale');
+    await untilBanner(page, 'Connection lost');
+    await page.getByRole('button', { name: 'Reconnect' }).click();
+    await untilProvenance(page, 'confirmed');
+    await expect.poll(() => page.textContent('#banner')).toBe('');
+    expect(problemsOf(page)).toEqual([]);
+  });
+});

@@ -1,0 +1,106 @@
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { describeInBrowser, openBuiltPage } from '../pages';
+import type { PageOptions } from '../pages';
+import { shadesOf, SMALL, untilBanner, untilStatus } from '../waits';
+
+/** Options of a page for which the files that match never come. */
+function without(files: RegExp): PageOptions {
+  const prepare = (page: Page) => page.context().route(files, (route) => route.abort());
+  return { ...SMALL, serviceWorkers: 'block', prepare };
+}
+
+describeInBrowser('the built page, when something is wrong', () => {
+  it('says that it builds the ground until there is a picture', async () => {
+    // Everything the banner says, in order.
+    const listen = () => {
+      const said: string[] = [];
+      Object.assign(window, { said });
+      document.addEventListener('DOMContentLoaded', () => {
+        const banner = document.getElementById('banner')!;
+        const note = () => said.push(banner.textContent);
+        note();
+        new MutationObserver(note).observe(banner, { childList: true, characterData: true, subtree: true });
+      });
+    };
+    const prepare = (page: Page) => page.addInitScript(listen);
+    const page = await openBuiltPage('?scenario=settle&slow=4', { ...SMALL, prepare });
+    await untilStatus(page, 'landed');
+    const said = await page.evaluate(() => (window as unknown as { said: string[] }).said);
+    expect(said).toEqual(['Loading …', 'Building the ground …', '']);
+  });
+
+  it('says which values of a link are invalid', async () => {
+    const page = await openBuiltPage('?scenario=settle&rate=9000&body=Vulcan', SMALL);
+    await page.waitForSelector('#notice:not([hidden])');
+    const words = (await page.textContent('#notice')) ?? '';
+    expect(words).toContain('rate: expected a number from 0.1 to 100');
+    expect(words).toContain('body: expected one of Luna, Earth, Mars, Phobos');
+  });
+
+  it('says why a file is not a recording, and what a recording is', async () => {
+    const page = await openBuiltPage('?scenario=settle', SMALL);
+    await page.waitForSelector('html[data-ready=true]');
+    const file = {
+      name: 'poem.jsonl',
+      mimeType: 'text/plain',
+      buffer: Buffer.from('<b>not</b> a recording\n'),
+    };
+    await page.setInputFiles('input[type=file]', file);
+    await page.waitForSelector('#notice:not([hidden])');
+    expect(await page.textContent('#notice')).toContain('poem.jsonl cannot be played: line 1: not JSON');
+  });
+
+  it('says which server cannot be reached', async () => {
+    const page = await openBuiltPage('?server=ws://127.0.0.1:9/', SMALL);
+    await untilBanner(page, 'Nothing answers at ws://127.0.0.1:9', 'Is the server running? Retrying in');
+  });
+
+  it('says that its own server cannot be started, and what to do', async () => {
+    const page = await openBuiltPage('?scenario=settle', without(/worker-[\w-]+\.js$/));
+    await untilBanner(
+      page,
+      'the built-in server failed',
+      'its program could not be fetched); reload the page',
+    );
+  });
+
+  it('says that a part of it could not be fetched', async () => {
+    const page = await openBuiltPage('', without(/page-[\w-]+\.js$/));
+    await untilBanner(page, 'did not load');
+  });
+
+  it('says that the picture was lost, and restores it', async () => {
+    const page = await openBuiltPage('?scenario=settle', SMALL);
+    await untilStatus(page, 'landed');
+    const before = await shadesOf(page);
+    await page.evaluate(() => {
+      const context = document.querySelector<HTMLCanvasElement>('#stage')!.getContext('webgl2')!;
+      const loss = context.getExtension('WEBGL_lose_context')!;
+      loss.loseContext();
+      Object.assign(window, { giveBack: () => loss.restoreContext() });
+    });
+    await page.waitForSelector('#notice:not([hidden])');
+    expect(await page.textContent('#notice')).toContain('The browser lost the 3D view');
+    expect(await shadesOf(page)).toBeLessThan(before / 3);
+    // Hands and displays go on without it.
+    await page.keyboard.press('z');
+    await untilStatus(page, 'flight');
+    await page.keyboard.press('x');
+    await untilStatus(page, 'landed');
+    await page.evaluate(() => (window as unknown as { giveBack: () => void }).giveBack());
+    await page.waitForSelector('#notice', { state: 'hidden' });
+    await expect.poll(() => shadesOf(page)).toBeGreaterThan(before / 2);
+  });
+
+  it('works by its displays where there is no WebGL', async () => {
+    const blind = () => {
+      HTMLCanvasElement.prototype.getContext = () => null;
+    };
+    const prepare = (page: Page) => page.addInitScript(blind);
+    const page = await openBuiltPage('?scenario=settle&slow=4', { ...SMALL, prepare });
+    await page.waitForSelector('#notice:not([hidden])');
+    expect(await page.textContent('#notice')).toContain('WebGL 2 is unavailable');
+    await untilStatus(page, 'landed');
+  });
+});

@@ -1,0 +1,9 @@
+import type { Result } from '../../../src/dynamics';
+
+/** Everything hostile that a number may be. */
+export const NO_NUMBERS = [NaN, Infinity, -Infinity, '1', null, undefined, {}, [1]] as const;
+
+/** The reason for a refusal, or 'accepted'. */
+export function reasonOf(checked: Result<unknown>): string {
+  return checked.ok ? 'accepted' : checked.reason;
+}

@@ -1,0 +1,289 @@
+import { describe, expect, it, vi } from 'vitest';
+import { hashRows, NEUTRAL_CONTROLS, readShip, SHIP_STRIDE } from '../../../src/dynamics';
+import { createFlightLink } from '../../../src/playground/game/flightLink';
+import { type Choices, DEFAULT_CHOICES, readChoices } from '../../../src/playground/panels/choices';
+import { createReplay } from '../../../src/playground/recording/replay';
+import { scriptOf } from '../../../src/playground/game/script';
+import {
+  compareRecording,
+  readRecording,
+  runScenario,
+  SCENARIOS,
+  writeRecording,
+} from '../../../src/scenarios';
+import { valueOf } from '../../authority/moon';
+import { open, useGameClock } from './openGame';
+
+useGameClock();
+
+/** What the page should show at the end: the scenario on the dynamics alone. */
+function truth(name: string, tickRate: number): { readonly run: string; readonly seconds: number } {
+  const scenario = SCENARIOS.find((candidate) => candidate.name === name)!;
+  const { ships, world } = valueOf(runScenario({ ...scenario, terrain: 'hills', tickRate }));
+  const lastTick = ships.length / SHIP_STRIDE - 1;
+  const { relativePosition, relativeVelocity, attitude, angularVelocity, fuel } = readShip(
+    ships,
+    lastTick * SHIP_STRIDE,
+    world,
+  );
+  const row = Float64Array.of(
+    ...relativePosition,
+    ...relativeVelocity,
+    ...attitude,
+    ...angularVelocity,
+    fuel,
+  );
+  return { run: `${lastTick}:${String(hashRows(row))}`, seconds: lastTick / tickRate };
+}
+
+const PLANNED = SCENARIOS.filter(({ inputs }) => inputs.length > 0).map(({ name }) => name);
+
+describe('a scenario with planned inputs', () => {
+  it('exists more than once', () => expect(PLANNED.length).toBeGreaterThan(3));
+
+  const ways = [
+    [7, 'satellite', 1],
+    [20, 'broken', 20],
+    [60, 'broadband', 1],
+    [60, 'satellite', 100],
+    [144, 'fourG', 5],
+  ] as const;
+  describe.each(PLANNED)('%s', (scenario) => {
+    it.each(ways)('ends in the same bits at %i frames per second over %s, at %i Hz', async (...way) => {
+      const [fps, network, tickRate] = way;
+      const { live, play } = await open({ scenario, network, tickRate });
+      const { run, seconds } = truth(scenario, tickRate);
+      play(fps, seconds + 2);
+      expect(live.hash()).toBe(run);
+      expect(live.ended()).toBe(true);
+      const { diagnosis } = live.frame();
+      expect(diagnosis.framesAccepted).toBeGreaterThan(10);
+      // Known beforehand, it is never a surprise.
+      expect(diagnosis).toMatchObject({
+        correctionsLateInput: 0,
+        correctionsLostInput: 0,
+        correctionsOtherPilot: 0,
+        correctionsMismatch: 0,
+        snaps: 0,
+      });
+    });
+  });
+});
+
+describe('a recording of it', () => {
+  it('keeps the plan: every interval agrees with the law, and the replay corrects nothing', async () => {
+    const game = await open({ scenario: 'freighter-hold' });
+    game.play(60, 9.5);
+    const { plan } = scriptOf({ ...DEFAULT_CHOICES, scenario: 'freighter-hold' });
+    const entries = game.entries.slice();
+    const recording = valueOf(
+      readRecording(writeRecording({ header: { note: '', shipId: 'own', plan }, entries })),
+    );
+    expect(recording.header.plan).toEqual(plan);
+    expect(valueOf(compareRecording(recording))).toMatchObject({
+      statesCompared: 9,
+      unknownInputs: 0,
+      outOfTolerance: null,
+      disagreement: null,
+    });
+    const { diagnosis, own } = createReplay(recording).seek(Infinity);
+    expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
+    expect(own!.easedPosition).toEqual(game.live.frame().own!.easedPosition);
+  });
+
+  it.each([
+    ['plan[1].tick', { tick: 0.5, substep: 0, controls: NEUTRAL_CONTROLS }],
+    ['plan[1].substep', { tick: 1, substep: 2, controls: NEUTRAL_CONTROLS }],
+    ['plan[1].controls', { tick: 2, substep: 0 }],
+    [
+      'plan[1]: controls.thrustLevel',
+      { tick: 2, substep: 0, controls: { ...NEUTRAL_CONTROLS, thrustLevel: '1' } },
+    ],
+  ])('is refused for an invalid %s', (field, second) => {
+    const plan = [{ tick: 1, substep: 3, controls: NEUTRAL_CONTROLS }, second as never];
+    const read = readRecording(writeRecording({ header: { note: '', shipId: 'own', plan }, entries: [] }));
+    expect(read).toMatchObject({ ok: false, reason: expect.stringContaining(`line 1: ${field}`) as string });
+  });
+});
+
+describe('a page that was hidden', () => {
+  it('does not decode superseded frames, and its recording replays to the same pose', async () => {
+    const game = await open({ scenario: 'settle', network: 'broadband', tickRate: 20 });
+    game.play(60, 3);
+    const before = game.live.frame().diagnosis.framesAccepted;
+    vi.advanceTimersByTime(30_000);
+    game.play(60, 3);
+    const view = game.live.frame();
+    expect(view.diagnosis.framesSuperseded).toBeGreaterThan(550);
+    expect(view.diagnosis.framesAccepted - before).toBeLessThan(100);
+    expect(view.diagnosis).toMatchObject({ framesRefused: 0, correctionsMismatch: 0 });
+    const received = game.entries.filter(
+      (entry) => entry.kind === 'received' && entry.message.kind === 'frame',
+    );
+    expect(received).toHaveLength(view.diagnosis.framesAccepted);
+    const recording = { header: { note: '', shipId: 'own' }, entries: game.entries.slice() };
+    expect(createReplay(recording).seek(Infinity).own!.easedPosition).toEqual(view.own!.easedPosition);
+  });
+});
+
+describe('a link to a flight', () => {
+  /** The query that the page would copy of a game so far. */
+  function linkOf(game: Awaited<ReturnType<typeof open>>, choices: Choices): string {
+    const copied: string[] = [];
+    const link = createFlightLink({
+      live: () => game.live,
+      choices: () => choices,
+      address: { write: () => undefined, copy: (query) => copied.push(query) },
+      notice: {
+        tell: () => undefined,
+        clear: () => undefined,
+        withdraw: () => undefined,
+        tellLink: () => undefined,
+      },
+    });
+    link.copy();
+    game.play(60, 0.5);
+    expect(link.take(game.runs.at(-1)!)).toBe(true);
+    return copied[0]!;
+  }
+
+  it('flies the same inputs in the same world to the same bits, on any network and display', async () => {
+    const asked = { scenario: 'launch', body: 'Mars', network: 'broadband' };
+    const game = await open(asked);
+    game.play(60, 1);
+    for (const [action, seconds] of [
+      ['throttleFull', 1.2],
+      ['pitchPlus', 0.4],
+      ['throttleCut', 3],
+    ] as const) {
+      game.live.hands.press(action);
+      game.live.steer();
+      game.play(60, seconds);
+      game.live.hands.release(action);
+      game.live.steer();
+    }
+    const query = linkOf(game, { ...DEFAULT_CHOICES, ...asked });
+    game.play(60, 60);
+    const flown = game.live.hash();
+    game.live.dispose();
+    const { choices, complaints } = readChoices(new URLSearchParams(query));
+    expect(complaints).toEqual([]);
+    const again = await open({ ...choices, network: 'satellite' });
+    again.play(20, 70);
+    expect(again.live.hash()).toBe(flown);
+    expect(again.live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
+    expect(linkOf(again, choices)).toBe(query);
+  });
+});
+
+describe('a pause', () => {
+  it('with a key held leaves no mismatch after it: keys held or pressed meanwhile do nothing', async () => {
+    const { live, play } = await open({ scenario: 'school-hover', network: 'broadband' });
+    play(60, 2.3);
+    live.hands.press('throttleUp');
+    play(60, 0.4);
+    live.hands.rest(true);
+    live.operate({ kind: 'pause', paused: true });
+    play(60, 3);
+    const paused = live.view().own!.controls.thrustLevel;
+    live.hands.press('throttleFull');
+    live.hands.press('pitchPlus');
+    play(60, 1);
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: paused, rotationInput: [0, 0, 0] });
+    live.hands.rest(false);
+    live.operate({ kind: 'pause', paused: false });
+    play(60, 5);
+    expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
+  });
+});
+
+describe('the autopilot', () => {
+  it('lands softly from the mission’s start, and is switched off by the key that switched it on', async () => {
+    const { live, play } = await open({ scenario: 'first-landing', network: 'broadband' });
+    play(30, 1);
+    live.hands.press('autopilot');
+    play(30, 2);
+    expect(live.view().own!.controls.attitudeMode).toBe('radial');
+    live.hands.press('autopilot');
+    expect(live.hands.autopilot.isOn()).toBe(false);
+    const held = live.view().own!.controls.thrustLevel;
+    play(30, 0.5);
+    expect(live.view().own!.controls).toMatchObject({ attitudeMode: 'none', attitudeHold: true });
+    expect(live.view().own!.controls.thrustLevel).toBeCloseTo(held, 1);
+    live.hands.press('autopilot');
+    play(30, 60);
+    const { own } = live.frame();
+    expect(own!.shownState).toBe('landed');
+    expect(own!.touchdown.verticalSpeed).toBeLessThan(2);
+  });
+});
+
+describe('manual input', () => {
+  it('ends the plan at its first use, with any control, and nothing overrides it', async () => {
+    const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
+    play(60, 1);
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0.5, attitudeMode: 'radial' });
+    // The plan would turn the ship from 2.6 s on; the hand cuts the engine and does nothing else.
+    play(60, 0.5);
+    live.hands.press('throttleCut');
+    const turned = new Set<number>();
+    play(60, 6, (view) => turned.add(view.own!.controls.rotationInput[0]));
+    expect([...turned]).toEqual([0]);
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0, attitudeMode: 'radial' });
+    const { diagnosis } = live.frame();
+    expect(diagnosis).toMatchObject({
+      correctionsMismatch: 0,
+      correctionsOtherPilot: 0,
+      correctionsLateInput: 0,
+    });
+  });
+
+  it('that arrives late lets the plan run until it arrives, and no longer', async () => {
+    const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
+    play(60, 1);
+    live.operate({ kind: 'drop' });
+    live.hands.press('throttleCut');
+    // Meanwhile the server plays on: engine, and the turn from 2.6 s to 3.6 s.
+    play(60, 1.8);
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0] });
+    live.reconnect();
+    play(60, 4);
+    const { diagnosis, own } = live.frame();
+    expect(diagnosis.correctionsLateInput).toBeGreaterThan(0);
+    expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
+    expect(own).toMatchObject({ provenance: 'confirmed' });
+    expect(own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0], attitudeMode: 'radial' });
+  });
+
+  it('taps for as long as the key was down, however far apart the frames are', async () => {
+    const { live, play, entries } = await open({ scenario: 'opening', network: 'lan' });
+    play(2, 3);
+    for (const hand of ['press', 'release'] as const) {
+      vi.advanceTimersByTime(60);
+      live.hands[hand]('pitchPlus');
+      live.steer();
+    }
+    play(2, 2);
+    const turns = entries.flatMap((entry) =>
+      entry.kind === 'sent' && entry.message.kind === 'inputs' ? entry.message.inputs : [],
+    );
+    const [held, released] = turns.map(({ controls }) => controls.rotationInput);
+    expect(turns).toHaveLength(2);
+    expect(held![0]).toBeGreaterThan(0.3);
+    expect(released).toEqual([0, 0, 0]);
+    // 60 ms of 10 ms each.
+    const [down, up] = turns.map(({ tick, substep }) => tick * 100 + substep);
+    expect(up! - down!).toBeGreaterThanOrEqual(5);
+    expect(up! - down!).toBeLessThanOrEqual(7);
+    const { diagnosis } = live.frame();
+    expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsLateInput: 0 });
+  });
+
+  it('takes over also without a change of controls', async () => {
+    const { live, play } = await open({ scenario: 'launch', network: 'lan' });
+    play(60, 1);
+    live.hands.press('throttleCut');
+    play(60, 8, (view) => expect(view.own!.surfaceContactState).toBe('landed'));
+    expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
+  });
+});

@@ -1,0 +1,90 @@
+import { describe, expect, it } from 'vitest';
+import { NEUTRAL_CONTROLS } from '../../../../src/dynamics';
+import { raceQuery, readRace, verifyRun } from '../../../../src/playground/game/mission/bestRuns';
+import { createMissionTracker } from '../../../../src/playground/game/mission/missionTracker';
+import { createSession } from '../../../../src/playground/server/session';
+import { createPredictor } from '../../../../src/prediction';
+import { LESSONS, type Mission, MISSIONS, NETWORK_PRESETS, type RunInput } from '../../../../src/scenarios';
+import { decodeServerMessage, encodeClientMessage } from '../../../../src/wire';
+import { pilot } from './missionPilot';
+
+/** Frames a second, and frames between two inputs of the pilot. */
+const FPS = 10;
+const EVERY = 2;
+
+/** Flies a mission through server, network and predictor until it is done or `limit` seconds have passed. */
+function fly(mission: Mission, limit: number) {
+  const session = createSession();
+  const predictor = createPredictor({ ownShipId: 'own' });
+  const tracker = createMissionTracker();
+  tracker.begin(mission);
+  const { name } = mission.scenario;
+  const load = {
+    scenario: name,
+    body: '',
+    shipClass: '',
+    terrain: '',
+    legacy: false,
+    tickRate: 1,
+    timeScale: 1,
+  };
+  const reason = session.operate(
+    { kind: 'load', ...load, network: NETWORK_PRESETS.broadband, seed: 1, others: 0 },
+    0,
+  );
+  expect(reason).toBeNull();
+  let controls = NEUTRAL_CONTROLS;
+  const phases: string[] = [];
+  for (let n = 0; n < limit * FPS && !['done', 'crashed'].includes(tracker.phase()); n++) {
+    const at = n / FPS;
+    for (const { bytes } of session.run(at)) {
+      const decoded = decodeServerMessage(bytes);
+      if (decoded.ok) predictor.receive(decoded.value, at);
+    }
+    predictor.advance(controls, at);
+    const view = predictor.view(at);
+    tracker.watch(view);
+    if (phases.at(-1) !== tracker.phase()) phases.push(tracker.phase());
+    const target = tracker.target();
+    if (target !== null && n % EVERY === 0) controls = pilot(view, target, mission);
+    for (const message of predictor.takeOutgoing()) session.send(encodeClientMessage(message), at);
+  }
+  return { phase: tracker.phase(), phases, inputs: session.applied(), off: tracker.off() };
+}
+
+/** Every score is the sum of its lines, each with its rule, and a link carries the very flight. */
+function expectProof(mission: Mission, inputs: readonly RunInput[], off: number): void {
+  const run = verifyRun(mission, inputs)!;
+  expect(run.outcome).toMatchObject({ outcome: 'landed', padsReached: mission.pads.length });
+  if (mission.pads.length === 1) expect(run.outcome.distance).toBeCloseTo(off, 2);
+  expect(run.score.total).toBeGreaterThan(300);
+  expect(run.score.total).toBe(run.score.lines.reduce((sum, { points }) => sum + points, 0));
+  for (const { rule, measured } of run.score.lines)
+    expect([rule, measured].every((text) => text !== '')).toBe(true);
+  expect(run.outcome.track.length).toBeGreaterThan(100);
+  const raced = readRace(new URLSearchParams(raceQuery(run, 'Ann')));
+  if (raced === null || typeof raced === 'string') throw new Error(raced ?? 'no race');
+  expect(raced.by).toBe('Ann');
+  expect(raced.outcome).toEqual(run.outcome);
+  expect(raced.score).toEqual(run.score);
+}
+
+describe('a mission flown by a pilot who sees only the displays', () => {
+  it.each(MISSIONS.map((mission) => [mission.scenario.name, mission] as const))(
+    '%s is won, its score is explained, and its race link proves it',
+    { timeout: 120_000 },
+    (_, mission) => {
+      const { phase, inputs, off } = fly(mission, 500);
+      expect(phase).toBe('done');
+      expectProof(mission, inputs, off);
+    },
+  );
+
+  it.each(LESSONS.map((mission) => [mission.scenario.name, mission] as const))(
+    'lesson %s can be completed',
+    { timeout: 120_000 },
+    (_, mission) => {
+      expect(fly(mission, 300).phase).toBe('done');
+    },
+  );
+});

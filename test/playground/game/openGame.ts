@@ -1,0 +1,90 @@
+import { afterEach, beforeEach, expect, vi } from 'vitest';
+import type { Live } from '../../../src/playground/game/live';
+import { type Choices, DEFAULT_CHOICES } from '../../../src/playground/panels/choices';
+import type { FromServer, ToServer } from '../../../src/playground/server/connection';
+import type { WorldView } from '../../../src/prediction';
+import { normalNoise, createRandom, type RecordingEntry, type RunInput } from '../../../src/scenarios';
+
+/** Page and worker as they are, on one clock of our own: between them only the messages that a browser would carry. */
+export interface Game {
+  readonly live: Live;
+  readonly entries: readonly RecordingEntry[];
+  /** Inputs that the server has told of a run. */
+  readonly runs: (readonly RunInput[])[];
+  /** Draws at about `fps` frames a second until `seconds` have passed, `each` after every frame. */
+  readonly play: (fps: number, seconds: number, each?: (view: WorldView) => void) => void;
+}
+
+interface Scope {
+  onmessage: (event: { data: ToServer }) => void;
+  postMessage: (message: FromServer, options: { transfer: Transferable[] }) => void;
+}
+
+/** Fake timers and stubs for the tests of a file. */
+export function useGameClock(): void {
+  beforeEach(() => {
+    vi.useFakeTimers();
+    vi.resetModules();
+  });
+  afterEach(() => {
+    vi.useRealTimers();
+    vi.unstubAllGlobals();
+  });
+}
+
+export async function open(asked: Partial<Choices>): Promise<Game> {
+  const scope = { onmessage: () => undefined, postMessage: () => undefined } as Scope;
+  vi.stubGlobal('self', scope);
+  vi.stubGlobal(
+    'Worker',
+    class {
+      onmessage = (_event: { data: FromServer }) => undefined;
+      constructor() {
+        scope.postMessage = (message, { transfer }) => {
+          const data = structuredClone(message, { transfer });
+          setTimeout(() => this.onmessage({ data }));
+        };
+      }
+      postMessage(message: ToServer) {
+        const data = structuredClone(message);
+        setTimeout(() => scope.onmessage({ data }));
+      }
+      terminate() {
+        scope.onmessage = () => undefined;
+      }
+    },
+  );
+  const { serve } = await import('../../../src/playground/server/worker');
+  const { createLive } = await import('../../../src/playground/game/live');
+  serve([]);
+  const entries: RecordingEntry[] = [];
+  const runs: (readonly RunInput[])[] = [];
+  const live = createLive('main.js', {
+    onState: () => undefined,
+    onWorld: () => entries.splice(0),
+    onRefused: (reason) => expect.unreachable(reason),
+    onEvent: () => undefined,
+    onEntry: (entry) => entries.push(entry),
+    onLost: () => undefined,
+    onRun: (inputs) => runs.push(inputs),
+    onScenario: () => undefined,
+  });
+  live.begin({ ...DEFAULT_CHOICES, ...asked });
+  const rng = createRandom(11);
+  return {
+    live,
+    entries,
+    runs,
+    play(fps, seconds, each) {
+      for (let passed = 0; passed < seconds * 1000;) {
+        // No frame comes when it should: off by a fifth, and one in fifty five times as late.
+        const late = rng() < 0.02 ? 5 : 1;
+        const wait = Math.max(1, (1000 / fps) * late * (1 + normalNoise(rng) / 5));
+        passed += wait;
+        vi.advanceTimersByTime(wait);
+        each?.(live.frame());
+        if (each === undefined) live.frame();
+      }
+    },
+  };
+}

@@ -1,0 +1,202 @@
+/** Calls, times and controls: what was done, the expected code, and a part of the expected message. */
+import { NEUTRAL_CONTROLS } from '../../../../src/dynamics';
+import { type Mistake, flown, frame, played, received, ship, warningsOf } from './given';
+
+export const CALLS: readonly Mistake[] = [
+  [
+    'thrust_level',
+    'unknown-control',
+    /mean thrustLevel/,
+    () => flown({ ...NEUTRAL_CONTROLS, thrust_level: 1 }),
+  ],
+  ['part of the controls', 'controls-ignored', /translationInput/, () => flown({ thrustLevel: 1 })],
+  ['a number as controls', 'controls-ignored', /object/, () => flown(1)],
+  ['percent', 'controls-clamped', /Percent/, () => flown({ ...NEUTRAL_CONTROLS, thrustLevel: 50 })],
+  ['now is NaN', 'now-not-finite', /seconds/, () => warningsOf((p) => p.advance(null, NaN))],
+  ['now in ms', 'now-in-milliseconds', /seconds/, () => played(1, { now: (s) => s * 1000 })],
+  ['now goes back', 'now-went-back', /monotonic/, () => played(1, { now: (s) => (s < 0.5 ? s : s - 0.4) })],
+  ['two clocks', 'two-clocks', /one for both/, () => played(1, { receiveAt: (s) => 1.7e9 + s })],
+  [
+    'advance never',
+    'advance-never',
+    /display frame/,
+    () => received(...Array.from({ length: 12 }, (_, i) => ({ ...frame, tick: i + 1 }))),
+  ],
+  ['advance twice', 'advance-twice', /once is enough/, () => played(1, { times: 12 })],
+  ['advance seldom', 'advance-seldom', /display frame/, () => played(4, { hz: 5 })],
+  ['own ship never', 'own-ship-never-seen', /setOwnShip/, () => played(12, { id: 'b' })],
+  ['nothing taken', 'outgoing-not-taken', /takeOutgoing/, () => played(8, { take: false })],
+  [
+    'a spectator steers',
+    'controls-without-ship',
+    /spectator/,
+    () =>
+      warningsOf(
+        (p) => {
+          p.receive(frame, 0);
+          p.advance(NEUTRAL_CONTROLS, 0.01);
+        },
+        { ownShipId: undefined },
+      ),
+  ],
+  [
+    'a policy of another name',
+    'policy-unknown',
+    /predict, interpolate or hold/,
+    () => warningsOf((p) => p.setPolicy('a', 'extrapolate' as 'hold')),
+  ],
+  [
+    'a listener that is not a function',
+    'listener-not-function',
+    /function/,
+    () => warningsOf((p) => p.onEvent(undefined as unknown as () => void)),
+  ],
+
+  [
+    'throttle',
+    'unknown-control',
+    /Known are.*thrustLevel/,
+    () => flown({ ...NEUTRAL_CONTROLS, throttle: 1 }),
+  ],
+  [
+    'pitch, yaw and roll',
+    'controls-ignored',
+    /rotationInput/,
+    () => flown({ ...NEUTRAL_CONTROLS, rotationInput: { pitch: 1, yaw: 0, roll: 0 } }),
+  ],
+  [
+    'two of three axes',
+    'controls-ignored',
+    /rotationInput/,
+    () => flown({ ...NEUTRAL_CONTROLS, rotationInput: [1, 0] }),
+  ],
+  [
+    'a Float32Array for axes',
+    'controls-ignored',
+    /lists of numbers/,
+    () => flown({ ...NEUTRAL_CONTROLS, rotationInput: new Float32Array(3) }),
+  ],
+  [
+    'a text for the throttle',
+    'controls-ignored',
+    /thrustLevel/,
+    () => flown({ ...NEUTRAL_CONTROLS, thrustLevel: '1' }),
+  ],
+  [
+    'NaN for the throttle',
+    'controls-ignored',
+    /thrustLevel/,
+    () => flown({ ...NEUTRAL_CONTROLS, thrustLevel: NaN }),
+  ],
+  ['1 for true', 'controls-ignored', /attitudeHold/, () => flown({ ...NEUTRAL_CONTROLS, attitudeHold: 1 })],
+  ['undefined for null', 'controls-ignored', /object or null/, () => flown(undefined)],
+  [
+    'an attitude mode of another name',
+    'attitude-mode',
+    /mean|Known are/,
+    () => flown({ ...NEUTRAL_CONTROLS, attitudeMode: 'autopilot' }),
+  ],
+  [
+    'a target attitude in degrees',
+    'attitude-not-unit',
+    /not degrees/,
+    () => flown({ ...NEUTRAL_CONTROLS, targetAttitude: [0, 90, 0, 0] }),
+  ],
+  [
+    'advance(now)',
+    'now-not-finite',
+    /seconds/,
+    () => warningsOf((p) => p.advance(12.5 as unknown as null, undefined as unknown as number)),
+  ],
+  [
+    'now as a Date',
+    'now-not-finite',
+    /seconds/,
+    () => warningsOf((p) => p.advance(null, new Date(0) as unknown as number)),
+  ],
+  [
+    'view without now',
+    'now-not-finite',
+    /seconds/,
+    () => warningsOf((p) => p.view(undefined as unknown as number)),
+  ],
+  ['view with Date.now()', 'two-clocks', /view/, () => played(1, { viewAt: () => 1.7e12 })],
+  ['now never changes', 'advance-twice', /same now/, () => played(1, { now: () => 5, receiveAt: () => 5 })],
+  [
+    'Date.now() for all',
+    'now-in-milliseconds',
+    /performance\.now/,
+    () => played(1, { now: (s) => 1.7e12 + s * 1000, receiveAt: (s) => 1.7e12 + s * 1000 }),
+  ],
+  [
+    'view and no advance',
+    'advance-never',
+    /view/,
+    () =>
+      warningsOf((p) => {
+        p.receive(frame, 0);
+        for (let i = 0; i < 12; i++) p.view(i / 60);
+      }),
+  ],
+  ['advance in a timer of one second', 'advance-seldom', /display frame/, () => played(14, { hz: 1 })],
+  [
+    'a number for the own ship',
+    'ship-id',
+    /setOwnShip.*7/,
+    () => warningsOf((p) => p.setOwnShip(7 as unknown as string)),
+  ],
+  [
+    'nothing for the own ship',
+    'ship-id',
+    /setOwnShip.*undefined/,
+    () => warningsOf((p) => p.setOwnShip(undefined as unknown as string)),
+  ],
+  [
+    'a ship for its id',
+    'ship-id',
+    /removeShip/,
+    () => warningsOf((p) => p.removeShip(ship as unknown as string, 'gone')),
+  ],
+  [
+    'onEvent with a name',
+    'listener-not-function',
+    /one function.*all events/,
+    () => warningsOf((p) => (p.onEvent as unknown as (name: string) => void)('landed')),
+  ],
+  [
+    'a listener that throws',
+    'listener-threw',
+    /fix it/,
+    () =>
+      warningsOf((p) => {
+        p.onEvent(() => {
+          throw new Error('mine');
+        });
+        p.receive(frame, 0);
+        p.removeShip('a', 'destroyed');
+      }),
+  ],
+  [
+    'a frame loop that goes on after dispose',
+    'disposed',
+    /advance.*stop the frame loop/,
+    () =>
+      warningsOf((p) => {
+        p.dispose();
+        p.advance(null, 1);
+        p.receive(frame, 1);
+      }),
+  ],
+  [
+    'restore of a text',
+    'restore-refused',
+    /JSON\.parse/,
+    () => warningsOf((p) => p.restore('{"version":1}', 0)),
+  ],
+  [
+    'restore of another version',
+    'restore-refused',
+    /expected 1, got 2/,
+    () => warningsOf((p) => p.restore({ version: 2 }, 0)),
+  ],
+];

@@ -1,0 +1,74 @@
+/** The mistakes of those who use the predictor for the first time: each is told of once, by its code, with the value. */
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import { createPredictor } from '../../../src/prediction';
+import { made, played } from './mistakes/given';
+import { CALLS } from './mistakes/calls';
+import { MESSAGES } from './mistakes/messages';
+import { OPTIONS } from './mistakes/options';
+import { SHIPS } from './mistakes/ships';
+
+const MISTAKES = [...OPTIONS, ...MESSAGES, ...SHIPS, ...CALLS];
+const ROOM = join(import.meta.dirname, '../../../src/prediction');
+describe('a caller’s mistake is reported once, by its code', () => {
+  it.each(MISTAKES)('%s: %s', (_what, code, help, run) => {
+    const found = run().filter((warning) => warning.code === code);
+    expect(found).toHaveLength(1);
+    expect(found[0]!.message).toMatch(help);
+    expect(Object.keys(found[0]!.details).length).toBeGreaterThan(0);
+  });
+
+  it('no warning is given where nothing is wrong', () => {
+    expect(played(30).filter(({ code }) => code !== 'bodies-old')).toEqual([]);
+    expect(made({ defaults: { settings: { contactCrashSpeed: 60 } } })).toEqual([]);
+  });
+});
+
+describe('an invalid option', () => {
+  const thrown = (options: object) => () => createPredictor(options);
+  it.each([
+    [{ ownShipId: 7 }, 'options.ownShipId: expected a string'],
+    [{ terrains: { luna: [] } }, 'options.terrains: expected functions'],
+    [{ maxSubstepsPerFrame: 0 }, 'options.maxSubstepsPerFrame: expected a whole number'],
+    [{ smoothing: 0.3 }, 'options.smoothing: expected an object'],
+    [{ smoothing: { alongGround: 0.09 } }, 'options.smoothing.alongGround: expected 0.1 to 2 s, got 0.09'],
+    [{ smoothing: { alongNormal: 300 } }, 'options.smoothing.alongNormal: expected 0.05 to 2 s'],
+    [{ smoothing: { angle: NaN } }, 'options.smoothing.angle: expected 0.1 to 2 s, got NaN'],
+    [{ onWarning: 'console' }, 'options.onWarning: expected a function'],
+    [{ forcedRollback: -1 }, 'options.forcedRollback'],
+    [{ plan: {} }, 'options.plan: expected a list'],
+    [{ defaults: 'moon' }, 'options.defaults: expected an object'],
+    [{ defaults: { terrain: 'mars' } }, 'defaults: terrain'],
+    [{ defaults: { settings: { contactCrashSpeed: -1 } } }, 'defaults: settings.contactCrashSpeed'],
+  ])('is named in the RangeError: %j', (options, words) => {
+    expect(thrown(options)).toThrow(RangeError);
+    expect(thrown(options)).toThrow(words);
+  });
+});
+
+/** Codes that stand in the sources, by `warn('code'`, or as a naming's `code: '…'`. */
+function codesInSources(): string[] {
+  const files = readdirSync(ROOM, { recursive: true, encoding: 'utf8' }).filter((file) =>
+    file.endsWith('.ts'),
+  );
+  const sources = files.map((file) => readFileSync(join(ROOM, file), 'utf8')).join('\n');
+  const found = [...sources.matchAll(/(?:\bwarn\(\s*|\bcode: )'([a-z-]+)'/g)].map((match) => match[1]!);
+  return [...new Set(found)].sort();
+}
+
+it('ERRORS.md has each code of the sources, and no other', () => {
+  const table = readFileSync(join(ROOM, 'ERRORS.md'), 'utf8');
+  const rows = [...table.matchAll(/^\| `([a-z-]+)` +\|/gm)].map((match) => match[1]!);
+  const ofHuds = rows.filter((code) => code.startsWith('hud-'));
+  expect(rows.filter((code) => !ofHuds.includes(code)).toSorted()).toEqual(codesInSources());
+  const hud = readFileSync(join(ROOM, '../hud/checks.ts'), 'utf8');
+  const told = [...hud.matchAll(/'(hud-[a-z-]+)'/g)].map((match) => match[1]!);
+  expect(ofHuds.toSorted()).toEqual([...new Set(told)].toSorted());
+  expect(rows.length).toBeGreaterThan(30);
+});
+
+it('each code has a mistake here that triggers it', () => {
+  const tried = new Set(MISTAKES.map(([, code]) => code));
+  expect(codesInSources().filter((code) => !tried.has(code))).toEqual([]);
+});

@@ -1,0 +1,255 @@
+import {
+  createPredictor,
+  type Predictor,
+  type PredictorOptions,
+  type WorldView,
+} from '../../../src/prediction';
+import { BODIES, DEFAULT_SETTINGS, NEUTRAL_CONTROLS, SHIP_CLASSES } from '../../../src/dynamics';
+import { createLink, type Link, type NetworkNumbers } from '../../../src/scenarios';
+import type { Hello, InputRecord, PartialFrame, Pong, ServerFrame, ShipState } from '../../../src/wire';
+
+/**
+ * A server that does nothing but tick, a network, and a page, each of which can be made to stand; all on one true time. The ship
+ * lies still, so that only time is tried. Seconds throughout.
+ */
+export interface FaultyLine {
+  predictor: Predictor;
+  readonly tickRate: number;
+  /** True time. */
+  now: number;
+  /** Server time by its own ticks: what a perfect client would know. */
+  readonly serverNow: () => number;
+  /** The page's clock: true time as it tells it. */
+  pageClock: (now: number) => number;
+  /** Runs the page's frames for `seconds`. */
+  readonly run: (seconds: number, each?: (view: WorldView) => void) => void;
+  /** Nothing runs in the page for `seconds`; messages wait for it. */
+  readonly freezePage: (seconds: number) => void;
+  /** What is sent in these directions arrives only when they go on. */
+  readonly holdLink: (seconds: number, ways: 'up' | 'down' | 'both') => void;
+  /** The server does not tick for `seconds`, then goes on where it stood; it answers pings or not. */
+  readonly pauseServer: (seconds: number, answers: boolean) => void;
+  /** Ticks count from `tick` on. */
+  readonly restartServer: (tick: number) => void;
+  /** Server time of the newest frame that has reached the page. */
+  newestFrame: number;
+  /** The inputs as they left, with true server time then and when they reach the server. */
+  readonly inputs: SentInput[];
+  controls: typeof NEUTRAL_CONTROLS;
+}
+
+export interface SentInput {
+  readonly record: InputRecord;
+  readonly sentAt: number;
+}
+
+export interface FaultyLineOptions {
+  readonly network: NetworkNumbers;
+  /** Hz */
+  readonly tickRate: number;
+  readonly seed: number;
+  /** Ticks from one send to the next. */
+  readonly sendEvery?: number;
+  /** Server seconds a true second, less 1. */
+  readonly drift?: number;
+  readonly answersPings?: boolean;
+  /** A server that says hello, and takes inputs at their substep. */
+  readonly hello?: boolean;
+  /** Sees each answered ping, as a clock filter would: page time of ping and pong, and server time between. */
+  readonly onPong?: (pinged: number, answered: number, now: number) => void;
+  readonly predictor?: PredictorOptions;
+}
+
+const HZ = 60;
+const MOON = BODIES.find(({ name }) => name === 'Moon') ?? BODIES[0]!;
+const BODY = {
+  ...MOON,
+  position: [0, 0, 0],
+  velocity: [0, 0, 0],
+  attitude: [0, 0, 0, 1],
+  angularVelocity: [0, 0, 0],
+} as const;
+const UP = MOON.radius + SHIP_CLASSES[0]!.groundContactOffset;
+
+/** A ship at rest on flat ground. */
+export const STILL: ShipState = {
+  shipId: 'ship-1',
+  playerId: 'me',
+  name: 'Own',
+  shipClass: SHIP_CLASSES[0]!.name,
+  position: [0, UP, 0],
+  velocity: [0, 0, 0],
+  attitude: [-Math.SQRT1_2, 0, 0, Math.SQRT1_2],
+  angularVelocity: [0, 0, 0],
+  rotationInput: [0, 0, 0],
+  translationInput: [0, 0, 0],
+  thrustLevel: 0,
+  attitudeHold: false,
+  attitudeMode: NEUTRAL_CONTROLS.attitudeMode,
+  targetAttitude: [0, 0, 0, 1],
+  fuel: 100,
+  mass: 0,
+  wheelMomentum: null,
+  groundContactOffset: null,
+  landedBodyName: BODY.name,
+  surfaceContactState: 'landed',
+  contactImpactSpeed: 0,
+  referenceBody: BODY.name,
+  relativePosition: [0, UP, 0],
+  relativeVelocity: [0, 0, 0],
+  crashed: false,
+} as unknown as ShipState;
+
+export function frameAt(tick: number, tickRate: number, more: Partial<ServerFrame> = {}): ServerFrame {
+  const tempo = { tickRate, timeScale: 1, paused: false };
+  return {
+    kind: 'frame',
+    tick,
+    ...tempo,
+    bodies: [BODY],
+    ships: [STILL],
+    events: [],
+    lastInput: null,
+    ...more,
+  };
+}
+
+type Message = PartialFrame | Pong | Hello;
+
+export function createFaultyLine(options: FaultyLineOptions): FaultyLine {
+  const { network, tickRate, seed, sendEvery = 1, drift = 0, answersPings = true } = options;
+  const rate = tickRate * (1 + drift);
+  const down = createLink(network, seed);
+  const up = createLink(network, seed + 1);
+  const sent = new Map<number, Message | number>();
+  const pingedAt = new Map<number, number>();
+  let sequence = 0;
+  let frames = 0;
+  let tick = 0;
+  let ticks = 0;
+  let nextTick = 0;
+  let tickedAt = 0;
+  const held = { up: 0, down: 0, answers: 0 };
+
+  function put(link: Link, message: Message | number, at: number): void {
+    sequence += 1;
+    sent.set(sequence, message);
+    link.send(new Uint8Array(new Float64Array([sequence]).buffer), at);
+  }
+
+  function* arrived(
+    link: Link,
+    until: number,
+    heldUntil: number,
+  ): Generator<{ message: unknown; at: number }> {
+    if (until < heldUntil) return;
+    for (const { bytes, at } of link.deliver(until)) {
+      const key = new Float64Array(bytes.buffer)[0]!;
+      const message = sent.get(key);
+      sent.delete(key);
+      yield { message, at: Math.max(at, heldUntil) };
+    }
+  }
+
+  function runServer(until: number): void {
+    for (; nextTick <= until; nextTick += 1 / rate) {
+      answer(nextTick);
+      if (ticks > 0) tick += 1;
+      ticks += 1;
+      tickedAt = nextTick;
+      if (tick % sendEvery === 0) put(down, frameAt(tick, tickRate), nextTick);
+    }
+    answer(until);
+  }
+
+  /** Pings that have come by `until`. */
+  function answer(until: number): void {
+    if (until < held.answers) return;
+    for (const { message, at } of arrived(up, until, held.up)) {
+      const answeredAt = Math.max(at, held.answers, tickedAt);
+      const sinceTick = (answeredAt - tickedAt) * (1 + drift);
+      if (answersPings) put(down, { kind: 'pong', id: message as number, tick, sinceTick }, answeredAt);
+    }
+  }
+
+  const line: FaultyLine = {
+    predictor: createPredictor({ ownShipId: 'ship-1', ...options.predictor }),
+    tickRate,
+    now: 0,
+    pageClock: (now) => now,
+    newestFrame: Number.NEGATIVE_INFINITY,
+    inputs: [],
+    controls: NEUTRAL_CONTROLS,
+    serverNow: () => (tick + Math.min(1, (line.now - tickedAt) * rate)) / tickRate,
+    run(seconds, each) {
+      const until = line.now + seconds;
+      while (line.now < until - 1e-9) {
+        frames += 1;
+        line.now = frames / HZ;
+        runServer(line.now);
+        const at = line.pageClock(line.now);
+        for (const { message } of arrived(down, line.now, held.down)) hear(message as Message, at);
+        line.predictor.advance(line.controls, at);
+        for (const message of line.predictor.takeOutgoing()) {
+          if (message.kind === 'ping') {
+            pingedAt.set(message.id, at);
+            put(up, message.id, line.now);
+          } else for (const record of message.inputs) line.inputs.push({ record, sentAt: line.serverNow() });
+        }
+        each?.(line.predictor.view(at));
+      }
+    },
+    freezePage(seconds) {
+      frames += Math.round(seconds * HZ);
+      line.now = frames / HZ;
+      runServer(line.now);
+    },
+    holdLink(seconds, ways) {
+      if (ways !== 'up') held.down = line.now + seconds;
+      if (ways !== 'down') held.up = line.now + seconds;
+    },
+    pauseServer(seconds, answers) {
+      nextTick += seconds;
+      if (!answers) held.answers = line.now + seconds;
+    },
+    restartServer(first) {
+      tick = first;
+      ticks = 0;
+      nextTick = line.now;
+      line.newestFrame = Number.NEGATIVE_INFINITY;
+      if (options.hello === true) put(down, helloAt(tick, tickRate), line.now);
+    },
+  };
+
+  function hear(message: Message, at: number): void {
+    if (message.kind === 'pong') {
+      const answered = (message.tick + Math.min(1, message.sinceTick * tickRate)) / tickRate;
+      options.onPong?.(pingedAt.get(message.id)!, answered, at);
+      pingedAt.delete(message.id);
+    }
+    if (message.kind === 'frame') line.newestFrame = Math.max(line.newestFrame, message.tick / tickRate);
+    line.predictor.receive(message, at);
+  }
+
+  if (options.hello === true) put(down, helloAt(0, tickRate), 0);
+  return line;
+}
+
+export function helloAt(tick: number, tickRate: number, more: Partial<Hello> = {}): Hello {
+  return {
+    kind: 'hello',
+    playerId: 'me',
+    shipId: 'ship-1',
+    settings: DEFAULT_SETTINGS,
+    shipClasses: SHIP_CLASSES,
+    bodies: [BODY],
+    terrain: 'flat',
+    ...{ tick, tickRate, timeScale: 1, inputGranularity: 'substep' },
+    ...more,
+  };
+}
+
+/** Server time that a view is of. */
+export function instantOf({ tick, sinceTick, tickRate, timeScale }: WorldView): number {
+  return tick / tickRate + sinceTick / timeScale;
+}

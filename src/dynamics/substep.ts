@@ -1,6 +1,6 @@
 import { actuate, commandsThrust } from './actuators/actuators';
 import { fly } from './contact/flight';
-import { isPinned, moveOnGround, pressNormal } from './contact/forces';
+import { moveOnGround, press } from './contact/forces';
 import {
   BODY_ANGULAR_VELOCITY,
   BODY_AXES,
@@ -38,7 +38,7 @@ import {
 import { restOnSide } from './contact/rest';
 import { turnAttitudeWithGround, turnPlaceWithGround } from './arithmetic/rotations';
 import { turnByTorque } from './contact/spin';
-import { readGround, readPenetration, readPlace } from './contact/surface';
+import { readPlace, readSurface } from './contact/surface';
 import { makeTransition } from './contact/transitions';
 import type { World } from './constants/world';
 
@@ -78,32 +78,25 @@ function stepShip(step: Step): number {
 function flySubstep(step: Step): number {
   fly(step); // 5
   turnByTorque(step); // 6
-  readPenetration(end, step, BODY_END_AXES);
+  readSurface(end, step, BODY_END_AXES, false);
   if (!(end[PENETRATION]! > 0)) return NO_EVENT; // 9
-  readPenetration(start, step, BODY_AXES);
-  readGround(end, step, BODY_END_AXES);
+  readSurface(start, step, BODY_AXES, false);
   return makeTransition(step); // 9
 }
 
 /** Steps 3 to 9 in contact or tipped. */
 function groundSubstep(step: Step): number {
   const q = quantities;
-  readPenetration(start, step, BODY_AXES);
+  readSurface(start, step, BODY_AXES, false);
   const inGround = start[PENETRATION]! > 0;
-  let pinned = false;
-  q[NORMAL_FORCE] = 0;
-  if (inGround) {
-    readGround(start, step, BODY_AXES);
-    pinned = isPinned(step); // 3
-    pressNormal(step, pinned); // 4
-  }
+  const pinned = inGround && press(step); // 3, 4
+  if (!inGround) q[NORMAL_FORCE] = 0;
   if (!pinned) moveOnGround(step); // 5
   if (inGround) addGroundMoments(step); // 6
   turnByTorque(step); // 6
   if (pinned) turnPlaceWithGround(step); // 8
   readPlace(end, step);
-  readPenetration(end, step, BODY_END_AXES);
-  readGround(end, step, BODY_END_AXES);
+  readSurface(end, step, BODY_END_AXES, true);
   if (q[SURFACE_STATE] === TIPPED) restOnSide(step); // 8
   return makeTransition(step); // 9
 }

@@ -4,7 +4,6 @@ import {
   COS_SLOPE,
   DEPTH,
   DT,
-  FRICTION,
   GRAVITY,
   LIFT,
   LOAD,
@@ -52,18 +51,6 @@ export function readLoad(surface: Float64Array): void {
   q[DEPTH] = q[LOAD] / (STIFFNESS * q[MASS]!);
 }
 
-/** ALONG: what pushes along the ground, weight on a slope less thrust. */
-function readAlong(): void {
-  const q = quantities;
-  const sx = start[SURFACE_NORMAL]!;
-  const sy = start[SURFACE_NORMAL + 1]!;
-  const sz = start[SURFACE_NORMAL + 2]!;
-  const off = q[THRUST]! * sx + q[THRUST + 1]! * sy + q[THRUST + 2]! * sz;
-  q[ALONG] = q[WEIGHT]! * start[SLOPE]! - (q[THRUST]! - off * sx);
-  q[ALONG + 1] = q[WEIGHT]! * start[SLOPE + 1]! - (q[THRUST + 1]! - off * sy);
-  q[ALONG + 2] = q[WEIGHT]! * start[SLOPE + 2]! - (q[THRUST + 2]! - off * sz);
-}
-
 /** Whether vertical speed, √(v_s² + 100 (penetration c_s − DEPTH)²), the spring's stored energy counted in, and slide are small. */
 export function isNearlyAtRest(surface: Float64Array, step: Step): boolean {
   const q = quantities;
@@ -76,30 +63,36 @@ export function isNearlyAtRest(surface: Float64Array, step: Step): boolean {
   );
 }
 
-/** Step 3, of a ship in the ground: its load, the depth it would rest at, and whether the ground holds it where it lies tipped. */
-export function isPinned(step: Step): boolean {
+/**
+ * Steps 3 and 4, of a ship in the ground: LOAD and DEPTH, ALONG (what pushes along the ground, weight on a slope less thrust) and
+ * NORMAL_FORCE, from spring and damper. Whether the ground pins the ship where it lies tipped; the force is the load then.
+ */
+export function press(step: Step): boolean {
   const q = quantities;
+  const { settings } = step;
   readLoad(start);
-  readAlong();
-  if (q[SURFACE_STATE] !== TIPPED || !isNearlyAtRest(start, step)) return false;
-  const most = step.settings[FRICTION_STATIC]! * q[LOAD]!;
-  return q[ALONG]! * q[ALONG]! + q[ALONG + 1]! * q[ALONG + 1]! + q[ALONG + 2]! * q[ALONG + 2]! <= most * most;
-}
-
-/** Step 4, of a ship in the ground: F_n, spring and damper; the load where it is pinned. */
-export function pressNormal(step: Step, pinned: boolean): void {
-  const q = quantities;
-  if (pinned) {
+  const sx = start[SURFACE_NORMAL]!;
+  const sy = start[SURFACE_NORMAL + 1]!;
+  const sz = start[SURFACE_NORMAL + 2]!;
+  const off = q[THRUST]! * sx + q[THRUST + 1]! * sy + q[THRUST + 2]! * sz;
+  const ax = q[WEIGHT]! * start[SLOPE]! - (q[THRUST]! - off * sx);
+  const ay = q[WEIGHT]! * start[SLOPE + 1]! - (q[THRUST + 1]! - off * sy);
+  const az = q[WEIGHT]! * start[SLOPE + 2]! - (q[THRUST + 2]! - off * sz);
+  q[ALONG] = ax;
+  q[ALONG + 1] = ay;
+  q[ALONG + 2] = az;
+  const isTipped = q[SURFACE_STATE] === TIPPED;
+  const mostAlong = settings[FRICTION_STATIC]! * q[LOAD]!;
+  if (isTipped && isNearlyAtRest(start, step) && ax * ax + ay * ay + az * az <= mostAlong * mostAlong) {
     q[NORMAL_FORCE] = q[LOAD]!;
-    return;
+    return true;
   }
   // c = 2 ζ √(k m) with k = 100 m.
-  const damping = settlesWithoutBounce(step)
-    ? CRITICAL_DAMPING
-    : CRITICAL_DAMPING * step.settings[DAMPING_RATIO]!;
+  const ratio = settlesWithoutBounce(step) ? 1 : settings[DAMPING_RATIO]!;
   const sunk = start[PENETRATION]! * start[COS_SLOPE]!;
-  const force = q[MASS]! * (STIFFNESS * sunk - damping * start[NORMAL_SPEED]!);
+  const force = q[MASS]! * (STIFFNESS * sunk - CRITICAL_DAMPING * ratio * start[NORMAL_SPEED]!);
   q[NORMAL_FORCE] = force > 0 ? force : 0;
+  return false;
 }
 
 /** Tipped, or in the contact of a touch not above contact_bounce_speed. Asked of grounded ships. */
@@ -108,87 +101,79 @@ function settlesWithoutBounce(step: Step): boolean {
   return q[SURFACE_STATE] === TIPPED || q[IMPACT_SPEED]! <= step.settings[BOUNCE_SPEED]!;
 }
 
-/** FRICTION: holds against slide, push, slope and the ground's own turning, or is kinetic and never more than ends the slide. */
-function rub(step: Step): void {
-  const q = quantities;
-  const { settings } = step;
-  const force = q[NORMAL_FORCE]!;
-  const mass = q[MASS]!;
-  const perSpeed = mass / q[DT]!;
-  const half = 0.5 * mass;
-  const ox = q[GROUND_SPIN]!;
-  const oy = q[GROUND_SPIN + 1]!;
-  const oz = q[GROUND_SPIN + 2]!;
-  const ux = q[VELOCITY]!;
-  const uy = q[VELOCITY + 1]!;
-  const uz = q[VELOCITY + 2]!;
-  let dx = start[TANGENTIAL_VELOCITY]! * perSpeed - (q[ALONG]! + half * (oy * uz - oz * uy));
-  let dy = start[TANGENTIAL_VELOCITY + 1]! * perSpeed - (q[ALONG + 1]! + half * (oz * ux - ox * uz));
-  let dz = start[TANGENTIAL_VELOCITY + 2]! * perSpeed - (q[ALONG + 2]! + half * (ox * uy - oy * ux));
-  const sx = start[SURFACE_NORMAL]!;
-  const sy = start[SURFACE_NORMAL + 1]!;
-  const sz = start[SURFACE_NORMAL + 2]!;
-  const off = dx * sx + dy * sy + dz * sz;
-  dx -= off * sx;
-  dy -= off * sy;
-  dz -= off * sz;
-  const demand = dx * dx + dy * dy + dz * dz;
-  const held = settings[FRICTION_STATIC]! * force;
-  const kinetic = settings[FRICTION_KINETIC]! * force;
-  const holds = start[TANGENTIAL_SPEED_SQUARED]! <= HELD_SPEED_SQUARED && demand <= held * held;
-  const share = holds || demand <= kinetic * kinetic ? 1 : kinetic / Math.sqrt(demand);
-  q[FRICTION] = -dx * share;
-  q[FRICTION + 1] = -dy * share;
-  q[FRICTION + 2] = -dz * share;
-}
-
-/** Step 5 on the ground: friction, semi-implicit Euler, and no bounce out of a settling contact. */
+/**
+ * Step 5 on the ground: friction, semi-implicit Euler, and no bounce out of a settling contact. In one piece, so that nothing on the way
+ * from the forces to the place leaves the registers.
+ */
 export function moveOnGround(step: Step): void {
   const q = quantities;
   const dt = q[DT]!;
-  const perMass = dt / q[MASS]!;
   const force = q[NORMAL_FORCE]!;
   const weight = q[WEIGHT]!;
-  if (force > 0) rub(step);
-  else q[FRICTION] = q[FRICTION + 1] = q[FRICTION + 2] = 0;
-  q[VELOCITY] =
-    q[VELOCITY]! +
-    (force * start[SURFACE_NORMAL]! - weight * start[NORMAL]! + q[FRICTION]! + q[THRUST]!) * perMass;
-  q[VELOCITY + 1] =
-    q[VELOCITY + 1]! +
-    (force * start[SURFACE_NORMAL + 1]! - weight * start[NORMAL + 1]! + q[FRICTION + 1]! + q[THRUST + 1]!) *
-      perMass;
-  q[VELOCITY + 2] =
-    q[VELOCITY + 2]! +
-    (force * start[SURFACE_NORMAL + 2]! - weight * start[NORMAL + 2]! + q[FRICTION + 2]! + q[THRUST + 2]!) *
-      perMass;
-  if (start[PENETRATION]! > 0 && q[LIFT]! <= weight && settlesWithoutBounce(step)) capRise();
-  q[POSITION] = q[POSITION]! + q[VELOCITY] * dt;
-  q[POSITION + 1] = q[POSITION + 1]! + q[VELOCITY + 1]! * dt;
-  q[POSITION + 2] = q[POSITION + 2]! + q[VELOCITY + 2]! * dt;
-}
-
-/** The speed off the ground of a settling ship ends at the static depth: the excess is taken off along s. */
-function capRise(): void {
-  const q = quantities;
+  const perMass = dt / q[MASS]!;
   const sx = start[SURFACE_NORMAL]!;
   const sy = start[SURFACE_NORMAL + 1]!;
   const sz = start[SURFACE_NORMAL + 2]!;
   const ox = q[GROUND_SPIN]!;
   const oy = q[GROUND_SPIN + 1]!;
   const oz = q[GROUND_SPIN + 2]!;
+  let ux = q[VELOCITY]!;
+  let uy = q[VELOCITY + 1]!;
+  let uz = q[VELOCITY + 2]!;
+  let fx = 0;
+  let fy = 0;
+  let fz = 0;
+  if (force > 0) {
+    // What friction would have to stand against for the ship to stay: slide, push, slope and the ground's own turning.
+    const perSpeed = q[MASS]! / dt;
+    const half = 0.5 * q[MASS]!;
+    const dx = start[TANGENTIAL_VELOCITY]! * perSpeed - (q[ALONG]! + half * (oy * uz - oz * uy));
+    const dy = start[TANGENTIAL_VELOCITY + 1]! * perSpeed - (q[ALONG + 1]! + half * (oz * ux - ox * uz));
+    const dz = start[TANGENTIAL_VELOCITY + 2]! * perSpeed - (q[ALONG + 2]! + half * (ox * uy - oy * ux));
+    const off = dx * sx + dy * sy + dz * sz;
+    fx = dx - off * sx;
+    fy = dy - off * sy;
+    fz = dz - off * sz;
+    const share = frictionShare(fx * fx + fy * fy + fz * fz, force, step.settings);
+    fx = -fx * share;
+    fy = -fy * share;
+    fz = -fz * share;
+  }
+  ux += (force * sx - weight * start[NORMAL]! + fx + q[THRUST]!) * perMass;
+  uy += (force * sy - weight * start[NORMAL + 1]! + fy + q[THRUST + 1]!) * perMass;
+  uz += (force * sz - weight * start[NORMAL + 2]! + fz + q[THRUST + 2]!) * perMass;
   const rx = q[POSITION]!;
   const ry = q[POSITION + 1]!;
   const rz = q[POSITION + 2]!;
-  const vx = q[VELOCITY]! - (oy * rz - oz * ry);
-  const vy = q[VELOCITY + 1]! - (oz * rx - ox * rz);
-  const vz = q[VELOCITY + 2]! - (ox * ry - oy * rx);
-  const rise = vx * sx + vy * sy + vz * sz;
+  if (start[PENETRATION]! > 0 && q[LIFT]! <= weight && settlesWithoutBounce(step)) {
+    const rise =
+      (ux - (oy * rz - oz * ry)) * sx + (uy - (oz * rx - ox * rz)) * sy + (uz - (ox * ry - oy * rx)) * sz;
+    const excess = rise - mostRise();
+    if (excess > 0) {
+      ux -= excess * sx;
+      uy -= excess * sy;
+      uz -= excess * sz;
+    }
+  }
+  q[VELOCITY] = ux;
+  q[VELOCITY + 1] = uy;
+  q[VELOCITY + 2] = uz;
+  q[POSITION] = rx + ux * dt;
+  q[POSITION + 1] = ry + uy * dt;
+  q[POSITION + 2] = rz + uz * dt;
+}
+
+/** How much of the demanded friction the ground gives: all where it holds, at most what kinetic friction has. */
+function frictionShare(demandSquared: number, force: number, settings: Float64Array): number {
+  const held = settings[FRICTION_STATIC]! * force;
+  const kinetic = settings[FRICTION_KINETIC]! * force;
+  const holds = start[TANGENTIAL_SPEED_SQUARED]! <= HELD_SPEED_SQUARED && demandSquared <= held * held;
+  return holds || demandSquared <= kinetic * kinetic ? 1 : kinetic / Math.sqrt(demandSquared);
+}
+
+/** The speed off the ground that ends at the static depth within the substep, m/s, ≥ 0. */
+function mostRise(): number {
+  const q = quantities;
   const toRest = (start[PENETRATION]! * start[COS_SLOPE]! - q[DEPTH]!) / q[DT]!;
-  const most = toRest > 0 ? toRest : 0;
-  if (!(rise > most)) return;
-  const excess = rise - most;
-  q[VELOCITY] = q[VELOCITY]! - excess * sx;
-  q[VELOCITY + 1] = q[VELOCITY + 1]! - excess * sy;
-  q[VELOCITY + 2] = q[VELOCITY + 2]! - excess * sz;
+  return toRest > 0 ? toRest : 0;
 }

@@ -8,7 +8,7 @@ export { SMI_MASK } from '../state/smiMask';
  * The quantities of one substep of one ship (DYNAMICS, Quantities), in scratch doubles that the passes hand on:
  * a double passed as an argument or returned by a function that is not inlined is boxed, one that stands here is not.
  */
-export const quantities = new Float64Array(97);
+export const quantities = new Float64Array(94);
 
 /**
  * The first SHIP_STRIDE slots are the ship's row (layout.ts), copied in and out: a slot at a constant place of a constant array is read
@@ -88,11 +88,8 @@ export const LEVEL_2 = 84;
 export const RISE = 87;
 /** The four points of the ground that it is measured at are n_b POINT[0] ± e POINT[1]. */
 export const POINT = 89;
-
-/** Friction, N, ICRF. */
-export const FRICTION = 91;
 /** Ω of the reference body, rad/s, ICRF: a copy, since a slot here is read without a check of its bounds. */
-export const GROUND_SPIN = 94;
+export const GROUND_SPIN = 91;
 
 /** Every slot and how many doubles it holds: a test finds two that overlap. */
 export const SLOTS: readonly (readonly [slot: number, length: number])[] = [
@@ -121,7 +118,6 @@ export const SLOTS: readonly (readonly [slot: number, length: number])[] = [
   [LEVEL_2, 3],
   [RISE, 2],
   [POINT, 2],
-  [FRICTION, 3],
   [GROUND_SPIN, 3],
 ];
 

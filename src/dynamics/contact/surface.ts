@@ -38,53 +38,37 @@ export function readPlace(surface: Float64Array, step: Step): void {
 }
 
 /**
- * Fills PENETRATION at `surface`, whose place has been read.
+ * Fills the rest of `surface`, whose place has been read: penetration, and unless a ship off the ground needs no more, the surface normal
+ * and the velocity relative to the ground, v_rel = u − Ω × r, off it and along it.
  * @param bodyAxes BODY_AXES at a substep's start, BODY_END_AXES at its end: how the body lies under the ship.
  */
-export function readPenetration(surface: Float64Array, step: Step, bodyAxes: number): void {
+export function readSurface(
+  surface: Float64Array,
+  step: Step,
+  bodyAxes: number,
+  evenOffGround: boolean,
+): void {
   const q = quantities;
   const { bodies, body } = step;
   const axes = (step.bodyAt + bodyAxes) & SMI_MASK;
   const nx = surface[NORMAL]!;
   const ny = surface[NORMAL + 1]!;
   const nz = surface[NORMAL + 2]!;
-  const bx = bodies[axes]! * nx + bodies[axes + 3]! * ny + bodies[axes + 6]! * nz;
-  const by = bodies[axes + 1]! * nx + bodies[axes + 4]! * ny + bodies[axes + 7]! * nz;
-  const bz = bodies[axes + 2]! * nx + bodies[axes + 5]! * ny + bodies[axes + 8]! * nz;
-  surface[BODY_NORMAL] = bx;
-  surface[BODY_NORMAL + 1] = by;
-  surface[BODY_NORMAL + 2] = bz;
   const point = groundPoint;
-  point[0] = bx;
-  point[1] = by;
-  point[2] = bz;
+  point[0] = bodies[axes]! * nx + bodies[axes + 3]! * ny + bodies[axes + 6]! * nz;
+  point[1] = bodies[axes + 1]! * nx + bodies[axes + 4]! * ny + bodies[axes + 7]! * nz;
+  point[2] = bodies[axes + 2]! * nx + bodies[axes + 5]! * ny + bodies[axes + 8]! * nz;
+  surface[BODY_NORMAL] = point[0];
+  surface[BODY_NORMAL + 1] = point[1]!;
+  surface[BODY_NORMAL + 2] = point[2]!;
   readHeight(point, step.terrainHeight, body.name);
   const ground = body.radius + point[HEIGHT]!;
   surface[GROUND_RADIUS] = ground;
   surface[PENETRATION] = ground + q[GROUND_CONTACT_OFFSET]! - surface[DISTANCE]!;
-}
+  if (!evenOffGround && !(surface[PENETRATION] > 0)) return;
 
-/** Fills the surface normal and the velocity relative to the ground at `surface`, whose penetration has been read. */
-export function readGround(surface: Float64Array, step: Step, bodyAxes: number): void {
   if (step.settings[IS_TERRAIN_NORMAL] === 1) readSlope(surface, step, bodyAxes);
   else readLevel(surface);
-  readVelocity(surface);
-}
-
-/** s = n */
-function readLevel(surface: Float64Array): void {
-  surface[SURFACE_NORMAL] = surface[NORMAL]!;
-  surface[SURFACE_NORMAL + 1] = surface[NORMAL + 1]!;
-  surface[SURFACE_NORMAL + 2] = surface[NORMAL + 2]!;
-  surface[COS_SLOPE] = 1;
-  surface[SLOPE] = 0;
-  surface[SLOPE + 1] = 0;
-  surface[SLOPE + 2] = 0;
-}
-
-/** NORMAL_SPEED, TANGENTIAL_VELOCITY and its square: v_rel = u − Ω × r off the ground and along it. */
-function readVelocity(surface: Float64Array): void {
-  const q = quantities;
   const rx = q[POSITION]!;
   const ry = q[POSITION + 1]!;
   const rz = q[POSITION + 2]!;
@@ -106,4 +90,15 @@ function readVelocity(surface: Float64Array): void {
   surface[TANGENTIAL_VELOCITY + 1] = ty;
   surface[TANGENTIAL_VELOCITY + 2] = tz;
   surface[TANGENTIAL_SPEED_SQUARED] = tx * tx + ty * ty + tz * tz;
+}
+
+/** s = n */
+function readLevel(surface: Float64Array): void {
+  surface[SURFACE_NORMAL] = surface[NORMAL]!;
+  surface[SURFACE_NORMAL + 1] = surface[NORMAL + 1]!;
+  surface[SURFACE_NORMAL + 2] = surface[NORMAL + 2]!;
+  surface[COS_SLOPE] = 1;
+  surface[SLOPE] = 0;
+  surface[SLOPE + 1] = 0;
+  surface[SLOPE + 2] = 0;
 }

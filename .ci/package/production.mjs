@@ -3,13 +3,23 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-/** What `createChecks` is replaced with: no checks, as where there is no listener. */
-const NO_CHECKS = 'export const createChecks = () => null;\n';
+/** What each file of checks is replaced with: no checks, as where there is no listener. */
+const CHECKS = {
+  'prediction/checks/checks.ts': ['createChecks'],
+  'prediction/checks/options.ts': ['requireOptions', 'checkDefaults', 'faultOfDefaults'],
+};
+
+function without(file, names) {
+  const code = readFileSync(file, 'utf8');
+  const missing = names.find((name) => !code.includes(`export function ${name}(`));
+  if (missing !== undefined) throw new Error(`${file}: ${missing} is not there`);
+  return `const none = () => null;\nexport { ${names.map((name) => `none as ${name}`).join(', ')} };\n`;
+}
 
 /** The vite plugin, for the sources in the folder `src`. */
 export function production(src) {
-  const checks = join(src, 'prediction/checks/checks.ts');
-  if (!readFileSync(checks, 'utf8').includes('export function createChecks('))
-    throw new Error(`${checks}: createChecks is not there`);
-  return { name: 'production', enforce: 'pre', load: (id) => (id === checks ? NO_CHECKS : null) };
+  const files = new Map(
+    Object.entries(CHECKS).map(([path, names]) => [join(src, path), without(join(src, path), names)]),
+  );
+  return { name: 'production', enforce: 'pre', load: (id) => files.get(id) ?? null };
 }

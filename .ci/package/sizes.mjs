@@ -5,20 +5,30 @@ import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { root, tool } from './tools.mjs';
 
-const PREDICTOR = `export { createPredictor, decodeFrameJson, decodeHelloJson, encodeControlsJson, createLandingReadout, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`;
+const using = (create) =>
+  `export { ${create}, decodeFrameJson, decodeHelloJson, encodeControlsJson, createLandingReadout, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`;
+
+/** Words of the features that a lean predictor does not have unless they are handed in. */
+const FEATURES = ['restore-refused', 'configure-refused', 'policy-unknown', 'learnedGround'];
 
 /** `most` in kB (1,000 bytes); the table in README.md has the same rows. */
 export const USES = [
   {
+    name: 'lean predictor, JSON, readouts',
+    most: 52,
+    code: using('createLeanPredictor'),
+    without: [...FEATURES, 'createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
+  },
+  {
     name: 'predictor, JSON, readouts',
-    most: 62,
-    code: PREDICTOR,
+    most: 61,
+    code: using('createPredictor'),
     without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'with the checks of development',
     most: 67,
-    code: PREDICTOR,
+    code: using('createPredictor'),
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],
   },

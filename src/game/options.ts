@@ -52,6 +52,34 @@ export interface GameConnectionOptions {
   readonly bodies?: readonly (Body & BodyMotion)[];
 }
 
+const OPTIONS = [
+  'address',
+  'token',
+  'clock',
+  'jitter',
+  'openSocket',
+  'open',
+  'pack',
+  'bodies',
+] satisfies readonly (keyof GameConnectionOptions)[];
+const HANDLERS = [
+  'onFrame',
+  'onWelcome',
+  'onStatus',
+  'onShipGone',
+  'onToken',
+  'onRefused',
+  'onOther',
+] satisfies readonly (keyof GameHandlers)[];
+/** s: no monotonic clock has run for 30 years; Unix time has. */
+const UNIX_TIME = 1e9;
+
+function requireKnown(path: string, known: readonly string[], given: object): void {
+  const unknown = Object.keys(given).find((name) => !known.includes(name));
+  if (unknown !== undefined)
+    throw new RangeError(`${path}.${unknown}: unknown. Known are ${known.join(', ')}.`);
+}
+
 /** Throws RangeError that names the invalid option or handler. */
 export function requireConnection(options: GameConnectionOptions, handlers: GameHandlers): void {
   const given = (options as GameConnectionOptions | undefined) ?? ({} as Partial<GameConnectionOptions>);
@@ -60,6 +88,8 @@ export function requireConnection(options: GameConnectionOptions, handlers: Game
     throw new RangeError(`options.address: expected ws://… or wss://…, got ${String(address)}`);
   if (typeof token !== 'string' || token === '')
     throw new RangeError(`options.token: expected the token of the login, got ${JSON.stringify(token)}`);
+  if (/\s/.test(token))
+    throw new RangeError(`options.token: expected the token alone, without "Bearer" or spaces`);
   const told = (handlers as GameHandlers | undefined) ?? ({} as Partial<GameHandlers>);
   const functions = {
     ...{ 'options.clock.now': clock?.now, 'options.clock.after': clock?.after },
@@ -72,4 +102,15 @@ export function requireConnection(options: GameConnectionOptions, handlers: Game
   for (const [name, value] of Object.entries(functions))
     if (typeof value !== 'function')
       throw new RangeError(`${name}: expected a function, got ${String(value)}`);
+  requireKnown('options', OPTIONS, given);
+  requireKnown('handlers', HANDLERS, told);
+  if ('CONNECTING' in (given.openSocket as unknown as object))
+    throw new RangeError(
+      'options.openSocket: expected a function, (address) => new WebSocket(address), got the class itself',
+    );
+  const now = (clock as GameClock).now();
+  if (!(now < UNIX_TIME))
+    throw new RangeError(
+      `options.clock.now: expected monotonic seconds, () => performance.now() / 1000, got ${String(now)}`,
+    );
 }

@@ -3,7 +3,9 @@ export type HudWarn = (code: string, message: string) => void;
 
 const CHOICES = { theme: ['dark', 'light', 'system'], layout: ['auto', 'full', 'compact'] } as const;
 
-/** Throws RangeError that names the invalid argument or option. */
+const FUNCTIONS = ['keyLabel', 'turnKeys', 'onWarning'];
+
+/** Throws RangeError that names the invalid argument or option; warns of options that do not exist. */
 export function requireHost(
   document: Document,
   host: Element | ShadowRoot,
@@ -15,11 +17,21 @@ export function requireHost(
     throw new RangeError(
       `host: expected an element or a shadow root, got ${kindOf(host)}. Is it in the page when this runs?`,
     );
+  for (const name of FUNCTIONS)
+    if (options[name] !== undefined && typeof options[name] !== 'function')
+      throw new RangeError(`options.${name}: expected a function, got ${kindOf(options[name])}`);
   for (const [name, choices] of Object.entries(CHOICES)) {
     const value = options[name];
     if (value !== undefined && !(choices as readonly unknown[]).includes(value))
       throw new RangeError(`options.${name}: expected ${choices.join(', ')}, got ${JSON.stringify(value)}`);
   }
+  const known = [...Object.keys(CHOICES), ...FUNCTIONS];
+  const unknown = Object.keys(options).filter((name) => !known.includes(name));
+  if (unknown.length > 0)
+    (options['onWarning'] as HudWarn | undefined)?.(
+      'hud-option',
+      `options.${unknown.join(', ')}: unknown, without effect. Known are ${known.join(', ')}.`,
+    );
 }
 
 function has(value: unknown, method: string): boolean {

@@ -3,7 +3,6 @@ import { placePresent } from './drawn/worldView';
 import { sampleControls } from './inputs/pilot';
 import { announce, type Session } from './session';
 import { runReplays } from './simulation/replay';
-import { checkRollback } from './simulation/rollbackCheck';
 import { stepFront } from './simulation/front';
 import type { Simulation } from './simulation/simulation';
 import { isFarBehind, realign } from './snapshots/reconcile/realign';
@@ -89,7 +88,7 @@ export function place(sim: Simulation, present: number): void {
 
 function checkBoundary({ sim, options }: Session, tick: number): void {
   const ticks = options.forcedRollback ?? 0;
-  if (ticks > 0) checkRollback(sim, tick, ticks);
+  if (ticks > 0) sim.features.checkRollback?.(sim, tick, ticks);
 }
 
 const moment: Moment = { tick: 0, substeps: 0 };

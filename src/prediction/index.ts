@@ -2,7 +2,17 @@
 
 /** The predictor: receive, advance, view. */
 export { createPredictor, forkPredictor } from './predictor';
-export type { Predictor } from './calls/api';
+export { createLeanPredictor, type LeanOptions } from './leanPredictor';
+export type { LeanPredictor, Predictor } from './calls/api';
+/** What a lean predictor loads in addition. */
+export {
+  type Feature,
+  foreignDynamics,
+  learnedGround,
+  measuredGameTime,
+  measuredSpin,
+  touchdownRecord,
+} from './features';
 export type { ClientTerrain, Defaults, PredictorOptions } from './options';
 /** Why a ship is removed, and warnings to the caller. */
 export type { Removal } from './ownership';

@@ -1,18 +1,17 @@
 import { err } from '../dynamics';
 import type { Predictor } from './calls/api';
 import { wallAt } from './calls/callTime';
-import { frameCalls } from './calls/frameCalls';
-import { createLife } from './calls/life';
-import { shipCalls } from './calls/shipCalls';
-import { describe } from './checks/describe';
+import { commonCalls } from './calls/commonCalls';
+import { isShipId } from './calls/shipCalls';
 import { requireOptions } from './checks/options';
+import { ALL_FEATURES } from './features';
 import { configure } from './lifecycle/configure';
 import { copyOwned, type Owned } from './lifecycle/fork';
-import { createKept, restoreSnapshot, snapshotOf } from './lifecycle/snapshot';
+import { changePolicy } from './lifecycle/policy';
+import { createKept, receiveAndKeep, restoreSnapshot, snapshotOf } from './lifecycle/snapshot';
 import type { PredictorOptions } from './options';
-import { resetSession } from './ownership';
-import { createSession, type Session } from './session';
-import { refuse } from './snapshots/receiveSnapshot';
+import { createSession } from './session';
+import { decodePending, receivePending } from './snapshots/pending';
 
 /**
  * Creates a predictor without server state.
@@ -29,7 +28,7 @@ import { refuse } from './snapshots/receiveSnapshot';
  */
 export function createPredictor(options: PredictorOptions = {}): Predictor {
   requireOptions(options);
-  return predictorOf({ session: createSession(options), kept: createKept() });
+  return predictorOf({ session: createSession(options, ALL_FEATURES), kept: createKept() });
 }
 
 const owners = new WeakMap<Predictor, Owned>();
@@ -51,35 +50,25 @@ function predictorOf(owned: Owned): Predictor {
 }
 
 function createFace({ session, kept }: Owned): Predictor {
-  const life = createLife(session);
+  const { life, calls, receiveAt } = commonCalls(session, {
+    take: (message, at) => receiveAndKeep(session, kept, message, at),
+    decodePending,
+  });
   return {
-    ...frameCalls(session, kept, life),
-    ...shipCalls(session, life),
-    refused: (reason) => refuse(session.sim, reason),
-    onEvent(listener) {
-      if (!life.carriesOut('onEvent') || !isListener(session, listener)) return () => undefined;
-      session.listeners.add(listener);
-      return () => session.listeners.delete(listener);
+    ...calls,
+    receivePending(message, now) {
+      if (life.carriesOut('receivePending')) receivePending(session, message, now, receiveAt);
+    },
+    setPolicy(shipId, policy) {
+      if (life.carriesOut('setPolicy') && isShipId(session, 'setPolicy', shipId))
+        changePolicy(session, shipId, policy);
     },
     configure: (changes) =>
       life.carriesOut('configure') ? configure(session, changes) : err('configure: disposed'),
-    reset: () => resetSession(session),
     snapshot: (now) => snapshotOf(session, kept, wallAt(session, now)),
     restore: (snapshot, now) =>
       life.carriesOut('restore')
         ? restoreSnapshot(session, kept, snapshot, wallAt(session, now))
         : err('snapshot: disposed'),
-    dispose() {
-      life.end();
-      session.listeners.clear();
-      resetSession(session);
-    },
   };
-}
-
-function isListener({ warn }: Session, listener: unknown): boolean {
-  if (typeof listener === 'function') return true;
-  const message = `onEvent: expected one function (notice) for all events, got ${describe(listener)}.`;
-  warn('listener-not-function', message, { listener });
-  return false;
 }

@@ -1,5 +1,4 @@
-import type { BodyMotion, TerrainHeight, World } from '../dynamics';
-import { TERRAINS } from '../dynamics';
+import { type BodyMotion, flatTerrain, type TerrainHeight, type World } from '../dynamics';
 import type { Hello } from '../wire';
 import { guardTerrain } from './checks/guardTerrain';
 import { createDiagnosis } from './diagnosis';
@@ -9,7 +8,7 @@ import { createShown, type Shown } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
 import { createSending, type Sending } from './inputs/sending';
 import { BUDGET, defaultWorld, type PredictorOptions } from './options';
-import { createSimulation, type Simulation } from './simulation/simulation';
+import { createSimulation, type Features, type Simulation } from './simulation/simulation';
 import { createGameTimeMeter, forgetGameTime, type GameTimeMeter } from './snapshots/gameTimeMeter';
 import { createPendingFrames, type PendingFrames } from './snapshots/pendingFrames';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
@@ -24,6 +23,7 @@ export interface Session {
   readonly terrains: Readonly<Record<string, TerrainHeight>>;
   readonly defaults: WorldConfig;
   readonly options: PredictorOptions;
+  readonly features: Features;
   readonly warn: Warn;
   readonly counters: Diagnosis;
   readonly clock: Clock;
@@ -49,19 +49,20 @@ export interface Session {
 }
 
 /** A predictor's state before anything was received. Throws RangeError that names the invalid part of the default world. */
-export function createSession(options: PredictorOptions): Session {
+export function createSession(options: PredictorOptions, features: Features): Session {
   const warn = createWarn(options.onWarning);
-  const terrains = terrainsOf(options, warn);
+  const terrains = terrainsOf(options, features, warn);
   const defaults = defaultWorld(options.defaults);
   const world = loadConfig(defaults, terrains);
   if (!world.ok) throw new RangeError(`defaults: ${world.reason}`);
   const counters = createDiagnosis();
   const clock = createClock();
-  const sim = newSimulation(world.value, defaults.bodies, { options, counters, warn });
+  const sim = newSimulation(world.value, defaults.bodies, { options, features, counters, warn });
   return {
     terrains,
     defaults,
     options,
+    features,
     warn,
     counters,
     clock,
@@ -86,22 +87,23 @@ export function createSession(options: PredictorOptions): Session {
 /** The terrains that a hello or the defaults may name. Unknown ground (null) counts as 0 in sums; no ship is predicted on it (knowsGround). */
 function terrainsOf(
   { terrains = {} }: PredictorOptions,
+  { terrains: known = { flat: flatTerrain } }: Features,
   warn: Warn,
 ): Readonly<Record<string, TerrainHeight>> {
   const guarded = Object.entries(terrains).map(([name, terrain]) => [
     name,
     guardTerrain(terrain, name, warn),
   ]);
-  return { ...TERRAINS, ...(Object.fromEntries(guarded) as Record<string, TerrainHeight>) };
+  return { ...known, ...(Object.fromEntries(guarded) as Record<string, TerrainHeight>) };
 }
 
 function newSimulation(
   world: World,
   bodies: readonly BodyMotion[],
-  { options, counters, warn }: Pick<Session, 'options' | 'counters' | 'warn'>,
+  { options, features, counters, warn }: Pick<Session, 'options' | 'features' | 'counters' | 'warn'>,
 ): Simulation {
   const sleeps = (options.forcedRollback ?? 0) === 0;
-  return createSimulation(world, bodies, { counters, warn, sleeps, plan: options.plan ?? [] });
+  return createSimulation(world, bodies, { features, counters, warn, sleeps, plan: options.plan ?? [] });
 }
 
 /** Clears all ships and the timeline of the previous world; listeners stay. */

@@ -5,7 +5,7 @@ const NO_VIEW = { ready: false, own: null, ships: [], timeScale: 1 } as unknown 
 
 /**
  * The view to read: one that is not ready for null and undefined, as of a predictor in a worker that has not answered yet.
- * @throws TypeError, naming the call, where the two arguments are the wrong way round
+ * @throws TypeError, naming the call, where the two arguments are the wrong way round, or one ship's view is passed for the world's
  */
 export function viewOf(call: string, out: object, view: WorldView | null | undefined): WorldView {
   if (
@@ -14,5 +14,8 @@ export function viewOf(call: string, out: object, view: WorldView | null | undef
     'diagnosis' in out
   )
     throw new TypeError(`${call}(readout, view): expected the readout first, then the view`);
-  return view ?? NO_VIEW;
+  if (view === null || view === undefined) return NO_VIEW;
+  if (!('ships' in view))
+    throw new TypeError(`${call}(readout, view): expected all that predictor.view returns`);
+  return view;
 }

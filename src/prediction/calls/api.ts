@@ -10,14 +10,9 @@ import type { Policy } from '../simulation/track';
  * Server states + own controls → the present pose (PREDICTION). `now` is an argument, in monotonic wall seconds; nothing reads a clock,
  * and nothing that a server or a pilot sends makes it throw.
  */
-export interface Predictor {
+export interface LeanPredictor {
   /** Receives a checked message of the server; a frame needs only tick and ships. */
   receive: (message: ServerMessage | PartialFrame, now: number) => void;
-  /**
-   * Receives an undecoded message of the server (pendingServerMessage of wire): the next `advance` decodes it, unless newer frames
-   * supersede it. For a page that may be hidden while hundreds of ships are sent.
-   */
-  receivePending: (message: PendingMessage, now: number) => void;
   /** Reports a frame that the wire refused; it is counted, and the diagnosis keeps its reason. */
   refused: (reason: string) => void;
   /** Called once per display frame: samples own controls (null for a spectator, or without input) and simulates up to the present. Controls that are not finite are ignored. */
@@ -39,6 +34,19 @@ export interface Predictor {
   removeShip: (shipId: string, reason: Removal) => void;
   /** Announces that the server moves the ship elsewhere: its next state is shown at once and counts as no error. */
   teleported: (shipId: string) => void;
+  /** Clears ships, time, inputs and the clock, as for another server of the same world. The own ship and listeners stay. */
+  reset: () => void;
+  /** Releases everything, listeners too; later calls do nothing. */
+  dispose: () => void;
+}
+
+/** A predictor with all that this library has for one; `createLeanPredictor` makes one that loads less. */
+export interface Predictor extends LeanPredictor {
+  /**
+   * Receives an undecoded message of the server (pendingServerMessage of wire): the next `advance` decodes it, unless newer frames
+   * supersede it. For a page that may be hidden while hundreds of ships are sent.
+   */
+  receivePending: (message: PendingMessage, now: number) => void;
   /**
    * Sets how the ship is drawn, present or not: simulated to the present (`predict`, the default), between its
    * server states about one send ago (`interpolate`), or where its newest server state has it (`hold`). The change is
@@ -51,12 +59,8 @@ export interface Predictor {
    * same. An error names the invalid field, and nothing changes.
    */
   configure: (changes: Partial<Defaults>) => Result<null>;
-  /** Clears ships, time, inputs and the clock, as for another server of the same world. The own ship and listeners stay. */
-  reset: () => void;
   /** The last messages as plain data for JSON.stringify, to continue from after a reload or in a worker. */
   snapshot: (now: number) => PredictorSnapshot;
   /** Continues from a snapshot, as if its frame had arrived `age` s ago; or returns an error that names the invalid field, and nothing changes. */
   restore: (snapshot: unknown, now: number) => Result<null>;
-  /** Releases everything, listeners too; later calls do nothing. */
-  dispose: () => void;
 }

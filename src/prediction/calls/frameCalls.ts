@@ -2,50 +2,66 @@ import type { ClientMessage, PartialFrame, ServerMessage } from '../../wire';
 import { createChecks } from '../checks/checks';
 import { advanceFrame } from '../frameLoop';
 import { lastControls, takeInputs } from '../inputs/sending';
-import { type Kept, receiveAndKeep } from '../lifecycle/snapshot';
 import type { Session } from '../session';
-import { decodePending, receivePending } from '../snapshots/pending';
 import { pingIfDue } from '../time/pings';
 import { viewAt } from '../viewAt';
 import type { Predictor } from './api';
 import { wallAt } from './callTime';
 import type { Life } from './life';
 
-/** The calls of each message and each display frame. */
-export function frameCalls(session: Session, kept: Kept, life: Life) {
+/** A decoded message that arrived at the caller's `now`, client wall second `at`. */
+export type Receive = (message: ServerMessage | PartialFrame, now: number, at: number) => void;
+
+export interface Incoming {
+  /** Handles a checked message at a client wall second. */
+  readonly take: (message: ServerMessage | PartialFrame, at: number) => void;
+  /** Decodes the messages that wait for the next frame. */
+  readonly decodePending?: (session: Session, receive: Receive) => void;
+}
+
+/** The calls of each message and each display frame, and how a message that was decoded late is received. */
+export function frameCalls(session: Session, life: Life, { take, decodePending }: Incoming) {
   const checks = createChecks(session);
-  const receiveAt = (message: ServerMessage | PartialFrame, now: number, at: number) => {
+  const receiveAt: Receive = (message, now, at) => {
     checks?.receive(message, now);
-    if (!Number.isNaN(at)) receiveAndKeep(session, kept, message, at);
+    if (!Number.isNaN(at)) take(message, at);
   };
+  return { calls: callsOf(session, life, { checks, receiveAt, decodePending }), receiveAt };
+}
+
+interface Frames {
+  readonly checks: ReturnType<typeof createChecks>;
+  readonly receiveAt: Receive;
+  readonly decodePending: Incoming['decodePending'];
+}
+
+function callsOf(session: Session, life: Life, { checks, receiveAt, decodePending }: Frames) {
   return {
     receive(message, now) {
       if (life.carriesOut('receive')) receiveAt(message, now, wallAt(session, now));
-    },
-    receivePending(message, now) {
-      if (life.carriesOut('receivePending')) receivePending(session, message, now, receiveAt);
     },
     advance(controls, now) {
       if (!life.carriesOut('advance')) return;
       checks?.advance(controls, now);
       const at = wallAt(session, now);
       if (Number.isNaN(at)) return;
-      decodePending(session, receiveAt);
+      decodePending?.(session, receiveAt);
       pingIfDue(session.pings, at);
       if (session.sim.newestTick >= 0) advanceFrame(session, controls, at);
     },
     view(now) {
+      life.carriesOut('view');
       checks?.view(now);
       if (Number.isFinite(now)) return viewAt(session, now + session.setBack);
       wallAt(session, now);
       return session.shown.view;
     },
     takeOutgoing() {
-      checks?.taken();
+      checks?.taken('takeOutgoing');
       return takeOutgoing(session);
     },
     takeControls() {
-      checks?.taken();
+      checks?.taken('takeControls');
       return lastControls(takeOutgoing(session));
     },
   } satisfies Partial<Predictor>;

@@ -1,9 +1,10 @@
 import { describe } from '../checks/describe';
-import { changePolicy } from '../lifecycle/policy';
-import { changeOwnShip, dropShip, expectTeleport } from '../ownership';
+import { changeOwnShip, dropShip, expectTeleport, type Removal } from '../ownership';
 import { announce, type Session } from '../session';
 import type { Predictor } from './api';
 import type { Life } from './life';
+
+const REMOVALS: readonly unknown[] = ['destroyed', 'docked', 'gone'] satisfies readonly Removal[];
 
 /** The calls about single ships. A call without a ship id is ignored, with a warning. */
 export function shipCalls(session: Session, life: Life) {
@@ -16,19 +17,23 @@ export function shipCalls(session: Session, life: Life) {
     },
     removeShip(shipId, reason) {
       if (!isOf('removeShip', shipId)) return;
+      if (!REMOVALS.includes(reason))
+        session.warn(
+          'removal-unknown',
+          `removeShip(id, reason): expected ${REMOVALS.join(', ')}, got ${describe(reason)}. It counts as gone.`,
+          { shipId, reason },
+        );
       dropShip(session, shipId, reason);
       announce(session);
     },
     teleported(shipId) {
       if (isOf('teleported', shipId)) expectTeleport(session, shipId);
     },
-    setPolicy(shipId, policy) {
-      if (isOf('setPolicy', shipId)) changePolicy(session, shipId, policy);
-    },
   } satisfies Partial<Predictor>;
 }
 
-function isShipId({ warn }: Session, call: string, shipId: unknown): boolean {
+/** Whether a JavaScript caller's `shipId` is one; warns if not. */
+export function isShipId({ warn }: Session, call: string, shipId: unknown): boolean {
   if (typeof shipId === 'string') return true;
   const message = `${call}: expected a ship id (a string), got ${describe(shipId)}. The call was ignored.`;
   warn('ship-id', message, { field: call, value: shipId });

@@ -15,8 +15,11 @@ export interface Calls {
   advancedAt: number;
   receivedAt: number;
   takenAt: number;
-  /** Tick and arrival of the first frame; NaN before. */
+  /** The call that took messages before; '' for none. */
+  takenBy: string;
+  /** Tick, game time (s) and arrival of the first frame; NaN before. */
   firstTick: number;
+  firstGameTime: number;
   firstAt: number;
 }
 
@@ -24,8 +27,9 @@ export function createCalls(): Calls {
   return {
     ...{ advances: 0, views: 0, frames: 0, unseen: 0 },
     ...{ repeated: 0, millisecondGaps: 0, slowGaps: 0 },
-    ...{ advancedAt: Number.NaN, receivedAt: Number.NaN, takenAt: 0 },
-    ...{ firstTick: Number.NaN, firstAt: Number.NaN },
+    ...{ advancedAt: Number.NaN, receivedAt: Number.NaN },
+    ...{ takenAt: 0, takenBy: '' },
+    ...{ firstTick: Number.NaN, firstGameTime: Number.NaN, firstAt: Number.NaN },
   };
 }
 
@@ -36,6 +40,8 @@ const SLOW_GAP = 0.15;
 const HIDDEN_GAP = 5;
 const MILLISECOND_GAP = 4;
 const LONGEST_GAP = 300;
+/** s: no monotonic clock has run for 30 years; Unix time has. */
+const UNIX_TIME = 1e9;
 /** s: times further apart come from different clocks. */
 const CLOCKS_APART = 100;
 
@@ -57,6 +63,10 @@ export function noteAdvance(warn: Warn, calls: Calls, now: number): void {
     });
   if (calls.slowGaps === PATTERN)
     warn('advance-seldom', `advance is called every ${gap} s: call it once per display frame.`, { now, gap });
+  if (now > UNIX_TIME) {
+    const message = `now is ${now}, as Date.now() gives it: that clock is set back and forth. Pass performance.now() / 1000.`;
+    warn('now-of-calendar', message, { now });
+  }
   if (gap < 0) warn('now-went-back', `now went back by ${-gap} s: pass a monotonic clock.`, { now, gap });
   if (Math.abs(now - calls.receivedAt) > CLOCKS_APART * (1 + calls.millisecondGaps)) {
     const details = { now, receivedAt: calls.receivedAt };
@@ -92,12 +102,16 @@ export function noteFrame(warn: Warn, calls: Calls, frame: PartialFrame, now: nu
 }
 
 /** Warns of a tick rate other than the rate at which ticks arrive: a period for a rate, milliseconds for seconds. */
-function noteRate(warn: Warn, calls: Calls, { tick, tickRate, paused }: PartialFrame, now: number): void {
+function noteRate(warn: Warn, calls: Calls, frame: PartialFrame, now: number): void {
+  const { tick, tickRate, paused } = frame;
+  const gameTime = frame.gameTime ?? Number.NaN;
   if (Number.isNaN(calls.firstTick) || tick < calls.firstTick || paused === true) {
     calls.firstTick = tick;
+    calls.firstGameTime = gameTime;
     calls.firstAt = now;
   }
   const seconds = now - calls.firstAt;
+  checkGameTime(warn, (gameTime - calls.firstGameTime) / (tick - calls.firstTick), frame);
   const come = (tick - calls.firstTick) / seconds;
   if (typeof tickRate !== 'number' || calls.frames < PATTERN || !(seconds >= MEASURED)) return;
   if (come < tickRate * OTHER_RATE && come * OTHER_RATE > tickRate) return;
@@ -108,6 +122,15 @@ function noteRate(warn: Warn, calls: Calls, { tick, tickRate, paused }: PartialF
 /** s over which the tick rate is measured, and the factor by which it may differ from the rate sent: a stall is no fault. */
 const MEASURED = 3;
 const OTHER_RATE = 5;
+
+/** Game time that grows `perTick` a tick, by a factor of more than 100 off what the tempo says, is in another unit. */
+function checkGameTime(warn: Warn, perTick: number, { tickRate, timeScale }: PartialFrame): void {
+  const expected = (timeScale ?? Number.NaN) / (tickRate ?? Number.NaN);
+  const ratio = perTick / expected;
+  if (!(ratio > 100 || ratio < 0.01)) return;
+  const message = `gameTime grows by ${perTick} per tick, and timeScale / tickRate is ${expected} s: pass seconds.`;
+  warn('game-time', message, { perTick, expected });
+}
 
 /** `view` was called. */
 export function noteView(warn: Warn, calls: Calls, now: number): void {
@@ -127,4 +150,15 @@ export function noteUntaken(warn: Warn, calls: Calls, waiting: number): void {
   if (waiting === 0 || calls.advances - calls.takenAt < LONGEST_GAP) return;
   const text = `${waiting} inputs wait to be sent: call takeOutgoing (protobuf) or takeControls (JSON) each frame.`;
   warn('outgoing-not-taken', text, { waiting });
+}
+
+/** `call` took the messages to send. */
+export function noteTaken(warn: Warn, calls: Calls, call: string): void {
+  calls.takenAt = calls.advances;
+  if (calls.takenBy !== '' && calls.takenBy !== call) {
+    const message =
+      'takeOutgoing and takeControls are both called, and each takes the messages from the other: call takeOutgoing for protobuf, takeControls for JSON.';
+    warn('outgoing-taken-twice', message, { call, before: calls.takenBy });
+  }
+  calls.takenBy = call;
 }

@@ -1,7 +1,7 @@
 import type { Controls } from '../../dynamics';
 import type { PartialFrame, ServerMessage } from '../../wire';
 import type { Session } from '../session';
-import { type Calls, createCalls, noteAdvance, noteFrame, noteUntaken, noteView } from './calls';
+import { type Calls, createCalls, noteAdvance, noteFrame, noteTaken, noteUntaken, noteView } from './calls';
 import { checkControls } from './controls';
 import { checkKind, checkMessage } from './messages';
 import { checkOptions } from './options';
@@ -12,7 +12,7 @@ export interface Checks {
   readonly receive: (message: ServerMessage | PartialFrame, now: number) => void;
   readonly advance: (controls: Controls | null, now: number) => void;
   readonly view: (now: number) => void;
-  readonly taken: () => void;
+  readonly taken: (call: string) => void;
 }
 
 /** The first frames are all checked; later ones are sampled, since most mistakes show from the start. */
@@ -40,7 +40,7 @@ export function createChecks(session: Session): Checks | null {
       }
     },
     view: (now) => noteView(warn, calls, now),
-    taken: () => (calls.takenAt = calls.advances),
+    taken: (call) => noteTaken(warn, calls, call),
   };
 }
 

@@ -42,6 +42,12 @@ function checkAttitude(warn: Warn, { attitudeMode, targetAttitude }: Controls): 
     const message = `controls.attitudeMode is ${describe(attitudeMode)}, which is unknown: the ship does not turn. ${hint}`;
     warn('attitude-mode', message, { value: attitudeMode, nearest });
   }
+  const [x, y, z, w] = targetAttitude;
+  if (x === 1 && y === 0 && z === 0 && w === 0) {
+    const message =
+      'controls.targetAttitude is [1, 0, 0, 0]: no turn is [0, 0, 0, 1], in the order [x, y, z, w].';
+    warn('quaternion-order', message, { field: 'controls.targetAttitude', value: targetAttitude });
+  }
   const length = Math.hypot(...targetAttitude);
   if (Math.abs(length - 1) > 0.01) {
     const message = `controls.targetAttitude has length ${length}: pass a unit quaternion [x, y, z, w], not degrees.`;

@@ -1,6 +1,10 @@
-import { DEFAULT_SETTINGS } from '../../dynamics';
+import { DEFAULT_SETTINGS, loadControls } from '../../dynamics';
 import { DEFAULT_SMOOTHING, SMOOTHING_BOUNDS } from '../drawn/ease';
+import type { ScheduledInput } from '../inputs/inputs';
+import type { BodyState } from '../../wire';
 import type { Defaults, PredictorOptions } from '../options';
+import { checkBodies } from './bodies';
+import { checkClasses } from './shipClasses';
 import type { Warn } from '../warnings';
 import { describe, kindOf } from './describe';
 import { warnOfUnknown } from './names';
@@ -25,10 +29,16 @@ const isText: Check = (value) => typeof value === 'string';
 const isCount: Check = (value) => Number.isSafeInteger(value) && (value as number) >= 0;
 const isPlan: Check = (value) =>
   Array.isArray(value) &&
-  value.every((entry: unknown) => {
-    const { tick, substep, controls } = (entry ?? {}) as Readonly<Record<string, unknown>>;
-    return isCount(tick) && isCount(substep) && isRecord(controls);
+  value.every((entry: unknown, i) => {
+    const { tick, substep, controls } = (entry ?? {}) as ScheduledInput;
+    if (!isCount(tick) || !isCount(substep) || !isRecord(controls) || !loadControls(controls).ok)
+      return false;
+    const before = (value as readonly ScheduledInput[])[i - 1];
+    return before === undefined || tick > before.tick || (tick === before.tick && substep >= before.substep);
   });
+
+const areFeatures: Check = (value) =>
+  Array.isArray(value) && value.every((entry: unknown) => isRecord(entry) && 'feature' in (entry as object));
 
 type Expected = Readonly<Record<string, readonly [Check, string]>>;
 
@@ -42,16 +52,30 @@ const EXPECTED: Expected = {
   maxSubstepsPerFrame: [(value) => isCount(value) && value !== 0, 'a whole number > 0'],
   smoothing: [isRecord, 'an object with alongGround, alongNormal, angle'],
   ownShipId: [isText, 'a string'],
-  plan: [isPlan, 'a list of { tick, substep, controls }'],
+  plan: [isPlan, 'a list of { tick, substep, controls }, ascending in time, with all controls'],
   onWarning: [isFunction, 'a function (code, message, details)'],
   forcedRollback: [isCount, 'a whole number ≥ 0'],
+  features: [areFeatures, 'a list of features, as [learnedGround]'],
 };
+
+const isVector = (value: unknown, count: number): boolean =>
+  value === undefined || (Array.isArray(value) && value.length === count && value.every(Number.isFinite));
+
+/** Of what is absent the loaded world says so. */
+const areBodies: Check = (value) =>
+  Array.isArray(value) &&
+  value.every((body: unknown) => {
+    const { position, velocity, attitude, angularVelocity } = (body ?? {}) as Partial<BodyState>;
+    return (
+      isVector(attitude, 4) && [position, velocity, angularVelocity].every((vector) => isVector(vector, 3))
+    );
+  });
 
 /** The check of each member of `defaults`, and what it expects; the contents are checked when the world is loaded. */
 const EXPECTED_DEFAULTS: Expected = {
   settings: [isRecord, 'an object of settings by name'],
   shipClasses: [Array.isArray, 'a list of ship classes'],
-  bodies: [Array.isArray, 'a list of bodies'],
+  bodies: [areBodies, 'a list of bodies with vectors of finite numbers'],
   terrain: [isText, 'the name of a terrain'],
 };
 
@@ -103,19 +127,29 @@ export function checkOptions(warn: Warn, given: PredictorOptions): void {
 /** Warns of unknown members of the defaults, and of unknown settings. */
 export function checkDefaults(warn: Warn, path: string, given: object): void {
   warnOfUnknown(warn, { code: 'unknown-default', path, known: DEFAULTS }, given);
-  checkSettings(warn, `${path}.settings`, (given as Partial<Defaults>).settings);
+  const { settings, shipClasses, bodies } = given as Partial<Defaults>;
+  checkSettings(warn, `${path}.settings`, settings);
+  if (Array.isArray(shipClasses)) checkClasses(warn, `${path}.shipClasses`, shipClasses);
+  if (Array.isArray(bodies)) checkBodies(warn, bodies as readonly BodyState[]);
 }
 
-/** Warns of unknown settings, and of angles that look like radians. */
+/** Settings of which less than `least` is another unit. */
+const IMPLAUSIBLE = [
+  { field: 'contactTippedAngleDeg', least: 3.2, code: 'setting-in-radians', expected: 'degrees are' },
+  { field: 'contactSettleTiltDeg', least: 0.35, code: 'setting-in-radians', expected: 'degrees are' },
+  { field: 'contactCrashSpeed', least: 0.1, code: 'setting-in-kilometres', expected: 'm/s is' },
+] as const;
+
+/** Warns of unknown settings, and of values that look like radians or km/s. */
 export function checkSettings(warn: Warn, path: string, settings: unknown): void {
   if (!isRecord(settings)) return;
   const known = Object.keys(DEFAULT_SETTINGS);
   // A loaded record includes its derived constants.
   const naming = { code: 'unknown-setting', path, known: [...known, 'cosSettleTilt', 'cosTippedAngle', 'constants'] };
   warnOfUnknown(warn, naming, settings as object);
-  const tipped = (settings as { contactTippedAngleDeg?: unknown }).contactTippedAngleDeg;
-  if (typeof tipped === 'number' && tipped > 0 && tipped < 3.2) {
-    const details = { field: 'contactTippedAngleDeg', value: tipped };
-    warn('setting-in-radians', `${path}.contactTippedAngleDeg is ${tipped}: degrees are expected.`, details);
+  for (const { field, least, code, expected } of IMPLAUSIBLE) {
+    const value = (settings as Readonly<Record<string, unknown>>)[field];
+    if (typeof value === 'number' && value > 0 && value < least)
+      warn(code, `${path}.${field} is ${value}: ${expected} expected.`, { field, value });
   }
 }

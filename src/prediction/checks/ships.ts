@@ -30,7 +30,10 @@ export function checkShip(warn: Warn, ship: ShipState, bodies: readonly BodyStat
       value: ship.angularVelocity,
     });
   const [x, y, z, w] = ship.attitude;
-  if (x === 1 && y === 0 && z === 0 && w === 0) warnOfOrder(warn, ship);
+  const isFirst = x === 1 && y === 0 && z === 0 && w === 0;
+  // [0, 0, 0, 1] read as a list of JSON, which begins with w.
+  const isThird = z === 1 && x === 0 && y === 0 && w === 0;
+  if (isFirst || isThird) warnOfOrder(warn, ship);
   checkCommands(warn, ship);
   const near = nearestBody(ship.position, bodies);
   if (near !== null) checkPlace(warn, ship, near);
@@ -38,7 +41,7 @@ export function checkShip(warn: Warn, ship: ShipState, bodies: readonly BodyStat
 }
 
 function warnOfOrder(warn: Warn, { shipId, attitude }: ShipState): void {
-  const message = `The attitude of ${shipId} looks like [w, x, y, z]: pass [x, y, z, w].`;
+  const message = `The attitude of ${shipId} is in another order: records have [x, y, z, w], lists in JSON [w, x, y, z].`;
   warn('quaternion-order', message, { shipId, value: attitude });
 }
 
@@ -61,7 +64,8 @@ function checkPlace(warn: Warn, ship: ShipState, body: BodyState): void {
   const from = minus(ship.position, body.position);
   const distance = lengthOf(from);
   const enlarged = lengthOf(minus(times(ship.position, 1000), body.position));
-  if (distance > 10 * body.radius && enlarged < 2 * body.radius) {
+  const isNear = (metres: number) => Math.abs(metres / body.radius - 1) < 0.3;
+  if ((distance > 10 * body.radius && enlarged < 2 * body.radius) || isNear(distance * 1000)) {
     const message = `${shipId} is ${distance} m from ${body.name}, and would be near it at a thousand times the distance: pass metres, not km.`;
     warn('position-in-kilometres', message, { shipId, value: ship.position });
     return;
@@ -83,7 +87,16 @@ function checkPlace(warn: Warn, ship: ShipState, body: BodyState): void {
         value: ship.velocity,
       },
     );
+  else if (distance < 2 * body.radius) checkFrame(warn, ship, body, speed);
   if (ship.landedBodyName === body.name) checkLanded(warn, ship, { body, from, distance });
+}
+
+/** A ship beside a fast body that has next to none of its velocity: the velocity is relative to the body. */
+function checkFrame(warn: Warn, { shipId, velocity }: ShipState, body: BodyState, speed: number): void {
+  const own = lengthOf(body.velocity);
+  if (own < FAST || lengthOf(velocity) > 0.3 * own || speed < 0.7 * own) return;
+  const message = `${shipId} moves at ${speed} m/s relative to ${body.name}: velocity is ICRF; one relative to the body goes into relativeVelocity.`;
+  warn('velocity-frame', message, { shipId, value: velocity, speed });
 }
 
 interface Landed {

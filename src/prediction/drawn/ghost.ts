@@ -11,7 +11,6 @@ import { hullOfShip, LEGS } from './snap/hull';
 import { pose } from './pose';
 import { lengthOf, rotateBack, seenFrom } from './rotation';
 import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './snap/groundSnap';
-import { offsetAt } from '../ground/learnedGround';
 import { type LevelGround, snapToLevel } from './snap/levelSnap';
 import type { Track } from '../simulation/track';
 import type { ShipView } from './view';
@@ -45,8 +44,8 @@ export function fillGhost(
   drawn.bodyName = body.name;
   drawn.radius = body.radius;
   ground.radius = groundRadius(drawn, nx, ny, nz);
-  const { places } = track.ground;
-  ghost.groundOffset = places.length === 0 ? 0 : offsetAt(places, body.name, nx, ny, nz);
+  const { places, reading } = track.ground;
+  ghost.groundOffset = reading?.offsetAt(places, body.name, nx, ny, nz) ?? 0;
   // Too high to touch the ground, as for the ship itself.
   if (distance - ground.radius > 2 * shape.groundContactOffset + out.shipClass.legRadius) return;
   if (exactly) snapToGround(groundedPose, ghost, hullOfShip(shape), drawn);

@@ -1,5 +1,4 @@
 import { flatTerrain, writeGroundNormal } from '../../dynamics';
-import { confidenceOf, offsetAt, placeAt } from '../ground/learnedGround';
 import type { Track } from '../simulation/track';
 import { groundRadius } from './snap/drawnGround';
 import { createGroundedPose, type GroundedPose, snapToGround } from './snap/groundSnap';
@@ -16,7 +15,7 @@ export function fillGround(out: ShipView, track: Track, scene: Scene): void {
   const { world, ground, at, normal, drawn } = scene;
   const body = world.bodies[out.body]!;
   const { picture } = track;
-  const { places } = track.ground;
+  const { places, reading } = track.ground;
   const nx = normal[0]!;
   const ny = normal[1]!;
   const nz = normal[2]!;
@@ -27,9 +26,9 @@ export function fillGround(out: ShipView, track: Track, scene: Scene): void {
   out.groundOffset = 0;
   out.groundConfidence = 0;
   drawn.groundOffset = 0;
-  if (places.length === 0) return;
-  out.groundOffset = offsetAt(places, body.name, nx, ny, nz);
-  out.groundConfidence = confidenceOf(placeAt(track.ground, body.name, normal));
+  if (reading === null || places.length === 0) return;
+  out.groundOffset = reading.offsetAt(places, body.name, nx, ny, nz);
+  out.groundConfidence = reading.confidenceAt(track.ground, body.name, normal);
   out.groundRadius += out.groundOffset;
   // In flight, newly learned ground moves the mesh no faster than a correction.
   const follows = out.surfaceContactState === '' ? 1 - Math.exp(-OFFSET_RATE * at.elapsed) : 1;

@@ -12,7 +12,7 @@ import type { Simulation } from '../simulation/simulation';
 import { writeSleeping } from '../simulation/sleep';
 import { copyRow, type Track } from '../simulation/track';
 import { fadeFromHeld } from './correction';
-import { type Playback, turnWithBody, writeBetween } from './interpolate';
+import type { Playback } from './interpolate';
 import { pose } from './pose';
 import { compose, put, rotate, rotateBack, seenFrom, take, vector } from './rotation';
 
@@ -56,12 +56,13 @@ function asPolicyHas(sim: Simulation, track: Track, turned: TurnedBodies): Float
   const index = row[REFERENCE_BODY]!;
   const attitude = turned.bodyAttitudes[index]!;
   const spin = turned.bodySpins[index]!;
-  if (track.policy === 'interpolate' && track.states !== null) {
-    writeBetween(row, track.states, turned.playback);
+  const { interpolation } = sim.features;
+  if (track.policy === 'interpolate' && track.states !== null && interpolation) {
+    interpolation.writeBetween(row, track.states, turned.playback);
     take(seen.position, row, POSITION);
     take(seen.attitude, row, ATTITUDE);
     fadeFromHeld(sim, track, seen);
-    turnWithBody(row, attitude, spin);
+    interpolation.turnWithBody(row, attitude, spin);
     return row;
   }
   seeServerState(track);

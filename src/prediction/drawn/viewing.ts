@@ -19,7 +19,7 @@ import {
 } from '../../dynamics';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
-import { createTouchdownView, fillTouchdown } from '../touchdown/touchdownLog';
+import { createTouchdownView } from '../touchdown/touchdownLog';
 import { relax } from './ease';
 import { fillGhost } from './ghost';
 import { LEGS } from './snap/hull';
@@ -119,7 +119,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   if (fillServerState(out, track, scene.at)) fillGhost(out, track, scene.world, scene.ground, exactly);
   fillStatus(out, track, rows, from, scene.at);
   if (track.log !== null)
-    fillTouchdown(
+    sim.features.touchdown?.fillTouchdown(
       out.touchdown,
       track.log.front,
       stepping || track.mode === 'sleeping' || track.picture.hasHeld,

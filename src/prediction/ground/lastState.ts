@@ -10,3 +10,20 @@ export interface LastState {
 export function createLastState(): LastState {
   return { row: new Float64Array(SHIP_STRIDE), tick: -1 };
 }
+
+/** Keeps a state for comparison with the next. */
+export function keepState(state: LastState, row: Float64Array, tick: number): void {
+  state.row.set(row);
+  state.tick = tick;
+}
+
+/** A server state of one ship, and the bodies of its tick. */
+export interface GroundNews {
+  readonly row: Float64Array;
+  readonly tick: number;
+  readonly bodies: Float64Array;
+  /** Client wall s. */
+  readonly now: number;
+  /** The server sent the impact speed; otherwise it comes from the replay. */
+  readonly hasImpact: boolean;
+}

@@ -2,24 +2,22 @@ import { CRASHED, IMPACT_SPEED, LANDED, REFERENCE_BODY, SURFACE_STATE, TIPPED } 
 import { knowsBoundary } from '../snapshots/bodies/bodyTrack';
 import { sameCommand } from '../snapshots/reconcile/compare';
 import type { Simulation } from '../simulation/simulation';
-import { copyRow, type Track } from '../simulation/track';
+import type { Track } from '../simulation/track';
 import { actsBetween } from '../inputs/scheduledInput';
 import { spanOf } from '../time/timeline';
 import { fitGround, type Guess } from './fit';
-import { agePlaces, type GroundPlace, keepPlace, metresFrom, offsetAt, placeAt } from './learnedGround';
+import {
+  agePlaces,
+  beginReading,
+  type GroundPlace,
+  keepPlace,
+  metresFrom,
+  offsetAt,
+  placeAt,
+} from './learnedGround';
+import type { GroundNews } from './lastState';
 import { createObservation, type Observation, observe } from './observe';
 import { costOf, type Evidence, type Misfit, replayBetween, replayedRow } from './trial';
-
-/** A server state of one ship, and the bodies of its tick. */
-export interface GroundNews {
-  readonly row: Float64Array;
-  readonly tick: number;
-  readonly bodies: Float64Array;
-  /** Client wall s. */
-  readonly now: number;
-  /** The server sent the impact speed; otherwise it comes from the replay. */
-  readonly hasImpact: boolean;
-}
 
 /** m: a grounded ship with its feet this far above the ground, or a flying one with its feet this far below, contradicts the ground. */
 const ABOVE = 0.1;
@@ -45,6 +43,7 @@ const STEEPEST = 0.6;
 export function learnGround(sim: Simulation, track: Track, news: GroundNews): void {
   const { ground } = track;
   const { row, bodies, now } = news;
+  beginReading(ground);
   agePlaces(ground, now);
   observe(seen, row, bodies, sim.world);
   if (seen.crashed) return;
@@ -71,12 +70,6 @@ export function learnGround(sim: Simulation, track: Track, news: GroundNews): vo
   if (explains) keepPlace(ground, place);
   else if (guess !== null) keepPlace(ground, placeOf(news, body, { old, offset: guess }));
   if (!news.hasImpact && seen.grounded) recallImpact(sim, track, evidence, row);
-}
-
-/** Keeps a state for comparison with the next. */
-export function keepEvidence(track: Track, row: Float64Array, tick: number): void {
-  copyRow(track.evidence.row, 0, row, 0);
-  track.evidence.tick = tick;
 }
 
 /** The server's ground above ours, m, from a state alone; null for nothing new. */

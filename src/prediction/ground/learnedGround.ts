@@ -11,6 +11,14 @@ export interface LearnedGround {
   world: World | null;
   /** The world it was made from. */
   base: World | null;
+  /** How the places are read; null while none was sought, so that a page without `learnedGround` does not load this. */
+  reading: GroundReading | null;
+}
+
+export interface GroundReading {
+  readonly worldOf: typeof worldOf;
+  readonly offsetAt: typeof offsetAt;
+  readonly confidenceAt: typeof confidenceAt;
 }
 
 export interface GroundPlace {
@@ -41,11 +49,11 @@ const FORGOTTEN = 1200;
 const MAX_PLACES = 8;
 
 export function createLearnedGround(): LearnedGround {
-  return { places: [], world: null, base: null };
+  return { places: [], world: null, base: null, reading: null };
 }
 
 /** The world in which a ship is simulated: the configured one with the learned ground. */
-export function worldOf(ground: LearnedGround, world: World): World {
+function worldOf(ground: LearnedGround, world: World): World {
   if (ground.places.length === 0) return world;
   if (ground.world === null || ground.base !== world) {
     ground.base = world;
@@ -134,7 +142,15 @@ export function agePlaces({ places }: LearnedGround, now: number): void {
   }
 }
 
-/** 0 … 1: confidence in the ground at a place, ½ after one state. */
-export function confidenceOf(place: GroundPlace | null): number {
+/** 0 … 1: confidence in the ground in a direction, ½ after one state. */
+function confidenceAt(ground: LearnedGround, bodyName: string, direction: Float64Array): number {
+  const place = placeAt(ground, bodyName, direction);
   return place === null ? 0 : (place.weight * place.states) / (place.states + 1);
+}
+
+const READING: GroundReading = Object.freeze({ worldOf, offsetAt, confidenceAt });
+
+/** From now on the ship's places are part of its ground. */
+export function beginReading(ground: LearnedGround): void {
+  ground.reading = READING;
 }

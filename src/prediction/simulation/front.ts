@@ -4,7 +4,6 @@ import { easeUprighting } from '../drawn/snap/uprighting';
 import { predict } from '../events';
 import { applyDue, seek } from '../inputs/scheduledInput';
 import type { Position } from '../time/timeline';
-import { logSubstep } from '../touchdown/touchdownLog';
 import { keepLog } from '../touchdown/touchdownRing';
 import { keep } from './history';
 import type { Simulation } from './simulation';
@@ -49,7 +48,7 @@ function stepShips(sim: Simulation): void {
     if (track.picture.body !== body) turnPicture(track.picture, step.bodies, body);
     track.picture.uprighted = false;
     if (step.event !== NO_EVENT) report(sim, track);
-    if (track.log !== null) logSubstep(track.log.front, sim.world, step);
+    if (track.log !== null) sim.features.touchdown?.logSubstep(track.log.front, sim.world, step);
   }
   sim.counters.steppedSubsteps += stepped;
 }

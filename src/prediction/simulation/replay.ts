@@ -2,8 +2,6 @@ import { CRASHED, NO_EVENT } from '../../dynamics';
 import { easeCorrection, holdDrawn, seeDrawn } from '../drawn/correction';
 import { uprights } from '../drawn/snap/uprighting';
 import { indexOf } from '../time/timeline';
-import { logSubstep } from '../touchdown/touchdownLog';
-import { rewindLog } from '../touchdown/touchdownRewind';
 import { keepLog } from '../touchdown/touchdownRing';
 import { happened } from './front';
 import { keep } from './history';
@@ -25,7 +23,7 @@ export function startReplay(
   from: number,
 ): void {
   const { replayed } = sim.fleet;
-  rewindLog(track, sim, { tick, rows, from });
+  sim.features.touchdown?.rewindLog(track, sim, { tick, rows, from });
   copyRow(replayed, track.at, rows, from);
   keep(track.history, tick, rows, from);
   if (track.mode === 'held') track.mode = 'waiting';
@@ -81,7 +79,7 @@ function replaySubstep(sim: Simulation, track: Track): void {
   enterSubstep(step, sim);
   stepRow(step, sim, track);
   if (step.event !== NO_EVENT) happened(sim, track, step.event, step, track.replayPass);
-  if (track.log !== null) logSubstep(track.log.replayed, sim.world, step);
+  if (track.log !== null) sim.features.touchdown?.logSubstep(track.log.replayed, sim.world, step);
   if (!leaveSubstep(step, sim)) return;
   keep(track.history, step.tick, step.rows, track.at);
   if (track.log !== null) keepLog(track.log, step.tick, track.log.replayed);

@@ -1,14 +1,51 @@
-import { BODY_STRIDE, type BodyMotion, type World, writeBodyMotion } from '../../dynamics';
+import {
+  BODY_STRIDE,
+  type BodyMotion,
+  type TerrainHeight,
+  type World,
+  writeBodyMotion,
+} from '../../dynamics';
+import type * as interpolate from '../drawn/interpolate';
 import type { Diagnosis, EventNotice } from '../drawn/view';
+import type { GroundNews } from '../ground/lastState';
 import { withoutGround } from '../ground/unknownGround';
 import { createInputs, type Inputs, type ScheduledInput } from '../inputs/inputs';
+import type * as bodySpin from '../snapshots/bodies/bodySpin';
 import { type BodySpin, createBodySpin } from '../snapshots/bodies/bodySpin';
 import { type BodyTrack, createBodyTrack } from '../snapshots/bodies/bodyTrack';
+import type { measureGameTime } from '../snapshots/gameTimeMeter';
+import type { Judged } from '../snapshots/reconcile/lawErrors';
 import { type Cadence, createCadence } from '../time/cadence';
 import { createTimeline, type Position, type Timeline } from '../time/timeline';
-import { ringLength } from './history';
-import { createFleet, type Fleet } from './track';
+import type * as touchdownLog from '../touchdown/touchdownLog';
+import type { Adopted } from '../touchdown/touchdownRing';
 import type { Warn } from '../warnings';
+import { ringLength } from './history';
+import { createFleet, type Fleet, type Track } from './track';
+
+/** What only some clients need of a predictor, each with the functions that the simulation calls for it. */
+export interface Features {
+  readonly learnGround?: (sim: Simulation, track: Track, news: GroundNews) => void;
+  readonly weighLaw?: (sim: Simulation, track: Track, judged: Judged) => boolean;
+  readonly touchdown?: {
+    readonly rewindLog: (track: Track, sim: Simulation, to: Adopted) => void;
+    readonly logSubstep: typeof touchdownLog.logSubstep;
+    readonly fillTouchdown: typeof touchdownLog.fillTouchdown;
+  };
+  readonly measureGameTime?: typeof measureGameTime;
+  readonly spin?: {
+    readonly spunMotion: typeof bodySpin.spunMotion;
+    readonly measureByShip: typeof bodySpin.measureByShip;
+  };
+  readonly interpolation?: {
+    readonly keep: (track: Track, tick: number, row: Float64Array, bodies: Float64Array) => void;
+    readonly writeBetween: typeof interpolate.writeBetween;
+    readonly turnWithBody: typeof interpolate.turnWithBody;
+  };
+  /** By the name in the hello; flat ground alone without. */
+  readonly terrains?: Readonly<Record<string, TerrainHeight>>;
+  readonly checkRollback?: (sim: Simulation, tick: number, ticks: number) => void;
+}
 
 /**
  * The simulation: all ships at one front, the first substep boundary at or after the drawn present. Plain data, owned by the predictor;
@@ -41,6 +78,7 @@ export interface Simulation {
   readonly notices: EventNotice[];
   /** Substeps spent in the frame of `tick` on fitting the ground of other pilots' ships. */
   readonly learning: { tick: number; spent: number };
+  readonly features: Features;
   readonly counters: Diagnosis;
   /** Reports mistakes of the caller or the server; nothing stops. */
   readonly warn: Warn;
@@ -50,6 +88,7 @@ export interface Simulation {
 
 /** Options of a simulation, in addition to its world. */
 export interface SimulationOptions {
+  readonly features: Features;
   readonly counters: Diagnosis;
   readonly warn: Warn;
   readonly sleeps: boolean;
@@ -61,7 +100,7 @@ export interface SimulationOptions {
 export function createSimulation(
   world: World,
   bodies: readonly BodyMotion[],
-  { counters, warn, sleeps, plan }: SimulationOptions,
+  { features, counters, warn, sleeps, plan }: SimulationOptions,
 ): Simulation {
   const start = new Float64Array(bodies.length * BODY_STRIDE);
   for (const [i, motion] of bodies.entries()) writeBodyMotion(start, i * BODY_STRIDE, motion);
@@ -82,6 +121,7 @@ export function createSimulation(
     newestTick: -1,
     notices: [],
     learning: { tick: -1, spent: 0 },
+    features,
     counters,
     warn,
     sleeps,

@@ -2,7 +2,6 @@ import { chooseReferenceBody, FLYING, NO_EVENT, SHIP_STRIDE, substep, SURFACE_ST
 import { applyDue, seek } from '../inputs/scheduledInput';
 import { boundaryAt, rowsAt } from '../snapshots/bodies/bodyTrack';
 import { type Position, spanOf } from '../time/timeline';
-import { worldOf } from '../ground/learnedGround';
 import { carryRow } from './carry';
 import { isReleased, release } from './heldControls';
 import type { Simulation } from './simulation';
@@ -62,8 +61,9 @@ export function stepRow(step: RowStep, sim: Simulation, track: Track): void {
   if (step.keepsBefore) copyRow(step.before, step.beforeAt, rows, at);
   if (isReleased(track, step.tick, step.substep)) release(rows, at);
   if (track.own) step.inputs = applyDue(sim.inputs, step.inputs, step, rows, at);
-  if (track.fit.carried === '')
-    step.event = substep(rows, at, step.bodies, worldOf(track.ground, sim.world), step.dt[0]);
+  const { ground } = track;
+  const world = ground.reading === null ? sim.world : ground.reading.worldOf(ground, sim.world);
+  if (track.fit.carried === '') step.event = substep(rows, at, step.bodies, world, step.dt[0]);
   else carry(step, sim, track);
 }
 

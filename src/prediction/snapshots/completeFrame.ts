@@ -3,7 +3,6 @@ import type { InputAcknowledgement, PartialFrame, ServerFrame } from '../../wire
 import type { Simulation } from '../simulation/simulation';
 import { spanOf } from '../time/timeline';
 import type { GameTimeMeter } from './gameTimeMeter';
-import { measureGameTime } from './gameTimeMeter';
 
 /** Highest tick that the wire accepts: sums of two are still exact. */
 const MAX_TICK = 2 ** 52;
@@ -30,7 +29,8 @@ export function completeFrame(
     ships: recordsOf(sim, 'ships', given.ships),
     bodies: recordsOf(sim, 'bodies', given.bodies),
   };
-  const timeScale = measureGameTime(meter, known, sentScale) ?? sentScale ?? warnDefault(sim, 'timeScale', 1);
+  const measured = sim.features.measureGameTime?.(meter, known, sentScale) ?? null;
+  const timeScale = measured ?? sentScale ?? warnDefault(sim, 'timeScale', 1);
   const timing = loadTiming(tickRate, timeScale, sim.world.settings);
   if (!timing.ok) return err(`frame.${timing.reason}`);
   // Member by member: the hidden class of a spread record dies with the next garbage collection, and so does the code compiled for it.

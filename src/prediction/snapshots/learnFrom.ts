@@ -1,12 +1,9 @@
 import { REFERENCE_BODY } from '../../dynamics';
-import { learnGround } from '../ground/learn';
 import { knowsGround } from '../ground/unknownGround';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import { spanOf } from '../time/timeline';
-import { measureByShip } from './bodies/bodySpin';
 import type { Place } from './reconcile/compare';
-import { weighLaw } from './reconcile/lawFit';
 import type { SnapshotContext } from './snapshotContext';
 
 /** A ship's newest state, and the prediction for its tick. */
@@ -32,6 +29,7 @@ export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolea
   const { row, context, predicted, agrees, hasImpact } = lesson;
   const { tick, bodies, now } = context;
   const { fit, ground } = track;
+  const { features } = sim;
   const isKnown = knowsGround(row, bodies, sim.world);
   const changes = isKnown === (fit.carried === 'ground');
   if (changes) fit.carried = isKnown ? '' : 'ground';
@@ -41,11 +39,11 @@ export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolea
   }
   if (!isKnown) return changes;
   if (!agrees || ground.places.length > 0 || fit.carried !== '')
-    learnGround(sim, track, { row, tick, bodies, now, hasImpact });
+    features.learnGround?.(sim, track, { row, tick, bodies, now, hasImpact });
   if (!agrees) measureSpin(sim, track, lesson);
   state.rows = row;
   state.bodies = bodies;
-  const isWeighed = weighLaw(sim, track, { state, tick, predicted, agrees });
+  const isWeighed = features.weighLaw?.(sim, track, { state, tick, predicted, agrees }) ?? false;
   return changes || isWeighed;
 }
 
@@ -54,7 +52,7 @@ function measureSpin(sim: Simulation, { evidence }: Track, { row, context }: Les
   const { tick, bodies } = context;
   if (evidence.tick < 0 || evidence.tick >= tick) return;
   const seconds = (tick - evidence.tick) * spanOf(sim.timeline, tick).timing.tickSeconds;
-  measureByShip(sim.spins[row[REFERENCE_BODY]!]!, evidence.row, row, bodies, seconds);
+  sim.features.spin?.measureByShip(sim.spins[row[REFERENCE_BODY]!]!, evidence.row, row, bodies, seconds);
 }
 
 const state: Place = { rows: new Float64Array(0), at: 0, bodies: new Float64Array(0) };

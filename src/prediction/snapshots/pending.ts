@@ -1,11 +1,9 @@
-import type { PendingMessage, ServerMessage } from '../../wire';
+import type { PendingMessage } from '../../wire';
 import { wallAt } from '../calls/callTime';
+import type { Receive } from '../calls/frameCalls';
 import type { Session } from '../session';
 import { MAX_KEPT_EVENTS, type Waiting } from './pendingFrames';
 import { refuse } from './receiveSnapshot';
-
-/** Handles a decoded message that arrived at the caller's `now`, client wall second `at`. */
-type Receive = (message: ServerMessage, now: number, at: number) => void;
 
 /** Frames that wait undecoded: more than arrive between two display frames of a visible page. */
 const MAX_QUEUED = 4;

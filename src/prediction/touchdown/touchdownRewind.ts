@@ -18,15 +18,8 @@ import type { Simulation } from '../simulation/simulation';
 import { advanceRow, createRowStep, placeStep } from '../simulation/stepRow';
 import { indexOf, spanOf } from '../time/timeline';
 import { beginLog, come, comeDown, leave, LOGGED_STATE, logSubstep } from './touchdownLog';
-import { createTouchdownRing, keepLog, logAt, type TouchdownRing } from './touchdownRing';
+import { type Adopted, createTouchdownRing, keepLog, logAt, type TouchdownRing } from './touchdownRing';
 import { copyRow, type Track } from '../simulation/track';
-
-/** The state to which the own ship is reset: the row at `from` in `rows`, at tick boundary `tick`. */
-export interface Adopted {
-  tick: number;
-  rows: Float64Array;
-  from: number;
-}
 
 /** Largest correction in addition to the distance flown, m; more is a respawn. */
 const MAX_CORRECTION = 100;

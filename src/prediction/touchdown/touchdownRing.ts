@@ -13,6 +13,13 @@ export interface TouchdownRing {
   ticks: Float64Array;
 }
 
+/** The state to which the own ship is reset: the row at `from` in `rows`, at tick boundary `tick`. */
+export interface Adopted {
+  tick: number;
+  rows: Float64Array;
+  from: number;
+}
+
 export function createTouchdownRing(length: number): TouchdownRing {
   return {
     front: new Float64Array(LOG_STRIDE),

@@ -6,6 +6,7 @@ import { type Figure, spread } from './figure';
 import { createAuthority } from '../../../src/authority';
 import { createPredictor } from '../../../src/prediction';
 import { createDiagnosis } from '../../../src/prediction/diagnosis';
+import { ALL_FEATURES } from '../../../src/prediction/features';
 import { createSimulation } from '../../../src/prediction/simulation/simulation';
 import { runReplays, startReplay } from '../../../src/prediction/simulation/replay';
 import { addTrack } from '../../../src/prediction/simulation/track';
@@ -145,6 +146,7 @@ function replayOfHundred(): Figure {
   const told = { settings: {}, shipClasses: [loaded.shipClass], bodies: [loaded.body], terrain: 'flat' };
   const world = value(loadConfig(told, { flat: loaded.terrainHeight }));
   const sim = createSimulation(world, [loaded.body], {
+    features: ALL_FEATURES,
     counters: createDiagnosis(),
     warn: () => undefined,
     sleeps: false,

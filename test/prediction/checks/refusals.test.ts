@@ -2,6 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import { createGameConnection } from '../../../src/game';
 import { createCockpitLandingHud, createFleetHud } from '../../../src/hud';
+import { requireHost } from '../../../src/hud/checks';
 import {
   createFleetReadout,
   createLandingReadout,
@@ -81,6 +82,11 @@ const hud =
   () =>
     createCockpitLandingHud(document as Document, host as Element, options);
 const view = createPredictor().view(0);
+/** As a page's WebSocket, which node 20 does not have. */
+class Socket {
+  static readonly CONNECTING = 0;
+  close(): void {}
+}
 
 const THROWN: readonly (readonly [what: string, run: () => unknown, help: RegExp])[] = [
   ['http for ws', connect({ address: 'http://127.0.0.1' }), /options\.address: expected ws/],
@@ -88,11 +94,25 @@ const THROWN: readonly (readonly [what: string, run: () => unknown, help: RegExp
   ['no clock', connect({ clock: performance }), /options\.clock\.after: expected a function/],
   ['Date.now for the clock', connect({ clock: Date.now }), /options\.clock/],
   ['a socket for openSocket', connect({ openSocket: {} }), /options\.openSocket: expected a function/],
+  ['a header for the token', connect({ token: 'Bearer a.b.c' }), /options\.token: .*Bearer/],
+  ['url for address', connect({ url: 'ws://x' }), /options\.url: unknown.*address/],
+  ['a handler that does not exist', connect({}, { onFrame: () => 0, onState: () => 0 }), /handlers\.onState/],
+  ['the class of the socket', connect({ openSocket: Socket }), /new WebSocket\(address\)/],
+  [
+    'Unix time for the clock',
+    connect({ clock: { ...clock, now: () => 1.8e12 } }),
+    /options\.clock\.now: .*performance/,
+  ],
   ['onframe', connect({}, { onframe: () => undefined }), /handlers\.onFrame: expected a function/],
   ['no handlers', connect({}, null), /handlers\.onFrame/],
   ['a HUD without the document', hud({ append: () => undefined }, {}), /document: expected/],
   ['a HUD in an element that is not there', hud(page, null), /host: .*Is it in the page/],
   ['a HUD in a selector', hud(page, '#hud'), /host: .*String/],
+  [
+    'a text for a handler',
+    hud(page, { append: () => undefined }, { keyLabel: 'W' }),
+    /options\.keyLabel: .*String/,
+  ],
   ['another theme', hud(page, { append: () => undefined }, { theme: 'night' }), /options\.theme: .*"night"/],
   [
     'another layout',
@@ -121,6 +141,11 @@ const THROWN: readonly (readonly [what: string, run: () => unknown, help: RegExp
     'the same of the fleet',
     () => updateFleetReadout(view as never, createFleetReadout() as never),
     /updateFleetReadout\(readout, view\)/,
+  ],
+  [
+    'one ship’s view for the world’s',
+    () => updateLandingReadout(createLandingReadout(), { shipId: 'a', own: true } as never),
+    /all that predictor\.view returns/,
   ],
   ['createPredictor of an address', () => createPredictor('ws://x' as never), /options: expected an object/],
   ['a height for a terrain', () => createPredictor({ terrains: { luna: 0 } as never }), /options\.terrains/],
@@ -160,4 +185,16 @@ it('invalid controls are refused by the connection, not thrown', () => {
   expect(connection.sendControls({ thrustLevel: 1 } as never)).toBe(false);
   expect(reasons[0]).toContain('controls.translationInput');
   connection.dispose();
+});
+
+it('an option that no HUD has is reported with those that exist', () => {
+  const found: string[] = [];
+  const onWarning = (code: string, message: string) => found.push(`${code}: ${message}`);
+  requireHost(page as never, { append: () => undefined } as never, {
+    theme: 'dark',
+    themes: 'light',
+    onWarning,
+  });
+  expect(found).toHaveLength(1);
+  expect(found[0]).toMatch(/^hud-option: options\.themes: .*theme, layout, keyLabel/);
 });

@@ -3,7 +3,8 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { createPredictor } from '../../../src/prediction';
-import { made, played } from './mistakes/given';
+import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
+import { LUNA, made, played } from './mistakes/given';
 import { CALLS } from './mistakes/calls';
 import { MESSAGES } from './mistakes/messages';
 import { OPTIONS } from './mistakes/options';
@@ -25,6 +26,8 @@ describe('a caller’s mistake is reported once, by its code', () => {
   });
 });
 
+const planned = (tick: number) => ({ tick, substep: 0, controls: NEUTRAL_CONTROLS });
+
 describe('an invalid option', () => {
   const thrown = (options: object) => () => createPredictor(options);
   it.each([
@@ -38,6 +41,15 @@ describe('an invalid option', () => {
     [{ onWarning: 'console' }, 'options.onWarning: expected a function'],
     [{ forcedRollback: -1 }, 'options.forcedRollback'],
     [{ plan: {} }, 'options.plan: expected a list'],
+    [
+      { plan: [planned(5), planned(4)] },
+      'options.plan: expected a list of { tick, substep, controls }, ascending',
+    ],
+    [{ plan: [{ ...planned(5), controls: { thrustLevel: 1 } }] }, 'options.plan'],
+    [
+      { defaults: { bodies: [{ ...LUNA, position: { x: 0, y: 0, z: 0 } }] } },
+      'options.defaults.bodies: expected',
+    ],
     [{ defaults: 'moon' }, 'options.defaults: expected an object'],
     [{ defaults: { terrain: 'mars' } }, 'defaults: terrain'],
     [{ defaults: { settings: { contactCrashSpeed: -1 } } }, 'defaults: settings.contactCrashSpeed'],

@@ -2,7 +2,6 @@ import { BODY_STRIDE, type BodyMotion, readBodyMotion } from '../../../dynamics'
 import type { BodyState, ServerFrame } from '../../../wire';
 import type { Simulation } from '../../simulation/simulation';
 import { spanOf } from '../../time/timeline';
-import { spunMotion } from './bodySpin';
 import { boundaryAt, startBodiesAt, updateBodies } from './bodyTrack';
 import type { Receiver } from '../receiver';
 import type { BodiesOfFrame } from '../snapshotContext';
@@ -46,11 +45,13 @@ export function writeBodiesOfFrame(
 
 /** The motions with the measured spins; the same list if all spins are as sent. */
 function spun(sim: Simulation, tick: number, motions: readonly BodyMotion[]): readonly BodyMotion[] {
+  const { spin: measuring } = sim.features;
+  if (!measuring) return motions;
   const { tickSeconds } = spanOf(sim.timeline, tick).timing;
   let differs = false;
   for (const [i, sent] of motions.entries()) {
     const spin = sim.spins[i]!;
-    const motion = spunMotion(spin, sent, tick, (tick - spin.tick) * tickSeconds);
+    const motion = measuring.spunMotion(spin, sent, tick, (tick - spin.tick) * tickSeconds);
     measured[i] = motion;
     if (motion !== sent) differs = true;
   }

@@ -1,3 +1,5 @@
+import type { Place } from './compare';
+
 /**
  * Whether the dynamics fit a ship (PREDICTION, Foreign dynamics): if over the last few states they were worse than extrapolation, the
  * ship is extrapolated until they fit again.
@@ -11,6 +13,14 @@ export interface LawFit {
   count: number;
   /** States received while it was extrapolated. */
   states: number;
+}
+
+/** A state, the prediction for its tick, and whether the two agree. */
+export interface Judged {
+  readonly state: Place;
+  readonly tick: number;
+  readonly predicted: Place | null;
+  readonly agrees: boolean;
 }
 
 /** States over which the errors are summed. */

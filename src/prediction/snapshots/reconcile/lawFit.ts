@@ -16,7 +16,7 @@ import { copyRow, type Track } from '../../simulation/track';
 import { spanOf } from '../../time/timeline';
 import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
 import { type Place, sameCommand } from './compare';
-import { WINDOW } from './lawErrors';
+import { type Judged, WINDOW } from './lawErrors';
 
 /** States needed for a decision. */
 const NEEDED = 3;
@@ -27,14 +27,6 @@ const TAKEN_UP = 0.02;
 /** Most substeps between two compared states; steps of an extrapolation. */
 const MAX_INTERVAL = 400;
 const PIECES = 10;
-
-/** A state, the prediction for its tick, and whether the two agree. */
-export interface Judged {
-  readonly state: Place;
-  readonly tick: number;
-  readonly predicted: Place | null;
-  readonly agrees: boolean;
-}
 
 /** Compares the errors of the dynamics and of extrapolation at the last state. Returns whether the ship changes between them. */
 export function weighLaw(sim: Simulation, track: Track, judged: Judged): boolean {

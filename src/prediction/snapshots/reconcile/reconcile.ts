@@ -26,11 +26,10 @@ import {
 import { recalledImpact, recallWheels } from './recall';
 import { has, offsetOf } from '../../simulation/history';
 import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from '../../simulation/sleep';
-import { createServerStates, keepServerState } from '../../simulation/serverStates';
 import { abandonReplay, startReplay } from '../../simulation/replay';
 import { commandsAnything } from '../../simulation/heldControls';
 import type { Simulation } from '../../simulation/simulation';
-import { keepEvidence } from '../../ground/learn';
+import { keepState } from '../../ground/lastState';
 import { take } from '../../drawn/rotation';
 import { isBefore, spanOf, writeLater } from '../../time/timeline';
 import { logLanded } from '../../touchdown/touchdownRing';
@@ -75,7 +74,7 @@ export function reconcile(
   remember(track, state, context, known);
   settle(sim, track, context, predicted, field);
   if (goesOver && !track.off) startReplay(track, sim, context.tick, sent, 0);
-  keepEvidence(track, sent, context.tick);
+  keepState(track.evidence, sent, context.tick);
   if (!track.own) holdControls(sim, track);
   return null;
 }
@@ -101,7 +100,7 @@ export function showServerState(
   track.mode = 'held';
   if (track.policy === 'predict') track.picture.hasHeld = false;
   if (track.policy !== 'interpolate') track.states = null;
-  else keepServerState((track.states ??= createServerStates()), context.tick, sent, context.bodies);
+  else sim.features.interpolation?.keep(track, context.tick, sent, context.bodies);
   return null;
 }
 

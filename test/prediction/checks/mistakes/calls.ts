@@ -1,6 +1,6 @@
 /** Calls, times and controls: what was done, the expected code, and a part of the expected message. */
 import { NEUTRAL_CONTROLS } from '../../../../src/dynamics';
-import { type Mistake, flown, frame, played, received, ship, warningsOf } from './given';
+import { type Mistake, flown, frame, played, received, ship, ticks, warningsOf } from './given';
 
 export const CALLS: readonly Mistake[] = [
   [
@@ -14,6 +14,57 @@ export const CALLS: readonly Mistake[] = [
   ['percent', 'controls-clamped', /Percent/, () => flown({ ...NEUTRAL_CONTROLS, thrustLevel: 50 })],
   ['now is NaN', 'now-not-finite', /seconds/, () => warningsOf((p) => p.advance(null, NaN))],
   ['now in ms', 'now-in-milliseconds', /seconds/, () => played(1, { now: (s) => s * 1000 })],
+  [
+    'Unix time in seconds',
+    'now-of-calendar',
+    /performance/,
+    () => played(1, { now: (s) => 1.8e9 + s, receiveAt: (s) => 1.8e9 + s }),
+  ],
+  [
+    'Unix time in milliseconds',
+    'now-of-calendar',
+    /performance/,
+    () => played(1, { now: (s) => 1.8e12 + 1000 * s }),
+  ],
+  [
+    'both ways of taking',
+    'outgoing-taken-twice',
+    /takeControls for JSON/,
+    () =>
+      warningsOf((p) => {
+        p.takeControls();
+        p.takeOutgoing();
+        p.takeControls();
+      }),
+  ],
+  [
+    'a removal of another name',
+    'removal-unknown',
+    /destroyed, docked, gone/,
+    () => warningsOf((p) => p.removeShip('a', 'exploded' as 'gone')),
+  ],
+  [
+    'view after dispose',
+    'disposed',
+    /view/,
+    () =>
+      warningsOf((p) => {
+        p.dispose();
+        p.view(1);
+      }),
+  ],
+  [
+    'a target attitude [w, x, y, z]',
+    'quaternion-order',
+    /\[x, y, z, w\]/,
+    () => flown({ ...NEUTRAL_CONTROLS, targetAttitude: [1, 0, 0, 0] }),
+  ],
+  [
+    'game time in ms',
+    'game-time',
+    /seconds/,
+    () => received(...ticks(12).map((one) => ({ ...one, gameTime: one.tick * 1000 }))),
+  ],
   ['now goes back', 'now-went-back', /monotonic/, () => played(1, { now: (s) => (s < 0.5 ? s : s - 0.4) })],
   ['two clocks', 'two-clocks', /one for both/, () => played(1, { receiveAt: (s) => 1.7e9 + s })],
   [

@@ -1,5 +1,10 @@
 /** Options, settings and terrains: what was done, the expected code, and a part of the expected message. */
-import { type Mistake, frames, ground, hello, made, warningsOf } from './given';
+import { SHIP_CLASSES } from '../../../../src/dynamics';
+import { type Mistake, frames, ground, hello, LUNA, made, warningsOf } from './given';
+
+const classes = (changes: object) => ({
+  defaults: { shipClasses: [{ ...SHIP_CLASSES[2]!, ...changes }] },
+});
 
 export const OPTIONS: readonly Mistake[] = [
   ['ownShipID', 'unknown-option', /mean ownShipId/, () => made({ ownShipID: 'a' })],
@@ -35,9 +40,30 @@ export const OPTIONS: readonly Mistake[] = [
     'an angle in radians',
     'setting-in-radians',
     /degrees/,
-    () => made({ defaults: { settings: { contactTippedAngleDeg: 1.4, contactSettleTiltDeg: 0.1 } } }),
+    () => made({ defaults: { settings: { contactTippedAngleDeg: 1.4, contactSettleTiltDeg: 0.4 } } }),
   ],
 
+  [
+    'a small angle in radians',
+    'setting-in-radians',
+    /contactSettleTiltDeg is 0\.087: degrees/,
+    () => made({ defaults: { settings: { contactSettleTiltDeg: 0.087 } } }),
+  ],
+  [
+    'a speed in km/s',
+    'setting-in-kilometres',
+    /m\/s/,
+    () => made({ defaults: { settings: { contactCrashSpeed: 0.05, contactBounceSpeed: 0.01 } } }),
+  ],
+  ['a class in snake_case', 'unknown-class-field', /mean dryMass/, () => made(classes({ dry_mass: 8000 }))],
+  ['thrust in kN', 'class-units', /not kN/, () => made(classes({ mainEngineThrust: 200 }))],
+  ['masses in t', 'class-units', /not t/, () => made(classes({ dryMass: 8, fuelCapacity: 8 }))],
+  [
+    'a radius in km',
+    'body-density',
+    /radius in m/,
+    () => made({ defaults: { bodies: [{ ...LUNA, radius: 1737.4 }] } }),
+  ],
   [
     'a setting in the options themselves',
     'unknown-option',

@@ -1,4 +1,6 @@
 /** Ships and bodies in a frame: what was done, the expected code, and a part of the expected message. */
+import { expect } from 'vitest';
+import { decodeFrameJson } from '../../../../src/wire';
 import { type Mistake, frame, HEIGHT, LUNA, received, ship, thousandth, withBody, withShip } from './given';
 
 export const SHIPS: readonly Mistake[] = [
@@ -30,6 +32,33 @@ export const SHIPS: readonly Mistake[] = [
     'velocity-in-kilometres',
     /m\/s/,
     () => received(withShip({ velocity: thousandth(ship.velocity) })),
+  ],
+  [
+    'km from the centre of a body at the origin',
+    'position-in-kilometres',
+    /metres/,
+    () =>
+      received({
+        ...withShip({ position: [HEIGHT / 1000, 0, 0] }),
+        bodies: [{ ...LUNA, position: [0, 0, 0], velocity: [0, 0, 0] }],
+      }),
+  ],
+  [
+    'a velocity relative to the body',
+    'velocity-frame',
+    /relativeVelocity/,
+    () => received(withShip({ velocity: [0, 5, 0] })),
+  ],
+  [
+    'the identity [x, y, z, w] in a list of JSON',
+    'quaternion-order',
+    /JSON \[w, x, y, z\]/,
+    () => {
+      const { attitude, ...rest } = withShip({ landedBodyName: '', surfaceContactState: '' }).ships[0]!;
+      expect(attitude).toHaveLength(4);
+      const decoded = decodeFrameJson({ ...frame, ships: [{ ...rest, attitude: [0, 0, 0, 1] }] });
+      return received(decoded.ok ? decoded.value : null);
+    },
   ],
   [
     'a relative position as ICRF',

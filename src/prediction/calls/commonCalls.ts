@@ -1,0 +1,41 @@
+import { describe } from '../checks/describe';
+import { resetSession } from '../ownership';
+import type { Session } from '../session';
+import { refuse } from '../snapshots/receiveSnapshot';
+import type { LeanPredictor } from './api';
+import { frameCalls, type Incoming } from './frameCalls';
+import { createLife } from './life';
+import { shipCalls } from './shipCalls';
+
+/** The calls that every predictor has, until `dispose`. */
+export function commonCalls(session: Session, incoming: Incoming) {
+  const life = createLife(session);
+  const { calls, receiveAt } = frameCalls(session, life, incoming);
+  return {
+    life,
+    receiveAt,
+    calls: {
+      ...calls,
+      ...shipCalls(session, life),
+      refused: (reason) => refuse(session.sim, reason),
+      onEvent(listener) {
+        if (!life.carriesOut('onEvent') || !isListener(session, listener)) return () => undefined;
+        session.listeners.add(listener);
+        return () => session.listeners.delete(listener);
+      },
+      reset: () => resetSession(session),
+      dispose() {
+        life.end();
+        session.listeners.clear();
+        resetSession(session);
+      },
+    } satisfies LeanPredictor,
+  };
+}
+
+function isListener({ warn }: Session, listener: unknown): boolean {
+  if (typeof listener === 'function') return true;
+  const message = `onEvent: expected one function (notice) for all events, got ${describe(listener)}.`;
+  warn('listener-not-function', message, { listener });
+  return false;
+}

@@ -1,0 +1,50 @@
+/** What only some clients need of a predictor: a page loads the features that it hands to createLeanPredictor. */
+import { TERRAINS } from '../dynamics';
+import { turnWithBody, writeBetween } from './drawn/interpolate';
+import { learnGround } from './ground/learn';
+import { checkRollback } from './simulation/rollbackCheck';
+import { createServerStates, keepServerState } from './simulation/serverStates';
+import type { Features } from './simulation/simulation';
+import { measureByShip, spunMotion } from './snapshots/bodies/bodySpin';
+import { measureGameTime } from './snapshots/gameTimeMeter';
+import { weighLaw } from './snapshots/reconcile/lawFit';
+import { fillTouchdown, logSubstep } from './touchdown/touchdownLog';
+import { rewindLog } from './touchdown/touchdownRewind';
+
+/** One of the features below, for `createLeanPredictor`. */
+export interface Feature {
+  /** Its name here. */
+  readonly feature: string;
+}
+
+const ground: Features = { learnGround };
+const dynamics: Features = { weighLaw };
+const touchdown: Features = { touchdown: { rewindLog, logSubstep, fillTouchdown } };
+const gameTime: Features = { measureGameTime };
+const spin: Features = { spin: { spunMotion, measureByShip } };
+
+/** Learns where the server's ground differs from the client's (PREDICTION, Learned ground). */
+export const learnedGround: Feature = { feature: 'learnedGround', ...ground };
+
+/** Extrapolates a ship that the server moves by other dynamics (PREDICTION, Foreign dynamics). */
+export const foreignDynamics: Feature = { feature: 'foreignDynamics', ...dynamics };
+
+/** Records the own ship's last touchdown: `touchdown` of its view, for the HUD's touchdown card. */
+export const touchdownRecord: Feature = { feature: 'touchdownRecord', ...touchdown };
+
+/** Measures the game time per tick of a server that does not send it, or another (PREDICTION, Timeline). */
+export const measuredGameTime: Feature = { feature: 'measuredGameTime', ...gameTime };
+
+/** Measures the spin of bodies that turn otherwise than sent. */
+export const measuredSpin: Feature = { feature: 'measuredSpin', ...spin };
+
+const keep: NonNullable<Features['interpolation']>['keep'] = (track, tick, row, bodies) =>
+  keepServerState((track.states ??= createServerStates()), tick, row, bodies);
+
+/** What createPredictor has. */
+export const ALL_FEATURES: Features = Object.freeze({
+  ...{ ...ground, ...dynamics, ...touchdown, ...gameTime, ...spin },
+  interpolation: { keep, writeBetween, turnWithBody },
+  terrains: TERRAINS,
+  checkRollback,
+});

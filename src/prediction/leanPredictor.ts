@@ -1,0 +1,36 @@
+import type { LeanPredictor } from './calls/api';
+import { commonCalls } from './calls/commonCalls';
+import { requireOptions } from './checks/options';
+import type { Feature } from './features';
+import type { PredictorOptions } from './options';
+import { createSession } from './session';
+import type { Features } from './simulation/simulation';
+import { receiveMessage } from './snapshots/receiveMessage';
+
+/** Options of a lean predictor: those of createPredictor without the test mode, and the features that the page loads. */
+export interface LeanOptions extends Omit<PredictorOptions, 'forcedRollback'> {
+  /** None by default. */
+  readonly features?: readonly Feature[];
+}
+
+/**
+ * Creates a predictor that loads less: the same dynamics, reconciliation and drawing, bit for bit, as long as the server says what it
+ * simulates. What createPredictor can do in addition is handed in (`features`) or missing: snapshot and restore, configure, policies,
+ * undecoded messages, and all terrains but flat (`terrains: TERRAINS` has the others).
+ * @throws RangeError that names the invalid option
+ *
+ * @example
+ * ```ts
+ * const predictor = createLeanPredictor({ ownShipId: 'ship-1', features: [learnedGround, touchdownRecord] });
+ * predictor.advance(NEUTRAL_CONTROLS, now);
+ * const { own } = predictor.view(now);
+ * ```
+ */
+export function createLeanPredictor(given: LeanOptions = {}): LeanPredictor {
+  requireOptions(given);
+  const { features = [], ...options } = given;
+  if ('forcedRollback' in options)
+    throw new RangeError('options.forcedRollback: only createPredictor has this test mode');
+  const session = createSession(options, Object.freeze(Object.assign({}, ...features) as Features));
+  return commonCalls(session, { take: (message, at) => receiveMessage(session, message, at) }).calls;
+}

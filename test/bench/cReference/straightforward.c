@@ -1,6 +1,6 @@
 // The law as DYNAMICS.md tells it, step by step: each quantity of its table is computed at the substep's start and again at its end,
-// whoever reads it, and every rotation is one of a quaternion. Nothing is put off, kept or shared between steps; the sums are in the
-// order of ORDER.md, so the bits are those of tuned.c.
+// whoever reads it, and every rotation is one of a quaternion. Nothing is put off, kept or shared between steps. The order of additions
+// is that of ORDER.md: the bits are those of tuned.c.
 #include "actuators.h"
 
 #define STIFFNESS 100

@@ -101,13 +101,14 @@ function firstOutOfRange(s: Settings): string | null {
     ],
     ['contactSettleAngularVel', s.contactSettleAngularVel > 0, '> 0 rad/s'],
     ['contactSettleLinearVel', s.contactSettleLinearVel > 0, '> 0 m/s'],
+    ['contactTippedAngleDeg', s.contactTippedAngleDeg > 0, '> 0°'],
+    ['contactTippedAngleDeg', s.contactTippedAngleDeg < 90, '< 90°'],
     ['contactSettleTiltDeg', s.contactSettleTiltDeg > 0, '> 0°'],
     [
       'contactSettleTiltDeg',
       s.contactSettleTiltDeg < s.contactTippedAngleDeg,
       `< contactTippedAngleDeg (${String(s.contactTippedAngleDeg)}°)`,
     ],
-    ['contactTippedAngleDeg', s.contactTippedAngleDeg < 90, '< 90°'],
     ['contactDampingRatio', s.contactDampingRatio > 0 && s.contactDampingRatio <= 1, '> 0 and ≤ 1'],
     ['contactFrictionStatic', s.contactFrictionStatic >= 0 && s.contactFrictionStatic <= 2, '≥ 0 and ≤ 2'],
     [

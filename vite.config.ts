@@ -4,6 +4,7 @@ import type { UserConfig } from 'vite';
 import { compactShaders } from './.ci/compactShaders.mjs';
 import { writeNotices } from './.ci/notices.mjs';
 import { listForOffline, OFFLINE_SCRIPT } from './.ci/offline.mjs';
+import { production } from './.ci/package/production.mjs';
 import { withoutXr } from './.ci/withoutXr.mjs';
 import type * as TestProjects from './test/projects.mjs';
 
@@ -22,20 +23,10 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 const PURE = /\/src\/(?!playground\/(main|offline\/serviceWorker)\.ts).*\.ts$/;
 
 /**
- * The checks of a predictor's caller that the page does without: it listens to no warnings, which switches the checks of calls off,
- * hands in options of its own making, and never calls `configure`.
+ * The page does without the checks of a predictor's caller, as the package does in production: it listens to no warnings, hands in
+ * options of its own making, and never calls `configure`.
  */
-const CALLER_CHECKS: Readonly<Record<string, string>> = {
-  '/src/prediction/checks/checks.ts': 'export const createChecks = () => null;',
-  '/src/prediction/checks/options.ts':
-    'const none = () => null; export { none as requireOptions, none as checkDefaults, none as faultOfDefaults };',
-};
-
-const withoutCallerChecks = {
-  name: 'without-caller-checks',
-  apply: 'build' as const,
-  load: (id: string) => Object.entries(CALLER_CHECKS).find(([path]) => id.endsWith(path))?.[1] ?? null,
-};
+const withoutChecks = { ...production(here('src')), apply: 'build' as const };
 
 const page: UserConfig = {
   root: 'src/playground',
@@ -69,13 +60,7 @@ const page: UserConfig = {
       },
     },
   },
-  plugins: [
-    withoutCallerChecks,
-    withoutXr(),
-    compactShaders(),
-    writeNotices(),
-    listForOffline(here('public')),
-  ],
+  plugins: [withoutChecks, withoutXr(), compactShaders(), writeNotices(), listForOffline(here('public'))],
   worker: { format: 'es', rolldownOptions: { output: CONSTANTS } },
 };
 

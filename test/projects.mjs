@@ -50,6 +50,7 @@ export const tests = {
           name: 'browser',
           include: [BROWSER_TESTS],
           globalSetup: ['test/browser/globalSetup.ts'],
+          isolate: false,
           ...HANGS,
         },
       },

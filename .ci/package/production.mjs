@@ -16,7 +16,7 @@ function without(file, names) {
   return `const none = () => null;\nexport { ${names.map((name) => `none as ${name}`).join(', ')} };\n`;
 }
 
-/** The vite plugin, for the sources in the folder `src`. */
+/** The vite plugin, for the sources in the folder `src`; the playground's page is built with it too (vite.config.ts). */
 export function production(src) {
   const files = new Map(
     Object.entries(CHECKS).map(([path, names]) => [join(src, path), without(join(src, path), names)]),

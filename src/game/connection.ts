@@ -37,6 +37,7 @@ interface Link {
  *
  * @example
  * ```ts
+ * const clock = { now: () => performance.now() / 1000, after };
  * const connection = createGameConnection(
  *   { address: 'wss://game.example/ws', token, clock, jitter: Math.random, openSocket: (url) => new WebSocket(url) },
  *   { onFrame: (frame, at) => predictor.receive(frame, at) },

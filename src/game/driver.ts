@@ -49,7 +49,24 @@ interface Held {
   interval: number;
 }
 
-/** Connects at once. */
+/**
+ * Connects at once.
+ *
+ * @example
+ * ```ts
+ * const driver = createDriver({
+ *   address: 'wss://game.example/ws',
+ *   clock: { now: () => now, after: () => () => undefined },
+ *   jitter: Math.random,
+ *   openSocket: (url) => new WebSocket(url),
+ *   auth: () => JSON.stringify({ type: 'auth', token: 'abc' }),
+ *   ping: () => JSON.stringify({ type: 'ping' }),
+ *   onData: (data) => console.log(data),
+ *   onStatus: ({ words }) => console.log(words),
+ * });
+ * driver.write('text');
+ * ```
+ */
 export function createDriver(options: DriverOptions): Driver {
   const { clock } = options;
   const first = beginLink(clock.now());

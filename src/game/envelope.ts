@@ -20,6 +20,12 @@ const WRAPPERS = ['data', 'payload', 'state'];
 /**
  * The game publishes its messages' types, not their members: content is looked up in the message itself, then one level
  * down. Where the game differs, pass another function to createGameConnection.
+ *
+ * @example
+ * ```ts
+ * const opened = openGameMessage(JSON.parse(text));
+ * if (opened.kind === 'state') console.log(decodeFrameJson(opened.frame).ok);
+ * ```
  */
 export function openGameMessage(message: unknown): GameMessage {
   const fields = asObject(message);
@@ -42,7 +48,14 @@ export function openGameMessage(message: unknown): GameMessage {
   }
 }
 
-/** The message that carries own controls. */
+/**
+ * The message that carries own controls.
+ *
+ * @example
+ * ```ts
+ * socket.send(JSON.stringify(packControls(NEUTRAL_CONTROLS)));
+ * ```
+ */
 export function packControls(controls: Controls): Readonly<Record<string, unknown>> {
   return { type: 'control', ...encodeControlsJson(controls) };
 }

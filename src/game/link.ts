@@ -75,7 +75,15 @@ const NOTHING_DUE = {
   returned: false,
 } as const;
 
-/** The first attempt, at `now`. */
+/**
+ * The first attempt, at `now`.
+ *
+ * @example
+ * ```ts
+ * const { state, effects } = beginLink(now);
+ * console.log(state.phase, effects); // 'connecting', what the caller does now
+ * ```
+ */
 export function beginLink(now: number): Step {
   return connect({ phase: 'connecting', failures: 0, wasLive: false, ended: null, ...NOTHING_DUE }, now);
 }
@@ -83,6 +91,13 @@ export function beginLink(now: number): Step {
 /**
  * @param now wall s, not before the last step's
  * @param jitter 0 to 1, drawn for each step
+ *
+ * @example
+ * ```ts
+ * const first = beginLink(now);
+ * const { state } = stepLink(first.state, { kind: 'opened' }, now, Math.random());
+ * console.log(state.phase); // 'authenticating'
+ * ```
  */
 export function stepLink(state: LinkState, event: LinkEvent, now: number, jitter: number): Step {
   switch (event.kind) {

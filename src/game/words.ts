@@ -10,6 +10,12 @@ export interface LinkStatus {
 /**
  * @param address as the person knows it, without a token
  * @param now wall s
+ *
+ * @example
+ * ```ts
+ * const { words } = statusOf(beginLink(now).state, 'game.example', now);
+ * console.log(words);
+ * ```
  */
 export function statusOf(state: LinkState, address: string, now: number): LinkStatus {
   return { phase: state.phase, words: wordsOf(state, address, now) };

@@ -33,6 +33,13 @@ export type Write = (entry: PredictorEntry) => void;
  * Wraps a predictor and passes every message, call, input and time to `write` (PREDICTION, Diagnosis). A predictor has
  * no other input, so a new one that is fed the entries gives the same bits. Undecoded messages are written when, and only if, they
  * are decoded.
+ *
+ * @example
+ * ```ts
+ * const entries: PredictorEntry[] = [];
+ * const recorded = recordPredictor(createPredictor(), (entry) => entries.push(entry));
+ * recorded.advance(NEUTRAL_CONTROLS, now);
+ * ```
  */
 export function recordPredictor(predictor: Predictor, write: Write): Predictor {
   const last = { at: 0 };
@@ -138,7 +145,15 @@ function createPendingRecorder(write: Write): PendingRecorder {
   };
 }
 
-/** Feeds recorded entries to a predictor; `advanced` is called after each display frame. */
+/**
+ * Feeds recorded entries to a predictor; `advanced` is called after each display frame.
+ *
+ * @example
+ * ```ts
+ * const again = createPredictor();
+ * replayEntries(again, entries, (at) => console.log(at, again.view(at).own?.feetHeight));
+ * ```
+ */
 export function replayEntries(
   predictor: Predictor,
   entries: Iterable<PredictorEntry>,

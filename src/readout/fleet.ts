@@ -28,6 +28,15 @@ export interface FleetReadout {
 /** TIPPED first, then CONTACT, then the rest; ships of one status keep the view's order. */
 export const FLEET_ORDER: readonly StatusId[] = ['tipped', 'contact', 'crashed', 'flight', 'landed', 'none'];
 
+/**
+ * An empty readout of a fleet, filled by updateFleetReadout.
+ *
+ * @example
+ * ```ts
+ * const readout = updateFleetReadout(createFleetReadout(), predictor.view(now));
+ * console.log(readout.counts.landed);
+ * ```
+ */
 export function createFleetReadout(): FleetReadout {
   return {
     rows: [],
@@ -37,7 +46,16 @@ export function createFleetReadout(): FleetReadout {
   };
 }
 
-/** Fills `out` in two passes over the ships: count, then place. Allocates only where the fleet has grown. */
+/**
+ * Fills `out` in two passes over the ships: count, then place. Allocates only where the fleet has grown.
+ *
+ * @example
+ * ```ts
+ * const readout = createFleetReadout(); // once
+ * updateFleetReadout(readout, predictor.view(now)); // each display frame
+ * for (const row of readout.rows.slice(0, readout.count)) console.log(row);
+ * ```
+ */
 export function updateFleetReadout(out: FleetReadout, given: WorldView | null): FleetReadout {
   const view = viewOf('updateFleetReadout', out, given);
   const ships = view.ready ? view.ships : NO_SHIPS;

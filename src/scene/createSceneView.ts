@@ -18,7 +18,17 @@ import { aimCone } from './camera/viewCone';
 /** s: a longer pause between two pictures raises no more dust than this one. */
 const LONGEST_STEP = 0.25;
 
-/** Creates the scene in `canvas`. @throws where the browser has no WebGL 2 */
+/**
+ * Creates the scene in `canvas`.
+ * @throws where the browser has no WebGL 2
+ *
+ * @example
+ * ```ts
+ * const scene = createSceneView(canvas, qualityFor(document));
+ * scene.resize(innerWidth, innerHeight, devicePixelRatio);
+ * scene.draw(predictor.view(now), now);
+ * ```
+ */
 export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): SceneView {
   const state = createState(createParts(canvas, quality));
   const { parts, rig } = state;

@@ -10,7 +10,15 @@ const QUICK: Quality = { antialias: false, anisotropy: 1 };
 
 const BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
-/** What the machine keeps up with, by the renderer's name; a browser that hides it is assumed to draw with a GPU. */
+/**
+ * What the machine keeps up with, by the renderer's name; a browser that hides it is assumed to draw with a GPU.
+ *
+ * @example
+ * ```ts
+ * const quality = qualityFor(document);
+ * console.log(quality.antialias);
+ * ```
+ */
 export function qualityFor(document: Document): Quality {
   const gl = document.createElement('canvas').getContext('webgl2');
   if (gl === null) return QUICK;

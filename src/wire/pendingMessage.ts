@@ -23,7 +23,14 @@ const SHIPS = 6;
 const EVENTS = 7;
 const LENGTH_DELIMITED = 2;
 
-/** Reads `bytes` only as far as needed. Never throws, whatever they are. */
+/**
+ * Reads `bytes` only as far as needed. Never throws, whatever they are.
+ *
+ * @example
+ * ```ts
+ * predictor.receivePending(pendingServerMessage(bytes), now); // decoded by the next advance, if still needed
+ * ```
+ */
 export function pendingServerMessage(bytes: Uint8Array): PendingMessage {
   return {
     isFrame: bytes.length > 0 && bytes[0] === ((FRAME << 3) | LENGTH_DELIMITED),

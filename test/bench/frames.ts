@@ -14,7 +14,7 @@ import { build } from 'vite';
 import { findChromium, launchChromium } from '../browser/chromium';
 import { serveFolder } from '../browser/staticServer';
 import { hudPaintFigures, serveHudPage } from './frames/hudPaint';
-import { leaveOutTriangles } from './frames/leaveOutTriangles';
+import { leaveOutTriangles } from '../browser/leaveOutTriangles';
 import { type FrameFigure, frameFigures, type TraceEvent } from './frames/trace';
 import type { Figure } from './measure';
 

@@ -45,6 +45,8 @@ const ARGS = [
   '--disable-quic',
   '--no-first-run',
 ];
+/** Text and boxes are painted directly: through SwiftShader, which WebGL still takes, they cost several times as much. */
+const PAINT_DIRECTLY = ['--disable-gpu-rasterization', '--disable-gpu-compositing'];
 
 function installedCandidates(): string[] {
   const env = process.env;
@@ -162,5 +164,5 @@ export function launchChromium(program: ChromiumProgram, args?: readonly string[
 
 /** Starts it for other processes, which connect to its `wsEndpoint()`. */
 export function serveChromium(program: ChromiumProgram): Promise<BrowserServer> {
-  return chromium.launchServer(launchOptions(program));
+  return chromium.launchServer(launchOptions(program, PAINT_DIRECTLY));
 }

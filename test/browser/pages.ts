@@ -6,6 +6,7 @@
 import { chromium } from 'playwright-core';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, describe, inject, onTestFailed, onTestFinished, TestRunner } from 'vitest';
+import { leaveOutTriangles } from './leaveOutTriangles';
 
 export interface PageOptions {
   /** Size of the window in CSS pixels; 1280 × 720 unless told. */
@@ -19,6 +20,8 @@ export interface PageOptions {
   readonly deviceScaleFactor?: number;
   /** The most frames that the page may draw in a second, as on a slow display; as many as it can unless told. */
   readonly framesPerSecond?: number;
+  /** Whether the page's triangles are drawn, in software: all but a test's own seconds. They are unless told. */
+  readonly drawn?: boolean;
   /** Done to the page before its address is opened. */
   readonly prepare?: (page: Page) => Promise<unknown>;
 }
@@ -86,7 +89,7 @@ async function limitFrames(page: Page, framesPerSecond: number): Promise<void> {
 
 /** Opens any address; resolves when the page's load event has fired. */
 export async function openUrl(url: string, options: PageOptions = {}): Promise<Page> {
-  const { framesPerSecond, prepare, ...given } = options;
+  const { framesPerSecond, drawn = true, prepare, ...given } = options;
   const usual = { viewport: { width: 1280, height: 720 }, colorScheme: 'light' as const };
   const running = await theBrowser();
   const context = await running.newContext({ ...usual, ...given, ...EVERYWHERE_THE_SAME });
@@ -96,6 +99,7 @@ export async function openUrl(url: string, options: PageOptions = {}): Promise<P
   // Not the state of `expect`: in a later beforeAll that still names the test before.
   if (TestRunner.getCurrentTest() !== undefined) endWithTest(page);
   if (framesPerSecond !== undefined) await limitFrames(page, framesPerSecond);
+  if (!drawn) await page.addInitScript(leaveOutTriangles);
   await prepare?.(page);
   await page.goto(url);
   return page;

@@ -1,11 +1,23 @@
 import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 
-/** A picture that the software renderer has little work with: few pixels, and no more frames than a test can tell apart. */
-export const SMALL = { viewport: { width: 960, height: 540 }, deviceScaleFactor: 0.5, framesPerSecond: 2 };
+/** For a test of anything but the picture: nothing is drawn, nothing kept for offline use, and no more frames than a test can tell apart. */
+export const SMALL = {
+  viewport: { width: 960, height: 540 },
+  deviceScaleFactor: 0.5,
+  framesPerSecond: 4,
+  drawn: false,
+  serviceWorkers: 'block',
+} as const;
 
-/** Frames enough for what the page does by itself in each of them, like steering; the fewest pixels. */
-export const FLUENT = { viewport: { width: 960, height: 540 }, deviceScaleFactor: 0.25, framesPerSecond: 15 };
+/** Frames enough for what the page does by itself in each of them, like steering. */
+export const FLUENT = { ...SMALL, deviceScaleFactor: 0.25, framesPerSecond: 15 } as const;
+
+/** For a test of what is kept for offline use. */
+export const KEPT = { ...SMALL, serviceWorkers: 'allow' } as const;
+
+/** As on a slow display, whose frames are further apart than the server's states. */
+export const SLOW = { ...SMALL, framesPerSecond: 2 } as const;
 
 /** Not once per frame, which on a slow display are far apart. */
 export const PATIENT = { polling: 50 };

@@ -3,7 +3,8 @@ import { createDriver } from '../../src/game';
 import type { GameSocket } from '../../src/game/socket';
 import { createVirtualClock } from './virtualClock';
 
-it('sends nothing of the caller’s between the socket’s opening and the welcome', () => {
+/** A driver on a clock that stands, whose socket has opened, and all that it sent. */
+function openedDriver() {
   const sent: unknown[] = [];
   const socket: GameSocket = {
     ...{ onopen: null, onmessage: null, onclose: null, onerror: null },
@@ -11,9 +12,10 @@ it('sends nothing of the caller’s between the socket’s opening and the welco
     send: (message) => sent.push(message),
     close: () => undefined,
   };
+  const clock = createVirtualClock();
   const driver = createDriver({
     address: 'ws://localhost/stream',
-    clock: createVirtualClock(),
+    clock,
     jitter: () => 0.5,
     openSocket: () => socket,
     auth: () => 'auth',
@@ -22,9 +24,30 @@ it('sends nothing of the caller’s between the socket’s opening and the welco
     onStatus: undefined,
   });
   socket.onopen!({} as never);
+  return { driver, sent, clock };
+}
+
+it('sends nothing of the caller’s between the socket’s opening and the welcome', () => {
+  const { driver, sent } = openedDriver();
   expect(driver.write('inputs')).toBe(false);
   expect(sent).toEqual(['auth']);
   driver.happen({ kind: 'welcome' });
   expect(driver.write('inputs')).toBe(true);
   expect(sent).toEqual(['auth', 'inputs']);
+});
+
+it.each([
+  // The server's own interval, or the one seen where the server is slower than it says.
+  ['told', 1, [3, 3, 4.5]],
+  // A quarter of the way to each interval seen, from one second on.
+  ['seen', undefined, [3, 2.625, 3.09375]],
+] as const)('waits for three intervals, %s, before it takes a server for silent', (_, interval, waits) => {
+  const { driver, clock } = openedDriver();
+  driver.happen({ kind: 'welcome' });
+  const waitsAfter = [0, 0.5, 1.5].map((seconds) => {
+    clock.pass(seconds);
+    driver.stateReceived(interval);
+    return driver.state().stateBy - clock.now();
+  });
+  expect(waitsAfter).toEqual(waits);
 });

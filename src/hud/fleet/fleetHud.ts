@@ -14,6 +14,12 @@ const MAX_ROWS = 30;
 /**
  * Creates the fleet HUD and appends it to `host`, which may be a shadow root: one row per ship, those that need help first,
  * counts in the header (HUD, Fleet). Only the rows in sight exist, so that 1,000 ships scroll as smoothly as ten.
+ *
+ * @example
+ * ```ts
+ * const hud = createFleetHud(document, host);
+ * hud.paint(updateFleetReadout(createFleetReadout(), predictor.view(now)));
+ * ```
  */
 export function createFleetHud(
   document: Document,

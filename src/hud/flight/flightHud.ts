@@ -27,6 +27,14 @@ export interface FlightHudOptions extends HudAppearance {
 /**
  * The instruments of flying, appended to `host` (HUD, The instruments of flying): lever with the hover mark, fuel, attitude ball, modes
  * with their keys, and the landing aids.
+ *
+ * @example
+ * ```ts
+ * const hud = createFlightHud(document, host);
+ * const flight = updateFlightReadout(createFlightReadout(), predictor.view(now));
+ * const [aids, target] = [createLandingAids(), createTargetReadout()];
+ * hud.paint({ flight, aids, target, autopilot: false, aidsOn: false });
+ * ```
  */
 export function createFlightHud(
   document: Document,

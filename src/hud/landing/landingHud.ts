@@ -33,6 +33,13 @@ export interface LandingHudOptions extends HudAppearance {
  * Creates the cockpit's landing HUD and appends it to `host`, which may be a shadow root (HUD, The landing HUD).
  * Its style sheet is hud.css: link it where the host is, in the shadow root if it is one. Nothing here needs more of a content
  * security policy than `default-src 'self'`.
+ *
+ * @example
+ * ```ts
+ * const hud = createCockpitLandingHud(document, host, { theme: 'dark', layout: 'compact' });
+ * const readout = createLandingReadout();
+ * hud.paint(updateLandingReadout(readout, predictor.view(now))); // each display frame
+ * ```
  */
 export function createCockpitLandingHud(
   document: Document,

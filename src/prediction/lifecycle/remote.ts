@@ -39,8 +39,8 @@ export type FromWorker =
 export interface Channel {
   /** Sends a copy of plain data. */
   postMessage: (message: unknown) => void;
-  /** Called with each message. */
-  onmessage: ((event: { readonly data: unknown }) => void) | null;
+  /** Called with each message's event: `never`, so that workers, ports and scopes of any type library fit. */
+  onmessage: ((event: never) => void) | null;
 }
 
 /**
@@ -57,7 +57,7 @@ export function servePredictor(channel: Channel, options: PredictorOptions = {})
   let notices: EventNotice[] = [];
   predictor.onEvent((notice) => notices.push(notice));
   const answer = (message: FromWorker): void => channel.postMessage(message);
-  channel.onmessage = ({ data }) => {
+  channel.onmessage = ({ data }: { readonly data: unknown }) => {
     const message = data as ToWorker;
     (CALLS[message.kind] as (predictor: Predictor, message: ToWorker) => void)(predictor, message);
     if (message.kind === 'dispose') channel.onmessage = null;
@@ -142,7 +142,7 @@ export function connectPredictor(channel: Channel): RemotePredictor {
     waiting: null,
   };
   const post = (message: ToWorker): void => channel.postMessage(message);
-  channel.onmessage = ({ data }) => hear(link, data as FromWorker, post);
+  channel.onmessage = ({ data }: { readonly data: unknown }) => hear(link, data as FromWorker, post);
   return { ...callsThrough(post), ...ownCalls(link, post, channel) };
 }
 

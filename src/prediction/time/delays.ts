@@ -7,6 +7,9 @@ export interface Delays {
   readonly sorted: Float64Array;
   /** Samples ever taken; slot = count mod length. */
   count: number;
+  /** What `spreadOf` came to, and for which limit; NaN since a delay was added: every frame asks, and few bring a delay. */
+  spread: number;
+  spreadLimit: number;
 }
 
 /** Share of the samples below `spreadOf`. */
@@ -18,18 +21,27 @@ const MIN_LIMIT = 0.02;
 
 /** @param length number of samples kept */
 export function createDelays(length: number): Delays {
-  return { values: new Float64Array(length), sorted: new Float64Array(length), count: 0 };
+  return {
+    values: new Float64Array(length),
+    sorted: new Float64Array(length),
+    count: 0,
+    spread: Number.NaN,
+    spreadLimit: Number.NaN,
+  };
 }
 
 export function addDelay(delays: Delays, value: number): void {
   delays.values[delays.count % delays.values.length] = value;
   delays.count += 1;
+  delays.spread = Number.NaN;
 }
 
 /** Lowers the last delay to `value` if that is smaller: both waited in one queue, of which the smallest delay counts. */
-export function lessenDelay({ values, count }: Delays, value: number): void {
+export function lessenDelay(delays: Delays, value: number): void {
+  const { values, count } = delays;
   const slot = (count - 1) % values.length;
   values[slot] = Math.min(values[slot]!, value);
+  delays.spread = Number.NaN;
 }
 
 /** The smallest delay, s; NaN without samples. */
@@ -47,6 +59,14 @@ export function leastOf({ values, count }: Delays): number {
  * spread.
  */
 export function spreadOf(delays: Delays, most: number): number {
+  if (Number.isNaN(delays.spread) || delays.spreadLimit !== most) {
+    delays.spread = measureSpread(delays, most);
+    delays.spreadLimit = most;
+  }
+  return delays.spread;
+}
+
+function measureSpread(delays: Delays, most: number): number {
   const least = leastOf(delays);
   if (Number.isNaN(least)) return 0;
   const { values, sorted, count } = delays;

@@ -33,6 +33,15 @@ export interface FlightReadout {
   readonly memory: Surface;
 }
 
+/**
+ * An empty readout of the instruments, filled by updateFlightReadout.
+ *
+ * @example
+ * ```ts
+ * const readout = updateFlightReadout(createFlightReadout(), predictor.view(now));
+ * console.log(readout.deltaV); // m/s
+ * ```
+ */
 export function createFlightReadout(): FlightReadout {
   return {
     known: false,
@@ -53,7 +62,15 @@ export function createFlightReadout(): FlightReadout {
   };
 }
 
-/** What the instruments show now. Reuses `out` and returns it; allocates nothing. A ship that is gone has no numbers. */
+/**
+ * What the instruments show now. Reuses `out` and returns it; allocates nothing. A ship that is gone has no numbers.
+ *
+ * @example
+ * ```ts
+ * const readout = createFlightReadout(); // once
+ * const { fuel, heading } = updateFlightReadout(readout, predictor.view(now)); // kg, rad
+ * ```
+ */
 export function updateFlightReadout(out: FlightReadout, given: WorldView | null): FlightReadout {
   const view = viewOf('updateFlightReadout', out, given);
   const ship = view.ready ? view.own : null;

@@ -61,6 +61,15 @@ const FASTEST = 1.35;
 /** m/s: close to the ground a share alone would be too narrow. */
 const SLACK = 0.5;
 
+/**
+ * Empty landing aids, filled by updateLandingAids.
+ *
+ * @example
+ * ```ts
+ * const aids = updateLandingAids(createLandingAids(), predictor.view(now));
+ * console.log(aids.outcome);
+ * ```
+ */
 export function createLandingAids(): LandingAids {
   return {
     shown: false,
@@ -83,7 +92,15 @@ export function createLandingAids(): LandingAids {
   };
 }
 
-/** Depends on the view and on the simulation ahead kept in `out`; a ship on the ground or gone costs nothing. */
+/**
+ * Depends on the view and on the simulation ahead kept in `out`; a ship on the ground or gone costs nothing.
+ *
+ * @example
+ * ```ts
+ * const aids = createLandingAids(); // once
+ * const { touchSeconds, touchVertical } = updateLandingAids(aids, predictor.view(now)); // s, m/s
+ * ```
+ */
 export function updateLandingAids(out: LandingAids, given: WorldView | null): LandingAids {
   const view = viewOf('updateLandingAids', out, given);
   const ship = view.ready ? view.own : null;

@@ -28,6 +28,15 @@ export interface Target {
 
 const SCALES = [10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 50_000] as const;
 
+/**
+ * An empty readout of a target, filled by updateTargetReadout.
+ *
+ * @example
+ * ```ts
+ * const readout = createTargetReadout();
+ * console.log(readout.shown); // false until a target is passed
+ * ```
+ */
 export function createTargetReadout(): TargetReadout {
   return {
     shown: false,
@@ -47,7 +56,16 @@ const product = new Float64Array(6);
 const offset = new Float64Array(3);
 const drift = new Float64Array(3);
 
-/** @param screen right, away and up in ICRF (nine numbers) */
+/**
+ * @param screen right, away and up in ICRF (nine numbers)
+ *
+ * @example
+ * ```ts
+ * const screen = new Float64Array(9);
+ * scene.screenAxes(screen);
+ * updateTargetReadout(createTargetReadout(), predictor.view(now), null, screen, createLandingAids());
+ * ```
+ */
 export function updateTargetReadout(
   out: TargetReadout,
   view: WorldView,

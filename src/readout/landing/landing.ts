@@ -58,6 +58,15 @@ interface LandingMemory {
   readonly righting: RightingMemory;
 }
 
+/**
+ * An empty readout for the landing HUD; updateLandingReadout fills it.
+ *
+ * @example
+ * ```ts
+ * const readout = updateLandingReadout(createLandingReadout(), predictor.view(now));
+ * console.log(readout.descent.verticalSpeed); // m/s
+ * ```
+ */
 export function createLandingReadout(): LandingReadout {
   return {
     status: 'none',
@@ -88,6 +97,12 @@ export function createLandingReadout(): LandingReadout {
 /**
  * Updates what the pilot of `view.own` reads (HUD, The landing HUD). Depends on the view and on what `out` keeps of the views
  * before it, not on a clock. Reuses `out` and returns it; allocates only when a simulation ahead begins.
+ *
+ * @example
+ * ```ts
+ * const readout = createLandingReadout(); // once
+ * const { status, tilt } = updateLandingReadout(readout, predictor.view(now)); // each display frame
+ * ```
  */
 export function updateLandingReadout(out: LandingReadout, given: WorldView | null): LandingReadout {
   const view = viewOf('updateLandingReadout', out, given);

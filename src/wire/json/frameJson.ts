@@ -49,6 +49,13 @@ export interface FrameJsonOptions {
  * holds them, in texts; vectors [x, y, z] or {x, y, z}, quaternions [w, x, y, z] or {w, x, y, z}. Unknown modes, classes,
  * states and events keep their names. Refused only without a tick or ships; other invalid parts are in
  * `refusals`. SI units, ICRF axes, quaternions of the record [x, y, z, w]. Never throws.
+ *
+ * @example
+ * ```ts
+ * const decoded = decodeFrameJson(JSON.parse(text)); // text of the socket's message
+ * if (decoded.ok) predictor.receive(decoded.value, now);
+ * else predictor.refused(decoded.reason); // 'tick: missing'
+ * ```
  */
 export function decodeFrameJson(value: unknown, options: FrameJsonOptions = {}): Result<DecodedFrame> {
   const mistaken = notPlain(value);

@@ -44,6 +44,12 @@ const DEFAULT_FIELDS: Fields = { settings: {}, tick_rate: 1, time_scale: 1, inpu
  * list, or an object by name), `terrain`, `tick`, `tick_rate`, `time_scale`, `input_granularity`, `protocol_version`. Defaults are
  * the design's: default settings, the game's classes and bodies, flat ground, 1 Hz, whole-tick inputs, protocol version 1.0. Spelling as in
  * decodeFrameJson. Refused with the path of the first invalid field that is not a class or a body. Never throws.
+ *
+ * @example
+ * ```ts
+ * const hello = decodeHelloJson({ ship_id: 'ship-1', settings: { contact_crash_speed: 12 }, tick_rate: 10 });
+ * if (hello.ok) predictor.receive(hello.value, now);
+ * ```
  */
 export function decodeHelloJson(value: unknown): Result<DecodedHello> {
   const mistaken = notPlain(value);

@@ -25,6 +25,12 @@ const ENVELOPE: Envelope = {
  * A message from a client, for the authority: checked, finite, plain; or the reason why it is refused, with the path of the
  * first invalid field ("inputs[2].controls.thrust_level: …"). Controls are clamped into range. Never throws, whatever the
  * bytes (PREDICTION, Timeline).
+ *
+ * @example
+ * ```ts
+ * const message = decodeClientMessage(bytes);
+ * if (message.ok && message.value.kind === 'inputs') console.log(message.value.inputs.length);
+ * ```
  */
 export function decodeClientMessage(bytes: Uint8Array): Result<ClientMessage> {
   const opened = openEnvelope(bytes, ENVELOPE, (reader) => galaxy.stream.ClientMessage.decode(reader));
@@ -50,6 +56,11 @@ export function decodeClientMessage(bytes: Uint8Array): Result<ClientMessage> {
 /**
  * The bytes of a checked message, in a buffer of their own. Decoding gives the record back, bit by bit.
  * @throws RangeError for anything but a message of takeOutgoing
+ *
+ * @example
+ * ```ts
+ * for (const message of predictor.takeOutgoing()) socket.send(encodeClientMessage(message));
+ * ```
  */
 export function encodeClientMessage(message: ClientMessage): Uint8Array<ArrayBuffer> {
   const kind: unknown = (message as ClientMessage | null | undefined)?.kind;

@@ -49,6 +49,13 @@ const ENVELOPE: Envelope = {
  * A message from the server: checked, finite, plain; or the reason why it is refused, with the path of the first invalid field
  * ("frame.ships[3].relative_position.y: expected a finite number, got NaN"). Never throws, whatever the bytes.
  * SI units, ICRF axes, quaternions [x, y, z, w] (PREDICTION, Server messages).
+ *
+ * @example
+ * ```ts
+ * const message = decodeServerMessage(bytes); // new Uint8Array(event.data)
+ * if (message.ok) predictor.receive(message.value, now);
+ * else predictor.refused(message.reason);
+ * ```
  */
 export function decodeServerMessage(bytes: Uint8Array): Result<ServerMessage> {
   const opened = openEnvelope(bytes, ENVELOPE, (reader) => galaxy.stream.ServerMessage.decode(reader));
@@ -60,7 +67,15 @@ export function decodeServerMessage(bytes: Uint8Array): Result<ServerMessage> {
   return err('message: expected a hello, a frame or a pong');
 }
 
-/** The bytes of a checked message, in a buffer of their own. Decoding gives the record back, bit by bit. */
+/**
+ * The bytes of a checked message, in a buffer of their own. Decoding gives the record back, bit by bit.
+ *
+ * @example
+ * ```ts
+ * const bytesOfPong = encodeServerMessage({ kind: 'pong', id: 1, tick: 240, sinceTick: 0.25 });
+ * console.log(bytesOfPong.length);
+ * ```
+ */
 export function encodeServerMessage(message: ServerMessage): Uint8Array<ArrayBuffer> {
   return sealEnvelope(galaxy.stream.ServerMessage.encode(envelopeFields(message)));
 }

@@ -9,7 +9,7 @@ import { expect, it, onTestFinished } from 'vitest';
 import { describeInBrowser, openUrl, problemsOf } from '../pages';
 import { serveFolder } from '../staticServer';
 import type { Fault, StaticServer } from '../staticServer';
-import { SMALL } from '../waits';
+import { KEPT, SMALL } from '../waits';
 
 const BUILT = fileURLToPath(new URL('../../../dist/page', import.meta.url));
 
@@ -60,7 +60,7 @@ async function openPlots(page: Page): Promise<void> {
 
 /** Opens the page and waits until the browser has kept all of it. */
 async function openAndKeep(server: Deployment): Promise<Page> {
-  const page = await openUrl(`${server.url}?scenario=settle&slow=4`, SMALL);
+  const page = await openUrl(`${server.url}?scenario=settle&slow=4`, KEPT);
   await untilKept(page);
   return page;
 }
@@ -115,7 +115,7 @@ describeInBrowser('the built page without its host', () => {
 
   it('runs where the browser stores nothing, and says what it cannot fetch', async () => {
     const server = await deploy();
-    const page = await openUrl(`${server.url}?scenario=settle&slow=4`, { ...SMALL, serviceWorkers: 'block' });
+    const page = await openUrl(`${server.url}?scenario=settle&slow=4`, SMALL);
     await page.waitForSelector('html[data-status=landed]');
     expect(problemsOf(page)).toEqual([]);
     await server.close();
@@ -151,7 +151,7 @@ describeInBrowser('the built page with a failing host', () => {
     };
     // Listened to from the start: a worker that fails leaves no registration to ask.
     const prepare = (opened: Page) => opened.addInitScript(noteInstallation);
-    const page = await openUrl(`${server.url}?scenario=settle`, { ...SMALL, prepare });
+    const page = await openUrl(`${server.url}?scenario=settle`, { ...KEPT, prepare });
     await untilRunning(page);
     const settled = page.evaluate(() => (window as unknown as InstallationWindow).installed);
     expect(await settled).toBe('redundant');

@@ -7,6 +7,7 @@ import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 import { expect, it } from 'vitest';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
+import { KEPT } from '../waits';
 
 /** The most that an opened page's code may weigh, in bytes as sent with gzip, terrain and models apart. */
 const HEAVIEST = 300_000;
@@ -44,7 +45,7 @@ describeInBrowser('the built page', () => {
   // Once the page has its first picture and time to spare, its service worker fetches all of it again, plots too, to have it
   // without a network: twice the weight, but nothing that anyone waits for. It is counted neither here nor as part of the load.
   it(`weighs at most ${HEAVIEST / 1000} kB, apart from plots, replays and help, which load on demand`, async () => {
-    const page = await openBuiltPage('', { framesPerSecond: 3 });
+    const page = await openBuiltPage('', KEPT);
     await page.waitForSelector('html[data-ready=true]');
     const fetched = await page.evaluate(() =>
       performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname.split('/').at(-1)!),

@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 import { hashRows, readShip, SHIP_STRIDE } from '../../../src/dynamics';
 import { runScenario, SCENARIOS } from '../../../src/scenarios';
 import { describeInBrowser, openBuiltPage, openUrl, problemsOf } from '../pages';
-import { FLUENT, PATIENT, SMALL, untilStatus, untilTiltBelow } from '../waits';
+import { FLUENT, PATIENT, SLOW, SMALL, untilStatus, untilTiltBelow } from '../waits';
 
 /**
  * Tick and bits of the own ship at the scenario's end. Not sped up: of more than four states between two frames of a slow display the
@@ -71,7 +71,7 @@ describeInBrowser('a run on the built page', () => {
     const run = await endOfRun(page, 15);
     expect(run).toBe(scenarioRun('freighter-hold'));
     await page.context().close();
-    const slow = await openBuiltPage(query, SMALL);
+    const slow = await openBuiltPage(query, SLOW);
     expect(await endOfRun(slow, 15)).toBe(run);
   });
 });

@@ -7,7 +7,7 @@ import { shadesOf, SMALL, untilBanner, untilStatus } from '../waits';
 /** Options of a page for which the files that match never come. */
 function without(files: RegExp): PageOptions {
   const prepare = (page: Page) => page.context().route(files, (route) => route.abort());
-  return { ...SMALL, serviceWorkers: 'block', prepare };
+  return { ...SMALL, prepare };
 }
 
 describeInBrowser('the built page, when something is wrong', () => {
@@ -71,7 +71,7 @@ describeInBrowser('the built page, when something is wrong', () => {
   });
 
   it('says that the picture was lost, and restores it', async () => {
-    const page = await openBuiltPage('?scenario=settle', SMALL);
+    const page = await openBuiltPage('?scenario=settle', { ...SMALL, drawn: true });
     await untilStatus(page, 'landed');
     const before = await shadesOf(page);
     await page.evaluate(() => {

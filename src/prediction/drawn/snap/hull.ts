@@ -30,6 +30,12 @@ export interface HullOwner {
  * The hull of a class, derived from h and leg radius: the game publishes no outline. Feet at 45°, 135°, … on the footprint's circle,
  * h below the centre; the hull a cylinder of half that height's radius, by the octagons of its two rims.
  * @param groundContactOffset a ship's own, m: the class's shape is moved along body z until its feet are this far below the centre
+ *
+ * @example
+ * ```ts
+ * const { own } = predictor.view(now);
+ * if (own !== null) console.log(hullOf(own.shipClass, own.groundContactOffset)); // points in ship axes, m
+ * ```
  */
 export function hullOf(
   shipClass: LoadedShipClass,

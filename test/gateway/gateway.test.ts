@@ -1,0 +1,175 @@
+/** A gateway as it runs: with a real Redis, real sockets, and a world that this test writes. */
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { createClient, type RedisClientType } from 'redis';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { WebSocket } from 'ws';
+import { redisServer } from '../../.ci/python.mjs';
+import { createProcess, freePort, type Process } from '../../.ci/stack.mjs';
+import { createGateway, type Gateway } from '../../src/gateway/gateway';
+import { encodeFrameJson, encodeHelloJson } from '../../src/wire';
+import { isMissing } from '../service/pythonTests';
+import { HELLO } from '../wire/messages';
+import { shipOf, worldOf } from './fakePlace';
+
+const ACCOUNT = { username: 'one', playerId: 'p1', password: 'x' };
+
+describe.skipIf(isMissing('redis'))('a gateway', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'touchdown-gateway-'));
+  const logged: string[] = [];
+  let server: Process;
+  let redis: RedisClientType;
+  let gateway: Gateway;
+  let closing: Promise<void> | undefined;
+  let url: string;
+
+  beforeAll(async () => {
+    const port = await freePort();
+    server = createProcess({
+      name: 'redis',
+      command: redisServer(),
+      args: ['--bind', '127.0.0.1', '--port', String(port), '--dir', folder, '--save', ''],
+      env: process.env,
+      upWhen: /Ready to accept connections/,
+    });
+    await server.start();
+    url = `redis://127.0.0.1:${port}/0`;
+    redis = createClient({ url });
+    await redis.connect();
+  });
+  afterAll(async () => {
+    redis.destroy();
+    await server.end('SIGTERM');
+    rmSync(folder, { recursive: true });
+  });
+  beforeEach(async () => {
+    await redis.flushAll();
+    logged.length = 0;
+    closing = undefined;
+    gateway = await createGateway({
+      redis: url,
+      host: '127.0.0.1',
+      port: 0,
+      accounts: [ACCOUNT],
+      secret: 'a secret that is long enough for a test',
+      tokenLifetime: 60,
+      origins: ['https://page.example'],
+      clock: () => Date.now() / 1000,
+      nonce: () => 'nonce',
+      log: (line) => logged.push(line),
+    });
+  });
+  const close = () => (closing ??= gateway.close());
+  afterEach(close);
+
+  async function writeFrame(tick: number): Promise<void> {
+    const frame = encodeFrameJson(worldOf([shipOf('p1')], { tick }).frame);
+    await redis.xAdd('touchdown:frames', '*', {
+      frame: JSON.stringify({ ...frame, due: Date.now() / 1000 }),
+    });
+  }
+
+  function connect(path = '/ws', origin?: string) {
+    const socket = new WebSocket(
+      `ws://127.0.0.1:${gateway.port}${path}`,
+      origin === undefined ? {} : { origin },
+    );
+    const said: Record<string, unknown>[] = [];
+    socket.on('message', (data: Buffer) => said.push(JSON.parse(data.toString()) as Record<string, unknown>));
+    const failed = new Promise<string>((resolve) => socket.on('error', ({ message }) => resolve(message)));
+    const closed = new Promise<[number, string]>((resolve) =>
+      socket.on('close', (code, reason) => resolve([code, reason.toString()])),
+    );
+    const opened = new Promise((resolve) => socket.on('open', resolve));
+    return { socket, said, failed, closed, opened, kinds: () => said.map(({ type }) => type) };
+  }
+
+  async function login(): Promise<Record<string, unknown>> {
+    const body = JSON.stringify({ username: 'one', password: 'x' });
+    const address = `http://127.0.0.1:${gateway.port}/api/auth/login`;
+    return (await (await fetch(address, { method: 'POST', body })).json()) as Record<string, unknown>;
+  }
+
+  it('lets a player in, tells it the world as it comes, and passes its controls on', async () => {
+    const client = connect();
+    await client.opened;
+    client.socket.send(JSON.stringify({ type: 'auth', token: (await login())['token'] }));
+    client.socket.send(JSON.stringify({ type: 'ping' }));
+    await expect.poll(client.kinds).toEqual(['pong']);
+    // The world may be defined after the gateway has started.
+    await redis.set('touchdown:world', JSON.stringify(encodeHelloJson(HELLO)));
+    await expect
+      .poll(async () => {
+        await writeFrame(7);
+        return client.kinds().slice(1, 3);
+      })
+      .toEqual(['welcome', 'state']);
+    expect(client.said[1]).toMatchObject({ username: 'one', ship_id: 'ship of p1' });
+    expect(await login()).toMatchObject({ player_id: 'p1', ship_id: 'ship of p1' });
+    client.socket.send(JSON.stringify({ type: 'control', thrust_level: 0.5 }));
+    await expect.poll(() => redis.xLen('touchdown:inbox')).toBe(1);
+    const entries = await redis.xRange('touchdown:inbox', '-', '+');
+    expect(entries?.[0]?.message).toMatchObject({
+      ship_id: 'ship of p1',
+      player_id: 'p1',
+      session: 'nonce',
+      seq: '1',
+    });
+    expect(gateway.health()).toEqual({
+      tick: 7,
+      ships: 1,
+      clients: 1,
+      redis: true,
+      inbox: { waiting: 0, dropped: 0 },
+      refused: 0,
+    });
+    client.socket.close();
+    await expect.poll(() => gateway.health()['clients']).toBe(0);
+    expect(logged).toEqual([]);
+  });
+
+  it('counts and logs what it cannot use', async () => {
+    await redis.set('touchdown:world', JSON.stringify({ ...encodeHelloJson(HELLO), bodies: 5 }));
+    await redis.xAdd('touchdown:frames', '*', { frame: '{' });
+    await expect.poll(() => gateway.health()['refused']).toBe(1);
+    await expect.poll(() => logged).toContain('frame: not JSON');
+    await expect.poll(() => logged.join()).toMatch(/world\.bodies/);
+    expect(gateway.health()).toMatchObject({ tick: null, ships: 0 });
+  });
+
+  it.each([
+    ['https://page.example', 'open'],
+    ['http://localhost:5173', 'open'],
+    ['https://127.0.0.1', 'open'],
+    ['http://[::1]:80', 'open'],
+    ['https://other.example', 'closed'],
+    ['https://localhost.other.example', 'closed'],
+    ['null', 'closed'],
+  ])('has a connection of a page at %s %s', async (origin, outcome) => {
+    const client = connect('/stream', origin);
+    await client.opened;
+    if (outcome === 'closed') expect(await client.closed).toEqual([4003, 'Origin not allowed']);
+    else {
+      await expect.poll(() => gateway.health()['clients']).toBe(1);
+      client.socket.close();
+    }
+  });
+
+  it('has no other sockets than /ws and /stream', async () => {
+    expect(await connect('/').failed).toMatch(/404/);
+    const client = connect('/stream?x=1');
+    await client.opened;
+    client.socket.close();
+  });
+
+  it('keeps 64 connections of one address at most, and tells them to come back when it ends', async () => {
+    const clients = Array.from({ length: 64 }, () => connect());
+    await Promise.all(clients.map(({ opened }) => opened));
+    expect(await connect().closed).toEqual([1013, 'Too many connections']);
+    expect(gateway.health()['clients']).toBe(64);
+    await close();
+    for (const { closed } of clients) expect(await closed).toEqual([1001, 'The gateway is restarting']);
+    await expect(fetch(`http://127.0.0.1:${gateway.port}/healthz`)).rejects.toThrow();
+  });
+});

@@ -1,0 +1,242 @@
+/** The gateway's two ends in Redis, against a Redis of this test's own making. */
+import type { RedisClientType } from 'redis';
+import { describe, expect, it, onTestFinished } from 'vitest';
+import { NEUTRAL_CONTROLS } from '../../src/dynamics';
+import { createFeed, type WorldFrame } from '../../src/gateway/redis/feed';
+import { createInbox } from '../../src/gateway/redis/inbox';
+import { encodeFrameJson } from '../../src/wire';
+import { EVENT, FRAME } from '../wire/messages';
+
+interface Entry {
+  readonly id: string;
+  readonly message: Record<string, string>;
+}
+
+const FRAMES = 'touchdown:frames';
+
+/** Streams in memory; a read that finds nothing new says so at once, as after its wait. */
+function fakeRedis() {
+  const streams = new Map<string, Entry[]>();
+  const asked: string[] = [];
+  const entriesOf = (key: string) => streams.get(key) ?? [];
+  const order = (id: string) => Number(id.split('-')[0]) * 1e6 + Number(id.split('-')[1]);
+  const client = {
+    async xRead({ key, id }: { key: string; id: string }, { COUNT }: { COUNT: number }) {
+      asked.push(id);
+      await new Promise((soon) => setTimeout(soon));
+      const found = entriesOf(key).filter((entry) => order(entry.id) > order(id));
+      return found.length === 0 ? null : [{ messages: found.slice(0, COUNT) }];
+    },
+    xRevRange: (key: string, _from: string, _to: string, { COUNT }: { COUNT: number }) =>
+      Promise.resolve(entriesOf(key).toReversed().slice(0, COUNT)),
+  };
+  return { streams, asked, client: client as unknown as RedisClientType };
+}
+
+const eventOf = (tick: number) => ({ ...EVENT, tick });
+const textOf = (tick: number, events: readonly ReturnType<typeof eventOf>[] = []) =>
+  JSON.stringify({ ...encodeFrameJson({ ...FRAME, tick, events, lastInput: null }), due: tick / 10 });
+const frameEntry = (id: string, tick: number, events?: readonly ReturnType<typeof eventOf>[]): Entry => ({
+  id,
+  message: { frame: textOf(tick, events) },
+});
+/** An event as the service writes it into its stream: every value is a text. */
+function eventEntry(tick: number): Entry {
+  const [sent] = encodeFrameJson({ ...FRAME, events: [eventOf(tick)], lastInput: null })[
+    'events'
+  ] as object[];
+  return { id: `${tick}-0`, message: sent as Record<string, string> };
+}
+
+describe('the feed', () => {
+  function follow(entries: Entry[], events: Entry[] = []) {
+    const redis = fakeRedis();
+    redis.streams.set(FRAMES, entries);
+    redis.streams.set('touchdown:events', events);
+    const told: WorldFrame[] = [];
+    const refused: string[] = [];
+    const feed = createFeed(redis.client, redis.client, {
+      onFrame: (world) => told.push(world),
+      onRefused: (reason) => refused.push(reason),
+    });
+    onTestFinished(feed.stop);
+    const ticks = () => told.map(({ frame }) => frame.tick);
+    return { ...redis, feed, told, refused, ticks };
+  }
+
+  it('begins with the newest frame that is there, and reads on from it in order', async () => {
+    const { feed, ticks, streams, asked } = follow([frameEntry('1-0', 1), frameEntry('1-1', 2)]);
+    expect(feed.newest()).toBeNull();
+    void feed.run();
+    await expect.poll(ticks).toEqual([2]);
+    expect(asked[0]).toBe('1-1');
+    streams.get(FRAMES)!.push(frameEntry('1-2', 3), frameEntry('2-0', 4));
+    await expect.poll(ticks).toEqual([2, 3, 4]);
+    expect(feed.newest()).toMatchObject({ due: 0.4, frame: { tick: 4 } });
+  });
+
+  it('waits from the first entry where there is none yet', async () => {
+    const { feed, ticks, streams, asked } = follow([]);
+    void feed.run();
+    await expect.poll(() => asked[0]).toBe('0-0');
+    streams.get(FRAMES)!.push(frameEntry('5-0', 9));
+    await expect.poll(ticks).toEqual([9]);
+  });
+
+  it('fetches the events of ticks that it did not see, and no others', async () => {
+    const events = [4, 5, 6, 7, 8].map(eventEntry);
+    const { feed, told, ticks, streams } = follow([frameEntry('1-0', 5)], events);
+    void feed.run();
+    await expect.poll(ticks).toEqual([5]);
+    expect(told[0]!.frame.events).toEqual([]);
+    streams.get(FRAMES)!.push(frameEntry('1-1', 6), frameEntry('1-2', 8, [eventOf(7), eventOf(8)]));
+    await expect.poll(ticks).toEqual([5, 6, 8]);
+    expect(told[1]!.frame.events).toEqual([]);
+    expect(told[2]!.frame.events.map(({ tick }) => tick)).toEqual([6, 7, 8]);
+    expect(told[2]!.frame.events[0]).toMatchObject({ type: 'ship.contact', shipId: 'ship-1', body: 'Moon' });
+    expect((await feed.eventsSince(7, 500)).map(({ tick }) => tick)).toEqual([7, 8]);
+    expect((await feed.eventsSince(0, 2)).map(({ tick }) => tick)).toEqual([7, 8]);
+  });
+
+  it.each([
+    ['an earlier time', '8-9'],
+    ['an earlier count of the same time', '9-2'],
+  ])('reads anew from a Redis whose newest entry has %s', async (_, id) => {
+    const { feed, ticks, streams } = follow([frameEntry('9-3', 5)]);
+    void feed.run();
+    await expect.poll(ticks).toEqual([5]);
+    streams.set(FRAMES, [frameEntry(id, 3)]);
+    await expect.poll(ticks).toEqual([5, 3]);
+  });
+
+  it('takes no frame twice while nothing new comes', async () => {
+    const { feed, ticks, asked } = follow([frameEntry('9-3', 5)]);
+    void feed.run();
+    await expect.poll(() => asked.length).toBeGreaterThan(5);
+    expect(ticks()).toEqual([5]);
+  });
+
+  it('says what it cannot use, and goes on', async () => {
+    const broken: Entry[] = [
+      { id: '1-0', message: { frame: '{"tick":-1}' } },
+      { id: '1-1', message: {} },
+    ];
+    const { feed, ticks, refused, streams } = follow([]);
+    void feed.run();
+    streams.get(FRAMES)!.push(...broken, frameEntry('1-2', 3));
+    await expect.poll(ticks).toEqual([3]);
+    expect(refused).toEqual([expect.stringMatching(/^frame\.tick: /), 'frame: not JSON']);
+  });
+
+  it('tries again after an error, which it tells, until it is stopped', async () => {
+    const { feed, ticks, refused, client } = follow([frameEntry('1-0', 5)]);
+    const { xRead } = client;
+    let reads = 0;
+    const failing = (...given: Parameters<typeof xRead>) =>
+      reads++ === 0 ? Promise.reject(new Error('gone')) : xRead(...given);
+    Object.assign(client, { xRead: failing });
+    const running = feed.run();
+    await expect.poll(() => reads).toBeGreaterThan(1);
+    expect(refused).toEqual(['redis: gone']);
+    expect(ticks()).toEqual([5]);
+    feed.stop();
+    await running;
+  });
+});
+
+describe('the inbox', () => {
+  const INPUT = { shipId: 's1', playerId: 'p1', session: 'page', controls: NEUTRAL_CONTROLS, stamp: null };
+
+  function writer() {
+    const written: Record<string, string>[] = [];
+    const redis = {
+      isReady: true,
+      fails: 0,
+      xAdd(key: string, id: string, entry: Record<string, string>, options: unknown) {
+        expect([key, id]).toEqual(['touchdown:inbox', '*']);
+        expect(options).toEqual({ TRIM: { strategy: 'MAXLEN', strategyModifier: '~', threshold: 100_000 } });
+        if (redis.fails-- > 0) return Promise.reject(new Error('gone'));
+        written.push(entry);
+        return Promise.resolve('1-0');
+      },
+    };
+    const inbox = createInbox(redis as unknown as RedisClientType);
+    return { redis, inbox, seqs: () => written.map(({ seq }) => Number(seq)), written };
+  }
+
+  it('writes controls as the service reads them: axes in lists, the quaternion by its w first', () => {
+    const { inbox, written } = writer();
+    const controls = {
+      ...NEUTRAL_CONTROLS,
+      translationInput: [1, 2, 3],
+      rotationInput: [4, 5, 6],
+      targetAttitude: [0.1, 0.2, 0.3, 0.9],
+    } as const;
+    inbox.controls({ ...INPUT, seq: 4, controls, stamp: { tick: 7, substep: 8 } });
+    const { controls: sent, ...entry } = written[0]!;
+    expect(entry).toEqual({
+      type: 'controls',
+      ship_id: 's1',
+      player_id: 'p1',
+      session: 'page',
+      seq: '4',
+      tick: '7',
+      substep: '8',
+    });
+    expect(JSON.parse(sent!)).toMatchObject({
+      thrust_level: 0,
+      translation_input: [1, 2, 3],
+      rotation_input: [4, 5, 6],
+      target_attitude: [0.9, 0.1, 0.2, 0.3],
+    });
+    inbox.controls({ ...INPUT, seq: 5 });
+    expect(written[1]).not.toHaveProperty('tick');
+    inbox.command('spawn', { ship_id: 's2' });
+    expect(written[2]).toEqual({ type: 'spawn', data: '{"ship_id":"s2"}' });
+    expect(inbox.counts()).toEqual({ waiting: 0, dropped: 0 });
+  });
+
+  it('keeps what comes while Redis is away, in order, and sends it when it is back', async () => {
+    const { redis, inbox, seqs } = writer();
+    redis.isReady = false;
+    inbox.controls({ ...INPUT, seq: 1 });
+    inbox.flush();
+    redis.isReady = true;
+    // What waits is not overtaken.
+    inbox.controls({ ...INPUT, seq: 2 });
+    expect([seqs(), inbox.counts().waiting]).toEqual([[], 2]);
+    inbox.flush();
+    inbox.flush();
+    await expect.poll(() => inbox.counts().waiting).toBe(0);
+    expect(seqs()).toEqual([1, 2]);
+    inbox.controls({ ...INPUT, seq: 3 });
+    expect(seqs()).toEqual([1, 2, 3]);
+  });
+
+  it('sends again what got no answer', async () => {
+    const { redis, inbox, seqs } = writer();
+    redis.fails = 2;
+    inbox.controls({ ...INPUT, seq: 1 });
+    await expect.poll(() => inbox.counts().waiting).toBe(1);
+    inbox.flush();
+    await expect.poll(() => redis.fails).toBe(0);
+    expect([seqs(), inbox.counts().waiting]).toEqual([[], 1]);
+    await expect
+      .poll(() => {
+        inbox.flush();
+        return seqs();
+      })
+      .toEqual([1]);
+  });
+
+  it('keeps 2,048 entries at most, the newest, and counts what it drops', async () => {
+    const { redis, inbox, seqs } = writer();
+    redis.isReady = false;
+    for (let seq = 1; seq <= 2050; seq++) inbox.controls({ ...INPUT, seq });
+    expect(inbox.counts()).toEqual({ waiting: 2048, dropped: 2 });
+    redis.isReady = true;
+    inbox.flush();
+    await expect.poll(() => inbox.counts().waiting).toBe(0);
+    expect([seqs()[0], seqs().at(-1)]).toEqual([3, 2050]);
+  });
+});

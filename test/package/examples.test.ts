@@ -1,0 +1,152 @@
+/** What the package exports shows how it is used: each function has an example, and each example compiles. */
+import { dirname, join } from 'node:path';
+import ts from 'typescript';
+import { describe, expect, it } from 'vitest';
+
+const ROOT = join(import.meta.dirname, '../..');
+const DOORS = ['index', 'protobuf', 'hud/index', 'scene/index', 'game/index'].map((door) => `src/${door}.ts`);
+const SANDBOX = join(ROOT, 'src', 'examples.sandbox.ts');
+
+/** What an example may use without a word: a frame loop's time, a message as it comes, the page, and a predictor that runs. */
+const GIVEN = `
+declare global {
+  const now: number; const text: string; const bytes: Uint8Array; const message: unknown;
+  const after: (seconds: number, act: () => void) => () => void;
+  const socket: WebSocket; const host: HTMLElement; const canvas: HTMLCanvasElement; const token: string;
+}
+declare const predictor: import('./index').Predictor;
+declare const scene: import('./scene').SceneView;
+declare const entries: import('./index').PredictorEntry[];
+export {};
+`;
+
+interface Example {
+  readonly name: string;
+  readonly code: string;
+}
+
+const config = ts.parseJsonConfigFileContent(
+  ts.readConfigFile(join(ROOT, 'tsconfig.json'), (path) => ts.sys.readFile(path)).config,
+  ts.sys,
+  ROOT,
+);
+const OPTIONS: ts.CompilerOptions = {
+  ...config.options,
+  ...{ noEmit: true, noUnusedLocals: false, noUnusedParameters: false, verbatimModuleSyntax: false },
+};
+
+/** A program with `sandbox` beside the doors; files of `before` are parsed once. */
+function programOf(sandbox: string, before?: ts.Program): ts.Program {
+  const host = ts.createCompilerHost(OPTIONS);
+  const read = host.getSourceFile.bind(host);
+  host.getSourceFile = (path, language) =>
+    path === SANDBOX
+      ? ts.createSourceFile(path, sandbox, language, true)
+      : (before?.getSourceFile(path) ?? read(path, language));
+  const exists = host.fileExists.bind(host);
+  host.fileExists = (path) => path === SANDBOX || exists(path);
+  return ts.createProgram([...DOORS.map((door) => join(ROOT, door)), SANDBOX], OPTIONS, host, before);
+}
+
+const first = programOf(GIVEN);
+const checker = first.getTypeChecker();
+
+const exported = DOORS.flatMap((door) => {
+  const module = checker.getSymbolAtLocation(first.getSourceFile(join(ROOT, door))!)!;
+  return checker.getExportsOfModule(module).map((symbol) => ({
+    door,
+    symbol: symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol,
+  }));
+});
+const functions = exported.filter(({ symbol }) => symbol.flags & ts.SymbolFlags.Function);
+
+const examples: Example[] = functions.flatMap(({ symbol }) =>
+  symbol
+    .getJsDocTags(checker)
+    .filter(({ name }) => name === 'example')
+    .map(({ text }) => ({
+      name: symbol.name,
+      code: /```ts\n([^]*?)```/.exec(ts.displayPartsToString(text))?.[1] ?? '',
+    })),
+);
+
+/** Imports of every exported name that the code has. */
+function importsOf(code: string): string {
+  const words = new Set(code.match(/\w+/g));
+  return DOORS.map((door) => {
+    const names = exported.filter((one) => one.door === door && words.has(one.symbol.name));
+    const list = [...new Set(names.map(({ symbol }) => symbol.name))].join(', ');
+    return list === '' ? '' : `import { ${list} } from './${door.slice(4, -3)}';`;
+  }).join('');
+}
+
+/** All examples in one module, each in a block of its own. */
+function sandboxOf(all: readonly Example[]): string {
+  const blocks = all.map(({ name, code }) => `/* ${name} */ {\n${code}\n}`).join('\n');
+  return `${importsOf(blocks)}${GIVEN}${blocks}\n`;
+}
+
+function faultsOf(all: readonly Example[]): string[] {
+  const program = programOf(sandboxOf(all), first);
+  const file = program.getSourceFile(SANDBOX)!;
+  const found = [...program.getSyntacticDiagnostics(file), ...program.getSemanticDiagnostics(file)];
+  return found.map(({ start, messageText }) => {
+    const line = file.getLineAndCharacterOfPosition(start ?? 0).line;
+    return `${file.text.split('\n')[line]!.trim()}: ${ts.flattenDiagnosticMessageText(messageText, ' ')}`;
+  });
+}
+
+describe('the package’s examples', () => {
+  it('exist for each function', () => {
+    expect(functions.length).toBeGreaterThan(30);
+    const without = functions.filter(({ symbol }) => !examples.some(({ name }) => name === symbol.name));
+    expect(without.map(({ door, symbol }) => `${dirname(door)}: ${symbol.name}`)).toEqual([]);
+  });
+
+  it('compile', () => {
+    expect(faultsOf(examples)).toEqual([]);
+  });
+
+  it('are found to be wrong where they are', () => {
+    const wrong = { name: 'wrong', code: 'createPredictor({ ownShip: 1 });' };
+    expect(faultsOf([wrong])).toEqual([expect.stringContaining('ownShip')]);
+  });
+});
+
+/** Where a quaternion is handed in or out, its documentation says in which order. */
+describe('quaternions', () => {
+  const ATTITUDE = /attitude$|^targetAttitude$/i;
+
+  it('are documented with the order of their components', () => {
+    const members = exported
+      .filter(({ symbol }) => symbol.flags & ts.SymbolFlags.Interface)
+      .flatMap(({ symbol }) =>
+        [...(symbol.members?.values() ?? [])]
+          .filter((member) => ATTITUDE.test(member.name) && isList(member))
+          .map((member) => ({
+            name: `${symbol.name}.${member.name}`,
+            text: `${words(member)} ${words(symbol)} ${typeWords(member)}`,
+          })),
+      );
+    expect(members.length).toBeGreaterThan(5);
+    expect(members.filter(({ text }) => !/x, y, z, w|w, x, y, z/.test(text)).map(({ name }) => name)).toEqual(
+      [],
+    );
+  });
+
+  const isList = (member: ts.Symbol): boolean =>
+    /Quat|Float64Array|\[/.test(checker.typeToString(checker.getTypeOfSymbol(member)));
+
+  function words(symbol: ts.Symbol): string {
+    return ts.displayPartsToString(symbol.getDocumentationComment(checker));
+  }
+
+  /** Of the type that the member is declared with: Quat says it once for all. */
+  function typeWords(member: ts.Symbol): string {
+    const declared = member.valueDeclaration as ts.PropertySignature | undefined;
+    if (declared?.type === undefined || !ts.isTypeReferenceNode(declared.type)) return '';
+    const symbol = checker.getSymbolAtLocation(declared.type.typeName);
+    if (symbol === undefined) return '';
+    return words(symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol);
+  }
+});

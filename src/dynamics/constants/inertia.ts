@@ -3,6 +3,9 @@ import { INERTIA, outside } from './limits';
 
 /** Inertia tensors: kg m², body axes, with full tanks. */
 
+/** Of the mean moment, how far elements that should be equal may lie apart: to a part in 10⁹, as recordings print rounded values. */
+const SYMMETRIC_WITHIN = 3e-9;
+
 /** Of an inertia tensor: its determinant over the cube of its mean moment; 1 for a ball, 3.4 / k for a rod of moments k, k, 1. */
 const LEAST_ROUNDNESS = 1e-6;
 
@@ -20,8 +23,7 @@ export function scalarInertias(k: Float64Array): { supportInertia: number; scrub
 }
 
 /**
- * The first reason why a tensor is no inertia tensor, or null: its diagonal, its symmetry (to a part in 10⁹: recordings print rounded
- * values), Sylvester's criterion, and that it is no needle: the ground's impulse on a lying hull (DYNAMICS, Tipped) spins one whose
+ * The first reason why a tensor is no inertia tensor, or null: its diagonal, its symmetry, Sylvester's criterion, and that it is no needle: the ground's impulse on a lying hull (DYNAMICS, Tipped) spins one whose
  * moments lie more than some million times apart ever faster. Moments that no mass could have, one above the sum of the other two,
  * are taken: nothing in the law asks for less.
  */
@@ -34,7 +36,7 @@ export function noTensor([a, b, c]: Mat3): string | null {
   }
   const mean = (a[0] + b[1] + c[2]) / 3;
   const skew = largest([a[1] - b[0], a[2] - c[0], b[2] - c[1]].map(Math.abs) as unknown as Vec3);
-  if (!(skew <= 3e-9 * mean))
+  if (!(skew <= SYMMETRIC_WITHIN * mean))
     return `inertiaTensor: expected a symmetric tensor, got elements that differ by ${skew} kg m²`;
   const minor = a[0] * b[1] - a[1] * b[0];
   const determinant =

@@ -73,6 +73,14 @@ function hashCorners(known: KnownCell): void {
 
 /** Depth over radius of a crater's bowl. */
 const DEPTH = 0.22;
+/** Of its cell, a crater's radius: the least, and how much more it may be; below a half it lies within the cell. */
+const LEAST_RADIUS = 0.18;
+const RADIUS_SPREAD = 0.27;
+/** Where (distance / radius)² is 1 over this, bowl turns into rim. */
+const RIM = 3.5;
+/** How many integers have 32 bits, and half of them. */
+const INTEGERS = 4294967296;
+const HALF_INTEGERS = 2147483648;
 
 /**
  * noiseValue = height at noisePoint, m, of the crater in its cell of `cell` metres; 0 where the cell has none. A crater is a
@@ -90,14 +98,14 @@ export function crater(cell: number, seed: number, known: KnownCell): void {
   const radius = known[HASHED + 3]!;
   const a = (x * x + y * y + z * z) / (radius * radius);
   const foot = 1 - a;
-  noiseValue[0] = a < 1 ? DEPTH * radius * (foot * foot * (3.5 * a - 1)) : 0;
+  noiseValue[0] = a < 1 ? DEPTH * radius * (foot * foot * (RIM * a - 1)) : 0;
 }
 
 /** The crater's centre and radius, m. */
 function placeCrater(known: KnownCell, cell: number): void {
   const [ix, iy, iz, seed] = known as unknown as readonly [number, number, number, number];
   const h = hash(ix, iy, iz, seed);
-  const radius = cell * (0.18 + 0.27 * unsigned(h));
+  const radius = cell * (LEAST_RADIUS + RADIUS_SPREAD * unsigned(h));
   const play = cell - 2 * radius;
   known[HASHED] = ix * cell + radius + play * unsigned(remix(h + 1));
   known[HASHED + 1] = iy * cell + radius + play * unsigned(remix(h + 2));
@@ -120,10 +128,10 @@ function remix(integer: number): number {
 
 /** 0 … 1 */
 function unsigned(integer: number): number {
-  return (integer >>> 0) / 4294967296;
+  return (integer >>> 0) / INTEGERS;
 }
 
 /** −1 … 1 */
 function signed(integer: number): number {
-  return (integer >>> 0) / 2147483648 - 1;
+  return (integer >>> 0) / HALF_INTEGERS - 1;
 }

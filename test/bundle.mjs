@@ -32,14 +32,14 @@ const declareSourcePlace = {
   },
 };
 
-/** Makes the change of test/mutants/main.mjs: { path from the root, start, end, text } as JSON in TOUCHDOWN_MUTANT. */
-function mutation() {
+/** Plugins that make the change of test/mutants/main.mjs: { path from the root, start, end, text } as JSON in TOUCHDOWN_MUTANT. */
+export function mutation() {
   const { path, start, end, text } = JSON.parse(process.env.TOUCHDOWN_MUTANT || '{}');
   if (path === undefined) return [];
   const mutated = fileURLToPath(new URL(`../${path}`, import.meta.url));
   const transform = (code, id) =>
     id === mutated ? { code: code.slice(0, start) + text + code.slice(end), map: null } : null;
-  return [{ name: 'mutation', transform }];
+  return [{ name: 'mutation', enforce: 'pre', transform }];
 }
 
 /** Modules that are imported dynamically stay outside, by absolute path. */

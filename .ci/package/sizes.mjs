@@ -27,7 +27,7 @@ export const USES = [
   },
   {
     name: 'with the checks of development',
-    most: 67,
+    most: 68,
     code: using('createPredictor'),
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],

@@ -22,14 +22,16 @@ export function createScene(canvas) {
   return (view) => {
     const own = view.own;
     if (own === null) return;
-    const [x, y, z] = own.meshPosition;
-    const up = new THREE.Vector3(x, y, z).normalize();
+    const here = new THREE.Vector3(...own.meshPosition);
+    const up = here.clone().normalize();
     ship.quaternion.set(...own.meshAttitude); // [x, y, z, w], as in three
     ghost.visible = own.serverKnown;
-    ghost.quaternion.set(...own.ghostAttitude);
-    ghost.position.set(own.ghostPosition[0] - x, own.ghostPosition[1] - y, own.ghostPosition[2] - z);
-    layGround(patch, { own, body: view.bodies[own.body], up });
+    const turned = new THREE.Quaternion(...view.bodies[own.body].attitude); // the body's axes to ICRF
+    ghost.quaternion.set(...own.ghostAttitude).premultiply(turned);
+    ghost.position.set(...own.ghostPosition).applyQuaternion(turned);
+    ghost.position.sub(here);
     const east = new THREE.Vector3(0, 0, 1).cross(up).normalize();
+    layGround(patch, { here, body: view.bodies[own.body], up, east });
     sun.position.copy(up).add(east).multiplyScalar(100);
     camera.up.copy(up);
     camera.position.copy(up).multiplyScalar(14).addScaledVector(east, -38);
@@ -42,10 +44,8 @@ export function createScene(canvas) {
 }
 
 /** Puts each vertex of the patch below the ship onto the client's own ground. */
-function layGround(patch, { own, body, up }) {
-  const east = new THREE.Vector3(0, 0, 1).cross(up).normalize();
+function layGround(patch, { here, body, up, east }) {
   const north = up.clone().cross(east);
-  const [x, y, z] = own.meshPosition;
   const toBody = new THREE.Quaternion(...body.attitude).invert(); // ICRF axes to the body's
   const places = patch.attributes.position;
   for (let i = 0; i < places.count; i++) {
@@ -55,7 +55,7 @@ function layGround(patch, { own, body, up }) {
     at.addScaledVector(north, b).normalize();
     const n = at.clone().applyQuaternion(toBody);
     const radius = body.radius + terrainHeight(body.name, n.x, n.y, n.z);
-    places.setXYZ(i, at.x * radius - x, at.y * radius - y, at.z * radius - z);
+    places.setXYZ(i, at.x * radius - here.x, at.y * radius - here.y, at.z * radius - here.z);
   }
   places.needsUpdate = true;
   patch.computeVertexNormals();

@@ -3,10 +3,10 @@ import { TERRAINS } from '../dynamics';
 import { turnWithBody, writeBetween } from './drawn/interpolate';
 import { learnGround } from './ground/learn';
 import { checkRollback } from './simulation/rollbackCheck';
-import { createServerStates, keepServerState } from './simulation/serverStates';
 import type { Features } from './simulation/simulation';
 import { measureByShip, spunMotion } from './snapshots/bodies/bodySpin';
 import { measureGameTime } from './snapshots/gameTimeMeter';
+import { keepServerState } from './snapshots/reconcile/keepStates';
 import { weighLaw } from './snapshots/reconcile/lawFit';
 import { fillTouchdown, logSubstep } from './touchdown/touchdownLog';
 import { rewindLog } from './touchdown/touchdownRewind';
@@ -38,13 +38,10 @@ export const measuredGameTime: Feature = { feature: 'measuredGameTime', ...gameT
 /** Measures the spin of bodies that turn otherwise than sent. */
 export const measuredSpin: Feature = { feature: 'measuredSpin', ...spin };
 
-const keep: NonNullable<Features['interpolation']>['keep'] = (track, tick, row, bodies) =>
-  keepServerState((track.states ??= createServerStates()), tick, row, bodies);
-
 /** What createPredictor has. */
 export const ALL_FEATURES: Features = Object.freeze({
   ...{ ...ground, ...dynamics, ...touchdown, ...gameTime, ...spin },
-  interpolation: { keep, writeBetween, turnWithBody },
+  interpolation: { keep: keepServerState, writeBetween, turnWithBody },
   terrains: TERRAINS,
   checkRollback,
 });

@@ -1,3 +1,4 @@
+import { absenceFigures } from './netcode/absence';
 import { print } from './netcode/figure';
 import { lawFigures } from './netcode/flights/law';
 import { clockFigures } from './netcode/flights/clock';
@@ -15,6 +16,7 @@ let missed = 0;
 // Costs first: a game has one terrain, and once the compiler has seen others its calls are no longer inlined.
 for (const figures of [
   costFigures(),
+  absenceFigures(),
   soakFigures(),
   lawFigures(),
   clockFigures(),

@@ -1,15 +1,18 @@
+import { serialize } from 'node:v8';
 import { createRig } from '../prediction/rig';
 import { type Figure, timed } from './measure';
 
-/** What a predictor in a worker costs the page beside the waiting: the copy of each view, with one ship and with 200. */
+/** What a predictor in a worker costs the page beside the waiting: the copy of each view and its size, with one ship and with 200. */
 export function workerFigures(): Figure[] {
-  return [1, 200].map((ships) => {
+  return [1, 200].flatMap((ships) => {
     const rig = createRig({ scenario: 'settle', tickRate: 5, others: ships - 1 });
     rig.fly(3);
     const view = rig.view();
     if (view.ships.length !== ships) throw new Error(`expected ${ships} ships, got ${view.ships.length}`);
-    return timed(`view-copied-${ships}`, Math.ceil(400 / ships), 1, (times) => {
+    const bytes = serialize(view).length;
+    const copied = timed(`view-copied-${ships}`, Math.ceil(400 / ships), 1, (times) => {
       for (let i = 0; i < times; i++) structuredClone(view);
     });
+    return [copied, { name: `view-bytes-${ships}`, unit: 'B', median: bytes, min: bytes, max: bytes }];
   });
 }

@@ -1,8 +1,18 @@
 /** The example client in a real browser, against a server that speaks the game's JSON. */
+import { PNG } from 'pngjs';
 import { createServer, type ViteDevServer } from 'vite';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { type GameServer, startGameServer } from '../example/gameServer';
 import { describeInBrowser, openUrl, problemsOf } from './pages';
+
+/** Pixels of the ghost's colour, 0x7fe4ff: it lies about the ship, not somewhere else on the Moon. */
+function cyanIn(picture: Buffer): number {
+  const { data } = PNG.sync.read(picture);
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4)
+    if (Math.abs(data[i]! - 0x7f) < 40 && data[i + 1]! > 180 && data[i + 2]! > 220) count += 1;
+  return count;
+}
 
 let game: GameServer;
 let host: ViteDevServer;
@@ -33,6 +43,7 @@ describeInBrowser('the example client', () => {
     });
     await expect.poll(() => page.textContent('.td-landing .td-status')).toMatch(/LANDED/);
     expect(await page.textContent('.td-fleet')).toContain('Kestrel');
+    expect(cyanIn(await page.locator('#scene').screenshot())).toBeGreaterThan(20);
     expect(game.controls).toEqual([]);
     await page.keyboard.press('f');
     await expect.poll(() => game.controls.at(-1)?.thrustLevel).toBeCloseTo(0.1);

@@ -8,6 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { createServer } from 'vite';
 import type { ViteDevServer } from 'vite';
 import type { TestProject } from 'vitest/node';
+import { mutation } from '../bundle.mjs';
 import { findChromium, serveChromium } from './chromium';
 import { serveFolder } from './staticServer';
 
@@ -37,6 +38,7 @@ function startDevServer(): Promise<ViteDevServer> {
     configFile: false,
     root: ROOT,
     publicDir: 'public',
+    plugins: mutation(),
     logLevel: 'error',
     cacheDir: 'node_modules/.cache/touchdown/dev-server',
     // Found one after the other, each of these would reload the page under a running test.
@@ -68,7 +70,8 @@ export default async function setup(project: TestProject): Promise<() => void | 
     project.provide('devServer', '');
     return skipped(project);
   }
-  buildPage();
+  // The runs of test/mutants, several at a time, open pages of the development server alone.
+  if (process.env['TOUCHDOWN_MUTANT'] === undefined) buildPage();
   const [built, dev, ...browsers] = await Promise.all([
     serveFolder(`${ROOT}dist/page`),
     startDevServer(),

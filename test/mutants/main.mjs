@@ -36,8 +36,15 @@ function filesUnder(folder, matching) {
     .sort();
 }
 
+/** Rooms that are tested on pages in Chromium, which come from the development server: all its tests stand before each source. */
+const ON_PAGES = { hud: 'browser/hud' };
+
 /** Which source files stand behind each test file of a room: [[test, Set of sources], …]. */
 async function sourcesBehind(room) {
+  if (room in ON_PAGES) {
+    const all = new Set(filesUnder(`src/${room}`, /\.ts$/));
+    return filesUnder(`test/${ON_PAGES[room]}`, /\.test\.ts$/).map((test) => [test, all]);
+  }
   const tests = ROOMS[room].flatMap((folder) => filesUnder(`test/${folder}`, /(?<!\.long)\.test\.ts$/));
   const behind = [];
   for (const test of tests) {
@@ -49,17 +56,20 @@ async function sourcesBehind(room) {
 
 /** Runs test files on the changed source: true when all pass. */
 function passes(tests, mutant) {
+  const project = tests[0].startsWith('test/browser') ? 'browser' : 'node';
   const args = [
     'node_modules/vitest/vitest.mjs',
     'run',
     '--project',
-    'node',
+    project,
     '--maxWorkers',
     '1',
     '--bail',
     '1',
   ];
-  const env = { ...process.env, TOUCHDOWN_MUTANT: mutant ? JSON.stringify(mutant) : '' };
+  // A test that is skipped would pass.
+  const told = { TOUCHDOWN_MUTANT: mutant ? JSON.stringify(mutant) : '', TOUCHDOWN_NO_SKIP: '1' };
+  const env = { ...process.env, ...told };
   const options = { cwd: ROOT, env, stdio: 'ignore', timeout: TIME_LIMIT };
   return new Promise((resolve) => {
     spawn(process.execPath, [...args, '--reporter', 'dot', ...tests], options).on('close', (code) =>
@@ -103,16 +113,17 @@ async function tryRoom(room, choose) {
     changesOf(path, readFileSync(join(ROOT, path), 'utf8')).map((change) => ({ path, ...change })),
   );
   const tried = choose(all);
-  const survivors = [];
+  let survivors = 0;
   await forEach(tried, async (mutant) => {
     const tests = behind.filter(([, sources]) => sources.has(mutant.path)).map(([test]) => test);
     const survives = await survivesAll(tests, mutant);
-    if (survives) survivors.push(mutant);
-    process.stderr.write(survives ? 'S' : '.');
+    if (survives) {
+      survivors += 1;
+      console.log(`  survives: ${mutant.path}:${mutant.line}  ${mutant.says}`);
+    } else process.stderr.write('.');
   });
   process.stderr.write('\n');
-  for (const { path, line, says } of survivors) console.log(`  survives: ${path}:${line}  ${says}`);
-  const killed = tried.length - survivors.length;
+  const killed = tried.length - survivors;
   console.log(`${room}: ${killed}/${tried.length} killed (${all.length} possible)`);
 }
 
@@ -128,7 +139,8 @@ const { count, seed, at } = values;
 const draw = (all) => sampleOf(all, Number(count), Number(seed));
 const atLine = (all) => all.filter(({ path, line }) => `${path}:${line}` === at);
 const named = at === undefined ? positionals : [at.split('/')[1]];
-const rooms = named.length > 0 ? named : Object.keys(ROOMS);
-const unknown = rooms.find((room) => !(room in ROOMS));
-if (unknown) throw new Error(`no room ${unknown}; there are ${Object.keys(ROOMS).join(', ')}`);
+const known = Object.keys({ ...ROOMS, ...ON_PAGES });
+const rooms = named.length > 0 ? named : known;
+const unknown = rooms.find((room) => !known.includes(room));
+if (unknown) throw new Error(`no room ${unknown}; there are ${known.join(', ')}`);
 for (const room of rooms) await tryRoom(room, at === undefined ? draw : atLine);

@@ -3,6 +3,7 @@ import { createChecks } from '../checks/checks';
 import { advanceFrame } from '../frameLoop';
 import { lastControls, takeInputs } from '../inputs/sending';
 import type { Session } from '../session';
+import { receiveRest } from '../snapshots/receiveSnapshot';
 import { pingIfDue } from '../time/pings';
 import { viewAt } from '../viewAt';
 import type { Predictor } from './api';
@@ -47,6 +48,7 @@ function callsOf(session: Session, life: Life, { checks, receiveAt, decodePendin
       if (Number.isNaN(at)) return;
       decodePending?.(session, receiveAt);
       pingIfDue(session.pings, at);
+      receiveRest(session.sim, session.receiver);
       if (session.sim.newestTick >= 0) advanceFrame(session, controls, at);
     },
     view(now) {

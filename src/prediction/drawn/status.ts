@@ -2,6 +2,7 @@ import {
   CONTACT,
   CRASHED,
   EVENT_NAMES,
+  FLYING,
   POSITION,
   ATTITUDE,
   readControls,
@@ -48,7 +49,7 @@ const STALE_SENDS = 2;
  */
 export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from: number, at: Instant): void {
   const { status } = track.picture;
-  const state = rows[from + SURFACE_STATE]!;
+  const state = surfaceStateOf(track, rows, from);
   if (status.state !== state) {
     if (state === CONTACT) status.contactUntil = at.now + CONTACT_DWELL;
     status.state = state;
@@ -60,6 +61,11 @@ export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from
   const age = at.present - (out.provenance === 'predicted' ? status.since : status.serverWall);
   out.age = age > 0 ? age : 0;
   out.withdrawn = at.now < status.withdrawnUntil ? WITHDRAWN[status.withdrawn]! : '';
+}
+
+/** The predicted surface state; for a ship that bounces where the dynamics keep it on the ground, flight until the server's states end it. */
+export function surfaceStateOf({ fit, serverRow }: Track, rows: Float64Array, from: number): number {
+  return fit.bounces && serverRow[SURFACE_STATE] === FLYING ? FLYING : rows[from + SURFACE_STATE]!;
 }
 
 /** Fills in the ship's newest server state, for its ghost, if there is a newer one. Returns whether there is. */
@@ -95,7 +101,8 @@ function provenanceOf(out: ShipView, track: Track, crashes: boolean, at: Instant
   if (crashed || track.policy !== 'predict') return 'confirmed';
   const { state, serverWall } = track.picture.status;
   if (!at.paused && at.present - serverWall > at.confirms) return 'predicted';
-  const agrees = track.serverRow[SURFACE_STATE] === state && !crashes && track.fit.carried === '';
+  const { fit, serverRow } = track;
+  const agrees = serverRow[SURFACE_STATE] === state && !crashes && fit.carried === '' && !fit.bounces;
   return agrees ? 'confirmed' : 'predicted';
 }
 

@@ -9,7 +9,6 @@ import {
   POSITION,
   REFERENCE_BODY,
   SHIP_CLASS,
-  SURFACE_STATE,
   SURFACE_STATES,
   THRUST_LEVEL,
   TRANSLATION_INPUT,
@@ -38,7 +37,7 @@ import {
   vector,
 } from './rotation';
 import type { Scene } from './scene';
-import { fillControls, fillServerState, fillStatus } from './status';
+import { fillControls, fillServerState, fillStatus, surfaceStateOf } from './status';
 import type { ShipView } from './view';
 
 export function createShipView(track: Track, world: World): ShipView {
@@ -98,7 +97,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.fuel = rows[from + FUEL]!;
   take(out.wheelMomentum, rows, from + WHEEL_MOMENTUM);
   out.impactSpeed = rows[from + IMPACT_SPEED]!;
-  out.surfaceContactState = SURFACE_STATES[rows[from + SURFACE_STATE]!]!;
+  out.surfaceContactState = SURFACE_STATES[surfaceStateOf(track, rows, from)]!;
   out.crashed = rows[from + CRASHED] === 1;
   out.body = rows[from + REFERENCE_BODY]!;
   out.shipClass = scene.world.shipClasses[rows[from + SHIP_CLASS]!]!;

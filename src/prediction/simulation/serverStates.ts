@@ -6,7 +6,6 @@ import {
   BODY_STRIDE,
   POSITION,
   REFERENCE_BODY,
-  SHIP_STRIDE,
   VELOCITY,
 } from '../../dynamics';
 import { put, quaternion, rotateBack, seenFrom, take, vector } from '../drawn/rotation';
@@ -20,34 +19,12 @@ export interface ServerStates {
   readonly rows: Float64Array[];
 }
 
-/** States kept: a burst after a stall brings several at once. */
-const KEPT = 8;
-
 export function createServerStates(): ServerStates {
   return { ticks: [], rows: [] };
 }
 
-/** Keeps the state `row` of `tick`. A state relative to another body starts over. */
-export function keepServerState(
-  { ticks, rows }: ServerStates,
-  tick: number,
-  row: Float64Array,
-  bodies: Float64Array,
-): void {
-  const newest = rows.at(-1);
-  if (newest !== undefined && newest[REFERENCE_BODY] !== row[REFERENCE_BODY]) {
-    ticks.length = 0;
-    rows.length = 0;
-  }
-  const kept = rows.length < KEPT ? new Float64Array(SHIP_STRIDE) : rows.shift()!;
-  if (ticks.length === KEPT) ticks.shift();
-  kept.set(row);
-  seeFromBody(kept, bodies);
-  rows.push(kept);
-  ticks.push(tick);
-}
-
-function seeFromBody(row: Float64Array, bodies: Float64Array): void {
+/** Converts a row from ICRF axes to those of its reference body, with the velocity relative to the turning body. */
+export function seeFromBody(row: Float64Array, bodies: Float64Array): void {
   const at = row[REFERENCE_BODY]! * BODY_STRIDE;
   take(body, bodies, at + BODY_ATTITUDE);
   take(spin, bodies, at + BODY_ANGULAR_VELOCITY);

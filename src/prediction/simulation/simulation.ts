@@ -38,7 +38,12 @@ export interface Features {
     readonly measureByShip: typeof bodySpin.measureByShip;
   };
   readonly interpolation?: {
-    readonly keep: (track: Track, tick: number, row: Float64Array, bodies: Float64Array) => void;
+    readonly keep: (
+      sim: Simulation,
+      track: Track,
+      row: Float64Array,
+      of: { readonly tick: number; readonly bodies: Float64Array },
+    ) => void;
     readonly writeBetween: typeof interpolate.writeBetween;
     readonly turnWithBody: typeof interpolate.turnWithBody;
   };

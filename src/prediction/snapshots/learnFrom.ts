@@ -18,7 +18,7 @@ export interface Lesson {
 
 /** Whether there is nothing to learn from a state that was predicted correctly: no learned ground, and the dynamics fit. */
 export function nothingToLearn({ ground, fit }: Track): boolean {
-  return ground.places.length === 0 && fit.carried === '';
+  return ground.places.length === 0 && fit.carried === '' && !fit.bounces;
 }
 
 /**

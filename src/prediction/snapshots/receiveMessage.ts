@@ -1,5 +1,5 @@
 import { matchVersion, PROTOCOL_VERSION } from '../../protocol';
-import type { Hello, PartialFrame, Pong, ServerMessage } from '../../wire';
+import type { Hello, PartialFrame, Pong, ServerFrame, ServerMessage } from '../../wire';
 import { resend } from '../inputs/inputs';
 import { changeWorld } from '../lifecycle/changeWorld';
 import { changeOwnShip } from '../ownership';
@@ -95,14 +95,19 @@ function takeFrame(session: Session, given: PartialFrame, now: number): void {
     return;
   }
   const frame = complete.value;
-  if (session.sim.newestTick < 0 && !counters.helloReceived && frame.bodies.length > 0) {
-    // Without a hello the bodies of the frames replace the defaults.
-    const config = { ...session.config, bodies: frame.bodies };
-    const loaded = loadGiven(config, session.terrains);
-    if (loaded.ok) changeWorld(session, loaded.value, config);
-  }
+  if (session.sim.newestTick < 0 && !counters.helloReceived && frame.bodies.length > 0)
+    beginWithBodies(session, given, frame);
   receiveSnapshot(session.sim, receiver, frame, now);
   announce(session);
+}
+
+/** Without a hello the bodies of the frames replace the defaults. */
+function beginWithBodies(session: Session, given: PartialFrame, frame: ServerFrame): void {
+  const config = { ...session.config, bodies: frame.bodies };
+  const loaded = loadGiven(config, session.terrains);
+  if (loaded.ok) changeWorld(session, loaded.value, config);
+  // The world's game time is measured from this frame on, not from the next.
+  session.sim.features.measureGameTime?.(session.meter, { ...given, ...frame }, null);
 }
 
 function takePong({ sim, clock, pings }: Session, pong: Pong, now: number): void {

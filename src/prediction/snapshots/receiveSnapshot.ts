@@ -10,7 +10,7 @@ import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { classifySnapshot, type SnapshotKind } from './classify';
 import { forgetPast, type Receiver } from './receiver';
 import { settleEvents, confirmEvents } from './settleEvents';
-import { takeOlder, takePart, takeStates } from './takeStates';
+import { takeOlder, takePart, takeRest, takeStates } from './takeStates';
 import { followTempo } from './tempo';
 
 /** Sends without a ship after which it is removed, if it has also been silent for FADE_SECONDS. */
@@ -43,6 +43,12 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
   }
   settleEvents(sim, receiver, frame, now);
   if (kind !== 'part') fade(sim, now);
+}
+
+/** Takes some of the new ships that the newest frame still has, with their events. */
+export function receiveRest(sim: Simulation, receiver: Receiver): void {
+  const frame = takeRest(sim, receiver);
+  if (frame !== null) confirmEvents(sim, receiver, frame);
 }
 
 /** Counts a frame by its kind. Returns whether it is used. */

@@ -1,4 +1,4 @@
-import type { BodyState } from '../../wire';
+import type { BodyState, ServerFrame } from '../../wire';
 import type { Policy } from '../simulation/track';
 import type { Clock } from '../time/clock';
 import { createSnapshotContext, type SnapshotContext } from './snapshotContext';
@@ -28,6 +28,10 @@ export interface Receiver {
   startsBodies: boolean;
   /** The bodies sent last, to detect whether they move. */
   readonly lastBodies: { tick: number; bodies: readonly BodyState[] };
+  /** Events before this tick have been reported, unless they are as old as the ledgers reach. */
+  eventsTick: number;
+  /** New ships of the newest frame that are still to be taken, and its arrival, client wall s. */
+  rest: { readonly frame: ServerFrame; readonly now: number } | null;
   /** Of the frame being received. */
   readonly context: SnapshotContext;
 }
@@ -47,6 +51,7 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     removed: new Map(),
     startsBodies: true,
     lastBodies: { tick: -1, bodies: [] },
+    ...{ eventsTick: 0, rest: null },
     context: createSnapshotContext(),
   };
 }
@@ -59,6 +64,8 @@ export function forgetPast(receiver: Receiver): void {
   receiver.seen.fill(-1);
   receiver.newest = -1;
   receiver.acceptedAt = Number.NEGATIVE_INFINITY;
+  receiver.rest = null;
+  receiver.eventsTick = 0;
   receiver.removed.clear();
   receiver.startsBodies = true;
   receiver.lastBodies.bodies = [];

@@ -9,13 +9,14 @@ import type { Receiver } from './receiver';
 
 /** Each event of the server confirms a predicted one or is reported by itself. Unknown types and unknown ships are ignored. */
 export function confirmEvents(sim: Simulation, receiver: Receiver, { events }: ServerFrame): void {
+  // The ledgers know the newest events from repeated ones; after an outage, all since the frame before it are new.
+  const oldest = Math.max(receiver.firstTick, Math.min(receiver.eventsTick, sim.newestTick - sim.ringLength));
   for (const event of events) {
     const known = knownEvent(event);
     if (known === null) continue;
     receiver.sendsEvents = true;
     const track = sim.fleet.byId.get(event.shipId);
-    const isOld = event.tick < receiver.firstTick || event.tick < sim.newestTick - sim.ringLength;
-    if (track === undefined || isOld || event.tick >= sim.newestTick) continue;
+    if (track === undefined || event.tick < oldest || event.tick >= sim.newestTick) continue;
     const notice = confirm(track.ledger, known.event, known, sim.timeline);
     if (notice !== null) sim.notices.push(notice);
   }
@@ -29,6 +30,7 @@ export function settleEvents(sim: Simulation, receiver: Receiver, frame: ServerF
     settleShip(sim, receiver, track, { frame, now });
     pruneLedger(track.ledger, frame.tick - sim.ringLength);
   }
+  receiver.eventsTick = frame.tick;
 }
 
 function settleShip(

@@ -14,6 +14,9 @@ import { reconcile, showServerState } from './reconcile/reconcile';
 import { shipFault } from './shipFault';
 import type { SnapshotContext } from './snapshotContext';
 
+/** New ships that one call takes. */
+const MAX_NEW = 1000;
+
 /** Compares the newest frame's bodies and ships with the predictions for its tick. */
 export function takeStates(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const { context } = receiver;
@@ -21,13 +24,39 @@ export function takeStates(sim: Simulation, receiver: Receiver, frame: ServerFra
   context.tick = frame.tick;
   context.now = now;
   context.lastInput = frame.lastInput;
-  for (const state of frame.ships) takeShip(sim, receiver, state);
+  receiver.rest = null;
+  takeShips(sim, receiver, frame);
   for (const track of sim.fleet.tracks) {
     if (track.mode !== 'waiting' || track.replaying || track.off || track.serverTick < 0) continue;
     if (has(track.history, frame.tick))
       startReplay(track, sim, frame.tick, track.history.rows, offsetOf(track.history, frame.tick));
     else startReplay(track, sim, track.serverTick, track.serverRow, 0);
   }
+}
+
+/**
+ * Takes the ships of a frame, but of new ones no more than MAX_NEW: the rest follow in the next calls of `advance`, so that no call
+ * blocks for long.
+ */
+function takeShips(sim: Simulation, receiver: Receiver, frame: ServerFrame): void {
+  let added = 0;
+  const rest: ShipState[] = [];
+  for (const state of frame.ships) {
+    const isNew = !sim.fleet.byId.has(state.shipId) && state.shipId !== receiver.ownShipId;
+    if (isNew && added === MAX_NEW) rest.push(state);
+    else takeShip(sim, receiver, state);
+    if (isNew) added = Math.min(MAX_NEW, added + 1);
+  }
+  if (rest.length > 0) receiver.rest = { frame: { ...frame, ships: rest }, now: receiver.context.now };
+}
+
+/** Takes some of the new ships that the newest frame still has. Returns that frame, for their events; null if there are none. */
+export function takeRest(sim: Simulation, receiver: Receiver): ServerFrame | null {
+  const { rest } = receiver;
+  if (rest === null) return null;
+  receiver.rest = null;
+  takePart(sim, receiver, rest.frame, rest.now);
+  return rest.frame;
 }
 
 /** Takes another message of the newest tick: the ships that earlier ones did not have. */
@@ -60,10 +89,11 @@ function placeContext(
 }
 
 function takeMissing(sim: Simulation, receiver: Receiver, frame: ServerFrame): void {
-  for (const state of frame.ships) {
-    const track = sim.fleet.byId.get(state.shipId);
-    if (track === undefined || track.serverTick < frame.tick) takeShip(sim, receiver, state);
-  }
+  const ships = frame.ships.filter(({ shipId }) => {
+    const track = sim.fleet.byId.get(shipId);
+    return track === undefined || track.serverTick < frame.tick;
+  });
+  takeShips(sim, receiver, { ...frame, ships });
 }
 
 /** Takes one ship's state in the frame of the receiver's context. */

@@ -124,14 +124,14 @@ describe('messages that decode but are wrong', () => {
     expect(predictor.view(3).diagnosis.errorBodySpin).toBeCloseTo(0.01, 9);
   });
 
-  it('measures a time scale that is not sent: ten times as fast', () => {
+  it('measures a time scale that is not sent from the first three frames: ten times as fast', () => {
     const predictor = createPredictor(OWN);
     const [body] = helloAt(0, 1).bodies;
-    for (let tick = 0; tick < 6; tick++) {
+    for (let tick = 0; tick < 3; tick++) {
       const position = [tick * 10 * 1000, 0, 0] as const;
       predictor.receive(frameAt(tick, 1, { bodies: [{ ...body!, position, velocity: [1000, 0, 0] }] }), tick);
       predictor.advance(null, tick);
     }
-    expect(predictor.view(5).timeScale).toBeCloseTo(10, 6);
+    expect(predictor.view(2).timeScale).toBeCloseTo(10, 6);
   });
 });

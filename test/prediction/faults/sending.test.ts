@@ -127,4 +127,41 @@ describe('a page that was hidden', () => {
       diagnosis: { framesSuperseded: 176, framesAccepted: 24 },
     });
   });
+
+  it('reports each event once after an outage that is longer than the history', () => {
+    const predictor = createPredictor(OWN);
+    const heard: number[] = [];
+    predictor.onEvent(({ tick }) => heard.push(tick));
+    feed(predictor, range(0, 20), 20, 0);
+    const contact = (tick: number) => ({ type: 'ship.contact', shipId: 'ship-1', tick, substep: 2 });
+    for (let tick = 20; tick < 1200; tick++) {
+      const events = tick === 30 || tick === 1000 ? [contact(tick - 1)] : [];
+      const bytes = encodeServerMessage(frameAt(tick, 20, { events }));
+      predictor.receivePending(pendingServerMessage(bytes), tick / 20);
+    }
+    predictor.advance(null, 60);
+    predictor.receive(frameAt(1200, 20, { events: [contact(29), contact(999)] }), 60);
+    predictor.advance(null, 60);
+    expect(heard).toEqual([29, 999]);
+  });
+});
+
+describe('a frame of thousands of new ships', () => {
+  const ships = Array.from({ length: 2500 }, (_, i) => named(`ship-${i + 1}`));
+  const last = { shipId: 'ship-2500', tick: 4, substep: 2 };
+
+  it('is taken over several calls, the own ship in the first, and each event is reported once', () => {
+    const predictor = createPredictor({ ...OWN, ownShipId: 'ship-2400' });
+    const heard: string[] = [];
+    predictor.onEvent(({ shipId }) => heard.push(shipId));
+    predictor.receive(frameAt(5, 1, { ships, events: [{ ...last, type: 'ship.contact' }] }), 0);
+    const seen = range(0, 4).map((i) => {
+      predictor.advance(null, i / 60);
+      const { own, ships: shown } = predictor.view(i / 60);
+      expect(own?.shipId).toBe('ship-2400');
+      return shown.length;
+    });
+    expect(seen).toEqual([2001, 2500, 2500, 2500]);
+    expect(heard).toEqual(['ship-2500']);
+  });
 });

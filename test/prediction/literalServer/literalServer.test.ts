@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { CASES } from './cases';
-import { createLiteralRig } from './literalRig';
+import { createLiteralRig, literalTruthAt } from './literalRig';
 import { FIRST_TICK } from './literalServer';
 import { dot, length, minus, rotate, rotationBy, scale } from './vectors';
 import { SHIP } from '../rig';
@@ -17,6 +17,26 @@ describe('a server that runs ten times as fast', () => {
       if (own?.crashed === true) break;
     }
     expect(rig.predictor.view(rig.now).diagnosis.snaps - snaps).toBe(0);
+  });
+});
+
+describe('a server on which ships bounce that the dynamics let settle', () => {
+  it('is shown in flight between its bounces after the first, and never confirmed there', () => {
+    const difference = CASES.find(({ name }) => name === 'spring × 2')!;
+    const rig = createLiteralRig({ scenario: 'settle', hz: 20, sends: 1, difference });
+    const shown: { ticks: number; state: string; provenance: string }[] = [];
+    for (let i = 0; i < 60 * 24; i++) {
+      const { own, tick, sinceTick, tickRate, timeScale } = rig.frame();
+      const ticks = tick + (sinceTick * tickRate) / timeScale;
+      if (own !== null) shown.push({ ticks, state: own.surfaceContactState, provenance: own.provenance });
+    }
+    const wrong = shown.filter(({ ticks, state }) => {
+      const truth = literalTruthAt(rig.server, SHIP, ticks);
+      return truth !== null && truth.state !== state;
+    });
+    // The dynamics alone were wrong in 198 frames.
+    expect(wrong.length).toBeLessThan(120);
+    expect(wrong.filter(({ provenance }) => provenance === 'confirmed')).toEqual([]);
   });
 });
 

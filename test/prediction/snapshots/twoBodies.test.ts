@@ -59,7 +59,7 @@ function fly(tickRate: number, ahead: number) {
     predictor.advance(NEUTRAL_CONTROLS, now);
     return predictor.view(now);
   }
-  return { authority, frame };
+  return { authority, predictor, frame };
 }
 
 /** Where the ship is drawn, ICRF, from the first body on: the doubles of 1 au hold 15 µm. */
@@ -130,6 +130,19 @@ describe('from one reference body to another', () => {
     // Another body snaps, by what 600 m/s come to in an interval and the way to the client; never by the way between the bodies.
     expect(most).toBeLessThan(600 * (1 / tickRate + 0.15));
   });
+
+  it.each([1, 20])(
+    'interpolated at %i Hz, the ship is drawn on, and not stopped until its states catch up',
+    (tickRate) => {
+      const { frame, predictor } = fly(tickRate, 800);
+      predictor.setPolicy(SHIP, 'interpolate');
+      const { most, bodies } = largestJump(frame, 7);
+      expect(bodies).toEqual([0, 1]);
+      // It is drawn beside the present body as it was a send ago: what is left is the motion of the bodies past each other since then.
+      const past = Math.hypot(...NEAR.velocity.map((v, k) => v - FAR.velocity[k]!));
+      expect(most).toBeLessThan(past * (1 / tickRate + 0.15));
+    },
+  );
 
   it('an offset being eased moves with the ship, however the bodies are turned', () => {
     const { authority, frame } = fly(20, 800);

@@ -11,6 +11,10 @@ export interface LawFit {
   readonly law: Float64Array;
   readonly carry: Float64Array;
   count: number;
+  /** How long touches were predicted wrongly and rightly to stay on the ground, s, and whether the ship is shown to bounce instead. */
+  groundedWrongly: number;
+  groundedRightly: number;
+  bounces: boolean;
   /** States received while it was extrapolated. */
   states: number;
 }
@@ -29,7 +33,7 @@ export const WINDOW = 4;
 export function createLawFit(): LawFit {
   return {
     ...{ carried: '', law: new Float64Array(WINDOW), carry: new Float64Array(WINDOW) },
-    ...{ count: 0, states: 0 },
+    ...{ count: 0, states: 0, groundedWrongly: 0, groundedRightly: 0, bounces: false },
   };
 }
 

@@ -15,6 +15,7 @@ import type { Simulation } from '../../simulation/simulation';
 import { copyRow, type Track } from '../../simulation/track';
 import { spanOf } from '../../time/timeline';
 import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
+import { weighBounce } from './bounceFit';
 import { type Place, sameCommand } from './compare';
 import { type Judged, WINDOW } from './lawErrors';
 
@@ -33,6 +34,7 @@ export function weighLaw(sim: Simulation, track: Track, judged: Judged): boolean
   const { fit } = track;
   if (fit.carried === 'ground') return false;
   if (!isComparable(sim, track, judged)) return false;
+  weighBounce(track, judged, spanOf(sim.timeline, judged.tick).tickRate);
   const slot = fit.count % WINDOW;
   fit.count += 1;
   const isCarried = fit.carried !== '';

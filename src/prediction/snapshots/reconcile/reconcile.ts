@@ -100,7 +100,7 @@ export function showServerState(
   track.mode = 'held';
   if (track.policy === 'predict') track.picture.hasHeld = false;
   if (track.policy !== 'interpolate') track.states = null;
-  else sim.features.interpolation?.keep(track, context.tick, sent, context.bodies);
+  else sim.features.interpolation?.keep(sim, track, sent, context);
   return null;
 }
 

@@ -24,7 +24,7 @@ import RANGES from './ranges.json';
 
 /**
  * ranges.json holds, per record and field, values that must be refused by the field's name and values that must be taken. The Python
- * server's test_ranges.py reads the same table, so that neither side takes what the other refuses.
+ * server's test_loading.py reads the same table, so that neither side takes what the other refuses.
  */
 
 const LUNA = BODIES[0]!;

@@ -1,11 +1,13 @@
 // The whole game on this machine: Redis, physics service, gateway and page, for two pilots.
 //   npm run live                     at 1 Hz, the game's own rate
 //   npm run live -- --rate 10        at another
-//   npm run live -- --check          starts it all, looks that page and gateway answer, and ends
+//   npm run live -- --help           ports, data folder, check
 // Ends with Ctrl-C. What dies meanwhile is started again, and the pilots fly on.
 import { randomBytes } from 'node:crypto';
 import { createClient } from 'redis';
 import { createServer } from 'vite';
+import { readOptions, USAGE } from './liveOptions.mjs';
+import { requireFree } from './ports.mjs';
 import { createStack } from './stack.mjs';
 
 const PILOTS = ['one', 'two'];
@@ -25,18 +27,16 @@ function stop(message) {
   process.exit(1);
 }
 
-function rateOf(args) {
-  const at = args.indexOf('--rate');
-  const rate = at < 0 ? 1 : Number(args[at + 1]);
-  if (!(rate >= 0.1 && rate <= 100)) stop('--rate: expected 0.1 to 100 Hz');
-  return rate;
-}
+let isEnding = false;
 
 /** Starts it again whenever it dies by itself. */
 function keepUp(process) {
+  const again = () => {
+    if (!isEnding) process.start().catch((error) => console.error(`live: ${error.message}`));
+  };
   process.whenItDies((how) => {
     console.log(`live: ${process.name} ended (${how}); starting it again …`);
-    setTimeout(() => process.start().catch((error) => console.error(`live: ${error.message}`)), AGAIN);
+    setTimeout(again, AGAIN);
   });
 }
 
@@ -68,61 +68,108 @@ async function untilTicking(url) {
   throw new Error(`no tick within 30 s, says ${url}`);
 }
 
-const rate = rateOf(process.argv.slice(2));
+function optionsOf(args) {
+  try {
+    return readOptions(args);
+  } catch (error) {
+    return stop(`${error.message}\n\n${USAGE}`);
+  }
+}
+
+const { rate, ports, data, isCheck, isHelp } = optionsOf(process.argv.slice(2));
+if (isHelp) {
+  console.log(USAGE);
+  process.exit(0);
+}
 const accounts = PILOTS.map((username) => ({
   username,
   playerId: `pilot-${username}`,
   password: randomBytes(12).toString('base64url'),
 }));
-const stack = await createStack({
-  appendfsync: 'everysec',
-  gatewayEnv: {
-    TOUCHDOWN_SECRET: randomBytes(32).toString('base64url'),
-    TOUCHDOWN_ACCOUNTS: JSON.stringify(accounts),
-    TOUCHDOWN_HANGAR: JSON.stringify(HANGAR),
-  },
-}).catch((error) => stop(error.message));
+
+async function prepare() {
+  const asked = [
+    [ports.redis, { what: 'Redis', option: '--redis-port' }],
+    [ports.gateway, { what: 'the gateway', option: '--gateway-port' }],
+    [ports.page, { what: 'the page', option: '--page-port' }],
+  ];
+  for (const [port, whose] of asked) if (port !== undefined) await requireFree(port, whose);
+  return createStack({
+    ...{ appendfsync: 'everysec', ports, data },
+    gatewayEnv: {
+      TOUCHDOWN_SECRET: randomBytes(32).toString('base64url'),
+      TOUCHDOWN_ACCOUNTS: JSON.stringify(accounts),
+      TOUCHDOWN_HANGAR: JSON.stringify(HANGAR),
+    },
+  });
+}
+
+const stack = await prepare().catch((error) => stop(error.message));
+const { folder } = stack;
 
 let page = null;
-let isEnding = false;
-async function end() {
+async function end(code) {
   if (isEnding) return;
   isEnding = true;
   console.log('\nlive: stopping …');
   await page?.close();
   await stack.stop();
-  process.exit(0);
+  console.log(`live: stopped; Redis's data ${folder.isKept ? `are in ${folder.path}` : 'are removed'}`);
+  process.exit(code);
 }
-process.on('SIGINT', end);
-process.on('SIGTERM', end);
+// A terminal that is closed, too: the processes are in groups of their own and would stay.
+for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => end(0));
 
-try {
+async function startStack() {
   for (const one of [stack.redis, stack.service, stack.gateway]) {
+    if (isEnding) return;
     await one.start();
     keepUp(one);
     if (one === stack.redis) await setRate(stack.redisUrl, rate);
   }
-  page = await createServer({ server: { host: '127.0.0.1' }, logLevel: 'warn' });
+}
+
+async function startPage() {
+  const server = {
+    host: '127.0.0.1',
+    ...(ports.page !== undefined && { port: ports.page, strictPort: true }),
+  };
+  page = await createServer({ server, logLevel: 'warn' });
   await page.listen();
-  const [address] = page.resolvedUrls.local;
-  console.log(`\nlive: Redis ${stack.redisUrl}, gateway http://127.0.0.1:${stack.gatewayPort}, ${rate} Hz\n`);
+  return page.resolvedUrls.local[0];
+}
+
+async function printAddresses(address) {
+  const gateway = `127.0.0.1:${stack.gatewayPort}`;
+  console.log(`\nlive: Redis ${stack.redisUrl}, gateway http://${gateway}, ${rate} Hz`);
+  console.log(`live: Redis's data in ${folder.path} (${folder.isKept ? 'kept' : 'removed at the end'})\n`);
   for (const { username, password } of accounts) {
     const token = await signIn(stack.gatewayPort, username, password);
-    const server = `ws://127.0.0.1:${stack.gatewayPort}/stream?token=${token}`;
+    const server = `ws://${gateway}/stream?token=${token}`;
     console.log(`pilot ${username}: ${address}?server=${encodeURIComponent(server)}\n`);
   }
-  if (process.argv.includes('--check')) {
-    await untilTicking(`http://127.0.0.1:${stack.gatewayPort}/healthz`);
-    const html = await (await fetch(address)).text();
-    if (!html.includes('<title>Touchdown</title>'))
-      throw new Error(`the page at ${address} is not the playground`);
-    await end();
+}
+
+async function check(address) {
+  await untilTicking(`http://127.0.0.1:${stack.gatewayPort}/healthz`);
+  const html = await (await fetch(address)).text();
+  if (!html.includes('<title>Touchdown</title>'))
+    throw new Error(`the page at ${address} is not the playground`);
+}
+
+try {
+  await startStack();
+  const address = await startPage();
+  await printAddresses(address);
+  if (isCheck) {
+    await check(address);
+    await end(0);
   }
   console.log('Open each in a window of its own. Ctrl-C ends it all.');
 } catch (error) {
+  // What is being ended fails to start.
   if (!isEnding) {
     console.error(`live: ${error.message}`);
-    await stack.stop();
-    process.exit(1);
+    await end(1);
   }
 }

@@ -14,6 +14,8 @@ export interface Stack {
   readonly gateway: Process;
   readonly redisUrl: string;
   readonly gatewayPort: number;
+  /** Where Redis keeps its files. */
+  readonly folder: { readonly path: string; readonly isKept: boolean };
   readonly stop: () => Promise<void>;
 }
 export function createProcess(program: {
@@ -23,9 +25,10 @@ export function createProcess(program: {
   env: Record<string, string | undefined>;
   upWhen: RegExp;
 }): Process;
-export function freePort(): Promise<number>;
 export function createStack(options: {
   gatewayEnv: Record<string, string>;
   appendfsync: 'always' | 'everysec' | 'no';
+  ports?: { redis?: number; gateway?: number };
+  data?: string;
   serviceArgs?: readonly string[];
 }): Promise<Stack>;

@@ -1,15 +1,15 @@
 // The live stack's processes: each can be killed and started again, as it would be in operation.
 import { spawn } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
-import { createServer } from 'node:net';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { openDataFolder } from './dataFolder.mjs';
+import { freePort } from './ports.mjs';
 import { redisServer, servicePython } from './python.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 /** Characters of a process's output that are kept. */
 const SAID = 4000;
+/** ms for a process to end when it is told to; then it is killed. */
+const END_WITHIN = 5000;
 
 /**
  * A process that is not started yet. It is up when its output has `upWhen`.
@@ -50,39 +50,43 @@ export function createProcess({ name, command, args, env, upWhen }) {
       child = null;
       if (own === null || own.exitCode !== null || own.signalCode !== null) return Promise.resolve();
       return new Promise((resolve) => {
-        own.once('exit', () => resolve());
+        const kill = setTimeout(() => own.kill('SIGKILL'), END_WITHIN);
+        own.once('exit', () => {
+          clearTimeout(kill);
+          resolve();
+        });
         own.kill(signal);
       });
     },
   };
 }
 
-/** A port that is free now. */
-export function freePort() {
-  return new Promise((resolve, reject) => {
-    const server = createServer();
-    server.once('error', reject);
-    server.listen(0, '127.0.0.1', () => {
-      const { port } = server.address();
-      server.close(() => resolve(port));
-    });
-  });
-}
-
 /**
- * Redis, service and gateway on free ports of this machine, none started yet. Throws an Error that says what is to be
- * installed. `appendfsync`: always, everysec, or no (nothing is kept). `serviceArgs`: further arguments of the service.
+ * Redis, service and gateway on this machine, none started yet. Throws an Error that says what is to be installed.
+ * `appendfsync`: always, everysec, or no (nothing is kept). `ports`: of redis and gateway, any that is free where not given.
+ * `data`: a folder for Redis's files, one of its own where not given. `serviceArgs`: further arguments of the service.
  */
-export async function createStack({ gatewayEnv, appendfsync, serviceArgs = [] }) {
+export async function createStack({ gatewayEnv, appendfsync, ports = {}, data, serviceArgs = [] }) {
   const [redisCommand, python] = [redisServer(), servicePython()];
-  const [redisPort, gatewayPort] = [await freePort(), await freePort()];
-  const folder = mkdtempSync(join(tmpdir(), 'touchdown-live-'));
+  const [redisPort, gatewayPort] = [ports.redis ?? (await freePort()), ports.gateway ?? (await freePort())];
+  const folder = openDataFolder(data);
   const redisUrl = `redis://127.0.0.1:${redisPort}/0`;
   const redis = createProcess({
     name: 'redis',
     command: redisCommand,
     args: [
-      ...['--bind', '127.0.0.1', '--port', String(redisPort), '--dir', folder, '--save', ''],
+      ...[
+        '--bind',
+        '127.0.0.1',
+        '--port',
+        String(redisPort),
+        '--dir',
+        folder.path,
+        '--save',
+        '',
+        '--pidfile',
+        folder.pidFile,
+      ],
       ...(appendfsync === 'no' ? [] : ['--appendonly', 'yes', '--appendfsync', appendfsync]),
     ],
     env: process.env,
@@ -103,10 +107,10 @@ export async function createStack({ gatewayEnv, appendfsync, serviceArgs = [] })
     upWhen: /gateway: listening/,
   });
   return {
-    ...{ redis, service, gateway, redisUrl, gatewayPort },
+    ...{ redis, service, gateway, redisUrl, gatewayPort, folder },
     async stop() {
       for (const one of [gateway, service, redis]) await one.end('SIGTERM');
-      rmSync(folder, { recursive: true, force: true });
+      folder.close();
     },
   };
 }

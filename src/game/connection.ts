@@ -5,6 +5,7 @@ import { createDriver, type Driver } from './driver';
 import type { LinkState } from './link';
 import { type GameConnectionOptions, type GameHandlers, requireConnection } from './options';
 import { isTooLarge, MAX_MESSAGE } from './socket';
+import { createUnconfirmedControls, type UnconfirmedControls } from './unconfirmed';
 import type { LinkStatus } from './words';
 
 /** One link to the game's server, which reconnects by itself; at most one socket at any time. */
@@ -13,7 +14,10 @@ export interface GameConnection {
   readonly state: () => LinkState;
   /** The same in words for a person. */
   readonly status: () => LinkStatus;
-  /** Own controls; false when they could not be sent (not live, or too large). */
+  /**
+   * Own controls; false when they could not be sent now. Those that have not certainly arrived when the link is lost, or were given
+   * while it was down, are sent after the next welcome, the newest alone.
+   */
   readonly sendControls: (controls: Controls) => boolean;
   /** Any other message of the game's: service, attitude modes. */
   readonly send: (message: unknown) => boolean;
@@ -27,6 +31,7 @@ interface Link {
   readonly options: GameConnectionOptions;
   readonly handlers: GameHandlers;
   readonly driver: Driver;
+  readonly unconfirmed: UnconfirmedControls;
   /** The token of the next sign-in. */
   readonly held: { token: string };
 }
@@ -48,14 +53,21 @@ export function createGameConnection(options: GameConnectionOptions, handlers: G
   requireConnection(options, handlers);
   const { address, clock, jitter, openSocket } = options;
   const held = { token: options.token };
+  const unconfirmed = createUnconfirmedControls();
   const driver = createDriver({
     ...{ address, clock, jitter, openSocket },
-    auth: () => JSON.stringify({ type: 'auth', token: held.token }),
-    ping: () => JSON.stringify({ type: 'ping' }),
+    auth() {
+      unconfirmed.opened();
+      return JSON.stringify({ type: 'auth', token: held.token });
+    },
+    ping() {
+      unconfirmed.pinged();
+      return JSON.stringify({ type: 'ping' });
+    },
     onData: (data) => take(own, data),
     onStatus: handlers.onStatus,
   });
-  const own: Link = { options, handlers, driver, held };
+  const own: Link = { options, handlers, driver, unconfirmed, held };
   return {
     state: driver.state,
     status: driver.status,
@@ -66,22 +78,32 @@ export function createGameConnection(options: GameConnectionOptions, handlers: G
   };
 }
 
-function say({ driver, handlers }: Link, message: unknown): boolean {
-  if (driver.state().phase !== 'live') return false;
-  const text = JSON.stringify(message);
-  if (!isTooLarge(text)) return driver.write(text);
-  handlers.onRefused?.(`message: expected at most ${MAX_MESSAGE} bytes`);
-  return false;
+function say(link: Link, message: unknown): boolean {
+  if (link.driver.state().phase !== 'live') return false;
+  const text = textOf(link, message);
+  return text !== null && link.driver.write(text);
 }
 
 /** Invalid controls are reported as refused, and not sent. */
 function sayControls(link: Link, controls: Controls): boolean {
+  let text: string | null;
   try {
-    return say(link, (link.options.pack ?? packControls)(controls));
+    text = textOf(link, (link.options.pack ?? packControls)(controls));
   } catch (error) {
     link.handlers.onRefused?.(error instanceof Error ? error.message : String(error));
     return false;
   }
+  if (text === null) return false;
+  link.unconfirmed.commanded(text);
+  return link.driver.write(text);
+}
+
+/** null, and reported, where it is too large. */
+function textOf({ handlers }: Link, message: unknown): string | null {
+  const text = JSON.stringify(message);
+  if (!isTooLarge(text)) return text;
+  handlers.onRefused?.(`message: expected at most ${MAX_MESSAGE} bytes`);
+  return null;
 }
 
 function take(link: Link, data: unknown): void {
@@ -102,14 +124,13 @@ function act(link: Link, message: GameMessage): void {
   const { handlers } = link;
   switch (message.kind) {
     case 'welcome':
-      // A later welcome has what changed, such as another ship.
-      link.driver.happen({ kind: 'welcome' });
-      if (link.driver.state().phase === 'live') handlers.onWelcome?.(asObject(message.about));
+      takeWelcome(link, asObject(message.about));
       break;
     case 'state':
       takeState(link, message.frame);
       break;
     case 'pong':
+      link.unconfirmed.ponged();
       link.driver.happen({ kind: 'pong' });
       break;
     case 'token':
@@ -126,6 +147,21 @@ function act(link: Link, message: GameMessage): void {
       handlers.onOther?.(message.type, message.message);
       break;
   }
+}
+
+/** The first one of a connection, or a later one with what changed, such as another ship. */
+function takeWelcome(
+  { driver, handlers, unconfirmed }: Link,
+  about: Readonly<Record<string, unknown>>,
+): void {
+  const wasLive = driver.state().phase === 'live';
+  driver.happen({ kind: 'welcome' });
+  if (driver.state().phase !== 'live') return;
+  const shipId = about['ship_id'] ?? about['shipId'];
+  unconfirmed.welcomed(typeof shipId === 'string' ? shipId : '');
+  const text = wasLive ? null : unconfirmed.text();
+  if (text !== null) driver.write(text);
+  handlers.onWelcome?.(about);
 }
 
 function takeState(link: Link, sent: unknown): void {

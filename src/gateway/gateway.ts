@@ -8,10 +8,18 @@ import { type Client, createClient, dismiss } from './clients/client';
 import { createFeed, type Feed } from './redis/feed';
 import { createHttpHandler } from './http';
 import { createInbox } from './redis/inbox';
-import { AUTH_WITHIN, CLOSE, MAX_CLIENT_MESSAGE, MAX_FROM_ADDRESS, MAX_UNSIGNED } from './clients/limits';
+import {
+  AUTH_WITHIN,
+  CLOSE,
+  MAX_CLIENT_MESSAGE,
+  MAX_CONNECTIONS,
+  MAX_FROM_ADDRESS,
+  MAX_UNSIGNED,
+  REQUEST_WITHIN,
+} from './clients/limits';
 import type { GatewayOptions } from './options';
 import { type Place, shipOf } from './place';
-import { receive } from './clients/receive';
+import { receive, receivePing } from './clients/receive';
 import { tellAll, tellBehind } from './clients/tell';
 
 export interface Gateway {
@@ -121,9 +129,15 @@ async function listen(place: Place): Promise<Server> {
   const sockets = new WebSocketServer({
     noServer: true,
     maxPayload: MAX_CLIENT_MESSAGE,
+    // Pings are messages too: answered by themselves they would have no limit.
+    autoPong: false,
     perMessageDeflate: false,
   });
+  server.headersTimeout = server.requestTimeout = REQUEST_WITHIN * 1000;
+  server.maxConnections = MAX_CONNECTIONS;
   server.on('upgrade', (request, socket, head) => {
+    // node no longer listens to its errors here, and an error that nobody listens to ends the process.
+    socket.on('error', () => socket.destroy());
     const path = (request.url ?? '').split('?')[0];
     if (path !== '/ws' && path !== '/stream') {
       socket.end('HTTP/1.1 404 Not Found\r\n\r\n');
@@ -166,6 +180,7 @@ function welcomeSocket(
     setTimeout(() => dismiss(client, CLOSE.auth, 'No sign-in within 5 s'), AUTH_WITHIN * 1000),
   );
   socket.on('message', (data: Buffer, isBinary) => receive(place, client, data, isBinary));
+  socket.on('ping', (data: Buffer) => receivePing(place, client, data));
   socket.on('close', () => {
     clients.delete(client);
     for (const timer of client.timers) clearTimeout(timer);

@@ -1,120 +1,19 @@
-import type { AddressInfo } from 'node:net';
-import { afterEach, beforeEach, expect, it } from 'vitest';
-import { WebSocket, WebSocketServer } from 'ws';
+import { expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
+import { MAX_MESSAGE } from '../../src/game';
 import {
-  createGameConnection,
-  type GameConnection,
-  type GameConnectionOptions,
-  type GameHandlers,
-  MAX_MESSAGE,
-} from '../../src/game';
-import { createVirtualClock } from './virtualClock';
-
-const SHIP = {
-  position: { x: 1, y: 2, z: 3 },
-  velocity: { x: 0, y: 0, z: 0 },
-  attitude: { w: 1, x: 0, y: 0, z: 0 },
-  angular_velocity: { x: 0, y: 0, z: 0 },
-  fuel: 10,
-};
-const STATE = { type: 'state', tick: 7, ships: { a: SHIP } };
-
-let server: WebSocketServer;
-let address = '';
-let sockets: WebSocket[] = [];
-/** What the server heard, in order. */
-let heard: unknown[] = [];
-let connection: GameConnection | null = null;
-let waiting: (() => void)[] = [];
-
-/** Something was heard, told or closed: who waits looks again. */
-function notice(): void {
-  for (const check of waiting) check();
-}
-
-function until(met: () => boolean): Promise<void> {
-  return new Promise((resolve) => {
-    const check = () => {
-      if (!met()) return;
-      waiting = waiting.filter((other) => other !== check);
-      resolve();
-    };
-    waiting.push(check);
-    check();
-  });
-}
-
-beforeEach(async () => {
-  [sockets, heard, waiting] = [[], [], []];
-  await listen(0);
-});
-
-async function listen(port: number): Promise<void> {
-  server = new WebSocketServer({ port, host: '127.0.0.1' });
-  server.on('connection', (socket) => {
-    sockets.push(socket);
-    socket.on('message', (data: Buffer) => {
-      heard.push(JSON.parse(data.toString()));
-      notice();
-    });
-    socket.on('close', notice);
-    notice();
-  });
-  await new Promise((resolve) => server.once('listening', resolve));
-  address = `ws://127.0.0.1:${(server.address() as AddressInfo).port}`;
-}
-
-function stopServer(): Promise<void> {
-  for (const socket of server.clients) socket.terminate();
-  return new Promise((resolve) => server.close(() => resolve()));
-}
-
-afterEach(async () => {
-  connection?.dispose();
-  connection = null;
-  await stopServer();
-});
-
-function connect(change: Partial<GameConnectionOptions> = {}) {
-  const clock = createVirtualClock();
-  const told: string[] = [];
-  const tell = (text: string) => {
-    told.push(text);
-    notice();
-  };
-  const handlers: GameHandlers = {
-    onFrame: (frame) => tell(`frame ${frame.tick}`),
-    onWelcome: (about) => tell(`welcome ${JSON.stringify(about)}`),
-    onStatus: ({ phase, words }) => tell(`status ${phase}: ${words}`),
-    onShipGone: (shipId, own) => tell(`gone ${shipId} ${JSON.stringify(own)}`),
-    onToken: (token) => tell(`token ${token}`),
-    onRefused: (reason) => tell(`refused ${reason}`),
-    onOther: (type) => tell(`other ${type}`),
-  };
-  connection = createGameConnection(
-    {
-      address,
-      token: 'jwt-1',
-      clock,
-      jitter: () => 0.5,
-      openSocket: (to) => new WebSocket(to),
-      ...change,
-    },
-    handlers,
-  );
-  return { clock, told, live: connection };
-}
-
-const say = (message: unknown) => sockets.at(-1)!.send(JSON.stringify(message));
-
-async function welcomed() {
-  const made = connect();
-  await until(() => heard.length === 1);
-  say({ type: 'welcome', player_id: 'p', ship_id: 'a' });
-  await until(() => made.told.some((text) => text.startsWith('welcome')));
-  return made;
-}
+  address,
+  connect,
+  heard,
+  listen,
+  say,
+  server,
+  sockets,
+  STATE,
+  stopServer,
+  until,
+  welcomed,
+} from './gameServer';
 
 it('authenticates on open, and reports welcome and states', async () => {
   const { told } = await welcomed();
@@ -129,15 +28,18 @@ it('authenticates on open, and reports welcome and states', async () => {
   ]);
 });
 
-it('sends controls only while welcome, in the caller’s own envelope', async () => {
+it('sends controls from the welcome on, in the caller’s own envelope', async () => {
   const made = connect({ pack: (controls) => ({ type: 'control', data: { thrust: controls.thrustLevel } }) });
   expect(made.live.sendControls(NEUTRAL_CONTROLS)).toBe(false);
   await until(() => heard.length === 1);
   say({ type: 'welcome' });
   await until(() => made.told.some((text) => text.startsWith('welcome')));
   expect(made.live.sendControls({ ...NEUTRAL_CONTROLS, thrustLevel: 0.5 })).toBe(true);
-  await until(() => heard.length === 2);
-  expect(heard[1]).toEqual({ type: 'control', data: { thrust: 0.5 } });
+  await until(() => heard.length === 3);
+  expect(heard.slice(1)).toEqual([
+    { type: 'control', data: { thrust: 0 } },
+    { type: 'control', data: { thrust: 0.5 } },
+  ]);
 });
 
 it('pings each 30 s, and reconnects when no pong comes in 10 s', async () => {

@@ -75,6 +75,7 @@ export function createPlace(hangar?: Hangar) {
       },
       once: (_event: string, act: () => void) => act(),
       terminate: () => undefined,
+      pause: () => undefined,
     };
     const client = createClient(socket as never, protocol, '127.0.0.1', state.now);
     place.clients.add(client);

@@ -57,11 +57,11 @@ it.each([
   [{ TOUCHDOWN_ACCOUNTS: '[' }, 'TOUCHDOWN_ACCOUNTS: expected a JSON list'],
   [
     { TOUCHDOWN_ACCOUNTS: '[{"username":"a","playerId":"b","password":""}]' },
-    'TOUCHDOWN_ACCOUNTS[0].password: expected a text',
+    'TOUCHDOWN_ACCOUNTS[0].password: expected a string',
   ],
   [
     { TOUCHDOWN_ACCOUNTS: '[{"username":"a","playerId":1,"password":"x"}]' },
-    'TOUCHDOWN_ACCOUNTS[0].playerId: expected a text',
+    'TOUCHDOWN_ACCOUNTS[0].playerId: expected a string',
   ],
   [{ TOUCHDOWN_HANGAR: '{' }, HANGAR],
   [{ TOUCHDOWN_HANGAR: '5' }, HANGAR],

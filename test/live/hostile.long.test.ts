@@ -1,3 +1,4 @@
+import { connect } from 'node:net';
 import { expect, it } from 'vitest';
 import { WebSocket } from 'ws';
 import type { WorldView } from '../../src/prediction';
@@ -22,6 +23,19 @@ function rawClient(operator: Operator, path: string, options: { origin?: string 
   const opened = new Promise((resolve) => socket.once('open', resolve));
   const closed = new Promise<number>((resolve) => socket.once('close', resolve));
   return { socket, texts, opened, closed };
+}
+
+/** An upgrade request whose connection is reset before its answer can be written. */
+async function resetEarly(operator: Operator, path: string): Promise<void> {
+  const socket = connect(operator.stack.gatewayPort, '127.0.0.1');
+  socket.on('error', () => undefined);
+  await new Promise((resolve) => socket.once('connect', resolve));
+  const head = ['Host: game', 'Upgrade: websocket', 'Connection: Upgrade', 'Sec-WebSocket-Version: 13'];
+  const key = 'Sec-WebSocket-Key: x3JJHMbDL1EzLkh9GBhXDw==';
+  socket.write(`GET ${path} HTTP/1.1\r\n${[...head, key].join('\r\n')}\r\n\r\n`, () =>
+    socket.resetAndDestroy(),
+  );
+  await new Promise((resolve) => socket.once('close', resolve));
 }
 
 it('keeps malformed, oversized, unauthenticated, slow and flooding clients from disturbing a pilot on /stream and one on /ws', async () => {
@@ -73,6 +87,14 @@ it('keeps malformed, oversized, unauthenticated, slow and flooding clients from 
       (await operator.frame()).ships.find((ship) => ship['ship_id'] === id)?.['surface_contact_state'];
     await expect.poll(() => stateOf('ship-two')).toBe('');
     expect(await stateOf('ship-one')).toBe('landed');
+
+    for (let i = 0; i < 50; i++) await resetEarly(operator, ['/nope', '/ws', '/stream'][i % 3]!);
+
+    const pinging = rawClient(operator, '/ws');
+    await pinging.opened;
+    pinging.socket.send(auth);
+    for (let i = 0; i < 2000; i++) pinging.socket.ping('x'.repeat(125));
+    expect(await pinging.closed).toBe(4008);
 
     const slow = rawClient(operator, '/stream');
     await slow.opened;

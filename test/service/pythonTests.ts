@@ -1,11 +1,11 @@
-/** The Python tests of this folder, each file in a process of its own; those that talk to Redis start one for themselves. */
+/** The Python tests of python/, each file in a process of its own; those that talk to Redis start one for themselves. */
 import { spawn } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { expect } from 'vitest';
 import { redisServer, servicePython } from '../../.ci/python.mjs';
 import { MAY_SKIP } from '../exact/python';
 
-export const HERE = fileURLToPath(new URL('.', import.meta.url));
+export const HERE = fileURLToPath(new URL('python/', import.meta.url));
 
 /** Whether what a test needs is not on this machine, where tests may be skipped: in CI nothing is. */
 export function isMissing(what: 'python' | 'redis'): boolean {

@@ -13,13 +13,14 @@ it.skipIf(isMissing('python')).each(['test_loading', 'test_simulation'])(
 // They mostly wait, each for a Redis and a service of its own.
 const WITH_REDIS = ['Ships', 'Inputs', 'Clock', 'Lease', 'Damage'].map((name) => `test_redis.${name}`);
 describe.skipIf(isMissing('redis')).concurrent('against a real Redis', () => {
-  it.each([...WITH_REDIS, 'test_recorder'])('%s passes', expectUnittest, 6 * MINUTES);
+  it.each([...WITH_REDIS, 'test_garbage', 'test_recorder'])('%s passes', expectUnittest, 6 * MINUTES);
 });
 
 it('every file is run, here or in service.long.test.ts', () => {
   const files = readdirSync(HERE).filter((name) => /^test_\w+\.py$/.test(name));
   const known = [
     'test_crash.py',
+    'test_garbage.py',
     'test_loading.py',
     'test_recorder.py',
     'test_redis.py',

@@ -7,12 +7,13 @@ import {
   type Bucket,
   CLOSE,
   createBucket,
+  EXCESS,
   INPUTS,
   MAX_BUFFERED,
   MAX_EVENTS_WAITING,
-  MAX_EXCESS,
   MESSAGES,
   SLOW_FOR,
+  take,
 } from './limits';
 
 /** One connection, and all that is kept for it: nothing of it grows without a bound. */
@@ -32,8 +33,10 @@ export interface Client {
   seq: number;
   /** The own ship as the last welcome told it, '' for none; null before the first. */
   shipId: string | null;
-  /** Messages beyond its rate. */
-  excess: number;
+  /** Messages beyond its rate, and refused ones. */
+  readonly excess: Bucket;
+  /** Told to go: what it still says is not heard. */
+  isDismissed: boolean;
   /** A state has been left out. */
   isBehind: boolean;
   /** Wall s since which its socket is full; Infinity while it is not. */
@@ -66,7 +69,8 @@ export function createClient(
     session: '',
     seq: 0,
     shipId: null,
-    excess: 0,
+    excess: createBucket(EXCESS, now),
+    isDismissed: false,
     isBehind: false,
     fullSince: Infinity,
     events: [],
@@ -81,17 +85,19 @@ export function createClient(
 export function dismiss(client: Client, code: number, reason: string): void {
   for (const timer of client.timers) clearTimeout(timer);
   client.timers.clear();
-  if (client.socket.readyState === WebSocket.CLOSED) return;
+  if (client.isDismissed || client.socket.readyState === WebSocket.CLOSED) return;
+  client.isDismissed = true;
   client.socket.close(code, reason);
   const cut = setTimeout(() => client.socket.terminate(), 2000);
   client.socket.once('close', () => clearTimeout(cut));
 }
 
-/** Counts a message beyond the rate; whether the client was sent away for it. */
-export function countExcess(client: Client): boolean {
-  client.excess += 1;
-  if (client.excess < MAX_EXCESS) return false;
+/** Counts a message beyond the rate, or a refused one; whether the client was sent away for it. `now`: wall s. */
+export function countExcess(client: Client, now: number): boolean {
+  if (take(client.excess, 1, now)) return false;
   dismiss(client, CLOSE.flood, 'Too many messages');
+  // Nor read: the rest of a flood costs nothing.
+  client.socket.pause();
   return true;
 }
 

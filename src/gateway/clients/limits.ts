@@ -6,14 +6,18 @@ export const MAX_CLIENT_MESSAGE = 64 * 1024;
 export const MAX_STATE = 64 * 1024;
 /** Wall s for a client to sign in. */
 export const AUTH_WITHIN = 5;
+/** Wall s for an HTTP request to come in whole. */
+export const REQUEST_WITHIN = 10;
+/** Connections of any kind; more are cut at once. */
+export const MAX_CONNECTIONS = 4096;
 /** Messages kept while a client's token is verified; later ones are dropped. */
 export const MAX_EARLY = 32;
 /** Messages a second, and how many at once. */
 export const MESSAGES = { perSecond: 60, burst: 120 };
 /** Input records a second on /stream, and how many at once: after an outage a client sends its last seconds again. */
 export const INPUTS = { perSecond: 120, burst: 1024 };
-/** A client that goes on after this many messages beyond its rate is sent away. */
-export const MAX_EXCESS = 200;
+/** Messages beyond the rate, and such as are refused, a second and at once; a client with more is sent away. */
+export const EXCESS = { perSecond: 1, burst: 200 };
 /** Bytes that wait in a client's socket before states are left out. */
 export const MAX_BUFFERED = 256 * 1024;
 /** Wall s for which a client may be that slow. */

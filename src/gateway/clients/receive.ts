@@ -1,18 +1,20 @@
 import type { InputRecord, WorldEvent } from '../../wire';
 import { type Client, countExcess, dismiss } from './client';
 import type { Place } from '../place';
-import { CLOSE, MAX_EARLY, take } from './limits';
+import type { OwnInput } from '../redis/inbox';
+import { CLOSE, MAX_BUFFERED, MAX_EARLY, take } from './limits';
 import { errorText, pongBytes, readBytes, readText, type Said } from './speech';
 import { sayHello, tellOne } from './tell';
 
 /** A message of a client, whatever it holds: it can cost its own connection, nothing else. */
 export function receive(place: Place, client: Client, data: Buffer, isBinary: boolean): void {
+  if (client.isDismissed) return;
   if (!take(client.messages, 1, place.options.clock())) {
-    countExcess(client);
+    countExcess(client, place.options.clock());
     return;
   }
   if (isBinary && client.protocol === 'json') {
-    refuse(client, 'message: expected text');
+    refuse(place, client, 'message: expected text');
     return;
   }
   const said = isBinary ? readBytes(new Uint8Array(data)) : readText(data.toString());
@@ -21,6 +23,14 @@ export function receive(place: Place, client: Client, data: Buffer, isBinary: bo
     if (client.early.length < MAX_EARLY) client.early.push(said);
   } else if (said.kind === 'auth') beginSignIn(place, client, said);
   else dismiss(client, CLOSE.auth, 'Sign in first');
+}
+
+/** A ping of the WebSocket's own, which a browser cannot send: a message like any other, answered where there is room. */
+export function receivePing(place: Place, client: Client, data: Buffer): void {
+  if (client.isDismissed) return;
+  const now = place.options.clock();
+  if (!take(client.messages, 1, now)) countExcess(client, now);
+  else if (client.socket.bufferedAmount <= MAX_BUFFERED) client.socket.pong(data);
 }
 
 /** Messages that follow the sign-in at once wait until the token has been verified. */
@@ -45,7 +55,7 @@ function act(place: Place, client: Client, said: Said): void {
       break;
     case 'control':
       if (client.protocol === 'stream') {
-        refuse(client, 'control: /stream takes inputs');
+        refuse(place, client, 'control: /stream takes inputs');
         return;
       }
       client.seq += 1;
@@ -55,7 +65,7 @@ function act(place: Place, client: Client, said: Said): void {
       passInputs(place, client, said.inputs);
       break;
     case 'refused':
-      refuse(client, said.reason);
+      refuse(place, client, said.reason);
       break;
   }
 }
@@ -128,7 +138,7 @@ function answerPing(place: Place, client: Client, id: number | null): void {
 
 function passInputs(place: Place, client: Client, inputs: readonly InputRecord[]): void {
   if (!take(client.inputs, inputs.length, place.options.clock())) {
-    countExcess(client);
+    countExcess(client, place.options.clock());
     return;
   }
   for (const { seq, tick, substep, controls } of inputs)
@@ -139,14 +149,14 @@ function passInputs(place: Place, client: Client, inputs: readonly InputRecord[]
 function pass(
   place: Place,
   { player, session }: Client,
-  input: Pick<InputRecord, 'seq' | 'controls'> & { stamp: { tick: number; substep: number } | null },
+  input: Pick<OwnInput, 'seq' | 'controls' | 'stamp'>,
 ): void {
   const { playerId } = player!;
   const ship = place.feed.newest()?.frame.ships.find((candidate) => candidate.playerId === playerId);
   if (ship !== undefined) place.inbox.controls({ ...input, shipId: ship.shipId, playerId, session });
 }
 
-function refuse(client: Client, reason: string): void {
-  if (countExcess(client)) return;
+function refuse(place: Place, client: Client, reason: string): void {
+  if (countExcess(client, place.options.clock())) return;
   if (client.protocol === 'json') client.socket.send(errorText('E001', reason));
 }

@@ -11,7 +11,8 @@ import {
 /** What a client said, once its message was checked; or why it cannot be used. */
 export type Said =
   | { readonly kind: 'auth'; readonly token: string; readonly session: string; readonly since: number | null }
-  | { readonly kind: 'control'; readonly controls: Controls }
+  /** The members that the message has; the others stay as they are. */
+  | { readonly kind: 'control'; readonly controls: Partial<Controls> }
   | { readonly kind: 'inputs'; readonly inputs: readonly InputRecord[] }
   | { readonly kind: 'ping'; readonly id: number | null }
   | { readonly kind: 'refused'; readonly reason: string };
@@ -34,10 +35,8 @@ export function readText(text: string): Said {
       return readAuth(fields);
     case 'ping':
       return { kind: 'ping', id: null };
-    case 'control': {
-      const controls = decodeControlsJson(fields['controls'] ?? fields, 'control');
-      return controls.ok ? { kind: 'control', controls: controls.value } : refused(controls.reason);
-    }
+    case 'control':
+      return readControl(fields);
     default:
       return refused('type: expected auth, control or ping');
   }
@@ -50,6 +49,28 @@ export function readBytes(bytes: Uint8Array): Said {
   return message.value.kind === 'ping'
     ? { kind: 'ping', id: message.value.id }
     : { kind: 'inputs', inputs: message.value.inputs };
+}
+
+/** Names under which a control message may wrap its content: the game does not publish its members. */
+const WRAPPERS = ['controls', 'data', 'payload'];
+
+function readControl(fields: Readonly<Record<string, unknown>>): Said {
+  const wrapped = WRAPPERS.map((name) => fields[name]).find(
+    (value) => typeof value === 'object' && value !== null,
+  );
+  const given = (wrapped ?? fields) as Readonly<Record<string, unknown>>;
+  const decoded = decodeControlsJson(given, 'control');
+  if (!decoded.ok) return refused(decoded.reason);
+  const controls = Object.fromEntries(
+    Object.entries(decoded.value).filter(([name]) => name in given || snakeCase(name) in given),
+  ) as Partial<Controls>;
+  return Object.keys(controls).length === 0
+    ? refused(`control: expected one of ${Object.keys(decoded.value).map(snakeCase).join(', ')}`)
+    : { kind: 'control', controls };
+}
+
+function snakeCase(name: string): string {
+  return name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 }
 
 /** `session` (a page load) and `since` (the last tick it was told) are this project's: the game's clients send neither. */

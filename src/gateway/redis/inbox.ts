@@ -1,6 +1,5 @@
 import type { RedisClientType } from 'redis';
 import { type Controls } from '../../dynamics';
-import { encodeControlsJson } from '../../wire';
 import { MAX_WAITING } from '../clients/limits';
 
 /** The way into the service: one stream (REDIS.md, touchdown:inbox). */
@@ -19,7 +18,8 @@ export interface OwnInput {
   readonly playerId: string;
   readonly session: string;
   readonly seq: number;
-  readonly controls: Controls;
+  /** Members that are absent stay as they are. */
+  readonly controls: Partial<Controls>;
   readonly stamp: { readonly tick: number; readonly substep: number } | null;
 }
 
@@ -86,13 +86,15 @@ export function createInbox(redis: RedisClientType): Inbox {
   };
 }
 
-/** Vectors [x, y, z], the quaternion [w, x, y, z], as the service reads them. */
-function inArrays(controls: Controls): Record<string, unknown> {
-  const [x, y, z, w] = controls.targetAttitude;
+/** Vectors [x, y, z], the quaternion [w, x, y, z], as the service reads them; JSON leaves out what is undefined. */
+function inArrays(controls: Partial<Controls>): Record<string, unknown> {
+  const target = controls.targetAttitude;
   return {
-    ...encodeControlsJson(controls),
+    thrust_level: controls.thrustLevel,
     translation_input: controls.translationInput,
     rotation_input: controls.rotationInput,
-    target_attitude: [w, x, y, z],
+    attitude_hold: controls.attitudeHold,
+    attitude_mode: controls.attitudeMode,
+    target_attitude: target && [target[3], target[0], target[1], target[2]],
   };
 }

@@ -39,8 +39,9 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
     isOn: () => isOn,
     reason: () => reason,
     set(on) {
+      // Off already: it gave back by itself, and its reason stands.
+      if (on !== isOn) reason = '';
       isOn = on;
-      reason = '';
       begin();
     },
     fly(view, now) {
@@ -79,6 +80,7 @@ function stateOf(ship: ShipView, bodyName: string): ShipState {
     mass: ship.shipClass.dryMass + ship.fuel,
     fuel: ship.fuel,
     surfaceContactState: ship.surfaceContactState,
+    contactImpactSpeed: ship.impactSpeed,
     landedBodyName: ship.surfaceContactState === '' ? '' : bodyName,
     crashed: ship.crashed,
   } as unknown as ShipState;

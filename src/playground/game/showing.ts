@@ -2,6 +2,7 @@ import { keepForOffline } from '../offline/keep';
 import { createFrameLoop, type FrameLoop } from '../view/frameLoop';
 import { NIGHT_ELEVATION } from '../../scene';
 import { pixelRatioOf } from '../view/pageSize';
+import type { Notice } from '../panels/notice';
 import type { Page } from './pageParts';
 import { createReport } from './mission/report';
 import { createTwin } from './words/textTwin';
@@ -13,6 +14,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
   const root = page.document.documentElement;
   const twin = createTwin(page.part('twin'));
   const report = createReport(root, parts);
+  const autopilotEnd = createAutopilotEnd(page.notice);
   let before = NaN;
   let generation = 0;
   const loop = createFrameLoop(window, root, {
@@ -35,6 +37,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
     paint(view, now) {
       const replay = parts.scene.deck.replay();
       if (replay === null) parts.game.watch(view);
+      autopilotEnd(parts.live.hands.autopilot.reason());
       parts.cockpit.paint(view);
       const { flight, aids } = parts.cockpit;
       parts.devices.thumbs.show(flight.known ? flight.throttle : 0, flight.hover);
@@ -65,4 +68,16 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
     },
   });
   return loop;
+}
+
+/** Says why the autopilot gave back by itself, until it is taken again. */
+function createAutopilotEnd(notice: Notice): (reason: string) => void {
+  let shown = '';
+  const textOf = (reason: string) => `Autopilot off: ${reason}.`;
+  return (reason) => {
+    if (reason === shown) return;
+    if (shown !== '') notice.withdraw(textOf(shown));
+    if (reason !== '') notice.tell(textOf(reason));
+    shown = reason;
+  };
 }

@@ -25,7 +25,9 @@ def main() -> None:
     args = parse_arguments()
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(message)s", stream=sys.stderr)
     # A command that may have been carried out is never sent again: the service looks at what Redis holds instead.
-    client = Redis.from_url(args.redis, decode_responses=True, socket_timeout=5, retry=Retry(NoBackoff(), 0))
+    # Bytes that are no UTF-8 are no reason to end: what is made of them is refused by name.
+    as_text = {"decode_responses": True, "encoding_errors": "replace"}
+    client = Redis.from_url(args.redis, **as_text, socket_timeout=5, retry=Retry(NoBackoff(), 0))
     try:
         definition = with_whole_paths(json.loads(args.world.read_text(encoding="utf-8")), args.world.resolve().parent)
         service = Service(client, definition, args.lease_ms)

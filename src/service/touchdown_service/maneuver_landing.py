@@ -15,6 +15,7 @@ DESCENT = "descent"
 TOUCHDOWN = "touchdown"
 COMPLETE = "complete"
 ABORTED = "aborted"
+PHASES = (DESCENT, TOUCHDOWN, COMPLETE, ABORTED)
 
 # m/s: down in the last metres, below every bounce
 TOUCH_SPEED = 1.5

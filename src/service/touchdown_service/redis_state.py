@@ -8,7 +8,7 @@ from typing import Any
 
 from redis import Redis
 from redis.client import Pipeline
-from redis.exceptions import WatchError
+from redis.exceptions import RedisError, WatchError
 
 from .runtime import lease as lease_key
 from .runtime.galaxy import Changes, Galaxy, make_galaxy
@@ -17,16 +17,13 @@ from .storage.frames import event_record, ship_in_frame, write_events, write_fra
 from .storage.records import (
     body_of_record,
     body_record,
-    from_hash,
-    input_of_record,
     input_record,
-    ship_of_record,
     ship_record,
     to_hash,
     to_texts,
 )
-from .storage.stored import CLOCK, landing_values, load_clock, load_landing
-from .validation.limits import Refusal, required
+from .storage.stored import CLOCK, landing_values, load_clock, load_landing, load_pending, ship_of_hash
+from .validation.limits import Refusal, listed, parse_json, required
 
 WORLD, BODIES, PENDING = "touchdown:world", "touchdown:bodies", "touchdown:pending"
 INBOX, STATUS = "touchdown:inbox", "touchdown:status"
@@ -49,6 +46,7 @@ class Asked:
 
     values: dict[str, str | None]
     entries: list[tuple[str, dict[str, str]]] = field(default_factory=list)
+    refusals: list[str] = field(default_factory=list)
 
 
 class RedisState:
@@ -78,48 +76,57 @@ class RedisState:
         """The world at the last committed tick; None where there is none. Raises Refusal where it cannot be read."""
         pipe = self.client.pipeline(transaction=True)
         pipe.get(WORLD).get(BODIES).hgetall(CLOCK).get(PENDING)
-        definition, bodies, clock, pending = pipe.execute()
-        if definition is None or bodies is None:
+        definition, bodies, clock, pending = pipe.execute(raise_on_error=False)
+        if definition is None and bodies is None:
             return None
+        records = listed(parse_json(bodies, BODIES), BODIES)
         galaxy = make_galaxy(
-            json.loads(definition), [body_of_record(b, f"{BODIES}[{i}]") for i, b in enumerate(json.loads(bodies))]
+            parse_json(definition, WORLD), [body_of_record(b, f"{BODIES}[{i}]") for i, b in enumerate(records)]
         )
+        if not isinstance(clock, dict):
+            raise Refusal(f"{CLOCK}: expected a hash")
         self.commit_id = clock.get("commit")
         if clock:
             load_clock(galaxy, clock)
         self.load_ships(galaxy)
-        self.pending_text = pending or ""
-        for ship_id, inputs in json.loads(pending or "{}").items():
-            if ship_id in galaxy.ships:
-                galaxy.ships[ship_id].pending = [input_of_record(i, PENDING) for i in inputs]
+        self.pending_text = pending if isinstance(pending, str) else ""
+        try:
+            load_pending(galaxy, "{}" if pending is None else pending, PENDING)
+        except Refusal as refusal:
+            # Planned inputs are not worth the world.
+            self.refused = str(refusal)
         return galaxy
 
     def load_ships(self, galaxy: Galaxy) -> None:
         """A ship that cannot be read stays out, and in Redis; the others fly on."""
-        self.members = set(self.client.smembers(f"system:{galaxy.system_id}:ships"))
+        key = f"system:{galaxy.system_id}:ships"
+        if self.client.type(key) not in ("set", "none"):
+            raise Refusal(f"{key}: expected a set")
+        self.members = set(self.client.smembers(key))
         self.landings = {}
         for ship_id in sorted(self.members):
             pipe = self.client.pipeline(transaction=True)
             pipe.hgetall(f"ship:{ship_id}").hgetall(f"maneuver:{ship_id}")
             record, maneuver = pipe.execute(raise_on_error=False)
             try:
-                path = f"ship:{ship_id}"
-                if not isinstance(record, dict) or not record:
-                    raise Refusal(f"{path}: expected a hash")
-                ship = ship_of_record(from_hash(record, path), galaxy.classes, galaxy.world.bodies, path)
+                galaxy.ships[ship_id] = ship_of_hash(galaxy, ship_id, record)
+                if isinstance(maneuver, dict) and maneuver.get("type") == "landing":
+                    galaxy.landings[ship_id] = landing = load_landing(maneuver, f"maneuver:{ship_id}")
+                    self.landings[ship_id] = landing_values(landing)
             except Refusal as refusal:
                 self.refused = str(refusal)
-                continue
-            galaxy.ships[ship_id] = ship
-            if isinstance(maneuver, dict) and maneuver.get("type") == "landing":
-                galaxy.landings[ship_id] = landing = load_landing(maneuver)
-                self.landings[ship_id] = landing_values(landing)
 
     def read_asked(self, cursor: str) -> Asked:
         pipe = self.client.pipeline(transaction=False)
         pipe.mget(ASKED)
         pipe.xrange(INBOX, f"({cursor}", "+", INBOX_COUNT)
-        values, entries = pipe.execute()
+        answers = pipe.execute(raise_on_error=False)
+        for answer in answers:
+            if isinstance(answer, RedisError) and not str(answer).startswith("WRONGTYPE"):
+                raise answer
+        values, entries = answers
+        if isinstance(entries, RedisError):
+            return Asked(dict(zip(ASKED, values)), refusals=[f"{INBOX}: expected a stream"])
         return Asked(dict(zip(ASKED, values)), entries)
 
     def commit(self, galaxy: Galaxy, changes: Changes, due: float, asked: Asked, status: dict[str, Any]) -> None:

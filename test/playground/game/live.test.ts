@@ -216,6 +216,16 @@ describe('the autopilot', () => {
     expect(own!.shownState).toBe('landed');
     expect(own!.touchdown.verticalSpeed).toBeLessThan(2);
   });
+
+  it('gives back after a touch that is hard enough to bounce, and says how hard it was', async () => {
+    const { live, play } = await open({ scenario: 'bounce', network: 'broadband' });
+    // 20 m up at 24 m/s: too late to brake.
+    play(60, 0.5);
+    live.hands.press('autopilot');
+    play(60, 2);
+    expect(live.hands.autopilot.isOn()).toBe(false);
+    expect(live.hands.autopilot.reason()).toMatch(/^hit Luna at 2\d\.\d m\/s$/);
+  });
 });
 
 describe('manual input', () => {

@@ -1,6 +1,5 @@
 """What comes in by touchdown:inbox: controls and commands, each taken in or refused whole (REDIS.md, touchdown:inbox)."""
 
-import json
 from bisect import insort
 from math import ceil
 from typing import Any
@@ -8,7 +7,7 @@ from typing import Any
 from ..maneuver_landing import Landing
 from ..models import Input, Ship
 from ..storage.records import load_controls_json
-from ..validation.limits import Refusal, mapping, one_of, required, text, whole
+from ..validation.limits import Refusal, mapping, one_of, parse_json, required, text, whole
 from .galaxy import Changes, Galaxy, end_landing, remove_ship
 from .spawning import ship_of_order
 
@@ -141,7 +140,4 @@ def parsed(entry: dict[str, str], field: str) -> Any:
     given = required(entry, field, "")
     if len(given) > MAX_JSON:
         raise Refusal(f"{field}: expected at most {MAX_JSON} characters, got {len(given)}")
-    try:
-        return json.loads(given)
-    except (ValueError, RecursionError):
-        raise Refusal(f"{field}: expected JSON") from None
+    return parse_json(given, field)

@@ -9,7 +9,11 @@ from secrets import token_hex
 from redis import Redis
 from redis.exceptions import RedisError
 
+from ..validation.limits import Refusal, shown
+
 KEY = "touchdown:lease"
+# PTTL of a key that does not expire.
+NEVER = -1
 
 # Renews what is held, or what has run out without a taker: a commit finds out whether the world moved on meanwhile.
 RENEW = """
@@ -40,7 +44,8 @@ class Lease:
         self.let_go = threading.Event()
 
     def acquire(self) -> None:
-        """Takes the lease, or waits for a dead holder's to run out. Raises LeaseHeld once a living holder renews it."""
+        """Takes the lease, or waits for a dead holder's to run out. Raises LeaseHeld once a living holder renews it,
+        Refusal where the key is none that a service could have written."""
         self.take()
         self.let_go.set()
         self.let_go = threading.Event()
@@ -60,10 +65,15 @@ class Lease:
     def take(self) -> None:
         lowest = None
         while not self.client.set(KEY, self.token, nx=True, px=self.milliseconds):
+            if self.client.type(KEY) not in ("string", "none"):
+                raise Refusal(f"{KEY}: expected a string, got a {self.client.type(KEY)}")
             holder = self.client.get(KEY)
             if holder == self.token:
                 return
             left = self.client.pttl(KEY)
+            # A service's own always runs out.
+            if left == NEVER:
+                raise Refusal(f"{KEY}: expected a key that expires, got {shown(holder)}")
             if lowest is not None and left > lowest:
                 raise LeaseHeld(holder)
             lowest = left

@@ -125,7 +125,7 @@ class Service:
         if galaxy.tempo.time_sync:
             self.lost -= (galaxy.tempo.time_scale / galaxy.tempo.asked_scale - 1) / galaxy.tempo.tick_rate
         galaxy.tempo, refusals = next_tempo(galaxy.tempo, asked.values, self.lost)
-        for refusal in refusals:
+        for refusal in asked.refusals + refusals:
             if refusal != self.refused:
                 log.warning("%s", refusal)
             self.refused = refusal

@@ -1,5 +1,6 @@
 """How fast the world ticks from one boundary to the next, as game:* asks for it."""
 
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -7,6 +8,7 @@ from ..config import TICK_RATE, TIME_SCALE
 from ..validation.limits import Range, Refusal, number
 from .galaxy import Tempo
 
+DECIMAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 # Of game:time_scale: how far time sync moves the effective one.
 SYNC_SHARE = 0.05
 # Lost wall time is made up for over this many wall seconds, as far as SYNC_SHARE allows.
@@ -44,12 +46,10 @@ def next_tempo(now: Tempo, asked: dict[str, str | None], behind: float) -> tuple
 
 def number_in(allowed: Range):
     def read(value: str, key: str) -> float:
-        try:
-            return number(float(value), key, allowed)
-        except ValueError as error:
-            if isinstance(error, Refusal):
-                raise
-            raise Refusal(f"{key}: expected a number, got {value[:40]!r}") from None
+        # float() itself takes 1_0 and the digits of other scripts.
+        if not DECIMAL.fullmatch(value):
+            raise Refusal(f"{key}: expected a number, got {value[:40]!r}")
+        return number(float(value), key, allowed)
 
     return read
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from ..law.vectors import Quat, add
 from ..models import Applied, Body, Controls, Input, Ship, ShipClass
-from ..validation.limits import Refusal, boolean, mapping, number, required, text, whole
+from ..validation.limits import Refusal, boolean, mapping, number, parse_json, required, shown, text, whole
 from ..validation.loading import CONTROL_FIELDS, load_body, load_change, load_ship
 
 # In the order of their numbers, rcs_firing's pods: signs of x, y, z (GAME's order).
@@ -105,10 +105,7 @@ def from_hash(fields: dict[str, str], path: str) -> dict[str, Any]:
     """The record of a hash; raises Refusal by the name of a field that is no JSON."""
     record: dict[str, Any] = {}
     for name, value in fields.items():
-        try:
-            record[name] = value if name in TEXTS else json.loads(value)
-        except ValueError:
-            raise Refusal(f"{path}.{name}: expected JSON, got {value[:60]!r}") from None
+        record[name] = value if name in TEXTS else parse_json(value, f"{path}.{name}")
     return record
 
 
@@ -124,11 +121,11 @@ def ship_of_record(record: dict[str, Any], classes: dict[str, ShipClass], bodies
     ship.controls = Controls(**load_controls_json(named, path))
     if record.get("input_seq"):
         ship.applied = Applied(
-            text(record["input_session"], f"{path}.input_session"),
+            text(required(record, "input_session", path), f"{path}.input_session"),
             whole(record["input_seq"], f"{path}.input_seq"),
-            whole(record["input_tick"], f"{path}.input_tick"),
-            whole(record["input_substep"], f"{path}.input_substep"),
-            number(record["input_margin"], f"{path}.input_margin"),
+            whole(required(record, "input_tick", path), f"{path}.input_tick"),
+            whole(required(record, "input_substep", path), f"{path}.input_substep"),
+            number(required(record, "input_margin", path), f"{path}.input_margin"),
         )
     return ship
 
@@ -166,9 +163,18 @@ def input_record(given: Input) -> list[Any]:
     return [given.tick, given.substep, change, given.session, given.seq, given.arrived]
 
 
-def input_of_record(record: list[Any], path: str) -> Input:
+def input_of_record(record: Any, path: str) -> Input:
+    if not isinstance(record, list) or len(record) != 6:
+        raise Refusal(f"{path}: expected a list of 6, got {shown(record)}")
     tick, substep, change, session, seq, arrived = record
-    return Input(tick, substep, load_controls_json(change, path), session, seq, arrived)
+    return Input(
+        whole(tick, f"{path}.tick"),
+        whole(substep, f"{path}.substep"),
+        load_controls_json(change, f"{path}.controls"),
+        text(session, f"{path}.session"),
+        whole(seq, f"{path}.seq", least=1),
+        number(arrived, f"{path}.arrived"),
+    )
 
 
 def w_first(q: Quat) -> Quat:

@@ -1,11 +1,30 @@
-"""Clock and maneuvers as Redis holds them, read back."""
+"""Clock, ships, their maneuvers and waiting inputs as Redis holds them, read back: all as hostile as what comes in."""
 
-from ..maneuver_landing import Landing
+import re
+from typing import Any
+
+from ..config import TICK_RATE, TIME_SCALE
+from ..maneuver_landing import PHASES, Landing
+from ..models import Ship
 from ..runtime.galaxy import Galaxy, Tempo
-from ..validation.limits import SPEED, mapping, number, required, text, whole
-from .records import from_hash
+from ..validation.limits import (
+    SPEED,
+    Refusal,
+    boolean,
+    listed,
+    mapping,
+    number,
+    one_of,
+    parse_json,
+    required,
+    shown,
+    text,
+    whole,
+)
+from .records import from_hash, input_of_record, ship_of_record
 
 CLOCK = "touchdown:clock"
+ENTRY_ID = re.compile(r"[0-9]{1,16}-[0-9]{1,16}")
 
 
 def load_clock(galaxy: Galaxy, clock: dict[str, str]) -> None:
@@ -13,23 +32,46 @@ def load_clock(galaxy: Galaxy, clock: dict[str, str]) -> None:
     mapping(data, CLOCK)
     galaxy.tick = whole(required(data, "tick", CLOCK), f"{CLOCK}.tick")
     galaxy.game_time = number(required(data, "game_time", CLOCK), f"{CLOCK}.game_time")
-    galaxy.cursor = text(required(clock, "cursor", CLOCK), f"{CLOCK}.cursor")
+    galaxy.cursor = required(clock, "cursor", CLOCK)
+    if not ENTRY_ID.fullmatch(galaxy.cursor):
+        raise Refusal(f"{CLOCK}.cursor: expected an id of a stream, got {shown(galaxy.cursor)}")
     galaxy.tempo = Tempo(
-        number(required(data, "tick_rate", CLOCK), f"{CLOCK}.tick_rate"),
-        number(required(data, "time_scale", CLOCK), f"{CLOCK}.time_scale"),
-        bool(required(data, "paused", CLOCK)),
-        number(required(data, "asked_scale", CLOCK), f"{CLOCK}.asked_scale"),
-        bool(required(data, "time_sync", CLOCK)),
+        number(required(data, "tick_rate", CLOCK), f"{CLOCK}.tick_rate", TICK_RATE),
+        number(required(data, "time_scale", CLOCK), f"{CLOCK}.time_scale", TIME_SCALE),
+        boolean(required(data, "paused", CLOCK), f"{CLOCK}.paused"),
+        number(required(data, "asked_scale", CLOCK), f"{CLOCK}.asked_scale", TIME_SCALE),
+        boolean(required(data, "time_sync", CLOCK), f"{CLOCK}.time_sync"),
     )
 
 
-def load_landing(fields: dict[str, str]) -> Landing:
-    ticks = [whole(fields.get(name, "0"), f"maneuver.{name}") for name in ("started_tick", "updated_tick")]
-    data = from_hash({"touch_speed": fields.get("touch_speed", "0")}, "maneuver")
-    touch_speed = number(data["touch_speed"], "maneuver.touch_speed", SPEED)
-    return Landing(fields.get("phase", ""), fields.get("reason", ""), *ticks, touch_speed)
+def load_landing(fields: dict[str, str], path: str) -> Landing:
+    """Raises Refusal with the field, below `path`, that cannot be used."""
+    ticks = [whole(fields.get(name, "0"), f"{path}.{name}") for name in ("started_tick", "updated_tick")]
+    data = from_hash({"touch_speed": fields.get("touch_speed", "0")}, path)
+    touch_speed = number(data["touch_speed"], f"{path}.touch_speed", SPEED)
+    phase = one_of(fields.get("phase"), f"{path}.phase", PHASES)
+    reason = text(fields.get("reason", ""), f"{path}.reason", may_be_empty=True)
+    return Landing(phase, reason, *ticks, touch_speed)
 
 
 def landing_values(landing: Landing) -> tuple:
     ticks = landing.started_tick, landing.updated_tick
     return ("landing", landing.phase, landing.reason, *ticks, repr(landing.touch_speed))
+
+
+def ship_of_hash(galaxy: Galaxy, ship_id: str, record: Any) -> Ship:
+    path = f"ship:{ship_id}"
+    if not isinstance(record, dict) or not record:
+        raise Refusal(f"{path}: expected a hash")
+    ship = ship_of_record(from_hash(record, path), galaxy.classes, galaxy.world.bodies, path)
+    if ship.ship_id != ship_id:
+        raise Refusal(f"{path}.ship_id: expected {ship_id}, got {shown(ship.ship_id)}")
+    return ship
+
+
+def load_pending(galaxy: Galaxy, given: Any, path: str) -> None:
+    """Ships before the first input that cannot be read have theirs; raises Refusal by its name."""
+    for ship_id, inputs in mapping(parse_json(given, path), path).items():
+        if ship_id in galaxy.ships:
+            at = f"{path}.{ship_id}"
+            galaxy.ships[ship_id].pending = [input_of_record(one, at) for one in listed(inputs, at)]

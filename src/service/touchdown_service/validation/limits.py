@@ -3,6 +3,7 @@
 A check returns the value as the simulation holds it (floats, tuples) or raises Refusal.
 """
 
+import json
 from dataclasses import dataclass
 from math import isfinite, sqrt
 from typing import Any
@@ -48,6 +49,16 @@ ANY = Range(-1e300, 1e300, "")
 UNIT_WITHIN = 1e-3
 # Longest text.
 TEXT = 128
+
+
+def parse_json(given: Any, field: str) -> Any:
+    """What a JSON text holds; raises Refusal for anything else."""
+    if not isinstance(given, str):
+        raise Refusal(f"{field}: expected a text, got {shown(given)}")
+    try:
+        return json.loads(given)
+    except (ValueError, RecursionError):
+        raise Refusal(f"{field}: expected JSON, got {shown(given)}") from None
 
 
 def number(value: Any, field: str, allowed: Range = ANY) -> float:
@@ -126,6 +137,12 @@ def one_of(value: Any, field: str, names: tuple[str, ...]) -> str:
 def mapping(value: Any, field: str) -> dict[str, Any]:
     if not isinstance(value, dict):
         raise Refusal(f"{field}: expected an object, got {shown(value)}")
+    return value
+
+
+def listed(value: Any, field: str) -> list[Any]:
+    if not isinstance(value, list):
+        raise Refusal(f"{field}: expected a list, got {shown(value)}")
     return value
 
 

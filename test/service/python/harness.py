@@ -16,7 +16,7 @@ from typing import Any
 from redis import Redis
 from redis.exceptions import RedisError
 
-SERVICE_HOME = Path(__file__).resolve().parents[2] / "src" / "service"
+SERVICE_HOME = Path(__file__).resolve().parents[3] / "src" / "service"
 sys.path.insert(0, str(SERVICE_HOME))
 
 SITE = [0.6, 0.48, 0.64]

@@ -176,7 +176,7 @@ class Heightmaps(unittest.TestCase):
 
 # What is refused and what is taken at the ends of each range: the table that the TypeScript's test reads as well.
 RANGES = json.loads(
-    (Path(__file__).parent.parent / "dynamics" / "loading" / "ranges.json").read_text(encoding="utf-8")
+    (Path(__file__).parent.parent.parent / "dynamics" / "loading" / "ranges.json").read_text(encoding="utf-8")
 )
 # JSON has no NaN and no infinities.
 NOT_IN_JSON = {"#nan": nan, "#inf": inf, "#-inf": -inf}

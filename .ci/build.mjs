@@ -1,4 +1,4 @@
-// Builds what is handed on:
+// Builds what is published:
 //   node .ci/build.mjs page       dist/page: the playground, for any static host
 //   node .ci/build.mjs package    dist/package: the library, to be packed and published
 //   node .ci/build.mjs            both

@@ -1,4 +1,4 @@
-// Runs `npm start` as a newcomer would, waits for the address that it prints, and asks for the page and its script.
+// Runs `npm start` like a newcomer, waits for the address that it prints, and requests the page and its script.
 //   node .ci/checkStart.mjs              npm start
 //   node .ci/checkStart.mjs run example  npm run example
 import { spawn } from 'node:child_process';
@@ -6,7 +6,7 @@ import { spawn } from 'node:child_process';
 const WAIT_MS = 180_000;
 const COMMAND = process.argv.length > 2 ? process.argv.slice(2) : ['start'];
 const NAME = `npm ${COMMAND.join(' ')}`;
-/** As a browser asks for a style sheet; else the development server answers with a script. */
+/** As a browser requests a style sheet; otherwise the development server answers with a script. */
 const CSS = { headers: { accept: 'text/css' } };
 
 const child = spawn('npm', [...COMMAND, '--', '--host', '127.0.0.1'], {
@@ -20,7 +20,7 @@ function stop(code, message) {
   try {
     process.kill(process.platform === 'win32' ? child.pid : -child.pid);
   } catch {
-    // It has ended by itself.
+    // It has already exited.
   }
   process.exit(code);
 }
@@ -41,7 +41,7 @@ async function check(address) {
     sheets.map(async ([, href]) => (await fetch(new URL(href, address), CSS)).text()),
   );
   if (sheets.length > 0 && !styles.some((text) => text.includes('.td-hud')))
-    stop(1, `${NAME}: no style sheet of ${address} has the HUDs'`);
+    stop(1, `${NAME}: no style sheet of ${address} contains that of the HUDs`);
   stop(0, `${NAME}: serves ${scripts.length} scripts and the page`);
 }
 
@@ -52,7 +52,7 @@ child.stdout.setEncoding('utf8').on('data', (text) => {
   process.stdout.write(text);
   const known = printed.length;
   printed += text;
-  // vite colours the port.
+  // vite prints the port in colour.
   const address = (t) => /http:\/\/[\d.]+:\d+\//.exec(t.replace(/\u001b\[[\d;]*m/g, ''))?.[0];
   if (address(printed) && !address(printed.slice(0, known))) {
     check(address(printed)).catch((error) => stop(1, `${NAME}: ${error.message}`));

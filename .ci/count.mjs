@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 
-/** The closing line of reports, and why it is not good enough, or null. */
+/** The final line of the reports, and a complaint if CI must fail, or null. */
 export function verdictOf(reports) {
   const sum = (name) => reports.reduce((total, report) => total + report[name], 0);
   const [numPassedTests, numFailedTests] = [sum('numPassedTests'), sum('numFailedTests')];
@@ -14,7 +14,7 @@ export function verdictOf(reports) {
     return { line, complaint: 'no test of a report passed' };
   if (numFailedTests > 0) return { line, complaint: 'tests failed' };
   if (skipped > 0) return { line, complaint: 'nothing may be skipped here' };
-  // A file that does not load fails without a test of its own.
+  // A file that does not load fails without a failed test.
   return {
     line,
     complaint: reports.every(({ success }) => success) ? null : 'a test file or a set-up failed',

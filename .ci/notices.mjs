@@ -1,4 +1,4 @@
-// Writes the licences of what the built page bundles into notices.txt beside it: most of them ask to be handed on with copies.
+// Writes the licences of the packages in the built page to notices.txt beside it: most must be distributed with copies.
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 
@@ -10,7 +10,7 @@ function packageFolder(id) {
   const path = id.split('?')[0].replaceAll('\\', '/');
   if (!path.includes('/node_modules/')) return null;
   let folder = dirname(path);
-  // Folders inside a package may have a package.json of their own, without a version.
+  // Folders inside a package may have their own package.json, without a version.
   while (folder.includes('/node_modules/')) {
     const manifest = join(folder, 'package.json');
     if (existsSync(manifest) && JSON.parse(readFileSync(manifest, 'utf8')).version) return folder;
@@ -19,7 +19,7 @@ function packageFolder(id) {
   return null;
 }
 
-/** "name version (licence)" and the licence's text. @throws where a package has none: it could not be handed on */
+/** "name version (licence)" and the licence's text. @throws if a package has none: it could not be distributed */
 function noticeOf(folder) {
   const { name, version, license } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
   const file = readdirSync(folder).find((entry) => /^(licen[cs]e|copying)(\.\w+)?$/i.test(entry));

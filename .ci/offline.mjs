@@ -1,14 +1,14 @@
-// What the build puts into the page's service worker: its files with their hashes, and a version that changes with any of them.
+// Puts the list of the build's files with their hashes, and a version that changes with any of them, into the page's service worker.
 import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-/** The service worker's file in the build: its name may not change from build to build. */
+/** The service worker's file in the build: its name must not change between builds. */
 export const OFFLINE_SCRIPT = 'offline.js';
 
 const sha256 = (bytes) => createHash('sha256').update(bytes);
 
-/** The line that offline.js of a build begins with: `files` by address relative to the document, '' being the document. */
+/** The first line of a build's offline.js: `files` by address relative to the document, '' being the document. */
 function listOf(files, script) {
   const version = sha256(script).update(JSON.stringify(files)).digest('hex').slice(0, 16);
   return `const OFFLINE_FILES = ${JSON.stringify(files)};\nconst OFFLINE_VERSION = ${JSON.stringify(version)};\n`;
@@ -19,19 +19,19 @@ export function listForOffline(publicFolder) {
   return {
     name: 'list-for-offline',
     apply: 'build',
-    // The files as they are served: vite still changes chunks after the last hook that sees them in memory.
+    // Reads the files as served: vite still changes chunks after the last hook that sees them in memory.
     writeBundle({ dir }, bundle) {
       const script = bundle[OFFLINE_SCRIPT];
       if (script?.type !== 'chunk') throw new Error(`there is no ${OFFLINE_SCRIPT} in the build`);
-      if (script.imports.length > 0) throw new Error(`${OFFLINE_SCRIPT} imports, and is no module`);
+      if (script.imports.length > 0) throw new Error(`${OFFLINE_SCRIPT} has imports, but is not a module`);
       const built = Object.keys(bundle).filter((name) => name !== OFFLINE_SCRIPT && !name.endsWith('.map'));
-      // Of the files copied as they are the page uses those at the top; the folders are the README's.
+      // Of the copied files the page uses those at the top; the folders are for the README.
       const copied = readdirSync(publicFolder, { withFileTypes: true })
         .filter((entry) => entry.isFile())
         .map((entry) => entry.name);
       const files = {};
       for (const name of [...built, ...copied].sort()) {
-        // The document is kept under its folder's address.
+        // The document is stored under its folder's address.
         files[name === 'index.html' ? '' : name] =
           `sha256-${sha256(readFileSync(join(dir, name))).digest('base64')}`;
       }

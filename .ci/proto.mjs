@@ -3,7 +3,7 @@
 //   node .ci/proto.mjs FOLDER     into FOLDER, to compare
 // Static, because protobufjs's reflection needs eval, which a content security policy forbids. Names keep their
 // case, so that a decoded message and the game's JSON are read by the same code. A root of our own keeps these
-// messages apart from those of another codec with the same package names on the same page.
+// messages apart from another codec's with the same package names on the same page.
 import { spawnSync } from 'node:child_process';
 import { mkdirSync } from 'node:fs';
 import { createRequire } from 'node:module';

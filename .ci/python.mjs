@@ -1,12 +1,12 @@
 // Finds a Python that can run the physics service, with the Redis client it needs.
-//   node .ci/python.mjs     installs what is missing; prints nothing when nothing is
+//   node .ci/python.mjs     installs what is missing; prints nothing if nothing is
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
-/** Beside node_modules' other caches: nothing is installed outside of this folder. */
+/** In node_modules: nothing is installed outside of the repository. */
 const packages = join(root, 'node_modules/.cache/touchdown/python');
 const service = join(root, 'src/service');
 const REDIS = 'redis>=5.0,<8';
@@ -15,7 +15,7 @@ function run(command, args, env = process.env) {
   return spawnSync(command, args, { encoding: 'utf8', env });
 }
 
-/** Where Python looks for modules: the service itself, then what was installed for it. */
+/** Python's module path: the service, then its installed packages. */
 function environment() {
   const path = [service, packages, process.env.PYTHONPATH]
     .filter(Boolean)
@@ -23,7 +23,7 @@ function environment() {
   return { ...process.env, PYTHONPATH: path, PYTHONDONTWRITEBYTECODE: '1', PYTHONUNBUFFERED: '1' };
 }
 
-/** The interpreter itself, not a shim before it: a signal has to reach it. */
+/** The interpreter itself, not a shim: signals must reach it. */
 function findPython() {
   const program = 'import sys; print(sys.executable); sys.exit(sys.version_info < (3, 10))';
   for (const command of ['python3', 'python']) {

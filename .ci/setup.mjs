@@ -1,4 +1,4 @@
-// Installs what `npm start` or `npm test` needs and the machine does not have yet.
+// Installs what `npm start` or `npm test` needs and is missing.
 //   node .ci/setup.mjs start    what the page needs
 //   node .ci/setup.mjs test     that, and what tests, checks and builds need
 // It compares package-lock.json with node_modules, so that a run on a complete machine
@@ -11,22 +11,22 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 /** Oldest minor version of each major version of node that vite runs on; majors above the last are fine. */
 const OLDEST_NODE = { 20: 19, 22: 12 };
 
-/** No advice, no advertisement, and a registry that cannot be reached is given up in seconds instead of a minute and more. */
+/** No audit, no funding messages, and a registry that cannot be reached fails in seconds instead of minutes. */
 const QUIETLY = [
   ...['--no-audit', '--no-fund', '--loglevel=error'],
   ...['--fetch-retry-mintimeout=1000', '--fetch-retry-maxtimeout=4000'],
 ];
 
-/** What npm's error text means to a person: the first match is printed. */
+/** Causes of npm's errors in plain words; the first match is printed. */
 const CAUSES = [
   [
     /ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ECONNRESET|ETIMEDOUT|ENETUNREACH/,
-    'the package registry cannot be reached: is there a network, or a proxy to be set (npm config set proxy …)?',
+    'the package registry cannot be reached: check the network, or set a proxy (npm config set proxy …).',
   ],
   [/ENOSPC/, 'the disk is full.'],
   [
     /EACCES|EPERM|EROFS/,
-    'a file may not be written: does this folder, or npm’s cache, belong to another user?',
+    'a file cannot be written: check whether this folder or npm’s cache belongs to another user.',
   ],
   [/EINTEGRITY/, 'a package differs from what package-lock.json recorded: try `npm cache clean --force`.'],
   [
@@ -50,11 +50,11 @@ function isForThisMachine(entry, machine) {
   return allows(entry.os, machine.os) && allows(entry.cpu, machine.cpu) && allows(entry.libc, machine.libc);
 }
 
-/** Whether `entry` of package-lock.json has to be in node_modules for `purpose`. */
+/** Whether `entry` of package-lock.json must be in node_modules for `purpose`. */
 function isNeeded(entry, purpose, machine) {
   if (purpose === 'start' && (entry.dev || entry.devOptional)) return false;
   if (!entry.optional) return true;
-  // npm leaves out optional packages as it sees fit, but a native part made for this very system must be there.
+  // npm may omit optional packages, but a native one for this system must be there.
   return Boolean(entry.os && entry.cpu) && isForThisMachine(entry, machine);
 }
 
@@ -66,10 +66,10 @@ export function missingPackages(packages, purpose, machine, versionAt) {
   );
 }
 
-/** Why npm failed, in a sentence for the person at the keyboard. */
+/** Why npm failed, in one sentence. */
 export function causeOf(npmErrors) {
   const found = CAUSES.find(([pattern]) => pattern.test(npmErrors));
-  return found ? found[1] : 'npm’s own words are above.';
+  return found ? found[1] : 'see npm’s output above.';
 }
 
 function thisMachine() {
@@ -97,7 +97,8 @@ function stop(message) {
 }
 
 function setUp(purpose) {
-  if (purpose !== 'start' && purpose !== 'test') stop('say what for: `node .ci/setup.mjs start` or `test`.');
+  if (purpose !== 'start' && purpose !== 'test')
+    stop('expected a purpose: `node .ci/setup.mjs start` or `test`.');
   const complaint = nodeComplaint(process.versions.node);
   if (complaint) stop(complaint);
   const root = fileURLToPath(new URL('..', import.meta.url));
@@ -110,7 +111,7 @@ function setUp(purpose) {
   const missing = missingPackages(packages, purpose, machine, versionAt);
   if (missing.length === 0) return;
 
-  // `npm ci` empties node_modules: whoever has the test packages keeps them.
+  // `npm ci` empties node_modules: test packages that are there are installed again.
   const hasTestPackages = versionAt('node_modules/vitest') !== undefined;
   const scope = purpose === 'test' || hasTestPackages ? ['--include=dev'] : ['--omit=dev'];
   const count = missing.length === 1 ? '1 package is' : `${missing.length} packages are`;
@@ -122,7 +123,7 @@ function setUp(purpose) {
     stop(`npm cannot be started (${run.error.message}): it comes with node (https://nodejs.org).`);
   if (run.status !== 0) stop(`npm ci failed: ${causeOf(run.stderr)}`);
   const still = missingPackages(packages, purpose, machine, versionAt);
-  if (still.length > 0) stop(`npm ci ended well, yet these are still missing: ${still.join(', ')}`);
+  if (still.length > 0) stop(`npm ci succeeded, but these are still missing: ${still.join(', ')}`);
   console.log(`set-up: installed in ${((Date.now() - started) / 1000).toFixed(1)} s.`);
 }
 

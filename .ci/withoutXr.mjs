@@ -1,9 +1,9 @@
-// Leaves three's support of virtual reality out of the built page, which has none: 4 kB of what everybody fetches.
+// Leaves three's support of virtual reality out of the built page, which does not use it: 4 kB of every download.
 
-/** three by its own modules: its bundle is one file, from which no part can be left out. */
+/** three's separate modules: its bundle is one file, from which nothing can be left out. */
 const THREE = 'three/src/Three.js';
 
-/** What the renderer asks of its WebXR manager while no session can begin. */
+/** The members of its WebXR manager that the renderer uses while no session can begin. */
 const NO_XR = `export class WebXRManager {
   enabled = false;
   isPresenting = false;

@@ -1,5 +1,5 @@
 // Builds dist/package, what `npm pack ./dist/package` packs: each door of the library as an ES module, as CommonJS and as
-// declarations, one style sheet, and a manifest. The modules are there twice: as they are, and for production (production.mjs).
+// declarations, one style sheet, and a manifest. Each module is built twice: for development, and for production (production.mjs).
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -14,7 +14,7 @@ import { writeTypes } from './types.mjs';
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const out = join(root, 'dist/package');
 
-/** Doors of the package and their sources; `index` is the package's own name. */
+/** Entries of the package and their sources; `index` is the package's main entry. */
 export const DOORS = {
   index: 'src/index.ts',
   protobuf: 'src/protobuf.ts',
@@ -23,14 +23,14 @@ export const DOORS = {
   game: 'src/game/index.ts',
 };
 
-/** Packages whose code is inside the built files: their users install nothing, and their licences come along. */
+/** Packages bundled into the built files, with their licences: users need not install them. */
 const BUNDLED = ['gl-matrix', 'protobufjs', 'long'];
 
 const manifest = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
 const names = Object.keys(DOORS).filter((door) => existsSync(join(root, DOORS[door])));
 const doors = Object.fromEntries(names.map((door) => [door, DOORS[door]]));
 
-/** Rooms that several doors need. */
+/** Rooms that several entries need. */
 const SHARED_ROOMS = ['dynamics', 'wire', 'readout'];
 
 const SHARED = { configFile: false, root, logLevel: 'warn', publicDir: false };
@@ -58,7 +58,7 @@ async function buildCode({ format, folder = '', plugins = [] }) {
           chunkFileNames: `chunks/[name].${extension}`,
           // Top-level constants stay `const`: as `var` the engine loads the law's scratch arrays anew at every access.
           topLevelVar: false,
-          // By room, so that the law's loops stay within one file, and none is loaded for another's sake.
+          // Split by room, so that the law's loops stay within one file, and no room is loaded because of another.
           codeSplitting: {
             groups: SHARED_ROOMS.map((name) => ({ name, test: `/src/${name}/`, minShareCount: 2 })),
           },
@@ -83,7 +83,7 @@ async function buildStyles() {
   });
 }
 
-/** Where the code lives: the clone's origin where it has a public one, else what package.json says. */
+/** URL of the code: the clone's origin if it is public, otherwise that of package.json. */
 function repository() {
   const { stdout } = spawnSync('git', ['remote', 'get-url', 'origin'], { cwd: root, encoding: 'utf8' });
   const origin = (stdout ?? '').trim();
@@ -102,7 +102,7 @@ function writeManifest() {
     sideEffects: ['./hud.css'],
     exports: {
       ...Object.fromEntries(entries),
-      // Declared, since TypeScript 6 asks for it where a style sheet is imported.
+      // TypeScript 6 requires a declaration for an imported style sheet.
       './hud.css': {
         import: { types: './hud.css.d.ts', default: './hud.css' },
         require: { types: './hud.css.d.cts', default: './hud.css' },
@@ -120,7 +120,7 @@ function writeManifest() {
   writeFileSync(join(out, 'package.json'), `${JSON.stringify(packed, null, 2)}\n`);
 }
 
-/** The licences of what is inside the built files, word for word. */
+/** The licences of the bundled packages, word for word. */
 function writeNotices() {
   const notices = BUNDLED.map((name) => {
     const folder = join(root, 'node_modules', name);
@@ -131,7 +131,7 @@ function writeNotices() {
   writeFileSync(join(out, 'NOTICES.md'), `# Code of others in this package\n\n${notices.join('\n')}`);
 }
 
-/** Declarations without their comments: the package's own, and those of what JavaScript offers. */
+/** Declarations without their comments: the package's, and those of JavaScript itself. */
 function declarations() {
   const platform = join(root, 'node_modules/typescript/lib');
   const read = (folder, pattern) =>
@@ -141,7 +141,7 @@ function declarations() {
   return { own: read(out, /\.d\.ts$/), language: read(platform, /^lib\.(es|decorators).*\.d\.ts$/) };
 }
 
-/** Builds the package; throws with what is wrong. */
+/** Builds the package. Throws if anything is wrong. */
 export async function buildPackage() {
   rmSync(out, { recursive: true, force: true });
   await buildCode({ format: 'es' });

@@ -1,4 +1,4 @@
-// Packs dist/package, installs the tarball into projects of each kind that its users have, and runs them.
+// Packs dist/package, installs the tarball into projects of each kind that users have, and runs them.
 //   node .ci/package/check.mjs
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -24,7 +24,7 @@ function checkImportMap(folder) {
   return run(process.execPath, entry, root).trim().split('\n').at(-1);
 }
 
-/** The core for production as node loads it, and what it shows against the default one. */
+/** Loads the production core in node and compares its results with the default one's. */
 function checkProduction(folder) {
   run(process.execPath, ['--conditions=production', 'main.mjs'], folder);
   const entry = ['test/run.mjs', 'test/package/production.ts', join(folder, 'node_modules/galaxy-touchdown')];

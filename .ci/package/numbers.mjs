@@ -1,5 +1,5 @@
-// Writes a module's numbers where they are used: minifiers of its users inline imported constants alone, and every constant that
-// stays costs a name, a line and a look-up. What is computed is the same, bit for bit.
+// Inlines a module's numeric constants: the users' minifiers inline imported constants only, and every constant that
+// stays costs a name, a line and a look-up. The results are the same, bit for bit.
 import { parseAst } from 'vite';
 
 const isNumber = (node) =>
@@ -29,7 +29,7 @@ const isName = (node, parent) =>
   (parent.type === 'Property' && parent.key === node && !parent.computed) ||
   /Specifier$/.test(parent.type);
 
-/** The code with its top-level numbers under upper-case names written where they are used; no line moves. */
+/** The code with its upper-case top-level numbers inlined; no line moves. */
 export function inlineNumbers(code) {
   const program = parseAst(code);
   const numbers = numbersOf(program);
@@ -52,6 +52,6 @@ export const numbers = (src) => ({
   name: 'inline-numbers',
   enforce: 'post',
   transform: (code, id) =>
-    // No line moves: the source map made so far stays good to the line.
+    // No line moves, so the source map stays valid to the line.
     id.startsWith(src) && id.endsWith('.ts') ? { code: inlineNumbers(code), map: null } : null,
 });

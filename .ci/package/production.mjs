@@ -1,9 +1,9 @@
-// The package's code for pages in use, which bundlers take in production mode: without the checks that tell a developer of mistakes.
-// What is refused, corrected and counted is the same, bit for bit (test/package/production.ts).
+// The package's production code, which bundlers use in production mode: without the checks that warn developers of mistakes.
+// Everything else, including refusals and counters, is the same, bit for bit (test/package/production.ts).
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-/** What each file of checks is replaced with: no checks, as where there is no listener. */
+/** Replaces the named functions of each file: no checks, as without a listener. */
 const CHECKS = {
   'prediction/checks/checks.ts': ['createChecks'],
   'prediction/checks/options.ts': ['requireOptions', 'checkDefaults', 'faultOfDefaults'],

@@ -1,14 +1,14 @@
-// Runs the package as programs of others do: node by import and require, esbuild, webpack, vite with plain JavaScript.
+// Uses the package like other programs: node by import and require, esbuild, webpack, vite with plain JavaScript.
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { build } from 'vite';
 import { run, tool } from './tools.mjs';
 
-/** Doors that load without a DOM and without three. */
+/** Entries that load without a DOM and without three. */
 const EVERYWHERE = ['', '/protobuf', '/hud', '/game'];
 
-/** Uses the core as a client does, for what it prints: a ship that stands on the Moon is told and seen. */
+/** Uses the core like a client and prints the result: it receives a ship landed on the Moon and views it. */
 const USE = `
 const predictor = core.createPredictor({ ownShipId: 'a' });
 predictor.receive({ kind: 'frame', tick: 1, tickRate: 1, timeScale: 1, paused: false, ships: [], bodies: [], events: [], lastInput: null }, 0);
@@ -18,7 +18,7 @@ if (readout.status !== 'none') throw new Error('an empty world has a status: ' +
 console.log('works with ' + Object.keys(core).length + ' exports');
 `;
 
-/** Whether door of the built package is there: `/game` comes with its room. */
+/** The entries that the built package has. */
 const doorsOf = (folder) =>
   EVERYWHERE.filter((door) =>
     existsSync(join(folder, `node_modules/galaxy-touchdown${door || '/index'}.js`)),
@@ -85,7 +85,7 @@ export async function checkWebpack(folder) {
   return 'webpack';
 }
 
-/** Plain JavaScript and a page, as vite's own template has them. */
+/** Plain JavaScript and a page, like vite's template. */
 export async function checkVite(folder) {
   writeFileSync(
     join(folder, 'index.html'),
@@ -98,7 +98,7 @@ export async function checkVite(folder) {
     warn: (text) => warned.push(text),
     warnOnce: (text) => warned.push(text),
   };
-  // How long plugins take depends on the machine's load: vite warns of that too.
+  // vite warns of slow plugins, which depends on the machine's load.
   const options = { outDir: join(folder, 'vite'), rolldownOptions: { checks: { bundlerTimings: false } } };
   await build({ root: folder, configFile: false, customLogger, build: options });
   if (warned.length > 0) throw new Error(`vite warns: ${warned[0]}`);

@@ -1,4 +1,4 @@
-// Marks what a module computes while it loads as free of side effects, so that a bundler drops what its user does not use:
+// Marks a module's top-level calls as free of side effects, so that a bundler drops them if unused:
 // `const UP = vec3(0, 1, 0)` stays in every bundle otherwise. True of src, where modules only define things.
 import { parseAst } from 'vite';
 
@@ -34,7 +34,7 @@ function insertions(init) {
     if (type === 'CallExpression' || type === 'NewExpression') calls.push(start);
     mayRun ||= type === 'MemberExpression' || type === 'SpreadElement';
   });
-  // To a bundler a member or a spread may run code: only a call as a whole can be marked. A number must stay one, to be inlined.
+  // For a bundler, a member access or a spread may run code, and only a whole call can be marked. Numbers stay as they are, to be inlined.
   if (mayRun && COMPOSED.has(init.type)) {
     return [
       [init.start, `${MARK}(() => (`],
@@ -44,7 +44,7 @@ function insertions(init) {
   return [...new Set(calls)].map((at) => [at, MARK]);
 }
 
-/** Code whose top-level initialisers may be dropped where nothing uses them. */
+/** The code, with top-level initialisers that may be dropped if unused. */
 export function markPure(code) {
   const all = initialisers(parseAst(code)).flatMap(insertions);
   return all
@@ -57,7 +57,7 @@ export const pure = (src) => ({
   name: 'mark-pure',
   enforce: 'post',
   transform(code, id) {
-    // No line moves: the source map made so far stays good to the line.
+    // No line moves, so the source map stays valid to the line.
     return id.startsWith(src) && id.endsWith('.ts') ? { code: markPure(code), map: null } : null;
   },
 });

@@ -1,6 +1,6 @@
-// Shortens the names of the core's inner properties in the build for production: no minifier of the package's users may, since it
-// cannot know which names others rely on. Here that is known: a name is kept if it is in a declaration file, in a text, a property in
-// another door's code, or of JavaScript itself (the core uses nothing of browsers).
+// Shortens the names of the core's internal properties in the production build: the users' minifiers may not, since they
+// cannot know which names are public. A name is kept if it is in a declaration file, in a string, a property in
+// another entry's code, or of JavaScript itself (the core uses no browser API).
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseAst } from 'vite';
@@ -23,7 +23,7 @@ function nameAt(node) {
   return name?.type === 'Identifier' ? name : undefined;
 }
 
-/** Property names of a file, `{ name, start, end, isShorthand }` each, and the words of its texts. */
+/** Property names of a file, `{ name, start, end, isShorthand }` each, and the words in its strings. */
 function read(path) {
   const code = readFileSync(path, 'utf8');
   const names = [];
@@ -51,7 +51,7 @@ function* letters() {
   }
 }
 
-/** A short name for each that may change, the most used first. */
+/** A short name for each name that may change, the most used first. */
 function shortNames(files, kept, taken) {
   const counts = new Map();
   for (const { name } of files.flatMap(({ names }) => names)) counts.set(name, (counts.get(name) ?? 0) + 1);
@@ -75,13 +75,13 @@ function rewrite({ path, code, names }, short) {
       const use = isShorthand ? `${short.get(name)}: ${name}` : short.get(name);
       return text.slice(0, start) + use + text.slice(end);
     }, code);
-  // No line moves: the source map stays good to the line.
+  // No line moves, so the source map stays valid to the line.
   writeFileSync(path, changed);
 }
 
 /**
  * Rewrites the core in `folder` (index.js and the chunks). `own` are the texts of the package's declaration files, `language` of
- * JavaScript's. Throws where it finds next to nothing to shorten: then the lists are wrong.
+ * JavaScript's. Throws if there is almost nothing to shorten: then the lists are wrong.
  */
 export function shortenNames(folder, { own, language }) {
   const list = (path) => readdirSync(path).filter((file) => file.endsWith('.js'));

@@ -1,4 +1,4 @@
-// What each use of the package costs a page: bundled for production and minified by esbuild, gzip level 9, in bytes.
+// Size that each use of the package adds to a page: bundled for production and minified by esbuild, gzip level 9, in bytes.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
@@ -53,7 +53,7 @@ export const USES = [
   },
 ];
 
-/** Bundles of which nothing may be left, by what they import. */
+/** Imports of which nothing may remain in a bundle. */
 const NOTHING = [
   [`import 'galaxy-touchdown';`, 0],
   [`import 'galaxy-touchdown/hud'; import 'galaxy-touchdown/scene';`, 0],
@@ -86,22 +86,22 @@ export async function measure(folder) {
       ? await minifiedStyles(join(folder, 'node_modules/galaxy-touchdown', file))
       : await bundle(folder, code, conditions);
     const strange = without.find((word) => text.includes(word));
-    if (strange !== undefined) throw new Error(`${name}: its bundle has “${strange}” in it`);
+    if (strange !== undefined) throw new Error(`${name}: its bundle contains “${strange}”`);
     rows.push({ name, most, size: gzipped(text) });
   }
   return rows;
 }
 
-/** Share by which the table may be off: a change of a line is no reason to write it anew. */
+/** Share by which the table may be off, so that it need not follow every change. */
 const SLACK = 0.05;
 
 /** Row of README.md's table of sizes: `| name | 12.3 kB |`. */
-function toldSize(readme, name) {
+function statedSize(readme, name) {
   const row = readme.split('\n').find((line) => line.startsWith(`| ${name} `));
   return row === undefined ? NaN : Number(/\| +([\d.]+) kB/.exec(row)?.[1]);
 }
 
-/** Throws where a use is too large, unused code comes along, or README.md says another size than measured. */
+/** Throws if a use is too large, unused code remains, or README.md gives another size than measured. */
 export async function checkSizes(folder) {
   for (const [code, most] of NOTHING) {
     const text = await bundle(folder, code);
@@ -114,7 +114,7 @@ export async function checkSizes(folder) {
   const rows = await measure(folder);
   for (const { name, most, size } of rows) {
     if (size > most * 1000) throw new Error(`${name}: ${size} bytes gzipped, expected at most ${most} kB`);
-    const told = toldSize(readme, name);
+    const told = statedSize(readme, name);
     if (!(Math.abs(told * 1000 - size) <= Math.max(500, SLACK * size)))
       throw new Error(`${name}: README.md says ${told} kB, measured ${(size / 1000).toFixed(1)} kB`);
   }

@@ -1,4 +1,4 @@
-// The tools that the package is checked with, and temporary projects that see nothing of this repository.
+// The tools for checking the package, and temporary projects outside of this repository.
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -11,7 +11,7 @@ export const PACKAGE = join(root, 'dist/package');
 const HOME = join(root, 'node_modules/.cache/touchdown/packageTools');
 const PINS = join(root, '.ci/package/tools');
 
-/** Runs a program; throws with what it printed where it fails. Returns what it printed. */
+/** Runs a program and returns its output. Throws with the output if it fails. */
 export function run(command, args, cwd) {
   const shell = process.platform === 'win32' && command === 'npm';
   const { status, stdout, stderr, error } = spawnSync(command, args, { cwd, encoding: 'utf8', shell });
@@ -20,7 +20,7 @@ export function run(command, args, cwd) {
   return `${stdout}${stderr}`;
 }
 
-/** Installs the tools as their lock says, where that has not been done. */
+/** Installs the tools of their lock file, unless they are installed. */
 export function installTools() {
   const lock = readFileSync(join(PINS, 'package-lock.json'), 'utf8');
   const stamp = join(HOME, 'installed.json');
@@ -34,7 +34,7 @@ export function installTools() {
 /** Path of a file of the tools. */
 export const tool = (path) => join(HOME, 'node_modules', path);
 
-/** Packs the package; throws where npm has anything to warn of. Returns the path of the tarball. */
+/** Packs the package and returns the path of the tarball. Throws if npm warns of anything. */
 export function pack(folder) {
   const printed = run('npm', ['pack', PACKAGE, '--loglevel=warn', '--pack-destination', folder], root);
   const warning = printed.split('\n').find((line) => /npm (warn|error)/i.test(line) && !/nodedir/.test(line));

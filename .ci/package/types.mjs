@@ -5,7 +5,7 @@ import { dirname, join, resolve } from 'node:path';
 import { rollup } from 'rollup';
 import { dts } from 'rollup-plugin-dts';
 
-/** Declarations import each other as the sources do: without an extension, and folders by their index. */
+/** Declarations import each other like the sources: without extension, and folders by their index. */
 const besideEachOther = {
   name: 'beside-each-other',
   resolveId(id, from) {

@@ -11,7 +11,7 @@ const MODULES = [
   ['nodenext', 'nodenext'],
 ];
 
-/** What a declaration file exports: values by name, types with an argument where they need one. */
+/** The exports of a declaration file: values by name, types with an argument if they need one. */
 function exportsOf(code) {
   const lists = [...code.matchAll(/^export (type )?\{([^}]*)\};/gm)];
   const names = (isType) =>
@@ -24,7 +24,7 @@ function exportsOf(code) {
   return { values: names(false), types };
 }
 
-/** A program that names every export of every door; an export whose type got lost is `any`, and `used` refuses it. */
+/** A program that names every export of every entry; an export that has lost its type is `any`, which `used` refuses. */
 function program(folder, doors, extension) {
   const lines = doors.map((door, i) => {
     const code = readFileSync(join(folder, `node_modules/galaxy-touchdown/${door}.${extension}`), 'utf8');
@@ -73,12 +73,12 @@ function optionsOf(ts, [module, moduleResolution]) {
     lib: ['lib.es2022.d.ts', 'lib.dom.d.ts'],
     types: [],
     ...{ strict: true, exactOptionalPropertyTypes: true, skipLibCheck: false, noEmit: true },
-    // On by default from TypeScript 6 on.
+    // Default from TypeScript 6 on.
     ...(ts.versionMajorMinor >= '5.6' ? { noUncheckedSideEffectImports: true } : {}),
   };
 }
 
-/** What the compiler says of the programs and of the package's declarations. */
+/** The compiler's errors in the programs and in the package's declarations. */
 function faultsOf(ts, files, modules, kept) {
   const options = optionsOf(ts, modules);
   const program = ts.createProgram(files, options, hostOf(ts, options, kept));
@@ -106,7 +106,7 @@ export function checkTypes(folder) {
     .filter((file) => file.endsWith('.d.ts'))
     .map((file) => file.slice(0, -5))
     .filter(isDoor);
-  // The core first: the program's own lines are about it.
+  // The core first: the program's additional lines use it.
   doors.sort((a, b) => Number(b === 'index') - Number(a === 'index'));
   writeFileSync(join(folder, 'program.ts'), program(folder, doors, 'd.ts'));
   writeFileSync(join(folder, 'program.cts'), program(folder, doors, 'd.cts'));

@@ -13,7 +13,7 @@ import type { Tempo } from './time/tempo';
 
 /**
  * The world loop that plays the server (PREDICTION, Server messages; DYNAMICS, Time). It has no clock, no random numbers and
- * no transport: wall seconds are arguments, messages are plain records. Orders return null, or the reason why they changed nothing.
+ * no transport: wall seconds are arguments, messages are plain records. Commands return null, or the reason why they changed nothing.
  */
 export interface Authority {
   /** The present tick boundary. */
@@ -24,11 +24,11 @@ export interface Authority {
 
   /**
    * A player joins or rejoins. It flies `shipId`, which may be spawned later; '' is a spectator.
-   * @returns the hello to send it; null where the server sends none (`legacy`)
+   * @returns the hello to send it; null if the server sends none (`legacy`)
    */
   join: (playerId: string, shipId: string) => Result<Hello | null>;
   leave: (playerId: string) => string | null;
-  /** Handles a client's message: the pong for a ping, null for inputs, or the reason why (part of) it was refused; counted. */
+  /** Handles a client's message: returns the pong for a ping, null for inputs, or the reason why (part of) it was refused. */
   receive: (playerId: string, message: ClientMessage, now: number) => Result<Pong | null>;
 
   /**
@@ -66,7 +66,7 @@ export function createAuthority(options: AuthorityOptions): Result<Authority> {
   const server = created.value;
   const { ships, bodies, world, tempo, pilots, schedule } = server;
 
-  /** An order may change the world between two frames: the next frame is built from scratch. */
+  /** A command may change the world between two frames: the next frame is built from scratch. */
   function ordered<T>(result: T): T {
     server.frame = null;
     return result;

@@ -14,12 +14,12 @@ import {
 } from '../dynamics';
 import type { BodyState, InputRecord } from '../wire';
 
-/** The world of an authority, and how it talks to clients. */
+/** The world of an authority, and its protocol with clients. */
 export interface AuthorityOptions {
   /** Settings that differ from the defaults. */
   readonly settings?: Partial<Settings>;
   readonly shipClasses: readonly ShipClass[];
-  /** At the first tick; afterwards each moves by its velocity and turns by its angular velocity. */
+  /** The bodies at the first tick; afterwards each moves by its velocity and turns by its angular velocity. */
   readonly bodies: readonly BodyState[];
   /** The terrain's name in the hello, and the key into `terrains`. */
   readonly terrain: string;
@@ -28,11 +28,11 @@ export interface AuthorityOptions {
   readonly tickRate: number;
   /** 0.1–100. */
   readonly timeScale: number;
-  /** The number of the first tick boundary; 0 by default. */
+  /** Number of the first tick boundary; 0 by default. */
   readonly tick?: number;
   /** 'tick': inputs act at tick starts alone. 'substep' by default. */
   readonly inputGranularity?: 'substep' | 'tick';
-  /** Talks as the game's own server does: no hello, no ShipState fields 31–34, no acknowledgements, whole-tick inputs. */
+  /** Behaves like the game's own server: no hello, no ShipState fields 31–34, no acknowledgements, whole-tick inputs. */
   readonly legacy?: boolean;
   /** Called when a pilot's input acts on its ship, so that the flight can be replayed. Must not throw. */
   readonly onInput?: (shipId: string, input: Omit<InputRecord, 'seq'>) => void;

@@ -27,7 +27,7 @@ export interface ServerState {
   tick: number;
   /** Events of the interval that ended at the present boundary. */
   events: WorldEvent[];
-  /** The present frame without its acknowledgement, the same for all pilots; null until one is asked for. */
+  /** The present frame without its acknowledgement, shared by all pilots; null until first requested. */
   frame: Omit<ServerFrame, 'lastInput'> | null;
 }
 
@@ -53,12 +53,12 @@ export function createServerState(options: AuthorityOptions): Result<ServerState
   });
 }
 
-/** The boundary at which inputs act: 'tick' for a server of the game's own kind, which has no substeps. */
+/** When inputs act: 'tick' for a server like the game's own, which has no substeps. */
 export function granularityOf({ legacy, inputGranularity }: AuthorityOptions): 'substep' | 'tick' {
   return legacy ? 'tick' : (inputGranularity ?? 'substep');
 }
 
-/** The server's present, as inputs are queued and applied against it. */
+/** The server's present, for queueing and applying inputs. */
 export function presentOf({ options, tempo, schedule, tick }: ServerState): Present {
   const tickRate = tempo.tickRate();
   return {

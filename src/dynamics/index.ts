@@ -1,4 +1,4 @@
-/** The law of motion and contact: what the server computes and the client computes the same. See DYNAMICS.md here. */
+/** The law of motion and contact, the same on server and client (DYNAMICS.md). */
 
 /** Columns of a ship's and a body's row, states, modes, events. */
 export * from './state/layout';
@@ -23,7 +23,7 @@ export {
 } from './constants/body';
 /** The game's ship classes and bodies. */
 export { BODIES, SHIP_CLASSES } from './constants/catalogue';
-/** What a pilot commands. */
+/** A pilot's controls. */
 export {
   attitudeModeOf,
   type Controls,
@@ -38,22 +38,22 @@ export {
 export { landedBodyName, readShip, type ShipInit, type ShipRecord, spawnShip, writeShip } from './state/ship';
 /** The step of one ship. */
 export { substep } from './substep';
-/** The step of a world, and how ticks are cut. */
+/** The step of a world, and the division of ticks into substeps. */
 export { beginTick, endTick, loadTiming, stepWorld, type Timing, timingOfTick } from './tick';
 export type { HeightInPlace, TerrainHeight, World } from './constants/world';
 /** A world: plain data in, constants out. */
 export { loadWorld, type WorldData } from './constants/loadWorld';
-/** Which way the ground faces under a ship's feet. */
+/** The surface normal under a ship's feet. */
 export { type GroundUnderShip, writeGroundNormal } from './contact/groundNormal';
-/** Re-choosing the reference body at a tick's start. */
+/** The choice of the reference body at a tick's start. */
 export { chooseReferenceBody } from './referenceBody';
 /** Sine and cosine with the same bits everywhere, for configuration and scenarios. */
 export { cosineOfDegrees, sineOfDegrees } from './arithmetic/angles';
-/** Which state may follow which. */
+/** The table of state transitions. */
 export { isTransitionAllowed } from './state/stateTransitions';
-/** One number for a trajectory's bits. */
+/** A hash of a trajectory's bits. */
 export { hashRows } from './state/hash';
-/** A terrain that is asked in scratch doubles. */
+/** Terrain look-ups in scratch doubles. */
 export { HEIGHT, readHeight, terrainInPlace } from './terrain/inPlace';
 /** Terrain made of + − × ÷ √. */
 export { flatTerrain, hillsTerrain, LANDING_SITE, TERRAINS } from './terrain/terrain';

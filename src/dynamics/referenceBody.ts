@@ -12,8 +12,8 @@ import {
 import type { World } from './constants/world';
 
 /**
- * At a tick's start: a flying ship goes over to the body with the smallest distance / radius (ties to the body listed first), its
- * relative state re-derived from both bodies' positions and velocities (DYNAMICS, Frame).
+ * At a tick's start: a flying ship takes the body with the smallest distance / radius (ties: the body listed first) as reference; its
+ * relative state is converted with both bodies' positions and velocities (DYNAMICS, Frame).
  */
 export function chooseReferenceBody(
   ships: Float64Array,

@@ -1,4 +1,4 @@
-/** What a validation gives: the checked value, or a reason that names the field. Nothing here throws. */
+/** The result of a validation: the checked value, or a reason that names the invalid field. Nothing here throws. */
 export type Result<T> =
   { readonly ok: true; readonly value: T } | { readonly ok: false; readonly reason: string };
 
@@ -17,19 +17,19 @@ export type Quat = readonly [number, number, number, number];
 /** Row by row. */
 export type Mat3 = readonly [Vec3, Vec3, Vec3];
 
-/** The reason why `value` is not a finite number, or null. */
+/** Why `value` is not a finite number, or null. */
 export function notFinite(field: string, value: unknown): string | null {
   if (typeof value === 'number' && Number.isFinite(value)) return null;
   return `${field}: expected a finite number, got ${describe(value)}`;
 }
 
-/** The reason why `value` is not `length` finite numbers, or null. */
+/** Why `value` is not `length` finite numbers, or null. */
 export function notFiniteTuple(field: string, value: unknown, length: number): string | null {
   if (!Array.isArray(value) || value.length !== length) {
     return `${field}: expected ${String(length)} numbers, got ${describe(value)}`;
   }
   for (let i = 0; i < length; i++) {
-    // The field's text is made only for a refusal: valid tuples are checked without garbage.
+    // The field's name is built only for a refusal: valid tuples are checked without allocation.
     if (!Number.isFinite(value[i])) return notFinite(`${field}[${String(i)}]`, value[i]);
   }
   return null;

@@ -121,7 +121,7 @@ function begin(ships: Float64Array, at: number, bodies: Float64Array, world: Wor
   q[GROUND_SPIN + 2] = bodies[spin + 2]!;
 }
 
-/** Step 2: lift above the weight launches a landed or tipped ship; the substep goes on as flying. */
+/** Step 2: lift above the weight launches a landed or tipped ship; it flies for the rest of the substep. */
 function launches(): boolean {
   const q = quantities;
   const state = q[SURFACE_STATE]!;
@@ -132,7 +132,7 @@ function launches(): boolean {
   return true;
 }
 
-/** Still landed: the ship turns with the ground, and that is all. */
+/** Still landed: the ship only turns with the ground. */
 function stayLanded(step: Step): number {
   turnPlaceWithGround(step);
   turnAttitudeWithGround(step);

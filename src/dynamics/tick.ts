@@ -6,7 +6,7 @@ import type { Settings } from './constants/settings';
 import { substep } from './substep';
 import type { World } from './constants/world';
 
-/** How a tick is cut into substeps (DYNAMICS, Time). */
+/** The division of a tick into substeps (DYNAMICS, Time). */
 export interface Timing {
   /** Game seconds per tick: time scale / tick rate. */
   readonly tickSeconds: number;
@@ -35,10 +35,10 @@ export function loadTiming(
   return ok(timingOfTick(timeScale / tickRate, contactLongestSubstep));
 }
 
-/** A tick longer by this share of a substep than whole substeps is still cut into those: it is rounding, as in 0.1 + 0.2. */
+/** In substeps: a tick longer than a whole number of substeps by no more than this is rounding, as in 0.1 + 0.2. */
 const ROUNDING = 1e-9;
 
-/** Timing of a tick of `tickSeconds` > 0 of game time, cut into substeps of at most `longestSubstep` seconds. */
+/** Timing of a tick of `tickSeconds` > 0 of game time, divided into substeps of at most `longestSubstep` seconds. */
 export function timingOfTick(tickSeconds: number, longestSubstep: number): Timing {
   const whole = Math.ceil(tickSeconds / longestSubstep - ROUNDING);
   const substeps = whole > 1 ? whole : 1;
@@ -51,8 +51,8 @@ export function beginTick(ships: Float64Array, bodies: Float64Array, world: Worl
 }
 
 /**
- * One substep of all ships and bodies: `events[i]` is what ship i reported (EVENT_NAMES).
- * Ships do not meet each other, so any subset of them steps to the same bits.
+ * One substep of all ships and bodies: `events[i]` is the event of ship i (EVENT_NAMES).
+ * Ships do not interact, so any subset of them gives the same bits.
  */
 export function stepWorld(
   ships: Float64Array,
@@ -68,7 +68,7 @@ export function stepWorld(
   settleBodies(bodies, count);
 }
 
-/** At a tick's end: the bodies have moved on by the tick. */
+/** At a tick's end: moves the bodies by the tick. */
 export function endTick(bodies: Float64Array, world: World, timing: Timing): void {
   moveBodies(bodies, world.bodies.length, timing.tickSeconds);
 }

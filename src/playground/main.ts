@@ -1,6 +1,6 @@
 import type { ToServer } from './server/connection';
 
-// One program for page and worker: what both need is fetched once.
+// One program for page and worker, so that shared code is loaded once.
 if (typeof document === 'undefined') {
   const early: MessageEvent<ToServer>[] = [];
   self.onmessage = (event: MessageEvent<ToServer>) => early.push(event);

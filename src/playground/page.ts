@@ -12,10 +12,10 @@ import { openSceneView, watchContext } from './view/graphics';
 import { createResolution } from './view/resolution';
 import { steerCamera } from './input/pointer';
 
-/** Said from the page's opening until its first picture, where nothing else is to be said. */
+/** Shown from the page's opening until its first picture, unless there is another message. */
 const BUILDING = 'Building the ground …';
 
-/** The playground: wires hands, server, predictor, HUDs and picture together. `program`: address of the main module. */
+/** The playground: connects controls, server, predictor, HUDs and scene. `program`: address of the main module. */
 export function begin(document: Document, program: string): void {
   const window = document.defaultView!;
   const part = (id: string) => document.getElementById(id)!;
@@ -75,7 +75,7 @@ async function joinRace(query: URLSearchParams, { runs, notice }: Page, { game }
   notice.tell(`Race ${race.by}: ${race.score.total} points in ${seconds} s. Their ship flies beside yours.`);
 }
 
-/** The page's own store; a browser may forbid even asking for it. */
+/** The page's storage; a browser may forbid even access to it. */
 function storeOf(window: Window): Storage | null {
   try {
     return window.localStorage;

@@ -1,4 +1,4 @@
-/** What of Trusted Types is used here; not every browser has them. */
+/** The members of Trusted Types that are used; not every browser has them. */
 interface TrustedTypes {
   readonly createPolicy: (
     name: string,
@@ -9,8 +9,8 @@ interface TrustedTypes {
 let policy: { readonly createScriptURL: (url: string) => string } | undefined;
 
 /**
- * The address of a program of our own, as a page under `require-trusted-types-for 'script'` takes it for workers.
- * @throws where a policy named `touchdown` is not allowed by the host
+ * The address of one of our programs, in the form that a page under `require-trusted-types-for 'script'` accepts for workers.
+ * @throws if the host does not allow a policy named `touchdown`
  */
 export function scriptUrl(url: string): string {
   const { trustedTypes } = globalThis as { trustedTypes?: TrustedTypes };

@@ -1,2 +1,2 @@
-/** The version of the messages, and its compatibility with others, for all that write, read and use a hello. */
+/** The version of the messages, and its compatibility with others. */
 export { FIRST_VERSION, matchVersion, PROTOCOL_VERSION } from './version';

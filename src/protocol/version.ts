@@ -1,15 +1,15 @@
 /**
- * This code's version of the messages, "major.minor". A minor version adds what an older reader may skip; a major version changes
+ * The version of this code's messages, "major.minor". A minor version adds members that an older reader may ignore; a major version changes
  * existing messages.
  */
 export const PROTOCOL_VERSION = '1.0';
-/** The version of a server that sends none. */
+/** The version assumed for a server that sends none. */
 export const FIRST_VERSION = '1.0';
 
 /** Compatibility of a server's version with PROTOCOL_VERSION: `newer` has a higher minor, `foreign` another major or is no version. */
 type VersionMatch = 'same' | 'older' | 'newer' | 'foreign';
 
-/** Compares "major.minor" or "major" alone (minor 0) with PROTOCOL_VERSION; absent is FIRST_VERSION. Never throws, whatever is given. */
+/** Compares "major.minor" or "major" alone (minor 0) with PROTOCOL_VERSION; absent counts as FIRST_VERSION. Never throws. */
 export function matchVersion(version: unknown): VersionMatch {
   const given = version ?? FIRST_VERSION;
   const theirs = VERSION.exec(typeof given === 'string' ? given : '');

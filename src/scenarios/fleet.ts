@@ -24,11 +24,11 @@ export function fleetOrders(loaded: LoadedScenario, count: number, seed: number)
 }
 
 const NAMES = ['Heron', 'Kestrel', 'Wagtail', 'Curlew', 'Dunnock', 'Plover'];
-/** Distance between ships, m: twice the largest class's legs, and room to slide. */
+/** Distance between ships, m: twice the largest class's footprint, and room to slide. */
 const SPACING = 40;
 const DEGREES_PER_RADIAN = 180 / 3.141592653589793;
 
-/** The i-th place on a square grid around the site; the site itself stays free. */
+/** The i-th position on a square grid around the site, which itself stays free. */
 function scattered(
   scenario: Scenario,
   radius: number,

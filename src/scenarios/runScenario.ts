@@ -32,7 +32,7 @@ export interface ScenarioRun {
   /** The body's row at the same boundaries. */
   readonly bodies: Float64Array;
   readonly events: readonly ScenarioEvent[];
-  /** Transitions between surface states that the state transitions table does not have; empty unless the dynamics are broken. */
+  /** Transitions that are not in the state transitions table; empty unless the dynamics are broken. */
   readonly illegalTransitions: readonly string[];
   /** Hash of all ship rows, bit by bit. */
   readonly hash: number;

@@ -1,6 +1,6 @@
 import type { Scenario } from './scenario';
 
-/** Where scenarios begin by default. */
+/** The default start of scenarios. */
 export const START: Pick<
   Scenario,
   'body' | 'shipClass' | 'settings' | 'terrain' | 'tickRate' | 'timeScale' | 'site' | 'inputs'
@@ -12,7 +12,7 @@ export const START: Pick<
   // The game's defaults.
   tickRate: 1,
   timeScale: 1,
-  // LANDING_SITE of the hills, level within 350 m.
+  // LANDING_SITE of hillsTerrain, level within 350 m.
   site: { latitude: 28.6854, longitude: 43.15239 },
   inputs: [],
 };

@@ -15,7 +15,7 @@ import type { ShipActor } from './ships/shipActor';
 import type { SceneView } from './sceneView';
 import { aimCone } from './camera/viewCone';
 
-/** s: a longer pause between two pictures raises no more dust than this one. */
+/** s: a longer pause between two frames raises no more dust than this. */
 const LONGEST_STEP = 0.25;
 
 /**
@@ -68,7 +68,7 @@ export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): Sc
     zoomCamera: (factor) => zoomRig(rig, factor, 8),
     setCamera(view) {
       state.cameraView = view;
-      // The eye goes over at once: half-way between two cameras there is nothing to see.
+      // The eye changes at once: there is nothing to see half-way between two cameras.
       releaseRig(rig);
     },
     resetCamera() {
@@ -81,7 +81,7 @@ export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): Sc
   };
 }
 
-/** One picture; each step uses what the steps before it computed. */
+/** Draws one frame; each step uses the results of the steps before it. */
 function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seconds: number): void {
   const waited = Number.isNaN(state.before) ? 0 : Math.max(seconds - state.before, 0);
   state.before = seconds;
@@ -109,7 +109,7 @@ function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seco
   parts.renderer.render(parts.scene, parts.camera);
 }
 
-/** To be called before ships raise dust: it sets the time at which grains are thrown. */
+/** Call before ships raise dust: sets the time at which grains are emitted. */
 function updateDust({ parts }: SceneState, gravity: number, seconds: number): void {
   const pixels = parts.renderer.domElement.height / (2 * Math.tan((parts.camera.fov * Math.PI) / 360));
   parts.dust.update(seconds, gravity, pixels);
@@ -167,7 +167,7 @@ function resize({ parts, opening }: SceneState, width: number, height: number, p
   renderer.setPixelRatio(pixelRatio);
   renderer.setSize(width, height, false);
   camera.aspect = width / height;
-  // A tall window sees as much to the sides as a square one.
+  // A tall window has the horizontal field of view of a square one.
   camera.fov = camera.aspect >= 1 ? 48 : 62;
   camera.updateProjectionMatrix();
   opening.upright = Math.tan((camera.fov * Math.PI) / 360);

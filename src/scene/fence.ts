@@ -1,7 +1,7 @@
-/** Reports when the GPU has finished what it was given before the fence was set. */
+/** Reports when the GPU has finished all commands before the fence. */
 export interface Fence {
   readonly set: () => void;
-  /** False before `set`. Asked again in a later task: within one task the answer stays. */
+  /** False before `set`. Call it again in a later task: within one task the answer does not change. */
   readonly isPassed: () => boolean;
 }
 

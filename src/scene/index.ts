@@ -1,4 +1,4 @@
-/** The picture, drawn with three.js alone: scene view, ships, ground, sky, dust, overlays, floating origin. */
+/** The three.js view: scene view, ships, ground, sky, dust, overlays, floating origin. */
 export { FINE, type Quality, qualityFor } from './quality';
 export { createSceneView } from './createSceneView';
 export { NIGHT_ELEVATION } from './sky/underSun';

@@ -1,4 +1,4 @@
-/** Costly parts of the picture where the processor draws: together they take more than half of the time there. */
+/** Costly parts of the picture in software rendering: together they take more than half of the time. */
 export interface Quality {
   readonly antialias: boolean;
   /** Samples along the ground as it is seen at a grazing angle. */
@@ -11,7 +11,7 @@ const QUICK: Quality = { antialias: false, anisotropy: 1 };
 const BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
 /**
- * What the machine keeps up with, by the renderer's name; a browser that hides it is assumed to draw with a GPU.
+ * Quality for this machine, by the renderer's name; a browser that hides it is assumed to use a GPU.
  *
  * @example
  * ```ts

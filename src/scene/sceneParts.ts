@@ -21,7 +21,7 @@ import { createSunlight } from './sky/sunlight';
 /** Everything that is drawn, and the renderer. Created once; `disposeParts` releases the GPU's memory. */
 export type SceneParts = ReturnType<typeof createParts>;
 
-/** @throws where there is no WebGL 2 */
+/** @throws without WebGL 2 */
 export function createParts(canvas: HTMLCanvasElement, quality: Quality) {
   const renderer = createRenderer(canvas, quality);
   const detail = createDetailTexture(quality.anisotropy);

@@ -12,11 +12,11 @@ import { lookOf } from './sky/bodyLook';
 import { type SceneLook, underSun } from './sky/underSun';
 import { createCone, type ViewCone } from './camera/viewCone';
 
-/** The eye's first direction from the ship, rad: on the shadow's side, a little above the ground. */
+/** The eye's initial direction from the ship, rad: on the shadow's side, slightly above the ground. */
 export const FIRST_AZIMUTH = 1.9;
 export const FIRST_ELEVATION = 0.16;
 
-/** The scene view's state between pictures. */
+/** The scene view's state between frames. */
 export interface SceneState {
   readonly parts: SceneParts;
   readonly actors: Actors;
@@ -36,7 +36,7 @@ export interface SceneState {
   sunElevation: number | null;
   cameraView: CameraView;
   watchedClass: string;
-  /** Clock of the last picture, s; NaN before the first. */
+  /** Clock of the last frame, s; NaN before the first. */
   before: number;
 }
 

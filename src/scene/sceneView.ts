@@ -14,10 +14,10 @@ export interface SceneView {
   screenAxes(out: Float64Array): boolean;
   /** Metres that a CSS pixel spans at the ship's distance. */
   pixelSize(): number;
-  /** The terrain from the next draw on; flat before the first call. */
+  /** Sets the terrain from the next draw on; flat before the first call. */
   setTerrain(terrainHeight: TerrainHeight): void;
   /**
-   * How high the sun is over the landing site, degrees; at or below 0 it is night. null: as the body has it by default. Takes effect
+   * Elevation of the sun at the landing site, degrees; at or below 0 it is night. null: the body's default. Takes effect
    * with the next draw, which lays out the ground again.
    */
   setSunElevation(elevation: number | null): void;

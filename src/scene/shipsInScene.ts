@@ -22,7 +22,7 @@ export function poseShips(state: SceneState, view: WorldView, watched: ShipView,
   poseActors(state.actors, view, watched.body, place, (actor, ship) => {
     if (ship.own || isFew) raise(state, actor, ship, seconds);
     const isWreck = ship.shownState === 'crashed';
-    // A ship met as a wreck crashed before it was seen.
+    // A ship first seen as a wreck crashed earlier.
     if (isWreck && !actor.wasWreck && actor.posed > 1)
       parts.crash.begin(actor.place, 2 * actor.height, state.groundY);
     actor.wasWreck = isWreck;
@@ -76,7 +76,7 @@ function sunlitShare(over: number, height: number): number {
 
 /** m: between the points that a shadow's slope is taken from. */
 const SLOPE_SPAN = 4;
-/** m: a ship that moved by less throws the shadow it threw. The slope under it is asked for less often. */
+/** m: a ship that has moved by less keeps its shadow. The slope under it is computed less often. */
 const SHADOW_STEP = 0.03;
 const SLOPE_STEP = 1.5;
 
@@ -92,7 +92,7 @@ function throwShadow({ parts, rig, groundY }: SceneState, { place, height, shado
   parts.shadows.put(place, shadow.at, shadow.normal, rig.eye, height);
 }
 
-/** False for a place that was never set (NaN). */
+/** False for a position that was never set (NaN). */
 function isWithin(distance: number, from: Float64Array, to: Float64Array): boolean {
   const x = to[0]! - from[0]!;
   const y = to[1]! - from[1]!;

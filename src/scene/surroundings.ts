@@ -4,7 +4,7 @@ import { paintGround } from './ground/groundMaterial';
 import { layFrame, toBodyAxes, toLocalPoint, turnOfFrame } from './localFrame';
 import { frameOf, type SceneState } from './sceneState';
 import { clearActors } from './ships/actors';
-import { LEAST_HEIGHT } from './ships/shipActor';
+import { MIN_HEIGHT } from './ships/shipActor';
 import { lookOf } from './sky/bodyLook';
 import { underSun } from './sky/underSun';
 
@@ -43,7 +43,7 @@ function lay(state: SceneState, view: WorldView, ship: ShipView): void {
   crash.clear();
   releaseRig(state.rig);
   clearActors(state.actors, jets);
-  // All of the ground before the first picture of it: otherwise the ship would be over a void.
+  // All of the ground before its first frame: otherwise the ship would be above nothing.
   toLocalPoint(state.point, frame, turnOfFrame(state.turn, frame, body.attitude), ship.meshPosition);
   ground.follow(state.point[0]!, state.point[2]!, Infinity);
 }
@@ -53,7 +53,7 @@ export function showWatchedClass(state: SceneState, watched: ShipView): void {
   const { shipClass } = watched;
   if (shipClass.name === state.watchedClass) return;
   state.watchedClass = shipClass.name;
-  state.rig.distance = FIRST_DISTANCE * Math.max(shipClass.groundContactOffset, LEAST_HEIGHT);
+  state.rig.distance = FIRST_DISTANCE * Math.max(shipClass.groundContactOffset, MIN_HEIGHT);
   state.parts.overlays.setGhostHull(state.parts.shipResources.cache.model(watched).geometry);
   releaseRig(state.rig);
 }

@@ -1,4 +1,4 @@
-/** Bytes and the game's JSON <-> checked plain records. Later rooms see nothing else from outside. */
+/** Bytes and the game's JSON <-> checked plain records. Other rooms see outside data only as these records. */
 
 /** The checked records. */
 export type * from './records';
@@ -20,7 +20,7 @@ export {
   encodeShipStateJson,
   type ShipStateJson,
 } from './json/shipStateJson';
-/** The reason why a text cannot be a name or an id on the wire. */
+/** Why a string cannot be a name or an id on the wire. */
 export { textComplaint } from './fields/reading';
 /** Limits of a message. */
 export {

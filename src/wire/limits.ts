@@ -11,7 +11,7 @@ export const MAX_CLIENT_BYTES = 1024 * 1024;
 export const MAX_SHIPS = 10_000;
 export const MAX_BODIES = 256;
 export const MAX_SHIP_CLASSES = 256;
-/** Ticks: 1.4 million years at 100 Hz; sums of two stay exact. */
+/** Ticks: 1.4 million years at 100 Hz; sums of two are exact. */
 export const MAX_TICK = 2 ** 52;
 export const MAX_EVENTS = 100_000;
 export const MAX_INPUTS = 1000;
@@ -40,8 +40,8 @@ export const SHIP_HEIGHT: Bound = { low: 0, high: 1e6, unit: 'm' };
 export const NEWTON_METRE_SECONDS: Bound = { low: -1e25, high: 1e25, unit: 'N m s' };
 /** A billion suns. */
 export const BODY_MASS: Bound = { low: 0, high: 1e40, unit: 'kg' };
-/** Any figure of a ship class, in its own unit. */
+/** Any number of a ship class, in its own unit. */
 export const CLASS_FIGURE: Bound = { low: -1e15, high: 1e15, unit: '' };
 export const WALL_SECONDS: Bound = { low: -1e9, high: 1e9, unit: 's' };
-/** Game time, s since 1970: far beyond what ISO 8601 can write. */
+/** Game time, s since 1970: far beyond the range of ISO 8601. */
 export const GAME_SECONDS: Bound = { low: -1e13, high: 1e13, unit: 's' };

@@ -2,7 +2,7 @@ import type { Result } from '../dynamics';
 import { type Reading, refuse } from './fields/reading';
 
 /**
- * Refuses the message if one of dynamics' loaders refused its contents. The loader's reason is
+ * Refuses the message if a loader of dynamics refused its contents. The loader's reason is
  * "`prefix`field: what was expected"; the field gets its name on the wire.
  */
 export function refuseLoaded(r: Reading, loaded: Result<unknown>, prefix: string): void {

@@ -4,8 +4,8 @@ import type { ServerMessage, WorldEvent } from './records';
 import { decodeServerMessage } from './messages/serverMessage';
 
 /**
- * An undecoded message of the server: a page that was hidden for minutes decodes only the newest frame, and the events of those before
- * it (PREDICTION, Absence).
+ * An undecoded message of the server: a page that was hidden for minutes decodes only the newest frame, and the events of the earlier
+ * ones (PREDICTION, Absence).
  */
 export interface PendingMessage {
   /** Whether it is a frame, which a newer one supersedes. */

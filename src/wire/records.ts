@@ -40,7 +40,7 @@ export interface ShipState {
   readonly wheelMomentum: Vec3 | null;
   /** Height of the centre of mass above the feet, m; null if the server does not send it: the class's then applies. */
   readonly groundContactOffset: number | null;
-  /** The body it touches; empty in flight. */
+  /** Name of the body that it touches; empty in flight. */
   readonly landedBodyName: string;
   /** One of SURFACE_STATES, or a state that only the server knows. */
   readonly surfaceContactState: string;
@@ -104,7 +104,7 @@ export interface InputAcknowledgement {
   /** When it was applied; later than its stamp if it arrived late. */
   readonly tick: number;
   readonly substep: number;
-  /** Wall seconds before the server simulated its stamp's substep that it arrived; negative: late. */
+  /** How long it arrived before the server simulated its stamp's substep, wall s; negative: late. */
   readonly margin: number;
 }
 
@@ -118,7 +118,7 @@ export interface ServerFrame extends PartialFrame {
   readonly lastInput: InputAcknowledgement | null;
 }
 
-/** A frame with at least tick and ships; absent members were not sent. */
+/** A frame of which the server may send only tick and ships; absent members were not sent. */
 export interface PartialFrame {
   readonly kind: 'frame';
   readonly tick: number;

@@ -1,4 +1,4 @@
-/** The set-up of `npm start` and `npm test`, run as a program with an npm of our own that installs from nothing. */
+/** The set-up of `npm start` and `npm test`, run as a program with a fake npm. */
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -16,7 +16,7 @@ const LOCK = {
   },
 };
 
-/** Does to node_modules what `npm ci` does: empties it, then puts in what the lock says. */
+/** Does what `npm ci` does: empties node_modules, then installs the packages of the lock file. */
 const OWN_NPM = `
 const { mkdirSync, rmSync, writeFileSync, readFileSync } = require('node:fs');
 if (process.env.FAIL) { console.error(process.env.FAIL); process.exit(1); }
@@ -78,7 +78,7 @@ describe('the set-up', () => {
     const run = setUp('start', 'npm error code ENOTFOUND');
     expect(run.status).toBe(1);
     expect(run.err).toMatch(/ENOTFOUND[^]*registry cannot be reached/);
-    expect(setUp('banquet').err).toMatch(/say what for/);
+    expect(setUp('banquet').err).toMatch(/expected a purpose/);
   });
 });
 
@@ -109,7 +109,7 @@ describe('what the set-up decides', () => {
   it('names common causes', () => {
     expect(causeOf('npm error code ENOSPC')).toMatch(/disk is full/);
     expect(causeOf('npm error Missing: a@1.0.0 from lock file')).toMatch(/disagree/);
-    expect(causeOf('npm error code EODD')).toMatch(/npm’s own words/);
+    expect(causeOf('npm error code EODD')).toMatch(/npm’s output above/);
   });
 });
 

@@ -19,7 +19,7 @@ export interface Node {
   readonly [key: string]: unknown;
 }
 
-/** The files under `folder` whose path matches, tools' and generated ones left out. */
+/** The files under `folder` whose path matches, without generated ones. */
 export function filesUnder(folder: string, matching: RegExp): SourceFile[] {
   return readdirSync(join(ROOT, folder), { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())

@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { ROOT, filesUnder } from './source';
 import type { SourceFile } from './source';
 
-/** Everything at the top: what a reader opens first, and what tools ask for by name. */
+/** Everything at the top: what a reader opens first, and what tools look up by name. */
 const TOP = [
   ...['src', 'test', 'proto', 'public', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md'],
   ...['LICENSE', 'CHANGELOG.md'],
@@ -27,7 +27,7 @@ const TOP = [
   ],
 ];
 
-/** Not the project's: what it installs and makes, and what a person's own machine adds. */
+/** Not part of the project: installed and generated files, and those of a developer's machine. */
 const NOT_OURS = new Set([
   'node_modules',
   'dist',
@@ -40,10 +40,10 @@ const NOT_OURS = new Set([
 
 const MAX_LINES = 300;
 
-/** Of a folder without folders inside: more ask for rooms. */
+/** Most sources of a folder without folders. */
 const MAX_FILES = 12;
 
-/** "path: lines" of the files that ask for a split. */
+/** "path: lines" of the files that must be split. */
 function tooLong(files: readonly SourceFile[]): string[] {
   return files.flatMap(({ path, text }) => {
     const lines = text.trimEnd().split('\n').length;
@@ -51,7 +51,7 @@ function tooLong(files: readonly SourceFile[]): string[] {
   });
 }
 
-/** "folder: files" of the folders that ask for rooms of their own. Declarations beside a script count with it. */
+/** "folder: files" of the folders that need rooms. A declaration file counts with its script. */
 function crowded(paths: readonly string[]): string[] {
   const files = new Map<string, number>();
   for (const path of paths.filter((one) => !one.endsWith('.d.mts'))) {

@@ -11,7 +11,7 @@ const thrust = (authority: Authority) => frameOf(authority).ships[0]!.thrustLeve
 
 describe('inputs', () => {
   it('take effect from the start of the substep they name, to the bit', () => {
-    // Half the tick's substeps of engine are half the fuel.
+    // Half the tick's substeps of thrust burn half the fuel.
     const burnt = [0, 50, 99].map((substep) => {
       const authority = moonWith('opening');
       valueOf(send(authority, [input(1, 0, substep, { thrustLevel: 1 })], 0.1));
@@ -72,7 +72,7 @@ describe('inputs', () => {
     const first = input(1, 0, 0, { thrustLevel: 0.1 });
     valueOf(send(authority, [first, first], 0));
     valueOf(send(authority, [first, input(3, 0, 20, { thrustLevel: 0.3 })], 0));
-    // Sequence 2 was overtaken: stamped later than 3, it is not what the pilot wanted last.
+    // Sequence 2 is superseded: it arrived after 3.
     valueOf(send(authority, [input(2, 0, 50, { thrustLevel: 0.2 })], 0));
     runTo(authority, 1);
     expect(thrust(authority)).toBe(0.3);
@@ -103,7 +103,7 @@ describe('inputs', () => {
     expect(send(authority, [input(1, 0, 0, { thrustLevel: 1 })], 0, 'stranger').ok).toBe(false);
     runTo(authority, 1);
     expect(thrust(authority)).toBe(0);
-    expect(authority.counters.inputsOfStrangers).toBe(2);
+    expect(authority.counters.inputsWithoutShip).toBe(2);
   });
 
   it.each([
@@ -120,7 +120,7 @@ describe('inputs', () => {
     const refused = send(authority, [bad, input(2, 0, 0, { thrustLevel: 1 })], 0);
     expect(refused.ok ? '' : refused.reason).toContain(`${field}:`);
     runTo(authority, 1);
-    // What was good beside it holds.
+    // The valid inputs beside it apply.
     expect(thrust(authority)).toBe(1);
     const { inputsMalformed, inputsFromFuture, inputsApplied } = authority.counters;
     expect([inputsMalformed + inputsFromFuture, inputsApplied]).toEqual([1, 1]);

@@ -1,11 +1,11 @@
 /**
- * npm run bench:frames: what a frame of the built page costs its main thread, by the browser's own tracing. A table, or with
- * --json a line of JSON a figure. "script" is the time the thread ran, "script-wall" has its waiting in it too.
+ * npm run bench:frames: main-thread time of a frame of the built page, from the browser's tracing. A table, or with
+ * --json one line of JSON per figure. "script" is the thread's CPU time, "script-wall" includes its waiting.
  *
- * The browser here draws with the processor, a few frames a second; a frame then has a large part of a second of the game to
- * work through, in code that hardly ever runs. So each show is measured twice: as it is ("drawn"), and with the triangles
- * left out, all other calls to WebGL made, at the display's own rate: what is left on a machine whose GPU keeps up. Last the
- * HUDs alone, which take so little that they are timed by many paintings at once.
+ * The browser here draws in software, a few frames per second; a frame then has a large part of a second of the game to
+ * process, in code that rarely runs. So each scene is measured twice: as it is ("drawn"), and with the triangles
+ * left out but all other WebGL calls made, at the display's rate, like on a machine with a fast GPU. Last the
+ * HUDs alone, which take so little time that many paintings are timed together.
  */
 import { mkdirSync } from 'node:fs';
 import { resolve } from 'node:path';

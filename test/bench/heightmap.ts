@@ -6,7 +6,7 @@ const TIMES = 100_000;
 const COLUMNS = 5760;
 const ROWS = 2880;
 
-/** Look-ups along a track of one metre per look-up at mid latitude, and what they leave on the heap. */
+/** Look-ups at mid latitude along a track, one metre apart, and their heap allocation. */
 export function heightmapFigures(): Figure[] {
   const samples = Int16Array.from({ length: ROWS * COLUMNS }, (_, i) => Math.imul(i, 0x9e3779b1) >> 18);
   return (['bilinear', 'bicubic'] as const).flatMap((interpolation) => {
@@ -27,7 +27,7 @@ export function heightmapFigures(): Figure[] {
   });
 }
 
-/** Direction and height of a look-up, as the substep asks for it. */
+/** Direction and height of a look-up, as in the substep. */
 const point = new Float64Array(4);
 
 function lookUp(terrain: TerrainHeight, times: number): void {

@@ -4,13 +4,13 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { type Figure, timed } from './measure';
 
-/** Fetched on demand: nothing but this figure needs it. */
+/** Fetched on demand: only this figure needs it. */
 const VERSION = '1.1.0';
 const BOXES = 1000;
 
 /**
- * What a general engine costs per body and step: Jolt, 1,000 unit boxes at rest on a plane, none asleep, 60 Hz.
- * Null, with a line that says why, where it cannot be fetched.
+ * Cost of a general engine per body and step: Jolt, 1,000 unit boxes at rest on a plane, none asleep, 60 Hz.
+ * Null, with a printed reason, if it cannot be fetched.
  */
 export async function joltBody(): Promise<Figure | null> {
   const folder = join('node_modules/.cache/touchdown/jolt', VERSION);
@@ -37,7 +37,7 @@ interface JoltWorld {
   Step(seconds: number, collisionSteps: number): void;
 }
 
-/* The binding is fetched at run time, so its types are not there to check against: the calls below stay untyped. */
+/* The binding is fetched at run time, so its types are not available and the calls below are untyped. */
 /* eslint-disable @typescript-eslint/no-explicit-any, @typescript-eslint/no-unsafe-assignment, @typescript-eslint/no-unsafe-member-access, @typescript-eslint/no-unsafe-call */
 function boxesOnPlane(J: any): JoltWorld {
   const settings = new J.JoltSettings();

@@ -1,7 +1,7 @@
 /**
- * What the live stack holds on this machine: npm run bench:live [-- --json]
+ * Capacity of the live stack on this machine: npm run bench:live [-- --json]
  * For 1 and 10 Hz and several fleets: whether the service held its rate, bytes of a state per client (JSON and protobuf),
- * p99 from a tick's due instant to the client, CPU of service and gateway. All measured, against a real Redis.
+ * p99 from a tick's due time to the client, CPU of service and gateway. All measured with a real Redis.
  */
 import { readFileSync } from 'node:fs';
 import { createClient } from 'redis';
@@ -70,13 +70,13 @@ function hear(heard: Heard, data: Buffer, isBinary: boolean): void {
     if (tick !== null) heard.arrivals.push({ tick: Number(tick[1]), at });
     return;
   }
-  // The tick alone would do; decoding 50 whole frames is this benchmark's own cost, so one client in ten is timed.
+  // Only the tick is needed; decoding 50 whole frames is a cost of the benchmark, so one client in ten is timed.
   if (heard.messages % 10 !== 0) return;
   const message = decodeServerMessage(new Uint8Array(data));
   if (message.ok && message.value.kind === 'frame') heard.arrivals.push({ tick: message.value.tick, at });
 }
 
-/** CPU s that a process has used. */
+/** CPU time that a process has used, s. */
 function cpuOf(pid: number): number {
   const fields = readFileSync(`/proc/${pid}/stat`, 'utf8')
     .replace(/^.*\) /, '')

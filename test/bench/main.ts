@@ -6,9 +6,9 @@ import { replayFigures } from './page/replay';
 import { workerFigures } from './worker';
 import { flying, landed, sliding, slidingOverHills, type Subject, tipped } from './subjects';
 
-/** `npm run bench`: what the law costs. A table, or with --json one line of JSON per figure. */
+/** `npm run bench`: cost of the law. A table, or with --json one line of JSON per figure. */
 
-/** Substeps a round. */
+/** Substeps per round. */
 const TIMES = 100_000;
 const FLEET = 1000;
 
@@ -16,7 +16,7 @@ function perSubstep(name: string, subject: Subject): Figure {
   return timed(name, TIMES, 1, (times) => subject.step(times));
 }
 
-/** The server's row adopted, and 100 substeps replayed from it. */
+/** Adopts the server's row, and replays 100 substeps from it. */
 function adoptAndReplay(): Figure {
   const subject = sliding();
   const server = subject.ships.slice();

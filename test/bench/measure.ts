@@ -7,14 +7,14 @@ export interface Figure {
   readonly max: number;
 }
 
-/** Rounds that are timed, after the warm-up: the median of them is the figure. */
+/** Rounds timed after the warm-up: the figure is their median. */
 const ROUNDS = 15;
-/** Wall ms that a case runs before it is timed, so that it is compiled for good. */
+/** Wall ms that a case runs before it is timed, so that it is fully compiled. */
 const WARM_UP = 600;
 
 /**
- * Times `run(times)`, which does the thing measured that many times.
- * @param each how many of the unit's things one time is, e.g. substeps: the figure is per each
+ * Times `run(times)`, which runs the subject that many times.
+ * @param each number of units per run, e.g. substeps: the figure is per unit
  */
 export function timed(name: string, times: number, each: number, run: (times: number) => void): Figure {
   warmUp(times, run);
@@ -31,9 +31,9 @@ export function timed(name: string, times: number, each: number, run: (times: nu
 const HEAP_PARTS = 100;
 
 /**
- * Bytes of heap that one of `times` runs allocates, young garbage counted: what runs allocate, each part of them does alike, and so
- * shows in the median; what the compiler allocates (0.2 MB a time) falls into a few parts, and a part in which the collector ran
- * is left out, since it freed what is looked for.
+ * Bytes of heap that one of `times` runs allocates, garbage included. Allocation of the runs is the same in each part, and so
+ * shows in the median; the compiler's (0.2 MB each time) is in a few parts; and a part in which the collector ran
+ * is left out.
  */
 export function heapGrowth(name: string, times: number, run: (times: number) => void): Figure {
   warmUp(times, run);
@@ -43,7 +43,7 @@ export function heapGrowth(name: string, times: number, run: (times: number) => 
   return figure(name, 'bytes', parts);
 }
 
-/** Bytes by which the heap grew over each part of `runs` runs, the reading's own among them. @throws when nearly all were collected */
+/** Growth of the heap over each part of `runs` runs, bytes, including that of the reading. @throws if nearly all parts had a collection */
 function heapParts(runs: number, run: (times: number) => void): number[] {
   const parts: number[] = [];
   for (let tried = 0; parts.length < HEAP_PARTS; tried++) {
@@ -61,7 +61,7 @@ function warmUp(times: number, run: (times: number) => void): void {
   while (performance.now() < warm) run(times);
 }
 
-/** The figure of a name from its rounds. */
+/** The figure of these rounds under a name. */
 export function figure(name: string, unit: string, rounds: readonly number[]): Figure {
   const ends = [Math.min(...rounds), Math.max(...rounds)] as const;
   return { name, unit, median: round(median(rounds)), min: round(ends[0]), max: round(ends[1]) };

@@ -13,7 +13,7 @@ import { smoothnessFigures } from './netcode/flights/smoothness';
 
 const asJson = process.argv.includes('--json');
 let missed = 0;
-// Costs first: a game has one terrain, and once the compiler has seen others its calls are no longer inlined.
+// Costs first: a game has one terrain, and once the compiler has seen several, their calls are no longer inlined.
 for (const figures of [
   costFigures(),
   absenceFigures(),

@@ -1,7 +1,7 @@
 /**
- * npm run soak -- [minutes]: the built page, left alone with a fleet of 200 ships, 30 minutes unless told otherwise. Prints the heap
- * of the page and of the worker that plays the server, each after a forced collection, and how far the end is from the beginning.
- * Fails where that is more than MAX_GROWTH. Triangles are left out, all other calls to WebGL made: more frames than a processor draws.
+ * npm run soak -- [minutes]: the built page, left alone with a fleet of 200 ships, 30 minutes by default. Prints the heap
+ * of the page and of the worker that plays the server, each after a forced collection, and the growth from beginning to end.
+ * Fails if the growth exceeds MAX_GROWTH. Triangles are skipped and all other WebGL calls made, for a higher frame rate.
  */
 import { mkdirSync } from 'node:fs';
 import { resolve } from 'node:path';
@@ -13,7 +13,7 @@ import { leaveOutTriangles } from '../browser/leaveOutTriangles';
 import { createHeapReader, type HeapReader } from './frames/heapReader';
 
 const FLEET = 199;
-/** s from the first picture to the first reading: programs compiled, plots and history as long as they get. */
+/** s from the first picture to the first reading: by then code is compiled, and plots and history have their full length. */
 const WARM_UP = 60;
 /** MB. */
 const MAX_GROWTH = 20;

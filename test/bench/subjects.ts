@@ -26,7 +26,7 @@ import {
   writeBodyMotion,
 } from '../../src/dynamics';
 
-/** A world and a ship in some state, which `step` carries on and `restart` puts back. */
+/** A world and a ship in some state, which `step` advances and `restart` resets. */
 export interface Subject {
   readonly world: World;
   readonly ships: Float64Array;
@@ -35,11 +35,11 @@ export interface Subject {
   step(times: number): void;
 }
 
-/** Its axes along ICRF's, so that a place on it is a direction. */
+/** Its axes are ICRF's, so that a position on it is a direction. */
 const MOON = { ...BODIES[0]!, attitude: [0, 0, 0, 1] as const };
 /** With a full inertia tensor. */
 const FRIGATE = SHIP_CLASSES[0]!;
-/** Substeps after which a subject is put back, so that it stays in its state: half a second. */
+/** Substeps after which a subject is reset, so that it stays in its state: half a second. */
 const RUN = 50;
 const DT = 0.01;
 
@@ -126,7 +126,7 @@ function subject(
   };
 }
 
-/** Element by element: TypedArray.set leaves a few bytes of garbage a call. */
+/** Element by element: TypedArray.set allocates a few bytes per call. */
 function restore(rows: Float64Array, from: Float64Array): void {
   for (let i = 0; i < rows.length; i++) rows[i] = from[i]!;
 }

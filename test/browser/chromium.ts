@@ -9,7 +9,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import type { Browser, BrowserServer, LaunchOptions } from 'playwright-core';
 
-/** A browser to start: its program and what its environment needs beyond ours. */
+/** A browser to start: its program and additional environment variables. */
 export interface ChromiumProgram {
   readonly path: string;
   readonly env: Readonly<Record<string, string>>;
@@ -33,7 +33,7 @@ const WINDOWS_PATHS = [
   'Microsoft/Edge/Application/msedge.exe',
 ];
 
-/** SwiftShader draws the same bits on every machine; the rest keeps the browser from calling home. */
+/** SwiftShader draws the same bits on every machine; the other flags turn off background requests. */
 const ARGS = [
   '--no-sandbox',
   '--use-angle=swiftshader',
@@ -64,7 +64,7 @@ function installedCandidates(): string[] {
   return LINUX_NAMES.flatMap((name) => folders.map((folder) => join(folder, name)));
 }
 
-/** Some systems install a `chromium-browser` that only tells where to get one. Windows' browsers print no version. */
+/** On some systems `chromium-browser` only prints how to install one. Browsers on Windows print no version. */
 function starts({ path, env }: ChromiumProgram): boolean {
   if (process.platform === 'win32') return true;
   return spawnSync(path, ['--version'], { timeout: 20_000, env: { ...process.env, ...env } }).status === 0;
@@ -113,7 +113,7 @@ async function unpack(dir: string): Promise<void> {
   renameSync(aside, dir);
 }
 
-/** The Chromium that came with npm, unpacked once per version, or null where it does not run. */
+/** The Chromium from npm, unpacked once per version, or null if it does not run. */
 async function npmChromium(): Promise<ChromiumProgram | null> {
   if (process.platform !== 'linux' || process.arch !== 'x64') return null;
   const manifest = join(ROOT, 'node_modules/@sparticuz/chromium/package.json');
@@ -130,9 +130,9 @@ async function npmChromium(): Promise<ChromiumProgram | null> {
 }
 
 /**
- * The Chromium to test with, or null when the machine has none and npm brings none for it, or CHROMIUM is "none".
- * CHROMIUM=npm takes the one that npm brings, whatever is installed.
- * @throws when CHROMIUM names a file that is not there: a wish that cannot be met is not passed over.
+ * The Chromium to test with, or null if neither the machine nor npm has one, or CHROMIUM is "none".
+ * CHROMIUM=npm takes the one from npm, even if another is installed.
+ * @throws if CHROMIUM names a file that does not exist
  */
 export async function findChromium(): Promise<ChromiumProgram | null> {
   const wished = process.env['CHROMIUM'];

@@ -12,7 +12,7 @@ describeInBrowser('the browser’s engine', () => {
     try {
       const script = readFileSync(await bundleScript(folder), 'utf8');
       const page = await openUrl('about:blank');
-      // Shells print with `print`; a browser's own would ask for a printer.
+      // Shells print with `print`; a browser's would open the print dialog.
       const text = await page.evaluate(
         `(() => { let text = ''; globalThis.print = (t) => { text = t; }; ${script}; return text; })()`,
       );

@@ -37,7 +37,7 @@ describeInBrowser('the example client', () => {
     const page = await openUrl(`${host.resolvedUrls!.local[0]!}?server=${game.address}&user=ada&password=x`);
     const warnings: string[] = [];
     page.on('console', (message) => {
-      // A busy machine draws seldom, and the predictor rightly says so.
+      // On a busy machine frames are rare, and the predictor rightly warns of it.
       const isOfMachine = /GPU|GL Driver|WebGL|^advance-seldom/.test(message.text());
       if (message.type() === 'warning' && !isOfMachine) warnings.push(message.text());
     });

@@ -1,4 +1,4 @@
-/** The browser tests' own ground: that this browser draws, and that the server's policy bites. */
+/** Tests of the browser tests' environment: this browser draws, and the server's policy is enforced. */
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';

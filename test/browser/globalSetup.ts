@@ -1,6 +1,6 @@
 /**
  * Before the browser tests: finds a Chromium and starts one per core (all pages of one draw in a single thread), builds the page
- * and serves it, and starts a development server for the pages of test/browser/pages. Without a Chromium the tests are skipped, and the count of them is said.
+ * and serves it, and starts a development server for the pages of test/browser/pages. Without a Chromium the tests are skipped and counted.
  */
 import { spawnSync } from 'node:child_process';
 import { availableParallelism } from 'node:os';
@@ -14,7 +14,7 @@ import { serveFolder } from './staticServer';
 
 declare module 'vitest' {
   interface ProvidedContext {
-    /** Addresses of the browsers that the test files share; none: the browser tests are skipped. */
+    /** Addresses of the browsers that the test files share; empty if the browser tests are skipped. */
     chromium: readonly string[];
     /** Address of the built page under the strict content security policy, ending with a slash. */
     builtPage: string;
@@ -25,7 +25,7 @@ declare module 'vitest' {
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 
-/** Builds as `npm run build` does, in a process of its own: vitest's NODE_ENV would make it a test build. */
+/** Builds like `npm run build`, in a separate process: vitest's NODE_ENV would make it a test build. */
 function buildPage(): void {
   const env = { ...process.env };
   for (const key of Object.keys(env)) if (/^(NODE_ENV|VITEST.*)$/.test(key)) Reflect.deleteProperty(env, key);
@@ -41,14 +41,14 @@ function startDevServer(): Promise<ViteDevServer> {
     plugins: mutation(),
     logLevel: 'error',
     cacheDir: 'node_modules/.cache/touchdown/dev-server',
-    // Found one after the other, each of these would reload the page under a running test.
+    // If these were found one by one, each would reload the page under a running test.
     optimizeDeps: { include: ['three', 'gl-matrix', 'protobufjs/minimal', 'uplot'], entries: [] },
     server: { host: '127.0.0.1', port: 0, hmr: false, watch: null },
     appType: 'mpa',
   }).then((server) => server.listen());
 }
 
-/** Says how many tests had no browser; where nothing may be skipped there is none to count. */
+/** Prints the number of skipped tests; where nothing may be skipped it throws. */
 function skipped(project: TestProject): () => void {
   return () => {
     const modules = project.vitest.state.getTestModules().filter((module) => module.project === project);

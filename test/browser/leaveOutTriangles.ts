@@ -1,4 +1,4 @@
-/** Runs in the page, before its own script: triangles are left out, all other calls to WebGL made. */
+/** Runs in the page before its own script: skips triangles, makes all other WebGL calls. */
 export function leaveOutTriangles(): void {
   const nothing = () => undefined;
   Object.assign(WebGL2RenderingContext.prototype, {

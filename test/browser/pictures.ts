@@ -1,6 +1,6 @@
 /**
  * npm run pictures: builds the page, opens it in the browser of the tests and takes the README's pictures into public/pictures.
- * JPEG, because grain and dust make a PNG ten times as heavy.
+ * JPEG, because grain and dust make a PNG ten times as large.
  */
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -34,10 +34,10 @@ async function take(browser: Browser, url: string, picture: Picture, folder: str
     locale: 'en-US',
   });
   const page = await context.newPage();
-  // Slow, so that a software renderer stops near the moment that was asked for.
+  // Slow, so that a software renderer stops near the requested moment.
   const slow = picture.at > 6 ? 1 : 0.1;
   await page.goto(`${url}?${picture.query}&picture=fine&slow=${slow}&freeze=${picture.at}`);
-  // From the first report on the page listens to keys.
+  // The page handles keys from the first report on.
   await page.waitForSelector('html[data-status]', { timeout: 120_000 });
   if (!picture.panels) await page.keyboard.press('h');
   await page.waitForSelector('html[data-frozen=true]', { timeout: 400_000 });

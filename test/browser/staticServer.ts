@@ -1,4 +1,4 @@
-/** A static host as strict as the game's: the built page has to work under this content security policy. */
+/** A static host as strict as the game's: the built page must work under this content security policy. */
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { Server, ServerResponse } from 'node:http';
@@ -8,7 +8,7 @@ import { extname, join, normalize, sep } from 'node:path';
 /** No inline script or style, no eval, no data: or blob: addresses; sockets to any server. */
 export const CONTENT_SECURITY_POLICY = "default-src 'self'; connect-src 'self' ws: wss:";
 
-/** The page is not at the root of its host, so that an address like "/models/x.glb" fails here as it would there. */
+/** The page is not at the root of its host, so that an absolute address like "/models/x.glb" fails. */
 const PREFIX = '/games/touchdown/';
 
 const TYPES: Record<string, string> = {
@@ -34,7 +34,7 @@ export interface StaticServer {
   close(): Promise<void>;
 }
 
-/** The file in `folder` that a request's path means, or null when there is none. */
+/** The file in `folder` for a request's path, or null if there is none. */
 export function fileFor(folder: string, pathname: string): string | null {
   if (!pathname.startsWith(PREFIX)) return null;
   const wished = pathname.slice(PREFIX.length);
@@ -71,7 +71,7 @@ function fileServer(folder: string, fault: Fault): Server {
   });
 }
 
-/** Serves `folder` on a free port of this machine. `fault` may change while it runs: the host's own is asked at each request. */
+/** Serves `folder` on a free port of this machine. `fault` may change while it runs: it is read at each request. */
 export async function serveFolder(folder: string, fault: Fault = () => false): Promise<StaticServer> {
   const server = fileServer(folder, fault);
   await new Promise<void>((resolve, reject) => {

@@ -1,7 +1,7 @@
 import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
 
-/** For a test of anything but the picture: nothing is drawn, nothing kept for offline use, and no more frames than a test can tell apart. */
+/** Options for tests of anything but the picture: nothing is drawn, nothing is stored for offline use, and only a few frames. */
 export const SMALL = {
   viewport: { width: 960, height: 540 },
   deviceScaleFactor: 0.5,
@@ -10,19 +10,19 @@ export const SMALL = {
   serviceWorkers: 'block',
 } as const;
 
-/** Frames enough for what the page does by itself in each of them, like steering. */
+/** The same with enough frames for work done per frame, like steering. */
 export const FLUENT = { ...SMALL, deviceScaleFactor: 0.25, framesPerSecond: 15 } as const;
 
-/** For a test of what is kept for offline use. */
+/** Options for tests of what is stored for offline use. */
 export const KEPT = { ...SMALL, serviceWorkers: 'allow' } as const;
 
-/** As on a slow display, whose frames are further apart than the server's states. */
+/** A slow display, whose frames are further apart than the server's states. */
 export const SLOW = { ...SMALL, framesPerSecond: 2 } as const;
 
-/** Not once per frame, which on a slow display are far apart. */
+/** Not per frame: on a slow display frames are far apart. */
 export const PATIENT = { polling: 50 };
 
-/** What the page shows of its game, for the first line of a failure. */
+/** The page's state of the game, for the first line of a failure. */
 function shownBy(page: Page): Promise<string> {
   return page.evaluate(() => {
     const { status = 'no status', provenance = '', phase = '' } = document.documentElement.dataset;
@@ -40,7 +40,7 @@ function shownBy(page: Page): Promise<string> {
   });
 }
 
-/** @throws Error that says what was waited for and what the page shows instead */
+/** @throws Error that names what was waited for and what the page shows instead */
 async function explain(page: Page, wanted: string, waiting: Promise<unknown>): Promise<void> {
   try {
     await waiting;
@@ -50,7 +50,7 @@ async function explain(page: Page, wanted: string, waiting: Promise<unknown>): P
   }
 }
 
-/** Until the own ship is shown in a state; the software renderer may take seconds a frame beside other work. */
+/** Waits until the own ship is shown in a state; under load the software renderer may take seconds per frame. */
 export function untilStatus(page: Page, ...wanted: string[]): Promise<void> {
   const waiting = page.waitForFunction(
     (states) => states.includes(document.documentElement.dataset['status'] ?? ''),
@@ -78,7 +78,7 @@ export function untilPhase(page: Page, wanted: string): Promise<void> {
   return explain(page, `phase ${wanted}`, waiting);
 }
 
-/** Until the display's tilt gauge reads less than `angle` degrees. */
+/** Waits until the tilt gauge reads less than `angle` degrees. */
 export function untilTiltBelow(page: Page, angle: number): Promise<void> {
   const waiting = page.waitForFunction(
     (most) => {
@@ -91,7 +91,7 @@ export function untilTiltBelow(page: Page, angle: number): Promise<void> {
   return explain(page, `a tilt below ${angle}°`, waiting);
 }
 
-/** How many different colours the middle of the picture has, which no panel covers. */
+/** Number of different colours in the middle of the picture, which no panel covers. */
 export async function shadesOf(page: Page): Promise<number> {
   const png = PNG.sync.read(await page.locator('#stage').screenshot());
   const shades = new Set<number>();
@@ -101,7 +101,7 @@ export async function shadesOf(page: Page): Promise<number> {
   return shades.size;
 }
 
-/** Until the banner says all of these at once, among others. */
+/** Waits until the banner shows all of these. */
 export function untilBanner(page: Page, ...words: string[]): Promise<void> {
   const waiting = page.waitForFunction(
     (wanted) => {
@@ -114,7 +114,7 @@ export function untilBanner(page: Page, ...words: string[]): Promise<void> {
   return explain(page, `a banner with "${words.join('" and "')}"`, waiting);
 }
 
-/** Until the page has laid out and drawn what was changed before. */
+/** Waits until the page has laid out and drawn earlier changes. */
 export async function untilDrawn(page: Page): Promise<void> {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }

@@ -6,7 +6,7 @@ describe('polynomial sine and cosine', () => {
     let worst = 0;
     for (let degrees = -1080; degrees <= 1080; degrees += 0.37) {
       const radians = (degrees / 180) * Math.PI;
-      // Math.sin of the same angle reduced, since degrees · π/180 itself is off by an ulp of the unreduced angle.
+      // Math.sin of the reduced angle, since degrees · π/180 has an error of an ulp of the unreduced angle.
       const reduced = radians - 2 * Math.PI * Math.floor(radians / (2 * Math.PI));
       worst = Math.max(
         worst,

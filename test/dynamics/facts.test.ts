@@ -3,7 +3,7 @@ import { CRASHED, EVENT_CONTACT, EVENT_LANDED, FLYING, LANDED, SURFACE_STATE } f
 import { bodyNamed, createTrial, see, stepOnce } from './provingGround';
 
 interface Touchdown {
-  /** Touches after the first. */
+  /** Number of touches after the first. */
   readonly bounces: number;
   readonly crashed: boolean;
   readonly landed: boolean;
@@ -29,7 +29,7 @@ function range(from: number, to: number, step: number): number[] {
   return Array.from({ length: Math.round((to - from) / step) + 1 }, (_, i) => from + i * step);
 }
 
-// DYNAMICS, What this gives: facts of an independent implementation.
+// DYNAMICS, What this gives: results of an independent implementation.
 describe('the 16 t class', () => {
   it.each(['Luna', 'Earth', 'Phobos'])('does not bounce from 0.2 to 9.9 m/s on %s', (body) => {
     for (const impact of [0.2, 9.9, ...range(0.5, 9.5, 0.5)]) {
@@ -43,7 +43,7 @@ describe('the 16 t class', () => {
     for (const impact of range(30, 45, 3)) expect(comeDown(body, impact).bounces).toBe(2);
   });
 
-  // Near 50 m/s the second rebound is near the 10 m/s that bounce, so a third needs the right moment of the substep.
+  // Near 50 m/s the second rebound is close to the bounce speed of 10 m/s, so a third depends on the moment within the substep.
   it.each(['Luna', 'Earth'])('bounces two or three times near 50 m/s on %s', (body) => {
     const found = range(49, 49.9, 0.1).map((impact) => comeDown(body, impact, 0.1).bounces);
     for (const bounces of found) expect([2, 3]).toContain(bounces);

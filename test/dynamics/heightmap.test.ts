@@ -13,7 +13,7 @@ import { surveyMap } from '../exact/survey';
 const ROWS = 36;
 const COLUMNS = 72;
 
-/** A map made of a function of latitude and longitude, rad. */
+/** A map from a function of latitude and longitude, rad. */
 function mapOf(height: (latitude: number, longitude: number) => number): Heightmap {
   const samples = Int16Array.from({ length: ROWS * COLUMNS }, (_, i) => {
     const row = Math.floor(i / COLUMNS);
@@ -51,7 +51,7 @@ describe('angle of a vector', () => {
       const [x, y] = unitVector(rng);
       worst = Math.max(worst, Math.abs(angle(y, x) - Math.atan2(y, x)));
     }
-    // Math.atan2 is itself only near the truth.
+    // Math.atan2 itself is not exact.
     expect(worst).toBeLessThan(9e-16);
   });
 

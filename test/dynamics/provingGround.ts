@@ -36,21 +36,21 @@ import { cross, dot, lengthOf, plus, product, rotate, times, turnAbout, unit } f
 
 export type MovingBody = Body & BodyMotion;
 
-/** One ship over one body, as one on the ground would tell it. What is absent is at rest, upright, full, feet on the ground. */
+/** One ship over one body, described from the ground. By default at rest, upright, full, feet on the ground. */
 export interface Setup {
   readonly body?: MovingBody;
   readonly shipClass?: ShipClass;
   readonly settings?: Partial<Settings>;
   readonly terrain?: TerrainHeight;
-  /** Up at the ship, in the body's axes; not its pole Y, where no way is east. */
+  /** Local up in the body's axes; not its pole Y, where east is undefined. */
   readonly place?: Vec3;
-  /** Of the feet of an upright ship above the body's radius, m. */
+  /** Height of an upright ship's feet above the body's radius, m. */
   readonly height?: number;
   /** Relative to the ground: [east, north, up], m/s. */
   readonly velocity?: Vec3;
-  /** Degrees that the top leans east. */
+  /** Degrees by which the top leans east. */
   readonly tilt?: number;
-  /** Degrees that it is turned about its own axis first. */
+  /** Degrees by which it is first turned about its own axis. */
   readonly roll?: number;
   /** Relative to the ground: about [east, north, up], rad/s. */
   readonly spin?: Vec3;
@@ -67,7 +67,7 @@ export interface Trial {
   readonly world: World;
 }
 
-/** The 16 t class that "What this gives" speaks of: h 4 m, leg radius 3 m. */
+/** The 16 t class of "What this gives": h 4 m, leg radius 3 m. */
 export const LANDER: ShipClass = {
   name: 'lander',
   dryMass: 8000,
@@ -109,13 +109,13 @@ export function gravityOn({ mass, radius }: Body, h = LANDER.groundContactOffset
   return (6.6743e-11 * mass) / (radius + h) ** 2;
 }
 
-/** @throws when the law refuses what a test took for good */
+/** @throws if the law refuses the value */
 export function must<T>(checked: Result<T>): T {
   if (!checked.ok) throw new Error(checked.reason);
   return checked.value;
 }
 
-/** A world of one ship and one body. @throws when the law refuses it */
+/** A world of one ship and one body. @throws if the law refuses it */
 export function createTrial(setup: Setup): Trial {
   const body = setup.body ?? bodyNamed('Luna');
   const shipClass = setup.shipClass ?? LANDER;
@@ -146,7 +146,7 @@ export function stepOnce({ ships, bodies, events, world }: Trial, dt = 0.01): nu
   return events[0]!;
 }
 
-/** Steps until `stop` says so of an event, or for `seconds`. Returns the substeps done. */
+/** Steps until `stop` returns true for an event, or for `seconds`. Returns the number of substeps. */
 export function run(trial: Trial, seconds: number, stop?: (event: number) => boolean, dt = 0.01): number {
   const most = Math.round(seconds / dt);
   for (let done = 1; done <= most; done++) {
@@ -156,7 +156,7 @@ export function run(trial: Trial, seconds: number, stop?: (event: number) => boo
   return most;
 }
 
-/** What a measurer on the ground sees: metres, m/s, rad/s, degrees. */
+/** The ship as measured from the ground: metres, m/s, rad/s, degrees. */
 export interface Seen {
   readonly state: number;
   /** Of the feet of an upright ship above the body's radius. */
@@ -197,7 +197,7 @@ export function quaternionAt(rows: Float64Array, at: number): Quat {
   return [rows[at]!, rows[at + 1]!, rows[at + 2]!, rows[at + 3]!];
 }
 
-/** The ship's place in the body's own axes: constant for what is fixed to the ground. */
+/** The ship's position in the body's axes: constant if fixed to the ground. */
 export function onTheBody({ ships, bodies }: Trial): Vec3 {
   const [x, y, z, w] = quaternionAt(bodies, BODY_ATTITUDE);
   return rotate([-x, -y, -z, w], vectorAt(ships, POSITION));

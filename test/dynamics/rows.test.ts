@@ -13,7 +13,7 @@ import {
 import { createTrial, run } from './provingGround';
 
 describe('state transitions', () => {
-  // By DYNAMICS' table of transitions, a launch being able to touch again in its own substep, and staying always allowed.
+  // The table of transitions of DYNAMICS; a launched ship may touch again in the same substep, and staying is always allowed.
   const LEGAL: readonly (readonly [number, number])[] = [
     [FLYING, CONTACT],
     [CONTACT, FLYING],
@@ -56,7 +56,7 @@ describe('state and event names', () => {
 });
 
 describe('row hash', () => {
-  // FNV-1a, 32 bits, of the published test vectors' kind: eight zero bytes, and the bytes of 1.0, worked out by pass Python.
+  // FNV-1a, 32 bits, of the published test vectors' kind: eight zero bytes, and the bytes of 1.0, computed in Python.
   it('is FNV-1a over the bytes, least significant first', () => {
     expect(hashRows(new Float64Array(0))).toBe(0x811c9dc5);
     let zeros = 0x811c9dc5n;

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { end, quantities, SLOTS, start, SURFACE_SLOTS } from '../../src/dynamics/contact/quantities';
 
-/** Slots that two entries share, or that lie outside. */
+/** Slots shared by two entries, or out of range. */
 function faultsOf(slots: typeof SLOTS, length: number): string[] {
   const owner = new Map<number, number>();
   const faults: string[] = [];

@@ -1,6 +1,6 @@
 import type { Quat, Vec3 } from '../../src/dynamics';
 
-/** The geometry the tests measure with: written apart from the law, and free to use Math.sin. */
+/** Geometry for the tests' measurements: independent of the law, and free to use Math.sin. */
 
 export function dot(a: Vec3, b: Vec3): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -52,7 +52,7 @@ export function rotate(q: Quat, v: Vec3): Vec3 {
   return [x, y, z];
 }
 
-/** Radians between two unit quaternions' attitudes; good to 1e-16 near 0, where an arccosine is not. */
+/** Angle between two attitudes, rad; exact to 1e-16 near 0, where an arccosine is not. */
 export function angleBetween(a: Quat, b: Quat): number {
   const [x, y, z, w] = product(a, conjugate(b));
   return 2 * Math.atan2(Math.hypot(x, y, z), Math.abs(w));

@@ -19,7 +19,7 @@ export async function bundleScript(outDir) {
       minify: false,
       rolldownOptions: {
         input: join(root, 'test/engines/entry.ts'),
-        // Only what the hash is made of: the codec and the like stay out.
+        // Only the code that the hash needs, without the codec and the like.
         treeshake: { moduleSideEffects: [join(root, 'test/engines/entry.ts')] },
         output: { format: 'iife', entryFileNames: 'trajectories.js', codeSplitting: false },
       },

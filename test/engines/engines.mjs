@@ -1,4 +1,4 @@
-// The engines that can be asked, by family, and how each is found and run.
+// The engines by family, and how each is found and run.
 import { spawnSync } from 'node:child_process';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -6,10 +6,10 @@ import { binOf, fetchPackage } from './fetched.mjs';
 
 const QUICKJS = join(dirname(fileURLToPath(import.meta.url)), 'quickjs.mjs');
 const QUICKJS_NG = '@jitl/quickjs-ng-wasmfile-release-sync';
-/** Minutes of a slow machine. */
+/** Enough for a slow machine. */
 const TIME_LIMIT = 300_000;
 
-/** What a command says of its version, or null when there is no such command. */
+/** A command's version output, or null if there is no such command. */
 function versionFrom(command, args) {
   const { status, stdout } = spawnSync(command, args, { encoding: 'utf8', timeout: 20_000 });
   return status === 0 ? (/\d+\.\d+(\.\d+)*/.exec(stdout)?.[0] ?? '') : null;
@@ -51,7 +51,7 @@ function quickjsNg() {
   ]);
 }
 
-/** In each family one that npm brings comes first; the others are asked where they are installed. */
+/** In each family the one from npm comes first; the others are used if installed. */
 export const ENGINES = [
   { family: 'V8', find: () => ({ label: `node ${process.versions.node}`, command: [process.execPath] }) },
   {
@@ -61,7 +61,7 @@ export const ENGINES = [
   { family: 'JavaScriptCore', find: () => ofPackage('bun', 'bun', () => [binOf('bun')]) },
   {
     family: 'JavaScriptCore',
-    // This shell does not say its version.
+    // This shell does not print its version.
     find: () => installed(['jsc'], ['-e', 'print()'], 'Debian: libjavascriptcoregtk-4.0-bin'),
   },
   {

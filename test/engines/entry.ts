@@ -1,4 +1,4 @@
-/** The script that every engine runs: a line a case, "name substeps hash", then "all hash". */
+/** The script that every engine runs: one line per case, "name substeps hash", then "all hash". */
 import { caseHashes, hexadecimal, trajectoryHash } from './hash';
 
 /** Shells print with `print`, the others with the console. */

@@ -1,4 +1,4 @@
-// Engines that npm brings, installed as test/engines/packages/package-lock.json says, integrity included, when they are first asked for.
+// Engines from npm, installed from test/engines/packages/package-lock.json, with integrity, when first needed.
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,7 +8,7 @@ const HOME = fileURLToPath(new URL('../../node_modules/.cache/touchdown/engines'
 const PINS = fileURLToPath(new URL('packages', import.meta.url));
 const LOCK = readFileSync(join(PINS, 'package-lock.json'), 'utf8');
 
-/** Why the packages cannot be installed, or null when they are. */
+/** Why the packages cannot be installed, or null if they are. */
 function install() {
   const stamp = join(HOME, 'installed.json');
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === LOCK) return null;
@@ -25,7 +25,7 @@ function install() {
   return null;
 }
 
-/** Of this process: packages are looked at once. */
+/** Cached for this process. */
 let installed;
 
 /** The folder of a package, installed if it is not there: { folder, version }, or { missing: why }. */
@@ -36,7 +36,7 @@ export function fetchPackage(name) {
   return { folder: join(HOME, 'node_modules', name), version };
 }
 
-/** Path of a program that a package puts into node_modules/.bin. */
+/** Path of a package's program in node_modules/.bin. */
 export function binOf(name) {
   return join(HOME, 'node_modules/.bin', process.platform === 'win32' ? `${name}.cmd` : name);
 }

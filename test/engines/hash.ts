@@ -1,4 +1,4 @@
-/** What the law's bits come to, as one number an engine: every rehearsal, and cases drawn by a seed, hashed substep by substep. */
+/** The law's bits as one number per engine: every scenario, and cases drawn by a seed, hashed substep by substep. */
 import { hashRows } from '../../src/dynamics';
 import { SCENARIOS } from '../../src/scenarios';
 import { drawCase } from '../exact/cases/drawCase';
@@ -6,12 +6,12 @@ import { caseOf, type ExactCase } from '../exact/cases/exactCase';
 import { playCase } from '../exact/cases/playCase';
 
 /**
- * The hash of all trajectories, eight hexadecimal digits; the same in every engine. A change of the law, of a terrain, of a rehearsal
- * or of how cases are drawn changes it: `npm run engines` then says the new one, to be written here once all engines agree on it.
+ * The hash of all trajectories, eight hexadecimal digits; the same in every engine. A change of the law, of a terrain, of a scenario
+ * or of the drawing of cases changes it: `npm run engines` prints the new one, to be written here once all engines agree on it.
  */
 export const PINNED_HASH = 'd46ab53f';
 
-/** An interpreter needs some 20 s for them and the rehearsals; with 250, quickjs-ng 0.32.0 as WebAssembly stopped with a memory access out of bounds. */
+/** An interpreter needs about 20 s for them and the scenarios; with 250, quickjs-ng 0.32.0 as WebAssembly stopped with a memory access out of bounds. */
 const DRAWN_CASES = 60;
 
 /** "name hash" of a case: of every row of its substeps and of the body's after each tick. */
@@ -21,7 +21,7 @@ export interface CaseHash {
   readonly substeps: number;
 }
 
-/** Plays everything. @throws when a case cannot be played. */
+/** Plays everything. @throws if a case cannot be played */
 export function caseHashes(): CaseHash[] {
   return hashedCases().map((exact) => {
     let hash: number | undefined;
@@ -33,7 +33,7 @@ export function caseHashes(): CaseHash[] {
   });
 }
 
-/** One hash of all, as PINNED_HASH is written. */
+/** One hash of all, in the format of PINNED_HASH. */
 export function trajectoryHash(hashes: readonly CaseHash[] = caseHashes()): string {
   return hexadecimal(hashRows(Float64Array.from(hashes, ({ hash }) => hash)));
 }
@@ -43,10 +43,10 @@ export function hexadecimal(hash: number): string {
 }
 
 function hashedCases(): ExactCase[] {
-  const rehearsals = SCENARIOS.map((scenario) => {
+  const scenarios = SCENARIOS.map((scenario) => {
     const exact = caseOf(scenario);
     if (!exact.ok) throw new Error(`${scenario.name}: ${exact.reason}`);
     return exact.value;
   });
-  return [...rehearsals, ...Array.from({ length: DRAWN_CASES }, (_, i) => drawCase(i + 1))];
+  return [...scenarios, ...Array.from({ length: DRAWN_CASES }, (_, i) => drawCase(i + 1))];
 }

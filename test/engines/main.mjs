@@ -1,4 +1,4 @@
-// npm run engines: the same landings in other JavaScript engines, a line each with version and hash.
+// npm run engines: the same landings in other JavaScript engines, one line each with version and hash.
 // Exit 1 on any difference, or when fewer than three engine families agree.
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';

@@ -1,4 +1,4 @@
-// What the engines' answers come to.
+// The verdict on the engines' hashes.
 
 const FEWEST_FAMILIES = 3;
 
@@ -7,14 +7,14 @@ function hashOf(lines) {
   return lines.at(-1)?.replace(/^all /, '') ?? '';
 }
 
-/** The first line that is not the reference's, or null. */
+/** The first line that differs from the reference, or null. */
 function firstDifference(lines, reference) {
   const at = reference.findIndex((line, i) => lines[i] !== line);
   if (at >= 0) return `${lines[at] ?? 'nothing'}, not ${reference[at]}`;
   return lines.length === reference.length ? null : `${lines.length} lines, not ${reference.length}`;
 }
 
-/** A line for one engine, and whether it is to blame. */
+/** The line of one engine, and whether it failed. */
 export function describeAnswer({ family, label = '', missing, failure, lines }, reference) {
   const line = (said) => `${family.padEnd(15)} ${label.padEnd(20)} ${said}`;
   if (missing) return { line: line(`skipped: ${missing}`), agrees: false, fails: false };

@@ -1,4 +1,4 @@
-/** The same cases here and in the Python server. */
+/** Plays the same cases in TypeScript and Python. */
 import { availableParallelism } from 'node:os';
 import { firstDifference, hashCase } from './compare';
 import { createCoverage } from './cases/coverage';
@@ -8,7 +8,7 @@ import type { ExactCase } from './cases/exactCase';
 import { replayInPython } from './python';
 import type { PythonResult } from './python';
 
-/** Plays cases drawn by the seeds 1, 2, … until they come to `substeps`. */
+/** Plays cases drawn by the seeds 1, 2, … until they have `substeps` in total. */
 export function playDrawnCases(substeps: number): {
   readonly cases: readonly ExactCase[];
   readonly ours: readonly PythonResult[];
@@ -35,7 +35,7 @@ export async function replaySpread(cases: readonly ExactCase[]): Promise<PythonR
   return cases.map((_, i) => played[i % shares]![Math.floor(i / shares)]!);
 }
 
-/** Of the first cases that differ, where. */
+/** Where the first differing cases differ. */
 export async function differences(
   cases: readonly ExactCase[],
   ours: readonly PythonResult[],

@@ -9,7 +9,7 @@ import { caseTerrain } from './cases/playCase';
 import { MAY_SKIP, pythonVersion, replayInPython, SERVER_HOME, surveyInPython } from './python';
 import { heightsHere, surveyPoints } from './survey';
 
-// The comparison must notice what it is there for: the same sum, added up in another order.
+// The comparison must detect the same sum in another order.
 const withPython = pythonVersion() === null && MAY_SKIP ? it.skip : it;
 
 const cases = Array.from({ length: 60 }, (_, i) => drawCase(i + 1));
@@ -35,7 +35,7 @@ function brokenServer(file: string, expression: string, instead: string): string
   return home;
 }
 
-/** Cases that Python plays before it is asked for more: most cases reveal each of these laws. */
+/** Cases per request to Python: most cases reveal each of these changes. */
 const BATCH = 12;
 
 /** The first case in which a broken server differs from the law, or null. */

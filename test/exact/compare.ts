@@ -1,4 +1,4 @@
-/** Compares the TypeScript and the Python law bit by bit, and finds where they part. */
+/** Compares the TypeScript and the Python law bit by bit, and finds where they diverge. */
 import { createHash } from 'node:crypto';
 import type { ExactCase } from './cases/exactCase';
 import { AFTER_TICK, caseTerrain, playCase, type TakeRow } from './cases/playCase';
@@ -31,7 +31,7 @@ function named(field: string, axes: string): string[] {
   return Array.from(axes, (axis) => `${field}.${axis}`);
 }
 
-/** SHA-256 of all rows of a case as TypeScript computes them, and their substeps. @throws when the law refuses the case. */
+/** SHA-256 of all rows of a case in TypeScript, and the number of substeps. @throws if the law refuses the case */
 export function hashCase(
   exact: ExactCase,
   also: TakeRow = () => undefined,
@@ -85,7 +85,7 @@ function rowDifference(row: Float64Array, their: PythonRow | undefined, where: s
   return `${where}: rows of different length`;
 }
 
-/** As one reads a double: sign and exponent first. */
+/** Big-endian hexadecimal: sign and exponent first. */
 function bigEndian(hex: string): string {
   return `0x${(hex.match(/../g) ?? []).reverse().join('')}`;
 }

@@ -14,7 +14,7 @@ function filesIn(folder: string): Map<string, string> {
   return new Map(names.map((name) => [name, readFileSync(join(folder, name), 'utf8')]));
 }
 
-// Other tests may have the machine's cores.
+// Leaves the cores to other tests.
 vi.setConfig({ testTimeout: 120_000 });
 
 describe('the Python service’s trajectories', () => {

@@ -12,7 +12,7 @@ describe.skipIf(pythonVersion() === null && MAY_SKIP)('TypeScript and Python agr
     expect(await differences(cases, ours, theirs)).toEqual([]);
     expect(theirs).toEqual(ours);
 
-    // What the cases have been through: an agreement on what never happens would say little.
+    // The coverage of the cases, without which agreement would prove little.
     expect(fewestOf(coverage, 'state'), 'substeps in each state with each mode').toBeGreaterThan(2000);
     expect(fewestOf(coverage, 'event'), 'each event').toBeGreaterThan(40);
     expect(fewestOf(coverage, 'world'), 'substeps over each ground').toBeGreaterThan(50_000);

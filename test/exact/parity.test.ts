@@ -3,7 +3,7 @@ import { differences, playDrawnCases, replaySpread } from './bothSides';
 import { hashCase } from './compare';
 import { fewestOf } from './cases/coverage';
 import { MAY_SKIP, pythonVersion, replayInPython, surveyInPython } from './python';
-import { recordedCases, rehearsalCases } from './scenarioData';
+import { recordedCases, scenarioCases } from './scenarioData';
 import { heightmapPoints, heightsHere, surveyMaps, surveyPoints } from './survey';
 
 const python = pythonVersion();
@@ -16,7 +16,7 @@ const SUBSTEPS = 100_000;
 
 describe('TypeScript and Python agree in every bit', () => {
   withPython.each([
-    ['rehearsal', rehearsalCases(), 18],
+    ['scenario', scenarioCases(), 18],
     ['recorded trajectory', recordedCases(), 28],
   ] as const)('over every substep of every %s', async (_, cases, atLeast) => {
     const ours = cases.map((exact) => hashCase(exact));

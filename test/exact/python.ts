@@ -1,4 +1,4 @@
-/** The Python server as a child process: cases in, what its substeps came to out. */
+/** The Python server as a child process: cases in, results out. */
 import { spawn, spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -20,10 +20,10 @@ export function pythonVersion(): string | null {
   return run.status === 0 ? run.stdout.trim() : null;
 }
 
-/** In CI nothing is skipped: there a missing python3 makes the tests fail. */
+/** In CI nothing is skipped: a missing python3 fails the tests. */
 export const MAY_SKIP = process.env['CI'] === undefined || process.env['CI'] === '';
 
-/** What the Python server made of a case. */
+/** The Python server's result of a case. */
 export interface PythonResult {
   readonly name: string;
   readonly substeps: number;
@@ -31,7 +31,7 @@ export interface PythonResult {
   readonly hash: string;
 }
 
-/** Plays the cases in one child; results in their order. Rejects with the child's own words when it fails. */
+/** Plays the cases in one child process; results in order. Rejects with the child's error output if it fails. */
 export async function replayInPython(
   cases: readonly ExactCase[],
   home: string = SERVER_HOME,
@@ -43,7 +43,7 @@ export async function replayInPython(
   });
 }
 
-/** A row as Python computed it: bytes in hexadecimal. */
+/** A row computed by Python: bytes in hexadecimal. */
 export interface PythonRow {
   readonly tick: number;
   readonly substep: number;
@@ -78,7 +78,7 @@ export function writeFixtures(folder: string): void {
 /** A terrain's name, a body's name, and a unit direction in the body's axes. */
 export type SurveyPoint = readonly [string, string, number, number, number];
 
-/** Terrain heights, of the maps told too, as the bits of doubles, in hexadecimal, most significant byte first. */
+/** Terrain heights, including those of the given maps, as the bits of doubles in hexadecimal, most significant byte first. */
 export function surveyInPython(
   points: readonly SurveyPoint[],
   home: string = SERVER_HOME,
@@ -87,7 +87,7 @@ export function surveyInPython(
   return run('touchdown_service.comparison.survey', [...maps, ...points], { home });
 }
 
-/** Runs a module of the server with `input`, a line of JSON an item; the lines of its answer. */
+/** Runs a module of the server with `input`, one line of JSON per item. Returns the lines of its output. */
 function run(
   module: string,
   input: readonly unknown[],

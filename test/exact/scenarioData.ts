@@ -1,4 +1,4 @@
-/** Landings that both implementations are given: the rehearsals, also as te../service/scenarios.json, and the recorded trajectories. */
+/** Landings for both implementations: the scenarios, also as test/service/scenarios.json, and the recorded trajectories. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { BODIES, NEUTRAL_CONTROLS, SHIP_CLASSES } from '../../src/dynamics';
@@ -7,8 +7,8 @@ import { type CaseInput, caseOf, caseToJson, type ExactCase, withSnakeKeys } fro
 
 export const SCENARIO_FILE = fileURLToPath(new URL('../service/scenarios.json', import.meta.url));
 
-/** Every rehearsal as a case. @throws when one cannot be loaded. */
-export function rehearsalCases(): ExactCase[] {
+/** Every scenario as a case. @throws if one cannot be loaded */
+export function scenarioCases(): ExactCase[] {
   return SCENARIOS.map((scenario) => {
     const exact = caseOf(scenario);
     if (!exact.ok) throw new Error(`${scenario.name}: ${exact.reason}`);
@@ -16,21 +16,21 @@ export function rehearsalCases(): ExactCase[] {
   });
 }
 
-/** What belongs into the file. A line a scenario. */
+/** The file's contents, one line per scenario. */
 export function scenarioText(): string {
-  const cases = rehearsalCases();
+  const cases = scenarioCases();
   const lines = SCENARIOS.map(({ about }, i) =>
     JSON.stringify({ about, ...(caseToJson(cases[i]!) as object) }),
   );
   return `[\n${lines.join(',\n')}\n]\n`;
 }
 
-/** The world that the service makes where Redis holds none. */
+/** The world that the service creates if Redis holds none. */
 export const WORLD_FILE = fileURLToPath(
   new URL('../../src/service/touchdown_service/world.json', import.meta.url),
 );
 
-/** What belongs into it: the catalogue, in Redis's notation (quaternions w first). */
+/** Its contents: the catalogue, in Redis's notation (quaternions w first). */
 export function worldText(): string {
   const bodies = BODIES.map(({ attitude: [x, y, z, w], ...body }) => ({ ...body, attitude: [w, x, y, z] }));
   const world = {
@@ -72,7 +72,7 @@ function caseOfFixture(name: string, fixture: Fixture): ExactCase {
   };
   return {
     name,
-    // To the last bit another tick than the recorded one; the same for both that are compared.
+    // Differs from the recorded tick in the last bit, but is the same for both implementations.
     tickRate: 1 / fixture.tickSeconds,
     timeScale: 1,
     ticks: states.at(-1)!.tick - initial.tick,

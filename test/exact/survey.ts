@@ -15,7 +15,7 @@ export function surveyMap(interpolation: 'bilinear' | 'bicubic'): Heightmap {
   return { samples, rows: ROWS, columns: COLUMNS, scale: 0.5, referenceRadius: 1737400, interpolation };
 }
 
-/** What Python is told of the maps before the points. */
+/** Description of the maps, sent to Python before the points. */
 export function surveyMaps(): unknown[] {
   return (['bilinear', 'bicubic'] as const).map((interpolation) => {
     const { samples, rows, columns, scale, referenceRadius } = surveyMap(interpolation);
@@ -49,7 +49,7 @@ export function heightmapPoints(): SurveyPoint[] {
   return points;
 }
 
-/** Anywhere on every body and on one that no terrain knows, and as many round the landing site. */
+/** Points anywhere on every body and on an unknown one, and as many around the landing site. */
 export function surveyPoints(): SurveyPoint[] {
   const rng = createRandom(8);
   const bodies = [...BODIES.map(({ name }) => name), 'Nemo'];

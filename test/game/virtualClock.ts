@@ -1,8 +1,8 @@
 import type { GameClock } from '../../src/game';
 
-/** A clock that stands until it is told to go on: 30 s of pings take no time. */
+/** A clock that advances only on request: 30 s of pings take no time. */
 export interface VirtualClock extends GameClock {
-  /** Lets `seconds` pass: what falls due meanwhile happens at its own time, in order. */
+  /** Lets `seconds` pass and runs the timers due in that time, in order. */
   readonly pass: (seconds: number) => void;
 }
 

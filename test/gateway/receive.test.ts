@@ -8,7 +8,7 @@ import type { Place } from '../../src/gateway/place';
 
 const SECRET = 'a secret that is long enough for a test';
 
-/** A client of a gateway whose world has not come yet, and all that its socket was sent. */
+/** A client of a gateway without a world yet, and all messages sent to its socket. */
 async function connectedClient() {
   const secret = { secret: SECRET, lifetime: 3600, now: () => 1_800_000_000 };
   const accounts = await createAccounts([{ username: 'one', playerId: 'p1', password: 'x' }], secret);

@@ -9,7 +9,7 @@ import { readServiceStates, type ServiceStates } from './serviceStates';
 const DELAY = 0.05;
 /** s; the offset of the respawn itself is within 5 % after 0.3 s (PREDICTION, Drawing). */
 const EASED = 1;
-/** Share of the looks that have to agree. */
+/** Share of samples that must agree. */
 const P95 = 0.95;
 
 let operator: Operator;
@@ -92,7 +92,7 @@ const CASES = [
 ] as const;
 
 it.each(CASES)(
-  'draws a coasting bounce on /$path at $rate Hz where the service has it',
+  'draws a coasting bounce on /$path at $rate Hz at the service’s position',
   async ({ path, rate }) => {
     await operator.set('game:tick_rate', String(rate));
     await operator.drop('one', 5, 0.1);
@@ -108,7 +108,7 @@ it.each(CASES)(
     expect(pilot.trouble).toEqual([]);
     expect(errors.length).toBeGreaterThan(looks.length / 2);
     expect(p95).toBeLessThan(0.02);
-    // Without relative fields the states themselves are rounded.
+    // Without relative fields the states are rounded.
     if (path === 'stream') expect(corrections).toBe(0);
   },
 );

@@ -14,7 +14,7 @@ const GRID = { columns: COLUMNS, rows: ROWS, scale: 0.5, interpolation: 'bicubic
 const REFERENCE_RADIUS = 1_737_900;
 const BODY_RADIUS = 1_737_400;
 
-/** Ranges 2 km high, 60 km from crest to valley. */
+/** Ridges 2 km high, 60 km from crest to valley. */
 const samples = Int16Array.from({ length: COLUMNS * ROWS }, (_, i) =>
   Math.round(2000 * Math.sin(0.8 * (i % COLUMNS)) * Math.cos(0.7 * Math.floor(i / COLUMNS))),
 );
@@ -41,7 +41,7 @@ it('lands on a heightmap that the world file names, on the same ground as a clie
     const { own, diagnosis } = pilot.view();
     expect(diagnosis.correctionsMismatch - before, diagnosis.lastMismatch).toBe(0);
     expect(diagnosis.groundOffset).toBe(0);
-    // The ground at the site is hundreds of metres from the sphere: an agreement on flat ground would not be one.
+    // The ground at the site is hundreds of metres from the sphere; otherwise flat ground would agree too.
     const height = Math.hypot(...own!.position) - BODY_RADIUS;
     expect(Math.abs(height)).toBeGreaterThan(100);
     expect(pilot.trouble).toEqual([]);

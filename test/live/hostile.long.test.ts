@@ -5,7 +5,7 @@ import type { WorldView } from '../../src/prediction';
 import { type Operator, startOperator } from './operator';
 import { type LivePilot, startPilot } from './pilot';
 
-/** What must not move while others misbehave. On /ws states are rounded, and a ship in flight may differ by that. */
+/** Tolerances for a pilot while other clients misbehave. On /ws states are rounded, so a ship in flight may differ by that. */
 function figuresOf(pilot: LivePilot, index: number) {
   const { correctionsMismatch, correctionsLostInput, framesRefused, resyncs } = pilot.view().diagnosis;
   const mismatch = index === 0 ? { correctionsMismatch } : {};
@@ -14,7 +14,7 @@ function figuresOf(pilot: LivePilot, index: number) {
 
 const isHome = (view: WorldView) => view.own?.shownState === 'landed' && view.own.provenance === 'confirmed';
 
-/** A raw client of the gateway: what it received, and how it ended. */
+/** A raw client of the gateway: its received messages, and how its connection ended. */
 function rawClient(operator: Operator, path: string, options: { origin?: string } = {}) {
   const socket = new WebSocket(`ws://127.0.0.1:${operator.stack.gatewayPort}${path}`, options);
   const texts: string[] = [];
@@ -81,7 +81,7 @@ it('keeps malformed, oversized, unauthenticated, slow and flooding clients from 
     malformed.socket.send(Uint8Array.of(1, 2, 3));
     await expect.poll(() => malformed.texts.filter((text) => text.includes('"error"')).length).toBe(5);
 
-    // Says whose ship it would fly: its own is the only one that moves.
+    // Names another ship to fly: only its own moves.
     malformed.socket.send(JSON.stringify({ type: 'control', ship_id: 'ship-one', thrust_level: 1 }));
     const stateOf = async (id: string) =>
       (await operator.frame()).ships.find((ship) => ship['ship_id'] === id)?.['surface_contact_state'];

@@ -3,7 +3,7 @@ import type { Process } from '../../.ci/stack.mjs';
 import { type Operator, type ShipEvent, startOperator } from './operator';
 import { type LivePilot, startPilot } from './pilot';
 
-/** Processes killed with -9 in mid-bounce, in turn: each alone and all together, five times each. */
+/** Processes are killed with -9 in mid-bounce: each alone and all together, five times each. */
 const VICTIMS: readonly (readonly ('redis' | 'service' | 'gateway')[])[] = [
   ['service'],
   ['gateway'],
@@ -33,21 +33,21 @@ async function bounce(operator: Operator, disturb: () => Promise<void>): Promise
   return all.map((events) => events.filter(({ tick }) => tick >= before));
 }
 
-/** Until the service's newest frame is after `tick` and has both ships as wanted. */
+/** Waits until the service's newest frame is after `tick` and has both ships in the expected state. */
 async function untilBoth(
   operator: Operator,
   tick: number,
   isMet: (ship: SeenShip) => boolean,
 ): Promise<void> {
   for (;;) {
-    // Redis may be away.
+    // Redis may be down.
     const frame = await operator.frame().catch(() => null);
     if (frame !== null && frame.tick > tick && frame.ships.length === 2 && frame.ships.every(isMet)) return;
     await new Promise((resolve) => setTimeout(resolve, POLL));
   }
 }
 
-/** Kills all, then starts Redis before those that need it. */
+/** Kills all, then starts Redis before its clients. */
 async function restart({ stack }: Operator, victims: (typeof VICTIMS)[number]): Promise<void> {
   await Promise.all(victims.map((name) => stack[name].end('SIGKILL')));
   const start = (processes: readonly Process[]) => Promise.all(processes.map((process) => process.start()));

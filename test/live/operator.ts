@@ -1,7 +1,7 @@
 import { createClient } from 'redis';
 import { createStack, type Stack } from '../../.ci/stack.mjs';
 
-/** A running stack, and what its operator does to it. */
+/** A running stack, and its operator's commands. */
 export interface Operator {
   readonly stack: Stack;
   /** Signs a pilot in. Returns the pilot's address on /stream or /ws, through another port where one is given. */
@@ -55,7 +55,7 @@ export async function startOperator(
   const stack = await createStack({ gatewayEnv, appendfsync, serviceArgs });
   for (const one of [stack.redis, stack.service, stack.gateway]) await one.start();
 
-  /** Asks on a connection of its own: Redis may have been restarted since the last question. */
+  /** Uses its own connection: Redis may have been restarted since the last request. */
   async function ask<T>(question: (redis: ReturnType<typeof connectTo>) => Promise<T>): Promise<T> {
     const redis = connectTo(stack.redisUrl);
     redis.on('error', () => undefined);

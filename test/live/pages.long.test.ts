@@ -16,8 +16,8 @@ const DELAY = 0.05;
 const EASED = 1;
 const PATIENCE = { timeout: 120_000, interval: 100 };
 /**
- * Drawn by the processor in place of a graphics card, the HUDs alone take both cores for up to a second, during which the service
- * stands still too.
+ * Drawn in software instead of on a graphics card, the HUDs alone take both cores for up to a second, during which the service
+ * stops too.
  */
 const WITHOUT_GPU = '--disable-gpu';
 const SHIPS = ['ship-pilot-one', 'ship-pilot-two'];
@@ -51,7 +51,7 @@ async function startLive() {
   };
 }
 
-/** A pilot's page at a printed address, its gateway reached through another port, on another path. */
+/** A pilot's page at a printed address, with its gateway on another port and path. */
 async function openPilot(browser: Browser, printed: string, port: number, path: string): Promise<Page> {
   const address = new URL(printed);
   const server = new URL(address.searchParams.get('server')!);
@@ -64,7 +64,7 @@ async function openPilot(browser: Browser, printed: string, port: number, path: 
     acceptDownloads: true,
   });
   const page = await context.newPage();
-  // Without pictures: drawn in software, they would take the processor that the stack runs on.
+  // Without pictures: drawn in software, they would take the CPU time of the stack.
   await page.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null));
   await page.goto(address.href, { waitUntil: 'domcontentloaded', timeout: PATIENCE.timeout });
   return page;
@@ -156,7 +156,7 @@ interface Look {
 const correctionsOf = (diagnosis: Diagnosis) =>
   diagnosis.correctionsMismatch + diagnosis.correctionsLateInput + diagnosis.correctionsLostInput;
 
-/** Everything that the page drew, from its recording: a predictor fed the same draws the same. */
+/** Everything that the page drew, from its recording: a predictor with the same input draws the same. */
 function looksOf(entries: readonly RecordingEntry[], ownShipId: string): Look[] {
   const predictor = createPredictor();
   predictor.setOwnShip(ownShipId);
@@ -177,7 +177,7 @@ function looksOf(entries: readonly RecordingEntry[], ownShipId: string): Look[] 
   return looks;
 }
 
-/** The looks at a bounce, from a second after both ships were first seen falling. */
+/** The samples of a bounce, from a second after both ships were first seen falling. */
 function looksAt(looks: readonly Look[], { first, last }: Bounce): Look[] {
   const during = looks.filter(({ tick }) => tick > first && tick < last);
   const falling = during.find(({ ships }) => ships.length === 2 && ships.every(({ state }) => state === ''));
@@ -198,7 +198,7 @@ function errorsOf(looks: readonly Look[], states: ServiceStates): number[] {
 }
 
 it.skipIf(program === null)(
-  'shows two pilots in Chromium both ships’ coasting bounces where the service has them, at 1 and 10 Hz through a delaying proxy',
+  'shows two pilots in Chromium both ships’ coasting bounces at the service’s positions, at 1 and 10 Hz through a delaying proxy',
   async () => {
     const [live, browser] = [await startLive(), await launchChromium(program!, [WITHOUT_GPU])];
     const proxy = await startDelayProxy(live.gatewayPort, DELAY);
@@ -228,7 +228,7 @@ it.skipIf(program === null)(
           console.log(
             `page on ${path}, ${bounce.rate} Hz: ${corrections} corrections; p95 ${(p95 * 1000).toFixed(3)} mm, worst ${(errors.at(-1)! * 1000).toFixed(3)} mm of ${errors.length} looks`,
           );
-          // Without relative fields the states themselves are rounded.
+          // Without relative fields the states are rounded.
           if (path === '/stream') expect(corrections).toBe(0);
           expect(p95, `${path} at ${bounce.rate} Hz`).toBeLessThan(0.02);
         }

@@ -10,7 +10,7 @@ import {
 } from '../../src/prediction';
 import type { PartialFrame } from '../../src/wire';
 
-/** A page without its picture: link, predictor and sixty frames a second, on the machine's clock. */
+/** A page without a picture: link, predictor and sixty frames per second, on the machine's clock. */
 export interface LivePilot {
   readonly predictor: Predictor;
   readonly view: () => WorldView;
@@ -28,7 +28,7 @@ const FRAME = 1000 / 60;
 /** Server frames kept: one flight. */
 const KEPT = 4000;
 
-/** Like a browser's WebSocket: an error shows as a close alone. */
+/** Like a browser's WebSocket: an error only closes it. */
 class PageSocket extends WebSocket {
   constructor(address: string) {
     super(address);

@@ -26,11 +26,11 @@ export interface Instant {
   readonly sinceTick: number;
 }
 
-/** The service's own states, read from its frames in Redis while it runs. */
+/** The service's states, read from its frames in Redis while it runs. */
 export interface ServiceStates {
   /**
    * Position of a coasting ship relative to its body's centre, ICRF axes, m: the dynamics continued from the service's state
-   * at that tick. null where the service's frame of that tick was not seen or the ship was not in it.
+   * at that tick. null if the service's frame of that tick was not seen or the ship was not in it.
    */
   readonly positionAt: (shipId: string, instant: Instant) => Vec3 | null;
   readonly stop: () => void;
@@ -76,7 +76,7 @@ export async function readServiceStates(redisUrl: string): Promise<ServiceStates
 
 type FrameEntries = { messages: { id: string; message: Record<string, string> }[] }[];
 
-/** `seconds` of game time after a frame; between two substeps on the line between them, as it is drawn. */
+/** The state `seconds` of game time after a frame, linear between two substeps, as in the view. */
 function continueFrom(frame: PartialFrame, shipId: string, seconds: number): Vec3 | null {
   const ship = frame.ships.find((candidate) => candidate.shipId === shipId);
   if (ship === undefined) return null;

@@ -3,7 +3,7 @@ import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parityLine } from './parityLine';
 
-// npm run parity -- FILE…: how far the dynamics are from each file's trajectory. No FILE: every fixture of the repository.
+// npm run parity -- FILE…: compares the dynamics with each file's trajectory. Without FILE: every fixture of the repository.
 // Exit 1 if one is out of tolerance, disagrees, or cannot be read; the others still run.
 
 const FIXTURES = join(dirname(fileURLToPath(import.meta.url)), 'fixtures');
@@ -16,7 +16,7 @@ function filesOf(path: string): string[] {
     .map((name) => join(path, name));
 }
 
-/** As seen from where the command runs, where that is shorter. */
+/** The path relative to the working directory, if that is shorter. */
 function shortest(path: string): string {
   const seen = relative(process.cwd(), path);
   return seen.length < path.length ? seen : path;

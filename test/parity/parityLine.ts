@@ -27,7 +27,7 @@ function recordingLine(name: string, text: string): { line: string; passed: bool
   return { line: `${describe(name, compared.value)}  ${left}`, passed: agrees(compared.value) };
 }
 
-/** Every fault of a file that cannot be read, a line each. */
+/** All faults of a file that cannot be read, one per line. */
 function refusal(name: string, reason: string): { line: string; passed: boolean } {
   const faults = reason.split('\n');
   const line = faults.length === 1 ? `${name}: ${reason}` : `${name}:\n  ${faults.join('\n  ')}`;

@@ -1,4 +1,4 @@
-/** The files that parity takes, described field by field: the schema, the reader and the README say the same. */
+/** The format of parity files, field by field: schema, reader and README agree. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Ajv } from 'ajv';
@@ -27,7 +27,7 @@ interface Trajectory {
 }
 const trajectory = () => JSON.parse(text) as Trajectory;
 
-/** A record as HGETALL gives it: texts, quaternions [w, x, y, z]. */
+/** A record as HGETALL returns it: strings, quaternions [w, x, y, z]. */
 function asHash(record: Record<string, unknown>): Record<string, unknown> {
   const { attitude, impact_speed: impact, ...rest } = record;
   delete rest['crashed'];
@@ -66,7 +66,7 @@ describe('the schema', () => {
 
   it.each([
     ['a state without fuel', (file: Trajectory) => delete file.states[2]!['fuel']],
-    ['a text for a number', (file: Trajectory) => (file.ship_class['dry_mass'] = '8000')],
+    ['a string for a number', (file: Trajectory) => (file.ship_class['dry_mass'] = '8000')],
     ['a vector of two', (file: Trajectory) => (file.body['position'] = [1, 2])],
     ['no states', (file: Trajectory) => (file.states = [])],
     ['a state that is none', (file: Trajectory) => (file.states[0]!['surface_contact_state'] = 'LANDED')],
@@ -110,7 +110,7 @@ describe('npm run parity', () => {
     );
   });
 
-  it('accepts Redis hashes of texts, and quaternions with w first', () => {
+  it('accepts Redis hashes of strings, and quaternions with w first', () => {
     const file = trajectory();
     const redis = {
       ...file,

@@ -1,4 +1,4 @@
-/** How long a reader waits for a host: counted here, since a clock would count this machine's other work too. */
+/** How long a reader waits for a host; counted, since a clock would include other work of this machine. */
 import { afterEach, expect, it, vi } from 'vitest';
 import { openDocument } from '../../src/playground/offline/documents';
 import type { KeptBuild } from '../../src/playground/offline/keptBuild';
@@ -6,7 +6,7 @@ import type { KeptBuild } from '../../src/playground/offline/keptBuild';
 const ADDRESS = 'https://host.example/touchdown/';
 const KEPT = '<title>kept</title>';
 
-/** What of a kept build is asked here. */
+/** The members of a stored build that are used here. */
 const build = {
   find: (url: string) => Promise.resolve(url === ADDRESS ? new Response(KEPT) : undefined),
 } as KeptBuild;
@@ -16,7 +16,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-/** Limits in ms that a document was opened with, each over at once. */
+/** Time limits, ms, with which a document was opened; each expires at once. */
 function endLimitsAtOnce(): number[] {
   const limits: number[] = [];
   vi.spyOn(AbortSignal, 'timeout').mockImplementation((ms) => {

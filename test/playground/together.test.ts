@@ -6,7 +6,7 @@ import { createPredictor, type Predictor } from '../../src/prediction';
 import { NETWORK_PRESETS } from '../../src/scenarios';
 import { decodeServerMessage, encodeClientMessage } from '../../src/wire';
 
-/** Tabs that hear each other at once, as a BroadcastChannel's do a moment later. */
+/** Tabs that receive each other's messages at once, instead of shortly after like a BroadcastChannel's. */
 function createRoom() {
   const ends: TabChannel[] = [];
   return (): TabChannel => {
@@ -28,7 +28,7 @@ const LOAD = {
   ...{ tickRate: 10, timeScale: 1, network: NETWORK_PRESETS.lan, seed: 1, others: 0, pilot: 'Ann' },
 };
 
-/** A host's session and a guest's page behind one room, on one clock. */
+/** A host's session and a guest's page on one channel and one clock. */
 function playTogether() {
   const channelOf = createRoom();
   const session = createSession();

@@ -2,7 +2,7 @@ import type { WorldView } from '../../src/prediction';
 import type { Rig } from './rig';
 import { distance, type Sample, sampleOf, truthAt } from './samples';
 
-/** What the frames of a flight came to, against the server's truth at their labels. */
+/** Errors of a flight's frames, relative to the server's states at their labels. */
 export interface Measured {
   frames: number;
   /** |drawn − server|, m. */
@@ -31,17 +31,17 @@ export function flyAndMeasure(rig: Rig, seconds: number, each?: (view: WorldView
       if (sample.state !== truth.state) measured.wrongStates += 1;
     }
   });
-  if (rig.truth.disagreements > 0) throw new Error('the truth is not the authority’s own');
+  if (rig.truth.disagreements > 0) throw new Error('the ground truth differs from the authority');
   return measured;
 }
 
-/** Corrections of every kind so far. */
+/** Number of corrections so far. */
 export function corrections(rig: Rig): number {
   const d = rig.view().diagnosis;
   return d.correctionsLateInput + d.correctionsLostInput + d.correctionsOtherPilot + d.correctionsMismatch;
 }
 
-/** Distance of the predicted pose from the server's own newest state, once nothing moves any more, m. */
+/** Distance of the predicted pose from the server's newest state once the ship is at rest, m. */
 export function fromServer(rig: Rig): number {
   const ship = rig.view().own!;
   return distance([...ship.position], [...ship.serverPosition]);

@@ -48,7 +48,7 @@ describe('the recorder of a session with calls and undecoded messages', () => {
       return [];
     };
     const flown: number[] = [];
-    // What is predicted: what is drawn depends on when a view was asked for, too.
+    // The prediction only: the drawn pose also depends on when views were requested.
     const look = (predictor: Predictor, at: number, out: number[]) => {
       for (const ship of predictor.view(at).ships)
         out.push(hashRows(Float64Array.of(...ship.position, ...ship.attitude, ship.missingSends)));
@@ -61,7 +61,7 @@ describe('the recorder of a session with calls and undecoded messages', () => {
       if (i === 300) predictor.reset();
       rig.frame();
       look(predictor, rig.now, flown);
-      // A page that was hidden: most of what comes is superseded.
+      // A page that was hidden: most frames are superseded.
       if (i % 100 === 99) for (let k = 0; k < 60; k++) rig.receiveOnly();
     }
     const file = writeRecording({ header: { note: 'calls', shipId: 'ship-1' }, entries });

@@ -35,7 +35,7 @@ import {
 } from '../../src/wire';
 import { type Truth, watch } from './truth';
 
-/** A server, a network and a client on one wall clock that is passed: what tests and benchmarks fly. */
+/** A server, a network and a client on one wall clock, which is an argument: for tests and benchmarks. */
 export interface Rig {
   readonly loaded: LoadedScenario;
   readonly exchange: LoopbackLink;
@@ -48,13 +48,13 @@ export interface Rig {
   readonly view: () => WorldView;
   /** One display frame. */
   readonly frame: (controls?: Controls | null) => WorldView;
-  /** As in a hidden tab: messages come, nothing is advanced or drawn. */
+  /** As in a hidden tab: messages arrive, but nothing is advanced or drawn. */
   readonly receiveOnly: () => void;
-  /** Inputs that have left, in their order. */
+  /** Inputs sent, in order. */
   readonly sentInputs: InputRecord[];
   /** Frames until the wall clock has passed `seconds` more. */
   readonly fly: (seconds: number, each?: (view: WorldView) => void) => void;
-  /** Messages of the server on their way to the predictor; may change, drop or add some. */
+  /** Called with the server's messages before the predictor receives them; may change, drop or add some. */
   tamper: (message: ServerMessage) => readonly ServerMessage[];
 }
 
@@ -66,16 +66,16 @@ export interface RigOptions {
   readonly seed?: number;
   /** The game's own server: no hello, no acknowledgements, no fields 31–34, whole-tick inputs. */
   readonly legacy?: boolean;
-  /** Other players' ships around. */
+  /** Number of other players' ships. */
   readonly others?: number;
   readonly orders?: readonly SpawnOrder[];
   /** Frames a second. */
   readonly hz?: number;
   readonly pilot?: (game: number) => Controls;
   readonly predictor?: PredictorOptions;
-  /** Settings of the server that differ from what it tells. */
+  /** Settings of the server that differ from those it sends. */
   readonly secretSettings?: Scenario['settings'];
-  /** Wall s before which a message to the server does not leave; what is sent after it waits behind it. */
+  /** Wall s until which a message to the server is held; later messages queue behind it. */
   readonly holdBack?: (message: ClientMessage, now: number) => number;
 }
 

@@ -42,7 +42,7 @@ export function sampleOf(view: WorldView, wall: number, index = 0): Sample {
   };
 }
 
-/** Where the server really had a ship, linear between substep boundaries. */
+/** A ship's true state on the server, linear between substep boundaries. */
 export interface TruePose {
   readonly position: readonly number[];
   readonly velocity: readonly number[];
@@ -50,7 +50,7 @@ export interface TruePose {
   readonly state: string;
 }
 
-/** The truth at a sample's label; null while the server has not simulated it, or where it has no such ship. */
+/** The true state at a sample's label; null if the server has not simulated it yet, or has no such ship. */
 export function truthAt(
   truth: Truth,
   sample: Pick<Sample, 'tick' | 'sinceTick' | 'shipId'>,
@@ -60,7 +60,7 @@ export function truthAt(
   const i = interval.shipIds.indexOf(sample.shipId);
   if (i < 0) return null;
   const substeps = Math.min(interval.timing.substeps, sample.sinceTick / interval.timing.dt);
-  // A label on a boundary may be an ulp below it.
+  // A label at a boundary may be an ulp below it.
   const whole = Math.min(interval.timing.substeps - 1, Math.floor(substeps + 1e-9));
   const share = Math.max(0, substeps - whole);
   const before = interval.rows[whole]!.subarray(i * SHIP_STRIDE, (i + 1) * SHIP_STRIDE);

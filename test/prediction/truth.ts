@@ -21,17 +21,17 @@ import type { Authority, SpawnOrder } from '../../src/authority';
 import type { InputRecord, ServerFrame, ShipState, WorldEvent } from '../../src/wire';
 
 /**
- * What really happens on the server between its frames: every substep of every ship, simulated beside the authority from its own
- * frames and from the inputs as they reached it. Each tick is checked against the authority's next frame, to the bit, so that a
- * measurement against this truth is one against the server.
+ * The ground truth between the server's frames: every substep of every ship, simulated beside the authority from its own
+ * frames and the inputs as they arrived. Each tick is compared with the authority's next frame, bit by bit, so that a
+ * measurement against it is one against the server.
  */
 export interface Truth {
   /** Rows of all ships at each substep boundary of the interval that begins at `tick`, or undefined if it is not simulated yet. */
   readonly interval: (tick: number) => Interval | undefined;
   readonly events: WorldEvent[];
-  /** Ticks whose end did not come out as the authority's own: a measurement would be worthless. */
+  /** Ticks whose end differs from the authority's: measurements are then worthless. */
   readonly disagreements: number;
-  /** The authority, watched. */
+  /** The watched authority. */
   readonly authority: Authority;
 }
 
@@ -96,7 +96,7 @@ export function watch(
     intervals.delete(frame.tick - KEPT);
   }
 
-  /** As the server: what is due, in the order of its stamps; overtaken numbers never. */
+  /** Applies inputs like the server: those due, in the order of their stamps; superseded ones never. */
   function* due(tick: number, substep: number, shipIds: readonly string[]): Generator<[number, Controls]> {
     for (const entry of pending.filter(({ record }) => isDue(record, tick, substep))) {
       pending.splice(pending.indexOf(entry), 1);
@@ -143,19 +143,19 @@ export function watch(
     },
   };
 
-  /** An order changes the world between two frames: the next frame is the truth, not what was expected. */
+  /** A command changes the world between two frames: the next frame is then the truth. */
   function ordered<T>(result: T): T {
     state.expected = null;
     return result;
   }
 }
 
-/** Whether the server tells relative states at all; the game's own does not, and is believed to keep to the law from its start. */
+/** Whether the server sends relative states; the game's own does not, and is assumed to follow the law from its start. */
 function isTold(frame: ServerFrame): boolean {
   return frame.ships.every((ship) => ship.relativePosition !== null);
 }
 
-/** A told row is compared whole; else what is told, attitude, spin and fuel, which the law makes of everything else. */
+/** A row sent in full is compared in full; otherwise attitude, spin and fuel, which depend on everything else. */
 function agrees(frame: ServerFrame, expected: Float64Array, rows: Float64Array): boolean {
   if (isTold(frame)) return sameRows(expected, rows);
   return frame.ships.every((ship, i) => {

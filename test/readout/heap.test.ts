@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { heapFigures } from '../heapRun';
 
-/** Bytes per call that count as none: one boxed double per call is 16. */
+/** Bytes per call that count as no allocation: one boxed double per call is 16. */
 const NONE = 4;
 /** Copying a ship into a new run ahead takes some 90 bytes; a toppling ship starts one in every fourth or fifth call. */
 const RUN_AHEAD = 32;
@@ -13,7 +13,7 @@ const boundOf = (name: string) =>
   name.startsWith('fleet') ? FLEET : name === 'toppling, frame after frame' ? RUN_AHEAD : NONE;
 
 it('a readout allocates nothing, for an unchanged view or the next one', () => {
-  // The engine then compiles at the same calls in each run, whatever else the machine does.
+  // Makes the engine compile at the same calls in each run, regardless of load.
   const figures = Object.entries(heapFigures('test/readout/heapOfReadouts.ts', ['--single-threaded']));
   expect(figures).toHaveLength(16);
   for (const [name, grown] of figures) expect(grown, `bytes per call: ${name}`).toBeLessThan(boundOf(name));

@@ -1,7 +1,7 @@
 /**
- * Bytes of heap that a readout leaves behind, garbage counted, of a view that stays and of one that goes on. Run as a bundle with
- * --expose-gc (test/run.mjs) and a young generation that holds them all: the readouts as they are shipped. Prints bytes a call, one
- * number a case, as JSON.
+ * Bytes of heap that a readout allocates, for an unchanged view and for the next one. Run as a bundle with
+ * --expose-gc (test/run.mjs) and a young generation that holds them all: the readouts as they are shipped. Prints bytes per call, one
+ * number per case, as JSON.
  */
 import type { World } from '../../src/dynamics';
 import type { ShipView, WorldView } from '../../src/prediction';
@@ -44,7 +44,7 @@ interface Case {
   readonly calls: number;
 }
 
-/** Bytes a call: the least of four rounds, since the engine's compilers allocate beside what is measured. */
+/** Bytes per call: the minimum of four rounds, since the engine's compilers allocate too. */
 function bytesOf({ call, calls }: Case): number {
   let least = Infinity;
   for (let round = 0; round < 4; round++) {
@@ -63,8 +63,8 @@ function run(call: () => void, calls: number): void {
 const world = makeView();
 
 /**
- * As the predictor hands views out: all ships of one layout, and one world's settings and bodies. Objects of many layouts would be
- * measured else, not the readout.
+ * Like the predictor's views: all ships have the same object layout, settings and bodies. With many layouts, the
+ * measurement would show those.
  */
 function viewOf(pose: Pose, changes: Partial<ShipView> = {}): WorldView & { own: ShipView } {
   const own = asViewed(makeView(pose, changes).own);
@@ -124,7 +124,7 @@ const change = (): void => {
 };
 cases['fleet of 1000, one ship changes'] = { call: change, calls: 2000 };
 
-// All of them before any is measured: compiled for good, for every kind of view, and the runs ahead of the law are done.
+// Runs all before measuring any: everything is compiled, for every kind of view, and the runs ahead of the law are done.
 for (let pass = 0; pass < 3; pass++) for (const { call, calls } of Object.values(cases)) run(call, calls);
 const bytes = Object.fromEntries(Object.entries(cases).map(([name, one]) => [name, bytesOf(one)]));
 console.log(JSON.stringify(bytes, null, 1));

@@ -1,4 +1,4 @@
-/** The law itself under a hand-built view: the truth that the readouts' runs ahead are held against. */
+/** The law itself from a hand-built view, as reference for the readouts' runs ahead. */
 import {
   BODIES,
   BODY_STRIDE,
@@ -26,7 +26,7 @@ export interface Run {
   readonly cosTilt: () => number;
 }
 
-/** Starts the law where the pose stands, its body alone, level ground. */
+/** Starts the law at the pose, with its body only and level ground. */
 export function runLaw(pose: Pose): Run {
   const { own, settings, bodies } = makeView(pose);
   const motion = bodies[own.body]!;

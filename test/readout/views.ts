@@ -1,4 +1,4 @@
-/** Hand-built views for the readouts' and HUDs' tests: a place on a body, a velocity against the ground, a lean. */
+/** Hand-built views for the readouts' and HUDs' tests: a position on a body, a velocity relative to the ground, a lean. */
 import {
   BODIES,
   DEFAULT_SETTINGS,
@@ -14,13 +14,13 @@ import type { Diagnosis, ShipView, WorldView } from '../../src/prediction';
 export interface Pose {
   body?: 'Luna' | 'Earth' | 'Mars' | 'Phobos';
   shipClass?: 'fast_frigate' | 'cargo_hauler' | 'planetary_lander';
-  /** kg; half the capacity unless told. */
+  /** kg; half the capacity by default. */
   fuel?: number;
   /** Terrain under the ship, m. */
   terrain?: number;
-  /** ‖r‖ − surface_r, m: 0 is the law's touch, negative is sunk in. */
+  /** ‖r‖ − surface_r, m: 0 at a touch, negative in the ground. */
   clearance?: number;
-  /** Against the turning ground, m/s. */
+  /** Relative to the turning ground, m/s. */
   east?: number;
   north?: number;
   up?: number;
@@ -29,7 +29,7 @@ export interface Pose {
   leanTo?: number;
   /** Degrees the ship is rolled about its own Z before it leans. */
   heading?: number;
-  /** rad/s against the ground: about the tilt axis (positive = leaning on), about local up. */
+  /** rad/s relative to the ground: about the tilt axis (positive = leaning further), about local up. */
   tiltRate?: number;
   yawRate?: number;
   /** N along local up. */
@@ -51,7 +51,7 @@ export const NO_TOUCHDOWN: ShipView['touchdown'] = {
 
 type Triple = [number, number, number];
 
-/** A direction with no zero in it, so that a mixed-up axis shows. */
+/** A direction without zeros, so that swapped axes show. */
 export const NORMAL: Triple = [0.36, 0.48, 0.8];
 const EAST: Triple = unit(crossed([0, 1, 0], NORMAL));
 const NORTH: Triple = crossed(NORMAL, EAST);

@@ -24,11 +24,11 @@ export interface Flight {
   readonly initial?: Partial<LocalState>;
   readonly terrain?: string;
   readonly settings?: Partial<Settings>;
-  /** Ticks from a state until what it led to is flown. */
+  /** Ticks from a state until the controls computed from it act. */
   readonly delay?: number;
-  /** The autopilot is not told of the delay. */
+  /** The autopilot does not know the delay. */
   readonly ignoresDelay?: boolean;
-  /** As the game's own server, which sends ICRF alone. */
+  /** Like the game's own server, which sends ICRF only. */
   readonly legacy?: boolean;
 }
 

@@ -72,8 +72,8 @@ describe('the limit of the autopilot: a ship that turns more slowly than it fall
   const FRIGATE = SHIP_CLASSES.find(({ name }) => name === 'fast_frigate')!;
 
   /**
-   * Metres that a ship falls from rest until it hangs on its engine: turned from `tilt` to 90° by its controller, whose rate is
-   * ω_n / 2 at most, then braked with all that the engine has over the weight.
+   * Metres that a ship falls from rest until its engine holds it: turned from `tilt` to 90° by its controller, whose rate is
+   * ω_n / 2 at most, then braked with all of the engine's excess thrust.
    */
   function leastFall(shipClass: ShipClass, bodyName: string, tilt: number): number {
     const { mass, radius } = BODIES.find(({ name }) => name === bodyName)!;

@@ -8,7 +8,7 @@ function received(entries: readonly RecordingEntry[], kind: string) {
   return entries.filter((entry) => entry.kind === 'received').filter(({ message }) => message.kind === kind);
 }
 
-/** The ticks of the frames in the order they came. */
+/** The ticks of the frames in order of arrival. */
 function ticks(entries: readonly RecordingEntry[]): number[] {
   return entries.flatMap((entry) =>
     entry.kind === 'received' && entry.message.kind === 'frame' ? [entry.message.tick] : [],

@@ -56,7 +56,7 @@ describe('missions', () => {
   });
 });
 
-/** First landing: hold the hover for a while, then sink; the engine is cut at the ground. */
+/** First landing: hovers for a while, then descends; cuts the engine at the ground. */
 const SOFT: readonly RunInput[] = [
   { tick: 2, substep: 10, controls: { ...NEUTRAL_CONTROLS, thrustLevel: 0.085, attitudeHold: true } },
   {

@@ -9,7 +9,7 @@ import {
   type NetworkPreset,
 } from '../../src/scenarios';
 
-/** From an implementation apart from this one, in Python with 32-bit masks. */
+/** From an independent implementation in Python with 32-bit masks. */
 const SFC32_OF_7 = [2064663467, 741845084, 1743615334];
 
 const PRESETS = Object.keys(NETWORK_PRESETS) as NetworkPreset[];
@@ -85,7 +85,7 @@ describe('a link', () => {
     const arrived = link.deliver(1000);
     expect(arrived.map(({ bytes }) => bytes[0]! + 256 * bytes[1]!)).toEqual([...Array(500).keys()]);
     for (let i = 1; i < 500; i++) expect(arrived[i]!.at).toBeGreaterThanOrEqual(arrived[i - 1]!.at);
-    // Head-of-line blocking: many arrive at one instant, right behind the one that was lost.
+    // Head-of-line blocking: many arrive at one instant, right behind the lost one.
     const bunched = arrived.filter(({ at }, i) => i > 0 && at === arrived[i - 1]!.at).length;
     expect(bunched).toBeGreaterThan(100);
     expect(link.counters).toMatchObject({ sent: 500, lost: 0, reordered: 0, duplicated: 0 });

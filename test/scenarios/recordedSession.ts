@@ -9,9 +9,9 @@ import {
   type RecordingEntry,
 } from '../../src/scenarios';
 import { type ClientMessage, decodeServerMessage, encodeClientMessage } from '../../src/wire';
-import { MOON, shipOf, valueOf } from '../authority/moon';
+import { input, MOON, shipOf, valueOf } from '../authority/moon';
 
-/** An exchange over the Moon that starts at wall second 100, with 'ann' flying 'own' as a scenario begins. */
+/** A loopback link over the Moon that starts at wall second 100, with 'ann' flying 'own' from a scenario's start. */
 export function moonExchange(
   scenario: string,
   preset: NetworkPreset,
@@ -30,11 +30,11 @@ export function moonExchange(
 export interface Client {
   readonly entries: RecordingEntry[];
   readonly say: (message: ClientMessage, now: number) => void;
-  /** Runs the exchange to `now`, and takes what came. */
+  /** Runs the link to `now`, and takes what has arrived. */
   readonly runTo: (now: number) => void;
 }
 
-/** A client that keeps what it hears and says, as a recording. */
+/** A client that records what it receives and sends. */
 export function listen(exchange: LoopbackLink): Client {
   const entries: RecordingEntry[] = [];
   const client: Client = {
@@ -55,4 +55,29 @@ export function listen(exchange: LoopbackLink): Client {
 
 export function recordingOf(client: Client): Recording {
   return { header: { note: 'a test', shipId: 'own' }, entries: client.entries };
+}
+
+/** Ten seconds of the opening, flown with three inputs. */
+export function flown(
+  disturb: (second: number, exchange: ReturnType<typeof moonExchange>) => void = () => undefined,
+): Recording {
+  const exchange = moonExchange('opening', 'broadband');
+  const client = listen(exchange);
+  client.say({ kind: 'ping', id: 1 }, 100);
+  client.say(
+    {
+      kind: 'inputs',
+      inputs: [
+        input(1, 2, 30, { thrustLevel: 0.2, attitudeHold: true }),
+        input(2, 3, 75, { rotationInput: [0.1, 0, 0.4] }),
+        input(3, 4, 0, {}),
+      ],
+    },
+    100.1,
+  );
+  for (let second = 1; second <= 12; second++) {
+    client.runTo(100.5 + second);
+    disturb(second, exchange);
+  }
+  return recordingOf(client);
 }

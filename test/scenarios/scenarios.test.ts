@@ -55,7 +55,7 @@ describe('scenarios', () => {
     ]);
   });
 
-  // 0.3 Hz is a tick of 3.3 s in 334 substeps shorter than 0.01 s: other bits, the same story.
+  // 0.3 Hz is a tick of 3.3 s in 334 substeps shorter than 0.01 s: other bits, the same outcome.
   it.each(NAMED)(
     '%s makes legal transitions only, and ends as declared, at any tick rate',
     (_name, scenario) => {
@@ -94,7 +94,7 @@ describe('the opening', () => {
     const [first, second, landed] = times(run);
     expect(first).toBeLessThan(2);
     expect(second! - first!).toBeGreaterThan(3);
-    // A second and a half are left for a 1 Hz server to say so over a slow network.
+    // A 1 Hz server needs a second and a half to report it over a slow network.
     expect(landed).toBeLessThan(13.5);
     const shortly = valueOf(runScenario({ ...named('opening'), tickRate: 100, duration: first! }));
     const touch = readShip(shortly.ships, shortly.ships.length - SHIP_STRIDE, shortly.world);
@@ -121,7 +121,7 @@ describe('a slide', () => {
     const to = seenAt(run, run.ships.length / SHIP_STRIDE - 1);
     const speed = Math.hypot(from.velocity[0], from.velocity[1]);
     const length = Math.hypot(to.position[0] - from.position[0], to.position[1] - from.position[1]);
-    // It lands below 0.5 m/s and stops dead: 0.5²/(2 μ g) short of the full length.
+    // It lands below 0.5 m/s and stops at once: 0.5²/(2 μ g) short of the full length.
     const expected = (speed ** 2 - 0.5 ** 2) / (2 * 0.5 * gravity);
     // Semi-implicit Euler moves with the new speed: half a substep's loss short, 5 cm here.
     const short = ((speed - 0.5) * run.loaded.timing.dt) / 2;

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { runScenario, SCENARIOS } from '../../src/scenarios';
 
 // node test/run.mjs test/scenarios/writeGolden.ts
-// Pins every scenario's bits anew. Only after a change that is meant to change them: an order of additions, a scenario.
+// Pins the bits of every scenario. Run it only after a change that is meant to change them, such as the order of a sum or a scenario.
 
 const hashes: Record<string, string> = {};
 for (const scenario of SCENARIOS) {

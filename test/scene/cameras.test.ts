@@ -44,7 +44,7 @@ it('sits in the ship and turns with it: the ship’s z axis is up', () => {
   const { eye, camera, way } = lookOf('cockpit');
   expect(Math.hypot(eye[0]! - 20, eye[1]! - 100, eye[2]! + 30)).toBeLessThan(4);
   expect(camera.up.y).toBeCloseTo(1, 12);
-  // Ahead is body y, here local −z, a little down.
+  // Ahead is body y, here local −z, slightly downward.
   expect(way[2]).toBeLessThan(-0.9);
   expect(way[1]).toBeLessThan(0);
 });

@@ -15,7 +15,7 @@ const HZ = 60;
 /** Heights of the centre of mass, as the stage begins. */
 const DISTANCE = 5.2;
 
-/** The camera over a whole rehearsal: the eye's worst acceleration, m/s², and how far from the middle the ship came, degrees. */
+/** The camera over a whole scenario: the eye's worst acceleration, m/s², and how far from the middle the ship came, degrees. */
 function watched(scenario: string, seconds: number) {
   const rig = createRig({ scenario, hz: HZ });
   const turn = createTurn();
@@ -76,7 +76,7 @@ function angleBetween(eye: Float64Array, focus: Float64Array, ship: Float64Array
 
 /**
  * Just above what is measured. A ship that hits the ground at 27 m/s stops within a substep; the eye takes a third of a second.
- * Half the picture's height is 24°.
+ * Half of the picture's height is 24°.
  */
 const BOUNDS = [
   { name: 'opening', seconds: 14, acceleration: 85, degrees: 6 },

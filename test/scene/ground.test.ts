@@ -80,7 +80,7 @@ describe('drawn ground', () => {
       const [x, y, z] = [level.points[i]!, level.points[i + 1]! + frame.radius, level.points[i + 2]!];
       const r = Math.hypot(x, y, z);
       const along = (k: number) => (axes[k]! * x + axes[3 + k]! * y + axes[6 + k]! * z) / r;
-      // 1.7e6 m in doubles, rooted and summed: some 1e-9 m.
+      // Rounding of 1.7e6 m in doubles, with a square root and sums: about 1e-9 m.
       expect(Math.abs(r - frame.radius - hills('Luna', along(0), along(1), along(2)))).toBeLessThan(1e-6);
     }
   });
@@ -110,7 +110,7 @@ describe('drawn ground', () => {
       const at = z * side + x;
       for (let axis = 0; axis < 3; axis++) {
         const value = coarse.positions[at * 3 + axis]! + coarse.origin[axis]!;
-        // Both are floats from an origin tens of metres off.
+        // Both are floats relative to an origin tens of metres away.
         expect(Math.abs(value - fineAt(i, axis))).toBeLessThan(2e-5);
         const middle = (fineAt(i, axis) + fineAt(i + 2, axis)) / 2;
         expect(Math.abs(fineAt(i + 1, axis) - middle)).toBeLessThan(2e-5);

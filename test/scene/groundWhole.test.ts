@@ -27,7 +27,7 @@ function groundOf(scenario: Scenario): Ground {
   return ground;
 }
 
-/** The cells that each level draws all around the eye, as "x z" in its own spacing. */
+/** The cells that each level draws around the eye, as "x z" in its own spacing. */
 function drawnCells(ground: Ground): ReadonlySet<string>[] {
   const everywhere = createCone();
   ground.place(new Float64Array(3), everywhere);
@@ -53,7 +53,7 @@ function drawnCells(ground: Ground): ReadonlySet<string>[] {
 function layersAround(ground: Ground, x: number, z: number, reach: number): number[] {
   const levels = drawnCells(ground);
   return Array.from({ length: 400 }, (_, n) => {
-    // Evenly in angle, and in the logarithm of the distance: as many near the ship as far off.
+    // Uniform in angle and in the logarithm of the distance: as many near the ship as far away.
     const away = 0.3 * (reach / 0.3) ** ((n % 20) / 20);
     const angle = 2 * Math.PI * ((n * 0.618) % 1);
     const [px, pz] = [x + away * Math.cos(angle), z + away * Math.sin(angle)];

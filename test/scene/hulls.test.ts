@@ -52,7 +52,7 @@ describe.each(SHIP_CLASSES)('model of $name', (shipClass) => {
       finer = trianglesOf(geometry);
       const box = boxOf(geometry);
       expect(Math.abs(box.min.z - whole.min.z)).toBeLessThan(0.2);
-      // Antennas and lamps go, the hull stays.
+      // Antennas and lamps are left out, the hull is kept.
       const [size, before] = [box.getSize(new Vector3()), whole.getSize(new Vector3())];
       for (const axis of ['x', 'y', 'z'] as const) {
         expect(size[axis] / before[axis]).toBeGreaterThan(0.75);

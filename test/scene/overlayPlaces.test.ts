@@ -72,7 +72,7 @@ describe('overlays', () => {
     },
   );
 
-  it('draws the segment from the drawn ship to its predicted place', () => {
+  it('draws the segment from the drawn ship to its predicted position', () => {
     const rig = createRig({ scenario: 'settle' });
     rig.fly(6);
     const view = rig.view();

@@ -31,7 +31,7 @@ function levelOf(frame: LocalFrame, spacing: number, x: number, z: number): Terr
   return level;
 }
 
-/** An eye `distance` m from a focus near the ground, and what three sees from there. */
+/** An eye `distance` m from a focus near the ground, and three's frustum from there. */
 function eyeAt(rng: () => number, distance: number) {
   const focus = Float64Array.of(rng() * 200 - 100, 3 + rng() * 60, rng() * 200 - 100);
   const [azimuth, elevation] = [rng() * 2 * Math.PI, rng() * 1.7 - 0.2];
@@ -61,7 +61,7 @@ function pointOf(level: TerrainLevel, vertex: number, out: Vector3): Vector3 {
   );
 }
 
-/** Vertices of triangles that a range leaves out and three's own frustum sees; how many triangles it leaves out. */
+/** Vertices of omitted triangles that are inside three's frustum, and the number of omitted triangles. */
 function hiddenButSeen(level: TerrainLevel, finer: TerrainLevel, cone: ViewCone, frustum: Frustum) {
   const sectors = createSectors();
   writeSectors(sectors, level, finer);
@@ -91,7 +91,7 @@ describe('culled ground', () => {
         all += found.all;
       }
     }
-    // It has to leave something out: a level look does not see what is behind it.
+    // Something must be omitted: what is behind a level view.
     expect(left / all).toBeGreaterThan(name === 'Phobos' ? 0.1 : 0.2);
   });
 
@@ -115,7 +115,7 @@ describe('culled ground', () => {
   });
 });
 
-/** The greatest, over a level's outer points, of how near the line of sight from the eye comes to the body's centre. */
+/** The largest distance from the body's centre at which a line of sight to a level's outer points passes. */
 function nearestToCentre(level: TerrainLevel, eye: Float64Array, radius: number): number {
   const from = new Vector3(eye[0], eye[1]! + radius, eye[2]);
   const to = new Vector3();

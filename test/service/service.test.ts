@@ -10,7 +10,7 @@ it.skipIf(isMissing('python')).each(['test_loading', 'test_simulation'])(
   2 * MINUTES,
 );
 
-// They mostly wait, each for a Redis and a service of its own.
+// They mostly wait, each for its own Redis and service.
 const WITH_REDIS = ['Ships', 'Inputs', 'Clock', 'Lease', 'Damage'].map((name) => `test_redis.${name}`);
 describe.skipIf(isMissing('redis')).concurrent('against a real Redis', () => {
   it.each([...WITH_REDIS, 'test_garbage', 'test_recorder'])('%s passes', expectUnittest, 6 * MINUTES);

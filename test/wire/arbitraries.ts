@@ -10,7 +10,7 @@ export const vector = (most: number): fc.Arbitrary<Vec3> => {
   return fc.tuple(part, part, part);
 };
 
-/** As near to length 1 as a division by the length brings it. */
+/** Of length 1 within the rounding of a division by the length. */
 export const quaternion: fc.Arbitrary<Quat> = fc
   .tuple(...([1, 1, 1, 1] as const).map(() => fc.double({ min: -1, max: 1, noNaN: true })))
   .filter((q) => Math.hypot(...q) > 1e-3)
@@ -36,7 +36,7 @@ export const controls: fc.Arbitrary<Controls> = fc.record({
 const kilograms = fc.double({ min: 0, max: 1e15, noNaN: true });
 const impactSpeed = fc.double({ min: 0, max: 1e9, noNaN: true });
 
-/** What goes together: with a relative state an impact speed; without one an impact speed only if it is not 0. */
+/** Consistent members: with a relative state there is an impact speed; without one only if it is not 0. */
 const contact = fc.oneof(
   fc.record({
     relativePosition: vector(1e18),

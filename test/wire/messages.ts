@@ -9,7 +9,7 @@ import type {
   WorldEvent,
 } from '../../src/wire';
 
-/** One message of each kind in which no field has the value that protobuf leaves out. */
+/** One message of each kind; no field has the default value that protobuf omits. */
 
 export const BODY: BodyState = {
   name: 'Luna',

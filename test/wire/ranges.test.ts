@@ -15,7 +15,7 @@ import {
 } from '../../src/wire';
 import { BODY, EVENT, FRAME, HELLO, INPUT, SHIP } from './messages';
 
-/** Records outside what the types or the game allow, encoded all the same: the reason, or '' if it is accepted. */
+/** Encodes a record outside the allowed ranges and returns the reason of its refusal, or '' if it is accepted. */
 
 function reasonOf(message: ServerFrame | Hello): string {
   const decoded = decodeServerMessage(encodeServerMessage(message));

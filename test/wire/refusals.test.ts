@@ -11,7 +11,7 @@ import {
 import { galaxy } from '../../src/wire/generated/codec.js';
 import { FRAME, HELLO, INPUTS } from './messages';
 
-/** Every field of every message, each made wrong in its turn: the reason must begin with the path of that field. */
+/** Makes each field of each message invalid in turn: the reason must begin with the path of that field. */
 
 type Codec = typeof galaxy.stream.ServerMessage | typeof galaxy.stream.ClientMessage;
 type Tree = Record<string, unknown>;
@@ -42,7 +42,7 @@ function unset(node: object): string[] {
   return fields.filter((name) => !Object.hasOwn(node, name) && !name.startsWith('_'));
 }
 
-/** A value for the place that must be refused, or undefined if none can be sent. */
+/** An invalid value for the field, or undefined if none can be sent. */
 function badValues({ parent, name }: Place): unknown[] {
   const value = parent[name];
   if (name === 'substep') return [1_000_000, 4294967295];
@@ -52,7 +52,7 @@ function badValues({ parent, name }: Place): unknown[] {
   return [];
 }
 
-/** What may be left out of a message: everything else that is a message of its own is needed. */
+/** Optional submessages; all others are required. */
 const OPTIONAL =
   /(translation_input|rotation_input|target_attitude|relative_position|relative_velocity|wheel_momentum|reaction_wheel_capacity|last_input)$/;
 

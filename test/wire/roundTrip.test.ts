@@ -12,7 +12,7 @@ import {
 import { frame, input } from './arbitraries';
 import { FRAME, HELLO, INPUTS } from './messages';
 
-/** toEqual tells 0 from −0: equal here is equal bit by bit. */
+/** toEqual distinguishes 0 and −0, so equal means equal bit by bit. */
 function expectBack(message: ServerMessage): void {
   expect(decodeServerMessage(encodeServerMessage(message))).toEqual({ ok: true, value: message });
 }
@@ -51,7 +51,7 @@ it('carries empty frames and a frame without an acknowledgement', () => {
   expect(decodeClientMessage(encodeClientMessage(nothing))).toEqual({ ok: true, value: nothing });
 });
 
-it('returns bytes in a buffer of their own, so that they can be transferred', () => {
+it('returns bytes in their own buffer, so that they can be transferred', () => {
   for (const bytes of [encodeServerMessage(FRAME), encodeClientMessage(INPUTS)]) {
     expect(bytes.constructor).toBe(Uint8Array);
     expect(bytes.buffer.byteLength).toBe(bytes.byteLength);

@@ -1,4 +1,4 @@
-/** What may stand in a text field of a fixed vocabulary. */
+/** The allowed values of a string field with a fixed vocabulary. */
 const WORDS: Readonly<Record<string, readonly string[]>> = {
   kind: ['hello', 'frame', 'pong', 'inputs', 'ping'],
   touchdownAttitude: ['aligned', 'kept'],
@@ -12,7 +12,7 @@ const NULLABLE = [
   ...['wheelMomentum', 'groundContactOffset', 'reactionWheelCapacity', 'dryInertiaRatio'],
 ];
 
-/** What is wrong with a record that was accepted: nothing may be, whatever the bytes were. */
+/** The fault of an accepted record; there must be none for any bytes. */
 export function faultsOf(value: unknown, path = ''): string[] {
   const name = path.slice(path.lastIndexOf('.') + 1);
   const fault = (text: string) => [`${path}: ${text}`];

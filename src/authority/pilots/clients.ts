@@ -7,10 +7,10 @@ import { presentOf, type ServerState } from '../serverState';
 
 const MAX_PILOTS = 10_000;
 
-/** Lets a player join or rejoin as the pilot of `shipId`; '' is a spectator. Null where the server sends no hello (`legacy`). */
+/** Lets a player join or rejoin as the pilot of `shipId`; '' is a spectator. Returns the hello, or null if the server sends none (`legacy`). */
 export function join(server: ServerState, playerId: string, shipId: string): Result<Hello | null> {
   const { pilots, options } = server;
-  if (playerId === '') return err('playerId: expected a non-empty text');
+  if (playerId === '') return err('playerId: expected a non-empty string');
   const known = pilots.get(playerId);
   if (known === undefined && pilots.size >= MAX_PILOTS)
     return err(`players: the limit of ${MAX_PILOTS} is reached`);
@@ -33,7 +33,7 @@ export function receive(
   const { pilots, counters } = server;
   const pilot = pilots.get(playerId);
   if (pilot === undefined || (message.kind === 'inputs' && pilot.shipId === '')) {
-    counters.inputsOfStrangers++;
+    counters.inputsWithoutShip++;
     return err(`playerId: ${playerId} ${pilot === undefined ? 'has not joined' : 'flies no ship'}`);
   }
   if (message.kind === 'ping') return ok(answerPing(server, pilot, message.id, now));

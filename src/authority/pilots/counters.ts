@@ -1,7 +1,7 @@
 /** Counts of what pilots sent, by outcome. Monotonic. */
 export interface Counters {
   inputsApplied: number;
-  /** Of those applied: after the substep of their stamp had been simulated. */
+  /** Applied after the substep of their stamp had been simulated. */
   inputsLate: number;
   /** With a sequence number that is already queued or applied. */
   inputsDuplicate: number;
@@ -14,7 +14,7 @@ export interface Counters {
   /** Refused: malformed. */
   inputsMalformed: number;
   /** Refused: from a player who has not joined or flies no ship. */
-  inputsOfStrangers: number;
+  inputsWithoutShip: number;
   pings: number;
   pingsFlooded: number;
 }
@@ -28,7 +28,7 @@ export function createCounters(): Counters {
     inputsFromFuture: 0,
     inputsFlooded: 0,
     inputsMalformed: 0,
-    inputsOfStrangers: 0,
+    inputsWithoutShip: 0,
     pings: 0,
     pingsFlooded: 0,
   };

@@ -4,7 +4,7 @@ import type { Counters } from './counters';
 
 /** Inputs one player can have waiting: ten wall seconds at 0.1 Hz with a change every 10 ms, twice over. */
 export const MAX_QUEUED = 2048;
-/** Bound of a substep's number: 0.1 Hz at time scale 100 make ticks of 1,000 s, 100,000 substeps. */
+/** Most substeps of a tick: 1,000 s, at 0.1 Hz and time scale 100. */
 const MAX_SUBSTEPS = 100_000;
 /** Wall seconds an input may be ahead, in addition to one tick. */
 const MAX_AHEAD = 10;
@@ -12,7 +12,7 @@ const MAX_AHEAD = 10;
 /** An input that waits for its substep. */
 interface QueuedInput {
   readonly record: InputRecord;
-  /** When it is due: its stamp, or the next whole tick under granularity 'tick'. */
+  /** When it is due: at its stamp, or at the next whole tick under granularity 'tick'. */
   readonly tick: number;
   readonly substep: number;
   /** Wall seconds. */
@@ -21,7 +21,7 @@ interface QueuedInput {
 
 /** The inputs of one player. */
 export interface InputQueue {
-  /** In the order they are due. */
+  /** Ordered by due time. */
   readonly queue: QueuedInput[];
   /** Sequence number of the input applied last; 0 before the first. */
   lastSeq: number;
@@ -30,7 +30,7 @@ export interface InputQueue {
   fresh: boolean;
 }
 
-/** The server's present, when an input arrives or falls due. */
+/** The server's present when an input arrives or is due. */
 export interface Present {
   readonly tick: number;
   /** Hz */
@@ -54,7 +54,7 @@ export function queueInputs(
 ): string | null {
   let reason: string | null = null;
   for (const [i, record] of inputs.entries()) {
-    // A reloaded page numbers its inputs from 1 again; one that reconnects continues its count.
+    // A reloaded page numbers its inputs from 1 again; a page that reconnects continues its count.
     if (player.fresh && record.seq === 1) player.lastSeq = 0;
     player.fresh = false;
     const refusal = queueInput(player, counters, record, present, now);
@@ -101,7 +101,7 @@ function queueInput(
 
 /**
  * Writes the inputs that are due at the start of substep `when.substep` of the present interval into the ship's row.
- * @returns whether any was
+ * @returns whether there were any
  */
 export function applyDue(
   player: InputQueue,

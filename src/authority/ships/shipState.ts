@@ -11,7 +11,7 @@ import {
 import type { BodyState, ShipState } from '../../wire';
 import { add } from './rotation';
 
-/** Names of a ship; its row holds the rest. */
+/** A ship's names; its row holds the rest. */
 export interface ShipIdentity {
   readonly shipId: string;
   readonly playerId: string;
@@ -27,8 +27,8 @@ export interface ShipPlace {
 }
 
 /**
- * A row as the wire's ShipState (PREDICTION, Server messages): ICRF position and velocity are computed here alone, from
- * the state relative to the reference body (DYNAMICS, Frame). `legacy` omits what the game's own server does not send.
+ * Converts a row to a ShipState (PREDICTION, Server messages): ICRF position and velocity are computed only here, from
+ * the state relative to the reference body (DYNAMICS, Frame). `legacy` omits fields that the game's own server does not send.
  */
 export function toShipState(place: ShipPlace, identity: ShipIdentity, legacy = false): ShipState {
   const { ships, at, bodies, world } = place;

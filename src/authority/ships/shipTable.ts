@@ -44,14 +44,14 @@ export interface ShipTable {
 
 interface Entry {
   readonly identity: ShipIdentity;
-  /** As spawned, and its body's attitude then: a respawn is over the same ground. */
+  /** The ship as spawned, and its body's attitude then: a respawn is over the same ground. */
   readonly ship: ShipInit;
   readonly bodyAttitude: Quat;
 }
 
 const MAX_SHIPS = 10_000;
-/** A larger kick is a mistake of the caller's, m/s and rad/s. */
-const LARGEST_KICK = 1e4;
+/** Larger kicks are mistakes of the caller, m/s and rad/s. */
+const MAX_KICK = 1e4;
 
 export function createShipTable(): ShipTable {
   return { rows: new Float64Array(0), events: new Uint8Array(0), entries: [] };
@@ -62,7 +62,7 @@ export function rowOf(table: ShipTable, shipId: string): number {
   return table.entries.findIndex((entry) => entry.identity.shipId === shipId) * SHIP_STRIDE;
 }
 
-/** Adds a ship; a reason that names the field leaves the table unchanged. */
+/** Adds a ship. Returns null, or a reason that names the invalid field; then the table is unchanged. */
 export function spawn(
   table: ShipTable,
   order: SpawnOrder,
@@ -86,9 +86,9 @@ export function spawn(
   return null;
 }
 
-/** The reason why the order's names cannot be sent to clients, or null. */
+/** Why the ship's names cannot be sent to clients, or null. */
 function invalidName({ shipId, playerId, name }: ShipIdentity): string | null {
-  if (shipId === '') return 'shipId: expected a non-empty text';
+  if (shipId === '') return 'shipId: expected a non-empty string';
   for (const [field, text] of Object.entries({ shipId, playerId, name })) {
     const complaint = textComplaint(text);
     if (complaint !== null) return `${field}: ${complaint}`;
@@ -123,8 +123,8 @@ export function respawn(
 }
 
 /**
- * Adds `dv` (m/s) and `spin` (rad/s), ICRF axes, to a ship: an operator's order, outside the dynamics. A landed ship is
- * attached to the ground and a settling one is held down (DYNAMICS, Linear): pushed upward they fly, pushed otherwise a landed one
+ * Adds `dv` (m/s) and `spin` (rad/s), ICRF axes, to a ship: an operator's command, outside the dynamics. A landed ship is
+ * attached to the ground and a settling one is held down (DYNAMICS, Linear): kicked upward they fly; kicked otherwise a landed one
  * slides.
  */
 export function kick(table: ShipTable, shipId: string, dv: Vec3, spin: Vec3): string | null {
@@ -135,8 +135,8 @@ export function kick(table: ShipTable, shipId: string, dv: Vec3, spin: Vec3): st
     ['dv', dv],
     ['spin', spin],
   ] as const) {
-    if (!vector.every((value) => Math.abs(value) <= LARGEST_KICK))
-      return `${name}: expected 3 numbers of at most ${LARGEST_KICK}`;
+    if (!vector.every((value) => Math.abs(value) <= MAX_KICK))
+      return `${name}: expected 3 numbers of at most ${MAX_KICK}`;
   }
   for (let k = 0; k < 3; k++) {
     rows[at + VELOCITY + k]! += dv[k]!;

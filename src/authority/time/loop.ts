@@ -1,7 +1,7 @@
 import type { Authority } from '../authority';
 
 /**
- * When an authority's ticks are due on a wall clock that is passed: shared by the page's worker, tests and benchmarks.
+ * Schedules an authority's ticks; shared by the page's worker, tests and benchmarks. `now` is an argument.
  * All times are monotonic wall seconds.
  */
 export interface Loop {
@@ -13,10 +13,10 @@ export interface Loop {
   slipped: number;
 }
 
-/** Most ticks run at once after a stall; later ones are postponed. A server that catches up without a limit falls further behind. */
+/** Most ticks run at once after a stall; later ones are postponed. A server that catches up without limit falls further behind. */
 export const MAX_CATCH_UP = 5;
 
-/** A loop whose present boundary is at `now`. */
+/** Starts a loop whose present boundary is at `now`. */
 export function startLoop(authority: Authority, now: number): Loop {
   authority.startAt(now);
   return { nextAt: now + 1 / authority.tempo.tickRate(), frozen: false, slipped: 0 };

@@ -12,7 +12,7 @@ export interface Tempo {
   setPaused: (paused: boolean) => void;
   /** While paused: runs for one interval of one tick or one substep, then pauses again. */
   armStep: (unit: 'substep' | 'tick') => string | null;
-  /** At a boundary: requested changes take effect. */
+  /** Called at a boundary: requested changes take effect. */
   settle: () => void;
 }
 

@@ -46,14 +46,14 @@ export function actuate(step: Step): void {
   q[TORQUE + 1] = 0;
   q[TORQUE + 2] = 0;
   q[RCS_TORQUE_SUM] = 0;
-  // A landed ship is attached: no torque, nothing burnt for attitude.
+  // A landed ship is attached to the ground: no torque, no fuel for attitude.
   if (q[SURFACE_STATE] !== LANDED && askTorque(step)) giveTorque(step);
   push(step);
   q[LIFT] =
     q[THRUST]! * start[NORMAL]! + q[THRUST + 1]! * start[NORMAL + 1]! + q[THRUST + 2]! * start[NORMAL + 2]!;
 }
 
-/** Of the asked TORQUE the wheels give what they can until they are full, RCS the rest while there is fuel. */
+/** The wheels give as much of TORQUE as they can until they are full; RCS gives the rest while there is fuel. */
 function giveTorque(step: Step): void {
   const q = quantities;
   const { shipClass } = step;
@@ -82,7 +82,7 @@ function giveTorque(step: Step): void {
   }
 }
 
-/** Main engine and translation thrusters, and the fuel that they and the RCS torque burn. */
+/** Thrust of main engine and translation thrusters, and the fuel burnt by them and by the RCS torque. */
 function push(step: Step): void {
   const q = quantities;
   const { shipClass } = step;
@@ -105,7 +105,7 @@ function push(step: Step): void {
   q[FUEL] = left > 0 ? left : 0;
 }
 
-/** Whether engine or translation thrusters are commanded: most ships coast. */
+/** Whether engine or translation thrusters are commanded; most ships coast. */
 export function commandsThrust(): boolean {
   const q = quantities;
   return (

@@ -1,7 +1,7 @@
 /**
- * Sine and cosine of an angle in degrees from + − × ÷ alone: Math.sin and Math.cos have other bits in other engines (DYNAMICS,
- * Arithmetic). Angle settings are turned into cosines with them once, when the configuration is loaded, and scenarios begin from
- * them. Within 1e-15 for |degrees| ≤ 3600.
+ * Sine and cosine of an angle in degrees from + − × ÷ alone: the bits of Math.sin and Math.cos differ between engines (DYNAMICS,
+ * Arithmetic). They convert angle settings to cosines once, when settings are loaded, and give scenarios their initial
+ * attitude. Exact to 1e-15 for |degrees| ≤ 3600.
  */
 export function cosineOfDegrees(degrees: number): number {
   const turned = degrees - 360 * Math.floor(degrees / 360);
@@ -16,10 +16,10 @@ export function sineOfDegrees(degrees: number): number {
   return sineOfQuarter(turned > 90 ? 180 - turned : turned);
 }
 
-/** To the last bit the same everywhere. */
+/** π / 180, the same bits everywhere. */
 const RADIANS_PER_DEGREE = 3.141592653589793 / 180;
 
-/** 0 … 90°. Above 45° it is the sine of the complement, so that the argument stays below π/4. */
+/** For 0 … 90°. Above 45° it is the sine of the complement, so that the argument stays below π/4. */
 function cosineOfQuarter(degrees: number): number {
   return degrees <= 45
     ? polynomialCosine(degrees * RADIANS_PER_DEGREE)

@@ -2,7 +2,7 @@ import { ATTITUDE, BODY_TURN, POSITION } from '../state/layout';
 import { AXIS, FROM, quantities, ROTATION, type Step, TO, SMI_MASK } from '../contact/quantities';
 import { moveWithGround, spinWithGround } from '../contact/pose';
 
-/** Landed or pinned: the ship's place turns with the ground over the substep; u = Ω × r. */
+/** Landed or pinned: the ship's position turns with the ground over the substep; u = Ω × r. */
 export function turnPlaceWithGround(step: Step): void {
   const q = quantities;
   const { bodies } = step;
@@ -18,7 +18,7 @@ export function turnPlaceWithGround(step: Step): void {
   const ty = az * x - ax * z;
   const tz = ax * y - ay * x;
   const twice = 2 * aw;
-  // From left to right, v + 2w (a × v) + 2 a × (a × v): in another order a ship pinned for a minute ends 0.1 µm elsewhere.
+  // Summed from left to right, v + 2w (a × v) + 2 a × (a × v): in another order a ship pinned for a minute is off by 0.1 µm.
   q[POSITION] = x + tx * twice + 2 * (ay * tz - az * ty);
   q[POSITION + 1] = y + ty * twice + 2 * (az * tx - ax * tz);
   q[POSITION + 2] = z + tz * twice + 2 * (ax * ty - ay * tx);
@@ -57,10 +57,10 @@ export function rotateAttitude(): void {
   q[ATTITUDE + 3] = w * perLength;
 }
 
-/** a · b below which two unit vectors oppose, 179.92° and more: there a × b is short, and its direction is lost to rounding. */
+/** a · b below which two unit vectors are opposite, 179.92° and more: there a × b is short, and its direction is rounding error. */
 const OPPOSED = -0.999999;
 
-/** ROTATION = the shortest rotation from unit FROM to unit TO: normalize(a × b, 1 + a·b), or half a turn where they oppose. */
+/** ROTATION = the shortest rotation from unit FROM to unit TO: normalize(a × b, 1 + a·b), or half a turn if they are opposite. */
 export function shortestRotation(): void {
   const q = quantities;
   const ax = q[FROM]!;
@@ -89,7 +89,7 @@ export function shortestRotation(): void {
   q[ROTATION + 3] = w * perLength;
 }
 
-/** |a_x| from which a is too near to x for a × x to serve as an axis; the cross product with y is then at least as long. */
+/** |a_x| from which a is too close to x for a × x to give an axis; a × y is then at least as long. */
 const NEAR_X = 0.9;
 
 /** AXIS = unit(a × x), x = (1,0,0), or (0,1,0) if |a_x| ≥ 0.9, of the unit vector a at `rows[from]`. */

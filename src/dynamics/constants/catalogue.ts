@@ -3,8 +3,8 @@ import type { Quat, Vec3 } from '../result';
 import type { ShipClass } from './shipClass';
 
 /**
- * The game's ship classes, as it publishes them, and one of ours: `planetary_lander`, of which it publishes the ground contact offset
- * alone. Everything marked "ours" is this project's; leg radii are the game's arctan(leg_radius / offset) = 37°.
+ * The game's ship classes as published, and one of ours: `planetary_lander`, of which the game publishes the ground contact offset
+ * only. Values marked "ours" are this project's; leg radii follow the game's arctan(leg_radius / offset) = 37°.
  */
 export const SHIP_CLASSES: readonly ShipClass[] = [
   {
@@ -44,7 +44,7 @@ export const SHIP_CLASSES: readonly ShipClass[] = [
     attitudeNaturalFrequency: 0.15,
   },
   {
-    // Ours but for its offset: it lands and lifts off anywhere from Phobos to Earth, and rights itself on the Moon.
+    // Ours except for its offset: it lands and lifts off from Phobos to Earth, and can be righted on the Moon.
     name: 'planetary_lander',
     dryMass: 8000,
     fuelCapacity: 8000,
@@ -60,7 +60,7 @@ export const SHIP_CLASSES: readonly ShipClass[] = [
     rcsLever: 4,
     rcsIsp: 290,
     reactionWheelTorque: [2000, 2000, 1000],
-    // Full after 4 s of full torque, at 5°/s about x and y: enough for flying upright, not for throwing it about.
+    // Full after 4 s of full torque, at 5°/s about x and y: enough to fly upright, not for fast turns.
     reactionWheelCapacity: [8000, 8000, 4000],
     attitudeNaturalFrequency: 1,
   },
@@ -77,9 +77,9 @@ function diagonal(x: number, y: number, z: number): ShipClass['inertiaTensor'] {
 const TURN = 6.283185307179586;
 
 /**
- * Spin of a body: Ω = (2π / rotation_period) × axis, the axis a unit vector of the ecliptic physics frame, near +Z. Its attitude turns
- * the body's Y, its pole, onto the axis; where the prime meridian points at the instant is ours.
- * @param period sidereal seconds; negative turns the other way
+ * Spin of a body: Ω = (2π / rotation_period) × axis, the axis a unit vector of the ecliptic physics frame, near +Z. Its attitude rotates
+ * the body's Y, its pole, onto the axis; the direction of the prime meridian is ours.
+ * @param period sidereal seconds; negative is retrograde
  */
 function spinning(axis: Vec3, period: number): Pick<BodyMotion, 'attitude' | 'angularVelocity'> {
   const [x, y, z] = axis;
@@ -100,7 +100,7 @@ function unit([x, y, z]: Vec3): Vec3 {
   return [x / length, y / length, z / length];
 }
 
-/** The bodies one can land on: J2000 masses, mean radii and sidereal spins; places and orbital speeds of one instant, rounded. */
+/** The bodies with ground: J2000 masses, mean radii and sidereal spins; positions and orbital velocities at one instant, rounded. */
 export const BODIES: readonly (Body & BodyMotion)[] = [
   {
     name: 'Luna',

@@ -3,14 +3,14 @@ import { INERTIA, outside } from './limits';
 
 /** Inertia tensors: kg m², body axes, with full tanks. */
 
-/** Of the mean moment, how far elements that should be equal may lie apart: to a part in 10⁹, as recordings print rounded values. */
+/** How far elements that must be equal may differ, as a share of the mean moment: a part in 10⁹, since recordings print rounded values. */
 const SYMMETRIC_WITHIN = 3e-9;
 
-/** Of an inertia tensor: its determinant over the cube of its mean moment; 1 for a ball, 3.4 / k for a rod of moments k, k, 1. */
-const LEAST_ROUNDNESS = 1e-6;
+/** Least determinant of an inertia tensor divided by the cube of its mean moment: 1 for a ball, 3.4 / k for a rod of moments k, k, 1. */
+const MIN_ROUNDNESS = 1e-6;
 
-/** The legs' moment of inertia is at most this many times the bound below the least: a needle would spin about its own axis. */
-const MOST_SUPPORT = 4;
+/** The legs' moment of inertia is at most this many times the lower bound of the least moment; otherwise a needle spins about its own axis. */
+const MAX_SUPPORT = 4;
 
 /** J and J' (DYNAMICS, Angular), from K = I⁻¹. */
 export function scalarInertias(k: Float64Array): { supportInertia: number; scrubInertia: number } {
@@ -19,13 +19,13 @@ export function scalarInertias(k: Float64Array): { supportInertia: number; scrub
   const mean = (k[0]! + k[4]!) / 2;
   const half = (k[0]! - k[4]!) / 2;
   const tilting = 1 / (mean + Math.sqrt(half * half + k[1]! * k[1]!));
-  return { supportInertia: Math.min(tilting, MOST_SUPPORT * scrubInertia), scrubInertia };
+  return { supportInertia: Math.min(tilting, MAX_SUPPORT * scrubInertia), scrubInertia };
 }
 
 /**
- * The first reason why a tensor is no inertia tensor, or null: its diagonal, its symmetry, Sylvester's criterion, and that it is no needle: the ground's impulse on a lying hull (DYNAMICS, Tipped) spins one whose
- * moments lie more than some million times apart ever faster. Moments that no mass could have, one above the sum of the other two,
- * are taken: nothing in the law asks for less.
+ * Why a tensor is no inertia tensor, or null. Checks its diagonal, its symmetry, Sylvester's criterion, and that it is no needle: the ground's impulse on a tipped hull (DYNAMICS, Tipped) spins a hull ever
+ * faster if its moments differ by more than a factor of about a million. Moments that no mass can have, one above the sum of the other two,
+ * are accepted: the dynamics do not depend on it.
  */
 export function noTensor([a, b, c]: Mat3): string | null {
   for (const [i, moment] of [a[0], b[1], c[2]].entries()) {
@@ -45,8 +45,8 @@ export function noTensor([a, b, c]: Mat3): string | null {
     a[2] * (b[0] * c[1] - b[1] * c[0]);
   if (!(minor > 0 && determinant > 0)) return 'inertiaTensor: expected a positive definite tensor';
   const roundness = determinant / (mean * mean * mean);
-  if (roundness >= LEAST_ROUNDNESS) return null;
-  return `inertiaTensor: expected a determinant of at least ${LEAST_ROUNDNESS} of its mean moment cubed, got ${roundness}`;
+  if (roundness >= MIN_ROUNDNESS) return null;
+  return `inertiaTensor: expected a determinant of at least ${MIN_ROUNDNESS} of its mean moment cubed, got ${roundness}`;
 }
 
 /** Adjugate over determinant, row by row. */

@@ -1,58 +1,58 @@
 import type { Quat } from '../result';
 
 /**
- * The widest numbers the law takes: far beyond anything that flies, and far inside of what doubles hold, so that no square, product
- * or quotient of a substep overflows, whatever is combined with whatever (DYNAMICS, Ranges).
+ * Ranges of all numbers in the dynamics: far beyond any ship, and far within those of doubles, so that no square, product
+ * or quotient of a substep overflows, whatever the combination (DYNAMICS, Ranges).
  */
 export interface Range {
   readonly least: number;
-  /** The least itself is out. */
+  /** `least` itself is out of range. */
   readonly isOpen?: boolean;
   readonly most: number;
   readonly unit: string;
 }
 
-/** From a gram to a small moon, whose own gravity the law would miss. */
+/** From a gram to a small moon: the dynamics have no gravity of ships. */
 export const SHIP_MASS: Range = { least: 1e-3, most: 1e15, unit: 'kg' };
 export const FUEL_MASS: Range = { least: 0, most: SHIP_MASS.most, unit: 'kg' };
-/** Tanks, where there are any: from a milligram. */
+/** Fuel capacity above 0: from a milligram. */
 export const TANKS: Range = { least: 1e-6, most: SHIP_MASS.most, unit: 'kg' };
-/** Of a ship: up to 1,000 km. */
+/** A ship's lengths: up to 1,000 km. */
 export const SHIP_LENGTH: Range = { least: 0, most: 1e6, unit: 'm' };
-/** A length that divides: from a millimetre. */
+/** A length used as a divisor: from a millimetre. */
 export const LEVER: Range = { least: 1e-3, most: SHIP_LENGTH.most, unit: 'm' };
-/** On the tensor's diagonal: from a gram a millimetre across to the largest mass with the largest arm. */
+/** The tensor's diagonal: from a gram a millimetre across to the largest mass at the largest distance. */
 export const INERTIA: Range = { least: 1e-9, most: 1e27, unit: 'kg m²' };
 export const FORCE: Range = { least: 0, most: 1e15, unit: 'N' };
 export const TORQUE: Range = { least: 0, most: 1e15, unit: 'N m' };
 /** ω_n of the attitude controller: up to where its damping is stable at the longest substep. */
 export const NATURAL_FREQUENCY: Range = { least: 0, isOpen: true, most: 5, unit: 'rad/s' };
-/** Dry over full inertia. Its least, far below what any ship has, keeps what is divided by it finite. */
+/** Dry inertia over full inertia. The minimum, far below any ship's, keeps quotients finite. */
 export const INERTIA_RATIO: Range = { least: 1e-6, most: 1, unit: '' };
-/** Of reaction wheels, and of what they hold. */
+/** Capacity of reaction wheels. */
 export const WHEEL_CAPACITY: Range = { least: 0, most: 1e15, unit: 'N m s' };
-/** Wheels that are never full may have given any of this. */
+/** Momentum of wheels that are never full. */
 export const WHEEL_MOMENTUM_RANGE: Range = { least: -1e25, most: 1e25, unit: 'N m s' };
-/** Up to light's speed over standard gravity, rounded up. */
+/** Up to the speed of light over standard gravity, rounded up. */
 export const ISP: Range = { least: 1e-3, most: 1e8, unit: 's' };
 
 /** Up to a billion suns. */
 export const BODY_MASS: Range = { least: 0, isOpen: true, most: 1e40, unit: 'kg' };
-/** From a pebble up to 100 light years, as far as the two below. */
+/** From a pebble to 100 light years, like PLACE. */
 export const BODY_RADIUS: Range = { least: 1e-3, most: 1e18, unit: 'm' };
 /** Each component, of ships and bodies. */
 export const PLACE: Range = { least: -1e18, most: 1e18, unit: 'm' };
-/** Each component: three times light's. */
+/** Each component: three times the speed of light. */
 export const VELOCITY_RANGE: Range = { least: -1e9, most: 1e9, unit: 'm/s' };
 /** Each component. */
 export const SPIN: Range = { least: -1e6, most: 1e6, unit: 'rad/s' };
 export const SPEED: Range = { least: 0, most: VELOCITY_RANGE.most, unit: 'm/s' };
 export const SPIN_SPEED: Range = { least: 0, most: SPIN.most, unit: 'rad/s' };
 
-/** How far from 1 the length of an attitude may be: servers send rounded ones. */
+/** Largest deviation of an attitude's length from 1: servers send rounded ones. */
 const UNIT_WITHIN = 1e-3;
 
-/** The reason why a finite number is out of a range, or null. */
+/** Why a finite number is out of a range, or null. */
 export function outside(field: string, value: number, range: Range): string | null {
   const { least, most, isOpen = false } = range;
   const unit = range.unit === '' ? '' : ` ${range.unit}`;
@@ -61,11 +61,11 @@ export function outside(field: string, value: number, range: Range): string | nu
   return `${field}: expected ${isOpen ? '>' : '≥'} ${least}${unit}, got ${value}`;
 }
 
-/** The reason why one of some finite numbers is out of a range, or null. */
+/** Why one of several finite numbers is out of a range, or null. */
 export function anyOutside(field: string, values: readonly number[], range: Range): string | null {
   const { least, most } = range;
   for (let i = 0; i < values.length; i++) {
-    // Inside, most often: a double handed on would be boxed.
+    // Usually within: a double passed on would be boxed.
     if (values[i]! > least && values[i]! <= most) continue;
     const reason = outside(`${field}[${i}]`, values[i]!, range);
     if (reason !== null) return reason;
@@ -73,7 +73,7 @@ export function anyOutside(field: string, values: readonly number[], range: Rang
   return null;
 }
 
-/** The reason why four finite numbers are no attitude, or null. */
+/** Why four finite numbers are no attitude, or null. */
 export function notUnit(field: string, attitude: Quat): string | null {
   const x = attitude[0];
   const y = attitude[1];

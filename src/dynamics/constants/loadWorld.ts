@@ -13,7 +13,7 @@ export interface WorldData {
   readonly terrainHeight: TerrainHeight;
 }
 
-/** The world with its constants, or a reason that names the first invalid field: `settings.…`, `shipClasses[0]: …`, `bodies[0]: …`. */
+/** The world with derived constants, or an error that names the first invalid field: `settings.…`, `shipClasses[0]: …`, `bodies[0]: …`. */
 export function loadWorld({ settings, shipClasses, bodies, terrainHeight }: WorldData): Result<World> {
   const loadedSettings = loadSettings(withoutConstants(settings));
   if (!loadedSettings.ok) return err(`settings.${loadedSettings.reason}`);
@@ -29,7 +29,7 @@ export function loadWorld({ settings, shipClasses, bodies, terrainHeight }: Worl
   });
 }
 
-/** The settings alone, of a record that may be a loaded one with its constants. */
+/** The settings alone, from a record that may be loaded and have derived constants. */
 function withoutConstants(given: Partial<Settings>): Partial<Settings> {
   return Object.fromEntries(Object.entries(given).filter(([name]) => Object.hasOwn(DEFAULT_SETTINGS, name)));
 }

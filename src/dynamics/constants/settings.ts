@@ -4,9 +4,9 @@ import { outside, SPEED, SPIN_SPEED } from './limits';
 
 /** The server's contact settings under the design's names (DYNAMICS, Settings). SI units, degrees where the name says so. */
 export interface Settings {
-  /** Impact above which a ship crashes, m/s. */
+  /** Impact speed above which a ship crashes, m/s. */
   readonly contactCrashSpeed: number;
-  /** Impact up to which a ship settles without a bounce, m/s. */
+  /** Impact speed up to which a ship settles without a bounce, m/s. */
   readonly contactBounceSpeed: number;
   /** Tilt up to which a ship counts as landed, degrees. */
   readonly contactSettleTiltDeg: number;
@@ -22,11 +22,11 @@ export interface Settings {
   readonly contactFrictionStatic: number;
   /** Coefficient of sliding feet. */
   readonly contactFrictionKinetic: number;
-  /** What a touch does to attitude and spin: aligned with the surface normal and stilled, or kept as they are. */
+  /** Effect of a touch on attitude and spin: aligned with the surface normal and stopped, or kept. */
   readonly touchdownAttitude: 'aligned' | 'kept';
-  /** Which way is off the ground: along the radius, as on a ball, or square to the slope that the feet stand on. */
+  /** Direction of contact forces: along the radius, as on a sphere, or along the normal of the slope under the feet. */
   readonly surfaceNormal: 'radial' | 'terrain';
-  /** Game seconds: a tick is cut into equal substeps that are no longer. */
+  /** Game seconds: a tick is divided into equal substeps of at most this length. */
   readonly contactLongestSubstep: number;
 }
 
@@ -45,11 +45,11 @@ export const DEFAULT_SETTINGS: Settings = Object.freeze({
   contactLongestSubstep: 0.01,
 });
 
-/** Bounds of contactLongestSubstep, s. Beyond the longest, ships with moments of inertia far apart shake on their legs. */
+/** Bounds of contactLongestSubstep, s. With longer substeps, ships of very unequal moments of inertia shake on their legs. */
 const SHORTEST_SUBSTEP = 0.001;
 const LONGEST_SUBSTEP = 0.022;
 
-/** Checked settings and what a substep needs of them: angles as cosines. */
+/** Checked settings with derived constants: angles as cosines. */
 export interface LoadedSettings extends Settings {
   /** Cosine of contactSettleTiltDeg. */
   readonly cosSettleTilt: number;
@@ -59,7 +59,7 @@ export interface LoadedSettings extends Settings {
   readonly constants: Float64Array;
 }
 
-/** Settings as loaded, or a reason that names the first setting out of its range, and the range. Absent settings keep their defaults. */
+/** Loads settings, or returns an error that names the first setting out of range, and the range. Absent settings have their defaults. */
 export function loadSettings(given: Partial<Settings>): Result<LoadedSettings> {
   const s: Settings = { ...DEFAULT_SETTINGS, ...given };
   for (const [name, value] of Object.entries(s)) {

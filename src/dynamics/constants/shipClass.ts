@@ -37,7 +37,7 @@ export interface ShipClass {
   readonly rcsThrust: Vec3;
   /** N m about body x, y, z. */
   readonly rcsTorque: Vec3;
-  /** Arm that turns RCS torque into force, m. */
+  /** Lever arm by which RCS torque becomes force, m. */
   readonly rcsLever: number;
   /** s */
   readonly rcsIsp: number;
@@ -59,13 +59,13 @@ export interface LoadedShipClass extends ShipClass {
   readonly inertia: Float64Array;
   /** Its inverse, row by row. */
   readonly inverseInertia: Float64Array;
-  /** What the tensor is multiplied by: inertiaAtDry + inertiaPerFuel · fuel. */
+  /** Factor on the tensor: inertiaAtDry + inertiaPerFuel · fuel. */
   readonly inertiaAtDry: number;
   /** 1/kg */
   readonly inertiaPerFuel: number;
-  /** J: the least moment of inertia against tilting, with full tanks, kg m²: what the legs' support turns. */
+  /** J: the least moment of inertia against tilting, with full tanks, kg m², for the legs' support. */
   readonly supportInertia: number;
-  /** J': a bound below the least moment of inertia, with full tanks, kg m²: what the feet's scrub slows. */
+  /** J': a lower bound of the least moment of inertia, with full tanks, kg m², for the feet's scrub. */
   readonly scrubInertia: number;
   /** ω_n², s⁻². */
   readonly attitudeStiffness: number;
@@ -83,10 +83,10 @@ export interface LoadedShipClass extends ShipClass {
   readonly constants: Float64Array;
 }
 
-/** Standard gravity, m/s²: turns a specific impulse in seconds into an exhaust velocity. */
+/** Standard gravity, m/s²: converts specific impulse in seconds to exhaust velocity. */
 export const STANDARD_GRAVITY = 9.80665;
 
-/** The class with its constants, or a reason that names the field and its range. */
+/** The class with derived constants, or an error that names the invalid field and its range. */
 export function loadShipClass(given: ShipClass): Result<LoadedShipClass> {
   const reason = malformed(given) ?? outOfRange(given);
   if (reason !== null) return err(`ship class ${given.name}: ${reason}`);
@@ -127,7 +127,7 @@ function constantsOf(c: Omit<LoadedShipClass, 'constants'>): Float64Array {
 
 const NEVER_FULL: Vec3 = [Infinity, Infinity, Infinity];
 
-/** Linear in fuel: from dry to full as dryInertiaRatio has it, without one (or without tanks) as mass. */
+/** Inertia is linear in fuel: from dry to full by dryInertiaRatio; without one, or without tanks, in proportion to mass. */
 function inertiaByFuel(
   { dryMass, fuelCapacity, dryInertiaRatio }: ShipClass,
   fullMass: number,
@@ -151,7 +151,7 @@ const SCALARS = [
 const TRIPLES = ['rcsThrust', 'rcsTorque', 'reactionWheelTorque'] as const;
 
 function malformed(c: ShipClass): string | null {
-  if (typeof c.name !== 'string' || c.name === '') return 'name: expected a string';
+  if (typeof c.name !== 'string' || c.name === '') return 'name: expected a non-empty string';
   for (const field of SCALARS) {
     const reason = notFinite(field, c[field]);
     if (reason !== null) return reason;
@@ -195,7 +195,7 @@ function outOfRange(c: ShipClass): string | null {
       : anyOutside('reactionWheelCapacity', c.reactionWheelCapacity, WHEEL_CAPACITY)) ??
     outside('attitudeNaturalFrequency', c.attitudeNaturalFrequency, NATURAL_FREQUENCY) ??
     (c.dryInertiaRatio === null ? null : outside('dryInertiaRatio', c.dryInertiaRatio, INERTIA_RATIO)) ??
-    // Where they divide nothing they are not looked at.
+    // Not checked where they divide nothing.
     (c.mainEngineThrust > 0 ? outside('mainEngineIsp', c.mainEngineIsp, ISP) : null) ??
     (turnsByRcs ? outside('rcsLever', c.rcsLever, LEVER) : null) ??
     (burnsRcs ? outside('rcsIsp', c.rcsIsp, ISP) : null) ??

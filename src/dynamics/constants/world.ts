@@ -8,14 +8,14 @@ import type { LoadedShipClass } from './shipClass';
  */
 export interface TerrainHeight {
   (bodyName: string, nx: number, ny: number, nz: number): number;
-  /** The same height in scratch doubles, where the terrain offers it; the substep then asks for it this way. */
+  /** The same height in scratch doubles, if the terrain has it; the substep then uses this. */
   readonly inPlace?: HeightInPlace;
 }
 
-/** Reads the unit direction at `point[0..2]`, body's axes, and leaves its height at `point[3]`, m. */
+/** Reads the unit direction at `point[0..2]`, body's axes, and writes its height, m, to `point[3]`. */
 export type HeightInPlace = (point: Float64Array, bodyName: string) => void;
 
-/** Everything a substep reads of the world; what it changes are rows. */
+/** Everything a substep reads of the world. A substep changes only rows. */
 export interface World {
   readonly settings: LoadedSettings;
   readonly shipClasses: readonly LoadedShipClass[];

@@ -4,15 +4,15 @@ import { NEAR_POLE } from './slope';
 /** The ground of one body under one ship. */
 export interface GroundUnderShip {
   readonly bodyName: string;
-  /** Of the body, m. */
+  /** The body's, m. */
   readonly radius: number;
-  /** Of the ship's footprint, m. */
+  /** Radius of the ship's footprint, m. */
   readonly legRadius: number;
   readonly terrainHeight: TerrainHeight;
 }
 
 /**
- * The surface normal of `surface_normal` terrain (DYNAMICS, "The ground's own normal"), for who draws and reads; the substep has its own.
+ * The surface normal of `surface_normal` terrain (DYNAMICS, "The ground's own normal"), for views and readouts; the substep computes its own.
  * @param out unit, body axes
  * @param normal the radial direction, unit, body axes
  */
@@ -37,7 +37,7 @@ export function writeGroundNormal(out: Float64Array, normal: Float64Array, groun
   out[2] = sz * perLength;
 }
 
-/** Metres of rise per metre along (dx, dy, dz), level and unit. */
+/** Rise per metre along (dx, dy, dz), which is level and unit, m/m. */
 function rise(n: Float64Array, dx: number, dy: number, dz: number, ground: GroundUnderShip): number {
   const { bodyName, radius, legRadius, terrainHeight } = ground;
   const arm = legRadius / radius;

@@ -2,7 +2,7 @@ import { ANGULAR_VELOCITY, ATTITUDE } from '../state/layout';
 import { AXES, DT, INERTIA_FACTOR, quantities, type Step, TORQUE } from './quantities';
 import { INVERSE_INERTIA } from '../constants/constantRows';
 
-/** Step 6: spin and attitude by semi-implicit Euler, without a sine or a cosine; leaves `up` current. */
+/** Step 6: spin and attitude by semi-implicit Euler, without sine or cosine; keeps `up` current. */
 export function turnByTorque(step: Step): void {
   const q = quantities;
   const tx = q[TORQUE]!;
@@ -57,7 +57,7 @@ export function turnByTorque(step: Step): void {
   q[ATTITUDE + 2] = z;
   q[ATTITUDE + 3] = w;
 
-  // up of the new attitude.
+  // `up` of the new attitude.
   const x2 = x + x;
   const y2 = y + y;
   q[AXES + 2] = x * (z + z) + w * y2;

@@ -11,7 +11,7 @@ import {
   TRANSLATION_INPUT,
 } from './layout';
 
-/** What a pilot commands, under the game's names. */
+/** A pilot's controls, under the game's names. */
 export interface Controls {
   /** 0 … 1 */
   readonly thrustLevel: number;
@@ -21,7 +21,7 @@ export interface Controls {
   readonly rotationInput: Vec3;
   /** Rate damping. */
   readonly attitudeHold: boolean;
-  /** What the attitude controller steers at. */
+  /** What the attitude controller aims at. */
   readonly attitudeMode: AttitudeMode;
   /** For attitude mode hold. */
   readonly targetAttitude: Quat;
@@ -37,7 +37,7 @@ export const NEUTRAL_CONTROLS: Controls = Object.freeze<Controls>({
   targetAttitude: [0, 0, 0, 1],
 });
 
-/** A target this near to length 1 is unit already: dividing by such a length would move its last bits, each time it is loaded. */
+/** A target whose length is this close to 1 is kept: dividing by the length would change its last bits each time it is loaded. */
 const UNIT_WITHIN = 1e-12;
 
 /** A target attitude of a length between these is normalised; beyond them it is taken for a mistake. */
@@ -45,7 +45,7 @@ const LEAST_LENGTH = 1e-3;
 const MOST_LENGTH = 1e3;
 
 /**
- * Controls clamped into range, target normalised; or a reason that names the field (DYNAMICS, Actuators). What is loaded loads again
+ * Controls clamped into range, target normalised; or an error that names the field (DYNAMICS, Actuators). Loaded controls load again
  * to the same bits, so that a stored or sent input replays to the same flight.
  */
 export function loadControls(given: Controls): Result<Controls> {
@@ -72,12 +72,12 @@ export function loadControls(given: Controls): Result<Controls> {
   });
 }
 
-/** The game's mode of that name: 'unknown' where the law does not know it, since no mode may cost a ship's state. */
+/** The mode of that name, or 'unknown': an unknown mode must not cost a ship its state. */
 export function attitudeModeOf(name: string): AttitudeMode {
   return (ATTITUDE_MODES as readonly string[]).includes(name) ? (name as AttitudeMode) : 'unknown';
 }
 
-/** What stands in the column ATTITUDE_MODE for a mode, and back. */
+/** The value of column ATTITUDE_MODE for a mode, and back. */
 export function modeNumber(mode: AttitudeMode): number {
   return mode === 'unknown' ? MODE_UNKNOWN : ATTITUDE_MODES.indexOf(mode);
 }
@@ -96,7 +96,7 @@ export function writeControls(ships: Float64Array, at: number, controls: Control
   ships.set(controls.targetAttitude, at + TARGET_ATTITUDE);
 }
 
-/** The controls a row holds. */
+/** Reads the controls of a row. */
 export function readControls(ships: Float64Array, at: number): Controls {
   return {
     thrustLevel: ships[at + THRUST_LEVEL]!,

@@ -1,5 +1,5 @@
 /**
- * FNV-1a over the bytes of doubles, 32 bits, little-endian on every machine: one number for a trajectory's bits.
+ * FNV-1a over the bytes of doubles, 32 bits, little-endian on every machine: a hash of a trajectory's bits.
  * Chain calls with the last result; start with FNV_OFFSET.
  */
 const FNV_OFFSET = 0x811c9dc5;

@@ -1,9 +1,9 @@
 /**
- * One ship is one row of a Float64Array, one body is another: history, copy, hash, compare and transfer are then a line each.
- * The columns are named here and nowhere else. SI units, radians; vectors in ICRF axes unless said; quaternions (x, y, z, w).
+ * Each ship is a row of a Float64Array, and so is each body: history, copy, hash, comparison and transfer are then one line each.
+ * The columns are named only here. SI units, radians; vectors in ICRF axes unless stated; quaternions (x, y, z, w).
  */
 
-/** Centre of mass relative to the reference body's centre, m, in the frame that falls with that centre and keeps ICRF's axes. */
+/** Centre of mass relative to the reference body's centre, m, in the frame that falls with that centre and has ICRF axes. */
 export const POSITION = 0;
 /** Velocity in that frame, m/s. */
 export const VELOCITY = 3;
@@ -13,9 +13,9 @@ export const ATTITUDE = 6;
 export const ANGULAR_VELOCITY = 10;
 /** kg. */
 export const FUEL = 13;
-/** What the reaction wheels have given so far, N m s, body axes; 0 at spawn. */
+/** Momentum stored in the reaction wheels, N m s, body axes; 0 at spawn. */
 export const WHEEL_MOMENTUM = 14;
-/** Speed at the touch that began this contact, m/s; 0 in flight. */
+/** Impact speed of the touch that began this contact, m/s; 0 in flight. */
 export const IMPACT_SPEED = 17;
 /** One of FLYING, CONTACT, LANDED, TIPPED. */
 export const SURFACE_STATE = 18;
@@ -62,7 +62,7 @@ export const ATTITUDE_MODES = [
   'radial',
   'antiradial',
 ] as const;
-/** 'unknown' stands for every other mode of the game: it acts as none with attitude_hold. */
+/** 'unknown' is any other mode of the game: it acts like none with attitude_hold. */
 export type AttitudeMode = (typeof ATTITUDE_MODES)[number] | 'unknown';
 export const MODE_NONE = 0;
 export const MODE_HOLD = 1;
@@ -74,7 +74,7 @@ export const MODE_RADIAL = 7;
 export const MODE_ANTIRADIAL = 8;
 export const MODE_UNKNOWN = 9;
 
-/** What a substep can report of a ship, at most one a substep. */
+/** Events that a substep can report of a ship, at most one per substep. */
 export const NO_EVENT = 0;
 export const EVENT_CONTACT = 1;
 export const EVENT_LANDED = 2;
@@ -92,7 +92,7 @@ export const EVENT_NAMES = [
 ] as const;
 export type ShipEventName = Exclude<(typeof EVENT_NAMES)[number], ''>;
 
-/** Body row: centre in ICRF, m; moves once a tick, made for the wire and for changes of reference body alone. */
+/** Body row: centre in ICRF, m; moves once per tick, only for the wire and for changes of the reference body. */
 export const BODY_POSITION = 0;
 /** m/s, ICRF. */
 export const BODY_VELOCITY = 3;
@@ -106,6 +106,6 @@ export const BODY_AXES = 13;
 export const BODY_END_ATTITUDE = 22;
 /** Rotation matrix of BODY_END_ATTITUDE, row by row. */
 export const BODY_END_AXES = 26;
-/** normalize(Ω dt/2, 1): how ground-bound ships turn in this substep. */
+/** normalize(Ω dt/2, 1): the rotation of ground-bound ships in this substep. */
 export const BODY_TURN = 35;
 export const BODY_STRIDE = 39;

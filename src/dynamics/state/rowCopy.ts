@@ -1,8 +1,8 @@
 import { quantities, SMI_MASK } from '../contact/quantities';
 
-// Written out: a loop takes three times as long.
+// Written out, since a loop takes three times as long.
 
-/** The ship's row into the first slots of `quantities`. */
+/** Copies the ship's row into the first slots of `quantities`. */
 export function copyIn(ships: Float64Array, row: number): void {
   const q = quantities;
   const at = row & SMI_MASK;
@@ -44,7 +44,7 @@ export function copyIn(ships: Float64Array, row: number): void {
   q[35] = ships[at + 35]!;
 }
 
-/** What a substep changes of it, back: up to SURFACE_STATE, and CRASHED. */
+/** Copies the columns that a substep changes back into the row: up to SURFACE_STATE, and CRASHED. */
 export function copyOut(ships: Float64Array, row: number): void {
   const q = quantities;
   const at = row & SMI_MASK;

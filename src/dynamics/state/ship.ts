@@ -44,7 +44,7 @@ export interface ShipRecord {
   readonly angularVelocity: Vec3;
   /** kg */
   readonly fuel: number;
-  /** What the reaction wheels have given so far, N m s, body axes. */
+  /** Momentum stored in the reaction wheels, N m s, body axes. */
   readonly wheelMomentum: Vec3;
   /** h: height of the centre of mass above the feet, m. */
   readonly groundContactOffset: number;
@@ -56,11 +56,11 @@ export interface ShipRecord {
 
 const AT_REST: Vec3 = [0, 0, 0];
 
-/** A ship as it is given: without a wheel momentum it is 0, without an offset the class's. */
+/** A ship's initial state: wheelMomentum is 0 by default, groundContactOffset the class's. */
 export type ShipInit = Omit<ShipRecord, 'wheelMomentum' | 'groundContactOffset'> &
   Partial<Pick<ShipRecord, 'wheelMomentum' | 'groundContactOffset'>>;
 
-/** Writes a ship's state (not its controls); a reason that names the field leaves the row as it was. */
+/** Writes a ship's state (not its controls). Returns null, or a reason that names the invalid field; then the row is unchanged. */
 export function writeShip(ships: Float64Array, at: number, ship: ShipInit, world: World): string | null {
   const checked = checkShip(ship, world);
   if (!checked.ok) return checked.reason;
@@ -131,7 +131,7 @@ function checkShip(ship: ShipInit, world: World): Result<{ shipClass: number; re
   if (referenceBody < 0) return err(`referenceBody: no body named ${ship.referenceBody}`);
   if (!SURFACE_STATES.includes(ship.surfaceContactState)) return err('surfaceContactState: no such state');
   const [x, y, z] = ship.relativePosition;
-  // Less than a metre from the centre the radial direction, and so gravity, has no meaning.
+  // Within a metre of the centre the radial direction, and so gravity, is undefined.
   if (!(x * x + y * y + z * z >= 1)) return err('relativePosition: expected ≥ 1 m from the body’s centre');
   const outOfRange =
     anyOutside('relativePosition', ship.relativePosition, PLACE) ??

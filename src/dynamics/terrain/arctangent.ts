@@ -21,13 +21,13 @@ const QUARTER_PI = 0.7853981633974483;
 /** tan(π/8) */
 const SPLIT = 0.41421356237309503;
 
-/** Where angleOf finds y and x and leaves the angle: in scratch doubles, so that nothing is boxed (see quantities.ts). */
+/** angleOf reads y and x here and writes the angle: scratch doubles, so that nothing is boxed (see quantities.ts). */
 export const arc = new Float64Array(3);
 export const ARC_Y = 0;
 export const ARC_X = 1;
 export const ARC_ANGLE = 2;
 
-/** The angle from the x axis to (x, y), rad, −π … π; 0 of the zero vector. Both finite. */
+/** The angle from the x axis to (x, y), rad, −π … π; 0 for the zero vector. Both must be finite. */
 export function angleOf(): void {
   const y = arc[ARC_Y]!;
   const x = arc[ARC_X]!;

@@ -20,21 +20,21 @@ export interface Heightmap {
   readonly scale: number;
   /** m: a sample of 0 is at this distance from the centre. */
   readonly referenceRadius: number;
-  /** m: of the body in the simulation; heights come out above it. The reference radius unless said. */
+  /** m: the body's radius in the simulation, above which heights are given. The reference radius by default. */
   readonly bodyRadius?: number;
-  /** Between the samples; 'bilinear' unless said. */
+  /** Interpolation between the samples; 'bilinear' by default. */
   readonly interpolation?: 'bilinear' | 'bicubic';
 }
 
-/** What a look-up needs. */
+/** A checked heightmap, ready for look-ups. */
 interface LoadedHeightmap {
   readonly samples: Int16Array;
   readonly columns: number;
   readonly rows: number;
   readonly scale: number;
-  /** m: of a sample of 0 above the body's radius. */
+  /** m: height of a sample of 0 above the body's radius. */
   readonly base: number;
-  /** The poles' heights, in units of a sample: one point each, whatever the column. */
+  /** The poles' heights, in units of a sample: one point each, the same for all columns. */
   readonly north: number;
   readonly south: number;
   readonly columnsPerRadian: number;
@@ -44,7 +44,7 @@ interface LoadedHeightmap {
 
 const PI = 3.141592653589793;
 
-/** Samples as a file holds them: 16-bit, signed, little-endian. Copies where the machine or the offset asks for it. */
+/** Reads samples of a file: 16-bit, signed, little-endian. Copies them if the machine or the offset requires it. */
 export function readHeightmapSamples(bytes: Uint8Array): Result<Int16Array> {
   if (bytes.length % 2 !== 0) return err(`bytes: expected an even number, got ${bytes.length}`);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -52,9 +52,9 @@ export function readHeightmapSamples(bytes: Uint8Array): Result<Int16Array> {
 }
 
 /**
- * Ground from heightmaps by body name, and `elsewhere` for bodies without one; or the reason that names the field which cannot be
- * used. Continuous everywhere: over the date line, and over the poles, where the height is the mean of the row next to it (the first
- * row is replaced by its mean). A look-up costs under 100 ns and allocates nothing of its own.
+ * Ground from heightmaps by body name, and `elsewhere` for bodies without one; or an error that names the invalid
+ * field. Continuous everywhere, also over the date line and the poles, where the height is the mean of the adjacent row (the first
+ * row is replaced by its mean). A look-up takes less than 100 ns and allocates nothing.
  */
 export function heightmapTerrain(
   maps: Readonly<Record<string, Heightmap>>,
@@ -131,18 +131,18 @@ function meanOfRow(samples: Int16Array, from: number, columns: number): number {
   return sum / columns;
 }
 
-/** Scratch doubles of a look-up, so that nothing is boxed: place on the grid, in rows from the north pole and columns from 0° E; */
+/** Scratch doubles of a look-up, so that nothing is boxed: position on the grid, in rows from the north pole and columns from 0° E; */
 const point = new Float64Array(3);
 const DOWN = 0;
 const EAST = 1;
 /** the height that was found, in units of a sample; */
 const UNITS = 2;
-/** and the 4 × 4 samples about the place, from the row and column before it. */
+/** and the 4 × 4 samples around the position, from the row and column before it. */
 const patch = new Float64Array(16);
-/** Row and column of the sample before the place. */
+/** Row and column of the sample before the position. */
 const cell = new Int32Array(2);
 
-/** Finds the sample before the place, and replaces the place by what it is beyond that, 0 … 1 each way. */
+/** Finds the sample before the position, and replaces the position by its fraction beyond that sample, 0 … 1 each way. */
 function enterCell({ columns, rows }: LoadedHeightmap): void {
   const down = point[DOWN]!;
   const x = point[EAST]! < 0 ? point[EAST]! + columns : point[EAST]!;
@@ -155,7 +155,7 @@ function enterCell({ columns, rows }: LoadedHeightmap): void {
   cell[1] = column;
 }
 
-/** A sample of any row and column; a row beyond a pole is the one that lies there, on the other side. */
+/** A sample of any row and column; a row beyond a pole continues on the other side of it. */
 function sampleAt(
   { samples, columns, rows, north, south }: LoadedHeightmap,
   row: number,
@@ -178,7 +178,7 @@ function bilinear(map: LoadedHeightmap): void {
   point[UNITS] = top + (bottom - top) * point[DOWN]!;
 }
 
-/** The cell's four corners into `patch`. */
+/** Reads the cell's four corners into `patch`. */
 function readCell(map: LoadedHeightmap): void {
   const { samples, columns, rows } = map;
   const row = cell[0]!;
@@ -194,7 +194,7 @@ function readCell(map: LoadedHeightmap): void {
   for (let i = 0; i < 4; i++) patch[i] = sampleAt(map, row + (i >> 1), column + (i & 1));
 }
 
-/** Catmull-Rom along four rows, then across them: the slope has no steps. */
+/** Catmull-Rom along four rows, then across them: the slope is continuous. */
 function bicubic(map: LoadedHeightmap): void {
   enterCell(map);
   readPatch(map);
@@ -220,7 +220,7 @@ function readPatch(map: LoadedHeightmap): void {
   for (let i = 0; i < 16; i++) patch[i] = sampleAt(map, row - 1 + (i >> 2), column - 1 + (i & 3));
 }
 
-/** Of four numbers in `patch`: from the second (t = 0) to the third (t = 1), with the slopes of their neighbours. */
+/** Interpolates four numbers in `patch`: from the second (t = 0) to the third (t = 1), with the slopes of their neighbours. */
 function catmullRom(from: number, t: number): number {
   const a = patch[from]!;
   const b = patch[from + 1]!;

@@ -2,15 +2,15 @@ import type { HeightInPlace, TerrainHeight } from '../constants/world';
 
 /**
  * Terrain look-ups in scratch doubles. A double that is an argument or the result of a call that the engine does not inline is boxed,
- * 64 bytes per look-up, and where one process asks several terrains (the ground, a plane ahead of a readout) no call is inlined.
+ * 64 bytes per look-up, and in a process with several terrains (the ground, a plane ahead of a readout) no call is inlined.
  */
 
-/** Direction and height of the look-up under way. */
+/** Direction and height of the current look-up. */
 export const groundPoint = new Float64Array(4);
-/** Where in `groundPoint` the height is left. */
+/** Index of the height in `groundPoint`. */
 export const HEIGHT = 3;
 
-/** The game's terrain call over a look-up in place. */
+/** The game's terrain call, by a look-up in place. */
 export function terrainInPlace(inPlace: HeightInPlace): TerrainHeight {
   const point = new Float64Array(4);
   const terrainHeight = (bodyName: string, nx: number, ny: number, nz: number): number => {
@@ -23,7 +23,7 @@ export function terrainInPlace(inPlace: HeightInPlace): TerrainHeight {
   return Object.assign(terrainHeight, { inPlace });
 }
 
-/** Leaves the height along the direction in `point` beside it: in place where the terrain can, otherwise by the game's call. */
+/** Writes the height along the direction in `point` beside it: in place if the terrain can, otherwise by the game's call. */
 export function readHeight(point: Float64Array, terrainHeight: TerrainHeight, bodyName: string): void {
   const { inPlace } = terrainHeight;
   if (inPlace === undefined) point[HEIGHT] = terrainHeight(bodyName, point[0]!, point[1]!, point[2]!);

@@ -1,11 +1,11 @@
 /**
  * Lattice noise and craters from + − × ÷, floor and 32-bit integer hashing: the same bits in every language.
- * Point and value stand in scratch doubles, so that nothing is boxed (see quantities.ts).
+ * Point and value are scratch doubles, so that nothing is boxed (see quantities.ts).
  */
 
-/** Where, m. */
+/** The point, m. */
 export const noisePoint = new Float64Array(3);
-/** [0]: what came out. */
+/** [0]: the value. */
 export const noiseValue = new Float64Array(1);
 
 /**
@@ -84,8 +84,8 @@ const HALF_INTEGERS = 2147483648;
 
 /**
  * noiseValue = height at noisePoint, m, of the crater in its cell of `cell` metres; 0 where the cell has none. A crater is a
- * ball within its cell, cut by the ground: bowl, rim and foot are (1 − a)² (3.5 a − 1), a = (distance / radius)², so it meets
- * its surroundings with level slope, and one cell is all that has to be looked at.
+ * sphere within its cell, cut by the ground: bowl, rim and foot are (1 − a)² (3.5 a − 1), a = (distance / radius)², so it meets
+ * its surroundings with level slope, and only one cell matters.
  */
 export function crater(cell: number, seed: number, known: KnownCell): void {
   const ix = Math.floor(noisePoint[0]! / cell);
@@ -118,7 +118,7 @@ function hash(ix: number, iy: number, iz: number, seed: number): number {
   return remix(Math.imul(ix, 0x8da6b343) ^ Math.imul(iy, 0xd8163841) ^ Math.imul(iz, 0xcb1ab31f) ^ seed);
 }
 
-/** Mixes the bits of a 32-bit integer; each step can be undone, so no two integers meet. */
+/** Mixes the bits of a 32-bit integer; each step is invertible, so no two integers collide. */
 function remix(integer: number): number {
   let h = integer | 0;
   h = Math.imul(h ^ (h >>> 15), 0x2c1b3c6d);

@@ -5,14 +5,14 @@ import type { PanelAct } from '../panels/panel';
 import type { ActsPlace } from './actsPlace';
 import { createOperatorActs, isRemote, type OperatorActs } from './operatorActs';
 
-/** What keys, pads and buttons do. */
+/** The actions of keys, gamepads and buttons. */
 export interface Acts {
   readonly press: (action: Action) => void;
   readonly release: (action: Action) => void;
   readonly act: (act: PanelAct) => void;
-  /** Once a frame: what lasts a while ends by itself. */
+  /** Called once per frame: ends timed actions. */
   readonly tick: (wall: number) => void;
-  /** A new world has begun: nothing is paused or frozen any more. */
+  /** A new world has begun: it is neither paused nor frozen. */
   readonly reset: () => void;
 }
 
@@ -73,7 +73,7 @@ export function createActs(place: ActsPlace): Acts {
   };
 }
 
-/** What the panel's buttons do. */
+/** The actions of the panel's buttons. */
 function buttonActs(
   place: ActsPlace,
   operator: OperatorActs,

@@ -4,13 +4,13 @@ import type { Panel } from '../panels/panel';
 import type { ReplayDeck } from '../recording/replayDeck';
 import type { Live } from './live';
 
-/** What keys, pads and buttons act on. */
+/** The objects that keys, gamepads and buttons act on. */
 export interface ActsPlace {
   readonly live: Live;
   readonly panel: Panel;
   readonly banner: Banner;
   readonly choices: () => Choices;
-  /** Takes a choice and does what it asks. */
+  /** Applies a choice. */
   readonly choose: (name: keyof Choices, text: string) => void;
   readonly begin: () => void;
   readonly help: () => void;
@@ -23,10 +23,10 @@ export interface ActsPlace {
   readonly toggleBare: () => void;
   readonly toggleAids: () => void;
   readonly toggleSound: () => void;
-  /** Switches dragging the ship on or off; whether it is on. */
+  /** Switches dragging the ship on or off. Returns whether it is on. */
   readonly toggleCarry: () => boolean;
   /** While a recording plays, the game behind it takes no commands. */
   readonly deck: ReplayDeck;
-  /** The flight no longer follows from the pilot's inputs alone. */
+  /** Marks that the flight no longer depends on the pilot's inputs alone. */
   readonly meddled: (how: string) => void;
 }

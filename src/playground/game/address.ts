@@ -5,9 +5,9 @@ import type { Banner } from '../panels/banner';
 const EVERY = 400;
 
 export interface Address {
-  /** The query the page should be found at; written soon. */
+  /** Sets the page's query; it is written with a delay. */
   readonly write: (query: string) => void;
-  /** Puts a link on the clipboard, or shows it where there is none (plain http). */
+  /** Copies a link to the clipboard, or shows it if there is none (plain http). */
   readonly copy: (query: string, done: string) => void;
 }
 

@@ -3,19 +3,19 @@ import type { ShipView, WorldView } from '../../prediction';
 import { BEGIN_LANDING, continueLanding, type LandingManeuver } from '../../scenarios';
 import type { ShipState } from '../../wire';
 
-/** The landing autopilot: taken and given back by one key. */
+/** The landing autopilot, switched on and off by one key. */
 export interface Autopilot {
   readonly isOn: () => boolean;
-  /** Why it gave back by itself, until it is taken again; else ''. */
+  /** Why it switched itself off, until it is switched on again; otherwise ''. */
   readonly reason: () => string;
   readonly set: (on: boolean) => void;
   /** Controls now; a new sample a few times a second, from the predicted state. */
   readonly fly: (view: WorldView, now: number) => Controls;
 }
 
-/** Samples a second: each is an input that is sent. */
+/** Samples per second; each is an input that is sent. */
 const RATE = 5;
-/** Steps of what it commands: as of lever and sticks, so that a link carries its flights too. */
+/** Steps of its commands, those of lever and sticks, so that links can carry its flights too. */
 const LEVER_STEP = 0.005;
 const STICK_STEPS = 100;
 
@@ -65,7 +65,7 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
   };
 }
 
-/** What the landing reads of a ship, from the predicted truth. */
+/** The ship state for the landing, from the predicted state. */
 function stateOf(ship: ShipView, bodyName: string): ShipState {
   const triple = (v: Float64Array): Vec3 => [v[0]!, v[1]!, v[2]!];
   const attitude: Quat = [ship.attitude[0]!, ship.attitude[1]!, ship.attitude[2]!, ship.attitude[3]!];

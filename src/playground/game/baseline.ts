@@ -4,8 +4,8 @@ import type { PartialFrame, ShipState } from '../../wire';
 import type { ClientMode } from '../panels/choices';
 
 /**
- * The picture as other clients draw it, to compare by eye: the last state held, or carried on under gravity alone as today's
- * client does (without its blending). Only what is drawn is overwritten; HUD numbers stay the predictor's.
+ * The picture drawn like other clients, for comparison: the last state held, or extrapolated under gravity alone like the current
+ * client (without its blending). Only the drawn poses are overwritten; HUD numbers stay the predictor's.
  */
 export interface Baseline {
   readonly take: (frame: PartialFrame, now: number) => void;
@@ -38,7 +38,7 @@ export function createBaseline(): Baseline {
         if (state === undefined || body === undefined) continue;
         const place = relativePlace(state, frame, body.name);
         if (mode === 'gravity' && state.surfaceContactState === '') fall(place, seconds, body.mass);
-        // Ground-bound states stay on the ground that turns; a turn of the body within a tick is small.
+        // Ground-bound ships stay on the turning ground; the body's rotation within a tick is small.
         else carryWithGround(place, body.angularVelocity, seconds);
         ship.easedPosition.set(place.position);
         ship.meshPosition.set(place.position);

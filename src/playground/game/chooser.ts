@@ -50,7 +50,7 @@ export function createChooser(page: Page, parts: Parts): Chooser {
     showOverlays();
     parts.live.begin(choices);
   };
-  /** What was said of the world before goes; what is wrong with the link or the browser is said before there is one. */
+  /** Clears messages about the previous world; those about the link or the browser come before the first world. */
   const beginAnew = () => {
     notice.clear();
     beginWorld();
@@ -58,7 +58,7 @@ export function createChooser(page: Page, parts: Parts): Chooser {
   const change = (name: keyof Choices, text: string): string | null => {
     const reason = setChoice(choices, name, text);
     if (reason !== null) return reason;
-    // A flight was flown in one world: another begins without it.
+    // A flight belongs to one world: another begins without it.
     if (name !== 'flight' && !LIVE_CHOICES.includes(name)) choices.flight = '';
     if (LIVE_CHOICES.includes(name)) applyLive(name);
     else beginAnew();
@@ -87,7 +87,7 @@ export function createChooser(page: Page, parts: Parts): Chooser {
   };
 }
 
-/** The dialog is fetched when it is first asked for. */
+/** The dialog is loaded when first opened. */
 function createHelpOpener(page: Page, parts: Parts): () => void {
   let help: Promise<Help> | null = null;
   return () => {

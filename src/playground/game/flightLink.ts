@@ -13,11 +13,11 @@ export interface FlightLinkPlace {
   readonly notice: Notice;
 }
 
-/** Links to flights: whoever opens one sees the ship fly the same inputs in the same world, to the same bits. */
+/** Links to flights: a link replays the same inputs in the same world, to the same bits. */
 export interface FlightLink {
-  /** Copies the flight so far, once the server has told its inputs. */
+  /** Copies the flight so far, once the server has sent its inputs. */
   readonly copy: () => void;
-  /** Inputs have come: whether they were asked for by `copy`. */
+  /** Takes the server's inputs; returns whether `copy` requested them. */
   readonly take: (inputs: readonly RunInput[]) => boolean;
   /** Copies the flight of a recording, in the world that its note names. */
   readonly copyOf: (recording: Recording) => void;

@@ -19,7 +19,7 @@ import { type Autopilot, createAutopilot } from './autopilot';
 export interface Hands {
   readonly stick: Stick;
   readonly autopilot: Autopilot;
-  /** While true nothing that is pressed is taken: the game is paused. */
+  /** While true, presses are ignored: the game is paused. */
   readonly rest: (resting: boolean) => void;
   readonly isResting: () => boolean;
   /** A stick was moved: the pilot takes over, in the axes of the moment. */
@@ -31,7 +31,7 @@ export interface Hands {
   readonly reset: () => void;
   /** Right, away and up on the screen in ICRF, or null: the ship's own axes. Asked when a key goes down. */
   readonly aimBy: (screen: (() => Float64Array | null) | null) => void;
-  /** What is commanded now, `seconds` of wall time after the last sample; null while the plan flies. */
+  /** The present controls, `seconds` of wall time after the last sample; null while the plan flies. */
   readonly controls: (view: WorldView, now: number, seconds: number) => Controls | null;
 }
 
@@ -115,7 +115,7 @@ function toggleAutopilot(state: HandsState): void {
   }
 }
 
-/** The pilot takes over what the autopilot was doing. */
+/** The pilot takes over from the autopilot. */
 function giveBack(state: HandsState): void {
   const { stick, autopilot } = state;
   autopilot.set(false);

@@ -18,11 +18,11 @@ export interface Live {
   readonly clock: PageClock;
   readonly hands: Hands;
   readonly baseline: Baseline;
-  /** advance → view, and what is to be sent goes out. */
+  /** advance → view, and sends outgoing messages. */
   readonly frame: () => WorldView;
-  /** The stick was moved: taken at once, however far off the next frame is. */
+  /** A stick was moved: samples it at once, without waiting for the next frame. */
   readonly steer: () => void;
-  /** A new world, as the choices say. */
+  /** Begins a new world by the choices. */
   readonly begin: (choices: Choices) => void;
   readonly operate: (operation: Operation) => void;
   readonly reconnect: () => void;
@@ -31,7 +31,7 @@ export interface Live {
   readonly hold: (held: boolean) => void;
   /** The newest view. */
   readonly view: () => WorldView;
-  /** A world has been asked for and has not come yet. */
+  /** A world has been requested and has not arrived yet. */
   readonly isLoading: () => boolean;
   /** Tick and bits of the own ship's last state up to the scenario's end; '' before the first. */
   readonly hash: () => string;
@@ -107,7 +107,7 @@ function takeFrame(state: LiveState, now: number): WorldView {
   return state.view;
 }
 
-/** What the hands command; null while they have touched nothing of a scenario, and its plan flies. */
+/** The pilot's controls; null while a scenario's plan flies and the pilot has not touched anything. */
 function fly(state: LiveState, now: number): Controls | null {
   const seconds = Number.isNaN(state.sampledAt) ? 0 : now - state.sampledAt;
   state.sampledAt = now;
@@ -231,7 +231,7 @@ function handlersOf(state: LiveState): ConnectionHandlers {
       listeners.onScenario(scenario, terrain);
     },
     onStatus() {
-      // The panel reads the predictor's view, which is what a real server's player has.
+      // The panel reads the predictor's view, which also a real server's player has.
     },
   };
 }

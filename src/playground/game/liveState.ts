@@ -10,10 +10,10 @@ import { createPageClock, type PageClock } from './pageClock';
 import { createPendingTap, type PendingTap } from './receiving';
 import type { Script } from './script';
 
-/** What a live game reports to the page. */
+/** Reports of a live game to the page. */
 export interface LiveListeners {
   readonly onState: (text: string) => void;
-  /** A new world begins: everything of the old one is gone. `plan`: inputs that the own ship applies by itself in it. */
+  /** A new world begins; the old one is gone. `plan`: scheduled inputs of the own ship in it. */
   readonly onWorld: (plan: readonly ScheduledInput[]) => void;
   readonly onRefused: (reason: string) => void;
   readonly onEvent: (notice: EventNotice) => void;
@@ -21,13 +21,13 @@ export interface LiveListeners {
   readonly onEntry: (entry: RecordingEntry) => void;
   /** A real server reports that the own ship was destroyed. */
   readonly onLost: (ship: ShipLoss) => void;
-  /** The inputs that acted on the own ship, as asked for by { kind: 'run' }. */
+  /** The inputs that acted on the own ship, as requested by { kind: 'run' }. */
   readonly onRun: (inputs: readonly RunInput[]) => void;
   /** The host of a shared world has begun a scenario. */
   readonly onScenario: (scenario: string, terrain: string) => void;
 }
 
-/** What a live game keeps between frames. */
+/** State of a live game between frames. */
 export interface LiveState {
   /** Address of the page's own main module, which the worker runs too. */
   readonly program: string;
@@ -41,7 +41,7 @@ export interface LiveState {
   connection: Connection | null;
   /** Of the present connection; '' is the built-in server. */
   address: string;
-  /** null: the ship does nothing by itself. */
+  /** null: the ship has no scheduled inputs. */
   script: Script | null;
   /** Name of the present terrain. */
   ground: string;
@@ -49,7 +49,7 @@ export interface LiveState {
   sampledAt: number;
   /** While true no frame is taken, as in a hidden tab. */
   isHeld: boolean;
-  /** A world has been asked for and has not come yet. */
+  /** A world has been requested and has not arrived yet. */
   isLoading: boolean;
   /** Many other ships fly in this world. */
   hasFleet: boolean;
@@ -90,7 +90,7 @@ function newPredictor(script: Script | null, { onEvent }: LiveListeners): Predic
   return predictor;
 }
 
-/** A new world: what was known of the old one goes. */
+/** Begins a new world: clears the state of the old one. */
 export function forgetWorld(state: LiveState): void {
   const { script, listeners } = state;
   state.tap.clear();

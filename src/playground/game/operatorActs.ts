@@ -4,7 +4,7 @@ import type { ActsPlace } from './actsPlace';
 const AWAY = 60;
 const SPIKE = 1.5;
 
-/** What the operator of the built-in server can do to it. */
+/** Commands of the built-in server's operator. */
 export interface OperatorActs {
   readonly pause: () => void;
   readonly stepSubstep: () => void;
@@ -34,7 +34,7 @@ type OperatorPlace = Pick<
   'live' | 'panel' | 'banner' | 'choices' | 'meddled' | 'toggleCarry' | 'deck'
 >;
 
-/** The operator's acts; while a recording plays, the game behind it takes none. */
+/** The operator's commands; while a recording plays, the game behind it takes none. */
 export function createOperatorActs(place: OperatorPlace): OperatorActs {
   const { reset, tick, ...acts } = actsOf(place);
   const guarded = Object.entries(acts).map(([name, act]) => [
@@ -148,7 +148,7 @@ function toggleAway({ live, panel, banner }: OperatorPlace, state: OperatorState
   banner.state('');
 }
 
-/** A real server takes no orders; the page says so. */
+/** A real server takes no commands; the page says so. */
 export function isRemote({ choices, banner }: Pick<ActsPlace, 'choices' | 'banner'>): boolean {
   if (choices().server === '') return false;
   banner.flash('Only available with the built-in server.');

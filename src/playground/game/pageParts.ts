@@ -7,7 +7,7 @@ import type { Resolution } from '../view/resolution';
 import type { Address } from './address';
 import type { Runs } from './mission/runs';
 
-/** What the page is made of before anything runs. */
+/** Parts of the page that exist before anything runs. */
 export interface Page {
   readonly document: Document;
   readonly window: Window & typeof globalThis;
@@ -25,6 +25,6 @@ export interface Page {
   readonly runs: Runs;
   /** null: always at its finest. */
   readonly resolution: Resolution | null;
-  /** The query that reads back as the present choices. */
+  /** The query of the present choices. */
   readonly query: () => string;
 }

@@ -12,7 +12,7 @@ import type { FlightLink } from './flightLink';
 import type { Live } from './live';
 import type { MissionGame } from './mission/missionGame';
 
-/** Everything that runs, each made when those it is made of stand. What it calls later may be made after it. */
+/** All running parts, each created after those that it needs at creation. Parts that it calls later may be created after it. */
 export interface Parts {
   live: Live;
   scene: PageView;
@@ -26,14 +26,14 @@ export interface Parts {
   carry: Carry | null;
   flightLink: FlightLink;
   devices: Devices;
-  /** null until it is asked for: its code is fetched then. */
+  /** null until it is needed: its code is loaded then. */
   sound: Sound | null;
   loop: FrameLoop;
 }
 
-/** Takes choices and does what they ask. */
+/** Applies choices. */
 export interface Chooser {
-  /** Why the text cannot be taken, or null. */
+  /** Why the text is invalid, or null. */
   readonly change: (name: keyof Choices, text: string) => string | null;
   readonly choose: (name: keyof Choices, text: string) => void;
   readonly beginAnew: () => void;
@@ -42,6 +42,6 @@ export interface Chooser {
   readonly openHelp: () => void;
   /** The host of a shared world has begun a scenario. */
   readonly follow: (scenario: string, terrain: string) => void;
-  /** Lets other tabs in and hands out the link. */
+  /** Lets other tabs in and copies the link. */
   readonly invite: () => void;
 }

@@ -1,6 +1,6 @@
 import type { Diagnosis } from '../../prediction';
 
-/** What is sampled ten times a second, for plots and figures. */
+/** Samples taken ten times per second, for plots and figures. */
 export const GAUGES = [
   { name: 'roundTrip', title: 'Round trip', unit: 'ms', scale: 1000, digits: 1 },
   { name: 'jitter', title: 'Jitter', unit: 'ms', scale: 1000, digits: 1 },
@@ -71,7 +71,7 @@ export interface Summary {
   readonly max: number;
 }
 
-/** NaN where there is no finite value. */
+/** NaN if there is no finite value. */
 export function summarise(values: readonly number[]): Summary {
   const known = values.filter(Number.isFinite);
   if (known.length === 0) return { last: NaN, mean: NaN, p95: NaN, max: NaN };

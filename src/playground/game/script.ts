@@ -3,8 +3,8 @@ import type { Choices } from '../panels/choices';
 import { readFlight } from './mission/runText';
 
 /**
- * What a scenario's ship does by itself, and when the scenario is over. The server in the page plays the plan at its exact substeps
- * and the predictor knows it beforehand, so that the run is the same whatever the display's rate and the network.
+ * A scenario's scheduled inputs, and its end. The server in the page plays the plan at its exact substeps
+ * and the predictor knows it beforehand, so that the run is the same at any frame rate and on any network.
  */
 export interface Script {
   readonly plan: readonly ScheduledInput[];

@@ -8,7 +8,7 @@ import { createReport } from './mission/report';
 import { createTwin } from './words/textTwin';
 import type { Parts } from './parts';
 
-/** What happens in a frame: hands are read, the view is taken, everything shown of it is painted. */
+/** One frame: reads the controls, takes the view, paints everything. */
 export function wireFrames(page: Page, parts: Parts): FrameLoop {
   const { stage, canvas, window, choices, banner, resolution } = page;
   const root = page.document.documentElement;
@@ -58,7 +58,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
     opened() {
       banner.rest('');
       keepForOffline(window, () => (root.dataset['offline'] = 'kept'));
-      // Making the picture took seconds that the ship flew: it begins again, whole.
+      // Creating the scene took seconds of the flight, so the world begins again.
       if (stage !== null && choices.server === '') parts.chooser.beginWorld();
     },
     fit() {

@@ -19,7 +19,7 @@ import { wireFrames } from './showing';
 
 const WORKSHOP_FAILED = 'The workshop did not load. Check the network and open it again.';
 
-/** Makes the parts and connects them. */
+/** Creates the parts and connects them. */
 export function wirePage(page: Page): Parts {
   const parts = {} as Parts;
   parts.live = wireLive(page, parts);
@@ -125,7 +125,7 @@ function wireActs(page: Page, parts: Parts): Acts {
   });
 }
 
-/** The code of flight links is loaded when the first one is asked for. */
+/** The code of flight links is loaded with the first one. */
 function wireFlightLink({ choices, address, notice }: Page, parts: Parts): FlightLink {
   let link: FlightLink | null = null;
   const use = (act: (loaded: FlightLink) => void) => {

@@ -1,7 +1,7 @@
 import type { Vec3 } from '../../dynamics';
 import type { SceneView } from '../../scene';
 
-/** Moves the ship with the pointer: what is dragged over the picture is metres at the ship's distance. */
+/** Moves the ship with the pointer: a drag in the picture is converted to metres at the ship's distance. */
 export interface Carry {
   readonly isOn: () => boolean;
   readonly toggle: () => boolean;
@@ -11,7 +11,7 @@ export interface Carry {
   readonly end: () => void;
 }
 
-/** ms between two orders: each is a respawn of the ship. */
+/** ms between two commands; each is a respawn of the ship. */
 const EVERY = 100;
 
 /** @param put displaces the ship from where it was when the drag began, m, ICRF axes */

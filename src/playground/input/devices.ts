@@ -14,12 +14,12 @@ export interface DevicesPlace {
   readonly confirmed: () => void;
   readonly letGo: () => void;
   readonly lever: (throttle: number) => void;
-  /** A stick moved: its input is taken at once. */
+  /** A stick moved: its input is sampled at once. */
   readonly moved: () => void;
   /** The pilot took another device, or a key turned out to print something else. */
   readonly changed: () => void;
   readonly tell: (text: string) => void;
-  /** The game is paused: what sticks do then is nothing. */
+  /** The game is paused: sticks are ignored. */
   readonly isResting: () => boolean;
 }
 
@@ -28,7 +28,7 @@ export interface Devices {
   readonly device: () => Device;
   readonly layout: () => Layout;
   readonly thumbs: Thumbs;
-  /** Once a frame. */
+  /** Called once per frame. */
   readonly read: () => void;
 }
 

@@ -30,9 +30,9 @@ export const GAMEPAD_WORDS: readonly (readonly [string, string])[] = [
   ['Back, Start', 'Restart, pause'],
 ];
 
-/** Deflection below which a stick is at rest: worn ones do not come back to 0. */
+/** Deflection below which a stick is at rest: worn sticks do not return to 0. */
 const DEAD = 0.16;
-/** Steps of a deflection: what is not felt is not sent. */
+/** Steps of a deflection: changes that the pilot cannot feel are not sent. */
 const STEPS = 20;
 
 /** A raw axis, −1 … 1, with its dead zone taken out and the rest spread over the whole range. */
@@ -43,14 +43,14 @@ export function withDeadZone(raw: number): number {
   return (Math.sign(raw) * Math.round(share * STEPS)) / STEPS;
 }
 
-/** What of a Gamepad is read. */
+/** The members of a Gamepad that are read. */
 export interface PadState {
   readonly mapping: string;
   readonly axes: readonly number[];
   readonly buttons: readonly { readonly pressed: boolean; readonly value: number }[];
 }
 
-/** Fills the deflection from a pad of the standard mapping; false where it has another one, which nobody can know. */
+/** Fills the deflection from a gamepad with the standard mapping; false for an unknown mapping. */
 export function readPad(out: Deflection, pad: PadState): boolean {
   if (pad.mapping !== 'standard') return false;
   const axis = (i: number) => withDeadZone(pad.axes[i] ?? 0) + 0;

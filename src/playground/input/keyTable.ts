@@ -1,6 +1,6 @@
 import type { RotationAction, TranslationAction } from '../../readout';
 
-/** What a key, pad or button can do. */
+/** The actions of keys, gamepads and buttons. */
 export type Action =
   | RotationAction
   | TranslationAction
@@ -103,7 +103,7 @@ export function defaultKeys(): KeySettings {
   return { map, enabled: true };
 }
 
-/** What was saved, as far as it is valid; the rest is default. A store that cannot be read is an empty one. */
+/** Saved keys that are valid; the others have their defaults. A store that cannot be read counts as empty. */
 export function loadKeys(store: Storage | null): KeySettings {
   const defaults = defaultKeys();
   const saved = readSaved(store);
@@ -125,7 +125,7 @@ export function saveKeys(store: Storage | null, settings: KeySettings): void {
   try {
     store?.setItem(PLACE, JSON.stringify(settings));
   } catch {
-    // A full or forbidden store: the keys hold until the page closes.
+    // The store is full or forbidden: the keys last until the page closes.
   }
 }
 
@@ -137,7 +137,7 @@ export function rebind(map: KeyMap, action: Action, key: string): KeyMap {
   return next;
 }
 
-/** A place that prints a character, or a single character: nothing that moves focus or page. */
+/** A key position that prints a character, or a single character: no key that moves focus or page. */
 export function isBindable(action: Action, key: string): boolean {
   if (isBoundByPlace(action))
     return /^(Key[A-Z]|Digit\d|Bracket(Left|Right)|Semicolon|Quote|Comma|Period|Slash|Backslash|Minus|Equal|Backquote|Intl\w+|Numpad\w+)$/.test(

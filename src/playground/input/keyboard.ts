@@ -5,13 +5,13 @@ import { type Layout, type LayoutSource, placesOf } from './layout';
 export interface KeyboardListeners {
   readonly pressed: (action: Action) => void;
   readonly released: (action: Action) => void;
-  /** Enter, where nothing has the focus that takes it. */
+  /** Enter, if no focused element takes it. */
   readonly confirmed: () => void;
-  /** Everything held is to be let go. */
+  /** Everything held must be released. */
   readonly letGo: () => void;
 }
 
-/** What of a KeyboardEvent decides. */
+/** The members of a KeyboardEvent that are used. */
 export interface KeyStroke {
   readonly code: string;
   readonly key: string;
@@ -84,7 +84,7 @@ function isPlain({ ctrlKey, altKey, metaKey, altGraph }: KeyStroke): boolean {
 
 let placed: { map: unknown; size: number; places: ReadonlyMap<string, Action> } | null = null;
 
-/** What a stroke asks for, or null. AltGr types a sign (`]` is AltGr + 9 in Germany); Ctrl, Alt and Command are the browser's. */
+/** The action of a key press, or null. AltGr types a sign (`]` is AltGr + 9 in Germany); Ctrl, Alt and Command are the browser's. */
 export function actionOf({ map, enabled }: KeySettings, layout: Layout, stroke: KeyStroke): Action | null {
   if (!enabled || stroke.metaKey) return null;
   if (!stroke.altGraph && (stroke.ctrlKey || stroke.altKey)) return null;

@@ -1,6 +1,6 @@
 import { type Action, isBoundByPlace, KEY_TABLE, type KeyMap } from './keyTable';
 
-/** What this keyboard prints: KeyboardEvent.code → the character without modifiers. What is not known is as on a US keyboard. */
+/** This keyboard's layout: KeyboardEvent.code → the character without modifiers. Unknown keys are those of a US keyboard. */
 export type Layout = ReadonlyMap<string, string>;
 
 const SIGNS: Readonly<Record<string, string>> = {
@@ -17,7 +17,7 @@ const SIGNS: Readonly<Record<string, string>> = {
   Backquote: '`',
 };
 
-/** The character of a place on a US keyboard; '' where it prints none. */
+/** The character of a key position on a US keyboard; '' if it prints none. */
 function usCharacter(code: string): string {
   if (/^Key[A-Z]$/.test(code)) return code.slice(3).toLowerCase();
   if (/^Digit\d$/.test(code)) return code.slice(5);
@@ -64,7 +64,7 @@ function printsLetters(layout: Layout): boolean {
   return layout.get('KeyR') !== undefined && /^[a-z]$/i.test(layout.get('KeyR')!);
 }
 
-/** What stands on the key of an action, for help and hints; '' when it has none. */
+/** The label of an action's key, for help and hints; '' if it has none. */
 export function capOf(action: Action, map: KeyMap, layout: Layout): string {
   const key = map[action];
   if (key === '') return '';
@@ -81,14 +81,14 @@ interface KeyboardWithLayout {
   readonly keyboard?: { readonly getLayoutMap?: () => Promise<Iterable<[string, string]>> };
 }
 
-/** The layout as far as the browser tells it, and as keys that were pressed have shown since. */
+/** The layout as far as the browser reports it, completed by pressed keys. */
 export interface LayoutSource {
   readonly layout: () => Layout;
   /** A key went down without modifiers: it shows what is printed on it. */
   readonly learn: (code: string, key: string) => void;
 }
 
-/** @param changed called when a key turns out to print something else than thought */
+/** @param changed called when a key turns out to print another character */
 export function createLayout(navigator: Navigator, changed: () => void): LayoutSource {
   // Replaced and never changed: what is derived from a layout is kept for as long as it is the same one.
   let known: Layout = new Map();
@@ -98,7 +98,7 @@ export function createLayout(navigator: Navigator, changed: () => void): LayoutS
       known = new Map([...known, ...map]);
       changed();
     },
-    // A page in a frame may not ask; what is pressed shows it.
+    // A page in an iframe may not query it; pressed keys show it.
     () => undefined,
   );
   return {

@@ -10,7 +10,7 @@ export interface Aim {
   gain: number;
 }
 
-/** Key torque in flight: 0.5 rad/s² for the lander. On the ground it takes all there is to right a ship. */
+/** Key torque in flight: 0.5 rad/s² for the lander. On the ground, righting a ship takes full torque. */
 const FLIGHT_GAIN = 0.35;
 
 export function createAim(): Aim {
@@ -53,7 +53,7 @@ type Triple = [number, number, number];
 /** Sine of the angle below which an axis of the screen lies along the thrust axis, and a tilt about it is none. */
 const BESIDE = 0.1;
 
-/** Hundredths: what a hand cannot feel and a link need not carry. */
+/** Hundredths: finer steps cannot be felt and need not be in a link. */
 const STEPS = 100;
 
 /** Rotation input of stick deflections: pitch + towards the eye, yaw + to the left, `z` about the thrust axis. */
@@ -95,7 +95,7 @@ const ALONE = 0.924;
 /** cos 67.5°: a second key whose direction is at least this far along helps. */
 const HELPS = 0.383;
 
-/** The keys that turn the ship about an axis of its own, the better one first: what a hint names. */
+/** The keys that turn the ship about one of its axes, the better one first, for hints. */
 export function turnKeysFor({ axes }: Aim, aboutX: number, aboutY: number): RotationAction[] {
   const length = Math.hypot(aboutX, aboutY) || 1;
   const along = (i: number) => (aboutX * axes[3 * i]! + aboutY * axes[3 * i + 1]!) / length;
@@ -107,7 +107,7 @@ export function turnKeysFor({ axes }: Aim, aboutX: number, aboutY: number): Rota
     [yaw, 'yawPlus'],
     [-yaw, 'yawMinus'],
   ];
-  // One key alone, where it turns the ship nearly that way; otherwise two together.
+  // One key if it turns the ship nearly that way; otherwise two together.
   const isAlone = (share: number, i: number) =>
     share > HELPS && share > ALONE * Math.hypot(axes[i < 2 ? 0 : 3]!, axes[i < 2 ? 1 : 4]!);
   const alone = keys.filter(([share], i) => isAlone(share, i)).sort(([a], [b]) => b - a);

@@ -3,7 +3,7 @@ import { ROTATION_ACTIONS, TRANSLATION_ACTIONS } from '../../readout';
 import type { Action } from './keyTable';
 import { type Aim, createAim, pushInput, turnInput } from './steering';
 
-/** Throttle steps: a tap is one of them. */
+/** Throttle per tap. */
 const STEP = 0.005;
 /** Throttle a second of holding its key: fine at first, a tap's hover needs it, then fast. */
 const FINE_RATE = 0.06;
@@ -29,7 +29,7 @@ export function createDeflection(): Deflection {
   return { tiltRight: 0, tiltAway: 0, turnLeft: 0, pushRight: 0, pushAway: 0, pushUp: 0, lever: 0 };
 }
 
-/** The pilot's hands: what is held down, where the throttle stands. */
+/** The state of the pilot's controls: what is held, and the throttle. */
 export interface Stick {
   readonly held: Set<Action>;
   readonly deflection: Deflection;
@@ -42,7 +42,7 @@ export interface Stick {
   leverSeconds: number;
   /** The newest sample; the same object while nothing changed. */
   controls: Controls;
-  /** False until the pilot has touched anything: a scenario's own inputs play as long. */
+  /** False until the pilot has touched anything; until then a scenario's own inputs play. */
   touched: boolean;
 }
 
@@ -71,7 +71,7 @@ export function resetStick(stick: Stick): void {
   stick.touched = false;
 }
 
-/** Everything held comes up; throttle and modes stay. */
+/** Releases everything held; throttle and modes stay. */
 export function letGo(stick: Stick): void {
   stick.held.clear();
   Object.assign(stick.deflection, createDeflection());
@@ -102,7 +102,7 @@ export function isFlight(action: Action): boolean {
   return FLIGHT.has(action);
 }
 
-/** The pilot takes over what the scenario or the autopilot was doing. */
+/** The pilot takes over from the scenario or the autopilot. */
 export function takeOver(stick: Stick, from: Controls): void {
   if (stick.touched) return;
   stick.touched = true;
@@ -148,7 +148,7 @@ function moveLever(stick: Stick, by: number): void {
   stick.throttle = Math.min(Math.max(stick.throttle + by, 0), 1);
 }
 
-/** Controls as the hands are now, `seconds` of wall time after the last sample. */
+/** The present controls, `seconds` of wall time after the last sample. */
 export function sampleStick(stick: Stick, seconds: number): Controls {
   const { held, deflection, aim } = stick;
   const lever = (held.has('throttleUp') ? 1 : 0) - (held.has('throttleDown') ? 1 : 0);

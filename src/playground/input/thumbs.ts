@@ -4,7 +4,7 @@ import type { Deflection } from './stick';
 
 export interface ThumbListeners {
   readonly deflection: () => Deflection;
-  /** A thumb touched, moved or left. */
+  /** A thumb touched, moved or was lifted. */
   readonly moved: () => void;
   readonly lever: (throttle: number) => void;
   readonly pressed: (action: Action) => void;

@@ -1,14 +1,14 @@
 import type { KeptBuild } from './keptBuild';
 
 /**
- * Which document a reader gets: the host's while it answers in time and its scripts can be had, so that a new deployment is seen
- * at once; else the kept one, whole. Never a document of one build with scripts of another.
+ * The document that a reader gets: the host's if it answers in time and its scripts are available, so that a new deployment is seen
+ * at once; otherwise the stored one, complete. Never a document of one build with scripts of another.
  */
 
-/** ms for the host to show that its page can be opened; then the kept one is shown. */
+/** ms for the host to answer; then the stored page is shown. */
 const HOST_LIMIT = 2000;
 
-/** The scripts and style sheets that a document of ours asks for, and those that these import. */
+/** The scripts and style sheets of a document, and those that they import. */
 const NEEDED = /["'`](\.\/[\w./-]+\.(?:js|css))["'`]/g;
 
 export async function openDocument(request: Request, address: string, build: KeptBuild): Promise<Response> {
@@ -28,7 +28,7 @@ export async function openDocument(request: Request, address: string, build: Kep
   }
 }
 
-/** Whether everything that a new document may load is kept or answered as a script or a style sheet. */
+/** Whether everything that a new document may load is stored, or answered as a script or a style sheet. */
 async function canBeOpened(
   text: string,
   address: string,

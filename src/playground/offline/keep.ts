@@ -1,9 +1,9 @@
 import { scriptUrl } from '../scriptUrl';
 
 /**
- * Has the browser keep the page for use without a network, plots too, once it has nothing better to do. Where it cannot (a host
+ * Lets the browser store the page for use without a network, including plots, once it is idle. If it cannot (a host
  * without https, a private window, the development server, which has no offline.js) the page works as it is, while it is open.
- * @param kept called when a reload without a network works
+ * @param kept called when the page can be reloaded without a network
  */
 export function keepForOffline(window: Window, kept: () => void): void {
   if (!import.meta.env.PROD || !('serviceWorker' in window.navigator)) return;

@@ -1,6 +1,6 @@
 /**
- * One build of the page in the browser's cache: all of its files or none, each with the bytes that the build had. A host that
- * answers a script's address with an error page, or serves half of one build and half of another, is not kept.
+ * One build of the page in the browser's cache: all of its files or none, each with the build's bytes. A host that
+ * answers a script's address with an error page, or serves a mix of two builds, is not stored.
  */
 
 /** The build's files by address relative to the document, '' being the document: their SHA-256, as fetch's `integrity` has it. */
@@ -13,7 +13,7 @@ const FILE_LIMIT = 60_000;
 /** Marks a cache whose build was replaced: the pages still open may need it, those of the next replacement do not. */
 const SUPERSEDED = '?superseded';
 
-/** What a host must call a file for the browser to take it. */
+/** The media type that a host must send for the browser to accept a file. */
 const TYPES: readonly (readonly [ending: RegExp, type: RegExp])[] = [
   [/(^|\.html)$/, /^text\/html\b/],
   [/\.js$/, /^(text|application)\/(x-)?javascript\b/],
@@ -23,15 +23,15 @@ const TYPES: readonly (readonly [ending: RegExp, type: RegExp])[] = [
 
 /** Of the page at `address`, a folder's URL. Caches belong to the whole origin: this page's names begin with its address. */
 export interface KeptBuild {
-  /** Fetches all files. Rejects, keeping nothing, where one is missing or not the build's. */
+  /** Fetches all files. Rejects and stores nothing if one is missing or not the build's. */
   keep(): Promise<void>;
-  /** The kept answer to a request of this build or of the one before it, which pages still open may show. */
+  /** The stored answer to a request of this build or of the previous one, which open pages may still show. */
   find(url: string): Promise<Response | undefined>;
-  /** Fetches again what the browser has dropped. */
+  /** Fetches files again that the browser has evicted. */
   heal(): Promise<void>;
-  /** Drops the builds that no open page can show any more. */
+  /** Removes builds that no open page can show. */
   sweep(): Promise<void>;
-  /** Drops everything. */
+  /** Removes everything. */
   drop(): Promise<void>;
 }
 

@@ -1,12 +1,12 @@
 /**
- * Keeps the built page for use without a network. Built into offline.js beside index.html, with the list of the build's files in it:
- * another build is another script, which the browser installs when it next loads the page and which takes over once it is whole.
- * A host switches it off for good by no longer serving offline.js: what was kept then goes.
+ * Stores the built page for use without a network. Built into offline.js beside index.html, with the list of the build's files in it:
+ * another build is another script, which the browser installs when it next loads the page and which takes over once it is complete.
+ * A host turns it off for good by no longer serving offline.js: stored files are then removed.
  */
 import { openDocument } from './documents';
 import { keptBuild } from './keptBuild';
 
-/** What of a service worker's scope is used here; TypeScript has it in a library that cannot stand beside the document's. */
+/** The members of a service worker's scope that are used; TypeScript's library for it conflicts with the document's. */
 interface Scope {
   readonly registration: { readonly scope: string; readonly unregister: () => Promise<boolean> };
   readonly clients: { readonly claim: () => Promise<void> };
@@ -42,7 +42,7 @@ scope.addEventListener('fetch', (event) => {
   if (request.mode !== 'navigate') event.respondWith(fromCache(request));
   else if (isDocument(request.url)) {
     event.respondWith(openDocument(request, address, build));
-    // Without a network it stays as it is.
+    // Without a network it does not change.
     event.waitUntil(tend().catch(() => undefined));
   }
 });
@@ -56,10 +56,10 @@ async function fromCache(request: Request): Promise<Response> {
   return (await build.find(request.url)) ?? fetch(request);
 }
 
-/** What a host answers where a file is gone. */
+/** Status codes for a file that is gone. */
 const GONE = [404, 410];
 
-/** Completes what the browser has dropped, or drops everything where the host has given up offline.js. */
+/** Fetches evicted files again, or removes everything if the host no longer has offline.js. */
 async function tend(): Promise<void> {
   const script = await fetch(new URL('offline.js', address), { cache: 'no-store' });
   if (!GONE.includes(script.status)) return build.heal();

@@ -1,10 +1,10 @@
-/** One line over the picture: how the game stands, and for a few seconds what was just done. */
+/** One line over the picture: the state of the game, and for a few seconds the last action. */
 export interface Banner {
-  /** How the game stands, until told otherwise; '' is nothing to say. */
+  /** The state of the game, until changed; '' for none. */
   readonly state: (text: string) => void;
-  /** What was done: goes by itself, and the state comes back. */
+  /** The last action: disappears by itself, and the state is shown again. */
   readonly flash: (text: string) => void;
-  /** Said while nothing else is. */
+  /** Shown if there is no other message. */
   readonly rest: (text: string) => void;
 }
 

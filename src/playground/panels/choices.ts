@@ -3,7 +3,7 @@ import { readFlight } from '../game/mission/runText';
 import { TAB_ADDRESS } from '../server/tabAddress';
 import { LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
 
-/** What the page can be asked for, all of it in the URL. */
+/** The choices of the page, all of them in the URL. */
 export interface Choices {
   scenario: string;
   /** '' = the scenario's own, here and in the two that follow. */
@@ -88,7 +88,7 @@ interface Field {
   /** In the URL. */
   readonly key: string;
   readonly expects: string;
-  /** The value a text stands for, or undefined. */
+  /** The value of a string, or undefined. */
   readonly read: (text: string) => unknown;
 }
 
@@ -120,14 +120,14 @@ const orSame = (field: { expects: string; read: (text: string) => unknown }) => 
 });
 const names = (given: readonly { readonly name: string }[]) => ['', ...given.map(({ name }) => name)];
 
-/** Missions, lessons and rehearsals, in the order of the keys that go through them. */
+/** Missions, lessons and scenarios, in the order in which the keys step through them. */
 export const SCENARIO_NAMES: readonly string[] = [
   ...MISSIONS.map(({ scenario }) => scenario.name),
   ...LESSONS.map(({ scenario }) => scenario.name),
   ...SCENARIOS.map(({ name }) => name),
 ];
 
-/** The one list of what a link may say. */
+/** The list of everything that a link may contain. */
 const FIELDS: readonly Field[] = [
   { name: 'scenario', key: 'scenario', ...oneOf(SCENARIO_NAMES) },
   { name: 'body', key: 'body', ...oneOf(names(BODIES)) },
@@ -206,7 +206,7 @@ export function readChoices(query: URLSearchParams): ReadChoices {
   return { choices, complaints };
 }
 
-/** The query that reads back as these choices; defaults are left out. */
+/** The query of these choices; defaults are left out. */
 export function writeChoices(choices: Choices): string {
   const query = new URLSearchParams();
   for (const { name, key } of FIELDS) {
@@ -217,7 +217,7 @@ export function writeChoices(choices: Choices): string {
   return text === '' ? '' : `?${text}`;
 }
 
-/** Sets one field from a form's text, checked as in a link; the reason why it is invalid, or null. */
+/** Sets one field from a form, checked as in a link. Returns the reason why it is invalid, or null. */
 export function setChoice(choices: Choices, name: keyof Choices, text: string): string | null {
   const field = FIELDS.find((candidate) => candidate.name === name)!;
   const value = field.read(text);

@@ -1,7 +1,7 @@
 import type { Choices } from './choices';
 import { appendField } from './elements';
 
-/** Fields that show the choices and tell what was chosen. */
+/** Form fields that show the choices and report changes. */
 export interface Form {
   readonly field: (
     parent: Element,
@@ -17,7 +17,7 @@ export interface Form {
   readonly showAgain: () => void;
 }
 
-/** What a real server does not take: its world is its own. */
+/** Choices that do not apply to a real server, which has its own world. */
 const BUILT_IN_ONLY = new Set<keyof Choices>([
   'scenario',
   'body',

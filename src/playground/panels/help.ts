@@ -17,7 +17,7 @@ export interface Help {
 
 const GROUPS: readonly KeyRow['group'][] = ['Turn', 'Push', 'Engine', 'Modes', 'Playground'];
 
-/** What the dialog reads and changes. */
+/** The objects that the dialog reads and changes. */
 interface HelpPlace {
   readonly settings: () => KeySettings;
   readonly change: (next: KeySettings) => void;
@@ -113,7 +113,7 @@ function appendKeys(dialog: HTMLDialogElement, place: HelpPlace): () => void {
   return paint;
 }
 
-/** Binds the pressed key; what to say of it. */
+/** Binds the pressed key. Returns a message about it. */
 function rebindBy(event: KeyboardEvent, action: Action, { settings, change, capText }: HelpPlace): string {
   if (event.key === 'Escape') return '';
   const key = isBoundByPlace(action) ? event.code : event.key.toLowerCase();

@@ -1,7 +1,7 @@
 import type { ScoreLine } from '../../scenarios';
 import { append, appendButton } from './elements';
 
-/** What a flight came to, and what to do next. */
+/** The result of a flight, and the next step. */
 export interface CardText {
   readonly title: string;
   /** Under the title; '' for none. */
@@ -12,7 +12,7 @@ export interface CardText {
 
 export interface CardAction {
   readonly text: string;
-  /** What stands on its key; '' for none. */
+  /** The label of its key; '' for none. */
   readonly cap: string;
   readonly act: () => void;
 }

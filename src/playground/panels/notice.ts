@@ -1,16 +1,16 @@
 import { append, appendButton } from './elements';
 
-/** What went wrong and what to do about it, one below the other: each stays until it is closed or no longer true. */
+/** Error messages with advice, one below the other: each stays until it is closed or no longer true. */
 export interface Notice {
   readonly tell: (text: string) => void;
   readonly clear: () => void;
-  /** What this text said is no longer true; the others stay. */
+  /** Removes a message that is no longer true; the others stay. */
   readonly withdraw: (text: string) => void;
   /** An address to copy by hand. */
   readonly tellLink: (text: string, link: string) => void;
 }
 
-/** The oldest gives way: more than these cover the picture. */
+/** Most messages: more would cover the picture, so the oldest is removed. */
 const MAX_NOTICES = 3;
 
 export function createNotice(element: HTMLElement): Notice {

@@ -2,7 +2,7 @@ import { OVERLAY_COLOURS } from '../../scene';
 import type { OverlayName } from './choices';
 import { append } from './elements';
 
-/** What each colour over the picture stands for: colour as 0xrrggbb, and words. */
+/** The meaning of each colour over the picture: colour as 0xrrggbb, and words. */
 const LEGEND: Readonly<Record<OverlayName, readonly (readonly [number, string])[]>> = {
   ghost: [[OVERLAY_COLOURS.ghost, 'Hull: where the newest server state has the ship']],
   errorSegment: [[OVERLAY_COLOURS.error, 'Line: from the drawn ship to the predicted one']],

@@ -28,7 +28,7 @@ export type PanelAct =
   | 'tryLastState';
 
 export interface PanelListeners {
-  /** A field was changed; gives why not, or null. */
+  /** A field was changed. Returns why it is invalid, or null. */
   readonly change: (name: keyof Choices, text: string) => string | null;
   readonly act: (act: PanelAct) => void;
   /** The workshop was opened or closed. */
@@ -38,7 +38,7 @@ export interface PanelListeners {
 }
 
 export interface Panel {
-  /** Shows the choices as they are. */
+  /** Shows the present choices. */
   readonly show: (choices: Choices) => void;
   readonly press: (act: PanelAct, pressed: boolean) => void;
   readonly label: (act: PanelAct, text: string) => void;
@@ -46,7 +46,7 @@ export interface Panel {
   readonly showRun: (text: string) => void;
 }
 
-/** What a real server does not take. */
+/** Disables what does not apply to a real server. */
 const BUILT_IN_ONLY: readonly PanelAct[] = [
   'restart',
   'pause',

@@ -26,7 +26,7 @@ function nameOf(id: string): string {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/** How client, network and world are set. */
+/** Settings of client, network and world. */
 export function appendSettings(host: Element, form: Form): void {
   const document = host.ownerDocument;
   const modes = [

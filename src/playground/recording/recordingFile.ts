@@ -2,10 +2,10 @@ import { ok, type Result, err } from '../../dynamics';
 import { DEFAULT_CHOICES } from '../panels/choices';
 import { createRecordingWriter, readRecording, type Recording } from '../../scenarios';
 
-/** What a dropped or chosen file may weigh: an hour of frames, several times over. */
+/** Largest file accepted: several hours of frames. */
 const LARGEST_FILE = 200_000_000;
 
-/** Writes a recording in slices, telling how far it is (0 … 1), so that the page stays alive. */
+/** Writes a recording in slices and reports its progress (0 … 1), so that the page stays responsive. */
 export async function writeSlowly(recording: Recording, progress: (share: number) => void): Promise<Blob> {
   const writer = createRecordingWriter();
   const parts = [writer.header(recording.header)];
@@ -31,7 +31,7 @@ export function fileName({ header }: Recording, now: Date): string {
   return `touchdown-${scenario.replaceAll(/[^\w-]/g, '')}-${stamp}.jsonl`;
 }
 
-/** A recording from a file, or why it is none. */
+/** Reads a recording from a file, or returns why it is none. */
 export async function readFile(file: File): Promise<Result<Recording>> {
   if (file.size > LARGEST_FILE)
     return err(`it is ${Math.round(file.size / 1e6)} MB, and at most ${LARGEST_FILE / 1e6} MB are read`);
@@ -44,7 +44,7 @@ export async function readFile(file: File): Promise<Result<Recording>> {
   }
 }
 
-/** Words for a file that is no recording. */
+/** The message for a file that is no recording. */
 export function refusalWords(name: string, checked: Result<Recording> & { ok: false }): string {
   return (
     `${name} cannot be played: ${checked.reason}. ` +

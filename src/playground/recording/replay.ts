@@ -6,7 +6,7 @@ import { copyFed, createKeyframes, type Fed, feed } from './keyframes';
 
 export type StepUnit = 'substep' | 'tick';
 
-/** A recording being played: predictors are fed again what one was fed then, so that every moment comes out the same. */
+/** A recording being played: predictors are fed the recorded input again, so that every moment is the same. */
 export interface Replay {
   /** Wall seconds of the recording. */
   readonly from: number;
@@ -17,12 +17,12 @@ export interface Replay {
   readonly seek: (at: number) => WorldView;
   /** Forward (+1) or back (−1) to the next boundary of a tick or substep. */
   readonly step: (unit: StepUnit, direction: 1 | -1) => WorldView;
-  /** What `seek` or `step` gave last. */
+  /** The last result of `seek` or `step`. */
   readonly view: () => WorldView;
   readonly position: () => number;
-  /** Counts jumps back and skips: readouts that remember must begin again after each. */
+  /** Counts jumps and skips: readouts with memory must start again after each. */
   readonly generation: () => number;
-  /** Makes keyframes ahead until `isOver` says so. */
+  /** Makes keyframes ahead until `isOver` returns true. */
   readonly prepare: (isOver: () => boolean) => void;
 }
 
@@ -88,7 +88,7 @@ export function createReplay(recording: Recording): Replay {
 
 /** A step's first try is off by what the clock was steered in between, a share of a per cent. */
 const MAX_TRIES = 2;
-/** s of wall time that do not show. */
+/** s of wall time that are not visible. */
 const CLOSE = 1e-5;
 
 type FrameEntry = Extract<RecordingEntry, { kind: 'received' }> & {

@@ -4,7 +4,7 @@ import type { Recording } from '../../scenarios';
 import type { RecordingListeners, RecordingPanel } from './recordingPanel';
 import type { Replay, StepUnit } from './replay';
 
-/** Plays one replay: time goes on, is sought, or moves step by step. */
+/** Plays one replay: at its speed, by seeking, or step by step. */
 export interface ReplayDeck {
   readonly replay: () => Replay | null;
   /** The recording that plays; null without one. */
@@ -64,7 +64,7 @@ export function createReplayDeck(panel: () => RecordingPanel): ReplayDeck {
   };
 }
 
-/** Where a view is in its tick, in words. */
+/** The position of a view in its tick, in words. */
 function placeOf({ tick, sinceTick, tickRate, timeScale, settings }: WorldView): string {
   const { dt } = timingOfTick(timeScale / tickRate, settings.contactLongestSubstep);
   return `tick ${tick}, substep ${Math.round(sinceTick / dt)}`;

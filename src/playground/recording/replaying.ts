@@ -1,3 +1,3 @@
-/** Playing, reading and writing recordings, in a part of its own: it is fetched when it is first asked for. */
+/** Plays, reads and writes recordings, in a separate chunk that is loaded on demand. */
 export { fileName, readFile, refusalWords, writeSlowly } from './recordingFile';
 export { createReplay } from './replay';

@@ -16,23 +16,23 @@ import type { SessionStatus } from './session';
  *   const connection = openWorker(program, handlers)          // then connection.operate({ kind: 'load', … })
  *   const connection = openServer('wss://…', handlers)
  *
- * Nothing throws; what fails is told to the handlers.
+ * Nothing throws; failures are reported to the handlers.
  */
 export interface Connection {
   /** To the server; dropped while closed. */
   readonly send: (message: ClientMessage) => void;
-  /** Asks the operator of the worker's server; a real server has none, which onRefused says. */
+  /** A command for the worker's server; a real server takes none, which onRefused reports. */
   readonly operate: (operation: Operation) => void;
-  /** Tries again at once; a connection that stands stays. The worker's server: after { kind: 'drop' }. */
+  /** Tries again at once; an open connection stays. The worker's server: after { kind: 'drop' }. */
   readonly reconnect: () => void;
   /** Slow motion: the worker's wall clock runs at this speed from now on; a real server's cannot be changed. */
   readonly setSpeed: (speed: number) => void;
-  /** Ends it for good. */
+  /** Closes it for good. */
   readonly dispose: () => void;
 }
 
 export interface ConnectionHandlers {
-  /** A connection stands: after a load of a new world, or a reconnect. What it carries comes after this. */
+  /** A connection is open: after loading a new world, or a reconnect. Its messages come after this. */
   readonly onOpen: (what: 'world' | 'again') => void;
   /** A message of the server, not decoded yet: a frame that a newer one supersedes need not be. */
   readonly onPending: (message: PendingMessage) => void;
@@ -40,17 +40,17 @@ export interface ConnectionHandlers {
   readonly onFrame: (frame: PartialFrame) => void;
   /** The worker's server has gone. */
   readonly onClosed: (reason: string) => void;
-  /** How the link to a real server stands, in words; '' while all is well. */
+  /** Status of the link to a real server, in words; '' while all is well. */
   readonly onLink: (words: string) => void;
-  /** The game's server has let the player in: what it tells of him, unchecked. */
+  /** The game's server has signed the player in: its data about the player, unchecked. */
   readonly onWelcome: (about: Readonly<Record<string, unknown>>) => void;
-  /** A ship is gone for good; `own`: what its owner is told of it. */
+  /** A ship is gone for good; `own`: the details sent to its owner. */
   readonly onShipGone: (shipId: string, own: ShipLoss | null) => void;
   /** An operation was refused. */
   readonly onRefused: (reason: string) => void;
-  /** How the worker's server stands, after everything that happened in it; a real server tells nothing. */
+  /** State of the worker's server, after each event; a real server reports none. */
   readonly onStatus: (status: SessionStatus) => void;
-  /** The inputs that { kind: 'run' } asked for. */
+  /** The inputs requested by { kind: 'run' }. */
   readonly onRun: (inputs: readonly RunInput[]) => void;
   /** The host of a shared world has begun a scenario. */
   readonly onScenario?: (scenario: string, terrain: string) => void;
@@ -77,7 +77,7 @@ export type FromServer =
   | { readonly kind: 'status'; readonly status: SessionStatus }
   | { readonly kind: 'run'; readonly inputs: readonly RunInput[] };
 
-/** The server in a Web Worker, whose `program` is the page's own main.ts: it has no world before it is told to load one. */
+/** The server in a Web Worker, whose `program` is the page's own main.ts: it has no world before it is asked to load one. */
 export function openWorker(program: string, handlers: ConnectionHandlers): Connection {
   const failed = (why: string) =>
     handlers.onClosed(
@@ -87,7 +87,7 @@ export function openWorker(program: string, handlers: ConnectionHandlers): Conne
   const post = (message: ToServer) => worker?.postMessage(message);
   if (worker !== null) {
     worker.onmessage = ({ data }: MessageEvent<FromServer>) => dispatch(data, handlers);
-    // A program that could not be fetched or read is told without a message.
+    // The error of a program that could not be loaded has no message.
     worker.onerror = ({ message }: Partial<ErrorEvent>) => failed(message ?? 'its program cannot be started');
   }
   return {

@@ -29,11 +29,11 @@ export interface LoadedWorld {
   isConnected: boolean;
   /** All ships as the operator saved them; null before. */
   saved: readonly SavedShip[] | null;
-  /** The own ship as it was when it was taken up to be carried; null while it is not. */
+  /** The own ship at the start of a drag; null while it is not dragged. */
   carried: SavedShip | null;
 }
 
-/** Begins the world that an operation asks for, or gives a reason that names the field. */
+/** Begins the world of a load operation, or returns an error that names the field. */
 export function loadWorld(operation: LoadOperation, now: number): Result<LoadedWorld> {
   const loaded = resolve(operation);
   if (!loaded.ok) return loaded;

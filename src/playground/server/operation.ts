@@ -2,7 +2,7 @@ import { ok, type Result, err } from '../../dynamics';
 import { TAB_ADDRESS } from './tabAddress';
 import { loadNetwork, type NetworkNumbers, type ScheduledInput } from '../../scenarios';
 
-/** What the page's operator asks of the server in the worker, beside the protocol. */
+/** Commands of the page's operator to the server in the worker, besides the protocol. */
 export type Operation =
   | LoadOperation
   /** Holds from the next tick. */
@@ -56,7 +56,7 @@ export interface LoadOperation {
   readonly plan?: readonly ScheduledInput[];
   /** A whole number ≥ 0. */
   readonly seed: number;
-  /** As the game's own server speaks: no hello, no fields 31–34, whole-tick inputs. */
+  /** Like the game's own server: no hello, no fields 31–34, whole-tick inputs. */
   readonly legacy: boolean;
   /** Ships of other players, 0 … 1000. */
   readonly others: number;
@@ -68,7 +68,7 @@ const MAX_OTHERS = 1000;
 /** Wall s. */
 const MAX_SPIKE = 30;
 
-/** The operation, or a reason that names the field. What the world itself checks (names, rates) is left to it. */
+/** The operation, or an error that names the field. Names and rates are checked by the world. */
 export function loadOperation(given: unknown): Result<Operation> {
   if (typeof given !== 'object' || given === null) return err('operation: expected an object');
   const operation = given as Operation;

@@ -5,7 +5,7 @@ import { type LoadedWorld, OWN_PLAYER, OWN_SHIP } from './loadedWorld';
 import type { LoadOperation, Operation } from './operation';
 import { carriedTo, saveShips, stateNow } from './savedShips';
 
-/** Does what the operator asks of a world; the reason why not, or null. */
+/** Carries out a command of the operator. Returns the reason why not, or null. */
 export function operateWorld(
   world: LoadedWorld,
   operation: Exclude<Operation, LoadOperation>,
@@ -90,13 +90,13 @@ function restore(world: LoadedWorld): string | null {
   if (saved === null) return 'restore: take a snapshot first';
   for (const ship of saved) {
     const body = bodyOf(world, ship.state.referenceBody);
-    // A guest that has left since is not brought back.
+    // A guest that has left is not restored.
     if (body !== null) link.authority.respawn(ship.shipId, stateNow(ship, body));
   }
   return null;
 }
 
-/** The offset is from where the ship was when it was taken up. */
+/** The offset is from the ship's position at the start of the drag. */
 function carry(world: LoadedWorld, offset: Vec3, begins: boolean): string | null {
   const { authority } = world.link;
   if (begins || world.carried === null) {

@@ -19,7 +19,7 @@ import type { Connection, ConnectionHandlers } from './connection';
  * A real server (`?server=`). An address that ends in /ws speaks the game's JSON; any other this project's bytes, as the
  * gateway's /stream does. A `token` in the address's query signs in, and is not shown.
  *
- * It takes no orders: nothing of pause, restart, scenario and slow motion reaches it, and onRefused says so.
+ * It takes no commands: pause, restart, scenario and slow motion do not reach it, and onRefused reports that.
  */
 export function openServer(given: string, handlers: ConnectionHandlers): Connection {
   const { address, token } = splitToken(given);
@@ -35,7 +35,7 @@ export function openServer(given: string, handlers: ConnectionHandlers): Connect
 
 type Link = Pick<Connection, 'send' | 'reconnect' | 'dispose'>;
 
-/** As far as it can be read: an address that is none is told like a server that does not answer. */
+/** The address as far as it can be parsed: an invalid one is reported like a server that does not answer. */
 function splitToken(given: string): { readonly address: string; readonly token: string } {
   if (!URL.canParse(given)) return { address: given, token: '' };
   const url = new URL(given);
@@ -65,7 +65,7 @@ function openSocket(address: string): GameSocket {
 
 const MACHINE = { clock, jitter: () => Math.random(), openSocket };
 
-/** What every link tells: the first welcome begins a world, the others go on in it. */
+/** Handlers of every link: the first welcome begins a world, later ones continue in it. */
 function createTeller(handlers: ConnectionHandlers) {
   let isOpened = false;
   return {
@@ -79,7 +79,7 @@ function createTeller(handlers: ConnectionHandlers) {
 
 function openGame(address: string, token: string, handlers: ConnectionHandlers): Link {
   const teller = createTeller(handlers);
-  /** The present connection has been told of. */
+  /** The present connection has been reported. */
   let isIn = false;
   const game = createGameConnection(
     { address, token, ...MACHINE },
@@ -100,7 +100,7 @@ function openGame(address: string, token: string, handlers: ConnectionHandlers):
   );
   return {
     send(message) {
-      // The game knows no stamps: what was commanded last acts from its next tick on.
+      // The game has no stamps: the last controls act from its next tick on.
       const controls = message.kind === 'inputs' ? message.inputs.at(-1)?.controls : undefined;
       if (controls !== undefined) game.sendControls(controls);
     },
@@ -117,7 +117,7 @@ function openStream(address: string, token: string, handlers: ConnectionHandlers
   // One page load is one session: inputs that are sent again after a break are known as the same.
   const session = Array.from({ length: 4 }, () => Math.random().toString(36).slice(2, 10)).join('');
   let since = -1;
-  /** Seconds between two states, as far as a frame has told it. */
+  /** Seconds between two states, if a frame has it. */
   let interval: number | undefined;
 
   function hear(message: ServerMessage): void {

@@ -8,11 +8,11 @@ import { operateWorld } from './operator';
  * seconds are passed, so that a test plays it as the worker does.
  */
 export interface Session {
-  /** Does what the operator asks, or says why not. */
+  /** Carries out a command of the operator, or returns why not. */
   readonly operate: (operation: unknown, now: number) => string | null;
   /** Bytes from the page's client; nothing before a world is loaded. */
   readonly send: (bytes: Uint8Array, now: number) => void;
-  /** Lets everything up to `now` happen; what has come to the client by then. */
+  /** Processes everything due by `now`. Returns the messages that have reached the client. */
   readonly run: (now: number) => Delivery[];
   /** When something happens next, wall seconds; Infinity when nothing will. */
   readonly nextAt: () => number;
@@ -24,7 +24,7 @@ export interface Session {
   readonly join: (playerId: string, name: string, now: number) => string | null;
   readonly leave: (playerId: string) => void;
   readonly sendFrom: (playerId: string, bytes: Uint8Array, now: number) => void;
-  /** What has come to another player by `now`, after run(now). */
+  /** Messages that have reached another player by `now`, after run(now). */
   readonly deliverTo: (playerId: string, now: number) => Delivery[];
   readonly world: () => { readonly scenario: string; readonly terrain: string };
 }

@@ -9,12 +9,12 @@ export type ToHost =
 
 /** Host → guest. */
 export type ToGuest =
-  /** A world has begun; what it carries comes after this. */
+  /** A world has begun; its messages come after this. */
   | { readonly kind: 'world'; readonly to: string; readonly scenario: string; readonly terrain: string }
   | { readonly kind: 'bytes'; readonly to: string; readonly bytes: Uint8Array }
   | { readonly kind: 'refused'; readonly to: string; readonly reason: string };
 
-/** What of a BroadcastChannel is used. */
+/** The members of a BroadcastChannel that are used. */
 export interface TabChannel {
   postMessage: (message: ToHost | ToGuest) => void;
   onmessage: ((event: { readonly data: unknown }) => void) | null;
@@ -26,7 +26,7 @@ export function openChannel(address: string): TabChannel {
   return new BroadcastChannel(`touchdown ${address}`) as unknown as TabChannel;
 }
 
-/** What a host lets its guests do. */
+/** What a host allows its guests. */
 export interface GuestDoor {
   /** A guest comes, or comes again; the reason why not, or null. */
   readonly join: (guest: string, name: string) => string | null;
@@ -48,7 +48,7 @@ const MAX_NAME = 24;
 /** Bytes of one message: far more than the protocol's inputs take. */
 const MAX_BYTES = 65_536;
 
-/** Listens for guests. What comes over the channel is another page's: it is checked. */
+/** Listens for guests. Messages on the channel are from other pages, so they are checked. */
 export function createTabHost(channel: TabChannel, door: GuestDoor): TabHost {
   const names = new Map<string, string>();
   const admit = (from: string, name: string) => {

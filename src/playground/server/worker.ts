@@ -20,7 +20,7 @@ function post(message: FromServer, transfer: Transferable[] = []): void {
 function run(): void {
   const now = clock.now();
   for (const { bytes } of session.run(now)) {
-    // A copy of its own: the buffer goes over to the page, and a duplicate on the line must not lose it.
+    // A copy: the buffer is transferred to the page, and a duplicate in flight must keep it.
     const copy = bytes.slice();
     post({ kind: 'bytes', bytes: copy }, [copy.buffer]);
   }

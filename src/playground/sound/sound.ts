@@ -1,10 +1,10 @@
 import type { FlightReadout, LandingAids } from '../../readout';
 import type { ShipView } from '../../prediction';
 
-/** Engine, thrusters, touch and alarm, synthesised. Silent until it is asked for: a page that speaks unasked is closed. */
+/** Engine, thrusters, touch and alarm, synthesised. Silent until switched on. */
 export interface Sound {
   readonly isOn: () => boolean;
-  /** Switches it; false where the browser gives no sound. */
+  /** Switches it; returns false if the browser has no sound. */
   readonly set: (on: boolean) => boolean;
   /** Once a frame. */
   readonly follow: (ship: ShipView | null, flight: FlightReadout, aids: LandingAids) => void;

@@ -1,7 +1,7 @@
 import { CAMERA_VIEWS, type CameraView, type SceneView } from '../../scene';
 import type { Banner } from '../panels/banner';
 
-/** What the page says when a camera is taken. */
+/** The page's message for each camera. */
 const WORDS: Readonly<Record<CameraView, string>> = {
   follow: 'Camera: around the ship. Drag to turn it.',
   chase: 'Camera: behind the ship, along its way.',
@@ -10,7 +10,7 @@ const WORDS: Readonly<Record<CameraView, string>> = {
   free: 'Camera: stays where it is.',
 };
 
-/** Each call takes the next camera and says which. */
+/** Each call selects the next camera and shows its name. */
 export function createCameraSwitch(stage: SceneView | null, banner: Banner): () => void {
   let at = 0;
   return () => {

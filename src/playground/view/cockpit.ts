@@ -35,10 +35,10 @@ export interface CockpitPlace {
   readonly isAutopilotOn: () => boolean;
 }
 
-/** All displays, from one view a frame. */
+/** All displays, from one view per frame. */
 export interface Cockpit {
   readonly paint: (view: WorldView) => void;
-  /** Another world: what was remembered of the old one goes. */
+  /** Another world: clears everything remembered of the old one. */
   readonly forget: () => void;
   readonly landing: () => LandingReadout;
   readonly flight: FlightReadout;

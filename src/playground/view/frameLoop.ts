@@ -3,16 +3,16 @@ import type { SceneView } from '../../scene';
 import { gameSeconds } from '../game/mission/missionTracker';
 import type { Resolution } from './resolution';
 
-/** What a frame needs of the page. */
+/** The members of the page that a frame needs. */
 export interface FramePlace {
   readonly stage: SceneView | null;
   /** The view to show now; `milliseconds` of the frame. */
   readonly look: (milliseconds: number) => { readonly view: WorldView; readonly now: number };
-  /** Everything that is shown of it, the picture apart. */
+  /** Shows everything but the picture. */
   readonly paint: (view: WorldView, now: number) => void;
   /** The view as the picture has it, with what else flies in it. */
   readonly dress: (view: WorldView) => WorldView;
-  /** The first picture stands. */
+  /** The first picture is drawn. */
   readonly opened: () => void;
   /** A world has been asked for and has not come yet. */
   readonly isLoading: () => boolean;
@@ -39,7 +39,7 @@ export function createFrameLoop(window: Window, root: HTMLElement, place: FrameP
     const { view, now } = place.look(milliseconds);
     place.paint(view, now);
     // Before the picture: a canvas that changes size is blank until it is drawn again.
-    // Frames in which nothing is drawn say nothing about the machine.
+    // Frames in which nothing is drawn are no measurement of the machine.
     const isMeasured = view.ready && Number.isNaN(freezeAt);
     const hasChanged = isMeasured && (place.resolution?.measure(milliseconds / 1000) ?? false);
     if (hasChanged || isResized) {
@@ -56,7 +56,7 @@ export function createFrameLoop(window: Window, root: HTMLElement, place: FrameP
     if (view.ready && !place.isLoading()) markReady(view);
   }
 
-  /** For tests and screenshots: on the root element, nowhere else. */
+  /** On the root element, for tests and screenshots. */
   function markReady(view: WorldView): void {
     const seconds = gameSeconds(view);
     if (seconds >= freezeAt) root.dataset['frozen'] = 'true';

@@ -4,7 +4,7 @@ import type { Notice } from '../panels/notice';
 const CONTEXT_LOST =
   'The browser lost the 3D view. It returns by itself; if it does not, reload the page. Meanwhile, fly on instruments.';
 
-/** Says when the picture is lost, and no longer when it is back: the renderer builds itself anew. */
+/** Shows a message while the picture is lost; the renderer rebuilds itself. */
 export function watchContext(canvas: HTMLCanvasElement, notice: Notice, restored: () => void): void {
   canvas.addEventListener('webglcontextlost', () => notice.tell(CONTEXT_LOST));
   canvas.addEventListener('webglcontextrestored', () => {
@@ -13,7 +13,7 @@ export function watchContext(canvas: HTMLCanvasElement, notice: Notice, restored
   });
 }
 
-/** The picture, or null and a word about it where the browser gives none. */
+/** The scene, or null with a message if the browser has no WebGL. */
 export function openSceneView(
   canvas: HTMLCanvasElement,
   quality: Quality,

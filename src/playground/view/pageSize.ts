@@ -1,4 +1,4 @@
-/** Tells when the canvas or the pixel ratio changes: a window dragged to another screen resizes nothing, yet is drawn blurred. */
+/** Reports changes of the canvas or the pixel ratio: a window dragged to another screen is not resized, but would be blurred. */
 export function watchSize(window: Window & typeof globalThis, canvas: Element, changed: () => void): void {
   new window.ResizeObserver(changed).observe(canvas);
   const watchRatio = () => {

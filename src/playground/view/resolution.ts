@@ -1,7 +1,7 @@
 /** Frames a second below which the picture is drawn coarser, and above which finer again. */
 const SLOW = 24;
 const FAST = 50;
-/** Wall seconds between two frames that tell that the tab was hidden. */
+/** Wall seconds between two frames that mean that the tab was hidden. */
 const HIDDEN = 4;
 const LEVELS = [1, 0.8, 0.62, 0.5] as const;
 /** A coarser picture that is not so many times as fast is not worth it: the machine is held up by something else. */

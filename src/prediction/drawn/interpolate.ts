@@ -3,6 +3,7 @@ import { type Timeline, wallOfTick } from '../time/timeline';
 import type { ServerStates } from '../simulation/serverStates';
 import {
   compose,
+  cross,
   fromRotationVector,
   put,
   quaternion,
@@ -98,13 +99,13 @@ export function turnWithBody(row: Float64Array, attitude: Float64Array, spin: Fl
   take(first, row, ATTITUDE);
   compose(first, attitude, first);
   put(row, ATTITUDE, first);
-  const [x, y, z] = [row[POSITION]!, row[POSITION + 1]!, row[POSITION + 2]!];
-  row[VELOCITY] = row[VELOCITY]! + (spin[1]! * z - spin[2]! * y);
-  row[VELOCITY + 1] = row[VELOCITY + 1]! + (spin[2]! * x - spin[0]! * z);
-  row[VELOCITY + 2] = row[VELOCITY + 2]! + (spin[0]! * y - spin[1]! * x);
+  take(way, row, POSITION);
+  cross(groundVelocity, spin, way);
+  for (let k = 0; k < 3; k++) row[VELOCITY + k] = row[VELOCITY + k]! + groundVelocity[k]!;
 }
 
 const first = quaternion();
 const second = quaternion();
 const turn = quaternion();
 const way = vector();
+const groundVelocity = vector();

@@ -14,7 +14,7 @@ import { copyRow, type Track } from '../simulation/track';
 import { fadeFromHeld } from './correction';
 import type { Playback } from './interpolate';
 import { pose } from './pose';
-import { compose, put, rotate, rotateBack, seenFrom, take, vector } from './rotation';
+import { compose, cross, put, rotate, rotateBack, seenFrom, take, vector } from './rotation';
 
 /** The bodies' attitudes at the present. */
 export interface TurnedBodies {
@@ -89,10 +89,7 @@ function place(attitude: Float64Array): void {
 }
 
 function moveWithBody(spin: Float64Array): void {
-  const [x, y, z] = [seen.position[0]!, seen.position[1]!, seen.position[2]!];
-  velocity[0] = spin[1]! * z - spin[2]! * y;
-  velocity[1] = spin[2]! * x - spin[0]! * z;
-  velocity[2] = spin[0]! * y - spin[1]! * x;
+  cross(velocity, spin, seen.position);
   put(row, VELOCITY, velocity);
   put(row, ANGULAR_VELOCITY, spin);
 }

@@ -51,6 +51,13 @@ export function rotateBack(out: Float64Array, q: Float64Array, v: Float64Array):
   out[2] = z + qw * tz + (qx * ty - qy * tx);
 }
 
+/** out = a × b; `out` is neither. */
+export function cross(out: Float64Array, a: Float64Array, b: Float64Array): void {
+  out[0] = a[1]! * b[2]! - a[2]! * b[1]!;
+  out[1] = a[2]! * b[0]! - a[0]! * b[2]!;
+  out[2] = a[0]! * b[1]! - a[1]! * b[0]!;
+}
+
 /** out = a b: first b, then a. */
 export function compose(out: Float64Array, a: Float64Array, b: Float64Array): void {
   const ax = a[0]!;

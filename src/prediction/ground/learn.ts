@@ -1,6 +1,6 @@
 import { CRASHED, IMPACT_SPEED, LANDED, REFERENCE_BODY, SURFACE_STATE, TIPPED } from '../../dynamics';
 import { knowsBoundary } from '../snapshots/bodies/bodyTrack';
-import { sameCommand } from '../snapshots/reconcile/compare';
+import { sameCommand } from '../inputs/command';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import { actsBetween } from '../inputs/scheduledInput';

@@ -11,7 +11,7 @@ import {
   VELOCITY,
   type World,
 } from '../../dynamics';
-import { quaternion, rotateBack, take, vector } from '../drawn/rotation';
+import { cross, quaternion, rotateBack, take, vector } from '../drawn/rotation';
 
 /** A server state relative to the ground at or below it. */
 export interface Observation {
@@ -44,9 +44,8 @@ export function observe(out: Observation, row: Float64Array, bodies: Float64Arra
   take(velocity, row, VELOCITY);
   take(spin, bodies, index * BODY_STRIDE + BODY_ANGULAR_VELOCITY);
   take(attitude, bodies, index * BODY_STRIDE + BODY_ATTITUDE);
-  velocity[0]! -= spin[1]! * place[2]! - spin[2]! * place[1]!;
-  velocity[1]! -= spin[2]! * place[0]! - spin[0]! * place[2]!;
-  velocity[2]! -= spin[0]! * place[1]! - spin[1]! * place[0]!;
+  cross(groundVelocity, spin, place);
+  for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! - groundVelocity[k]!;
   const distance = Math.hypot(place[0]!, place[1]!, place[2]!);
   for (let k = 0; k < 3; k++) place[k] = place[k]! / distance;
   out.climb = velocity[0]! * place[0]! + velocity[1]! * place[1]! + velocity[2]! * place[2]!;
@@ -66,4 +65,5 @@ export function observe(out: Observation, row: Float64Array, bodies: Float64Arra
 const place = vector();
 const velocity = vector();
 const spin = vector();
+const groundVelocity = vector();
 const attitude = quaternion();

@@ -1,6 +1,7 @@
-import { type Controls, NEUTRAL_CONTROLS, type Quat, type Vec3 } from '../../dynamics';
+import { type Controls, NEUTRAL_CONTROLS } from '../../dynamics';
 import type { InputAcknowledgement, InputRecord, StateControls } from '../../wire';
 import { isBefore, type Position } from '../time/timeline';
+import { sameControls } from './command';
 
 /**
  * Own controls as records (PREDICTION, Timeline): sampled once, stored, sent as stored, and applied by client and server at
@@ -44,8 +45,6 @@ export type InputOutcome = 'asPredicted' | 'late' | 'lost';
 const MAX_RECORDS = 1024;
 /** An input unacknowledged for longer than this after it was due counts as lost, wall s. */
 const LOST_AFTER = 2;
-/** A server may send controls in single precision. */
-const CONTROL_TOLERANCE = 1e-6;
 
 export function createInputs(plan: readonly ScheduledInput[] = []): Inputs {
   return {
@@ -206,29 +205,8 @@ function dropIndex(inputs: Inputs, index: number): void {
   if (inputs.unsent > index) inputs.unsent -= 1;
 }
 
-/** Whether two commands are equal within single precision. */
-export function sameControls(a: Controls, b: StateControls): boolean {
-  return (
-    near(a.thrustLevel, b.thrustLevel) &&
-    a.attitudeHold === b.attitudeHold &&
-    a.attitudeMode === b.attitudeMode &&
-    nearAll(a.rotationInput, b.rotationInput) &&
-    nearAll(a.translationInput, b.translationInput) &&
-    nearAll(a.targetAttitude, b.targetAttitude)
-  );
-}
-
 /** The controls with all keys released: sticks centred, the throttle lever unchanged. */
 export function releaseKeys(controls: Controls): Controls {
   const { rotationInput, translationInput } = NEUTRAL_CONTROLS;
   return { ...controls, rotationInput, translationInput };
-}
-
-function near(a: number, b: number): boolean {
-  return Math.abs(a - b) <= CONTROL_TOLERANCE;
-}
-
-function nearAll(a: Vec3 | Quat, b: Vec3 | Quat): boolean {
-  for (let k = 0; k < a.length; k++) if (!near(a[k]!, b[k]!)) return false;
-  return true;
 }

@@ -1,16 +1,7 @@
-import {
-  ATTITUDE_HOLD,
-  ATTITUDE_MODE,
-  type Controls,
-  loadControls,
-  modeName,
-  ROTATION_INPUT,
-  TARGET_ATTITUDE,
-  THRUST_LEVEL,
-  TRANSLATION_INPUT,
-} from '../../dynamics';
+import { type Controls, loadControls } from '../../dynamics';
+import { holdsCommand, sameControls } from './command';
 import { isPlanned } from './scheduledInput';
-import { releaseKeys, sameControls, store } from './inputs';
+import { releaseKeys, store } from './inputs';
 import type { Simulation } from '../simulation/simulation';
 import { isBefore } from '../time/timeline';
 
@@ -46,7 +37,7 @@ export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, s
   const pending = newest !== undefined && !isBefore(newest.tick, newest.substep, front.tick, front.substep);
   // The first sample ends the plan, even if it equals the controls in force.
   const takesOver = isPlanned(inputs, front);
-  if (!takesOver && pilot.released === null && !pending && commands(fleet.front, track.at, given)) {
+  if (!takesOver && pilot.released === null && !pending && holdsCommand(fleet.front, track.at, given)) {
     pilot.last = given;
     return;
   }
@@ -57,7 +48,7 @@ export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, s
   const wanted = pilot.released === null ? checked.value : releaseKeys(checked.value);
   const isNothingNew = pending
     ? sameControls(newest.record.controls, wanted)
-    : commands(fleet.front, track.at, wanted);
+    : holdsCommand(fleet.front, track.at, wanted);
   if (isNothingNew && !takesOver) return;
   const wait = sampling.granularity === 'tick' && front.substep > 0;
   stamp.tick = wait ? front.tick + 1 : front.tick;
@@ -66,26 +57,3 @@ export function sampleControls(sim: Simulation, pilot: Pilot, given: Controls, s
 }
 
 const stamp = { tick: 0, substep: 0 };
-
-/** Whether a row holds this command within single precision. */
-function commands(rows: Float64Array, at: number, given: Controls): boolean {
-  return (
-    near(rows[at + THRUST_LEVEL]!, given.thrustLevel) &&
-    rows[at + ATTITUDE_HOLD] === (given.attitudeHold ? 1 : 0) &&
-    modeName(rows[at + ATTITUDE_MODE]!) === given.attitudeMode &&
-    nearAll(rows, at + TRANSLATION_INPUT, given.translationInput) &&
-    nearAll(rows, at + ROTATION_INPUT, given.rotationInput) &&
-    nearAll(rows, at + TARGET_ATTITUDE, given.targetAttitude)
-  );
-}
-
-const SAME = 1e-6;
-
-function near(a: number, b: number): boolean {
-  return Math.abs(a - b) <= SAME;
-}
-
-function nearAll(rows: Float64Array, at: number, values: readonly number[]): boolean {
-  for (let k = 0; k < values.length; k++) if (!near(rows[at + k]!, values[k]!)) return false;
-  return true;
-}

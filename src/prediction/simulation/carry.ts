@@ -11,7 +11,7 @@ import {
   VELOCITY,
   type World,
 } from '../../dynamics';
-import { compose, fromRotationVector, quaternion, take, vector } from '../drawn/rotation';
+import { compose, cross, fromRotationVector, quaternion, take, vector } from '../drawn/rotation';
 
 /**
  * Extrapolates a ship's motion like a client without the dynamics: in flight it falls without thrust; on the ground it keeps moving along
@@ -61,7 +61,7 @@ function pull(gravityParameter: number): number {
 
 /** Moves at constant velocity relative to the turning ground; a descent steeper than MAX_SLOPE is removed. */
 function slideAlong(dt: number): void {
-  writeGroundVelocity();
+  cross(ground, spin, place);
   const distance = Math.hypot(place[0]!, place[1]!, place[2]!);
   let climb = 0;
   for (let k = 0; k < 3; k++) {
@@ -72,19 +72,12 @@ function slideAlong(dt: number): void {
   if (climb < -MAX_SLOPE * speed)
     for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! - (climb * place[k]!) / distance;
   for (let k = 0; k < 3; k++) place[k] = place[k]! + (velocity[k]! + ground[k]!) * dt;
-  writeGroundVelocity();
+  cross(ground, spin, place);
   for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! + ground[k]!;
 }
 
 /** m/m. Steeper descents are impacts, not slopes. */
 const MAX_SLOPE = 0.3;
-
-function writeGroundVelocity(): void {
-  for (let k = 0; k < 3; k++) {
-    const [i, j] = [(k + 1) % 3, (k + 2) % 3];
-    ground[k] = spin[i]! * place[j]! - spin[j]! * place[i]!;
-  }
-}
 
 function dot(a: Float64Array, b: Float64Array): number {
   return a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;

@@ -8,7 +8,7 @@ import {
   REFERENCE_BODY,
   VELOCITY,
 } from '../../dynamics';
-import { put, quaternion, rotateBack, seenFrom, take, vector } from '../drawn/rotation';
+import { cross, put, quaternion, rotateBack, seenFrom, take, vector } from '../drawn/rotation';
 
 /**
  * The newest server states of one ship, oldest first, for interpolation. In each row position, velocity, attitude and
@@ -28,10 +28,9 @@ export function seeFromBody(row: Float64Array, bodies: Float64Array): void {
   const at = row[REFERENCE_BODY]! * BODY_STRIDE;
   take(body, bodies, at + BODY_ATTITUDE);
   take(spin, bodies, at + BODY_ANGULAR_VELOCITY);
-  const [x, y, z] = [row[POSITION]!, row[POSITION + 1]!, row[POSITION + 2]!];
-  row[VELOCITY] = row[VELOCITY]! - (spin[1]! * z - spin[2]! * y);
-  row[VELOCITY + 1] = row[VELOCITY + 1]! - (spin[2]! * x - spin[0]! * z);
-  row[VELOCITY + 2] = row[VELOCITY + 2]! - (spin[0]! * y - spin[1]! * x);
+  take(place, row, POSITION);
+  cross(groundVelocity, spin, place);
+  for (let k = 0; k < 3; k++) row[VELOCITY + k] = row[VELOCITY + k]! - groundVelocity[k]!;
   for (const column of [POSITION, VELOCITY, ANGULAR_VELOCITY]) {
     take(place, row, column);
     rotateBack(place, body, place);
@@ -45,4 +44,5 @@ export function seeFromBody(row: Float64Array, bodies: Float64Array): void {
 const body = quaternion();
 const attitude = quaternion();
 const spin = vector();
+const groundVelocity = vector();
 const place = vector();

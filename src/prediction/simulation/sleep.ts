@@ -18,7 +18,17 @@ import {
 import { boundaryAt, knowsBoundary } from '../snapshots/bodies/bodyTrack';
 import { keep } from './history';
 import { writeBodyAttitude } from '../drawn/pose';
-import { compose, put, quaternion, rotate, rotateBack, seenFrom, take, vector } from '../drawn/rotation';
+import {
+  compose,
+  cross,
+  put,
+  quaternion,
+  rotate,
+  rotateBack,
+  seenFrom,
+  take,
+  vector,
+} from '../drawn/rotation';
 import type { Simulation } from './simulation';
 import { keepLog } from '../touchdown/touchdownRing';
 import { copyRow, type Track } from './track';
@@ -68,9 +78,8 @@ export function writeSleeping(
 ): void {
   rotate(place, attitude, track.sleepPlace);
   put(rows, at + POSITION, place);
-  rows[at + VELOCITY] = spin[1]! * place[2]! - spin[2]! * place[1]!;
-  rows[at + VELOCITY + 1] = spin[2]! * place[0]! - spin[0]! * place[2]!;
-  rows[at + VELOCITY + 2] = spin[0]! * place[1]! - spin[1]! * place[0]!;
+  cross(groundVelocity, spin, place);
+  put(rows, at + VELOCITY, groundVelocity);
   compose(turned, attitude, track.sleepAttitude);
   put(rows, at + ATTITUDE, turned);
   put(rows, at + ANGULAR_VELOCITY, spin);
@@ -118,4 +127,5 @@ const past = new Float64Array(SHIP_STRIDE);
 const body = quaternion();
 const spin = vector();
 const place = vector();
+const groundVelocity = vector();
 const turned = quaternion();

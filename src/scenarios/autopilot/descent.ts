@@ -12,7 +12,7 @@ import {
 } from '../../dynamics';
 import type { BodyState, ShipState } from '../../wire';
 
-/** Where a ship is to land. */
+/** Where a ship lands. */
 export interface LandingSite {
   readonly body: BodyState;
   readonly shipClass: ShipClass;
@@ -47,21 +47,21 @@ const TOUCH_SPEED = 1.5;
 const MAX_SPEED = 15;
 /** Height below which it descends at TOUCH_SPEED, m. */
 const LAST_METRES = 3;
-/** Share of the thrust in excess of the weight that braking plans with; the rest is for corrections. */
+/** Share of the excess thrust (thrust − weight) that the braking plan uses; the rest is for corrections. */
 const BRAKING_SHARE = 0.5;
 /** m/s²: stronger braking would start too late with states a second apart, however strong the engine. */
 const MAX_BRAKING = 1;
 /** s⁻¹: speed errors are corrected within two seconds, slow enough for one state per second and controls that act a second later. */
 const RESPONSE = 0.5;
 /** At tilts past 60° the engine pushes more sideways than up, so it waits until the ship is more upright. */
-const LEAST_UPRIGHT = 0.5;
+const MIN_UPRIGHT = 0.5;
 /** Steps in which a ship's rotation is extrapolated. */
 const STEPS = 4;
 
 /** The approach of a ship, or a reason that names the field without a finite value. */
 export function approachOf(ship: ShipState, site: LandingSite): Result<Approach> {
   const { body, shipClass, terrainHeight, delay = 0 } = site;
-  // The game's own server sends ICRF alone: at 1 au good to 15 µm, enough for a pilot.
+  // The game's own server sends ICRF only: at 1 au exact to 15 µm, enough for a pilot.
   const position = ship.relativePosition ?? minus(ship.position, body.position);
   const velocity = ship.relativeVelocity ?? minus(ship.velocity, body.velocity);
   const distance = length(position);
@@ -86,7 +86,7 @@ export function approachOf(ship: ShipState, site: LandingSite): Result<Approach>
   });
 }
 
-/** The attitude after rotating for `seconds` at the present rate, in steps that each turn slightly too little. */
+/** The attitude after rotating for `seconds` at the present rate, in small steps. */
 function turned({ attitude, angularVelocity }: ShipState, seconds: number): Quat {
   const [x, y, z] = scaled(angularVelocity, seconds / (2 * STEPS));
   const perLength = 1 / Math.sqrt(x * x + y * y + z * z + 1);
@@ -97,8 +97,8 @@ function turned({ attitude, angularVelocity }: ShipState, seconds: number): Quat
 }
 
 /**
- * The controls of a vertical descent: upright, with the thrusters cancelling the drift, and no faster than half of the engine's reserve
- * can brake. Where gravity is too weak to bring the ship down, the thrusters push it.
+ * The controls of a vertical descent: upright, thrusters cancelling the drift, and no faster than half of the engine's excess thrust
+ * can brake. Where gravity is too weak, the thrusters push the ship down.
  */
 export function descend(approach: Approach, mass: number, shipClass: ShipClass): Controls {
   const { height, climb, drift, upright, gravity } = approach;
@@ -108,11 +108,11 @@ export function descend(approach: Approach, mass: number, shipClass: ShipClass):
   const toBrake = height > LAST_METRES ? height - LAST_METRES : 0;
   const planned = Math.sqrt(TOUCH_SPEED * TOUCH_SPEED + 2 * braking * toBrake);
   const speed = planned < MAX_SPEED ? planned : MAX_SPEED;
-  // The rate at which the planned speed decreases on the way down; zero at the cap and in the last metres.
+  // The planned speed decreases on the way down, except at the cap and in the last metres.
   const onCurve = toBrake > 0 && planned < MAX_SPEED && climb < 0;
   const easing = onCurve ? (braking * -climb) / planned : 0;
   const wanted = gravity + easing + RESPONSE * (-speed - climb);
-  const push = upright > LEAST_UPRIGHT ? (mass * wanted) / upright : 0;
+  const push = upright > MIN_UPRIGHT ? (mass * wanted) / upright : 0;
   const [rcsX, rcsY, rcsZ] = shipClass.rcsThrust;
   return {
     thrustLevel: share(push > 0 ? push : 0, shipClass.mainEngineThrust),

@@ -27,18 +27,18 @@ const HOLD: Controls = Object.freeze<Controls>({ ...NEUTRAL_CONTROLS, attitudeHo
 /** m/s: contact_bounce_speed unless the site has another. */
 const BOUNCE_SPEED = 10;
 
-/** Height below which a hop after contact is left to the ground, m: even from Earth's it comes down below the bounce speed. */
+/** m: the autopilot does not fly hops below this height; even on Earth the ship comes down below the bounce speed. */
 const LOW_HOP = 3;
 
 /**
  * The game's maneuver_landing for ships that have legs, a pure step from one ship state to the next: descends, takes contact for
  * the touchdown (engine off, hold), completes on landed, fails with a reason on tipped or crashed. A high
- * bounce is flown like the descent. At 1 Hz the feet still touch below 3 m/s, from any attitude and spin, if `site.delay` is given
- * and there is height enough to turn the engine down and brake: 200 m over the Moon, Mars and Phobos; over Earth an upside-down
- * lander needs 400 m at 10 Hz and 600 m at 1 Hz a tick late. With less, or with too small a delay, the ship hits the ground: the
- * maneuver fails with the crash or the impact speed as its reason. A bounce between two states, and one of a server that sends no
+ * bounce is flown like the descent. At 1 Hz the feet touch below 3 m/s from any attitude and spin if `site.delay` is given
+ * and the height is enough to turn upright and brake: 200 m over the Moon, Mars and Phobos; over Earth an upside-down
+ * lander needs 400 m at 10 Hz, and 600 m at 1 Hz with controls a tick late. With less, or too small a delay, the ship hits the ground: the
+ * maneuver fails and gives the crash or the impact speed as its reason. A bounce between two states, or of a server that sends no
  * impact speed, is not seen: the maneuver then continues from it.
- * @returns what to keep and command; or a reason that names the field a state has no use for, and `before` stays good
+ * @returns the maneuver to keep and its controls; or an error that names the invalid field of the state, and `before` stays valid
  */
 export function continueLanding(
   before: LandingManeuver,

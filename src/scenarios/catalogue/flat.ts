@@ -1,7 +1,7 @@
 import type { Scenario } from '../scenario';
 import { KEPT, START, STILL } from '../start';
 
-/** Landings on the Moon, in the order of what can happen: touch, bounce, slide, topple, launch, crash. */
+/** Landings on the Moon, by outcome: touch, bounce, slide, topple, launch, crash. */
 export const FLAT_GROUND: readonly Scenario[] = [
   {
     ...START,

@@ -55,7 +55,7 @@ interface Flight extends ScenarioWorld {
   distance: number;
   tilt: number;
   hasTipped: boolean;
-  /** Since the present landing's first touch. */
+  /** Maxima since the present landing's first touch. */
   touching: { speed: number; tilt: number } | null;
 }
 

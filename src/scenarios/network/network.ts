@@ -39,7 +39,7 @@ const RANGES: Readonly<Record<keyof NetworkNumbers, readonly [number, number, st
   stallRun: [1, 100, 'packets'],
 };
 
-/** The numbers, or a reason that names the one out of range. */
+/** The numbers, or an error that names the one out of range. */
 export function loadNetwork(given: NetworkNumbers): Result<NetworkNumbers> {
   for (const [name, [low, high, unit]] of Object.entries(RANGES)) {
     const value: unknown = given[name as keyof NetworkNumbers];
@@ -63,9 +63,9 @@ export interface Delivery {
 /** Monotonic. */
 export interface LinkCounters {
   sent: number;
-  /** Lost once and sent again. */
+  /** Packets lost once and sent again. */
   stalled: number;
-  /** Across reconnects: delivered twice, delivered after newer ones, never delivered. */
+  /** Across reconnects: messages delivered twice, delivered after newer ones, never delivered. */
   duplicated: number;
   reordered: number;
   lost: number;

@@ -1,4 +1,4 @@
-/** Bytes as base64, without passing thousands of bytes as arguments of one call. */
+/** Bytes as base64, in parts: one call with thousands of arguments would overflow the stack. */
 export function toBase64(bytes: Uint8Array): string {
   let text = '';
   for (const byte of bytes) text += String.fromCharCode(byte);

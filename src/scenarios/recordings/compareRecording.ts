@@ -32,15 +32,15 @@ import type { ScheduledInput } from '../scenario';
 
 /** How a server's states compare with the dynamics, interval by interval. */
 export interface RecordingComparison extends Comparison {
-  /** Intervals not compared because inputs that are not in the recording changed the ship's controls. */
+  /** Intervals not compared: inputs that are not in the recording changed the ship's controls. */
   readonly unknownInputs: number;
-  /** Intervals not compared because the state has no fields 33 and 34, and so is not exact. */
+  /** Intervals not compared: the state has no fields 33 and 34, so it is not exact. */
   readonly withoutRelativeState: number;
 }
 
 /**
- * Simulates one interval from each frame that has a successor, and compares the result with it. Frames may be missing, doubled or out
- * of order: an interval needs both its ends under one hello. The interval across a new hello is not compared, since either config may
+ * Simulates one interval from each frame with a successor, and compares the result with it. Frames may be missing, doubled or out
+ * of order; an interval needs both its ends under one hello. An interval across a new hello is not compared, since either config may
  * have been in force.
  * @returns a reason if nothing could be compared
  */
@@ -154,7 +154,7 @@ function worldOf({ hello, frames }: RecordedSession): Result<World> {
   });
 }
 
-/** The ship's own height of its centre of mass, or its class's. */
+/** The ship's own groundContactOffset, or its class's, m. */
 function heightOf({ groundContactOffset, shipClass }: ShipState, { shipClasses }: World): number {
   return groundContactOffset ?? shipClasses.find(({ name }) => name === shipClass)?.groundContactOffset ?? 0;
 }

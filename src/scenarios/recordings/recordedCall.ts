@@ -1,6 +1,6 @@
 import type { Fields, JsonRecord } from '../fixtures/fields';
 
-/** As prediction names them; what `changes` and `snapshot` hold is checked by the predictor that is called. */
+/** Named as in prediction; the predictor checks the contents of `changes` and `snapshot` when called. */
 export type RecordedCall =
   | { readonly name: 'setOwnShip'; readonly shipId: string | null }
   | {
@@ -23,7 +23,7 @@ const NAMES = [
   ...(['configure', 'restore', 'reset'] as const),
 ] as const;
 
-/** Reads a call from its line; a fault names the member that cannot be used. */
+/** Reads a call from its line; a fault names the invalid member. */
 export function readCall(fields: Fields, given: JsonRecord): RecordedCall {
   const name = fields.choice(given['name'], 'call.name', NAMES);
   const shipId = () => fields.text(given['shipId'], 'call.shipId');

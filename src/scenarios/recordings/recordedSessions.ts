@@ -19,8 +19,8 @@ interface Gathered {
 }
 
 /**
- * The sessions in order; entries before the first hello belong to it. A server whose ticks continue across a new hello is the same and
- * knows the inputs it was sent before; one whose ticks start again has restarted.
+ * The sessions in order; entries before the first hello belong to it. A server whose ticks continue across a new hello is the same one and
+ * knows earlier inputs; a server whose ticks start again has restarted.
  */
 export function sessionsOf({ header, entries }: Recording): RecordedSession[] {
   const gathered = gather(entries);
@@ -42,7 +42,7 @@ function gather(entries: Recording['entries']): Gathered[] {
     if (entry.kind === 'sent' && entry.message.kind === 'inputs') session.sent.push(...entry.message.inputs);
     if (entry.kind !== 'received') continue;
     const { message } = entry;
-    // A frame without its tempo and bodies cannot be compared with the dynamics.
+    // A frame without tempo and bodies cannot be compared with the dynamics.
     if (message.kind === 'frame' && isWhole(message)) session.frames.set(message.tick, message);
     if (message.kind !== 'hello') continue;
     if (session.hello !== null) {

@@ -17,8 +17,8 @@ import { createFields, type Fields, type JsonRecord } from '../fixtures/fields';
 import type { ScheduledInput } from '../scenario';
 
 /**
- * What a client received, sent and simulated, and when: a predictor fed with it reproduces the session (PREDICTION, Diagnosis). The
- * file has JSON lines, the header first; messages are the protocol's bytes in base64; controls are given only where they change.
+ * Everything a client received, sent and simulated, with times: a predictor fed with it reproduces the session (PREDICTION, Diagnosis). The
+ * file consists of JSON lines, the header first; messages are the protocol's bytes in base64; controls are written only when they change.
  */
 export interface Recording {
   readonly header: RecordingHeader;
@@ -27,7 +27,7 @@ export interface Recording {
 }
 
 export interface RecordingHeader {
-  /** For people: the recording's origin. */
+  /** The recording's origin, for readers. */
   readonly note: string;
   /** The client's own ship. */
   readonly shipId: string;
@@ -41,7 +41,7 @@ export type RecordingEntry =
   | { readonly kind: 'sent'; readonly at: number; readonly message: ClientMessage }
   /** A frame of the page, with the controls held then; null for a spectator. */
   | { readonly kind: 'advanced'; readonly at: number; readonly controls: Controls | null }
-  /** A call that changed what is predicted, for instance another own ship. */
+  /** A call that changed the prediction, for instance another own ship. */
   | { readonly kind: 'called'; readonly at: number; readonly call: RecordedCall };
 
 const FORMAT = 'touchdown-recording';
@@ -89,7 +89,7 @@ export function writeRecording({ header, entries }: Recording): string {
   return writer.header(header) + entries.map((entry) => writer.entry(entry)).join('');
 }
 
-/** The protocol's bytes; of a partial frame, the JSON that the server sent. */
+/** The protocol's bytes; for a partial frame, the server's JSON. */
 function received(message: ServerMessage | PartialFrame): Record<string, unknown> {
   return isWhole(message)
     ? { bytes: toBase64(encodeServerMessage(message)) }
@@ -120,7 +120,7 @@ export function readRecording(text: string): Result<Recording> {
   return ok({ header: first.value, entries });
 }
 
-/** What a line inherits from the lines before it. */
+/** State of earlier lines that a line depends on. */
 interface Past {
   at: number;
   controls: Controls | null | undefined;
@@ -153,7 +153,7 @@ function readHeader(fields: Fields, given: JsonRecord): RecordingHeader {
   return { note, shipId, ...(plan.length === 0 ? {} : { plan }) };
 }
 
-/** Ascending in time, as a client hands it to its predictor. */
+/** Reads a plan, which must ascend in time. */
 function readPlan(fields: Fields, given: unknown): ScheduledInput[] {
   let before = { tick: 0, substep: 0 };
   return fields.list(given, 'plan', MAX_PLANNED).map(({ value, path }) => {

@@ -12,7 +12,7 @@ export interface CameraRig {
 
 interface Motion {
   readonly velocity: Float64Array;
-  /** The ship's velocity as far as the eye has taken it in. */
+  /** The ship's velocity, smoothed. */
   readonly known: Float64Array;
   azimuth: number;
   elevation: number;
@@ -20,16 +20,16 @@ interface Motion {
   started: boolean;
 }
 
-/** 1/s: how fast the view follows the ship and the hand. */
+/** 1/s: how fast the view follows the ship and the pointer. */
 const FOLLOW = 5;
 const HAND = 9;
-/** 1/s: how fast the eye takes in that the ship's velocity has changed, so that a bounce is no jerk. */
+/** 1/s: how fast the smoothed velocity follows the ship's, so that the view does not jerk at a bounce. */
 const NOTICE = 9;
 /** A stall longer than this, s, is not followed step by step. */
 const STALL = 2;
 /** How far above its lowest place the eye begins to be lifted, m. */
 const SOFT = 1.2;
-/** Beyond this the ship has been put elsewhere: m. */
+/** m: a larger move is a teleport. */
 const JUMP = 60;
 
 export type MovingRig = CameraRig & { readonly motion: Motion };
@@ -62,7 +62,7 @@ export function zoomRig(rig: MovingRig, factor: number, closest: number): void {
   rig.distance = Math.min(Math.max(rig.distance * factor, closest), 4000);
 }
 
-/** The next update takes the ship's place at once. */
+/** The next update jumps to the ship's position. */
 export function releaseRig(rig: MovingRig): void {
   rig.motion.started = false;
 }
@@ -93,7 +93,7 @@ export function updateRig(
   const notice = 1 - Math.exp(-NOTICE * dt);
   for (let n = 0; n < steps; n++) {
     for (let i = 0; i < 3; i++) {
-      // The target as it was when this step began, as the focus is.
+      // The target at the start of this step, like the focus.
       const then = target[i]! - velocity[i]! * (seconds - dt * n);
       motion.known[i] = motion.known[i]! + (velocity[i]! - motion.known[i]!) * notice;
       const pull =

@@ -2,20 +2,20 @@ import type { PerspectiveCamera } from 'three';
 import { type MovingRig, placeEye, turnRig, updateRig } from './cameraRig';
 import { rotateByQuat, type ShipActor } from '../ships/shipActor';
 
-/** Where the picture is taken from. */
+/** The camera positions. */
 export const CAMERA_VIEWS = ['follow', 'chase', 'cockpit', 'above', 'free'] as const;
 
 /**
- * follow: around the ship, turned by hand · chase: behind the ship, along its way over the ground · cockpit: from the ship, turning
- * with it · above: straight down, the way it was turned to on top · free: the eye stays where it was left.
+ * follow: around the ship, turned by hand · chase: behind the ship, in its direction over the ground · cockpit: from the ship, turning
+ * with it · above: straight down, with its heading kept at the top · free: the eye stays in place.
  */
 export type CameraView = (typeof CAMERA_VIEWS)[number];
 
-/** A chase camera turns only for a ship that goes somewhere: m/s along the ground, and 1/s. */
+/** The chase camera turns only above this speed along the ground, m/s; and at this rate, 1/s. */
 const CHASE_SPEED = 1.5;
 const CHASE_RATE = 1.2;
 const CHASE_ELEVATION = 0.32;
-/** rad: steeper, and the picture's top would have no direction. */
+/** rad: at a steeper angle the picture's top has no direction. */
 const ABOVE_ELEVATION = 1.5;
 const ABOVE_DISTANCE = 2.2;
 /** Of the cockpit's eye over the centre of mass, in heights of it over the feet; how far it looks down, rad. */
@@ -27,7 +27,7 @@ const NEAR = 0.4;
 
 export interface CameraPlace {
   readonly actor: ShipActor;
-  /** Since the frame before, s. */
+  /** Time since the last frame, s. */
   readonly seconds: number;
   readonly groundY: (x: number, z: number) => number;
   /** There is a pad to land on. */
@@ -61,7 +61,7 @@ const PAD_LOW = 8;
 /** rad: smaller turns wait, so that the picture does not swim. */
 const PAD_STEP = 0.02;
 
-/** High over its pad a ship is seen from above, so that the pad is in the picture. What the hand turns comes on top of it. */
+/** High over its pad a ship is seen from above, so that the pad is in the picture. Manual rotation is added. */
 function raiseOverPad(rig: MovingRig, { actor, groundY, hasPad }: CameraPlace): void {
   const [x, y, z] = actor.place as unknown as [number, number, number];
   const height = hasPad ? y - actor.height - groundY(x, z) : 0;
@@ -77,7 +77,7 @@ function turnBehind(rig: MovingRig, velocity: Float64Array, seconds: number): vo
   if (along < CHASE_SPEED) return;
   const behind = Math.atan2(-velocity[2]!, -velocity[0]!);
   const off = behind - rig.azimuth;
-  // The short way round.
+  // The shorter way around.
   const turn = off - 2 * Math.PI * Math.round(off / (2 * Math.PI));
   const share = 1 - Math.exp(-CHASE_RATE * seconds);
   rig.azimuth += turn * share;

@@ -26,10 +26,10 @@ export interface BlobShadows {
 }
 
 const MAX_SHADOWS = 256;
-/** Of the ground under a ship's middle, and how fast it goes with height, per m of way of the light. */
+/** Opacity under a ship at the ground, and how fast it fades with height, per m along the light. */
 const DARKNESS = 0.62;
 const FADES = 1 / 120;
-/** A low sun's shadow is not drawn longer than this many widths. */
+/** Longest shadow under a low sun, in widths. */
 const MAX_STRETCH = 8;
 /** m above the ground. */
 const LIFT = 0.06;

@@ -12,7 +12,7 @@ export interface Crash {
   dispose(): void;
 }
 
-/** s: the flash is over; and how wide it grows, in sizes of the ship. */
+/** Duration of the flash, s; and its final size, in sizes of the ship. */
 const FLASH = 0.5;
 const FLASH_SIZE = 2.6;
 

@@ -24,7 +24,7 @@ const PIECES = 64;
 const FASTEST = 22;
 /** rad/s, while it flies. */
 const TUMBLE = 7;
-/** s: a piece that is still in the air then is no longer followed, and how fine its landing is searched. */
+/** s: a piece still in the air after this is not followed; and the step in which its landing is searched. */
 const LONGEST_FLIGHT = 60;
 const STEP = 0.25;
 
@@ -86,7 +86,7 @@ export function createDebris(): Debris {
   };
 }
 
-/** Out and up in all directions, small pieces faster: the same at every crash. */
+/** Outward and upward in all directions, small pieces faster; the same at every crash. */
 function pieceOf(n: number): Piece {
   const noise = (which: number) => cellNoise(n, which, 91);
   const around = 2 * Math.PI * noise(1);
@@ -101,7 +101,7 @@ function pieceOf(n: number): Piece {
   };
 }
 
-/** s until a piece meets the ground, to STEP: it may sink or hang by as much as a small piece hides. */
+/** s until a piece meets the ground, within STEP: the error is hidden by the size of a small piece. */
 function landingOf(
   { velocity }: Piece,
   gravity: number,

@@ -35,10 +35,10 @@ void main() {
   bool alive = share >= 0.0 && share < 1.0 && place.y > position.y - 0.6;
   float size = span.z * (0.5 + share * (drag > 0.0 ? 3.6 : 2.2));
   vAlpha = alive ? span.w * (1.0 - share) * (1.0 - share) * smoothstep(0.0, 0.06, share) : 0.0;
-  // A grain before the lens is a disc over half the picture.
+  // A grain close to the eye would cover half the picture.
   vAlpha *= smoothstep(1.5, 14.0, -mvPosition.z);
   vPatch = span.yz * 7.0;
-  // The eye is at the world's origin, as the flame's place has it.
+  // The eye is at the world's origin; the flame's position is relative to it.
   vec3 toFlame = flame.xyz - (modelMatrix * vec4(place, 1.0)).xyz;
   vFlame = max(flame.w, 0.0) / (dot(toFlame, toFlame) + 6.0);
   gl_PointSize = alive ? clamp(size * pixelsPerMetre / -mvPosition.z, 1.0, 160.0) : 0.0;
@@ -69,7 +69,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** Grains thrown once, then moved by gravity and, where there is air, drag. The GPU computes their way. */
+/** Grains are emitted once, then moved by gravity and, in air, drag. The GPU computes their motion. */
 export interface Dust {
   readonly points: Points<BufferGeometry, ShaderMaterial>;
   /** A grain: local place and velocity relative to `origin`, m and m/s; seconds it lives, size m, opacity. */
@@ -157,7 +157,7 @@ function createMaterial(detail: DataTexture, flame: FlameUniforms): ShaderMateri
   });
 }
 
-/** A ring of grains: the newest takes the oldest one's place. */
+/** A ring of grains: the newest replaces the oldest. */
 function createGrains() {
   const geometry = new BufferGeometry();
   const dynamic = (name: string, size: number) => {
@@ -174,7 +174,7 @@ function createGrains() {
   let thrown = 0;
   return {
     geometry,
-    /** Gives how long the grain lives, s. */
+    /** Returns the grain's lifetime, s. */
     put(place: ArrayLike<number>, velocity: ArrayLike<number>, look: GrainLook, time: number): number {
       const vary = 0.6 + 0.8 * cellNoise(next, thrown++ & 0xffff, 77);
       const lives = look.seconds * vary;

@@ -1,7 +1,7 @@
 import type { Dust } from './dust';
 import { cellNoise } from '../ground/noise';
 
-/** A drawn ship as far as the dust depends on it. Local axes, m, m/s. */
+/** The members of a drawn ship that the dust depends on. Local axes, m, m/s. */
 export interface DustyShip {
   readonly place: Float64Array;
   /** Relative to the turning ground. */
@@ -31,7 +31,7 @@ export function createDustState(): DustState {
 const place = new Float64Array(3);
 const velocity = new Float64Array(3);
 
-/** Throws the grains that a touch, a slide and the exhaust raise in `seconds`. */
+/** Emits the grains that a touch, a slide and the exhaust raise in `seconds`. */
 export function raiseDust(dust: Dust, state: DustState, ship: DustyShip, seconds: number): void {
   if (ship.grounded && !state.wasGrounded) splash(dust, state, ship);
   state.wasGrounded = ship.grounded;
@@ -41,7 +41,7 @@ export function raiseDust(dust: Dust, state: DustState, ship: DustyShip, seconds
   if (ship.thrust > 0) sweep(dust, state, ship, seconds);
 }
 
-/** At the touch: a low fan from each foot, faster for a harder touch. */
+/** At a touch: a low fan from each foot, faster for a harder touch. */
 function splash(dust: Dust, state: DustState, ship: DustyShip): void {
   const hard = Math.min(ship.impactSpeed, 40);
   const grains = Math.round(40 + hard * 11);

@@ -1,7 +1,7 @@
 import { Color, PointLight, Vector4 } from 'three';
 import type { ShipView } from '../../prediction';
 
-/** Of a drawn ship (ShipActor): where it is, which way its engines blow, and whether any nozzle does. */
+/** Members of a drawn ship (ShipActor): its position, the direction of its exhaust, and whether any nozzle burns. */
 interface BurningShip {
   readonly place: Float64Array;
   readonly blows: Float64Array;
@@ -26,7 +26,7 @@ export interface Flame {
 
 /** At full throttle, in the shaders' units: radiance of white ground 1 m below. */
 const STRENGTH = 60;
-/** Of it what three's light has: metal beside the flame would be white at all of it. */
+/** Share of it in three's light: with all of it, metal beside the flame would be white. */
 const ON_HULLS = 0.35 * Math.PI;
 /** Of a ship's height: how far below its centre of mass the flame is brightest, and how wide a wreck scorches the ground. */
 const BELOW = 0.8;

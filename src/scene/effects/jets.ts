@@ -154,7 +154,7 @@ function addCone(out: Arrays, { at, blows, radius, length, spread, nozzle }: Con
   }
 }
 
-/** Whether anything may blow: most ships of a fleet stand still. */
+/** Whether any nozzle may burn: most ships of a fleet are at rest. */
 export function asksForPower(controls: Controls): boolean {
   const { rotationInput: turn, translationInput: push } = controls;
   return (
@@ -171,8 +171,8 @@ export function asksForPower(controls: Controls): boolean {
 }
 
 /**
- * How hard each nozzle blows, 0 … 1: engines by throttle, thrusters by what their push and turn do for the command. Gives
- * whether any does.
+ * Writes the power of each nozzle, 0 … 1: engines by throttle, thrusters by their contribution to the command. Returns
+ * whether any burns.
  */
 export function writePower(
   out: Float32Array,
@@ -204,7 +204,7 @@ export function writePower(
   return any;
 }
 
-/** What the pilot or the rate damping asks of the thrusters about body x, y, z. */
+/** The command of pilot or rate damping to the thrusters about body x, y, z. */
 export function askedTurn(out: Float64Array, controls: Controls, bodyRates: ArrayLike<number>): void {
   const [x, y, z] = controls.rotationInput;
   const damped = controls.attitudeHold || controls.attitudeMode !== 'none';
@@ -228,7 +228,7 @@ export function firePower(mesh: Mesh<BufferGeometry, ShaderMaterial>, power: Flo
   };
 }
 
-/** Whether a class can burn with this fuel: jets of an empty ship are dark. */
+/** Whether a class can burn with this fuel: an empty ship has no jets. */
 export function canBurn(shipClass: ShipClass, fuel: number): boolean {
   return fuel > 0 && (shipClass.mainEngineThrust > 0 || shipClass.rcsLever > 0);
 }

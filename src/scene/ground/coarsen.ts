@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry } from 'three';
 
-/** How little of a part is left: sides of what was round, and the size (m) below which a part is left out. */
+/** The level of detail of a part: sides of round parts, and the size (m) below which a part is left out. */
 export interface Coarseness {
   readonly sides: number;
   readonly smallest: number;
@@ -18,7 +18,7 @@ export function coarsen(part: BufferGeometry, { sides, smallest }: Coarseness): 
   part.computeBoundingBox();
   const { min, max } = part.boundingBox!;
   const size = Math.max(max.x - min.x, max.y - min.y, max.z - min.z);
-  // A ring would become a plate.
+  // A ring would turn into a plate.
   if (size < smallest || part.type === 'TorusGeometry') return null;
   if ((part.index ?? part.getAttribute('position')).count <= FEW * 3) return part.clone();
   const widths = widthsOf(part, min.z, max.z);

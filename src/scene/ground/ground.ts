@@ -88,7 +88,7 @@ export function createGround(material: ShaderMaterial): Ground {
 
   const follow = (x: number, z: number, levelsAtOnce: number) => {
     if (place === null) return;
-    // A ship that was put elsewhere: its ground is whole in the next picture, however long that takes.
+    // After a teleport the ground is complete in the next frame, however long that takes.
     let left = isUnder(rings[0]!.level, x, z) ? levelsAtOnce : Infinity;
     let changed = false;
     for (let n = rings.length - 1; n >= 0 && left > 0; n--) {
@@ -161,7 +161,7 @@ function upload(geometry: BufferGeometry): void {
   for (const name of ['position', 'normal', 'sunlit']) geometry.getAttribute(name).needsUpdate = true;
 }
 
-/** Leaves out what the finer level covers, where that changed. */
+/** Leaves out what the finer level covers, if that has changed. */
 function cutHole(ring: Ring, finer: Ring | null): void {
   const { level } = ring;
   const key =

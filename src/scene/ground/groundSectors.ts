@@ -94,7 +94,7 @@ export function visibleRange(
       outlineSector(sector, level, sectors.innerCells);
       seen[sector] = isBeyond(cone, 0, level.spacing) || isBeyond(cone, 2, level.spacing) ? 0 : 1;
     }
-    // The longest run out of sight is what is left out.
+    // The longest run out of sight is left out.
     let longest = 0;
     for (let at = 0; at < SECTORS; at++) {
       let hidden = 0;
@@ -130,7 +130,7 @@ function outlineSector(sector: number, level: TerrainLevel, innerCells: number):
   }
 }
 
-/** Whether the whole outline is out of sight beyond one plane of the cone, by a margin. */
+/** Whether the whole outline is outside of one plane of the cone, by a margin. */
 function isBeyond({ x, z, inward }: ViewCone, plane: number, margin: number): boolean {
   for (let i = 0; i < 8; i += 2) {
     const inside = (outline[i]! - x) * inward[plane]! + (outline[i + 1]! - z) * inward[plane + 1]!;

@@ -25,12 +25,12 @@ const SHADOW_REACH = 18;
 /** m: how far outside the picture a stone is still drawn, so that the choice holds while the eye moves a little. */
 const MARGIN = 2;
 
-/** Stones up to knee height, half sunk. The dynamics do not know them, so all are too small to matter under a foot. */
+/** Stones up to knee height, half sunk. They are not in the dynamics, so all are too small to matter under a foot. */
 export interface Rocks {
   readonly mesh: InstancedMesh;
   /** The ground of another frame or terrain. */
   setGround(frame: LocalFrame, terrainHeight: TerrainHeight): void;
-  /** `shadowY`: local y below which it is in the terrain's shadow. Stones in it are black on black and left out. */
+  /** `shadowY`: local y below which it is in the terrain's shadow. Stones in shadow are left out. */
   follow(x: number, z: number, shadowY: (x: number, z: number) => number): void;
   /** Places them relative to the eye (local, m) and leaves out those out of sight. */
   place(eye: Float64Array, cone: ViewCone): void;
@@ -103,10 +103,10 @@ interface StoneField {
   stoniness: number;
   /** Local, m; the matrices are relative to it. */
   readonly origin: Float64Array;
-  /** Those within the shadows' reach first. */
+  /** Those within reach of the shadow map come first. */
   readonly matrices: Float32Array;
   count: number;
-  /** How many are within the shadows' reach. */
+  /** Number of those within reach of the shadow map. */
   close: number;
 }
 

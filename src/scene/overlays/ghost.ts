@@ -29,11 +29,11 @@ void main() {
 }`;
 
 export function createGhost(colour: number): Ghost {
-  // Pushed back: where the ghost and the ship agree the ship alone is seen.
+  // Pushed back: where ghost and ship coincide, only the ship is visible.
   const behind = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 8 };
   const shaders = { vertexShader: VERTEX, fragmentShader: FRAGMENT, transparent: true, ...behind };
   const uniforms = { colour: { value: new Color(colour) } };
-  // Depth first, so that only the nearest surface is drawn and not every part behind it.
+  // Depth first, so that only the nearest surface is drawn.
   const depth = new ShaderMaterial({ ...shaders, uniforms, colorWrite: false });
   const surface = new ShaderMaterial({ ...shaders, uniforms, depthWrite: false });
   const parts = [depth, surface].map((material, n) => {

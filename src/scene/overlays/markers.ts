@@ -2,7 +2,7 @@ import { CylinderGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, SphereGeo
 import { type LocalFrame, rotate, toLocalPoint, type Turn } from '../localFrame';
 import { createGroundRing } from './ringOnGround';
 
-/** Marks on the ground for the pilot: pads with their beacons, and the place where the ship will touch. */
+/** Marks on the ground for the pilot: pads with their beacons, and the predicted touch. */
 export interface Markers {
   /** Body axes, m from the body's centre; the next pad shines. */
   pads: readonly { readonly place: ArrayLike<number>; readonly radius: number; readonly isNext: boolean }[];
@@ -88,7 +88,7 @@ function createPads(parent: Group) {
     outline.fit(at, places.groundY);
     const group = new Group();
     const add = (mesh: Mesh, y: number) => {
-      // Beside the pad: nobody should land on the mast.
+      // Beside the pad, so that nobody lands on the mast.
       mesh.position.set(radius, y, 0);
       group.add(mesh);
     };

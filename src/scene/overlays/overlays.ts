@@ -13,7 +13,7 @@ import {
 } from 'three';
 import { createGhost } from './ghost';
 
-/** What is shown over the picture. */
+/** The overlays that are shown. */
 export interface OverlayChoice {
   ghost: boolean;
   errorSegment: boolean;
@@ -28,7 +28,7 @@ export interface OverlayPlaces {
   readonly ghost: Vector3;
   readonly ghostTurn: Quaternion;
   readonly ghostKnown: boolean;
-  /** From where the ship is drawn to where it is predicted at the same instant: zero while nothing is being corrected. */
+  /** From the drawn to the predicted position at the same instant; zero unless a correction is being eased. */
   readonly error: Vector3;
   /** On the ground straight below the ship. */
   readonly foot: Vector3;
@@ -39,7 +39,7 @@ export interface OverlayPlaces {
   /** Local up, unit. */
   readonly up: Vector3;
   readonly legRadius: number;
-  /** m/s², in local axes: what thrust, weight and ground give the ship. */
+  /** m/s², in local axes: accelerations by thrust, weight and ground. */
   readonly thrust: Vector3;
   readonly weight: Vector3;
   readonly support: Vector3;

@@ -18,7 +18,7 @@ export interface PlumbLine {
   dispose(): void;
 }
 
-/** Below this height of the feet the ship and its shadow show it themselves, m. */
+/** No line below this height of the feet: the ship's shadow shows it, m. */
 const LOWEST = 12;
 /** From here on the ticks are 100 m apart, m. */
 const HIGH = 400;

@@ -10,7 +10,7 @@ export interface GroundRing {
 /** m above the ground it follows. */
 const LIFT = 0.2;
 
-/** A ring of outer `radius` and `width`, m. It has to be fitted before it is drawn. */
+/** A ring of outer `radius` and `width`, m. Fit it before it is drawn. */
 export function createGroundRing(radius: number, width: number, segments: number): GroundRing {
   const points = new Float32Array((segments + 1) * 6);
   const index: number[] = [];

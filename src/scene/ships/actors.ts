@@ -6,7 +6,7 @@ import { createActor, poseActor, removeActor, type ShipActor, type ShipResources
 /** The drawn ships of one body, by id. */
 export interface Actors {
   readonly byId: Map<string, ShipActor>;
-  /** Pictures posed so far. */
+  /** Number of frames posed so far. */
   count: number;
 }
 
@@ -24,7 +24,7 @@ export function createActors(): Actors {
   return { byId: new Map(), count: 0 };
 }
 
-/** Poses every ship of the watched ship's body; `posed` is called for each. Ships that are no longer in the view leave. */
+/** Poses every ship of the watched ship's body; `posed` is called for each. Ships that are no longer in the view are removed. */
 export function poseActors(
   actors: Actors,
   view: WorldView,

@@ -17,7 +17,7 @@ export interface Hulls {
   readonly group: Group;
   /** Begins a frame without ships. */
   clear(): void;
-  /** Puts a posed ship in the scene. `eye` local, m; the watched ship is drawn whole and throws a shadow, however far off. */
+  /** Puts a posed ship in the scene. `eye` local, m; the watched ship is drawn in full detail and casts a shadow at any distance. */
   put(actor: ShipActor, eye: Float64Array, isWatched: boolean): void;
   /** Ends a frame. */
   finish(): void;
@@ -141,7 +141,7 @@ function createMesh(
   mesh.customDepthMaterial = material.shadow;
   mesh.castShadow = isWhole;
   mesh.receiveShadow = isWhole;
-  // The instances' places are known to the instances alone.
+  // Only the instances have positions.
   mesh.frustumCulled = false;
   return { mesh, compression, sunlit };
 }

@@ -9,8 +9,8 @@ import type { ShipMaterial } from './shipMaterial';
 import type { ShipModel } from './shipModel';
 import { crumple } from './wreck';
 
-/** A class may have its centre of mass at its feet; sizes are taken from at least so many m. */
-export const LEAST_HEIGHT = 2;
+/** m: a class may have its centre of mass at its feet; sizes are based on at least this height. */
+export const MIN_HEIGHT = 2;
 
 /** One ship in the scene. Places and velocities in local axes, doubles. */
 export interface ShipActor {
@@ -25,9 +25,9 @@ export interface ShipActor {
   /** Of the four legs, m. */
   readonly compression: Float32Array;
   readonly dust: DustState;
-  /** Height of the centre of mass over the feet, m, for sizes: at least LEAST_HEIGHT. */
+  /** Height of the centre of mass over the feet, m, for sizes: at least MIN_HEIGHT. */
   readonly height: number;
-  /** The picture it was last posed in, and in how many. */
+  /** The frame in which it was last posed, and the number of frames. */
   seen: number;
   posed: number;
   wasWreck: boolean;
@@ -104,7 +104,7 @@ export function createActor(ship: ShipView, shipResources: ShipResources, inAir:
     blows: new Float64Array(3),
     compression: new Float32Array(4),
     dust: createDustState(),
-    height: Math.max(ship.shipClass.groundContactOffset, LEAST_HEIGHT),
+    height: Math.max(ship.shipClass.groundContactOffset, MIN_HEIGHT),
     seen: 0,
     posed: 0,
     wasWreck: false,
@@ -134,7 +134,7 @@ const asked = new Float64Array(3);
 const spin = new Float64Array(3);
 const inverse = new Float64Array(4);
 
-/** Sets where the ship is drawn and what its nozzles do. */
+/** Sets the ship's pose and the power of its nozzles. */
 export function poseActor(
   actor: ShipActor,
   ship: ShipView,
@@ -153,17 +153,17 @@ export function poseActor(
   spin[1] = ship.velocity[1]! - (wz * x - wx * z);
   spin[2] = ship.velocity[2]! - (wx * y - wy * x);
   rotate(actor.velocity, turn.matrix, spin);
-  // A crashed ship's row keeps the speed it hit with.
+  // A crashed ship's row keeps its speed at the crash.
   if (ship.crashed) actor.velocity.fill(0);
 
   for (let leg = 0; leg < 4; leg++) actor.compression[leg] = ship.legCompression[leg]!;
   actor.blows.fill(0);
   actor.blows[2] = -1;
   rotateByQuat(actor.blows, actor.turn, actor.blows);
-  // The model is its class's: it is moved along its own axis until its feet are the ship's.
+  // The model is the class's, moved along its axis until its feet are the ship's.
   const raised = ship.shipClass.groundContactOffset - ship.groundContactOffset;
   for (let k = 0; k < 3; k++) actor.place[k] = actor.place[k]! - raised * actor.blows[k]!;
-  // Not before the server confirmed it.
+  // Not before the server has confirmed it.
   if (ship.shownState === 'crashed') crumple(actor, ship.shipClass.groundContactOffset);
 
   const burns = !ship.crashed && canBurn(ship.shipClass, ship.fuel) && asksForPower(ship.controls);

@@ -1,6 +1,6 @@
 import { quat } from 'gl-matrix';
 
-/** Of a drawn ship (ShipActor): what a crash changes. */
+/** The members of a drawn ship (ShipActor) that a crash changes. */
 interface WreckedPose {
   readonly place: Float64Array;
   readonly turn: Float64Array;
@@ -16,7 +16,7 @@ const LEAN = quat.fromEuler(new Float64Array(4), 9, 0, 16);
 /** Poses a crashed ship as a wreck: on its belly, the legs folded, leaning. */
 export function crumple(actor: WreckedPose, h: number): void {
   const upright = -actor.blows[1]!;
-  // One that came down on its side needs no other pose.
+  // A ship that came down on its side keeps its pose.
   if (upright < 0.5) return;
   actor.compression.fill(FOLD * h);
   actor.place[1] = actor.place[1]! - FOLD * h * upright;

@@ -1,6 +1,6 @@
 import type { SunPlace } from '../localFrame';
 
-/** How a body's ground and sky look. Colours are linear RGB, 0 … 1. */
+/** The look of a body's ground and sky. Colours are linear RGB, 0 … 1. */
 export interface BodyLook {
   /** Dust between stones, what covers it in patches some hundred metres wide, and the stones. */
   readonly dust: readonly [number, number, number];
@@ -17,7 +17,7 @@ export interface BodyLook {
   readonly fill: readonly [number, number, number];
   /** Another body in the sky: direction in the local frame, angular radius in degrees, colours. */
   readonly neighbour: Neighbour | null;
-  /** Stones a square metre near the ship, relative. */
+  /** Relative number of stones per square metre near the ship. */
   readonly stoniness: number;
 }
 

@@ -1,6 +1,6 @@
 import type { Air, BodyLook, Neighbour } from './bodyLook';
 
-/** A body's look under a sun of some elevation. By night `sun`, `sunColour` and `sunStrength` are those of the brightest light left. */
+/** A body's look under a sun of a given elevation. By night `sun`, `sunColour` and `sunStrength` are those of the brightest light left. */
 export interface SceneLook extends BodyLook {
   /** Degrees in the local frame: from its x axis towards z, and above the horizon. By day the sun is over the x axis. */
   readonly trueSun: { readonly azimuth: number; readonly elevation: number };

@@ -41,7 +41,7 @@ function readWithMode(r: Reading, from: Fields, attitudeMode: AttitudeMode): Con
     refuse(r, '', loaded.reason);
     return neutral;
   }
-  // The target is unit already; normalised once more it could change in the last bit, and client and server would
+  // The target is a unit quaternion already. Normalising it again could change the last bit, and client and server would
   // then apply different inputs.
   return { ...loaded.value, targetAttitude: sent.targetAttitude };
 }

@@ -2,16 +2,16 @@ import { type Result, ok, err } from '../../dynamics';
 import { type Bound, MAX_TEXT } from '../limits';
 
 /**
- * One pass over one message from outside, the same for a decoded protobuf message and for JSON (the generated codec
+ * One pass over an untrusted message, the same for a decoded protobuf message and for JSON (the generated codec
  * keeps the proto's names). Every reader below takes the field `name` of `from` and returns a value that is always of its
- * type. The first invalid one leaves its reason here, and the whole message is refused.
+ * type. The first invalid field leaves its reason here, and the whole message is refused.
  */
 export interface Reading {
   /** Protobuf omits what is 0, false or empty; JSON omits what is not sent. */
   readonly source: 'protobuf' | 'json';
   /** Path of the pass: names, and indices into lists. */
   readonly path: Step[];
-  /** Of the first refusal, with the path of the field. */
+  /** Reason of the first refusal, with the path of the field. */
   reason: string | null;
 }
 
@@ -31,7 +31,7 @@ export function endReading<T>(r: Reading, message: T): Result<T> {
   return r.reason === null ? ok(message) : err(r.reason);
 }
 
-/** Refuses the message because of the field `name` (empty: because of what the path itself leads to). */
+/** Refuses the message because of the field `name` (empty: because of the value at the path itself). */
 export function refuse(r: Reading, name: string, complaint: string): void {
   if (r.reason !== null) return;
   const steps = name === '' ? r.path : [...r.path, name];
@@ -51,7 +51,7 @@ export function valueIn(r: Reading, from: Fields, name: string): unknown {
   return Object.hasOwn(from, spelled) ? (from[spelled] ?? undefined) : undefined;
 }
 
-/** `value` as fields; without any, and refused, when it is no object. */
+/** `value` as fields. If it is no object, the message is refused and there are none. */
 export function fieldsOf(r: Reading, value: unknown): Fields {
   if (typeof value === 'object' && value !== null && !Array.isArray(value)) return value as Fields;
   refuse(r, '', value === undefined ? 'missing' : `expected an object, got ${describe(value)}`);
@@ -97,7 +97,7 @@ export function refuseRepeats(r: Reading, list: string, key: string, texts: read
   refuse(r, `${list}[${repeated}].${key}`, `expected each once, got ${describe(texts[repeated])} again`);
 }
 
-/** A finite number within `bound`. Not sent: `absent`, or in JSON refused if that is not given. */
+/** A finite number within `bound`. If not sent: `absent`; in JSON, refused without one. */
 export function numberIn(r: Reading, from: Fields, name: string, bound: Bound, absent?: number): number {
   const value = plainNumber(r, valueIn(r, from, name)) ?? absent ?? zeroOf(r);
   if (typeof value !== 'number' || !Number.isFinite(value)) {
@@ -109,7 +109,7 @@ export function numberIn(r: Reading, from: Fields, name: string, bound: Bound, a
   return 0;
 }
 
-/** A whole number from `low` to `high`, at most 2⁵³ − 1; 0 when it is not sent. A 64-bit integer of the codec ends here. */
+/** A whole number from `low` to `high`, at most 2⁵³ − 1; 0 when it is not sent. Converts 64-bit integers of the codec. */
 export function integerIn(r: Reading, from: Fields, name: string, low: number, high: number): number {
   const value = wholeNumber(plainNumber(r, valueIn(r, from, name)) ?? 0);
   if (Number.isSafeInteger(value) && value >= low && value <= high) return value;
@@ -117,7 +117,7 @@ export function integerIn(r: Reading, from: Fields, name: string, low: number, h
   return low;
 }
 
-/** A well-formed text of at most MAX_TEXT characters; empty when it is not sent. */
+/** A well-formed string of at most MAX_TEXT characters; empty when it is not sent. */
 export function textIn(r: Reading, from: Fields, name: string): string {
   const value = valueIn(r, from, name) ?? '';
   const complaint = textComplaint(value);
@@ -126,14 +126,14 @@ export function textIn(r: Reading, from: Fields, name: string): string {
   return '';
 }
 
-/** The reason why `value` cannot be sent as a name or an id, or null. */
+/** Why `value` cannot be sent as a name or an id, or null. */
 export function textComplaint(value: unknown): string | null {
   if (typeof value !== 'string') return `expected a string, got ${describe(value)}`;
   if (value.length > MAX_TEXT) return `expected at most ${MAX_TEXT} characters, got ${value.length}`;
   return LONE_SURROGATE.test(value) ? 'expected well-formed Unicode' : null;
 }
 
-/** A text that is not empty. */
+/** A non-empty string. */
 export function nameIn(r: Reading, from: Fields, name: string): string {
   const text = textIn(r, from, name);
   if (text === '') refuse(r, name, 'expected a non-empty string');
@@ -165,7 +165,7 @@ export function flagIn(r: Reading, from: Fields, name: string): boolean {
   return false;
 }
 
-/** Describes a value from outside for a reason: short, and always printable. */
+/** Describes an untrusted value for a reason: short, and always printable. */
 export function describe(value: unknown): string {
   if (value === null) return 'null';
   if (typeof value === 'number') return String(value);
@@ -174,12 +174,12 @@ export function describe(value: unknown): string {
 }
 
 const LONE_SURROGATE = /\p{Surrogate}/u;
-/** A decimal number as Redis holds it. */
+/** A decimal number as Redis stores it. */
 const DECIMAL = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?$/;
 /** No double needs more characters. */
 const MAX_DECIMAL = 64;
 
-/** A number that JSON sent as a text, as a number; anything else as it is. */
+/** A number that JSON sent as a string, as a number; anything else unchanged. */
 function plainNumber(r: Reading, value: unknown): unknown {
   if (r.source === 'protobuf' || typeof value !== 'string') return value;
   return value.length <= MAX_DECIMAL && DECIMAL.test(value) ? Number(value) : value;
@@ -200,7 +200,7 @@ function zeroOf(r: Reading): number | undefined {
   return r.source === 'protobuf' ? 0 : undefined;
 }
 
-/** Of a number or of the codec's unsigned 64-bit integer, as near as a double comes; NaN of anything else. */
+/** The double nearest to a number or to the codec's unsigned 64-bit integer; NaN for anything else. */
 function wholeNumber(value: unknown): number {
   if (typeof value === 'number') return value;
   const { high, low } = Object(value) as { readonly high?: unknown; readonly low?: unknown };

@@ -1,6 +1,6 @@
 /** Values that callers pass by mistake instead of a parsed message, and what to do about each. */
 
-/** '' for a plain object; otherwise what it is and what must be done with it first. */
+/** '' for a plain object; otherwise what it is and what to do with it first. */
 export function notPlain(value: unknown): string {
   if (typeof value === 'string') return 'a string: parse it with JSON.parse first';
   if (typeof value !== 'object' || value === null || Array.isArray(value)) return '';
@@ -10,7 +10,7 @@ export function notPlain(value: unknown): string {
   if (kind !== 'Object' && 'data' in value) return `an event: its .data holds the text of the message`;
   const { ok, value: held } = value as { ok?: unknown; value?: unknown };
   if (typeof ok === 'boolean' && held !== undefined)
-    return 'a Result: it is decoded already, look at .ok and .value';
+    return 'a Result: it is already decoded, check .ok and pass .value';
   return '';
 }
 

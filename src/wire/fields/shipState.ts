@@ -14,14 +14,14 @@ import type { ShipState } from '../records';
 import { optionalVectorIn, quaternionFields, quaternionIn, vectorFields, vectorIn } from './vectors';
 
 /**
- * The game's ShipState, from protobuf or JSON. A server that does not send the fields 30 to 35 is an ordinary case
- * (PREDICTION, Server messages): the predictor decides what they mean together, not this reader.
+ * The game's ShipState, from protobuf or JSON. Many servers do not send the fields 30 to 35
+ * (PREDICTION, Server messages): the predictor interprets them together, not this reader.
  */
 export function readShipState(r: Reading, from: Fields): ShipState {
   const relativePosition = optionalVectorIn(r, from, 'relative_position', METRES);
   const relativeVelocity = optionalVectorIn(r, from, 'relative_velocity', METRES_PER_SECOND);
   const impactSpeed = numberIn(r, from, 'contact_impact_speed', IMPACT_SPEED, 0);
-  // Protobuf does not tell a field that is 0 from one that is not sent; a server that sends 33 and 34 sends 31 too.
+  // Protobuf does not distinguish 0 from not sent; a server that sends 33 and 34 sends 31 too.
   const sendsImpactSpeed = impactSpeed !== 0 || relativePosition !== null || relativeVelocity !== null;
   return {
     shipId: nameIn(r, from, 'ship_id'),

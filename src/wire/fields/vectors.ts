@@ -2,15 +2,15 @@ import type { Quat, Vec3 } from '../../dynamics';
 import { type Bound, FINITE } from '../limits';
 import { describe, type Fields, fieldsOf, numberIn, type Reading, refuse, valueIn } from './reading';
 
-/** Furthest a quaternion's length may be from 1. */
+/** Largest deviation of a quaternion's length from 1. */
 const UNIT_WITHIN = 1e-3;
-/** Within this of length 1 a quaternion keeps its bits, so that a sent state replays to the same bits. */
+/** A quaternion whose length is this close to 1 keeps its bits, so that a sent state replays to the same bits. */
 const KEPT_WITHIN = 1e-12;
 
 const ZERO: Vec3 = [0, 0, 0];
 const IDENTITY: Quat = [0, 0, 0, 1];
 
-/** {x, y, z} or [x, y, z], in JSON also as a text of one; refused when it is not sent. */
+/** {x, y, z} or [x, y, z], in JSON also as a string of it; refused when it is not sent. */
 export function vectorIn(r: Reading, from: Fields, name: string, bound: Bound): Vec3 {
   const vector = optionalVectorIn(r, from, name, bound);
   if (vector === null) refuse(r, name, 'missing');
@@ -57,10 +57,10 @@ export function optionalQuaternionIn(r: Reading, from: Fields, name: string): Qu
   return error <= KEPT_WITHIN ? [x, y, z, w] : [x / length, y / length, z / length, w / length];
 }
 
-/** Longest text that can hold a vector or quaternion, with some white space. */
+/** Longest string that is parsed as a vector or quaternion, with some white space. */
 const MAX_VECTOR_TEXT = 256;
 
-/** An object's own parts, or a list's under `names`. */
+/** The components: an object's own, or a list's under `names`. */
 function partsOf(r: Reading, sent: unknown, names: readonly string[]): Fields {
   const value = r.source === 'json' && typeof sent === 'string' ? parsedOr(sent) : sent;
   if (!Array.isArray(value)) return fieldsOf(r, value);
@@ -69,7 +69,7 @@ function partsOf(r: Reading, sent: unknown, names: readonly string[]): Fields {
   return Object.fromEntries(names.map((name, i) => [name, value[i] as unknown]));
 }
 
-/** The value of a JSON text; any other text unchanged. */
+/** The value of a JSON string; any other string unchanged. */
 function parsedOr(text: string): unknown {
   if (text.length > MAX_VECTOR_TEXT) return text;
   try {

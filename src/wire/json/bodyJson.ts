@@ -15,7 +15,7 @@ import { optionalQuaternionIn, optionalVectorIn, vectorIn } from '../fields/vect
 
 /** Values for absent members of a body. */
 export interface BodyDefaults {
-  /** By name: mass, radius, attitude and spin. */
+  /** Bodies by name, for mass, radius, attitude and spin. */
   readonly known: readonly (Body & BodyMotion)[];
   /** Game time of the message, s, which gives the rotation of a body with axis and period. */
   readonly time: number;
@@ -76,8 +76,8 @@ function spinIn(r: Reading, from: Fields, time: number): Spin | null {
 }
 
 /**
- * Ω = (2π / period) × axis. At game time 0 the prime meridian is where the shortest turn of the pole (body Y) to the axis
- * leaves it: the game does not publish its own, so the ground's longitude is this convention's.
+ * Ω = (2π / period) × axis. At game time 0 the prime meridian is where the shortest rotation of the pole (body Y) to the axis
+ * takes it: the game does not publish its prime meridian, so longitudes follow this convention.
  */
 function spinOf(axis: Vec3, period: number, time: number): Spin {
   const rate = (2 * Math.PI) / period;
@@ -96,7 +96,7 @@ function poleTo([x, y, z]: Vec3): Quat {
   return unit([z, 0, -x, 1 + y]);
 }
 
-/** The rotation `b`, then `a`. */
+/** First `b`, then `a`. */
 function compose([ax, ay, az, aw]: Quat, [bx, by, bz, bw]: Quat): Quat {
   return unit([
     aw * bx + ax * bw + ay * bz - az * by,

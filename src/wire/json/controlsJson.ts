@@ -4,7 +4,7 @@ import { beginReading, endReading, fieldsOf } from '../fields/reading';
 
 /**
  * Controls for JSON.stringify, under the game's names: thrust_level, translation_input and rotation_input {x, y, z},
- * attitude_hold, attitude_mode, target_attitude {w, x, y, z}. Controls that `takeControls` gives can always be encoded.
+ * attitude_hold, attitude_mode, target_attitude {w, x, y, z}. The controls of `takeControls` can always be encoded.
  * @throws RangeError that names the member, if controls are incomplete or not finite
  *
  * @example

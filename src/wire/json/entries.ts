@@ -21,7 +21,7 @@ export interface Partial {
 export interface EntryList<T> {
   readonly name: string;
   readonly most: number;
-  /** The field that an object's key stands for, and that is unique in the list; null where nothing is. */
+  /** The field that an object's key stands for and that is unique in the list; null for none. */
   readonly key: string | null;
   readonly read: (r: Reading, from: Fields) => T;
 }
@@ -53,7 +53,7 @@ export function entriesIn<T>(pass: Partial, from: Fields, list: EntryList<T>): T
   return items;
 }
 
-/** A single part of the message: undefined if it is absent or refused. */
+/** Reads a single part of the message: undefined if it is absent or refused. */
 export function partIn<T>(pass: Partial, from: Fields, name: string, read: (r: Reading) => T): T | undefined {
   const r = beginReading('json');
   if (valueIn(r, from, name) === undefined) return undefined;
@@ -63,7 +63,7 @@ export function partIn<T>(pass: Partial, from: Fields, name: string, read: (r: R
   return undefined;
 }
 
-/** Longest key that a path shows. */
+/** Longest key shown in a path. */
 const MAX_STEP = 40;
 
 function listed<T>(sent: unknown, { most }: EntryList<T>): [Step, unknown][] | string {
@@ -74,7 +74,7 @@ function listed<T>(sent: unknown, { most }: EntryList<T>): [Step, unknown][] | s
   return Object.entries(sent).map(([key, value]) => [`[${JSON.stringify(key)}]`, value]);
 }
 
-/** The fields, with the object's key for the field it stands for. */
+/** The fields, with the object's key added as the field it stands for. */
 function withKey<T>(r: Reading, fields: Fields, { key }: EntryList<T>, step: Step): Fields {
   if (key === null || typeof step === 'number') return fields;
   const name = JSON.parse(step.slice(1, -1)) as string;

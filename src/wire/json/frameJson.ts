@@ -38,15 +38,15 @@ export interface DecodedFrame extends PartialFrame {
 }
 
 export interface FrameJsonOptions {
-  /** By name, mass, radius, attitude and spin of bodies without them; by default the game's bodies. */
+  /** Bodies by name, for those sent without mass, radius, attitude or spin; by default the game's bodies. */
   readonly bodies?: readonly (Body & BodyMotion)[];
 }
 
 /**
  * A frame of a JSON server, without its envelope: `tick` and `ships` (a list, or an object by
  * ship_id); and optionally `tick_rate`, `time_scale`, `game_time` (s or ISO 8601), `paused`, `bodies` (a list,
- * or an object by name), `events` and `last_input`. Names in snake_case or camelCase; values as JSON values or as Redis
- * holds them, in texts; vectors [x, y, z] or {x, y, z}, quaternions [w, x, y, z] or {w, x, y, z}. Unknown modes, classes,
+ * or an object by name), `events` and `last_input`. Names in snake_case or camelCase; values as JSON values or strings, as in
+ * Redis; vectors [x, y, z] or {x, y, z}, quaternions [w, x, y, z] or {w, x, y, z}. Unknown modes, classes,
  * states and events keep their names. Refused only without a tick or ships; other invalid parts are in
  * `refusals`. SI units, ICRF axes, quaternions of the record [x, y, z, w]. Never throws.
  *
@@ -112,7 +112,7 @@ function timing(r: Reading, from: Fields, name: 'tick_rate' | 'time_scale'): num
   return value;
 }
 
-/** Game time for bodies that turn about an axis; without one, as if it had run evenly since tick 0. */
+/** Game time, s, for bodies given by axis and period; if not sent, as if it had run evenly since tick 0. */
 function timeOf(tick: number, { gameTime, timeScale = 1, tickRate = 1 }: Tempo): number {
   return gameTime ?? (tick * timeScale) / tickRate;
 }

@@ -1,10 +1,10 @@
 import { GAME_SECONDS } from '../limits';
 import { describe, type Fields, numberIn, type Reading, refuse, valueIn } from '../fields/reading';
 
-/** ISO 8601 as `game:time` has it: a date, a time, a zone or none (then UTC). */
+/** ISO 8601 as in `game:time`: a date, a time, a zone or none (then UTC). */
 const ISO = /^(\d{4})-(\d\d)-(\d\d)[T ](\d\d):(\d\d):(\d\d(?:\.\d{1,9})?)(?:Z|([+-])(\d\d):?(\d\d))?$/;
 
-/** Game time `name`, s since 1970-01-01T00:00:00Z: a number, or a text of ISO 8601. */
+/** Game time `name`, s since 1970-01-01T00:00:00Z: a number, or an ISO 8601 string. */
 export function gameTimeIn(r: Reading, from: Fields, name: string): number {
   const value = valueIn(r, from, name);
   if (typeof value !== 'string' || !value.includes('-', 1)) return numberIn(r, from, name, GAME_SECONDS);
@@ -20,7 +20,7 @@ export function gameTimeIn(r: Reading, from: Fields, name: string): number {
 
 type Six = [number, number, number, number, number, number];
 
-/** Days of the proleptic Gregorian calendar; the year is reckoned from March, so that the leap day ends it. */
+/** Days since 1970-01-01 in the proleptic Gregorian calendar. Years begin in March here, so that the leap day comes last. */
 function daysSince1970(year: number, month: number, day: number): number {
   const y = month <= 2 ? year - 1 : year;
   const era = Math.floor(y / 400);

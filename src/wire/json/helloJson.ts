@@ -25,7 +25,7 @@ export interface DecodedHello extends Hello {
   readonly refusals: readonly string[];
 }
 
-/** Of these a hello has at least one. */
+/** A hello has at least one of these. */
 const HELLO_FIELDS = [
   'player_id',
   'ship_id',
@@ -41,7 +41,7 @@ const DEFAULT_FIELDS: Fields = { settings: {}, tick_rate: 1, time_scale: 1, inpu
 
 /**
  * The hello of a JSON server: any of `player_id`, `ship_id`, `settings`, `ship_classes` and `bodies` (a
- * list, or an object by name), `terrain`, `tick`, `tick_rate`, `time_scale`, `input_granularity`, `protocol_version`. Defaults are
+ * list, or an object by name), `terrain`, `tick`, `tick_rate`, `time_scale`, `input_granularity`, `protocol_version`. The defaults are
  * the design's: default settings, the game's classes and bodies, flat ground, 1 Hz, whole-tick inputs, protocol version 1.0. Spelling as in
  * decodeFrameJson. Refused with the path of the first invalid field that is not a class or a body. Never throws.
  *

@@ -18,9 +18,9 @@ import { readShipState, shipStateFields } from '../fields/shipState';
 export type ShipStateJson = Readonly<Record<string, unknown>>;
 
 /**
- * A ShipState as the game's browser socket has it: a parsed JSON object, names in snake_case or camelCase, values as
- * JSON values or as texts, as Redis holds them, vectors {x, y, z} or [x, y, z], quaternions {w, x, y, z} or [w, x, y, z]. Required are ship_id, position, velocity, attitude,
- * angular_velocity and fuel; the others count as not sent when they are absent or null, with the meaning that has in
+ * A ShipState from the game's browser socket: a parsed JSON object, names in snake_case or camelCase, values as
+ * JSON values or strings, as in Redis, vectors {x, y, z} or [x, y, z], quaternions {w, x, y, z} or [w, x, y, z]. Required are ship_id, position, velocity, attitude,
+ * angular_velocity and fuel; the others count as not sent when they are absent or null, with the same meaning as in
  * protobuf. Refused with the path of the first invalid field, below `path`. Never throws on a parsed JSON value.
  */
 export function decodeShipStateJson(value: unknown, path = 'ship'): Result<ShipState> {
@@ -29,7 +29,7 @@ export function decodeShipStateJson(value: unknown, path = 'ship'): Result<ShipS
 }
 
 /**
- * Several of them: a list, or an object by ship_id, whose states may leave their ship_id out. Refused whole. The game's
+ * Several ShipStates: a list, or an object by ship_id, whose states may omit ship_id. One invalid state refuses all. The game's
  * envelope around its states is not published: pass its contents.
  */
 export function decodeShipStatesJson(value: unknown, path = 'ships'): Result<ShipState[]> {
@@ -51,7 +51,7 @@ export function encodeShipStateJson(state: ShipState): ShipStateJson {
 }
 
 /**
- * The states of an object by ship_id, each with its ship_id; or why there are none. Paths count them, since an id from
+ * The states of an object by ship_id, each with its ship_id; or why there are none. Paths number them, since an id from
  * outside may be of any length.
  */
 function statesById(value: unknown, path: string): Fields[] | string {

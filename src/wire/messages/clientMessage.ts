@@ -22,7 +22,7 @@ const ENVELOPE: Envelope = {
 };
 
 /**
- * A message from a client, for the authority: checked, finite, plain; or the reason why it is refused, with the path of the
+ * Decodes a client's message, for the authority: checked, finite, plain; or the reason why it is refused, with the path of the
  * first invalid field ("inputs[2].controls.thrust_level: …"). Controls are clamped into range. Never throws, whatever the
  * bytes (PREDICTION, Timeline).
  *
@@ -54,8 +54,8 @@ export function decodeClientMessage(bytes: Uint8Array): Result<ClientMessage> {
 }
 
 /**
- * The bytes of a checked message, in a buffer of their own. Decoding gives the record back, bit by bit.
- * @throws RangeError for anything but a message of takeOutgoing
+ * Encodes a checked message into its own buffer. Decoding restores the record bit by bit.
+ * @throws RangeError for anything but a message from takeOutgoing
  *
  * @example
  * ```ts

@@ -1,20 +1,20 @@
 import protobuf from 'protobufjs/minimal.js';
 import { type Result, ok, err } from '../../dynamics';
 
-/** How many entries each list of a message in an envelope may have; keyed by field numbers of stream.proto. */
+/** Most entries of each list of a message in an envelope, by field numbers of stream.proto. */
 export interface Envelope {
   readonly maxBytes: number;
   readonly lists: ReadonlyMap<number, ReadonlyMap<number, ListLimit>>;
 }
 
 export interface ListLimit {
-  /** With its path, for the reason. */
+  /** The list's path, for the reason. */
   readonly name: string;
   readonly most: number;
 }
 
 /**
- * The decoded bytes, or the reason why they are not the message. Lists are counted before anything is built:
+ * Decodes the bytes, or returns the reason why they are not the message. Lists are counted before anything is built:
  * 8 MB of empty entries would otherwise become 400 MB of objects.
  */
 export function openEnvelope<T>(
@@ -39,11 +39,11 @@ export function openEnvelope<T>(
   }
 }
 
-/** What JSON's objects begin with. */
+/** The characters that a JSON object begins with. */
 const BRACE = 0x7b;
 const QUOTE = 0x22;
 
-/** '' for bytes; otherwise what was passed instead, and what to do about it. */
+/** '' for bytes; otherwise what was passed instead, and what to do. */
 function notBytes(value: unknown): string {
   if (value instanceof Uint8Array || Object.prototype.toString.call(value) === '[object Uint8Array]')
     return '';
@@ -55,9 +55,9 @@ function notBytes(value: unknown): string {
   return kind === 'Object' || kind.endsWith('Event') ? 'an object: bytes are in the .data of an event' : kind;
 }
 
-/** The bytes in a buffer of their own, which may be transferred. */
+/** The bytes in their own buffer, which may be transferred. */
 export function sealEnvelope(writer: protobuf.Writer): Uint8Array<ArrayBuffer> {
-  // The writer's own are a part of a buffer that the next message shares.
+  // The writer's bytes are part of a buffer that the next message shares.
   return new Uint8Array(writer.finish());
 }
 

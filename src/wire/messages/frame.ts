@@ -54,7 +54,7 @@ export function readFrame(r: Reading, from: Fields): ServerFrame {
   return frame;
 }
 
-/** The input applied last before the boundary `frameTick`: nothing is acknowledged before it acts. */
+/** The last input applied before boundary `frameTick`: an input is acknowledged only after it has acted. */
 export function readAcknowledgement(r: Reading, from: Fields, frameTick: number): InputAcknowledgement {
   return {
     seq: integerIn(r, from, 'seq', 1, Number.MAX_SAFE_INTEGER),

@@ -6,7 +6,7 @@ import { shipStateFields } from '../fields/shipState';
 import { eventFields } from '../fields/worldEvent';
 
 /**
- * A ServerMessage with a frame in parts, to send one world to many clients: each ship is encoded once, and a
+ * A frame's ServerMessage in parts, to send one world to many clients: each ship is encoded once, and a
  * client's frame is composed from the bytes of the ships it sees. The parts of a message may come in any order.
  */
 
@@ -14,19 +14,19 @@ import { eventFields } from '../fields/worldEvent';
 const FRAME_TAG = (2 << 3) | 2;
 const SHIPS_TAG = (6 << 3) | 2;
 
-/** Of one ship. */
+/** One ship. */
 export function encodeShipPart(state: ShipState): Uint8Array {
   const writer = protobuf.Writer.create().uint32(SHIPS_TAG).fork();
   return galaxy.physics.ShipState.encode(shipStateFields(state), writer).ldelim().finish();
 }
 
-/** Common to all clients: tick, tempo, bodies. */
+/** The part common to all clients: tick, tempo, bodies. */
 export function encodeCommonPart(frame: ServerFrame): Uint8Array {
   const common = frameFields({ ...frame, ships: [], events: [], lastInput: null });
   return galaxy.stream.ServerFrame.encode(common).finish();
 }
 
-/** Specific to one client. */
+/** The part of one client. */
 export function encodeOwnPart(
   events: readonly WorldEvent[],
   lastInput: InputAcknowledgement | null,
@@ -38,7 +38,7 @@ export function encodeOwnPart(
   return galaxy.stream.ServerFrame.encode(own).finish();
 }
 
-/** The message: as encodeServerMessage of the whole frame, except for the order of fields. */
+/** Joins the parts into the message: equal to encodeServerMessage of the whole frame, except for the order of fields. */
 export function joinFrameParts(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   let length = 0;
   for (const part of parts) length += part.length;

@@ -43,7 +43,7 @@ export function readHello(r: Reading, from: Fields): Hello {
   return hello;
 }
 
-/** Checked first: for another major version the reason is the version, not a field that it changed. */
+/** Checked first: a foreign message is refused for its major version, not for a field that changed with it. */
 export function readProtocolVersion(r: Reading, from: Fields): string {
   const version = textIn(r, from, 'protocol_version') || FIRST_VERSION;
   if (matchVersion(version) === 'foreign') {

@@ -46,7 +46,7 @@ const ENVELOPE: Envelope = {
 };
 
 /**
- * A message from the server: checked, finite, plain; or the reason why it is refused, with the path of the first invalid field
+ * Decodes a server's message: checked, finite, plain; or the reason why it is refused, with the path of the first invalid field
  * ("frame.ships[3].relative_position.y: expected a finite number, got NaN"). Never throws, whatever the bytes.
  * SI units, ICRF axes, quaternions [x, y, z, w] (PREDICTION, Server messages).
  *
@@ -68,7 +68,7 @@ export function decodeServerMessage(bytes: Uint8Array): Result<ServerMessage> {
 }
 
 /**
- * The bytes of a checked message, in a buffer of their own. Decoding gives the record back, bit by bit.
+ * Encodes a checked message into its own buffer. Decoding restores the record bit by bit.
  *
  * @example
  * ```ts

@@ -2,13 +2,13 @@ import { describe, expect, it } from 'vitest';
 import { unusedExports } from './exports';
 import { filesUnder } from '../source';
 
-/** What others import: the package's doors, and the gateway, which a host starts. */
+/** Entries that others import: the package's, and the gateway, which a host starts. */
 const DOORS = ['index', 'protobuf', 'hud/index', 'scene/index', 'game/index', 'gateway/index'].map(
   (name) => `src/${name}.ts`,
 );
-/** Read by people and by tools: each file of it stands for itself. */
+/** Files used by people and tools, each on its own. */
 const EXAMPLE = /^src\/example\//;
-/** The columns and small integers of a row stand together, those that nobody asks for too. */
+/** The columns and small integers of a row are declared together, including unused ones. */
 const TOGETHER = /^src\/dynamics\/layout\.ts: /;
 
 describe('exported values', () => {

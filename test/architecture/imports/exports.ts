@@ -3,7 +3,7 @@ import { dirname, join, normalize } from 'node:path/posix';
 import { parseSync } from 'vite';
 import type { SourceFile } from '../source';
 
-/** Names that a file gives away: their own, or another file's by its path and name there ('*': all of them). */
+/** Names that a file exports: its own, or another file's by path and name there ('*': all). */
 interface Exports {
   readonly own: ReadonlySet<string>;
   readonly passedOn: ReadonlyMap<string, { readonly path: string; readonly name: string }>;
@@ -12,7 +12,7 @@ interface Exports {
 
 interface Module {
   readonly exports: Exports;
-  /** What it takes, by the path of the file and the name there. */
+  /** Names that a file imports, by the other file's path and the name there. */
   readonly imports: readonly { readonly path: string; readonly name: string }[];
 }
 
@@ -40,14 +40,14 @@ function moduleOf(file: SourceFile, resolve: Resolve): Module {
     if (path === null) continue;
     for (const { importName } of entries) imports.push({ path, name: importName.name ?? importName.kind });
   }
-  // A program that is loaded, by name or by address, is used whole.
+  // A program that is loaded by name or address counts as used completely.
   for (const [, request] of file.text.matchAll(/(?:import\(\s*|new URL\(\s*|src=)['"](\.[^'"]+)['"]/g)) {
     const path = resolve(file.path, request!);
     if (path !== null) imports.push({ path, name: 'NamespaceObject' });
   }
   for (const { entries } of module.staticExports)
     for (const { moduleRequest, exportName, importName, isType } of entries) {
-      // A type may be there to name what a function gives back.
+      // A type may exist to name a function's result.
       if (isType) continue;
       const path = moduleRequest === null ? null : resolve(file.path, moduleRequest.value);
       if (moduleRequest === null) own.add(exportName.name ?? 'default');
@@ -59,7 +59,7 @@ function moduleOf(file: SourceFile, resolve: Resolve): Module {
 
 /**
  * "path: name" of what a file under src exports and no other file imports.
- * @param doors files whose exports are for others than this repository
+ * @param doors files whose exports are for users outside of this repository
  */
 export function unusedExports(files: readonly SourceFile[], doors: readonly string[]): string[] {
   const resolve = resolverOf(new Set(files.map(({ path }) => path)));

@@ -1,4 +1,4 @@
-/** What nothing asks for: files, and packages that are installed for nobody. */
+/** Unused files and packages. */
 import { describe, expect, it } from 'vitest';
 import { dirname, join, normalize } from 'node:path/posix';
 import { importsOf } from './importTable';
@@ -8,7 +8,7 @@ import type { SourceFile } from '../source';
 const CODE = ['src', 'test', '.ci'].flatMap((folder) => filesUnder(folder, /(?<!\.d)\.m?[tj]s$/));
 const CONFIG = topFiles(/^(package|tsconfig|typedoc)\.json$|\.(js|ts)$/);
 const PAGES = ['src', 'test'].flatMap((folder) => filesUnder(folder, /\.html$/));
-/** What names programs that a person or CI starts. */
+/** Files that name programs which a person or CI starts. */
 const STARTS = [...topFiles(/^CONTRIBUTING\.md$/), ...filesUnder('.ci', /^\.ci\/run$/)];
 
 /** Files under `files` that no other file imports or names by its path, tests and doors apart. */
@@ -36,7 +36,7 @@ function unreached(files: readonly SourceFile[], others: readonly SourceFile[]):
 function unusedPackages(manifest: string, texts: readonly string[]): string[] {
   const { dependencies, devDependencies } = JSON.parse(manifest) as Record<string, Record<string, string>>;
   return Object.keys({ ...dependencies, ...devDependencies }).filter((name) => {
-    // The types of a package are used by using it.
+    // A package's types are used with the package.
     const used = name.replace(/^@types\//, '');
     const asked = new RegExp(
       String.raw`['"\`/ ]${used.replace(/[.*+?^${}()|[\]\\]/g, '\\$&')}(?:['"\`/ ]|$)`,
@@ -53,7 +53,7 @@ describe('unused files and packages', () => {
   });
 
   it('an unreachable file is found', () => {
-    // Put together here, so that this file does not name it.
+    // Joined here, so that this file does not contain the name.
     const path = `src/hud/${['for', 'gotten'].join('')}.ts`;
     const dead = { path, text: 'export const a = 1;' };
     expect(unreached([...CODE, dead], [...CONFIG, ...PAGES, ...STARTS])).toEqual([path]);
@@ -71,7 +71,7 @@ describe('unused files and packages', () => {
   });
 
   it('an unused package is found', () => {
-    // Put together here, so that this file does not name it.
+    // Joined here, so that this file does not contain the name.
     const name = ['never', 'asked'].join('-');
     const withOne = JSON.stringify({
       dependencies: { three: '1', [name]: '1' },

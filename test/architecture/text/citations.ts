@@ -1,10 +1,10 @@
-/** Where documents and comments point: links, paths of files, and sections as in "DYNAMICS, Actuators". */
+/** Links, file paths, and cited sections like "DYNAMICS, Actuators" in documents and comments. */
 import { basename, dirname, join, normalize } from 'node:path/posix';
 import { placeOf } from '../source';
 import type { SourceFile } from '../source';
 
 export interface Documents {
-  /** By name without ".md", as it is cited: the lower-case headings, and the numbers of its steps. */
+  /** By cited name, without ".md": the lower-case headings, and the numbers of its steps. */
   readonly sections: ReadonlyMap<string, ReadonlySet<string>>;
   /** By path: the anchors of its headings. */
   readonly anchors: ReadonlyMap<string, ReadonlySet<string>>;
@@ -16,7 +16,7 @@ const LINK = /\]\(([^)\s]+)\)/g;
 const PATH =
   /(?<![\w./{-]|\]\()(?:src|test|proto|public|\.ci|\.github)\/[\w./-]+\.(?:ts|mjs|js|py|md|json|jsonl|proto|css|html|c|h|sh|yml)\b/g;
 
-/** As the platforms that show Markdown name a heading's anchor. */
+/** A heading's anchor, as Markdown hosts derive it. */
 function anchorOf(heading: string): string {
   const plain = heading.toLowerCase().replace(/[^\p{L}\p{N} _-]/gu, '');
   return plain.trim().replaceAll(' ', '-');
@@ -26,7 +26,7 @@ function headingsOf({ text }: SourceFile): string[] {
   return [...text.matchAll(/^#{1,6} +(.+?) *#*$/gm)].map(([, heading]) => heading!.replace(/[`*]/g, ''));
 }
 
-/** What a heading may be cited by: "### 5. Linear, unless pinned (below)" by its words, those before a bracket, and as step 5. */
+/** The names by which a heading may be cited: "### 5. Linear, unless pinned (below)" by its words, those before a bracket, and as step 5. */
 function namesOf(heading: string): string[] {
   const [, number, words = ''] = /^(?:(\d+)\. )?(.*)$/.exec(heading.toLowerCase())!;
   const names = [words, words.replace(/ \(.*$/, '')];
@@ -47,7 +47,7 @@ export function readDocuments(files: readonly SourceFile[], hasPath: (path: stri
   return { sections, anchors, hasPath };
 }
 
-/** A comment's text with its lines put together; each character stays where it is. */
+/** A comment's text with its lines joined; each character keeps its offset. */
 function flowing(text: string): string {
   return text.replace(/\n[ \t]*(?:\*(?!\/)|\/\/|#)[ \t]?/g, (gap) => ' '.repeat(gap.length));
 }
@@ -69,7 +69,7 @@ function linkFault(file: SourceFile, target: string, { anchors, hasPath }: Docum
   return `links to ${target}: no such heading`;
 }
 
-/** "place says …" for all that a file points at and that is not there. */
+/** "place says …" for each target in a file that does not exist. */
 export function citationFaults(file: SourceFile, documents: Documents): string[] {
   const faults: string[] = [];
   const say = (index: number, fault: string | null) => {

@@ -1,4 +1,4 @@
-/** What may not be written where, and the check of it over one file's syntax tree. */
+/** Forbidden names by folder, and their check in one file's syntax tree. */
 import { placeOf, visitTree } from '../source';
 import type { Node, SourceFile } from '../source';
 
@@ -13,7 +13,7 @@ function names(text: string): ReadonlySet<string> {
   return new Set(text.split(/\s+/));
 }
 
-/** Exact on every machine: IEEE 754 demands the correctly rounded root, the others only choose or cut. */
+/** Exact on every machine: IEEE 754 requires a correctly rounded square root, and the others only select or truncate. */
 const EXACT_MATH = names('sqrt abs min max ceil floor trunc sign imul PI');
 
 const RULES: readonly Rule[] = [
@@ -40,7 +40,7 @@ const RULES: readonly Rule[] = [
   },
   {
     where: /^src\/dynamics\//,
-    // Of gl-matrix: the ones that use transcendental functions, or that change its array type for everybody.
+    // Functions of gl-matrix that are transcendental, or that change its array type globally.
     names: names(
       'setMatrixArrayType rotationTo getAxisAngle setAxisAngle slerp sqlerp fromEuler rotateX rotateY rotateZ',
     ),
@@ -57,7 +57,7 @@ function nameAt(node: Node, parent: Node | null): string | null {
   return node.type === 'Literal' && isKey && typeof node['value'] === 'string' ? node['value'] : null;
 }
 
-/** A type such as `Function` or `Date` in an annotation runs nothing. */
+/** A type such as `Function` or `Date` in an annotation has no run-time effect. */
 function isInType(parent: Node | null): boolean {
   return parent?.type === 'TSTypeReference' || parent?.type === 'TSQualifiedName';
 }
@@ -86,7 +86,7 @@ export function wordFaults(file: SourceFile): string[] {
   return faults;
 }
 
-/** Names that say nothing of what is inside. */
+/** Names that say nothing about the contents. */
 export function isEmptyName(path: string): boolean {
   const words = path
     .replace(/([a-z0-9])([A-Z])/g, '$1 $2')

@@ -14,7 +14,7 @@ const INSIDE: Readonly<Record<string, string>> = {
   'npm pack ./dist/package': 'node .ci/package/check.mjs',
 };
 
-/** The commands of the `sh` blocks, comments and arguments off. */
+/** The commands of the `sh` blocks, without comments and arguments. */
 function commandsOf(text: string): string[] {
   const blocks = [...text.matchAll(/^```sh\n([^]*?)^```/gm)].map((match) => match[1]!);
   const lines = blocks.flatMap((block) => block.split('\n'));
@@ -28,7 +28,7 @@ function commandsOf(text: string): string[] {
     .filter((line) => line !== '');
 }
 
-/** What `.ci/run` comes to, with the scripts that its scripts run. */
+/** The commands of `.ci/run`, including the scripts that its scripts run. */
 function runByCi(): string {
   const run = read('.ci/run').replaceAll('npm run --silent', 'npm run');
   const called = [...run.matchAll(/npm run ([\w:]+)/g)].map((match) => scripts[match[1]!] ?? '');

@@ -1,4 +1,4 @@
-// contact replay < CASES            one line per case: its substeps and the FNV-1a hash of all its rows, as src/dynamics/state/hash.ts makes it
+// contact replay < CASES            one line per case: its substeps and the FNV-1a hash of all its rows, as in src/dynamics/state/hash.ts
 // contact time ROUNDS TIMES < CASE  one line per round: ns per substep, the case put back to its start every 50 substeps
 // Cases are doubles, in the order that caseBytes.ts writes.
 #include <stdint.h>
@@ -116,7 +116,7 @@ static ship read_ship(void) {
   return s;
 }
 
-// 0 at the end of the input.
+// Returns 0 at the end of the input.
 static int read_landing(landing *to) {
   double ticks;
   if (!number(&ticks)) return 0;

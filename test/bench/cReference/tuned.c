@@ -3,7 +3,7 @@
 #define STIFFNESS 100
 #define CRITICAL 20
 
-// n, s, v_s, v_tangential and what they are made from, in the order in which they are found.
+// n, s, v_s, v_tangential and their intermediate values, in order of computation.
 typedef struct {
   vec3 normal, body_normal, surface_normal, slope, tangential;
   double distance, gravity, penetration, cos_slope, normal_speed, slide_squared;

@@ -1,7 +1,7 @@
-/** Heap of a page and of its workers through the browser's debugging protocol, each after a forced collection. */
+/** Heap of a page and of its workers by the browser's debugging protocol, after a forced collection. */
 import type { CDPSession, Page } from 'playwright-core';
 
-/** MB; typed arrays' memory is in it. `frames` since the page's beginning. */
+/** MB, including typed arrays. `frames` since the page was opened. */
 export interface HeapReading {
   readonly page: number;
   readonly workers: number;
@@ -27,12 +27,12 @@ function megabytes({ usedSize, embedderHeapUsedSize = 0, backingStorageSize = 0 
 type Send = (method: string) => Promise<unknown>;
 
 async function usageAfterCollection(send: Send): Promise<number> {
-  // What a finaliser releases is collected by the second.
+  // The second collection frees what finalisers have released.
   for (let n = 0; n < 2; n++) await send('HeapProfiler.collectGarbage');
   return megabytes((await send('Runtime.getHeapUsage')) as HeapUsage);
 }
 
-/** To be created before the page loads: workers are found when they start. */
+/** Create it before the page loads: workers are found when they start. */
 export async function createHeapReader(session: CDPSession, page: Page): Promise<HeapReader> {
   const workers = await attachWorkers(session);
   await page.addInitScript(() => {
@@ -57,7 +57,7 @@ export async function createHeapReader(session: CDPSession, page: Page): Promise
   };
 }
 
-/** One way to send for each dedicated worker, by its session. */
+/** A send function for each dedicated worker, by its session. */
 async function attachWorkers(session: CDPSession): Promise<ReadonlyMap<string, Send>> {
   const workers = new Map<string, Send>();
   const answers = new Map<number, (result: unknown) => void>();

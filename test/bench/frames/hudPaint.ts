@@ -1,6 +1,6 @@
 /**
- * What the HUDs cost a frame in the real browser: reading, painting (the script alone, then with the style and layout it causes).
- * The page is that of the browser tests, built as the playground is.
+ * Cost of the HUDs per frame in the real browser: readout, and painting (script alone, then with its style and layout).
+ * The page is that of the browser tests, built like the playground.
  */
 import { resolve } from 'node:path';
 import type { Browser } from 'playwright-core';
@@ -8,7 +8,7 @@ import { build } from 'vite';
 import { serveFolder } from '../../browser/staticServer';
 import { type Figure, figure } from '../measure';
 
-/** The median of them is the figure. */
+/** The figure is their median. */
 const ROUNDS = 15;
 const PAGES = resolve('test/browser/pages');
 const FOLDER = resolve('node_modules/.cache/touchdown/hudPage');
@@ -51,7 +51,7 @@ export async function hudPaintFigures(browser: Browser, url: string): Promise<Fi
   }
 }
 
-/** Of some microseconds a frame the two decimals of a figure in milliseconds would show nothing. */
+/** In µs: a figure in ms has too few decimals for some microseconds per frame. */
 function inMicroseconds(name: string, rounds: readonly number[]): Figure {
   return figure(
     name,

@@ -1,4 +1,4 @@
-/** An event of the browser's trace, as far as it is read here. Times in µs; `tdur` is the time the thread itself ran. */
+/** The members used of an event of the browser's trace. Times in µs; `tdur` is the thread's CPU time. */
 export interface TraceEvent {
   readonly name: string;
   readonly ph: string;
@@ -10,7 +10,7 @@ export interface TraceEvent {
   readonly args?: { readonly name?: string };
 }
 
-/** What a frame costs, ms: of the wall, and of the thread's own running, which leaves out waiting for others. */
+/** Cost of a frame, ms: wall time, and the thread's CPU time, without waiting. */
 export interface FrameFigure {
   readonly name: string;
   readonly unit: 'ms';
@@ -20,7 +20,7 @@ export interface FrameFigure {
   readonly max: number;
 }
 
-/** Everything by which a page's thread comes to run script. */
+/** All trace events in which a page's thread runs script. */
 const SCRIPT = new Set([
   'FireAnimationFrame',
   'FunctionCall',
@@ -29,7 +29,7 @@ const SCRIPT = new Set([
   'HandlePostMessage',
 ]);
 
-/** Script time of each frame: of its callback, and of all that ran between it and the frame before. */
+/** Script time of each frame: of its callback, and of everything since the last frame. */
 export function frameFigures(name: string, events: readonly TraceEvent[]): FrameFigure[] {
   const thread = busiestThread(events);
   const script = events
@@ -41,7 +41,7 @@ export function frameFigures(name: string, events: readonly TraceEvent[]): Frame
   let end = -Infinity;
   let sum = { wall: 0, ran: 0 };
   for (const event of script) {
-    // What runs inside another one is counted with it.
+    // Nested events are counted with the outer one.
     if (event.ts < end) continue;
     end = event.ts + (event.dur ?? 0);
     sum = { wall: sum.wall + (event.dur ?? 0), ran: sum.ran + (event.tdur ?? 0) };
@@ -51,7 +51,7 @@ export function frameFigures(name: string, events: readonly TraceEvent[]): Frame
     sum = { wall: 0, ran: 0 };
   }
   if (wall.length < 2) throw new Error(`${name}: the trace holds ${wall.length} frames`);
-  // Before the first frame stands what was going on when the trace began.
+  // The first frame includes what ran when the trace began.
   return [figureOf(`${name}-script`, ran.slice(1)), figureOf(`${name}-script-wall`, wall.slice(1))];
 }
 

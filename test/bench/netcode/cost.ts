@@ -15,9 +15,9 @@ import { updateBodies } from '../../../src/prediction/snapshots/bodies/bodyTrack
 import { loadConfig } from '../../../src/prediction/snapshots/worldConfig';
 
 const SHIPS = 1000;
-/** Hz: many frames to judge in little time. */
+/** Hz: many frames in little time. */
 const TICK_RATE = 5;
-/** Ticks before anything is measured, for the compiler, and measured ones. */
+/** Warm-up ticks, and measured ticks. */
 const WARM_UP = 120;
 const MEASURED = 25;
 
@@ -28,7 +28,7 @@ const SLIDE: Scenario = {
   initial: { ...scenarioNamed('slide').initial, height: 0.5, velocity: [90, 0, -2] },
 };
 
-/** What prediction costs. Timings differ from run to run, and with what else the machine does. */
+/** Cost of prediction. Timings vary between runs and with load. */
 export function* costFigures(): Generator<Figure> {
   yield* thousandShips();
   yield replayOfHundred();
@@ -132,7 +132,7 @@ function* thousandShips(): Generator<Figure> {
   };
 }
 
-/** The least of the medians of `length` frames at a time: what it costs while nothing else has the machine. */
+/** The smallest of the medians over `length` frames: the cost without other load. */
 function quietestMedian(values: readonly number[], length: number): number {
   let least = Number.POSITIVE_INFINITY;
   for (let i = 0; i + length <= values.length; i += length)
@@ -140,7 +140,7 @@ function quietestMedian(values: readonly number[], length: number): number {
   return least;
 }
 
-/** Adopt and replay 100 substeps of one ship, against the law's own world stepping it 100 times. */
+/** Adopting and replaying 100 substeps of one ship, relative to 100 steps of the law alone. */
 function replayOfHundred(): Figure {
   const loaded = value(loadScenario(SLIDE));
   const told = { settings: {}, shipClasses: [loaded.shipClass], bodies: [loaded.body], terrain: 'flat' };
@@ -188,7 +188,7 @@ function replayOfHundred(): Figure {
   };
 }
 
-/** µs a call. */
+/** µs per call. */
 function timed(call: () => void): number {
   const began = performance.now();
   for (let i = 0; i < 200; i++) call();

@@ -6,82 +6,44 @@ import {
   type FaultyLineOptions,
   instantOf,
 } from '../../prediction/faults/faultyLine';
+import { type Fault, FAULTS } from './faultKinds';
 import { type Figure, spread } from './figure';
 import { createLeastRoundTrip, type LeastRoundTrip, serverTimeBy, takeAnswer } from './leastRoundTrip';
 
 const RUNS = 200;
 const SEED = 2026;
-/** Before the fault, s; and after it, beyond the second or two ticks that are allowed. */
+/** Time before the fault, s; and after it, beyond the allowed second or two ticks. */
 const BEFORE = 8;
 const AFTER = 10;
 /** Length of the run without a fault, beyond the measured time, s. */
 const USUAL = 20;
-/** Off by more than this is not right, s (PREDICTION, Clock). */
+/** A larger error is wrong, s (PREDICTION, Clock). */
 const WITHIN = 0.05;
 const WITHIN_ON_LAN = 0.01;
 const RATES = [0.1, 0.25, 1, 5, 20];
 const DRIFT = 5e-4;
 const COARSE = 0.1;
-/** Interval and lead aside, a state confirms for this long, s. */
+/** How long a state confirms in addition to interval and lead, s. */
 const CONFIRMS = 0.05;
 
-type Fault = (line: FaultyLine, seconds: number) => void;
-
-const FAULTS: Readonly<Record<string, Fault>> = {
-  'link held up': hold('up'),
-  'link held down': hold('down'),
-  'link held': hold('both'),
-  'page frozen': (line, seconds) => {
-    line.freezePage(seconds);
-  },
-  'now put on': shiftNow(1),
-  'now put back': shiftNow(-1),
-  'server standing, pings answered': pause(true),
-  'server standing': pause(false),
-  'server restarted': (line) => {
-    line.restartServer(0);
-  },
-};
-
-function hold(ways: 'up' | 'down' | 'both'): Fault {
-  return (line, seconds) => {
-    line.holdLink(seconds, ways);
-    line.run(seconds);
-  };
-}
-
-function pause(answers: boolean): Fault {
-  return (line, seconds) => {
-    line.pauseServer(seconds, answers);
-    line.run(seconds);
-  };
-}
-
-function shiftNow(sign: number): Fault {
-  return (line, seconds) => {
-    const { pageClock } = line;
-    line.pageClock = (now) => pageClock(now) + sign * seconds;
-  };
-}
-
-/** What one fault came to. */
+/** The result of one fault. */
 interface Outcome {
   readonly fault: string;
-  /** s after things went on until the last frame that was not right; 0 where all were. */
+  /** s from the end of the fault to the last wrong frame; 0 if none was wrong. */
   rightAfter: number;
-  /** Worst from a second or two ticks on: instant drawn, s off what it was before. */
+  /** Worst error of the drawn instant from a second or two ticks on, s, relative to before the fault. */
   worstOff: number;
   worstKey: number;
   falselyConfirmed: number;
-  /** The yardstick's. */
+  /** The same for the reference clock. */
   yardstickRightAfter: number;
   yardstickOff: number;
-  /** s that are allowed until it is right. */
+  /** s allowed until it is right. */
   readonly allowed: number;
   readonly tolerance: number;
 }
 
-/** Stalls, freezes, jumps, pauses, restarts, drift and coarse clocks, drawn at random: how soon all is right again. */
+/** Random stalls, freezes, jumps, pauses, restarts, drift and coarse clocks: time until everything is right again. */
 export function* faultFigures(): Generator<Figure> {
   const rng = createRandom(SEED);
   const outcomes = Array.from({ length: RUNS }, () => runFault(rng));
@@ -159,7 +121,7 @@ function runFault(rng: Random): Outcome {
   return measure(line, filter, how);
 }
 
-/** A line, and the yardstick that hears the same pongs. */
+/** A line, and the reference clock that receives the same pongs. */
 function lineAndFilter(
   options: FaultyLineOptions,
   grain: number,
@@ -212,14 +174,14 @@ function measure(line: FaultyLine, filter: LeastRoundTrip, how: Measuring): Outc
   return outcome;
 }
 
-/** From the least to the most. */
+/** Difference of largest and smallest. */
 type Range = readonly [number, number];
 
-/** How far what is drawn, and the yardstick's server time, are ahead of the server where nothing happens. */
+/** Time by which the view, and the reference clock, are ahead of the server without faults. */
 interface Usual {
   readonly ours: Range;
   readonly yardstick: Range;
-  /** Of a key, s. */
+  /** Delay of a key, s. */
   readonly key: number;
 }
 
@@ -252,7 +214,7 @@ function outside(value: number, [least, most]: Range): number {
   return Number.isNaN(value) ? Number.POSITIVE_INFINITY : Math.max(0, value - most, least - value);
 }
 
-/** From the moment it left to the substep at which it acts, server s. */
+/** From sending to the substep at which it acts, server s. */
 function delayOf(line: FaultyLine, index: number, tickRate: number): number {
   const { record, sentAt } = line.inputs[index]!;
   const substeps = Math.ceil(100 / tickRate);

@@ -1,4 +1,4 @@
-/** One line of the bench: a figure with its unit, its target, and whether it is met. */
+/** One line of the bench: a figure with its unit, its target, and whether the target is met. */
 export interface Figure {
   readonly name: string;
   readonly unit: string;
@@ -9,7 +9,7 @@ export interface Figure {
   readonly max?: number;
   readonly target: string;
   readonly met: boolean;
-  /** A timing or a heap size: differs from run to run. All others have the same bits every run. */
+  /** A timing or a heap size, which varies between runs. All others have the same bits in every run. */
   readonly timing?: boolean;
   readonly note?: string;
 }

@@ -7,10 +7,10 @@ import type { BodyState, ServerFrame } from '../../../src/wire';
 import type { Figure } from './figure';
 
 const HOUR = 3600;
-/** s by which the server's clock is off: its bodies are where they were that much earlier or later. */
+/** Error of the server's clock, s: its bodies are that much earlier or later on their way. */
 const CLOCK_ERROR = 0.05;
 
-/** A ship at rest on Earth's equator for an hour, told of by a server whose ground is 23 m away from where the client has it. */
+/** A ship at rest on Earth's equator for an hour, on a server whose ground is 23 m away from the client's. */
 export function* hourFigures(): Generator<Figure> {
   const earth = BODIES.find(({ name }) => name === 'Earth')!;
   const scenario = {
@@ -75,9 +75,9 @@ export function* hourFigures(): Generator<Figure> {
   };
 }
 
-/** The frame as a server whose clock is off tells it: the body turned on by the error, and all that stands on it. */
+/** The frame of a server whose clock is off: the body and everything on it are turned by the error. */
 function shifted(frame: ServerFrame, { angularVelocity }: Pick<BodyState, 'angularVelocity'>): ServerFrame {
-  // About the body's own pole; the angle is so small that its sine is itself to 1e-18.
+  // About the body's pole; the angle is so small that it equals its sine to 1e-18.
   const [x, y, z] = angularVelocity.map((each) => (each * CLOCK_ERROR) / 2) as unknown as Vec3;
   const turn = [x, y, z, Math.sqrt(1 - x * x - y * y - z * z)] as const;
   return {

@@ -1,5 +1,5 @@
 /**
- * The field's yardstick for a clock: of the last eight answered pings, the one with the least round trip is believed (RFC 5905's
+ * The usual reference for a clock: of the last eight answered pings, the one with the least round trip is used (RFC 5905's
  * clock filter). Seconds; server time runs half that round trip behind the answer's arrival.
  */
 export interface LeastRoundTrip {
@@ -12,7 +12,7 @@ export function createLeastRoundTrip(): LeastRoundTrip {
   return { samples: [] };
 }
 
-/** A ping of client time `pinged` was answered at server time `answered`, and the answer arrived at `now`. */
+/** Takes the answer to a ping of client time `pinged`, sent at server time `answered`, that arrived at `now`. */
 export function takeAnswer({ samples }: LeastRoundTrip, pinged: number, answered: number, now: number): void {
   if (now < pinged) return;
   samples.push({ offset: (pinged + now) / 2 - answered, roundTrip: now - pinged });

@@ -11,7 +11,7 @@ const FAULT_EVERY = 7;
 /** Wall s between readings of the heap; the first belongs to the warm-up. */
 const READ_EVERY = 300;
 
-/** What goes wrong, and how it is put right a few seconds later. */
+/** Starts a fault, and ends it a few seconds later. */
 const FAULTS: readonly (readonly [begin: (rig: Rig, rng: Random) => void, end?: (rig: Rig) => void])[] = [
   [({ exchange }) => exchange.drop('me'), ({ exchange, now }) => exchange.reconnect('me', now)],
   [
@@ -38,7 +38,7 @@ function hide(rig: Rig): void {
   for (let i = 0; i < 150; i++) rig.receiveOnly();
 }
 
-/** An hour at 60 Hz on a broken network, with every fault on: nothing thrown, and the heap flat. */
+/** An hour at 60 Hz on a bad network with all faults: nothing is thrown, and the heap stays flat. */
 export function* soakFigures(): Generator<Figure> {
   const rng = createRandom(99);
   const pilot = createSeededPilot(4);
@@ -63,7 +63,7 @@ export function* soakFigures(): Generator<Figure> {
       rig.fly(FAULT_EVERY / 2);
       end?.(rig);
       rig.fly(FAULT_EVERY / 2);
-      // Not the predictor's: what the rig writes down for tests.
+      // Not the predictor's memory: logs of the rig for tests.
       for (const written of [rig.notices, rig.sentInputs, rig.truth.events]) written.length = 0;
       if (rig.now < (readings + 1) * READ_EVERY) continue;
       readings += 1;
@@ -75,7 +75,7 @@ export function* soakFigures(): Generator<Figure> {
   }
   const d = rig.view().diagnosis;
   const note = `${faults} faults; ${d.framesAccepted} frames taken, ${d.framesDuplicate} duplicate, ${d.framesOutOfOrder} out of order, ${d.resyncs} resyncs, ${d.snaps} snaps`;
-  // One reading differs from the next by half a megabyte, up and down: the collector's doing. Growth is what their means show.
+  // Because of the collector, readings vary by half a megabyte. Growth is the difference of their means.
   const grown = mean(heaps.slice(-4)) - mean(heaps.slice(2, 6));
   const whole = rig.now >= HOUR && heaps.length >= 11;
   yield {
@@ -100,7 +100,7 @@ function mean(values: readonly number[]): number {
   return values.reduce((sum, x) => sum + x, 0) / values.length;
 }
 
-/** Some messages twice, some held until the one after. */
+/** Sends some messages twice, and holds some until the next. */
 function disorder(tamper: Rig['tamper'], rng: Random): Rig['tamper'] {
   let held: ServerMessage | null = null;
   return (message) => {

@@ -4,12 +4,12 @@ import { type Figure, figure } from '../measure';
 
 const SHIPS = 30;
 const SECONDS = 600;
-/** Steps back that are timed, all over the recording. */
+/** Timed steps back, spread over the recording. */
 const STEPS = 60;
 
 /**
- * What one step back costs in a replay of ten minutes of 30 ships, anywhere in it, with its keyframes made: ms of processor time,
- * the collector's threads counted, so that other work on the machine does not show.
+ * Cost of a step back anywhere in a replay of ten minutes with 30 ships, after its keyframes are made: ms of CPU time,
+ * including the collector's threads, so that other load does not show.
  */
 export function replayFigures(): readonly Figure[] {
   const replay = createReplay(recordPlay({ scenario: 'bounce', others: SHIPS - 1, seconds: SECONDS }));

@@ -1,6 +1,6 @@
 /**
- * Compares a picture with the one kept of it. TOUCHDOWN_UPDATE_PICTURES=1 keeps the new ones instead; without a kept
- * picture, or with one of another size, the comparison fails. Differences are laid into .vitest-attachments/.
+ * Compares a picture with the stored one. TOUCHDOWN_UPDATE_PICTURES=1 stores the new one instead; without a stored
+ * picture, or with one of another size, the comparison fails. Differences are written to .vitest-attachments/.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -10,14 +10,14 @@ import { PNG } from 'pngjs';
 const KEPT = fileURLToPath(new URL('screenshots/', import.meta.url));
 const DIFFERENCES = fileURLToPath(new URL('../../../.vitest-attachments/', import.meta.url));
 /**
- * Share of pixels that may differ clearly. Measured: none from run to run, nor between a machine with fonts and one
+ * Share of pixels that may differ clearly. Measured: none between runs, nor between a machine with fonts and one
  * without; the rest is for other versions of the browser. The neighbouring state of a HUD differs by more (a test holds that).
  */
 export const TOLERANCE = 0.0015;
-/** Colour distance, 0 … 1, from which a pixel counts: at 0.2 a yellow that turns salmon would not. */
+/** Colour distance, 0 … 1, from which a pixel counts as different: at 0.2, yellow and salmon would be equal. */
 const THRESHOLD = 0.1;
 
-/** Share of pixels that differ, 1 for another size. */
+/** Share of pixels that differ; 1 for another size. */
 export function difference(a: PNG, b: PNG, picture?: PNG): number {
   if (a.width !== b.width || a.height !== b.height) return 1;
   const { width, height } = a;
@@ -31,7 +31,7 @@ export function kept(name: string): PNG | null {
   return existsSync(file) ? PNG.sync.read(readFileSync(file)) : null;
 }
 
-/** '' when the picture is as kept, else what is wrong with it. */
+/** '' if the picture equals the stored one, otherwise what differs. */
 export function compareWithKept(name: string, bytes: Buffer): string {
   if (process.env['TOUCHDOWN_UPDATE_PICTURES']) {
     mkdirSync(KEPT, { recursive: true });

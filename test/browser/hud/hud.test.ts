@@ -1,4 +1,4 @@
-/** What the landing HUD does in a real browser: when it touches the DOM, what it tells a screen reader. */
+/** The landing HUD in a real browser: its DOM changes, and its output for screen readers. */
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { describeInBrowser, openTestPage, problemsOf } from '../pages';
@@ -107,7 +107,7 @@ describeInBrowser('the landing HUD', () => {
       await show(state);
       expect(await changes(null), state).toEqual([]);
     }
-    // Only provenance differs: its text, the attribute that its style reads, and the announcement of what is confirmed.
+    // Only provenance differs: its text, the attribute for its style, and the announcement of the confirmed state.
     await show('flight');
     expect((await changes('confirmed')).sort()).toEqual(['#text', 'P', 'SPAN']);
   });
@@ -129,7 +129,7 @@ describeInBrowser('the landing HUD', () => {
     await show('stuck');
     expect(await page.locator('.td-verdict').innerText()).toContain('cannot be righted here');
     expect(await page.locator('.td-hold:visible').count()).toBe(0);
-    // The design's hint is always there; the reason stands beneath.
+    // The design's hint is always there, with the reason below.
     expect(await page.locator('.td-hint').isVisible()).toBe(true);
     await show('helped');
     expect(await page.locator('.td-verdict').innerText()).toContain('Take weight off its feet with');

@@ -1,4 +1,4 @@
-/** Each HUD state where the playground has it: nothing cut off, nothing over anything else. */
+/** Each HUD state at its place in the playground: nothing is clipped, nothing overlaps. */
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { misfits } from './misfits';
@@ -41,7 +41,7 @@ async function show(page: Page, state: string, ships = 20): Promise<void> {
     state,
     ships,
   ] as const);
-  // Sizes are watched: the watchers speak after the frame.
+  // Sizes are observed: observers run after the frame.
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }
 
@@ -99,7 +99,7 @@ describeInBrowser('the HUDs on the playground', () => {
     await page.keyboard.press('End');
     await expect.poll(isInSight).toBe(true);
     expect(await places()).toEqual(before);
-    // With less in it there is nothing to scroll, and no stop for Tab.
+    // With less content there is nothing to scroll, and no Tab stop.
     await show(page, 'landed');
     await page.setViewportSize({ width: 1280, height: 720 });
     await show(page, 'landed');

@@ -1,4 +1,4 @@
-/** What the fleet HUD does in a real browser: its order, its rows while it scrolls, names as text. */
+/** The fleet HUD in a real browser: its order, its rows while scrolling, names as text. */
 import type { Page } from 'playwright-core';
 import { beforeEach, expect, it } from 'vitest';
 import { describeInBrowser, openTestPage, problemsOf } from '../pages';
@@ -56,14 +56,14 @@ describeInBrowser('the fleet HUD', () => {
       expect(rows.length).toBeLessThanOrEqual(30);
       for (const { name, place, inSight } of rows) if (inSight) seen.add(`${place!} ${name}`);
     }
-    // Every ship came into sight, each at one place.
+    // Every ship came into view, each at one position.
     expect(seen.size).toBe(1000);
   });
 
   it('has at most 30 row elements and never a gap while it scrolls by key, by wheel or in jumps', async () => {
     await showFleet(1000);
     await page.waitForSelector('.td-row:nth-child(12)');
-    // Counted at every change of the list, not only once it has come to rest; and looked at in every frame.
+    // Counted at every change of the list, not only at rest, and checked in every frame.
     await page.evaluate(() => {
       const list = document.querySelector('.td-rows')!;
       const watched = { most: list.children.length, changes: 0, frames: 0, scrolls: 0, gaps: [] as string[] };
@@ -78,7 +78,7 @@ describeInBrowser('the fleet HUD', () => {
       const look = (): void => {
         watched.frames += 1;
         count();
-        // After the frame's scroll events: every place of the window into the list has its row.
+        // After the frame's scroll events: every position in the visible part of the list has its row.
         const { top, height } = scroller.getBoundingClientRect();
         const covered = [...list.children].map((row) => row.getBoundingClientRect());
         for (let y = top + 1; y < top + height; y += 14)
@@ -109,7 +109,7 @@ describeInBrowser('the fleet HUD', () => {
         await new Promise(requestAnimationFrame);
       }
     });
-    // Smooth scrolling may still be on its way.
+    // Smooth scrolling may not be finished.
     await expect.poll(() => place('first')).toBe(Math.floor(7777 / 28) + 1);
     interface Watched {
       watched: { most: number; changes: number; frames: number; scrolls: number; gaps: string[] };

@@ -1,4 +1,4 @@
-/** The HUDs on a page of someone else's: its styles stay out, theirs stay in, and any width will do. */
+/** The HUDs on a foreign page: neither's styles affect the other, and any width works. */
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import type { HudAppearance } from '../../../src/hud';
@@ -60,7 +60,7 @@ describeInBrowser('the HUDs on a host’s page', () => {
     async (state) => {
       for (const shadow of [false, true]) {
         await mount(state, 360, shadow);
-        // Dark although the system is light: over space unless told.
+        // Dark although the system is light: the default is for a dark background.
         const picture = await page.locator('#box').screenshot();
         expect(compareWithKept(`landing-${state}-dark-1280`, picture), shadow ? 'shadow root' : 'page').toBe(
           '',
@@ -83,7 +83,7 @@ describeInBrowser('the HUDs on a host’s page', () => {
     await page.evaluate(() => (document.styleSheets[0]!.disabled = true));
     const bare = await look();
     await page.evaluate(() => (document.styleSheets[0]!.disabled = false));
-    // The page's height alone follows its content.
+    // Only the page's height follows its content.
     const names = (all: string[]) => all.slice(3);
     expect(names(styled)).toEqual(names(bare));
   });
@@ -103,7 +103,7 @@ describeInBrowser('the HUDs on a host’s page', () => {
             for (const name of rule.style)
               if (name.startsWith('--') && !name.startsWith('--td-')) found.push(`property ${name}`);
             if (!/\.td-|^&/.test(rule.selectorText)) {
-              // Selectors by attribute begin with one of ours in every case.
+              // All attribute selectors begin with one of our classes.
               const { selectorText } = rule;
               if (selectorText.split(',').some((part) => !part.includes('.td-'))) found.push(selectorText);
             }

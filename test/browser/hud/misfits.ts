@@ -1,7 +1,7 @@
-/** What does not fit of the HUDs on a page, found in a real browser. */
+/** Finds parts of the HUDs that do not fit on a page, in a real browser. */
 import type { Page } from 'playwright-core';
 
-/** What is cut off, sticks out of its panel, the window or an ancestor that clips, or lies over another text. */
+/** Texts that are clipped, overflow their panel, the window or an ancestor that clips, or overlap another text. */
 export function misfits(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const out: string[] = [];
@@ -23,14 +23,14 @@ export function misfits(page: Page): Promise<string[]> {
         if ((up === panel || clips(up)) && !within(box, up.getBoundingClientRect())) return true;
       return false;
     };
-    /** Where the letters are: a line's box is as tall as the font says, and neighbours' boxes may well meet. */
+    /** The box of the letters: line boxes have the font's height, and neighbouring ones may overlap. */
     const inkOf = (line: DOMRect, element: Element) => {
       const size = parseFloat(getComputedStyle(element).fontSize);
       return new DOMRect(line.left, line.top + line.height / 2 - 0.36 * size, line.width, 0.72 * size);
     };
 
     const root = document.documentElement;
-    // On a small screen the page itself scrolls: down, never sideways.
+    // On a small screen the page itself scrolls, but only vertically.
     const room = new DOMRect(0, -scrollY, innerWidth, Math.max(innerHeight, root.scrollHeight));
     if (root.scrollWidth > innerWidth) say('scrolls sideways', root, '');
     for (const panel of document.querySelectorAll('.td-hud')) {

@@ -1,4 +1,4 @@
-/** One font on every machine, for pictures that are compared: the Open Sans that the npm Chromium carries. */
+/** One font on every machine, for comparable pictures: Open Sans from the npm Chromium. */
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
@@ -22,7 +22,7 @@ function fileOf(archive: Buffer, name: string): Buffer {
   throw new Error(`no ${name} in the archive`);
 }
 
-/** Lets the page's HUDs be set in Open Sans. Arrows, which it lacks, still come from the machine. */
+/** Sets the page's HUDs in Open Sans. Arrows, which it lacks, still come from the machine. */
 export async function useTestFont(page: Page): Promise<void> {
   const entry = createRequire(import.meta.url).resolve('@sparticuz/chromium');
   const packed = readFileSync(

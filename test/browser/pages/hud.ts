@@ -1,4 +1,4 @@
-/** Paints the HUD states that a test asks for; nothing here runs by itself. */
+/** Paints HUD states on a test's request. */
 import { createCockpitLandingHud, createFleetHud } from '../../../src/hud';
 import {
   createFleetReadout,
@@ -18,13 +18,13 @@ const fleet = createFleetHud(document, document.querySelector('#fleet')!, { them
 let readout = createLandingReadout();
 let view: WorldView | undefined;
 
-/** Flies the way to a state, each view as one frame. */
+/** Plays the views that lead to a state, each as one frame. */
 function show(name: StateName): void {
   readout = createLandingReadout();
   for (view of STATES[name]()) landing.paint(updateLandingReadout(readout, view));
 }
 
-/** Paints the last view again, as a page does while nothing happens. */
+/** Paints the last view again, like a page on which nothing changes. */
 function again(times: number): void {
   if (view === undefined) return;
   for (let i = 0; i < times; i++) landing.paint(updateLandingReadout(readout, view));
@@ -34,7 +34,7 @@ function showFleet(size: number): void {
   fleet.paint(updateFleetReadout(createFleetReadout(), makeFleet(size)));
 }
 
-/** What a benchmark times: `frames` frames of each, of a ship that slides and turns, and of 1,000 ships of which some change. */
+/** Subjects of the benchmark: `frames` frames of a ship that slides and turns, and of 1,000 ships of which some change. */
 const subjects = (): Record<string, (frames: number) => void> => {
   const views = STATES.sliding();
   const readouts = views.map((each) => updateLandingReadout(createLandingReadout(), each));
@@ -42,7 +42,7 @@ const subjects = (): Record<string, (frames: number) => void> => {
   const ships = makeFleet(1000);
   const fleetNow = createFleetReadout();
   let frame = 0;
-  /** A tenth of them climbs, and one at the top of the list turns from tipped to landed or back: the rows below it move. */
+  /** A tenth of them climbs, and one at the top of the list changes between tipped and landed, which moves the rows below. */
   const change = (): void => {
     frame++;
     for (let i = frame % 10; i < 1000; i += 10) ships.ships[i]!.feetHeight += 0.35;
@@ -76,7 +76,7 @@ const subjects = (): Record<string, (frames: number) => void> => {
   };
 };
 
-/** ms a frame, by subject: `rounds` rounds of each, once it is compiled for good. */
+/** ms per frame, by subject: `rounds` rounds each, after warm-up. */
 function time(rounds: number): Record<string, number[]> {
   const took: Record<string, number[]> = {};
   for (const [name, run] of Object.entries(subjects())) {
@@ -90,7 +90,7 @@ function time(rounds: number): Record<string, number[]> {
   return took;
 }
 
-/** The browser's clock has steps of 0.1 ms. */
+/** The browser's clock has a resolution of 0.1 ms. */
 const FRAMES_A_ROUND = 2000;
 
 /** Gives an action another key, as a player does while the game runs. */

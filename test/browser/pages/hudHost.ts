@@ -1,4 +1,4 @@
-/** Mounts the HUDs as a test asks: in the page or in a shadow root, at any width, with any appearance. */
+/** Mounts the HUDs on a test's request: in the page or in a shadow root, at any width, with any appearance. */
 import { createCockpitLandingHud, createFleetHud, type HudAppearance } from '../../../src/hud';
 import {
   createFleetReadout,
@@ -12,7 +12,7 @@ const SHEET = new URL('../../../src/hud/styles/hud.css', import.meta.url).href;
 
 const place = document.querySelector<HTMLElement>('#place')!;
 
-/** An element at the place, `width` px wide, with nothing in it. */
+/** An empty element at the position, `width` px wide. */
 function clear(width: number): HTMLElement {
   const box = document.createElement('div');
   box.id = 'box';

@@ -1,4 +1,4 @@
-/** Both HUDs where the playground has them, under its own style sheets: whether they fit there. */
+/** Both HUDs at their places in the playground, with its style sheets, to check that they fit. */
 import { createCockpitLandingHud, createFleetHud } from '../../../src/hud';
 import {
   createFleetReadout,
@@ -16,7 +16,7 @@ const landing = createCockpitLandingHud(document, place, {
 });
 const fleet = createFleetHud(document, place, { theme: 'system' });
 
-/** Flies the way to a state, each view as one frame, beside a fleet of `size`. */
+/** Plays the views that lead to a state, each as one frame, beside a fleet of `size`. */
 function show(name: StateName, size: number): void {
   const readout = createLandingReadout();
   for (const view of STATES[name]()) landing.paint(updateLandingReadout(readout, view));

@@ -1,8 +1,8 @@
-/** The states a HUD can be in, each as the views that lead there. */
+/** Views that lead to each state of a HUD. */
 import type { ShipView, WorldView } from '../../../src/prediction';
 import { later, makeShip, makeView, type Pose } from '../../readout/views';
 
-/** The keys that the HUDs name, until a test binds others. */
+/** The keys that the HUDs name, unless a test binds others. */
 export const KEYS: Record<string, string> = {
   pitchPlus: 'S',
   pitchMinus: 'W',
@@ -61,7 +61,7 @@ export const STATES: Readonly<Record<StateName, () => readonly WorldView[]>> = {
   twoKeys: () => touchdown({ ...ON_SIDE, leanTo: 225 }, 'tipped'),
   helped: () => touchdown({ ...ON_SIDE, leanTo: 225, fuel: 20_000 }, 'tipped'),
   lighter: () => touchdown({ ...ON_SIDE, body: 'Mars', leanTo: 160, fuel: 20_000 }, 'tipped'),
-  // Every number as wide as it gets, and a withdrawn prediction.
+  // Every number at its widest, and a withdrawn prediction.
   wide: () => [
     makeView(
       { clearance: 9_876, east: -1888.8, north: 888.8, up: -2888.8, tilt: 178.8, tiltRate: 0.3 },
@@ -100,7 +100,7 @@ export const STATES: Readonly<Record<StateName, () => readonly WorldView[]>> = {
     ),
 };
 
-/** Long enough for the runs ahead to have their answers. */
+/** Long enough for the runs ahead to finish. */
 function frames(view: WorldView & { own: ShipView }, count: number): WorldView[] {
   return Array.from({ length: count }, (_, i) => later(view, i / 1000, view.own));
 }

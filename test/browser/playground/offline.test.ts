@@ -1,4 +1,4 @@
-/** The built page on hosts that are gone, hang, fail, lie, or have another build: each a real server of this test. */
+/** The built page on hosts that are gone, hang, fail, answer wrongly, or have another build: each a real server of this test. */
 import { createHash } from 'node:crypto';
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -58,20 +58,20 @@ async function openPlots(page: Page): Promise<void> {
   await page.waitForSelector('.plots .uplot canvas');
 }
 
-/** Opens the page and waits until the browser has kept all of it. */
+/** Opens the page and waits until the browser has stored all of it. */
 async function openAndKeep(server: Deployment): Promise<Page> {
   const page = await openUrl(`${server.url}?scenario=settle&slow=4`, KEPT);
   await untilKept(page);
   return page;
 }
 
-/** Until the page runs: its program has come and the world in its worker answers. */
+/** Waits until the page runs: its program is loaded and the world in its worker answers. */
 async function untilRunning(page: Page): Promise<void> {
   await page.waitForSelector('html[data-status]');
 }
 
 interface InstallationWindow {
-  /** What became of the worker that the page registered first: 'installed' or 'redundant'. */
+  /** Final state of the worker that the page registered first: 'installed' or 'redundant'. */
   installed: Promise<ServiceWorkerState>;
 }
 
@@ -131,7 +131,7 @@ describeInBrowser('the built page with a failing host', () => {
     const page = await openAndKeep(server);
     server.fault = () => true;
     await page.goto(`${server.url}?scenario=settle`, { waitUntil: 'commit' });
-    // Without a limit of the page's own the browser waits for longer than this test may take.
+    // Without the page's own limit the browser waits for longer than this test may take.
     await untilRunning(page);
     server.fault = (_, response) => {
       response.writeHead(503, { 'Content-Type': 'text/html' }).end('<h1>Down for maintenance</h1>');
@@ -144,12 +144,12 @@ describeInBrowser('the built page with a failing host', () => {
   it('stores nothing from a host that answers a script with a document, and stores the page once the host works', async () => {
     const server = await deploy();
     server.fault = (file, response) => {
-      // To the page the true script, to the worker that keeps it (which asks for all at once) a document.
+      // The page gets the real script; the worker, which requests all files to store them, gets a document.
       if (!file.startsWith('assets/plotting')) return false;
       response.writeHead(200, { 'Content-Type': 'text/html' }).end('<p>Sign in</p>');
       return true;
     };
-    // Listened to from the start: a worker that fails leaves no registration to ask.
+    // Observed from the start: a failed worker leaves no registration.
     const prepare = (opened: Page) => opened.addInitScript(noteInstallation);
     const page = await openUrl(`${server.url}?scenario=settle`, { ...KEPT, prepare });
     await untilRunning(page);

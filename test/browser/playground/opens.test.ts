@@ -1,4 +1,4 @@
-/** The built page as a static host gives it: it opens, draws, obeys the policy, and is light. */
+/** The built page from a static host: it opens, draws, obeys the policy, and is small. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -9,13 +9,13 @@ import { expect, it } from 'vitest';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
 import { KEPT } from '../waits';
 
-/** The most that an opened page's code may weigh, in bytes as sent with gzip, terrain and models apart. */
+/** Largest size of an opened page's code, bytes with gzip, without terrain and models. */
 const HEAVIEST = 300_000;
-/** What the page fetches only when it is asked for. */
+/** Files that the page fetches only on demand. */
 const ON_DEMAND =
   /(help|plotting|replaying|sound|dock|settings|tabLink|bestRuns|flightLink|realServer|frameJson)-[\w-]+\.(js|css)$/;
 
-/** How many different colours the stage alone shows, of the pixels on a grid of 16 pixels. */
+/** Number of different colours in the scene, on a grid of every 16th pixel. */
 async function coloursOf(page: Page): Promise<number> {
   await page.locator('#stage').evaluate((stage) => {
     document.body.style.visibility = 'hidden';
@@ -33,7 +33,7 @@ describeInBrowser('the built page', () => {
   it('opens under the strict policy, below the root of its host, and draws a scene', async () => {
     const page = await openBuiltPage('', { framesPerSecond: 3 });
     expect(await page.title()).toBe('Touchdown');
-    // A cleared canvas has one colour, a sky without a ground few.
+    // A cleared canvas has one colour, a sky without ground few.
     await expect.poll(() => coloursOf(page)).toBeGreaterThan(50);
     const hasWebGL2 = await page
       .locator('#stage')
@@ -43,7 +43,7 @@ describeInBrowser('the built page', () => {
   });
 
   // Once the page has its first picture and time to spare, its service worker fetches all of it again, plots too, to have it
-  // without a network: twice the weight, but nothing that anyone waits for. It is counted neither here nor as part of the load.
+  // without a network: twice the size, but nobody waits for it. It is not counted here.
   it(`weighs at most ${HEAVIEST / 1000} kB, apart from plots, replays and help, which load on demand`, async () => {
     const page = await openBuiltPage('', KEPT);
     await page.waitForSelector('html[data-ready=true]');

@@ -1,4 +1,4 @@
-/** The page as a game: the goal and the keys at once, a landing and what it was worth, keys that never die. */
+/** The page as a game: goal and keys from the start, a landing and its score, keys that keep working. */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
@@ -64,7 +64,7 @@ describeInBrowser('the game on the built page', () => {
     await page.keyboard.press('z');
     await full();
     await cut();
-    // A Cyrillic keyboard: the place counts.
+    // A Cyrillic keyboard: the key's position counts.
     const stroke = (code: string, key: string, type = 'keydown') =>
       page.evaluate(
         ([name, at, printed]) =>
@@ -74,11 +74,11 @@ describeInBrowser('the game on the built page', () => {
     await stroke('KeyZ', 'я');
     await full();
     await cut();
-    // Command goes down while a key is held: macOS never tells that it came up.
+    // Command is pressed while a key is held: macOS never reports the key's release.
     await page.keyboard.down('f');
     await expect.poll(() => throttleOf(page)).toBeGreaterThan(2);
     await stroke('MetaLeft', 'Meta');
-    // Were it still held, the lever would reach its end.
+    // If it were still held, the lever would reach its end.
     await page.waitForFunction(() => {
       const now = document.querySelector('.td-lever')!.getAttribute('aria-valuenow');
       const kept = window as unknown as { lever?: string | null; frames?: number };

@@ -1,4 +1,4 @@
-/** The built page comes back: to a recording's moments, from a hidden tab, to a lost connection. */
+/** The built page after interruptions: replaying a recording, after a hidden tab, after a lost connection. */
 import { expect, it } from 'vitest';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
 import { FLUENT, SMALL, untilBanner, untilProvenance, untilStatus } from '../waits';
@@ -7,7 +7,7 @@ describeInBrowser('the built page', () => {
   it('replays what it recorded, forward and backward, with the first divergence marked', async () => {
     const page = await openBuiltPage('?scenario=settle&slow=2', FLUENT);
     await untilStatus(page, 'landed');
-    // Slowly: the flight lasts for seconds of the game, and a slow display's frames are as far apart.
+    // In slow motion: the flight takes seconds of game time, as long as a slow display's frames.
     await page.getByLabel('Speed').selectOption('0.25');
     await page.getByRole('button', { name: 'Kick the ship' }).click();
     await untilStatus(page, 'flight');
@@ -28,7 +28,7 @@ describeInBrowser('the built page', () => {
   });
 
   it('survives a minute hidden and a lost connection', async () => {
-    // At four times the speed a quarter of a minute is a minute to server and predictor.
+    // At four times the speed a quarter of a minute is a minute for server and predictor.
     const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
     await untilStatus(page, 'landed');
     await page.getByRole('button', { name: 'Hide for a minute' }).click();

@@ -1,4 +1,4 @@
-/** What the built page simulates: a scenario's end, the same bits whoever opens it, and what a pilot makes of it. */
+/** The simulation of the built page: a scenario's end, the same bits for everyone, and a pilot's inputs. */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { hashRows, readShip, SHIP_STRIDE } from '../../../src/dynamics';
@@ -8,7 +8,7 @@ import { FLUENT, PATIENT, SLOW, SMALL, untilStatus, untilTiltBelow } from '../wa
 
 /**
  * Tick and bits of the own ship at the scenario's end. Not sped up: of more than four states between two frames of a slow display the
- * page reads the newest alone, which may not be the one looked for.
+ * page reads only the newest, which may not be the expected one.
  */
 async function endOfRun(page: Page, lastTick: number): Promise<string> {
   await page.waitForFunction(
@@ -41,7 +41,7 @@ describeInBrowser('a run on the built page', () => {
     const keys = (await caps.allTextContents()).map((cap) => cap.toLowerCase());
     const [letGo] = /[\d.]+/.exec((await page.textContent('.td-until')) ?? '') ?? ['36'];
     expect(await page.textContent('.td-landing')).toContain('Use RCS rotation to right the ship');
-    // Slowly: the software renderer's frames are far apart, and the swing must be caught below the angle.
+    // In slow motion: the software renderer's frames are far apart, and the rotation must be stopped below the angle.
     await page.getByLabel('Speed').selectOption('0.1');
     for (const key of keys) await page.keyboard.down(key);
     await untilTiltBelow(page, Number(letGo));

@@ -4,7 +4,7 @@ import { describeInBrowser, openBuiltPage } from '../pages';
 import type { PageOptions } from '../pages';
 import { shadesOf, SMALL, untilBanner, untilStatus } from '../waits';
 
-/** Options of a page for which the files that match never come. */
+/** Options of a page for which the matching files never arrive. */
 function without(files: RegExp): PageOptions {
   const prepare = (page: Page) => page.context().route(files, (route) => route.abort());
   return { ...SMALL, prepare };
@@ -12,7 +12,7 @@ function without(files: RegExp): PageOptions {
 
 describeInBrowser('the built page, when something is wrong', () => {
   it('says that it builds the ground until there is a picture', async () => {
-    // Everything the banner says, in order.
+    // Everything the banner shows, in order.
     const listen = () => {
       const said: string[] = [];
       Object.assign(window, { said });
@@ -83,7 +83,7 @@ describeInBrowser('the built page, when something is wrong', () => {
     await page.waitForSelector('#notice:not([hidden])');
     expect(await page.textContent('#notice')).toContain('The browser lost the 3D view');
     expect(await shadesOf(page)).toBeLessThan(before / 3);
-    // Hands and displays go on without it.
+    // Controls and displays work without it.
     await page.keyboard.press('z');
     await untilStatus(page, 'flight');
     await page.keyboard.press('x');
@@ -93,7 +93,7 @@ describeInBrowser('the built page, when something is wrong', () => {
     await expect.poll(() => shadesOf(page)).toBeGreaterThan(before / 2);
   });
 
-  it('works by its displays where there is no WebGL', async () => {
+  it('works with displays only, without WebGL', async () => {
     const blind = () => {
       HTMLCanvasElement.prototype.getContext = () => null;
     };

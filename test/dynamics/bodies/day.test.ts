@@ -29,7 +29,7 @@ describe('a landed ship over one day', () => {
       expect(day.moved).toBeLessThan(metres);
       expect(day.turned).toBeLessThan(radians);
       expect(day.burnt).toBe(0);
-      // The body itself has turned by Ω t: without that, nothing above would mean anything.
+      // The body has turned by Ω t; otherwise the test proves nothing.
       expect(day.bodyMissed).toBeLessThan(5e-11);
     }
   });

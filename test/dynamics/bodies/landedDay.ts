@@ -1,6 +1,6 @@
 /**
  * A ship landed on each body for a sidereal day of Earth, 8.6 million substeps. Run as a bundle (test/run.mjs), twenty times faster
- * than module by module; prints one LandedDay a body as JSON.
+ * than module by module; prints one LandedDay per body as JSON.
  */
 import {
   ATTITUDE,
@@ -17,13 +17,13 @@ import { angleBetween, conjugate, lengthOf, plus, product, turnAbout, unit } fro
 export interface LandedDay {
   readonly body: string;
   readonly state: number;
-  /** From where it stood, in the body's axes, m. */
+  /** Distance from its initial position, body's axes, m. */
   readonly moved: number;
-  /** Of the attitude in the body's axes, rad. */
+  /** Change of its attitude in the body's axes, rad. */
   readonly turned: number;
   /** kg */
   readonly burnt: number;
-  /** Of the body's attitude from a turn by Ω t, rad. */
+  /** Difference of the body's attitude from a rotation by Ω t, rad. */
   readonly bodyMissed: number;
 }
 

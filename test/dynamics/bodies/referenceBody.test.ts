@@ -77,7 +77,7 @@ function icrf({ ships, motions }: Place): readonly [Vec3, Vec3] {
   return [plus(position, vectorAt(ships, POSITION)), plus(velocity, vectorAt(ships, VELOCITY))];
 }
 
-/** Two like bodies, 1000 km apart on x, one moving against the other. */
+/** Two equal bodies, 1000 km apart on x, one moving relative to the other. */
 const LEFT = { ...bodyNamed('Phobos'), name: 'Left', position: [0, 0, 0], velocity: [0, 0, 0] } as const;
 const RIGHT = { ...LEFT, name: 'Right', position: [1e6, 0, 0], velocity: [3, -4, 12] } as const;
 
@@ -85,13 +85,13 @@ describe('the reference body', () => {
   it('is the body with the smallest distance / radius', () => {
     expect(choose(placeBetween([LEFT, RIGHT], [499_999, 0, 0]))).toBe(0);
     expect(choose(placeBetween([LEFT, RIGHT], [500_001, 0, 0]))).toBe(1);
-    // Twice the radius reaches twice as far, whatever the mass.
+    // Twice the radius reaches twice as far, regardless of mass.
     const large = { ...RIGHT, radius: 2 * LEFT.radius, mass: LEFT.mass / 100 };
     expect(choose(placeBetween([LEFT, large], [333_000, 0, 0]))).toBe(0);
     expect(choose(placeBetween([LEFT, large], [334_000, 0, 0]))).toBe(1);
   });
 
-  // Mars pulls harder everywhere at Phobos than Phobos does: by the strongest gravity the ship fell through its ground.
+  // At Phobos the gravity of Mars is stronger than its own: chosen by gravity, the ship would fall through the ground.
   it.each([
     ['Mars', 'Phobos'],
     ['Phobos', 'Mars'],
@@ -134,7 +134,7 @@ describe('the reference body', () => {
     expect(icrf(place)).toEqual(before);
   });
 
-  // Target 0. Bodies' places are doubles of 1.5e11 m, good to 15 µm; the change adds no more than one rounding of them.
+  // Target 0. Positions of bodies are doubles of 1.5e11 m, exact to 15 µm; the change adds at most one rounding.
   it('changes ICRF by no more than a double resolves at 1 au', () => {
     const moon = bodyNamed('Luna');
     const earth = bodyNamed('Earth');
@@ -144,7 +144,7 @@ describe('the reference body', () => {
     const [after, speed] = icrf(place);
     expect(lengthOf(plus(after, position, -1))).toBeLessThan(5e-5);
     expect(lengthOf(plus(speed, velocity, -1))).toBeLessThan(1e-11);
-    // There and back: the very place, but for the same rounding.
+    // There and back: the same position, except for that rounding.
     expect(choose(place)).toBe(1);
   });
 

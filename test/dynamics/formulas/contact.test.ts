@@ -19,7 +19,7 @@ function landed(event: number): boolean {
 }
 
 describe('sag at rest', () => {
-  // Target: g / 100, the depth at which the spring of 100 m carries the weight. Today within 1.1e-8 m: what is left of a landing
+  // Target: g / 100, the depth at which the spring of 100 m carries the weight. Today within 1.1e-8 m: the rest of a landing
   // at 0.1 µm/s (the settings' own 0.5 m/s would land it on the way there).
   it.each(['Luna', 'Earth', 'Mars', 'Phobos'])('is g / 100 on %s', (name) => {
     const body = still(name);
@@ -47,7 +47,7 @@ describe('sag at rest', () => {
 });
 
 describe('a slide', () => {
-  /** Metres along the ground until it stands, and what kinetic friction makes of it. */
+  /** Sliding distance until rest, m, and the distance by kinetic friction. */
   function slide(name: string, speed: number, mu: number): { measured: number; ideal: number } {
     const body = still(name);
     const g = gravityOn(body);
@@ -108,7 +108,7 @@ describe('rebound at damping ratio 0.3', () => {
     return Math.sqrt(climb ** 2 + 2 * g * height);
   }
 
-  // Target 0: the analytic one-sided spring-damper, which lets go when 100 p + 6 p' = 0. First order in dt: today, of the speed,
+  // Target 0: the analytic one-sided spring-damper, which releases when 100 p + 6 p' = 0. First order in dt: today, of the speed,
   // 2.5, 2.4, 2.3, 4.2, 3.1, 2.7, 2.2 %; of the depth 1.2 to 1.4 %.
   const CASES = [
     ['Luna', 12],
@@ -135,7 +135,7 @@ describe('rebound at damping ratio 0.3', () => {
     expect(Math.abs(deepest / ideal.deepest - 1)).toBeLessThan(0.0014);
   });
 
-  // Without gravity the formula has a closed end: e^(−ζ (π − 2 asin ζ... ) / √(1 − ζ²)). Checks the checker.
+  // Without gravity the formula has a closed end: e^(−ζ (π − 2 asin ζ... ) / √(1 − ζ²)). Checks the formula itself.
   it('is checked against a simulation that agrees with the closed form', () => {
     const zeta = 0.3;
     const root = Math.sqrt(1 - zeta ** 2);

@@ -4,16 +4,16 @@ import { type Energy, energyOf } from './energyLedger';
 import { classNamed, createTrial, type Setup, stepOnce, still, type Trial } from '../provingGround';
 import { createRandom } from '../seeded';
 
-/** The largest rise above the lowest so far, within one contact, over the energy at its touch; and the rise in J. */
+/** The largest rise above the lowest value so far within one contact, relative to the energy at its touch, and in J. */
 interface Rise {
   readonly share: number;
   readonly joules: number;
 }
 
-/** What an energy is at a substep's end: the sum so far, given it and the one before. */
+/** The energy at a substep's end, from this and the previous state. */
 type Account = (sum: number, before: Energy, now: Energy) => number;
 
-/** Follows a ship without thrust until it lands, crashes or 30 s are over. */
+/** Follows a ship without thrust until it lands, crashes or 30 s have passed. */
 function largestRise(trial: Trial, start: (touch: Energy) => number, account: Account): Rise {
   let before: Energy | null = null;
   let [sum, low, scale] = [0, 0, 0];
@@ -40,14 +40,14 @@ function largestRise(trial: Trial, start: (touch: Energy) => number, account: Ac
   return worst;
 }
 
-/** The issue's own sum: kinetic + m g height + weight · h · cos_tilt + spring. */
+/** The plain sum: kinetic + m g height + weight · h · cos_tilt + spring. */
 function plainRise(trial: Trial): Rise {
   const start = (touch: Energy) => touch.total;
   return largestRise(trial, start, (_sum, _before, now) => now.total);
 }
 
 /**
- * The same with the work that the ground does entered as it is done: the lean counts as far as the feet carry it, and the
+ * The same including the ground's work: the lean counts in proportion to the load on the feet, and the
  * legs' support has its own store, held · leg_radius · sin_tilt, which is what rocks a ship back up from a tilt.
  */
 function ledgerRise(trial: Trial): Rise {
@@ -94,8 +94,8 @@ describe('energy in contact without thrust', () => {
     expect(Math.max(...shares)).toBeLessThan(0.005);
   });
 
-  // The bare sum grows by what the legs do: they lift a ship back from a tilt, by at most weight · leg_radius, and in a bounce
-  // turn it upright while little weight is on it, by at most weight · h.
+  // The plain sum grows by the legs' work: they lift a tilted ship, by at most weight · leg_radius, and in a bounce
+  // turn it upright under little load, by at most weight · h.
   it.each(CASES)(
     'of %s on %s grows by less than weight · (leg_radius + h) without the legs’ work',
     (name, body) => {

@@ -11,18 +11,18 @@ import {
 import { quaternionAt, see, type Trial, vectorAt } from '../provingGround';
 import { conjugate, dot, lengthOf, plus, rotate } from '../vectors';
 
-/** A ship's energy on the ground, J; relative to the ground, gravity taken as it is at the ship. */
+/** A ship's energy on the ground, J, relative to the ground, with gravity at the ship. */
 export interface Energy {
   /** Of motion and of rotation. */
   readonly kinetic: number;
   /** m g height of the feet, 0 at the body's radius. */
   readonly height: number;
-  /** weight · h · cos_tilt; 0 from 90° on, where the ship lies. */
+  /** weight · h · cos_tilt; 0 from 90° on, where the ship rests on its side. */
   readonly lean: number;
   /** ½ k penetration². */
   readonly spring: number;
   readonly total: number;
-  /** What the feet carry, at most the weight: the normal force by its formula, N. */
+  /** Load on the feet, at most the weight: the normal force by its formula, N. */
   readonly held: number;
   readonly weight: number;
   readonly cosTilt: number;

@@ -27,7 +27,7 @@ import { angleBetween, cross, dot, lengthOf, plus, product, turnAbout, unit } fr
 const FAR = 1e9;
 
 /**
- * Distance from the centre of what was let go at rest at `from`, after `seconds`: the radial Kepler problem,
+ * Distance from the centre, `seconds` after a release at rest at `from`: the radial Kepler problem,
  * t = √(r0³ / 2μ) (acos √x + √(x (1 − x))), x = r / r0, solved by halving.
  */
 function fallenTo(from: number, mu: number, seconds: number): number {
@@ -84,7 +84,7 @@ describe('free fall from 100 km over the Moon', () => {
     expect(errors[1]! / errors[0]!).toBeCloseTo(0.25, 2);
   });
 
-  // Target 0 of the total energy m (v²/2 − μ/r), in units of what the fall turns over. Today 3.50e-5.
+  // Target 0: change of the total energy m (v²/2 − μ/r) relative to the energy converted in the fall. Today 3.50e-5.
   it('conserves energy', () => {
     const trial = createTrial({ body: moon, height: 100_000 });
     const energy = () => speedOf(trial) ** 2 / 2 - mu / lengthOf(vectorAt(trial.ships, POSITION));
@@ -93,7 +93,7 @@ describe('free fall from 100 km over the Moon', () => {
     expect(Math.abs(energy() - before) / (speedOf(trial) ** 2 / 2)).toBeLessThan(3.6e-5);
   });
 
-  // Target 0: a circular orbit comes back after 2π √(r³/μ), 7,143 s. Today 0.8 m of 11,500 km.
+  // Target 0: a circular orbit closes after 2π √(r³/μ), 7,143 s. Today 0.8 m of 11,500 km.
   it('closes a circular orbit after one period', () => {
     const trial = createTrial({ body: moon, height: 300_000 });
     const start = vectorAt(trial.ships, POSITION);
@@ -141,7 +141,7 @@ describe('the engine', () => {
     const exhaust = LANDER.mainEngineIsp * STANDARD_GRAVITY;
     const ideal = exhaust * Math.log((8000 + fuel) / 8000);
     expect(trial.ships[FUEL]).toBe(0);
-    // The last substep pushes whole on what is left of the fuel: at most F dt / m more.
+    // The last substep gives full thrust from the remaining fuel: at most F dt / m more.
     expect(speedOf(trial)).toBeGreaterThan(ideal);
     expect(speedOf(trial)).toBeLessThan(ideal + (60000 * 0.01) / 8000);
     const spent = speedOf(trial);

@@ -6,10 +6,10 @@ import { dot, lengthOf, plus, unit } from '../vectors';
 const MASS = 16_000;
 /** Thrusters strong enough to push with the weight, from fuel that hardly burns. */
 const PUSHED = { ...LANDER, rcsThrust: [200_000, 0, 0], rcsIsp: 1e8 } as const;
-/** Never slow enough to be called landed, which would hold it whatever pushes. */
+/** Never slow enough to count as landed, which would hold it against any push. */
 const SETTINGS = { contactSettleLinearVel: 1e-15 };
 
-/** How far a push along the ground, a share of the weight, moves an upright ship in contact, m. */
+/** Distance that a push along the ground, as a share of the weight, moves an upright ship in contact, m. */
 function movedBy(name: string, share: number, dt: number, seconds: number): number {
   const body = bodyNamed(name);
   const gravity = gravityOn(body);
@@ -27,14 +27,14 @@ function movedBy(name: string, share: number, dt: number, seconds: number): numb
   run(trial, seconds, undefined, dt);
   expect(trial.ships[SURFACE_STATE]).toBe(CONTACT);
   expect(trial.ships[FUEL]).toBeGreaterThan(PUSHED.fuelCapacity - 1);
-  // Along the ground: on a turning body it also settles by what its weight is less.
+  // Along the ground only: on a turning body the ship also rises, since its weight is less.
   const moved = plus(onTheBody(trial), from, -1);
   const up = unit(from);
   return lengthOf(plus(moved, up, -dot(moved, up)));
 }
 
 // Target: mu_static 0.8 of the weight, whatever the substep, within 1 µm. Today 0.79 moves it by less than 0.4 µm in 10 s, but on
-// Earth at 1 ms by 2.9 µm. All of that is rounding of the place, whose last bit is 0.9 nm there: each substep leaves a quarter of it in
+// Earth at 1 ms by 2.9 µm. All of that is rounding of the position, whose last bit is 0.9 nm there: each substep adds a quarter of it in
 // one direction, so the drift grows with the number of substeps (10,000 here) and not with time. The same law in 40-digit arithmetic
 // moves by 1e-12 m in 2,000 substeps of 1 ms, where doubles move by 4e-7 m.
 describe.each([

@@ -42,7 +42,7 @@ function apart(a: Trial, b: Trial, column: number): number {
 describe('smaller substeps', () => {
   const steps = [0.01, 0.005, 0.0025, 0.00125];
 
-  /** How far each step's end is from that of a step of 0.01 s / 128, after 4 s. */
+  /** Difference of each step size from a step of 0.01 s / 128, after 4 s. */
   function misses(setup: Setup): number[] {
     const settings = { touchdownAttitude: 'kept', contactSettleLinearVel: 1e-9 } as const;
     const ends = [...steps, 0.01 / 128].map((dt) => {
@@ -53,7 +53,7 @@ describe('smaller substeps', () => {
     return ends.slice(0, -1).map((end) => apart(end, ends.at(-1)!, POSITION));
   }
 
-  // Target: each half of the one before, first order. A bounce and a slide: today 1.58, 0.80, 0.39, 0.19 m.
+  // Target: each half of the previous, first order. A bounce and a slide: today 1.58, 0.80, 0.39, 0.19 m.
   it('converge for a bounce and slide', () => {
     const found = misses({ ...TOUCH, body: bodyNamed('Luna'), velocity: [5, 2, -25] });
     expect(found[0]).toBeLessThan(1.7);
@@ -63,7 +63,7 @@ describe('smaller substeps', () => {
     }
   });
 
-  // A settling touch on Earth: where in a substep the touch falls moves the end by up to v dt / 2; then it converges.
+  // A settling touch on Earth: the moment of the touch within a substep changes the end by up to v dt / 2; then it converges.
   it('converge for a settling touchdown', () => {
     const found = misses({ ...TOUCH, velocity: [5, 2, -8] });
     expect(found[0]).toBeLessThan(0.05);
@@ -89,7 +89,7 @@ describe('rotating the world', () => {
     return trial;
   }
 
-  // Target 0. What is left is rounding of places 6,371 km from the centre, 1 nm, that a stiff contact carries on.
+  // Target 0. The rest is rounding of positions 6,371 km from the centre, 1 nm, amplified by a stiff contact.
   it('rotates the trajectory with it', () => {
     const here = createTrial(TOUCH);
     const there = turnedShip(createTrial(TOUCH));
@@ -112,7 +112,7 @@ describe('rotating the world', () => {
 });
 
 describe('moving the body', () => {
-  // Target: the very bits. A ship is simulated relative to its body, so 1 au and 30 km/s of the body change nothing.
+  // Target: the same bits. A ship is simulated relative to its body, so the body's 1 au and 30 km/s change nothing.
   it.each([
     [
       [1.495978707e11, 0, 0],

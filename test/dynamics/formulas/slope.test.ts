@@ -51,7 +51,7 @@ function leanOf(trial: Trial): number {
 }
 
 describe('on a slope, with the surface normal from the terrain', () => {
-  // Footprint 36.87°, mu_static 0.8 = 38.66°: below both it stands flush; past the first it goes over, past the second it slides.
+  // Footprint 36.87°, mu_static 0.8 = 38.66°: below both it stands flush; beyond the first it topples, beyond the second it slides.
   it.each(SLOPES)('of %d° an aligned ship stays flush or topples', (degrees) => {
     const trial = standOn(degrees);
     run(trial, 1, () => trial.ships[SURFACE_STATE] === CONTACT);
@@ -61,7 +61,7 @@ describe('on a slope, with the surface normal from the terrain', () => {
     if (degrees < 36.87) expect(leanOf(trial)).toBeCloseTo(degrees, 1);
   });
 
-  // A low, wide class does not go over on 40°: it slides where tan > mu_static, at g (sin − mu_kinetic cos).
+  // A low, wide class does not topple on 40°: it slides where tan > mu_static, at g (sin − mu_kinetic cos).
   it.each([
     [37, false],
     [40, true],
@@ -99,7 +99,7 @@ describe('on a slope, with the surface normal from the terrain', () => {
     const along = () => dot(rotate(conjugate(LUNA.attitude), vectorAt(trial.ships, POSITION)), EAST);
     const speed = () => lengthOf(vectorAt(trial.ships, VELOCITY));
     const out: number[] = [];
-    // Past the bottom each way: east at once, then west.
+    // Past the bottom in each direction: first east, then west.
     let side = 1;
     out.push(speed());
     for (let i = 0; i < 20_000 && out.length < 3; i++) {
@@ -135,7 +135,7 @@ describe('energy on the ground without engines', () => {
     );
   }
 
-  /** The largest rise above the lowest so far within a stay on the ground, J. */
+  /** The largest rise above the lowest value so far within one contact, J. */
   function largestRise(trial: Trial, degrees: number, dt: number): number {
     let [low, worst] = [Infinity, 0];
     for (let t = 0; t < 12; t += dt) {
@@ -160,7 +160,7 @@ describe('energy on the ground without engines', () => {
     roll: between(0, 360),
   }));
 
-  // Target 0, but for the spring's own step; bound 1 % of weight · leg_radius at 2 ms.
+  // Target 0, except for the spring's discretisation; bound 1 % of weight · leg_radius at 2 ms.
   it.each([0, 15, 30])(
     'does not rise by 1 %% of weight · leg_radius after aligned touchdowns on %d°',
     (degrees) => {
@@ -171,7 +171,7 @@ describe('energy on the ground without engines', () => {
     },
   );
 
-  // A crooked touch loads the legs' moment, and the legs lift the ship back.
+  // A tilted touch loads the legs' moment, and the legs lift the ship back.
   it.each([0, 15, 30])(
     'does not rise by weight · (h + leg_radius) after touchdowns with kept tilt on %d°',
     (degrees) => {

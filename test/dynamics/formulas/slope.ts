@@ -1,12 +1,12 @@
 import type { TerrainHeight, Vec3 } from '../../../src/dynamics';
 import { cross, dot, unit } from '../vectors';
 
-/** Where slopes of the tests begin, unit, body axes. */
+/** The foot of the slopes, unit, body axes. */
 export const FOOT: Vec3 = unit([0.6, 0.48, 0.64]);
-/** Level there, toward the body's east. */
+/** Horizontal at FOOT, toward the body's east. */
 export const EAST: Vec3 = unit(cross([0, 1, 0], FOOT));
 
-/** Ground that rises by tan(degrees) toward the east through the surface at FOOT; straight to a part in 10⁶ over metres. */
+/** Ground that rises by tan(degrees) toward the east through FOOT; straight to one part in 10⁶ over metres. */
 export function slopeOf(degrees: number, radius: number): TerrainHeight {
   const rise = radius * Math.tan((degrees * Math.PI) / 180);
   return (_body, x, y, z) => rise * dot(EAST, [x, y, z]);

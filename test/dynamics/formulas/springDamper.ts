@@ -2,16 +2,16 @@
 export interface Rebound {
   /** Deepest penetration, m. */
   readonly deepest: number;
-  /** Speed up at which it passes the level of first touch again, m/s; 0 when it does not. */
+  /** Upward speed at the level of first touch, m/s; 0 if it does not rebound. */
   readonly speed: number;
-  /** Of contact, from the touch until the ground lets go, s. */
+  /** Duration of contact, from touch to release, s. */
   readonly duration: number;
 }
 
 const RATE = 10;
 
 /**
- * p'' = g − 100 p − 20 ζ p' from p = 0, p' = `impact`, for as long as 100 p + 20 ζ p' > 0: the ground cannot pull. After that it
+ * p'' = g − 100 p − 20 ζ p' from p = 0, p' = `impact`, as long as 100 p + 20 ζ p' > 0: the ground cannot pull. Then it
  * flies. ζ < 1.
  */
 export function rebound(impact: number, damping: number, gravity: number): Rebound {
@@ -33,7 +33,7 @@ export function rebound(impact: number, damping: number, gravity: number): Rebou
   return { deepest: depth(turn), speed: squared > 0 ? Math.sqrt(squared) : 0, duration: letGo };
 }
 
-/** The first t > 0 below `end` at which a function that begins above 0 is 0; `end` when it stays above. */
+/** The first root t in (0, `end`) of a function that begins above 0; `end` if there is none. */
 function firstZero(of: (t: number) => number, end: number): number {
   const stride = end / 1000;
   let t = stride;

@@ -43,7 +43,7 @@ describe('the toppling angle', () => {
   function missOf(className: string, bodyName: string, roll: number): number {
     const shipClass = classNamed(className);
     const ideal = Math.atan2(shipClass.legRadius, shipClass.groundContactOffset) * DEGREES;
-    // Not even, so that no step falls on the ideal itself, where a ship stands for ever.
+    // Uneven, so that no step hits the exact angle, at which a ship balances for ever.
     let [low, high] = [ideal - 0.5, ideal + 0.7];
     while (high - low > 1e-3) {
       const tilt = (low + high) / 2;
@@ -59,7 +59,7 @@ describe('the toppling angle', () => {
   const everyWay = Array.from({ length: 12 }, (_, k) => 30 * k);
 
   // Target: arctan(leg_radius / h), 36.8699° for every class here, to 0.05°, whichever way it leans. Today
-  // 0.0001° (the halving) with a symmetric tensor, 0.0187° fast_frigate, 0.0046° cargo_hauler, whose tensors turn them aside.
+  // 0.0001° (the halving) with a symmetric tensor, 0.0187° for fast_frigate and 0.0046° for cargo_hauler, whose tensors deflect them.
   it.each(classes.flatMap((name) => ['Luna', 'Earth'].map((body) => [name, body] as const)))(
     'of %s on %s is arctan(leg radius / h) in every direction',
     (className, bodyName) => {
@@ -126,7 +126,7 @@ describe('the toppling angle', () => {
     }
   });
 
-  // Another footprint, so that 36.87° is not the law's own number.
+  // Another footprint, so that the law cannot contain 36.87° as a number.
   it('moves with the footprint', () => {
     const shipClass = { ...LANDER, legRadius: 1.5 };
     const ideal = Math.atan(1.5 / 4) * DEGREES;
@@ -178,7 +178,7 @@ describe('the 16 t class as described in DYNAMICS.md', () => {
 });
 
 describe('righting', () => {
-  /** Whether a torque about body y rights a ship of 12 t that lies on the Moon with its top to the east. */
+  /** Whether a torque about body y rights a ship of 12 t on its side on the Moon, top to the east. */
   function rights(torque: number): boolean {
     const body = still('Luna');
     const shipClass = { ...LANDER, rcsTorque: [0, torque, 0], reactionWheelTorque: [0, 0, 0] } as const;

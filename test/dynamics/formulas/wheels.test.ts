@@ -9,7 +9,7 @@ const TORQUE = FRIGATE.reactionWheelTorque[0];
 const CAPACITY = FRIGATE.reactionWheelCapacity![0];
 
 describe('reaction wheels', () => {
-  // Target: capacity / torque = 10 s. The stick asks for just what the wheel can give.
+  // Target: capacity / torque = 10 s. The stick commands exactly the wheel's torque.
   it('absorb a torque for capacity / torque seconds, then RCS burns fuel for it', () => {
     const stick = TORQUE / (TORQUE + FRIGATE.rcsTorque[0]);
     const controls = { rotationInput: [stick, 0, 0] as const };
@@ -22,7 +22,7 @@ describe('reaction wheels', () => {
     run(trial, 1);
     expect(trial.ships[WHEEL_MOMENTUM]).toBeCloseTo(CAPACITY, 6);
     expect(trial.ships[FUEL]).toBeLessThan(full!);
-    // The ship goes on turning as if nothing had changed.
+    // The ship turns on as before.
     const spin = lengthOf(vectorAt(trial.ships, ANGULAR_VELOCITY));
     expect(spin).toBeCloseTo((TORQUE * (seconds + 0.99)) / 80000, 5);
   });

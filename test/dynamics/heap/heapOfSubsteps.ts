@@ -13,7 +13,7 @@ const CASES: Readonly<Record<string, Setup>> = {
   flying: { height: 1e9, controls: { attitudeMode: 'prograde', thrustLevel: 1e-4 } },
   sliding: { settings: SLIPPERY, velocity: [30, 0, 0], state: 'contact', spin: [0, 0, 1e-3] },
   landed: { state: 'landed' },
-  // Lies past 90° again after each substep, so that it is laid flat in each.
+  // Tilted beyond 90° again after each substep, so that each substep turns it back.
   tipped: { state: 'tipped', tilt: 90, controls: { attitudeHold: true } },
   toppling: {
     settings: { touchdownAttitude: 'kept', contactTippedAngleDeg: 89 },
@@ -25,7 +25,7 @@ const CASES: Readonly<Record<string, Setup>> = {
   'over flat ground again': { settings: SLIPPERY, velocity: [30, 0, 0], state: 'contact' },
 };
 
-/** A place of the hills with 22° of slope. */
+/** A point of the hills with a slope of 22°. */
 function slidingOver(terrain: TerrainHeight): Setup {
   const place = [0.601265926, 0.474432245, 0.64295671] as const;
   const settings = { ...SLIPPERY, surfaceNormal: 'terrain', contactCrashSpeed: 1e6 } as const;
@@ -48,7 +48,7 @@ const FEW = 5000;
 
 declare const gc: () => void;
 
-/** Garbage counts too: the heap is read before it is collected. The least of three, as the engine's compilers allocate as well. */
+/** Garbage counts: the heap is read before a collection. The minimum of three, since the engine's compilers allocate too. */
 function bytesOf(run: (substeps: number) => void): number {
   for (let pass = 0; pass < 3; pass++) run(WARM_UP);
   let least = Infinity;
@@ -62,7 +62,7 @@ function bytesOf(run: (substeps: number) => void): number {
   return least;
 }
 
-/** A function of its own: compiled once, where a loop in the measuring function is compiled again for each repeat. */
+/** A separate function is compiled once; a loop in the measuring function is compiled for each repeat. */
 function run(trial: Trial, substeps: number): void {
   for (let i = 0; i < substeps; i++) stepOnce(trial);
 }

@@ -1,6 +1,6 @@
 import type { Result } from '../../../src/dynamics';
 
-/** Everything hostile that a number may be. */
+/** Invalid values for a number. */
 export const NO_NUMBERS = [NaN, Infinity, -Infinity, '1', null, undefined, {}, [1]] as const;
 
 /** The reason for a refusal, or 'accepted'. */

@@ -63,7 +63,7 @@ describe('ship class constants', () => {
     ],
   };
 
-  // Target: the unit matrix. Today 2.3e-16 for the worst.
+  // Target: the unit matrix. Today the worst element is off by 2.3e-16.
   it.each([LANDER, ...SHIP_CLASSES, SKEWED])('inertia times its inverse is one for %j', (shipClass) => {
     const product = timesInverse(must(loadShipClass(shipClass)));
     const one = [1, 0, 0, 0, 1, 0, 0, 0, 1];
@@ -136,7 +136,7 @@ describe('controls', () => {
       }),
       { seed: 20_260, numRuns: 500 },
     );
-    // Quotients by their length are often an ulp off length 1: those are the ones that would have moved.
+    // Quotients by their length are often an ulp off length 1: normalising those again would change them.
     expect(moving).toBeGreaterThan(20);
   });
 

@@ -9,15 +9,15 @@ import {
 import { type MovingBody, type Setup } from '../provingGround';
 import { lengthOf, unit } from '../vectors';
 
-/** Worlds within the law's ranges, from toys to beyond anything the game has. */
+/** Worlds within the law's ranges, far beyond the game's. */
 
-/** Evenly spread, the ends included: fc.double favours numbers near 0 so much that hardly any engine would lift its ship. */
+/** Uniform, ends included: fc.double favours numbers near 0 so much that hardly any engine could lift its ship. */
 function between(min: number, max: number): fc.Arbitrary<number> {
   const most = 2 ** 30;
   return fc.integer({ min: 0, max: most }).map((part) => min + (max - min) * (part / most));
 }
 
-/** Over orders of magnitude, each as likely. */
+/** Log-uniform. */
 function magnitude(min: number, max: number): fc.Arbitrary<number> {
   return between(Math.log(min), Math.log(max)).map(Math.exp);
 }
@@ -66,7 +66,7 @@ export const settings: fc.Arbitrary<Partial<Settings>> = fc
     contactFrictionKinetic: rest.contactFrictionStatic * kineticShare,
   }));
 
-/** A ship of 10 kg to 10 million with a full tensor, made positive definite as that of points on its axes would be. */
+/** A ship of 10 kg to 10⁷ kg with a full tensor, positive definite like that of masses on its axes. */
 export const shipClass: fc.Arbitrary<ShipClass> = fc
   .record({
     dryMass: magnitude(10, 1e7),
@@ -133,7 +133,7 @@ export const body: fc.Arbitrary<MovingBody> = fc
     angularVelocity: [axis[0] * spin, axis[1] * spin, axis[2] * spin],
   }));
 
-/** A ship anywhere near the ground, in any state, doing anything. */
+/** A ship near the ground, in any state, with any motion and controls. */
 export const setup: fc.Arbitrary<Setup> = fc
   .record({
     body,

@@ -12,9 +12,9 @@ import {
   type Vec3,
 } from '../../../src/dynamics';
 
-/** Worlds up to, and a little over, the ends of what is taken: most of what is drawn is accepted, some is refused. */
+/** Worlds up to, and slightly beyond, the limits: most are accepted, some refused. */
 
-/** Over all orders of magnitude, each as likely, the ends themselves often; now and then ten times beyond one, or absurd. */
+/** Log-uniform, often the ends themselves; sometimes ten times beyond them, or absurd. */
 function reaching(least: number, most: number): fc.Arbitrary<number> {
   const [low, high] = [Math.log10(least), Math.log10(most)];
   const inside = fc.double({ min: low, max: high, noNaN: true }).map((power) => 10 ** power);
@@ -25,7 +25,7 @@ function reaching(least: number, most: number): fc.Arbitrary<number> {
   );
 }
 
-/** As reaching, and 0. */
+/** Like `reaching`, and 0. */
 function fromNothing(most: number): fc.Arbitrary<number> {
   const inside = { weight: 5, arbitrary: reaching(most * 1e-25, most) };
   return fc.oneof(inside, { weight: 1, arbitrary: fc.constant(0) });
@@ -71,7 +71,7 @@ export const settings: fc.Arbitrary<Partial<Settings>> = fc
     contactFrictionKinetic: given.contactFrictionStatic * kineticShare,
   }));
 
-/** Rods and discs too: moments of any size, a part of them up to a million times less, as askew as they can be. */
+/** Also rods and discs: moments of any size, some up to a million times smaller, maximally skewed. */
 const inertiaTensor: fc.Arbitrary<Mat3> = fc
   .record({
     size: reaching(1e-9, 1e27),

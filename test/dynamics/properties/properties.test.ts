@@ -31,7 +31,7 @@ function offUnit(rows: Float64Array, at: number): number {
   return Math.abs(Math.hypot(...rows.subarray(at, at + 4)) - 1);
 }
 
-/** What must be true of a ship after any substep; an empty text when it is. */
+/** The invariant of a ship that is violated after a substep; '' if none. */
 function fault(trial: Trial, before: number, event: number): string {
   const { ships, bodies } = trial;
   if (!ships.every(Number.isFinite)) return `not finite: ${ships.join(' ')}`;
@@ -70,7 +70,7 @@ describe('any ship over any body under any controls', () => {
       }),
       SEEDED,
     );
-    // Every row of the table of transitions and both launches: a world in which nothing happens proves nothing.
+    // Every transition of the table and both launches must occur; otherwise the test proves little.
     const [f, c, l, t] = [FLYING, CONTACT, LANDED, TIPPED];
     for (const move of [
       `${f}>${f}/${EVENT_DESTROYED}`,
@@ -122,8 +122,8 @@ describe('any ship over any body under any controls', () => {
 });
 
 describe('a bouncing ship', () => {
-  // Without thrust each touch is slower than the one before, so a ship comes to its end: landed, crashed, or tipped and lying
-  // still. Where it can within minutes: some friction and damping, gravity that brings it down again.
+  // Without thrust each touch is slower than the last, so a ship ends landed, crashed, or tipped and at
+  // rest. Within minutes, given some friction and damping, and enough gravity.
   const ending = setup.map((given) => ({
     ...given,
     state: '' as const,
@@ -168,8 +168,8 @@ describe('a bouncing ship', () => {
 });
 
 /**
- * Whether gravity turns the ship about its feet by less than 1 rad/s in a substep, m g h / I · dt. The law turns a hull that lies
- * past 90° back at 1 rad/s, so one of very little inertia under strong gravity hangs there and never lies still (the game's
+ * Whether gravity turns the ship about its feet by less than 1 rad/s in a substep, m g h / I · dt. The law turns a hull tilted
+ * beyond 90° back at 1 rad/s, so one of very little inertia under strong gravity stays there and never comes to rest (the game's
  * classes on Earth: at most 0.2 rad/s).
  */
 function isNoNeedle({ body, shipClass }: Setup): boolean {

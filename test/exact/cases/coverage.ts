@@ -1,4 +1,4 @@
-/** Counts what the drawn cases go through. */
+/** Counts the states, events and modes that the drawn cases reach. */
 import {
   ATTITUDE,
   ATTITUDE_MODE,
@@ -23,11 +23,11 @@ export interface Coverage {
   readonly counts: Map<string, number>;
   readonly tickRates: Set<number>;
   readonly timeScales: Set<number>;
-  /** Takes the rows of a case. */
+  /** Counts the rows of a case. */
   readonly follow: (exact: ExactCase) => TakeRow;
 }
 
-/** What has to occur, by the prefix of its key. */
+/** What must occur, by the prefix of its key. */
 const KINDS = {
   state: SURFACE_STATES.flatMap((state) => [...ATTITUDE_MODES, 'unknown'].map((mode) => `${state}/${mode}`)),
   event: EVENT_NAMES.slice(1),

@@ -22,7 +22,7 @@ export function triple(rng: Random, most: number): Vec3 {
   return [between(rng, -most, most), between(rng, -most, most), between(rng, -most, most)];
 }
 
-/** Every direction alike: a point of the cube that lies in the ball. */
+/** A uniform direction: a point of the cube inside the sphere. */
 export function unitVector(rng: Random): Vec3 {
   for (;;) {
     const [x, y, z] = triple(rng, 1);
@@ -40,7 +40,7 @@ export function unitQuaternion(rng: Random): Quat {
   }
 }
 
-/** A unit vector square to the unit vector `n`. */
+/** A unit vector perpendicular to the unit vector `n`. */
 export function tangent(rng: Random, n: Vec3): Vec3 {
   for (;;) {
     const v = unitVector(rng);

@@ -1,4 +1,4 @@
-/** Draws a whole case: a ship in the air, near the ground, in it, landed, over on its side or on its head, or between bodies. */
+/** Draws a whole case: a ship in the air, near the ground, in it, landed, on its side, upside down, or between bodies. */
 import {
   type Body,
   type BodyMotion,
@@ -24,7 +24,7 @@ import {
 import type { CaseTerrain, ExactCase } from './exactCase';
 import { caseTerrain } from './playCase';
 
-/** About as many substeps a case. */
+/** Approximate number of substeps per case. */
 const LENGTH = 700;
 
 const STARTS = [
@@ -99,7 +99,7 @@ function drawShip(rng: Random, start: Start, shipClass: ShipClass, place: Place)
     normal,
   );
   const ground = caseTerrain(place.terrain)(body.name, nx, ny, nz);
-  // Its class's, or its own, which may be 0: the centre of mass on the ground.
+  // Its class's contact offset, or its own, which may be 0: the centre of mass on the ground.
   const groundContactOffset = chance(rng, 0.3) ? pick(rng, [0, between(rng, 0, 9)]) : null;
   const offset = groundContactOffset ?? shipClass.groundContactOffset;
   const reach = body.radius + ground + offset + height;
@@ -130,15 +130,15 @@ function drawShip(rng: Random, start: Start, shipClass: ShipClass, place: Place)
   };
 }
 
-/** What the wheels have given: nothing, up to all they hold, or more than that. */
+/** Momentum of the wheels: none, up to their capacity, or more. */
 function drawWheels(rng: Random, { reactionWheelCapacity, reactionWheelTorque }: ShipClass): Vec3 {
   const most = reactionWheelCapacity ?? reactionWheelTorque;
   const share = (): number => pick(rng, [0, -1, 1, between(rng, -1, 1), 1.5]);
-  // + 0: JSON, in which Python is told, has no −0.
+  // + 0, since JSON, which Python reads, has no −0.
   return [most[0] * share() + 0, most[1] * share() + 0, most[2] * share() + 0];
 }
 
-/** Somewhere on the way from its body to the neighbour, about where both are as near by their own measure. */
+/** On the way from its body to the neighbour, near the point where the reference body changes. */
 function betweenBodies(rng: Random, ship: ShipInit, body: MovingBody, neighbour: MovingBody): ShipInit {
   const way = (body.radius / (body.radius + neighbour.radius)) * between(rng, 0.8, 1.2);
   const [x, y, z] = [0, 1, 2].map(
@@ -163,7 +163,7 @@ function drawSpeed(rng: Random): number {
   return between(rng, 0, pick(rng, [0.02, 0.4, 3, 12, 30, 70]));
 }
 
-/** Tilted as the start asks: 2 arctan k, up to about 40°, round 90°, on its head, or any. */
+/** Tilt of the start: 2 arctan k, up to about 40°, around 90°, upside down, or any. */
 function drawAttitude(rng: Random, start: Start, normal: Vec3): Quat {
   if (start === 'flight' || start === 'transfer')
     return chance(rng, 0.2) ? [0, 0, 0, 1] : unitQuaternion(rng);

@@ -1,4 +1,4 @@
-/** Draws what a case is made of besides its ship's state: classes, bodies, settings, ticks, what the pilot does. */
+/** Draws the parts of a case besides its ship's state: classes, bodies, settings, ticks, inputs. */
 import {
   ATTITUDE_MODES,
   type AttitudeMode,
@@ -25,7 +25,7 @@ export function drawShipClass(rng: Random): ShipClass {
   const scale = mass * groundContactOffset * groundContactOffset * between(rng, 0.2, 0.6);
   const some = (most: number): Vec3 =>
     chance(rng, 0.15) ? [0, 0, 0] : [between(rng, 0, most), between(rng, 0, most), between(rng, 0, most)];
-  // Round, or up to eight to one and hardly skewed.
+  // Equal moments, or up to eight to one and slightly skewed.
   const isOdd = chance(rng, 0.4);
   const moment = (): number => (isOdd ? pick(rng, [0.25, 0.5, 1, 2]) : between(rng, 0.7, 1.4));
   const [xy, xz, yz] = triple(rng, (isOdd ? 0.05 : 0.2) * scale);
@@ -53,7 +53,7 @@ export function drawShipClass(rng: Random): ShipClass {
   };
 }
 
-/** A body of the game turned anyhow, or one drawn; its spin about any axis, up to a turn in two minutes. */
+/** A body of the game with any attitude, or a drawn one; spin about any axis, up to one turn in two minutes. */
 export function drawBody(rng: Random): Body & BodyMotion {
   const spin = chance(rng, 0.1) ? 0 : pick(rng, [1e-6, 1e-4, 5e-4, 0.05]);
   const angularVelocity = chance(rng, 0.2) ? ([0, spin, 0] as const) : triple(rng, spin);
@@ -120,7 +120,7 @@ export function drawTempo(rng: Random): { readonly tickRate: number; readonly ti
   }
 }
 
-/** What the pilot commands, in time's order; also out of range, as a client may send it. */
+/** The pilot's inputs, in order of time; also out of range, as a client may send them. */
 export function drawInputs(rng: Random, ticks: number, substeps: number, hover: number): CaseInput[] {
   const inputs: CaseInput[] = [];
   for (let count = whole(rng, 0, 8); count > 0; count--) {
@@ -154,7 +154,7 @@ function drawControls(rng: Random, hover: number): Controls {
   };
 }
 
-/** Small bodies near each other, moving: a ship between them changes over. */
+/** Small moving bodies near each other: a ship between them changes its reference body. */
 export function drawNeighbours(rng: Random, first: Body & BodyMotion): (Body & BodyMotion)[] {
   const neighbours: (Body & BodyMotion)[] = [];
   for (let i = whole(rng, 1, 2); i > 0; i--) {

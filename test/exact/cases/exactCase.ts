@@ -1,4 +1,4 @@
-/** A landing as plain data that every implementation can play: the rehearsals, and cases drawn by a seed. */
+/** A landing as plain data that every implementation can play: scenarios, and cases drawn by a seed. */
 import {
   ok,
   type Body,
@@ -18,7 +18,7 @@ export interface ExactCase {
   /** Hz */
   readonly tickRate: number;
   readonly timeScale: number;
-  /** How long it is played. */
+  /** Duration of the case. */
   readonly ticks: number;
   readonly settings: Partial<Settings>;
   readonly terrain: CaseTerrain;
@@ -40,7 +40,7 @@ export interface CaseInput {
   readonly controls: Controls;
 }
 
-/** A rehearsal as a case, or the reason why it cannot be loaded. */
+/** A scenario as a case, or the reason why it cannot be loaded. */
 export function caseOf(scenario: Scenario): Result<ExactCase> {
   const loaded = loadScenario(scenario);
   if (!loaded.ok) return loaded;
@@ -61,7 +61,7 @@ export function caseOf(scenario: Scenario): Result<ExactCase> {
   });
 }
 
-/** The same data with the game's names: what src/service/touchdown_service/comparison/cases.py reads. */
+/** The same data under the game's names, as src/service/touchdown_service/comparison/cases.py reads it. */
 export function caseToJson(exact: ExactCase): unknown {
   return withSnakeKeys(exact);
 }

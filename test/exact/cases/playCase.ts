@@ -1,4 +1,4 @@
-/** Plays a case on the dynamics and hands on every row, for comparison with another implementation's. */
+/** Plays a case on the dynamics and passes on every row, for comparison with another implementation. */
 import {
   ok,
   beginTick,
@@ -31,7 +31,7 @@ import type { CaseInput, CaseTerrain, ExactCase } from './exactCase';
 export const SHIP_ROW = SHIP_STRIDE + 1;
 /** A body's row after a tick: position, velocity, attitude. */
 export const BODY_ROW = 10;
-/** In place of the substep of a body's row. */
+/** Stands for the substep in a body's row. */
 export const AFTER_TICK = -1;
 
 /** `row` is reused: copy what is to be kept. */
@@ -94,7 +94,7 @@ export function writeBodyRow(row: Float64Array, bodies: Float64Array, at: number
   for (let k = 0; k < 4; k++) row[6 + k] = bodies[at + BODY_ATTITUDE + k]!;
 }
 
-/** A case looked up, checked and in rows; the reason why the law refuses it. */
+/** A case with names resolved, checked and in rows; or the reason why the law refuses it. */
 export function loadCase(exact: ExactCase, terrainHeight: TerrainHeight): Result<Playing> {
   const settings = loadSettings(exact.settings);
   if (!settings.ok) return settings;

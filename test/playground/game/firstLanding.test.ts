@@ -13,11 +13,11 @@ import { type Game, open, useGameClock } from './openGame';
 
 useGameClock();
 
-/** Wall seconds between two looks at the screen: nobody is faster. */
+/** Wall seconds between two looks at the screen, a fast reaction time. */
 const REACTION = 0.5;
 
 /**
- * A newcomer who knows what the screen says and nothing else: "F more thrust, V less, X cut the engine", the goal, VSPD, AGL and
+ * A newcomer who knows only what the screen says: "F more thrust, V less, X cut the engine", the goal, VSPD, AGL and
  * AIM. Taps F when it comes down faster than AIM, V when slower, and X at the touch.
  */
 function createNewcomer({ live }: Game): (view: WorldView, now: number) => void {
@@ -35,7 +35,7 @@ function createNewcomer({ live }: Game): (view: WorldView, now: number) => void 
     const quickening = Number.isNaN(before) ? 0 : speed - before;
     before = speed;
     if (!aids.shown) return;
-    // What the display says of AIM in words, and whether it gets worse.
+    // The display's words about AIM, and whether it gets worse.
     const tap = (action: 'throttleUp' | 'throttleDown') => {
       live.hands.press(action);
       live.hands.release(action);

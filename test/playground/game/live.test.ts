@@ -16,7 +16,7 @@ import { open, useGameClock } from './openGame';
 
 useGameClock();
 
-/** What the page should show at the end: the scenario on the dynamics alone. */
+/** What the page must show at the end: the scenario on the dynamics alone. */
 function truth(name: string, tickRate: number): { readonly run: string; readonly seconds: number } {
   const scenario = SCENARIOS.find((candidate) => candidate.name === name)!;
   const { ships, world } = valueOf(runScenario({ ...scenario, terrain: 'hills', tickRate }));
@@ -58,7 +58,7 @@ describe('a scenario with planned inputs', () => {
       expect(live.ended()).toBe(true);
       const { diagnosis } = live.frame();
       expect(diagnosis.framesAccepted).toBeGreaterThan(10);
-      // Known beforehand, it is never a surprise.
+      // A known plan causes no correction.
       expect(diagnosis).toMatchObject({
         correctionsLateInput: 0,
         correctionsLostInput: 0,
@@ -127,7 +127,7 @@ describe('a page that was hidden', () => {
 });
 
 describe('a link to a flight', () => {
-  /** The query that the page would copy of a game so far. */
+  /** The query of the link that the page would copy for the game so far. */
   function linkOf(game: Awaited<ReturnType<typeof open>>, choices: Choices): string {
     const copied: string[] = [];
     const link = createFlightLink({
@@ -233,7 +233,7 @@ describe('manual input', () => {
     const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
     play(60, 1);
     expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0.5, attitudeMode: 'radial' });
-    // The plan would turn the ship from 2.6 s on; the hand cuts the engine and does nothing else.
+    // The plan would turn the ship from 2.6 s on; the pilot only cuts the engine.
     play(60, 0.5);
     live.hands.press('throttleCut');
     const turned = new Set<number>();
@@ -253,7 +253,7 @@ describe('manual input', () => {
     play(60, 1);
     live.operate({ kind: 'drop' });
     live.hands.press('throttleCut');
-    // Meanwhile the server plays on: engine, and the turn from 2.6 s to 3.6 s.
+    // Meanwhile the server continues the plan: engine, and the turn from 2.6 s to 3.6 s.
     play(60, 1.8);
     expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0] });
     live.reconnect();

@@ -5,11 +5,11 @@ import type { FromServer, ToServer } from '../../../src/playground/server/connec
 import type { WorldView } from '../../../src/prediction';
 import { normalNoise, createRandom, type RecordingEntry, type RunInput } from '../../../src/scenarios';
 
-/** Page and worker as they are, on one clock of our own: between them only the messages that a browser would carry. */
+/** The real page and worker on one virtual clock; they exchange only messages, as in a browser. */
 export interface Game {
   readonly live: Live;
   readonly entries: readonly RecordingEntry[];
-  /** Inputs that the server has told of a run. */
+  /** Inputs of a run, as reported by the server. */
   readonly runs: (readonly RunInput[])[];
   /** Draws at about `fps` frames a second until `seconds` have passed, `each` after every frame. */
   readonly play: (fps: number, seconds: number, each?: (view: WorldView) => void) => void;
@@ -77,7 +77,7 @@ export async function open(asked: Partial<Choices>): Promise<Game> {
     runs,
     play(fps, seconds, each) {
       for (let passed = 0; passed < seconds * 1000;) {
-        // No frame comes when it should: off by a fifth, and one in fifty five times as late.
+        // Frame times are irregular: off by a fifth, and one in fifty is five times as late.
         const late = rng() < 0.02 ? 5 : 1;
         const wait = Math.max(1, (1000 / fps) * late * (1 + normalNoise(rng) / 5));
         passed += wait;

@@ -79,7 +79,7 @@ function stroke(code: string, key: string, changes: Partial<KeyStroke> = {}): Ke
   return { code, key, ctrlKey: false, altKey: false, metaKey: false, altGraph: false, ...changes };
 }
 
-/** What keyboards print on the places that matter, in the order of PLACES. */
+/** The characters that keyboard layouts have at the keys used, in the order of PLACES. */
 const PLACES = [
   ...'QWERTYUIOP'.split('').map((letter) => `Key${letter}`),
   ...'ASDFGHJKL'.split('').map((letter) => `Key${letter}`),

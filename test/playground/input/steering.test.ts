@@ -17,7 +17,7 @@ import {
 } from '../../../src/playground/input/stick';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 
-/** Eye to the south that looks north: right is east, away is north. */
+/** An eye in the south that looks north: right is east, away is north. */
 const SCREEN = Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
 /** An upright ship turned by `degrees` about its thrust axis. */
@@ -32,7 +32,7 @@ function aimOf(attitude: Float64Array, flying = true) {
   return aim;
 }
 
-/** Where the top of a ship goes that turns as the input says: spin × up, in ICRF. */
+/** Direction in which the top of a ship moves under the input: spin × up, in ICRF. */
 function topMoves(attitude: Float64Array, input: readonly number[]): [number, number] {
   const spin = new Float64Array(3);
   toInertial(spin, attitude, Float64Array.from(input));
@@ -63,7 +63,7 @@ describe('steering as the camera sees it', () => {
   });
 
   it('rights a ship on its side with one key, and never rolls it', () => {
-    // Fallen over to the east or the north-east, seen from the south.
+    // Tipped over to the east or the north-east, seen from the south.
     for (const [x, y] of [
       [0, 1],
       [-1, 0],

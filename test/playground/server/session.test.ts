@@ -25,7 +25,7 @@ const LOAD: Operation = {
   others: 0,
 };
 
-/** Runs as the worker's timer does, from one happening to the next. */
+/** Runs like the worker's timer, from one event to the next. */
 function runTo(session: Session, from: number, until: number): ServerMessage[] {
   const messages: ServerMessage[] = [];
   for (let now = from; now < until; now = Math.max(now, Math.min(session.nextAt(), until)))
@@ -141,7 +141,7 @@ describe('the server in the page', () => {
     const session = loaded({ network: NETWORK_PRESETS.lan, tickRate: 20 });
     runTo(session, 10, 12);
     expect(session.operate({ kind: 'spike', seconds: 1.5 }, 12)).toBeNull();
-    // What was on the line before still arrives.
+    // Messages in flight still arrive.
     expect(frames(runTo(session, 12.01, 13.4)).length).toBeLessThan(2);
     const ticks = frames(runTo(session, 13.4, 14)).map(({ tick }) => tick);
     expect(ticks.length).toBeGreaterThan(30);

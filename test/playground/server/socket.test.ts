@@ -7,7 +7,7 @@ import type { PartialFrame, ServerMessage } from '../../../src/wire';
 import { input } from '../../authority/moon';
 import { type SocketServer, startSocketServer } from './socketServer';
 
-/** As a browser's: an error is told by its close alone, and is not thrown where nobody listens. */
+/** Like a browser's: an error only closes it, and is not thrown without a listener. */
 class PageSocket extends WebSocket {
   constructor(address: string) {
     super(address);
@@ -15,7 +15,7 @@ class PageSocket extends WebSocket {
   }
 }
 
-/** What was told, and a way to wait for it. */
+/** What was reported, and a way to wait for it. */
 function ear() {
   const messages: (ServerMessage | PartialFrame)[] = [];
   const told: string[] = [];

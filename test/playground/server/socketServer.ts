@@ -6,15 +6,15 @@ import { type Scenario, SCENARIOS, loadScenario } from '../../../src/scenarios';
 import { decodeClientMessage, encodeServerMessage, type ServerMessage } from '../../../src/wire';
 import { valueOf } from '../../authority/moon';
 
-/** A real server on a real socket: the authority on the machine's clock, one ship a client. For `?server=ws://…` and its tests. */
+/** A real server on a real socket: the authority on the machine's clock, one ship per client. For `?server=ws://…` and its tests. */
 export interface SocketServer {
   readonly address: string;
   readonly authority: Authority;
-  /** Breaks every connection; new ones are welcome. */
+  /** Breaks every connection; new ones are accepted. */
   readonly hangUp: () => void;
-  /** Sends what is no protocol to everyone. */
+  /** Sends an invalid message to everyone. */
   readonly say: (text: string) => void;
-  /** Sockets that are open now, and that ever were. */
+  /** Sockets that are open now, and the total so far. */
   readonly connections: () => { readonly open: number; readonly ever: number };
   readonly close: () => Promise<void>;
 }

@@ -19,7 +19,7 @@ const LOAD: Operation = {
   others: 0,
 };
 
-/** The worker's file with a scope, a clock and timers of our own. */
+/** The worker's file with a virtual scope, clock and timers. */
 interface Scope {
   onmessage: (event: { data: ToServer }) => void;
   postMessage: (message: FromServer, options: { transfer: Transferable[] }) => void;
@@ -32,7 +32,7 @@ describe('the worker', () => {
   const post = (data: ToServer) => scope.onmessage({ data });
   const operate = (operation: Operation) => post({ kind: 'operate', operation });
 
-  /** What has been posted since the last call; messages of the protocol by their kind. */
+  /** Messages posted since the last call; those of the protocol by their kind. */
   function heard(): string[] {
     return posted.splice(0).flatMap((message) => {
       if (message.kind === 'status') return [];
@@ -48,7 +48,7 @@ describe('the worker', () => {
     scope = {
       onmessage: () => undefined,
       postMessage: (message, { transfer }) => {
-        // As a real one: what is transferred is gone from this side.
+        // As in a real worker: transferred data is detached on this side.
         posted.push(structuredClone(message, { transfer }));
       },
     };

@@ -1,4 +1,4 @@
-/** Mistakes that are answered by a refusal or by a constructor's error: through the doors of the package, each with what to do. */
+/** Mistakes that the public API refuses or throws for, each with advice in the message. */
 import { describe, expect, it } from 'vitest';
 import { createGameConnection } from '../../../src/game';
 import { createCockpitLandingHud, createFleetHud } from '../../../src/hud';
@@ -26,7 +26,7 @@ const helloOf = (value: unknown) => () => decodeHelloJson(value);
 const bytesOf = (value: unknown) => () => decodeServerMessage(value as Uint8Array);
 
 const REFUSED: readonly Refused[] = [
-  ['JSON as a text', frameOf(text), /string.*JSON\.parse/],
+  ['JSON as a string', frameOf(text), /string.*JSON\.parse/],
   ['JSON as bytes', frameOf(bytes), /Uint8Array.*decodeServerMessage/],
   ['JSON as an ArrayBuffer', frameOf(bytes.buffer), /ArrayBuffer.*decodeServerMessage/],
   ['a Blob', frameOf(new Blob([text])), /Blob.*text\(\)/],
@@ -42,8 +42,8 @@ const REFUSED: readonly Refused[] = [
   ['undefined', frameOf(undefined), /message: missing/],
   ['a frame as a hello', helloOf(JSON.parse(text)), /decodeFrameJson/],
   ['nothing of a hello', helloOf({}), /at least one of .*settings/],
-  ['a text as a hello', helloOf(text), /JSON\.parse/],
-  ['a setting as a text', helloOf({ settings: { contact_crash_speed: 'fast' } }), /contact_crash_speed/],
+  ['a string as a hello', helloOf(text), /JSON\.parse/],
+  ['a setting as a string', helloOf({ settings: { contact_crash_speed: 'fast' } }), /contact_crash_speed/],
   ['JSON’s text to the protobuf decoder', bytesOf(text), /string.*decodeFrameJson/],
   ['JSON’s bytes to the protobuf decoder', bytesOf(bytes), /decodeFrameJson/],
   ['an ArrayBuffer to the protobuf decoder', bytesOf(new ArrayBuffer(4)), /new Uint8Array\(buffer\)/],
@@ -51,7 +51,7 @@ const REFUSED: readonly Refused[] = [
   ['an event to the protobuf decoder', bytesOf({ data: bytes }), /\.data/],
   ['null to the protobuf decoder', bytesOf(null), /Uint8Array/],
   ['undefined to the protobuf decoder', bytesOf(undefined), /Uint8Array/],
-  ['restore of a text', () => createPredictor().restore('{}', 0), /JSON\.parse/],
+  ['restore of a string', () => createPredictor().restore('{}', 0), /JSON\.parse/],
   [
     'configure of a list',
     () => createPredictor().configure({ shipClasses: {} } as object),

@@ -1,4 +1,4 @@
-/** The mistakes of those who use the predictor for the first time: each is told of once, by its code, with the value. */
+/** Typical first mistakes of callers: each is reported once, with its code and the value. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
@@ -59,7 +59,7 @@ describe('an invalid option', () => {
   });
 });
 
-/** Codes that stand in the sources, by `warn('code'`, or as a naming's `code: '…'`. */
+/** Codes in the sources: `warn('code'`, or a naming's `code: '…'`. */
 function codesInSources(): string[] {
   const files = readdirSync(ROOM, { recursive: true, encoding: 'utf8' }).filter((file) =>
     file.endsWith('.ts'),

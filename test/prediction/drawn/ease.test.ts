@@ -73,7 +73,7 @@ describe('the drawn offset', () => {
   });
 
   it('fades in the drawn pose as the option says', () => {
-    /** The offset 0.4 s after a state 2 m off, by the largest. */
+    /** The largest offset 0.4 s after a state 2 m off. */
     const left = (settle: number): number => {
       const smoothing = { alongGround: settle, alongNormal: settle };
       const rig = createRig({ scenario: 'opening', predictor: { smoothing } });

@@ -3,7 +3,7 @@ import type { ShipView, WorldView } from '../../../src/prediction';
 import { rotate, rotateBack } from '../../../src/prediction/drawn/rotation';
 import { createRig, scenarioNamed } from '../rig';
 
-/** The ship's stood place in the axes of its body, m. */
+/** The ship's drawn position in its body's axes, m. */
 function stoodInBody(view: WorldView, ship: ShipView): Float64Array {
   const attitude = Float64Array.from(view.bodies[ship.body]!.attitude);
   const place = new Float64Array(3);
@@ -36,7 +36,7 @@ describe('ghost of the server’s state', () => {
       expect(apart(alongGhost, alongShip)).toBeLessThan(2e-3);
     });
 
-  it('is lowered from where the law has a tipped ship, and is unchanged in flight', () => {
+  it('is lowered for a tipped ship, and is unchanged in flight', () => {
     const rig = createRig({ scenario: 'topple' });
     rig.fly(11);
     const { own } = rig.view();

@@ -22,7 +22,7 @@ const groundWith = (terrainHeight: (nx: number) => number): DrawnGround => ({
   terrainHeight: (_, nx) => terrainHeight(nx),
 });
 const level = groundWith(() => 0);
-/** A slope of 1 in 5 along x, as seen from over the pole of z. */
+/** A slope of 1 in 5 along x, above the pole of z. */
 const slope = groundWith((nx) => 0.2 * nx * RADIUS);
 
 /** At `height` of the centre of mass above the sphere, tilted about y. */
@@ -36,7 +36,7 @@ function pose(height: number, degrees: number, grounded: boolean, groundOffset =
   };
 }
 
-/** Heights of all points above the ground, feet pressed in. */
+/** Heights of all points above the ground, with legs compressed. */
 function heights(given: GroundPose, ground: DrawnGround): number[] {
   const out = createGroundedPose(LEGS);
   snapToGround(out, given, hull, ground);
@@ -57,7 +57,7 @@ function heights(given: GroundPose, ground: DrawnGround): number[] {
   });
 }
 
-/** A plane of so many degrees of slope along x, through the sphere at the pole of z. */
+/** A plane with a slope in degrees along x, through the sphere at the pole of z. */
 function planeOf(degrees: number): DrawnGround {
   const tangent = Math.tan((degrees * Math.PI) / 180);
   return {
@@ -71,7 +71,7 @@ function planeOf(degrees: number): DrawnGround {
 describe('a ship flush on a slope', () => {
   it.each([0, 10, 25])('of %i° has all four feet on it', (degrees) => {
     const out = createGroundedPose(LEGS);
-    // The law puts the centre of mass h above the ground, measured along the local up.
+    // The dynamics put the centre of mass h above the ground, along the local up.
     const given = pose(h, -degrees, true);
     snapToGround(out, given, hull, planeOf(degrees));
     const half = (-degrees * Math.PI) / 360;
@@ -153,7 +153,7 @@ describe('snapToGround', () => {
       ] as const) {
         snapToGround(exact, pose(height, tilt, grounded), hull, level);
         snapToLevel(quick, pose(height, tilt, grounded), hull, { radius: RADIUS });
-        // What the ground's own curve makes over the ship's extent.
+        // Curvature of the ground over the ship's extent.
         expect(quick.lift).toBeCloseTo(exact.lift, 3);
         expect(quick.feetHeight).toBeCloseTo(exact.feetHeight, 4);
         for (let leg = 0; leg < LEGS; leg++)
@@ -170,7 +170,7 @@ describe('snapToGround', () => {
         Math.min(...heights(pose(h + offset + height, 0, grounded, offset), level));
       expect(clearance(0, true)).toBeCloseTo(0, 3);
       expect(clearance(1e-6, false)).toBeCloseTo(0, 3);
-      // No step on the way up, and never more than a fifth faster or slower than it is predicted.
+      // No jump on the way up, and at most a fifth faster or slower than predicted.
       for (let height = 0; height < 12; height += 0.05) {
         const rise = clearance(height + 0.05, false) - clearance(height, false);
         expect(rise).toBeGreaterThan(0.05 * 0.8 - 2e-4);

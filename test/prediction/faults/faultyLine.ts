@@ -9,31 +9,31 @@ import { createLink, type Link, type NetworkNumbers } from '../../../src/scenari
 import type { Hello, InputRecord, PartialFrame, Pong, ServerFrame, ShipState } from '../../../src/wire';
 
 /**
- * A server that does nothing but tick, a network, and a page, each of which can be made to stand; all on one true time. The ship
- * lies still, so that only time is tried. Seconds throughout.
+ * A server that only ticks, a network and a page, each of which can be stopped; all on one true time. The ship
+ * is at rest, so that only time is tested. All times in seconds.
  */
 export interface FaultyLine {
   predictor: Predictor;
   readonly tickRate: number;
   /** True time. */
   now: number;
-  /** Server time by its own ticks: what a perfect client would know. */
+  /** Server time by its own ticks: the ideal estimate. */
   readonly serverNow: () => number;
-  /** The page's clock: true time as it tells it. */
+  /** The page's clock. */
   pageClock: (now: number) => number;
   /** Runs the page's frames for `seconds`. */
   readonly run: (seconds: number, each?: (view: WorldView) => void) => void;
-  /** Nothing runs in the page for `seconds`; messages wait for it. */
+  /** The page does not run for `seconds`; messages queue up. */
   readonly freezePage: (seconds: number) => void;
-  /** What is sent in these directions arrives only when they go on. */
+  /** Messages in these directions are held until the link resumes. */
   readonly holdLink: (seconds: number, ways: 'up' | 'down' | 'both') => void;
-  /** The server does not tick for `seconds`, then goes on where it stood; it answers pings or not. */
+  /** The server does not tick for `seconds`, then continues at the same tick; it answers pings or not. */
   readonly pauseServer: (seconds: number, answers: boolean) => void;
   /** Ticks count from `tick` on. */
   readonly restartServer: (tick: number) => void;
   /** Server time of the newest frame that has reached the page. */
   newestFrame: number;
-  /** The inputs as they left, with true server time then and when they reach the server. */
+  /** The inputs sent, with the true server time when they were sent and when they arrive. */
   readonly inputs: SentInput[];
   controls: typeof NEUTRAL_CONTROLS;
 }
@@ -50,10 +50,10 @@ export interface FaultyLineOptions {
   readonly seed: number;
   /** Ticks from one send to the next. */
   readonly sendEvery?: number;
-  /** Server seconds a true second, less 1. */
+  /** Drift: server seconds per true second, minus 1. */
   readonly drift?: number;
   readonly answersPings?: boolean;
-  /** A server that says hello, and takes inputs at their substep. */
+  /** A server that sends a hello and applies inputs at their substep. */
   readonly hello?: boolean;
   /** Sees each answered ping, as a clock filter would: page time of ping and pong, and server time between. */
   readonly onPong?: (pinged: number, answered: number, now: number) => void;
@@ -162,7 +162,7 @@ export function createFaultyLine(options: FaultyLineOptions): FaultyLine {
     answer(until);
   }
 
-  /** Pings that have come by `until`. */
+  /** Pings that have arrived by `until`. */
   function answer(until: number): void {
     if (until < held.answers) return;
     for (const { message, at } of arrived(up, until, held.up)) {
@@ -249,7 +249,7 @@ export function helloAt(tick: number, tickRate: number, more: Partial<Hello> = {
   };
 }
 
-/** Server time that a view is of. */
+/** Server time of a view. */
 export function instantOf({ tick, sinceTick, tickRate, timeScale }: WorldView): number {
   return tick / tickRate + sinceTick / timeScale;
 }

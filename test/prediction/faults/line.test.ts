@@ -4,14 +4,14 @@ import type { WorldView } from '../../../src/prediction';
 import { NETWORK_PRESETS, type NetworkPreset } from '../../../src/scenarios';
 import { createFaultyLine, type FaultyLine, type FaultyLineOptions, instantOf } from './faultyLine';
 
-/** How far what is drawn is ahead of the server, s, over some time: its middle. */
+/** Median time by which the view is ahead of the server, s. */
 function usualLead(line: FaultyLine, seconds: number): number {
   const leads: number[] = [];
   line.run(seconds, (view) => leads.push(instantOf(view) - line.serverNow()));
   return leads.sort((a, b) => a - b)[Math.floor(leads.length / 2)]!;
 }
 
-/** Frames confirmed of an instant that no frame, interval and lead reach to. */
+/** Frames marked confirmed beyond the newest state + interval + lead. */
 function isFalselyConfirmed(line: FaultyLine, view: WorldView, interval: number): boolean {
   const reach = line.newestFrame + interval + view.diagnosis.lead + 0.05;
   return view.own?.provenance === 'confirmed' && instantOf(view) > reach;
@@ -24,7 +24,7 @@ interface Case {
   readonly seconds: number;
   readonly options?: Partial<FaultyLineOptions>;
   readonly happen: (line: FaultyLine, seconds: number) => void;
-  /** The page's clock moves at once by this, s. */
+  /** The page's clock jumps by this, s. */
   readonly grain?: number;
 }
 

@@ -36,12 +36,12 @@ describe('terrain that differs slightly from the server’s', () => {
     for (let i = 0; i < 8 * 60; i++) view = rig.frame();
     const own = view.own!;
     expect(own.surfaceContactState).toBe('landed');
-    // The design lands a ship while it is still sinking in, up to 0.2 m deep.
+    // By design a ship counts as landed while it still sinks, up to 0.2 m deep.
     expect(Math.abs(view.diagnosis.groundOffset - metres)).toBeLessThan(0.2);
     expect(own.groundOffset).toBe(view.diagnosis.groundOffset);
     expect(own.groundConfidence).toBeGreaterThan(0.4);
     expect(Math.abs(own.feetHeight)).toBeLessThan(0.1);
-    // The mesh is on the ground that is drawn.
+    // The mesh is on the drawn ground.
     const mesh = Math.hypot(...own.meshPosition) - own.shipClass.groundContactOffset;
     const drawn = own.groundRadius - own.groundOffset;
     expect(mesh + Math.max(...own.legCompression) - drawn).toBeCloseTo(0, 2);

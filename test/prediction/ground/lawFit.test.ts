@@ -3,7 +3,7 @@ import { hillsTerrain } from '../../../src/dynamics';
 import { createRig, scenarioNamed, SHIP } from '../rig';
 import { distance, sampleOf, truthAt, type Sample } from '../samples';
 
-/** Flies and returns how far what was drawn was from the server's truth, m, in the last `seconds`. */
+/** Flies and returns the error of the drawn ship, m, in the last `seconds`. */
 function errorsOf(rig: ReturnType<typeof createRig>, seconds: number): number[] {
   const samples: Sample[] = [];
   rig.fly(seconds, (view) => {
@@ -17,7 +17,7 @@ function errorsOf(rig: ReturnType<typeof createRig>, seconds: number): number[] 
 
 describe('a ship that the law does not fit', () => {
   it('is extrapolated, never confirmed meanwhile, counted, and predicted again later', () => {
-    // The client thinks that its ships weigh a fiftieth: its own thrust flings it away.
+    // On the client the ships weigh a fiftieth, so their own thrust throws them away.
     const scenario = { ...scenarioNamed('launch'), duration: 40 };
     const rig = createRig({ scenario, tickRate: 5, pilot: () => hover });
     rig.tamper = (message) => {
@@ -35,7 +35,7 @@ describe('a ship that the law does not fit', () => {
     expect(rig.view().diagnosis.shipsCarried).toBe(1);
     expect(rig.view().own!.carriedStates).toBeGreaterThan(4);
     expect(rig.view().diagnosis.statesCarried).toBe(rig.view().own!.carriedStates);
-    // Carried on, the ship is out by its own acceleration over an interval and the lead; by the law by forty times that.
+    // Extrapolation is off by the ship's acceleration over an interval and the lead; the law by forty times that.
     expect(Math.max(...errorsOf(rig, 1))).toBeLessThan(1.5);
     cut = true;
     rig.fly(3);

@@ -7,14 +7,14 @@ import { createRig } from '../rig';
 const distance = (a: ArrayLike<number>, b: ArrayLike<number>) =>
   Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!, a[2]! - b[2]!);
 
-/** A bounce at 10 Hz, three seconds in, on a server with settings that it does not tell. */
+/** A bounce at 10 Hz, after three seconds, on a server that does not send its settings. */
 function flying(secretSettings: object = {}) {
   const rig = createRig({ scenario: 'bounce', tickRate: 10, secretSettings, others: 2 });
   rig.fly(1.5);
   return rig;
 }
 
-/** The drawn place a frame after `change` is where the ship flies to in that frame. */
+/** A frame after `change` the ship is drawn where its motion leads in that frame. */
 function goesOn(rig: ReturnType<typeof flying>, change: () => void): void {
   const { own, ships } = rig.view();
   const place = [...own!.easedPosition];

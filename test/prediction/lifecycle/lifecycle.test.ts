@@ -1,4 +1,4 @@
-/** A predictor that goes on elsewhere: from a snapshot, in a worker; and one that ends. */
+/** A predictor that continues from a snapshot or in a worker, and one that is disposed. */
 import { MessageChannel } from 'node:worker_threads';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
@@ -30,7 +30,7 @@ describe('a snapshot', () => {
     rig.frame();
     const after = rig.view().own!;
     const moved = Math.hypot(...place.map((x, i) => x - after.position[i]!));
-    // A frame's way and what the clock has to learn anew: 100 ms at 40 m/s.
+    // Motion of a frame, and the new clock's uncertainty: 100 ms at 40 m/s.
     expect(moved).toBeLessThan(4);
     rig.fly(25);
     const { own, diagnosis } = rig.view();
@@ -72,7 +72,7 @@ describe('a snapshot', () => {
     rig.frame();
     const after = rig.view();
     expect([after.tickRate, after.bodies.length]).toEqual([tickRate, bodies.length]);
-    // A body moves by up to 30 km in a second: two frames and what the clock learns anew.
+    // A body moves by up to 30 km in a second: two frames, and the new clock's uncertainty.
     const moved = Math.hypot(...bodies[0]!.position.map((x, i) => x - after.bodies[0]!.position[i]!));
     expect(moved).toBeLessThan(30_000 * 0.2);
     rig.fly(20);

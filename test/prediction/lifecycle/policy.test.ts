@@ -1,4 +1,4 @@
-/** A ship that is not predicted: drawn between its server states, or where the newest has it. */
+/** Ships that are not predicted: interpolated, or held at the newest server state. */
 import { describe, expect, it } from 'vitest';
 import { POSITION, SHIP_STRIDE } from '../../../src/dynamics';
 import type { ShipView } from '../../../src/prediction';
@@ -25,7 +25,7 @@ describe('policy hold', () => {
     let told = 0;
     rig.fly(3, ({ own }) => {
       const { serverPosition, position, provenance } = own!;
-      // The moon turns what is on it by 4.6 m/s, for at most a send and the lead.
+      // The Moon's ground moves at 4.6 m/s, for at most a send interval and the lead.
       expect(distance(serverPosition, position)).toBeLessThan(2);
       expect(Math.abs(radius(own!) - Math.hypot(...serverPosition))).toBeLessThan(1e-6);
       expect(provenance).toBe('confirmed');
@@ -47,7 +47,7 @@ describe('policy interpolate', () => {
     rig.fly(2.5, ({ own, tick, sinceTick }) => {
       seen += 1;
       if (seen % 4 > 0 || own!.surfaceContactState !== '') return;
-      // The truth at any instant of the last two sends.
+      // The true height at any instant of the last two send intervals.
       const present = tick / rate + sinceTick;
       let nearest = Infinity;
       for (let back = 0; back <= 2 / rate + 0.3; back += 0.005) {
@@ -61,7 +61,7 @@ describe('policy interpolate', () => {
     expect(worst).toBeLessThan(0.05);
   });
 
-  it('moves from frame to frame as fast as its velocity says', () => {
+  it('moves from frame to frame at its velocity', () => {
     const rig = flown('interpolate', 5);
     rig.fly(1);
     let before: ShipView | null = null;
@@ -96,7 +96,7 @@ describe('a change of policy', () => {
     for (let i = 0; i < 6; i++) {
       const { easedPosition, velocity } = rig.frame().own!;
       const step = to === 'hold' || from === 'hold' ? 0.1 : 1 / 60;
-      // What it flies in a frame (or in a send, on hold), and what a correction may move it by.
+      // Its motion in a frame (or in a send interval, on hold), and the largest step of a correction.
       expect(distance(place, easedPosition)).toBeLessThan(Math.hypot(...velocity) * step * 1.2 + 0.3);
       place = [...easedPosition];
     }
@@ -120,7 +120,7 @@ describe('a change of policy', () => {
   });
 });
 
-/** The simulated height above the body's centre at game second `game`, from the server's own rows. */
+/** The simulated distance from the body's centre at game second `game`, from the server's rows. */
 function truthRadius(rig: ReturnType<typeof createRig>, game: number): number {
   const { tickRate } = rig.view();
   const tick = Math.floor(game * tickRate + 1e-9);

@@ -10,7 +10,7 @@ import type { Site } from '../../../src/scenarios';
 import type { LiteralOptions } from './literalServer';
 import { cross, dot, scale } from './vectors';
 
-/** One way in which the game's server may differ from what its client thinks (PREDICTION, Learned ground). */
+/** One way in which the game's server may differ from its client's model (PREDICTION, Learned ground). */
 export interface LiteralCase {
   readonly name: string;
   readonly options: Partial<Omit<LiteralOptions, 'terrainHeight' | 'hz' | 'every'>>;
@@ -18,11 +18,11 @@ export interface LiteralCase {
   readonly rise?: (east: number, north: number) => number;
   /** Share of sends that are missed. */
   readonly missed?: number;
-  /** Each ship in a message of its own. */
+  /** Each ship in its own message. */
   readonly oneMessagePerShip?: boolean;
   /** From the third landed state on it is settled, not from the third of a contact. */
   readonly settlesLanded?: boolean;
-  /** Scenarios that show it; the usual ones unless given. */
+  /** Scenarios that show it; the usual ones by default. */
   readonly flights?: readonly string[];
 }
 
@@ -79,7 +79,7 @@ export const FAITHFUL: Omit<LiteralOptions, 'terrainHeight' | 'hz' | 'every'> = 
   tellsAttitude: false,
 };
 
-/** The server's ground: the client's, and `rise` on it. */
+/** The server's ground: the client's plus `rise`. */
 export function groundOf(
   terrainHeight: TerrainHeight,
   rise: LiteralCase['rise'],

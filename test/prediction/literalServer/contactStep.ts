@@ -8,14 +8,14 @@ import {
   multiply,
   plus,
   rotate,
-  rotationBy,
   rotationFromTo,
   scale,
 } from './vectors';
+import { turn } from './attitude';
 
 /**
- * The design's pseudo-code as it stands ("Post-Touchdown Physics"): one step a tick whatever the tick, ICRF positions, the ground's
- * force along the radius, the legs no more than a bound on the tilt that gravity overcomes. Where it is silent, the shortest thing
+ * The design's pseudo-code, word for word ("Post-Touchdown Physics"): one step per tick of any length, ICRF positions, the ground's
+ * force along the radius, the legs no more than a bound on the tilt that gravity overcomes. Where the design is silent, the shortest code
  * that works: flight is velocity Verlet, a landed ship keeps its unit normal and its altitude.
  */
 
@@ -33,7 +33,7 @@ export interface LiteralBody {
   angularVelocity: Vec3;
 }
 
-/** What of the contact a server may have otherwise than its clients think. */
+/** Contact parameters in which a server may differ from its clients. */
 export interface ContactOptions {
   readonly terrainHeight: TerrainHeight;
   readonly frictionStatic: number;
@@ -42,11 +42,11 @@ export interface ContactOptions {
   readonly spring: number;
   /** ζ of an impact above the bounce speed. */
   readonly damping: number;
-  /** Of the mass that the client reckons with. */
+  /** Factor on the mass that the client assumes. */
   readonly massFactor: number;
-  /** Of the controller's gains. */
+  /** Factor on the controller's gains. */
   readonly gain: number;
-  /** False: attitude and spin go on at a touch. */
+  /** False: attitude and spin are kept at a touch. */
   readonly aligned: boolean;
 }
 
@@ -114,7 +114,7 @@ function fly(ship: LiteralShip, body: LiteralBody, options: ContactOptions, dt: 
     const r = minus(at, body.position);
     return plus(scale(r, (-G * body.mass) / length(r) ** 3), scale(thrust, 1 / mass));
   };
-  // The body has moved already: it falls freely, so the ship is carried with it.
+  // The body has already moved in free fall, and carries the ship along.
   const before = minus(ship.position, scale(body.velocity, -dt));
   const u = minus(ship.velocity, body.velocity);
   const a0 = pull(before);
@@ -178,7 +178,7 @@ function tilting(
   const up = rotate(ship.attitude, [0, 0, 1]);
   const gravityTorque = cross(scale(up, h), scale(ground.normal, -held));
   const tilt = Math.acos(Math.min(1, Math.max(-1, dot(up, ground.normal))));
-  // The legs damp what turns about the feet.
+  // The legs damp rotation about the feet.
   const spin = minus(ship.angularVelocity, body.angularVelocity);
   ship.angularVelocity = minus(ship.angularVelocity, scale(spin, Math.min(1, 2 * dt)));
   if (tilt >= Math.PI / 2) {
@@ -247,50 +247,4 @@ function burn(ship: LiteralShip, dt: number): Vec3 {
   const rate = (ship.controls.thrustLevel * mainEngineThrust) / (mainEngineIsp * 9.80665);
   ship.fuel = Math.max(0, ship.fuel - rate * dt);
   return thrust;
-}
-
-/** Controller and torque, I w' = τ, then the attitude. */
-function turn(
-  ship: LiteralShip,
-  body: LiteralBody,
-  { gain, massFactor }: ContactOptions,
-  { dt, torque }: { readonly dt: number; readonly torque: Vec3 },
-): void {
-  const { shipClass, attitude } = ship;
-  const [ix, iy, iz] = shipClass.inertiaTensor.map((row, k) => row[k]! * massFactor) as [
-    number,
-    number,
-    number,
-  ];
-  const toBody = (v: Vec3) => rotate(conjugate(ship.attitude), v);
-  const asked = askedTorque(ship, body, gain);
-  const outer = toBody(torque);
-  const alpha: Vec3 = [(asked[0] + outer[0]) / ix, (asked[1] + outer[1]) / iy, (asked[2] + outer[2]) / iz];
-  ship.angularVelocity = plus(ship.angularVelocity, scale(rotate(attitude, alpha), dt));
-  ship.attitude = multiply(rotationBy(scale(ship.angularVelocity, dt)), attitude);
-  const size = Math.hypot(...ship.attitude);
-  ship.attitude = ship.attitude.map((x) => x / size) as unknown as Quat;
-}
-
-/** The game's critically damped PD, N m in body axes. */
-function askedTorque(ship: LiteralShip, body: LiteralBody, gain: number): Vec3 {
-  const { controls, shipClass } = ship;
-  const most = [0, 1, 2].map((k) => shipClass.rcsTorque[k]! + shipClass.reactionWheelTorque[k]!);
-  const stick = controls.rotationInput;
-  const grounded = ship.state === 'contact' || ship.state === 'tipped';
-  if (stick.some((x) => x !== 0)) return stick.map((x, k) => x * most[k]!) as unknown as Vec3;
-  const mode = controls.attitudeMode;
-  if (mode === 'none' && !controls.attitudeHold) return [0, 0, 0];
-  const toBody = (v: Vec3) => rotate(conjugate(ship.attitude), v);
-  const w = toBody(ship.angularVelocity);
-  const omega = gain * shipClass.attitudeNaturalFrequency;
-  let error: Vec3 = [0, 0, 0];
-  if (mode === 'radial' && !grounded) {
-    const r = minus(ship.position, body.position);
-    error = cross([0, 0, 1], toBody(scale(r, 1 / length(r))));
-  }
-  return [0, 1, 2].map((k) => {
-    const wish = shipClass.inertiaTensor[k]![k]! * (omega * omega * error[k]! - 2 * omega * w[k]!);
-    return Math.max(-most[k]!, Math.min(most[k]!, wish));
-  }) as unknown as Vec3;
 }

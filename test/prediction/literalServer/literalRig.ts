@@ -82,7 +82,7 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
       difference.oneMessagePerShip === true
         ? frame.ships.map((ship) => ({ ...frame, ships: [ship] }))
         : [frame];
-    // In order: nothing overtakes on one connection.
+    // Messages keep their order on one connection.
     lastAt = Math.max(lastAt, at + Math.max(0, delay + jitter * normalNoise(late)));
     for (const part of parts) waiting.push({ frame: part, at: lastAt });
   }
@@ -122,7 +122,7 @@ function shipsOf(loaded: LoadedScenario, difference: LiteralCase) {
   return [own, { ...own, id: 'ship-2', ship: { ...loaded.ship, relativePosition: beside } }];
 }
 
-/** Where the server really had a ship at a fraction of a tick; null while it has not come there. */
+/** A ship's true position at a fraction of a tick; null if the server has not simulated it yet. */
 export function literalTruthAt(server: LiteralServer, shipId: string, ticks: number): LiteralTruth | null {
   const whole = Math.floor(ticks + 1e-9);
   const before = server.truthAt(shipId, whole);

@@ -13,16 +13,16 @@ import { type ContactOptions, type LiteralBody, type LiteralShip, updateShip } f
 import { conjugate, cross, length, minus, multiply, plus, rotate, rotationBy, scale } from './vectors';
 
 /**
- * A server written from the design alone, as the game's might be: one step a tick, no substeps, no relative fields, no events, no
- * acknowledgements, whole-tick controls; ticks at `hz` and sends every `every` ticks. What its client is told may be wrong.
+ * A server written from the design alone, as the game's may be: one step per tick, no substeps, no relative fields, no events, no
+ * acknowledgements, whole-tick controls; ticks at `hz` and sends every `every` ticks. Its client may be given wrong values.
  */
 export interface LiteralOptions extends ContactOptions {
   readonly hz: number;
   readonly every: number;
-  /** Game s per wall s; its client is told 1. */
+  /** Game s per wall s; it sends 1. */
   readonly timeScale: number;
   readonly sendsBodies: boolean;
-  /** The body's real spin over the one that is told, and whether the attitudes that are told turn with the real one. */
+  /** The body's real spin divided by the one sent, and whether the attitudes sent turn with the real one. */
   readonly spinFactor: number;
   readonly tellsAttitude: boolean;
 }
@@ -39,7 +39,7 @@ export interface LiteralWorld {
 /** A server that has run for a while. */
 export const FIRST_TICK = 1000;
 
-/** Where a ship really was at a tick. */
+/** A ship's true state at a tick. */
 export interface LiteralTruth {
   /** Relative to the body's centre, ICRF axes. */
   readonly position: Vec3;
@@ -49,9 +49,9 @@ export interface LiteralTruth {
 }
 
 export interface LiteralServer {
-  /** The frame of the tick that it stands at: what a client is sent at once. */
+  /** The frame of the present tick, sent to a client at once. */
   readonly frame: () => ServerFrame;
-  /** Ticks once; the frame, where this tick is one that is sent. */
+  /** Runs one tick. Returns the frame if this tick is sent. */
   readonly tick: () => ServerFrame | null;
   readonly control: (shipId: string, controls: Controls) => void;
   readonly truthAt: (shipId: string, tick: number) => LiteralTruth | undefined;
@@ -113,7 +113,7 @@ export function createLiteralServer(world: LiteralWorld, options: LiteralOptions
   };
 }
 
-/** The ship as it was set down, on ground that turns as it really does. */
+/** The ship's initial state, on ground that turns at the real rate. */
 function place(
   id: string,
   shipClass: ShipClass,

@@ -1,6 +1,6 @@
 import type { Quat, Vec3 } from '../../../src/dynamics';
 
-/** Vectors and rotations of the literal server: its own, so that nothing of the law it is held against is in it. */
+/** Vectors and rotations of the literal server, independent of the law that it is compared with. */
 
 export const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const length = (v: Vec3): number => Math.hypot(v[0], v[1], v[2]);
@@ -31,7 +31,7 @@ export function rotate(q: Quat, v: Vec3): Vec3 {
   return [x, y, z];
 }
 
-/** The rotation by `v` rad about its own direction. */
+/** The rotation by |v| rad about `v`. */
 export function rotationBy(v: Vec3): Quat {
   const angle = length(v);
   if (angle === 0) return [0, 0, 0, 1];

@@ -161,14 +161,14 @@ describe('the reported error', () => {
     });
     rig.fly(4.4);
     expect(rig.view().diagnosis.errorPosition).toBeLessThan(1e-6);
-    // A push of 3 m/s and 0.2 rad/s, simulated over the whole interval that was already predicted.
+    // A kick of 3 m/s and 0.2 rad/s, over the whole interval that was already predicted.
     expect(rig.authority.kick('ship-1', [3, 0, 0], [0, 0, 0.2])).toBeNull();
     rig.fly(0.8);
     const { errorPosition, errorAngle, correctionsMismatch } = rig.view().diagnosis;
     expect(correctionsMismatch).toBe(1);
     expect(errorPosition).toBeGreaterThan(2.99);
     expect(errorPosition).toBeLessThan(3.01);
-    // The spin it had turns with the ship; what was added to it stays in size.
+    // Its spin turns with the ship; the added spin keeps its size.
     expect(errorAngle).toBeGreaterThan(0.19);
     expect(errorAngle).toBeLessThan(0.21);
     rig.fly(1);

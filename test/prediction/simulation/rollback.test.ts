@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { SCENARIOS } from '../../../src/scenarios';
 import { createRig, scenarioNamed } from '../rig';
 
-/** Ticks gone back at every boundary, as in GGRS's sync test. */
+/** Ticks rolled back at every boundary, as in GGRS's sync test. */
 const BACK = 8;
 
 describe('forced rollback: save, step, go back 8 ticks, replay, compare bits', () => {

@@ -5,7 +5,7 @@ import { corrections, flyAndMeasure } from '../measure';
 import { createRig, type Rig } from '../rig';
 import { distance } from '../samples';
 
-/** Lets `change` make other frames of each. */
+/** Replaces each frame by those that `change` returns. */
 function tamperFrames(rig: Rig, change: (frame: ServerFrame) => readonly ServerMessage[]): void {
   const { tamper } = rig;
   rig.tamper = (message) =>
@@ -16,7 +16,7 @@ function withShip(frame: ServerFrame, change: (ship: ShipState) => Partial<ShipS
   return { ...frame, ships: frame.ships.map((ship) => ({ ...ship, ...change(ship) })) };
 }
 
-/** The ship moved by `metres` along its local up: a state the law would not have come to. */
+/** The ship moved by `metres` along its local up: a state that the law does not lead to. */
 function lifted(frame: ServerFrame, metres: number): ServerFrame {
   return withShip(frame, ({ relativePosition, position }) => {
     const r = relativePosition!;
@@ -129,7 +129,7 @@ describe('corrections', () => {
     });
     rig.fly(9);
     const { diagnosis } = rig.view();
-    // Of ticks 4 and 5 at once, and tick 6 brings the ship back.
+    // Frames of ticks 4 and 5 at once; tick 6 brings the ship back.
     expect(diagnosis.correctionsMismatch).toBe(3);
     expect(flyAndMeasure(rig, 3).worst).toBeLessThan(1e-6);
   });
@@ -181,7 +181,7 @@ describe('corrections', () => {
       corrected = diagnosis.correctionsMismatch;
     });
     expect(corrected).toBeGreaterThan(6);
-    // 8 % of corrections of up to 1.5 m on top of each other, and nothing of the 1.5 m themselves.
+    // 8 % of overlapping corrections of up to 1.5 m, and no jump of 1.5 m.
     expect(largest).toBeLessThan(0.08 * 2.4);
   });
 });

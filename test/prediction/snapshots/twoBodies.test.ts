@@ -5,7 +5,7 @@ import { createPredictor, type WorldView } from '../../../src/prediction';
 import type { BodyState } from '../../../src/wire';
 import { value } from '../rig';
 
-/** Two moons 4,000 km apart that pass each other, one turned by a right angle: half way a ship goes over to the other. */
+/** Two moons 4,000 km apart that pass each other, one turned by a right angle: half way a ship changes its reference body. */
 const APART = 4e6;
 const moon = { mass: 7.342e22, radius: 1_737_400 };
 const NEAR: BodyState = {
@@ -26,7 +26,7 @@ const FAR: BodyState = {
 };
 const SHIP = 'ship-1';
 
-/** A ship on its way from Near to Far, `ahead` m before the border. */
+/** A ship on its way from Near to Far, `ahead` m before it changes bodies. */
 function fly(tickRate: number, ahead: number) {
   const shipClass = SHIP_CLASSES[0]!;
   const authority = value(
@@ -62,7 +62,7 @@ function fly(tickRate: number, ahead: number) {
   return { authority, predictor, frame };
 }
 
-/** Where the ship is drawn, ICRF, from the first body on: the doubles of 1 au hold 15 µm. */
+/** The drawn position in ICRF axes, relative to the first body: doubles at 1 au are exact to 15 µm only. */
 function placeOf(view: WorldView): { place: Vec3; velocity: Vec3; at: number } {
   const own = view.own!;
   const body = view.bodies[own.body]!;
@@ -76,7 +76,7 @@ function placeOf(view: WorldView): { place: Vec3; velocity: Vec3; at: number } {
   };
 }
 
-/** How far the view jumps beyond its own motion in the largest frame of `seconds`, m, and the bodies it was on. */
+/** The largest jump of the view beyond its own motion in `seconds`, m, and its reference bodies. */
 function largestJump(frame: () => WorldView, seconds: number, until?: (view: WorldView) => void) {
   let last: ReturnType<typeof placeOf> | null = null;
   let most = 0;
@@ -113,7 +113,7 @@ describe('from one reference body to another', () => {
   it.each([1, 20])('and back, at %i Hz, with a correction on either side', (tickRate) => {
     const { authority, frame } = fly(tickRate, 800);
     const push = (x: number) => expect(authority.kick(SHIP, [x, 0.5, -0.5], [0, 0, 0])).toBeNull();
-    // A push of a metre a second at 2 s is corrected before the border, one at 4.5 s, back over it, behind it, one at 8 s again.
+    // Kicks of 1 m/s at 2, 4.5 and 8 s are corrected before the change of bodies, after it, and after changing back.
     const at = new Map([
       [2, 1],
       [4.5, -600],
@@ -127,7 +127,7 @@ describe('from one reference body to another', () => {
       }
     });
     expect(bodies).toEqual([0, 1, 0]);
-    // Another body snaps, by what 600 m/s come to in an interval and the way to the client; never by the way between the bodies.
+    // A change of bodies snaps by 600 m/s over an interval and the delay; never by the distance between the bodies.
     expect(most).toBeLessThan(600 * (1 / tickRate + 0.15));
   });
 
@@ -149,13 +149,13 @@ describe('from one reference body to another', () => {
     let kicked = false;
     const { atBorder, bodies } = largestJump(frame, 6, (view) => {
       const { place } = placeOf(view);
-      // An eighth of a second before the border: what it corrects is still fading behind it.
+      // An eighth of a second before the change: the correction is still fading after it.
       if (kicked || APART / 2 - place[0] > 40) return;
       kicked = true;
       expect(authority.kick(SHIP, [30, 0, 0], [0, 0, 0])).toBeNull();
     });
     expect(bodies).toEqual([0, 1]);
-    // 30 m/s over the tenth of a second that it was predicted without: 3 m, of which a frame takes 8 %.
+    // 30 m/s over the tenth of a second that was predicted without it: 3 m, of which one frame takes 8 %.
     expect(atBorder).toBeGreaterThan(0.1);
     // Left in the axes of the other body, which is turned by a right angle, it would be 0.6 m.
     expect(atBorder).toBeLessThan(0.35);

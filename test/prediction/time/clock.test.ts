@@ -55,7 +55,7 @@ describe('the clock', () => {
     let late = 0;
     const link = { up: () => 0.05 + late, down: () => 0.05 };
     const first = run(6, link);
-    // Pings take longer on their way up from now on, by more than any lead had reckoned with: the lead grows, the offset stays.
+    // Pings now take longer upstream, by more than the lead includes: the lead grows, the offset stays.
     late = 0.2;
     const second = run(20, link, first.clock, first.now);
     const rates = second.presents.slice(1).map((present, i) => (present - second.presents[i]!) * 60);
@@ -112,7 +112,7 @@ describe('the clock', () => {
   it('keeps valid bounds when pongs queue while the clocks drift', () => {
     const bounds = createOffsetBounds();
     const offset = (now: number) => 100 - 5e-4 * now;
-    // Nothing comes down for a minute; then every answer comes at once.
+    // Nothing arrives for a minute; then all answers arrive at once.
     for (let pinged = 0; pinged < 60; pinged += 0.2)
       boundBothSides(bounds, { pinged, answered: pinged + 0.002 - offset(pinged), now: 60 }, 0);
     expect(bounds.lower).toBeLessThanOrEqual(offset(60));
@@ -129,7 +129,7 @@ describe('the clock', () => {
       advanceClock(clock, at, PACING);
     }
     expect(Math.abs(clock.present - (stood + leadOf(clock)))).toBeLessThan(2 * SUBSTEP);
-    // It goes on, and its next tick arrives 0.3 s later.
+    // It resumes, and its next tick arrives 0.3 s later.
     sampleDown(clock, stood, now + 7.1);
     advanceClock(clock, now + 7.1, PACING);
     expect(clock.present - (stood + leadOf(clock))).toBeGreaterThanOrEqual(0.3);

@@ -1,4 +1,4 @@
-/** The edges of what timeline and ledger compare. */
+/** Edge cases of timeline and event ledger. */
 import { describe, expect, it } from 'vitest';
 import { EVENT_CONTACT } from '../../../src/dynamics';
 import { confirm, createLedger, predict } from '../../../src/prediction/events';

@@ -6,7 +6,7 @@ import { named, OWN, range } from '../faults/feed';
 const RATE = 10;
 const HOUR = 3600;
 
-/** Ten seconds of frames at RATE, then the caller's clock is set back by an hour. Returns what it reads then. */
+/** Ten seconds of frames at RATE, then the caller's clock is set back by an hour. Returns its new time. */
 function setBack(predictor: Predictor, state = 'landed'): number {
   for (const tick of range(0, 101)) {
     const surfaceContactState = tick < 95 ? 'landed' : state;

@@ -43,7 +43,7 @@ describe('the event ledger of one ship', () => {
     });
     expect(confirm(ledger, EVENT_CONTACT, at(35, 2), timeline)).toBeNull();
     expect(ledger.entries).toHaveLength(2);
-    // What the server had told of before the client came to it is no news when it does.
+    // An event that the server sent first is not reported again when the client predicts it.
     confirm(ledger, EVENT_CONTACT, at(60, 0), timeline);
     expect(predict(ledger, EVENT_CONTACT, at(60, 1), timeline, 0)).toBeNull();
   });
@@ -57,7 +57,7 @@ describe('the event ledger of one ship', () => {
     expect(retract(ledger, 4, timeline)).toBeNull();
     expect(retract(ledger, 6, timeline)).toBeNull();
     expect(retract(ledger, 7, timeline)).toMatchObject({ tick: 5, substep: 60 });
-    // Predicted anew, it is a new event.
+    // Predicted again, it is a new event.
     expect(predict(ledger, EVENT_LANDED, at(3, 41), timeline, 1)).toMatchObject({ kind: 'predicted' });
   });
 
@@ -75,7 +75,7 @@ describe('a prediction that the server contradicts', () => {
   it('CONTACT and LANDED are withdrawn by the first frame that covers them, and shown as withdrawn for 2 s', () => {
     const rig = createRig({ scenario: 'settle' });
     rig.fly(1.3);
-    // An operator lifts the ship between two frames: it will not touch where the client thinks it does.
+    // An operator lifts the ship between two frames: it does not touch where the client predicts.
     const up = rig.view().own!.serverPosition;
     const far = Math.sqrt(up.reduce((sum, x) => sum + x * x, 0));
     rig.authority.kick('ship-1', [(8 * up[0]!) / far, (8 * up[1]!) / far, (8 * up[2]!) / far], [0, 0, 0]);

@@ -8,7 +8,7 @@ const read = (pose: Pose, changes: Partial<ShipView> = {}): LandingReadout =>
   updateLandingReadout(createLandingReadout(), makeView(pose, changes));
 
 const MOON_GRAVITY = (6.6743e-11 * 7.342e22) / (1737400 + 4.56) ** 2;
-/** Where a ship at rest sinks to: g / 100. */
+/** Depth of a ship at rest: g / 100. */
 const SAG = -MOON_GRAVITY / 100;
 const AT_REST: Pose = { state: 'contact', clearance: SAG };
 
@@ -83,7 +83,7 @@ describe('the tip margin', () => {
     }
   });
 
-  /** Follows a toppling ship until the readout has an answer, then lets the law itself tip it. */
+  /** Follows a toppling ship until the readout has an answer, then lets the law tip it. */
   function predictedAndTrue(pose: Pose): { predicted: number; truth: number } {
     const out = createLandingReadout();
     const view = makeView(pose);
@@ -112,7 +112,7 @@ describe('the tip margin', () => {
     expect(out.margin.timeToTipped).toBeCloseTo(before - 0.5, 6);
   });
 
-  it('says when the attitude control holds the ship, and when it is too weak to', () => {
+  it('says whether the attitude control holds the ship or is too weak', () => {
     for (const [shipClass, outlook] of [
       ['planetary_lander', 'holds'],
       ['cargo_hauler', 'tips'],
@@ -127,7 +127,7 @@ describe('the tip margin', () => {
 });
 
 describe('on a slope', () => {
-  /** A slope of so many degrees that rises to the north, the ship square to it: it leans to the south. */
+  /** A slope in degrees that rises to the north, with the ship flush on it, leaning to the south. */
   function onSlope(degrees: number) {
     const angle = (degrees * Math.PI) / 180;
     const level = makeShip({ state: 'contact' });

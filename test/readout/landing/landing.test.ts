@@ -12,7 +12,7 @@ const LANDER = { h: 4.56, legRadius: 3.42 };
 
 describe('descent data', () => {
   it('counts descending as positive and measures against the turning ground', () => {
-    // Earth's ground moves at up to 465 m/s here: none of it may show.
+    // Earth's ground moves at up to 465 m/s here, which must not show.
     const { descent } = read({ body: 'Earth', clearance: 500, up: -12.3, east: 3, north: -4 });
     expect(descent.verticalSpeed).toBeCloseTo(12.3, 6);
     expect(descent.horizontalSpeed).toBeCloseTo(5, 6);
@@ -80,7 +80,7 @@ describe('time to impact', () => {
 
   it('includes the centrifugal effect of ground speed', () => {
     const orbital = Math.sqrt(MOON_GRAVITY * 1737400);
-    // The turning body adds 4 m/s to it or takes it off: under a hundredth of the time.
+    // The turning body adds or removes 4 m/s: less than a hundredth of the time.
     const fast = read({ clearance: 1000, up: -1, north: 0.9 * orbital }).descent;
     expect(fast.timeToImpact / fall(1000, 1, (1 - 0.81) * MOON_GRAVITY)).toBeCloseTo(1, 1);
     expect(read({ clearance: 1000, up: -1, north: 1.1 * orbital }).descent.timeToImpact).toBeNaN();
@@ -111,7 +111,7 @@ describe('tilt', () => {
     expect(read({ tilt: 20, tiltRate: 0.05, leanTo: 130 }).tilt.trend).toBe(1);
     expect(read({ tilt: 20, tiltRate: -0.05, leanTo: 130 }).tilt.trend).toBe(-1);
     expect(read({ tilt: 20, tiltRate: 0.005, leanTo: 130 }).tilt.trend).toBe(0);
-    // Turning with the planet is standing still.
+    // A ship that turns with the planet is at rest.
     expect(read({ body: 'Earth', tilt: 20 }).tilt.trend).toBe(0);
   });
 
@@ -124,7 +124,7 @@ describe('tilt', () => {
       const level = makeView({ clearance: 10, heading });
       const leaning = makeView({ clearance: 10, heading, tilt: 25, leanTo });
       const { leanX, leanY } = updateLandingReadout(createLandingReadout(), leaning).tilt;
-      // Drifting towards where it leans, seen from the ship standing upright with the same heading.
+      // The drift towards its lean, in the axes of an upright ship with the same heading.
       const azimuth = (leanTo * Math.PI) / 180;
       const drifting = makeView({
         clearance: 10,
@@ -154,7 +154,7 @@ describe('tilt', () => {
 describe('cross-pointer', () => {
   it('keeps the size and side of the drift at any tilt', () => {
     for (const tilt of [0, 20, 89, 120]) {
-      // Leaning across the drift turns the ship about the drift itself: its axes along it stay.
+      // A lean across the drift turns the ship about the drift, so its axis along the drift stays.
       const { drift } = read({ tilt, leanTo: 0, north: 7, clearance: 50 });
       expect(Math.hypot(drift.x, drift.y)).toBeCloseTo(7, 8);
       const upright = read({ tilt: 0, north: 7, clearance: 50 }).drift;
@@ -166,7 +166,7 @@ describe('cross-pointer', () => {
   it('turns with the ship’s heading', () => {
     const before = read({ north: 5, east: 2 }).drift;
     const after = read({ north: 5, east: 2, heading: 90 }).drift;
-    // The ship's X is now where its Y was.
+    // The ship's X now points where its Y did.
     expect(after.x).toBeCloseTo(before.y, 9);
     expect(after.y).toBeCloseTo(-before.x, 9);
   });

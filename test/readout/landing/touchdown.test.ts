@@ -14,7 +14,7 @@ interface Flight {
   readonly truth: Card;
 }
 
-/** Flies a scenario to its end at `hz` pictures a second, reading each. */
+/** Flies a scenario to its end at `hz` frames per second, with a readout for each. */
 function fly(
   options: RigOptions & { hz: number },
   each?: (rig: Rig, readout: LandingReadout) => void,
@@ -41,7 +41,7 @@ function expectCard({ touchdown }: LandingReadout, truth: Card): void {
   expect(touchdown.horizontalSpeed).toBeCloseTo(truth.horizontalSpeed, 8);
   expect(touchdown.settleSeconds).toBeCloseTo(truth.settleSeconds, 8);
   expect(touchdown.largestTilt).toBeCloseTo(truth.largestTilt, 5);
-  // 1 cm: the last substep's way, which the law takes the speed from as the ship comes to rest.
+  // 1 cm: the distance of the last substep, whose speed the law removes as the ship comes to rest.
   expect(Math.abs(touchdown.slideMetres - truth.slideMetres)).toBeLessThan(0.01);
 }
 
@@ -67,7 +67,7 @@ describe('the touchdown card', () => {
     });
 
   it('matches the law through late inputs and their corrections', () => {
-    // Pushes to and fro the whole way: what is late changes when, where and how fast it touches.
+    // Pushes in both directions all the way: a late input changes when, where and how fast it touches.
     const pilot = (game: number): Controls => {
       const push = game > 9 ? 0 : Math.floor(game * 3) % 2 === 1 ? 1 : -1;
       return { ...NEUTRAL_CONTROLS, translationInput: [push, push, push], attitudeHold: true };
@@ -106,7 +106,7 @@ describe('the touchdown card', () => {
       if (read.touchdown.known) seen.push(read.touchdown.verticalSpeed);
       if (kicked || now < 1.3) return;
       kicked = true;
-      // An operator lifts the ship between two frames: it touches later and harder than the client thought.
+      // An operator lifts the ship between two frames: it touches later and harder than predicted.
       const up = view().own!.serverPosition;
       const far = Math.hypot(...up);
       authority.kick(SHIP, [(3 * up[0]!) / far, (3 * up[1]!) / far, (3 * up[2]!) / far], [0, 0, 0]);

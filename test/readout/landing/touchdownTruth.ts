@@ -1,4 +1,4 @@
-/** The touchdown card made from the server's own substeps: the truth that the card is held against. */
+/** The touchdown card computed from the server's own substeps, as reference. */
 import {
   ATTITUDE,
   type BodyMotion,
@@ -26,7 +26,7 @@ export interface Card {
 
 type Row = Float64Array;
 
-/** Ship 0, state after state, with the game s between two of them. */
+/** Ship 0, state by state, with the game s between two states. */
 export interface Track {
   readonly rows: Row[];
   dt: number;
@@ -34,7 +34,7 @@ export interface Track {
   tick: number;
 }
 
-/** Takes the intervals that the server has gone through since. */
+/** Takes the intervals that the server has simulated since. */
 export function follow(track: Track, truth: Truth): void {
   for (;;) {
     const interval = truth.interval(track.tick);
@@ -46,7 +46,7 @@ export function follow(track: Track, truth: Truth): void {
   }
 }
 
-/** From the first substep that ends on the ground on; settled at the first that ends at rest. Ways are measured by places, not by speeds. */
+/** From the first substep that ends on the ground on; settled at the first that ends at rest. Distances are measured by positions, not by speeds. */
 export function cardOf({ rows, dt }: Track, body: BodyMotion): Card {
   const touch = rows.findIndex((row) => row[SURFACE_STATE] !== FLYING || row[CRASHED] === 1);
   if (touch < 1) throw new Error('no touch');
@@ -100,7 +100,7 @@ function way(before: Row, after: Row, body: BodyMotion, dt: number): number {
   );
 }
 
-/** By the chord between local up and the ship's own: good to 1e-8 at any tilt but 180°. */
+/** By the chord between local up and the ship's up: exact to 1e-8 at any tilt except 180°. */
 function tiltOf(row: Row): number {
   const [x, y, z, w] = [...row.slice(ATTITUDE, ATTITUDE + 4)] as [number, number, number, number];
   const up = [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];

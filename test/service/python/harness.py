@@ -1,4 +1,4 @@
-"""A real Redis and a real service for the tests: each on its own, killed as one kills a process."""
+"""A real Redis and a real service for the tests, as separate processes that can be killed."""
 
 import json
 import os
@@ -20,12 +20,12 @@ SERVICE_HOME = Path(__file__).resolve().parents[3] / "src" / "service"
 sys.path.insert(0, str(SERVICE_HOME))
 
 SITE = [0.6, 0.48, 0.64]
-# Seconds after which a condition that should come true has failed.
+# Seconds after which a condition counts as failed.
 PATIENCE = 30
 
 
 class RedisServer:
-    """redis-server with an append-only file in a folder of its own."""
+    """redis-server with an append-only file in its own folder."""
 
     def __init__(self, fsync: str = "always") -> None:
         self.folder = tempfile.mkdtemp(prefix="touchdown-redis-")
@@ -62,7 +62,7 @@ class RedisServer:
 
 
 class ServiceProcess:
-    """`python -m touchdown_service`, its words in a file."""
+    """`python -m touchdown_service`, with its output in a file."""
 
     def __init__(self, redis: RedisServer, *arguments: str) -> None:
         self.log = tempfile.NamedTemporaryFile(prefix="touchdown-service-", suffix=".log", delete=False)
@@ -87,7 +87,7 @@ class ServiceProcess:
 
 
 def kill(process: subprocess.Popen | None) -> None:
-    """-9: nothing is said, nothing is tidied up."""
+    """kill -9: no output, no clean-up."""
     if process is not None and process.poll() is None:
         process.kill()
         process.wait()
@@ -100,7 +100,7 @@ def free_port() -> int:
 
 
 def until(condition: Callable[[], Any], what: str, service: ServiceProcess | None = None) -> Any:
-    """What the condition comes to. Raises AssertionError when it does not come true."""
+    """The condition's value once it is true. Raises AssertionError if it does not become true."""
     deadline = time.monotonic() + PATIENCE
     while time.monotonic() < deadline:
         value = condition()
@@ -111,18 +111,18 @@ def until(condition: Callable[[], Any], what: str, service: ServiceProcess | Non
 
 
 def send(client: Redis, type: str, **data: Any) -> str:
-    """A command into the inbox; its id."""
+    """Adds a command to the inbox; returns its id."""
     return client.xadd("touchdown:inbox", {"type": type, "data": json.dumps(data)})
 
 
 def control(client: Redis, seq: int, controls: dict[str, Any], **at: Any) -> str:
-    """Controls of s1, with fields of the entry as told."""
+    """Controls of s1, with the given fields of the entry."""
     entry = {"type": "controls", "ship_id": "s1", "session": "page", "seq": seq} | at
     return client.xadd("touchdown:inbox", entry | {"controls": json.dumps(controls)})
 
 
 def lander(ship_id: str = "s1", **order: Any) -> dict[str, Any]:
-    """A lander over level ground, to be spawned."""
+    """A lander above level ground, to spawn."""
     place = {"body": "Luna", "direction": SITE, "height": 40}
     return {"ship_id": ship_id, "player_id": f"pilot of {ship_id}", "ship_class": "planetary_lander"} | place | order
 
@@ -132,7 +132,7 @@ def frames(client: Redis) -> list[dict[str, Any]]:
 
 
 def result_of(client: Redis, entry_id: str) -> dict[str, Any] | None:
-    """The result of an inbox entry, once a frame has told it."""
+    """The result of an inbox entry, once a frame reports it."""
     told = [result for frame in frames(client) for result in frame["results"] if result["id"] == entry_id]
     return told[0] if told else None
 

@@ -1,4 +1,4 @@
-"""python3 record_landing.py FILE: records three seconds of a landing, flown by hand, from a service of its own."""
+"""python3 record_landing.py FILE: records three seconds of a manually flown landing from its own service."""
 
 import subprocess
 import sys

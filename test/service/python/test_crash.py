@@ -1,4 +1,4 @@
-"""Killed in mid-bounce, the service goes on from Redis, bit for bit: no state or event is lost or told twice."""
+"""Killed in mid-bounce, the service continues from Redis, bit for bit: no state or event is lost or sent twice."""
 
 import json
 import random
@@ -43,7 +43,7 @@ def inputs(start: int) -> list[dict[str, Any]]:
 
 
 def play_here(start: int, ticks: int) -> tuple[dict[str, dict[str, str]], list[tuple]]:
-    """The same flight without a stop: the ships' hashes at the end, and all events."""
+    """The same flight without interruption: the ships' hashes at the end, and all events."""
     galaxy = make_galaxy(WORLD, [body_of_record(body, "body") for body in WORLD["bodies"]])
     galaxy.tempo.tick_rate, galaxy.tempo.time_scale = float(RATE), float(SCALE)
     changes = Changes()
@@ -78,7 +78,7 @@ class Killed(unittest.TestCase):
         return int(self.client.get("game:tick") or 0)
 
     def begin(self) -> int:
-        """All that comes in, while the world stands; returns the tick at which it goes on."""
+        """Sends all commands while the world is paused; returns the tick at which it resumes."""
         for order in SHIPS:
             send(self.client, "spawn", **order)
         start = self.tick()
@@ -89,7 +89,7 @@ class Killed(unittest.TestCase):
         return start
 
     def fly(self, start: int, kill) -> None:
-        """To the end, with kills spread over the flight; inputs more than ten seconds ahead are sent on the way."""
+        """Runs to the end, with kills spread over the flight; inputs more than ten seconds ahead are sent on the way."""
         dice = random.Random(7)
         at = [start + 20 + int((TICKS - 150) * (i + dice.random()) / KILLS) for i in range(KILLS)]
         late = inputs(start)[1:]
@@ -119,7 +119,7 @@ class Killed(unittest.TestCase):
         self.assertEqual(published, [event[:2] for event in events if not event[4]])
         for ship_id, record in records.items():
             held = self.client.hgetall(f"ship:{ship_id}")
-            # Wall time, which is not the simulation's.
+            # Wall time, which differs between runs.
             held.pop("input_margin")
             record.pop("input_margin")
             self.assertEqual(

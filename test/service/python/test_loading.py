@@ -1,4 +1,4 @@
-"""What enters is checked by name."""
+"""Invalid data is refused with the field's name."""
 
 import json
 import tempfile
@@ -24,7 +24,7 @@ WORLD = json.loads((SERVICE_HOME / "touchdown_service" / "world.json").read_text
 
 
 def case(**changes: Any) -> dict[str, Any]:
-    """A landing that loads, with values at paths like 'ship.fuel' changed; ... takes the field out."""
+    """A valid landing, with values at paths like 'ship.fuel' changed; ... removes the field."""
     body = WORLD["bodies"][0] | {"attitude": [0, 0, 0, 1]}
     data = {
         "name": "case", "tick_rate": 1, "time_scale": 1, "ticks": 1, "settings": {}, "terrain": {"name": "flat"},

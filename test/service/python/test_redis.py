@@ -1,4 +1,4 @@
-"""The service against a real Redis, read as redis-cli would read it."""
+"""The service with a real Redis, read as redis-cli reads it."""
 
 import json
 import unittest
@@ -50,7 +50,7 @@ class WithService(unittest.TestCase):
 
 class Ships(WithService):
     def test_a_landing_as_the_game_sees_it(self) -> None:
-        # Nothing of the game's own is left out, whoever reads it.
+        # All of the game's own fields are there.
         self.assertEqual(self.send("spawn", **lander(height=12, velocity=[2, 0, -12]))["reason"], "")
         self.until(lambda: self.state() == "landed", "s1 landed")
         record = self.client.hgetall("ship:s1")
@@ -117,7 +117,7 @@ class Inputs(WithService):
         at = self.tick() + 50
         control(self.client, 1, {"thrust_level": 0.5}, tick=at, substep=1, player_id="pilot of s1")
         control(self.client, 2, {"attitude_mode": "radial"}, tick=at + 2, substep=0)
-        # Told twice, it acts once.
+        # Sent twice, it acts once.
         control(self.client, 2, {"attitude_mode": "radial"}, tick=at + 2, substep=0)
         self.until(lambda: self.client.hget("ship:s1", "input_seq") == "2", "both were applied")
         told = {f["tick"]: f["ships"][0].get("last_input") for f in frames(self.client) if f["ships"]}
@@ -176,13 +176,13 @@ class Clock(WithService):
         self.until(lambda: frames(self.client)[-1]["paused"], "paused")
         stood = self.tick()
         self.assertEqual(self.client.hget("body:Luna", "tick"), str(stood))
-        # While it is paused, ships come and go; the tick stands.
+        # While paused, ships can be added and removed; the tick stays.
         self.assertTrue(self.send("spawn", **lander())["ok"])
         self.assertEqual((self.tick(), frames(self.client)[-1]["tick"]), (stood, stood))
         self.client.set("game:paused", "false")
         self.until(lambda: self.tick() > stood + 3, "it goes on")
         ticks: list[int] = []
-        # Up to a tick of after the pause: at 25 Hz there is always another message to come.
+        # Up to a tick after the pause: at 25 Hz another message always follows.
         while not ticks or ticks[-1] <= stood + 3:
             message = listener.get_message(timeout=10)
             self.assertIsNotNone(message, "tick_completed goes on")

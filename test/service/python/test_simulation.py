@@ -63,7 +63,7 @@ class Simulation(unittest.TestCase):
         self.assertGreater(len(touches), 1)
         self.assertEqual(set(touches[1:]), {True})
         self.assertEqual(galaxy.ships["s1"].surface_contact_state, "landed")
-        # It is launched, and comes down again.
+        # It launches and comes down again.
         galaxy.ships["s1"].pending = [
             Input(galaxy.tick, 0, {"thrust_level": 1.0}),
             Input(galaxy.tick + 1, 0, {"thrust_level": 0.0}),

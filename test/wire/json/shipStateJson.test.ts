@@ -12,7 +12,7 @@ import { ship } from '../arbitraries';
 import { FRAME, SHIP } from '../messages';
 import { faultsOf } from '../sound';
 
-/** As the game's socket would send SHIP: typed here by hand. */
+/** SHIP as the game's socket sends it, written by hand. */
 const JSON_SHIP = {
   ship_id: 'ship-1',
   player_id: 'player-1',
@@ -72,7 +72,7 @@ it('writes what the game’s socket sends', () => {
   expect(encodeShipStateJson(SHIP)).toEqual(JSON_SHIP);
 });
 
-it('preserves every legal ShipState through text', () => {
+it('preserves every legal ShipState through a JSON string', () => {
   fc.assert(
     fc.property(ship, (state) => {
       const text = JSON.stringify(encodeShipStateJson(state));

@@ -1,6 +1,6 @@
 /**
  * Protobuf written by hand from its encoding's description (https://protobuf.dev/programming-guides/encoding), so that
- * the codec is not its own witness.
+ * the codec is not tested by itself.
  */
 export type Bytes = readonly number[];
 
@@ -56,7 +56,7 @@ export function bytesOf(...parts: readonly Bytes[]): Uint8Array {
   return Uint8Array.from(parts.flat());
 }
 
-/** The least a ShipState needs: what a server older than the fields 29 to 35 sends of a ship. */
+/** The required fields of a ShipState: those that a server older than the fields 29 to 35 sends. */
 export function olderShip(shipId: string): Bytes {
   return [
     ...text(1, shipId),

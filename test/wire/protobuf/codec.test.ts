@@ -26,7 +26,7 @@ it('is byte for byte what `npm run proto` generates', () => {
   }
 });
 
-/** Decodes a message and prints a name from it, then whether eval was there all the while. */
+/** Decodes a message and prints a name from it, then whether eval was allowed. */
 const READS_WITHOUT_EVAL = `
   const { galaxy } = await import(process.argv[1]);
   const message = galaxy.stream.ServerMessage.decode(Buffer.from(process.argv[2], 'base64'));

@@ -30,7 +30,7 @@ const MESSAGES = [
   ['inputs', encodeClientMessage(INPUTS), decodeClientMessage],
 ] as const;
 
-/** Either refused with a reason or faultless; the decoder's own throw would fail the test. */
+/** Refused with a reason, or valid; an exception fails the test. */
 function expectChecked(decoded: Result<unknown>): void {
   if (decoded.ok) expect(faultsOf(decoded.value)).toEqual([]);
   else expect(decoded.reason).toMatch(/^[a-z_]+[a-z_.[\]\d]*: ./);
@@ -51,7 +51,7 @@ it('never throws for any bytes', () => {
     fc.property(anything, (bytes) => {
       expectChecked(decodeServerMessage(bytes));
       expectChecked(decodeClientMessage(bytes));
-      // Past the envelope, where the fields are.
+      // Behind the envelope, where the fields are.
       for (const field of [1, 2, 3])
         expectChecked(decodeServerMessage(bytesOf(delimited(field, [...bytes]))));
       expectChecked(decodeServerMessage(frameOf([...olderShip('a'), ...bytes])));

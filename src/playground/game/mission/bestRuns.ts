@@ -13,19 +13,19 @@ import {
 } from '../../../scenarios';
 import { BEST_RUN_KEY, bytesOf, textOf } from './runText';
 
-/** A run that was flown again from its inputs: what it came to and what it was worth. */
+/** A run replayed from its inputs: its outcome and its score. */
 export interface VerifiedRun {
   readonly mission: Mission;
   readonly bytes: Uint8Array;
   readonly outcome: RunOutcome;
   readonly score: Score;
-  /** As softly as the goal says. */
+  /** Whether it meets the goal. */
   readonly meetsGoal: boolean;
-  /** Whose; '' = one's own. */
+  /** Name of its pilot; '' = one's own. */
   readonly by: string;
 }
 
-/** Flies the inputs again; null where they are no run. What is kept is what a link carries: its inputs, written and read. */
+/** Replays the inputs; null if they are no run. Stored are the inputs as in a link, encoded and decoded. */
 export function verifyRun(mission: Mission, inputs: readonly RunInput[], by = ''): VerifiedRun | null {
   return verifyBytes(mission, writeRun(inputs, substepsOf(mission)), by);
 }
@@ -51,13 +51,13 @@ function substepsOf({ scenario }: Mission): number {
 }
 
 export interface BestRuns {
-  /** The best run of a mission, flown again; null without one. */
+  /** The best run of a mission, replayed; null without one. */
   readonly of: (mission: Mission) => VerifiedRun | null;
-  /** Keeps a run that is better than the best; whether it is. */
+  /** Stores a run if it is better than the best. Returns whether it is. */
   readonly keep: (run: VerifiedRun) => boolean;
 }
 
-/** One best run per mission, kept in this browser as text. */
+/** One best run per mission, stored in this browser as text. */
 export function createBestRuns(store: Storage | null): BestRuns {
   const known = new Map<string, VerifiedRun | null>();
   const of = (mission: Mission): VerifiedRun | null => {
@@ -102,7 +102,7 @@ export function raceQuery(run: VerifiedRun, by: string): string {
   return `?${query.toString()}`;
 }
 
-/** A friend's run in the page's address: verified by flying it again; a reason where it cannot be; null without one. */
+/** A friend's run in the page's address, verified by replaying it; or the reason why it cannot be; null without one. */
 export function readRace(query: URLSearchParams): VerifiedRun | string | null {
   const text = query.get('run');
   if (text === null) return null;

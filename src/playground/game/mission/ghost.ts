@@ -8,7 +8,7 @@ import { gameSeconds } from './missionTracker';
 const place = new Float64Array(3);
 const bodyAttitude = new Float64Array(4);
 
-/** Flies a verified run beside the pilot: a ship in the picture that touches nothing. */
+/** Shows a verified run beside the pilot: a ship in the picture without effect. */
 export interface GhostFlight {
   /** The view with the ghost in it; the same view without a run. */
   readonly join: (view: WorldView) => WorldView;
@@ -61,7 +61,7 @@ function ghostOf(own: ShipView, run: VerifiedRun): ShipView {
   };
 }
 
-/** Between two places of the track by a straight line; an attitude turns little in a tenth of a second. */
+/** Linear between two positions of the track; an attitude changes little in a tenth of a second. */
 function pose(ship: ShipView, view: WorldView, track: Float64Array): void {
   const body = view.bodies[view.own!.body]!;
   ship.body = view.own!.body;

@@ -15,7 +15,7 @@ import { LONGEST_LINK } from './runText';
 import { landedCard, nextAction, phaseCard, scoreCard, verdict } from './missionCards';
 import { createMissionTracker, type MissionTracker } from './missionTracker';
 
-/** Missions as a game: the goal, what a flight came to, what to do next. */
+/** Missions as a game: the goal, the result of a flight, the next step. */
 export interface MissionGame {
   readonly tracker: MissionTracker;
   readonly ghost: GhostFlight;
@@ -26,7 +26,7 @@ export interface MissionGame {
   readonly confirm: () => void;
   /** The pilot changed the device, or the keys. */
   readonly reword: () => void;
-  /** The flight is not the pilot's alone any more: it is not scored. */
+  /** The flight is no longer the pilot's alone: it is not scored. */
   readonly meddled: (how: string) => void;
   readonly onRun: (inputs: readonly RunInput[]) => void;
   /** A friend's run to race. */
@@ -48,9 +48,9 @@ export interface MissionPlace {
   readonly resetCamera: () => void;
 }
 
-/** What the game remembers of the present flight. */
+/** State of the present flight. */
 interface Flight {
-  /** Why it is not scored; '' where it is. */
+  /** Why it is not scored; '' if it is. */
   meddling: string;
   rival: VerifiedRun | null;
   actions: readonly CardAction[];
@@ -126,7 +126,7 @@ async function raceGhost(
   if (loaded !== null && tracker.mission() === mission) ghost.race(loaded.best.of(mission));
 }
 
-/** Flies the run again, keeps it if it is the best, and says what it was worth. */
+/** Replays the run, stores it if it is the best, and shows its score. */
 async function judge(
   mission: Mission,
   inputs: readonly RunInput[],
@@ -147,14 +147,14 @@ async function judge(
   }
 }
 
-/** Flown from its inputs alone: a friend who opens the link sees this very flight, and the score is computed there again. */
+/** Replayed from its inputs: a friend who opens the link sees the same flight, and the score is computed there again. */
 function share({ address, notice }: MissionPlace, query: string): void {
   if (query.length > LONGEST_LINK)
     notice.tell(`This flight makes a link of ${query.length} characters; some programs cut links that long.`);
   address.copy(query, 'Race link copied.');
 }
 
-/** A world that is not the mission's is not scored; '' where it is. */
+/** Why a changed world is not scored; '' if it is the mission's. */
 function whyUnranked({
   body,
   shipClass,

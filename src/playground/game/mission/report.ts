@@ -1,7 +1,7 @@
 import type { WorldView } from '../../../prediction';
 import type { Parts } from '../parts';
 
-/** What the page shows, for tests and screenshots: on the root element, nowhere else. */
+/** The page's state as attributes of the root element, for tests and screenshots. */
 export function createReport(root: HTMLElement, parts: Parts): (view: WorldView) => void {
   const set = (name: string, text: string) => {
     if (root.dataset[name] !== text) root.dataset[name] = text;

@@ -1,11 +1,11 @@
 import { ok, type Result, err } from '../../../dynamics';
 import { readRun, type RunInput, writeRun } from '../../../scenarios';
 
-/** Before a mission's name: where its best run is kept. */
+/** Prefix of a mission's name: the key of its best run. */
 export const BEST_RUN_KEY = 'touchdown.best.';
 
 const MAX_TEXT = 200_000;
-/** Characters of a link that mail and chat leave whole. */
+/** Length of a link that mail and chat do not break. */
 export const LONGEST_LINK = 8000;
 
 /** The bytes of a run as base64url, for a link or the store. */
@@ -15,7 +15,7 @@ export function textOf(bytes: Uint8Array): string {
   return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
 
-/** The bytes of a text; null where it is not base64url. */
+/** The bytes of a string; null if it is not base64url. */
 export function bytesOf(text: string): Uint8Array | null {
   if (!/^[\w-]*$/.test(text) || text.length > MAX_TEXT) return null;
   try {
@@ -30,7 +30,7 @@ export function writeFlight(inputs: readonly RunInput[], substeps: number): stri
   return textOf(writeRun(inputs, substeps));
 }
 
-/** The inputs of a flight's text, or why they cannot be read. */
+/** The inputs of a flight in text form, or why they cannot be read. */
 export function readFlight(text: string, substeps: number): Result<readonly RunInput[]> {
   const bytes = bytesOf(text);
   if (bytes === null) return err('not base64url');

@@ -3,9 +3,9 @@ import type * as BestRunsModule from './bestRuns';
 import type { BestRuns } from './bestRuns';
 import { BEST_RUN_KEY } from './runText';
 
-/** Flying runs again and scoring them: code that is loaded when a run has been flown, kept or sent. */
+/** Replays and scores runs: loaded when a run has been flown, stored or sent. */
 export interface Runs {
-  /** Whether a best run of a mission is kept in this browser. */
+  /** Whether a best run of a mission is stored in this browser. */
   readonly isKept: (mission: Mission) => boolean;
   readonly load: () => Promise<LoadedRuns>;
 }

@@ -8,7 +8,7 @@ import { controlName } from './flightWords';
 import type { Page } from '../pageParts';
 import type { Parts } from '../parts';
 
-/** What is printed on the key of an action, on this keyboard; '' where keys are off. */
+/** The character on the key of an action, on this keyboard; '' if keys are off. */
 export function keyCapOf(page: Page, parts: Parts): (action: Action) => string {
   const caps = new Map<Action, string>();
   let map: KeyMap | null = null;
@@ -16,7 +16,7 @@ export function keyCapOf(page: Page, parts: Parts): (action: Action) => string {
   return (action) => {
     if (!page.keys.enabled) return '';
     const current = parts.devices.layout();
-    // The displays ask for every key in every frame, and finding one goes through the whole table.
+    // Cached: the displays look up every key in every frame, and a look-up searches the whole table.
     if (map !== page.keys.map || layout !== current) caps.clear();
     map = page.keys.map;
     layout = current;
@@ -37,7 +37,7 @@ const TURN_WORDS = {
 
 const SHIP_AXES = Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
-/** The displays, naming what the pilot uses: keys as printed, gamepad, or thumb sticks. */
+/** The names of the pilot's device: keys as printed, gamepad, or thumb sticks. */
 export function wireCockpit(page: Page, parts: Parts): Cockpit {
   const { stick, autopilot } = parts.live.hands;
   const screen = new Float64Array(9);

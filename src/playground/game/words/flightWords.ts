@@ -1,7 +1,7 @@
 import type { Mission } from '../../../scenarios';
 import type { Action } from '../../input/keyTable';
 
-/** What the pilot flies with: hints name it. */
+/** The pilot's device, which hints name. */
 export type Device = 'keys' | 'gamepad' | 'thumbs';
 
 /** What each control is called on a device without keys; keys are named by what is printed on them. */
@@ -45,7 +45,7 @@ const THUMBS: Partial<Record<Action, string>> = {
   translateXPlus: 'Push right',
 };
 
-/** What to press for an action on a device; '' where it has nothing for it. */
+/** What to press for an action on a device; '' if it has no control for it. */
 export function controlName(device: Device, action: Action, keyCap: (action: Action) => string): string {
   if (device === 'keys') return keyCap(action);
   return (device === 'gamepad' ? GAMEPAD : THUMBS)[action] ?? '';

@@ -1,7 +1,7 @@
 import type { WorldView } from '../../../prediction';
 import type { LandingReadout } from '../../../readout';
 
-/** The picture in words, for those who do not see it. Updated every two seconds, never announced. */
+/** A text description of the picture for screen readers. Updated every two seconds, never announced. */
 export interface Twin {
   readonly tell: (view: WorldView, readout: LandingReadout, now: number) => void;
 }

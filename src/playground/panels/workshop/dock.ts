@@ -10,10 +10,10 @@ import {
 } from '../../recording/recordingPanel';
 import { createSamples } from '../../game/samples';
 
-/** What stands along the bottom: frames by fate, figures, plots, recording. */
+/** The dock along the bottom: frames by class, figures, plots, recording. */
 export interface Dock {
   readonly recording: RecordingPanel;
-  /** Once a frame; paints ten times a second. */
+  /** Called once per frame; paints ten times per second. */
   readonly follow: (view: WorldView, now: number) => void;
   readonly clear: () => void;
 }

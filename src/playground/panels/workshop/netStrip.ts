@@ -44,7 +44,7 @@ export function createNetStrip(host: Element): NetStrip {
   const counts = append(legend, 'span');
   const corrections = append(legend, 'span');
   const context = canvas.getContext('2d');
-  // Told of its size, and not asking for it: to ask in a frame is to have the page laid out at once.
+  // Its size is observed, not queried: a query within a frame would force a layout.
   new ResizeObserver(() => {
     canvas.width = canvas.clientWidth;
     canvas.height = canvas.clientHeight;

@@ -31,7 +31,7 @@ const DASHES = [[], [6, 3], [2, 3]] as const;
 
 type Setter = (samples: Samples) => void;
 
-/** Paints the plots; fetches the plotting code when it is first asked to. */
+/** Paints the plots; the first call loads the plotting code. */
 export function createPlots(host: Element): (samples: Samples) => void {
   const holder = append(host, 'div', 'plots');
   let plots: readonly Setter[] = [];
@@ -108,7 +108,7 @@ function tickText(value: number): string {
     : value.toExponential(0);
 }
 
-/** What is not known is a gap in the line. */
+/** Unknown values are gaps in the line. */
 function orGap(value: number): number | null {
   return Number.isFinite(value) ? value : null;
 }

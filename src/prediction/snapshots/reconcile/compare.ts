@@ -1,7 +1,6 @@
 import {
   ANGULAR_VELOCITY,
   ATTITUDE,
-  ATTITUDE_HOLD,
   BODY_ATTITUDE,
   BODY_POSITION,
   BODY_STRIDE,
@@ -11,10 +10,8 @@ import {
   POSITION,
   REFERENCE_BODY,
   SHIP_CLASS,
-  SHIP_STRIDE,
   SURFACE_STATE,
   SURFACE_STATES,
-  THRUST_LEVEL,
   VELOCITY,
   WHEEL_MOMENTUM,
 } from '../../../dynamics';
@@ -63,8 +60,6 @@ const ATTITUDE_TOLERANCE = 1e-7;
 const FUEL_TOLERANCE = 1e-6;
 /** N m s, likewise. */
 const WHEEL_TOLERANCE = 1e-4;
-/** A server may send controls in single precision. */
-const COMMAND_TOLERANCE = 1e-6;
 
 /** The tolerance for a server that sends the relative state. */
 export const EXACT: Tolerance = Float64Array.of(1e-6, 1e-6, 1e-6);
@@ -133,15 +128,6 @@ export function writeError(out: PredictionError, server: Place, predicted: Place
 }
 
 const turn = quaternion();
-
-/** Whether two rows hold the same command. */
-export function sameCommand(a: Float64Array, i: number, b: Float64Array, j: number): boolean {
-  for (let k = THRUST_LEVEL; k < SHIP_STRIDE; k++) {
-    const tolerance = k === ATTITUDE_HOLD ? 0 : COMMAND_TOLERANCE;
-    if (!(Math.abs(a[i + k]! - b[j + k]!) <= tolerance)) return false;
-  }
-  return true;
-}
 
 /** The field in words, with both values, in the body's axes where it is a vector. */
 export function describeDifference(field: Field, server: Place, predicted: Place): string {

@@ -15,8 +15,9 @@ import type { Simulation } from '../../simulation/simulation';
 import { copyRow, type Track } from '../../simulation/track';
 import { spanOf } from '../../time/timeline';
 import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
+import { sameCommand } from '../../inputs/command';
 import { weighBounce } from './bounceFit';
-import { type Place, sameCommand } from './compare';
+import type { Place } from './compare';
 import { type Judged, WINDOW } from './lawErrors';
 
 /** States needed for a decision. */

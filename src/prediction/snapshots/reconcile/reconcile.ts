@@ -18,11 +18,11 @@ import {
   type Field,
   firstDifference,
   type Place,
-  sameCommand,
   type Tolerance,
   writeError,
   writeInexact,
 } from './compare';
+import { sameCommand } from '../../inputs/command';
 import { recalledImpact, recallWheels } from './recall';
 import { has, offsetOf } from '../../simulation/history';
 import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from '../../simulation/sleep';

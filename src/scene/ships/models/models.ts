@@ -4,7 +4,7 @@ import { buildHauler } from './hauler';
 import { buildLander } from './lander';
 import type { ShipModel, Stance } from '../shipModel';
 
-/** The model of a class; classes we have no model for are drawn as landers of their own height and stance. */
+/** The model of a class; classes without a model are drawn as landers of their height and leg radius. */
 export function buildShip(shipClass: ShipClass): ShipModel {
   const stance: Stance = { h: shipClass.groundContactOffset, legRadius: shipClass.legRadius };
   if (shipClass.name === 'fast_frigate') return buildFrigate(stance);

@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, Euler, Matrix4, Quaternion, Vector3 } from 'three';
 import { coarsen, type Coarseness } from '../../ground/coarsen';
 
-/** What a part of a ship is made of. */
+/** The material of a part of a ship. */
 export interface Finish {
   /** Linear RGB. */
   readonly colour: readonly [number, number, number];
@@ -46,13 +46,13 @@ export interface Flex {
   readonly high: number;
 }
 
-/** A model's geometries: whole, and with ever less detail for ships farther off. */
+/** A model's geometries: full, and with decreasing detail for distant ships. */
 export interface ShipGeometries {
   readonly geometry: BufferGeometry;
   readonly coarser: readonly BufferGeometry[];
 }
 
-/** Collects parts and makes one geometry of them: a ship is one draw call and not a hundred. */
+/** Collects parts into one geometry: a ship is one draw call instead of a hundred. */
 export interface Parts {
   /** Adds a geometry whose axis is z. */
   add(geometry: BufferGeometry, finish: Finish, placement: Placement): void;

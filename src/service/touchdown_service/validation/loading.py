@@ -53,7 +53,7 @@ CLASS_SCALARS = {
 CLASS_VECTORS = {"rcs_thrust": FORCE, "rcs_torque": TORQUE, "reaction_wheel_torque": TORQUE}
 CLASS_FIELDS = frozenset(f.name for f in fields(ShipClass) if f.init)
 # Determinant over the cube of the mean moment: thinner tensors spin up without bound on their side (DYNAMICS, Ranges).
-LEAST_ROUNDNESS = 1e-6
+MIN_ROUNDNESS = 1e-6
 
 
 def load_ship_class(data: Any, path: str = "ship_class") -> ShipClass:
@@ -105,8 +105,8 @@ def load_tensor(value: Any, path: str) -> list[list[float]]:
     )
     if not (a[0] * b[1] - a[1] * b[0] > 0 and determinant > 0):
         raise Refusal(f"{path}: expected a positive definite tensor")
-    if not determinant / (mean * mean * mean) >= LEAST_ROUNDNESS:
-        raise Refusal(f"{path}: expected a determinant of at least {LEAST_ROUNDNESS:g} of its mean moment cubed")
+    if not determinant / (mean * mean * mean) >= MIN_ROUNDNESS:
+        raise Refusal(f"{path}: expected a determinant of at least {MIN_ROUNDNESS:g} of its mean moment cubed")
     return rows
 
 

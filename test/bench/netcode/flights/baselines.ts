@@ -4,13 +4,13 @@ import type { ServerFrame, ShipState } from '../../../../src/wire';
 import { distance, type Sample } from '../../../prediction/samples';
 
 /**
- * What a client without prediction draws, on the same frames and for the same instants: the last state held; today's gravity-only
- * extrapolation, whose jump at a new state is blended away; snapshots interpolated one tick behind, so that two are always there.
+ * Drawing without prediction, from the same frames and for the same instants: the last state held; the current client's gravity-only
+ * extrapolation, whose jump at a new state is blended; snapshots interpolated one tick behind, so that two are always available.
  */
 export interface Baselines {
   readonly receive: (frame: ServerFrame, now: number) => void;
   readonly draw: (view: WorldView, now: number) => void;
-  /** How far each had a ship from the truth at a sample's frame, m; null where one of them knew too little. */
+  /** Error of each at a sample's frame, m; null if one of them has too few states. */
   readonly errors: (sample: Sample, truth: readonly number[]) => Drawn | null;
 }
 
@@ -32,7 +32,7 @@ interface Known {
   readonly velocity: readonly number[];
 }
 
-/** s in which the blend leaves 5 %, as today's client has it. */
+/** s after which the blend leaves 5 %, as in the current client. */
 const BLEND = 0.5;
 const BLEND_RATE = 3 / BLEND;
 
@@ -102,7 +102,7 @@ function knownOf(ship: ShipState, tick: number): Known {
   return { tick, position: ship.relativePosition!, velocity: ship.relativeVelocity! };
 }
 
-/** Between the two snapshots around `tick`, or the newest where it is past them. */
+/** Interpolates between the two snapshots around `tick`, or holds the newest. */
 function interpolated(kept: readonly Known[], tick: number): readonly number[] | null {
   for (let i = kept.length - 1; i > 0; i--) {
     const [a, b] = [kept[i - 1]!, kept[i]!];

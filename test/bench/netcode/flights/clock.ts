@@ -7,7 +7,7 @@ const TARGETS = [
   ['fourG', 10],
 ] as const;
 
-/** The label of the present, less its lead, against true server time, after 5 s. */
+/** The label of the present, minus its lead, relative to true server time, after 5 s. */
 export function* clockFigures(): Generator<Figure> {
   for (const [preset, target] of TARGETS) {
     const errors: number[] = [];

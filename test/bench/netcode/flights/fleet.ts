@@ -3,12 +3,12 @@ import { type Figure, spread } from '../figure';
 import { flyMeasured } from './flights';
 import { flyOthers } from './pilots';
 
-/** A ship slower than this over the ground is not moving, m/s. */
+/** A slower ship counts as at rest, m/s over the ground. */
 const MOVING = 0.5;
 const OTHERS = 12;
 const SECONDS = 42;
 
-/** Other players' ships, drawn by this client and by what it replaces, each against the server's truth at the same instant. */
+/** Other players' ships, drawn by this client and by the methods it replaces, relative to the true state at the same instant. */
 export function* fleetFigures(): Generator<Figure> {
   const errors = {
     predicted: [] as number[],

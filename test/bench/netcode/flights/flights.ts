@@ -9,12 +9,12 @@ import {
   truthAt,
 } from '../../../prediction/samples';
 
-/** What one flight came to, measured against every substep of the server. */
+/** The result of one flight, measured at every substep of the server. */
 export interface Flight {
   readonly rig: Rig;
-  /** One a ship and frame, in the order of time. */
+  /** One per ship and frame, in order of time. */
   readonly measures: readonly Measure[];
-  /** Label less lead against true server time, s, absolute, after the first 5 s. */
+  /** Label minus lead relative to true server time, absolute, s, after the first 5 s. */
   readonly clock: number[];
 }
 
@@ -24,12 +24,12 @@ export interface Measure {
   /** |drawn − server| at the label, m and rad. */
   readonly drawn: number;
   readonly drawnAngle: number;
-  /** The same of the prediction, without the offset. */
+  /** The same for the prediction, without the offset. */
   readonly predicted: number;
   readonly predictedAngle: number;
 }
 
-/** Flies and measures. Truth comes a tick after what was drawn, so the last second of a flight is not measured. */
+/** Flies and measures. The true state is known a tick after drawing, so the last second of a flight is not measured. */
 export function flyMeasured(
   options: RigOptions,
   seconds: number,
@@ -69,13 +69,13 @@ function measure(sample: Sample, rig: Rig): Measure | null {
   };
 }
 
-/** Label of the present less its lead, as seconds of server wall time, against the wall: server and client share one here. */
+/** Label of the present minus its lead, server wall s, relative to the wall clock, which server and client share here. */
 function clockError(view: WorldView, rig: Rig): number {
   const { tick, sinceTick, tickRate, timeScale, diagnosis } = view;
   return tick / tickRate + sinceTick / timeScale - diagnosis.lead - rig.now;
 }
 
-/** All corrections of a client, of whatever kind. */
+/** All corrections of a client. */
 export function correctionsOf({ rig }: Flight): number {
   const { correctionsLateInput, correctionsLostInput, correctionsOtherPilot, correctionsMismatch } =
     rig.view().diagnosis;

@@ -8,7 +8,7 @@ import { createRandom } from '../../../../src/scenarios';
 const COASTING = ['settle', 'bounce', 'slide', 'topple', 'crash'];
 const FLOWN = ['right-itself', 'launch', 'opening'];
 
-/** Drawn against the server's truth at the (tick, substep) that the client says it draws. */
+/** Drawn state relative to the server's true state at the (tick, substep) of the view's label. */
 export function* lawFigures(): Generator<Figure> {
   yield* coasting();
   yield* ownInTime();
@@ -125,7 +125,7 @@ function* gamesOwnServer(): Generator<Figure> {
   yield count('the game’s own server, coasting: states it never had', flights.reduce(sumWrong, 0), 0);
 }
 
-/** A minute of a pilot's own over the Moon; `lateShare` of the inputs are held back until the server has simulated their substep. */
+/** A minute of an active pilot over the Moon; `lateShare` of the inputs are held until the server has simulated their substep. */
 export function flyPilot(
   seed: number,
   lateShare: number | undefined,

@@ -2,7 +2,7 @@ import { type Controls, NEUTRAL_CONTROLS } from '../../../../src/dynamics';
 import { createRandom, type Random } from '../../../../src/scenarios';
 import type { Rig } from '../../../prediction/rig';
 
-/** A pilot who changes one control at exponential times of mean 2 s: thrust around hovering on the Moon, thrusters, attitude. */
+/** A pilot who changes one control after exponential intervals of mean 2 s: thrust around hovering on the Moon, thrusters, attitude. */
 export interface SeededPilot {
   readonly at: (now: number) => Controls;
   /** Wall s of the next change. */
@@ -30,7 +30,7 @@ export function createSeededPilot(seed: number): SeededPilot {
   };
 }
 
-/** Exponential, by the inverse of its distribution; the logarithm as a sum of ln 2s and a series, for engines differ in theirs. */
+/** Exponential, by inverse transform; the logarithm is a sum of ln 2s and a series, since engines differ in theirs. */
 function interval(rng: Random): number {
   let u = 1 - rng();
   let log = 0;
@@ -56,7 +56,7 @@ function changed(controls: Controls, rng: Random): Controls {
   return { ...controls, rotationInput: [0.03 * stick(), 0.03 * stick(), 0.03 * stick()] };
 }
 
-/** Other players at the same server, whose inputs reach it in time: each change is stamped with the substep it was made in. */
+/** Other players on the same server, whose inputs arrive in time: each change is stamped with its substep. */
 export function flyOthers(rig: Rig, count: number, seed: number): (rig: Rig) => void {
   const pilots = Array.from({ length: count }, (_, i) => ({
     playerId: `player-${i + 1}`,

@@ -5,9 +5,9 @@ import { flyOthers } from './pilots';
 import { angleBetween } from '../../../prediction/samples';
 
 /**
- * The largest frame-to-frame change of what is drawn beyond the truth's own motion, at 60 Hz: of the correction being eased, or
- * absolute where that is less. A prediction that is wrong and not corrected yet moves apart from the truth whatever is drawn of it,
- * so a change counts where the prediction at its end is right: at the correction's own frame, and all through the easing.
+ * The largest frame-to-frame change of the view beyond the true motion, at 60 Hz: relative to the correction being eased, or
+ * absolute if that is less. A wrong prediction that is not corrected yet diverges from the truth however it is drawn,
+ * so a change counts if the prediction at its end is right: at the correction's frame, and during the easing.
  */
 export function* smoothnessFigures(): Generator<Figure> {
   const flights: Flight[] = [];
@@ -85,7 +85,7 @@ function changesOf({ measures }: Flight): Change[] {
     if (before === undefined || Math.max(measure.predicted, measure.predictedAngle) > RIGHT) continue;
     changes.push({
       metres: errorChange(before.measure, measure),
-      // An aligned touchdown uprights the truth at once and the drawn ship smoothly: what counts is what is seen to turn.
+      // An aligned touchdown turns the true ship upright at once and the drawn ship smoothly: the visible rotation counts.
       radians: Math.min(
         Math.abs(measure.drawnAngle - before.measure.drawnAngle),
         angleBetween(measure.sample.attitude, before.measure.sample.attitude),

@@ -5,7 +5,7 @@ import { flyPilot } from './law';
 
 const SCENARIOS = ['opening', 'settle', 'bounce', 'slide', 'topple', 'right-itself', 'launch', 'crash'];
 
-/** Predicted events against the server's own, and what the corrections cost. */
+/** Predicted events compared with the server's, and the number of corrections. */
 export function* stateFigures(): Generator<Figure> {
   const known = SCENARIOS.map((scenario) => flyMeasured({ scenario }, 28));
   const off = known.flatMap(timeErrors);
@@ -47,7 +47,7 @@ export function* stateFigures(): Generator<Figure> {
   yield stickToScreen();
 }
 
-/** Substeps between a predicted event's birth and the server's own. */
+/** Substeps between a predicted event and the server's. */
 function timeErrors({ rig }: Flight): number[] {
   const { substeps } = rig.authority.tempo.timing();
   const at = (event: { tick: number; substep: number | null }) => event.tick * substeps + event.substep!;
@@ -57,7 +57,7 @@ function timeErrors({ rig }: Flight): number[] {
   });
 }
 
-/** Predicted events that a frame covered, birth + 50 substeps, and nothing answered. */
+/** Predicted events that a frame has covered with 50 substeps to spare, but that were neither confirmed nor retracted. */
 function openPredictions({ rig }: Flight): EventNotice[] {
   const { substeps } = rig.authority.tempo.timing();
   const newest = (rig.authority.tickNumber() - 1) * substeps;
@@ -68,7 +68,7 @@ function openPredictions({ rig }: Flight): EventNotice[] {
   return covered.slice(Math.min(covered.length, answered));
 }
 
-/** Wall time from the frame in which a stick moved to the first frame whose drawn pose differs from the pose of a run with an idle stick. */
+/** Wall time from the frame of a stick's movement to the first frame whose drawn pose differs from a run with an idle stick. */
 function stickToScreen(): Figure {
   const delays: number[] = [];
   for (let i = 0; i < 20; i++) {

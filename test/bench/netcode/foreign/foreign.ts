@@ -15,7 +15,7 @@ import { distance } from '../../../prediction/samples';
 import { createForeignBaselines } from './foreignBaselines';
 import { type Figure, spread } from '../figure';
 
-/** Ticks and sends a second. */
+/** Ticks and sends per second. */
 export const RATES: readonly (readonly [number, number])[] = [
   [50, 10],
   [50, 1],
@@ -26,7 +26,7 @@ const SECONDS = 24;
 /** Frames after which game time per tick is measured. */
 const TIME_KNOWN = 4;
 
-/** What one way of drawing came to over the flights of a case. */
+/** The result of one method over the flights of a case. */
 export interface Drawn {
   readonly errors: number[];
   /** Errors from the third state of a contact on. */
@@ -63,11 +63,11 @@ interface Sample {
 export interface Placed {
   readonly position: Vec3;
   readonly state: string;
-  /** m below the client's ground, of the feet of what is drawn. */
+  /** Depth of the drawn feet below the client's ground, m. */
   readonly underground: number;
 }
 
-/** One flight, measured against the server's own ticks at the fraction of a tick that the view is of. */
+/** One flight, measured relative to the server's ticks at the view's fraction of a tick. */
 export function flyForeign(flight: LiteralFlight, result: CaseResult): void {
   const rig = createLiteralRig(flight);
   const baselines = createForeignBaselines(rig, GRAVITATIONAL_CONSTANT);
@@ -83,7 +83,7 @@ export function flyForeign(flight: LiteralFlight, result: CaseResult): void {
       if (frame.ships[0]?.shipId === SHIP && isSettling(frame.ships[0], flight.difference))
         contactTicks.push(frame.tick);
     });
-    // How fast time runs is told by no frame, and known from the third on.
+    // No frame has the time scale; it is known from the third on.
     if (!view.ready || view.own === null || (stretch !== 1 && heard < TIME_KNOWN)) continue;
     const ticks = view.tick + view.sinceTick * (view.tickRate / view.timeScale);
     const own = placedOf(view.own, view, rig);
@@ -170,6 +170,6 @@ export function* foreignFigures(): Generator<Figure> {
   }
 }
 
-/** m; below this nobody sees a difference. */
+/** m; smaller differences are invisible. */
 const SLACK = 0.01;
 const round = (x: number): string => String(Number(x.toPrecision(3)));

@@ -6,7 +6,7 @@ import { length, minus, plus, scale } from '../../../prediction/literalServer/ve
 import { SHIP } from '../../../prediction/rig';
 import type { Placed } from './foreign';
 
-/** What a client without prediction draws of the same frames: gravity-only extrapolation with blending, and interpolation one send behind. */
+/** Drawing the same frames without prediction: gravity-only extrapolation with blending, and interpolation one send behind. */
 export interface Carried {
   readonly receive: (frame: ServerFrame, now: number) => void;
   readonly draw: (ticks: number, now: number) => { gravity: Placed | null; behind: Placed | null };
@@ -19,7 +19,7 @@ interface Known {
   readonly state: string;
 }
 
-/** s in which the blend leaves 5 %, as today's client has it. */
+/** s after which the blend leaves 5 %, as in the current client. */
 const BLEND_RATE = 3 / 0.5;
 
 export function createForeignBaselines({ loaded, terrainHeight }: LiteralRig, G: number): Carried {
@@ -30,7 +30,7 @@ export function createForeignBaselines({ loaded, terrainHeight }: LiteralRig, G:
   let offsetAt = 0;
   let last: Vec3 | null = null;
   let rate = 50;
-  // Relative to where the body is by its velocity: bodies may not be sent.
+  // Relative to the body extrapolated by its velocity: bodies may not be sent.
   const bodyAt = (tick: number): Vec3 =>
     plus(body.position, scale(body.velocity, (tick - FIRST_TICK) / rate));
 

@@ -6,7 +6,7 @@ import type { Mission } from '../../../../src/scenarios';
 /** Largest descent speed, m/s, and the speed of the last metres. */
 const FAST = 12;
 const TOUCH = 0.8;
-/** m: lower than this only over the pad. */
+/** m: descends below this only over the pad. */
 const CLEARANCE = 18;
 /** m/s along the ground above which the main engine brakes. */
 const DRIFTING = 8;
@@ -33,7 +33,7 @@ function toShip([x, y, z, w]: readonly [number, number, number, number], v: Vec3
   ];
 }
 
-/** What a pilot sees of the flight, m and m/s over the ground. */
+/** The flight as a pilot sees it, m and m/s over the ground. */
 interface Seen {
   readonly up: Vec3;
   readonly height: number;
@@ -66,8 +66,8 @@ function look(view: WorldView, target: Target): Seen {
 }
 
 /**
- * Flies a mission from what the displays show: over the pad by thrusters (by the main engine, against its way, when it is fast), then
- * straight down; it takes off again from a pad that is not the last. Controls lie on the page's grid.
+ * Flies a mission by the displays: over the pad by thrusters (by the main engine, against its motion, when fast), then
+ * straight down; takes off again from all pads but the last. Controls are on the page's grid.
  */
 export function pilot(view: WorldView, target: Target, mission: Mission): Controls {
   const own = view.own;

@@ -52,7 +52,7 @@ function fly(mission: Mission, limit: number) {
   return { phase: tracker.phase(), phases, inputs: session.applied(), off: tracker.off() };
 }
 
-/** Every score is the sum of its lines, each with its rule, and a link carries the very flight. */
+/** Every score is the sum of its lines, each with its rule, and a link carries the same flight. */
 function expectProof(mission: Mission, inputs: readonly RunInput[], off: number): void {
   const run = verifyRun(mission, inputs)!;
   expect(run.outcome).toMatchObject({ outcome: 'landed', padsReached: mission.pads.length });

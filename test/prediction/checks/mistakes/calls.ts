@@ -1,4 +1,4 @@
-/** Calls, times and controls: what was done, the expected code, and a part of the expected message. */
+/** Mistakes in calls, times and controls: the mistake, the expected code, and a part of the expected message. */
 import { NEUTRAL_CONTROLS } from '../../../../src/dynamics';
 import { type Mistake, flown, frame, played, received, ship, ticks, warningsOf } from './given';
 
@@ -128,7 +128,7 @@ export const CALLS: readonly Mistake[] = [
     () => flown({ ...NEUTRAL_CONTROLS, rotationInput: new Float32Array(3) }),
   ],
   [
-    'a text for the throttle',
+    'a string for the throttle',
     'controls-ignored',
     /thrustLevel/,
     () => flown({ ...NEUTRAL_CONTROLS, thrustLevel: '1' }),
@@ -228,7 +228,7 @@ export const CALLS: readonly Mistake[] = [
       }),
   ],
   [
-    'a frame loop that goes on after dispose',
+    'a frame loop that continues after dispose',
     'disposed',
     /advance.*stop the frame loop/,
     () =>
@@ -239,7 +239,7 @@ export const CALLS: readonly Mistake[] = [
       }),
   ],
   [
-    'restore of a text',
+    'restore of a string',
     'restore-refused',
     /JSON\.parse/,
     () => warningsOf((p) => p.restore('{"version":1}', 0)),

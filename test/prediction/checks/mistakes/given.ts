@@ -6,7 +6,7 @@ import type { Hello, ServerFrame, ShipState } from '../../../../src/wire';
 export const LUNA = BODIES.find(({ name }) => name === 'Luna')!;
 export const HEIGHT = LUNA.radius + 4.56;
 
-/** A ship that has landed on the Moon's pole side, upright along +X. */
+/** A ship landed on the Moon, upright along +X. */
 export const ship: ShipState = {
   ...{ shipId: 'a', playerId: 'p', name: 'A', shipClass: 'planetary_lander' },
   position: [LUNA.position[0] + HEIGHT, LUNA.position[1], LUNA.position[2]],
@@ -45,7 +45,7 @@ export const withBody = (changes: object): ServerFrame => ({
 });
 export const thousandth = (v: readonly number[]) => v.map((x) => x / 1000);
 
-/** What was done, the expected code, a part of the expected message, and a function that does it. */
+/** A mistake, the expected code, a part of the expected message, and a function that makes it. */
 export type Mistake = readonly [what: string, code: string, help: RegExp, run: () => Warning[]];
 
 export interface Warning {
@@ -54,7 +54,7 @@ export interface Warning {
   readonly details: Readonly<Record<string, unknown>>;
 }
 
-/** The warnings that a predictor gives while `use` works with it. */
+/** The warnings of a predictor while `use` runs. */
 export function warningsOf(use: (predictor: Predictor) => void, options: object = {}): Warning[] {
   const found: Warning[] = [];
   const predictor = createPredictor({

@@ -1,11 +1,11 @@
-/** Messages of the server: what was done, the expected code, and a part of the expected message. */
+/** Mistakes in messages: the mistake, the expected code, and a part of the expected message. */
 import { DEFAULT_SETTINGS, NEUTRAL_CONTROLS } from '../../../../src/dynamics';
 import type { ServerFrame } from '../../../../src/wire';
 import { type Mistake, frame, hello, received, ship, ticks, warningsOf } from './given';
 
 export const MESSAGES: readonly Mistake[] = [
   ['bytes', 'message-not-decoded', /decode/, () => received(new Uint8Array(3))],
-  ['a text', 'message-not-decoded', /decode/, () => received('{"tick":1}')],
+  ['a string', 'message-not-decoded', /decode/, () => received('{"tick":1}')],
   ['a Result', 'message-in-result', /\.value/, () => received({ ok: true, value: frame })],
   ['kind misspelt', 'message-kind', /mean frame/, () => received({ ...frame, kind: 'Frame' })],
   ['kind missing', 'message-kind', /hello, frame or pong/, () => received({ ...frame, kind: undefined })],
@@ -68,7 +68,7 @@ export const MESSAGES: readonly Mistake[] = [
     /performance\.now\(\) \/ 1000/,
     () => warningsOf((p) => p.receive(frame, undefined as unknown as number)),
   ],
-  ['tick as a text', 'message-refused', /frame\.tick.*"?42/, () => received({ ...frame, tick: '42' })],
+  ['tick as a string', 'message-refused', /frame\.tick.*"?42/, () => received({ ...frame, tick: '42' })],
   ['no tick', 'message-refused', /frame\.tick.*undefined/, () => received({ ...frame, tick: undefined })],
   ['a tick with a fraction', 'message-refused', /frame\.tick.*1\.5/, () => received({ ...frame, tick: 1.5 })],
   ['tickRate 0', 'message-refused', /tickRate|tick_rate/, () => received({ ...frame, tickRate: 0 })],

@@ -1,4 +1,4 @@
-/** Options, settings and terrains: what was done, the expected code, and a part of the expected message. */
+/** Mistakes in options, settings and terrains: the mistake, the expected code, and a part of the expected message. */
 import { SHIP_CLASSES } from '../../../../src/dynamics';
 import { type Mistake, frames, ground, hello, LUNA, made, warningsOf } from './given';
 
@@ -101,7 +101,7 @@ export const OPTIONS: readonly Mistake[] = [
     () => frames(ground(() => undefined)),
   ],
   ['a terrain that returns NaN', 'terrain-unusable', /NaN.*metres/, () => frames(ground(() => NaN))],
-  ['a terrain that returns a text', 'terrain-unusable', /"3".*metres/, () => frames(ground(() => '3'))],
+  ['a terrain that returns a string', 'terrain-unusable', /"3".*metres/, () => frames(ground(() => '3'))],
   [
     'a terrain that returns a promise',
     'terrain-unusable',

@@ -1,4 +1,4 @@
-/** Ships and bodies in a frame: what was done, the expected code, and a part of the expected message. */
+/** Mistakes in ships and bodies of a frame: the mistake, the expected code, and a part of the expected message. */
 import { expect } from 'vitest';
 import { decodeFrameJson } from '../../../../src/wire';
 import { type Mistake, frame, HEIGHT, LUNA, received, ship, thousandth, withBody, withShip } from './given';
@@ -125,7 +125,7 @@ export const SHIPS: readonly Mistake[] = [
     () => received(withShip({ position: new Float32Array(3) })),
   ],
   [
-    'texts for numbers',
+    'strings for numbers',
     'ship-unusable',
     /position.*"1"/,
     () => received(withShip({ position: ['1', '2', '3'] })),

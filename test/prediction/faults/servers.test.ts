@@ -105,6 +105,19 @@ describe('a server whose time starts again', () => {
     expect(predictor.view(10).diagnosis.framesDuplicate).toBe(0);
   });
 
+  it('keeps a ship that one send of a slow server leaves out, and removes it after three', () => {
+    const predictor = createPredictor(OWN);
+    const shown = (ticks: readonly number[], ships: readonly string[]) => {
+      feed(predictor, ticks, 1, ticks[0]!, { ships: ships.map((id) => named(id)) });
+      return predictor.view(ticks.at(-1)!).ships.length;
+    };
+    expect(shown(range(0, 6), ['ship-1', 'ship-2'])).toBe(2);
+    expect(shown([6], ['ship-1'])).toBe(2);
+    expect(shown([7], ['ship-1', 'ship-2'])).toBe(2);
+    expect(shown([8, 9], ['ship-1'])).toBe(2);
+    expect(shown([10], ['ship-1'])).toBe(1);
+  });
+
   it('keeps a ship that is sent every fourth tick at 20 Hz, and marks it stale', () => {
     const predictor = createPredictor(OWN);
     let left = 0;

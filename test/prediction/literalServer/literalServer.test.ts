@@ -40,6 +40,17 @@ describe('a server on which ships bounce that the dynamics let settle', () => {
   });
 });
 
+describe('a server that sends no events and differs a little', () => {
+  it('confirms a touch by its states', () => {
+    const difference = CASES.find(({ name }) => name === 'ground +0.05 m')!;
+    const rig = createLiteralRig({ scenario: 'settle', hz: 50, sends: 10, difference });
+    const confirmed = new Set<string>();
+    rig.predictor.onEvent(({ kind, type }) => kind === 'confirmed' && confirmed.add(type));
+    for (let i = 0; i < 60 * 15; i++) rig.frame();
+    expect(confirmed).toContain('ship.contact');
+  });
+});
+
 /** The server that others are held against is held against physics itself. */
 function truthOf(scenario: string, hz: number, seconds: number) {
   const rig = createLiteralRig({ scenario, hz, sends: 1, difference: CASES[0]! });

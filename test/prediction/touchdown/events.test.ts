@@ -32,6 +32,15 @@ describe('the event ledger of one ship', () => {
     expect(predict(ledger, EVENT_CONTACT, at(3, 62), timeline, 1)).toBeNull();
   });
 
+  it('keeps 64 unsettled events at most, and reports none of them again at a replay', () => {
+    const { ledger, timeline } = ledgerAt();
+    const reported = (pass: number) =>
+      Array.from({ length: 100 }, (_, tick) => predict(ledger, EVENT_CONTACT, at(tick, 0), timeline, pass));
+    expect(reported(0).filter((notice) => notice !== null)).toHaveLength(64);
+    expect(reported(1).filter((notice) => notice !== null)).toEqual([]);
+    expect(ledger.entries).toHaveLength(64);
+  });
+
   it('confirms the nearest event of the type once, and moves it to the server’s substep', () => {
     const { ledger, timeline } = ledgerAt(20);
     predict(ledger, EVENT_CONTACT, at(30, 2), timeline, 0);

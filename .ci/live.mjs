@@ -1,8 +1,8 @@
-// The whole game on this machine: Redis, physics service, gateway and page, for two pilots.
+// The whole stack on this machine: Redis, physics service, gateway and page, for two pilots.
 //   npm run live                     at 1 Hz, the game's own rate
-//   npm run live -- --rate 10        at another
+//   npm run live -- --rate 10        at another rate
 //   npm run live -- --help           ports, data folder, check
-// Ends with Ctrl-C. What dies meanwhile is started again, and the pilots fly on.
+// Ends with Ctrl-C. A process that dies is restarted, and the flight continues.
 import { randomBytes } from 'node:crypto';
 import { createClient } from 'redis';
 import { createServer } from 'vite';
@@ -19,7 +19,7 @@ const HANGAR = {
   ship_class: 'planetary_lander',
   delay: 5,
 };
-/** ms before what has died is started again. */
+/** ms before a dead process is restarted. */
 const AGAIN = 500;
 
 function stop(message) {
@@ -29,7 +29,7 @@ function stop(message) {
 
 let isEnding = false;
 
-/** Starts it again whenever it dies by itself. */
+/** Restarts the process whenever it dies by itself. */
 function keepUp(process) {
   const again = () => {
     if (!isEnding) process.start().catch((error) => console.error(`live: ${error.message}`));
@@ -58,14 +58,14 @@ async function setRate(redisUrl, rate) {
   await redis.close();
 }
 
-/** Until the gateway has seen a tick of the service. @throws after half a minute */
+/** Waits until the gateway has seen a tick of the service. @throws after half a minute */
 async function untilTicking(url) {
   const until = Date.now() + 30_000;
   while (Date.now() < until) {
     if ((await (await fetch(url)).json()).tick !== null) return;
     await new Promise((resolve) => setTimeout(resolve, 100));
   }
-  throw new Error(`no tick within 30 s, says ${url}`);
+  throw new Error(`${url}: no tick within 30 s`);
 }
 
 function optionsOf(args) {
@@ -165,7 +165,7 @@ try {
     await check(address);
     await end(0);
   }
-  console.log('Open each in a window of its own. Ctrl-C ends it all.');
+  console.log('Open each in its own window. Ctrl-C stops everything.');
 } catch (error) {
   // What is being ended fails to start.
   if (!isEnding) {

@@ -1,4 +1,4 @@
-// The live stack's processes: each can be killed and started again, as it would be in operation.
+// The live stack's processes: each can be killed and restarted, as in operation.
 import { spawn } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { openDataFolder } from './dataFolder.mjs';
@@ -6,14 +6,14 @@ import { freePort } from './ports.mjs';
 import { redisServer, servicePython } from './python.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
-/** Characters of a process's output that are kept. */
-const SAID = 4000;
+/** Characters kept of a process's output. */
+const OUTPUT_KEPT = 4000;
 /** ms for a process to end when it is told to; then it is killed. */
 const END_WITHIN = 5000;
 
 /**
- * A process that is not started yet. It is up when its output has `upWhen`.
- * In a process group of its own: Ctrl-C reaches it through us alone, in the right order.
+ * A process, not started yet. It is up when its output contains `upWhen`.
+ * It has its own process group: Ctrl-C reaches it only through us, in the right order.
  */
 export function createProcess({ name, command, args, env, upWhen }) {
   let child = null;
@@ -30,7 +30,7 @@ export function createProcess({ name, command, args, env, upWhen }) {
       said = '';
       return new Promise((resolve, reject) => {
         const hear = (data) => {
-          said = (said + data.toString()).slice(-SAID);
+          said = (said + data.toString()).slice(-OUTPUT_KEPT);
           if (upWhen.test(said)) resolve();
         };
         own.stdout.on('data', hear);

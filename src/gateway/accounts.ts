@@ -2,7 +2,7 @@ import { randomBytes, scrypt, timingSafeEqual } from 'node:crypto';
 import { promisify } from 'node:util';
 import { jwtVerify, SignJWT } from 'jose';
 
-/** Who a token says its bearer is. */
+/** The identity in a token. */
 export interface Player {
   readonly playerId: string;
   readonly username: string;
@@ -12,7 +12,7 @@ export interface Player {
 
 /** Accounts and their tokens; passwords are kept as scrypt hashes. */
 export interface Accounts {
-  /** A token, or null where name or password are wrong: it takes as long either way. */
+  /** A token, or null if name or password are wrong; both take equally long. */
   readonly login: (username: string, password: string) => Promise<{ player: Player; token: string } | null>;
   readonly verify: (token: string) => Promise<Player | null>;
   readonly renew: (player: Player) => Promise<string>;

@@ -84,7 +84,7 @@ export async function createGateway(options: GatewayOptions): Promise<Gateway> {
   };
 }
 
-/** A connection that comes back by itself, and does not queue without a bound meanwhile. */
+/** A connection that reconnects by itself, with a bounded queue. */
 function connectRedis({ redis: url, log }: GatewayOptions): RedisClientType {
   const client = createRedis({
     url,
@@ -95,7 +95,7 @@ function connectRedis({ redis: url, log }: GatewayOptions): RedisClientType {
   return client;
 }
 
-/** By half the round trip of one question. */
+/** By half the round trip of one request. */
 async function measureClock(redis: RedisClientType, now: () => number): Promise<number> {
   const before = now();
   const [seconds, micros] = (await redis.sendCommand(['TIME'])) as unknown as [string, string];

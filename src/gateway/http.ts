@@ -2,12 +2,12 @@ import type { IncomingMessage, ServerResponse } from 'node:http';
 import type { Accounts } from './accounts';
 import { type Bucket, createBucket, take } from './clients/limits';
 
-/** What beside the sockets is answered. */
+/** Answers HTTP requests. */
 export interface HttpPlace {
   readonly accounts: Accounts;
   readonly isAllowedOrigin: (origin: string | undefined) => boolean;
   readonly shipOf: (playerId: string) => string;
-  /** For whoever operates it. */
+  /** Status for operators. */
   readonly health: () => Readonly<Record<string, unknown>>;
   /** Wall s. */
   readonly now: () => number;

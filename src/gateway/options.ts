@@ -22,7 +22,7 @@ export interface GatewayOptions {
   readonly interest?: Interest;
   /** Gives players their ships; without it a player flies what the world has for him. */
   readonly hangar?: Hangar;
-  /** What happens that an operator may want to know. */
+  /** Called with messages for operators. */
   readonly log: (line: string) => void;
 }
 

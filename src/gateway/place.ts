@@ -6,7 +6,7 @@ import type { GatewayOptions } from './options';
 import type { Feed } from './redis/feed';
 import type { Inbox } from './redis/inbox';
 
-/** All that one gateway holds. It keeps nothing that it could not lose: the world is Redis's. */
+/** The state of one gateway. It may be lost at any time: the world is in Redis. */
 export interface Place {
   readonly options: GatewayOptions;
   readonly accounts: Accounts;
@@ -14,7 +14,7 @@ export interface Place {
   readonly inbox: Inbox;
   readonly clients: Set<Client>;
   feed: Feed;
-  /** What every hello is made of; null before the service has written its world. */
+  /** The world definition for every hello; null before the service has written it. */
   world: Hello | null;
   /** Redis's clock less ours, s. */
   clockOffset: number;

@@ -7,10 +7,10 @@ export {
   type ScenarioInput,
   pilotAt,
   loadScenario,
-  type ScheduledInput,
   type LoadedScenario,
   ticksOf,
 } from './scenario';
+export type { ScheduledInput } from './runTick';
 export { runScenario, type ScenarioRun, type ScenarioEvent } from './runScenario';
 /** Local east, north, up at a place on a body. */
 export {

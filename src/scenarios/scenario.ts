@@ -6,8 +6,8 @@ import {
   type Result,
   type Controls,
   loadControls,
-  loadSettings,
   loadTiming,
+  loadWorld,
   NEUTRAL_CONTROLS,
   err,
   type Settings,
@@ -19,7 +19,9 @@ import {
   type TerrainHeight,
   TERRAINS,
   type Timing,
+  type World,
 } from '../dynamics';
+import type { ScheduledInput } from './runTick';
 import { type LocalState, type Site, toBodyRelative } from './site';
 
 /** One landing as data, run by tests, golden hashes, benchmarks and the page alike. SI units; angles in degrees. */
@@ -70,16 +72,11 @@ export interface LoadedScenario {
   readonly body: Body & BodyMotion;
   readonly shipClass: ShipClass;
   readonly terrainHeight: TerrainHeight;
+  /** Its settings, the one class and the one body, with their constants. */
+  readonly world: World;
   readonly timing: Timing;
   readonly ship: ShipInit;
   readonly inputs: readonly ScheduledInput[];
-}
-
-/** Full controls from the start of a substep. */
-export interface ScheduledInput {
-  readonly tick: number;
-  readonly substep: number;
-  readonly controls: Controls;
 }
 
 /** Resolves a scenario's names and places its ship, or returns a reason that names the field. */
@@ -92,9 +89,10 @@ export function loadScenario(scenario: Scenario): Result<LoadedScenario> {
   const shipClass = throttled(knownClass, scenario.engineShare ?? 1);
   if (!Object.hasOwn(TERRAINS, scenario.terrain)) return err(`terrain: no terrain named ${scenario.terrain}`);
   const terrainHeight = TERRAINS[scenario.terrain]!;
-  const settings = loadSettings(scenario.settings);
-  if (!settings.ok) return err(`settings.${settings.reason}`);
-  const timing = loadTiming(scenario.tickRate, scenario.timeScale, settings.value);
+  const { settings } = scenario;
+  const world = loadWorld({ settings, shipClasses: [shipClass], bodies: [body], terrainHeight });
+  if (!world.ok) return world;
+  const timing = loadTiming(scenario.tickRate, scenario.timeScale, world.value.settings);
   if (!timing.ok) return timing;
   const inputs = loadInputs(scenario.inputs, timing.value);
   if (!inputs.ok) return inputs;
@@ -106,6 +104,7 @@ export function loadScenario(scenario: Scenario): Result<LoadedScenario> {
     body,
     shipClass,
     terrainHeight,
+    world: world.value,
     timing: timing.value,
     ship,
     inputs: inputs.value,

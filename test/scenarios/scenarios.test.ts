@@ -1,5 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { EVENT_NAMES, readBodyMotion, readShip, BODY_STRIDE, SHIP_STRIDE } from '../../src/dynamics';
+import {
+  EVENT_NAMES,
+  NEUTRAL_CONTROLS,
+  readBodyMotion,
+  readShip,
+  BODY_STRIDE,
+  SHIP_STRIDE,
+} from '../../src/dynamics';
 import {
   fleetOrders,
   fromBodyRelative,
@@ -10,6 +17,7 @@ import {
   SCENARIOS,
   loadScenario,
 } from '../../src/scenarios';
+import { scheduleOf, type ScheduledInput } from '../../src/scenarios/runTick';
 import { valueOf } from '../authority/moon';
 import golden from './golden.json';
 
@@ -183,5 +191,25 @@ describe('a fleet', () => {
     // 40 m along the meridian; along the parallel it is cos 20° of that.
     expect(nearest).toBeGreaterThan(35);
     expect(new Set(orders.map(({ shipId }) => shipId)).size).toBe(200);
+  });
+});
+
+const input = (tick: number, substep: number, thrustLevel: number): ScheduledInput => ({
+  ...{ tick, substep },
+  controls: { ...NEUTRAL_CONTROLS, thrustLevel },
+});
+
+describe('scheduled inputs', () => {
+  it('come into force once each, at their own substep', () => {
+    const schedule = scheduleOf([input(0, 1, 0.1), input(1, 0, 0.2)]);
+    const seen = [0, 1].flatMap((tick) => [0, 1, 2].map((s) => schedule(tick, s)?.thrustLevel ?? null));
+    expect(seen).toEqual([null, 0.1, null, 0.2, null, null]);
+  });
+
+  it('of one substep, or of those before the first, leave the last of them in force', () => {
+    const schedule = scheduleOf([input(0, 0, 0.1), input(0, 2, 0.2), input(3, 1, 0.3), input(3, 1, 0.4)]);
+    expect(schedule(1, 0)?.thrustLevel).toBe(0.2);
+    expect(schedule(3, 1)?.thrustLevel).toBe(0.4);
+    expect(schedule(3, 2)).toBeNull();
   });
 });

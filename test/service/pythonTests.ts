@@ -7,7 +7,7 @@ import { MAY_SKIP } from '../exact/python';
 
 export const HERE = fileURLToPath(new URL('python/', import.meta.url));
 
-/** Whether what a test needs is not on this machine, where tests may be skipped: in CI nothing is. */
+/** Whether a test's requirement is missing and the test may be skipped; in CI none may. */
 export function isMissing(what: 'python' | 'redis'): boolean {
   if (!MAY_SKIP) return false;
   try {

@@ -16,7 +16,7 @@ import {
   take,
 } from './limits';
 
-/** One connection, and all that is kept for it: nothing of it grows without a bound. */
+/** One connection and its state, all of which is bounded. */
 export interface Client {
   readonly socket: WebSocket;
   readonly protocol: 'json' | 'stream';
@@ -27,11 +27,11 @@ export interface Client {
   player: Player | null;
   /** Messages that came while the token was being verified, in order; null where no sign-in is under way. */
   early: Said[] | null;
-  /** What the service tells its inputs by. */
+  /** The session by which the service distinguishes its inputs. */
   session: string;
   /** Of a protocol that numbers no inputs: the last number given. */
   seq: number;
-  /** The own ship as the last welcome told it, '' for none; null before the first. */
+  /** The own ship in the last welcome, '' for none; null before the first. */
   shipId: string | null;
   /** Messages beyond its rate, and refused ones. */
   readonly excess: Bucket;
@@ -81,7 +81,7 @@ export function createClient(
   };
 }
 
-/** Ends a connection with a reason; one that does not take its end is cut. */
+/** Closes a connection with a reason; one that does not close is cut. */
 export function dismiss(client: Client, code: number, reason: string): void {
   for (const timer of client.timers) clearTimeout(timer);
   client.timers.clear();
@@ -101,7 +101,7 @@ export function countExcess(client: Client, now: number): boolean {
   return true;
 }
 
-/** Keeps what the client has to be told; one that is too far behind is sent away and begins anew. */
+/** Keeps the client's events; a client that is too far behind is disconnected and starts again. */
 export function remember(client: Client, events: readonly WorldEvent[], removed: readonly Removed[]): void {
   client.events.push(...events);
   client.removed.push(...removed);
@@ -109,7 +109,7 @@ export function remember(client: Client, events: readonly WorldEvent[], removed:
     dismiss(client, CLOSE.slow, 'Too slow: too many events waiting');
 }
 
-/** Whether a state may go out now; a client that has been too slow for too long is sent away. */
+/** Whether a state may be sent now; a client that has been too slow for too long is disconnected. */
 export function mayTakeState(client: Client, now: number): boolean {
   if (client.socket.readyState !== WebSocket.OPEN) return false;
   const isFull = client.socket.bufferedAmount > MAX_BUFFERED;

@@ -1,6 +1,6 @@
 import type { ShipState } from '../../wire';
 
-/** What of the world one client gets. */
+/** The part of the world that one client receives. */
 export interface Interest {
   /** m from the own ship; for a spectator all ships are equally near. */
   readonly radius: number;

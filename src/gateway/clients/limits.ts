@@ -1,4 +1,4 @@
-/** What one client may ask of the gateway, and what it keeps for one. */
+/** Limits of one client's messages, and of its state in the gateway. */
 
 /** Bytes of a message from a client; larger ones close the connection with 1009. */
 export const MAX_CLIENT_MESSAGE = 64 * 1024;
@@ -18,11 +18,11 @@ export const MESSAGES = { perSecond: 60, burst: 120 };
 export const INPUTS = { perSecond: 120, burst: 1024 };
 /** Messages beyond the rate, and such as are refused, a second and at once; a client with more is sent away. */
 export const EXCESS = { perSecond: 1, burst: 200 };
-/** Bytes that wait in a client's socket before states are left out. */
+/** Bytes waiting in a client's socket above which states are skipped. */
 export const MAX_BUFFERED = 256 * 1024;
 /** Wall s for which a client may be that slow. */
 export const SLOW_FOR = 10;
-/** Events that wait for a slow client; beyond it is sent away and begins anew. */
+/** Events waiting for a slow client; beyond this it is disconnected and starts again. */
 export const MAX_EVENTS_WAITING = 1000;
 /** Connections from one address, and such as have not signed in. */
 export const MAX_FROM_ADDRESS = 64;
@@ -40,7 +40,7 @@ export const CLOSE = {
   tryLater: 1013,
 } as const;
 
-/** A bucket that fills at a rate and is emptied by what is let through. */
+/** A token bucket: fills at a rate, emptied by accepted messages. */
 export interface Bucket {
   readonly perSecond: number;
   readonly burst: number;

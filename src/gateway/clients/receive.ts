@@ -6,7 +6,7 @@ import { CLOSE, MAX_BUFFERED, MAX_EARLY, take } from './limits';
 import { errorText, pongBytes, readBytes, readText, type Said } from './speech';
 import { sayHello, tellOne } from './tell';
 
-/** A message of a client, whatever it holds: it can cost its own connection, nothing else. */
+/** Handles a client's message: an invalid one can end its connection, nothing else. */
 export function receive(place: Place, client: Client, data: Buffer, isBinary: boolean): void {
   if (client.isDismissed) return;
   if (!take(client.messages, 1, place.options.clock())) {
@@ -93,7 +93,7 @@ async function signIn(
   tellOne(place, client);
 }
 
-/** What happened while the client was away; what is lost with Redis is no reason to keep it out. */
+/** Sends the events of the client's absence; a failure of Redis does not keep it out. */
 async function eventsSince({ feed }: Place, since: number): Promise<readonly WorldEvent[]> {
   try {
     return await feed.eventsSince(since, 500);
@@ -145,7 +145,7 @@ function passInputs(place: Place, client: Client, inputs: readonly InputRecord[]
     pass(place, client, { seq, controls, stamp: { tick, substep } });
 }
 
-/** For the player's own ship, whatever the client says. */
+/** Always for the player's own ship. */
 function pass(
   place: Place,
   { player, session }: Client,

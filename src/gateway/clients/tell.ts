@@ -8,7 +8,7 @@ import { NEARBY, shipsInSight } from './interest';
 import { helloBytes, welcomeText } from './speech';
 
 const shares = new WeakMap<WorldFrame, SharedFrame>();
-/** Wall s between two orders of a ship for the same player. */
+/** Wall s between two spawns of a ship for the same player. */
 const ORDER_AGAIN = 10;
 
 /** A frame has come: each client keeps its events, and gets the newest state if its socket has room. */
@@ -21,7 +21,7 @@ export function tellAll(place: Place, world: WorldFrame): void {
   }
 }
 
-/** Clients that were left out get the newest state as soon as they have room. */
+/** Clients that were skipped get the newest state as soon as they have room. */
 export function tellBehind(place: Place): void {
   const newest = place.feed.newest();
   if (newest === null) return;
@@ -90,7 +90,7 @@ function tellRemoved(client: Client, removed: readonly Removed[]): void {
   }
 }
 
-/** Events of ships in sight; of a ship that is no longer there, nobody can say how far it was. */
+/** Events of ships in sight; those of a ship that is gone are sent to all. */
 function eventsInSight(
   events: readonly WorldEvent[],
   { ships, tick }: ServerFrame,
@@ -101,7 +101,7 @@ function eventsInSight(
   return events.filter((event) => event.tick <= tick && (near.has(event.shipId) || !there.has(event.shipId)));
 }
 
-/** Of this client's own session alone: another page of the same player has its own. */
+/** Only of this client's session: another page of the same player has its own. */
 function lastInputOf(
   client: Client,
   { frame, lastInputs }: WorldFrame,
@@ -118,7 +118,7 @@ function followShip(place: Place, client: Client): void {
   if (shipOf(place, client.player!.playerId) !== client.shipId) sayHello(place, client);
 }
 
-/** What the player, his ship and the world are. */
+/** The welcome: the player, the ship and the world. */
 export function sayHello(place: Place, client: Client): void {
   const hello = helloFor(place, client);
   if (hello === null) return;

@@ -12,7 +12,7 @@ import {
 } from '../../wire';
 import { MAX_STATE } from '../clients/limits';
 
-/** One frame for many clients: each ship is written once, whoever sees it. */
+/** One frame for many clients: each ship is encoded once. */
 export interface SharedFrame {
   readonly frame: ServerFrame;
   /** The game's state message with the ships of `indices`, nearest first, as many as 64 KB hold. */

@@ -22,7 +22,7 @@ export interface Removed {
 
 export interface FeedHandlers {
   readonly onFrame: (world: WorldFrame) => void;
-  /** Something that could not be used. */
+  /** Called with the reason for each invalid part. */
   readonly onRefused: (reason: string) => void;
 }
 
@@ -31,7 +31,7 @@ export interface Feed {
   /** Reads until `stop`; the connection may come and go. */
   readonly run: () => Promise<void>;
   readonly stop: () => void;
-  /** The events from `tick` on that the service still keeps, in order; `most` at most. */
+  /** The events from `tick` on that Redis still has, in order; at most `most`. */
   readonly eventsSince: (tick: number, most: number) => Promise<readonly WorldEvent[]>;
 }
 
@@ -45,8 +45,8 @@ const BATCH = 16;
 
 /**
  * Reads the service's frames in order, from the newest on.
- * @param reader a connection of its own, since a read blocks it
- * @param asker for everything else
+ * @param reader a separate connection, since a read blocks it
+ * @param asker the connection for everything else
  */
 export function createFeed(reader: RedisClientType, asker: RedisClientType, handlers: FeedHandlers): Feed {
   let newest: WorldFrame | null = null;
@@ -70,7 +70,7 @@ export function createFeed(reader: RedisClientType, asker: RedisClientType, hand
     }
   }
 
-  /** The newest frame that is there. */
+  /** The newest frame in Redis. */
   async function begin(): Promise<void> {
     const entry = (await asker.xRevRange(FRAMES, '+', '-', { COUNT: 1 }))?.[0];
     if (entry === undefined) return;
@@ -148,7 +148,7 @@ function withEvents(world: WorldFrame, missed: readonly WorldEvent[]): WorldFram
   return { ...world, frame: { ...world.frame, events: [...missed, ...world.frame.events] } };
 }
 
-/** The frame, or null where nothing can be made of it. Its ships and bodies that cannot be used are left out, and told. */
+/** The frame, or null if it is invalid. Invalid ships and bodies are left out and reported. */
 export function readWorldFrame(text: string, onRefused: (reason: string) => void): WorldFrame | null {
   let sent: Record<string, unknown>;
   try {

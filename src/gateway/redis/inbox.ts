@@ -7,7 +7,7 @@ export interface Inbox {
   /** Own controls; without a stamp they act at the next tick. */
   readonly controls: (input: OwnInput) => void;
   readonly command: (type: 'spawn' | 'respawn' | 'remove' | 'maneuver', data: object) => void;
-  /** Sends what waited while Redis was away. */
+  /** Sends what waited while Redis was unavailable. */
   readonly flush: () => void;
   /** Entries that wait, and that were dropped because too many did. */
   readonly counts: () => { readonly waiting: number; readonly dropped: number };
@@ -28,7 +28,7 @@ type Entry = Record<string, string>;
 const INBOX = 'touchdown:inbox';
 const KEPT = 100_000;
 
-/** An entry that got no answer is sent again: the service tells inputs apart by session and number. */
+/** An entry without an answer is sent again: the service recognises repeated inputs by session and number. */
 export function createInbox(redis: RedisClientType): Inbox {
   const waiting: Entry[] = [];
   let dropped = 0;
@@ -62,7 +62,7 @@ export function createInbox(redis: RedisClientType): Inbox {
         waiting.shift();
       }
     } catch {
-      // Redis went away again; what is left waits for it.
+      // Redis is unavailable again; the rest waits.
     } finally {
       isFlushing = false;
     }

@@ -50,14 +50,18 @@ function lookAtMessage(
   message: ServerMessage | PartialFrame,
   now: number,
 ): void {
-  const { warn, config, receiver } = session;
+  const { warn, config, receiver, sim } = session;
   if (!checkKind(warn, message)) return;
   if (message.kind === 'frame' && Number.isFinite(now)) {
     noteFrame(warn, calls, message, now, receiver.ownShipId);
     checkAcknowledgement(session, message);
     if (calls.frames === FRAMES_BEFORE) checkTerrains(session);
   }
-  if (calls.frames <= FIRST || calls.frames % SAMPLED === 0) checkMessage(warn, message, config.bodies);
+  if (calls.frames > FIRST && calls.frames % SAMPLED !== 0) return;
+  // Told with their motion at the first frame's tick.
+  const bodies =
+    sim.newestTick < 0 ? config.bodies : config.bodies.map((body) => ({ ...body, position: undefined }));
+  checkMessage(warn, message, bodies);
 }
 
 /** Warns if the server acknowledges an input that this predictor has not made. */

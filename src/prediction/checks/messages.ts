@@ -1,10 +1,10 @@
-import type { BodyState, PartialFrame, ServerMessage, ShipState } from '../../wire';
+import type { PartialFrame, ServerMessage, ShipState } from '../../wire';
 import type { Warn } from '../warnings';
 import { checkBodies } from './bodies';
 import { describe, kindOf } from './describe';
 import { nearestName, warnOfUnknown } from './names';
 import { checkSettings } from './options';
-import { checkShip } from './ships';
+import { checkShip, type KnownBody } from './ships';
 
 const FRAME = {
   code: 'unknown-field',
@@ -66,7 +66,7 @@ function howToDecode(message: unknown): string {
 export function checkMessage(
   warn: Warn,
   message: ServerMessage | PartialFrame,
-  bodies: readonly BodyState[],
+  bodies: readonly KnownBody[],
 ): void {
   if (message.kind === 'hello') {
     checkSettings(warn, 'hello.settings', message.settings);

@@ -1,6 +1,11 @@
 import type { BodyState, ShipState } from '../../wire';
 import type { Warn } from '../warnings';
 
+/** A body as far as it is known: one that no frame carries has moved on since it was told, so that its place is not. */
+export type KnownBody = Omit<BodyState, 'position'> & {
+  readonly position?: BodyState['position'] | undefined;
+};
+
 type Vector = readonly [number, number, number];
 
 const minus = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -15,7 +20,7 @@ const MAX_GROUND_HEIGHT = 30_000;
 const FAST = 10_000;
 
 /** Warns of an implausible ship state: wrong units, order of components or frame. Malformed states are refused elsewhere. */
-export function checkShip(warn: Warn, ship: ShipState, bodies: readonly BodyState[]): void {
+export function checkShip(warn: Warn, ship: ShipState, bodies: readonly KnownBody[]): void {
   const { shipId } = ship;
   const size = lengthOf(ship.attitude);
   if (Math.abs(size - 1) > 1e-3)
@@ -46,17 +51,21 @@ function warnOfOrder(warn: Warn, { shipId, attitude }: ShipState): void {
 }
 
 /** The body whose ground is nearest, if any has a position. */
-function nearestBody(position: Vector, bodies: readonly BodyState[]): BodyState | null {
+function nearestBody(position: Vector, bodies: readonly KnownBody[]): BodyState | null {
   let best: BodyState | null = null;
   let least = Infinity;
   for (const body of bodies) {
-    if (!Array.isArray(body.position)) continue;
+    if (!isPlaced(body)) continue;
     const height = Math.abs(lengthOf(minus(position, body.position)) - body.radius);
     if (height >= least) continue;
     least = height;
     best = body;
   }
   return best;
+}
+
+function isPlaced(body: KnownBody): body is BodyState {
+  return Array.isArray(body.position);
 }
 
 function checkPlace(warn: Warn, ship: ShipState, body: BodyState): void {
@@ -123,7 +132,7 @@ function along([x, y, z, w]: readonly [number, number, number, number], v: Vecto
   return 2 * (x * z + w * y) * v[0] + 2 * (y * z - w * x) * v[1] + (1 - 2 * (x * x + y * y)) * v[2];
 }
 
-function checkRelative(warn: Warn, ship: ShipState, bodies: readonly BodyState[]): void {
+function checkRelative(warn: Warn, ship: ShipState, bodies: readonly KnownBody[]): void {
   const { shipId, relativePosition, referenceBody, landedBodyName } = ship;
   if (Array.isArray(relativePosition)) {
     const body = bodies.find(({ name }) => name === referenceBody);
@@ -150,9 +159,9 @@ function checkRelative(warn: Warn, ship: ShipState, bodies: readonly BodyState[]
 /** The position relative to the body may differ from the ICRF one, m, by a double's resolution there and by the body's motion in a tick. */
 const PLACES_APART = 100_000;
 
-function checkBothPlaces(warn: Warn, ship: ShipState, body: BodyState): void {
+function checkBothPlaces(warn: Warn, ship: ShipState, body: KnownBody): void {
   const { shipId, position, relativePosition } = ship;
-  if (!Array.isArray(body.position)) return;
+  if (!isPlaced(body)) return;
   const apart = lengthOf(minus(minus(position, body.position), relativePosition as Vector));
   if (apart <= PLACES_APART) return;
   const message = `relativePosition of ${shipId} and its position are ${apart} m apart: relativePosition is relative to the centre of ${body.name}, in ICRF axes.`;

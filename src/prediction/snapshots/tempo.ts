@@ -2,6 +2,7 @@ import type { ServerFrame } from '../../wire';
 import { forgetAfter } from '../simulation/history';
 import { hold } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
+import { followTickRate } from '../time/cadence';
 import { sampleDown, sentAt } from '../time/clock';
 import { setTempo, spanOf, wallOfTick } from '../time/timeline';
 import { forgetLogsAfter } from '../touchdown/touchdownRing';
@@ -20,6 +21,7 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
   const changes = !first && differs(sim, frame);
   // The present pose is of the old tempo.
   if (changes) for (const track of sim.fleet.tracks) if (track.mode === 'stepping') hold(sim, track);
+  if (changes) followTickRate(sim.cadence, spanOf(timeline, frame.tick).tickRate, frame.tickRate);
   setTempo(timeline, frame.tick, frame, resumes || frame.tick > sim.newestTick ? wall : null);
   if (first) sampleDown(receiver.clock, 0, now);
   if (changes) retime(sim, frame.tick);

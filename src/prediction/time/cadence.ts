@@ -24,10 +24,19 @@ export function noteSend(cadence: Cadence, ticks: number): void {
   cadence.ticks = sorted[Math.floor((sorted.length - 1) / 2)]!;
 }
 
-/** A new timeline: the spacing of its sends is not known yet. */
+/**
+ * The server ticks at `after` Hz instead of `before`: whether it sends as often as before, or every so many ticks, the next send tells; the
+ * longer of the two is used until then.
+ */
+export function followTickRate(cadence: Cadence, before: number, after: number): void {
+  if (before === after) return;
+  cadence.recent.length = 0;
+  cadence.ticks = Math.max(cadence.ticks, Math.round((cadence.ticks * after) / before));
+}
+
+/** A new timeline: its sends are spaced as the last one's until the second one tells. */
 export function forgetCadence(cadence: Cadence): void {
   cadence.recent.length = 0;
-  cadence.ticks = 0;
 }
 
 /** Usual wall s from one send to the next, at a server of `tickRate` Hz; one tick until it is known. */

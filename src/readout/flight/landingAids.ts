@@ -55,6 +55,12 @@ const TOUCH_SPEED = 1.2;
 /** Highest speed to aim at, m/s. */
 const MAX_SPEED = 30;
 const LAST_METRES = 2;
+/** Of what the engine brakes beyond gravity: the rest is left for who brakes late. */
+const BRAKING_SHARE = 0.5;
+/** m/s²: a body with next to no gravity is still to be reached. */
+const LEAST_BRAKING = 0.3;
+/** Of that braking, on the way down: at a quarter of it the speed changes slowly enough to be followed by hand. */
+const FLOWN_SHARE = 0.25;
 /** Shares of the speed to aim at that bound the corridor. */
 const SLOWEST = 0.5;
 const FASTEST = 1.35;
@@ -156,8 +162,10 @@ function measureCorridor(out: LandingAids, ship: ShipView): void {
   out.burnSeconds =
     falling <= 0 || discriminant < 0 ? NaN : spare >= 0 ? 0 : (Math.sqrt(discriminant) - falling) / gravity;
   const toBrake = Math.max(0, height - LAST_METRES);
-  const gentle = Math.min(0.5 * braking, Math.max(gravity, 0.3));
-  out.aimSpeed = Math.min(Math.sqrt(TOUCH_SPEED * TOUCH_SPEED + 2 * 0.25 * gentle * toBrake), MAX_SPEED);
+  const gentle = Math.min(BRAKING_SHARE * braking, Math.max(gravity, LEAST_BRAKING));
+  // v² = v₀² + 2 a s
+  const square = TOUCH_SPEED * TOUCH_SPEED + 2 * FLOWN_SHARE * gentle * toBrake;
+  out.aimSpeed = Math.min(Math.sqrt(square), MAX_SPEED);
   out.corridor =
     falling > FASTEST * out.aimSpeed + SLACK
       ? 'fast'

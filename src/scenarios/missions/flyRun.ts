@@ -1,11 +1,8 @@
 import { inverse, rotate } from '../../authority';
 import {
   ATTITUDE,
-  beginTick,
   BODY_ATTITUDE,
-  type Controls,
   CRASHED,
-  endTick,
   EVENT_CONTACT,
   EVENT_TIPPED,
   FUEL,
@@ -15,13 +12,20 @@ import {
   type Quat,
   type Result,
   ok,
-  stepWorld,
   SURFACE_STATE,
+  type Timing,
   type Vec3,
-  writeControls,
 } from '../../dynamics';
-import { createScenarioWorld, type ScenarioWorld } from '../runScenario';
-import { loadScenario, type ScheduledInput } from '../scenario';
+import { startScenario } from '../runScenario';
+import {
+  runTick,
+  type Schedule,
+  scheduleOf,
+  type ScenarioWorld,
+  type ScheduledInput,
+  type TickRun,
+} from '../runTick';
+import { loadScenario } from '../scenario';
 import type { Mission } from './mission';
 import { padPlaces } from './pads';
 import { TRACK_RATE } from './track';
@@ -50,6 +54,8 @@ export interface RunOutcome {
 
 interface Flight extends ScenarioWorld {
   readonly track: number[];
+  /** Until the end or the crash. */
+  substeps: number;
   padsReached: number;
   touchSpeed: number;
   distance: number;
@@ -66,13 +72,14 @@ interface Flight extends ScenarioWorld {
 export function flyRun(mission: Mission, inputs: readonly RunInput[]): Result<RunOutcome> {
   const loaded = loadScenario(mission.scenario);
   if (!loaded.ok) return loaded;
-  const prepared = createScenarioWorld(loaded.value);
+  const prepared = startScenario(loaded.value);
   if (!prepared.ok) return prepared;
   const { timing, scenario } = loaded.value;
   const pads = padPlaces(mission, loaded.value);
   const flight: Flight = {
     ...prepared.value,
     track: [],
+    substeps: 0,
     padsReached: 0,
     touchSpeed: 0,
     distance: 0,
@@ -80,22 +87,12 @@ export function flyRun(mission: Mission, inputs: readonly RunInput[]): Result<Ru
     hasTipped: false,
     touching: null,
   };
-  const { ship, bodies, world } = flight;
+  const { ship } = flight;
   const began = ship[FUEL]!;
-  const flown = createInputs(loaded.value.inputs, inputs);
+  const run = flightRun(flight, timing, untilFlown(scheduleOf(loaded.value.inputs), scheduleOf(inputs)));
   const ticks = Math.ceil(scenario.duration / timing.tickSeconds);
-  let substeps = 0;
   for (let tick = 0; tick < ticks; tick++) {
-    beginTick(ship, bodies, world);
-    for (let s = 0; s < timing.substeps && ship[CRASHED] === 0; s++) {
-      const controls = flown(tick, s);
-      if (controls !== null) writeControls(ship, 0, controls);
-      if (substeps % Math.max(1, Math.round(1 / (TRACK_RATE * timing.dt))) === 0) record(flight);
-      stepWorld(ship, bodies, reported, world, timing.dt);
-      watchTouch(flight, reported[0]!);
-      substeps++;
-    }
-    endTick(bodies, world, timing);
+    runTick(flight, tick, run);
     takePad(flight, pads, mission);
     if (ship[CRASHED] === 1 || flight.padsReached === pads.length) break;
   }
@@ -103,7 +100,7 @@ export function flyRun(mission: Mission, inputs: readonly RunInput[]): Result<Ru
     ship[CRASHED] === 1 ? 'crashed' : flight.padsReached === pads.length ? 'landed' : 'unfinished';
   return ok({
     outcome,
-    seconds: substeps * timing.dt,
+    seconds: flight.substeps * timing.dt,
     padsReached: flight.padsReached,
     touchSpeed:
       flight.touching === null ? flight.touchSpeed : Math.max(flight.touchSpeed, flight.touching.speed),
@@ -115,22 +112,33 @@ export function flyRun(mission: Mission, inputs: readonly RunInput[]): Result<Ru
   });
 }
 
-const reported = new Uint8Array(1);
+/** Records the track and the touches, substep by substep, until the ship crashes. */
+function flightRun(flight: Flight, timing: Timing, schedule: Schedule): TickRun {
+  const { ship } = flight;
+  const apart = Math.max(1, Math.round(1 / (TRACK_RATE * timing.dt)));
+  let flies = true;
+  return {
+    ...{ timing, schedule },
+    before() {
+      flies = ship[CRASHED] === 0;
+      if (flies && flight.substeps % apart === 0) record(flight);
+    },
+    after(event) {
+      if (!flies) return;
+      watchTouch(flight, event);
+      flight.substeps++;
+    },
+  };
+}
 
 /** The scenario's own inputs until the pilot's first one, as the authority applies them. */
-function createInputs(
-  plan: readonly ScheduledInput[],
-  inputs: readonly RunInput[],
-): (tick: number, substep: number) => Controls | null {
-  let planned = 0;
-  let next = 0;
-  const isDue = (input: ScheduledInput | undefined, tick: number, substep: number) =>
-    input !== undefined && (input.tick < tick || (input.tick === tick && input.substep <= substep));
+function untilFlown(plan: Schedule, pilot: Schedule): Schedule {
+  let isFlown = false;
   return (tick, substep) => {
-    let controls: Controls | null = null;
-    while (next === 0 && isDue(plan[planned], tick, substep)) controls = plan[planned++]!.controls;
-    while (isDue(inputs[next], tick, substep)) controls = inputs[next++]!.controls;
-    return controls;
+    const planned = isFlown ? null : plan(tick, substep);
+    const flown = pilot(tick, substep);
+    if (flown !== null) isFlown = true;
+    return flown ?? planned;
   };
 }
 

@@ -28,7 +28,7 @@ import type { ServerFrame, ShipState } from '../../wire';
 import { type Compared, type Comparison, noDifferences, raise } from '../fixtures/compareFixture';
 import { type RecordedSession, sessionsOf } from './recordedSessions';
 import type { Recording } from './recording';
-import type { ScheduledInput } from '../scenario';
+import type { ScheduledInput } from '../runTick';
 
 /** How a server's states compare with the dynamics, interval by interval. */
 export interface RecordingComparison extends Comparison {

@@ -1,6 +1,6 @@
 import type { Hello, InputRecord, ServerFrame } from '../../wire';
 import { isWhole, type Recording } from './recording';
-import type { ScheduledInput } from '../scenario';
+import type { ScheduledInput } from '../runTick';
 
 /** The part of a recording between two hellos: one connection, or one set of server settings. */
 export interface RecordedSession {

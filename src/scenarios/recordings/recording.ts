@@ -14,7 +14,7 @@ import {
 import { fromBase64, toBase64 } from './base64';
 import { readCall, type RecordedCall } from './recordedCall';
 import { createFields, type Fields, type JsonRecord } from '../fixtures/fields';
-import type { ScheduledInput } from '../scenario';
+import type { ScheduledInput } from '../runTick';
 
 /**
  * Everything a client received, sent and simulated, with times: a predictor fed with it reproduces the session (PREDICTION, Diagnosis). The

@@ -1,4 +1,4 @@
-"""touchdown-service: runs the physics service against a Redis until it is told to stop (SIGTERM, SIGINT)."""
+"""touchdown-service: runs the physics service on a Redis until SIGTERM or SIGINT."""
 
 import argparse
 import json
@@ -24,7 +24,7 @@ HELD = 3
 def main() -> None:
     args = parse_arguments()
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(message)s", stream=sys.stderr)
-    # A command that may have been carried out is never sent again: the service looks at what Redis holds instead.
+    # A command that may have been executed is never retried: the service reads the state of Redis instead.
     # Bytes that are no UTF-8 are no reason to end: what is made of them is refused by name.
     as_text = {"decode_responses": True, "encoding_errors": "replace"}
     client = Redis.from_url(args.redis, **as_text, socket_timeout=5, retry=Retry(NoBackoff(), 0))

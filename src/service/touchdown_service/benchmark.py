@@ -1,4 +1,4 @@
-"""What the law costs in Python: microseconds per substep, by what the ship does.
+"""Cost of the law in Python: microseconds per substep, by the ship's state.
 
     python3 -m touchdown_service.benchmark [--json]    a table, or one JSON object per line
 

@@ -69,7 +69,7 @@ def stay_landed(ship: Ship, turn: Quat) -> str:
 
 
 def is_lifted(ship: Ship, thrust: Vec3, place: Place, weight: float) -> bool:
-    """Step 2: lift above the weight launches a landed or tipped ship. One that rises so begins a new approach."""
+    """Step 2: lift above the weight launches a landed or tipped ship. It then begins a new approach."""
     normal = place[:3]
     if not dot(thrust, normal) > weight:
         return False

@@ -1,4 +1,4 @@
-"""Ships, bodies and what happens to them. SI units, radians, quaternions (x, y, z, w)."""
+"""Ships, bodies and events. SI units, radians, quaternions (x, y, z, w)."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -54,7 +54,7 @@ class Body:
 
 @dataclass(frozen=True, slots=True)
 class Controls:
-    """What the pilot commands, as the server takes it: clamped, the target normalized."""
+    """A pilot's controls: clamped, the target normalized."""
 
     thrust_level: float = 0.0
     translation_input: Vec3 = (0.0, 0.0, 0.0)
@@ -140,7 +140,7 @@ class Ship:
 
 @dataclass(slots=True)
 class World:
-    """What a substep reads."""
+    """The constants that a substep reads."""
 
     config: Config
     bodies: list[Body]

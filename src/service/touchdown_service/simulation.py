@@ -17,7 +17,7 @@ BLOCK = 1000
 
 @dataclass(slots=True)
 class Happened:
-    """What a tick told, each list in the order in which it happened."""
+    """The results of a tick, each list in order."""
 
     events: list[Event] = field(default_factory=list)
     changes: list[Change] = field(default_factory=list)

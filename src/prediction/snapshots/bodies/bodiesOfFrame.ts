@@ -22,8 +22,10 @@ export function writeBodiesOfFrame(
   const { tick } = frame;
   if (sim.newestTick === tick && receiver.startsBodies) startBodiesAt(sim.bodies, tick);
   receiver.startsBodies = false;
-  const lastTick = receiver.lastBodies.tick;
-  const motions = areOld(sim, receiver, frame) ? null : motionsOf(sim, frame);
+  const { tick: lastTick, bodies: lastSent } = receiver.lastBodies;
+  const motions = areOld(sim, receiver, frame)
+    ? null
+    : motionsOf(sim, frame, tick === lastTick ? [] : lastSent);
   if (motions === null) {
     out.bodies = boundaryAt(sim.bodies, sim.timeline, tick);
     out.predictedBodies = out.bodies;
@@ -89,20 +91,36 @@ function sameVector(a: readonly number[], b: readonly number[]): boolean {
   return a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
 }
 
-/** The frame's bodies in the world's order; null if it has none. */
-function motionsOf(sim: Simulation, frame: ServerFrame): readonly BodyMotion[] | null {
+/** The frame's bodies in the world's order; null if it has none. `before`: the bodies of the frame before it. */
+function motionsOf(
+  sim: Simulation,
+  frame: ServerFrame,
+  before: readonly BodyState[],
+): readonly BodyMotion[] | null {
   const { bodies } = sim.world;
   if (frame.bodies.length === 0) return null;
   const inOrder =
     frame.bodies.length === bodies.length &&
-    frame.bodies.every((body, i) => body.name === bodies[i]!.name && isWhole(body));
+    frame.bodies.every(
+      (body, i) => body.name === bodies[i]!.name && isWhole(body) && !standsStill(body, before[i]),
+    );
   if (inOrder) return frame.bodies;
   const byLaw = boundaryAt(sim.bodies, sim.timeline, frame.tick);
   return bodies.map(({ name }, i) => {
     const predicted = readBodyMotion(byLaw, i * BODY_STRIDE);
     const sent = frame.bodies.find((body) => body.name === name);
-    return sent === undefined ? predicted : completed(sent, predicted);
+    if (sent === undefined) return predicted;
+    const motion = completed(sent, predicted);
+    const last = before.find((body) => body.name === name);
+    return standsStill(sent, last) ? { ...motion, attitude: predicted.attitude } : motion;
   });
+}
+
+/** Whether a body has spin, and its attitude is the last frame's to the bit: the reader of the frame filled it in. */
+function standsStill({ name, attitude, angularVelocity }: BodyState, before: BodyState | undefined): boolean {
+  if (before?.name !== name || !areNumbers(attitude, 4) || !areNumbers(angularVelocity, 3)) return false;
+  for (let k = 0; k < 4; k++) if (attitude[k] !== before.attitude[k]) return false;
+  return angularVelocity.some((w) => w !== 0);
 }
 
 /** The body's motion: finite members as sent, the others as predicted. */

@@ -27,6 +27,8 @@ export interface BodyTrack {
   readonly start: Float64Array;
   /** The predicted rows of the boundary that a frame replaced. */
   readonly replaced: Float64Array;
+  /** A boundary from before the ring. */
+  readonly past: Float64Array;
 }
 
 /** One tick's rows, substep by substep, each turned for its substep. */
@@ -51,6 +53,7 @@ export function createBodyTrack(start: Float64Array, length: number, substeps: n
     cuts: Array.from({ length: cutsOf(substeps) }, () => ({ tick: -1, made: 0, rows: [] })),
     start,
     replaced: new Float64Array(size),
+    past: new Float64Array(size),
   };
 }
 
@@ -77,11 +80,14 @@ export function knowsBoundary(track: BodyTrack, tick: number): boolean {
   return track.ticks[tick % track.length] === tick;
 }
 
-/** Rows at tick boundary `tick`; computed from the newest boundary before it. */
+/** Rows at tick boundary `tick`, valid until the next call; computed from the newest boundary before it. */
 export function boundaryAt(track: BodyTrack, timeline: Timeline, tick: number): Float64Array {
   if (knowsBoundary(track, tick)) return track.boundaries[tick % track.length]!;
   let from = tick;
-  while (!knowsBoundary(track, from) && tick - from < track.length - 1 && from > 0) from--;
+  while (!knowsBoundary(track, from) && tick - from < track.length - 1 && from > 0) {
+    if (track.ticks[from % track.length]! > from) return pastAt(track, timeline, tick);
+    from--;
+  }
   if (!knowsBoundary(track, from)) skipTo(track, timeline, from);
   for (; from < tick; from++) makeNext(track, timeline, from);
   return track.boundaries[tick % track.length]!;
@@ -100,6 +106,25 @@ function skipTo(track: BodyTrack, timeline: Timeline, tick: number): void {
     moveBodies(rows, track.count, seconds);
   }
   track.ticks[tick % track.length] = tick;
+}
+
+/**
+ * The ring has gone on beyond `tick`, as after an absence: the bodies go back from the oldest boundary after it. They are not kept: their
+ * slot is a newer tick's.
+ */
+function pastAt(
+  { ticks, boundaries, past, count }: BodyTrack,
+  timeline: Timeline,
+  tick: number,
+): Float64Array {
+  let oldest = Number.POSITIVE_INFINITY;
+  for (const known of ticks) if (known > tick && known < oldest) oldest = known;
+  past.set(boundaries[oldest % ticks.length]!);
+  const seconds = (tick - oldest) * spanOf(timeline, tick).timing.tickSeconds;
+  turnBodies(past, count, seconds);
+  settleBodies(past, count);
+  moveBodies(past, count, seconds);
+  return past;
 }
 
 function makeNext(track: BodyTrack, timeline: Timeline, tick: number): void {

@@ -1,4 +1,4 @@
-"""Plays cases and prints what every substep came to, so that another implementation can be compared bit by bit.
+"""Plays cases and prints the result of every substep, so that another implementation can be compared bit by bit.
 
     python3 -m touchdown_service.comparison.replay < cases.jsonl           one line a case: name, substeps, SHA-256 of all its rows
     python3 -m touchdown_service.comparison.replay --rows < cases.jsonl    one line a row: tick, substep, the row's bytes in hex
@@ -19,7 +19,7 @@ from ..simulation import run_tick
 from .cases import Case, load_case
 
 EVENTS = ("", "ship.contact", "ship.landed", "ship.tipped", "ship.righted", "ship.destroyed")
-# A mode that is not known has the number behind the last.
+# An unknown mode has the number after the last.
 MODE_NUMBERS = {mode: i for i, mode in enumerate(ATTITUDE_MODES)}
 SHIP_ROW = Struct("<37d")
 BODY_ROW = Struct("<10d")

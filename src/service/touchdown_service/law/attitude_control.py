@@ -1,4 +1,4 @@
-"""What stick or attitude controller asks of wheels and RCS (DYNAMICS, Actuators; ORDER, step 1)."""
+"""Torque commanded by stick or attitude controller (DYNAMICS, Actuators; ORDER, step 1)."""
 
 from math import sqrt
 

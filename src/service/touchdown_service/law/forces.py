@@ -19,7 +19,7 @@ Load = tuple[float, float, float, float, float]
 
 
 def depth_of(mass: float, weight: float, thrust: Vec3, ground: Ground) -> tuple[float, float]:
-    """What presses into the ground, N, and the penetration at rest under it, m."""
+    """The force into the ground, N, and the static penetration under it, m."""
     _, sx, sy, sz, cos, _, _, _ = ground
     load = weight * cos - (thrust[0] * sx + thrust[1] * sy + thrust[2] * sz)
     if not load > 0:
@@ -28,7 +28,7 @@ def depth_of(mass: float, weight: float, thrust: Vec3, ground: Ground) -> tuple[
 
 
 def along_ground(weight: float, thrust: Vec3, ground: Ground) -> Vec3:
-    """What pushes along the ground, N: weight on a slope less thrust."""
+    """The force along the ground, N: weight on a slope and thrust."""
     _, sx, sy, sz, _, lx, ly, lz = ground
     tx, ty, tz = thrust
     off = tx * sx + ty * sy + tz * sz

@@ -18,7 +18,7 @@ Sinking = tuple[float, float]
 
 
 class End(NamedTuple):
-    """What a grounded ship's transition is decided on."""
+    """The values that decide a grounded ship's transition."""
 
     place: Place
     ground: Ground
@@ -77,7 +77,7 @@ def leave_or_change(ship: Ship, config: Config, end: End, sinking: Sinking) -> s
 
 
 def crash(ship: Ship) -> str:
-    """A result, not a state: the rest stays as it was, and the ship is out of the simulation."""
+    """A crash is an outcome, not a surface state: the ship's state is kept, and it leaves the simulation."""
     ship.crashed = True
     ship.surface_contact_state = FLYING
     return "ship.destroyed"

@@ -1,4 +1,4 @@
-"""All that the service holds between two ticks, and one tick of it."""
+"""The service's state between two ticks, and one tick of it."""
 
 from dataclasses import dataclass, field
 from typing import Any

@@ -29,7 +29,7 @@ LOOK_UP = 0.2
 
 
 class Service:
-    """One world, ticking. `definition` makes the world where Redis holds none."""
+    """Runs one world. `definition` creates the world if Redis holds none."""
 
     def __init__(self, client: Redis, definition: dict[str, Any], lease_ms: int = 3000) -> None:
         self.client = client

@@ -1,4 +1,4 @@
-"""What a tick tells: its events, one by one, and the whole world as one frame (REDIS.md)."""
+"""The output of a tick: its events one by one, and the whole world as one frame (REDIS.md)."""
 
 import json
 from typing import Any

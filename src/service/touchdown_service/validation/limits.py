@@ -1,4 +1,4 @@
-"""What may enter: ranges, and checks that refuse with the path of the field (the ranges of src/dynamics/constants/limits.ts).
+"""Ranges of input, and checks that refuse with the path of the field (the ranges of src/dynamics/constants/limits.ts).
 
 A check returns the value as the simulation holds it (floats, tuples) or raises Refusal.
 """
@@ -10,7 +10,7 @@ from typing import Any
 
 
 class Refusal(ValueError):
-    """Something from outside that cannot be used: 'field: expected this, got that'."""
+    """Invalid input: 'field: expected this, got that'."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +159,7 @@ def known_fields(data: dict[str, Any], names: set[str] | frozenset[str], field: 
 
 
 def shown(value: Any) -> str:
-    """A value as a message may carry it: short, whatever was sent."""
+    """A short description of a value, for messages."""
     try:
         said = repr(value)
     except (ValueError, RecursionError):

@@ -1,7 +1,8 @@
 import { actuate, commandsThrust } from './actuators/actuators';
 import { fly } from './contact/flight';
-import { isPinned, moveOnGround, pressNormal } from './contact/forces';
+import { moveOnGround, press } from './contact/forces';
 import {
+  BODY_ANGULAR_VELOCITY,
   BODY_AXES,
   BODY_END_AXES,
   BODY_STRIDE,
@@ -21,21 +22,23 @@ import { readAxes } from './contact/pose';
 import { copyIn, copyOut } from './state/rowCopy';
 import {
   DT,
-  END,
+  end,
   GRAVITY,
+  GROUND_SPIN,
   LIFT,
   MASS,
   NORMAL_FORCE,
   PENETRATION,
   quantities,
-  START,
+  SMI_MASK,
+  start,
   type Step,
   WEIGHT,
 } from './contact/quantities';
 import { restOnSide } from './contact/rest';
 import { turnAttitudeWithGround, turnPlaceWithGround } from './arithmetic/rotations';
 import { turnByTorque } from './contact/spin';
-import { readGround, readPenetration, readPlace } from './contact/surface';
+import { readPlace, readSurface } from './contact/surface';
 import { makeTransition } from './contact/transitions';
 import type { World } from './constants/world';
 
@@ -65,7 +68,7 @@ function stepShip(step: Step): number {
   const q = quantities;
   if (q[SURFACE_STATE] === LANDED && !commandsThrust()) return stayLanded(step); // 1, 2: no lift to look for
   readAxes();
-  readPlace(START, step);
+  readPlace(start, step);
   actuate(step); // 1
   if (!launches() && q[SURFACE_STATE] === LANDED) return stayLanded(step); // 2
   return q[SURFACE_STATE] === FLYING ? flySubstep(step) : groundSubstep(step);
@@ -73,35 +76,27 @@ function stepShip(step: Step): number {
 
 /** Steps 5 to 9 in the air. */
 function flySubstep(step: Step): number {
-  const q = quantities;
   fly(step); // 5
   turnByTorque(step); // 6
-  readPenetration(END, step, BODY_END_AXES);
-  if (!(q[END + PENETRATION]! > 0)) return NO_EVENT; // 9
-  readPenetration(START, step, BODY_AXES);
-  readGround(END, step, BODY_END_AXES);
+  readSurface(end, step, BODY_END_AXES, false);
+  if (!(end[PENETRATION]! > 0)) return NO_EVENT; // 9
+  readSurface(start, step, BODY_AXES, false);
   return makeTransition(step); // 9
 }
 
 /** Steps 3 to 9 in contact or tipped. */
 function groundSubstep(step: Step): number {
   const q = quantities;
-  readPenetration(START, step, BODY_AXES);
-  const inGround = q[START + PENETRATION]! > 0;
-  let pinned = false;
-  q[NORMAL_FORCE] = 0;
-  if (inGround) {
-    readGround(START, step, BODY_AXES);
-    pinned = isPinned(step); // 3
-    pressNormal(step, pinned); // 4
-  }
+  readSurface(start, step, BODY_AXES, false);
+  const inGround = start[PENETRATION]! > 0;
+  const pinned = inGround && press(step); // 3, 4
+  if (!inGround) q[NORMAL_FORCE] = 0;
   if (!pinned) moveOnGround(step); // 5
   if (inGround) addGroundMoments(step); // 6
   turnByTorque(step); // 6
   if (pinned) turnPlaceWithGround(step); // 8
-  readPlace(END, step);
-  readPenetration(END, step, BODY_END_AXES);
-  readGround(END, step, BODY_END_AXES);
+  readPlace(end, step);
+  readSurface(end, step, BODY_END_AXES, true);
   if (q[SURFACE_STATE] === TIPPED) restOnSide(step); // 8
   return makeTransition(step); // 9
 }
@@ -116,16 +111,21 @@ function begin(ships: Float64Array, at: number, bodies: Float64Array, world: Wor
   step.bodies = bodies;
   step.bodyAt = reference * BODY_STRIDE;
   step.body = world.bodies[reference]!;
-  step.shipClass = world.shipClasses[q[SHIP_CLASS]!]!;
-  step.world = world;
+  step.shipClass = world.shipClasses[q[SHIP_CLASS]!]!.constants;
+  step.settings = world.settings.constants;
+  step.terrainHeight = world.terrainHeight;
   q[DT] = dt;
+  const spin = (step.bodyAt + BODY_ANGULAR_VELOCITY) & SMI_MASK;
+  q[GROUND_SPIN] = bodies[spin]!;
+  q[GROUND_SPIN + 1] = bodies[spin + 1]!;
+  q[GROUND_SPIN + 2] = bodies[spin + 2]!;
 }
 
 /** Step 2: lift above the weight launches a landed or tipped ship; it flies for the rest of the substep. */
 function launches(): boolean {
   const q = quantities;
   const state = q[SURFACE_STATE]!;
-  q[WEIGHT] = q[MASS]! * q[START + GRAVITY]!;
+  q[WEIGHT] = q[MASS]! * start[GRAVITY]!;
   if ((state !== LANDED && state !== TIPPED) || !(q[LIFT]! > q[WEIGHT])) return false;
   q[SURFACE_STATE] = FLYING;
   q[IMPACT_SPEED] = 0;

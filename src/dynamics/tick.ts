@@ -15,6 +15,10 @@ export interface Timing {
   readonly dt: number;
 }
 
+/** The game's bounds, of ticks per second and of game seconds per second. */
+const LEAST_TEMPO = 0.1;
+const MOST_TEMPO = 100;
+
 /** Timing of a server's `tickRate` (0.1–100 Hz) and `timeScale` (0.1–100), or a reason that names the one out of range. */
 export function loadTiming(
   tickRate: number,
@@ -23,10 +27,11 @@ export function loadTiming(
 ): Result<Timing> {
   const reason = notFinite('tickRate', tickRate) ?? notFinite('timeScale', timeScale);
   if (reason !== null) return err(reason);
-  if (tickRate < 0.1 || tickRate > 100)
-    return err(`tickRate: expected 0.1 to 100 Hz, got ${String(tickRate)}`);
-  if (timeScale < 0.1 || timeScale > 100)
-    return err(`timeScale: expected 0.1 to 100, got ${String(timeScale)}`);
+  const range = `expected ${LEAST_TEMPO} to ${MOST_TEMPO}`;
+  if (tickRate < LEAST_TEMPO || tickRate > MOST_TEMPO)
+    return err(`tickRate: ${range} Hz, got ${String(tickRate)}`);
+  if (timeScale < LEAST_TEMPO || timeScale > MOST_TEMPO)
+    return err(`timeScale: ${range}, got ${String(timeScale)}`);
   return ok(timingOfTick(timeScale / tickRate, contactLongestSubstep));
 }
 

@@ -1,4 +1,4 @@
-/** The whole law in scalar C, where a compiler is installed: what the law's speed is compared with. */
+/** The whole law in scalar C, where a compiler is installed: what the law's speed is compared with, in two versions. */
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync } from 'node:fs';
@@ -27,12 +27,19 @@ const COMPILERS = [process.env['CC'] ?? 'cc', 'cc', 'gcc', 'clang'];
 const ROUNDS = 15;
 const TIMES = 100_000;
 
+/**
+ * How the law is written in C: `straightforward`, as DYNAMICS.md tells it, every quantity anew at each end of a substep; or `tuned`, put
+ * together as the TypeScript is, with what a state does not need left out and what two steps need found once.
+ */
+export const REFERENCES = ['straightforward', 'tuned'] as const;
+export type Reference = (typeof REFERENCES)[number];
+
 /** ns per substep of `subject`'s first ship in C, as `contact-substep` measures it in TypeScript; null without a compiler. */
-export function cBaseline(subject: Subject): Figure | null {
-  const program = compileReference();
+export function cBaseline(subject: Subject, reference: Reference): Figure | null {
+  const program = compileReference(reference);
   if (program === null) return null;
   const rounds = runReference(program, ['time', String(ROUNDS), String(TIMES)], [landingOf(subject)]);
-  return figure('contact-substep-c', 'ns', rounds.map(Number));
+  return figure(`contact-c-${reference}`, 'ns', rounds.map(Number));
 }
 
 /** A subject as a landing of `ticks` ticks of one substep, 10 ms each, as the subjects are stepped. */
@@ -42,17 +49,20 @@ export function landingOf({ world, ships, bodies }: Subject, ticks = 1): Landing
 }
 
 /** The path of the compiled reference, compiled again when its source changed; null without a compiler. @throws when it does not compile. */
-export function compileReference(compilers: readonly string[] = COMPILERS): string | null {
+export function compileReference(
+  reference: Reference,
+  compilers: readonly string[] = COMPILERS,
+): string | null {
   const compiler = compilers.find((name) => spawnSync(name, ['--version']).status === 0);
   if (compiler === undefined) return null;
   const files = readdirSync(SOURCES).filter((name) => /\.[ch]$/.test(name));
   const hash = createHash('sha256').update(`${compiler} ${FLAGS.join(' ')}`);
   for (const name of files) hash.update(readFileSync(join(SOURCES, name)));
-  const path = join(CACHE, `c-reference-${hash.digest('hex').slice(0, 12)}`);
+  const path = join(CACHE, `c-${reference}-${hash.digest('hex').slice(0, 12)}`);
   if (existsSync(path)) return path;
   mkdirSync(CACHE, { recursive: true });
   const made = `${path}-${String(process.pid)}`;
-  const units = files.filter((name) => name.endsWith('.c')).map((name) => join(SOURCES, name));
+  const units = ['main.c', 'tick.c', `${reference}.c`].map((name) => join(SOURCES, name));
   const run = spawnSync(compiler, [...FLAGS, '-o', made, ...units, '-lm'], { encoding: 'utf8' });
   if (run.status !== 0) throw new Error(`${compiler}: ${run.stderr}`);
   renameSync(made, path);

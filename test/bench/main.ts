@@ -1,7 +1,7 @@
-import { cBaseline } from './cBaseline';
+import { cBaseline, REFERENCES } from './cBaseline';
 import { heightmapFigures } from './heightmap';
 import { joltBody } from './jolt';
-import { type Figure, heapGrowth, timed } from './measure';
+import { type Figure, heapGrowth, ratio, timed } from './measure';
 import { replayFigures } from './page/replay';
 import { workerFigures } from './worker';
 import { flying, landed, sliding, slidingOverHills, type Subject, tipped } from './subjects';
@@ -54,9 +54,14 @@ function print(figure: Figure): void {
 }
 
 if (!asJson) console.log(`${''.padEnd(22)} ${'median'.padStart(14)}        (min … max)`);
-print(perSubstep('contact-substep', sliding()));
-const scalarC = cBaseline(sliding());
-if (scalarC) print(scalarC);
+const contact = perSubstep('contact-substep', sliding());
+print(contact);
+for (const reference of REFERENCES) {
+  const scalarC = cBaseline(sliding(), reference);
+  if (scalarC === null) continue;
+  print(scalarC);
+  print(ratio(`contact-to-${reference}`, contact, scalarC));
+}
 for (const normal of ['radial', 'terrain'] as const)
   print(perSubstep(`contact-hills-${normal}`, slidingOverHills(normal)));
 print(perSubstep('flying-substep', flying()));

@@ -67,6 +67,17 @@ export function figure(name: string, unit: string, rounds: readonly number[]): F
   return { name, unit, median: round(median(rounds)), min: round(ends[0]), max: round(ends[1]) };
 }
 
+/** How many times one figure is another, by their medians, and by the rounds that are furthest apart. */
+export function ratio(name: string, one: Figure, other: Figure): Figure {
+  return {
+    name,
+    unit: '×',
+    median: round(one.median / other.median),
+    min: round(one.min / other.max),
+    max: round(one.max / other.min),
+  };
+}
+
 function median(values: readonly number[]): number {
   return [...values].sort((a, b) => a - b)[Math.floor((values.length - 1) / 2)]!;
 }

@@ -3,7 +3,6 @@ import {
   ATTITUDE,
   ATTITUDE_HOLD,
   ATTITUDE_MODE,
-  BODY_ANGULAR_VELOCITY,
   FLYING,
   FUEL,
   MODE_ANTINORMAL,
@@ -28,12 +27,19 @@ import {
   DISTANCE,
   INERTIA_FACTOR,
   NORMAL,
+  GROUND_SPIN,
   quantities,
-  SMI_MASK,
-  START,
+  start,
   type Step,
   TORQUE,
 } from '../contact/quantities';
+import {
+  ATTITUDE_DAMPING,
+  ATTITUDE_STIFFNESS,
+  INERTIA_TENSOR,
+  RCS_TORQUE,
+  WHEEL_TORQUE,
+} from '../constants/constantRows';
 
 /** TORQUE: what stick or attitude controller asks for, N m, body axes; false where neither asks (DYNAMICS, Actuators). */
 export function askTorque(step: Step): boolean {
@@ -72,15 +78,15 @@ function askByStick(step: Step): void {
   const { shipClass } = step;
   const hasFuel = q[FUEL]! > 0;
   for (let k = 0; k < 3; k++) {
-    const wheel = shipClass.reactionWheelTorque[k]!;
-    q[TORQUE + k] = q[ROTATION_INPUT + k]! * (hasFuel ? wheel + shipClass.rcsTorque[k]! : wheel);
+    const wheel = shipClass[WHEEL_TORQUE + k]!;
+    q[TORQUE + k] = q[ROTATION_INPUT + k]! * (hasFuel ? wheel + shipClass[RCS_TORQUE + k]! : wheel);
   }
 }
 
 /** a = −2 ω_n w_b */
 function dampRates(step: Step): void {
   const q = quantities;
-  const damping = -step.shipClass.attitudeDamping;
+  const damping = -step.shipClass[ATTITUDE_DAMPING]!;
   const wx = q[ANGULAR_VELOCITY]!;
   const wy = q[ANGULAR_VELOCITY + 1]!;
   const wz = q[ANGULAR_VELOCITY + 2]!;
@@ -92,7 +98,7 @@ function dampRates(step: Step): void {
 /** a += ω_n² e, e = ±2 × vector part of target · q⁻¹, turned into body axes. */
 function steerToTarget(step: Step): void {
   const q = quantities;
-  const stiffness = step.shipClass.attitudeStiffness;
+  const stiffness = step.shipClass[ATTITUDE_STIFFNESS]!;
   const qx = q[ATTITUDE]!;
   const qy = q[ATTITUDE + 1]!;
   const qz = q[ATTITUDE + 2]!;
@@ -135,7 +141,7 @@ function steerToDirection(step: Step, mode: number): void {
     ex = straightAway ? 1 : ex / length;
     ey = straightAway ? 0 : ey / length;
   }
-  const stiffness = step.shipClass.attitudeStiffness;
+  const stiffness = step.shipClass[ATTITUDE_STIFFNESS]!;
   q[ANGULAR_ACCEL_COMMAND] = q[ANGULAR_ACCEL_COMMAND]! + stiffness * ex;
   q[ANGULAR_ACCEL_COMMAND + 1] = q[ANGULAR_ACCEL_COMMAND + 1]! + stiffness * ey;
 }
@@ -152,13 +158,13 @@ function pointingDirection(step: Step, mode: number): boolean {
   const q = quantities;
   if (mode === MODE_RADIAL || mode === MODE_ANTIRADIAL) {
     const sign = mode === MODE_RADIAL ? 1 : -1;
-    for (let k = 0; k < 3; k++) q[AXIS + k] = sign * q[START + NORMAL + k]!;
+    for (let k = 0; k < 3; k++) q[AXIS + k] = sign * start[NORMAL + k]!;
     return true;
   }
   const ux = q[VELOCITY]!;
   const uy = q[VELOCITY + 1]!;
   const uz = q[VELOCITY + 2]!;
-  if (mode === MODE_SURFACE_RETROGRADE) return pointAgainstGroundSpeed(step);
+  if (mode === MODE_SURFACE_RETROGRADE) return pointAgainstGroundSpeed();
   const speed = Math.sqrt(ux * ux + uy * uy + uz * uz);
   if (speed < LEAST_SPEED) return false;
   const reversed = mode === MODE_RETROGRADE || mode === MODE_ANTINORMAL;
@@ -173,22 +179,20 @@ function pointingDirection(step: Step, mode: number): boolean {
   const y = rz * ux - rx * uz;
   const z = rx * uy - ry * ux;
   const length = Math.sqrt(x * x + y * y + z * z);
-  if (length < LEAST_SINE * q[START + DISTANCE]! * speed) return false;
+  if (length < LEAST_SINE * start[DISTANCE]! * speed) return false;
   pointAlong(x, y, z, reversed ? -1 / length : 1 / length);
   return true;
 }
 
 /** AXIS = unit(−v_rel), v_rel = u − Ω × r. */
-function pointAgainstGroundSpeed(step: Step): boolean {
+function pointAgainstGroundSpeed(): boolean {
   const q = quantities;
-  const { bodies } = step;
-  const bodyAt = step.bodyAt & SMI_MASK;
   const rx = q[POSITION]!;
   const ry = q[POSITION + 1]!;
   const rz = q[POSITION + 2]!;
-  const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const ox = q[GROUND_SPIN]!;
+  const oy = q[GROUND_SPIN + 1]!;
+  const oz = q[GROUND_SPIN + 2]!;
   const x = q[VELOCITY]! - (oy * rz - oz * ry);
   const y = q[VELOCITY + 1]! - (oz * rx - ox * rz);
   const z = q[VELOCITY + 2]! - (ox * ry - oy * rx);
@@ -208,12 +212,24 @@ function pointAlong(x: number, y: number, z: number, scale: number): void {
 /** TORQUE = I a. */
 function askByCommand(step: Step): void {
   const q = quantities;
-  const inertia = step.shipClass.inertia;
+  const { shipClass } = step;
   const factor = q[INERTIA_FACTOR]!;
   const ax = q[ANGULAR_ACCEL_COMMAND]!;
   const ay = q[ANGULAR_ACCEL_COMMAND + 1]!;
   const az = q[ANGULAR_ACCEL_COMMAND + 2]!;
-  q[TORQUE] = factor * (inertia[0]! * ax + inertia[1]! * ay + inertia[2]! * az);
-  q[TORQUE + 1] = factor * (inertia[3]! * ax + inertia[4]! * ay + inertia[5]! * az);
-  q[TORQUE + 2] = factor * (inertia[6]! * ax + inertia[7]! * ay + inertia[8]! * az);
+  q[TORQUE] =
+    factor *
+    (shipClass[INERTIA_TENSOR]! * ax +
+      shipClass[INERTIA_TENSOR + 1]! * ay +
+      shipClass[INERTIA_TENSOR + 2]! * az);
+  q[TORQUE + 1] =
+    factor *
+    (shipClass[INERTIA_TENSOR + 3]! * ax +
+      shipClass[INERTIA_TENSOR + 4]! * ay +
+      shipClass[INERTIA_TENSOR + 5]! * az);
+  q[TORQUE + 2] =
+    factor *
+    (shipClass[INERTIA_TENSOR + 6]! * ax +
+      shipClass[INERTIA_TENSOR + 7]! * ay +
+      shipClass[INERTIA_TENSOR + 8]! * az);
 }

@@ -22,7 +22,7 @@ export function turnPlaceWithGround(step: Step): void {
   q[POSITION] = x + tx * twice + 2 * (ay * tz - az * ty);
   q[POSITION + 1] = y + ty * twice + 2 * (az * tx - ax * tz);
   q[POSITION + 2] = z + tz * twice + 2 * (ax * ty - ay * tx);
-  moveWithGround(step);
+  moveWithGround();
 }
 
 /** Landed: the attitude turns with the ground too; w = Ω. */
@@ -32,7 +32,7 @@ export function turnAttitudeWithGround(step: Step): void {
   const bodyAt = step.bodyAt & SMI_MASK;
   for (let k = 0; k < 4; k++) q[ROTATION + k] = bodies[bodyAt + BODY_TURN + k]!;
   rotateAttitude();
-  spinWithGround(step);
+  spinWithGround();
 }
 
 /** q = normalize(ROTATION q): a rotation in ICRF axes, on the left. */
@@ -71,7 +71,7 @@ export function shortestRotation(): void {
   const bz = q[TO + 2]!;
   const dot = ax * bx + ay * by + az * bz;
   if (dot < OPPOSED) {
-    perpendicularAxis(FROM);
+    perpendicularAxis(quantities, FROM);
     q[ROTATION] = q[AXIS]!;
     q[ROTATION + 1] = q[AXIS + 1]!;
     q[ROTATION + 2] = q[AXIS + 2]!;
@@ -92,12 +92,12 @@ export function shortestRotation(): void {
 /** |a_x| from which a is too close to x for a × x to give an axis; a × y is then at least as long. */
 const NEAR_X = 0.9;
 
-/** AXIS = unit(a × x), x = (1,0,0), or (0,1,0) if |a_x| ≥ 0.9, of the unit vector a at `from`. */
-export function perpendicularAxis(from: number): void {
+/** AXIS = unit(a × x), x = (1,0,0), or (0,1,0) if |a_x| ≥ 0.9, of the unit vector a at `rows[from]`. */
+export function perpendicularAxis(rows: Float64Array, from: number): void {
   const q = quantities;
-  const ax = q[from]!;
-  const ay = q[from + 1]!;
-  const az = q[from + 2]!;
+  const ax = rows[from]!;
+  const ay = rows[from + 1]!;
+  const az = rows[from + 2]!;
   if (ax >= NEAR_X || ax <= -NEAR_X) {
     const perLength = 1 / Math.sqrt(az * az + ax * ax);
     q[AXIS] = -az * perLength;

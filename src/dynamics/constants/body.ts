@@ -88,9 +88,38 @@ export function readBodyMotion(rows: Float64Array, at: number): BodyMotion {
   };
 }
 
-/** Step 7: where each body's attitude will be at the substep's end. Once a substep, before the ships. */
+/**
+ * Step 7, once a substep, before the ships: where each body's attitude will be at the substep's end, normalize(q + ½ dt (Ω, 0) q), and
+ * the turn of ground-bound ships, normalize(Ω dt/2, 1).
+ */
 export function turnBodies(rows: Float64Array, count: number, dt: number): void {
-  for (let i = 0; i < count; i++) turnBody(rows, i * BODY_STRIDE, dt);
+  const half = 0.5 * dt;
+  for (let i = 0; i < count; i++) {
+    const at = (i * BODY_STRIDE) & SMI_MASK;
+    const tx = rows[at + BODY_ANGULAR_VELOCITY]! * half;
+    const ty = rows[at + BODY_ANGULAR_VELOCITY + 1]! * half;
+    const tz = rows[at + BODY_ANGULAR_VELOCITY + 2]! * half;
+    const perTurn = 1 / Math.sqrt(tx * tx + ty * ty + tz * tz + 1);
+    rows[at + BODY_TURN] = tx * perTurn;
+    rows[at + BODY_TURN + 1] = ty * perTurn;
+    rows[at + BODY_TURN + 2] = tz * perTurn;
+    rows[at + BODY_TURN + 3] = perTurn;
+
+    const qx = rows[at + BODY_ATTITUDE]!;
+    const qy = rows[at + BODY_ATTITUDE + 1]!;
+    const qz = rows[at + BODY_ATTITUDE + 2]!;
+    const qw = rows[at + BODY_ATTITUDE + 3]!;
+    const x = qx + (tx * qw + ty * qz - tz * qy);
+    const y = qy + (ty * qw + tz * qx - tx * qz);
+    const z = qz + (tz * qw + tx * qy - ty * qx);
+    const w = qw - (tx * qx + ty * qy + tz * qz);
+    const perLength = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
+    rows[at + BODY_END_ATTITUDE] = x * perLength;
+    rows[at + BODY_END_ATTITUDE + 1] = y * perLength;
+    rows[at + BODY_END_ATTITUDE + 2] = z * perLength;
+    rows[at + BODY_END_ATTITUDE + 3] = w * perLength;
+    writeAxes(rows, at + BODY_END_AXES, at + BODY_END_ATTITUDE);
+  }
 }
 
 /** After the ships: the substep's end is the next one's start. */
@@ -122,35 +151,6 @@ export function moveBodies(rows: Float64Array, count: number, seconds: number): 
       rows[at + BODY_POSITION + k] = rows[at + BODY_POSITION + k]! + rows[at + BODY_VELOCITY + k]! * seconds;
     }
   }
-}
-
-/** q = normalize(q + ½ dt (Ω, 0) q), and the turn of ground-bound ships, normalize(Ω dt/2, 1). */
-function turnBody(rows: Float64Array, row: number, dt: number): void {
-  const at = row & SMI_MASK;
-  const half = 0.5 * dt;
-  const tx = rows[at + BODY_ANGULAR_VELOCITY]! * half;
-  const ty = rows[at + BODY_ANGULAR_VELOCITY + 1]! * half;
-  const tz = rows[at + BODY_ANGULAR_VELOCITY + 2]! * half;
-  const perTurn = 1 / Math.sqrt(tx * tx + ty * ty + tz * tz + 1);
-  rows[at + BODY_TURN] = tx * perTurn;
-  rows[at + BODY_TURN + 1] = ty * perTurn;
-  rows[at + BODY_TURN + 2] = tz * perTurn;
-  rows[at + BODY_TURN + 3] = perTurn;
-
-  const qx = rows[at + BODY_ATTITUDE]!;
-  const qy = rows[at + BODY_ATTITUDE + 1]!;
-  const qz = rows[at + BODY_ATTITUDE + 2]!;
-  const qw = rows[at + BODY_ATTITUDE + 3]!;
-  const x = qx + (tx * qw + ty * qz - tz * qy);
-  const y = qy + (ty * qw + tz * qx - tx * qz);
-  const z = qz + (tz * qw + tx * qy - ty * qx);
-  const w = qw - (tx * qx + ty * qy + tz * qz);
-  const perLength = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
-  rows[at + BODY_END_ATTITUDE] = x * perLength;
-  rows[at + BODY_END_ATTITUDE + 1] = y * perLength;
-  rows[at + BODY_END_ATTITUDE + 2] = z * perLength;
-  rows[at + BODY_END_ATTITUDE + 3] = w * perLength;
-  writeAxes(rows, at + BODY_END_AXES, at + BODY_END_ATTITUDE);
 }
 
 /** The rotation matrix, row by row, of the unit quaternion at `from`; both in `rows`. */

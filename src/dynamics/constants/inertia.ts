@@ -3,6 +3,9 @@ import { INERTIA, outside } from './limits';
 
 /** Inertia tensors: kg m², body axes, with full tanks. */
 
+/** How far elements that must be equal may differ, as a share of the mean moment: a part in 10⁹, since recordings print rounded values. */
+const SYMMETRIC_WITHIN = 3e-9;
+
 /** Least determinant of an inertia tensor divided by the cube of its mean moment: 1 for a ball, 3.4 / k for a rod of moments k, k, 1. */
 const MIN_ROUNDNESS = 1e-6;
 
@@ -20,8 +23,7 @@ export function scalarInertias(k: Float64Array): { supportInertia: number; scrub
 }
 
 /**
- * Why a tensor is no inertia tensor, or null. Checks its diagonal, its symmetry (to a part in 10⁹: recordings print rounded
- * values), Sylvester's criterion, and that it is no needle: the ground's impulse on a tipped hull (DYNAMICS, Tipped) spins a hull ever
+ * Why a tensor is no inertia tensor, or null. Checks its diagonal, its symmetry, Sylvester's criterion, and that it is no needle: the ground's impulse on a tipped hull (DYNAMICS, Tipped) spins a hull ever
  * faster if its moments differ by more than a factor of about a million. Moments that no mass can have, one above the sum of the other two,
  * are accepted: the dynamics do not depend on it.
  */
@@ -34,7 +36,7 @@ export function noTensor([a, b, c]: Mat3): string | null {
   }
   const mean = (a[0] + b[1] + c[2]) / 3;
   const skew = largest([a[1] - b[0], a[2] - c[0], b[2] - c[1]].map(Math.abs) as unknown as Vec3);
-  if (!(skew <= 3e-9 * mean))
+  if (!(skew <= SYMMETRIC_WITHIN * mean))
     return `inertiaTensor: expected a symmetric tensor, got elements that differ by ${skew} kg m²`;
   const minor = a[0] * b[1] - a[1] * b[0];
   const determinant =

@@ -55,6 +55,8 @@ export interface LoadedSettings extends Settings {
   readonly cosSettleTilt: number;
   /** Cosine of contactTippedAngleDeg. */
   readonly cosTippedAngle: number;
+  /** What of all this a substep reads: columns of constantRows.ts. */
+  readonly constants: Float64Array;
 }
 
 /** Loads settings, or returns an error that names the first setting out of range, and the range. Absent settings have their defaults. */
@@ -68,12 +70,21 @@ export function loadSettings(given: Partial<Settings>): Result<LoadedSettings> {
   }
   const outOfRange = firstOutOfRange(s);
   if (outOfRange !== null) return err(outOfRange);
-  return ok(
-    Object.freeze({
-      ...s,
-      cosSettleTilt: cosineOfDegrees(s.contactSettleTiltDeg),
-      cosTippedAngle: cosineOfDegrees(s.contactTippedAngleDeg),
-    }),
+  const loaded = {
+    ...s,
+    cosSettleTilt: cosineOfDegrees(s.contactSettleTiltDeg),
+    cosTippedAngle: cosineOfDegrees(s.contactTippedAngleDeg),
+  };
+  return ok(Object.freeze({ ...loaded, constants: constantsOf(loaded) }));
+}
+
+/** In the order of constantRows.ts. */
+function constantsOf(s: Omit<LoadedSettings, 'constants'>): Float64Array {
+  return Float64Array.of(
+    ...[s.contactCrashSpeed, s.contactBounceSpeed, s.contactSettleAngularVel, s.contactSettleLinearVel],
+    ...[s.contactDampingRatio, s.contactFrictionStatic, s.contactFrictionKinetic],
+    ...[s.cosSettleTilt, s.cosTippedAngle],
+    ...[s.touchdownAttitude === 'aligned' ? 1 : 0, s.surfaceNormal === 'terrain' ? 1 : 0],
   );
 }
 
@@ -90,13 +101,14 @@ function firstOutOfRange(s: Settings): string | null {
     ],
     ['contactSettleAngularVel', s.contactSettleAngularVel > 0, '> 0 rad/s'],
     ['contactSettleLinearVel', s.contactSettleLinearVel > 0, '> 0 m/s'],
+    ['contactTippedAngleDeg', s.contactTippedAngleDeg > 0, '> 0°'],
+    ['contactTippedAngleDeg', s.contactTippedAngleDeg < 90, '< 90°'],
     ['contactSettleTiltDeg', s.contactSettleTiltDeg > 0, '> 0°'],
     [
       'contactSettleTiltDeg',
       s.contactSettleTiltDeg < s.contactTippedAngleDeg,
       `< contactTippedAngleDeg (${String(s.contactTippedAngleDeg)}°)`,
     ],
-    ['contactTippedAngleDeg', s.contactTippedAngleDeg < 90, '< 90°'],
     ['contactDampingRatio', s.contactDampingRatio > 0 && s.contactDampingRatio <= 1, '> 0 and ≤ 1'],
     ['contactFrictionStatic', s.contactFrictionStatic >= 0 && s.contactFrictionStatic <= 2, '≥ 0 and ≤ 2'],
     [

@@ -79,6 +79,8 @@ export interface LoadedShipClass extends ShipClass {
   readonly rcsFlow: number;
   /** RCS force per newton metre of torque, 1/m. */
   readonly forcePerTorque: number;
+  /** What of all this a substep reads: columns of constantRows.ts. */
+  readonly constants: Float64Array;
 }
 
 /** Standard gravity, m/s²: converts specific impulse in seconds to exhaust velocity. */
@@ -95,21 +97,31 @@ export function loadShipClass(given: ShipClass): Result<LoadedShipClass> {
   const burnsMain = given.mainEngineThrust > 0;
   const turnsByRcs = largest(given.rcsTorque) > 0;
   const burnsRcs = turnsByRcs || largest(given.rcsThrust) > 0;
-  return ok(
-    Object.freeze({
-      ...given,
-      fullMass,
-      inertia,
-      inverseInertia,
-      ...inertiaByFuel(given, fullMass),
-      ...scalarInertias(inverseInertia),
-      attitudeStiffness: attitudeNaturalFrequency * attitudeNaturalFrequency,
-      attitudeDamping: 2 * attitudeNaturalFrequency,
-      wheelCapacity: given.reactionWheelCapacity ?? NEVER_FULL,
-      mainEngineFlow: burnsMain ? 1 / (given.mainEngineIsp * STANDARD_GRAVITY) : 0,
-      rcsFlow: burnsRcs ? 1 / (given.rcsIsp * STANDARD_GRAVITY) : 0,
-      forcePerTorque: turnsByRcs ? 1 / given.rcsLever : 0,
-    }),
+  const loaded = {
+    ...given,
+    fullMass,
+    inertia,
+    inverseInertia,
+    ...inertiaByFuel(given, fullMass),
+    ...scalarInertias(inverseInertia),
+    attitudeStiffness: attitudeNaturalFrequency * attitudeNaturalFrequency,
+    attitudeDamping: 2 * attitudeNaturalFrequency,
+    wheelCapacity: given.reactionWheelCapacity ?? NEVER_FULL,
+    mainEngineFlow: burnsMain ? 1 / (given.mainEngineIsp * STANDARD_GRAVITY) : 0,
+    rcsFlow: burnsRcs ? 1 / (given.rcsIsp * STANDARD_GRAVITY) : 0,
+    forcePerTorque: turnsByRcs ? 1 / given.rcsLever : 0,
+  };
+  return ok(Object.freeze({ ...loaded, constants: constantsOf(loaded) }));
+}
+
+/** In the order of constantRows.ts. */
+function constantsOf(c: Omit<LoadedShipClass, 'constants'>): Float64Array {
+  return Float64Array.of(
+    ...[c.dryMass, c.legRadius, c.inertiaAtDry, c.inertiaPerFuel, c.supportInertia, c.scrubInertia],
+    ...[c.attitudeStiffness, c.attitudeDamping],
+    ...[c.mainEngineThrust, c.mainEngineFlow, c.rcsFlow, c.forcePerTorque],
+    ...[...c.rcsThrust, ...c.rcsTorque, ...c.reactionWheelTorque, ...c.wheelCapacity],
+    ...[...c.inertia, ...c.inverseInertia],
   );
 }
 

@@ -1,30 +1,30 @@
 import { POSITION, VELOCITY } from '../state/layout';
-import { DT, END, GRAVITY, MASS, NORMAL, quantities, START, type Step, THRUST } from './quantities';
+import { DT, end, GRAVITY, MASS, NORMAL, quantities, start, type Step, THRUST } from './quantities';
 import { readPlace } from './surface';
 
-/** Step 5 in the air: velocity Verlet under gravity and thrust. Leaves the place at END read. */
+/** Step 5 in the air: velocity Verlet under gravity and thrust. Leaves the place at `end` read. */
 export function fly(step: Step): void {
   const q = quantities;
   const dt = q[DT]!;
   const half = 0.5 * dt;
   const halfSquared = half * dt;
   const perMass = 1 / q[MASS]!;
-  const g = q[START + GRAVITY]!;
+  const g = start[GRAVITY]!;
   const px = q[THRUST]! * perMass;
   const py = q[THRUST + 1]! * perMass;
   const pz = q[THRUST + 2]! * perMass;
-  const ax = px - g * q[START + NORMAL]!;
-  const ay = py - g * q[START + NORMAL + 1]!;
-  const az = pz - g * q[START + NORMAL + 2]!;
+  const ax = px - g * start[NORMAL]!;
+  const ay = py - g * start[NORMAL + 1]!;
+  const az = pz - g * start[NORMAL + 2]!;
   const ux = q[VELOCITY]!;
   const uy = q[VELOCITY + 1]!;
   const uz = q[VELOCITY + 2]!;
   q[POSITION] = q[POSITION]! + (ux * dt + ax * halfSquared);
   q[POSITION + 1] = q[POSITION + 1]! + (uy * dt + ay * halfSquared);
   q[POSITION + 2] = q[POSITION + 2]! + (uz * dt + az * halfSquared);
-  readPlace(END, step);
-  const h = q[END + GRAVITY]!;
-  q[VELOCITY] = ux + (ax + (px - h * q[END + NORMAL]!)) * half;
-  q[VELOCITY + 1] = uy + (ay + (py - h * q[END + NORMAL + 1]!)) * half;
-  q[VELOCITY + 2] = uz + (az + (pz - h * q[END + NORMAL + 2]!)) * half;
+  readPlace(end, step);
+  const h = end[GRAVITY]!;
+  q[VELOCITY] = ux + (ax + (px - h * end[NORMAL]!)) * half;
+  q[VELOCITY + 1] = uy + (ay + (py - h * end[NORMAL + 1]!)) * half;
+  q[VELOCITY + 2] = uz + (az + (pz - h * end[NORMAL + 2]!)) * half;
 }

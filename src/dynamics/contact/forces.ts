@@ -1,17 +1,9 @@
-import {
-  BODY_ANGULAR_VELOCITY,
-  IMPACT_SPEED,
-  POSITION,
-  SURFACE_STATE,
-  TIPPED,
-  VELOCITY,
-} from '../state/layout';
+import { IMPACT_SPEED, POSITION, SURFACE_STATE, TIPPED, VELOCITY } from '../state/layout';
 import {
   ALONG,
   COS_SLOPE,
   DEPTH,
   DT,
-  FRICTION,
   GRAVITY,
   LIFT,
   LOAD,
@@ -20,10 +12,10 @@ import {
   NORMAL_FORCE,
   NORMAL_SPEED,
   PENETRATION,
+  GROUND_SPIN,
   quantities,
   SLOPE,
-  SMI_MASK,
-  START,
+  start,
   type Step,
   SURFACE_NORMAL,
   TANGENTIAL_SPEED_SQUARED,
@@ -31,6 +23,13 @@ import {
   THRUST,
   WEIGHT,
 } from './quantities';
+import {
+  BOUNCE_SPEED,
+  DAMPING_RATIO,
+  FRICTION_KINETIC,
+  FRICTION_STATIC,
+  SETTLE_LINEAR_VEL,
+} from '../constants/constantRows';
 
 /** k / m, s⁻²: the contact spring (DYNAMICS, Normal force). */
 const STIFFNESS = 100;
@@ -40,166 +39,141 @@ const CRITICAL_DAMPING = 20;
 const HELD_SPEED_SQUARED = 1e-4;
 
 /** LOAD, what presses into the ground, and DEPTH, where the spring rests under it; by the gravity at `surface`. */
-export function readLoad(surface: number): void {
+export function readLoad(surface: Float64Array): void {
   const q = quantities;
-  const from = surface & SMI_MASK;
-  const weight = q[MASS]! * q[from + GRAVITY]!;
+  const weight = q[MASS]! * surface[GRAVITY]!;
   const load =
-    weight * q[from + COS_SLOPE]! -
-    (q[THRUST]! * q[from + SURFACE_NORMAL]! +
-      q[THRUST + 1]! * q[from + SURFACE_NORMAL + 1]! +
-      q[THRUST + 2]! * q[from + SURFACE_NORMAL + 2]!);
+    weight * surface[COS_SLOPE]! -
+    (q[THRUST]! * surface[SURFACE_NORMAL]! +
+      q[THRUST + 1]! * surface[SURFACE_NORMAL + 1]! +
+      q[THRUST + 2]! * surface[SURFACE_NORMAL + 2]!);
   q[LOAD] = load > 0 ? load : 0;
   q[DEPTH] = q[LOAD] / (STIFFNESS * q[MASS]!);
 }
 
-/** ALONG: what pushes along the ground, weight on a slope less thrust. */
-function readAlong(): void {
-  const q = quantities;
-  const sx = q[START + SURFACE_NORMAL]!;
-  const sy = q[START + SURFACE_NORMAL + 1]!;
-  const sz = q[START + SURFACE_NORMAL + 2]!;
-  const off = q[THRUST]! * sx + q[THRUST + 1]! * sy + q[THRUST + 2]! * sz;
-  q[ALONG] = q[WEIGHT]! * q[START + SLOPE]! - (q[THRUST]! - off * sx);
-  q[ALONG + 1] = q[WEIGHT]! * q[START + SLOPE + 1]! - (q[THRUST + 1]! - off * sy);
-  q[ALONG + 2] = q[WEIGHT]! * q[START + SLOPE + 2]! - (q[THRUST + 2]! - off * sz);
-}
-
 /** Whether vertical speed, √(v_s² + 100 (penetration c_s − DEPTH)²), the spring's stored energy counted in, and slide are small. */
-export function isNearlyAtRest(surface: number, step: Step): boolean {
+export function isNearlyAtRest(surface: Float64Array, step: Step): boolean {
   const q = quantities;
-  const limit = step.world.settings.contactSettleLinearVel;
-  const speed = q[surface + NORMAL_SPEED]!;
-  const sunk = q[surface + PENETRATION]! * q[surface + COS_SLOPE]! - q[DEPTH]!;
+  const limit = step.settings[SETTLE_LINEAR_VEL]!;
+  const speed = surface[NORMAL_SPEED]!;
+  const sunk = surface[PENETRATION]! * surface[COS_SLOPE]! - q[DEPTH]!;
   return (
     speed * speed + STIFFNESS * (sunk * sunk) < limit * limit &&
-    q[surface + TANGENTIAL_SPEED_SQUARED]! < limit * limit
+    surface[TANGENTIAL_SPEED_SQUARED]! < limit * limit
   );
 }
 
-/** Step 3, of a ship in the ground: its load, the depth it would rest at, and whether the ground holds it where it lies tipped. */
-export function isPinned(step: Step): boolean {
+/**
+ * Steps 3 and 4, of a ship in the ground: LOAD and DEPTH, ALONG (what pushes along the ground, weight on a slope less thrust) and
+ * NORMAL_FORCE, from spring and damper. Whether the ground pins the ship where it lies tipped; the force is the load then.
+ */
+export function press(step: Step): boolean {
   const q = quantities;
-  readLoad(START);
-  readAlong();
-  if (q[SURFACE_STATE] !== TIPPED || !isNearlyAtRest(START, step)) return false;
-  const most = step.world.settings.contactFrictionStatic * q[LOAD]!;
-  return q[ALONG]! * q[ALONG]! + q[ALONG + 1]! * q[ALONG + 1]! + q[ALONG + 2]! * q[ALONG + 2]! <= most * most;
-}
-
-/** Step 4, of a ship in the ground: F_n, spring and damper; the load where it is pinned. */
-export function pressNormal(step: Step, pinned: boolean): void {
-  const q = quantities;
-  if (pinned) {
+  const { settings } = step;
+  readLoad(start);
+  const sx = start[SURFACE_NORMAL]!;
+  const sy = start[SURFACE_NORMAL + 1]!;
+  const sz = start[SURFACE_NORMAL + 2]!;
+  const off = q[THRUST]! * sx + q[THRUST + 1]! * sy + q[THRUST + 2]! * sz;
+  const ax = q[WEIGHT]! * start[SLOPE]! - (q[THRUST]! - off * sx);
+  const ay = q[WEIGHT]! * start[SLOPE + 1]! - (q[THRUST + 1]! - off * sy);
+  const az = q[WEIGHT]! * start[SLOPE + 2]! - (q[THRUST + 2]! - off * sz);
+  q[ALONG] = ax;
+  q[ALONG + 1] = ay;
+  q[ALONG + 2] = az;
+  const isTipped = q[SURFACE_STATE] === TIPPED;
+  const mostAlong = settings[FRICTION_STATIC]! * q[LOAD]!;
+  if (isTipped && isNearlyAtRest(start, step) && ax * ax + ay * ay + az * az <= mostAlong * mostAlong) {
     q[NORMAL_FORCE] = q[LOAD]!;
-    return;
+    return true;
   }
   // c = 2 ζ √(k m) with k = 100 m.
-  const damping = settlesWithoutBounce(step)
-    ? CRITICAL_DAMPING
-    : CRITICAL_DAMPING * step.world.settings.contactDampingRatio;
-  const sunk = q[START + PENETRATION]! * q[START + COS_SLOPE]!;
-  const force = q[MASS]! * (STIFFNESS * sunk - damping * q[START + NORMAL_SPEED]!);
+  const ratio = settlesWithoutBounce(step) ? 1 : settings[DAMPING_RATIO]!;
+  const sunk = start[PENETRATION]! * start[COS_SLOPE]!;
+  const force = q[MASS]! * (STIFFNESS * sunk - CRITICAL_DAMPING * ratio * start[NORMAL_SPEED]!);
   q[NORMAL_FORCE] = force > 0 ? force : 0;
+  return false;
 }
 
 /** Tipped, or in the contact of a touch not above contact_bounce_speed. Asked of grounded ships. */
 function settlesWithoutBounce(step: Step): boolean {
   const q = quantities;
-  return q[SURFACE_STATE] === TIPPED || q[IMPACT_SPEED]! <= step.world.settings.contactBounceSpeed;
+  return q[SURFACE_STATE] === TIPPED || q[IMPACT_SPEED]! <= step.settings[BOUNCE_SPEED]!;
 }
 
-/** FRICTION: holds against slide, push, slope and the ground's own turning, or is kinetic and never more than ends the slide. */
-function rub(step: Step): void {
-  const q = quantities;
-  const { bodies } = step;
-  const bodyAt = step.bodyAt & SMI_MASK;
-  const { contactFrictionKinetic, contactFrictionStatic } = step.world.settings;
-  const force = q[NORMAL_FORCE]!;
-  const mass = q[MASS]!;
-  const perSpeed = mass / q[DT]!;
-  const half = 0.5 * mass;
-  const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
-  const ux = q[VELOCITY]!;
-  const uy = q[VELOCITY + 1]!;
-  const uz = q[VELOCITY + 2]!;
-  let dx = q[START + TANGENTIAL_VELOCITY]! * perSpeed - (q[ALONG]! + half * (oy * uz - oz * uy));
-  let dy = q[START + TANGENTIAL_VELOCITY + 1]! * perSpeed - (q[ALONG + 1]! + half * (oz * ux - ox * uz));
-  let dz = q[START + TANGENTIAL_VELOCITY + 2]! * perSpeed - (q[ALONG + 2]! + half * (ox * uy - oy * ux));
-  const sx = q[START + SURFACE_NORMAL]!;
-  const sy = q[START + SURFACE_NORMAL + 1]!;
-  const sz = q[START + SURFACE_NORMAL + 2]!;
-  const off = dx * sx + dy * sy + dz * sz;
-  dx -= off * sx;
-  dy -= off * sy;
-  dz -= off * sz;
-  const demand = dx * dx + dy * dy + dz * dz;
-  const held = contactFrictionStatic * force;
-  const kinetic = contactFrictionKinetic * force;
-  const holds = q[START + TANGENTIAL_SPEED_SQUARED]! <= HELD_SPEED_SQUARED && demand <= held * held;
-  const share = holds || demand <= kinetic * kinetic ? 1 : kinetic / Math.sqrt(demand);
-  q[FRICTION] = -dx * share;
-  q[FRICTION + 1] = -dy * share;
-  q[FRICTION + 2] = -dz * share;
-}
-
-/** Step 5 on the ground: friction, semi-implicit Euler, and no bounce out of a settling contact. */
+/**
+ * Step 5 on the ground: friction, semi-implicit Euler, and no bounce out of a settling contact. In one piece, so that nothing on the way
+ * from the forces to the place leaves the registers.
+ */
 export function moveOnGround(step: Step): void {
   const q = quantities;
   const dt = q[DT]!;
-  const perMass = dt / q[MASS]!;
   const force = q[NORMAL_FORCE]!;
   const weight = q[WEIGHT]!;
-  if (force > 0) rub(step);
-  else q[FRICTION] = q[FRICTION + 1] = q[FRICTION + 2] = 0;
-  q[VELOCITY] =
-    q[VELOCITY]! +
-    (force * q[START + SURFACE_NORMAL]! - weight * q[START + NORMAL]! + q[FRICTION]! + q[THRUST]!) * perMass;
-  q[VELOCITY + 1] =
-    q[VELOCITY + 1]! +
-    (force * q[START + SURFACE_NORMAL + 1]! -
-      weight * q[START + NORMAL + 1]! +
-      q[FRICTION + 1]! +
-      q[THRUST + 1]!) *
-      perMass;
-  q[VELOCITY + 2] =
-    q[VELOCITY + 2]! +
-    (force * q[START + SURFACE_NORMAL + 2]! -
-      weight * q[START + NORMAL + 2]! +
-      q[FRICTION + 2]! +
-      q[THRUST + 2]!) *
-      perMass;
-  if (q[START + PENETRATION]! > 0 && q[LIFT]! <= weight && settlesWithoutBounce(step)) capRise(step);
-  q[POSITION] = q[POSITION]! + q[VELOCITY] * dt;
-  q[POSITION + 1] = q[POSITION + 1]! + q[VELOCITY + 1]! * dt;
-  q[POSITION + 2] = q[POSITION + 2]! + q[VELOCITY + 2]! * dt;
-}
-
-/** The speed off the ground of a settling ship ends at the static depth: the excess is taken off along s. */
-function capRise(step: Step): void {
-  const q = quantities;
-  const { bodies } = step;
-  const bodyAt = step.bodyAt & SMI_MASK;
-  const sx = q[START + SURFACE_NORMAL]!;
-  const sy = q[START + SURFACE_NORMAL + 1]!;
-  const sz = q[START + SURFACE_NORMAL + 2]!;
-  const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const perMass = dt / q[MASS]!;
+  const sx = start[SURFACE_NORMAL]!;
+  const sy = start[SURFACE_NORMAL + 1]!;
+  const sz = start[SURFACE_NORMAL + 2]!;
+  const ox = q[GROUND_SPIN]!;
+  const oy = q[GROUND_SPIN + 1]!;
+  const oz = q[GROUND_SPIN + 2]!;
+  let ux = q[VELOCITY]!;
+  let uy = q[VELOCITY + 1]!;
+  let uz = q[VELOCITY + 2]!;
+  let fx = 0;
+  let fy = 0;
+  let fz = 0;
+  if (force > 0) {
+    // What friction would have to stand against for the ship to stay: slide, push, slope and the ground's own turning.
+    const perSpeed = q[MASS]! / dt;
+    const half = 0.5 * q[MASS]!;
+    const dx = start[TANGENTIAL_VELOCITY]! * perSpeed - (q[ALONG]! + half * (oy * uz - oz * uy));
+    const dy = start[TANGENTIAL_VELOCITY + 1]! * perSpeed - (q[ALONG + 1]! + half * (oz * ux - ox * uz));
+    const dz = start[TANGENTIAL_VELOCITY + 2]! * perSpeed - (q[ALONG + 2]! + half * (ox * uy - oy * ux));
+    const off = dx * sx + dy * sy + dz * sz;
+    fx = dx - off * sx;
+    fy = dy - off * sy;
+    fz = dz - off * sz;
+    const share = frictionShare(fx * fx + fy * fy + fz * fz, force, step.settings);
+    fx = -fx * share;
+    fy = -fy * share;
+    fz = -fz * share;
+  }
+  ux += (force * sx - weight * start[NORMAL]! + fx + q[THRUST]!) * perMass;
+  uy += (force * sy - weight * start[NORMAL + 1]! + fy + q[THRUST + 1]!) * perMass;
+  uz += (force * sz - weight * start[NORMAL + 2]! + fz + q[THRUST + 2]!) * perMass;
   const rx = q[POSITION]!;
   const ry = q[POSITION + 1]!;
   const rz = q[POSITION + 2]!;
-  const vx = q[VELOCITY]! - (oy * rz - oz * ry);
-  const vy = q[VELOCITY + 1]! - (oz * rx - ox * rz);
-  const vz = q[VELOCITY + 2]! - (ox * ry - oy * rx);
-  const rise = vx * sx + vy * sy + vz * sz;
-  const toRest = (q[START + PENETRATION]! * q[START + COS_SLOPE]! - q[DEPTH]!) / q[DT]!;
-  const most = toRest > 0 ? toRest : 0;
-  if (!(rise > most)) return;
-  const excess = rise - most;
-  q[VELOCITY] = q[VELOCITY]! - excess * sx;
-  q[VELOCITY + 1] = q[VELOCITY + 1]! - excess * sy;
-  q[VELOCITY + 2] = q[VELOCITY + 2]! - excess * sz;
+  if (start[PENETRATION]! > 0 && q[LIFT]! <= weight && settlesWithoutBounce(step)) {
+    const rise =
+      (ux - (oy * rz - oz * ry)) * sx + (uy - (oz * rx - ox * rz)) * sy + (uz - (ox * ry - oy * rx)) * sz;
+    const excess = rise - mostRise();
+    if (excess > 0) {
+      ux -= excess * sx;
+      uy -= excess * sy;
+      uz -= excess * sz;
+    }
+  }
+  q[VELOCITY] = ux;
+  q[VELOCITY + 1] = uy;
+  q[VELOCITY + 2] = uz;
+  q[POSITION] = rx + ux * dt;
+  q[POSITION + 1] = ry + uy * dt;
+  q[POSITION + 2] = rz + uz * dt;
+}
+
+/** How much of the demanded friction the ground gives: all where it holds, at most what kinetic friction has. */
+function frictionShare(demandSquared: number, force: number, settings: Float64Array): number {
+  const held = settings[FRICTION_STATIC]! * force;
+  const kinetic = settings[FRICTION_KINETIC]! * force;
+  const holds = start[TANGENTIAL_SPEED_SQUARED]! <= HELD_SPEED_SQUARED && demandSquared <= held * held;
+  return holds || demandSquared <= kinetic * kinetic ? 1 : kinetic / Math.sqrt(demandSquared);
+}
+
+/** The speed off the ground that ends at the static depth within the substep, m/s, ≥ 0. */
+function mostRise(): number {
+  const q = quantities;
+  const toRest = (start[PENETRATION]! * start[COS_SLOPE]! - q[DEPTH]!) / q[DT]!;
+  return toRest > 0 ? toRest : 0;
 }

@@ -1,24 +1,19 @@
-import {
-  ANGULAR_VELOCITY,
-  BODY_ANGULAR_VELOCITY,
-  GROUND_CONTACT_OFFSET,
-  SURFACE_STATE,
-  TIPPED,
-} from '../state/layout';
+import { ANGULAR_VELOCITY, GROUND_CONTACT_OFFSET, SURFACE_STATE, TIPPED } from '../state/layout';
 import {
   AXES,
   COS_SLOPE,
   INERTIA_FACTOR,
   NORMAL,
   NORMAL_FORCE,
+  GROUND_SPIN,
   quantities,
-  SMI_MASK,
-  START,
+  start,
   type Step,
   SURFACE_NORMAL,
   TORQUE,
   WEIGHT,
 } from './quantities';
+import { FRICTION_KINETIC, LEG_RADIUS, SCRUB_INERTIA, SUPPORT_INERTIA } from '../constants/constantRows';
 
 /** s⁻² and s⁻¹ per unit of inertia: the rotational counterpart of the spring-damper, critical. */
 const SUPPORT_STIFFNESS = 100;
@@ -31,41 +26,40 @@ const SCRUB_DAMPING = 20;
  */
 export function addGroundMoments(step: Step): void {
   const q = quantities;
-  const { bodies, shipClass } = step;
-  const bodyAt = step.bodyAt & SMI_MASK;
+  const { settings, shipClass } = step;
   const factor = q[INERTIA_FACTOR]!;
   const upX = q[AXES + 2]!;
   const upY = q[AXES + 5]!;
   const upZ = q[AXES + 8]!;
-  const nx = q[START + NORMAL]!;
-  const ny = q[START + NORMAL + 1]!;
-  const nz = q[START + NORMAL + 2]!;
-  const sx = q[START + SURFACE_NORMAL]!;
-  const sy = q[START + SURFACE_NORMAL + 1]!;
-  const sz = q[START + SURFACE_NORMAL + 2]!;
-  const rx = q[ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const ry = q[ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const rz = q[ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const nx = start[NORMAL]!;
+  const ny = start[NORMAL + 1]!;
+  const nz = start[NORMAL + 2]!;
+  const sx = start[SURFACE_NORMAL]!;
+  const sy = start[SURFACE_NORMAL + 1]!;
+  const sz = start[SURFACE_NORMAL + 2]!;
+  const rx = q[ANGULAR_VELOCITY]! - q[GROUND_SPIN]!;
+  const ry = q[ANGULAR_VELOCITY + 1]! - q[GROUND_SPIN + 1]!;
+  const rz = q[ANGULAR_VELOCITY + 2]! - q[GROUND_SPIN + 2]!;
   const yaw = rx * sx + ry * sy + rz * sz;
   const yawX = yaw * sx;
   const yawY = yaw * sy;
   const yawZ = yaw * sz;
 
   // What the feet carry, and as much of the weight.
-  const most = q[WEIGHT]! * q[START + COS_SLOPE]!;
+  const most = q[WEIGHT]! * start[COS_SLOPE]!;
   const held = q[NORMAL_FORCE]! < most ? q[NORMAL_FORCE]! : most;
-  const carried = held / q[START + COS_SLOPE]!;
+  const carried = held / start[COS_SLOPE]!;
   const toppling = carried * q[GROUND_CONTACT_OFFSET]!;
 
   // Support: J (−100 (s × up) − 20 w_tilt), at most what the footprint's edge gives.
-  const support = shipClass.supportInertia * factor;
+  const support = shipClass[SUPPORT_INERTIA]! * factor;
   const stiffness = -SUPPORT_STIFFNESS * support;
   const damping = SUPPORT_DAMPING * support;
   let mx = stiffness * (sy * upZ - sz * upY) - damping * (rx - yawX);
   let my = stiffness * (sz * upX - sx * upZ) - damping * (ry - yawY);
   let mz = stiffness * (sx * upY - sy * upX) - damping * (rz - yawZ);
   const level = nx * upX + ny * upY + nz * upZ;
-  const mostSupport = level > 0 ? carried * shipClass.legRadius * level : 0;
+  const mostSupport = level > 0 ? carried * shipClass[LEG_RADIUS]! * level : 0;
   const supportSquared = mx * mx + my * my + mz * mz;
   if (supportSquared > mostSupport * mostSupport) {
     const share = mostSupport / Math.sqrt(supportSquared);
@@ -76,11 +70,11 @@ export function addGroundMoments(step: Step): void {
 
   // Scrub: −20 J' x, x the yaw about s, and for a tipped hull its roll about up as well.
   const roll = q[SURFACE_STATE] === TIPPED ? rx * upX + ry * upY + rz * upZ : 0;
-  const scrubbing = -SCRUB_DAMPING * (shipClass.scrubInertia * factor);
+  const scrubbing = -SCRUB_DAMPING * (shipClass[SCRUB_INERTIA]! * factor);
   let kx = scrubbing * (yawX + roll * upX);
   let ky = scrubbing * (yawY + roll * upY);
   let kz = scrubbing * (yawZ + roll * upZ);
-  const mostScrub = step.world.settings.contactFrictionKinetic * held * shipClass.legRadius;
+  const mostScrub = settings[FRICTION_KINETIC]! * held * shipClass[LEG_RADIUS]!;
   const scrubSquared = kx * kx + ky * ky + kz * kz;
   if (scrubSquared > mostScrub * mostScrub) {
     const share = mostScrub / Math.sqrt(scrubSquared);

@@ -1,5 +1,5 @@
-import { ANGULAR_VELOCITY, ATTITUDE, BODY_ANGULAR_VELOCITY, POSITION, VELOCITY } from '../state/layout';
-import { AXES, COS_TILT, END, quantities, SMI_MASK, type Step, SURFACE_NORMAL } from './quantities';
+import { ANGULAR_VELOCITY, ATTITUDE, POSITION, VELOCITY } from '../state/layout';
+import { AXES, COS_TILT, end, GROUND_SPIN, quantities, SURFACE_NORMAL } from './quantities';
 
 /** Fills AXES, the rotation matrix of the ship's attitude as it is now. */
 export function readAxes(): void {
@@ -41,19 +41,17 @@ export function readUp(): void {
 export function readTilt(): void {
   const q = quantities;
   q[COS_TILT] =
-    q[END + SURFACE_NORMAL]! * q[AXES + 2]! +
-    q[END + SURFACE_NORMAL + 1]! * q[AXES + 5]! +
-    q[END + SURFACE_NORMAL + 2]! * q[AXES + 8]!;
+    end[SURFACE_NORMAL]! * q[AXES + 2]! +
+    end[SURFACE_NORMAL + 1]! * q[AXES + 5]! +
+    end[SURFACE_NORMAL + 2]! * q[AXES + 8]!;
 }
 
 /** u = Ω × r: the ship moves as the ground at its centre of mass. */
-export function moveWithGround(step: Step): void {
+export function moveWithGround(): void {
   const q = quantities;
-  const { bodies } = step;
-  const bodyAt = step.bodyAt & SMI_MASK;
-  const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const ox = q[GROUND_SPIN]!;
+  const oy = q[GROUND_SPIN + 1]!;
+  const oz = q[GROUND_SPIN + 2]!;
   const rx = q[POSITION]!;
   const ry = q[POSITION + 1]!;
   const rz = q[POSITION + 2]!;
@@ -63,11 +61,9 @@ export function moveWithGround(step: Step): void {
 }
 
 /** w = Ω: the ship turns as the ground. */
-export function spinWithGround(step: Step): void {
+export function spinWithGround(): void {
   const q = quantities;
-  const { bodies } = step;
-  const bodyAt = step.bodyAt & SMI_MASK;
-  q[ANGULAR_VELOCITY] = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  q[ANGULAR_VELOCITY + 1] = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  q[ANGULAR_VELOCITY + 2] = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  q[ANGULAR_VELOCITY] = q[GROUND_SPIN]!;
+  q[ANGULAR_VELOCITY + 1] = q[GROUND_SPIN + 1]!;
+  q[ANGULAR_VELOCITY + 2] = q[GROUND_SPIN + 2]!;
 }

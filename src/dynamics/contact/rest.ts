@@ -1,24 +1,25 @@
-import { ANGULAR_VELOCITY, BODY_ANGULAR_VELOCITY } from '../state/layout';
+import { ANGULAR_VELOCITY } from '../state/layout';
 import {
   AXES,
   AXIS,
   COS_TILT,
   DT,
-  END,
+  end,
   FROM,
+  GROUND_SPIN,
   quantities,
   ROTATION,
   SURFACE_NORMAL,
   type Step,
   TO,
-  SMI_MASK,
 } from './quantities';
 import { perpendicularAxis, rotateAttitude, shortestRotation } from '../arithmetic/rotations';
 import { readAxes, readTilt, readUp } from './pose';
+import { INVERSE_INERTIA } from '../constants/constantRows';
 
 /**
  * Step 8: the hull of a tipped ship rests on its side. Past 90° of tilt the ground's impulse stops it from turning further,
- * and it is turned back, at 1 rad/s or by what is left. Reads END and `up` as they are after the step; leaves `up` current.
+ * and it is turned back, at 1 rad/s or by what is left. Reads `end` and `up` as they are after the step; leaves `up` current.
  */
 export function restOnSide(step: Step): void {
   const q = quantities;
@@ -53,15 +54,15 @@ const ON_ITS_HEAD = 1e-6;
 /** AXIS = unit(s × up), the axis the ship tips about; any one along the ground where it stands on its head. */
 function findAxis(): void {
   const q = quantities;
-  const nx = q[END + SURFACE_NORMAL]!;
-  const ny = q[END + SURFACE_NORMAL + 1]!;
-  const nz = q[END + SURFACE_NORMAL + 2]!;
+  const nx = end[SURFACE_NORMAL]!;
+  const ny = end[SURFACE_NORMAL + 1]!;
+  const nz = end[SURFACE_NORMAL + 2]!;
   const x = ny * q[AXES + 8]! - nz * q[AXES + 5]!;
   const y = nz * q[AXES + 2]! - nx * q[AXES + 8]!;
   const z = nx * q[AXES + 5]! - ny * q[AXES + 2]!;
   const length = Math.sqrt(x * x + y * y + z * z);
   if (length <= ON_ITS_HEAD) {
-    perpendicularAxis(END + SURFACE_NORMAL);
+    perpendicularAxis(end, SURFACE_NORMAL);
     return;
   }
   const perLength = 1 / length;
@@ -76,23 +77,30 @@ function findAxis(): void {
  */
 function stopFurtherTilt(step: Step): void {
   const q = quantities;
-  const { bodies } = step;
-  const bodyAt = step.bodyAt & SMI_MASK;
   const ax = q[AXIS]!;
   const ay = q[AXIS + 1]!;
   const az = q[AXIS + 2]!;
-  const wx = q[ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const wy = q[ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const wz = q[ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const wx = q[ANGULAR_VELOCITY]! - q[GROUND_SPIN]!;
+  const wy = q[ANGULAR_VELOCITY + 1]! - q[GROUND_SPIN + 1]!;
+  const wz = q[ANGULAR_VELOCITY + 2]! - q[GROUND_SPIN + 2]!;
   const speed = wx * ax + wy * ay + wz * az;
   if (!(speed > 0)) return;
-  const inverse = step.shipClass.inverseInertia;
+  const { shipClass } = step;
   const bx = q[AXES]! * ax + q[AXES + 3]! * ay + q[AXES + 6]! * az;
   const by = q[AXES + 1]! * ax + q[AXES + 4]! * ay + q[AXES + 7]! * az;
   const bz = q[AXES + 2]! * ax + q[AXES + 5]! * ay + q[AXES + 8]! * az;
-  const ix = inverse[0]! * bx + inverse[1]! * by + inverse[2]! * bz;
-  const iy = inverse[3]! * bx + inverse[4]! * by + inverse[5]! * bz;
-  const iz = inverse[6]! * bx + inverse[7]! * by + inverse[8]! * bz;
+  const ix =
+    shipClass[INVERSE_INERTIA]! * bx +
+    shipClass[INVERSE_INERTIA + 1]! * by +
+    shipClass[INVERSE_INERTIA + 2]! * bz;
+  const iy =
+    shipClass[INVERSE_INERTIA + 3]! * bx +
+    shipClass[INVERSE_INERTIA + 4]! * by +
+    shipClass[INVERSE_INERTIA + 5]! * bz;
+  const iz =
+    shipClass[INVERSE_INERTIA + 6]! * bx +
+    shipClass[INVERSE_INERTIA + 7]! * by +
+    shipClass[INVERSE_INERTIA + 8]! * bz;
   const jx = q[AXES]! * ix + q[AXES + 1]! * iy + q[AXES + 2]! * iz;
   const jy = q[AXES + 3]! * ix + q[AXES + 4]! * iy + q[AXES + 5]! * iz;
   const jz = q[AXES + 6]! * ix + q[AXES + 7]! * iy + q[AXES + 8]! * iz;
@@ -109,9 +117,9 @@ function layFlat(): void {
   q[FROM] = q[AXES + 2]!;
   q[FROM + 1] = q[AXES + 5]!;
   q[FROM + 2] = q[AXES + 8]!;
-  const x = q[FROM] - cos * q[END + SURFACE_NORMAL]!;
-  const y = q[FROM + 1]! - cos * q[END + SURFACE_NORMAL + 1]!;
-  const z = q[FROM + 2]! - cos * q[END + SURFACE_NORMAL + 2]!;
+  const x = q[FROM] - cos * end[SURFACE_NORMAL]!;
+  const y = q[FROM + 1]! - cos * end[SURFACE_NORMAL + 1]!;
+  const z = q[FROM + 2]! - cos * end[SURFACE_NORMAL + 2]!;
   const perLength = 1 / Math.sqrt(x * x + y * y + z * z);
   q[TO] = x * perLength;
   q[TO + 1] = y * perLength;

@@ -16,28 +16,28 @@ import {
 } from './quantities';
 import type { TerrainHeight } from '../constants/world';
 import { groundPoint, HEIGHT, readHeight } from '../terrain/inPlace';
+import { LEG_RADIUS } from '../constants/constantRows';
 
 /** s = the normal of the plane that the feet stand on: the ground one leg radius ahead and behind, in two level directions. */
-export function readSlope(surface: number, step: Step, bodyAxes: number): void {
+export function readSlope(surface: Float64Array, step: Step, bodyAxes: number): void {
   const q = quantities;
-  const to = surface & SMI_MASK;
   const { bodies, body, shipClass } = step;
-  findLevelDirections(to);
-  if (!recallRises(to, step)) {
-    const arm = shipClass.legRadius / body.radius;
+  findLevelDirections(surface);
+  if (!recallRises(surface, step)) {
+    const arm = shipClass[LEG_RADIUS]! / body.radius;
     // n_b and e_i are unit and at right angles, so n_b ± arm e_i have all four the same length.
     const perLength = 1 / Math.sqrt(1 + arm * arm);
     q[POINT] = perLength;
     q[POINT + 1] = arm * perLength;
-    readRise(to, step, LEVEL_1, RISE);
-    readRise(to, step, LEVEL_2, RISE + 1);
-    keepRises(to, step);
+    readRise(surface, step, LEVEL_1, RISE);
+    readRise(surface, step, LEVEL_2, RISE + 1);
+    keepRises(surface, step);
   }
   const rise1 = q[RISE]!;
   const rise2 = q[RISE + 1]!;
-  const x = q[to + BODY_NORMAL]! - rise1 * q[LEVEL_1]! - rise2 * q[LEVEL_2]!;
-  const y = q[to + BODY_NORMAL + 1]! - rise1 * q[LEVEL_1 + 1]! - rise2 * q[LEVEL_2 + 1]!;
-  const z = q[to + BODY_NORMAL + 2]! - rise1 * q[LEVEL_1 + 2]! - rise2 * q[LEVEL_2 + 2]!;
+  const x = surface[BODY_NORMAL]! - rise1 * q[LEVEL_1]! - rise2 * q[LEVEL_2]!;
+  const y = surface[BODY_NORMAL + 1]! - rise1 * q[LEVEL_1 + 1]! - rise2 * q[LEVEL_2 + 1]!;
+  const z = surface[BODY_NORMAL + 2]! - rise1 * q[LEVEL_1 + 2]! - rise2 * q[LEVEL_2 + 2]!;
   const perNormal = 1 / Math.sqrt(x * x + y * y + z * z);
   const bx = x * perNormal;
   const by = y * perNormal;
@@ -46,28 +46,28 @@ export function readSlope(surface: number, step: Step, bodyAxes: number): void {
   const sx = bodies[axes]! * bx + bodies[axes + 1]! * by + bodies[axes + 2]! * bz;
   const sy = bodies[axes + 3]! * bx + bodies[axes + 4]! * by + bodies[axes + 5]! * bz;
   const sz = bodies[axes + 6]! * bx + bodies[axes + 7]! * by + bodies[axes + 8]! * bz;
-  const nx = q[to + NORMAL]!;
-  const ny = q[to + NORMAL + 1]!;
-  const nz = q[to + NORMAL + 2]!;
+  const nx = surface[NORMAL]!;
+  const ny = surface[NORMAL + 1]!;
+  const nz = surface[NORMAL + 2]!;
   const cos = nx * sx + ny * sy + nz * sz;
-  q[to + SURFACE_NORMAL] = sx;
-  q[to + SURFACE_NORMAL + 1] = sy;
-  q[to + SURFACE_NORMAL + 2] = sz;
-  q[to + COS_SLOPE] = cos;
-  q[to + SLOPE] = nx - cos * sx;
-  q[to + SLOPE + 1] = ny - cos * sy;
-  q[to + SLOPE + 2] = nz - cos * sz;
+  surface[SURFACE_NORMAL] = sx;
+  surface[SURFACE_NORMAL + 1] = sy;
+  surface[SURFACE_NORMAL + 2] = sz;
+  surface[COS_SLOPE] = cos;
+  surface[SLOPE] = nx - cos * sx;
+  surface[SLOPE + 1] = ny - cos * sy;
+  surface[SLOPE + 2] = nz - cos * sz;
 }
 
 /** Near the pole (Y of the body's axes) the first level direction is taken from X instead: p × n_b would be round-off there. */
 export const NEAR_POLE = 0.9;
 
 /** LEVEL_1 = unit(p × n_b), p the pole or near it X; LEVEL_2 = n_b × LEVEL_1. Body's axes. */
-function findLevelDirections(to: number): void {
+function findLevelDirections(surface: Float64Array): void {
   const q = quantities;
-  const x = q[to + BODY_NORMAL]!;
-  const y = q[to + BODY_NORMAL + 1]!;
-  const z = q[to + BODY_NORMAL + 2]!;
+  const x = surface[BODY_NORMAL]!;
+  const y = surface[BODY_NORMAL + 1]!;
+  const z = surface[BODY_NORMAL + 2]!;
   if (y >= NEAR_POLE || y <= -NEAR_POLE) {
     const perLength = 1 / Math.sqrt(z * z + y * y);
     const ey = -z * perLength;
@@ -92,14 +92,14 @@ function findLevelDirections(to: number): void {
 }
 
 /** q[rise] = how much the ground rises per metre along the level direction at `direction`. */
-function readRise(to: number, step: Step, direction: number, rise: number): void {
+function readRise(surface: Float64Array, step: Step, direction: number, rise: number): void {
   const q = quantities;
-  const { body, shipClass, world } = step;
+  const { body, shipClass, terrainHeight } = step;
   const perLength = q[POINT]!;
   const spread = q[POINT + 1]!;
-  const x = q[to + BODY_NORMAL]! * perLength;
-  const y = q[to + BODY_NORMAL + 1]! * perLength;
-  const z = q[to + BODY_NORMAL + 2]! * perLength;
+  const x = surface[BODY_NORMAL]! * perLength;
+  const y = surface[BODY_NORMAL + 1]! * perLength;
+  const z = surface[BODY_NORMAL + 2]! * perLength;
   const ex = q[direction]! * spread;
   const ey = q[direction + 1]! * spread;
   const ez = q[direction + 2]! * spread;
@@ -107,13 +107,13 @@ function readRise(to: number, step: Step, direction: number, rise: number): void
   point[0] = x + ex;
   point[1] = y + ey;
   point[2] = z + ez;
-  readHeight(point, world.terrainHeight, body.name);
+  readHeight(point, terrainHeight, body.name);
   const ahead = point[HEIGHT]!;
   point[0] = x - ex;
   point[1] = y - ey;
   point[2] = z - ez;
-  readHeight(point, world.terrainHeight, body.name);
-  q[rise] = (ahead - point[HEIGHT]!) / (2 * shipClass.legRadius);
+  readHeight(point, terrainHeight, body.name);
+  q[rise] = (ahead - point[HEIGHT]!) / (2 * shipClass[LEG_RADIUS]!);
 }
 
 /**
@@ -126,17 +126,17 @@ const kept = new Float64Array(KEPT * KEPT_STRIDE).fill(NaN);
 const keptTerrain: (TerrainHeight | null)[] = Array.from({ length: KEPT }, () => null);
 
 /** Whether RISE is known; fills it then. */
-function recallRises(to: number, step: Step): boolean {
+function recallRises(surface: Float64Array, step: Step): boolean {
   const q = quantities;
   const at = (step.row & (KEPT - 1)) * KEPT_STRIDE;
   if (
-    kept[at] !== q[to + BODY_NORMAL] ||
-    kept[at + 1] !== q[to + BODY_NORMAL + 1] ||
-    kept[at + 2] !== q[to + BODY_NORMAL + 2] ||
-    kept[at + 3] !== q[to + GROUND_RADIUS] ||
-    kept[at + 4] !== step.shipClass.legRadius ||
+    kept[at] !== surface[BODY_NORMAL] ||
+    kept[at + 1] !== surface[BODY_NORMAL + 1] ||
+    kept[at + 2] !== surface[BODY_NORMAL + 2] ||
+    kept[at + 3] !== surface[GROUND_RADIUS] ||
+    kept[at + 4] !== step.shipClass[LEG_RADIUS]! ||
     kept[at + 5] !== q[REFERENCE_BODY] ||
-    keptTerrain[step.row & (KEPT - 1)] !== step.world.terrainHeight
+    keptTerrain[step.row & (KEPT - 1)] !== step.terrainHeight
   )
     return false;
   q[RISE] = kept[at + 6]!;
@@ -144,16 +144,16 @@ function recallRises(to: number, step: Step): boolean {
   return true;
 }
 
-function keepRises(to: number, step: Step): void {
+function keepRises(surface: Float64Array, step: Step): void {
   const q = quantities;
   const at = (step.row & (KEPT - 1)) * KEPT_STRIDE;
-  kept[at] = q[to + BODY_NORMAL]!;
-  kept[at + 1] = q[to + BODY_NORMAL + 1]!;
-  kept[at + 2] = q[to + BODY_NORMAL + 2]!;
-  kept[at + 3] = q[to + GROUND_RADIUS]!;
-  kept[at + 4] = step.shipClass.legRadius;
+  kept[at] = surface[BODY_NORMAL]!;
+  kept[at + 1] = surface[BODY_NORMAL + 1]!;
+  kept[at + 2] = surface[BODY_NORMAL + 2]!;
+  kept[at + 3] = surface[GROUND_RADIUS]!;
+  kept[at + 4] = step.shipClass[LEG_RADIUS]!;
   kept[at + 5] = q[REFERENCE_BODY]!;
   kept[at + 6] = q[RISE]!;
   kept[at + 7] = q[RISE + 1]!;
-  keptTerrain[step.row & (KEPT - 1)] = step.world.terrainHeight;
+  keptTerrain[step.row & (KEPT - 1)] = step.terrainHeight;
 }

@@ -1,5 +1,6 @@
 import { ANGULAR_VELOCITY, ATTITUDE } from '../state/layout';
 import { AXES, DT, INERTIA_FACTOR, quantities, type Step, TORQUE } from './quantities';
+import { INVERSE_INERTIA } from '../constants/constantRows';
 
 /** Step 6: spin and attitude by semi-implicit Euler, without sine or cosine; keeps `up` current. */
 export function turnByTorque(step: Step): void {
@@ -9,11 +10,23 @@ export function turnByTorque(step: Step): void {
   const tz = q[TORQUE + 2]!;
   if (tx !== 0 || ty !== 0 || tz !== 0) {
     // w += q.rotate(I⁻¹ torque) dt
-    const inverse = step.shipClass.inverseInertia;
+    const { shipClass } = step;
     const scaled = q[DT]! / q[INERTIA_FACTOR]!;
-    const bx = (inverse[0]! * tx + inverse[1]! * ty + inverse[2]! * tz) * scaled;
-    const by = (inverse[3]! * tx + inverse[4]! * ty + inverse[5]! * tz) * scaled;
-    const bz = (inverse[6]! * tx + inverse[7]! * ty + inverse[8]! * tz) * scaled;
+    const bx =
+      (shipClass[INVERSE_INERTIA]! * tx +
+        shipClass[INVERSE_INERTIA + 1]! * ty +
+        shipClass[INVERSE_INERTIA + 2]! * tz) *
+      scaled;
+    const by =
+      (shipClass[INVERSE_INERTIA + 3]! * tx +
+        shipClass[INVERSE_INERTIA + 4]! * ty +
+        shipClass[INVERSE_INERTIA + 5]! * tz) *
+      scaled;
+    const bz =
+      (shipClass[INVERSE_INERTIA + 6]! * tx +
+        shipClass[INVERSE_INERTIA + 7]! * ty +
+        shipClass[INVERSE_INERTIA + 8]! * tz) *
+      scaled;
     q[ANGULAR_VELOCITY] = q[ANGULAR_VELOCITY]! + (q[AXES]! * bx + q[AXES + 1]! * by + q[AXES + 2]! * bz);
     q[ANGULAR_VELOCITY + 1] =
       q[ANGULAR_VELOCITY + 1]! + (q[AXES + 3]! * bx + q[AXES + 4]! * by + q[AXES + 5]! * bz);

@@ -1,4 +1,4 @@
-import { BODY_ANGULAR_VELOCITY, GROUND_CONTACT_OFFSET, POSITION, VELOCITY } from '../state/layout';
+import { GROUND_CONTACT_OFFSET, POSITION, VELOCITY } from '../state/layout';
 import {
   BODY_NORMAL,
   COS_SLOPE,
@@ -8,6 +8,7 @@ import {
   NORMAL,
   NORMAL_SPEED,
   PENETRATION,
+  GROUND_SPIN,
   quantities,
   SLOPE,
   SMI_MASK,
@@ -18,97 +19,86 @@ import {
 } from './quantities';
 import { readSlope } from './slope';
 import { groundPoint, HEIGHT, readHeight } from '../terrain/inPlace';
+import { IS_TERRAIN_NORMAL } from '../constants/constantRows';
 
-/** Fills NORMAL, DISTANCE and GRAVITY at `surface` (START or END) from the ship's position as it is now. */
-export function readPlace(surface: number, step: Step): void {
+/** Fills NORMAL, DISTANCE and GRAVITY at `surface` (`start` or `end`) from the ship's position as it is now. */
+export function readPlace(surface: Float64Array, step: Step): void {
   const q = quantities;
-  const to = surface & SMI_MASK;
   const rx = q[POSITION]!;
   const ry = q[POSITION + 1]!;
   const rz = q[POSITION + 2]!;
   const squared = rx * rx + ry * ry + rz * rz;
   const distance = Math.sqrt(squared);
   const perDistance = 1 / distance;
-  q[to + NORMAL] = rx * perDistance;
-  q[to + NORMAL + 1] = ry * perDistance;
-  q[to + NORMAL + 2] = rz * perDistance;
-  q[to + DISTANCE] = distance;
-  q[to + GRAVITY] = step.body.gravityParameter / squared;
+  surface[NORMAL] = rx * perDistance;
+  surface[NORMAL + 1] = ry * perDistance;
+  surface[NORMAL + 2] = rz * perDistance;
+  surface[DISTANCE] = distance;
+  surface[GRAVITY] = step.body.gravityParameter / squared;
 }
 
 /**
- * Fills PENETRATION at `surface`, whose place has been read.
+ * Fills the rest of `surface`, whose place has been read: penetration, and unless a ship off the ground needs no more, the surface normal
+ * and the velocity relative to the ground, v_rel = u − Ω × r, off it and along it.
  * @param bodyAxes BODY_AXES at a substep's start, BODY_END_AXES at its end: how the body lies under the ship.
  */
-export function readPenetration(surface: number, step: Step, bodyAxes: number): void {
+export function readSurface(
+  surface: Float64Array,
+  step: Step,
+  bodyAxes: number,
+  evenOffGround: boolean,
+): void {
   const q = quantities;
-  const to = surface & SMI_MASK;
   const { bodies, body } = step;
   const axes = (step.bodyAt + bodyAxes) & SMI_MASK;
-  const nx = q[to + NORMAL]!;
-  const ny = q[to + NORMAL + 1]!;
-  const nz = q[to + NORMAL + 2]!;
-  const bx = bodies[axes]! * nx + bodies[axes + 3]! * ny + bodies[axes + 6]! * nz;
-  const by = bodies[axes + 1]! * nx + bodies[axes + 4]! * ny + bodies[axes + 7]! * nz;
-  const bz = bodies[axes + 2]! * nx + bodies[axes + 5]! * ny + bodies[axes + 8]! * nz;
-  q[to + BODY_NORMAL] = bx;
-  q[to + BODY_NORMAL + 1] = by;
-  q[to + BODY_NORMAL + 2] = bz;
+  const nx = surface[NORMAL]!;
+  const ny = surface[NORMAL + 1]!;
+  const nz = surface[NORMAL + 2]!;
   const point = groundPoint;
-  point[0] = bx;
-  point[1] = by;
-  point[2] = bz;
-  readHeight(point, step.world.terrainHeight, body.name);
+  point[0] = bodies[axes]! * nx + bodies[axes + 3]! * ny + bodies[axes + 6]! * nz;
+  point[1] = bodies[axes + 1]! * nx + bodies[axes + 4]! * ny + bodies[axes + 7]! * nz;
+  point[2] = bodies[axes + 2]! * nx + bodies[axes + 5]! * ny + bodies[axes + 8]! * nz;
+  surface[BODY_NORMAL] = point[0];
+  surface[BODY_NORMAL + 1] = point[1]!;
+  surface[BODY_NORMAL + 2] = point[2]!;
+  readHeight(point, step.terrainHeight, body.name);
   const ground = body.radius + point[HEIGHT]!;
-  q[to + GROUND_RADIUS] = ground;
-  q[to + PENETRATION] = ground + q[GROUND_CONTACT_OFFSET]! - q[to + DISTANCE]!;
-}
+  surface[GROUND_RADIUS] = ground;
+  surface[PENETRATION] = ground + q[GROUND_CONTACT_OFFSET]! - surface[DISTANCE]!;
+  if (!evenOffGround && !(surface[PENETRATION] > 0)) return;
 
-/** Fills the surface normal and the velocity relative to the ground at `surface`, whose penetration has been read. */
-export function readGround(surface: number, step: Step, bodyAxes: number): void {
-  if (step.world.settings.surfaceNormal === 'terrain') readSlope(surface, step, bodyAxes);
+  if (step.settings[IS_TERRAIN_NORMAL] === 1) readSlope(surface, step, bodyAxes);
   else readLevel(surface);
-  readVelocity(surface, step);
-}
-
-/** s = n */
-function readLevel(surface: number): void {
-  const q = quantities;
-  const to = surface & SMI_MASK;
-  q[to + SURFACE_NORMAL] = q[to + NORMAL]!;
-  q[to + SURFACE_NORMAL + 1] = q[to + NORMAL + 1]!;
-  q[to + SURFACE_NORMAL + 2] = q[to + NORMAL + 2]!;
-  q[to + COS_SLOPE] = 1;
-  q[to + SLOPE] = 0;
-  q[to + SLOPE + 1] = 0;
-  q[to + SLOPE + 2] = 0;
-}
-
-/** NORMAL_SPEED, TANGENTIAL_VELOCITY and its square: v_rel = u − Ω × r off the ground and along it. */
-function readVelocity(surface: number, step: Step): void {
-  const q = quantities;
-  const to = surface & SMI_MASK;
-  const { bodies } = step;
-  const bodyAt = step.bodyAt & SMI_MASK;
   const rx = q[POSITION]!;
   const ry = q[POSITION + 1]!;
   const rz = q[POSITION + 2]!;
-  const ox = bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const oy = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const oz = bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const ox = q[GROUND_SPIN]!;
+  const oy = q[GROUND_SPIN + 1]!;
+  const oz = q[GROUND_SPIN + 2]!;
   const vx = q[VELOCITY]! - (oy * rz - oz * ry);
   const vy = q[VELOCITY + 1]! - (oz * rx - ox * rz);
   const vz = q[VELOCITY + 2]! - (ox * ry - oy * rx);
-  const sx = q[to + SURFACE_NORMAL]!;
-  const sy = q[to + SURFACE_NORMAL + 1]!;
-  const sz = q[to + SURFACE_NORMAL + 2]!;
+  const sx = surface[SURFACE_NORMAL]!;
+  const sy = surface[SURFACE_NORMAL + 1]!;
+  const sz = surface[SURFACE_NORMAL + 2]!;
   const speed = vx * sx + vy * sy + vz * sz;
   const tx = vx - speed * sx;
   const ty = vy - speed * sy;
   const tz = vz - speed * sz;
-  q[to + NORMAL_SPEED] = speed;
-  q[to + TANGENTIAL_VELOCITY] = tx;
-  q[to + TANGENTIAL_VELOCITY + 1] = ty;
-  q[to + TANGENTIAL_VELOCITY + 2] = tz;
-  q[to + TANGENTIAL_SPEED_SQUARED] = tx * tx + ty * ty + tz * tz;
+  surface[NORMAL_SPEED] = speed;
+  surface[TANGENTIAL_VELOCITY] = tx;
+  surface[TANGENTIAL_VELOCITY + 1] = ty;
+  surface[TANGENTIAL_VELOCITY + 2] = tz;
+  surface[TANGENTIAL_SPEED_SQUARED] = tx * tx + ty * ty + tz * tz;
+}
+
+/** s = n */
+function readLevel(surface: Float64Array): void {
+  surface[SURFACE_NORMAL] = surface[NORMAL]!;
+  surface[SURFACE_NORMAL + 1] = surface[NORMAL + 1]!;
+  surface[SURFACE_NORMAL + 2] = surface[NORMAL + 2]!;
+  surface[COS_SLOPE] = 1;
+  surface[SLOPE] = 0;
+  surface[SLOPE + 1] = 0;
+  surface[SLOPE + 2] = 0;
 }

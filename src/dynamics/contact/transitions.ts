@@ -1,7 +1,6 @@
 import { isNearlyAtRest, readLoad } from './forces';
 import {
   ANGULAR_VELOCITY,
-  BODY_ANGULAR_VELOCITY,
   CONTACT,
   CRASHED,
   EVENT_CONTACT,
@@ -23,22 +22,32 @@ import {
   COS_SLOPE,
   COS_TILT,
   DT,
-  END,
+  end,
   FROM,
   IMPACT,
   NORMAL,
   NORMAL_SPEED,
   PENETRATION,
+  GROUND_SPIN,
   quantities,
   SLOPE,
-  SMI_MASK,
-  START,
+  start,
   type Step,
   SURFACE_NORMAL,
   TANGENTIAL_SPEED_SQUARED,
   TO,
 } from './quantities';
 import { rotateAttitude, shortestRotation } from '../arithmetic/rotations';
+import {
+  COS_SETTLE_TILT,
+  COS_TIPPED_ANGLE,
+  CRASH_SPEED,
+  FRICTION_STATIC,
+  IS_ALIGNED,
+  LEG_RADIUS,
+  SETTLE_ANGULAR_VEL,
+  SETTLE_LINEAR_VEL,
+} from '../constants/constantRows';
 
 /** A ship whose feet hang this far above the ground has left it, m: the ground fell away under it. */
 const LET_GO_HEIGHT = 0.1;
@@ -47,10 +56,10 @@ const LET_GO_HEIGHT = 0.1;
 export function makeTransition(step: Step): number {
   const q = quantities;
   const state = q[SURFACE_STATE]!;
-  const touching = q[END + PENETRATION]! > 0;
+  const touching = end[PENETRATION]! > 0;
   if (state === FLYING && !touching) return NO_EVENT;
   readImpact();
-  if (touching && q[IMPACT]! > step.world.settings.contactCrashSpeed) return crash();
+  if (touching && q[IMPACT]! > step.settings[CRASH_SPEED]!) return crash();
   if (state === FLYING) return q[IMPACT]! > 0 ? touch(step) : NO_EVENT;
   if (leavesGround()) {
     q[SURFACE_STATE] = FLYING;
@@ -59,11 +68,10 @@ export function makeTransition(step: Step): number {
   }
   readTilt();
   const cos = q[COS_TILT]!;
-  if (state === TIPPED)
-    return cos > step.world.settings.cosTippedAngle && isRighting(step) ? right() : NO_EVENT;
+  if (state === TIPPED) return cos > step.settings[COS_TIPPED_ANGLE]! && isRighting() ? right() : NO_EVENT;
   if (!touching) return NO_EVENT;
-  if (cos < step.world.settings.cosTippedAngle) return tip();
-  return cos > step.world.settings.cosSettleTilt && isSettled(step) ? land(step) : NO_EVENT;
+  if (cos < step.settings[COS_TIPPED_ANGLE]!) return tip();
+  return cos > step.settings[COS_SETTLE_TILT]! && isSettled(step) ? land() : NO_EVENT;
 }
 
 /**
@@ -72,35 +80,34 @@ export function makeTransition(step: Step): number {
  */
 function readImpact(): void {
   const q = quantities;
-  const falling = -q[END + NORMAL_SPEED]!;
-  const closing = ((q[END + PENETRATION]! - q[START + PENETRATION]!) * q[END + COS_SLOPE]!) / q[DT]!;
+  const falling = -end[NORMAL_SPEED]!;
+  const closing = ((end[PENETRATION]! - start[PENETRATION]!) * end[COS_SLOPE]!) / q[DT]!;
   q[IMPACT] = falling > closing ? falling : closing;
 }
 
 /** It rises off the ground, or the ground fell away. */
 function leavesGround(): boolean {
-  const q = quantities;
-  const penetration = q[END + PENETRATION]!;
-  return (penetration <= 0 && q[END + NORMAL_SPEED]! > 0) || penetration < -LET_GO_HEIGHT;
+  const penetration = end[PENETRATION]!;
+  return (penetration <= 0 && end[NORMAL_SPEED]! > 0) || penetration < -LET_GO_HEIGHT;
 }
 
 function touch(step: Step): number {
   const q = quantities;
   q[SURFACE_STATE] = CONTACT;
   q[IMPACT_SPEED] = q[IMPACT]!;
-  if (step.world.settings.touchdownAttitude === 'aligned') alignWithSurface(step);
+  if (step.settings[IS_ALIGNED] === 1) alignWithSurface();
   return EVENT_CONTACT;
 }
 
-function alignWithSurface(step: Step): void {
+function alignWithSurface(): void {
   const q = quantities;
-  spinWithGround(step);
+  spinWithGround();
   q[FROM] = q[AXES + 2]!;
   q[FROM + 1] = q[AXES + 5]!;
   q[FROM + 2] = q[AXES + 8]!;
-  q[TO] = q[END + SURFACE_NORMAL]!;
-  q[TO + 1] = q[END + SURFACE_NORMAL + 1]!;
-  q[TO + 2] = q[END + SURFACE_NORMAL + 2]!;
+  q[TO] = end[SURFACE_NORMAL]!;
+  q[TO + 1] = end[SURFACE_NORMAL + 1]!;
+  q[TO + 2] = end[SURFACE_NORMAL + 2]!;
   shortestRotation();
   rotateAttitude();
 }
@@ -120,16 +127,14 @@ function tip(): number {
 }
 
 /** w_rel · (s × up) < 0: it turns back towards upright. */
-function isRighting(step: Step): boolean {
+function isRighting(): boolean {
   const q = quantities;
-  const { bodies } = step;
-  const bodyAt = step.bodyAt & SMI_MASK;
-  const sx = q[END + SURFACE_NORMAL]!;
-  const sy = q[END + SURFACE_NORMAL + 1]!;
-  const sz = q[END + SURFACE_NORMAL + 2]!;
-  const wx = q[ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const wy = q[ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const wz = q[ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
+  const sx = end[SURFACE_NORMAL]!;
+  const sy = end[SURFACE_NORMAL + 1]!;
+  const sz = end[SURFACE_NORMAL + 2]!;
+  const wx = q[ANGULAR_VELOCITY]! - q[GROUND_SPIN]!;
+  const wy = q[ANGULAR_VELOCITY + 1]! - q[GROUND_SPIN + 1]!;
+  const wz = q[ANGULAR_VELOCITY + 2]! - q[GROUND_SPIN + 2]!;
   const x = sy * q[AXES + 8]! - sz * q[AXES + 5]!;
   const y = sz * q[AXES + 2]! - sx * q[AXES + 8]!;
   const z = sx * q[AXES + 5]! - sy * q[AXES + 2]!;
@@ -146,30 +151,27 @@ function right(): number {
 /** Spin, vertical speed (the spring's energy counted in) and slide below the settle limits, and the ground holds it. */
 function isSettled(step: Step): boolean {
   const q = quantities;
-  const { bodies } = step;
-  const bodyAt = step.bodyAt & SMI_MASK;
-  const { contactSettleAngularVel, contactSettleLinearVel } = step.world.settings;
-  if (!(q[END + TANGENTIAL_SPEED_SQUARED]! < contactSettleLinearVel * contactSettleLinearVel)) return false;
-  const wx = q[ANGULAR_VELOCITY]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY]!;
-  const wy = q[ANGULAR_VELOCITY + 1]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 1]!;
-  const wz = q[ANGULAR_VELOCITY + 2]! - bodies[bodyAt + BODY_ANGULAR_VELOCITY + 2]!;
-  if (!(wx * wx + wy * wy + wz * wz < contactSettleAngularVel * contactSettleAngularVel)) return false;
-  readLoad(END);
-  return isNearlyAtRest(END, step) && isHeldByGround(step);
+  const mostSpin = step.settings[SETTLE_ANGULAR_VEL]!;
+  const mostSpeed = step.settings[SETTLE_LINEAR_VEL]!;
+  if (!(end[TANGENTIAL_SPEED_SQUARED]! < mostSpeed * mostSpeed)) return false;
+  const wx = q[ANGULAR_VELOCITY]! - q[GROUND_SPIN]!;
+  const wy = q[ANGULAR_VELOCITY + 1]! - q[GROUND_SPIN + 1]!;
+  const wz = q[ANGULAR_VELOCITY + 2]! - q[GROUND_SPIN + 2]!;
+  if (!(wx * wx + wy * wy + wz * wz < mostSpin * mostSpin)) return false;
+  readLoad(end);
+  return isNearlyAtRest(end, step) && isHeldByGround(step);
 }
 
 /** The slope is not too steep for static friction, and the ship's weight is inside its feet. */
 function isHeldByGround(step: Step): boolean {
   const q = quantities;
   const slope = Math.sqrt(
-    q[END + SLOPE]! * q[END + SLOPE]! +
-      q[END + SLOPE + 1]! * q[END + SLOPE + 1]! +
-      q[END + SLOPE + 2]! * q[END + SLOPE + 2]!,
+    end[SLOPE]! * end[SLOPE]! + end[SLOPE + 1]! * end[SLOPE + 1]! + end[SLOPE + 2]! * end[SLOPE + 2]!,
   );
-  if (!(slope <= step.world.settings.contactFrictionStatic * q[END + COS_SLOPE]!)) return false;
-  const nx = q[END + NORMAL]!;
-  const ny = q[END + NORMAL + 1]!;
-  const nz = q[END + NORMAL + 2]!;
+  if (!(slope <= step.settings[FRICTION_STATIC]! * end[COS_SLOPE]!)) return false;
+  const nx = end[NORMAL]!;
+  const ny = end[NORMAL + 1]!;
+  const nz = end[NORMAL + 2]!;
   const upX = q[AXES + 2]!;
   const upY = q[AXES + 5]!;
   const upZ = q[AXES + 8]!;
@@ -178,13 +180,13 @@ function isHeldByGround(step: Step): boolean {
   const z = nx * upY - ny * upX;
   const offset = q[GROUND_CONTACT_OFFSET]!;
   const level = nx * upX + ny * upY + nz * upZ;
-  return offset * Math.sqrt(x * x + y * y + z * z) <= step.shipClass.legRadius * level;
+  return offset * Math.sqrt(x * x + y * y + z * z) <= step.shipClass[LEG_RADIUS]! * level;
 }
 
-function land(step: Step): number {
+function land(): number {
   const q = quantities;
   q[SURFACE_STATE] = LANDED;
-  moveWithGround(step);
-  spinWithGround(step);
+  moveWithGround();
+  spinWithGround();
   return EVENT_LANDED;
 }

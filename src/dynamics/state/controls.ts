@@ -40,6 +40,10 @@ export const NEUTRAL_CONTROLS: Controls = Object.freeze<Controls>({
 /** A target whose length is this close to 1 is kept: dividing by the length would change its last bits each time it is loaded. */
 const UNIT_WITHIN = 1e-12;
 
+/** A target attitude of a length between these is normalised; beyond them it is taken for a mistake. */
+const LEAST_LENGTH = 1e-3;
+const MOST_LENGTH = 1e3;
+
 /**
  * Controls clamped into range, target normalised; or an error that names the field (DYNAMICS, Actuators). Loaded controls load again
  * to the same bits, so that a stored or sent input replays to the same flight.
@@ -55,7 +59,8 @@ export function loadControls(given: Controls): Result<Controls> {
   if (typeof given.attitudeMode !== 'string') return err('attitudeMode: expected a string');
   const [x, y, z, w] = given.targetAttitude;
   const length = Math.sqrt(x * x + y * y + z * z + w * w);
-  if (!(length > 1e-3 && length < 1e3)) return err('targetAttitude: expected a quaternion of length 1');
+  if (!(length > LEAST_LENGTH && length < MOST_LENGTH))
+    return err('targetAttitude: expected a quaternion of length 1');
   const isUnit = Math.abs(length - 1) <= UNIT_WITHIN;
   return ok({
     thrustLevel: clamp(given.thrustLevel, 0, 1),

@@ -124,6 +124,7 @@ function checkShip(ship: ShipInit, world: World): Result<{ shipClass: number; re
       : notFinite('groundContactOffset', ship.groundContactOffset)) ??
     notFinite('contactImpactSpeed', ship.contactImpactSpeed);
   if (malformed !== null) return err(malformed);
+  if (typeof ship.crashed !== 'boolean') return err('crashed: expected true or false');
   const shipClass = world.shipClasses.findIndex((c) => c.name === ship.shipClass);
   if (shipClass < 0) return err(`shipClass: no class named ${ship.shipClass}`);
   const referenceBody = world.bodies.findIndex((b) => b.name === ship.referenceBody);

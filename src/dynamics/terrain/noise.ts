@@ -8,58 +8,109 @@ export const noisePoint = new Float64Array(3);
 /** [0]: the value. */
 export const noiseValue = new Float64Array(1);
 
+/**
+ * The cell that a layer was last asked in, as a row of doubles: its lattice point, its seed, and what was hashed there. The look-ups of
+ * one ship lie metres apart, and cells are hundreds of metres wide, so most find it known.
+ */
+export type KnownCell = Float64Array;
+
+export function createKnownCell(): KnownCell {
+  return new Float64Array(CELL_LENGTH).fill(NaN);
+}
+
+/** Columns of a KnownCell: x, y and z of its lattice point, seed, and what was hashed: a noise's eight corners, or a crater's centre and radius. */
+const CELL_SEED = 3;
+const HASHED = 4;
+const CELL_LENGTH = 12;
+
 /** noiseValue = value noise at noisePoint on cells of `cell` metres, −1 … 1, with continuous first and second derivative. */
-export function noise(cell: number, seed: number): void {
+export function noise(cell: number, seed: number, known: KnownCell): void {
   const x = noisePoint[0]! / cell;
   const y = noisePoint[1]! / cell;
   const z = noisePoint[2]! / cell;
   const ix = Math.floor(x);
   const iy = Math.floor(y);
   const iz = Math.floor(z);
+  if (!isKnown(known, ix, iy, iz, seed)) hashCorners(known);
   const fx = x - ix;
   const fy = y - iy;
   const fz = z - iz;
   const tx = fx * fx * fx * (fx * (fx * 6 - 15) + 10);
   const ty = fy * fy * fy * (fy * (fy * 6 - 15) + 10);
   const tz = fz * fz * fz * (fz * (fz * 6 - 15) + 10);
-  const c000 = signed(hash(ix, iy, iz, seed));
-  const c100 = signed(hash(ix + 1, iy, iz, seed));
-  const c010 = signed(hash(ix, iy + 1, iz, seed));
-  const c110 = signed(hash(ix + 1, iy + 1, iz, seed));
-  const c001 = signed(hash(ix, iy, iz + 1, seed));
-  const c101 = signed(hash(ix + 1, iy, iz + 1, seed));
-  const c011 = signed(hash(ix, iy + 1, iz + 1, seed));
-  const c111 = signed(hash(ix + 1, iy + 1, iz + 1, seed));
-  const c00 = c000 + (c100 - c000) * tx;
-  const c10 = c010 + (c110 - c010) * tx;
-  const c01 = c001 + (c101 - c001) * tx;
-  const c11 = c011 + (c111 - c011) * tx;
+  const c000 = known[HASHED]!;
+  const c010 = known[HASHED + 2]!;
+  const c001 = known[HASHED + 4]!;
+  const c011 = known[HASHED + 6]!;
+  const c00 = c000 + (known[HASHED + 1]! - c000) * tx;
+  const c10 = c010 + (known[HASHED + 3]! - c010) * tx;
+  const c01 = c001 + (known[HASHED + 5]! - c001) * tx;
+  const c11 = c011 + (known[HASHED + 7]! - c011) * tx;
   const c0 = c00 + (c10 - c00) * ty;
   const c1 = c01 + (c11 - c01) * ty;
   noiseValue[0] = c0 + (c1 - c0) * tz;
 }
 
+/** Whether `known` is that cell; it is from now on, with what was hashed still to be filled if it was not. */
+function isKnown(known: KnownCell, ix: number, iy: number, iz: number, seed: number): boolean {
+  if (known[0] === ix && known[1] === iy && known[2] === iz && known[CELL_SEED] === seed) return true;
+  known[0] = ix;
+  known[1] = iy;
+  known[2] = iz;
+  known[CELL_SEED] = seed;
+  return false;
+}
+
+/** The lattice values at the corners, −1 … 1, x fastest. */
+function hashCorners(known: KnownCell): void {
+  for (let k = 0; k < 8; k++) {
+    const ix = known[0]! + (k & 1);
+    const iy = known[1]! + ((k >> 1) & 1);
+    const iz = known[2]! + (k >> 2);
+    known[HASHED + k] = signed(hash(ix, iy, iz, known[CELL_SEED]!));
+  }
+}
+
 /** Depth over radius of a crater's bowl. */
 const DEPTH = 0.22;
+/** Of its cell, a crater's radius: the least, and how much more it may be; below a half it lies within the cell. */
+const LEAST_RADIUS = 0.18;
+const RADIUS_SPREAD = 0.27;
+/** Where (distance / radius)² is 1 over this, bowl turns into rim. */
+const RIM = 3.5;
+/** How many integers have 32 bits, and half of them. */
+const INTEGERS = 4294967296;
+const HALF_INTEGERS = 2147483648;
 
 /**
  * noiseValue = height at noisePoint, m, of the crater in its cell of `cell` metres; 0 where the cell has none. A crater is a
  * sphere within its cell, cut by the ground: bowl, rim and foot are (1 − a)² (3.5 a − 1), a = (distance / radius)², so it meets
  * its surroundings with level slope, and only one cell matters.
  */
-export function crater(cell: number, seed: number): void {
+export function crater(cell: number, seed: number, known: KnownCell): void {
   const ix = Math.floor(noisePoint[0]! / cell);
   const iy = Math.floor(noisePoint[1]! / cell);
   const iz = Math.floor(noisePoint[2]! / cell);
-  const h = hash(ix, iy, iz, seed);
-  const radius = cell * (0.18 + 0.27 * unsigned(h));
-  const play = cell - 2 * radius;
-  const x = noisePoint[0]! - (ix * cell + radius + play * unsigned(remix(h + 1)));
-  const y = noisePoint[1]! - (iy * cell + radius + play * unsigned(remix(h + 2)));
-  const z = noisePoint[2]! - (iz * cell + radius + play * unsigned(remix(h + 3)));
+  if (!isKnown(known, ix, iy, iz, seed)) placeCrater(known, cell);
+  const x = noisePoint[0]! - known[HASHED]!;
+  const y = noisePoint[1]! - known[HASHED + 1]!;
+  const z = noisePoint[2]! - known[HASHED + 2]!;
+  const radius = known[HASHED + 3]!;
   const a = (x * x + y * y + z * z) / (radius * radius);
   const foot = 1 - a;
-  noiseValue[0] = a < 1 ? DEPTH * radius * (foot * foot * (3.5 * a - 1)) : 0;
+  noiseValue[0] = a < 1 ? DEPTH * radius * (foot * foot * (RIM * a - 1)) : 0;
+}
+
+/** The crater's centre and radius, m. */
+function placeCrater(known: KnownCell, cell: number): void {
+  const [ix, iy, iz, seed] = known as unknown as readonly [number, number, number, number];
+  const h = hash(ix, iy, iz, seed);
+  const radius = cell * (LEAST_RADIUS + RADIUS_SPREAD * unsigned(h));
+  const play = cell - 2 * radius;
+  known[HASHED] = ix * cell + radius + play * unsigned(remix(h + 1));
+  known[HASHED + 1] = iy * cell + radius + play * unsigned(remix(h + 2));
+  known[HASHED + 2] = iz * cell + radius + play * unsigned(remix(h + 3));
+  known[HASHED + 3] = radius;
 }
 
 /** A 32-bit integer from a lattice point. */
@@ -77,10 +128,10 @@ function remix(integer: number): number {
 
 /** 0 … 1 */
 function unsigned(integer: number): number {
-  return (integer >>> 0) / 4294967296;
+  return (integer >>> 0) / INTEGERS;
 }
 
 /** −1 … 1 */
 function signed(integer: number): number {
-  return (integer >>> 0) / 2147483648 - 1;
+  return (integer >>> 0) / HALF_INTEGERS - 1;
 }

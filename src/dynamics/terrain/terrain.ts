@@ -1,5 +1,5 @@
 import type { Vec3 } from '../result';
-import { crater, noise, noisePoint, noiseValue } from './noise';
+import { crater, createKnownCell, noise, noisePoint, noiseValue } from './noise';
 import type { TerrainHeight } from '../constants/world';
 import { HEIGHT, terrainInPlace } from './inPlace';
 
@@ -31,13 +31,13 @@ const RELIEFS: Readonly<Record<string, Relief>> = {
 const UNKNOWN_BODY: Relief = { radius: 1000000, scale: 1, craters: 1, seed: 71 };
 
 /** Layers of the relief: edge of the noise's cells, m, and height, m. Their sum stays within ±2 km. */
-const SWELL = { cell: 12000, height: 650 };
-const RIDGES = { cell: 4300, height: 420 };
-const HILLS = { cell: 1100, height: 60 };
-const BUMPS = { cell: 130, height: 2.5 };
+const SWELL = { cell: 12000, height: 650, known: createKnownCell() };
+const RIDGES = { cell: 4300, height: 420, known: createKnownCell() };
+const HILLS = { cell: 1100, height: 60, known: createKnownCell() };
+const BUMPS = { cell: 130, height: 2.5, known: createKnownCell() };
 /** Craters, one at most a cell: edge of the cells, m, and what keeps the two layers apart. */
-const CRATERS = { cell: 1500, seed: 4 };
-const PITS = { cell: 260, seed: 5 };
+const CRATERS = { cell: 1500, seed: 4, known: createKnownCell() };
+const PITS = { cell: 260, seed: 5, known: createKnownCell() };
 /** The site is level to 350 m of its centre and the relief is whole from 4.5 km on, m. */
 const LEVEL_RADIUS = 350;
 const WHOLE_RADIUS = 4500;
@@ -63,18 +63,18 @@ export const hillsTerrain: TerrainHeight = terrainInPlace((point, bodyName) => {
   noisePoint[0] = nx * size;
   noisePoint[1] = ny * size;
   noisePoint[2] = nz * size;
-  noise(SWELL.cell, relief.seed);
+  noise(SWELL.cell, relief.seed, SWELL.known);
   const swell = SWELL.height * noiseValue[0]!;
-  noise(RIDGES.cell, relief.seed + 1);
+  noise(RIDGES.cell, relief.seed + 1, RIDGES.known);
   const crest = 1 - (noiseValue[0]! < 0 ? -noiseValue[0]! : noiseValue[0]!);
   const ridge = RIDGES.height * (crest * crest * crest);
-  noise(HILLS.cell, relief.seed + 2);
+  noise(HILLS.cell, relief.seed + 2, HILLS.known);
   const hills = HILLS.height * noiseValue[0]!;
-  noise(BUMPS.cell, relief.seed + 3);
+  noise(BUMPS.cell, relief.seed + 3, BUMPS.known);
   const bumps = BUMPS.height * noiseValue[0]!;
-  crater(CRATERS.cell, relief.seed + CRATERS.seed);
+  crater(CRATERS.cell, relief.seed + CRATERS.seed, CRATERS.known);
   const bowl = noiseValue[0]!;
-  crater(PITS.cell, relief.seed + PITS.seed);
+  crater(PITS.cell, relief.seed + PITS.seed, PITS.known);
   const ground = swell + ridge + hills + bumps + relief.craters * (bowl + noiseValue[0]!);
   const t = fromSite < WHOLE_RADIUS ? (fromSite - LEVEL_RADIUS) / (WHOLE_RADIUS - LEVEL_RADIUS) : 1;
   point[HEIGHT] = relief.scale * (t * t * (3 - 2 * t)) * ground;

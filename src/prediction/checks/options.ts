@@ -145,7 +145,11 @@ export function checkSettings(warn: Warn, path: string, settings: unknown): void
   if (!isRecord(settings)) return;
   const known = Object.keys(DEFAULT_SETTINGS);
   // A loaded record includes its derived constants.
-  const naming = { code: 'unknown-setting', path, known: [...known, 'cosSettleTilt', 'cosTippedAngle'] };
+  const naming = {
+    code: 'unknown-setting',
+    path,
+    known: [...known, 'cosSettleTilt', 'cosTippedAngle', 'constants'],
+  };
   warnOfUnknown(warn, naming, settings as object);
   for (const { field, least, code, expected } of IMPLAUSIBLE) {
     const value = (settings as Readonly<Record<string, unknown>>)[field];

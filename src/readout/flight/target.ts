@@ -27,6 +27,8 @@ export interface Target {
 }
 
 const SCALES = [10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 50_000] as const;
+/** The target stays off the map's rim. */
+const MARGIN = 1.1;
 
 /**
  * An empty readout of a target, filled by updateTargetReadout.
@@ -106,6 +108,6 @@ export function updateTargetReadout(
     out.missY = NaN;
   }
   const needed = Math.max(out.distance, out.radius);
-  out.scale = SCALES.find((scale) => scale >= needed * 1.1) ?? SCALES[SCALES.length - 1]!;
+  out.scale = SCALES.find((scale) => scale >= needed * MARGIN) ?? SCALES[SCALES.length - 1]!;
   return out;
 }

@@ -98,14 +98,16 @@ export function measureRighting(
   out.fuelNeeded = memory.run.fuelNeeded;
 }
 
+/** Level part of s in ship axes below which the ship is upside down, and any axis will do. */
+const UPSIDE_DOWN = 1e-9;
+
 /** The turn that brings `up` back to s is about up × s, which in ship axes has no z. */
 function chooseActions(out: Righting, inputs: Float64Array, surface: Surface, ship: ShipView): void {
   const x = -surface.groundInShip[1]!;
   const y = surface.groundInShip[0]!;
   const level = Math.sqrt(x * x + y * y);
-  // When the ship is exactly upside down, any axis will do.
-  const shareX = level > 1e-9 ? Math.abs(x) / level : 1;
-  const shareY = level > 1e-9 ? Math.abs(y) / level : 0;
+  const shareX = level > UPSIDE_DOWN ? Math.abs(x) / level : 1;
+  const shareY = level > UPSIDE_DOWN ? Math.abs(y) / level : 0;
   writeAvailableTorque(torque, ship);
   const torqueX = shareX * torque[0]!;
   const torqueY = shareY * torque[1]!;

@@ -1,5 +1,5 @@
-// The whole law of src/dynamics in scalar C, written straightforwardly: what the bench compares the TypeScript's speed with,
-// and a third implementation to agree with in every bit. SI units, frames as in src/dynamics/state/layout.ts.
+// The whole law of src/dynamics in scalar C: what the bench compares the TypeScript's speed with, and a third implementation to agree
+// with in every bit. straightforward.c is written as DYNAMICS.md tells the law, tuned.c as the TypeScript computes it. SI units, frames as in src/dynamics/state/layout.ts.
 #ifndef CONTACT_H
 #define CONTACT_H
 #include "vectors.h"

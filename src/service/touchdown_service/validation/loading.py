@@ -76,10 +76,10 @@ def load_ship_class(data: Any, path: str = "ship_class") -> ShipClass:
         given[name] = number(
             required(data, name, path), f"{path}.{name}", allowed if divides else Range(-1e300, 1e300, "")
         )
+    if given["fuel_capacity"] > 0:
+        number(given["fuel_capacity"], f"{path}.fuel_capacity", TANKS)
     if data.get("dry_inertia_ratio") is not None:
         given["dry_inertia_ratio"] = number(data["dry_inertia_ratio"], f"{path}.dry_inertia_ratio", INERTIA_RATIO)
-        if given["fuel_capacity"] > 0:
-            number(given["fuel_capacity"], f"{path}.fuel_capacity", TANKS)
     if data.get("reaction_wheel_capacity") is not None:
         capacity = vector(data["reaction_wheel_capacity"], f"{path}.reaction_wheel_capacity", WHEEL_CAPACITY)
         given["reaction_wheel_capacity"] = capacity

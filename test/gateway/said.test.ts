@@ -111,11 +111,14 @@ describe('what cannot be used', () => {
     expect(ping(31)).toEqual([150, 1.5]);
   });
 
-  it('includes inputs beyond 1,024 at once', () => {
-    const { place, inputs, pilot } = piloted('stream');
+  it('includes inputs beyond 1,024 at once and 120 a second', () => {
+    const { place, state, inputs, pilot } = piloted('stream');
     const many = Array.from({ length: 128 }, () => INPUT);
     for (let i = 0; i < 9; i++) stream(place, pilot, { kind: 'inputs', inputs: many });
     expect([inputs.length, excessOf(pilot)]).toEqual([1024, 1]);
+    state.now += 0.5;
+    for (let i = 0; i < 61; i++) stream(place, pilot, { kind: 'inputs', inputs: [INPUT] });
+    expect([inputs.length, excessOf(pilot)]).toEqual([1084, 1.5]);
   });
 });
 

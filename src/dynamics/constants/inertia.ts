@@ -23,9 +23,9 @@ export function scalarInertias(k: Float64Array): { supportInertia: number; scrub
 }
 
 /**
- * Why a tensor is no inertia tensor, or null. Checks its diagonal, its symmetry, Sylvester's criterion, and that it is no needle: the ground's impulse on a tipped hull (DYNAMICS, Tipped) spins a hull ever
- * faster if its moments differ by more than a factor of about a million. Moments that no mass can have, one above the sum of the other two,
- * are accepted: the dynamics do not depend on it.
+ * Why a tensor is no inertia tensor, or null. Checks its diagonal, its symmetry, Sylvester's criterion, and that it is no needle: the
+ * ground's impulse on a tipped hull (DYNAMICS, Tipped) spins a hull ever faster if its moments differ by more than a factor of about a
+ * million. Moments that no mass can have, one above the sum of the other two, are accepted: the dynamics do not depend on it.
  */
 export function noTensor([a, b, c]: Mat3): string | null {
   for (const [i, moment] of [a[0], b[1], c[2]].entries()) {

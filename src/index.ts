@@ -104,6 +104,7 @@ export {
   createFlightReadout,
   createLandingAids,
   createLandingReadout,
+  createLeanLandingReadout,
   createTargetReadout,
   type Descent,
   type Drift,

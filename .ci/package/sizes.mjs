@@ -5,8 +5,8 @@ import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { root, tool } from './tools.mjs';
 
-const using = (create) =>
-  `export { ${create}, decodeFrameJson, decodeHelloJson, encodeControlsJson, createLandingReadout, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`;
+const using = (kind) =>
+  `export { create${kind}Predictor, decodeFrameJson, decodeHelloJson, encodeControlsJson, create${kind}LandingReadout, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`;
 
 /** Words of the features that a lean predictor does not have unless they are handed in. */
 const FEATURES = ['restore-refused', 'configure-refused', 'policy-unknown', 'learnedGround'];
@@ -16,19 +16,19 @@ export const USES = [
   {
     name: 'lean predictor, JSON, readouts',
     most: 52,
-    code: using('createLeanPredictor'),
+    code: using('Lean'),
     without: [...FEATURES, 'createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'predictor, JSON, readouts',
     most: 61,
-    code: using('createPredictor'),
+    code: using(''),
     without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'with the checks of development',
     most: 68,
-    code: using('createPredictor'),
+    code: using(''),
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],
   },

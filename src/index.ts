@@ -91,6 +91,8 @@ export {
   servePredictor,
   type ShipView,
   touchdownRecord,
+  serverHello,
+  roundTripPings,
   type TouchdownView,
   type ToWorker,
   type Warn,

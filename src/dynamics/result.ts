@@ -29,7 +29,7 @@ export function notFiniteTuple(field: string, value: unknown, length: number): s
     return `${field}: expected ${String(length)} numbers, got ${describe(value)}`;
   }
   for (let i = 0; i < length; i++) {
-    // The field's name is built only for a refusal: valid tuples are checked without allocation.
+    // The element's name is built only for an error, so that checking valid tuples does not allocate.
     if (!Number.isFinite(value[i])) return notFinite(`${field}[${String(i)}]`, value[i]);
   }
   return null;

@@ -15,8 +15,7 @@ function read(out: LandingReadout, ...poses: Pose[]): Omit<LandingReadout, 'memo
     const view = makeView(pose);
     for (let i = 0; i < VIEWS; i++) updateLandingReadout(out, view);
   }
-  const { memory: _, ...shown } = out;
-  return shown;
+  return { ...out, memory: undefined };
 }
 
 const STEADY: Pose = { state: 'contact', clearance: -0.016 };

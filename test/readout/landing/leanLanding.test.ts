@@ -10,7 +10,7 @@ import { makeView, type Pose } from '../views';
 /** Views until a simulation ahead has its answer. */
 const VIEWS = 60;
 
-function read(out: LandingReadout, ...poses: Pose[]): Omit<LandingReadout, 'memory'> {
+function read(out: LandingReadout, ...poses: Pose[]): Omit<LandingReadout, 'memory'> & { memory: undefined } {
   for (const pose of poses) {
     const view = makeView(pose);
     for (let i = 0; i < VIEWS; i++) updateLandingReadout(out, view);

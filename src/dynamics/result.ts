@@ -35,7 +35,8 @@ export function notFiniteTuple(field: string, value: unknown, length: number): s
   return null;
 }
 
-function describe(value: unknown): string {
+/** What was found instead of a number or a list, for a reason. */
+export function describe(value: unknown): string {
   if (value === null) return 'null';
   if (typeof value === 'number') return String(value);
   if (Array.isArray(value)) return `a list of ${String(value.length)}`;

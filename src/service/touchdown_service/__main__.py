@@ -16,7 +16,7 @@ from .runtime.lease import LeaseHeld
 from .runtime.service import Service
 from .validation.limits import Refusal
 
-# Exit codes: the world or the arguments cannot be used; another service runs.
+# Exit codes: invalid world or arguments; another service runs.
 REFUSED = 2
 HELD = 3
 
@@ -24,8 +24,8 @@ HELD = 3
 def main() -> None:
     args = parse_arguments()
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(message)s", stream=sys.stderr)
-    # A command that may have been executed is never retried: the service reads the state of Redis instead.
-    # Bytes that are no UTF-8 are no reason to end: what is made of them is refused by name.
+    # A command that Redis may have executed is never retried; the service reads Redis's state instead.
+    # Invalid UTF-8 must not end the service: the decoded text is refused by name.
     as_text = {"decode_responses": True, "encoding_errors": "replace"}
     client = Redis.from_url(args.redis, **as_text, socket_timeout=5, retry=Retry(NoBackoff(), 0))
     try:

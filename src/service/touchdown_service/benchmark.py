@@ -61,7 +61,7 @@ def figures():
 
 
 def rough(body_name: str, nx: float, ny: float, nz: float) -> float:
-    """The hills without their level site, which would be cheap."""
+    """The hills away from their level site, which is cheap to look up."""
     return TERRAINS["hills"](body_name, ny, nz, nx)
 
 
@@ -73,7 +73,7 @@ def ship_at(definition: dict, terrain: TerrainHeight, config: Config, case: tupl
     ship = ship_of_order(order, galaxy.classes, bodies, terrain)
     ship.surface_contact_state = state
     ship.controls = controls
-    # Only its own: the turning of the other bodies is paid once for all ships.
+    # Only the ship's own body: turning the others is a cost shared by all ships.
     return World(config, [ship.body], terrain), ship
 
 

@@ -39,7 +39,7 @@ class Config:
 
 
 def load_config(given: Any, path: str = "settings") -> Config:
-    """Defaults where nothing is said. Raises Refusal by the name of the setting that cannot be used."""
+    """Absent settings get their defaults. Raises Refusal with the name of the invalid setting."""
     mapping(given, path)
     known_fields(given, frozenset(f.name for f in fields(Config) if f.init), path)
     values = {f.name: f.default for f in fields(Config) if f.init} | given
@@ -65,13 +65,13 @@ RANGES = {
     "contact_damping_ratio": Range(0, 1, "", is_open=True),
     "contact_friction_static": Range(0, 2, ""),
     "contact_friction_kinetic": Range(0, 2, ""),
-    # Beyond the longest, ships with moments of inertia far apart shake on their legs.
+    # With longer substeps, ships with very unequal moments of inertia oscillate on their legs.
     "contact_longest_substep": Range(0.001, 0.022, "s"),
 }
 
 
 def check_order(settings: dict[str, Any], path: str) -> None:
-    """Limits that depend on one another."""
+    """Checks limits that depend on each other."""
     below = (
         ("contact_bounce_speed", "<", "contact_crash_speed"),
         ("contact_settle_tilt_deg", "<", "contact_tipped_angle_deg"),
@@ -87,7 +87,7 @@ def check_order(settings: dict[str, Any], path: str) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """How a tick is cut (DYNAMICS, Time): game seconds a tick, substeps a tick, game seconds a substep."""
+    """Division of a tick (DYNAMICS, Time): game seconds per tick, substeps per tick, game seconds per substep."""
 
     tick_seconds: float
     substeps: int
@@ -110,7 +110,7 @@ def timing_of_tick(tick_seconds: float, longest_substep: float) -> Timing:
 
 
 def cosine_of_degrees(degrees: float) -> float:
-    """0 to 90 degrees, by a polynomial of our own: math.cos has other bits in other languages (ORDER, Cosine)."""
+    """Cosine of 0 to 90 degrees by a polynomial, since the bits of math.cos differ between languages (ORDER, Cosine)."""
     if degrees <= 45:
         x = degrees * RADIANS_PER_DEGREE
         s = x * x

@@ -26,12 +26,12 @@ NO_AXES: Mat3 = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 
 
 def substep(ship: Ship, world: World, step: BodyStep, dt: float) -> str:
-    """Moves the ship by dt over its body as it turns in `step`. Returns the event's name, or ''."""
+    """Advances the ship by dt; `step` has the body's attitudes. Returns the event's name, or ''."""
     if ship.crashed:  # 0
         return ""
     state = ship.surface_contact_state
     controls = ship.controls
-    if state == LANDED and not controls.pushes:  # 1, 2: no lift to look for
+    if state == LANDED and not controls.pushes:  # 1, 2: without thrust there is no lift
         return stay_landed(ship, step[2])
     standing = ship.standing
     if standing and standing[0] is ship.position:
@@ -69,7 +69,7 @@ def stay_landed(ship: Ship, turn: Quat) -> str:
 
 
 def is_lifted(ship: Ship, thrust: Vec3, place: Place, weight: float) -> bool:
-    """Step 2: lift above the weight launches a landed or tipped ship. It then begins a new approach."""
+    """Step 2: a landed or tipped ship launches if lift exceeds weight, and starts a new approach."""
     normal = place[:3]
     if not dot(thrust, normal) > weight:
         return False

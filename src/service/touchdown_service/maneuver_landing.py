@@ -17,36 +17,36 @@ COMPLETE = "complete"
 ABORTED = "aborted"
 PHASES = (DESCENT, TOUCHDOWN, COMPLETE, ABORTED)
 
-# m/s: down in the last metres, below every bounce
+# Descent speed in the last metres, below any bounce, m/s.
 TOUCH_SPEED = 1.5
-# m/s: down at most
+# Maximum descent speed, m/s.
 MAX_SPEED = 15
-# m: below it down at TOUCH_SPEED
+# Height below which the ship descends at TOUCH_SPEED, m.
 LAST_METRES = 3
-# Of what the engine has over the weight: what braking plans with; the rest is for correcting.
+# Share of the engine's excess thrust over weight that braking plans with; the rest is reserve for corrections.
 BRAKING_SHARE = 0.5
-# m/s^2: more would come too late where ticks are a second apart
+# Maximum planned braking, m/s^2; more would react too late with ticks a second apart.
 MAX_BRAKING = 1
-# 1/s: how speed errors are answered
+# Gain from speed error to acceleration, 1/s.
 RESPONSE = 0.5
-# Cosine of the tilt past which the engine waits for the ship to come upright.
+# Cosine of the tilt above which the engine waits until the ship is upright.
 LEAST_UPRIGHT = 0.5
-# m: a hop after contact below this is left to the ground
+# Height of a hop after contact below which the engine stays off, m.
 LOW_HOP = 3
 
-# In contact: engine off, rates damped.
+# Controls in contact: engine off, rate damping.
 HOLD = Controls(attitude_hold=True)
 
 
 @dataclass(slots=True)
 class Landing:
-    """A maneuver under way."""
+    """A maneuver in progress."""
 
     phase: str = DESCENT
     reason: str = ""
     started_tick: int = 0
     updated_tick: int = 0
-    # m/s: the hardest touch since it began; a bounce may begin and end between two steps.
+    # Largest impact speed since the start, m/s; a bounce may begin and end between two steps.
     touch_speed: float = 0.0
 
     @property
@@ -55,7 +55,7 @@ class Landing:
 
 
 def continue_landing(landing: Landing, ship: Ship, world: World) -> Controls:
-    """One step: moves the maneuver's phase on; the controls to command until the next."""
+    """One step: updates the maneuver's phase and returns the controls until the next step."""
     if landing.is_over:
         return ship.controls
     state = ship.surface_contact_state
@@ -82,7 +82,7 @@ def abort(landing: Landing, reason: str) -> Controls:
 
 @dataclass(slots=True)
 class Approach:
-    """A ship as a pilot over the ground feels it: m, m/s, m/s^2."""
+    """A ship's motion relative to the ground: m, m/s, m/s^2."""
 
     height: float
     # Positive upward.
@@ -123,7 +123,8 @@ def fly(landing: Landing, ship: Ship, world: World) -> Controls:
 
 
 def descend(approach: Approach, ship: Ship) -> Controls:
-    """Top up, drift nulled by the thrusters, down no faster than the engine can brake; pushed down where gravity is too weak."""
+    """Keeps the ship upright, nulls drift with the thrusters, descends no faster than the engine can brake, and thrusts down if
+    gravity is too weak."""
     cls = ship.ship_class
     mass = cls.dry_mass + ship.fuel
     reserve = max(0.0, cls.main_engine_thrust / mass - approach.gravity)
@@ -131,7 +132,7 @@ def descend(approach: Approach, ship: Ship) -> Controls:
     to_brake = max(0.0, approach.height - LAST_METRES)
     planned = sqrt(TOUCH_SPEED * TOUCH_SPEED + 2 * braking * to_brake)
     speed = min(planned, MAX_SPEED)
-    # How fast the planned speed falls as the ship does; at the cap and in the last metres it stays.
+    # Planned deceleration; 0 at the maximum speed and in the last metres.
     on_curve = to_brake > 0 and planned < MAX_SPEED and approach.climb < 0
     easing = braking * -approach.climb / planned if on_curve else 0.0
     wanted = approach.gravity + easing + RESPONSE * (-speed - approach.climb)
@@ -151,5 +152,5 @@ def descend(approach: Approach, ship: Ship) -> Controls:
 
 
 def share(force: float, most: float) -> float:
-    """`force` as a share of `most`, -1 to 1; 0 where there is nothing to push with."""
+    """`force` / `most`, clamped to -1 to 1; 0 without thrusters."""
     return max(-1.0, min(1.0, force / most)) if most > 0 else 0.0

@@ -27,7 +27,7 @@ ATTITUDE_MODES = (
     "antiradial",
 )
 
-# terrain_height(body_name, nx, ny, nz): metres above the body's radius, the direction in the body's axes.
+# terrain_height(body_name, nx, ny, nz): height above the body's radius, m; unit direction in body axes.
 TerrainHeight = Callable[[str, float, float, float], float]
 
 
@@ -37,7 +37,7 @@ BodyStep = tuple[Mat3, Mat3, Quat]
 
 @dataclass(slots=True)
 class Body:
-    """A celestial body: it moves by its velocity once a tick and turns by its angular velocity once a substep."""
+    """A celestial body: moves by its velocity once per tick, rotates by its angular velocity once per substep."""
 
     name: str
     mass: float
@@ -54,7 +54,7 @@ class Body:
 
 @dataclass(frozen=True, slots=True)
 class Controls:
-    """A pilot's controls: clamped, the target normalized."""
+    """A pilot's controls, clamped, with the target normalized."""
 
     thrust_level: float = 0.0
     translation_input: Vec3 = (0.0, 0.0, 0.0)
@@ -62,7 +62,7 @@ class Controls:
     attitude_hold: bool = False
     attitude_mode: str = "none"
     target_attitude: Quat = (0.0, 0.0, 0.0, 1.0)
-    # Engine or translation thrusters; stick or attitude control; either: most ships coast.
+    # Whether engine or translation thrusters, stick or attitude control, or any of them is in use; most ships coast.
     pushes: bool = field(init=False, compare=False)
     steers: bool = field(init=False, compare=False)
     is_active: bool = field(init=False, compare=False)
@@ -80,26 +80,26 @@ NEUTRAL = Controls()
 
 @dataclass(slots=True)
 class Input:
-    """A change of controls that holds from the start of a substep on; session and seq say whose it is."""
+    """A change of controls from the start of a substep on, identified by session and sequence number."""
 
     tick: int
     substep: int
     change: dict[str, object]
     session: str = ""
     seq: int = 0
-    # Wall seconds, by Redis's clock; later by as much as its stamp was late.
+    # Wall s by Redis's clock, plus the amount by which its stamp was late.
     arrived: float = 0.0
 
 
 @dataclass(slots=True)
 class Applied:
-    """The last input that a ship was given."""
+    """The last input applied to a ship."""
 
     session: str
     seq: int
     tick: int
     substep: int
-    # Wall seconds before its interval was simulated; negative: late.
+    # Time from arrival to the simulation of its interval, wall s; negative: late.
     margin: float
 
 
@@ -114,9 +114,9 @@ class Ship:
     attitude: Quat
     angular_velocity: Vec3
     fuel: float
-    # h: of the centre of mass above the feet, m; the class's, unless the ship's state carries its own.
+    # h: height of the centre of mass above the feet, m; the class's unless the ship's state has its own.
     ground_contact_offset: float = 0.0
-    # What the wheels have given so far, N m s, body axes.
+    # Momentum stored in the reaction wheels, N m s, body axes.
     wheel_momentum: Vec3 = (0.0, 0.0, 0.0)
     impact_speed: float = 0.0
     surface_contact_state: str = FLYING
@@ -125,11 +125,11 @@ class Ship:
     ship_id: str = ""
     player_id: str = ""
     name: str = ""
-    # A touch now would not be the initial one: it follows a bounce (REDIS.md, Initial touch).
+    # The next touch is not the initial one but follows a bounce (REDIS.md, Initial touch).
     touched: bool = False
     # The ground at the last substep's end, which is the next one's start (contact.Standing).
     standing: tuple | None = field(default=None, repr=False, compare=False)
-    # In the order they are due.
+    # In order of their due time.
     pending: list[Input] = field(default_factory=list)
     applied: Applied | None = None
 
@@ -149,14 +149,14 @@ class World:
 
 @dataclass(slots=True)
 class Event:
-    """What happened to a ship in a substep of the interval that begins at `tick`."""
+    """An event of a ship in a substep of the interval that begins at `tick`."""
 
     tick: int
     substep: int
     type: str
     ship: Ship
     body: str
-    # Of a touch: it follows a bounce, and its speed, m/s.
+    # For a touch: whether it follows a bounce, and the impact speed, m/s.
     again: bool = False
     impact_speed: float = 0.0
 

@@ -22,7 +22,7 @@ from .storage.frames import FRAMES
 from .storage.records import w_last
 from .validation.limits import Refusal
 
-# Wall ms for which the next frame is waited for: twice the longest interval.
+# Timeout for the next frame, wall ms: twice the longest interval.
 PATIENCE = 20_000
 STATE_FIELDS = (
     "relative_position", "relative_velocity", "position", "velocity", "angular_velocity", "fuel", "wheel_momentum",
@@ -32,7 +32,7 @@ CONTROL_FIELDS = ("thrust_level", "translation_input", "rotation_input", "attitu
 
 
 class Recording:
-    """A trajectory under way: frames in, in their order, until one does not belong."""
+    """A trajectory being recorded: takes frames in order until one does not continue it."""
 
     def __init__(self, ship_id: str, world: dict[str, Any], first: dict[str, Any]) -> None:
         ship = ship_in(first, ship_id)
@@ -61,11 +61,11 @@ class Recording:
         }
 
     def take(self, frame: dict[str, Any]) -> bool:
-        """Whether the frame goes on from the last one; else the recording has ended, and says why."""
+        """Whether the frame continues the last one; if not, the recording ends with a reason."""
         ship = ship_in(frame, self.ship_id)
         tick = frame["tick"]
         if tick == self.last["tick"]:
-            return True  # a paused world, told again
+            return True  # repeated while the world is paused
         if ship is None:
             self.ended = "the ship is gone"
         elif tick != self.last["tick"] + 1:
@@ -106,7 +106,7 @@ def input_of(given: dict[str, Any], tick: int, substep: int) -> dict[str, Any]:
 
 
 def record(client: Redis, ship_id: str, ticks: int) -> Recording:
-    """Waits for the frames of `ticks` intervals from the newest one on. Raises Refusal where there is nothing to record."""
+    """Waits for the frames of `ticks` intervals from the newest one on. Raises Refusal if there is nothing to record."""
     definition = client.get("touchdown:world")
     newest = client.xrevrange(FRAMES, count=1)
     if definition is None or not newest:

@@ -1,4 +1,4 @@
-"""The world in Redis: read whole at a start, written one tick at a time in one transaction (REDIS.md)."""
+"""The world in Redis: read completely at start, then written in one transaction per tick (REDIS.md)."""
 
 import json
 from dataclasses import dataclass, field
@@ -36,13 +36,13 @@ LANDING_FIELDS = ("type", "phase", "reason", "started_tick", "updated_tick", "to
 # Ticks between writes of the body hashes, as in the game (REDIS_WRITE_INTERVAL).
 BODY_INTERVAL = 10
 INBOX_COUNT = 5000
-# Seconds for which the maneuver of a destroyed ship can still be read.
+# Time for which the maneuver of a destroyed ship stays readable, s.
 MANEUVER_SECONDS = 60
 
 
 @dataclass(slots=True)
 class Asked:
-    """What game:* and the inbox hold at a boundary, as read."""
+    """Values of game:* and inbox entries at a boundary, unchecked."""
 
     values: dict[str, str | None]
     entries: list[tuple[str, dict[str, str]]] = field(default_factory=list)
@@ -53,17 +53,17 @@ class RedisState:
     def __init__(self, client: Redis, lease: Lease) -> None:
         self.client = client
         self.lease = lease
-        # What Redis holds already: not written again.
+        # Values already in Redis, which are not written again.
         self.pending_text = ""
         self.landings: dict[str, tuple] = {}
         self.members: set[str] = set()
-        # Of the last transaction that was read or written: another means that the world has moved on.
+        # Marker of the last transaction read or written; any other value means that another service wrote.
         self.commit_id: str | None = None
-        # Why the last ship that could not be read was left out.
+        # Why the last invalid ship was left out.
         self.refused = ""
 
     def create(self, definition: dict[str, Any]) -> None:
-        """Makes the world where there is none: its bodies become the state at tick 0."""
+        """Creates the world if there is none; its bodies are the state at tick 0."""
         bodies = [body_of_record(b, f"bodies[{i}]") for i, b in enumerate(required(definition, "bodies", ""))]
         kept = {name: value for name, value in definition.items() if name != "bodies"}
         make_galaxy(kept, bodies)
@@ -73,7 +73,7 @@ class RedisState:
         pipe.execute()
 
     def load(self) -> Galaxy | None:
-        """The world at the last committed tick; None where there is none. Raises Refusal where it cannot be read."""
+        """The world at the last committed tick, or None without one. Raises Refusal if it is invalid."""
         pipe = self.client.pipeline(transaction=True)
         pipe.get(WORLD).get(BODIES).hgetall(CLOCK).get(PENDING)
         definition, bodies, clock, pending = pipe.execute(raise_on_error=False)
@@ -93,12 +93,12 @@ class RedisState:
         try:
             load_pending(galaxy, "{}" if pending is None else pending, PENDING)
         except Refusal as refusal:
-            # Planned inputs are not worth the world.
+            # Invalid scheduled inputs must not prevent the world from loading.
             self.refused = str(refusal)
         return galaxy
 
     def load_ships(self, galaxy: Galaxy) -> None:
-        """A ship that cannot be read stays out, and in Redis; the others fly on."""
+        """Leaves an invalid ship out of the simulation, but in Redis; the others continue."""
         key = f"system:{galaxy.system_id}:ships"
         if self.client.type(key) not in ("set", "none"):
             raise Refusal(f"{key}: expected a set")
@@ -130,10 +130,10 @@ class RedisState:
         return Asked(dict(zip(ASKED, values)), entries)
 
     def commit(self, galaxy: Galaxy, changes: Changes, due: float, asked: Asked, status: dict[str, Any]) -> None:
-        """All of a tick, or nothing. Raises LeaseLost where another service may have written meanwhile."""
+        """Writes all of a tick or nothing. Raises LeaseLost if another service may have written meanwhile."""
         pipe = self.client.pipeline(transaction=True)
         try:
-            # Not the lease: its renewals, and its running out under a long transaction, would break this one off.
+            # The lease is not watched: its renewal or expiry during a long transaction would abort it.
             pipe.watch(CLOCK)
             holder, commit = pipe.get(lease_key.KEY), pipe.hget(CLOCK, "commit")
             if holder not in (None, self.lease.token) or commit != self.commit_id:
@@ -160,7 +160,7 @@ class RedisState:
             pipe.reset()
 
     def write_ships(self, pipe: Pipeline, galaxy: Galaxy, changes: Changes) -> list[str]:
-        """The hashes; returns the same as JSON objects."""
+        """Writes the ships' hashes; returns the same data as JSON objects."""
         members = f"system:{galaxy.system_id}:ships"
         ships = []
         for ship_id in sorted(galaxy.ships):
@@ -217,7 +217,7 @@ class RedisState:
             write_body_hashes(pipe, galaxy)
 
     def write_bodies_at_end(self, galaxy: Galaxy) -> None:
-        """At a shutdown: the body hashes at the present tick."""
+        """At shutdown: writes the body hashes of the present tick."""
         self.lease.check()
         pipe = self.client.pipeline(transaction=True)
         write_body_hashes(pipe, galaxy)

@@ -1,4 +1,4 @@
-"""Ship classes as the game names them, and what is computed of them once. SI units, body axes: +Z is the thrust axis and "up"."""
+"""Ship classes under the game's names, and constants derived from them. SI units, body axes: +Z is the thrust axis and "up"."""
 
 from dataclasses import dataclass, field
 from math import inf, sqrt
@@ -10,7 +10,7 @@ STANDARD_GRAVITY = 9.80665
 
 @dataclass(slots=True)
 class ShipClass:
-    """A class as the game names it (checked by loading.load_ship_class), and what is computed of it once."""
+    """A class under the game's names (checked by loading.load_ship_class), with derived constants."""
 
     name: str
     dry_mass: float
@@ -26,9 +26,9 @@ class ShipClass:
     rcs_isp: float
     reaction_wheel_torque: Vec3
     attitude_natural_frequency: float
-    # Without one inertia goes with mass.
+    # None: inertia is proportional to mass.
     dry_inertia_ratio: float | None = None
-    # N m s; without one the wheels are never full.
+    # N m s; None: the wheels never saturate.
     reaction_wheel_capacity: Vec3 | None = None
     full_mass: float = field(init=False)
     inertia: Mat3 = field(init=False)
@@ -40,7 +40,7 @@ class ShipClass:
     wheel_capacity: Vec3 = field(init=False)
     attitude_stiffness: float = field(init=False)
     attitude_damping: float = field(init=False)
-    # The inertia tensor's factor: inertia_at_dry + inertia_per_fuel * fuel.
+    # Factor on the inertia tensor: inertia_at_dry + inertia_per_fuel * fuel.
     inertia_at_dry: float = field(init=False)
     inertia_per_fuel: float = field(init=False)
     # J and J' of DYNAMICS, Angular, kg m^2 with full tanks.

@@ -1,4 +1,4 @@
-"""The world's tick: every body, every ship, the inputs due, the events."""
+"""Simulates one tick of the world: bodies, ships, inputs, events."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
@@ -11,7 +11,7 @@ from .models import FLYING, Applied, Body, BodyStep, Change, Event, Input, Ship,
 
 AfterSubstep = Callable[[Ship, int, str], None]
 
-# Substeps that are run ship by ship; it bounds the memory of a tick of 100,000.
+# Number of substeps run ship by ship; bounds the memory of a tick of 100,000 substeps.
 BLOCK = 1000
 
 
@@ -25,12 +25,12 @@ class Happened:
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """Consecutive substeps of a tick from `first` on, and how the reference body lies in each."""
+    """Consecutive substeps of a tick from `first` on, with the reference body's attitude in each."""
 
     tick: int
     first: int
     dt: float
-    # Wall seconds at which the tick's end is due, by the clock of Input.arrived.
+    # When the tick's end is due, wall s by the clock of Input.arrived.
     due: float
     steps: list[BodyStep]
 
@@ -59,14 +59,14 @@ def run_tick(
             run_ship(ship, world, span, happened, after_substep)
     for body in world.bodies:
         body.position = add(body.position, scale(body.velocity, timing.tick_seconds))
-    # Stable: ships of one substep stay in their order.
+    # A stable sort keeps the order of ships within a substep.
     happened.events.sort(key=lambda event: event.substep)
     happened.changes.sort(key=lambda change: change.substep)
     return happened
 
 
 def run_ship(ship: Ship, world: World, span: Span, happened: Happened, after_substep: AfterSubstep | None) -> None:
-    """One ship through consecutive substeps of a tick."""
+    """Simulates one ship over consecutive substeps of a tick."""
     tick, dt = span.tick, span.dt
     pending = ship.pending
     for s, step in enumerate(span.steps, span.first):
@@ -91,7 +91,7 @@ def event_of(ship: Ship, type: str, tick: int, s: int) -> Event:
 
 
 def apply_input(ship: Ship, given: Input, at: tuple[int, int], due: float) -> bool:
-    """Whether it was: what was overtaken by an input of a higher number is dropped."""
+    """Applies an input unless one with a higher sequence number was applied before; returns whether it did."""
     last = ship.applied
     if given.seq and last and last.session == given.session and given.seq <= last.seq:
         return False
@@ -102,7 +102,7 @@ def apply_input(ship: Ship, given: Input, at: tuple[int, int], due: float) -> bo
 
 
 def turn_body(body: Body, dt: float, substeps: int) -> list[BodyStep]:
-    """Step 7 for several substeps: turns the body, and says how it lies in each."""
+    """Step 7 for several substeps: turns the body and returns its attitude in each."""
     half_turn = scale(body.angular_velocity, 0.5 * dt)
     turn = small_rotation(half_turn)
     attitude = body.attitude
@@ -118,7 +118,7 @@ def turn_body(body: Body, dt: float, substeps: int) -> list[BodyStep]:
 
 
 def choose_reference_body(ship: Ship, bodies: list[Body]) -> None:
-    """A flying ship goes over to the body that is nearest by its own radius (DYNAMICS, Frame)."""
+    """Makes the body with the smallest distance / radius a flying ship's reference body (DYNAMICS, Frame)."""
     if ship.surface_contact_state != FLYING or ship.crashed:
         return
     now = ship.body

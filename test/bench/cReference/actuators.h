@@ -3,7 +3,7 @@
 #define ACTUATORS_H
 #include "contact.h"
 
-// Results of the actuators that the rest of the substep uses: kg, N, N m, m, s.
+// Results of the actuators for the rest of the substep: kg, N, N m, m, s.
 typedef struct {
   double mass, factor, weight, lift, pressing, depth, normal_force, dt;
   vec3 thrust, torque, along;
@@ -18,7 +18,7 @@ static vec3 error_to_target(const ship *s) {
              sign * (t.z * q.w - t.w * q.z - t.x * q.y + t.y * q.x));
 }
 
-// The unit direction that a pointing mode aims at; 0 if it is round-off.
+// Writes the unit direction of a pointing mode, ICRF; returns 0 if it would be rounding error.
 static int direction_of(vec3 *d, const ship *s, const body *b, int mode, vec3 normal, double distance) {
   if (mode == MODE_RADIAL || mode == MODE_ANTIRADIAL) {
     *d = scale(normal, mode == MODE_RADIAL ? 1 : -1);
@@ -53,7 +53,7 @@ static void steer_to_direction(vec3 *command, double stiffness, vec3 b) {
   command->y += stiffness * ey;
 }
 
-// Torque commanded by stick or attitude controller; 0 if neither commands any.
+// Writes the torque commanded by stick or attitude controller; returns 0 if neither is active.
 static int ask_torque(double asked[3], const ship *s, const world *in, const load *l, vec3 normal, double distance) {
   const ship_class *c = &in->ship_class;
   const double *stick = s->pilot.rotation_input;
@@ -76,7 +76,7 @@ static int ask_torque(double asked[3], const ship *s, const world *in, const loa
   return 1;
 }
 
-// Wheels give as much as they can until they are full, RCS the rest. Returns the sum of RCS torque.
+// Divides torque between wheels, up to saturation, and RCS. Returns the sum of RCS torque.
 static double give_torque(double torque[3], ship *s, const ship_class *c, double dt) {
   double rcs = 0;
   for (int k = 0; k < 3; k++) {

@@ -1,5 +1,6 @@
-// The whole law of src/dynamics in scalar C: what the bench compares the TypeScript's speed with, and a third implementation to agree
-// with in every bit. straightforward.c is written as DYNAMICS.md tells the law, tuned.c as the TypeScript computes it. SI units, frames as in src/dynamics/state/layout.ts.
+// The dynamics of src/dynamics in scalar C: a baseline for benchmarks and a third implementation that must agree in every bit.
+// straightforward.c follows the text of DYNAMICS.md; tuned.c is structured like the TypeScript. SI units; frames as in
+// src/dynamics/state/layout.ts.
 #ifndef CONTACT_H
 #define CONTACT_H
 #include "vectors.h"
@@ -54,16 +55,16 @@ struct world {
   ship_class ship_class;
   body bodies[3];
   int body_count;
-  // The terrain is asked through a callback, as the game asks it: metres, n in the body's axes.
+  // The game's terrain call as a callback: height, m, in the unit direction n, body axes.
   double (*terrain_height)(const world *of, vec3 n);
   double terrain_base, terrain_amplitude;
   vec3 terrain_axis;
 };
 
-// Before the first substep of a tick.
+// Called before the first substep of a tick.
 void choose_reference_body(ship *s, const world *in);
-// One substep of all bodies and the ship; the event.
+// Advances all bodies and the ship by one substep; returns the event.
 int step_world(ship *s, world *in, double dt);
-// After the last substep of a tick.
+// Called after the last substep of a tick.
 void move_bodies(world *in, double tick_seconds);
 #endif

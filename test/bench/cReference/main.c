@@ -1,6 +1,6 @@
-// contact replay < CASES            one line per case: its substeps and the FNV-1a hash of all its rows, as in src/dynamics/state/hash.ts
-// contact time ROUNDS TIMES < CASE  one line per round: ns per substep, the case put back to its start every 50 substeps
-// Cases are doubles, in the order that caseBytes.ts writes.
+// contact replay < CASES            one line per case: number of substeps and FNV-1a hash of all its rows, as in src/dynamics/state/hash.ts
+// contact time ROUNDS TIMES < CASE  one line per round: ns per substep; the case restarts every 50 substeps
+// Cases are doubles in the order of landing.ts.
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -110,7 +110,7 @@ static ship read_ship(void) {
   s.r = vector(), s.u = vector(), s.q = quaternion(), s.w = vector();
   s.fuel = next(), triple(s.wheel_momentum), s.impact_speed = next();
   s.state = (int)next(), s.body = (int)next(), s.crashed = (int)next();
-  next(); // the class: there is one
+  next();  // class index, always 0
   s.ground_contact_offset = next();
   s.pilot = pilot();
   return s;
@@ -145,7 +145,7 @@ static uint32_t hash_doubles(uint32_t hash, const double *from, int count) {
   return hash;
 }
 
-// The columns of src/dynamics/state/layout.ts, then the event.
+// Columns of src/dynamics/state/layout.ts, then the event.
 static uint32_t hash_ship(uint32_t hash, const ship *s, int event) {
   const controls *c = &s->pilot;
   const double row[37] = {

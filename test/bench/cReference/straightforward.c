@@ -1,12 +1,12 @@
-// The law as DYNAMICS.md tells it, step by step: each quantity of its table is computed at the substep's start and again at its end,
-// whoever reads it, and every rotation is one of a quaternion. Nothing is put off, kept or shared between steps. The order of additions
-// is that of ORDER.md: the bits are those of tuned.c.
+// The dynamics step by step as in DYNAMICS.md. Every quantity of its table is computed at the substep's start and end, whether or not it
+// is used, and every rotation uses a quaternion. Nothing is computed lazily, cached or shared between steps. The order of additions is
+// that of ORDER.md, so the bits equal those of tuned.c.
 #include "actuators.h"
 
 #define STIFFNESS 100
 #define CRITICAL 20
 
-// The table "Quantities": m, N, rad/s, ICRF axes.
+// Quantities of the table in DYNAMICS.md: m, N, rad/s, ICRF axes.
 typedef struct {
   vec3 normal, surface_normal, slope, velocity, tangential, up, spin;
   double distance, gravity, penetration, cos_slope, cos_tilt, normal_speed, slide_squared;
@@ -26,7 +26,7 @@ static vec3 turn_in(quat q, vec3 v) {
 
 static double height(const world *in, vec3 n) { return in->terrain_height(in, n); }
 
-// The normal of the plane that the feet stand on, body's axes.
+// Normal of the plane through the ground around the feet, body axes.
 static vec3 terrain_normal(const world *in, double radius, vec3 n) {
   double leg_radius = in->ship_class.leg_radius, arm = leg_radius / radius;
   int near_pole = n.y >= 0.9 || n.y <= -0.9;
@@ -42,7 +42,7 @@ static vec3 terrain_normal(const world *in, double radius, vec3 n) {
   return scale(square, 1 / length(square));
 }
 
-// The place alone, which the actuators ask for before there is a thrust.
+// Only the quantities of position, which the actuators need.
 static void find_place(quantities *to, const ship *s, const body *b) {
   double squared = dot(s->r, s->r);
   to->distance = sqrt(squared);
@@ -81,7 +81,7 @@ static quantities find_quantities(const ship *s, const world *in, const load *l,
   return to;
 }
 
-// Turning with the ground over dt.
+// Rotation with the ground over dt.
 static void turn_place(ship *s, const body *b) {
   vec3 a = vec(b->turn.x, b->turn.y, b->turn.z), t = cross(a, s->r);
   s->r = add(add(s->r, scale(t, 2 * b->turn.w)), scale(cross(a, t), 2));
@@ -95,7 +95,7 @@ static int stay_landed(ship *s, const body *b) {
   return NO_EVENT;
 }
 
-// 3. How settled it is
+// 3. Settling
 
 static int is_slow(const quantities *at, const settings *set) {
   double limit = set->settle_linear_vel * set->settle_linear_vel;

@@ -1,4 +1,4 @@
-// What is done once a tick: reference bodies and places of bodies.
+// Once per tick: reference bodies and positions of bodies.
 #include "contact.h"
 
 void choose_reference_body(ship *s, const world *in) {

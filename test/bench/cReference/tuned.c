@@ -3,7 +3,7 @@
 #define STIFFNESS 100
 #define CRITICAL 20
 
-// n, s, v_s, v_tangential and their intermediate values, in order of computation.
+// Quantities at a substep's start or end, in order of computation: n, s, v_s, v_tangential and intermediate values.
 typedef struct {
   vec3 normal, body_normal, surface_normal, slope, tangential;
   double distance, gravity, penetration, cos_slope, normal_speed, slide_squared;
@@ -71,7 +71,7 @@ static void turn_place_with_ground(ship *s, const body *b) {
   s->u = cross(b->angular_velocity, s->r);
 }
 
-// 3 to 5
+// Steps 3 to 5
 
 static void read_load(load *l, const surface *at) {
   double pressing = l->mass * at->gravity * at->cos_slope - dot(l->thrust, at->surface_normal);
@@ -138,7 +138,7 @@ static void move_on_ground(ship *s, const load *l, const world *in, const surfac
   s->r = add(s->r, scale(s->u, l->dt));
 }
 
-// 6
+// Step 6
 
 static vec3 capped(vec3 moment, double most) {
   double squared = dot(moment, moment);
@@ -169,7 +169,7 @@ static void turn_by_torque(ship *s, const load *l, const world *in) {
   s->q = turned(s->q, scale(s->w, 0.5 * l->dt));
 }
 
-// 8
+// Step 8
 
 static vec3 rest_on_side(ship *s, const world *in, vec3 normal, vec3 up, double dt) {
   double cos_tilt = dot(normal, up);
@@ -190,7 +190,7 @@ static vec3 rest_on_side(ship *s, const world *in, vec3 normal, vec3 up, double 
   return up_of(s->q);
 }
 
-// 9
+// Step 9
 
 static int crash(ship *s) {
   s->crashed = 1;

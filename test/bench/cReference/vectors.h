@@ -77,7 +77,7 @@ static inline vec3 perpendicular_axis(vec3 a) {
   return vec(0, a.z * p, -a.y * p);
 }
 
-// From unit a to unit b; half a turn where they oppose.
+// The shortest rotation from unit a to unit b; half a turn if they are opposite.
 static inline quat shortest_rotation(vec3 a, vec3 b) {
   double d = dot(a, b);
   if (d < -0.999999) {

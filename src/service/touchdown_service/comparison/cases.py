@@ -1,4 +1,4 @@
-"""A landing as JSON data (the scenarios, the parity test's cases) turned into a ship in its world."""
+"""Loads a landing from JSON (scenarios, cases of the parity test) as a ship in its world."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -22,7 +22,7 @@ class Case:
 
 
 def load_case(data: Any) -> Case:
-    """Raises Refusal with the path of the first field that cannot be used."""
+    """Raises Refusal with the path of the first invalid field."""
     mapping(data, "case")
     bodies = [load_body(body, f"bodies[{i}]") for i, body in enumerate(required(data, "bodies", ""))]
     config = load_config(required(data, "settings", ""), "settings")

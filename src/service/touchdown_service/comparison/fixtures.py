@@ -17,7 +17,7 @@ from ..models import Ship
 from ..simulation import run_tick
 from .cases import load_case
 
-# States a fixture, about: a file stays readable.
+# Approximate number of states per fixture, so that files stay readable.
 STATES = 60
 
 
@@ -74,7 +74,7 @@ def state(ship: Ship, tick: int) -> dict[str, Any]:
 
 
 def to_text(data: dict[str, Any]) -> str:
-    """JSON with a line for each field, each state and each input: a change shows as the lines it changed."""
+    """JSON with one line per field, state and input, so that a diff shows only what changed."""
     fields = []
     for name, value in data.items():
         if isinstance(value, list) and value:

@@ -19,7 +19,7 @@ from ..simulation import run_tick
 from .cases import Case, load_case
 
 EVENTS = ("", "ship.contact", "ship.landed", "ship.tipped", "ship.righted", "ship.destroyed")
-# An unknown mode has the number after the last.
+# The number of an unknown mode is one above the last.
 MODE_NUMBERS = {mode: i for i, mode in enumerate(ATTITUDE_MODES)}
 SHIP_ROW = Struct("<37d")
 BODY_ROW = Struct("<10d")

@@ -1,4 +1,4 @@
-"""The angle of a vector from + - * / and a polynomial: the same bits as src/dynamics/terrain/arctangent.ts (ORDER, Heightmap)."""
+"""Angle of a vector by + - * / and a polynomial: the same bits as src/dynamics/terrain/arctangent.ts (ORDER, Heightmap)."""
 
 C1 = -0.3333333333332844
 C2 = 0.19999999998855109
@@ -19,7 +19,7 @@ SPLIT = 0.41421356237309503
 
 
 def angle_of(y: float, x: float) -> float:
-    """The angle from the x axis to (x, y), rad, -pi to pi; 0 of the zero vector."""
+    """Angle from the x axis to (x, y), rad, -pi to pi; 0 for the zero vector."""
     ax = -x if x < 0 else x
     ay = -y if y < 0 else y
     larger = ay if ay > ax else ax

@@ -1,4 +1,4 @@
-"""Ground from heightmaps in the game's format: the same bits as src/dynamics/terrain/heightmap.ts (ORDER, Heightmap)."""
+"""Terrain from heightmaps in the game's format: the same bits as src/dynamics/terrain/heightmap.ts (ORDER, Heightmap)."""
 
 import sys
 from array import array
@@ -45,14 +45,14 @@ class Heightmap:
     body_radius: float | None = None
     interpolation: str = "bilinear"
     base: float = 0.0
-    # The poles' heights, in units of a sample: one point each, whatever the column.
+    # Heights of the poles, in units of a sample: one point each, the same for all columns.
     north: float = 0.0
     south: float = 0.0
     columns_per_radian: float = 0.0
     rows_per_radian: float = 0.0
 
     def __post_init__(self) -> None:
-        """Raises Refusal with the field that cannot be used."""
+        """Raises Refusal with the invalid field."""
         whole(self.columns, "columns", least=4)
         whole(self.rows, "rows", least=2)
         if self.columns % 2:
@@ -71,7 +71,7 @@ class Heightmap:
 
 
 def read_samples(data: bytes) -> array:
-    """Samples as a file holds them: 16-bit, signed, little-endian."""
+    """Reads samples of a file: 16-bit, signed, little-endian."""
     if len(data) % 2:
         raise Refusal(f"bytes: expected an even number, got {len(data)}")
     samples = array("h", data)
@@ -108,7 +108,7 @@ def load_heightmap(data: Any, path: str, body_radius: float) -> Heightmap:
 
 
 def heightmap_terrain(maps: dict[str, Heightmap], elsewhere: TerrainHeight) -> TerrainHeight:
-    """Ground from heightmaps by body name, and `elsewhere` for bodies without one."""
+    """Terrain from heightmaps by body name, and `elsewhere` for bodies without one."""
 
     def height(body_name: str, nx: float, ny: float, nz: float) -> float:
         grid = maps.get(body_name)
@@ -124,7 +124,7 @@ def heightmap_terrain(maps: dict[str, Heightmap], elsewhere: TerrainHeight) -> T
 
 
 def sample_at(grid: Heightmap, row: int, column: int) -> float:
-    """A sample, 0 <= column < columns; a row beyond a pole is the one that lies there, on the other side."""
+    """Sample at any row and 0 <= column < columns; a row beyond a pole continues on the opposite meridian."""
     columns, rows = grid.columns, grid.rows
     if 0 < row < rows:
         return grid.samples[row * columns + column]
@@ -137,7 +137,7 @@ def sample_at(grid: Heightmap, row: int, column: int) -> float:
 
 
 def cell_of(grid: Heightmap, down: float, east: float) -> tuple[int, int, float, float]:
-    """Row and column of the sample before a point, and how far the point is beyond it, 0 to 1."""
+    """Row and column of the sample north-west of a point, and the point's offset from it, 0 to 1."""
     x = east + grid.columns if east < 0 else east
     row = min(floor(down), grid.rows - 1)
     column = floor(x)
@@ -174,5 +174,5 @@ def along_row(grid: Heightmap, row: int, column: int, t: float) -> float:
 
 
 def catmull_rom(a: float, b: float, c: float, d: float, t: float) -> float:
-    """From b (t = 0) to c (t = 1), with the slopes of their neighbours."""
+    """Catmull-Rom interpolation from b (t = 0) to c (t = 1)."""
     return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)))

@@ -1,4 +1,4 @@
-"""Lattice noise and craters from + - * /, floor and 32-bit integers: the same bits in every language (ORDER, Terrain)."""
+"""Lattice noise and craters by + - * /, floor and 32-bit integers: the same bits in every language (ORDER, Terrain)."""
 
 from functools import lru_cache
 from math import floor
@@ -33,7 +33,7 @@ def unsigned(integer: int) -> float:
 # A ship stays in one cell for many substeps.
 @lru_cache(maxsize=4096)
 def corners(i: int, j: int, k: int, seed: int) -> tuple[float, ...]:
-    """The cell's values, x running fastest."""
+    """Lattice values at the cell's corners, x fastest."""
     return tuple(signed(lattice_hash(i + a, j + b, k + c, seed)) for c in (0, 1) for b in (0, 1) for a in (0, 1))
 
 

@@ -12,14 +12,14 @@ from .heightmap import heightmap_terrain, load_heightmap
 from .noise import crater, noise
 
 LANDING_SITE = (0.6, 0.48, 0.64)
-# m: the site is level to the first and the relief is whole from the second on
+# Distances from the site's centre, m: level up to the first, full relief from the second on.
 LEVEL_RADIUS = 350
 WHOLE_RADIUS = 4500
 
 
 @dataclass(frozen=True, slots=True)
 class Relief:
-    """How a body's hills are made: its radius, m; scale of lengths and heights; weight of the craters."""
+    """Parameters of a body's hills: radius, m; factor on lengths and heights; weight of the craters."""
 
     radius: float
     scale: float
@@ -56,7 +56,7 @@ def hills(body_name: str, nx: float, ny: float, nz: float) -> float:
 
 
 def ground(point: Vec3, relief: Relief) -> float:
-    """The relief's layers added up, m."""
+    """Sum of the relief's layers, m."""
     seed = relief.seed
     swell = 650 * noise(point, 12000, seed)
     crest = 1 - abs(noise(point, 4300, seed + 1))

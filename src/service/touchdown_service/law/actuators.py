@@ -23,7 +23,7 @@ def actuate(ship: Ship, axes: Mat3, place: Place, factor: float, dt: float) -> t
 
 
 def give_torque(ship: Ship, asked: Vec3, dt: float) -> tuple[Vec3, float]:
-    """The wheels give what they can until they are full, RCS the rest while there is fuel; and the sum of what RCS gave."""
+    """Divides torque between wheels, up to saturation, and RCS, while there is fuel. Also returns the sum of RCS torque."""
     cls = ship.ship_class
     has_fuel = ship.fuel > 0
     torques = []
@@ -52,7 +52,7 @@ def give_torque(ship: Ship, asked: Vec3, dt: float) -> tuple[Vec3, float]:
 
 
 def push(ship: Ship, axes: Mat3, rcs: float, dt: float) -> Vec3:
-    """Thrust of main engine and translation thrusters; burns for them and for `rcs` newton metres of torque."""
+    """Thrust of main engine and translation thrusters; burns their fuel and that of `rcs` N m of torque."""
     cls = ship.ship_class
     controls = ship.controls
     main = controls.thrust_level * cls.main_engine_thrust

@@ -9,16 +9,16 @@ from .vectors import Mat3, Vec3, add, cross, length, rotate, rotate_back, scale,
 ALONG_VELOCITY = frozenset({"prograde", "retrograde", "surface_retrograde", "normal", "antinormal"})
 KNOWN_MODES = frozenset(ATTITUDE_MODES)
 
-# m/s: a velocity below it is round-off, and so is its direction
+# Speed below which the direction of the velocity is rounding error, m/s.
 LEAST_SPEED = 1e-3
-# so is r x u where u is along r to a part in a million
+# |r x u| / (|r| |u|) below which the direction of r x u is rounding error.
 LEAST_SINE = 1e-6
-# m/s over the ground: below it the game keeps its last direction; damping stays near it without remembering
+# Ground speed below which the game keeps its last direction, m/s. Here rates are damped, which needs no memory and stays close to it.
 LEAST_SURFACE_SPEED = 0.1
 
 
 def asked_torque(ship: Ship, axes: Mat3, place: Place, factor: float) -> Vec3 | None:
-    """N m, body axes; None where neither asks. `factor`: of the inertia tensor, at the present fuel."""
+    """Commanded torque, N m, body axes; None if neither is active. `factor`: on the inertia tensor, at the present fuel."""
     controls = ship.controls
     cls = ship.ship_class
     stick = controls.rotation_input
@@ -37,7 +37,7 @@ def asked_torque(ship: Ship, axes: Mat3, place: Place, factor: float) -> Vec3 | 
 
 
 def points(mode: str, state: str) -> bool:
-    """A mode that is not known damps, and so does one along a ground-bound ship's velocity."""
+    """Rate damping for unknown modes, and for velocity modes on the ground."""
     if mode == "none" or mode not in KNOWN_MODES:
         return False
     return state == FLYING or mode not in ALONG_VELOCITY
@@ -56,7 +56,7 @@ def error_to_target(ship: Ship) -> Vec3:
 
 
 def direction(ship: Ship, mode: str, place: Place) -> Vec3 | None:
-    """The unit direction of a pointing mode, ICRF; None where it is round-off."""
+    """Unit direction of a pointing mode, ICRF; None if it would be rounding error."""
     nx, ny, nz, distance, _ = place
     if mode == "radial":
         return (nx, ny, nz)
@@ -86,7 +86,7 @@ def steer_to_direction(wish: Vec3, towards: Vec3 | None, axes: Mat3, stiffness: 
     ex = -dy
     ey = dx
     if dz < 0:
-        # It does not stall when it points straight away: a full unit of error, about x where no axis is better.
+        # The error is 1 beyond 90 degrees, so that control does not stall when the ship points directly away; about x there.
         size = sqrt(ex * ex + ey * ey)
         ex, ey = (1.0, 0.0) if size <= 1e-6 else (ex / size, ey / size)
     return (wish[0] + stiffness * ex, wish[1] + stiffness * ey, wish[2])

@@ -6,7 +6,7 @@ from .vectors import Vec3
 
 
 def fly(ship: Ship, place: Place, thrust: Vec3, mass: float, dt: float) -> Place:
-    """Returns the place at the substep's end."""
+    """Returns the position quantities at the substep's end."""
     nx, ny, nz, _, g = place
     half = 0.5 * dt
     half_squared = half * dt

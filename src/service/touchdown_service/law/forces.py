@@ -1,4 +1,4 @@
-"""Steps 3 to 5 on the ground: how settled a ship is, the normal force, friction and the linear motion."""
+"""Steps 3 to 5 on the ground: load, normal force, friction and linear motion."""
 
 from math import sqrt
 
@@ -7,19 +7,19 @@ from ..models import TIPPED, Ship
 from .surface import Ground, OverGround, Place
 from .vectors import Vec3
 
-# k / m, s^-2: the contact spring
+# k / m of the contact spring, s^-2.
 STIFFNESS = 100
-# c / m of critical damping, 1/s
+# c / m at critical damping, 1/s.
 CRITICAL = 20
-# (m/s)^2: below 1 cm/s static friction may hold
+# Square of the speed, 1 cm/s, above which only kinetic friction acts, (m/s)^2.
 HELD_SPEED_SQUARED = 1e-4
 
-# What a ship in the ground feels: load and depth of its rest, N and m; what pushes along the ground, N.
+# Load, N; static penetration under it, m; tangential part of weight n - thrust, N, ICRF.
 Load = tuple[float, float, float, float, float]
 
 
 def depth_of(mass: float, weight: float, thrust: Vec3, ground: Ground) -> tuple[float, float]:
-    """The force into the ground, N, and the static penetration under it, m."""
+    """Force into the ground, N, and the static penetration under it, m."""
     _, sx, sy, sz, cos, _, _, _ = ground
     load = weight * cos - (thrust[0] * sx + thrust[1] * sy + thrust[2] * sz)
     if not load > 0:
@@ -28,7 +28,7 @@ def depth_of(mass: float, weight: float, thrust: Vec3, ground: Ground) -> tuple[
 
 
 def along_ground(weight: float, thrust: Vec3, ground: Ground) -> Vec3:
-    """The force along the ground, N: weight on a slope and thrust."""
+    """Tangential part of weight n - thrust, N, ICRF."""
     _, sx, sy, sz, _, lx, ly, lz = ground
     tx, ty, tz = thrust
     off = tx * sx + ty * sy + tz * sz
@@ -36,7 +36,7 @@ def along_ground(weight: float, thrust: Vec3, ground: Ground) -> Vec3:
 
 
 def is_nearly_at_rest(config: Config, ground: Ground, over: OverGround, depth: float) -> bool:
-    """Vertical speed, the spring's stored energy counted in, and slide are below the settle limit."""
+    """Whether normal speed (spring energy included) and slide are below the settle limit."""
     most = config.settle_squared
     speed = over[0]
     sunk = ground[0] * ground[4] - depth
@@ -63,9 +63,9 @@ def friction(
     ground: Ground,
     over: OverGround,
 ) -> Vec3:
-    """Holds against slide, push, slope and the ground's own turning, or is kinetic and never more than ends the slide.
+    """Static friction if it holds against slide, thrust, slope and the ground's rotation; else kinetic, at most what ends the slide.
 
-    `per_speed`: mass / dt and mass / 2; `forces`: normal force, what pushes along the ground.
+    `per_speed`: mass / dt and mass / 2; `forces`: normal force and `along`, N.
     """
     mass_per_dt, half = per_speed
     force, (ax, ay, az) = forces
@@ -104,7 +104,7 @@ def accelerate(
 
 
 def cap_rise(ship: Ship, ground: Ground, depth: float, dt: float) -> None:
-    """The speed off the ground of a settling ship ends at the static depth: the excess is taken off along s."""
+    """Limits the normal speed of a settling ship so that it ends at the static depth; removes the excess along s."""
     penetration, sx, sy, sz, cos, _, _, _ = ground
     ox, oy, oz = ship.body.angular_velocity
     rx, ry, rz = ship.position

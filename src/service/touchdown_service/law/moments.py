@@ -1,4 +1,4 @@
-"""Step 6: the ground's moments on a ship whose feet are in it, in ICRF axes."""
+"""Step 6: the ground's moments on a penetrating ship, ICRF axes."""
 
 from math import sqrt
 
@@ -7,7 +7,7 @@ from ..models import TIPPED, Ship
 from .surface import Ground, Place
 from .vectors import Mat3, Vec3
 
-# s^-2 and 1/s per unit of inertia: the rotational counterpart of the spring-damper, critical
+# Per unit of inertia, s^-2 and 1/s: critically damped, like the contact spring.
 SUPPORT_STIFFNESS = 100
 SUPPORT_DAMPING = 20
 SCRUB_DAMPING = 20
@@ -33,13 +33,13 @@ def ground_torque(
     yaw_x = yaw * sx
     yaw_y = yaw * sy
     yaw_z = yaw * sz
-    # What the feet carry, and as much of the weight.
+    # Normal force, at most the weight's normal component; and the weight that it balances.
     most = weight * cos
     held = force if force < most else most
     carried = held / cos
     toppling = carried * ship.ground_contact_offset
 
-    # Support, at most what the footprint's edge gives.
+    # Support, limited by the weight's lever arm at the footprint's edge.
     support = cls.support_inertia * factor
     stiffness = -SUPPORT_STIFFNESS * support
     damping = SUPPORT_DAMPING * support

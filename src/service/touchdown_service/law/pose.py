@@ -23,14 +23,14 @@ def turn_place_with_ground(ship: Ship, turn: Quat) -> None:
 
 
 def move_with_ground(ship: Ship) -> None:
-    """u = Omega x r: as the ground at the centre of mass."""
+    """u = Omega x r: the velocity of co-rotating ground at the centre of mass."""
     ox, oy, oz = ship.body.angular_velocity
     x, y, z = ship.position
     ship.velocity = (oy * z - oz * y, oz * x - ox * z, ox * y - oy * x)
 
 
 def turn_attitude_with_ground(ship: Ship, turn: Quat) -> None:
-    """Landed: attitude and spin go with the body too."""
+    """Landed: attitude and spin also follow the body."""
     ship.attitude = product(turn, ship.attitude)
     ship.angular_velocity = ship.body.angular_velocity
 

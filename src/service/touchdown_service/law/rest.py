@@ -22,7 +22,7 @@ from .vectors import (
 
 
 def rest_on_side(ship: Ship, normal: Vec3, up: Vec3, dt: float) -> Vec3:
-    """Past 90 degrees of tilt the ground stops further turning, and the ship is turned back. Returns the new up."""
+    """Past 90 degrees of tilt, stops further tilting and turns the ship back to 90 degrees. Returns the new up."""
     cos_tilt = dot(normal, up)
     if not cos_tilt < 0:
         return up
@@ -37,14 +37,14 @@ def rest_on_side(ship: Ship, normal: Vec3, up: Vec3, dt: float) -> Vec3:
 
 
 def tipping_axis(normal: Vec3, up: Vec3) -> Vec3:
-    """unit(n x up); any level axis where the ship stands on its head."""
+    """unit(s x up), the tipping axis; any axis along the ground if the ship is upside down."""
     across = cross(normal, up)
     size = length(across)
     return perpendicular_axis(normal) if size <= 1e-6 else scale(across, 1 / size)
 
 
 def stop_further_tilt(ship: Ship, axis: Vec3, axes: Mat3) -> None:
-    """The ground's impulse about the axis; along the axis alone it would feed the other axes of a full tensor."""
+    """An impulse of the ground about the axis. Removing the spin along the axis instead would feed other axes of a full tensor."""
     spin = dot(subtract(ship.angular_velocity, ship.body.angular_velocity), axis)
     if not spin > 0:
         return

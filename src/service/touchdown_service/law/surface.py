@@ -1,4 +1,4 @@
-"""Where a ship stands to the ground (DYNAMICS, Quantities; ORDER, Place, Penetration, Ground), as tuples of floats.
+"""A ship's relation to the ground (DYNAMICS, Quantities; ORDER, Place, Penetration, Ground), as tuples of floats.
 
 Place: n, distance and g. Ground: penetration, the surface normal s, c_s = n . s, and slope = n - c_s s.
 """
@@ -10,10 +10,10 @@ from .vectors import Mat3, Vec3
 
 Place = tuple[float, float, float, float, float]
 Ground = tuple[float, float, float, float, float, float, float, float]
-# v_s, t and slide2: off the ground, along it, m/s; its square.
+# v_s and t: normal and tangential velocity, m/s; slide2: square of the tangential speed.
 OverGround = tuple[float, float, float, float, float]
 
-# Near the pole (Y of the body's axes) the first level direction is taken from X: p x n_b would be round-off there.
+# |n_b . Y| from which the first level direction is taken from X: Y x n_b would be rounding error near the pole Y.
 NEAR_POLE = 0.9
 
 
@@ -51,7 +51,7 @@ def ground_of(ship: Ship, world: World, axes: Mat3, place: Place, penetration: f
 
 
 def slope_normal(n_b: Vec3, leg_radius: float, body: Body, world: World) -> Vec3:
-    """Of the plane that the feet stand on: the ground one leg radius ahead and behind, in two level directions; body's axes."""
+    """Normal of the plane through the ground one leg radius ahead and behind in two level directions, body axes."""
     x, y, z = n_b
     if y >= NEAR_POLE or y <= -NEAR_POLE:
         p = 1 / sqrt(z * z + y * y)
@@ -77,7 +77,7 @@ def slope_normal(n_b: Vec3, leg_radius: float, body: Body, world: World) -> Vec3
 
 
 def rise(at: Vec3, along: Vec3, spread: float, leg_radius: float, where: tuple[Body, World]) -> float:
-    """How much the ground rises per metre along a level direction."""
+    """Slope of the ground along a level direction, m/m."""
     body, world = where
     x, y, z = at
     ex, ey, ez = along[0] * spread, along[1] * spread, along[2] * spread

@@ -10,10 +10,10 @@ from .pose import move_with_ground
 from .surface import Ground, OverGround, Place
 from .vectors import Vec3, cross, dot, product, shortest_rotation, subtract, up_of
 
-# m: let go of, where the ground fell away
+# Height of the feet above which a grounded ship has left the ground although it does not rise, m.
 FELL_AWAY = -0.1
 
-# By how much a ship sank in a substep, m, and the substep, s.
+# Increase of penetration in the substep, m, and the substep, s.
 Sinking = tuple[float, float]
 
 
@@ -24,13 +24,13 @@ class End(NamedTuple):
     ground: Ground
     over: OverGround
     up: Vec3
-    # Of step 1, kg and N.
+    # From step 1, kg and N.
     mass: float
     thrust: Vec3
 
 
 def impact_speed(ground: Ground, speed: float, sinking: Sinking) -> float:
-    """How fast ship and ground close, m/s; the second sees ground that rises ahead of a fast ship."""
+    """Closing speed, m/s: the larger of -v_s and the rate of penetration, which includes ground rising ahead of the ship."""
     sunk, dt = sinking
     falling = -speed
     closing = (sunk * ground[4]) / dt
@@ -38,7 +38,7 @@ def impact_speed(ground: Ground, speed: float, sinking: Sinking) -> float:
 
 
 def touch_or_crash(ship: Ship, config: Config, ground: Ground, speed: float, sinking: Sinking) -> str:
-    """Of a flying ship that is in the ground."""
+    """Transition of a flying ship that penetrates the ground."""
     impact = impact_speed(ground, speed, sinking)
     if impact > config.contact_crash_speed:
         return crash(ship)
@@ -53,7 +53,7 @@ def touch_or_crash(ship: Ship, config: Config, ground: Ground, speed: float, sin
 
 
 def leave_or_change(ship: Ship, config: Config, end: End, sinking: Sinking) -> str:
-    """Of a ship in contact or tipped."""
+    """Transition of a ship in contact or tipped."""
     penetration, sx, sy, sz, _, _, _, _ = end.ground
     speed = end.over[0]
     touching = penetration > 0
@@ -77,7 +77,7 @@ def leave_or_change(ship: Ship, config: Config, end: End, sinking: Sinking) -> s
 
 
 def crash(ship: Ship) -> str:
-    """A crash is an outcome, not a surface state: the ship's state is kept, and it leaves the simulation."""
+    """A crash is an outcome, not a surface state: the ship's state is kept, and it is no longer simulated."""
     ship.crashed = True
     ship.surface_contact_state = FLYING
     return "ship.destroyed"
@@ -90,12 +90,12 @@ def right(ship: Ship) -> str:
 
 
 def is_righting(ship: Ship, normal: Vec3, up: Vec3) -> bool:
-    """It turns back towards upright."""
+    """Whether the ship turns back towards upright."""
     return dot(relative_spin(ship), cross(normal, up)) < 0
 
 
 def is_settled(ship: Ship, config: Config, end: End) -> bool:
-    """Spin, vertical speed and slide below the settle limits, and the ground holds it."""
+    """Whether spin, normal speed and slide are below the settle limits, and the ground holds the ship."""
     spin = relative_spin(ship)
     if not dot(spin, spin) < config.contact_settle_angular_vel * config.contact_settle_angular_vel:
         return False
@@ -104,7 +104,7 @@ def is_settled(ship: Ship, config: Config, end: End) -> bool:
 
 
 def is_held(ship: Ship, config: Config, end: End) -> bool:
-    """The slope is not too steep for static friction, and the ship's weight is inside its feet."""
+    """Whether static friction holds the ship on the slope, and its weight acts within its footprint."""
     _, _, _, _, cos, lx, ly, lz = end.ground
     if not sqrt(lx * lx + ly * ly + lz * lz) <= config.contact_friction_static * cos:
         return False

@@ -138,7 +138,7 @@ def perpendicular_axis(a: Vec3) -> Vec3:
 
 
 def shortest_rotation(a: Vec3, b: Vec3) -> Quat:
-    """The shortest rotation from unit a to unit b; half a turn where they oppose."""
+    """The shortest rotation from unit a to unit b; half a turn if they are opposite."""
     d = dot(a, b)
     if d < -0.999999:
         return (*perpendicular_axis(a), 0.0)

@@ -1,4 +1,4 @@
-"""The service's state between two ticks, and one tick of it."""
+"""The service's state between two ticks, and the simulation of one tick."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -14,7 +14,7 @@ from ..validation.loading import load_ship_class
 
 @dataclass(slots=True)
 class Tempo:
-    """What holds from one boundary to the next. `asked_scale` is game:time_scale; time sync moves `time_scale` about it."""
+    """Tick rate and time scale between two boundaries. `asked_scale` is game:time_scale; time sync varies `time_scale` around it."""
 
     tick_rate: float = 1.0
     time_scale: float = 1.0
@@ -29,7 +29,7 @@ class Tempo:
 
 @dataclass(slots=True)
 class Galaxy:
-    """Ships by id, bodies, clock. `definition` is touchdown:world as it was read."""
+    """Ships by ID, bodies, clock. `definition` is touchdown:world as read."""
 
     definition: dict[str, Any]
     system_id: str
@@ -42,23 +42,23 @@ class Galaxy:
     tick: int = 0
     # Seconds since tick 0.
     game_time: float = 0.0
-    # The last inbox entry taken in.
+    # ID of the last inbox entry that was applied.
     cursor: str = "0-0"
 
 
 @dataclass(slots=True)
 class Changes:
-    """What happened since the last commit, for the next one."""
+    """Changes since the last commit, to be written by the next."""
 
     events: list[Event] = field(default_factory=list)
     controls: list[Change] = field(default_factory=list)
-    # Ships that left, with the reason.
+    # Removed ships, with the reason.
     removed: list[tuple[Ship, str]] = field(default_factory=list)
     results: list[dict[str, Any]] = field(default_factory=list)
 
 
 def make_galaxy(definition: Any, bodies: list[Body]) -> Galaxy:
-    """Raises Refusal with the path of the first field that cannot be used."""
+    """Raises Refusal with the path of the first invalid field."""
     mapping(definition, "world")
     classes = [
         load_ship_class(given, f"world.ship_classes[{i}]")
@@ -80,7 +80,7 @@ def make_galaxy(definition: Any, bodies: list[Body]) -> Galaxy:
 
 
 def run_interval(galaxy: Galaxy, due: float, changes: Changes) -> None:
-    """From the present boundary to the next; `due` is the wall second of that one, by Redis's clock."""
+    """Simulates from the present boundary to the next, which is due at wall second `due` by Redis's clock."""
     ships = [galaxy.ships[ship_id] for ship_id in sorted(galaxy.ships)]
     fly_landings(galaxy, changes)
     before = {ship_id: galaxy.ships[ship_id].applied for ship_id in galaxy.landings if ship_id in galaxy.ships}

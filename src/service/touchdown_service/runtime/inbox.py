@@ -1,4 +1,4 @@
-"""What comes in by touchdown:inbox: controls and commands, each taken in or refused whole (REDIS.md, touchdown:inbox)."""
+"""Controls and commands from touchdown:inbox. Each entry is applied or refused as a whole (REDIS.md, touchdown:inbox)."""
 
 from bisect import insort
 from math import ceil
@@ -11,18 +11,18 @@ from ..validation.limits import Refusal, mapping, one_of, parse_json, required, 
 from .galaxy import Changes, Galaxy, end_landing, remove_ship
 from .spawning import ship_of_order
 
-# Inputs of one ship that may wait: ten wall seconds at 0.1 Hz with a change every 10 ms, twice over.
+# Maximum queued inputs per ship: twice ten wall seconds with a change every 10 ms.
 MAX_PENDING = 2048
 MAX_SHIPS = 10_000
 MAX_SUBSTEPS = 100_000
-# Wall seconds that an input may be ahead, beside one tick.
+# How far an input may be ahead, in addition to one tick, wall s.
 MAX_AHEAD = 10
-# Characters of an entry's JSON.
+# Maximum characters of an entry's JSON.
 MAX_JSON = 16_384
 
 
 def take_in(galaxy: Galaxy, entries: list[tuple[str, dict[str, str]]], changes: Changes) -> None:
-    """Applies commands and queues inputs, in their order; moves the cursor."""
+    """Applies commands and queues inputs in order; advances the cursor."""
     for entry_id, entry in entries:
         kind = entry.get("type", "")
         try:
@@ -60,13 +60,13 @@ def queue_controls(galaxy: Galaxy, entry_id: str, entry: dict[str, str], changes
     change = load_controls_json(parsed(entry, "controls"), "controls")
     if is_known(ship, session, seq):
         return
-    # A page that was loaded anew: what the old one had planned is no longer wanted.
+    # The page was reloaded: inputs that the old page scheduled are obsolete.
     ship.pending = [waiting for waiting in ship.pending if waiting.session == session]
     if len(ship.pending) >= MAX_PENDING:
         raise Refusal(f"seq: {MAX_PENDING} inputs are waiting already")
     arrived = int(entry_id.split("-")[0]) / 1000
     if at[0] < galaxy.tick:
-        # Late: it acts at once, behind those before it, and its margin says how much it was late.
+        # A late input applies at once, after earlier ones; its margin records how late it was.
         arrived += (galaxy.tick - at[0]) / galaxy.tempo.tick_rate
         at = galaxy.tick, 0
     insort(ship.pending, Input(*at, change, session, seq, arrived), key=lambda i: (i.tick, i.substep, i.seq))
@@ -90,7 +90,7 @@ def respawn(galaxy: Galaxy, entry_id: str, entry: dict[str, str], changes: Chang
     ship = ship_of_order(parsed(entry, "data"), galaxy.classes, galaxy.world.bodies, galaxy.world.terrain_height)
     before = galaxy.ships.get(ship.ship_id)
     if before:
-        # The numbers of its pilot's inputs go on.
+        # Sequence numbers of the pilot's inputs continue.
         ship.applied = before.applied
         end_landing(galaxy, ship.ship_id, "respawned")
     add_ship(galaxy, ship)

@@ -1,4 +1,4 @@
-"""One service at a time: a key that expires, renewed by its holder alone (REDIS.md, Guarantees 2)."""
+"""Ensures that only one service runs: an expiring key that only its holder renews (REDIS.md, Guarantees 2)."""
 
 import os
 import socket
@@ -12,10 +12,10 @@ from redis.exceptions import RedisError
 from ..validation.limits import Refusal, shown
 
 KEY = "touchdown:lease"
-# PTTL of a key that does not expire.
+# PTTL of a key without expiry.
 NEVER = -1
 
-# Renews what is held, or what has run out without a taker: a commit finds out whether the world moved on meanwhile.
+# Renews the lease if this service holds it or nobody does. A commit detects whether another service wrote meanwhile.
 RENEW = """
 local holder = redis.call('GET', KEYS[1])
 if holder and holder ~= ARGV[1] then return 0 end
@@ -30,11 +30,11 @@ class LeaseHeld(Exception):
 
 
 class LeaseLost(Exception):
-    """This service's lease ran out; what it has in memory may be old."""
+    """This service's lease expired; its state in memory may be stale."""
 
 
 class Lease:
-    """Held by its token; renewed by a thread of its own, since a tick may take longer to compute than the lease lasts."""
+    """Identified by a token. A separate thread renews it, since computing a tick may take longer than the lease lasts."""
 
     def __init__(self, client: Redis, milliseconds: int = 3000) -> None:
         self.client = client
@@ -53,13 +53,13 @@ class Lease:
         self.keeper.start()
 
     def keep(self, let_go: threading.Event) -> None:
-        """Renews until it is let go, or lost."""
+        """Renews until the lease is released or lost."""
         while not let_go.wait(self.milliseconds / 3000):
             try:
                 if not self.client.eval(RENEW, 1, KEY, self.token, self.milliseconds):
                     let_go.set()
             except RedisError:
-                # The loop meets the same, and starts anew.
+                # The main loop gets the same error and restarts.
                 let_go.set()
 
     def take(self) -> None:
@@ -71,7 +71,7 @@ class Lease:
             if holder == self.token:
                 return
             left = self.client.pttl(KEY)
-            # A service's own always runs out.
+            # A lease written by a service always expires.
             if left == NEVER:
                 raise Refusal(f"{KEY}: expected a key that expires, got {shown(holder)}")
             if lowest is not None and left > lowest:
@@ -80,7 +80,7 @@ class Lease:
             time.sleep(min(0.1, max(left, 1) / 1000))
 
     def check(self) -> None:
-        """Raises LeaseLost where it is known to be lost; a commit finds out for certain."""
+        """Raises LeaseLost if the lease is known to be lost; a commit checks it for certain."""
         if self.let_go.is_set():
             raise LeaseLost(self.token)
 

@@ -1,4 +1,4 @@
-"""The service's loop: when ticks are due, what is asked for at each boundary, and what happens when Redis or the lease is gone."""
+"""The service's loop: the schedule of ticks, requests at each boundary, and recovery when Redis or the lease is lost."""
 
 import logging
 import os
@@ -17,14 +17,14 @@ from .tempo import next_tempo
 
 log = logging.getLogger("touchdown_service")
 
-# Boundaries made up for at once after a stall; the schedule of the rest moves.
+# Maximum number of boundaries to catch up on after a stall; the schedule shifts by the rest.
 MAX_CATCH_UP = 5
-# Wall seconds between two looks at what is asked for while paused.
+# Interval at which requests are read while paused, wall s.
 PAUSE_POLL = 0.1
-# Wall seconds between two looks at Redis's clock.
+# Interval at which Redis's clock is read, wall s.
 CLOCK_INTERVAL = 60
 RETRY_SECONDS = 0.5
-# Wall seconds after which a waiting loop looks whether it is told to stop.
+# Interval at which a waiting loop checks for a stop request, wall s.
 LOOK_UP = 0.2
 
 
@@ -38,7 +38,7 @@ class Service:
         self.state = RedisState(client, self.lease)
         self.stopping = False
         self.slipped = 0
-        # Wall seconds that game time has not made up for.
+        # Lag of game time behind wall time, wall s.
         self.lost = 0.0
         self.refused = ""
         self.tick_ms = 0.0
@@ -46,11 +46,11 @@ class Service:
         self.clock_read = float("-inf")
 
     def stop(self) -> None:
-        """From a signal handler: the loop ends after the tick under way."""
+        """For signal handlers: ends the loop after the current tick."""
         self.stopping = True
 
     def run(self) -> None:
-        """Until stop(). Raises LeaseHeld where another service runs, Refusal where the world cannot be read."""
+        """Runs until stop(). Raises LeaseHeld if another service runs, Refusal if the world is invalid."""
         while not self.stopping:
             try:
                 self.lease.acquire()
@@ -73,7 +73,7 @@ class Service:
         if galaxy is None:
             raise Refusal("touchdown:world: missing after it was written")
         if galaxy.tick == 0:
-            # A world that is new begins as it is asked to.
+            # A new world starts with the requested tempo.
             self.settle(galaxy, self.state.read_asked(galaxy.cursor))
         if self.state.refused:
             log.warning("%s", self.state.refused)
@@ -81,7 +81,7 @@ class Service:
         return galaxy
 
     def run_ticks(self, galaxy: Galaxy) -> None:
-        """From the tick that Redis holds; the boundary after it is one interval from now."""
+        """Starts from the tick in Redis; the next boundary is one interval from now."""
         self.clock_read = float("-inf")
         due = time.monotonic() + 1 / galaxy.tempo.tick_rate
         while not self.stopping:
@@ -94,7 +94,7 @@ class Service:
             due = self.next_due(galaxy, due)
 
     def run_boundary(self, galaxy: Galaxy, due: float) -> None:
-        """Takes in what came, simulates the interval that ends now, and commits the boundary."""
+        """Applies the inbox, simulates the interval that ends now, and commits the boundary."""
         changes = Changes()
         asked = self.state.read_asked(galaxy.cursor)
         take_in(galaxy, asked.entries, changes)
@@ -106,7 +106,7 @@ class Service:
         self.state.commit(galaxy, changes, wall, asked, self.status(galaxy, due))
 
     def stay_paused(self, galaxy: Galaxy, due: float) -> float:
-        """One look at what is asked for; commands act at once. Returns when the next boundary is due."""
+        """Reads requests while paused; commands apply at once. Returns when the next boundary is due."""
         time.sleep(PAUSE_POLL)
         now = time.monotonic()
         changes = Changes()
@@ -121,7 +121,7 @@ class Service:
         return now + 1 / galaxy.tempo.tick_rate
 
     def settle(self, galaxy: Galaxy, asked: Asked) -> None:
-        """What was asked for holds from this boundary on; what cannot be used is named and left."""
+        """Applies requested settings from this boundary on; reports invalid ones by name and ignores them."""
         if galaxy.tempo.time_sync:
             self.lost -= (galaxy.tempo.time_scale / galaxy.tempo.asked_scale - 1) / galaxy.tempo.tick_rate
         galaxy.tempo, refusals = next_tempo(galaxy.tempo, asked.values, self.lost)
@@ -131,7 +131,7 @@ class Service:
             self.refused = refusal
 
     def wait_until(self, due: float) -> bool:
-        """Whether it came to that."""
+        """Waits until `due`, by the local clock; False if stopped before."""
         while not self.stopping:
             left = due - time.monotonic()
             if left <= 0:
@@ -141,7 +141,7 @@ class Service:
         return False
 
     def next_due(self, galaxy: Galaxy, due: float) -> float:
-        """Schedule of the next boundary; after a stall at most MAX_CATCH_UP are made up for."""
+        """Schedules the next boundary; after a stall catches up on at most MAX_CATCH_UP."""
         interval = 1 / galaxy.tempo.tick_rate
         due += interval
         behind = int((time.monotonic() - due) / interval)
@@ -153,7 +153,7 @@ class Service:
         return due + moved * interval
 
     def redis_time(self, monotonic: float) -> float:
-        """Seconds since 1970 by Redis's clock at an instant of ours."""
+        """Redis's time, s since 1970, for an instant of the local clock."""
         if time.monotonic() - self.clock_read > CLOCK_INTERVAL:
             before = time.monotonic()
             seconds, micros = self.client.time()

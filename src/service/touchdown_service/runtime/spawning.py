@@ -1,4 +1,4 @@
-"""Ships that are put into the world: from a full state, or from a place over a body's ground (REDIS.md, Commands)."""
+"""Spawns ships from a full state, or at a place above a body's ground (REDIS.md, Commands)."""
 
 from math import cos, radians, sin, sqrt
 from typing import Any
@@ -43,7 +43,7 @@ POLE: Vec3 = (0.0, 1.0, 0.0)
 
 
 def ship_of_order(data: Any, classes: dict[str, ShipClass], bodies: list[Body], terrain_height: TerrainHeight) -> Ship:
-    """Raises Refusal with the field that cannot be used."""
+    """Raises Refusal with the invalid field."""
     mapping(data, "data")
     ship_id = text(required(data, "ship_id", ""), "ship_id")
     order = {"ship_class": "fast_frigate", "player_id": "", "name": ship_id} | data
@@ -58,7 +58,7 @@ def ship_of_order(data: Any, classes: dict[str, ShipClass], bodies: list[Body], 
 
 
 def placed(order: dict[str, Any], cls: ShipClass, bodies: list[Body], terrain_height: TerrainHeight) -> dict[str, Any]:
-    """The state of a ship at rest over a place, or moving over it, as it stands to the ground."""
+    """The state of a ship above a place, from its attitude and velocity relative to the ground."""
     name = one_of(order["body"], "body", tuple(body.name for body in bodies))
     body = next(body for body in bodies if body.name == name)
     towards = vector(required(order, "direction", ""), "direction", PLACE)
@@ -85,7 +85,7 @@ def placed(order: dict[str, Any], cls: ShipClass, bodies: list[Body], terrain_he
 
 
 def local_axes(direction: Vec3, body_axes: Mat3) -> Mat3:
-    """Columns east, north, up of a place, in ICRF."""
+    """Rotation matrix with columns east, north, up at a place, ICRF."""
     across = cross(POLE, direction)
     level = sqrt(across[0] * across[0] + across[2] * across[2])
     east = scale(across, 1 / level) if level > 1e-9 else perpendicular_axis(direction)
@@ -95,17 +95,17 @@ def local_axes(direction: Vec3, body_axes: Mat3) -> Mat3:
 
 
 def standing(axes: Mat3, heading: float, tilt: float, lean_to: float) -> Quat:
-    """Attitude of a ship that stands upright with +Y towards `heading` and is then tilted towards `lean_to`; radians."""
+    """Attitude of an upright ship with +Y towards `heading`, then tilted towards `lean_to`; radians."""
     upright = quaternion_of(axes)
     turn = (0.0, 0.0, -sin(heading / 2), cos(heading / 2))
-    # About up x the direction it leans to.
+    # Rotation axis: up x the lean direction.
     half = sin(tilt / 2)
     lean = (-cos(lean_to) * half, sin(lean_to) * half, 0.0, cos(tilt / 2))
     return product(upright, product(lean, turn))
 
 
 def quaternion_of(m: Mat3) -> Quat:
-    """Of a rotation matrix, row by row; by its largest component, so that nothing cancels."""
+    """Quaternion of a rotation matrix, row by row; solved for the largest component, which avoids cancellation."""
     a, b, c, d, e, f, g, h, i = m
     if a + e + i > 0:
         q = (h - f, c - g, d - b, 1 + a + e + i)

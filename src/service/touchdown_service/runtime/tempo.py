@@ -1,4 +1,4 @@
-"""How fast the world ticks from one boundary to the next, as game:* asks for it."""
+"""Tick rate, time scale, pause and time sync, as requested by game:*."""
 
 import re
 from dataclasses import replace
@@ -9,9 +9,9 @@ from ..validation.limits import Range, Refusal, number
 from .galaxy import Tempo
 
 DECIMAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
-# Of game:time_scale: how far time sync moves the effective one.
+# Maximum deviation of the effective time scale under time sync, as a share of game:time_scale.
 SYNC_SHARE = 0.05
-# Lost wall time is made up for over this many wall seconds, as far as SYNC_SHARE allows.
+# Time over which time sync recovers lost wall time, as far as SYNC_SHARE allows, wall s.
 SYNC_SECONDS = 10
 
 
@@ -46,7 +46,7 @@ def next_tempo(now: Tempo, asked: dict[str, str | None], behind: float) -> tuple
 
 def number_in(allowed: Range):
     def read(value: str, key: str) -> float:
-        # float() itself takes 1_0 and the digits of other scripts.
+        # float() alone also accepts 1_0 and digits of other scripts.
         if not DECIMAL.fullmatch(value):
             raise Refusal(f"{key}: expected a number, got {value[:40]!r}")
         return number(float(value), key, allowed)

@@ -1,4 +1,4 @@
-"""The output of a tick: its events one by one, and the whole world as one frame (REDIS.md)."""
+"""The output of a tick: each event, and the whole world as one frame (REDIS.md)."""
 
 import json
 from typing import Any
@@ -13,7 +13,7 @@ FRAMES, EVENTS, GALAXY_SHIPS = "touchdown:frames", "touchdown:events", "galaxy:s
 EVENTS_KEPT = 10_000
 GALAXY_EVENTS_KEPT = 100_000
 FRAMES_KEPT = 64
-# Of all frames that are kept.
+# Maximum total size of stored frames, bytes.
 FRAME_BYTES = 32 * 2**20
 
 

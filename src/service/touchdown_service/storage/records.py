@@ -1,4 +1,4 @@
-"""A ship and a body as Redis and the frames hold them (REDIS.md), and back, to the last bit."""
+"""Converts ships and bodies to the records of Redis and of frames (REDIS.md), and back, to the last bit."""
 
 import json
 from json.encoder import encode_basestring_ascii as quoted
@@ -76,7 +76,7 @@ def rcs_firing(controls: Controls, fuel: float) -> int:
 
 
 def to_texts(record: dict[str, Any]) -> dict[str, str]:
-    """The record's values as a hash holds them: texts as they are, the rest as JSON."""
+    """The record's values as stored in a hash: texts unchanged, the rest as JSON."""
     return {name: value if type(value) is str else json_text(value) for name, value in record.items()}
 
 
@@ -91,7 +91,7 @@ def json_text(value: Any) -> str:
 
 
 def to_hash(texts: dict[str, str]) -> list[str]:
-    """Names and values by turns, as HSET takes them."""
+    """Alternating names and values, the arguments of HSET."""
     return [part for field in texts.items() for part in field]
 
 
@@ -102,7 +102,7 @@ def to_object(texts: dict[str, str]) -> str:
 
 
 def from_hash(fields: dict[str, str], path: str) -> dict[str, Any]:
-    """The record of a hash; raises Refusal by the name of a field that is no JSON."""
+    """The record of a hash; raises Refusal with the name of a field that is not JSON."""
     record: dict[str, Any] = {}
     for name, value in fields.items():
         record[name] = value if name in TEXTS else parse_json(value, f"{path}.{name}")
@@ -110,7 +110,7 @@ def from_hash(fields: dict[str, str], path: str) -> dict[str, Any]:
 
 
 def ship_of_record(record: dict[str, Any], classes: dict[str, ShipClass], bodies: list[Body], path: str) -> Ship:
-    """The ship that ship_record made this of."""
+    """The ship of a record; the inverse of ship_record."""
     data = mapping(record, path) | {"attitude": w_last(required(record, "attitude", path), f"{path}.attitude")}
     ship = load_ship(data, classes, bodies, path)
     ship.ship_id = text(required(record, "ship_id", path), f"{path}.ship_id")
@@ -131,7 +131,7 @@ def ship_of_record(record: dict[str, Any], classes: dict[str, ShipClass], bodies
 
 
 def load_controls_json(data: Any, path: str) -> dict[str, Any]:
-    """Controls with the quaternion's w first, as Redis has them."""
+    """Controls in Redis's format, the quaternion's w first."""
     mapping(data, path)
     if "target_attitude" in data:
         data = data | {"target_attitude": w_last(data["target_attitude"], f"{path}.target_attitude")}

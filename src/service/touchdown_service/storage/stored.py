@@ -1,4 +1,4 @@
-"""Clock, ships, their maneuvers and waiting inputs as Redis holds them, read back: all as hostile as what comes in."""
+"""Reads clock, ships, maneuvers and queued inputs from Redis; checks them like any other input."""
 
 import re
 from typing import Any
@@ -45,7 +45,7 @@ def load_clock(galaxy: Galaxy, clock: dict[str, str]) -> None:
 
 
 def load_landing(fields: dict[str, str], path: str) -> Landing:
-    """Raises Refusal with the field, below `path`, that cannot be used."""
+    """Raises Refusal with the invalid field below `path`."""
     ticks = [whole(fields.get(name, "0"), f"{path}.{name}") for name in ("started_tick", "updated_tick")]
     data = from_hash({"touch_speed": fields.get("touch_speed", "0")}, path)
     touch_speed = number(data["touch_speed"], f"{path}.touch_speed", SPEED)
@@ -70,7 +70,7 @@ def ship_of_hash(galaxy: Galaxy, ship_id: str, record: Any) -> Ship:
 
 
 def load_pending(galaxy: Galaxy, given: Any, path: str) -> None:
-    """Ships before the first input that cannot be read have theirs; raises Refusal by its name."""
+    """Raises Refusal with the first invalid input; ships before it keep their inputs."""
     for ship_id, inputs in mapping(parse_json(given, path), path).items():
         if ship_id in galaxy.ships:
             at = f"{path}.{ship_id}"

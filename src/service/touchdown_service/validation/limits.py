@@ -15,7 +15,7 @@ class Refusal(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """`is_open`: the least itself is out."""
+    """`is_open`: `least` itself is out of range."""
 
     least: float
     most: float
@@ -32,7 +32,7 @@ INERTIA = Range(1e-9, 1e27, "kg m^2")
 FORCE = Range(0, 1e15, "N")
 TORQUE = Range(0, 1e15, "N m")
 WHEEL_CAPACITY = Range(0, 1e15, "N m s")
-# Wheels that are never full may have given any of this.
+# Momentum of reaction wheels, including wheels without a capacity.
 WHEEL_MOMENTUM = Range(-1e25, 1e25, "N m s")
 ISP = Range(1e-3, 1e8, "s")
 NATURAL_FREQUENCY = Range(0, 5, "rad/s", is_open=True)
@@ -45,14 +45,14 @@ SPIN = Range(-1e6, 1e6, "rad/s")
 SPEED = Range(0, 1e9, "m/s")
 ANY = Range(-1e300, 1e300, "")
 
-# How far from 1 the length of an attitude may be: senders round.
+# Largest deviation of an attitude's length from 1; senders round.
 UNIT_WITHIN = 1e-3
-# Longest text.
+# Maximum length of a text, characters.
 TEXT = 128
 
 
 def parse_json(given: Any, field: str) -> Any:
-    """What a JSON text holds; raises Refusal for anything else."""
+    """Parses a JSON text; raises Refusal if it is invalid."""
     if not isinstance(given, str):
         raise Refusal(f"{field}: expected a text, got {shown(given)}")
     try:
@@ -80,7 +80,7 @@ def is_finite(value: int | float) -> bool:
 
 
 def whole(value: Any, field: str, least: int = 0, most: int = 2**52) -> int:
-    """A whole number; the decimal text of one counts, as Redis holds it."""
+    """A whole number, or its decimal text, as Redis holds it."""
     if isinstance(value, str) and value.isascii() and value.isdigit() and len(value) <= 16:
         value = int(value)
     if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
@@ -95,7 +95,7 @@ def vector(value: Any, field: str, allowed: Range = ANY, size: int = 3) -> tuple
 
 
 def attitude(value: Any, field: str) -> tuple[float, ...]:
-    """A unit quaternion, its components in the order they came."""
+    """A unit quaternion, its components in the given order."""
     a, b, c, d = q = vector(value, field, size=4)
     length = sqrt(a * a + b * b + c * c + d * d)
     if not abs(length - 1) <= UNIT_WITHIN:
@@ -114,7 +114,7 @@ def text(value: Any, field: str, may_be_empty: bool = False, most: int = TEXT) -
 
 
 def is_encodable(value: str) -> bool:
-    """No half of a surrogate pair."""
+    """A text without lone surrogates."""
     try:
         value.encode()
     except UnicodeEncodeError:

@@ -66,7 +66,7 @@ def load_ship_class(data: Any, path: str = "ship_class") -> ShipClass:
         given[name] = vector(required(data, name, path), f"{path}.{name}", allowed)
     turns_by_rcs = max(given["rcs_torque"]) > 0
     burns_rcs = turns_by_rcs or max(given["rcs_thrust"]) > 0
-    # Where they divide nothing they are not looked at.
+    # Checked only where they divide something.
     divisors = {
         "main_engine_isp": (given["main_engine_thrust"] > 0, ISP),
         "rcs_lever": (turns_by_rcs, LEVER),
@@ -88,7 +88,7 @@ def load_ship_class(data: Any, path: str = "ship_class") -> ShipClass:
 
 
 def load_tensor(value: Any, path: str) -> list[list[float]]:
-    """Symmetric, positive definite (Sylvester), and no needle."""
+    """Symmetric, positive definite (Sylvester), and with moments that are not too far apart."""
     if not isinstance(value, list | tuple) or len(value) != 3:
         raise Refusal(f"{path}: expected 3 rows of 3 numbers")
     a, b, c = rows = [list(vector(row, f"{path}[{i}]")) for i, row in enumerate(value)]
@@ -124,7 +124,7 @@ def load_body(data: Any, path: str = "body") -> Body:
 
 
 def load_ship(data: Any, classes: dict[str, ShipClass], bodies: list[Body], path: str = "ship") -> Ship:
-    """A ship's simulated state, its controls neutral."""
+    """A ship's simulated state, with neutral controls."""
     mapping(data, path)
 
     def given(name: str) -> Any:
@@ -159,7 +159,7 @@ def load_ship(data: Any, classes: dict[str, ShipClass], bodies: list[Body], path
 
 
 def load_change(data: Any, path: str = "controls") -> dict[str, Any]:
-    """The controls that `data` has, clamped into range; the target normalized. An unknown mode is kept, and damps."""
+    """The controls in `data`, clamped into range, the target normalized. An unknown mode is kept and damps rates."""
     mapping(data, path)
     known_fields(data, CONTROL_FIELDS, path)
     change: dict[str, Any] = {}
@@ -186,7 +186,7 @@ def clamp(value: float, low: float) -> float:
 
 
 def unit_quaternion(q: Quat, path: str) -> Quat:
-    """What is unit already stays as it is, so that a stored input replays to the same bits."""
+    """A unit target is not normalized again, so that a stored input replays to the same bits."""
     x, y, z, w = q
     size = sqrt(x * x + y * y + z * z + w * w)
     if not 1e-3 < size < 1e3:

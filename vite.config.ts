@@ -5,7 +5,7 @@ import { compactShaders } from './.ci/compactShaders.mjs';
 import { writeNotices } from './.ci/notices.mjs';
 import { listForOffline, OFFLINE_SCRIPT } from './.ci/offline.mjs';
 import { production } from './.ci/package/production.mjs';
-import { withoutXr } from './.ci/withoutXr.mjs';
+import { leanThree } from './.ci/leanThree.mjs';
 import type * as TestProjects from './test/projects.mjs';
 
 /**
@@ -60,7 +60,7 @@ const page: UserConfig = {
       },
     },
   },
-  plugins: [withoutChecks, withoutXr(), compactShaders(), writeNotices(), listForOffline(here('public'))],
+  plugins: [withoutChecks, leanThree(), compactShaders(), writeNotices(), listForOffline(here('public'))],
   worker: { format: 'es', rolldownOptions: { output: CONSTANTS } },
 };
 

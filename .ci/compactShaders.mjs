@@ -1,25 +1,30 @@
-// Removes indentation, empty lines and comment lines from the shaders in the built page: the GPU's compiler ignores them, and they
-// are 2 kB of every download.
+// Removes comments, indentation, empty lines and the spaces between tokens from the shaders in the built page: the GPU's compiler
+// ignores them, and they are 6 kB of every download.
 
-/** A template literal that holds GLSL. */
-const GLSL = /`[^`]*(?:#include <|gl_|uniform |varying )[^`]*`/g;
+/** A template literal that three and the scene mark as GLSL. */
+const GLSL = /(\/\* glsl \*\/\s*)(`[^`]*`)/g;
 
-/** `text` of a shader without comments and indentation. */
+/** A line without spaces between tokens. `a - -b` keeps its own, and a directive all: `#define A (b)` is not `#define A(b)`. */
+const compactLine = (line) =>
+  line.startsWith('#') || line.includes('${')
+    ? line
+    : line.replace(/ *([*/=<>(){},;?:&|!]) */g, '$1').replace(/(?<![-+]) *([-+]) *(?![-+ ])/g, '$1');
+
+/** `text` of a shader without comments, indentation and spaces. */
 export function compactShader(text) {
   return text
-    .replace(/\n\s+/g, '\n')
-    .replace(/\n\/\/[^\n]*/g, '')
-    .replace(/\n{2,}/g, '\n');
+    .replace(/\/\*[\s\S]*?\*\//g, '')
+    .replace(/[ \t]*\/\/[^\n]*/g, '')
+    .replace(/[ \t]*\n\s*/g, '\n')
+    .split('\n')
+    .map(compactLine)
+    .join('\n');
 }
 
 /** A plugin of the build. */
-export function compactShaders() {
-  return {
-    name: 'compact-shaders',
-    apply: 'build',
-    generateBundle(_options, bundle) {
-      for (const output of Object.values(bundle))
-        if (output.type === 'chunk') output.code = output.code.replace(GLSL, compactShader);
-    },
-  };
-}
+export const compactShaders = () => ({
+  name: 'compact-shaders',
+  apply: 'build',
+  enforce: 'pre',
+  transform: (code) => code.replace(GLSL, (_all, mark, shader) => mark + compactShader(shader)),
+});

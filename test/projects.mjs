@@ -6,6 +6,7 @@ import { bundledTests } from './bundle.mjs';
 const BROWSER_TESTS = 'test/browser/**/*.test.ts';
 /** Minutes each: run by `npm run test:long` and by .ci/run, not by `npm test`. */
 const LONG_TESTS = 'test/**/*.long.test.ts';
+const LIVE_TESTS = 'test/live/**/*.long.test.ts';
 
 /** ms. For hangs alone: ten times what the slowest test takes on two cores, so that no test fails on a busy machine. */
 const HANGS = { testTimeout: 300_000, hookTimeout: 300_000, expect: { poll: { timeout: 120_000 } } };
@@ -59,16 +60,38 @@ export const tests = {
   },
 };
 
+/** ms. Minutes of flight, or a series of restarts. */
+const LONG_HANGS = { testTimeout: 1_800_000, hookTimeout: 1_800_000 };
+
 export const longTests = {
   publicDir: false,
-  plugins: [bundledTests()],
   test: {
     reporters: ['default', ['json', { outputFile: 'node_modules/.cache/touchdown/long-tests.json' }]],
-    // One after the other: those that run in real time measure what a busy machine would change.
-    fileParallelism: false,
-    include: [LONG_TESTS],
-    globalSetup: ['test/browser/globalSetup.ts'],
-    testTimeout: 1_800_000,
-    hookTimeout: 1_800_000,
+    projects: [
+      {
+        plugins: [bundledTests()],
+        test: {
+          name: 'long',
+          include: [LONG_TESTS],
+          exclude: [LIVE_TESTS],
+          globalSetup: ['test/browser/globalSetup.ts'],
+          maxWorkers: availableParallelism(),
+          sequence: { groupOrder: 1 },
+          ...LONG_HANGS,
+        },
+      },
+      {
+        plugins: [bundledTests()],
+        test: {
+          name: 'live',
+          include: [LIVE_TESTS],
+          globalSetup: ['test/browser/globalSetup.ts'],
+          // One after the other, and after the rest: they measure in real time what a busy machine would change.
+          maxWorkers: 1,
+          sequence: { groupOrder: 2 },
+          ...LONG_HANGS,
+        },
+      },
+    ],
   },
 };

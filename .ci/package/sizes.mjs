@@ -5,8 +5,12 @@ import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { root, tool } from './tools.mjs';
 
-const using = (create) =>
-  `export { ${create}, decodeFrameJson, decodeHelloJson, encodeControlsJson, createLandingReadout, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`;
+const using = (...predictor) =>
+  `export { ${predictor.join(', ')}, decodeFrameJson, encodeControlsJson, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`;
+
+/** The game's server sends no hello, so the lean use has no decoder of one. */
+const LEAN = using('createLeanPredictor', 'createLeanLandingReadout');
+const WHOLE = using('createPredictor', 'decodeHelloJson', 'createLandingReadout');
 
 /** Words of the features that a lean predictor does not have unless they are handed in. */
 const FEATURES = ['restore-refused', 'configure-refused', 'policy-unknown', 'learnedGround'];
@@ -15,20 +19,20 @@ const FEATURES = ['restore-refused', 'configure-refused', 'policy-unknown', 'lea
 export const USES = [
   {
     name: 'lean predictor, JSON, readouts',
-    most: 52,
-    code: using('createLeanPredictor'),
+    most: 48,
+    code: LEAN,
     without: [...FEATURES, 'createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'predictor, JSON, readouts',
     most: 61,
-    code: using('createPredictor'),
+    code: WHOLE,
     without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'with the checks of development',
     most: 68,
-    code: using('createPredictor'),
+    code: WHOLE,
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],
   },

@@ -12,8 +12,8 @@ import {
 import type { World } from './constants/world';
 
 /**
- * At a tick's start: a flying ship takes the body with the smallest distance / radius (ties: the body listed first) as reference; its
- * relative state is converted with both bodies' positions and velocities (DYNAMICS, Frame).
+ * At a tick's start: makes the body with the smallest distance / radius a flying ship's reference body (ties: the first listed), and
+ * converts the ship's relative state with both bodies' positions and velocities (DYNAMICS, Frame).
  */
 export function chooseReferenceBody(
   ships: Float64Array,
@@ -33,7 +33,7 @@ export function chooseReferenceBody(
     const z =
       bodies[now + BODY_POSITION + 2]! - bodies[body + BODY_POSITION + 2]! + ships[at + POSITION + 2]!;
     const { radius } = world.bodies[i]!;
-    // Squared: the order is the same.
+    // Squares have the same order.
     const measure = (x * x + y * y + z * z) / (radius * radius);
     if (measure < nearest) {
       nearest = measure;

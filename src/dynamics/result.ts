@@ -29,13 +29,14 @@ export function notFiniteTuple(field: string, value: unknown, length: number): s
     return `${field}: expected ${String(length)} numbers, got ${describe(value)}`;
   }
   for (let i = 0; i < length; i++) {
-    // The field's name is built only for a refusal: valid tuples are checked without allocation.
+    // The element's name is built only for an error, so that checking valid tuples does not allocate.
     if (!Number.isFinite(value[i])) return notFinite(`${field}[${String(i)}]`, value[i]);
   }
   return null;
 }
 
-function describe(value: unknown): string {
+/** What was found instead of a number or a list, for a reason. */
+export function describe(value: unknown): string {
   if (value === null) return 'null';
   if (typeof value === 'number') return String(value);
   if (Array.isArray(value)) return `a list of ${String(value.length)}`;

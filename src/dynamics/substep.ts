@@ -47,7 +47,7 @@ import type { World } from './constants/world';
  * @param ships rows; the one at `at` is changed
  * @param bodies rows, turned for this substep by `turnBodies` (step 7)
  * @param dt game seconds, at most the settings' contactLongestSubstep
- * @returns what happened, an index into EVENT_NAMES
+ * @returns the ship's event, an index into EVENT_NAMES
  */
 export function substep(
   ships: Float64Array,
@@ -63,10 +63,10 @@ export function substep(
   return event;
 }
 
-/** Steps 1 to 9, on the row in `quantities`. */
+/** Steps 1 to 9 on the row in `quantities`. */
 function stepShip(step: Step): number {
   const q = quantities;
-  if (q[SURFACE_STATE] === LANDED && !commandsThrust()) return stayLanded(step); // 1, 2: no lift to look for
+  if (q[SURFACE_STATE] === LANDED && !commandsThrust()) return stayLanded(step); // 1, 2: without thrust there is no lift
   readAxes();
   readPlace(start, step);
   actuate(step); // 1
@@ -74,7 +74,7 @@ function stepShip(step: Step): number {
   return q[SURFACE_STATE] === FLYING ? flySubstep(step) : groundSubstep(step);
 }
 
-/** Steps 5 to 9 in the air. */
+/** Steps 5 to 9 in flight. */
 function flySubstep(step: Step): number {
   fly(step); // 5
   turnByTorque(step); // 6
@@ -121,7 +121,7 @@ function begin(ships: Float64Array, at: number, bodies: Float64Array, world: Wor
   q[GROUND_SPIN + 2] = bodies[spin + 2]!;
 }
 
-/** Step 2: lift above the weight launches a landed or tipped ship; it flies for the rest of the substep. */
+/** Step 2: a landed or tipped ship launches if lift exceeds weight, and flies for the rest of the substep. */
 function launches(): boolean {
   const q = quantities;
   const state = q[SURFACE_STATE]!;
@@ -132,7 +132,7 @@ function launches(): boolean {
   return true;
 }
 
-/** Still landed: the ship only turns with the ground. */
+/** A ship that stays landed only rotates with the ground. */
 function stayLanded(step: Step): number {
   turnPlaceWithGround(step);
   turnAttitudeWithGround(step);

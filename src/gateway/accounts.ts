@@ -6,13 +6,13 @@ import { jwtVerify, SignJWT } from 'jose';
 export interface Player {
   readonly playerId: string;
   readonly username: string;
-  /** Wall s since 1970 at which the token ends. */
+  /** Expiry of the token, wall s since 1970. */
   readonly expires: number;
 }
 
-/** Accounts and their tokens; passwords are kept as scrypt hashes. */
+/** Accounts and their tokens. Passwords are stored as scrypt hashes. */
 export interface Accounts {
-  /** A token, or null if name or password are wrong; both take equally long. */
+  /** A token, or null if name or password is wrong. Unknown names take as long as wrong passwords. */
   readonly login: (username: string, password: string) => Promise<{ player: Player; token: string } | null>;
   readonly verify: (token: string) => Promise<Player | null>;
   readonly renew: (player: Player) => Promise<string>;
@@ -26,7 +26,8 @@ export interface Account {
 
 const hash = promisify<string, Buffer, number, Buffer>(scrypt);
 const ISSUER = 'touchdown';
-const LENGTH = 32;
+/** Bytes of a password hash. */
+const HASH_LENGTH = 32;
 
 /**
  * @param secret at least 32 characters, shared by all gateways of a game
@@ -39,12 +40,12 @@ export async function createAccounts(
 ): Promise<Accounts> {
   if (secret.length < 32) throw new RangeError('secret: expected at least 32 characters');
   const key = new TextEncoder().encode(secret);
-  const kept = new Map<string, { playerId: string; salt: Buffer; digest: Buffer }>();
+  const stored = new Map<string, { playerId: string; salt: Buffer; digest: Buffer }>();
   for (const { username, playerId, password } of accounts) {
     const salt = randomBytes(16);
-    kept.set(username, { playerId, salt, digest: await hash(password, salt, LENGTH) });
+    stored.set(username, { playerId, salt, digest: await hash(password, salt, HASH_LENGTH) });
   }
-  const nobody = { playerId: '', salt: randomBytes(16), digest: randomBytes(LENGTH) };
+  const unknown = { playerId: '', salt: randomBytes(16), digest: randomBytes(HASH_LENGTH) };
 
   const sign = (player: Omit<Player, 'expires'>, expires: number) =>
     new SignJWT({ username: player.username })
@@ -57,9 +58,9 @@ export async function createAccounts(
 
   return {
     async login(username, password) {
-      const account = kept.get(username) ?? nobody;
-      const digest = await hash(password, account.salt, LENGTH);
-      if (!timingSafeEqual(digest, account.digest) || account === nobody) return null;
+      const account = stored.get(username) ?? unknown;
+      const digest = await hash(password, account.salt, HASH_LENGTH);
+      if (!timingSafeEqual(digest, account.digest) || account === unknown) return null;
       const expires = Math.floor(now() + lifetime);
       const player = { playerId: account.playerId, username, expires };
       return { player, token: await sign(player, expires) };

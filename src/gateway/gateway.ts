@@ -4,41 +4,41 @@ import { createClient as createRedis, type RedisClientType } from 'redis';
 import { type WebSocket, WebSocketServer } from 'ws';
 import { decodeHelloJson } from '../wire';
 import { createAccounts } from './accounts';
-import { type Client, createClient, dismiss } from './clients/client';
+import { type Client, createClient, disconnect } from './clients/client';
 import { createFeed, type Feed } from './redis/feed';
 import { createHttpHandler } from './http';
 import { createInbox } from './redis/inbox';
 import {
-  AUTH_WITHIN,
+  AUTH_TIMEOUT,
   CLOSE,
   MAX_CLIENT_MESSAGE,
   MAX_CONNECTIONS,
-  MAX_FROM_ADDRESS,
-  MAX_UNSIGNED,
-  REQUEST_WITHIN,
+  MAX_PER_ADDRESS,
+  MAX_UNAUTHENTICATED,
+  REQUEST_TIMEOUT,
 } from './clients/limits';
 import type { GatewayOptions } from './options';
-import { type Place, shipOf } from './place';
+import { type GatewayState, shipOf } from './state';
 import { receive, receivePing } from './clients/receive';
-import { tellAll, tellBehind } from './clients/tell';
+import { broadcastFrame, resendToBehind } from './clients/send';
 
 export interface Gateway {
   readonly port: number;
   readonly health: () => Readonly<Record<string, unknown>>;
-  /** Tells clients to come back, and ends. */
+  /** Closes all connections with 1001, so that clients reconnect, then stops. */
   readonly close: () => Promise<void>;
 }
 
-/** Wall ms between two looks at slow clients and at the world's definition. */
-const PUMP = 100;
-const WORLD = 'touchdown:world';
+/** Interval of resending to slow clients, flushing the inbox and reading a missing world definition, wall ms. */
+const PUMP_INTERVAL = 100;
+const WORLD_KEY = 'touchdown:world';
 
-/** Starts a gateway. Rejects when it cannot listen or Redis has never answered. */
+/** Starts a gateway. Rejects if it cannot listen or cannot reach Redis. */
 export async function createGateway(options: GatewayOptions): Promise<Gateway> {
   const [redis, reader] = [connectRedis(options), connectRedis(options)];
   await Promise.all([redis.connect(), reader.connect()]);
   const { secret, tokenLifetime: lifetime, clock: now } = options;
-  const place: Place = {
+  const gateway: GatewayState = {
     options,
     accounts: await createAccounts(options.accounts, { secret, lifetime, now }),
     redis,
@@ -49,29 +49,29 @@ export async function createGateway(options: GatewayOptions): Promise<Gateway> {
     clockOffset: await measureClock(redis, now),
     refused: 0,
   };
-  place.feed = createFeed(reader, redis, {
-    onFrame: (world) => tellAll(place, world),
+  gateway.feed = createFeed(reader, redis, {
+    onFrame: (world) => broadcastFrame(gateway, world),
     onRefused(reason) {
-      place.refused += 1;
+      gateway.refused += 1;
       options.log(reason);
     },
   });
-  redis.on('ready', () => place.inbox.flush());
-  await readWorld(place);
-  const reading = place.feed.run();
+  redis.on('ready', () => gateway.inbox.flush());
+  await readWorld(gateway);
+  const reading = gateway.feed.run();
   const pump = setInterval(() => {
-    tellBehind(place);
-    place.inbox.flush();
-    if (place.world === null) readWorld(place).catch(() => undefined);
-  }, PUMP);
-  const server = await listen(place);
+    resendToBehind(gateway);
+    gateway.inbox.flush();
+    if (gateway.world === null) readWorld(gateway).catch(() => undefined);
+  }, PUMP_INTERVAL);
+  const server = await listen(gateway);
   return {
     port: (server.address() as AddressInfo).port,
-    health: () => healthOf(place),
+    health: () => healthOf(gateway),
     async close() {
       clearInterval(pump);
-      place.feed.stop();
-      for (const client of place.clients) dismiss(client, CLOSE.goingAway, 'The gateway is restarting');
+      gateway.feed.stop();
+      for (const client of gateway.clients) disconnect(client, CLOSE.goingAway, 'The gateway is restarting');
       reader.destroy();
       await reading;
       await new Promise((resolve) => {
@@ -84,7 +84,7 @@ export async function createGateway(options: GatewayOptions): Promise<Gateway> {
   };
 }
 
-/** A connection that reconnects by itself, with a bounded queue. */
+/** A Redis client that reconnects automatically and rejects commands while it is disconnected. */
 function connectRedis({ redis: url, log }: GatewayOptions): RedisClientType {
   const client = createRedis({
     url,
@@ -95,48 +95,48 @@ function connectRedis({ redis: url, log }: GatewayOptions): RedisClientType {
   return client;
 }
 
-/** By half the round trip of one request. */
+/** Redis clock minus local clock, s; assumes a symmetric round trip. */
 async function measureClock(redis: RedisClientType, now: () => number): Promise<number> {
   const before = now();
   const [seconds, micros] = (await redis.sendCommand(['TIME'])) as unknown as [string, string];
   return Number(seconds) + Number(micros) / 1e6 - (before + now()) / 2;
 }
 
-async function readWorld(place: Place): Promise<void> {
-  const text = await place.redis.get(WORLD);
+async function readWorld(gateway: GatewayState): Promise<void> {
+  const text = await gateway.redis.get(WORLD_KEY);
   if (text === null) return;
   const hello = decodeHelloJson(JSON.parse(text));
   if (!hello.ok) {
-    place.options.log(`world.${hello.reason}`);
+    gateway.options.log(`world.${hello.reason}`);
     return;
   }
   const { refusals, ...world } = hello.value;
-  for (const refusal of refusals) place.options.log(`world.${refusal}`);
-  place.world = world;
+  for (const refusal of refusals) gateway.options.log(`world.${refusal}`);
+  gateway.world = world;
 }
 
-async function listen(place: Place): Promise<Server> {
-  const { options, accounts } = place;
+async function listen(gateway: GatewayState): Promise<Server> {
+  const { options, accounts } = gateway;
   const server = createServer(
     createHttpHandler({
       accounts,
       isAllowedOrigin: (origin) => isAllowedOrigin(options.origins, origin),
-      shipOf: (playerId) => shipOf(place, playerId),
-      health: () => healthOf(place),
+      shipOf: (playerId) => shipOf(gateway, playerId),
+      health: () => healthOf(gateway),
       now: options.clock,
     }),
   );
   const sockets = new WebSocketServer({
     noServer: true,
     maxPayload: MAX_CLIENT_MESSAGE,
-    // Pings are messages too: answered by themselves they would have no limit.
+    // Pings count against the message rate, so receivePing answers them.
     autoPong: false,
     perMessageDeflate: false,
   });
-  server.headersTimeout = server.requestTimeout = REQUEST_WITHIN * 1000;
+  server.headersTimeout = server.requestTimeout = REQUEST_TIMEOUT * 1000;
   server.maxConnections = MAX_CONNECTIONS;
   server.on('upgrade', (request, socket, head) => {
-    // node no longer listens to its errors here, and an error that nobody listens to ends the process.
+    // After 'upgrade' node removes its own error listener; an unhandled error would end the process.
     socket.on('error', () => socket.destroy());
     const path = (request.url ?? '').split('?')[0];
     if (path !== '/ws' && path !== '/stream') {
@@ -144,7 +144,7 @@ async function listen(place: Place): Promise<Server> {
       return;
     }
     sockets.handleUpgrade(request, socket, head, (opened) =>
-      welcomeSocket(place, opened, request, path === '/ws' ? 'json' : 'stream'),
+      acceptSocket(gateway, opened, request, path === '/ws' ? 'json' : 'stream'),
     );
   });
   await new Promise<void>((resolve, reject) => {
@@ -154,33 +154,36 @@ async function listen(place: Place): Promise<Server> {
   return server;
 }
 
-/** A connection stands; it has not signed in. A browser shows the code of a close, not the status of a refused upgrade. */
-function welcomeSocket(
-  place: Place,
+/**
+ * Registers an open socket that has not signed in. Refusals come after the upgrade, since a browser reports a close code but not
+ * the HTTP status of a refused upgrade.
+ */
+function acceptSocket(
+  gateway: GatewayState,
   socket: WebSocket,
   request: IncomingMessage,
   protocol: Client['protocol'],
 ): void {
-  const { clients, options } = place;
+  const { clients, options } = gateway;
   const address = request.socket.remoteAddress ?? '';
   const client = createClient(socket, protocol, address, options.clock());
   socket.on('error', () => undefined);
   if (!isAllowedOrigin(options.origins, request.headers.origin)) {
-    dismiss(client, CLOSE.origin, 'Origin not allowed');
+    disconnect(client, CLOSE.origin, 'Origin not allowed');
     return;
   }
-  const ofAddress = [...clients].filter((other) => other.address === address).length;
-  const unsigned = [...clients].filter((other) => other.player === null).length;
-  if (ofAddress >= MAX_FROM_ADDRESS || unsigned >= MAX_UNSIGNED) {
-    dismiss(client, CLOSE.tryLater, 'Too many connections');
+  const sameAddress = [...clients].filter((other) => other.address === address).length;
+  const unauthenticated = [...clients].filter((other) => other.player === null).length;
+  if (sameAddress >= MAX_PER_ADDRESS || unauthenticated >= MAX_UNAUTHENTICATED) {
+    disconnect(client, CLOSE.tryLater, 'Too many connections');
     return;
   }
   clients.add(client);
   client.timers.add(
-    setTimeout(() => dismiss(client, CLOSE.auth, 'No sign-in within 5 s'), AUTH_WITHIN * 1000),
+    setTimeout(() => disconnect(client, CLOSE.auth, 'No sign-in within 5 s'), AUTH_TIMEOUT * 1000),
   );
-  socket.on('message', (data: Buffer, isBinary) => receive(place, client, data, isBinary));
-  socket.on('ping', (data: Buffer) => receivePing(place, client, data));
+  socket.on('message', (data: Buffer, isBinary) => receive(gateway, client, data, isBinary));
+  socket.on('ping', (data: Buffer) => receivePing(gateway, client, data));
   socket.on('close', () => {
     clients.delete(client);
     for (const timer of client.timers) clearTimeout(timer);
@@ -192,7 +195,7 @@ function isAllowedOrigin(origins: readonly string[], origin: string | undefined)
   return /^https?:\/\/(localhost|127\.0\.0\.1|\[::1\])(:\d+)?$/.test(origin);
 }
 
-function healthOf({ feed, clients, inbox, refused, redis }: Place): Readonly<Record<string, unknown>> {
+function healthOf({ feed, clients, inbox, refused, redis }: GatewayState): Readonly<Record<string, unknown>> {
   const newest = feed.newest();
   return {
     tick: newest?.frame.tick ?? null,

@@ -2,8 +2,8 @@ import type { IncomingMessage, ServerResponse } from 'node:http';
 import type { Accounts } from './accounts';
 import { type Bucket, createBucket, take } from './clients/limits';
 
-/** Answers HTTP requests. */
-export interface HttpPlace {
+/** What the HTTP handler needs of the gateway. */
+export interface HttpContext {
   readonly accounts: Accounts;
   readonly isAllowedOrigin: (origin: string | undefined) => boolean;
   readonly shipOf: (playerId: string) => string;
@@ -13,21 +13,24 @@ export interface HttpPlace {
   readonly now: () => number;
 }
 
+/** Maximum bytes of a request's body. */
 const MAX_BODY = 4096;
-/** Sign-ins of one address: guessing passwords is slow. */
+/** Sign-in attempts from one address; slow enough to stop password guessing. */
 const LOGINS = { perSecond: 0.5, burst: 10 };
+/** Maximum addresses whose attempts are counted; at the limit all counts restart. */
 const MAX_ADDRESSES = 10_000;
 
+/** Handles the REST sign-in and the health check. */
 export function createHttpHandler(
-  place: HttpPlace,
+  context: HttpContext,
 ): (request: IncomingMessage, response: ServerResponse) => void {
   const logins = new Map<string, Bucket>();
 
   function mayLogin(address: string): boolean {
     if (logins.size > MAX_ADDRESSES) logins.clear();
-    const bucket = logins.get(address) ?? createBucket(LOGINS, place.now());
+    const bucket = logins.get(address) ?? createBucket(LOGINS, context.now());
     logins.set(address, bucket);
-    return take(bucket, 1, place.now());
+    return take(bucket, 1, context.now());
   }
 
   async function login(request: IncomingMessage, response: ServerResponse): Promise<void> {
@@ -40,7 +43,7 @@ export function createHttpHandler(
       fail(response, 400, 'E001', 'username and password: expected texts');
       return;
     }
-    const found = await place.accounts.login(username, password);
+    const found = await context.accounts.login(username, password);
     if (found === null) {
       fail(response, 401, 'E005', 'Invalid username or password');
       return;
@@ -49,7 +52,7 @@ export function createHttpHandler(
     answer(response, 200, {
       player_id: playerId,
       username,
-      ship_id: place.shipOf(playerId),
+      ship_id: context.shipOf(playerId),
       token: found.token,
       is_admin: false,
     });
@@ -57,7 +60,7 @@ export function createHttpHandler(
 
   return (request, response) => {
     const { origin } = request.headers;
-    if (!place.isAllowedOrigin(origin)) {
+    if (!context.isAllowedOrigin(origin)) {
       fail(response, 403, 'E003', 'Origin not allowed');
       return;
     }
@@ -66,10 +69,10 @@ export function createHttpHandler(
       response.setHeader('Access-Control-Allow-Headers', 'content-type');
       response.setHeader('Vary', 'Origin');
     }
-    const what = `${request.method ?? ''} ${(request.url ?? '').split('?')[0]}`;
+    const route = `${request.method ?? ''} ${(request.url ?? '').split('?')[0]}`;
     if (request.method === 'OPTIONS') answer(response, 204, null);
-    else if (what === 'GET /healthz') answer(response, 200, place.health());
-    else if (what === 'POST /api/auth/login')
+    else if (route === 'GET /healthz') answer(response, 200, context.health());
+    else if (route === 'POST /api/auth/login')
       login(request, response).catch(() =>
         fail(response, 400, 'E001', 'expected a JSON object of at most 4 kB'),
       );

@@ -1,7 +1,7 @@
-/** Browsers on one side, Redis on the other: /ws speaks the game's JSON, /stream this project's protobuf. SCALING.md says how it grows. */
+/** Connects browsers to Redis: the game's JSON on /ws, this project's protobuf on /stream. SCALING.md covers several machines. */
 
 /** The gateway. */
 export { createGateway, type Gateway } from './gateway';
 export type { GatewayOptions, Hangar } from './options';
-/** Who may sign in. */
+/** Accounts and tokens. */
 export { type Account, type Accounts, createAccounts, type Player } from './accounts';

@@ -2,7 +2,7 @@ import { randomUUID } from 'node:crypto';
 import { createGateway } from './index';
 import { loadSetup } from './setup';
 
-// The gateway as a process: what it needs is in its environment (setup.ts), so that nothing secret is on a command line.
+// The gateway's process. Its options come from the environment (setup.ts), so that no secret appears on a command line.
 
 const setup = loadSetup(process.env, {
   clock: () => Date.now() / 1000,

@@ -3,34 +3,36 @@ import type { WorldFrame } from './redis/feed';
 import type { Interest } from './clients/interest';
 
 export interface GatewayOptions {
-  /** redis://… */
+  /** URL, redis://… */
   readonly redis: string;
   readonly host: string;
-  /** 0: any that is free. */
+  /** 0 for any free port. */
   readonly port: number;
   readonly accounts: readonly Account[];
-  /** Of the tokens; at least 32 characters, the same for all gateways of a game. */
+  /** Signs the tokens; at least 32 characters, the same for all gateways of a game. */
   readonly secret: string;
-  /** Life of a token, s. */
+  /** Lifetime of a token, s. */
   readonly tokenLifetime: number;
-  /** Pages that may connect, beside those of this machine and clients that send no origin. */
+  /** Origins that may connect, besides localhost and clients that send no origin. */
   readonly origins: readonly string[];
   /** Wall s since 1970. */
   readonly clock: () => number;
-  /** A name nobody can guess, for each connection. */
+  /** Returns an unguessable session ID. */
   readonly nonce: () => string;
+  /** DEFAULT_INTEREST by default. */
   readonly interest?: Interest;
-  /** Gives players their ships; without it a player flies what the world has for him. */
+  /** Spawns ships for players without one. Without a hangar a player flies only a ship that the world already has. */
   readonly hangar?: Hangar;
   /** Called with messages for operators. */
   readonly log: (line: string) => void;
 }
 
+/** Spawns ships for players without one. */
 export interface Hangar {
-  /** The id of a player's ship. */
+  /** ID of a player's ship. */
   readonly shipId: (playerId: string) => string;
-  /** The `data` of a spawn command (REDIS.md), or null where there is none for him. */
+  /** The `data` of a spawn command (REDIS.md), or null if the player gets no ship. */
   readonly spawn: (playerId: string, world: WorldFrame) => object | null;
-  /** Wall s after the loss of a ship at which the next one comes. */
+  /** Time from the loss of a ship to the next spawn, wall s. */
   readonly delay: number;
 }

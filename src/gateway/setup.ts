@@ -2,19 +2,20 @@ import { err, ok, type Result } from '../dynamics';
 import type { Account } from './accounts';
 import type { GatewayOptions, Hangar } from './options';
 
-type Given = Readonly<Record<string, string | undefined>>;
+type Environment = Readonly<Record<string, string | undefined>>;
 
 /**
- * A gateway's options from its environment:
+ * Reads a gateway's options from its environment:
  *   TOUCHDOWN_REDIS     redis://127.0.0.1:6379/0
  *   TOUCHDOWN_HOST, TOUCHDOWN_PORT   127.0.0.1, 8790
- *   TOUCHDOWN_SECRET    of the tokens, at least 32 characters; needed
+ *   TOUCHDOWN_SECRET    signs the tokens, at least 32 characters; required
  *   TOUCHDOWN_ACCOUNTS  JSON: [{"username", "playerId", "password"}, …]
- *   TOUCHDOWN_ORIGINS   comma-separated: pages that may connect beside those of this machine
- *   TOUCHDOWN_HANGAR    JSON: where players without a ship get one: {"body", "direction", "height", "ship_class", "delay"}
+ *   TOUCHDOWN_ORIGINS   comma-separated origins that may connect, besides localhost
+ *   TOUCHDOWN_HANGAR    JSON: where ships are spawned for players without one: {"body", "direction", "height", "ship_class", "delay"}
+ * @returns the options, or an error that names the invalid variable
  */
 export function loadSetup(
-  given: Given,
+  given: Environment,
   machine: Pick<GatewayOptions, 'clock' | 'nonce' | 'log'>,
 ): Result<GatewayOptions> {
   const secret = given['TOUCHDOWN_SECRET'] ?? '';
@@ -49,7 +50,7 @@ function readAccounts(text: string): Result<Account[]> {
   return ok(list as Account[]);
 }
 
-interface Berths {
+interface HangarConfig {
   readonly body: string;
   readonly direction: readonly [number, number, number];
   readonly height: number;
@@ -57,12 +58,12 @@ interface Berths {
   readonly delay: number;
 }
 
-/** Each player's ship stands 60 m east of the one before. */
-const APART = 60;
+/** Distance between the slots of two players, m; slots lie in a row to the east. */
+const SPACING = 60;
 
 function readHangar(text: string | undefined, accounts: readonly Account[]): Result<Hangar | null> {
   if (text === undefined) return ok(null);
-  const given = parsed(text) as Partial<Berths> | null;
+  const given = parsed(text) as Partial<HangarConfig> | null;
   if (typeof given !== 'object' || given === null || !Array.isArray(given.direction))
     return err('TOUCHDOWN_HANGAR: expected {"body", "direction", "height", "ship_class", "delay"}');
   const {
@@ -80,22 +81,22 @@ function readHangar(text: string | undefined, accounts: readonly Account[]): Res
       const ground = frame.bodies.find(({ name }) => name === body) ?? frame.bodies[0];
       if (ground === undefined) return null;
       const known = accounts.findIndex((account) => account.playerId === playerId);
-      const berth = Math.max(0, known);
+      const slot = Math.max(0, known);
       return {
         ship_id: shipId(playerId),
         player_id: playerId,
         name: accounts[known]?.username ?? playerId,
         ship_class: shipClass,
         body: ground.name,
-        direction: eastOf(direction, (berth * APART) / ground.radius),
+        direction: eastOf(direction, (slot * SPACING) / ground.radius),
         height,
       };
     },
   });
 }
 
-/** The direction, `angle` rad further east (small): east is the pole, body Y, × up. */
-function eastOf([x, y, z]: Berths['direction'], angle: number): [number, number, number] {
+/** `direction` (body axes, unnormalised) moved east by `angle` (rad, small); east is the pole, body Y, × up. */
+function eastOf([x, y, z]: HangarConfig['direction'], angle: number): [number, number, number] {
   const length = Math.sqrt(x * x + z * z);
   return length === 0 ? [x, y, z] : [x + (z / length) * angle, y, z - (x / length) * angle];
 }

@@ -12,6 +12,8 @@ export {
   measuredGameTime,
   measuredSpin,
   touchdownRecord,
+  serverHello,
+  roundTripPings,
 } from './features';
 export type { ClientTerrain, Defaults, PredictorOptions } from './options';
 /** Why a ship is removed, and warnings to the caller. */

@@ -3,9 +3,9 @@ import { commonCalls } from './calls/commonCalls';
 import { requireOptions } from './checks/options';
 import type { Feature } from './features';
 import type { PredictorOptions } from './options';
-import { createSession } from './session';
-import type { Features } from './simulation/simulation';
+import { createSession, type Session, type SessionFeatures } from './session';
 import { receiveMessage } from './snapshots/receiveMessage';
+import { refuse } from './snapshots/receiveSnapshot';
 
 /** Options of a lean predictor: those of createPredictor without the test mode, and the features that the page loads. */
 export interface LeanOptions extends Omit<PredictorOptions, 'forcedRollback'> {
@@ -31,6 +31,17 @@ export function createLeanPredictor(given: LeanOptions = {}): LeanPredictor {
   const { features = [], ...options } = given;
   if ('forcedRollback' in options)
     throw new RangeError('options.forcedRollback: only createPredictor has this test mode');
-  const session = createSession(options, Object.freeze(Object.assign({}, ...features) as Features));
+  const session = createSession(
+    options,
+    Object.freeze(Object.assign({}, PLAIN, ...features) as SessionFeatures),
+  );
   return commonCalls(session, { take: (message, at) => receiveMessage(session, message, at) }).calls;
 }
+
+const lacks =
+  (kind: string) =>
+  ({ sim }: Session): void =>
+    refuse(sim, `message.kind: a lean predictor takes a ${kind} only with its feature`);
+
+/** The game's server sends neither. */
+const PLAIN: SessionFeatures = { takeHello: lacks('hello'), takePong: lacks('pong') };

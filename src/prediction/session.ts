@@ -1,5 +1,5 @@
 import { type BodyMotion, flatTerrain, type TerrainHeight, type World } from '../dynamics';
-import type { Hello } from '../wire';
+import type { Hello, Pong } from '../wire';
 import { guardTerrain } from './checks/guardTerrain';
 import { createDiagnosis } from './diagnosis';
 import { springsOf } from './drawn/ease';
@@ -18,12 +18,19 @@ import { createPace, type Pace } from './time/pace';
 import { createPings, type Pings } from './time/pings';
 import { createWarn, type Warn } from './warnings';
 
+/** What only some clients need of a predictor, with what the session calls for it. */
+export interface SessionFeatures extends Features {
+  readonly takeHello: (session: Session, hello: Hello, now: number) => void;
+  readonly takePong: (session: Session, pong: Pong, now: number) => void;
+  readonly pingIfDue?: (pings: Pings, now: number) => void;
+}
+
 /** Everything one predictor owns. The functions of this folder work on it; nothing is shared between two predictors. */
 export interface Session {
   readonly terrains: Readonly<Record<string, TerrainHeight>>;
   readonly defaults: WorldConfig;
   readonly options: PredictorOptions;
-  readonly features: Features;
+  readonly features: SessionFeatures;
   readonly warn: Warn;
   readonly counters: Diagnosis;
   readonly clock: Clock;
@@ -49,7 +56,7 @@ export interface Session {
 }
 
 /** A predictor's state before anything was received. Throws RangeError that names the invalid part of the default world. */
-export function createSession(options: PredictorOptions, features: Features): Session {
+export function createSession(options: PredictorOptions, features: SessionFeatures): Session {
   const warn = createWarn(options.onWarning);
   const terrains = terrainsOf(options, features, warn);
   const defaults = defaultWorld(options.defaults);

@@ -1,7 +1,12 @@
 /** Numbers a pilot reads, computed from a view by pure functions: painting decides nothing. */
 
 /** The own ship's landing. */
-export { createLandingReadout, updateLandingReadout, type LandingReadout } from './landing/landing';
+export {
+  createLandingReadout,
+  createLeanLandingReadout,
+  updateLandingReadout,
+  type LandingReadout,
+} from './landing/landing';
 /** The flight instruments, landing aids and the direction of the pad. */
 export { createFlightReadout, updateFlightReadout, type FlightReadout } from './flight/flight';
 export { createLandingAids, updateLandingAids, type LandingAids } from './flight/landingAids';
@@ -23,7 +28,7 @@ export type { Drift } from './landing/drift';
 export type { Gate, Gates } from './landing/gates';
 export type { Righting } from './landing/righting';
 export type { Tilt } from './landing/tilt';
-export type { TipMargin } from './landing/tipping';
+export type { TipMargin } from './landing/tipMargin';
 export type { Touchdown } from './landing/touchdown';
 /** What keys are bound to, for hints that name them. */
 export {

@@ -1,4 +1,4 @@
-/** A gateway as it runs: with a real Redis, real sockets, and a world that this test writes. */
+/** A running gateway with a real Redis and real sockets; the test writes the world. */
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ import { createGateway, type Gateway } from '../../src/gateway/gateway';
 import { encodeFrameJson, encodeHelloJson } from '../../src/wire';
 import { isMissing } from '../service/pythonTests';
 import { HELLO } from '../wire/messages';
-import { shipOf, worldOf } from './fakePlace';
+import { shipOf, worldOf } from './fakeGateway';
 
 const ACCOUNT = { username: 'one', playerId: 'p1', password: 'x' };
 
@@ -76,14 +76,16 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
       `ws://127.0.0.1:${gateway.port}${path}`,
       origin === undefined ? {} : { origin },
     );
-    const said: Record<string, unknown>[] = [];
-    socket.on('message', (data: Buffer) => said.push(JSON.parse(data.toString()) as Record<string, unknown>));
+    const received: Record<string, unknown>[] = [];
+    socket.on('message', (data: Buffer) =>
+      received.push(JSON.parse(data.toString()) as Record<string, unknown>),
+    );
     const failed = new Promise<string>((resolve) => socket.on('error', ({ message }) => resolve(message)));
     const closed = new Promise<[number, string]>((resolve) =>
       socket.on('close', (code, reason) => resolve([code, reason.toString()])),
     );
     const opened = new Promise((resolve) => socket.on('open', resolve));
-    return { socket, said, failed, closed, opened, kinds: () => said.map(({ type }) => type) };
+    return { socket, received, failed, closed, opened, kinds: () => received.map(({ type }) => type) };
   }
 
   async function login(): Promise<Record<string, unknown>> {
@@ -92,7 +94,7 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     return (await (await fetch(address, { method: 'POST', body })).json()) as Record<string, unknown>;
   }
 
-  it('lets a player in, tells it the world as it comes, and passes its controls on', async () => {
+  it('signs a player in, sends it the world, and forwards its controls', async () => {
     const client = connect();
     await client.opened;
     client.socket.send(JSON.stringify({ type: 'auth', token: (await login())['token'] }));
@@ -106,7 +108,7 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
         return client.kinds().slice(1, 3);
       })
       .toEqual(['welcome', 'state']);
-    expect(client.said[1]).toMatchObject({ username: 'one', ship_id: 'ship of p1' });
+    expect(client.received[1]).toMatchObject({ username: 'one', ship_id: 'ship of p1' });
     expect(await login()).toMatchObject({ player_id: 'p1', ship_id: 'ship of p1' });
     client.socket.send(JSON.stringify({ type: 'control', thrust_level: 0.5 }));
     await expect.poll(() => redis.xLen('touchdown:inbox')).toBe(1);
@@ -130,7 +132,7 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     expect(logged).toEqual([]);
   });
 
-  it('counts and logs what it cannot use', async () => {
+  it('counts and logs invalid frames and an invalid world definition', async () => {
     await redis.set('touchdown:world', JSON.stringify({ ...encodeHelloJson(HELLO), bodies: 5 }));
     await redis.xAdd('touchdown:frames', '*', { frame: '{' });
     await expect.poll(() => gateway.health()['refused']).toBe(1);
@@ -147,7 +149,7 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     ['https://other.example', 'closed'],
     ['https://localhost.other.example', 'closed'],
     ['null', 'closed'],
-  ])('has a connection of a page at %s %s', async (origin, outcome) => {
+  ])('keeps a connection from origin %s %s', async (origin, outcome) => {
     const client = connect('/stream', origin);
     await client.opened;
     if (outcome === 'closed') expect(await client.closed).toEqual([4003, 'Origin not allowed']);
@@ -157,14 +159,14 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     }
   });
 
-  it('has no other sockets than /ws and /stream', async () => {
+  it('accepts WebSockets on /ws and /stream only', async () => {
     expect(await connect('/').failed).toMatch(/404/);
     const client = connect('/stream?x=1');
     await client.opened;
     client.socket.close();
   });
 
-  it('keeps 64 connections of one address at most, and tells them to come back when it ends', async () => {
+  it('accepts at most 64 connections from one address, and closes them with 1001 when it stops', async () => {
     const clients = Array.from({ length: 64 }, () => connect());
     await Promise.all(clients.map(({ opened }) => opened));
     expect(await connect().closed).toEqual([1013, 'Too many connections']);

@@ -41,7 +41,7 @@ async function serve() {
 
 const GOOD = JSON.stringify({ username: 'one', password: 'x' });
 
-it('signs in with the fields of the game', async () => {
+it('answers a sign-in with the game’s fields', async () => {
   const { login } = await serve();
   expect(await login(GOOD)).toEqual({
     status: 200,
@@ -73,7 +73,7 @@ it('accepts a body of exactly 4 kB', async () => {
   expect(await login(body)).toMatchObject({ status: 200 });
 });
 
-it('allows ten attempts at once, then one in two seconds', async () => {
+it('allows ten attempts at once, then one every two seconds', async () => {
   const { clock, login } = await serve();
   const statuses: unknown[] = [];
   for (let i = 0; i < 11; i++) statuses.push((await login(GOOD)).status);
@@ -84,7 +84,7 @@ it('allows ten attempts at once, then one in two seconds', async () => {
   expect((await login(GOOD)).status).toBe(200);
 });
 
-it('answers pages of allowed origins only, with their own origin', async () => {
+it('answers allowed origins only, and echoes the origin', async () => {
   const { ask } = await serve();
   const strange = await ask('/healthz', { headers: { origin: 'http://strange.example' } });
   expect(strange.status).toBe(403);
@@ -100,7 +100,7 @@ it('answers pages of allowed origins only, with their own origin', async () => {
   expect(none.headers.get('access-control-allow-origin')).toBeNull();
 });
 
-it('answers OPTIONS anywhere, and 404 elsewhere', async () => {
+it('answers OPTIONS on any path, and 404 on unknown paths', async () => {
   const { ask } = await serve();
   const options = await ask('/api/auth/login', { method: 'OPTIONS' });
   expect([options.status, await options.text()]).toEqual([204, '']);

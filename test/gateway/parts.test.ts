@@ -1,16 +1,16 @@
 import { expect, it } from 'vitest';
 import { createAccounts } from '../../src/gateway/accounts';
-import { shareFrame } from '../../src/gateway/redis/broadcast';
+import { shareFrame } from '../../src/gateway/redis/sharedFrame';
 import { readWorldFrame } from '../../src/gateway/redis/feed';
 import { shipsInSight } from '../../src/gateway/clients/interest';
 import { createBucket, MAX_STATE, take } from '../../src/gateway/clients/limits';
-import { readText } from '../../src/gateway/clients/speech';
+import { readText } from '../../src/gateway/clients/messages';
 import { decodeFrameJson, decodeServerMessage, encodeFrameJson } from '../../src/wire';
 import { FRAME, SHIP } from '../wire/messages';
 
 const SECRET = 'a secret that is long enough for a test';
 
-it('joins a client’s frame from shared parts, byte for byte as if encoded whole', () => {
+it('joins shared parts into the same bytes as a frame encoded whole', () => {
   const shared = shareFrame(FRAME);
   const decoded = decodeServerMessage(shared.bytes([1, 0], FRAME.events, FRAME.lastInput));
   expect(decoded).toEqual({ ok: true, value: { ...FRAME, ships: [FRAME.ships[1], FRAME.ships[0]] } });
@@ -21,7 +21,7 @@ it('joins a client’s frame from shared parts, byte for byte as if encoded whol
   });
 });
 
-it('sends the game’s clients the game’s own messages, in at most 64 KB', () => {
+it('encodes the game’s state message in at most 64 KB', () => {
   const ships = Array.from({ length: 300 }, (_, i) => ({ ...SHIP, shipId: `ship-${i}` }));
   const text = shareFrame({ ...FRAME, ships }).json(ships.map((_, i) => i));
   expect(Buffer.byteLength(text)).toBeLessThanOrEqual(MAX_STATE);
@@ -40,12 +40,12 @@ it('sends the game’s clients the game’s own messages, in at most 64 KB', () 
 it('sends the own ship first, then the nearest within the radius', () => {
   const at = (x: number, shipId: string) => ({ ...SHIP, shipId, position: [x, 0, 0] as const });
   const ships = [at(5000, 'far'), at(0, 'own'), at(10, 'near'), at(300, 'next')];
-  expect(shipsInSight(ships, 1, { radius: 1000, most: 10 })).toEqual([1, 2, 3]);
-  expect(shipsInSight(ships, 1, { radius: 1000, most: 2 })).toEqual([1, 2]);
-  expect(shipsInSight(ships, -1, { radius: 1, most: 3 })).toEqual([0, 1, 2]);
+  expect(shipsInSight(ships, 1, { radius: 1000, maxShips: 10 })).toEqual([1, 2, 3]);
+  expect(shipsInSight(ships, 1, { radius: 1000, maxShips: 2 })).toEqual([1, 2]);
+  expect(shipsInSight(ships, -1, { radius: 1, maxShips: 3 })).toEqual([0, 1, 2]);
 });
 
-it('allows a burst, and then a rate', () => {
+it('allows a burst, then a steady rate', () => {
   const bucket = createBucket({ perSecond: 2, burst: 3 }, 0);
   expect([1, 1, 1, 1].map((count) => take(bucket, count, 0))).toEqual([true, true, true, false]);
   expect(take(bucket, 1, 0.5)).toBe(true);
@@ -53,7 +53,7 @@ it('allows a burst, and then a rate', () => {
   expect(take(bucket, 4, 1000)).toBe(false);
 });
 
-it('signs in by name and password only, and accepts its own tokens until they expire', async () => {
+it('checks name and password, and accepts its own tokens until they expire', async () => {
   let now = 1_800_000_000;
   const made = { secret: SECRET, lifetime: 3600, now: () => now };
   const account = { username: 'one', playerId: 'p1', password: 'x' };
@@ -75,7 +75,7 @@ it('signs in by name and password only, and accepts its own tokens until they ex
   );
 });
 
-it('reads the service’s frame, and keeps what is valid in it', () => {
+it('reads the valid parts of the service’s frame', () => {
   const told: string[] = [];
   const sent = {
     ...encodeFrameJson({ ...FRAME, lastInput: null }),

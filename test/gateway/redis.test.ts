@@ -64,7 +64,7 @@ describe('the feed', () => {
     return { ...redis, feed, told, refused, ticks };
   }
 
-  it('begins with the newest frame that is there, and reads on from it in order', async () => {
+  it('starts with the newest frame, then reads on in order', async () => {
     const { feed, ticks, streams, asked } = follow([frameEntry('1-0', 1), frameEntry('1-1', 2)]);
     expect(feed.newest()).toBeNull();
     void feed.run();
@@ -75,7 +75,7 @@ describe('the feed', () => {
     expect(feed.newest()).toMatchObject({ due: 0.4, frame: { tick: 4 } });
   });
 
-  it('waits from the first entry where there is none yet', async () => {
+  it('waits for the first frame of an empty stream', async () => {
     const { feed, ticks, streams, asked } = follow([]);
     void feed.run();
     await expect.poll(() => asked[0]).toBe('0-0');
@@ -83,7 +83,7 @@ describe('the feed', () => {
     await expect.poll(ticks).toEqual([9]);
   });
 
-  it('fetches the events of ticks that it did not see, and no others', async () => {
+  it('fetches only the events of ticks that it missed', async () => {
     const events = [4, 5, 6, 7, 8].map(eventEntry);
     const { feed, told, ticks, streams } = follow([frameEntry('1-0', 5)], events);
     void feed.run();
@@ -109,14 +109,14 @@ describe('the feed', () => {
     await expect.poll(ticks).toEqual([5, 3]);
   });
 
-  it('takes no frame twice while nothing new comes', async () => {
+  it('handles no frame twice while no new one arrives', async () => {
     const { feed, ticks, asked } = follow([frameEntry('9-3', 5)]);
     void feed.run();
     await expect.poll(() => asked.length).toBeGreaterThan(5);
     expect(ticks()).toEqual([5]);
   });
 
-  it('says what it cannot use, and goes on', async () => {
+  it('reports an invalid frame and continues', async () => {
     const broken: Entry[] = [
       { id: '1-0', message: { frame: '{"tick":-1}' } },
       { id: '1-1', message: {} },
@@ -128,7 +128,7 @@ describe('the feed', () => {
     expect(refused).toEqual([expect.stringMatching(/^frame\.tick: /), 'frame: not JSON']);
   });
 
-  it('tries again after an error, which it tells, until it is stopped', async () => {
+  it('reports an error and retries until stopped', async () => {
     const { feed, ticks, refused, client } = follow([frameEntry('1-0', 5)]);
     const { xRead } = client;
     let reads = 0;
@@ -164,7 +164,7 @@ describe('the inbox', () => {
     return { redis, inbox, seqs: () => written.map(({ seq }) => Number(seq)), written };
   }
 
-  it('writes controls as the service reads them: axes in lists, the quaternion by its w first', () => {
+  it('writes controls in the service’s format: vectors as lists, the quaternion w first', () => {
     const { inbox, written } = writer();
     const controls = {
       ...NEUTRAL_CONTROLS,
@@ -196,7 +196,7 @@ describe('the inbox', () => {
     expect(inbox.counts()).toEqual({ waiting: 0, dropped: 0 });
   });
 
-  it('keeps what comes while Redis is away, in order, and sends it when it is back', async () => {
+  it('queues entries while Redis is unavailable and sends them in order afterwards', async () => {
     const { redis, inbox, seqs } = writer();
     redis.isReady = false;
     inbox.controls({ ...INPUT, seq: 1 });
@@ -213,7 +213,7 @@ describe('the inbox', () => {
     expect(seqs()).toEqual([1, 2, 3]);
   });
 
-  it('sends again what got no answer', async () => {
+  it('resends unacknowledged entries', async () => {
     const { redis, inbox, seqs } = writer();
     redis.fails = 2;
     inbox.controls({ ...INPUT, seq: 1 });
@@ -229,7 +229,7 @@ describe('the inbox', () => {
       .toEqual([1]);
   });
 
-  it('keeps 2,048 entries at most, the newest, and counts what it drops', async () => {
+  it('queues the newest 2,048 entries and counts the dropped ones', async () => {
     const { redis, inbox, seqs } = writer();
     redis.isReady = false;
     for (let seq = 1; seq <= 2050; seq++) inbox.controls({ ...INPUT, seq });

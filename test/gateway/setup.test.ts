@@ -27,7 +27,7 @@ it('has its documented defaults', () => {
   });
 });
 
-it('takes what is given', () => {
+it('reads all variables', () => {
   const account = { username: 'one', playerId: 'p1', password: 'x' };
   const given = {
     TOUCHDOWN_REDIS: 'redis://elsewhere:1/2',
@@ -71,7 +71,7 @@ it.each([
   expect(load(given)).toMatchObject({ ok: false, reason });
 });
 
-it('takes a secret of 32 characters', () => {
+it('accepts a secret of 32 characters', () => {
   expect(load({ TOUCHDOWN_SECRET: 'x'.repeat(32) }).ok).toBe(true);
 });
 
@@ -90,7 +90,7 @@ describe('a hangar', () => {
     removed: [],
   });
 
-  it('stands each player’s ship 60 m east of the one before', () => {
+  it('spawns each player’s ship 60 m east of the previous one', () => {
     const hangar = hangarOf({
       body: 'Mars',
       direction: [0.6, 0.48, 0.64],
@@ -117,7 +117,7 @@ describe('a hangar', () => {
     expect(direction[2]).toBeCloseTo(0.64 - (0.6 / around) * 0.2, 12);
   });
 
-  it('has defaults, gives a stranger the first berth, and has none without a body', () => {
+  it('has defaults, gives an unknown player the first slot, and spawns nothing without a body', () => {
     const hangar = hangarOf({ direction: [0, 1, 0] });
     expect(hangar.delay).toBe(5);
     expect(hangar.spawn('stranger', worldOf(['Luna', 'Mars']))).toEqual({

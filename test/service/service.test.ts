@@ -10,8 +10,11 @@ it.skipIf(isMissing('python')).each(['test_loading', 'test_simulation'])(
   2 * MINUTES,
 );
 
-// They mostly wait, each for its own Redis and service.
-const WITH_REDIS = ['Ships', 'Inputs', 'Clock', 'Lease', 'Damage'].map((name) => `test_redis.${name}`);
+// These mostly wait, each for its own Redis and service.
+const WITH_REDIS = [
+  ...['Lease', 'Damage'].map((name) => `test_lease.${name}`),
+  ...['Ships', 'Inputs', 'Clock'].map((name) => `test_redis.${name}`),
+];
 describe.skipIf(isMissing('redis')).concurrent('against a real Redis', () => {
   it.each([...WITH_REDIS, 'test_garbage', 'test_recorder'])('%s passes', expectUnittest, 6 * MINUTES);
 });
@@ -21,13 +24,16 @@ it('every file is run, here or in service.long.test.ts', () => {
   const known = [
     'test_crash.py',
     'test_garbage.py',
+    'test_lease.py',
     'test_loading.py',
     'test_recorder.py',
     'test_redis.py',
     'test_simulation.py',
   ];
   expect(files.sort()).toEqual(known);
-  const classes =
-    readFileSync(`${HERE}/test_redis.py`, 'utf8').match(/^class \w+(?=\(WithService\))/gm) ?? [];
-  expect(classes.map((name) => name.replace('class ', 'test_redis.'))).toEqual(WITH_REDIS);
+  const classes = ['test_lease', 'test_redis'].flatMap((name) => {
+    const text = readFileSync(`${HERE}/${name}.py`, 'utf8');
+    return [...text.matchAll(/^class (\w+)\(WithService\)/gm)].map(([, found]) => `${name}.${found!}`);
+  });
+  expect(classes).toEqual(WITH_REDIS);
 });

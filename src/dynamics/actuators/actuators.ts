@@ -35,7 +35,7 @@ import {
   WHEEL_TORQUE,
 } from '../constants/constantRows';
 
-/** Step 1: torque in body axes, thrust in ICRF, fuel burnt. Mass and inertia are those from before the burn. */
+/** Step 1: torque in body axes, thrust in ICRF, and the fuel burnt. Mass and inertia are from before the burn. */
 export function actuate(step: Step): void {
   const q = quantities;
   const { shipClass } = step;
@@ -46,14 +46,14 @@ export function actuate(step: Step): void {
   q[TORQUE + 1] = 0;
   q[TORQUE + 2] = 0;
   q[RCS_TORQUE_SUM] = 0;
-  // A landed ship is attached to the ground: no torque, no fuel for attitude.
+  // A landed ship is fixed to the ground, so it gets no torque and burns no fuel for attitude.
   if (q[SURFACE_STATE] !== LANDED && askTorque(step)) giveTorque(step);
   push(step);
   q[LIFT] =
     q[THRUST]! * start[NORMAL]! + q[THRUST + 1]! * start[NORMAL + 1]! + q[THRUST + 2]! * start[NORMAL + 2]!;
 }
 
-/** The wheels give as much of TORQUE as they can until they are full; RCS gives the rest while there is fuel. */
+/** Divides TORQUE between reaction wheels, up to their torque and remaining momentum, and RCS, while there is fuel. */
 function giveTorque(step: Step): void {
   const q = quantities;
   const { shipClass } = step;
@@ -82,7 +82,7 @@ function giveTorque(step: Step): void {
   }
 }
 
-/** Thrust of main engine and translation thrusters, and the fuel burnt by them and by the RCS torque. */
+/** Fills THRUST from main engine and translation thrusters; burns their fuel and that of the RCS torque. */
 function push(step: Step): void {
   const q = quantities;
   const { shipClass } = step;
@@ -105,7 +105,7 @@ function push(step: Step): void {
   q[FUEL] = left > 0 ? left : 0;
 }
 
-/** Whether engine or translation thrusters are commanded; most ships coast. */
+/** Whether main engine or translation thrusters are commanded. Most ships coast. */
 export function commandsThrust(): boolean {
   const q = quantities;
   return (

@@ -41,7 +41,7 @@ import {
   WHEEL_TORQUE,
 } from '../constants/constantRows';
 
-/** TORQUE: what stick or attitude controller asks for, N m, body axes; false where neither asks (DYNAMICS, Actuators). */
+/** Fills TORQUE with the torque commanded by stick or attitude controller, N m, body axes; false if neither is active (DYNAMICS, Actuators). */
 export function askTorque(step: Step): boolean {
   const q = quantities;
   if (holdsStick()) {
@@ -49,7 +49,7 @@ export function askTorque(step: Step): boolean {
     return true;
   }
   const mode = effectiveMode();
-  // A mode that has nothing to point at on the ground, or is not known, damps rates.
+  // A velocity mode on the ground and an unknown mode damp rates.
   if (mode === MODE_NONE && q[ATTITUDE_HOLD] !== 1 && q[ATTITUDE_MODE] === MODE_NONE) return false;
   dampRates(step);
   if (mode === MODE_HOLD) steerToTarget(step);
@@ -63,7 +63,7 @@ function holdsStick(): boolean {
   return q[ROTATION_INPUT] !== 0 || q[ROTATION_INPUT + 1] !== 0 || q[ROTATION_INPUT + 2] !== 0;
 }
 
-/** A ground-bound ship's velocity has no direction to point at: there the velocity modes are rate damping, as unknown ones are. */
+/** MODE_NONE for unknown modes, and for velocity modes on the ground, where the velocity has no direction to point at. */
 function effectiveMode(): number {
   const q = quantities;
   const mode = q[ATTITUDE_MODE]!;
@@ -95,7 +95,7 @@ function dampRates(step: Step): void {
   q[ANGULAR_ACCEL_COMMAND + 2] = damping * (q[AXES + 2]! * wx + q[AXES + 5]! * wy + q[AXES + 8]! * wz);
 }
 
-/** a += ω_n² e, e = ±2 × vector part of target · q⁻¹, turned into body axes. */
+/** a += ω_n² e, where e is ±2 × the vector part of target · q⁻¹, rotated into body axes. */
 function steerToTarget(step: Step): void {
   const q = quantities;
   const stiffness = step.shipClass[ATTITUDE_STIFFNESS]!;
@@ -119,7 +119,7 @@ function steerToTarget(step: Step): void {
     q[ANGULAR_ACCEL_COMMAND + 2]! + stiffness * (q[AXES + 2]! * ex + q[AXES + 5]! * ey + q[AXES + 8]! * ez);
 }
 
-/** Below this ‖up × d‖ a ship points straight away from d, and no axis is better than another. */
+/** ‖up × d‖ up to which a ship points directly away from d and any axis is equally good. */
 const STRAIGHT_AWAY = 1e-6;
 
 /** a += ω_n² e, e = up × d; in body axes up is z, so e = (−d_y, d_x, 0). */
@@ -135,7 +135,7 @@ function steerToDirection(step: Step, mode: number): void {
   let ex = -dy;
   let ey = dx;
   if (dz < 0) {
-    // It does not stall when it points straight away: a full unit of error, about x where no axis is better.
+    // The error is 1 beyond 90°, so that control does not stall when the ship points directly away; about x there.
     const length = Math.sqrt(ex * ex + ey * ey);
     const straightAway = length <= STRAIGHT_AWAY;
     ex = straightAway ? 1 : ex / length;
@@ -146,14 +146,14 @@ function steerToDirection(step: Step, mode: number): void {
   q[ANGULAR_ACCEL_COMMAND + 1] = q[ANGULAR_ACCEL_COMMAND + 1]! + stiffness * ey;
 }
 
-/** A velocity below 1 mm/s is round-off, and so is its direction. */
-const LEAST_SPEED = 1e-3;
-/** So is r × u where u is along r to a part in a million. */
-const LEAST_SINE = 1e-6;
-/** Below 0.1 m/s over the ground the game keeps its last direction; damping stays near it without remembering. */
-const LEAST_SURFACE_SPEED = 0.1;
+/** Speed below which the direction of the velocity is rounding error, m/s. */
+const MIN_SPEED = 1e-3;
+/** ‖r × u‖ / (‖r‖ ‖u‖) below which the direction of r × u is rounding error. */
+const MIN_SINE = 1e-6;
+/** Ground speed below which the game keeps its last direction, m/s. Here rates are damped, which needs no memory and stays close to it. */
+const MIN_SURFACE_SPEED = 0.1;
 
-/** AXIS = the unit direction a pointing mode points at, ICRF; false where it is round-off. */
+/** AXIS = unit direction that a pointing mode points at, ICRF; false if it would be rounding error. */
 function pointingDirection(step: Step, mode: number): boolean {
   const q = quantities;
   if (mode === MODE_RADIAL || mode === MODE_ANTIRADIAL) {
@@ -166,7 +166,7 @@ function pointingDirection(step: Step, mode: number): boolean {
   const uz = q[VELOCITY + 2]!;
   if (mode === MODE_SURFACE_RETROGRADE) return pointAgainstGroundSpeed();
   const speed = Math.sqrt(ux * ux + uy * uy + uz * uz);
-  if (speed < LEAST_SPEED) return false;
+  if (speed < MIN_SPEED) return false;
   const reversed = mode === MODE_RETROGRADE || mode === MODE_ANTINORMAL;
   if (mode === MODE_PROGRADE || mode === MODE_RETROGRADE) {
     pointAlong(ux, uy, uz, reversed ? -1 / speed : 1 / speed);
@@ -179,7 +179,7 @@ function pointingDirection(step: Step, mode: number): boolean {
   const y = rz * ux - rx * uz;
   const z = rx * uy - ry * ux;
   const length = Math.sqrt(x * x + y * y + z * z);
-  if (length < LEAST_SINE * start[DISTANCE]! * speed) return false;
+  if (length < MIN_SINE * start[DISTANCE]! * speed) return false;
   pointAlong(x, y, z, reversed ? -1 / length : 1 / length);
   return true;
 }
@@ -197,7 +197,7 @@ function pointAgainstGroundSpeed(): boolean {
   const y = q[VELOCITY + 1]! - (oz * rx - ox * rz);
   const z = q[VELOCITY + 2]! - (ox * ry - oy * rx);
   const speed = Math.sqrt(x * x + y * y + z * z);
-  if (speed < LEAST_SURFACE_SPEED) return false;
+  if (speed < MIN_SURFACE_SPEED) return false;
   pointAlong(x, y, z, -1 / speed);
   return true;
 }

@@ -1,7 +1,7 @@
 /**
- * Sine and cosine of an angle in degrees from + − × ÷ alone: the bits of Math.sin and Math.cos differ between engines (DYNAMICS,
- * Arithmetic). They convert angle settings to cosines once, when settings are loaded, and give scenarios their initial
- * attitude. Exact to 1e-15 for |degrees| ≤ 3600.
+ * Sine and cosine of an angle in degrees by + − × ÷ only, since the bits of Math.sin and Math.cos differ between engines (DYNAMICS,
+ * Arithmetic). Used to convert angle settings to cosines when they are loaded, and for initial attitudes of scenarios. The error is
+ * below 1e-15 for |degrees| ≤ 3600.
  */
 export function cosineOfDegrees(degrees: number): number {
   const turned = degrees - 360 * Math.floor(degrees / 360);
@@ -9,7 +9,7 @@ export function cosineOfDegrees(degrees: number): number {
   return folded > 90 ? -cosineOfQuarter(180 - folded) : cosineOfQuarter(folded);
 }
 
-/** As cosineOfDegrees; not its complement, which would round a small angle. */
+/** Like cosineOfDegrees. Not the cosine of the complement, which would round a small angle. */
 export function sineOfDegrees(degrees: number): number {
   const turned = degrees - 360 * Math.floor(degrees / 360);
   if (turned >= 180) return -sineOfDegrees(turned - 180);
@@ -19,21 +19,21 @@ export function sineOfDegrees(degrees: number): number {
 /** π / 180, the same bits everywhere. */
 const RADIANS_PER_DEGREE = 3.141592653589793 / 180;
 
-/** For 0 … 90°. Above 45° it is the sine of the complement, so that the argument stays below π/4. */
+/** For 0 … 90°. Above 45° the sine of the complement, so that the argument stays below π/4. */
 function cosineOfQuarter(degrees: number): number {
   return degrees <= 45
     ? polynomialCosine(degrees * RADIANS_PER_DEGREE)
     : polynomialSine((90 - degrees) * RADIANS_PER_DEGREE);
 }
 
-/** As cosineOfQuarter. */
+/** Like cosineOfQuarter. */
 function sineOfQuarter(degrees: number): number {
   return degrees <= 45
     ? polynomialSine(degrees * RADIANS_PER_DEGREE)
     : polynomialCosine((90 - degrees) * RADIANS_PER_DEGREE);
 }
 
-/** Taylor, for 0 ≤ x ≤ π/4: the first term left out is below 1e-17. */
+/** Taylor series for 0 ≤ x ≤ π/4; the first omitted term is below 1e-17. */
 function polynomialCosine(x: number): number {
   const s = x * x;
   let sum = 0;
@@ -41,7 +41,7 @@ function polynomialCosine(x: number): number {
   return 1 - sum;
 }
 
-/** As polynomialCosine. */
+/** Like polynomialCosine. */
 function polynomialSine(x: number): number {
   const s = x * x;
   let sum = 0;

@@ -2,7 +2,7 @@ import { ATTITUDE, BODY_TURN, POSITION } from '../state/layout';
 import { AXIS, FROM, quantities, ROTATION, type Step, TO, SMI_MASK } from '../contact/quantities';
 import { moveWithGround, spinWithGround } from '../contact/pose';
 
-/** Landed or pinned: the ship's position turns with the ground over the substep; u = Ω × r. */
+/** Landed or pinned: rotates the ship's position with the ground over the substep; u = Ω × r. */
 export function turnPlaceWithGround(step: Step): void {
   const q = quantities;
   const { bodies } = step;
@@ -18,14 +18,14 @@ export function turnPlaceWithGround(step: Step): void {
   const ty = az * x - ax * z;
   const tz = ax * y - ay * x;
   const twice = 2 * aw;
-  // Summed from left to right, v + 2w (a × v) + 2 a × (a × v): in another order a ship pinned for a minute is off by 0.1 µm.
+  // v + 2w (a × v) + 2 a × (a × v), summed from left to right. Another order moves a ship pinned for a minute by 0.1 µm.
   q[POSITION] = x + tx * twice + 2 * (ay * tz - az * ty);
   q[POSITION + 1] = y + ty * twice + 2 * (az * tx - ax * tz);
   q[POSITION + 2] = z + tz * twice + 2 * (ax * ty - ay * tx);
   moveWithGround();
 }
 
-/** Landed: the attitude turns with the ground too; w = Ω. */
+/** Landed: also rotates the attitude with the ground; w = Ω. */
 export function turnAttitudeWithGround(step: Step): void {
   const q = quantities;
   const { bodies } = step;
@@ -35,7 +35,7 @@ export function turnAttitudeWithGround(step: Step): void {
   spinWithGround();
 }
 
-/** q = normalize(ROTATION q): a rotation in ICRF axes, on the left. */
+/** q = normalize(ROTATION q): applies a rotation in ICRF axes, on the left. */
 export function rotateAttitude(): void {
   const q = quantities;
   const ax = q[ROTATION]!;
@@ -57,7 +57,7 @@ export function rotateAttitude(): void {
   q[ATTITUDE + 3] = w * perLength;
 }
 
-/** a · b below which two unit vectors are opposite, 179.92° and more: there a × b is short, and its direction is rounding error. */
+/** a · b below which two unit vectors count as opposite (179.92° and more): the direction of a × b is then rounding error. */
 const OPPOSED = -0.999999;
 
 /** ROTATION = the shortest rotation from unit FROM to unit TO: normalize(a × b, 1 + a·b), or half a turn if they are opposite. */
@@ -89,10 +89,10 @@ export function shortestRotation(): void {
   q[ROTATION + 3] = w * perLength;
 }
 
-/** |a_x| from which a is too close to x for a × x to give an axis; a × y is then at least as long. */
+/** |a_x| from which a × y is used as the axis, since a × x is too short near x. */
 const NEAR_X = 0.9;
 
-/** AXIS = unit(a × x), x = (1,0,0), or (0,1,0) if |a_x| ≥ 0.9, of the unit vector a at `rows[from]`. */
+/** AXIS = unit(a × x) for the unit vector a at `rows[from]`, with x = (1,0,0), or (0,1,0) if |a_x| ≥ 0.9. */
 export function perpendicularAxis(rows: Float64Array, from: number): void {
   const q = quantities;
   const ax = rows[from]!;

@@ -13,7 +13,7 @@ import {
 import { anyOutside, BODY_MASS, PLACE, BODY_RADIUS, notUnit, outside, SPIN, VELOCITY_RANGE } from './limits';
 import { SMI_MASK } from '../state/smiMask';
 
-/** What of a body never changes. */
+/** Constants of a body. */
 export interface Body {
   /** Unique in its world. */
   readonly name: string;
@@ -23,7 +23,7 @@ export interface Body {
   readonly radius: number;
 }
 
-/** Where a body is: ICRF, m, m/s, rad/s. */
+/** Pose and motion of a body. */
 export interface BodyMotion {
   /** m, ICRF. */
   readonly position: Vec3;
@@ -43,7 +43,7 @@ export interface LoadedBody extends Body {
 /** m³ kg⁻¹ s⁻² */
 export const GRAVITATIONAL_CONSTANT = 6.6743e-11;
 
-/** The body with its constants, or a reason that names the field. */
+/** The body with derived constants, or an error that names the invalid field. */
 export function loadBody(given: Body): Result<LoadedBody> {
   if (typeof given.name !== 'string' || given.name === '') return err('body name: expected a string');
   const reason =
@@ -56,7 +56,7 @@ export function loadBody(given: Body): Result<LoadedBody> {
   return ok(Object.freeze({ name, mass, radius, gravityParameter: GRAVITATIONAL_CONSTANT * mass }));
 }
 
-/** Writes a motion into a body's row; a reason that names the field leaves the row as it was. */
+/** Writes a motion into a body's row. Returns null, or a reason that names the invalid field; then the row is unchanged. */
 export function writeBodyMotion(rows: Float64Array, at: number, motion: BodyMotion): string | null {
   const reason =
     notFiniteTuple('position', motion.position, 3) ??
@@ -89,8 +89,8 @@ export function readBodyMotion(rows: Float64Array, at: number): BodyMotion {
 }
 
 /**
- * Step 7, once a substep, before the ships: where each body's attitude will be at the substep's end, normalize(q + ½ dt (Ω, 0) q), and
- * the turn of ground-bound ships, normalize(Ω dt/2, 1).
+ * Step 7, once per substep, before the ships: each body's attitude at the substep's end, normalize(q + ½ dt (Ω, 0) q), and the rotation
+ * of ground-bound ships, normalize(Ω dt/2, 1).
  */
 export function turnBodies(rows: Float64Array, count: number, dt: number): void {
   const half = 0.5 * dt;
@@ -122,11 +122,11 @@ export function turnBodies(rows: Float64Array, count: number, dt: number): void 
   }
 }
 
-/** After the ships: the substep's end is the next one's start. */
+/** After the ships: makes the attitude at the substep's end the next one's start. */
 export function settleBodies(rows: Float64Array, count: number): void {
   for (let i = 0; i < count; i++) {
     const at = (i * BODY_STRIDE) & SMI_MASK;
-    // Attitude and axes stand side by side, at the start as at the end; written out: a loop takes twice as long.
+    // Attitude and axes are adjacent columns. Unrolled, since a loop takes twice as long.
     rows[at + BODY_ATTITUDE] = rows[at + BODY_END_ATTITUDE]!;
     rows[at + BODY_ATTITUDE + 1] = rows[at + BODY_END_ATTITUDE + 1]!;
     rows[at + BODY_ATTITUDE + 2] = rows[at + BODY_END_ATTITUDE + 2]!;
@@ -143,7 +143,7 @@ export function settleBodies(rows: Float64Array, count: number): void {
   }
 }
 
-/** Once a tick: each body moves by its velocity for `seconds` of game time. */
+/** Once per tick: moves each body by its velocity for `seconds` game seconds. */
 export function moveBodies(rows: Float64Array, count: number, seconds: number): void {
   for (let i = 0; i < count; i++) {
     const at = i * BODY_STRIDE;
@@ -153,7 +153,7 @@ export function moveBodies(rows: Float64Array, count: number, seconds: number): 
   }
 }
 
-/** The rotation matrix, row by row, of the unit quaternion at `from`; both in `rows`. */
+/** Writes the rotation matrix, row by row, of the unit quaternion at `from`; both in `rows`. */
 function writeAxes(rows: Float64Array, to: number, from: number): void {
   const x = rows[from]!;
   const y = rows[from + 1]!;

@@ -3,8 +3,8 @@ import type { Quat, Vec3 } from '../result';
 import type { ShipClass } from './shipClass';
 
 /**
- * The game's ship classes as published, and one of ours: `planetary_lander`, of which the game publishes the ground contact offset
- * only. Values marked "ours" are this project's; leg radii follow the game's arctan(leg_radius / offset) = 37°.
+ * The game's ship classes as published, and `planetary_lander`, of which the game publishes only the ground contact offset. Values
+ * marked "ours" are this project's. Leg radii follow the game's arctan(leg_radius / offset) = 37°.
  */
 export const SHIP_CLASSES: readonly ShipClass[] = [
   {
@@ -44,7 +44,7 @@ export const SHIP_CLASSES: readonly ShipClass[] = [
     attitudeNaturalFrequency: 0.15,
   },
   {
-    // Ours except for its offset: it lands and lifts off from Phobos to Earth, and can be righted on the Moon.
+    // Ours except for the offset. The class lands and lifts off from Phobos to Earth, and can be righted on the Moon.
     name: 'planetary_lander',
     dryMass: 8000,
     fuelCapacity: 8000,
@@ -55,12 +55,12 @@ export const SHIP_CLASSES: readonly ShipClass[] = [
     mainEngineThrust: 200000, // 1.3 g on Earth at full mass
     mainEngineIsp: 340,
     rcsThrust: [4000, 4000, 4000],
-    // With the wheels 142 kN m about x and y: above weight · h on the Moon (118 kN m full), below Earth's (716).
+    // 142 kN m about x and y with the wheels: above weight · h on the Moon (118 kN m with full tanks), below Earth's (716 kN m).
     rcsTorque: [140000, 140000, 40000],
     rcsLever: 4,
     rcsIsp: 290,
     reactionWheelTorque: [2000, 2000, 1000],
-    // Full after 4 s of full torque, at 5°/s about x and y: enough to fly upright, not for fast turns.
+    // Saturates after 4 s of full torque, at 5°/s about x and y: enough to stay upright, not for fast turns.
     reactionWheelCapacity: [8000, 8000, 4000],
     attitudeNaturalFrequency: 1,
   },
@@ -77,9 +77,9 @@ function diagonal(x: number, y: number, z: number): ShipClass['inertiaTensor'] {
 const TURN = 6.283185307179586;
 
 /**
- * Spin of a body: Ω = (2π / rotation_period) × axis, the axis a unit vector of the ecliptic physics frame, near +Z. Its attitude rotates
- * the body's Y, its pole, onto the axis; the direction of the prime meridian is ours.
- * @param period sidereal seconds; negative is retrograde
+ * Spin of a body: Ω = (2π / rotation_period) × axis, where the axis is a unit vector of the ecliptic physics frame, near +Z. The attitude
+ * rotates Y, the pole, onto the axis; the direction of the prime meridian is ours.
+ * @param period sidereal rotation period, s; negative for retrograde rotation
  */
 function spinning(axis: Vec3, period: number): Pick<BodyMotion, 'attitude' | 'angularVelocity'> {
   const [x, y, z] = axis;
@@ -90,7 +90,7 @@ function spinning(axis: Vec3, period: number): Pick<BodyMotion, 'attitude' | 'an
   return { attitude, angularVelocity: [rate * x, rate * y, rate * z] };
 }
 
-/** Unit vectors of the ecliptic frame at J2000: Luna tilted by 1.54° (its node is ours), Earth by 23.44°, Mars's pole as observed. */
+/** Poles, unit vectors of the ecliptic frame at J2000: Luna tilted by 1.54° (its node is ours), Earth by 23.44°, Mars as observed. */
 const LUNA_POLE: Vec3 = unit([0, 0.0269, 0.99964]);
 const EARTH_POLE: Vec3 = unit([0, 0.39778, 0.91748]);
 const MARS_POLE: Vec3 = unit([0.4462, -0.0555, 0.8932]);
@@ -100,7 +100,7 @@ function unit([x, y, z]: Vec3): Vec3 {
   return [x / length, y / length, z / length];
 }
 
-/** The bodies with ground: J2000 masses, mean radii and sidereal spins; positions and orbital velocities at one instant, rounded. */
+/** Bodies with ground: masses, mean radii and sidereal spins; positions and orbital velocities at one instant, rounded. */
 export const BODIES: readonly (Body & BodyMotion)[] = [
   {
     name: 'Luna',

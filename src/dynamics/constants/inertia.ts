@@ -3,13 +3,13 @@ import { INERTIA, outside } from './limits';
 
 /** Inertia tensors: kg m², body axes, with full tanks. */
 
-/** How far elements that must be equal may differ, as a share of the mean moment: a part in 10⁹, since recordings print rounded values. */
+/** Largest asymmetry of a tensor divided by its mean moment; not 0, since recordings contain rounded values. */
 const SYMMETRIC_WITHIN = 3e-9;
 
-/** Least determinant of an inertia tensor divided by the cube of its mean moment: 1 for a ball, 3.4 / k for a rod of moments k, k, 1. */
+/** Minimum determinant of an inertia tensor divided by the cube of its mean moment: 1 for a ball, 3.4 / k for a rod of moments k, k, 1. */
 const MIN_ROUNDNESS = 1e-6;
 
-/** The legs' moment of inertia is at most this many times the lower bound of the least moment; otherwise a needle spins about its own axis. */
+/** Maximum of J divided by J'. A larger ratio lets the legs' support spin a needle-shaped hull about its own axis. */
 const MAX_SUPPORT = 4;
 
 /** J and J' (DYNAMICS, Angular), from K = I⁻¹. */
@@ -23,9 +23,9 @@ export function scalarInertias(k: Float64Array): { supportInertia: number; scrub
 }
 
 /**
- * Why a tensor is no inertia tensor, or null. Checks its diagonal, its symmetry, Sylvester's criterion, and that it is no needle: the
- * ground's impulse on a tipped hull (DYNAMICS, Tipped) spins a hull ever faster if its moments differ by more than a factor of about a
- * million. Moments that no mass can have, one above the sum of the other two, are accepted: the dynamics do not depend on it.
+ * Why a tensor is invalid, or null. Checks diagonal, symmetry, Sylvester's criterion, and that the moments differ by less than a factor
+ * of about a million: otherwise the ground's impulse on a tipped hull (DYNAMICS, Tipped) accelerates its spin without bound. Moments
+ * that no mass can have, one above the sum of the other two, are accepted, since the dynamics do not depend on them.
  */
 export function noTensor([a, b, c]: Mat3): string | null {
   for (const [i, moment] of [a[0], b[1], c[2]].entries()) {

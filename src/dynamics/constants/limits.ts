@@ -1,8 +1,8 @@
 import type { Quat } from '../result';
 
 /**
- * Ranges of all numbers in the dynamics: far beyond any ship, and far within those of doubles, so that no square, product
- * or quotient of a substep overflows, whatever the combination (DYNAMICS, Ranges).
+ * Ranges of all numbers in the dynamics: far beyond any ship, yet so far within the range of doubles that no square, product or
+ * quotient of a substep overflows in any combination (DYNAMICS, Ranges).
  */
 export interface Range {
   readonly least: number;
@@ -12,7 +12,7 @@ export interface Range {
   readonly unit: string;
 }
 
-/** From a gram to a small moon: the dynamics have no gravity of ships. */
+/** From a gram to a small moon; the dynamics neglect the gravity of ships. */
 export const SHIP_MASS: Range = { least: 1e-3, most: 1e15, unit: 'kg' };
 export const FUEL_MASS: Range = { least: 0, most: SHIP_MASS.most, unit: 'kg' };
 /** Fuel capacity above 0: from a milligram. */
@@ -21,17 +21,17 @@ export const TANKS: Range = { least: 1e-6, most: SHIP_MASS.most, unit: 'kg' };
 export const SHIP_LENGTH: Range = { least: 0, most: 1e6, unit: 'm' };
 /** A length used as a divisor: from a millimetre. */
 export const LEVER: Range = { least: 1e-3, most: SHIP_LENGTH.most, unit: 'm' };
-/** The tensor's diagonal: from a gram a millimetre across to the largest mass at the largest distance. */
+/** Diagonal of the inertia tensor: from a gram at a millimetre to the largest mass at the largest distance. */
 export const INERTIA: Range = { least: 1e-9, most: 1e27, unit: 'kg m²' };
 export const FORCE: Range = { least: 0, most: 1e15, unit: 'N' };
 export const TORQUE: Range = { least: 0, most: 1e15, unit: 'N m' };
-/** ω_n of the attitude controller: up to where its damping is stable at the longest substep. */
+/** ω_n of the attitude controller: its damping is stable at the longest substep up to this. */
 export const NATURAL_FREQUENCY: Range = { least: 0, isOpen: true, most: 5, unit: 'rad/s' };
-/** Dry inertia over full inertia. The minimum, far below any ship's, keeps quotients finite. */
+/** Dry inertia divided by full inertia. The minimum, far below any ship's, keeps quotients finite. */
 export const INERTIA_RATIO: Range = { least: 1e-6, most: 1, unit: '' };
 /** Capacity of reaction wheels. */
 export const WHEEL_CAPACITY: Range = { least: 0, most: 1e15, unit: 'N m s' };
-/** Momentum of wheels that are never full. */
+/** Momentum of reaction wheels, including wheels without a capacity. */
 export const WHEEL_MOMENTUM_RANGE: Range = { least: -1e25, most: 1e25, unit: 'N m s' };
 /** Up to the speed of light over standard gravity, rounded up. */
 export const ISP: Range = { least: 1e-3, most: 1e8, unit: 's' };
@@ -49,7 +49,7 @@ export const SPIN: Range = { least: -1e6, most: 1e6, unit: 'rad/s' };
 export const SPEED: Range = { least: 0, most: VELOCITY_RANGE.most, unit: 'm/s' };
 export const SPIN_SPEED: Range = { least: 0, most: SPIN.most, unit: 'rad/s' };
 
-/** Largest deviation of an attitude's length from 1: servers send rounded ones. */
+/** Largest deviation of an attitude's length from 1; servers send rounded quaternions. */
 const UNIT_WITHIN = 1e-3;
 
 /** Why a finite number is out of a range, or null. */
@@ -65,7 +65,7 @@ export function outside(field: string, value: number, range: Range): string | nu
 export function anyOutside(field: string, values: readonly number[], range: Range): string | null {
   const { least, most } = range;
   for (let i = 0; i < values.length; i++) {
-    // Usually within: a double passed on would be boxed.
+    // Checked here first, since a double passed to `outside` would be boxed.
     if (values[i]! > least && values[i]! <= most) continue;
     const reason = outside(`${field}[${i}]`, values[i]!, range);
     if (reason !== null) return reason;

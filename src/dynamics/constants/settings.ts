@@ -22,9 +22,9 @@ export interface Settings {
   readonly contactFrictionStatic: number;
   /** Coefficient of sliding feet. */
   readonly contactFrictionKinetic: number;
-  /** Effect of a touch on attitude and spin: aligned with the surface normal and stopped, or kept. */
+  /** Effect of a touch on attitude and spin: aligned with the surface normal and zeroed, or kept. */
   readonly touchdownAttitude: 'aligned' | 'kept';
-  /** Direction of contact forces: along the radius, as on a sphere, or along the normal of the slope under the feet. */
+  /** Direction of the normal force: radial, as on a sphere, or normal to the slope under the feet. */
   readonly surfaceNormal: 'radial' | 'terrain';
   /** Game seconds: a tick is divided into equal substeps of at most this length. */
   readonly contactLongestSubstep: number;
@@ -45,7 +45,7 @@ export const DEFAULT_SETTINGS: Settings = Object.freeze({
   contactLongestSubstep: 0.01,
 });
 
-/** Bounds of contactLongestSubstep, s. With longer substeps, ships of very unequal moments of inertia shake on their legs. */
+/** Bounds of contactLongestSubstep, game seconds. With longer substeps, ships with very unequal moments of inertia oscillate on their legs. */
 const SHORTEST_SUBSTEP = 0.001;
 const LONGEST_SUBSTEP = 0.022;
 
@@ -55,11 +55,11 @@ export interface LoadedSettings extends Settings {
   readonly cosSettleTilt: number;
   /** Cosine of contactTippedAngleDeg. */
   readonly cosTippedAngle: number;
-  /** What of all this a substep reads: columns of constantRows.ts. */
+  /** Values that a substep reads; columns in constantRows.ts. */
   readonly constants: Float64Array;
 }
 
-/** Loads settings, or returns an error that names the first setting out of range, and the range. Absent settings have their defaults. */
+/** Loads settings; absent ones get their defaults. The error names the first setting out of range, and its range. */
 export function loadSettings(given: Partial<Settings>): Result<LoadedSettings> {
   const s: Settings = { ...DEFAULT_SETTINGS, ...given };
   for (const [name, value] of Object.entries(s)) {
@@ -78,7 +78,7 @@ export function loadSettings(given: Partial<Settings>): Result<LoadedSettings> {
   return ok(Object.freeze({ ...loaded, constants: constantsOf(loaded) }));
 }
 
-/** In the order of constantRows.ts. */
+/** Row of the settings, in the order of constantRows.ts. */
 function constantsOf(s: Omit<LoadedSettings, 'constants'>): Float64Array {
   return Float64Array.of(
     ...[s.contactCrashSpeed, s.contactBounceSpeed, s.contactSettleAngularVel, s.contactSettleLinearVel],

@@ -47,7 +47,7 @@ export interface ShipClass {
   readonly reactionWheelCapacity: Vec3 | null;
   /** ω_n of the attitude controller, rad/s; it is critically damped. */
   readonly attitudeNaturalFrequency: number;
-  /** Inertia with dry tanks over inertia with full ones; null: in proportion to mass. */
+  /** Inertia with dry tanks divided by inertia with full tanks; null: proportional to mass. */
   readonly dryInertiaRatio: number | null;
 }
 
@@ -63,9 +63,9 @@ export interface LoadedShipClass extends ShipClass {
   readonly inertiaAtDry: number;
   /** 1/kg */
   readonly inertiaPerFuel: number;
-  /** J: the least moment of inertia against tilting, with full tanks, kg m², for the legs' support. */
+  /** J: the least moment of inertia against tilting, with full tanks, kg m²; used for leg support. */
   readonly supportInertia: number;
-  /** J': a lower bound of the least moment of inertia, with full tanks, kg m², for the feet's scrub. */
+  /** J': a lower bound of the least moment of inertia, with full tanks, kg m²; used for foot scrub. */
   readonly scrubInertia: number;
   /** ω_n², s⁻². */
   readonly attitudeStiffness: number;
@@ -79,7 +79,7 @@ export interface LoadedShipClass extends ShipClass {
   readonly rcsFlow: number;
   /** RCS force per newton metre of torque, 1/m. */
   readonly forcePerTorque: number;
-  /** What of all this a substep reads: columns of constantRows.ts. */
+  /** Values that a substep reads; columns in constantRows.ts. */
   readonly constants: Float64Array;
 }
 
@@ -114,7 +114,7 @@ export function loadShipClass(given: ShipClass): Result<LoadedShipClass> {
   return ok(Object.freeze({ ...loaded, constants: constantsOf(loaded) }));
 }
 
-/** In the order of constantRows.ts. */
+/** Row of a class, in the order of constantRows.ts. */
 function constantsOf(c: Omit<LoadedShipClass, 'constants'>): Float64Array {
   return Float64Array.of(
     ...[c.dryMass, c.legRadius, c.inertiaAtDry, c.inertiaPerFuel, c.supportInertia, c.scrubInertia],
@@ -127,7 +127,7 @@ function constantsOf(c: Omit<LoadedShipClass, 'constants'>): Float64Array {
 
 const NEVER_FULL: Vec3 = [Infinity, Infinity, Infinity];
 
-/** Inertia is linear in fuel: from dry to full by dryInertiaRatio; without one, or without tanks, in proportion to mass. */
+/** Inertia is linear in fuel: by dryInertiaRatio; without one, or without tanks, proportional to mass. */
 function inertiaByFuel(
   { dryMass, fuelCapacity, dryInertiaRatio }: ShipClass,
   fullMass: number,
@@ -195,7 +195,7 @@ function outOfRange(c: ShipClass): string | null {
       : anyOutside('reactionWheelCapacity', c.reactionWheelCapacity, WHEEL_CAPACITY)) ??
     outside('attitudeNaturalFrequency', c.attitudeNaturalFrequency, NATURAL_FREQUENCY) ??
     (c.dryInertiaRatio === null ? null : outside('dryInertiaRatio', c.dryInertiaRatio, INERTIA_RATIO)) ??
-    // Not checked where they divide nothing.
+    // Checked only where they divide something.
     (c.mainEngineThrust > 0 ? outside('mainEngineIsp', c.mainEngineIsp, ISP) : null) ??
     (turnsByRcs ? outside('rcsLever', c.rcsLever, LEVER) : null) ??
     (burnsRcs ? outside('rcsIsp', c.rcsIsp, ISP) : null) ??

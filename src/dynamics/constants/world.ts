@@ -3,16 +3,16 @@ import type { LoadedSettings } from './settings';
 import type { LoadedShipClass } from './shipClass';
 
 /**
- * The game's terrain call: metres above the body's radius along the unit direction (nx, ny, nz) in the body's axes
- * (Y pole, Z prime meridian, X 90° E). Finite, continuous (a step is a wall), and for exactness from + − × ÷ √ alone.
+ * The game's terrain call: height above the body's radius, m, in the unit direction (nx, ny, nz), body axes (Y pole, Z prime meridian,
+ * X 90° E). Must be finite and continuous (a step is a wall). Uses only + − × ÷ √ where bits must agree.
  */
 export interface TerrainHeight {
   (bodyName: string, nx: number, ny: number, nz: number): number;
-  /** The same height in scratch doubles, if the terrain has it; the substep then uses this. */
+  /** The same look-up in scratch doubles; the substep uses it if the terrain has one. */
   readonly inPlace?: HeightInPlace;
 }
 
-/** Reads the unit direction at `point[0..2]`, body's axes, and writes its height, m, to `point[3]`. */
+/** Reads a unit direction, body axes, from `point[0..2]` and writes the height, m, to `point[3]`. */
 export type HeightInPlace = (point: Float64Array, bodyName: string) => void;
 
 /** Everything a substep reads of the world. A substep changes only rows. */

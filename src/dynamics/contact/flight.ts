@@ -2,7 +2,7 @@ import { POSITION, VELOCITY } from '../state/layout';
 import { DT, end, GRAVITY, MASS, NORMAL, quantities, start, type Step, THRUST } from './quantities';
 import { readPlace } from './surface';
 
-/** Step 5 in the air: velocity Verlet under gravity and thrust. Leaves the place at `end` read. */
+/** Step 5 in flight: velocity Verlet under gravity and thrust. Also fills the position columns of `end`. */
 export function fly(step: Step): void {
   const q = quantities;
   const dt = q[DT]!;

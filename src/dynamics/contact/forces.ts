@@ -31,14 +31,14 @@ import {
   SETTLE_LINEAR_VEL,
 } from '../constants/constantRows';
 
-/** k / m, s⁻²: the contact spring (DYNAMICS, Normal force). */
+/** k / m of the contact spring, s⁻² (DYNAMICS, Normal force). */
 const STIFFNESS = 100;
-/** c / m of critical damping, s⁻¹: 2 √(k/m). */
+/** c / m at critical damping, 2 √(k/m), s⁻¹. */
 const CRITICAL_DAMPING = 20;
-/** Static friction holds below 1 cm/s, m²/s²: a slide, however slow, is not stopped dead by the stronger of the two frictions. */
+/** Square of the speed, 1 cm/s, above which only kinetic friction acts, m²/s²: static friction must not stop a slide. */
 const HELD_SPEED_SQUARED = 1e-4;
 
-/** LOAD, what presses into the ground, and DEPTH, where the spring rests under it; by the gravity at `surface`. */
+/** Fills LOAD and DEPTH, the static penetration under that load, from the gravity at `surface`. */
 export function readLoad(surface: Float64Array): void {
   const q = quantities;
   const weight = q[MASS]! * surface[GRAVITY]!;
@@ -51,7 +51,10 @@ export function readLoad(surface: Float64Array): void {
   q[DEPTH] = q[LOAD] / (STIFFNESS * q[MASS]!);
 }
 
-/** Whether vertical speed, √(v_s² + 100 (penetration c_s − DEPTH)²), the spring's stored energy counted in, and slide are small. */
+/**
+ * Whether normal and tangential speed are below the settle limit. The normal speed includes the spring's stored energy:
+ * √(v_s² + 100 (penetration c_s − DEPTH)²).
+ */
 export function isNearlyAtRest(surface: Float64Array, step: Step): boolean {
   const q = quantities;
   const limit = step.settings[SETTLE_LINEAR_VEL]!;
@@ -64,8 +67,8 @@ export function isNearlyAtRest(surface: Float64Array, step: Step): boolean {
 }
 
 /**
- * Steps 3 and 4, of a ship in the ground: LOAD and DEPTH, ALONG (what pushes along the ground, weight on a slope less thrust) and
- * NORMAL_FORCE, from spring and damper. Whether the ground pins the ship where it lies tipped; the force is the load then.
+ * Steps 3 and 4 for a penetrating ship: fills LOAD, DEPTH, ALONG and NORMAL_FORCE (spring and damper).
+ * @returns whether static friction pins a tipped ship in place; NORMAL_FORCE is then LOAD
  */
 export function press(step: Step): boolean {
   const q = quantities;
@@ -95,15 +98,15 @@ export function press(step: Step): boolean {
   return false;
 }
 
-/** Tipped, or in the contact of a touch not above contact_bounce_speed. Asked of grounded ships. */
+/** Whether a grounded ship is tipped, or in a contact whose impact speed was at most contact_bounce_speed. */
 function settlesWithoutBounce(step: Step): boolean {
   const q = quantities;
   return q[SURFACE_STATE] === TIPPED || q[IMPACT_SPEED]! <= step.settings[BOUNCE_SPEED]!;
 }
 
 /**
- * Step 5 on the ground: friction, semi-implicit Euler, and no bounce out of a settling contact. In one piece, so that nothing on the way
- * from the forces to the place leaves the registers.
+ * Step 5 on the ground: friction, semi-implicit Euler, and the limit on rebound from a settling contact. One function, so that
+ * intermediate values stay in registers.
  */
 export function moveOnGround(step: Step): void {
   const q = quantities;
@@ -124,7 +127,7 @@ export function moveOnGround(step: Step): void {
   let fy = 0;
   let fz = 0;
   if (force > 0) {
-    // What friction would have to stand against for the ship to stay: slide, push, slope and the ground's own turning.
+    // Friction demanded to keep the ship in place: against its slide, thrust, weight on the slope, and the ground's rotation.
     const perSpeed = q[MASS]! / dt;
     const half = 0.5 * q[MASS]!;
     const dx = start[TANGENTIAL_VELOCITY]! * perSpeed - (q[ALONG]! + half * (oy * uz - oz * uy));
@@ -163,7 +166,7 @@ export function moveOnGround(step: Step): void {
   q[POSITION + 2] = rz + uz * dt;
 }
 
-/** How much of the demanded friction the ground gives: all where it holds, at most what kinetic friction has. */
+/** Share of the demanded friction that acts, 0 … 1: all of it if static friction holds, else limited by kinetic friction. */
 function frictionShare(demandSquared: number, force: number, settings: Float64Array): number {
   const held = settings[FRICTION_STATIC]! * force;
   const kinetic = settings[FRICTION_KINETIC]! * force;
@@ -171,7 +174,7 @@ function frictionShare(demandSquared: number, force: number, settings: Float64Ar
   return holds || demandSquared <= kinetic * kinetic ? 1 : kinetic / Math.sqrt(demandSquared);
 }
 
-/** The speed off the ground that ends at the static depth within the substep, m/s, ≥ 0. */
+/** Normal speed that reaches the static penetration within the substep, m/s, ≥ 0. */
 function mostRise(): number {
   const q = quantities;
   const toRest = (start[PENETRATION]! * start[COS_SLOPE]! - q[DEPTH]!) / q[DT]!;

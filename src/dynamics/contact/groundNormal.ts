@@ -4,7 +4,7 @@ import { NEAR_POLE } from './slope';
 /** The ground of one body under one ship. */
 export interface GroundUnderShip {
   readonly bodyName: string;
-  /** The body's, m. */
+  /** Radius of the body, m. */
   readonly radius: number;
   /** Radius of the ship's footprint, m. */
   readonly legRadius: number;
@@ -12,7 +12,8 @@ export interface GroundUnderShip {
 }
 
 /**
- * The surface normal of `surface_normal` terrain (DYNAMICS, "The ground's own normal"), for views and readouts; the substep computes its own.
+ * Surface normal of `surface_normal` terrain (DYNAMICS, "The ground's own normal"), for views and readouts. The substep computes its
+ * own (slope.ts).
  * @param out unit, body axes
  * @param normal the radial direction, unit, body axes
  */
@@ -37,7 +38,7 @@ export function writeGroundNormal(out: Float64Array, normal: Float64Array, groun
   out[2] = sz * perLength;
 }
 
-/** Rise per metre along (dx, dy, dz), which is level and unit, m/m. */
+/** Slope of the ground along the level unit direction (dx, dy, dz), m/m. */
 function rise(n: Float64Array, dx: number, dy: number, dz: number, ground: GroundUnderShip): number {
   const { bodyName, radius, legRadius, terrainHeight } = ground;
   const arm = legRadius / radius;

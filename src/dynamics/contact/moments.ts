@@ -15,14 +15,14 @@ import {
 } from './quantities';
 import { FRICTION_KINETIC, LEG_RADIUS, SCRUB_INERTIA, SUPPORT_INERTIA } from '../constants/constantRows';
 
-/** s⁻² and s⁻¹ per unit of inertia: the rotational counterpart of the spring-damper, critical. */
+/** Per unit of inertia, s⁻² and s⁻¹: critically damped, like the contact spring. */
 const SUPPORT_STIFFNESS = 100;
 const SUPPORT_DAMPING = 20;
 const SCRUB_DAMPING = 20;
 
 /**
- * Step 6, of a ship in the ground: gravity about the feet, the legs' support and the feet's scrub join TORQUE. In ICRF axes, with
- * scalars for moments of inertia, so one turn into body axes is all it takes.
+ * Step 6 for a penetrating ship: adds the moments of gravity about the feet, leg support and foot scrub to TORQUE. They are summed in
+ * ICRF axes with scalar moments of inertia, then rotated into body axes once.
  */
 export function addGroundMoments(step: Step): void {
   const q = quantities;
@@ -45,13 +45,13 @@ export function addGroundMoments(step: Step): void {
   const yawY = yaw * sy;
   const yawZ = yaw * sz;
 
-  // What the feet carry, and as much of the weight.
+  // Normal force, at most the weight's normal component; and the weight that it balances.
   const most = q[WEIGHT]! * start[COS_SLOPE]!;
   const held = q[NORMAL_FORCE]! < most ? q[NORMAL_FORCE]! : most;
   const carried = held / start[COS_SLOPE]!;
   const toppling = carried * q[GROUND_CONTACT_OFFSET]!;
 
-  // Support: J (−100 (s × up) − 20 w_tilt), at most what the footprint's edge gives.
+  // Support: J (−100 (s × up) − 20 w_tilt), limited by the weight's lever arm at the footprint's edge.
   const support = shipClass[SUPPORT_INERTIA]! * factor;
   const stiffness = -SUPPORT_STIFFNESS * support;
   const damping = SUPPORT_DAMPING * support;
@@ -68,7 +68,7 @@ export function addGroundMoments(step: Step): void {
     mz *= share;
   }
 
-  // Scrub: −20 J' x, x the yaw about s, and for a tipped hull its roll about up as well.
+  // Scrub: −20 J' x, where x is the yaw rate about s plus, for a tipped hull, the roll rate about up.
   const roll = q[SURFACE_STATE] === TIPPED ? rx * upX + ry * upY + rz * upZ : 0;
   const scrubbing = -SCRUB_DAMPING * (shipClass[SCRUB_INERTIA]! * factor);
   let kx = scrubbing * (yawX + roll * upX);

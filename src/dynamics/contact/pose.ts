@@ -1,7 +1,7 @@
 import { ANGULAR_VELOCITY, ATTITUDE, POSITION, VELOCITY } from '../state/layout';
 import { AXES, COS_TILT, end, GROUND_SPIN, quantities, SURFACE_NORMAL } from './quantities';
 
-/** Fills AXES, the rotation matrix of the ship's attitude as it is now. */
+/** Fills AXES, the rotation matrix of the ship's current attitude. */
 export function readAxes(): void {
   const q = quantities;
   const x = q[ATTITUDE]!;
@@ -22,7 +22,7 @@ export function readAxes(): void {
   q[AXES + 8] = 1 - (x * x2 + y * y2);
 }
 
-/** Fills the third column of AXES alone: `up` of the attitude as it is now. */
+/** Fills only the third column of AXES, the current `up`. */
 export function readUp(): void {
   const q = quantities;
   const x = q[ATTITUDE]!;
@@ -37,7 +37,7 @@ export function readUp(): void {
   q[AXES + 8] = 1 - (x * x2 + y * y2);
 }
 
-/** COS_TILT = s · up at the substep's end, from the third column of AXES. */
+/** COS_TILT = s · up at the substep's end; `up` is the third column of AXES. */
 export function readTilt(): void {
   const q = quantities;
   q[COS_TILT] =
@@ -46,7 +46,7 @@ export function readTilt(): void {
     end[SURFACE_NORMAL + 2]! * q[AXES + 8]!;
 }
 
-/** u = Ω × r: the ship moves as the ground at its centre of mass. */
+/** u = Ω × r: the velocity of co-rotating ground at the ship's centre of mass. */
 export function moveWithGround(): void {
   const q = quantities;
   const ox = q[GROUND_SPIN]!;
@@ -60,7 +60,7 @@ export function moveWithGround(): void {
   q[VELOCITY + 2] = ox * ry - oy * rx;
 }
 
-/** w = Ω: the ship turns as the ground. */
+/** w = Ω: the ship rotates with the ground. */
 export function spinWithGround(): void {
   const q = quantities;
   q[ANGULAR_VELOCITY] = q[GROUND_SPIN]!;

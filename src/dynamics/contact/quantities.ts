@@ -5,93 +5,93 @@ import type { TerrainHeight } from '../constants/world';
 export { SMI_MASK } from '../state/smiMask';
 
 /**
- * The quantities of one substep of one ship (DYNAMICS, Quantities), in scratch doubles that the passes hand on:
- * a double passed as an argument or returned by a function that is not inlined is boxed, one that stands here is not.
+ * Quantities of one ship's substep (DYNAMICS, Quantities), in scratch doubles shared by the passes. A double that is passed to or
+ * returned from a function that the engine does not inline is boxed; a double stored here is not.
  */
 export const quantities = new Float64Array(94);
 
 /**
- * The first SHIP_STRIDE slots are the ship's row (layout.ts), copied in and out: a slot at a constant place of a constant array is read
- * without a check of its bounds.
+ * The first SHIP_STRIDE slots are a copy of the ship's row (layout.ts): the engine reads a constant index of a constant array without
+ * a bounds check.
  */
 
-/** How a surface stands to a ship: columns of `start` and `end`. n = r / ‖r‖, ICRF: local up. */
+/** Columns of `start` and `end`, the ship's relation to the ground. n = r / ‖r‖, ICRF: the radial direction. */
 export const NORMAL = 0;
 /** ‖r‖, m. */
 export const DISTANCE = 3;
 /** g = G mass / ‖r‖², m/s². */
 export const GRAVITY = 4;
-/** n in the body's axes. */
+/** n in body axes of the reference body. */
 export const BODY_NORMAL = 5;
 /** surface_r − ‖r‖, m; positive below the surface. */
 export const PENETRATION = 8;
-/** s, ICRF: the surface normal. */
+/** s, the surface normal, ICRF. */
 export const SURFACE_NORMAL = 9;
 /** c_s = n · s; 1 where the surface normal is radial. */
 export const COS_SLOPE = 12;
-/** v_s = v_rel · s, m/s; positive off the ground. */
+/** v_s = v_rel · s, m/s; positive away from the ground. */
 export const NORMAL_SPEED = 13;
-/** v_rel − v_s s, m/s, ICRF. */
+/** v_tangential = v_rel − v_s s, m/s, ICRF. */
 export const TANGENTIAL_VELOCITY = 14;
 /** ‖v_tangential‖², m²/s². */
 export const TANGENTIAL_SPEED_SQUARED = 17;
-/** n − c_s s, ICRF: how the ground slopes; 0 where the surface normal is radial. */
+/** n − c_s s, ICRF: points uphill, length is the sine of the slope; 0 where the surface normal is radial. */
 export const SLOPE = 18;
-/** Radius of the ground below, terrain included, m. */
+/** Distance of the ground under the ship from the body's centre, terrain included, m. */
 export const GROUND_RADIUS = 21;
 const SURFACE_LENGTH = 22;
-/** Where the ship stands to the ground, at the substep's start and again at its end: the columns above. */
+/** Rows of the columns above, at the substep's start and end. */
 export const start = new Float64Array(SURFACE_LENGTH);
 export const end = new Float64Array(SURFACE_LENGTH);
 
 /** Rotation matrix of the ship's attitude, row by row; its third column is `up`. */
 export const AXES = 36;
-/** m, kg: from before the burn. */
+/** m, kg, before the substep's burn. */
 export const MASS = 45;
-/** What the class's inertia tensor is multiplied by at this fuel. */
+/** Factor on the class's inertia tensor at the present fuel. */
 export const INERTIA_FACTOR = 46;
-/** N, from mass before the burn and gravity at the start. */
+/** Mass before the burn × gravity at the start, N. */
 export const WEIGHT = 47;
 /** N, ICRF. */
 export const THRUST = 48;
 /** thrust · n, N. */
 export const LIFT = 51;
-/** From the actuators, N m, body axes. */
+/** Torque of the actuators, later with the ground's moments, N m, body axes. */
 export const TORQUE = 52;
-/** Σ|tau_rcs|, N m: what burns fuel. */
+/** Σ|tau_rcs|, N m: the torque that burns fuel. */
 export const RCS_TORQUE_SUM = 55;
-/** What presses into the ground, N, ≥ 0. */
+/** Force into the ground, weight less thrust along s, N, ≥ 0. */
 export const LOAD = 56;
-/** What pushes along the ground, N, ICRF. */
+/** Tangential part of weight n − thrust, N, ICRF: minus the force along the ground other than friction. */
 export const ALONG = 57;
 /** Static penetration under the load, m. */
 export const DEPTH = 60;
 /** F_n, N. */
 export const NORMAL_FORCE = 61;
-/** The angular acceleration that the attitude controller asks for, rad/s², body axes. */
+/** Angular acceleration commanded by the attitude controller, rad/s², body axes. */
 export const ANGULAR_ACCEL_COMMAND = 62;
-/** A rotation under way, quaternion. */
+/** Unit quaternion of the rotation to apply, ICRF axes. */
 export const ROTATION = 65;
-/** Vectors a rotation is made from and to, and its axis. */
+/** Unit vectors, ICRF: ROTATION takes FROM to TO; AXIS is a rotation's axis or a pointing direction. */
 export const FROM = 69;
 export const TO = 72;
 export const AXIS = 75;
 /** s · up at the substep's end. */
 export const COS_TILT = 78;
-/** Speed at which ship and ground close at the substep's end, m/s. */
+/** Closing speed of ship and ground at the substep's end, m/s. */
 export const IMPACT = 79;
-/** Seconds of game time per substep. */
+/** Game seconds per substep. */
 export const DT = 80;
-/** The two level directions in which the slope is measured, body's axes, and the ground's rise along each. */
+/** Two level unit directions, body axes, and the ground's slope along each, m/m. */
 export const LEVEL_1 = 81;
 export const LEVEL_2 = 84;
 export const RISE = 87;
-/** The four points of the ground that it is measured at are n_b POINT[0] ± e POINT[1]. */
+/** The slope is sampled at the four directions n_b POINT[0] ± e POINT[1], e a level direction. */
 export const POINT = 89;
-/** Ω of the reference body, rad/s, ICRF: a copy, since a slot here is read without a check of its bounds. */
+/** Ω of the reference body, rad/s, ICRF; a copy, since slots here are read without a bounds check. */
 export const GROUND_SPIN = 91;
 
-/** Every slot and how many doubles it holds: a test finds two that overlap. */
+/** Every slot and its length in doubles; a test checks that none overlap. */
 export const SLOTS: readonly (readonly [slot: number, length: number])[] = [
   [0, SHIP_STRIDE],
   [AXES, 9],
@@ -121,7 +121,7 @@ export const SLOTS: readonly (readonly [slot: number, length: number])[] = [
   [GROUND_SPIN, 3],
 ];
 
-/** The columns of `start` and `end`, likewise. */
+/** The same for the columns of `start` and `end`. */
 export const SURFACE_SLOTS: readonly (readonly [slot: number, length: number])[] = [
   [NORMAL, 3],
   [DISTANCE, 1],
@@ -137,15 +137,15 @@ export const SURFACE_SLOTS: readonly (readonly [slot: number, length: number])[]
   [GROUND_RADIUS, 1],
 ];
 
-/** What a substep works on: the rows it changes, and what of the world it reads. Filled anew for each ship. */
+/** Inputs of one ship's substep, other than its row. Refilled for each ship. */
 export interface Step {
-  /** Number of the ship's row. */
+  /** Index of the ship's row. */
   row: number;
   bodies: Float64Array;
-  /** Of the reference body's row. */
+  /** Offset of the reference body's row. */
   bodyAt: number;
   body: LoadedBody;
-  /** Constants of the ship's class and of the settings, columns of constantRows.ts. */
+  /** Constants of the ship's class and of the settings; columns in constantRows.ts. */
   shipClass: Float64Array;
   settings: Float64Array;
   terrainHeight: TerrainHeight;

@@ -18,8 +18,8 @@ import { readAxes, readTilt, readUp } from './pose';
 import { INVERSE_INERTIA } from '../constants/constantRows';
 
 /**
- * Step 8: the hull of a tipped ship rests on its side. Past 90° of tilt the ground's impulse stops it from turning further,
- * and it is turned back, at 1 rad/s or by what is left. Reads `end` and `up` as they are after the step; leaves `up` current.
+ * Step 8: the hull of a tipped ship rests on its side. Past 90° of tilt an impulse of the ground stops further tilting, and the ship is
+ * turned back to 90° at 1 rad/s. Reads `end` and `up` after the step; updates `up`.
  */
 export function restOnSide(step: Step): void {
   const q = quantities;
@@ -34,7 +34,7 @@ export function restOnSide(step: Step): void {
   readUp();
 }
 
-/** ROTATION = normalize(−½ dt axis, 1): back at 1 rad/s. */
+/** ROTATION = normalize(−½ dt axis, 1): a turn back at 1 rad/s. */
 function turnBack(): void {
   const q = quantities;
   const half = -0.5 * q[DT]!;
@@ -48,10 +48,10 @@ function turnBack(): void {
   q[ROTATION + 3] = perLength;
 }
 
-/** ‖s × up‖ up to which a tipped ship is upside down and s × up gives no direction. */
+/** Largest ‖s × up‖ of a ship that counts as upside down: s × up then has no usable direction. */
 const ON_ITS_HEAD = 1e-6;
 
-/** AXIS = unit(s × up), the axis the ship tips about; any one along the ground where it stands on its head. */
+/** AXIS = unit(s × up), the tipping axis; any axis along the ground if the ship is upside down. */
 function findAxis(): void {
   const q = quantities;
   const nx = end[SURFACE_NORMAL]!;
@@ -72,8 +72,8 @@ function findAxis(): void {
 }
 
 /**
- * w −= j f / (j · axis), j = I_world⁻¹ axis: the ground's impulse about the axis. The fuel's factor in I cancels.
- * Along the axis alone it would feed the other axes of a full tensor for ever.
+ * w −= j f / (j · axis), with j = I_world⁻¹ axis and f the spin about the axis: an impulse of the ground about the axis. The inertia
+ * factor cancels. Removing the component of w along the axis instead would feed spin into the other axes of a full tensor.
  */
 function stopFurtherTilt(step: Step): void {
   const q = quantities;
@@ -110,7 +110,7 @@ function stopFurtherTilt(step: Step): void {
   q[ANGULAR_VELOCITY + 2] = q[ANGULAR_VELOCITY + 2]! - jz * impulse;
 }
 
-/** ROTATION = the shortest rotation that takes up to unit(up − cos_tilt s). */
+/** ROTATION = the shortest rotation from up to unit(up − cos_tilt s). */
 function layFlat(): void {
   const q = quantities;
   const cos = q[COS_TILT]!;

@@ -18,14 +18,14 @@ import type { TerrainHeight } from '../constants/world';
 import { groundPoint, HEIGHT, readHeight } from '../terrain/inPlace';
 import { LEG_RADIUS } from '../constants/constantRows';
 
-/** s = the normal of the plane that the feet stand on: the ground one leg radius ahead and behind, in two level directions. */
+/** s = normal of the plane through the ground one leg radius ahead and behind in two level directions. */
 export function readSlope(surface: Float64Array, step: Step, bodyAxes: number): void {
   const q = quantities;
   const { bodies, body, shipClass } = step;
   findLevelDirections(surface);
   if (!recallRises(surface, step)) {
     const arm = shipClass[LEG_RADIUS]! / body.radius;
-    // n_b and e_i are unit and at right angles, so n_b ± arm e_i have all four the same length.
+    // n_b and e_i are orthonormal, so all four n_b ± arm e_i have the same length.
     const perLength = 1 / Math.sqrt(1 + arm * arm);
     q[POINT] = perLength;
     q[POINT + 1] = arm * perLength;
@@ -59,10 +59,10 @@ export function readSlope(surface: Float64Array, step: Step, bodyAxes: number): 
   surface[SLOPE + 2] = nz - cos * sz;
 }
 
-/** Near the pole (Y of the body's axes) the first level direction is taken from X instead: p × n_b would be round-off there. */
+/** |n_b · Y| from which the first level direction is taken from X: Y is the pole, and Y × n_b would be rounding error near it. */
 export const NEAR_POLE = 0.9;
 
-/** LEVEL_1 = unit(p × n_b), p the pole or near it X; LEVEL_2 = n_b × LEVEL_1. Body's axes. */
+/** LEVEL_1 = unit(p × n_b), where p is the pole Y, or X near it; LEVEL_2 = n_b × LEVEL_1. Body axes. */
 function findLevelDirections(surface: Float64Array): void {
   const q = quantities;
   const x = surface[BODY_NORMAL]!;
@@ -91,7 +91,7 @@ function findLevelDirections(surface: Float64Array): void {
   }
 }
 
-/** q[rise] = how much the ground rises per metre along the level direction at `direction`. */
+/** q[rise] = slope of the ground along the level direction at slot `direction`, m/m. */
 function readRise(surface: Float64Array, step: Step, direction: number, rise: number): void {
   const q = quantities;
   const { body, shipClass, terrainHeight } = step;
@@ -117,15 +117,15 @@ function readRise(surface: Float64Array, step: Step, direction: number, rise: nu
 }
 
 /**
- * The rises last found for a row: a substep starts where the one before ended, so half of the terrain look-ups are spared, and the
- * numbers are the same. Known again by place, height of the ground there, footprint, body and terrain.
+ * Cache of the last slopes of each row. A substep starts where the previous one ended, so the cache saves half of the terrain look-ups
+ * with identical results. The key is direction, ground radius, footprint, body and terrain.
  */
 const KEPT = 256;
 const KEPT_STRIDE = 8;
 const kept = new Float64Array(KEPT * KEPT_STRIDE).fill(NaN);
 const keptTerrain: (TerrainHeight | null)[] = Array.from({ length: KEPT }, () => null);
 
-/** Whether RISE is known; fills it then. */
+/** Fills RISE from the cache; returns whether it was there. */
 function recallRises(surface: Float64Array, step: Step): boolean {
   const q = quantities;
   const at = (step.row & (KEPT - 1)) * KEPT_STRIDE;

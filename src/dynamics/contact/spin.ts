@@ -2,7 +2,7 @@ import { ANGULAR_VELOCITY, ATTITUDE } from '../state/layout';
 import { AXES, DT, INERTIA_FACTOR, quantities, type Step, TORQUE } from './quantities';
 import { INVERSE_INERTIA } from '../constants/constantRows';
 
-/** Step 6: spin and attitude by semi-implicit Euler, without sine or cosine; keeps `up` current. */
+/** Step 6: angular velocity and attitude by semi-implicit Euler, without sine or cosine; updates `up`. */
 export function turnByTorque(step: Step): void {
   const q = quantities;
   const tx = q[TORQUE]!;

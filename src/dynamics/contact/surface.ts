@@ -21,7 +21,7 @@ import { readSlope } from './slope';
 import { groundPoint, HEIGHT, readHeight } from '../terrain/inPlace';
 import { IS_TERRAIN_NORMAL } from '../constants/constantRows';
 
-/** Fills NORMAL, DISTANCE and GRAVITY at `surface` (`start` or `end`) from the ship's position as it is now. */
+/** Fills NORMAL, DISTANCE and GRAVITY of `surface` (`start` or `end`) from the ship's current position. */
 export function readPlace(surface: Float64Array, step: Step): void {
   const q = quantities;
   const rx = q[POSITION]!;
@@ -38,9 +38,10 @@ export function readPlace(surface: Float64Array, step: Step): void {
 }
 
 /**
- * Fills the rest of `surface`, whose place has been read: penetration, and unless a ship off the ground needs no more, the surface normal
- * and the velocity relative to the ground, v_rel = u − Ω × r, off it and along it.
- * @param bodyAxes BODY_AXES at a substep's start, BODY_END_AXES at its end: how the body lies under the ship.
+ * Fills the other columns of `surface` after readPlace: penetration, surface normal, and the velocity relative to the ground,
+ * v_rel = u − Ω × r, normal and tangential.
+ * @param bodyAxes column of the body's attitude: BODY_AXES at the substep's start, BODY_END_AXES at its end
+ * @param evenOffGround false: stops after the penetration if it is not positive
  */
 export function readSurface(
   surface: Float64Array,

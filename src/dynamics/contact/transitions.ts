@@ -49,10 +49,10 @@ import {
   SETTLE_LINEAR_VEL,
 } from '../constants/constantRows';
 
-/** A ship whose feet hang this far above the ground has left it, m: the ground fell away under it. */
+/** Height of the feet above which a grounded ship has left the ground although it does not rise, m. */
 const LET_GO_HEIGHT = 0.1;
 
-/** Step 9: the first transition that applies to the state at the substep's end, at most one. Returns the event. */
+/** Step 9: makes the first transition that applies at the substep's end, at most one. Returns its event. */
 export function makeTransition(step: Step): number {
   const q = quantities;
   const state = q[SURFACE_STATE]!;
@@ -75,8 +75,8 @@ export function makeTransition(step: Step): number {
 }
 
 /**
- * IMPACT: speed at which ship and ground close, m/s. On level ground the two agree; where ground rises ahead of a fast ship
- * only the second sees it, and a ship that flies into a hill crashes instead of being flung out of it.
+ * IMPACT = closing speed of ship and ground, m/s: the larger of −v_s and the rate of penetration. They agree on level ground. Only the
+ * rate of penetration includes ground that rises ahead of a fast ship, so that a ship that flies into a hill crashes.
  */
 function readImpact(): void {
   const q = quantities;
@@ -85,7 +85,7 @@ function readImpact(): void {
   q[IMPACT] = falling > closing ? falling : closing;
 }
 
-/** It rises off the ground, or the ground fell away. */
+/** Whether the ship rises off the ground, or the ground falls away under it. */
 function leavesGround(): boolean {
   const penetration = end[PENETRATION]!;
   return (penetration <= 0 && end[NORMAL_SPEED]! > 0) || penetration < -LET_GO_HEIGHT;
@@ -112,7 +112,7 @@ function alignWithSurface(): void {
   rotateAttitude();
 }
 
-/** A result, not a state: the rest of the ship's state stays as it was, and it is out of the simulation. */
+/** An outcome, not a surface state: the rest of the ship's state is kept, and the ship is no longer simulated. */
 function crash(): number {
   const q = quantities;
   q[CRASHED] = 1;
@@ -126,7 +126,7 @@ function tip(): number {
   return EVENT_TIPPED;
 }
 
-/** w_rel · (s × up) < 0: it turns back towards upright. */
+/** w_rel · (s × up) < 0: the ship turns back towards upright. */
 function isRighting(): boolean {
   const q = quantities;
   const sx = end[SURFACE_NORMAL]!;
@@ -148,7 +148,7 @@ function right(): number {
   return EVENT_RIGHTED;
 }
 
-/** Spin, vertical speed (the spring's energy counted in) and slide below the settle limits, and the ground holds it. */
+/** Whether spin, normal speed (spring energy included) and slide are below the settle limits, and the ground holds the ship. */
 function isSettled(step: Step): boolean {
   const q = quantities;
   const mostSpin = step.settings[SETTLE_ANGULAR_VEL]!;
@@ -162,7 +162,7 @@ function isSettled(step: Step): boolean {
   return isNearlyAtRest(end, step) && isHeldByGround(step);
 }
 
-/** The slope is not too steep for static friction, and the ship's weight is inside its feet. */
+/** Whether static friction holds the ship on the slope, and its weight acts within its footprint. */
 function isHeldByGround(step: Step): boolean {
   const q = quantities;
   const slope = Math.sqrt(

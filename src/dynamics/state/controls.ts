@@ -21,13 +21,13 @@ export interface Controls {
   readonly rotationInput: Vec3;
   /** Rate damping. */
   readonly attitudeHold: boolean;
-  /** What the attitude controller aims at. */
+  /** Target of the attitude controller. */
   readonly attitudeMode: AttitudeMode;
   /** For attitude mode hold. */
   readonly targetAttitude: Quat;
 }
 
-/** The controls at spawn. */
+/** Controls at spawn. */
 export const NEUTRAL_CONTROLS: Controls = Object.freeze<Controls>({
   thrustLevel: 0,
   translationInput: [0, 0, 0],
@@ -37,16 +37,16 @@ export const NEUTRAL_CONTROLS: Controls = Object.freeze<Controls>({
   targetAttitude: [0, 0, 0, 1],
 });
 
-/** A target whose length is this close to 1 is kept: dividing by the length would change its last bits each time it is loaded. */
+/** A target this close to unit length is not normalised: that would change its last bits each time it is loaded. */
 const UNIT_WITHIN = 1e-12;
 
-/** A target attitude of a length between these is normalised; beyond them it is taken for a mistake. */
-const LEAST_LENGTH = 1e-3;
-const MOST_LENGTH = 1e3;
+/** A target attitude is normalised if its length is between these, and refused otherwise. */
+const MIN_LENGTH = 1e-3;
+const MAX_LENGTH = 1e3;
 
 /**
- * Controls clamped into range, target normalised; or an error that names the field (DYNAMICS, Actuators). Loaded controls load again
- * to the same bits, so that a stored or sent input replays to the same flight.
+ * Clamps controls into range and normalises the target, or returns an error that names the invalid field (DYNAMICS, Actuators). Loading
+ * loaded controls returns the same bits, so that a stored or sent input replays to the same flight.
  */
 export function loadControls(given: Controls): Result<Controls> {
   const reason =
@@ -59,7 +59,7 @@ export function loadControls(given: Controls): Result<Controls> {
   if (typeof given.attitudeMode !== 'string') return err('attitudeMode: expected a string');
   const [x, y, z, w] = given.targetAttitude;
   const length = Math.sqrt(x * x + y * y + z * z + w * w);
-  if (!(length > LEAST_LENGTH && length < MOST_LENGTH))
+  if (!(length > MIN_LENGTH && length < MAX_LENGTH))
     return err('targetAttitude: expected a quaternion of length 1');
   const isUnit = Math.abs(length - 1) <= UNIT_WITHIN;
   return ok({
@@ -72,12 +72,12 @@ export function loadControls(given: Controls): Result<Controls> {
   });
 }
 
-/** The mode of that name, or 'unknown': an unknown mode must not cost a ship its state. */
+/** The mode of that name, or 'unknown', so that a ship with a mode unknown here still loads. */
 export function attitudeModeOf(name: string): AttitudeMode {
   return (ATTITUDE_MODES as readonly string[]).includes(name) ? (name as AttitudeMode) : 'unknown';
 }
 
-/** The value of column ATTITUDE_MODE for a mode, and back. */
+/** Converts a mode to its value in column ATTITUDE_MODE, and back. */
 export function modeNumber(mode: AttitudeMode): number {
   return mode === 'unknown' ? MODE_UNKNOWN : ATTITUDE_MODES.indexOf(mode);
 }

@@ -1,6 +1,6 @@
 /**
- * FNV-1a over the bytes of doubles, 32 bits, little-endian on every machine: a hash of a trajectory's bits.
- * Chain calls with the last result; start with FNV_OFFSET.
+ * 32-bit FNV-1a hash of the bytes of doubles, little-endian on every machine. Hashes a trajectory's bits.
+ * Start with FNV_OFFSET and pass each result to the next call.
  */
 const FNV_OFFSET = 0x811c9dc5;
 

@@ -1,9 +1,9 @@
 /**
- * Each ship is a row of a Float64Array, and so is each body: history, copy, hash, comparison and transfer are then one line each.
- * The columns are named only here. SI units, radians; vectors in ICRF axes unless stated; quaternions (x, y, z, w).
+ * Each ship and each body is one row of a Float64Array, so that history, copy, hash, comparison and transfer are one line each.
+ * Columns are named only here. SI units, radians; vectors in ICRF axes unless stated; quaternions (x, y, z, w).
  */
 
-/** Centre of mass relative to the reference body's centre, m, in the frame that falls with that centre and has ICRF axes. */
+/** Centre of mass relative to the reference body's centre, m; the frame falls freely with that centre and has ICRF axes. */
 export const POSITION = 0;
 /** Velocity in that frame, m/s. */
 export const VELOCITY = 3;
@@ -19,13 +19,13 @@ export const WHEEL_MOMENTUM = 14;
 export const IMPACT_SPEED = 17;
 /** One of FLYING, CONTACT, LANDED, TIPPED. */
 export const SURFACE_STATE = 18;
-/** Index into World.bodies; in ground states it is the body landed on. */
+/** Index into World.bodies; in ground states the body that the ship is on. */
 export const REFERENCE_BODY = 19;
-/** 1 once crashed: the ship is out of the simulation until respawned. */
+/** 1 once crashed: the ship is not simulated until it is respawned. */
 export const CRASHED = 20;
 /** Index into World.shipClasses. */
 export const SHIP_CLASS = 21;
-/** h: height of the centre of mass above the feet, m; the class's, unless the ship's state carries its own. */
+/** h: height of the centre of mass above the feet, m; the class's unless the ship's state has its own. */
 export const GROUND_CONTACT_OFFSET = 22;
 /** 0 … 1. */
 export const THRUST_LEVEL = 23;
@@ -50,7 +50,7 @@ export const TIPPED = 3;
 export const SURFACE_STATES = ['', 'contact', 'landed', 'tipped'] as const;
 export type SurfaceState = (typeof SURFACE_STATES)[number];
 
-/** The attitude modes that the law knows. */
+/** Attitude modes that the dynamics know. */
 export const ATTITUDE_MODES = [
   'none',
   'hold',
@@ -62,7 +62,7 @@ export const ATTITUDE_MODES = [
   'radial',
   'antiradial',
 ] as const;
-/** 'unknown' is any other mode of the game: it acts like none with attitude_hold. */
+/** 'unknown' stands for any other mode of the game and acts like none with attitude_hold. */
 export type AttitudeMode = (typeof ATTITUDE_MODES)[number] | 'unknown';
 export const MODE_NONE = 0;
 export const MODE_HOLD = 1;
@@ -74,7 +74,7 @@ export const MODE_RADIAL = 7;
 export const MODE_ANTIRADIAL = 8;
 export const MODE_UNKNOWN = 9;
 
-/** Events that a substep can report of a ship, at most one per substep. */
+/** Events of a ship, at most one per substep. */
 export const NO_EVENT = 0;
 export const EVENT_CONTACT = 1;
 export const EVENT_LANDED = 2;
@@ -92,7 +92,7 @@ export const EVENT_NAMES = [
 ] as const;
 export type ShipEventName = Exclude<(typeof EVENT_NAMES)[number], ''>;
 
-/** Body row: centre in ICRF, m; moves once per tick, only for the wire and for changes of the reference body. */
+/** Body row: centre, m, ICRF. Moves once per tick; used only for the wire and to change the reference body. */
 export const BODY_POSITION = 0;
 /** m/s, ICRF. */
 export const BODY_VELOCITY = 3;
@@ -106,6 +106,6 @@ export const BODY_AXES = 13;
 export const BODY_END_ATTITUDE = 22;
 /** Rotation matrix of BODY_END_ATTITUDE, row by row. */
 export const BODY_END_AXES = 26;
-/** normalize(Ω dt/2, 1): the rotation of ground-bound ships in this substep. */
+/** normalize(Ω dt/2, 1): rotation of ground-bound ships in this substep. */
 export const BODY_TURN = 35;
 export const BODY_STRIDE = 39;

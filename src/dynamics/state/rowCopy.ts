@@ -1,6 +1,6 @@
 import { quantities, SMI_MASK } from '../contact/quantities';
 
-// Written out, since a loop takes three times as long.
+// Unrolled, since a loop takes three times as long.
 
 /** Copies the ship's row into the first slots of `quantities`. */
 export function copyIn(ships: Float64Array, row: number): void {

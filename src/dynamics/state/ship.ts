@@ -31,7 +31,7 @@ import {
 } from '../constants/limits';
 import type { World } from '../constants/world';
 
-/** A ship's simulated state as a plain record: units and frames as in layout.ts. */
+/** A ship's simulated state as a plain record; units and frames as in layout.ts. */
 export interface ShipRecord {
   readonly shipClass: string;
   readonly referenceBody: string;
@@ -56,7 +56,7 @@ export interface ShipRecord {
 
 const AT_REST: Vec3 = [0, 0, 0];
 
-/** A ship's initial state: wheelMomentum is 0 by default, groundContactOffset the class's. */
+/** A ship's initial state. By default wheelMomentum is 0, and groundContactOffset is the class's. */
 export type ShipInit = Omit<ShipRecord, 'wheelMomentum' | 'groundContactOffset'> &
   Partial<Pick<ShipRecord, 'wheelMomentum' | 'groundContactOffset'>>;
 
@@ -131,7 +131,7 @@ function checkShip(ship: ShipInit, world: World): Result<{ shipClass: number; re
   if (referenceBody < 0) return err(`referenceBody: no body named ${ship.referenceBody}`);
   if (!SURFACE_STATES.includes(ship.surfaceContactState)) return err('surfaceContactState: no such state');
   const [x, y, z] = ship.relativePosition;
-  // Within a metre of the centre the radial direction, and so gravity, is undefined.
+  // Within a metre of the body's centre the radial direction and gravity are not usable.
   if (!(x * x + y * y + z * z >= 1)) return err('relativePosition: expected ≥ 1 m from the body’s centre');
   const outOfRange =
     anyOutside('relativePosition', ship.relativePosition, PLACE) ??

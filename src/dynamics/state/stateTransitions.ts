@@ -9,7 +9,7 @@ const LEGAL_MOVES: Readonly<Record<number, readonly number[]>> = {
   [TIPPED]: [FLYING, CONTACT],
 };
 
-/** Whether a ship may change from one surface state to another within one substep. A crash is possible from any but landed. */
+/** Whether a ship may change from one surface state to another within one substep. A ship can crash from any state but landed. */
 export function isTransitionAllowed(from: number, to: number): boolean {
   return from === to || (LEGAL_MOVES[from]?.includes(to) ?? false);
 }

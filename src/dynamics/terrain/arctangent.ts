@@ -1,9 +1,8 @@
 /**
- * The angle of a vector from + − × ÷ and a polynomial: the same bits in every language (ORDER, Heightmap), within 6e-16 rad of the
- * true angle.
+ * Angle of a vector by + − × ÷ and a polynomial: the same bits in every language (ORDER, Heightmap). The error is below 6e-16 rad.
  */
 
-/** Minimax in x² on 0 … tan²(π/8) of atan(x) / x. */
+/** Minimax polynomial of atan(x) / x in x², on 0 … tan²(π/8). */
 const C1 = -0.3333333333332844;
 const C2 = 0.19999999998855109;
 const C3 = -0.14285714180976392;
@@ -21,13 +20,13 @@ const QUARTER_PI = 0.7853981633974483;
 /** tan(π/8) */
 const SPLIT = 0.41421356237309503;
 
-/** angleOf reads y and x here and writes the angle: scratch doubles, so that nothing is boxed (see quantities.ts). */
+/** Argument and result of angleOf, in scratch doubles so that none is boxed (see quantities.ts). */
 export const arc = new Float64Array(3);
 export const ARC_Y = 0;
 export const ARC_X = 1;
 export const ARC_ANGLE = 2;
 
-/** The angle from the x axis to (x, y), rad, −π … π; 0 for the zero vector. Both must be finite. */
+/** arc[ARC_ANGLE] = angle from the x axis to (x, y), rad, −π … π; 0 for the zero vector. x and y must be finite. */
 export function angleOf(): void {
   const y = arc[ARC_Y]!;
   const x = arc[ARC_X]!;

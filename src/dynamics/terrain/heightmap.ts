@@ -16,11 +16,11 @@ export interface Heightmap {
   readonly columns: number;
   /** ≥ 2 */
   readonly rows: number;
-  /** m per unit of a sample. */
+  /** Metres per unit of a sample. */
   readonly scale: number;
-  /** m: a sample of 0 is at this distance from the centre. */
+  /** Distance of a sample of 0 from the body's centre, m. */
   readonly referenceRadius: number;
-  /** m: the body's radius in the simulation, above which heights are given. The reference radius by default. */
+  /** The body's radius in the simulation, m; heights are above it. The reference radius by default. */
   readonly bodyRadius?: number;
   /** Interpolation between the samples; 'bilinear' by default. */
   readonly interpolation?: 'bilinear' | 'bicubic';
@@ -32,9 +32,9 @@ interface LoadedHeightmap {
   readonly columns: number;
   readonly rows: number;
   readonly scale: number;
-  /** m: height of a sample of 0 above the body's radius. */
+  /** Height of a sample of 0 above the body's radius, m. */
   readonly base: number;
-  /** The poles' heights, in units of a sample: one point each, the same for all columns. */
+  /** Heights of the poles, in units of a sample. Each pole is one point, the same for all columns. */
   readonly north: number;
   readonly south: number;
   readonly columnsPerRadian: number;
@@ -44,7 +44,7 @@ interface LoadedHeightmap {
 
 const PI = 3.141592653589793;
 
-/** Reads samples of a file: 16-bit, signed, little-endian. Copies them if the machine or the offset requires it. */
+/** Reads the samples of a file: 16-bit, signed, little-endian. Copies them if byte order or alignment requires it. */
 export function readHeightmapSamples(bytes: Uint8Array): Result<Int16Array> {
   if (bytes.length % 2 !== 0) return err(`bytes: expected an even number, got ${bytes.length}`);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -52,9 +52,9 @@ export function readHeightmapSamples(bytes: Uint8Array): Result<Int16Array> {
 }
 
 /**
- * Ground from heightmaps by body name, and `elsewhere` for bodies without one; or an error that names the invalid
- * field. Continuous everywhere, also over the date line and the poles, where the height is the mean of the adjacent row (the first
- * row is replaced by its mean). A look-up takes less than 100 ns and allocates nothing.
+ * Terrain from heightmaps by body name, and `elsewhere` for bodies without one; or an error that names the invalid field. Continuous
+ * everywhere, including across the date line and the poles: a pole's height is the mean of its nearest row (the first row is replaced
+ * by its mean). A look-up takes less than 100 ns and does not allocate.
  */
 export function heightmapTerrain(
   maps: Readonly<Record<string, Heightmap>>,
@@ -124,25 +124,25 @@ function loadHeightmap(map: Heightmap): Result<LoadedHeightmap> {
   });
 }
 
-/** Exact: a sum of whole numbers, divided once. */
+/** Mean of a row. The sum of integers is exact; the only rounding is in the division. */
 function meanOfRow(samples: Int16Array, from: number, columns: number): number {
   let sum = 0;
   for (let i = 0; i < columns; i++) sum += samples[from + i]!;
   return sum / columns;
 }
 
-/** Scratch doubles of a look-up, so that nothing is boxed: position on the grid, in rows from the north pole and columns from 0° E; */
+/** Scratch doubles of a look-up, so that none is boxed. Position on the grid: rows from the north pole, columns from 0° E. */
 const point = new Float64Array(3);
 const DOWN = 0;
 const EAST = 1;
-/** the height that was found, in units of a sample; */
+/** Height, in units of a sample. */
 const UNITS = 2;
-/** and the 4 × 4 samples around the position, from the row and column before it. */
+/** The 4 × 4 samples around the position. */
 const patch = new Float64Array(16);
-/** Row and column of the sample before the position. */
+/** Row and column of the sample north-west of the position. */
 const cell = new Int32Array(2);
 
-/** Finds the sample before the position, and replaces the position by its fraction beyond that sample, 0 … 1 each way. */
+/** Finds that sample, and replaces the position by its offset from the sample, 0 … 1 in each direction. */
 function enterCell({ columns, rows }: LoadedHeightmap): void {
   const down = point[DOWN]!;
   const x = point[EAST]! < 0 ? point[EAST]! + columns : point[EAST]!;
@@ -155,7 +155,7 @@ function enterCell({ columns, rows }: LoadedHeightmap): void {
   cell[1] = column;
 }
 
-/** A sample of any row and column; a row beyond a pole continues on the other side of it. */
+/** Sample of any row and column; a row beyond a pole continues on the opposite meridian. */
 function sampleAt(
   { samples, columns, rows, north, south }: LoadedHeightmap,
   row: number,
@@ -194,7 +194,7 @@ function readCell(map: LoadedHeightmap): void {
   for (let i = 0; i < 4; i++) patch[i] = sampleAt(map, row + (i >> 1), column + (i & 1));
 }
 
-/** Catmull-Rom along four rows, then across them: the slope is continuous. */
+/** Catmull-Rom along four rows, then across them; the slope is continuous. */
 function bicubic(map: LoadedHeightmap): void {
   enterCell(map);
   readPatch(map);
@@ -220,7 +220,7 @@ function readPatch(map: LoadedHeightmap): void {
   for (let i = 0; i < 16; i++) patch[i] = sampleAt(map, row - 1 + (i >> 2), column - 1 + (i & 3));
 }
 
-/** Interpolates four numbers in `patch`: from the second (t = 0) to the third (t = 1), with the slopes of their neighbours. */
+/** Catmull-Rom interpolation of four numbers in `patch`, from the second (t = 0) to the third (t = 1). */
 function catmullRom(from: number, t: number): number {
   const a = patch[from]!;
   const b = patch[from + 1]!;

@@ -1,16 +1,16 @@
 /**
- * Lattice noise and craters from + − × ÷, floor and 32-bit integer hashing: the same bits in every language.
- * Point and value are scratch doubles, so that nothing is boxed (see quantities.ts).
+ * Lattice noise and craters by + − × ÷, floor and 32-bit integer hashing: the same bits in every language.
+ * Point and value are scratch doubles, so that none is boxed (see quantities.ts).
  */
 
-/** The point, m. */
+/** Point to evaluate, m. */
 export const noisePoint = new Float64Array(3);
-/** [0]: the value. */
+/** Result, in element 0. */
 export const noiseValue = new Float64Array(1);
 
 /**
- * The cell that a layer was last asked in, as a row of doubles: its lattice point, its seed, and what was hashed there. The look-ups of
- * one ship lie metres apart, and cells are hundreds of metres wide, so most find it known.
+ * Cache of a layer's last cell, a row of doubles: lattice point, seed, and the values hashed from them. One ship's look-ups lie metres
+ * apart and cells are hundreds of metres wide, so most look-ups hit the cache.
  */
 export type KnownCell = Float64Array;
 
@@ -18,7 +18,7 @@ export function createKnownCell(): KnownCell {
   return new Float64Array(CELL_LENGTH).fill(NaN);
 }
 
-/** Columns of a KnownCell: x, y and z of its lattice point, seed, and what was hashed: a noise's eight corners, or a crater's centre and radius. */
+/** Columns of a KnownCell after its lattice point x, y, z: the seed, and the hashed values (a noise's eight corners, or a crater's centre and radius). */
 const CELL_SEED = 3;
 const HASHED = 4;
 const CELL_LENGTH = 12;
@@ -51,7 +51,7 @@ export function noise(cell: number, seed: number, known: KnownCell): void {
   noiseValue[0] = c0 + (c1 - c0) * tz;
 }
 
-/** Whether `known` is that cell; it is from now on, with what was hashed still to be filled if it was not. */
+/** Whether `known` is that cell. If not, makes it that cell; the caller then fills the hashed values. */
 function isKnown(known: KnownCell, ix: number, iy: number, iz: number, seed: number): boolean {
   if (known[0] === ix && known[1] === iy && known[2] === iz && known[CELL_SEED] === seed) return true;
   known[0] = ix;
@@ -61,7 +61,7 @@ function isKnown(known: KnownCell, ix: number, iy: number, iz: number, seed: num
   return false;
 }
 
-/** The lattice values at the corners, −1 … 1, x fastest. */
+/** Fills the lattice values at the cell's corners, −1 … 1, x fastest. */
 function hashCorners(known: KnownCell): void {
   for (let k = 0; k < 8; k++) {
     const ix = known[0]! + (k & 1);
@@ -71,21 +71,21 @@ function hashCorners(known: KnownCell): void {
   }
 }
 
-/** Depth over radius of a crater's bowl. */
+/** Depth of a crater's bowl divided by its radius. */
 const DEPTH = 0.22;
-/** Of its cell, a crater's radius: the least, and how much more it may be; below a half it lies within the cell. */
-const LEAST_RADIUS = 0.18;
+/** Minimum radius of a crater and its range, divided by the cell's edge; their sum is below ½, so a crater lies within its cell. */
+const MIN_RADIUS = 0.18;
 const RADIUS_SPREAD = 0.27;
-/** Where (distance / radius)² is 1 over this, bowl turns into rim. */
+/** The bowl turns into the rim at (distance / radius)² = 1 / RIM. */
 const RIM = 3.5;
-/** How many integers have 32 bits, and half of them. */
+/** 2³² and 2³¹. */
 const INTEGERS = 4294967296;
 const HALF_INTEGERS = 2147483648;
 
 /**
- * noiseValue = height at noisePoint, m, of the crater in its cell of `cell` metres; 0 where the cell has none. A crater is a
- * sphere within its cell, cut by the ground: bowl, rim and foot are (1 − a)² (3.5 a − 1), a = (distance / radius)², so it meets
- * its surroundings with level slope, and only one cell matters.
+ * noiseValue = height at noisePoint of the crater in its cell of `cell` metres, m; 0 outside the crater. A crater is the intersection of
+ * the ground with a sphere within the cell, so only one cell matters. Its profile is (1 − a)² (3.5 a − 1) with a = (distance / radius)²,
+ * which has zero slope at the edge.
  */
 export function crater(cell: number, seed: number, known: KnownCell): void {
   const ix = Math.floor(noisePoint[0]! / cell);
@@ -101,11 +101,11 @@ export function crater(cell: number, seed: number, known: KnownCell): void {
   noiseValue[0] = a < 1 ? DEPTH * radius * (foot * foot * (RIM * a - 1)) : 0;
 }
 
-/** The crater's centre and radius, m. */
+/** Fills the crater's centre and radius, m. */
 function placeCrater(known: KnownCell, cell: number): void {
   const [ix, iy, iz, seed] = known as unknown as readonly [number, number, number, number];
   const h = hash(ix, iy, iz, seed);
-  const radius = cell * (LEAST_RADIUS + RADIUS_SPREAD * unsigned(h));
+  const radius = cell * (MIN_RADIUS + RADIUS_SPREAD * unsigned(h));
   const play = cell - 2 * radius;
   known[HASHED] = ix * cell + radius + play * unsigned(remix(h + 1));
   known[HASHED + 1] = iy * cell + radius + play * unsigned(remix(h + 2));
@@ -113,12 +113,12 @@ function placeCrater(known: KnownCell, cell: number): void {
   known[HASHED + 3] = radius;
 }
 
-/** A 32-bit integer from a lattice point. */
+/** Hashes a lattice point to a 32-bit integer. */
 function hash(ix: number, iy: number, iz: number, seed: number): number {
   return remix(Math.imul(ix, 0x8da6b343) ^ Math.imul(iy, 0xd8163841) ^ Math.imul(iz, 0xcb1ab31f) ^ seed);
 }
 
-/** Mixes the bits of a 32-bit integer; each step is invertible, so no two integers collide. */
+/** Mixes the bits of a 32-bit integer. Each step is invertible, so there are no collisions. */
 function remix(integer: number): number {
   let h = integer | 0;
   h = Math.imul(h ^ (h >>> 15), 0x2c1b3c6d);

@@ -8,16 +8,16 @@ export const flatTerrain: TerrainHeight = terrainInPlace((point) => {
   point[HEIGHT] = 0;
 });
 
-/** Unit direction in body axes of the level ground in `hillsTerrain`, on every body. */
+/** Unit direction of the level site in `hillsTerrain`, body axes; the same on every body. */
 export const LANDING_SITE: Vec3 = [0.6, 0.48, 0.64];
 
-/** How a body's hills are made. Lengths and heights of the layers below are those of a body of scale 1. */
+/** Parameters of a body's hills. Lengths and heights of the layers below are for scale 1. */
 interface Relief {
-  /** m, the body's. */
+  /** Radius of the body, m. */
   readonly radius: number;
-  /** Of lengths and heights: small bodies have small hills. */
+  /** Factor on lengths and heights: small bodies have small hills. */
   readonly scale: number;
-  /** Weight of the craters; air and water wear them away. */
+  /** Weight of the craters, 0 … 1; air and water erode them. */
   readonly craters: number;
   readonly seed: number;
 }
@@ -30,20 +30,20 @@ const RELIEFS: Readonly<Record<string, Relief>> = {
 };
 const UNKNOWN_BODY: Relief = { radius: 1000000, scale: 1, craters: 1, seed: 71 };
 
-/** Layers of the relief: edge of the noise's cells, m, and height, m. Their sum stays within ±2 km. */
+/** Layers of the relief: edge of the noise cells, m, and height, m. Their sum stays within ±2 km. */
 const SWELL = { cell: 12000, height: 650, known: createKnownCell() };
 const RIDGES = { cell: 4300, height: 420, known: createKnownCell() };
 const HILLS = { cell: 1100, height: 60, known: createKnownCell() };
 const BUMPS = { cell: 130, height: 2.5, known: createKnownCell() };
-/** Craters, one at most a cell: edge of the cells, m, and what keeps the two layers apart. */
+/** Layers of craters, one per cell: edge of the cells, m, and an offset of the seed that makes the layers differ. */
 const CRATERS = { cell: 1500, seed: 4, known: createKnownCell() };
 const PITS = { cell: 260, seed: 5, known: createKnownCell() };
-/** The site is level to 350 m of its centre and the relief is whole from 4.5 km on, m. */
+/** Distances from the site's centre, m: the ground is level up to the first, and the relief is complete from the second on. */
 const LEVEL_RADIUS = 350;
 const WHOLE_RADIUS = 4500;
 
 /**
- * Ridges, hills, craters and a level landing site, from + − × ÷ √, floor and integer hashing alone: the same bits everywhere.
+ * Ridges, hills, craters and a level landing site, by + − × ÷ √, floor and integer hashing only: the same bits everywhere.
  * Continuous; within ±2 km. Body axes as in TerrainHeight.
  */
 export const hillsTerrain: TerrainHeight = terrainInPlace((point, bodyName) => {

@@ -2,7 +2,7 @@ import { WebSocket } from 'ws';
 import type { WorldEvent } from '../../wire';
 import type { Player } from '../accounts';
 import type { Removed } from '../redis/feed';
-import type { Said } from './speech';
+import type { ClientMessage } from './messages';
 import {
   type Bucket,
   CLOSE,
@@ -10,45 +10,45 @@ import {
   EXCESS,
   INPUTS,
   MAX_BUFFERED,
-  MAX_EVENTS_WAITING,
+  MAX_QUEUED_EVENTS,
   MESSAGES,
-  SLOW_FOR,
+  SLOW_TIMEOUT,
   take,
 } from './limits';
 
-/** One connection and its state, all of which is bounded. */
+/** One connection and its state. Every queue in it is bounded. */
 export interface Client {
   readonly socket: WebSocket;
   readonly protocol: 'json' | 'stream';
   readonly address: string;
   readonly messages: Bucket;
   readonly inputs: Bucket;
-  /** null before it has signed in. */
+  /** null until signed in. */
   player: Player | null;
-  /** Messages that came while the token was being verified, in order; null where no sign-in is under way. */
-  early: Said[] | null;
-  /** The session by which the service distinguishes its inputs. */
+  /** Messages received while the token is being verified, in order; null while no sign-in is in progress. */
+  queued: ClientMessage[] | null;
+  /** Session ID, under which the service counts this client's inputs. */
   session: string;
-  /** Of a protocol that numbers no inputs: the last number given. */
+  /** Last sequence number assigned; used on /ws, whose inputs carry none. */
   seq: number;
-  /** The own ship in the last welcome, '' for none; null before the first. */
+  /** Own ship in the last hello, '' for none; null before the first. */
   shipId: string | null;
-  /** Messages beyond its rate, and refused ones. */
+  /** Tolerance for messages over the rate and refused messages. */
   readonly excess: Bucket;
-  /** Told to go: what it still says is not heard. */
-  isDismissed: boolean;
-  /** A state has been left out. */
+  /** The gateway is closing the connection and ignores further messages. */
+  isClosing: boolean;
+  /** The last state was skipped. */
   isBehind: boolean;
-  /** Wall s since which its socket is full; Infinity while it is not. */
+  /** When its socket became full, wall s; Infinity while it has room. */
   fullSince: number;
-  /** Told with its next state. */
+  /** Sent with the next state. */
   events: WorldEvent[];
   removed: Removed[];
   /** The player has had a ship on this connection. */
   hadShip: boolean;
-  /** Wall s since which the player has no ship; Infinity while it has one. */
+  /** When the player lost its ship, wall s; Infinity while it has one. */
   shiplessSince: number;
-  /** Ends what only time ends: the wait for a sign-in, the token. */
+  /** Timers of the sign-in timeout and the token's renewal and expiry. */
   readonly timers: Set<ReturnType<typeof setTimeout>>;
 }
 
@@ -65,12 +65,12 @@ export function createClient(
     messages: createBucket(MESSAGES, now),
     inputs: createBucket(INPUTS, now),
     player: null,
-    early: null,
+    queued: null,
     session: '',
     seq: 0,
     shipId: null,
     excess: createBucket(EXCESS, now),
-    isDismissed: false,
+    isClosing: false,
     isBehind: false,
     fullSince: Infinity,
     events: [],
@@ -81,41 +81,49 @@ export function createClient(
   };
 }
 
-/** Closes a connection with a reason; one that does not close is cut. */
-export function dismiss(client: Client, code: number, reason: string): void {
+/** Closes a connection with a reason; terminates it if the close takes over 2 s. */
+export function disconnect(client: Client, code: number, reason: string): void {
   for (const timer of client.timers) clearTimeout(timer);
   client.timers.clear();
-  if (client.isDismissed || client.socket.readyState === WebSocket.CLOSED) return;
-  client.isDismissed = true;
+  if (client.isClosing || client.socket.readyState === WebSocket.CLOSED) return;
+  client.isClosing = true;
   client.socket.close(code, reason);
   const cut = setTimeout(() => client.socket.terminate(), 2000);
   client.socket.once('close', () => clearTimeout(cut));
 }
 
-/** Counts a message beyond the rate, or a refused one; whether the client was sent away for it. `now`: wall s. */
+/**
+ * Counts a message over the rate or a refused message; disconnects a client with too many.
+ * @param now wall s
+ * @returns whether the client was disconnected
+ */
 export function countExcess(client: Client, now: number): boolean {
   if (take(client.excess, 1, now)) return false;
-  dismiss(client, CLOSE.flood, 'Too many messages');
-  // Nor read: the rest of a flood costs nothing.
+  disconnect(client, CLOSE.flood, 'Too many messages');
+  // Stops reading, so that the rest of a flood costs nothing.
   client.socket.pause();
   return true;
 }
 
-/** Keeps the client's events; a client that is too far behind is disconnected and starts again. */
-export function remember(client: Client, events: readonly WorldEvent[], removed: readonly Removed[]): void {
+/** Queues events for the client's next state; disconnects a client whose queue is full, so that it reconnects. */
+export function queueEvents(
+  client: Client,
+  events: readonly WorldEvent[],
+  removed: readonly Removed[],
+): void {
   client.events.push(...events);
   client.removed.push(...removed);
-  if (client.events.length + client.removed.length > MAX_EVENTS_WAITING)
-    dismiss(client, CLOSE.slow, 'Too slow: too many events waiting');
+  if (client.events.length + client.removed.length > MAX_QUEUED_EVENTS)
+    disconnect(client, CLOSE.slow, 'Too slow: too many events waiting');
 }
 
-/** Whether a state may be sent now; a client that has been too slow for too long is disconnected. */
-export function mayTakeState(client: Client, now: number): boolean {
+/** Whether the socket has room for a state. Disconnects a client whose socket has been full for SLOW_TIMEOUT. */
+export function canSendState(client: Client, now: number): boolean {
   if (client.socket.readyState !== WebSocket.OPEN) return false;
   const isFull = client.socket.bufferedAmount > MAX_BUFFERED;
   client.isBehind = isFull;
   if (!isFull) client.fullSince = Infinity;
   else if (client.fullSince === Infinity) client.fullSince = now;
-  else if (now - client.fullSince > SLOW_FOR) dismiss(client, CLOSE.slow, 'Too slow');
+  else if (now - client.fullSince > SLOW_TIMEOUT) disconnect(client, CLOSE.slow, 'Too slow');
   return !isFull;
 }

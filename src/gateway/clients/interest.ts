@@ -1,22 +1,26 @@
 import type { ShipState } from '../../wire';
 
-/** The part of the world that one client receives. */
+/** Area of interest: the part of the world that one client receives. */
 export interface Interest {
-  /** m from the own ship; for a spectator all ships are equally near. */
+  /** Distance from the own ship, m. A spectator has no radius. */
   readonly radius: number;
-  /** Ships at most, the own one included. */
-  readonly most: number;
+  /** Maximum number of ships, the own one included. */
+  readonly maxShips: number;
 }
 
-export const NEARBY: Interest = { radius: 200_000, most: 200 };
+export const DEFAULT_INTEREST: Interest = { radius: 200_000, maxShips: 200 };
 
 /**
- * Indices of the ships that a client sees: the own one first, then the others within the radius, nearest first.
+ * Indices of the ships in a client's area of interest: the own ship, then the others within the radius, nearest first.
  * @param own index of the own ship, −1 for a spectator
  */
-export function shipsInSight(ships: readonly ShipState[], own: number, { radius, most }: Interest): number[] {
+export function shipsInSight(
+  ships: readonly ShipState[],
+  own: number,
+  { radius, maxShips }: Interest,
+): number[] {
   const centre = ships[own];
-  if (centre === undefined) return ships.slice(0, most).map((_, i) => i);
+  if (centre === undefined) return ships.slice(0, maxShips).map((_, i) => i);
   const near: { readonly index: number; readonly distance: number }[] = [];
   const limit = radius * radius;
   for (let i = 0; i < ships.length; i++) {
@@ -24,7 +28,7 @@ export function shipsInSight(ships: readonly ShipState[], own: number, { radius,
     if (i !== own && distance <= limit) near.push({ index: i, distance });
   }
   near.sort((a, b) => a.distance - b.distance);
-  return [own, ...near.slice(0, most - 1).map(({ index }) => index)];
+  return [own, ...near.slice(0, maxShips - 1).map(({ index }) => index)];
 }
 
 function distanceSquared(

@@ -1,36 +1,37 @@
-/** Limits of one client's messages, and of its state in the gateway. */
+/** Limits on each client's messages and on its state in the gateway. */
 
-/** Bytes of a message from a client; larger ones close the connection with 1009. */
+/** Maximum bytes of a client's message; a larger one closes the connection with 1009. */
 export const MAX_CLIENT_MESSAGE = 64 * 1024;
-/** Bytes of a state on /ws, as the game has it. */
+/** Maximum bytes of a state on /ws, the game's limit. */
 export const MAX_STATE = 64 * 1024;
-/** Wall s for a client to sign in. */
-export const AUTH_WITHIN = 5;
-/** Wall s for an HTTP request to come in whole. */
-export const REQUEST_WITHIN = 10;
-/** Connections of any kind; more are cut at once. */
+/** Time for a client to sign in, wall s. */
+export const AUTH_TIMEOUT = 5;
+/** Time for a complete HTTP request to arrive, wall s. */
+export const REQUEST_TIMEOUT = 10;
+/** Maximum connections of any kind; further ones are dropped at once. */
 export const MAX_CONNECTIONS = 4096;
-/** Messages kept while a client's token is verified; later ones are dropped. */
-export const MAX_EARLY = 32;
-/** Messages a second, and how many at once. */
+/** Maximum messages queued while a client's token is verified; later ones are dropped. */
+export const MAX_QUEUED_MESSAGES = 32;
+/** Rate and burst of messages. */
 export const MESSAGES = { perSecond: 60, burst: 120 };
-/** Input records a second on /stream, and how many at once: after an outage a client sends its last seconds again. */
+/** Rate and burst of input records on /stream. The burst is large because a client resends its last seconds after an outage. */
 export const INPUTS = { perSecond: 120, burst: 1024 };
-/** Messages beyond the rate, and such as are refused, a second and at once; a client with more is sent away. */
+/** Tolerated rate and burst of excess and refused messages; a client that exceeds them is disconnected. */
 export const EXCESS = { perSecond: 1, burst: 200 };
-/** Bytes waiting in a client's socket above which states are skipped. */
+/** Bytes buffered in a client's socket above which states are skipped. */
 export const MAX_BUFFERED = 256 * 1024;
-/** Wall s for which a client may be that slow. */
-export const SLOW_FOR = 10;
-/** Events waiting for a slow client; beyond this it is disconnected and starts again. */
-export const MAX_EVENTS_WAITING = 1000;
-/** Connections from one address, and such as have not signed in. */
-export const MAX_FROM_ADDRESS = 64;
-export const MAX_UNSIGNED = 256;
-/** Entries that wait for Redis to come back. */
-export const MAX_WAITING = 2048;
+/** A client whose socket stays full longer than this is disconnected, wall s. */
+export const SLOW_TIMEOUT = 10;
+/** Maximum events queued for a slow client; beyond this it is disconnected and must reconnect. */
+export const MAX_QUEUED_EVENTS = 1000;
+/** Maximum connections from one address. */
+export const MAX_PER_ADDRESS = 64;
+/** Maximum connections, over all addresses, that have not signed in. */
+export const MAX_UNAUTHENTICATED = 256;
+/** Maximum inbox entries queued while Redis is unavailable. */
+export const MAX_QUEUED_ENTRIES = 2048;
 
-/** Close codes: the game's two, and this gateway's own. */
+/** Close codes: the game's 4001 and 4003, this gateway's 4008 and 4009, and WebSocket's own. */
 export const CLOSE = {
   auth: 4001,
   origin: 4003,
@@ -40,11 +41,13 @@ export const CLOSE = {
   tryLater: 1013,
 } as const;
 
-/** A token bucket: fills at a rate, emptied by accepted messages. */
+/** A token bucket: refills at a rate; accepted messages take from it. */
 export interface Bucket {
   readonly perSecond: number;
   readonly burst: number;
+  /** Tokens left at `at`. */
   level: number;
+  /** Wall s. */
   at: number;
 }
 
@@ -55,7 +58,7 @@ export function createBucket(
   return { perSecond, burst, level: burst, at: now };
 }
 
-/** Whether `count` may pass at wall second `now`. */
+/** Takes `count` tokens if the bucket has them at `now` (wall s); returns whether it did. */
 export function take(bucket: Bucket, count: number, now: number): boolean {
   bucket.level = Math.min(bucket.burst, bucket.level + Math.max(0, now - bucket.at) * bucket.perSecond);
   bucket.at = now;

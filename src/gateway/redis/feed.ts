@@ -1,12 +1,12 @@
 import type { RedisClientType } from 'redis';
 import { decodeFrameJson, type InputAcknowledgement, type ServerFrame, type WorldEvent } from '../../wire';
 
-/** The world at one tick boundary, as the service wrote it (REDIS.md), checked. */
+/** The world at one tick boundary, written by the service (REDIS.md) and checked here. */
 export interface WorldFrame {
   readonly frame: ServerFrame;
-  /** Wall s by Redis's clock at which the boundary was due. */
+  /** When the boundary was due, wall s by Redis's clock. */
   readonly due: number;
-  /** The last input applied of each ship, and of which session it was. */
+  /** Each ship's last applied input and its session, by ship ID. */
   readonly lastInputs: ReadonlyMap<string, InputAcknowledgement & { readonly session: string }>;
   readonly removed: readonly Removed[];
 }
@@ -16,7 +16,7 @@ export interface Removed {
   readonly playerId: string;
   readonly name: string;
   readonly reason: string;
-  /** Of a destruction: on which body. */
+  /** Body that the ship was destroyed on; '' for other reasons. */
   readonly body: string;
 }
 
@@ -28,27 +28,28 @@ export interface FeedHandlers {
 
 export interface Feed {
   readonly newest: () => WorldFrame | null;
-  /** Reads until `stop`; the connection may come and go. */
+  /** Reads until `stop`; retries while Redis is unavailable. */
   readonly run: () => Promise<void>;
   readonly stop: () => void;
-  /** The events from `tick` on that Redis still has, in order; at most `most`. */
-  readonly eventsSince: (tick: number, most: number) => Promise<readonly WorldEvent[]>;
+  /** Events from `tick` on that Redis still has, in order: those among its newest `count`. */
+  readonly eventsSince: (tick: number, count: number) => Promise<readonly WorldEvent[]>;
 }
 
 const FRAMES = 'touchdown:frames';
 const EVENTS = 'touchdown:events';
-/** Wall ms for which a read waits. */
+/** Longest wait of a blocking read, wall ms. */
 const BLOCK = 1000;
+/** Wait after a failed read, wall ms. */
 const RETRY = 200;
-/** Frames taken in one read. */
+/** Maximum frames per read. */
 const BATCH = 16;
 
 /**
  * Reads the service's frames in order, from the newest on.
- * @param reader a separate connection, since a read blocks it
- * @param asker the connection for everything else
+ * @param reader a connection of its own, since reads block
+ * @param redis the connection for other requests
  */
-export function createFeed(reader: RedisClientType, asker: RedisClientType, handlers: FeedHandlers): Feed {
+export function createFeed(reader: RedisClientType, redis: RedisClientType, handlers: FeedHandlers): Feed {
   let newest: WorldFrame | null = null;
   let lastId = '';
   let stopped = false;
@@ -66,29 +67,29 @@ export function createFeed(reader: RedisClientType, asker: RedisClientType, hand
     }
     for (const { id, message } of (streams as unknown as StreamReply)[0]!.messages) {
       lastId = id;
-      await takeFrame(message['frame'] ?? '');
+      await handleFrame(message['frame'] ?? '');
     }
   }
 
-  /** The newest frame in Redis. */
+  /** Takes the newest frame in Redis. */
   async function begin(): Promise<void> {
-    const entry = (await asker.xRevRange(FRAMES, '+', '-', { COUNT: 1 }))?.[0];
+    const entry = (await redis.xRevRange(FRAMES, '+', '-', { COUNT: 1 }))?.[0];
     if (entry === undefined) return;
     lastId = entry.id;
-    await takeFrame(entry.message['frame'] ?? '');
+    await handleFrame(entry.message['frame'] ?? '');
   }
 
-  /** A Redis that came back without its last entries counts on from an earlier one. */
+  /** Starts over if Redis restarted without its last entries: its IDs then continue from an earlier one. */
   async function rewindIfLost(): Promise<void> {
-    const entry = (await asker.xRevRange(FRAMES, '+', '-', { COUNT: 1 }))?.[0];
+    const entry = (await redis.xRevRange(FRAMES, '+', '-', { COUNT: 1 }))?.[0];
     if (entry !== undefined && isBefore(entry.id, lastId)) lastId = '';
   }
 
-  async function takeFrame(text: string): Promise<void> {
+  async function handleFrame(text: string): Promise<void> {
     const world = readWorldFrame(text, handlers.onRefused);
     if (world === null) return;
     const gap = newest !== null && world.frame.tick > newest.frame.tick + 1;
-    const missed = gap ? await missedEvents(asker, newest!.frame.tick, world.frame) : [];
+    const missed = gap ? await missedEvents(redis, newest!.frame.tick, world.frame) : [];
     newest = missed.length === 0 ? world : withEvents(world, missed);
     handlers.onFrame(newest);
   }
@@ -98,7 +99,7 @@ export function createFeed(reader: RedisClientType, asker: RedisClientType, hand
     stop: () => {
       stopped = true;
     },
-    eventsSince: (tick, most) => readEvents(asker, tick, most),
+    eventsSince: (tick, count) => readEvents(redis, tick, count),
     async run() {
       while (!isStopped()) {
         try {
@@ -113,22 +114,22 @@ export function createFeed(reader: RedisClientType, asker: RedisClientType, hand
   };
 }
 
-/** Events of the ticks between two frames, where the later one is not the next. */
+/** Events of the ticks that were skipped between two received frames. */
 async function missedEvents(
-  asker: RedisClientType,
+  redis: RedisClientType,
   tick: number,
   { events }: ServerFrame,
 ): Promise<readonly WorldEvent[]> {
   const first = events[0]?.tick ?? Infinity;
-  return (await readEvents(asker, tick, 1000)).filter((event) => event.tick < first);
+  return (await readEvents(redis, tick, 1000)).filter((event) => event.tick < first);
 }
 
 async function readEvents(
-  asker: RedisClientType,
+  redis: RedisClientType,
   tick: number,
-  most: number,
+  count: number,
 ): Promise<readonly WorldEvent[]> {
-  const entries = await asker.xRevRange(EVENTS, '+', '-', { COUNT: most });
+  const entries = await redis.xRevRange(EVENTS, '+', '-', { COUNT: count });
   const sent = (entries ?? []).reverse().map(({ message }) => message);
   const decoded = decodeFrameJson({ tick: 2 ** 52, ships: [], events: sent });
   const events = decoded.ok ? decoded.value.events : undefined;
@@ -137,7 +138,7 @@ async function readEvents(
 
 type StreamReply = { messages: { id: string; message: Record<string, string> }[] }[];
 
-/** Ids are "milliseconds-count". */
+/** Compares stream IDs, "milliseconds-count". */
 function isBefore(a: string, b: string): boolean {
   const [aTime = 0, aCount = 0] = a.split('-').map(Number);
   const [bTime = 0, bCount = 0] = b.split('-').map(Number);
@@ -148,7 +149,7 @@ function withEvents(world: WorldFrame, missed: readonly WorldEvent[]): WorldFram
   return { ...world, frame: { ...world.frame, events: [...missed, ...world.frame.events] } };
 }
 
-/** The frame, or null if it is invalid. Invalid ships and bodies are left out and reported. */
+/** Reads a frame; null if it is invalid. Invalid ships and bodies are left out. Each refusal is reported. */
 export function readWorldFrame(text: string, onRefused: (reason: string) => void): WorldFrame | null {
   let sent: Record<string, unknown>;
   try {
@@ -162,15 +163,15 @@ export function readWorldFrame(text: string, onRefused: (reason: string) => void
     onRefused(`frame.${decoded.reason}`);
     return null;
   }
-  const { refusals, kind, tick, ships, gameTime, ...told } = decoded.value;
+  const { refusals, kind, tick, ships, gameTime, ...given } = decoded.value;
   for (const refusal of refusals) onRefused(`frame.${refusal}`);
-  const untold = { tickRate: 1, timeScale: 1, paused: false, bodies: [], events: [], lastInput: null };
+  const defaults = { tickRate: 1, timeScale: 1, paused: false, bodies: [], events: [], lastInput: null };
   const time = gameTime === undefined ? {} : { gameTime };
   return {
-    frame: { ...untold, ...told, kind, tick, ships, ...time },
+    frame: { ...defaults, ...given, kind, tick, ships, ...time },
     due: typeof sent['due'] === 'number' ? sent['due'] : 0,
     lastInputs: lastInputsOf(sent['ships']),
-    removed: removedOf(sent['removed'], told.events ?? []),
+    removed: removedOf(sent['removed'], given.events ?? []),
   };
 }
 

@@ -1,15 +1,15 @@
 import type { RedisClientType } from 'redis';
 import { type Controls } from '../../dynamics';
-import { MAX_WAITING } from '../clients/limits';
+import { MAX_QUEUED_ENTRIES } from '../clients/limits';
 
-/** The way into the service: one stream (REDIS.md, touchdown:inbox). */
+/** Sends inputs and commands to the service through one stream (REDIS.md, touchdown:inbox). */
 export interface Inbox {
-  /** Own controls; without a stamp they act at the next tick. */
+  /** Sends a ship's controls; without a stamp they apply at the next tick. */
   readonly controls: (input: OwnInput) => void;
   readonly command: (type: 'spawn' | 'respawn' | 'remove' | 'maneuver', data: object) => void;
-  /** Sends what waited while Redis was unavailable. */
+  /** Sends entries queued while Redis was unavailable. */
   readonly flush: () => void;
-  /** Entries that wait, and that were dropped because too many did. */
+  /** Entries queued now, and entries dropped because the queue was full. */
   readonly counts: () => { readonly waiting: number; readonly dropped: number };
 }
 
@@ -18,7 +18,7 @@ export interface OwnInput {
   readonly playerId: string;
   readonly session: string;
   readonly seq: number;
-  /** Members that are absent stay as they are. */
+  /** Absent members stay unchanged. */
   readonly controls: Partial<Controls>;
   readonly stamp: { readonly tick: number; readonly substep: number } | null;
 }
@@ -26,30 +26,31 @@ export interface OwnInput {
 type Entry = Record<string, string>;
 
 const INBOX = 'touchdown:inbox';
-const KEPT = 100_000;
+/** Approximate maximum length of the stream, entries. */
+const MAX_LENGTH = 100_000;
 
-/** An entry without an answer is sent again: the service recognises repeated inputs by session and number. */
+/** Resends entries that Redis did not acknowledge; the service detects repeated inputs by session and sequence number. */
 export function createInbox(redis: RedisClientType): Inbox {
   const waiting: Entry[] = [];
   let dropped = 0;
   let isFlushing = false;
 
-  function keep(entry: Entry): void {
+  function enqueue(entry: Entry): void {
     waiting.push(entry);
-    if (waiting.length <= MAX_WAITING) return;
+    if (waiting.length <= MAX_QUEUED_ENTRIES) return;
     waiting.shift();
     dropped += 1;
   }
 
-  function add(entry: Entry): void {
-    // In the order in which they came: nothing overtakes what waits.
-    if (waiting.length > 0 || !redis.isReady) keep(entry);
-    else write(entry).catch(() => keep(entry));
+  function send(entry: Entry): void {
+    // A new entry must not overtake queued ones.
+    if (waiting.length > 0 || !redis.isReady) enqueue(entry);
+    else write(entry).catch(() => enqueue(entry));
   }
 
   async function write(entry: Entry): Promise<void> {
     await redis.xAdd(INBOX, '*', entry, {
-      TRIM: { strategy: 'MAXLEN', strategyModifier: '~', threshold: KEPT },
+      TRIM: { strategy: 'MAXLEN', strategyModifier: '~', threshold: MAX_LENGTH },
     });
   }
 
@@ -62,7 +63,7 @@ export function createInbox(redis: RedisClientType): Inbox {
         waiting.shift();
       }
     } catch {
-      // Redis is unavailable again; the rest waits.
+      // Redis is unavailable again; the rest stays queued.
     } finally {
       isFlushing = false;
     }
@@ -70,7 +71,7 @@ export function createInbox(redis: RedisClientType): Inbox {
 
   return {
     controls({ shipId, playerId, session, seq, controls, stamp }) {
-      add({
+      send({
         type: 'controls',
         ship_id: shipId,
         player_id: playerId,
@@ -80,13 +81,13 @@ export function createInbox(redis: RedisClientType): Inbox {
         controls: JSON.stringify(inArrays(controls)),
       });
     },
-    command: (type, data) => add({ type, data: JSON.stringify(data) }),
+    command: (type, data) => send({ type, data: JSON.stringify(data) }),
     flush: () => void flush(),
     counts: () => ({ waiting: waiting.length, dropped }),
   };
 }
 
-/** Vectors [x, y, z], the quaternion [w, x, y, z], as the service reads them; JSON leaves out what is undefined. */
+/** The service's format: vectors [x, y, z], quaternion [w, x, y, z]. JSON omits undefined members. */
 function inArrays(controls: Partial<Controls>): Record<string, unknown> {
   const target = controls.targetAttitude;
   return {

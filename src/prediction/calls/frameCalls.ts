@@ -4,7 +4,6 @@ import { advanceFrame } from '../frameLoop';
 import { lastControls, takeInputs } from '../inputs/sending';
 import type { Session } from '../session';
 import { receiveRest } from '../snapshots/receiveSnapshot';
-import { pingIfDue } from '../time/pings';
 import { viewAt } from '../viewAt';
 import type { Predictor } from './api';
 import { wallAt } from './callTime';
@@ -47,7 +46,7 @@ function callsOf(session: Session, life: Life, { checks, receiveAt, decodePendin
       const at = wallAt(session, now);
       if (Number.isNaN(at)) return;
       decodePending?.(session, receiveAt);
-      pingIfDue(session.pings, at);
+      session.features.pingIfDue?.(session.pings, at);
       receiveRest(session.sim, session.receiver);
       if (session.sim.newestTick >= 0) advanceFrame(session, controls, at);
     },

@@ -3,25 +3,12 @@ import { createDescent, type Descent, forgetDescent, measureDescent } from './de
 import { createDrift, type Drift, measureDrift } from './drift';
 import { createGates, type Gates, measureGates } from './gates';
 import { createViewClock, followView, type ViewClock } from './viewClock';
-import {
-  createRighting,
-  createRightingMemory,
-  measureRighting,
-  type Righting,
-  type RightingMemory,
-} from './righting';
-import { forgetRightingRun } from './rightingRun';
+import { createLookAhead, type LookAhead } from './lookAhead';
+import { createRighting, type Righting } from './righting';
 import { type StatusId, statusOf } from '../status';
 import { createSurface, measureSurface, type Surface } from '../surface';
 import { createTilt, forgetTilt, measureTilt, type Tilt } from './tilt';
-import {
-  createTipMargin,
-  createTippingMemory,
-  forgetTipping,
-  measureTipMargin,
-  type TipMargin,
-  type TippingMemory,
-} from './tipping';
+import { createTipMargin, measureTipMargin, type TipMargin } from './tipMargin';
 import { createTouchdown, readTouchdown, type Touchdown } from './touchdown';
 import { viewOf } from '../arguments';
 
@@ -54,8 +41,8 @@ export interface LandingReadout {
 interface LandingMemory {
   readonly surface: Surface;
   readonly clock: ViewClock;
-  readonly tipping: TippingMemory;
-  readonly righting: RightingMemory;
+  /** Null in a lean readout. */
+  readonly ahead: LookAhead | null;
 }
 
 /**
@@ -68,6 +55,24 @@ interface LandingMemory {
  * ```
  */
 export function createLandingReadout(): LandingReadout {
+  return readoutWith(createLookAhead());
+}
+
+/**
+ * An empty readout that simulates nothing ahead, for a page that loads less: the same numbers, without the time until a leaning ship has
+ * tipped (`margin.outlook` stays 'working') and without the help for a tipped one (`righting.shown` stays false).
+ *
+ * @example
+ * ```ts
+ * const readout = updateLandingReadout(createLeanLandingReadout(), predictor.view(now));
+ * console.log(readout.tilt, readout.margin.degrees);
+ * ```
+ */
+export function createLeanLandingReadout(): LandingReadout {
+  return readoutWith(null);
+}
+
+function readoutWith(ahead: LookAhead | null): LandingReadout {
   return {
     status: 'none',
     provenance: 'stale',
@@ -85,12 +90,7 @@ export function createLandingReadout(): LandingReadout {
     righting: createRighting(),
     touchdown: createTouchdown(),
     touchdownShown: false,
-    memory: {
-      surface: createSurface(),
-      clock: createViewClock(),
-      tipping: createTippingMemory(),
-      righting: createRightingMemory(),
-    },
+    memory: { surface: createSurface(), clock: createViewClock(), ahead },
   };
 }
 
@@ -136,7 +136,7 @@ export function updateLandingReadout(out: LandingReadout, given: WorldView | nul
 
 /** Numbers are predicted truth (PREDICTION, "HUD numbers are predicted truth, the mesh is eased"). */
 function readNumbers(out: LandingReadout, view: WorldView, ship: ShipView): void {
-  const { surface, clock, tipping, righting } = out.memory;
+  const { surface, clock, ahead } = out.memory;
   out.known = true;
   measureDescent(out.descent, surface, ship);
   measureTilt(out.tilt, surface, view.settings);
@@ -146,16 +146,17 @@ function readNumbers(out: LandingReadout, view: WorldView, ship: ShipView): void
     out.touchdown.known && (out.status === 'landed' || out.status === 'tipped' || out.status === 'crashed');
   if (out.status === 'contact') {
     measureGates(out.gates, surface, view.settings);
-    measureTipMargin(out.margin, tipping, surface, view, clock);
-  } else forgetTipping(tipping);
-  if (out.status === 'tipped') measureRighting(out.righting, righting, surface, view, ship);
-  else forgetRightingRun(righting.run);
+    measureTipMargin(out.margin, surface);
+    ahead?.forecastTipping(out.margin, ahead.tipping, view, clock);
+  } else ahead?.forgetTipping(ahead.tipping);
+  if (out.status === 'tipped') ahead?.measureRighting(out.righting, ahead.righting, surface, view, ship);
+  else ahead?.forgetRightingRun(ahead.righting.run);
 }
 
 /** Simulations ahead of another ship, or of this one elsewhere, no longer apply. */
-function forgetRuns({ tipping, righting }: LandingMemory): void {
-  forgetTipping(tipping);
-  forgetRightingRun(righting.run);
+function forgetRuns({ ahead }: LandingMemory): void {
+  ahead?.forgetTipping(ahead.tipping);
+  ahead?.forgetRightingRun(ahead.righting.run);
 }
 
 function hideParts(out: LandingReadout): void {

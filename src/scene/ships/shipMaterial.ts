@@ -21,11 +21,15 @@ const FLEX_BODY = /* glsl */ `
 transformed.z += flex.y * compression[int(flex.x + 0.5)];
 `;
 
-/** three's own lights, the sun's as each ship's own place has it. */
-const SUN_BY_SHIP = ShaderChunk.lights_fragment_begin.replace(
-  'getDirectionalLightInfo( directionalLight, directLight );',
-  '$& directLight.color *= vSunlit;',
-);
+/** The call in three's lights that gives the sun's; the built page has it without spaces. */
+const SUNLIGHT = /getDirectionalLightInfo\(\s*directionalLight,\s*directLight\s*\);/;
+
+/** three's own lights, with the sun dimmed per ship. Throws if three has no such call: all ships would be lit alike. */
+function sunByShip(): string {
+  const lights = ShaderChunk.lights_fragment_begin;
+  if (!SUNLIGHT.test(lights)) throw new Error('lights_fragment_begin: no call of getDirectionalLightInfo');
+  return lights.replace(SUNLIGHT, '$& directLight.color *= vSunlit;');
+}
 
 export function createShipMaterial(): ShipMaterial {
   const shared = {
@@ -42,7 +46,7 @@ export function createShipMaterial(): ShipMaterial {
       );
     shader.fragmentShader =
       `varying vec3 vSurface;\nvarying float vSunlit;\nuniform vec3 skyTint;\nuniform vec3 groundTint;\n${shader.fragmentShader}`
-        .replace('#include <lights_fragment_begin>', SUN_BY_SHIP)
+        .replace('#include <lights_fragment_begin>', sunByShip())
         .replace('#include <roughnessmap_fragment>', 'float roughnessFactor = vSurface.x;')
         .replace('#include <metalnessmap_fragment>', 'float metalnessFactor = vSurface.y;')
         .replace(

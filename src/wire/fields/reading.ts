@@ -1,4 +1,4 @@
-import { type Result, ok, err } from '../../dynamics';
+import { describe as describeNumbers, type Result, ok, err } from '../../dynamics';
 import { type Bound, MAX_TEXT } from '../limits';
 
 /**
@@ -167,10 +167,8 @@ export function flagIn(r: Reading, from: Fields, name: string): boolean {
 
 /** Describes an untrusted value for a reason: short, and always printable. */
 export function describe(value: unknown): string {
-  if (value === null) return 'null';
-  if (typeof value === 'number') return String(value);
-  if (typeof value === 'string') return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
-  return Array.isArray(value) ? `a list of ${value.length}` : typeof value;
+  if (typeof value !== 'string') return describeNumbers(value);
+  return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
 }
 
 const LONE_SURROGATE = /\p{Surrogate}/u;

@@ -6,11 +6,12 @@ import { createPredictor } from '../../../src/prediction';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import { LUNA, made, played } from './mistakes/given';
 import { CALLS } from './mistakes/calls';
+import { CONTROLS } from './mistakes/controls';
 import { MESSAGES } from './mistakes/messages';
 import { OPTIONS } from './mistakes/options';
 import { SHIPS } from './mistakes/ships';
 
-const MISTAKES = [...OPTIONS, ...MESSAGES, ...SHIPS, ...CALLS];
+const MISTAKES = [...OPTIONS, ...MESSAGES, ...SHIPS, ...CALLS, ...CONTROLS];
 const ROOM = join(import.meta.dirname, '../../../src/prediction');
 describe('a caller’s mistake is reported once, by its code', () => {
   it.each(MISTAKES)('%s: %s', (_what, code, help, run) => {

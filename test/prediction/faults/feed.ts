@@ -1,7 +1,7 @@
 import { type Controls, NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import { type Predictor } from '../../../src/prediction';
 import { type ServerFrame, type ShipState } from '../../../src/wire';
-import { frameAt, STILL } from './faultyLine';
+import { frameAt, STILL } from './restingShip';
 
 export const OWN = { ownShipId: 'ship-1' };
 export const thrust = (thrustLevel: number): Controls => ({ ...NEUTRAL_CONTROLS, thrustLevel });

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import { createPredictor } from '../../../src/prediction';
-import { frameAt, helloAt, STILL } from './faultyLine';
+import { frameAt, helloAt, STILL } from './restingShip';
 import { OWN, thrust, named, feed, range } from './feed';
 
 describe('messages that decode but are wrong', () => {

@@ -3,7 +3,8 @@ import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import { createPredictor } from '../../../src/prediction';
 import { NETWORK_PRESETS } from '../../../src/scenarios';
 import { encodeServerMessage, pendingServerMessage } from '../../../src/wire';
-import { createFaultyLine, frameAt, helloAt } from './faultyLine';
+import { createFaultyLine } from './faultyLine';
+import { frameAt, helloAt } from './restingShip';
 import { createRig } from '../rig';
 import { OWN, thrust, named, feed, range } from './feed';
 

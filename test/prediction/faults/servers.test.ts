@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { createPredictor } from '../../../src/prediction';
 import { NETWORK_PRESETS } from '../../../src/scenarios';
-import { createFaultyLine, frameAt, helloAt, STILL } from './faultyLine';
+import { createFaultyLine } from './faultyLine';
+import { frameAt, helloAt, STILL } from './restingShip';
 import { createRig } from '../rig';
 import { OWN, thrust, named, feed, range } from './feed';
 

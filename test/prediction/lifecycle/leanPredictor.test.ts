@@ -8,6 +8,8 @@ import {
   type PredictorEntry,
   type PredictorOptions,
   recordPredictor,
+  roundTripPings,
+  serverHello,
   touchdownRecord,
 } from '../../../src/prediction';
 import { createRig, type RigOptions } from '../rig';
@@ -41,7 +43,8 @@ function shown(
     if (entry.kind === 'received') predictor.receive(entry.message, entry.at);
     if (entry.kind !== 'advanced') continue;
     predictor.advance(entry.controls, entry.at);
-    lines.push(JSON.stringify([predictor.takeOutgoing(), predictor.view(entry.at)], hide));
+    const sent = predictor.takeOutgoing().filter((message) => !hidden.includes(message.kind));
+    lines.push(JSON.stringify([sent, predictor.view(entry.at)], hide));
   }
   return lines;
 }
@@ -52,25 +55,41 @@ describe('a lean predictor', () => {
   const lean = (features: LeanOptions['features'], hidden: readonly string[]) =>
     shown(createLeanPredictor({ ...options, features: features ?? [] }), entries, hidden);
 
-  it('shows and sends the same, bit for bit, where the server says what it simulates', () => {
-    const expected = full(['touchdown']);
+  const ofGame = entries.filter((entry) => entry.kind !== 'received' || entry.message.kind === 'frame');
+
+  it('shows and sends the same, bit for bit, from the states of the game’s server', () => {
+    const hidden = ['touchdown', 'ping'];
+    const expected = shown(createPredictor(options), ofGame, hidden);
     expect(expected.some((line) => line.includes('"shownState":"landed"'))).toBe(true);
-    expect(lean([], ['touchdown'])).toEqual(expected);
+    expect(shown(createLeanPredictor(options), ofGame, hidden)).toEqual(expected);
+  });
+
+  it('takes a hello and pongs only with their features', () => {
+    const whole = [serverHello, roundTripPings];
+    expect(lean(whole, ['touchdown'])).toEqual(full(['touchdown']));
+    expect(lean([serverHello], ['touchdown'])).not.toEqual(full(['touchdown']));
+    const lacking = createLeanPredictor(options);
+    for (const kind of ['hello', 'pong'] as const) {
+      lacking.receive({ kind } as never, 0);
+      expect(lacking.view(0).diagnosis.lastRefusal).toBe(
+        `message.kind: a lean predictor takes a ${kind} only with its feature`,
+      );
+    }
+    expect(lacking.view(0).diagnosis.framesRefused).toBe(2);
   });
 
   it('knows a touchdown only with that feature', () => {
-    expect(lean([touchdownRecord], [])).toEqual(full([]));
-    expect(lean([], []).join()).not.toContain('"known":true');
+    const fly = (features: LeanOptions['features']) =>
+      shown(createLeanPredictor({ ...options, features: features ?? [] }), ofGame, ['ping']);
+    expect(fly([touchdownRecord])).toEqual(shown(createPredictor(options), ofGame, ['ping']));
+    expect(fly([]).join()).not.toContain('"known":true');
   });
 
   it('follows ground that the client does not know only with that feature', () => {
     const lower = { ...options, terrains: { ...options.terrains, low: () => -3 } };
     const given = { ...lower, defaults: { ...lower.defaults, terrain: 'low' } };
-    const withoutHello = entries.filter(
-      (entry) => entry.kind !== 'received' || entry.message.kind !== 'hello',
-    );
     const offsets = (features: LeanOptions['features']) =>
-      shown(createLeanPredictor({ ...given, features: features ?? [] }), withoutHello, []).join();
+      shown(createLeanPredictor({ ...given, features: features ?? [] }), ofGame, []).join();
     expect(offsets([])).not.toMatch(/"groundOffset":[^0]/);
     expect(offsets([learnedGround])).toMatch(/"groundOffset":[^0]/);
   });

@@ -15,7 +15,7 @@ import {
 } from '../../../src/prediction/snapshots/bodies/bodyTrack';
 import { createTimeline, setTempo } from '../../../src/prediction/time/timeline';
 import type { ShipState } from '../../../src/wire';
-import { frameAt, STILL } from '../faults/faultyLine';
+import { frameAt, STILL } from '../faults/restingShip';
 import { OWN } from '../faults/feed';
 
 const LUNA = BODIES[0]!;

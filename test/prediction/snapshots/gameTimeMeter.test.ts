@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { BODIES } from '../../../src/dynamics';
 import { createGameTimeMeter, measureGameTime } from '../../../src/prediction/snapshots/gameTimeMeter';
-import { STILL } from '../faults/faultyLine';
+import { STILL } from '../faults/restingShip';
 
 const MOVING = { ...BODIES[0]!, velocity: [0, 0, 30_000] } as const;
 const at = (seconds: number) => [{ ...MOVING, position: [0, 0, 30_000 * seconds] as const }];

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { createPredictor, type Predictor } from '../../../src/prediction';
-import { frameAt } from '../faults/faultyLine';
+import { frameAt } from '../faults/restingShip';
 import { named, OWN, range } from '../faults/feed';
 
 const RATE = 10;

@@ -119,11 +119,11 @@ describe('righting help', () => {
     const out = createLandingReadout();
     const view = makeView(ON_SIDE);
     for (let i = 0; i < 60; i++) updateLandingReadout(out, view);
-    const done = out.memory.righting.run.projection.elapsed;
+    const done = out.memory.ahead!.righting.run.projection.elapsed;
     expect(done).toBeGreaterThan(0);
     for (let i = 0; i < 60; i++) {
       updateLandingReadout(out, view);
-      expect(out.memory.righting.run.projection).toMatchObject({ elapsed: done, running: false });
+      expect(out.memory.ahead!.righting.run.projection).toMatchObject({ elapsed: done, running: false });
     }
   });
 });

@@ -6,23 +6,24 @@ import type { GatewayOptions } from './options';
 import type { Feed } from './redis/feed';
 import type { Inbox } from './redis/inbox';
 
-/** The state of one gateway. It may be lost at any time: the world is in Redis. */
-export interface Place {
+/** The state of one gateway. Losing it loses no game state: the world is in Redis. */
+export interface GatewayState {
   readonly options: GatewayOptions;
   readonly accounts: Accounts;
   readonly redis: RedisClientType;
   readonly inbox: Inbox;
   readonly clients: Set<Client>;
   feed: Feed;
-  /** The world definition for every hello; null before the service has written it. */
+  /** World definition sent in each hello; null until the service has written it. */
   world: Hello | null;
-  /** Redis's clock less ours, s. */
+  /** Redis clock minus local clock, s. */
   clockOffset: number;
+  /** Number of invalid parts in frames and the world definition. */
   refused: number;
 }
 
-/** The ship that the world has for a player, or that it will have. */
-export function shipOf({ feed, options }: Place, playerId: string): string {
+/** ID of the player's ship in the world, else of the one the hangar will spawn; '' for neither. */
+export function shipOf({ feed, options }: GatewayState, playerId: string): string {
   const ship = feed.newest()?.frame.ships.find((candidate) => candidate.playerId === playerId);
   return ship?.shipId ?? options.hangar?.shipId(playerId) ?? '';
 }

@@ -1,3 +1,3 @@
 import type { Plugin } from 'vite';
 
-export function withoutXr(): Plugin;
+export function leanThree(): Plugin;

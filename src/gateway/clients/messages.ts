@@ -8,10 +8,10 @@ import {
   type InputRecord,
 } from '../../wire';
 
-/** What a client said, once its message was checked; or why it cannot be used. */
-export type Said =
+/** A client's message after its checks, or the reason why it is refused. */
+export type ClientMessage =
   | { readonly kind: 'auth'; readonly token: string; readonly session: string; readonly since: number | null }
-  /** The members that the message has; the others stay as they are. */
+  /** Only the members that the message contains; the others stay unchanged. */
   | { readonly kind: 'control'; readonly controls: Partial<Controls> }
   | { readonly kind: 'inputs'; readonly inputs: readonly InputRecord[] }
   | { readonly kind: 'ping'; readonly id: number | null }
@@ -19,8 +19,8 @@ export type Said =
 
 const SESSION = /^[\w-]{1,48}$/;
 
-/** A text message: the game's JSON; on /stream the sign-in alone. */
-export function readText(text: string): Said {
+/** Reads a text message: the game's JSON on /ws, the sign-in on /stream. */
+export function readText(text: string): ClientMessage {
   let message: unknown;
   try {
     message = JSON.parse(text);
@@ -42,8 +42,8 @@ export function readText(text: string): Said {
   }
 }
 
-/** A binary message of /stream. */
-export function readBytes(bytes: Uint8Array): Said {
+/** Reads a binary message of /stream. */
+export function readBytes(bytes: Uint8Array): ClientMessage {
   const message = decodeClientMessage(bytes);
   if (!message.ok) return refused(message.reason);
   return message.value.kind === 'ping'
@@ -51,10 +51,10 @@ export function readBytes(bytes: Uint8Array): Said {
     : { kind: 'inputs', inputs: message.value.inputs };
 }
 
-/** Names under which a control message may wrap its content: the game does not publish its members. */
+/** Names under which a control message may wrap its content; the game does not publish its members. */
 const WRAPPERS = ['controls', 'data', 'payload'];
 
-function readControl(fields: Readonly<Record<string, unknown>>): Said {
+function readControl(fields: Readonly<Record<string, unknown>>): ClientMessage {
   const wrapped = WRAPPERS.map((name) => fields[name]).find(
     (value) => typeof value === 'object' && value !== null,
   );
@@ -73,8 +73,8 @@ function snakeCase(name: string): string {
   return name.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
 }
 
-/** `session` (a page load) and `since` (the last tick it was told) are this project's: the game's clients send neither. */
-function readAuth({ token, session, since }: Readonly<Record<string, unknown>>): Said {
+/** `session` (one per page load) and `since` (the last tick received) are extensions; the game's clients send neither. */
+function readAuth({ token, session, since }: Readonly<Record<string, unknown>>): ClientMessage {
   if (typeof token !== 'string' || token === '') return refused('auth.token: expected a string');
   return {
     kind: 'auth',
@@ -84,10 +84,11 @@ function readAuth({ token, session, since }: Readonly<Record<string, unknown>>):
   };
 }
 
-function refused(reason: string): Said {
+function refused(reason: string): ClientMessage {
   return { kind: 'refused', reason };
 }
 
+/** The game's welcome: player, ship and world. */
 export function welcomeText(hello: Hello, username: string): string {
   return JSON.stringify({ type: 'welcome', username, ...encodeHelloJson(hello) });
 }
@@ -100,7 +101,7 @@ export function pongBytes(id: number, tick: number, sinceTick: number): Uint8Arr
   return encodeServerMessage({ kind: 'pong', id, tick, sinceTick });
 }
 
-/** The game's error, as its REST API has it. */
+/** The game's error message, in the format of its REST API. */
 export function errorText(code: string, message: string): string {
   return JSON.stringify({ type: 'error', error: { code, message } });
 }

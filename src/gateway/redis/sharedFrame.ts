@@ -12,12 +12,12 @@ import {
 } from '../../wire';
 import { MAX_STATE } from '../clients/limits';
 
-/** One frame for many clients: each ship is encoded once. */
+/** One frame encoded for many clients: each ship is encoded once. */
 export interface SharedFrame {
   readonly frame: ServerFrame;
-  /** The game's state message with the ships of `indices`, nearest first, as many as 64 KB hold. */
+  /** The game's state message with the ships of `indices`, in that order, as many as fit in 64 KB. */
   readonly json: (indices: readonly number[]) => string;
-  /** The protocol's bytes with the ships of `indices`. */
+  /** The protobuf frame with the ships of `indices`. */
   readonly bytes: (
     indices: readonly number[],
     events: readonly WorldEvent[],
@@ -25,8 +25,8 @@ export interface SharedFrame {
   ) => Uint8Array;
 }
 
-/** What the game's own ships do not tell: with it a client would not be one of the game's. */
-const NOT_THE_GAMES = [
+/** Fields that the game's own state message does not have. They are left out on /ws, so that a client meets the game's format exactly. */
+const EXTENSION_FIELDS = [
   'contact_impact_speed',
   'reference_body',
   'relative_position',
@@ -45,14 +45,14 @@ export function shareFrame(frame: ServerFrame): SharedFrame {
     json(indices) {
       headText ??= headOf(frame);
       let size = Buffer.byteLength(headText) + 2;
-      const told: string[] = [];
+      const included: string[] = [];
       for (const index of indices) {
         const { text, bytes } = (texts[index] ??= sized(shipText(ships[index]!)));
         size += bytes + 1;
         if (size > MAX_STATE) break;
-        told.push(text);
+        included.push(text);
       }
-      return `${headText}${told.join(',')}]}`;
+      return `${headText}${included.join(',')}]}`;
     },
     bytes(indices, events, lastInput) {
       common ??= encodeCommonPart(frame);
@@ -71,17 +71,17 @@ function sized(text: string): Sized {
   return { text, bytes: Buffer.byteLength(text) };
 }
 
-/** Everything of the state message up to its ships, which come last. */
+/** The state message up to its ships, which come last. */
 function headOf({ kind, tick, tickRate, timeScale, gameTime, paused, bodies }: ServerFrame): string {
   const time = gameTime === undefined ? {} : { gameTime };
-  const told = encodeFrameJson({ kind, tick, tickRate, timeScale, ...time, paused, bodies, ships: [] });
-  const text = JSON.stringify({ type: 'state', ...told, ships: undefined });
+  const encoded = encodeFrameJson({ kind, tick, tickRate, timeScale, ...time, paused, bodies, ships: [] });
+  const text = JSON.stringify({ type: 'state', ...encoded, ships: undefined });
   return `${text.slice(0, -1)},"ships":[`;
 }
 
 function shipText(ship: ShipState): string {
   const fields: Record<string, unknown> = { ...encodeShipStateJson(ship) };
   return JSON.stringify(fields, (key, value: unknown) =>
-    (NOT_THE_GAMES as readonly string[]).includes(key) ? undefined : value,
+    (EXTENSION_FIELDS as readonly string[]).includes(key) ? undefined : value,
   );
 }

@@ -1,7 +1,7 @@
-/** A gateway's place whose clock, world and sockets are the test's. */
+/** A gateway's state whose clock, world and sockets the test controls. */
 import { createClient, type Client } from '../../src/gateway/clients/client';
 import type { Hangar } from '../../src/gateway/options';
-import type { Place } from '../../src/gateway/place';
+import type { GatewayState } from '../../src/gateway/state';
 import type { WorldFrame } from '../../src/gateway/redis/feed';
 import type { OwnInput } from '../../src/gateway/redis/inbox';
 import { decodeServerMessage, type ServerMessage, type ShipState, type WorldEvent } from '../../src/wire';
@@ -12,7 +12,7 @@ export interface Closed {
   readonly reason: string;
 }
 
-/** A client, what its socket was sent, decoded, and how it was closed. */
+/** A client, the decoded messages sent to its socket, and how it was closed. */
 export interface Connected {
   readonly client: Client;
   readonly sent: (Record<string, unknown> | ServerMessage)[];
@@ -27,11 +27,11 @@ function decoded(message: string | Uint8Array): Record<string, unknown> | Server
   return read.value;
 }
 
-export function createPlace(hangar?: Hangar) {
+export function createFakeGateway(hangar?: Hangar) {
   const state = { now: 1000, newest: null as WorldFrame | null };
   const inputs: OwnInput[] = [];
   const commands: [string, object][] = [];
-  const place = {
+  const gateway = {
     options: {
       clock: () => state.now,
       nonce: () => 'nonce',
@@ -78,11 +78,11 @@ export function createPlace(hangar?: Hangar) {
       pause: () => undefined,
     };
     const client = createClient(socket as never, protocol, '127.0.0.1', state.now);
-    place.clients.add(client);
+    gateway.clients.add(client);
     return { client, sent, closed, socket };
   }
 
-  /** A client that is signed in. */
+  /** Connects a client that is already signed in. */
   function signedIn(playerId: string, protocol: Client['protocol']): Connected {
     const connected = connect(protocol);
     connected.client.player = { playerId, username: `user of ${playerId}`, expires: state.now + 60 };
@@ -90,7 +90,7 @@ export function createPlace(hangar?: Hangar) {
     return connected;
   }
 
-  return { state, place: place as unknown as Place, inputs, commands, connect, signedIn };
+  return { state, gateway: gateway as unknown as GatewayState, inputs, commands, connect, signedIn };
 }
 
 export function shipOf(playerId: string, shipId = `ship of ${playerId}`): ShipState {

@@ -1,0 +1,24 @@
+import { createRightingMemory, measureRighting, type RightingMemory } from './righting';
+import { forgetRightingRun } from './rightingRun';
+import { createTippingMemory, forecastTipping, forgetTipping, type TippingMemory } from './tipping';
+
+/** What a landing readout simulates ahead, with the functions that do: a lean one has none and does not load them. */
+export interface LookAhead {
+  readonly tipping: TippingMemory;
+  readonly righting: RightingMemory;
+  readonly forecastTipping: typeof forecastTipping;
+  readonly forgetTipping: typeof forgetTipping;
+  readonly measureRighting: typeof measureRighting;
+  readonly forgetRightingRun: typeof forgetRightingRun;
+}
+
+export function createLookAhead(): LookAhead {
+  return {
+    tipping: createTippingMemory(),
+    righting: createRightingMemory(),
+    forecastTipping,
+    forgetTipping,
+    measureRighting,
+    forgetRightingRun,
+  };
+}

@@ -1,0 +1,106 @@
+/** The pilot's input against a plan and the autopilot. */
+import { describe, expect, it, vi } from 'vitest';
+import { open, useGameClock } from './openGame';
+
+useGameClock();
+
+describe('the autopilot', () => {
+  it('lands softly from the mission’s start, and is switched off by the key that switched it on', async () => {
+    const { live, play } = await open({ scenario: 'first-landing', network: 'broadband' });
+    play(30, 1);
+    live.hands.press('autopilot');
+    play(30, 2);
+    expect(live.view().own!.controls.attitudeMode).toBe('radial');
+    live.hands.press('autopilot');
+    expect(live.hands.autopilot.isOn()).toBe(false);
+    const held = live.view().own!.controls.thrustLevel;
+    play(30, 0.5);
+    expect(live.view().own!.controls).toMatchObject({ attitudeMode: 'none', attitudeHold: true });
+    expect(live.view().own!.controls.thrustLevel).toBeCloseTo(held, 1);
+    live.hands.press('autopilot');
+    play(30, 60);
+    const { own } = live.frame();
+    expect(own!.shownState).toBe('landed');
+    expect(own!.touchdown.verticalSpeed).toBeLessThan(2);
+  });
+
+  it('gives back after a touch that is hard enough to bounce, and says how hard it was', async () => {
+    const { live, play } = await open({ scenario: 'bounce', network: 'broadband' });
+    // 20 m up at 24 m/s: too late to brake.
+    play(60, 0.5);
+    live.hands.press('autopilot');
+    play(60, 2);
+    expect(live.hands.autopilot.isOn()).toBe(false);
+    expect(live.hands.autopilot.reason()).toMatch(/^hit Luna at 2\d\.\d m\/s$/);
+  });
+});
+
+describe('manual input', () => {
+  it('ends the plan at its first use, with any control, and nothing overrides it', async () => {
+    const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
+    play(60, 1);
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0.5, attitudeMode: 'radial' });
+    // The plan would turn the ship from 2.6 s on; the pilot only cuts the engine.
+    play(60, 0.5);
+    live.hands.press('throttleCut');
+    const turned = new Set<number>();
+    play(60, 6, (view) => turned.add(view.own!.controls.rotationInput[0]));
+    expect([...turned]).toEqual([0]);
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0, attitudeMode: 'radial' });
+    const { diagnosis } = live.frame();
+    expect(diagnosis).toMatchObject({
+      correctionsMismatch: 0,
+      correctionsOtherPilot: 0,
+      correctionsLateInput: 0,
+    });
+  });
+
+  it('that arrives late lets the plan run until it arrives, and no longer', async () => {
+    const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
+    play(60, 1);
+    live.operate({ kind: 'drop' });
+    live.hands.press('throttleCut');
+    // Meanwhile the server continues the plan: engine, and the turn from 2.6 s to 3.6 s.
+    play(60, 1.8);
+    expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0] });
+    live.reconnect();
+    play(60, 4);
+    const { diagnosis, own } = live.frame();
+    expect(diagnosis.correctionsLateInput).toBeGreaterThan(0);
+    expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
+    expect(own).toMatchObject({ provenance: 'confirmed' });
+    expect(own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0], attitudeMode: 'radial' });
+  });
+
+  it('taps for as long as the key was down, however far apart the frames are', async () => {
+    const { live, play, entries } = await open({ scenario: 'opening', network: 'lan' });
+    play(2, 3);
+    for (const hand of ['press', 'release'] as const) {
+      vi.advanceTimersByTime(60);
+      live.hands[hand]('pitchPlus');
+      live.steer();
+    }
+    play(2, 2);
+    const turns = entries.flatMap((entry) =>
+      entry.kind === 'sent' && entry.message.kind === 'inputs' ? entry.message.inputs : [],
+    );
+    const [held, released] = turns.map(({ controls }) => controls.rotationInput);
+    expect(turns).toHaveLength(2);
+    expect(held![0]).toBeGreaterThan(0.3);
+    expect(released).toEqual([0, 0, 0]);
+    // 60 ms of 10 ms each.
+    const [down, up] = turns.map(({ tick, substep }) => tick * 100 + substep);
+    expect(up! - down!).toBeGreaterThanOrEqual(5);
+    expect(up! - down!).toBeLessThanOrEqual(7);
+    const { diagnosis } = live.frame();
+    expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsLateInput: 0 });
+  });
+
+  it('takes over also without a change of controls', async () => {
+    const { live, play } = await open({ scenario: 'launch', network: 'lan' });
+    play(60, 1);
+    live.hands.press('throttleCut');
+    play(60, 8, (view) => expect(view.own!.surfaceContactState).toBe('landed'));
+    expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
+  });
+});

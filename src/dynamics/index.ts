@@ -8,6 +8,8 @@ export { describe, ok, type Result, type Mat3, type Quat, err, type Vec3 } from 
 export { DEFAULT_SETTINGS, loadSettings, type LoadedSettings, type Settings } from './constants/settings';
 /** Ship classes: plain data in, constants out. */
 export { loadShipClass, type LoadedShipClass, type ShipClass, STANDARD_GRAVITY } from './constants/shipClass';
+/** Columns of a class's `constants`. */
+export { LEG_RADIUS, MAIN_ENGINE_THRUST, RCS_THRUST } from './constants/constantRows';
 /** Bodies: plain data in, constants out, motion in rows. */
 export {
   type Body,

@@ -124,6 +124,7 @@ export function beginWorld(session: Session, world: World, bodies: readonly Body
 
 /** Calls each listener; one that throws does not affect the others. */
 export function announce({ sim, listeners, warn }: Session): void {
+  if (sim.notices.length === 0) return;
   for (const notice of sim.notices.splice(0)) {
     for (const listener of listeners) {
       try {

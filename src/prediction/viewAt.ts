@@ -13,8 +13,12 @@ export function viewAt(session: Session, now: number): WorldView {
   if (Number.isNaN(advancedAt) || sim.newestTick < 0 || sim.frontIsStale) return shown.view;
   const present = clock.present + Math.max(0, now - clock.updatedAt) * clock.rate;
   place(sim, present);
-  const lead = clock.present - serverTime(clock, clock.updatedAt);
-  fillView(shown, sim, { now, present, lead, heard: sentAt(clock, now) - jitterOf(clock) });
+  const { instant } = shown;
+  instant.now = now;
+  instant.present = present;
+  instant.lead = clock.present - serverTime(clock, clock.updatedAt);
+  instant.heard = sentAt(clock, now) - jitterOf(clock);
+  fillView(shown, sim);
   fillGauges(session);
   return shown.view;
 }

@@ -1,12 +1,14 @@
 import {
   FLYING,
   GROUND_CONTACT_OFFSET,
+  HEIGHT,
+  LEG_RADIUS,
   REFERENCE_BODY,
   type LoadedShipClass,
   SURFACE_STATE,
   type World,
 } from '../../dynamics';
-import { type DrawnGround, groundRadius } from './snap/drawnGround';
+import { type DrawnGround, groundDirection, writeGroundRadius } from './snap/drawnGround';
 import { hullOfShip, LEGS } from './snap/hull';
 import { pose } from './pose';
 import { lengthOf, rotateBack, seenFrom } from './rotation';
@@ -38,22 +40,24 @@ export function fillGhost(
   shape.groundContactOffset = track.serverRow[GROUND_CONTACT_OFFSET]!;
   const { position } = ghost;
   const distance = lengthOf(position);
-  const nx = position[0]! / distance;
-  const ny = position[1]! / distance;
-  const nz = position[2]! / distance;
+  for (let k = 0; k < 3; k++) up[k] = position[k]! / distance;
   drawn.bodyName = body.name;
   drawn.radius = body.radius;
-  ground.radius = groundRadius(drawn, nx, ny, nz);
+  writeGroundRadius(up, drawn);
+  ground.radius = up[HEIGHT]!;
   const { places, reading } = track.ground;
-  ghost.groundOffset = reading?.offsetAt(places, body.name, nx, ny, nz) ?? 0;
+  ghost.groundOffset = reading?.offsetAt(places, body.name, up[0]!, up[1]!, up[2]!) ?? 0;
   // Too high to touch the ground, as for the ship itself.
-  if (distance - ground.radius > 2 * shape.groundContactOffset + out.shipClass.legRadius) return;
+  const reach = 2 * shape.groundContactOffset + out.shipClass.constants[LEG_RADIUS]!;
+  if (distance - ground.radius > reach) return;
   if (exactly) snapToGround(groundedPose, ghost, hullOfShip(shape), drawn);
   else snapToLevel(groundedPose, ghost, hullOfShip(shape), ground);
   out.ghostPosition.set(groundedPose.position);
 }
 
 const ghost: GroundPose = { ...pose(), grounded: false, groundOffset: 0 };
+/** The local up, and the radius of the ground there. */
+const up = groundDirection();
 const ground: LevelGround = { radius: 0 };
 const shape = { groundContactOffset: 0 } as { shipClass: LoadedShipClass; groundContactOffset: number };
 const groundedPose: GroundedPose = createGroundedPose(LEGS);

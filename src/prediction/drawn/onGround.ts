@@ -1,6 +1,6 @@
-import { flatTerrain, writeGroundNormal } from '../../dynamics';
+import { flatTerrain, HEIGHT, LEG_RADIUS, writeGroundNormal } from '../../dynamics';
 import type { Track } from '../simulation/track';
-import { groundRadius } from './snap/drawnGround';
+import { groundDirection, writeGroundRadius } from './snap/drawnGround';
 import { createGroundedPose, type GroundedPose, snapToGround } from './snap/groundSnap';
 import { hullOfShip, LEGS } from './snap/hull';
 import { type LevelGround, snapToLevel } from './snap/levelSnap';
@@ -16,18 +16,17 @@ export function fillGround(out: ShipView, track: Track, scene: Scene): void {
   const body = world.bodies[out.body]!;
   const { picture } = track;
   const { places, reading } = track.ground;
-  const nx = normal[0]!;
-  const ny = normal[1]!;
-  const nz = normal[2]!;
   ground.bodyName = body.name;
   ground.radius = body.radius;
-  out.groundRadius = groundRadius(ground, nx, ny, nz);
+  for (let k = 0; k < 3; k++) up[k] = normal[k]!;
+  writeGroundRadius(up, ground);
+  out.groundRadius = up[HEIGHT]!;
   fillGroundNormal(out, scene);
   out.groundOffset = 0;
   out.groundConfidence = 0;
   drawn.groundOffset = 0;
   if (reading === null || places.length === 0) return;
-  out.groundOffset = reading.offsetAt(places, body.name, nx, ny, nz);
+  out.groundOffset = reading.offsetAt(places, body.name, normal[0]!, normal[1]!, normal[2]!);
   out.groundConfidence = reading.confidenceAt(track.ground, body.name, normal);
   out.groundRadius += out.groundOffset;
   // In flight, newly learned ground moves the mesh no faster than a correction.
@@ -36,6 +35,7 @@ export function fillGround(out: ShipView, track: Track, scene: Scene): void {
   drawn.groundOffset = picture.groundOffset;
 }
 
+const up = groundDirection();
 /** 1/s */
 const OFFSET_RATE = 10;
 
@@ -53,7 +53,7 @@ function fillGroundNormal(out: ShipView, { world, normal, seen, bodyAttitudes }:
   const { name, radius } = world.bodies[out.body]!;
   under.bodyName = name;
   under.radius = radius;
-  under.legRadius = out.shipClass.legRadius;
+  under.legRadius = out.shipClass.constants[LEG_RADIUS]!;
   under.terrainHeight = world.terrainHeight;
   writeGroundNormal(slope, normal, under);
   rotate(out.groundNormal, attitude, slope);
@@ -67,13 +67,13 @@ const under = { bodyName: '', radius: 1, legRadius: 1, terrainHeight: flatTerrai
  * @returns whether point by point, or as on level ground
  */
 export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
-  const { shipClass } = out;
   const { drawn, seen } = scene;
+  const legRadius = out.shipClass.constants[LEG_RADIUS]!;
   const exactly = out.own || scene.exactSnaps > 0;
   const surface = out.groundRadius - out.groundOffset;
   const above = lengthOf(drawn.position) - surface;
   // Beyond twice its height no part of the ship can touch the ground.
-  const reach = FAR * (out.groundContactOffset + Math.abs(out.groundOffset) * REACH) + shipClass.legRadius;
+  const reach = FAR * (out.groundContactOffset + Math.abs(out.groundOffset) * REACH) + legRadius;
   if (above > reach) {
     for (let k = 0; k < 3; k++) out.meshPosition[k] = out.easedPosition[k]!;
     for (let leg = 0; leg < LEGS; leg++) out.legCompression[leg] = 0;

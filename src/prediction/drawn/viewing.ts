@@ -5,8 +5,10 @@ import {
   FUEL,
   GROUND_CONTACT_OFFSET,
   IMPACT_SPEED,
+  MAIN_ENGINE_THRUST,
   NEUTRAL_CONTROLS,
   POSITION,
+  RCS_THRUST,
   REFERENCE_BODY,
   SHIP_CLASS,
   SURFACE_STATES,
@@ -177,10 +179,11 @@ const turn = quaternion();
 
 /** Present thrust of engine and thrusters, N, ICRF (DYNAMICS, Actuators). */
 function fillThrust(out: ShipView, rows: Float64Array, from: number): void {
-  const { mainEngineThrust, rcsThrust } = out.shipClass;
+  const { constants } = out.shipClass;
   const burns = out.fuel > 0 && !out.crashed ? 1 : 0;
-  for (let k = 0; k < 3; k++) force[k] = burns * rows[from + TRANSLATION_INPUT + k]! * rcsThrust[k]!;
-  force[2] = force[2]! + burns * rows[from + THRUST_LEVEL]! * mainEngineThrust;
+  for (let k = 0; k < 3; k++)
+    force[k] = burns * rows[from + TRANSLATION_INPUT + k]! * constants[RCS_THRUST + k]!;
+  force[2] = force[2]! + burns * rows[from + THRUST_LEVEL]! * constants[MAIN_ENGINE_THRUST]!;
   rotate(out.thrust, out.attitude, force);
 }
 

@@ -15,6 +15,8 @@ import { createShipView, fillShipView } from './viewing';
 export interface Shown {
   readonly view: WorldView;
   readonly scene: Scene;
+  /** Of the view in the making. */
+  readonly instant: ViewInstant;
   viewedAt: number;
 }
 
@@ -56,7 +58,8 @@ export function createShown(sim: Simulation, springs: Springs): Shown {
     diagnosis: sim.counters,
   };
   const scene = createScene(sim, springs);
-  return { view, scene, viewedAt: Number.NaN };
+  const instant = { now: 0, present: 0, lead: 0, heard: 0 };
+  return { view, scene, instant, viewedAt: Number.NaN };
 }
 
 /** The simulation has a new world with the same bodies: views continue with its constants. */
@@ -84,20 +87,21 @@ export function placePresent(sim: Simulation, moment: Moment): void {
   sim.alpha = ahead <= 0 ? 1 : ahead >= 1 ? 0 : 1 - ahead;
 }
 
-/** The instant of the view. */
-export interface Viewed {
+/** The instant of a view; kept by its owner, since a record made for each view is garbage. */
+export interface ViewInstant {
   /** Client wall s. */
-  readonly now: number;
+  now: number;
   /** Server wall s of the present, and how far it is ahead of the server. */
-  readonly present: number;
-  readonly lead: number;
+  present: number;
+  lead: number;
   /** Server wall s at which a message was sent that arrives now with at most the delay of 19 in 20. */
-  readonly heard: number;
+  heard: number;
 }
 
-/** Fills the view for the present as it is placed. */
-export function fillView(shown: Shown, sim: Simulation, { now, present, lead, heard }: Viewed): void {
+/** Fills the view for its instant, with the present as it is placed. */
+export function fillView(shown: Shown, sim: Simulation): void {
   const { view, scene } = shown;
+  const { now, present, lead, heard } = shown.instant;
   fillLabel(view, sim);
   fillBodies(shown, sim);
   const { at } = scene;

@@ -61,6 +61,12 @@ export function createLandingReadout(): LandingReadout {
 /**
  * An empty readout that simulates nothing ahead, for a page that loads less: the same numbers, without the time until a leaning ship has
  * tipped (`margin.outlook` stays 'working') and without the help for a tipped one (`righting.shown` stays false).
+ *
+ * @example
+ * ```ts
+ * const readout = updateLandingReadout(createLeanLandingReadout(), predictor.view(now));
+ * console.log(readout.tilt, readout.margin.degrees);
+ * ```
  */
 export function createLeanLandingReadout(): LandingReadout {
   return readoutWith(null);

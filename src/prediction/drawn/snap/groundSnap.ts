@@ -1,4 +1,5 @@
-import { type DrawnGround, groundRadius } from './drawnGround';
+import { HEIGHT } from '../../../dynamics';
+import { type DrawnGround, groundDirection, writeGroundRadius } from './drawnGround';
 import type { Hull } from './hull';
 import { rotate, vector } from '../rotation';
 
@@ -57,15 +58,12 @@ export function snapToGround(
     position[0]! * position[0]! + position[1]! * position[1]! + position[2]! * position[2]!,
   );
   for (let k = 0; k < 3; k++) up[k] = position[k]! / distance;
-  axis.set(ALONG);
-  rotate(axis, pose.attitude, axis);
-  // Share of a leg's travel that changes the height: 0 for a ship on its side.
-  const upright = axis[0]! * up[0]! + axis[1]! * up[1]! + axis[2]! * up[2]!;
-  out.feetHeight = pressLegs(out, pose, hull, { ground, upright });
+  pressLegs(out, pose, hull, ground);
   out.lift = 0;
   findLowest(out, pose, hull, ground);
   let clearance = lowest[0]!;
-  const height = distance - groundRadius(ground, up[0]!, up[1]!, up[2]!) + hull.feet[2]!;
+  writeGroundRadius(up, ground);
+  const height = distance - up[HEIGHT]! + hull.feet[2]!;
   const target = pose.grounded ? 0 : drawnClearance(clearance, height, pose.groundOffset);
   for (let round = 0; round < ROUNDS && Math.abs(target - clearance) > TOUCHING; round++) {
     const lift = target - clearance;
@@ -77,22 +75,22 @@ export function snapToGround(
   return out;
 }
 
-/** Presses each leg in as far as its foot is below the ground, up to the stroke; returns the lowest foot's height. */
-function pressLegs(
-  out: GroundedPose,
-  pose: GroundPose,
-  hull: Hull,
-  place: { readonly ground: DrawnGround; readonly upright: number },
-): number {
-  let lowest = Number.POSITIVE_INFINITY;
+/** Presses each leg in as far as its foot is below the ground, up to the stroke; writes the lowest foot's height. */
+function pressLegs(out: GroundedPose, pose: GroundPose, hull: Hull, ground: DrawnGround): void {
+  axis.set(ALONG);
+  rotate(axis, pose.attitude, axis);
+  // Share of a leg's travel that changes the height: 0 for a ship on its side.
+  const upright = axis[0]! * up[0]! + axis[1]! * up[1]! + axis[2]! * up[2]!;
+  let lowestFoot = Number.POSITIVE_INFINITY;
   for (let leg = 0; leg * 3 < hull.feet.length; leg++) {
     for (let k = 0; k < 3; k++) point[k] = hull.feet[leg * 3 + k]!;
-    const height = heightOf(point, out.position, pose.attitude, place.ground) - pose.groundOffset;
-    if (height < lowest) lowest = height;
-    const travel = place.upright > 0.1 && height < 0 ? -height / place.upright : 0;
+    writeHeight(point, out.position, pose.attitude, ground);
+    const height = point[HEIGHT]! - pose.groundOffset;
+    if (height < lowestFoot) lowestFoot = height;
+    const travel = upright > 0.1 && height < 0 ? -height / upright : 0;
     out.legCompression[leg] = travel > hull.stroke ? hull.stroke : travel;
   }
-  return lowest;
+  out.feetHeight = lowestFoot;
 }
 
 /** Writes the height of the lowest point of hull and pressed legs above the ground, m, to `lowest`. */
@@ -101,13 +99,13 @@ function findLowest(out: GroundedPose, pose: GroundPose, hull: Hull, ground: Dra
   for (let leg = 0; leg * 3 < hull.feet.length; leg++) {
     for (let k = 0; k < 3; k++) point[k] = hull.feet[leg * 3 + k]!;
     point[2] = point[2]! + out.legCompression[leg]!;
-    const height = heightOf(point, out.position, pose.attitude, ground);
-    if (height < least) least = height;
+    writeHeight(point, out.position, pose.attitude, ground);
+    if (point[HEIGHT]! < least) least = point[HEIGHT]!;
   }
   for (let i = 0; i < hull.outline.length; i += 3) {
     for (let k = 0; k < 3; k++) point[k] = hull.outline[i + k]!;
-    const height = heightOf(point, out.position, pose.attitude, ground);
-    if (height < least) least = height;
+    writeHeight(point, out.position, pose.attitude, ground);
+    if (point[HEIGHT]! < least) least = point[HEIGHT]!;
   }
   lowest[0] = least;
 }
@@ -139,23 +137,29 @@ function flyingTarget(clearance: number, height: number): number {
   return clearance - hovering * (height <= 0 ? 1 : 1 - height / RELEASE_HEIGHT);
 }
 
-/** Height above the ground of a point in ship axes, m; the point is overwritten. */
-function heightOf(
+/** Writes the height above the ground, m, of the point in ship axes `p` to p[HEIGHT]; the point is overwritten. */
+function writeHeight(
   p: Float64Array,
   position: Float64Array,
   attitude: Float64Array,
   ground: DrawnGround,
-): number {
+): void {
   rotate(p, attitude, p);
   const x = p[0]! + position[0]!;
   const y = p[1]! + position[1]!;
   const z = p[2]! + position[2]!;
   const distance = Math.sqrt(x * x + y * y + z * z);
-  return distance - groundRadius(ground, x / distance, y / distance, z / distance);
+  p[0] = x / distance;
+  p[1] = y / distance;
+  p[2] = z / distance;
+  writeGroundRadius(p, ground);
+  p[HEIGHT] = distance - p[HEIGHT]!;
 }
 
 const ALONG = Float64Array.of(0, 0, 1);
-const up = vector();
+/** The local up, and the radius of the ground there. */
+const up = groundDirection();
 const axis = vector();
-const point = vector();
+/** A point of the ship, and its height. */
+const point = groundDirection();
 const lowest = new Float64Array(1);

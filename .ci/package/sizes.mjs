@@ -31,7 +31,7 @@ export const USES = [
   },
   {
     name: 'with the checks of development',
-    most: 68,
+    most: 69,
     code: WHOLE,
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],

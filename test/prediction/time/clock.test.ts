@@ -51,6 +51,42 @@ describe('the clock', () => {
     expect(Math.abs(serverTime(clock, now) - (now - 100))).toBeLessThan(0.004);
   });
 
+  it('does not count pings that stalled both ways as jitter', () => {
+    let pings = 0;
+    // Three of ten: 0.35 s longer in all, of which 0.2 s upstream are too few for a stall by themselves.
+    const stalls = () => pings % 10 < 3;
+    const up = () => {
+      pings += 1;
+      return stalls() ? 0.25 : 0.05;
+    };
+    const { clock } = run(20, { up, down: () => (stalls() ? 0.2 : 0.05) });
+    expect(jitterOf(clock)).toBeLessThan(1e-9);
+  });
+
+  it('counts the pongs that waited in one queue as one delay', () => {
+    const { clock, now } = run(6, { up: () => 0.05, down: () => 0.05 });
+    const before = leadOf(clock);
+    // More than the delays kept, sent over 12 s and received at once.
+    for (let i = 60; i > 0; i--) {
+      const pinged = now - 0.1 - i * 0.2;
+      samplePong(clock, pinged, { at: pinged + 0.05 - 100, standing: false }, now);
+    }
+    expect(leadOf(clock)).toBeCloseTo(before, 9);
+  });
+
+  it('drops a lower bound that an arrival contradicts: the schedule moved ahead', () => {
+    const { clock, now } = run(6, { up: () => 0.05, down: () => 0.05 });
+    sampleDown(clock, now - 0.05 - 99, now);
+    expect(serverTime(clock, now)).toBeCloseTo(now - 99, 9);
+  });
+
+  it('ignores a pong that arrives before its ping was sent: `now` was put back', () => {
+    const { clock, now } = run(6, { up: () => 0.05, down: () => 0.05 });
+    const before = structuredClone(clock);
+    samplePong(clock, now, { at: now - 100, standing: false }, now - 5);
+    expect(clock).toEqual(before);
+  });
+
   it('slews by at most a tenth, and ignores an error below one substep', () => {
     let late = 0;
     const link = { up: () => 0.05 + late, down: () => 0.05 };

@@ -1,6 +1,6 @@
 // The dynamics step by step as in DYNAMICS.md. Every quantity of its table is computed at the substep's start and end, whether or not it
-// is used, and every rotation uses a quaternion. Nothing is computed lazily, cached or shared between steps. The order of additions is
-// that of ORDER.md, so the bits equal those of tuned.c.
+// is used, and every rotation uses a quaternion. Nothing is computed lazily, cached or shared between steps. The bits equal those of
+// tuned.c, since both keep the order of ORDER.md.
 #include "actuators.h"
 
 #define STIFFNESS 100

@@ -3,7 +3,7 @@ import type { GameClock } from './options';
 import { abandon, type GameSocket, OPEN } from './socket';
 import { type LinkStatus, statusOf } from './words';
 
-/** The messages of a link; the driver itself knows only sockets and times. */
+/** A link's messages and callbacks; the driver itself handles only sockets and times. */
 export interface DriverOptions {
   readonly address: string;
   readonly clock: GameClock;
@@ -35,8 +35,8 @@ export interface Driver {
   readonly write: (message: string | Uint8Array<ArrayBuffer>) => boolean;
 }
 
-/** A longer pause does not count toward the usual interval between two states, s. */
-const LONGEST_INTERVAL = 10;
+/** Upper bound of a measured interval between two states, s: a pause must not distort the usual interval. */
+const MAX_INTERVAL = 10;
 
 interface Held {
   state: LinkState;
@@ -85,7 +85,7 @@ export function createDriver(options: DriverOptions): Driver {
     happen: (event) => happen(options, held, event),
     stateReceived(sentInterval) {
       const now = clock.now();
-      const since = Math.min(now - held.lastStateAt, LONGEST_INTERVAL);
+      const since = Math.min(now - held.lastStateAt, MAX_INTERVAL);
       const isFirst = Number.isNaN(since);
       if (sentInterval !== undefined) held.interval = isFirst ? sentInterval : Math.max(sentInterval, since);
       else if (!isFirst) held.interval += (since - held.interval) / 4;

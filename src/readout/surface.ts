@@ -142,7 +142,7 @@ function measureMotion(out: Surface, ship: ShipView, body: BodyMotion): void {
 }
 
 /** Sine of a tilt below which it has no axis. */
-const LEAST_SINE = 1e-9;
+const MIN_SINE = 1e-9;
 
 function measureLean(out: Surface, ship: ShipView, body: BodyMotion): void {
   toInertial(out.up, ship.attitude, BODY_UP);
@@ -162,6 +162,6 @@ function measureLean(out: Surface, ship: ShipView, body: BodyMotion): void {
   writeDot(product, 0, spinAgainstGround, spinAgainstGround);
   writeDot(product, 1, spinAgainstGround, tiltAxis);
   out.spin = Math.sqrt(product[0]!);
-  out.tiltRate = sine > LEAST_SINE ? product[1]! / sine : 0;
+  out.tiltRate = sine > MIN_SINE ? product[1]! / sine : 0;
   out.noReturn = Math.atan2(ship.shipClass.legRadius, ship.groundContactOffset);
 }

@@ -46,8 +46,8 @@ export const DEFAULT_SETTINGS: Settings = Object.freeze({
 });
 
 /** Bounds of contactLongestSubstep, game seconds. With longer substeps, ships with very unequal moments of inertia oscillate on their legs. */
-const SHORTEST_SUBSTEP = 0.001;
-const LONGEST_SUBSTEP = 0.022;
+const MIN_SUBSTEP = 0.001;
+const MAX_SUBSTEP = 0.022;
 
 /** Checked settings with derived constants: angles as cosines. */
 export interface LoadedSettings extends Settings {
@@ -120,8 +120,8 @@ function firstOutOfRange(s: Settings): string | null {
     ['surfaceNormal', normal === 'radial' || normal === 'terrain', "'radial' or 'terrain'"],
     [
       'contactLongestSubstep',
-      s.contactLongestSubstep >= SHORTEST_SUBSTEP && s.contactLongestSubstep <= LONGEST_SUBSTEP,
-      `${SHORTEST_SUBSTEP} … ${LONGEST_SUBSTEP} s`,
+      s.contactLongestSubstep >= MIN_SUBSTEP && s.contactLongestSubstep <= MAX_SUBSTEP,
+      `${MIN_SUBSTEP} … ${MAX_SUBSTEP} s`,
     ],
   ];
   for (const [name, inRange, range] of ranges) {

@@ -3,7 +3,7 @@ import { type Choices, readChoices, writeChoices } from '../panels/choices';
 import type { Notice } from '../panels/notice';
 import type { Address } from './address';
 import type { Live } from './live';
-import { LONGEST_LINK, readFlight, writeFlight } from './mission/runText';
+import { MAX_LINK_LENGTH, readFlight, writeFlight } from './mission/runText';
 import { scriptOf } from './script';
 
 export interface FlightLinkPlace {
@@ -29,7 +29,7 @@ export function createFlightLink({ live, choices, address, notice }: FlightLinkP
     const { substeps } = scriptOf(world);
     const flown = continued(world.flight, inputs, substeps);
     const query = writeChoices({ ...world, flight: writeFlight(flown, substeps) });
-    if (query.length > LONGEST_LINK)
+    if (query.length > MAX_LINK_LENGTH)
       notice.tell(
         `This flight makes a link of ${query.length} characters; some programs cut links that long.`,
       );

@@ -3,7 +3,7 @@ import { DEFAULT_CHOICES } from '../panels/choices';
 import { createRecordingWriter, readRecording, type Recording } from '../../scenarios';
 
 /** Largest file accepted: several hours of frames. */
-const LARGEST_FILE = 200_000_000;
+const MAX_FILE_SIZE = 200_000_000;
 
 /** Writes a recording in slices and reports its progress (0 … 1), so that the page stays responsive. */
 export async function writeSlowly(recording: Recording, progress: (share: number) => void): Promise<Blob> {
@@ -33,8 +33,8 @@ export function fileName({ header }: Recording, now: Date): string {
 
 /** Reads a recording from a file, or returns why it is none. */
 export async function readFile(file: File): Promise<Result<Recording>> {
-  if (file.size > LARGEST_FILE)
-    return err(`it is ${Math.round(file.size / 1e6)} MB, and at most ${LARGEST_FILE / 1e6} MB are read`);
+  if (file.size > MAX_FILE_SIZE)
+    return err(`it is ${Math.round(file.size / 1e6)} MB, and at most ${MAX_FILE_SIZE / 1e6} MB are read`);
   try {
     const checked = readRecording(await file.text());
     if (!checked.ok) return checked;

@@ -3,8 +3,8 @@ import type { Warn } from '../warnings';
 import { warnOfUnknown } from './names';
 
 /** m/s² at full mass: less than the first lifts off nowhere, more than the second kills the pilot. */
-const LEAST_ACCELERATION = 0.05;
-const MOST_ACCELERATION = 2_000;
+const MIN_ACCELERATION = 0.05;
+const MAX_ACCELERATION = 2_000;
 
 /** Warns of unknown members of ship classes, and of kN or tonnes. */
 export function checkClasses(warn: Warn, path: string, classes: readonly unknown[]): void {
@@ -23,7 +23,7 @@ function known(): readonly string[] {
 
 function checkThrust(warn: Warn, { name, mainEngineThrust, dryMass, fuelCapacity }: ShipClass): void {
   const acceleration = mainEngineThrust / (dryMass + fuelCapacity);
-  const isPlausible = acceleration >= LEAST_ACCELERATION && acceleration <= MOST_ACCELERATION;
+  const isPlausible = acceleration >= MIN_ACCELERATION && acceleration <= MAX_ACCELERATION;
   if (isPlausible || mainEngineThrust === 0 || Number.isNaN(acceleration)) return;
   const message = `Ship class ${name} accelerates by ${acceleration} m/s²: thrust in N (not kN), masses in kg (not t)?`;
   warn('class-units', message, { name, mainEngineThrust, dryMass, fuelCapacity });

@@ -112,7 +112,7 @@ const north = new Float64Array(3);
 const product = new Float64Array(2);
 const DEGREES = 180 / Math.PI;
 /** Level part of the ship's y axis below which it points straight up or down, and its heading is round-off. */
-const LEAST_LEVEL = 1e-3;
+const MIN_LEVEL = 1e-3;
 
 /** @param spin of the body, ICRF: north is where its axis points */
 function measureAttitude(out: FlightReadout, ship: ShipView, spin: readonly number[]): void {
@@ -136,7 +136,7 @@ function measureAttitude(out: FlightReadout, ship: ShipView, spin: readonly numb
   writeDot(product, 1, forward, north);
   const along = Math.sqrt(product[0]! ** 2 + product[1]! ** 2);
   const degrees = Math.atan2(product[0]!, product[1]!) * DEGREES;
-  out.heading = along < LEAST_LEVEL ? NaN : degrees < 0 ? degrees + 360 : degrees;
+  out.heading = along < MIN_LEVEL ? NaN : degrees < 0 ? degrees + 360 : degrees;
 }
 
 function forget(out: FlightReadout): void {

@@ -60,7 +60,7 @@ const LAST_METRES = 2;
 /** Of what the engine brakes beyond gravity: the rest is left for who brakes late. */
 const BRAKING_SHARE = 0.5;
 /** m/s²: a body with next to no gravity is still to be reached. */
-const LEAST_BRAKING = 0.3;
+const MIN_BRAKING = 0.3;
 /** Of that braking, on the way down: at a quarter of it the speed changes slowly enough to be followed by hand. */
 const FLOWN_SHARE = 0.25;
 /** Shares of the speed to aim at that bound the corridor. */
@@ -191,7 +191,7 @@ function measureCorridor(out: LandingAids, ship: ShipView): void {
 /** m/s down at `height` m that a quarter of a gentle braking slows to the speed of the touch. */
 function speedToAimAt(height: number, gravity: number, braking: number): number {
   const toBrake = Math.max(0, height - LAST_METRES);
-  const gentle = Math.min(BRAKING_SHARE * braking, Math.max(gravity, LEAST_BRAKING));
+  const gentle = Math.min(BRAKING_SHARE * braking, Math.max(gravity, MIN_BRAKING));
   // v² = v₀² + 2 a s
   const square = TOUCH_SPEED * TOUCH_SPEED + 2 * FLOWN_SHARE * gentle * toBrake;
   return Math.min(Math.sqrt(square), MAX_SPEED);

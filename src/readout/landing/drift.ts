@@ -35,13 +35,13 @@ export function measureDrift(out: Drift, surface: Surface, attitude: Float64Arra
 }
 
 /** Of 1 + n · up: upside down the shortest rotation has no axis, and what is divided by it must stay finite. */
-const LEAST_SHARE = 1e-12;
+const MIN_SHARE = 1e-12;
 
 /** v turned by the shortest rotation n → up: v − 2 (v·half) up' in closed form for v ⟂ n. */
 function standUp(out: Float64Array, { normal, up, tangential }: Surface): void {
   writeDot(product, 0, tangential, up);
   writeDot(product, 1, normal, up);
-  const along = product[0]! / Math.max(LEAST_SHARE, 1 + product[1]!);
+  const along = product[0]! / Math.max(MIN_SHARE, 1 + product[1]!);
   for (let k = 0; k < 3; k++) out[k] = tangential[k]! - along * (normal[k]! + up[k]!);
 }
 

@@ -15,7 +15,7 @@ export interface ViewClock {
 }
 
 /** m: what a correction may move a ship; more is a respawn. */
-const LARGEST_CORRECTION = 100;
+const MAX_CORRECTION = 100;
 
 export function createViewClock(): ViewClock {
   return { shipId: '', body: -1, now: 0, elapsed: 0, tick: 0, sinceTick: 0, position: new Float64Array(3) };
@@ -44,5 +44,5 @@ function inReach(out: ViewClock, ship: ShipView): boolean {
     way += (ship.position[k]! - out.position[k]!) ** 2;
     speed += ship.velocity[k]! ** 2;
   }
-  return Math.sqrt(way) < LARGEST_CORRECTION + 2 * Math.sqrt(speed) * out.elapsed;
+  return Math.sqrt(way) < MAX_CORRECTION + 2 * Math.sqrt(speed) * out.elapsed;
 }

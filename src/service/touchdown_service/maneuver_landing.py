@@ -30,7 +30,7 @@ MAX_BRAKING = 1
 # Gain from speed error to acceleration, 1/s.
 RESPONSE = 0.5
 # Cosine of the tilt above which the engine waits until the ship is upright.
-LEAST_UPRIGHT = 0.5
+MIN_UPRIGHT = 0.5
 # Height of a hop after contact below which the engine stays off, m.
 LOW_HOP = 3
 
@@ -136,7 +136,7 @@ def descend(approach: Approach, ship: Ship) -> Controls:
     on_curve = to_brake > 0 and planned < MAX_SPEED and approach.climb < 0
     easing = braking * -approach.climb / planned if on_curve else 0.0
     wanted = approach.gravity + easing + RESPONSE * (-speed - approach.climb)
-    push = mass * wanted / approach.upright if approach.upright > LEAST_UPRIGHT else 0.0
+    push = mass * wanted / approach.upright if approach.upright > MIN_UPRIGHT else 0.0
     sideways = -RESPONSE * mass
     rcs_x, rcs_y, rcs_z = cls.rcs_thrust
     return Controls(

@@ -82,12 +82,12 @@ function readBest(store: Storage | null, mission: Mission): VerifiedRun | null {
   }
 }
 
-const LONGEST_NAME = 24;
+const MAX_NAME_LENGTH = 24;
 
 /** The part of an address that lets a friend race a run. */
 export function raceQuery(run: VerifiedRun, by: string): string {
   const query = new URLSearchParams({ scenario: run.mission.scenario.name, run: textOf(run.bytes) });
-  if (by !== '') query.set('by', by.slice(0, LONGEST_NAME));
+  if (by !== '') query.set('by', by.slice(0, MAX_NAME_LENGTH));
   return `?${query.toString()}`;
 }
 
@@ -101,6 +101,6 @@ export function readRace(query: URLSearchParams): VerifiedRun | string | null {
   const run =
     bytes === null
       ? null
-      : verifyBytes(mission, bytes, (query.get('by') ?? 'a friend').slice(0, LONGEST_NAME));
+      : verifyBytes(mission, bytes, (query.get('by') ?? 'a friend').slice(0, MAX_NAME_LENGTH));
   return run ?? 'run: these inputs cannot be flown';
 }

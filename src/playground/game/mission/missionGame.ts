@@ -12,7 +12,7 @@ import { adviceWords, type Device, howToFly } from '../words/flightWords';
 import { createGhostFlight, type GhostFlight } from './ghost';
 import type { Live } from '../live';
 import type { Runs } from './runs';
-import { LONGEST_LINK } from './runText';
+import { MAX_LINK_LENGTH } from './runText';
 import { crashCard, landedCard, nextAction, phaseCard } from './missionCards';
 import { createMissionTracker, type MissionTracker } from './missionTracker';
 
@@ -171,7 +171,7 @@ async function judge(
 
 /** Replayed from its inputs: a friend who opens the link sees the same flight, and the score is computed there again. */
 function share({ address, notice }: MissionPlace, query: string): void {
-  if (query.length > LONGEST_LINK)
+  if (query.length > MAX_LINK_LENGTH)
     notice.tell(`This flight makes a link of ${query.length} characters; some programs cut links that long.`);
   address.copy(query, 'Race link copied.');
 }

@@ -6,7 +6,7 @@ export const BEST_RUN_KEY = 'touchdown.best.';
 
 const MAX_TEXT = 200_000;
 /** Length of a link that mail and chat do not break. */
-export const LONGEST_LINK = 8000;
+export const MAX_LINK_LENGTH = 8000;
 
 /** The bytes of a run as base64url, for a link or the store. */
 export function textOf(bytes: Uint8Array): string {

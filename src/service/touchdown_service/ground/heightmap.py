@@ -26,7 +26,7 @@ PI = 3.141592653589793
 INTERPOLATIONS = ("bilinear", "bicubic")
 FIELDS = frozenset(("path", "columns", "rows", "scale", "reference_radius", "interpolation"))
 # Columns or rows; a grid of 1 arc second would have 1,296,000 columns and take 1.7 TB.
-MOST_SAMPLES_ACROSS = 200_000
+MAX_SAMPLES_ACROSS = 200_000
 
 
 @dataclass(slots=True)
@@ -88,7 +88,7 @@ def load_heightmap(data: Any, path: str, body_radius: float) -> Heightmap:
     mapping(data, path)
     known_fields(data, FIELDS, path)
     columns, rows = (
-        whole(required(data, name, path), f"{path}.{name}", least=2, most=MOST_SAMPLES_ACROSS)
+        whole(required(data, name, path), f"{path}.{name}", least=2, most=MAX_SAMPLES_ACROSS)
         for name in ("columns", "rows")
     )
     file = text(required(data, "path", path), f"{path}.path", most=4096)

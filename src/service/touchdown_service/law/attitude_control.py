@@ -10,11 +10,11 @@ ALONG_VELOCITY = frozenset({"prograde", "retrograde", "surface_retrograde", "nor
 KNOWN_MODES = frozenset(ATTITUDE_MODES)
 
 # Speed below which the direction of the velocity is rounding error, m/s.
-LEAST_SPEED = 1e-3
+MIN_SPEED = 1e-3
 # |r x u| / (|r| |u|) below which the direction of r x u is rounding error.
-LEAST_SINE = 1e-6
+MIN_SINE = 1e-6
 # Ground speed below which the game keeps its last direction, m/s. Here rates are damped, which needs no memory and stays close to it.
-LEAST_SURFACE_SPEED = 0.1
+MIN_SURFACE_SPEED = 0.1
 
 
 def asked_torque(ship: Ship, axes: Mat3, place: Place, factor: float) -> Vec3 | None:
@@ -65,15 +65,15 @@ def direction(ship: Ship, mode: str, place: Place) -> Vec3 | None:
     if mode == "surface_retrograde":
         over = subtract(ship.velocity, cross(ship.body.angular_velocity, ship.position))
         speed = length(over)
-        return None if speed < LEAST_SURFACE_SPEED else scale(over, -1 / speed)
+        return None if speed < MIN_SURFACE_SPEED else scale(over, -1 / speed)
     speed = length(ship.velocity)
-    if speed < LEAST_SPEED:
+    if speed < MIN_SPEED:
         return None
     if mode in ("prograde", "retrograde"):
         return scale(ship.velocity, (1 if mode == "prograde" else -1) / speed)
     across = cross(ship.position, ship.velocity)
     size = length(across)
-    if size < LEAST_SINE * distance * speed:
+    if size < MIN_SINE * distance * speed:
         return None
     return scale(across, (1 if mode == "normal" else -1) / size)
 

@@ -11,20 +11,20 @@ const LIVE_TESTS = 'test/live/**/*.long.test.ts';
 /** ms. For hangs alone: ten times what the slowest test takes on two cores, so that no test fails on a busy machine. */
 const HANGS = { testTimeout: 300_000, hookTimeout: 300_000, expect: { poll: { timeout: 120_000 } } };
 
-/** More than cores: a browser test waits for its page half of the time. */
-const maxWorkers = 2 * availableParallelism();
+/** More than cores: a browser test waits for its page most of the time. */
+const maxWorkers = 4 * availableParallelism();
 
-/** Browser files between node files, each kind longest first: those that wait run beside those that compute. */
-class Alternate extends BaseSequencer {
+/** Browser tests that wait for flights of a minute: what starts last ends last. */
+const FLIGHTS = /(pageRuns|pagesTogether|pageDevices)\.test\.ts$/;
+
+/**
+ * Browser files first, each kind longest first: node files compute while they wait, and a worker changes from one kind to the other
+ * once, since each change starts a process.
+ */
+class BrowserFirst extends BaseSequencer {
   async sort(files) {
-    const sorted = await super.sort(files);
-    const [browser, node] = ['browser', 'node'].map((name) =>
-      sorted.filter(({ project }) => project.name === name),
-    );
-    const length = Math.max(browser.length, node.length);
-    return Array.from({ length }, (_, i) => [browser[i], node[i]])
-      .flat()
-      .filter((file) => file !== undefined);
+    const rank = ({ project, moduleId }) => (FLIGHTS.test(moduleId) ? 0 : project.name === 'browser' ? 1 : 2);
+    return (await super.sort(files)).sort((a, b) => rank(a) - rank(b));
   }
 }
 
@@ -32,7 +32,7 @@ export const tests = {
   publicDir: false,
   test: {
     maxWorkers,
-    sequence: { sequencer: Alternate },
+    sequence: { sequencer: BrowserFirst },
     projects: [
       {
         plugins: [bundledTests()],

@@ -25,7 +25,7 @@ export const USES = [
   },
   {
     name: 'predictor, JSON, readouts',
-    most: 61,
+    most: 62,
     code: WHOLE,
     without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },

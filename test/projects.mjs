@@ -6,7 +6,8 @@ import { bundledTests } from './bundle.mjs';
 const BROWSER_TESTS = 'test/browser/**/*.test.ts';
 /** Minutes each: run by `npm run test:long` and by .ci/run, not by `npm test`. */
 const LONG_TESTS = 'test/**/*.long.test.ts';
-const LIVE_TESTS = 'test/live/**/*.long.test.ts';
+/** Those that measure in real time what a busy machine would change. */
+const ALONE = ['test/live/**/*.long.test.ts', 'test/prediction/harness/inChromium.long.test.ts'];
 
 /** ms. For hangs alone: ten times what the slowest test takes on two cores, so that no test fails on a busy machine. */
 const HANGS = { testTimeout: 300_000, hookTimeout: 300_000, expect: { poll: { timeout: 120_000 } } };
@@ -73,7 +74,7 @@ export const longTests = {
         test: {
           name: 'long',
           include: [LONG_TESTS],
-          exclude: [LIVE_TESTS],
+          exclude: ALONE,
           globalSetup: ['test/browser/globalSetup.ts'],
           maxWorkers: availableParallelism(),
           sequence: { groupOrder: 1 },
@@ -83,10 +84,10 @@ export const longTests = {
       {
         plugins: [bundledTests()],
         test: {
-          name: 'live',
-          include: [LIVE_TESTS],
+          name: 'alone',
+          include: ALONE,
           globalSetup: ['test/browser/globalSetup.ts'],
-          // One after the other, and after the rest: they measure in real time what a busy machine would change.
+          // One after the other, and after the rest.
           maxWorkers: 1,
           sequence: { groupOrder: 2 },
           ...LONG_HANGS,

@@ -34,7 +34,7 @@ async function startLive() {
     stream.on('data', (data: Buffer) => (output += data.toString()));
   const exited = new Promise<number | null>((resolve) => live.once('exit', resolve));
   await Promise.race([
-    expect.poll(() => output, PATIENCE).toContain('Ctrl-C ends it all'),
+    expect.poll(() => output, PATIENCE).toContain('Ctrl-C stops everything'),
     exited.then((code) => {
       throw new Error(`live ended with ${code}: ${output}`);
     }),

@@ -38,7 +38,8 @@ function live(args: readonly string[] = [], path = process.env['PATH']) {
     processes: (redisPort: number) => processesOf(mark, redisPort),
     signal: (name: NodeJS.Signals) => child.kill(name),
     found: (pattern: RegExp) => pattern.exec(output)?.[1] ?? '',
-    isUp: () => Promise.race([expect.poll(() => output, PATIENCE).toContain('Ctrl-C stops everything'), ended]),
+    isUp: () =>
+      Promise.race([expect.poll(() => output, PATIENCE).toContain('Ctrl-C stops everything'), ended]),
   };
 }
 

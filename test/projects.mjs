@@ -86,8 +86,7 @@ export const longTests = {
         test: {
           name: 'alone',
           include: ALONE,
-          globalSetup: ['test/browser/globalSetup.ts'],
-          // One after the other, and after the rest.
+          // One after the other, after the rest, and without the browsers and servers that the page's tests share.
           maxWorkers: 1,
           sequence: { groupOrder: 2 },
           ...LONG_HANGS,

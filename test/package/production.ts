@@ -7,37 +7,18 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import type * as Core from '../../src';
-import { type PredictorEntry, type PredictorOptions, recordPredictor } from '../../src/prediction';
-import { createRig, type RigOptions } from '../prediction/rig';
+import { recordFlight, type RecordedFlight } from '../prediction/recordFlight';
+import type { RigOptions } from '../prediction/rig';
 
 const FLIGHTS: readonly (RigOptions & { readonly scenario: string })[] = [
   { scenario: 'right-itself', others: 2 },
   { scenario: 'stands-on-a-slope', others: 1, legacy: true, secretSettings: { contactFrictionKinetic: 0.2 } },
 ];
-const SECONDS = 14;
 /** Views per look: a full comparison of each is slow. */
 const EVERY = 7;
 
-interface Flight {
-  readonly entries: readonly PredictorEntry[];
-  readonly options: PredictorOptions;
-}
-
-function record(options: RigOptions): Flight {
-  const entries: PredictorEntry[] = [];
-  const rig = createRig(options);
-  rig.predictor = recordPredictor(rig.predictor, (entry) => entries.push(entry));
-  rig.fly(SECONDS);
-  const { scenario, terrainHeight, body, shipClass } = rig.loaded;
-  const defaults = { bodies: [body], shipClasses: [shipClass], terrain: scenario.terrain };
-  return {
-    entries,
-    options: { ownShipId: 'ship-1', terrains: { [scenario.terrain]: terrainHeight }, defaults },
-  };
-}
-
 /** Everything that a build shows of a flight, as text. */
-function shown(core: typeof Core, { entries, options }: Flight): string[] {
+function shown(core: typeof Core, { entries, options }: RecordedFlight): string[] {
   const predictor = core.createPredictor(options);
   const landing = core.createLandingReadout();
   const fleet = core.createFleetReadout();
@@ -87,7 +68,7 @@ const asIs = await load('index.js');
 const forProduction = await load('production/index.js');
 let count = 0;
 for (const options of FLIGHTS) {
-  const flight = record(options);
+  const flight = recordFlight(options);
   const expected = shown(asIs, flight);
   const got = shown(forProduction, flight);
   const at = expected.findIndex((line, i) => line !== got[i]);

@@ -2,29 +2,20 @@
 import { describe, expect, it } from 'vitest';
 import { flyAsNewcomer } from './newcomer';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
+import { WINDOW_SIZES, windowOf } from '../windowSizes';
 
 const TRIES = 2;
 /** Fewer frames than a graphics card draws: what counts is that time is real. */
 const FRAMES = { framesPerSecond: 6 };
 
-const SIZES = [
-  { width: 320, height: 640, isTouch: true },
-  { width: 390, height: 844, isTouch: true },
-  { width: 1280, height: 720, isTouch: false },
-  { width: 1920, height: 1080, isTouch: false },
-  { width: 2560, height: 1440, isTouch: false },
-];
+/** Pixels across of the picture: enough for a pilot who reads the HUDs alone. */
+const PIXELS = 400;
 
 describeInBrowser('a newcomer who follows the words on the screen', () => {
-  describe.each(SIZES)('at $width × $height', ({ width, height, isTouch }) => {
+  describe.each(WINDOW_SIZES)('at $width × $height', (size) => {
     it('lands by the beacon, softer than 2 m/s, within two tries', async () => {
-      const page = await openBuiltPage('', {
-        ...FRAMES,
-        viewport: { width, height },
-        deviceScaleFactor: 400 / width,
-        hasTouch: isTouch,
-        isMobile: isTouch,
-      });
+      const { isTouch } = size;
+      const page = await openBuiltPage('', { ...FRAMES, ...windowOf(size, PIXELS) });
       await page.waitForSelector('html[data-ready=true]');
       const said: string[] = [];
       for (let i = 0; i < TRIES; i++) {

@@ -3,27 +3,14 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { misfits } from '../hud/misfits';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
-import type { PageOptions } from '../pages';
 import { CONTENT_SECURITY_POLICY } from '../staticServer';
 import { SMALL, untilStatus } from '../waits';
+import { WINDOW_SIZES, windowOf } from '../windowSizes';
 
-const SIZES = [
-  { width: 320, height: 640, isTouch: true },
-  { width: 390, height: 844, isTouch: true },
-  { width: 1280, height: 720, isTouch: false },
-  { width: 1920, height: 1080, isTouch: false },
-  { width: 2560, height: 1440, isTouch: false },
-];
+/** Pixels across of a picture that nobody looks at. */
+const PIXELS = 240;
 /** Chromium's own size is 16 px. */
 const LARGE_LETTERS = { fontSizes: { standard: 32, fixed: 26 } };
-
-const sizeOf = ({ width, height, isTouch }: (typeof SIZES)[number]): PageOptions => ({
-  ...SMALL,
-  viewport: { width, height },
-  deviceScaleFactor: 240 / width,
-  hasTouch: isTouch,
-  isMobile: isTouch,
-});
 
 /** What of the page's own parts is cut off, wider than the window, or covers what must be seen. */
 function pageMisfits(page: Page): Promise<string[]> {
@@ -50,19 +37,24 @@ function pageMisfits(page: Page): Promise<string[]> {
 }
 
 describeInBrowser('the built page in any window', () => {
-  it.each(SIZES)('$width × $height: nothing is cut off, with letters of 100 % and of 200 %', async (size) => {
-    const page = await openBuiltPage('', sizeOf(size));
-    await page.waitForSelector('html[data-ready=true]');
-    const found = [...(await misfits(page)), ...(await pageMisfits(page))];
-    const cdp = await page.context().newCDPSession(page);
-    await cdp.send('Page.setFontSizes', LARGE_LETTERS);
-    await page.reload();
-    await page.waitForSelector('html[data-ready=true]');
-    const letters = await page.evaluate(() => getComputedStyle(document.documentElement).fontSize);
-    expect(letters).toBe('32px');
-    found.push(...[...(await misfits(page)), ...(await pageMisfits(page))].map((fault) => `200 %: ${fault}`));
-    expect(found).toEqual([]);
-  });
+  it.each(WINDOW_SIZES)(
+    '$width × $height: nothing is cut off, with letters of 100 % and of 200 %',
+    async (size) => {
+      const page = await openBuiltPage('', { ...SMALL, ...windowOf(size, PIXELS) });
+      await page.waitForSelector('html[data-ready=true]');
+      const found = [...(await misfits(page)), ...(await pageMisfits(page))];
+      const cdp = await page.context().newCDPSession(page);
+      await cdp.send('Page.setFontSizes', LARGE_LETTERS);
+      await page.reload();
+      await page.waitForSelector('html[data-ready=true]');
+      const letters = await page.evaluate(() => getComputedStyle(document.documentElement).fontSize);
+      expect(letters).toBe('32px');
+      found.push(
+        ...[...(await misfits(page)), ...(await pageMisfits(page))].map((fault) => `200 %: ${fault}`),
+      );
+      expect(found).toEqual([]);
+    },
+  );
 
   it('keeps the ship in sight with figures and plots open in a low window', async () => {
     const page = await openBuiltPage('?scenario=settle', {

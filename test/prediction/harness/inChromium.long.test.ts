@@ -4,11 +4,10 @@ import { rolldown } from 'rolldown';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { BODIES, SHIP_CLASSES } from '../../../src/index';
 import { findChromium, launchChromium } from '../../browser/chromium';
-import type { DesignBody } from './design/law';
 import { createDesignServer, timeOf, truthAt } from './design/server';
 import type { Drawn } from './pageClient';
 import { createDice } from './random';
-import { OTHER, OWN, placeShip } from './setup';
+import { designBody, OTHER, OWN, placeShip } from './setup';
 import { listenAsDesign, type SocketOfDesign } from './design/socket';
 import { length, minus, unit, type Vec } from './design/vectors';
 
@@ -28,13 +27,7 @@ if (program === null && process.env['TOUCHDOWN_NO_SKIP'] === '1') throw new Erro
 
 function landers(): SocketOfDesign['server'] {
   const told = BODIES.find(({ name }) => name === 'Luna')!;
-  const body: DesignBody = {
-    ...told,
-    position: [...told.position],
-    velocity: [...told.velocity],
-    attitude: [...told.attitude],
-    angularVelocity: [...told.angularVelocity],
-  };
+  const body = designBody(told);
   const shipClass = SHIP_CLASSES.find(({ name }) => name === 'planetary_lander')!;
   const place = { shipClass, site: unit([0.6, 0.48, 0.64]), body, terrainHeight: () => 0 };
   const dice = createDice(4);

@@ -57,6 +57,17 @@ export const TICK_RATES = [40, 50, 100];
 const SEND_RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20];
 const DRIFT = 5e-4;
 
+/** A body that the server may move. */
+export function designBody(told: Body & BodyMotion): DesignBody {
+  return {
+    ...told,
+    position: [...told.position],
+    velocity: [...told.velocity],
+    attitude: [...told.attitude],
+    angularVelocity: [...told.angularVelocity],
+  };
+}
+
 export function drawSetup(dice: Dice): Setup {
   const tickRate = dice.pick(TICK_RATES);
   const sendRate = dice.pick(SEND_RATES);
@@ -69,13 +80,7 @@ export function drawSetup(dice: Dice): Setup {
   const site = unit([dice.between(-1, 1), dice.between(-0.8, 0.8), dice.between(-1, 1)]);
   const clientTerrain: TerrainHeight = dice.chance(0.5) ? () => 0 : wavesAt(site, told.radius);
   const terrainHeight = risen(clientTerrain, rise, { site, radius: told.radius });
-  const body: DesignBody = {
-    ...told,
-    position: [...told.position],
-    velocity: [...told.velocity],
-    attitude: [...told.attitude],
-    angularVelocity: [...told.angularVelocity],
-  };
+  const body = designBody(told);
   const place = { site, body, terrainHeight };
   const ships = [OWN, OTHER].map((id, k) => placeShip(dice, { ...place, id, shipClass, aside: 80 * k }));
   const server = createDesignServer(body, ships, {

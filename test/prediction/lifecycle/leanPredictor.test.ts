@@ -6,29 +6,11 @@ import {
   type LeanOptions,
   type LeanPredictor,
   type PredictorEntry,
-  type PredictorOptions,
-  recordPredictor,
   roundTripPings,
   serverHello,
   touchdownRecord,
 } from '../../../src/prediction';
-import { createRig, type RigOptions } from '../rig';
-
-/** s: until every scenario used here stands. */
-const SECONDS = 14;
-
-function record(options: RigOptions): { entries: readonly PredictorEntry[]; options: PredictorOptions } {
-  const entries: PredictorEntry[] = [];
-  const rig = createRig(options);
-  rig.predictor = recordPredictor(rig.predictor, (entry) => entries.push(entry));
-  rig.fly(SECONDS);
-  const { scenario, terrainHeight, body, shipClass } = rig.loaded;
-  const defaults = { bodies: [body], shipClasses: [shipClass], terrain: scenario.terrain };
-  return {
-    entries,
-    options: { ownShipId: 'ship-1', terrains: { [scenario.terrain]: terrainHeight }, defaults },
-  };
-}
+import { recordFlight } from '../recordFlight';
 
 /** Each view and message of a flight as text; without what `hidden` names. */
 function shown(
@@ -50,7 +32,7 @@ function shown(
 }
 
 describe('a lean predictor', () => {
-  const { entries, options } = record({ scenario: 'right-itself', others: 2 });
+  const { entries, options } = recordFlight({ scenario: 'right-itself', others: 2 });
   const full = (hidden: readonly string[]) => shown(createPredictor(options), entries, hidden);
   const lean = (features: LeanOptions['features'], hidden: readonly string[]) =>
     shown(createLeanPredictor({ ...options, features: features ?? [] }), entries, hidden);

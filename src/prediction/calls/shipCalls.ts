@@ -1,6 +1,6 @@
 import { describe } from '../checks/describe';
 import { changeOwnShip, dropShip, expectTeleport, type Removal } from '../ownership';
-import { announce, type Session } from '../session';
+import type { Session } from '../session';
 import type { Predictor } from './api';
 import type { Life } from './life';
 
@@ -24,7 +24,7 @@ export function shipCalls(session: Session, life: Life) {
           { shipId, reason },
         );
       dropShip(session, shipId, reason);
-      announce(session);
+      session.features.announce?.(session);
     },
     teleported(shipId) {
       if (isOf('teleported', shipId)) expectTeleport(session, shipId);

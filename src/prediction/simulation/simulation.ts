@@ -10,12 +10,18 @@ import type { Diagnosis, EventNotice } from '../drawn/view';
 import type { GroundNews } from '../ground/lastState';
 import { withoutGround } from '../ground/unknownGround';
 import { createInputs, type Inputs, type ScheduledInput } from '../inputs/inputs';
+import type * as acknowledgements from '../snapshots/acknowledgements';
 import type * as bodySpin from '../snapshots/bodies/bodySpin';
 import { type BodySpin, createBodySpin } from '../snapshots/bodies/bodySpin';
 import { type BodyTrack, createBodyTrack } from '../snapshots/bodies/bodyTrack';
 import type { measureGameTime } from '../snapshots/gameTimeMeter';
+import type { describeDifference } from '../snapshots/reconcile/compare';
 import type { Judged } from '../snapshots/reconcile/lawErrors';
 import { type Cadence, createCadence } from '../time/cadence';
+import type { completeBodies } from '../snapshots/bodies/completeBodies';
+import type { shipFault } from '../snapshots/shipFault';
+import type * as takeParts from '../snapshots/takeParts';
+import type * as settleEvents from '../snapshots/settleEvents';
 import { createTimeline, type Position, type Timeline } from '../time/timeline';
 import type * as touchdownLog from '../touchdown/touchdownLog';
 import type { Adopted } from '../touchdown/touchdownRing';
@@ -32,6 +38,18 @@ export interface Features {
     readonly logSubstep: typeof touchdownLog.logSubstep;
     readonly fillTouchdown: typeof touchdownLog.fillTouchdown;
   };
+  /** Predicted, sent and settled events. */
+  readonly events?: Pick<typeof settleEvents, 'happened' | 'confirmEvents' | 'settleEvents' | 'confirmEnd'>;
+  /** Bodies that a frame does not have whole. */
+  readonly completeBodies?: typeof completeBodies;
+  /** Checks records that no decoder of this library made. */
+  readonly shipFault?: typeof shipFault;
+  /** Snapshots in parts. */
+  readonly parts?: Pick<typeof takeParts, 'takeShips' | 'takeOlder' | 'takePart' | 'receiveRest'>;
+  /** Acknowledged inputs; without, the controls in the states show which were applied. */
+  readonly acknowledgements?: Pick<typeof acknowledgements, 'acknowledgementOf' | 'takeAcknowledgement'>;
+  /** Both values of a field that differed. */
+  readonly describeDifference?: typeof describeDifference;
   readonly measureGameTime?: typeof measureGameTime;
   readonly spin?: {
     readonly spunMotion: typeof bodySpin.spunMotion;

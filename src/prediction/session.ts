@@ -6,7 +6,7 @@ import {
   type World,
 } from '../dynamics';
 import type { Hello, Pong } from '../wire';
-import { guardTerrain } from './checks/guardTerrain';
+import { guardTerrain } from './ground/guardTerrain';
 import { createDiagnosis } from './diagnosis';
 import { springsOf } from './drawn/ease';
 import type { Diagnosis, EventNotice } from './drawn/view';

@@ -1,4 +1,4 @@
-import type { PartialFrame } from '../../wire';
+import type { PartialFrame, ShipState } from '../../wire';
 import type { Session, SessionFeatures } from '../session';
 import { sameBodies } from '../snapshots/worldConfig';
 
@@ -16,7 +16,7 @@ const NEEDS: readonly Need[] = [
     of: 'frame.events',
     feature: 'surfaceEvents',
     part: 'events',
-    isNeeded: ({ events }) => Array.isArray(events) && events.length > 0,
+    isNeeded: ({ events }) => listOf(events).length > 0,
     effect: 'they are ignored',
   },
   {
@@ -37,7 +37,7 @@ const NEEDS: readonly Need[] = [
     of: 'frame.timeScale, which is missing,',
     feature: 'measuredGameTime',
     part: 'measureGameTime',
-    isNeeded: ({ timeScale }) => timeScale === undefined || timeScale === null,
+    isNeeded: ({ timeScale }) => timeScale === undefined,
     effect: 'the last one is used, or 1',
   },
   {
@@ -53,11 +53,13 @@ const NEEDS: readonly Need[] = [
     part: 'parts',
     isNeeded: ({ tick, ships }, { sim }) =>
       tick <= sim.newestTick &&
-      Array.isArray(ships) &&
-      ships.some(({ shipId }) => (sim.fleet.byId.get(shipId)?.serverTick ?? -1) < tick),
+      listOf<ShipState>(ships).some(({ shipId }) => (sim.fleet.byId.get(shipId)?.serverTick ?? -1) < tick),
     effect: 'they are ignored',
   },
 ];
+
+/** The list; an empty one for anything else that a JavaScript caller passes. */
+const listOf = <T>(value: unknown): readonly T[] => (Array.isArray(value) ? (value as readonly T[]) : []);
 
 function lacksBodies(
   bodies: PartialFrame['bodies'],

@@ -27,7 +27,7 @@ export function takeShips(sim: Simulation, receiver: Receiver, frame: ServerFram
 }
 
 /** Takes some of the new ships that the newest frame still has. Returns that frame, for their events; null if there are none. */
-export function takeRest(sim: Simulation, receiver: Receiver): ServerFrame | null {
+function takeRest(sim: Simulation, receiver: Receiver): ServerFrame | null {
   const { rest } = receiver;
   if (rest === null) return null;
   receiver.rest = null;

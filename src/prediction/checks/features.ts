@@ -53,13 +53,15 @@ const NEEDS: readonly Need[] = [
     part: 'parts',
     isNeeded: ({ tick, ships }, { sim }) =>
       tick <= sim.newestTick &&
-      listOf<ShipState>(ships).some(({ shipId }) => (sim.fleet.byId.get(shipId)?.serverTick ?? -1) < tick),
+      (listOf(ships) as readonly ShipState[]).some(
+        ({ shipId }) => (sim.fleet.byId.get(shipId)?.serverTick ?? -1) < tick,
+      ),
     effect: 'they are ignored',
   },
 ];
 
 /** The list; an empty one for anything else that a JavaScript caller passes. */
-const listOf = <T>(value: unknown): readonly T[] => (Array.isArray(value) ? (value as readonly T[]) : []);
+const listOf = (value: unknown): readonly unknown[] => (Array.isArray(value) ? value : []);
 
 function lacksBodies(
   bodies: PartialFrame['bodies'],

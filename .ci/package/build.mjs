@@ -9,6 +9,7 @@ import { numbers } from './numbers.mjs';
 import { production } from './production.mjs';
 import { pure } from './pure.mjs';
 import { shortenNames } from './shortNames.mjs';
+import { texts } from './texts.mjs';
 import { writeTypes } from './types.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -146,7 +147,7 @@ export async function buildPackage() {
   rmSync(out, { recursive: true, force: true });
   await buildCode({ format: 'es' });
   await buildCode({ format: 'cjs' });
-  await buildCode({ format: 'es', folder: 'production', plugins: [production(join(root, 'src'))] });
+  await buildCode({ format: 'es', folder: 'production', plugins: [production(join(root, 'src')), texts(join(root, 'src/'))] });
   await buildStyles();
   for (const file of ['hud.css.d.ts', 'hud.css.d.cts']) writeFileSync(join(out, file), 'export {};\n');
   await writeTypes(root, doors, out);

@@ -25,13 +25,13 @@ const FEATURES = [
 export const USES = [
   {
     name: 'lean predictor, JSON, readouts',
-    most: 43.5,
+    most: 42.8,
     code: LEAN,
     without: [...FEATURES, 'createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'predictor, JSON, readouts',
-    most: 62,
+    most: 60.5,
     code: WHOLE,
     without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },

@@ -35,7 +35,9 @@ export function shipCalls(session: Session, life: Life) {
 /** Whether a JavaScript caller's `shipId` is one; warns if not. */
 export function isShipId({ warn }: Session, call: string, shipId: unknown): boolean {
   if (typeof shipId === 'string') return true;
-  const message = `${call}: expected a ship id (a string), got ${describe(shipId)}. The call was ignored.`;
-  warn('ship-id', message, { field: call, value: shipId });
+  warn('ship-id', `${call}: expected a ship id (a string), got ${describe(shipId)}. The call was ignored.`, {
+    field: call,
+    value: shipId,
+  });
   return false;
 }

@@ -14,6 +14,7 @@ from redis.retry import Retry
 from .ground.terrain import with_whole_paths
 from .runtime.lease import LeaseHeld
 from .runtime.service import Service
+from .storage.packing import CommandPacker
 from .validation.limits import Refusal
 
 # Exit codes: invalid world or arguments; another service runs.
@@ -26,7 +27,7 @@ def main() -> None:
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(message)s", stream=sys.stderr)
     # A command that Redis may have executed is never retried; the service reads Redis's state instead.
     # Invalid UTF-8 must not end the service: the decoded text is refused by name.
-    as_text = {"decode_responses": True, "encoding_errors": "replace"}
+    as_text = {"decode_responses": True, "encoding_errors": "replace", "command_packer": CommandPacker()}
     client = Redis.from_url(args.redis, **as_text, socket_timeout=5, retry=Retry(NoBackoff(), 0))
     try:
         definition = with_whole_paths(json.loads(args.world.read_text(encoding="utf-8")), args.world.resolve().parent)

@@ -1,5 +1,6 @@
 import type { RedisClientType } from 'redis';
 import { decodeFrameJson, type InputAcknowledgement, type ServerFrame, type WorldEvent } from '../../wire';
+import { createFaults, isWrongType } from './faults';
 
 /** The world at one tick boundary, written by the service (REDIS.md) and checked here. */
 export interface WorldFrame {
@@ -22,7 +23,7 @@ export interface Removed {
 
 export interface FeedHandlers {
   readonly onFrame: (world: WorldFrame) => void;
-  /** Called with the reason for each invalid part. */
+  /** Called with the reason for each invalid part, and with each reason why Redis cannot be read. */
   readonly onRefused: (reason: string) => void;
 }
 
@@ -50,6 +51,7 @@ const BATCH = 16;
  * @param redis the connection for other requests
  */
 export function createFeed(reader: RedisClientType, redis: RedisClientType, handlers: FeedHandlers): Feed {
+  const faults = createFaults(handlers.onRefused);
   let newest: WorldFrame | null = null;
   let lastId = '';
   let stopped = false;
@@ -89,9 +91,21 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
     const world = readWorldFrame(text, handlers.onRefused);
     if (world === null) return;
     const gap = newest !== null && world.frame.tick > newest.frame.tick + 1;
-    const missed = gap ? await missedEvents(redis, newest!.frame.tick, world.frame) : [];
+    const missed = gap ? await missedEvents(newest!.frame.tick, world.frame) : [];
     newest = missed.length === 0 ? world : withEvents(world, missed);
     handlers.onFrame(newest);
+  }
+
+  /** Events of the ticks that were skipped between two received frames; none if their stream is not one. */
+  async function missedEvents(tick: number, { events }: ServerFrame): Promise<readonly WorldEvent[]> {
+    const first = events[0]?.tick ?? Infinity;
+    try {
+      return (await readEvents(redis, tick, 1000)).filter((event) => event.tick < first);
+    } catch (error) {
+      if (!isWrongType(error)) throw error;
+      faults.report(EVENTS, 'stream', error);
+      return [];
+    }
   }
 
   return {
@@ -104,24 +118,14 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
       while (!isStopped()) {
         try {
           await readOn();
+          faults.clear(FRAMES);
         } catch (error) {
-          if (!isStopped())
-            handlers.onRefused(`redis: ${error instanceof Error ? error.message : String(error)}`);
+          if (!isStopped()) faults.report(FRAMES, 'stream', error);
           await new Promise((resolve) => setTimeout(resolve, RETRY));
         }
       }
     },
   };
-}
-
-/** Events of the ticks that were skipped between two received frames. */
-async function missedEvents(
-  redis: RedisClientType,
-  tick: number,
-  { events }: ServerFrame,
-): Promise<readonly WorldEvent[]> {
-  const first = events[0]?.tick ?? Infinity;
-  return (await readEvents(redis, tick, 1000)).filter((event) => event.tick < first);
 }
 
 async function readEvents(

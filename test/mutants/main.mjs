@@ -57,6 +57,12 @@ async function sourcesBehind(room) {
   return behind;
 }
 
+/** Groups of processes that an interrupted sampling must not leave. */
+const running = new Set();
+const endGroup = (pid) => process.kill(-pid, 'SIGKILL');
+process.on('exit', () => running.forEach(endGroup));
+for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, () => process.exit(1));
+
 /** Runs test files on the changed source: true when all pass within `limit` ms. */
 function passes(tests, mutant, limit = TIME_LIMIT) {
   const project = isOnPages(tests[0]) ? 'browser' : 'node';
@@ -66,10 +72,12 @@ function passes(tests, mutant, limit = TIME_LIMIT) {
   const options = { cwd: ROOT, env: { ...process.env, ...variables }, stdio: 'ignore', detached: true };
   const run = spawn(process.execPath, ['node_modules/vitest/vitest.mjs', ...args, ...tests], options);
   // The whole group: a worker in an endless loop outlives the runner.
-  const end = setTimeout(() => process.kill(-run.pid, 'SIGKILL'), limit);
+  const end = setTimeout(() => endGroup(run.pid), limit);
+  running.add(run.pid);
   return new Promise((resolve) => {
     run.on('close', (code) => {
       clearTimeout(end);
+      running.delete(run.pid);
       resolve(code === 0);
     });
   });

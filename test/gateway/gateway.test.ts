@@ -172,11 +172,7 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     ['of another type', () => redis.lPush('touchdown:world', 'x'), 'touchdown:world: expected a string'],
     ['no JSON', () => redis.set('touchdown:world', '{'), 'touchdown:world: not JSON'],
     ['bytes', () => redis.set('touchdown:world', Buffer.from([0xff])), 'touchdown:world: not JSON'],
-    [
-      'no world',
-      () => redis.set('touchdown:world', '5'),
-      /^touchdown:world: message: expected/,
-    ],
+    ['no world', () => redis.set('touchdown:world', '5'), /^touchdown:world: message: expected/],
   ])('names a world definition that is %s in one line, and starts with it', async (_, spoil, line) => {
     await close();
     await spoil();

@@ -3,7 +3,7 @@ import { beginLink, type LinkEvent, type LinkState, statusOf, type Step, stepLin
 import { dueAt } from '../../src/game/link';
 
 const ADDRESS = 'wss://game.example/ws';
-const words = (state: LinkState, now: number) => statusOf(state, ADDRESS, now).words;
+const words = (state: LinkState, now: number) => statusOf(state, ADDRESS, now).text;
 
 /** Plays events at their times, with jitter 0. */
 function play(...events: readonly [number, LinkEvent][]): Step {

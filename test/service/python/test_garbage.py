@@ -9,7 +9,7 @@ import unittest
 from harness import SERVICE_HOME, RedisServer, ServiceProcess, control, lander, send, until
 from redis import Redis
 from touchdown_service.runtime.galaxy import Changes
-from touchdown_service.runtime.inbox import HANDLERS, take_in
+from touchdown_service.runtime.inbox import HANDLERS, apply_entries
 from touchdown_service.runtime.service import Service
 from touchdown_service.validation.limits import Refusal
 
@@ -35,7 +35,7 @@ class Stored(unittest.TestCase):
         cls.client = cls.redis.client()
         cls.raw = Redis(port=cls.redis.port)
         service = Service(cls.client, DEFINITION)
-        service.lease.take()
+        service.lease.take_over()
         galaxy = service.load()
         for ship_id in ("s1", "s2"):
             send(cls.client, "spawn", **lander(ship_id))
@@ -63,7 +63,7 @@ class Stored(unittest.TestCase):
         except Exception as error:
             raise AssertionError(f"{what}: {type(error).__name__}: {error}") from error
         with self.subTest(what):
-            service.lease.take()
+            service.lease.take_over()
             service.run_boundary(galaxy, time.monotonic())
             self.raw.delete("touchdown:lease")
         return service.state.refused
@@ -123,7 +123,7 @@ class Stored(unittest.TestCase):
         for i in range(5000):
             entry = {name: draw.choice(TEXTS + told) for name in fields if draw.random() < 0.6}
             entry["type"] = draw.choice([*HANDLERS, *TEXTS])
-            take_in(galaxy, [(f"{i + 1}-0", entry)], Changes())
+            apply_entries(galaxy, [(f"{i + 1}-0", entry)], Changes())
         self.assertEqual(galaxy.cursor, "5000-0")
 
 

@@ -21,7 +21,7 @@ MAX_AHEAD = 10
 MAX_JSON = 16_384
 
 
-def take_in(galaxy: Galaxy, entries: list[tuple[str, dict[str, str]]], changes: Changes) -> None:
+def apply_entries(galaxy: Galaxy, entries: list[tuple[str, dict[str, str]]], changes: Changes) -> None:
     """Applies commands and queues inputs in order; advances the cursor."""
     for entry_id, entry in entries:
         kind = entry.get("type", "")

@@ -44,7 +44,7 @@ function copyOf<T>(value: T, copies: Map<object, object>): T {
   const copy = remember(value, Array.isArray(value) ? [...(value as unknown[])] : { ...value }, copies);
   for (const [key, item] of Object.entries(value))
     if (typeof item === 'object') (copy as Record<string, unknown>)[key] = copyOf(item, copies);
-  return copy as T;
+  return copy;
 }
 
 function remember<T extends object>(value: T, copy: object, copies: Map<object, object>): T {

@@ -184,8 +184,12 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     const client = connect();
     await client.opened;
     client.socket.send(JSON.stringify({ type: 'auth', token: (await login())['token'] }));
-    await writeFrame(7);
-    await expect.poll(client.kinds).toContain('welcome');
+    await expect
+      .poll(async () => {
+        await writeFrame(7);
+        return client.kinds();
+      })
+      .toContain('welcome');
     expect(logged).toHaveLength(1);
   });
 

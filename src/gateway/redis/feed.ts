@@ -1,6 +1,7 @@
 import type { RedisClientType } from 'redis';
 import { decodeFrameJson, type InputAcknowledgement, type ServerFrame, type WorldEvent } from '../../wire';
-import { createFaults, isWrongType } from './faults';
+import { createEventReader } from './events';
+import { createFaults } from './faults';
 
 /** The world at one tick boundary, written by the service (REDIS.md) and checked here. */
 export interface WorldFrame {
@@ -37,7 +38,6 @@ export interface Feed {
 }
 
 const FRAMES = 'touchdown:frames';
-const EVENTS = 'touchdown:events';
 /** Longest wait of a blocking read, wall ms. */
 const BLOCK = 1000;
 /** Wait after a failed read, wall ms. */
@@ -52,6 +52,7 @@ const BATCH = 16;
  */
 export function createFeed(reader: RedisClientType, redis: RedisClientType, handlers: FeedHandlers): Feed {
   const faults = createFaults(handlers.onRefused);
+  const events = createEventReader(redis, faults);
   let newest: WorldFrame | null = null;
   let lastId = '';
   let stopped = false;
@@ -91,21 +92,9 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
     const world = readWorldFrame(text, handlers.onRefused);
     if (world === null) return;
     const gap = newest !== null && world.frame.tick > newest.frame.tick + 1;
-    const missed = gap ? await missedEvents(newest!.frame.tick, world.frame) : [];
+    const missed = gap ? await events.missed(newest!.frame.tick, world.frame) : [];
     newest = missed.length === 0 ? world : withEvents(world, missed);
     handlers.onFrame(newest);
-  }
-
-  /** Events of the ticks that were skipped between two received frames; none if their stream is not one. */
-  async function missedEvents(tick: number, { events }: ServerFrame): Promise<readonly WorldEvent[]> {
-    const first = events[0]?.tick ?? Infinity;
-    try {
-      return (await readEvents(redis, tick, 1000)).filter((event) => event.tick < first);
-    } catch (error) {
-      if (!isWrongType(error)) throw error;
-      faults.report(EVENTS, 'stream', error);
-      return [];
-    }
   }
 
   return {
@@ -113,7 +102,7 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
     stop: () => {
       stopped = true;
     },
-    eventsSince: (tick, count) => readEvents(redis, tick, count),
+    eventsSince: events.since,
     async run() {
       while (!isStopped()) {
         try {
@@ -126,18 +115,6 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
       }
     },
   };
-}
-
-async function readEvents(
-  redis: RedisClientType,
-  tick: number,
-  count: number,
-): Promise<readonly WorldEvent[]> {
-  const entries = await redis.xRevRange(EVENTS, '+', '-', { COUNT: count });
-  const sent = (entries ?? []).reverse().map(({ message }) => message);
-  const decoded = decodeFrameJson({ tick: 2 ** 52, ships: [], events: sent });
-  const events = decoded.ok ? decoded.value.events : undefined;
-  return (events ?? []).filter((event) => event.tick >= tick);
 }
 
 type StreamReply = { messages: { id: string; message: Record<string, string> }[] }[];

@@ -13,7 +13,7 @@ from harness import SERVICE_HOME, RedisServer, ServiceProcess, control, lander, 
 class Recorder(unittest.TestCase):
     def record(self, redis: RedisServer, *options: str) -> tuple[int, str, str]:
         file = Path(tempfile.mkdtemp()) / "recorded.json"
-        command = [sys.executable, "-B", "-m", "touchdown_service.recorder", "--redis", redis.url, *options, str(file)]
+        command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, *options, str(file)]
         run = subprocess.run(command, cwd=SERVICE_HOME, capture_output=True, text=True, timeout=60)
         return run.returncode, run.stdout, run.stderr
 
@@ -36,7 +36,7 @@ class Recorder(unittest.TestCase):
                 client, seq, {"thrust_level": 0.01 * seq, "attitude_mode": "hold"}, tick=now + 90 + 7 * seq, substep=1
             )
         file = Path(tempfile.mkdtemp()) / "recorded.json"
-        command = [sys.executable, "-B", "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
+        command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
         child = subprocess.Popen([*command, "--ticks", "250", str(file)], cwd=SERVICE_HOME, stdout=subprocess.DEVNULL)
         until(lambda: client.info("clients")["blocked_clients"] == 1, "the recorder listens", service)
         client.set("game:paused", "false")
@@ -56,7 +56,7 @@ class Recorder(unittest.TestCase):
         entry = send(client, "spawn", **lander(height=3000))
         until(lambda: result_of(client, entry), "it is there", service)
         before = int(client.get("game:tick"))
-        command = [sys.executable, "-B", "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
+        command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
         folder = tempfile.mkdtemp()
         child = subprocess.Popen(
             [*command, "--ticks", "10000", f"{folder}/a.json"], cwd=SERVICE_HOME, stdout=subprocess.PIPE, text=True

@@ -3,7 +3,7 @@ import { createAccounts } from '../../src/gateway/accounts';
 import { shareFrame } from '../../src/gateway/redis/sharedFrame';
 import { readWorldFrame } from '../../src/gateway/redis/feed';
 import { shipsInSight } from '../../src/gateway/clients/interest';
-import { createBucket, MAX_STATE, take } from '../../src/gateway/clients/limits';
+import { createBucket, MAX_STATE, consume } from '../../src/gateway/clients/limits';
 import { readText } from '../../src/gateway/clients/messages';
 import { decodeFrameJson, decodeServerMessage, encodeFrameJson } from '../../src/wire';
 import { FRAME, SHIP } from '../wire/messages';
@@ -47,10 +47,10 @@ it('sends the own ship first, then the nearest within the radius', () => {
 
 it('allows a burst, then a steady rate', () => {
   const bucket = createBucket({ perSecond: 2, burst: 3 }, 0);
-  expect([1, 1, 1, 1].map((count) => take(bucket, count, 0))).toEqual([true, true, true, false]);
-  expect(take(bucket, 1, 0.5)).toBe(true);
-  expect(take(bucket, 1, 0.5)).toBe(false);
-  expect(take(bucket, 4, 1000)).toBe(false);
+  expect([1, 1, 1, 1].map((count) => consume(bucket, count, 0))).toEqual([true, true, true, false]);
+  expect(consume(bucket, 1, 0.5)).toBe(true);
+  expect(consume(bucket, 1, 0.5)).toBe(false);
+  expect(consume(bucket, 4, 1000)).toBe(false);
 });
 
 it('checks name and password, and accepts its own tokens until they expire', async () => {

@@ -63,7 +63,7 @@ function checkCodes(): void {
 /** A frame, a hello and a clock that are refused, and the field and value that each build must name. */
 const REFUSED: readonly (readonly [(core: typeof Core) => string, field: string, value: string])[] = [
   [(core) => reasonOf(core.decodeFrameJson({ tick: -3, ships: [] })), 'tick', '-3'],
-  [(core) => reasonOf(core.decodeFrameJson({ tick: 'x', ships: [] })), 'tick', 'x'],
+  [(core) => reasonOf(core.decodeFrameJson({ tick: 1, ships: 7 })), 'ships', '7'],
   [(core) => reasonOf(core.decodeHelloJson({ settings: { contact_crash_speed: -7 } })), 'crash', '-7'],
   [
     (core) => {

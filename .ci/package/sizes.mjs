@@ -37,7 +37,7 @@ export const USES = [
   },
   {
     name: 'with the checks of development',
-    most: 69,
+    most: 70.3,
     code: WHOLE,
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],

@@ -5,11 +5,11 @@ import { cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
-import { numbers } from './numbers.mjs';
+import { numbers } from './code/numbers.mjs';
 import { production } from './production.mjs';
-import { pure } from './pure.mjs';
-import { shortenNames } from './shortNames.mjs';
-import { texts } from './texts.mjs';
+import { pure } from './code/pure.mjs';
+import { shortenNames } from './code/shortNames.mjs';
+import { texts } from './code/texts.mjs';
 import { writeTypes } from './types.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));

@@ -147,7 +147,11 @@ export async function buildPackage() {
   rmSync(out, { recursive: true, force: true });
   await buildCode({ format: 'es' });
   await buildCode({ format: 'cjs' });
-  await buildCode({ format: 'es', folder: 'production', plugins: [production(join(root, 'src')), texts(join(root, 'src/'))] });
+  await buildCode({
+    format: 'es',
+    folder: 'production',
+    plugins: [production(join(root, 'src')), texts(join(root, 'src/'))],
+  });
   await buildStyles();
   for (const file of ['hud.css.d.ts', 'hud.css.d.cts']) writeFileSync(join(out, file), 'export {};\n');
   await writeTypes(root, doors, out);

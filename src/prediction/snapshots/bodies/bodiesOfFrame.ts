@@ -4,6 +4,7 @@ import type { Simulation } from '../../simulation/simulation';
 import { spanOf } from '../../time/timeline';
 import { boundaryAt, startBodiesAt, updateBodies } from './bodyTrack';
 import type { Receiver } from '../receiver';
+import { areNumbers } from '../shipFault';
 import type { BodiesOfFrame } from '../snapshotContext';
 
 /** Most ticks over which bodies are advanced just for the comparison. */
@@ -141,10 +142,4 @@ function isWhole({ position, velocity, attitude, angularVelocity }: BodyState): 
     areNumbers(attitude, 4) &&
     areNumbers(angularVelocity, 3)
   );
-}
-
-function areNumbers(value: unknown, count: number): boolean {
-  if (!Array.isArray(value) || value.length !== count) return false;
-  for (let k = 0; k < count; k++) if (!Number.isFinite(value[k])) return false;
-  return true;
 }

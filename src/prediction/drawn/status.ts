@@ -3,6 +3,7 @@ import {
   CRASHED,
   EVENT_NAMES,
   FLYING,
+  IMPACT_SPEED,
   POSITION,
   ATTITUDE,
   readControls,
@@ -38,6 +39,8 @@ export interface Instant {
 
 /** Shortest time for which CONTACT is shown, s. */
 const CONTACT_DWELL = 0.3;
+/** m/s: a slower rebound is no bounce. */
+const HOP = 0.3;
 /** How long a withdrawn prediction is shown, s. */
 export const WITHDRAWN_SHOWN = 2;
 /** Consecutive sends without a ship after which its state is stale. */
@@ -63,9 +66,13 @@ export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from
   out.withdrawn = at.now < status.withdrawnUntil ? WITHDRAWN[status.withdrawn]! : '';
 }
 
-/** The predicted surface state; for a ship that bounces where the dynamics keep it on the ground, flight until the server's states end it. */
+/**
+ * The predicted surface state; for a touch that bounces where the dynamics keep the ship on the ground, flight until the server's states
+ * end it.
+ */
 export function surfaceStateOf({ fit, serverRow }: Track, rows: Float64Array, from: number): number {
-  return fit.bounces && serverRow[SURFACE_STATE] === FLYING ? FLYING : rows[from + SURFACE_STATE]!;
+  const bounces = fit.bounces && fit.rebound * rows[from + IMPACT_SPEED]! > HOP;
+  return bounces && serverRow[SURFACE_STATE] === FLYING ? FLYING : rows[from + SURFACE_STATE]!;
 }
 
 /** Fills in the ship's newest server state, for its ghost, if there is a newer one. Returns whether there is. */

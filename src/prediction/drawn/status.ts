@@ -30,6 +30,8 @@ export interface Instant {
   /** s after a server state for which it confirms the drawn pose: until the next one is due, plus the lead. */
   confirms: number;
   paused: boolean;
+  /** Where the bodies are is known. */
+  bodiesKnown: boolean;
   /** Gives the server wall s of tick boundaries. */
   readonly timeline: Timeline;
   /** The last tick looked up in this view, and its wall s: most ships arrive in one frame. */
@@ -105,7 +107,9 @@ function provenanceOf(out: ShipView, track: Track, crashes: boolean, at: Instant
   const crashed = track.serverRow[CRASHED] === 1;
   const silent = at.now - track.seenAt > at.staleAfter || out.missingSends >= STALE_SENDS;
   if (!at.paused && !crashed && silent) return 'stale';
-  if (crashed || track.policy !== 'predict') return 'confirmed';
+  if (crashed) return 'confirmed';
+  if (!at.bodiesKnown && !track.exact) return 'predicted';
+  if (track.policy !== 'predict') return 'confirmed';
   const { state, serverWall } = track.picture.status;
   if (!at.paused && at.present - serverWall > at.confirms) return 'predicted';
   const { fit, serverRow } = track;

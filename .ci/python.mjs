@@ -8,6 +8,8 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 const root = fileURLToPath(new URL('..', import.meta.url));
 /** In node_modules: nothing is installed outside of the repository. */
 const packages = join(root, 'node_modules/.cache/touchdown/python');
+/** Compiled modules: no folder of sources gets a __pycache__, and no start compiles them anew. */
+const compiled = join(root, 'node_modules/.cache/touchdown/pycache');
 const service = join(root, 'src/service');
 const REDIS = 'redis>=5.0,<8';
 
@@ -20,30 +22,41 @@ function environment() {
   const path = [service, packages, process.env.PYTHONPATH]
     .filter(Boolean)
     .join(process.platform === 'win32' ? ';' : ':');
-  return { ...process.env, PYTHONPATH: path, PYTHONDONTWRITEBYTECODE: '1', PYTHONUNBUFFERED: '1' };
+  const caching = { PYTHONDONTWRITEBYTECODE: '', PYTHONPYCACHEPREFIX: compiled };
+  return { ...process.env, ...caching, PYTHONPATH: path, PYTHONUNBUFFERED: '1' };
 }
 
-/** The interpreter itself, not a shim: signals must reach it. */
-function findPython() {
+/**
+ * { command, env } to run the service's law with, without a Redis client; undefined where no Python is new enough.
+ * The command is the interpreter itself, not a shim: signals must reach it.
+ */
+export function findPython() {
   const program = 'import sys; print(sys.executable); sys.exit(sys.version_info < (3, 10))';
-  for (const command of ['python3', 'python']) {
+  for (const command of [process.env.PYTHON, 'python3', 'python'].filter(Boolean)) {
     const found = run(command, ['-c', program]);
-    if (found.status === 0) return found.stdout.trim();
+    if (found.status === 0) return { command: found.stdout.trim(), env: environment() };
   }
   return undefined;
 }
+
+let ready;
 
 /**
  * { command, env } to run the service with; throws an Error whose message says what to install.
  */
 export function servicePython() {
-  const command = findPython();
-  if (command === undefined)
+  ready ??= withRedis();
+  return ready;
+}
+
+function withRedis() {
+  const python = findPython();
+  if (python === undefined)
     throw new Error(
       'Python 3.10 or newer is needed for the physics service: apt-get install -y python3 python3-pip, or https://python.org',
     );
-  const env = environment();
-  if (run(command, ['-c', 'import redis'], env).status === 0) return { command, env };
+  const { command, env } = python;
+  if (run(command, ['-c', 'import redis'], env).status === 0) return python;
   mkdirSync(packages, { recursive: true });
   console.log('set-up: installing the Redis client for Python …');
   const install = run(command, [
@@ -60,7 +73,7 @@ export function servicePython() {
     throw new Error(
       `the Redis client for Python cannot be installed: ${(install.stderr || 'pip is missing: apt-get install -y python3-pip').trim()}`,
     );
-  return { command, env };
+  return python;
 }
 
 /** The redis-server on this machine; throws an Error with the one line that installs it. */

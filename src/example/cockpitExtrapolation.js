@@ -6,7 +6,7 @@ import { terrainHeight } from './terrain.js';
 /** The one clock of the client: monotonic wall seconds. */
 export const seconds = () => performance.now() / 1000;
 
-/** Connects predictor and server; `onStatus` is told in words how the link stands. */
+/** Connects predictor and server; `onStatus` receives the link's status as text. */
 export function createCockpitExtrapolation({ address, token, shipId, onStatus }) {
   const predictor = createPredictor({
     ownShipId: shipId,
@@ -27,7 +27,7 @@ export function createCockpitExtrapolation({ address, token, shipId, onStatus })
       onFrame: (frame, at) => predictor.receive(frame, at),
       onShipGone: (id, own) => predictor.removeShip(id, own === null ? 'gone' : 'destroyed'),
       onRefused: (reason) => predictor.refused(reason),
-      onStatus: ({ words }) => onStatus(words),
+      onStatus: ({ text }) => onStatus(text),
     },
   );
 

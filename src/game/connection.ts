@@ -6,13 +6,13 @@ import type { LinkState } from './link';
 import { type GameConnectionOptions, type GameHandlers, requireConnection } from './options';
 import { isTooLarge, MAX_MESSAGE } from './socket';
 import { createUnconfirmedControls, type UnconfirmedControls } from './unconfirmed';
-import type { LinkStatus } from './words';
+import type { LinkStatus } from './statusText';
 
 /** One link to the game's server, which reconnects by itself; at most one socket at any time. */
 export interface GameConnection {
   /** The link's state as plain data. */
   readonly state: () => LinkState;
-  /** The same in words for a person. */
+  /** The same as text for the player. */
   readonly status: () => LinkStatus;
   /**
    * Own controls; false when they could not be sent now. Those that have not certainly arrived when the link is lost, or were given
@@ -64,28 +64,28 @@ export function createGameConnection(options: GameConnectionOptions, handlers: G
       unconfirmed.pinged();
       return JSON.stringify({ type: 'ping' });
     },
-    onData: (data) => take(own, data),
+    onData: (data) => receive(own, data),
     onStatus: handlers.onStatus,
   });
   const own: Link = { options, handlers, driver, unconfirmed, held };
   return {
     state: driver.state,
     status: driver.status,
-    sendControls: (controls) => sayControls(own, controls),
-    send: (message) => say(own, message),
-    retry: () => driver.happen({ kind: 'retry' }),
-    dispose: () => driver.happen({ kind: 'end' }),
+    sendControls: (controls) => sendControls(own, controls),
+    send: (message) => send(own, message),
+    retry: () => driver.dispatch({ kind: 'retry' }),
+    dispose: () => driver.dispatch({ kind: 'end' }),
   };
 }
 
-function say(link: Link, message: unknown): boolean {
+function send(link: Link, message: unknown): boolean {
   if (link.driver.state().phase !== 'live') return false;
   const text = textOf(link, message);
   return text !== null && link.driver.write(text);
 }
 
 /** Invalid controls are reported as refused, and not sent. */
-function sayControls(link: Link, controls: Controls): boolean {
+function sendControls(link: Link, controls: Controls): boolean {
   let text: string | null;
   try {
     text = textOf(link, (link.options.pack ?? packControls)(controls));
@@ -106,7 +106,7 @@ function textOf({ handlers }: Link, message: unknown): string | null {
   return null;
 }
 
-function take(link: Link, data: unknown): void {
+function receive(link: Link, data: unknown): void {
   const refuse = (reason: string) => link.handlers.onRefused?.(reason);
   if (typeof data !== 'string') return refuse('message: expected text, got bytes');
   if (isTooLarge(data))
@@ -117,21 +117,21 @@ function take(link: Link, data: unknown): void {
   } catch {
     return refuse('message: not JSON');
   }
-  act(link, (link.options.open ?? openGameMessage)(message));
+  handle(link, (link.options.open ?? openGameMessage)(message));
 }
 
-function act(link: Link, message: GameMessage): void {
+function handle(link: Link, message: GameMessage): void {
   const { handlers } = link;
   switch (message.kind) {
     case 'welcome':
-      takeWelcome(link, asObject(message.about));
+      handleWelcome(link, asObject(message.about));
       break;
     case 'state':
-      takeState(link, message.frame);
+      handleState(link, message.frame);
       break;
     case 'pong':
       link.unconfirmed.ponged();
-      link.driver.happen({ kind: 'pong' });
+      link.driver.dispatch({ kind: 'pong' });
       break;
     case 'token':
       if (typeof message.token !== 'string')
@@ -141,7 +141,7 @@ function act(link: Link, message: GameMessage): void {
       break;
     case 'destroyed':
     case 'removed':
-      takeGone(link, message);
+      handleGone(link, message);
       break;
     case 'other':
       handlers.onOther?.(message.type, message.message);
@@ -150,12 +150,12 @@ function act(link: Link, message: GameMessage): void {
 }
 
 /** The first one of a connection, or a later one with what changed, such as another ship. */
-function takeWelcome(
+function handleWelcome(
   { driver, handlers, unconfirmed }: Link,
   about: Readonly<Record<string, unknown>>,
 ): void {
   const wasLive = driver.state().phase === 'live';
-  driver.happen({ kind: 'welcome' });
+  driver.dispatch({ kind: 'welcome' });
   if (driver.state().phase !== 'live') return;
   const shipId = about['ship_id'] ?? about['shipId'];
   unconfirmed.welcomed(typeof shipId === 'string' ? shipId : '');
@@ -164,7 +164,7 @@ function takeWelcome(
   handlers.onWelcome?.(about);
 }
 
-function takeState(link: Link, sent: unknown): void {
+function handleState(link: Link, sent: unknown): void {
   const { handlers, options, driver } = link;
   if (driver.state().phase !== 'live') return handlers.onRefused?.('state: came before the welcome');
   const known = options.bodies === undefined ? {} : { bodies: options.bodies };
@@ -175,7 +175,7 @@ function takeState(link: Link, sent: unknown): void {
   handlers.onFrame(frame.value, options.clock.now());
 }
 
-function takeGone(link: Link, message: GameMessage & { kind: 'destroyed' | 'removed' }): void {
+function handleGone(link: Link, message: GameMessage & { kind: 'destroyed' | 'removed' }): void {
   const about = asObject(message.about);
   const text = (...names: string[]) => {
     const found = names.map((name) => about[name]).find((value) => typeof value === 'string');

@@ -1,7 +1,7 @@
 import { beginLink, dueAt, type Effect, type LinkEvent, type LinkState, type Step, stepLink } from './link';
 import type { GameClock } from './options';
 import { abandon, type GameSocket, OPEN } from './socket';
-import { type LinkStatus, statusOf } from './words';
+import { type LinkStatus, statusOf } from './statusText';
 
 /** A link's messages and callbacks; the driver itself handles only sockets and times. */
 export interface DriverOptions {
@@ -25,10 +25,10 @@ export interface DriverOptions {
 export interface Driver {
   /** The link's state as plain data. */
   readonly state: () => LinkState;
-  /** The same in words for a person. */
+  /** The same as text for the player. */
   readonly status: () => LinkStatus;
   /** Feeds an event to the link. */
-  readonly happen: (event: LinkEvent) => void;
+  readonly dispatch: (event: LinkEvent) => void;
   /** A state arrived; `sentInterval`: the wall s between two states, if the state has it. */
   readonly stateReceived: (sentInterval: number | undefined) => void;
   /** Sends a message of the caller's; false, and nothing is sent, unless the link is live: before the welcome a server refuses it. */
@@ -62,7 +62,7 @@ interface Held {
  *   auth: () => JSON.stringify({ type: 'auth', token: 'abc' }),
  *   ping: () => JSON.stringify({ type: 'ping' }),
  *   onData: (data) => console.log(data),
- *   onStatus: ({ words }) => console.log(words),
+ *   onStatus: ({ text }) => console.log(text),
  * });
  * driver.write('text');
  * ```
@@ -82,7 +82,7 @@ export function createDriver(options: DriverOptions): Driver {
   return {
     state: () => held.state,
     status: () => statusOf(held.state, options.address, clock.now()),
-    happen: (event) => happen(options, held, event),
+    dispatch: (event) => dispatch(options, held, event),
     stateReceived(sentInterval) {
       const now = clock.now();
       const since = Math.min(now - held.lastStateAt, MAX_INTERVAL);
@@ -90,13 +90,13 @@ export function createDriver(options: DriverOptions): Driver {
       if (sentInterval !== undefined) held.interval = isFirst ? sentInterval : Math.max(sentInterval, since);
       else if (!isFirst) held.interval += (since - held.interval) / 4;
       held.lastStateAt = now;
-      happen(options, held, { kind: 'state', interval: held.interval });
+      dispatch(options, held, { kind: 'state', interval: held.interval });
     },
     write: (message) => held.state.phase === 'live' && write(held, message),
   };
 }
 
-function happen(options: DriverOptions, held: Held, event: LinkEvent): void {
+function dispatch(options: DriverOptions, held: Held, event: LinkEvent): void {
   apply(options, held, stepLink(held.state, event, options.clock.now(), options.jitter()));
 }
 
@@ -104,8 +104,8 @@ function apply(options: DriverOptions, held: Held, { state, effects }: Step): vo
   held.state = state;
   const failed = effects.map((effect) => perform(options, held, effect)).find((reason) => reason !== null);
   schedule(options, held);
-  tellStatus(options, held);
-  if (failed !== undefined) happen(options, held, { kind: 'closed', code: 0, reason: failed });
+  reportStatus(options, held);
+  if (failed !== undefined) dispatch(options, held, { kind: 'closed', code: 0, reason: failed });
 }
 
 /** The reason why no socket could be created, or null. */
@@ -128,10 +128,10 @@ function open(options: DriverOptions, held: Held): string | null {
     return error instanceof Error ? error.message : String(error);
   }
   held.socket = socket;
-  socket.onopen = () => happen(options, held, { kind: 'opened' });
+  socket.onopen = () => dispatch(options, held, { kind: 'opened' });
   socket.onmessage = ({ data }: { readonly data: unknown }) => options.onData(data);
   socket.onclose = ({ code, reason }: { readonly code: number; readonly reason: string }) =>
-    happen(options, held, { kind: 'closed', code, reason });
+    dispatch(options, held, { kind: 'closed', code, reason });
   // The close that follows reports it.
   socket.onerror = () => undefined;
   return null;
@@ -143,12 +143,12 @@ function schedule(options: DriverOptions, held: Held): void {
   held.cancelTimer?.();
   const wait = Math.max(0, due - clock.now());
   held.cancelTimer =
-    due === Infinity ? null : clock.after(wait, () => happen(options, held, { kind: 'time' }));
+    due === Infinity ? null : clock.after(wait, () => dispatch(options, held, { kind: 'time' }));
 }
 
-function tellStatus(options: DriverOptions, held: Held): void {
+function reportStatus(options: DriverOptions, held: Held): void {
   const status = statusOf(held.state, options.address, options.clock.now());
-  const key = `${status.phase} ${status.words}`;
+  const key = `${status.phase} ${status.text}`;
   if (key === held.reportedKey) return;
   held.reportedKey = key;
   options.onStatus?.(status);

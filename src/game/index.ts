@@ -18,6 +18,6 @@ export {
   stepLink,
 } from './link';
 /** A description of a state for the player. */
-export { type LinkStatus, statusOf } from './words';
+export { type LinkStatus, statusOf } from './statusText';
 /** The game's envelopes: replace them where they differ. */
 export { type GameMessage, openGameMessage, packControls } from './envelope';

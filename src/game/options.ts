@@ -2,7 +2,7 @@ import type { Body, BodyMotion, Controls } from '../dynamics';
 import type { DecodedFrame } from '../wire';
 import type { GameMessage } from './envelope';
 import type { GameSocket } from './socket';
-import type { LinkStatus } from './words';
+import type { LinkStatus } from './statusText';
 
 /** Wall seconds and a timer, so that tests need not wait. */
 export interface GameClock {
@@ -90,20 +90,20 @@ export function requireConnection(options: GameConnectionOptions, handlers: Game
     throw new RangeError(`options.token: expected the token of the login, got ${JSON.stringify(token)}`);
   if (/\s/.test(token))
     throw new RangeError(`options.token: expected the token alone, without "Bearer" or spaces`);
-  const told = (handlers as GameHandlers | undefined) ?? ({} as Partial<GameHandlers>);
+  const givenHandlers = (handlers as GameHandlers | undefined) ?? ({} as Partial<GameHandlers>);
   const functions = {
     ...{ 'options.clock.now': clock?.now, 'options.clock.after': clock?.after },
     ...{
       'options.jitter': given.jitter,
       'options.openSocket': given.openSocket,
-      'handlers.onFrame': told.onFrame,
+      'handlers.onFrame': givenHandlers.onFrame,
     },
   };
   for (const [name, value] of Object.entries(functions))
     if (typeof value !== 'function')
       throw new RangeError(`${name}: expected a function, got ${String(value)}`);
   requireKnown('options', OPTIONS, given);
-  requireKnown('handlers', HANDLERS, told);
+  requireKnown('handlers', HANDLERS, givenHandlers);
   if ('CONNECTING' in (given.openSocket as unknown as object))
     throw new RangeError(
       'options.openSocket: expected a function, (address) => new WebSocket(address), got the class itself',

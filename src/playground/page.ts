@@ -24,10 +24,10 @@ export function begin(document: Document, program: string): void {
   const banner = createBanner(part('banner'));
   const query = new URLSearchParams(window.location.search);
   const { choices, complaints } = readChoices(query);
-  if (complaints.length > 0) notice.tell(invalidWords(complaints));
+  if (complaints.length > 0) notice.show(invalidText(complaints));
   const store = storeOf(window);
   const isFine = choices.picture === 'fine';
-  const stage = openSceneView(canvas, isFine ? FINE : qualityFor(document), notice.tell);
+  const stage = openSceneView(canvas, isFine ? FINE : qualityFor(document), notice.show);
   const page: Page = {
     document,
     window,
@@ -47,7 +47,7 @@ export function begin(document: Document, program: string): void {
   };
   const parts = wirePage(page);
   if (stage !== null) {
-    steerCamera(canvas, stage, parts.carry!);
+    steerCamera(canvas, stage, parts.shipDrag!);
     watchContext(canvas, notice, parts.loop.resized);
     banner.rest(BUILDING);
   }
@@ -58,7 +58,7 @@ export function begin(document: Document, program: string): void {
   if (query.has('run')) void joinRace(query, page, parts);
 }
 
-function invalidWords(complaints: readonly string[]): string {
+function invalidText(complaints: readonly string[]): string {
   return `Some values in this link are invalid and were ignored.\n${complaints.join('\n')}`;
 }
 
@@ -67,12 +67,12 @@ async function joinRace(query: URLSearchParams, { runs, notice }: Page, { game }
   const loaded = await runs.load().catch(() => null);
   const race = loaded?.module.readRace(query) ?? 'run: part of the page did not load';
   if (typeof race === 'string') {
-    notice.tell(invalidWords([race]));
+    notice.show(invalidText([race]));
     return;
   }
   game.race(race);
   const seconds = race.outcome.seconds.toFixed(0);
-  notice.tell(`Race ${race.by}: ${race.score.total} points in ${seconds} s. Their ship flies beside yours.`);
+  notice.show(`Race ${race.by}: ${race.score.total} points in ${seconds} s. Their ship flies beside yours.`);
 }
 
 /** The page's storage; a browser may forbid even access to it. */

@@ -33,7 +33,7 @@ const LENGTH_DELIMITED = 2;
  */
 export function pendingServerMessage(bytes: Uint8Array): PendingMessage {
   return {
-    isFrame: bytes.length > 0 && bytes[0] === ((FRAME << 3) | LENGTH_DELIMITED),
+    isFrame: bytes[0] === ((FRAME << 3) | LENGTH_DELIMITED),
     decode: () => decodeServerMessage(bytes),
     events() {
       const short = mayHaveEvents(bytes) ? withoutShips(bytes) : null;

@@ -34,7 +34,8 @@ describeInBrowser('the example client', () => {
   });
 
   it('signs in, draws the ship until it has landed, and sends the pilot’s controls', async () => {
-    const page = await openUrl(`${host.resolvedUrls!.local[0]!}?server=${game.address}&user=ada&password=x`);
+    const address = `${host.resolvedUrls!.local[0]!}?server=${game.address}&user=ada&password=x`;
+    const page = await openUrl(address, { framesPerSecond: 4 });
     const warnings: string[] = [];
     page.on('console', (message) => {
       // On a busy machine frames are rare, and the predictor rightly warns of it.

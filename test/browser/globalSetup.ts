@@ -3,7 +3,9 @@
  * and serves it, and starts a development server for the pages of test/browser/pages. Without a Chromium the tests are skipped and counted.
  */
 import { spawnSync } from 'node:child_process';
-import { availableParallelism } from 'node:os';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { availableParallelism, tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { createServer } from 'vite';
 import type { ViteDevServer } from 'vite';
@@ -18,6 +20,8 @@ declare module 'vitest' {
     chromium: readonly string[];
     /** Address of the built page under the strict content security policy, ending with a slash. */
     builtPage: string;
+    /** Path of the folder that it is served from. */
+    builtFolder: string;
     /** Address of the development server whose root is the repository, ending with a slash. */
     devServer: string;
   }
@@ -25,12 +29,23 @@ declare module 'vitest' {
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 
-/** Builds like `npm run build`, in a separate process: vitest's NODE_ENV would make it a test build. */
-function buildPage(): void {
+/** Builds the page as `npm run build` does, in a separate process: vitest's NODE_ENV would make it a test build. */
+function buildPage(...args: string[]): void {
   const env = { ...process.env };
   for (const key of Object.keys(env)) if (/^(NODE_ENV|VITEST.*)$/.test(key)) Reflect.deleteProperty(env, key);
-  const run = spawnSync(process.execPath, ['.ci/build.mjs', 'page'], { cwd: ROOT, env, encoding: 'utf8' });
+  const run = spawnSync(process.execPath, args, { cwd: ROOT, env, encoding: 'utf8' });
   if (run.status !== 0) throw new Error(`the page does not build:\n${run.stdout}${run.stderr}`);
+}
+
+/** Builds the page into a folder. Runs of test/mutants, several at a time, have a folder each. */
+function builtPage(): { folder: string; remove: () => void } {
+  if (process.env['TOUCHDOWN_MUTANT'] === undefined) {
+    buildPage('.ci/build.mjs', 'page');
+    return { folder: `${ROOT}dist/page`, remove: () => undefined };
+  }
+  const folder = mkdtempSync(join(tmpdir(), 'touchdown-page-'));
+  buildPage('test/mutants/buildPage.mjs', folder);
+  return { folder, remove: () => rmSync(folder, { recursive: true }) };
 }
 
 function startDevServer(): Promise<ViteDevServer> {
@@ -67,13 +82,13 @@ export default async function setup(project: TestProject): Promise<() => void | 
     }
     project.provide('chromium', []);
     project.provide('builtPage', '');
+    project.provide('builtFolder', '');
     project.provide('devServer', '');
     return skipped(project);
   }
-  // The runs of test/mutants, several at a time, open pages of the development server alone.
-  if (process.env['TOUCHDOWN_MUTANT'] === undefined) buildPage();
+  const page = builtPage();
   const [built, dev, ...browsers] = await Promise.all([
-    serveFolder(`${ROOT}dist/page`),
+    serveFolder(page.folder),
     startDevServer(),
     ...Array.from({ length: availableParallelism() }, () => serveChromium(program)),
   ]);
@@ -82,8 +97,10 @@ export default async function setup(project: TestProject): Promise<() => void | 
     browsers.map((browser) => browser.wsEndpoint()),
   );
   project.provide('builtPage', built.url);
+  project.provide('builtFolder', page.folder);
   project.provide('devServer', dev.resolvedUrls?.local[0] ?? '');
   return async () => {
     await Promise.all([built, dev, ...browsers].map((running) => running.close()));
+    page.remove();
   };
 }

@@ -4,7 +4,7 @@
  * A page opened inside a test closes with the test, one opened in beforeAll with its file.
  */
 import { chromium } from 'playwright-core';
-import type { Browser, Page } from 'playwright-core';
+import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, describe, inject, onTestFailed, onTestFinished, TestRunner } from 'vitest';
 import { leaveOutTriangles } from './leaveOutTriangles';
 
@@ -82,9 +82,9 @@ function endWithTest(page: Page): void {
   });
 }
 
-/** The page draws no more often than this: the software renderer's frames are what a test's time goes into. */
-async function limitFrames(page: Page, framesPerSecond: number): Promise<void> {
-  await page.addInitScript((gap) => {
+/** Its pages draw no more often than this: the software renderer's frames are what a test's time goes into. */
+async function limitFrames(context: BrowserContext, framesPerSecond: number): Promise<void> {
+  await context.addInitScript((gap) => {
     const soon = window.requestAnimationFrame.bind(window);
     window.requestAnimationFrame = (draw) => window.setTimeout(() => soon(draw), gap);
   }, 1000 / framesPerSecond);
@@ -97,12 +97,13 @@ export async function openUrl(url: string, options: PageOptions = {}): Promise<P
   const running = await theBrowser();
   const context = await running.newContext({ ...usual, ...given, ...EVERYWHERE_THE_SAME });
   context.setDefaultTimeout(HANG);
+  // Of the context: a second page that a test opens in it is spared the same work.
+  if (framesPerSecond !== undefined) await limitFrames(context, framesPerSecond);
+  if (!drawn) await context.addInitScript(leaveOutTriangles);
   const page = await context.newPage();
   watchForProblems(page);
   // Not the state of `expect`: in a later beforeAll that still names the test before.
   if (TestRunner.getCurrentTest() !== undefined) endWithTest(page);
-  if (framesPerSecond !== undefined) await limitFrames(page, framesPerSecond);
-  if (!drawn) await page.addInitScript(leaveOutTriangles);
   await prepare?.(page);
   await page.goto(url);
   return page;

@@ -3,11 +3,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, expect, it, vi } from 'vitest';
 import { compareFixture, readFixture, SCENARIOS } from '../../src/scenarios';
-import { MAY_SKIP, pythonVersion, SERVICE_TESTS, writeFixtures } from './python';
+import { HAS_PYTHON, MAY_SKIP, SERVICE_TESTS, writeFixtures } from './python';
 import { SCENARIO_FILE, scenarioText, WORLD_FILE, worldText } from './scenarioData';
 
 const COMMITTED = join(SERVICE_TESTS, 'fixtures');
-const withPython = pythonVersion() === null && MAY_SKIP ? it.skip : it;
+const withPython = !HAS_PYTHON && MAY_SKIP ? it.skip : it;
 
 function filesIn(folder: string): Map<string, string> {
   const names = readdirSync(folder).sort();

@@ -2,13 +2,12 @@ import { describe, expect, it } from 'vitest';
 import { differences, playDrawnCases, replaySpread } from './bothSides';
 import { hashCase } from './compare';
 import { fewestOf } from './cases/coverage';
-import { MAY_SKIP, pythonVersion, replayInPython, surveyInPython } from './python';
+import { HAS_PYTHON, MAY_SKIP, replayInPython, surveyInPython } from './python';
 import { recordedCases, scenarioCases } from './scenarioData';
 import { heightmapPoints, heightsHere, surveyMaps, surveyPoints } from './survey';
 
-const python = pythonVersion();
-const withPython = python === null && MAY_SKIP ? it.skip : it;
-if (python === null)
+const withPython = !HAS_PYTHON && MAY_SKIP ? it.skip : it;
+if (!HAS_PYTHON)
   console.warn('no python3 of at least 3.10: the comparison with the Python server is skipped');
 
 /** A tenth of what `npm run test:long` compares. */

@@ -2,6 +2,7 @@
 import { spawn, spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { findPython, type Python } from '../../.ci/python.mjs';
 import { caseToJson, type ExactCase } from './cases/exactCase';
 
 /** The folder that holds the package `touchdown_service`. */
@@ -10,15 +11,10 @@ export const SERVER_HOME = fileURLToPath(new URL('../../src/service', import.met
 /** Scenarios and trajectories of the service's tests. */
 export const SERVICE_TESTS = fileURLToPath(new URL('../service', import.meta.url));
 
-const PYTHON = process.env['PYTHON'] ?? 'python3';
+const python = findPython();
 
-/** "Python 3.11.7", or null where there is none that is new enough for the server (3.10). */
-export function pythonVersion(): string | null {
-  const program =
-    'import sys; print("Python %d.%d.%d" % sys.version_info[:3]); sys.exit(sys.version_info < (3, 10))';
-  const run = spawnSync(PYTHON, ['-c', program], { encoding: 'utf8' });
-  return run.status === 0 ? run.stdout.trim() : null;
-}
+/** Whether there is a Python that is new enough for the server (3.10). */
+export const HAS_PYTHON = python !== undefined;
 
 /** In CI nothing is skipped: a missing python3 fails the tests. */
 export const MAY_SKIP = process.env['CI'] === undefined || process.env['CI'] === '';
@@ -64,14 +60,14 @@ export async function rowsInPython(exact: ExactCase, home: string = SERVER_HOME)
 
 /** Runs `python3 -m touchdown_service.comparison.fixtures`, which writes every scenario as a fixture into `folder`. */
 export function writeFixtures(folder: string): void {
-  const command = [
-    '-B',
+  const { command, env } = python!;
+  const given = [
     '-m',
     'touchdown_service.comparison.fixtures',
     join(SERVICE_TESTS, 'scenarios.json'),
     folder,
   ];
-  const { status, stderr } = spawnSync(PYTHON, command, { cwd: SERVER_HOME, encoding: 'utf8' });
+  const { status, stderr } = spawnSync(command, given, { cwd: SERVER_HOME, env, encoding: 'utf8' });
   if (status !== 0) throw new Error(`touchdown_service.comparison.fixtures failed: ${stderr}`);
 }
 
@@ -87,6 +83,14 @@ export function surveyInPython(
   return run('touchdown_service.comparison.survey', [...maps, ...points], { home });
 }
 
+/** Of the server's package in `home`. What is compiled of a copy stays in its folder, and goes with it. */
+function environmentIn(home: string): Python {
+  const { command, env } = python!;
+  return home === SERVER_HOME
+    ? python!
+    : { command, env: { ...env, PYTHONPATH: home, PYTHONPYCACHEPREFIX: '' } };
+}
+
 /** Runs a module of the server with `input`, one line of JSON per item. Returns the lines of its output. */
 function run(
   module: string,
@@ -94,8 +98,8 @@ function run(
   { home, options = [] }: { readonly home: string; readonly options?: readonly string[] },
 ): Promise<string[]> {
   return new Promise((resolve, reject) => {
-    // -B: no __pycache__ beside the sources.
-    const child = spawn(PYTHON, ['-B', '-m', module, ...options], { cwd: home });
+    const { command, env } = environmentIn(home);
+    const child = spawn(command, ['-m', module, ...options], { cwd: home, env });
     const out: Buffer[] = [];
     const err: Buffer[] = [];
     child.stdout.on('data', (chunk: Buffer) => out.push(chunk));

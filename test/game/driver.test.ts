@@ -31,7 +31,7 @@ it('sends nothing of the caller’s between the socket’s opening and the welco
   const { driver, sent } = openedDriver();
   expect(driver.write('inputs')).toBe(false);
   expect(sent).toEqual(['auth']);
-  driver.happen({ kind: 'welcome' });
+  driver.dispatch({ kind: 'welcome' });
   expect(driver.write('inputs')).toBe(true);
   expect(sent).toEqual(['auth', 'inputs']);
 });
@@ -43,7 +43,7 @@ it.each([
   ['seen', undefined, [3, 2.625, 3.09375]],
 ] as const)('waits for three intervals, %s, before it takes a server for silent', (_, interval, waits) => {
   const { driver, clock } = openedDriver();
-  driver.happen({ kind: 'welcome' });
+  driver.dispatch({ kind: 'welcome' });
   const waitsAfter = [0, 0.5, 1.5].map((seconds) => {
     clock.pass(seconds);
     driver.stateReceived(interval);

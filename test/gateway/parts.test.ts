@@ -3,7 +3,7 @@ import { createAccounts } from '../../src/gateway/accounts';
 import { shareFrame } from '../../src/gateway/redis/sharedFrame';
 import { readWorldFrame } from '../../src/gateway/redis/feed';
 import { shipsInSight } from '../../src/gateway/clients/interest';
-import { createBucket, MAX_STATE, take } from '../../src/gateway/clients/limits';
+import { consume, createBucket, MAX_STATE } from '../../src/gateway/clients/limits';
 import { readText } from '../../src/gateway/clients/messages';
 import { decodeFrameJson, decodeServerMessage, encodeFrameJson } from '../../src/wire';
 import { FRAME, SHIP } from '../wire/messages';
@@ -43,14 +43,30 @@ it('sends the own ship first, then the nearest within the radius', () => {
   expect(shipsInSight(ships, 1, { radius: 1000, maxShips: 10 })).toEqual([1, 2, 3]);
   expect(shipsInSight(ships, 1, { radius: 1000, maxShips: 2 })).toEqual([1, 2]);
   expect(shipsInSight(ships, -1, { radius: 1, maxShips: 3 })).toEqual([0, 1, 2]);
+  expect(shipsInSight(ships, 1, { radius: 300, maxShips: 10 })).toEqual([1, 2, 3]);
+  expect(shipsInSight(ships, 1, { radius: 299, maxShips: 10 })).toEqual([1, 2]);
+  // 2, 3, 6 → 7 m; from (−5, 4, 9) in any order of the axes.
+  const around = [
+    { ...SHIP, position: [-5, 4, 9] as const },
+    ...[[2, 3, 6] as const, [6, 2, -3] as const, [-3, -6, 2] as const].map((away) => ({
+      ...SHIP,
+      position: [away[0] - 5, away[1] + 4, away[2] + 9] as const,
+    })),
+  ];
+  expect(shipsInSight(around, 0, { radius: 7, maxShips: 10 })).toEqual([0, 1, 2, 3]);
+  expect(shipsInSight(around, 0, { radius: 6.99, maxShips: 10 })).toEqual([0]);
 });
 
 it('allows a burst, then a steady rate', () => {
   const bucket = createBucket({ perSecond: 2, burst: 3 }, 0);
-  expect([1, 1, 1, 1].map((count) => take(bucket, count, 0))).toEqual([true, true, true, false]);
-  expect(take(bucket, 1, 0.5)).toBe(true);
-  expect(take(bucket, 1, 0.5)).toBe(false);
-  expect(take(bucket, 4, 1000)).toBe(false);
+  expect([1, 1, 1, 1].map((count) => consume(bucket, count, 0))).toEqual([true, true, true, false]);
+  expect(consume(bucket, 1, 0.5)).toBe(true);
+  expect(consume(bucket, 1, 0.5)).toBe(false);
+  expect(consume(bucket, 4, 1000)).toBe(false);
+  expect(consume(bucket, 3, 1000)).toBe(true);
+  // A clock that is set back takes no tokens away.
+  expect(consume(bucket, 0, 999)).toBe(true);
+  expect(consume(bucket, 1, 999.5)).toBe(true);
 });
 
 it('checks name and password, and accepts its own tokens until they expire', async () => {

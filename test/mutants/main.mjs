@@ -1,8 +1,8 @@
 // npm run mutants: changes the source in one place at a time and looks whether the room's tests notice.
-//   npm run mutants -- [ROOM …] [--count 24] [--seed 1]
-//   npm run mutants -- --at src/wire/messages/frame.ts:41    all changes of one line
+//   npm run mutants -- [ROOM …] [--count 24] [--seed 1] [--workers 2]
+//   npm run mutants -- --at src/wire/messages/frame.ts:41    all changes of one line; without :41 of the file
 // Prints the survivors by file and line, and "killed/tried" of each room. The changes are drawn by the seed: the same ones each time.
-// Nothing is written to the source: the change is made while the tests' bundles are built (test/bundle.mjs).
+// Nothing is written to the source: the change is made while the tests' bundles and the page are built (test/bundle.mjs).
 import { spawn } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -16,6 +16,7 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 /** Rooms, and the folders of the tests that hold each. */
 const ROOMS = {
   dynamics: ['dynamics', 'exact', 'engines', 'parity'],
+  protocol: ['wire'],
   wire: ['wire'],
   prediction: ['prediction'],
   readout: ['readout'],
@@ -23,11 +24,14 @@ const ROOMS = {
   scenarios: ['scenarios'],
   game: ['game', 'example'],
   gateway: ['gateway'],
-  playground: ['playground'],
-  scene: ['scene'],
+  hud: ['browser/hud'],
+  scene: ['scene', 'browser/playground'],
+  playground: ['playground', 'browser/playground', 'browser/pilot'],
 };
 /** ms; a loop without an end is noticed too. */
 const TIME_LIMIT = 300_000;
+/** ms that the first group of tests takes at most, unless its one test takes longer. */
+const FIRST_STAGE = 3000;
 
 function filesUnder(folder, matching) {
   return readdirSync(join(ROOT, folder), { recursive: true, encoding: 'utf8' })
@@ -36,88 +40,103 @@ function filesUnder(folder, matching) {
     .sort();
 }
 
-/** Rooms that are tested on pages in Chromium, which come from the development server: all its tests stand before each source. */
-const ON_PAGES = { hud: 'browser/hud' };
+const isOnPages = (test) => test.startsWith('test/browser/');
 
-/** Which source files stand behind each test file of a room: [[test, Set of sources], …]. */
+/** Which source files of a room stand behind each test file: [[test, Set of sources], …]. A page may load any of them. */
 async function sourcesBehind(room) {
-  if (room in ON_PAGES) {
-    const all = new Set(filesUnder(`src/${room}`, /\.ts$/));
-    return filesUnder(`test/${ON_PAGES[room]}`, /\.test\.ts$/).map((test) => [test, all]);
-  }
+  const all = new Set(filesUnder(`src/${room}`, /\.ts$/));
   const tests = ROOMS[room].flatMap((folder) => filesUnder(`test/${folder}`, /(?<!\.long)\.test\.ts$/));
   const behind = [];
   for (const test of tests) {
-    const { modules } = await bundle(join(ROOT, test));
-    behind.push([test, new Set(modules.map((module) => relative(ROOT, module).replaceAll('\\', '/')))]);
+    if (isOnPages(test)) behind.push([test, all]);
+    else {
+      const { modules } = await bundle(join(ROOT, test));
+      behind.push([test, new Set(modules.map((module) => relative(ROOT, module).replaceAll('\\', '/')))]);
+    }
   }
   return behind;
 }
 
-/** Runs test files on the changed source: true when all pass. */
-function passes(tests, mutant) {
-  const project = tests[0].startsWith('test/browser') ? 'browser' : 'node';
-  const args = [
-    'node_modules/vitest/vitest.mjs',
-    'run',
-    '--project',
-    project,
-    '--maxWorkers',
-    '1',
-    '--bail',
-    '1',
-  ];
+/** Groups of processes that an interrupted sampling must not leave. */
+const running = new Set();
+const endGroup = (pid) => process.kill(-pid, 'SIGKILL');
+process.on('exit', () => running.forEach(endGroup));
+for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, () => process.exit(1));
+
+/** Runs test files on the changed source: true when all pass within `limit` ms. */
+function passes(tests, mutant, limit = TIME_LIMIT) {
+  const project = isOnPages(tests[0]) ? 'browser' : 'node';
+  const args = ['run', '--project', project, '--maxWorkers', '1', '--bail', '1', '--reporter', 'dot'];
   // A test that is skipped would pass.
-  const told = { TOUCHDOWN_MUTANT: mutant ? JSON.stringify(mutant) : '', TOUCHDOWN_NO_SKIP: '1' };
-  const env = { ...process.env, ...told };
-  const options = { cwd: ROOT, env, stdio: 'ignore', timeout: TIME_LIMIT };
+  const variables = { TOUCHDOWN_MUTANT: mutant ? JSON.stringify(mutant) : '', TOUCHDOWN_NO_SKIP: '1' };
+  const options = { cwd: ROOT, env: { ...process.env, ...variables }, stdio: 'ignore', detached: true };
+  const run = spawn(process.execPath, ['node_modules/vitest/vitest.mjs', ...args, ...tests], options);
+  // The whole group: a worker in an endless loop outlives the runner.
+  const end = setTimeout(() => endGroup(run.pid), limit);
+  running.add(run.pid);
   return new Promise((resolve) => {
-    spawn(process.execPath, [...args, '--reporter', 'dot', ...tests], options).on('close', (code) =>
-      resolve(code === 0),
-    );
+    run.on('close', (code) => {
+      clearTimeout(end);
+      running.delete(run.pid);
+      resolve(code === 0);
+    });
   });
 }
 
-/** Calls `work` with each item, as many at a time as there are cores. */
+/** Calls `work` with each item, `workers` at a time. */
 async function forEach(items, work) {
   const left = [...items];
   const lane = async () => {
     for (let item = left.shift(); item !== undefined; item = left.shift()) await work(item);
   };
-  await Promise.all(Array.from({ length: availableParallelism() }, lane));
+  await Promise.all(Array.from({ length: Number(values.workers) }, lane));
 }
 
-/** Those of the test files that pass without any change, the quickest first; only they can tell of one. */
+/** Those of the test files that pass without any change, which alone can tell of one: [{ test, sources, took }], the quickest first. */
 async function passingOf(behind) {
   const passing = [];
-  await forEach(behind, async (one) => {
+  await forEach(behind, async ([test, sources]) => {
     const began = performance.now();
-    if (await passes([one[0]])) passing.push({ one, took: performance.now() - began });
-    else console.log(`  left out, it fails without any change: ${one[0]}`);
+    if (await passes([test])) passing.push({ test, sources, took: performance.now() - began });
+    else console.log(`  left out, it fails without any change: ${test}`);
   });
-  return passing.sort((a, b) => a.took - b.took).map(({ one }) => one);
+  return passing.sort((a, b) => isOnPages(a.test) - isOnPages(b.test) || a.took - b.took);
 }
 
-/** Whether all tests pass on the changed source. The slower half is asked only where the quicker has noticed nothing. */
-async function survivesAll(tests, mutant) {
-  const half = Math.ceil(tests.length / 2);
-  for (const part of [tests.slice(0, half), tests.slice(half)])
-    if (part.length > 0 && !(await passes(part, mutant))) return false;
+/** Groups of tests, each for one run: few changes survive the first, which takes a fraction of the last's time. */
+function stagesOf(passing) {
+  const stages = [];
+  let stage = { limit: 0 };
+  for (const { test, took } of passing) {
+    const onPages = isOnPages(test);
+    if (onPages !== stage.onPages || stage.took + took > stage.limit) {
+      const limit = Math.max(took, FIRST_STAGE, 3 * stage.limit);
+      stage = { onPages, tests: [], took: 0, limit };
+      stages.push(stage);
+    }
+    stage.tests.push(test);
+    stage.took += took;
+  }
+  return stages;
+}
+
+async function survivesAll(passing, mutant) {
+  for (const { tests, took } of stagesOf(passing))
+    if (!(await passes(tests, mutant, Math.min(TIME_LIMIT, 20_000 + 20 * took)))) return false;
   return true;
 }
 
 /** Tries the changes of a room that `choose` picks out of all. */
 async function tryRoom(room, choose) {
-  const behind = await passingOf(await sourcesBehind(room));
+  const passing = await passingOf(await sourcesBehind(room));
   const all = filesUnder(`src/${room}`, /(?<!\.d)\.ts$/).flatMap((path) =>
     changesOf(path, readFileSync(join(ROOT, path), 'utf8')).map((change) => ({ path, ...change })),
   );
   const tried = choose(all);
   let survivors = 0;
   await forEach(tried, async (mutant) => {
-    const tests = behind.filter(([, sources]) => sources.has(mutant.path)).map(([test]) => test);
-    const survives = await survivesAll(tests, mutant);
-    if (survives) {
+    const concerned = passing.filter(({ sources }) => sources.has(mutant.path));
+    if (await survivesAll(concerned, mutant)) {
       survivors += 1;
       console.log(`  survives: ${mutant.path}:${mutant.line}  ${mutant.says}`);
     } else process.stderr.write('.');
@@ -133,14 +152,15 @@ const { values, positionals } = parseArgs({
     count: { type: 'string', default: '24' },
     seed: { type: 'string', default: '1' },
     at: { type: 'string' },
+    workers: { type: 'string', default: String(availableParallelism()) },
   },
 });
 const { count, seed, at } = values;
 const draw = (all) => sampleOf(all, Number(count), Number(seed));
-const atLine = (all) => all.filter(({ path, line }) => `${path}:${line}` === at);
+const inPlace = (all) => all.filter(({ path, line }) => path === at || `${path}:${line}` === at);
 const named = at === undefined ? positionals : [at.split('/')[1]];
-const known = Object.keys({ ...ROOMS, ...ON_PAGES });
+const known = Object.keys(ROOMS);
 const rooms = named.length > 0 ? named : known;
 const unknown = rooms.find((room) => !known.includes(room));
 if (unknown) throw new Error(`no room ${unknown}; there are ${known.join(', ')}`);
-for (const room of rooms) await tryRoom(room, at === undefined ? draw : atLine);
+for (const room of rooms) await tryRoom(room, at === undefined ? draw : inPlace);

@@ -38,7 +38,7 @@ function whatFailed(words: string): string {
 function unittest(module: string): Promise<{ code: number | null; words: string }> {
   return new Promise((resolve, reject) => {
     const { command, env } = servicePython();
-    const child = spawn(command, ['-B', '-m', 'unittest', module], { cwd: HERE, env });
+    const child = spawn(command, ['-m', 'unittest', module], { cwd: HERE, env });
     const said: Buffer[] = [];
     child.stdout.on('data', (chunk: Buffer) => said.push(chunk));
     child.stderr.on('data', (chunk: Buffer) => said.push(chunk));

@@ -14,7 +14,7 @@ it.skipIf(isMissing('redis'))(
     const { command, env } = servicePython();
     try {
       const file = join(folder, 'landing.json');
-      const child = spawn(command, ['-B', 'record_landing.py', file], { cwd: HERE, env, stdio: 'inherit' });
+      const child = spawn(command, ['record_landing.py', file], { cwd: HERE, env, stdio: 'inherit' });
       const code = await new Promise((resolve) => child.on('close', resolve));
       expect(code).toBe(0);
       const fixture = readFixture(readFileSync(file, 'utf8'));

@@ -1,15 +1,15 @@
 import { SCENARIO_NAMES } from '../panels/choices';
 import type { Action } from '../input/keyTable';
 import { isFlight } from '../input/stick';
-import type { PanelAct } from '../panels/panel';
-import type { ActsPlace } from './actsPlace';
-import { createOperatorActs, isRemote, type OperatorActs } from './operatorActs';
+import type { PanelAction } from '../panels/panel';
+import type { ActionTargets } from './actionTargets';
+import { createOperatorActions, isRemote, type OperatorActions } from './operatorActions';
 
 /** The actions of keys, gamepads and buttons. */
-export interface Acts {
+export interface Actions {
   readonly press: (action: Action) => void;
   readonly release: (action: Action) => void;
-  readonly act: (act: PanelAct) => void;
+  readonly runPanelAction: (action: PanelAction) => void;
   /** Called once per frame: ends timed actions. */
   readonly tick: (wall: number) => void;
   /** A new world has begun: it is neither paused nor frozen. */
@@ -21,29 +21,29 @@ const HOP = 1;
 
 type KeyActs = Partial<Record<Action, () => void>>;
 
-export function createActs(place: ActsPlace): Acts {
-  const { live } = place;
-  const operator = createOperatorActs(place);
+export function createActions(targets: ActionTargets): Actions {
+  const { live } = targets;
+  const operator = createOperatorActions(targets);
   const hop = { endsAt: NaN };
-  const buttons = buttonActs(place, operator, hop);
+  const buttons = buttonActs(targets, operator, hop);
   const always: KeyActs = {
-    landingAids: place.toggleAids,
-    mute: place.toggleSound,
-    nextCamera: place.nextCamera,
-    hide: place.toggleBare,
-    help: place.help,
+    landingAids: targets.toggleAids,
+    mute: targets.toggleSound,
+    nextCamera: targets.nextCamera,
+    hide: targets.toggleBare,
+    help: targets.help,
   };
   const flying: KeyActs = {
     restart: buttons.restart,
     pause: operator.pause,
     stepSubstep: operator.stepSubstep,
-    previousScenario: () => scenarioBy(place, -1),
-    nextScenario: () => scenarioBy(place, 1),
+    previousScenario: () => scenarioBy(targets, -1),
+    nextScenario: () => scenarioBy(targets, 1),
   };
   const replaying: KeyActs = {
-    pause: place.deck.togglePlay,
-    stepSubstep: () => place.deck.step('substep', 1),
-    stepBack: () => place.deck.step('substep', -1),
+    pause: targets.deck.togglePlay,
+    stepSubstep: () => targets.deck.step('substep', 1),
+    stepBack: () => targets.deck.step('substep', -1),
   };
   return {
     reset() {
@@ -51,22 +51,22 @@ export function createActs(place: ActsPlace): Acts {
       operator.reset();
     },
     press(action) {
-      const isReplaying = place.deck.replay() !== null;
+      const isReplaying = targets.deck.replay() !== null;
       if (!isReplaying && (isFlight(action) || action === 'autopilot')) {
         hop.endsAt = NaN;
-        live.hands.press(action);
+        live.flightControls.press(action);
         live.steer();
       } else ({ ...always, ...(isReplaying ? replaying : flying) })[action]?.();
     },
     release(action) {
-      live.hands.release(action);
+      live.flightControls.release(action);
       if (isFlight(action)) live.steer();
     },
-    act: (act) => buttons[act](),
+    runPanelAction: (action) => buttons[action](),
     tick(wall) {
       if (live.clock.now() >= hop.endsAt) {
         hop.endsAt = NaN;
-        live.hands.press('throttleCut');
+        live.flightControls.press('throttleCut');
       }
       operator.tick(wall);
     },
@@ -75,34 +75,34 @@ export function createActs(place: ActsPlace): Acts {
 
 /** The actions of the panel's buttons. */
 function buttonActs(
-  place: ActsPlace,
-  operator: OperatorActs,
+  targets: ActionTargets,
+  operator: OperatorActions,
   hop: { endsAt: number },
-): Readonly<Record<PanelAct, () => void>> {
-  const { live } = place;
+): Readonly<Record<PanelAction, () => void>> {
+  const { live } = targets;
   return {
     ...operator,
     restart: () => {
-      if (!isRemote(place)) place.begin();
+      if (!isRemote(targets)) targets.begin();
     },
-    copyLink: place.copyLink,
-    copyFlight: place.copyFlight,
-    invite: place.invite,
-    help: place.help,
-    sound: place.toggleSound,
-    resetCamera: place.resetCamera,
-    nextCamera: place.nextCamera,
+    copyLink: targets.copyLink,
+    copyFlight: targets.copyFlight,
+    invite: targets.invite,
+    help: targets.help,
+    sound: targets.toggleSound,
+    resetCamera: targets.resetCamera,
+    nextCamera: targets.nextCamera,
     tryHop: () => {
-      live.hands.press('throttleFull');
+      live.flightControls.press('throttleFull');
       hop.endsAt = live.clock.now() + HOP;
     },
-    tryTopple: () => place.choose('scenario', 'topple'),
-    tryLastState: () => place.choose('mode', place.choices().mode === 'last' ? 'predicted' : 'last'),
+    tryTopple: () => targets.choose('scenario', 'topple'),
+    tryLastState: () => targets.choose('mode', targets.choices().mode === 'last' ? 'predicted' : 'last'),
   };
 }
 
-function scenarioBy(place: ActsPlace, step: number): void {
-  if (isRemote(place)) return;
-  const at = SCENARIO_NAMES.indexOf(place.choices().scenario);
-  place.choose('scenario', SCENARIO_NAMES[(at + step + SCENARIO_NAMES.length) % SCENARIO_NAMES.length]!);
+function scenarioBy(targets: ActionTargets, step: number): void {
+  if (isRemote(targets)) return;
+  const at = SCENARIO_NAMES.indexOf(targets.choices().scenario);
+  targets.choose('scenario', SCENARIO_NAMES[(at + step + SCENARIO_NAMES.length) % SCENARIO_NAMES.length]!);
 }

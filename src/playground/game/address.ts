@@ -40,7 +40,7 @@ export function createAddress(window: Window, banner: Banner, notice: Notice): A
     },
     copy(query, done) {
       const link = window.location.origin + window.location.pathname + query;
-      const show = () => notice.tellLink('Could not copy; the link is:', link);
+      const show = () => notice.showLink('Could not copy; the link is:', link);
       const { clipboard } = window.navigator as Partial<Navigator>;
       if (clipboard === undefined) show();
       else clipboard.writeText(link).then(() => banner.flash(done), show);

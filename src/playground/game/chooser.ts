@@ -3,7 +3,7 @@ import { findMission, findScenario } from '../../scenarios';
 import { saveKeys } from '../input/keyTable';
 import { type Choices, OVERLAY_NAMES, setChoice } from '../panels/choices';
 import type { Help } from '../panels/help';
-import { keyCapOf } from './words/controlWords';
+import { keyCapOf } from './texts/controlTexts';
 import { networkOf, upNetworkOf } from './live';
 import type { Page } from './pageParts';
 import type { Chooser, Parts } from './parts';
@@ -38,13 +38,13 @@ export function createChooser(page: Page, parts: Parts): Chooser {
   const applyLive = (name: keyof Choices) => {
     if (name === 'slow') {
       parts.live.setSpeed(choices.slow);
-      if (choices.slow < 1) parts.game.meddled('it was flown in slow motion');
+      if (choices.slow < 1) parts.game.markIntervention('it was flown in slow motion');
     } else if (name !== 'mode' && name !== 'overlays' && name !== 'pilot') operateNetwork();
     showOverlays();
   };
   const beginWorld = () => {
     parts.scene.leave();
-    parts.acts.reset();
+    parts.actions.reset();
     const terrain = choices.terrain === '' ? findScenario(choices.scenario)!.terrain : choices.terrain;
     stage?.setTerrain(TERRAINS[terrain]!);
     showOverlays();
@@ -80,7 +80,7 @@ export function createChooser(page: Page, parts: Parts): Chooser {
     },
     invite() {
       room ||= `tab:${Math.random().toString(36).slice(2, 8)}`;
-      parts.game.meddled('another pilot was let in');
+      parts.game.markIntervention('another pilot was let in');
       parts.live.operate({ kind: 'invite', address: room });
       address.copy(`?server=${room}`, 'Link copied: open it in another tab of this browser.');
     },
@@ -107,7 +107,7 @@ function createHelpOpener(page: Page, parts: Parts): () => void {
       ({ open }) => open(),
       () => {
         help = null;
-        page.notice.tell('The list of keys did not load. Check the network and press the key again.');
+        page.notice.show('The list of keys did not load. Check the network and press the key again.');
       },
     );
   };

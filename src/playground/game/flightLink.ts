@@ -6,7 +6,7 @@ import type { Live } from './live';
 import { MAX_LINK_LENGTH, readFlight, writeFlight } from './mission/runText';
 import { scriptOf } from './script';
 
-export interface FlightLinkPlace {
+export interface FlightLinkContext {
   readonly live: () => Live;
   readonly choices: () => Choices;
   readonly address: Address;
@@ -23,14 +23,14 @@ export interface FlightLink {
   readonly copyOf: (recording: Recording) => void;
 }
 
-export function createFlightLink({ live, choices, address, notice }: FlightLinkPlace): FlightLink {
+export function createFlightLink({ live, choices, address, notice }: FlightLinkContext): FlightLink {
   let isAsked = false;
   const put = (world: Choices, inputs: readonly RunInput[]) => {
     const { substeps } = scriptOf(world);
     const flown = continued(world.flight, inputs, substeps);
     const query = writeChoices({ ...world, flight: writeFlight(flown, substeps) });
     if (query.length > MAX_LINK_LENGTH)
-      notice.tell(
+      notice.show(
         `This flight makes a link of ${query.length} characters; some programs cut links that long.`,
       );
     address.copy(

@@ -8,15 +8,15 @@ import { deferConnection } from '../server/deferred';
 import type { LoadOperation, Operation } from '../server/operation';
 import { TAB_ADDRESS } from '../server/tabAddress';
 import type { Baseline } from './baseline';
-import type { Hands } from './hands';
+import type { FlightControls } from './flightControls';
 import { createLiveState, forgetWorld, type LiveListeners, type LiveState, noteMessage } from './liveState';
 import type { PageClock } from './pageClock';
 import { type Script, scriptOf } from './script';
 
-/** A game against a server: connection, predictor, hands. */
+/** A game against a server: connection, predictor, flight controls. */
 export interface Live {
   readonly clock: PageClock;
-  readonly hands: Hands;
+  readonly flightControls: FlightControls;
   readonly baseline: Baseline;
   /** advance → view, and sends outgoing messages. */
   readonly frame: () => WorldView;
@@ -28,7 +28,7 @@ export interface Live {
   readonly reconnect: () => void;
   readonly setSpeed: (speed: number) => void;
   /** While true no frame is taken: as in a hidden tab. */
-  readonly hold: (held: boolean) => void;
+  readonly suspend: (held: boolean) => void;
   /** The newest view. */
   readonly view: () => WorldView;
   /** A world has been requested and has not arrived yet. */
@@ -67,10 +67,10 @@ export function upNetworkOf(choices: Choices): NetworkNumbers | undefined {
 /** @param program address of the page's own main module, which the worker runs too */
 export function createLive(program: string, listeners: LiveListeners): Live {
   const state = createLiveState(program, listeners);
-  const { clock, hands, baseline, runHash } = state;
+  const { clock, flightControls, baseline, runHash } = state;
   return {
     clock,
-    hands,
+    flightControls,
     baseline,
     frame: () => (state.isHeld ? state.view : takeFrame(state, clock.now())),
     steer() {
@@ -86,9 +86,9 @@ export function createLive(program: string, listeners: LiveListeners): Live {
       clock.setSpeed(speed);
       state.connection?.setSpeed(speed);
     },
-    hold(held) {
+    suspend(held) {
       state.isHeld = held;
-      if (held) hands.letGo();
+      if (held) flightControls.releaseAll();
     },
     view: () => state.view,
     isLoading: () => state.isLoading,
@@ -111,7 +111,7 @@ function takeFrame(state: LiveState, now: number): WorldView {
 function fly(state: LiveState, now: number): Controls | null {
   const seconds = Number.isNaN(state.sampledAt) ? 0 : now - state.sampledAt;
   state.sampledAt = now;
-  const commanded = state.hands.controls(state.view, now, seconds / state.clock.speed());
+  const commanded = state.flightControls.sample(state.view, now, seconds / state.clock.speed());
   return commanded === null && state.script === null ? NEUTRAL_CONTROLS : commanded;
 }
 

@@ -4,10 +4,10 @@ import type { RecordingEntry, RunInput, ScheduledInput } from '../../scenarios';
 import type { PartialFrame, ServerMessage } from '../../wire';
 import type { Connection, ShipLoss } from '../server/connection';
 import { type Baseline, createBaseline } from './baseline';
-import { createHands, type Hands } from './hands';
+import { createFlightControls, type FlightControls } from './flightControls';
 import { createRunHash, type RunHash } from './mission/runHash';
 import { createPageClock, type PageClock } from './pageClock';
-import { createPendingTap, type PendingTap } from './receiving';
+import { createPendingTap, type PendingTap } from './pendingTap';
 import type { Script } from './script';
 
 /** Reports of a live game to the page. */
@@ -33,7 +33,7 @@ export interface LiveState {
   readonly program: string;
   readonly listeners: LiveListeners;
   readonly clock: PageClock;
-  readonly hands: Hands;
+  readonly flightControls: FlightControls;
   readonly baseline: Baseline;
   readonly runHash: RunHash;
   readonly tap: PendingTap;
@@ -45,7 +45,7 @@ export interface LiveState {
   script: Script | null;
   /** Name of the present terrain. */
   ground: string;
-  /** Wall s of the page's clock at which the hands were sampled last; NaN before. */
+  /** Wall s of the page's clock of the last sample of the controls; NaN before. */
   sampledAt: number;
   /** While true no frame is taken, as in a hidden tab. */
   isHeld: boolean;
@@ -63,7 +63,7 @@ export function createLiveState(program: string, listeners: LiveListeners): Live
     program,
     listeners,
     clock,
-    hands: createHands(
+    flightControls: createFlightControls(
       () => state.view,
       () => TERRAINS[state.ground] ?? flatTerrain,
     ),
@@ -96,7 +96,7 @@ export function forgetWorld(state: LiveState): void {
   state.tap.clear();
   state.predictor = newPredictor(script, listeners);
   state.baseline.forget();
-  state.hands.reset();
+  state.flightControls.reset();
   state.runHash.begin(script?.lastTick ?? -1);
   listeners.onWorld(script?.plan ?? []);
 }

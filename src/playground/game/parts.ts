@@ -1,4 +1,4 @@
-import type { Carry } from '../input/carry';
+import type { ShipDrag } from '../input/shipDrag';
 import type { Devices } from '../input/devices';
 import type { Choices } from '../panels/choices';
 import type { Panel } from '../panels/panel';
@@ -7,7 +7,7 @@ import type { Sound } from '../sound/sound';
 import type { Cockpit } from '../view/cockpit';
 import type { FrameLoop } from '../view/frameLoop';
 import type { PageView } from '../view/pageView';
-import type { Acts } from './actions';
+import type { Actions } from './actions';
 import type { FlightLink } from './flightLink';
 import type { Live } from './live';
 import type { MissionGame } from './mission/missionGame';
@@ -19,11 +19,11 @@ export interface Parts {
   dock: LazyDock;
   panel: Panel;
   chooser: Chooser;
-  acts: Acts;
+  actions: Actions;
   game: MissionGame;
   cockpit: Cockpit;
   /** null without a picture. */
-  carry: Carry | null;
+  shipDrag: ShipDrag | null;
   flightLink: FlightLink;
   devices: Devices;
   /** null until it is needed: its code is loaded then. */

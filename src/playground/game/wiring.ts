@@ -2,20 +2,20 @@ import { createGoalPanel } from '../panels/goal';
 import { createLazyDock } from '../panels/workshop/lazyDock';
 import { createMissionCard } from '../panels/missionCard';
 import { createPanel, type Panel } from '../panels/panel';
-import { createCarry } from '../input/carry';
+import { createShipDrag } from '../input/shipDrag';
 import { connectDevices, type Devices } from '../input/devices';
 import { createPageView, type PageView, takeDrops } from '../view/pageView';
 import { watchSize } from '../view/pageSize';
-import { type Acts, createActs } from './actions';
+import { type Actions, createActions } from './actions';
 import { createCameraSwitch } from '../view/cameraSwitch';
 import { createChooser } from './chooser';
-import { keyCapOf, wireCockpit } from './words/controlWords';
+import { keyCapOf, wireCockpit } from './texts/controlTexts';
 import type { FlightLink } from './flightLink';
 import { createLive, type Live } from './live';
 import { createMissionGame, type MissionGame } from './mission/missionGame';
 import type { Page } from './pageParts';
 import type { Parts } from './parts';
-import { wireFrames } from './showing';
+import { wireFrames } from './frames';
 
 const WORKSHOP_FAILED = 'The workshop did not load. Check the network and open it again.';
 
@@ -25,17 +25,17 @@ export function wirePage(page: Page): Parts {
   parts.live = wireLive(page, parts);
   parts.scene = wireScene(page, parts);
   parts.dock = createLazyDock(page.part('dock'), parts.scene.listeners, () =>
-    page.notice.tell(WORKSHOP_FAILED),
+    page.notice.show(WORKSHOP_FAILED),
   );
   parts.chooser = createChooser(page, parts);
   parts.panel = wirePanel(page, parts);
   parts.sound = null;
-  parts.carry =
+  parts.shipDrag =
     page.stage === null
       ? null
-      : createCarry(page.stage, (offset, begins) => parts.live.operate({ kind: 'carry', offset, begins }));
+      : createShipDrag(page.stage, (offset, begins) => parts.live.operate({ kind: 'drag', offset, begins }));
   parts.flightLink = wireFlightLink(page, parts);
-  parts.acts = wireActs(page, parts);
+  parts.actions = wireActs(page, parts);
   parts.devices = wireDevices(page, parts);
   parts.game = wireGame(page, parts);
   parts.cockpit = wireCockpit(page, parts);
@@ -48,8 +48,8 @@ export function wirePage(page: Page): Parts {
 function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
   return createLive(program, {
     onState: banner.state,
-    onRefused: (reason) => notice.tell(`The server refused: ${reason}.`),
-    onLost: ({ name, body }) => notice.tell(`Your ship ${name} was destroyed at ${body}.`),
+    onRefused: (reason) => notice.show(`The server refused: ${reason}.`),
+    onLost: ({ name, body }) => notice.show(`Your ship ${name} was destroyed at ${body}.`),
     onEvent: () => undefined,
     onWorld(plan) {
       parts.scene.recorder.begin(plan);
@@ -69,11 +69,11 @@ function wireScene({ query, notice, banner }: Page, parts: Parts): PageView {
   return createPageView({
     panel: () => parts.dock.recording,
     note: query,
-    tell: notice.tell,
+    notify: notice.show,
     banner: banner.state,
     changed(on) {
       parts.cockpit.forget();
-      parts.live.hold(on);
+      parts.live.suspend(on);
       parts.dock.clear();
     },
   });
@@ -91,18 +91,18 @@ function wirePanel({ part, document, choices, notice }: Page, parts: Parts): Pan
     { workshopOpen: !isMission },
     {
       change: (name, text) => parts.chooser.change(name, text),
-      act: (act) => parts.acts.act(act),
+      action: (action) => parts.actions.runPanelAction(action),
       workshop: showDock,
-      failed: () => notice.tell(WORKSHOP_FAILED),
+      failed: () => notice.show(WORKSHOP_FAILED),
     },
   );
   panel.press('sound', false);
   return panel;
 }
 
-function wireActs(page: Page, parts: Parts): Acts {
+function wireActs(page: Page, parts: Parts): Actions {
   const { banner, choices, document, stage } = page;
-  return createActs({
+  return createActions({
     live: parts.live,
     panel: parts.panel,
     banner,
@@ -115,24 +115,26 @@ function wireActs(page: Page, parts: Parts): Acts {
     copyLink: () => copyLink(page, parts),
     copyFlight: () =>
       parts.scene.deck.recording() === null ? parts.flightLink.copy() : copyLink(page, parts),
-    toggleCarry: () => parts.carry?.toggle() ?? false,
+    toggleDrag: () => parts.shipDrag?.toggle() ?? false,
     invite: parts.chooser.invite,
     toggleBare: () => document.body.classList.toggle('bare'),
     toggleAids: () => banner.flash(`Landing aids ${parts.cockpit.toggleAids() ? 'on' : 'off'}.`),
     toggleSound: () => void toggleSound(page, parts),
     deck: parts.scene.deck,
-    meddled: (how) => parts.game.meddled(how),
+    markIntervention: (how) => parts.game.markIntervention(how),
   });
 }
 
 /** The code of flight links is loaded with the first one. */
 function wireFlightLink({ choices, address, notice }: Page, parts: Parts): FlightLink {
   let link: FlightLink | null = null;
-  const use = (act: (loaded: FlightLink) => void) => {
+  const use = (then: (loaded: FlightLink) => void) => {
     import('./flightLink').then(
       ({ createFlightLink }) =>
-        act((link ??= createFlightLink({ live: () => parts.live, choices: () => choices, address, notice }))),
-      () => notice.tell('Part of the page did not load. Check the network and try again.'),
+        then(
+          (link ??= createFlightLink({ live: () => parts.live, choices: () => choices, address, notice })),
+        ),
+      () => notice.show('Part of the page did not load. Check the network and try again.'),
     );
   };
   return {
@@ -153,7 +155,7 @@ async function toggleSound({ window, banner, notice }: Page, parts: Parts): Prom
   try {
     parts.sound ??= (await import('../sound/sound')).createSound(window);
   } catch {
-    notice.tell('The sound did not load. Check the network and press the key again.');
+    notice.show('The sound did not load. Check the network and press the key again.');
     return;
   }
   const isOn = parts.sound.set(!parts.sound.isOn()) && parts.sound.isOn();
@@ -162,31 +164,31 @@ async function toggleSound({ window, banner, notice }: Page, parts: Parts): Prom
 }
 
 function wireDevices(page: Page, parts: Parts): Devices {
-  const { hands, steer } = parts.live;
+  const { flightControls, steer } = parts.live;
   const isReplaying = () => parts.scene.deck.replay() !== null;
   return connectDevices(page.window, {
     settings: () => page.keys,
-    stick: hands.stick,
-    pressed: parts.acts.press,
-    released: parts.acts.release,
+    stick: flightControls.stick,
+    pressed: parts.actions.press,
+    released: parts.actions.release,
     confirmed: () => parts.game.confirm(),
-    letGo() {
-      hands.letGo();
+    releaseAll() {
+      flightControls.releaseAll();
       steer();
     },
     lever(throttle) {
       if (isReplaying()) return;
-      hands.setThrottle(throttle);
+      flightControls.setThrottle(throttle);
       steer();
     },
     moved() {
       if (isReplaying()) return;
-      hands.deflect();
+      flightControls.takeOver();
       steer();
     },
     changed: () => parts.game.reword(),
-    tell: page.banner.flash,
-    isResting: () => hands.isResting() || isReplaying(),
+    notify: page.banner.flash,
+    isPaused: () => flightControls.isPaused() || isReplaying(),
   });
 }
 

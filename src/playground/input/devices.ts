@@ -1,26 +1,26 @@
 import type { Action, KeySettings } from './keyTable';
 import { createGamepads } from './gamepad';
-import { giveFocusBack, listenToKeys } from './keyboard';
+import { restoreFocus, listenToKeys } from './keyboard';
 import { createLayout, type Layout } from './layout';
 import type { Stick } from './stick';
 import { createThumbs, type Thumbs } from './thumbs';
-import type { Device } from '../game/words/flightWords';
+import type { Device } from '../game/texts/flightTexts';
 
-export interface DevicesPlace {
+export interface DeviceListeners {
   readonly settings: () => KeySettings;
   readonly stick: Stick;
   readonly pressed: (action: Action) => void;
   readonly released: (action: Action) => void;
   readonly confirmed: () => void;
-  readonly letGo: () => void;
+  readonly releaseAll: () => void;
   readonly lever: (throttle: number) => void;
   /** A stick moved: its input is sampled at once. */
   readonly moved: () => void;
   /** The pilot took another device, or a key turned out to print something else. */
   readonly changed: () => void;
-  readonly tell: (text: string) => void;
+  readonly notify: (text: string) => void;
   /** The game is paused: sticks are ignored. */
-  readonly isResting: () => boolean;
+  readonly isPaused: () => boolean;
 }
 
 /** Keyboard, gamepad and thumb sticks, and which of them the pilot uses. */
@@ -32,54 +32,54 @@ export interface Devices {
   readonly read: () => void;
 }
 
-export function connectDevices(window: Window, place: DevicesPlace): Devices {
+export function connectDevices(window: Window, listeners: DeviceListeners): Devices {
   const { document } = window;
   let device: Device = window.matchMedia('(pointer: coarse)').matches ? 'thumbs' : 'keys';
   const use = (next: Device) => {
     if (device === next) return;
     device = next;
-    place.changed();
+    listeners.changed();
   };
-  const layout = createLayout(window.navigator, place.changed);
+  const layout = createLayout(window.navigator, listeners.changed);
   const pressed = (from: Device) => (action: Action) => {
     use(from);
-    place.pressed(action);
+    listeners.pressed(action);
   };
-  listenToKeys(window, place.settings, layout, {
+  listenToKeys(window, listeners.settings, layout, {
     pressed: pressed('keys'),
-    released: place.released,
-    confirmed: place.confirmed,
-    letGo: place.letGo,
+    released: listeners.released,
+    confirmed: listeners.confirmed,
+    releaseAll: listeners.releaseAll,
   });
-  const readGamepad = createGamepads(window.navigator, () => place.stick.deflection, {
+  const readGamepad = createGamepads(window.navigator, () => listeners.stick.deflection, {
     pressed: pressed('gamepad'),
-    confirmed: place.confirmed,
+    confirmed: listeners.confirmed,
     changed(name) {
       use(name === null ? 'keys' : 'gamepad');
-      place.tell(name === null ? 'Gamepad disconnected.' : `Gamepad: ${name.slice(0, 40)}`);
+      listeners.notify(name === null ? 'Gamepad disconnected.' : `Gamepad: ${name.slice(0, 40)}`);
     },
   });
   const thumbs = createThumbs(document.getElementById('pads')!, {
-    deflection: () => place.stick.deflection,
+    deflection: () => listeners.stick.deflection,
     moved() {
       use('thumbs');
-      place.moved();
+      listeners.moved();
     },
     lever(throttle) {
       use('thumbs');
-      place.lever(throttle);
+      listeners.lever(throttle);
     },
     pressed: pressed('thumbs'),
   });
-  giveFocusBack(document.getElementById('panel')!, document.getElementById('stage')!);
+  restoreFocus(document.getElementById('panel')!, document.getElementById('stage')!);
   return {
     device: () => device,
     layout: layout.layout,
     thumbs,
     read() {
-      if (!place.isResting() && readGamepad()) {
+      if (!listeners.isPaused() && readGamepad()) {
         use('gamepad');
-        place.moved();
+        listeners.moved();
       }
     },
   };

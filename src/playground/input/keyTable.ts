@@ -116,7 +116,7 @@ export function loadKeys(store: Storage | null): KeySettings {
     }
   }
   // Two actions on one key would both fire: such a map is not taken.
-  if (firstDoubled(map) !== null) return { ...defaults, enabled: saved['enabled'] !== false };
+  if (firstDuplicate(map) !== null) return { ...defaults, enabled: saved['enabled'] !== false };
   return { map, enabled: saved['enabled'] !== false };
 }
 
@@ -145,7 +145,7 @@ export function isBindable(action: Action, key: string): boolean {
   return /^[^\s]$/u.test(key) && key === key.toLowerCase();
 }
 
-export function firstDoubled(map: KeyMap): string | null {
+export function firstDuplicate(map: KeyMap): string | null {
   const seen = new Set<string>();
   for (const { action } of KEY_TABLE) {
     const key = map[action];

@@ -8,7 +8,7 @@ export interface KeyboardListeners {
   /** Enter, if no focused element takes it. */
   readonly confirmed: () => void;
   /** Everything held must be released. */
-  readonly letGo: () => void;
+  readonly releaseAll: () => void;
 }
 
 /** The members of a KeyboardEvent that are used. */
@@ -33,12 +33,12 @@ export function listenToKeys(
 ): void {
   const { document } = window;
   const down = new Map<string, Action>();
-  const letGo = () => {
+  const releaseAll = () => {
     down.clear();
-    listeners.letGo();
+    listeners.releaseAll();
   };
   window.addEventListener('keydown', (event) => {
-    if (event.key === 'Meta') letGo();
+    if (event.key === 'Meta') releaseAll();
     if (takesText(event.target)) return;
     const stroke = strokeOf(event);
     if (isPlain(stroke) && !event.shiftKey) source.learn(event.code, event.key);
@@ -56,20 +56,20 @@ export function listenToKeys(
   });
   // By place: a letter that went down with Shift must come up without it.
   window.addEventListener('keyup', (event) => {
-    if (event.key === 'Meta') letGo();
+    if (event.key === 'Meta') releaseAll();
     const action = down.get(event.code);
     if (action === undefined) return;
     down.delete(event.code);
     listeners.released(action);
   });
-  window.addEventListener('blur', letGo);
-  window.addEventListener('pagehide', letGo);
-  document.addEventListener('freeze', letGo);
+  window.addEventListener('blur', releaseAll);
+  window.addEventListener('pagehide', releaseAll);
+  document.addEventListener('freeze', releaseAll);
   document.addEventListener('visibilitychange', () => {
-    if (document.visibilityState === 'hidden') letGo();
+    if (document.visibilityState === 'hidden') releaseAll();
   });
   window.addEventListener('focusin', ({ target }) => {
-    if (takesText(target)) letGo();
+    if (takesText(target)) releaseAll();
   });
 }
 
@@ -121,7 +121,7 @@ function takesEnter(target: EventTarget | null): boolean {
 }
 
 /** A list or box that was chosen from with a pointer gives the focus back; one that is moved through by keys keeps it. */
-export function giveFocusBack(form: HTMLElement, home: HTMLElement): void {
+export function restoreFocus(form: HTMLElement, home: HTMLElement): void {
   let byPointer = false;
   form.addEventListener('pointerdown', () => (byPointer = true));
   form.addEventListener('keydown', ({ key }) => (byPointer = key === 'Enter' && byPointer));

@@ -1,4 +1,4 @@
-import type { Carry } from './carry';
+import type { ShipDrag } from './shipDrag';
 import type { SceneView } from '../../scene';
 
 /** rad a CSS pixel of dragging; a key's turn, rad. */
@@ -6,9 +6,9 @@ const DRAG = 0.006;
 const KEY_TURN = 0.09;
 
 /** Turns and zooms the camera: dragging, wheel, two fingers; arrow keys, + and − while the picture has the focus. */
-export function steerCamera(canvas: HTMLCanvasElement, scene: SceneView, carry: Carry): void {
+export function steerCamera(canvas: HTMLCanvasElement, scene: SceneView, shipDrag: ShipDrag): void {
   canvas.tabIndex = 0;
-  listenToPointers(canvas, scene, carry);
+  listenToPointers(canvas, scene, shipDrag);
   canvas.addEventListener(
     'wheel',
     (event) => {
@@ -21,20 +21,20 @@ export function steerCamera(canvas: HTMLCanvasElement, scene: SceneView, carry: 
 }
 
 /** One finger turns the camera, or moves the ship while that is on; two zoom. */
-function listenToPointers(canvas: HTMLCanvasElement, scene: SceneView, carry: Carry): void {
+function listenToPointers(canvas: HTMLCanvasElement, scene: SceneView, shipDrag: ShipDrag): void {
   const fingers = new Map<number, { x: number; y: number }>();
   let spread = 0;
   canvas.addEventListener('pointerdown', (event) => {
     canvas.setPointerCapture(event.pointerId);
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     spread = 0;
-    if (carry.isOn() && fingers.size === 1) carry.begin();
+    if (shipDrag.isOn() && fingers.size === 1) shipDrag.begin();
   });
   canvas.addEventListener('pointermove', (event) => {
     const finger = fingers.get(event.pointerId);
     if (finger === undefined) return;
     const [right, down] = [event.clientX - finger.x, event.clientY - finger.y];
-    if (fingers.size === 1 && carry.isOn()) carry.move(right, down);
+    if (fingers.size === 1 && shipDrag.isOn()) shipDrag.move(right, down);
     else if (fingers.size === 1) scene.turnCamera(DRAG * right, DRAG * down);
     finger.x = event.clientX;
     finger.y = event.clientY;
@@ -47,7 +47,7 @@ function listenToPointers(canvas: HTMLCanvasElement, scene: SceneView, carry: Ca
   const lift = (event: PointerEvent) => {
     fingers.delete(event.pointerId);
     spread = 0;
-    carry.end();
+    shipDrag.end();
   };
   canvas.addEventListener('pointerup', lift);
   canvas.addEventListener('pointercancel', lift);

@@ -4,7 +4,7 @@ import { type RotationAction, toBodyAxes, type TranslationAction } from '../../r
  * Stick directions as the camera sees them, in ship axes: "tilt away" tips the ship's top away from the eye whatever its heading.
  * Rows of three: the axes that pitch + and yaw + turn about, then where the pushes x, y and z + point.
  */
-export interface Aim {
+export interface SteeringAxes {
   readonly axes: Float64Array;
   /** Share of full torque that a key gives: a lander at full torque turns too fast to be flown by keys. */
   gain: number;
@@ -13,7 +13,7 @@ export interface Aim {
 /** Key torque in flight: 0.5 rad/s² for the lander. On the ground, righting a ship takes full torque. */
 const FLIGHT_GAIN = 0.35;
 
-export function createAim(): Aim {
+export function createSteeringAxes(): SteeringAxes {
   return { axes: Float64Array.from(SHIP_AXES), gain: 1 };
 }
 
@@ -25,8 +25,8 @@ const row = new Float64Array(3);
  * @param screen right, away and up in ICRF, nine numbers; null: the ship's own axes
  * @param attitude of the ship, [x, y, z, w]
  */
-export function takeAim(
-  out: Aim,
+export function alignSteeringAxes(
+  out: SteeringAxes,
   screen: Float64Array | null,
   attitude: Float64Array,
   flying: boolean,
@@ -57,7 +57,7 @@ const BESIDE = 0.1;
 const STEPS = 100;
 
 /** Rotation input of stick deflections: pitch + towards the eye, yaw + to the left, `z` about the thrust axis. */
-export function turnInput({ axes, gain }: Aim, x: number, y: number, z: number): Triple {
+export function turnInput({ axes, gain }: SteeringAxes, x: number, y: number, z: number): Triple {
   // A tilt never rolls: of a ship that lies on its side the screen's axes have a share along its own.
   const out: Triple = [x * axes[0]! + y * axes[3]!, x * axes[1]! + y * axes[4]!, 0];
   const has = Math.hypot(out[0], out[1]) > BESIDE * Math.hypot(x, y);
@@ -67,7 +67,7 @@ export function turnInput({ axes, gain }: Aim, x: number, y: number, z: number):
 }
 
 /** Translation input of pushes to the right, away and up. */
-export function pushInput({ axes }: Aim, right: number, away: number, up: number): Triple {
+export function pushInput({ axes }: SteeringAxes, right: number, away: number, up: number): Triple {
   const out: Triple = [0, 0, 0];
   for (let k = 0; k < 3; k++) out[k] = right * axes[6 + k]! + away * axes[9 + k]! + up * axes[12 + k]!;
   spread(out, Math.min(Math.hypot(right, away, up), 1));
@@ -96,7 +96,7 @@ const ALONE = 0.924;
 const HELPS = 0.383;
 
 /** The keys that turn the ship about one of its axes, the better one first, for hints. */
-export function turnKeysFor({ axes }: Aim, aboutX: number, aboutY: number): RotationAction[] {
+export function turnKeysFor({ axes }: SteeringAxes, aboutX: number, aboutY: number): RotationAction[] {
   const length = Math.hypot(aboutX, aboutY) || 1;
   const along = (i: number) => (aboutX * axes[3 * i]! + aboutY * axes[3 * i + 1]!) / length;
   const pitch = along(0);
@@ -117,7 +117,7 @@ export function turnKeysFor({ axes }: Aim, aboutX: number, aboutY: number): Rota
 }
 
 /** The push key whose direction is nearest to a ship axis. */
-export function pushKeyFor({ axes }: Aim, action: TranslationAction): TranslationAction {
+export function pushKeyFor({ axes }: SteeringAxes, action: TranslationAction): TranslationAction {
   const axis = { X: 0, Y: 1, Z: 2 }[action.charAt(9) as 'X' | 'Y' | 'Z'];
   const sign = action.endsWith('Plus') ? 1 : -1;
   const keys = ['translateX', 'translateY', 'translateZ'] as const;

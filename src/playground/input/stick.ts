@@ -1,7 +1,7 @@
 import { type AttitudeMode, type Controls, NEUTRAL_CONTROLS, type Quat, type Vec3 } from '../../dynamics';
 import { ROTATION_ACTIONS, TRANSLATION_ACTIONS } from '../../readout';
 import type { Action } from './keyTable';
-import { type Aim, createAim, pushInput, turnInput } from './steering';
+import { type SteeringAxes, createSteeringAxes, pushInput, turnInput } from './steering';
 
 /** Throttle per tap. */
 const STEP = 0.005;
@@ -33,7 +33,7 @@ export function createDeflection(): Deflection {
 export interface Stick {
   readonly held: Set<Action>;
   readonly deflection: Deflection;
-  readonly aim: Aim;
+  readonly steering: SteeringAxes;
   throttle: number;
   damping: boolean;
   mode: AttitudeMode;
@@ -50,7 +50,7 @@ export function createStick(): Stick {
   return {
     held: new Set(),
     deflection: createDeflection(),
-    aim: createAim(),
+    steering: createSteeringAxes(),
     throttle: 0,
     damping: false,
     mode: 'none',
@@ -63,7 +63,7 @@ export function createStick(): Stick {
 
 /** Back to a spawn's controls, nothing held. */
 export function resetStick(stick: Stick): void {
-  letGo(stick);
+  releaseAll(stick);
   stick.throttle = 0;
   stick.damping = false;
   stick.mode = 'none';
@@ -72,7 +72,7 @@ export function resetStick(stick: Stick): void {
 }
 
 /** Releases everything held; throttle and modes stay. */
-export function letGo(stick: Stick): void {
+export function releaseAll(stick: Stick): void {
   stick.held.clear();
   Object.assign(stick.deflection, createDeflection());
   stick.leverSeconds = 0;
@@ -150,7 +150,7 @@ function moveLever(stick: Stick, by: number): void {
 
 /** The present controls, `seconds` of wall time after the last sample. */
 export function sampleStick(stick: Stick, seconds: number): Controls {
-  const { held, deflection, aim } = stick;
+  const { held, deflection, steering } = stick;
   const lever = (held.has('throttleUp') ? 1 : 0) - (held.has('throttleDown') ? 1 : 0);
   if (lever !== 0) {
     const fine = Math.max(0, Math.min(seconds, FINE_SECONDS - stick.leverSeconds));
@@ -162,13 +162,13 @@ export function sampleStick(stick: Stick, seconds: number): Controls {
   const [pitch, yaw, roll] = [0, 1, 2].map((i) => along(ROTATION_ACTIONS[i]!)) as [number, number, number];
   const [right, away, up] = [0, 1, 2].map((i) => along(TRANSLATION_ACTIONS[i]!)) as [number, number, number];
   const turn = turnInput(
-    aim,
+    steering,
     pitch !== 0 ? pitch : -deflection.tiltAway,
     yaw !== 0 ? yaw : -deflection.tiltRight,
     roll !== 0 ? roll : deflection.turnLeft,
   );
   const push = pushInput(
-    aim,
+    steering,
     right !== 0 ? right : deflection.pushRight,
     away !== 0 ? away : deflection.pushAway,
     up !== 0 ? up : deflection.pushUp,

@@ -1,6 +1,6 @@
 import './help.css';
 import { append, appendButton, appendLicences } from './elements';
-import { GAMEPAD_WORDS, KEY_WORDS } from './helpWords';
+import { GAMEPAD_TEXT, KEY_TEXT } from './helpTexts';
 import {
   type Action,
   defaultKeys,
@@ -19,7 +19,7 @@ export interface Help {
 const GROUPS: readonly KeyRow['group'][] = ['Turn', 'Push', 'Engine', 'Modes', 'Playground'];
 
 /** The objects that the dialog reads and changes. */
-interface HelpPlace {
+interface HelpContext {
   readonly settings: () => KeySettings;
   readonly change: (next: KeySettings) => void;
   readonly capText: (action: Action) => string;
@@ -32,7 +32,7 @@ export function createHelp(
   change: (next: KeySettings) => void,
   capText: (action: Action) => string,
 ): Help {
-  const place: HelpPlace = { settings, change, capText };
+  const context: HelpContext = { settings, change, capText };
   const dialog = append(document.body, 'dialog');
   dialog.setAttribute('aria-labelledby', 'help-title');
   const title = append(dialog, 'h2', '', 'Keys');
@@ -43,7 +43,7 @@ export function createHelp(
   const box = append(off, 'input');
   box.type = 'checkbox';
   append(off, 'span', '', 'Use single-key shortcuts');
-  const paintKeys = appendKeys(dialog, place);
+  const paintKeys = appendKeys(dialog, context);
   appendGamepad(dialog);
   const buttons = append(dialog, 'div', 'row');
   appendButton(buttons, 'Restore defaults', () => change(defaultKeys()));
@@ -70,10 +70,10 @@ export function createHelp(
 }
 
 const INTRODUCTION =
-  'Press a key’s button, then the new key. Flight keys go by their place on the keyboard, the others by letter. With the picture focused, arrows turn the view, + and − zoom, Home resets it.';
+  'Press a key’s button, then the new key. Flight keys go by their context on the keyboard, the others by letter. With the picture focused, arrows turn the view, + and − zoom, Home resets it.';
 
 /** The keys by group; a key's button waits for the new key. Returns what shows the present ones. */
-function appendKeys(dialog: HTMLDialogElement, place: HelpPlace): () => void {
+function appendKeys(dialog: HTMLDialogElement, context: HelpContext): () => void {
   const status = append(dialog, 'p');
   status.setAttribute('role', 'status');
   const caps = new Map<Action, HTMLButtonElement>();
@@ -82,7 +82,7 @@ function appendKeys(dialog: HTMLDialogElement, place: HelpPlace): () => void {
     append(dialog, 'h3', '', group);
     const grid = append(dialog, 'div', 'keys');
     for (const { action } of KEY_TABLE.filter((row) => row.group === group)) {
-      const about = KEY_WORDS[action];
+      const about = KEY_TEXT[action];
       const row = append(grid, 'div', 'key');
       append(row, 'span', '', about);
       const cap = appendButton(row, '', () => {
@@ -94,9 +94,9 @@ function appendKeys(dialog: HTMLDialogElement, place: HelpPlace): () => void {
     }
   }
   const paint = () => {
-    const { map } = place.settings();
+    const { map } = context.settings();
     for (const [action, cap] of caps) {
-      cap.textContent = map[action] === '' ? '–' : place.capText(action);
+      cap.textContent = map[action] === '' ? '–' : context.capText(action);
       cap.setAttribute('aria-label', `${cap.dataset['about'] ?? ''}: ${cap.textContent}. Change`);
     }
   };
@@ -104,7 +104,7 @@ function appendKeys(dialog: HTMLDialogElement, place: HelpPlace): () => void {
     if (waiting === null || event.key === 'Tab') return;
     event.preventDefault();
     event.stopPropagation();
-    status.textContent = rebindBy(event, waiting, place);
+    status.textContent = rebindBy(event, waiting, context);
     waiting = null;
     paint();
   });
@@ -116,7 +116,7 @@ function appendKeys(dialog: HTMLDialogElement, place: HelpPlace): () => void {
 }
 
 /** Binds the pressed key. Returns a message about it. */
-function rebindBy(event: KeyboardEvent, action: Action, { settings, change, capText }: HelpPlace): string {
+function rebindBy(event: KeyboardEvent, action: Action, { settings, change, capText }: HelpContext): string {
   if (event.key === 'Escape') return '';
   const key = isBoundByPlace(action) ? event.code : event.key.toLowerCase();
   if (event.ctrlKey || event.altKey || event.metaKey || !isBindable(action, key))
@@ -128,7 +128,7 @@ function rebindBy(event: KeyboardEvent, action: Action, { settings, change, capT
 function appendGamepad(dialog: Element): void {
   append(dialog, 'h3', '', 'Gamepad (standard mapping)');
   const pads = append(dialog, 'dl', 'keys');
-  for (const [control, about] of GAMEPAD_WORDS) {
+  for (const [control, about] of GAMEPAD_TEXT) {
     const row = append(pads, 'div', 'key');
     append(row, 'dt', '', about);
     append(row, 'dd', '', control);

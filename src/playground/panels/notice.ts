@@ -2,12 +2,12 @@ import { append, appendButton } from './elements';
 
 /** Error messages with advice, one below the other: each stays until it is closed or no longer true. */
 export interface Notice {
-  readonly tell: (text: string) => void;
+  readonly show: (text: string) => void;
   readonly clear: () => void;
   /** Removes a message that is no longer true; the others stay. */
   readonly withdraw: (text: string) => void;
   /** An address to copy by hand. */
-  readonly tellLink: (text: string, link: string) => void;
+  readonly showLink: (text: string, link: string) => void;
 }
 
 /** Most messages: more would cover the picture, so the oldest is removed. */
@@ -35,10 +35,10 @@ export function createNotice(element: HTMLElement): Notice {
     appendButton(row, 'Close', () => withdraw(text));
   };
   return {
-    tell(text) {
+    show(text) {
       if (!notices.has(text)) close(add(text), text);
     },
-    tellLink(text, link) {
+    showLink(text, link) {
       const row = add(text);
       const field = append(row, 'input', 'notice-link');
       field.type = 'text';

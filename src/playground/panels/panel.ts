@@ -4,7 +4,7 @@ import { append, appendButton, appendDetails, appendLicences, createSelect } fro
 import { createForm, type Form } from './form';
 
 /** Buttons of the panel. */
-export type PanelAct =
+export type PanelAction =
   | 'restart'
   | 'pause'
   | 'stepSubstep'
@@ -15,7 +15,7 @@ export type PanelAct =
   | 'away'
   | 'snapshot'
   | 'restore'
-  | 'carry'
+  | 'drag'
   | 'copyLink'
   | 'copyFlight'
   | 'invite'
@@ -30,7 +30,7 @@ export type PanelAct =
 export interface PanelListeners {
   /** A field was changed. Returns why it is invalid, or null. */
   readonly change: (name: keyof Choices, text: string) => string | null;
-  readonly act: (act: PanelAct) => void;
+  readonly action: (action: PanelAction) => void;
   /** The workshop was opened or closed. */
   readonly workshop: (open: boolean) => void;
   /** A part of the panel did not load. */
@@ -40,14 +40,14 @@ export interface PanelListeners {
 export interface Panel {
   /** Shows the present choices. */
   readonly show: (choices: Choices) => void;
-  readonly press: (act: PanelAct, pressed: boolean) => void;
-  readonly label: (act: PanelAct, text: string) => void;
+  readonly press: (action: PanelAction, pressed: boolean) => void;
+  readonly label: (action: PanelAction, text: string) => void;
   /** Tick and hash of the run. */
   readonly showRun: (text: string) => void;
 }
 
 /** Disables what does not apply to a real server. */
-const BUILT_IN_ONLY: readonly PanelAct[] = [
+const BUILT_IN_ONLY: readonly PanelAction[] = [
   'restart',
   'pause',
   'stepSubstep',
@@ -57,12 +57,12 @@ const BUILT_IN_ONLY: readonly PanelAct[] = [
   'drop',
   'snapshot',
   'restore',
-  'carry',
+  'drag',
   'copyFlight',
   'invite',
 ];
 
-type ButtonRow = readonly (readonly [act: PanelAct, text: string])[];
+type ButtonRow = readonly (readonly [action: PanelAction, text: string])[];
 
 const RUN: ButtonRow = [
   ['restart', 'Restart'],
@@ -86,7 +86,7 @@ const EXPERIMENTS: ButtonRow = [
   ['stepSubstep', 'Step'],
   ['snapshot', 'Snapshot'],
   ['restore', 'Restore'],
-  ['carry', 'Move the ship'],
+  ['drag', 'Move the ship'],
 ];
 const SHARE: ButtonRow = [
   ['copyLink', 'Copy link'],
@@ -101,15 +101,15 @@ export function createPanel(
   { workshopOpen }: { readonly workshopOpen: boolean },
   listeners: PanelListeners,
 ): Panel {
-  const buttons = new Map<PanelAct, HTMLButtonElement>();
-  const addButton = (parent: Element, act: PanelAct, text: string) =>
+  const buttons = new Map<PanelAction, HTMLButtonElement>();
+  const addButton = (parent: Element, action: PanelAction, text: string) =>
     buttons.set(
-      act,
-      appendButton(parent, text, () => listeners.act(act)),
+      action,
+      appendButton(parent, text, () => listeners.action(action)),
     );
   const addRow = (parent: Element, row: ButtonRow) => {
     const element = append(parent, 'div', 'row');
-    for (const [act, text] of row) addButton(element, act, text);
+    for (const [action, text] of row) addButton(element, action, text);
   };
   append(host, 'h2', '', 'Touchdown');
   const form = createForm(listeners.change);
@@ -129,7 +129,7 @@ export function createPanel(
   });
   append(workshop, 'h3', '', 'Three things to try');
   const tries = append(workshop, 'ul', 'tries');
-  for (const [act, text] of TRIES) addButton(append(tries, 'li'), act, text);
+  for (const [action, text] of TRIES) addButton(append(tries, 'li'), action, text);
   const settings = append(workshop, 'div');
   const loadSettings = createSettingsLoader(settings, form, listeners.failed);
   if (workshopOpen) loadSettings();
@@ -142,14 +142,14 @@ export function createPanel(
   const run = append(workshop, 'p', 'quiet');
   appendLicences(append(workshop, 'p', 'quiet'));
   form.also(({ server }) => {
-    for (const act of BUILT_IN_ONLY) buttons.get(act)!.disabled = server !== '';
+    for (const action of BUILT_IN_ONLY) buttons.get(action)!.disabled = server !== '';
   });
 
   return {
     show: form.show,
-    press: (act, pressed) => buttons.get(act)?.setAttribute('aria-pressed', String(pressed)),
-    label(act, text) {
-      const known = buttons.get(act);
+    press: (action, pressed) => buttons.get(action)?.setAttribute('aria-pressed', String(pressed)),
+    label(action, text) {
+      const known = buttons.get(action);
       if (known !== undefined && known.textContent !== text) known.textContent = text;
     },
     showRun(text) {

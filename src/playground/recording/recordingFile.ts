@@ -45,7 +45,7 @@ export async function readFile(file: File): Promise<Result<Recording>> {
 }
 
 /** The message for a file that is no recording. */
-export function refusalWords(name: string, checked: Result<Recording> & { ok: false }): string {
+export function refusalText(name: string, checked: Result<Recording> & { ok: false }): string {
   return (
     `${name} cannot be played: ${checked.reason}. ` +
     'It has to be a file that this page or a predictor’s recorder wrote, complete and unmodified.'

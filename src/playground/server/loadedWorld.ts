@@ -30,7 +30,7 @@ export interface LoadedWorld {
   /** All ships as the operator saved them; null before. */
   saved: readonly SavedShip[] | null;
   /** The own ship at the start of a drag; null while it is not dragged. */
-  carried: SavedShip | null;
+  dragged: SavedShip | null;
 }
 
 /** Begins the world of a load operation, or returns an error that names the field. */
@@ -56,7 +56,7 @@ export function loadWorld(operation: LoadOperation, now: number): Result<LoadedW
   const reason = link.connect(OWN_PLAYER, OWN_SHIP, now);
   if (reason !== null) return err(reason);
   const world = { loaded: loaded.value, link, applied, guests: new Set<string>() };
-  return ok({ ...world, isConnected: true, saved: null, carried: null });
+  return ok({ ...world, isConnected: true, saved: null, dragged: null });
 }
 
 function authorityOf(
@@ -95,7 +95,7 @@ function resolve(operation: LoadOperation): Result<LoadedScenario> {
 }
 
 /** A guest's ship starts where the fleet's would, farther out with each guest; a guest that returns keeps its ship. */
-export function seatGuest(world: LoadedWorld, playerId: string, name: string, now: number): string | null {
+export function addGuest(world: LoadedWorld, playerId: string, name: string, now: number): string | null {
   const { loaded, link, guests } = world;
   if (guests.has(playerId)) {
     link.reconnect(playerId, now);

@@ -24,7 +24,7 @@ export type Operation =
   | { readonly kind: 'snapshot' }
   | { readonly kind: 'restore' }
   /** Puts the own ship at rest, `offset` (ICRF axes, m) from where it was when the carrying began. */
-  | { readonly kind: 'carry'; readonly offset: Triple; readonly begins: boolean }
+  | { readonly kind: 'drag'; readonly offset: Triple; readonly begins: boolean }
   | { readonly kind: 'freeze'; readonly frozen: boolean }
   | { readonly kind: 'drop' }
   /** Lets other tabs of this browser in, by an address of the form tab:…. */
@@ -93,7 +93,7 @@ export function loadOperation(given: unknown): Result<Operation> {
       return operation.seconds > 0 && operation.seconds <= MAX_SPIKE
         ? ok(operation)
         : err(`seconds: expected up to ${MAX_SPIKE}, got ${String(operation.seconds)}`);
-    case 'carry':
+    case 'drag':
       return isTriple(operation.offset)
         ? flag('begins', operation.begins, operation)
         : err('offset: expected 3 finite numbers');

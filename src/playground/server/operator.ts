@@ -3,7 +3,7 @@ import { siteToIcrf } from '../../scenarios';
 import type { BodyState } from '../../wire';
 import { type LoadedWorld, OWN_PLAYER, OWN_SHIP } from './loadedWorld';
 import type { LoadOperation, Operation } from './operation';
-import { carriedTo, saveShips, stateNow } from './savedShips';
+import { movedTo, saveShips, stateNow } from './savedShips';
 
 /** Carries out a command of the operator. Returns the reason why not, or null. */
 export function operateWorld(
@@ -31,8 +31,8 @@ export function operateWorld(
       return snapshot(world);
     case 'restore':
       return restore(world);
-    case 'carry':
-      return carry(world, operation.offset, operation.begins);
+    case 'drag':
+      return drag(world, operation.offset, operation.begins);
     case 'run':
     case 'invite':
       return null;
@@ -97,18 +97,18 @@ function restore(world: LoadedWorld): string | null {
 }
 
 /** The offset is from the ship's position at the start of the drag. */
-function carry(world: LoadedWorld, offset: Vec3, begins: boolean): string | null {
+function drag(world: LoadedWorld, offset: Vec3, begins: boolean): string | null {
   const { authority } = world.link;
-  if (begins || world.carried === null) {
+  if (begins || world.dragged === null) {
     const frame = authority.frameFor(OWN_PLAYER);
     const saved = frame === null ? null : saveShips(frame);
-    if (saved?.ok !== true) return 'carry: no ship to move';
-    world.carried = saved.value.find(({ shipId }) => shipId === OWN_SHIP) ?? null;
+    if (saved?.ok !== true) return 'drag: no ship to move';
+    world.dragged = saved.value.find(({ shipId }) => shipId === OWN_SHIP) ?? null;
   }
-  const { carried } = world;
-  const body = carried === null ? null : bodyOf(world, carried.state.referenceBody);
-  if (carried === null || body === null) return 'carry: no ship to move';
-  return authority.respawn(OWN_SHIP, carriedTo(carried, body, offset));
+  const { dragged } = world;
+  const body = dragged === null ? null : bodyOf(world, dragged.state.referenceBody);
+  if (dragged === null || body === null) return 'drag: no ship to move';
+  return authority.respawn(OWN_SHIP, movedTo(dragged, body, offset));
 }
 
 function bodyOf({ link }: LoadedWorld, name: string): BodyState | null {

@@ -73,7 +73,7 @@ function createTeller(handlers: ConnectionHandlers) {
       handlers.onOpen(isOpened ? 'again' : 'world');
       isOpened = true;
     },
-    status: ({ words }: LinkStatus) => handlers.onLink(words),
+    status: ({ text }: LinkStatus) => handlers.onLink(text),
   };
 }
 
@@ -123,9 +123,9 @@ function openStream(address: string, token: string, handlers: ConnectionHandlers
   function hear(message: ServerMessage): void {
     const { phase } = driver.state();
     if (message.kind === 'hello' && phase === 'authenticating') {
-      driver.happen({ kind: 'welcome' });
+      driver.dispatch({ kind: 'welcome' });
       teller.opened();
-    } else if (message.kind === 'pong') driver.happen({ kind: 'pong' });
+    } else if (message.kind === 'pong') driver.dispatch({ kind: 'pong' });
   }
 
   /** A frame that reads its tick for the next connection when it is decoded. */
@@ -168,7 +168,7 @@ function openStream(address: string, token: string, handlers: ConnectionHandlers
   });
   return {
     send: (message) => void driver.write(encodeClientMessage(message)),
-    reconnect: () => driver.happen({ kind: 'retry' }),
-    dispose: () => driver.happen({ kind: 'end' }),
+    reconnect: () => driver.dispatch({ kind: 'retry' }),
+    dispose: () => driver.dispatch({ kind: 'end' }),
   };
 }

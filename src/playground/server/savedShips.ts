@@ -57,7 +57,7 @@ export function stateNow({ state }: SavedShip, { attitude }: BodyState): ShipIni
 }
 
 /** The saved ship displaced by `offset` (ICRF axes, m), at rest over the ground and in flight: it falls from there. */
-export function carriedTo(saved: SavedShip, body: BodyState, offset: Vec3): ShipInit {
+export function movedTo(saved: SavedShip, body: BodyState, offset: Vec3): ShipInit {
   const state = stateNow(saved, body);
   const relativePosition = add(state.relativePosition, offset);
   return {

@@ -1,5 +1,5 @@
 import type { Delivery, RunInput } from '../../scenarios';
-import { type LoadedWorld, loadWorld, OWN_PLAYER, seatGuest } from './loadedWorld';
+import { type LoadedWorld, loadWorld, OWN_PLAYER, addGuest } from './loadedWorld';
 import { loadOperation } from './operation';
 import { operateWorld } from './operator';
 
@@ -69,7 +69,7 @@ export function createSession(): Session {
     status: () => (world === null ? null : statusOf(world)),
     applied: () => world?.applied ?? [],
     join: (playerId, name, now) =>
-      world === null ? 'no world is loaded' : seatGuest(world, playerId, name, now),
+      world === null ? 'no world is loaded' : addGuest(world, playerId, name, now),
     leave(playerId) {
       world?.link.drop(playerId);
       world?.link.authority.despawn(playerId);

@@ -24,7 +24,7 @@ import {
 } from '../../readout';
 import type { FlightKey } from '../../hud';
 
-export interface CockpitPlace {
+export interface CockpitContext {
   readonly host: Element;
   readonly flightHost: Element;
   readonly keyLabel: KeyLabel;
@@ -47,19 +47,19 @@ export interface Cockpit {
   readonly toggleAids: () => boolean;
 }
 
-export function createCockpit(document: Document, place: CockpitPlace): Cockpit {
+export function createCockpit(document: Document, context: CockpitContext): Cockpit {
   let landing = createLandingReadout();
   const flight = createFlightReadout();
   const aids = createLandingAids();
   const target = createTargetReadout();
   const fleet = createFleetReadout();
   let aidsOn = true;
-  const { keyLabel, turnKeys } = place;
-  const landingHud = createCockpitLandingHud(document, place.host, { theme: 'system', keyLabel, turnKeys });
-  const fleetHud = createFleetHud(document, place.host, { theme: 'system' });
-  const flightHud = createFlightHud(document, place.flightHost, {
+  const { keyLabel, turnKeys } = context;
+  const landingHud = createCockpitLandingHud(document, context.host, { theme: 'system', keyLabel, turnKeys });
+  const fleetHud = createFleetHud(document, context.host, { theme: 'system' });
+  const flightHud = createFlightHud(document, context.flightHost, {
     theme: 'system',
-    keyLabel: place.modeLabel,
+    keyLabel: context.modeLabel,
   });
   return {
     flight,
@@ -75,8 +75,8 @@ export function createCockpit(document: Document, place: CockpitPlace): Cockpit 
       fleetHud.paint(updateFleetReadout(fleet, view));
       updateFlightReadout(flight, view);
       if (aidsOn) updateLandingAids(aids, view);
-      updateTargetReadout(target, view, place.target(), place.screen(), aids);
-      flightHud.paint({ flight, aids, target, autopilot: place.isAutopilotOn(), aidsOn });
+      updateTargetReadout(target, view, context.target(), context.screen(), aids);
+      flightHud.paint({ flight, aids, target, autopilot: context.isAutopilotOn(), aidsOn });
     },
   };
 }

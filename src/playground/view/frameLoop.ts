@@ -4,7 +4,7 @@ import { gameSeconds } from '../game/mission/missionTracker';
 import type { Resolution } from './resolution';
 
 /** The members of the page that a frame needs. */
-export interface FramePlace {
+export interface FrameContext {
   readonly stage: SceneView | null;
   /** The view to show now; `milliseconds` of the frame. */
   readonly look: (milliseconds: number) => { readonly view: WorldView; readonly now: number };
@@ -27,8 +27,8 @@ export interface FrameLoop {
 }
 
 /** Draws as often as the browser asks. The first picture builds the ground and compiles its programs, a second or more. */
-export function createFrameLoop(window: Window, root: HTMLElement, place: FramePlace): FrameLoop {
-  const { stage } = place;
+export function createFrameLoop(window: Window, root: HTMLElement, context: FrameContext): FrameLoop {
+  const { stage } = context;
   const freezeAt = Number(new URLSearchParams(window.location.search).get('freeze') ?? NaN);
   let isWarm = false;
   let isBuilding = false;
@@ -36,24 +36,24 @@ export function createFrameLoop(window: Window, root: HTMLElement, place: FrameP
 
   function frame(milliseconds: number): void {
     if (root.dataset['frozen'] !== 'true') window.requestAnimationFrame(frame);
-    const { view, now } = place.look(milliseconds);
-    place.paint(view, now);
+    const { view, now } = context.look(milliseconds);
+    context.paint(view, now);
     // Before the picture: a canvas that changes size is blank until it is drawn again.
     // Frames in which nothing is drawn are no measurement of the machine.
     const isMeasured = view.ready && Number.isNaN(freezeAt);
-    const hasChanged = isMeasured && (place.resolution?.measure(milliseconds / 1000) ?? false);
+    const hasChanged = isMeasured && (context.resolution?.measure(milliseconds / 1000) ?? false);
     if (hasChanged || isResized) {
       isResized = false;
-      place.fit();
+      context.fit();
     }
-    if (view.ready && (isWarm || !isBuilding)) stage?.draw(place.dress(view), now);
+    if (view.ready && (isWarm || !isBuilding)) stage?.draw(context.dress(view), now);
     if (view.ready && !isWarm) {
       isBuilding = true;
       isWarm = stage === null || stage.hasDrawn();
-      if (isWarm) place.opened();
+      if (isWarm) context.opened();
       return;
     }
-    if (view.ready && !place.isLoading()) markReady(view);
+    if (view.ready && !context.isLoading()) markReady(view);
   }
 
   /** On the root element, for tests and screenshots. */

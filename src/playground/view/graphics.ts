@@ -6,7 +6,7 @@ const CONTEXT_LOST =
 
 /** Shows a message while the picture is lost; the renderer rebuilds itself. */
 export function watchContext(canvas: HTMLCanvasElement, notice: Notice, restored: () => void): void {
-  canvas.addEventListener('webglcontextlost', () => notice.tell(CONTEXT_LOST));
+  canvas.addEventListener('webglcontextlost', () => notice.show(CONTEXT_LOST));
   canvas.addEventListener('webglcontextrestored', () => {
     notice.withdraw(CONTEXT_LOST);
     restored();

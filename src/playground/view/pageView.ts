@@ -17,53 +17,53 @@ export interface PageView {
   readonly leave: () => void;
 }
 
-export interface PageViewPlace {
+export interface PageViewContext {
   readonly panel: () => RecordingPanel;
   readonly note: () => string;
-  readonly tell: (text: string) => void;
+  readonly notify: (text: string) => void;
   readonly banner: (text: string) => void;
   /** A replay begins or ends. */
   readonly changed: (on: boolean) => void;
 }
 
-export function createPageView(place: PageViewPlace): PageView {
+export function createPageView(context: PageViewContext): PageView {
   const recorder = createRecorder();
-  const deck = createReplayDeck(place.panel);
+  const deck = createReplayDeck(context.panel);
   /** Counts requests: one that comes back from a fetch is dropped if another came after it. */
   let request = 0;
 
   const open = async (recording: Recording) => {
     if (recording.entries.length === 0) {
-      place.tell('Nothing is recorded yet: let the game run for a moment first.');
+      context.notify('Nothing is recorded yet: let the game run for a moment first.');
       return;
     }
     const mine = ++request;
-    const part = await fetchPart(place);
+    const part = await fetchPart(context);
     if (part === null || mine !== request) return;
     const replay = part.createReplay(recording);
     deck.insert(recording, replay);
-    place.panel().showReplay(replay);
-    place.banner('Replay');
-    place.changed(true);
+    context.panel().showReplay(replay);
+    context.banner('Replay');
+    context.changed(true);
   };
   const leave = () => {
     request += 1;
     if (deck.replay() === null) return;
     deck.eject();
-    place.panel().showReplay(null);
-    place.banner('');
-    place.changed(false);
+    context.panel().showReplay(null);
+    context.banner('');
+    context.changed(false);
   };
   const load = async (file: File) => {
-    place.banner(`Reading ${file.name} …`);
-    const part = await fetchPart(place);
+    context.banner(`Reading ${file.name} …`);
+    const part = await fetchPart(context);
     const read = await part?.readFile(file);
-    place.banner('');
+    context.banner('');
     if (part === null || read === undefined) return;
     if (read.ok) await open(read.value);
-    else place.tell(part.refusalWords(file.name, read));
+    else context.notify(part.refusalWords(file.name, read));
   };
-  const record = () => recorder.recording(place.note());
+  const record = () => recorder.recording(context.note());
   return {
     recorder,
     deck,
@@ -73,20 +73,20 @@ export function createPageView(place: PageViewPlace): PageView {
       ...deck.controls,
       replay: () => void open(record()),
       leave,
-      save: () => void save(place, record()),
+      save: () => void save(context, record()),
       load: (file) => void load(file),
     },
     frame(seconds) {
       const view = deck.frame(seconds);
-      if (view === null) place.panel().showLength(recorder.seconds(), recorder.hasDropped());
+      if (view === null) context.panel().showLength(recorder.seconds(), recorder.hasDropped());
       return view;
     },
   };
 }
 
-async function save(place: PageViewPlace, recording: Recording): Promise<void> {
-  const panel = place.panel();
-  const part = await fetchPart(place);
+async function save(context: PageViewContext, recording: Recording): Promise<void> {
+  const panel = context.panel();
+  const part = await fetchPart(context);
   if (part === null) return;
   const blob = await part.writeSlowly(recording, panel.showProgress);
   panel.showProgress(null);
@@ -98,7 +98,7 @@ async function save(place: PageViewPlace, recording: Recording): Promise<void> {
 }
 
 /** The code that plays, reads and writes recordings; says so where it does not load. */
-async function fetchPart({ tell }: PageViewPlace): Promise<typeof Replaying | null> {
+async function fetchPart({ notify: tell }: PageViewContext): Promise<typeof Replaying | null> {
   try {
     return await import('../recording/replaying');
   } catch {

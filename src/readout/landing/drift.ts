@@ -20,7 +20,7 @@ const SCALES = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000] as
 const ROOM_TO_SHRINK = 0.8;
 
 export function createDrift(): Drift {
-  return { x: 0, y: 0, scale: SCALES[0] };
+  return { x: NaN, y: NaN, scale: SCALES[0] };
 }
 
 const stood = new Float64Array(3);

@@ -14,21 +14,15 @@ from .runtime import lease as lease_key
 from .runtime.galaxy import Changes, Galaxy, make_galaxy
 from .runtime.lease import Lease, LeaseLost
 from .storage.frames import event_record, ship_in_frame, write_events, write_frame
-from .storage.records import (
-    body_of_record,
-    body_record,
-    input_record,
-    ship_record,
-    to_hash,
-    to_texts,
-)
-from .storage.stored import CLOCK, landing_values, load_clock, load_landing, load_pending, ship_of_hash
+from .storage.key_types import STATUS, check_written
+from .storage.records import body_of_record, body_record, input_record, ship_record, to_hash, to_texts
+from .storage.stored import CLOCK, MAX_SHIPS, landing_values, load_clock, load_landing, load_pending, ship_of_hash
 from .validation.limits import Refusal, listed, parse_json, required
 
 WORLD, BODIES, PENDING = "touchdown:world", "touchdown:bodies", "touchdown:pending"
-INBOX, STATUS = "touchdown:inbox", "touchdown:status"
+INBOX = "touchdown:inbox"
 COMPLETED = "tick_completed"
-ASKED = ("game:tick_rate", "game:time_scale", "game:paused", "game:time_sync")
+REQUESTS = ("game:tick_rate", "game:time_scale", "game:paused", "game:time_sync")
 
 # As landing_values has them.
 LANDING_FIELDS = ("type", "phase", "reason", "started_tick", "updated_tick", "touch_speed")
@@ -41,7 +35,7 @@ MANEUVER_SECONDS = 60
 
 
 @dataclass(slots=True)
-class Asked:
+class Requests:
     """Values of game:* and inbox entries at a boundary, unchecked."""
 
     values: dict[str, str | None]
@@ -85,6 +79,7 @@ class RedisState:
         )
         if not isinstance(clock, dict):
             raise Refusal(f"{CLOCK}: expected a hash")
+        check_written(self.client, galaxy)
         self.commit_id = clock.get("commit")
         if clock:
             load_clock(galaxy, clock)
@@ -100,8 +95,9 @@ class RedisState:
     def load_ships(self, galaxy: Galaxy) -> None:
         """Leaves an invalid ship out of the simulation, but in Redis; the others continue."""
         key = f"system:{galaxy.system_id}:ships"
-        if self.client.type(key) not in ("set", "none"):
-            raise Refusal(f"{key}: expected a set")
+        count = self.client.scard(key)
+        if count > MAX_SHIPS:
+            raise Refusal(f"{key}: expected at most {MAX_SHIPS} ships, got {count}")
         self.members = set(self.client.smembers(key))
         self.landings = {}
         for ship_id in sorted(self.members):
@@ -110,15 +106,17 @@ class RedisState:
             record, maneuver = pipe.execute(raise_on_error=False)
             try:
                 galaxy.ships[ship_id] = ship_of_hash(galaxy, ship_id, record)
-                if isinstance(maneuver, dict) and maneuver.get("type") == "landing":
+                if not isinstance(maneuver, dict):
+                    raise Refusal(f"maneuver:{ship_id}: expected a hash")
+                if maneuver.get("type") == "landing":
                     galaxy.landings[ship_id] = landing = load_landing(maneuver, f"maneuver:{ship_id}")
                     self.landings[ship_id] = landing_values(landing)
             except Refusal as refusal:
                 self.refused = str(refusal)
 
-    def read_asked(self, cursor: str) -> Asked:
+    def read_requests(self, cursor: str) -> Requests:
         pipe = self.client.pipeline(transaction=False)
-        pipe.mget(ASKED)
+        pipe.mget(REQUESTS)
         pipe.xrange(INBOX, f"({cursor}", "+", INBOX_COUNT)
         answers = pipe.execute(raise_on_error=False)
         for answer in answers:
@@ -126,10 +124,10 @@ class RedisState:
                 raise answer
         values, entries = answers
         if isinstance(entries, RedisError):
-            return Asked(dict(zip(ASKED, values)), refusals=[f"{INBOX}: expected a stream"])
-        return Asked(dict(zip(ASKED, values)), entries)
+            return Requests(dict(zip(REQUESTS, values)), refusals=[f"{INBOX}: expected a stream"])
+        return Requests(dict(zip(REQUESTS, values)), entries)
 
-    def commit(self, galaxy: Galaxy, changes: Changes, due: float, asked: Asked, status: dict[str, Any]) -> None:
+    def commit(self, galaxy: Galaxy, changes: Changes, due: float, requests: Requests, status: dict[str, Any]) -> None:
         """Writes all of a tick or nothing. Raises LeaseLost if another service may have written meanwhile."""
         pipe = self.client.pipeline(transaction=True)
         try:
@@ -141,13 +139,13 @@ class RedisState:
             self.commit_id = token_hex(8)
             pipe.multi()
             ships = self.write_ships(pipe, galaxy, changes)
-            self.write_clock(pipe, galaxy, asked)
+            self.write_clock(pipe, galaxy, requests)
             self.write_bodies(pipe, galaxy)
             self.write_landings(pipe, galaxy, changes)
             events = [event_record(event) for event in changes.events]
             write_events(pipe, changes.events, events)
             write_frame(pipe, galaxy, changes, due, ships, events)
-            if asked.entries:
+            if requests.entries:
                 ms, number_in_ms = galaxy.cursor.split("-")
                 pipe.xtrim(INBOX, minid=f"{ms}-{int(number_in_ms) + 1}", approximate=False)
             pipe.hset(STATUS, mapping=status)
@@ -178,26 +176,26 @@ class RedisState:
         self.members = (self.members | new) - gone
         return ships
 
-    def write_clock(self, pipe: Pipeline, galaxy: Galaxy, asked: Asked) -> None:
+    def write_clock(self, pipe: Pipeline, galaxy: Galaxy, requests: Requests) -> None:
         tempo = galaxy.tempo
         now = datetime.fromtimestamp(0, timezone.utc) + timedelta(seconds=galaxy.epoch + galaxy.game_time)
         pipe.set("game:tick", galaxy.tick)
         pipe.set("game:time", now.isoformat(timespec="microseconds"))
         in_force = (
             repr(tempo.tick_rate),
-            repr(tempo.asked_scale),
+            repr(tempo.requested_scale),
             json.dumps(tempo.paused),
             json.dumps(tempo.time_sync),
         )
-        for key, value in zip(ASKED, in_force):
-            if asked.values.get(key) is None:
+        for key, value in zip(REQUESTS, in_force):
+            if requests.values.get(key) is None:
                 pipe.set(key, value)
         clock = {
             "tick": galaxy.tick,
             "game_time": repr(galaxy.game_time),
             "tick_rate": repr(tempo.tick_rate),
             "time_scale": repr(tempo.time_scale),
-            "asked_scale": repr(tempo.asked_scale),
+            "requested_scale": repr(tempo.requested_scale),
             "time_sync": json.dumps(tempo.time_sync),
             "paused": json.dumps(tempo.paused),
             "cursor": galaxy.cursor,

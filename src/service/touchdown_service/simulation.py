@@ -16,7 +16,7 @@ BLOCK = 1000
 
 
 @dataclass(slots=True)
-class Happened:
+class TickResult:
     """The results of a tick, each list in order."""
 
     events: list[Event] = field(default_factory=list)
@@ -42,7 +42,7 @@ def run_tick(
     tick: int,
     due: float = 0.0,
     after_substep: AfterSubstep | None = None,
-) -> Happened:
+) -> TickResult:
     """Moves the world from boundary `tick` to the next.
 
     Ships do not touch one another, so each runs through all its substeps at once. `after_substep(ship, substep, event)`
@@ -50,32 +50,32 @@ def run_tick(
     """
     for ship in ships:
         choose_reference_body(ship, world.bodies)
-    happened = Happened()
+    result = TickResult()
     for first in range(0, timing.substeps, BLOCK):
         count = min(BLOCK, timing.substeps - first)
         steps = {body.name: turn_body(body, timing.dt, count) for body in world.bodies}
         for ship in ships:
             span = Span(tick, first, timing.dt, due, steps[ship.body.name])
-            run_ship(ship, world, span, happened, after_substep)
+            run_ship(ship, world, span, result, after_substep)
     for body in world.bodies:
         body.position = add(body.position, scale(body.velocity, timing.tick_seconds))
     # A stable sort keeps the order of ships within a substep.
-    happened.events.sort(key=lambda event: event.substep)
-    happened.changes.sort(key=lambda change: change.substep)
-    return happened
+    result.events.sort(key=lambda event: event.substep)
+    result.changes.sort(key=lambda change: change.substep)
+    return result
 
 
-def run_ship(ship: Ship, world: World, span: Span, happened: Happened, after_substep: AfterSubstep | None) -> None:
+def run_ship(ship: Ship, world: World, span: Span, result: TickResult, after_substep: AfterSubstep | None) -> None:
     """Simulates one ship over consecutive substeps of a tick."""
     tick, dt = span.tick, span.dt
     pending = ship.pending
     for s, step in enumerate(span.steps, span.first):
         while pending and (pending[0].tick, pending[0].substep) <= (tick, s):
             if apply_input(ship, pending.pop(0), (tick, s), span.due):
-                happened.changes.append(Change(tick, s, ship, ship.controls))
+                result.changes.append(Change(tick, s, ship, ship.controls))
         event = substep(ship, world, step, dt)
         if event:
-            happened.events.append(event_of(ship, event, tick, s))
+            result.events.append(event_of(ship, event, tick, s))
         if after_substep:
             after_substep(ship, s, event)
 

@@ -3,15 +3,14 @@ import { createHash } from 'node:crypto';
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import { expect, it, onTestFinished } from 'vitest';
+import { expect, inject, it, onTestFinished } from 'vitest';
 import { describeInBrowser, openUrl, problemsOf } from '../pages';
 import { serveFolder } from '../staticServer';
 import type { Fault, StaticServer } from '../staticServer';
 import { KEPT, SMALL } from '../waits';
 
-const BUILT = fileURLToPath(new URL('../../../dist/page', import.meta.url));
+const BUILT = inject('builtFolder');
 
 interface Deployment extends StaticServer {
   /** How the host misbehaves from now on. */

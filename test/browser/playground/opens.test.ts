@@ -1,11 +1,10 @@
 /** The built page from a static host: it opens, draws, obeys the policy, and is small. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
-import { expect, it } from 'vitest';
+import { expect, inject, it } from 'vitest';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
 import { KEPT } from '../waits';
 
@@ -52,7 +51,7 @@ describeInBrowser('the built page', () => {
     );
     expect(fetched.length).toBeGreaterThan(2);
     expect(fetched.filter((name) => ON_DEMAND.test(name))).toEqual([]);
-    const folder = fileURLToPath(new URL('../../../dist/page', import.meta.url));
+    const folder = inject('builtFolder');
     const code = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) =>
       /\.(html|js|css)$/.test(name),
     );

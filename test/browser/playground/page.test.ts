@@ -14,7 +14,9 @@ describeInBrowser('the built page', () => {
       true,
     );
     expect(await shadesOf(page)).toBeGreaterThan(500);
-    await page.waitForFunction(() => document.getElementById('twin')?.textContent.includes('landed'));
+    await page.waitForFunction(() =>
+      document.getElementById('textAlternative')?.textContent.includes('landed'),
+    );
     expect(problemsOf(page)).toEqual([]);
   });
 

@@ -30,15 +30,15 @@ function createNewcomer({ live }: Game): (view: WorldView, now: number) => void 
     updateLandingAids(aids, view);
     if (now - lookedAt < REACTION || !readout.known) return;
     lookedAt = now;
-    if (readout.status === 'contact') live.hands.press('throttleCut');
+    if (readout.status === 'contact') live.flightControls.press('throttleCut');
     const speed = readout.descent.verticalSpeed;
     const quickening = Number.isNaN(before) ? 0 : speed - before;
     before = speed;
     if (!aids.shown) return;
     // The display's words about AIM, and whether it gets worse.
     const tap = (action: 'throttleUp' | 'throttleDown') => {
-      live.hands.press(action);
-      live.hands.release(action);
+      live.flightControls.press(action);
+      live.flightControls.release(action);
     };
     const off = speed - Math.min(aids.aimSpeed, 8);
     if (off > 0.2 && quickening > -0.3) tap('throttleUp');

@@ -135,10 +135,10 @@ describe('a link to a flight', () => {
       choices: () => choices,
       address: { write: () => undefined, copy: (query) => copied.push(query) },
       notice: {
-        tell: () => undefined,
+        show: () => undefined,
         clear: () => undefined,
         withdraw: () => undefined,
-        tellLink: () => undefined,
+        showLink: () => undefined,
       },
     });
     link.copy();
@@ -156,10 +156,10 @@ describe('a link to a flight', () => {
       ['pitchPlus', 0.4],
       ['throttleCut', 3],
     ] as const) {
-      game.live.hands.press(action);
+      game.live.flightControls.press(action);
       game.live.steer();
       game.play(60, seconds);
-      game.live.hands.release(action);
+      game.live.flightControls.release(action);
       game.live.steer();
     }
     const query = linkOf(game, { ...DEFAULT_CHOICES, ...asked });
@@ -180,17 +180,17 @@ describe('a pause', () => {
   it('with a key held leaves no mismatch after it: keys held or pressed meanwhile do nothing', async () => {
     const { live, play } = await open({ scenario: 'school-hover', network: 'broadband' });
     play(60, 2.3);
-    live.hands.press('throttleUp');
+    live.flightControls.press('throttleUp');
     play(60, 0.4);
-    live.hands.rest(true);
+    live.flightControls.setPaused(true);
     live.operate({ kind: 'pause', paused: true });
     play(60, 3);
     const paused = live.view().own!.controls.thrustLevel;
-    live.hands.press('throttleFull');
-    live.hands.press('pitchPlus');
+    live.flightControls.press('throttleFull');
+    live.flightControls.press('pitchPlus');
     play(60, 1);
     expect(live.view().own!.controls).toMatchObject({ thrustLevel: paused, rotationInput: [0, 0, 0] });
-    live.hands.rest(false);
+    live.flightControls.setPaused(false);
     live.operate({ kind: 'pause', paused: false });
     play(60, 5);
     expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });

@@ -8,16 +8,16 @@ describe('the autopilot', () => {
   it('lands softly from the mission’s start, and is switched off by the key that switched it on', async () => {
     const { live, play } = await open({ scenario: 'first-landing', network: 'broadband' });
     play(30, 1);
-    live.hands.press('autopilot');
+    live.flightControls.press('autopilot');
     play(30, 2);
     expect(live.view().own!.controls.attitudeMode).toBe('radial');
-    live.hands.press('autopilot');
-    expect(live.hands.autopilot.isOn()).toBe(false);
+    live.flightControls.press('autopilot');
+    expect(live.flightControls.autopilot.isOn()).toBe(false);
     const held = live.view().own!.controls.thrustLevel;
     play(30, 0.5);
     expect(live.view().own!.controls).toMatchObject({ attitudeMode: 'none', attitudeHold: true });
     expect(live.view().own!.controls.thrustLevel).toBeCloseTo(held, 1);
-    live.hands.press('autopilot');
+    live.flightControls.press('autopilot');
     play(30, 60);
     const { own } = live.frame();
     expect(own!.shownState).toBe('landed');
@@ -28,10 +28,10 @@ describe('the autopilot', () => {
     const { live, play } = await open({ scenario: 'bounce', network: 'broadband' });
     // 20 m up at 24 m/s: too late to brake.
     play(60, 0.5);
-    live.hands.press('autopilot');
+    live.flightControls.press('autopilot');
     play(60, 2);
-    expect(live.hands.autopilot.isOn()).toBe(false);
-    expect(live.hands.autopilot.reason()).toMatch(/^hit Luna at 2\d\.\d m\/s$/);
+    expect(live.flightControls.autopilot.isOn()).toBe(false);
+    expect(live.flightControls.autopilot.reason()).toMatch(/^hit Luna at 2\d\.\d m\/s$/);
   });
 });
 
@@ -42,7 +42,7 @@ describe('manual input', () => {
     expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0.5, attitudeMode: 'radial' });
     // The plan would turn the ship from 2.6 s on; the pilot only cuts the engine.
     play(60, 0.5);
-    live.hands.press('throttleCut');
+    live.flightControls.press('throttleCut');
     const turned = new Set<number>();
     play(60, 6, (view) => turned.add(view.own!.controls.rotationInput[0]));
     expect([...turned]).toEqual([0]);
@@ -59,7 +59,7 @@ describe('manual input', () => {
     const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
     play(60, 1);
     live.operate({ kind: 'drop' });
-    live.hands.press('throttleCut');
+    live.flightControls.press('throttleCut');
     // Meanwhile the server continues the plan: engine, and the turn from 2.6 s to 3.6 s.
     play(60, 1.8);
     expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0] });
@@ -77,7 +77,7 @@ describe('manual input', () => {
     play(2, 3);
     for (const hand of ['press', 'release'] as const) {
       vi.advanceTimersByTime(60);
-      live.hands[hand]('pitchPlus');
+      live.flightControls[hand]('pitchPlus');
       live.steer();
     }
     play(2, 2);
@@ -99,7 +99,7 @@ describe('manual input', () => {
   it('takes over also without a change of controls', async () => {
     const { live, play } = await open({ scenario: 'launch', network: 'lan' });
     play(60, 1);
-    live.hands.press('throttleCut');
+    live.flightControls.press('throttleCut');
     play(60, 8, (view) => expect(view.own!.surfaceContactState).toBe('landed'));
     expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
   });

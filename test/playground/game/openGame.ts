@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, vi } from 'vitest';
-import type { Live } from '../../../src/playground/game/live';
+import { createLive, type Live } from '../../../src/playground/game/live';
 import { type Choices, DEFAULT_CHOICES } from '../../../src/playground/panels/choices';
 import type { FromServer, ToServer } from '../../../src/playground/server/connection';
 import type { WorldView } from '../../../src/prediction';
@@ -54,8 +54,8 @@ export async function open(asked: Partial<Choices>): Promise<Game> {
       }
     },
   );
+  // Anew for each game: a worker's program holds the one session of its page.
   const { serve } = await import('../../../src/playground/server/worker');
-  const { createLive } = await import('../../../src/playground/game/live');
   serve([]);
   const entries: RecordingEntry[] = [];
   const runs: (readonly RunInput[])[] = [];

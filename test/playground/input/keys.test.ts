@@ -4,7 +4,7 @@ import { actionOf, type KeyStroke } from '../../../src/playground/input/keyboard
 import {
   type Action,
   defaultKeys,
-  firstDoubled,
+  firstDuplicate,
   isBindable,
   KEY_TABLE,
   loadKeys,
@@ -28,7 +28,7 @@ function storeWith(text: string | null): Storage {
 describe('key table', () => {
   it('has the game’s keys, each once, without modifiers', () => {
     const { map } = defaultKeys();
-    expect(firstDoubled(map)).toBeNull();
+    expect(firstDuplicate(map)).toBeNull();
     expect(KEY_TABLE.every(({ action, key }) => isBindable(action, key))).toBe(true);
     const throttle = [map.throttleUp, map.throttleDown, map.throttleFull, map.throttleCut];
     expect(throttle).toEqual(['KeyF', 'KeyV', 'KeyZ', 'KeyX']);

@@ -2,16 +2,16 @@ import { describe, expect, it } from 'vitest';
 import { toInertial } from '../../../src/readout';
 import { readPad, withDeadZone } from '../../../src/playground/input/gamepad';
 import {
-  createAim,
+  createSteeringAxes,
   pushInput,
-  takeAim,
+  alignSteeringAxes,
   turnInput,
   turnKeysFor,
 } from '../../../src/playground/input/steering';
 import {
   createDeflection,
   createStick,
-  letGo,
+  releaseAll,
   press,
   sampleStick,
 } from '../../../src/playground/input/stick';
@@ -27,8 +27,8 @@ function headed(degrees: number): Float64Array {
 }
 
 function aimOf(attitude: Float64Array, flying = true) {
-  const aim = createAim();
-  takeAim(aim, SCREEN, attitude, flying);
+  const aim = createSteeringAxes();
+  alignSteeringAxes(aim, SCREEN, attitude, flying);
   return aim;
 }
 
@@ -141,7 +141,7 @@ describe('a gamepad', () => {
     expect(sampleStick(stick, 0.02).rotationInput).toEqual([-0.5, 0, 0]);
     press(stick, 'pitchPlus', NEUTRAL_CONTROLS);
     expect(sampleStick(stick, 0.02).rotationInput).toEqual([1, 0, 0]);
-    letGo(stick);
+    releaseAll(stick);
     expect(sampleStick(stick, 0.02).rotationInput).toEqual([0, 0, 0]);
   });
 });

@@ -130,8 +130,8 @@ describe('the server in the page', () => {
     const own = (from: number, until: number) => frames(runTo(session, from, until)).at(-1)!.ships[0]!;
     const before = own(10, 25).relativePosition!;
     const up = before.map((value) => (value / Math.hypot(...before)) * 30) as [number, number, number];
-    expect(session.operate({ kind: 'carry', offset: [0, 0, 0], begins: true }, 25)).toBeNull();
-    expect(session.operate({ kind: 'carry', offset: up, begins: false }, 25)).toBeNull();
+    expect(session.operate({ kind: 'drag', offset: [0, 0, 0], begins: true }, 25)).toBeNull();
+    expect(session.operate({ kind: 'drag', offset: up, begins: false }, 25)).toBeNull();
     const after = own(25, 25.06);
     expect(Math.hypot(...after.relativePosition!) - Math.hypot(...before)).toBeCloseTo(30, 1);
     expect(after.surfaceContactState).toBe('');
@@ -164,8 +164,8 @@ describe('the server in the page', () => {
 
   it.each([
     ['seconds', { kind: 'spike', seconds: 0 }],
-    ['offset', { kind: 'carry', offset: [0, NaN, 0], begins: true }],
-    ['begins', { kind: 'carry', offset: [0, 0, 0], begins: 1 }],
+    ['offset', { kind: 'drag', offset: [0, NaN, 0], begins: true }],
+    ['begins', { kind: 'drag', offset: [0, 0, 0], begins: 1 }],
     ['up.jitter', { ...LOAD, upNetwork: { ...NETWORK_PRESETS.lan, jitter: -1 } }],
     ['own.plan[0]', { ...LOAD, plan: [{ tick: -1, substep: 0, controls: null }] }],
     ['kind', { kind: 'explode' }],

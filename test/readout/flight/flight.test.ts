@@ -64,6 +64,16 @@ describe('landing aids', () => {
     return { out, view };
   };
 
+  /** Of a ship at rest: gravity, full thrust, what it brakes, m/s², and the speed to aim at, m/s. */
+  const corridorOf = (pose: Pose) => {
+    const { out, view } = settle({ up: 0, ...pose });
+    const { dryMass, mainEngineThrust } = view.own.shipClass;
+    const g =
+      (GRAVITATIONAL_CONSTANT * view.bodies[view.own.body]!.mass) / Math.hypot(...view.own.position) ** 2;
+    const full = mainEngineThrust / (dryMass + view.own.fuel);
+    return { g, full, braking: full - g, aim: out.aimSpeed };
+  };
+
   it('predict the touch of a free fall', () => {
     const { out, view } = settle({ clearance: 80, up: -3, east: 2 });
     const body = view.bodies[view.own.body]!;
@@ -97,6 +107,71 @@ describe('landing aids', () => {
     expect(settle({ clearance: 0.5, up: -1 }).out.aimSpeed).toBeLessThan(2);
     expect(settle({ clearance: 20, up: -15 }).out.corridor).toBe('fast');
     expect(settle({ clearance: 500, up: 0 }).out.corridor).toBe('slow');
+  });
+
+  it('aim at the speed that a quarter of a gentle braking slows to 1.2 m/s over the last two metres', () => {
+    for (const body of ['Luna', 'Mars', 'Phobos'] as const)
+      for (const clearance of [0, 1.5, 5, 40, 300, 3000]) {
+        const { g, braking, aim } = corridorOf({ body, clearance });
+        const gentle = Math.min(0.5 * braking, Math.max(g, 0.3));
+        const square = 1.2 ** 2 + 2 * 0.25 * gentle * Math.max(0, clearance - 2);
+        expect(aim).toBeCloseTo(Math.min(30, Math.sqrt(square)), 6);
+      }
+  });
+
+  it('call a descent fast above 1.35 of that speed, slow below half of it, 0.5 m/s allowed', () => {
+    for (const clearance of [5, 40, 300]) {
+      const { aim } = corridorOf({ clearance });
+      const at = (speed: number) => settle({ clearance, up: -speed }).out.corridor;
+      const [fastest, slowest] = [1.35 * aim + 0.5, 0.5 * aim - 0.5];
+      expect([fastest + 0.001, fastest - 0.001].map(at)).toEqual(['fast', 'good']);
+      expect([slowest + 0.001, slowest - 0.001].map(at)).toEqual(['good', 'slow']);
+    }
+  });
+
+  it('advise by the speed and height a second and a half ahead', () => {
+    for (const clearance of [20, 150])
+      for (const throttle of [0, 0.1, 0.2]) {
+        const { g, full } = corridorOf({ clearance });
+        const gained = (g - throttle * full) * 1.5;
+        const at = (speed: number) => settle({ clearance, up: -speed }, controls(throttle)).out.advice;
+        // The bound is where the speed ahead is the corridor's there; that height depends on the speed.
+        const bound = (share: number, slack: number) => {
+          let speed = 0;
+          for (let i = 0; i < 60; i++) {
+            const { aim } = corridorOf({ clearance: clearance - 1.5 * (speed + gained / 2) });
+            speed = share * aim + slack - gained;
+          }
+          return speed;
+        };
+        const [fastest, slowest] = [bound(1.1, 0.3), bound(0.45, -0.3)];
+        expect([fastest + 0.02, fastest - 0.02].map(at)).toEqual(['more', 'hold']);
+        expect([slowest + 0.02, slowest - 0.02].map(at)).toEqual(['hold', 'less']);
+      }
+  });
+
+  it('give no corridor and no advice to an engine that cannot lift the ship, and ask it to burn at once', () => {
+    const blank = { corridor: 'none', advice: 'none', aimSpeed: NaN };
+    expect(settle({ clearance: 80, up: -1, fuel: 0 }).out).toMatchObject({ ...blank, burnSeconds: 0 });
+    expect(settle({ clearance: 80, up: 1, fuel: 0 }).out).toMatchObject({ ...blank, burnSeconds: NaN });
+  });
+
+  it('forget a run ahead when the ship lands', () => {
+    const [falling, other] = [
+      makeView({ clearance: 800, up: -3 }),
+      makeView({ clearance: 30, up: -1, north: 4 }),
+    ];
+    const out = createLandingAids();
+    updateLandingAids(out, falling);
+    expect(out.outcome).toBe('working');
+    updateLandingAids(out, makeView({ clearance: -0.016, state: 'landed' }));
+    for (let i = 0; i < 60; i++) updateLandingAids(out, other);
+    const fresh = settle({ clearance: 30, up: -1, north: 4 }).out;
+    expect([out.touchSeconds, out.touchVertical, out.touchHorizontal]).toEqual([
+      fresh.touchSeconds,
+      fresh.touchVertical,
+      fresh.touchHorizontal,
+    ]);
   });
 
   it('advise more thrust before the ship is too fast, and less only where it hardly comes down', () => {

@@ -176,5 +176,10 @@ describe('cross-pointer', () => {
     const scaleAt = (north: number) => updateLandingReadout(out, makeView({ north })).drift.scale;
     expect([0.4, 1.5, 4, 9, 41].map(scaleAt)).toEqual([1, 2, 5, 10, 50]);
     expect([17, 15, 5, 4.1, 3.9].map(scaleAt)).toEqual([50, 20, 10, 10, 5]);
+    const scales = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000];
+    expect([0.1, ...scales.map((scale) => 0.999 * scale)].map(scaleAt).slice(1)).toEqual(scales);
+    expect(scaleAt(20_000)).toBe(10_000);
+    const smaller = scales.map((scale) => 0.79 * scale).reverse();
+    expect(smaller.map(scaleAt)).toEqual([...scales].reverse());
   });
 });

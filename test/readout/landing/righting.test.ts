@@ -115,6 +115,17 @@ describe('righting help', () => {
     expect(rights({ ...NEUTRAL_CONTROLS, rotationInput, translationInput })).toBe(true);
   });
 
+  it('spends at most 200 substeps a view', () => {
+    const out = createLandingReadout();
+    const view = makeView(ON_SIDE);
+    updateLandingReadout(out, view);
+    // Substeps of 0.01 s.
+    expect(out.memory.ahead!.righting.run.projection.elapsed).toBeCloseTo(2, 9);
+    expect(out.righting.outcome).toBe('working');
+    updateLandingReadout(out, view);
+    expect(out.righting.outcome).toBe('lands');
+  });
+
   it('spends no substep once it has its answer', () => {
     const out = createLandingReadout();
     const view = makeView(ON_SIDE);

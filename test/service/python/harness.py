@@ -66,7 +66,7 @@ class ServiceProcess:
 
     def __init__(self, redis: RedisServer, *arguments: str) -> None:
         self.log = tempfile.NamedTemporaryFile(prefix="touchdown-service-", suffix=".log", delete=False)
-        command = [sys.executable, "-B", "-m", "touchdown_service", "--redis", redis.url]
+        command = [sys.executable, "-m", "touchdown_service", "--redis", redis.url]
         command += ["--lease-ms", "400", *arguments]
         self.process = subprocess.Popen(command, cwd=SERVICE_HOME, stdout=self.log, stderr=self.log)
 

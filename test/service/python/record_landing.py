@@ -21,7 +21,7 @@ def main() -> None:
         for seq in range(1, 9):
             controls = {"thrust_level": 0.01 * seq, "attitude_mode": "radial" if seq % 2 else "hold"}
             control(client, seq, controls, tick=now + 100 + 9 * seq, substep=seq % 4)
-        command = [sys.executable, "-B", "-m", "touchdown_service.recorder", "--redis", redis.url]
+        command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url]
         child = subprocess.Popen([*command, "--ship", "s1", "--ticks", "300", sys.argv[1]], cwd=SERVICE_HOME)
         # It waits for the next frame.
         until(lambda: client.info("clients")["blocked_clients"] == 1, "the recorder listens", service)

@@ -9,7 +9,7 @@ from typing import Any
 from harness import SERVICE_HOME, RedisServer, ServiceProcess, entries, lander, send, until
 
 from touchdown_service.runtime.galaxy import Changes, make_galaxy, run_interval
-from touchdown_service.runtime.inbox import take_in
+from touchdown_service.runtime.inbox import apply_entries
 from touchdown_service.storage.records import body_of_record, ship_record, to_texts
 
 WORLD = json.loads((SERVICE_HOME / "touchdown_service" / "world.json").read_text(encoding="utf-8"))
@@ -51,10 +51,10 @@ def play_here(start: int, ticks: int) -> tuple[dict[str, dict[str, str]], list[t
         run_interval(galaxy, 0.0, changes)
     spawns = [{"type": "spawn", "data": json.dumps(order)} for order in SHIPS]
     early, late = inputs(start)[:1], inputs(start)[1:]
-    take_in(galaxy, [(f"{i}-1", entry) for i, entry in enumerate(spawns + early, 1)], changes)
+    apply_entries(galaxy, [(f"{i}-1", entry) for i, entry in enumerate(spawns + early, 1)], changes)
     for tick in range(ticks):
         if tick == LATER:
-            take_in(galaxy, [(f"{i}-2", entry) for i, entry in enumerate(late, 1)], changes)
+            apply_entries(galaxy, [(f"{i}-2", entry) for i, entry in enumerate(late, 1)], changes)
         run_interval(galaxy, 0.0, changes)
     assert all(result["ok"] for result in changes.results), changes.results
     records = {ship_id: to_texts(ship_record(ship, "sol")) for ship_id, ship in galaxy.ships.items()}

@@ -110,9 +110,9 @@ class Loading(unittest.TestCase):
             self.assertIn(words, str(caught.exception))
 
     def test_tempo(self) -> None:
-        now = Tempo(tick_rate=2.0, time_scale=1.0, asked_scale=1.0)
-        asked = {"game:tick_rate": "0", "game:time_scale": "ten", "game:paused": "perhaps", "game:time_sync": None}
-        tempo, refusals = next_tempo(now, asked, 0.0)
+        now = Tempo(tick_rate=2.0, time_scale=1.0, requested_scale=1.0)
+        requests = {"game:tick_rate": "0", "game:time_scale": "ten", "game:paused": "perhaps", "game:time_sync": None}
+        tempo, refusals = next_tempo(now, requests, 0.0)
         self.assertEqual(tempo, now)
         self.assertEqual(
             refusals,

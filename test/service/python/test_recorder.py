@@ -13,7 +13,7 @@ from harness import SERVICE_HOME, RedisServer, ServiceProcess, control, lander, 
 class Recorder(unittest.TestCase):
     def record(self, redis: RedisServer, *options: str) -> tuple[int, str, str]:
         file = Path(tempfile.mkdtemp()) / "recorded.json"
-        command = [sys.executable, "-B", "-m", "touchdown_service.recorder", "--redis", redis.url, *options, str(file)]
+        command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, *options, str(file)]
         run = subprocess.run(command, cwd=SERVICE_HOME, capture_output=True, text=True, timeout=60)
         return run.returncode, run.stdout, run.stderr
 
@@ -36,7 +36,7 @@ class Recorder(unittest.TestCase):
                 client, seq, {"thrust_level": 0.01 * seq, "attitude_mode": "hold"}, tick=now + 90 + 7 * seq, substep=1
             )
         file = Path(tempfile.mkdtemp()) / "recorded.json"
-        command = [sys.executable, "-B", "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
+        command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
         child = subprocess.Popen([*command, "--ticks", "250", str(file)], cwd=SERVICE_HOME, stdout=subprocess.DEVNULL)
         until(lambda: client.info("clients")["blocked_clients"] == 1, "the recorder listens", service)
         client.set("game:paused", "false")
@@ -45,6 +45,23 @@ class Recorder(unittest.TestCase):
         self.assertEqual([s["tick"] for s in data["states"]], [data["initial"]["tick"] + i for i in range(1, 251)])
         self.assertEqual([i["substep"] for i in data["inputs"]], [0, 1, 1, 1, 1])
         self.assertIn("ship.contact", [e["event"] for e in data["events"]])
+
+    def test_a_key_that_is_none_of_the_services_is_refused_by_name(self) -> None:
+        redis = RedisServer("no")
+        self.addCleanup(redis.close)
+        client = redis.client()
+        for key, spoil, words in (
+            ("touchdown:world", lambda: client.rpush("touchdown:world", "x"), "expected a string, got a list"),
+            ("touchdown:frames", lambda: client.set("touchdown:frames", "x"), "expected a stream, got a string"),
+            ("touchdown:frames", lambda: client.xadd("touchdown:frames", {"frame": b"\xff"}), "expected JSON, got"),
+        ):
+            client.flushall()
+            client.set("touchdown:world", "{}")
+            client.delete(key)
+            spoil()
+            code, _, said = self.record(redis, "--ship", "s1")
+            self.assertEqual((code, said.count("\n")), (1, 1), said)
+            self.assertIn(f"recorder: {key}: {words}", said)
 
     def test_it_ends_where_the_tick_changes(self) -> None:
         redis = RedisServer()
@@ -56,7 +73,7 @@ class Recorder(unittest.TestCase):
         entry = send(client, "spawn", **lander(height=3000))
         until(lambda: result_of(client, entry), "it is there", service)
         before = int(client.get("game:tick"))
-        command = [sys.executable, "-B", "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
+        command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
         folder = tempfile.mkdtemp()
         child = subprocess.Popen(
             [*command, "--ticks", "10000", f"{folder}/a.json"], cwd=SERVICE_HOME, stdout=subprocess.PIPE, text=True

@@ -8,7 +8,7 @@ from harness import SERVICE_HOME, lander
 from touchdown_service.config import load_timing
 from touchdown_service.models import Input
 from touchdown_service.runtime.galaxy import Changes, Galaxy, make_galaxy, run_interval
-from touchdown_service.runtime.inbox import take_in
+from touchdown_service.runtime.inbox import apply_entries
 from touchdown_service.runtime.spawning import ship_of_order
 from touchdown_service.simulation import run_tick
 from touchdown_service.storage.records import body_of_record
@@ -20,7 +20,7 @@ def galaxy_with(*orders: dict) -> Galaxy:
     galaxy = make_galaxy(WORLD, [body_of_record(body, "body") for body in WORLD["bodies"]])
     entries = [(f"{i}-0", {"type": "spawn", "data": json.dumps(order)}) for i, order in enumerate(orders, 1)]
     changes = Changes()
-    take_in(galaxy, entries, changes)
+    apply_entries(galaxy, entries, changes)
     assert all(result["ok"] for result in changes.results), changes.results
     return galaxy
 
@@ -100,7 +100,7 @@ class Simulation(unittest.TestCase):
 
     def test_the_autopilot_lands(self) -> None:
         galaxy = galaxy_with(lander(height=400, velocity=[12, -5, -20], tilt=40))
-        take_in(galaxy, [("9-0", {"type": "maneuver", "data": '{"ship_id": "s1", "maneuver": "landing"}'})], Changes())
+        apply_entries(galaxy, [("9-0", {"type": "maneuver", "data": '{"ship_id": "s1", "maneuver": "landing"}'})], Changes())
         events = run(galaxy, 150).events
         self.assertEqual(galaxy.landings["s1"].phase, "complete")
         self.assertEqual(galaxy.ships["s1"].surface_contact_state, "landed")
@@ -114,7 +114,7 @@ class Simulation(unittest.TestCase):
             ({"height": 900, "fuel": 0}, None, "main engine: 0 N cannot hold"),
         ):
             galaxy = galaxy_with(lander(**order))
-            take_in(
+            apply_entries(
                 galaxy, [("9-0", {"type": "maneuver", "data": '{"ship_id": "s1", "maneuver": "landing"}'})], Changes()
             )
             if input is not None:
@@ -144,14 +144,14 @@ class Spawning(unittest.TestCase):
             (lander("x" * 129), "ship_id: expected at most 128 characters"),
         ):
             changes = Changes()
-            take_in(galaxy, [("9-0", {"type": "spawn", "data": json.dumps(order)})], changes)
+            apply_entries(galaxy, [("9-0", {"type": "spawn", "data": json.dumps(order)})], changes)
             self.assertIn(words, changes.results[0]["reason"])
             self.assertEqual(list(galaxy.ships), ["s1"])
 
     def test_half_a_surrogate_is_refused(self) -> None:
         changes = Changes()
         galaxy = galaxy_with()
-        take_in(galaxy, [("9-0", {"type": "spawn", "data": json.dumps(lander("s\ud800"))})], changes)
+        apply_entries(galaxy, [("9-0", {"type": "spawn", "data": json.dumps(lander("s\ud800"))})], changes)
         self.assertIn("ship_id: expected a string", changes.results[0]["reason"])
 
     def test_a_full_state_comes_back_to_the_bit(self) -> None:

@@ -2,11 +2,11 @@ import { LESSONS, type Mission, MISSIONS } from '../../../scenarios';
 import type { Action } from '../../input/keyTable';
 import type { Choices } from '../../panels/choices';
 import type { CardAction, CardText } from '../../panels/missionCard';
-import { controlName, type Device } from '../words/flightWords';
+import { controlName, type Device } from '../texts/flightTexts';
 import type { MissionTracker } from './missionTracker';
 
 /** What the buttons of a card do, and which keys they name. */
-export interface CardPlace {
+export interface CardContext {
   readonly choose: (name: keyof Choices, text: string) => void;
   readonly restart: () => void;
   readonly device: () => Device;
@@ -14,23 +14,23 @@ export interface CardPlace {
 }
 
 /** The key that takes a card's first action. */
-function confirmCap({ device }: CardPlace): string {
+function confirmCap({ device }: CardContext): string {
   return { keys: 'Enter', gamepad: 'A', thumbs: '' }[device()];
 }
 
-export function nextAction(mission: Mission, place: CardPlace): CardAction {
+export function nextAction(mission: Mission, context: CardContext): CardAction {
   const list = mission.isLesson ? LESSONS : MISSIONS;
   const next = list[list.indexOf(mission) + 1] ?? MISSIONS[0]!;
   return {
     text: `Next: ${next.scenario.title}`,
-    cap: confirmCap(place),
-    act: () => place.choose('scenario', next.scenario.name),
+    cap: confirmCap(context),
+    act: () => context.choose('scenario', next.scenario.name),
   };
 }
 
-export function retryAction(place: CardPlace): CardAction {
-  const cap = controlName(place.device(), 'restart', place.cap);
-  return { text: 'Try again', cap, act: place.restart };
+export function retryAction(context: CardContext): CardAction {
+  const cap = controlName(context.device(), 'restart', context.cap);
+  return { text: 'Try again', cap, act: context.restart };
 }
 
 function card(title: string, words: string, actions: readonly CardAction[]): CardText {
@@ -38,20 +38,20 @@ function card(title: string, words: string, actions: readonly CardAction[]): Car
 }
 
 /** What went wrong and what to do next; beside "Try again", what a mission offers. */
-export function crashCard(place: CardPlace, others: readonly CardAction[]): CardText {
-  const retry = { ...retryAction(place), cap: confirmCap(place) };
+export function crashCard(context: CardContext, others: readonly CardAction[]): CardText {
+  const retry = { ...retryAction(context), cap: confirmCap(context) };
   return card('Crashed', 'Too fast: a touch above 50 m/s breaks the ship.', [retry, ...others]);
 }
 
 /** The card of a phase; null where there is none. */
-export function phaseCard(tracker: MissionTracker, mission: Mission, place: CardPlace): CardText | null {
+export function phaseCard(tracker: MissionTracker, mission: Mission, context: CardContext): CardText | null {
   const isLanding = mission.done.kind === 'land';
-  const retry = retryAction(place);
+  const retry = retryAction(context);
   switch (tracker.phase()) {
     case 'flying':
       return null;
     case 'crashed':
-      return crashCard(place, [{ ...nextAction(mission, place), cap: '' }]);
+      return crashCard(context, [{ ...nextAction(mission, context), cap: '' }]);
     case 'tipped':
       return card('Tipped over', 'Right the ship with the key the display names, or try again.', [retry]);
     case 'beside':
@@ -64,11 +64,11 @@ export function phaseCard(tracker: MissionTracker, mission: Mission, place: Card
       return card(`Pad ${tracker.reached()} of ${mission.pads.length}`, 'On to the next beacon.', []);
     case 'done':
       return mission.isLesson
-        ? card('Well done', mission.scenario.about, [nextAction(mission, place), retry])
-        : landedCard(mission, 'Checking the flight …', place);
+        ? card('Well done', mission.scenario.about, [nextAction(mission, context), retry])
+        : landedCard(mission, 'Checking the flight …', context);
   }
 }
 
-export function landedCard(mission: Mission, words: string, place: CardPlace): CardText {
-  return card('Landed', words, [nextAction(mission, place), retryAction(place)]);
+export function landedCard(mission: Mission, words: string, context: CardContext): CardText {
+  return card('Landed', words, [nextAction(mission, context), retryAction(context)]);
 }

@@ -8,7 +8,7 @@ import type { CardAction, CardText, MissionCard } from '../../panels/missionCard
 import type { Notice } from '../../panels/notice';
 import type { Address } from '../address';
 import type { VerifiedRun } from './bestRuns';
-import { adviceWords, type Device, howToFly } from '../words/flightWords';
+import { adviceText, type Device, howToFly } from '../texts/flightTexts';
 import { createGhostFlight, type GhostFlight } from './ghost';
 import type { Live } from '../live';
 import type { Runs } from './runs';
@@ -30,13 +30,13 @@ export interface MissionGame {
   /** The pilot changed the device, or the keys. */
   readonly reword: () => void;
   /** The flight is no longer the pilot's alone: it is not scored. */
-  readonly meddled: (how: string) => void;
+  readonly markIntervention: (how: string) => void;
   readonly onRun: (inputs: readonly RunInput[]) => void;
   /** A friend's run to race. */
   readonly race: (run: VerifiedRun) => void;
 }
 
-export interface MissionPlace {
+export interface MissionContext {
   readonly live: Live;
   readonly choices: () => Choices;
   readonly choose: (name: keyof Choices, text: string) => void;
@@ -54,61 +54,61 @@ export interface MissionPlace {
 /** State of the present flight. */
 interface Flight {
   /** Why it is not scored; '' if it is. */
-  meddling: string;
+  intervention: string;
   rival: VerifiedRun | null;
   actions: readonly CardAction[];
 }
 
-export function createMissionGame(place: MissionPlace): MissionGame {
+export function createMissionGame(context: MissionContext): MissionGame {
   const tracker = createMissionTracker();
   const ghost = createGhostFlight();
-  const flight: Flight = { meddling: '', rival: null, actions: [] };
+  const flight: Flight = { intervention: '', rival: null, actions: [] };
   const show = (card: CardText | null) => {
     flight.actions = card?.actions ?? [];
-    if (card === null) place.card.hide();
-    else place.card.show(card);
+    if (card === null) context.card.hide();
+    else context.card.show(card);
   };
-  const reword = () => place.goal.how(howToFly(tracker.mission(), place.device(), place.cap));
+  const reword = () => context.goal.how(howToFly(tracker.mission(), context.device(), context.cap));
   const showPhase = (mission: Mission) => {
-    show(phaseCard(tracker, mission, place));
+    show(phaseCard(tracker, mission, context));
     if (tracker.phase() !== 'done' || mission.isLesson) return;
-    if (flight.meddling === '') place.live.operate({ kind: 'run' });
-    else show(landedCard(mission, `Not scored: ${flight.meddling}.`, place));
+    if (flight.intervention === '') context.live.operate({ kind: 'run' });
+    else show(landedCard(mission, `Not scored: ${flight.intervention}.`, context));
   };
   return {
     tracker,
     ghost,
     begin() {
-      const mission = findMission(place.choices().scenario);
-      flight.meddling = whyUnranked(place.choices());
+      const mission = findMission(context.choices().scenario);
+      flight.intervention = whyUnranked(context.choices());
       tracker.begin(mission);
       show(null);
-      void raceGhost(mission, flight.rival, { tracker, ghost, runs: place.runs });
-      if (mission === null) place.goal.hide();
+      void raceGhost(mission, flight.rival, { tracker, ghost, runs: context.runs });
+      if (mission === null) context.goal.hide();
       else {
-        place.resetCamera();
-        place.goal.show(mission.scenario.title, mission.goal);
+        context.resetCamera();
+        context.goal.show(mission.scenario.title, mission.goal);
       }
       reword();
     },
     watch(view) {
       const mission = tracker.mission();
       if (mission === null) {
-        if (flight.actions.length === 0 && isWrecked(view, place)) show(crashCard(place, []));
+        if (flight.actions.length === 0 && isWrecked(view, context)) show(crashCard(context, []));
       } else if (tracker.watch(view)) showPhase(mission);
     },
-    advise: (view, aids) => place.goal.advise(adviceFor(tracker, view, aids, place)),
+    advise: (view, aids) => context.goal.advise(adviceFor(tracker, view, aids, context)),
     confirm() {
       const mission = tracker.mission();
       if (flight.actions.length > 0) flight.actions[0]!.act();
-      else if (mission?.isLesson === true) nextAction(mission, place).act();
+      else if (mission?.isLesson === true) nextAction(mission, context).act();
     },
     reword,
-    meddled: (how) => (flight.meddling = how),
+    markIntervention: (how) => (flight.intervention = how),
     onRun(inputs) {
       const mission = tracker.mission();
-      if (mission !== null && tracker.phase() === 'done' && flight.meddling === '')
-        void judge(mission, inputs, flight.rival, place).then((card) => {
+      if (mission !== null && tracker.phase() === 'done' && flight.intervention === '')
+        void judge(mission, inputs, flight.rival, context).then((card) => {
           if (tracker.mission() === mission && tracker.phase() === 'done') show(card);
         });
     },
@@ -120,7 +120,7 @@ export function createMissionGame(place: MissionPlace): MissionGame {
 }
 
 /** Without a mission a crash is an end too; a real server gives a new ship by itself. */
-function isWrecked({ own }: WorldView, { choices }: MissionPlace): boolean {
+function isWrecked({ own }: WorldView, { choices }: MissionContext): boolean {
   return own?.shownState === 'crashed' && choices().server === '';
 }
 
@@ -129,17 +129,17 @@ function adviceFor(
   tracker: MissionTracker,
   view: WorldView,
   aids: LandingAids | null,
-  { device, cap }: MissionPlace,
+  { device, cap }: MissionContext,
 ): string {
   if (aids === null || tracker.mission()?.done.kind !== 'land') return '';
-  return tracker.isOverPad() || aids.advice === 'more' ? adviceWords(aids, view, device(), cap) : '';
+  return tracker.isOverPad() || aids.advice === 'more' ? adviceText(aids, view, device(), cap) : '';
 }
 
 /** Beside the pilot flies the rival's run in its mission, one's own best in the others. */
 async function raceGhost(
   mission: Mission | null,
   rival: VerifiedRun | null,
-  { tracker, ghost, runs }: Pick<MissionGame, 'tracker' | 'ghost'> & Pick<MissionPlace, 'runs'>,
+  { tracker, ghost, runs }: Pick<MissionGame, 'tracker' | 'ghost'> & Pick<MissionContext, 'runs'>,
 ): Promise<void> {
   const isRace = rival !== null && rival.mission === mission;
   ghost.race(isRace ? rival : null);
@@ -153,26 +153,26 @@ async function judge(
   mission: Mission,
   inputs: readonly RunInput[],
   rival: VerifiedRun | null,
-  place: MissionPlace,
+  context: MissionContext,
 ): Promise<CardText> {
   try {
-    const { module, best } = await place.runs.load();
+    const { module, best } = await context.runs.load();
     const run = module.verifyRun(mission, inputs);
     if (run?.outcome.outcome !== 'landed')
-      return landedCard(mission, 'Not scored: flown again from its inputs, it does not land.', place);
+      return landedCard(mission, 'Not scored: flown again from its inputs, it does not land.', context);
     const before = best.of(mission);
     const isBest = best.keep(run);
-    const copyRace = () => share(place, module.raceQuery(run, ''));
-    return module.scoreCard(run, module.verdict(run, before, rival, isBest), copyRace, place);
+    const copyRace = () => share(context, module.raceQuery(run, ''));
+    return module.scoreCard(run, module.verdict(run, before, rival, isBest), copyRace, context);
   } catch {
-    return landedCard(mission, 'Not scored: part of the page did not load.', place);
+    return landedCard(mission, 'Not scored: part of the page did not load.', context);
   }
 }
 
 /** Replayed from its inputs: a friend who opens the link sees the same flight, and the score is computed there again. */
-function share({ address, notice }: MissionPlace, query: string): void {
+function share({ address, notice }: MissionContext, query: string): void {
   if (query.length > MAX_LINK_LENGTH)
-    notice.tell(`This flight makes a link of ${query.length} characters; some programs cut links that long.`);
+    notice.show(`This flight makes a link of ${query.length} characters; some programs cut links that long.`);
   address.copy(query, 'Race link copied.');
 }
 

@@ -76,7 +76,7 @@ export function createMissionTracker(): MissionTracker {
     watch(view) {
       if (tracked.mission === null || !view.ready || view.own === null || tracked.places.length === 0)
         return false;
-      aim(tracked, view, view.own);
+      updateTarget(tracked, view, view.own);
       tracked.isOverPad = distanceTo(tracked.target, view.own.position) <= tracked.target.radius;
       const phase = nextPhase(tracked, tracked.mission, view, view.own);
       tracked.before = gameSeconds(view);
@@ -115,7 +115,7 @@ const bodyPlace = new Float64Array(3);
 const bodyAttitude = new Float64Array(4);
 
 /** The target is the next pad, as the body is turned now. */
-function aim({ mission, places, reached, target }: Tracked, view: WorldView, own: ShipView): void {
+function updateTarget({ mission, places, reached, target }: Tracked, view: WorldView, own: ShipView): void {
   const index = Math.min(reached, places.length - 1);
   bodyPlace.set(places[index]!);
   bodyAttitude.set(view.bodies[own.body]!.attitude);

@@ -1,10 +1,15 @@
 import type { CardText } from '../../panels/missionCard';
 
-import { type CardPlace, nextAction, retryAction } from './missionCards';
+import { type CardContext, nextAction, retryAction } from './missionCards';
 import type { VerifiedRun } from './verifiedRun';
 
 /** The score of a run, line by line. */
-export function scoreCard(run: VerifiedRun, words: string, copyRace: () => void, place: CardPlace): CardText {
+export function scoreCard(
+  run: VerifiedRun,
+  words: string,
+  copyRace: () => void,
+  place: CardContext,
+): CardText {
   const { mission, score } = run;
   const landed = run.meetsGoal ? 'Landed' : 'Landed too hard';
   return {

@@ -14,12 +14,13 @@ from ..validation.loading import load_ship_class
 
 @dataclass(slots=True)
 class Tempo:
-    """Tick rate and time scale between two boundaries. `asked_scale` is game:time_scale; time sync varies `time_scale` around it."""
+    """Tick rate and time scale between two boundaries. `requested_scale` is game:time_scale; time sync varies
+    `time_scale` around it."""
 
     tick_rate: float = 1.0
     time_scale: float = 1.0
     paused: bool = False
-    asked_scale: float = 1.0
+    requested_scale: float = 1.0
     time_sync: bool = False
 
     @property
@@ -64,11 +65,10 @@ def make_galaxy(definition: Any, bodies: list[Body]) -> Galaxy:
         load_ship_class(given, f"world.ship_classes[{i}]")
         for i, given in enumerate(required(definition, "ship_classes", "world"))
     ]
-    world = World(
-        load_config(definition.get("settings", {}), "world.settings"),
-        bodies,
-        load_ground(definition, bodies, "world"),
-    )
+    terrain_height, highest = load_ground(definition, bodies, "world")
+    for body in bodies:
+        body.highest_ground = body.radius + highest(body.name)
+    world = World(load_config(definition.get("settings", {}), "world.settings"), bodies, terrain_height)
     one_of(definition.get("input_granularity", "substep"), "world.input_granularity", ("substep",))
     return Galaxy(
         definition,
@@ -85,12 +85,12 @@ def run_interval(galaxy: Galaxy, due: float, changes: Changes) -> None:
     fly_landings(galaxy, changes)
     before = {ship_id: galaxy.ships[ship_id].applied for ship_id in galaxy.landings if ship_id in galaxy.ships}
     timing = timing_of(galaxy)
-    happened = run_tick(galaxy.world, ships, timing, galaxy.tick, due)
-    changes.events += happened.events
-    changes.controls += happened.changes
+    result = run_tick(galaxy.world, ships, timing, galaxy.tick, due)
+    changes.events += result.events
+    changes.controls += result.changes
     galaxy.tick += 1
     galaxy.game_time += timing.tick_seconds
-    for event in happened.events:
+    for event in result.events:
         landing = galaxy.landings.get(event.ship.ship_id)
         if event.type == "ship.contact" and landing and not landing.is_over:
             landing.touch_speed = max(landing.touch_speed, event.impact_speed)

@@ -40,29 +40,29 @@ class Lease:
         self.client = client
         self.milliseconds = milliseconds
         self.token = f"{socket.gethostname()}:{os.getpid()}:{token_hex(8)}"
-        self.keeper: threading.Thread | None = None
-        self.let_go = threading.Event()
+        self.renewer: threading.Thread | None = None
+        self.stopped = threading.Event()
 
     def acquire(self) -> None:
         """Takes the lease, or waits for a dead holder's to run out. Raises LeaseHeld once a living holder renews it,
         Refusal where the key is none that a service could have written."""
-        self.take()
-        self.let_go.set()
-        self.let_go = threading.Event()
-        self.keeper = threading.Thread(target=self.keep, args=(self.let_go,), daemon=True)
-        self.keeper.start()
+        self.take_over()
+        self.stopped.set()
+        self.stopped = threading.Event()
+        self.renewer = threading.Thread(target=self.renew, args=(self.stopped,), daemon=True)
+        self.renewer.start()
 
-    def keep(self, let_go: threading.Event) -> None:
+    def renew(self, stopped: threading.Event) -> None:
         """Renews until the lease is released or lost."""
-        while not let_go.wait(self.milliseconds / 3000):
+        while not stopped.wait(self.milliseconds / 3000):
             try:
                 if not self.client.eval(RENEW, 1, KEY, self.token, self.milliseconds):
-                    let_go.set()
+                    stopped.set()
             except RedisError:
                 # The main loop gets the same error and restarts.
-                let_go.set()
+                stopped.set()
 
-    def take(self) -> None:
+    def take_over(self) -> None:
         lowest = None
         while not self.client.set(KEY, self.token, nx=True, px=self.milliseconds):
             if self.client.type(KEY) not in ("string", "none"):
@@ -81,11 +81,11 @@ class Lease:
 
     def check(self) -> None:
         """Raises LeaseLost if the lease is known to be lost; a commit checks it for certain."""
-        if self.let_go.is_set():
+        if self.stopped.is_set():
             raise LeaseLost(self.token)
 
     def release(self) -> None:
-        self.let_go.set()
-        if self.keeper:
-            self.keeper.join()
+        self.stopped.set()
+        if self.renewer:
+            self.renewer.join()
         self.client.eval(RELEASE, 1, KEY, self.token)

@@ -8,10 +8,10 @@ from typing import Any
 from redis import Redis
 from redis.exceptions import RedisError
 
-from ..redis_state import Asked, RedisState
+from ..redis_state import RedisState, Requests
 from ..validation.limits import Refusal
 from .galaxy import Changes, Galaxy, run_interval
-from .inbox import take_in
+from .inbox import apply_entries
 from .lease import Lease, LeaseLost
 from .tempo import next_tempo
 
@@ -74,7 +74,7 @@ class Service:
             raise Refusal("touchdown:world: missing after it was written")
         if galaxy.tick == 0:
             # A new world starts with the requested tempo.
-            self.settle(galaxy, self.state.read_asked(galaxy.cursor))
+            self.settle(galaxy, self.state.read_requests(galaxy.cursor))
         if self.state.refused:
             log.warning("%s", self.state.refused)
             self.refused = self.state.refused
@@ -96,36 +96,36 @@ class Service:
     def run_boundary(self, galaxy: Galaxy, due: float) -> None:
         """Applies the inbox, simulates the interval that ends now, and commits the boundary."""
         changes = Changes()
-        asked = self.state.read_asked(galaxy.cursor)
-        take_in(galaxy, asked.entries, changes)
+        requests = self.state.read_requests(galaxy.cursor)
+        apply_entries(galaxy, requests.entries, changes)
         wall = self.redis_time(due)
         started = time.perf_counter()
         run_interval(galaxy, wall, changes)
         self.tick_ms = 1000 * (time.perf_counter() - started)
-        self.settle(galaxy, asked)
-        self.state.commit(galaxy, changes, wall, asked, self.status(galaxy, due))
+        self.settle(galaxy, requests)
+        self.state.commit(galaxy, changes, wall, requests, self.status(galaxy, due))
 
     def stay_paused(self, galaxy: Galaxy, due: float) -> float:
         """Reads requests while paused; commands apply at once. Returns when the next boundary is due."""
         time.sleep(PAUSE_POLL)
         now = time.monotonic()
         changes = Changes()
-        asked = self.state.read_asked(galaxy.cursor)
-        take_in(galaxy, asked.entries, changes)
+        requests = self.state.read_requests(galaxy.cursor)
+        apply_entries(galaxy, requests.entries, changes)
         before = galaxy.tempo
-        self.settle(galaxy, asked)
-        if asked.entries or galaxy.tempo != before:
-            self.state.commit(galaxy, changes, self.redis_time(now), asked, self.status(galaxy, now))
+        self.settle(galaxy, requests)
+        if requests.entries or galaxy.tempo != before:
+            self.state.commit(galaxy, changes, self.redis_time(now), requests, self.status(galaxy, now))
         else:
             self.lease.check()
         return now + 1 / galaxy.tempo.tick_rate
 
-    def settle(self, galaxy: Galaxy, asked: Asked) -> None:
+    def settle(self, galaxy: Galaxy, requests: Requests) -> None:
         """Applies requested settings from this boundary on; reports invalid ones by name and ignores them."""
         if galaxy.tempo.time_sync:
-            self.lost -= (galaxy.tempo.time_scale / galaxy.tempo.asked_scale - 1) / galaxy.tempo.tick_rate
-        galaxy.tempo, refusals = next_tempo(galaxy.tempo, asked.values, self.lost)
-        for refusal in asked.refusals + refusals:
+            self.lost -= (galaxy.tempo.time_scale / galaxy.tempo.requested_scale - 1) / galaxy.tempo.tick_rate
+        galaxy.tempo, refusals = next_tempo(galaxy.tempo, requests.values, self.lost)
+        for refusal in requests.refusals + refusals:
             if refusal != self.refused:
                 log.warning("%s", refusal)
             self.refused = refusal

@@ -51,13 +51,15 @@ def ship_of_order(data: Any, classes: dict[str, ShipClass], bodies: list[Body], 
     order.setdefault("fuel", cls.fuel_capacity)
     if "body" in order:
         known_fields(order, PLACE_FIELDS, "")
-        order |= placed(order, cls, bodies, terrain_height)
+        order |= state_at_place(order, cls, bodies, terrain_height)
     else:
         known_fields(order, STATE_FIELDS, "")
     return ship_of_record(order, classes, bodies, "data")
 
 
-def placed(order: dict[str, Any], cls: ShipClass, bodies: list[Body], terrain_height: TerrainHeight) -> dict[str, Any]:
+def state_at_place(
+    order: dict[str, Any], cls: ShipClass, bodies: list[Body], terrain_height: TerrainHeight
+) -> dict[str, Any]:
     """The state of a ship above a place, from its attitude and velocity relative to the ground."""
     name = one_of(order["body"], "body", tuple(body.name for body in bodies))
     body = next(body for body in bodies if body.name == name)
@@ -74,7 +76,7 @@ def placed(order: dict[str, Any], cls: ShipClass, bodies: list[Body], terrain_he
     reach = body.radius + terrain_height(name, *direction) + offset + height
     axes = local_axes(direction, axes_of(body.attitude))
     position = scale(rotate(axes, (0.0, 0.0, 1.0)), reach)
-    x, y, z, w = standing(axes, *map(radians, angles))
+    x, y, z, w = attitude_on_ground(axes, *map(radians, angles))
     return {
         "reference_body": name,
         "relative_position": position,
@@ -94,7 +96,7 @@ def local_axes(direction: Vec3, body_axes: Mat3) -> Mat3:
     return (e[0], n[0], u[0], e[1], n[1], u[1], e[2], n[2], u[2])
 
 
-def standing(axes: Mat3, heading: float, tilt: float, lean_to: float) -> Quat:
+def attitude_on_ground(axes: Mat3, heading: float, tilt: float, lean_to: float) -> Quat:
     """Attitude of an upright ship with +Y towards `heading`, then tilted towards `lean_to`; radians."""
     upright = quaternion_of(axes)
     turn = (0.0, 0.0, -sin(heading / 2), cos(heading / 2))

@@ -15,15 +15,15 @@ SYNC_SHARE = 0.05
 SYNC_SECONDS = 10
 
 
-def next_tempo(now: Tempo, asked: dict[str, str | None], behind: float) -> tuple[Tempo, list[str]]:
-    """What holds from this boundary on, and why some of what was asked for does not.
+def next_tempo(now: Tempo, requests: dict[str, str | None], behind: float) -> tuple[Tempo, list[str]]:
+    """The tempo from this boundary on, and the requests that were refused, with the reason.
 
     `behind`: wall seconds by which game time has fallen behind its schedule, for time sync.
     """
     refusals: list[str] = []
 
-    def ask(key: str, held: Any, read: Any) -> Any:
-        value = asked.get(key)
+    def value_of(key: str, held: Any, read: Any) -> Any:
+        value = requests.get(key)
         if value is None:
             return held
         try:
@@ -34,13 +34,13 @@ def next_tempo(now: Tempo, asked: dict[str, str | None], behind: float) -> tuple
 
     tempo = replace(
         now,
-        tick_rate=ask("game:tick_rate", now.tick_rate, number_in(TICK_RATE)),
-        asked_scale=ask("game:time_scale", now.asked_scale, number_in(TIME_SCALE)),
-        paused=ask("game:paused", now.paused, read_boolean),
-        time_sync=ask("game:time_sync", now.time_sync, read_boolean),
+        tick_rate=value_of("game:tick_rate", now.tick_rate, number_in(TICK_RATE)),
+        requested_scale=value_of("game:time_scale", now.requested_scale, number_in(TIME_SCALE)),
+        paused=value_of("game:paused", now.paused, read_boolean),
+        time_sync=value_of("game:time_sync", now.time_sync, read_boolean),
     )
     share = max(-SYNC_SHARE, min(SYNC_SHARE, behind / SYNC_SECONDS)) if tempo.time_sync else 0.0
-    scale = tempo.asked_scale * (1 + share)
+    scale = tempo.requested_scale * (1 + share)
     return replace(tempo, time_scale=max(TIME_SCALE.least, min(TIME_SCALE.most, scale))), refusals
 
 

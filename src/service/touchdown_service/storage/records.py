@@ -68,9 +68,9 @@ def rcs_firing(controls: Controls, fuel: float) -> int:
     """Translation along +a fires the four nozzles on the -a side: bit = pod x 3 + axis."""
     bits = 0
     if fuel > 0 and any(controls.translation_input):
-        for axis, asked in enumerate(controls.translation_input):
+        for axis, command in enumerate(controls.translation_input):
             for pod, signs in enumerate(PODS):
-                if asked * signs[axis] < 0:
+                if command * signs[axis] < 0:
                     bits |= 1 << (pod * 3 + axis)
     return bits
 

@@ -24,6 +24,8 @@ from ..validation.limits import (
 from .records import from_hash, input_of_record, ship_of_record
 
 CLOCK = "touchdown:clock"
+# Ships of a system.
+MAX_SHIPS = 10_000
 ENTRY_ID = re.compile(r"[0-9]{1,16}-[0-9]{1,16}")
 
 
@@ -39,7 +41,7 @@ def load_clock(galaxy: Galaxy, clock: dict[str, str]) -> None:
         number(required(data, "tick_rate", CLOCK), f"{CLOCK}.tick_rate", TICK_RATE),
         number(required(data, "time_scale", CLOCK), f"{CLOCK}.time_scale", TIME_SCALE),
         boolean(required(data, "paused", CLOCK), f"{CLOCK}.paused"),
-        number(required(data, "asked_scale", CLOCK), f"{CLOCK}.asked_scale", TIME_SCALE),
+        number(required(data, "requested_scale", CLOCK), f"{CLOCK}.requested_scale", TIME_SCALE),
         boolean(required(data, "time_sync", CLOCK), f"{CLOCK}.time_sync"),
     )
 

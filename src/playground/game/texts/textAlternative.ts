@@ -2,8 +2,8 @@ import type { WorldView } from '../../../prediction';
 import type { LandingReadout } from '../../../readout';
 
 /** A text description of the picture for screen readers. Updated every two seconds, never announced. */
-export interface Twin {
-  readonly tell: (view: WorldView, readout: LandingReadout, now: number) => void;
+export interface TextAlternative {
+  readonly update: (view: WorldView, readout: LandingReadout, now: number) => void;
 }
 
 const EVERY = 2;
@@ -16,10 +16,10 @@ const STATES: Readonly<Record<string, string>> = {
   crashed: 'has crashed',
 };
 
-export function createTwin(element: Element): Twin {
+export function createTextAlternative(element: Element): TextAlternative {
   let toldAt = -Infinity;
   return {
-    tell(view, readout, now) {
+    update(view, readout, now) {
       if (now - toldAt < EVERY && now >= toldAt) return;
       toldAt = now;
       element.textContent = words(view, readout);

@@ -1,10 +1,10 @@
 import type { Ending, LinkState, Phase } from './link';
 
-/** A link's status in words for the player. */
+/** A link's status as text for the player. */
 export interface LinkStatus {
   readonly phase: Phase;
   /** A sentence or two; empty while all is well. */
-  readonly words: string;
+  readonly text: string;
 }
 
 /**
@@ -13,15 +13,15 @@ export interface LinkStatus {
  *
  * @example
  * ```ts
- * const { words } = statusOf(beginLink(now).state, 'game.example', now);
- * console.log(words);
+ * const { text } = statusOf(beginLink(now).state, 'game.example', now);
+ * console.log(text);
  * ```
  */
 export function statusOf(state: LinkState, address: string, now: number): LinkStatus {
-  return { phase: state.phase, words: wordsOf(state, address, now) };
+  return { phase: state.phase, text: textOf(state, address, now) };
 }
 
-function wordsOf(state: LinkState, address: string, now: number): string {
+function textOf(state: LinkState, address: string, now: number): string {
   switch (state.phase) {
     case 'connecting':
       return state.failures > 0 || state.wasLive
@@ -30,25 +30,25 @@ function wordsOf(state: LinkState, address: string, now: number): string {
     case 'authenticating':
       return `Connected to ${address}; signing in…`;
     case 'live':
-      return liveWords(state, address);
+      return liveText(state, address);
     case 'waiting': {
       const seconds = Math.max(0, Math.ceil(state.retryAt - now));
-      return `${endingWords(state.ended, address)} Retrying in ${seconds} s.`;
+      return `${endingText(state.ended, address)} Retrying in ${seconds} s.`;
     }
     case 'refused':
-      return endingWords(state.ended, address);
+      return endingText(state.ended, address);
     case 'ended':
       return 'Disconnected.';
   }
 }
 
-function liveWords({ silence, returned }: LinkState, address: string): string {
+function liveText({ silence, returned }: LinkState, address: string): string {
   if (silence === 'answered') return 'The server answers but sends no states: the game is paused.';
   if (silence === 'asked') return 'No states from the server; asking whether it is still there…';
   return returned ? `Connected to ${address} again.` : '';
 }
 
-function endingWords(ended: Ending | null, address: string): string {
+function endingText(ended: Ending | null, address: string): string {
   const said = ended === null || ended.reason === '' ? '' : `, “${ended.reason}”`;
   const code = ended === null || ended.code === 0 ? '' : ` (code ${ended.code}${said})`;
   switch (ended?.cause) {

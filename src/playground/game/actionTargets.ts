@@ -5,7 +5,7 @@ import type { ReplayDeck } from '../recording/replayDeck';
 import type { Live } from './live';
 
 /** The objects that keys, gamepads and buttons act on. */
-export interface ActsPlace {
+export interface ActionTargets {
   readonly live: Live;
   readonly panel: Panel;
   readonly banner: Banner;
@@ -24,9 +24,9 @@ export interface ActsPlace {
   readonly toggleAids: () => void;
   readonly toggleSound: () => void;
   /** Switches dragging the ship on or off. Returns whether it is on. */
-  readonly toggleCarry: () => boolean;
+  readonly toggleDrag: () => boolean;
   /** While a recording plays, the game behind it takes no commands. */
   readonly deck: ReplayDeck;
   /** Marks that the flight no longer depends on the pilot's inputs alone. */
-  readonly meddled: (how: string) => void;
+  readonly markIntervention: (how: string) => void;
 }

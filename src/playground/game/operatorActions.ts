@@ -1,11 +1,11 @@
-import type { ActsPlace } from './actsPlace';
+import type { ActionTargets } from './actionTargets';
 
 /** Wall seconds of hiding, and of a lag spike. */
 const AWAY = 60;
 const SPIKE = 1.5;
 
 /** Commands of the built-in server's operator. */
-export interface OperatorActs {
+export interface OperatorActions {
   readonly pause: () => void;
   readonly stepSubstep: () => void;
   readonly kick: () => void;
@@ -15,7 +15,7 @@ export interface OperatorActs {
   readonly away: () => void;
   readonly snapshot: () => void;
   readonly restore: () => void;
-  readonly carry: () => void;
+  readonly drag: () => void;
   readonly tick: (wall: number) => void;
   readonly reset: () => void;
 }
@@ -29,42 +29,42 @@ interface OperatorState {
 
 const AT_FIRST: OperatorState = { isPaused: false, isFrozen: false, isDropped: false, awayUntil: NaN };
 
-type OperatorPlace = Pick<
-  ActsPlace,
-  'live' | 'panel' | 'banner' | 'choices' | 'meddled' | 'toggleCarry' | 'deck'
+type OperatorTargets = Pick<
+  ActionTargets,
+  'live' | 'panel' | 'banner' | 'choices' | 'markIntervention' | 'toggleDrag' | 'deck'
 >;
 
 /** The operator's commands; while a recording plays, the game behind it takes none. */
-export function createOperatorActs(place: OperatorPlace): OperatorActs {
-  const { reset, tick, ...acts } = actsOf(place);
-  const guarded = Object.entries(acts).map(([name, act]) => [
+export function createOperatorActions(targets: OperatorTargets): OperatorActions {
+  const { reset, tick, ...actions } = actionsOf(targets);
+  const guarded = Object.entries(actions).map(([name, action]) => [
     name,
     () => {
-      if (place.deck.replay() === null) act();
-      else place.banner.flash('A recording plays: go back to the game first.');
+      if (targets.deck.replay() === null) action();
+      else targets.banner.flash('A recording plays: go back to the game first.');
     },
   ]);
-  return { ...(Object.fromEntries(guarded) as typeof acts), reset, tick };
+  return { ...(Object.fromEntries(guarded) as typeof actions), reset, tick };
 }
 
-function actsOf(place: OperatorPlace): OperatorActs {
-  const { live, panel, banner } = place;
+function actionsOf(targets: OperatorTargets): OperatorActions {
+  const { live, panel, banner } = targets;
   const state = { ...AT_FIRST };
-  const pause = () => togglePause(place, state);
+  const pause = () => togglePause(targets, state);
   return {
-    ...networkActs(place, state),
-    ...shipActs(place),
+    ...networkActs(targets, state),
+    ...shipActions(targets),
     pause,
     stepSubstep() {
-      if (isRemote(place)) return;
+      if (isRemote(targets)) return;
       if (!state.isPaused) pause();
-      place.meddled('it was stepped');
+      targets.markIntervention('it was stepped');
       live.operate({ kind: 'step', unit: 'substep' });
     },
     reset() {
       Object.assign(state, AT_FIRST);
-      live.hold(false);
-      for (const act of ['pause', 'freeze', 'drop', 'away'] as const) panel.press(act, false);
+      live.suspend(false);
+      for (const action of ['pause', 'freeze', 'drop', 'away'] as const) panel.press(action, false);
       panel.label('pause', 'Pause');
       panel.label('drop', 'Drop the connection');
       panel.label('away', 'Hide for a minute');
@@ -72,7 +72,7 @@ function actsOf(place: OperatorPlace): OperatorActs {
     tick(wall) {
       if (Number.isNaN(state.awayUntil)) return;
       const left = Math.ceil(state.awayUntil - wall);
-      if (left <= 0) toggleAway(place, state, wall);
+      if (left <= 0) toggleAway(targets, state, wall);
       else {
         banner.state(`Simulating a hidden tab: nothing received or drawn for ${left} s.`);
         panel.label('away', `Back now (${left} s)`);
@@ -81,8 +81,8 @@ function actsOf(place: OperatorPlace): OperatorActs {
   };
 }
 
-function networkActs(place: OperatorPlace, state: OperatorState) {
-  const { live, panel, banner } = place;
+function networkActs(targets: OperatorTargets, state: OperatorState) {
+  const { live, panel, banner } = targets;
   return {
     spike() {
       live.operate({ kind: 'spike', seconds: SPIKE });
@@ -100,14 +100,14 @@ function networkActs(place: OperatorPlace, state: OperatorState) {
       if (state.isDropped) live.operate({ kind: 'drop' });
       else live.reconnect();
     },
-    away: () => toggleAway(place, state, performance.now() / 1000),
+    away: () => toggleAway(targets, state, performance.now() / 1000),
   };
 }
 
-function shipActs({ live, panel, banner, meddled, toggleCarry }: OperatorPlace) {
+function shipActions({ live, panel, banner, markIntervention, toggleDrag }: OperatorTargets) {
   return {
     kick() {
-      meddled('the ship was kicked');
+      markIntervention('the ship was kicked');
       live.operate({ kind: 'kick', velocity: [2, 0, 3], spin: [0, 0.35, 0] });
     },
     snapshot() {
@@ -115,41 +115,41 @@ function shipActs({ live, panel, banner, meddled, toggleCarry }: OperatorPlace) 
       banner.flash('Snapshot taken. Restore puts every ship back.');
     },
     restore() {
-      meddled('a snapshot was restored');
+      markIntervention('a snapshot was restored');
       live.operate({ kind: 'restore' });
     },
-    carry() {
-      const isOn = toggleCarry();
-      panel.press('carry', isOn);
-      if (isOn) meddled('the ship was moved');
+    drag() {
+      const isOn = toggleDrag();
+      panel.press('drag', isOn);
+      if (isOn) markIntervention('the ship was moved');
       banner.flash(isOn ? 'Drag over the picture to move the ship.' : 'Dragging turns the camera again.');
     },
   };
 }
 
-function togglePause(place: OperatorPlace, state: OperatorState): void {
-  const { live, panel, banner } = place;
-  if (isRemote(place)) return;
+function togglePause(targets: OperatorTargets, state: OperatorState): void {
+  const { live, panel, banner } = targets;
+  if (isRemote(targets)) return;
   state.isPaused = !state.isPaused;
   panel.press('pause', state.isPaused);
   panel.label('pause', state.isPaused ? 'Resume' : 'Pause');
-  live.hands.rest(state.isPaused);
+  live.flightControls.setPaused(state.isPaused);
   live.operate({ kind: 'pause', paused: state.isPaused });
   banner.state(state.isPaused ? 'Paused: the server stops at its next tick. O steps one substep.' : '');
 }
 
-function toggleAway({ live, panel, banner }: OperatorPlace, state: OperatorState, wall: number): void {
+function toggleAway({ live, panel, banner }: OperatorTargets, state: OperatorState, wall: number): void {
   const isHiding = Number.isNaN(state.awayUntil);
   state.awayUntil = isHiding ? wall + AWAY : NaN;
   panel.press('away', isHiding);
-  live.hold(isHiding);
+  live.suspend(isHiding);
   if (isHiding) return;
   panel.label('away', 'Hide for a minute');
   banner.state('');
 }
 
 /** A real server takes no commands; the page says so. */
-export function isRemote({ choices, banner }: Pick<ActsPlace, 'choices' | 'banner'>): boolean {
+export function isRemote({ choices, banner }: Pick<ActionTargets, 'choices' | 'banner'>): boolean {
   if (choices().server === '') return false;
   banner.flash('Only available with the built-in server.');
   return true;

@@ -105,7 +105,7 @@ const ADVICE: Readonly<Record<LandingAids['advice'], string>> = {
 };
 
 /** What to do now to land, in the words of the device. */
-export function adviceWords(
+export function adviceText(
   { advice }: LandingAids,
   { own }: WorldView,
   device: Device,

@@ -4,7 +4,7 @@ import type { Action, KeyMap } from '../../input/keyTable';
 import { capOf, type Layout } from '../../input/layout';
 import { pushKeyFor, turnKeysFor } from '../../input/steering';
 import { type Cockpit, createCockpit } from '../../view/cockpit';
-import { controlName } from './flightWords';
+import { controlName } from './flightTexts';
 import type { Page } from '../pageParts';
 import type { Parts } from '../parts';
 
@@ -39,10 +39,10 @@ const SHIP_AXES = Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
 /** The names of the pilot's device: keys as printed, gamepad, or thumb sticks. */
 export function wireCockpit(page: Page, parts: Parts): Cockpit {
-  const { stick, autopilot } = parts.live.hands;
+  const { stick, autopilot } = parts.live.flightControls;
   const screen = new Float64Array(9);
   const seen = () => page.stage?.screenAxes(screen) === true;
-  parts.live.hands.aimBy(() => (seen() ? screen : null));
+  parts.live.flightControls.steerInScreenAxes(() => (seen() ? screen : null));
   const cap = keyCapOf(page, parts);
   const name = (action: Action) => controlName(parts.devices.device(), action, cap);
   const turnKeys: TurnKeys = (actions) => {
@@ -53,13 +53,13 @@ export function wireCockpit(page: Page, parts: Parts): Cockpit {
       if (action === ROTATION_ACTIONS[1]![0]) y = 1;
       if (action === ROTATION_ACTIONS[1]![1]) y = -1;
     }
-    return turnKeysFor(stick.aim, x, y).map((key) => ({ cap: name(key), words: TURN_WORDS[key] }));
+    return turnKeysFor(stick.steering, x, y).map((key) => ({ cap: name(key), words: TURN_WORDS[key] }));
   };
   return createCockpit(page.document, {
     host: page.part('hud'),
     flightHost: page.part('flight'),
     keyLabel: (action) =>
-      name(action.startsWith('translate') ? pushKeyFor(stick.aim, action as TranslationAction) : action),
+      name(action.startsWith('translate') ? pushKeyFor(stick.steering, action as TranslationAction) : action),
     turnKeys,
     modeLabel: (key) => (parts.devices.device() === 'keys' ? cap(key) : ''),
     target: () => parts.game.tracker.target(),

@@ -2,7 +2,7 @@ import type { Vec3 } from '../../dynamics';
 import type { SceneView } from '../../scene';
 
 /** Moves the ship with the pointer: a drag in the picture is converted to metres at the ship's distance. */
-export interface Carry {
+export interface ShipDrag {
   readonly isOn: () => boolean;
   readonly toggle: () => boolean;
   readonly begin: () => void;
@@ -15,7 +15,7 @@ export interface Carry {
 const EVERY = 100;
 
 /** @param put displaces the ship from where it was when the drag began, m, ICRF axes */
-export function createCarry(scene: SceneView, put: (offset: Vec3, begins: boolean) => void): Carry {
+export function createShipDrag(scene: SceneView, put: (offset: Vec3, begins: boolean) => void): ShipDrag {
   const axes = new Float64Array(9);
   const offset: Vec3 & number[] = [0, 0, 0];
   let isOn = false;

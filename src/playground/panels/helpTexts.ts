@@ -1,7 +1,7 @@
 import type { Action } from '../input/keyTable';
 
 /** What each key does, for help. Directions are as seen on the screen. */
-export const KEY_WORDS: Readonly<Record<Action, string>> = {
+export const KEY_TEXT: Readonly<Record<Action, string>> = {
   pitchMinus: 'Tilt away',
   pitchPlus: 'Tilt towards you',
   yawPlus: 'Tilt left',
@@ -38,7 +38,7 @@ export const KEY_WORDS: Readonly<Record<Action, string>> = {
 };
 
 /** What the buttons do, for help. */
-export const GAMEPAD_WORDS: readonly (readonly [string, string])[] = [
+export const GAMEPAD_TEXT: readonly (readonly [string, string])[] = [
   ['Left stick', 'Tilt'],
   ['Right stick', 'Push'],
   ['LB, RB', 'Turn left, right'],

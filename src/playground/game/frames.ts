@@ -5,14 +5,14 @@ import { pixelRatioOf } from '../view/pageSize';
 import type { Notice } from '../panels/notice';
 import type { Page } from './pageParts';
 import { createReport } from './mission/report';
-import { createTwin } from './words/textTwin';
+import { createTextAlternative } from './texts/textAlternative';
 import type { Parts } from './parts';
 
 /** One frame: reads the controls, takes the view, paints everything. */
 export function wireFrames(page: Page, parts: Parts): FrameLoop {
   const { stage, canvas, window, choices, banner, resolution } = page;
   const root = page.document.documentElement;
-  const twin = createTwin(page.part('twin'));
+  const textAlternative = createTextAlternative(page.part('textAlternative'));
   const report = createReport(root, parts);
   const autopilotEnd = createAutopilotEnd(page.notice);
   let before = NaN;
@@ -22,7 +22,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
     resolution,
     look(milliseconds) {
       parts.devices.read();
-      parts.acts.tick(milliseconds / 1000);
+      parts.actions.tick(milliseconds / 1000);
       const now = parts.live.clock.now();
       const passed = Number.isNaN(before) ? 0 : now - before;
       before = now;
@@ -37,13 +37,13 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
     paint(view, now) {
       const replay = parts.scene.deck.replay();
       if (replay === null) parts.game.watch(view);
-      autopilotEnd(parts.live.hands.autopilot.reason());
+      autopilotEnd(parts.live.flightControls.autopilot.reason());
       parts.cockpit.paint(view);
       const { flight, aids } = parts.cockpit;
       parts.game.advise(view, parts.cockpit.aidsOn() && replay === null ? aids : null);
       parts.devices.thumbs.show(flight.known ? flight.throttle : 0, flight.hover);
       parts.sound?.follow(view.own, flight, aids);
-      twin.tell(view, parts.cockpit.landing(), now);
+      textAlternative.update(view, parts.cockpit.landing(), now);
       (replay?.baseline ?? parts.live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
       parts.dock.follow(view, now);
       if (stage !== null) {
@@ -78,7 +78,7 @@ function createAutopilotEnd(notice: Notice): (reason: string) => void {
   return (reason) => {
     if (reason === shown) return;
     if (shown !== '') notice.withdraw(textOf(shown));
-    if (reason !== '') notice.tell(textOf(reason));
+    if (reason !== '') notice.show(textOf(reason));
     shown = reason;
   };
 }

@@ -1,0 +1,67 @@
+import { expect, it } from 'vitest';
+import {
+  createFleetReadout,
+  createFlightReadout,
+  createLandingAids,
+  createLandingReadout,
+  createTargetReadout,
+  updateFleetReadout,
+  updateFlightReadout,
+  updateLandingAids,
+  updateLandingReadout,
+} from '../../src/readout';
+import { makeView } from './views';
+
+/** What is shown; the memory is the readout's own. */
+const shown = (readout: object) => ({ ...readout, memory: null });
+
+it('a new readout shows what one without a ship shows', () => {
+  expect(createFleetReadout()).toEqual(updateFleetReadout(createFleetReadout(), null));
+  expect(createFlightReadout()).toEqual(updateFlightReadout(createFlightReadout(), null));
+  expect(shown(createLandingAids())).toEqual(shown(updateLandingAids(createLandingAids(), null)));
+  expect(shown(createLandingReadout())).toEqual(shown(updateLandingReadout(createLandingReadout(), null)));
+});
+
+it('a new readout has no numbers', () => {
+  expect(createFleetReadout()).toEqual({
+    rows: [],
+    count: 0,
+    counts: { none: 0, flight: 0, contact: 0, landed: 0, tipped: 0, crashed: 0 },
+    timeScale: 1,
+  });
+  expect(createLandingReadout()).toMatchObject({
+    status: 'none',
+    provenance: 'stale',
+    known: false,
+    withdrawn: '',
+    drift: { x: NaN, y: NaN, scale: 1 },
+    tilt: { degrees: NaN, trend: 0, leanX: 0, leanY: 0, settle: NaN, prominent: false },
+    descent: { shown: false },
+    righting: { shown: false },
+    touchdown: {
+      known: false,
+      outcome: 'open',
+      ...{
+        verticalSpeed: 0,
+        horizontalSpeed: 0,
+        bounces: 0,
+        slideMetres: 0,
+        settleSeconds: 0,
+        largestTilt: 0,
+      },
+    },
+    touchdownShown: false,
+  });
+  expect(createLandingAids()).toMatchObject({ shown: false, outcome: 'working', advice: 'none' });
+  expect(createTargetReadout().shown).toBe(false);
+});
+
+it('a readout whose ship is gone has the numbers of none', () => {
+  const flying = makeView({ clearance: 30, up: -2, east: 3, tilt: 20, leanTo: 40 });
+  const gone = makeView({ clearance: 30 }, { crashed: true, shownState: 'crashed' });
+  const aids = createLandingAids();
+  for (let i = 0; i < 60; i++) updateLandingAids(aids, flying);
+  expect(aids.outcome).toBe('touch');
+  const { touchPlace } = aids;
+  expect(shown(updateLandingAids(aids, gone))).toEqual({ ...shown(createLandingAids()), touchPlace });
+});

@@ -25,19 +25,19 @@ const FEATURES = [
 export const USES = [
   {
     name: 'lean predictor, JSON, readouts',
-    most: 42.8,
+    most: 43,
     code: LEAN,
     without: [...FEATURES, 'createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'predictor, JSON, readouts',
-    most: 60.5,
+    most: 61,
     code: WHOLE,
     without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'with the checks of development',
-    most: 70.3,
+    most: 71,
     code: WHOLE,
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],

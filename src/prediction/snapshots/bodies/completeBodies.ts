@@ -2,6 +2,7 @@ import { BODY_STRIDE, type BodyMotion, readBodyMotion } from '../../../dynamics'
 import type { BodyState, ServerFrame } from '../../../wire';
 import type { Simulation } from '../../simulation/simulation';
 import type { Receiver } from '../receiver';
+import { areNumbers } from '../shipFault';
 import { boundaryAt } from './bodyTrack';
 
 /**
@@ -96,10 +97,4 @@ function isWhole({ position, velocity, attitude, angularVelocity }: BodyState): 
     areNumbers(attitude, 4) &&
     areNumbers(angularVelocity, 3)
   );
-}
-
-function areNumbers(value: unknown, count: number): boolean {
-  if (!Array.isArray(value) || value.length !== count) return false;
-  for (let k = 0; k < count; k++) if (!Number.isFinite(value[k])) return false;
-  return true;
 }

@@ -98,9 +98,23 @@ function sendControls(link: Link, controls: Controls): boolean {
   return link.driver.write(text);
 }
 
-/** null, and reported, where it is too large. */
+/** null where JSON has no text for it: a function, a bigint, a circle. */
+function jsonOf(message: unknown): string | null {
+  try {
+    const text: unknown = JSON.stringify(message);
+    return typeof text === 'string' ? text : null;
+  } catch {
+    return null;
+  }
+}
+
+/** null, and reported, where it is too large, or not JSON. */
 function textOf({ handlers }: Link, message: unknown): string | null {
-  const text = JSON.stringify(message);
+  const text = jsonOf(message);
+  if (text === null) {
+    handlers.onRefused?.(`message: expected what JSON can hold, got ${typeof message}`);
+    return null;
+  }
   if (!isTooLarge(text)) return text;
   handlers.onRefused?.(`message: expected at most ${MAX_MESSAGE} bytes`);
   return null;

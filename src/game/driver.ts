@@ -127,6 +127,10 @@ function open(options: DriverOptions, held: Held): string | null {
   } catch (error) {
     return error instanceof Error ? error.message : String(error);
   }
+  if (typeof (socket as GameSocket | undefined)?.send !== 'function')
+    throw new RangeError(
+      `options.openSocket: expected it to return a socket, (address) => new WebSocket(address), got ${typeof socket}`,
+    );
   held.socket = socket;
   socket.onopen = () => dispatch(options, held, { kind: 'opened' });
   socket.onmessage = ({ data }: { readonly data: unknown }) => options.onData(data);
@@ -143,7 +147,16 @@ function schedule(options: DriverOptions, held: Held): void {
   held.cancelTimer?.();
   const wait = Math.max(0, due - clock.now());
   held.cancelTimer =
-    due === Infinity ? null : clock.after(wait, () => dispatch(options, held, { kind: 'time' }));
+    due === Infinity ? null : timer(clock, wait, () => dispatch(options, held, { kind: 'time' }));
+}
+
+/** A timer; returns what cancels it. The constructor sets the first one, and opens the first socket: it names a wrong clock or opener. */
+function timer({ after }: GameClock, wait: number, act: () => void): () => void {
+  const cancel: unknown = after(wait, act);
+  if (typeof cancel === 'function') return cancel as () => void;
+  throw new RangeError(
+    `options.clock.after: expected it to return a function that cancels the timer, got ${String(cancel)}`,
+  );
 }
 
 function reportStatus(options: DriverOptions, held: Held): void {

@@ -80,9 +80,31 @@ function requireKnown(path: string, known: readonly string[], given: object): vo
     throw new RangeError(`${path}.${unknown}: unknown. Known are ${known.join(', ')}.`);
 }
 
+function requireObject(path: string, given: unknown, members = ''): void {
+  if (typeof given !== 'object' || given === null)
+    throw new RangeError(`${path}: expected an object${members}, got ${String(given)}`);
+}
+
+/** Of the members that are given. */
+function requireFunctions(path: string, names: readonly string[], given: object): void {
+  for (const name of names) {
+    const value = (given as Readonly<Record<string, unknown>>)[name];
+    if (value !== undefined && typeof value !== 'function')
+      throw new RangeError(`${path}.${name}: expected a function, got ${typeof value}`);
+  }
+}
+
+function requireBodies(bodies: unknown): void {
+  const isNamed = (body: unknown) => typeof (body as { name?: unknown } | null)?.name === 'string';
+  if (bodies !== undefined && !(Array.isArray(bodies) && bodies.every(isNamed)))
+    throw new RangeError(`options.bodies: expected a list of bodies with names, as BODIES is`);
+}
+
 /** Throws RangeError that names the invalid option or handler. */
 export function requireConnection(options: GameConnectionOptions, handlers: GameHandlers): void {
-  const given = (options as GameConnectionOptions | undefined) ?? ({} as Partial<GameConnectionOptions>);
+  requireObject('options', options);
+  requireObject('handlers', handlers, ' with onFrame');
+  const given: Partial<GameConnectionOptions> = options;
   const { address, token, clock } = given;
   if (typeof address !== 'string' || !/^wss?:\/\//.test(address))
     throw new RangeError(`options.address: expected ws://… or wss://…, got ${String(address)}`);
@@ -90,20 +112,22 @@ export function requireConnection(options: GameConnectionOptions, handlers: Game
     throw new RangeError(`options.token: expected the token of the login, got ${JSON.stringify(token)}`);
   if (/\s/.test(token))
     throw new RangeError(`options.token: expected the token alone, without "Bearer" or spaces`);
-  const givenHandlers = (handlers as GameHandlers | undefined) ?? ({} as Partial<GameHandlers>);
   const functions = {
     ...{ 'options.clock.now': clock?.now, 'options.clock.after': clock?.after },
     ...{
       'options.jitter': given.jitter,
       'options.openSocket': given.openSocket,
-      'handlers.onFrame': givenHandlers.onFrame,
+      'handlers.onFrame': handlers.onFrame,
     },
   };
   for (const [name, value] of Object.entries(functions))
     if (typeof value !== 'function')
       throw new RangeError(`${name}: expected a function, got ${String(value)}`);
   requireKnown('options', OPTIONS, given);
-  requireKnown('handlers', HANDLERS, givenHandlers);
+  requireKnown('handlers', HANDLERS, handlers);
+  requireFunctions('options', ['open', 'pack'], given);
+  requireFunctions('handlers', HANDLERS, handlers);
+  requireBodies(given.bodies);
   if ('CONNECTING' in (given.openSocket as unknown as object))
     throw new RangeError(
       'options.openSocket: expected a function, (address) => new WebSocket(address), got the class itself',

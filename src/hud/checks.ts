@@ -3,20 +3,22 @@ export type HudWarn = (code: string, message: string) => void;
 
 const CHOICES = { theme: ['dark', 'light', 'system'], layout: ['auto', 'full', 'compact'] } as const;
 
+const DOCUMENT_NODE = 9;
 const FUNCTIONS = ['keyLabel', 'turnKeys', 'onWarning'];
 
 /** Throws RangeError that names the invalid argument or option; warns of options that do not exist. */
-export function requireHost(
-  document: Document,
-  host: Element | ShadowRoot,
-  options: Readonly<Record<string, unknown>>,
-): void {
+export function requireHost(document: Document, host: Element | ShadowRoot, given: object): void {
   if (!has(document, 'createElement'))
     throw new RangeError(`document: expected the page's document first, got ${kindOf(document)}`);
   if (!has(host, 'append'))
     throw new RangeError(
       `host: expected an element or a shadow root, got ${kindOf(host)}. Is it in the page when this runs?`,
     );
+  if ((host as Node).nodeType === DOCUMENT_NODE)
+    throw new RangeError('host: expected an element or a shadow root, got the document: pass its body');
+  if (typeof given !== 'object' || (given as object | null) === null)
+    throw new RangeError(`options: expected an object, got ${kindOf(given)}`);
+  const options = given as Readonly<Record<string, unknown>>;
   for (const name of FUNCTIONS)
     if (options[name] !== undefined && typeof options[name] !== 'function')
       throw new RangeError(`options.${name}: expected a function, got ${kindOf(options[name])}`);
@@ -48,8 +50,8 @@ interface Painted<Readout> {
   readonly root: HTMLElement;
   readonly paint: (readout: Readout) => void;
   readonly dispose: () => void;
-  /** A member that every such readout has, and the function that creates one. */
-  readonly member: keyof Readout & string;
+  /** Members that every such readout has, and the function that creates one. */
+  readonly members: readonly (keyof Readout & string)[];
   readonly madeBy: string;
 }
 
@@ -61,7 +63,7 @@ const PAINTS = 60;
  * being seen.
  */
 export function checked<Readout>(
-  { root, paint, dispose, member, madeBy }: Painted<Readout>,
+  { root, paint, dispose, members, madeBy }: Painted<Readout>,
   onWarning: HudWarn | undefined,
 ): { readonly paint: (readout: Readout) => void; readonly dispose: () => void } {
   const reported = new Set<string>();
@@ -78,8 +80,9 @@ export function checked<Readout>(
         warn('hud-disposed', 'paint was called after dispose: stop the frame loop first.');
         return;
       }
-      if (typeof readout !== 'object' || readout === null || !(member in readout)) {
-        warn('hud-readout', `paint was given no readout: pass what ${madeBy} returns.`);
+      const lacks = isRecord(readout) ? members.find((name) => !(name in readout)) : members.join(', ');
+      if (lacks !== undefined) {
+        warn('hud-readout', `paint was given no readout, without ${lacks}: pass what ${madeBy} returns.`);
         return;
       }
       paint(readout);
@@ -92,6 +95,8 @@ export function checked<Readout>(
     },
   };
 }
+
+const isRecord = (value: unknown): value is object => typeof value === 'object' && value !== null;
 
 function checkSight(root: HTMLElement, warn: HudWarn): void {
   const style = root.ownerDocument.defaultView?.getComputedStyle(root);

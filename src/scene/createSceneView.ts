@@ -2,6 +2,7 @@ import { GRAVITATIONAL_CONSTANT } from '../dynamics';
 import type { ShipView, WorldView } from '../prediction';
 import { releaseRig, turnRig, zoomRig } from './camera/cameraRig';
 import { aimCamera } from './camera/cameras';
+import { checkedScene, requireScene, type SceneOptions } from './checks';
 import { createFence } from './fence';
 import { placeGrain } from './ground/groundMaterial';
 import { rebuildIfNeeded, showWatchedClass } from './surroundings';
@@ -20,7 +21,7 @@ const LONGEST_STEP = 0.25;
 
 /**
  * Creates the scene in `canvas`.
- * @throws where the browser has no WebGL 2
+ * @throws RangeError that names the invalid argument or option; Error where the browser has no WebGL 2
  *
  * @example
  * ```ts
@@ -29,7 +30,16 @@ const LONGEST_STEP = 0.25;
  * scene.draw(predictor.view(now), now);
  * ```
  */
-export function createSceneView(canvas: HTMLCanvasElement, quality: Quality): SceneView {
+export function createSceneView(
+  canvas: HTMLCanvasElement,
+  quality: Quality,
+  options: SceneOptions = {},
+): SceneView {
+  requireScene(canvas, quality, options);
+  return checkedScene(sceneIn(canvas, quality), options.onWarning);
+}
+
+function sceneIn(canvas: HTMLCanvasElement, quality: Quality): SceneView {
   const state = createState(createParts(canvas, quality));
   const { parts, rig } = state;
   const fence = createFence(parts.renderer.getContext() as WebGL2RenderingContext);

@@ -26,7 +26,7 @@ export function createFleetHud(
   host: Element | ShadowRoot,
   options: HudAppearance = {},
 ): Hud<FleetReadout> {
-  requireHost(document, host, { ...options });
+  requireHost(document, host, options);
   const { root, panel, dispose } = createFrame(document, 'fleet', 'Fleet', options);
   const header = append(panel, 'header', 'td-fleet-header');
   append(header, 'h2', '', 'Fleet');
@@ -69,7 +69,7 @@ export function createFleetHud(
   const watcher = document.defaultView === null ? null : new document.defaultView.ResizeObserver(look);
   watcher?.observe(scroller);
   const hud = {
-    ...({ root, member: 'counts', madeBy: 'updateFleetReadout' } as const),
+    ...({ root, members: ['rows', 'counts'], madeBy: 'updateFleetReadout' } as const),
     paint: (readout: FleetReadout) => {
       newest = readout;
       paintCounts(readout);

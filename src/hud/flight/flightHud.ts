@@ -41,7 +41,7 @@ export function createFlightHud(
   host: Element | ShadowRoot,
   options: FlightHudOptions = {},
 ): Hud<FlightPanels> {
-  requireHost(document, host, { ...options });
+  requireHost(document, host, options);
   const { root, panel, dispose } = createFrame(document, 'flight', 'Flight', options);
   const paintLever = createEngineLever(panel);
   const paintFuel = createFuelPanel(panel);
@@ -51,7 +51,7 @@ export function createFlightHud(
   const paintDial = createApproachDial(panel);
   host.append(root);
   const hud = {
-    ...({ root, member: 'flight', madeBy: 'updateFlightReadout, as flight,' } as const),
+    ...({ root, members: ['flight', 'aids', 'target'], madeBy: 'each update function' } as const),
     paint({ flight, aids, target, autopilot, aidsOn }: FlightPanels) {
       paintLever(flight);
       paintFuel(flight);

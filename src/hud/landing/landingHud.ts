@@ -46,7 +46,7 @@ export function createCockpitLandingHud(
   host: Element | ShadowRoot,
   options: LandingHudOptions = {},
 ): Hud<LandingReadout> {
-  requireHost(document, host, { ...options });
+  requireHost(document, host, options);
   const { root, panel, dispose } = createFrame(document, 'landing', 'Landing', options);
   const paintStatus = createStatusSlot(panel);
   const paintTilt = createTiltPanel(panel);
@@ -63,7 +63,7 @@ export function createCockpitLandingHud(
   host.append(root);
   const unwatch = scrollWhereShort(parts, 'Landing, further down');
   const hud = {
-    ...({ root, member: 'descent', madeBy: 'updateLandingReadout' } as const),
+    ...({ root, members: ['status', 'descent', 'touchdown'], madeBy: 'updateLandingReadout' } as const),
     paint: (readout: LandingReadout) => {
       paintStatus(readout);
       paintTilt(readout);

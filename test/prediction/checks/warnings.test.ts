@@ -73,11 +73,11 @@ function codesInSources(): string[] {
 it('ERRORS.md has each code of the sources, and no other', () => {
   const table = readFileSync(join(ROOM, 'ERRORS.md'), 'utf8');
   const rows = [...table.matchAll(/^\| `([a-z-]+)` +\|/gm)].map((match) => match[1]!);
-  const ofHuds = rows.filter((code) => code.startsWith('hud-'));
-  expect(rows.filter((code) => !ofHuds.includes(code)).toSorted()).toEqual(codesInSources());
-  const hud = readFileSync(join(ROOM, '../hud/checks.ts'), 'utf8');
-  const told = [...hud.matchAll(/'(hud-[a-z-]+)'/g)].map((match) => match[1]!);
-  expect(ofHuds.toSorted()).toEqual([...new Set(told)].toSorted());
+  const isElsewhere = (code: string) => /^(hud|scene)-/.test(code);
+  expect(rows.filter((code) => !isElsewhere(code)).toSorted()).toEqual(codesInSources());
+  const checks = ['hud', 'scene'].map((room) => readFileSync(join(ROOM, '..', room, 'checks.ts'), 'utf8'));
+  const told = [...checks.join('\n').matchAll(/'((?:hud|scene)-[a-z-]+)'/g)].map((match) => match[1]!);
+  expect(rows.filter(isElsewhere).toSorted()).toEqual([...new Set(told)].toSorted());
   expect(rows.length).toBeGreaterThan(30);
 });
 

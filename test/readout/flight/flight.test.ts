@@ -220,6 +220,28 @@ describe('the beacon', () => {
     expect(out.distance).toBeCloseTo(50, 3);
     expect([out.missX, out.missY]).toEqual([expect.closeTo(5, 3), expect.closeTo(0, 3)]);
     expect(out.scale).toBe(100);
+    const scaleAt = (metres: number, radius = 1) => {
+      const far = place.map((_, k) => view.own.position[k]! + right[k]! * metres);
+      return updateTargetReadout(createTargetReadout(), view, { place: far, radius }, screen, aids).scale;
+    };
+    const scales = [10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 50_000];
+    // The target stays a tenth off the rim.
+    expect(scales.map((scale) => scaleAt(0.909 * scale))).toEqual(scales);
+    expect(scales.map((scale) => scaleAt(0.91 * scale))).toEqual([...scales.slice(1), 50_000]);
+    expect(scaleAt(0, 15)).toBe(20);
+    const moving = makeView({ clearance: 80, east: 3, north: -2, up: -1 });
+    const drifting = updateTargetReadout(
+      createTargetReadout(),
+      moving,
+      { place, radius: 20 },
+      screen,
+      createLandingAids(),
+    );
+    const speed = moving.own.velocity.map((v, k) => v - view.own.velocity[k]!);
+    const along = (axis: ArrayLike<number>) => speed.reduce((sum, v, k) => sum + v * axis[k]!, 0);
+    expect(drifting.driftX).toBeCloseTo(along(right), 6);
+    expect(drifting.driftY).toBeCloseTo(along(away), 6);
+    expect([drifting.missX, drifting.missY]).toEqual([NaN, NaN]);
     expect(updateTargetReadout(createTargetReadout(), view, null, screen, aids).shown).toBe(false);
   });
 });

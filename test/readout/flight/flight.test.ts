@@ -89,6 +89,20 @@ describe('landing aids', () => {
     expect(off).toBeCloseTo(2 * seconds, 0);
   });
 
+  it('predict the touch on a slope that rises ahead', () => {
+    const pose = { clearance: 80, east: 10 };
+    const [moving, still] = [makeView(pose), makeView({ clearance: 80 })];
+    const ahead = moving.own.velocity.map((v, k) => (v - still.own.velocity[k]!) / 10);
+    const steepness = Math.PI / 6;
+    // Upright relative to the plumb line, so that feet and slope meet below the centre of mass.
+    const groundNormal = NORMAL.map((n, k) => Math.cos(steepness) * n - Math.sin(steepness) * ahead[k]!);
+    const { out, view } = settle(pose, { groundNormal: Float64Array.from(groundNormal) });
+    const g =
+      (GRAVITATIONAL_CONSTANT * view.bodies[view.own.body]!.mass) / Math.hypot(...view.own.position) ** 2;
+    const closing = 10 * Math.tan(steepness);
+    expect(out.touchSeconds).toBeCloseTo((Math.sqrt(closing ** 2 + 2 * g * 80) - closing) / g, 1);
+  });
+
   it('say when full thrust must begin so that it stops at the ground', () => {
     const { out, view } = settle({ clearance: 200, up: -10 });
     const body = view.bodies[view.own.body]!;

@@ -9,8 +9,8 @@ import { measureByShip, spunMotion } from './snapshots/bodies/bodySpin';
 import { measureGameTime } from './snapshots/gameTimeMeter';
 import { keepServerState } from './snapshots/reconcile/keepStates';
 import { weighLaw } from './snapshots/reconcile/lawFit';
-import { receiveHello } from './snapshots/receiveHello';
-import { receivePong } from './snapshots/receivePong';
+import { takeHello } from './snapshots/takeHello';
+import { takePong } from './snapshots/takePong';
 import { pingIfDue } from './time/pings';
 import { fillTouchdown, logSubstep } from './touchdown/touchdownLog';
 import { rewindLog } from './touchdown/touchdownRewind';
@@ -25,8 +25,8 @@ const ground: Features = { learnGround };
 const dynamics: Features = { weighLaw };
 const touchdown: Features = { touchdown: { rewindLog, logSubstep, fillTouchdown } };
 const gameTime: Features = { measureGameTime };
-const hello: Pick<SessionFeatures, 'receiveHello'> = { receiveHello };
-const pings: Pick<SessionFeatures, 'receivePong' | 'pingIfDue'> = { receivePong, pingIfDue };
+const hello: Pick<SessionFeatures, 'takeHello'> = { takeHello };
+const pings: Pick<SessionFeatures, 'takePong' | 'pingIfDue'> = { takePong, pingIfDue };
 const spin: Features = { spin: { spunMotion, measureByShip } };
 
 /** Learns where the server's ground differs from the client's (PREDICTION, Learned ground). */
@@ -53,8 +53,8 @@ export const roundTripPings: Feature = { feature: 'roundTripPings', ...pings };
 /** What createPredictor has. */
 export const ALL_FEATURES: SessionFeatures = Object.freeze({
   ...{ ...ground, ...dynamics, ...touchdown, ...gameTime, ...spin },
-  receiveHello,
-  receivePong,
+  takeHello,
+  takePong,
   pingIfDue,
   interpolation: { keep: keepServerState, writeBetween, turnWithBody },
   terrains: TERRAINS,

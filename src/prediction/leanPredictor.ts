@@ -44,4 +44,4 @@ const lacks =
     refuse(sim, `message.kind: a lean predictor takes a ${kind} only with its feature`);
 
 /** The game's server sends neither. */
-const PLAIN: SessionFeatures = { receiveHello: lacks('hello'), receivePong: lacks('pong') };
+const PLAIN: SessionFeatures = { takeHello: lacks('hello'), takePong: lacks('pong') };

@@ -20,8 +20,8 @@ import { createWarn, type Warn } from './warnings';
 
 /** What only some clients need of a predictor, with what the session calls for it. */
 export interface SessionFeatures extends Features {
-  readonly receiveHello: (session: Session, hello: Hello, now: number) => void;
-  readonly receivePong: (session: Session, pong: Pong, now: number) => void;
+  readonly takeHello: (session: Session, hello: Hello, now: number) => void;
+  readonly takePong: (session: Session, pong: Pong, now: number) => void;
   readonly pingIfDue?: (pings: Pings, now: number) => void;
 }
 

@@ -13,13 +13,13 @@ export function receiveMessage(session: Session, message: ServerMessage | Partia
   const kind = (message as { kind?: unknown } | null | undefined)?.kind;
   switch (kind) {
     case 'hello':
-      session.features.receiveHello(session, message as Hello, now);
+      session.features.takeHello(session, message as Hello, now);
       break;
     case 'frame':
-      receiveFrame(session, message as PartialFrame, now);
+      takeFrame(session, message as PartialFrame, now);
       break;
     case 'pong':
-      session.features.receivePong(session, message as Pong, now);
+      session.features.takePong(session, message as Pong, now);
       break;
     default:
       refuse(session.sim, `message.kind: expected hello, frame or pong, got ${String(kind)}`);
@@ -27,7 +27,7 @@ export function receiveMessage(session: Session, message: ServerMessage | Partia
   }
 }
 
-function receiveFrame(session: Session, given: PartialFrame, now: number): void {
+function takeFrame(session: Session, given: PartialFrame, now: number): void {
   const { counters, receiver } = session;
   const complete = completeFrame(session.sim, session.meter, given);
   if (!complete.ok) {

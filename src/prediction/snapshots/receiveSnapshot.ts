@@ -10,7 +10,7 @@ import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { classifySnapshot, type SnapshotKind } from './classify';
 import { forgetPast, type Receiver } from './receiver';
 import { settleEvents, confirmEvents } from './settleEvents';
-import { applyOlder, applyPart, applyRest, applyStates } from './applyStates';
+import { takeOlder, takePart, takeRest, takeStates } from './takeStates';
 import { followTempo } from './tempo';
 
 /** Sends without a ship after which it is removed, if it has also been silent for FADE_SECONDS. */
@@ -25,12 +25,12 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
   receiver.seen[frame.tick % receiver.seen.length] = frame.tick;
   if (kind === 'older') {
     confirmEvents(sim, receiver, frame);
-    applyOlder(sim, receiver, frame, now);
+    takeOlder(sim, receiver, frame, now);
     return;
   }
   receiver.acceptedAt = now;
   receiver.jump.count = 0;
-  if (kind === 'part') applyPart(sim, receiver, frame, now);
+  if (kind === 'part') takePart(sim, receiver, frame, now);
   else {
     noteSend(sim.cadence, sim.newestTick < 0 ? 0 : frame.tick - sim.newestTick);
     followTempo(sim, receiver, frame, now);
@@ -39,7 +39,7 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
     const { substeps } = spanOf(sim.timeline, frame.tick).timing;
     const ships = Math.max(sim.fleet.tracks.length, frame.ships.length);
     fitRings(sim, { tickRate: frame.tickRate, substeps, ships });
-    applyStates(sim, receiver, frame, now);
+    takeStates(sim, receiver, frame, now);
   }
   settleEvents(sim, receiver, frame, now);
   if (kind !== 'part') fade(sim, now);
@@ -47,7 +47,7 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
 
 /** Takes some of the new ships that the newest frame still has, with their events. */
 export function receiveRest(sim: Simulation, receiver: Receiver): void {
-  const frame = applyRest(sim, receiver);
+  const frame = takeRest(sim, receiver);
   if (frame !== null) confirmEvents(sim, receiver, frame);
 }
 

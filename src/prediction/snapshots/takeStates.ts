@@ -18,14 +18,14 @@ import type { SnapshotContext } from './snapshotContext';
 const MAX_NEW = 1000;
 
 /** Compares the newest frame's bodies and ships with the predictions for its tick. */
-export function applyStates(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
+export function takeStates(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const { context } = receiver;
   writeBodiesOfFrame(context, sim, receiver, frame);
   context.tick = frame.tick;
   context.now = now;
   context.lastInput = frame.lastInput;
   receiver.rest = null;
-  applyShips(sim, receiver, frame);
+  takeShips(sim, receiver, frame);
   for (const track of sim.fleet.tracks) {
     if (track.mode !== 'waiting' || track.replaying || track.off || track.serverTick < 0) continue;
     if (has(track.history, frame.tick))
@@ -38,40 +38,40 @@ export function applyStates(sim: Simulation, receiver: Receiver, frame: ServerFr
  * Takes the ships of a frame, but of new ones no more than MAX_NEW: the rest follow in the next calls of `advance`, so that no call
  * blocks for long.
  */
-function applyShips(sim: Simulation, receiver: Receiver, frame: ServerFrame): void {
+function takeShips(sim: Simulation, receiver: Receiver, frame: ServerFrame): void {
   let added = 0;
   const rest: ShipState[] = [];
   for (const state of frame.ships) {
     const isNew = !sim.fleet.byId.has(state.shipId) && state.shipId !== receiver.ownShipId;
     if (isNew && added === MAX_NEW) rest.push(state);
-    else applyShip(sim, receiver, state);
+    else takeShip(sim, receiver, state);
     if (isNew) added = Math.min(MAX_NEW, added + 1);
   }
   if (rest.length > 0) receiver.rest = { frame: { ...frame, ships: rest }, now: receiver.context.now };
 }
 
 /** Takes some of the new ships that the newest frame still has. Returns that frame, for their events; null if there are none. */
-export function applyRest(sim: Simulation, receiver: Receiver): ServerFrame | null {
+export function takeRest(sim: Simulation, receiver: Receiver): ServerFrame | null {
   const { rest } = receiver;
   if (rest === null) return null;
   receiver.rest = null;
-  applyPart(sim, receiver, rest.frame, rest.now);
+  takePart(sim, receiver, rest.frame, rest.now);
   return rest.frame;
 }
 
 /** Takes another message of the newest tick: the ships that earlier ones did not have. */
-export function applyPart(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
+export function takePart(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const bodies = boundaryAt(sim.bodies, sim.timeline, frame.tick);
   placeContext(receiver.context, frame, bodies, now);
-  addMissing(sim, receiver, frame);
+  takeMissing(sim, receiver, frame);
 }
 
 /** Takes a frame overtaken by newer ones: only its ships that no newer frame had. */
-export function applyOlder(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
+export function takeOlder(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   if (!knowsBoundary(sim.bodies, frame.tick)) return;
   const bodies = boundaryAt(sim.bodies, sim.timeline, frame.tick);
   placeContext(receiver.context, frame, bodies, now);
-  addMissing(sim, receiver, frame);
+  takeMissing(sim, receiver, frame);
 }
 
 function placeContext(
@@ -88,16 +88,16 @@ function placeContext(
   out.lastInput = lastInput;
 }
 
-function addMissing(sim: Simulation, receiver: Receiver, frame: ServerFrame): void {
+function takeMissing(sim: Simulation, receiver: Receiver, frame: ServerFrame): void {
   const ships = frame.ships.filter(({ shipId }) => {
     const track = sim.fleet.byId.get(shipId);
     return track === undefined || track.serverTick < frame.tick;
   });
-  applyShips(sim, receiver, { ...frame, ships });
+  takeShips(sim, receiver, { ...frame, ships });
 }
 
 /** Takes one ship's state in the frame of the receiver's context. */
-function applyShip(sim: Simulation, receiver: Receiver, state: ShipState): void {
+function takeShip(sim: Simulation, receiver: Receiver, state: ShipState): void {
   const { context } = receiver;
   const fault = shipFault(state);
   if (fault !== null) {

@@ -10,7 +10,7 @@ import { refuse, startAnew } from './receiveSnapshot';
 import { loadGiven, sameWorld } from './worldConfig';
 
 /** A new connection starts a new timeline, unless the world is the same and its time continues. */
-export function receiveHello(session: Session, hello: Hello, now: number): void {
+export function takeHello(session: Session, hello: Hello, now: number): void {
   const { receiver, counters } = session;
   if (!isCompatible(session, hello)) return;
   const loaded = loadGiven(hello, session.terrains);

@@ -1,3 +1,4 @@
+import { SignJWT, UnsecuredJWT } from 'jose';
 import { expect, it } from 'vitest';
 import { createAccounts } from '../../src/gateway/accounts';
 import { shareFrame } from '../../src/gateway/redis/sharedFrame';
@@ -84,11 +85,48 @@ it('checks name and password, and accepts its own tokens until they expire', asy
   expect(await other.verify(found!.token)).toBeNull();
   now = Date.now() / 1000 - 7200;
   const old = await accounts.login('one', 'x');
+  expect(await accounts.verify(old!.token)).not.toBeNull();
+  now += 3601;
   expect(await accounts.verify(old!.token)).toBeNull();
   await expect(createAccounts([], { ...made, secret: 'x'.repeat(32) })).resolves.toBeDefined();
   await expect(createAccounts([], { ...made, secret: 'x'.repeat(31) })).rejects.toThrow(
     'secret: expected at least 32',
   );
+});
+
+const NOW = 1_800_000_000;
+const CLAIMS = { iss: 'touchdown', sub: 'p1', username: 'one', exp: NOW + 60 };
+
+function signed(claims: object, alg = 'HS256', secret = SECRET): Promise<string> {
+  return new SignJWT({ ...claims }).setProtectedHeader({ alg }).sign(new TextEncoder().encode(secret));
+}
+
+it.each([
+  ['without a signature', () => new UnsecuredJWT({ ...CLAIMS }).encode()],
+  ['signed with another algorithm', () => signed(CLAIMS, 'HS512')],
+  ['signed with another secret', () => signed(CLAIMS, 'HS256', `${SECRET}!`)],
+  ['that has expired', () => signed({ ...CLAIMS, exp: NOW - 1 })],
+  ['that is not valid yet', () => signed({ ...CLAIMS, nbf: NOW + 30 })],
+  ['that never expires', () => signed({ ...CLAIMS, exp: undefined })],
+  ['of another issuer', () => signed({ ...CLAIMS, iss: 'elsewhere' })],
+  ['for another audience', () => signed({ ...CLAIMS, aud: 'mail' })],
+  ['for several audiences', () => signed({ ...CLAIMS, aud: ['mail', 'log'] })],
+  ['for no player', () => signed({ ...CLAIMS, sub: '' })],
+  ['with a subject that is no text', () => signed({ ...CLAIMS, sub: 5 })],
+  [
+    'of 60 kB, signed with another secret',
+    () => signed({ ...CLAIMS, more: 'x'.repeat(60_000) }, 'HS256', 'y'),
+  ],
+  ['of 60 kB of dots', () => '.'.repeat(60_000)],
+  ['of no characters', () => ''],
+])('accepts no token %s', async (_, make) => {
+  const accounts = await createAccounts([], { secret: SECRET, lifetime: 60, now: () => NOW });
+  expect(await accounts.verify(await signed(CLAIMS))).toEqual({
+    playerId: 'p1',
+    username: 'one',
+    expires: NOW + 60,
+  });
+  expect(await accounts.verify(await make())).toBeNull();
 });
 
 it('reads the valid parts of the service’s frame', () => {

@@ -31,7 +31,7 @@ export const USES = [
   },
   {
     name: 'with the checks of development',
-    most: 69,
+    most: 70,
     code: WHOLE,
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],

@@ -62,6 +62,8 @@ export interface Simulation {
   groundless: World;
   readonly timeline: Timeline;
   bodies: BodyTrack;
+  /** False once game time that was not sent passed while no bodies were sent: where they are is unknown until a frame has them. */
+  bodiesKnown: boolean;
   /** The measured spin of each body, in the world's order. */
   readonly spins: readonly BodySpin[];
   readonly fleet: Fleet;
@@ -114,6 +116,7 @@ export function createSimulation(
     groundless: withoutGround(world),
     timeline: createTimeline(world.settings.contactLongestSubstep),
     bodies: createBodyTrack(start, ringLength(1), 100),
+    bodiesKnown: true,
     spins: world.bodies.map(createBodySpin),
     fleet: createFleet(),
     inputs: createInputs(plan),

@@ -82,6 +82,7 @@ export function refuse({ counters, warn }: Simulation, reason: string): void {
 /** Starts a new timeline: earlier predictions cannot be compared with later states. */
 export function startAnew(sim: Simulation, receiver: Receiver): void {
   sim.counters.resyncs += 1;
+  sim.bodiesKnown = false;
   sim.timeline.spans.length = 0;
   forgetRecords(sim.inputs);
   forgetSchedule(receiver.clock);

@@ -3,7 +3,9 @@ import type { BodyState, ServerFrame } from '../../../wire';
 import type { Simulation } from '../../simulation/simulation';
 import { spanOf } from '../../time/timeline';
 import { boundaryAt, startBodiesAt, updateBodies } from './bodyTrack';
+import { isExact } from '../reconcile/adopt';
 import type { Receiver } from '../receiver';
+import { areNumbers } from '../shipFault';
 import type { BodiesOfFrame } from '../snapshotContext';
 
 /** Most ticks over which bodies are advanced just for the comparison. */
@@ -26,6 +28,7 @@ export function writeBodiesOfFrame(
   const motions = areOld(sim, receiver, frame)
     ? null
     : motionsOf(sim, frame, tick === lastTick ? [] : lastSent);
+  noteKnown(sim, frame);
   if (motions === null) {
     out.bodies = boundaryAt(sim.bodies, sim.timeline, tick);
     out.predictedBodies = out.bodies;
@@ -43,6 +46,20 @@ export function writeBodiesOfFrame(
   out.bodies = boundaryAt(sim.bodies, sim.timeline, tick);
   out.predictedBodies = sim.bodies.replaced;
   out.turned = Math.max(error.attitude, error.spin);
+}
+
+/** Whether the frame says where the bodies are, if that was unknown. */
+function noteKnown(sim: Simulation, { tick, bodies, ships }: ServerFrame): void {
+  if (sim.bodiesKnown) return;
+  sim.bodiesKnown = sim.world.bodies.every(({ name }) =>
+    bodies.some((body) => body.name === name && areNumbers(body.position, 3)),
+  );
+  if (sim.bodiesKnown || ships.every(isExact)) return;
+  sim.warn(
+    'bodies-unknown',
+    'Time passed that no frame has, and bodies are not sent: ships are drawn beside an assumed body, and not confirmed. Send bodies.',
+    { tick },
+  );
 }
 
 /** The motions with the measured spins; the same list if all spins are as sent. */
@@ -141,10 +158,4 @@ function isWhole({ position, velocity, attitude, angularVelocity }: BodyState): 
     areNumbers(attitude, 4) &&
     areNumbers(angularVelocity, 3)
   );
-}
-
-function areNumbers(value: unknown, count: number): boolean {
-  if (!Array.isArray(value) || value.length !== count) return false;
-  for (let k = 0; k < count; k++) if (!Number.isFinite(value[k])) return false;
-  return true;
 }

@@ -39,6 +39,18 @@ export const MESSAGES: readonly Mistake[] = [
     () => received(frame, { ...frame, tick: 2 }, { ...frame, tick: 3 }),
   ],
   [
+    'time that no frame has, and no bodies',
+    'bodies-unknown',
+    /not confirmed/,
+    () => {
+      const untold = {
+        ...{ ...frame, bodies: [] },
+        ships: [{ ...ship, relativePosition: null, relativeVelocity: null }],
+      };
+      return received(untold, { ...untold, tick: 9, tickRate: 2 });
+    },
+  ],
+  [
     'an acknowledgement of a later tick',
     'acknowledgement-refused',
     /lastInput/,

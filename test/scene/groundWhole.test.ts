@@ -4,7 +4,7 @@ import { LESSONS, loadScenario, MISSIONS, type Scenario, SCENARIOS } from '../..
 import { createCone } from '../../src/scene/camera/viewCone';
 import { createGround, type Ground } from '../../src/scene/ground/ground';
 import { CELLS, VERTICES } from '../../src/scene/ground/terrainLevel';
-import { layFrame, toBodyAxes } from '../../src/scene/localFrame';
+import { createLocalFrame, toBodyAxes } from '../../src/scene/localFrame';
 import { lookOf } from '../../src/scene/sky/bodyLook';
 
 const ALL: readonly Scenario[] = [
@@ -23,7 +23,7 @@ function groundOf(scenario: Scenario): Ground {
   const under = new Float64Array(3);
   toBodyAxes(under, body.attitude, Float64Array.from(ship.relativePosition));
   const ground = createGround(new ShaderMaterial());
-  ground.rebuild(layFrame(body, under, lookOf(body.name).sun), terrainHeight);
+  ground.rebuild(createLocalFrame(body, under, lookOf(body.name).sun), terrainHeight);
   return ground;
 }
 

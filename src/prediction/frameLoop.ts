@@ -1,7 +1,7 @@
 import type { Controls } from '../dynamics';
 import { placePresent } from './drawn/worldView';
 import { sampleControls } from './inputs/pilot';
-import { announce, type Session } from './session';
+import type { Session } from './session';
 import { runReplays } from './simulation/replay';
 import { stepFront } from './simulation/front';
 import type { Simulation } from './simulation/simulation';
@@ -42,7 +42,7 @@ export function advanceFrame(session: Session, controls: Controls | null, now: n
   if (due > 0) stepFront(sim, target, check);
   if (replayed < pace.budget) runReplays(sim, pace.budget - replayed);
   place(sim, clock.present);
-  announce(session);
+  session.features.announce?.(session);
 }
 
 /** Whether the controls of a JavaScript caller have all members; the values are checked when sampled. */

@@ -1,5 +1,6 @@
 import { CRASHED, IMPACT_SPEED, LANDED, REFERENCE_BODY, SURFACE_STATE, TIPPED } from '../../dynamics';
 import { knowsBoundary } from '../snapshots/bodies/bodyTrack';
+import { dot } from '../drawn/rotation';
 import { sameCommand } from '../inputs/command';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
@@ -162,10 +163,6 @@ function confirmPlace(place: GroundPlace, now: number): void {
   place.states += 1;
   place.seenAt = now;
   place.weight = 1;
-}
-
-function dot(a: Float64Array, b: Float64Array): number {
-  return a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
 }
 
 const seen: Observation = createObservation();

@@ -13,7 +13,7 @@ import { loadGiven, sameWorld } from './worldConfig';
 export function takeHello(session: Session, hello: Hello, now: number): void {
   const { receiver, counters } = session;
   if (!isCompatible(session, hello)) return;
-  const loaded = loadGiven(hello, session.terrains);
+  const loaded = loadGiven(hello, session);
   if (!loaded.ok) {
     refuse(session.sim, `hello.${loaded.reason}`);
     return;

@@ -8,7 +8,7 @@ import {
   updateLandingAids,
   updateTargetReadout,
 } from '../../../src/readout';
-import { later, makeView, NORMAL, type Pose } from '../views';
+import { crossed, later, makeView, multiplied, NORMAL, type Pose } from '../views';
 
 const controls = (thrustLevel: number) => ({ controls: { ...NEUTRAL_CONTROLS, thrustLevel } });
 
@@ -87,6 +87,27 @@ describe('landing aids', () => {
       ...[0, 1, 2].map((k) => out.touchPlace[k]! - NORMAL[k]! * Math.hypot(...out.touchPlace)),
     );
     expect(off).toBeCloseTo(2 * seconds, 0);
+  });
+
+  it('keep the predicted touch on its ground while the ground turns, however old the run ahead', () => {
+    const { out, view } = settle({ clearance: 800, up: 0 });
+    const { bodies, own } = view;
+    const body = bodies[own.body]!;
+    const rate = Math.hypot(...body.angularVelocity);
+    const axis = [...body.angularVelocity].map((w) => w / rate);
+    const under = (place: Float64Array) =>
+      Math.hypot(...[0, 1, 2].map((k) => place[k]! - NORMAL[k]! * Math.hypot(...place)));
+    // Straight down: the ground below the ship now is what it will touch, half a minute and 140 m of turning later.
+    expect(out.touchSeconds).toBeGreaterThan(30);
+    expect(under(out.touchPlace)).toBeLessThan(1);
+    const half = (rate * 5) / 2;
+    const [x, y, z] = axis.map((a) => a * Math.sin(half)) as [number, number, number];
+    const turned = multiplied([x, y, z, Math.cos(half)], [...body.attitude]);
+    const before = out.touchPlace.slice();
+    updateLandingAids(out, { ...later(view, 5, own), bodies: [{ ...body, attitude: turned }] });
+    const moved = before.map((x, k) => x + 5 * crossed([...body.angularVelocity], [...before])[k]!);
+    expect(Math.hypot(...moved.map((x, k) => x - before[k]!))).toBeGreaterThan(10);
+    expect(Math.hypot(...moved.map((x, k) => x - out.touchPlace[k]!))).toBeLessThan(0.01);
   });
 
   it('say when full thrust must begin so that it stops at the ground', () => {

@@ -13,7 +13,6 @@ import type { SnapshotContext } from '../snapshotContext';
 import { holdLaw } from './lawErrors';
 import { adopt, drawableState, isExact, unknownNameOf } from './adopt';
 import {
-  describeDifference,
   EXACT,
   type Field,
   firstDifference,
@@ -174,7 +173,7 @@ function correct(
   else if (!sameCommand(sent, 0, predicted.rows, predicted.at)) counters.correctionsOtherPilot += 1;
   else {
     counters.correctionsMismatch += 1;
-    counters.lastMismatch = `${track.shipId} at tick ${context.tick}: ${describeDifference(field, server, predicted)}`;
+    counters.lastMismatch = `${track.shipId} at tick ${context.tick}: ${sim.features.describeDifference?.(field, server, predicted) ?? field}`;
   }
   if (track.mode === 'sleeping') holdSleeping(track);
   startReplay(track, sim, context.tick, sent, 0);

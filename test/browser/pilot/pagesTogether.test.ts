@@ -50,7 +50,7 @@ async function hop(pilot: Page, name: string, watcher: Page): Promise<void> {
 
 describeInBrowser('two tabs on one world', () => {
   it('see each other by name, fly their own ships, and see each other bounce', async () => {
-    // Three times the Moon's gravity: a flight of seconds.
+    // Over twice the Moon's gravity: a flight of seconds.
     const prepare = (page: Page) => page.addInitScript(listen);
     const host = await openBuiltPage('?scenario=settle&body=Mars&name=Ann', { ...SMALL, prepare });
     await untilStatus(host, 'landed');

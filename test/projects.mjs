@@ -1,7 +1,7 @@
 // Which files are tests and how they run. A new test file anywhere under test/ is picked up by its name alone.
 import { availableParallelism } from 'node:os';
 import { BaseSequencer } from 'vitest/node';
-import { bundledTests } from './bundle.mjs';
+import { bundledTests, bundleRun } from './bundle.mjs';
 
 const BROWSER_TESTS = 'test/browser/**/*.test.ts';
 /** Minutes each: run by `npm run test:long` and by .ci/run, not by `npm test`. */
@@ -15,16 +15,29 @@ const HANGS = { testTimeout: 300_000, hookTimeout: 300_000, expect: { poll: { ti
 /** More than cores: a browser test waits for its page most of the time. */
 const maxWorkers = 4 * availableParallelism();
 
-/** Browser tests that wait for flights of a minute: what starts last ends last. */
-const FLIGHTS = /(pageRuns|pagesTogether|pageDevices)\.test\.ts$/;
+/** Bundles the run's files before it begins. */
+class BundledTogether extends BaseSequencer {
+  async sort(files) {
+    bundleRun(files.map(({ moduleId }) => moduleId));
+    return super.sort(files);
+  }
+}
+
+/** Those that wait for a minute, or compute for seconds: what starts last ends last. */
+const FIRST_OF_BROWSER = /(pageRuns|pagesTogether|pageDevices|pageGame)\.test\.ts$/;
+const FIRST_OF_NODE =
+  /(service\/(service|recorder)|exact\/\w+|game\/live|simulation\/law|ground\/ground|heap|bodies\/day|examples)\.test\.ts$/;
 
 /**
- * Browser files first, each kind longest first: node files compute while they wait, and a worker changes from one kind to the other
- * once, since each change starts a process.
+ * Browser files first: node files compute while they wait. A worker changes from one kind to the other once, since each change starts
+ * a process.
  */
-class BrowserFirst extends BaseSequencer {
+class BrowserFirst extends BundledTogether {
   async sort(files) {
-    const rank = ({ project, moduleId }) => (FLIGHTS.test(moduleId) ? 0 : project.name === 'browser' ? 1 : 2);
+    const rank = ({ project, moduleId }) =>
+      project.name === 'browser'
+        ? Number(!FIRST_OF_BROWSER.test(moduleId))
+        : 2 + Number(!FIRST_OF_NODE.test(moduleId));
     return (await super.sort(files)).sort((a, b) => rank(a) - rank(b));
   }
 }
@@ -67,6 +80,7 @@ const LONG_HANGS = { testTimeout: 1_800_000, hookTimeout: 1_800_000 };
 export const longTests = {
   publicDir: false,
   test: {
+    sequence: { sequencer: BundledTogether },
     reporters: ['default', ['json', { outputFile: 'node_modules/.cache/touchdown/long-tests.json' }]],
     projects: [
       {

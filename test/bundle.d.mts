@@ -1,5 +1,5 @@
 import type { Plugin } from 'vite';
 
-export function bundleRun(tests: string[]): void;
+export function bundleRun(groups: string[][]): void;
 export function bundledTests(): Plugin;
 export function mutation(): Plugin[];

@@ -100,7 +100,11 @@ async function bundleTogether(tests, folder) {
         .filter(([, all]) => all.every(({ code }) => !code.includes(ALONE)))
         .map(([test, all]) => [
           test,
-          { file: join(folder, all[0].fileName), modules: all.flatMap(({ moduleIds }) => moduleIds) },
+          {
+            file: join(folder, all[0].fileName),
+            modules: all.flatMap(({ moduleIds }) => moduleIds),
+            isShared: tests.length > 1,
+          },
         ]),
     );
   } finally {
@@ -139,16 +143,33 @@ function isRunning(pid) {
   }
 }
 
+const TESTS = dirname(fileURLToPath(import.meta.url));
+/** Of the test runner, at the top of a module. */
+const HOOK = /^(before|after)(Each|All)\(/m;
+
 let folder;
 let count = 0;
 let together = Promise.resolve(new Map());
 
-/** Bundles the test files (absolute paths) of a run together: call before the run loads them. */
-export function bundleRun(tests) {
+/** Bundles the test files (absolute paths) of a run, each group together: call before the run loads them. */
+export function bundleRun(groups) {
   folder ??= bundlesFolder();
   // A folder of its own: a process that goes on from the run before must not take its files for these.
-  // Where one of them cannot be bundled each is by itself: its own error is told, and the others run.
-  together = bundleTogether(tests, join(folder, String(count++))).catch(() => new Map());
+  // Where one of a group cannot be bundled each is by itself: its own error is told, and the others run.
+  const made = groups.map((tests) =>
+    bundleTogether(tests, join(folder, String(count++))).catch(() => new Map()),
+  );
+  together = Promise.all(made).then((maps) => new Map(maps.flatMap((map) => [...map])));
+}
+
+/** @throws where a module that several test files share would run a hook for the first of them alone */
+function refuseSharedHooks(modules) {
+  for (const path of modules) {
+    if (path.endsWith('.test.ts') || !HOOK.test(readFileSync(path, 'utf8'))) continue;
+    throw new Error(
+      `${path}: a hook at the top is set once for all test files; set it in a function that each calls`,
+    );
+  }
 }
 
 /**
@@ -169,6 +190,7 @@ export function bundledTests() {
       const made = isAlone ? undefined : (await together).get(entry);
       // What is loaded anew after vi.resetModules() has to be loaded by the runner.
       const { code, map, modules } = made ?? (await bundle(entry, { plugins: [leaveDynamicImports] }));
+      if (made?.isShared) refuseSharedHooks(modules.filter((path) => path.startsWith(TESTS)));
       for (const module of modules) this.addWatchFile(module);
       return made ? `import ${JSON.stringify(pathToFileURL(made.file).href)};` : { code, map };
     },

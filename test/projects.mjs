@@ -15,10 +15,15 @@ const HANGS = { testTimeout: 300_000, hookTimeout: 300_000, expect: { poll: { ti
 /** More than cores: a browser test waits for its page most of the time. */
 const maxWorkers = 4 * availableParallelism();
 
-/** Bundles the run's files before it begins. */
-class BundledTogether extends BaseSequencer {
+/**
+ * Bundles the run's files before it begins: those of node together, so that what they share is compiled once in each process. Files
+ * of the browser share little, and each has a connection to a Chromium that ends with it.
+ */
+class Bundled extends BaseSequencer {
   async sort(files) {
-    bundleRun(files.map(({ moduleId }) => moduleId));
+    const pathsOf = (isNode) =>
+      files.filter(({ project }) => (project.name === 'node') === isNode).map(({ moduleId }) => moduleId);
+    bundleRun([pathsOf(true), ...pathsOf(false).map((path) => [path])]);
     return super.sort(files);
   }
 }
@@ -32,7 +37,7 @@ const FIRST_OF_NODE =
  * Browser files first: node files compute while they wait. A worker changes from one kind to the other once, since each change starts
  * a process.
  */
-class BrowserFirst extends BundledTogether {
+class BrowserFirst extends Bundled {
   async sort(files) {
     const rank = ({ project, moduleId }) =>
       project.name === 'browser'
@@ -54,7 +59,8 @@ export const tests = {
           name: 'node',
           include: ['test/**/*.test.ts'],
           exclude: [BROWSER_TESTS, LONG_TESTS],
-          // Each file has a copy of the source of its own, in its bundle: there is no state that a process of its own would part.
+          // Files of a process share the source: it keeps nothing from one call to the next but scratch, and a worker’s program, which its
+          // tests load anew.
           isolate: false,
           ...HANGS,
         },
@@ -80,7 +86,7 @@ const LONG_HANGS = { testTimeout: 1_800_000, hookTimeout: 1_800_000 };
 export const longTests = {
   publicDir: false,
   test: {
-    sequence: { sequencer: BundledTogether },
+    sequence: { sequencer: Bundled },
     reporters: ['default', ['json', { outputFile: 'node_modules/.cache/touchdown/long-tests.json' }]],
     projects: [
       {

@@ -5,10 +5,11 @@ import { cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
-import { numbers } from './numbers.mjs';
+import { numbers } from './code/numbers.mjs';
 import { production } from './production.mjs';
-import { pure } from './pure.mjs';
-import { shortenNames } from './shortNames.mjs';
+import { pure } from './code/pure.mjs';
+import { shortenNames } from './code/shortNames.mjs';
+import { texts } from './code/texts.mjs';
 import { writeTypes } from './types.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -146,7 +147,11 @@ export async function buildPackage() {
   rmSync(out, { recursive: true, force: true });
   await buildCode({ format: 'es' });
   await buildCode({ format: 'cjs' });
-  await buildCode({ format: 'es', folder: 'production', plugins: [production(join(root, 'src'))] });
+  await buildCode({
+    format: 'es',
+    folder: 'production',
+    plugins: [production(join(root, 'src')), texts(join(root, 'src/'))],
+  });
   await buildStyles();
   for (const file of ['hud.css.d.ts', 'hud.css.d.cts']) writeFileSync(join(out, file), 'export {};\n');
   await writeTypes(root, doors, out);

@@ -1,5 +1,5 @@
 // The package's production code, which bundlers use in production mode: without the checks that warn developers of mistakes.
-// Everything else, including refusals and counters, is the same, bit for bit (test/package/production.ts).
+// Everything else, including refusals and counters, is the same, bit for bit (test/package/production.ts); texts are shorter (code/texts.mjs).
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 

@@ -44,7 +44,13 @@ export { substep } from './substep';
 export { beginTick, endTick, loadTiming, stepWorld, type Timing, timingOfTick } from './tick';
 export type { HeightInPlace, TerrainHeight, World } from './constants/world';
 /** A world: plain data in, constants out. */
-export { loadWorld, type WorldData } from './constants/loadWorld';
+export {
+  deriveWorld,
+  faultOfConstants,
+  loadWorld,
+  type WorldConstants,
+  type WorldData,
+} from './constants/loadWorld';
 /** The surface normal under a ship's feet. */
 export { type GroundUnderShip, writeGroundNormal } from './contact/groundNormal';
 /** The choice of the reference body at a tick's start. */

@@ -13,7 +13,6 @@ import {
   NO_EVENT,
   REFERENCE_BODY,
   SHIP_CLASS,
-  SHIP_STRIDE,
   SURFACE_STATE,
   TIPPED,
 } from './state/layout';
@@ -33,6 +32,8 @@ import {
   SMI_MASK,
   start,
   type Step,
+  STEP_BODY,
+  STEP_CLASS,
   WEIGHT,
 } from './contact/quantities';
 import { restOnSide } from './contact/rest';
@@ -101,24 +102,35 @@ function groundSubstep(step: Step): number {
   return makeTransition(step); // 9
 }
 
-const step: Step = { row: 0, bodies: new Float64Array(0), bodyAt: 0 } as Step;
+const step: Step = { at: 0, bodies: new Float64Array(0), bodyAt: 0 } as Step;
 
 function begin(ships: Float64Array, at: number, bodies: Float64Array, world: World, dt: number): void {
   copyIn(ships, at);
   const q = quantities;
-  const reference = q[REFERENCE_BODY]!;
-  step.row = at / SHIP_STRIDE;
+  step.at = at;
   step.bodies = bodies;
-  step.bodyAt = reference * BODY_STRIDE;
-  step.body = world.bodies[reference]!;
-  step.shipClass = world.shipClasses[q[SHIP_CLASS]!]!.constants;
-  step.settings = world.settings.constants;
-  step.terrainHeight = world.terrainHeight;
+  if (step.world !== world || q[STEP_BODY] !== q[REFERENCE_BODY] || q[STEP_CLASS] !== q[SHIP_CLASS])
+    readWorld(world);
   q[DT] = dt;
   const spin = (step.bodyAt + BODY_ANGULAR_VELOCITY) & SMI_MASK;
   q[GROUND_SPIN] = bodies[spin]!;
   q[GROUND_SPIN + 1] = bodies[spin + 1]!;
   q[GROUND_SPIN + 2] = bodies[spin + 2]!;
+}
+
+/** Fills `step` with what a ship of this class over this body reads of a world. It is kept until one of the three changes. */
+function readWorld(world: World): void {
+  const q = quantities;
+  const reference = q[REFERENCE_BODY]!;
+  q[STEP_BODY] = reference;
+  const shipClass = q[SHIP_CLASS]!;
+  q[STEP_CLASS] = shipClass;
+  step.world = world;
+  step.bodyAt = reference * BODY_STRIDE;
+  step.body = world.bodies[reference]!;
+  step.shipClass = world.shipClasses[shipClass]!.constants;
+  step.settings = world.settings.constants;
+  step.terrainHeight = world.terrainHeight;
 }
 
 /** Step 2: a landed or tipped ship launches if lift exceeds weight, and flies for the rest of the substep. */

@@ -2,12 +2,12 @@ import { createServer, type IncomingMessage, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { createClient as createRedis, type RedisClientType } from 'redis';
 import { type WebSocket, WebSocketServer } from 'ws';
-import { decodeHelloJson } from '../wire';
 import { createAccounts } from './accounts';
 import { type Client, createClient, disconnect } from './clients/client';
 import { createFeed, type Feed } from './redis/feed';
 import { createHttpHandler } from './http';
 import { createInbox } from './redis/inbox';
+import { createWorldReader } from './redis/world';
 import {
   AUTH_TIMEOUT,
   CLOSE,
@@ -31,7 +31,6 @@ export interface Gateway {
 
 /** Interval of resending to slow clients, flushing the inbox and reading a missing world definition, wall ms. */
 const PUMP_INTERVAL = 100;
-const WORLD_KEY = 'touchdown:world';
 
 /** Starts a gateway. Rejects if it cannot listen or cannot reach Redis. */
 export async function createGateway(options: GatewayOptions): Promise<Gateway> {
@@ -42,7 +41,7 @@ export async function createGateway(options: GatewayOptions): Promise<Gateway> {
     options,
     accounts: await createAccounts(options.accounts, { secret, lifetime, now }),
     redis,
-    inbox: createInbox(redis),
+    inbox: createInbox(redis, options.log),
     clients: new Set(),
     feed: null as unknown as Feed,
     world: null,
@@ -57,12 +56,20 @@ export async function createGateway(options: GatewayOptions): Promise<Gateway> {
     },
   });
   redis.on('ready', () => gateway.inbox.flush());
-  await readWorld(gateway);
+  const readWorld = createWorldReader(redis, options.log);
+  gateway.world = await readWorld();
   const reading = gateway.feed.run();
   const pump = setInterval(() => {
     resendToBehind(gateway);
     gateway.inbox.flush();
-    if (gateway.world === null) readWorld(gateway).catch(() => undefined);
+    if (gateway.world !== null) return;
+    readWorld().then(
+      (world) => {
+        gateway.world = world;
+      },
+      // Redis is unavailable; the next one asks again.
+      () => undefined,
+    );
   }, PUMP_INTERVAL);
   const server = await listen(gateway);
   return {
@@ -100,19 +107,6 @@ async function measureClock(redis: RedisClientType, now: () => number): Promise<
   const before = now();
   const [seconds, micros] = (await redis.sendCommand(['TIME'])) as unknown as [string, string];
   return Number(seconds) + Number(micros) / 1e6 - (before + now()) / 2;
-}
-
-async function readWorld(gateway: GatewayState): Promise<void> {
-  const text = await gateway.redis.get(WORLD_KEY);
-  if (text === null) return;
-  const hello = decodeHelloJson(JSON.parse(text));
-  if (!hello.ok) {
-    gateway.options.log(`world.${hello.reason}`);
-    return;
-  }
-  const { refusals, ...world } = hello.value;
-  for (const refusal of refusals) gateway.options.log(`world.${refusal}`);
-  gateway.world = world;
 }
 
 async function listen(gateway: GatewayState): Promise<Server> {

@@ -1,6 +1,6 @@
 import type { IncomingMessage, ServerResponse } from 'node:http';
 import type { Accounts } from './accounts';
-import { type Bucket, createBucket, take } from './clients/limits';
+import { type Bucket, consume, createBucket } from './clients/limits';
 
 /** What the HTTP handler needs of the gateway. */
 export interface HttpContext {
@@ -30,7 +30,7 @@ export function createHttpHandler(
     if (logins.size > MAX_ADDRESSES) logins.clear();
     const bucket = logins.get(address) ?? createBucket(LOGINS, context.now());
     logins.set(address, bucket);
-    return take(bucket, 1, context.now());
+    return consume(bucket, 1, context.now());
   }
 
   async function login(request: IncomingMessage, response: ServerResponse): Promise<void> {

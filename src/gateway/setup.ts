@@ -66,13 +66,8 @@ function readHangar(text: string | undefined, accounts: readonly Account[]): Res
   const given = parsed(text) as Partial<HangarConfig> | null;
   if (typeof given !== 'object' || given === null || !Array.isArray(given.direction))
     return err('TOUCHDOWN_HANGAR: expected {"body", "direction", "height", "ship_class", "delay"}');
-  const {
-    body = '',
-    direction = [0, 0, 1],
-    height = 100,
-    ship_class: shipClass = 'planetary_lander',
-    delay = 5,
-  } = given;
+  const { body = '', height = 100, ship_class: shipClass = 'planetary_lander', delay = 5 } = given;
+  const { direction } = given as HangarConfig;
   const shipId = (playerId: string) => `ship-${playerId}`;
   return ok({
     shipId,

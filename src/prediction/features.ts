@@ -1,15 +1,20 @@
 /** What only some clients need of a predictor: a page loads the features that it hands to createLeanPredictor. */
-import { TERRAINS } from '../dynamics';
+import { faultOfConstants, TERRAINS } from '../dynamics';
 import { turnWithBody, writeBetween } from './drawn/interpolate';
 import { learnGround } from './ground/learn';
 import { checkRollback } from './simulation/rollbackCheck';
-import type { SessionFeatures } from './session';
-import type { Features } from './simulation/simulation';
+import { announce, type SessionFeatures } from './session';
+import { acknowledgementOf, takeAcknowledgement } from './snapshots/acknowledgements';
+import { completeBodies } from './snapshots/bodies/completeBodies';
 import { measureByShip, spunMotion } from './snapshots/bodies/bodySpin';
 import { measureGameTime } from './snapshots/gameTimeMeter';
+import { describeDifference } from './snapshots/reconcile/compare';
 import { keepServerState } from './snapshots/reconcile/keepStates';
 import { weighLaw } from './snapshots/reconcile/lawFit';
+import { confirmEnd, confirmEvents, happened, settleEvents } from './snapshots/settleEvents';
+import { shipFault } from './snapshots/shipFault';
 import { takeHello } from './snapshots/takeHello';
+import { receiveRest, takeOlder, takePart, takeShips } from './snapshots/takeParts';
 import { takePong } from './snapshots/takePong';
 import { pingIfDue } from './time/pings';
 import { fillTouchdown, logSubstep } from './touchdown/touchdownLog';
@@ -21,42 +26,57 @@ export interface Feature {
   readonly feature: string;
 }
 
-const ground: Features = { learnGround };
-const dynamics: Features = { weighLaw };
-const touchdown: Features = { touchdown: { rewindLog, logSubstep, fillTouchdown } };
-const gameTime: Features = { measureGameTime };
-const hello: Pick<SessionFeatures, 'takeHello'> = { takeHello };
-const pings: Pick<SessionFeatures, 'takePong' | 'pingIfDue'> = { takePong, pingIfDue };
-const spin: Features = { spin: { spunMotion, measureByShip } };
+const feature = (name: string, parts: Partial<SessionFeatures>): Feature => ({ feature: name, ...parts });
+
+const touchdown = { rewindLog, logSubstep, fillTouchdown };
+const spin = { spunMotion, measureByShip };
+const events = { happened, confirmEvents, settleEvents, confirmEnd };
+const acknowledgements = { acknowledgementOf, takeAcknowledgement };
+const parts = { takeShips, takeOlder, takePart, receiveRest };
 
 /** Learns where the server's ground differs from the client's (PREDICTION, Learned ground). */
-export const learnedGround: Feature = { feature: 'learnedGround', ...ground };
+export const learnedGround: Feature = feature('learnedGround', { learnGround });
 
 /** Extrapolates a ship that the server moves by other dynamics (PREDICTION, Foreign dynamics). */
-export const foreignDynamics: Feature = { feature: 'foreignDynamics', ...dynamics };
+export const foreignDynamics: Feature = feature('foreignDynamics', { weighLaw });
 
 /** Records the own ship's last touchdown: `touchdown` of its view, for the HUD's touchdown card. */
-export const touchdownRecord: Feature = { feature: 'touchdownRecord', ...touchdown };
+export const touchdownRecord: Feature = feature('touchdownRecord', { touchdown });
+
+/** Predicted, confirmed and retracted events: `onEvent`, and `withdrawn` of a view (PREDICTION, Events). */
+export const surfaceEvents: Feature = feature('surfaceEvents', { events, announce });
+
+/** Takes a server's acknowledgements of inputs, and steers the lead by their margins (PREDICTION, Clock). */
+export const inputAcknowledgements: Feature = feature('inputAcknowledgements', { acknowledgements });
+
+/** Completes bodies that a frame sends in part, without attitude or spin, in another order, or outdated. */
+export const completedBodies: Feature = feature('completedBodies', { completeBodies });
+
+/** Takes snapshots in several messages or out of order, and new ships by the thousand without blocking. */
+export const snapshotParts: Feature = feature('snapshotParts', { parts });
+
+/** Checks each ship's record, for a caller that makes records itself instead of decoding them. */
+export const checkedRecords: Feature = feature('checkedRecords', { shipFault });
+
+/** Both values of a field that differed, in `lastMismatch` of the diagnosis. */
+export const mismatchValues: Feature = feature('mismatchValues', { describeDifference });
 
 /** Measures the game time per tick of a server that does not send it, or another (PREDICTION, Timeline). */
-export const measuredGameTime: Feature = { feature: 'measuredGameTime', ...gameTime };
+export const measuredGameTime: Feature = feature('measuredGameTime', { measureGameTime });
 
 /** Measures the spin of bodies that turn otherwise than sent. */
-export const measuredSpin: Feature = { feature: 'measuredSpin', ...spin };
+export const measuredSpin: Feature = feature('measuredSpin', { spin });
 
 /** Takes the hello of a server that sends one: its world, settings, classes, own ship and protocol version. */
-export const serverHello: Feature = { feature: 'serverHello', ...hello };
+export const serverHello: Feature = feature('serverHello', { takeHello, faultOfConstants });
 
 /** Pings a server that answers with a pong: the clock then knows the round trip (PREDICTION, Clock). */
-export const roundTripPings: Feature = { feature: 'roundTripPings', ...pings };
+export const roundTripPings: Feature = feature('roundTripPings', { takePong, pingIfDue });
 
 /** What createPredictor has. */
 export const ALL_FEATURES: SessionFeatures = Object.freeze({
-  ...{ ...ground, ...dynamics, ...touchdown, ...gameTime, ...spin },
-  takeHello,
-  takePong,
-  pingIfDue,
+  ...{ learnGround, weighLaw, touchdown, events, announce, acknowledgements, completeBodies, parts },
+  ...{ shipFault, describeDifference, measureGameTime, spin, takeHello, faultOfConstants },
+  ...{ takePong, pingIfDue, terrains: TERRAINS, checkRollback },
   interpolation: { keep: keepServerState, writeBetween, turnWithBody },
-  terrains: TERRAINS,
-  checkRollback,
 });

@@ -1,7 +1,7 @@
 import type { Controls } from '../dynamics';
 import { placePresent } from './drawn/worldView';
 import { sampleControls } from './inputs/pilot';
-import { announce, type Session } from './session';
+import type { Session } from './session';
 import { runReplays } from './simulation/replay';
 import { stepFront } from './simulation/front';
 import type { Simulation } from './simulation/simulation';
@@ -15,7 +15,7 @@ import {
   type Position,
   spanOf,
   wallOfTick,
-  writeLater,
+  addSubsteps,
   writeMoment,
 } from './time/timeline';
 
@@ -42,7 +42,7 @@ export function advanceFrame(session: Session, controls: Controls | null, now: n
   if (due > 0) stepFront(sim, target, check);
   if (replayed < pace.budget) runReplays(sim, pace.budget - replayed);
   place(sim, clock.present);
-  announce(session);
+  session.features.announce?.(session);
 }
 
 /** Whether the controls of a JavaScript caller have all members; the values are checked when sampled. */
@@ -103,7 +103,7 @@ function locate(sim: Simulation, present: number): Position {
     moment.tick = moment.tick < sim.newestTick ? sim.newestTick : last;
     moment.substeps = 0;
   }
-  writeLater(located, sim.timeline, moment.tick, 0, Math.ceil(moment.substeps));
+  addSubsteps(located, sim.timeline, moment.tick, 0, Math.ceil(moment.substeps));
   return located;
 }
 
@@ -112,6 +112,6 @@ function substepsTo({ front, timeline }: Simulation, to: Position): number {
 }
 
 function later({ front, timeline }: Simulation, substeps: number): Position {
-  writeLater(sampling, timeline, front.tick, front.substep, substeps);
+  addSubsteps(sampling, timeline, front.tick, front.substep, substeps);
   return sampling;
 }

@@ -8,6 +8,12 @@ export type { LeanPredictor, Predictor } from './calls/api';
 export {
   type Feature,
   foreignDynamics,
+  checkedRecords,
+  completedBodies,
+  inputAcknowledgements,
+  mismatchValues,
+  snapshotParts,
+  surfaceEvents,
   learnedGround,
   measuredGameTime,
   measuredSpin,

@@ -1,5 +1,3 @@
-import { EVENT_DESTROYED } from '../dynamics';
-import { confirm } from './events';
 import { forgetRecords } from './inputs/inputs';
 import { beginWorld, type Session } from './session';
 import { forgetAfter } from './simulation/history';
@@ -47,17 +45,9 @@ export function dropShip({ sim, receiver }: Session, shipId: string, reason: Rem
   receiver.removed.set(shipId, sim.newestTick);
   const track = sim.fleet.byId.get(shipId);
   if (track === undefined) return;
-  if (reason === 'destroyed' && sim.newestTick >= 0) {
-    const notice = confirm(track.ledger, EVENT_DESTROYED, birthOfEnd(sim), sim.timeline);
-    if (notice !== null) sim.notices.push(notice);
-  }
+  if (reason === 'destroyed') sim.features.events?.confirmEnd(sim, track);
   if (track.own) forgetRecords(sim.inputs);
   removeTrack(sim.fleet, track);
-}
-
-/** A destruction has no stamp: it counts as of the newest tick. */
-function birthOfEnd({ newestTick }: Simulation): { tick: number; substep: number } {
-  return { tick: newestTick, substep: 0 };
 }
 
 /** The ship's next state is shown at once, and no prediction error is counted. */
@@ -72,8 +62,8 @@ export function expectTeleport({ sim }: Session, shipId: string): void {
 
 /** Clears ships, time, inputs and the clock; the world of the hello, the own ship and listeners stay. */
 export function resetSession(session: Session): void {
-  const { config, terrains, pilot, pings, pending } = session;
-  const world = loadConfig(config, terrains);
+  const { config, pilot, pings, pending } = session;
+  const world = loadConfig(config, session);
   forgetPending(pending);
   if (world.ok) beginWorld(session, world.value, config.bodies);
   forgetPings(pings);

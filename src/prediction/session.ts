@@ -1,6 +1,12 @@
-import { type BodyMotion, flatTerrain, type TerrainHeight, type World } from '../dynamics';
+import {
+  type BodyMotion,
+  type faultOfConstants,
+  flatTerrain,
+  type TerrainHeight,
+  type World,
+} from '../dynamics';
 import type { Hello, Pong } from '../wire';
-import { guardTerrain } from './checks/guardTerrain';
+import { guardTerrain } from './ground/guardTerrain';
 import { createDiagnosis } from './diagnosis';
 import { springsOf } from './drawn/ease';
 import type { Diagnosis, EventNotice } from './drawn/view';
@@ -22,6 +28,10 @@ import { createWarn, type Warn } from './warnings';
 export interface SessionFeatures extends Features {
   readonly takeHello: (session: Session, hello: Hello, now: number) => void;
   readonly takePong: (session: Session, pong: Pong, now: number) => void;
+  /** Calls the listeners with the events. */
+  readonly announce?: (session: Session) => void;
+  /** Checks the settings and classes of a world. */
+  readonly faultOfConstants?: typeof faultOfConstants;
   readonly pingIfDue?: (pings: Pings, now: number) => void;
 }
 
@@ -60,7 +70,7 @@ export function createSession(options: PredictorOptions, features: SessionFeatur
   const warn = createWarn(options.onWarning);
   const terrains = terrainsOf(options, features, warn);
   const defaults = defaultWorld(options.defaults);
-  const world = loadConfig(defaults, terrains);
+  const world = loadConfig(defaults, { terrains, features });
   if (!world.ok) throw new RangeError(`defaults: ${world.reason}`);
   const counters = createDiagnosis();
   const clock = createClock();

@@ -31,7 +31,7 @@ export function toBodyAxes(out: Float64Array, attitude: Quat, way: Float64Array)
 }
 
 /** A frame under a point in body axes. */
-export function layFrame(body: Body, point: ArrayLike<number>, sun: SunPlace): LocalFrame {
+export function createLocalFrame(body: Body, point: ArrayLike<number>, sun: SunPlace): LocalFrame {
   const length = Math.hypot(point[0]!, point[1]!, point[2]!);
   const [ux, uy, uz] = [point[0]! / length, point[1]! / length, point[2]! / length];
   // East is pole × up; at the poles any horizontal direction serves.

@@ -1,7 +1,7 @@
 import type { ShipView, WorldView } from '../prediction';
 import { releaseRig } from './camera/cameraRig';
 import { paintGround } from './ground/groundMaterial';
-import { layFrame, toBodyAxes, toLocalPoint, turnOfFrame } from './localFrame';
+import { createLocalFrame, toBodyAxes, toLocalPoint, turnOfFrame } from './localFrame';
 import { frameOf, type SceneState } from './sceneState';
 import { clearActors } from './ships/actors';
 import { MIN_HEIGHT } from './ships/shipActor';
@@ -29,7 +29,7 @@ function lay(state: SceneState, view: WorldView, ship: ShipView): void {
   const body = view.bodies[ship.body]!;
   const look = (state.look = underSun(lookOf(body.name), state.sunElevation));
   toBodyAxes(state.point, body.attitude, ship.meshPosition);
-  const frame = (state.frame = layFrame(body, state.point, look.sun));
+  const frame = (state.frame = createLocalFrame(body, state.point, look.sun));
   ground.rebuild(frame, state.terrain);
   rocks.setGround(frame, state.terrain);
   light.paint(look, frame);

@@ -152,6 +152,12 @@ it('refuses invalid messages by name, and goes on', async () => {
   expect(live.state().phase).toBe('live');
 });
 
+it('does not send controls that the host packs into more than 64 KB', async () => {
+  const { told, live } = await welcomed({ pack: () => ({ padding: 'x'.repeat(MAX_MESSAGE) }) });
+  expect(live.sendControls(NEUTRAL_CONTROLS)).toBe(false);
+  expect(told.at(-1)).toBe(`refused message: expected at most ${MAX_MESSAGE} bytes`);
+});
+
 it('gives up when no welcome comes in 10 s', async () => {
   const { clock, told } = connect();
   await until(() => heard.length === 1);

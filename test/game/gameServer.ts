@@ -109,8 +109,8 @@ export function connect(change: Partial<GameConnectionOptions> = {}) {
 
 export const say = (message: unknown) => sockets.at(-1)!.send(JSON.stringify(message));
 
-export async function welcomed() {
-  const made = connect();
+export async function welcomed(change: Partial<GameConnectionOptions> = {}) {
+  const made = connect(change);
   await until(() => heard.length === 1);
   say({ type: 'welcome', player_id: 'p', ship_id: 'a' });
   await until(() => made.told.some((text) => text.startsWith('welcome')));

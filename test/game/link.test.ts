@@ -25,6 +25,8 @@ describe('a link', () => {
     expect(words(play([...OPENED]).state, 1)).toBe('Connected to wss://game.example/ws; signing in…');
     expect(play(...LIVE).state).toMatchObject({ phase: 'live', failures: 0, pingAt: 30.2 });
     expect(words(play(...LIVE).state, 1)).toBe('');
+    // It asks when no state has followed within 2 s.
+    expect(dueAt(play(...LIVE).state)).toBe(2.2);
   });
 
   it('gives up after 10 s without a welcome', () => {
@@ -46,7 +48,9 @@ describe('a link', () => {
     expect(answered.state.pongBy).toBe(Infinity);
     const dead = play(...steady, [30.2, TIME], [40, { kind: 'state', interval: 1 }], [40.2, TIME]);
     expect(dead.state).toMatchObject({ phase: 'waiting', ended: { cause: 'noPong' } });
-    expect(words(dead.state, 40.2)).toContain('did not answer a ping within 10 s');
+    expect(words(dead.state, 40.2)).toBe(
+      'wss://game.example/ws did not answer a ping within 10 s. Retrying in 1 s.',
+    );
   });
 
   it('distinguishes a paused server, which answers, from one that is gone', () => {
@@ -82,6 +86,13 @@ describe('a link', () => {
     }
     const expected = [0.75, 2.5, 3, 10, 12, 37.5, 22.5, 37.5];
     for (const [i, wait] of waits.entries()) expect(wait).toBeCloseTo(expected[i]!, 9);
+  });
+
+  it('omits a close code of 0, as of a socket that could not be created', () => {
+    const failed = stepLink(beginLink(0).state, closed(0, 'no such host'), 0, 0.5);
+    expect(words(failed.state, 0)).toBe(
+      'Nothing answers at wss://game.example/ws. Is the server running? Retrying in 1 s.',
+    );
   });
 
   it('reports that it is back until the first state', () => {

@@ -48,18 +48,19 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     await redis.flushAll();
     logged.length = 0;
     closing = undefined;
-    gateway = await createGateway({
-      redis: url,
-      host: '127.0.0.1',
-      port: 0,
-      accounts: [ACCOUNT],
-      secret: 'a secret that is long enough for a test',
-      tokenLifetime: 60,
-      origins: ['https://page.example'],
-      clock: () => Date.now() / 1000,
-      nonce: () => 'nonce',
-      log: (line) => logged.push(line),
-    });
+    gateway = await createGateway(options());
+  });
+  const options = () => ({
+    redis: url,
+    host: '127.0.0.1',
+    port: 0,
+    accounts: [ACCOUNT],
+    secret: 'a secret that is long enough for a test',
+    tokenLifetime: 60,
+    origins: ['https://page.example'],
+    clock: () => Date.now() / 1000,
+    nonce: () => 'nonce',
+    log: (line: string) => void logged.push(line),
   });
   const close = () => (closing ??= gateway.close());
   afterEach(close);
@@ -137,8 +138,59 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     await redis.xAdd('touchdown:frames', '*', { frame: '{' });
     await expect.poll(() => gateway.health()['refused']).toBe(1);
     await expect.poll(() => logged).toContain('frame: not JSON');
-    await expect.poll(() => logged.join()).toMatch(/world\.bodies/);
+    await expect.poll(() => logged.join()).toMatch(/touchdown:world: .*bodies/);
     expect(gateway.health()).toMatchObject({ tick: null, ships: 0 });
+  });
+
+  it('names a key of another type in one line, keeps the last world, and goes on once it is mended', async () => {
+    await redis.set('touchdown:world', JSON.stringify(encodeHelloJson(HELLO)));
+    const client = connect();
+    await client.opened;
+    client.socket.send(JSON.stringify({ type: 'auth', token: (await login())['token'] }));
+    await writeFrame(7);
+    await expect.poll(() => gateway.health()['tick']).toBe(7);
+    for (const key of ['touchdown:frames', 'touchdown:inbox']) {
+      await redis.del(key);
+      await redis.set(key, 'x');
+    }
+    await expect.poll(() => logged).toContain('touchdown:frames: expected a stream');
+    client.socket.send(JSON.stringify({ type: 'control', thrust_level: 0.5 }));
+    await expect.poll(() => logged).toContain('touchdown:inbox: expected a stream');
+    expect(gateway.health()).toMatchObject({ tick: 7, ships: 1, clients: 1 });
+    await redis.del(['touchdown:frames', 'touchdown:inbox']);
+    // The gap in ticks makes the gateway ask for the events between them.
+    await redis.lPush('touchdown:events', 'x');
+    await writeFrame(9);
+    await expect.poll(() => gateway.health()['tick']).toBe(9);
+    await expect.poll(() => redis.xLen('touchdown:inbox')).toBe(1);
+    expect(logged.toSorted()).toEqual(
+      ['events', 'frames', 'inbox'].map((name) => `touchdown:${name}: expected a stream`),
+    );
+  });
+
+  it.each([
+    ['of another type', () => redis.lPush('touchdown:world', 'x'), 'touchdown:world: expected a string'],
+    ['no JSON', () => redis.set('touchdown:world', '{'), 'touchdown:world: not JSON'],
+    ['bytes', () => redis.set('touchdown:world', Buffer.from([0xff])), 'touchdown:world: not JSON'],
+    ['no world', () => redis.set('touchdown:world', '5'), /^touchdown:world: message: expected/],
+  ])('names a world definition that is %s in one line, and starts with it', async (_, spoil, line) => {
+    await close();
+    await spoil();
+    gateway = await createGateway(options());
+    closing = undefined;
+    await expect.poll(() => logged).toEqual([expect.stringMatching(line)]);
+    await redis.del('touchdown:world');
+    await redis.set('touchdown:world', JSON.stringify(encodeHelloJson(HELLO)));
+    const client = connect();
+    await client.opened;
+    client.socket.send(JSON.stringify({ type: 'auth', token: (await login())['token'] }));
+    await expect
+      .poll(async () => {
+        await writeFrame(7);
+        return client.kinds();
+      })
+      .toContain('welcome');
+    expect(logged).toHaveLength(1);
   });
 
   it.each([

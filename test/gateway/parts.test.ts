@@ -1,9 +1,10 @@
+import { SignJWT, UnsecuredJWT } from 'jose';
 import { expect, it } from 'vitest';
 import { createAccounts } from '../../src/gateway/accounts';
 import { shareFrame } from '../../src/gateway/redis/sharedFrame';
 import { readWorldFrame } from '../../src/gateway/redis/feed';
 import { shipsInSight } from '../../src/gateway/clients/interest';
-import { createBucket, MAX_STATE, take } from '../../src/gateway/clients/limits';
+import { consume, createBucket, MAX_STATE } from '../../src/gateway/clients/limits';
 import { readText } from '../../src/gateway/clients/messages';
 import { decodeFrameJson, decodeServerMessage, encodeFrameJson } from '../../src/wire';
 import { FRAME, SHIP } from '../wire/messages';
@@ -43,14 +44,30 @@ it('sends the own ship first, then the nearest within the radius', () => {
   expect(shipsInSight(ships, 1, { radius: 1000, maxShips: 10 })).toEqual([1, 2, 3]);
   expect(shipsInSight(ships, 1, { radius: 1000, maxShips: 2 })).toEqual([1, 2]);
   expect(shipsInSight(ships, -1, { radius: 1, maxShips: 3 })).toEqual([0, 1, 2]);
+  expect(shipsInSight(ships, 1, { radius: 300, maxShips: 10 })).toEqual([1, 2, 3]);
+  expect(shipsInSight(ships, 1, { radius: 299, maxShips: 10 })).toEqual([1, 2]);
+  // 2, 3, 6 → 7 m; from (−5, 4, 9) in any order of the axes.
+  const around = [
+    { ...SHIP, position: [-5, 4, 9] as const },
+    ...[[2, 3, 6] as const, [6, 2, -3] as const, [-3, -6, 2] as const].map((away) => ({
+      ...SHIP,
+      position: [away[0] - 5, away[1] + 4, away[2] + 9] as const,
+    })),
+  ];
+  expect(shipsInSight(around, 0, { radius: 7, maxShips: 10 })).toEqual([0, 1, 2, 3]);
+  expect(shipsInSight(around, 0, { radius: 6.99, maxShips: 10 })).toEqual([0]);
 });
 
 it('allows a burst, then a steady rate', () => {
   const bucket = createBucket({ perSecond: 2, burst: 3 }, 0);
-  expect([1, 1, 1, 1].map((count) => take(bucket, count, 0))).toEqual([true, true, true, false]);
-  expect(take(bucket, 1, 0.5)).toBe(true);
-  expect(take(bucket, 1, 0.5)).toBe(false);
-  expect(take(bucket, 4, 1000)).toBe(false);
+  expect([1, 1, 1, 1].map((count) => consume(bucket, count, 0))).toEqual([true, true, true, false]);
+  expect(consume(bucket, 1, 0.5)).toBe(true);
+  expect(consume(bucket, 1, 0.5)).toBe(false);
+  expect(consume(bucket, 4, 1000)).toBe(false);
+  expect(consume(bucket, 3, 1000)).toBe(true);
+  // A clock that is set back takes no tokens away.
+  expect(consume(bucket, 0, 999)).toBe(true);
+  expect(consume(bucket, 1, 999.5)).toBe(true);
 });
 
 it('checks name and password, and accepts its own tokens until they expire', async () => {
@@ -73,6 +90,41 @@ it('checks name and password, and accepts its own tokens until they expire', asy
   await expect(createAccounts([], { ...made, secret: 'x'.repeat(31) })).rejects.toThrow(
     'secret: expected at least 32',
   );
+});
+
+const NOW = Math.floor(Date.now() / 1000);
+const CLAIMS = { iss: 'touchdown', sub: 'p1', username: 'one', exp: NOW + 3600 };
+
+function signed(claims: object, alg = 'HS256', secret = SECRET): Promise<string> {
+  return new SignJWT({ ...claims }).setProtectedHeader({ alg }).sign(new TextEncoder().encode(secret));
+}
+
+it.each([
+  ['without a signature', () => new UnsecuredJWT({ ...CLAIMS }).encode()],
+  ['signed with another algorithm', () => signed(CLAIMS, 'HS512')],
+  ['signed with another secret', () => signed(CLAIMS, 'HS256', `${SECRET}!`)],
+  ['that has expired', () => signed({ ...CLAIMS, exp: NOW - 1 })],
+  ['that is not valid yet', () => signed({ ...CLAIMS, nbf: NOW + 1800 })],
+  ['that never expires', () => signed({ ...CLAIMS, exp: undefined })],
+  ['of another issuer', () => signed({ ...CLAIMS, iss: 'elsewhere' })],
+  ['for another audience', () => signed({ ...CLAIMS, aud: 'mail' })],
+  ['for several audiences', () => signed({ ...CLAIMS, aud: ['mail', 'log'] })],
+  ['for no player', () => signed({ ...CLAIMS, sub: '' })],
+  ['with a subject that is no text', () => signed({ ...CLAIMS, sub: 5 })],
+  [
+    'of 60 kB, signed with another secret',
+    () => signed({ ...CLAIMS, more: 'x'.repeat(60_000) }, 'HS256', 'y'),
+  ],
+  ['of 60 kB of dots', () => '.'.repeat(60_000)],
+  ['of no characters', () => ''],
+])('accepts no token %s', async (_, make) => {
+  const accounts = await createAccounts([], { secret: SECRET, lifetime: 60, now: () => NOW });
+  expect(await accounts.verify(await signed(CLAIMS))).toEqual({
+    playerId: 'p1',
+    username: 'one',
+    expires: NOW + 3600,
+  });
+  expect(await accounts.verify(await make())).toBeNull();
 });
 
 it('reads the valid parts of the service’s frame', () => {

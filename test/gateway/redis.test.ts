@@ -160,8 +160,9 @@ describe('the inbox', () => {
         return Promise.resolve('1-0');
       },
     };
-    const inbox = createInbox(redis as unknown as RedisClientType);
-    return { redis, inbox, seqs: () => written.map(({ seq }) => Number(seq)), written };
+    const logged: string[] = [];
+    const inbox = createInbox(redis as unknown as RedisClientType, (line) => logged.push(line));
+    return { redis, inbox, seqs: () => written.map(({ seq }) => Number(seq)), written, logged };
   }
 
   it('writes controls in the service’s format: vectors as lists, the quaternion w first', () => {

@@ -60,12 +60,46 @@ function checkCodes(): void {
     );
 }
 
+/** A frame, a hello and a clock that are refused, and the field and value that each build must name. */
+const REFUSED: readonly (readonly [(core: typeof Core) => string, field: string, value: string])[] = [
+  [(core) => reasonOf(core.decodeFrameJson({ tick: -3, ships: [] })), 'tick', '-3'],
+  [(core) => reasonOf(core.decodeFrameJson({ tick: 1, ships: 7 })), 'ships', '7'],
+  [(core) => reasonOf(core.decodeHelloJson({ settings: { contact_crash_speed: -7 } })), 'crash', '-7'],
+  [
+    (core) => {
+      const predictor = core.createLeanPredictor();
+      predictor.receive({ kind: 'frame', tick: 1.5, ships: [] }, 0);
+      return predictor.view(0).diagnosis.lastRefusal;
+    },
+    'frame.tick: ',
+    '1.5',
+  ],
+];
+
+const reasonOf = (result: Core.Result<unknown>): string => (result.ok ? '' : result.reason);
+
+/** Throws where a refusal of the build for production does not name what the other one does, or is not shorter. */
+function checkTexts(full: typeof Core, short: typeof Core): void {
+  for (const [refused, field, value] of REFUSED) {
+    const [long, brief] = [refused(full), refused(short)];
+    for (const text of [long, brief])
+      if (!text.includes(field) || !text.includes(value))
+        throw new Error(`expected ${field} and ${value} in “${text}”`);
+    if (!(brief.length < long.length)) throw new Error(`“${brief}” is not shorter than “${long}”`);
+  }
+  const heard: string[] = [];
+  const predictor = short.createPredictor({ onWarning: (code, message) => heard.push(code, message) });
+  predictor.advance(null, Number.NaN);
+  if (heard.join() !== 'now-not-finite,now-not-finite') throw new Error(`warned: ${heard.join(' ')}`);
+}
+
 const folder = process.argv[2]!;
 checkCodes();
 const load = async (file: string): Promise<typeof Core> =>
   (await import(/* @vite-ignore */ pathToFileURL(join(folder, file)).href)) as typeof Core;
 const asIs = await load('index.js');
 const forProduction = await load('production/index.js');
+checkTexts(asIs, forProduction);
 let count = 0;
 for (const options of FLIGHTS) {
   const flight = recordFlight(options);

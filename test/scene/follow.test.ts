@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { createRig as createCamera, placeEye, updateRig } from '../../src/scene/camera/cameraRig';
 import {
   createTurn,
-  layFrame,
+  createLocalFrame,
   type LocalFrame,
   rotate,
   toLocalPoint,
@@ -31,7 +31,7 @@ function watched(scenario: string, seconds: number) {
     if (!view.ready || ship === null) return;
     const body = view.bodies[ship.body]!;
     camera.distance = DISTANCE * ship.shipClass.groundContactOffset;
-    frame ??= layFrame(body, ship.ghostPosition, { elevation: 15, azimuth: 60 });
+    frame ??= createLocalFrame(body, ship.ghostPosition, { elevation: 15, azimuth: 60 });
     turnOfFrame(turn, frame, body.attitude);
     toLocalPoint(place, frame, turn, ship.meshPosition);
     const [wx, wy, wz] = body.angularVelocity;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { BODIES, LANDING_SITE, TERRAINS } from '../../src/dynamics';
-import { layFrame } from '../../src/scene/localFrame';
+import { createLocalFrame } from '../../src/scene/localFrame';
 import {
   CELLS,
   cornerFor,
@@ -22,7 +22,7 @@ const SUN = { elevation: 13, azimuth: 58 };
 function frameAt(metresOff: number) {
   const off = metresOff / MOON.radius;
   const place = [LANDING_SITE[0] + off, LANDING_SITE[1], LANDING_SITE[2] - off];
-  return layFrame(
+  return createLocalFrame(
     MOON,
     place.map((value) => value * MOON.radius),
     SUN,

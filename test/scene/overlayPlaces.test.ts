@@ -2,7 +2,7 @@ import { Mesh, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { ShipView, WorldView } from '../../src/prediction';
 import { NETWORK_PRESETS } from '../../src/scenarios';
-import { createTurn, layFrame, toLocalPoint, turnOfFrame } from '../../src/scene/localFrame';
+import { createTurn, createLocalFrame, toLocalPoint, turnOfFrame } from '../../src/scene/localFrame';
 import { createPlaces, placeOverlays } from '../../src/scene/overlays/overlayPlaces';
 import { createOverlays } from '../../src/scene/overlays/overlays';
 import type { ShipActor } from '../../src/scene/ships/shipActor';
@@ -14,7 +14,7 @@ const ALL = { ghost: true, errorSegment: true, contactNormal: true, footprint: t
 /** The overlays of a view, as the scene view places them; the eye is at the frame's origin. */
 function laidOver(view: WorldView, ship: ShipView) {
   const body = view.bodies[ship.body]!;
-  const frame = layFrame(body, ship.ghostPosition, SUN);
+  const frame = createLocalFrame(body, ship.ghostPosition, SUN);
   const turn = turnOfFrame(createTurn(), frame, body.attitude);
   const place = toLocalPoint(new Float64Array(3), frame, turn, ship.meshPosition);
   const mesh = new Mesh();

@@ -4,7 +4,7 @@ import { BODIES, LANDING_SITE, TERRAINS } from '../../src/dynamics';
 import { createRandom } from '../../src/scenarios';
 import { createSectors, visibleRange, writeSectors } from '../../src/scene/ground/groundSectors';
 import { isOverHorizon } from '../../src/scene/sky/horizon';
-import { layFrame, type LocalFrame } from '../../src/scene/localFrame';
+import { createLocalFrame, type LocalFrame } from '../../src/scene/localFrame';
 import {
   CELLS,
   cornerFor,
@@ -21,7 +21,7 @@ const SUN = { elevation: 13, azimuth: 58 };
 function frameOn(bodyName: string): LocalFrame {
   const body = BODIES.find(({ name }) => name === bodyName)!;
   const place = LANDING_SITE.map((value) => value * body.radius);
-  return layFrame(body, place, SUN);
+  return createLocalFrame(body, place, SUN);
 }
 
 function levelOf(frame: LocalFrame, spacing: number, x: number, z: number): TerrainLevel {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { BODIES, LANDING_SITE } from '../../src/dynamics';
-import { layFrame } from '../../src/scene/localFrame';
+import { createLocalFrame } from '../../src/scene/localFrame';
 import { lookOf } from '../../src/scene/sky/bodyLook';
 import { NIGHT_ELEVATION, underSun } from '../../src/scene/sky/underSun';
 
@@ -11,7 +11,7 @@ const RADIANS = Math.PI / 180;
 function inBodyAxes(name: string, sun: { azimuth: number; elevation: number }, at: typeof sun): number[] {
   const body = BODIES.find((each) => each.name === name)!;
   const place = LANDING_SITE.map((value) => value * body.radius);
-  const { axes } = layFrame(body, place, sun);
+  const { axes } = createLocalFrame(body, place, sun);
   const level = Math.cos(at.elevation * RADIANS);
   const local = [
     level * Math.cos(at.azimuth * RADIANS),

@@ -4,7 +4,7 @@ import { expectUnittest, HERE, isMissing } from './pythonTests';
 
 const MINUTES = 60_000;
 
-it.skipIf(isMissing('python')).each(['test_loading', 'test_simulation'])(
+it.skipIf(isMissing('python')).each(['test_loading', 'test_shortcuts', 'test_simulation'])(
   '%s.py passes',
   expectUnittest,
   2 * MINUTES,
@@ -28,6 +28,7 @@ it('every file is run, here or in service.long.test.ts', () => {
     'test_loading.py',
     'test_recorder.py',
     'test_redis.py',
+    'test_shortcuts.py',
     'test_simulation.py',
   ];
   expect(files.sort()).toEqual(known);

@@ -119,7 +119,7 @@ export function respawn(
 ): string | null {
   const at = rowOf(table, shipId);
   if (at < 0) return `shipId: no ship named ${shipId}`;
-  return spawnShip(table.rows, at, ship ?? overSameGround(table, at, bodies, world), world);
+  return spawnShip(table.rows, at, ship ?? aboveSameGround(table, at, bodies, world), world);
 }
 
 /**
@@ -151,7 +151,7 @@ export function kick(table: ShipTable, shipId: string, dv: Vec3, spin: Vec3): st
   return null;
 }
 
-function overSameGround(table: ShipTable, at: number, bodies: Float64Array, world: World): ShipInit {
+function aboveSameGround(table: ShipTable, at: number, bodies: Float64Array, world: World): ShipInit {
   const { ship, bodyAttitude } = table.entries[at / SHIP_STRIDE]!;
   const body = world.bodies.findIndex((candidate) => candidate.name === ship.referenceBody);
   const turn = compose(attitudeOf(bodies, body), inverse(bodyAttitude));

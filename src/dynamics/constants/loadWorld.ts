@@ -1,7 +1,7 @@
 import { err, ok, type Result } from '../result';
-import { type Body, loadBody } from './body';
-import { DEFAULT_SETTINGS, loadSettings, type Settings } from './settings';
-import { loadShipClass, type ShipClass } from './shipClass';
+import { type Body, type LoadedBody, loadBody } from './body';
+import { DEFAULT_SETTINGS, deriveSettings, faultOfSettings, type Settings } from './settings';
+import { deriveShipClass, faultOfShipClass, type ShipClass } from './shipClass';
 import type { TerrainHeight, World } from './world';
 
 /** The plain data of a world. */
@@ -14,17 +14,39 @@ export interface WorldData {
 }
 
 /** The world with derived constants, or an error that names the first invalid field: `settings.…`, `shipClasses[0]: …`, `bodies[0]: …`. */
-export function loadWorld({ settings, shipClasses, bodies, terrainHeight }: WorldData): Result<World> {
-  const loadedSettings = loadSettings(withoutConstants(settings));
-  if (!loadedSettings.ok) return err(`settings.${loadedSettings.reason}`);
-  const loadedClasses = loadEach('shipClasses', shipClasses, loadShipClass);
-  if (!loadedClasses.ok) return loadedClasses;
-  const loadedBodies = loadEach('bodies', bodies, loadBody);
-  if (!loadedBodies.ok) return loadedBodies;
+export function loadWorld(given: WorldData): Result<World> {
+  const reason = faultOfConstants(given);
+  return reason === null ? deriveWorld(given) : err(reason);
+}
+
+/** The settings and classes of a world. */
+export type WorldConstants = Pick<WorldData, 'settings' | 'shipClasses'>;
+
+/** The first invalid field of the settings and classes, or null. */
+export function faultOfConstants({ settings, shipClasses }: WorldConstants): string | null {
+  const reason = faultOfSettings(withoutConstants(settings));
+  if (reason !== null) return `settings.${reason}`;
+  if (shipClasses.length === 0) return 'shipClasses: expected at least one';
+  for (const [i, shipClass] of shipClasses.entries()) {
+    const fault = faultOfShipClass(shipClass);
+    if (fault !== null) return `shipClasses[${i}]: ${fault}`;
+  }
+  return null;
+}
+
+/** The same as loadWorld for settings and classes that are known to be valid; only the bodies are checked. */
+export function deriveWorld({ settings, shipClasses, bodies, terrainHeight }: WorldData): Result<World> {
+  if (bodies.length === 0) return err('bodies: expected at least one');
+  const loaded: LoadedBody[] = [];
+  for (const [i, body] of bodies.entries()) {
+    const checked = loadBody(body);
+    if (!checked.ok) return err(`bodies[${i}]: ${checked.reason}`);
+    loaded.push(checked.value);
+  }
   return ok({
-    settings: loadedSettings.value,
-    shipClasses: loadedClasses.value,
-    bodies: loadedBodies.value,
+    settings: deriveSettings(withoutConstants(settings)),
+    shipClasses: shipClasses.map(deriveShipClass),
+    bodies: loaded,
     terrainHeight,
   });
 }
@@ -32,19 +54,4 @@ export function loadWorld({ settings, shipClasses, bodies, terrainHeight }: Worl
 /** The settings alone, from a record that may be loaded and have derived constants. */
 function withoutConstants(given: Partial<Settings>): Partial<Settings> {
   return Object.fromEntries(Object.entries(given).filter(([name]) => Object.hasOwn(DEFAULT_SETTINGS, name)));
-}
-
-function loadEach<Given, Loaded>(
-  field: string,
-  given: readonly Given[],
-  load: (one: Given) => Result<Loaded>,
-): Result<readonly Loaded[]> {
-  if (given.length === 0) return err(`${field}: expected at least one`);
-  const loaded: Loaded[] = [];
-  for (const [i, one] of given.entries()) {
-    const checked = load(one);
-    if (!checked.ok) return err(`${field}[${i}]: ${checked.reason}`);
-    loaded.push(checked.value);
-  }
-  return ok(loaded);
 }

@@ -61,21 +61,31 @@ export interface LoadedSettings extends Settings {
 
 /** Loads settings; absent ones get their defaults. The error names the first setting out of range, and its range. */
 export function loadSettings(given: Partial<Settings>): Result<LoadedSettings> {
+  const reason = faultOfSettings(given);
+  return reason === null ? ok(deriveSettings(given)) : err(reason);
+}
+
+/** The first setting that is unknown or out of range, and its range; null if there is none. */
+export function faultOfSettings(given: Partial<Settings>): string | null {
   const s: Settings = { ...DEFAULT_SETTINGS, ...given };
   for (const [name, value] of Object.entries(s)) {
     if (name === 'touchdownAttitude' || name === 'surfaceNormal') continue;
-    if (!(name in DEFAULT_SETTINGS)) return err(`${name}: no such setting`);
+    if (!(name in DEFAULT_SETTINGS)) return `${name}: no such setting`;
     const reason = notFinite(name, value);
-    if (reason !== null) return err(reason);
+    if (reason !== null) return reason;
   }
-  const outOfRange = firstOutOfRange(s);
-  if (outOfRange !== null) return err(outOfRange);
+  return firstOutOfRange(s);
+}
+
+/** Settings known to be in range, with derived constants; absent ones get their defaults. */
+export function deriveSettings(given: Partial<Settings>): LoadedSettings {
+  const s: Settings = { ...DEFAULT_SETTINGS, ...given };
   const loaded = {
     ...s,
     cosSettleTilt: cosineOfDegrees(s.contactSettleTiltDeg),
     cosTippedAngle: cosineOfDegrees(s.contactTippedAngleDeg),
   };
-  return ok(Object.freeze({ ...loaded, constants: constantsOf(loaded) }));
+  return Object.freeze({ ...loaded, constants: constantsOf(loaded) });
 }
 
 /** Row of the settings, in the order of constantRows.ts. */

@@ -88,8 +88,18 @@ export const STANDARD_GRAVITY = 9.80665;
 
 /** The class with derived constants, or an error that names the invalid field and its range. */
 export function loadShipClass(given: ShipClass): Result<LoadedShipClass> {
+  const reason = faultOfShipClass(given);
+  return reason === null ? ok(deriveShipClass(given)) : err(reason);
+}
+
+/** The first invalid field of a class, and its range; null if there is none. */
+export function faultOfShipClass(given: ShipClass): string | null {
   const reason = malformed(given) ?? outOfRange(given);
-  if (reason !== null) return err(`ship class ${given.name}: ${reason}`);
+  return reason === null ? null : `ship class ${given.name}: ${reason}`;
+}
+
+/** A class known to be valid, with derived constants. */
+export function deriveShipClass(given: ShipClass): LoadedShipClass {
   const fullMass = given.dryMass + given.fuelCapacity;
   const inertia = Float64Array.from(given.inertiaTensor.flat());
   const inverseInertia = inverse(inertia);
@@ -111,7 +121,7 @@ export function loadShipClass(given: ShipClass): Result<LoadedShipClass> {
     rcsFlow: burnsRcs ? 1 / (given.rcsIsp * STANDARD_GRAVITY) : 0,
     forcePerTorque: turnsByRcs ? 1 / given.rcsLever : 0,
   };
-  return ok(Object.freeze({ ...loaded, constants: constantsOf(loaded) }));
+  return Object.freeze({ ...loaded, constants: constantsOf(loaded) });
 }
 
 /** Row of a class, in the order of constantRows.ts. */

@@ -15,7 +15,7 @@ export interface TerrainHeight {
 /** Reads a unit direction, body axes, from `point[0..2]` and writes the height, m, to `point[3]`. */
 export type HeightInPlace = (point: Float64Array, bodyName: string) => void;
 
-/** Everything a substep reads of the world. A substep changes only rows. */
+/** Everything a substep reads of the world. A world does not change: another setting, class or terrain is another world. */
 export interface World {
   readonly settings: LoadedSettings;
   readonly shipClasses: readonly LoadedShipClass[];

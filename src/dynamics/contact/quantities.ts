@@ -1,6 +1,6 @@
 import type { LoadedBody } from '../constants/body';
 import { SHIP_STRIDE } from '../state/layout';
-import type { TerrainHeight } from '../constants/world';
+import type { TerrainHeight, World } from '../constants/world';
 
 export { SMI_MASK } from '../state/smiMask';
 
@@ -8,7 +8,7 @@ export { SMI_MASK } from '../state/smiMask';
  * Quantities of one ship's substep (DYNAMICS, Quantities), in scratch doubles shared by the passes. A double that is passed to or
  * returned from a function that the engine does not inline is boxed; a double stored here is not.
  */
-export const quantities = new Float64Array(94);
+export const quantities = new Float64Array(96);
 
 /**
  * The first SHIP_STRIDE slots are a copy of the ship's row (layout.ts): the engine reads a constant index of a constant array without
@@ -90,6 +90,9 @@ export const RISE = 87;
 export const POINT = 89;
 /** Ω of the reference body, rad/s, ICRF; a copy, since slots here are read without a bounds check. */
 export const GROUND_SPIN = 91;
+/** Indices of the body and the ship class that `step` was filled for. */
+export const STEP_BODY = 94;
+export const STEP_CLASS = 95;
 
 /** Every slot and its length in doubles; a test checks that none overlap. */
 export const SLOTS: readonly (readonly [slot: number, length: number])[] = [
@@ -119,6 +122,8 @@ export const SLOTS: readonly (readonly [slot: number, length: number])[] = [
   [RISE, 2],
   [POINT, 2],
   [GROUND_SPIN, 3],
+  [STEP_BODY, 1],
+  [STEP_CLASS, 1],
 ];
 
 /** The same for the columns of `start` and `end`. */
@@ -137,11 +142,13 @@ export const SURFACE_SLOTS: readonly (readonly [slot: number, length: number])[]
   [GROUND_RADIUS, 1],
 ];
 
-/** Inputs of one ship's substep, other than its row. Refilled for each ship. */
+/** Inputs of one ship's substep, other than its row. */
 export interface Step {
-  /** Index of the ship's row. */
-  row: number;
+  /** Offset of the ship's row. */
+  at: number;
   bodies: Float64Array;
+  /** The world that the fields below are read from. */
+  world: World;
   /** Offset of the reference body's row. */
   bodyAt: number;
   body: LoadedBody;

@@ -1,4 +1,4 @@
-import { REFERENCE_BODY } from '../state/layout';
+import { REFERENCE_BODY, SHIP_STRIDE } from '../state/layout';
 import {
   BODY_NORMAL,
   COS_SLOPE,
@@ -125,10 +125,15 @@ const KEPT_STRIDE = 8;
 const kept = new Float64Array(KEPT * KEPT_STRIDE).fill(NaN);
 const keptTerrain: (TerrainHeight | null)[] = Array.from({ length: KEPT }, () => null);
 
+function keptIndex(step: Step): number {
+  return (step.at / SHIP_STRIDE) & (KEPT - 1);
+}
+
 /** Fills RISE from the cache; returns whether it was there. */
 function recallRises(surface: Float64Array, step: Step): boolean {
   const q = quantities;
-  const at = (step.row & (KEPT - 1)) * KEPT_STRIDE;
+  const index = keptIndex(step);
+  const at = index * KEPT_STRIDE;
   if (
     kept[at] !== surface[BODY_NORMAL] ||
     kept[at + 1] !== surface[BODY_NORMAL + 1] ||
@@ -136,7 +141,7 @@ function recallRises(surface: Float64Array, step: Step): boolean {
     kept[at + 3] !== surface[GROUND_RADIUS] ||
     kept[at + 4] !== step.shipClass[LEG_RADIUS]! ||
     kept[at + 5] !== q[REFERENCE_BODY] ||
-    keptTerrain[step.row & (KEPT - 1)] !== step.terrainHeight
+    keptTerrain[index] !== step.terrainHeight
   )
     return false;
   q[RISE] = kept[at + 6]!;
@@ -146,7 +151,8 @@ function recallRises(surface: Float64Array, step: Step): boolean {
 
 function keepRises(surface: Float64Array, step: Step): void {
   const q = quantities;
-  const at = (step.row & (KEPT - 1)) * KEPT_STRIDE;
+  const index = keptIndex(step);
+  const at = index * KEPT_STRIDE;
   kept[at] = surface[BODY_NORMAL]!;
   kept[at + 1] = surface[BODY_NORMAL + 1]!;
   kept[at + 2] = surface[BODY_NORMAL + 2]!;
@@ -155,5 +161,5 @@ function keepRises(surface: Float64Array, step: Step): void {
   kept[at + 5] = q[REFERENCE_BODY]!;
   kept[at + 6] = q[RISE]!;
   kept[at + 7] = q[RISE + 1]!;
-  keptTerrain[step.row & (KEPT - 1)] = step.terrainHeight;
+  keptTerrain[index] = step.terrainHeight;
 }

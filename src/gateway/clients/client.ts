@@ -13,7 +13,7 @@ import {
   MAX_QUEUED_EVENTS,
   MESSAGES,
   SLOW_TIMEOUT,
-  take,
+  consume,
 } from './limits';
 
 /** One connection and its state. Every queue in it is bounded. */
@@ -98,7 +98,7 @@ export function disconnect(client: Client, code: number, reason: string): void {
  * @returns whether the client was disconnected
  */
 export function countExcess(client: Client, now: number): boolean {
-  if (take(client.excess, 1, now)) return false;
+  if (consume(client.excess, 1, now)) return false;
   disconnect(client, CLOSE.flood, 'Too many messages');
   // Stops reading, so that the rest of a flood costs nothing.
   client.socket.pause();

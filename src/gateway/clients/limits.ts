@@ -58,8 +58,8 @@ export function createBucket(
   return { perSecond, burst, level: burst, at: now };
 }
 
-/** Takes `count` tokens if the bucket has them at `now` (wall s); returns whether it did. */
-export function take(bucket: Bucket, count: number, now: number): boolean {
+/** Consumes `count` tokens if the bucket has them at `now` (wall s); returns whether it did. */
+export function consume(bucket: Bucket, count: number, now: number): boolean {
   bucket.level = Math.min(bucket.burst, bucket.level + Math.max(0, now - bucket.at) * bucket.perSecond);
   bucket.at = now;
   if (bucket.level < count) return false;

@@ -2,14 +2,14 @@ import type { InputRecord, WorldEvent } from '../../wire';
 import { type Client, countExcess, disconnect } from './client';
 import type { GatewayState } from '../state';
 import type { OwnInput } from '../redis/inbox';
-import { CLOSE, MAX_BUFFERED, MAX_QUEUED_MESSAGES, take } from './limits';
+import { CLOSE, consume, MAX_BUFFERED, MAX_QUEUED_MESSAGES } from './limits';
 import { errorText, pongBytes, readBytes, readText, type ClientMessage } from './messages';
 import { sendHello, sendNewest } from './send';
 
 /** Handles a client's message. An invalid message can at worst close its own connection. */
 export function receive(gateway: GatewayState, client: Client, data: Buffer, isBinary: boolean): void {
   if (client.isClosing) return;
-  if (!take(client.messages, 1, gateway.options.clock())) {
+  if (!consume(client.messages, 1, gateway.options.clock())) {
     countExcess(client, gateway.options.clock());
     return;
   }
@@ -29,7 +29,7 @@ export function receive(gateway: GatewayState, client: Client, data: Buffer, isB
 export function receivePing(gateway: GatewayState, client: Client, data: Buffer): void {
   if (client.isClosing) return;
   const now = gateway.options.clock();
-  if (!take(client.messages, 1, now)) countExcess(client, now);
+  if (!consume(client.messages, 1, now)) countExcess(client, now);
   else if (client.socket.bufferedAmount <= MAX_BUFFERED) client.socket.pong(data);
 }
 
@@ -137,7 +137,7 @@ function answerPing(gateway: GatewayState, client: Client, id: number | null): v
 }
 
 function forwardInputs(gateway: GatewayState, client: Client, inputs: readonly InputRecord[]): void {
-  if (!take(client.inputs, inputs.length, gateway.options.clock())) {
+  if (!consume(client.inputs, inputs.length, gateway.options.clock())) {
     countExcess(client, gateway.options.clock());
     return;
   }

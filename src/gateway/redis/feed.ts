@@ -1,5 +1,7 @@
 import type { RedisClientType } from 'redis';
 import { decodeFrameJson, type InputAcknowledgement, type ServerFrame, type WorldEvent } from '../../wire';
+import { createEventReader } from './events';
+import { createFaults } from './faults';
 
 /** The world at one tick boundary, written by the service (REDIS.md) and checked here. */
 export interface WorldFrame {
@@ -22,7 +24,7 @@ export interface Removed {
 
 export interface FeedHandlers {
   readonly onFrame: (world: WorldFrame) => void;
-  /** Called with the reason for each invalid part. */
+  /** Called with the reason for each invalid part, and with each reason why Redis cannot be read. */
   readonly onRefused: (reason: string) => void;
 }
 
@@ -36,7 +38,6 @@ export interface Feed {
 }
 
 const FRAMES = 'touchdown:frames';
-const EVENTS = 'touchdown:events';
 /** Longest wait of a blocking read, wall ms. */
 const BLOCK = 1000;
 /** Wait after a failed read, wall ms. */
@@ -50,6 +51,8 @@ const BATCH = 16;
  * @param redis the connection for other requests
  */
 export function createFeed(reader: RedisClientType, redis: RedisClientType, handlers: FeedHandlers): Feed {
+  const faults = createFaults(handlers.onRefused);
+  const events = createEventReader(redis, faults);
   let newest: WorldFrame | null = null;
   let lastId = '';
   let stopped = false;
@@ -89,7 +92,7 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
     const world = readWorldFrame(text, handlers.onRefused);
     if (world === null) return;
     const gap = newest !== null && world.frame.tick > newest.frame.tick + 1;
-    const missed = gap ? await missedEvents(redis, newest!.frame.tick, world.frame) : [];
+    const missed = gap ? await events.missed(newest!.frame.tick, world.frame) : [];
     newest = missed.length === 0 ? world : withEvents(world, missed);
     handlers.onFrame(newest);
   }
@@ -99,41 +102,19 @@ export function createFeed(reader: RedisClientType, redis: RedisClientType, hand
     stop: () => {
       stopped = true;
     },
-    eventsSince: (tick, count) => readEvents(redis, tick, count),
+    eventsSince: events.since,
     async run() {
       while (!isStopped()) {
         try {
           await readOn();
+          faults.clear(FRAMES);
         } catch (error) {
-          if (!isStopped())
-            handlers.onRefused(`redis: ${error instanceof Error ? error.message : String(error)}`);
+          if (!isStopped()) faults.report(FRAMES, 'stream', error);
           await new Promise((resolve) => setTimeout(resolve, RETRY));
         }
       }
     },
   };
-}
-
-/** Events of the ticks that were skipped between two received frames. */
-async function missedEvents(
-  redis: RedisClientType,
-  tick: number,
-  { events }: ServerFrame,
-): Promise<readonly WorldEvent[]> {
-  const first = events[0]?.tick ?? Infinity;
-  return (await readEvents(redis, tick, 1000)).filter((event) => event.tick < first);
-}
-
-async function readEvents(
-  redis: RedisClientType,
-  tick: number,
-  count: number,
-): Promise<readonly WorldEvent[]> {
-  const entries = await redis.xRevRange(EVENTS, '+', '-', { COUNT: count });
-  const sent = (entries ?? []).reverse().map(({ message }) => message);
-  const decoded = decodeFrameJson({ tick: 2 ** 52, ships: [], events: sent });
-  const events = decoded.ok ? decoded.value.events : undefined;
-  return (events ?? []).filter((event) => event.tick >= tick);
 }
 
 type StreamReply = { messages: { id: string; message: Record<string, string> }[] }[];

@@ -1,6 +1,7 @@
 import type { RedisClientType } from 'redis';
 import { type Controls } from '../../dynamics';
 import { MAX_QUEUED_ENTRIES } from '../clients/limits';
+import { createFaults } from './faults';
 
 /** Sends inputs and commands to the service through one stream (REDIS.md, touchdown:inbox). */
 export interface Inbox {
@@ -29,8 +30,12 @@ const INBOX = 'touchdown:inbox';
 /** Approximate maximum length of the stream, entries. */
 const MAX_LENGTH = 100_000;
 
-/** Resends entries that Redis did not acknowledge; the service detects repeated inputs by session and sequence number. */
-export function createInbox(redis: RedisClientType): Inbox {
+/**
+ * Resends entries that Redis did not acknowledge; the service detects repeated inputs by session and sequence number.
+ * @param log takes why entries cannot be written although Redis is available, once for each reason
+ */
+export function createInbox(redis: RedisClientType, log: (line: string) => void): Inbox {
+  const faults = createFaults(log);
   const waiting: Entry[] = [];
   let dropped = 0;
   let isFlushing = false;
@@ -45,13 +50,22 @@ export function createInbox(redis: RedisClientType): Inbox {
   function send(entry: Entry): void {
     // A new entry must not overtake queued ones.
     if (waiting.length > 0 || !redis.isReady) enqueue(entry);
-    else write(entry).catch(() => enqueue(entry));
+    else
+      write(entry).catch((error: unknown) => {
+        report(error);
+        enqueue(entry);
+      });
   }
 
   async function write(entry: Entry): Promise<void> {
     await redis.xAdd(INBOX, '*', entry, {
       TRIM: { strategy: 'MAXLEN', strategyModifier: '~', threshold: MAX_LENGTH },
     });
+    faults.clear(INBOX);
+  }
+
+  function report(error: unknown): void {
+    if (redis.isReady) faults.report(INBOX, 'stream', error);
   }
 
   async function flush(): Promise<void> {
@@ -62,8 +76,9 @@ export function createInbox(redis: RedisClientType): Inbox {
         await write(waiting[0]!);
         waiting.shift();
       }
-    } catch {
-      // Redis is unavailable again; the rest stays queued.
+    } catch (error) {
+      // The rest stays queued.
+      report(error);
     } finally {
       isFlushing = false;
     }

@@ -39,7 +39,7 @@ export interface Choices {
   flight: string;
   /** Ships beside one's own. */
   fleet: number;
-  /** 1: the worker speaks like the game's own server of today: no hello, no fields 31–34, whole-tick inputs. */
+  /** 1: the worker speaks like the game's current server: no hello, no fields 31–34, whole-tick inputs. */
   legacy: number;
   /** 'auto': as fine as the machine keeps up with. 'fine': at its finest, however long a frame takes. */
   picture: PictureChoice;

@@ -20,7 +20,7 @@ const MAX_BYTES = 200e6;
 const SHIP_BYTES = 22_000;
 
 /** Wall seconds between two copies near the place last gone to, and how many there are: further steps back begin there. */
-const NEAR_INTERVAL = 0.25;
+const NEAR_INTERVAL = 0.5;
 const NEAR_COUNT = 8;
 
 /** Copies of the predictor along a recording, so that any moment of it is found from the nearest one before. */
@@ -39,7 +39,7 @@ export function createKeyframes({ entries, header }: Recording): Keyframes {
   const from = entries[0]?.at ?? 0;
   const to = entries.at(-1)?.at ?? from;
   const interval = Math.max(INTERVAL, (to - from) / mostKeyframes(entries));
-  const scout: Fed = {
+  let scout: Fed = {
     predictor: createPredictor({ ownShipId: header.shipId, plan: header.plan ?? [] }),
     next: 0,
     shownAt: from,
@@ -50,7 +50,10 @@ export function createKeyframes({ entries, header }: Recording): Keyframes {
   const readOne = () => {
     const isDrawn = entries[scout.next]!.kind === 'advanced';
     feed(scout, entries);
-    if (isDrawn && scout.shownAt - kept.at(-1)!.shownAt >= interval) kept.push(copyFed(scout));
+    if (!isDrawn || scout.shownAt - kept.at(-1)!.shownAt < interval) return;
+    // Goes on with the copy: what reads ahead is compiled for the records that a step back begins with.
+    kept.push(scout);
+    scout = copyFed(scout);
   };
   return {
     prepare(isOver) {

@@ -12,8 +12,11 @@ const HANDLED_LATE = 0.25;
 export function wallAt(session: Session, now: number): number {
   const { clock, pings, warn } = session;
   if (!Number.isFinite(now)) {
-    const advice = 'now must be finite wall seconds, e.g. performance.now() / 1000. The call was ignored.';
-    warn('now-not-finite', advice, { now });
+    warn(
+      'now-not-finite',
+      'now must be finite wall seconds, e.g. performance.now() / 1000. The call was ignored.',
+      { now },
+    );
     return Number.NaN;
   }
   const back = clock.updatedAt - (now + session.setBack);

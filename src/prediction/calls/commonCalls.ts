@@ -35,7 +35,10 @@ export function commonCalls(session: Session, incoming: Incoming) {
 
 function isListener({ warn }: Session, listener: unknown): boolean {
   if (typeof listener === 'function') return true;
-  const message = `onEvent: expected one function (notice) for all events, got ${describe(listener)}.`;
-  warn('listener-not-function', message, { listener });
+  warn(
+    'listener-not-function',
+    `onEvent: expected one function (notice) for all events, got ${describe(listener)}.`,
+    { listener },
+  );
   return false;
 }

@@ -3,7 +3,6 @@ import { createChecks } from '../checks/checks';
 import { advanceFrame } from '../frameLoop';
 import { lastControls, takeInputs } from '../inputs/sending';
 import type { Session } from '../session';
-import { receiveRest } from '../snapshots/receiveSnapshot';
 import { viewAt } from '../viewAt';
 import type { Predictor } from './api';
 import { wallAt } from './callTime';
@@ -47,7 +46,7 @@ function callsOf(session: Session, life: Life, { checks, receiveAt, decodePendin
       if (Number.isNaN(at)) return;
       decodePending?.(session, receiveAt);
       session.features.pingIfDue?.(session.pings, at);
-      receiveRest(session.sim, session.receiver);
+      session.features.parts?.receiveRest(session.sim, session.receiver);
       if (session.sim.newestTick >= 0) advanceFrame(session, controls, at);
     },
     view(now) {

@@ -1,6 +1,6 @@
 import { describe } from '../checks/describe';
 import { changeOwnShip, dropShip, expectTeleport, type Removal } from '../ownership';
-import { announce, type Session } from '../session';
+import type { Session } from '../session';
 import type { Predictor } from './api';
 import type { Life } from './life';
 
@@ -24,7 +24,7 @@ export function shipCalls(session: Session, life: Life) {
           { shipId, reason },
         );
       dropShip(session, shipId, reason);
-      announce(session);
+      session.features.announce?.(session);
     },
     teleported(shipId) {
       if (isOf('teleported', shipId)) expectTeleport(session, shipId);
@@ -35,7 +35,9 @@ export function shipCalls(session: Session, life: Life) {
 /** Whether a JavaScript caller's `shipId` is one; warns if not. */
 export function isShipId({ warn }: Session, call: string, shipId: unknown): boolean {
   if (typeof shipId === 'string') return true;
-  const message = `${call}: expected a ship id (a string), got ${describe(shipId)}. The call was ignored.`;
-  warn('ship-id', message, { field: call, value: shipId });
+  warn('ship-id', `${call}: expected a ship id (a string), got ${describe(shipId)}. The call was ignored.`, {
+    field: call,
+    value: shipId,
+  });
   return false;
 }

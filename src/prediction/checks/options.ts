@@ -1,8 +1,8 @@
-import { DEFAULT_SETTINGS, loadControls } from '../../dynamics';
+import { DEFAULT_SETTINGS, faultOfConstants, loadControls } from '../../dynamics';
 import { DEFAULT_SMOOTHING, SMOOTHING_BOUNDS } from '../drawn/ease';
 import type { ScheduledInput } from '../inputs/inputs';
 import type { BodyState } from '../../wire';
-import type { Defaults, PredictorOptions } from '../options';
+import { defaultWorld, type Defaults, type PredictorOptions } from '../options';
 import { checkBodies } from './bodies';
 import { checkClasses } from './shipClasses';
 import type { Warn } from '../warnings';
@@ -85,6 +85,8 @@ export function requireOptions(given: PredictorOptions): void {
   requireMembers('options', EXPECTED, given);
   requireMembers('options.defaults', EXPECTED_DEFAULTS, given.defaults ?? {});
   requireSmoothing(given.smoothing ?? {});
+  const fault = faultOfConstants(defaultWorld(given.defaults));
+  if (fault !== null) throw new RangeError(`defaults: ${fault}`);
 }
 
 function requireMembers(path: string, members: Expected, given: object): void {

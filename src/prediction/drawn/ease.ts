@@ -1,3 +1,5 @@
+import { dot } from './rotation';
+
 /**
  * The drawn offset of one ship (PREDICTION, Drawing): drawn = predicted + offset, and the offset goes to zero as a
  * critically damped spring by elapsed time. In the reference body's axes, so that it turns with the ground.
@@ -181,10 +183,6 @@ function take(value: Float64Array, rate: Float64Array, dt: number, cap: number):
 
 const step = new Float64Array(3);
 const speed = new Float64Array(3);
-
-function dot(a: Float64Array, b: Float64Array): number {
-  return a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
-}
 
 function length(v: Float64Array): number {
   return Math.sqrt(dot(v, v));

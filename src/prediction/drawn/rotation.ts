@@ -51,6 +51,11 @@ export function rotateBack(out: Float64Array, q: Float64Array, v: Float64Array):
   out[2] = z + qw * tz + (qx * ty - qy * tx);
 }
 
+/** a · b */
+export function dot(a: Float64Array, b: Float64Array): number {
+  return a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
+}
+
 /** out = a × b; `out` is neither. */
 export function cross(out: Float64Array, a: Float64Array, b: Float64Array): void {
   out[0] = a[1]! * b[2]! - a[2]! * b[1]!;

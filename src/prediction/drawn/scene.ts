@@ -44,6 +44,7 @@ export function createScene(sim: Simulation, springs: Springs): Scene {
       staleAfter: 0,
       confirms: 0,
       paused: false,
+      bodiesKnown: true,
       timeline,
       serverTick: Number.NaN,
       serverWall: 0,

@@ -3,6 +3,7 @@ import {
   CRASHED,
   EVENT_NAMES,
   FLYING,
+  IMPACT_SPEED,
   POSITION,
   ATTITUDE,
   readControls,
@@ -29,6 +30,8 @@ export interface Instant {
   /** s after a server state for which it confirms the drawn pose: until the next one is due, plus the lead. */
   confirms: number;
   paused: boolean;
+  /** Where the bodies are is known. */
+  bodiesKnown: boolean;
   /** Gives the server wall s of tick boundaries. */
   readonly timeline: Timeline;
   /** The last tick looked up in this view, and its wall s: most ships arrive in one frame. */
@@ -38,6 +41,8 @@ export interface Instant {
 
 /** Shortest time for which CONTACT is shown, s. */
 const CONTACT_DWELL = 0.3;
+/** m/s: a slower rebound is no bounce. */
+const HOP = 0.3;
 /** How long a withdrawn prediction is shown, s. */
 export const WITHDRAWN_SHOWN = 2;
 /** Consecutive sends without a ship after which its state is stale. */
@@ -63,9 +68,13 @@ export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from
   out.withdrawn = at.now < status.withdrawnUntil ? WITHDRAWN[status.withdrawn]! : '';
 }
 
-/** The predicted surface state; for a ship that bounces where the dynamics keep it on the ground, flight until the server's states end it. */
+/**
+ * The predicted surface state; for a touch that bounces where the dynamics keep the ship on the ground, flight until the server's states
+ * end it.
+ */
 export function surfaceStateOf({ fit, serverRow }: Track, rows: Float64Array, from: number): number {
-  return fit.bounces && serverRow[SURFACE_STATE] === FLYING ? FLYING : rows[from + SURFACE_STATE]!;
+  const bounces = fit.bounces && fit.rebound * rows[from + IMPACT_SPEED]! > HOP;
+  return bounces && serverRow[SURFACE_STATE] === FLYING ? FLYING : rows[from + SURFACE_STATE]!;
 }
 
 /** Fills in the ship's newest server state, for its ghost, if there is a newer one. Returns whether there is. */
@@ -98,7 +107,9 @@ function provenanceOf(out: ShipView, track: Track, crashes: boolean, at: Instant
   const crashed = track.serverRow[CRASHED] === 1;
   const silent = at.now - track.seenAt > at.staleAfter || out.missingSends >= STALE_SENDS;
   if (!at.paused && !crashed && silent) return 'stale';
-  if (crashed || track.policy !== 'predict') return 'confirmed';
+  if (crashed) return 'confirmed';
+  if (!at.bodiesKnown && !track.exact) return 'predicted';
+  if (track.policy !== 'predict') return 'confirmed';
   const { state, serverWall } = track.picture.status;
   if (!at.paused && at.present - serverWall > at.confirms) return 'predicted';
   const { fit, serverRow } = track;

@@ -112,6 +112,7 @@ export function fillView(shown: Shown, sim: Simulation): void {
   at.staleAfter = staleAfter(sim.cadence, view.tickRate);
   at.confirms = sendSeconds(sim.cadence, view.tickRate) + lead + GRACE;
   at.paused = view.paused;
+  at.bodiesKnown = sim.bodiesKnown;
   scene.playback.at = heard - sendSeconds(sim.cadence, view.tickRate);
   scene.playback.timeScale = view.timeScale;
   // The timeline may have changed since the last view: forget the looked-up tick.

@@ -1,10 +1,12 @@
 import { CRASHED, IMPACT_SPEED, LANDED, REFERENCE_BODY, SURFACE_STATE, TIPPED } from '../../dynamics';
 import { knowsBoundary } from '../snapshots/bodies/bodyTrack';
+import { dot } from '../drawn/rotation';
 import { sameCommand } from '../inputs/command';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import { actsBetween } from '../inputs/scheduledInput';
 import { spanOf } from '../time/timeline';
+import { groundOfBounce } from './bounceHeight';
 import { fitGround, type Guess } from './fit';
 import {
   agePlaces,
@@ -51,7 +53,7 @@ export function learnGround(sim: Simulation, track: Track, news: GroundNews): vo
   const [nx, ny, nz] = seen.direction as unknown as [number, number, number];
   const known = offsetAt(ground.places, body.name, nx, ny, nz);
   const old = placeAt(ground, body.name, seen.direction);
-  const guess = outright(news, known);
+  const guess = offsetOfState(news, known);
   const evidence = evidenceOf(sim, track, news);
   if (evidence === null) {
     if (guess !== null) keepPlace(ground, placeOf(news, body, { old, offset: guess }));
@@ -66,19 +68,27 @@ export function learnGround(sim: Simulation, track: Track, news: GroundNews): vo
   const place = placeOf(news, body, { old, offset: known });
   const guesses = guessesOf(news, known, old);
   const cost = fitGround({ sim, track, evidence, seen, place }, ground, guesses, !isResting(row));
-  const explains = cost < before * BETTER && (seen.grounded || cost < EXPLAINED_IN_FLIGHT);
+  const explains = cost < before * BETTER && (seen.grounded ? !isAbove(place) : cost < EXPLAINED_IN_FLIGHT);
   if (explains) keepPlace(ground, place);
-  else if (guess !== null) keepPlace(ground, placeOf(news, body, { old, offset: guess }));
+  else {
+    const offset = guess ?? groundOfBounce(sim, evidence, known);
+    if (offset !== null) keepPlace(ground, placeOf(news, body, { old, offset }));
+  }
   if (!news.hasImpact && seen.grounded) recallImpact(sim, track, evidence, row);
 }
 
 /** The server's ground above ours, m, from a state alone; null for nothing new. */
-function outright({ row }: GroundNews, known: number): number | null {
+function offsetOfState({ row }: GroundNews, known: number): number | null {
   const above = seen.feet - known;
   const depth = seen.gravity / 100;
   if (isResting(row)) return Math.abs(above + depth) > RESTING ? seen.feet + depth : null;
   if (seen.grounded) return above > ABOVE ? seen.feet + (Math.abs(seen.climb) < 0.5 ? depth : 0) : null;
   return above < -BELOW && seen.climb < 0 ? seen.feet : null;
+}
+
+/** Whether a grounded ship is in the air above a ground. */
+function isAbove({ offset }: GroundPlace): boolean {
+  return seen.feet - offset > ABOVE;
 }
 
 function isResting(row: Float64Array): boolean {
@@ -153,10 +163,6 @@ function confirmPlace(place: GroundPlace, now: number): void {
   place.states += 1;
   place.seenAt = now;
   place.weight = 1;
-}
-
-function dot(a: Float64Array, b: Float64Array): number {
-  return a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
 }
 
 const seen: Observation = createObservation();

@@ -128,7 +128,21 @@ export function acknowledge(
   now: number,
 ): InputOutcome {
   if (acknowledgement !== null) inputs.acknowledges = true;
-  const last = inputs.acknowledges ? acknowledgement : inferred(inputs, tick, inForce);
+  if (!inputs.acknowledges) return inferApplied(inputs, tick, inForce, now);
+  return settle(inputs, tick, acknowledgement, now);
+}
+
+/** The same for a server that does not acknowledge inputs: the ship's controls `inForce` show which were applied. */
+export function inferApplied(
+  inputs: Inputs,
+  tick: number,
+  inForce: StateControls,
+  now: number,
+): InputOutcome {
+  return settle(inputs, tick, inferred(inputs, tick, inForce), now);
+}
+
+function settle(inputs: Inputs, tick: number, last: InputAcknowledgement | null, now: number): InputOutcome {
   let outcome: InputOutcome = 'asPredicted';
   if (last !== null && last.seq > inputs.applied) {
     const stored = inputs.records.find((candidate) => candidate.record.seq === last.seq);

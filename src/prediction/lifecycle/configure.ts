@@ -8,7 +8,7 @@ import { changeWorld } from './changeWorld';
 
 /** Changes members of the running world. Returns an error that names the invalid field; then nothing changes. */
 export function configure(session: Session, changes: Partial<Defaults> | null): Result<null> {
-  const { config, terrains, warn } = session;
+  const { config, warn } = session;
   if (typeof changes !== 'object' || changes === null)
     return refuse(
       session,
@@ -19,7 +19,7 @@ export function configure(session: Session, changes: Partial<Defaults> | null): 
   checkDefaults(warn, 'configure', changes);
   const settings = { ...config.settings, ...changes.settings };
   const next = { ...config, ...changes, settings };
-  const world = loadGiven(next, terrains);
+  const world = loadGiven(next, session);
   if (!world.ok) return refuse(session, world.reason);
   changeWorld(session, world.value, next);
   return ok(null);

@@ -41,12 +41,10 @@ function copyOf<T>(value: T, copies: Map<object, object>): T {
     for (const item of value) (copy as Set<unknown>).add(copyOf(item, copies));
     return copy;
   }
-  const copy = remember(value, Array.isArray(value) ? new Array(value.length) : {}, copies) as Record<
-    string,
-    unknown
-  >;
-  for (const [key, item] of Object.entries(value)) copy[key] = copyOf(item, copies);
-  return copy as T;
+  const copy = remember(value, Array.isArray(value) ? [...(value as unknown[])] : { ...value }, copies);
+  for (const [key, item] of Object.entries(value))
+    if (typeof item === 'object') (copy as Record<string, unknown>)[key] = copyOf(item, copies);
+  return copy;
 }
 
 function remember<T extends object>(value: T, copy: object, copies: Map<object, object>): T {

@@ -142,7 +142,7 @@ export function connectPredictor(channel: Channel): RemotePredictor {
     waiting: null,
   };
   const post = (message: ToWorker): void => channel.postMessage(message);
-  channel.onmessage = ({ data }: { readonly data: unknown }) => hear(link, data as FromWorker, post);
+  channel.onmessage = ({ data }: { readonly data: unknown }) => receive(link, data as FromWorker, post);
   return { ...callsThrough(post), ...ownCalls(link, post, channel) };
 }
 
@@ -192,7 +192,7 @@ function ownCalls(link: Link, post: (message: ToWorker) => void, channel: Channe
   } satisfies Partial<RemotePredictor>;
 }
 
-function hear(link: Link, answer: FromWorker, post: (message: ToWorker) => void): void {
+function receive(link: Link, answer: FromWorker, post: (message: ToWorker) => void): void {
   if (answer.kind === 'snapshot') {
     link.requests.shift()?.(answer.snapshot);
     return;

@@ -27,6 +27,8 @@ export interface PredictorSnapshot {
   readonly nextSeq: number;
   /** Ships that are not predicted, by id. */
   readonly policies?: Readonly<Record<string, Policy>>;
+  /** False if the frame's bodies are assumed: game time that was not sent passed before it. */
+  readonly bodiesKnown?: boolean;
 }
 
 /** The messages that make up a snapshot, kept as they arrive. */
@@ -88,6 +90,7 @@ export function snapshotOf(session: Session, kept: Kept, now: number): Predictor
     inputs: records.map(({ record }) => record).filter(({ seq }) => seq > applied),
     nextSeq,
     policies: Object.fromEntries(receiver.policies),
+    bodiesKnown: sim.bodiesKnown,
   };
 }
 
@@ -110,12 +113,13 @@ export function restoreSnapshot(session: Session, kept: Kept, given: unknown, no
     session.warn('restore-refused', `snapshot.${reason}. Nothing was changed.`, { reason });
     return err(`snapshot.${reason}`);
   }
-  const { hello, frame, age, ownShipId, inputs, nextSeq, policies } = given as PredictorSnapshot;
+  const { hello, frame, age, ownShipId, inputs, nextSeq, policies, bodiesKnown } = given as PredictorSnapshot;
   resetSession(session);
   session.receiver.policies.clear();
   for (const [shipId, policy] of Object.entries(policies ?? {})) changePolicy(session, shipId, policy);
   for (const message of [hello, frame])
     if (message !== null) receiveAndKeep(session, kept, message, now - age);
+  if (bodiesKnown === false) session.sim.bodiesKnown = false;
   changeOwnShip(session, ownShipId);
   const own = session.sim.inputs;
   for (const record of inputs) {

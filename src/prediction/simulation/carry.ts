@@ -11,7 +11,7 @@ import {
   VELOCITY,
   type World,
 } from '../../dynamics';
-import { compose, cross, fromRotationVector, quaternion, take, vector } from '../drawn/rotation';
+import { compose, cross, dot, fromRotationVector, quaternion, take, vector } from '../drawn/rotation';
 
 /**
  * Extrapolates a ship's motion like a client without the dynamics: in flight it falls without thrust; on the ground it keeps moving along
@@ -78,10 +78,6 @@ function slideAlong(dt: number): void {
 
 /** m/m. Steeper descents are impacts, not slopes. */
 const MAX_SLOPE = 0.3;
-
-function dot(a: Float64Array, b: Float64Array): number {
-  return a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
-}
 
 const place = vector();
 const velocity = vector();

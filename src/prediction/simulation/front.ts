@@ -1,7 +1,6 @@
 import { NO_EVENT, REFERENCE_BODY, SHIP_STRIDE } from '../../dynamics';
 import { turnPicture } from '../drawn/changeBody';
 import { easeUprighting } from '../drawn/snap/uprighting';
-import { predict } from '../events';
 import { applyDue, seek } from '../inputs/scheduledInput';
 import type { Position } from '../time/timeline';
 import { keepLog } from '../touchdown/touchdownRing';
@@ -54,7 +53,7 @@ function stepShips(sim: Simulation): void {
 }
 
 function report(sim: Simulation, track: Track): void {
-  happened(sim, track, step.event, step, track.pass);
+  sim.features.events?.happened(sim, track, step.event, step, track.pass);
   easeUprighting(sim, track, step);
 }
 
@@ -79,10 +78,4 @@ function keepBoundary(sim: Simulation): void {
     keep(track.history, front.tick, fleet.front, track.at);
     if (track.log !== null) keepLog(track.log, front.tick, track.log.front);
   }
-}
-
-/** Handles an event that the dynamics reported in the substep that begins at `at`, in simulation pass `pass` of this ship. */
-export function happened(sim: Simulation, track: Track, event: number, at: Position, pass: number): void {
-  const notice = predict(track.ledger, event, at, sim.timeline, pass);
-  if (notice !== null) sim.notices.push(notice);
 }

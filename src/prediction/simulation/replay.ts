@@ -3,7 +3,6 @@ import { easeCorrection, holdDrawn, seeDrawn } from '../drawn/correction';
 import { uprights } from '../drawn/snap/uprighting';
 import { indexOf } from '../time/timeline';
 import { keepLog } from '../touchdown/touchdownRing';
-import { happened } from './front';
 import { keep } from './history';
 import type { Simulation } from './simulation';
 import { createRowStep, enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
@@ -78,7 +77,7 @@ const step = createRowStep();
 function replaySubstep(sim: Simulation, track: Track): void {
   enterSubstep(step, sim);
   stepRow(step, sim, track);
-  if (step.event !== NO_EVENT) happened(sim, track, step.event, step, track.replayPass);
+  if (step.event !== NO_EVENT) sim.features.events?.happened(sim, track, step.event, step, track.replayPass);
   if (track.log !== null) sim.features.touchdown?.logSubstep(track.log.replayed, sim.world, step);
   if (!leaveSubstep(step, sim)) return;
   keep(track.history, step.tick, step.rows, track.at);

@@ -5,15 +5,18 @@ import {
   type World,
   writeBodyMotion,
 } from '../../dynamics';
+import type { InputAcknowledgement, PartialFrame, ServerFrame, StateControls } from '../../wire';
 import type * as interpolate from '../drawn/interpolate';
 import type { Diagnosis, EventNotice } from '../drawn/view';
 import type { GroundNews } from '../ground/lastState';
 import { withoutGround } from '../ground/unknownGround';
-import { createInputs, type Inputs, type ScheduledInput } from '../inputs/inputs';
+import { createInputs, type InputOutcome, type Inputs, type ScheduledInput } from '../inputs/inputs';
 import type * as bodySpin from '../snapshots/bodies/bodySpin';
 import { type BodySpin, createBodySpin } from '../snapshots/bodies/bodySpin';
 import { type BodyTrack, createBodyTrack } from '../snapshots/bodies/bodyTrack';
 import type { measureGameTime } from '../snapshots/gameTimeMeter';
+import type { Receiver } from '../snapshots/receiver';
+import type { describeDifference } from '../snapshots/reconcile/compare';
 import type { Judged } from '../snapshots/reconcile/lawErrors';
 import { type Cadence, createCadence } from '../time/cadence';
 import { createTimeline, type Position, type Timeline } from '../time/timeline';
@@ -22,6 +25,10 @@ import type { Adopted } from '../touchdown/touchdownRing';
 import type { Warn } from '../warnings';
 import { ringLength } from './history';
 import { createFleet, type Fleet, type Track } from './track';
+
+/** Takes something of a frame; received at client wall second `now`. */
+type TakeFrame = (sim: Simulation, receiver: Receiver, frame: ServerFrame) => void;
+type TakeFrameAt = (sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number) => void;
 
 /** What only some clients need of a predictor, each with the functions that the simulation calls for it. */
 export interface Features {
@@ -32,6 +39,39 @@ export interface Features {
     readonly logSubstep: typeof touchdownLog.logSubstep;
     readonly fillTouchdown: typeof touchdownLog.fillTouchdown;
   };
+  /** Predicted, sent and settled events. */
+  readonly events?: {
+    readonly happened: (sim: Simulation, track: Track, event: number, at: Position, pass: number) => void;
+    readonly confirmEvents: TakeFrame;
+    readonly settleEvents: TakeFrameAt;
+    readonly confirmEnd: (sim: Simulation, track: Track) => void;
+  };
+  /** Bodies that a frame does not have whole. */
+  readonly completeBodies?: (
+    sim: Simulation,
+    receiver: Receiver,
+    frame: ServerFrame,
+  ) => readonly BodyMotion[] | null;
+  /** Checks records that no decoder of this library made. */
+  readonly shipFault?: (given: unknown) => string | null;
+  /** Snapshots in parts. */
+  readonly parts?: {
+    readonly takeShips: TakeFrame;
+    readonly takeOlder: TakeFrameAt;
+    readonly takePart: TakeFrameAt;
+    readonly receiveRest: (sim: Simulation, receiver: Receiver) => void;
+  };
+  /** Acknowledged inputs; without, the controls in the states show which were applied. */
+  readonly acknowledgements?: {
+    readonly acknowledgementOf: (sim: Simulation, frame: PartialFrame) => InputAcknowledgement | null;
+    readonly takeAcknowledgement: (
+      sim: Simulation,
+      receiver: Receiver,
+      inForce: StateControls,
+    ) => InputOutcome;
+  };
+  /** Both values of a field that differed. */
+  readonly describeDifference?: typeof describeDifference;
   readonly measureGameTime?: typeof measureGameTime;
   readonly spin?: {
     readonly spunMotion: typeof bodySpin.spunMotion;
@@ -62,6 +102,8 @@ export interface Simulation {
   groundless: World;
   readonly timeline: Timeline;
   bodies: BodyTrack;
+  /** False once game time that was not sent passed while no bodies were sent: where they are is unknown until a frame has them. */
+  bodiesKnown: boolean;
   /** The measured spin of each body, in the world's order. */
   readonly spins: readonly BodySpin[];
   readonly fleet: Fleet;
@@ -114,6 +156,7 @@ export function createSimulation(
     groundless: withoutGround(world),
     timeline: createTimeline(world.settings.contactLongestSubstep),
     bodies: createBodyTrack(start, ringLength(1), 100),
+    bodiesKnown: true,
     spins: world.bodies.map(createBodySpin),
     fleet: createFleet(),
     inputs: createInputs(plan),

@@ -1,5 +1,5 @@
 import { err, loadTiming, ok, type Result } from '../../dynamics';
-import type { InputAcknowledgement, PartialFrame, ServerFrame } from '../../wire';
+import type { PartialFrame, ServerFrame } from '../../wire';
 import type { Simulation } from '../simulation/simulation';
 import { spanOf } from '../time/timeline';
 import type { GameTimeMeter } from './gameTimeMeter';
@@ -43,7 +43,7 @@ export function completeFrame(
     bodies: known.bodies,
     paused: given.paused ?? false,
     events: recordsOf(sim, 'events', given.events),
-    lastInput: acknowledgementOf(sim, given),
+    lastInput: sim.features.acknowledgements?.acknowledgementOf(sim, given) ?? null,
   });
 }
 
@@ -67,16 +67,4 @@ function recordsOf<T>(sim: Simulation, name: string, value: readonly T[] | undef
 
 function isRecord(value: unknown): boolean {
   return typeof value === 'object' && value !== null;
-}
-
-/** The acknowledgement, or null if it is absent or invalid: an input cannot be applied after the frame that acknowledges it. */
-function acknowledgementOf(sim: Simulation, { tick, lastInput }: PartialFrame): InputAcknowledgement | null {
-  if (lastInput === undefined || lastInput === null) return null;
-  const { seq, tick: applied, substep, margin } = lastInput;
-  const isWhole = [seq, applied, substep].every(Number.isSafeInteger) && Number.isFinite(margin);
-  if (isWhole && (applied < tick || (applied === tick && substep === 0))) return lastInput;
-  sim.counters.acknowledgementsRefused += 1;
-  sim.counters.lastRefusal = `frame.lastInput.tick: expected at most the frame's tick, ${tick}, got ${String(applied)}`;
-  sim.warn('acknowledgement-refused', sim.counters.lastRefusal, { lastInput, tick });
-  return null;
 }

@@ -26,7 +26,7 @@ export function receivePending(
   queue.push({ message, now, at });
   if (queue.length <= MAX_QUEUED) return;
   events.push(...queue.shift()!.message.events());
-  if (events.length > MAX_KEPT_EVENTS) events.splice(0, events.length - MAX_KEPT_EVENTS);
+  events.splice(0, Math.max(0, events.length - MAX_KEPT_EVENTS));
   session.counters.framesSuperseded += 1;
 }
 

@@ -1,6 +1,5 @@
 import type { Hello, PartialFrame, Pong, ServerFrame, ServerMessage } from '../../wire';
-import { changeWorld } from '../lifecycle/changeWorld';
-import { announce, type Session } from '../session';
+import { beginWorld, type Session } from '../session';
 import { completeFrame } from './completeFrame';
 import { receiveSnapshot, refuse } from './receiveSnapshot';
 import { loadGiven } from './worldConfig';
@@ -38,14 +37,17 @@ function takeFrame(session: Session, given: PartialFrame, now: number): void {
   if (session.sim.newestTick < 0 && !counters.helloReceived && frame.bodies.length > 0)
     beginWithBodies(session, given, frame);
   receiveSnapshot(session.sim, receiver, frame, now);
-  announce(session);
+  session.features.announce?.(session);
 }
 
 /** Without a hello the bodies of the frames replace the defaults. */
 function beginWithBodies(session: Session, given: PartialFrame, frame: ServerFrame): void {
   const config = { ...session.config, bodies: frame.bodies };
-  const loaded = loadGiven(config, session.terrains);
-  if (loaded.ok) changeWorld(session, loaded.value, config);
+  const loaded = loadGiven(config, session);
+  if (loaded.ok) {
+    session.config = config;
+    beginWorld(session, loaded.value, config.bodies);
+  }
   // The world's game time is measured from this frame on, not from the next.
   session.sim.features.measureGameTime?.(session.meter, { ...given, ...frame }, null);
 }

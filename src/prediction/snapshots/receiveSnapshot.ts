@@ -9,8 +9,7 @@ import { spanOf } from '../time/timeline';
 import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { classifySnapshot, type SnapshotKind } from './classify';
 import { forgetPast, type Receiver } from './receiver';
-import { settleEvents, confirmEvents } from './settleEvents';
-import { takeOlder, takePart, takeRest, takeStates } from './takeStates';
+import { takeStates } from './takeStates';
 import { followTempo } from './tempo';
 
 /** Sends without a ship after which it is removed, if it has also been silent for FADE_SECONDS. */
@@ -24,13 +23,13 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
   if (kind === 'jump') startAnew(sim, receiver);
   receiver.seen[frame.tick % receiver.seen.length] = frame.tick;
   if (kind === 'older') {
-    confirmEvents(sim, receiver, frame);
-    takeOlder(sim, receiver, frame, now);
+    sim.features.events?.confirmEvents(sim, receiver, frame);
+    sim.features.parts?.takeOlder(sim, receiver, frame, now);
     return;
   }
   receiver.acceptedAt = now;
   receiver.jump.count = 0;
-  if (kind === 'part') takePart(sim, receiver, frame, now);
+  if (kind === 'part') sim.features.parts?.takePart(sim, receiver, frame, now);
   else {
     noteSend(sim.cadence, sim.newestTick < 0 ? 0 : frame.tick - sim.newestTick);
     followTempo(sim, receiver, frame, now);
@@ -41,14 +40,8 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
     fitRings(sim, { tickRate: frame.tickRate, substeps, ships });
     takeStates(sim, receiver, frame, now);
   }
-  settleEvents(sim, receiver, frame, now);
+  sim.features.events?.settleEvents(sim, receiver, frame, now);
   if (kind !== 'part') fade(sim, now);
-}
-
-/** Takes some of the new ships that the newest frame still has, with their events. */
-export function receiveRest(sim: Simulation, receiver: Receiver): void {
-  const frame = takeRest(sim, receiver);
-  if (frame !== null) confirmEvents(sim, receiver, frame);
 }
 
 /** Counts a frame by its kind. Returns whether it is used. */
@@ -82,6 +75,7 @@ export function refuse({ counters, warn }: Simulation, reason: string): void {
 /** Starts a new timeline: earlier predictions cannot be compared with later states. */
 export function startAnew(sim: Simulation, receiver: Receiver): void {
   sim.counters.resyncs += 1;
+  sim.bodiesKnown = false;
   sim.timeline.spans.length = 0;
   forgetRecords(sim.inputs);
   forgetSchedule(receiver.clock);

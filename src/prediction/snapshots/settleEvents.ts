@@ -1,11 +1,33 @@
-import { EVENT_NAMES } from '../../dynamics';
+import { EVENT_DESTROYED, EVENT_NAMES } from '../../dynamics';
 import type { ServerFrame } from '../../wire';
 import { WITHDRAWN_SHOWN } from '../drawn/status';
 import type { EventNotice } from '../drawn/view';
-import { confirm, confirmByState, knownEvent, pruneLedger, settleByAgreement, retract } from '../events';
+import {
+  confirm,
+  confirmByState,
+  knownEvent,
+  predict,
+  pruneLedger,
+  retract,
+  settleByAgreement,
+} from '../events';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
+import type { Position } from '../time/timeline';
 import type { Receiver } from './receiver';
+
+/** Handles an event that the dynamics reported in the substep that begins at `at`, in simulation pass `pass` of this ship. */
+export function happened(sim: Simulation, track: Track, event: number, at: Position, pass: number): void {
+  const notice = predict(track.ledger, event, at, sim.timeline, pass);
+  if (notice !== null) sim.notices.push(notice);
+}
+
+/** The caller says that the ship was destroyed. That has no stamp: it counts as of the newest tick. */
+export function confirmEnd(sim: Simulation, { ledger }: Track): void {
+  if (sim.newestTick < 0) return;
+  const notice = confirm(ledger, EVENT_DESTROYED, { tick: sim.newestTick, substep: 0 }, sim.timeline);
+  if (notice !== null) sim.notices.push(notice);
+}
 
 /** Each event of the server confirms a predicted one or is reported by itself. Unknown types and unknown ships are ignored. */
 export function confirmEvents(sim: Simulation, receiver: Receiver, { events }: ServerFrame): void {

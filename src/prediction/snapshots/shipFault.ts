@@ -25,7 +25,8 @@ export function shipFault(given: unknown): string | null {
   return null;
 }
 
-function areNumbers(value: unknown, count: number): boolean {
+/** Whether `value` is an array of `count` finite numbers. */
+export function areNumbers(value: unknown, count: number): boolean {
   if (!Array.isArray(value) || value.length !== count) return false;
   for (let k = 0; k < count; k++) if (!Number.isFinite(value[k])) return false;
   return true;

@@ -13,7 +13,7 @@ import { loadGiven, sameWorld } from './worldConfig';
 export function takeHello(session: Session, hello: Hello, now: number): void {
   const { receiver, counters } = session;
   if (!isCompatible(session, hello)) return;
-  const loaded = loadGiven(hello, session.terrains);
+  const loaded = loadGiven(hello, session);
   if (!loaded.ok) {
     refuse(session.sim, `hello.${loaded.reason}`);
     return;
@@ -21,8 +21,11 @@ export function takeHello(session: Session, hello: Hello, now: number): void {
   const ownShipId = typeof hello.shipId === 'string' ? hello.shipId : '';
   changeOwnShip(session, ownShipId);
   const { sim } = session;
-  if (sim.newestTick >= 0 && counters.helloReceived && !continuesTimeline(session, hello, now))
+  if (sim.newestTick >= 0 && counters.helloReceived && !continuesTimeline(session, hello, now)) {
     startAnew(sim, receiver);
+    // The hello has them.
+    sim.bodiesKnown = true;
+  }
   if (!counters.helloReceived) beginWorld(session, loaded.value, hello.bodies);
   else if (!sameWorld(session.config, hello)) changeWorld(session, loaded.value, hello);
   session.config = hello;

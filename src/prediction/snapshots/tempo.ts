@@ -22,6 +22,8 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
   // The present pose is of the old tempo.
   if (changes) for (const track of sim.fleet.tracks) if (track.mode === 'stepping') hold(sim, track);
   if (changes) followTickRate(sim.cadence, spanOf(timeline, frame.tick).tickRate, frame.tickRate);
+  // At which of the ticks since the last frame the tempo changed is not sent.
+  if (changes && frame.tick > sim.newestTick + 1) sim.bodiesKnown = false;
   setTempo(timeline, frame.tick, frame, resumes || frame.tick > sim.newestTick ? wall : null);
   if (first) sampleDown(receiver.clock, 0, now);
   if (changes) retime(sim, frame.tick);

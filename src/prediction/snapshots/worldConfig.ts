@@ -1,8 +1,9 @@
 import {
   type Body,
   type BodyMotion,
+  deriveWorld,
   err,
-  loadWorld,
+  type faultOfConstants,
   type Result,
   type Settings,
   type ShipClass,
@@ -19,29 +20,34 @@ export interface WorldConfig {
   readonly terrain: string;
 }
 
+/** What a world is loaded with: the terrains that it may name, and the check of its settings and classes if the page loads it. */
+export interface WorldLoader {
+  readonly terrains: Readonly<Record<string, TerrainHeight>>;
+  readonly features: { readonly faultOfConstants?: typeof faultOfConstants };
+}
+
 /** The configured world with its constants, or an error that names the invalid field. */
-export function loadConfig(
-  config: WorldConfig,
-  terrains: Readonly<Record<string, TerrainHeight>>,
-): Result<World> {
+export function loadConfig(config: WorldConfig, { terrains, features }: WorldLoader): Result<World> {
   if (!Object.hasOwn(terrains, config.terrain)) return err(`terrain: no terrain named ${config.terrain}`);
-  return loadWorld({ ...config, terrainHeight: terrains[config.terrain]! });
+  const reason = features.faultOfConstants?.(config) ?? null;
+  return reason === null ? deriveWorld({ ...config, terrainHeight: terrains[config.terrain]! }) : err(reason);
 }
 
 /** The same for a config from a JavaScript caller or a server: missing members do not throw. */
-export function loadGiven(
-  config: WorldConfig,
-  terrains: Readonly<Record<string, TerrainHeight>>,
-): Result<World> {
+export function loadGiven(config: WorldConfig, loader: WorldLoader): Result<World> {
   try {
-    return loadConfig(config, terrains);
+    return loadConfig(config, loader);
   } catch (error) {
     return err(`world: ${String(error)}`);
   }
 }
 
+interface Named {
+  readonly bodies: readonly { readonly name: string }[];
+}
+
 /** Whether two worlds have the same bodies, in the same order: then rows of one are valid in the other, except for the class. */
-export function sameBodies(a: World, b: World): boolean {
+export function sameBodies(a: Named, b: Named): boolean {
   return a.bodies.length === b.bodies.length && a.bodies.every(({ name }, i) => name === b.bodies[i]!.name);
 }
 

@@ -89,11 +89,11 @@ export function flyRun(mission: Mission, inputs: readonly RunInput[]): Result<Ru
   };
   const { ship } = flight;
   const began = ship[FUEL]!;
-  const run = flightRun(flight, timing, untilFlown(scheduleOf(loaded.value.inputs), scheduleOf(inputs)));
+  const run = flightRun(flight, timing, planUntilFlown(scheduleOf(loaded.value.inputs), scheduleOf(inputs)));
   const ticks = Math.ceil(scenario.duration / timing.tickSeconds);
   for (let tick = 0; tick < ticks; tick++) {
     runTick(flight, tick, run);
-    takePad(flight, pads, mission);
+    recordPad(flight, pads, mission);
     if (ship[CRASHED] === 1 || flight.padsReached === pads.length) break;
   }
   const outcome =
@@ -125,14 +125,14 @@ function flightRun(flight: Flight, timing: Timing, schedule: Schedule): TickRun 
     },
     after(event) {
       if (!flies) return;
-      watchTouch(flight, event);
+      recordTouch(flight, event);
       flight.substeps++;
     },
   };
 }
 
 /** The scenario's own inputs until the pilot's first one, as the authority applies them. */
-function untilFlown(plan: Schedule, pilot: Schedule): Schedule {
+function planUntilFlown(plan: Schedule, pilot: Schedule): Schedule {
   let isFlown = false;
   return (tick, substep) => {
     const planned = isFlown ? null : plan(tick, substep);
@@ -142,7 +142,7 @@ function untilFlown(plan: Schedule, pilot: Schedule): Schedule {
   };
 }
 
-function watchTouch(flight: Flight, event: number): void {
+function recordTouch(flight: Flight, event: number): void {
   const { ship } = flight;
   if (event === EVENT_TIPPED) flight.hasTipped = true;
   if (event === EVENT_CONTACT) {
@@ -154,7 +154,7 @@ function watchTouch(flight: Flight, event: number): void {
 }
 
 /** Called at a tick boundary, where body and ship are at the same instant. */
-function takePad(flight: Flight, pads: readonly Vec3[], mission: Mission): void {
+function recordPad(flight: Flight, pads: readonly Vec3[], mission: Mission): void {
   const { ship, bodies } = flight;
   if (ship[SURFACE_STATE] !== LANDED || flight.touching === null) return;
   const at = rotate(inverse(bodyAttitude(bodies)), vectorAt(ship, POSITION));

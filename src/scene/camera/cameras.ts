@@ -46,7 +46,7 @@ export function aimCamera(
   if (view === 'follow') raiseOverPad(rig, place);
   if (view === 'chase') turnBehind(rig, actor.velocity, seconds);
   if (view !== 'free') updateRig(rig, actor.place, actor.velocity, seconds);
-  if (view === 'cockpit') sitInside(camera, rig, place);
+  if (view === 'cockpit') placeInCockpit(camera, rig, place);
   else if (view === 'above') lookDown(rig, actor);
   else placeEye(rig, place.groundY);
   setNear(camera, view === 'cockpit' ? HULL_REACH * actor.height : NEAR);
@@ -88,7 +88,7 @@ const forward = new Float64Array(3);
 const upward = new Float64Array(3);
 
 /** Body axes: x right, y ahead of a pilot whose ship stands on the ground, z up. */
-function sitInside(camera: PerspectiveCamera, rig: MovingRig, { actor }: CameraPlace): void {
+function placeInCockpit(camera: PerspectiveCamera, rig: MovingRig, { actor }: CameraPlace): void {
   rotateByQuat(forward, actor.turn, [0, Math.cos(COCKPIT_DIP), -Math.sin(COCKPIT_DIP)]);
   rotateByQuat(upward, actor.turn, [0, 0, 1]);
   for (let k = 0; k < 3; k++) {

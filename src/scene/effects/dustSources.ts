@@ -37,7 +37,7 @@ export function raiseDust(dust: Dust, state: DustState, ship: DustyShip, seconds
   state.wasGrounded = ship.grounded;
   if (seconds <= 0) return;
   const speed = Math.hypot(ship.velocity[0]!, ship.velocity[2]!);
-  if (ship.grounded && speed > 0.6) plough(dust, state, ship, Math.min(speed * 18, 260) * seconds);
+  if (ship.grounded && speed > 0.6) raiseSlidingDust(dust, state, ship, Math.min(speed * 18, 260) * seconds);
   if (ship.thrust > 0) sweep(dust, state, ship, seconds);
 }
 
@@ -62,7 +62,7 @@ function splash(dust: Dust, state: DustState, ship: DustyShip): void {
 }
 
 /** Along a slide: from the feet, forward and to the sides. */
-function plough(dust: Dust, state: DustState, ship: DustyShip, grains: number): void {
+function raiseSlidingDust(dust: Dust, state: DustState, ship: DustyShip, grains: number): void {
   state.owed += grains;
   for (; state.owed >= 1; state.owed--) {
     atFoot(ship, state, Math.floor(roll(state) * 4));

@@ -155,7 +155,7 @@ function addCone(out: Arrays, { at, blows, radius, length, spread, nozzle }: Con
 }
 
 /** Whether any nozzle may burn: most ships of a fleet are at rest. */
-export function asksForPower(controls: Controls): boolean {
+export function commandsPower(controls: Controls): boolean {
   const { rotationInput: turn, translationInput: push } = controls;
   return (
     controls.thrustLevel > 0 ||
@@ -205,7 +205,7 @@ export function writePower(
 }
 
 /** The command of pilot or rate damping to the thrusters about body x, y, z. */
-export function askedTurn(out: Float64Array, controls: Controls, bodyRates: ArrayLike<number>): void {
+export function commandedTurn(out: Float64Array, controls: Controls, bodyRates: ArrayLike<number>): void {
   const [x, y, z] = controls.rotationInput;
   const damped = controls.attitudeHold || controls.attitudeMode !== 'none';
   const byHand = x !== 0 || y !== 0 || z !== 0;
@@ -221,7 +221,7 @@ export function askedTurn(out: Float64Array, controls: Controls, bodyRates: Arra
 }
 
 /** A mesh that draws with its own nozzles' powers. */
-export function firePower(mesh: Mesh<BufferGeometry, ShaderMaterial>, power: Float32Array): void {
+export function showPower(mesh: Mesh<BufferGeometry, ShaderMaterial>, power: Float32Array): void {
   mesh.onBeforeRender = () => {
     (mesh.material.uniforms['power']!.value as Float32Array).set(power);
     mesh.material.uniformsNeedUpdate = true;

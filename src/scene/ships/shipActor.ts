@@ -2,7 +2,7 @@ import { type BufferGeometry, type Group, Mesh, type ShaderMaterial, Vector3 } f
 import { quat } from 'gl-matrix';
 import type { ShipView, WorldView } from '../../prediction';
 import { createDustState, type DustState } from '../effects/dustSources';
-import { askedTurn, asksForPower, buildJets, canBurn, firePower, writePower } from '../effects/jets';
+import { commandedTurn, commandsPower, buildJets, canBurn, showPower, writePower } from '../effects/jets';
 import { type LocalFrame, rotate, toLocalPoint, type Turn } from '../localFrame';
 import { buildShip } from './models/models';
 import type { ShipMaterial } from './shipMaterial';
@@ -92,7 +92,7 @@ export function createActor(ship: ShipView, shipResources: ShipResources, inAir:
   jets.visible = false;
   // Most are at rest and not lit: placeJets moves those in sight.
   jets.matrixAutoUpdate = false;
-  firePower(jets, power);
+  showPower(jets, power);
   return {
     className: ship.shipClass.name,
     model,
@@ -166,12 +166,12 @@ export function poseActor(
   // Not before the server has confirmed it.
   if (ship.shownState === 'crashed') crumple(actor, ship.shipClass.groundContactOffset);
 
-  const burns = !ship.crashed && canBurn(ship.shipClass, ship.fuel) && asksForPower(ship.controls);
+  const burns = !ship.crashed && canBurn(ship.shipClass, ship.fuel) && commandsPower(ship.controls);
   actor.jets.visible = burns;
   if (!burns) return;
   quat.conjugate(inverse, ship.attitude);
   rotateByQuat(rates, inverse, ship.angularVelocity);
-  askedTurn(asked, ship.controls, rates);
+  commandedTurn(asked, ship.controls, rates);
   if (ship.surfaceContactState === 'landed') asked.fill(0);
   actor.jets.visible = writePower(actor.power, actor.model, ship.controls, asked);
 }

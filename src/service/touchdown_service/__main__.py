@@ -7,11 +7,8 @@ import signal
 import sys
 from pathlib import Path
 
-from redis import Redis
-from redis.backoff import NoBackoff
-from redis.retry import Retry
-
 from .ground.terrain import with_whole_paths
+from .runtime.connection import connect
 from .runtime.lease import LeaseHeld
 from .runtime.service import Service
 from .validation.limits import Refusal
@@ -24,13 +21,9 @@ HELD = 3
 def main() -> None:
     args = parse_arguments()
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(message)s", stream=sys.stderr)
-    # A command that Redis may have executed is never retried; the service reads Redis's state instead.
-    # Invalid UTF-8 must not end the service: the decoded text is refused by name.
-    as_text = {"decode_responses": True, "encoding_errors": "replace"}
-    client = Redis.from_url(args.redis, **as_text, socket_timeout=5, retry=Retry(NoBackoff(), 0))
     try:
         definition = with_whole_paths(json.loads(args.world.read_text(encoding="utf-8")), args.world.resolve().parent)
-        service = Service(client, definition, args.lease_ms)
+        service = Service(connect(args.redis), definition, args.lease_ms)
         for name in (signal.SIGTERM, signal.SIGINT):
             signal.signal(name, lambda *_: service.stop())
         service.run()

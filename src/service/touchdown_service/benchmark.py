@@ -30,7 +30,8 @@ SITE = [0.6, 0.48, 0.64]
 # name, place, state, controls
 CASES: list[tuple[str, dict, str, Controls]] = [
     ("coasting", {"height": 2000, "velocity": [30, 0, 0]}, FLYING, NEUTRAL),
-    ("under power", {"height": 2000}, FLYING, Controls(thrust_level=0.3, attitude_mode="radial")),
+    ("coasting near ground", {"height": 300, "velocity": [30, 0, 0]}, FLYING, NEUTRAL),
+    ("under power", {"height": 300}, FLYING, Controls(thrust_level=0.3, attitude_mode="radial")),
     ("in contact", {"height": -0.016, "velocity": [30, 0, 0]}, CONTACT, NEUTRAL),
     ("held upright", {"height": -0.016, "velocity": [30, 0, 0]}, CONTACT, Controls(attitude_mode="radial")),
     ("tipped", {"height": -0.016, "velocity": [5, 0, 0], "tilt": 88}, TIPPED, NEUTRAL),
@@ -55,7 +56,7 @@ def figures():
         for name, place, state, controls in CASES:
             yield f"{name}, {terrain_name}", time_substeps(definition, terrain, Config(), (place, state, controls))
     slopes = Config(surface_normal="terrain")
-    place, state, controls = CASES[2][1:]
+    place, state, controls = CASES[3][1:]
     yield "in contact, hills, own slope", time_substeps(definition, rough, slopes, (place, state, controls))
     yield "hash and frame of a ship", time_records(definition)
 

@@ -2,27 +2,22 @@
 
 from .law.actuators import actuate
 from .law.flight import fly
-from .law.forces import (
-    accelerate,
-    along_ground,
-    cap_rise,
-    depth_of,
-    friction,
-    is_nearly_at_rest,
-    move,
-    settles_without_bounce,
-    spring_force,
-)
+from .law.forces import accelerate, cap_rise, friction, is_nearly_at_rest, load_of, move, spring_force
 from .law.moments import ground_torque
 from .law.pose import spin_by_torque, turn_attitude_with_ground, turn_by_spin, turn_place_with_ground
 from .law.rest import rest_on_side
-from .law.surface import Ground, Place, ground_of, over_ground, penetration_of, place_of
-from .law.transitions import End, leave_or_change, touch_or_crash
-from .law.vectors import Mat3, Quat, Vec3, add, axes_of, dot, up_of
+from .law.surface import Ground, OverGround, Place, ground_of, over_ground, penetration_of, place_of
+from .law.transitions import leave_or_change, touch_or_crash
+from .law.vectors import NOTHING, Mat3, Quat, Vec3, add, axes_of, dot, up_of
 from .models import FLYING, LANDED, TIPPED, BodyStep, Ship, World
 
-NOTHING: Vec3 = (0.0, 0.0, 0.0)
 NO_AXES: Mat3 = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+
+# What the actuators do in a substep: place at its start, the ship's axes, torque (body axes), thrust (ICRF), mass and
+# the factor of inertia from before the burn.
+Acting = tuple[Place, Mat3, Vec3, Vec3, float, float]
+# Where a ship is over which ground, and its velocity over it.
+Where = tuple[Place, Ground, OverGround]
 
 
 def substep(ship: Ship, world: World, step: BodyStep, dt: float) -> str:
@@ -33,16 +28,20 @@ def substep(ship: Ship, world: World, step: BodyStep, dt: float) -> str:
     controls = ship.controls
     if state == LANDED and not controls.pushes:  # 1, 2: without thrust there is no lift
         return stay_landed(ship, step[2])
-    standing = ship.standing
-    if standing and standing[0] is ship.position:
-        place = standing[2]
+    ended = ship.ended
+    if ended and ended[0] is ship.position:
+        place = ended[1]
     else:
         place = place_of(ship.position, ship.body.mu)
-    mass = ship.ship_class.dry_mass + ship.fuel
-    if state == FLYING and not controls.is_active:
-        return fly_substep(ship, world, step, (place, NO_AXES, NOTHING, NOTHING, mass, 1.0), dt)
+    cls = ship.ship_class
+    mass = cls.dry_mass + ship.fuel
+    if not controls.is_active:
+        if state == FLYING:
+            return fly_substep(ship, world, step, (place, NO_AXES, NOTHING, NOTHING, mass, 1.0), dt)
+        factor = cls.inertia_at_dry + cls.inertia_per_fuel * ship.fuel
+        return ground_substep(ship, world, step, (place, axes_of(ship.attitude), NOTHING, NOTHING, mass, factor), dt)
+    factor = cls.inertia_at_dry + cls.inertia_per_fuel * ship.fuel
     axes = axes_of(ship.attitude)
-    factor = ship.ship_class.inertia_at_dry + ship.ship_class.inertia_per_fuel * ship.fuel
     torque, thrust = actuate(ship, axes, place, factor, dt)  # 1
     if thrust is not NOTHING and is_lifted(ship, thrust, place, mass * place[4]):
         state = ship.surface_contact_state  # 2
@@ -52,14 +51,6 @@ def substep(ship: Ship, world: World, step: BodyStep, dt: float) -> str:
     if state == FLYING:
         return fly_substep(ship, world, step, acting, dt)
     return ground_substep(ship, world, step, acting, dt)
-
-
-# What the actuators do in a substep: place at its start, the ship's axes, torque (body axes), thrust (ICRF), mass and
-# the factor of inertia from before the burn.
-Acting = tuple[Place, Mat3, Vec3, Vec3, float, float]
-# What a grounded ship's substep ended on: the position and the body's axes for which it holds, the place, the ground.
-# The next substep begins with the same numbers, unless something else has moved the ship.
-Standing = tuple[Vec3, Mat3, Place, Ground]
 
 
 def stay_landed(ship: Ship, turn: Quat) -> str:
@@ -86,11 +77,14 @@ def is_lifted(ship: Ship, thrust: Vec3, place: Place, weight: float) -> bool:
 def fly_substep(ship: Ship, world: World, step: BodyStep, acting: Acting, dt: float) -> str:
     """Steps 5 to 9 in the air."""
     place, axes, torque, thrust, mass, factor = acting
-    body_axes, body_end_axes, _ = step
     end_place = fly(ship, place, thrust, mass, dt)  # 5
+    ship.ended = (ship.position, end_place)
     if torque is not NOTHING:
         spin_by_torque(ship, torque, axes, dt / factor)  # 6
     turn_by_spin(ship, 0.5 * dt)
+    if end_place[3] - ship.ground_contact_offset > ship.body.highest_ground:
+        return ""
+    body_axes, body_end_axes, _ = step
     end_penetration = penetration_of(ship, world, body_end_axes, end_place)
     if not end_penetration > 0:
         return ""
@@ -103,20 +97,17 @@ def fly_substep(ship: Ship, world: World, step: BodyStep, acting: Acting, dt: fl
 def ground_substep(ship: Ship, world: World, step: BodyStep, acting: Acting, dt: float) -> str:
     """Steps 3 to 9 in contact or tipped."""
     place, axes, torque, thrust, mass, factor = acting
-    body_axes, body_end_axes, body_turn = step
-    config = world.config
+    _, body_end_axes, body_turn = step
+    where = where_stands(ship, world, step[0], place)
+    penetration = where[1][0]
     weight = mass * place[4]
-    ground = standing_ground(ship, body_axes)
-    penetration = ground[0] if ground else penetration_of(ship, world, body_axes, place)
-    force = 0.0
     pinned = False
     if penetration > 0:
-        ground = ground or ground_of(ship, world, body_axes, place, penetration)
-        pinned, force = press(ship, world, (mass, weight, dt), thrust, (place, ground))  # 3, 4, 5
-        torque = add(torque, ground_torque(ship, config, axes, (place, ground), (force, weight, factor)))  # 6
+        pinned, force = press(ship, world, (mass, weight, dt), thrust, where)  # 3, 4, 5
+        moment = ground_torque(ship, world.config, axes, where, (force, weight, factor))
+        torque = moment if torque is NOTHING else add(torque, moment)  # 6
     else:
-        no_ground = (penetration, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
-        accelerate(ship, weight, dt / mass, (0.0, NOTHING, thrust), (place, no_ground))  # 5
+        accelerate(ship, weight, dt / mass, (0.0, NOTHING, thrust), where)  # 5
         move(ship, dt)
     spin_by_torque(ship, torque, axes, dt / factor)
     turn_by_spin(ship, 0.5 * dt)
@@ -125,42 +116,42 @@ def ground_substep(ship: Ship, world: World, step: BodyStep, acting: Acting, dt:
     end_place = place_of(ship.position, ship.body.mu)
     end_penetration = penetration_of(ship, world, body_end_axes, end_place)
     end_ground = ground_of(ship, world, body_end_axes, end_place, end_penetration)
-    ship.standing = (ship.position, body_end_axes, end_place, end_ground)
     over = over_ground(ship, end_ground)
+    ship.ended = (ship.position, end_place, ship.velocity, body_end_axes, end_ground, over)
     up = up_of(ship.attitude)
     if ship.surface_contact_state == TIPPED:
         up = rest_on_side(ship, end_ground[1:4], up, dt)  # 8
-    end = End(end_place, end_ground, over, up, mass, thrust)
-    return leave_or_change(ship, config, end, (end_penetration - penetration, dt))  # 9
+    end = (end_place, end_ground, over, up, mass, thrust)
+    return leave_or_change(ship, world.config, end, (end_penetration - penetration, dt))  # 9
 
 
-def standing_ground(ship: Ship, body_axes: Mat3) -> Ground | None:
-    standing = ship.standing
-    if standing and standing[0] is ship.position and standing[1] is body_axes:
-        return standing[3]
-    return None
+def where_stands(ship: Ship, world: World, body_axes: Mat3, place: Place) -> Where:
+    """A substep begins with the numbers on which the last one ended, unless something else has moved the ship."""
+    ended = ship.ended
+    if ended and len(ended) > 2 and ended[0] is ship.position and ended[2] is ship.velocity and ended[3] == body_axes:
+        return place, ended[4], ended[5]
+    ground = ground_of(ship, world, body_axes, place, penetration_of(ship, world, body_axes, place))
+    return place, ground, over_ground(ship, ground)
 
 
 def press(
-    ship: Ship, world: World, masses: tuple[float, float, float], thrust: Vec3, where: tuple[Place, Ground]
+    ship: Ship, world: World, masses: tuple[float, float, float], thrust: Vec3, where: Where
 ) -> tuple[bool, float]:
     """Steps 3 to 5 of a ship in the ground: whether it is pinned, and the normal force."""
     config = world.config
     mass, weight, dt = masses
-    place, ground = where
-    over = over_ground(ship, ground)
-    load, depth = depth_of(mass, weight, thrust, ground)
-    along = along_ground(weight, thrust, ground)
-    if ship.surface_contact_state == TIPPED and is_nearly_at_rest(config, ground, over, depth):
+    place, ground, over = where
+    tipped = ship.surface_contact_state == TIPPED
+    load, depth, along = load_of(mass, weight, thrust, ground)
+    if tipped and is_nearly_at_rest(config, ground, over, depth):
         most = config.contact_friction_static * load
         if dot(along, along) <= most * most:
             return True, load
-    force = spring_force(ship, config, mass, ground, over[0])
-    rubbing = NOTHING
-    if force > 0:
-        rubbing = friction(ship, config, (mass / dt, 0.5 * mass), (force, along), ground, over)
+    settles = tipped or ship.impact_speed <= config.contact_bounce_speed
+    force = spring_force(config, mass, ground, over[0], settles)
+    rubbing = friction(ship, config, (mass / dt, 0.5 * mass), (force, along), where) if force > 0 else NOTHING
     accelerate(ship, weight, dt / mass, (force, rubbing, thrust), where)
-    if settles_without_bounce(ship, config) and dot(thrust, place[:3]) <= weight:
+    if settles and (thrust is NOTHING or dot(thrust, place[:3]) <= weight):
         cap_rise(ship, ground, depth, dt)
     move(ship, dt)
     return False, force

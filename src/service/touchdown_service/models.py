@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from math import inf
 
 from .config import Config
 from .law.vectors import Mat3, Quat, Vec3
@@ -46,6 +47,8 @@ class Body:
     velocity: Vec3
     attitude: Quat
     angular_velocity: Vec3
+    # Distance from the centre within which all of the ground lies, m; further out no terrain is looked up.
+    highest_ground: float = inf
     mu: float = field(init=False)
 
     def __post_init__(self) -> None:
@@ -127,8 +130,9 @@ class Ship:
     name: str = ""
     # The next touch is not the initial one but follows a bounce (REDIS.md, Initial touch).
     touched: bool = False
-    # The ground at the last substep's end, which is the next one's start (contact.Standing).
-    standing: tuple | None = field(default=None, repr=False, compare=False)
+    # What the last substep ended on, and the next one starts with: the position it holds for and the place; of a
+    # grounded ship also the velocity and the body's axes it holds for, the ground, and the velocity over it.
+    ended: tuple | None = field(default=None, repr=False, compare=False)
     # In order of their due time.
     pending: list[Input] = field(default_factory=list)
     applied: Applied | None = None

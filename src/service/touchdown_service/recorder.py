@@ -14,13 +14,16 @@ from pathlib import Path
 from typing import Any
 
 from redis import Redis
+from redis.exceptions import RedisError
 
 from .comparison.fixtures import to_text
 from .config import load_config, timing_of_tick
+from .redis_state import WORLD
 from .runtime.galaxy import Tempo
 from .storage.frames import FRAMES
 from .storage.records import w_last
-from .validation.limits import Refusal
+from .storage.key_types import check_types
+from .validation.limits import Refusal, parse_json
 
 # Timeout for the next frame, wall ms: twice the longest interval.
 PATIENCE = 20_000
@@ -107,19 +110,20 @@ def input_of(given: dict[str, Any], tick: int, substep: int) -> dict[str, Any]:
 
 def record(client: Redis, ship_id: str, ticks: int) -> Recording:
     """Waits for the frames of `ticks` intervals from the newest one on. Raises Refusal if there is nothing to record."""
-    definition = client.get("touchdown:world")
+    check_types(client, {WORLD: "string", FRAMES: "stream"})
+    definition = client.get(WORLD)
     newest = client.xrevrange(FRAMES, count=1)
     if definition is None or not newest:
         raise Refusal("touchdown:frames: no service has written here")
     cursor, entry = newest[0]
-    recording = Recording(ship_id, json.loads(definition), json.loads(entry["frame"]))
+    recording = Recording(ship_id, parse_json(definition, WORLD), parse_json(entry.get("frame"), FRAMES))
     while len(recording.data["states"]) < ticks:
         answer = client.xread({FRAMES: cursor}, block=PATIENCE)
         if not answer:
             recording.ended = "no frame came any more"
             return recording
         for cursor, entry in answer[0][1]:
-            if len(recording.data["states"]) >= ticks or not recording.take(json.loads(entry["frame"])):
+            if len(recording.data["states"]) >= ticks or not recording.take(parse_json(entry.get("frame"), FRAMES)):
                 return recording
     return recording
 
@@ -132,9 +136,10 @@ def main() -> None:
     parser.add_argument("file", type=Path)
     args = parser.parse_args()
     try:
-        recording = record(Redis.from_url(args.redis, decode_responses=True), args.ship, args.ticks)
-    except Refusal as refusal:
-        sys.exit(f"recorder: {refusal}")
+        client = Redis.from_url(args.redis, decode_responses=True, encoding_errors="replace")
+        recording = record(client, args.ship, args.ticks)
+    except (Refusal, RedisError) as error:
+        sys.exit(f"recorder: {error}")
     args.file.write_text(to_text(recording.data), encoding="utf-8", newline="\n")
     said = f"; ended: {recording.ended}" if recording.ended else ""
     print(f"{len(recording.data['states'])} ticks written to {args.file}{said}")

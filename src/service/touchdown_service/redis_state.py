@@ -14,19 +14,13 @@ from .runtime import lease as lease_key
 from .runtime.galaxy import Changes, Galaxy, make_galaxy
 from .runtime.lease import Lease, LeaseLost
 from .storage.frames import event_record, ship_in_frame, write_events, write_frame
-from .storage.records import (
-    body_of_record,
-    body_record,
-    input_record,
-    ship_record,
-    to_hash,
-    to_texts,
-)
-from .storage.stored import CLOCK, landing_values, load_clock, load_landing, load_pending, ship_of_hash
+from .storage.key_types import STATUS, check_written
+from .storage.records import body_of_record, body_record, input_record, ship_record, to_hash, to_texts
+from .storage.stored import CLOCK, MAX_SHIPS, landing_values, load_clock, load_landing, load_pending, ship_of_hash
 from .validation.limits import Refusal, listed, parse_json, required
 
 WORLD, BODIES, PENDING = "touchdown:world", "touchdown:bodies", "touchdown:pending"
-INBOX, STATUS = "touchdown:inbox", "touchdown:status"
+INBOX = "touchdown:inbox"
 COMPLETED = "tick_completed"
 REQUESTS = ("game:tick_rate", "game:time_scale", "game:paused", "game:time_sync")
 
@@ -85,6 +79,7 @@ class RedisState:
         )
         if not isinstance(clock, dict):
             raise Refusal(f"{CLOCK}: expected a hash")
+        check_written(self.client, galaxy)
         self.commit_id = clock.get("commit")
         if clock:
             load_clock(galaxy, clock)
@@ -100,8 +95,9 @@ class RedisState:
     def load_ships(self, galaxy: Galaxy) -> None:
         """Leaves an invalid ship out of the simulation, but in Redis; the others continue."""
         key = f"system:{galaxy.system_id}:ships"
-        if self.client.type(key) not in ("set", "none"):
-            raise Refusal(f"{key}: expected a set")
+        count = self.client.scard(key)
+        if count > MAX_SHIPS:
+            raise Refusal(f"{key}: expected at most {MAX_SHIPS} ships, got {count}")
         self.members = set(self.client.smembers(key))
         self.landings = {}
         for ship_id in sorted(self.members):
@@ -110,7 +106,9 @@ class RedisState:
             record, maneuver = pipe.execute(raise_on_error=False)
             try:
                 galaxy.ships[ship_id] = ship_of_hash(galaxy, ship_id, record)
-                if isinstance(maneuver, dict) and maneuver.get("type") == "landing":
+                if not isinstance(maneuver, dict):
+                    raise Refusal(f"maneuver:{ship_id}: expected a hash")
+                if maneuver.get("type") == "landing":
                     galaxy.landings[ship_id] = landing = load_landing(maneuver, f"maneuver:{ship_id}")
                     self.landings[ship_id] = landing_values(landing)
             except Refusal as refusal:

@@ -92,8 +92,10 @@ function spinOf(axis: Vec3, period: number, time: number): Spin {
 
 /** Shortest rotation from (0, 1, 0) to `axis`; half a turn about x for the opposite. */
 function poleTo([x, y, z]: Vec3): Quat {
-  if (y < -0.999999) return [1, 0, 0, 0];
-  return unit([z, 0, -x, 1 + y]);
+  const across = x * x + z * z;
+  if (across === 0 && y < 0) return [1, 0, 0, 0];
+  // 1 + y, which cancels near −1.
+  return unit([z, 0, -x, y < 0 ? across / (1 - y) : 1 + y]);
 }
 
 /** First `b`, then `a`. */

@@ -142,7 +142,7 @@ function quietestMedian(values: readonly number[], length: number): number {
 function replayOfHundred(): Figure {
   const loaded = value(loadScenario(LONG_SLIDE));
   const told = { settings: {}, shipClasses: [loaded.shipClass], bodies: [loaded.body], terrain: 'flat' };
-  const world = value(loadConfig(told, { flat: loaded.terrainHeight }));
+  const world = value(loadConfig(told, { terrains: { flat: loaded.terrainHeight }, features: {} }));
   const sim = createSimulation(world, [loaded.body], {
     features: ALL_FEATURES,
     counters: createDiagnosis(),

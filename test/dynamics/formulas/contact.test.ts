@@ -108,7 +108,7 @@ describe('rebound at damping ratio 0.3', () => {
     return Math.sqrt(climb ** 2 + 2 * g * height);
   }
 
-  // Target 0: the analytic one-sided spring-damper, which releases when 100 p + 6 p' = 0. First order in dt: today, of the speed,
+  // Target 0: the analytic one-sided spring-damper, which releases when 100 p + 6 p' = 0. First order in dt: measured, of the speed,
   // 2.5, 2.4, 2.3, 4.2, 3.1, 2.7, 2.2 %; of the depth 1.2 to 1.4 %.
   const CASES = [
     ['Luna', 12],
@@ -127,7 +127,7 @@ describe('rebound at damping ratio 0.3', () => {
     expect(Math.abs(deepest / ideal.deepest - 1)).toBeLessThan(0.0145);
   });
 
-  // The same with a tenth of the step: today 0.2 to 0.4 %, and 0.10 to 0.13 % of the depth.
+  // The same with a tenth of the step: measured 0.2 to 0.4 %, and 0.10 to 0.13 % of the depth.
   it.each(CASES)('on %s at %d m/s matches within 0.4 % at 1 ms substeps', (name, impact) => {
     const ideal = rebound(impact, 0.3, gravityOn(still(name)));
     const { deepest, speed } = bounce(name, impact, 0.001);

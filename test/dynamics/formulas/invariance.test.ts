@@ -53,7 +53,7 @@ describe('smaller substeps', () => {
     return ends.slice(0, -1).map((end) => apart(end, ends.at(-1)!, POSITION));
   }
 
-  // Target: each half of the previous, first order. A bounce and a slide: today 1.58, 0.80, 0.39, 0.19 m.
+  // Target: each half of the previous, first order. A bounce and a slide: measured 1.58, 0.80, 0.39, 0.19 m.
   it('converge for a bounce and slide', () => {
     const found = misses({ ...TOUCH, body: bodyNamed('Luna'), velocity: [5, 2, -25] });
     expect(found[0]).toBeLessThan(1.7);

@@ -88,6 +88,22 @@ describe('messages that decode but are wrong', () => {
     expect(heard).toEqual(['ship.tipped']);
   });
 
+  it('draws a ship at its states once its class is unknown, and predicts it again once it is known', () => {
+    const predictor = createPredictor(OWN);
+    const [x, y, z] = STILL.position;
+    const at = (tick: number, shipClass: string, up: number) => {
+      const position = [x, y + up, z] as const;
+      const ship = named('ship-1', { shipClass, position, relativePosition: position });
+      feed(predictor, [tick], 1, tick, { ships: [ship] });
+      return [...predictor.view(tick).own!.position];
+    };
+    feed(predictor, range(0, 3), 1, 0);
+    for (const tick of [3, 4]) expect(at(tick, 'unheard of', 5)).toEqual([x, y + 5, z]);
+    expect(predictor.view(4).own).toMatchObject({ provenance: 'off', surfaceContactState: 'landed' });
+    at(5, STILL.shipClass, 0);
+    expect(Math.hypot(...at(6, STILL.shipClass, 0))).toBeCloseTo(y, 3);
+  });
+
   it('starts bodies that are not sent at the first frame’s tick', () => {
     const moving = { ...helloAt(0, 1).bodies[0]!, velocity: [1000, 0, 0] as const };
     const predictor = createPredictor({ ...OWN, defaults: { bodies: [moving] } });

@@ -145,6 +145,21 @@ describe('a page that was hidden', () => {
     predictor.advance(null, 60);
     expect(heard).toEqual([29, 999]);
   });
+
+  it('reports the newest 1,000 events of an outage', () => {
+    const predictor = createPredictor(OWN);
+    const heard: number[] = [];
+    predictor.onEvent(({ tick }) => heard.push(tick));
+    feed(predictor, range(0, 20), 20, 0);
+    for (let tick = 20; tick < 1220; tick++) {
+      const events = [{ type: 'ship.contact', shipId: 'ship-1', tick: tick - 1, substep: 2 }];
+      const bytes = encodeServerMessage(frameAt(tick, 20, { events }));
+      predictor.receivePending(pendingServerMessage(bytes), tick / 20);
+    }
+    predictor.advance(null, 61);
+    // Those of the four newest frames come with their frames.
+    expect(heard).toEqual(range(215, 1219));
+  });
 });
 
 describe('a frame of thousands of new ships', () => {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { flyCase } from '../../bench/netcode/foreign/foreign';
+import { flyCase, RATES } from '../../bench/netcode/foreign/foreign';
 import { spread } from '../../bench/netcode/figure';
 import { SCENARIOS } from '../../../src/scenarios';
 import { CASES } from '../literalServer/cases';
@@ -29,6 +29,28 @@ describe('terrain that differs slightly from the server’s', () => {
     expect(spread(ours.errors).p95).toBeLessThan(0.5);
   });
 
+  it('is told from the first bounce on it, between two states in flight', () => {
+    const difference = caseNamed('ground +0.5 m');
+    const rig = createLiteralRig({ scenario: 'opening', hz: 20, sends: 1, difference });
+    const states: string[] = [];
+    let view = rig.frame();
+    while (rig.now < 7) view = rig.frame(({ ships }) => states.push(ships[0]!.surfaceContactState));
+    expect(states).toEqual(Array<string>(states.length).fill(''));
+    expect(view.own!.groundOffset).toBeGreaterThan(0.4);
+    expect(view.own!.groundOffset).toBeLessThan(0.6);
+  });
+
+  it.each(CASES.filter(({ rise }) => rise !== undefined))(
+    '$name: the status is wrong for at most 0.3 s a contact',
+    (difference) => {
+      for (const [hz, sends] of RATES) {
+        const { ours, contacts } = flyCase(difference, hz, sends);
+        expect(contacts).toBeGreaterThan(3);
+        expect(ours.wrongStatus / contacts, `${hz} Hz sent at ${sends} Hz`).toBeLessThan(0.3);
+      }
+    },
+  );
+
   it.each([1, -1])('%d m: reports the offset and its confidence, and measures heights from it', (metres) => {
     const name = `ground ${metres > 0 ? '+' : '−'}1 m`;
     const rig = createLiteralRig({ scenario: 'settle', hz: 50, sends: 10, difference: caseNamed(name) });
@@ -45,6 +67,22 @@ describe('terrain that differs slightly from the server’s', () => {
     const mesh = Math.hypot(...own.meshPosition) - own.shipClass.groundContactOffset;
     const drawn = own.groundRadius - own.groundOffset;
     expect(mesh + Math.max(...own.legCompression) - drawn).toBeCloseTo(0, 2);
+  });
+});
+
+describe('a server of the same ground and other dynamics', () => {
+  it.each(['damping 1', 'spring × 2', 'mass 5 % off', 'time scale 1.05 not told'])(
+    '%s: the status is wrong for at most 0.3 s a contact',
+    (name) => {
+      const { ours, contacts } = flyCase(caseNamed(name), 20, 1);
+      expect(ours.wrongStatus / contacts).toBeLessThan(0.3);
+    },
+  );
+
+  it('no ground is learned on which a ship that the server has in contact would be in the air', () => {
+    const difference = caseNamed('damping 1');
+    const rig = createLiteralRig({ scenario: 'opening', hz: 20, sends: 1, difference });
+    while (rig.now < 12) expect(Math.abs(rig.frame().own?.groundOffset ?? 0)).toBeLessThan(0.1);
   });
 });
 

@@ -6,8 +6,6 @@ import { conjugate, minus, turned, unit } from './design/vectors';
 /** Something that goes wrong; it returns when it is over. `each` sees the display frames meanwhile. */
 export interface Fault {
   readonly name: string;
-  /** How much game time passed from one frame to the next is nowhere sent, nor which tick is how long after which. */
-  readonly hidesTime?: boolean;
   readonly happen: (page: Page, dice: Dice, during: (seconds: number) => void) => void;
 }
 
@@ -97,7 +95,6 @@ export const FAULTS: readonly Fault[] = [
   },
   {
     name: 'server restarts at 0',
-    hidesTime: true,
     happen: (page, dice, during) => {
       const down = dice.logBetween(0.05, 10);
       page.setup.server.stand(page.t, down + 1);
@@ -108,7 +105,6 @@ export const FAULTS: readonly Fault[] = [
   },
   {
     name: 'server restarts further on',
-    hidesTime: true,
     happen: (page, dice, during) => {
       const down = dice.logBetween(0.05, 10);
       page.setup.server.stand(page.t, down + 1);
@@ -163,7 +159,6 @@ export const FAULTS: readonly Fault[] = [
   },
   {
     name: 'tick rate changed',
-    hidesTime: true,
     happen: (page, dice) => {
       const { options } = page.setup.server;
       options.tickRate = dice.pick(TICK_RATES.filter((rate) => rate !== options.tickRate));
@@ -171,7 +166,6 @@ export const FAULTS: readonly Fault[] = [
   },
   {
     name: 'time scale changed',
-    hidesTime: true,
     happen: (page, dice) => {
       const { options } = page.setup.server;
       options.timeScale = dice.pick(options.tickRate === 100 ? [0.1, 0.5, 2] : [0.1, 0.5]);

@@ -110,3 +110,22 @@ describe('a prediction that the server contradicts', () => {
     expect(rig.view().diagnosis.correctionsMismatch).toBe(1);
   });
 });
+
+it('a touchdown is blank before the first touch, and is timed from it', () => {
+  const rig = createRig({ scenario: 'settle' });
+  const blank = {
+    ...{ known: false, outcome: 'open', verticalSpeed: 0, horizontalSpeed: 0 },
+    ...{ bounces: 0, slideMetres: 0, settleSeconds: 0, largestTilt: 0 },
+  };
+  let [flying, open] = [0, 0];
+  rig.fly(2, ({ own }) => {
+    if (own === null) return;
+    const { touchdown, surfaceContactState } = own;
+    if (!touchdown.known) expect(touchdown).toEqual(blank);
+    else if (surfaceContactState !== '') expect(touchdown.settleSeconds).toBeGreaterThan(0);
+    if (surfaceContactState === '') flying += 1;
+    else open += 1;
+  });
+  expect(flying).toBeGreaterThan(20);
+  expect(open).toBeGreaterThan(5);
+});

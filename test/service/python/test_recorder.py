@@ -46,6 +46,23 @@ class Recorder(unittest.TestCase):
         self.assertEqual([i["substep"] for i in data["inputs"]], [0, 1, 1, 1, 1])
         self.assertIn("ship.contact", [e["event"] for e in data["events"]])
 
+    def test_a_key_that_is_none_of_the_services_is_refused_by_name(self) -> None:
+        redis = RedisServer("no")
+        self.addCleanup(redis.close)
+        client = redis.client()
+        for key, spoil, words in (
+            ("touchdown:world", lambda: client.rpush("touchdown:world", "x"), "expected a string, got a list"),
+            ("touchdown:frames", lambda: client.set("touchdown:frames", "x"), "expected a stream, got a string"),
+            ("touchdown:frames", lambda: client.xadd("touchdown:frames", {"frame": b"\xff"}), "expected JSON, got"),
+        ):
+            client.flushall()
+            client.set("touchdown:world", "{}")
+            client.delete(key)
+            spoil()
+            code, _, said = self.record(redis, "--ship", "s1")
+            self.assertEqual((code, said.count("\n")), (1, 1), said)
+            self.assertIn(f"recorder: {key}: {words}", said)
+
     def test_it_ends_where_the_tick_changes(self) -> None:
         redis = RedisServer()
         self.addCleanup(redis.close)

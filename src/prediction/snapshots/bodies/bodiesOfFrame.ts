@@ -1,18 +1,18 @@
-import { BODY_STRIDE, type BodyMotion, readBodyMotion } from '../../../dynamics';
-import type { BodyState, ServerFrame } from '../../../wire';
+import type { BodyMotion } from '../../../dynamics';
+import type { ServerFrame } from '../../../wire';
 import type { Simulation } from '../../simulation/simulation';
 import { spanOf } from '../../time/timeline';
 import { boundaryAt, startBodiesAt, updateBodies } from './bodyTrack';
+import { isExact } from '../reconcile/adopt';
 import type { Receiver } from '../receiver';
+import { areNumbers } from '../shipFault';
 import type { BodiesOfFrame } from '../snapshotContext';
+import { sameBodies } from '../worldConfig';
 
 /** Most ticks over which bodies are advanced just for the comparison. */
 const MAX_CARRIED = 64;
 
-/**
- * Writes the frame's bodies and compares them with the predicted ones. Bodies that are not sent, lack attitude or spin, or repeat the
- * last frame's are advanced by the dynamics.
- */
+/** Writes the frame's bodies and compares them with the predicted ones. Without a motion they are advanced by the dynamics. */
 export function writeBodiesOfFrame(
   out: BodiesOfFrame,
   sim: Simulation,
@@ -22,10 +22,9 @@ export function writeBodiesOfFrame(
   const { tick } = frame;
   if (sim.newestTick === tick && receiver.startsBodies) startBodiesAt(sim.bodies, tick);
   receiver.startsBodies = false;
-  const { tick: lastTick, bodies: lastSent } = receiver.lastBodies;
-  const motions = areOld(sim, receiver, frame)
-    ? null
-    : motionsOf(sim, frame, tick === lastTick ? [] : lastSent);
+  const lastTick = receiver.lastBodies.tick;
+  const motions = (sim.features.completeBodies ?? sentInOrder)(sim, receiver, frame);
+  noteKnown(sim, frame);
   if (motions === null) {
     out.bodies = boundaryAt(sim.bodies, sim.timeline, tick);
     out.predictedBodies = out.bodies;
@@ -45,6 +44,20 @@ export function writeBodiesOfFrame(
   out.turned = Math.max(error.attitude, error.spin);
 }
 
+/** Whether the frame says where the bodies are, if that was unknown. */
+function noteKnown(sim: Simulation, { tick, bodies, ships }: ServerFrame): void {
+  if (sim.bodiesKnown) return;
+  sim.bodiesKnown = sim.world.bodies.every(({ name }) =>
+    bodies.some((body) => body.name === name && areNumbers(body.position, 3)),
+  );
+  if (sim.bodiesKnown || ships.every(isExact)) return;
+  sim.warn(
+    'bodies-unknown',
+    'Time passed that no frame has, and bodies are not sent: ships are drawn beside an assumed body, and not confirmed. Send bodies.',
+    { tick },
+  );
+}
+
 /** The motions with the measured spins; the same list if all spins are as sent. */
 function spun(sim: Simulation, tick: number, motions: readonly BodyMotion[]): readonly BodyMotion[] {
   const { spin: measuring } = sim.features;
@@ -62,89 +75,13 @@ function spun(sim: Simulation, tick: number, motions: readonly BodyMotion[]): re
 
 const measured: BodyMotion[] = [];
 
-/** Whether the server sends outdated bodies: none has moved since the last frame, but some should have. */
-function areOld({ warn }: Simulation, receiver: Receiver, { tick, bodies }: ServerFrame): boolean {
-  const { lastBodies } = receiver;
-  if (bodies.length === 0) return false;
-  const { tick: before, bodies: sent } = lastBodies;
-  lastBodies.tick = tick;
-  lastBodies.bodies = bodies;
-  if (tick === before || sent.length !== bodies.length) return false;
-  let moves = false;
-  for (const [i, body] of bodies.entries()) {
-    const last = sent[i]!;
-    if (last.name !== body.name || !sameVector(last.position, body.position)) return false;
-    if (body.velocity.some((v) => Math.abs(v) > 1e-6)) moves = true;
-  }
-  if (moves) {
-    const details = { tick, lastTick: before };
-    warn(
-      'bodies-old',
-      'Bodies did not move between two ticks: they are extrapolated by their velocity.',
-      details,
-    );
-  }
-  return moves;
-}
-
-function sameVector(a: readonly number[], b: readonly number[]): boolean {
-  return a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
-}
-
-/** The frame's bodies in the world's order; null if it has none. `before`: the bodies of the frame before it. */
-function motionsOf(
-  sim: Simulation,
-  frame: ServerFrame,
-  before: readonly BodyState[],
+/** The frame's bodies; null unless they are the world's, in its order. */
+function sentInOrder(
+  { world }: Simulation,
+  { lastBodies }: Receiver,
+  { tick, bodies }: ServerFrame,
 ): readonly BodyMotion[] | null {
-  const { bodies } = sim.world;
-  if (frame.bodies.length === 0) return null;
-  const inOrder =
-    frame.bodies.length === bodies.length &&
-    frame.bodies.every(
-      (body, i) => body.name === bodies[i]!.name && isWhole(body) && !standsStill(body, before[i]),
-    );
-  if (inOrder) return frame.bodies;
-  const byLaw = boundaryAt(sim.bodies, sim.timeline, frame.tick);
-  return bodies.map(({ name }, i) => {
-    const predicted = readBodyMotion(byLaw, i * BODY_STRIDE);
-    const sent = frame.bodies.find((body) => body.name === name);
-    if (sent === undefined) return predicted;
-    const motion = completed(sent, predicted);
-    const last = before.find((body) => body.name === name);
-    return standsStill(sent, last) ? { ...motion, attitude: predicted.attitude } : motion;
-  });
-}
-
-/** Whether a body has spin, and its attitude is the last frame's to the bit: the reader of the frame filled it in. */
-function standsStill({ name, attitude, angularVelocity }: BodyState, before: BodyState | undefined): boolean {
-  if (before?.name !== name || !areNumbers(attitude, 4) || !areNumbers(angularVelocity, 3)) return false;
-  for (let k = 0; k < 4; k++) if (attitude[k] !== before.attitude[k]) return false;
-  return angularVelocity.some((w) => w !== 0);
-}
-
-/** The body's motion: finite members as sent, the others as predicted. */
-function completed(sent: BodyState, predicted: BodyMotion): BodyMotion {
-  const moves = areNumbers(sent.position, 3) && areNumbers(sent.velocity, 3);
-  return {
-    position: moves ? sent.position : predicted.position,
-    velocity: moves ? sent.velocity : predicted.velocity,
-    attitude: areNumbers(sent.attitude, 4) ? sent.attitude : predicted.attitude,
-    angularVelocity: areNumbers(sent.angularVelocity, 3) ? sent.angularVelocity : predicted.angularVelocity,
-  };
-}
-
-function isWhole({ position, velocity, attitude, angularVelocity }: BodyState): boolean {
-  return (
-    areNumbers(position, 3) &&
-    areNumbers(velocity, 3) &&
-    areNumbers(attitude, 4) &&
-    areNumbers(angularVelocity, 3)
-  );
-}
-
-function areNumbers(value: unknown, count: number): boolean {
-  if (!Array.isArray(value) || value.length !== count) return false;
-  for (let k = 0; k < count; k++) if (!Number.isFinite(value[k])) return false;
-  return true;
+  if (bodies.length === 0) return null;
+  lastBodies.tick = tick;
+  return sameBodies(world, { bodies }) ? bodies : null;
 }

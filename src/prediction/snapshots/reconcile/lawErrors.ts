@@ -15,6 +15,8 @@ export interface LawFit {
   groundedWrongly: number;
   groundedRightly: number;
   bounces: boolean;
+  /** Speed of the last such rebound, relative to its impact's. */
+  rebound: number;
   /** States received while it was extrapolated. */
   states: number;
 }
@@ -33,7 +35,7 @@ export const WINDOW = 4;
 export function createLawFit(): LawFit {
   return {
     ...{ carried: '', law: new Float64Array(WINDOW), carry: new Float64Array(WINDOW) },
-    ...{ count: 0, states: 0, groundedWrongly: 0, groundedRightly: 0, bounces: false },
+    ...{ count: 0, states: 0, groundedWrongly: 0, groundedRightly: 0, bounces: false, rebound: 0 },
   };
 }
 

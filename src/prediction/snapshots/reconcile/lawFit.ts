@@ -35,7 +35,7 @@ export function weighLaw(sim: Simulation, track: Track, judged: Judged): boolean
   const { fit } = track;
   if (fit.carried === 'ground') return false;
   if (!isComparable(sim, track, judged)) return false;
-  weighBounce(track, judged, spanOf(sim.timeline, judged.tick).tickRate);
+  weighBounce(sim, track, judged, spanOf(sim.timeline, judged.tick).tickRate);
   const slot = fit.count % WINDOW;
   fit.count += 1;
   const isCarried = fit.carried !== '';

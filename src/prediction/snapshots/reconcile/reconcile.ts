@@ -13,7 +13,6 @@ import type { SnapshotContext } from '../snapshotContext';
 import { holdLaw } from './lawErrors';
 import { adopt, drawableState, isExact, unknownNameOf } from './adopt';
 import {
-  describeDifference,
   EXACT,
   type Field,
   firstDifference,
@@ -31,7 +30,7 @@ import { commandsAnything } from '../../simulation/heldControls';
 import type { Simulation } from '../../simulation/simulation';
 import { keepState } from '../../ground/lastState';
 import { take } from '../../drawn/rotation';
-import { isBefore, spanOf, writeLater } from '../../time/timeline';
+import { isBefore, spanOf, addSubsteps } from '../../time/timeline';
 import { logLanded } from '../../touchdown/touchdownRing';
 import { copyRow, type Track } from '../../simulation/track';
 
@@ -174,7 +173,7 @@ function correct(
   else if (!sameCommand(sent, 0, predicted.rows, predicted.at)) counters.correctionsOtherPilot += 1;
   else {
     counters.correctionsMismatch += 1;
-    counters.lastMismatch = `${track.shipId} at tick ${context.tick}: ${describeDifference(field, server, predicted)}`;
+    counters.lastMismatch = `${track.shipId} at tick ${context.tick}: ${sim.features.describeDifference?.(field, server, predicted) ?? field}`;
   }
   if (track.mode === 'sleeping') holdSleeping(track);
   startReplay(track, sim, context.tick, sent, 0);
@@ -226,7 +225,7 @@ function holdControls(sim: Simulation, track: Track): void {
   const substeps = Math.ceil(
     HELD_SENDS * Math.max(1, sim.cadence.ticks) * spanOf(timeline, front.tick).timing.substeps,
   );
-  writeLater(later, timeline, front.tick, front.substep, substeps);
+  addSubsteps(later, timeline, front.tick, front.substep, substeps);
   track.releaseTick = later.tick;
   track.releaseSubstep = later.substep;
 }

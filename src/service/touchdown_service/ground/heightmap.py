@@ -50,6 +50,8 @@ class Heightmap:
     south: float = 0.0
     columns_per_radian: float = 0.0
     rows_per_radian: float = 0.0
+    # A height that no look-up exceeds, m.
+    highest: float = 0.0
 
     def __post_init__(self) -> None:
         """Raises Refusal with the invalid field."""
@@ -68,6 +70,9 @@ class Heightmap:
         self.south = sum(self.samples[-self.columns :]) / self.columns
         self.columns_per_radian = self.columns / (2 * PI)
         self.rows_per_radian = self.rows / PI
+        # Catmull-Rom overshoots samples by at most 0.29 of their range, twice the largest one.
+        largest = max(max(self.samples), -min(self.samples))
+        self.highest = self.base + abs(self.scale) * (1.58 * largest)
 
 
 def read_samples(data: bytes) -> array:

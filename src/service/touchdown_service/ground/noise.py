@@ -3,8 +3,6 @@
 from functools import lru_cache
 from math import floor
 
-from ..law.vectors import Vec3
-
 MASK = 0xFFFFFFFF
 
 
@@ -37,15 +35,16 @@ def corners(i: int, j: int, k: int, seed: int) -> tuple[float, ...]:
     return tuple(signed(lattice_hash(i + a, j + b, k + c, seed)) for c in (0, 1) for b in (0, 1) for a in (0, 1))
 
 
-def fade(f: float) -> float:
-    return f * f * f * (f * (f * 6 - 15) + 10)
-
-
-def noise(point: Vec3, cell: float, seed: int) -> float:
+def noise(px: float, py: float, pz: float, cell: float, seed: int) -> float:
     """-1 to 1 on cells of `cell` metres, with continuous first and second derivative."""
-    x, y, z = point[0] / cell, point[1] / cell, point[2] / cell
+    x, y, z = px / cell, py / cell, pz / cell
     i, j, k = floor(x), floor(y), floor(z)
-    tx, ty, tz = fade(x - i), fade(y - j), fade(z - k)
+    x -= i
+    y -= j
+    z -= k
+    tx = x * x * x * (x * (x * 6 - 15) + 10)
+    ty = y * y * y * (y * (y * 6 - 15) + 10)
+    tz = z * z * z * (z * (z * 6 - 15) + 10)
     c000, c100, c010, c110, c001, c101, c011, c111 = corners(i, j, k, seed)
     c00 = c000 + (c100 - c000) * tx
     c10 = c010 + (c110 - c010) * tx
@@ -70,13 +69,14 @@ def crater_in_cell(cell: float, i: int, j: int, k: int, seed: int) -> tuple[floa
     )
 
 
-def crater(point: Vec3, cell: float, seed: int) -> float:
+def crater(px: float, py: float, pz: float, cell: float, seed: int) -> float:
     """Height of the crater in the point's cell, m; 0 outside of it."""
-    px, py, pz = point
     radius, cx, cy, cz = crater_in_cell(cell, floor(px / cell), floor(py / cell), floor(pz / cell), seed)
     x = px - cx
     y = py - cy
     z = pz - cz
     a = (x * x + y * y + z * z) / (radius * radius)
+    if not a < 1:
+        return 0.0
     foot = 1 - a
-    return 0.22 * radius * (foot * foot * (3.5 * a - 1)) if a < 1 else 0.0
+    return 0.22 * radius * (foot * foot * (3.5 * a - 1))

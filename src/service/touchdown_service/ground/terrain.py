@@ -1,5 +1,6 @@
 """Terrain heights, m above the body's radius, along a unit direction in the body's axes (Y pole, Z prime meridian, X 90 E)."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import sqrt
 from pathlib import Path
@@ -34,10 +35,23 @@ RELIEFS = {
     "Phobos": Relief(11267.0, 0.08, 1, 53),
 }
 UNKNOWN_BODY = Relief(1000000.0, 1, 1, 71)
+# More than all layers of `ground` together, m: 1,132.5 of noise, and 0.0187 of a cell's size for its crater's rim.
+HIGHEST_LAYERS = 1170
+
+# highest(body_name): a height above the body's radius that none of its ground exceeds, m.
+Highest = Callable[[str], float]
 
 
 def flat(body_name: str, nx: float, ny: float, nz: float) -> float:
     return 0.0
+
+
+def highest_flat(body_name: str) -> float:
+    return 0.0
+
+
+def highest_hills(body_name: str) -> float:
+    return RELIEFS.get(body_name, UNKNOWN_BODY).scale * HIGHEST_LAYERS
 
 
 def hills(body_name: str, nx: float, ny: float, nz: float) -> float:
@@ -52,18 +66,18 @@ def hills(body_name: str, nx: float, ny: float, nz: float) -> float:
         return 0.0
     reach = WHOLE_RADIUS - LEVEL_RADIUS
     t = (from_site - LEVEL_RADIUS) / reach if from_site < WHOLE_RADIUS else 1.0
-    return relief.scale * (t * t * (3 - 2 * t)) * ground((nx * size, ny * size, nz * size), relief)
+    return relief.scale * (t * t * (3 - 2 * t)) * ground(nx * size, ny * size, nz * size, relief)
 
 
-def ground(point: Vec3, relief: Relief) -> float:
+def ground(x: float, y: float, z: float, relief: Relief) -> float:
     """Sum of the relief's layers, m."""
     seed = relief.seed
-    swell = 650 * noise(point, 12000, seed)
-    crest = 1 - abs(noise(point, 4300, seed + 1))
+    swell = 650 * noise(x, y, z, 12000, seed)
+    crest = 1 - abs(noise(x, y, z, 4300, seed + 1))
     ridge = 420 * (crest * crest * crest)
-    bumpy = 60 * noise(point, 1100, seed + 2)
-    bumps = 2.5 * noise(point, 130, seed + 3)
-    bowls = crater(point, 1500, seed + 4) + crater(point, 260, seed + 5)
+    bumpy = 60 * noise(x, y, z, 1100, seed + 2)
+    bumps = 2.5 * noise(x, y, z, 130, seed + 3)
+    bowls = crater(x, y, z, 1500, seed + 4) + crater(x, y, z, 260, seed + 5)
     return swell + ridge + bumpy + bumps + relief.craters * bowls
 
 
@@ -79,20 +93,21 @@ def bowl(base: float, amplitude: float, axis: Vec3) -> TerrainHeight:
 
 
 TERRAINS: dict[str, TerrainHeight] = {"flat": flat, "hills": hills}
+HIGHEST: dict[str, Highest] = {"flat": highest_flat, "hills": highest_hills}
 
 
 def load_terrain_name(name: object, path: str) -> TerrainHeight:
     return TERRAINS[one_of(name, path, tuple(TERRAINS))]
 
 
-def load_ground(definition: dict[str, Any], bodies: list[Body], path: str) -> TerrainHeight:
+def load_ground(definition: dict[str, Any], bodies: list[Body], path: str) -> tuple[TerrainHeight, Highest]:
     """The ground of a world: a terrain that is built in, or one of the world's own name with a heightmap for each body that has one.
 
     Bodies without one are flat. Raises Refusal with the field that cannot be used.
     """
     name = definition.get("terrain", "flat")
     if "heightmaps" not in definition:
-        return load_terrain_name(name, f"{path}.terrain")
+        return load_terrain_name(name, f"{path}.terrain"), HIGHEST[name]
     if text(name, f"{path}.terrain") in TERRAINS:
         raise Refusal(f"{path}.terrain: expected a name of its own beside heightmaps, got {name!r}, which is built in")
     given = definition["heightmaps"]
@@ -100,9 +115,8 @@ def load_ground(definition: dict[str, Any], bodies: list[Body], path: str) -> Te
     radii = {body.name: body.radius for body in bodies}
     for body_name in given:
         one_of(body_name, f"{path}.heightmaps", tuple(radii))
-    return heightmap_terrain(
-        {body: load_heightmap(data, f"{path}.heightmaps.{body}", radii[body]) for body, data in given.items()}, flat
-    )
+    maps = {body: load_heightmap(data, f"{path}.heightmaps.{body}", radii[body]) for body, data in given.items()}
+    return heightmap_terrain(maps, flat), lambda body: maps[body].highest if body in maps else 0.0
 
 
 def with_whole_paths(definition: Any, folder: Path) -> Any:

@@ -3,9 +3,7 @@
 from ..models import LANDED, Ship
 from .attitude_control import asked_torque
 from .surface import Place
-from .vectors import Mat3, Vec3
-
-NOTHING: Vec3 = (0.0, 0.0, 0.0)
+from .vectors import NOTHING, Mat3, Vec3
 
 
 def actuate(ship: Ship, axes: Mat3, place: Place, factor: float, dt: float) -> tuple[Vec3, Vec3]:
@@ -25,30 +23,37 @@ def actuate(ship: Ship, axes: Mat3, place: Place, factor: float, dt: float) -> t
 def give_torque(ship: Ship, asked: Vec3, dt: float) -> tuple[Vec3, float]:
     """Divides torque between wheels, up to saturation, and RCS, while there is fuel. Also returns the sum of RCS torque."""
     cls = ship.ship_class
-    has_fuel = ship.fuel > 0
-    torques = []
-    momenta = []
-    rcs = 0.0
-    for k in (0, 1, 2):
-        wanted = asked[k]
-        momentum = ship.wheel_momentum[k]
-        capacity = cls.wheel_capacity[k]
-        size = -wanted if wanted < 0 else wanted
-        left = (capacity + momentum if wanted < 0 else capacity - momentum) / dt
-        most = cls.reaction_wheel_torque[k]
-        if left < most:
-            most = left if left > 0 else 0.0
-        by_wheel = size if size < most else most
-        wheel = -by_wheel if wanted < 0 else by_wheel
-        momenta.append(momentum + wheel * dt)
-        if has_fuel:
-            rest = size - by_wheel
-            by_rcs = rest if rest < cls.rcs_torque[k] else cls.rcs_torque[k]
-            wheel = wheel - by_rcs if wanted < 0 else wheel + by_rcs
-            rcs = rcs + by_rcs
-        torques.append(wheel)
-    ship.wheel_momentum = tuple(momenta)
-    return tuple(torques), rcs
+    ax, ay, az = asked
+    px, py, pz = ship.wheel_momentum
+    cx, cy, cz = cls.wheel_capacity
+    wx, wy, wz = cls.reaction_wheel_torque
+    rx, ry, rz = cls.rcs_torque if ship.fuel > 0 else NOTHING
+    tx, px, x = torque_about(ax, px, (cx, wx, rx), dt)
+    ty, py, y = torque_about(ay, py, (cy, wy, ry), dt)
+    tz, pz, z = torque_about(az, pz, (cz, wz, rz), dt)
+    ship.wheel_momentum = (px, py, pz)
+    return (tx, ty, tz), x + y + z
+
+
+def torque_about(
+    asked: float, momentum: float, limits: tuple[float, float, float], dt: float
+) -> tuple[float, float, float]:
+    """Torque about one axis, the wheel's momentum after it, and the thrusters' part in the torque.
+
+    `limits`: the wheel's capacity, its torque and the thrusters' torque.
+    """
+    capacity, most, most_rcs = limits
+    is_negative = asked < 0
+    size = -asked if is_negative else asked
+    left = (capacity + momentum if is_negative else capacity - momentum) / dt
+    if left < most:
+        most = left if left > 0 else 0.0
+    by_wheel = size if size < most else most
+    rest = size - by_wheel
+    by_rcs = rest if rest < most_rcs else most_rcs
+    if is_negative:
+        return -by_wheel - by_rcs, momentum - by_wheel * dt, by_rcs
+    return by_wheel + by_rcs, momentum + by_wheel * dt, by_rcs
 
 
 def push(ship: Ship, axes: Mat3, rcs: float, dt: float) -> Vec3:

@@ -3,9 +3,9 @@
 from math import sqrt
 
 from ..config import Config
-from ..models import TIPPED, Ship
+from ..models import Ship
 from .surface import Ground, OverGround, Place
-from .vectors import Vec3
+from .vectors import NOTHING, Vec3
 
 # k / m of the contact spring, s^-2.
 STIFFNESS = 100
@@ -14,25 +14,20 @@ CRITICAL = 20
 # Square of the speed, 1 cm/s, above which only kinetic friction acts, (m/s)^2.
 HELD_SPEED_SQUARED = 1e-4
 
-# Load, N; static penetration under it, m; tangential part of weight n - thrust, N, ICRF.
-Load = tuple[float, float, float, float, float]
 
-
-def depth_of(mass: float, weight: float, thrust: Vec3, ground: Ground) -> tuple[float, float]:
-    """Force into the ground, N, and the static penetration under it, m."""
-    _, sx, sy, sz, cos, _, _, _ = ground
-    load = weight * cos - (thrust[0] * sx + thrust[1] * sy + thrust[2] * sz)
-    if not load > 0:
-        load = 0.0
-    return load, load / (STIFFNESS * mass)
-
-
-def along_ground(weight: float, thrust: Vec3, ground: Ground) -> Vec3:
-    """Tangential part of weight n - thrust, N, ICRF."""
-    _, sx, sy, sz, _, lx, ly, lz = ground
+def load_of(mass: float, weight: float, thrust: Vec3, ground: Ground) -> tuple[float, float, Vec3]:
+    """Force into the ground, N; the static penetration under it, m; the tangential part of weight n - thrust, N, ICRF."""
+    _, sx, sy, sz, cos, lx, ly, lz = ground
+    if thrust is NOTHING:
+        load = weight * cos
+        return load, load / (STIFFNESS * mass), (weight * lx, weight * ly, weight * lz)
     tx, ty, tz = thrust
     off = tx * sx + ty * sy + tz * sz
-    return weight * lx - (tx - off * sx), weight * ly - (ty - off * sy), weight * lz - (tz - off * sz)
+    load = weight * cos - off
+    if not load > 0:
+        load = 0.0
+    along = (weight * lx - (tx - off * sx), weight * ly - (ty - off * sy), weight * lz - (tz - off * sz))
+    return load, load / (STIFFNESS * mass), along
 
 
 def is_nearly_at_rest(config: Config, ground: Ground, over: OverGround, depth: float) -> bool:
@@ -43,13 +38,8 @@ def is_nearly_at_rest(config: Config, ground: Ground, over: OverGround, depth: f
     return speed * speed + STIFFNESS * (sunk * sunk) < most and over[4] < most
 
 
-def settles_without_bounce(ship: Ship, config: Config) -> bool:
-    return ship.surface_contact_state == TIPPED or ship.impact_speed <= config.contact_bounce_speed
-
-
-def spring_force(ship: Ship, config: Config, mass: float, ground: Ground, speed: float) -> float:
-    """Step 4: spring and damper, N."""
-    settles = settles_without_bounce(ship, config)
+def spring_force(config: Config, mass: float, ground: Ground, speed: float, settles: bool) -> float:
+    """Step 4: spring and damper, N; critically damped where the contact settles without a bounce."""
     damping = CRITICAL if settles else CRITICAL * config.contact_damping_ratio
     force = mass * (STIFFNESS * (ground[0] * ground[4]) - damping * speed)
     return force if force > 0 else 0.0
@@ -60,8 +50,7 @@ def friction(
     config: Config,
     per_speed: tuple[float, float],
     forces: tuple[float, Vec3],
-    ground: Ground,
-    over: OverGround,
+    where: tuple[Place, Ground, OverGround],
 ) -> Vec3:
     """Static friction if it holds against slide, thrust, slope and the ground's rotation; else kinetic, at most what ends the slide.
 
@@ -71,8 +60,7 @@ def friction(
     force, (ax, ay, az) = forces
     ox, oy, oz = ship.body.angular_velocity
     ux, uy, uz = ship.velocity
-    _, tx, ty, tz, slide_squared = over
-    _, sx, sy, sz, _, _, _, _ = ground
+    _, (_, sx, sy, sz, _, _, _, _), (_, tx, ty, tz, slide_squared) = where
     dx = tx * mass_per_dt - (ax + half * (oy * uz - oz * uy))
     dy = ty * mass_per_dt - (ay + half * (oz * ux - ox * uz))
     dz = tz * mass_per_dt - (az + half * (ox * uy - oy * ux))
@@ -90,11 +78,15 @@ def friction(
 
 
 def accelerate(
-    ship: Ship, weight: float, per_mass: float, forces: tuple[float, Vec3, Vec3], where: tuple[Place, Ground]
+    ship: Ship,
+    weight: float,
+    per_mass: float,
+    forces: tuple[float, Vec3, Vec3],
+    where: tuple[Place, Ground, OverGround],
 ) -> None:
     """u += (F s - weight n + friction + thrust) dt / m."""
     force, (fx, fy, fz), (tx, ty, tz) = forces
-    (nx, ny, nz, _, _), (_, sx, sy, sz, _, _, _, _) = where
+    (nx, ny, nz, _, _), (_, sx, sy, sz, _, _, _, _), _ = where
     ux, uy, uz = ship.velocity
     ship.velocity = (
         ux + (force * sx - weight * nx + fx + tx) * per_mass,

@@ -4,7 +4,7 @@ from math import sqrt
 
 from ..config import Config
 from ..models import TIPPED, Ship
-from .surface import Ground, Place
+from .surface import Ground, OverGround, Place
 from .vectors import Mat3, Vec3
 
 # Per unit of inertia, s^-2 and 1/s: critically damped, like the contact spring.
@@ -14,14 +14,14 @@ SCRUB_DAMPING = 20
 
 
 def ground_torque(
-    ship: Ship, config: Config, axes: Mat3, where: tuple[Place, Ground], forces: tuple[float, float, float]
+    ship: Ship, config: Config, axes: Mat3, where: tuple[Place, Ground, OverGround], forces: tuple[float, float, float]
 ) -> Vec3:
     """Gravity about the feet, the legs' support and the feet's scrub, N m, turned into body axes.
 
     `forces`: normal force, weight, and the factor of the inertia tensor.
     """
     cls = ship.ship_class
-    (nx, ny, nz, _, _), (_, sx, sy, sz, cos, _, _, _) = where
+    (nx, ny, nz, _, _), (_, sx, sy, sz, cos, _, _, _), _ = where
     force, weight, factor = forces
     a, b, upx, d, e, upy, g, h, upz = axes
     wx, wy, wz = ship.angular_velocity

@@ -1,11 +1,10 @@
 """Step 9: the first transition that applies to the state at the substep's end, at most one."""
 
 from math import sqrt
-from typing import NamedTuple
 
 from ..config import Config
 from ..models import CONTACT, FLYING, LANDED, TIPPED, Ship
-from .forces import depth_of, is_nearly_at_rest
+from .forces import is_nearly_at_rest, load_of
 from .pose import move_with_ground
 from .surface import Ground, OverGround, Place
 from .vectors import Vec3, cross, dot, product, shortest_rotation, subtract, up_of
@@ -17,16 +16,9 @@ FELL_AWAY = -0.1
 Sinking = tuple[float, float]
 
 
-class End(NamedTuple):
-    """The values that decide a grounded ship's transition."""
-
-    place: Place
-    ground: Ground
-    over: OverGround
-    up: Vec3
-    # From step 1, kg and N.
-    mass: float
-    thrust: Vec3
+# The values that decide a grounded ship's transition: place, ground, velocity over it and up at the end; mass, kg, and
+# thrust, N, from step 1.
+End = tuple[Place, Ground, OverGround, Vec3, float, Vec3]
 
 
 def impact_speed(ground: Ground, speed: float, sinking: Sinking) -> float:
@@ -54,16 +46,16 @@ def touch_or_crash(ship: Ship, config: Config, ground: Ground, speed: float, sin
 
 def leave_or_change(ship: Ship, config: Config, end: End, sinking: Sinking) -> str:
     """Transition of a ship in contact or tipped."""
-    penetration, sx, sy, sz, _, _, _, _ = end.ground
-    speed = end.over[0]
+    _, ground, over, up, _, _ = end
+    penetration, sx, sy, sz, _, _, _, _ = ground
+    speed = over[0]
     touching = penetration > 0
-    if touching and impact_speed(end.ground, speed, sinking) > config.contact_crash_speed:
+    if touching and impact_speed(ground, speed, sinking) > config.contact_crash_speed:
         return crash(ship)
     if (penetration <= 0 and speed > 0) or penetration < FELL_AWAY:
         ship.surface_contact_state = FLYING
         ship.impact_speed = 0.0
         return ""
-    up = end.up
     cos_tilt = sx * up[0] + sy * up[1] + sz * up[2]
     if ship.surface_contact_state == TIPPED:
         rights = cos_tilt > config.cos_tipped_angle and is_righting(ship, (sx, sy, sz), up)
@@ -99,19 +91,20 @@ def is_settled(ship: Ship, config: Config, end: End) -> bool:
     spin = relative_spin(ship)
     if not dot(spin, spin) < config.contact_settle_angular_vel * config.contact_settle_angular_vel:
         return False
-    _, depth = depth_of(end.mass, end.mass * end.place[4], end.thrust, end.ground)
-    return is_nearly_at_rest(config, end.ground, end.over, depth) and is_held(ship, config, end)
+    place, ground, over, up, mass, thrust = end
+    _, depth, _ = load_of(mass, mass * place[4], thrust, ground)
+    return is_nearly_at_rest(config, ground, over, depth) and is_held(ship, config, place, ground, up)
 
 
-def is_held(ship: Ship, config: Config, end: End) -> bool:
+def is_held(ship: Ship, config: Config, place: Place, ground: Ground, up: Vec3) -> bool:
     """Whether static friction holds the ship on the slope, and its weight acts within its footprint."""
-    _, _, _, _, cos, lx, ly, lz = end.ground
+    _, _, _, _, cos, lx, ly, lz = ground
     if not sqrt(lx * lx + ly * ly + lz * lz) <= config.contact_friction_static * cos:
         return False
-    normal = end.place[:3]
-    x, y, z = cross(normal, end.up)
+    normal = place[:3]
+    x, y, z = cross(normal, up)
     lever = ship.ground_contact_offset * sqrt(x * x + y * y + z * z)
-    return lever <= ship.ship_class.leg_radius * dot(normal, end.up)
+    return lever <= ship.ship_class.leg_radius * dot(normal, up)
 
 
 def relative_spin(ship: Ship) -> Vec3:

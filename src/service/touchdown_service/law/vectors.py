@@ -6,6 +6,9 @@ Vec3 = tuple[float, float, float]
 Quat = tuple[float, float, float, float]
 Mat3 = tuple[float, float, float, float, float, float, float, float, float]
 
+# No force or torque. Told by identity from one that happens to be zero.
+NOTHING: Vec3 = (0.0, 0.0, 0.0)
+
 
 def dot(a: Vec3, b: Vec3) -> float:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -41,21 +44,15 @@ def unit(a: Vec3) -> Vec3:
 def rotate(m: Mat3, v: Vec3) -> Vec3:
     """M v: from body axes into ICRF where m is the matrix of an attitude."""
     x, y, z = v
-    return (
-        m[0] * x + m[1] * y + m[2] * z,
-        m[3] * x + m[4] * y + m[5] * z,
-        m[6] * x + m[7] * y + m[8] * z,
-    )
+    a, b, c, d, e, f, g, h, i = m
+    return (a * x + b * y + c * z, d * x + e * y + f * z, g * x + h * y + i * z)
 
 
 def rotate_back(m: Mat3, v: Vec3) -> Vec3:
     """The transpose of M times v: from ICRF into body axes."""
     x, y, z = v
-    return (
-        m[0] * x + m[3] * y + m[6] * z,
-        m[1] * x + m[4] * y + m[7] * z,
-        m[2] * x + m[5] * y + m[8] * z,
-    )
+    a, b, c, d, e, f, g, h, i = m
+    return (a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z)
 
 
 def axes_of(q: Quat) -> Mat3:

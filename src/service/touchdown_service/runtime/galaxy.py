@@ -65,11 +65,10 @@ def make_galaxy(definition: Any, bodies: list[Body]) -> Galaxy:
         load_ship_class(given, f"world.ship_classes[{i}]")
         for i, given in enumerate(required(definition, "ship_classes", "world"))
     ]
-    world = World(
-        load_config(definition.get("settings", {}), "world.settings"),
-        bodies,
-        load_ground(definition, bodies, "world"),
-    )
+    terrain_height, highest = load_ground(definition, bodies, "world")
+    for body in bodies:
+        body.highest_ground = body.radius + highest(body.name)
+    world = World(load_config(definition.get("settings", {}), "world.settings"), bodies, terrain_height)
     one_of(definition.get("input_granularity", "substep"), "world.input_granularity", ("substep",))
     return Galaxy(
         definition,

@@ -7,13 +7,13 @@ from typing import Any
 from ..maneuver_landing import Landing
 from ..models import Input, Ship
 from ..storage.records import load_controls_json
+from ..storage.stored import MAX_SHIPS
 from ..validation.limits import Refusal, mapping, one_of, parse_json, required, text, whole
 from .galaxy import Changes, Galaxy, end_landing, remove_ship
 from .spawning import ship_of_order
 
 # Maximum queued inputs per ship: twice ten wall seconds with a change every 10 ms.
 MAX_PENDING = 2048
-MAX_SHIPS = 10_000
 MAX_SUBSTEPS = 100_000
 # How far an input may be ahead, in addition to one tick, wall s.
 MAX_AHEAD = 10

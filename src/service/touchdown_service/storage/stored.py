@@ -24,6 +24,8 @@ from ..validation.limits import (
 from .records import from_hash, input_of_record, ship_of_record
 
 CLOCK = "touchdown:clock"
+# Ships of a system.
+MAX_SHIPS = 10_000
 ENTRY_ID = re.compile(r"[0-9]{1,16}-[0-9]{1,16}")
 
 

@@ -1,6 +1,12 @@
 /** Runs a predictor and collects its warnings: a ship landed on the Moon, its frame, its hello. */
 import { BODIES, DEFAULT_SETTINGS, NEUTRAL_CONTROLS, SHIP_CLASSES } from '../../../../src/dynamics';
-import { createPredictor, type Predictor } from '../../../../src/prediction';
+import {
+  createLeanPredictor,
+  createPredictor,
+  type LeanPredictor,
+  type Predictor,
+  type PredictorOptions,
+} from '../../../../src/prediction';
 import type { Hello, ServerFrame, ShipState } from '../../../../src/wire';
 
 export const LUNA = BODIES.find(({ name }) => name === 'Luna')!;
@@ -55,14 +61,26 @@ export interface Warning {
 }
 
 /** The warnings of a predictor while `use` runs. */
-export function warningsOf(use: (predictor: Predictor) => void, options: object = {}): Warning[] {
+export const warningsOf = (use: (predictor: Predictor) => void, options: object = {}): Warning[] =>
+  warningsOfOne(createPredictor, use, options);
+
+/** The same of a lean predictor without features. */
+export const warningsOfLean = (use: (predictor: LeanPredictor) => void): Warning[] =>
+  warningsOfOne(createLeanPredictor, use, {});
+
+function warningsOfOne<P>(
+  create: (options: PredictorOptions) => P,
+  use: (predictor: P) => void,
+  options: object,
+) {
   const found: Warning[] = [];
-  const predictor = createPredictor({
-    ownShipId: 'a',
-    onWarning: (code, message, details) => found.push({ code, message, details }),
-    ...options,
-  });
-  use(predictor);
+  use(
+    create({
+      ownShipId: 'a',
+      onWarning: (code, message, details) => found.push({ code, message, details }),
+      ...options,
+    }),
+  );
   return found;
 }
 

@@ -1,7 +1,9 @@
 /** Mistakes in messages: the mistake, the expected code, and a part of the expected message. */
 import { DEFAULT_SETTINGS, NEUTRAL_CONTROLS } from '../../../../src/dynamics';
 import type { ServerFrame } from '../../../../src/wire';
-import { type Mistake, frame, hello, received, ship, ticks, warningsOf } from './given';
+import { type Mistake, frame, hello, received, ship, ticks, warningsOf, warningsOfLean } from './given';
+
+const event = { type: 'ship.landed', tick: 0, substep: 3, shipId: 'a' };
 
 export const MESSAGES: readonly Mistake[] = [
   ['bytes', 'message-not-decoded', /decode/, () => received(new Uint8Array(3))],
@@ -31,12 +33,30 @@ export const MESSAGES: readonly Mistake[] = [
     /decodeFrameJson/,
     () => received({ ...frame, ships: [{ ship_id: 'a' }] }),
   ],
+  [
+    'events, and no feature for them',
+    'feature-missing',
+    /surfaceEvents.*ignored/,
+    () => warningsOfLean((p) => p.receive({ ...frame, events: [event] }, 0)),
+  ],
   ['no tempo', 'tempo-missing', /tickRate/, () => received({ kind: 'frame', tick: 1, ships: [ship] })],
   [
     'the same bodies again',
     'bodies-old',
     /velocity/,
     () => received(frame, { ...frame, tick: 2 }, { ...frame, tick: 3 }),
+  ],
+  [
+    'time that no frame has, and no bodies',
+    'bodies-unknown',
+    /not confirmed/,
+    () => {
+      const untold = {
+        ...{ ...frame, bodies: [] },
+        ships: [{ ...ship, relativePosition: null, relativeVelocity: null }],
+      };
+      return received(untold, { ...untold, tick: 3, tickRate: 2 });
+    },
   ],
   [
     'an acknowledgement of a later tick',

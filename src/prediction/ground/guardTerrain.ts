@@ -1,6 +1,6 @@
 import type { ClientTerrain } from '../options';
 import type { Warn } from '../warnings';
-import { describe } from './describe';
+import { describe } from '../checks/describe';
 
 /** Wraps a caller's terrain: where it returns no height, or throws, the ground counts as not loaded, with a warning. */
 export function guardTerrain(terrain: ClientTerrain, name: string, warn: Warn): ClientTerrain {

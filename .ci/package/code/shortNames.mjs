@@ -1,11 +1,28 @@
 // Shortens the names of the core's internal properties in the production build: the users' minifiers may not, since they
-// cannot know which names are public. A name is kept if it is in a declaration file, in a string, a property in
+// cannot know which names are public. A name is kept if it is a member in a declaration file, a whole string, a property in
 // another entry's code, or of JavaScript itself (the core uses no browser API).
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import ts from 'typescript';
 import { parseAst } from 'vite';
 
-const wordsOf = (text) => text.match(/[A-Za-z_$][\w$]*/g) ?? [];
+const isWord = (text) => /^[A-Za-z_$][\w$]*$/.test(text);
+
+/** Names of the members that a declaration file declares, and its literal types. */
+function membersOf(text) {
+  const found = [];
+  const visit = (node) => {
+    if (ts.isStringLiteral(node)) found.push(node.text);
+    else if (
+      (ts.isTypeElement(node) || ts.isClassElement(node) || ts.isEnumMember(node)) &&
+      node.name !== undefined
+    )
+      found.push(node.name.text);
+    ts.forEachChild(node, visit);
+  };
+  visit(ts.createSourceFile('members.d.ts', text, ts.ScriptTarget.Latest));
+  return found;
+}
 
 /** Calls `visit` with each node of a program. */
 function eachNode(node, visit) {
@@ -23,14 +40,13 @@ function nameAt(node) {
   return name?.type === 'Identifier' ? name : undefined;
 }
 
-/** Property names of a file, `{ name, start, end, isShorthand }` each, and the words in its strings. */
+/** Property names of a file, `{ name, start, end, isShorthand }` each, and its strings that are one word. */
 function read(path) {
   const code = readFileSync(path, 'utf8');
   const names = [];
   const texts = [];
   eachNode(parseAst(code), (node) => {
-    if (node.type === 'Literal' || node.type === 'TemplateElement')
-      texts.push(code.slice(node.start, node.end));
+    if (node.type === 'Literal' && typeof node.value === 'string') texts.push(node.value);
     const found = nameAt(node);
     if (found === undefined) return;
     names.push({
@@ -40,7 +56,7 @@ function read(path) {
       isShorthand: node.shorthand === true,
     });
   });
-  return { path, code, names, texts: texts.join('\n') };
+  return { path, code, names, texts: texts.filter(isWord) };
 }
 
 /** a … z, aa … */
@@ -52,13 +68,13 @@ function* letters() {
 }
 
 /** A short name for each name that may change, the most used first. */
-function shortNames(files, kept, taken) {
+function shortNames(files, kept) {
   const counts = new Map();
   for (const { name } of files.flatMap(({ names }) => names)) counts.set(name, (counts.get(name) ?? 0) + 1);
   const free = letters();
   const next = () => {
     let name = free.next().value;
-    while (taken.has(name) || counts.has(name)) name = free.next().value;
+    while (kept.has(name) || counts.has(name)) name = free.next().value;
     return name;
   };
   const changing = [...counts].filter(([name]) => !kept.has(name) && name.length > 2);
@@ -89,12 +105,12 @@ export function shortenNames(folder, { own, language }) {
   const others = list(folder).filter((file) => file !== 'index.js');
   const files = [join(folder, 'index.js'), ...chunks].map(read);
   const outside = others.map((file) => read(join(folder, file)));
-  const texts = [...files, ...outside].map((file) => file.texts);
-  const taken = new Set([
-    ...[...own, ...texts].flatMap(wordsOf),
+  const kept = new Set([
+    ...[...own, ...language].flatMap(membersOf),
+    ...[...files, ...outside].flatMap(({ texts }) => texts),
     ...outside.flatMap(({ names }) => names).map(({ name }) => name),
   ]);
-  const short = shortNames(files, new Set([...taken, ...language.flatMap(wordsOf)]), taken);
+  const short = shortNames(files, kept);
   if (short.size < 100) throw new Error(`only ${short.size} names may be shortened`);
   for (const file of files) rewrite(file, short);
 }

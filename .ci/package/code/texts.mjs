@@ -1,0 +1,62 @@
+// Shortens the texts of the production build: a warning's message is its code, and a refusal says `field: got value`.
+// ERRORS.md has the sentences by code, and the development build says in full what was expected.
+import { parseAst } from 'vite';
+
+/** Calls `visit` with each node below `node`. */
+function walk(node, visit) {
+  if (node === null || typeof node !== 'object') return;
+  if (typeof node.type === 'string') visit(node);
+  for (const value of Array.isArray(node) ? node : Object.values(node)) walk(value, visit);
+}
+
+const isText = (node) =>
+  node?.type === 'TemplateLiteral' || (node?.type === 'Literal' && typeof node.value === 'string');
+
+const nameOf = ({ callee }) => (callee.type === 'MemberExpression' ? callee.property : callee).name;
+
+/** `warn(code, message, details)` with the code as its message; null for any other call. */
+function shortWarning(node, code) {
+  if (node.type !== 'CallExpression' || nameOf(node) !== 'warn') return null;
+  const [first, message] = node.arguments;
+  if (!isText(first) || !isText(message)) return null;
+  return [message.start, message.end, code.slice(first.start, first.end)];
+}
+
+/** `[start, end, text]` to leave out what a text says was expected; null if it does not say so. */
+function shortReason(node, code) {
+  if (!isText(node)) return null;
+  const parts = node.type === 'Literal' ? [node] : node.quasis;
+  const find = (word, from) => {
+    for (const { start, end } of parts) {
+      const at = code.slice(start, end).indexOf(word, Math.max(0, from - start));
+      if (at >= 0 && start + at >= from) return start + at;
+    }
+    return -1;
+  };
+  const from = find('expected ', node.start);
+  if (from < 0) return null;
+  const got = find('got ', from);
+  return got < 0 ? [from, node.end - 1, 'refused'] : [from, got, ''];
+}
+
+/** The code with short texts; no line is added. */
+export function shortenTexts(code) {
+  const changes = [];
+  walk(parseAst(code), (node) => changes.push(shortWarning(node, code) ?? shortReason(node, code)));
+  const found = changes.filter((change) => change !== null);
+  const isInside = ([start, end], other) => start > other[0] && end <= other[1];
+  return found
+    .filter((change) => !found.some((other) => isInside(change, other)))
+    .sort(([a], [b]) => b - a)
+    .reduce((text, [start, end, short]) => text.slice(0, start) + short + text.slice(end), code);
+}
+
+/** The vite plugin, for modules of the core in the folder `src`. */
+export const texts = (src) => ({
+  name: 'short-texts',
+  enforce: 'post',
+  transform: (code, id) =>
+    id.startsWith(src) && /\/(dynamics|wire|prediction|readout|protocol)\/.*\.ts$/.test(id)
+      ? { code: shortenTexts(code), map: null }
+      : null,
+});

@@ -1,0 +1,84 @@
+import type { PartialFrame, ShipState } from '../../wire';
+import type { Session, SessionFeatures } from '../session';
+import { sameBodies } from '../snapshots/worldConfig';
+
+/** What of a frame needs a feature, that feature, what it has, and what happens without it. */
+interface Need {
+  readonly of: string;
+  readonly feature: string;
+  readonly part: keyof SessionFeatures;
+  readonly isNeeded: (frame: PartialFrame, session: Session) => boolean;
+  readonly effect: string;
+}
+
+const NEEDS: readonly Need[] = [
+  {
+    of: 'frame.events',
+    feature: 'surfaceEvents',
+    part: 'events',
+    isNeeded: ({ events }) => listOf(events).length > 0,
+    effect: 'they are ignored',
+  },
+  {
+    of: 'onEvent',
+    feature: 'surfaceEvents',
+    part: 'events',
+    isNeeded: (_frame, { listeners }) => listeners.size > 0,
+    effect: 'its listener is never called',
+  },
+  {
+    of: 'frame.lastInput',
+    feature: 'inputAcknowledgements',
+    part: 'acknowledgements',
+    isNeeded: ({ lastInput }) => typeof lastInput === 'object' && lastInput !== null,
+    effect: 'the controls in the states show which inputs were applied',
+  },
+  {
+    of: 'frame.timeScale, which is missing,',
+    feature: 'measuredGameTime',
+    part: 'measureGameTime',
+    isNeeded: ({ timeScale }) => timeScale === undefined,
+    effect: 'the last one is used, or 1',
+  },
+  {
+    of: 'frame.bodies, of which some are missing, incomplete or in another order,',
+    feature: 'completedBodies',
+    part: 'completeBodies',
+    isNeeded: ({ bodies }, { sim }) => lacksBodies(bodies, sim.newestTick < 0 ? null : sim.world),
+    effect: 'all bodies are extrapolated',
+  },
+  {
+    of: 'frame.ships, of which the snapshot has others in another message,',
+    feature: 'snapshotParts',
+    part: 'parts',
+    isNeeded: ({ tick, ships }, { sim }) =>
+      tick <= sim.newestTick &&
+      (listOf(ships) as readonly ShipState[]).some(
+        ({ shipId }) => (sim.fleet.byId.get(shipId)?.serverTick ?? -1) < tick,
+      ),
+    effect: 'they are ignored',
+  },
+];
+
+/** The list; an empty one for anything else that a JavaScript caller passes. */
+const listOf = (value: unknown): readonly unknown[] => (Array.isArray(value) ? value : []);
+
+function lacksBodies(
+  bodies: PartialFrame['bodies'],
+  world: Parameters<typeof sameBodies>[0] | null,
+): boolean {
+  if (!Array.isArray(bodies) || bodies.length === 0) return false;
+  return (
+    (world !== null && !sameBodies(world, { bodies })) ||
+    bodies.some(({ attitude, angularVelocity }) => attitude === undefined || angularVelocity === undefined)
+  );
+}
+
+/** Warns of what a frame has that needs a feature which this predictor was not given (createLeanPredictor). */
+export function checkFeatures(session: Session, frame: PartialFrame): void {
+  for (const { of, feature, part, isNeeded, effect } of NEEDS) {
+    if (session.features[part] !== undefined || !isNeeded(frame, session)) continue;
+    const message = `${of} needs the feature ${feature} of createLeanPredictor; without it, ${effect}.`;
+    session.warn('feature-missing', message, { field: `${feature}: ${of}`, feature, tick: frame.tick });
+  }
+}

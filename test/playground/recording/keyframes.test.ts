@@ -1,0 +1,81 @@
+import { describe, expect, it } from 'vitest';
+import { createKeyframes, feed, type Keyframes } from '../../../src/playground/recording/keyframes';
+import { createReplay } from '../../../src/playground/recording/replay';
+import { recordPlay } from '../game/recordPlay';
+
+const SHIPS = 5;
+/** Frames and ships' substeps of the two wall seconds from one keyframe to the next, and one frame more. */
+const FRAMES = 2 * 60 + 1;
+const SUBSTEPS = (2 * 100 + 2) * SHIPS;
+
+const recording = recordPlay({ scenario: 'bounce', others: SHIPS - 1, seconds: 40 });
+const { entries } = recording;
+/** Spread over the recording, the first near its end. */
+const TIMES = Array.from({ length: 30 }, (_, n) => 39.9 - ((n * 7.3) % 39));
+
+/** What must be computed to get to a time of the recording. */
+function workTo(keyframes: Keyframes, at: number) {
+  const fed = keyframes.before(at);
+  const counted = () => fed.predictor.view(fed.shownAt).diagnosis;
+  const { steppedSubsteps, replayedSubsteps } = counted();
+  let frames = 0;
+  while (fed.next < entries.length && entries[fed.next]!.at <= at) {
+    if (entries[fed.next]!.kind === 'advanced') frames++;
+    feed(fed, entries);
+  }
+  const after = counted();
+  return {
+    frames,
+    substeps: after.steppedSubsteps - steppedSubsteps + after.replayedSubsteps - replayedSubsteps,
+  };
+}
+
+describe('keyframes', () => {
+  it('made in advance, leave at most two seconds to compute for any step back, the first like the others', () => {
+    const keyframes = createKeyframes(recording);
+    keyframes.prepare(() => false);
+    const work = TIMES.map((at) => workTo(keyframes, at));
+    expect(Math.max(...work.map(({ frames }) => frames))).toBeLessThanOrEqual(FRAMES);
+    expect(Math.max(...work.map(({ substeps }) => substeps))).toBeLessThanOrEqual(SUBSTEPS);
+    // Ships that sleep take no substeps; those in flight do.
+    expect(Math.max(...work.map(({ substeps }) => substeps))).toBeGreaterThan(SHIPS * 10);
+  });
+
+  it('are the same made in slices: each slice goes on where the last one stopped', () => {
+    const sliced = createKeyframes(recording);
+    let slices = 0;
+    for (let left = 0; slices * 100 < entries.length; slices++) {
+      left = 100;
+      sliced.prepare(() => left-- === 0);
+    }
+    const whole = createKeyframes(recording);
+    whole.prepare(() => false);
+    for (const at of TIMES) expect(workTo(sliced, at)).toEqual(workTo(whole, at));
+  });
+
+  it('leave half a second to compute for a step near the place last gone to', () => {
+    const keyframes = createKeyframes(recording);
+    keyframes.prepare(() => false);
+    const fed = keyframes.before(31.9);
+    while (entries[fed.next]!.at <= 31.9) {
+      feed(fed, entries);
+      keyframes.keepNear(fed);
+    }
+    for (const at of [31.8, 31.3, 30.9]) expect(workTo(keyframes, at).frames).toBeLessThanOrEqual(31);
+  });
+});
+
+describe('a replay', () => {
+  it('steps back to the same pose with keyframes made in advance and without', () => {
+    const prepared = createReplay(recording);
+    prepared.prepare(() => false);
+    const unprepared = createReplay(recording);
+    for (const at of [39.5, 12.2, 25]) {
+      prepared.seek(at);
+      unprepared.seek(at);
+      expect(prepared.step('tick', -1).own!.easedPosition).toEqual(
+        unprepared.step('tick', -1).own!.easedPosition,
+      );
+    }
+  });
+});

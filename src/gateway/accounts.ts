@@ -26,6 +26,7 @@ export interface Account {
 
 const hash = promisify<string, Buffer, number, Buffer>(scrypt);
 const ISSUER = 'touchdown';
+const CHECKS = { issuer: ISSUER, algorithms: ['HS256'], requiredClaims: ['sub', 'exp'] };
 /** Bytes of a password hash. */
 const HASH_LENGTH = 32;
 
@@ -67,12 +68,12 @@ export async function createAccounts(
     },
     async verify(token) {
       try {
-        const checks = { issuer: ISSUER, algorithms: ['HS256'], requiredClaims: ['sub', 'exp'] };
-        const { payload } = await jwtVerify(token, key, checks);
-        const { sub = '', exp = 0, username } = payload;
-        return sub === ''
-          ? null
-          : { playerId: sub, username: typeof username === 'string' ? username : '', expires: exp };
+        const { payload } = await jwtVerify(token, key, CHECKS);
+        const { sub, aud, username }: Record<string, unknown> = payload;
+        // Tokens of this gateway have no audience: one that names an audience is for another service.
+        if (typeof sub !== 'string' || sub === '' || aud !== undefined) return null;
+        const expires = payload.exp ?? 0;
+        return { playerId: sub, username: typeof username === 'string' ? username : '', expires };
       } catch {
         return null;
       }

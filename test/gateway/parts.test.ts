@@ -1,3 +1,4 @@
+import { SignJWT, UnsecuredJWT } from 'jose';
 import { expect, it } from 'vitest';
 import { createAccounts } from '../../src/gateway/accounts';
 import { shareFrame } from '../../src/gateway/redis/sharedFrame';
@@ -89,6 +90,41 @@ it('checks name and password, and accepts its own tokens until they expire', asy
   await expect(createAccounts([], { ...made, secret: 'x'.repeat(31) })).rejects.toThrow(
     'secret: expected at least 32',
   );
+});
+
+const NOW = Math.floor(Date.now() / 1000);
+const CLAIMS = { iss: 'touchdown', sub: 'p1', username: 'one', exp: NOW + 3600 };
+
+function signed(claims: object, alg = 'HS256', secret = SECRET): Promise<string> {
+  return new SignJWT({ ...claims }).setProtectedHeader({ alg }).sign(new TextEncoder().encode(secret));
+}
+
+it.each([
+  ['without a signature', () => new UnsecuredJWT({ ...CLAIMS }).encode()],
+  ['signed with another algorithm', () => signed(CLAIMS, 'HS512')],
+  ['signed with another secret', () => signed(CLAIMS, 'HS256', `${SECRET}!`)],
+  ['that has expired', () => signed({ ...CLAIMS, exp: NOW - 1 })],
+  ['that is not valid yet', () => signed({ ...CLAIMS, nbf: NOW + 1800 })],
+  ['that never expires', () => signed({ ...CLAIMS, exp: undefined })],
+  ['of another issuer', () => signed({ ...CLAIMS, iss: 'elsewhere' })],
+  ['for another audience', () => signed({ ...CLAIMS, aud: 'mail' })],
+  ['for several audiences', () => signed({ ...CLAIMS, aud: ['mail', 'log'] })],
+  ['for no player', () => signed({ ...CLAIMS, sub: '' })],
+  ['with a subject that is no text', () => signed({ ...CLAIMS, sub: 5 })],
+  [
+    'of 60 kB, signed with another secret',
+    () => signed({ ...CLAIMS, more: 'x'.repeat(60_000) }, 'HS256', 'y'),
+  ],
+  ['of 60 kB of dots', () => '.'.repeat(60_000)],
+  ['of no characters', () => ''],
+])('accepts no token %s', async (_, make) => {
+  const accounts = await createAccounts([], { secret: SECRET, lifetime: 60, now: () => NOW });
+  expect(await accounts.verify(await signed(CLAIMS))).toEqual({
+    playerId: 'p1',
+    username: 'one',
+    expires: NOW + 3600,
+  });
+  expect(await accounts.verify(await make())).toBeNull();
 });
 
 it('reads the valid parts of the service’s frame', () => {

@@ -57,7 +57,7 @@ export const USES = [
   },
   {
     name: 'scene (without three)',
-    most: 31,
+    most: 32,
     code: `export { createSceneView } from 'galaxy-touchdown/scene';`,
     without: ['discardUnknown'],
   },

@@ -58,7 +58,9 @@ it('keeps malformed, oversized, unauthenticated, slow and flooding clients from 
     expect(await foreign.closed).toBe(4003);
 
     const silent = rawClient(operator, '/ws');
-    const unsigned = new UnsecuredJWT({ iss: 'touchdown', sub: 'pilot-two' }).setExpirationTime('1h').encode();
+    const unsigned = new UnsecuredJWT({ iss: 'touchdown', sub: 'pilot-two' })
+      .setExpirationTime('1h')
+      .encode();
     for (const token of [`${await operator.tokenOf('two')}x`, unsigned, '.'.repeat(60_000)]) {
       const forged = rawClient(operator, '/stream');
       await forged.opened;

@@ -12,8 +12,10 @@ import { readServiceStates, type ServiceStates } from './serviceStates';
 
 /** One way, s. */
 const DELAY = 0.05;
-/** Wall s after the first state of a fall; the offset of the respawn itself is within 5 % after 0.3 s (PREDICTION, Drawing). */
+/** Wall s after the first state of a fall, or a step of the present; the drawn ships ease after either (PREDICTION, Drawing). */
 const EASED = 1;
+/** Rate of the present above which it has stepped, and the slack of a look's time, wall s. */
+const STEP = { rate: 1.1, slack: 0.002 } as const;
 const PATIENCE = { timeout: 120_000, interval: 100 };
 /**
  * Drawn in software instead of on a graphics card, the HUDs alone take both cores for up to a second, during which the service
@@ -177,9 +179,24 @@ function looksOf(entries: readonly RecordingEntry[], ownShipId: string): Look[] 
   return looks;
 }
 
+/**
+ * The looks at which nothing is eased after a step of the present. A service that stands, for want of CPU time beside other load, makes
+ * the present wait; as soon as it goes on, the present steps to it, 0.2 s at 10 m/s being 2 m, and the drawn ships ease after it.
+ */
+function withoutSteps(looks: readonly Look[], rate: number): Look[] {
+  const presentOf = ({ tick, sinceTick }: Look) => tick / rate + sinceTick;
+  let steppedAt = -Infinity;
+  return looks.filter((look, i) => {
+    const before = looks[i - 1] ?? look;
+    const most = STEP.rate * (look.at - before.at) + STEP.slack;
+    if (presentOf(look) - presentOf(before) > most) steppedAt = look.at;
+    return look.at > steppedAt + EASED;
+  });
+}
+
 /** The samples of a bounce, from a second after both ships were first seen falling. */
-function looksAt(looks: readonly Look[], { first, last }: Bounce): Look[] {
-  const during = looks.filter(({ tick }) => tick > first && tick < last);
+function looksAt(looks: readonly Look[], { rate, first, last }: Bounce): Look[] {
+  const during = withoutSteps(looks, rate).filter(({ tick }) => tick > first && tick < last);
   const falling = during.find(({ ships }) => ships.length === 2 && ships.every(({ state }) => state === ''));
   return during.filter(({ at }) => falling !== undefined && at > falling.at + EASED);
 }

@@ -106,6 +106,7 @@ function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seco
   const flicker = 0.92 + 0.08 * Math.sin(seconds * 61) * Math.sin(seconds * 37);
   parts.flame.place(actor, watched, rig.eye, flicker);
   parts.shipResources.jet.uniforms['flicker']!.value = flicker;
+  for (const part of parts.scene.children) if (part.visible) part.updateMatrixWorld();
   parts.renderer.render(parts.scene, parts.camera);
 }
 

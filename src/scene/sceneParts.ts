@@ -50,6 +50,12 @@ export function createParts(canvas: HTMLCanvasElement, quality: Quality) {
     plumbLine: createPlumbLine(),
   };
   const { scene, sky, ground, light, rocks, hulls, jets, dust } = parts;
+  // These stay at the origin: their matrices, and those of what stays in them, are computed once.
+  const { overlays, markers } = parts;
+  for (const fixed of [sky, ground, light, hulls, overlays, markers]) fixed.group.matrixAutoUpdate = false;
+  jets.matrixAutoUpdate = false;
+  // drawWatched updates the parts in sight.
+  scene.matrixWorldAutoUpdate = false;
   scene.add(sky.group, ground.group, light.group, rocks.mesh, parts.shadows.mesh, hulls.group, jets);
   scene.add(
     flame.light,

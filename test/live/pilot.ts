@@ -64,7 +64,6 @@ export function startPilot(address: string, options: PredictorOptions = {}): Liv
     onWelcome: (about) => predictor.setOwnShip(String(about['ship_id'])),
     onShipGone: (shipId) => predictor.removeShip(shipId, 'destroyed'),
     onRefused: (reason) => trouble.push(reason),
-    onStatus: () => undefined,
     onRun: () => undefined,
   });
 

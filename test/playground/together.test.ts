@@ -54,7 +54,7 @@ function playTogether() {
       onLink: (words) => told.push(words),
       onScenario: (scenario, terrain) => told.push(`${scenario} on ${terrain}`),
       ...{ onClosed: ignore, onWelcome: ignore, onShipGone: ignore },
-      ...{ onRefused: (reason: string) => told.push(reason), onStatus: ignore, onRun: ignore },
+      ...{ onRefused: (reason: string) => told.push(reason), onRun: ignore },
     },
     channelOf(),
   );

@@ -165,7 +165,7 @@ function unit(v: Triple): Triple {
   return scaled(v, 1 / Math.hypot(...v));
 }
 
-function crossed(a: readonly number[], b: readonly number[]): Triple {
+export function crossed(a: readonly number[], b: readonly number[]): Triple {
   return [a[1]! * b[2]! - a[2]! * b[1]!, a[2]! * b[0]! - a[0]! * b[2]!, a[0]! * b[1]! - a[1]! * b[0]!];
 }
 
@@ -181,7 +181,7 @@ function rotationFromZ(to: Triple): Rotation {
   return aboutAxis(unit(axis), Math.atan2(Math.hypot(...axis), to[2]));
 }
 
-function multiplied(a: Rotation, b: Rotation): Rotation {
+export function multiplied(a: Rotation, b: Rotation): Rotation {
   return [
     a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],
     a[3] * b[1] + a[1] * b[3] + a[2] * b[0] - a[0] * b[2],

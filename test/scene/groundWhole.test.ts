@@ -1,4 +1,4 @@
-import { Mesh, ShaderMaterial } from 'three';
+import { Mesh, ShaderMaterial, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { LESSONS, loadScenario, MISSIONS, type Scenario, SCENARIOS } from '../../src/scenarios';
 import { createCone } from '../../src/scene/camera/viewCone';
@@ -33,7 +33,8 @@ function drawnCells(ground: Ground): ReadonlySet<string>[] {
   ground.place(new Float64Array(3), everywhere);
   return ground.group.children.map((child, n) => {
     if (!(child instanceof Mesh)) throw new Error('a level is no mesh');
-    const { geometry, position } = child as Mesh;
+    const { geometry, matrixWorld } = child as Mesh;
+    const position = new Vector3().setFromMatrixPosition(matrixWorld);
     const spacing = FINEST * 2 ** n;
     const [cornerX, cornerZ] = [position.x, position.z].map((at) => Math.round(at / spacing) - CELLS / 2);
     const index = geometry.index!.array;

@@ -68,8 +68,17 @@ export function readSurface(
   surface[PENETRATION] = ground + q[GROUND_CONTACT_OFFSET]! - surface[DISTANCE]!;
   if (!evenOffGround && !(surface[PENETRATION] > 0)) return;
 
-  if (step.settings[IS_TERRAIN_NORMAL] === 1) readSlope(surface, step, bodyAxes);
-  else readLevel(surface);
+  let sx = nx;
+  let sy = ny;
+  let sz = nz;
+  if (step.settings[IS_TERRAIN_NORMAL] === 1) {
+    readSlope(surface, step, bodyAxes);
+    sx = surface[SURFACE_NORMAL]!;
+    sy = surface[SURFACE_NORMAL + 1]!;
+    sz = surface[SURFACE_NORMAL + 2]!;
+  } else {
+    readLevel(surface);
+  }
   const rx = q[POSITION]!;
   const ry = q[POSITION + 1]!;
   const rz = q[POSITION + 2]!;
@@ -79,9 +88,6 @@ export function readSurface(
   const vx = q[VELOCITY]! - (oy * rz - oz * ry);
   const vy = q[VELOCITY + 1]! - (oz * rx - ox * rz);
   const vz = q[VELOCITY + 2]! - (ox * ry - oy * rx);
-  const sx = surface[SURFACE_NORMAL]!;
-  const sy = surface[SURFACE_NORMAL + 1]!;
-  const sz = surface[SURFACE_NORMAL + 2]!;
   const speed = vx * sx + vy * sy + vz * sz;
   const tx = vx - speed * sx;
   const ty = vy - speed * sy;

@@ -8,6 +8,8 @@ const PIVOT_Y = 100;
 const RADIUS = 79;
 /** Most degrees the needle can show; beyond that only the number shows the tilt. */
 const DIAL_END = 96;
+/** Steps of a degree in which zones and marks move: less than their lines are wide. */
+const PER_DEGREE = 10;
 
 /** Arc gauge of the tilt, with the settle, no-return and tipped marks (HUD, Tilt). */
 export function createTiltGauge(parent: Element): (tilt: Tilt) => void {
@@ -44,25 +46,46 @@ function createScale(picture: Element): (tilt: Tilt) => void {
   const zones = ['settled', 'leaning', 'toppling', 'tipped'].map((zone) =>
     appendSvg(picture, 'path', { class: `td-zone td-zone-${zone}` }),
   );
-  const marks = [createMark(picture), createMark(picture), createMark(picture)];
-  let shown = [NaN, NaN, NaN];
+  const paintZones = zones.map((zone) => showFigures(zone, 'd', PER_DEGREE, arc));
+  const paintSettle = createMark(picture);
+  const paintNoReturn = createMark(picture);
+  const paintTipped = createMark(picture);
   return ({ settle, noReturn, tipped }) => {
     if (Number.isNaN(settle)) return;
-    if (settle === shown[0] && noReturn === shown[1] && tipped === shown[2]) return;
-    shown = [settle, noReturn, tipped];
-    const from = [0, settle, Math.max(settle, Math.min(noReturn, tipped)), tipped, DIAL_END];
-    zones.forEach((zone, i) => zone.setAttribute('d', arc(from[i]!, from[i + 1]!)));
-    marks.forEach((mark, i) => mark(shown[i]!));
+    const leaning = Math.max(settle, Math.min(noReturn, tipped));
+    paintZones[0]!(0, settle);
+    paintZones[1]!(settle, leaning);
+    paintZones[2]!(leaning, tipped);
+    paintZones[3]!(tipped, DIAL_END);
+    paintSettle(settle);
+    paintNoReturn(noReturn);
+    paintTipped(tipped);
   };
 }
 
 function createMark(picture: Element): (angle: number) => void {
   const line = appendSvg(picture, 'path', { class: 'td-mark' });
   const label = appendSvg(picture, 'text', { class: 'td-mark-text' });
+  const paintLine = showFigures(
+    line,
+    'd',
+    PER_DEGREE,
+    (angle) => `M${point(angle, RADIUS - 8)}L${point(angle, RADIUS + 6)}`,
+  );
+  const paintPlace = showFigures(
+    label,
+    'transform',
+    PER_DEGREE,
+    (angle) => `translate(${point(angle, RADIUS + 15)})`,
+  );
+  let shown = NaN;
   return (angle) => {
-    line.setAttribute('d', `M${point(angle, RADIUS - 8)}L${point(angle, RADIUS + 6)}`);
-    label.setAttribute('transform', `translate(${point(angle, RADIUS + 15)})`);
-    label.textContent = `${String(Math.round(angle))}°`;
+    paintLine(angle);
+    paintPlace(angle);
+    const whole = Math.round(angle);
+    if (whole === shown) return;
+    shown = whole;
+    label.textContent = `${String(whole)}°`;
   };
 }
 

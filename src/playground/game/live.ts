@@ -230,8 +230,5 @@ function handlersOf(state: LiveState): ConnectionHandlers {
       state.ground = terrain;
       listeners.onScenario(scenario, terrain);
     },
-    onStatus() {
-      // The panel reads the predictor's view, which also a real server's player has.
-    },
   };
 }

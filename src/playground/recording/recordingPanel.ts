@@ -38,10 +38,13 @@ export function createRecordingPanel(host: Element, listeners: RecordingListener
   progress.hidden = true;
   progress.setAttribute('aria-label', 'Writing the recording');
   const deck = appendDeck(host, listeners);
+  let shownSeconds = NaN;
   return {
     showLength(seconds, hasDropped) {
-      const text = `Recorded ${hasDropped ? 'the last ' : ''}${seconds.toFixed(0)} s`;
-      if (length.textContent !== text) length.textContent = text;
+      const whole = Math.round(seconds);
+      if (whole === shownSeconds) return;
+      shownSeconds = whole;
+      length.textContent = `Recorded ${hasDropped ? 'the last ' : ''}${String(whole)} s`;
     },
     showReplay(replay) {
       replayButton.disabled = replay !== null;

@@ -8,7 +8,6 @@ import {
 } from '../../wire';
 import { scriptUrl } from '../scriptUrl';
 import type { Operation } from './operation';
-import type { SessionStatus } from './session';
 
 /**
  * The page's side of a server: the one in the worker, or a real one (realServer.ts, `?server=`).
@@ -48,8 +47,6 @@ export interface ConnectionHandlers {
   readonly onShipGone: (shipId: string, own: ShipLoss | null) => void;
   /** An operation was refused. */
   readonly onRefused: (reason: string) => void;
-  /** State of the worker's server, after each event; a real server reports none. */
-  readonly onStatus: (status: SessionStatus) => void;
   /** The inputs requested by { kind: 'run' }. */
   readonly onRun: (inputs: readonly RunInput[]) => void;
   /** The host of a shared world has begun a scenario. */
@@ -74,7 +71,6 @@ export type FromServer =
   | { readonly kind: 'bytes'; readonly bytes: Uint8Array }
   | { readonly kind: 'closed'; readonly reason: string }
   | { readonly kind: 'refused'; readonly reason: string }
-  | { readonly kind: 'status'; readonly status: SessionStatus }
   | { readonly kind: 'run'; readonly inputs: readonly RunInput[] };
 
 /** The server in a Web Worker, whose `program` is the page's own main.ts: it has no world before it is asked to load one. */
@@ -121,9 +117,6 @@ function dispatch(message: FromServer, handlers: ConnectionHandlers): void {
       break;
     case 'refused':
       handlers.onRefused(message.reason);
-      break;
-    case 'status':
-      handlers.onStatus(message.status);
       break;
     case 'run':
       handlers.onRun(message.inputs);

@@ -16,8 +16,6 @@ export interface Session {
   readonly run: (now: number) => Delivery[];
   /** When something happens next, wall seconds; Infinity when nothing will. */
   readonly nextAt: () => number;
-  /** For the page's panel; null before a world is loaded. */
-  readonly status: () => SessionStatus | null;
   /** What the pilot's inputs did to the own ship since the load, at the substeps where they acted. */
   readonly applied: () => readonly RunInput[];
   /** Another player comes to fly beside the own ship; the reason why not, or null. */
@@ -27,20 +25,6 @@ export interface Session {
   /** Messages that have reached another player by `now`, after run(now). */
   readonly deliverTo: (playerId: string, now: number) => Delivery[];
   readonly world: () => { readonly scenario: string; readonly terrain: string };
-}
-
-export interface SessionStatus {
-  readonly tick: number;
-  readonly tickRate: number;
-  readonly timeScale: number;
-  readonly paused: boolean;
-  readonly frozen: boolean;
-  readonly connected: boolean;
-  /** Messages of the client that were refused, and why the last. */
-  readonly refused: number;
-  readonly lastRefusal: string;
-  /** Ticks the host was too slow for. */
-  readonly slipped: number;
 }
 
 export function createSession(): Session {
@@ -66,7 +50,6 @@ export function createSession(): Session {
       return world?.link.deliver(OWN_PLAYER, now) ?? [];
     },
     nextAt: () => world?.link.nextAt() ?? Infinity,
-    status: () => (world === null ? null : statusOf(world)),
     applied: () => world?.applied ?? [],
     join: (playerId, name, now) =>
       world === null ? 'no world is loaded' : addGuest(world, playerId, name, now),
@@ -80,20 +63,5 @@ export function createSession(): Session {
       scenario: world?.loaded.scenario.name ?? '',
       terrain: world?.loaded.scenario.terrain ?? '',
     }),
-  };
-}
-
-function statusOf({ link, isConnected }: LoadedWorld): SessionStatus {
-  const { authority, loop, counters } = link;
-  return {
-    tick: authority.tickNumber(),
-    tickRate: authority.tempo.tickRate(),
-    timeScale: authority.tempo.timeScale(),
-    paused: authority.tempo.paused(),
-    frozen: loop.frozen,
-    connected: isConnected,
-    refused: counters.refused,
-    lastRefusal: counters.lastRefusal,
-    slipped: loop.slipped,
   };
 }

@@ -26,16 +26,14 @@ function run(): void {
   }
   for (const guest of host?.guests() ?? [])
     for (const { bytes } of session.deliverTo(guest, now)) host!.deliver(guest, bytes);
-  const status = session.status();
-  if (status !== null) post({ kind: 'status', status });
   schedule(now);
 }
 
 function schedule(now: number): void {
   clearTimeout(timer);
   const wait = (session.nextAt() - now) / clock.speed();
-  // A freeze has nothing to wait for; setTimeout holds at most 2³¹ ms.
-  if (Number.isFinite(wait)) timer = setTimeout(run, Math.min(Math.max(0, wait * 1000), 60_000));
+  // A freeze has nothing to wait for; setTimeout holds at most 2³¹ ms, and drops fractions: too early, it would run again and again.
+  if (Number.isFinite(wait)) timer = setTimeout(run, Math.min(Math.max(0, Math.ceil(wait * 1000)), 60_000));
 }
 
 /** Serves the page; `early` came while this program was still loading. */

@@ -33,6 +33,7 @@ export function createFrameLoop(window: Window, root: HTMLElement, context: Fram
   let isWarm = false;
   let isBuilding = false;
   let isResized = false;
+  let isMarked = false;
 
   function frame(milliseconds: number): void {
     if (root.dataset['frozen'] !== 'true') window.requestAnimationFrame(frame);
@@ -53,14 +54,15 @@ export function createFrameLoop(window: Window, root: HTMLElement, context: Fram
       if (isWarm) context.opened();
       return;
     }
-    if (view.ready && !context.isLoading()) markReady(view);
+    if (!isMarked && view.ready && !context.isLoading()) markReady(view);
   }
 
   /** On the root element, for tests and screenshots. */
   function markReady(view: WorldView): void {
     const seconds = gameSeconds(view);
     if (seconds >= freezeAt) root.dataset['frozen'] = 'true';
-    if (Number.isNaN(freezeAt) || seconds >= freezeAt) root.dataset['ready'] = 'true';
+    isMarked = Number.isNaN(freezeAt) || seconds >= freezeAt;
+    if (isMarked) root.dataset['ready'] = 'true';
   }
 
   return {

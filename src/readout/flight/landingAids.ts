@@ -11,6 +11,7 @@ import {
 } from './projection';
 import { createSurface, measureSurface, type Surface } from '../surface';
 import { viewOf } from '../arguments';
+import { writeGroundPlace, writePlaceNow } from './touchPlace';
 
 /** What helps to land: the touchdown that the law predicts, when to brake at the latest, how fast to come down. SI units. */
 export interface LandingAids {
@@ -44,6 +45,8 @@ interface AidsMemory {
   startedAt: number;
   /** Of the last touch predicted, on the view clock; NaN before. */
   touchAt: number;
+  /** Its place, body axes, m. */
+  readonly touched: Float64Array;
 }
 
 /** Game s the run goes ahead. */
@@ -102,6 +105,7 @@ export function createLandingAids(): LandingAids {
       projection: createProjection(),
       startedAt: 0,
       touchAt: NaN,
+      touched: new Float64Array(3),
     },
   };
 }
@@ -213,6 +217,7 @@ function runAhead(out: LandingAids, view: WorldView, ship: ShipView): void {
     if (touched) readTouch(out, view, ship);
   }
   out.touchSeconds = out.outcome === 'touch' ? Math.max(0, out.memory.touchAt - clock.now) : NaN;
+  if (out.outcome === 'touch') writePlaceNow(out.touchPlace, out.memory.touched, view.bodies[ship.body]!);
   if (out.outcome !== 'none') return;
   out.touchVertical = NaN;
   out.touchHorizontal = NaN;
@@ -220,7 +225,7 @@ function runAhead(out: LandingAids, view: WorldView, ship: ShipView): void {
 }
 
 function readTouch(out: LandingAids, view: WorldView, ship: ShipView): void {
-  const { projection, startedAt } = out.memory;
+  const { projection, startedAt, clock, touched } = out.memory;
   const { ships, elapsed } = projection;
   const body = view.bodies[ship.body]!;
   out.memory.touchAt = startedAt + elapsed;
@@ -239,6 +244,5 @@ function readTouch(out: LandingAids, view: WorldView, ship: ShipView): void {
   out.touchVertical = Math.max(ships[IMPACT_SPEED]!, Math.abs(along));
   out.touchHorizontal = Math.sqrt(level);
   out.touchTilt = (Math.acos(Math.min(1, Math.max(-1, projectedCosTilt(projection)))) * 180) / Math.PI;
-  // The ground turns meanwhile: the place is where that ground is at present.
-  for (let k = 0; k < 3; k++) out.touchPlace[k] = place[k]! - groundVelocity[k]! * elapsed;
+  writeGroundPlace(touched, place, body, out.memory.touchAt - clock.now);
 }

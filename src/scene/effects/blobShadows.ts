@@ -81,6 +81,7 @@ export function createBlobShadows(): BlobShadows {
   darkness.setUsage(DynamicDrawUsage);
   geometry.setAttribute('darkness', darkness);
   mesh.frustumCulled = false;
+  mesh.matrixAutoUpdate = false;
   mesh.renderOrder = 1;
   const sun = new Vector3(0, 1, 0);
   const along = new Vector3();

@@ -123,7 +123,7 @@ export function createGround(material: ShaderMaterial): Ground {
         visibleRange(range, sectors, level, cone);
         mesh.visible = range.count > 0 && !isOverHorizon(level, sectors.innerCells, eye, lowest);
         mesh.geometry.setDrawRange(range.start, range.count);
-        mesh.position.set(origin[0]! - eye[0]!, origin[1]! - eye[1]!, origin[2]! - eye[2]!);
+        mesh.matrixWorld.setPosition(origin[0]! - eye[0]!, origin[1]! - eye[1]!, origin[2]! - eye[2]!);
       }
     },
     shadowY: (x, z) => shadowOver(rings, x, z),
@@ -154,6 +154,8 @@ function createRing(spacing: number, material: ShaderMaterial): Ring {
   const mesh = new Mesh(geometry, material);
   mesh.receiveShadow = true;
   mesh.frustumCulled = false;
+  // `place` writes it: it only shifts.
+  mesh.matrixWorldAutoUpdate = false;
   return { level, mesh, sectors, holeKey: NaN };
 }
 

@@ -155,6 +155,8 @@ function flat(color: number, opacity: number): MeshBasicMaterial {
     opacity,
     transparent: true,
     side: DoubleSide,
+    // Both sides have one colour: three's second pass would show the same, and prepares the program anew twice a frame.
+    forceSinglePass: true,
     depthWrite: false,
     toneMapped: false,
   });

@@ -143,5 +143,6 @@ function createMesh(
   mesh.receiveShadow = isWhole;
   // Only the instances have positions.
   mesh.frustumCulled = false;
+  mesh.matrixAutoUpdate = false;
   return { mesh, compression, sunlit };
 }

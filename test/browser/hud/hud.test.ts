@@ -107,6 +107,8 @@ describeInBrowser('the landing HUD', () => {
       await show(state);
       expect(await changes(null), state).toEqual([]);
     }
+    await show('flight');
+    expect(await changes('nudged')).toEqual([]);
     // Only provenance differs: its text, the attribute for its style, and the announcement of the confirmed state.
     await show('flight');
     expect((await changes('confirmed')).sort()).toEqual(['#text', 'P', 'SPAN']);

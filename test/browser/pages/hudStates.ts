@@ -15,6 +15,7 @@ export const KEYS: Record<string, string> = {
 export type StateName =
   | 'noData'
   | 'flight'
+  | 'nudged'
   | 'contact'
   | 'toppling'
   | 'landed'
@@ -40,6 +41,13 @@ const ON_SIDE: Pose = { clearance: -0.016, state: 'tipped', tilt: 89.6, leanTo: 
 export const STATES: Readonly<Record<StateName, () => readonly WorldView[]>> = {
   noData: () => [{ ...makeView(), ready: false }],
   flight: () => [makeView(APPROACH, { provenance: 'predicted', age: 31 })],
+  // Off by less than any display shows.
+  nudged: () => [
+    makeView(
+      { ...APPROACH, clearance: 86.01, tilt: 4.001, leanTo: 60.02 },
+      { provenance: 'predicted', age: 31 },
+    ),
+  ],
   contact: () => [makeView({ ...SLIDE, tilt: 7.5, leanTo: 30 }, { provenance: 'confirmed', age: 0.4 })],
   toppling: () =>
     frames(

@@ -39,7 +39,6 @@ function ear() {
     onShipGone: notice((shipId) => told.push(`gone ${shipId}`)),
     onClosed: notice((reason) => told.push(`closed ${reason}`)),
     onRefused: notice((reason) => told.push(`refused ${reason}`)),
-    onStatus: notice(() => told.push('status')),
     onRun: notice(() => told.push('run')),
   };
   const until = (met: () => boolean) =>

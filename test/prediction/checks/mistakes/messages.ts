@@ -55,7 +55,7 @@ export const MESSAGES: readonly Mistake[] = [
         ...{ ...frame, bodies: [] },
         ships: [{ ...ship, relativePosition: null, relativeVelocity: null }],
       };
-      return received(untold, { ...untold, tick: 9, tickRate: 2 });
+      return received(untold, { ...untold, tick: 3, tickRate: 2 });
     },
   ],
   [

@@ -1,4 +1,5 @@
 import type { Plugin } from 'vite';
 
+export function bundleRun(groups: string[][]): void;
 export function bundledTests(): Plugin;
 export function mutation(): Plugin[];

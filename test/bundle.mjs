@@ -1,9 +1,8 @@
 // One file of a TypeScript entry point and of all source behind it, by the bundler that ships the page, with constants inlined
 // across modules. Unbundled, the test runner turns every import into a property look-up at each use, which slows the law's inner
 // loops up to 13 times, and loads each of hundreds of modules by itself.
-import { createHash } from 'node:crypto';
-import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { basename, dirname, join, relative, resolve } from 'node:path';
+import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { rolldown } from 'rolldown';
 
@@ -52,35 +51,73 @@ const leaveDynamicImports = {
   },
 };
 
-/**
- * Bundles `entry` (absolute path): { code, map, modules }, the last the paths of what is inside.
- * @param {string} entry
- * @param {{ inside?: RegExp, plugins?: object[] }} options packages to take into the bundle; the rest are imported by it
- */
-export async function bundle(entry, { inside = /^$/, plugins = [] } = {}) {
-  const isPackage = (id) => /^[^./]/.test(id) && id !== entry;
-  const build = await rolldown({
-    input: entry,
+/** As vite.config.ts has it for the page, and says why. */
+const OUTPUT = { sourcemap: true, topLevelVar: false };
+
+/** Input of the bundler: entries (absolute paths) by name, the packages to take into the bundle, further plugins. */
+function inputOf(entries, inside, plugins) {
+  const isPackage = (id) => /^[^./]/.test(id) && !Object.values(entries).includes(id);
+  return {
+    input: entries,
     platform: 'node',
     external: (id, _, isResolved) => !isResolved && isPackage(id) && !inside.test(id),
     plugins: [...mutation(), declareSourcePlace, ...plugins],
     optimization: { inlineConst: { mode: 'all', pass: 3 } },
     transform: { define: PLACES },
     moduleTypes: { '.css': 'empty' },
-  });
+  };
+}
+
+/**
+ * Bundles `entry` (absolute path): { code, map, modules }, the last the paths of what is inside.
+ * @param {string} entry
+ * @param {{ inside?: RegExp, plugins?: object[] }} options packages to take into the bundle; the rest are imported by it
+ */
+export async function bundle(entry, { inside = /^$/, plugins = [] } = {}) {
+  const build = await rolldown(inputOf({ entry }, inside, plugins));
   try {
-    const { output } = await build.generate({
-      dir: dirname(entry),
-      sourcemap: true,
-      codeSplitting: false,
-      // As vite.config.ts has it for the page, and says why.
-      topLevelVar: false,
-    });
+    const { output } = await build.generate({ ...OUTPUT, dir: dirname(entry), codeSplitting: false });
     const { code, map, moduleIds } = output[0];
     return { code, map, modules: moduleIds };
   } finally {
     await build.close();
   }
+}
+
+/**
+ * Bundles test files (absolute paths) into `folder`, what they share into files of its own: so it is bundled once, and compiled once
+ * in each process. Returns { file, modules } by test file, without those whose bundle the runner has to load.
+ */
+async function bundleTogether(tests, folder) {
+  const names = new Map(tests.map((test, n) => [`${basename(test, '.ts')}-${n}`, test]));
+  const build = await rolldown(inputOf(Object.fromEntries(names), /^$/, [leaveDynamicImports]));
+  try {
+    const { output } = await build.write({ ...OUTPUT, dir: folder, entryFileNames: '[name].mjs' });
+    const chunks = new Map(output.map((chunk) => [chunk.fileName, chunk]));
+    const made = [...names].map(([name, test]) => [test, behind(`${name}.mjs`, chunks)]);
+    return new Map(
+      made
+        .filter(([, all]) => all.every(({ code }) => !code.includes(ALONE)))
+        .map(([test, all]) => [
+          test,
+          {
+            file: join(folder, all[0].fileName),
+            modules: all.flatMap(({ moduleIds }) => moduleIds),
+            isShared: tests.length > 1,
+          },
+        ]),
+    );
+  } finally {
+    await build.close();
+  }
+}
+
+/** The chunk and all that it imports. */
+function behind(fileName, chunks) {
+  const found = new Set([fileName]);
+  for (const name of found)
+    for (const next of chunks.get(name)?.imports ?? []) if (chunks.has(next)) found.add(next);
+  return [...found].map((name) => chunks.get(name));
 }
 
 /** Bundles of this process: another run in this folder, or a changed file, must not be mistaken for them. */
@@ -106,12 +143,40 @@ function isRunning(pid) {
   }
 }
 
+const TESTS = dirname(fileURLToPath(import.meta.url));
+/** Of the test runner, at the top of a module. */
+const HOOK = /^(before|after)(Each|All)\(/m;
+
+let folder;
+let count = 0;
+let together = Promise.resolve(new Map());
+
+/** Bundles the test files (absolute paths) of a run, each group together: call before the run loads them. */
+export function bundleRun(groups) {
+  folder ??= bundlesFolder();
+  // A folder of its own: a process that goes on from the run before must not take its files for these.
+  // Where one of a group cannot be bundled each is by itself: its own error is told, and the others run.
+  const made = groups.map((tests) =>
+    bundleTogether(tests, join(folder, String(count++))).catch(() => new Map()),
+  );
+  together = Promise.all(made).then((maps) => new Map(maps.flatMap((map) => [...map])));
+}
+
+/** @throws where a module that several test files share would run a hook for the first of them alone */
+function refuseSharedHooks(modules) {
+  for (const path of modules) {
+    if (path.endsWith('.test.ts') || !HOOK.test(readFileSync(path, 'utf8'))) continue;
+    throw new Error(
+      `${path}: a hook at the top is set once for all test files; set it in a function that each calls`,
+    );
+  }
+}
+
 /**
- * Vite plugin: each test file is one bundle, which node imports as it is. The runner's own transform of it, and the look-ups that this
- * makes of each import, would cost more than the bundle itself.
+ * Vite plugin: each test file is the bundle that bundleRun made of it, which node imports as it is. The runner's own transform of it,
+ * and the look-ups that this makes of each import, would cost more than the bundle itself.
  */
 export function bundledTests() {
-  let folder;
   return {
     name: 'bundled-tests',
     enforce: 'pre',
@@ -122,16 +187,12 @@ export function bundledTests() {
       if (/\bvi\.(mock|doMock)\(/.test(readFileSync(entry, 'utf8'))) {
         throw new Error(`${entry}: vi.mock cannot reach into a bundle; pass the stand-in as an argument`);
       }
-      const { code, map, modules } = await bundle(entry, { plugins: [leaveDynamicImports] });
-      for (const module of modules) this.addWatchFile(module);
+      const made = isAlone ? undefined : (await together).get(entry);
       // What is loaded anew after vi.resetModules() has to be loaded by the runner.
-      if (isAlone || code.includes(ALONE)) return { code, map };
-      folder ??= bundlesFolder();
-      const hash = createHash('sha256').update(code).digest('hex').slice(0, 16);
-      map.sources = map.sources.map((path) => relative(folder, resolve(dirname(entry), path)));
-      const file = join(folder, `${basename(entry, '.ts')}-${hash}.mjs`);
-      writeFileSync(file, `${code}\n//# sourceMappingURL=${map.toUrl()}\n`);
-      return `import ${JSON.stringify(pathToFileURL(file).href)};`;
+      const { code, map, modules } = made ?? (await bundle(entry, { plugins: [leaveDynamicImports] }));
+      if (made?.isShared) refuseSharedHooks(modules.filter((path) => path.startsWith(TESTS)));
+      for (const module of modules) this.addWatchFile(module);
+      return made ? `import ${JSON.stringify(pathToFileURL(made.file).href)};` : { code, map };
     },
   };
 }

@@ -1,7 +1,7 @@
 // Which files are tests and how they run. A new test file anywhere under test/ is picked up by its name alone.
 import { availableParallelism } from 'node:os';
 import { BaseSequencer } from 'vitest/node';
-import { bundledTests } from './bundle.mjs';
+import { bundledTests, bundleRun } from './bundle.mjs';
 
 const BROWSER_TESTS = 'test/browser/**/*.test.ts';
 /** Minutes each: run by `npm run test:long` and by .ci/run, not by `npm test`. */
@@ -12,19 +12,37 @@ const ALONE = ['test/live/**/*.long.test.ts', 'test/prediction/harness/inChromiu
 /** ms. For hangs alone: ten times what the slowest test takes on two cores, so that no test fails on a busy machine. */
 const HANGS = { testTimeout: 300_000, hookTimeout: 300_000, expect: { poll: { timeout: 120_000 } } };
 
-/** More than cores: a browser test waits for its page most of the time. */
-const maxWorkers = 4 * availableParallelism();
-
-/** Browser tests that wait for flights of a minute: what starts last ends last. */
-const FLIGHTS = /(pageRuns|pagesTogether|pageDevices)\.test\.ts$/;
+/** More than cores: a browser test waits for its page most of the time, and the node files behind it would wait too. */
+const maxWorkers = 8 + 2 * availableParallelism();
 
 /**
- * Browser files first, each kind longest first: node files compute while they wait, and a worker changes from one kind to the other
- * once, since each change starts a process.
+ * Bundles the run's files before it begins: those of node together, so that what they share is compiled once in each process. Files
+ * of the browser share little, and each has a connection to a Chromium that ends with it.
  */
-class BrowserFirst extends BaseSequencer {
+class Bundled extends BaseSequencer {
   async sort(files) {
-    const rank = ({ project, moduleId }) => (FLIGHTS.test(moduleId) ? 0 : project.name === 'browser' ? 1 : 2);
+    const pathsOf = (isNode) =>
+      files.filter(({ project }) => (project.name === 'node') === isNode).map(({ moduleId }) => moduleId);
+    bundleRun([pathsOf(true), ...pathsOf(false).map((path) => [path])]);
+    return super.sort(files);
+  }
+}
+
+/** Those that wait for a minute, or compute for seconds: what starts last ends last. */
+const FIRST_OF_BROWSER = /(pageRuns|pagesTogether|pageDevices|pageGame)\.test\.ts$/;
+const FIRST_OF_NODE =
+  /(service\/(service|recorder)|exact\/\w+|game\/live|simulation\/law|ground\/ground|heap|bodies\/day|examples)\.test\.ts$/;
+
+/**
+ * Browser files first: node files compute while they wait. A worker changes from one kind to the other once, since each change starts
+ * a process.
+ */
+class BrowserFirst extends Bundled {
+  async sort(files) {
+    const rank = ({ project, moduleId }) =>
+      project.name === 'browser'
+        ? Number(!FIRST_OF_BROWSER.test(moduleId))
+        : 2 + Number(!FIRST_OF_NODE.test(moduleId));
     return (await super.sort(files)).sort((a, b) => rank(a) - rank(b));
   }
 }
@@ -41,7 +59,8 @@ export const tests = {
           name: 'node',
           include: ['test/**/*.test.ts'],
           exclude: [BROWSER_TESTS, LONG_TESTS],
-          // Each file has a copy of the source of its own, in its bundle: there is no state that a process of its own would part.
+          // Files of a process share the source: it keeps nothing from one call to the next but scratch, and a worker’s program, which its
+          // tests load anew.
           isolate: false,
           ...HANGS,
         },
@@ -67,6 +86,7 @@ const LONG_HANGS = { testTimeout: 1_800_000, hookTimeout: 1_800_000 };
 export const longTests = {
   publicDir: false,
   test: {
+    sequence: { sequencer: Bundled },
     reporters: ['default', ['json', { outputFile: 'node_modules/.cache/touchdown/long-tests.json' }]],
     projects: [
       {

@@ -15,7 +15,7 @@ import {
   type Position,
   spanOf,
   wallOfTick,
-  writeLater,
+  addSubsteps,
   writeMoment,
 } from './time/timeline';
 
@@ -103,7 +103,7 @@ function locate(sim: Simulation, present: number): Position {
     moment.tick = moment.tick < sim.newestTick ? sim.newestTick : last;
     moment.substeps = 0;
   }
-  writeLater(located, sim.timeline, moment.tick, 0, Math.ceil(moment.substeps));
+  addSubsteps(located, sim.timeline, moment.tick, 0, Math.ceil(moment.substeps));
   return located;
 }
 
@@ -112,6 +112,6 @@ function substepsTo({ front, timeline }: Simulation, to: Position): number {
 }
 
 function later({ front, timeline }: Simulation, substeps: number): Position {
-  writeLater(sampling, timeline, front.tick, front.substep, substeps);
+  addSubsteps(sampling, timeline, front.tick, front.substep, substeps);
   return sampling;
 }

@@ -9,13 +9,13 @@ export const FIRST_VERSION = '1.0';
 /** Compatibility of a server's version with PROTOCOL_VERSION: `newer` has a higher minor, `foreign` another major or is no version. */
 type VersionMatch = 'same' | 'older' | 'newer' | 'foreign';
 
-/** Compares "major.minor" or "major" alone (minor 0) with PROTOCOL_VERSION; absent counts as FIRST_VERSION. Never throws. */
-export function matchVersion(version: unknown): VersionMatch {
+/** Compares "major.minor" or "major" alone (minor 0) with `own`; absent counts as FIRST_VERSION. Never throws. */
+export function matchVersion(version: unknown, own = PROTOCOL_VERSION): VersionMatch {
   const given = version ?? FIRST_VERSION;
   const theirs = VERSION.exec(typeof given === 'string' ? given : '');
-  const own = VERSION.exec(PROTOCOL_VERSION)!;
-  if (theirs === null || Number(theirs[1]) !== Number(own[1])) return 'foreign';
-  const ahead = Number(theirs[2] ?? 0) - Number(own[2] ?? 0);
+  const [major, minor] = own.split('.').map(Number);
+  if (theirs === null || Number(theirs[1]) !== major) return 'foreign';
+  const ahead = Number(theirs[2] ?? 0) - minor!;
   if (ahead === 0) return 'same';
   return ahead > 0 ? 'newer' : 'older';
 }

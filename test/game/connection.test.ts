@@ -12,8 +12,11 @@ import {
   STATE,
   stopServer,
   until,
+  useGameServer,
   welcomed,
 } from './gameServer';
+
+useGameServer();
 
 it('authenticates on open, and reports welcome and states', async () => {
   const { told } = await welcomed();

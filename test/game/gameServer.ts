@@ -44,10 +44,18 @@ export function until(met: () => boolean): Promise<void> {
   });
 }
 
-beforeEach(async () => {
-  [sockets, heard, waiting] = [[], [], []];
-  await listen(0);
-});
+/** For each test of the file that calls it. */
+export function useGameServer(): void {
+  beforeEach(async () => {
+    [sockets, heard, waiting] = [[], [], []];
+    await listen(0);
+  });
+  afterEach(async () => {
+    connection?.dispose();
+    connection = null;
+    await stopServer();
+  });
+}
 
 export async function listen(port: number): Promise<void> {
   server = new WebSocketServer({ port, host: '127.0.0.1' });
@@ -68,12 +76,6 @@ export function stopServer(): Promise<void> {
   for (const socket of server.clients) socket.terminate();
   return new Promise((resolve) => server.close(() => resolve()));
 }
-
-afterEach(async () => {
-  connection?.dispose();
-  connection = null;
-  await stopServer();
-});
 
 export function connect(change: Partial<GameConnectionOptions> = {}) {
   const clock = createVirtualClock();

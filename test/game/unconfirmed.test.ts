@@ -1,6 +1,8 @@
 import { expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
-import { connect, heard, say, sockets, until, welcomed } from './gameServer';
+import { connect, heard, say, sockets, until, useGameServer, welcomed } from './gameServer';
+
+useGameServer();
 
 const thrust = (level: number) => ({ ...NEUTRAL_CONTROLS, thrustLevel: level });
 const thrustsHeard = () =>

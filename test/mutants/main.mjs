@@ -21,7 +21,7 @@ const ROOMS = {
   prediction: ['prediction'],
   readout: ['readout'],
   authority: ['authority', 'scenarios'],
-  scenarios: ['scenarios'],
+  scenarios: ['scenarios', 'parity', 'playground/game/mission'],
   game: ['game', 'example'],
   gateway: ['gateway'],
   hud: ['browser/hud'],
@@ -122,7 +122,7 @@ function stagesOf(passing) {
 
 async function survivesAll(passing, mutant) {
   for (const { tests, took } of stagesOf(passing))
-    if (!(await passes(tests, mutant, Math.min(TIME_LIMIT, 20_000 + 20 * took)))) return false;
+    if (!(await passes(tests, mutant, Math.min(TIME_LIMIT, 10_000 + 10 * took)))) return false;
   return true;
 }
 

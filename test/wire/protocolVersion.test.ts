@@ -22,6 +22,14 @@ it.each([
   [1, 'foreign'],
 ])('%s is %s', (version, match) => expect(matchVersion(version)).toBe(match));
 
+it.each([
+  ['3.4', 'same'],
+  ['3.5', 'newer'],
+  ['3.3', 'older'],
+  ['3', 'older'],
+  ['4.4', 'foreign'],
+])('%s is %s to a client of 3.4', (version, match) => expect(matchVersion(version, '3.4')).toBe(match));
+
 it('defaults to 1.0, in bytes and in JSON', () => {
   const json = { ...encodeHelloJson(HELLO), protocol_version: null };
   expect(decodeHelloJson(json)).toMatchObject({ ok: true, value: { protocolVersion: '1.0' } });

@@ -31,7 +31,7 @@ export interface TurnedBodies {
  */
 export function outOfStep(sim: Simulation, track: Track, turned: TurnedBodies): Float64Array {
   const { picture } = track;
-  if (track.policy !== 'predict') return asPolicyHas(sim, track, turned);
+  if (track.policy !== 'predict') return rowOfPolicy(sim, track, turned);
   const known = track.mode === 'sleeping' || picture.hasHeld;
   copyRow(row, 0, known ? sim.fleet.front : track.serverRow, known ? track.at : 0);
   const index = row[REFERENCE_BODY]!;
@@ -51,7 +51,7 @@ export function outOfStep(sim: Simulation, track: Track, turned: TurnedBodies): 
 }
 
 /** The row of a ship that the caller chose not to predict: between its server states, or the newest one. */
-function asPolicyHas(sim: Simulation, track: Track, turned: TurnedBodies): Float64Array {
+function rowOfPolicy(sim: Simulation, track: Track, turned: TurnedBodies): Float64Array {
   copyRow(row, 0, track.serverRow, 0);
   const index = row[REFERENCE_BODY]!;
   const attitude = turned.bodyAttitudes[index]!;

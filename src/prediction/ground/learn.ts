@@ -53,7 +53,7 @@ export function learnGround(sim: Simulation, track: Track, news: GroundNews): vo
   const [nx, ny, nz] = seen.direction as unknown as [number, number, number];
   const known = offsetAt(ground.places, body.name, nx, ny, nz);
   const old = placeAt(ground, body.name, seen.direction);
-  const guess = outright(news, known);
+  const guess = offsetOfState(news, known);
   const evidence = evidenceOf(sim, track, news);
   if (evidence === null) {
     if (guess !== null) keepPlace(ground, placeOf(news, body, { old, offset: guess }));
@@ -78,7 +78,7 @@ export function learnGround(sim: Simulation, track: Track, news: GroundNews): vo
 }
 
 /** The server's ground above ours, m, from a state alone; null for nothing new. */
-function outright({ row }: GroundNews, known: number): number | null {
+function offsetOfState({ row }: GroundNews, known: number): number | null {
   const above = seen.feet - known;
   const depth = seen.gravity / 100;
   if (isResting(row)) return Math.abs(above + depth) > RESTING ? seen.feet + depth : null;

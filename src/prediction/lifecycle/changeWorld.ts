@@ -9,7 +9,7 @@ import { holdSleeping } from '../simulation/sleep';
 import type { Track } from '../simulation/track';
 import { forgetAfter as forgetBodiesAfter } from '../snapshots/bodies/bodyTrack';
 import { sameBodies, type WorldConfig } from '../snapshots/worldConfig';
-import { recut } from '../time/timeline';
+import { changeLongestSubstep } from '../time/timeline';
 import { forgetLogsAfter } from '../touchdown/touchdownRing';
 
 /**
@@ -32,7 +32,7 @@ export function changeWorld(session: Session, world: World, config: WorldConfig)
   }
   sim.world = world;
   sim.groundless = withoutGround(world);
-  recut(sim.timeline, world.settings.contactLongestSubstep);
+  changeLongestSubstep(sim.timeline, world.settings.contactLongestSubstep);
   forgetBodiesAfter(sim.bodies, sim.newestTick);
   for (const track of sim.fleet.tracks) carryOver(sim, track, before);
   sim.frontIsStale = true;

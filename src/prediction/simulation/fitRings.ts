@@ -1,5 +1,5 @@
 import { SHIP_STRIDE } from '../../dynamics';
-import { cutsOf, resizedBodies } from '../snapshots/bodies/bodyTrack';
+import { keptTicks, resizedBodies } from '../snapshots/bodies/bodyTrack';
 import { resizeLogs } from '../touchdown/touchdownRing';
 import { resized, ringLength } from './history';
 import type { Simulation } from './simulation';
@@ -38,7 +38,7 @@ export function fitRings(sim: Simulation, { tickRate, substeps, ships }: RingNee
   if (wanted > sim.historyRows || sim.historyRows > most) sim.historyRows = wanted;
   for (const track of tracks) fitTrack(sim, track);
   const bodyRing = Math.max(sim.ringLength, sim.bodies.length);
-  if (bodyRing !== sim.bodies.length || sim.bodies.cuts.length !== cutsOf(substeps))
+  if (bodyRing !== sim.bodies.length || sim.bodies.cuts.length !== keptTicks(substeps))
     sim.bodies = resizedBodies(sim.bodies, bodyRing, substeps);
   sim.counters.historyBytes = historyBytes(sim, ships);
 }

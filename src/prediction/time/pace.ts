@@ -45,7 +45,7 @@ export function keepPace(sim: Simulation, pace: Pace, due: number): void {
   if (tooFine || moving(sim) > room) {
     sim.counters.budgetOverruns += 1;
     thinOut(sim, tooFine ? 0 : room, tooFine ? 0 : usual);
-  } else bringBack(sim, Math.floor(usual * RETURN_SHARE));
+  } else switchOn(sim, Math.floor(usual * RETURN_SHARE));
 }
 
 function moving(sim: Simulation): number {
@@ -85,7 +85,7 @@ function catchUpLater(sim: Simulation, track: Track): void {
 }
 
 /** Switches the nearest ships on again, from the server's newest state, while fewer than `room` are in step. */
-function bringBack(sim: Simulation, room: number): void {
+function switchOn(sim: Simulation, room: number): void {
   let free = room;
   let anyOff = false;
   for (const track of sim.fleet.tracks) {

@@ -76,7 +76,7 @@ export function setTempo(timeline: Timeline, tick: number, tempo: Tempo, wall: n
 }
 
 /** Divides ticks anew for another longest substep, game s: all substep counts change. */
-export function recut(timeline: Timeline, longestSubstep: number): void {
+export function changeLongestSubstep(timeline: Timeline, longestSubstep: number): void {
   timeline.longestSubstep = longestSubstep;
   const { spans } = timeline;
   for (let i = 0; i < spans.length; i++) {
@@ -112,7 +112,7 @@ export function indexOf(timeline: Timeline, tick: number, substep: number): numb
 }
 
 /** Writes the position `substeps` after (tick, substep), with the tempo of each tick on the way. */
-export function writeLater(
+export function addSubsteps(
   out: Position,
   timeline: Timeline,
   tick: number,

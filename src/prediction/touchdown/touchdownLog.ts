@@ -87,13 +87,13 @@ export function logSubstep(log: Float64Array, world: World, step: LoggedSubstep)
   if (from === FLYING && to !== FLYING) touch(log, step);
   if (after[at + CRASHED] === 1) crash(log, step);
   if (from !== FLYING && to !== FLYING) slide(log, step);
-  if (from !== FLYING && to === FLYING) leave(log, world, after, at);
+  if (from !== FLYING && to === FLYING) logLiftOff(log, world, after, at);
   if (to !== FLYING) lean(log, after, at);
-  come(log, to);
+  logState(log, to);
 }
 
 /** Logs the ship's surface state: at rest the card is closed; when a tipped ship is righted, it is opened again. */
-export function come(log: Float64Array, state: number): void {
+export function logState(log: Float64Array, state: number): void {
   if (state === LANDED || state === TIPPED) log[OUTCOME] = state - CONTACT;
   else if (state === CONTACT && log[LOGGED_STATE] === TIPPED) log[OUTCOME] = OPEN;
   if (log[OUTCOME] === OPEN || state !== log[LOGGED_STATE]) log[SETTLED] = log[SINCE]!;
@@ -101,7 +101,7 @@ export function come(log: Float64Array, state: number): void {
 }
 
 /** Logs a lift-off, after which the row is at `at`: computes how long a hop from here may last, with a drop of the ship's own height. */
-export function leave(log: Float64Array, world: World, rows: Float64Array, at: number): void {
+export function logLiftOff(log: Float64Array, world: World, rows: Float64Array, at: number): void {
   const body = world.bodies[rows[at + REFERENCE_BODY]!]!;
   const drop = world.shipClasses[rows[at + SHIP_CLASS]!]!.groundContactOffset;
   const distance = Math.sqrt(squared(rows, at + POSITION));
@@ -113,7 +113,7 @@ export function leave(log: Float64Array, world: World, rows: Float64Array, at: n
 }
 
 /** Logs a touch, before which the row is at `at`: a bounce, or the first touch of a new landing. */
-export function comeDown(
+export function logTouch(
   log: Float64Array,
   verticalSpeed: number,
   rows: Float64Array,
@@ -134,14 +134,14 @@ export function comeDown(
 }
 
 function touch(log: Float64Array, { before, beforeAt, rows: after, at, bodies }: LoggedSubstep): void {
-  comeDown(log, after[at + IMPACT_SPEED]!, before, beforeAt, bodies);
+  logTouch(log, after[at + IMPACT_SPEED]!, before, beforeAt, bodies);
 }
 
 /** Logs a crash from flight, or into rising ground. The dynamics leave the velocity as it was. */
 function crash(log: Float64Array, { before, beforeAt, rows: after, at, bodies }: LoggedSubstep): void {
   if (before[beforeAt + SURFACE_STATE] === FLYING) {
     const falling = -radialSpeed(after, at, Math.sqrt(squared(after, at + POSITION)));
-    comeDown(log, Math.max(0, falling), before, beforeAt, bodies);
+    logTouch(log, Math.max(0, falling), before, beforeAt, bodies);
   }
   log[OUTCOME] = CRASHED_THERE;
   log[SETTLED] = log[SINCE]!;

@@ -17,7 +17,7 @@ import { lengthOf, quaternion, rotateBack, take, vector } from '../drawn/rotatio
 import type { Simulation } from '../simulation/simulation';
 import { advanceRow, createRowStep, placeStep } from '../simulation/stepRow';
 import { indexOf, spanOf } from '../time/timeline';
-import { beginLog, come, comeDown, leave, LOGGED_STATE, logSubstep } from './touchdownLog';
+import { beginLog, LOGGED_STATE, logLiftOff, logState, logSubstep, logTouch } from './touchdownLog';
 import { type Adopted, createTouchdownRing, keepLog, logAt, type TouchdownRing } from './touchdownRing';
 import { copyRow, type Track } from '../simulation/track';
 
@@ -39,10 +39,10 @@ export function rewindLog(track: Track, sim: Simulation, to: Adopted): void {
   const known =
     redo(track, sim, track.log, to.tick) ||
     recall(track, track.log, to.tick) ||
-    carryOn(track, sim, track.log, to.tick);
-  if (track.replaySnaps || (known && wasPutElsewhere(sim, track, to))) beginLog(replayed, state);
+    continueLog(track, sim, track.log, to.tick);
+  if (track.replaySnaps || (known && wasMoved(sim, track, to))) beginLog(replayed, state);
   else if (known) agree(replayed, track.log, sim, to);
-  else if (front[LOGGED_STATE] === LANDED && state === LANDED && liesWhereItLay(track, sim, to))
+  else if (front[LOGGED_STATE] === LANDED && state === LANDED && restsUnmoved(track, sim, to))
     replayed.set(front);
   else beginLog(replayed, state);
   keepLog(track.log, to.tick, replayed);
@@ -72,7 +72,7 @@ function recall(track: Track, ring: TouchdownRing, tick: number): boolean {
 /**
  * Advances the log alone to a state beyond the simulation: the page draws seldom or is hidden.
  */
-function carryOn(track: Track, sim: Simulation, ring: TouchdownRing, tick: number): boolean {
+function continueLog(track: Track, sim: Simulation, ring: TouchdownRing, tick: number): boolean {
   const { fleet, front } = sim;
   if (track.replaying) {
     placeStep(step, sim, track.replayTick, track.replaySubstep);
@@ -105,16 +105,16 @@ function agree(log: Float64Array, ring: TouchdownRing, sim: Simulation, to: Adop
   const state = rows[from + SURFACE_STATE]!;
   if (rows[from + CRASHED] === 1 || log[LOGGED_STATE] === state) return;
   if (log[LOGGED_STATE] === FLYING) {
-    comeDown(log, rows[from + IMPACT_SPEED]!, predicted, 0, boundaryAt(sim.bodies, sim.timeline, tick));
-  } else if (state === FLYING && !takeBack(log, ring, to)) leave(log, sim.world, rows, from);
-  come(log, state);
+    logTouch(log, rows[from + IMPACT_SPEED]!, predicted, 0, boundaryAt(sim.bodies, sim.timeline, tick));
+  } else if (state === FLYING && !undoTouch(log, ring, to)) logLiftOff(log, sim.world, rows, from);
+  logState(log, state);
 }
 
 /**
  * A falling ship that was predicted to touch in the last tick has not touched: its log is that of a tick ago. A rising ship has
  * touched and left. A hop shorter than a tick that ends in a fall counts as no touch: the server's state does not show it.
  */
-function takeBack(log: Float64Array, ring: TouchdownRing, { tick, rows, from }: Adopted): boolean {
+function undoTouch(log: Float64Array, ring: TouchdownRing, { tick, rows, from }: Adopted): boolean {
   let rising = 0;
   for (let k = 0; k < 3; k++) rising += rows[from + VELOCITY + k]! * rows[from + POSITION + k]!;
   const earlier = tick < 1 ? null : logAt(ring, tick - 1);
@@ -124,11 +124,7 @@ function takeBack(log: Float64Array, ring: TouchdownRing, { tick, rows, from }: 
 }
 
 /** Whether the ship is at another body, or farther away than it could have flown while the server was silent. */
-function wasPutElsewhere(
-  { timeline }: Simulation,
-  { silence }: Track,
-  { tick, rows, from }: Adopted,
-): boolean {
+function wasMoved({ timeline }: Simulation, { silence }: Track, { tick, rows, from }: Adopted): boolean {
   if (predicted[REFERENCE_BODY] !== rows[from + REFERENCE_BODY]) return true;
   let way = 0;
   let speed = 0;
@@ -140,7 +136,7 @@ function wasPutElsewhere(
 }
 
 /** Whether the ship is landed in its sleeping pose, in the body's axes. */
-function liesWhereItLay({ sleepPlace }: Track, sim: Simulation, { tick, rows, from }: Adopted): boolean {
+function restsUnmoved({ sleepPlace }: Track, sim: Simulation, { tick, rows, from }: Adopted): boolean {
   const body = rows[from + REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE;
   take(attitude, boundaryAt(sim.bodies, sim.timeline, tick), body);
   take(place, rows, from + POSITION);

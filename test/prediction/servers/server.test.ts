@@ -30,6 +30,26 @@ describe('a server operated at run time', () => {
     expect(corrections(rig)).toBe(0);
   });
 
+  it.each([1, 20])(
+    'at %i Hz lets a landed ship go where full throttle was set during a pause',
+    (tickRate) => {
+      const full = { ...NEUTRAL_CONTROLS, thrustLevel: 1 };
+      let controls: Controls = NEUTRAL_CONTROLS;
+      const rig = createRig({ scenario: 'settle', tickRate, pilot: () => controls });
+      rig.fly(16);
+      expect(rig.view().own!.surfaceContactState).toBe('landed');
+      rig.authority.setPaused(true);
+      rig.fly(3);
+      controls = full;
+      rig.fly(3);
+      rig.authority.setPaused(false);
+      rig.fly(4);
+      expect(rig.view().own!.feetHeight).toBeGreaterThan(1);
+      expect(corrections(rig)).toBe(0);
+      expect(rig.view().diagnosis.errorPosition).toBeLessThan(1e-6);
+    },
+  );
+
   it.each([
     [1, 20, 1, 1],
     [20, 1, 1, 1],

@@ -14,7 +14,7 @@ import {
   setTempo,
   spanOf,
   wallOfTick,
-  writeLater,
+  addSubsteps,
   writeMoment,
 } from '../../../src/prediction/time/timeline';
 
@@ -33,7 +33,7 @@ describe('the timeline', () => {
     expect(indexOf(timeline, 13, 0) - indexOf(timeline, 10, 0)).toBe(300);
     expect(indexOf(timeline, 15, 7) - indexOf(timeline, 12, 98)).toBe(2 + 100 + 7);
     const later = { tick: 0, substep: 0 };
-    writeLater(later, timeline, 12, 98, 2 + 50 + 3);
+    addSubsteps(later, timeline, 12, 98, 2 + 50 + 3);
     expect(later).toEqual({ tick: 14, substep: 3 });
   });
 

@@ -3,10 +3,8 @@ import { GRAVITATIONAL_CONSTANT, NEUTRAL_CONTROLS, STANDARD_GRAVITY } from '../.
 import {
   createFlightReadout,
   createLandingAids,
-  createTargetReadout,
   updateFlightReadout,
   updateLandingAids,
-  updateTargetReadout,
 } from '../../../src/readout';
 import { crossed, later, makeView, multiplied, NORMAL, type Pose } from '../views';
 
@@ -87,6 +85,20 @@ describe('landing aids', () => {
       ...[0, 1, 2].map((k) => out.touchPlace[k]! - NORMAL[k]! * Math.hypot(...out.touchPlace)),
     );
     expect(off).toBeCloseTo(2 * seconds, 0);
+  });
+
+  it('predict the touch on a slope that rises ahead', () => {
+    const pose = { clearance: 80, east: 10 };
+    const [moving, still] = [makeView(pose), makeView({ clearance: 80 })];
+    const ahead = moving.own.velocity.map((v, k) => (v - still.own.velocity[k]!) / 10);
+    const steepness = Math.PI / 6;
+    // Upright relative to the plumb line, so that feet and slope meet below the centre of mass.
+    const groundNormal = NORMAL.map((n, k) => Math.cos(steepness) * n - Math.sin(steepness) * ahead[k]!);
+    const { out, view } = settle(pose, { groundNormal: Float64Array.from(groundNormal) });
+    const g =
+      (GRAVITATIONAL_CONSTANT * view.bodies[view.own.body]!.mass) / Math.hypot(...view.own.position) ** 2;
+    const closing = 10 * Math.tan(steepness);
+    expect(out.touchSeconds).toBeCloseTo((Math.sqrt(closing ** 2 + 2 * g * 80) - closing) / g, 1);
   });
 
   it('keep the predicted touch on its ground while the ground turns, however old the run ahead', () => {
@@ -210,37 +222,5 @@ describe('landing aids', () => {
     const { out } = settle({ clearance: 80, up: 400 });
     expect([out.outcome, out.touchSeconds]).toEqual(['none', NaN]);
     expect(out.burnSeconds).toBeNaN();
-  });
-});
-
-describe('the beacon', () => {
-  it('is given to the right and ahead in the screen’s axes, and the miss is measured from it', () => {
-    const view = makeView({ clearance: 80 });
-    const right = Float64Array.of(0.8, 0, -0.36);
-    const length = Math.hypot(...right);
-    for (let k = 0; k < 3; k++) right[k] = right[k]! / length;
-    const [nx, ny, nz] = NORMAL;
-    const away = [
-      ny * right[2]! - nz * right[1]!,
-      nz * right[0]! - nx * right[2]!,
-      nx * right[1]! - ny * right[0]!,
-    ];
-    const screen = Float64Array.from([...right, ...away, ...NORMAL]);
-    const ground = view.own.groundRadius;
-    const place = Float64Array.from(
-      [0, 1, 2].map((k) => NORMAL[k]! * ground + right[k]! * 30 - away[k]! * 40),
-    );
-    const aids = createLandingAids();
-    aids.outcome = 'touch';
-    aids.touchPlace.set(place);
-    aids.touchPlace[0] = place[0]! + right[0]! * 5;
-    aids.touchPlace[1] = place[1]! + right[1]! * 5;
-    aids.touchPlace[2] = place[2]! + right[2]! * 5;
-    const out = updateTargetReadout(createTargetReadout(), view, { place, radius: 20 }, screen, aids);
-    expect([out.x, out.y]).toEqual([expect.closeTo(30, 3), expect.closeTo(-40, 3)]);
-    expect(out.distance).toBeCloseTo(50, 3);
-    expect([out.missX, out.missY]).toEqual([expect.closeTo(5, 3), expect.closeTo(0, 3)]);
-    expect(out.scale).toBe(100);
-    expect(updateTargetReadout(createTargetReadout(), view, null, screen, aids).shown).toBe(false);
   });
 });

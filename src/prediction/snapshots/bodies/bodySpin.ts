@@ -66,8 +66,8 @@ export function spunMotion(spin: BodySpin, sent: BodyMotion, tick: number, secon
     turnBetween(turn, now, spin.attitude);
     toRotationVector(way, turn);
     const turned = (way[0]! * x + way[1]! * y + way[2]! * z) / rate;
-    believe(spin, spin.byAttitude, turned / (rate * seconds));
-    if (isAsTold(spin.byAttitude.believed)) spin.lacking += (spin.factor - 1) * rate * seconds;
+    accept(spin, spin.byAttitude, turned / (rate * seconds));
+    if (isAsSent(spin.byAttitude.believed)) spin.lacking += (spin.factor - 1) * rate * seconds;
   }
   spin.tick = tick;
   spin.attitude.set(now);
@@ -113,20 +113,20 @@ export function measureByShip(
   const aside = moved - (along * along) / squared;
   // Exactly along the ground's path: one measurement is enough.
   if (aside < ASIDE * ASIDE * moved) spin.byShips.last = along / (squared * seconds);
-  believe(spin, spin.byShips, along / (squared * seconds));
+  accept(spin, spin.byShips, along / (squared * seconds));
 }
 
-function believe(spin: BodySpin, measurement: Measurement, ratio: number): void {
+function accept(spin: BodySpin, measurement: Measurement, ratio: number): void {
   if (!(Math.abs(ratio - 1) < MAX_DEVIATION)) return;
   if (Math.abs(ratio - measurement.last) < SAME_SPIN) measurement.believed = ratio;
   measurement.last = ratio;
   const { byAttitude, byShips } = spin;
-  const real = isAsTold(byAttitude.believed) ? byShips.believed : byAttitude.believed;
-  if (isAsTold(real)) spin.factor = 1;
+  const real = isAsSent(byAttitude.believed) ? byShips.believed : byAttitude.believed;
+  if (isAsSent(real)) spin.factor = 1;
   else if (Math.abs(real - spin.factor) > SAME_SPIN) spin.factor = real;
 }
 
-function isAsTold(ratio: number): boolean {
+function isAsSent(ratio: number): boolean {
   return Math.abs(ratio - 1) < SAME_SPIN;
 }
 

@@ -50,7 +50,7 @@ export function createBodyTrack(start: Float64Array, length: number, substeps: n
     length,
     boundaries: Array.from({ length }, () => new Float64Array(size)),
     ticks: new Float64Array(length).fill(-1),
-    cuts: Array.from({ length: cutsOf(substeps) }, () => ({ tick: -1, made: 0, rows: [] })),
+    cuts: Array.from({ length: keptTicks(substeps) }, () => ({ tick: -1, made: 0, rows: [] })),
     start,
     replaced: new Float64Array(size),
     past: new Float64Array(size),
@@ -58,7 +58,7 @@ export function createBodyTrack(start: Float64Array, length: number, substeps: n
 }
 
 /** Number of ticks whose substeps are kept: as many as a memory limit allows, at least those of a replay across a boundary. */
-export function cutsOf(substeps: number): number {
+export function keptTicks(substeps: number): number {
   return Math.max(3, Math.min(64, Math.floor(4096 / substeps)));
 }
 

@@ -1,5 +1,7 @@
+import { actsBetween } from '../../inputs/scheduledInput';
 import { hold, startReplay } from '../../simulation/replay';
 import type { Simulation } from '../../simulation/simulation';
+import { holdSleeping } from '../../simulation/sleep';
 import { indexOf, type Position, spanOf } from '../../time/timeline';
 
 /** The front waits for a present that is at most this far behind, wall s. */
@@ -27,10 +29,13 @@ export interface Realignment {
 
 /**
  * Moves the front to the present without simulating the time between: every ship in step keeps its drawn pose and is replayed from the
- * server's newest state (PREDICTION, Absence) or, if only the division of time changed, from its state after the newest frame.
+ * server's newest state (PREDICTION, Absence) or, if only the division of time changed, from its state after the newest frame. So is the own
+ * ship if it sleeps and an input acts in that time.
  */
 export function realign(sim: Simulation, target: Position, how: Realignment): void {
   const skipped = how.stepped ? skippedTo(sim, target) : 0;
+  const { own } = sim.fleet;
+  if (own?.mode === 'sleeping' && actsBetween(sim.inputs, sim.front.tick, target.tick + 1)) holdSleeping(own);
   for (const track of sim.fleet.tracks) {
     if (track.mode === 'stepping') hold(sim, track);
     if (track.picture.hasHeld) track.picture.skipped = skipped;

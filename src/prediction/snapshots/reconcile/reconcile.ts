@@ -30,7 +30,7 @@ import { commandsAnything } from '../../simulation/heldControls';
 import type { Simulation } from '../../simulation/simulation';
 import { keepState } from '../../ground/lastState';
 import { take } from '../../drawn/rotation';
-import { isBefore, spanOf, writeLater } from '../../time/timeline';
+import { isBefore, spanOf, addSubsteps } from '../../time/timeline';
 import { logLanded } from '../../touchdown/touchdownRing';
 import { copyRow, type Track } from '../../simulation/track';
 
@@ -225,7 +225,7 @@ function holdControls(sim: Simulation, track: Track): void {
   const substeps = Math.ceil(
     HELD_SENDS * Math.max(1, sim.cadence.ticks) * spanOf(timeline, front.tick).timing.substeps,
   );
-  writeLater(later, timeline, front.tick, front.substep, substeps);
+  addSubsteps(later, timeline, front.tick, front.substep, substeps);
   track.releaseTick = later.tick;
   track.releaseSubstep = later.substep;
 }

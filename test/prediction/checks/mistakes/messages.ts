@@ -49,13 +49,13 @@ export const MESSAGES: readonly Mistake[] = [
   [
     'time that no frame has, and no bodies',
     'bodies-unknown',
-    /not confirmed/,
+    /no ship is confirmed/,
     () => {
       const untold = {
         ...{ ...frame, bodies: [] },
         ships: [{ ...ship, relativePosition: null, relativeVelocity: null }],
       };
-      return received(untold, { ...untold, tick: 9, tickRate: 2 });
+      return received(untold, { ...untold, tick: 3, tickRate: 2 });
     },
   ],
   [

@@ -1,0 +1,74 @@
+import { describe, expect, it } from 'vitest';
+import { completeFrame } from '../../../src/prediction/snapshots/completeFrame';
+import type { PartialFrame } from '../../../src/wire';
+import { frameAt, STILL } from '../faults/restingShip';
+import { value } from '../rig';
+import { sessionAt } from './sessionAt';
+
+const TICK = 100;
+const bare: PartialFrame = { kind: 'frame', tick: TICK + 1, ships: [STILL] };
+
+function completed(given: PartialFrame, session = sessionAt(TICK)) {
+  return { session, result: completeFrame(session.sim, session.meter, given) };
+}
+
+describe('a frame without its other members', () => {
+  it('has the last tempo, no pause, and empty lists', () => {
+    const { result } = completed(bare);
+    expect(value(result)).toMatchObject({ tickRate: 10, timeScale: 1, paused: false });
+    expect(value(result)).toMatchObject({ ships: [STILL], bodies: [], events: [], lastInput: null });
+  });
+
+  it('is refused with a tick that is not a whole number up to 2⁵², by name', () => {
+    for (const tick of [-1, 0.5, 2 ** 52 + 2, Number.NaN, '7' as unknown as number])
+      expect(completed({ ...bare, tick }).result).toMatchObject({
+        reason: expect.stringMatching(/^frame\.tick: /) as string,
+      });
+    expect(completed({ ...bare, tick: 2 ** 52 }).result.ok).toBe(true);
+  });
+
+  it('is refused with a tempo out of range, by name', () => {
+    const rate = completed({ ...bare, tickRate: 0 }).result;
+    expect(rate).toMatchObject({ reason: expect.stringMatching(/^frame\.tickRate/) as string });
+    const scale = completed({ ...bare, timeScale: -1 }).result;
+    expect(scale).toMatchObject({ reason: expect.stringMatching(/^frame\.timeScale/) as string });
+  });
+
+  it('keeps the records of a list and counts what else is in it', () => {
+    const { result, session } = completed({ ...bare, ships: [null, STILL, 7] as never });
+    expect(value(result).ships).toEqual([STILL]);
+    expect(session.counters).toMatchObject({ shipsRefused: 1, lastRefusal: 'frame.ships: expected records' });
+  });
+});
+
+describe('an acknowledgement', () => {
+  const input = { seq: 3, tick: TICK, substep: 4, margin: 0.1 };
+
+  it.each([input, { ...input, tick: TICK + 1, substep: 0 }])(
+    'up to the frame’s tick is taken: %o',
+    (given) => {
+      expect(value(completed({ ...bare, lastInput: given }).result).lastInput).toEqual(given);
+    },
+  );
+
+  it.each([
+    { ...input, tick: TICK + 1, substep: 1 },
+    { ...input, tick: TICK + 2, substep: 0 },
+    { ...input, margin: Number.NaN },
+    { ...input, seq: 1.5 },
+  ])('of what cannot have been applied is dropped and counted: %o', (given) => {
+    const { result, session } = completed({ ...bare, lastInput: given });
+    expect(value(result).lastInput).toBeNull();
+    expect(session.counters.acknowledgementsRefused).toBe(1);
+  });
+});
+
+it('a time scale that contradicts the game time is measured', () => {
+  const session = sessionAt(TICK);
+  const scales = [1, 2, 3, 4].map((k) => {
+    const frame = frameAt(TICK + 10 * k, 10, { gameTime: 3 * k });
+    return value(completed(frame, session).result).timeScale;
+  });
+  expect(scales[0]).toBe(1);
+  expect(scales[3]).toBeCloseTo(3, 9);
+});

@@ -1,8 +1,8 @@
 /** Typical mistakes of a page that uses the scene: each is named, by the constructor or by one warning. */
 import { describe, expect, it } from 'vitest';
-import { createPredictor } from '../../src/prediction';
-import { createSceneView, FINE, type SceneView } from '../../src/scene';
-import { checkedScene } from '../../src/scene/checks';
+import { createPredictor } from '../../../src/prediction';
+import { createSceneView, FINE, type SceneView } from '../../../src/scene';
+import { checkedScene } from '../../../src/scene/checks';
 
 const canvas = { getContext: () => null };
 const made =

@@ -48,6 +48,14 @@ describe('a ship with a plan', () => {
     expect(burnt).toBeCloseTo((50 * 0.01 * 200000) / (340 * 9.80665), 9);
   });
 
+  it('has at most 10,000 inputs', () => {
+    const authority = valueOf(createAuthority(MOON));
+    const order = { shipId: 'own', playerId: 'ann', name: 'Own', ship: shipOf('opening') };
+    const plan = Array.from({ length: 10_001 }, (_, tick) => thrust(tick, 0, 1));
+    expect(authority.spawn({ ...order, plan })).toMatch(/plan: expected at most 10000, got 10001$/);
+    expect(authority.spawn({ ...order, plan: plan.slice(1) })).toBeNull();
+  });
+
   it('drops it at its player’s first input, and acknowledges nothing of it', () => {
     const authority = moonFlying([thrust(0, 10, 0.5), thrust(2, 0, 0.7)]);
     runTo(authority, 1);

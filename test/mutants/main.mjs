@@ -21,7 +21,7 @@ const ROOMS = {
   prediction: ['prediction'],
   readout: ['readout'],
   authority: ['authority', 'scenarios'],
-  scenarios: ['scenarios'],
+  scenarios: ['scenarios', 'parity', 'playground/game/mission'],
   game: ['game', 'example'],
   gateway: ['gateway'],
   hud: ['browser/hud'],

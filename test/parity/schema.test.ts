@@ -95,6 +95,19 @@ describe('npm run parity', () => {
     ]);
   });
 
+  it.each([
+    [true, 'true'],
+    [{ kg: 1 }, 'an object'],
+    [[1, 2], 'a list of 2'],
+    ['x'.repeat(40), `'${'x'.repeat(40)}'`],
+    ['x'.repeat(41), 'a string of 41'],
+  ])('says what it found in place of a number: %j', (found, said) => {
+    const file = trajectory();
+    file.states[1]!['fuel'] = found;
+    const { line } = parityLine('file.json', JSON.stringify(file));
+    expect(line).toContain(`states[1].fuel: expected a finite number, got ${said}`);
+  });
+
   it('reports a missing object once, and not its contents', () => {
     const { line } = parityLine('file.json', '{"states": 7}');
     expect(line).toContain('body: expected an object, got nothing');

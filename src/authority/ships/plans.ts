@@ -36,6 +36,5 @@ export function flyPlans(plans: Map<string, Plan>, table: ShipTable, tick: numbe
       writeControls(table.rows, rowOf(table, shipId), due.controls);
       plan.next += 1;
     }
-    if (plan.next === plan.inputs.length) plans.delete(shipId);
   }
 }

@@ -1,6 +1,7 @@
 import { writeShip, SHIP_STRIDE, type SurfaceState } from '../../../src/dynamics';
 import { ALL_FEATURES } from '../../../src/prediction/features';
 import { createSession, type Session } from '../../../src/prediction/session';
+import { fitRings } from '../../../src/prediction/simulation/fitRings';
 import type { Simulation } from '../../../src/prediction/simulation/simulation';
 import { addTrack, type Track } from '../../../src/prediction/simulation/track';
 import { updateBodies } from '../../../src/prediction/snapshots/bodies/bodyTrack';
@@ -23,6 +24,7 @@ export function sessionAt(tick: number, rate = RATE): Session {
   );
   const { sim, receiver } = session;
   setTempo(sim.timeline, tick, { tickRate: rate, timeScale: 1, paused: false }, null);
+  fitRings(sim, { tickRate: rate, substeps: 100 / rate, ships: 10 });
   updateBodies(sim.bodies, tick, [loaded.body]);
   sim.newestTick = tick;
   sim.front.tick = tick;

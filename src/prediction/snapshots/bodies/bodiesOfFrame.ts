@@ -47,15 +47,13 @@ export function writeBodiesOfFrame(
 /** Whether the frame says where the bodies are, if that was unknown. */
 function noteKnown(sim: Simulation, { tick, bodies, ships }: ServerFrame): void {
   if (sim.bodiesKnown) return;
-  sim.bodiesKnown = sim.world.bodies.every(({ name }) =>
-    bodies.some((body) => body.name === name && areNumbers(body.position, 3)),
-  );
-  if (sim.bodiesKnown || ships.every(isExact)) return;
-  sim.warn(
-    'bodies-unknown',
-    'Time passed that no frame has, and bodies are not sent: ships are drawn beside an assumed body, and not confirmed. Send bodies.',
-    { tick },
-  );
+  const isSent = ({ name }: { readonly name: string }) =>
+    bodies.some((body) => body.name === name && areNumbers(body.position, 3));
+  sim.bodiesKnown = sim.world.bodies.every(isSent);
+  if (!sim.bodiesKnown && !ships.every(isExact))
+    sim.warn('bodies-unknown', 'Bodies are not sent, nor the time that passed: no ship is confirmed.', {
+      tick,
+    });
 }
 
 /** The motions with the measured spins; the same list if all spins are as sent. */

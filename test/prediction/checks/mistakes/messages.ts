@@ -49,7 +49,7 @@ export const MESSAGES: readonly Mistake[] = [
   [
     'time that no frame has, and no bodies',
     'bodies-unknown',
-    /not confirmed/,
+    /no ship is confirmed/,
     () => {
       const untold = {
         ...{ ...frame, bodies: [] },

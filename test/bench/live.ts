@@ -114,9 +114,12 @@ async function measure({
     await new Promise((resolve) => setTimeout(resolve, 100));
   Object.assign(heard, { ws: fresh(), stream: fresh() });
   const { service, gateway } = operator.stack;
-  const slipped = async () => Number((await redis.hGet('touchdown:status', 'slipped')) ?? 0);
-  const [slippedBefore, serviceBefore, gatewayBefore] = [
-    await slipped(),
+  const statusOf = async () => {
+    const { slipped, tick } = await redis.hGetAll('touchdown:status');
+    return { slipped: Number(slipped), tick: Number(tick) };
+  };
+  const [before, serviceBefore, gatewayBefore] = [
+    await statusOf(),
     cpuOf(service.pid()),
     cpuOf(gateway.pid()),
   ];
@@ -130,18 +133,20 @@ async function measure({
     cpuOf(service.pid()) - serviceBefore,
     cpuOf(gateway.pid()) - gatewayBefore,
   ];
+  const after = await statusOf();
+  const ticks = after.tick - before.tick;
   const late = [...heard.ws.arrivals, ...heard.stream.arrivals]
     .map(({ tick, at }) => at - (due.get(tick) ?? NaN))
     .filter((seconds) => !Number.isNaN(seconds))
     .sort((a, b) => a - b);
   const result = {
-    ...{ rate, ships, clients, held: (await slipped()) === slippedBefore },
+    ...{ rate, ships, clients, held: after.slipped === before.slipped && ticks >= SECONDS * rate - 1 },
     json_bytes: Math.round(heard.ws.bytes / heard.ws.messages),
     protobuf_bytes: Math.round(heard.stream.bytes / heard.stream.messages),
     p99_tick_to_client_ms: Math.round((late[Math.floor(late.length * 0.99)] ?? NaN) * 1000),
     service_cpu_percent: Math.round((serviceCpu / SECONDS) * 100),
     gateway_cpu_percent: Math.round((gatewayCpu / SECONDS) * 100),
-    service_cpu_percent_per_1000_ships: Math.round(((serviceCpu / SECONDS) * 100 * 1000) / ships),
+    service_cpu_percent_per_1000_ships: Math.round(((serviceCpu / ticks) * rate * 100 * 1000) / ships),
   };
   for (const socket of sockets) socket.terminate();
   redis.destroy();

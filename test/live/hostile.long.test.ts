@@ -1,4 +1,5 @@
-import { connect } from 'node:net';
+import { connect, type Socket } from 'node:net';
+import { UnsecuredJWT } from 'jose';
 import { expect, it } from 'vitest';
 import { WebSocket } from 'ws';
 import type { WorldView } from '../../src/prediction';
@@ -57,10 +58,15 @@ it('keeps malformed, oversized, unauthenticated, slow and flooding clients from 
     expect(await foreign.closed).toBe(4003);
 
     const silent = rawClient(operator, '/ws');
-    const forged = rawClient(operator, '/stream');
-    await forged.opened;
-    forged.socket.send(JSON.stringify({ type: 'auth', token: `${await operator.tokenOf('two')}x` }));
-    expect(await forged.closed).toBe(4001);
+    const unsigned = new UnsecuredJWT({ iss: 'touchdown', sub: 'pilot-two' })
+      .setExpirationTime('1h')
+      .encode();
+    for (const token of [`${await operator.tokenOf('two')}x`, unsigned, '.'.repeat(60_000)]) {
+      const forged = rawClient(operator, '/stream');
+      await forged.opened;
+      forged.socket.send(JSON.stringify({ type: 'auth', token }));
+      expect(await forged.closed).toBe(4001);
+    }
 
     const eager = rawClient(operator, '/ws');
     await eager.opened;
@@ -90,6 +96,12 @@ it('keeps malformed, oversized, unauthenticated, slow and flooding clients from 
 
     for (let i = 0; i < 50; i++) await resetEarly(operator, ['/nope', '/ws', '/stream'][i % 3]!);
 
+    // Half a request, and half a frame of a client that has signed in.
+    const halfOpen = connect(operator.stack.gatewayPort, '127.0.0.1');
+    halfOpen.on('error', () => undefined);
+    halfOpen.write('GET /ws HTTP/1.1\r\nHost: game\r\n');
+    (malformed.socket as unknown as { _socket: Socket })._socket.write(Uint8Array.of(0x81, 0xfe, 0xea));
+
     const pinging = rawClient(operator, '/ws');
     await pinging.opened;
     pinging.socket.send(auth);
@@ -99,7 +111,7 @@ it('keeps malformed, oversized, unauthenticated, slow and flooding clients from 
     const slow = rawClient(operator, '/stream');
     await slow.opened;
     slow.socket.send(auth);
-    (slow.socket as unknown as { _socket: { pause: () => void } })._socket.pause();
+    (slow.socket as unknown as { _socket: Socket })._socket.pause();
 
     const flooding = rawClient(operator, '/ws');
     await flooding.opened;
@@ -116,6 +128,7 @@ it('keeps malformed, oversized, unauthenticated, slow and flooding clients from 
       expect(pilot.trouble).toEqual([]);
     }
     for (const client of [malformed, slow]) client.socket.terminate();
+    halfOpen.destroy();
   } finally {
     for (const pilot of good) pilot.dispose();
     await operator.stop();

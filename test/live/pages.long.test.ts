@@ -3,17 +3,15 @@ import { readFileSync } from 'node:fs';
 import type { Browser, Page } from 'playwright-core';
 import { createClient } from 'redis';
 import { expect, it } from 'vitest';
-import { createPredictor, type Diagnosis } from '../../src/prediction';
 import { readRecording, type RecordingEntry } from '../../src/scenarios';
 import { valueOf } from '../authority/moon';
 import { findChromium, launchChromium } from '../browser/chromium';
 import { startDelayProxy } from './delayProxy';
-import { readServiceStates, type ServiceStates } from './serviceStates';
+import { type Bounce, errorsOf, looksAt, looksOf } from './looks';
+import { readServiceStates } from './serviceStates';
 
 /** One way, s. */
 const DELAY = 0.05;
-/** Wall s after the first state of a fall; the offset of the respawn itself is within 5 % after 0.3 s (PREDICTION, Drawing). */
-const EASED = 1;
 const PATIENCE = { timeout: 120_000, interval: 100 };
 /**
  * Drawn in software instead of on a graphics card, the HUDs alone take both cores for up to a second, during which the service
@@ -93,13 +91,6 @@ async function saveRecording(page: Page): Promise<readonly RecordingEntry[]> {
   return valueOf(readRecording(readFileSync(await (await download).path(), 'utf8'))).entries;
 }
 
-/** A bounce between two ticks. */
-interface Bounce {
-  readonly rate: number;
-  readonly first: number;
-  readonly last: number;
-}
-
 type Redis = ReturnType<typeof createClient>;
 type Frame = { tick: number; ships: { ship_id: string; surface_contact_state: string; touched: boolean }[] };
 
@@ -139,62 +130,6 @@ async function dropBoth(redis: Redis, rate: number): Promise<Bounce> {
   await until(({ ships }) => ships.every(({ touched }) => touched));
   await until(({ ships }) => ships.every((ship) => ship.surface_contact_state === 'landed'));
   return { rate, first, last: (await newestFrame(redis)).tick };
-}
-
-interface Look {
-  readonly at: number;
-  readonly tick: number;
-  readonly sinceTick: number;
-  readonly corrections: number;
-  readonly ships: readonly {
-    readonly shipId: string;
-    readonly state: string;
-    readonly position: readonly number[];
-  }[];
-}
-
-const correctionsOf = (diagnosis: Diagnosis) =>
-  diagnosis.correctionsMismatch + diagnosis.correctionsLateInput + diagnosis.correctionsLostInput;
-
-/** Everything that the page drew, from its recording: a predictor with the same input draws the same. */
-function looksOf(entries: readonly RecordingEntry[], ownShipId: string): Look[] {
-  const predictor = createPredictor();
-  predictor.setOwnShip(ownShipId);
-  const looks: Look[] = [];
-  for (const entry of entries) {
-    if (entry.kind === 'received') predictor.receive(entry.message, entry.at);
-    if (entry.kind !== 'advanced') continue;
-    predictor.advance(entry.controls, entry.at);
-    predictor.takeOutgoing();
-    const { tick, sinceTick, ships, diagnosis } = predictor.view(entry.at);
-    looks.push({
-      ...{ at: entry.at, tick, sinceTick, corrections: correctionsOf(diagnosis) },
-      ships: ships.map(({ shipId, surfaceContactState: state, easedPosition }) => ({
-        ...{ shipId, state, position: [...easedPosition] },
-      })),
-    });
-  }
-  return looks;
-}
-
-/** The samples of a bounce, from a second after both ships were first seen falling. */
-function looksAt(looks: readonly Look[], { first, last }: Bounce): Look[] {
-  const during = looks.filter(({ tick }) => tick > first && tick < last);
-  const falling = during.find(({ ships }) => ships.length === 2 && ships.every(({ state }) => state === ''));
-  return during.filter(({ at }) => falling !== undefined && at > falling.at + EASED);
-}
-
-/** Distances between drawn and true positions of both ships, m, ascending. */
-function errorsOf(looks: readonly Look[], states: ServiceStates): number[] {
-  return looks
-    .flatMap((look) =>
-      look.ships.map(({ shipId, position }) => {
-        const truth = states.positionAt(shipId, look);
-        return truth === null ? NaN : Math.hypot(...truth.map((value, k) => value - position[k]!));
-      }),
-    )
-    .filter((error) => !Number.isNaN(error))
-    .sort((a, b) => a - b);
 }
 
 it.skipIf(program === null)(

@@ -73,9 +73,8 @@ export function writeBodyMotion(rows: Float64Array, at: number, motion: BodyMoti
   rows.set(motion.attitude, at + BODY_ATTITUDE);
   rows.set(motion.angularVelocity, at + BODY_ANGULAR_VELOCITY);
   rows.set(motion.attitude, at + BODY_END_ATTITUDE);
-  const [x, y, z, w] = motion.attitude;
-  writeAxes(rows, at + BODY_AXES, { x, y, z, w });
-  writeAxes(rows, at + BODY_END_AXES, { x, y, z, w });
+  writeAxes(rows, at + BODY_AXES, at + BODY_ATTITUDE);
+  writeAxes(rows, at + BODY_END_AXES, at + BODY_ATTITUDE);
   return null;
 }
 
@@ -110,20 +109,16 @@ export function turnBodies(rows: Float64Array, count: number, dt: number): void 
     const qy = rows[at + BODY_ATTITUDE + 1]!;
     const qz = rows[at + BODY_ATTITUDE + 2]!;
     const qw = rows[at + BODY_ATTITUDE + 3]!;
-    const mx = qx + (tx * qw + ty * qz - tz * qy);
-    const my = qy + (ty * qw + tz * qx - tx * qz);
-    const mz = qz + (tz * qw + tx * qy - ty * qx);
-    const mw = qw - (tx * qx + ty * qy + tz * qz);
-    const perLength = 1 / Math.sqrt(mx * mx + my * my + mz * mz + mw * mw);
-    const x = mx * perLength;
-    const y = my * perLength;
-    const z = mz * perLength;
-    const w = mw * perLength;
-    rows[at + BODY_END_ATTITUDE] = x;
-    rows[at + BODY_END_ATTITUDE + 1] = y;
-    rows[at + BODY_END_ATTITUDE + 2] = z;
-    rows[at + BODY_END_ATTITUDE + 3] = w;
-    writeAxes(rows, at + BODY_END_AXES, { x, y, z, w });
+    const x = qx + (tx * qw + ty * qz - tz * qy);
+    const y = qy + (ty * qw + tz * qx - tx * qz);
+    const z = qz + (tz * qw + tx * qy - ty * qx);
+    const w = qw - (tx * qx + ty * qy + tz * qz);
+    const perLength = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
+    rows[at + BODY_END_ATTITUDE] = x * perLength;
+    rows[at + BODY_END_ATTITUDE + 1] = y * perLength;
+    rows[at + BODY_END_ATTITUDE + 2] = z * perLength;
+    rows[at + BODY_END_ATTITUDE + 3] = w * perLength;
+    writeAxes(rows, at + BODY_END_AXES, at + BODY_END_ATTITUDE);
   }
 }
 
@@ -158,15 +153,12 @@ export function moveBodies(rows: Float64Array, count: number, seconds: number): 
   }
 }
 
-interface Quaternion {
-  readonly x: number;
-  readonly y: number;
-  readonly z: number;
-  readonly w: number;
-}
-
-/** Writes the rotation matrix of a unit quaternion, row by row. In a substep the call is inlined, and no object is made. */
-function writeAxes(rows: Float64Array, to: number, { x, y, z, w }: Quaternion): void {
+/** Writes the rotation matrix, row by row, of the unit quaternion at `from`; both in `rows`. */
+function writeAxes(rows: Float64Array, to: number, from: number): void {
+  const x = rows[from]!;
+  const y = rows[from + 1]!;
+  const z = rows[from + 2]!;
+  const w = rows[from + 3]!;
   const x2 = x + x;
   const y2 = y + y;
   const z2 = z + z;

@@ -17,10 +17,17 @@ describeInBrowser('the built page', () => {
     await page.getByRole('button', { name: 'Replay' }).click();
     await page.waitForSelector('.scrubber .mark', { state: 'visible' });
     expect(await page.textContent('#dock')).toMatch(/First divergence at tick \d+/);
-    await page.locator('.scrubber input').fill('0.2');
-    await untilStatus(page, 'flight');
-    const end = await page.locator('.scrubber input').getAttribute('max');
-    await page.locator('.scrubber input').fill(end ?? '');
+    const scrubber = page.locator('.scrubber input');
+    const end = Number(await scrubber.getAttribute('max'));
+    // Backward to the kick: in its first moments a slow display has no ship yet.
+    let at = end;
+    const before = async () => {
+      at -= 0.1;
+      await scrubber.fill(at.toFixed(2));
+      return page.evaluate(() => document.documentElement.dataset['status']);
+    };
+    await expect.poll(before, { interval: 100 }).toBe('flight');
+    await scrubber.fill(end.toFixed(2));
     await untilStatus(page, 'landed', 'tipped');
     await page.getByRole('button', { name: 'Back to the game' }).click();
     await untilProvenance(page, 'confirmed');

@@ -3,7 +3,7 @@
 import subprocess
 import sys
 
-from harness import SERVICE_HOME, RedisServer, ServiceProcess, control, lander, result_of, send, until
+from harness import PATIENCE, SERVICE_HOME, RedisServer, ServiceProcess, control, lander, result_of, send, until
 
 
 def main() -> None:
@@ -26,7 +26,7 @@ def main() -> None:
         # It waits for the next frame.
         until(lambda: client.info("clients")["blocked_clients"] == 1, "the recorder listens", service)
         client.set("game:paused", "false")
-        if child.wait(60) != 0:
+        if child.wait(PATIENCE) != 0:
             sys.exit("the recorder failed")
     finally:
         if service:

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from harness import ServiceProcess, frames, lander
+from harness import PATIENCE, ServiceProcess, frames, lander
 from with_service import WithService
 
 
@@ -11,7 +11,7 @@ class Lease(WithService):
     def test_a_second_service_refuses_to_run(self) -> None:
         second = ServiceProcess(self.redis)
         self.addCleanup(second.close)
-        self.assertEqual(second.process.wait(20), 3)
+        self.assertEqual(second.process.wait(PATIENCE), 3)
         self.assertIn("another service runs", second.words())
         before = self.tick()
         self.until(lambda: self.tick() > before + 3, "the first goes on")
@@ -24,7 +24,7 @@ class Lease(WithService):
         at = self.tick()
         self.until(lambda: self.tick() > at + 5, "the second ticks")
         self.service.process.send_signal(18)  # SIGCONT
-        self.assertEqual(self.service.process.wait(20), 3)
+        self.assertEqual(self.service.process.wait(PATIENCE), 3)
         self.assertIn("lease lost", self.service.words())
         ticks = [frame["tick"] for frame in frames(self.client)]
         self.assertEqual(ticks, list(range(ticks[0], ticks[-1] + 1)))

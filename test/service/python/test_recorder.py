@@ -7,14 +7,14 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from harness import SERVICE_HOME, RedisServer, ServiceProcess, control, lander, result_of, send, until
+from harness import PATIENCE, SERVICE_HOME, RedisServer, ServiceProcess, control, lander, result_of, send, until
 
 
 class Recorder(unittest.TestCase):
     def record(self, redis: RedisServer, *options: str) -> tuple[int, str, str]:
         file = Path(tempfile.mkdtemp()) / "recorded.json"
         command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, *options, str(file)]
-        run = subprocess.run(command, cwd=SERVICE_HOME, capture_output=True, text=True, timeout=60)
+        run = subprocess.run(command, cwd=SERVICE_HOME, capture_output=True, text=True, timeout=PATIENCE)
         return run.returncode, run.stdout, run.stderr
 
     def test_a_landing_is_recorded_tick_by_tick(self) -> None:
@@ -40,7 +40,7 @@ class Recorder(unittest.TestCase):
         child = subprocess.Popen([*command, "--ticks", "250", str(file)], cwd=SERVICE_HOME, stdout=subprocess.DEVNULL)
         until(lambda: client.info("clients")["blocked_clients"] == 1, "the recorder listens", service)
         client.set("game:paused", "false")
-        self.assertEqual(child.wait(60), 0)
+        self.assertEqual(child.wait(PATIENCE), 0)
         data = json.loads(file.read_text(encoding="utf-8"))
         self.assertEqual([s["tick"] for s in data["states"]], [data["initial"]["tick"] + i for i in range(1, 251)])
         self.assertEqual([i["substep"] for i in data["inputs"]], [0, 1, 1, 1, 1])
@@ -80,7 +80,7 @@ class Recorder(unittest.TestCase):
         )
         until(lambda: int(client.get("game:tick")) > before + 100, "it has recorded a while", service)
         client.set("game:tick_rate", "20")
-        said, _ = child.communicate(timeout=60)
+        said, _ = child.communicate(timeout=PATIENCE)
         self.assertIn("ended: another tick", said)
 
 

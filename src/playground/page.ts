@@ -19,7 +19,7 @@ const BUILDING = 'Building the ground …';
 export function begin(document: Document, program: string): void {
   const window = document.defaultView!;
   const part = (id: string) => document.getElementById(id)!;
-  const canvas = part('stage') as HTMLCanvasElement;
+  const canvas = part('scene-view') as HTMLCanvasElement;
   const notice = createNotice(part('notice'));
   const banner = createBanner(part('banner'));
   const query = new URLSearchParams(window.location.search);
@@ -27,14 +27,14 @@ export function begin(document: Document, program: string): void {
   if (complaints.length > 0) notice.show(invalidText(complaints));
   const store = storeOf(window);
   const isFine = choices.picture === 'fine';
-  const stage = openSceneView(canvas, isFine ? FINE : qualityFor(document), notice.show);
+  const sceneView = openSceneView(canvas, isFine ? FINE : qualityFor(document), notice.show);
   const page: Page = {
     document,
     window,
     program,
     part,
     canvas,
-    stage,
+    sceneView,
     notice,
     banner,
     choices,
@@ -46,8 +46,8 @@ export function begin(document: Document, program: string): void {
     query: () => writeChoices(choices),
   };
   const parts = wirePage(page);
-  if (stage !== null) {
-    steerCamera(canvas, stage, parts.shipDrag!);
+  if (sceneView !== null) {
+    steerCamera(canvas, sceneView, parts.shipDrag!);
     watchContext(canvas, notice, parts.loop.resized);
     banner.rest(BUILDING);
   }

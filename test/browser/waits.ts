@@ -93,7 +93,7 @@ export function untilTiltBelow(page: Page, angle: number): Promise<void> {
 
 /** Number of different colours in the middle of the picture, which no panel covers. */
 export async function shadesOf(page: Page): Promise<number> {
-  const png = PNG.sync.read(await page.locator('#stage').screenshot());
+  const png = PNG.sync.read(await page.locator('#scene-view').screenshot());
   const shades = new Set<number>();
   for (let y = Math.round(png.height * 0.14); y < png.height * 0.77; y += 4)
     for (let x = Math.round(png.width * 0.3); x < png.width * 0.7; x += 4)

@@ -25,11 +25,11 @@ const LIVE_CHOICES: readonly (keyof Choices)[] = [
 ];
 
 export function createChooser(page: Page, parts: Parts): Chooser {
-  const { choices, stage, notice, address, query } = page;
+  const { choices, sceneView, notice, address, query } = page;
   let room = '';
   const showOverlays = () => {
-    if (stage !== null)
-      for (const name of OVERLAY_NAMES) stage.overlays[name] = choices.overlays.includes(name);
+    if (sceneView !== null)
+      for (const name of OVERLAY_NAMES) sceneView.overlays[name] = choices.overlays.includes(name);
   };
   const operateNetwork = () => {
     const up = upNetworkOf(choices);
@@ -46,7 +46,7 @@ export function createChooser(page: Page, parts: Parts): Chooser {
     parts.scene.leave();
     parts.actions.reset();
     const terrain = choices.terrain === '' ? findScenario(choices.scenario)!.terrain : choices.terrain;
-    stage?.setTerrain(TERRAINS[terrain]!);
+    sceneView?.setTerrain(TERRAINS[terrain]!);
     showOverlays();
     parts.live.begin(choices);
   };
@@ -75,7 +75,7 @@ export function createChooser(page: Page, parts: Parts): Chooser {
     openHelp: createHelpOpener(page, parts),
     follow(scenario, terrain) {
       if (setChoice(choices, 'scenario', scenario) !== null || !Object.hasOwn(TERRAINS, terrain)) return;
-      stage?.setTerrain(TERRAINS[terrain]!);
+      sceneView?.setTerrain(TERRAINS[terrain]!);
       parts.panel.show(choices);
     },
     invite() {

@@ -1,6 +1,6 @@
 import { keepForOffline } from '../offline/keep';
 import { createFrameLoop, type FrameLoop } from '../view/frameLoop';
-import { NIGHT_ELEVATION } from '../../scene';
+import { NIGHT_ELEVATION, type SceneView } from '../../scene';
 import { pixelRatioOf } from '../view/pageSize';
 import type { Notice } from '../panels/notice';
 import type { Page } from './pageParts';
@@ -10,7 +10,7 @@ import type { Parts } from './parts';
 
 /** One frame: reads the controls, takes the view, paints everything. */
 export function wireFrames(page: Page, parts: Parts): FrameLoop {
-  const { stage, canvas, window, choices, banner, resolution } = page;
+  const { sceneView, canvas, window, choices, banner, resolution } = page;
   const root = page.document.documentElement;
   const textAlternative = createTextAlternative(page.part('textAlternative'));
   const report = createReport(root, parts);
@@ -18,7 +18,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
   let before = NaN;
   let generation = 0;
   const loop = createFrameLoop(window, root, {
-    stage,
+    sceneView,
     resolution,
     look(milliseconds) {
       parts.devices.read();
@@ -46,12 +46,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       textAlternative.update(view, parts.cockpit.landing(), now);
       (replay?.baseline ?? parts.live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
       parts.dock.follow(view, now);
-      if (stage !== null) {
-        const isNight = parts.game.tracker.mission()?.night ?? false;
-        stage.setSunElevation(isNight ? NIGHT_ELEVATION : null);
-        stage.markers.pads = parts.game.tracker.pads();
-        stage.markers.touch = parts.cockpit.aidsOn() && aids.outcome === 'touch' ? aids.touchPlace : null;
-      }
+      if (sceneView !== null) updateScene(sceneView, parts);
       if (parts.loop.isWarm()) report(view);
     },
     isLoading: parts.live.isLoading,
@@ -60,15 +55,28 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       banner.rest('');
       keepForOffline(window, () => (root.dataset['offline'] = 'kept'));
       // Creating the scene took seconds of the flight, so the world begins again.
-      if (stage !== null && choices.server === '') parts.chooser.beginWorld();
+      if (sceneView !== null && choices.server === '') parts.chooser.beginWorld();
     },
     fit() {
       const { clientWidth, clientHeight } = canvas;
       if (clientWidth > 0 && clientHeight > 0)
-        stage?.resize(clientWidth, clientHeight, pixelRatioOf(window, clientWidth, resolution?.share() ?? 1));
+        sceneView?.resize(
+          clientWidth,
+          clientHeight,
+          pixelRatioOf(window, clientWidth, resolution?.share() ?? 1),
+        );
     },
   });
   return loop;
+}
+
+/** Night and marks: what the mission and the landing aids add to the picture. */
+function updateScene(sceneView: SceneView, { game, cockpit }: Parts): void {
+  const isNight = game.tracker.mission()?.night ?? false;
+  sceneView.setSunElevation(isNight ? NIGHT_ELEVATION : null);
+  sceneView.markers.pads = game.tracker.pads();
+  const marksTouch = cockpit.aidsOn() && cockpit.aids.outcome === 'touch';
+  sceneView.markers.touch = marksTouch ? cockpit.aids.touchPlace : null;
 }
 
 /** Says why the autopilot gave back by itself, until it is taken again. */

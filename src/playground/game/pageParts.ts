@@ -15,7 +15,7 @@ export interface Page {
   readonly program: string;
   readonly part: (id: string) => HTMLElement;
   readonly canvas: HTMLCanvasElement;
-  readonly stage: SceneView | null;
+  readonly sceneView: SceneView | null;
   readonly notice: Notice;
   readonly banner: Banner;
   readonly choices: Choices;

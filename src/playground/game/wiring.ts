@@ -31,9 +31,11 @@ export function wirePage(page: Page): Parts {
   parts.panel = wirePanel(page, parts);
   parts.sound = null;
   parts.shipDrag =
-    page.stage === null
+    page.sceneView === null
       ? null
-      : createShipDrag(page.stage, (offset, begins) => parts.live.operate({ kind: 'drag', offset, begins }));
+      : createShipDrag(page.sceneView, (offset, begins) =>
+          parts.live.operate({ kind: 'drag', offset, begins }),
+        );
   parts.flightLink = wireFlightLink(page, parts);
   parts.actions = wireActs(page, parts);
   parts.devices = wireDevices(page, parts);
@@ -101,7 +103,7 @@ function wirePanel({ part, document, choices, notice }: Page, parts: Parts): Pan
 }
 
 function wireActs(page: Page, parts: Parts): Actions {
-  const { banner, choices, document, stage } = page;
+  const { banner, choices, document, sceneView } = page;
   return createActions({
     live: parts.live,
     panel: parts.panel,
@@ -110,8 +112,8 @@ function wireActs(page: Page, parts: Parts): Actions {
     choose: parts.chooser.choose,
     begin: parts.chooser.beginAnew,
     help: parts.chooser.openHelp,
-    resetCamera: () => stage?.resetCamera(),
-    nextCamera: createCameraSwitch(stage, banner),
+    resetCamera: () => sceneView?.resetCamera(),
+    nextCamera: createCameraSwitch(sceneView, banner),
     copyLink: () => copyLink(page, parts),
     copyFlight: () =>
       parts.scene.deck.recording() === null ? parts.flightLink.copy() : copyLink(page, parts),
@@ -206,6 +208,6 @@ function wireGame(page: Page, parts: Parts): MissionGame {
     runs,
     device: parts.devices.device,
     cap: keyCapOf(page, parts),
-    resetCamera: () => page.stage?.resetCamera(),
+    resetCamera: () => page.sceneView?.resetCamera(),
   });
 }

@@ -71,7 +71,7 @@ export function connectDevices(window: Window, listeners: DeviceListeners): Devi
     },
     pressed: pressed('thumbs'),
   });
-  restoreFocus(document.getElementById('panel')!, document.getElementById('stage')!);
+  restoreFocus(document.getElementById('panel')!, document.getElementById('scene-view')!);
   return {
     device: () => device,
     layout: layout.layout,

@@ -11,11 +11,11 @@ const WORDS: Readonly<Record<CameraView, string>> = {
 };
 
 /** Each call selects the next camera and shows its name. */
-export function createCameraSwitch(stage: SceneView | null, banner: Banner): () => void {
+export function createCameraSwitch(sceneView: SceneView | null, banner: Banner): () => void {
   let at = 0;
   return () => {
     at = (at + 1) % CAMERA_VIEWS.length;
-    stage?.setCamera(CAMERA_VIEWS[at]!);
+    sceneView?.setCamera(CAMERA_VIEWS[at]!);
     banner.flash(WORDS[CAMERA_VIEWS[at]!]);
   };
 }

@@ -5,7 +5,7 @@ import type { Resolution } from './resolution';
 
 /** The members of the page that a frame needs. */
 export interface FrameContext {
-  readonly stage: SceneView | null;
+  readonly sceneView: SceneView | null;
   /** The view to show now; `milliseconds` of the frame. */
   readonly look: (milliseconds: number) => { readonly view: WorldView; readonly now: number };
   /** Shows everything but the picture. */
@@ -28,7 +28,7 @@ export interface FrameLoop {
 
 /** Draws as often as the browser asks. The first picture builds the ground and compiles its programs, a second or more. */
 export function createFrameLoop(window: Window, root: HTMLElement, context: FrameContext): FrameLoop {
-  const { stage } = context;
+  const { sceneView } = context;
   const freezeAt = Number(new URLSearchParams(window.location.search).get('freeze') ?? NaN);
   let isWarm = false;
   let isBuilding = false;
@@ -47,10 +47,10 @@ export function createFrameLoop(window: Window, root: HTMLElement, context: Fram
       isResized = false;
       context.fit();
     }
-    if (view.ready && (isWarm || !isBuilding)) stage?.draw(context.dress(view), now);
+    if (view.ready && (isWarm || !isBuilding)) sceneView?.draw(context.dress(view), now);
     if (view.ready && !isWarm) {
       isBuilding = true;
-      isWarm = stage === null || stage.hasDrawn();
+      isWarm = sceneView === null || sceneView.hasDrawn();
       if (isWarm) context.opened();
       return;
     }

@@ -37,5 +37,5 @@ function answerTime(
   if (paused) return null;
   const interval = 1 / tickRate;
   const at = wallOfTick(timeline, tick) + Math.min(sinceTick, interval);
-  return { at, standing: sinceTick > interval + OVERDUE };
+  return { at, hasStopped: sinceTick > interval + OVERDUE };
 }

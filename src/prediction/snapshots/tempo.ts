@@ -14,10 +14,10 @@ import type { Receiver } from './receiver';
 export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const { timeline } = sim;
   const first = timeline.spans.length === 0;
-  const stood = !first && spanOf(timeline, frame.tick).paused;
-  const wall = stood ? wallAfterPause(sim, receiver, now) : null;
-  if (!stood && !first) sampleDown(receiver.clock, wallOfTick(timeline, frame.tick), now);
-  const resumes = stood && !frame.paused;
+  const wasPaused = !first && spanOf(timeline, frame.tick).paused;
+  const wall = wasPaused ? wallAfterPause(sim, receiver, now) : null;
+  if (!wasPaused && !first) sampleDown(receiver.clock, wallOfTick(timeline, frame.tick), now);
+  const resumes = wasPaused && !frame.paused;
   const changes = !first && differs(sim, frame);
   // The present pose is of the old tempo.
   if (changes) for (const track of sim.fleet.tracks) if (track.mode === 'stepping') hold(sim, track);

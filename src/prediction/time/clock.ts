@@ -48,7 +48,7 @@ export interface Clock {
   timedPongAt: number;
   answeredAt: number;
   /** Server time at which the server stopped, by its last answer; infinite while it runs. */
-  stoodAt: number;
+  stoppedAt: number;
   /** Grain of the page's clock, s; 0 for a fine one. */
   grain: number;
   stillCalls: number;
@@ -96,7 +96,7 @@ export function createClock(): Clock {
     pongAt: Number.NEGATIVE_INFINITY,
     timedPongAt: Number.NEGATIVE_INFINITY,
     answeredAt: Number.NEGATIVE_INFINITY,
-    stoodAt: Number.POSITIVE_INFINITY,
+    stoppedAt: Number.POSITIVE_INFINITY,
     grain: 0,
     stillCalls: 0,
   };
@@ -105,7 +105,7 @@ export function createClock(): Clock {
 /** Takes the arrival of a message that the server sent at server time `sentAt`. */
 export function sampleDown(clock: Clock, sentAt: number, now: number): void {
   if (boundAbove(clock.bounds, sentAt, now, samplingOf(clock, now))) clock.stepped = true;
-  if (sentAt >= clock.stoodAt) clock.stoodAt = Number.POSITIVE_INFINITY;
+  if (sentAt >= clock.stoppedAt) clock.stoppedAt = Number.POSITIVE_INFINITY;
   settleOffset(clock, now);
 }
 
@@ -118,7 +118,7 @@ function samplingOf(clock: Clock, now: number): Sampling {
 export interface Answer {
   readonly at: number;
   /** The server had stopped: its next tick was overdue. */
-  readonly standing: boolean;
+  readonly hasStopped: boolean;
 }
 
 /** Takes the pong for a ping of client time `pinged`; `answer` is null if its time is unusable. */
@@ -133,12 +133,13 @@ export function samplePong(clock: Clock, pinged: number, answer: Answer | null, 
   if (answer === null) return;
   const answered = answer.at;
   clock.timedPongAt = now;
-  clock.stoodAt = answer.standing ? answered : Number.POSITIVE_INFINITY;
-  if (answer.standing) boundBelow(clock.bounds, { pinged, stood: answered, now });
+  clock.stoppedAt = answer.hasStopped ? answered : Number.POSITIVE_INFINITY;
+  if (answer.hasStopped) boundBelow(clock.bounds, { pinged, stood: answered, now });
   else if (boundBothSides(clock.bounds, { pinged, answered, now }, clock.grain)) clock.stepped = true;
   settleOffset(clock, now);
   // A stall is one sample, however many pings waited in it, and does not count as jitter.
-  const counts = !answer.standing && roundTrip <= leastRoundTrip(clock) + STALL && slackOf(clock) <= CERTAIN;
+  const counts =
+    !answer.hasStopped && roundTrip <= leastRoundTrip(clock) + STALL && slackOf(clock) <= CERTAIN;
   // Measured from the lower bound, the fastest upstream path: the offset also depends on downstream delays.
   if (counts && answered - clock.answeredAt > ONE_QUEUE)
     addDelay(clock.up, answered - pinged + clock.bounds.lower);
@@ -179,7 +180,7 @@ export function forgetSchedule(clock: Clock): void {
   clock.offset = Number.NaN;
   clock.present = Number.NaN;
   clock.answeredAt = Number.NEGATIVE_INFINITY;
-  clock.stoodAt = Number.POSITIVE_INFINITY;
+  clock.stoppedAt = Number.POSITIVE_INFINITY;
 }
 
 /** Estimated server time at which a message that arrives now was sent. */

@@ -42,7 +42,7 @@ export function advanceClock(clock: Clock, now: number, { deadZone, limit: horiz
   noteGrain(clock, elapsed);
   clock.steer = Math.max(0, clock.steer - elapsed * STEER_DECAY);
   const aim = serverTime(clock, now) + leadOf(clock);
-  const limit = Math.min(horizon, clock.stoodAt + leadOf(clock));
+  const limit = Math.min(horizon, clock.stoppedAt + leadOf(clock));
   const target = Math.min(aim, limit);
   const step = stepOf(clock);
   if (aim > limit || Math.abs(clock.offset - clock.settledOffset) > step) clock.stepped = true;

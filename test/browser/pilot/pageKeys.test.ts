@@ -63,7 +63,7 @@ describeInBrowser('keys on the built page', () => {
     await page.waitForSelector('html[data-ready=true]');
     await page.locator('summary', { hasText: 'World' }).click();
     for (const [how, lose] of Object.entries(LOSSES)) {
-      await page.locator('#stage').focus();
+      await page.locator('#scene-view').focus();
       await stroke(page, 'KeyX', 'x');
       await stroke(page, 'KeyX', 'x', 'keyup');
       await expect.poll(() => throttleOf(page)).toBe(0);

@@ -16,11 +16,11 @@ const ON_DEMAND =
 
 /** Number of different colours in the scene, on a grid of every 16th pixel. */
 async function coloursOf(page: Page): Promise<number> {
-  await page.locator('#stage').evaluate((stage) => {
+  await page.locator('#scene-view').evaluate((canvas) => {
     document.body.style.visibility = 'hidden';
-    stage.style.visibility = 'visible';
+    canvas.style.visibility = 'visible';
   });
-  const { width, height, data } = PNG.sync.read(await page.locator('#stage').screenshot());
+  const { width, height, data } = PNG.sync.read(await page.locator('#scene-view').screenshot());
   const colours = new Set<number>();
   for (let y = 0; y < height; y += 16) {
     for (let x = 0; x < width; x += 16) colours.add(data.readUInt32BE((y * width + x) * 4));
@@ -35,8 +35,8 @@ describeInBrowser('the built page', () => {
     // A cleared canvas has one colour, a sky without ground few.
     await expect.poll(() => coloursOf(page)).toBeGreaterThan(50);
     const hasWebGL2 = await page
-      .locator('#stage')
-      .evaluate((stage) => (stage as HTMLCanvasElement).getContext('webgl2') !== null);
+      .locator('#scene-view')
+      .evaluate((canvas) => (canvas as HTMLCanvasElement).getContext('webgl2') !== null);
     expect(hasWebGL2).toBe(true);
     expect(problemsOf(page)).toEqual([]);
   });

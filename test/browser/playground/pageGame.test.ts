@@ -37,7 +37,7 @@ describeInBrowser('the game on the built page', () => {
     const link = await page.locator('.notice-link').inputValue();
     expect(link).toMatch(/\?scenario=first-landing&run=[\w-]+$/);
     await page.getByRole('button', { name: 'Close' }).click();
-    await page.locator('#stage').focus();
+    await page.locator('#scene-view').focus();
     await page.keyboard.press('Enter');
     await page.waitForFunction(() => location.search.includes('scenario=sidestep'));
     expect(problemsOf(page)).toEqual([]);

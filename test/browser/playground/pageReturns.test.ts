@@ -40,7 +40,7 @@ describeInBrowser('the built page', () => {
     await page.locator('summary', { hasText: 'Recording' }).click();
     await page.getByRole('button', { name: 'Replay' }).click();
     await untilBanner(page, 'Replay');
-    await page.locator('#stage').focus();
+    await page.locator('#scene-view').focus();
     await page.keyboard.press('z');
     await page.keyboard.press('p');
     await page.getByRole('button', { name: 'Play', exact: true }).waitFor();

@@ -75,7 +75,7 @@ describeInBrowser('the built page, when something is wrong', () => {
     await untilStatus(page, 'landed');
     const before = await shadesOf(page);
     await page.evaluate(() => {
-      const context = document.querySelector<HTMLCanvasElement>('#stage')!.getContext('webgl2')!;
+      const context = document.querySelector<HTMLCanvasElement>('#scene-view')!.getContext('webgl2')!;
       const loss = context.getExtension('WEBGL_lose_context')!;
       loss.loseContext();
       Object.assign(window, { giveBack: () => loss.restoreContext() });

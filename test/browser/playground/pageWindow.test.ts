@@ -72,9 +72,10 @@ describeInBrowser('the built page in any window', () => {
   it('draws as finely as the screen that it is moved to', async () => {
     const page = await openBuiltPage('?scenario=settle', { ...SMALL, deviceScaleFactor: 1 });
     await page.waitForSelector('html[data-ready=true]');
-    const widthOf = () => page.locator('#stage').evaluate((stage) => (stage as HTMLCanvasElement).width);
+    const widthOf = () =>
+      page.locator('#scene-view').evaluate((canvas) => (canvas as HTMLCanvasElement).width);
     const scaleOf = () =>
-      page.locator('#stage').evaluate((stage) => (stage as HTMLCanvasElement).clientWidth);
+      page.locator('#scene-view').evaluate((canvas) => (canvas as HTMLCanvasElement).clientWidth);
     await page.setViewportSize({ width: 500, height: 400 });
     await expect.poll(widthOf).toBe(await scaleOf());
     const cdp = await page.context().newCDPSession(page);

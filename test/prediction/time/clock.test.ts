@@ -28,7 +28,7 @@ function run(
     const offset = link.offset?.(now) ?? 100;
     if (i % 12 === 0) {
       const [up, down] = [link.up(), link.down()];
-      samplePong(clock, now - up - down, { at: now - down - offset, standing: false }, now);
+      samplePong(clock, now - up - down, { at: now - down - offset, hasStopped: false }, now);
     }
     advanceClock(clock, now, PACING);
     presents.push(clock.present);
@@ -69,7 +69,7 @@ describe('the clock', () => {
     // More than the delays kept, sent over 12 s and received at once.
     for (let i = 60; i > 0; i--) {
       const pinged = now - 0.1 - i * 0.2;
-      samplePong(clock, pinged, { at: pinged + 0.05 - 100, standing: false }, now);
+      samplePong(clock, pinged, { at: pinged + 0.05 - 100, hasStopped: false }, now);
     }
     expect(leadOf(clock)).toBeCloseTo(before, 9);
   });
@@ -83,7 +83,7 @@ describe('the clock', () => {
   it('ignores a pong that arrives before its ping was sent: `now` was put back', () => {
     const { clock, now } = run(6, { up: () => 0.05, down: () => 0.05 });
     const before = structuredClone(clock);
-    samplePong(clock, now, { at: now - 100, standing: false }, now - 5);
+    samplePong(clock, now, { at: now - 100, hasStopped: false }, now - 5);
     expect(clock).toEqual(before);
   });
 
@@ -161,7 +161,7 @@ describe('the clock', () => {
     const stood = now - 100;
     for (let i = 0; i < 300; i++) {
       const at = now + 2 + i / 60;
-      if (i % 12 === 0) samplePong(clock, at - 0.6, { at: stood, standing: true }, at);
+      if (i % 12 === 0) samplePong(clock, at - 0.6, { at: stood, hasStopped: true }, at);
       advanceClock(clock, at, PACING);
     }
     expect(Math.abs(clock.present - (stood + leadOf(clock)))).toBeLessThan(2 * SUBSTEP);

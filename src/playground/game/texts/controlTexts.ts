@@ -41,7 +41,7 @@ const SHIP_AXES = Float64Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 export function wireCockpit(page: Page, parts: Parts): Cockpit {
   const { stick, autopilot } = parts.live.flightControls;
   const screen = new Float64Array(9);
-  const seen = () => page.stage?.screenAxes(screen) === true;
+  const seen = () => page.sceneView?.screenAxes(screen) === true;
   parts.live.flightControls.steerInScreenAxes(() => (seen() ? screen : null));
   const cap = keyCapOf(page, parts);
   const name = (action: Action) => controlName(parts.devices.device(), action, cap);

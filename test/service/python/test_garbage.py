@@ -169,8 +169,8 @@ class Running(unittest.TestCase):
             for value in (b"\xff\xfe", b"", b"nan", b"1_0", "٥".encode(), b"[" * 3000):
                 self.client.set(key, value)
                 self.expect_ticks(service, f"{key} = {value[:10]!r}")
-            self.client.delete(key)
-            self.client.rpush(key, "x")
+            # In one transaction: the service writes a missing key again.
+            self.client.pipeline().delete(key).rpush(key, "x").execute()
             self.expect_ticks(service, f"{key} as a list")
         self.client.xadd("touchdown:inbox", {b"type": b"\xff", b"\xfe": b"\x80"})
         self.expect_ticks(service, "bytes in the inbox")

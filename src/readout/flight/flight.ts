@@ -147,6 +147,7 @@ function forget(out: FlightReadout): void {
   out.fuelShare = NaN;
   out.burnSeconds = NaN;
   out.deltaV = NaN;
+  out.wheels.fill(NaN);
   out.heading = NaN;
   out.pitch = NaN;
   out.leanX = 0;

@@ -144,10 +144,13 @@ export function createPanel(
   form.also(({ server }) => {
     for (const action of BUILT_IN_ONLY) buttons.get(action)!.disabled = server !== '';
   });
+  const press = (action: PanelAction, pressed: boolean) =>
+    buttons.get(action)?.setAttribute('aria-pressed', String(pressed));
+  form.also(({ mode }) => press('tryLastState', mode === 'last'));
 
   return {
     show: form.show,
-    press: (action, pressed) => buttons.get(action)?.setAttribute('aria-pressed', String(pressed)),
+    press,
     label(action, text) {
       const known = buttons.get(action);
       if (known !== undefined && known.textContent !== text) known.textContent = text;

@@ -141,16 +141,14 @@ export function createPanel(
   addRow(workshop, SHARE);
   const run = append(workshop, 'p', 'quiet');
   appendLicences(append(workshop, 'p', 'quiet'));
-  form.also(({ server }) => {
+  form.also(({ server, mode }) => {
     for (const action of BUILT_IN_ONLY) buttons.get(action)!.disabled = server !== '';
+    buttons.get('tryLastState')!.setAttribute('aria-pressed', String(mode === 'last'));
   });
-  const press = (action: PanelAction, pressed: boolean) =>
-    buttons.get(action)?.setAttribute('aria-pressed', String(pressed));
-  form.also(({ mode }) => press('tryLastState', mode === 'last'));
 
   return {
     show: form.show,
-    press,
+    press: (action, pressed) => buttons.get(action)?.setAttribute('aria-pressed', String(pressed)),
     label(action, text) {
       const known = buttons.get(action);
       if (known !== undefined && known.textContent !== text) known.textContent = text;

@@ -183,9 +183,10 @@ function handleState(link: Link, sent: unknown): void {
   if (driver.state().phase !== 'live') return handlers.onRefused?.('state: came before the welcome');
   const known = options.bodies === undefined ? {} : { bodies: options.bodies };
   const frame = decodeFrameJson(sent, known);
-  if (!frame.ok) return handlers.onRefused?.(`state.${frame.reason}`);
-  const { tickRate } = frame.value;
+  const tickRate = frame.ok ? frame.value.tickRate : undefined;
+  // A refused state arrived all the same: the game is not paused.
   driver.stateReceived(tickRate === undefined ? undefined : 1 / tickRate);
+  if (!frame.ok) return handlers.onRefused?.(`state.${frame.reason}`);
   handlers.onFrame(frame.value, options.clock.now());
 }
 

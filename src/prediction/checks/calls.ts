@@ -34,6 +34,8 @@ interface Pace {
   at: number;
   tickRate: number;
   timeScale: number;
+  /** Whether a frame had tickRate; 1 is used until then. */
+  isRateSent: boolean;
   /** Wall and game time that the ticks since the first should have taken, by the tempo of each frame. */
   wallDue: number;
   gameDue: number;
@@ -51,6 +53,7 @@ export function createCalls(): Calls {
     pace: {
       ...{ firstTick: Number.NaN, firstGameTime: Number.NaN, firstAt: Number.NaN },
       ...{ tick: Number.NaN, at: Number.NaN, tickRate: Number.NaN, timeScale: Number.NaN },
+      isRateSent: false,
       ...{ wallDue: 0, gameDue: 0, late: 0, lateSince: Number.NaN },
     },
   };
@@ -99,7 +102,7 @@ export function noteAdvance(warn: Warn, calls: Calls, now: number): void {
     const details = { now, receivedAt: calls.receivedAt };
     warn(
       'two-clocks',
-      'receive and advance are given times from different clocks: use one for both.',
+      `receive is given ${calls.receivedAt} s and advance ${now} s, from different clocks: use one for both.`,
       details,
     );
   }
@@ -158,7 +161,8 @@ function notePace(warn: Warn, pace: Pace, frame: PartialFrame, now: number): voi
   } else return;
   pace.tick = tick;
   pace.at = now;
-  pace.tickRate = frame.tickRate ?? Number.NaN;
+  pace.isRateSent ||= frame.tickRate !== undefined;
+  pace.tickRate = frame.tickRate ?? (pace.isRateSent ? pace.tickRate : 1);
   pace.timeScale = frame.timeScale ?? Number.NaN;
 }
 
@@ -177,7 +181,8 @@ function checkTickRate(
   const isFast = seconds >= MEASURED && pace.wallDue > seconds * OTHER_RATE;
   if (!isSlow && !isFast) return;
   const come = isSlow ? (tick - pace.tick) / gap : (tick - pace.firstTick) / seconds;
-  const message = `tickRate is ${tickRate} Hz, and ${come.toPrecision(3)} ticks arrive per second: pass ticks per second, not their length.`;
+  const rate = pace.isRateSent ? `tickRate is ${tickRate} Hz` : 'No frame has tickRate, which counts as 1 Hz';
+  const message = `${rate}, and ${come.toPrecision(3)} ticks arrive per second: pass ticks per second, not their length.`;
   warn('tick-rate', message, { tickRate, measured: come });
 }
 
@@ -201,7 +206,8 @@ function checkGameTime(
 export function noteView(warn: Warn, calls: Calls, now: number): void {
   if (calls.advances > 0 && Math.abs(now - calls.advancedAt) > CLOCKS_APART) {
     const details = { now, advancedAt: calls.advancedAt };
-    warn('two-clocks', 'advance and view are given times from different clocks: use one for both.', details);
+    const message = `advance is given ${calls.advancedAt} s and view ${now} s, from different clocks: use one for both.`;
+    warn('two-clocks', message, details);
   }
   calls.views += 1;
   if (calls.views === PATTERN && calls.advances === 0 && calls.frames > 0)

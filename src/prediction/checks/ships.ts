@@ -162,10 +162,14 @@ function checkRelative(warn: Warn, ship: ShipState, bodies: readonly KnownBody[]
   }
   const named = landedBodyName || referenceBody;
   if (bodies.length > 0 && named !== '' && !bodies.some(({ name }) => name === named))
-    warn('body-unknown', `${shipId} is at ${named}, which no frame or hello has sent: pass in that body.`, {
-      shipId,
-      body: named,
-    });
+    warn(
+      'body-unknown',
+      `${shipId} is at ${named}, which is not among the bodies: list it in defaults.bodies, the hello or each frame.`,
+      {
+        shipId,
+        body: named,
+      },
+    );
 }
 
 /** The position relative to the body may differ from the ICRF one, m, by a double's resolution there and by the body's motion in a tick. */

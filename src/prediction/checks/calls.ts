@@ -29,13 +29,11 @@ interface Pace {
   firstTick: number;
   firstGameTime: number;
   firstAt: number;
-  /** Tick, arrival and tempo of the newest frame. */
+  /** Tick, arrival and tempo of the newest frame; tickRate is 1 until one is sent, as the predictor takes it. */
   tick: number;
   at: number;
   tickRate: number;
   timeScale: number;
-  /** Whether a frame had tickRate; 1 is used until then. */
-  isRateSent: boolean;
   /** Wall and game time that the ticks since the first should have taken, by the tempo of each frame. */
   wallDue: number;
   gameDue: number;
@@ -52,8 +50,7 @@ export function createCalls(): Calls {
     ...{ takenAt: 0, takenBy: '' },
     pace: {
       ...{ firstTick: Number.NaN, firstGameTime: Number.NaN, firstAt: Number.NaN },
-      ...{ tick: Number.NaN, at: Number.NaN, tickRate: Number.NaN, timeScale: Number.NaN },
-      isRateSent: false,
+      ...{ tick: Number.NaN, at: Number.NaN, tickRate: 1, timeScale: Number.NaN },
       ...{ wallDue: 0, gameDue: 0, late: 0, lateSince: Number.NaN },
     },
   };
@@ -102,7 +99,7 @@ export function noteAdvance(warn: Warn, calls: Calls, now: number): void {
     const details = { now, receivedAt: calls.receivedAt };
     warn(
       'two-clocks',
-      `receive is given ${calls.receivedAt} s and advance ${now} s, from different clocks: use one for both.`,
+      `receive is given ${calls.receivedAt} s, advance ${now} s: use one for both.`,
       details,
     );
   }
@@ -130,7 +127,7 @@ function noteOwnShip(warn: Warn, calls: Calls, frame: PartialFrame, own: string)
   calls.unseen = own === '' || own === calls.ownSeen ? 0 : calls.unseen + 1;
   if (calls.unseen !== PATTERN) return;
   const leftOut = (frame as Partial<DecodedFrame>).refusals?.[0];
-  const help = leftOut === undefined ? '' : ` Or mend what was left out of the frame: ${leftOut}.`;
+  const help = leftOut === undefined ? '' : ` It left out ${leftOut}.`;
   warn(
     'own-ship-never-seen',
     `No frame has the own ship ${own}. Check ownShipId, or call setOwnShip.${help}`,
@@ -154,15 +151,14 @@ function notePace(warn: Warn, pace: Pace, frame: PartialFrame, now: number): voi
     Object.assign(pace, { wallDue: 0, gameDue: 0, late: 0 });
   } else if (tick > pace.tick) {
     const due = (tick - pace.tick) / pace.tickRate;
-    pace.wallDue += Number.isNaN(due) ? 0 : due;
+    pace.wallDue += due;
     pace.gameDue += due * pace.timeScale;
     checkTickRate(warn, pace, { tick, now, due });
-    checkGameTime(warn, pace, { tick, gameTime });
+    checkGameTime(warn, gameTime - pace.firstGameTime, pace.gameDue);
   } else return;
   pace.tick = tick;
   pace.at = now;
-  pace.isRateSent ||= frame.tickRate !== undefined;
-  pace.tickRate = frame.tickRate ?? (pace.isRateSent ? pace.tickRate : 1);
+  pace.tickRate = frame.tickRate ?? pace.tickRate;
   pace.timeScale = frame.timeScale ?? Number.NaN;
 }
 
@@ -181,32 +177,23 @@ function checkTickRate(
   const isFast = seconds >= MEASURED && pace.wallDue > seconds * OTHER_RATE;
   if (!isSlow && !isFast) return;
   const come = isSlow ? (tick - pace.tick) / gap : (tick - pace.firstTick) / seconds;
-  const rate = pace.isRateSent ? `tickRate is ${tickRate} Hz` : 'No frame has tickRate, which counts as 1 Hz';
-  const message = `${rate}, and ${come.toPrecision(3)} ticks arrive per second: pass ticks per second, not their length.`;
+  const message = `tickRate is ${tickRate} Hz (1 unless sent), and ${come.toPrecision(3)} ticks arrive per second: pass ticks per second, not their length.`;
   warn('tick-rate', message, { tickRate, measured: come });
 }
 
 /** Game time that grows by more than a hundred times more or less than the tempo says is in another unit. */
-function checkGameTime(
-  warn: Warn,
-  { firstTick, firstGameTime, gameDue }: Pace,
-  { tick, gameTime }: { readonly tick: number; readonly gameTime: number },
-): void {
-  const ratio = (gameTime - firstGameTime) / gameDue;
+function checkGameTime(warn: Warn, grown: number, expected: number): void {
+  const ratio = grown / expected;
   if (!(ratio > 100 || ratio < 0.01)) return;
-  const [perTick, expected] = [gameTime - firstGameTime, gameDue].map((s) => s / (tick - firstTick)) as [
-    number,
-    number,
-  ];
-  const message = `gameTime grows by ${perTick} per tick, and timeScale / tickRate is ${expected} s: pass seconds.`;
-  warn('game-time', message, { perTick, expected });
+  const message = `gameTime grew by ${grown}, in ticks of timeScale / tickRate by ${expected} s: pass seconds.`;
+  warn('game-time', message, { grown, expected });
 }
 
 /** `view` was called. */
 export function noteView(warn: Warn, calls: Calls, now: number): void {
   if (calls.advances > 0 && Math.abs(now - calls.advancedAt) > CLOCKS_APART) {
     const details = { now, advancedAt: calls.advancedAt };
-    const message = `advance is given ${calls.advancedAt} s and view ${now} s, from different clocks: use one for both.`;
+    const message = `advance is given ${calls.advancedAt} s, view ${now} s: use one for both.`;
     warn('two-clocks', message, details);
   }
   calls.views += 1;

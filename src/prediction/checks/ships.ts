@@ -82,7 +82,7 @@ function warnOfKilometres(
   const isIcrf = distance > 10 * near.radius && enlarged < 2 * meant.radius;
   if (!isRelative && !isIcrf) return false;
   const { name } = isRelative ? near : meant;
-  const message = `${shipId} is far from ${name}'s ground, and would be near it at a thousand times the position: pass metres, not km.`;
+  const message = `${shipId} would be near ${name} at a thousand times its position: pass metres, not km.`;
   warn('position-in-kilometres', message, { shipId, value: position });
   return true;
 }

@@ -101,7 +101,7 @@ export const MESSAGES: readonly Mistake[] = [
   [
     'ticks each 10 s without tickRate',
     'tick-rate',
-    /No frame has tickRate.*0\.100 ticks/,
+    /1 unless sent.*0\.100 ticks/,
     () =>
       warningsOf((p) => {
         for (const one of ticks(12))

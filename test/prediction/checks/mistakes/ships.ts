@@ -22,7 +22,7 @@ export const SHIPS: readonly Mistake[] = [
   [
     'km, nearer to another body',
     'position-in-kilometres',
-    /near it at a thousand times/,
+    /near Luna at a thousand times/,
     () => received({ ...withShip({ position: thousandth(ship.position) }), bodies: BODIES }),
   ],
   [

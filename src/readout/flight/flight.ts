@@ -68,7 +68,7 @@ export function createFlightReadout(): FlightReadout {
  * @example
  * ```ts
  * const readout = createFlightReadout(); // once
- * const { fuel, heading } = updateFlightReadout(readout, predictor.view(now)); // kg, rad
+ * const { fuel, heading } = updateFlightReadout(readout, predictor.view(now)); // kg, degrees
  * ```
  */
 export function updateFlightReadout(out: FlightReadout, given: WorldView | null): FlightReadout {

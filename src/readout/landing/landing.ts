@@ -18,6 +18,7 @@ export interface LandingReadout {
   provenance: Provenance;
   /** Wall s, of the provenance. */
   age: number;
+  /** Game s per wall s. */
   timeScale: number;
   /** A predicted state that the server did not have, shown as withdrawn; '' for none. */
   withdrawn: ShipView['withdrawn'];

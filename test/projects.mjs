@@ -12,8 +12,11 @@ const ALONE = ['test/live/**/*.long.test.ts', 'test/prediction/harness/inChromiu
 /** ms. For hangs alone: ten times what the slowest test takes on two cores, so that no test fails on a busy machine. */
 const HANGS = { testTimeout: 300_000, hookTimeout: 300_000, expect: { poll: { timeout: 120_000 } } };
 
-/** More than cores: a browser test waits for its page most of the time, and the node files behind it would wait too. */
-const maxWorkers = 8 + 2 * availableParallelism();
+/**
+ * More than cores: a browser test waits for its page most of the time, and the node files behind it would wait too. Not many more: each
+ * worker compiles what node files share anew.
+ */
+const maxWorkers = 3 * availableParallelism();
 
 /**
  * Bundles the run's files before it begins: those of node together, so that what they share is compiled once in each process. Files

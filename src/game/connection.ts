@@ -21,7 +21,7 @@ export interface GameConnection {
   readonly sendControls: (controls: Controls) => boolean;
   /** Any other message of the game's: service, attitude modes. */
   readonly send: (message: unknown) => boolean;
-  /** Tries again at once, after a refusal too. */
+  /** Tries again at once, after a refusal too, with the newest token it has: for another, dispose and connect anew. */
   readonly retry: () => void;
   /** Closes the socket for good; no handler is called afterwards. */
   readonly dispose: () => void;
@@ -183,9 +183,10 @@ function handleState(link: Link, sent: unknown): void {
   if (driver.state().phase !== 'live') return handlers.onRefused?.('state: came before the welcome');
   const known = options.bodies === undefined ? {} : { bodies: options.bodies };
   const frame = decodeFrameJson(sent, known);
-  if (!frame.ok) return handlers.onRefused?.(`state.${frame.reason}`);
-  const { tickRate } = frame.value;
+  const tickRate = frame.ok ? frame.value.tickRate : undefined;
+  // A refused state arrived all the same: the game is not paused.
   driver.stateReceived(tickRate === undefined ? undefined : 1 / tickRate);
+  if (!frame.ok) return handlers.onRefused?.(`state.${frame.reason}`);
   handlers.onFrame(frame.value, options.clock.now());
 }
 

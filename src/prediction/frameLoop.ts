@@ -35,7 +35,7 @@ export function advanceFrame(session: Session, controls: Controls | null, now: n
   const due = substepsTo(sim, target);
   if (due > 0) keepPace(sim, pace, due);
   const replayed = runReplays(sim, pace.budget);
-  const check = (tick: number) => checkBoundary(session, tick);
+  const check = boundaryCheckOf(session);
   if (due > BACKDATED) stepFront(sim, later(sim, due - BACKDATED), check);
   if (controls !== null && areControls(session, controls))
     sampleControls(sim, pilot, controls, { now, steer: clock.steer, granularity: session.granularity });
@@ -86,10 +86,13 @@ export function place(sim: Simulation, present: number): void {
   placePresent(sim, moment);
 }
 
-function checkBoundary({ sim, options }: Session, tick: number): void {
+/** What is called at each tick boundary: the rollback check in the test mode of that name. Allocates nothing without it. */
+function boundaryCheckOf({ sim, options }: Session): (tick: number) => void {
   const ticks = options.forcedRollback ?? 0;
-  if (ticks > 0) sim.features.checkRollback?.(sim, tick, ticks);
+  return ticks > 0 ? (tick) => sim.features.checkRollback?.(sim, tick, ticks) : checksNothing;
 }
+
+const checksNothing = (): void => undefined;
 
 const moment: Moment = { tick: 0, substeps: 0 };
 const located: Position = { tick: 0, substep: 0 };

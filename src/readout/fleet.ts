@@ -22,6 +22,7 @@ export interface FleetReadout {
   count: number;
   /** Ships by status. */
   readonly counts: Record<StatusId, number>;
+  /** Game s per wall s. */
   timeScale: number;
 }
 

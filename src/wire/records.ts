@@ -48,8 +48,9 @@ export interface ShipState {
   readonly contactImpactSpeed: number | null;
   /** Empty when the server does not send field 32. */
   readonly referenceBody: string;
-  /** Relative to the reference body's centre, ICRF axes; null when the server does not send fields 33 and 34. */
+  /** m, relative to the reference body's centre, ICRF axes; null when the server does not send fields 33 and 34. */
   readonly relativePosition: Vec3 | null;
+  /** m/s, likewise. */
   readonly relativeVelocity: Vec3 | null;
   /** The ship is destroyed until it is spawned again. */
   readonly crashed: boolean;
@@ -94,6 +95,7 @@ export interface Hello {
   readonly tick: number;
   /** Hz */
   readonly tickRate: number;
+  /** Game s per wall s. */
   readonly timeScale: number;
   readonly inputGranularity: 'substep' | 'tick';
 }
@@ -111,6 +113,7 @@ export interface InputAcknowledgement {
 /** From the server, once a tick: the world at tick boundary `tick`. */
 export interface ServerFrame extends PartialFrame {
   readonly tickRate: number;
+  /** Game s per wall s. */
   readonly timeScale: number;
   readonly paused: boolean;
   readonly bodies: readonly BodyState[];
@@ -124,6 +127,7 @@ export interface PartialFrame {
   readonly tick: number;
   /** Hz; tickRate, timeScale and paused apply from this tick to the next. */
   readonly tickRate?: number;
+  /** Game s per wall s. */
   readonly timeScale?: number;
   /** Game time at `tick`, s since 1970-01-01T00:00:00Z. */
   readonly gameTime?: number;

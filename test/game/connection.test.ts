@@ -45,6 +45,17 @@ it('sends controls from the welcome on, in the caller’s own envelope', async (
   ]);
 });
 
+it('does not take refused states for a pause', async () => {
+  const { clock, told } = await welcomed();
+  for (let second = 0; second < 6; second++) {
+    say({ ...STATE, tick: -1 });
+    await until(() => told.filter((text) => text.startsWith('refused state.tick')).length === second + 1);
+    clock.pass(1);
+  }
+  expect(heard).toHaveLength(1);
+  expect(told.filter((text) => /No states|paused/.test(text))).toEqual([]);
+});
+
 it('pings each 30 s, and reconnects when no pong comes in 10 s', async () => {
   const { clock, told } = await welcomed();
   for (let second = 0; second < 30; second++) {

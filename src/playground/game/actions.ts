@@ -97,7 +97,12 @@ function buttonActs(
       hop.endsAt = live.clock.now() + HOP;
     },
     tryTopple: () => targets.choose('scenario', 'topple'),
-    tryLastState: () => targets.choose('mode', targets.choices().mode === 'last' ? 'predicted' : 'last'),
+    tryLastState() {
+      const isOn = targets.choices().mode !== 'last';
+      targets.choose('mode', isOn ? 'last' : 'predicted');
+      // A ship at rest is drawn the same by both: the flight begins again.
+      if (isOn && !isRemote(targets) && targets.deck.replay() === null) targets.begin();
+    },
   };
 }
 

@@ -56,8 +56,8 @@ function appendLines(element: HTMLElement, lines: readonly ScoreLine[]): void {
   for (const { what, measured, points, most, rule } of lines) {
     const row = append(body, 'tr');
     append(row, 'th', '', what).scope = 'row';
-    append(row, 'td', '', measured);
-    append(row, 'td', 'points', most === 0 ? String(points) : `${points} of ${most}`);
+    append(row, 'td', 'measured', measured);
+    append(row, 'td', 'points', most === 0 ? String(points).replace('-', '−') : `${points} of ${most}`);
     append(row, 'td', 'quiet', rule);
   }
 }

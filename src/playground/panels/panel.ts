@@ -141,8 +141,9 @@ export function createPanel(
   addRow(workshop, SHARE);
   const run = append(workshop, 'p', 'quiet');
   appendLicences(append(workshop, 'p', 'quiet'));
-  form.also(({ server }) => {
+  form.also(({ server, mode }) => {
     for (const action of BUILT_IN_ONLY) buttons.get(action)!.disabled = server !== '';
+    buttons.get('tryLastState')!.setAttribute('aria-pressed', String(mode === 'last'));
   });
 
   return {

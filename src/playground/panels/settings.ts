@@ -74,7 +74,7 @@ function appendWorld(world: Element, form: Form): void {
   form.field(world, 'Protocol', 'legacy', createSelect(document, protocols));
   const server = document.createElement('input');
   server.type = 'text';
-  server.placeholder = 'ws://… (empty: built-in)';
+  server.placeholder = 'built-in, or ws://…';
   form.field(world, 'Server', 'server', server);
   const pilot = document.createElement('input');
   pilot.type = 'text';

@@ -1,4 +1,4 @@
-import type { PartialFrame, ShipState } from '../../wire';
+import type { DecodedFrame, PartialFrame, ShipState } from '../../wire';
 import type { Warn } from '../warnings';
 
 /** The calls made to one predictor so far. */
@@ -6,10 +6,13 @@ export interface Calls {
   advances: number;
   views: number;
   frames: number;
-  /** Frames without the own ship. */
+  /** Consecutive frames without the own ship; 0 for one that was seen once, as `ownSeen`: it may have crashed. */
   unseen: number;
-  /** Consecutive calls of `advance` with the same `now`, with `now` in milliseconds by its gaps, and from a slow loop. */
+  ownSeen: string;
+  /** Calls of `advance` with the `now` of the call before, and calls with another since: two in a row clear the count. */
   repeated: number;
+  fresh: number;
+  /** Consecutive calls of `advance` with `now` in milliseconds by its gaps, and from a slow loop. */
   millisecondGaps: number;
   slowGaps: number;
   advancedAt: number;
@@ -17,19 +20,39 @@ export interface Calls {
   takenAt: number;
   /** The call that took messages before; '' for none. */
   takenBy: string;
-  /** Tick, game time (s) and arrival of the first frame; NaN before. */
+  readonly pace: Pace;
+}
+
+/** The pace of the ticks since a first frame. Times in s; NaN before that frame. */
+interface Pace {
+  /** Tick, game time and arrival of the first frame. */
   firstTick: number;
   firstGameTime: number;
   firstAt: number;
+  /** Tick, arrival and tempo of the newest frame; tickRate is 1 until one is sent, as the predictor takes it. */
+  tick: number;
+  at: number;
+  tickRate: number;
+  timeScale: number;
+  /** Wall and game time that the ticks since the first should have taken, by the tempo of each frame. */
+  wallDue: number;
+  gameDue: number;
+  /** Consecutive frames that came far later than due, and the arrival of the one before them. */
+  late: number;
+  lateSince: number;
 }
 
 export function createCalls(): Calls {
   return {
     ...{ advances: 0, views: 0, frames: 0, unseen: 0 },
-    ...{ repeated: 0, millisecondGaps: 0, slowGaps: 0 },
+    ...{ ownSeen: '', repeated: 0, fresh: 0, millisecondGaps: 0, slowGaps: 0 },
     ...{ advancedAt: Number.NaN, receivedAt: Number.NaN },
     ...{ takenAt: 0, takenBy: '' },
-    ...{ firstTick: Number.NaN, firstGameTime: Number.NaN, firstAt: Number.NaN },
+    pace: {
+      ...{ firstTick: Number.NaN, firstGameTime: Number.NaN, firstAt: Number.NaN },
+      ...{ tick: Number.NaN, at: Number.NaN, tickRate: 1, timeScale: Number.NaN },
+      ...{ wallDue: 0, gameDue: 0, late: 0, lateSince: Number.NaN },
+    },
   };
 }
 
@@ -50,13 +73,17 @@ export function noteAdvance(warn: Warn, calls: Calls, now: number): void {
   calls.advances += 1;
   const gap = now - calls.advancedAt;
   calls.advancedAt = now;
-  calls.repeated = gap === 0 ? calls.repeated + 1 : 0;
+  calls.fresh = gap === 0 ? 0 : calls.fresh + 1;
+  if (gap === 0) calls.repeated += 1;
+  else if (calls.fresh > 1) calls.repeated = 0;
   calls.millisecondGaps = gap >= MILLISECOND_GAP && gap <= LONGEST_GAP ? calls.millisecondGaps + 1 : 0;
   calls.slowGaps = gap > SLOW_GAP && gap < HIDDEN_GAP ? calls.slowGaps + 1 : 0;
   if (calls.repeated === PATTERN)
-    warn('advance-twice', 'advance is called more than once per frame with the same now: once is enough.', {
-      now,
-    });
+    warn(
+      'advance-twice',
+      `advance is called more than once per frame with the same now (${now}): once is enough.`,
+      { now },
+    );
   if (calls.millisecondGaps === PATTERN)
     warn('now-in-milliseconds', `now grows by ${gap} per call: pass seconds, performance.now() / 1000.`, {
       now,
@@ -72,7 +99,7 @@ export function noteAdvance(warn: Warn, calls: Calls, now: number): void {
     const details = { now, receivedAt: calls.receivedAt };
     warn(
       'two-clocks',
-      'receive and advance are given times from different clocks: use one for both.',
+      `receive is given ${calls.receivedAt} s, advance ${now} s: use one for both.`,
       details,
     );
   }
@@ -90,53 +117,84 @@ export function noteFrame(warn: Warn, calls: Calls, frame: PartialFrame, now: nu
         frames: calls.frames,
       },
     );
-  noteRate(warn, calls, frame, now);
+  notePace(warn, calls.pace, frame, now);
+  noteOwnShip(warn, calls, frame, own);
+}
+
+function noteOwnShip(warn: Warn, calls: Calls, frame: PartialFrame, own: string): void {
   const ships = Array.isArray(frame.ships) ? frame.ships : [];
-  const isThere = own === '' || ships.some((ship) => (ship as ShipState | null)?.shipId === own);
-  calls.unseen = isThere ? 0 : calls.unseen + 1;
-  if (calls.unseen === PATTERN)
-    warn('own-ship-never-seen', `No frame has the own ship ${own}. Check ownShipId, or call setOwnShip.`, {
+  if (ships.some((ship) => (ship as ShipState | null)?.shipId === own)) calls.ownSeen = own;
+  calls.unseen = own === '' || own === calls.ownSeen ? 0 : calls.unseen + 1;
+  if (calls.unseen !== PATTERN) return;
+  const leftOut = (frame as Partial<DecodedFrame>).refusals?.[0];
+  const help = leftOut === undefined ? '' : ` It left out ${leftOut}.`;
+  warn(
+    'own-ship-never-seen',
+    `No frame has the own ship ${own}. Check ownShipId, or call setOwnShip.${help}`,
+    {
       ownShipId: own,
       ships: ships.slice(0, 10).map((ship) => (ship as ShipState | null)?.shipId),
-    });
+    },
+  );
 }
 
-/** Warns of a tick rate other than the rate at which ticks arrive: a period for a rate, milliseconds for seconds. */
-function noteRate(warn: Warn, calls: Calls, frame: PartialFrame, now: number): void {
-  const { tick, tickRate, paused } = frame;
-  const gameTime = frame.gameTime ?? Number.NaN;
-  if (Number.isNaN(calls.firstTick) || tick < calls.firstTick || paused === true) {
-    calls.firstTick = tick;
-    calls.firstGameTime = gameTime;
-    calls.firstAt = now;
-  }
-  const seconds = now - calls.firstAt;
-  checkGameTime(warn, (gameTime - calls.firstGameTime) / (tick - calls.firstTick), frame);
-  const come = (tick - calls.firstTick) / seconds;
-  if (typeof tickRate !== 'number' || calls.frames < PATTERN || !(seconds >= MEASURED)) return;
-  if (come < tickRate * OTHER_RATE && come * OTHER_RATE > tickRate) return;
-  const message = `tickRate is ${tickRate} Hz, and ${come.toPrecision(3)} ticks arrive per second: pass ticks per second, not their length.`;
-  warn('tick-rate', message, { tickRate, measured: come });
-}
-
-/** s over which the tick rate is measured, and the factor by which it may differ from the rate sent: a stall is no fault. */
+/** s over which the tick rate is measured, and the factor by which it may differ from the rate sent. */
 const MEASURED = 3;
 const OTHER_RATE = 5;
 
-/** Game time that grows `perTick` a tick, by a factor of more than 100 off what the tempo says, is in another unit. */
-function checkGameTime(warn: Warn, perTick: number, { tickRate, timeScale }: PartialFrame): void {
-  const expected = (timeScale ?? Number.NaN) / (tickRate ?? Number.NaN);
-  const ratio = perTick / expected;
+/** Warns of a tempo other than that of the ticks: a period for a rate, milliseconds for seconds. A pause or a stall is no fault. */
+function notePace(warn: Warn, pace: Pace, frame: PartialFrame, now: number): void {
+  const { tick, gameTime = Number.NaN } = frame;
+  if (typeof tick !== 'number') return;
+  if (!(tick >= pace.firstTick) || frame.paused === true) {
+    Object.assign(pace, { firstTick: tick, firstGameTime: gameTime, firstAt: now });
+    Object.assign(pace, { wallDue: 0, gameDue: 0, late: 0 });
+  } else if (tick > pace.tick) {
+    const due = (tick - pace.tick) / pace.tickRate;
+    pace.wallDue += due;
+    pace.gameDue += due * pace.timeScale;
+    checkTickRate(warn, pace, { tick, now, due });
+    checkGameTime(warn, gameTime - pace.firstGameTime, pace.gameDue);
+  } else return;
+  pace.tick = tick;
+  pace.at = now;
+  pace.tickRate = frame.tickRate ?? pace.tickRate;
+  pace.timeScale = frame.timeScale ?? Number.NaN;
+}
+
+/** `due`: wall s that the ticks since the newest frame should have taken. */
+function checkTickRate(
+  warn: Warn,
+  pace: Pace,
+  { tick, now, due }: { readonly tick: number; readonly now: number; readonly due: number },
+): void {
+  const { tickRate, late } = pace;
+  const gap = now - pace.at;
+  if (late === 0) pace.lateSince = pace.at;
+  pace.late = gap > due * OTHER_RATE ? late + 1 : 0;
+  const seconds = now - pace.firstAt;
+  const isSlow = pace.late >= PATTERN && now - pace.lateSince >= MEASURED;
+  const isFast = seconds >= MEASURED && pace.wallDue > seconds * OTHER_RATE;
+  if (!isSlow && !isFast) return;
+  const come = isSlow ? (tick - pace.tick) / gap : (tick - pace.firstTick) / seconds;
+  const message = `tickRate is ${tickRate} Hz (1 unless sent), and ${come.toPrecision(3)} ticks arrive per second: pass ticks per second, not their length.`;
+  warn('tick-rate', message, { tickRate, measured: come });
+}
+
+/** Game time that grows by more than a hundred times more or less than the tempo says is in another unit. */
+function checkGameTime(warn: Warn, grown: number, expected: number): void {
+  const ratio = grown / expected;
   if (!(ratio > 100 || ratio < 0.01)) return;
-  const message = `gameTime grows by ${perTick} per tick, and timeScale / tickRate is ${expected} s: pass seconds.`;
-  warn('game-time', message, { perTick, expected });
+  const message = `gameTime grew by ${grown}, in ticks of timeScale / tickRate by ${expected} s: pass seconds.`;
+  warn('game-time', message, { grown, expected });
 }
 
 /** `view` was called. */
 export function noteView(warn: Warn, calls: Calls, now: number): void {
   if (calls.advances > 0 && Math.abs(now - calls.advancedAt) > CLOCKS_APART) {
     const details = { now, advancedAt: calls.advancedAt };
-    warn('two-clocks', 'advance and view are given times from different clocks: use one for both.', details);
+    const message = `advance is given ${calls.advancedAt} s, view ${now} s: use one for both.`;
+    warn('two-clocks', message, details);
   }
   calls.views += 1;
   if (calls.views === PATTERN && calls.advances === 0 && calls.frames > 0)

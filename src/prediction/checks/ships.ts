@@ -41,7 +41,7 @@ export function checkShip(warn: Warn, ship: ShipState, bodies: readonly KnownBod
   if (isFirst || isThird) warnOfOrder(warn, ship);
   checkCommands(warn, ship);
   const near = nearestBody(ship.position, bodies);
-  if (near !== null) checkPlace(warn, ship, near);
+  if (near !== null && !warnOfKilometres(warn, ship, near, bodies)) checkPlace(warn, ship, near);
   checkRelative(warn, ship, bodies);
 }
 
@@ -68,17 +68,29 @@ function isPlaced(body: KnownBody): body is BodyState {
   return Array.isArray(body.position);
 }
 
+/** Warns of a position in km: relative to `near`, or to ICRF, where any body may be the one meant. Returns whether it did. */
+function warnOfKilometres(
+  warn: Warn,
+  { shipId, position }: ShipState,
+  near: BodyState,
+  bodies: readonly KnownBody[],
+): boolean {
+  const distance = lengthOf(minus(position, near.position));
+  const meant = nearestBody(times(position, 1000), bodies) ?? near;
+  const enlarged = lengthOf(minus(times(position, 1000), meant.position));
+  const isRelative = Math.abs((distance * 1000) / near.radius - 1) < 0.3;
+  const isIcrf = distance > 10 * near.radius && enlarged < 2 * meant.radius;
+  if (!isRelative && !isIcrf) return false;
+  const { name } = isRelative ? near : meant;
+  const message = `${shipId} would be near ${name} at a thousand times its position: pass metres, not km.`;
+  warn('position-in-kilometres', message, { shipId, value: position });
+  return true;
+}
+
 function checkPlace(warn: Warn, ship: ShipState, body: BodyState): void {
   const { shipId } = ship;
   const from = minus(ship.position, body.position);
   const distance = lengthOf(from);
-  const enlarged = lengthOf(minus(times(ship.position, 1000), body.position));
-  const isNear = (metres: number) => Math.abs(metres / body.radius - 1) < 0.3;
-  if ((distance > 10 * body.radius && enlarged < 2 * body.radius) || isNear(distance * 1000)) {
-    const message = `${shipId} is ${distance} m from ${body.name}, and would be near it at a thousand times the distance: pass metres, not km.`;
-    warn('position-in-kilometres', message, { shipId, value: ship.position });
-    return;
-  }
   if (distance < 0.5 * body.radius)
     warn('ship-inside-body', `${shipId} is inside ${body.name}: positions are ICRF metres, not relative.`, {
       shipId,
@@ -150,10 +162,14 @@ function checkRelative(warn: Warn, ship: ShipState, bodies: readonly KnownBody[]
   }
   const named = landedBodyName || referenceBody;
   if (bodies.length > 0 && named !== '' && !bodies.some(({ name }) => name === named))
-    warn('body-unknown', `${shipId} is at ${named}, which no frame or hello has sent: pass in that body.`, {
-      shipId,
-      body: named,
-    });
+    warn(
+      'body-unknown',
+      `${shipId} is at ${named}, which is not among the bodies: list it in defaults.bodies, the hello or each frame.`,
+      {
+        shipId,
+        body: named,
+      },
+    );
 }
 
 /** The position relative to the body may differ from the ICRF one, m, by a double's resolution there and by the body's motion in a tick. */

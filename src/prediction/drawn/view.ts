@@ -58,11 +58,11 @@ export interface ShipView {
   /** Index into WorldView.bodies. */
   body: number;
 
-  /** Predicted state at the present: relative to the body's centre, ICRF axes. HUD numbers come from these. */
+  /** Predicted state at the present: m, relative to the body's centre, ICRF axes. HUD numbers come from these. */
   readonly position: Float64Array;
   /** m/s, likewise. */
   readonly velocity: Float64Array;
-  /** [x, y, z, w] */
+  /** [x, y, z, w]: ship axes to ICRF. */
   readonly attitude: Float64Array;
   /** rad/s, ICRF axes. */
   readonly angularVelocity: Float64Array;
@@ -103,11 +103,11 @@ export interface ShipView {
   /** Server states received while it was extrapolated. */
   carriedStates: number;
 
-  /** The drawn pose: predicted + fading offset. The simulation does not read it. */
+  /** The drawn pose: predicted + fading offset; m, relative to the body's centre, ICRF axes. The simulation does not read it. */
   readonly easedPosition: Float64Array;
   /** [x, y, z, w], likewise. */
   readonly meshAttitude: Float64Array;
-  /** The drawn position, lifted or lowered along the local up until the drawn attitude is on the ground (snapToGround), ICRF axes. */
+  /** The drawn position, lifted or lowered along the local up until the drawn attitude is on the ground (snapToGround); m, likewise. */
   readonly meshPosition: Float64Array;
   /** How far each leg is pressed in, m, in the order of the class's hull (hullOf). */
   readonly legCompression: Float64Array;
@@ -126,13 +126,13 @@ export interface ShipView {
   /** The own ship's; `known` is false for others. */
   readonly touchdown: TouchdownView;
 
-  /** The server's newest state of this ship: relative to the body at that tick, ICRF axes. */
+  /** The server's newest state of this ship: m, relative to the body's centre at that tick, ICRF axes. */
   readonly serverPosition: Float64Array;
   /** [x, y, z, w]. */
   readonly serverAttitude: Float64Array;
-  /** The same pose for drawing a ghost: on the ground like meshPosition, in its body's axes. */
+  /** The same pose for drawing a ghost: on the ground like meshPosition; m, relative to the body's centre, in its axes. */
   readonly ghostPosition: Float64Array;
-  /** [x, y, z, w]. */
+  /** [x, y, z, w]: ship axes to the body's. */
   readonly ghostAttitude: Float64Array;
   /** false before the first state of this ship. */
   serverKnown: boolean;
@@ -160,7 +160,7 @@ export interface WorldView {
   tickRate: number;
   /** Game s per wall s. */
   timeScale: number;
-  /** The server is paused. */
+  /** The newest frame says that the server is paused. */
   paused: boolean;
   /** False until a hello (or defaults) and a first frame have arrived. */
   ready: boolean;
@@ -227,7 +227,7 @@ export interface Diagnosis {
   /** Forced rollbacks (a test mode): compared, and not equal to the bit. */
   rollbacksCompared: number;
   rollbacksDifferent: number;
-  /** Arrival margin of the last acknowledged input. */
+  /** Arrival margin of the last acknowledged input, wall s; negative: late. */
   margin: number;
   /**
    * Error of the own ship's prediction at the server's newest state, m and rad, in the body's axes; NaN without a prediction

@@ -68,7 +68,7 @@ export function createFlightReadout(): FlightReadout {
  * @example
  * ```ts
  * const readout = createFlightReadout(); // once
- * const { fuel, heading } = updateFlightReadout(readout, predictor.view(now)); // kg, rad
+ * const { fuel, heading } = updateFlightReadout(readout, predictor.view(now)); // kg, degrees
  * ```
  */
 export function updateFlightReadout(out: FlightReadout, given: WorldView | null): FlightReadout {
@@ -147,6 +147,7 @@ function forget(out: FlightReadout): void {
   out.fuelShare = NaN;
   out.burnSeconds = NaN;
   out.deltaV = NaN;
+  out.wheels.fill(NaN);
   out.heading = NaN;
   out.pitch = NaN;
   out.leanX = 0;

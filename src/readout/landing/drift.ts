@@ -23,6 +23,11 @@ export function createDrift(): Drift {
   return { x: NaN, y: NaN, scale: SCALES[0] };
 }
 
+export function forgetDrift(out: Drift): void {
+  out.x = NaN;
+  out.y = NaN;
+}
+
 const stood = new Float64Array(3);
 const product = new Float64Array(2);
 

@@ -1,6 +1,6 @@
 import type { Provenance, ShipView, WorldView } from '../../prediction';
 import { createDescent, type Descent, forgetDescent, measureDescent } from './descent';
-import { createDrift, type Drift, measureDrift } from './drift';
+import { createDrift, type Drift, forgetDrift, measureDrift } from './drift';
 import { createGates, type Gates, measureGates } from './gates';
 import { createViewClock, followView, type ViewClock } from './viewClock';
 import { createLookAhead, type LookAhead } from './lookAhead';
@@ -18,6 +18,7 @@ export interface LandingReadout {
   provenance: Provenance;
   /** Wall s, of the provenance. */
   age: number;
+  /** Game s per wall s. */
   timeScale: number;
   /** A predicted state that the server did not have, shown as withdrawn; '' for none. */
   withdrawn: ShipView['withdrawn'];
@@ -141,7 +142,8 @@ function readNumbers(out: LandingReadout, view: WorldView, ship: ShipView): void
   measureDescent(out.descent, surface, ship);
   measureTilt(out.tilt, surface, view.settings);
   out.tilt.prominent = out.status === 'contact' || out.status === 'tipped';
-  measureDrift(out.drift, surface, ship.attitude);
+  if (out.status === 'crashed') forgetDrift(out.drift);
+  else measureDrift(out.drift, surface, ship.attitude);
   out.touchdownShown =
     out.touchdown.known && (out.status === 'landed' || out.status === 'tipped' || out.status === 'crashed');
   if (out.status === 'contact') {
@@ -170,6 +172,5 @@ function forgetNumbers(out: LandingReadout): void {
   out.known = false;
   forgetDescent(out.descent);
   forgetTilt(out.tilt);
-  out.drift.x = NaN;
-  out.drift.y = NaN;
+  forgetDrift(out.drift);
 }

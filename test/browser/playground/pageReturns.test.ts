@@ -45,12 +45,34 @@ describeInBrowser('the built page', () => {
     await page.keyboard.press('p');
     await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
     await page.keyboard.press(',');
+    // The link is to the recording, whatever is chosen now.
+    await page.getByLabel('Speed').selectOption('0.25');
+    await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
+    await page.getByRole('button', { name: 'Copy link' }).click();
+    expect(new URL(await page.locator('.notice-link').inputValue()).search).toBe('?scenario=settle&slow=4');
     await page.getByRole('button', { name: 'Back to the game' }).click();
     await untilProvenance(page, 'confirmed');
     await untilStatus(page, 'landed');
     expect(await page.locator('.td-lever').getAttribute('aria-valuenow')).toBe('0');
     expect(await page.getByRole('button', { name: 'Pause', exact: true }).first().isVisible()).toBe(true);
     expect(problemsOf(page)).toEqual([]);
+  });
+
+  it('shows the same flight without prediction, also to a ship at rest, until it is asked again', async () => {
+    const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
+    await untilStatus(page, 'landed');
+    await page.getByLabel('Speed').selectOption('0.25');
+    const compare = page.getByRole('button', { name: 'See the same without prediction' });
+    expect(await compare.getAttribute('aria-pressed')).toBe('false');
+    await compare.click();
+    await untilStatus(page, 'flight');
+    expect(await compare.getAttribute('aria-pressed')).toBe('true');
+    expect(await page.getByLabel('Client').inputValue()).toBe('last');
+    await page.getByLabel('Speed').selectOption('4');
+    await untilStatus(page, 'landed');
+    await compare.click();
+    expect(await compare.getAttribute('aria-pressed')).toBe('false');
+    expect(await page.getByLabel('Client').inputValue()).toBe('predicted');
   });
 
   it('survives a minute hidden and a lost connection', async () => {

@@ -4,6 +4,16 @@ import { describeInBrowser, openBuiltPage } from '../pages';
 import type { PageOptions } from '../pages';
 import { shadesOf, SMALL, untilBanner, untilStatus } from '../waits';
 
+/** The page's panels that are drawn: their outlines, too, are seen. */
+function panelsOn(page: Page): Promise<string[]> {
+  return page.evaluate(() =>
+    ['hud', 'flight', 'dock', 'panel'].filter((id) => {
+      const part = document.getElementById(id)!;
+      return part.checkVisibility({ visibilityProperty: true }) && part.getBoundingClientRect().height > 0;
+    }),
+  );
+}
+
 /** Options of a page for which the matching files never arrive. */
 function without(files: RegExp): PageOptions {
   const prepare = (page: Page) => page.context().route(files, (route) => route.abort());
@@ -54,6 +64,8 @@ describeInBrowser('the built page, when something is wrong', () => {
   it('says which server cannot be reached', async () => {
     const page = await openBuiltPage('?server=ws://127.0.0.1:9/', SMALL);
     await untilBanner(page, 'Nothing answers at ws://127.0.0.1:9', 'Is the server running? Retrying in');
+    // Displays without numbers are not shown.
+    expect(await panelsOn(page)).toEqual(['panel']);
   });
 
   it('says that its own server cannot be started, and what to do', async () => {
@@ -68,6 +80,7 @@ describeInBrowser('the built page, when something is wrong', () => {
   it('says that a part of it could not be fetched', async () => {
     const page = await openBuiltPage('', without(/page-[\w-]+\.js$/));
     await untilBanner(page, 'did not load');
+    expect(await panelsOn(page)).toEqual([]);
   });
 
   it('says that the picture was lost, and restores it', async () => {

@@ -56,6 +56,17 @@ describeInBrowser('the built page in any window', () => {
     },
   );
 
+  it.each([1440, 768])('%i px: the beacon’s dial shares its row with the landing aids', async (width) => {
+    const page = await openBuiltPage('', { ...SMALL, viewport: { width, height: 900 } });
+    await page.waitForSelector('html[data-ready=true]');
+    const aids = (await page.locator('.td-aids').boundingBox())!;
+    const dial = (await page.locator('.td-approach').boundingBox())!;
+    const panel = (await page.locator('.td-flight > .td-panel').boundingBox())!;
+    expect(dial.y).toBeLessThan(aids.y + aids.height);
+    // Up to the panel's padding.
+    expect(panel.x + panel.width - (dial.x + dial.width)).toBeLessThan(16);
+  });
+
   it('keeps the ship in sight with figures and plots open in a low window', async () => {
     const page = await openBuiltPage('?scenario=settle', {
       ...SMALL,
@@ -108,6 +119,12 @@ describeInBrowser('the built page in any window', () => {
     await read('tipped');
     await page.getByLabel('Mission').selectOption('settle');
     await read('landed');
+    const ground = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    // Opaque, or each text has a box of its own on the panel.
+    const panels = await page
+      .locator('.td-panel, #panel, #dock')
+      .evaluateAll((parts) => parts.map((part) => getComputedStyle(part).backgroundColor));
+    expect(new Set(panels)).toEqual(new Set([ground]));
     await page.getByLabel('Mission').selectOption('launch');
     await page.keyboard.press('z');
     await read('flight');
@@ -116,7 +133,6 @@ describeInBrowser('the built page in any window', () => {
     const fills = await page
       .locator('.td-lever-fill, .td-zenith')
       .evaluateAll((parts) => parts.map((part) => getComputedStyle(part).fill));
-    const ground = await page.evaluate(() => getComputedStyle(document.body).backgroundColor);
     expect(fills.every((fill) => fill !== ground && fill !== 'none')).toBe(true);
   });
 

@@ -36,6 +36,20 @@ describe('the autopilot', () => {
 });
 
 describe('manual input', () => {
+  it('turns the ship only while a key is held: a mission begins with rate damping on', async () => {
+    const { live, play } = await open({ scenario: 'first-landing', network: 'broadband' });
+    const rate = () => Math.hypot(...live.view().own!.angularVelocity);
+    play(30, 1);
+    live.flightControls.press('yawMinus');
+    live.steer();
+    play(30, 0.5);
+    expect(rate()).toBeGreaterThan(0.1);
+    live.flightControls.release('yawMinus');
+    live.steer();
+    play(30, 5);
+    expect(rate()).toBeLessThan(0.001);
+  });
+
   it('ends the plan at its first use, with any control, and nothing overrides it', async () => {
     const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
     play(60, 1);

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { createPredictor } from '../../../src/prediction';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
-import { LUNA, made, played } from './mistakes/given';
+import { frame, LUNA, made, played, received, ticks, warningsOf } from './mistakes/given';
 import { CALLS } from './mistakes/calls';
 import { CONTROLS } from './mistakes/controls';
 import { MESSAGES } from './mistakes/messages';
@@ -25,6 +25,46 @@ describe('a caller’s mistake is reported once, by its code', () => {
     expect(played(30).filter(({ code }) => code !== 'bodies-old')).toEqual([]);
     expect(made({ defaults: { settings: { contactCrashSpeed: 60 } } })).toEqual([]);
   });
+});
+
+/** Warnings on frames of `tempo`, each a number of ticks at a rate, Hz, after a silence, s. */
+const atTempo = (...tempo: readonly { ticks: number; tickRate: number; silence?: number }[]) =>
+  warningsOf((p) => {
+    let tick = 0;
+    let at = 0;
+    for (const { ticks, tickRate, silence = 0 } of tempo) {
+      at += silence;
+      for (let i = 0; i < ticks; i++) {
+        p.receive({ ...frame, tick, tickRate, bodies: [] }, at);
+        p.advance(null, at);
+        tick += 1;
+        at += 1 / tickRate;
+      }
+    }
+  }).filter(({ code }) => code === 'tick-rate');
+
+describe('a tempo is no mistake', () => {
+  it('when it changes', () => {
+    const changes = [
+      { ticks: 30, tickRate: 1 },
+      { ticks: 200, tickRate: 50 },
+      { ticks: 5, tickRate: 0.5 },
+    ];
+    expect(atTempo(...changes, { ticks: 300, tickRate: 10 })).toEqual([]);
+  });
+
+  it('when the server pauses without a word', () => {
+    const running = { ticks: 20, tickRate: 2 };
+    expect(atTempo(running, { ...running, silence: 300 }, { ...running, silence: 60 })).toEqual([]);
+  });
+});
+
+it('a ship that was seen and is gone is no mistake of its id', () => {
+  const found = received(
+    ...ticks(3),
+    ...ticks(20, { ships: [] }).map((one) => ({ ...one, tick: one.tick + 3 })),
+  );
+  expect(found.filter(({ code }) => code === 'own-ship-never-seen')).toEqual([]);
 });
 
 const planned = (tick: number) => ({ tick, substep: 0, controls: NEUTRAL_CONTROLS });

@@ -50,6 +50,7 @@ describe('the instruments of flying', () => {
     const out = read({}, { crashed: true, shownState: 'crashed' });
     expect(out.known).toBe(false);
     expect([out.throttle, out.fuel, out.pitch, out.heading]).toEqual([NaN, NaN, NaN, NaN]);
+    expect([...out.wheels]).toEqual([NaN, NaN, NaN]);
   });
 });
 

@@ -131,6 +131,8 @@ describe('the touchdown card', () => {
     expect(readout.touchdown).toMatchObject({ outcome: 'crashed', bounces: 0 });
     expect(readout.touchdown.verticalSpeed).toBeCloseTo(falling, 6);
     expect(falling).toBeGreaterThan(30);
+    // What is left moves no more.
+    expect([readout.drift.x, readout.drift.y]).toEqual([NaN, NaN]);
   });
 
   it('stays until the next approach, and starts again with it', () => {

@@ -124,14 +124,14 @@ function isWrecked({ own }: WorldView, { choices }: MissionContext): boolean {
   return own?.shownState === 'crashed' && choices().server === '';
 }
 
-/** Beside the pad nobody is told to come down. */
+/** Beside the pad nobody is told to come down, and after the landing nobody is told anything. */
 function adviceFor(
   tracker: MissionTracker,
   view: WorldView,
   aids: LandingAids | null,
   { device, cap }: MissionContext,
 ): string {
-  if (aids === null || tracker.mission()?.done.kind !== 'land') return '';
+  if (aids === null || tracker.mission()?.done.kind !== 'land' || tracker.phase() === 'done') return '';
   return tracker.isOverPad() || aids.advice === 'more' ? adviceText(aids, view, device(), cap) : '';
 }
 

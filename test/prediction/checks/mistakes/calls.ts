@@ -58,9 +58,16 @@ export const CALLS: readonly Mistake[] = [
     /display frame/,
     () => received(...Array.from({ length: 12 }, (_, i) => ({ ...frame, tick: i + 1 }))),
   ],
-  ['advance twice', 'advance-twice', /once is enough/, () => played(1, { times: 12 })],
+  ['advance twelve times', 'advance-twice', /once is enough/, () => played(1, { times: 12 })],
+  ['advance twice', 'advance-twice', /same now \(\d/, () => played(1, { times: 2 })],
   ['advance seldom', 'advance-seldom', /display frame/, () => played(4, { hz: 5 })],
   ['own ship never', 'own-ship-never-seen', /setOwnShip/, () => played(12, { id: 'b' })],
+  [
+    'own ship left out by the decoder',
+    'own-ship-never-seen',
+    /ships\[0\]\.fuel: missing/,
+    () => received(...ticks(12, { ships: [], refusals: ['ships[0].fuel: missing'] })),
+  ],
   ['nothing taken', 'outgoing-not-taken', /takeOutgoing/, () => played(8, { take: false })],
   [
     'a spectator steers',

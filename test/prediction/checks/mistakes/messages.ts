@@ -99,6 +99,16 @@ export const MESSAGES: readonly Mistake[] = [
     () => received({ ...frame, timeScale: -1 }),
   ],
   [
+    'ticks each 10 s without tickRate',
+    'tick-rate',
+    /1 unless sent.*0\.100 ticks/,
+    () =>
+      warningsOf((p) => {
+        for (const one of ticks(12))
+          p.receive({ ...one, tickRate: undefined } as unknown as ServerFrame, one.tick * 10);
+      }),
+  ],
+  [
     'ms from tick to tick for tickRate',
     'tick-rate',
     /ticks per second/,

@@ -1,5 +1,6 @@
 /** Mistakes in ships and bodies of a frame: the mistake, the expected code, and a part of the expected message. */
 import { expect } from 'vitest';
+import { BODIES } from '../../../../src/dynamics';
 import { decodeFrameJson } from '../../../../src/wire';
 import { type Mistake, frame, HEIGHT, LUNA, received, ship, thousandth, withBody, withShip } from './given';
 
@@ -17,6 +18,12 @@ export const SHIPS: readonly Mistake[] = [
     'position-in-kilometres',
     /metres/,
     () => received(withShip({ position: thousandth(ship.position) })),
+  ],
+  [
+    'km, nearer to another body',
+    'position-in-kilometres',
+    /near Luna at a thousand times/,
+    () => received({ ...withShip({ position: thousandth(ship.position) }), bodies: BODIES }),
   ],
   [
     'relative km',

@@ -1,4 +1,3 @@
-import type { Arena } from '../arena';
 import { dot } from './rotation';
 
 /**
@@ -91,15 +90,12 @@ const FORGOTTEN = 2;
 /** m and rad, invisible. */
 const NOTHING = 1e-9;
 
-/** Doubles that createEase takes. */
-export const EASE_LENGTH = 12;
-
-export function createEase(arena: Arena): Ease {
+export function createEase(): Ease {
   return {
-    offset: arena(3),
-    rate: arena(3),
-    turn: arena(3),
-    turnRate: arena(3),
+    offset: new Float64Array(3),
+    rate: new Float64Array(3),
+    turn: new Float64Array(3),
+    turnRate: new Float64Array(3),
     size: 0,
     turnSize: 0,
     active: false,

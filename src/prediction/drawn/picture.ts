@@ -1,6 +1,5 @@
 import { SHIP_STRIDE, THRUST_LEVEL } from '../../dynamics';
-import { type Arena, identity } from '../arena';
-import { createEase, type Ease, EASE_LENGTH } from './ease';
+import { createEase, type Ease } from './ease';
 import type { ShipView } from './view';
 
 /** The drawn and shown state of one ship; its track holds the prediction. The simulation never reads it. */
@@ -40,19 +39,14 @@ export interface Status {
   readonly commands: Float64Array;
 }
 
-const COMMANDS = SHIP_STRIDE - THRUST_LEVEL;
-
-/** Doubles that createPicture takes. */
-export const PICTURE_LENGTH = EASE_LENGTH + 3 + 4 + COMMANDS;
-
-export function createPicture(arena: Arena): Picture {
+export function createPicture(): Picture {
   return {
-    ease: createEase(arena),
+    ease: createEase(),
     body: -1,
     uprighted: false,
     hasHeld: false,
-    heldPlace: arena(3),
-    heldAttitude: identity(arena),
+    heldPlace: new Float64Array(3),
+    heldAttitude: Float64Array.of(0, 0, 0, 1),
     skipped: 0,
     groundOffset: 0,
     status: {
@@ -63,7 +57,7 @@ export function createPicture(arena: Arena): Picture {
       withdrawnUntil: Number.NEGATIVE_INFINITY,
       serverTick: -1,
       serverWall: Number.NaN,
-      commands: arena(COMMANDS).fill(Number.NaN),
+      commands: new Float64Array(SHIP_STRIDE - THRUST_LEVEL).fill(Number.NaN),
     },
     view: null,
   };

@@ -18,7 +18,6 @@ import {
   type World,
   WHEEL_MOMENTUM,
 } from '../../dynamics';
-import { createArena, identity } from '../arena';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import { createTouchdownView } from '../touchdown/touchdownLog';
@@ -43,49 +42,46 @@ import type { Scene } from './scene';
 import { fillControls, fillServerState, fillStatus, surfaceStateOf } from './status';
 import type { ShipView } from './view';
 
-/** Doubles of a view's ten vectors, four attitudes and legs. */
-const VIEW_LENGTH = 10 * 3 + 4 * 4 + LEGS;
-
 export function createShipView(track: Track, world: World): ShipView {
-  const arena = createArena(VIEW_LENGTH);
+  const vectors = () => new Float64Array(3);
   return {
     shipId: track.shipId,
     name: track.name,
     own: track.own,
     shipClass: world.shipClasses[0]!,
     body: 0,
-    position: arena(3),
-    velocity: arena(3),
-    attitude: identity(arena),
-    angularVelocity: arena(3),
-    wheelMomentum: arena(3),
+    position: vectors(),
+    velocity: vectors(),
+    attitude: Float64Array.of(0, 0, 0, 1),
+    angularVelocity: vectors(),
+    wheelMomentum: vectors(),
     fuel: 0,
     impactSpeed: 0,
     surfaceContactState: '',
     crashed: false,
     controls: NEUTRAL_CONTROLS,
-    thrust: arena(3),
+    thrust: vectors(),
     groundRadius: 0,
-    groundNormal: arena(3),
+    groundNormal: vectors(),
     groundContactOffset: 0,
     groundOffset: 0,
     groundConfidence: 0,
     carried: '',
     carriedStates: 0,
-    easedPosition: arena(3),
-    meshAttitude: identity(arena),
-    meshPosition: arena(3),
-    legCompression: arena(LEGS),
+    easedPosition: vectors(),
+    meshAttitude: Float64Array.of(0, 0, 0, 1),
+    meshPosition: vectors(),
+    legCompression: new Float64Array(LEGS),
     feetHeight: 0,
     shownState: '',
     provenance: 'predicted',
     age: 0,
     withdrawn: '',
     touchdown: createTouchdownView(),
-    serverPosition: arena(3),
-    serverAttitude: identity(arena),
-    ghostPosition: arena(3),
-    ghostAttitude: identity(arena),
+    serverPosition: vectors(),
+    serverAttitude: Float64Array.of(0, 0, 0, 1),
+    ghostPosition: vectors(),
+    ghostAttitude: Float64Array.of(0, 0, 0, 1),
     serverKnown: false,
     missingSends: 0,
   };

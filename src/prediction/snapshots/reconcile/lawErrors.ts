@@ -1,4 +1,3 @@
-import type { Arena } from '../../arena';
 import type { Place } from './compare';
 
 /**
@@ -33,9 +32,9 @@ export interface Judged {
 /** States over which the errors are summed. */
 export const WINDOW = 4;
 
-export function createLawFit(arena: Arena): LawFit {
+export function createLawFit(): LawFit {
   return {
-    ...{ carried: '', law: arena(WINDOW), carry: arena(WINDOW) },
+    ...{ carried: '', law: new Float64Array(WINDOW), carry: new Float64Array(WINDOW) },
     ...{ count: 0, states: 0, groundedWrongly: 0, groundedRightly: 0, bounces: false, rebound: 0 },
   };
 }

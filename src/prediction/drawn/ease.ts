@@ -1,3 +1,4 @@
+import type { Arena } from '../arena';
 import { dot } from './rotation';
 
 /**
@@ -90,12 +91,15 @@ const FORGOTTEN = 2;
 /** m and rad, invisible. */
 const NOTHING = 1e-9;
 
-export function createEase(): Ease {
+/** Doubles that createEase takes. */
+export const EASE_LENGTH = 12;
+
+export function createEase(arena: Arena): Ease {
   return {
-    offset: new Float64Array(3),
-    rate: new Float64Array(3),
-    turn: new Float64Array(3),
-    turnRate: new Float64Array(3),
+    offset: arena(3),
+    rate: arena(3),
+    turn: arena(3),
+    turnRate: arena(3),
     size: 0,
     turnSize: 0,
     active: false,

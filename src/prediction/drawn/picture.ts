@@ -1,5 +1,6 @@
 import { SHIP_STRIDE, THRUST_LEVEL } from '../../dynamics';
-import { createEase, type Ease } from './ease';
+import { type Arena, identity } from '../arena';
+import { createEase, type Ease, EASE_LENGTH } from './ease';
 import type { ShipView } from './view';
 
 /** The drawn and shown state of one ship; its track holds the prediction. The simulation never reads it. */
@@ -39,14 +40,19 @@ export interface Status {
   readonly commands: Float64Array;
 }
 
-export function createPicture(): Picture {
+const COMMANDS = SHIP_STRIDE - THRUST_LEVEL;
+
+/** Doubles that createPicture takes. */
+export const PICTURE_LENGTH = EASE_LENGTH + 3 + 4 + COMMANDS;
+
+export function createPicture(arena: Arena): Picture {
   return {
-    ease: createEase(),
+    ease: createEase(arena),
     body: -1,
     uprighted: false,
     hasHeld: false,
-    heldPlace: new Float64Array(3),
-    heldAttitude: Float64Array.of(0, 0, 0, 1),
+    heldPlace: arena(3),
+    heldAttitude: identity(arena),
     skipped: 0,
     groundOffset: 0,
     status: {
@@ -57,7 +63,7 @@ export function createPicture(): Picture {
       withdrawnUntil: Number.NEGATIVE_INFINITY,
       serverTick: -1,
       serverWall: Number.NaN,
-      commands: new Float64Array(SHIP_STRIDE - THRUST_LEVEL).fill(Number.NaN),
+      commands: arena(COMMANDS).fill(Number.NaN),
     },
     view: null,
   };

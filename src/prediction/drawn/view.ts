@@ -10,7 +10,10 @@ import type {
 
 import type { Connection } from '../time/connection';
 
-/** The result of `view(now)`: plain records, owned and reused by the predictor, valid until the next call. SI units. */
+/**
+ * The result of `view(now)`: plain records, owned and reused by the predictor, valid until the next call. SI units. The arrays of a ship
+ * are parts of one buffer.
+ */
 
 /** Provenance of a shown state. */
 export type Provenance =

@@ -18,6 +18,7 @@ import {
   type World,
   WHEEL_MOMENTUM,
 } from '../../dynamics';
+import { createArena, identity } from '../arena';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import { createTouchdownView } from '../touchdown/touchdownLog';
@@ -42,46 +43,49 @@ import type { Scene } from './scene';
 import { fillControls, fillServerState, fillStatus, surfaceStateOf } from './status';
 import type { ShipView } from './view';
 
+/** Doubles of a view's ten vectors, four attitudes and legs. */
+const VIEW_LENGTH = 10 * 3 + 4 * 4 + LEGS;
+
 export function createShipView(track: Track, world: World): ShipView {
-  const vectors = () => new Float64Array(3);
+  const arena = createArena(VIEW_LENGTH);
   return {
     shipId: track.shipId,
     name: track.name,
     own: track.own,
     shipClass: world.shipClasses[0]!,
     body: 0,
-    position: vectors(),
-    velocity: vectors(),
-    attitude: Float64Array.of(0, 0, 0, 1),
-    angularVelocity: vectors(),
-    wheelMomentum: vectors(),
+    position: arena(3),
+    velocity: arena(3),
+    attitude: identity(arena),
+    angularVelocity: arena(3),
+    wheelMomentum: arena(3),
     fuel: 0,
     impactSpeed: 0,
     surfaceContactState: '',
     crashed: false,
     controls: NEUTRAL_CONTROLS,
-    thrust: vectors(),
+    thrust: arena(3),
     groundRadius: 0,
-    groundNormal: vectors(),
+    groundNormal: arena(3),
     groundContactOffset: 0,
     groundOffset: 0,
     groundConfidence: 0,
     carried: '',
     carriedStates: 0,
-    easedPosition: vectors(),
-    meshAttitude: Float64Array.of(0, 0, 0, 1),
-    meshPosition: vectors(),
-    legCompression: new Float64Array(LEGS),
+    easedPosition: arena(3),
+    meshAttitude: identity(arena),
+    meshPosition: arena(3),
+    legCompression: arena(LEGS),
     feetHeight: 0,
     shownState: '',
     provenance: 'predicted',
     age: 0,
     withdrawn: '',
     touchdown: createTouchdownView(),
-    serverPosition: vectors(),
-    serverAttitude: Float64Array.of(0, 0, 0, 1),
-    ghostPosition: vectors(),
-    ghostAttitude: Float64Array.of(0, 0, 0, 1),
+    serverPosition: arena(3),
+    serverAttitude: identity(arena),
+    ghostPosition: arena(3),
+    ghostAttitude: identity(arena),
     serverKnown: false,
     missingSends: 0,
   };

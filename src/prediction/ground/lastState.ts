@@ -1,4 +1,5 @@
 import { SHIP_STRIDE } from '../../dynamics';
+import type { Arena } from '../arena';
 
 /** The state with which a ship's next one is compared. */
 export interface LastState {
@@ -7,8 +8,8 @@ export interface LastState {
   tick: number;
 }
 
-export function createLastState(): LastState {
-  return { row: new Float64Array(SHIP_STRIDE), tick: -1 };
+export function createLastState(arena: Arena): LastState {
+  return { row: arena(SHIP_STRIDE), tick: -1 };
 }
 
 /** Keeps a state for comparison with the next. */

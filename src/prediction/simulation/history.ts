@@ -1,4 +1,5 @@
 import { SHIP_STRIDE } from '../../dynamics';
+import { createArena } from '../arena';
 
 /**
  * A ring of one ship's predicted rows at tick boundaries (PREDICTION, Reconciliation): slot = tick mod length.
@@ -17,11 +18,8 @@ export function ringLength(tickRate: number): number {
 }
 
 export function createHistory(length: number): History {
-  return {
-    length,
-    rows: new Float64Array(length * SHIP_STRIDE),
-    ticks: new Float64Array(length).fill(-1),
-  };
+  const arena = createArena(length * (SHIP_STRIDE + 1));
+  return { length, rows: arena(length * SHIP_STRIDE), ticks: arena(length).fill(-1) };
 }
 
 /** Keeps a row as the state at `tick`. */

@@ -1,7 +1,8 @@
 import { SHIP_STRIDE } from '../../dynamics';
-import { createPicture, type Picture } from '../drawn/picture';
+import { createArena, identity } from '../arena';
+import { createPicture, type Picture, PICTURE_LENGTH } from '../drawn/picture';
 import { createLedger, type Ledger } from '../events';
-import { createLawFit, type LawFit } from '../snapshots/reconcile/lawErrors';
+import { createLawFit, type LawFit, WINDOW } from '../snapshots/reconcile/lawErrors';
 import { createHistory, type History } from './history';
 import { createLearnedGround, type LearnedGround } from '../ground/learnedGround';
 import { createLastState, type LastState } from '../ground/lastState';
@@ -120,10 +121,14 @@ export function createFleet(): Fleet {
   };
 }
 
+/** Doubles of a track's arrays but its history: two rows, a position and two attitudes, the fit's errors, the picture. */
+const TRACK_LENGTH = 2 * SHIP_STRIDE + 3 + 2 * 4 + 2 * WINDOW + PICTURE_LENGTH;
+
 /** A new track at the end of the fleet. */
 export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Track {
   const at = fleet.tracks.length * SHIP_STRIDE;
   if (fleet.front.length < at + SHIP_STRIDE) grow(fleet);
+  const arena = createArena(TRACK_LENGTH);
   const track: Track = {
     shipId,
     playerId: '',
@@ -137,8 +142,8 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
     unpredictable: false,
     history: createHistory(ringLength),
     serverTick: -1,
-    serverRow: new Float64Array(SHIP_STRIDE),
-    serverBodyAttitude: Float64Array.of(0, 0, 0, 1),
+    serverRow: arena(SHIP_STRIDE),
+    serverBodyAttitude: identity(arena),
     exact: false,
     seenAt: 0,
     silence: 0,
@@ -154,14 +159,14 @@ export function addTrack(fleet: Fleet, shipId: string, ringLength: number): Trac
     passes: 0,
     releaseTick: -1,
     releaseSubstep: 0,
-    sleepPlace: new Float64Array(3),
-    sleepAttitude: Float64Array.of(0, 0, 0, 1),
+    sleepPlace: arena(3),
+    sleepAttitude: identity(arena),
     ledger: createLedger(shipId),
     ground: createLearnedGround(),
-    evidence: createLastState(),
-    fit: createLawFit(),
+    evidence: createLastState(arena),
+    fit: createLawFit(arena),
     log: null,
-    picture: createPicture(),
+    picture: createPicture(arena),
   };
   fleet.tracks.push(track);
   fleet.byId.set(shipId, track);

@@ -1,5 +1,13 @@
 import { describe, expect, it } from 'vitest';
-import { createEase, type Ease, relax, restartEase, springsOf } from '../../../src/prediction/drawn/ease';
+import { createArena } from '../../../src/prediction/arena';
+import {
+  createEase,
+  type Ease,
+  EASE_LENGTH,
+  relax,
+  restartEase,
+  springsOf,
+} from '../../../src/prediction/drawn/ease';
 import type { ServerFrame } from '../../../src/wire';
 import type { Vec3 } from '../../../src/dynamics';
 import { createRig } from '../rig';
@@ -8,7 +16,7 @@ import { angleBetween, distance } from '../samples';
 const UP = Float64Array.of(0, 0, 1);
 
 function corrected(offset: readonly number[], turn: readonly number[] = [0, 0, 0]): Ease {
-  const ease = createEase();
+  const ease = createEase(createArena(EASE_LENGTH));
   ease.offset.set(offset);
   ease.turn.set(turn);
   restartEase(ease);

@@ -1,3 +1,4 @@
+import type { Arena } from '../../arena';
 import type { Place } from './compare';
 
 /**
@@ -32,9 +33,9 @@ export interface Judged {
 /** States over which the errors are summed. */
 export const WINDOW = 4;
 
-export function createLawFit(): LawFit {
+export function createLawFit(arena: Arena): LawFit {
   return {
-    ...{ carried: '', law: new Float64Array(WINDOW), carry: new Float64Array(WINDOW) },
+    ...{ carried: '', law: arena(WINDOW), carry: arena(WINDOW) },
     ...{ count: 0, states: 0, groundedWrongly: 0, groundedRightly: 0, bounces: false, rebound: 0 },
   };
 }

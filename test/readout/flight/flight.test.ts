@@ -50,7 +50,10 @@ describe('the instruments of flying', () => {
     const out = read({}, { crashed: true, shownState: 'crashed' });
     expect(out.known).toBe(false);
     expect([out.throttle, out.fuel, out.pitch, out.heading]).toEqual([NaN, NaN, NaN, NaN]);
-    expect([...out.wheels]).toEqual([NaN, NaN, NaN]);
+    const left = updateFlightReadout(createFlightReadout(), makeView({ clearance: 80 }));
+    expect(left.wheels[0]).toBe(0);
+    updateFlightReadout(left, makeView({ clearance: 80 }, { crashed: true, shownState: 'crashed' }));
+    expect([...left.wheels]).toEqual([NaN, NaN, NaN]);
   });
 });
 

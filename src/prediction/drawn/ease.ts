@@ -152,10 +152,10 @@ function moveOffset(ease: Ease, normal: Float64Array, dt: number, springs: Sprin
     const x = offset[k]! - high * n;
     const v = rate[k]! - climb * n;
     const push = v + stiff * x;
-    step[k] = (x + push * dt) * decayGround + highNext * n - offset[k]!;
-    speed[k] = (v - stiff * push * dt) * decayGround + climbNext * n;
+    wanted.step[k] = (x + push * dt) * decayGround + highNext * n - offset[k]!;
+    wanted.speed[k] = (v - stiff * push * dt) * decayGround + climbNext * n;
   }
-  take(offset, rate, dt, haste * Math.max(SPEED_CAP, SHARE_CAP * ease.size));
+  move(offset, rate, wanted, dt, haste * Math.max(SPEED_CAP, SHARE_CAP * ease.size));
 }
 
 function moveTurn(ease: Ease, dt: number, { angle: stiff, turnHaste }: Springs): void {
@@ -163,14 +163,22 @@ function moveTurn(ease: Ease, dt: number, { angle: stiff, turnHaste }: Springs):
   const decay = Math.exp(-stiff * dt);
   for (let k = 0; k < 3; k++) {
     const push = turnRate[k]! + stiff * turn[k]!;
-    step[k] = (turn[k]! + push * dt) * decay - turn[k]!;
-    speed[k] = (turnRate[k]! - stiff * push * dt) * decay;
+    wanted.step[k] = (turn[k]! + push * dt) * decay - turn[k]!;
+    wanted.speed[k] = (turnRate[k]! - stiff * push * dt) * decay;
   }
-  take(turn, turnRate, dt, turnHaste * Math.max(TURN_CAP, SHARE_CAP * ease.turnSize));
+  move(turn, turnRate, wanted, dt, turnHaste * Math.max(TURN_CAP, SHARE_CAP * ease.turnSize));
+}
+
+/** What the uncapped spring does in a slice. */
+interface Move {
+  /** m or rad */
+  readonly step: Float64Array;
+  /** At its end, m/s or rad/s. */
+  readonly speed: Float64Array;
 }
 
 /** value += step, rate = speed, both no faster than `cap`. */
-function take(value: Float64Array, rate: Float64Array, dt: number, cap: number): void {
+function move(value: Float64Array, rate: Float64Array, { step, speed }: Move, dt: number, cap: number): void {
   const stepped = length(step) / dt;
   const moving = length(speed);
   const stepShare = stepped > cap ? cap / stepped : 1;
@@ -181,8 +189,7 @@ function take(value: Float64Array, rate: Float64Array, dt: number, cap: number):
   }
 }
 
-const step = new Float64Array(3);
-const speed = new Float64Array(3);
+const wanted: Move = { step: new Float64Array(3), speed: new Float64Array(3) };
 
 function length(v: Float64Array): number {
   return Math.sqrt(dot(v, v));

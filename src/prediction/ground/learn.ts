@@ -19,7 +19,7 @@ import {
 } from './learnedGround';
 import type { GroundNews } from './lastState';
 import { createObservation, type Observation, observe } from './observe';
-import { costOf, type Evidence, type Misfit, replayBetween, replayedRow } from './trial';
+import { costOf, type Evidence, type Misfit, replayBetween } from './trial';
 
 /** m: a grounded ship with its feet this far above the ground, or a flying one with its feet this far below, contradicts the ground. */
 const ABOVE = 0.1;
@@ -47,16 +47,17 @@ export function learnGround(sim: Simulation, track: Track, news: GroundNews): vo
   const { row, bodies, now } = news;
   beginReading(ground);
   agePlaces(ground, now);
+  const seen = observed;
   observe(seen, row, bodies, sim.world);
   if (seen.crashed) return;
   const body = sim.world.bodies[row[REFERENCE_BODY]!]!;
   const [nx, ny, nz] = seen.direction as unknown as [number, number, number];
   const known = offsetAt(ground.places, body.name, nx, ny, nz);
   const old = placeAt(ground, body.name, seen.direction);
-  const guess = offsetOfState(news, known);
+  const guess = offsetOfState(seen, news, known);
   const evidence = evidenceOf(sim, track, news);
   if (evidence === null) {
-    if (guess !== null) keepPlace(ground, placeOf(news, body, { old, offset: guess }));
+    if (guess !== null) keepPlace(ground, placeOf(seen, news, body, { old, offset: guess }));
     return;
   }
   replayBetween(misfit, sim, track, evidence);
@@ -65,44 +66,45 @@ export function learnGround(sim: Simulation, track: Track, news: GroundNews): vo
     if (old !== null) confirmPlace(old, now);
     return;
   }
-  const place = placeOf(news, body, { old, offset: known });
-  const guesses = guessesOf(news, known, old);
-  const cost = fitGround({ sim, track, evidence, seen, place }, ground, guesses, !isResting(row));
-  const explains = cost < before * BETTER && (seen.grounded ? !isAbove(place) : cost < EXPLAINED_IN_FLIGHT);
+  const place = placeOf(seen, news, body, { old, offset: known });
+  const guesses = guessesOf(seen, news, known, old);
+  const cost = fitGround({ sim, track, evidence, seen, place }, ground, guesses, !isResting(seen, row));
+  const explains =
+    cost < before * BETTER && (seen.grounded ? !isAbove(seen, place) : cost < EXPLAINED_IN_FLIGHT);
   if (explains) keepPlace(ground, place);
   else {
     const offset = guess ?? groundOfBounce(sim, evidence, known);
-    if (offset !== null) keepPlace(ground, placeOf(news, body, { old, offset }));
+    if (offset !== null) keepPlace(ground, placeOf(seen, news, body, { old, offset }));
   }
   if (!news.hasImpact && seen.grounded) recallImpact(sim, track, evidence, row);
 }
 
 /** The server's ground above ours, m, from a state alone; null for nothing new. */
-function offsetOfState({ row }: GroundNews, known: number): number | null {
+function offsetOfState(seen: Observation, { row }: GroundNews, known: number): number | null {
   const above = seen.feet - known;
   const depth = seen.gravity / 100;
-  if (isResting(row)) return Math.abs(above + depth) > RESTING ? seen.feet + depth : null;
+  if (isResting(seen, row)) return Math.abs(above + depth) > RESTING ? seen.feet + depth : null;
   if (seen.grounded) return above > ABOVE ? seen.feet + (Math.abs(seen.climb) < 0.5 ? depth : 0) : null;
   return above < -BELOW && seen.climb < 0 ? seen.feet : null;
 }
 
 /** Whether a grounded ship is in the air above a ground. */
-function isAbove({ offset }: GroundPlace): boolean {
+function isAbove(seen: Observation, { offset }: GroundPlace): boolean {
   return seen.feet - offset > ABOVE;
 }
 
-function isResting(row: Float64Array): boolean {
+function isResting(seen: Observation, row: Float64Array): boolean {
   return row[SURFACE_STATE] === LANDED || (row[SURFACE_STATE] === TIPPED && seen.speed < 0.5);
 }
 
 /** Guesses: the known ground, the ship's static depth, the slope of its climb or of the last place. */
-function guessesOf({ row }: GroundNews, known: number, old: GroundPlace | null): Guess[] {
+function guessesOf(seen: Observation, { row }: GroundNews, known: number, old: GroundPlace | null): Guess[] {
   const slope = old === null ? 0 : dot(old.slope, seen.way);
   const guesses: Guess[] = [{ offset: known, slope }];
   if (!seen.grounded) return guesses;
   const offset = seen.feet + seen.gravity / 100;
   guesses.push({ offset, slope }, { offset, slope: 0 });
-  if (isResting(row)) return guesses;
+  if (isResting(seen, row)) return guesses;
   if (seen.speed > 2 && Math.abs(seen.climb) < STEEPEST * seen.speed)
     guesses.push({ offset, slope: seen.climb / seen.speed });
   const way = old === null ? 0 : metresFrom(old, seen.direction);
@@ -141,19 +143,19 @@ function takeBudget(sim: Simulation, tick: number, substeps: number): boolean {
 
 /** Fills in the impact speed of this contact from a replay on the ground as known now; without a touch there, the speed of the fall. */
 function recallImpact(sim: Simulation, track: Track, evidence: Evidence, row: Float64Array): void {
-  replayBetween(misfit, sim, track, evidence);
-  const replayed = replayedRow();
+  const replayed = replayBetween(misfit, sim, track, evidence);
   if (replayed[SURFACE_STATE] === row[SURFACE_STATE]) row[IMPACT_SPEED] = replayed[IMPACT_SPEED]!;
 }
 
 function placeOf(
+  { direction }: Observation,
   { now }: GroundNews,
   body: { readonly name: string; readonly radius: number },
   { old, offset }: { readonly old: GroundPlace | null; readonly offset: number },
 ): GroundPlace {
   return {
     ...{ bodyName: body.name, bodyRadius: body.radius, offset, weight: 1, seenAt: now },
-    direction: seen.direction.slice(),
+    direction: direction.slice(),
     slope: old === null ? new Float64Array(3) : old.slope.slice(),
     states: (old?.states ?? 0) + 1,
   };
@@ -165,5 +167,5 @@ function confirmPlace(place: GroundPlace, now: number): void {
   place.weight = 1;
 }
 
-const seen: Observation = createObservation();
+const observed = createObservation();
 const misfit: Misfit = { height: 0, climb: 0, along: 0, sameState: false };

@@ -1,4 +1,4 @@
-import { CRASHED, POSITION, SHIP_STRIDE, SURFACE_STATE, VELOCITY } from '../../dynamics';
+import { CRASHED, POSITION, SURFACE_STATE, VELOCITY } from '../../dynamics';
 import type { Simulation } from '../simulation/simulation';
 import { advanceRow, createRowStep, placeStep } from '../simulation/stepRow';
 import { copyRow, type Track } from '../simulation/track';
@@ -42,6 +42,7 @@ export function replayTo(
   track: Track,
   { from, fromTick, toTick }: Omit<Evidence, 'to'>,
 ): Float64Array {
+  const row = step.rows;
   copyRow(row, 0, from, 0);
   placeStep(step, sim, fromTick, 0);
   const { fit } = track;
@@ -52,10 +53,10 @@ export function replayTo(
   return row;
 }
 
-/** Replays the dynamics from one state to the other and measures the error there. */
-export function replayBetween(out: Misfit, sim: Simulation, track: Track, evidence: Evidence): void {
+/** Replays the dynamics from one state to the other and measures the error there. Returns the replayed row, as replayTo does. */
+export function replayBetween(out: Misfit, sim: Simulation, track: Track, evidence: Evidence): Float64Array {
   const { to } = evidence;
-  replayTo(sim, track, evidence);
+  const row = replayTo(sim, track, evidence);
   const distance = Math.hypot(to[POSITION]!, to[POSITION + 1]!, to[POSITION + 2]!);
   let height = 0;
   let climb = 0;
@@ -71,10 +72,8 @@ export function replayBetween(out: Misfit, sim: Simulation, track: Track, eviden
   out.climb = climb;
   out.along = Math.sqrt(Math.max(0, squared - height * height));
   out.sameState = row[SURFACE_STATE] === to[SURFACE_STATE] && row[CRASHED] === to[CRASHED];
+  return row;
 }
-
-/** The row where the last replay ended. */
-export const replayedRow = (): Float64Array => row;
 
 /** The cost of a ground: below 1 it explains the two states. */
 export function costOf({ height, climb, along, sameState }: Misfit, place: GroundPlace | null): number {
@@ -89,5 +88,4 @@ export function costOf({ height, climb, along, sameState }: Misfit, place: Groun
   );
 }
 
-const row = new Float64Array(SHIP_STRIDE);
-const step = createRowStep(row);
+const step = createRowStep();

@@ -7,7 +7,7 @@ import { keepLog } from '../touchdown/touchdownRing';
 import { keep } from './history';
 import type { Simulation } from './simulation';
 import { wake, wakesOn } from './sleep';
-import { createRowStep, enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
+import { enterSubstep, leaveSubstep, placeStep, type RowStep, stepRow } from './stepRow';
 import { copyRow, type Track } from './track';
 
 /** The frame loop: every ship in step, substep by substep, up to the present. */
@@ -15,13 +15,14 @@ import { copyRow, type Track } from './track';
 /** Steps every ship in step to `target`, which is not before the front. Calls `boundary` at each tick boundary passed. */
 export function stepFront(sim: Simulation, target: Position, boundary: (tick: number) => void): void {
   const { front, fleet } = sim;
+  const step = sim.steps.front;
   placeStep(step, sim, front.tick, front.substep);
   step.rows = fleet.front;
   step.before = fleet.previous;
   while (front.tick < target.tick || (front.tick === target.tick && front.substep < target.substep)) {
-    if (fleet.own !== null && fleet.own.mode !== 'stepping') commandIdle(sim, fleet.own);
+    if (fleet.own !== null && fleet.own.mode !== 'stepping') commandIdle(sim, fleet.own, step);
     enterSubstep(step, sim);
-    stepShips(sim);
+    stepShips(sim, step);
     const isBoundary = leaveSubstep(step, sim);
     front.tick = step.tick;
     front.substep = step.substep;
@@ -31,9 +32,7 @@ export function stepFront(sim: Simulation, target: Position, boundary: (tick: nu
   }
 }
 
-const step = createRowStep();
-
-function stepShips(sim: Simulation): void {
+function stepShips(sim: Simulation, step: RowStep): void {
   const { tracks } = sim.fleet;
   let stepped = 0;
   for (let i = 0; i < tracks.length; i++) {
@@ -46,19 +45,19 @@ function stepShips(sim: Simulation): void {
     const body = step.rows[step.at + REFERENCE_BODY]!;
     if (track.picture.body !== body) turnPicture(track.picture, step.bodies, body);
     track.picture.uprighted = false;
-    if (step.event !== NO_EVENT) report(sim, track);
+    if (step.event !== NO_EVENT) report(sim, track, step);
     if (track.log !== null) sim.features.touchdown?.logSubstep(track.log.front, sim.world, step);
   }
   sim.counters.steppedSubsteps += stepped;
 }
 
-function report(sim: Simulation, track: Track): void {
+function report(sim: Simulation, track: Track, step: RowStep): void {
   sim.features.events?.happened(sim, track, step.event, step, track.pass);
   easeUprighting(sim, track, step);
 }
 
 /** Applies inputs to the own ship while it is out of step: its row still shows its pilot's controls, and an input that burns wakes it. */
-function commandIdle(sim: Simulation, own: Track): void {
+function commandIdle(sim: Simulation, own: Track, step: RowStep): void {
   const { fleet, front, inputs } = sim;
   const cursor = seek(inputs, front.tick, front.substep);
   copyRow(probe, 0, fleet.front, own.at);

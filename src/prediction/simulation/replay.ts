@@ -5,7 +5,7 @@ import { indexOf } from '../time/timeline';
 import { keepLog } from '../touchdown/touchdownRing';
 import { keep } from './history';
 import type { Simulation } from './simulation';
-import { createRowStep, enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
+import { enterSubstep, leaveSubstep, placeStep, type RowStep, stepRow } from './stepRow';
 import { copyRow, type Track } from './track';
 
 /**
@@ -56,6 +56,7 @@ function replay(sim: Simulation, track: Track, budget: number): number {
     indexOf(timeline, front.tick, front.substep) - indexOf(timeline, track.replayTick, track.replaySubstep);
   if (left < 0) return 0;
   const steps = Math.min(left, budget);
+  const step = sim.steps.replay;
   step.rows = fleet.replayed;
   step.at = track.at;
   if (left === 0) copyRow(step.before, 0, fleet.replayed, track.at);
@@ -64,17 +65,15 @@ function replay(sim: Simulation, track: Track, budget: number): number {
   for (let i = 0; i < steps; i++) {
     // Only the log reads the row before each substep; drawing reads it for the last one.
     step.keepsBefore = left - i === 1 || track.log !== null;
-    replaySubstep(sim, track);
+    replaySubstep(sim, track, step);
   }
   track.replayTick = step.tick;
   track.replaySubstep = step.substep;
-  if (steps === left) arrive(sim, track);
+  if (steps === left) arrive(sim, track, step);
   return steps;
 }
 
-const step = createRowStep();
-
-function replaySubstep(sim: Simulation, track: Track): void {
+function replaySubstep(sim: Simulation, track: Track, step: RowStep): void {
   enterSubstep(step, sim);
   stepRow(step, sim, track);
   if (step.event !== NO_EVENT) sim.features.events?.happened(sim, track, step.event, step, track.replayPass);
@@ -85,7 +84,7 @@ function replaySubstep(sim: Simulation, track: Track): void {
 }
 
 /** The replay has reached the front and becomes the prediction; the drawn pose fades into it. */
-function arrive(sim: Simulation, track: Track): void {
+function arrive(sim: Simulation, track: Track, step: RowStep): void {
   const { fleet } = sim;
   const { at } = track;
   const shown = seeDrawn(sim, track);

@@ -24,6 +24,7 @@ import type * as touchdownLog from '../touchdown/touchdownLog';
 import type { Adopted } from '../touchdown/touchdownRing';
 import type { Warn } from '../warnings';
 import { ringLength } from './history';
+import { createRowStep, type RowStep } from './stepRow';
 import { createFleet, type Fleet, type Track } from './track';
 
 /** Takes something of a frame; received at client wall second `now`. */
@@ -107,6 +108,8 @@ export interface Simulation {
   /** The measured spin of each body, in the world's order. */
   readonly spins: readonly BodySpin[];
   readonly fleet: Fleet;
+  /** Of the ships in step with the front, and of the ship that is replayed: placed anew by each pass. */
+  readonly steps: { readonly front: RowStep; readonly replay: RowStep };
   readonly inputs: Inputs;
   readonly front: Position;
   /** The timeline changed or jumped: the front must move to the present, and every ship be replayed to it. */
@@ -159,6 +162,7 @@ export function createSimulation(
     bodiesKnown: true,
     spins: world.bodies.map(createBodySpin),
     fleet: createFleet(),
+    steps: { front: createRowStep(), replay: createRowStep() },
     inputs: createInputs(plan),
     front: { tick: 0, substep: 0 },
     frontIsStale: true,

@@ -1,5 +1,7 @@
+import { SHIP_STRIDE } from '../../dynamics';
 import type { InputAcknowledgement } from '../../wire';
 import type { InputOutcome } from '../inputs/inputs';
+import type { Place, Tolerance } from './reconcile/compare';
 
 /** The bodies at a frame's tick, as sent and as predicted. */
 export interface BodiesOfFrame {
@@ -20,6 +22,19 @@ export interface SnapshotContext extends BodiesOfFrame {
   /** The frame's acknowledgement of the own ship's inputs. */
   lastInput: InputAcknowledgement | null;
   inputs: InputOutcome;
+  /** Of the ship whose state is reconciled. */
+  readonly compared: Compared;
+}
+
+/** A ship's state in a frame, and where the prediction for its tick is. */
+export interface Compared {
+  readonly server: Place;
+  /** In its history. */
+  readonly kept: Place;
+  /** The pose of a sleeping ship. */
+  readonly asleep: Place;
+  /** For a state without relative fields. */
+  readonly inexact: Tolerance;
 }
 
 export function createSnapshotContext(): SnapshotContext {
@@ -32,5 +47,16 @@ export function createSnapshotContext(): SnapshotContext {
     now: 0,
     lastInput: null,
     inputs: 'asPredicted',
+    compared: {
+      server: createPlace(),
+      kept: createPlace(),
+      asleep: createPlace(),
+      inexact: new Float64Array(3),
+    },
   };
+}
+
+function createPlace(): Place {
+  const rows = new Float64Array(SHIP_STRIDE);
+  return { rows, at: 0, bodies: rows };
 }

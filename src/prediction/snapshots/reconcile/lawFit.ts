@@ -8,7 +8,7 @@ import {
   SHIP_STRIDE,
 } from '../../../dynamics';
 import { angleOf, quaternion, rotateBack, take, turnBetween, vector } from '../../drawn/rotation';
-import { type Misfit, replayBetween, replayedRow } from '../../ground/trial';
+import { type Misfit, replayBetween } from '../../ground/trial';
 import { actsBetween } from '../../inputs/scheduledInput';
 import { carryRow } from '../../simulation/carry';
 import type { Simulation } from '../../simulation/simulation';
@@ -80,11 +80,10 @@ function isComparable(sim: Simulation, track: Track, { state, tick, predicted }:
 function lawError(sim: Simulation, track: Track, { state, tick, predicted }: Judged): number {
   if (track.fit.carried === '') return predicted === null ? 0 : errorOf(predicted, state);
   const { evidence } = track;
-  replayBetween(misfit, sim, track, {
+  made.rows = replayBetween(misfit, sim, track, {
     ...{ from: evidence.row, fromTick: evidence.tick },
     ...{ to: state.rows, toTick: tick },
   });
-  made.rows = replayedRow();
   made.bodies = state.bodies;
   return errorOf(made, state);
 }

@@ -4,23 +4,14 @@ import {
   BODY_ATTITUDE,
   BODY_STRIDE,
   REFERENCE_BODY,
-  SHIP_STRIDE,
   WHEEL_MOMENTUM,
 } from '../../../dynamics';
 import type { ShipState } from '../../../wire';
 import { learnFrom, nothingToLearn } from '../learnFrom';
-import type { SnapshotContext } from '../snapshotContext';
+import type { Compared, SnapshotContext } from '../snapshotContext';
 import { holdLaw } from './lawErrors';
 import { adopt, drawableState, isExact, unknownNameOf } from './adopt';
-import {
-  EXACT,
-  type Field,
-  firstDifference,
-  type Place,
-  type Tolerance,
-  writeError,
-  writeInexact,
-} from './compare';
+import { EXACT, type Field, firstDifference, type Place, writeError, writeInexact } from './compare';
 import { sameCommand } from '../../inputs/command';
 import { recalledImpact, recallWheels } from './recall';
 import { has, offsetOf } from '../../simulation/history';
@@ -51,6 +42,8 @@ export function reconcile(
   context: SnapshotContext,
 ): string | null {
   if (context.tick < track.serverTick) return null;
+  const { server } = context.compared;
+  const sent = server.rows;
   const reason = adopt(sent, state, context.bodies, sim.world);
   if (reason !== null) return reason;
   const known = track.serverTick >= 0;
@@ -64,7 +57,7 @@ export function reconcile(
   track.unpredictable = false;
   if (Number.isNaN(sent[WHEEL_MOMENTUM])) recallWheels(sent, predicted);
   track.exact = isExact(state);
-  const field = predicted === null ? null : differenceFrom(track, predicted);
+  const field = predicted === null ? null : differenceFrom(track, context.compared, predicted);
   const agrees = field === 'none';
   const goesOver =
     agrees && nothingToLearn(track)
@@ -89,6 +82,7 @@ export function showServerState(
   context: SnapshotContext,
 ): string | null {
   if (context.tick < track.serverTick) return null;
+  const sent = context.compared.server.rows;
   const reason = adopt(sent, drawableState(state, sim.world), context.bodies, sim.world);
   if (reason !== null) return reason;
   if (Number.isNaN(sent[WHEEL_MOMENTUM])) recallWheels(sent, null);
@@ -103,7 +97,7 @@ export function showServerState(
   return null;
 }
 
-function differenceFrom(track: Track, predicted: Place): Field {
+function differenceFrom(track: Track, { server, inexact }: Compared, predicted: Place): Field {
   if (!track.exact) writeInexact(inexact, server);
   return firstDifference(server, predicted, track.exact ? EXACT : inexact);
 }
@@ -119,6 +113,7 @@ function settle(
   predicted: Place | null,
   field: Field | null,
 ): void {
+  const sent = context.compared.server.rows;
   if (track.off) {
     if (isAtRest(sent, 0)) sleepAtFirst(sim, track, context);
     return;
@@ -129,7 +124,7 @@ function settle(
     return;
   }
   const commanded = sameCommand(sent, 0, predicted.rows, predicted.at);
-  if (field !== 'none' || !(commanded || sleepsThrough(track))) {
+  if (field !== 'none' || !(commanded || sleepsThrough(track, sent))) {
     correct(sim, track, field, predicted, context);
     return;
   }
@@ -144,6 +139,7 @@ function settle(
 /** The states are equal: the local one is kept. */
 function agree(sim: Simulation, track: Track, context: SnapshotContext): void {
   const { front } = sim;
+  const sent = context.compared.server.rows;
   if (track.mode === 'sleeping') {
     sleepAt(track, context.bodies);
     if (!track.own) copyRow(sim.fleet.front, track.at, sent, 0);
@@ -168,6 +164,8 @@ function correct(
   context: SnapshotContext,
 ): void {
   const { counters } = sim;
+  const { server } = context.compared;
+  const sent = server.rows;
   if (track.own && context.inputs === 'late') counters.correctionsLateInput += 1;
   else if (track.own && context.inputs === 'lost') counters.correctionsLostInput += 1;
   else if (!sameCommand(sent, 0, predicted.rows, predicted.at)) counters.correctionsOtherPilot += 1;
@@ -181,6 +179,7 @@ function correct(
 
 /** A ship first seen landed sleeps at once, at its server state. */
 function sleepAtFirst(sim: Simulation, track: Track, context: SnapshotContext): void {
+  const sent = context.compared.server.rows;
   if (!sim.sleeps || track.mode === 'stepping' || track.picture.hasHeld || !isAtRest(sent, 0)) return;
   track.off = false;
   copyRow(sim.fleet.front, track.at, sent, 0);
@@ -191,16 +190,17 @@ function sleepAtFirst(sim: Simulation, track: Track, context: SnapshotContext): 
 }
 
 /** Whether a sleeping ship's commands leave it asleep: they neither burn nor lift it off. */
-function sleepsThrough(track: Track): boolean {
+function sleepsThrough(track: Track, sent: Float64Array): boolean {
   return track.mode === 'sleeping' && isAtRest(sent, 0);
 }
 
 function findPredicted(sim: Simulation, track: Track, context: SnapshotContext): Place | null {
+  const { asleep, kept } = context.compared;
   if (track.mode === 'sleeping') {
-    copyRow(asleep, 0, sim.fleet.front, track.at);
-    writeSleepingAt(asleep, 0, track, context.bodies);
-    posed.bodies = context.bodies;
-    return posed;
+    copyRow(asleep.rows, 0, sim.fleet.front, track.at);
+    writeSleepingAt(asleep.rows, 0, track, context.bodies);
+    asleep.bodies = context.bodies;
+    return asleep;
   }
   if (track.mode === 'held' || !has(track.history, context.tick)) return null;
   kept.rows = track.history.rows;
@@ -210,6 +210,7 @@ function findPredicted(sim: Simulation, track: Track, context: SnapshotContext):
 }
 
 function remember(track: Track, state: ShipState, context: SnapshotContext, known: boolean): void {
+  const sent = context.compared.server.rows;
   track.name = state.name;
   track.playerId = state.playerId;
   track.silence = known ? Math.max(0, context.now - track.seenAt) : 0;
@@ -231,9 +232,3 @@ function holdControls(sim: Simulation, track: Track): void {
 }
 
 const later = { tick: 0, substep: 0 };
-const sent = new Float64Array(SHIP_STRIDE);
-const server: Place = { rows: sent, at: 0, bodies: sent };
-const inexact: Tolerance = new Float64Array(3);
-const asleep = new Float64Array(SHIP_STRIDE);
-const posed: Place = { rows: asleep, at: 0, bodies: asleep };
-const kept: Place = { rows: sent, at: 0, bodies: sent };

@@ -59,7 +59,7 @@ export interface ShipView {
   readonly position: Float64Array;
   /** m/s, likewise. */
   readonly velocity: Float64Array;
-  /** [x, y, z, w]: ship axes to ICRF. */
+  /** Ship axes to ICRF, [x, y, z, w]. */
   readonly attitude: Float64Array;
   /** rad/s, ICRF axes. */
   readonly angularVelocity: Float64Array;
@@ -129,7 +129,7 @@ export interface ShipView {
   readonly serverAttitude: Float64Array;
   /** The same pose for drawing a ghost: on the ground like meshPosition; m, relative to the body's centre, in its axes. */
   readonly ghostPosition: Float64Array;
-  /** [x, y, z, w]: ship axes to the body's. */
+  /** Ship axes to the body's, [x, y, z, w]. */
   readonly ghostAttitude: Float64Array;
   /** false before the first state of this ship. */
   serverKnown: boolean;

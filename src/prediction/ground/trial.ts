@@ -1,7 +1,7 @@
 import { CRASHED, POSITION, SURFACE_STATE, VELOCITY } from '../../dynamics';
 import type { Simulation } from '../simulation/simulation';
-import { advanceRow, createRowStep, placeStep } from '../simulation/stepRow';
-import { copyRow, type Track } from '../simulation/track';
+import { advanceRow, placeStep } from '../simulation/stepRow';
+import { copyRow, createRowStep, type Track } from '../simulation/track';
 import type { GroundPlace } from './learnedGround';
 
 /** Two server states of one ship, between which the dynamics depend on the ground. */

@@ -7,8 +7,8 @@ import { keepLog } from '../touchdown/touchdownRing';
 import { keep } from './history';
 import type { Simulation } from './simulation';
 import { wake, wakesOn } from './sleep';
-import { enterSubstep, leaveSubstep, placeStep, type RowStep, stepRow } from './stepRow';
-import { copyRow, type Track } from './track';
+import { enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
+import { copyRow, type RowStep, type Track } from './track';
 
 /** The frame loop: every ship in step, substep by substep, up to the present. */
 

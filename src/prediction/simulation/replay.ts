@@ -5,8 +5,8 @@ import { indexOf } from '../time/timeline';
 import { keepLog } from '../touchdown/touchdownRing';
 import { keep } from './history';
 import type { Simulation } from './simulation';
-import { enterSubstep, leaveSubstep, placeStep, type RowStep, stepRow } from './stepRow';
-import { copyRow, type Track } from './track';
+import { enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
+import { copyRow, type RowStep, type Track } from './track';
 
 /**
  * Adopt and replay (PREDICTION, Reconciliation): a ship is reset to a state at a tick and simulated with all stored inputs since. What

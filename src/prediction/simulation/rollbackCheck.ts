@@ -1,8 +1,8 @@
 import { SHIP_STRIDE } from '../../dynamics';
 import { has, offsetOf } from './history';
 import type { Simulation } from './simulation';
-import { advanceRow, createRowStep, placeStep } from './stepRow';
-import { copyRow, type Track } from './track';
+import { advanceRow, placeStep } from './stepRow';
+import { copyRow, createRowStep, type Track } from './track';
 
 /**
  * The sync test of rollback netcode: at tick boundary `tick` every ship in step is reset by `ticks` ticks, replayed with the stored

@@ -24,8 +24,7 @@ import type * as touchdownLog from '../touchdown/touchdownLog';
 import type { Adopted } from '../touchdown/touchdownRing';
 import type { Warn } from '../warnings';
 import { ringLength } from './history';
-import { createRowStep, type RowStep } from './stepRow';
-import { createFleet, type Fleet, type Track } from './track';
+import { createFleet, createRowStep, type Fleet, type RowStep, type Track } from './track';
 
 /** Takes something of a frame; received at client wall second `now`. */
 type TakeFrame = (sim: Simulation, receiver: Receiver, frame: ServerFrame) => void;

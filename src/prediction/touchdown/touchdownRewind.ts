@@ -15,11 +15,11 @@ import { boundaryAt } from '../snapshots/bodies/bodyTrack';
 import { has, offsetOf } from '../simulation/history';
 import { lengthOf, quaternion, rotateBack, take, vector } from '../drawn/rotation';
 import type { Simulation } from '../simulation/simulation';
-import { advanceRow, createRowStep, placeStep } from '../simulation/stepRow';
+import { advanceRow, placeStep } from '../simulation/stepRow';
 import { indexOf, spanOf } from '../time/timeline';
 import { beginLog, LOGGED_STATE, logLiftOff, logState, logSubstep, logTouch } from './touchdownLog';
 import { type Adopted, createTouchdownRing, keepLog, logAt, type TouchdownRing } from './touchdownRing';
-import { copyRow, type Track } from '../simulation/track';
+import { copyRow, createRowStep, type Track } from '../simulation/track';
 
 /** Largest correction in addition to the distance flown, m; more is a respawn. */
 const MAX_CORRECTION = 100;

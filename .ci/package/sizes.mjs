@@ -37,7 +37,7 @@ export const USES = [
   },
   {
     name: 'with the checks of development',
-    most: 71,
+    most: 72,
     code: WHOLE,
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],

@@ -10,7 +10,7 @@ import {
   updateLandingAids,
   updateLandingReadout,
 } from '../../src/readout';
-import { makeView } from './views';
+import { makeView, NO_TOUCHDOWN } from './views';
 
 /** What is shown; the memory is the readout's own. */
 const shown = (readout: object) => ({ ...readout, memory: null });
@@ -38,18 +38,7 @@ it('a new readout has no numbers', () => {
     tilt: { degrees: NaN, trend: 0, leanX: 0, leanY: 0, settle: NaN, prominent: false },
     descent: { shown: false },
     righting: { shown: false },
-    touchdown: {
-      known: false,
-      outcome: 'open',
-      ...{
-        verticalSpeed: 0,
-        horizontalSpeed: 0,
-        bounces: 0,
-        slideMetres: 0,
-        settleSeconds: 0,
-        largestTilt: 0,
-      },
-    },
+    touchdown: NO_TOUCHDOWN,
     touchdownShown: false,
   });
   expect(createLandingAids()).toMatchObject({ shown: false, outcome: 'working', advice: 'none' });

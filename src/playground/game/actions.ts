@@ -19,28 +19,28 @@ export interface Actions {
 /** Seconds of full throttle in "Hop". */
 const HOP = 1;
 
-type KeyActs = Partial<Record<Action, () => void>>;
+type KeyActions = Partial<Record<Action, () => void>>;
 
 export function createActions(targets: ActionTargets): Actions {
   const { live } = targets;
   const operator = createOperatorActions(targets);
   const hop = { endsAt: NaN };
-  const buttons = buttonActs(targets, operator, hop);
-  const always: KeyActs = {
+  const buttons = buttonActions(targets, operator, hop);
+  const always: KeyActions = {
     landingAids: targets.toggleAids,
     mute: targets.toggleSound,
     nextCamera: targets.nextCamera,
     hide: targets.toggleBare,
     help: targets.help,
   };
-  const flying: KeyActs = {
+  const flying: KeyActions = {
     restart: buttons.restart,
     pause: operator.pause,
     stepSubstep: operator.stepSubstep,
     previousScenario: () => scenarioBy(targets, -1),
     nextScenario: () => scenarioBy(targets, 1),
   };
-  const replaying: KeyActs = {
+  const replaying: KeyActions = {
     pause: targets.deck.togglePlay,
     stepSubstep: () => targets.deck.step('substep', 1),
     stepBack: () => targets.deck.step('substep', -1),
@@ -74,7 +74,7 @@ export function createActions(targets: ActionTargets): Actions {
 }
 
 /** The actions of the panel's buttons. */
-function buttonActs(
+function buttonActions(
   targets: ActionTargets,
   operator: OperatorActions,
   hop: { endsAt: number },

@@ -52,7 +52,7 @@ function actionsOf(targets: OperatorTargets): OperatorActions {
   const state = { ...AT_FIRST };
   const pause = () => togglePause(targets, state);
   return {
-    ...networkActs(targets, state),
+    ...networkActions(targets, state),
     ...shipActions(targets),
     pause,
     stepSubstep() {
@@ -81,7 +81,7 @@ function actionsOf(targets: OperatorTargets): OperatorActions {
   };
 }
 
-function networkActs(targets: OperatorTargets, state: OperatorState) {
+function networkActions(targets: OperatorTargets, state: OperatorState) {
   const { live, panel, banner } = targets;
   return {
     spike() {

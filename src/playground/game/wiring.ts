@@ -37,7 +37,7 @@ export function wirePage(page: Page): Parts {
           parts.live.operate({ kind: 'drag', offset, begins }),
         );
   parts.flightLink = wireFlightLink(page, parts);
-  parts.actions = wireActs(page, parts);
+  parts.actions = wireActions(page, parts);
   parts.devices = wireDevices(page, parts);
   parts.game = wireGame(page, parts);
   parts.cockpit = wireCockpit(page, parts);
@@ -102,7 +102,7 @@ function wirePanel({ part, document, choices, notice }: Page, parts: Parts): Pan
   return panel;
 }
 
-function wireActs(page: Page, parts: Parts): Actions {
+function wireActions(page: Page, parts: Parts): Actions {
   const { banner, choices, document, sceneView } = page;
   return createActions({
     live: parts.live,

@@ -16,7 +16,7 @@ import { copyRow, type Track } from '../../simulation/track';
 import { spanOf } from '../../time/timeline';
 import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
 import { sameCommand } from '../../inputs/command';
-import { weighBounce } from './bounceFit';
+import { learnBounce } from './bounceFit';
 import type { Place } from './compare';
 import { type Judged, WINDOW } from './lawErrors';
 
@@ -31,11 +31,11 @@ const MAX_INTERVAL = 400;
 const PIECES = 10;
 
 /** Compares the errors of the dynamics and of extrapolation at the last state. Returns whether the ship changes between them. */
-export function weighLaw(sim: Simulation, track: Track, judged: Judged): boolean {
+export function chooseMotion(sim: Simulation, track: Track, judged: Judged): boolean {
   const { fit } = track;
   if (fit.carried === 'ground') return false;
   if (!isComparable(sim, track, judged)) return false;
-  weighBounce(sim, track, judged, spanOf(sim.timeline, judged.tick).tickRate);
+  learnBounce(sim, track, judged, spanOf(sim.timeline, judged.tick).tickRate);
   const slot = fit.count % WINDOW;
   fit.count += 1;
   const isCarried = fit.carried !== '';

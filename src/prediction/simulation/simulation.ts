@@ -15,6 +15,7 @@ import type * as bodySpin from '../snapshots/bodies/bodySpin';
 import { type BodySpin, createBodySpin } from '../snapshots/bodies/bodySpin';
 import { type BodyTrack, createBodyTrack } from '../snapshots/bodies/bodyTrack';
 import type { measureGameTime } from '../snapshots/gameTimeMeter';
+import type * as unsentTickRate from '../snapshots/unsentTickRate';
 import type { Receiver } from '../snapshots/receiver';
 import type { describeDifference } from '../snapshots/reconcile/compare';
 import type { Judged } from '../snapshots/reconcile/lawErrors';
@@ -73,6 +74,11 @@ export interface Features {
   /** Both values of a field that differed. */
   readonly describeDifference?: typeof describeDifference;
   readonly measureGameTime?: typeof measureGameTime;
+  /** Ticks of a server that does not send its rate. */
+  readonly tickRates?: {
+    readonly measureUnsentRate: typeof unsentTickRate.measureUnsentRate;
+    readonly sentUntimed: typeof unsentTickRate.sentUntimed;
+  };
   readonly spin?: {
     readonly spunMotion: typeof bodySpin.spunMotion;
     readonly measureByShip: typeof bodySpin.measureByShip;

@@ -10,8 +10,8 @@ import { measureByShip, spunMotion } from './snapshots/bodies/bodySpin';
 import { measureGameTime } from './snapshots/gameTimeMeter';
 import { describeDifference } from './snapshots/reconcile/compare';
 import { keepServerState } from './snapshots/reconcile/keepStates';
-import { weighLaw } from './snapshots/reconcile/lawFit';
-import { confirmEnd, confirmEvents, happened, settleEvents } from './snapshots/settleEvents';
+import { chooseMotion } from './snapshots/reconcile/lawFit';
+import { confirmEnd, confirmEvents, recordPredicted, settleEvents } from './snapshots/settleEvents';
 import { shipFault } from './snapshots/shipFault';
 import { takeHello } from './snapshots/takeHello';
 import { receiveRest, takeOlder, takePart, takeShips } from './snapshots/takeParts';
@@ -31,7 +31,7 @@ const feature = (name: string, parts: Partial<SessionFeatures>): Feature => ({ f
 
 const touchdown = { rewindLog, logSubstep, fillTouchdown };
 const spin = { spunMotion, measureByShip };
-const events = { happened, confirmEvents, settleEvents, confirmEnd };
+const events = { happened: recordPredicted, confirmEvents, settleEvents, confirmEnd };
 const acknowledgements = { acknowledgementOf, takeAcknowledgement };
 const tickRates = { measureUnsentRate, sentUntimed };
 const parts = { takeShips, takeOlder, takePart, receiveRest };
@@ -40,7 +40,7 @@ const parts = { takeShips, takeOlder, takePart, receiveRest };
 export const learnedGround: Feature = feature('learnedGround', { learnGround });
 
 /** Extrapolates a ship that the server moves by other dynamics (PREDICTION, Foreign dynamics). */
-export const foreignDynamics: Feature = feature('foreignDynamics', { weighLaw });
+export const foreignDynamics: Feature = feature('foreignDynamics', { weighLaw: chooseMotion });
 
 /** Records the own ship's last touchdown: `touchdown` of its view, for the HUD's touchdown card. */
 export const touchdownRecord: Feature = feature('touchdownRecord', { touchdown });
@@ -80,8 +80,24 @@ export const roundTripPings: Feature = feature('roundTripPings', { takePong, pin
 
 /** What createPredictor has. */
 export const ALL_FEATURES: SessionFeatures = Object.freeze({
-  ...{ learnGround, weighLaw, touchdown, events, announce, acknowledgements, completeBodies, parts },
-  ...{ shipFault, describeDifference, measureGameTime, tickRates, spin, takeHello, faultOfConstants },
-  ...{ takePong, pingIfDue, terrains: TERRAINS, checkRollback },
+  learnGround,
+  weighLaw: chooseMotion,
+  touchdown,
+  events,
+  announce,
+  acknowledgements,
+  completeBodies,
+  parts,
+  shipFault,
+  describeDifference,
+  measureGameTime,
+  tickRates,
+  spin,
+  takeHello,
+  faultOfConstants,
+  takePong,
+  pingIfDue,
+  terrains: TERRAINS,
+  checkRollback,
   interpolation: { keep: keepServerState, writeBetween, turnWithBody },
 });

@@ -10,7 +10,7 @@ import { guardTerrain } from './ground/guardTerrain';
 import { createDiagnosis } from './diagnosis';
 import { springsOf } from './drawn/ease';
 import type { Diagnosis, EventNotice } from './drawn/view';
-import { createShown, type Shown } from './drawn/worldView';
+import { createViewBuilder, type ViewBuilder } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
 import { createSending, type Sending } from './inputs/sending';
 import { BUDGET, defaultWorld, type PredictorOptions } from './options';
@@ -51,7 +51,7 @@ export interface Session {
   readonly pace: Pace;
   readonly listeners: Set<(notice: EventNotice) => void>;
   sim: Simulation;
-  shown: Shown;
+  viewBuilder: ViewBuilder;
   /** The world in force: the defaults until a hello has another. */
   config: WorldConfig;
   granularity: Hello['inputGranularity'];
@@ -89,7 +89,7 @@ export function createSession(options: PredictorOptions, features: SessionFeatur
     pace: createPace(options.maxSubstepsPerFrame ?? BUDGET),
     listeners: new Set(),
     sim,
-    shown: createShown(sim, springsOf(options.smoothing)),
+    viewBuilder: createViewBuilder(sim, springsOf(options.smoothing)),
     config: defaults,
     granularity: 'tick',
     setBack: 0,
@@ -123,7 +123,7 @@ function newSimulation(
 /** Clears all ships and the timeline of the previous world; listeners stay. */
 export function beginWorld(session: Session, world: World, bodies: readonly BodyMotion[]): void {
   session.sim = newSimulation(world, bodies, session);
-  session.shown = createShown(session.sim, springsOf(session.options.smoothing));
+  session.viewBuilder = createViewBuilder(session.sim, springsOf(session.options.smoothing));
   forgetSchedule(session.clock);
   forgetPast(session.receiver);
 }

@@ -21,7 +21,7 @@ export {
   type ShipStateJson,
 } from './json/shipStateJson';
 /** Why a string cannot be a name or an id on the wire. */
-export { textComplaint } from './fields/reading';
+export { textFault as textComplaint } from './fields/reading';
 /** Limits of a message. */
 export {
   MAX_BODIES,

@@ -61,7 +61,10 @@ export function measureGameTime(meter: GameTimeMeter, frame: Measured, sent: num
   meter.bodies = frame.bodies;
   meter.ships = frame.ships;
   if (seconds > 0)
-    weigh(meter, seconds / ticks, { sent: (sent ?? 1) / tickRate, isExact: !Number.isNaN(exact) });
+    acceptMeasurement(meter, seconds / ticks, {
+      sent: (sent ?? 1) / tickRate,
+      isExact: !Number.isNaN(exact),
+    });
   return scaleOf(meter, tickRate);
 }
 
@@ -69,7 +72,7 @@ function scaleOf({ perTick }: GameTimeMeter, tickRate: number): number | null {
   return Number.isNaN(perTick) ? null : perTick * tickRate;
 }
 
-function weigh(
+function acceptMeasurement(
   meter: GameTimeMeter,
   perTick: number,
   { sent, isExact }: { readonly sent: number; readonly isExact: boolean },

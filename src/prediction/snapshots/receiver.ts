@@ -56,9 +56,10 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     removed: new Map(),
     startsBodies: true,
     lastBodies: { tick: -1, bodies: [] },
-    ...{ eventsTick: 0, rest: null },
     gameTime: createGameTimeMeter(),
     tickRate: null,
+    eventsTick: 0,
+    rest: null,
     context: createSnapshotContext(),
   };
 }

@@ -120,14 +120,14 @@ export function integerIn(r: Reading, from: Fields, name: string, low: number, h
 /** A well-formed string of at most MAX_TEXT characters; empty when it is not sent. */
 export function textIn(r: Reading, from: Fields, name: string): string {
   const value = valueIn(r, from, name) ?? '';
-  const complaint = textComplaint(value);
+  const complaint = textFault(value);
   if (complaint === null) return value as string;
   refuse(r, name, complaint);
   return '';
 }
 
 /** Why `value` cannot be sent as a name or an id, or null. */
-export function textComplaint(value: unknown): string | null {
+export function textFault(value: unknown): string | null {
   if (typeof value !== 'string') return `expected a string, got ${describe(value)}`;
   if (value.length > MAX_TEXT) return `expected at most ${MAX_TEXT} characters, got ${value.length}`;
   return LONE_SURROGATE.test(value) ? 'expected well-formed Unicode' : null;

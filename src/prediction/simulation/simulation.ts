@@ -15,7 +15,6 @@ import type * as bodySpin from '../snapshots/bodies/bodySpin';
 import { type BodySpin, createBodySpin } from '../snapshots/bodies/bodySpin';
 import { type BodyTrack, createBodyTrack } from '../snapshots/bodies/bodyTrack';
 import type { measureGameTime } from '../snapshots/gameTimeMeter';
-import type * as unsentTickRate from '../snapshots/unsentTickRate';
 import type { Receiver } from '../snapshots/receiver';
 import type { describeDifference } from '../snapshots/reconcile/compare';
 import type { Judged } from '../snapshots/reconcile/lawErrors';
@@ -30,6 +29,7 @@ import { createFleet, createRowStep, type Fleet, type RowStep, type Track } from
 /** Takes something of a frame; received at client wall second `now`. */
 type TakeFrame = (sim: Simulation, receiver: Receiver, frame: ServerFrame) => void;
 type TakeFrameAt = (sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number) => void;
+type TimeFrame<Frame> = (sim: Simulation, receiver: Receiver, frame: Frame, now: number) => number | null;
 
 /** What only some clients need of a predictor, each with the functions that the simulation calls for it. */
 export interface Features {
@@ -76,8 +76,8 @@ export interface Features {
   readonly measureGameTime?: typeof measureGameTime;
   /** Ticks of a server that does not send its rate. */
   readonly tickRates?: {
-    readonly measureUnsentRate: typeof unsentTickRate.measureUnsentRate;
-    readonly sentUntimed: typeof unsentTickRate.sentUntimed;
+    readonly measureUnsentRate: TimeFrame<PartialFrame>;
+    readonly sentUntimed: TimeFrame<ServerFrame>;
   };
   readonly spin?: {
     readonly spunMotion: typeof bodySpin.spunMotion;

@@ -81,6 +81,7 @@ export {
   type LeanPredictor,
   measuredGameTime,
   measuredSpin,
+  measuredTickRate,
   type Policy,
   type Predictor,
   type PredictorCall,

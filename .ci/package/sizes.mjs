@@ -31,13 +31,13 @@ export const USES = [
   },
   {
     name: 'predictor, JSON, readouts',
-    most: 61,
+    most: 62,
     code: WHOLE,
     without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'with the checks of development',
-    most: 72,
+    most: 73,
     code: WHOLE,
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],
@@ -75,8 +75,14 @@ async function bundle(folder, code, conditions = ['production']) {
   const { build } = createRequire(import.meta.url)(tool('esbuild'));
   const { outputFiles } = await build({
     stdin: { contents: code, resolveDir: folder },
-    ...{ bundle: true, minify: true, write: false, format: 'esm', target: 'es2022', logLevel: 'error' },
-    ...{ conditions, external: ['three', 'three/*'] },
+    bundle: true,
+    minify: true,
+    write: false,
+    format: 'esm',
+    target: 'es2022',
+    logLevel: 'error',
+    conditions,
+    external: ['three', 'three/*'],
   });
   return outputFiles[0].text;
 }

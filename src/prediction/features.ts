@@ -10,12 +10,13 @@ import { measureByShip, spunMotion } from './snapshots/bodies/bodySpin';
 import { measureGameTime } from './snapshots/gameTimeMeter';
 import { describeDifference } from './snapshots/reconcile/compare';
 import { keepServerState } from './snapshots/reconcile/keepStates';
-import { weighLaw } from './snapshots/reconcile/lawFit';
-import { confirmEnd, confirmEvents, happened, settleEvents } from './snapshots/settleEvents';
+import { chooseMotion } from './snapshots/reconcile/lawFit';
+import { confirmEnd, confirmEvents, recordPredicted, settleEvents } from './snapshots/settleEvents';
 import { shipFault } from './snapshots/shipFault';
 import { takeHello } from './snapshots/takeHello';
 import { receiveRest, takeOlder, takePart, takeShips } from './snapshots/takeParts';
 import { takePong } from './snapshots/takePong';
+import { measureUnsentRate, sentUntimed } from './snapshots/unsentTickRate';
 import { pingIfDue } from './time/pings';
 import { fillTouchdown, logSubstep } from './touchdown/touchdownLog';
 import { rewindLog } from './touchdown/touchdownRewind';
@@ -30,15 +31,16 @@ const feature = (name: string, parts: Partial<SessionFeatures>): Feature => ({ f
 
 const touchdown = { rewindLog, logSubstep, fillTouchdown };
 const spin = { spunMotion, measureByShip };
-const events = { happened, confirmEvents, settleEvents, confirmEnd };
+const events = { happened: recordPredicted, confirmEvents, settleEvents, confirmEnd };
 const acknowledgements = { acknowledgementOf, takeAcknowledgement };
+const tickRates = { measureUnsentRate, sentUntimed };
 const parts = { takeShips, takeOlder, takePart, receiveRest };
 
 /** Learns where the server's ground differs from the client's (PREDICTION, Learned ground). */
 export const learnedGround: Feature = feature('learnedGround', { learnGround });
 
 /** Extrapolates a ship that the server moves by other dynamics (PREDICTION, Foreign dynamics). */
-export const foreignDynamics: Feature = feature('foreignDynamics', { weighLaw });
+export const foreignDynamics: Feature = feature('foreignDynamics', { weighLaw: chooseMotion });
 
 /** Records the own ship's last touchdown: `touchdown` of its view, for the HUD's touchdown card. */
 export const touchdownRecord: Feature = feature('touchdownRecord', { touchdown });
@@ -64,6 +66,9 @@ export const mismatchValues: Feature = feature('mismatchValues', { describeDiffe
 /** Measures the game time per tick of a server that does not send it, or another (PREDICTION, Timeline). */
 export const measuredGameTime: Feature = feature('measuredGameTime', { measureGameTime });
 
+/** Measures the tick rate of a server that does not send it (PREDICTION, Timeline). */
+export const measuredTickRate: Feature = feature('measuredTickRate', { tickRates });
+
 /** Measures the spin of bodies that turn otherwise than sent. */
 export const measuredSpin: Feature = feature('measuredSpin', { spin });
 
@@ -75,8 +80,24 @@ export const roundTripPings: Feature = feature('roundTripPings', { takePong, pin
 
 /** What createPredictor has. */
 export const ALL_FEATURES: SessionFeatures = Object.freeze({
-  ...{ learnGround, weighLaw, touchdown, events, announce, acknowledgements, completeBodies, parts },
-  ...{ shipFault, describeDifference, measureGameTime, spin, takeHello, faultOfConstants },
-  ...{ takePong, pingIfDue, terrains: TERRAINS, checkRollback },
+  learnGround,
+  weighLaw: chooseMotion,
+  touchdown,
+  events,
+  announce,
+  acknowledgements,
+  completeBodies,
+  parts,
+  shipFault,
+  describeDifference,
+  measureGameTime,
+  tickRates,
+  spin,
+  takeHello,
+  faultOfConstants,
+  takePong,
+  pingIfDue,
+  terrains: TERRAINS,
+  checkRollback,
   interpolation: { keep: keepServerState, writeBetween, turnWithBody },
 });

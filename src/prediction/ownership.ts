@@ -23,13 +23,13 @@ export function changeOwnShip(session: Session, shipId: string): void {
   pilot.last = null;
   pilot.released = null;
   const { fleet } = sim;
-  if (fleet.own !== null) giveUp(sim, fleet.own);
+  if (fleet.own !== null) releaseShip(sim, fleet.own);
   fleet.own = fleet.byId.get(shipId) ?? null;
   if (fleet.own !== null) fleet.own.own = true;
 }
 
 /** The ship now belongs to another pilot or to none: it returns to its server state, without the client's inputs. */
-function giveUp(sim: Simulation, track: Track): void {
+function releaseShip(sim: Simulation, track: Track): void {
   track.own = false;
   track.log = null;
   if (track.mode === 'sleeping') {

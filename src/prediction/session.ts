@@ -10,12 +10,11 @@ import { guardTerrain } from './ground/guardTerrain';
 import { createDiagnosis } from './diagnosis';
 import { springsOf } from './drawn/ease';
 import type { Diagnosis, EventNotice } from './drawn/view';
-import { createShown, type Shown } from './drawn/worldView';
+import { createViewBuilder, type ViewBuilder } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
 import { createSending, type Sending } from './inputs/sending';
 import { BUDGET, defaultWorld, type PredictorOptions } from './options';
 import { createSimulation, type Features, type Simulation } from './simulation/simulation';
-import { createGameTimeMeter, forgetGameTime, type GameTimeMeter } from './snapshots/gameTimeMeter';
 import { createPendingFrames, type PendingFrames } from './snapshots/pendingFrames';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
 import { loadConfig, type WorldConfig } from './snapshots/worldConfig';
@@ -51,9 +50,8 @@ export interface Session {
   readonly pending: PendingFrames;
   readonly pace: Pace;
   readonly listeners: Set<(notice: EventNotice) => void>;
-  readonly meter: GameTimeMeter;
   sim: Simulation;
-  shown: Shown;
+  viewBuilder: ViewBuilder;
   /** The world in force: the defaults until a hello has another. */
   config: WorldConfig;
   granularity: Hello['inputGranularity'];
@@ -90,9 +88,8 @@ export function createSession(options: PredictorOptions, features: SessionFeatur
     pending: createPendingFrames(),
     pace: createPace(options.maxSubstepsPerFrame ?? BUDGET),
     listeners: new Set(),
-    meter: createGameTimeMeter(),
     sim,
-    shown: createShown(sim, springsOf(options.smoothing)),
+    viewBuilder: createViewBuilder(sim, springsOf(options.smoothing)),
     config: defaults,
     granularity: 'tick',
     setBack: 0,
@@ -126,10 +123,9 @@ function newSimulation(
 /** Clears all ships and the timeline of the previous world; listeners stay. */
 export function beginWorld(session: Session, world: World, bodies: readonly BodyMotion[]): void {
   session.sim = newSimulation(world, bodies, session);
-  session.shown = createShown(session.sim, springsOf(session.options.smoothing));
+  session.viewBuilder = createViewBuilder(session.sim, springsOf(session.options.smoothing));
   forgetSchedule(session.clock);
   forgetPast(session.receiver);
-  forgetGameTime(session.meter);
 }
 
 /** Calls each listener; one that throws does not affect the others. */

@@ -21,14 +21,13 @@ export {
   type ShipStateJson,
 } from './json/shipStateJson';
 /** Why a string cannot be a name or an id on the wire. */
-export { textComplaint } from './fields/reading';
+export { textFault as textComplaint } from './fields/reading';
 /** Limits of a message. */
 export {
   MAX_BODIES,
   MAX_CLIENT_BYTES,
   MAX_INPUTS,
   MAX_SERVER_BYTES,
-  MAX_SHIP_CLASSES,
   MAX_SHIPS,
   MAX_TEXT,
   MAX_TICK,

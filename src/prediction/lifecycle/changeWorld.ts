@@ -19,7 +19,7 @@ import { forgetLogsAfter } from '../touchdown/touchdownRing';
  * @param config the config from which `world` was created
  */
 export function changeWorld(session: Session, world: World, config: WorldConfig): void {
-  const { sim, shown } = session;
+  const { sim, viewBuilder } = session;
   session.config = config;
   if (sim.newestTick < 0 || !sameBodies(sim.world, world)) {
     beginWorld(session, world, config.bodies);
@@ -36,7 +36,7 @@ export function changeWorld(session: Session, world: World, config: WorldConfig)
   forgetBodiesAfter(sim.bodies, sim.newestTick);
   for (const track of sim.fleet.tracks) carryOver(sim, track, before);
   sim.frontIsStale = true;
-  showWorld(shown, sim);
+  showWorld(viewBuilder, sim);
 }
 
 /** Converts the ship's rows to the new world and puts it out of step until it has been replayed. */

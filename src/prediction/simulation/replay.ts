@@ -1,5 +1,5 @@
 import { CRASHED, NO_EVENT } from '../../dynamics';
-import { easeCorrection, holdDrawn, seeDrawn } from '../drawn/correction';
+import { easeCorrection, holdDrawn, captureDrawn } from '../drawn/correction';
 import { uprights } from '../drawn/snap/uprighting';
 import { indexOf } from '../time/timeline';
 import { keepLog } from '../touchdown/touchdownRing';
@@ -87,7 +87,7 @@ function replaySubstep(sim: Simulation, track: Track, step: RowStep): void {
 function arrive(sim: Simulation, track: Track, step: RowStep): void {
   const { fleet } = sim;
   const { at } = track;
-  const shown = seeDrawn(sim, track);
+  const shown = captureDrawn(sim, track);
   const respawned = fleet.front[at + CRASHED]! > step.rows[at + CRASHED]!;
   copyRow(fleet.previous, at, step.before, 0);
   copyRow(fleet.front, at, step.rows, at);

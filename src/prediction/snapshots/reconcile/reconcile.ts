@@ -133,11 +133,11 @@ function settle(
     return;
   }
   track.agreedTick = context.tick;
-  agree(sim, track, context);
+  keepPrediction(sim, track, context);
 }
 
 /** The states are equal: the local one is kept. */
-function agree(sim: Simulation, track: Track, context: SnapshotContext): void {
+function keepPrediction(sim: Simulation, track: Track, context: SnapshotContext): void {
   const { front } = sim;
   const sent = context.compared.server.rows;
   if (track.mode === 'sleeping') {

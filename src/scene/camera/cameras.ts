@@ -58,8 +58,8 @@ export function aimCamera(
   camera.lookAt(focus[0]! - eye[0]!, focus[1]! - eye[1]!, focus[2]! - eye[2]!);
 }
 
-/** Tangent of the angle below the picture's centre at which the pad is kept: half of the way to the edge of a wide picture. */
-const PAD_BELOW = 0.23;
+/** Tangent of the angle below the picture's centre at which the pad is kept: above the panels at the lower edge. */
+const PAD_BELOW = 0.18;
 /** m of the feet over the pad: from the upper one down the view sinks, and from the lower one on the ship is seen from the side. */
 const PAD_HIGH = 18;
 const PAD_LOW = 4;

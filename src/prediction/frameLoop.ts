@@ -6,7 +6,8 @@ import { runReplays } from './simulation/replay';
 import { stepFront } from './simulation/front';
 import type { Simulation } from './simulation/simulation';
 import { isFarBehind, realign } from './snapshots/reconcile/realign';
-import { horizonOf } from './time/cadence';
+import { horizonOf, silentHorizonOf } from './time/cadence';
+import { answersPings } from './time/clock';
 import { advanceClock } from './time/present';
 import { keepPace } from './time/pace';
 import {
@@ -58,7 +59,10 @@ function areControls({ warn }: Session, given: unknown): boolean {
 function alignFront(session: Session, now: number): Position {
   const { sim, clock, pilot, counters, advancedAt: advancedBefore } = session;
   const { timing, timeScale, tickRate, paused } = spanOf(sim.timeline, sim.newestTick);
-  const horizon = paused ? Number.POSITIVE_INFINITY : horizonOf(sim.cadence, tickRate);
+  const reach = answersPings(clock)
+    ? horizonOf(sim.cadence, tickRate)
+    : silentHorizonOf(sim.cadence, tickRate);
+  const horizon = paused ? Number.POSITIVE_INFINITY : reach;
   const limit = wallOfTick(sim.timeline, sim.newestTick) + horizon;
   const jumped = advanceClock(clock, now, { deadZone: timing.dt / timeScale / 2, limit });
   const absent = wasAbsent(session, now);

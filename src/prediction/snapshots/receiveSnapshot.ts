@@ -27,13 +27,15 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
     sim.features.parts?.takeOlder(sim, receiver, frame, now);
     return;
   }
-  receiver.acceptedAt = now;
   receiver.jump.count = 0;
-  if (kind === 'part') sim.features.parts?.takePart(sim, receiver, frame, now);
-  else {
+  if (kind === 'part') {
+    receiver.acceptedAt = now;
+    sim.features.parts?.takePart(sim, receiver, frame, now);
+  } else {
     const isSpaced = sim.newestTick >= 0 && receiver.tickRate?.isKnown !== false;
     noteSend(sim.cadence, isSpaced ? frame.tick - sim.newestTick : 0);
     followTempo(sim, receiver, frame, now);
+    receiver.acceptedAt = now;
     receiver.newest = frame.tick;
     receiver.fresh = false;
     const { substeps } = spanOf(sim.timeline, frame.tick).timing;

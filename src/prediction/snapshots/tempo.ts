@@ -2,7 +2,7 @@ import type { ServerFrame } from '../../wire';
 import { forgetAfter } from '../simulation/history';
 import { hold } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
-import { followTickRate } from '../time/cadence';
+import { followTickRate, OVERDUE, sendSeconds } from '../time/cadence';
 import { sampleDown, sentAt } from '../time/clock';
 import { setTempo, spanOf, wallOfTick } from '../time/timeline';
 import { forgetLogsAfter } from '../touchdown/touchdownRing';
@@ -13,6 +13,7 @@ import type { Receiver } from './receiver';
 /** Takes the clock sample and the tempo of a frame; if the tempo changed, everything after its tick is simulated again. */
 export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const { timeline } = sim;
+  const { clock } = receiver;
   const first = timeline.spans.length === 0;
   const wasPaused = !first && spanOf(timeline, frame.tick).paused;
   const untimed =
@@ -20,7 +21,8 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
       ? null
       : (sim.features.tickRates?.sentUntimed(sim, receiver, frame, now) ?? null);
   const wall = untimed ?? (wasPaused ? wallAfterPause(sim, receiver, now) : null);
-  if (!first && wall === null) sampleDown(receiver.clock, wallOfTick(timeline, frame.tick), now);
+  if (!first && wall === null)
+    sampleDown(clock, wallOfTick(timeline, frame.tick), now, isOverdue(sim, receiver, now));
   const resumes = wasPaused && !frame.paused;
   const changes = untimed !== null || (!first && differs(sim, frame));
   // The present pose is of the old tempo.
@@ -29,9 +31,18 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
   // At which of the ticks since the last frame the tempo changed is not sent.
   if (changes && frame.tick > sim.newestTick + 1) sim.bodiesKnown = false;
   setTempo(timeline, frame.tick, frame, resumes || frame.tick > sim.newestTick ? wall : null);
-  if (first) sampleDown(receiver.clock, 0, now);
+  if (first) sampleDown(clock, 0, now);
   if (changes) retime(sim, frame.tick);
   sim.newestTick = frame.tick;
+}
+
+/** Whether no frame has come for longer than usual. */
+function isOverdue(
+  { cadence, timeline, newestTick }: Simulation,
+  { acceptedAt }: Receiver,
+  now: number,
+): boolean {
+  return now - acceptedAt > sendSeconds(cadence, spanOf(timeline, newestTick).tickRate) + OVERDUE;
 }
 
 /** A paused server keeps its schedule: a pause lasts a whole number of ticks. */

@@ -50,3 +50,16 @@ export function horizonOf(cadence: Cadence, tickRate: number): number {
 }
 
 const HORIZON = 5;
+
+/**
+ * The same for a server that answers no pings, where a pause shows only as silence: until its next send is overdue, by the longest of the
+ * last ones.
+ */
+export function silentHorizonOf(cadence: Cadence, tickRate: number): number {
+  let longest = 0;
+  for (const ticks of cadence.recent) longest = Math.max(longest, ticks);
+  return longest === 0 ? horizonOf(cadence, tickRate) : longest / tickRate + OVERDUE;
+}
+
+/** A send this late is overdue, s: more than jitter delays it. */
+export const OVERDUE = 0.5;

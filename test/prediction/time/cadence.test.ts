@@ -6,6 +6,7 @@ import {
   horizonOf,
   noteSend,
   sendSeconds,
+  silentHorizonOf,
 } from '../../../src/prediction/time/cadence';
 
 /** 20 Hz, sent every 10 s. */
@@ -21,6 +22,16 @@ describe('how often a server sends', () => {
     noteSend(cadence, 400);
     expect(sendSeconds(cadence, 20)).toBe(10);
     expect(horizonOf(cadence, 20)).toBe(30);
+  });
+
+  it('bounds the prediction of a server that answers no pings by the longest of the last intervals', () => {
+    const cadence = known();
+    expect(silentHorizonOf(cadence, 20)).toBe(10.5);
+    noteSend(cadence, 400);
+    expect(silentHorizonOf(cadence, 20)).toBe(20.5);
+    for (let k = 0; k < 7; k++) noteSend(cadence, 200);
+    expect(silentHorizonOf(cadence, 20)).toBe(10.5);
+    expect(silentHorizonOf(createCadence(), 20)).toBe(5);
   });
 
   it('is one tick until the second send', () => {

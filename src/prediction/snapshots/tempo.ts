@@ -2,7 +2,7 @@ import type { ServerFrame } from '../../wire';
 import { forgetAfter } from '../simulation/history';
 import { hold } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
-import { followTickRate, OVERDUE, sendSeconds } from '../time/cadence';
+import { followTickRate, silentHorizonOf } from '../time/cadence';
 import { sampleDown, sentAt } from '../time/clock';
 import { setTempo, spanOf, wallOfTick } from '../time/timeline';
 import { forgetLogsAfter } from '../touchdown/touchdownRing';
@@ -21,8 +21,12 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
       ? null
       : (sim.features.tickRates?.sentUntimed(sim, receiver, frame, now) ?? null);
   const wall = untimed ?? (wasPaused ? wallAfterPause(sim, receiver, now) : null);
-  if (!first && wall === null)
-    sampleDown(clock, wallOfTick(timeline, frame.tick), now, isOverdue(sim, receiver, now));
+  if (first) sampleDown(clock, 0, now);
+  else if (wall === null) {
+    const isOverdue =
+      now - receiver.acceptedAt > silentHorizonOf(sim.cadence, spanOf(timeline, frame.tick).tickRate);
+    sampleDown(clock, wallOfTick(timeline, frame.tick), now, isOverdue);
+  }
   const resumes = wasPaused && !frame.paused;
   const changes = untimed !== null || (!first && differs(sim, frame));
   // The present pose is of the old tempo.
@@ -31,18 +35,8 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
   // At which of the ticks since the last frame the tempo changed is not sent.
   if (changes && frame.tick > sim.newestTick + 1) sim.bodiesKnown = false;
   setTempo(timeline, frame.tick, frame, resumes || frame.tick > sim.newestTick ? wall : null);
-  if (first) sampleDown(clock, 0, now);
   if (changes) retime(sim, frame.tick);
   sim.newestTick = frame.tick;
-}
-
-/** Whether no frame has come for longer than usual. */
-function isOverdue(
-  { cadence, timeline, newestTick }: Simulation,
-  { acceptedAt }: Receiver,
-  now: number,
-): boolean {
-  return now - acceptedAt > sendSeconds(cadence, spanOf(timeline, newestTick).tickRate) + OVERDUE;
 }
 
 /** A paused server keeps its schedule: a pause lasts a whole number of ticks. */

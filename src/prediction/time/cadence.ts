@@ -62,4 +62,4 @@ export function silentHorizonOf(cadence: Cadence, tickRate: number): number {
 }
 
 /** A send this late is overdue, s: more than jitter delays it. */
-export const OVERDUE = 0.5;
+const OVERDUE = 0.5;

@@ -10,8 +10,6 @@ export interface TickRateMeter {
   rate: number;
   /** How much later than the least delayed frames the newest arrived, s. */
   late: number;
-  /** The server sends its rate. */
-  isSent: boolean;
   /** Whether the rate of the frame being received, and of the one before, is sent or measured; otherwise it is assumed. */
   isKnown: boolean;
   wasKnown: boolean;
@@ -44,15 +42,7 @@ const MIN_TICK_RATE = 0.1;
 export const MAX_TICK_RATE = 100;
 
 export function createTickRateMeter(): TickRateMeter {
-  return { arrivals: [], rate: Number.NaN, late: 0, isSent: false, isKnown: false, wasKnown: false };
-}
-
-/** Starts over for another world or timeline. */
-export function forgetTickRate(meter: TickRateMeter): void {
-  meter.arrivals.length = 0;
-  meter.rate = Number.NaN;
-  meter.isKnown = false;
-  meter.wasKnown = false;
+  return { arrivals: [], rate: Number.NaN, late: 0, isKnown: false, wasKnown: false };
 }
 
 /** Whether the game can have a tick rate, Hz. */

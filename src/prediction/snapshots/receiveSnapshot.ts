@@ -8,7 +8,7 @@ import { forgetSchedule } from '../time/clock';
 import { spanOf } from '../time/timeline';
 import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { classifySnapshot, type SnapshotKind } from './classify';
-import { forgetPast, type Receiver } from './receiver';
+import { forgetPast, isTimed, type Receiver } from './receiver';
 import { takeStates } from './takeStates';
 import { followTempo } from './tempo';
 
@@ -32,7 +32,7 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
     receiver.acceptedAt = now;
     sim.features.parts?.takePart(sim, receiver, frame, now);
   } else {
-    const isSpaced = sim.newestTick >= 0 && receiver.tickRate?.isKnown !== false;
+    const isSpaced = sim.newestTick >= 0 && isTimed(receiver);
     noteSend(sim.cadence, isSpaced ? frame.tick - sim.newestTick : 0);
     followTempo(sim, receiver, frame, now);
     receiver.acceptedAt = now;

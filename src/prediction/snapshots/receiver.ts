@@ -67,6 +67,11 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
   };
 }
 
+/** Whether the tick rate of the frame being received is sent or measured, not assumed. */
+export function isTimed({ tickRate }: Receiver): boolean {
+  return tickRate?.isKnown ?? true;
+}
+
 /** Starts over: earlier frames do not relate to later ones. */
 export function forgetPast(receiver: Receiver): void {
   receiver.jump.count = 0;

@@ -59,7 +59,7 @@ export interface FrameJsonOptions {
  */
 export function decodeFrameJson(value: unknown, options: FrameJsonOptions = {}): Result<DecodedFrame> {
   const mistaken = notPlain(value);
-  if (mistaken !== '') return err(`message: expected a parsed JSON object, got ${mistaken}`);
+  if (mistaken !== null) return err(`message: expected a parsed JSON object, got ${mistaken}`);
   const r = beginReading('json');
   const from = fieldsOf(r, value);
   if (r.reason === null && valueIn(r, from, 'tick') === undefined) refuse(r, 'tick', missingTick(value));
@@ -83,7 +83,7 @@ export function decodeFrameJson(value: unknown, options: FrameJsonOptions = {}):
 /** Where a frame without a tick has it, if it is still in its envelope. */
 function missingTick(message: unknown): string {
   const member = wrappedIn(message, ['tick', 'ships']);
-  return member === '' ? 'missing' : `missing; it is in the message's ${member}: pass that`;
+  return member === null ? 'missing' : `missing; it is in the message's ${member}: pass that`;
 }
 
 type Tempo = Pick<PartialFrame, 'tickRate' | 'timeScale' | 'gameTime' | 'paused'>;

@@ -53,7 +53,7 @@ const DEFAULT_FIELDS: Fields = { settings: {}, tick_rate: 1, time_scale: 1, inpu
  */
 export function decodeHelloJson(value: unknown): Result<DecodedHello> {
   const mistaken = notPlain(value);
-  if (mistaken !== '') return err(`message: expected a parsed JSON object, got ${mistaken}`);
+  if (mistaken !== null) return err(`message: expected a parsed JSON object, got ${mistaken}`);
   const r = beginReading('json');
   const sent = fieldsOf(r, value);
   const isFrame = valueIn(r, sent, 'ships') !== undefined;

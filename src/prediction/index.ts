@@ -20,6 +20,11 @@ export {
   touchdownRecord,
   serverHello,
   roundTripPings,
+  groundedGhost,
+  replayedImpacts,
+  sleepingShips,
+  substepBudget,
+  unloadedGround,
 } from './features';
 export type { ClientTerrain, Defaults, PredictorOptions } from './options';
 /** Why a ship is removed, and warnings to the caller. */

@@ -119,8 +119,8 @@ function newSimulation(
   bodies: readonly BodyMotion[],
   { options, features, counters, warn }: Pick<Session, 'options' | 'features' | 'counters' | 'warn'>,
 ): Simulation {
-  const sleeps = (options.forcedRollback ?? 0) === 0;
-  return createSimulation(world, bodies, { features, counters, warn, sleeps, plan: options.plan ?? [] });
+  const sleep = (options.forcedRollback ?? 0) > 0 ? null : (features.sleep ?? null);
+  return createSimulation(world, bodies, { features, counters, warn, sleep, plan: options.plan ?? [] });
 }
 
 /** Clears all ships and the timeline of the previous world; listeners stay. */

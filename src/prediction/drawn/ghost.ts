@@ -17,13 +17,19 @@ import { type LevelGround, snapToLevel } from './snap/levelSnap';
 import type { Track } from '../simulation/track';
 import type { ShipView } from './view';
 
+/** The server's newest state as a ghost, in the body's axes, so that it turns with the body. */
+export function fillGhost(out: ShipView, { serverBodyAttitude }: Track): void {
+  rotateBack(out.ghostPosition, serverBodyAttitude, out.serverPosition);
+  seenFrom(out.ghostAttitude, serverBodyAttitude, out.serverAttitude);
+}
+
 /**
- * The server's newest state as a ghost: put on the drawn ground by the same function as the ship itself (PREDICTION, Drawing), because a
- * tipped ship's ghost would hover. In the body's axes, so that it turns with the body.
+ * The ghost is put on the drawn ground by the same function as the ship itself (PREDICTION, Drawing), because a
+ * tipped ship's ghost would hover.
  * @param drawn the drawn ground
  * @param exactly true: point by point, like the ship itself; false: as on level ground
  */
-export function fillGhost(
+export function groundGhost(
   out: ShipView,
   track: Track,
   world: World,
@@ -31,11 +37,9 @@ export function fillGhost(
   exactly: boolean,
 ): void {
   const body = world.bodies[track.serverRow[REFERENCE_BODY]!]!;
-  rotateBack(ghost.position, track.serverBodyAttitude, out.serverPosition);
-  seenFrom(ghost.attitude, track.serverBodyAttitude, out.serverAttitude);
+  ghost.position.set(out.ghostPosition);
+  ghost.attitude.set(out.ghostAttitude);
   ghost.grounded = track.serverRow[SURFACE_STATE] !== FLYING;
-  out.ghostPosition.set(ghost.position);
-  out.ghostAttitude.set(ghost.attitude);
   shape.shipClass = out.shipClass;
   shape.groundContactOffset = track.serverRow[GROUND_CONTACT_OFFSET]!;
   const { position } = ghost;

@@ -6,24 +6,29 @@ import {
   writeBodyMotion,
 } from '../../dynamics';
 import type { InputAcknowledgement, PartialFrame, ServerFrame, StateControls } from '../../wire';
-import type * as interpolate from '../drawn/interpolate';
+import type { rowOfPolicy } from '../drawn/interpolate';
 import type { Diagnosis, EventNotice } from '../drawn/view';
 import type { GroundNews } from '../ground/lastState';
-import { withoutGround } from '../ground/unknownGround';
+import type * as unknownGround from '../ground/unknownGround';
 import { createInputs, type InputOutcome, type Inputs, type ScheduledInput } from '../inputs/inputs';
 import type * as bodySpin from '../snapshots/bodies/bodySpin';
 import { type BodySpin, createBodySpin } from '../snapshots/bodies/bodySpin';
 import { type BodyTrack, createBodyTrack } from '../snapshots/bodies/bodyTrack';
 import type { measureGameTime } from '../snapshots/gameTimeMeter';
+import type { learnFrom } from '../snapshots/learnFrom';
 import type { Receiver } from '../snapshots/receiver';
 import type { describeDifference } from '../snapshots/reconcile/compare';
-import type { Judged } from '../snapshots/reconcile/lawErrors';
+import type { holdLaw, Judged } from '../snapshots/reconcile/lawErrors';
+import type { replayImpact } from '../snapshots/reconcile/recall';
 import { type Cadence, createCadence } from '../time/cadence';
 import { createTimeline, type Position, type Timeline } from '../time/timeline';
+import type { keepPace } from '../time/pace';
 import type * as touchdownLog from '../touchdown/touchdownLog';
-import type { Adopted } from '../touchdown/touchdownRing';
+import type * as touchdownRing from '../touchdown/touchdownRing';
+import type { groundGhost } from '../drawn/ghost';
 import type { Warn } from '../warnings';
 import { ringLength } from './history';
+import type * as sleep from './sleep';
 import { createFleet, createRowStep, type Fleet, type RowStep, type Track } from './track';
 
 /** Takes something of a frame; received at client wall second `now`. */
@@ -32,10 +37,30 @@ type TakeFrameAt = (sim: Simulation, receiver: Receiver, frame: ServerFrame, now
 
 /** What only some clients need of a predictor, each with the functions that the simulation calls for it. */
 export interface Features {
+  /** What each of the next three, and `spin`, learns by. */
+  readonly learning?: { readonly learnFrom: typeof learnFrom; readonly holdLaw: typeof holdLaw };
   readonly learnGround?: (sim: Simulation, track: Track, news: GroundNews) => void;
   readonly weighLaw?: (sim: Simulation, track: Track, judged: Judged) => boolean;
+  /** Ground that the client has not loaded. */
+  readonly unknownGround?: {
+    readonly knowsGround: typeof unknownGround.knowsGround;
+    readonly withoutGround: typeof unknownGround.withoutGround;
+  };
+  /** Extrapolates a ship. */
+  readonly carry?: (step: RowStep, sim: Simulation, track: Track) => void;
+  /** The impact speed of a contact that the prediction does not have. */
+  readonly replayImpact?: typeof replayImpact;
+  /** Keeps frames within the budget of substeps. */
+  readonly keepPace?: typeof keepPace;
+  /** Puts the server's state on the drawn ground. */
+  readonly groundGhost?: typeof groundGhost;
+  readonly sleep?: Sleep;
   readonly touchdown?: {
-    readonly rewindLog: (track: Track, sim: Simulation, to: Adopted) => void;
+    readonly rewindLog: (track: Track, sim: Simulation, to: touchdownRing.Adopted) => void;
+    readonly keepLog: typeof touchdownRing.keepLog;
+    readonly forgetLogsAfter: typeof touchdownRing.forgetLogsAfter;
+    readonly resizeLogs: typeof touchdownRing.resizeLogs;
+    readonly logLanded: typeof touchdownRing.logLanded;
     readonly logSubstep: typeof touchdownLog.logSubstep;
     readonly fillTouchdown: typeof touchdownLog.fillTouchdown;
   };
@@ -77,6 +102,7 @@ export interface Features {
     readonly spunMotion: typeof bodySpin.spunMotion;
     readonly measureByShip: typeof bodySpin.measureByShip;
   };
+  /** Ships that the caller chose not to predict. */
   readonly interpolation?: {
     readonly keep: (
       sim: Simulation,
@@ -84,8 +110,7 @@ export interface Features {
       row: Float64Array,
       of: { readonly tick: number; readonly bodies: Float64Array },
     ) => void;
-    readonly writeBetween: typeof interpolate.writeBetween;
-    readonly turnWithBody: typeof interpolate.turnWithBody;
+    readonly rowOfPolicy: typeof rowOfPolicy;
   };
   /** By the name in the hello; flat ground alone without. */
   readonly terrains?: Readonly<Record<string, TerrainHeight>>;
@@ -131,16 +156,28 @@ export interface Simulation {
   readonly counters: Diagnosis;
   /** Reports mistakes of the caller or the server; nothing stops. */
   readonly warn: Warn;
-  /** Landed ships that agree with the server sleep. Off while rollbacks are forced, which compare bits. */
-  readonly sleeps: boolean;
+  /** Landed ships that agree with the server sleep; null while rollbacks are forced, which compare bits. */
+  readonly sleep: Sleep | null;
 }
+
+export type Sleep = Pick<
+  typeof sleep,
+  | 'sleepIfAtRest'
+  | 'sleepAtFirst'
+  | 'sleepsOn'
+  | 'sleepsThrough'
+  | 'placeAsleep'
+  | 'holdSleeping'
+  | 'wakeIfBurning'
+  | 'writeSleeping'
+>;
 
 /** Options of a simulation, in addition to its world. */
 export interface SimulationOptions {
   readonly features: Features;
   readonly counters: Diagnosis;
   readonly warn: Warn;
-  readonly sleeps: boolean;
+  readonly sleep: Sleep | null;
   /** Scheduled inputs of the own ship. */
   readonly plan: readonly ScheduledInput[];
 }
@@ -149,13 +186,13 @@ export interface SimulationOptions {
 export function createSimulation(
   world: World,
   bodies: readonly BodyMotion[],
-  { features, counters, warn, sleeps, plan }: SimulationOptions,
+  { features, counters, warn, sleep, plan }: SimulationOptions,
 ): Simulation {
   const start = new Float64Array(bodies.length * BODY_STRIDE);
   for (const [i, motion] of bodies.entries()) writeBodyMotion(start, i * BODY_STRIDE, motion);
   return {
     world,
-    groundless: withoutGround(world),
+    groundless: features.unknownGround?.withoutGround(world) ?? world,
     timeline: createTimeline(world.settings.contactLongestSubstep),
     bodies: createBodyTrack(start, ringLength(1), 100),
     bodiesKnown: true,
@@ -175,6 +212,6 @@ export function createSimulation(
     features,
     counters,
     warn,
-    sleeps,
+    sleep,
   };
 }

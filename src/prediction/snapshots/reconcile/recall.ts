@@ -31,10 +31,19 @@ export function recalledImpact(
   const { row } = state;
   if (predicted !== null && isSameContact(row, predicted.rows, predicted.at))
     return predicted.rows[predicted.at + IMPACT_SPEED]!;
-  if (row[SURFACE_STATE] !== CONTACT || !canReplay(sim, track, state)) return 0;
+  return row[SURFACE_STATE] === CONTACT ? (sim.features.replayImpact?.(sim, track, state) ?? 0) : 0;
+}
+
+/** The impact speed of the contact in which the dynamics since the last state end, m/s; 0 without one. */
+export function replayImpact(
+  sim: Simulation,
+  track: Track,
+  state: { readonly row: Float64Array; readonly tick: number },
+): number {
+  if (!canReplay(sim, track, state)) return 0;
   const { evidence } = track;
   const replayed = replayTo(sim, track, { from: evidence.row, fromTick: evidence.tick, toTick: state.tick });
-  return isSameContact(row, replayed, 0) ? replayed[IMPACT_SPEED]! : 0;
+  return isSameContact(state.row, replayed, 0) ? replayed[IMPACT_SPEED]! : 0;
 }
 
 function isSameContact(row: Float64Array, rows: Float64Array, at: number): boolean {

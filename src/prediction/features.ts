@@ -4,6 +4,7 @@ import { groundGhost } from './drawn/ghost';
 import { rowOfPolicy } from './drawn/interpolate';
 import { learnGround } from './ground/learn';
 import { knowsGround, withoutGround } from './ground/unknownGround';
+import { GAME_CATALOGUE } from './options';
 import { announce, type SessionFeatures } from './session';
 import { carry } from './simulation/carry';
 import { checkRollback } from './simulation/rollbackCheck';
@@ -58,6 +59,9 @@ const spin = { spunMotion, measureByShip };
 const events = { happened: recordPredicted, confirmEvents, settleEvents, confirmEnd };
 const acknowledgements = { acknowledgementOf, takeAcknowledgement };
 const parts = { takeShips, takeOlder, takePart, receiveRest };
+
+/** The game's ship classes and bodies, for a page whose `defaults` have none of their own. */
+export const gameCatalogue: Feature = feature('gameCatalogue', { catalogue: GAME_CATALOGUE });
 
 /** Learns where the server's ground differs from the client's (PREDICTION, Learned ground). */
 export const learnedGround: Feature = feature('learnedGround', { learning, learnGround });
@@ -121,5 +125,6 @@ export const ALL_FEATURES: SessionFeatures = Object.freeze({
   ...{ groundGhost, touchdown, events, announce, acknowledgements, completeBodies, parts },
   ...{ shipFault, describeDifference, measureGameTime, spin, takeHello, faultOfConstants },
   ...{ takePong, pingIfDue, terrains: TERRAINS, checkRollback },
+  catalogue: GAME_CATALOGUE,
   interpolation: { keep: keepServerState, rowOfPolicy },
 });

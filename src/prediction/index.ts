@@ -20,6 +20,7 @@ export {
   touchdownRecord,
   serverHello,
   roundTripPings,
+  gameCatalogue,
   groundedGhost,
   replayedImpacts,
   sleepingShips,

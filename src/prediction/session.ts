@@ -13,7 +13,7 @@ import type { Diagnosis, EventNotice } from './drawn/view';
 import { createViewBuilder, type ViewBuilder } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
 import { createSending, type Sending } from './inputs/sending';
-import { BUDGET, defaultWorld, type PredictorOptions } from './options';
+import { BUDGET, type Catalogue, defaultWorld, type PredictorOptions } from './options';
 import { createSimulation, type Features, type Simulation } from './simulation/simulation';
 import { createGameTimeMeter, forgetGameTime, type GameTimeMeter } from './snapshots/gameTimeMeter';
 import { createPendingFrames, type PendingFrames } from './snapshots/pendingFrames';
@@ -28,6 +28,7 @@ import { createWarn, type Warn } from './warnings';
 export interface SessionFeatures extends Features {
   readonly takeHello: (session: Session, hello: Hello, now: number) => void;
   readonly takePong: (session: Session, pong: Pong, now: number) => void;
+  readonly catalogue?: Catalogue;
   /** Calls the listeners with the events. */
   readonly announce?: (session: Session) => void;
   /** Checks the settings and classes of a world. */
@@ -69,7 +70,12 @@ export interface Session {
 export function createSession(options: PredictorOptions, features: SessionFeatures): Session {
   const warn = createWarn(options.onWarning);
   const terrains = terrainsOf(options, features, warn);
-  const defaults = defaultWorld(options.defaults);
+  const defaults = defaultWorld(options.defaults, features.catalogue);
+  for (const name of ['shipClasses', 'bodies'] as const)
+    if (defaults[name].length === 0)
+      throw new RangeError(
+        `defaults.${name}: expected at least one; a lean predictor has the game's with the feature gameCatalogue`,
+      );
   const world = loadConfig(defaults, { terrains, features });
   if (!world.ok) throw new RangeError(`defaults: ${world.reason}`);
   const counters = createDiagnosis();

@@ -75,8 +75,14 @@ async function bundle(folder, code, conditions = ['production']) {
   const { build } = createRequire(import.meta.url)(tool('esbuild'));
   const { outputFiles } = await build({
     stdin: { contents: code, resolveDir: folder },
-    ...{ bundle: true, minify: true, write: false, format: 'esm', target: 'es2022', logLevel: 'error' },
-    ...{ conditions, external: ['three', 'three/*'] },
+    bundle: true,
+    minify: true,
+    write: false,
+    format: 'esm',
+    target: 'es2022',
+    logLevel: 'error',
+    conditions,
+    external: ['three', 'three/*'],
   });
   return outputFiles[0].text;
 }

@@ -113,12 +113,11 @@ export function requireConnection(options: GameConnectionOptions, handlers: Game
   if (/\s/.test(token))
     throw new RangeError(`options.token: expected the token alone, without "Bearer" or spaces`);
   const functions = {
-    ...{ 'options.clock.now': clock?.now, 'options.clock.after': clock?.after },
-    ...{
-      'options.jitter': given.jitter,
-      'options.openSocket': given.openSocket,
-      'handlers.onFrame': handlers.onFrame,
-    },
+    'options.clock.now': clock?.now,
+    'options.clock.after': clock?.after,
+    'options.jitter': given.jitter,
+    'options.openSocket': given.openSocket,
+    'handlers.onFrame': handlers.onFrame,
   };
   for (const [name, value] of Object.entries(functions))
     if (typeof value !== 'function')

@@ -2,6 +2,7 @@
 import { faultOfConstants, TERRAINS } from '../dynamics';
 import { groundGhost } from './drawn/ghost';
 import { rowOfPolicy } from './drawn/interpolate';
+import { snapToLevel } from './drawn/snap/levelSnap';
 import { learnGround } from './ground/learn';
 import { knowsGround, withoutGround } from './ground/unknownGround';
 import { GAME_CATALOGUE } from './options';
@@ -50,11 +51,24 @@ const feature = (name: string, parts: Partial<SessionFeatures>): Feature => ({ f
 const learning = { learnFrom, holdLaw };
 const unknownGround = { knowsGround, withoutGround };
 const sleep = {
-  ...{ sleepIfAtRest, sleepAtFirst, sleepsOn, sleepsThrough, placeAsleep },
-  ...{ holdSleeping, wakeIfBurning, writeSleeping },
+  sleepIfAtRest,
+  sleepAtFirst,
+  sleepsOn,
+  sleepsThrough,
+  placeAsleep,
+  holdSleeping,
+  wakeIfBurning,
+  writeSleeping,
 };
-const logs = { keepLog, forgetLogsAfter, resizeLogs, logLanded };
-const touchdown = { rewindLog, logSubstep, fillTouchdown, ...logs };
+const touchdown = {
+  rewindLog,
+  logSubstep,
+  fillTouchdown,
+  keepLog,
+  forgetLogsAfter,
+  resizeLogs,
+  logLanded,
+};
 const spin = { spunMotion, measureByShip };
 const events = { happened: recordPredicted, confirmEvents, settleEvents, confirmEnd };
 const acknowledgements = { acknowledgementOf, takeAcknowledgement };
@@ -68,7 +82,9 @@ export const learnedGround: Feature = feature('learnedGround', { learning, learn
 
 /** Extrapolates a ship that the server moves by other dynamics (PREDICTION, Foreign dynamics). */
 export const foreignDynamics: Feature = feature('foreignDynamics', {
-  ...{ learning, weighLaw: chooseMotion, carry },
+  learning,
+  weighLaw: chooseMotion,
+  carry,
 });
 
 /** Extrapolates ships above ground that the client has not loaded: where its terrain returns null (PREDICTION, Learned ground). */
@@ -77,8 +93,11 @@ export const unloadedGround: Feature = feature('unloadedGround', { learning, unk
 /** Lets landed ships sleep: they cost no substep while the server agrees (PREDICTION, Reconciliation). */
 export const sleepingShips: Feature = feature('sleepingShips', { sleep });
 
-/** Keeps `maxSubstepsPerFrame`: distant ships are not predicted while time is too fast for all (PREDICTION, Timeline). */
-export const substepBudget: Feature = feature('substepBudget', { keepPace });
+/**
+ * Keeps frames short with many ships: within `maxSubstepsPerFrame` distant ones are not predicted (PREDICTION, Timeline), and beyond 32 the
+ * ground below a ship is drawn as level.
+ */
+export const frameBudget: Feature = feature('frameBudget', { keepPace, snapToLevel });
 
 /** The impact speed of a contact that the prediction does not have, from a server that does not send it. */
 export const replayedImpacts: Feature = feature('replayedImpacts', { replayImpact });
@@ -121,10 +140,32 @@ export const roundTripPings: Feature = feature('roundTripPings', { takePong, pin
 
 /** What createPredictor has. */
 export const ALL_FEATURES: SessionFeatures = Object.freeze({
-  ...{ learning, learnGround, weighLaw: chooseMotion, carry, unknownGround, replayImpact, sleep, keepPace },
-  ...{ groundGhost, touchdown, events, announce, acknowledgements, completeBodies, parts },
-  ...{ shipFault, describeDifference, measureGameTime, spin, takeHello, faultOfConstants },
-  ...{ takePong, pingIfDue, terrains: TERRAINS, checkRollback },
+  learning,
+  learnGround,
+  weighLaw: chooseMotion,
+  carry,
+  unknownGround,
+  replayImpact,
+  sleep,
+  keepPace,
+  snapToLevel,
+  groundGhost,
+  touchdown,
+  events,
+  announce,
+  acknowledgements,
+  completeBodies,
+  parts,
+  shipFault,
+  describeDifference,
+  measureGameTime,
+  spin,
+  takeHello,
+  faultOfConstants,
+  takePong,
+  pingIfDue,
+  terrains: TERRAINS,
   catalogue: GAME_CATALOGUE,
+  checkRollback,
   interpolation: { keep: keepServerState, rowOfPolicy },
 });

@@ -20,11 +20,11 @@ export {
   touchdownRecord,
   serverHello,
   roundTripPings,
+  frameBudget,
   gameCatalogue,
   groundedGhost,
   replayedImpacts,
   sleepingShips,
-  substepBudget,
   unloadedGround,
 } from './features';
 export type { ClientTerrain, Defaults, PredictorOptions } from './options';

@@ -7,7 +7,10 @@ import { createVirtualClock } from './virtualClock';
 function openedDriver() {
   const sent: unknown[] = [];
   const socket: GameSocket = {
-    ...{ onopen: null, onmessage: null, onclose: null, onerror: null },
+    onopen: null,
+    onmessage: null,
+    onclose: null,
+    onerror: null,
     readyState: 1,
     send: (message) => sent.push(message),
     close: () => undefined,

@@ -195,7 +195,8 @@ describe('a fleet', () => {
 });
 
 const input = (tick: number, substep: number, thrustLevel: number): ScheduledInput => ({
-  ...{ tick, substep },
+  tick,
+  substep,
   controls: { ...NEUTRAL_CONTROLS, thrustLevel },
 });
 

@@ -44,14 +44,31 @@ interface Pace {
 
 export function createCalls(): Calls {
   return {
-    ...{ advances: 0, views: 0, frames: 0, unseen: 0 },
-    ...{ ownSeen: '', repeated: 0, fresh: 0, millisecondGaps: 0, slowGaps: 0 },
-    ...{ advancedAt: Number.NaN, receivedAt: Number.NaN },
-    ...{ takenAt: 0, takenBy: '' },
+    advances: 0,
+    views: 0,
+    frames: 0,
+    unseen: 0,
+    ownSeen: '',
+    repeated: 0,
+    fresh: 0,
+    millisecondGaps: 0,
+    slowGaps: 0,
+    advancedAt: Number.NaN,
+    receivedAt: Number.NaN,
+    takenAt: 0,
+    takenBy: '',
     pace: {
-      ...{ firstTick: Number.NaN, firstGameTime: Number.NaN, firstAt: Number.NaN },
-      ...{ tick: Number.NaN, at: Number.NaN, tickRate: 1, timeScale: Number.NaN },
-      ...{ wallDue: 0, gameDue: 0, late: 0, lateSince: Number.NaN },
+      firstTick: Number.NaN,
+      firstGameTime: Number.NaN,
+      firstAt: Number.NaN,
+      tick: Number.NaN,
+      at: Number.NaN,
+      tickRate: 1,
+      timeScale: Number.NaN,
+      wallDue: 0,
+      gameDue: 0,
+      late: 0,
+      lateSince: Number.NaN,
     },
   };
 }

@@ -6,14 +6,14 @@ import {
   REFERENCE_BODY,
   type LoadedShipClass,
   SURFACE_STATE,
-  type World,
 } from '../../dynamics';
-import { type DrawnGround, groundDirection, writeGroundRadius } from './snap/drawnGround';
+import { groundDirection, writeGroundRadius } from './snap/drawnGround';
 import { hullOfShip, LEGS } from './snap/hull';
 import { pose } from './pose';
 import { lengthOf, rotateBack, seenFrom } from './rotation';
 import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './snap/groundSnap';
-import { type LevelGround, snapToLevel } from './snap/levelSnap';
+import type { LevelGround } from './snap/levelSnap';
+import type { Scene } from './scene';
 import type { Track } from '../simulation/track';
 import type { ShipView } from './view';
 
@@ -26,14 +26,12 @@ export function fillGhost(out: ShipView, { serverBodyAttitude }: Track): void {
 /**
  * The ghost is put on the drawn ground by the same function as the ship itself (PREDICTION, Drawing), because a
  * tipped ship's ghost would hover.
- * @param drawn the drawn ground
  * @param exactly true: point by point, like the ship itself; false: as on level ground
  */
 export function groundGhost(
   out: ShipView,
   track: Track,
-  world: World,
-  drawn: DrawnGround,
+  { world, ground: drawn, snapToLevel }: Scene,
   exactly: boolean,
 ): void {
   const body = world.bodies[track.serverRow[REFERENCE_BODY]!]!;
@@ -54,7 +52,7 @@ export function groundGhost(
   // Too high to touch the ground, as for the ship itself.
   const reach = 2 * shape.groundContactOffset + out.shipClass.constants[LEG_RADIUS]!;
   if (distance - ground.radius > reach) return;
-  if (exactly) snapToGround(groundedPose, ghost, hullOfShip(shape), drawn);
+  if (exactly || snapToLevel === undefined) snapToGround(groundedPose, ghost, hullOfShip(shape), drawn);
   else snapToLevel(groundedPose, ghost, hullOfShip(shape), ground);
   out.ghostPosition.set(groundedPose.position);
 }

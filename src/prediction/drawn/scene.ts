@@ -1,5 +1,5 @@
 import type { World } from '../../dynamics';
-import type { Simulation } from '../simulation/simulation';
+import type { Features, Simulation } from '../simulation/simulation';
 import type { DrawnGround } from './snap/drawnGround';
 import type { GroundPose } from './snap/groundSnap';
 import type { Playback } from './interpolate';
@@ -18,6 +18,7 @@ export interface Scene {
   bodySpins: Float64Array[];
   /** Ships that may still be put on the ground point by point; for others the ground counts as level. */
   exactSnaps: number;
+  readonly snapToLevel: Features['snapToLevel'];
   readonly at: Instant;
   /** The instant at which interpolated ships are drawn. */
   readonly playback: { -readonly [K in keyof Playback]: Playback[K] };
@@ -37,6 +38,7 @@ export function createScene(sim: Simulation, springs: Springs): Scene {
     bodyAttitudes: sim.world.bodies.map(quaternion),
     bodySpins: sim.world.bodies.map(vector),
     exactSnaps: 0,
+    snapToLevel: sim.features.snapToLevel,
     at: {
       now: 0,
       present: 0,

@@ -99,7 +99,9 @@ function completed({ sim }: Session, frame: PartialFrame): PartialFrame {
   const { tickRate, timeScale, paused } = spanOf(sim.timeline, sim.newestTick);
   const rows = boundaryAt(sim.bodies, sim.timeline, sim.newestTick);
   const bodies = sim.world.bodies.map(({ name, mass, radius }, i) => ({
-    ...{ name, mass, radius },
+    name,
+    mass,
+    radius,
     ...readBodyMotion(rows, i * BODY_STRIDE),
   }));
   return { ...frame, tickRate, timeScale, paused, bodies };

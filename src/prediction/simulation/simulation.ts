@@ -26,6 +26,7 @@ import type { keepPace } from '../time/pace';
 import type * as touchdownLog from '../touchdown/touchdownLog';
 import type * as touchdownRing from '../touchdown/touchdownRing';
 import type { groundGhost } from '../drawn/ghost';
+import type { snapToLevel } from '../drawn/snap/levelSnap';
 import type { Warn } from '../warnings';
 import { ringLength } from './history';
 import type * as sleep from './sleep';
@@ -52,6 +53,8 @@ export interface Features {
   readonly replayImpact?: typeof replayImpact;
   /** Keeps frames within the budget of substeps. */
   readonly keepPace?: typeof keepPace;
+  /** Puts ships on level ground; without, all are put on the ground point by point. */
+  readonly snapToLevel?: typeof snapToLevel;
   /** Puts the server's state on the drawn ground. */
   readonly groundGhost?: typeof groundGhost;
   readonly sleep?: Sleep;

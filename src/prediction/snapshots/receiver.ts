@@ -51,7 +51,8 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     removed: new Map(),
     startsBodies: true,
     lastBodies: { tick: -1, bodies: [] },
-    ...{ eventsTick: 0, rest: null },
+    eventsTick: 0,
+    rest: null,
     context: createSnapshotContext(),
   };
 }

@@ -118,7 +118,8 @@ function flightRun(flight: Flight, timing: Timing, schedule: Schedule): TickRun 
   const apart = Math.max(1, Math.round(1 / (TRACK_RATE * timing.dt)));
   let flies = true;
   return {
-    ...{ timing, schedule },
+    timing,
+    schedule,
     before() {
       flies = ship[CRASHED] === 0;
       if (flies && flight.substeps % apart === 0) record(flight);

@@ -7,6 +7,8 @@ import {
   createPredictor,
   type Feature,
   foreignDynamics,
+  frameBudget,
+  gameCatalogue,
   groundedGhost,
   inputAcknowledgements,
   learnedGround,
@@ -21,7 +23,6 @@ import {
   serverHello,
   sleepingShips,
   snapshotParts,
-  substepBudget,
   surfaceEvents,
   touchdownRecord,
   unloadedGround,
@@ -69,7 +70,7 @@ const ALL = [
     surfaceEvents,
     touchdownRecord,
   ],
-  ...[groundedGhost, replayedImpacts, sleepingShips, substepBudget, unloadedGround],
+  ...[gameCatalogue, groundedGhost, replayedImpacts, sleepingShips, frameBudget, unloadedGround],
 ];
 
 /** Not an event. */
@@ -134,7 +135,9 @@ describe('a lean predictor', () => {
     const fly = (features: LeanOptions['features']) =>
       shown(createLeanPredictor({ ...options, features: features ?? [] }), ofGame, ['ping']);
     const whole = shown(createPredictor(options), ofGame, ['ping']);
-    expect(fly([touchdownRecord, surfaceEvents, mismatchValues, sleepingShips, groundedGhost])).toEqual(whole);
+    expect(fly([touchdownRecord, surfaceEvents, mismatchValues, sleepingShips, groundedGhost])).toEqual(
+      whole,
+    );
     expect(fly([]).join()).not.toContain('"known":true');
   });
 

@@ -56,15 +56,18 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
       aligned: scenario.settings.touchdownAttitude !== 'kept',
       ...difference.options,
       terrainHeight: groundOf(terrainHeight, difference.rise, { body, site: scenario.site }),
-      ...{ hz: flight.hz, every: Math.round(flight.hz / flight.sends) },
+      hz: flight.hz,
+      every: Math.round(flight.hz / flight.sends),
     },
   );
   const predictor = createPredictor({
     ownShipId: SHIP,
     terrains: { [scenario.terrain]: terrainHeight, flat: flatTerrain },
     defaults: {
-      ...{ settings: scenario.settings, terrain: scenario.terrain },
-      ...{ bodies: [body], shipClasses: [shipClass] },
+      settings: scenario.settings,
+      terrain: scenario.terrain,
+      bodies: [body],
+      shipClasses: [shipClass],
     },
     ...flight.predictor,
   });
@@ -89,7 +92,11 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
 
   send(server.frame(), 0);
   const rig: LiteralRig = {
-    ...{ loaded, server, predictor, terrainHeight, now: 0 },
+    loaded,
+    server,
+    predictor,
+    terrainHeight,
+    now: 0,
     frame(each) {
       frames += 1;
       rig.now = frames / 60;

@@ -81,8 +81,10 @@ function lawError(sim: Simulation, track: Track, { state, tick, predicted }: Jud
   if (track.fit.carried === '') return predicted === null ? 0 : errorOf(predicted, state);
   const { evidence } = track;
   made.rows = replayBetween(misfit, sim, track, {
-    ...{ from: evidence.row, fromTick: evidence.tick },
-    ...{ to: state.rows, toTick: tick },
+    from: evidence.row,
+    fromTick: evidence.tick,
+    to: state.rows,
+    toTick: tick,
   });
   made.bodies = state.bodies;
   return errorOf(made, state);

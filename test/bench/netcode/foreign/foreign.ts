@@ -159,7 +159,11 @@ export function* foreignFigures(): Generator<Figure> {
         (difference.rise === undefined || ours.wrongStatus <= WRONG_STATUS * contacts);
       yield {
         name: `${name}: drawn − server`,
-        ...{ unit: 'm', p50, p95, max, met },
+        unit: 'm',
+        p50,
+        p95,
+        max,
+        met,
         target:
           difference.rise === undefined
             ? 'no figure worse than gravity-only'

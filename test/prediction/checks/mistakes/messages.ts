@@ -52,7 +52,8 @@ export const MESSAGES: readonly Mistake[] = [
     /no ship is confirmed/,
     () => {
       const untold = {
-        ...{ ...frame, bodies: [] },
+        ...frame,
+        bodies: [],
         ships: [{ ...ship, relativePosition: null, relativeVelocity: null }],
       };
       return received(untold, { ...untold, tick: 3, tickRate: 2 });

@@ -16,13 +16,14 @@ export interface LeanOptions extends Omit<PredictorOptions, 'forcedRollback'> {
 /**
  * Creates a predictor that loads less: the same dynamics, reconciliation and drawing, bit for bit, as long as the server says what it
  * simulates. What createPredictor can do in addition is handed in (`features`) or missing: snapshot and restore, configure, policies,
- * undecoded messages, and all terrains but flat (`terrains: TERRAINS` has the others). `receive` takes what a decoder of this library
+ * undecoded messages, and all terrains but flat (`terrains: TERRAINS` has the others). `defaults` must have ship classes and bodies; the
+ * game's are in `gameCatalogue`. `receive` takes what a decoder of this library
  * returned; only with `checkedRecords` may it be given records of the caller's own making.
  * @throws RangeError that names the invalid option
  *
  * @example
  * ```ts
- * const predictor = createLeanPredictor({ ownShipId: 'ship-1', features: [learnedGround, touchdownRecord] });
+ * const predictor = createLeanPredictor({ ownShipId: 'ship-1', features: [gameCatalogue, touchdownRecord] });
  * predictor.advance(NEUTRAL_CONTROLS, now);
  * const { own } = predictor.view(now);
  * ```

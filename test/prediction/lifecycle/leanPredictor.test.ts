@@ -159,12 +159,16 @@ describe('a lean predictor', () => {
 });
 
 describe('a lean predictor without a feature', () => {
-  const received = (messages: readonly object[], features: LeanOptions['features'] = []) => {
+  const received = (messages: readonly object[], features: readonly Feature[] = []) => {
     const found: string[] = [];
     const onWarning: LeanOptions['onWarning'] = (code, message) => {
       if (code === 'feature-missing') found.push(message);
     };
-    const predictor = createLeanPredictor({ ownShipId: 'a', onWarning, features });
+    const predictor = createLeanPredictor({
+      ownShipId: 'a',
+      onWarning,
+      features: [gameCatalogue, ...features],
+    });
     for (const [i, message] of messages.entries()) {
       predictor.receive(message as ServerFrame, i);
       predictor.advance(null, i);

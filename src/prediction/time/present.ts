@@ -22,7 +22,7 @@ const STEER_DECAY = 0.004;
 /** A frame that takes longer is an absence, s. */
 const MAX_FRAME = 0.25;
 /** Coarsest clock of a page, s. */
-const MAX_GRAIN = 0.25;
+const MAX_CLOCK_STEP = 0.25;
 
 /** Limits of the present's movement. */
 export interface Pacing {
@@ -92,7 +92,7 @@ function measureClockStep(clock: Clock, elapsed: number): void {
     clock.stillCalls += 1;
     return;
   }
-  if (clock.stillCalls > 0 && elapsed <= MAX_GRAIN && elapsed > 0)
+  if (clock.stillCalls > 0 && elapsed <= MAX_CLOCK_STEP && elapsed > 0)
     clock.clockStep = clock.clockStep === 0 ? elapsed : Math.min(clock.clockStep, elapsed);
   else if (elapsed > 0 && elapsed < clock.clockStep * 0.9) clock.clockStep = 0;
   clock.stillCalls = 0;

@@ -18,7 +18,7 @@ import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
 import { sameCommand } from '../../inputs/command';
 import { learnBounce } from './bounceFit';
 import type { Place } from './compare';
-import { type Judged, WINDOW } from './lawErrors';
+import { type Judged, type LawFit, WINDOW } from './lawErrors';
 
 /** States needed for a decision. */
 const NEEDED = 3;
@@ -41,22 +41,20 @@ export function chooseMotion(sim: Simulation, track: Track, judged: Judged): boo
   const isCarried = fit.carried !== '';
   fit.law[slot] = judged.agrees && !isCarried ? 0 : lawError(sim, track, judged);
   fit.carry[slot] = judged.agrees && !isCarried ? 0 : carryError(sim, track, judged);
-  const states = Math.min(fit.count, WINDOW);
-  const law = sumOf(fit.law);
-  const carry = sumOf(fit.carry);
-  const next =
-    states < NEEDED
-      ? fit.carried
-      : isCarried
-        ? law <= carry + TAKEN_UP * states
-          ? ''
-          : 'law'
-        : law > WORSE * carry + NOTABLE * states
-          ? 'law'
-          : '';
+  const next = chosenMotion(fit);
   if (next === fit.carried) return false;
   fit.carried = next;
   return true;
+}
+
+/** What fits the last states better: '' for the dynamics, `law` for extrapolation. Near a tie the ship stays with what it has. */
+function chosenMotion(fit: LawFit): LawFit['carried'] {
+  const states = Math.min(fit.count, WINDOW);
+  if (states < NEEDED) return fit.carried;
+  const law = sumOf(fit.law);
+  const carry = sumOf(fit.carry);
+  if (fit.carried === '') return law > WORSE * carry + NOTABLE * states ? 'law' : '';
+  return law <= carry + TAKEN_UP * states ? '' : 'law';
 }
 
 /** Whether nothing but dynamics and ground determined the motion between the last state and this one. */

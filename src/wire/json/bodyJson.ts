@@ -4,7 +4,7 @@ import { refuseLoaded } from '../loaders';
 import { type Fields, nameIn, numberIn, type Reading, refuse } from '../fields/reading';
 import type { BodyState } from '../records';
 import { optionalQuaternionIn, optionalVectorIn, vectorIn } from '../fields/vectors';
-import type { spinIn } from './spin';
+import type { SpinReader } from './spin';
 
 /** Values for absent members of a body. */
 export interface BodyDefaults {
@@ -12,24 +12,24 @@ export interface BodyDefaults {
   readonly known: readonly (Body & BodyMotion)[];
   /** Game time of the message, s, which gives the rotation of a body with axis and period. */
   readonly time: number;
-  /** Reads axis and period; a reader without it ignores them. */
-  readonly spinIn?: typeof spinIn | undefined;
+  /** Without, axis and period are ignored. */
+  readonly spins?: SpinReader;
 }
 
 /**
  * A body. Without attitude or angular_velocity they are those of `spin_axis` (unit, ICRF) and `rotation_period`
  * (sidereal s, negative = retrograde); without these, the known body's of that name.
  */
-export function readBodyJson(r: Reading, from: Fields, { known, time, spinIn }: BodyDefaults): BodyState {
+export function readBodyJson(r: Reading, from: Fields, { known, time, spins }: BodyDefaults): BodyState {
   const name = nameIn(r, from, 'name');
   const own = known.find((body) => body.name === name);
-  const spin = spinIn?.(r, from, time);
+  const spin = spins?.read(r, from, time);
   const attitude = optionalQuaternionIn(r, from, 'attitude') ?? spin?.attitude ?? own?.attitude;
   const angularVelocity =
     optionalVectorIn(r, from, 'angular_velocity', RADIANS_PER_SECOND) ??
     spin?.angularVelocity ??
     own?.angularVelocity;
-  const missing = spinIn ? 'missing, and so are spin_axis and rotation_period' : 'missing';
+  const missing = spins?.missing ?? 'missing';
   if (attitude === undefined) refuse(r, 'attitude', missing);
   if (angularVelocity === undefined) refuse(r, 'angular_velocity', missing);
   const body: BodyState = {

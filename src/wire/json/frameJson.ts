@@ -30,7 +30,7 @@ import { type BodyDefaults, readBodyJson } from './bodyJson';
 import { entriesIn, type Partial, partIn } from './entries';
 import { notPlain, wrappedIn } from '../fields/sentObject';
 import { gameTimeIn } from './gameTime';
-import { spinIn } from './spin';
+import { SPIN_READER } from './spin';
 
 /** A frame from JSON, and what was left out of it. */
 export interface DecodedFrame extends PartialFrame {
@@ -59,7 +59,7 @@ export interface FrameJsonOptions {
  * ```
  */
 export function decodeFrameJson(value: unknown, options: FrameJsonOptions = {}): Result<DecodedFrame> {
-  return decodeWith(value, { known: options.bodies ?? BODIES, spinIn, gameTimeIn });
+  return decodeWith(value, { known: options.bodies ?? BODIES, spins: SPIN_READER, gameTimeIn });
 }
 
 /**
@@ -77,7 +77,7 @@ export function decodeLeanFrameJson(value: unknown, options: FrameJsonOptions = 
 }
 
 /** What a frame is completed and read with. */
-interface Readers extends Pick<BodyDefaults, 'known' | 'spinIn'> {
+interface Readers extends Pick<BodyDefaults, 'known' | 'spins'> {
   /** Reads game time that may be ISO 8601. */
   readonly gameTimeIn?: typeof gameTimeIn;
 }

@@ -16,7 +16,7 @@ import type { Hello } from '../records';
 import { readSettings } from '../fields/settings';
 import { readShipClass } from '../fields/shipClass';
 import { readBodyJson } from './bodyJson';
-import { spinIn } from './spin';
+import { SPIN_READER } from './spin';
 import { entriesIn, type Partial } from './entries';
 import { notPlain } from '../fields/sentObject';
 
@@ -71,7 +71,7 @@ export function decodeHelloJson(value: unknown): Result<DecodedHello> {
     key: 'name',
     read: readShipClass,
   });
-  const defaults = { known: BODIES, time: 0, spinIn };
+  const defaults = { known: BODIES, time: 0, spins: SPIN_READER };
   const bodies = entriesIn(pass, from, {
     name: 'bodies',
     most: MAX_BODIES,

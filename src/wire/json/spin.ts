@@ -7,13 +7,25 @@ import type { Bound } from '../limits';
 const PERIOD: Bound = { low: -1e15, high: 1e15, unit: 's' };
 const FASTEST = 0.1;
 
+/** Reads axis and period of a body. */
+export interface SpinReader {
+  readonly read: typeof spinIn;
+  /** Why a body without them and without attitude or spin is refused. */
+  readonly missing: string;
+}
+
+export const SPIN_READER: SpinReader = {
+  read: spinIn,
+  missing: 'missing, and so are spin_axis and rotation_period',
+};
+
 interface Spin {
   readonly attitude: Quat;
   readonly angularVelocity: Vec3;
 }
 
 /** From axis and period, or null if one of them is absent. */
-export function spinIn(r: Reading, from: Fields, time: number): Spin | null {
+function spinIn(r: Reading, from: Fields, time: number): Spin | null {
   const axisName = valueIn(r, from, 'spin_axis') === undefined ? 'axis' : 'spin_axis';
   const periodName = valueIn(r, from, 'rotation_period') === undefined ? 'period' : 'rotation_period';
   const axis = optionalVectorIn(r, from, axisName, { low: -2, high: 2, unit: '' });

@@ -1,5 +1,6 @@
 import type { LeanPredictor } from './calls/api';
 import { commonCalls } from './calls/commonCalls';
+import { checkFeatures } from './checks/features';
 import { requireOptions } from './checks/options';
 import type { Feature } from './features';
 import type { PredictorOptions } from './options';
@@ -45,5 +46,5 @@ const lacks =
   ({ sim }: Session): void =>
     refuse(sim, `message.kind: a lean predictor takes a ${kind} only with its feature`);
 
-/** The game's server sends neither. */
-const PLAIN: SessionFeatures = { takeHello: lacks('hello'), takePong: lacks('pong') };
+/** The game's server sends no hello and no pong. */
+const PLAIN: SessionFeatures = { takeHello: lacks('hello'), takePong: lacks('pong'), checkFeatures };

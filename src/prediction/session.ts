@@ -5,7 +5,7 @@ import {
   type TerrainHeight,
   type World,
 } from '../dynamics';
-import type { Hello, Pong } from '../wire';
+import type { Hello, PartialFrame, Pong } from '../wire';
 import { guardTerrain } from './ground/guardTerrain';
 import { createDiagnosis } from './diagnosis';
 import { springsOf } from './drawn/ease';
@@ -29,6 +29,8 @@ export interface SessionFeatures extends Features {
   readonly takeHello: (session: Session, hello: Hello, now: number) => void;
   readonly takePong: (session: Session, pong: Pong, now: number) => void;
   readonly catalogue?: Catalogue;
+  /** Warns of what a frame has that needs a feature which the predictor does not have. */
+  readonly checkFeatures?: (session: Session, frame: PartialFrame) => void;
   /** Calls the listeners with the events. */
   readonly announce?: (session: Session) => void;
   /** Checks the settings and classes of a world. */

@@ -5,6 +5,8 @@ import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { rolldown } from 'rolldown';
+import { mutation } from './mutants/plugins.mjs';
+import { reportingTest } from './mutants/probes.mjs';
 
 /** Marks a source module that a test imports dynamically: it becomes a bundle of its own, evaluated anew after vi.resetModules(). */
 const ALONE = '?alone';
@@ -30,16 +32,6 @@ const declareSourcePlace = {
     },
   },
 };
-
-/** Plugins that make the change of test/mutants/main.mjs: { path from the root, start, end, text } as JSON in TOUCHDOWN_MUTANT. */
-export function mutation() {
-  const { path, start, end, text } = JSON.parse(process.env.TOUCHDOWN_MUTANT || '{}');
-  if (path === undefined) return [];
-  const mutated = fileURLToPath(new URL(`../${path}`, import.meta.url));
-  const transform = (code, id) =>
-    id === mutated ? { code: code.slice(0, start) + text + code.slice(end), map: null } : null;
-  return [{ name: 'mutation', enforce: 'pre', transform }];
-}
 
 /** Modules that are imported dynamically stay outside, by absolute path. */
 const leaveDynamicImports = {
@@ -192,7 +184,10 @@ export function bundledTests() {
       const { code, map, modules } = made ?? (await bundle(entry, { plugins: [leaveDynamicImports] }));
       if (made?.isShared) refuseSharedHooks(modules.filter((path) => path.startsWith(TESTS)));
       for (const module of modules) this.addWatchFile(module);
-      return made ? `import ${JSON.stringify(pathToFileURL(made.file).href)};` : { code, map };
+      if (!made) return { code, map };
+      const url = pathToFileURL(made.file).href;
+      const probes = process.env.TOUCHDOWN_PROBES;
+      return probes ? reportingTest(entry, url, probes) : `import ${JSON.stringify(url)};`;
     },
   };
 }

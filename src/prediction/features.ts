@@ -167,5 +167,6 @@ export const ALL_FEATURES: SessionFeatures = Object.freeze({
   terrains: TERRAINS,
   catalogue: GAME_CATALOGUE,
   checkRollback,
-  interpolation: { keep: keepServerState, rowOfPolicy },
+  keepServerState,
+  rowOfPolicy,
 });

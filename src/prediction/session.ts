@@ -10,6 +10,7 @@ import { guardTerrain } from './ground/guardTerrain';
 import { createDiagnosis } from './diagnosis';
 import { springsOf } from './drawn/ease';
 import type { Diagnosis, EventNotice } from './drawn/view';
+import type { SceneFeatures } from './drawn/scene';
 import { createViewBuilder, type ViewBuilder } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
 import { createSending, type Sending } from './inputs/sending';
@@ -20,12 +21,12 @@ import { createPendingFrames, type PendingFrames } from './snapshots/pendingFram
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
 import { loadConfig, type WorldConfig } from './snapshots/worldConfig';
 import { type Clock, createClock, forgetSchedule } from './time/clock';
-import { createPace, type Pace } from './time/pace';
+import { createPace, type keepPace, type Pace } from './time/pace';
 import { createPings, type Pings } from './time/pings';
 import { createWarn, type Warn } from './warnings';
 
 /** What only some clients need of a predictor, with what the session calls for it. */
-export interface SessionFeatures extends Features {
+export interface SessionFeatures extends Features, SceneFeatures {
   readonly takeHello: (session: Session, hello: Hello, now: number) => void;
   readonly takePong: (session: Session, pong: Pong, now: number) => void;
   readonly catalogue?: Catalogue;
@@ -35,6 +36,8 @@ export interface SessionFeatures extends Features {
   readonly announce?: (session: Session) => void;
   /** Checks the settings and classes of a world. */
   readonly faultOfConstants?: typeof faultOfConstants;
+  /** Keeps frames within the budget of substeps. */
+  readonly keepPace?: typeof keepPace;
   readonly pingIfDue?: (pings: Pings, now: number) => void;
 }
 
@@ -100,7 +103,7 @@ export function createSession(options: PredictorOptions, features: SessionFeatur
     listeners: new Set(),
     meter: createGameTimeMeter(),
     sim,
-    viewBuilder: createViewBuilder(sim, springsOf(options.smoothing)),
+    viewBuilder: createViewBuilder(sim, springsOf(options.smoothing), features),
     config: defaults,
     granularity: 'tick',
     setBack: 0,
@@ -134,7 +137,11 @@ function newSimulation(
 /** Clears all ships and the timeline of the previous world; listeners stay. */
 export function beginWorld(session: Session, world: World, bodies: readonly BodyMotion[]): void {
   session.sim = newSimulation(world, bodies, session);
-  session.viewBuilder = createViewBuilder(session.sim, springsOf(session.options.smoothing));
+  session.viewBuilder = createViewBuilder(
+    session.sim,
+    springsOf(session.options.smoothing),
+    session.features,
+  );
   forgetSchedule(session.clock);
   forgetPast(session.receiver);
   forgetGameTime(session.meter);

@@ -64,7 +64,7 @@ const NEEDS: readonly Need[] = [
     feature: 'replayedImpacts',
     part: 'replayImpact',
     isNeeded: ({ ships }) =>
-      (listOf(ships) as readonly Partial<ShipState>[]).some(
+      (listOf(ships) as readonly (Partial<ShipState> | null | undefined)[]).some(
         (ship) => ship?.surfaceContactState === 'contact' && (ship.contactImpactSpeed ?? null) === null,
       ),
     effect: 'a contact that was not predicted does not bounce',

@@ -31,7 +31,7 @@ export function fillGhost(out: ShipView, { serverBodyAttitude }: Track): void {
 export function groundGhost(
   out: ShipView,
   track: Track,
-  { world, ground: drawn, snapToLevel }: Scene,
+  { world, ground: drawn, features }: Scene,
   exactly: boolean,
 ): void {
   const body = world.bodies[track.serverRow[REFERENCE_BODY]!]!;
@@ -52,8 +52,9 @@ export function groundGhost(
   // Too high to touch the ground, as for the ship itself.
   const reach = 2 * shape.groundContactOffset + out.shipClass.constants[LEG_RADIUS]!;
   if (distance - ground.radius > reach) return;
-  if (exactly || snapToLevel === undefined) snapToGround(groundedPose, ghost, hullOfShip(shape), drawn);
-  else snapToLevel(groundedPose, ghost, hullOfShip(shape), ground);
+  if (exactly || features.snapToLevel === undefined)
+    snapToGround(groundedPose, ghost, hullOfShip(shape), drawn);
+  else features.snapToLevel(groundedPose, ghost, hullOfShip(shape), ground);
   out.ghostPosition.set(groundedPose.position);
 }
 

@@ -8,12 +8,13 @@ import {
   SURFACE_STATE,
   VELOCITY,
 } from '../../dynamics';
-import { type Timeline, wallOfTick } from '../time/timeline';
+import { wallOfTick } from '../time/timeline';
 import type { ServerStates } from '../simulation/serverStates';
 import type { Simulation } from '../simulation/simulation';
 import { copyRow, type Track } from '../simulation/track';
 import { fadeFromHeld } from './correction';
-import { moveWithBody, place, seeServerState, type TurnedBodies } from './outOfStep';
+import { moveWithBody, place, seeServerState } from './outOfStep';
+import type { Playback, TurnedBodies } from './scene';
 import { pose } from './pose';
 import {
   compose,
@@ -73,16 +74,6 @@ function writeBetween(
   writePlace(row, between);
   blendColumns(row, ANGULAR_VELOCITY, between);
   turnOver(row, between);
-}
-
-/** The instant at which interpolated ships are drawn. */
-export interface Playback {
-  /** The timeline of the states' ticks. */
-  readonly timeline: Timeline;
-  /** Server wall s. */
-  readonly at: number;
-  /** Game s per wall s. */
-  readonly timeScale: number;
 }
 
 interface Between {

@@ -69,7 +69,7 @@ const under = { bodyName: '', radius: 1, legRadius: 1, terrainHeight: flatTerrai
 export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
   const { drawn, seen } = scene;
   const legRadius = out.shipClass.constants[LEG_RADIUS]!;
-  const { snapToLevel } = scene;
+  const { snapToLevel } = scene.features;
   const exactly = snapToLevel === undefined || out.own || scene.exactSnaps > 0;
   const surface = out.groundRadius - out.groundOffset;
   const above = lengthOf(drawn.position) - surface;

@@ -10,32 +10,23 @@ import {
 } from '../../dynamics';
 import type { Simulation } from '../simulation/simulation';
 import { copyRow, type Track } from '../simulation/track';
-import type { Playback } from './interpolate';
+import type { Scene } from './scene';
 import { type Pose, pose } from './pose';
 import { compose, cross, put, rotate, rotateBack, seenFrom, take, vector } from './rotation';
-
-/** The bodies' attitudes at the present. */
-export interface TurnedBodies {
-  /** Attitude and spin of each body, ICRF. */
-  readonly bodyAttitudes: readonly Float64Array[];
-  readonly bodySpins: readonly Float64Array[];
-  /** The instant at which interpolated ships are drawn. */
-  readonly playback: Playback;
-}
 
 /**
  * The row at the present of a ship that is not in step: asleep, held as last predicted, or in its last server state,
  * turned with its body since then.
  */
-export function outOfStep(sim: Simulation, track: Track, turned: TurnedBodies): Float64Array {
+export function outOfStep(sim: Simulation, track: Track, scene: Scene): Float64Array {
   const { picture } = track;
-  const { interpolation } = sim.features;
-  if (track.policy !== 'predict' && interpolation) return interpolation.rowOfPolicy(sim, track, turned);
+  const { rowOfPolicy } = scene.features;
+  if (track.policy !== 'predict' && rowOfPolicy) return rowOfPolicy(sim, track, scene);
   const known = track.mode === 'sleeping' || picture.hasHeld;
   copyRow(row, 0, known ? sim.fleet.front : track.serverRow, known ? track.at : 0);
   const index = row[REFERENCE_BODY]!;
-  const attitude = turned.bodyAttitudes[index]!;
-  const spin = turned.bodySpins[index]!;
+  const attitude = scene.bodyAttitudes[index]!;
+  const spin = scene.bodySpins[index]!;
   if (track.mode === 'sleeping' && sim.sleep !== null) {
     sim.sleep.writeSleeping(row, 0, track, attitude, spin);
     return row;

@@ -120,7 +120,7 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   fillControls(out, track.picture.status.commands, rows, from);
   if (fillServerState(out, track, scene.at)) {
     fillGhost(out, track);
-    sim.features.groundGhost?.(out, track, scene, exactly);
+    scene.features.groundGhost?.(out, track, scene, exactly);
   }
   fillStatus(out, track, rows, from, scene.at);
   if (track.log !== null)

@@ -6,7 +6,6 @@ import {
   writeBodyMotion,
 } from '../../dynamics';
 import type { InputAcknowledgement, PartialFrame, ServerFrame, StateControls } from '../../wire';
-import type { rowOfPolicy } from '../drawn/interpolate';
 import type { Diagnosis, EventNotice } from '../drawn/view';
 import type { GroundNews } from '../ground/lastState';
 import type * as unknownGround from '../ground/unknownGround';
@@ -15,21 +14,16 @@ import type * as bodySpin from '../snapshots/bodies/bodySpin';
 import { type BodySpin, createBodySpin } from '../snapshots/bodies/bodySpin';
 import { type BodyTrack, createBodyTrack } from '../snapshots/bodies/bodyTrack';
 import type { measureGameTime } from '../snapshots/gameTimeMeter';
-import type { learnFrom } from '../snapshots/learnFrom';
 import type { Receiver } from '../snapshots/receiver';
-import type { describeDifference } from '../snapshots/reconcile/compare';
+import type { describeDifference, Place } from '../snapshots/reconcile/compare';
 import type { holdLaw, Judged } from '../snapshots/reconcile/lawErrors';
-import type { replayImpact } from '../snapshots/reconcile/recall';
+import type { Lesson } from '../snapshots/snapshotContext';
 import { type Cadence, createCadence } from '../time/cadence';
 import { createTimeline, type Position, type Timeline } from '../time/timeline';
-import type { keepPace } from '../time/pace';
 import type * as touchdownLog from '../touchdown/touchdownLog';
 import type * as touchdownRing from '../touchdown/touchdownRing';
-import type { groundGhost } from '../drawn/ghost';
-import type { snapToLevel } from '../drawn/snap/levelSnap';
 import type { Warn } from '../warnings';
 import { ringLength } from './history';
-import type * as sleep from './sleep';
 import { createFleet, createRowStep, type Fleet, type RowStep, type Track } from './track';
 
 /** Takes something of a frame; received at client wall second `now`. */
@@ -39,7 +33,10 @@ type TakeFrameAt = (sim: Simulation, receiver: Receiver, frame: ServerFrame, now
 /** What only some clients need of a predictor, each with the functions that the simulation calls for it. */
 export interface Features {
   /** What each of the next three, and `spin`, learns by. */
-  readonly learning?: { readonly learnFrom: typeof learnFrom; readonly holdLaw: typeof holdLaw };
+  readonly learning?: {
+    readonly learnFrom: (sim: Simulation, track: Track, lesson: Lesson) => boolean;
+    readonly holdLaw: typeof holdLaw;
+  };
   readonly learnGround?: (sim: Simulation, track: Track, news: GroundNews) => void;
   readonly weighLaw?: (sim: Simulation, track: Track, judged: Judged) => boolean;
   /** Ground that the client has not loaded. */
@@ -50,13 +47,7 @@ export interface Features {
   /** Extrapolates a ship. */
   readonly carry?: (step: RowStep, sim: Simulation, track: Track) => void;
   /** The impact speed of a contact that the prediction does not have. */
-  readonly replayImpact?: typeof replayImpact;
-  /** Keeps frames within the budget of substeps. */
-  readonly keepPace?: typeof keepPace;
-  /** Puts ships on level ground; without, all are put on the ground point by point. */
-  readonly snapToLevel?: typeof snapToLevel;
-  /** Puts the server's state on the drawn ground. */
-  readonly groundGhost?: typeof groundGhost;
+  readonly replayImpact?: (sim: Simulation, track: Track, state: TickedRow) => number;
   readonly sleep?: Sleep;
   readonly touchdown?: {
     readonly rewindLog: (track: Track, sim: Simulation, to: touchdownRing.Adopted) => void;
@@ -105,16 +96,13 @@ export interface Features {
     readonly spunMotion: typeof bodySpin.spunMotion;
     readonly measureByShip: typeof bodySpin.measureByShip;
   };
-  /** Ships that the caller chose not to predict. */
-  readonly interpolation?: {
-    readonly keep: (
-      sim: Simulation,
-      track: Track,
-      row: Float64Array,
-      of: { readonly tick: number; readonly bodies: Float64Array },
-    ) => void;
-    readonly rowOfPolicy: typeof rowOfPolicy;
-  };
+  /** Keeps a state of a ship that is interpolated. */
+  readonly keepServerState?: (
+    sim: Simulation,
+    track: Track,
+    row: Float64Array,
+    of: { readonly tick: number; readonly bodies: Float64Array },
+  ) => void;
   /** By the name in the hello; flat ground alone without. */
   readonly terrains?: Readonly<Record<string, TerrainHeight>>;
   readonly checkRollback?: (sim: Simulation, tick: number, ticks: number) => void;
@@ -163,17 +151,29 @@ export interface Simulation {
   readonly sleep: Sleep | null;
 }
 
-export type Sleep = Pick<
-  typeof sleep,
-  | 'sleepIfAtRest'
-  | 'sleepAtFirst'
-  | 'sleepsOn'
-  | 'sleepsThrough'
-  | 'placeAsleep'
-  | 'holdSleeping'
-  | 'wakeIfBurning'
-  | 'writeSleeping'
->;
+/** The sleep of landed ships (sleep.ts). */
+export interface Sleep {
+  readonly sleepIfAtRest: (sim: Simulation, track: Track, bodies: Float64Array) => boolean;
+  readonly sleepAtFirst: (sim: Simulation, track: Track, bodies: Float64Array) => void;
+  readonly sleepsOn: (sim: Simulation, track: Track, bodies: Float64Array) => boolean;
+  readonly sleepsThrough: (track: Track, sent: Float64Array) => boolean;
+  readonly placeAsleep: (place: Place, sim: Simulation, track: Track, bodies: Float64Array) => Place;
+  readonly holdSleeping: (track: Track) => void;
+  readonly wakeIfBurning: (sim: Simulation, track: Track, commanded: Float64Array) => boolean;
+  readonly writeSleeping: (
+    rows: Float64Array,
+    at: number,
+    track: Track,
+    attitude: Float64Array,
+    spin: Float64Array,
+  ) => void;
+}
+
+/** A ship's state at a tick. */
+export interface TickedRow {
+  readonly row: Float64Array;
+  readonly tick: number;
+}
 
 /** Options of a simulation, in addition to its world. */
 export interface SimulationOptions {

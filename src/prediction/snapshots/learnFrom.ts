@@ -3,17 +3,7 @@ import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import { spanOf } from '../time/timeline';
 import type { Place } from './reconcile/compare';
-import type { SnapshotContext } from './snapshotContext';
-
-/** A ship's newest state, and the prediction for its tick. */
-export interface Lesson {
-  /** The state; its impact speed is filled in if the server does not send it. */
-  readonly row: Float64Array;
-  readonly context: SnapshotContext;
-  readonly predicted: Place | null;
-  readonly agrees: boolean;
-  readonly hasImpact: boolean;
-}
+import type { Lesson } from './snapshotContext';
 
 /**
  * Learns the ground, the body's spin and the fit of the dynamics from a state (PREDICTION, Learned ground).

@@ -90,7 +90,7 @@ export function showServerState(
   track.mode = 'held';
   if (track.policy === 'predict') track.picture.hasHeld = false;
   if (track.policy !== 'interpolate') track.states = null;
-  else sim.features.interpolation?.keep(sim, track, sent, context);
+  else sim.features.keepServerState?.(sim, track, sent, context);
   return null;
 }
 

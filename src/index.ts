@@ -82,6 +82,7 @@ export {
   type LeanPredictor,
   measuredGameTime,
   measuredSpin,
+  measuredTickRate,
   type Policy,
   type Predictor,
   type PredictorCall,

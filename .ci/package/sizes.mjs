@@ -33,13 +33,13 @@ export const USES = [
   },
   {
     name: 'predictor, JSON, readouts',
-    most: 61,
+    most: 62,
     code: WHOLE,
     without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'with the checks of development',
-    most: 72,
+    most: 73,
     code: WHOLE,
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],

@@ -34,6 +34,7 @@ import { shipFault } from './snapshots/shipFault';
 import { takeHello } from './snapshots/takeHello';
 import { receiveRest, takeOlder, takePart, takeShips } from './snapshots/takeParts';
 import { takePong } from './snapshots/takePong';
+import { measureUnsentRate, sentUntimed } from './snapshots/unsentTickRate';
 import { keepPace } from './time/pace';
 import { pingIfDue } from './time/pings';
 import { fillTouchdown, logSubstep } from './touchdown/touchdownLog';
@@ -72,6 +73,7 @@ const touchdown = {
 const spin = { spunMotion, measureByShip };
 const events = { happened: recordPredicted, confirmEvents, settleEvents, confirmEnd };
 const acknowledgements = { acknowledgementOf, takeAcknowledgement };
+const tickRates = { measureUnsentRate, sentUntimed };
 const parts = { takeShips, takeOlder, takePart, receiveRest };
 
 /** The game's ship classes and bodies, for a page whose `defaults` have none of their own. */
@@ -129,6 +131,9 @@ export const mismatchValues: Feature = feature('mismatchValues', { describeDiffe
 /** Measures the game time per tick of a server that does not send it, or another (PREDICTION, Timeline). */
 export const measuredGameTime: Feature = feature('measuredGameTime', { measureGameTime });
 
+/** Measures the tick rate of a server that does not send it (PREDICTION, Timeline). */
+export const measuredTickRate: Feature = feature('measuredTickRate', { tickRates });
+
 /** Measures the spin of bodies that turn otherwise than sent. */
 export const measuredSpin: Feature = feature('measuredSpin', { learning, spin });
 
@@ -159,6 +164,7 @@ export const ALL_FEATURES: SessionFeatures = Object.freeze({
   shipFault,
   describeDifference,
   measureGameTime,
+  tickRates,
   spin,
   takeHello,
   faultOfConstants,

@@ -17,6 +17,7 @@ export {
   learnedGround,
   measuredGameTime,
   measuredSpin,
+  measuredTickRate,
   touchdownRecord,
   serverHello,
   roundTripPings,

@@ -16,7 +16,6 @@ import { createPilot, type Pilot } from './inputs/pilot';
 import { createSending, type Sending } from './inputs/sending';
 import { BUDGET, type Catalogue, defaultWorld, type PredictorOptions } from './options';
 import { createSimulation, type Features, type Simulation } from './simulation/simulation';
-import { createGameTimeMeter, forgetGameTime, type GameTimeMeter } from './snapshots/gameTimeMeter';
 import { createPendingFrames, type PendingFrames } from './snapshots/pendingFrames';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
 import { loadConfig, type WorldConfig } from './snapshots/worldConfig';
@@ -57,7 +56,6 @@ export interface Session {
   readonly pending: PendingFrames;
   readonly pace: Pace;
   readonly listeners: Set<(notice: EventNotice) => void>;
-  readonly meter: GameTimeMeter;
   sim: Simulation;
   viewBuilder: ViewBuilder;
   /** The world in force: the defaults until a hello has another. */
@@ -101,7 +99,6 @@ export function createSession(options: PredictorOptions, features: SessionFeatur
     pending: createPendingFrames(),
     pace: createPace(options.maxSubstepsPerFrame ?? BUDGET),
     listeners: new Set(),
-    meter: createGameTimeMeter(),
     sim,
     viewBuilder: createViewBuilder(sim, springsOf(options.smoothing), features),
     config: defaults,
@@ -144,7 +141,6 @@ export function beginWorld(session: Session, world: World, bodies: readonly Body
   );
   forgetSchedule(session.clock);
   forgetPast(session.receiver);
-  forgetGameTime(session.meter);
 }
 
 /** Calls each listener; one that throws does not affect the others. */

@@ -42,7 +42,7 @@ export function createFleetReadout(): FleetReadout {
   return {
     rows: [],
     count: 0,
-    counts: { none: 0, flight: 0, contact: 0, landed: 0, tipped: 0, crashed: 0 },
+    counts: noShips(),
     timeScale: 1,
   };
 }
@@ -76,14 +76,12 @@ export function updateFleetReadout(out: FleetReadout, given: WorldView | null): 
 }
 
 const NO_SHIPS: readonly ShipView[] = [];
-const nextRow: Record<StatusId, number> = {
-  none: 0,
-  flight: 0,
-  contact: 0,
-  landed: 0,
-  tipped: 0,
-  crashed: 0,
-};
+/** Index of the next row of each status. */
+const nextRow = noShips();
+
+function noShips(): Record<StatusId, number> {
+  return { none: 0, flight: 0, contact: 0, landed: 0, tipped: 0, crashed: 0 };
+}
 
 function createRow(): FleetRow {
   return {

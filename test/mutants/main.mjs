@@ -2,7 +2,7 @@
 //   npm run mutants -- [ROOM …] [--count 24] [--seed 1] [--workers 2]
 //   npm run mutants -- --at src/wire/messages/frame.ts:41    all changes of one line; without :41 of the file
 // Prints the survivors by file and line, and "killed/tried" of each room. The changes are drawn by the seed: the same ones each time.
-// Nothing is written to the source: the change is made while the tests' bundles and the page are built (test/bundle.mjs).
+// Nothing is written to the source: the change is made while the tests' bundles and the page are built (plugins.mjs).
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { availableParallelism, tmpdir } from 'node:os';
 import { dirname, join, relative } from 'node:path';
@@ -134,7 +134,7 @@ function stagesOf(passing) {
 
 async function survivesAll(concerned, mutant, lanes) {
   for (const { project, tests, took } of stagesOf(concerned)) {
-    const answer = await lanes[project].run(tests, mutant, Math.min(TIME_LIMIT, 20_000 + 10 * took));
+    const answer = await lanes[project].run(tests, mutant, Math.min(TIME_LIMIT, 10_000 + 10 * took));
     if (!answer?.isPassed) return false;
   }
   return true;

@@ -5,6 +5,7 @@ import {
   createLandingAids,
   createLandingReadout,
   createTargetReadout,
+  type LandingReadout,
   updateFleetReadout,
   updateFlightReadout,
   updateLandingAids,
@@ -44,6 +45,27 @@ it('a new readout has no numbers', () => {
   expect(createLandingAids()).toMatchObject({ shown: false, outcome: 'working', advice: 'none' });
   expect(createTargetReadout().shown).toBe(false);
 });
+
+/** Without what is hidden with the numbers or belongs to the settings. */
+const numbersOf = ({ drift, tilt, gates, margin, righting, ...rest }: LandingReadout) => ({
+  ...{ ...shown(rest), age: null },
+  drift: { ...drift, scale: null },
+  tilt: { ...tilt, settle: null, noReturn: null, tipped: null },
+  shown: [gates.shown, margin.shown, righting.shown],
+});
+
+it.each(['', 'contact', 'landed', 'tipped'] as const)(
+  'a landing readout forgets its numbers with the ship, and with its recent state: %j',
+  (state) => {
+    const full = makeView({ clearance: 3, up: -2, east: 3, tilt: 30, leanTo: 40, tiltRate: 0.1, state });
+    for (const view of [null, makeView({ state }, { provenance: 'stale' })]) {
+      const out = updateLandingReadout(createLandingReadout(), full);
+      expect(numbersOf(updateLandingReadout(out, view))).toEqual(
+        numbersOf(updateLandingReadout(createLandingReadout(), view)),
+      );
+    }
+  },
+);
 
 it('a readout whose ship is gone has the numbers of none', () => {
   const flying = makeView({ clearance: 30, up: -2, east: 3, tilt: 20, leanTo: 40 });

@@ -42,6 +42,13 @@ const NEEDS: readonly Need[] = [
     effect: 'the last one is used, or 1',
   },
   {
+    of: 'frame.tickRate, which is missing,',
+    feature: 'measuredTickRate',
+    part: 'tickRates',
+    isNeeded: ({ tickRate }) => tickRate === undefined,
+    effect: 'the last one is used, or 1 Hz',
+  },
+  {
     of: 'frame.bodies, of which some are missing, incomplete or in another order,',
     feature: 'completedBodies',
     part: 'completeBodies',

@@ -29,6 +29,7 @@ import { createFleet, createRowStep, type Fleet, type RowStep, type Track } from
 /** Takes something of a frame; received at client wall second `now`. */
 type TakeFrame = (sim: Simulation, receiver: Receiver, frame: ServerFrame) => void;
 type TakeFrameAt = (sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number) => void;
+type TimeFrame<Frame> = (sim: Simulation, receiver: Receiver, frame: Frame, now: number) => number | null;
 
 /** What only some clients need of a predictor, each with the functions that the simulation calls for it. */
 export interface Features {
@@ -92,6 +93,11 @@ export interface Features {
   /** Both values of a field that differed. */
   readonly describeDifference?: typeof describeDifference;
   readonly measureGameTime?: typeof measureGameTime;
+  /** Ticks of a server that does not send its rate. */
+  readonly tickRates?: {
+    readonly measureUnsentRate: TimeFrame<PartialFrame>;
+    readonly sentUntimed: TimeFrame<ServerFrame>;
+  };
   readonly spin?: {
     readonly spunMotion: typeof bodySpin.spunMotion;
     readonly measureByShip: typeof bodySpin.measureByShip;

@@ -37,11 +37,6 @@ export function createGameTimeMeter(): GameTimeMeter {
   };
 }
 
-/** Starts over for another world or timeline. */
-export function forgetGameTime(meter: GameTimeMeter): void {
-  Object.assign(meter, createGameTimeMeter());
-}
-
 /** The measured part of a frame. */
 type Measured = Pick<PartialFrame, 'tick' | 'gameTime' | 'ships'> & {
   readonly tickRate: number;

@@ -14,10 +14,14 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
   const { timeline } = sim;
   const first = timeline.spans.length === 0;
   const wasPaused = !first && spanOf(timeline, frame.tick).paused;
-  const wall = wasPaused ? wallAfterPause(sim, receiver, now) : null;
-  if (!wasPaused && !first) sampleDown(receiver.clock, wallOfTick(timeline, frame.tick), now);
+  const untimed =
+    first || frame.tick === sim.newestTick
+      ? null
+      : (sim.features.tickRates?.sentUntimed(sim, receiver, frame, now) ?? null);
+  const wall = untimed ?? (wasPaused ? wallAfterPause(sim, receiver, now) : null);
+  if (!first && wall === null) sampleDown(receiver.clock, wallOfTick(timeline, frame.tick), now);
   const resumes = wasPaused && !frame.paused;
-  const changes = !first && differs(sim, frame);
+  const changes = untimed !== null || (!first && differs(sim, frame));
   // The present pose is of the old tempo.
   if (changes) for (const track of sim.fleet.tracks) if (track.mode === 'stepping') hold(sim, track);
   if (changes) followTickRate(sim.cadence, spanOf(timeline, frame.tick).tickRate, frame.tickRate);

@@ -102,11 +102,11 @@ export function numberIn(r: Reading, from: Fields, name: string, bound: Bound, a
   const value = plainNumber(r, valueIn(r, from, name)) ?? absent ?? zeroOf(r);
   if (typeof value !== 'number' || !Number.isFinite(value)) {
     refuse(r, name, value === undefined ? 'missing' : `expected a finite number, got ${describe(value)}`);
-    return 0;
+    return NaN;
   }
   if (value >= bound.low && value <= bound.high) return value;
   refuse(r, name, `expected ${bound.low} to ${bound.high} ${bound.unit}`.trimEnd() + `, got ${value}`);
-  return 0;
+  return NaN;
 }
 
 /** A whole number from `low` to `high`, at most 2⁵³ − 1; 0 when it is not sent. Converts 64-bit integers of the codec. */

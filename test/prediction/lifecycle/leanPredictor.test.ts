@@ -16,6 +16,7 @@ import {
   type LeanPredictor,
   measuredGameTime,
   measuredSpin,
+  measuredTickRate,
   mismatchValues,
   type PredictorEntry,
   replayedImpacts,
@@ -63,6 +64,7 @@ const ALL = [
   ],
   ...[
     measuredSpin,
+    measuredTickRate,
     mismatchValues,
     roundTripPings,
     serverHello,
@@ -178,12 +180,16 @@ describe('a lean predictor without a feature', () => {
   const [first, second] = ticks(2) as [ServerFrame, ServerFrame];
   const lastInput = { seq: 1, tick: 0, substep: 0, margin: 0 };
   const event = { type: 'ship.landed', tick: 1, substep: 3, shipId: 'a' };
-  const untimed = { ...first, timeScale: undefined };
+  const [untimed, rateless] = [
+    { ...first, timeScale: undefined },
+    { ...first, tickRate: undefined },
+  ];
 
   it.each([
     [surfaceEvents, 'frame.events', [{ ...first, events: [event] }]],
     [inputAcknowledgements, 'frame.lastInput', [{ ...first, lastInput }]],
     [measuredGameTime, 'frame.timeScale', [untimed]],
+    [measuredTickRate, 'frame.tickRate', [rateless]],
     [
       completedBodies,
       'frame.bodies',

@@ -15,7 +15,7 @@ import {
   loadScenario,
   type LoadedScenario,
 } from '../../../src/scenarios';
-import type { ServerFrame } from '../../../src/wire';
+import type { PartialFrame, ServerFrame } from '../../../src/wire';
 import { scenarioNamed, SHIP, value } from '../rig';
 import { FAITHFUL, groundOf, type LiteralCase } from './cases';
 import { createLiteralServer, FIRST_TICK, type LiteralServer, type LiteralTruth } from './literalServer';
@@ -108,7 +108,7 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
       while (waiting.length > 0 && waiting[0]!.at <= rig.now) {
         const { frame } = waiting.shift()!;
         each?.(frame);
-        predictor.receive(frame, rig.now);
+        predictor.receive(difference.omitsTickRate === true ? withoutTickRate(frame) : frame, rig.now);
       }
       const view = predictor.view(rig.now);
       const game = view.ready ? (view.tick - FIRST_TICK) / flight.hz + view.sinceTick : 0;
@@ -120,6 +120,13 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
     },
   };
   return rig;
+}
+
+/** The frame as a server sends it that does not send its tick rate. */
+export function withoutTickRate(frame: ServerFrame): PartialFrame {
+  const untimed: { tickRate?: number } & PartialFrame = { ...frame };
+  delete untimed.tickRate;
+  return untimed;
 }
 
 function shipsOf(loaded: LoadedScenario, difference: LiteralCase) {

@@ -157,6 +157,9 @@ it('lists an invalid game time', () => {
   expect(accepted({ tick: 0, ships: [], game_time: '2026-11-28' }).refusals).toEqual([
     'game_time: expected seconds or ISO 8601, got "2026-11-28"',
   ]);
+  expect(accepted({ tick: 0, ships: [], game_time: '5-5' }).refusals).toEqual([
+    'game_time: expected seconds or ISO 8601, got "5-5"',
+  ]);
 });
 
 it('refuses more ships than the wire allows, and duplicate ids', () => {

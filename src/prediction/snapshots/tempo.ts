@@ -2,7 +2,7 @@ import type { ServerFrame } from '../../wire';
 import { forgetAfter } from '../simulation/history';
 import { hold } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
-import { followTickRate, silentHorizonOf } from '../time/cadence';
+import { followTickRate, horizonOf } from '../time/cadence';
 import { sampleDown, sentAt } from '../time/clock';
 import { setTempo, spanOf, wallOfTick } from '../time/timeline';
 import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
@@ -23,7 +23,7 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
   if (first) sampleDown(clock, 0, now);
   else if (wall === null) {
     const isOverdue =
-      now - receiver.acceptedAt > silentHorizonOf(sim.cadence, spanOf(timeline, frame.tick).tickRate);
+      now - receiver.acceptedAt > horizonOf(sim.cadence, spanOf(timeline, frame.tick).tickRate, false);
     sampleDown(clock, wallOfTick(timeline, frame.tick), now, isOverdue);
   }
   const resumes = wasPaused && !frame.paused;

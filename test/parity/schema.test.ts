@@ -95,6 +95,19 @@ describe('npm run parity', () => {
     ]);
   });
 
+  it('expects inputs in the order of their substeps, and texts of at most 1,000 characters', () => {
+    const file = trajectory();
+    const controls = { attitude_mode: 'none' };
+    file['inputs'] = [4, 4, 3].map((substep) => ({ tick: 1, substep, ...controls }));
+    file['name'] = 'x'.repeat(1000);
+    const faults = () => parityLine('file.json', JSON.stringify(file)).line.split('\n').slice(1);
+    expect(faults().filter((line) => /substep|name/.test(line))).toEqual([
+      '  inputs[2].substep: expected in ascending order of time',
+    ]);
+    file['name'] = 'x'.repeat(1001);
+    expect(faults()).toContain('  name: expected a string of at most 1000 characters, got a string of 1001');
+  });
+
   it.each([
     [true, 'true'],
     [{ kg: 1 }, 'an object'],

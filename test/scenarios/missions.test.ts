@@ -16,6 +16,8 @@ import {
   writeRun,
 } from '../../src/scenarios';
 import { valueOf } from '../authority/moon';
+import golden from './goldenMissions.json';
+import { recordOf } from './missionRecord';
 
 const ALL = [...MISSIONS, ...LESSONS];
 
@@ -42,6 +44,13 @@ describe('missions', () => {
         const ground = loaded.body.radius + loaded.terrainHeight(loaded.body.name, x, y, z);
         expect(distance).toBeCloseTo(ground, 6);
       }
+    },
+  );
+
+  it.each(ALL.map((mission) => [mission.scenario.name, mission] as const))(
+    '%s starts, ends and scores as its race links of today expect',
+    (name, mission) => {
+      expect(recordOf(mission)).toEqual((golden as Record<string, unknown>)[name]);
     },
   );
 

@@ -5,8 +5,8 @@ import {
   type RunOutcome,
   runScenario,
   scoreRun,
-} from '../../src/scenarios';
-import { valueOf } from '../authority/moon';
+} from '../../../src/scenarios';
+import { valueOf } from '../../authority/moon';
 
 /** Seconds of the flight without a pilot that the record covers. */
 const FLOWN = 3;

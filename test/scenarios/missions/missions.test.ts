@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { NEUTRAL_CONTROLS } from '../../src/dynamics';
+import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import {
   findMission,
   findScenario,
@@ -14,8 +14,8 @@ import {
   scoreRun,
   loadScenario,
   writeRun,
-} from '../../src/scenarios';
-import { valueOf } from '../authority/moon';
+} from '../../../src/scenarios';
+import { valueOf } from '../../authority/moon';
 import golden from './goldenMissions.json';
 import { recordOf } from './missionRecord';
 

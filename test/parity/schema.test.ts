@@ -102,6 +102,8 @@ describe('npm run parity', () => {
     file['name'] = 'x'.repeat(1000);
     const line = () => parityLine('file.json', JSON.stringify(file)).line;
     expect(line()).toBe('file.json: inputs[2].substep: expected in ascending order of time');
+    file['inputs'] = [{ tick: 1.5, substep: 0 }];
+    expect(line()).toBe('file.json: inputs[0].tick: expected a whole number ≥ 0, got 1.5');
     file['inputs'] = [];
     expect(line()).not.toContain('name:');
     file['name'] = 'x'.repeat(1001);

@@ -5,7 +5,6 @@ import type { Simulation } from '../simulation/simulation';
 import { followTickRate } from '../time/cadence';
 import { sampleDown, sentAt } from '../time/clock';
 import { setTempo, spanOf, wallOfTick } from '../time/timeline';
-import { forgetLogsAfter } from '../touchdown/touchdownRing';
 import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { differs } from './classify';
 import type { Receiver } from './receiver';
@@ -45,7 +44,7 @@ function retime(sim: Simulation, tick: number): void {
   forgetBodiesAfter(sim.bodies, tick);
   for (const track of sim.fleet.tracks) {
     forgetAfter(track.history, tick);
-    if (track.log !== null) forgetLogsAfter(track.log, tick);
+    if (track.log !== null) sim.features.touchdown?.forgetLogsAfter(track.log, tick);
     track.replaying = false;
   }
   sim.frontIsStale = true;

@@ -25,7 +25,7 @@ const ROOMS = {
   scenarios: ['scenarios', 'parity', 'playground/game/mission'],
   game: ['game', 'example'],
   gateway: ['gateway'],
-  hud: ['browser/hud'],
+  hud: ['hud', 'browser/hud'],
   scene: ['scene', 'browser/playground'],
   playground: ['playground', 'browser/playground', 'browser/pilot'],
 };

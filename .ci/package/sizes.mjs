@@ -5,12 +5,12 @@ import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { root, tool } from './tools.mjs';
 
-const using = (...predictor) =>
-  `export { ${predictor.join(', ')}, decodeFrameJson, encodeControlsJson, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`;
+const using = (...names) =>
+  `export { ${names.join(', ')}, encodeControlsJson, updateLandingReadout, createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';`;
 
 /** The game's server sends no hello, so the lean use has no decoder of one. */
-const LEAN = using('createLeanPredictor', 'createLeanLandingReadout');
-const WHOLE = using('createPredictor', 'decodeHelloJson', 'createLandingReadout');
+const LEAN = using('createLeanPredictor', 'decodeLeanFrameJson', 'createLeanLandingReadout');
+const WHOLE = using('createPredictor', 'decodeFrameJson', 'decodeHelloJson', 'createLandingReadout');
 
 /** Words of the features that a lean predictor does not have unless they are handed in. */
 const FEATURES = [
@@ -19,13 +19,15 @@ const FEATURES = [
   'policy-unknown',
   'learnedGround',
   'no such setting',
+  'fast_frigate',
+  'spin_axis',
 ];
 
 /** `most` in kB (1,000 bytes); the table in README.md has the same rows. */
 export const USES = [
   {
     name: 'lean predictor, JSON, readouts',
-    most: 43,
+    most: 39,
     code: LEAN,
     without: [...FEATURES, 'createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },

@@ -7,8 +7,8 @@ import { stepFront } from './simulation/front';
 import type { Simulation } from './simulation/simulation';
 import { isFarBehind, realign } from './snapshots/reconcile/realign';
 import { horizonOf } from './time/cadence';
+import { answersPings } from './time/clock';
 import { advanceClock } from './time/present';
-import { keepPace } from './time/pace';
 import {
   indexOf,
   type Moment,
@@ -33,7 +33,7 @@ export function advanceFrame(session: Session, controls: Controls | null, now: n
   const { sim, clock, pilot, pace } = session;
   const target = alignFront(session, now);
   const due = substepsTo(sim, target);
-  if (due > 0) keepPace(sim, pace, due);
+  if (due > 0) session.features.keepPace?.(sim, pace, due);
   const replayed = runReplays(sim, pace.budget);
   const check = boundaryCheckOf(session);
   if (due > BACKDATED) stepFront(sim, later(sim, due - BACKDATED), check);
@@ -58,7 +58,7 @@ function areControls({ warn }: Session, given: unknown): boolean {
 function alignFront(session: Session, now: number): Position {
   const { sim, clock, pilot, counters, advancedAt: advancedBefore } = session;
   const { timing, timeScale, tickRate, paused } = spanOf(sim.timeline, sim.newestTick);
-  const horizon = paused ? Number.POSITIVE_INFINITY : horizonOf(sim.cadence, tickRate);
+  const horizon = paused ? Number.POSITIVE_INFINITY : horizonOf(sim.cadence, tickRate, answersPings(clock));
   const limit = wallOfTick(sim.timeline, sim.newestTick) + horizon;
   const jumped = advanceClock(clock, now, { deadZone: timing.dt / timeScale / 2, limit });
   const absent = wasAbsent(session, now);

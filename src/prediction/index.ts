@@ -21,6 +21,12 @@ export {
   touchdownRecord,
   serverHello,
   roundTripPings,
+  frameBudget,
+  gameCatalogue,
+  groundedGhost,
+  replayedImpacts,
+  sleepingShips,
+  unloadedGround,
 } from './features';
 export type { ClientTerrain, Defaults, PredictorOptions } from './options';
 /** Why a ship is removed, and warnings to the caller. */

@@ -1,7 +1,6 @@
 import { forgetRecords } from './inputs/inputs';
 import { beginWorld, type Session } from './session';
 import { forgetAfter } from './simulation/history';
-import { holdSleeping } from './simulation/sleep';
 import type { Simulation } from './simulation/simulation';
 import { startReplay } from './simulation/replay';
 import { copyRow, removeTrack, type Track } from './simulation/track';
@@ -54,7 +53,7 @@ export function dropShip({ sim, receiver }: Session, shipId: string, reason: Rem
 export function expectTeleport({ sim }: Session, shipId: string): void {
   const track = sim.fleet.byId.get(shipId);
   if (track === undefined) return;
-  if (track.mode === 'sleeping') holdSleeping(track);
+  sim.sleep?.holdSleeping(track);
   forgetAfter(track.history, -1);
   track.states = null;
   track.replaySnaps = true;

@@ -42,7 +42,7 @@ export function createFleetReadout(): FleetReadout {
   return {
     rows: [],
     count: 0,
-    counts: noShips(),
+    counts: { none: 0, flight: 0, contact: 0, landed: 0, tipped: 0, crashed: 0 },
     timeScale: 1,
   };
 }
@@ -77,11 +77,7 @@ export function updateFleetReadout(out: FleetReadout, given: WorldView | null): 
 
 const NO_SHIPS: readonly ShipView[] = [];
 /** Index of the next row of each status. */
-const nextRow = noShips();
-
-function noShips(): Record<StatusId, number> {
-  return { none: 0, flight: 0, contact: 0, landed: 0, tipped: 0, crashed: 0 };
-}
+const nextRow = createFleetReadout().counts;
 
 function createRow(): FleetRow {
   return {

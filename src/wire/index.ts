@@ -11,7 +11,13 @@ export { encodeCommonPart, encodeOwnPart, encodeShipPart, joinFrameParts } from 
 /** Client messages, as bytes. */
 export { decodeClientMessage, encodeClientMessage } from './messages/clientMessage';
 /** The game's JSON, without its envelope: frames, hellos, controls, single states. */
-export { decodeFrameJson, type DecodedFrame, encodeFrameJson, type FrameJsonOptions } from './json/frameJson';
+export {
+  decodeFrameJson,
+  type DecodedFrame,
+  decodeLeanFrameJson,
+  encodeFrameJson,
+  type FrameJsonOptions,
+} from './json/frameJson';
 export { decodeHelloJson, type DecodedHello, encodeHelloJson } from './json/helloJson';
 export { decodeControlsJson, encodeControlsJson } from './json/controlsJson';
 export {

@@ -38,7 +38,7 @@ it('a new readout has no numbers', () => {
     drift: { x: NaN, y: NaN, scale: 1 },
     tilt: { degrees: NaN, trend: 0, leanX: 0, leanY: 0, settle: NaN, prominent: false },
     descent: { shown: false },
-    righting: { shown: false },
+    righting: { shown: false, torqueAvailable: 0 },
     touchdown: NO_TOUCHDOWN,
     touchdownShown: false,
   });
@@ -74,5 +74,10 @@ it('a readout whose ship is gone has the numbers of none', () => {
   for (let i = 0; i < 60; i++) updateLandingAids(aids, flying);
   expect(aids.outcome).toBe('touch');
   const { touchPlace } = aids;
+  const flight = updateFlightReadout(createFlightReadout(), flying);
+  expect(flight.fuel).toBeGreaterThan(0);
+  expect(shown(updateFlightReadout(flight, gone))).toEqual(
+    shown(updateFlightReadout(createFlightReadout(), gone)),
+  );
   expect(shown(updateLandingAids(aids, gone))).toEqual({ ...shown(createLandingAids()), touchPlace });
 });

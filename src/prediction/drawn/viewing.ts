@@ -118,7 +118,10 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   const exactly = fillGrounded(out, scene, attitude);
   fillThrust(out, rows, from);
   fillControls(out, track.picture.status.commands, rows, from);
-  if (fillServerState(out, track, scene.at)) fillGhost(out, track, scene.world, scene.ground, exactly);
+  if (fillServerState(out, track, scene.at)) {
+    fillGhost(out, track);
+    scene.features.groundGhost?.(out, track, scene, exactly);
+  }
   fillStatus(out, track, rows, from, scene.at);
   if (track.log !== null)
     sim.features.touchdown?.fillTouchdown(

@@ -8,7 +8,7 @@ import { staleAfter } from '../time/connection';
 import { indexOf, type Moment, spanOf } from '../time/timeline';
 import type { WorldView } from './view';
 import type { Springs } from './ease';
-import { createScene, type Scene } from './scene';
+import { createScene, type Scene, type SceneFeatures } from './scene';
 import { createShipView, fillShipView } from './viewing';
 
 /** A view under construction, and what all its ships share. */
@@ -30,7 +30,7 @@ interface BodyView {
   readonly angularVelocity: [number, number, number];
 }
 
-export function createViewBuilder(sim: Simulation, springs: Springs): ViewBuilder {
+export function createViewBuilder(sim: Simulation, springs: Springs, features: SceneFeatures): ViewBuilder {
   const bodies = sim.world.bodies.map(({ name, mass, radius }): BodyView => {
     return {
       name,
@@ -57,7 +57,7 @@ export function createViewBuilder(sim: Simulation, springs: Springs): ViewBuilde
     own: null,
     diagnosis: sim.counters,
   };
-  const scene = createScene(sim, springs);
+  const scene = createScene(sim, springs, features);
   const instant = { now: 0, present: 0, lead: 0, heard: 0 };
   return { view, scene, instant, viewedAt: Number.NaN };
 }

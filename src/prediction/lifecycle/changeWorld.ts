@@ -5,7 +5,6 @@ import { beginWorld, type Session } from '../session';
 import { forgetAfter } from '../simulation/history';
 import { abandonReplay, hold } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
-import { holdSleeping } from '../simulation/sleep';
 import type { Track } from '../simulation/track';
 import { forgetAfter as forgetBodiesAfter } from '../snapshots/bodies/bodyTrack';
 import { sameBodies, type WorldConfig } from '../snapshots/worldConfig';
@@ -28,7 +27,7 @@ export function changeWorld(session: Session, world: World, config: WorldConfig)
   const before = sim.world;
   for (const track of sim.fleet.tracks) {
     if (track.mode === 'stepping') hold(sim, track);
-    if (track.mode === 'sleeping') holdSleeping(track);
+    sim.sleep?.holdSleeping(track);
   }
   sim.world = world;
   sim.groundless = withoutGround(world);

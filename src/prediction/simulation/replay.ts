@@ -2,7 +2,6 @@ import { CRASHED, NO_EVENT } from '../../dynamics';
 import { easeCorrection, holdDrawn, captureDrawn } from '../drawn/correction';
 import { uprights } from '../drawn/snap/uprighting';
 import { indexOf } from '../time/timeline';
-import { keepLog } from '../touchdown/touchdownRing';
 import { keep } from './history';
 import type { Simulation } from './simulation';
 import { enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
@@ -80,7 +79,7 @@ function replaySubstep(sim: Simulation, track: Track, step: RowStep): void {
   if (track.log !== null) sim.features.touchdown?.logSubstep(track.log.replayed, sim.world, step);
   if (!leaveSubstep(step, sim)) return;
   keep(track.history, step.tick, step.rows, track.at);
-  if (track.log !== null) keepLog(track.log, step.tick, track.log.replayed);
+  if (track.log !== null) sim.features.touchdown?.keepLog(track.log, step.tick, track.log.replayed);
 }
 
 /** The replay has reached the front and becomes the prediction; the drawn pose fades into it. */

@@ -133,8 +133,9 @@ describe('landing aids', () => {
     const half = (rate * 5) / 2;
     const [x, y, z] = axis.map((a) => a * Math.sin(half)) as [number, number, number];
     const turned = multiplied([x, y, z, Math.cos(half)], [...body.attitude]);
-    const before = out.touchPlace.slice();
+    const [before, seconds] = [out.touchPlace.slice(), out.touchSeconds];
     updateLandingAids(out, { ...later(view, 5, own), bodies: [{ ...body, attitude: turned }] });
+    expect(out.touchSeconds).toBeCloseTo(seconds - 5, 6);
     const moved = before.map((x, k) => x + 5 * crossed([...body.angularVelocity], [...before])[k]!);
     expect(Math.hypot(...moved.map((x, k) => x - before[k]!))).toBeGreaterThan(10);
     expect(Math.hypot(...moved.map((x, k) => x - out.touchPlace[k]!))).toBeLessThan(0.01);

@@ -3,6 +3,7 @@ import { BODIES, DEFAULT_SETTINGS, NEUTRAL_CONTROLS, SHIP_CLASSES } from '../../
 import {
   createLeanPredictor,
   createPredictor,
+  gameCatalogue,
   type LeanPredictor,
   type Predictor,
   type PredictorOptions,
@@ -85,9 +86,9 @@ export interface Warning {
 export const warningsOf = (use: (predictor: Predictor) => void, options: object = {}): Warning[] =>
   warningsOfOne(createPredictor, use, options);
 
-/** The same of a lean predictor without features. */
+/** The same of a lean predictor that has the game's classes and bodies alone. */
 export const warningsOfLean = (use: (predictor: LeanPredictor) => void): Warning[] =>
-  warningsOfOne(createLeanPredictor, use, {});
+  warningsOfOne(createLeanPredictor, use, { features: [gameCatalogue] });
 
 function warningsOfOne<P>(
   create: (options: PredictorOptions) => P,

@@ -65,7 +65,7 @@ for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, () => process.exi
 
 /** Runs test files on the changed source: true when all pass within `limit` ms. */
 function passes(tests, mutant, limit = TIME_LIMIT) {
-  const project = isOnPages(tests[0]) ? 'browser' : 'node';
+  const project = isOnPages(tests[0]) ? 'browser' : '!browser';
   const args = ['run', '--project', project, '--maxWorkers', '1', '--bail', '1', '--reporter', 'dot'];
   // A test that is skipped would pass.
   const variables = { TOUCHDOWN_MUTANT: mutant ? JSON.stringify(mutant) : '', TOUCHDOWN_NO_SKIP: '1' };

@@ -1,5 +1,7 @@
 // Which files are tests and how they run. A new test file anywhere under test/ is picked up by its name alone.
-import { availableParallelism } from 'node:os';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { availableParallelism, tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { BaseSequencer } from 'vitest/node';
 import { bundledTests, bundleRun } from './bundle.mjs';
 
@@ -25,6 +27,11 @@ const ALONE = ['test/live/**/*.long.test.ts', 'test/prediction/harness/inChromiu
 const HANGS = { testTimeout: 300_000, hookTimeout: 300_000, expect: { poll: { timeout: 120_000 } } };
 
 const cores = availableParallelism();
+
+/** A folder of the run for all that its tests and the programs that they start put into the temporary folder, even where one is killed. */
+const temporary = mkdtempSync(join(tmpdir(), 'touchdown-tests-'));
+process.env.TMPDIR = temporary;
+process.on('exit', () => rmSync(temporary, { recursive: true, force: true }));
 
 /**
  * Bundles the run's files before it begins: those of node together, so that what they share is compiled once in each process. Files

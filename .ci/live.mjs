@@ -95,7 +95,9 @@ async function prepare() {
   ];
   for (const [port, whose] of asked) if (port !== undefined) await requireFree(port, whose);
   return createStack({
-    ...{ appendfsync: 'everysec', ports, data },
+    appendfsync: 'everysec',
+    ports,
+    data,
     gatewayEnv: {
       TOUCHDOWN_SECRET: randomBytes(32).toString('base64url'),
       TOUCHDOWN_ACCOUNTS: JSON.stringify(accounts),

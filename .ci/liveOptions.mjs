@@ -34,7 +34,10 @@ export function readOptions(args) {
     return number;
   };
   return {
-    ...{ rate, data: values.data, isCheck: values.check, isHelp: values.help },
+    rate,
+    data: values.data,
+    isCheck: values.check,
+    isHelp: values.help,
     ports: { page: port('page'), gateway: port('gateway'), redis: port('redis') },
   };
 }

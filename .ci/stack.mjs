@@ -107,7 +107,12 @@ export async function createStack({ gatewayEnv, appendfsync, ports = {}, data, s
     upWhen: /gateway: listening/,
   });
   return {
-    ...{ redis, service, gateway, redisUrl, gatewayPort, folder },
+    redis,
+    service,
+    gateway,
+    redisUrl,
+    gatewayPort,
+    folder,
     async stop() {
       for (const one of [gateway, service, redis]) await one.end('SIGTERM');
       folder.close();

@@ -2,4 +2,3 @@ import type { Plugin } from 'vite';
 
 export function bundleRun(groups: string[][]): void;
 export function bundledTests(): Plugin;
-export function mutation(): Plugin[];

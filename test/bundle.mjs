@@ -5,6 +5,8 @@ import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { rolldown } from 'rolldown';
+import { mutation } from './mutants/plugins.mjs';
+import { reportingTest } from './mutants/probes.mjs';
 
 /** What a module asks of `import.meta`, and the constant that tells it of its source's place, e.g. to read the files beside it. */
 const PLACES = {
@@ -27,16 +29,6 @@ const declareSourcePlace = {
     },
   },
 };
-
-/** Plugins that make the change of test/mutants/main.mjs: { path from the root, start, end, text } as JSON in TOUCHDOWN_MUTANT. */
-export function mutation() {
-  const { path, start, end, text } = JSON.parse(process.env.TOUCHDOWN_MUTANT || '{}');
-  if (path === undefined) return [];
-  const mutated = fileURLToPath(new URL(`../${path}`, import.meta.url));
-  const transform = (code, id) =>
-    id === mutated ? { code: code.slice(0, start) + text + code.slice(end), map: null } : null;
-  return [{ name: 'mutation', enforce: 'pre', transform }];
-}
 
 /** As vite.config.ts has it for the page, and says why. */
 const OUTPUT = { sourcemap: true, topLevelVar: false };
@@ -176,7 +168,10 @@ export function bundledTests() {
       const { code, map, modules } = made ?? (await bundle(id));
       if (made?.isShared) refuseSharedHooks(modules.filter((path) => path.startsWith(TESTS)));
       for (const module of modules) this.addWatchFile(module);
-      return made ? `import ${JSON.stringify(pathToFileURL(made.file).href)};` : { code, map };
+      if (!made) return { code, map };
+      const url = pathToFileURL(made.file).href;
+      const probes = process.env.TOUCHDOWN_PROBES;
+      return probes ? reportingTest(id, url, probes) : `import ${JSON.stringify(url)};`;
     },
   };
 }

@@ -28,10 +28,16 @@ const HANGS = { testTimeout: 300_000, hookTimeout: 300_000, expect: { poll: { ti
 
 const cores = availableParallelism();
 
-/** A folder of the run for all that its tests and the programs that they start put into the temporary folder, even where one is killed. */
-const temporary = mkdtempSync(join(tmpdir(), 'touchdown-tests-'));
-process.env.TMPDIR = temporary;
-process.on('exit', () => rmSync(temporary, { recursive: true, force: true }));
+/** Whether this is a runner of test/mutants: one of several, and killed at its end. */
+const isOfMutants = process.env.TOUCHDOWN_MUTANT !== undefined;
+
+/** Puts what tests, and the programs that they start, leave in the temporary folder into one that goes with the run. */
+function ownTemporaryFolder() {
+  const folder = mkdtempSync(join(tmpdir(), 'touchdown-tests-'));
+  process.env.TMPDIR = folder;
+  process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
+}
+if (!isOfMutants) ownTemporaryFolder();
 
 /**
  * Bundles the run's files before it begins: those of node together, so that what they share is compiled once in each process. Files
@@ -83,7 +89,7 @@ class LongestFirst extends Bundled {
 const COMPUTING = { isolate: false, ...HANGS };
 const WAITING = {
   isolate: false,
-  maxWorkers: process.env.TOUCHDOWN_MUTANT ? 1 : 3 * cores,
+  maxWorkers: isOfMutants ? 1 : 3 * cores,
   sequence: { groupOrder: 1 },
   ...HANGS,
 };

@@ -99,7 +99,14 @@ function writeManifest() {
   const entries = names.map((door) => [door === 'index' ? '.' : `./${door}`, conditions(door)]);
   const { name, version, description, keywords, license, engines } = manifest;
   const packed = {
-    ...{ name, version, description, keywords, license, repository: repository(), type: 'module', engines },
+    name,
+    version,
+    description,
+    keywords,
+    license,
+    repository: repository(),
+    type: 'module',
+    engines,
     sideEffects: ['./hud.css'],
     exports: {
       ...Object.fromEntries(entries),
@@ -110,7 +117,9 @@ function writeManifest() {
       },
       './package.json': './package.json',
     },
-    ...{ main: './index.cjs', module: './index.js', types: './index.d.ts' },
+    main: './index.cjs',
+    module: './index.js',
+    types: './index.d.ts',
     files: [
       ...['*.js', '*.cjs', '*.map', '*.d.ts', '*.d.cts', 'hud.css', 'chunks', 'production'],
       ...['CHANGELOG.md', 'NOTICES.md'],

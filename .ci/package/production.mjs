@@ -6,7 +6,10 @@ import { join } from 'node:path';
 /** Replaces the named functions of each file: no checks, as without a listener. */
 const CHECKS = {
   'prediction/checks/checks.ts': ['createChecks'],
+  'prediction/checks/features.ts': ['checkFeatures'],
   'prediction/checks/options.ts': ['requireOptions', 'checkDefaults', 'faultOfDefaults'],
+  // What to do with a value that is no message; the message is refused all the same, by the field that it lacks.
+  'wire/fields/sentObject.ts': ['notPlain', 'wrapped'],
 };
 
 function without(file, names) {

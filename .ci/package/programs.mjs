@@ -54,8 +54,12 @@ export async function checkEsbuild(folder) {
   const { build: bundle } = createRequire(import.meta.url)(tool('esbuild'));
   writeFileSync(join(folder, 'entry.js'), ENTRY);
   const { warnings } = await bundle({
-    ...{ entryPoints: [join(folder, 'entry.js')], outdir: join(folder, 'esbuild'), bundle: true },
-    ...{ format: 'esm', logLevel: 'silent', outExtension: { '.js': '.mjs' } },
+    entryPoints: [join(folder, 'entry.js')],
+    outdir: join(folder, 'esbuild'),
+    bundle: true,
+    format: 'esm',
+    logLevel: 'silent',
+    outExtension: { '.js': '.mjs' },
   });
   if (warnings.length > 0) throw new Error(`esbuild warns: ${warnings[0].text}`);
   if (!readFileSync(join(folder, 'esbuild/entry.css'), 'utf8').includes('.td-hud'))
@@ -72,7 +76,10 @@ export async function checkWebpack(folder) {
   );
   const stats = await new Promise((done, failed) => {
     const options = {
-      ...{ mode: 'production', target: 'node', entry: join(folder, 'entry.webpack.js'), context: folder },
+      mode: 'production',
+      target: 'node',
+      entry: join(folder, 'entry.webpack.js'),
+      context: folder,
       output: { path: join(folder, 'webpack'), filename: 'out.cjs' },
     };
     webpack(options, (error, result) =>

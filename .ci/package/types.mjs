@@ -21,8 +21,14 @@ function emit(root, folder, doors) {
   const options = {
     extends: join(root, 'tsconfig.json'),
     compilerOptions: {
-      ...{ noEmit: false, declaration: true, emitDeclarationOnly: true, noCheck: true },
-      ...{ types: [], lib: ['es2023', 'dom'], rootDir: join(root, 'src'), outDir: join(folder, 'src') },
+      noEmit: false,
+      declaration: true,
+      emitDeclarationOnly: true,
+      noCheck: true,
+      types: [],
+      lib: ['es2023', 'dom'],
+      rootDir: join(root, 'src'),
+      outDir: join(folder, 'src'),
     },
     include: [],
     files: Object.values(doors).map((source) => join(root, source)),

@@ -72,7 +72,10 @@ function optionsOf(ts, [module, moduleResolution]) {
     moduleResolution: kind(ModuleResolutionKind, moduleResolution),
     lib: ['lib.es2022.d.ts', 'lib.dom.d.ts'],
     types: [],
-    ...{ strict: true, exactOptionalPropertyTypes: true, skipLibCheck: false, noEmit: true },
+    strict: true,
+    exactOptionalPropertyTypes: true,
+    skipLibCheck: false,
+    noEmit: true,
     // Default from TypeScript 6 on.
     ...(ts.versionMajorMinor >= '5.6' ? { noUncheckedSideEffectImports: true } : {}),
   };

@@ -55,7 +55,10 @@ export function createGameConnection(options: GameConnectionOptions, handlers: G
   const held = { token: options.token };
   const unconfirmed = createUnconfirmedControls();
   const driver = createDriver({
-    ...{ address, clock, jitter, openSocket },
+    address,
+    clock,
+    jitter,
+    openSocket,
     auth() {
       unconfirmed.opened();
       return JSON.stringify({ type: 'auth', token: held.token });

@@ -1,4 +1,4 @@
-import type { Body, BodyMotion, Controls } from '../dynamics';
+import { type Body, type BodyMotion, type Controls, requireKnown } from '../dynamics';
 import type { DecodedFrame } from '../wire';
 import type { GameMessage } from './envelope';
 import type { GameSocket } from './socket';
@@ -74,12 +74,6 @@ const HANDLERS = [
 /** s: no monotonic clock has run for 30 years; Unix time has. */
 const UNIX_TIME = 1e9;
 
-function requireKnown(path: string, known: readonly string[], given: object): void {
-  const unknown = Object.keys(given).find((name) => !known.includes(name));
-  if (unknown !== undefined)
-    throw new RangeError(`${path}.${unknown}: unknown. Known are ${known.join(', ')}.`);
-}
-
 function requireObject(path: string, given: unknown, members = ''): void {
   if (typeof given !== 'object' || given === null)
     throw new RangeError(`${path}: expected an object${members}, got ${String(given)}`);
@@ -113,12 +107,11 @@ export function requireConnection(options: GameConnectionOptions, handlers: Game
   if (/\s/.test(token))
     throw new RangeError(`options.token: expected the token alone, without "Bearer" or spaces`);
   const functions = {
-    ...{ 'options.clock.now': clock?.now, 'options.clock.after': clock?.after },
-    ...{
-      'options.jitter': given.jitter,
-      'options.openSocket': given.openSocket,
-      'handlers.onFrame': handlers.onFrame,
-    },
+    'options.clock.now': clock?.now,
+    'options.clock.after': clock?.after,
+    'options.jitter': given.jitter,
+    'options.openSocket': given.openSocket,
+    'handlers.onFrame': handlers.onFrame,
   };
   for (const [name, value] of Object.entries(functions))
     if (typeof value !== 'function')

@@ -1,24 +1,45 @@
 /** What only some clients need of a predictor: a page loads the features that it hands to createLeanPredictor. */
 import { faultOfConstants, TERRAINS } from '../dynamics';
-import { turnWithBody, writeBetween } from './drawn/interpolate';
+import { groundGhost } from './drawn/ghost';
+import { rowOfPolicy } from './drawn/interpolate';
+import { snapToLevel } from './drawn/snap/levelSnap';
 import { learnGround } from './ground/learn';
-import { checkRollback } from './simulation/rollbackCheck';
+import { knowsGround, withoutGround } from './ground/unknownGround';
+import { GAME_CATALOGUE } from './options';
 import { announce, type SessionFeatures } from './session';
+import { carry } from './simulation/carry';
+import { checkRollback } from './simulation/rollbackCheck';
+import {
+  holdSleeping,
+  placeAsleep,
+  sleepAtFirst,
+  sleepIfAtRest,
+  sleepsOn,
+  sleepsThrough,
+  wakeIfBurning,
+  writeSleeping,
+} from './simulation/sleep';
 import { acknowledgementOf, takeAcknowledgement } from './snapshots/acknowledgements';
 import { completeBodies } from './snapshots/bodies/completeBodies';
 import { measureByShip, spunMotion } from './snapshots/bodies/bodySpin';
 import { measureGameTime } from './snapshots/gameTimeMeter';
+import { learnFrom } from './snapshots/learnFrom';
 import { describeDifference } from './snapshots/reconcile/compare';
 import { keepServerState } from './snapshots/reconcile/keepStates';
-import { weighLaw } from './snapshots/reconcile/lawFit';
-import { confirmEnd, confirmEvents, happened, settleEvents } from './snapshots/settleEvents';
+import { holdLaw } from './snapshots/reconcile/lawErrors';
+import { chooseMotion } from './snapshots/reconcile/lawFit';
+import { replayImpact } from './snapshots/reconcile/recall';
+import { confirmEnd, confirmEvents, recordPredicted, settleEvents } from './snapshots/settleEvents';
 import { shipFault } from './snapshots/shipFault';
 import { takeHello } from './snapshots/takeHello';
 import { receiveRest, takeOlder, takePart, takeShips } from './snapshots/takeParts';
 import { takePong } from './snapshots/takePong';
+import { measureUnsentRate, sentUntimed } from './snapshots/unsentTickRate';
+import { keepPace } from './time/pace';
 import { pingIfDue } from './time/pings';
 import { fillTouchdown, logSubstep } from './touchdown/touchdownLog';
 import { rewindLog } from './touchdown/touchdownRewind';
+import { forgetLogsAfter, keepLog, logLanded, resizeLogs } from './touchdown/touchdownRing';
 
 /** One of the features below, for `createLeanPredictor`. */
 export interface Feature {
@@ -28,17 +49,63 @@ export interface Feature {
 
 const feature = (name: string, parts: Partial<SessionFeatures>): Feature => ({ feature: name, ...parts });
 
-const touchdown = { rewindLog, logSubstep, fillTouchdown };
+const learning = { learnFrom, holdLaw };
+const unknownGround = { knowsGround, withoutGround };
+const sleep = {
+  sleepIfAtRest,
+  sleepAtFirst,
+  sleepsOn,
+  sleepsThrough,
+  placeAsleep,
+  holdSleeping,
+  wakeIfBurning,
+  writeSleeping,
+};
+const touchdown = {
+  rewindLog,
+  logSubstep,
+  fillTouchdown,
+  keepLog,
+  forgetLogsAfter,
+  resizeLogs,
+  logLanded,
+};
 const spin = { spunMotion, measureByShip };
-const events = { happened, confirmEvents, settleEvents, confirmEnd };
+const events = { happened: recordPredicted, confirmEvents, settleEvents, confirmEnd };
 const acknowledgements = { acknowledgementOf, takeAcknowledgement };
+const tickRates = { measureUnsentRate, sentUntimed };
 const parts = { takeShips, takeOlder, takePart, receiveRest };
 
+/** The game's ship classes and bodies, for a page whose `defaults` have none of their own. */
+export const gameCatalogue: Feature = feature('gameCatalogue', { catalogue: GAME_CATALOGUE });
+
 /** Learns where the server's ground differs from the client's (PREDICTION, Learned ground). */
-export const learnedGround: Feature = feature('learnedGround', { learnGround });
+export const learnedGround: Feature = feature('learnedGround', { learning, learnGround });
 
 /** Extrapolates a ship that the server moves by other dynamics (PREDICTION, Foreign dynamics). */
-export const foreignDynamics: Feature = feature('foreignDynamics', { weighLaw });
+export const foreignDynamics: Feature = feature('foreignDynamics', {
+  learning,
+  weighLaw: chooseMotion,
+  carry,
+});
+
+/** Extrapolates ships above ground that the client has not loaded: where its terrain returns null (PREDICTION, Learned ground). */
+export const unloadedGround: Feature = feature('unloadedGround', { learning, unknownGround, carry });
+
+/** Lets landed ships sleep: they cost no substep while the server agrees (PREDICTION, Reconciliation). */
+export const sleepingShips: Feature = feature('sleepingShips', { sleep });
+
+/**
+ * Keeps frames short with many ships: within `maxSubstepsPerFrame` distant ones are not predicted (PREDICTION, Timeline), and beyond 32 the
+ * ground below a ship is drawn as level.
+ */
+export const frameBudget: Feature = feature('frameBudget', { keepPace, snapToLevel });
+
+/** The impact speed of a contact that the prediction does not have, from a server that does not send it. */
+export const replayedImpacts: Feature = feature('replayedImpacts', { replayImpact });
+
+/** Puts the ghost of a view, the server's newest state, on the drawn ground like the ship itself. */
+export const groundedGhost: Feature = feature('groundedGhost', { groundGhost });
 
 /** Records the own ship's last touchdown: `touchdown` of its view, for the HUD's touchdown card. */
 export const touchdownRecord: Feature = feature('touchdownRecord', { touchdown });
@@ -64,8 +131,11 @@ export const mismatchValues: Feature = feature('mismatchValues', { describeDiffe
 /** Measures the game time per tick of a server that does not send it, or another (PREDICTION, Timeline). */
 export const measuredGameTime: Feature = feature('measuredGameTime', { measureGameTime });
 
+/** Measures the tick rate of a server that does not send it (PREDICTION, Timeline). */
+export const measuredTickRate: Feature = feature('measuredTickRate', { tickRates });
+
 /** Measures the spin of bodies that turn otherwise than sent. */
-export const measuredSpin: Feature = feature('measuredSpin', { spin });
+export const measuredSpin: Feature = feature('measuredSpin', { learning, spin });
 
 /** Takes the hello of a server that sends one: its world, settings, classes, own ship and protocol version. */
 export const serverHello: Feature = feature('serverHello', { takeHello, faultOfConstants });
@@ -75,8 +145,34 @@ export const roundTripPings: Feature = feature('roundTripPings', { takePong, pin
 
 /** What createPredictor has. */
 export const ALL_FEATURES: SessionFeatures = Object.freeze({
-  ...{ learnGround, weighLaw, touchdown, events, announce, acknowledgements, completeBodies, parts },
-  ...{ shipFault, describeDifference, measureGameTime, spin, takeHello, faultOfConstants },
-  ...{ takePong, pingIfDue, terrains: TERRAINS, checkRollback },
-  interpolation: { keep: keepServerState, writeBetween, turnWithBody },
+  learning,
+  learnGround,
+  weighLaw: chooseMotion,
+  carry,
+  unknownGround,
+  replayImpact,
+  sleep,
+  keepPace,
+  snapToLevel,
+  groundGhost,
+  touchdown,
+  events,
+  announce,
+  acknowledgements,
+  completeBodies,
+  parts,
+  shipFault,
+  describeDifference,
+  measureGameTime,
+  tickRates,
+  spin,
+  takeHello,
+  faultOfConstants,
+  takePong,
+  pingIfDue,
+  terrains: TERRAINS,
+  catalogue: GAME_CATALOGUE,
+  checkRollback,
+  keepServerState,
+  rowOfPolicy,
 });

@@ -8,7 +8,6 @@ import type { Simulation } from './simulation/simulation';
 import { isFarBehind, realign } from './snapshots/reconcile/realign';
 import { horizonOf } from './time/cadence';
 import { advanceClock } from './time/present';
-import { keepPace } from './time/pace';
 import {
   indexOf,
   type Moment,
@@ -33,7 +32,7 @@ export function advanceFrame(session: Session, controls: Controls | null, now: n
   const { sim, clock, pilot, pace } = session;
   const target = alignFront(session, now);
   const due = substepsTo(sim, target);
-  if (due > 0) keepPace(sim, pace, due);
+  if (due > 0) session.features.keepPace?.(sim, pace, due);
   const replayed = runReplays(sim, pace.budget);
   const check = boundaryCheckOf(session);
   if (due > BACKDATED) stepFront(sim, later(sim, due - BACKDATED), check);

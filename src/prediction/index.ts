@@ -17,9 +17,16 @@ export {
   learnedGround,
   measuredGameTime,
   measuredSpin,
+  measuredTickRate,
   touchdownRecord,
   serverHello,
   roundTripPings,
+  frameBudget,
+  gameCatalogue,
+  groundedGhost,
+  replayedImpacts,
+  sleepingShips,
+  unloadedGround,
 } from './features';
 export type { ClientTerrain, Defaults, PredictorOptions } from './options';
 /** Why a ship is removed, and warnings to the caller. */

@@ -1,5 +1,6 @@
 import type { LeanPredictor } from './calls/api';
 import { commonCalls } from './calls/commonCalls';
+import { checkFeatures } from './checks/features';
 import { requireOptions } from './checks/options';
 import type { Feature } from './features';
 import type { PredictorOptions } from './options';
@@ -16,13 +17,14 @@ export interface LeanOptions extends Omit<PredictorOptions, 'forcedRollback'> {
 /**
  * Creates a predictor that loads less: the same dynamics, reconciliation and drawing, bit for bit, as long as the server says what it
  * simulates. What createPredictor can do in addition is handed in (`features`) or missing: snapshot and restore, configure, policies,
- * undecoded messages, and all terrains but flat (`terrains: TERRAINS` has the others). `receive` takes what a decoder of this library
+ * undecoded messages, and all terrains but flat (`terrains: TERRAINS` has the others). `defaults` must have ship classes and bodies; the
+ * game's are in `gameCatalogue`. `receive` takes what a decoder of this library
  * returned; only with `checkedRecords` may it be given records of the caller's own making.
  * @throws RangeError that names the invalid option
  *
  * @example
  * ```ts
- * const predictor = createLeanPredictor({ ownShipId: 'ship-1', features: [learnedGround, touchdownRecord] });
+ * const predictor = createLeanPredictor({ ownShipId: 'ship-1', features: [gameCatalogue, touchdownRecord] });
  * predictor.advance(NEUTRAL_CONTROLS, now);
  * const { own } = predictor.view(now);
  * ```
@@ -44,5 +46,5 @@ const lacks =
   ({ sim }: Session): void =>
     refuse(sim, `message.kind: a lean predictor takes a ${kind} only with its feature`);
 
-/** The game's server sends neither. */
-const PLAIN: SessionFeatures = { takeHello: lacks('hello'), takePong: lacks('pong') };
+/** The game's server sends no hello and no pong. */
+const PLAIN: SessionFeatures = { takeHello: lacks('hello'), takePong: lacks('pong'), checkFeatures };

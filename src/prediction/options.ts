@@ -53,12 +53,18 @@ export interface Defaults {
 /** Default of maxSubstepsPerFrame. */
 export const BUDGET = 20_000;
 
-/** The default world of the options, completed by the game's own catalogue. */
-export function defaultWorld(given: Partial<Defaults> | undefined): WorldConfig {
+/** Ship classes and bodies in place of those that the options do not have. */
+export type Catalogue = Pick<Defaults, 'shipClasses' | 'bodies'>;
+
+/** The game's own. */
+export const GAME_CATALOGUE: Catalogue = { shipClasses: SHIP_CLASSES, bodies: BODIES };
+
+/** The default world of the options. */
+export function defaultWorld(given: Partial<Defaults> | undefined, catalogue?: Catalogue): WorldConfig {
   return {
     settings: given?.settings ?? {},
-    shipClasses: given?.shipClasses ?? SHIP_CLASSES,
-    bodies: given?.bodies ?? BODIES,
+    shipClasses: given?.shipClasses ?? catalogue?.shipClasses ?? [],
+    bodies: given?.bodies ?? catalogue?.bodies ?? [],
     terrain: given?.terrain ?? 'flat',
   };
 }

@@ -1,7 +1,6 @@
 import { forgetRecords } from './inputs/inputs';
 import { beginWorld, type Session } from './session';
 import { forgetAfter } from './simulation/history';
-import { holdSleeping } from './simulation/sleep';
 import type { Simulation } from './simulation/simulation';
 import { startReplay } from './simulation/replay';
 import { copyRow, removeTrack, type Track } from './simulation/track';
@@ -23,13 +22,13 @@ export function changeOwnShip(session: Session, shipId: string): void {
   pilot.last = null;
   pilot.released = null;
   const { fleet } = sim;
-  if (fleet.own !== null) giveUp(sim, fleet.own);
+  if (fleet.own !== null) releaseShip(sim, fleet.own);
   fleet.own = fleet.byId.get(shipId) ?? null;
   if (fleet.own !== null) fleet.own.own = true;
 }
 
 /** The ship now belongs to another pilot or to none: it returns to its server state, without the client's inputs. */
-function giveUp(sim: Simulation, track: Track): void {
+function releaseShip(sim: Simulation, track: Track): void {
   track.own = false;
   track.log = null;
   if (track.mode === 'sleeping') {
@@ -54,7 +53,7 @@ export function dropShip({ sim, receiver }: Session, shipId: string, reason: Rem
 export function expectTeleport({ sim }: Session, shipId: string): void {
   const track = sim.fleet.byId.get(shipId);
   if (track === undefined) return;
-  if (track.mode === 'sleeping') holdSleeping(track);
+  sim.sleep?.holdSleeping(track);
   forgetAfter(track.history, -1);
   track.states = null;
   track.replaySnaps = true;

@@ -8,7 +8,7 @@ import { ALL_FEATURES } from './features';
 import { configure } from './lifecycle/configure';
 import { copyOwned, type Owned } from './lifecycle/fork';
 import { changePolicy } from './lifecycle/policy';
-import { createKept, receiveAndKeep, restoreSnapshot, snapshotOf } from './lifecycle/snapshot';
+import { createLatestMessages, receiveAndKeep, restoreSnapshot, snapshotOf } from './lifecycle/snapshot';
 import type { PredictorOptions } from './options';
 import { createSession } from './session';
 import { decodePending, receivePending } from './snapshots/pending';
@@ -28,7 +28,7 @@ import { decodePending, receivePending } from './snapshots/pending';
  */
 export function createPredictor(options: PredictorOptions = {}): Predictor {
   requireOptions(options);
-  return predictorOf({ session: createSession(options, ALL_FEATURES), kept: createKept() });
+  return predictorOf({ session: createSession(options, ALL_FEATURES), kept: createLatestMessages() });
 }
 
 const owners = new WeakMap<Predictor, Owned>();
@@ -44,30 +44,30 @@ export function forkPredictor(predictor: Predictor): Predictor {
 }
 
 function predictorOf(owned: Owned): Predictor {
-  const predictor = createFace(owned);
+  const predictor = createApi(owned);
   owners.set(predictor, owned);
   return predictor;
 }
 
-function createFace({ session, kept }: Owned): Predictor {
-  const { life, calls, receiveAt } = commonCalls(session, {
+function createApi({ session, kept }: Owned): Predictor {
+  const { lifetime, calls, receiveAt } = commonCalls(session, {
     take: (message, at) => receiveAndKeep(session, kept, message, at),
     decodePending,
   });
   return {
     ...calls,
     receivePending(message, now) {
-      if (life.carriesOut('receivePending')) receivePending(session, message, now, receiveAt);
+      if (lifetime.carriesOut('receivePending')) receivePending(session, message, now, receiveAt);
     },
     setPolicy(shipId, policy) {
-      if (life.carriesOut('setPolicy') && isShipId(session, 'setPolicy', shipId))
+      if (lifetime.carriesOut('setPolicy') && isShipId(session, 'setPolicy', shipId))
         changePolicy(session, shipId, policy);
     },
     configure: (changes) =>
-      life.carriesOut('configure') ? configure(session, changes) : err('configure: disposed'),
+      lifetime.carriesOut('configure') ? configure(session, changes) : err('configure: disposed'),
     snapshot: (now) => snapshotOf(session, kept, wallAt(session, now)),
     restore: (snapshot, now) =>
-      life.carriesOut('restore')
+      lifetime.carriesOut('restore')
         ? restoreSnapshot(session, kept, snapshot, wallAt(session, now))
         : err('snapshot: disposed'),
   };

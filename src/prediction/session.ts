@@ -5,33 +5,38 @@ import {
   type TerrainHeight,
   type World,
 } from '../dynamics';
-import type { Hello, Pong } from '../wire';
+import type { Hello, PartialFrame, Pong } from '../wire';
 import { guardTerrain } from './ground/guardTerrain';
 import { createDiagnosis } from './diagnosis';
 import { springsOf } from './drawn/ease';
 import type { Diagnosis, EventNotice } from './drawn/view';
-import { createShown, type Shown } from './drawn/worldView';
+import type { SceneFeatures } from './drawn/scene';
+import { createViewBuilder, type ViewBuilder } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
 import { createSending, type Sending } from './inputs/sending';
-import { BUDGET, defaultWorld, type PredictorOptions } from './options';
+import { BUDGET, type Catalogue, defaultWorld, type PredictorOptions } from './options';
 import { createSimulation, type Features, type Simulation } from './simulation/simulation';
-import { createGameTimeMeter, forgetGameTime, type GameTimeMeter } from './snapshots/gameTimeMeter';
 import { createPendingFrames, type PendingFrames } from './snapshots/pendingFrames';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
 import { loadConfig, type WorldConfig } from './snapshots/worldConfig';
 import { type Clock, createClock, forgetSchedule } from './time/clock';
-import { createPace, type Pace } from './time/pace';
+import { createPace, type keepPace, type Pace } from './time/pace';
 import { createPings, type Pings } from './time/pings';
 import { createWarn, type Warn } from './warnings';
 
 /** What only some clients need of a predictor, with what the session calls for it. */
-export interface SessionFeatures extends Features {
+export interface SessionFeatures extends Features, SceneFeatures {
   readonly takeHello: (session: Session, hello: Hello, now: number) => void;
   readonly takePong: (session: Session, pong: Pong, now: number) => void;
+  readonly catalogue?: Catalogue;
+  /** Warns of what a frame has that needs a feature which the predictor does not have. */
+  readonly checkFeatures?: (session: Session, frame: PartialFrame) => void;
   /** Calls the listeners with the events. */
   readonly announce?: (session: Session) => void;
   /** Checks the settings and classes of a world. */
   readonly faultOfConstants?: typeof faultOfConstants;
+  /** Keeps frames within the budget of substeps. */
+  readonly keepPace?: typeof keepPace;
   readonly pingIfDue?: (pings: Pings, now: number) => void;
 }
 
@@ -51,9 +56,8 @@ export interface Session {
   readonly pending: PendingFrames;
   readonly pace: Pace;
   readonly listeners: Set<(notice: EventNotice) => void>;
-  readonly meter: GameTimeMeter;
   sim: Simulation;
-  shown: Shown;
+  viewBuilder: ViewBuilder;
   /** The world in force: the defaults until a hello has another. */
   config: WorldConfig;
   granularity: Hello['inputGranularity'];
@@ -69,7 +73,12 @@ export interface Session {
 export function createSession(options: PredictorOptions, features: SessionFeatures): Session {
   const warn = createWarn(options.onWarning);
   const terrains = terrainsOf(options, features, warn);
-  const defaults = defaultWorld(options.defaults);
+  const defaults = defaultWorld(options.defaults, features.catalogue);
+  for (const name of ['shipClasses', 'bodies'] as const)
+    if (defaults[name].length === 0)
+      throw new RangeError(
+        `defaults.${name}: expected at least one; a lean predictor has the game's with the feature gameCatalogue`,
+      );
   const world = loadConfig(defaults, { terrains, features });
   if (!world.ok) throw new RangeError(`defaults: ${world.reason}`);
   const counters = createDiagnosis();
@@ -90,9 +99,8 @@ export function createSession(options: PredictorOptions, features: SessionFeatur
     pending: createPendingFrames(),
     pace: createPace(options.maxSubstepsPerFrame ?? BUDGET),
     listeners: new Set(),
-    meter: createGameTimeMeter(),
     sim,
-    shown: createShown(sim, springsOf(options.smoothing)),
+    viewBuilder: createViewBuilder(sim, springsOf(options.smoothing), features),
     config: defaults,
     granularity: 'tick',
     setBack: 0,
@@ -119,17 +127,20 @@ function newSimulation(
   bodies: readonly BodyMotion[],
   { options, features, counters, warn }: Pick<Session, 'options' | 'features' | 'counters' | 'warn'>,
 ): Simulation {
-  const sleeps = (options.forcedRollback ?? 0) === 0;
-  return createSimulation(world, bodies, { features, counters, warn, sleeps, plan: options.plan ?? [] });
+  const sleep = (options.forcedRollback ?? 0) > 0 ? null : (features.sleep ?? null);
+  return createSimulation(world, bodies, { features, counters, warn, sleep, plan: options.plan ?? [] });
 }
 
 /** Clears all ships and the timeline of the previous world; listeners stay. */
 export function beginWorld(session: Session, world: World, bodies: readonly BodyMotion[]): void {
   session.sim = newSimulation(world, bodies, session);
-  session.shown = createShown(session.sim, springsOf(session.options.smoothing));
+  session.viewBuilder = createViewBuilder(
+    session.sim,
+    springsOf(session.options.smoothing),
+    session.features,
+  );
   forgetSchedule(session.clock);
   forgetPast(session.receiver);
-  forgetGameTime(session.meter);
 }
 
 /** Calls each listener; one that throws does not affect the others. */

@@ -8,23 +8,23 @@ import { spanOf } from './time/timeline';
 
 /** The view at client wall second `now`, with connection and gauges; before the first `advance`, a view without server state. */
 export function viewAt(session: Session, now: number): WorldView {
-  const { sim, shown, clock, advancedAt } = session;
+  const { sim, viewBuilder, clock, advancedAt } = session;
   fillConnection(session, now);
-  if (Number.isNaN(advancedAt) || sim.newestTick < 0 || sim.frontIsStale) return shown.view;
+  if (Number.isNaN(advancedAt) || sim.newestTick < 0 || sim.frontIsStale) return viewBuilder.view;
   const present = clock.present + Math.max(0, now - clock.updatedAt) * clock.rate;
   place(sim, present);
-  const { instant } = shown;
+  const { instant } = viewBuilder;
   instant.now = now;
   instant.present = present;
   instant.lead = clock.present - serverTime(clock, clock.updatedAt);
   instant.heard = sentAt(clock, now) - jitterOf(clock);
-  fillView(shown, sim);
-  fillGauges(session);
-  return shown.view;
+  fillView(viewBuilder, sim);
+  fillDiagnosis(session);
+  return viewBuilder.view;
 }
 
-function fillConnection({ shown, receiver, pings, sim }: Session, now: number): void {
-  const { view } = shown;
+function fillConnection({ viewBuilder, receiver, pings, sim }: Session, now: number): void {
+  const { view } = viewBuilder;
   view.silence = Math.max(0, now - receiver.acceptedAt);
   if (sim.timeline.spans.length === 0) {
     view.connection = 'waiting';
@@ -34,7 +34,7 @@ function fillConnection({ shown, receiver, pings, sim }: Session, now: number): 
   view.connection = connectionOf(heard, sim.cadence, spanOf(sim.timeline, sim.newestTick));
 }
 
-function fillGauges({ counters, clock, setBack }: Session): void {
+function fillDiagnosis({ counters, clock, setBack }: Session): void {
   counters.clockOffset = clock.offset - setBack;
   counters.clockRate = clock.rate;
   counters.roundTrip = clock.roundTrip;

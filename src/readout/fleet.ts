@@ -76,14 +76,8 @@ export function updateFleetReadout(out: FleetReadout, given: WorldView | null): 
 }
 
 const NO_SHIPS: readonly ShipView[] = [];
-const nextRow: Record<StatusId, number> = {
-  none: 0,
-  flight: 0,
-  contact: 0,
-  landed: 0,
-  tipped: 0,
-  crashed: 0,
-};
+/** Index of the next row of each status. */
+const nextRow = createFleetReadout().counts;
 
 function createRow(): FleetRow {
   return {

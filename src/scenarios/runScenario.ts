@@ -83,7 +83,11 @@ interface Log extends TickRun {
 function createLog(ship: Float64Array, { timing, inputs }: LoadedScenario): Log {
   let state = 0;
   const log: Log = {
-    ...{ timing, schedule: scheduleOf(inputs), events: [], illegalTransitions: [], tick: 0 },
+    timing,
+    schedule: scheduleOf(inputs),
+    events: [],
+    illegalTransitions: [],
+    tick: 0,
     before: () => {
       state = ship[SURFACE_STATE]!;
     },

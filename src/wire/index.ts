@@ -11,7 +11,13 @@ export { encodeCommonPart, encodeOwnPart, encodeShipPart, joinFrameParts } from 
 /** Client messages, as bytes. */
 export { decodeClientMessage, encodeClientMessage } from './messages/clientMessage';
 /** The game's JSON, without its envelope: frames, hellos, controls, single states. */
-export { decodeFrameJson, type DecodedFrame, encodeFrameJson, type FrameJsonOptions } from './json/frameJson';
+export {
+  decodeFrameJson,
+  type DecodedFrame,
+  decodeLeanFrameJson,
+  encodeFrameJson,
+  type FrameJsonOptions,
+} from './json/frameJson';
 export { decodeHelloJson, type DecodedHello, encodeHelloJson } from './json/helloJson';
 export { decodeControlsJson, encodeControlsJson } from './json/controlsJson';
 export {
@@ -21,14 +27,13 @@ export {
   type ShipStateJson,
 } from './json/shipStateJson';
 /** Why a string cannot be a name or an id on the wire. */
-export { textComplaint } from './fields/reading';
+export { textFault as textComplaint } from './fields/reading';
 /** Limits of a message. */
 export {
   MAX_BODIES,
   MAX_CLIENT_BYTES,
   MAX_INPUTS,
   MAX_SERVER_BYTES,
-  MAX_SHIP_CLASSES,
   MAX_SHIPS,
   MAX_TEXT,
   MAX_TICK,

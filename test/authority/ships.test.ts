@@ -73,9 +73,13 @@ describe('ships', () => {
     expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('landed');
     const up = frameOf(authority).ships[0]!.relativePosition!.map((value) => (value * 3) / 1737404.56);
     expect(authority.kick('own', [up[0]!, up[1]!, up[2]!], [0, 0, 0])).toBeNull();
+    expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('');
     runTo(authority, 1);
     expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('');
     runTo(authority, 6);
     expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('landed');
+    // Downward it slides.
+    expect(authority.kick('own', [-up[0]!, -up[1]!, -up[2]!], [0, 0, 0])).toBeNull();
+    expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('contact');
   });
 });

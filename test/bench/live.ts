@@ -32,8 +32,12 @@ interface Heard {
 async function spawnFleet(redis: Redis, count: number): Promise<void> {
   for (let i = 0; i < count; i++) {
     const data = {
-      ...{ ship_id: `fleet-${i}`, player_id: i === 0 ? 'pilot-one' : `nobody-${i}`, name: `fleet-${i}` },
-      ...{ ship_class: 'planetary_lander', body: 'Luna', height: 3000 },
+      ship_id: `fleet-${i}`,
+      player_id: i === 0 ? 'pilot-one' : `nobody-${i}`,
+      name: `fleet-${i}`,
+      ship_class: 'planetary_lander',
+      body: 'Luna',
+      height: 3000,
       direction: [SITE[0] + (i % 50) * 1e-5, SITE[1], SITE[2] + Math.floor(i / 50) * 1e-5],
     };
     await redis.xAdd('touchdown:inbox', '*', { type: 'respawn', data: JSON.stringify(data) });
@@ -140,7 +144,10 @@ async function measure({
     .filter((seconds) => !Number.isNaN(seconds))
     .sort((a, b) => a - b);
   const result = {
-    ...{ rate, ships, clients, held: after.slipped === before.slipped && ticks >= SECONDS * rate - 1 },
+    rate,
+    ships,
+    clients,
+    held: after.slipped === before.slipped && ticks >= SECONDS * rate - 1,
     json_bytes: Math.round(heard.ws.bytes / heard.ws.messages),
     protobuf_bytes: Math.round(heard.stream.bytes / heard.stream.messages),
     p99_tick_to_client_ms: Math.round((late[Math.floor(late.length * 0.99)] ?? NaN) * 1000),

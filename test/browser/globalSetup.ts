@@ -3,14 +3,14 @@
  * and serves it, and starts a development server for the pages of test/browser/pages. Without a Chromium the tests are skipped and counted.
  */
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { availableParallelism, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { createServer } from 'vite';
 import type { ViteDevServer } from 'vite';
 import type { TestProject } from 'vitest/node';
-import { mutation } from '../bundle.mjs';
+import { mutation } from '../mutants/plugins.mjs';
 import { findChromium, serveChromium } from './chromium';
 import { serveFolder } from './staticServer';
 
@@ -29,6 +29,8 @@ declare module 'vitest' {
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 
+const OPENS_BUILT_PAGE = /\b(openBuiltPage|builtPage|builtFolder)\b/;
+
 /** Builds the page as `npm run build` does, in a separate process: vitest's NODE_ENV would make it a test build. */
 function buildPage(...args: string[]): void {
   const env = { ...process.env };
@@ -37,15 +39,15 @@ function buildPage(...args: string[]): void {
   if (run.status !== 0) throw new Error(`the page does not build:\n${run.stdout}${run.stderr}`);
 }
 
-/** Builds the page into a folder. Runs of test/mutants, several at a time, have a folder each. */
-function builtPage(): { folder: string; remove: () => void } {
+/** Where the page is built to, and how. Each runner of test/mutants has a folder of its own. */
+function builtPage(): { folder: string; build: () => void; remove: () => void } {
   if (process.env['TOUCHDOWN_MUTANT'] === undefined) {
-    buildPage('.ci/build.mjs', 'page');
-    return { folder: `${ROOT}dist/page`, remove: () => undefined };
+    const build = () => buildPage('.ci/build.mjs', 'page');
+    return { folder: `${ROOT}dist/page`, build, remove: () => undefined };
   }
   const folder = mkdtempSync(join(tmpdir(), 'touchdown-page-'));
-  buildPage('test/mutants/buildPage.mjs', folder);
-  return { folder, remove: () => rmSync(folder, { recursive: true }) };
+  const build = () => buildPage('test/mutants/buildPage.mjs', folder);
+  return { folder, build, remove: () => rmSync(folder, { recursive: true }) };
 }
 
 function startDevServer(): Promise<ViteDevServer> {
@@ -87,6 +89,7 @@ export default async function setup(project: TestProject): Promise<() => void | 
     return skipped(project);
   }
   const page = builtPage();
+  page.build();
   const [built, dev, ...browsers] = await Promise.all([
     serveFolder(page.folder),
     startDevServer(),
@@ -99,6 +102,11 @@ export default async function setup(project: TestProject): Promise<() => void | 
   project.provide('builtPage', built.url);
   project.provide('builtFolder', page.folder);
   project.provide('devServer', dev.resolvedUrls?.local[0] ?? '');
+  // The source may have changed since the last run.
+  project.onTestsRerun((files) => {
+    for (const { moduleGraph } of Object.values(dev.environments)) moduleGraph.invalidateAll();
+    if (files.some(({ moduleId }) => OPENS_BUILT_PAGE.test(readFileSync(moduleId, 'utf8')))) page.build();
+  });
   return async () => {
     await Promise.all([built, dev, ...browsers].map((running) => running.close()));
     page.remove();

@@ -90,6 +90,11 @@ async function limitFrames(context: BrowserContext, framesPerSecond: number): Pr
   }, 1000 / framesPerSecond);
 }
 
+/** Passes on which blocks a page reaches, for test/mutants. */
+function reportProbe(path: string, block: number): void {
+  (globalThis as { touchdownReport?: typeof reportProbe }).touchdownReport?.(path, block);
+}
+
 /** Opens any address; resolves when the page's load event has fired. */
 export async function openUrl(url: string, options: PageOptions = {}): Promise<Page> {
   const { framesPerSecond, drawn = true, prepare, ...given } = options;
@@ -98,6 +103,7 @@ export async function openUrl(url: string, options: PageOptions = {}): Promise<P
   const context = await running.newContext({ ...usual, ...given, ...EVERYWHERE_THE_SAME });
   context.setDefaultTimeout(HANG);
   // Of the context: a second page that a test opens in it is spared the same work.
+  if (process.env['TOUCHDOWN_PROBES']) await context.exposeFunction('touchdownReport', reportProbe);
   if (framesPerSecond !== undefined) await limitFrames(context, framesPerSecond);
   if (!drawn) await context.addInitScript(leaveOutTriangles);
   const page = await context.newPage();

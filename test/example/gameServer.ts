@@ -22,13 +22,13 @@ export async function startGameServer(name: string, tickRate: number): Promise<G
   const { scenario } = loaded;
   const authority = valueOf(
     createAuthority({
-      ...{
-        settings: scenario.settings,
-        shipClasses: SHIP_CLASSES,
-        terrain: scenario.terrain,
-        terrains: TERRAINS,
-      },
-      ...{ bodies: BODIES.filter((body) => body.name === scenario.body), tickRate, timeScale: 1 },
+      settings: scenario.settings,
+      shipClasses: SHIP_CLASSES,
+      terrain: scenario.terrain,
+      terrains: TERRAINS,
+      bodies: BODIES.filter((body) => body.name === scenario.body),
+      tickRate,
+      timeScale: 1,
     }),
   );
   const order = { shipId: 'ship-1', playerId: 'ada', name: 'Kestrel', ship: loaded.ship };

@@ -169,6 +169,24 @@ it('does not send controls that the host packs into more than 64 KB', async () =
   expect(told.at(-1)).toBe(`refused message: expected at most ${MAX_MESSAGE} bytes`);
 });
 
+it('reports controls that cannot be packed, and does not send them', async () => {
+  const { told, live } = await welcomed();
+  expect(live.sendControls({ ...NEUTRAL_CONTROLS, thrustLevel: NaN })).toBe(false);
+  expect(told.at(-1)).toMatch(/^refused .*thrust/);
+});
+
+it('reports what a host’s packing throws', async () => {
+  const { told, live } = await welcomed({
+    pack: () => {
+      // What JavaScript may throw.
+      // eslint-disable-next-line @typescript-eslint/only-throw-error
+      throw 'no envelope';
+    },
+  });
+  expect(live.sendControls(NEUTRAL_CONTROLS)).toBe(false);
+  expect(told.at(-1)).toBe('refused no envelope');
+});
+
 it('gives up when no welcome comes in 10 s', async () => {
   const { clock, told } = connect();
   await until(() => heard.length === 1);

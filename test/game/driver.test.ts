@@ -7,7 +7,10 @@ import { createVirtualClock } from './virtualClock';
 function openedDriver() {
   const sent: unknown[] = [];
   const socket: GameSocket = {
-    ...{ onopen: null, onmessage: null, onclose: null, onerror: null },
+    onopen: null,
+    onmessage: null,
+    onclose: null,
+    onerror: null,
     readyState: 1,
     send: (message) => sent.push(message),
     close: () => undefined,
@@ -24,7 +27,7 @@ function openedDriver() {
     onStatus: undefined,
   });
   socket.onopen!({} as never);
-  return { driver, sent, clock };
+  return { driver, sent, clock, socket };
 }
 
 it('sends nothing of the caller’s between the socket’s opening and the welcome', () => {
@@ -50,4 +53,34 @@ it.each([
     return driver.state().stateBy - clock.now();
   });
   expect(waitsAfter).toEqual(waits);
+});
+
+it('detaches from the socket that it gives up: nothing late of it is heard', () => {
+  const { driver, socket } = openedDriver();
+  driver.dispatch({ kind: 'end' });
+  expect([socket.onopen, socket.onmessage, socket.onclose]).toEqual([null, null, null]);
+});
+
+it.each([
+  ['an error', new Error('bad address'), 'bad address'],
+  ['anything else', 'no network', 'no network'],
+])('keeps the reason for which no socket opens: %s', (_, thrown, reason) => {
+  const driver = createDriver({
+    address: 'ws://localhost/stream',
+    clock: createVirtualClock(),
+    jitter: () => 0.5,
+    openSocket: () => {
+      // What a host may throw.
+      // eslint-disable-next-line @typescript-eslint/only-throw-error
+      throw thrown;
+    },
+    auth: () => 'auth',
+    ping: () => 'ping',
+    onData: () => undefined,
+    onStatus: undefined,
+  });
+  expect(driver.state()).toMatchObject({
+    phase: 'waiting',
+    ended: { cause: 'unreachable', code: 0, reason },
+  });
 });

@@ -29,6 +29,15 @@ describe('a link', () => {
     expect(dueAt(play(...LIVE).state)).toBe(2.2);
   });
 
+  it('ignores a socket that closes after the link has given it up', () => {
+    const waiting = play([...OPENED], [10.1, TIME]).state;
+    const refused = play([...OPENED], [1, closed(4001, 'no')]).state;
+    const ended = play(...LIVE, [1, { kind: 'end' }]).state;
+    expect([waiting, refused, ended].map(({ phase }) => phase)).toEqual(['waiting', 'refused', 'ended']);
+    for (const state of [waiting, refused, ended])
+      expect(stepLink(state, closed(1006), 10.2, 0.5)).toEqual({ state, effects: [] });
+  });
+
   it('gives up after 10 s without a welcome', () => {
     const waiting = play([...OPENED]);
     expect(dueAt(waiting.state)).toBe(10.1);

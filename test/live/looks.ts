@@ -42,9 +42,14 @@ export function looksOf(entries: readonly RecordingEntry[], ownShipId: string): 
     predictor.takeOutgoing();
     const { tick, sinceTick, ships, diagnosis } = predictor.view(entry.at);
     looks.push({
-      ...{ at: entry.at, tick, sinceTick, corrections: correctionsOf(diagnosis) },
+      at: entry.at,
+      tick,
+      sinceTick,
+      corrections: correctionsOf(diagnosis),
       ships: ships.map(({ shipId, surfaceContactState: state, easedPosition }) => ({
-        ...{ shipId, state, position: [...easedPosition] },
+        shipId,
+        state,
+        position: [...easedPosition],
       })),
     });
   }

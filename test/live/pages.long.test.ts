@@ -58,7 +58,9 @@ async function openPilot(browser: Browser, printed: string, port: number, path: 
   address.searchParams.set('server', server.href);
   const viewport = { width: 1280, height: 720 };
   const context = await browser.newContext({
-    ...{ viewport, locale: 'en-US', timezoneId: 'UTC' },
+    viewport,
+    locale: 'en-US',
+    timezoneId: 'UTC',
     acceptDownloads: true,
   });
   const page = await context.newPage();
@@ -104,18 +106,14 @@ async function dropBoth(redis: Redis, rate: number): Promise<Bounce> {
   const { tick: first } = await newestFrame(redis);
   for (const [i, shipId] of SHIPS.entries()) {
     const data = {
-      ...{
-        ship_id: shipId,
-        player_id: shipId.replace('ship-', ''),
-        name: shipId,
-        ship_class: 'planetary_lander',
-      },
-      ...{
-        body: 'Luna',
-        direction: [SITE[0] + i * 2e-5, SITE[1], SITE[2]],
-        height: 40,
-        velocity: [0, 0, -8],
-      },
+      ship_id: shipId,
+      player_id: shipId.replace('ship-', ''),
+      name: shipId,
+      ship_class: 'planetary_lander',
+      body: 'Luna',
+      direction: [SITE[0] + i * 2e-5, SITE[1], SITE[2]],
+      height: 40,
+      velocity: [0, 0, -8],
     };
     await redis.xAdd('touchdown:inbox', '*', { type: 'respawn', data: JSON.stringify(data) });
   }

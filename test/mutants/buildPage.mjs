@@ -1,6 +1,6 @@
 // Builds the page with the change of test/mutants/main.mjs:  node test/mutants/buildPage.mjs FOLDER
 import { build } from 'vite';
-import { mutation } from '../bundle.mjs';
+import { mutation } from './plugins.mjs';
 
 await build({
   logLevel: 'error',

@@ -2,15 +2,16 @@
 //   npm run mutants -- [ROOM …] [--count 24] [--seed 1] [--workers 2]
 //   npm run mutants -- --at src/wire/messages/frame.ts:41    all changes of one line; without :41 of the file
 // Prints the survivors by file and line, and "killed/tried" of each room. The changes are drawn by the seed: the same ones each time.
-// Nothing is written to the source: the change is made while the tests' bundles and the page are built (test/bundle.mjs).
-import { spawn } from 'node:child_process';
-import { readdirSync, readFileSync } from 'node:fs';
-import { availableParallelism } from 'node:os';
-import { join, relative } from 'node:path';
+// Nothing is written to the source: the change is made while the tests' bundles and the page are built (plugins.mjs).
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { availableParallelism, tmpdir } from 'node:os';
+import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { bundle } from '../bundle.mjs';
+import { createLane } from './lanes.mjs';
 import { changesOf, sampleOf } from './mutate.mjs';
+import { blockAt, blocksOf } from './probes.mjs';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 /** Rooms, and the folders of the tests that hold each. */
@@ -24,14 +25,14 @@ const ROOMS = {
   scenarios: ['scenarios', 'parity', 'playground/game/mission'],
   game: ['game', 'example'],
   gateway: ['gateway'],
-  hud: ['browser/hud'],
+  hud: ['hud', 'browser/hud'],
   scene: ['scene', 'browser/playground'],
   playground: ['playground', 'browser/playground', 'browser/pilot'],
 };
 /** ms; a loop without an end is noticed too. */
 const TIME_LIMIT = 300_000;
 /** ms that the first group of tests takes at most, unless its one test takes longer. */
-const FIRST_STAGE = 3000;
+const FIRST_STAGE = 1500;
 
 function filesUnder(folder, matching) {
   return readdirSync(join(ROOT, folder), { recursive: true, encoding: 'utf8' })
@@ -54,53 +55,64 @@ async function sourcesBehind(room) {
       behind.push([test, new Set(modules.map((module) => relative(ROOT, module).replaceAll('\\', '/')))]);
     }
   }
-  return behind;
+  return behind.filter(([, sources]) => [...all].some((path) => sources.has(path)));
 }
 
-/** Groups of processes that an interrupted sampling must not leave. */
-const running = new Set();
-const endGroup = (pid) => process.kill(-pid, 'SIGKILL');
-process.on('exit', () => running.forEach(endGroup));
-for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, () => process.exit(1));
-
-/** Runs test files on the changed source: true when all pass within `limit` ms. */
-function passes(tests, mutant, limit = TIME_LIMIT) {
-  const project = isOnPages(tests[0]) ? 'browser' : '!browser';
-  const args = ['run', '--project', project, '--maxWorkers', '1', '--bail', '1', '--reporter', 'dot'];
-  // A test that is skipped would pass.
-  const variables = { TOUCHDOWN_MUTANT: mutant ? JSON.stringify(mutant) : '', TOUCHDOWN_NO_SKIP: '1' };
-  const options = { cwd: ROOT, env: { ...process.env, ...variables }, stdio: 'ignore', detached: true };
-  const run = spawn(process.execPath, ['node_modules/vitest/vitest.mjs', ...args, ...tests], options);
-  // The whole group: a worker in an endless loop outlives the runner.
-  const end = setTimeout(() => endGroup(run.pid), limit);
-  running.add(run.pid);
-  return new Promise((resolve) => {
-    run.on('close', (code) => {
-      clearTimeout(end);
-      running.delete(run.pid);
-      resolve(code === 0);
-    });
-  });
-}
-
-/** Calls `work` with each item, `workers` at a time. */
+/** Calls `work` with each item, `values.workers` at a time; each worker has a lane per project. */
 async function forEach(items, work) {
   const left = [...items];
   const lane = async () => {
-    for (let item = left.shift(); item !== undefined; item = left.shift()) await work(item);
+    const lanes = { node: createLane('node'), browser: createLane('browser') };
+    for (let item = left.shift(); item !== undefined; item = left.shift()) await work(item, lanes);
+    Object.values(lanes).forEach((one) => one.close());
   };
   await Promise.all(Array.from({ length: Number(values.workers) }, lane));
 }
 
-/** Those of the test files that pass without any change, which alone can tell of one: [{ test, sources, took }], the quickest first. */
-async function passingOf(behind) {
-  const passing = [];
-  await forEach(behind, async ([test, sources]) => {
-    const began = performance.now();
-    if (await passes([test])) passing.push({ test, sources, took: performance.now() - began });
-    else console.log(`  left out, it fails without any change: ${test}`);
-  });
-  return passing.sort((a, b) => isOnPages(a.test) - isOnPages(b.test) || a.took - b.took);
+const projectOf = (test) => (isOnPages(test) ? 'browser' : 'node');
+
+/**
+ * Runs the room's tests without any change. Those that pass can tell of one: { passing: [{ test, sources, took, running }], loading },
+ * the quickest first, with the blocks that the tests of each reach and those that loading the source does.
+ */
+async function withoutChange(behind) {
+  const probes = join(mkdtempSync(join(tmpdir(), 'touchdown-probes-')), 'reached.jsonl');
+  const files = [];
+  for (const project of ['node', 'browser']) {
+    const tests = behind.map(([test]) => test).filter((test) => projectOf(test) === project);
+    if (tests.length === 0) continue;
+    const lane = createLane(project, probes);
+    const answer = await lane.run(tests, null, TIME_LIMIT);
+    lane.close();
+    files.push(...(answer?.files ?? []));
+  }
+  const reports = new Map(
+    readFileSync(probes, 'utf8')
+      .trim()
+      .split('\n')
+      .map((line) => JSON.parse(line))
+      .map((report) => [relative(ROOT, report.test).replaceAll('\\', '/'), report]),
+  );
+  rmSync(dirname(probes), { recursive: true });
+  for (const { test, isPassed } of files)
+    if (!isPassed) console.log(`  left out, it fails without any change: ${test}`);
+  const sources = new Map(behind);
+  const passing = files
+    .filter(({ isPassed }) => isPassed)
+    .map(({ test, took }) => ({
+      ...{ test, took, sources: sources.get(test) },
+      running: new Set(reports.get(test)?.running),
+    }));
+  passing.sort((a, b) => isOnPages(a.test) - isOnPages(b.test) || a.took - b.took);
+  return { passing, loading: new Set([...reports.values()].flatMap(({ loading }) => loading)) };
+}
+
+/** The tests that run the changed block; at the top of a module, and where loading a module runs it, those that load the module. */
+function testsReaching({ path, start }, { passing, loading }) {
+  const index = blockAt(blocksOf(path, readFileSync(join(ROOT, path), 'utf8')), start);
+  const block = `${path}:${index}`;
+  const isLoaded = index < 0 || loading.has(block);
+  return passing.filter(({ sources, running }) => (isLoaded ? sources.has(path) : running.has(block)));
 }
 
 /** Groups of tests, each for one run: few changes survive the first, which takes a fraction of the last's time. */
@@ -108,10 +120,10 @@ function stagesOf(passing) {
   const stages = [];
   let stage = { limit: 0 };
   for (const { test, took } of passing) {
-    const onPages = isOnPages(test);
-    if (onPages !== stage.onPages || stage.took + took > stage.limit) {
+    const project = projectOf(test);
+    if (project !== stage.project || stage.took + took > stage.limit) {
       const limit = Math.max(took, FIRST_STAGE, 3 * stage.limit);
-      stage = { onPages, tests: [], took: 0, limit };
+      stage = { project, tests: [], took: 0, limit };
       stages.push(stage);
     }
     stage.tests.push(test);
@@ -120,25 +132,28 @@ function stagesOf(passing) {
   return stages;
 }
 
-async function survivesAll(passing, mutant) {
-  for (const { tests, took } of stagesOf(passing))
-    if (!(await passes(tests, mutant, Math.min(TIME_LIMIT, 10_000 + 10 * took)))) return false;
+async function survivesAll(concerned, mutant, lanes) {
+  for (const { project, tests, took } of stagesOf(concerned)) {
+    const answer = await lanes[project].run(tests, mutant, Math.min(TIME_LIMIT, 10_000 + 10 * took));
+    if (!answer?.isPassed) return false;
+  }
   return true;
 }
 
 /** Tries the changes of a room that `choose` picks out of all. */
 async function tryRoom(room, choose) {
-  const passing = await passingOf(await sourcesBehind(room));
+  const known = await withoutChange(await sourcesBehind(room));
   const all = filesUnder(`src/${room}`, /(?<!\.d)\.ts$/).flatMap((path) =>
     changesOf(path, readFileSync(join(ROOT, path), 'utf8')).map((change) => ({ path, ...change })),
   );
   const tried = choose(all);
   let survivors = 0;
-  await forEach(tried, async (mutant) => {
-    const concerned = passing.filter(({ sources }) => sources.has(mutant.path));
-    if (await survivesAll(concerned, mutant)) {
+  await forEach(tried, async (mutant, lanes) => {
+    const concerned = testsReaching(mutant, known);
+    if (await survivesAll(concerned, mutant, lanes)) {
       survivors += 1;
-      console.log(`  survives: ${mutant.path}:${mutant.line}  ${mutant.says}`);
+      const by = concerned.length === 0 ? 'no test reaches it' : `${concerned.length} test files reach it`;
+      console.log(`  survives: ${mutant.path}:${mutant.line}  ${mutant.says}  (${by})`);
     } else process.stderr.write('.');
   });
   process.stderr.write('\n');

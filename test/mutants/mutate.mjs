@@ -26,6 +26,8 @@ const SWAPS = {
   false: 'true',
 };
 
+const TYPED_ARRAY = /^(Float|Int|Uint|BigInt|BigUint)\d+(Clamped)?Array$/;
+
 /** Nodes whose inside is left alone: types, what errors say, and where modules come from. */
 const LEFT_ALONE =
   /^(TS(Type|Interface|Enum|Declare)|Import|TemplateLiteral$|ThrowStatement$|ExportAll)|TypeAnnotation$|TypeParameter/;
@@ -70,6 +72,13 @@ function changeAt(node, text) {
     case 'ExpressionStatement':
       // A call or an assignment that is left out; a directive is none.
       return node.directive ? null : { start: node.start, end: node.end, text: ';' };
+    case 'NewExpression': {
+      // One less: a longer array behaves the same.
+      const [length] = node.arguments;
+      return TYPED_ARRAY.test(node.callee.name) && typeof length?.value === 'number'
+        ? { start: length.start, end: length.end, text: String(length.value - 1) }
+        : null;
+    }
     case 'MemberExpression':
       return node.object.name === 'Math' && SWAPS[node.property.name]
         ? { start: node.property.start, end: node.property.end, text: SWAPS[node.property.name] }
@@ -88,6 +97,7 @@ export function changesOf(path, text) {
     if (LEFT_ALONE.test(node.type)) return;
     const change = changeAt(node, text);
     if (change) found.push(describe(change, text));
+    if (change && node.type === 'NewExpression') return;
     for (const value of Object.values(node))
       for (const child of Array.isArray(value) ? value : [value])
         if (child && typeof child.type === 'string') visit(child);

@@ -13,6 +13,7 @@ describe('mutants', () => {
     ['const a = !b && true;', ['const a = b && true;', 'const a = !b || true;', 'const a = !b && false;']],
     ['f(x);', [';']],
     ['const a = b ? c : d;', ['const a = !(b) ? c : d;']],
+    ['const a = new Float64Array(3);', ['const a = new Float64Array(2);']],
     ['const a = Math.min(b, c);', ['const a = Math.max(b, c);']],
   ])('of %s', (text, all) => expect(changed(text).sort()).toEqual(all.sort()));
 

@@ -32,7 +32,10 @@ const config = ts.parseJsonConfigFileContent(
 );
 const OPTIONS: ts.CompilerOptions = {
   ...config.options,
-  ...{ noEmit: true, noUnusedLocals: false, noUnusedParameters: false, verbatimModuleSyntax: false },
+  noEmit: true,
+  noUnusedLocals: false,
+  noUnusedParameters: false,
+  verbatimModuleSyntax: false,
 };
 
 /** A program with `sandbox` beside the doors; files of `before` are parsed once. */

@@ -95,6 +95,23 @@ describe('npm run parity', () => {
     ]);
   });
 
+  it('expects inputs in the order of their substeps, and texts of at most 1,000 characters', () => {
+    const file = trajectory();
+    const controls = { attitude_mode: 'none' };
+    file['inputs'] = [4, 4, 3].map((substep) => ({ tick: 1, substep, ...controls }));
+    file['name'] = 'x'.repeat(1000);
+    const line = () => parityLine('file.json', JSON.stringify(file)).line;
+    expect(line()).toBe('file.json: inputs[2].substep: expected in ascending order of time');
+    file['inputs'] = [{ tick: 1.5, substep: 0 }];
+    expect(line()).toBe('file.json: inputs[0].tick: expected a whole number ≥ 0, got 1.5');
+    file['inputs'] = [];
+    expect(line()).not.toContain('name:');
+    file['name'] = 'x'.repeat(1001);
+    expect(line()).toBe(
+      'file.json: name: expected a string of at most 1000 characters, got a string of 1001',
+    );
+  });
+
   it.each([
     [true, 'true'],
     [{ kg: 1 }, 'an object'],

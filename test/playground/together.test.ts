@@ -24,8 +24,17 @@ function createRoom() {
 
 const LOAD = {
   kind: 'load',
-  ...{ scenario: 'first-landing', body: '', shipClass: '', terrain: 'hills', legacy: false },
-  ...{ tickRate: 10, timeScale: 1, network: NETWORK_PRESETS.lan, seed: 1, others: 0, pilot: 'Ann' },
+  scenario: 'first-landing',
+  body: '',
+  shipClass: '',
+  terrain: 'hills',
+  legacy: false,
+  tickRate: 10,
+  timeScale: 1,
+  network: NETWORK_PRESETS.lan,
+  seed: 1,
+  others: 0,
+  pilot: 'Ann',
 };
 
 /** A host's session and a guest's page on one channel and one clock. */
@@ -53,8 +62,11 @@ function playTogether() {
       onFrame: ignore,
       onLink: (words) => told.push(words),
       onScenario: (scenario, terrain) => told.push(`${scenario} on ${terrain}`),
-      ...{ onClosed: ignore, onWelcome: ignore, onShipGone: ignore },
-      ...{ onRefused: (reason: string) => told.push(reason), onRun: ignore },
+      onClosed: ignore,
+      onWelcome: ignore,
+      onShipGone: ignore,
+      onRefused: (reason: string) => told.push(reason),
+      onRun: ignore,
     },
     channelOf(),
   );

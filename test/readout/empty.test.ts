@@ -5,6 +5,7 @@ import {
   createLandingAids,
   createLandingReadout,
   createTargetReadout,
+  type LandingReadout,
   updateFleetReadout,
   updateFlightReadout,
   updateLandingAids,
@@ -37,13 +38,34 @@ it('a new readout has no numbers', () => {
     drift: { x: NaN, y: NaN, scale: 1 },
     tilt: { degrees: NaN, trend: 0, leanX: 0, leanY: 0, settle: NaN, prominent: false },
     descent: { shown: false },
-    righting: { shown: false },
+    righting: { shown: false, torqueAvailable: 0 },
     touchdown: NO_TOUCHDOWN,
     touchdownShown: false,
   });
   expect(createLandingAids()).toMatchObject({ shown: false, outcome: 'working', advice: 'none' });
   expect(createTargetReadout().shown).toBe(false);
 });
+
+/** Without what is hidden with the numbers or belongs to the settings. */
+const numbersOf = ({ drift, tilt, gates, margin, righting, ...rest }: LandingReadout) => ({
+  ...{ ...shown(rest), age: null },
+  drift: { ...drift, scale: null },
+  tilt: { ...tilt, settle: null, noReturn: null, tipped: null },
+  shown: [gates.shown, margin.shown, righting.shown],
+});
+
+it.each(['', 'contact', 'landed', 'tipped'] as const)(
+  'a landing readout forgets its numbers with the ship, and with its recent state: %j',
+  (state) => {
+    const full = makeView({ clearance: 3, up: -2, east: 3, tilt: 30, leanTo: 40, tiltRate: 0.1, state });
+    for (const view of [null, makeView({ state }, { provenance: 'stale' })]) {
+      const out = updateLandingReadout(createLandingReadout(), full);
+      expect(numbersOf(updateLandingReadout(out, view))).toEqual(
+        numbersOf(updateLandingReadout(createLandingReadout(), view)),
+      );
+    }
+  },
+);
 
 it('a readout whose ship is gone has the numbers of none', () => {
   const flying = makeView({ clearance: 30, up: -2, east: 3, tilt: 20, leanTo: 40 });
@@ -52,5 +74,10 @@ it('a readout whose ship is gone has the numbers of none', () => {
   for (let i = 0; i < 60; i++) updateLandingAids(aids, flying);
   expect(aids.outcome).toBe('touch');
   const { touchPlace } = aids;
+  const flight = updateFlightReadout(createFlightReadout(), flying);
+  expect(flight.fuel).toBeGreaterThan(0);
+  expect(shown(updateFlightReadout(flight, gone))).toEqual(
+    shown(updateFlightReadout(createFlightReadout(), gone)),
+  );
   expect(shown(updateLandingAids(aids, gone))).toEqual({ ...shown(createLandingAids()), touchPlace });
 });

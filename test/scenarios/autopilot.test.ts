@@ -107,6 +107,21 @@ describe('the landing autopilot, in an authority from 200 m', () => {
 });
 
 describe('the landing maneuver', () => {
+  it('pushes against a drift in proportion, and at most with all that the thrusters have', () => {
+    const [wx, wy] = MOON.angularVelocity;
+    const [, , distance] = ABOVE.relativePosition!;
+    const sideways = (drift: number) =>
+      next({
+        relativeVelocity: [wy * distance + drift, -wx * distance - drift, -5],
+      }).controls.translationInput.slice(0, 2);
+    const [thrust] = LANDER_CLASS.rcsThrust;
+    // Half of the drift per second, by 12 t.
+    const gentle = (0.5 * 12_000 * 0.01) / thrust;
+    expect(sideways(0.01)).toEqual([expect.closeTo(-gentle, 9), expect.closeTo(gentle, 9)]);
+    expect(sideways(50)).toEqual([-1, 1]);
+    expect(sideways(-50)).toEqual([1, -1]);
+  });
+
   const descending = next({});
 
   it('treats contact as touchdown: engine off, rates damped', () => {

@@ -192,10 +192,29 @@ describe('a fleet', () => {
     expect(nearest).toBeGreaterThan(35);
     expect(new Set(orders.map(({ shipId }) => shipId)).size).toBe(200);
   });
+
+  it('flies sideways by three tenths of the first ship’s speed, and 1 m/s, more or less', () => {
+    const given = named('opening');
+    const loaded = valueOf(
+      loadScenario({ ...given, initial: { ...given.initial, velocity: [20, 0, -6], height: 100 } }),
+    );
+    const still = valueOf(
+      loadScenario({ ...given, initial: { ...given.initial, velocity: [0, 0, -6], height: 100 } }),
+    ).ship.relativeVelocity;
+    const eastward = loaded.ship.relativeVelocity.map((value, k) => (value - still[k]!) / 20);
+    const speeds = fleetOrders(loaded, 1000, 5).map(({ ship }) =>
+      ship.relativeVelocity.reduce((sum, value, k) => sum + (value - still[k]!) * eastward[k]!, 0),
+    );
+    const mean = speeds.reduce((sum, value) => sum + value, 0) / speeds.length;
+    const spread = Math.sqrt(speeds.reduce((sum, value) => sum + (value - mean) ** 2, 0) / speeds.length);
+    expect(mean).toBeCloseTo(20, 0);
+    expect(spread).toBeCloseTo(Math.hypot(0.3 * 20, 1), 0);
+  });
 });
 
 const input = (tick: number, substep: number, thrustLevel: number): ScheduledInput => ({
-  ...{ tick, substep },
+  tick,
+  substep,
   controls: { ...NEUTRAL_CONTROLS, thrustLevel },
 });
 

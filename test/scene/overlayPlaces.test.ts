@@ -21,7 +21,12 @@ function laidOver(view: WorldView, ship: ShipView) {
   mesh.position.set(place[0]!, place[1]!, place[2]);
   const places = createPlaces();
   placeOverlays(places, {
-    ...{ view, ship, frame, turn, eye: new Float64Array(3), groundY: () => 0 },
+    view,
+    ship,
+    frame,
+    turn,
+    eye: new Float64Array(3),
+    groundY: () => 0,
     actor: { mesh, place } as unknown as ShipActor,
   });
   return places;

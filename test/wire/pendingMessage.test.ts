@@ -57,6 +57,9 @@ it.each([
   ['32 bits', [...tag(99, 5), 1, 2, 3, 4]],
   ['a group', [...tag(99, START_GROUP), ...tag(99, 4)]],
   ['a short number', integer(12, 1)],
+  ['a short tag and a long number', integer(12, 2 ** 21)],
+  ['a short tag and a double', double(12, 7)],
+  ['a short tag and a double of zeros', double(12, 0)],
   ['short bytes', delimited(12, [58, 58, 58])],
   ['32 bits of a low field', [...tag(12, 5), 1, 2, 3, 4]],
 ])('finds the events behind an unknown field: %s', (_, unknown) => {

@@ -1,7 +1,7 @@
 import { CONTACT, FLYING, LANDED, TIPPED } from './layout';
 
 /** Surface states that may follow each state within one substep (DYNAMICS, Transitions and Launch), besides itself. */
-const LEGAL_MOVES: Readonly<Record<number, readonly number[]>> = {
+const STATE_TRANSITIONS: Readonly<Record<number, readonly number[]>> = {
   [FLYING]: [CONTACT],
   [CONTACT]: [FLYING, LANDED, TIPPED],
   // A launched ship flies and may touch again at the end of the same substep.
@@ -11,5 +11,5 @@ const LEGAL_MOVES: Readonly<Record<number, readonly number[]>> = {
 
 /** Whether a ship may change from one surface state to another within one substep. A ship can crash from any state but landed. */
 export function isTransitionAllowed(from: number, to: number): boolean {
-  return from === to || (LEGAL_MOVES[from]?.includes(to) ?? false);
+  return from === to || (STATE_TRANSITIONS[from]?.includes(to) ?? false);
 }

@@ -48,7 +48,10 @@ function helloFor(gateway: GatewayState, client: Client): Hello | null {
     protocolVersion: PROTOCOL_VERSION,
     playerId,
     shipId: shipOf(gateway, playerId),
-    ...{ tick, tickRate, timeScale, bodies },
+    tick,
+    tickRate,
+    timeScale,
+    bodies,
     inputGranularity: client.protocol === 'json' ? 'tick' : 'substep',
   };
 }

@@ -47,7 +47,7 @@ export function createApproachDial(parent: Element): (target: TargetReadout, aid
     if (known)
       paintCross(bounded((target.x + target.missX) * per), bounded(-(target.y + target.missY) * per));
     paintDistance(target.distance);
-    const way = wayOf(target);
+    const way = directionText(target);
     paintWay(way);
     const key = DISTANCE.key(target.distance);
     if (Object.is(key, shownKey) && way === shownWay) return;
@@ -60,7 +60,7 @@ export function createApproachDial(parent: Element): (target: TargetReadout, aid
 }
 
 /** The direction and distance of the pad in words, for readers who cannot see the dial. */
-function wayOf({ x, y, distance, radius }: TargetReadout): string {
+function directionText({ x, y, distance, radius }: TargetReadout): string {
   if (distance <= radius) return 'below you';
   const along = Math.abs(y) > 0.4 * distance ? (y > 0 ? 'ahead' : 'behind') : '';
   const across = Math.abs(x) > 0.4 * distance ? (x > 0 ? 'right' : 'left') : '';

@@ -28,7 +28,7 @@ export function createCrossPointer(parent: Element): (drift: Drift, tilt: Tilt) 
   const paintDot = showFigures(dot, 'transform', 2, (x, y) => `translate(${String(x)} ${String(y)})`);
   const paintLean = createLean(picture);
   const paintScale = createScale(gauge);
-  const paintWords = createWords(gauge);
+  const paintWords = createValueText(gauge);
   const paintKnown = showAttribute(gauge, 'data-known');
   return (drift, tilt) => {
     const known = !Number.isNaN(drift.x);
@@ -88,7 +88,7 @@ function createScale(gauge: HTMLElement): (scale: number) => void {
 }
 
 /** The dial in words, in whole metres per second, so that a screen reader gets a sentence and not a stream. */
-function createWords(gauge: Element): (drift: Drift) => void {
+function createValueText(gauge: Element): (drift: Drift) => void {
   const paintText = showAttribute(gauge, 'aria-valuetext');
   const paintNow = showAttribute(gauge, 'aria-valuenow');
   let shownX = Infinity;

@@ -157,7 +157,15 @@ function loadOf(choices: Choices, { plan, tickRate, timeScale }: Script): LoadOp
   const up = upNetworkOf(choices);
   return {
     kind: 'load',
-    ...{ scenario, body, shipClass, terrain, surfaceNormal, tickRate, timeScale, seed, pilot },
+    scenario,
+    body,
+    shipClass,
+    terrain,
+    surfaceNormal,
+    tickRate,
+    timeScale,
+    seed,
+    pilot,
     network: networkOf(choices),
     ...(up !== undefined && { upNetwork: up }),
     ...(choices.flight !== '' && { plan }),

@@ -43,7 +43,7 @@ scope.addEventListener('fetch', (event) => {
   else if (isDocument(request.url)) {
     event.respondWith(openDocument(request, address, build));
     // Without a network it does not change.
-    event.waitUntil(tend().catch(() => undefined));
+    event.waitUntil(healOrUnregister().catch(() => undefined));
   }
 });
 
@@ -60,7 +60,7 @@ async function fromCache(request: Request): Promise<Response> {
 const GONE = [404, 410];
 
 /** Fetches evicted files again, or removes everything if the host no longer has offline.js. */
-async function tend(): Promise<void> {
+async function healOrUnregister(): Promise<void> {
   const script = await fetch(new URL('offline.js', address), { cache: 'no-store' });
   if (!GONE.includes(script.status)) return build.heal();
   await build.drop();

@@ -97,13 +97,13 @@ export function createRecorder(): Recorder {
     hasDropped: () => dropped > 0,
     recording: (note) => ({
       header: { note, shipId: 'own', plan },
-      entries: begunBy(hello, entries.map(unpacked)),
+      entries: withHello(hello, entries.map(unpacked)),
     }),
   };
 }
 
 /** Entries from their world's hello on, which is as old as the first of them. */
-function begunBy(
+function withHello(
   hello: (RecordingEntry & { kind: 'received' }) | null,
   entries: readonly RecordingEntry[],
 ): readonly RecordingEntry[] {

@@ -23,7 +23,9 @@ import type { Connection, ConnectionHandlers } from './connection';
  */
 export function openServer(given: string, handlers: ConnectionHandlers): Connection {
   const { address, token } = splitToken(given);
-  const link = isGames(address) ? openGame(address, token, handlers) : openStream(address, token, handlers);
+  const link = isGameAddress(address)
+    ? openGame(address, token, handlers)
+    : openStream(address, token, handlers);
   return {
     ...link,
     operate: ({ kind }) => handlers.onRefused(`${kind}: only available with the built-in server`),
@@ -45,7 +47,7 @@ function splitToken(given: string): { readonly address: string; readonly token: 
   return { address: url.pathname === '/' && url.search === '' ? address.slice(0, -1) : address, token };
 }
 
-function isGames(address: string): boolean {
+function isGameAddress(address: string): boolean {
   return URL.canParse(address) && new URL(address).pathname.endsWith('/ws');
 }
 
@@ -66,7 +68,7 @@ function openSocket(address: string): GameSocket {
 const MACHINE = { clock, jitter: () => Math.random(), openSocket };
 
 /** Handlers of every link: the first welcome begins a world, later ones continue in it. */
-function createTeller(handlers: ConnectionHandlers) {
+function createLinkReporter(handlers: ConnectionHandlers) {
   let isOpened = false;
   return {
     opened() {
@@ -78,7 +80,7 @@ function createTeller(handlers: ConnectionHandlers) {
 }
 
 function openGame(address: string, token: string, handlers: ConnectionHandlers): Link {
-  const teller = createTeller(handlers);
+  const reporter = createLinkReporter(handlers);
   /** The present connection has been reported. */
   let isIn = false;
   const game = createGameConnection(
@@ -86,10 +88,10 @@ function openGame(address: string, token: string, handlers: ConnectionHandlers):
     {
       onStatus(status) {
         isIn &&= status.phase === 'live';
-        teller.status(status);
+        reporter.status(status);
       },
       onWelcome(about) {
-        if (!isIn) teller.opened();
+        if (!isIn) reporter.opened();
         isIn = true;
         handlers.onWelcome(about);
       },
@@ -113,7 +115,7 @@ function openGame(address: string, token: string, handlers: ConnectionHandlers):
 const OWN_PING: ClientMessage = { kind: 'ping', id: MAX_TICK };
 
 function openStream(address: string, token: string, handlers: ConnectionHandlers): Link {
-  const teller = createTeller(handlers);
+  const reporter = createLinkReporter(handlers);
   // One page load is one session: inputs that are sent again after a break are known as the same.
   const session = Array.from({ length: 4 }, () => Math.random().toString(36).slice(2, 10)).join('');
   let since = -1;
@@ -124,7 +126,7 @@ function openStream(address: string, token: string, handlers: ConnectionHandlers
     const { phase } = driver.state();
     if (message.kind === 'hello' && phase === 'authenticating') {
       driver.dispatch({ kind: 'welcome' });
-      teller.opened();
+      reporter.opened();
     } else if (message.kind === 'pong') driver.dispatch({ kind: 'pong' });
   }
 
@@ -149,7 +151,7 @@ function openStream(address: string, token: string, handlers: ConnectionHandlers
     auth: () =>
       token === '' ? null : JSON.stringify({ type: 'auth', token, session, ...(since >= 0 && { since }) }),
     ping: () => encodeClientMessage(OWN_PING),
-    onStatus: teller.status,
+    onStatus: reporter.status,
     onData(data) {
       if (!(data instanceof ArrayBuffer)) {
         handlers.onRefused(`${address} sent text; the protocol is bytes`);

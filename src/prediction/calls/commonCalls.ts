@@ -4,28 +4,28 @@ import type { Session } from '../session';
 import { refuse } from '../snapshots/receiveSnapshot';
 import type { LeanPredictor } from './api';
 import { frameCalls, type Incoming } from './frameCalls';
-import { createLife } from './life';
+import { createLifetime } from './lifetime';
 import { shipCalls } from './shipCalls';
 
 /** The calls that every predictor has, until `dispose`. */
 export function commonCalls(session: Session, incoming: Incoming) {
-  const life = createLife(session);
-  const { calls, receiveAt } = frameCalls(session, life, incoming);
+  const lifetime = createLifetime(session);
+  const { calls, receiveAt } = frameCalls(session, lifetime, incoming);
   return {
-    life,
+    lifetime,
     receiveAt,
     calls: {
       ...calls,
-      ...shipCalls(session, life),
+      ...shipCalls(session, lifetime),
       refused: (reason) => refuse(session.sim, reason),
       onEvent(listener) {
-        if (!life.carriesOut('onEvent') || !isListener(session, listener)) return () => undefined;
+        if (!lifetime.carriesOut('onEvent') || !isListener(session, listener)) return () => undefined;
         session.listeners.add(listener);
         return () => session.listeners.delete(listener);
       },
       reset: () => resetSession(session),
       dispose() {
-        life.end();
+        lifetime.end();
         session.listeners.clear();
         resetSession(session);
       },

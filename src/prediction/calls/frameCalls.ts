@@ -6,7 +6,7 @@ import type { Session } from '../session';
 import { viewAt } from '../viewAt';
 import type { Predictor } from './api';
 import { wallAt } from './callTime';
-import type { Life } from './life';
+import type { Lifetime } from './lifetime';
 
 /** A decoded message that arrived at the caller's `now`, client wall second `at`. */
 export type Receive = (message: ServerMessage | PartialFrame, now: number, at: number) => void;
@@ -19,13 +19,13 @@ export interface Incoming {
 }
 
 /** The calls of each message and each display frame, and how a message that was decoded late is received. */
-export function frameCalls(session: Session, life: Life, { take, decodePending }: Incoming) {
+export function frameCalls(session: Session, lifetime: Lifetime, { take, decodePending }: Incoming) {
   const checks = createChecks(session);
   const receiveAt: Receive = (message, now, at) => {
     checks?.receive(message, now);
     if (!Number.isNaN(at)) take(message, at);
   };
-  return { calls: callsOf(session, life, { checks, receiveAt, decodePending }), receiveAt };
+  return { calls: callsOf(session, lifetime, { checks, receiveAt, decodePending }), receiveAt };
 }
 
 interface Frames {
@@ -34,13 +34,13 @@ interface Frames {
   readonly decodePending: Incoming['decodePending'];
 }
 
-function callsOf(session: Session, life: Life, { checks, receiveAt, decodePending }: Frames) {
+function callsOf(session: Session, lifetime: Lifetime, { checks, receiveAt, decodePending }: Frames) {
   return {
     receive(message, now) {
-      if (life.carriesOut('receive')) receiveAt(message, now, wallAt(session, now));
+      if (lifetime.carriesOut('receive')) receiveAt(message, now, wallAt(session, now));
     },
     advance(controls, now) {
-      if (!life.carriesOut('advance')) return;
+      if (!lifetime.carriesOut('advance')) return;
       checks?.advance(controls, now);
       const at = wallAt(session, now);
       if (Number.isNaN(at)) return;
@@ -50,11 +50,11 @@ function callsOf(session: Session, life: Life, { checks, receiveAt, decodePendin
       if (session.sim.newestTick >= 0) advanceFrame(session, controls, at);
     },
     view(now) {
-      life.carriesOut('view');
+      lifetime.carriesOut('view');
       checks?.view(now);
       if (Number.isFinite(now)) return viewAt(session, now + session.setBack);
       wallAt(session, now);
-      return session.shown.view;
+      return session.viewBuilder.view;
     },
     takeOutgoing() {
       checks?.taken('takeOutgoing');

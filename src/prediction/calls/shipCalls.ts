@@ -2,17 +2,17 @@ import { describe } from '../checks/describe';
 import { changeOwnShip, dropShip, expectTeleport, type Removal } from '../ownership';
 import type { Session } from '../session';
 import type { Predictor } from './api';
-import type { Life } from './life';
+import type { Lifetime } from './lifetime';
 
 const REMOVALS: readonly unknown[] = ['destroyed', 'docked', 'gone'] satisfies readonly Removal[];
 
 /** The calls about single ships. A call without a ship id is ignored, with a warning. */
-export function shipCalls(session: Session, life: Life) {
+export function shipCalls(session: Session, lifetime: Lifetime) {
   const isOf = (call: string, shipId: unknown): boolean =>
-    life.carriesOut(call) && isShipId(session, call, shipId);
+    lifetime.carriesOut(call) && isShipId(session, call, shipId);
   return {
     setOwnShip(shipId) {
-      if (shipId === null ? life.carriesOut('setOwnShip') : isOf('setOwnShip', shipId))
+      if (shipId === null ? lifetime.carriesOut('setOwnShip') : isOf('setOwnShip', shipId))
         changeOwnShip(session, shipId ?? '');
     },
     removeShip(shipId, reason) {

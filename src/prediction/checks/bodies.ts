@@ -33,7 +33,8 @@ function checkBody(warn: Warn, body: BodyState): void {
       'attitude-not-unit',
       `The attitude of body ${name} has length ${Math.hypot(...attitude)}: expected a unit quaternion [x, y, z, w].`,
       {
-        ...{ field: `body ${name}`, value: attitude },
+        field: `body ${name}`,
+        value: attitude,
       },
     );
   const density = mass / ((4 / 3) * Math.PI * radius ** 3);

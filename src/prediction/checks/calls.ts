@@ -29,7 +29,7 @@ interface Pace {
   firstTick: number;
   firstGameTime: number;
   firstAt: number;
-  /** Tick, arrival and tempo of the newest frame; tickRate is 1 until one is sent, as the predictor takes it. */
+  /** Tick, arrival and tempo of the newest frame; NaN until one is sent. */
   tick: number;
   at: number;
   tickRate: number;
@@ -44,14 +44,31 @@ interface Pace {
 
 export function createCalls(): Calls {
   return {
-    ...{ advances: 0, views: 0, frames: 0, unseen: 0 },
-    ...{ ownSeen: '', repeated: 0, fresh: 0, millisecondGaps: 0, slowGaps: 0 },
-    ...{ advancedAt: Number.NaN, receivedAt: Number.NaN },
-    ...{ takenAt: 0, takenBy: '' },
+    advances: 0,
+    views: 0,
+    frames: 0,
+    unseen: 0,
+    ownSeen: '',
+    repeated: 0,
+    fresh: 0,
+    millisecondGaps: 0,
+    slowGaps: 0,
+    advancedAt: Number.NaN,
+    receivedAt: Number.NaN,
+    takenAt: 0,
+    takenBy: '',
     pace: {
-      ...{ firstTick: Number.NaN, firstGameTime: Number.NaN, firstAt: Number.NaN },
-      ...{ tick: Number.NaN, at: Number.NaN, tickRate: 1, timeScale: Number.NaN },
-      ...{ wallDue: 0, gameDue: 0, late: 0, lateSince: Number.NaN },
+      firstTick: Number.NaN,
+      firstGameTime: Number.NaN,
+      firstAt: Number.NaN,
+      tick: Number.NaN,
+      at: Number.NaN,
+      tickRate: Number.NaN,
+      timeScale: Number.NaN,
+      wallDue: 0,
+      gameDue: 0,
+      late: 0,
+      lateSince: Number.NaN,
     },
   };
 }
@@ -146,7 +163,7 @@ const OTHER_RATE = 5;
 function notePace(warn: Warn, pace: Pace, frame: PartialFrame, now: number): void {
   const { tick, gameTime = Number.NaN } = frame;
   if (typeof tick !== 'number') return;
-  if (!(tick >= pace.firstTick) || frame.paused === true) {
+  if (!(tick >= pace.firstTick) || frame.paused === true || Number.isNaN(pace.tickRate)) {
     Object.assign(pace, { firstTick: tick, firstGameTime: gameTime, firstAt: now });
     Object.assign(pace, { wallDue: 0, gameDue: 0, late: 0 });
   } else if (tick > pace.tick) {
@@ -177,7 +194,7 @@ function checkTickRate(
   const isFast = seconds >= MEASURED && pace.wallDue > seconds * OTHER_RATE;
   if (!isSlow && !isFast) return;
   const come = isSlow ? (tick - pace.tick) / gap : (tick - pace.firstTick) / seconds;
-  const message = `tickRate is ${tickRate} Hz (1 unless sent), and ${come.toPrecision(3)} ticks arrive per second: pass ticks per second, not their length.`;
+  const message = `tickRate is ${tickRate} Hz, and ${come.toPrecision(3)} ticks arrive per second: pass ticks per second, not their length.`;
   warn('tick-rate', message, { tickRate, measured: come });
 }
 

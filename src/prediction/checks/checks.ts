@@ -3,7 +3,6 @@ import type { PartialFrame, ServerMessage } from '../../wire';
 import type { Session } from '../session';
 import { type Calls, createCalls, noteAdvance, noteFrame, noteTaken, noteUntaken, noteView } from './calls';
 import { checkControls } from './controls';
-import { checkFeatures } from './features';
 import { checkKind, checkMessage } from './messages';
 import { checkOptions } from './options';
 import { checkTerrains } from './terrains';
@@ -56,7 +55,7 @@ function lookAtMessage(
   if (message.kind === 'frame' && Number.isFinite(now)) {
     noteFrame(warn, calls, message, now, receiver.ownShipId);
     checkAcknowledgement(session, message);
-    checkFeatures(session, message);
+    session.features.checkFeatures?.(session, message);
     if (calls.frames === FRAMES_BEFORE) checkTerrains(session);
   }
   if (calls.frames > FIRST && calls.frames % SAMPLED !== 0) return;

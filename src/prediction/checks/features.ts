@@ -1,4 +1,5 @@
 import type { PartialFrame, ShipState } from '../../wire';
+import { knowsGround } from '../ground/unknownGround';
 import type { Session, SessionFeatures } from '../session';
 import { sameBodies } from '../snapshots/worldConfig';
 
@@ -41,6 +42,13 @@ const NEEDS: readonly Need[] = [
     effect: 'the last one is used, or 1',
   },
   {
+    of: 'frame.tickRate, which is missing,',
+    feature: 'measuredTickRate',
+    part: 'tickRates',
+    isNeeded: ({ tickRate }) => tickRate === undefined,
+    effect: 'the last one is used, or 1 Hz',
+  },
+  {
     of: 'frame.bodies, of which some are missing, incomplete or in another order,',
     feature: 'completedBodies',
     part: 'completeBodies',
@@ -58,7 +66,38 @@ const NEEDS: readonly Need[] = [
       ),
     effect: 'they are ignored',
   },
+  {
+    of: 'frame.ships, of which one in contact has no contactImpactSpeed,',
+    feature: 'replayedImpacts',
+    part: 'replayImpact',
+    isNeeded: ({ ships }) =>
+      (listOf(ships) as readonly (Partial<ShipState> | null | undefined)[]).some(
+        (ship) => ship?.surfaceContactState === 'contact' && (ship.contactImpactSpeed ?? null) === null,
+      ),
+    effect: 'a contact that was not predicted does not bounce',
+  },
+  {
+    of: 'options.maxSubstepsPerFrame',
+    feature: 'frameBudget',
+    part: 'keepPace',
+    isNeeded: (_frame, { options }) => options.maxSubstepsPerFrame !== undefined,
+    effect: 'replays alone keep to it',
+  },
+  {
+    of: 'a terrain that returns null',
+    feature: 'unloadedGround',
+    part: 'unknownGround',
+    isNeeded: (_frame, session) => isAboveUnknownGround(session),
+    effect: 'the ground there is at the body’s radius',
+  },
 ];
+
+/** Whether the ground below the own ship's newest state is not loaded. */
+function isAboveUnknownGround({ sim, receiver }: Session): boolean {
+  const { own } = sim.fleet;
+  const { tick, bodies } = receiver.context;
+  return own !== null && own.serverTick === tick && !knowsGround(own.serverRow, bodies, sim.world);
+}
 
 /** The list; an empty one for anything else that a JavaScript caller passes. */
 const listOf = (value: unknown): readonly unknown[] => (Array.isArray(value) ? value : []);

@@ -31,7 +31,7 @@ const KINDS = ['hello', 'frame', 'pong'];
 
 /** Warns of a message that is not decoded, still in its Result, or of a misspelt kind. Returns whether it may be valid. */
 export function checkKind(warn: Warn, message: unknown): boolean {
-  const undecoded = howToDecode(message);
+  const undecoded = decodingHint(message);
   if (undecoded !== '') {
     warn('message-not-decoded', `receive was given ${describe(message)}: ${undecoded}.`, { value: message });
     return false;
@@ -51,7 +51,7 @@ export function checkKind(warn: Warn, message: unknown): boolean {
 }
 
 /** What the caller must do before the message can be received; '' if it may be valid. */
-function howToDecode(message: unknown): string {
+function decodingHint(message: unknown): string {
   if (typeof message === 'string') return 'parse it with JSON.parse, then decode it with decodeFrameJson';
   if (typeof message !== 'object' || message === null) return '';
   if (ArrayBuffer.isView(message) || kindOf(message) === 'ArrayBuffer')

@@ -2,7 +2,7 @@ import { DEFAULT_SETTINGS, faultOfConstants, loadControls } from '../../dynamics
 import { DEFAULT_SMOOTHING, SMOOTHING_BOUNDS } from '../drawn/ease';
 import type { ScheduledInput } from '../inputs/inputs';
 import type { BodyState } from '../../wire';
-import { defaultWorld, type Defaults, type PredictorOptions } from '../options';
+import { defaultWorld, type Defaults, GAME_CATALOGUE, type PredictorOptions } from '../options';
 import { checkBodies } from './bodies';
 import { checkClasses } from './shipClasses';
 import type { Warn } from '../warnings';
@@ -85,7 +85,7 @@ export function requireOptions(given: PredictorOptions): void {
   requireMembers('options', EXPECTED, given);
   requireMembers('options.defaults', EXPECTED_DEFAULTS, given.defaults ?? {});
   requireSmoothing(given.smoothing ?? {});
-  const fault = faultOfConstants(defaultWorld(given.defaults));
+  const fault = faultOfConstants(defaultWorld(given.defaults, GAME_CATALOGUE));
   if (fault !== null) throw new RangeError(`defaults: ${fault}`);
 }
 

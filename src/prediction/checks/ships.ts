@@ -192,7 +192,11 @@ function checkCommands(warn: Warn, ship: ShipState): void {
       'state-out-of-range',
       `${shipId} has a control of ${largest}: expected 0 (thrustLevel) or −1 to 1, not percent.`,
       {
-        ...{ field: 'controls', shipId, thrustLevel, rotationInput, translationInput },
+        field: 'controls',
+        shipId,
+        thrustLevel,
+        rotationInput,
+        translationInput,
       },
     );
   if (fuel < 0)

@@ -41,7 +41,7 @@ export interface CorrectionStyle {
 }
 
 /** A ship's drawn pose before its rows are replaced; one record, valid until the next call. */
-export function seeDrawn(sim: Simulation, track: Track): DrawnBefore {
+export function captureDrawn(sim: Simulation, track: Track): DrawnBefore {
   const { picture } = track;
   drawn.body = sim.fleet.front[track.at + REFERENCE_BODY]!;
   drawn.speed = speedOf(sim.fleet.front, track.at);

@@ -51,8 +51,8 @@ export interface Springs {
   readonly normal: number;
   readonly angle: number;
   /** Factor on the caps, ≥ 1: above 1 for settle times below the defaults. */
-  readonly haste: number;
-  readonly turnHaste: number;
+  readonly capFactor: number;
+  readonly turnCapFactor: number;
 }
 
 /** The springs for the given settle times, which are within SMOOTHING_BOUNDS. */
@@ -63,13 +63,13 @@ export function springsOf(given: Partial<Smoothing> = {}): Springs {
     ground: GROUND * (usual.alongGround / alongGround),
     normal: NORMAL * (usual.alongNormal / alongNormal),
     angle: ANGLE * (usual.angle / angle),
-    haste: hasteFor(Math.max(usual.alongGround / alongGround, usual.alongNormal / alongNormal)),
-    turnHaste: hasteFor(usual.angle / angle),
+    capFactor: capFactorFor(Math.max(usual.alongGround / alongGround, usual.alongNormal / alongNormal)),
+    turnCapFactor: capFactorFor(usual.angle / angle),
   };
 }
 
 /** With the default caps exactly 5 % is left at the default times. Shorter times get a margin of 5 %. */
-function hasteFor(ratio: number): number {
+function capFactorFor(ratio: number): number {
   return ratio > 1 ? 1.05 * ratio : 1;
 }
 
@@ -121,13 +121,13 @@ export function restartEase(ease: Ease): void {
 }
 
 /** Lets `elapsed` s pass. `normal` is the local up at the ship, unit, in the body's axes. */
-export function relax(ease: Ease, normal: Float64Array, elapsed: number, springs: Springs): void {
+export function advanceEase(ease: Ease, normal: Float64Array, elapsed: number, springs: Springs): void {
   if (!ease.active || !(elapsed > 0)) return;
   if (elapsed > FORGOTTEN) {
     snap(ease);
     return;
   }
-  const slices = Math.ceil((elapsed / SLICE) * Math.max(springs.haste, springs.turnHaste));
+  const slices = Math.ceil((elapsed / SLICE) * Math.max(springs.capFactor, springs.turnCapFactor));
   const dt = elapsed / slices;
   for (let i = 0; i < slices; i++) {
     moveOffset(ease, normal, dt, springs);
@@ -139,7 +139,7 @@ export function relax(ease: Ease, normal: Float64Array, elapsed: number, springs
 
 function moveOffset(ease: Ease, normal: Float64Array, dt: number, springs: Springs): void {
   const { offset, rate } = ease;
-  const { ground: stiff, normal: stiffUp, haste } = springs;
+  const { ground: stiff, normal: stiffUp, capFactor } = springs;
   const decayGround = Math.exp(-stiff * dt);
   const decayNormal = Math.exp(-stiffUp * dt);
   const high = dot(offset, normal);
@@ -155,10 +155,10 @@ function moveOffset(ease: Ease, normal: Float64Array, dt: number, springs: Sprin
     wanted.step[k] = (x + push * dt) * decayGround + highNext * n - offset[k]!;
     wanted.speed[k] = (v - stiff * push * dt) * decayGround + climbNext * n;
   }
-  move(offset, rate, wanted, dt, haste * Math.max(SPEED_CAP, SHARE_CAP * ease.size));
+  move(offset, rate, wanted, dt, capFactor * Math.max(SPEED_CAP, SHARE_CAP * ease.size));
 }
 
-function moveTurn(ease: Ease, dt: number, { angle: stiff, turnHaste }: Springs): void {
+function moveTurn(ease: Ease, dt: number, { angle: stiff, turnCapFactor }: Springs): void {
   const { turn, turnRate } = ease;
   const decay = Math.exp(-stiff * dt);
   for (let k = 0; k < 3; k++) {
@@ -166,7 +166,7 @@ function moveTurn(ease: Ease, dt: number, { angle: stiff, turnHaste }: Springs):
     wanted.step[k] = (turn[k]! + push * dt) * decay - turn[k]!;
     wanted.speed[k] = (turnRate[k]! - stiff * push * dt) * decay;
   }
-  move(turn, turnRate, wanted, dt, turnHaste * Math.max(TURN_CAP, SHARE_CAP * ease.turnSize));
+  move(turn, turnRate, wanted, dt, turnCapFactor * Math.max(TURN_CAP, SHARE_CAP * ease.turnSize));
 }
 
 /** What the uncapped spring does in a slice. */

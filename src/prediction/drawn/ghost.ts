@@ -6,36 +6,38 @@ import {
   REFERENCE_BODY,
   type LoadedShipClass,
   SURFACE_STATE,
-  type World,
 } from '../../dynamics';
-import { type DrawnGround, groundDirection, writeGroundRadius } from './snap/drawnGround';
+import { groundDirection, writeGroundRadius } from './snap/drawnGround';
 import { hullOfShip, LEGS } from './snap/hull';
 import { pose } from './pose';
 import { lengthOf, rotateBack, seenFrom } from './rotation';
 import { createGroundedPose, type GroundPose, snapToGround, type GroundedPose } from './snap/groundSnap';
-import { type LevelGround, snapToLevel } from './snap/levelSnap';
+import type { LevelGround } from './snap/levelSnap';
+import type { Scene } from './scene';
 import type { Track } from '../simulation/track';
 import type { ShipView } from './view';
 
+/** The server's newest state as a ghost, in the body's axes, so that it turns with the body. */
+export function fillGhost(out: ShipView, { serverBodyAttitude }: Track): void {
+  rotateBack(out.ghostPosition, serverBodyAttitude, out.serverPosition);
+  seenFrom(out.ghostAttitude, serverBodyAttitude, out.serverAttitude);
+}
+
 /**
- * The server's newest state as a ghost: put on the drawn ground by the same function as the ship itself (PREDICTION, Drawing), because a
- * tipped ship's ghost would hover. In the body's axes, so that it turns with the body.
- * @param drawn the drawn ground
+ * The ghost is put on the drawn ground by the same function as the ship itself (PREDICTION, Drawing), because a
+ * tipped ship's ghost would hover.
  * @param exactly true: point by point, like the ship itself; false: as on level ground
  */
-export function fillGhost(
+export function groundGhost(
   out: ShipView,
   track: Track,
-  world: World,
-  drawn: DrawnGround,
+  { world, ground: drawn, features }: Scene,
   exactly: boolean,
 ): void {
   const body = world.bodies[track.serverRow[REFERENCE_BODY]!]!;
-  rotateBack(ghost.position, track.serverBodyAttitude, out.serverPosition);
-  seenFrom(ghost.attitude, track.serverBodyAttitude, out.serverAttitude);
+  ghost.position.set(out.ghostPosition);
+  ghost.attitude.set(out.ghostAttitude);
   ghost.grounded = track.serverRow[SURFACE_STATE] !== FLYING;
-  out.ghostPosition.set(ghost.position);
-  out.ghostAttitude.set(ghost.attitude);
   shape.shipClass = out.shipClass;
   shape.groundContactOffset = track.serverRow[GROUND_CONTACT_OFFSET]!;
   const { position } = ghost;
@@ -50,8 +52,9 @@ export function fillGhost(
   // Too high to touch the ground, as for the ship itself.
   const reach = 2 * shape.groundContactOffset + out.shipClass.constants[LEG_RADIUS]!;
   if (distance - ground.radius > reach) return;
-  if (exactly) snapToGround(groundedPose, ghost, hullOfShip(shape), drawn);
-  else snapToLevel(groundedPose, ghost, hullOfShip(shape), ground);
+  if (exactly || features.snapToLevel === undefined)
+    snapToGround(groundedPose, ghost, hullOfShip(shape), drawn);
+  else features.snapToLevel(groundedPose, ghost, hullOfShip(shape), ground);
   out.ghostPosition.set(groundedPose.position);
 }
 

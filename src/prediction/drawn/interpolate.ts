@@ -1,6 +1,21 @@
-import { ANGULAR_VELOCITY, ATTITUDE, FLYING, POSITION, SURFACE_STATE, VELOCITY } from '../../dynamics';
-import { type Timeline, wallOfTick } from '../time/timeline';
+import {
+  ANGULAR_VELOCITY,
+  ATTITUDE,
+  FLYING,
+  POSITION,
+  REFERENCE_BODY,
+  SHIP_STRIDE,
+  SURFACE_STATE,
+  VELOCITY,
+} from '../../dynamics';
+import { wallOfTick } from '../time/timeline';
 import type { ServerStates } from '../simulation/serverStates';
+import type { Simulation } from '../simulation/simulation';
+import { copyRow, type Track } from '../simulation/track';
+import { fadeFromHeld } from './correction';
+import { moveWithBody, place, seeServerState } from './outOfStep';
+import type { Playback, TurnedBodies } from './scene';
+import { pose } from './pose';
 import {
   compose,
   cross,
@@ -14,13 +29,34 @@ import {
   vector,
 } from './rotation';
 
+/** The row of a ship that the caller chose not to predict: between its server states, or the newest one. */
+export function rowOfPolicy(sim: Simulation, track: Track, turned: TurnedBodies): Float64Array {
+  copyRow(drawn, 0, track.serverRow, 0);
+  const index = drawn[REFERENCE_BODY]!;
+  const attitude = turned.bodyAttitudes[index]!;
+  const spin = turned.bodySpins[index]!;
+  if (track.policy === 'interpolate' && track.states !== null) {
+    writeBetween(drawn, track.states, turned.playback);
+    take(seen.position, drawn, POSITION);
+    take(seen.attitude, drawn, ATTITUDE);
+    fadeFromHeld(sim, track, seen);
+    turnWithBody(drawn, attitude, spin);
+    return drawn;
+  }
+  seeServerState(seen, drawn, track);
+  fadeFromHeld(sim, track, seen);
+  place(drawn, seen, attitude);
+  if (drawn[SURFACE_STATE] !== FLYING) moveWithBody(drawn, seen, spin);
+  return drawn;
+}
+
 /**
  * Interpolates a ship's row between the two server states around the instant of `playback`; the first state holds before the first,
  * the last one after the last. In flight the position follows the cubic through the states' velocities, on the ground a straight line.
  * @param row a copy of the earlier state, with position, velocity, attitude and spin in the body's axes, the velocity
  *   relative to the turning body
  */
-export function writeBetween(
+function writeBetween(
   row: Float64Array,
   { ticks, rows }: ServerStates,
   { timeline, at, timeScale }: Playback,
@@ -38,16 +74,6 @@ export function writeBetween(
   writePlace(row, between);
   blendColumns(row, ANGULAR_VELOCITY, between);
   turnOver(row, between);
-}
-
-/** The instant at which interpolated ships are drawn. */
-export interface Playback {
-  /** The timeline of the states' ticks. */
-  readonly timeline: Timeline;
-  /** Server wall s. */
-  readonly at: number;
-  /** Game s per wall s. */
-  readonly timeScale: number;
 }
 
 interface Between {
@@ -104,6 +130,8 @@ export function turnWithBody(row: Float64Array, attitude: Float64Array, spin: Fl
   for (let k = 0; k < 3; k++) row[VELOCITY + k] = row[VELOCITY + k]! + groundVelocity[k]!;
 }
 
+const drawn = new Float64Array(SHIP_STRIDE);
+const seen = pose();
 const first = quaternion();
 const second = quaternion();
 const turn = quaternion();

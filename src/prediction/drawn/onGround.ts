@@ -3,7 +3,7 @@ import type { Track } from '../simulation/track';
 import { groundDirection, writeGroundRadius } from './snap/drawnGround';
 import { createGroundedPose, type GroundedPose, snapToGround } from './snap/groundSnap';
 import { hullOfShip, LEGS } from './snap/hull';
-import { type LevelGround, snapToLevel } from './snap/levelSnap';
+import type { LevelGround } from './snap/levelSnap';
 import { lengthOf, rotate, vector } from './rotation';
 import type { Scene } from './scene';
 import type { ShipView } from './view';
@@ -69,7 +69,8 @@ const under = { bodyName: '', radius: 1, legRadius: 1, terrainHeight: flatTerrai
 export function fillGrounded(out: ShipView, scene: Scene, bodyAttitude: Float64Array): boolean {
   const { drawn, seen } = scene;
   const legRadius = out.shipClass.constants[LEG_RADIUS]!;
-  const exactly = out.own || scene.exactSnaps > 0;
+  const { snapToLevel } = scene.features;
+  const exactly = snapToLevel === undefined || out.own || scene.exactSnaps > 0;
   const surface = out.groundRadius - out.groundOffset;
   const above = lengthOf(drawn.position) - surface;
   // Beyond twice its height no part of the ship can touch the ground.

@@ -1,25 +1,54 @@
 import type { World } from '../../dynamics';
 import type { Simulation } from '../simulation/simulation';
+import type { Track } from '../simulation/track';
+import type { Timeline } from '../time/timeline';
 import type { DrawnGround } from './snap/drawnGround';
 import type { GroundPose } from './snap/groundSnap';
-import type { Playback } from './interpolate';
+import type { snapToLevel } from './snap/levelSnap';
 import { type Pose, pose } from './pose';
 import { quaternion, vector } from './rotation';
 import type { Springs } from './ease';
 import type { Instant } from './status';
+import type { ShipView } from './view';
+
+/** What only some clients need of drawing. */
+export interface SceneFeatures {
+  /** Puts ships on level ground; without, all are put on the ground point by point. */
+  readonly snapToLevel?: typeof snapToLevel;
+  /** Puts the server's state on the drawn ground. */
+  readonly groundGhost?: (out: ShipView, track: Track, scene: Scene, exactly: boolean) => void;
+  /** The row of a ship that the caller chose not to predict. */
+  readonly rowOfPolicy?: (sim: Simulation, track: Track, turned: TurnedBodies) => Float64Array;
+}
+
+/** The bodies' attitudes at the present. */
+export interface TurnedBodies {
+  /** Attitude and spin of each body, ICRF. */
+  readonly bodyAttitudes: readonly Float64Array[];
+  readonly bodySpins: readonly Float64Array[];
+  /** The instant at which interpolated ships are drawn. */
+  readonly playback: Playback;
+}
+
+/** The instant at which interpolated ships are drawn. */
+export interface Playback {
+  /** The timeline of the states' ticks. */
+  readonly timeline: Timeline;
+  /** Server wall s. */
+  readonly at: number;
+  /** Game s per wall s. */
+  readonly timeScale: number;
+}
 
 /** What all ships of one view share. */
-export interface Scene {
+export interface Scene extends TurnedBodies {
   world: World;
   /** Of the current ship's body. */
   readonly ground: DrawnGround;
-  /** Attitude and spin of each body at the present, ICRF. */
-  bodyAttitudes: Float64Array[];
-  bodySpins: Float64Array[];
   /** Ships that may still be put on the ground point by point; for others the ground counts as level. */
   exactSnaps: number;
+  readonly features: SceneFeatures;
   readonly at: Instant;
-  /** The instant at which interpolated ships are drawn. */
   readonly playback: { -readonly [K in keyof Playback]: Playback[K] };
   /** How fast corrections fade. */
   readonly springs: Springs;
@@ -29,7 +58,7 @@ export interface Scene {
   readonly drawn: GroundPose;
 }
 
-export function createScene(sim: Simulation, springs: Springs): Scene {
+export function createScene(sim: Simulation, springs: Springs, features: SceneFeatures): Scene {
   const { timeline } = sim;
   return {
     world: sim.world,
@@ -37,6 +66,7 @@ export function createScene(sim: Simulation, springs: Springs): Scene {
     bodyAttitudes: sim.world.bodies.map(quaternion),
     bodySpins: sim.world.bodies.map(vector),
     exactSnaps: 0,
+    features,
     at: {
       now: 0,
       present: 0,

@@ -21,7 +21,7 @@ import {
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import { createTouchdownView } from '../touchdown/touchdownLog';
-import { relax } from './ease';
+import { advanceEase } from './ease';
 import { fillGhost } from './ghost';
 import { LEGS } from './snap/hull';
 import { fillGround, fillGrounded } from './onGround';
@@ -111,13 +111,17 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.missingSends = sim.cadence.sends - track.lastSend;
   const attitude = scene.bodyAttitudes[out.body]!;
   seeFromBody(out, scene, attitude);
-  if (track.picture.ease.active) relax(track.picture.ease, scene.normal, scene.at.elapsed, scene.springs);
+  if (track.picture.ease.active)
+    advanceEase(track.picture.ease, scene.normal, scene.at.elapsed, scene.springs);
   fillDrawn(out, track, scene, attitude);
   fillGround(out, track, scene);
   const exactly = fillGrounded(out, scene, attitude);
   fillThrust(out, rows, from);
   fillControls(out, track.picture.status.commands, rows, from);
-  if (fillServerState(out, track, scene.at)) fillGhost(out, track, scene.world, scene.ground, exactly);
+  if (fillServerState(out, track, scene.at)) {
+    fillGhost(out, track);
+    scene.features.groundGhost?.(out, track, scene, exactly);
+  }
   fillStatus(out, track, rows, from, scene.at);
   if (track.log !== null)
     sim.features.touchdown?.fillTouchdown(

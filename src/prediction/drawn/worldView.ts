@@ -8,11 +8,11 @@ import { staleAfter } from '../time/connection';
 import { indexOf, type Moment, spanOf } from '../time/timeline';
 import type { WorldView } from './view';
 import type { Springs } from './ease';
-import { createScene, type Scene } from './scene';
+import { createScene, type Scene, type SceneFeatures } from './scene';
 import { createShipView, fillShipView } from './viewing';
 
 /** A view under construction, and what all its ships share. */
-export interface Shown {
+export interface ViewBuilder {
   readonly view: WorldView;
   readonly scene: Scene;
   /** Of the view in the making. */
@@ -30,7 +30,7 @@ interface BodyView {
   readonly angularVelocity: [number, number, number];
 }
 
-export function createShown(sim: Simulation, springs: Springs): Shown {
+export function createViewBuilder(sim: Simulation, springs: Springs, features: SceneFeatures): ViewBuilder {
   const bodies = sim.world.bodies.map(({ name, mass, radius }): BodyView => {
     return {
       name,
@@ -57,13 +57,13 @@ export function createShown(sim: Simulation, springs: Springs): Shown {
     own: null,
     diagnosis: sim.counters,
   };
-  const scene = createScene(sim, springs);
+  const scene = createScene(sim, springs, features);
   const instant = { now: 0, present: 0, lead: 0, heard: 0 };
   return { view, scene, instant, viewedAt: Number.NaN };
 }
 
 /** The simulation has a new world with the same bodies: views continue with its constants. */
-export function showWorld({ view, scene }: Shown, { world }: Simulation): void {
+export function showWorld({ view, scene }: ViewBuilder, { world }: Simulation): void {
   view.settings = world.settings;
   scene.world = world;
   scene.ground.terrainHeight = world.terrainHeight;
@@ -99,14 +99,14 @@ export interface ViewInstant {
 }
 
 /** Fills the view for its instant, with the present as it is placed. */
-export function fillView(shown: Shown, sim: Simulation): void {
-  const { view, scene } = shown;
-  const { now, present, lead, heard } = shown.instant;
+export function fillView(builder: ViewBuilder, sim: Simulation): void {
+  const { view, scene } = builder;
+  const { now, present, lead, heard } = builder.instant;
   fillLabel(view, sim);
-  fillBodies(shown, sim);
+  fillBodies(builder, sim);
   const { at } = scene;
-  at.elapsed = Number.isNaN(shown.viewedAt) ? 0 : Math.max(0, now - shown.viewedAt);
-  shown.viewedAt = now;
+  at.elapsed = Number.isNaN(builder.viewedAt) ? 0 : Math.max(0, now - builder.viewedAt);
+  builder.viewedAt = now;
   at.now = now;
   at.present = present;
   at.staleAfter = staleAfter(sim.cadence, view.tickRate);
@@ -118,7 +118,7 @@ export function fillView(shown: Shown, sim: Simulation): void {
   // The timeline may have changed since the last view: forget the looked-up tick.
   at.serverTick = Number.NaN;
   scene.exactSnaps = MAX_EXACT_SNAPS;
-  fillShips(shown, sim);
+  fillShips(builder, sim);
 }
 
 /** Labels the view with the exact instant that is drawn, between two substep boundaries. */
@@ -135,7 +135,7 @@ function fillLabel(view: WorldView, sim: Simulation): void {
   view.ready = true;
 }
 
-function fillBodies({ view, scene }: Shown, sim: Simulation): void {
+function fillBodies({ view, scene }: ViewBuilder, sim: Simulation): void {
   const { front, timeline } = sim;
   const rows = boundaryAt(sim.bodies, timeline, front.tick);
   const before = view.tick === front.tick ? 0 : spanOf(timeline, view.tick).timing.tickSeconds;
@@ -155,7 +155,7 @@ function fillBodies({ view, scene }: Shown, sim: Simulation): void {
   }
 }
 
-function fillShips({ view, scene }: Shown, sim: Simulation): void {
+function fillShips({ view, scene }: ViewBuilder, sim: Simulation): void {
   const { tracks } = sim.fleet;
   view.own = null;
   view.ships.length = tracks.length;

@@ -15,13 +15,11 @@ export function guardTerrain(terrain: ClientTerrain, name: string, warn: Warn): 
       height = error;
     }
     if (height === null) return null;
-    const message = `The terrain ${name} returned ${describe(height)} for ${bodyName}: return metres above the body's radius, or null where it is not loaded. It counts as not loaded.`;
-    warn('terrain-unusable', message, {
-      terrain: name,
-      body: bodyName,
-      direction: [nx, ny, nz],
-      value: height,
-    });
+    warn(
+      'terrain-unusable',
+      `The terrain ${name} returned ${describe(height)} for ${bodyName}: return metres above the body's radius, or null where it is not loaded. It counts as not loaded.`,
+      { terrain: name, body: bodyName, direction: [nx, ny, nz], value: height },
+    );
     return null;
   };
 }

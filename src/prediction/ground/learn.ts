@@ -154,7 +154,11 @@ function placeOf(
   { old, offset }: { readonly old: GroundPlace | null; readonly offset: number },
 ): GroundPlace {
   return {
-    ...{ bodyName: body.name, bodyRadius: body.radius, offset, weight: 1, seenAt: now },
+    bodyName: body.name,
+    bodyRadius: body.radius,
+    offset,
+    weight: 1,
+    seenAt: now,
     direction: direction.slice(),
     slope: old === null ? new Float64Array(3) : old.slope.slice(),
     states: (old?.states ?? 0) + 1,

@@ -31,8 +31,14 @@ export interface Observation {
 
 export function createObservation(): Observation {
   return {
-    ...{ direction: vector(), way: vector() },
-    ...{ feet: 0, climb: 0, speed: 0, gravity: 0, grounded: false, crashed: false },
+    direction: vector(),
+    way: vector(),
+    feet: 0,
+    climb: 0,
+    speed: 0,
+    gravity: 0,
+    grounded: false,
+    crashed: false,
   };
 }
 

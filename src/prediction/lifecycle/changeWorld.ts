@@ -5,7 +5,6 @@ import { beginWorld, type Session } from '../session';
 import { forgetAfter } from '../simulation/history';
 import { abandonReplay, hold } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
-import { holdSleeping } from '../simulation/sleep';
 import type { Track } from '../simulation/track';
 import { forgetAfter as forgetBodiesAfter } from '../snapshots/bodies/bodyTrack';
 import { sameBodies, type WorldConfig } from '../snapshots/worldConfig';
@@ -19,7 +18,7 @@ import { forgetLogsAfter } from '../touchdown/touchdownRing';
  * @param config the config from which `world` was created
  */
 export function changeWorld(session: Session, world: World, config: WorldConfig): void {
-  const { sim, shown } = session;
+  const { sim, viewBuilder } = session;
   session.config = config;
   if (sim.newestTick < 0 || !sameBodies(sim.world, world)) {
     beginWorld(session, world, config.bodies);
@@ -28,7 +27,7 @@ export function changeWorld(session: Session, world: World, config: WorldConfig)
   const before = sim.world;
   for (const track of sim.fleet.tracks) {
     if (track.mode === 'stepping') hold(sim, track);
-    if (track.mode === 'sleeping') holdSleeping(track);
+    sim.sleep?.holdSleeping(track);
   }
   sim.world = world;
   sim.groundless = withoutGround(world);
@@ -36,7 +35,7 @@ export function changeWorld(session: Session, world: World, config: WorldConfig)
   forgetBodiesAfter(sim.bodies, sim.newestTick);
   for (const track of sim.fleet.tracks) carryOver(sim, track, before);
   sim.frontIsStale = true;
-  showWorld(shown, sim);
+  showWorld(viewBuilder, sim);
 }
 
 /** Converts the ship's rows to the new world and puts it out of step until it has been replayed. */

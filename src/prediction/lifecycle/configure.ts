@@ -3,7 +3,7 @@ import { checkDefaults, faultOfDefaults } from '../checks/options';
 import { describe } from '../checks/describe';
 import type { Defaults } from '../options';
 import type { Session } from '../session';
-import { loadGiven } from '../snapshots/worldConfig';
+import { loadUntrusted } from '../snapshots/worldConfig';
 import { changeWorld } from './changeWorld';
 
 /** Changes members of the running world. Returns an error that names the invalid field; then nothing changes. */
@@ -19,7 +19,7 @@ export function configure(session: Session, changes: Partial<Defaults> | null): 
   checkDefaults(warn, 'configure', changes);
   const settings = { ...config.settings, ...changes.settings };
   const next = { ...config, ...changes, settings };
-  const world = loadGiven(next, session);
+  const world = loadUntrusted(next, session);
   if (!world.ok) return refuse(session, world.reason);
   changeWorld(session, world.value, next);
   return ok(null);

@@ -1,10 +1,10 @@
 import type { Session } from '../session';
-import type { Kept } from './snapshot';
+import type { LatestMessages } from './snapshot';
 
 /** Everything a predictor owns: its session, and the messages of its next snapshot. */
 export interface Owned {
   readonly session: Session;
-  readonly kept: Kept;
+  readonly kept: LatestMessages;
 }
 
 /**

@@ -2,7 +2,6 @@ import { holdDrawn, POLICY_STALL } from '../drawn/correction';
 import type { Session } from '../session';
 import { abandonReplay, startReplay } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
-import { holdSleeping } from '../simulation/sleep';
 import { copyRow, type Policy, type Track } from '../simulation/track';
 
 const POLICIES: readonly unknown[] = ['predict', 'interpolate', 'hold'] satisfies readonly Policy[];
@@ -28,7 +27,7 @@ export function changePolicy({ sim, receiver, warn }: Session, shipId: string, p
 function leavePrediction(sim: Simulation, track: Track): void {
   abandonReplay(track);
   if (track.mode === 'stepping') holdDrawn(sim, track);
-  if (track.mode === 'sleeping') holdSleeping(track);
+  sim.sleep?.holdSleeping(track);
   track.mode = 'held';
   track.off = false;
 }

@@ -32,20 +32,20 @@ export interface PredictorSnapshot {
 }
 
 /** The messages that make up a snapshot, kept as they arrive. */
-export interface Kept {
+export interface LatestMessages {
   hello: Hello | null;
   frame: PartialFrame | null;
   frameAt: number;
 }
 
-export function createKept(): Kept {
+export function createLatestMessages(): LatestMessages {
   return { hello: null, frame: null, frameAt: Number.NaN };
 }
 
 /** Receives a message, and keeps it for a later snapshot unless it was refused or is not of the newest tick. */
 export function receiveAndKeep(
   session: Session,
-  kept: Kept,
+  kept: LatestMessages,
   message: ServerMessage | PartialFrame,
   now: number,
 ): void {
@@ -77,7 +77,7 @@ function shipsOf({ ships }: PartialFrame): PartialFrame['ships'] {
 }
 
 /** The snapshot at client wall second `now`. */
-export function snapshotOf(session: Session, kept: Kept, now: number): PredictorSnapshot {
+export function snapshotOf(session: Session, kept: LatestMessages, now: number): PredictorSnapshot {
   const { receiver, sim } = session;
   const { records, applied, nextSeq } = sim.inputs;
   const age = now - kept.frameAt;
@@ -99,14 +99,21 @@ function completed({ sim }: Session, frame: PartialFrame): PartialFrame {
   const { tickRate, timeScale, paused } = spanOf(sim.timeline, sim.newestTick);
   const rows = boundaryAt(sim.bodies, sim.timeline, sim.newestTick);
   const bodies = sim.world.bodies.map(({ name, mass, radius }, i) => ({
-    ...{ name, mass, radius },
+    name,
+    mass,
+    radius,
     ...readBodyMotion(rows, i * BODY_STRIDE),
   }));
   return { ...frame, tickRate, timeScale, paused, bodies };
 }
 
 /** Continues from a snapshot, which may be untrusted; returns an error that names the invalid field. */
-export function restoreSnapshot(session: Session, kept: Kept, given: unknown, now: number): Result<null> {
+export function restoreSnapshot(
+  session: Session,
+  kept: LatestMessages,
+  given: unknown,
+  now: number,
+): Result<null> {
   if (Number.isNaN(now)) return err('now: expected finite wall s');
   const reason = faultOf(given);
   if (reason !== null) {

@@ -5,13 +5,27 @@ import {
   BODY_STRIDE,
   CRASHED,
   FLYING,
+  NO_EVENT,
   POSITION,
   REFERENCE_BODY,
+  substep,
   SURFACE_STATE,
   VELOCITY,
   type World,
 } from '../../dynamics';
 import { compose, cross, dot, fromRotationVector, quaternion, take, vector } from '../drawn/rotation';
+import type { Simulation } from './simulation';
+import type { RowStep, Track } from './track';
+
+/** Extrapolates a ship by a substep or, above unknown ground, flies it by the dynamics. */
+export function carry(step: RowStep, sim: Simulation, track: Track): void {
+  const { rows, at } = step;
+  const [dt] = step.dt;
+  step.event = NO_EVENT;
+  if (track.fit.carried === 'ground' && rows[at + SURFACE_STATE] === FLYING)
+    substep(rows, at, step.bodies, sim.groundless, dt);
+  else carryRow(rows, at, step.bodies, sim.world, dt);
+}
 
 /**
  * Extrapolates a ship's motion like a client without the dynamics: in flight it falls without thrust; on the ground it keeps moving along

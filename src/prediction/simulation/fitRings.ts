@@ -1,6 +1,5 @@
 import { SHIP_STRIDE } from '../../dynamics';
 import { keptTicks, resizedBodies } from '../snapshots/bodies/bodyTrack';
-import { resizeLogs } from '../touchdown/touchdownRing';
 import { resized, ringLength } from './history';
 import type { Simulation } from './simulation';
 import type { Track } from './track';
@@ -53,7 +52,7 @@ function fitTrack(sim: Simulation, track: Track): void {
   const kept = track.history.length;
   if (kept === length || (track.own && kept > length)) return;
   track.history = resized(track.history, length);
-  if (track.log !== null) resizeLogs(track.log, length);
+  if (track.log !== null) sim.features.touchdown?.resizeLogs(track.log, length);
 }
 
 function historyBytes(sim: Simulation, ships: number): number {

@@ -3,10 +3,8 @@ import { turnPicture } from '../drawn/changeBody';
 import { easeUprighting } from '../drawn/snap/uprighting';
 import { applyDue, seek } from '../inputs/scheduledInput';
 import type { Position } from '../time/timeline';
-import { keepLog } from '../touchdown/touchdownRing';
 import { keep } from './history';
 import type { Simulation } from './simulation';
-import { wake, wakesOn } from './sleep';
 import { enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
 import { copyRow, type RowStep, type Track } from './track';
 
@@ -64,8 +62,7 @@ function commandIdle(sim: Simulation, own: Track, step: RowStep): void {
   const next = applyDue(inputs, cursor, front, probe, 0);
   step.inputs = cursor;
   if (next === cursor) return;
-  if (own.mode === 'sleeping' && wakesOn(probe, 0)) wake(sim, own);
-  else copyRow(fleet.front, own.at, probe, 0);
+  if (sim.sleep?.wakeIfBurning(sim, own, probe) !== true) copyRow(fleet.front, own.at, probe, 0);
 }
 
 const probe = new Float64Array(SHIP_STRIDE);
@@ -75,6 +72,6 @@ function keepBoundary(sim: Simulation): void {
   for (const track of fleet.tracks) {
     if (track.mode !== 'stepping') continue;
     keep(track.history, front.tick, fleet.front, track.at);
-    if (track.log !== null) keepLog(track.log, front.tick, track.log.front);
+    if (track.log !== null) sim.features.touchdown?.keepLog(track.log, front.tick, track.log.front);
   }
 }

@@ -1,8 +1,7 @@
 import { CRASHED, NO_EVENT } from '../../dynamics';
-import { easeCorrection, holdDrawn, seeDrawn } from '../drawn/correction';
+import { easeCorrection, holdDrawn, captureDrawn } from '../drawn/correction';
 import { uprights } from '../drawn/snap/uprighting';
 import { indexOf } from '../time/timeline';
-import { keepLog } from '../touchdown/touchdownRing';
 import { keep } from './history';
 import type { Simulation } from './simulation';
 import { enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
@@ -80,14 +79,14 @@ function replaySubstep(sim: Simulation, track: Track, step: RowStep): void {
   if (track.log !== null) sim.features.touchdown?.logSubstep(track.log.replayed, sim.world, step);
   if (!leaveSubstep(step, sim)) return;
   keep(track.history, step.tick, step.rows, track.at);
-  if (track.log !== null) keepLog(track.log, step.tick, track.log.replayed);
+  if (track.log !== null) sim.features.touchdown?.keepLog(track.log, step.tick, track.log.replayed);
 }
 
 /** The replay has reached the front and becomes the prediction; the drawn pose fades into it. */
 function arrive(sim: Simulation, track: Track, step: RowStep): void {
   const { fleet } = sim;
   const { at } = track;
-  const shown = seeDrawn(sim, track);
+  const shown = captureDrawn(sim, track);
   const respawned = fleet.front[at + CRASHED]! > step.rows[at + CRASHED]!;
   copyRow(fleet.previous, at, step.before, 0);
   copyRow(fleet.front, at, step.rows, at);

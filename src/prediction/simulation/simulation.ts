@@ -6,22 +6,22 @@ import {
   writeBodyMotion,
 } from '../../dynamics';
 import type { InputAcknowledgement, PartialFrame, ServerFrame, StateControls } from '../../wire';
-import type * as interpolate from '../drawn/interpolate';
 import type { Diagnosis, EventNotice } from '../drawn/view';
 import type { GroundNews } from '../ground/lastState';
-import { withoutGround } from '../ground/unknownGround';
+import type * as unknownGround from '../ground/unknownGround';
 import { createInputs, type InputOutcome, type Inputs, type ScheduledInput } from '../inputs/inputs';
 import type * as bodySpin from '../snapshots/bodies/bodySpin';
 import { type BodySpin, createBodySpin } from '../snapshots/bodies/bodySpin';
 import { type BodyTrack, createBodyTrack } from '../snapshots/bodies/bodyTrack';
 import type { measureGameTime } from '../snapshots/gameTimeMeter';
 import type { Receiver } from '../snapshots/receiver';
-import type { describeDifference } from '../snapshots/reconcile/compare';
-import type { Judged } from '../snapshots/reconcile/lawErrors';
+import type { describeDifference, Place } from '../snapshots/reconcile/compare';
+import type { holdLaw, Judged } from '../snapshots/reconcile/lawErrors';
+import type { Lesson } from '../snapshots/snapshotContext';
 import { type Cadence, createCadence } from '../time/cadence';
 import { createTimeline, type Position, type Timeline } from '../time/timeline';
 import type * as touchdownLog from '../touchdown/touchdownLog';
-import type { Adopted } from '../touchdown/touchdownRing';
+import type * as touchdownRing from '../touchdown/touchdownRing';
 import type { Warn } from '../warnings';
 import { ringLength } from './history';
 import { createFleet, createRowStep, type Fleet, type RowStep, type Track } from './track';
@@ -29,13 +29,33 @@ import { createFleet, createRowStep, type Fleet, type RowStep, type Track } from
 /** Takes something of a frame; received at client wall second `now`. */
 type TakeFrame = (sim: Simulation, receiver: Receiver, frame: ServerFrame) => void;
 type TakeFrameAt = (sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number) => void;
+type TimeFrame<Frame> = (sim: Simulation, receiver: Receiver, frame: Frame, now: number) => number | null;
 
 /** What only some clients need of a predictor, each with the functions that the simulation calls for it. */
 export interface Features {
+  /** What each of the next three, and `spin`, learns by. */
+  readonly learning?: {
+    readonly learnFrom: (sim: Simulation, track: Track, lesson: Lesson) => boolean;
+    readonly holdLaw: typeof holdLaw;
+  };
   readonly learnGround?: (sim: Simulation, track: Track, news: GroundNews) => void;
   readonly weighLaw?: (sim: Simulation, track: Track, judged: Judged) => boolean;
+  /** Ground that the client has not loaded. */
+  readonly unknownGround?: {
+    readonly knowsGround: typeof unknownGround.knowsGround;
+    readonly withoutGround: typeof unknownGround.withoutGround;
+  };
+  /** Extrapolates a ship. */
+  readonly carry?: (step: RowStep, sim: Simulation, track: Track) => void;
+  /** The impact speed of a contact that the prediction does not have. */
+  readonly replayImpact?: (sim: Simulation, track: Track, state: TickedRow) => number;
+  readonly sleep?: Sleep;
   readonly touchdown?: {
-    readonly rewindLog: (track: Track, sim: Simulation, to: Adopted) => void;
+    readonly rewindLog: (track: Track, sim: Simulation, to: touchdownRing.Adopted) => void;
+    readonly keepLog: typeof touchdownRing.keepLog;
+    readonly forgetLogsAfter: typeof touchdownRing.forgetLogsAfter;
+    readonly resizeLogs: typeof touchdownRing.resizeLogs;
+    readonly logLanded: typeof touchdownRing.logLanded;
     readonly logSubstep: typeof touchdownLog.logSubstep;
     readonly fillTouchdown: typeof touchdownLog.fillTouchdown;
   };
@@ -73,20 +93,22 @@ export interface Features {
   /** Both values of a field that differed. */
   readonly describeDifference?: typeof describeDifference;
   readonly measureGameTime?: typeof measureGameTime;
+  /** Ticks of a server that does not send its rate. */
+  readonly tickRates?: {
+    readonly measureUnsentRate: TimeFrame<PartialFrame>;
+    readonly sentUntimed: TimeFrame<ServerFrame>;
+  };
   readonly spin?: {
     readonly spunMotion: typeof bodySpin.spunMotion;
     readonly measureByShip: typeof bodySpin.measureByShip;
   };
-  readonly interpolation?: {
-    readonly keep: (
-      sim: Simulation,
-      track: Track,
-      row: Float64Array,
-      of: { readonly tick: number; readonly bodies: Float64Array },
-    ) => void;
-    readonly writeBetween: typeof interpolate.writeBetween;
-    readonly turnWithBody: typeof interpolate.turnWithBody;
-  };
+  /** Keeps a state of a ship that is interpolated. */
+  readonly keepServerState?: (
+    sim: Simulation,
+    track: Track,
+    row: Float64Array,
+    of: { readonly tick: number; readonly bodies: Float64Array },
+  ) => void;
   /** By the name in the hello; flat ground alone without. */
   readonly terrains?: Readonly<Record<string, TerrainHeight>>;
   readonly checkRollback?: (sim: Simulation, tick: number, ticks: number) => void;
@@ -131,8 +153,32 @@ export interface Simulation {
   readonly counters: Diagnosis;
   /** Reports mistakes of the caller or the server; nothing stops. */
   readonly warn: Warn;
-  /** Landed ships that agree with the server sleep. Off while rollbacks are forced, which compare bits. */
-  readonly sleeps: boolean;
+  /** Landed ships that agree with the server sleep; null while rollbacks are forced, which compare bits. */
+  readonly sleep: Sleep | null;
+}
+
+/** The sleep of landed ships (sleep.ts). */
+export interface Sleep {
+  readonly sleepIfAtRest: (sim: Simulation, track: Track, bodies: Float64Array) => boolean;
+  readonly sleepAtFirst: (sim: Simulation, track: Track, bodies: Float64Array) => void;
+  readonly sleepsOn: (sim: Simulation, track: Track, bodies: Float64Array) => boolean;
+  readonly sleepsThrough: (track: Track, sent: Float64Array) => boolean;
+  readonly placeAsleep: (place: Place, sim: Simulation, track: Track, bodies: Float64Array) => Place;
+  readonly holdSleeping: (track: Track) => void;
+  readonly wakeIfBurning: (sim: Simulation, track: Track, commanded: Float64Array) => boolean;
+  readonly writeSleeping: (
+    rows: Float64Array,
+    at: number,
+    track: Track,
+    attitude: Float64Array,
+    spin: Float64Array,
+  ) => void;
+}
+
+/** A ship's state at a tick. */
+export interface TickedRow {
+  readonly row: Float64Array;
+  readonly tick: number;
 }
 
 /** Options of a simulation, in addition to its world. */
@@ -140,7 +186,7 @@ export interface SimulationOptions {
   readonly features: Features;
   readonly counters: Diagnosis;
   readonly warn: Warn;
-  readonly sleeps: boolean;
+  readonly sleep: Sleep | null;
   /** Scheduled inputs of the own ship. */
   readonly plan: readonly ScheduledInput[];
 }
@@ -149,13 +195,13 @@ export interface SimulationOptions {
 export function createSimulation(
   world: World,
   bodies: readonly BodyMotion[],
-  { features, counters, warn, sleeps, plan }: SimulationOptions,
+  { features, counters, warn, sleep, plan }: SimulationOptions,
 ): Simulation {
   const start = new Float64Array(bodies.length * BODY_STRIDE);
   for (const [i, motion] of bodies.entries()) writeBodyMotion(start, i * BODY_STRIDE, motion);
   return {
     world,
-    groundless: withoutGround(world),
+    groundless: features.unknownGround?.withoutGround(world) ?? world,
     timeline: createTimeline(world.settings.contactLongestSubstep),
     bodies: createBodyTrack(start, ringLength(1), 100),
     bodiesKnown: true,
@@ -175,6 +221,6 @@ export function createSimulation(
     features,
     counters,
     warn,
-    sleeps,
+    sleep,
   };
 }

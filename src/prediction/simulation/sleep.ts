@@ -29,8 +29,9 @@ import {
   take,
   vector,
 } from '../drawn/rotation';
+import type { Place } from '../snapshots/reconcile/compare';
+import { abandonReplay } from './replay';
 import type { Simulation } from './simulation';
-import { keepLog } from '../touchdown/touchdownRing';
 import { copyRow, type Track } from './track';
 
 /**
@@ -39,7 +40,7 @@ import { copyRow, type Track } from './track';
  */
 
 /** Whether a landed ship's controls wake it: it burns, and may lift off. */
-export function wakesOn(rows: Float64Array, at: number): boolean {
+function wakesOn(rows: Float64Array, at: number): boolean {
   if (rows[at + FUEL] === 0) return false;
   if (rows[at + THRUST_LEVEL] !== 0) return true;
   for (let k = 0; k < 3; k++) if (rows[at + TRANSLATION_INPUT + k] !== 0) return true;
@@ -49,18 +50,44 @@ export function wakesOn(rows: Float64Array, at: number): boolean {
 /** Puts a ship to sleep that is at rest on the server and at the front. `serverRow` and `bodies` are of the same tick. */
 export function sleepIfAtRest(sim: Simulation, track: Track, bodies: Float64Array): boolean {
   const { fleet } = sim;
-  if (!sim.sleeps || !isAtRest(track.serverRow, 0) || !isAtRest(fleet.front, track.at)) return false;
+  if (sim.sleep === null || !isAtRest(track.serverRow, 0) || !isAtRest(fleet.front, track.at)) return false;
   track.mode = 'sleeping';
   sleepAt(track, bodies);
   return true;
 }
 
+/** Whether a ship is landed and its commands leave it there. */
 export function isAtRest(rows: Float64Array, at: number): boolean {
   return rows[at + SURFACE_STATE] === LANDED && rows[at + CRASHED] === 0 && !wakesOn(rows, at);
 }
 
+/** A ship first seen landed sleeps at once, at its server state. */
+export function sleepAtFirst(sim: Simulation, track: Track, bodies: Float64Array): void {
+  if (sim.sleep === null || track.mode === 'stepping' || track.picture.hasHeld) return;
+  if (!isAtRest(track.serverRow, 0)) return;
+  track.off = false;
+  copyRow(sim.fleet.front, track.at, track.serverRow, 0);
+  copyRow(sim.fleet.previous, track.at, track.serverRow, 0);
+  abandonReplay(track);
+  if (track.log !== null) sim.features.touchdown?.logLanded(track.log);
+  sleepIfAtRest(sim, track, bodies);
+}
+
+/** Lets a sleeping ship sleep on at the server's state, which agrees. Returns whether it sleeps. */
+export function sleepsOn(sim: Simulation, track: Track, bodies: Float64Array): boolean {
+  if (track.mode !== 'sleeping') return false;
+  sleepAt(track, bodies);
+  if (!track.own) copyRow(sim.fleet.front, track.at, track.serverRow, 0);
+  return true;
+}
+
+/** Whether a sleeping ship's commands in `sent` leave it asleep: they neither burn nor lift it off. */
+export function sleepsThrough(track: Track, sent: Float64Array): boolean {
+  return track.mode === 'sleeping' && isAtRest(sent, 0);
+}
+
 /** Puts a ship to sleep in the server's pose, so that rounding errors do not accumulate. */
-export function sleepAt(track: Track, bodies: Float64Array): void {
+function sleepAt(track: Track, bodies: Float64Array): void {
   take(body, bodies, track.serverRow[REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);
   take(track.sleepPlace, track.serverRow, POSITION);
   rotateBack(track.sleepPlace, body, track.sleepPlace);
@@ -85,20 +112,36 @@ export function writeSleeping(
   put(rows, at + ANGULAR_VELOCITY, spin);
 }
 
+/** A sleeping ship's row at the tick boundary of `bodies`, at `place`. */
+export function placeAsleep(place: Place, sim: Simulation, track: Track, bodies: Float64Array): Place {
+  copyRow(place.rows, 0, sim.fleet.front, track.at);
+  writeSleepingAt(place.rows, 0, track, bodies);
+  place.bodies = bodies;
+  return place;
+}
+
 /** Writes the sleeping pose as it was at a tick boundary. */
-export function writeSleepingAt(rows: Float64Array, at: number, track: Track, bodies: Float64Array): void {
+function writeSleepingAt(rows: Float64Array, at: number, track: Track, bodies: Float64Array): void {
   const from = rows[at + REFERENCE_BODY]! * BODY_STRIDE;
   take(body, bodies, from + BODY_ATTITUDE);
   take(spin, bodies, from + BODY_ANGULAR_VELOCITY);
   writeSleeping(rows, at, track, body, spin);
 }
 
-/** Wakes a ship whose server state differs; it is drawn in place until it has been replayed. */
+/** Wakes a ship, if it sleeps; it is drawn in place until it has been replayed. */
 export function holdSleeping(track: Track): void {
+  if (track.mode !== 'sleeping') return;
   track.picture.heldPlace.set(track.sleepPlace);
   track.picture.heldAttitude.set(track.sleepAttitude);
   track.picture.hasHeld = true;
   track.mode = 'waiting';
+}
+
+/** Wakes a sleeping ship whose command in the row `commanded` burns. Returns whether it did. */
+export function wakeIfBurning(sim: Simulation, track: Track, commanded: Float64Array): boolean {
+  if (track.mode !== 'sleeping' || !wakesOn(commanded, 0)) return false;
+  wake(sim, track);
+  return true;
 }
 
 /** Puts a sleeping ship back into step: writes its rows at the front and its history since the newest server state. */
@@ -112,7 +155,7 @@ export function wake(sim: Simulation, track: Track): void {
     copyRow(past, 0, fleet.front, track.at);
     writeSleepingAt(past, 0, track, bodies);
     keep(track.history, tick, past, 0);
-    if (track.log !== null) keepLog(track.log, tick, track.log.front);
+    if (track.log !== null) sim.features.touchdown?.keepLog(track.log, tick, track.log.front);
   }
   take(spin, boundaryAt(sim.bodies, timeline, front.tick), index * BODY_STRIDE + BODY_ANGULAR_VELOCITY);
   copyRow(fleet.previous, track.at, fleet.front, track.at);

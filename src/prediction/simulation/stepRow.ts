@@ -1,8 +1,7 @@
-import { chooseReferenceBody, FLYING, NO_EVENT, substep, SURFACE_STATE } from '../../dynamics';
+import { chooseReferenceBody, substep } from '../../dynamics';
 import { applyDue, seek } from '../inputs/scheduledInput';
 import { boundaryAt, rowsAt } from '../snapshots/bodies/bodyTrack';
 import { spanOf } from '../time/timeline';
-import { carryRow } from './carry';
 import { isReleased, release } from './heldControls';
 import type { Simulation } from './simulation';
 import { copyRow, type RowStep, type Track } from './track';
@@ -34,17 +33,7 @@ export function stepRow(step: RowStep, sim: Simulation, track: Track): void {
   const { ground } = track;
   const world = ground.reading === null ? sim.world : ground.reading.worldOf(ground, sim.world);
   if (track.fit.carried === '') step.event = substep(rows, at, step.bodies, world, step.dt[0]);
-  else carry(step, sim, track);
-}
-
-/** Extrapolates the ship or, above unknown ground, flies it by the dynamics. */
-function carry(step: RowStep, sim: Simulation, track: Track): void {
-  const { rows, at } = step;
-  const [dt] = step.dt;
-  step.event = NO_EVENT;
-  if (track.fit.carried === 'ground' && rows[at + SURFACE_STATE] === FLYING)
-    substep(rows, at, step.bodies, sim.groundless, dt);
-  else carryRow(rows, at, step.bodies, sim.world, dt);
+  else sim.features.carry?.(step, sim, track);
 }
 
 /** Moves to the next substep. Returns whether a tick boundary was reached. */

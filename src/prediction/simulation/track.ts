@@ -229,8 +229,16 @@ export interface RowStep extends Position {
 /** A step of the row at `at` in `rows`. */
 export function createRowStep(rows = new Float64Array(SHIP_STRIDE), at = 0): RowStep {
   return {
-    ...{ tick: 0, substep: 0, rows, at },
-    ...{ before: new Float64Array(SHIP_STRIDE), beforeAt: 0, keepsBefore: true },
-    ...{ inputs: 0, bodies: new Float64Array(0), dt: [0, null], event: NO_EVENT },
+    tick: 0,
+    substep: 0,
+    rows,
+    at,
+    before: new Float64Array(SHIP_STRIDE),
+    beforeAt: 0,
+    keepsBefore: true,
+    inputs: 0,
+    bodies: new Float64Array(0),
+    dt: [0, null],
+    event: NO_EVENT,
   };
 }

@@ -3,6 +3,7 @@ import type { Simulation } from '../simulation/simulation';
 import { sendSeconds } from '../time/cadence';
 import { serverTime } from '../time/clock';
 import { spanOf, wallOfTick } from '../time/timeline';
+import { MAX_TICK_RATE } from '../time/tickRateMeter';
 import type { Receiver } from './receiver';
 
 /** The kind of a frame relative to the frames before it (PREDICTION, Restarts). */
@@ -47,9 +48,15 @@ export function classifySnapshot(
   return receiver.seen[tick % receiver.seen.length] === tick ? 'duplicate' : 'older';
 }
 
+/** The frame's tick rate, Hz; the game's highest while it is only assumed. */
+function fastestRate({ tickRate: meter }: Receiver, { tickRate }: ServerFrame): number {
+  return meter?.isKnown === false ? MAX_TICK_RATE : tickRate;
+}
+
 /** Whether the server can have reached this tick: by the time since the newest frame, or by its clock. */
 function isPlausible(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): boolean {
-  const { tick, tickRate } = frame;
+  const { tick } = frame;
+  const tickRate = fastestRate(receiver, frame);
   const tolerance = Math.max(FUTURE, 2 * sendSeconds(sim.cadence, tickRate));
   if ((tick - sim.newestTick) / tickRate - (now - receiver.acceptedAt) <= tolerance) return true;
   return wallOfTick(sim.timeline, tick) - serverTime(receiver.clock, now) <= tolerance;
@@ -59,9 +66,10 @@ function isPlausible(sim: Simulation, receiver: Receiver, frame: ServerFrame, no
  * A jump is accepted when the next frame follows it at the pace of the wall clock: late copies of old frames arrive together, or
  * between newer ones.
  */
-function isConfirmed(receiver: Receiver, { tick, tickRate }: ServerFrame, now: number): boolean {
+function isConfirmed(receiver: Receiver, frame: ServerFrame, now: number): boolean {
   const { jump } = receiver;
-  const span = (tick - jump.tick) / tickRate;
+  const { tick } = frame;
+  const span = (tick - jump.tick) / fastestRate(receiver, frame);
   const follows = jump.count > 0 && tick > jump.tick && span <= Math.max(FUTURE, 2 * (now - jump.at));
   jump.count = follows ? jump.count + 1 : 1;
   const paced = follows && now - jump.at >= span / 2;

@@ -1,36 +1,32 @@
 import { err, loadTiming, ok, type Result } from '../../dynamics';
-import type { PartialFrame, ServerFrame } from '../../wire';
+import type { BodyState, PartialFrame, ServerFrame } from '../../wire';
 import type { Simulation } from '../simulation/simulation';
-import { spanOf } from '../time/timeline';
-import type { GameTimeMeter } from './gameTimeMeter';
+import { spanOf, type Tempo } from '../time/timeline';
+import type { Receiver } from './receiver';
 
 /** Highest tick that the wire accepts: sums of two are still exact. */
 const MAX_TICK = 2 ** 52;
 
 /**
- * Completes a frame: absent members keep their last values, invalid ones are dropped and counted. The time scale is the measured one if
- * the one sent contradicts the motions.
+ * Completes a frame that arrived at client wall second `now`: absent members keep their last values or are measured, invalid ones are
+ * dropped and counted.
  * @returns the frame, or the reason, naming the field, why it is refused
  */
 export function completeFrame(
   sim: Simulation,
-  meter: GameTimeMeter,
+  receiver: Receiver,
   given: PartialFrame,
+  now: number,
 ): Result<ServerFrame> {
   const { tick } = given;
   if (!Number.isSafeInteger(tick) || tick < 0 || tick > MAX_TICK)
     return err(`frame.tick: expected a whole number from 0 to 2⁵², got ${String(tick)}`);
-  const held = sim.timeline.spans.length === 0 ? null : spanOf(sim.timeline, sim.newestTick);
-  const tickRate = given.tickRate ?? held?.tickRate ?? warnDefault(sim, 'tickRate', 1);
-  const sentScale = given.timeScale ?? null;
   const known = {
     ...given,
-    tickRate,
     ships: recordsOf(sim, 'ships', given.ships),
     bodies: recordsOf(sim, 'bodies', given.bodies),
   };
-  const measured = sim.features.measureGameTime?.(meter, known, sentScale) ?? null;
-  const timeScale = measured ?? sentScale ?? warnDefault(sim, 'timeScale', 1);
+  const { tickRate, timeScale } = tempoOf(sim, receiver, known, now);
   const timing = loadTiming(tickRate, timeScale, sim.world.settings);
   if (!timing.ok) return err(`frame.${timing.reason}`);
   // Member by member: the hidden class of a spread record dies with the next garbage collection, and so does the code compiled for it.
@@ -45,6 +41,27 @@ export function completeFrame(
     events: recordsOf(sim, 'events', given.events),
     lastInput: sim.features.acknowledgements?.acknowledgementOf(sim, given) ?? null,
   });
+}
+
+/** A frame whose lists have been checked. */
+type Known = PartialFrame & { readonly bodies: readonly BodyState[] };
+
+/** A frame's tempo, sent, measured or assumed. The time scale is the measured one if the one sent contradicts the motions. */
+export function tempoOf(
+  sim: Simulation,
+  receiver: Receiver,
+  frame: Known,
+  now: number,
+): Omit<Tempo, 'paused'> {
+  const { features, timeline } = sim;
+  const unsent = features.tickRates?.measureUnsentRate(sim, receiver, frame, now) ?? null;
+  const held = timeline.spans.length === 0 ? null : spanOf(timeline, sim.newestTick).tickRate;
+  const tickRate = frame.tickRate ?? unsent ?? held ?? warnDefault(sim, 'tickRate', 1);
+  const sent = frame.timeScale ?? null;
+  const measured = features.measureGameTime?.(receiver.gameTime, { ...frame, tickRate }, sent) ?? null;
+  // Of ticks of unknown length no scale can be measured.
+  const isTimed = receiver.tickRate?.isKnown !== false;
+  return { tickRate, timeScale: (isTimed ? measured : null) ?? sent ?? warnDefault(sim, 'timeScale', 1) };
 }
 
 function warnDefault({ warn }: Simulation, name: string, value: number): number {

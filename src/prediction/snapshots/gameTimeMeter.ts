@@ -37,11 +37,6 @@ export function createGameTimeMeter(): GameTimeMeter {
   };
 }
 
-/** Starts over for another world or timeline. */
-export function forgetGameTime(meter: GameTimeMeter): void {
-  Object.assign(meter, createGameTimeMeter());
-}
-
 /** The measured part of a frame. */
 type Measured = Pick<PartialFrame, 'tick' | 'gameTime' | 'ships'> & {
   readonly tickRate: number;
@@ -66,7 +61,10 @@ export function measureGameTime(meter: GameTimeMeter, frame: Measured, sent: num
   meter.bodies = frame.bodies;
   meter.ships = frame.ships;
   if (seconds > 0)
-    weigh(meter, seconds / ticks, { sent: (sent ?? 1) / tickRate, isExact: !Number.isNaN(exact) });
+    acceptMeasurement(meter, seconds / ticks, {
+      sent: (sent ?? 1) / tickRate,
+      isExact: !Number.isNaN(exact),
+    });
   return scaleOf(meter, tickRate);
 }
 
@@ -74,7 +72,7 @@ function scaleOf({ perTick }: GameTimeMeter, tickRate: number): number | null {
   return Number.isNaN(perTick) ? null : perTick * tickRate;
 }
 
-function weigh(
+function acceptMeasurement(
   meter: GameTimeMeter,
   perTick: number,
   { sent, isExact }: { readonly sent: number; readonly isExact: boolean },

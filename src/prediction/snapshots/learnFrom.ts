@@ -1,25 +1,9 @@
 import { REFERENCE_BODY } from '../../dynamics';
-import { knowsGround } from '../ground/unknownGround';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import { spanOf } from '../time/timeline';
 import type { Place } from './reconcile/compare';
-import type { SnapshotContext } from './snapshotContext';
-
-/** A ship's newest state, and the prediction for its tick. */
-export interface Lesson {
-  /** The state; its impact speed is filled in if the server does not send it. */
-  readonly row: Float64Array;
-  readonly context: SnapshotContext;
-  readonly predicted: Place | null;
-  readonly agrees: boolean;
-  readonly hasImpact: boolean;
-}
-
-/** Whether there is nothing to learn from a state that was predicted correctly: no learned ground, and the dynamics fit. */
-export function nothingToLearn({ ground, fit }: Track): boolean {
-  return ground.places.length === 0 && fit.carried === '' && !fit.bounces;
-}
+import type { Lesson } from './snapshotContext';
 
 /**
  * Learns the ground, the body's spin and the fit of the dynamics from a state (PREDICTION, Learned ground).
@@ -30,7 +14,7 @@ export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolea
   const { tick, bodies, now } = context;
   const { fit, ground } = track;
   const { features } = sim;
-  const isKnown = knowsGround(row, bodies, sim.world);
+  const isKnown = features.unknownGround?.knowsGround(row, bodies, sim.world) ?? true;
   const changes = isKnown === (fit.carried === 'ground');
   if (changes) fit.carried = isKnown ? '' : 'ground';
   if (fit.carried !== '') {

@@ -1,8 +1,8 @@
 import type { Hello, PartialFrame, Pong, ServerFrame, ServerMessage } from '../../wire';
 import { beginWorld, type Session } from '../session';
-import { completeFrame } from './completeFrame';
+import { completeFrame, tempoOf } from './completeFrame';
 import { receiveSnapshot, refuse } from './receiveSnapshot';
-import { loadGiven } from './worldConfig';
+import { loadUntrusted } from './worldConfig';
 
 /**
  * Receives a message of the server at client wall second `now`. Never throws: an invalid message is refused with a reason, and the last
@@ -28,26 +28,26 @@ export function receiveMessage(session: Session, message: ServerMessage | Partia
 
 function takeFrame(session: Session, given: PartialFrame, now: number): void {
   const { counters, receiver } = session;
-  const complete = completeFrame(session.sim, session.meter, given);
+  const complete = completeFrame(session.sim, receiver, given, now);
   if (!complete.ok) {
     refuse(session.sim, complete.reason);
     return;
   }
   const frame = complete.value;
   if (session.sim.newestTick < 0 && !counters.helloReceived && frame.bodies.length > 0)
-    beginWithBodies(session, given, frame);
+    beginWithBodies(session, given, frame, now);
   receiveSnapshot(session.sim, receiver, frame, now);
   session.features.announce?.(session);
 }
 
 /** Without a hello the bodies of the frames replace the defaults. */
-function beginWithBodies(session: Session, given: PartialFrame, frame: ServerFrame): void {
+function beginWithBodies(session: Session, given: PartialFrame, frame: ServerFrame, now: number): void {
   const config = { ...session.config, bodies: frame.bodies };
-  const loaded = loadGiven(config, session);
+  const loaded = loadUntrusted(config, session);
   if (loaded.ok) {
     session.config = config;
     beginWorld(session, loaded.value, config.bodies);
   }
-  // The world's game time is measured from this frame on, not from the next.
-  session.sim.features.measureGameTime?.(session.meter, { ...given, ...frame }, null);
+  // The world's tempo is measured from this frame on, not from the next.
+  tempoOf(session.sim, session.receiver, { ...given, ships: frame.ships, bodies: frame.bodies }, now);
 }

@@ -31,7 +31,8 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
   receiver.jump.count = 0;
   if (kind === 'part') sim.features.parts?.takePart(sim, receiver, frame, now);
   else {
-    noteSend(sim.cadence, sim.newestTick < 0 ? 0 : frame.tick - sim.newestTick);
+    const isSpaced = sim.newestTick >= 0 && receiver.tickRate?.isKnown !== false;
+    noteSend(sim.cadence, isSpaced ? frame.tick - sim.newestTick : 0);
     followTempo(sim, receiver, frame, now);
     receiver.newest = frame.tick;
     receiver.fresh = false;

@@ -1,6 +1,8 @@
 import type { BodyState, ServerFrame } from '../../wire';
 import type { Policy } from '../simulation/track';
 import type { Clock } from '../time/clock';
+import { forgetTickRate, type TickRateMeter } from '../time/tickRateMeter';
+import { createGameTimeMeter, type GameTimeMeter } from './gameTimeMeter';
 import { createSnapshotContext, type SnapshotContext } from './snapshotContext';
 
 /** State by which one connection's frames are classified. */
@@ -32,6 +34,9 @@ export interface Receiver {
   eventsTick: number;
   /** New ships of the newest frame that are still to be taken, and its arrival, client wall s. */
   rest: { readonly frame: ServerFrame; readonly now: number } | null;
+  readonly gameTime: GameTimeMeter;
+  /** Null if the server sends its tick rate. */
+  tickRate: TickRateMeter | null;
   /** Of the frame being received. */
   readonly context: SnapshotContext;
 }
@@ -51,7 +56,10 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     removed: new Map(),
     startsBodies: true,
     lastBodies: { tick: -1, bodies: [] },
-    ...{ eventsTick: 0, rest: null },
+    gameTime: createGameTimeMeter(),
+    tickRate: null,
+    eventsTick: 0,
+    rest: null,
     context: createSnapshotContext(),
   };
 }
@@ -70,4 +78,6 @@ export function forgetPast(receiver: Receiver): void {
   receiver.startsBodies = true;
   receiver.lastBodies.bodies = [];
   receiver.lastBodies.tick = -1;
+  Object.assign(receiver.gameTime, createGameTimeMeter());
+  if (receiver.tickRate !== null) forgetTickRate(receiver.tickRate);
 }

@@ -17,7 +17,13 @@ import type { Position } from '../time/timeline';
 import type { Receiver } from './receiver';
 
 /** Handles an event that the dynamics reported in the substep that begins at `at`, in simulation pass `pass` of this ship. */
-export function happened(sim: Simulation, track: Track, event: number, at: Position, pass: number): void {
+export function recordPredicted(
+  sim: Simulation,
+  track: Track,
+  event: number,
+  at: Position,
+  pass: number,
+): void {
   const notice = predict(track.ledger, event, at, sim.timeline, pass);
   if (notice !== null) sim.notices.push(notice);
 }

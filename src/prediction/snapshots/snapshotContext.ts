@@ -37,6 +37,16 @@ export interface Compared {
   readonly inexact: Tolerance;
 }
 
+/** A ship's newest state, and the prediction for its tick. */
+export interface Lesson {
+  /** The state; its impact speed is filled in if the server does not send it. */
+  readonly row: Float64Array;
+  readonly context: SnapshotContext;
+  readonly predicted: Place | null;
+  readonly agrees: boolean;
+  readonly hasImpact: boolean;
+}
+
 export function createSnapshotContext(): SnapshotContext {
   const none = new Float64Array(0);
   return {

@@ -7,13 +7,13 @@ import { beginWorld, type Session } from '../session';
 import { serverTime } from '../time/clock';
 import { wallOfTick } from '../time/timeline';
 import { refuse, startAnew } from './receiveSnapshot';
-import { loadGiven, sameWorld } from './worldConfig';
+import { loadUntrusted, sameWorld } from './worldConfig';
 
 /** A new connection starts a new timeline, unless the world is the same and its time continues. */
 export function takeHello(session: Session, hello: Hello, now: number): void {
   const { receiver, counters } = session;
   if (!isCompatible(session, hello)) return;
-  const loaded = loadGiven(hello, session);
+  const loaded = loadUntrusted(hello, session);
   if (!loaded.ok) {
     refuse(session.sim, `hello.${loaded.reason}`);
     return;

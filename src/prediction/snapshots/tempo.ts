@@ -5,7 +5,6 @@ import type { Simulation } from '../simulation/simulation';
 import { followTickRate } from '../time/cadence';
 import { sampleDown, sentAt } from '../time/clock';
 import { setTempo, spanOf, wallOfTick } from '../time/timeline';
-import { forgetLogsAfter } from '../touchdown/touchdownRing';
 import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { differs } from './classify';
 import type { Receiver } from './receiver';
@@ -15,10 +14,14 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
   const { timeline } = sim;
   const first = timeline.spans.length === 0;
   const wasPaused = !first && spanOf(timeline, frame.tick).paused;
-  const wall = wasPaused ? wallAfterPause(sim, receiver, now) : null;
-  if (!wasPaused && !first) sampleDown(receiver.clock, wallOfTick(timeline, frame.tick), now);
+  const untimed =
+    first || frame.tick === sim.newestTick
+      ? null
+      : (sim.features.tickRates?.sentUntimed(sim, receiver, frame, now) ?? null);
+  const wall = untimed ?? (wasPaused ? wallAfterPause(sim, receiver, now) : null);
+  if (!first && wall === null) sampleDown(receiver.clock, wallOfTick(timeline, frame.tick), now);
   const resumes = wasPaused && !frame.paused;
-  const changes = !first && differs(sim, frame);
+  const changes = untimed !== null || (!first && differs(sim, frame));
   // The present pose is of the old tempo.
   if (changes) for (const track of sim.fleet.tracks) if (track.mode === 'stepping') hold(sim, track);
   if (changes) followTickRate(sim.cadence, spanOf(timeline, frame.tick).tickRate, frame.tickRate);
@@ -41,7 +44,7 @@ function retime(sim: Simulation, tick: number): void {
   forgetBodiesAfter(sim.bodies, tick);
   for (const track of sim.fleet.tracks) {
     forgetAfter(track.history, tick);
-    if (track.log !== null) forgetLogsAfter(track.log, tick);
+    if (track.log !== null) sim.features.touchdown?.forgetLogsAfter(track.log, tick);
     track.replaying = false;
   }
   sim.frontIsStale = true;

@@ -34,7 +34,7 @@ export function loadConfig(config: WorldConfig, { terrains, features }: WorldLoa
 }
 
 /** The same for a config from a JavaScript caller or a server: missing members do not throw. */
-export function loadGiven(config: WorldConfig, loader: WorldLoader): Result<World> {
+export function loadUntrusted(config: WorldConfig, loader: WorldLoader): Result<World> {
   try {
     return loadConfig(config, loader);
   } catch (error) {

@@ -49,8 +49,8 @@ export interface Clock {
   answeredAt: number;
   /** Server time at which the server stopped, by its last answer; infinite while it runs. */
   stoppedAt: number;
-  /** Grain of the page's clock, s; 0 for a fine one. */
-  grain: number;
+  /** Smallest step of the page's clock, s; 0 for a fine one. */
+  clockStep: number;
   stillCalls: number;
 }
 
@@ -97,7 +97,7 @@ export function createClock(): Clock {
     timedPongAt: Number.NEGATIVE_INFINITY,
     answeredAt: Number.NEGATIVE_INFINITY,
     stoppedAt: Number.POSITIVE_INFINITY,
-    grain: 0,
+    clockStep: 0,
     stillCalls: 0,
   };
 }
@@ -111,7 +111,7 @@ export function sampleDown(clock: Clock, sentAt: number, now: number): void {
 
 function samplingOf(clock: Clock, now: number): Sampling {
   const hearsPongs = now - clock.timedPongAt <= PONGS_HEARD;
-  return { roundTrip: leastRoundTrip(clock), grain: clock.grain, hearsPongs };
+  return { roundTrip: leastRoundTrip(clock), clockStep: clock.clockStep, hearsPongs };
 }
 
 /** When a pong was sent, server s. */
@@ -135,7 +135,7 @@ export function samplePong(clock: Clock, pinged: number, answer: Answer | null, 
   clock.timedPongAt = now;
   clock.stoppedAt = answer.hasStopped ? answered : Number.POSITIVE_INFINITY;
   if (answer.hasStopped) boundBelow(clock.bounds, { pinged, stood: answered, now });
-  else if (boundBothSides(clock.bounds, { pinged, answered, now }, clock.grain)) clock.stepped = true;
+  else if (boundBothSides(clock.bounds, { pinged, answered, now }, clock.clockStep)) clock.stepped = true;
   settleOffset(clock, now);
   // A stall is one sample, however many pings waited in it, and does not count as jitter.
   const counts =

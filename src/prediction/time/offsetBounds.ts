@@ -66,8 +66,8 @@ function age(bounds: OffsetBounds, now: number): void {
 export interface Sampling {
   /** The smallest round trip. */
   readonly roundTrip: number;
-  /** The grain of the client's clock: 0 for a fine one. */
-  readonly grain: number;
+  /** Smallest step of the client's clock, s; 0 for a fine one. */
+  readonly clockStep: number;
   /** Pings are being answered: a shifted schedule shows in the answers. */
   readonly hearsPongs: boolean;
 }
@@ -80,19 +80,19 @@ export function boundAbove(bounds: OffsetBounds, sent: number, now: number, know
   age(bounds, now);
   const value = now - sent;
   const isFirst = bounds.upper === Number.POSITIVE_INFINITY;
-  const impossible = value < bounds.lower - MARGIN - known.grain;
-  const early = !isFirst && value < bounds.upper - EARLY - known.grain;
+  const impossible = value < bounds.lower - MARGIN - known.clockStep;
+  const early = !isFirst && value < bounds.upper - EARLY - known.clockStep;
   if (impossible) bounds.lower = value - known.roundTrip;
   if (value <= bounds.upper) {
     bounds.upper = value;
     bounds.late = 0;
     return impossible || early;
   }
-  if (known.hearsPongs || value <= bounds.upper + LATE + known.grain) {
+  if (known.hearsPongs || value <= bounds.upper + LATE + known.clockStep) {
     bounds.late = 0;
     return false;
   }
-  if (!isShifted(bounds, sent, now, known.grain)) return false;
+  if (!isShifted(bounds, sent, now, known.clockStep)) return false;
   bounds.upper = value;
   bounds.lower = Number.NEGATIVE_INFINITY;
   bounds.late = 0;
@@ -100,10 +100,10 @@ export function boundAbove(bounds: OffsetBounds, sent: number, now: number, know
 }
 
 /** Whether the arrival is as late as the one before, and spaced as sent: a shifted schedule, not a draining queue. */
-function isShifted(bounds: OffsetBounds, sent: number, now: number, grain: number): boolean {
+function isShifted(bounds: OffsetBounds, sent: number, now: number, clockStep: number): boolean {
   const apart = sent - bounds.lateSent;
   const gap = now - bounds.lateArrived;
-  const like = bounds.late > 0 && apart > 0 && Math.abs(gap - apart) <= ALIKE + grain && gap >= apart / 2;
+  const like = bounds.late > 0 && apart > 0 && Math.abs(gap - apart) <= ALIKE + clockStep && gap >= apart / 2;
   bounds.late = like ? bounds.late + 1 : 1;
   bounds.lateSent = sent;
   bounds.lateArrived = now;
@@ -111,7 +111,7 @@ function isShifted(bounds: OffsetBounds, sent: number, now: number, grain: numbe
 }
 
 /** Age of a lower bound on arrival, s: a ping bounds the offset at its sending, and its answer may have waited. */
-function agedBy(pinged: number, now: number): number {
+function ageOnArrival(pinged: number, now: number): number {
   return DRIFT * Math.max(0, now - pinged - FRESH);
 }
 
@@ -124,7 +124,7 @@ export function boundBelow(
   { pinged, stood, now }: { readonly pinged: number; readonly stood: number; readonly now: number },
 ): void {
   age(bounds, now);
-  bounds.lower = Math.max(bounds.lower, pinged - stood - agedBy(pinged, now));
+  bounds.lower = Math.max(bounds.lower, pinged - stood - ageOnArrival(pinged, now));
   bounds.upper = Number.POSITIVE_INFINITY;
   bounds.late = 0;
 }
@@ -136,12 +136,12 @@ export function boundBelow(
 export function boundBothSides(
   bounds: OffsetBounds,
   { pinged, answered, now }: { readonly pinged: number; readonly answered: number; readonly now: number },
-  grain: number,
+  clockStep: number,
 ): boolean {
   age(bounds, now);
-  const low = pinged - answered - agedBy(pinged, now);
+  const low = pinged - answered - ageOnArrival(pinged, now);
   const high = now - answered;
-  const margin = MARGIN + grain;
+  const margin = MARGIN + clockStep;
   const wentUp = low > bounds.upper + margin;
   const wentDown = high < bounds.lower - margin;
   bounds.upper = wentUp ? high : Math.min(bounds.upper, high);

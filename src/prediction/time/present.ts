@@ -22,7 +22,7 @@ const STEER_DECAY = 0.004;
 /** A frame that takes longer is an absence, s. */
 const MAX_FRAME = 0.25;
 /** Coarsest clock of a page, s. */
-const MAX_GRAIN = 0.25;
+const MAX_CLOCK_STEP = 0.25;
 
 /** Limits of the present's movement. */
 export interface Pacing {
@@ -39,7 +39,7 @@ export interface Pacing {
 export function advanceClock(clock: Clock, now: number, { deadZone, limit: horizon }: Pacing): boolean {
   const elapsed = Number.isNaN(clock.updatedAt) ? 0 : Math.max(0, now - clock.updatedAt);
   clock.updatedAt = now;
-  noteGrain(clock, elapsed);
+  measureClockStep(clock, elapsed);
   clock.steer = Math.max(0, clock.steer - elapsed * STEER_DECAY);
   const aim = serverTime(clock, now) + leadOf(clock);
   const limit = Math.min(horizon, clock.stoppedAt + leadOf(clock));
@@ -86,14 +86,14 @@ function jumpTo(clock: Clock, target: number): boolean {
   return true;
 }
 
-/** Measures the grain of a coarse clock: its smallest step. */
-function noteGrain(clock: Clock, elapsed: number): void {
+/** Measures the smallest step of a coarse clock. */
+function measureClockStep(clock: Clock, elapsed: number): void {
   if (elapsed === 0) {
     clock.stillCalls += 1;
     return;
   }
-  if (clock.stillCalls > 0 && elapsed <= MAX_GRAIN && elapsed > 0)
-    clock.grain = clock.grain === 0 ? elapsed : Math.min(clock.grain, elapsed);
-  else if (elapsed > 0 && elapsed < clock.grain * 0.9) clock.grain = 0;
+  if (clock.stillCalls > 0 && elapsed <= MAX_CLOCK_STEP && elapsed > 0)
+    clock.clockStep = clock.clockStep === 0 ? elapsed : Math.min(clock.clockStep, elapsed);
+  else if (elapsed > 0 && elapsed < clock.clockStep * 0.9) clock.clockStep = 0;
   clock.stillCalls = 0;
 }

@@ -41,7 +41,7 @@ export function rewindLog(track: Track, sim: Simulation, to: Adopted): void {
     recall(track, track.log, to.tick) ||
     continueLog(track, sim, track.log, to.tick);
   if (track.replaySnaps || (known && wasMoved(sim, track, to))) beginLog(replayed, state);
-  else if (known) agree(replayed, track.log, sim, to);
+  else if (known) alignState(replayed, track.log, sim, to);
   else if (front[LOGGED_STATE] === LANDED && state === LANDED && restsUnmoved(track, sim, to))
     replayed.set(front);
   else beginLog(replayed, state);
@@ -100,7 +100,7 @@ const predicted = new Float64Array(SHIP_STRIDE);
 const step = createRowStep(predicted);
 
 /** Corrects the log where the state is on the ground and the prediction in flight, or the other way round. */
-function agree(log: Float64Array, ring: TouchdownRing, sim: Simulation, to: Adopted): void {
+function alignState(log: Float64Array, ring: TouchdownRing, sim: Simulation, to: Adopted): void {
   const { tick, rows, from } = to;
   const state = rows[from + SURFACE_STATE]!;
   if (rows[from + CRASHED] === 1 || log[LOGGED_STATE] === state) return;

@@ -131,8 +131,7 @@ export function descend(approach: Approach, mass: number, shipClass: ShipClass):
 /** `force` as a share of `most`, −1 … 1; 0 without thrust. */
 function share(force: number, most: number): number {
   if (!(most > 0)) return 0;
-  const part = force / most;
-  return part > 1 ? 1 : part < -1 ? -1 : part;
+  return Math.max(-1, Math.min(1, force / most));
 }
 
 function dot(a: Vec3, b: Vec3): number {

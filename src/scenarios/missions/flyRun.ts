@@ -1,4 +1,4 @@
-import { inverse, rotate } from '../../authority';
+import { compose, inverse, rotate } from '../../authority';
 import {
   ATTITUDE,
   BODY_ATTITUDE,
@@ -118,7 +118,8 @@ function flightRun(flight: Flight, timing: Timing, schedule: Schedule): TickRun 
   const apart = Math.max(1, Math.round(1 / (TRACK_RATE * timing.dt)));
   let flies = true;
   return {
-    ...{ timing, schedule },
+    timing,
+    schedule,
     before() {
       flies = ship[CRASHED] === 0;
       if (flies && flight.substeps % apart === 0) record(flight);
@@ -190,15 +191,7 @@ function tiltOf(ship: Float64Array): number {
 function record({ ship, bodies, track }: Flight): void {
   const back = inverse(bodyAttitude(bodies));
   const [x, y, z] = rotate(back, vectorAt(ship, POSITION));
-  const [bx, by, bz, bw] = back;
-  const [qx, qy, qz, qw] = quatAt(ship, ATTITUDE);
-  track.push(
-    ...[x, y, z],
-    bw * qx + bx * qw + by * qz - bz * qy,
-    bw * qy - bx * qz + by * qw + bz * qx,
-    bw * qz + bx * qy - by * qx + bz * qw,
-    bw * qw - bx * qx - by * qy - bz * qz,
-  );
+  track.push(x, y, z, ...compose(back, quatAt(ship, ATTITUDE)));
 }
 
 function bodyAttitude(bodies: Float64Array): Quat {

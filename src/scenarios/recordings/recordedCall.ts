@@ -32,14 +32,16 @@ export function readCall(fields: Fields, given: JsonRecord): RecordedCall {
       return { name, shipId: given['shipId'] === null ? null : shipId() };
     case 'removeShip':
       return {
-        ...{ name, shipId: shipId() },
+        name,
+        shipId: shipId(),
         reason: fields.choice(given['reason'], 'call.reason', ['destroyed', 'docked', 'gone']),
       };
     case 'teleported':
       return { name, shipId: shipId() };
     case 'setPolicy':
       return {
-        ...{ name, shipId: shipId() },
+        name,
+        shipId: shipId(),
         policy: fields.choice(given['policy'], 'call.policy', ['predict', 'interpolate', 'hold']),
       };
     case 'configure':

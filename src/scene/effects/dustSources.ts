@@ -46,7 +46,7 @@ function splash(dust: Dust, state: DustState, ship: DustyShip): void {
   const hard = Math.min(ship.impactSpeed, 40);
   const grains = Math.round(40 + hard * 11);
   for (let n = 0; n < grains; n++) {
-    atFoot(ship, state, n % 4);
+    raiseAtFoot(ship, state, n % 4);
     const around = roll(state) * 2 * Math.PI;
     const out = hard * (0.12 + 0.5 * roll(state));
     const up = hard * (0.03 + 0.22 * roll(state) ** 2);
@@ -65,7 +65,7 @@ function splash(dust: Dust, state: DustState, ship: DustyShip): void {
 function raiseSlidingDust(dust: Dust, state: DustState, ship: DustyShip, grains: number): void {
   state.owed += grains;
   for (; state.owed >= 1; state.owed--) {
-    atFoot(ship, state, Math.floor(roll(state) * 4));
+    raiseAtFoot(ship, state, Math.floor(roll(state) * 4));
     const [vx, vz] = [ship.velocity[0]!, ship.velocity[2]!];
     const side = (roll(state) - 0.5) * 1.1;
     const share = 0.2 + 0.75 * roll(state);
@@ -101,7 +101,7 @@ function sweep(dust: Dust, state: DustState, ship: DustyShip, seconds: number): 
   }
 }
 
-function atFoot(ship: DustyShip, state: DustState, foot: number): void {
+function raiseAtFoot(ship: DustyShip, state: DustState, foot: number): void {
   const around = ((foot + 0.5) * Math.PI) / 2 + (roll(state) - 0.5) * 0.5;
   const radius = ship.legRadius * (0.9 + 0.2 * roll(state));
   place[0] = ship.place[0]! + Math.cos(around) * radius;

@@ -102,11 +102,11 @@ export function numberIn(r: Reading, from: Fields, name: string, bound: Bound, a
   const value = plainNumber(r, valueIn(r, from, name)) ?? absent ?? zeroOf(r);
   if (typeof value !== 'number' || !Number.isFinite(value)) {
     refuse(r, name, value === undefined ? 'missing' : `expected a finite number, got ${describe(value)}`);
-    return 0;
+    return NaN;
   }
   if (value >= bound.low && value <= bound.high) return value;
   refuse(r, name, `expected ${bound.low} to ${bound.high} ${bound.unit}`.trimEnd() + `, got ${value}`);
-  return 0;
+  return NaN;
 }
 
 /** A whole number from `low` to `high`, at most 2⁵³ − 1; 0 when it is not sent. Converts 64-bit integers of the codec. */
@@ -120,14 +120,14 @@ export function integerIn(r: Reading, from: Fields, name: string, low: number, h
 /** A well-formed string of at most MAX_TEXT characters; empty when it is not sent. */
 export function textIn(r: Reading, from: Fields, name: string): string {
   const value = valueIn(r, from, name) ?? '';
-  const complaint = textComplaint(value);
+  const complaint = textFault(value);
   if (complaint === null) return value as string;
   refuse(r, name, complaint);
   return '';
 }
 
 /** Why `value` cannot be sent as a name or an id, or null. */
-export function textComplaint(value: unknown): string | null {
+export function textFault(value: unknown): string | null {
   if (typeof value !== 'string') return `expected a string, got ${describe(value)}`;
   if (value.length > MAX_TEXT) return `expected at most ${MAX_TEXT} characters, got ${value.length}`;
   return LONE_SURROGATE.test(value) ? 'expected well-formed Unicode' : null;

@@ -1,9 +1,9 @@
 /** Values that callers pass by mistake instead of a parsed message, and what to do about each. */
 
-/** '' for a plain object; otherwise what it is and what to do with it first. */
-export function notPlain(value: unknown): string {
+/** What a value that is no plain object is, and what to do with it first; null for anything else. */
+export function notPlain(value: unknown): string | null {
   if (typeof value === 'string') return 'a string: parse it with JSON.parse first';
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) return '';
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) return null;
   const kind = Object.prototype.toString.call(value).slice(8, -1);
   const todo = TODO[kind] ?? (ArrayBuffer.isView(value) ? BYTES : '');
   if (todo !== '') return `a ${kind}: ${todo}`;
@@ -11,7 +11,7 @@ export function notPlain(value: unknown): string {
   const { ok, value: held } = value as { ok?: unknown; value?: unknown };
   if (typeof ok === 'boolean' && held !== undefined)
     return 'a Result: it is already decoded, check .ok and pass .value';
-  return '';
+  return null;
 }
 
 const BYTES = 'bytes are decoded with decodeServerMessage of the protobuf entry';
@@ -21,10 +21,11 @@ const TODO: Readonly<Record<string, string>> = {
   ArrayBuffer: BYTES,
 };
 
-/** The member of an envelope that holds all of these names; '' if there is none. */
-export function wrappedIn(envelope: unknown, names: readonly string[]): string {
-  if (typeof envelope !== 'object' || envelope === null) return '';
+/** Where a message's fields are, if it is still in its envelope: in the member that holds all of these names. Null if it is not. */
+export function wrapped(envelope: unknown, names: readonly string[]): string | null {
+  if (typeof envelope !== 'object' || envelope === null) return null;
   const holds = (inner: unknown): boolean =>
     typeof inner === 'object' && inner !== null && names.every((name) => Object.hasOwn(inner, name));
-  return Object.entries(envelope).find(([, inner]) => holds(inner))?.[0] ?? '';
+  const member = Object.entries(envelope).find(([, inner]) => holds(inner))?.[0];
+  return member === undefined ? null : `missing; it is in the message's ${member}: pass that`;
 }

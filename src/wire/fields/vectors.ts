@@ -7,14 +7,15 @@ const UNIT_WITHIN = 1e-3;
 /** A quaternion whose length is this close to 1 keeps its bits, so that a sent state replays to the same bits. */
 const KEPT_WITHIN = 1e-12;
 
-const ZERO: Vec3 = [0, 0, 0];
-const IDENTITY: Quat = [0, 0, 0, 1];
+/** In place of what is missing; its message is refused. */
+const NO_VECTOR: Vec3 = [NaN, NaN, NaN];
+const NO_QUATERNION: Quat = [NaN, NaN, NaN, NaN];
 
 /** {x, y, z} or [x, y, z], in JSON also as a string of it; refused when it is not sent. */
 export function vectorIn(r: Reading, from: Fields, name: string, bound: Bound): Vec3 {
   const vector = optionalVectorIn(r, from, name, bound);
   if (vector === null) refuse(r, name, 'missing');
-  return vector ?? ZERO;
+  return vector ?? NO_VECTOR;
 }
 
 /** {x, y, z} or [x, y, z]; null when it is not sent. */
@@ -36,7 +37,7 @@ export function optionalVectorIn(r: Reading, from: Fields, name: string, bound: 
 export function quaternionIn(r: Reading, from: Fields, name: string): Quat {
   const quaternion = optionalQuaternionIn(r, from, name);
   if (quaternion === null) refuse(r, name, 'missing');
-  return quaternion ?? IDENTITY;
+  return quaternion ?? NO_QUATERNION;
 }
 
 /** As quaternionIn; null when it is not sent. */

@@ -1,17 +1,10 @@
-import {
-  type Body,
-  type BodyMotion,
-  cosineOfDegrees,
-  loadBody,
-  type Quat,
-  sineOfDegrees,
-  type Vec3,
-} from '../../dynamics';
-import { BODY_MASS, type Bound, METRES, METRES_PER_SECOND, RADIANS_PER_SECOND } from '../limits';
+import { type Body, type BodyMotion, loadBody } from '../../dynamics';
+import { BODY_MASS, METRES, METRES_PER_SECOND, RADIANS_PER_SECOND } from '../limits';
 import { refuseLoaded } from '../loaders';
-import { type Fields, nameIn, numberIn, type Reading, refuse, valueIn } from '../fields/reading';
+import { type Fields, nameIn, numberIn, type Reading, refuse } from '../fields/reading';
 import type { BodyState } from '../records';
 import { optionalQuaternionIn, optionalVectorIn, vectorIn } from '../fields/vectors';
+import type { SpinReader } from './spin';
 
 /** Values for absent members of a body. */
 export interface BodyDefaults {
@@ -19,28 +12,26 @@ export interface BodyDefaults {
   readonly known: readonly (Body & BodyMotion)[];
   /** Game time of the message, s, which gives the rotation of a body with axis and period. */
   readonly time: number;
+  /** Without, axis and period are ignored. */
+  readonly spins?: SpinReader;
 }
-
-/** Seconds; negative: retrograde. A body turns no faster than once in a tenth of a second. */
-const PERIOD: Bound = { low: -1e15, high: 1e15, unit: 's' };
-const FASTEST = 0.1;
 
 /**
  * A body. Without attitude or angular_velocity they are those of `spin_axis` (unit, ICRF) and `rotation_period`
  * (sidereal s, negative = retrograde); without these, the known body's of that name.
  */
-export function readBodyJson(r: Reading, from: Fields, { known, time }: BodyDefaults): BodyState {
+export function readBodyJson(r: Reading, from: Fields, { known, time, spins }: BodyDefaults): BodyState {
   const name = nameIn(r, from, 'name');
   const own = known.find((body) => body.name === name);
-  const spin = spinIn(r, from, time);
+  const spin = spins?.read(r, from, time);
   const attitude = optionalQuaternionIn(r, from, 'attitude') ?? spin?.attitude ?? own?.attitude;
   const angularVelocity =
     optionalVectorIn(r, from, 'angular_velocity', RADIANS_PER_SECOND) ??
     spin?.angularVelocity ??
     own?.angularVelocity;
-  if (attitude === undefined) refuse(r, 'attitude', 'missing, and so are spin_axis and rotation_period');
-  if (angularVelocity === undefined)
-    refuse(r, 'angular_velocity', 'missing, and so are spin_axis and rotation_period');
+  const missing = spins?.missing ?? 'missing';
+  if (attitude === undefined) refuse(r, 'attitude', missing);
+  if (angularVelocity === undefined) refuse(r, 'angular_velocity', missing);
   const body: BodyState = {
     name,
     mass: numberIn(r, from, 'mass', BODY_MASS, own?.mass),
@@ -52,63 +43,4 @@ export function readBodyJson(r: Reading, from: Fields, { known, time }: BodyDefa
   };
   refuseLoaded(r, loadBody(body), `body ${body.name}: `);
   return body;
-}
-
-interface Spin {
-  readonly attitude: Quat;
-  readonly angularVelocity: Vec3;
-}
-
-/** From axis and period, or null if one of them is absent. */
-function spinIn(r: Reading, from: Fields, time: number): Spin | null {
-  const axisName = valueIn(r, from, 'spin_axis') === undefined ? 'axis' : 'spin_axis';
-  const periodName = valueIn(r, from, 'rotation_period') === undefined ? 'period' : 'rotation_period';
-  const axis = optionalVectorIn(r, from, axisName, { low: -2, high: 2, unit: '' });
-  if (axis === null || valueIn(r, from, periodName) === undefined) return null;
-  const period = numberIn(r, from, periodName, PERIOD);
-  const length = Math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-  if (!(Math.abs(length - 1) <= 1e-3))
-    refuse(r, axisName, `expected a unit vector, got one of length ${length}`);
-  if (!(Math.abs(period) >= FASTEST)) refuse(r, periodName, `expected at least ${FASTEST} s, got ${period}`);
-  return r.reason === null
-    ? spinOf([axis[0] / length, axis[1] / length, axis[2] / length], period, time)
-    : null;
-}
-
-/**
- * Ω = (2π / period) × axis. At game time 0 the prime meridian is where the shortest rotation of the pole (body Y) to the axis
- * takes it: the game does not publish its prime meridian, so longitudes follow this convention.
- */
-function spinOf(axis: Vec3, period: number, time: number): Spin {
-  const rate = (2 * Math.PI) / period;
-  const turns = time / period;
-  const degrees = (turns - Math.floor(turns)) * 360;
-  const [s, c] = [sineOfDegrees(degrees / 2), cosineOfDegrees(degrees / 2)];
-  return {
-    attitude: compose([axis[0] * s, axis[1] * s, axis[2] * s, c], poleTo(axis)),
-    angularVelocity: [axis[0] * rate, axis[1] * rate, axis[2] * rate],
-  };
-}
-
-/** Shortest rotation from (0, 1, 0) to `axis`; half a turn about x for the opposite. */
-function poleTo([x, y, z]: Vec3): Quat {
-  const across = x * x + z * z;
-  if (across === 0 && y < 0) return [1, 0, 0, 0];
-  // 1 + y, which cancels near −1.
-  return unit([z, 0, -x, y < 0 ? across / (1 - y) : 1 + y]);
-}
-
-/** First `b`, then `a`. */
-function compose([ax, ay, az, aw]: Quat, [bx, by, bz, bw]: Quat): Quat {
-  return unit([
-    aw * bx + ax * bw + ay * bz - az * by,
-    aw * by + ay * bw + az * bx - ax * bz,
-    aw * bz + az * bw + ax * by - ay * bx,
-    aw * bw - ax * bx - ay * by - az * bz,
-  ]);
-}
-
-function unit([x, y, z, w]: Quat): Quat {
-  const length = Math.sqrt(x * x + y * y + z * z + w * w);
-  return [x / length, y / length, z / length, w / length];
 }

@@ -11,7 +11,7 @@ export function gameTimeIn(r: Reading, from: Fields, name: string): number {
   const parts = ISO.exec(value);
   if (parts === null) {
     refuse(r, name, `expected seconds or ISO 8601, got ${describe(value)}`);
-    return 0;
+    return NaN;
   }
   const [year, month, day, hour, minute, second] = parts.slice(1, 7).map(Number) as Six;
   const zone = (Number(parts[8] ?? 0) * 60 + Number(parts[9] ?? 0)) * (parts[7] === '-' ? -60 : 60);

@@ -16,6 +16,7 @@ import type { Hello } from '../records';
 import { readSettings } from '../fields/settings';
 import { readShipClass } from '../fields/shipClass';
 import { readBodyJson } from './bodyJson';
+import { SPIN_READER } from './spin';
 import { entriesIn, type Partial } from './entries';
 import { notPlain } from '../fields/sentObject';
 
@@ -53,7 +54,7 @@ const DEFAULT_FIELDS: Fields = { settings: {}, tick_rate: 1, time_scale: 1, inpu
  */
 export function decodeHelloJson(value: unknown): Result<DecodedHello> {
   const mistaken = notPlain(value);
-  if (mistaken !== '') return err(`message: expected a parsed JSON object, got ${mistaken}`);
+  if (mistaken !== null) return err(`message: expected a parsed JSON object, got ${mistaken}`);
   const r = beginReading('json');
   const sent = fieldsOf(r, value);
   const isFrame = valueIn(r, sent, 'ships') !== undefined;
@@ -70,7 +71,7 @@ export function decodeHelloJson(value: unknown): Result<DecodedHello> {
     key: 'name',
     read: readShipClass,
   });
-  const defaults = { known: BODIES, time: 0 };
+  const defaults = { known: BODIES, time: 0, spins: SPIN_READER };
   const bodies = entriesIn(pass, from, {
     name: 'bodies',
     most: MAX_BODIES,

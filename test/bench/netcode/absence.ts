@@ -28,8 +28,12 @@ function serverOf(ships: number, tickRate: number) {
   const loaded = value(loadScenario({ ...scenarioNamed('slide'), terrain: 'flat' }));
   const authority = value(
     createAuthority({
-      ...{ shipClasses: [loaded.shipClass], bodies: [loaded.body], terrain: 'flat' },
-      ...{ terrains: { flat: loaded.terrainHeight }, tickRate, timeScale: 1 },
+      shipClasses: [loaded.shipClass],
+      bodies: [loaded.body],
+      terrain: 'flat',
+      terrains: { flat: loaded.terrainHeight },
+      tickRate,
+      timeScale: 1,
     }),
   );
   for (const order of fleetOrders(loaded, ships, 3)) authority.spawn(order);

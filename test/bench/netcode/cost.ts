@@ -147,7 +147,7 @@ function replayOfHundred(): Figure {
     features: ALL_FEATURES,
     counters: createDiagnosis(),
     warn: () => undefined,
-    sleeps: false,
+    sleep: null,
     plan: [],
   });
   setTempo(sim.timeline, 0, { tickRate: 1, timeScale: 1, paused: false }, null);

@@ -55,12 +55,19 @@ export function* faultFigures(): Generator<Figure> {
   const ours = spread(late);
   const theirs = spread(lateYardstick);
   yield {
-    ...{ name: 'faults: wrong for longer than 1 s or two ticks', unit: 's', ...ours, note },
-    ...{ target: 'p95 0', met: ours.p95 === 0 },
+    name: 'faults: wrong for longer than 1 s or two ticks',
+    unit: 's',
+    ...ours,
+    note,
+    target: 'p95 0',
+    met: ours.p95 === 0,
   };
   yield {
-    ...{ name: 'faults: the same of a least-round-trip filter', unit: 's', ...theirs },
-    ...{ target: 'the yardstick', met: true },
+    name: 'faults: the same of a least-round-trip filter',
+    unit: 's',
+    ...theirs,
+    target: 'the yardstick',
+    met: true,
   };
   yield* comparedFigures(outcomes);
 }
@@ -73,25 +80,34 @@ function* comparedFigures(outcomes: readonly Outcome[]): Generator<Figure> {
   const key = spread(outcomes.map(({ worstKey }) => worstKey * 1000));
   const falsely = outcomes.reduce((sum, one) => sum + one.falselyConfirmed, 0);
   yield {
-    ...{ name: 'faults: seconds until right again', unit: 's', ...right },
-    ...{
-      target: `p50, p99 ≤ the yardstick’s`,
-      met: right.p50 <= yardstick.p50 && right.p99 <= yardstick.p99,
-    },
+    name: 'faults: seconds until right again',
+    unit: 's',
+    ...right,
+    target: `p50, p99 ≤ the yardstick’s`,
+    met: right.p50 <= yardstick.p50 && right.p99 <= yardstick.p99,
     note: `yardstick p50 ${yardstick.p50.toFixed(2)}, p99 ${yardstick.p99.toFixed(2)}, worst ${yardstick.max.toFixed(2)}`,
   };
   yield {
-    ...{ name: 'faults: instant drawn, off what it was before', unit: 'ms', ...off },
-    ...{ target: 'p99 ≤ the yardstick’s', met: off.p99 <= offYardstick.p99 },
+    name: 'faults: instant drawn, off what it was before',
+    unit: 'ms',
+    ...off,
+    target: 'p99 ≤ the yardstick’s',
+    met: off.p99 <= offYardstick.p99,
     note: `yardstick p50 ${offYardstick.p50.toFixed(1)}, p99 ${offYardstick.p99.toFixed(1)}, worst ${offYardstick.max.toFixed(1)}`,
   };
   yield {
-    ...{ name: 'faults: a key’s delay beyond what it was before', unit: 'ms', ...key },
-    ...{ target: 'p99 ≤ 50', met: key.p99 <= 50 },
+    name: 'faults: a key’s delay beyond what it was before',
+    unit: 'ms',
+    ...key,
+    target: 'p99 ≤ 50',
+    met: key.p99 <= 50,
   };
   yield {
-    ...{ name: 'faults: frames confirmed that were not', unit: '', value: falsely },
-    ...{ target: '0', met: falsely === 0 },
+    name: 'faults: frames confirmed that were not',
+    unit: '',
+    value: falsely,
+    target: '0',
+    met: falsely === 0,
   };
 }
 
@@ -148,8 +164,15 @@ interface Measuring {
 function measure(line: FaultyLine, filter: LeastRoundTrip, how: Measuring): Outcome {
   const { fault, allowed, tolerance, tickRate } = how;
   const outcome: Outcome = {
-    ...{ fault, allowed, tolerance, rightAfter: 0, worstOff: 0, worstKey: 0, falselyConfirmed: 0 },
-    ...{ yardstickRightAfter: 0, yardstickOff: 0 },
+    fault,
+    allowed,
+    tolerance,
+    rightAfter: 0,
+    worstOff: 0,
+    worstKey: 0,
+    falselyConfirmed: 0,
+    yardstickRightAfter: 0,
+    yardstickOff: 0,
   };
   line.run(Math.max(BEFORE, 3 / tickRate));
   how.happen(line, how.seconds);

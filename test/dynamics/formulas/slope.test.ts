@@ -89,8 +89,11 @@ describe('on a slope, with the surface normal from the terrain', () => {
       place: FOOT,
       terrain: valleyOf(400, LUNA.radius),
       settings: {
-        ...{ surfaceNormal: 'terrain', contactFrictionStatic: 0, contactFrictionKinetic: 0 },
-        ...{ contactSettleLinearVel: 1e-7, contactSettleAngularVel: 1e-7 },
+        surfaceNormal: 'terrain',
+        contactFrictionStatic: 0,
+        contactFrictionKinetic: 0,
+        contactSettleLinearVel: 1e-7,
+        contactSettleAngularVel: 1e-7,
       },
       height: -gravityOn(LUNA) / 100,
       velocity: [8, 0, 0],

@@ -134,4 +134,33 @@ describe('a ship class', () => {
     ];
     expect(refusal({ inertiaTensor })).toBe('accepted');
   });
+
+  it('has a positive definite tensor where a Cholesky factor of it exists', () => {
+    let seed = 1;
+    const random = () => {
+      seed = (seed * 48271) % 2147483647;
+      return (2 * seed) / 2147483647 - 1;
+    };
+    const found = { definite: 0, indefinite: 0 };
+    for (let n = 0; n < 3000; n++) {
+      const [a, b, c] = [1000, 900 + 600 * random(), 900 + 600 * random()];
+      const [ab, ac, bc] = [1000 * random(), 1000 * random(), 1000 * random()];
+      const second = b - (ab * ab) / a;
+      const below = (bc - (ab * ac) / a) / Math.sqrt(second);
+      const third = c - (ac * ac) / a - below * below;
+      // Close to singular, the two computations may round to different sides.
+      if (Math.abs(second) < 1 || Math.abs(third) < 1) continue;
+      const isDefinite = second > 0 && third > 0;
+      found[isDefinite ? 'definite' : 'indefinite'] += 1;
+      const inertiaTensor = [
+        [a, ab, ac],
+        [ab, b, bc],
+        [ac, bc, c],
+      ];
+      expect(refusal({ inertiaTensor }), JSON.stringify(inertiaTensor)).toBe(
+        isDefinite ? 'accepted' : 'ship class lander: inertiaTensor: expected a positive definite tensor',
+      );
+    }
+    expect(Math.min(found.definite, found.indefinite)).toBeGreaterThan(300);
+  });
 });

@@ -157,7 +157,10 @@ describe('the game’s own server', () => {
 
   const address = () => `ws://127.0.0.1:${(sockets.address() as AddressInfo).port}/ws`;
   const ship = {
-    ...{ position: [1, 2, 3], velocity: [0, 0, 0], attitude: [1, 0, 0, 0], angular_velocity: [0, 0, 0] },
+    position: [1, 2, 3],
+    velocity: [0, 0, 0],
+    attitude: [1, 0, 0, 0],
+    angular_velocity: [0, 0, 0],
     fuel: 1,
   };
 

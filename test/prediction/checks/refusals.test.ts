@@ -69,7 +69,10 @@ describe('an undecodable message is refused, with what to do', () => {
 
 const clock = { now: () => 0, after: () => () => undefined };
 const link = {
-  ...{ address: 'ws://127.0.0.1/ws', token: 't', clock, jitter: () => 0 },
+  address: 'ws://127.0.0.1/ws',
+  token: 't',
+  clock,
+  jitter: () => 0,
   openSocket: () => ({ close: () => undefined, send: () => undefined }),
 };
 const connect =

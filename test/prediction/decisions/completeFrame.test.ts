@@ -9,7 +9,7 @@ const TICK = 100;
 const bare: PartialFrame = { kind: 'frame', tick: TICK + 1, ships: [STILL] };
 
 function completed(given: PartialFrame, session = sessionAt(TICK)) {
-  return { session, result: completeFrame(session.sim, session.meter, given) };
+  return { session, result: completeFrame(session.sim, session.receiver, given, 0) };
 }
 
 describe('a frame without its other members', () => {

@@ -137,13 +137,14 @@ describe('the fit', () => {
     beginReading(track.ground);
     const { name, radius } = sim.world.bodies[0]!;
     const place: GroundPlace = {
-      ...{
-        bodyName: name,
-        bodyRadius: radius,
-        direction: seen.direction.slice(),
-        slope: new Float64Array(3),
-      },
-      ...{ offset: 0, states: 1, seenAt: 0, weight: 1 },
+      bodyName: name,
+      bodyRadius: radius,
+      direction: seen.direction.slice(),
+      slope: new Float64Array(3),
+      offset: 0,
+      states: 1,
+      seenAt: 0,
+      weight: 1,
     };
     const evidence = { from: track.evidence.row, fromTick: TICK, to: row, toTick: TICK + FALL };
     const task = { sim, track, evidence, seen, place };

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { EVENT_CONTACT, EVENT_NAMES } from '../../../src/dynamics';
-import { confirmEvents, happened, settleEvents } from '../../../src/prediction/snapshots/settleEvents';
+import { confirmEvents, recordPredicted, settleEvents } from '../../../src/prediction/snapshots/settleEvents';
 import type { ServerFrame } from '../../../src/wire';
 import { frameAt, STILL } from '../faults/restingShip';
 import { RATE, sessionAt, shipAt } from './sessionAt';
@@ -15,7 +15,7 @@ function touching(tick: number) {
   const { sim, receiver } = sessionAt(TICK);
   const track = shipAt(sim, 'own', 'contact');
   receiver.sendsEvents = true;
-  happened(sim, track, EVENT_CONTACT, { tick, substep: 0 }, track.pass);
+  recordPredicted(sim, track, EVENT_CONTACT, { tick, substep: 0 }, track.pass);
   sim.notices.length = 0;
   const settle = (more: Partial<ServerFrame> = {}, now = 7) => {
     settleEvents(sim, receiver, frameAt(TICK, RATE, more), now);

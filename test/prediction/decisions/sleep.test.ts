@@ -53,7 +53,7 @@ describe('sleep', () => {
     burning.sim.fleet.front[burning.track.at + THRUST_LEVEL] = 1;
     expect(sleepIfAtRest(burning.sim, burning.track, burning.bodies)).toBe(false);
     const forced = landed();
-    expect(sleepIfAtRest({ ...forced.sim, sleeps: false }, forced.track, forced.bodies)).toBe(false);
+    expect(sleepIfAtRest({ ...forced.sim, sleep: null }, forced.track, forced.bodies)).toBe(false);
     expect([burning.track.mode, forced.track.mode]).toEqual(['stepping', 'stepping']);
   });
 

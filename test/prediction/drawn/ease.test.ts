@@ -1,5 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { createEase, type Ease, relax, restartEase, springsOf } from '../../../src/prediction/drawn/ease';
+import {
+  createEase,
+  type Ease,
+  advanceEase,
+  restartEase,
+  springsOf,
+} from '../../../src/prediction/drawn/ease';
 import type { ServerFrame } from '../../../src/wire';
 import type { Vec3 } from '../../../src/dynamics';
 import { createRig } from '../rig';
@@ -18,7 +24,7 @@ function corrected(offset: readonly number[], turn: readonly number[] = [0, 0, 0
 function run(ease: Ease, seconds: number, hz: number, springs = springsOf()): number[][] {
   const path = [[...ease.offset, ...ease.turn]];
   for (let i = 0; i < Math.round(seconds * hz); i++) {
-    relax(ease, UP, 1 / hz, springs);
+    advanceEase(ease, UP, 1 / hz, springs);
     path.push([...ease.offset, ...ease.turn]);
   }
   return path;
@@ -124,7 +130,7 @@ describe('the drawn offset', () => {
     ease.offset[1] = ease.offset[1]! + 0.5;
     restartEase(ease);
     expect([...ease.rate]).toEqual(rate);
-    relax(ease, UP, 1 / 240, springsOf());
+    advanceEase(ease, UP, 1 / 240, springsOf());
     expect(Math.abs(ease.rate[1]!)).toBeLessThan(1);
   });
 

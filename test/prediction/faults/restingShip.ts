@@ -64,7 +64,10 @@ export function helloAt(tick: number, tickRate: number, more: Partial<Hello> = {
     shipClasses: SHIP_CLASSES,
     bodies: [BODY],
     terrain: 'flat',
-    ...{ tick, tickRate, timeScale: 1, inputGranularity: 'substep' },
+    tick,
+    tickRate,
+    timeScale: 1,
+    inputGranularity: 'substep',
     ...more,
   };
 }

@@ -33,8 +33,13 @@ function landers(): SocketOfDesign['server'] {
   const dice = createDice(4);
   const ships = [OWN, OTHER].map((id, k) => placeShip(dice, { ...place, id, aside: 100 * k }));
   return createDesignServer(body, ships, {
-    ...{ terrainHeight: () => 0, tickRate: 50, timeScale: 1, sendRate: SEND_RATE, drift: 0 },
-    ...{ sendsBodies: 'all', sendsScale: true },
+    terrainHeight: () => 0,
+    tickRate: 50,
+    timeScale: 1,
+    sendRate: SEND_RATE,
+    drift: 0,
+    sendsBodies: 'all',
+    sendsScale: true,
   });
 }
 

@@ -139,8 +139,20 @@ export function createPage(setup: Setup, dice: Dice): Page {
   }
 
   const page: Page = {
-    ...{ setup, predictor, down, up, notices, warnings, presses: [] },
-    ...{ t: 0, shift: 0, newestAt: 0, newestTick: 0, newestEra: 1, ownShip: OWN, hasPilot: true },
+    setup,
+    predictor,
+    down,
+    up,
+    notices,
+    warnings,
+    presses: [],
+    t: 0,
+    shift: 0,
+    newestAt: 0,
+    newestTick: 0,
+    newestEra: 1,
+    ownShip: OWN,
+    hasPilot: true,
     run(seconds, each) {
       const until = page.t + seconds;
       while (page.t < until - 1e-9) {

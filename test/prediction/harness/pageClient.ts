@@ -40,7 +40,10 @@ declare global {
 window.startClient = (address, shipId) => {
   const predictor = createPredictor({ ownShipId: shipId });
   const client: PageClient = {
-    ...{ drawn: [], troubles: [], predictor, controls: NEUTRAL_CONTROLS },
+    drawn: [],
+    troubles: [],
+    predictor,
+    controls: NEUTRAL_CONTROLS,
     hold(sideways) {
       client.controls = { ...NEUTRAL_CONTROLS, translationInput: [sideways, 0, 0] };
     },
@@ -69,8 +72,13 @@ window.startClient = (address, shipId) => {
     const { own, ready, tick, sinceTick } = predictor.view(now);
     if (ready && own !== null)
       client.drawn.push({
-        ...{ at: (performance.timeOrigin + performance.now()) / 1000, tick, sinceTick, shipId: own.shipId },
-        ...{ position: [...own.position], shown: own.shownState, provenance: own.provenance },
+        at: (performance.timeOrigin + performance.now()) / 1000,
+        tick,
+        sinceTick,
+        shipId: own.shipId,
+        position: [...own.position],
+        shown: own.shownState,
+        provenance: own.provenance,
       });
     requestAnimationFrame(draw);
   };

@@ -84,7 +84,11 @@ export function drawSetup(dice: Dice): Setup {
   const place = { site, body, terrainHeight };
   const ships = [OWN, OTHER].map((id, k) => placeShip(dice, { ...place, id, shipClass, aside: 80 * k }));
   const server = createDesignServer(body, ships, {
-    ...{ terrainHeight, tickRate, timeScale: 1, sendRate, sendsBodies },
+    terrainHeight,
+    tickRate,
+    timeScale: 1,
+    sendRate,
+    sendsBodies,
     drift: dice.pick([0, 0, DRIFT, -DRIFT]),
     sendsScale: door === 'bytes' || dice.chance(0.7),
   });
@@ -97,8 +101,15 @@ export function drawSetup(dice: Dice): Setup {
     `ground ${rise.offset.toFixed(2)} m, slope ${(100 * rise.slope).toFixed(1)} %`,
   ].join('; ');
   return {
-    ...{ server, told, network: NETWORKS[networkName]!, answersPings, door, grain, rise },
-    ...{ clientTerrain, label },
+    server,
+    told,
+    network: NETWORKS[networkName]!,
+    answersPings,
+    door,
+    grain,
+    rise,
+    clientTerrain,
+    label,
   };
 }
 
@@ -155,8 +166,14 @@ export function placeShip(dice: Dice, placing: Placing): DesignShip {
   const along = plus(times(east, dice.between(-6, 6)), times(north, dice.between(-6, 6)));
   const speed = plus(times(up, -dice.between(0, 12)), along);
   return {
-    ...{ id, shipClass, fuel: shipClass.fuelCapacity * dice.between(0.3, 1) },
-    ...{ state: '', crashed: false, impact: 0, pin: null, angularVelocity: [0, 0, 0] },
+    id,
+    shipClass,
+    fuel: shipClass.fuelCapacity * dice.between(0.3, 1),
+    state: '',
+    crashed: false,
+    impact: 0,
+    pin: null,
+    angularVelocity: [0, 0, 0],
     position: plus(body.position, r),
     velocity: plus(body.velocity, plus(speed, cross(body.angularVelocity, r))),
     attitude: turnOn(noseAlong(up), times(east, dice.between(-0.1, 0.1)), 1),

@@ -57,12 +57,18 @@ function sampleOf(page: Page, view: WorldView, own: ShipView): Sample {
     ? (tick - page.newestTick) / view.tickRate + sinceTick / view.timeScale
     : Number.NaN;
   return {
-    ...{ t: page.t, drawn, era, tick, sinceTick, shipId: own.shipId },
+    t: page.t,
+    drawn,
+    era,
+    tick,
+    sinceTick,
+    shipId: own.shipId,
     position: [...own.position] as unknown as Vec,
     nose: turned([...own.attitude] as unknown as Turn, [0, 0, 1]),
     shown: own.shownState,
     provenance: own.provenance,
-    ...{ ahead, beyond: ahead - 1 / server.options.sendRate - view.diagnosis.lead },
+    ahead,
+    beyond: ahead - 1 / server.options.sendRate - view.diagnosis.lead,
     clear: clearOf(page, view, own),
   };
 }

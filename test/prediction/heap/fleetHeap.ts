@@ -79,8 +79,12 @@ function fleetOf(scenario: Scenario, ships: number, ticks: number) {
   const loaded = value(loadScenario(scenario));
   const authority = value(
     createAuthority({
-      ...{ shipClasses: [loaded.shipClass], bodies: [loaded.body], terrain: scenario.terrain },
-      ...{ terrains: { [scenario.terrain]: loaded.terrainHeight }, tickRate: TICK_RATE, timeScale: 1 },
+      shipClasses: [loaded.shipClass],
+      bodies: [loaded.body],
+      terrain: scenario.terrain,
+      terrains: { [scenario.terrain]: loaded.terrainHeight },
+      tickRate: TICK_RATE,
+      timeScale: 1,
     }),
   );
   for (const order of fleetOrders(loaded, ships, 3)) authority.spawn(order);

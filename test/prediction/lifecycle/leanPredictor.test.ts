@@ -5,20 +5,28 @@ import {
   completedBodies,
   createLeanPredictor,
   createPredictor,
+  type Feature,
   foreignDynamics,
+  frameBudget,
+  gameCatalogue,
+  groundedGhost,
   inputAcknowledgements,
   learnedGround,
   type LeanOptions,
   type LeanPredictor,
   measuredGameTime,
   measuredSpin,
+  measuredTickRate,
   mismatchValues,
   type PredictorEntry,
+  replayedImpacts,
   roundTripPings,
   serverHello,
+  sleepingShips,
   snapshotParts,
   surfaceEvents,
   touchdownRecord,
+  unloadedGround,
 } from '../../../src/prediction';
 import type { ServerFrame } from '../../../src/wire';
 import { LUNA, ship, ticks } from '../checks/mistakes/given';
@@ -56,6 +64,7 @@ const ALL = [
   ],
   ...[
     measuredSpin,
+    measuredTickRate,
     mismatchValues,
     roundTripPings,
     serverHello,
@@ -63,6 +72,7 @@ const ALL = [
     surfaceEvents,
     touchdownRecord,
   ],
+  ...[gameCatalogue, groundedGhost, replayedImpacts, sleepingShips, frameBudget, unloadedGround],
 ];
 
 /** Not an event. */
@@ -87,7 +97,8 @@ describe('a lean predictor', () => {
     const hidden = ['touchdown', 'ping', 'withdrawn', 'lastMismatch'];
     const expected = shown(createPredictor(options), ofGame, hidden).filter(isView);
     expect(expected.some((line) => line.includes('"shownState":"landed"'))).toBe(true);
-    expect(shown(createLeanPredictor(options), ofGame, hidden)).toEqual(expected);
+    const features = [sleepingShips, groundedGhost];
+    expect(shown(createLeanPredictor({ ...options, features }), ofGame, hidden)).toEqual(expected);
   });
 
   it('shows, sends and announces the same with all features from a server that sends everything', () => {
@@ -102,6 +113,14 @@ describe('a lean predictor', () => {
         ),
         missing.feature,
       ).not.toEqual(expected);
+  });
+
+  it('predicts the same ships, bit for bit, without features that only save time or place the ghost', () => {
+    const counted = ['steppedSubsteps', 'replayedSubsteps', 'ghostPosition', 'ghostAttitude'];
+    const hidden = ['touchdown', 'ping', 'withdrawn', 'lastMismatch', ...counted];
+    expect(shown(createLeanPredictor(options), ofGame, hidden)).toEqual(
+      shown(createPredictor(options), ofGame, hidden).filter(isView),
+    );
   });
 
   it('takes a hello and pongs only with their features', () => {
@@ -119,7 +138,9 @@ describe('a lean predictor', () => {
     const fly = (features: LeanOptions['features']) =>
       shown(createLeanPredictor({ ...options, features: features ?? [] }), ofGame, ['ping']);
     const whole = shown(createPredictor(options), ofGame, ['ping']);
-    expect(fly([touchdownRecord, surfaceEvents, mismatchValues])).toEqual(whole);
+    expect(fly([touchdownRecord, surfaceEvents, mismatchValues, sleepingShips, groundedGhost])).toEqual(
+      whole,
+    );
     expect(fly([]).join()).not.toContain('"known":true');
   });
 
@@ -141,12 +162,16 @@ describe('a lean predictor', () => {
 });
 
 describe('a lean predictor without a feature', () => {
-  const received = (messages: readonly object[], features: LeanOptions['features'] = []) => {
+  const received = (messages: readonly object[], features: readonly Feature[] = []) => {
     const found: string[] = [];
     const onWarning: LeanOptions['onWarning'] = (code, message) => {
       if (code === 'feature-missing') found.push(message);
     };
-    const predictor = createLeanPredictor({ ownShipId: 'a', onWarning, features });
+    const predictor = createLeanPredictor({
+      ownShipId: 'a',
+      onWarning,
+      features: [gameCatalogue, ...features],
+    });
     for (const [i, message] of messages.entries()) {
       predictor.receive(message as ServerFrame, i);
       predictor.advance(null, i);
@@ -156,12 +181,16 @@ describe('a lean predictor without a feature', () => {
   const [first, second] = ticks(2) as [ServerFrame, ServerFrame];
   const lastInput = { seq: 1, tick: 0, substep: 0, margin: 0 };
   const event = { type: 'ship.landed', tick: 1, substep: 3, shipId: 'a' };
-  const untimed = { ...first, timeScale: undefined };
+  const [untimed, rateless] = [
+    { ...first, timeScale: undefined },
+    { ...first, tickRate: undefined },
+  ];
 
   it.each([
     [surfaceEvents, 'frame.events', [{ ...first, events: [event] }]],
     [inputAcknowledgements, 'frame.lastInput', [{ ...first, lastInput }]],
     [measuredGameTime, 'frame.timeScale', [untimed]],
+    [measuredTickRate, 'frame.tickRate', [rateless]],
     [
       completedBodies,
       'frame.bodies',
@@ -204,8 +233,8 @@ describe('a lean predictor without a feature', () => {
 
   it('names the field of a mismatch, with both values only with the feature', () => {
     const moved = { ...second, ships: [{ ...ship, velocity: [0, 0, 0] }] };
-    const mismatch = (features: LeanOptions['features']) =>
-      received([first, moved], features).predictor.view(2).diagnosis.lastMismatch;
+    const mismatch = (features: readonly Feature[]) =>
+      received([first, moved], [...features, sleepingShips]).predictor.view(2).diagnosis.lastMismatch;
     expect(mismatch([])).toBe('a at tick 2: velocity');
     expect(mismatch([mismatchValues])).toMatch(/^a at tick 2: velocity: server \[.*\], predicted \[/);
   });

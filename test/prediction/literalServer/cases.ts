@@ -18,6 +18,8 @@ export interface LiteralCase {
   readonly rise?: (east: number, north: number) => number;
   /** Share of sends that are missed. */
   readonly missed?: number;
+  /** Its frames have no tick rate. */
+  readonly omitsTickRate?: boolean;
   /** Each ship in its own message. */
   readonly oneMessagePerShip?: boolean;
   /** From the third landed state on it is settled, not from the third of a contact. */
@@ -59,6 +61,8 @@ export const CASES: readonly LiteralCase[] = [
     settlesLanded: true,
     flights: ['slide-mars'],
   },
+  { name: 'tick rate not sent', options: {}, omitsTickRate: true },
+  { name: 'tick rate not sent, sends missed 20 %', options: {}, omitsTickRate: true, missed: 0.2 },
   { name: 'bodies not sent', options: { sendsBodies: false } },
   { name: 'sends missed 20 %', options: {}, missed: 0.2 },
   { name: 'sends missed 50 %', options: {}, missed: 0.5 },

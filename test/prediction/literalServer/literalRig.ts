@@ -15,7 +15,7 @@ import {
   loadScenario,
   type LoadedScenario,
 } from '../../../src/scenarios';
-import type { ServerFrame } from '../../../src/wire';
+import type { PartialFrame, ServerFrame } from '../../../src/wire';
 import { scenarioNamed, SHIP, value } from '../rig';
 import { FAITHFUL, groundOf, type LiteralCase } from './cases';
 import { createLiteralServer, FIRST_TICK, type LiteralServer, type LiteralTruth } from './literalServer';
@@ -56,15 +56,18 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
       aligned: scenario.settings.touchdownAttitude !== 'kept',
       ...difference.options,
       terrainHeight: groundOf(terrainHeight, difference.rise, { body, site: scenario.site }),
-      ...{ hz: flight.hz, every: Math.round(flight.hz / flight.sends) },
+      hz: flight.hz,
+      every: Math.round(flight.hz / flight.sends),
     },
   );
   const predictor = createPredictor({
     ownShipId: SHIP,
     terrains: { [scenario.terrain]: terrainHeight, flat: flatTerrain },
     defaults: {
-      ...{ settings: scenario.settings, terrain: scenario.terrain },
-      ...{ bodies: [body], shipClasses: [shipClass] },
+      settings: scenario.settings,
+      terrain: scenario.terrain,
+      bodies: [body],
+      shipClasses: [shipClass],
     },
     ...flight.predictor,
   });
@@ -89,7 +92,11 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
 
   send(server.frame(), 0);
   const rig: LiteralRig = {
-    ...{ loaded, server, predictor, terrainHeight, now: 0 },
+    loaded,
+    server,
+    predictor,
+    terrainHeight,
+    now: 0,
     frame(each) {
       frames += 1;
       rig.now = frames / 60;
@@ -101,7 +108,7 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
       while (waiting.length > 0 && waiting[0]!.at <= rig.now) {
         const { frame } = waiting.shift()!;
         each?.(frame);
-        predictor.receive(frame, rig.now);
+        predictor.receive(difference.omitsTickRate === true ? withoutTickRate(frame) : frame, rig.now);
       }
       const view = predictor.view(rig.now);
       const game = view.ready ? (view.tick - FIRST_TICK) / flight.hz + view.sinceTick : 0;
@@ -113,6 +120,13 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
     },
   };
   return rig;
+}
+
+/** The frame as a server sends it that does not send its tick rate. */
+export function withoutTickRate(frame: ServerFrame): PartialFrame {
+  const untimed: { tickRate?: number } & PartialFrame = { ...frame };
+  delete untimed.tickRate;
+  return untimed;
 }
 
 function shipsOf(loaded: LoadedScenario, difference: LiteralCase) {

@@ -87,10 +87,14 @@ export function createLiteralServer(world: LiteralWorld, options: LiteralOptions
     const bodies: BodyState[] = [{ ...told, position, velocity, attitude }];
     return {
       kind: 'frame',
-      ...{ tick, tickRate: options.hz, timeScale: 1, paused: false },
+      tick,
+      tickRate: options.hz,
+      timeScale: 1,
+      paused: false,
       bodies: options.sendsBodies ? bodies : [],
       ships: ships.map((ship) => stateOf(ship, told.name)),
-      ...{ events: [], lastInput: null },
+      events: [],
+      lastInput: null,
     };
   }
 
@@ -126,7 +130,12 @@ function place(
   const distance = length(r);
   const back = conjugate(body.attitude);
   return {
-    ...{ id, shipClass, fuel: ship.fuel, state, crashed: false, impact: 0 },
+    id,
+    shipClass,
+    fuel: ship.fuel,
+    state,
+    crashed: false,
+    impact: 0,
     position: plus(body.position, r),
     velocity: plus(body.velocity, plus(ship.relativeVelocity, faster)),
     attitude: ship.attitude,
@@ -143,17 +152,25 @@ function place(
 function stateOf(ship: LiteralShip, bodyName: string): ShipState {
   const { id, shipClass, controls } = ship;
   return {
-    ...{ shipId: id, playerId: id, name: id, shipClass: shipClass.name },
-    ...{ position: ship.position, velocity: ship.velocity },
-    ...{ attitude: ship.attitude, angularVelocity: ship.angularVelocity },
+    shipId: id,
+    playerId: id,
+    name: id,
+    shipClass: shipClass.name,
+    position: ship.position,
+    velocity: ship.velocity,
+    attitude: ship.attitude,
+    angularVelocity: ship.angularVelocity,
     ...controls,
     fuel: ship.fuel,
     mass: shipClass.dryMass + ship.fuel,
     landedBodyName: ship.state === '' ? '' : bodyName,
     surfaceContactState: ship.state,
-    ...{ contactImpactSpeed: null, wheelMomentum: null, groundContactOffset: null },
+    contactImpactSpeed: null,
+    wheelMomentum: null,
+    groundContactOffset: null,
     referenceBody: '',
-    ...{ relativePosition: null, relativeVelocity: null },
+    relativePosition: null,
+    relativeVelocity: null,
     crashed: ship.crashed,
   };
 }

@@ -63,20 +63,38 @@ describe('a page that pauses while a ship touches the ground, its impact speed n
 describe('older and incomplete servers', () => {
   const moon = BODIES[0]!;
   const state = (more: Partial<ShipState>): ShipState => ({
-    ...{ shipId: 's', playerId: '', name: 'S', shipClass: 'planetary_lander' },
+    shipId: 's',
+    playerId: '',
+    name: 'S',
+    shipClass: 'planetary_lander',
     position: [moon.position[0], moon.position[1], moon.position[2] + moon.radius + 4.56],
     velocity: moon.velocity,
     attitude: [0, 0, 0, 1],
     angularVelocity: moon.angularVelocity,
     ...NEUTRAL_CONTROLS,
-    ...{ fuel: 1000, mass: 9000, landedBodyName: '', surfaceContactState: '', contactImpactSpeed: null },
-    ...{ referenceBody: '', relativePosition: null, relativeVelocity: null, crashed: false },
-    ...{ wheelMomentum: null, groundContactOffset: null },
+    fuel: 1000,
+    mass: 9000,
+    landedBodyName: '',
+    surfaceContactState: '',
+    contactImpactSpeed: null,
+    referenceBody: '',
+    relativePosition: null,
+    relativeVelocity: null,
+    crashed: false,
+    wheelMomentum: null,
+    groundContactOffset: null,
     ...more,
   });
   const frame = (tick: number, ships: ShipState[], bodies = BODIES): ServerFrame => ({
     kind: 'frame',
-    ...{ tick, tickRate: 1, timeScale: 1, paused: false, bodies, ships, events: [], lastInput: null },
+    tick,
+    tickRate: 1,
+    timeScale: 1,
+    paused: false,
+    bodies,
+    ships,
+    events: [],
+    lastInput: null,
   });
 
   it('treats a body landed on without a state as landed', () => {

@@ -45,8 +45,12 @@ function landedAt(seconds: number, spin: number): ShipState {
     // Turned on with the body: about y, after a quarter about y that lays the nose along x.
     attitude: [0, hs * HALF + hc * HALF, 0, hc * HALF - hs * HALF],
     angularVelocity: [0, spin, 0],
-    ...{ landedBodyName: LUNA.name, surfaceContactState: 'landed', contactImpactSpeed: null },
-    ...{ referenceBody: '', relativePosition: null, relativeVelocity: null },
+    landedBodyName: LUNA.name,
+    surfaceContactState: 'landed',
+    contactImpactSpeed: null,
+    referenceBody: '',
+    relativePosition: null,
+    relativeVelocity: null,
   };
 }
 
@@ -127,7 +131,8 @@ describe('the bodies at the ticks', () => {
 describe('a body whose attitude is the same in each frame, though it has spin', () => {
   const spin = 1e-4;
   const sending: Sending = {
-    ...{ spin, tickRate: 10 },
+    spin,
+    tickRate: 10,
     bodies: (seconds) => [{ ...bodyOf(spin), position: [0, 0, SPEED * seconds] }],
   };
 

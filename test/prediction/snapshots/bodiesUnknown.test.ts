@@ -11,8 +11,10 @@ const BODY = { ...helloAt(0, 1).bodies[0]!, velocity: [SPEED, 0, 0] as const };
 /** The landed ship where it is `seconds` of game time after the start, without a relative state. */
 function shipAfter(seconds: number, more: Partial<ShipState> = {}): ShipState {
   return named('ship-1', {
-    ...{ position: [SPEED * seconds, STILL.position[1], 0], velocity: [SPEED, 0, 0] },
-    ...{ relativePosition: null, relativeVelocity: null },
+    position: [SPEED * seconds, STILL.position[1], 0],
+    velocity: [SPEED, 0, 0],
+    relativePosition: null,
+    relativeVelocity: null,
     ...more,
   });
 }

@@ -8,7 +8,9 @@ const at = (seconds: number) => [{ ...MOVING, position: [0, 0, 30_000 * seconds]
 const flying = (seconds: number, more: Partial<typeof STILL> = {}) => [
   {
     ...STILL,
-    ...{ landedBodyName: '', surfaceContactState: '', velocity: [0, 0, 1000] as const },
+    landedBodyName: '',
+    surfaceContactState: '',
+    velocity: [0, 0, 1000] as const,
     position: [0, 2e6, 1000 * seconds] as const,
     ...more,
   },

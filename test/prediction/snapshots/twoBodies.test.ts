@@ -31,17 +31,25 @@ function fly(tickRate: number, ahead: number) {
   const shipClass = SHIP_CLASSES[0]!;
   const authority = value(
     createAuthority({
-      ...{ shipClasses: [shipClass], bodies: [NEAR, FAR] },
-      ...{ terrain: 'flat', terrains: { flat: flatTerrain }, tickRate, timeScale: 1 },
+      shipClasses: [shipClass],
+      bodies: [NEAR, FAR],
+      terrain: 'flat',
+      terrains: { flat: flatTerrain },
+      tickRate,
+      timeScale: 1,
     }),
   );
   const ship = {
-    ...{ shipClass: shipClass.name, referenceBody: 'Near' },
+    shipClass: shipClass.name,
+    referenceBody: 'Near',
     relativePosition: [APART / 2 - ahead, 0, 0] as Vec3,
     relativeVelocity: [300, 40, 5] as Vec3,
     attitude: [0, 0, 0, 1] as Quat,
-    ...{ angularVelocity: [0.01, 0.02, 0] as Vec3, fuel: 1000 },
-    ...{ surfaceContactState: '' as const, contactImpactSpeed: 0, crashed: false },
+    angularVelocity: [0.01, 0.02, 0] as Vec3,
+    fuel: 1000,
+    surfaceContactState: '' as const,
+    contactImpactSpeed: 0,
+    crashed: false,
   };
   expect(authority.spawn({ shipId: SHIP, playerId: 'me', name: 'Own', ship })).toBeNull();
   const predictor = createPredictor({ terrains: { flat: flatTerrain } });

@@ -114,8 +114,14 @@ describe('a prediction that the server contradicts', () => {
 it('a touchdown is blank before the first touch, and is timed from it', () => {
   const rig = createRig({ scenario: 'settle' });
   const blank = {
-    ...{ known: false, outcome: 'open', verticalSpeed: 0, horizontalSpeed: 0 },
-    ...{ bounces: 0, slideMetres: 0, settleSeconds: 0, largestTilt: 0 },
+    known: false,
+    outcome: 'open',
+    verticalSpeed: 0,
+    horizontalSpeed: 0,
+    bounces: 0,
+    slideMetres: 0,
+    settleSeconds: 0,
+    largestTilt: 0,
   };
   let [flying, open] = [0, 0];
   rig.fly(2, ({ own }) => {

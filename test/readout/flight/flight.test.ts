@@ -93,6 +93,16 @@ describe('landing aids', () => {
     expect(off).toBeCloseTo(2 * seconds, 0);
   });
 
+  it('predict the tilt at the touch, which a server may align', () => {
+    for (const tilt of [0, 25, 70]) {
+      const at = (touchdownAttitude: 'kept' | 'aligned') =>
+        settle({ clearance: 40, tilt, leanTo: 200, settings: { touchdownAttitude } }).out.touchTilt;
+      // The ground turns by 0.001° during the fall.
+      expect(at('kept')).toBeCloseTo(tilt, 2);
+      expect(at('aligned')).toBeCloseTo(0, 5);
+    }
+  });
+
   it('predict the touch on a slope that rises ahead', () => {
     const pose = { clearance: 80, east: 10 };
     const [moving, still] = [makeView(pose), makeView({ clearance: 80 })];
@@ -108,9 +118,13 @@ describe('landing aids', () => {
   });
 
   it('keep the predicted touch on its ground while the ground turns, however old the run ahead', () => {
-    const { out, view } = settle({ clearance: 800, up: 0 });
-    const { bodies, own } = view;
-    const body = bodies[own.body]!;
+    const fallen = settle({ clearance: 800, up: 0 });
+    const { own } = fallen.view;
+    // Turned about no axis of the ship's frame, so that each component counts.
+    const body = { ...fallen.view.bodies[own.body]!, attitude: [0.5, -0.1, 0.7, 0.5] as const };
+    const view = { ...fallen.view, bodies: [body] };
+    const out = createLandingAids();
+    for (let i = 0; i < 60; i++) updateLandingAids(out, later(view, 0, own));
     const rate = Math.hypot(...body.angularVelocity);
     const axis = [...body.angularVelocity].map((w) => w / rate);
     const under = (place: Float64Array) =>
@@ -121,8 +135,9 @@ describe('landing aids', () => {
     const half = (rate * 5) / 2;
     const [x, y, z] = axis.map((a) => a * Math.sin(half)) as [number, number, number];
     const turned = multiplied([x, y, z, Math.cos(half)], [...body.attitude]);
-    const before = out.touchPlace.slice();
+    const [before, seconds] = [out.touchPlace.slice(), out.touchSeconds];
     updateLandingAids(out, { ...later(view, 5, own), bodies: [{ ...body, attitude: turned }] });
+    expect(out.touchSeconds).toBeCloseTo(seconds - 5, 6);
     const moved = before.map((x, k) => x + 5 * crossed([...body.angularVelocity], [...before])[k]!);
     expect(Math.hypot(...moved.map((x, k) => x - before[k]!))).toBeGreaterThan(10);
     expect(Math.hypot(...moved.map((x, k) => x - out.touchPlace[k]!))).toBeLessThan(0.01);

@@ -3,6 +3,7 @@ import { expect, it } from 'vitest';
 import {
   decodeFrameJson,
   type DecodedFrame,
+  decodeLeanFrameJson,
   decodeServerMessage,
   encodeFrameJson,
   encodeServerMessage,
@@ -156,6 +157,9 @@ it('lists an invalid game time', () => {
   expect(accepted({ tick: 0, ships: [], game_time: '2026-11-28' }).refusals).toEqual([
     'game_time: expected seconds or ISO 8601, got "2026-11-28"',
   ]);
+  expect(accepted({ tick: 0, ships: [], game_time: '5-5' }).refusals).toEqual([
+    'game_time: expected seconds or ISO 8601, got "5-5"',
+  ]);
 });
 
 it('refuses more ships than the wire allows, and duplicate ids', () => {
@@ -184,6 +188,34 @@ it('carries every field that protobuf carries', () => {
     }),
     { numRuns: 300 },
   );
+});
+
+it('decodes states alone in a lean page, of bodies with attitude and spin, and times in seconds', () => {
+  const body = { ...MOON, name: 'Luna', attitude: [1, 0, 0, 0], angular_velocity: [0, 0, 0] };
+  const exact = { tick: 7, gameTime: '12.5', ships: { a: LEAST }, bodies: [body] };
+  expect(accepted(exact).gameTime).toBe(12.5);
+  expect(decodeLeanFrameJson(exact)).toEqual(decodeFrameJson(exact));
+  const news = { events: [{ type: 'ship.landed', ship_id: 'a', tick: 6 }], last_input: null };
+  expect(accepted({ ...exact, ...news }).events).toHaveLength(1);
+  expect(decodeLeanFrameJson({ ...exact, ...news })).toEqual(decodeFrameJson(exact));
+  const named = { name: 'Luna', position: [1, 2, 3], velocity: [0, 0, 0] };
+  const spun = { ...MOON, name: 'Own', spin_axis: [0, 1, 0], rotation_period: 1000 };
+  const sent = { ...exact, game_time: '1970-01-01T00:00:12Z', gameTime: undefined, bodies: [named, spun] };
+  expect(accepted(sent).refusals).toEqual([]);
+  expect(decodeLeanFrameJson(sent)).toEqual({
+    ok: true,
+    value: {
+      kind: 'frame',
+      tick: 7,
+      ships: accepted(exact).ships,
+      bodies: [],
+      refusals: [
+        'game_time: expected a finite number, got "1970-01-01T00:00:12Z"',
+        'bodies[0].attitude: missing',
+        'bodies[1].attitude: missing',
+      ],
+    },
+  });
 });
 
 it('never throws for any JSON in any field', () => {

@@ -80,7 +80,7 @@ export function createMissionGame(context: MissionContext): MissionGame {
     ghost,
     begin() {
       const mission = findMission(context.choices().scenario);
-      flight.intervention = whyUnranked(context.choices());
+      flight.intervention = unrankedReason(context.choices());
       tracker.begin(mission);
       show(null);
       void raceGhost(mission, flight.rival, { tracker, ghost, runs: context.runs });
@@ -177,7 +177,7 @@ function share({ address, notice }: MissionContext, query: string): void {
 }
 
 /** Why a changed world is not scored; '' if it is the mission's. */
-function whyUnranked({
+function unrankedReason({
   body,
   shipClass,
   terrain,

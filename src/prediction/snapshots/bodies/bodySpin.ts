@@ -52,8 +52,12 @@ const ASIDE = 1e-3;
 export function createBodySpin(): BodySpin {
   const measurement = (): Measurement => ({ believed: 1, last: Number.NaN });
   return {
-    ...{ factor: 1, byAttitude: measurement(), byShips: measurement() },
-    ...{ lacking: 0, tick: -1, attitude: quaternion() },
+    factor: 1,
+    byAttitude: measurement(),
+    byShips: measurement(),
+    lacking: 0,
+    tick: -1,
+    attitude: quaternion(),
   };
 }
 

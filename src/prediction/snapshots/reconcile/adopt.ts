@@ -43,10 +43,9 @@ export function adopt(
   bodies: Float64Array,
   world: World,
 ): string | null {
+  const unknown = unknownNameOf(state, world);
+  if (unknown !== null) return unknown;
   const shipClass = indexOfName(world.shipClasses, state.shipClass);
-  if (shipClass < 0) return `shipClass: no class named ${state.shipClass}`;
-  if (indexIn(SURFACE_STATES, state.surfaceContactState) < 0)
-    return `surfaceContactState: no state named ${state.surfaceContactState}`;
   const bodyName = state.referenceBody !== '' ? state.referenceBody : state.landedBodyName;
   const body = bodyName !== '' ? indexOfName(world.bodies, bodyName) : nearestBody(state, bodies, world);
   if (body < 0) return `referenceBody: no body named ${bodyName}`;

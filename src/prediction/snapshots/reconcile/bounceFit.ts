@@ -22,7 +22,7 @@ const WORSE = 0.02;
  * Learns whether a ship bounces where the dynamics keep it on the ground, as on a server with stiffer springs. It weighs, of each touch
  * predicted since a state in flight, the time on the ground: right if the server has it on the ground too, wrong if it climbs again.
  */
-export function weighBounce(
+export function learnBounce(
   { world }: Simulation,
   track: Track,
   { state, tick, predicted }: Judged,

@@ -34,8 +34,15 @@ export const WINDOW = 4;
 
 export function createLawFit(): LawFit {
   return {
-    ...{ carried: '', law: new Float64Array(WINDOW), carry: new Float64Array(WINDOW) },
-    ...{ count: 0, states: 0, groundedWrongly: 0, groundedRightly: 0, bounces: false, rebound: 0 },
+    carried: '',
+    law: new Float64Array(WINDOW),
+    carry: new Float64Array(WINDOW),
+    count: 0,
+    states: 0,
+    groundedWrongly: 0,
+    groundedRightly: 0,
+    bounces: false,
+    rebound: 0,
   };
 }
 

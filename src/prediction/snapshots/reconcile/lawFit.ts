@@ -16,9 +16,9 @@ import { copyRow, type Track } from '../../simulation/track';
 import { spanOf } from '../../time/timeline';
 import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
 import { sameCommand } from '../../inputs/command';
-import { weighBounce } from './bounceFit';
+import { learnBounce } from './bounceFit';
 import type { Place } from './compare';
-import { type Judged, WINDOW } from './lawErrors';
+import { type Judged, type LawFit, WINDOW } from './lawErrors';
 
 /** States needed for a decision. */
 const NEEDED = 3;
@@ -31,32 +31,30 @@ const MAX_INTERVAL = 400;
 const PIECES = 10;
 
 /** Compares the errors of the dynamics and of extrapolation at the last state. Returns whether the ship changes between them. */
-export function weighLaw(sim: Simulation, track: Track, judged: Judged): boolean {
+export function chooseMotion(sim: Simulation, track: Track, judged: Judged): boolean {
   const { fit } = track;
   if (fit.carried === 'ground') return false;
   if (!isComparable(sim, track, judged)) return false;
-  weighBounce(sim, track, judged, spanOf(sim.timeline, judged.tick).tickRate);
+  learnBounce(sim, track, judged, spanOf(sim.timeline, judged.tick).tickRate);
   const slot = fit.count % WINDOW;
   fit.count += 1;
   const isCarried = fit.carried !== '';
   fit.law[slot] = judged.agrees && !isCarried ? 0 : lawError(sim, track, judged);
   fit.carry[slot] = judged.agrees && !isCarried ? 0 : carryError(sim, track, judged);
-  const states = Math.min(fit.count, WINDOW);
-  const law = sumOf(fit.law);
-  const carry = sumOf(fit.carry);
-  const next =
-    states < NEEDED
-      ? fit.carried
-      : isCarried
-        ? law <= carry + TAKEN_UP * states
-          ? ''
-          : 'law'
-        : law > WORSE * carry + NOTABLE * states
-          ? 'law'
-          : '';
+  const next = chosenMotion(fit);
   if (next === fit.carried) return false;
   fit.carried = next;
   return true;
+}
+
+/** What fits the last states better: '' for the dynamics, `law` for extrapolation. Near a tie the ship stays with what it has. */
+function chosenMotion(fit: LawFit): LawFit['carried'] {
+  const states = Math.min(fit.count, WINDOW);
+  if (states < NEEDED) return fit.carried;
+  const law = sumOf(fit.law);
+  const carry = sumOf(fit.carry);
+  if (fit.carried === '') return law > WORSE * carry + NOTABLE * states ? 'law' : '';
+  return law <= carry + TAKEN_UP * states ? '' : 'law';
 }
 
 /** Whether nothing but dynamics and ground determined the motion between the last state and this one. */
@@ -81,8 +79,10 @@ function lawError(sim: Simulation, track: Track, { state, tick, predicted }: Jud
   if (track.fit.carried === '') return predicted === null ? 0 : errorOf(predicted, state);
   const { evidence } = track;
   made.rows = replayBetween(misfit, sim, track, {
-    ...{ from: evidence.row, fromTick: evidence.tick },
-    ...{ to: state.rows, toTick: tick },
+    from: evidence.row,
+    fromTick: evidence.tick,
+    to: state.rows,
+    toTick: tick,
   });
   made.bodies = state.bodies;
   return errorOf(made, state);

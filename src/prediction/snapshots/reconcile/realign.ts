@@ -1,7 +1,6 @@
 import { actsBetween } from '../../inputs/scheduledInput';
 import { hold, startReplay } from '../../simulation/replay';
 import type { Simulation } from '../../simulation/simulation';
-import { holdSleeping } from '../../simulation/sleep';
 import { indexOf, type Position, spanOf } from '../../time/timeline';
 
 /** The front waits for a present that is at most this far behind, wall s. */
@@ -35,7 +34,8 @@ export interface Realignment {
 export function realign(sim: Simulation, target: Position, how: Realignment): void {
   const skipped = how.stepped ? skippedTo(sim, target) : 0;
   const { own } = sim.fleet;
-  if (own?.mode === 'sleeping' && actsBetween(sim.inputs, sim.front.tick, target.tick + 1)) holdSleeping(own);
+  if (own?.mode === 'sleeping' && actsBetween(sim.inputs, sim.front.tick, target.tick + 1))
+    sim.sleep?.holdSleeping(own);
   for (const track of sim.fleet.tracks) {
     if (track.mode === 'stepping') hold(sim, track);
     if (track.picture.hasHeld) track.picture.skipped = skipped;

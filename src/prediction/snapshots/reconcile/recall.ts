@@ -9,7 +9,7 @@ import {
   WHEEL_MOMENTUM,
 } from '../../../dynamics';
 import { replayTo } from '../../ground/trial';
-import type { Simulation } from '../../simulation/simulation';
+import type { Simulation, TickedRow } from '../../simulation/simulation';
 import type { Track } from '../../simulation/track';
 import { spanOf } from '../../time/timeline';
 import { knowsBoundary } from '../bodies/bodyTrack';
@@ -25,16 +25,21 @@ const MAX_REPLAY = 400;
 export function recalledImpact(
   sim: Simulation,
   track: Track,
-  state: { readonly row: Float64Array; readonly tick: number },
+  state: TickedRow,
   predicted: Place | null,
 ): number {
   const { row } = state;
   if (predicted !== null && isSameContact(row, predicted.rows, predicted.at))
     return predicted.rows[predicted.at + IMPACT_SPEED]!;
-  if (row[SURFACE_STATE] !== CONTACT || !canReplay(sim, track, state)) return 0;
+  return row[SURFACE_STATE] === CONTACT ? (sim.features.replayImpact?.(sim, track, state) ?? 0) : 0;
+}
+
+/** The impact speed of the contact in which the dynamics since the last state end, m/s; 0 without one. */
+export function replayImpact(sim: Simulation, track: Track, state: TickedRow): number {
+  if (!canReplay(sim, track, state)) return 0;
   const { evidence } = track;
   const replayed = replayTo(sim, track, { from: evidence.row, fromTick: evidence.tick, toTick: state.tick });
-  return isSameContact(row, replayed, 0) ? replayed[IMPACT_SPEED]! : 0;
+  return isSameContact(state.row, replayed, 0) ? replayed[IMPACT_SPEED]! : 0;
 }
 
 function isSameContact(row: Float64Array, rows: Float64Array, at: number): boolean {
@@ -42,11 +47,7 @@ function isSameContact(row: Float64Array, rows: Float64Array, at: number): boole
 }
 
 /** Whether a replay from the last state to this one is possible and short enough. */
-function canReplay(
-  { bodies, timeline }: Simulation,
-  { evidence }: Track,
-  { row, tick }: { readonly row: Float64Array; readonly tick: number },
-): boolean {
+function canReplay({ bodies, timeline }: Simulation, { evidence }: Track, { row, tick }: TickedRow): boolean {
   if (evidence.tick < 0 || evidence.tick >= tick || !knowsBoundary(bodies, evidence.tick)) return false;
   if (evidence.row[CRASHED] === 1 || evidence.row[REFERENCE_BODY] !== row[REFERENCE_BODY]) return false;
   const { timing, paused } = spanOf(timeline, evidence.tick);

@@ -7,22 +7,18 @@ import {
   WHEEL_MOMENTUM,
 } from '../../../dynamics';
 import type { ShipState } from '../../../wire';
-import { learnFrom, nothingToLearn } from '../learnFrom';
 import type { Compared, SnapshotContext } from '../snapshotContext';
-import { holdLaw } from './lawErrors';
 import { adopt, drawableState, isExact, unknownNameOf } from './adopt';
 import { EXACT, type Field, firstDifference, type Place, writeError, writeInexact } from './compare';
 import { sameCommand } from '../../inputs/command';
 import { recalledImpact, recallWheels } from './recall';
 import { has, offsetOf } from '../../simulation/history';
-import { holdSleeping, isAtRest, sleepIfAtRest, sleepAt, writeSleepingAt } from '../../simulation/sleep';
 import { abandonReplay, startReplay } from '../../simulation/replay';
 import { commandsAnything } from '../../simulation/heldControls';
 import type { Simulation } from '../../simulation/simulation';
 import { keepState } from '../../ground/lastState';
 import { take } from '../../drawn/rotation';
 import { isBefore, spanOf, addSubsteps } from '../../time/timeline';
-import { logLanded } from '../../touchdown/touchdownRing';
 import { copyRow, type Track } from '../../simulation/track';
 
 /** Sends for which other pilots' controls are held without news. */
@@ -59,13 +55,14 @@ export function reconcile(
   track.exact = isExact(state);
   const field = predicted === null ? null : differenceFrom(track, context.compared, predicted);
   const agrees = field === 'none';
+  const { learning } = sim.features;
   const goesOver =
     agrees && nothingToLearn(track)
-      ? holdLaw(track.fit)
-      : learnFrom(sim, track, { row: sent, context, predicted, agrees, hasImpact });
+      ? learning?.holdLaw(track.fit)
+      : learning?.learnFrom(sim, track, { row: sent, context, predicted, agrees, hasImpact });
   remember(track, state, context, known);
   settle(sim, track, context, predicted, field);
-  if (goesOver && !track.off) startReplay(track, sim, context.tick, sent, 0);
+  if (goesOver === true && !track.off) startReplay(track, sim, context.tick, sent, 0);
   keepState(track.evidence, sent, context.tick);
   if (!track.own) holdControls(sim, track);
   return null;
@@ -93,8 +90,13 @@ export function showServerState(
   track.mode = 'held';
   if (track.policy === 'predict') track.picture.hasHeld = false;
   if (track.policy !== 'interpolate') track.states = null;
-  else sim.features.interpolation?.keep(sim, track, sent, context);
+  else sim.features.keepServerState?.(sim, track, sent, context);
   return null;
+}
+
+/** Whether there is nothing to learn from a state that was predicted correctly: no learned ground, and the dynamics fit. */
+function nothingToLearn({ ground, fit }: Track): boolean {
+  return ground.places.length === 0 && fit.carried === '' && !fit.bounces;
 }
 
 function differenceFrom(track: Track, { server, inexact }: Compared, predicted: Place): Field {
@@ -115,16 +117,16 @@ function settle(
 ): void {
   const sent = context.compared.server.rows;
   if (track.off) {
-    if (isAtRest(sent, 0)) sleepAtFirst(sim, track, context);
+    sim.sleep?.sleepAtFirst(sim, track, context.bodies);
     return;
   }
   if (predicted === null || field === null) {
     startReplay(track, sim, context.tick, sent, 0);
-    sleepAtFirst(sim, track, context);
+    sim.sleep?.sleepAtFirst(sim, track, context.bodies);
     return;
   }
   const commanded = sameCommand(sent, 0, predicted.rows, predicted.at);
-  if (field !== 'none' || !(commanded || sleepsThrough(track, sent))) {
+  if (field !== 'none' || !(commanded || sim.sleep?.sleepsThrough(track, sent))) {
     correct(sim, track, field, predicted, context);
     return;
   }
@@ -133,23 +135,19 @@ function settle(
     return;
   }
   track.agreedTick = context.tick;
-  agree(sim, track, context);
+  keepPrediction(sim, track, context);
 }
 
 /** The states are equal: the local one is kept. */
-function agree(sim: Simulation, track: Track, context: SnapshotContext): void {
+function keepPrediction(sim: Simulation, track: Track, context: SnapshotContext): void {
   const { front } = sim;
   const sent = context.compared.server.rows;
-  if (track.mode === 'sleeping') {
-    sleepAt(track, context.bodies);
-    if (!track.own) copyRow(sim.fleet.front, track.at, sent, 0);
-    return;
-  }
+  if (sim.sleep?.sleepsOn(sim, track, context.bodies)) return;
   // The replay is not done: the prediction that it would replace agrees.
   if (track.replaying && isBefore(track.replayTick, track.replaySubstep, context.tick, 0))
     abandonReplay(track);
   if (track.replaying) return;
-  if (sleepIfAtRest(sim, track, context.bodies)) return;
+  if (sim.sleep?.sleepIfAtRest(sim, track, context.bodies)) return;
   const letGo = isBefore(track.releaseTick, track.releaseSubstep, front.tick, front.substep);
   const wasReleased = !track.own && track.releaseTick >= 0 && letGo && commandsAnything(sent, 0);
   if (wasReleased || context.turned > SAME_BODIES) startReplay(track, sim, context.tick, sent, 0);
@@ -173,35 +171,14 @@ function correct(
     counters.correctionsMismatch += 1;
     counters.lastMismatch = `${track.shipId} at tick ${context.tick}: ${sim.features.describeDifference?.(field, server, predicted) ?? field}`;
   }
-  if (track.mode === 'sleeping') holdSleeping(track);
+  sim.sleep?.holdSleeping(track);
   startReplay(track, sim, context.tick, sent, 0);
-}
-
-/** A ship first seen landed sleeps at once, at its server state. */
-function sleepAtFirst(sim: Simulation, track: Track, context: SnapshotContext): void {
-  const sent = context.compared.server.rows;
-  if (!sim.sleeps || track.mode === 'stepping' || track.picture.hasHeld || !isAtRest(sent, 0)) return;
-  track.off = false;
-  copyRow(sim.fleet.front, track.at, sent, 0);
-  copyRow(sim.fleet.previous, track.at, sent, 0);
-  abandonReplay(track);
-  if (track.log !== null) logLanded(track.log);
-  sleepIfAtRest(sim, track, context.bodies);
-}
-
-/** Whether a sleeping ship's commands leave it asleep: they neither burn nor lift it off. */
-function sleepsThrough(track: Track, sent: Float64Array): boolean {
-  return track.mode === 'sleeping' && isAtRest(sent, 0);
 }
 
 function findPredicted(sim: Simulation, track: Track, context: SnapshotContext): Place | null {
   const { asleep, kept } = context.compared;
-  if (track.mode === 'sleeping') {
-    copyRow(asleep.rows, 0, sim.fleet.front, track.at);
-    writeSleepingAt(asleep.rows, 0, track, context.bodies);
-    asleep.bodies = context.bodies;
-    return asleep;
-  }
+  if (track.mode === 'sleeping' && sim.sleep !== null)
+    return sim.sleep.placeAsleep(asleep, sim, track, context.bodies);
   if (track.mode === 'held' || !has(track.history, context.tick)) return null;
   kept.rows = track.history.rows;
   kept.at = offsetOf(track.history, context.tick);

@@ -83,8 +83,9 @@ export function flyForeign(flight: LiteralFlight, result: CaseResult): void {
       if (frame.ships[0]?.shipId === SHIP && isSettling(frame.ships[0], flight.difference))
         contactTicks.push(frame.tick);
     });
-    // No frame has the time scale; it is known from the third on.
-    if (!view.ready || view.own === null || (stretch !== 1 && heard < TIME_KNOWN)) continue;
+    // No frame has the time scale; it is known from the third on. A tick rate that is not sent counts as 1 Hz until it is measured.
+    const isKnown = (stretch === 1 || heard >= TIME_KNOWN) && (flight.hz === 1 || view.tickRate !== 1);
+    if (!view.ready || view.own === null || !isKnown) continue;
     const ticks = view.tick + view.sinceTick * (view.tickRate / view.timeScale);
     const own = placedOf(view.own, view, rig);
     samples.push({ ticks, ours: own, ...baselines.draw(ticks, rig.now) });
@@ -159,7 +160,11 @@ export function* foreignFigures(): Generator<Figure> {
         (difference.rise === undefined || ours.wrongStatus <= WRONG_STATUS * contacts);
       yield {
         name: `${name}: drawn − server`,
-        ...{ unit: 'm', p50, p95, max, met },
+        unit: 'm',
+        p50,
+        p95,
+        max,
+        met,
         target:
           difference.rise === undefined
             ? 'no figure worse than gravity-only'

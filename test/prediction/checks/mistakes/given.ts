@@ -3,6 +3,7 @@ import { BODIES, DEFAULT_SETTINGS, NEUTRAL_CONTROLS, SHIP_CLASSES } from '../../
 import {
   createLeanPredictor,
   createPredictor,
+  gameCatalogue,
   type LeanPredictor,
   type Predictor,
   type PredictorOptions,
@@ -14,35 +15,56 @@ export const HEIGHT = LUNA.radius + 4.56;
 
 /** A ship landed on the Moon, upright along +X. */
 export const ship: ShipState = {
-  ...{ shipId: 'a', playerId: 'p', name: 'A', shipClass: 'planetary_lander' },
+  shipId: 'a',
+  playerId: 'p',
+  name: 'A',
+  shipClass: 'planetary_lander',
   position: [LUNA.position[0] + HEIGHT, LUNA.position[1], LUNA.position[2]],
   velocity: LUNA.velocity,
   // +Z of the ship along +X.
   attitude: [0, Math.SQRT1_2, 0, Math.SQRT1_2],
   angularVelocity: [0, 0, 0],
-  ...{ rotationInput: [0, 0, 0], translationInput: [0, 0, 0], thrustLevel: 0, attitudeHold: false },
-  ...{ attitudeMode: 'none', targetAttitude: [0, 0, 0, 1], fuel: 100, mass: 1000 },
-  ...{
-    wheelMomentum: null,
-    groundContactOffset: null,
-    landedBodyName: 'Luna',
-    surfaceContactState: 'landed',
-  },
-  ...{
-    contactImpactSpeed: null,
-    referenceBody: '',
-    relativePosition: null,
-    relativeVelocity: null,
-    crashed: false,
-  },
+  rotationInput: [0, 0, 0],
+  translationInput: [0, 0, 0],
+  thrustLevel: 0,
+  attitudeHold: false,
+  attitudeMode: 'none',
+  targetAttitude: [0, 0, 0, 1],
+  fuel: 100,
+  mass: 1000,
+  wheelMomentum: null,
+  groundContactOffset: null,
+  landedBodyName: 'Luna',
+  surfaceContactState: 'landed',
+  contactImpactSpeed: null,
+  referenceBody: '',
+  relativePosition: null,
+  relativeVelocity: null,
+  crashed: false,
 };
 export const frame: ServerFrame = {
-  ...{ kind: 'frame', tick: 1, tickRate: 1, timeScale: 1, paused: false },
-  ...{ bodies: [LUNA], ships: [ship], events: [], lastInput: null },
+  kind: 'frame',
+  tick: 1,
+  tickRate: 1,
+  timeScale: 1,
+  paused: false,
+  bodies: [LUNA],
+  ships: [ship],
+  events: [],
+  lastInput: null,
 };
 export const hello: Hello = {
-  ...{ kind: 'hello', playerId: 'p', shipId: 'a', settings: DEFAULT_SETTINGS, shipClasses: SHIP_CLASSES },
-  ...{ bodies: [LUNA], terrain: 'flat', tick: 1, tickRate: 1, timeScale: 1, inputGranularity: 'tick' },
+  kind: 'hello',
+  playerId: 'p',
+  shipId: 'a',
+  settings: DEFAULT_SETTINGS,
+  shipClasses: SHIP_CLASSES,
+  bodies: [LUNA],
+  terrain: 'flat',
+  tick: 1,
+  tickRate: 1,
+  timeScale: 1,
+  inputGranularity: 'tick',
 };
 export const withShip = (changes: object): ServerFrame => ({ ...frame, ships: [{ ...ship, ...changes }] });
 export const withBody = (changes: object): ServerFrame => ({
@@ -64,9 +86,9 @@ export interface Warning {
 export const warningsOf = (use: (predictor: Predictor) => void, options: object = {}): Warning[] =>
   warningsOfOne(createPredictor, use, options);
 
-/** The same of a lean predictor without features. */
+/** The same of a lean predictor that has the game's classes and bodies alone. */
 export const warningsOfLean = (use: (predictor: LeanPredictor) => void): Warning[] =>
-  warningsOfOne(createLeanPredictor, use, {});
+  warningsOfOne(createLeanPredictor, use, { features: [gameCatalogue] });
 
 function warningsOfOne<P>(
   create: (options: PredictorOptions) => P,

@@ -52,7 +52,8 @@ export const MESSAGES: readonly Mistake[] = [
     /no ship is confirmed/,
     () => {
       const untold = {
-        ...{ ...frame, bodies: [] },
+        ...frame,
+        bodies: [],
         ships: [{ ...ship, relativePosition: null, relativeVelocity: null }],
       };
       return received(untold, { ...untold, tick: 3, tickRate: 2 });
@@ -100,8 +101,8 @@ export const MESSAGES: readonly Mistake[] = [
   ],
   [
     'ticks each 10 s without tickRate',
-    'tick-rate',
-    /1 unless sent.*0\.100 ticks/,
+    'tick-rate-measured',
+    /tickRate.*0\.1 Hz/,
     () =>
       warningsOf((p) => {
         for (const one of ticks(12))

@@ -80,7 +80,11 @@ function surfaceUnder(ship: DesignShip, body: DesignBody, terrainHeight: Terrain
   const relative = minus(minus(ship.velocity, body.velocity), cross(body.angularVelocity, r));
   const radial = dot(relative, up);
   return {
-    ...{ up, distance, relative, radial, penetration: surface - distance },
+    up,
+    distance,
+    relative,
+    radial,
+    penetration: surface - distance,
     tangential: minus(relative, times(up, radial)),
     gravity: (G * body.mass) / distance ** 2,
   };

@@ -96,7 +96,10 @@ export function createDesignServer(
   }
 
   const server: DesignServer = {
-    ...{ options, ships, body, eras },
+    options,
+    ships,
+    body,
+    eras,
     runTo(t, send) {
       while (nextAt <= t) {
         if (eras.at(-1)!.ticks.length > 0) step();
@@ -129,7 +132,8 @@ function truthOf({ position, velocity, attitude, state }: DesignShip, body: Desi
   return {
     position: minus(position, body.position),
     velocity: minus(velocity, body.velocity),
-    ...{ attitude, state },
+    attitude,
+    state,
   };
 }
 
@@ -142,7 +146,9 @@ function frameOf(tick: number, { ships, body, options }: Pick<DesignServer, 'shi
   const { name, mass, radius, position, velocity } = body;
   const told = { name, mass, radius, position: xyz(position), velocity: xyz(velocity), ...turns };
   return {
-    ...{ tick, tick_rate: tickRate, paused: false },
+    tick,
+    tick_rate: tickRate,
+    paused: false,
     ...(sendsScale && { time_scale: timeScale }),
     ...(sendsBodies !== 'none' && { bodies: [told] }),
     ships: [...ships.values()].map((ship) => stateOf(ship, body)),
@@ -153,13 +159,23 @@ function frameOf(tick: number, { ships, body, options }: Pick<DesignServer, 'shi
 function stateOf(ship: DesignShip, { name }: DesignBody) {
   const { controls } = ship;
   return {
-    ...{ ship_id: ship.id, player_id: ship.id, name: ship.id, ship_class: ship.shipClass.name },
-    ...{ position: xyz(ship.position), velocity: xyz(ship.velocity) },
-    ...{ attitude: wxyz(ship.attitude), angular_velocity: xyz(ship.angularVelocity) },
-    ...{ rotation_input: xyz(controls.rotationInput), translation_input: xyz(controls.translationInput) },
-    ...{ thrust_level: controls.thrustLevel, attitude_hold: controls.attitudeHold, attitude_mode: 'none' },
-    ...{ fuel: ship.fuel, mass: ship.shipClass.dryMass + ship.fuel },
-    ...{ landed_body_name: ship.state === '' ? '' : name, surface_contact_state: ship.state },
+    ship_id: ship.id,
+    player_id: ship.id,
+    name: ship.id,
+    ship_class: ship.shipClass.name,
+    position: xyz(ship.position),
+    velocity: xyz(ship.velocity),
+    attitude: wxyz(ship.attitude),
+    angular_velocity: xyz(ship.angularVelocity),
+    rotation_input: xyz(controls.rotationInput),
+    translation_input: xyz(controls.translationInput),
+    thrust_level: controls.thrustLevel,
+    attitude_hold: controls.attitudeHold,
+    attitude_mode: 'none',
+    fuel: ship.fuel,
+    mass: ship.shipClass.dryMass + ship.fuel,
+    landed_body_name: ship.state === '' ? '' : name,
+    surface_contact_state: ship.state,
   };
 }
 
@@ -186,7 +202,9 @@ export function truthAt(
   const share = (sinceTick * record.tickRate) / record.timeScale;
   const mix = (p: Vec, q: Vec): Vec => plus(times(p, 1 - share), times(q, share));
   return {
-    ...{ position: mix(a.position, b.position), velocity: mix(a.velocity, b.velocity) },
-    ...{ attitude: a.attitude, state: share < 0.5 ? a.state : b.state },
+    position: mix(a.position, b.position),
+    velocity: mix(a.velocity, b.velocity),
+    attitude: a.attitude,
+    state: share < 0.5 ? a.state : b.state,
   };
 }

@@ -42,7 +42,11 @@ export async function listenAsDesign(server: DesignServer, flown: string): Promi
   await new Promise((resolve) => sockets.once('listening', resolve));
   const { port } = sockets.address() as AddressInfo;
   const listening: SocketOfDesign = {
-    ...{ address: `ws://127.0.0.1:${port}`, server, now, beganAt, flown },
+    address: `ws://127.0.0.1:${port}`,
+    server,
+    now,
+    beganAt,
+    flown,
     async close() {
       clearInterval(timer);
       for (const client of sockets.clients) client.terminate();

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { NEUTRAL_CONTROLS } from '../../src/dynamics';
+import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import {
   findMission,
   findScenario,
@@ -14,8 +14,10 @@ import {
   scoreRun,
   loadScenario,
   writeRun,
-} from '../../src/scenarios';
-import { valueOf } from '../authority/moon';
+} from '../../../src/scenarios';
+import { valueOf } from '../../authority/moon';
+import golden from './goldenMissions.json';
+import { recordOf } from './missionRecord';
 
 const ALL = [...MISSIONS, ...LESSONS];
 
@@ -23,6 +25,9 @@ describe('missions', () => {
   it('include at least twelve missions and six lessons, with unique names', () => {
     expect(MISSIONS.length).toBeGreaterThanOrEqual(12);
     expect(LESSONS).toHaveLength(6);
+    expect([MISSIONS.some(({ isLesson }) => isLesson), LESSONS.every(({ isLesson }) => isLesson)]).toEqual([
+      ...[false, true],
+    ]);
     const names = [...ALL.map(({ scenario }) => scenario.name), ...SCENARIOS.map(({ name }) => name)];
     expect(new Set(names).size).toBe(names.length);
     for (const name of names) expect(findScenario(name)?.name).toBe(name);
@@ -42,6 +47,13 @@ describe('missions', () => {
         const ground = loaded.body.radius + loaded.terrainHeight(loaded.body.name, x, y, z);
         expect(distance).toBeCloseTo(ground, 6);
       }
+    },
+  );
+
+  it.each(ALL.map((mission) => [mission.scenario.name, mission] as const))(
+    '%s starts, ends and scores as its race links of today expect',
+    (name, mission) => {
+      expect(recordOf(mission)).toEqual((golden as Record<string, unknown>)[name]);
     },
   );
 
@@ -67,6 +79,8 @@ const SOFT: readonly RunInput[] = [
   { tick: 22, substep: 0, controls: { ...NEUTRAL_CONTROLS, thrustLevel: 0.07, attitudeHold: true } },
 ];
 
+type Pose = [x: number, y: number, z: number, qx: number, qy: number, qz: number, qw: number];
+
 describe('a run', () => {
   const mission = findMission('first-landing')!;
 
@@ -76,6 +90,13 @@ describe('a run', () => {
     const again = valueOf(flyRun(mission, valueOf(readRun(bytes, 100))));
     expect(again).toEqual(first);
     expect(bytes.length).toBeLessThan(40);
+    // Ten poses a second; the last one stands as the ship came to rest, and within the largest tilt.
+    const [x, y, z, qx, qy, qz, qw] = first.track.slice(-7) as unknown as Pose;
+    const top = [2 * (qx * qz + qw * qy), 2 * (qy * qz - qw * qx), qw * qw - qx * qx - qy * qy + qz * qz];
+    const cosine = (top[0]! * x + top[1]! * y + top[2]! * z) / Math.hypot(x, y, z);
+    const atRest = (Math.acos(cosine) * 180) / Math.PI;
+    expect(first.tilt).toBeGreaterThanOrEqual(atRest - 1e-3);
+    expect(first.tilt).toBeLessThan(atRest + 2);
     expect(scoreRun(mission, again)).toEqual(scoreRun(mission, first));
   });
 

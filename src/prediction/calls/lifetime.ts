@@ -1,13 +1,13 @@
 import type { Session } from '../session';
 
 /** Until `dispose`. */
-export interface Life {
+export interface Lifetime {
   /** Whether a call is carried out; warns of one after `dispose`. */
   readonly carriesOut: (call: string) => boolean;
   readonly end: () => void;
 }
 
-export function createLife({ warn }: Session): Life {
+export function createLifetime({ warn }: Session): Lifetime {
   let isDisposed = false;
   return {
     carriesOut(call) {

@@ -1,13 +1,15 @@
 import { ANGULAR_VELOCITY, ATTITUDE, POSITION, VELOCITY } from '../state/layout';
-import { AXES, COS_TILT, end, GROUND_SPIN, quantities, SURFACE_NORMAL } from './quantities';
+import { AXES, COS_TILT, GROUND_SPIN, quantities, SMI_MASK, step, SURFACE_NORMAL } from './quantities';
 
 /** Fills AXES, the rotation matrix of the ship's current attitude. */
 export function readAxes(): void {
   const q = quantities;
-  const x = q[ATTITUDE]!;
-  const y = q[ATTITUDE + 1]!;
-  const z = q[ATTITUDE + 2]!;
-  const w = q[ATTITUDE + 3]!;
+  const { ships } = step;
+  const at = step.at & SMI_MASK;
+  const x = ships[at + ATTITUDE]!;
+  const y = ships[at + ATTITUDE + 1]!;
+  const z = ships[at + ATTITUDE + 2]!;
+  const w = ships[at + ATTITUDE + 3]!;
   const x2 = x + x;
   const y2 = y + y;
   const z2 = z + z;
@@ -25,10 +27,12 @@ export function readAxes(): void {
 /** Fills only the third column of AXES, the current `up`. */
 export function readUp(): void {
   const q = quantities;
-  const x = q[ATTITUDE]!;
-  const y = q[ATTITUDE + 1]!;
-  const z = q[ATTITUDE + 2]!;
-  const w = q[ATTITUDE + 3]!;
+  const { ships } = step;
+  const at = step.at & SMI_MASK;
+  const x = ships[at + ATTITUDE]!;
+  const y = ships[at + ATTITUDE + 1]!;
+  const z = ships[at + ATTITUDE + 2]!;
+  const w = ships[at + ATTITUDE + 3]!;
   const x2 = x + x;
   const y2 = y + y;
   const z2 = z + z;
@@ -41,29 +45,33 @@ export function readUp(): void {
 export function readTilt(): void {
   const q = quantities;
   q[COS_TILT] =
-    end[SURFACE_NORMAL]! * q[AXES + 2]! +
-    end[SURFACE_NORMAL + 1]! * q[AXES + 5]! +
-    end[SURFACE_NORMAL + 2]! * q[AXES + 8]!;
+    q[SURFACE_NORMAL]! * q[AXES + 2]! +
+    q[SURFACE_NORMAL + 1]! * q[AXES + 5]! +
+    q[SURFACE_NORMAL + 2]! * q[AXES + 8]!;
 }
 
 /** u = Ω × r: the velocity of co-rotating ground at the ship's centre of mass. */
 export function moveWithGround(): void {
   const q = quantities;
+  const { ships } = step;
+  const at = step.at & SMI_MASK;
   const ox = q[GROUND_SPIN]!;
   const oy = q[GROUND_SPIN + 1]!;
   const oz = q[GROUND_SPIN + 2]!;
-  const rx = q[POSITION]!;
-  const ry = q[POSITION + 1]!;
-  const rz = q[POSITION + 2]!;
-  q[VELOCITY] = oy * rz - oz * ry;
-  q[VELOCITY + 1] = oz * rx - ox * rz;
-  q[VELOCITY + 2] = ox * ry - oy * rx;
+  const rx = ships[at + POSITION]!;
+  const ry = ships[at + POSITION + 1]!;
+  const rz = ships[at + POSITION + 2]!;
+  ships[at + VELOCITY] = oy * rz - oz * ry;
+  ships[at + VELOCITY + 1] = oz * rx - ox * rz;
+  ships[at + VELOCITY + 2] = ox * ry - oy * rx;
 }
 
 /** w = Ω: the ship rotates with the ground. */
 export function spinWithGround(): void {
   const q = quantities;
-  q[ANGULAR_VELOCITY] = q[GROUND_SPIN]!;
-  q[ANGULAR_VELOCITY + 1] = q[GROUND_SPIN + 1]!;
-  q[ANGULAR_VELOCITY + 2] = q[GROUND_SPIN + 2]!;
+  const { ships } = step;
+  const at = step.at & SMI_MASK;
+  ships[at + ANGULAR_VELOCITY] = q[GROUND_SPIN]!;
+  ships[at + ANGULAR_VELOCITY + 1] = q[GROUND_SPIN + 1]!;
+  ships[at + ANGULAR_VELOCITY + 2] = q[GROUND_SPIN + 2]!;
 }

@@ -1,4 +1,4 @@
-import { actuate, commandsThrust } from './actuators/actuators';
+import { actuate } from './actuators/actuators';
 import { exchangePositions, fly } from './contact/flight';
 import { moveOnGround } from './contact/forces';
 import {
@@ -62,7 +62,6 @@ export function substep(
 function stepShip(): number {
   const { ships } = step;
   const at = step.at & SMI_MASK;
-  if (ships[at + SURFACE_STATE] === LANDED && !commandsThrust()) return stayLanded(); // 1, 2: without thrust there is no lift
   actuate(); // 1
   if (!launches() && ships[at + SURFACE_STATE] === LANDED) return stayLanded(); // 2
   return ships[at + SURFACE_STATE] === FLYING ? flySubstep() : groundSubstep();
@@ -143,8 +142,7 @@ function readWorld(world: World): void {
 /** Step 2: a landed or tipped ship launches if lift exceeds weight, and flies for the rest of the substep. */
 function launches(): boolean {
   const q = quantities;
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at } = step;
   const state = ships[at + SURFACE_STATE]!;
   if (!(q[LIFT]! > 0) || (state !== LANDED && state !== TIPPED)) return false;
   if (!(q[LIFT]! > q[MASS]! * (q[GRAVITY_PARAMETER]! / q[DISTANCE_SQUARED]!))) return false;

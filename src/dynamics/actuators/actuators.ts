@@ -56,7 +56,6 @@ export function actuate(): void {
   q[THRUST + 1] = 0;
   q[THRUST + 2] = 0;
   q[LIFT] = 0;
-  // Spelled out here, since most ships coast and a call would take longer.
   const isPushed =
     ships[at + THRUST_LEVEL] !== 0 ||
     ships[at + TRANSLATION_INPUT] !== 0 ||
@@ -68,6 +67,7 @@ export function actuate(): void {
     ships[at + ROTATION_INPUT + 2] !== 0 ||
     ships[at + ATTITUDE_MODE] !== MODE_NONE ||
     ships[at + ATTITUDE_HOLD] === 1;
+  // Most ships coast.
   if (!isPushed && !isSteered) return;
   readPlace();
   readAxes();
@@ -83,8 +83,7 @@ export function actuate(): void {
 /** Divides TORQUE between reaction wheels, up to their torque and remaining momentum, and RCS, while there is fuel. */
 function giveTorque(): void {
   const q = quantities;
-  const { ships, shipClass } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at, shipClass } = step;
   const dt = q[DT]!;
   const hasFuel = ships[at + FUEL]! > 0;
   for (let k = 0; k < 3; k++) {
@@ -113,8 +112,7 @@ function giveTorque(): void {
 /** Fills THRUST and LIFT from main engine and translation thrusters; burns their fuel and that of the RCS torque. */
 function push(): void {
   const q = quantities;
-  const { ships, shipClass } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at, shipClass } = step;
   const fuel = ships[at + FUEL]!;
   const main = ships[at + THRUST_LEVEL]! * shipClass[MAIN_ENGINE_THRUST]!;
   const fx = ships[at + TRANSLATION_INPUT]! * shipClass[RCS_THRUST]!;
@@ -132,16 +130,4 @@ function push(): void {
   const rcs = Math.abs(fx) + Math.abs(fy) + Math.abs(fz) + q[RCS_TORQUE_SUM]! * shipClass[FORCE_PER_TORQUE]!;
   const left = fuel - (main * shipClass[MAIN_ENGINE_FLOW]! + rcs * shipClass[RCS_FLOW]!) * q[DT]!;
   ships[at + FUEL] = left > 0 ? left : 0;
-}
-
-/** Whether main engine or translation thrusters are commanded. */
-export function commandsThrust(): boolean {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  return (
-    ships[at + THRUST_LEVEL] !== 0 ||
-    ships[at + TRANSLATION_INPUT] !== 0 ||
-    ships[at + TRANSLATION_INPUT + 1] !== 0 ||
-    ships[at + TRANSLATION_INPUT + 2] !== 0
-  );
 }

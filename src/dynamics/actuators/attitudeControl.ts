@@ -28,7 +28,6 @@ import {
   INERTIA_FACTOR,
   NORMAL,
   quantities,
-  SMI_MASK,
   step,
   TORQUE,
 } from '../contact/quantities';
@@ -54,8 +53,7 @@ export function askTorque(): void {
 }
 
 function holdsStick(): boolean {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at } = step;
   return (
     ships[at + ROTATION_INPUT] !== 0 ||
     ships[at + ROTATION_INPUT + 1] !== 0 ||
@@ -65,8 +63,7 @@ function holdsStick(): boolean {
 
 /** MODE_NONE, rate damping alone, for unknown modes, and for velocity modes on the ground, where the velocity has no direction to point at. */
 function effectiveMode(): number {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at } = step;
   const mode = ships[at + ATTITUDE_MODE]!;
   if (mode === MODE_UNKNOWN) return MODE_NONE;
   const byVelocity = mode >= MODE_PROGRADE && mode <= MODE_ANTINORMAL;
@@ -76,8 +73,7 @@ function effectiveMode(): number {
 /** TORQUE = rotation_input × (wheel + RCS torque), RCS only while there is fuel. */
 function askByStick(): void {
   const q = quantities;
-  const { ships, shipClass } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at, shipClass } = step;
   const hasFuel = ships[at + FUEL]! > 0;
   for (let k = 0; k < 3; k++) {
     const wheel = shipClass[WHEEL_TORQUE + k]!;
@@ -88,8 +84,7 @@ function askByStick(): void {
 /** a = −2 ω_n w_b */
 function dampRates(): void {
   const q = quantities;
-  const { ships, shipClass } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at, shipClass } = step;
   const damping = -shipClass[ATTITUDE_DAMPING]!;
   const wx = ships[at + ANGULAR_VELOCITY]!;
   const wy = ships[at + ANGULAR_VELOCITY + 1]!;
@@ -102,8 +97,7 @@ function dampRates(): void {
 /** a += ω_n² e, where e is ±2 × the vector part of target · q⁻¹, rotated into body axes. */
 function steerToTarget(): void {
   const q = quantities;
-  const { ships, shipClass } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at, shipClass } = step;
   const stiffness = shipClass[ATTITUDE_STIFFNESS]!;
   const qx = ships[at + ATTITUDE]!;
   const qy = ships[at + ATTITUDE + 1]!;
@@ -162,8 +156,7 @@ const MIN_SURFACE_SPEED = 0.1;
 /** AXIS = unit direction that a pointing mode points at, ICRF; false if it would be rounding error. */
 function pointingDirection(mode: number): boolean {
   const q = quantities;
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at } = step;
   if (mode === MODE_RADIAL || mode === MODE_ANTIRADIAL) {
     const sign = mode === MODE_RADIAL ? 1 : -1;
     for (let k = 0; k < 3; k++) q[AXIS + k] = sign * q[NORMAL + k]!;
@@ -195,8 +188,7 @@ function pointingDirection(mode: number): boolean {
 /** AXIS = unit(−v_rel), v_rel = u − Ω × r. */
 function pointAgainstGroundSpeed(): boolean {
   const q = quantities;
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at } = step;
   const rx = ships[at + POSITION]!;
   const ry = ships[at + POSITION + 1]!;
   const rz = ships[at + POSITION + 2]!;

@@ -52,8 +52,7 @@ export function fly(): void {
 /** Exchanges POSITION and START_POSITION: what is read of the ship then is at the other end of the substep. */
 export function exchangePositions(): void {
   const q = quantities;
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at } = step;
   for (let k = 0; k < 3; k++) {
     const other = q[START_POSITION + k]!;
     q[START_POSITION + k] = ships[at + POSITION + k]!;

@@ -3,42 +3,28 @@ import { AXES, COS_TILT, GROUND_SPIN, quantities, SMI_MASK, step, SURFACE_NORMAL
 
 /** Fills AXES, the rotation matrix of the ship's current attitude. */
 export function readAxes(): void {
-  const q = quantities;
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  const x = ships[at + ATTITUDE]!;
-  const y = ships[at + ATTITUDE + 1]!;
-  const z = ships[at + ATTITUDE + 2]!;
-  const w = ships[at + ATTITUDE + 3]!;
-  const x2 = x + x;
-  const y2 = y + y;
-  const z2 = z + z;
-  q[AXES] = 1 - (y * y2 + z * z2);
-  q[AXES + 1] = x * y2 - w * z2;
-  q[AXES + 2] = x * z2 + w * y2;
-  q[AXES + 3] = x * y2 + w * z2;
-  q[AXES + 4] = 1 - (x * x2 + z * z2);
-  q[AXES + 5] = y * z2 - w * x2;
-  q[AXES + 6] = x * z2 - w * y2;
-  q[AXES + 7] = y * z2 + w * x2;
-  q[AXES + 8] = 1 - (x * x2 + y * y2);
+  readMatrix(step.ships, step.at + ATTITUDE, AXES);
 }
 
-/** Fills only the third column of AXES, the current `up`. */
-export function readUp(): void {
+/** Fills the nine slots at `to` with the rotation matrix, row by row, of the unit quaternion at `from` in `rows`. */
+export function readMatrix(rows: Float64Array, from: number, to: number): void {
   const q = quantities;
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  const x = ships[at + ATTITUDE]!;
-  const y = ships[at + ATTITUDE + 1]!;
-  const z = ships[at + ATTITUDE + 2]!;
-  const w = ships[at + ATTITUDE + 3]!;
+  const x = rows[from]!;
+  const y = rows[from + 1]!;
+  const z = rows[from + 2]!;
+  const w = rows[from + 3]!;
   const x2 = x + x;
   const y2 = y + y;
   const z2 = z + z;
-  q[AXES + 2] = x * z2 + w * y2;
-  q[AXES + 5] = y * z2 - w * x2;
-  q[AXES + 8] = 1 - (x * x2 + y * y2);
+  q[to] = 1 - (y * y2 + z * z2);
+  q[to + 1] = x * y2 - w * z2;
+  q[to + 2] = x * z2 + w * y2;
+  q[to + 3] = x * y2 + w * z2;
+  q[to + 4] = 1 - (x * x2 + z * z2);
+  q[to + 5] = y * z2 - w * x2;
+  q[to + 6] = x * z2 - w * y2;
+  q[to + 7] = y * z2 + w * x2;
+  q[to + 8] = 1 - (x * x2 + y * y2);
 }
 
 /** COS_TILT = s · up at the substep's end; `up` is the third column of AXES. */

@@ -8,7 +8,7 @@ export { SMI_MASK } from '../state/smiMask';
  * returned from a function that the engine does not inline is boxed; a double stored here is not, and a constant index of a constant
  * array is read without a bounds check.
  */
-export const quantities = new Float64Array(78);
+export const quantities = new Float64Array(87);
 
 /** Rotation matrix of the ship's attitude, row by row, where it is needed; its third column, `up`, is kept current. */
 export const AXES = 0;
@@ -43,7 +43,7 @@ export const SLOPE = 30;
 export const NORMAL_SPEED = 33;
 /** PENETRATION at the start, m. */
 export const START_PENETRATION = 34;
-/** Position of a flying ship at the start, m, as in its row. */
+/** Position at the start of a flying ship's substep, m, as in the row. */
 export const START_POSITION = 35;
 /** F_n, N. */
 export const NORMAL_FORCE = 38;
@@ -62,20 +62,22 @@ export const DT = 56;
 /** n in body axes of the reference body, and the distance of the ground there from its centre, m: where the slope is read. */
 export const BODY_NORMAL = 57;
 export const GROUND_RADIUS = 60;
+/** Rotation matrix of the body's attitude, row by row, where the slope is read. */
+export const BODY_AXES = 61;
 /** Two level unit directions, body axes, and the ground's slope along each, m/m. */
-export const LEVEL_1 = 61;
-export const LEVEL_2 = 64;
-export const RISE = 67;
+export const LEVEL_1 = 70;
+export const LEVEL_2 = 73;
+export const RISE = 76;
 /** The slope is sampled at the four directions n_b POINT[0] ± e POINT[1], e a level direction. */
-export const POINT = 69;
+export const POINT = 78;
 /** Ω of the reference body, rad/s, ICRF; a copy, since slots here are read without a bounds check. */
-export const GROUND_SPIN = 71;
+export const GROUND_SPIN = 80;
 /** Indices of the body and the ship class that `step` was filled for. */
-export const STEP_BODY = 74;
-export const STEP_CLASS = 75;
+export const STEP_BODY = 83;
+export const STEP_CLASS = 84;
 /** The body's radius, m, and G · mass, m³/s². */
-export const BODY_RADIUS = 76;
-export const GRAVITY_PARAMETER = 77;
+export const BODY_RADIUS = 85;
+export const GRAVITY_PARAMETER = 86;
 
 /** Every slot and its length in doubles; a test checks that none overlap. */
 export const SLOTS: readonly (readonly [slot: number, length: number])[] = [
@@ -107,6 +109,7 @@ export const SLOTS: readonly (readonly [slot: number, length: number])[] = [
   [DT, 1],
   [BODY_NORMAL, 3],
   [GROUND_RADIUS, 1],
+  [BODY_AXES, 9],
   [LEVEL_1, 3],
   [LEVEL_2, 3],
   [RISE, 2],

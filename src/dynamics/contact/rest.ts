@@ -8,13 +8,12 @@ import {
   GROUND_SPIN,
   quantities,
   ROTATION,
-  SMI_MASK,
   step,
   SURFACE_NORMAL,
   TO,
 } from './quantities';
 import { perpendicularAxis, rotateAttitude, shortestRotation } from '../arithmetic/rotations';
-import { readAxes, readTilt, readUp } from './pose';
+import { readAxes, readTilt } from './pose';
 import { INVERSE_INERTIA } from '../constants/constantRows';
 
 /**
@@ -31,7 +30,7 @@ export function restOnSide(): void {
   if (-q[COS_TILT]! > q[DT]!) turnBack();
   else layFlat();
   rotateAttitude();
-  readUp();
+  readAxes();
 }
 
 /** ROTATION = normalize(−½ dt axis, 1): a turn back at 1 rad/s. */
@@ -77,8 +76,7 @@ function findAxis(): void {
  */
 function stopFurtherTilt(): void {
   const q = quantities;
-  const { ships, shipClass } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at, shipClass } = step;
   const ax = q[AXIS]!;
   const ay = q[AXIS + 1]!;
   const az = q[AXIS + 2]!;

@@ -1,5 +1,6 @@
 import { SHIP_STRIDE } from '../state/layout';
 import {
+  BODY_AXES,
   BODY_NORMAL,
   BODY_RADIUS,
   COS_SLOPE,
@@ -11,11 +12,11 @@ import {
   quantities,
   RISE,
   SLOPE,
-  SMI_MASK,
   step,
   STEP_BODY,
   SURFACE_NORMAL,
 } from './quantities';
+import { readMatrix } from './pose';
 import type { TerrainHeight } from '../constants/world';
 import { groundPoint, HEIGHT, readHeight } from '../terrain/inPlace';
 import { LEG_RADIUS } from '../constants/constantRows';
@@ -26,7 +27,7 @@ import { LEG_RADIUS } from '../constants/constantRows';
  */
 export function readSlope(attitude: number): void {
   const q = quantities;
-  const { bodies, shipClass } = step;
+  const { shipClass } = step;
   findLevelDirections();
   if (!recallRises()) {
     const arm = shipClass[LEG_RADIUS]! / q[BODY_RADIUS]!;
@@ -47,17 +48,10 @@ export function readSlope(attitude: number): void {
   const bx = x * perNormal;
   const by = y * perNormal;
   const bz = z * perNormal;
-  const at = attitude & SMI_MASK;
-  const qx = bodies[at]!;
-  const qy = bodies[at + 1]!;
-  const qz = bodies[at + 2]!;
-  const qw = bodies[at + 3]!;
-  const qx2 = qx + qx;
-  const qy2 = qy + qy;
-  const qz2 = qz + qz;
-  const sx = (1 - (qy * qy2 + qz * qz2)) * bx + (qx * qy2 - qw * qz2) * by + (qx * qz2 + qw * qy2) * bz;
-  const sy = (qx * qy2 + qw * qz2) * bx + (1 - (qx * qx2 + qz * qz2)) * by + (qy * qz2 - qw * qx2) * bz;
-  const sz = (qx * qz2 - qw * qy2) * bx + (qy * qz2 + qw * qx2) * by + (1 - (qx * qx2 + qy * qy2)) * bz;
+  readMatrix(step.bodies, attitude, BODY_AXES);
+  const sx = q[BODY_AXES]! * bx + q[BODY_AXES + 1]! * by + q[BODY_AXES + 2]! * bz;
+  const sy = q[BODY_AXES + 3]! * bx + q[BODY_AXES + 4]! * by + q[BODY_AXES + 5]! * bz;
+  const sz = q[BODY_AXES + 6]! * bx + q[BODY_AXES + 7]! * by + q[BODY_AXES + 8]! * bz;
   const nx = q[NORMAL]!;
   const ny = q[NORMAL + 1]!;
   const nz = q[NORMAL + 2]!;

@@ -56,6 +56,7 @@ import {
 const LET_GO_HEIGHT = 0.1;
 
 /** Step 9: makes the first transition that applies at the substep's end, at most one. Returns its event. */
+// eslint-disable-next-line max-lines-per-function -- Intermediate values stay in registers.
 export function makeTransition(): number {
   const q = quantities;
   const { ships, settings } = step;
@@ -81,11 +82,18 @@ export function makeTransition(): number {
   // penetration includes ground that rises ahead of a fast ship, so that a ship that flies into a hill crashes.
   const closing = ((penetration - q[START_PENETRATION]!) * q[COS_SLOPE]!) / q[DT]!;
   const impact = -speed > closing ? -speed : closing;
-  if (touching && impact > settings[CRASH_SPEED]!) return crash();
+  if (touching && impact > settings[CRASH_SPEED]!) {
+    // An outcome, not a surface state: the rest of the ship's state is kept, and the ship is no longer simulated.
+    ships[at + CRASHED] = 1;
+    ships[at + SURFACE_STATE] = FLYING;
+    return EVENT_DESTROYED;
+  }
   if (state === FLYING) {
     if (!(impact > 0)) return NO_EVENT;
+    ships[at + SURFACE_STATE] = CONTACT;
     ships[at + IMPACT_SPEED] = impact;
-    return touch();
+    if (settings[IS_ALIGNED] === 1) alignWithSurface();
+    return EVENT_CONTACT;
   }
   // The ship rises off the ground, or the ground falls away under it.
   if ((penetration <= 0 && speed > 0) || penetration < -LET_GO_HEIGHT) {
@@ -94,9 +102,17 @@ export function makeTransition(): number {
     return NO_EVENT;
   }
   const cos = sx * q[AXES + 2]! + sy * q[AXES + 5]! + sz * q[AXES + 8]!;
-  if (state === TIPPED) return cos > settings[COS_TIPPED_ANGLE]! && isRighting() ? right() : NO_EVENT;
+  if (state === TIPPED) {
+    if (!(cos > settings[COS_TIPPED_ANGLE]!) || !isRighting()) return NO_EVENT;
+    ships[at + SURFACE_STATE] = CONTACT;
+    ships[at + IMPACT_SPEED] = 0;
+    return EVENT_RIGHTED;
+  }
   if (!touching) return NO_EVENT;
-  if (cos < settings[COS_TIPPED_ANGLE]!) return tip();
+  if (cos < settings[COS_TIPPED_ANGLE]!) {
+    ships[at + SURFACE_STATE] = TIPPED;
+    return EVENT_TIPPED;
+  }
   if (!(cos > settings[COS_SETTLE_TILT]!)) return NO_EVENT;
   const tx = vx - speed * sx;
   const ty = vy - speed * sy;
@@ -105,15 +121,11 @@ export function makeTransition(): number {
   const mostSpeed = settings[SETTLE_LINEAR_VEL]!;
   if (!(slideSquared < mostSpeed * mostSpeed)) return NO_EVENT;
   q[NORMAL_SPEED] = speed;
-  return isSettled() ? land() : NO_EVENT;
-}
-
-function touch(): number {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  ships[at + SURFACE_STATE] = CONTACT;
-  if (step.settings[IS_ALIGNED] === 1) alignWithSurface();
-  return EVENT_CONTACT;
+  if (!isSettled()) return NO_EVENT;
+  ships[at + SURFACE_STATE] = LANDED;
+  moveWithGround();
+  spinWithGround();
+  return EVENT_LANDED;
 }
 
 function alignWithSurface(): void {
@@ -129,27 +141,10 @@ function alignWithSurface(): void {
   rotateAttitude();
 }
 
-/** An outcome, not a surface state: the rest of the ship's state is kept, and the ship is no longer simulated. */
-function crash(): number {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  ships[at + CRASHED] = 1;
-  ships[at + SURFACE_STATE] = FLYING;
-  return EVENT_DESTROYED;
-}
-
-function tip(): number {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  ships[at + SURFACE_STATE] = TIPPED;
-  return EVENT_TIPPED;
-}
-
 /** w_rel · (s × up) < 0: the ship turns back towards upright. */
 function isRighting(): boolean {
   const q = quantities;
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at } = step;
   const sx = q[SURFACE_NORMAL]!;
   const sy = q[SURFACE_NORMAL + 1]!;
   const sz = q[SURFACE_NORMAL + 2]!;
@@ -162,19 +157,10 @@ function isRighting(): boolean {
   return wx * x + wy * y + wz * z < 0;
 }
 
-function right(): number {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  ships[at + SURFACE_STATE] = CONTACT;
-  ships[at + IMPACT_SPEED] = 0;
-  return EVENT_RIGHTED;
-}
-
 /** Whether spin and normal speed are below the settle limits, and the ground holds the ship. */
 function isSettled(): boolean {
   const q = quantities;
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at } = step;
   const mostSpin = step.settings[SETTLE_ANGULAR_VEL]!;
   const mostSpeed = step.settings[SETTLE_LINEAR_VEL]!;
   const wx = ships[at + ANGULAR_VELOCITY]! - q[GROUND_SPIN]!;
@@ -196,8 +182,7 @@ function isSettled(): boolean {
 /** Whether static friction holds the ship on the slope, and its weight acts within its footprint. */
 function isHeldByGround(): boolean {
   const q = quantities;
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
+  const { ships, at } = step;
   const slope = Math.sqrt(
     q[SLOPE]! * q[SLOPE]! + q[SLOPE + 1]! * q[SLOPE + 1]! + q[SLOPE + 2]! * q[SLOPE + 2]!,
   );
@@ -214,13 +199,4 @@ function isHeldByGround(): boolean {
   const offset = ships[at + GROUND_CONTACT_OFFSET]!;
   const level = nx * upX + ny * upY + nz * upZ;
   return offset * Math.sqrt(x * x + y * y + z * z) <= step.shipClass[LEG_RADIUS]! * level;
-}
-
-function land(): number {
-  const { ships } = step;
-  const at = step.at & SMI_MASK;
-  ships[at + SURFACE_STATE] = LANDED;
-  moveWithGround();
-  spinWithGround();
-  return EVENT_LANDED;
 }

@@ -9,7 +9,7 @@ const CHECKS = {
   'prediction/checks/features.ts': ['checkFeatures'],
   'prediction/checks/options.ts': ['requireOptions', 'checkDefaults', 'faultOfDefaults'],
   // What to do with a value that is no message; the message is refused all the same, by the field that it lacks.
-  'wire/fields/sentObject.ts': ['notPlain', 'wrappedIn'],
+  'wire/fields/sentObject.ts': ['notPlain', 'wrapped'],
 };
 
 function without(file, names) {

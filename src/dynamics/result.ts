@@ -1,4 +1,4 @@
-/** The result of a validation: the checked value, or a reason that names the invalid field. Nothing here throws. */
+/** The result of a validation: the checked value, or a reason that names the invalid field. */
 export type Result<T> =
   { readonly ok: true; readonly value: T } | { readonly ok: false; readonly reason: string };
 
@@ -33,6 +33,16 @@ export function notFiniteTuple(field: string, value: unknown, length: number): s
     if (!Number.isFinite(value[i])) return notFinite(`${field}[${String(i)}]`, value[i]);
   }
   return null;
+}
+
+/**
+ * For the options of a constructor.
+ * @throws RangeError that names the first member of `given` that is not `known`
+ */
+export function requireKnown(path: string, known: readonly string[], given: object): void {
+  const unknown = Object.keys(given).find((name) => !known.includes(name));
+  if (unknown !== undefined)
+    throw new RangeError(`${path}.${unknown}: unknown. Known are ${known.join(', ')}.`);
 }
 
 /** What was found instead of a number or a list, for a reason. */

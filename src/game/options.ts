@@ -1,4 +1,4 @@
-import type { Body, BodyMotion, Controls } from '../dynamics';
+import { type Body, type BodyMotion, type Controls, requireKnown } from '../dynamics';
 import type { DecodedFrame } from '../wire';
 import type { GameMessage } from './envelope';
 import type { GameSocket } from './socket';
@@ -73,12 +73,6 @@ const HANDLERS = [
 ] satisfies readonly (keyof GameHandlers)[];
 /** s: no monotonic clock has run for 30 years; Unix time has. */
 const UNIX_TIME = 1e9;
-
-function requireKnown(path: string, known: readonly string[], given: object): void {
-  const unknown = Object.keys(given).find((name) => !known.includes(name));
-  if (unknown !== undefined)
-    throw new RangeError(`${path}.${unknown}: unknown. Known are ${known.join(', ')}.`);
-}
 
 function requireObject(path: string, given: unknown, members = ''): void {
   if (typeof given !== 'object' || given === null)

@@ -1,3 +1,4 @@
+import { requireKnown } from '../dynamics';
 import { CAMERA_VIEWS } from './camera/cameras';
 import type { Quality } from './quality';
 import type { SceneView } from './sceneView';
@@ -15,12 +16,6 @@ export interface SceneOptions {
 const kindOf = (value: unknown): string => Object.prototype.toString.call(value).slice(8, -1);
 const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
   typeof value === 'object' && value !== null;
-
-function requireKnown(path: string, known: readonly string[], given: object): void {
-  const unknown = Object.keys(given).find((name) => !known.includes(name));
-  if (unknown !== undefined)
-    throw new RangeError(`${path}.${unknown}: unknown. Known are ${known.join(', ')}.`);
-}
 
 /** @throws RangeError that names the invalid argument or option */
 export function requireScene(canvas: HTMLCanvasElement, quality: Quality, options: SceneOptions): void {

@@ -1,5 +1,5 @@
 // Inlines a module's numeric constants: the users' minifiers inline imported constants only, and every constant that
-// stays costs a name, a line and a look-up. The results are the same, bit for bit.
+// stays costs a name, a line and a look-up. Infinities become divisions, which are shorter. The results are the same, bit for bit.
 import { parseAst } from 'vite';
 
 const isNumber = (node) =>
@@ -29,11 +29,22 @@ const isName = (node, parent) =>
   (parent.type === 'Property' && parent.key === node && !parent.computed) ||
   /Specifier$/.test(parent.type);
 
-/** The code with its upper-case top-level numbers inlined; no line moves. */
+const INFINITIES = { POSITIVE_INFINITY: '(1 / 0)', NEGATIVE_INFINITY: '(-1 / 0)' };
+
+/** `[node, text]` for each infinity of `Number`. */
+function infinitiesIn(node) {
+  if (node === null || typeof node !== 'object') return [];
+  const { type, object, property } = node;
+  const text = type === 'MemberExpression' && object.name === 'Number' && INFINITIES[property.name];
+  if (text) return [[node, text]];
+  return (Array.isArray(node) ? node : Object.values(node)).flatMap(infinitiesIn);
+}
+
+/** The code with its upper-case top-level numbers and its infinities inlined; no line moves. */
 export function inlineNumbers(code) {
   const program = parseAst(code);
   const numbers = numbersOf(program);
-  const uses = [];
+  const uses = infinitiesIn(program);
   eachUse(program, program, (node, parent) => {
     const number = numbers.get(node.name);
     if (number === undefined || node === number.id) return;

@@ -21,10 +21,11 @@ const TODO: Readonly<Record<string, string>> = {
   ArrayBuffer: BYTES,
 };
 
-/** The member of an envelope that holds all of these names; null if there is none. */
-export function wrappedIn(envelope: unknown, names: readonly string[]): string | null {
+/** Where a message's fields are, if it is still in its envelope: in the member that holds all of these names. Null if it is not. */
+export function wrapped(envelope: unknown, names: readonly string[]): string | null {
   if (typeof envelope !== 'object' || envelope === null) return null;
   const holds = (inner: unknown): boolean =>
     typeof inner === 'object' && inner !== null && names.every((name) => Object.hasOwn(inner, name));
-  return Object.entries(envelope).find(([, inner]) => holds(inner))?.[0] ?? null;
+  const member = Object.entries(envelope).find(([, inner]) => holds(inner))?.[0];
+  return member === undefined ? null : `missing; it is in the message's ${member}: pass that`;
 }

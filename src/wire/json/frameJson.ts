@@ -28,7 +28,7 @@ import { readShipState } from '../fields/shipState';
 import { readEvent } from '../fields/worldEvent';
 import { type BodyDefaults, readBodyJson } from './bodyJson';
 import { entriesIn, type Partial, partIn } from './entries';
-import { notPlain, wrappedIn } from '../fields/sentObject';
+import { notPlain, wrapped } from '../fields/sentObject';
 import { gameTimeIn } from './gameTime';
 import { SPIN_READER } from './spin';
 
@@ -59,12 +59,13 @@ export interface FrameJsonOptions {
  * ```
  */
 export function decodeFrameJson(value: unknown, options: FrameJsonOptions = {}): Result<DecodedFrame> {
-  return decodeWith(value, { known: options.bodies ?? BODIES, spins: SPIN_READER, gameTimeIn });
+  return decodeWith(value, { known: options.bodies ?? BODIES, spins: SPIN_READER, gameTimeIn, readNews });
 }
 
 /**
  * The same for a server whose bodies have mass, radius, attitude and angular_velocity, and whose `game_time` is in s: a page loads
- * neither the game's bodies nor the readers of `spin_axis`, `rotation_period` and ISO 8601.
+ * neither the game's bodies nor the readers of `spin_axis`, `rotation_period` and ISO 8601. `events` and `last_input` are skipped: a
+ * predictor with `surfaceEvents` or `inputAcknowledgements` needs decodeFrameJson.
  *
  * @example
  * ```ts
@@ -80,6 +81,8 @@ export function decodeLeanFrameJson(value: unknown, options: FrameJsonOptions = 
 interface Readers extends Pick<BodyDefaults, 'known' | 'spins'> {
   /** Reads game time that may be ISO 8601. */
   readonly gameTimeIn?: typeof gameTimeIn;
+  /** Reads events and the acknowledgement of inputs. */
+  readonly readNews?: typeof readNews;
 }
 
 function decodeWith(value: unknown, readers: Readers): Result<DecodedFrame> {
@@ -87,7 +90,8 @@ function decodeWith(value: unknown, readers: Readers): Result<DecodedFrame> {
   if (mistaken !== null) return err(`message: expected a parsed JSON object, got ${mistaken}`);
   const r = beginReading('json');
   const from = fieldsOf(r, value);
-  if (r.reason === null && valueIn(r, from, 'tick') === undefined) refuse(r, 'tick', missingTick(value));
+  if (r.reason === null && valueIn(r, from, 'tick') === undefined)
+    refuse(r, 'tick', wrapped(value, ['tick', 'ships']) ?? 'missing');
   const tick = integerIn(r, from, 'tick', 0, MAX_TICK);
   if (r.reason === null && valueIn(r, from, 'ships') === undefined) refuse(r, 'ships', 'missing');
   if (r.reason !== null) return endReading<DecodedFrame>(r, { kind: 'frame', tick, ships: [], refusals: [] });
@@ -101,17 +105,22 @@ function decodeWith(value: unknown, readers: Readers): Result<DecodedFrame> {
   });
   if (ships === undefined) return err(pass.refusals[0] ?? 'ships: missing');
   const tempo = readTempo(pass, from, readers);
-  const rest = readRest(pass, from, { ...readers, tick, time: timeOf(tick, tempo) });
-  return endReading(r, { kind: 'frame', tick, ...tempo, ships, ...rest, refusals: pass.refusals });
-}
-
-/** Where a frame without a tick has it, if it is still in its envelope. */
-function missingTick(message: unknown): string {
-  const member = wrappedIn(message, ['tick', 'ships']);
-  return member === null ? 'missing' : `missing; it is in the message's ${member}: pass that`;
+  const bodies = readBodies(pass, from, { ...readers, time: timeOf(tick, tempo) });
+  const news = readers.readNews?.(pass, from, tick);
+  return endReading(r, { kind: 'frame', tick, ...tempo, ships, ...bodies, ...news, refusals: pass.refusals });
 }
 
 type Tempo = Pick<PartialFrame, 'tickRate' | 'timeScale' | 'gameTime' | 'paused'>;
+
+function readBodies(pass: Partial, from: Fields, defaults: BodyDefaults): Pick<PartialFrame, 'bodies'> {
+  const bodies = entriesIn(pass, from, {
+    name: 'bodies',
+    most: MAX_BODIES,
+    key: 'name',
+    read: (r, body) => readBodyJson(r, body, defaults),
+  });
+  return bodies === undefined ? {} : { bodies };
+}
 
 function readTempo(pass: Partial, from: Fields, readers: Readers): Tempo {
   const tickRate = partIn(pass, from, 'tick_rate', (r) => timing(r, from, 'tick_rate'));
@@ -148,16 +157,9 @@ function timeOf(tick: number, { gameTime, timeScale = 1, tickRate = 1 }: Tempo):
   return gameTime ?? (tick * timeScale) / tickRate;
 }
 
-type Rest = Pick<PartialFrame, 'bodies' | 'events' | 'lastInput'>;
+type News = Pick<PartialFrame, 'events' | 'lastInput'>;
 
-function readRest(pass: Partial, from: Fields, about: BodyDefaults & { readonly tick: number }): Rest {
-  const { tick } = about;
-  const bodies = entriesIn(pass, from, {
-    name: 'bodies',
-    most: MAX_BODIES,
-    key: 'name',
-    read: (r, body) => readBodyJson(r, body, about),
-  });
+function readNews(pass: Partial, from: Fields, tick: number): News {
   const events = entriesIn(pass, from, {
     name: 'events',
     most: MAX_EVENTS,
@@ -175,7 +177,6 @@ function readRest(pass: Partial, from: Fields, about: BodyDefaults & { readonly 
           messageIn(r, from, 'last_input', (own, value) => readAcknowledgement(own, value, tick)),
         );
   return {
-    ...(bodies !== undefined && { bodies }),
     ...(events !== undefined && { events }),
     ...(lastInput !== undefined && { lastInput }),
   };

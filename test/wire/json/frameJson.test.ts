@@ -190,11 +190,14 @@ it('carries every field that protobuf carries', () => {
   );
 });
 
-it('decodes the same in a lean page, if bodies have attitude and spin, and times are in seconds', () => {
+it('decodes states alone in a lean page, of bodies with attitude and spin, and times in seconds', () => {
   const body = { ...MOON, name: 'Luna', attitude: [1, 0, 0, 0], angular_velocity: [0, 0, 0] };
   const exact = { tick: 7, gameTime: '12.5', ships: { a: LEAST }, bodies: [body] };
   expect(accepted(exact).gameTime).toBe(12.5);
   expect(decodeLeanFrameJson(exact)).toEqual(decodeFrameJson(exact));
+  const news = { events: [{ type: 'ship.landed', ship_id: 'a', tick: 6 }], last_input: null };
+  expect(accepted({ ...exact, ...news }).events).toHaveLength(1);
+  expect(decodeLeanFrameJson({ ...exact, ...news })).toEqual(decodeFrameJson(exact));
   const named = { name: 'Luna', position: [1, 2, 3], velocity: [0, 0, 0] };
   const spun = { ...MOON, name: 'Own', spin_axis: [0, 1, 0], rotation_period: 1000 };
   const sent = { ...exact, game_time: '1970-01-01T00:00:12Z', gameTime: undefined, bodies: [named, spun] };

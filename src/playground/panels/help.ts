@@ -70,7 +70,7 @@ export function createHelp(
 }
 
 const INTRODUCTION =
-  'Press a key’s button, then the new key. Flight keys go by their context on the keyboard, the others by letter. With the picture focused, arrows turn the view, + and − zoom, Home resets it.';
+  'Press a key’s button, then the new key. Flight keys go by their position on the keyboard, the others by letter. With the picture focused, arrows turn the view, + and − zoom, Home resets it.';
 
 /** The keys by group; a key's button waits for the new key. Returns what shows the present ones. */
 function appendKeys(dialog: HTMLDialogElement, context: HelpContext): () => void {

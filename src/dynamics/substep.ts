@@ -1,10 +1,10 @@
-import { actuate, commandsThrust } from './actuators/actuators';
-import { fly } from './contact/flight';
-import { moveOnGround, press } from './contact/forces';
+import { actuate } from './actuators/actuators';
+import { exchangePositions, fly } from './contact/flight';
+import { moveOnGround } from './contact/forces';
 import {
   BODY_ANGULAR_VELOCITY,
-  BODY_AXES,
-  BODY_END_AXES,
+  BODY_ATTITUDE,
+  BODY_END_ATTITUDE,
   BODY_STRIDE,
   CRASHED,
   FLYING,
@@ -16,30 +16,26 @@ import {
   SURFACE_STATE,
   TIPPED,
 } from './state/layout';
-import { addGroundMoments } from './contact/moments';
-import { readAxes } from './contact/pose';
-import { copyIn, copyOut } from './state/rowCopy';
 import {
+  BODY_RADIUS,
+  DISTANCE_SQUARED,
   DT,
-  end,
-  GRAVITY,
+  GRAVITY_PARAMETER,
   GROUND_SPIN,
   LIFT,
   MASS,
-  NORMAL_FORCE,
   PENETRATION,
   quantities,
   SMI_MASK,
-  start,
-  type Step,
+  START_PENETRATION,
+  step,
   STEP_BODY,
   STEP_CLASS,
-  WEIGHT,
 } from './contact/quantities';
 import { restOnSide } from './contact/rest';
 import { turnAttitudeWithGround, turnPlaceWithGround } from './arithmetic/rotations';
 import { turnByTorque } from './contact/spin';
-import { readPlace, readSurface } from './contact/surface';
+import { readSurface } from './contact/surface';
 import { makeTransition } from './contact/transitions';
 import type { World } from './constants/world';
 
@@ -59,57 +55,63 @@ export function substep(
 ): number {
   if (ships[at + CRASHED] === 1) return NO_EVENT; // 0
   begin(ships, at, bodies, world, dt);
-  const event = stepShip(step);
-  copyOut(ships, at);
-  return event;
+  return stepShip();
 }
 
-/** Steps 1 to 9 on the row in `quantities`. */
-function stepShip(step: Step): number {
-  const q = quantities;
-  if (q[SURFACE_STATE] === LANDED && !commandsThrust()) return stayLanded(step); // 1, 2: without thrust there is no lift
-  readAxes();
-  readPlace(start, step);
-  actuate(step); // 1
-  if (!launches() && q[SURFACE_STATE] === LANDED) return stayLanded(step); // 2
-  return q[SURFACE_STATE] === FLYING ? flySubstep(step) : groundSubstep(step);
+/** Steps 1 to 9. */
+function stepShip(): number {
+  const { ships } = step;
+  const at = step.at & SMI_MASK;
+  actuate(); // 1
+  if (!launches() && ships[at + SURFACE_STATE] === LANDED) return stayLanded(); // 2
+  return ships[at + SURFACE_STATE] === FLYING ? flySubstep() : groundSubstep();
 }
 
 /** Steps 5 to 9 in flight. */
-function flySubstep(step: Step): number {
-  fly(step); // 5
-  turnByTorque(step); // 6
-  readSurface(end, step, BODY_END_AXES, false);
-  if (!(end[PENETRATION]! > 0)) return NO_EVENT; // 9
-  readSurface(start, step, BODY_AXES, false);
-  return makeTransition(step); // 9
+function flySubstep(): number {
+  const q = quantities;
+  fly(); // 5
+  turnByTorque(false); // 6
+  readSurface(BODY_END_ATTITUDE, false);
+  return q[PENETRATION]! > 0 ? meetGround() : NO_EVENT; // 9
+}
+
+/** Step 9 of a flying ship that is in the ground. Its penetration at the start is read only now: most flying ships do not touch. */
+function meetGround(): number {
+  const q = quantities;
+  exchangePositions();
+  readSurface(BODY_ATTITUDE, false);
+  q[START_PENETRATION] = q[PENETRATION]!;
+  exchangePositions();
+  readSurface(BODY_END_ATTITUDE, true);
+  return makeTransition();
 }
 
 /** Steps 3 to 9 in contact or tipped. */
-function groundSubstep(step: Step): number {
+function groundSubstep(): number {
   const q = quantities;
-  readSurface(start, step, BODY_AXES, false);
-  const inGround = start[PENETRATION]! > 0;
-  const pinned = inGround && press(step); // 3, 4
-  if (!inGround) q[NORMAL_FORCE] = 0;
-  if (!pinned) moveOnGround(step); // 5
-  if (inGround) addGroundMoments(step); // 6
-  turnByTorque(step); // 6
-  if (pinned) turnPlaceWithGround(step); // 8
-  readPlace(end, step);
-  readSurface(end, step, BODY_END_AXES, true);
-  if (q[SURFACE_STATE] === TIPPED) restOnSide(step); // 8
-  return makeTransition(step); // 9
+  const { ships } = step;
+  const at = step.at & SMI_MASK;
+  readSurface(BODY_ATTITUDE, false);
+  q[START_PENETRATION] = q[PENETRATION]!;
+  const pinned = moveOnGround(); // 3, 4, 5
+  turnByTorque(q[START_PENETRATION] > 0); // 6
+  if (pinned) turnPlaceWithGround(); // 8
+  readSurface(BODY_END_ATTITUDE, true);
+  if (ships[at + SURFACE_STATE] === TIPPED) restOnSide(); // 8
+  return makeTransition(); // 9
 }
 
-const step: Step = { at: 0, bodies: new Float64Array(0), bodyAt: 0 } as Step;
-
 function begin(ships: Float64Array, at: number, bodies: Float64Array, world: World, dt: number): void {
-  copyIn(ships, at);
   const q = quantities;
+  step.ships = ships;
   step.at = at;
   step.bodies = bodies;
-  if (step.world !== world || q[STEP_BODY] !== q[REFERENCE_BODY] || q[STEP_CLASS] !== q[SHIP_CLASS])
+  if (
+    step.world !== world ||
+    q[STEP_BODY] !== ships[at + REFERENCE_BODY] ||
+    q[STEP_CLASS] !== ships[at + SHIP_CLASS]
+  )
     readWorld(world);
   q[DT] = dt;
   const spin = (step.bodyAt + BODY_ANGULAR_VELOCITY) & SMI_MASK;
@@ -121,13 +123,17 @@ function begin(ships: Float64Array, at: number, bodies: Float64Array, world: Wor
 /** Fills `step` with what a ship of this class over this body reads of a world. It is kept until one of the three changes. */
 function readWorld(world: World): void {
   const q = quantities;
-  const reference = q[REFERENCE_BODY]!;
+  const { ships, at } = step;
+  const reference = ships[at + REFERENCE_BODY]!;
   q[STEP_BODY] = reference;
-  const shipClass = q[SHIP_CLASS]!;
+  const shipClass = ships[at + SHIP_CLASS]!;
   q[STEP_CLASS] = shipClass;
   step.world = world;
   step.bodyAt = reference * BODY_STRIDE;
-  step.body = world.bodies[reference]!;
+  const body = world.bodies[reference]!;
+  step.body = body;
+  q[BODY_RADIUS] = body.radius;
+  q[GRAVITY_PARAMETER] = body.gravityParameter;
   step.shipClass = world.shipClasses[shipClass]!.constants;
   step.settings = world.settings.constants;
   step.terrainHeight = world.terrainHeight;
@@ -136,17 +142,18 @@ function readWorld(world: World): void {
 /** Step 2: a landed or tipped ship launches if lift exceeds weight, and flies for the rest of the substep. */
 function launches(): boolean {
   const q = quantities;
-  const state = q[SURFACE_STATE]!;
-  q[WEIGHT] = q[MASS]! * start[GRAVITY]!;
-  if ((state !== LANDED && state !== TIPPED) || !(q[LIFT]! > q[WEIGHT])) return false;
-  q[SURFACE_STATE] = FLYING;
-  q[IMPACT_SPEED] = 0;
+  const { ships, at } = step;
+  const state = ships[at + SURFACE_STATE]!;
+  if (!(q[LIFT]! > 0) || (state !== LANDED && state !== TIPPED)) return false;
+  if (!(q[LIFT]! > q[MASS]! * (q[GRAVITY_PARAMETER]! / q[DISTANCE_SQUARED]!))) return false;
+  ships[at + SURFACE_STATE] = FLYING;
+  ships[at + IMPACT_SPEED] = 0;
   return true;
 }
 
 /** A ship that stays landed only rotates with the ground. */
-function stayLanded(step: Step): number {
-  turnPlaceWithGround(step);
-  turnAttitudeWithGround(step);
+function stayLanded(): number {
+  turnPlaceWithGround();
+  turnAttitudeWithGround();
   return NO_EVENT;
 }

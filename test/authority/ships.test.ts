@@ -82,4 +82,20 @@ describe('ships', () => {
     expect(authority.kick('own', [-up[0]!, -up[1]!, -up[2]!], [0, 0, 0])).toBeNull();
     expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('contact');
   });
+
+  it.each([
+    [0, 1],
+    [1, 2],
+    [2, 0],
+  ])('knows upward from each component of a kick: down along %i, more up along %i', (down, up) => {
+    for (const share of [1.2, 0.8]) {
+      const authority = moonWith('launch');
+      const place = frameOf(authority).ships[0]!.relativePosition!;
+      const dv: [number, number, number] = [0, 0, 0];
+      dv[down] = -Math.sign(place[down]!);
+      dv[up] = (share * Math.abs(place[down]!)) / place[up]!;
+      expect(authority.kick('own', dv, [0, 0, 0])).toBeNull();
+      expect(frameOf(authority).ships[0]!.surfaceContactState).toBe(share > 1 ? '' : 'contact');
+    }
+  });
 });

@@ -29,8 +29,11 @@ export interface PageOptions {
   readonly prepare?: (page: Page) => Promise<unknown>;
 }
 
-/** ms for a hang alone, less than a test's own limit, so that what was waited for is what is said. */
-const HANG = 120_000;
+/**
+ * ms for a hang alone, less than a test's own limit, so that what was waited for is what is said. A page with a change by test/mutants
+ * often hangs.
+ */
+const HANG = process.env['TOUCHDOWN_MUTANT'] ? 30_000 : 120_000;
 
 const browsers = inject('chromium');
 /** The one for this test file: files that run at the same time are spread over all. */

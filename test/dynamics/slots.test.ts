@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { end, quantities, SLOTS, start, SURFACE_SLOTS } from '../../src/dynamics/contact/quantities';
+import { quantities, SLOTS } from '../../src/dynamics/contact/quantities';
 
 /** Slots shared by two entries, or out of range. */
 function faultsOf(slots: typeof SLOTS, length: number): string[] {
@@ -17,10 +17,6 @@ function faultsOf(slots: typeof SLOTS, length: number): string[] {
 it('no two quantities of a substep share a slot', () => {
   expect(faultsOf(SLOTS, quantities.length)).toEqual([]);
   expect(SLOTS.reduce((sum, [, size]) => sum + size, 0)).toBe(quantities.length);
-  for (const surface of [start, end]) {
-    expect(faultsOf(SURFACE_SLOTS, surface.length)).toEqual([]);
-    expect(SURFACE_SLOTS.reduce((sum, [, size]) => sum + size, 0)).toBe(surface.length);
-  }
 });
 
 it('detects slots that overlap', () => {

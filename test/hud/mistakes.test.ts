@@ -50,10 +50,10 @@ it('an option of another library is warned of, with those that exist', () => {
 });
 
 /** A painter of these readouts, what it painted, and its warnings. */
-function painter(members: readonly string[]) {
+function painter(members: readonly string[], changes: object = {}) {
   const painted: unknown[] = [];
   const warnings: string[] = [];
-  const root = { isConnected: true, clientWidth: 1, ownerDocument: {} };
+  const root = { isConnected: true, clientWidth: 1, ownerDocument: {}, ...changes };
   const hud = {
     root,
     members,
@@ -86,4 +86,22 @@ it('a readout is painted without a warning', () => {
   const { paint, painted, warnings } = painter(landing);
   paint(createLandingReadout());
   expect([painted.length, warnings]).toEqual([1, []]);
+});
+
+const styled = (ink: string) => ({
+  ownerDocument: { defaultView: { getComputedStyle: () => ({ getPropertyValue: () => ink }) } },
+});
+
+it.each([
+  ['in sight', styled('#fff'), []],
+  ['without its style sheet', styled(''), ['hud-unstyled']],
+  ['outside the page', { isConnected: false, clientWidth: 0 }, ['hud-detached']],
+  ['without room', { clientWidth: 0 }, ['hud-no-room']],
+])('a HUD %s is looked at once, at its sixtieth paint', (_what, root, codes) => {
+  const { paint, warnings } = painter(landing, root);
+  const found = () => warnings.map((warning) => warning.split(':')[0]);
+  for (let n = 1; n < 60; n++) paint(createLandingReadout());
+  expect(found()).toEqual([]);
+  for (let n = 60; n < 130; n++) paint(createLandingReadout());
+  expect(found()).toEqual(codes);
 });

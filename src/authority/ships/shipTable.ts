@@ -138,12 +138,13 @@ export function kick(table: ShipTable, shipId: string, dv: Vec3, spin: Vec3): st
     if (!vector.every((value) => Math.abs(value) <= MAX_KICK))
       return `${name}: expected 3 numbers of at most ${MAX_KICK}`;
   }
+  let along = 0;
   for (let k = 0; k < 3; k++) {
     rows[at + VELOCITY + k]! += dv[k]!;
     rows[at + ANGULAR_VELOCITY + k]! += spin[k]!;
+    along += dv[k]! * rows[at + POSITION + k]!;
   }
-  const [x, y, z] = rows.subarray(at + POSITION, at + POSITION + 3) as unknown as Vec3;
-  const upward = dv[0] * x + dv[1] * y + dv[2] * z > 0;
+  const upward = along > 0;
   if (upward || rows[at + SURFACE_STATE] === LANDED) {
     rows[at + SURFACE_STATE] = upward ? FLYING : CONTACT;
     rows[at + IMPACT_SPEED] = 0;

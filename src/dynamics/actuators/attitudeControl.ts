@@ -1,7 +1,6 @@
 import {
   ANGULAR_VELOCITY,
   ATTITUDE,
-  ATTITUDE_HOLD,
   ATTITUDE_MODE,
   FLYING,
   FUEL,
@@ -25,12 +24,11 @@ import {
   AXES,
   AXIS,
   DISTANCE,
+  GROUND_SPIN,
   INERTIA_FACTOR,
   NORMAL,
-  GROUND_SPIN,
   quantities,
-  start,
-  type Step,
+  step,
   TORQUE,
 } from '../contact/quantities';
 import {
@@ -41,72 +39,74 @@ import {
   WHEEL_TORQUE,
 } from '../constants/constantRows';
 
-/** Fills TORQUE with the torque commanded by stick or attitude controller, N m, body axes; false if neither is active (DYNAMICS, Actuators). */
-export function askTorque(step: Step): boolean {
-  const q = quantities;
+/** Fills TORQUE with the torque commanded by the stick, else by the attitude controller, N m, body axes (DYNAMICS, Actuators). */
+export function askTorque(): void {
   if (holdsStick()) {
-    askByStick(step);
-    return true;
+    askByStick();
+    return;
   }
   const mode = effectiveMode();
-  // A velocity mode on the ground and an unknown mode damp rates.
-  if (mode === MODE_NONE && q[ATTITUDE_HOLD] !== 1 && q[ATTITUDE_MODE] === MODE_NONE) return false;
-  dampRates(step);
-  if (mode === MODE_HOLD) steerToTarget(step);
-  else if (mode !== MODE_NONE) steerToDirection(step, mode);
-  askByCommand(step);
-  return true;
+  dampRates();
+  if (mode === MODE_HOLD) steerToTarget();
+  else if (mode !== MODE_NONE) steerToDirection(mode);
+  askByCommand();
 }
 
 function holdsStick(): boolean {
-  const q = quantities;
-  return q[ROTATION_INPUT] !== 0 || q[ROTATION_INPUT + 1] !== 0 || q[ROTATION_INPUT + 2] !== 0;
+  const { ships, at } = step;
+  return (
+    ships[at + ROTATION_INPUT] !== 0 ||
+    ships[at + ROTATION_INPUT + 1] !== 0 ||
+    ships[at + ROTATION_INPUT + 2] !== 0
+  );
 }
 
-/** MODE_NONE for unknown modes, and for velocity modes on the ground, where the velocity has no direction to point at. */
+/** MODE_NONE, rate damping alone, for unknown modes, and for velocity modes on the ground, where the velocity has no direction to point at. */
 function effectiveMode(): number {
-  const q = quantities;
-  const mode = q[ATTITUDE_MODE]!;
+  const { ships, at } = step;
+  const mode = ships[at + ATTITUDE_MODE]!;
   if (mode === MODE_UNKNOWN) return MODE_NONE;
   const byVelocity = mode >= MODE_PROGRADE && mode <= MODE_ANTINORMAL;
-  return byVelocity && q[SURFACE_STATE] !== FLYING ? MODE_NONE : mode;
+  return byVelocity && ships[at + SURFACE_STATE] !== FLYING ? MODE_NONE : mode;
 }
 
 /** TORQUE = rotation_input × (wheel + RCS torque), RCS only while there is fuel. */
-function askByStick(step: Step): void {
+function askByStick(): void {
   const q = quantities;
-  const { shipClass } = step;
-  const hasFuel = q[FUEL]! > 0;
+  const { ships, at, shipClass } = step;
+  const hasFuel = ships[at + FUEL]! > 0;
   for (let k = 0; k < 3; k++) {
     const wheel = shipClass[WHEEL_TORQUE + k]!;
-    q[TORQUE + k] = q[ROTATION_INPUT + k]! * (hasFuel ? wheel + shipClass[RCS_TORQUE + k]! : wheel);
+    q[TORQUE + k] = ships[at + ROTATION_INPUT + k]! * (hasFuel ? wheel + shipClass[RCS_TORQUE + k]! : wheel);
   }
 }
 
 /** a = −2 ω_n w_b */
-function dampRates(step: Step): void {
+function dampRates(): void {
   const q = quantities;
-  const damping = -step.shipClass[ATTITUDE_DAMPING]!;
-  const wx = q[ANGULAR_VELOCITY]!;
-  const wy = q[ANGULAR_VELOCITY + 1]!;
-  const wz = q[ANGULAR_VELOCITY + 2]!;
+  const { ships, at, shipClass } = step;
+  const damping = -shipClass[ATTITUDE_DAMPING]!;
+  const wx = ships[at + ANGULAR_VELOCITY]!;
+  const wy = ships[at + ANGULAR_VELOCITY + 1]!;
+  const wz = ships[at + ANGULAR_VELOCITY + 2]!;
   q[ANGULAR_ACCEL_COMMAND] = damping * (q[AXES]! * wx + q[AXES + 3]! * wy + q[AXES + 6]! * wz);
   q[ANGULAR_ACCEL_COMMAND + 1] = damping * (q[AXES + 1]! * wx + q[AXES + 4]! * wy + q[AXES + 7]! * wz);
   q[ANGULAR_ACCEL_COMMAND + 2] = damping * (q[AXES + 2]! * wx + q[AXES + 5]! * wy + q[AXES + 8]! * wz);
 }
 
 /** a += ω_n² e, where e is ±2 × the vector part of target · q⁻¹, rotated into body axes. */
-function steerToTarget(step: Step): void {
+function steerToTarget(): void {
   const q = quantities;
-  const stiffness = step.shipClass[ATTITUDE_STIFFNESS]!;
-  const qx = q[ATTITUDE]!;
-  const qy = q[ATTITUDE + 1]!;
-  const qz = q[ATTITUDE + 2]!;
-  const qw = q[ATTITUDE + 3]!;
-  const tx = q[TARGET_ATTITUDE]!;
-  const ty = q[TARGET_ATTITUDE + 1]!;
-  const tz = q[TARGET_ATTITUDE + 2]!;
-  const tw = q[TARGET_ATTITUDE + 3]!;
+  const { ships, at, shipClass } = step;
+  const stiffness = shipClass[ATTITUDE_STIFFNESS]!;
+  const qx = ships[at + ATTITUDE]!;
+  const qy = ships[at + ATTITUDE + 1]!;
+  const qz = ships[at + ATTITUDE + 2]!;
+  const qw = ships[at + ATTITUDE + 3]!;
+  const tx = ships[at + TARGET_ATTITUDE]!;
+  const ty = ships[at + TARGET_ATTITUDE + 1]!;
+  const tz = ships[at + TARGET_ATTITUDE + 2]!;
+  const tw = ships[at + TARGET_ATTITUDE + 3]!;
   const sign = tw * qw + tx * qx + ty * qy + tz * qz >= 0 ? 2 : -2;
   const ex = sign * (tx * qw - tw * qx - ty * qz + tz * qy);
   const ey = sign * (ty * qw - tw * qy - tz * qx + tx * qz);
@@ -123,9 +123,9 @@ function steerToTarget(step: Step): void {
 const STRAIGHT_AWAY = 1e-6;
 
 /** a += ω_n² e, e = up × d; in body axes up is z, so e = (−d_y, d_x, 0). */
-function steerToDirection(step: Step, mode: number): void {
+function steerToDirection(mode: number): void {
   const q = quantities;
-  if (!pointingDirection(step, mode)) return;
+  if (!pointingDirection(mode)) return;
   const px = q[AXIS]!;
   const py = q[AXIS + 1]!;
   const pz = q[AXIS + 2]!;
@@ -154,16 +154,17 @@ const MIN_SINE = 1e-6;
 const MIN_SURFACE_SPEED = 0.1;
 
 /** AXIS = unit direction that a pointing mode points at, ICRF; false if it would be rounding error. */
-function pointingDirection(step: Step, mode: number): boolean {
+function pointingDirection(mode: number): boolean {
   const q = quantities;
+  const { ships, at } = step;
   if (mode === MODE_RADIAL || mode === MODE_ANTIRADIAL) {
     const sign = mode === MODE_RADIAL ? 1 : -1;
-    for (let k = 0; k < 3; k++) q[AXIS + k] = sign * start[NORMAL + k]!;
+    for (let k = 0; k < 3; k++) q[AXIS + k] = sign * q[NORMAL + k]!;
     return true;
   }
-  const ux = q[VELOCITY]!;
-  const uy = q[VELOCITY + 1]!;
-  const uz = q[VELOCITY + 2]!;
+  const ux = ships[at + VELOCITY]!;
+  const uy = ships[at + VELOCITY + 1]!;
+  const uz = ships[at + VELOCITY + 2]!;
   if (mode === MODE_SURFACE_RETROGRADE) return pointAgainstGroundSpeed();
   const speed = Math.sqrt(ux * ux + uy * uy + uz * uz);
   if (speed < MIN_SPEED) return false;
@@ -172,14 +173,14 @@ function pointingDirection(step: Step, mode: number): boolean {
     pointAlong(ux, uy, uz, reversed ? -1 / speed : 1 / speed);
     return true;
   }
-  const rx = q[POSITION]!;
-  const ry = q[POSITION + 1]!;
-  const rz = q[POSITION + 2]!;
+  const rx = ships[at + POSITION]!;
+  const ry = ships[at + POSITION + 1]!;
+  const rz = ships[at + POSITION + 2]!;
   const x = ry * uz - rz * uy;
   const y = rz * ux - rx * uz;
   const z = rx * uy - ry * ux;
   const length = Math.sqrt(x * x + y * y + z * z);
-  if (length < MIN_SINE * start[DISTANCE]! * speed) return false;
+  if (length < MIN_SINE * q[DISTANCE]! * speed) return false;
   pointAlong(x, y, z, reversed ? -1 / length : 1 / length);
   return true;
 }
@@ -187,15 +188,16 @@ function pointingDirection(step: Step, mode: number): boolean {
 /** AXIS = unit(−v_rel), v_rel = u − Ω × r. */
 function pointAgainstGroundSpeed(): boolean {
   const q = quantities;
-  const rx = q[POSITION]!;
-  const ry = q[POSITION + 1]!;
-  const rz = q[POSITION + 2]!;
+  const { ships, at } = step;
+  const rx = ships[at + POSITION]!;
+  const ry = ships[at + POSITION + 1]!;
+  const rz = ships[at + POSITION + 2]!;
   const ox = q[GROUND_SPIN]!;
   const oy = q[GROUND_SPIN + 1]!;
   const oz = q[GROUND_SPIN + 2]!;
-  const x = q[VELOCITY]! - (oy * rz - oz * ry);
-  const y = q[VELOCITY + 1]! - (oz * rx - ox * rz);
-  const z = q[VELOCITY + 2]! - (ox * ry - oy * rx);
+  const x = ships[at + VELOCITY]! - (oy * rz - oz * ry);
+  const y = ships[at + VELOCITY + 1]! - (oz * rx - ox * rz);
+  const z = ships[at + VELOCITY + 2]! - (ox * ry - oy * rx);
   const speed = Math.sqrt(x * x + y * y + z * z);
   if (speed < MIN_SURFACE_SPEED) return false;
   pointAlong(x, y, z, -1 / speed);
@@ -210,7 +212,7 @@ function pointAlong(x: number, y: number, z: number, scale: number): void {
 }
 
 /** TORQUE = I a. */
-function askByCommand(step: Step): void {
+function askByCommand(): void {
   const q = quantities;
   const { shipClass } = step;
   const factor = q[INERTIA_FACTOR]!;

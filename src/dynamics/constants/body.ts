@@ -2,12 +2,9 @@ import { ok, type Result, notFinite, notFiniteTuple, type Quat, err, type Vec3 }
 import {
   BODY_ANGULAR_VELOCITY,
   BODY_ATTITUDE,
-  BODY_AXES,
   BODY_END_ATTITUDE,
-  BODY_END_AXES,
   BODY_POSITION,
   BODY_STRIDE,
-  BODY_TURN,
   BODY_VELOCITY,
 } from '../state/layout';
 import { anyOutside, BODY_MASS, PLACE, BODY_RADIUS, notUnit, outside, SPIN, VELOCITY_RANGE } from './limits';
@@ -73,8 +70,6 @@ export function writeBodyMotion(rows: Float64Array, at: number, motion: BodyMoti
   rows.set(motion.attitude, at + BODY_ATTITUDE);
   rows.set(motion.angularVelocity, at + BODY_ANGULAR_VELOCITY);
   rows.set(motion.attitude, at + BODY_END_ATTITUDE);
-  writeAxes(rows, at + BODY_AXES, at + BODY_ATTITUDE);
-  writeAxes(rows, at + BODY_END_AXES, at + BODY_ATTITUDE);
   return null;
 }
 
@@ -88,10 +83,7 @@ export function readBodyMotion(rows: Float64Array, at: number): BodyMotion {
   };
 }
 
-/**
- * Step 7, once per substep, before the ships: each body's attitude at the substep's end, normalize(q + ½ dt (Ω, 0) q), and the rotation
- * of ground-bound ships, normalize(Ω dt/2, 1).
- */
+/** Step 7, once per substep, before the ships: each body's attitude at the substep's end, normalize(q + ½ dt (Ω, 0) q). */
 export function turnBodies(rows: Float64Array, count: number, dt: number): void {
   const half = 0.5 * dt;
   for (let i = 0; i < count; i++) {
@@ -99,12 +91,6 @@ export function turnBodies(rows: Float64Array, count: number, dt: number): void 
     const tx = rows[at + BODY_ANGULAR_VELOCITY]! * half;
     const ty = rows[at + BODY_ANGULAR_VELOCITY + 1]! * half;
     const tz = rows[at + BODY_ANGULAR_VELOCITY + 2]! * half;
-    const perTurn = 1 / Math.sqrt(tx * tx + ty * ty + tz * tz + 1);
-    rows[at + BODY_TURN] = tx * perTurn;
-    rows[at + BODY_TURN + 1] = ty * perTurn;
-    rows[at + BODY_TURN + 2] = tz * perTurn;
-    rows[at + BODY_TURN + 3] = perTurn;
-
     const qx = rows[at + BODY_ATTITUDE]!;
     const qy = rows[at + BODY_ATTITUDE + 1]!;
     const qz = rows[at + BODY_ATTITUDE + 2]!;
@@ -118,7 +104,6 @@ export function turnBodies(rows: Float64Array, count: number, dt: number): void 
     rows[at + BODY_END_ATTITUDE + 1] = y * perLength;
     rows[at + BODY_END_ATTITUDE + 2] = z * perLength;
     rows[at + BODY_END_ATTITUDE + 3] = w * perLength;
-    writeAxes(rows, at + BODY_END_AXES, at + BODY_END_ATTITUDE);
   }
 }
 
@@ -126,20 +111,11 @@ export function turnBodies(rows: Float64Array, count: number, dt: number): void 
 export function settleBodies(rows: Float64Array, count: number): void {
   for (let i = 0; i < count; i++) {
     const at = (i * BODY_STRIDE) & SMI_MASK;
-    // Attitude and axes are adjacent columns. Unrolled, since a loop takes twice as long.
+    // Unrolled, since a loop takes twice as long.
     rows[at + BODY_ATTITUDE] = rows[at + BODY_END_ATTITUDE]!;
     rows[at + BODY_ATTITUDE + 1] = rows[at + BODY_END_ATTITUDE + 1]!;
     rows[at + BODY_ATTITUDE + 2] = rows[at + BODY_END_ATTITUDE + 2]!;
     rows[at + BODY_ATTITUDE + 3] = rows[at + BODY_END_ATTITUDE + 3]!;
-    rows[at + BODY_ATTITUDE + 4] = rows[at + BODY_END_ATTITUDE + 4]!;
-    rows[at + BODY_ATTITUDE + 5] = rows[at + BODY_END_ATTITUDE + 5]!;
-    rows[at + BODY_ATTITUDE + 6] = rows[at + BODY_END_ATTITUDE + 6]!;
-    rows[at + BODY_ATTITUDE + 7] = rows[at + BODY_END_ATTITUDE + 7]!;
-    rows[at + BODY_ATTITUDE + 8] = rows[at + BODY_END_ATTITUDE + 8]!;
-    rows[at + BODY_ATTITUDE + 9] = rows[at + BODY_END_ATTITUDE + 9]!;
-    rows[at + BODY_ATTITUDE + 10] = rows[at + BODY_END_ATTITUDE + 10]!;
-    rows[at + BODY_ATTITUDE + 11] = rows[at + BODY_END_ATTITUDE + 11]!;
-    rows[at + BODY_ATTITUDE + 12] = rows[at + BODY_END_ATTITUDE + 12]!;
   }
 }
 
@@ -151,24 +127,4 @@ export function moveBodies(rows: Float64Array, count: number, seconds: number): 
       rows[at + BODY_POSITION + k] = rows[at + BODY_POSITION + k]! + rows[at + BODY_VELOCITY + k]! * seconds;
     }
   }
-}
-
-/** Writes the rotation matrix, row by row, of the unit quaternion at `from`; both in `rows`. */
-function writeAxes(rows: Float64Array, to: number, from: number): void {
-  const x = rows[from]!;
-  const y = rows[from + 1]!;
-  const z = rows[from + 2]!;
-  const w = rows[from + 3]!;
-  const x2 = x + x;
-  const y2 = y + y;
-  const z2 = z + z;
-  rows[to] = 1 - (y * y2 + z * z2);
-  rows[to + 1] = x * y2 - w * z2;
-  rows[to + 2] = x * z2 + w * y2;
-  rows[to + 3] = x * y2 + w * z2;
-  rows[to + 4] = 1 - (x * x2 + z * z2);
-  rows[to + 5] = y * z2 - w * x2;
-  rows[to + 6] = x * z2 - w * y2;
-  rows[to + 7] = y * z2 + w * x2;
-  rows[to + 8] = 1 - (x * x2 + y * y2);
 }

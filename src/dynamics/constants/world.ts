@@ -4,7 +4,8 @@ import type { LoadedShipClass } from './shipClass';
 
 /**
  * The game's terrain call: height above the body's radius, m, in the unit direction (nx, ny, nz), body axes (Y pole, Z prime meridian,
- * X 90° E). Must be finite and continuous (a step is a wall). Uses only + − × ÷ √ where bits must agree.
+ * X 90° E). Must be finite and continuous (a step is a wall), and must not throw, which would end a substep half-way. Uses only
+ * + − × ÷ √ where bits must agree.
  */
 export interface TerrainHeight {
   (bodyName: string, nx: number, ny: number, nz: number): number;

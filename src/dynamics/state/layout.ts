@@ -100,12 +100,6 @@ export const BODY_VELOCITY = 3;
 export const BODY_ANGULAR_VELOCITY = 6;
 /** Rotates body axes (Y pole, Z prime meridian, X 90° E) into ICRF, at the substep's start. */
 export const BODY_ATTITUDE = 9;
-/** Rotation matrix of BODY_ATTITUDE, row by row. */
-export const BODY_AXES = 13;
 /** The attitude at the substep's end; equal to BODY_ATTITUDE between substeps. */
-export const BODY_END_ATTITUDE = 22;
-/** Rotation matrix of BODY_END_ATTITUDE, row by row. */
-export const BODY_END_AXES = 26;
-/** normalize(Ω dt/2, 1): rotation of ground-bound ships in this substep. */
-export const BODY_TURN = 35;
-export const BODY_STRIDE = 39;
+export const BODY_END_ATTITUDE = 13;
+export const BODY_STRIDE = 17;

@@ -4,7 +4,7 @@ import { sendSeconds } from '../time/cadence';
 import { serverTime } from '../time/clock';
 import { spanOf, wallOfTick } from '../time/timeline';
 import { MAX_TICK_RATE } from '../time/tickRateMeter';
-import type { Receiver } from './receiver';
+import { isTimed, type Receiver } from './receiver';
 
 /** The kind of a frame relative to the frames before it (PREDICTION, Restarts). */
 export type SnapshotKind =
@@ -49,8 +49,8 @@ export function classifySnapshot(
 }
 
 /** The frame's tick rate, Hz; the game's highest while it is only assumed. */
-function fastestRate({ tickRate: meter }: Receiver, { tickRate }: ServerFrame): number {
-  return meter?.isKnown === false ? MAX_TICK_RATE : tickRate;
+function fastestRate(receiver: Receiver, frame: ServerFrame): number {
+  return isTimed(receiver) ? frame.tickRate : MAX_TICK_RATE;
 }
 
 /** Whether the server can have reached this tick: by the time since the newest frame, or by its clock. */

@@ -2,7 +2,7 @@ import { err, loadTiming, ok, type Result } from '../../dynamics';
 import type { BodyState, PartialFrame, ServerFrame } from '../../wire';
 import type { Simulation } from '../simulation/simulation';
 import { spanOf, type Tempo } from '../time/timeline';
-import type { Receiver } from './receiver';
+import { isTimed, type Receiver } from './receiver';
 
 /** Highest tick that the wire accepts: sums of two are still exact. */
 const MAX_TICK = 2 ** 52;
@@ -60,8 +60,10 @@ export function tempoOf(
   const sent = frame.timeScale ?? null;
   const measured = features.measureGameTime?.(receiver.gameTime, { ...frame, tickRate }, sent) ?? null;
   // Of ticks of unknown length no scale can be measured.
-  const isTimed = receiver.tickRate?.isKnown !== false;
-  return { tickRate, timeScale: (isTimed ? measured : null) ?? sent ?? warnDefault(sim, 'timeScale', 1) };
+  return {
+    tickRate,
+    timeScale: (isTimed(receiver) ? measured : null) ?? sent ?? warnDefault(sim, 'timeScale', 1),
+  };
 }
 
 function warnDefault({ warn }: Simulation, name: string, value: number): number {

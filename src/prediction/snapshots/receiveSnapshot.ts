@@ -8,7 +8,7 @@ import { forgetSchedule } from '../time/clock';
 import { spanOf } from '../time/timeline';
 import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { classifySnapshot, type SnapshotKind } from './classify';
-import { forgetPast, type Receiver } from './receiver';
+import { forgetPast, isTimed, type Receiver } from './receiver';
 import { takeStates } from './takeStates';
 import { followTempo } from './tempo';
 
@@ -27,13 +27,15 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
     sim.features.parts?.takeOlder(sim, receiver, frame, now);
     return;
   }
-  receiver.acceptedAt = now;
   receiver.jump.count = 0;
-  if (kind === 'part') sim.features.parts?.takePart(sim, receiver, frame, now);
-  else {
-    const isSpaced = sim.newestTick >= 0 && receiver.tickRate?.isKnown !== false;
+  if (kind === 'part') {
+    receiver.acceptedAt = now;
+    sim.features.parts?.takePart(sim, receiver, frame, now);
+  } else {
+    const isSpaced = sim.newestTick >= 0 && isTimed(receiver);
     noteSend(sim.cadence, isSpaced ? frame.tick - sim.newestTick : 0);
     followTempo(sim, receiver, frame, now);
+    receiver.acceptedAt = now;
     receiver.newest = frame.tick;
     receiver.fresh = false;
     const { substeps } = spanOf(sim.timeline, frame.tick).timing;

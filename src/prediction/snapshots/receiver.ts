@@ -1,7 +1,7 @@
 import type { BodyState, ServerFrame } from '../../wire';
 import type { Policy } from '../simulation/track';
 import type { Clock } from '../time/clock';
-import { forgetTickRate, type TickRateMeter } from '../time/tickRateMeter';
+import type { TickRateMeter } from '../time/tickRateMeter';
 import { createGameTimeMeter, type GameTimeMeter } from './gameTimeMeter';
 import { createSnapshotContext, type SnapshotContext } from './snapshotContext';
 
@@ -35,7 +35,9 @@ export interface Receiver {
   /** New ships of the newest frame that are still to be taken, and its arrival, client wall s. */
   rest: { readonly frame: ServerFrame; readonly now: number } | null;
   readonly gameTime: GameTimeMeter;
-  /** Null if the server sends its tick rate. */
+  /** Once a frame has had its tick rate, later ones have the same. */
+  sendsTickRate: boolean;
+  /** Null until a frame lacks the rate. */
   tickRate: TickRateMeter | null;
   /** Of the frame being received. */
   readonly context: SnapshotContext;
@@ -57,11 +59,17 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     startsBodies: true,
     lastBodies: { tick: -1, bodies: [] },
     gameTime: createGameTimeMeter(),
+    sendsTickRate: false,
     tickRate: null,
     eventsTick: 0,
     rest: null,
     context: createSnapshotContext(),
   };
+}
+
+/** Whether the tick rate of the frame being received is sent or measured, not assumed. */
+export function isTimed({ tickRate }: Receiver): boolean {
+  return tickRate?.isKnown ?? true;
 }
 
 /** Starts over: earlier frames do not relate to later ones. */
@@ -79,5 +87,6 @@ export function forgetPast(receiver: Receiver): void {
   receiver.lastBodies.bodies = [];
   receiver.lastBodies.tick = -1;
   Object.assign(receiver.gameTime, createGameTimeMeter());
-  if (receiver.tickRate !== null) forgetTickRate(receiver.tickRate);
+  receiver.sendsTickRate = false;
+  receiver.tickRate = null;
 }

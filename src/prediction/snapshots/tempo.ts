@@ -2,7 +2,7 @@ import type { ServerFrame } from '../../wire';
 import { forgetAfter } from '../simulation/history';
 import { hold } from '../simulation/replay';
 import type { Simulation } from '../simulation/simulation';
-import { followTickRate } from '../time/cadence';
+import { followTickRate, horizonOf } from '../time/cadence';
 import { sampleDown, sentAt } from '../time/clock';
 import { setTempo, spanOf, wallOfTick } from '../time/timeline';
 import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
@@ -12,6 +12,7 @@ import type { Receiver } from './receiver';
 /** Takes the clock sample and the tempo of a frame; if the tempo changed, everything after its tick is simulated again. */
 export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const { timeline } = sim;
+  const { clock } = receiver;
   const first = timeline.spans.length === 0;
   const wasPaused = !first && spanOf(timeline, frame.tick).paused;
   const untimed =
@@ -19,7 +20,12 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
       ? null
       : (sim.features.tickRates?.sentUntimed(sim, receiver, frame, now) ?? null);
   const wall = untimed ?? (wasPaused ? wallAfterPause(sim, receiver, now) : null);
-  if (!first && wall === null) sampleDown(receiver.clock, wallOfTick(timeline, frame.tick), now);
+  if (first) sampleDown(clock, 0, now);
+  else if (wall === null) {
+    const isOverdue =
+      now - receiver.acceptedAt > horizonOf(sim.cadence, spanOf(timeline, frame.tick).tickRate, false);
+    sampleDown(clock, wallOfTick(timeline, frame.tick), now, isOverdue);
+  }
   const resumes = wasPaused && !frame.paused;
   const changes = untimed !== null || (!first && differs(sim, frame));
   // The present pose is of the old tempo.
@@ -28,7 +34,6 @@ export function followTempo(sim: Simulation, receiver: Receiver, frame: ServerFr
   // At which of the ticks since the last frame the tempo changed is not sent.
   if (changes && frame.tick > sim.newestTick + 1) sim.bodiesKnown = false;
   setTempo(timeline, frame.tick, frame, resumes || frame.tick > sim.newestTick ? wall : null);
-  if (first) sampleDown(receiver.clock, 0, now);
   if (changes) retime(sim, frame.tick);
   sim.newestTick = frame.tick;
 }

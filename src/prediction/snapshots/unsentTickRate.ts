@@ -16,13 +16,13 @@ export function measureUnsentRate(
   { tick, tickRate }: PartialFrame,
   now: number,
 ): number | null {
-  const isSent = isTickRate(tickRate);
-  if (!isSent && sim.timeline.spans.length === 0) receiver.tickRate ??= createTickRateMeter();
+  if (isTickRate(tickRate)) receiver.sendsTickRate = true;
+  const isSent = receiver.sendsTickRate;
+  if (!isSent) receiver.tickRate ??= createTickRateMeter();
   const meter = receiver.tickRate;
   if (meter === null) return null;
-  if (isSent) meter.isSent = true;
-  const measured = meter.isSent ? null : measureTickRate(meter, tick, now);
-  meter.isKnown = meter.isSent || measured !== null;
+  const measured = isSent ? null : measureTickRate(meter, tick, now);
+  meter.isKnown = isSent || measured !== null;
   if (measured !== null) {
     const message = `No frame has had tickRate yet: ${measured} Hz were measured. Pass it with each frame.`;
     sim.warn('tick-rate-measured', message, { measured });
@@ -36,14 +36,14 @@ export function measureUnsentRate(
  */
 export function sentUntimed(
   { timeline, inputs }: Simulation,
-  { tickRate: meter, clock }: Receiver,
+  { tickRate: meter, clock, sendsTickRate }: Receiver,
   { tick, tickRate }: ServerFrame,
   now: number,
 ): number | null {
   if (meter === null) return null;
-  const { isKnown, wasKnown, isSent, late } = meter;
+  const { isKnown, wasKnown, late } = meter;
   meter.wasKnown = isKnown;
-  const isMeasuredAnew = !isSent && tickRate !== spanOf(timeline, tick).tickRate;
+  const isMeasuredAnew = !sendsTickRate && tickRate !== spanOf(timeline, tick).tickRate;
   if (isKnown && wasKnown && !isMeasuredAnew) return null;
   // Inputs were stamped by an assumed rate, perhaps for seconds later.
   if (isKnown && !wasKnown) forgetRecords(inputs);

@@ -44,9 +44,16 @@ export function sendSeconds({ ticks }: Cadence, tickRate: number): number {
   return Math.max(1, ticks) / tickRate;
 }
 
-/** Longest prediction past the newest frame, wall s: three sends, or the length of a network stall. */
-export function horizonOf(cadence: Cadence, tickRate: number): number {
-  return Math.max(HORIZON, 3 * sendSeconds(cadence, tickRate));
+/**
+ * Longest prediction past the newest frame, wall s: three sends, or the length of a network stall. If the server answers no pings, a pause
+ * shows only as silence: until the next send is overdue, by the longest of the last intervals.
+ */
+export function horizonOf(cadence: Cadence, tickRate: number, answersPings: boolean): number {
+  let longest = 0;
+  if (!answersPings) for (const ticks of cadence.recent) longest = Math.max(longest, ticks);
+  return longest === 0 ? Math.max(HORIZON, 3 * sendSeconds(cadence, tickRate)) : longest / tickRate + OVERDUE;
 }
 
 const HORIZON = 5;
+/** A send this late is overdue, s: more than jitter delays it. */
+const OVERDUE = 0.5;

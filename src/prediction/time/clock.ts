@@ -102,16 +102,28 @@ export function createClock(): Clock {
   };
 }
 
-/** Takes the arrival of a message that the server sent at server time `sentAt`. */
-export function sampleDown(clock: Clock, sentAt: number, now: number): void {
-  if (boundAbove(clock.bounds, sentAt, now, samplingOf(clock, now))) clock.stepped = true;
+/**
+ * Takes the arrival of a message that the server sent at server time `sentAt`.
+ * @param isOverdue whether none came for longer than usual
+ */
+export function sampleDown(clock: Clock, sentAt: number, now: number, isOverdue = false): void {
+  if (boundAbove(clock.bounds, sentAt, now, samplingOf(clock, now, isOverdue))) clock.stepped = true;
   if (sentAt >= clock.stoppedAt) clock.stoppedAt = Number.POSITIVE_INFINITY;
   settleOffset(clock, now);
 }
 
-function samplingOf(clock: Clock, now: number): Sampling {
-  const hearsPongs = now - clock.timedPongAt <= PONGS_HEARD;
-  return { roundTrip: leastRoundTrip(clock), clockStep: clock.clockStep, hearsPongs };
+/** Whether the server has ever answered a ping. */
+export function answersPings({ pongAt }: Clock): boolean {
+  return pongAt > Number.NEGATIVE_INFINITY;
+}
+
+function samplingOf(clock: Clock, now: number, isOverdue: boolean): Sampling {
+  return {
+    roundTrip: leastRoundTrip(clock),
+    clockStep: clock.clockStep,
+    hearsPongs: now - clock.timedPongAt <= PONGS_HEARD,
+    isOverdue: isOverdue && !answersPings(clock),
+  };
 }
 
 /** When a pong was sent, server s. */

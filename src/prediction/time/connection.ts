@@ -8,6 +8,8 @@ export type Connection =
   | 'live'
   /** No frames, but pings are answered, or the server is paused. */
   | 'serverPaused'
+  /** No frames, of a server that has never answered a ping: it is paused, or the link has stalled; nothing tells which. */
+  | 'silent'
   /** Neither frames nor answers: the link has stalled, or the page was frozen. */
   | 'stalled'
   /** The same for so long that the server counts as lost. */
@@ -45,8 +47,7 @@ export function connectionOf(
   const isLive = heard.frame <= staleAfter(cadence, tickRate);
   if (isLive) return paused ? 'serverPaused' : 'live';
   if (heard.pong <= ANSWERED) return 'serverPaused';
+  if (heard.pong === Number.POSITIVE_INFINITY) return paused ? 'serverPaused' : 'silent';
   const silence = Math.min(heard.frame, heard.pong);
-  const isGone = silence > Math.max(GONE, GONE_SENDS * sendSeconds(cadence, tickRate));
-  if (isGone) return 'gone';
-  return paused && heard.pong === Number.POSITIVE_INFINITY ? 'serverPaused' : 'stalled';
+  return silence > Math.max(GONE, GONE_SENDS * sendSeconds(cadence, tickRate)) ? 'gone' : 'stalled';
 }

@@ -70,6 +70,8 @@ export interface Sampling {
   readonly clockStep: number;
   /** Pings are being answered: a shifted schedule shows in the answers. */
   readonly hearsPongs: boolean;
+  /** The first message after a silence, of a server that answers no pings: if it is late, the server paused, or others follow at once. */
+  readonly isOverdue: boolean;
 }
 
 /**
@@ -92,7 +94,7 @@ export function boundAbove(bounds: OffsetBounds, sent: number, now: number, know
     bounds.late = 0;
     return false;
   }
-  if (!isShifted(bounds, sent, now, known.clockStep)) return false;
+  if (!known.isOverdue && !isShifted(bounds, sent, now, known.clockStep)) return false;
   bounds.upper = value;
   bounds.lower = Number.NEGATIVE_INFINITY;
   bounds.late = 0;

@@ -10,8 +10,6 @@ export interface TickRateMeter {
   rate: number;
   /** How much later than the least delayed frames the newest arrived, s. */
   late: number;
-  /** The server sends its rate. */
-  isSent: boolean;
   /** Whether the rate of the frame being received, and of the one before, is sent or measured; otherwise it is assumed. */
   isKnown: boolean;
   wasKnown: boolean;
@@ -44,20 +42,12 @@ const MIN_TICK_RATE = 0.1;
 export const MAX_TICK_RATE = 100;
 
 export function createTickRateMeter(): TickRateMeter {
-  return { arrivals: [], rate: Number.NaN, late: 0, isSent: false, isKnown: false, wasKnown: false };
-}
-
-/** Starts over for another world or timeline. */
-export function forgetTickRate(meter: TickRateMeter): void {
-  meter.arrivals.length = 0;
-  meter.rate = Number.NaN;
-  meter.isKnown = false;
-  meter.wasKnown = false;
+  return { arrivals: [], rate: Number.NaN, late: 0, isKnown: false, wasKnown: false };
 }
 
 /** Whether the game can have a tick rate, Hz. */
-export function isTickRate(rate: number | undefined): boolean {
-  return rate !== undefined && rate >= MIN_TICK_RATE && rate <= MAX_TICK_RATE;
+export function isTickRate(rate = Number.NaN): boolean {
+  return rate >= MIN_TICK_RATE && rate <= MAX_TICK_RATE;
 }
 
 /**
@@ -92,7 +82,7 @@ function weigh(meter: TickRateMeter): void {
   }
   const from = newestFrom(meter);
   const newest = lineUnder(arrivals, from);
-  if (from === 0 || newest.delays.some((delay) => delay > newest.tolerance)) return;
+  if (newest.delays.some((delay) => delay > newest.tolerance)) return;
   // A queue that drains looks like a higher rate, but its frames are late.
   const isFaster = newest.perTick < 1 / meter.rate;
   const early = arrivals.at(-1)!;
@@ -135,9 +125,7 @@ function lineUnder(arrivals: readonly Arrival[], from: number): Line {
   for (let step = 0; step < MAX_STEPS; step++) {
     before = earliest(used.slice(0, half), perTick);
     after = earliest(used.slice(half), perTick);
-    const next = slopeOf(before, after);
-    if (next === perTick) break;
-    perTick = next;
+    perTick = slopeOf(before, after);
   }
   const tolerance = Math.min(JITTER, SHARE * (used.at(-1)!.at - used[0]!.at));
   const delays = used.map(({ tick, at }) => at - before.at - (tick - before.tick) * perTick);
@@ -163,10 +151,10 @@ function earliest(arrivals: readonly Arrival[], perTick: number): Arrival {
 function accept(meter: TickRateMeter, { perTick, apart, delays }: Line, doubt: number): boolean {
   const rate = 1 / perTick;
   const uncertainty = (rate * doubt) / apart;
-  if (!(rate + uncertainty >= MIN_TICK_RATE && rate - uncertainty <= MAX_TICK_RATE)) return false;
+  const rounded = roundest(rate, uncertainty);
+  if (!isTickRate(rounded)) return false;
   meter.late = delays.at(-1)!;
-  if (Math.abs(meter.rate - rate) <= uncertainty) return true;
-  meter.rate = Math.max(MIN_TICK_RATE, Math.min(MAX_TICK_RATE, roundest(rate, uncertainty)));
+  if (!(Math.abs(meter.rate - rate) <= uncertainty)) meter.rate = rounded;
   return true;
 }
 

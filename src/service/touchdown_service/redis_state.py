@@ -13,6 +13,7 @@ from redis.exceptions import RedisError, WatchError
 from .runtime import lease as lease_key
 from .runtime.galaxy import Changes, Galaxy, make_galaxy
 from .runtime.lease import Lease, LeaseLost
+from .runtime.tempo import MAX_REQUEST
 from .storage.frames import event_record, ship_in_frame, write_events, write_frame
 from .storage.key_types import STATUS, check_written
 from .storage.records import body_of_record, body_record, input_record, ship_record, to_hash, to_texts
@@ -116,16 +117,22 @@ class RedisState:
 
     def read_requests(self, cursor: str) -> Requests:
         pipe = self.client.pipeline(transaction=False)
-        pipe.mget(REQUESTS)
+        for key in REQUESTS:
+            # One byte more than a request may have: whatever else the key holds is not read.
+            pipe.exists(key).getrange(key, 0, MAX_REQUEST)
         pipe.xrange(INBOX, f"({cursor}", "+", INBOX_COUNT)
         answers = pipe.execute(raise_on_error=False)
         for answer in answers:
             if isinstance(answer, RedisError) and not str(answer).startswith("WRONGTYPE"):
                 raise answer
-        values, entries = answers
+        *found, entries = answers
+        values = {
+            key: value if exists and isinstance(value, str) else None
+            for key, exists, value in zip(REQUESTS, found[::2], found[1::2])
+        }
         if isinstance(entries, RedisError):
-            return Requests(dict(zip(REQUESTS, values)), refusals=[f"{INBOX}: expected a stream"])
-        return Requests(dict(zip(REQUESTS, values)), entries)
+            return Requests(values, refusals=[f"{INBOX}: expected a stream"])
+        return Requests(values, entries)
 
     def commit(self, galaxy: Galaxy, changes: Changes, due: float, requests: Requests, status: dict[str, Any]) -> None:
         """Writes all of a tick or nothing. Raises LeaseLost if another service may have written meanwhile."""

@@ -90,7 +90,8 @@ describeInBrowser('the instruments of flying', () => {
       'true',
       'translate(0 0)',
     ]);
-    await show({ flight: { ...FLYING, hover: 1.01 } });
+    await show({ flight: { ...FLYING, throttle: 0.503, hover: 1.01 } });
+    expect(await attribute('.td-lever-fill', 'd')).toBe('M0 50H18V100H0Z');
     expect(await attribute('.td-lever-hover', 'data-shown')).toBe('false');
   });
 

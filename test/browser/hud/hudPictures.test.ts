@@ -81,6 +81,22 @@ describeInBrowser('HUD pictures', () => {
     }
   }
 
+  describe('the markup is the kept one, also where a picture’s tolerance hides a difference', () => {
+    beforeAll(() => page.setViewportSize(SIZES[0]));
+
+    it.each(['flight', 'contact', 'landed', 'tipped', 'crashed'])('%s', async (state) => {
+      await show(page, state);
+      await untilDrawn(page);
+      await expect(await markupOf(page, '#landing')).toMatchFileSnapshot(`markup/${state}.txt`);
+    });
+
+    it('fleet', async () => {
+      await page.evaluate(() => (window as unknown as HudWindow).hud.showFleet(20));
+      await untilDrawn(page);
+      await expect(await markupOf(page, '#fleet')).toMatchFileSnapshot('markup/fleet.txt');
+    });
+  });
+
   it('axe reports a text that is too faint', async () => {
     await show(page, 'contact');
     const style = await page.addStyleTag({ content: '.td-gates th { color: #8a8f94 }' });
@@ -103,6 +119,29 @@ describeInBrowser('HUD pictures', () => {
 
 const slotAt1280 = { x: 25, y: 55, width: 334, height: 46 };
 const slotAt390 = { x: 21, y: 51, width: 342, height: 38 };
+
+/**
+ * Elements with their attributes, and texts, one per line; without the side that an animation is on, which alternates, and whether the
+ * parts scroll, which hudFits.test.ts holds.
+ */
+function markupOf(page: Page, selector: string): Promise<string> {
+  return page.locator(selector).evaluate((host) => {
+    const lines: string[] = [];
+    const write = (node: Node, indent: string) => {
+      if (node.nodeType === 3 && node.nodeValue !== '') lines.push(`${indent}“${node.nodeValue ?? ''}”`);
+      // What is hidden, and what was announced, is of an earlier state.
+      if (!(node instanceof Element) || node.matches('[hidden], [role=status], [role=alert]')) return;
+      const attributes = [...node.attributes]
+        .filter(({ name }) => name !== 'data-pulse' && !(name !== 'class' && node.matches('.td-parts')))
+        .map(({ name, value }) => `${name}="${value}"`)
+        .sort();
+      lines.push(indent + [node.localName, ...attributes].join(' '));
+      for (const child of node.childNodes) write(child, `${indent}  `);
+    };
+    for (const child of host.childNodes) write(child, '');
+    return `${lines.join('\n')}\n`;
+  });
+}
 
 /** Texts that stick out of the HUD's box, by class. */
 function overflowing(page: Page): Promise<string[]> {

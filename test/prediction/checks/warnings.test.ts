@@ -69,6 +69,18 @@ it('a ship that was seen and is gone is no mistake of its id', () => {
 
 const planned = (tick: number) => ({ tick, substep: 0, controls: NEUTRAL_CONTROLS });
 
+it('a plan in order is no mistake', () => {
+  expect(() => createPredictor({ plan: [planned(4), planned(5), planned(5)] })).not.toThrow();
+});
+
+it('advance counts as missing at the tenth frame', () => {
+  const after = (frames: number) =>
+    warningsOf((p) => {
+      for (const one of ticks(frames)) p.receive(one, one.tick);
+    }).filter(({ code }) => code === 'advance-never').length;
+  expect([after(9), after(10)]).toEqual([0, 1]);
+});
+
 describe('an invalid option', () => {
   const thrown = (options: object) => () => createPredictor(options);
   it.each([

@@ -147,6 +147,15 @@ describe('a disposed predictor', () => {
   });
 });
 
+it('a predictor in a worker is told when the page disposes of it', () => {
+  const posted: unknown[] = [];
+  const channel: Channel = { postMessage: (message) => posted.push(message), onmessage: null };
+  const remote = connectPredictor(channel);
+  remote.dispose();
+  expect(posted.at(-1)).toEqual({ kind: 'dispose' });
+  expect(channel.onmessage).toBeNull();
+});
+
 describe('a predictor in a worker', () => {
   let { port1, port2 } = new MessageChannel();
   beforeEach(() => ({ port1, port2 } = new MessageChannel()));

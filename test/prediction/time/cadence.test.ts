@@ -20,7 +20,17 @@ describe('how often a server sends', () => {
     const cadence = known();
     noteSend(cadence, 400);
     expect(sendSeconds(cadence, 20)).toBe(10);
-    expect(horizonOf(cadence, 20)).toBe(30);
+    expect(horizonOf(cadence, 20, true)).toBe(30);
+  });
+
+  it('bounds the prediction of a server that answers no pings by the longest of the last intervals', () => {
+    const cadence = known();
+    expect(horizonOf(cadence, 20, false)).toBe(10.5);
+    noteSend(cadence, 400);
+    expect(horizonOf(cadence, 20, false)).toBe(20.5);
+    for (let k = 0; k < 7; k++) noteSend(cadence, 200);
+    expect(horizonOf(cadence, 20, false)).toBe(10.5);
+    expect(horizonOf(createCadence(), 20, false)).toBe(5);
   });
 
   it('is one tick until the second send', () => {
@@ -47,7 +57,7 @@ describe('how often a server sends', () => {
     const cadence = known();
     forgetCadence(cadence);
     noteSend(cadence, 0);
-    expect(horizonOf(cadence, 20)).toBe(30);
+    expect(horizonOf(cadence, 20, true)).toBe(30);
     noteSend(cadence, 20);
     expect(sendSeconds(cadence, 20)).toBe(1);
   });

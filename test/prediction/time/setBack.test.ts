@@ -34,11 +34,11 @@ function stay(predictor: Predictor, from: number, seconds: number): number {
 }
 
 describe('a caller whose clock is set back by an hour', () => {
-  it('sees that the server is gone as soon as otherwise', () => {
+  it('sees that the server is silent as soon as otherwise', () => {
     const predictor = createPredictor(OWN);
     const now = stay(predictor, setBack(predictor), 12);
     const view = predictor.view(now);
-    expect(view.connection).toBe('gone');
+    expect(view.connection).toBe('silent');
     expect(view.own!.provenance).toBe('stale');
     expect(view.silence).toBeGreaterThan(11);
     expect(view.silence).toBeLessThan(13);

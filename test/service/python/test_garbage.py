@@ -183,6 +183,23 @@ class Running(unittest.TestCase):
         until(lambda: self.client.exists("ship:s1"), "an inbox that is a stream again is read", service)
         self.assertEqual(self.client.get("game:tick_rate"), "50.0")
 
+    def test_a_value_of_many_megabytes_is_refused_by_name_and_not_read(self) -> None:
+        self.client.mset({"game:tick_rate": "50", "game:time_scale": "1"})
+        service = self.run_service()
+        self.expect_ticks(service, "at the start")
+        size = 64 << 20
+        for key in ("game:tick_rate", "game:time_scale", "game:paused", "game:time_sync"):
+            kept = self.client.get(key)
+            self.client.execute_command("SETRANGE", key, size - 1, "0")
+            refused = f"{key}: expected at most 64 bytes"
+            until(lambda: self.client.hget("touchdown:status", "refused") == refused, f"{key} is refused", service)
+            sent = self.client.info("stats")["total_net_output_bytes"]
+            self.expect_ticks(service, f"{key} of {size} bytes")
+            self.assertLess(self.client.info("stats")["total_net_output_bytes"] - sent, size)
+            self.client.set(key, kept)
+        self.expect_ticks(service, "with the values as before")
+        self.assertEqual(self.client.hget("touchdown:clock", "tick_rate"), "50.0")
+
     def test_a_key_that_takes_another_type_ends_it_by_name_and_mended_it_goes_on(self) -> None:
         raw = Redis(port=self.redis.port)
         self.client.set("game:tick_rate", "50")

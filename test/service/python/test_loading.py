@@ -122,6 +122,10 @@ class Loading(unittest.TestCase):
                 "game:paused: expected true or false, got 'perhaps'",
             ],
         )
+        long = {"game:tick_rate": "0" * 63 + "20", "game:time_scale": "0" * 62 + "20"}
+        tempo, refusals = next_tempo(now, long, 0.0)
+        self.assertEqual(refusals, ["game:tick_rate: expected at most 64 bytes"])
+        self.assertEqual((tempo.tick_rate, tempo.requested_scale), (now.tick_rate, 20))
         tempo, refusals = next_tempo(now, {"game:tick_rate": "10", "game:time_sync": "true"}, 5.0)
         self.assertEqual((tempo.tick_rate, tempo.time_scale, refusals), (10.0, 1.05, []))
 

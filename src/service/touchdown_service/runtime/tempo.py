@@ -8,6 +8,8 @@ from ..config import TICK_RATE, TIME_SCALE
 from ..validation.limits import Range, Refusal, number
 from .galaxy import Tempo
 
+# Length of a value of game:*, bytes.
+MAX_REQUEST = 64
 DECIMAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 # Maximum deviation of the effective time scale under time sync, as a share of game:time_scale.
 SYNC_SHARE = 0.05
@@ -18,6 +20,7 @@ SYNC_SECONDS = 10
 def next_tempo(now: Tempo, requests: dict[str, str | None], behind: float) -> tuple[Tempo, list[str]]:
     """The tempo from this boundary on, and the requests that were refused, with the reason.
 
+    `requests`: values of game:*, each up to the byte that makes it too long; None for a key without a text.
     `behind`: wall seconds by which game time has fallen behind its schedule, for time sync.
     """
     refusals: list[str] = []
@@ -27,6 +30,8 @@ def next_tempo(now: Tempo, requests: dict[str, str | None], behind: float) -> tu
         if value is None:
             return held
         try:
+            if len(value.encode()) > MAX_REQUEST:
+                raise Refusal(f"{key}: expected at most {MAX_REQUEST} bytes")
             return read(value, key)
         except Refusal as refusal:
             refusals.append(str(refusal))

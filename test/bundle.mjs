@@ -8,9 +8,6 @@ import { rolldown } from 'rolldown';
 import { mutation } from './mutants/plugins.mjs';
 import { reportingTest } from './mutants/probes.mjs';
 
-/** Marks a source module that a test imports dynamically: it becomes a bundle of its own, evaluated anew after vi.resetModules(). */
-const ALONE = '?alone';
-
 /** What a module asks of `import.meta`, and the constant that tells it of its source's place, e.g. to read the files beside it. */
 const PLACES = {
   'import.meta.url': 'sourceUrl',
@@ -33,27 +30,17 @@ const declareSourcePlace = {
   },
 };
 
-/** Modules that are imported dynamically stay outside, by absolute path. */
-const leaveDynamicImports = {
-  name: 'leave-dynamic-imports',
-  async resolveDynamicImport(specifier, importer) {
-    if (typeof specifier !== 'string' || !specifier.startsWith('.')) return null;
-    const found = await this.resolve(specifier, importer, { skipSelf: true });
-    return found && { id: found.id + ALONE, external: true };
-  },
-};
-
 /** As vite.config.ts has it for the page, and says why. */
 const OUTPUT = { sourcemap: true, topLevelVar: false };
 
-/** Input of the bundler: entries (absolute paths) by name, the packages to take into the bundle, further plugins. */
-function inputOf(entries, inside, plugins) {
+/** Input of the bundler: entries (absolute paths) by name, the packages to take into the bundle. */
+function inputOf(entries, inside) {
   const isPackage = (id) => /^[^./]/.test(id) && !Object.values(entries).includes(id);
   return {
     input: entries,
     platform: 'node',
     external: (id, _, isResolved) => !isResolved && isPackage(id) && !inside.test(id),
-    plugins: [...mutation(), declareSourcePlace, ...plugins],
+    plugins: [...mutation(), declareSourcePlace],
     optimization: { inlineConst: { mode: 'all', pass: 3 } },
     transform: { define: PLACES },
     moduleTypes: { '.css': 'empty' },
@@ -63,10 +50,10 @@ function inputOf(entries, inside, plugins) {
 /**
  * Bundles `entry` (absolute path): { code, map, modules }, the last the paths of what is inside.
  * @param {string} entry
- * @param {{ inside?: RegExp, plugins?: object[] }} options packages to take into the bundle; the rest are imported by it
+ * @param {{ inside?: RegExp }} options packages to take into the bundle; the rest are imported by it
  */
-export async function bundle(entry, { inside = /^$/, plugins = [] } = {}) {
-  const build = await rolldown(inputOf({ entry }, inside, plugins));
+export async function bundle(entry, { inside = /^$/ } = {}) {
+  const build = await rolldown(inputOf({ entry }, inside));
   try {
     const { output } = await build.generate({ ...OUTPUT, dir: dirname(entry), codeSplitting: false });
     const { code, map, moduleIds } = output[0];
@@ -78,26 +65,24 @@ export async function bundle(entry, { inside = /^$/, plugins = [] } = {}) {
 
 /**
  * Bundles test files (absolute paths) into `folder`, what they share into files of its own: so it is bundled once, and compiled once
- * in each process. Returns { file, modules } by test file, without those whose bundle the runner has to load.
+ * in each process. Returns { file, modules, isShared } by test file.
  */
 async function bundleTogether(tests, folder) {
   const names = new Map(tests.map((test, n) => [`${basename(test, '.ts')}-${n}`, test]));
-  const build = await rolldown(inputOf(Object.fromEntries(names), /^$/, [leaveDynamicImports]));
+  const build = await rolldown(inputOf(Object.fromEntries(names), /^$/));
   try {
     const { output } = await build.write({ ...OUTPUT, dir: folder, entryFileNames: '[name].mjs' });
     const chunks = new Map(output.map((chunk) => [chunk.fileName, chunk]));
     const made = [...names].map(([name, test]) => [test, behind(`${name}.mjs`, chunks)]);
     return new Map(
-      made
-        .filter(([, all]) => all.every(({ code }) => !code.includes(ALONE)))
-        .map(([test, all]) => [
-          test,
-          {
-            file: join(folder, all[0].fileName),
-            modules: all.flatMap(({ moduleIds }) => moduleIds),
-            isShared: tests.length > 1,
-          },
-        ]),
+      made.map(([test, all]) => [
+        test,
+        {
+          file: join(folder, all[0].fileName),
+          modules: all.flatMap(({ moduleIds }) => moduleIds),
+          isShared: tests.length > 1,
+        },
+      ]),
     );
   } finally {
     await build.close();
@@ -135,6 +120,8 @@ function isRunning(pid) {
   }
 }
 
+/** Of the test runner: what works on its own module graph. */
+const REFUSED = /\bvi\.(mock|doMock|resetModules)\b/;
 const TESTS = dirname(fileURLToPath(import.meta.url));
 /** Of the test runner, at the top of a module. */
 const HOOK = /^(before|after)(Each|All)\(/m;
@@ -173,21 +160,18 @@ export function bundledTests() {
     name: 'bundled-tests',
     enforce: 'pre',
     async load(id) {
-      const isAlone = id.endsWith(ALONE);
-      if (!isAlone && !id.endsWith('.test.ts')) return null;
-      const entry = isAlone ? id.slice(0, -ALONE.length) : id;
-      if (/\bvi\.(mock|doMock)\(/.test(readFileSync(entry, 'utf8'))) {
-        throw new Error(`${entry}: vi.mock cannot reach into a bundle; pass the stand-in as an argument`);
-      }
-      const made = isAlone ? undefined : (await together).get(entry);
-      // What is loaded anew after vi.resetModules() has to be loaded by the runner.
-      const { code, map, modules } = made ?? (await bundle(entry, { plugins: [leaveDynamicImports] }));
+      if (!id.endsWith('.test.ts')) return null;
+      const refused = REFUSED.exec(readFileSync(id, 'utf8'));
+      if (refused)
+        throw new Error(`${id}: ${refused[0]} cannot reach into a bundle; pass what differs as an argument`);
+      const made = (await together).get(id);
+      const { code, map, modules } = made ?? (await bundle(id));
       if (made?.isShared) refuseSharedHooks(modules.filter((path) => path.startsWith(TESTS)));
       for (const module of modules) this.addWatchFile(module);
       if (!made) return { code, map };
       const url = pathToFileURL(made.file).href;
       const probes = process.env.TOUCHDOWN_PROBES;
-      return probes ? reportingTest(entry, url, probes) : `import ${JSON.stringify(url)};`;
+      return probes ? reportingTest(id, url, probes) : `import ${JSON.stringify(url)};`;
     },
   };
 }

@@ -1,9 +1,23 @@
 // Which files are tests and how they run. A new test file anywhere under test/ is picked up by its name alone.
-import { availableParallelism } from 'node:os';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { availableParallelism, tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { BaseSequencer } from 'vitest/node';
 import { bundledTests, bundleRun } from './bundle.mjs';
 
 const BROWSER_TESTS = 'test/browser/**/*.test.ts';
+/** Those that wait for programs that they start: Python, Redis, a C compiler, node. */
+const PROGRAM_TESTS = [
+  ...['service', 'exact'].map((room) => `test/${room}/**/*.test.ts`),
+  'test/**/heap.test.ts',
+  ...[
+    'architecture/setup',
+    'dynamics/bodies/day',
+    'gateway/gateway',
+    'parity/main',
+    'wire/protobuf/codec',
+  ].map((name) => `test/${name}.test.ts`),
+];
 /** Minutes each: run by `npm run test:long` and by .ci/run, not by `npm test`. */
 const LONG_TESTS = 'test/**/*.long.test.ts';
 /** Those that measure in real time what a busy machine would change. */
@@ -12,11 +26,18 @@ const ALONE = ['test/live/**/*.long.test.ts', 'test/prediction/harness/inChromiu
 /** ms. For hangs alone: ten times what the slowest test takes on two cores, so that no test fails on a busy machine. */
 const HANGS = { testTimeout: 300_000, hookTimeout: 300_000, expect: { poll: { timeout: 120_000 } } };
 
-/**
- * More than cores: a browser test waits for its page most of the time, and the node files behind it would wait too. Not many more: each
- * worker compiles what node files share anew.
- */
-const maxWorkers = 3 * availableParallelism();
+const cores = availableParallelism();
+
+/** Whether this is a runner of test/mutants: one of several, and killed at its end. */
+const isOfMutants = process.env.TOUCHDOWN_MUTANT !== undefined;
+
+/** Puts what tests, and the programs that they start, leave in the temporary folder into one that goes with the run. */
+function ownTemporaryFolder() {
+  const folder = mkdtempSync(join(tmpdir(), 'touchdown-tests-'));
+  process.env.TMPDIR = folder;
+  process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
+}
+if (!isOfMutants) ownTemporaryFolder();
 
 /**
  * Bundles the run's files before it begins: those of node together, so that what they share is compiled once in each process. Files
@@ -24,49 +45,73 @@ const maxWorkers = 3 * availableParallelism();
  */
 class Bundled extends BaseSequencer {
   async sort(files) {
-    const pathsOf = (isNode) =>
-      files.filter(({ project }) => (project.name === 'node') === isNode).map(({ moduleId }) => moduleId);
-    bundleRun([pathsOf(true), ...pathsOf(false).map((path) => [path])]);
+    const pathsOf = (isBrowser) =>
+      files
+        .filter(({ project }) => (project.name === 'browser') === isBrowser)
+        .map(({ moduleId }) => moduleId);
+    bundleRun([pathsOf(false), ...pathsOf(true).map((path) => [path])]);
     return super.sort(files);
   }
 }
 
-/** Those that wait for a minute, or compute for seconds: what starts last ends last. */
-const FIRST_OF_BROWSER = /(pageRuns|pagesTogether|pageDevices|pageGame)\.test\.ts$/;
-const FIRST_OF_NODE =
-  /(service\/(service|recorder)|exact\/\w+|game\/live|simulation\/law|ground\/ground|heap|bodies\/day|examples)\.test\.ts$/;
+/** Those that wait for half a minute, or compute for seconds, the longest first: what starts last ends last. */
+const FIRST = [
+  ...[
+    'service/service',
+    'pageRuns',
+    'pageDevices',
+    'pageReturns',
+    'pageGame',
+    'offline',
+    'pageWindow',
+    'page',
+  ],
+  ...['pageAxe', 'pagesTogether', 'pageKeys', 'hudPictures'],
+  ...['ground/ground', 'game/live', 'simulation/law', 'package/examples', 'game/parts', 'leanPredictor'],
+].map((name) => `/${name}.test.ts`);
 
-/**
- * Browser files first: node files compute while they wait. A worker changes from one kind to the other once, since each change starts
- * a process.
- */
-class BrowserFirst extends Bundled {
+/** The longest first, then those of the browser: a worker changes from one kind to the other once, since each change starts a process. */
+class LongestFirst extends Bundled {
   async sort(files) {
-    const rank = ({ project, moduleId }) =>
-      project.name === 'browser'
-        ? Number(!FIRST_OF_BROWSER.test(moduleId))
-        : 2 + Number(!FIRST_OF_NODE.test(moduleId));
+    const rank = ({ project, moduleId }) => {
+      const found = FIRST.findIndex((name) => moduleId.endsWith(name));
+      if (found >= 0) return found;
+      return FIRST.length + (project.name === 'programs' ? 1 : 0);
+    };
     return (await super.sort(files)).sort((a, b) => rank(a) - rank(b));
   }
 }
 
+/**
+ * Files that compute come first, one worker a core: each worker compiles the law anew. Then those that wait for pages and programs most of
+ * the time, more of them at once; a run of test/mutants is one of several.
+ */
+const COMPUTING = { isolate: false, ...HANGS };
+const WAITING = {
+  isolate: false,
+  maxWorkers: isOfMutants ? 1 : 3 * cores,
+  sequence: { groupOrder: 1 },
+  ...HANGS,
+};
+
 export const tests = {
   publicDir: false,
   test: {
-    maxWorkers,
-    sequence: { sequencer: BrowserFirst },
+    maxWorkers: cores,
+    sequence: { sequencer: LongestFirst },
     projects: [
       {
         plugins: [bundledTests()],
         test: {
           name: 'node',
           include: ['test/**/*.test.ts'],
-          exclude: [BROWSER_TESTS, LONG_TESTS],
-          // Files of a process share the source: it keeps nothing from one call to the next but scratch, and a worker’s program, which its
-          // tests load anew.
-          isolate: false,
-          ...HANGS,
+          exclude: [BROWSER_TESTS, ...PROGRAM_TESTS, LONG_TESTS],
+          ...COMPUTING,
         },
+      },
+      {
+        plugins: [bundledTests()],
+        test: { name: 'programs', include: PROGRAM_TESTS, exclude: [LONG_TESTS], ...WAITING },
       },
       {
         plugins: [bundledTests()],
@@ -75,8 +120,7 @@ export const tests = {
           include: [BROWSER_TESTS],
           exclude: [LONG_TESTS],
           globalSetup: ['test/browser/globalSetup.ts'],
-          isolate: false,
-          ...HANGS,
+          ...WAITING,
         },
       },
     ],

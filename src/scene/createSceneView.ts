@@ -1,20 +1,20 @@
 import { GRAVITATIONAL_CONSTANT } from '../dynamics';
 import type { ShipView, WorldView } from '../prediction';
 import { releaseRig, turnRig, zoomRig } from './camera/cameraRig';
-import { aimCamera } from './camera/cameras';
+import { aimCamera, FIRST_AZIMUTH, FIRST_ELEVATION } from './camera/cameras';
 import { checkedScene, requireScene, type SceneOptions } from './checks';
 import { createFence } from './fence';
 import { placeGrain } from './ground/groundMaterial';
 import { rebuildIfNeeded, showWatchedClass } from './surroundings';
-import { writeScreenAxes } from './localFrame';
+import { rotate, writeScreenAxes } from './localFrame';
 import { anyChosen, placeOverlays } from './overlays/overlayPlaces';
 import type { Quality } from './quality';
 import { createParts, disposeParts } from './sceneParts';
-import { createState, FIRST_AZIMUTH, FIRST_ELEVATION, frameOf, type SceneState } from './sceneState';
+import { createState, frameOf, type SceneState } from './sceneState';
 import { poseShips, placeShips } from './shipsInScene';
 import type { ShipActor } from './ships/shipActor';
 import type { SceneView } from './sceneView';
-import { aimCone } from './camera/viewCone';
+import { aimCone, fieldOfView } from './camera/viewCone';
 
 /** s: a longer pause between two frames raises no more dust than this. */
 const LONGEST_STEP = 0.25;
@@ -85,6 +85,7 @@ function sceneIn(canvas: HTMLCanvasElement, quality: Quality): SceneView {
       rig.azimuth = FIRST_AZIMUTH;
       rig.elevation = FIRST_ELEVATION;
       rig.raised = 0;
+      rig.facesPad = false;
       state.watchedClass = '';
     },
     dispose: () => disposeParts(parts),
@@ -106,7 +107,7 @@ function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seco
     actor,
     seconds: waited,
     groundY,
-    hasPad: state.markers.pads.length > 0,
+    pad: nextPad(state),
   });
   placeGround(state, actor);
   placeShips(state, actor);
@@ -118,6 +119,17 @@ function drawWatched(state: SceneState, view: WorldView, watched: ShipView, seco
   parts.shipResources.jet.uniforms['flicker']!.value = flicker;
   for (const part of parts.scene.children) if (part.visible) part.updateMatrixWorld();
   parts.renderer.render(parts.scene, parts.camera);
+}
+
+/** The pad to land on next, local, m; null without one. */
+function nextPad(state: SceneState): Float64Array | null {
+  const { pad, markers } = state;
+  const next = markers.pads.find(({ isNext }) => isNext);
+  if (next === undefined) return null;
+  const { axes, radius } = frameOf(state);
+  rotate(pad, axes, next.place);
+  pad[1] = pad[1]! - radius;
+  return pad;
 }
 
 /** Call before ships raise dust: sets the time at which grains are emitted. */
@@ -178,8 +190,7 @@ function resize({ parts, opening }: SceneState, width: number, height: number, p
   renderer.setPixelRatio(pixelRatio);
   renderer.setSize(width, height, false);
   camera.aspect = width / height;
-  // A tall window has the horizontal field of view of a square one.
-  camera.fov = camera.aspect >= 1 ? 48 : 62;
+  camera.fov = fieldOfView(camera.aspect);
   camera.updateProjectionMatrix();
   opening.upright = Math.tan((camera.fov * Math.PI) / 360);
   opening.across = opening.upright * camera.aspect;

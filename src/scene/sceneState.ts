@@ -1,6 +1,6 @@
 import { flatTerrain, type TerrainHeight } from '../dynamics';
 import { createRig, type MovingRig } from './camera/cameraRig';
-import type { CameraView } from './camera/cameras';
+import { type CameraView, FIRST_AZIMUTH, FIRST_ELEVATION } from './camera/cameras';
 import { groundPoint } from './ground/terrainLevel';
 import { createTurn, type LocalFrame, type Turn } from './localFrame';
 import type { Markers } from './overlays/markers';
@@ -11,10 +11,6 @@ import { type Actors, createActors } from './ships/actors';
 import { lookOf } from './sky/bodyLook';
 import { type SceneLook, underSun } from './sky/underSun';
 import { createCone, type ViewCone } from './camera/viewCone';
-
-/** The eye's initial direction from the ship, rad: on the shadow's side, slightly above the ground. */
-export const FIRST_AZIMUTH = 1.9;
-export const FIRST_ELEVATION = 0.16;
 
 /** The scene view's state between frames. */
 export interface SceneState {
@@ -28,6 +24,8 @@ export interface SceneState {
   readonly cone: ViewCone;
   readonly opening: { across: number; upright: number };
   readonly point: Float64Array;
+  /** The pad to land on next, local, m. */
+  readonly pad: Float64Array;
   readonly groundY: (x: number, z: number) => number;
   terrain: TerrainHeight;
   frame: LocalFrame | null;
@@ -48,6 +46,7 @@ export function createState(parts: SceneParts): SceneState {
   const state: SceneState = {
     parts,
     point,
+    pad: new Float64Array(3),
     actors: createActors(),
     rig: createRig(FIRST_AZIMUTH, FIRST_ELEVATION, 24),
     choice: { ghost: false, errorSegment: false, contactNormal: false, footprint: false, forces: false },

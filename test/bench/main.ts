@@ -72,6 +72,6 @@ print(fleetSecond());
 print(heapPerSubstep());
 for (const figure of heightmapFigures()) print(figure);
 for (const figure of workerFigures()) print(figure);
-for (const figure of replayFigures()) print(figure);
+for (const figure of await replayFigures()) print(figure);
 const jolt = await joltBody();
 if (jolt) print(jolt);

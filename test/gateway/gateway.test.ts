@@ -17,8 +17,8 @@ import { shipOf, worldOf } from './fakeGateway';
 const ACCOUNT = { username: 'one', playerId: 'p1', password: 'x' };
 
 describe.skipIf(isMissing('redis'))('a gateway', () => {
-  const folder = mkdtempSync(join(tmpdir(), 'touchdown-gateway-'));
   const logged: string[] = [];
+  let folder: string;
   let server: Process;
   let redis: RedisClientType;
   let gateway: Gateway;
@@ -26,6 +26,7 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
   let url: string;
 
   beforeAll(async () => {
+    folder = mkdtempSync(join(tmpdir(), 'touchdown-gateway-'));
     const port = await freePort();
     server = createProcess({
       name: 'redis',

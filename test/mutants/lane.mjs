@@ -18,7 +18,7 @@ class AsGiven extends BaseSequencer {
 
 const vitest = await createVitest('test', {
   root: ROOT,
-  project: [process.argv[2]],
+  project: process.argv[2] === 'node' ? ['node', 'programs'] : [process.argv[2]],
   watch: false,
   maxWorkers: 1,
   bail: process.env.TOUCHDOWN_PROBES ? 0 : 1,

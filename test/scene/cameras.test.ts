@@ -20,7 +20,7 @@ function flying(): ShipActor {
 function lookOf(view: CameraView): { way: number[]; eye: number[]; camera: PerspectiveCamera } {
   const camera = new PerspectiveCamera(48, 16 / 9, 0.4, 1000);
   const rig = createRig(1.9, 0.16, 24);
-  const place = { actor: flying(), seconds: 0.1, groundY: () => 0, hasPad: false };
+  const place = { actor: flying(), seconds: 0.1, groundY: () => 0, pad: null };
   for (let n = 0; n < 100; n++) aimCamera(camera, rig, view, place);
   const way = [0, 1, 2].map((k) => rig.focus[k]! - rig.eye[k]!);
   const length = Math.hypot(...way);
@@ -53,7 +53,7 @@ it('stays in place as free camera', () => {
   const rig = createRig(1.9, 0.16, 24);
   const camera = new PerspectiveCamera();
   const actor = flying();
-  const place = { actor, seconds: 0.1, groundY: () => 0, hasPad: false };
+  const place = { actor, seconds: 0.1, groundY: () => 0, pad: null };
   aimCamera(camera, rig, 'follow', place);
   const before = [...rig.eye];
   actor.place[0] = -500;
@@ -65,9 +65,11 @@ it('looks down on the pad from high up, and from the side near the ground, and k
   const rig = createRig(1.9, 0.16, 24);
   const camera = new PerspectiveCamera();
   const actor = flying();
-  const place = { actor, seconds: 0.1, groundY: () => 0, hasPad: true };
+  const place = { actor, seconds: 0.1, groundY: () => 0, pad: [20, 0, -30] };
   aimCamera(camera, rig, 'follow', place);
-  expect(rig.elevation).toBeCloseTo(0.16 + 1.15, 12);
+  // Of a quarter turn: from 100 m up almost straight down.
+  expect(rig.elevation).toBeGreaterThan(1.2);
+  expect(rig.elevation).toBeLessThan(1.4);
   rig.elevation += 0.1;
   actor.place[1] = 5;
   aimCamera(camera, rig, 'follow', place);

@@ -19,18 +19,12 @@ const INTERVAL = 2;
 const MAX_BYTES = 200e6;
 const SHIP_BYTES = 22_000;
 
-/** Wall seconds between two copies near the place last gone to, and how many there are: further steps back begin there. */
-const NEAR_INTERVAL = 0.5;
-const NEAR_COUNT = 8;
-
 /** Copies of the predictor along a recording, so that any moment of it is found from the nearest one before. */
 export interface Keyframes {
   /** A copy fed up to the nearest keyframe at or before `at`; whatever lies before it is read first. */
   readonly before: (at: number) => Fed;
   /** Whether a keyframe lies between two times. */
   readonly hasBetween: (from: number, to: number) => boolean;
-  /** Keeps a copy of what is fed on the way to a place, the newest few. */
-  readonly keepNear: (fed: Fed) => void;
   /** Reads on until `isOver` says so or the recording ends. */
   readonly prepare: (isOver: () => boolean) => void;
 }
@@ -46,7 +40,6 @@ export function createKeyframes({ entries, header }: Recording): Keyframes {
     controls: null,
   };
   const kept: Fed[] = [copyFed(scout)];
-  const near: Fed[] = [];
   const readOne = () => {
     const isDrawn = entries[scout.next]!.kind === 'advanced';
     feed(scout, entries);
@@ -61,20 +54,10 @@ export function createKeyframes({ entries, header }: Recording): Keyframes {
     },
     before(at) {
       while (scout.next < entries.length && entries[scout.next]!.at <= at) readOne();
-      const coarse = kept.findLast(({ shownAt }) => shownAt <= at) ?? kept[0]!;
-      return copyFed(near.reduce((best, fed) => (isBetween(fed, best.shownAt, at) ? fed : best), coarse));
+      return copyFed(kept.findLast(({ shownAt }) => shownAt <= at) ?? kept[0]!);
     },
-    hasBetween: (after, at) => kept.some((fed) => isBetween(fed, after, at)),
-    keepNear(fed) {
-      if (near.some(({ shownAt }) => Math.abs(shownAt - fed.shownAt) < NEAR_INTERVAL)) return;
-      near.push(copyFed(fed));
-      if (near.length > NEAR_COUNT) near.shift();
-    },
+    hasBetween: (after, at) => kept.some(({ shownAt }) => shownAt > after && shownAt <= at),
   };
-}
-
-function isBetween({ shownAt }: Fed, after: number, at: number): boolean {
-  return shownAt > after && shownAt <= at;
 }
 
 /** As many as the memory holds for the largest frame of the recording. */

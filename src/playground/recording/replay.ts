@@ -48,21 +48,23 @@ export function createReplay(recording: Recording): Replay {
 
   const moveTo = (at: number) => {
     const wanted = Math.min(Math.max(at, from), to);
-    const isJump = wanted < position || keyframes.hasBetween(fed.shownAt + JUMP, wanted);
-    if (isJump) {
-      fed = keyframes.before(wanted);
-      generation++;
-      baseline.forget();
-      const frame = lastFrameBefore(entries, fed.next);
-      if (frame !== null) baseline.take(frame.message, frame.at);
-    }
+    const isUndone = fed.next > 0 && entries[fed.next - 1]!.at > wanted;
+    const isSkip = isUndone || keyframes.hasBetween(fed.shownAt + JUMP, wanted);
+    if (isSkip || wanted < position) generation++;
     position = wanted;
+    // Between two entries nothing that was fed has to be undone: the predictor stays.
+    if (isSkip) goFrom(keyframes.before(wanted));
     while (fed.next < entries.length && entries[fed.next]!.at <= wanted) {
       const entry = entries[fed.next]!;
       feed(fed, entries);
-      if (isJump) keyframes.keepNear(fed);
       if (isFrame(entry)) baseline.take(entry.message, entry.at);
     }
+  };
+  const goFrom = (keyframe: Fed) => {
+    fed = keyframe;
+    baseline.forget();
+    const frame = lastFrameBefore(entries, fed.next);
+    if (frame !== null) baseline.take(frame.message, frame.at);
   };
   return {
     from,

@@ -1,23 +1,25 @@
-import { createPageClock } from '../game/pageClock';
+import { createPageClock, type PageClock } from '../game/pageClock';
 import type { FromServer, ToServer } from './connection';
 import type { Operation } from './operation';
-import { createSession } from './session';
+import { createSession, type Session } from './session';
 import { createTabHost, openChannel, type TabHost } from './tabLink';
 
 // The server in a Web Worker: the clock, the timer and the two message channels around a Session. Bytes are the protocol's own.
 
-const session = createSession();
-/** null until other tabs are invited. */
-let host: TabHost | null = null;
-let timer: ReturnType<typeof setTimeout> | undefined;
-
-const clock = createPageClock(() => performance.now() / 1000);
+interface Server {
+  readonly session: Session;
+  readonly clock: PageClock;
+  /** null until other tabs are invited. */
+  host: TabHost | null;
+  timer: ReturnType<typeof setTimeout> | undefined;
+}
 
 function post(message: FromServer, transfer: Transferable[] = []): void {
   self.postMessage(message, { transfer });
 }
 
-function run(): void {
+function run(server: Server): void {
+  const { session, clock, host } = server;
   const now = clock.now();
   for (const { bytes } of session.run(now)) {
     // A copy: the buffer is transferred to the page, and a duplicate in flight must keep it.
@@ -26,54 +28,61 @@ function run(): void {
   }
   for (const guest of host?.guests() ?? [])
     for (const { bytes } of session.deliverTo(guest, now)) host!.deliver(guest, bytes);
-  schedule(now);
+  schedule(server, now);
 }
 
-function schedule(now: number): void {
-  clearTimeout(timer);
+function schedule(server: Server, now: number): void {
+  const { session, clock } = server;
+  clearTimeout(server.timer);
   const wait = (session.nextAt() - now) / clock.speed();
   // A freeze has nothing to wait for; setTimeout holds at most 2³¹ ms, and drops fractions: too early, it would run again and again.
-  if (Number.isFinite(wait)) timer = setTimeout(run, Math.min(Math.max(0, Math.ceil(wait * 1000)), 60_000));
+  if (!Number.isFinite(wait)) return;
+  server.timer = setTimeout(() => run(server), Math.min(Math.max(0, Math.ceil(wait * 1000)), 60_000));
 }
 
 /** Serves the page; `early` came while this program was still loading. */
 export function serve(early: readonly MessageEvent<ToServer>[]): void {
-  for (const event of early) take(event);
-  self.onmessage = take;
+  const clock = createPageClock(() => performance.now() / 1000);
+  const server: Server = { session: createSession(), clock, host: null, timer: undefined };
+  for (const event of early) take(server, event.data);
+  self.onmessage = ({ data }: MessageEvent<ToServer>) => take(server, data);
 }
 
-function take({ data }: MessageEvent<ToServer>): void {
+function take(server: Server, data: ToServer): void {
+  const { session, clock } = server;
   if (data.kind === 'speed') clock.setSpeed(data.speed);
   else if (data.kind === 'bytes') session.send(data.bytes, clock.now());
-  else operate(data.operation);
-  run();
+  else operate(server, data.operation);
+  run(server);
 }
 
-function operate(operation: Operation): void {
+function operate(server: Server, operation: Operation): void {
+  const { session, clock } = server;
   const reason = session.operate(operation, clock.now());
   if (reason !== null) post({ kind: 'refused', reason });
   else if (operation.kind === 'load') {
     post({ kind: 'open', what: 'world' });
-    host?.worldBegan();
-  } else if (operation.kind === 'invite') invite(operation.address);
+    server.host?.worldBegan();
+  } else if (operation.kind === 'invite') invite(server, operation.address);
   else if (operation.kind === 'reconnect') post({ kind: 'open', what: 'again' });
   else if (operation.kind === 'run') post({ kind: 'run', inputs: session.applied() });
   else if (operation.kind === 'drop') post({ kind: 'closed', reason: 'the connection was dropped' });
 }
 
 /** Once: the address is the page's own for as long as it is open. */
-function invite(address: string): void {
-  host ??= createTabHost(openChannel(address), {
+function invite(server: Server, address: string): void {
+  const { session, clock } = server;
+  server.host ??= createTabHost(openChannel(address), {
     join: (guest, name) => {
       const reason = session.join(guest, name, clock.now());
       // After the answer, so that the guest knows its world before the first frame.
-      setTimeout(run);
+      setTimeout(() => run(server));
       return reason;
     },
     leave: session.leave,
     send(guest, bytes) {
       session.sendFrom(guest, bytes, clock.now());
-      run();
+      run(server);
     },
     world: session.world,
   });

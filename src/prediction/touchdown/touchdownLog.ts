@@ -112,7 +112,10 @@ export function logLiftOff(log: Float64Array, world: World, rows: Float64Array, 
   log[HOP_ALLOWANCE] = (HOP_PATIENCE * (rising + Math.sqrt(rising * rising + 2 * gravity * drop))) / gravity;
 }
 
-/** Logs a touch, before which the row is at `at`: a bounce, or the first touch of a new landing. */
+/**
+ * Logs a touch, before which the row is at `at`: a bounce, or the first touch of a new landing. A `verticalSpeed` below 0 is unknown: such
+ * a first touch leaves no card.
+ */
 export function logTouch(
   log: Float64Array,
   verticalSpeed: number,
@@ -126,6 +129,7 @@ export function logTouch(
     return;
   }
   beginLog(log, FLYING);
+  if (verticalSpeed < 0) return;
   log[KNOWN] = 1;
   log[VERTICAL_SPEED] = verticalSpeed;
   log[HORIZONTAL_SPEED] = alongGround(rows, at, bodies);

@@ -105,7 +105,8 @@ function alignState(log: Float64Array, ring: TouchdownRing, sim: Simulation, to:
   const state = rows[from + SURFACE_STATE]!;
   if (rows[from + CRASHED] === 1 || log[LOGGED_STATE] === state) return;
   if (log[LOGGED_STATE] === FLYING) {
-    logTouch(log, rows[from + IMPACT_SPEED]!, predicted, 0, boundaryAt(sim.bodies, sim.timeline, tick));
+    // Every touch has a speed: 0 is a state whose server did not send it.
+    logTouch(log, rows[from + IMPACT_SPEED]! || -1, predicted, 0, boundaryAt(sim.bodies, sim.timeline, tick));
   } else if (state === FLYING && !undoTouch(log, ring, to)) logLiftOff(log, sim.world, rows, from);
   logState(log, state);
 }

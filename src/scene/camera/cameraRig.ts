@@ -5,6 +5,8 @@ export interface CameraRig {
   distance: number;
   /** Part of the elevation that the camera itself has added, rad. */
   raised: number;
+  /** The camera has turned to the pad, once. */
+  facesPad: boolean;
   /** Local, doubles. */
   readonly focus: Float64Array;
   readonly eye: Float64Array;
@@ -40,6 +42,7 @@ export function createRig(azimuth: number, elevation: number, distance: number):
     elevation,
     distance,
     raised: 0,
+    facesPad: false,
     focus: new Float64Array(3),
     eye: new Float64Array(3),
     motion: {

@@ -11,6 +11,10 @@ export const CAMERA_VIEWS = ['follow', 'chase', 'cockpit', 'above', 'free'] as c
  */
 export type CameraView = (typeof CAMERA_VIEWS)[number];
 
+/** The eye's initial direction from the ship, rad: on the shadow's side, slightly above the ground. */
+export const FIRST_AZIMUTH = 1.9;
+export const FIRST_ELEVATION = 0.16;
+
 /** The chase camera turns only above this speed along the ground, m/s; and at this rate, 1/s. */
 const CHASE_SPEED = 1.5;
 const CHASE_RATE = 1.2;
@@ -30,8 +34,8 @@ export interface CameraPlace {
   /** Time since the last frame, s. */
   readonly seconds: number;
   readonly groundY: (x: number, z: number) => number;
-  /** There is a pad to land on. */
-  readonly hasPad: boolean;
+  /** The pad to land on next, local, m; null without one. */
+  readonly pad: ArrayLike<number> | null;
 }
 
 /** Moves the eye and aims the camera; afterwards `rig.eye` and `rig.focus` are local, m. */
@@ -43,7 +47,7 @@ export function aimCamera(
 ): void {
   const { actor, seconds } = place;
   camera.up.set(0, 1, 0);
-  if (view === 'follow') raiseOverPad(rig, place);
+  if (view === 'follow') showPad(rig, place);
   if (view === 'chase') turnBehind(rig, actor.velocity, seconds);
   if (view !== 'free') updateRig(rig, actor.place, actor.velocity, seconds);
   if (view === 'cockpit') placeInCockpit(camera, rig, place);
@@ -54,22 +58,43 @@ export function aimCamera(
   camera.lookAt(focus[0]! - eye[0]!, focus[1]! - eye[1]!, focus[2]! - eye[2]!);
 }
 
-/** rad over the first view from PAD_HEIGHT m up; lower than PAD_LOW m the ship is seen from the side. */
-const PAD_ELEVATION = 1.15;
-const PAD_HEIGHT = 68;
-const PAD_LOW = 8;
+/** Tangent of the angle below the picture's centre at which the pad is kept: above the panels at the lower edge. */
+const PAD_BELOW = 0.18;
+/** m of the feet over the pad: from the upper one down the view sinks, and from the lower one on the ship is seen from the side. */
+const PAD_HIGH = 18;
+const PAD_LOW = 4;
+/** m: closer to the pad's centre the direction to it says nothing. */
+const OVER_PAD = 2;
 /** rad: smaller turns wait, so that the picture does not swim. */
 const PAD_STEP = 0.02;
 
-/** High over its pad a ship is seen from above, so that the pad is in the picture. Manual rotation is added. */
-function raiseOverPad(rig: MovingRig, { actor, groundY, hasPad }: CameraPlace): void {
-  const [x, y, z] = actor.place as unknown as [number, number, number];
-  const height = hasPad ? y - actor.height - groundY(x, z) : 0;
-  const share = Math.min(Math.max((height - PAD_LOW) / (PAD_HEIGHT - PAD_LOW), 0), 1);
-  const wanted = PAD_ELEVATION * share;
+/** Keeps the pad in the picture below the ship: faced at the start, and seen from as far above as needed. Manual rotation is added. */
+function showPad(rig: MovingRig, { actor, pad }: CameraPlace): void {
+  let wanted = 0;
+  if (pad !== null) {
+    const [x, y, z] = actor.place as unknown as [number, number, number];
+    const [east, up, south] = [pad[0]! - x, y - pad[1]!, pad[2]! - z];
+    const away = Math.hypot(east, south);
+    if (!rig.facesPad && away > OVER_PAD) rig.azimuth = Math.atan2(-south, -east);
+    rig.facesPad = true;
+    const share = (up - actor.height - PAD_LOW) / (PAD_HIGH - PAD_LOW);
+    const elevation = elevationOver(away, up, rig.distance);
+    wanted = Math.max(elevation - FIRST_ELEVATION, 0) * Math.min(Math.max(share, 0), 1);
+  }
   if (Math.abs(wanted - rig.raised) < PAD_STEP && wanted !== 0) return;
   turnRig(rig, 0, wanted - rig.raised);
   rig.raised = wanted;
+}
+
+/**
+ * rad: the lowest view of a ship from `distance` m that has a pad `away` m ahead of the ship and `up` m below it in the picture.
+ * With r, φ the pad's range and depression from the ship, the pad is r·sin(φ − e) below the line of sight and
+ * r·cos(φ − e) + distance along it.
+ */
+function elevationOver(away: number, up: number, distance: number): number {
+  const range = Math.hypot(away, up);
+  const sine = (PAD_BELOW * distance) / (range * Math.hypot(1, PAD_BELOW));
+  return Math.atan2(up, away) - Math.atan(PAD_BELOW) - Math.asin(Math.min(sine, 1));
 }
 
 function turnBehind(rig: MovingRig, velocity: Float64Array, seconds: number): void {

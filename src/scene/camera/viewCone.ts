@@ -21,6 +21,11 @@ export interface Opening {
   readonly upright: number;
 }
 
+/** Upright field of view, degrees, of a picture that is `aspect` times as wide as high: a tall one sees across what a square one does. */
+export function fieldOfView(aspect: number): number {
+  return aspect >= 1 ? 48 : 62;
+}
+
 /** Sets the cone of an eye that looks towards a point; both local, m. */
 export function aimCone(
   out: ViewCone,

@@ -5,7 +5,7 @@ import { shadesOf, SMALL, untilStatus } from '../waits';
 
 describeInBrowser('the built page', () => {
   it('shows a landing: picture, displays, no error', async () => {
-    const page = await openBuiltPage('?scenario=opening&slow=4', { framesPerSecond: 2 });
+    const page = await openBuiltPage('?scenario=opening&slow=4', { framesPerSecond: 1 });
     await page.waitForSelector('html[data-ready=true]');
     await untilStatus(page, 'landed');
     expect(await page.textContent('.td-landing')).toContain('LANDED');

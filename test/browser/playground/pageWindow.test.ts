@@ -67,6 +67,19 @@ describeInBrowser('the built page in any window', () => {
     expect(panel.x + panel.width - (dial.x + dial.width)).toBeLessThan(16);
   });
 
+  it('1280 px: without the landing aids the dial shares its row with the attitude', async () => {
+    const page = await openBuiltPage('', { ...SMALL, viewport: { width: 1280, height: 800 } });
+    await page.waitForSelector('html[data-ready=true]');
+    await page.keyboard.press('1');
+    await page.waitForSelector('.td-aids', { state: 'hidden' });
+    const dial = (await page.locator('.td-approach').boundingBox())!;
+    const attitude = (await page.locator('.td-attitude').boundingBox())!;
+    const modes = (await page.locator('.td-modes').boundingBox())!;
+    expect(dial.y).toBeGreaterThan(modes.y + modes.height);
+    expect(attitude.y).toBeLessThan(dial.y + dial.height);
+    expect(attitude.y + attitude.height).toBeGreaterThan(dial.y);
+  });
+
   it('keeps the ship in sight with figures and plots open in a low window', async () => {
     const page = await openBuiltPage('?scenario=settle', {
       ...SMALL,

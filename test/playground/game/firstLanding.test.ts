@@ -47,11 +47,11 @@ function createNewcomer({ live }: Game): (view: WorldView, now: number) => void 
 }
 
 describe('the first minute', () => {
-  it('a newcomer lands softer than 2 m/s by the beacon at the first try, and a replay of the run proves it', async () => {
+  it('a newcomer lands softer than 2 m/s by the beacon at the first try, and a replay of the run proves it', () => {
     const mission = findMission('first-landing')!;
     const tracker = createMissionTracker();
     tracker.begin(mission);
-    const game = await open({});
+    const game = open({});
     const look = createNewcomer(game);
     let now = 0;
     let hardest = 0;
@@ -77,8 +77,8 @@ describe('the first minute', () => {
     expect(run.score.total).toBe(run.score.lines.reduce((sum, { points }) => sum + points, 0));
   });
 
-  it('without any input the ship still comes down intact, so there is a second try', async () => {
-    const game = await open({});
+  it('without any input the ship still comes down intact, so there is a second try', () => {
+    const game = open({});
     const states = new Set<string>();
     game.play(10, 120, (view) => states.add(view.own?.shownState ?? ''));
     expect(states.has('crashed')).toBe(false);

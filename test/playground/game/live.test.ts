@@ -12,7 +12,7 @@ import {
   writeRecording,
 } from '../../../src/scenarios';
 import { valueOf } from '../../authority/moon';
-import { open, useGameClock } from './openGame';
+import { type Game, open, useGameClock } from './openGame';
 
 useGameClock();
 
@@ -49,9 +49,9 @@ describe('a scenario with planned inputs', () => {
     [144, 'fourG', 5],
   ] as const;
   describe.each(PLANNED)('%s', (scenario) => {
-    it.each(ways)('ends in the same bits at %i frames per second over %s, at %i Hz', async (...way) => {
+    it.each(ways)('ends in the same bits at %i frames per second over %s, at %i Hz', (...way) => {
       const [fps, network, tickRate] = way;
-      const { live, play } = await open({ scenario, network, tickRate });
+      const { live, play } = open({ scenario, network, tickRate });
       const { run, seconds } = truth(scenario, tickRate);
       play(fps, seconds + 2);
       expect(live.hash()).toBe(run);
@@ -71,8 +71,8 @@ describe('a scenario with planned inputs', () => {
 });
 
 describe('a recording of it', () => {
-  it('keeps the plan: every interval agrees with the law, and the replay corrects nothing', async () => {
-    const game = await open({ scenario: 'freighter-hold' });
+  it('keeps the plan: every interval agrees with the law, and the replay corrects nothing', () => {
+    const game = open({ scenario: 'freighter-hold' });
     game.play(60, 9.5);
     const { plan } = scriptOf({ ...DEFAULT_CHOICES, scenario: 'freighter-hold' });
     const entries = game.entries.slice();
@@ -107,8 +107,8 @@ describe('a recording of it', () => {
 });
 
 describe('a page that was hidden', () => {
-  it('does not decode superseded frames, and its recording replays to the same pose', async () => {
-    const game = await open({ scenario: 'settle', network: 'broadband', tickRate: 20 });
+  it('does not decode superseded frames, and its recording replays to the same pose', () => {
+    const game = open({ scenario: 'settle', network: 'broadband', tickRate: 20 });
     game.play(60, 3);
     const before = game.live.frame().diagnosis.framesAccepted;
     vi.advanceTimersByTime(30_000);
@@ -128,7 +128,7 @@ describe('a page that was hidden', () => {
 
 describe('a link to a flight', () => {
   /** The query of the link that the page would copy for the game so far. */
-  function linkOf(game: Awaited<ReturnType<typeof open>>, choices: Choices): string {
+  function linkOf(game: Game, choices: Choices): string {
     const copied: string[] = [];
     const link = createFlightLink({
       live: () => game.live,
@@ -147,9 +147,9 @@ describe('a link to a flight', () => {
     return copied[0]!;
   }
 
-  it('flies the same inputs in the same world to the same bits, on any network and display', async () => {
+  it('flies the same inputs in the same world to the same bits, on any network and display', () => {
     const asked = { scenario: 'launch', body: 'Mars', network: 'broadband' };
-    const game = await open(asked);
+    const game = open(asked);
     game.play(60, 1);
     for (const [action, seconds] of [
       ['throttleFull', 1.2],
@@ -168,7 +168,7 @@ describe('a link to a flight', () => {
     game.live.dispose();
     const { choices, complaints } = readChoices(new URLSearchParams(query));
     expect(complaints).toEqual([]);
-    const again = await open({ ...choices, network: 'satellite' });
+    const again = open({ ...choices, network: 'satellite' });
     again.play(20, 70);
     expect(again.live.hash()).toBe(flown);
     expect(again.live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
@@ -177,8 +177,8 @@ describe('a link to a flight', () => {
 });
 
 describe('a pause', () => {
-  it('with a key held leaves no mismatch after it: keys held or pressed meanwhile do nothing', async () => {
-    const { live, play } = await open({ scenario: 'school-hover', network: 'broadband' });
+  it('with a key held leaves no mismatch after it: keys held or pressed meanwhile do nothing', () => {
+    const { live, play } = open({ scenario: 'school-hover', network: 'broadband' });
     play(60, 2.3);
     live.flightControls.press('throttleUp');
     play(60, 0.4);

@@ -5,8 +5,8 @@ import { open, useGameClock } from './openGame';
 useGameClock();
 
 describe('the autopilot', () => {
-  it('lands softly from the mission’s start, and is switched off by the key that switched it on', async () => {
-    const { live, play } = await open({ scenario: 'first-landing', network: 'broadband' });
+  it('lands softly from the mission’s start, and is switched off by the key that switched it on', () => {
+    const { live, play } = open({ scenario: 'first-landing', network: 'broadband' });
     play(30, 1);
     live.flightControls.press('autopilot');
     play(30, 2);
@@ -24,8 +24,8 @@ describe('the autopilot', () => {
     expect(own!.touchdown.verticalSpeed).toBeLessThan(2);
   });
 
-  it('gives back after a touch that is hard enough to bounce, and says how hard it was', async () => {
-    const { live, play } = await open({ scenario: 'bounce', network: 'broadband' });
+  it('gives back after a touch that is hard enough to bounce, and says how hard it was', () => {
+    const { live, play } = open({ scenario: 'bounce', network: 'broadband' });
     // 20 m up at 24 m/s: too late to brake.
     play(60, 0.5);
     live.flightControls.press('autopilot');
@@ -36,8 +36,8 @@ describe('the autopilot', () => {
 });
 
 describe('manual input', () => {
-  it('turns the ship only while a key is held: a mission begins with rate damping on', async () => {
-    const { live, play } = await open({ scenario: 'first-landing', network: 'broadband' });
+  it('turns the ship only while a key is held: a mission begins with rate damping on', () => {
+    const { live, play } = open({ scenario: 'first-landing', network: 'broadband' });
     const rate = () => Math.hypot(...live.view().own!.angularVelocity);
     play(30, 1);
     live.flightControls.press('yawMinus');
@@ -50,8 +50,8 @@ describe('manual input', () => {
     expect(rate()).toBeLessThan(0.001);
   });
 
-  it('ends the plan at its first use, with any control, and nothing overrides it', async () => {
-    const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
+  it('ends the plan at its first use, with any control, and nothing overrides it', () => {
+    const { live, play } = open({ scenario: 'freighter-hold', network: 'lan' });
     play(60, 1);
     expect(live.view().own!.controls).toMatchObject({ thrustLevel: 0.5, attitudeMode: 'radial' });
     // The plan would turn the ship from 2.6 s on; the pilot only cuts the engine.
@@ -69,8 +69,8 @@ describe('manual input', () => {
     });
   });
 
-  it('that arrives late lets the plan run until it arrives, and no longer', async () => {
-    const { live, play } = await open({ scenario: 'freighter-hold', network: 'lan' });
+  it('that arrives late lets the plan run until it arrives, and no longer', () => {
+    const { live, play } = open({ scenario: 'freighter-hold', network: 'lan' });
     play(60, 1);
     live.operate({ kind: 'drop' });
     live.flightControls.press('throttleCut');
@@ -86,8 +86,8 @@ describe('manual input', () => {
     expect(own!.controls).toMatchObject({ thrustLevel: 0, rotationInput: [0, 0, 0], attitudeMode: 'radial' });
   });
 
-  it('taps for as long as the key was down, however far apart the frames are', async () => {
-    const { live, play, entries } = await open({ scenario: 'opening', network: 'lan' });
+  it('taps for as long as the key was down, however far apart the frames are', () => {
+    const { live, play, entries } = open({ scenario: 'opening', network: 'lan' });
     play(2, 3);
     for (const hand of ['press', 'release'] as const) {
       vi.advanceTimersByTime(60);
@@ -110,8 +110,8 @@ describe('manual input', () => {
     expect(diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsLateInput: 0 });
   });
 
-  it('takes over also without a change of controls', async () => {
-    const { live, play } = await open({ scenario: 'launch', network: 'lan' });
+  it('takes over also without a change of controls', () => {
+    const { live, play } = open({ scenario: 'launch', network: 'lan' });
     play(60, 1);
     live.flightControls.press('throttleCut');
     play(60, 8, (view) => expect(view.own!.surfaceContactState).toBe('landed'));

@@ -2,6 +2,7 @@ import { afterEach, beforeEach, expect, vi } from 'vitest';
 import { createLive, type Live } from '../../../src/playground/game/live';
 import { type Choices, DEFAULT_CHOICES } from '../../../src/playground/panels/choices';
 import type { FromServer, ToServer } from '../../../src/playground/server/connection';
+import { serve } from '../../../src/playground/server/worker';
 import type { WorldView } from '../../../src/prediction';
 import { normalNoise, createRandom, type RecordingEntry, type RunInput } from '../../../src/scenarios';
 
@@ -24,7 +25,6 @@ interface Scope {
 export function useGameClock(): void {
   beforeEach(() => {
     vi.useFakeTimers();
-    vi.resetModules();
   });
   afterEach(() => {
     vi.useRealTimers();
@@ -32,7 +32,7 @@ export function useGameClock(): void {
   });
 }
 
-export async function open(asked: Partial<Choices>): Promise<Game> {
+export function open(asked: Partial<Choices>): Game {
   const scope = { onmessage: () => undefined, postMessage: () => undefined } as Scope;
   vi.stubGlobal('self', scope);
   vi.stubGlobal(
@@ -54,8 +54,6 @@ export async function open(asked: Partial<Choices>): Promise<Game> {
       }
     },
   );
-  // Anew for each game: a worker's program holds the one session of its page.
-  const { serve } = await import('../../../src/playground/server/worker');
   serve([]);
   const entries: RecordingEntry[] = [];
   const runs: (readonly RunInput[])[] = [];

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { FromServer, ToServer } from '../../../src/playground/server/connection';
 import type { Operation } from '../../../src/playground/server/operation';
+import { serve } from '../../../src/playground/server/worker';
 import { NETWORK_PRESETS } from '../../../src/scenarios';
 import { decodeServerMessage, encodeClientMessage } from '../../../src/wire';
 import { input, valueOf } from '../../authority/moon';
@@ -28,7 +29,6 @@ interface Scope {
 describe('the worker', () => {
   let scope: Scope;
   let posted: FromServer[];
-  let serve: (early: readonly MessageEvent<ToServer>[]) => void;
   const post = (data: ToServer) => scope.onmessage({ data });
   const operate = (operation: Operation) => post({ kind: 'operate', operation });
 
@@ -40,9 +40,8 @@ describe('the worker', () => {
     });
   }
 
-  beforeEach(async () => {
+  beforeEach(() => {
     vi.useFakeTimers();
-    vi.resetModules();
     posted = [];
     scope = {
       onmessage: () => undefined,
@@ -52,7 +51,6 @@ describe('the worker', () => {
       },
     };
     vi.stubGlobal('self', scope);
-    ({ serve } = await import('../../../src/playground/server/worker'));
   });
   afterEach(() => {
     vi.useRealTimers();

@@ -1,11 +1,20 @@
 import { describe, expect, it } from 'vitest';
-import { flyCase, RATES } from '../../bench/netcode/foreign/foreign';
+import { type CaseResult, flyCase, RATES } from '../../bench/netcode/foreign/foreign';
 import { spread } from '../../bench/netcode/figure';
 import { SCENARIOS } from '../../../src/scenarios';
-import { CASES } from '../literalServer/cases';
+import { CASES, type LiteralCase } from '../literalServer/cases';
 import { createLiteralRig } from '../literalServer/literalRig';
 import { flyAndMeasure } from '../measure';
 import { createRig, SHIP } from '../rig';
+
+/** Flights of a case that several tests measure are flown once. */
+const flown = new Map<string, CaseResult>();
+function fly(difference: LiteralCase, hz: number, sends: number): CaseResult {
+  const key = `${difference.name} ${hz} ${sends}`;
+  const result = flown.get(key) ?? flyCase(difference, hz, sends);
+  flown.set(key, result);
+  return result;
+}
 
 const caseNamed = (name: string) => CASES.find((one) => one.name === name)!;
 
@@ -20,12 +29,12 @@ describe('terrain that differs slightly from the server’s', () => {
     ['ground +0.5 m', 1],
     ['ground −0.5 m', 1],
   ])('%s, sent at %i Hz: within 0.1 m (p95) from the third state of a contact on', (name, sends) => {
-    const { ours } = flyCase(caseNamed(name), 50, sends);
+    const { ours } = fly(caseNamed(name), 50, sends);
     expect(spread(ours.settled).p95).toBeLessThan(0.1);
   });
 
   it.each([10, 1])('a slope of 5 %%, sent at %i Hz: within 0.5 m (p95) of the whole flight', (sends) => {
-    const { ours } = flyCase(caseNamed('slope 5 %'), 50, sends);
+    const { ours } = fly(caseNamed('slope 5 %'), 50, sends);
     expect(spread(ours.errors).p95).toBeLessThan(0.5);
   });
 
@@ -44,7 +53,7 @@ describe('terrain that differs slightly from the server’s', () => {
     '$name: the status is wrong for at most 0.3 s a contact',
     (difference) => {
       for (const [hz, sends] of RATES) {
-        const { ours, contacts } = flyCase(difference, hz, sends);
+        const { ours, contacts } = fly(difference, hz, sends);
         expect(contacts).toBeGreaterThan(3);
         expect(ours.wrongStatus / contacts, `${hz} Hz sent at ${sends} Hz`).toBeLessThan(0.3);
       }
@@ -74,7 +83,7 @@ describe('a server of the same ground and other dynamics', () => {
   it.each(['damping 1', 'spring × 2', 'mass 5 % off', 'time scale 1.05 not told'])(
     '%s: the status is wrong for at most 0.3 s a contact',
     (name) => {
-      const { ours, contacts } = flyCase(caseNamed(name), 20, 1);
+      const { ours, contacts } = fly(caseNamed(name), 20, 1);
       expect(ours.wrongStatus / contacts).toBeLessThan(0.3);
     },
   );
@@ -82,17 +91,21 @@ describe('a server of the same ground and other dynamics', () => {
   it('no ground is learned on which a ship that the server has in contact would be in the air', () => {
     const difference = caseNamed('damping 1');
     const rig = createLiteralRig({ scenario: 'opening', hz: 20, sends: 1, difference });
-    while (rig.now < 12) expect(Math.abs(rig.frame().own?.groundOffset ?? 0)).toBeLessThan(0.1);
+    let largest = 0;
+    while (rig.now < 12) largest = Math.max(largest, Math.abs(rig.frame().own?.groundOffset ?? 0));
+    expect(largest).toBeLessThan(0.1);
   });
 });
 
 describe('terrain equal to the server’s', () => {
   it.each(SCENARIOS.map(({ name }) => name))('%s: no offset is learned', (scenario) => {
     const rig = createRig({ scenario, tickRate: 5 });
-    flyAndMeasure(rig, Math.min(20, rig.loaded.scenario.duration), ({ own, diagnosis }) => {
-      expect(own?.groundOffset ?? 0).toBe(0);
-      expect(diagnosis.groundConfidence).toBe(0);
-    });
+    const learned = new Set<number>();
+    const { frames } = flyAndMeasure(rig, Math.min(20, rig.loaded.scenario.duration), ({ own, diagnosis }) =>
+      learned.add(own?.groundOffset ?? 0).add(diagnosis.groundConfidence),
+    );
+    expect(frames).toBeGreaterThan(100);
+    expect([...learned]).toEqual([0]);
   });
 
   it('is kept when an input came late or was lost', () => {

@@ -68,7 +68,9 @@ describe('landing aids', () => {
 
   /** Of a ship at rest: gravity, full thrust, what it brakes, m/s², and the speed to aim at, m/s. */
   const corridorOf = (pose: Pose) => {
-    const { out, view } = settle({ up: 0, ...pose });
+    const view = makeView({ up: 0, ...pose });
+    const out = createLandingAids();
+    updateLandingAids(out, view);
     const { dryMass, mainEngineThrust } = view.own.shipClass;
     const g =
       (GRAVITATIONAL_CONSTANT * view.bodies[view.own.body]!.mass) / Math.hypot(...view.own.position) ** 2;

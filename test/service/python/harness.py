@@ -65,13 +65,15 @@ class ServiceProcess:
     """`python -m touchdown_service`, with its output in a file."""
 
     def __init__(self, redis: RedisServer, *arguments: str) -> None:
-        self.log = tempfile.NamedTemporaryFile(prefix="touchdown-service-", suffix=".log", delete=False)
+        # Without a name: it goes with this process, however that ends.
+        self.log = tempfile.TemporaryFile()
         command = [sys.executable, "-m", "touchdown_service", "--redis", redis.url]
         command += ["--lease-ms", "400", *arguments]
         self.process = subprocess.Popen(command, cwd=SERVICE_HOME, stdout=self.log, stderr=self.log)
 
     def words(self) -> str:
-        return Path(self.log.name).read_text(encoding="utf-8")
+        # Not by the file's own position, at which the service writes.
+        return os.pread(self.log.fileno(), os.fstat(self.log.fileno()).st_size, 0).decode()
 
     def kill(self) -> None:
         kill(self.process)
@@ -83,7 +85,6 @@ class ServiceProcess:
     def close(self) -> None:
         self.kill()
         self.log.close()
-        os.unlink(self.log.name)
 
 
 def kill(process: subprocess.Popen | None) -> None:

@@ -35,6 +35,8 @@ class Stored(unittest.TestCase):
         cls.addClassCleanup(cls.redis.close)
         cls.client = connect(cls.redis.url)
         cls.raw = Redis(port=cls.redis.port)
+        # Two substeps an interval: what is refused does not depend on their number.
+        cls.client.set("game:tick_rate", "50")
         service = Service(cls.client, DEFINITION)
         service.lease.take_over()
         galaxy = service.load()
@@ -50,9 +52,10 @@ class Stored(unittest.TestCase):
         self.restore()
 
     def restore(self) -> None:
-        self.raw.flushall()
+        pipe = self.raw.pipeline().flushall()
         for key, dump in self.dumps.items():
-            self.raw.restore(key, 0, dump)
+            pipe.restore(key, 0, dump)
+        pipe.execute()
 
     def load(self, what: str) -> str:
         """What is refused: all of it, or a part by which the world was none the worse. '' where nothing is."""

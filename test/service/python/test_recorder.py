@@ -11,9 +11,13 @@ from harness import PATIENCE, SERVICE_HOME, RedisServer, ServiceProcess, control
 
 
 class Recorder(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.file = Path(folder.name) / "recorded.json"
+
     def record(self, redis: RedisServer, *options: str) -> tuple[int, str, str]:
-        file = Path(tempfile.mkdtemp()) / "recorded.json"
-        command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, *options, str(file)]
+        command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, *options, str(self.file)]
         run = subprocess.run(command, cwd=SERVICE_HOME, capture_output=True, text=True, timeout=PATIENCE)
         return run.returncode, run.stdout, run.stderr
 
@@ -35,13 +39,12 @@ class Recorder(unittest.TestCase):
             control(
                 client, seq, {"thrust_level": 0.01 * seq, "attitude_mode": "hold"}, tick=now + 90 + 7 * seq, substep=1
             )
-        file = Path(tempfile.mkdtemp()) / "recorded.json"
         command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
-        child = subprocess.Popen([*command, "--ticks", "250", str(file)], cwd=SERVICE_HOME, stdout=subprocess.DEVNULL)
+        child = subprocess.Popen([*command, "--ticks", "250", str(self.file)], cwd=SERVICE_HOME, stdout=subprocess.DEVNULL)
         until(lambda: client.info("clients")["blocked_clients"] == 1, "the recorder listens", service)
         client.set("game:paused", "false")
         self.assertEqual(child.wait(PATIENCE), 0)
-        data = json.loads(file.read_text(encoding="utf-8"))
+        data = json.loads(self.file.read_text(encoding="utf-8"))
         self.assertEqual([s["tick"] for s in data["states"]], [data["initial"]["tick"] + i for i in range(1, 251)])
         self.assertEqual([i["substep"] for i in data["inputs"]], [0, 1, 1, 1, 1])
         self.assertIn("ship.contact", [e["event"] for e in data["events"]])
@@ -74,9 +77,8 @@ class Recorder(unittest.TestCase):
         until(lambda: result_of(client, entry), "it is there", service)
         before = int(client.get("game:tick"))
         command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
-        folder = tempfile.mkdtemp()
         child = subprocess.Popen(
-            [*command, "--ticks", "10000", f"{folder}/a.json"], cwd=SERVICE_HOME, stdout=subprocess.PIPE, text=True
+            [*command, "--ticks", "10000", str(self.file)], cwd=SERVICE_HOME, stdout=subprocess.PIPE, text=True
         )
         until(lambda: int(client.get("game:tick")) > before + 100, "it has recorded a while", service)
         client.set("game:tick_rate", "20")

@@ -106,6 +106,7 @@ export {
   groundedGhost,
   replayedImpacts,
   sleepingShips,
+  terrainNormals,
   unloadedGround,
   type TouchdownView,
   type ToWorker,

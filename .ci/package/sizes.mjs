@@ -27,13 +27,13 @@ const FEATURES = [
 export const USES = [
   {
     name: 'lean predictor, JSON, readouts',
-    most: 39,
+    most: 38,
     code: LEAN,
     without: [...FEATURES, 'createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'predictor, JSON, readouts',
-    most: 62,
+    most: 63,
     code: WHOLE,
     without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },

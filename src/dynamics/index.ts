@@ -42,7 +42,7 @@ export { landedBodyName, readShip, type ShipInit, type ShipRecord, spawnShip, wr
 export { substep } from './substep';
 /** The step of a world, and the division of ticks into substeps. */
 export { beginTick, endTick, loadTiming, stepWorld, type Timing, timingOfTick } from './tick';
-export type { HeightInPlace, TerrainHeight, World } from './constants/world';
+export type { GroundUnderShip, HeightInPlace, TerrainHeight, TerrainNormals, World } from './constants/world';
 /** A world: plain data in, constants out. */
 export {
   deriveWorld,
@@ -52,7 +52,7 @@ export {
   type WorldData,
 } from './constants/loadWorld';
 /** The surface normal under a ship's feet. */
-export { type GroundUnderShip, writeGroundNormal } from './contact/groundNormal';
+export { TERRAIN_NORMALS } from './contact/terrainNormals';
 /** The choice of the reference body at a tick's start. */
 export { chooseReferenceBody } from './referenceBody';
 /** Sine and cosine with the same bits everywhere, for configuration and scenarios. */

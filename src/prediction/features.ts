@@ -1,5 +1,5 @@
 /** What only some clients need of a predictor: a page loads the features that it hands to createLeanPredictor. */
-import { faultOfConstants, TERRAINS } from '../dynamics';
+import { faultOfConstants, TERRAIN_NORMALS, TERRAINS } from '../dynamics';
 import { groundGhost } from './drawn/ghost';
 import { rowOfPolicy } from './drawn/interpolate';
 import { snapToLevel } from './drawn/snap/levelSnap';
@@ -78,6 +78,9 @@ const parts = { takeShips, takeOlder, takePart, receiveRest };
 
 /** The game's ship classes and bodies, for a page whose `defaults` have none of their own. */
 export const gameCatalogue: Feature = feature('gameCatalogue', { catalogue: GAME_CATALOGUE });
+
+/** The ground's own normals, for a server whose setting `surfaceNormal` is 'terrain' (DYNAMICS, "The ground's own normal"). */
+export const terrainNormals: Feature = feature('terrainNormals', { terrainNormals: TERRAIN_NORMALS });
 
 /** Learns where the server's ground differs from the client's (PREDICTION, Learned ground). */
 export const learnedGround: Feature = feature('learnedGround', { learning, learnGround });
@@ -172,6 +175,7 @@ export const ALL_FEATURES: SessionFeatures = Object.freeze({
   pingIfDue,
   terrains: TERRAINS,
   catalogue: GAME_CATALOGUE,
+  terrainNormals: TERRAIN_NORMALS,
   checkRollback,
   keepServerState,
   rowOfPolicy,

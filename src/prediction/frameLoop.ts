@@ -7,7 +7,7 @@ import { stepFront } from './simulation/front';
 import type { Simulation } from './simulation/simulation';
 import { isFarBehind, realign } from './snapshots/reconcile/realign';
 import { horizonOf } from './time/cadence';
-import { answersPings } from './time/clock';
+import { answersPings, leadOf } from './time/clock';
 import { advanceClock } from './time/present';
 import {
   indexOf,
@@ -58,8 +58,9 @@ function areControls({ warn }: Session, given: unknown): boolean {
 function alignFront(session: Session, now: number): Position {
   const { sim, clock, pilot, counters, advancedAt: advancedBefore } = session;
   const { timing, timeScale, tickRate, paused } = spanOf(sim.timeline, sim.newestTick);
-  const horizon = paused ? Number.POSITIVE_INFINITY : horizonOf(sim.cadence, tickRate, answersPings(clock));
-  const limit = wallOfTick(sim.timeline, sim.newestTick) + horizon;
+  const answers = answersPings(clock);
+  const horizon = paused ? Number.POSITIVE_INFINITY : horizonOf(sim.cadence, tickRate, answers);
+  const limit = wallOfTick(sim.timeline, sim.newestTick) + horizon + (answers ? 0 : leadOf(clock));
   const jumped = advanceClock(clock, now, { deadZone: timing.dt / timeScale / 2, limit });
   const absent = wasAbsent(session, now);
   const target = locate(sim, clock.present);

@@ -26,6 +26,7 @@ export {
   groundedGhost,
   replayedImpacts,
   sleepingShips,
+  terrainNormals,
   unloadedGround,
 } from './features';
 export type { ClientTerrain, Defaults, PredictorOptions } from './options';

@@ -3,6 +3,7 @@ import {
   type faultOfConstants,
   flatTerrain,
   type TerrainHeight,
+  type TerrainNormals,
   type World,
 } from '../dynamics';
 import type { Hello, PartialFrame, Pong } from '../wire';
@@ -29,6 +30,7 @@ export interface SessionFeatures extends Features, SceneFeatures {
   readonly takeHello: (session: Session, hello: Hello, now: number) => void;
   readonly takePong: (session: Session, pong: Pong, now: number) => void;
   readonly catalogue?: Catalogue;
+  readonly terrainNormals?: TerrainNormals;
   /** Warns of what a frame has that needs a feature which the predictor does not have. */
   readonly checkFeatures?: (session: Session, frame: PartialFrame) => void;
   /** Calls the listeners with the events. */

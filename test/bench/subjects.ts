@@ -24,6 +24,7 @@ import {
   VELOCITY,
   type World,
   writeBodyMotion,
+  TERRAIN_NORMALS,
 } from '../../src/dynamics';
 
 /** A world and a ship in some state, which `step` advances and `restart` resets. */
@@ -48,6 +49,7 @@ const world: World = {
   shipClasses: [loaded(loadShipClass(FRIGATE))],
   bodies: [loaded(loadBody(MOON))],
   terrainHeight: flatTerrain,
+  terrainNormals: TERRAIN_NORMALS,
 };
 
 /** Sliding over level ground at 30 m/s, in contact at its static depth. */

@@ -31,6 +31,7 @@ import {
   type World,
   writeBodyMotion,
   writeControls,
+  TERRAIN_NORMALS,
 } from '../../src/dynamics';
 import { cross, dot, lengthOf, plus, product, rotate, times, turnAbout, unit } from './vectors';
 
@@ -124,6 +125,7 @@ export function createTrial(setup: Setup): Trial {
     shipClasses: [must(loadShipClass(shipClass))],
     bodies: [must(loadBody(body))],
     terrainHeight: setup.terrain ?? flatTerrain,
+    terrainNormals: TERRAIN_NORMALS,
   };
   const ships = new Float64Array(SHIP_STRIDE);
   const bodies = new Float64Array(BODY_STRIDE);

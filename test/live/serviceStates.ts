@@ -16,6 +16,7 @@ import {
   type World,
   writeBodyMotion,
   writeShip,
+  TERRAIN_NORMALS,
 } from '../../src/dynamics';
 import { decodeFrameJson, type PartialFrame } from '../../src/wire';
 import { valueOf } from '../authority/moon';
@@ -113,5 +114,6 @@ function worldOf({ bodies = [] }: PartialFrame): World {
     shipClasses: SHIP_CLASSES.map((one) => valueOf(loadShipClass(one))),
     bodies: bodies.map((one) => valueOf(loadBody(one))),
     terrainHeight: TERRAINS['hills']!,
+    terrainNormals: TERRAIN_NORMALS,
   };
 }

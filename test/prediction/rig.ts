@@ -5,6 +5,7 @@ import {
   loadSettings,
   loadShipClass,
   type World,
+  TERRAIN_NORMALS,
 } from '../../src/dynamics';
 import { type Authority, createAuthority, type SpawnOrder } from '../../src/authority';
 import {
@@ -122,6 +123,7 @@ export function createRig(options: RigOptions): Rig {
     shipClasses: [value(loadShipClass(loaded.shipClass))],
     bodies: bodies.map((body) => value(loadBody(body))),
     terrainHeight: loaded.terrainHeight,
+    terrainNormals: TERRAIN_NORMALS,
   };
   const own: SpawnOrder = { shipId: SHIP, playerId: ME, name: 'Own', ship: loaded.ship };
   const orders = [own, ...(options.orders ?? fleetOrders(loaded, options.others ?? 0, 7))];

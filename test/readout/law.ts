@@ -14,6 +14,7 @@ import {
   type World,
   writeBodyMotion,
   writeControls,
+  TERRAIN_NORMALS,
 } from '../../src/dynamics';
 import { makeView, type Pose } from './views';
 
@@ -37,6 +38,7 @@ export function runLaw(pose: Pose): Run {
     shipClasses: [own.shipClass],
     bodies: [loaded.value],
     terrainHeight: flatTerrain,
+    terrainNormals: TERRAIN_NORMALS,
   };
   const ships = new Float64Array(SHIP_STRIDE);
   const rows = new Float64Array(BODY_STRIDE);

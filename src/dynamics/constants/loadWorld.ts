@@ -2,7 +2,8 @@ import { err, ok, type Result } from '../result';
 import { type Body, type LoadedBody, loadBody } from './body';
 import { DEFAULT_SETTINGS, deriveSettings, faultOfSettings, type Settings } from './settings';
 import { deriveShipClass, faultOfShipClass, type ShipClass } from './shipClass';
-import type { TerrainHeight, World } from './world';
+import { TERRAIN_NORMALS } from '../contact/terrainNormals';
+import type { TerrainHeight, TerrainNormals, World } from './world';
 
 /** The plain data of a world. */
 export interface WorldData {
@@ -16,7 +17,7 @@ export interface WorldData {
 /** The world with derived constants, or an error that names the first invalid field: `settings.…`, `shipClasses[0]: …`, `bodies[0]: …`. */
 export function loadWorld(given: WorldData): Result<World> {
   const reason = faultOfConstants(given);
-  return reason === null ? deriveWorld(given) : err(reason);
+  return reason === null ? deriveWorld(given, TERRAIN_NORMALS) : err(reason);
 }
 
 /** The settings and classes of a world. */
@@ -34,8 +35,11 @@ export function faultOfConstants({ settings, shipClasses }: WorldConstants): str
   return null;
 }
 
-/** The same as loadWorld for settings and classes that are known to be valid; only the bodies are checked. */
-export function deriveWorld({ settings, shipClasses, bodies, terrainHeight }: WorldData): Result<World> {
+/** The same as loadWorld for settings and classes that are known to be valid; only the bodies are checked. `terrainNormals` may be null for radial normals. */
+export function deriveWorld(
+  { settings, shipClasses, bodies, terrainHeight }: WorldData,
+  terrainNormals: TerrainNormals | null,
+): Result<World> {
   if (bodies.length === 0) return err('bodies: expected at least one');
   const loaded: LoadedBody[] = [];
   for (const [i, body] of bodies.entries()) {
@@ -48,6 +52,7 @@ export function deriveWorld({ settings, shipClasses, bodies, terrainHeight }: Wo
     shipClasses: shipClasses.map(deriveShipClass),
     bodies: loaded,
     terrainHeight,
+    terrainNormals,
   });
 }
 

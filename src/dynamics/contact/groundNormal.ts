@@ -1,15 +1,5 @@
-import type { TerrainHeight } from '../constants/world';
+import type { GroundUnderShip } from '../constants/world';
 import { NEAR_POLE } from './slope';
-
-/** The ground of one body under one ship. */
-export interface GroundUnderShip {
-  readonly bodyName: string;
-  /** Radius of the body, m. */
-  readonly radius: number;
-  /** Radius of the ship's footprint, m. */
-  readonly legRadius: number;
-  readonly terrainHeight: TerrainHeight;
-}
 
 /**
  * Surface normal of `surface_normal` terrain (DYNAMICS, "The ground's own normal"), for views and readouts. The substep computes its

@@ -14,7 +14,6 @@ import {
   step,
   SURFACE_NORMAL,
 } from './quantities';
-import { readSlope } from './slope';
 import { groundPoint, HEIGHT, readHeight } from '../terrain/inPlace';
 import { IS_TERRAIN_NORMAL } from '../constants/constantRows';
 
@@ -85,7 +84,7 @@ export function readSurface(attitude: number, evenOffGround: boolean): void {
     q[BODY_NORMAL + 1] = y;
     q[BODY_NORMAL + 2] = z;
     q[GROUND_RADIUS] = ground;
-    readSlope(bodyAt);
+    step.world.terrainNormals!.readSlope(bodyAt);
     return;
   }
   // s = n

@@ -1,4 +1,4 @@
-import { flatTerrain, HEIGHT, LEG_RADIUS, writeGroundNormal } from '../../dynamics';
+import { flatTerrain, HEIGHT, LEG_RADIUS } from '../../dynamics';
 import type { Track } from '../simulation/track';
 import { groundDirection, writeGroundRadius } from './snap/drawnGround';
 import { createGroundedPose, type GroundedPose, snapToGround } from './snap/groundSnap';
@@ -46,7 +46,8 @@ const SLOPE_HEIGHT = 100;
 function fillGroundNormal(out: ShipView, { world, normal, seen, bodyAttitudes }: Scene): void {
   const attitude = bodyAttitudes[out.body]!;
   const feet = lengthOf(seen.position) - out.groundRadius - out.groundContactOffset;
-  if (world.settings.surfaceNormal !== 'terrain' || feet > SLOPE_HEIGHT) {
+  const { terrainNormals, settings } = world;
+  if (terrainNormals === null || settings.surfaceNormal !== 'terrain' || feet > SLOPE_HEIGHT) {
     rotate(out.groundNormal, attitude, normal);
     return;
   }
@@ -55,7 +56,7 @@ function fillGroundNormal(out: ShipView, { world, normal, seen, bodyAttitudes }:
   under.radius = radius;
   under.legRadius = out.shipClass.constants[LEG_RADIUS]!;
   under.terrainHeight = world.terrainHeight;
-  writeGroundNormal(slope, normal, under);
+  terrainNormals.writeGroundNormal(slope, normal, under);
   rotate(out.groundNormal, attitude, slope);
 }
 

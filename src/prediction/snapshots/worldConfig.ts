@@ -8,6 +8,7 @@ import {
   type Settings,
   type ShipClass,
   type TerrainHeight,
+  type TerrainNormals,
   type World,
 } from '../../dynamics';
 
@@ -23,14 +24,21 @@ export interface WorldConfig {
 /** What a world is loaded with: the terrains that it may name, and the check of its settings and classes if the page loads it. */
 export interface WorldLoader {
   readonly terrains: Readonly<Record<string, TerrainHeight>>;
-  readonly features: { readonly faultOfConstants?: typeof faultOfConstants };
+  readonly features: {
+    readonly faultOfConstants?: typeof faultOfConstants;
+    readonly terrainNormals?: TerrainNormals;
+  };
 }
 
 /** The configured world with its constants, or an error that names the invalid field. */
 export function loadConfig(config: WorldConfig, { terrains, features }: WorldLoader): Result<World> {
   if (!Object.hasOwn(terrains, config.terrain)) return err(`terrain: no terrain named ${config.terrain}`);
+  const { terrainNormals = null } = features;
+  if (config.settings.surfaceNormal === 'terrain' && terrainNormals === null)
+    return err('settings.surfaceNormal: terrain needs the feature terrainNormals of createLeanPredictor');
   const reason = features.faultOfConstants?.(config) ?? null;
-  return reason === null ? deriveWorld({ ...config, terrainHeight: terrains[config.terrain]! }) : err(reason);
+  if (reason !== null) return err(reason);
+  return deriveWorld({ ...config, terrainHeight: terrains[config.terrain]! }, terrainNormals);
 }
 
 /** The same for a config from a JavaScript caller or a server: missing members do not throw. */

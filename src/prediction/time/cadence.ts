@@ -56,4 +56,4 @@ export function horizonOf(cadence: Cadence, tickRate: number, answersPings: bool
 
 const HORIZON = 5;
 /** A send this late is overdue, s: more than jitter delays it. */
-const OVERDUE = 0.5;
+const OVERDUE = 0.75;

@@ -25,6 +25,7 @@ import {
   type World,
   writeBodyMotion,
   writeControls,
+  TERRAIN_NORMALS,
 } from '../../dynamics';
 import type { ShipView } from '../../prediction';
 import { toBodyAxes } from '../axes';
@@ -142,5 +143,6 @@ function worldFor(out: Projection, ship: ShipView, body: Body, settings: LoadedS
       const { rise } = out;
       point[HEIGHT] = out.ground + (rise[0]! * point[0]! + rise[1]! * point[1]! + rise[2]! * point[2]!);
     }),
+    terrainNormals: TERRAIN_NORMALS,
   };
 }

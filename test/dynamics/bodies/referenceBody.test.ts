@@ -24,6 +24,7 @@ import {
   VELOCITY,
   type World,
   writeBodyMotion,
+  TERRAIN_NORMALS,
 } from '../../../src/dynamics';
 import { bodyNamed, LANDER, must, vectorAt } from '../provingGround';
 import { cross, lengthOf, plus } from '../vectors';
@@ -46,6 +47,7 @@ function placeBetween(
     shipClasses: [must(loadShipClass(LANDER))],
     bodies: bodies.map((body) => must(loadBody(body))),
     terrainHeight: flatTerrain,
+    terrainNormals: TERRAIN_NORMALS,
   };
   const rows = new Float64Array(bodies.length * BODY_STRIDE);
   bodies.forEach((body, i) => expect(writeBodyMotion(rows, i * BODY_STRIDE, body)).toBeNull());

@@ -15,6 +15,7 @@ import {
   type World,
   writeBodyMotion,
   writeControls,
+  TERRAIN_NORMALS,
 } from '../../../src/dynamics';
 import { body, controls, settings, shipClass, shipOver } from './extremes';
 import { must } from '../provingGround';
@@ -47,6 +48,7 @@ it('every accepted configuration, at and between the ends of the ranges, stays f
         shipClasses: [must(loaded[1])],
         bodies: [must(loaded[2])],
         terrainHeight: flatTerrain,
+        terrainNormals: TERRAIN_NORMALS,
       };
       if (spawnShip(ships, 0, made.ship, world) !== null) {
         refused++;

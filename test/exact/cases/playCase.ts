@@ -24,6 +24,7 @@ import {
   type World,
   writeBodyMotion,
   writeControls,
+  TERRAIN_NORMALS,
 } from '../../../src/dynamics';
 import type { CaseInput, CaseTerrain, ExactCase } from './exactCase';
 
@@ -122,6 +123,7 @@ export function loadCase(exact: ExactCase, terrainHeight: TerrainHeight): Result
     shipClasses: [shipClass.value],
     bodies: loadedBodies,
     terrainHeight,
+    terrainNormals: TERRAIN_NORMALS,
   };
   const ship = new Float64Array(SHIP_STRIDE);
   const reason = spawnShip(ship, 0, exact.ship, world);

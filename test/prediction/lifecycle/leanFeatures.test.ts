@@ -9,6 +9,7 @@ import {
   type LeanOptions,
   replayedImpacts,
   sleepingShips,
+  terrainNormals,
   unloadedGround,
 } from '../../../src/prediction';
 import type { ServerFrame, ShipState } from '../../../src/wire';
@@ -53,6 +54,24 @@ describe('a lean predictor', () => {
     expect(() => createLeanPredictor({ defaults })).toThrow(/^defaults\.bodies: /);
     const given = createLeanPredictor({ defaults: { ...defaults, bodies: [LUNA] } });
     expect(given.view(0).bodies).toHaveLength(1);
+  });
+
+  it('takes a server’s terrain normals only with that feature', () => {
+    const defaults = { settings: { surfaceNormal: 'terrain' } } as const;
+    const create = (...features: readonly Feature[]) =>
+      createLeanPredictor({ defaults, features: [gameCatalogue, ...features] });
+    expect(() => create()).toThrow(
+      /^defaults: settings\.surfaceNormal: terrain needs the feature terrainNormals/,
+    );
+    // A slope of one in ten toward X.
+    const terrains = { slope: (_name: string, nx: number) => nx * LUNA.radius * 0.1 };
+    const onSlope = flown(RESTING, [terrainNormals], {
+      terrains,
+      defaults: { ...defaults, bodies: [LUNA], terrain: 'slope' },
+    }).view.own!;
+    expect(onSlope.groundNormal[0]).toBeCloseTo(-0.1, 2);
+    expect(flown(RESTING, []).view.own!.groundNormal[0]).toBeCloseTo(0, 9);
+    expect(create(terrainNormals).view(0).settings.surfaceNormal).toBe('terrain');
   });
 
   it('simulates a landed ship at every substep unless ships may sleep', () => {

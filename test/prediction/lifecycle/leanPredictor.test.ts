@@ -6,8 +6,6 @@ import {
   createLeanPredictor,
   createPredictor,
   type Feature,
-  foreignDynamics,
-  frameBudget,
   gameCatalogue,
   groundedGhost,
   inputAcknowledgements,
@@ -15,19 +13,17 @@ import {
   type LeanOptions,
   type LeanPredictor,
   measuredGameTime,
-  measuredSpin,
   measuredTickRate,
   mismatchValues,
   type PredictorEntry,
-  replayedImpacts,
   roundTripPings,
   serverHello,
   sleepingShips,
   snapshotParts,
   surfaceEvents,
   touchdownRecord,
-  unloadedGround,
 } from '../../../src/prediction';
+import * as everyFeature from '../../../src/prediction/features';
 import type { ServerFrame } from '../../../src/wire';
 import { LUNA, ship, ticks } from '../checks/mistakes/given';
 import { recordFlight } from '../recordFlight';
@@ -53,27 +49,7 @@ function shown(
 
 const EARTH = BODIES.find(({ name }) => name === 'Earth')!;
 
-const ALL = [
-  ...[
-    checkedRecords,
-    completedBodies,
-    foreignDynamics,
-    inputAcknowledgements,
-    learnedGround,
-    measuredGameTime,
-  ],
-  ...[
-    measuredSpin,
-    measuredTickRate,
-    mismatchValues,
-    roundTripPings,
-    serverHello,
-    snapshotParts,
-    surfaceEvents,
-    touchdownRecord,
-  ],
-  ...[gameCatalogue, groundedGhost, replayedImpacts, sleepingShips, frameBudget, unloadedGround],
-];
+const ALL = Object.values(everyFeature).filter((each): each is Feature => 'feature' in each);
 
 /** Not an event. */
 const isView = (line: string): boolean => line.startsWith('[');

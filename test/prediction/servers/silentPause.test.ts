@@ -54,7 +54,7 @@ describe('a server that pauses without a word', () => {
       const silent = shown.filter(({ now }) => now > stopped + 2 * interval + 0.5 && now < resumed);
       expect(new Set(silent.map(({ connection }) => connection))).toEqual(new Set(['silent']));
       for (const { instant, newest } of silent)
-        expect(instant - newest).toBeLessThan(interval + 0.5 + 2 * DELAY + 0.1);
+        expect(instant - newest).toBeLessThan(interval + 0.75 + 2 * DELAY + 0.1);
       let last = Number.NaN;
       for (const { now, instant } of shown.filter(({ now }) => now > stopped)) {
         if (!Number.isNaN(last)) {

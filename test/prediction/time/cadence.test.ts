@@ -25,11 +25,11 @@ describe('how often a server sends', () => {
 
   it('bounds the prediction of a server that answers no pings by the longest of the last intervals', () => {
     const cadence = known();
-    expect(horizonOf(cadence, 20, false)).toBe(10.5);
+    expect(horizonOf(cadence, 20, false)).toBe(10.75);
     noteSend(cadence, 400);
-    expect(horizonOf(cadence, 20, false)).toBe(20.5);
+    expect(horizonOf(cadence, 20, false)).toBe(20.75);
     for (let k = 0; k < 7; k++) noteSend(cadence, 200);
-    expect(horizonOf(cadence, 20, false)).toBe(10.5);
+    expect(horizonOf(cadence, 20, false)).toBe(10.75);
     expect(horizonOf(createCadence(), 20, false)).toBe(5);
   });
 

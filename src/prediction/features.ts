@@ -71,7 +71,7 @@ const touchdown = {
   logLanded,
 };
 const spin = { spunMotion, measureByShip };
-const events = { happened: recordPredicted, confirmEvents, settleEvents, confirmEnd };
+const events = { recordPredicted, confirmEvents, settleEvents, confirmEnd };
 const acknowledgements = { acknowledgementOf, takeAcknowledgement };
 const tickRates = { measureUnsentRate, sentUntimed };
 const parts = { takeShips, takeOlder, takePart, receiveRest };
@@ -88,7 +88,7 @@ export const learnedGround: Feature = feature('learnedGround', { learning, learn
 /** Extrapolates a ship that the server moves by other dynamics (PREDICTION, Foreign dynamics). */
 export const foreignDynamics: Feature = feature('foreignDynamics', {
   learning,
-  weighLaw: chooseMotion,
+  chooseMotion,
   carry,
 });
 
@@ -150,7 +150,7 @@ export const roundTripPings: Feature = feature('roundTripPings', { takePong, pin
 export const ALL_FEATURES: SessionFeatures = Object.freeze({
   learning,
   learnGround,
-  weighLaw: chooseMotion,
+  chooseMotion,
   carry,
   unknownGround,
   replayImpact,

@@ -1,4 +1,4 @@
-import { askTorque } from './attitudeControl';
+import { commandTorque } from './attitudeControl';
 import {
   ATTITUDE_HOLD,
   ATTITUDE_MODE,
@@ -74,14 +74,14 @@ export function actuate(): void {
   q[RCS_TORQUE_SUM] = 0;
   // A landed ship is fixed to the ground, so it gets no torque and burns no fuel for attitude.
   if (isSteered && ships[at + SURFACE_STATE] !== LANDED) {
-    askTorque();
-    giveTorque();
+    commandTorque();
+    allocateTorque();
   }
-  if (ships[at + FUEL]! > 0 && (isPushed || q[RCS_TORQUE_SUM] !== 0)) push();
+  if (ships[at + FUEL]! > 0 && (isPushed || q[RCS_TORQUE_SUM] !== 0)) applyThrust();
 }
 
 /** Divides TORQUE between reaction wheels, up to their torque and remaining momentum, and RCS, while there is fuel. */
-function giveTorque(): void {
+function allocateTorque(): void {
   const q = quantities;
   const { ships, at, shipClass } = step;
   const dt = q[DT]!;
@@ -110,7 +110,7 @@ function giveTorque(): void {
 }
 
 /** Fills THRUST and LIFT from main engine and translation thrusters; burns their fuel and that of the RCS torque. */
-function push(): void {
+function applyThrust(): void {
   const q = quantities;
   const { ships, at, shipClass } = step;
   const fuel = ships[at + FUEL]!;

@@ -40,16 +40,16 @@ import {
 } from '../constants/constantRows';
 
 /** Fills TORQUE with the torque commanded by the stick, else by the attitude controller, N m, body axes (DYNAMICS, Actuators). */
-export function askTorque(): void {
+export function commandTorque(): void {
   if (holdsStick()) {
-    askByStick();
+    commandByStick();
     return;
   }
   const mode = effectiveMode();
   dampRates();
   if (mode === MODE_HOLD) steerToTarget();
   else if (mode !== MODE_NONE) steerToDirection(mode);
-  askByCommand();
+  commandByController();
 }
 
 function holdsStick(): boolean {
@@ -71,7 +71,7 @@ function effectiveMode(): number {
 }
 
 /** TORQUE = rotation_input × (wheel + RCS torque), RCS only while there is fuel. */
-function askByStick(): void {
+function commandByStick(): void {
   const q = quantities;
   const { ships, at, shipClass } = step;
   const hasFuel = ships[at + FUEL]! > 0;
@@ -212,7 +212,7 @@ function pointAlong(x: number, y: number, z: number, scale: number): void {
 }
 
 /** TORQUE = I a. */
-function askByCommand(): void {
+function commandByController(): void {
   const q = quantities;
   const { shipClass } = step;
   const factor = q[INERTIA_FACTOR]!;

@@ -50,7 +50,7 @@ function stepShips(sim: Simulation, step: RowStep): void {
 }
 
 function report(sim: Simulation, track: Track, step: RowStep): void {
-  sim.features.events?.happened(sim, track, step.event, step, track.pass);
+  sim.features.events?.recordPredicted(sim, track, step.event, step, track.pass);
   easeUprighting(sim, track, step);
 }
 

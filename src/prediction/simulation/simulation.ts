@@ -39,7 +39,7 @@ export interface Features {
     readonly holdLaw: typeof holdLaw;
   };
   readonly learnGround?: (sim: Simulation, track: Track, news: GroundNews) => void;
-  readonly weighLaw?: (sim: Simulation, track: Track, judged: Judged) => boolean;
+  readonly chooseMotion?: (sim: Simulation, track: Track, judged: Judged) => boolean;
   /** Ground that the client has not loaded. */
   readonly unknownGround?: {
     readonly knowsGround: typeof unknownGround.knowsGround;
@@ -61,7 +61,7 @@ export interface Features {
   };
   /** Predicted, sent and settled events. */
   readonly events?: {
-    readonly happened: (sim: Simulation, track: Track, event: number, at: Position, pass: number) => void;
+    readonly recordPredicted: (sim: Simulation, track: Track, event: number, at: Position, pass: number) => void;
     readonly confirmEvents: TakeFrame;
     readonly settleEvents: TakeFrameAt;
     readonly confirmEnd: (sim: Simulation, track: Track) => void;

@@ -27,7 +27,7 @@ export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolea
   if (!agrees) measureSpin(sim, track, lesson);
   state.rows = row;
   state.bodies = bodies;
-  const isWeighed = features.weighLaw?.(sim, track, { state, tick, predicted, agrees }) ?? false;
+  const isWeighed = features.chooseMotion?.(sim, track, { state, tick, predicted, agrees }) ?? false;
   return changes || isWeighed;
 }
 

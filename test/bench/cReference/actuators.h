@@ -77,7 +77,7 @@ static int ask_torque(double asked[3], const ship *s, const world *in, const loa
 }
 
 // Divides torque between wheels, up to saturation, and RCS. Returns the sum of RCS torque.
-static double give_torque(double torque[3], ship *s, const ship_class *c, double dt) {
+static double allocate_torque(double torque[3], ship *s, const ship_class *c, double dt) {
   double rcs = 0;
   for (int k = 0; k < 3; k++) {
     double asked = torque[k], size = fabs(asked), p = s->wheel_momentum[k];
@@ -92,7 +92,7 @@ static double give_torque(double torque[3], ship *s, const ship_class *c, double
   return rcs;
 }
 
-static void push(load *l, ship *s, const world *in, double rcs) {
+static void apply_thrust(load *l, ship *s, const world *in, double rcs) {
   const ship_class *c = &in->ship_class;
   const double *input = s->pilot.translation_input;
   l->thrust = vec(0, 0, 0);
@@ -109,9 +109,9 @@ static void push(load *l, ship *s, const world *in, double rcs) {
 static void actuate(load *l, ship *s, const world *in, vec3 normal, double distance) {
   double torque[3] = {0, 0, 0}, rcs = 0;
   if (s->state != LANDED && ask_torque(torque, s, in, l, normal, distance))
-    rcs = give_torque(torque, s, &in->ship_class, l->dt);
+    rcs = allocate_torque(torque, s, &in->ship_class, l->dt);
   l->torque = vec(torque[0], torque[1], torque[2]);
-  push(l, s, in, rcs);
+  apply_thrust(l, s, in, rcs);
   l->lift = dot(l->thrust, normal);
 }
 #endif

@@ -1,7 +1,7 @@
 """Engine, thrusters and wheels (DYNAMICS, Actuators; ORDER, step 1)."""
 
 from ..models import LANDED, Ship
-from .attitude_control import asked_torque
+from .attitude_control import commanded_torque
 from .surface import Place
 from .vectors import NOTHING, Mat3, Vec3
 
@@ -12,15 +12,15 @@ def actuate(ship: Ship, axes: Mat3, place: Place, factor: float, dt: float) -> t
     rcs = 0.0
     controls = ship.controls
     if controls.steers and ship.surface_contact_state != LANDED:
-        asked = asked_torque(ship, axes, place, factor)
+        asked = commanded_torque(ship, axes, place, factor)
         if asked is not None:
-            torque, rcs = give_torque(ship, asked, dt)
+            torque, rcs = allocate_torque(ship, asked, dt)
     if not ship.fuel > 0 or not (controls.pushes or rcs != 0):
         return torque, NOTHING
-    return torque, push(ship, axes, rcs, dt)
+    return torque, apply_thrust(ship, axes, rcs, dt)
 
 
-def give_torque(ship: Ship, asked: Vec3, dt: float) -> tuple[Vec3, float]:
+def allocate_torque(ship: Ship, asked: Vec3, dt: float) -> tuple[Vec3, float]:
     """Divides torque between wheels, up to saturation, and RCS, while there is fuel. Also returns the sum of RCS torque."""
     cls = ship.ship_class
     ax, ay, az = asked
@@ -56,7 +56,7 @@ def torque_about(
     return by_wheel + by_rcs, momentum + by_wheel * dt, by_rcs
 
 
-def push(ship: Ship, axes: Mat3, rcs: float, dt: float) -> Vec3:
+def apply_thrust(ship: Ship, axes: Mat3, rcs: float, dt: float) -> Vec3:
     """Thrust of main engine and translation thrusters; burns their fuel and that of `rcs` N m of torque."""
     cls = ship.ship_class
     controls = ship.controls

@@ -17,7 +17,7 @@ MIN_SINE = 1e-6
 MIN_SURFACE_SPEED = 0.1
 
 
-def asked_torque(ship: Ship, axes: Mat3, place: Place, factor: float) -> Vec3 | None:
+def commanded_torque(ship: Ship, axes: Mat3, place: Place, factor: float) -> Vec3 | None:
     """Commanded torque, N m, body axes; None if neither is active. `factor`: on the inertia tensor, at the present fuel."""
     controls = ship.controls
     cls = ship.ship_class

@@ -23,10 +23,11 @@ function withoutColourNames(code) {
   return code.replace(COLOUR_NAMES, 'const _colorKeywords = {}');
 }
 
-/** Shaders of materials and backgrounds that the page does not draw. */
+/** Shaders of materials and backgrounds that the page does not draw. One that is drawn all the same fails to compile, with this reason. */
 const UNUSED_SHADERS =
   /\/three\/src\/renderers\/shaders\/ShaderLib\/(background|backgroundCube|cube|distance|equirect|linedashed|mesh(matcap|normal|phong|toon)|points|shadow|sprite|vsm)\.glsl\.js$/;
-const NO_SHADER = "export const vertex = '';\nexport const fragment = '';";
+const NO_SHADER = `export const vertex = '#error left out of the page by .ci/leanThree.mjs';
+export const fragment = vertex;`;
 
 function moduleInstead(id) {
   if (UNUSED_SHADERS.test(id)) return NO_SHADER;

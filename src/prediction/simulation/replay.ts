@@ -75,7 +75,8 @@ function replay(sim: Simulation, track: Track, budget: number): number {
 function replaySubstep(sim: Simulation, track: Track, step: RowStep): void {
   enterSubstep(step, sim);
   stepRow(step, sim, track);
-  if (step.event !== NO_EVENT) sim.features.events?.recordPredicted(sim, track, step.event, step, track.replayPass);
+  if (step.event !== NO_EVENT)
+    sim.features.events?.recordPredicted(sim, track, step.event, step, track.replayPass);
   if (track.log !== null) sim.features.touchdown?.logSubstep(track.log.replayed, sim.world, step);
   if (!leaveSubstep(step, sim)) return;
   keep(track.history, step.tick, step.rows, track.at);

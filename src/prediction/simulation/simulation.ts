@@ -61,7 +61,13 @@ export interface Features {
   };
   /** Predicted, sent and settled events. */
   readonly events?: {
-    readonly recordPredicted: (sim: Simulation, track: Track, event: number, at: Position, pass: number) => void;
+    readonly recordPredicted: (
+      sim: Simulation,
+      track: Track,
+      event: number,
+      at: Position,
+      pass: number,
+    ) => void;
     readonly confirmEvents: TakeFrame;
     readonly settleEvents: TakeFrameAt;
     readonly confirmEnd: (sim: Simulation, track: Track) => void;

@@ -29,6 +29,7 @@ export function completeFrame(
   const { tickRate, timeScale } = tempoOf(sim, receiver, known, now);
   const timing = loadTiming(tickRate, timeScale, sim.world.settings);
   if (!timing.ok) return err(`frame.${timing.reason}`);
+  if (tick >= sim.newestTick) keepSentTempo(receiver, given);
   // Member by member: the hidden class of a spread record dies with the next garbage collection, and so does the code compiled for it.
   return ok({
     kind: 'frame',
@@ -56,17 +57,28 @@ export function tempoOf(
   const { features, timeline } = sim;
   const unsent = features.tickRates?.measureUnsentRate(sim, receiver, frame, now) ?? null;
   const held = timeline.spans.length === 0 ? null : spanOf(timeline, sim.newestTick).tickRate;
-  const tickRate = frame.tickRate ?? unsent ?? held ?? warnDefault(sim, 'tickRate', 1);
-  const sent = frame.timeScale ?? null;
+  const { sentTempo } = receiver;
+  const tickRate =
+    frame.tickRate ?? sentTempo.tickRate ?? unsent ?? held ?? assumed(sim, receiver, 'tickRate');
+  const sent = frame.timeScale ?? sentTempo.timeScale;
   const measured = features.measureGameTime?.(receiver.gameTime, { ...frame, tickRate }, sent) ?? null;
   // Of ticks of unknown length no scale can be measured.
-  return {
-    tickRate,
-    timeScale: (isTimed(receiver) ? measured : null) ?? sent ?? warnDefault(sim, 'timeScale', 1),
-  };
+  const known = (isTimed(receiver) ? measured : null) ?? sent;
+  return { tickRate, timeScale: known ?? assumed(sim, receiver, 'timeScale') };
 }
 
-function warnDefault({ warn }: Simulation, name: string, value: number): number {
+/** What a frame has of its tempo is valid for later ones that lack it. */
+function keepSentTempo({ sentTempo }: Receiver, { tickRate, timeScale }: PartialFrame): void {
+  sentTempo.tickRate = tickRate ?? sentTempo.tickRate;
+  sentTempo.timeScale = timeScale ?? sentTempo.timeScale;
+}
+
+function assumed(
+  { warn }: Simulation,
+  { defaultTempo }: Receiver,
+  name: keyof Receiver['defaultTempo'],
+): number {
+  const value = defaultTempo[name];
   warn('tempo-missing', `No frame has had ${name} yet: ${value} is used. Pass it with each frame.`, {
     name,
     value,

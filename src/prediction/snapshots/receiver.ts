@@ -35,8 +35,10 @@ export interface Receiver {
   /** New ships of the newest frame that are still to be taken, and its arrival, client wall s. */
   rest: { readonly frame: ServerFrame; readonly now: number } | null;
   readonly gameTime: GameTimeMeter;
-  /** Once a frame has had its tick rate, later ones have the same. */
-  sendsTickRate: boolean;
+  /** What the frames sent last, valid until another is sent; null if none has been. */
+  readonly sentTempo: { tickRate: number | null; timeScale: number | null };
+  /** Assumed while nothing is sent or measured: 1 Hz and 1, or the hello's. */
+  defaultTempo: { readonly tickRate: number; readonly timeScale: number };
   /** Null until a frame lacks the rate. */
   tickRate: TickRateMeter | null;
   /** Of the frame being received. */
@@ -59,7 +61,8 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     startsBodies: true,
     lastBodies: { tick: -1, bodies: [] },
     gameTime: createGameTimeMeter(),
-    sendsTickRate: false,
+    sentTempo: { tickRate: null, timeScale: null },
+    defaultTempo: { tickRate: 1, timeScale: 1 },
     tickRate: null,
     eventsTick: 0,
     rest: null,
@@ -87,6 +90,7 @@ export function forgetPast(receiver: Receiver): void {
   receiver.lastBodies.bodies = [];
   receiver.lastBodies.tick = -1;
   Object.assign(receiver.gameTime, createGameTimeMeter());
-  receiver.sendsTickRate = false;
+  receiver.sentTempo.tickRate = null;
+  receiver.sentTempo.timeScale = null;
   receiver.tickRate = null;
 }

@@ -1,3 +1,4 @@
+import { loadTiming } from '../../dynamics';
 import { matchVersion, PROTOCOL_VERSION } from '../../protocol';
 import type { Hello } from '../../wire';
 import { resend } from '../inputs/inputs';
@@ -34,6 +35,9 @@ export function takeHello(session: Session, hello: Hello, now: number): void {
   receiver.fresh = true;
   receiver.firstTick = Number.isSafeInteger(hello.tick) ? hello.tick : 0;
   receiver.sendsEvents = true;
+  const { tickRate, timeScale } = hello;
+  if (loadTiming(tickRate, timeScale, loaded.value.settings).ok)
+    receiver.defaultTempo = { tickRate, timeScale };
   resend(session.sim.inputs);
 }
 

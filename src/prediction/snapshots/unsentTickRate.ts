@@ -16,8 +16,7 @@ export function measureUnsentRate(
   { tick, tickRate }: PartialFrame,
   now: number,
 ): number | null {
-  if (isTickRate(tickRate)) receiver.sendsTickRate = true;
-  const isSent = receiver.sendsTickRate;
+  const isSent = isTickRate(tickRate) || receiver.sentTempo.tickRate !== null;
   if (!isSent) receiver.tickRate ??= createTickRateMeter();
   const meter = receiver.tickRate;
   if (meter === null) return null;
@@ -36,14 +35,14 @@ export function measureUnsentRate(
  */
 export function sentUntimed(
   { timeline, inputs }: Simulation,
-  { tickRate: meter, clock, sendsTickRate }: Receiver,
+  { tickRate: meter, clock, sentTempo }: Receiver,
   { tick, tickRate }: ServerFrame,
   now: number,
 ): number | null {
   if (meter === null) return null;
   const { isKnown, wasKnown, late } = meter;
   meter.wasKnown = isKnown;
-  const isMeasuredAnew = !sendsTickRate && tickRate !== spanOf(timeline, tick).tickRate;
+  const isMeasuredAnew = sentTempo.tickRate === null && tickRate !== spanOf(timeline, tick).tickRate;
   if (isKnown && wasKnown && !isMeasuredAnew) return null;
   // Inputs were stamped by an assumed rate, perhaps for seconds later.
   if (isKnown && !wasKnown) forgetRecords(inputs);

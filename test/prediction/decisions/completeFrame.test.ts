@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import { createPredictor } from '../../../src/prediction';
 import { completeFrame } from '../../../src/prediction/snapshots/completeFrame';
 import type { PartialFrame } from '../../../src/wire';
-import { frameAt, STILL } from '../faults/restingShip';
+import { frameAt, helloAt, STILL } from '../faults/restingShip';
 import { value } from '../rig';
 import { sessionAt } from './sessionAt';
 
@@ -17,6 +18,30 @@ describe('a frame without its other members', () => {
     const { result } = completed(bare);
     expect(value(result)).toMatchObject({ tickRate: 10, timeScale: 1, paused: false });
     expect(value(result)).toMatchObject({ ships: [STILL], bodies: [], events: [], lastInput: null });
+  });
+
+  it('has the time scale and the rate that a frame sent last', () => {
+    const { session } = completed({ ...bare, tickRate: 20, timeScale: 8 });
+    session.sim.newestTick = bare.tick;
+    expect(value(completed({ ...bare, tick: TICK + 2 }, session).result)).toMatchObject({
+      tickRate: 20,
+      timeScale: 8,
+    });
+  });
+
+  it('has no tempo of an older frame, nor of one that was refused', () => {
+    const { session } = completed({ ...bare, tick: TICK - 1, tickRate: 20, timeScale: 8 });
+    completed({ ...bare, tickRate: 0 }, session);
+    completed({ ...bare, timeScale: -1 }, session);
+    expect(value(completed(bare, session).result)).toMatchObject({ tickRate: 10, timeScale: 1 });
+  });
+
+  it('has the hello’s tempo before any frame has had one', () => {
+    const predictor = createPredictor({ ownShipId: STILL.shipId });
+    predictor.receive(helloAt(TICK, 20, { timeScale: 8 }), 0);
+    predictor.receive(bare, 0);
+    predictor.advance(null, 0.01);
+    expect(predictor.view(0.01)).toMatchObject({ tickRate: 20, timeScale: 8 });
   });
 
   it('is refused with a tick that is not a whole number up to 2⁵², by name', () => {

@@ -47,10 +47,21 @@ export function appendSettings(host: Element, form: Form): void {
   form.field(custom, 'Up jitter, ms', 'upJitter', createNumber(document, 0, 1000, 1));
   form.field(custom, 'Up stalled, %', 'upStalled', createNumber(document, 0, 50, 0.1));
   form.also(({ network }) => (custom.hidden = network !== 'custom'));
-  const speeds = [0.1, 0.25, 0.5, 1, 2, 4].map((speed) => [String(speed), `${speed} ×`] as const);
-  form.field(host, 'Speed', 'slow', createSelect(document, speeds));
+  const speeds = createSelect(document, [0.1, 0.25, 0.5, 1, 2, 4].map(speedOption));
+  // Before the field shows it: a link may have any speed.
+  form.also(({ slow }) => offer(speeds, speedOption(slow)));
+  form.field(host, 'Speed', 'slow', speeds);
   appendWorld(appendDetails(host, 'World', false), form);
   form.also(createChecks(host, form.change));
+}
+
+function speedOption(speed: number): readonly [value: string, text: string] {
+  return [String(speed), `${speed} ×`];
+}
+
+/** Adds an option to a list that lacks it. */
+function offer(list: HTMLSelectElement, [value, text]: readonly [value: string, text: string]): void {
+  if ([...list.options].every((option) => option.value !== value)) list.add(new Option(text, value));
 }
 
 function appendWorld(world: Element, form: Form): void {

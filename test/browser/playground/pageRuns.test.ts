@@ -54,7 +54,9 @@ describeInBrowser('a run on the built page', () => {
   });
 
   it('shares a link that ends in the same bits', async () => {
-    const page = await openBuiltPage('?scenario=settle&seed=7&net=fourG&slow=0.5', SMALL);
+    const page = await openBuiltPage('?scenario=settle&seed=7&net=fourG&slow=0.6', SMALL);
+    // No speed of the list.
+    expect(await page.getByLabel('Speed').evaluate((list: HTMLSelectElement) => list.value)).toBe('0.6');
     await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
     await page.getByRole('button', { name: 'Copy link' }).click();
     let link = '';
@@ -62,7 +64,7 @@ describeInBrowser('a run on the built page', () => {
     await expect
       .poll(async () => (link = await page.evaluate(() => navigator.clipboard.readText())))
       .toContain('net=fourG');
-    expect(new URL(link).search).toBe('?scenario=settle&net=fourG&seed=7&slow=0.5');
+    expect(new URL(link).search).toBe('?scenario=settle&net=fourG&seed=7&slow=0.6');
     const again = await openUrl(link, SMALL);
     const [run, shared] = await Promise.all([endOfRun(page, 8), endOfRun(again, 8)]);
     expect(shared).toBe(run);

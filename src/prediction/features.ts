@@ -19,7 +19,7 @@ import {
   wakeIfBurning,
   writeSleeping,
 } from './simulation/sleep';
-import { acknowledgementOf, takeAcknowledgement } from './snapshots/acknowledgements';
+import { acknowledgementOf, applyAcknowledgement } from './snapshots/acknowledgements';
 import { completeBodies } from './snapshots/bodies/completeBodies';
 import { measureByShip, spunMotion } from './snapshots/bodies/bodySpin';
 import { measureGameTime } from './snapshots/gameTimeMeter';
@@ -31,9 +31,9 @@ import { chooseMotion } from './snapshots/reconcile/lawFit';
 import { replayImpact } from './snapshots/reconcile/recall';
 import { confirmEnd, confirmEvents, recordPredicted, settleEvents } from './snapshots/settleEvents';
 import { shipFault } from './snapshots/shipFault';
-import { takeHello } from './snapshots/takeHello';
+import { receiveHello } from './snapshots/receiveHello';
 import { receiveRest, takeOlder, takePart, takeShips } from './snapshots/takeParts';
-import { takePong } from './snapshots/takePong';
+import { receivePong } from './snapshots/receivePong';
 import { measureUnsentRate, sentUntimed } from './snapshots/unsentTickRate';
 import { keepPace } from './time/pace';
 import { pingIfDue } from './time/pings';
@@ -72,7 +72,7 @@ const touchdown = {
 };
 const spin = { spunMotion, measureByShip };
 const events = { recordPredicted, confirmEvents, settleEvents, confirmEnd };
-const acknowledgements = { acknowledgementOf, takeAcknowledgement };
+const acknowledgements = { acknowledgementOf, applyAcknowledgement };
 const tickRates = { measureUnsentRate, sentUntimed };
 const parts = { takeShips, takeOlder, takePart, receiveRest };
 
@@ -141,10 +141,10 @@ export const measuredTickRate: Feature = feature('measuredTickRate', { tickRates
 export const measuredSpin: Feature = feature('measuredSpin', { learning, spin });
 
 /** Takes the hello of a server that sends one: its world, settings, classes, own ship and protocol version. */
-export const serverHello: Feature = feature('serverHello', { takeHello, faultOfConstants });
+export const serverHello: Feature = feature('serverHello', { receiveHello, faultOfConstants });
 
 /** Pings a server that answers with a pong: the clock then knows the round trip (PREDICTION, Clock). */
-export const roundTripPings: Feature = feature('roundTripPings', { takePong, pingIfDue });
+export const roundTripPings: Feature = feature('roundTripPings', { receivePong, pingIfDue });
 
 /** What createPredictor has. */
 export const ALL_FEATURES: SessionFeatures = Object.freeze({
@@ -169,9 +169,9 @@ export const ALL_FEATURES: SessionFeatures = Object.freeze({
   measureGameTime,
   tickRates,
   spin,
-  takeHello,
+  receiveHello,
   faultOfConstants,
-  takePong,
+  receivePong,
   pingIfDue,
   terrains: TERRAINS,
   catalogue: GAME_CATALOGUE,

@@ -47,4 +47,4 @@ const lacks =
     refuse(sim, `message.kind: a lean predictor takes a ${kind} only with its feature`);
 
 /** The game's server sends no hello and no pong. */
-const PLAIN: SessionFeatures = { takeHello: lacks('hello'), takePong: lacks('pong'), checkFeatures };
+const PLAIN: SessionFeatures = { receiveHello: lacks('hello'), receivePong: lacks('pong'), checkFeatures };

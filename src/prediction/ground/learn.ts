@@ -125,12 +125,12 @@ function evidenceOf(sim: Simulation, track: Track, { row, tick }: GroundNews): E
   if (evidence.row[CRASHED] === 1 || evidence.row[REFERENCE_BODY] !== row[REFERENCE_BODY]) return null;
   if (!sameCommand(evidence.row, 0, row, 0)) return null;
   if (track.own && actsBetween(sim.inputs, evidence.tick, tick)) return null;
-  if (!track.own && !takeBudget(sim, tick, substeps)) return null;
+  if (!track.own && !spendBudget(sim, tick, substeps)) return null;
   return { from: evidence.row, fromTick: evidence.tick, to: row, toTick: tick };
 }
 
 /** Takes `substeps` from a frame's budget for other pilots' ships; false if it is used up: then only the ship's state is used. */
-function takeBudget(sim: Simulation, tick: number, substeps: number): boolean {
+function spendBudget(sim: Simulation, tick: number, substeps: number): boolean {
   const { learning } = sim;
   if (learning.tick !== tick) {
     learning.tick = tick;

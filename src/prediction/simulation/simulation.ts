@@ -90,7 +90,7 @@ export interface Features {
   /** Acknowledged inputs; without, the controls in the states show which were applied. */
   readonly acknowledgements?: {
     readonly acknowledgementOf: (sim: Simulation, frame: PartialFrame) => InputAcknowledgement | null;
-    readonly takeAcknowledgement: (
+    readonly applyAcknowledgement: (
       sim: Simulation,
       receiver: Receiver,
       inForce: StateControls,

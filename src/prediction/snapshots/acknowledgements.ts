@@ -20,7 +20,7 @@ export function acknowledgementOf(
 }
 
 /** Takes the frame's acknowledgement of own inputs, also for steering the lead. `inForce`: the ship's controls in that frame. */
-export function takeAcknowledgement(
+export function applyAcknowledgement(
   { inputs, counters }: Simulation,
   { clock, context }: Receiver,
   inForce: StateControls,

@@ -12,13 +12,13 @@ export function receiveMessage(session: Session, message: ServerMessage | Partia
   const kind = (message as { kind?: unknown } | null | undefined)?.kind;
   switch (kind) {
     case 'hello':
-      session.features.takeHello(session, message as Hello, now);
+      session.features.receiveHello(session, message as Hello, now);
       break;
     case 'frame':
       takeFrame(session, message as PartialFrame, now);
       break;
     case 'pong':
-      session.features.takePong(session, message as Pong, now);
+      session.features.receivePong(session, message as Pong, now);
       break;
     default:
       refuse(session.sim, `message.kind: expected hello, frame or pong, got ${String(kind)}`);

@@ -9,7 +9,7 @@ import { spanOf } from '../time/timeline';
 import { forgetAfter as forgetBodiesAfter } from './bodies/bodyTrack';
 import { classifySnapshot, type SnapshotKind } from './classify';
 import { forgetPast, isTimed, type Receiver } from './receiver';
-import { takeStates } from './takeStates';
+import { reconcileStates } from './reconcileStates';
 import { followTempo } from './tempo';
 
 /** Sends without a ship after which it is removed, if it has also been silent for FADE_SECONDS. */
@@ -41,7 +41,7 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
     const { substeps } = spanOf(sim.timeline, frame.tick).timing;
     const ships = Math.max(sim.fleet.tracks.length, frame.ships.length);
     fitRings(sim, { tickRate: frame.tickRate, substeps, ships });
-    takeStates(sim, receiver, frame, now);
+    reconcileStates(sim, receiver, frame, now);
   }
   sim.features.events?.settleEvents(sim, receiver, frame, now);
   if (kind !== 'part') fade(sim, now);

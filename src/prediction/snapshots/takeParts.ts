@@ -4,7 +4,7 @@ import type { Simulation } from '../simulation/simulation';
 import { boundaryAt, knowsBoundary } from './bodies/bodyTrack';
 import type { Receiver } from './receiver';
 import type { SnapshotContext } from './snapshotContext';
-import { takeShip } from './takeStates';
+import { reconcileShip } from './reconcileStates';
 
 /** New ships that one call takes. */
 const MAX_NEW = 1000;
@@ -20,7 +20,7 @@ export function takeShips(sim: Simulation, receiver: Receiver, frame: ServerFram
   for (const state of frame.ships) {
     const isNew = !sim.fleet.byId.has(state.shipId) && state.shipId !== receiver.ownShipId;
     if (isNew && added === MAX_NEW) rest.push(state);
-    else takeShip(sim, receiver, state);
+    else reconcileShip(sim, receiver, state);
     if (isNew) added = Math.min(MAX_NEW, added + 1);
   }
   if (rest.length > 0) receiver.rest = { frame: { ...frame, ships: rest }, now: receiver.context.now };

@@ -11,7 +11,7 @@ import { refuse, startAnew } from './receiveSnapshot';
 import { loadUntrusted, sameWorld } from './worldConfig';
 
 /** A new connection starts a new timeline, unless the world is the same and its time continues. */
-export function takeHello(session: Session, hello: Hello, now: number): void {
+export function receiveHello(session: Session, hello: Hello, now: number): void {
   const { receiver, counters } = session;
   if (!isCompatible(session, hello)) return;
   const loaded = loadUntrusted(hello, session);

@@ -11,13 +11,13 @@ import type { Receiver } from './receiver';
 import { reconcile, showServerState } from './reconcile/reconcile';
 
 /** Compares the newest frame's bodies and ships with the predictions for its tick. */
-export function takeStates(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
+export function reconcileStates(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const { context } = receiver;
   writeBodiesOfFrame(context, sim, receiver, frame);
   context.tick = frame.tick;
   context.now = now;
   context.lastInput = frame.lastInput;
-  (sim.features.parts?.takeShips ?? takeAll)(sim, receiver, frame);
+  (sim.features.parts?.takeShips ?? reconcileAll)(sim, receiver, frame);
   for (const track of sim.fleet.tracks) {
     if (track.mode !== 'waiting' || track.replaying || track.off || track.serverTick < 0) continue;
     if (has(track.history, frame.tick))
@@ -26,12 +26,12 @@ export function takeStates(sim: Simulation, receiver: Receiver, frame: ServerFra
   }
 }
 
-function takeAll(sim: Simulation, receiver: Receiver, { ships }: ServerFrame): void {
-  for (const state of ships) takeShip(sim, receiver, state);
+function reconcileAll(sim: Simulation, receiver: Receiver, { ships }: ServerFrame): void {
+  for (const state of ships) reconcileShip(sim, receiver, state);
 }
 
 /** Takes one ship's state in the frame of the receiver's context. */
-export function takeShip(sim: Simulation, receiver: Receiver, state: ShipState): void {
+export function reconcileShip(sim: Simulation, receiver: Receiver, state: ShipState): void {
   const { context } = receiver;
   const fault = sim.features.shipFault?.(state) ?? null;
   if (fault !== null) {
@@ -77,7 +77,7 @@ function answered(sim: Simulation, receiver: Receiver, state: ShipState): InputO
   const { inputs, features } = sim;
   const { tick, now } = receiver.context;
   const outcome =
-    features.acknowledgements?.takeAcknowledgement(sim, receiver, state) ??
+    features.acknowledgements?.applyAcknowledgement(sim, receiver, state) ??
     inferApplied(inputs, tick, state, now);
   prune(inputs, tick - sim.ringLength);
   return outcome;

@@ -7,7 +7,7 @@ import { spanOf, wallOfTick } from '../time/timeline';
 import { refuse } from './receiveSnapshot';
 
 /** The answer to a ping bounds the server's clock from both sides; one with invalid numbers is refused. */
-export function takePong({ sim, clock, pings }: Session, pong: Pong, now: number): void {
+export function receivePong({ sim, clock, pings }: Session, pong: Pong, now: number): void {
   if (![pong.id, pong.tick, pong.sinceTick].every(Number.isFinite)) {
     refuse(
       sim,

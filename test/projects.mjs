@@ -39,17 +39,18 @@ function ownTemporaryFolder() {
 }
 if (!isOfMutants) ownTemporaryFolder();
 
+/** Projects whose files share most of what they import. */
+const SHARING = new Set(['node', 'programs']);
+
 /**
- * Bundles the run's files before it begins: those of node together, so that what they share is compiled once in each process. Files
+ * Bundles the run's files before it begins: those of SHARING together, so that what they share is compiled once in each process. Files
  * of the browser share little, and each has a connection to a Chromium that ends with it.
  */
 class Bundled extends BaseSequencer {
   async sort(files) {
-    const pathsOf = (isBrowser) =>
-      files
-        .filter(({ project }) => (project.name === 'browser') === isBrowser)
-        .map(({ moduleId }) => moduleId);
-    bundleRun([pathsOf(false), ...pathsOf(true).map((path) => [path])]);
+    const pathsOf = (isSharing) =>
+      files.filter(({ project }) => SHARING.has(project.name) === isSharing).map(({ moduleId }) => moduleId);
+    bundleRun([pathsOf(true), ...pathsOf(false).map((path) => [path])]);
     return super.sort(files);
   }
 }

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { EVENT_CONTACT, EVENT_LANDED } from '../../../src/dynamics';
 import { confirm, confirmByState, createLedger, predict, retract } from '../../../src/prediction/events';
 import { createTimeline, setTempo } from '../../../src/prediction/time/timeline';
+import { NO_TOUCHDOWN } from '../../readout/views';
 import { createRig } from '../rig';
 
 function ledgerAt(tickRate = 1) {
@@ -113,21 +114,11 @@ describe('a prediction that the server contradicts', () => {
 
 it('a touchdown is blank before the first touch, and is timed from it', () => {
   const rig = createRig({ scenario: 'settle' });
-  const blank = {
-    known: false,
-    outcome: 'open',
-    verticalSpeed: 0,
-    horizontalSpeed: 0,
-    bounces: 0,
-    slideMetres: 0,
-    settleSeconds: 0,
-    largestTilt: 0,
-  };
   let [flying, open] = [0, 0];
   rig.fly(2, ({ own }) => {
     if (own === null) return;
     const { touchdown, surfaceContactState } = own;
-    if (!touchdown.known) expect(touchdown).toEqual(blank);
+    if (!touchdown.known) expect(touchdown).toEqual(NO_TOUCHDOWN);
     else if (surfaceContactState !== '') expect(touchdown.settleSeconds).toBeGreaterThan(0);
     if (surfaceContactState === '') flying += 1;
     else open += 1;

@@ -41,7 +41,16 @@ export { landedBodyName, readShip, type ShipInit, type ShipRecord, spawnShip, wr
 /** The step of one ship. */
 export { substep } from './substep';
 /** The step of a world, and the division of ticks into substeps. */
-export { beginTick, endTick, loadTiming, stepWorld, type Timing, timingOfTick } from './tick';
+export {
+  beginTick,
+  endTick,
+  loadTiming,
+  MAX_RATE,
+  MIN_RATE,
+  stepWorld,
+  type Timing,
+  timingOfTick,
+} from './tick';
 export type { GroundUnderShip, HeightInPlace, TerrainHeight, TerrainNormals, World } from './constants/world';
 /** A world: plain data in, constants out. */
 export {

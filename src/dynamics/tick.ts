@@ -16,8 +16,8 @@ export interface Timing {
 }
 
 /** The game's bounds of the tick rate, Hz, and of the time scale, game seconds per second. */
-const MIN_RATE = 0.1;
-const MAX_RATE = 100;
+export const MIN_RATE = 0.1;
+export const MAX_RATE = 100;
 
 /** Timing for a server's `tickRate` (0.1–100 Hz) and `timeScale` (0.1–100), or an error that names the one out of range. */
 export function loadTiming(

@@ -1,9 +1,9 @@
+import { MAX_RATE } from '../../dynamics';
 import type { ServerFrame } from '../../wire';
 import type { Simulation } from '../simulation/simulation';
 import { sendSeconds } from '../time/cadence';
 import { serverTime } from '../time/clock';
 import { spanOf, wallOfTick } from '../time/timeline';
-import { MAX_TICK_RATE } from '../time/tickRateMeter';
 import { isTimed, type Receiver } from './receiver';
 
 /** The kind of a frame relative to the frames before it (PREDICTION, Restarts). */
@@ -50,7 +50,7 @@ export function classifySnapshot(
 
 /** The frame's tick rate, Hz; the game's highest while it is only assumed. */
 function fastestRate(receiver: Receiver, frame: ServerFrame): number {
-  return isTimed(receiver) ? frame.tickRate : MAX_TICK_RATE;
+  return isTimed(receiver) ? frame.tickRate : MAX_RATE;
 }
 
 /** Whether the server can have reached this tick: by the time since the newest frame, or by its clock. */

@@ -1,3 +1,5 @@
+import { MAX_RATE, MIN_RATE } from '../../dynamics';
+
 /**
  * The tick rate of a server that does not send it, measured from the ticks of its frames and their arrivals (PREDICTION, Timeline).
  * A frame arrives with a delay, never early: the schedule is the line under the arrivals, as in Moon's estimate of clock skew. A pause, or
@@ -37,9 +39,6 @@ const JITTER = 0.1;
 const FINEST = 0.005;
 /** Steps towards the line under the arrivals; a few suffice. */
 const MAX_STEPS = 8;
-/** The game's tick rates, Hz. */
-const MIN_TICK_RATE = 0.1;
-export const MAX_TICK_RATE = 100;
 
 export function createTickRateMeter(): TickRateMeter {
   return { arrivals: [], rate: Number.NaN, late: 0, isKnown: false, wasKnown: false };
@@ -47,7 +46,7 @@ export function createTickRateMeter(): TickRateMeter {
 
 /** Whether the game can have a tick rate, Hz. */
 export function isTickRate(rate = Number.NaN): boolean {
-  return rate >= MIN_TICK_RATE && rate <= MAX_TICK_RATE;
+  return rate >= MIN_RATE && rate <= MAX_RATE;
 }
 
 /**

@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync } from 'no
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { timingOfTick } from '../../src/dynamics';
-import { figure, type Figure } from './measure';
+import type { Timer } from './measure';
 import type { Subject } from './subjects';
 import { type Landing, runReference } from './cReference/landing';
 
@@ -24,9 +24,6 @@ const FLAGS = [
 
 const COMPILERS = [process.env['CC'] ?? 'cc', 'cc', 'gcc', 'clang'];
 
-const ROUNDS = 15;
-const TIMES = 100_000;
-
 /**
  * How the law is written in C: `straightforward`, as DYNAMICS.md tells it, every quantity anew at each end of a substep; or `tuned`, put
  * together as the TypeScript is, with what a state does not need left out and what two steps need found once.
@@ -34,12 +31,12 @@ const TIMES = 100_000;
 export const REFERENCES = ['straightforward', 'tuned'] as const;
 export type Reference = (typeof REFERENCES)[number];
 
-/** ns per substep of `subject`'s first ship in C, as `contact-substep` measures it in TypeScript; null without a compiler. */
-export function cBaseline(subject: Subject, reference: Reference): Figure | null {
+/** Times the substep of `subject`'s first ship in C, `times` substeps a round; null without a compiler. */
+export function timerInC(subject: Subject, reference: Reference, times: number): Timer | null {
   const program = compileReference(reference);
   if (program === null) return null;
-  const rounds = runReference(program, ['time', String(ROUNDS), String(TIMES)], [landingOf(subject)]);
-  return figure(`contact-c-${reference}`, 'ns', rounds.map(Number));
+  const landings = [landingOf(subject)];
+  return (rounds) => runReference(program, ['time', String(rounds), String(times)], landings).map(Number);
 }
 
 /** A subject as a landing of `ticks` ticks of one substep, 10 ms each, as the subjects are stepped. */

@@ -1,7 +1,16 @@
-import { cBaseline, REFERENCES } from './cBaseline';
+import { REFERENCES, timerInC } from './cBaseline';
 import { heightmapFigures } from './heightmap';
 import { joltBody } from './jolt';
-import { type Figure, heapGrowth, ratio, timed } from './measure';
+import {
+  type Figure,
+  figure,
+  heapGrowth,
+  ratioInTurn,
+  timed,
+  timedInTurn,
+  type Timer,
+  timerOf,
+} from './measure';
 import { replayFigures } from './page/replay';
 import { workerFigures } from './worker';
 import { flying, landed, sliding, slidingOverHills, type Subject, tipped } from './subjects';
@@ -15,6 +24,37 @@ const FLEET = 1000;
 function perSubstep(name: string, subject: Subject): Figure {
   return timed(name, TIMES, 1, (times) => subject.step(times));
 }
+
+/** The substep in contact beside the two in C. */
+function contactFigures(): Figure[] {
+  const inC = REFERENCES.map((reference) => timerInC(sliding(), reference, TIMES));
+  const [contact, ...references] = timedInTurn([
+    timerOfSubstep(sliding()),
+    ...inC.filter((timer) => timer !== null),
+  ]);
+  return [
+    figure('contact-substep', 'ns', contact!),
+    ...references.flatMap((reference, i) => [
+      figure(`contact-c-${REFERENCES[i]!}`, 'ns', reference),
+      ratioInTurn(`contact-to-${REFERENCES[i]!}`, contact!, reference),
+    ]),
+  ];
+}
+
+/** The substep in contact over hills, by either surface normal. */
+function hillsFigures(): Figure[] {
+  const [radial, terrain] = timedInTurn([
+    timerOfSubstep(slidingOverHills('radial')),
+    timerOfSubstep(slidingOverHills('terrain')),
+  ]);
+  return [
+    figure('contact-hills-radial', 'ns', radial!),
+    figure('contact-hills-terrain', 'ns', terrain!),
+    ratioInTurn('contact-hills-terrain-to-radial', terrain!, radial!),
+  ];
+}
+
+const timerOfSubstep = (subject: Subject): Timer => timerOf(TIMES, (times) => subject.step(times));
 
 /** Adopts the server's row, and replays 100 substeps from it. */
 function adoptAndReplay(): Figure {
@@ -48,22 +88,13 @@ function print(figure: Figure): void {
   else {
     const { name, unit, median, min, max } = figure;
     console.log(
-      `${name.padEnd(22)} ${String(median).padStart(14)} ${unit.padEnd(6)} (${String(min)} … ${String(max)})`,
+      `${name.padEnd(32)} ${String(median).padStart(14)} ${unit.padEnd(6)} (${String(min)} … ${String(max)})`,
     );
   }
 }
 
-if (!asJson) console.log(`${''.padEnd(22)} ${'median'.padStart(14)}        (min … max)`);
-const contact = perSubstep('contact-substep', sliding());
-print(contact);
-for (const reference of REFERENCES) {
-  const scalarC = cBaseline(sliding(), reference);
-  if (scalarC === null) continue;
-  print(scalarC);
-  print(ratio(`contact-to-${reference}`, contact, scalarC));
-}
-for (const normal of ['radial', 'terrain'] as const)
-  print(perSubstep(`contact-hills-${normal}`, slidingOverHills(normal)));
+if (!asJson) console.log(`${''.padEnd(32)} ${'median'.padStart(14)}        (min … max)`);
+for (const figure of [...contactFigures(), ...hillsFigures()]) print(figure);
 print(perSubstep('flying-substep', flying()));
 print(perSubstep('tipped-substep', tipped()));
 print(perSubstep('landed-substep', landed()));

@@ -18,13 +18,53 @@ const WARM_UP = 600;
  */
 export function timed(name: string, times: number, each: number, run: (times: number) => void): Figure {
   warmUp(times, run);
-  const rounds: number[] = [];
-  for (let i = 0; i < ROUNDS; i++) {
+  return figure(
+    name,
+    'ns',
+    roundsOf(ROUNDS, times, run).map((ns) => ns / each),
+  );
+}
+
+/** Passes of a comparison, and rounds of each case in a pass. */
+const PASSES = 15;
+const ROUNDS_PER_PASS = 3;
+
+/** Times `rounds` rounds, ns each. */
+export type Timer = (rounds: number) => readonly number[];
+
+/** A timer of `run(times)`, ns per unit, once it is fully compiled. */
+export function timerOf(times: number, run: (times: number) => void): Timer {
+  warmUp(times, run);
+  return (rounds) => roundsOf(rounds, times, run);
+}
+
+/**
+ * Times cases in turn, pass by pass: other programs, and on a rented machine other tenants, slow it down for seconds, by up to 1.8 ×,
+ * and so slow all cases of a pass alike.
+ * @returns for each case the median of each pass, ns
+ */
+export function timedInTurn(timers: readonly Timer[]): readonly (readonly number[])[] {
+  const passes = timers.map((): number[] => []);
+  for (let pass = 0; pass < PASSES; pass++)
+    timers.forEach((timer, i) => passes[i]!.push(median(timer(ROUNDS_PER_PASS))));
+  return passes;
+}
+
+/** How many times one case's time is another's, of cases timed in turn: the median of the passes. */
+export function ratioInTurn(name: string, one: readonly number[], other: readonly number[]): Figure {
+  return figure(
+    name,
+    '×',
+    one.map((time, i) => time / other[i]!),
+  );
+}
+
+function roundsOf(rounds: number, times: number, run: (times: number) => void): number[] {
+  return Array.from({ length: rounds }, () => {
     const from = process.hrtime.bigint();
     run(times);
-    rounds.push(Number(process.hrtime.bigint() - from) / (times * each));
-  }
-  return figure(name, 'ns', rounds);
+    return Number(process.hrtime.bigint() - from) / times;
+  });
 }
 
 /** Parts that the runs of a heap figure are cut into. */
@@ -65,17 +105,6 @@ function warmUp(times: number, run: (times: number) => void): void {
 export function figure(name: string, unit: string, rounds: readonly number[]): Figure {
   const ends = [Math.min(...rounds), Math.max(...rounds)] as const;
   return { name, unit, median: round(median(rounds)), min: round(ends[0]), max: round(ends[1]) };
-}
-
-/** How many times one figure is another, by their medians, and by the rounds that are furthest apart. */
-export function ratio(name: string, one: Figure, other: Figure): Figure {
-  return {
-    name,
-    unit: '×',
-    median: round(one.median / other.median),
-    min: round(one.min / other.max),
-    max: round(one.max / other.min),
-  };
 }
 
 function median(values: readonly number[]): number {

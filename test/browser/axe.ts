@@ -13,8 +13,9 @@ interface AxeWindow {
 /** One line for each element: the rule and where. Brought in by the debugger: a page's policy forbids scripts from elsewhere. */
 export async function axeFaults(page: Page): Promise<string[]> {
   if (await page.evaluate(() => (window as unknown as AxeWindow).axe === undefined)) await page.evaluate(AXE);
-  const { violations } = await page.evaluate(() =>
-    (window as unknown as Required<AxeWindow>).axe.run(document, { resultTypes: ['violations'] }),
-  );
-  return violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(' ')}`));
+  return page.evaluate(async () => {
+    const { axe } = window as unknown as Required<AxeWindow>;
+    const { violations } = await axe.run(document, { resultTypes: ['violations'] });
+    return violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(' ')}`));
+  });
 }

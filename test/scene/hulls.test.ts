@@ -1,4 +1,4 @@
-import { type Box3, type BufferGeometry, InstancedMesh, Matrix4, Vector3 } from 'three';
+import { type Box3, type BufferAttribute, type BufferGeometry, InstancedMesh, Matrix4, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { SHIP_CLASSES } from '../../src/dynamics';
 import { createHulls, type Hulls } from '../../src/scene/ships/hulls';
@@ -94,6 +94,28 @@ describe('hulls', () => {
     expect(placesOf(mesh)).toEqual([6, 900]);
     const travel = mesh.geometry.getAttribute('compression').array;
     expect([...travel.slice(0, 8)]).toEqual([0.5, 0, 0, 0.25, 0, 0.125, 0, 0]);
+    hulls.dispose();
+  });
+
+  it('sends leg travel and sunlight to the GPU only where they changed, and places in every frame', () => {
+    const hulls = createHulls(material);
+    const legs = [0, 0, 0, 0];
+    const sent = (sunlit: number) => {
+      hulls.clear();
+      hulls.put({ ...actorAt(model, [6, 0, 0], legs), sunlit }, EYE, true);
+      hulls.finish();
+      const mesh = drawnBy(hulls)[0]!;
+      const { compression, sunlit: light } = mesh.geometry.attributes;
+      return [mesh.instanceMatrix, compression!, light!].map(
+        (attribute) => (attribute as BufferAttribute).version,
+      );
+    };
+    const first = sent(0.7);
+    const second = sent(0.7);
+    expect(second).toEqual([first[0]! + 1, first[1], first[2]]);
+    legs[3] = 0.1;
+    expect(sent(0.7)).toEqual([second[0]! + 1, second[1]! + 1, second[2]]);
+    expect(sent(0.6)).toEqual([second[0]! + 2, second[1]! + 1, second[2]! + 1]);
     hulls.dispose();
   });
 });

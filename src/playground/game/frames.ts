@@ -34,11 +34,11 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       }
       return { view: replayed ?? parts.live.frame(), now };
     },
-    paint(view, now) {
+    paint(view, now, isFast) {
       const replay = parts.scene.deck.replay();
       if (replay === null) parts.game.watch(view);
       autopilotEnd(parts.live.flightControls.autopilot.reason());
-      parts.cockpit.paint(view);
+      parts.cockpit.paint(view, isFast);
       const { flight, aids } = parts.cockpit;
       parts.game.advise(view, parts.cockpit.aidsOn() && replay === null ? aids : null);
       parts.devices.thumbs.show(flight.known ? flight.throttle : 0, flight.hover);

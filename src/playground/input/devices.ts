@@ -51,7 +51,7 @@ export function connectDevices(window: Window, listeners: DeviceListeners): Devi
     confirmed: listeners.confirmed,
     releaseAll: listeners.releaseAll,
   });
-  const readGamepad = createGamepads(window.navigator, () => listeners.stick.deflection, {
+  const readGamepad = createGamepads(window, () => listeners.stick.deflection, {
     pressed: pressed('gamepad'),
     confirmed: listeners.confirmed,
     changed(name) {

@@ -58,22 +58,28 @@ export interface GamepadListeners {
   readonly changed: (name: string | null) => void;
 }
 
-/** Reads the first pad of the standard mapping once a frame; true while it is deflected. */
+/** Reads the first pad of the standard mapping once a frame; true while it is deflected. Nothing is read before one connects. */
 export function createGamepads(
-  navigator: Pick<Navigator, 'getGamepads'>,
+  window: Window,
   deflection: () => Deflection,
   listeners: GamepadListeners,
 ): () => boolean {
   const down = new Set<number>();
   let name: string | null = null;
   let wasActive = false;
+  let isConnected = false;
+  window.addEventListener('gamepadconnected', () => (isConnected = true));
   return () => {
-    const pad = padsOf(navigator).find((each) => each?.mapping === 'standard') ?? null;
+    if (!isConnected) return false;
+    const pad = padsOf(window.navigator).find((each) => each?.mapping === 'standard') ?? null;
     if ((pad?.id ?? null) !== name) {
       name = pad?.id ?? null;
       listeners.changed(name);
     }
-    if (pad === null) return false;
+    if (pad === null) {
+      isConnected = false;
+      return false;
+    }
     // Sticks first: what a button sets is not moved on by a trigger that is up again. At rest the pad leaves thumb sticks alone.
     const isActive = isDeflected(pad);
     if (isActive || wasActive) readPad(deflection(), pad);

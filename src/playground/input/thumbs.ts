@@ -50,12 +50,16 @@ export function createThumbs(host: HTMLElement, listeners: ThumbListeners): Thum
     Object.assign(deflection(), { pushRight: right, pushAway: away });
     moved();
   });
-  let shown = '';
+  let shownThrottle = NaN;
+  let shownHover = NaN;
   return {
     show(throttle, hover) {
-      const text = `Engine ${(throttle * 100).toFixed(0)} %${Number.isNaN(hover) ? '' : `, hover ${(hover * 100).toFixed(0)} %`}`;
-      if (text === shown) return;
-      shown = text;
+      const percent = Math.round(throttle * 100);
+      const hoverPercent = Math.round(hover * 100);
+      if (percent === shownThrottle && Object.is(hoverPercent, shownHover)) return;
+      shownThrottle = percent;
+      shownHover = hoverPercent;
+      const text = `Engine ${percent} %${Number.isNaN(hover) ? '' : `, hover ${hoverPercent} %`}`;
       words.textContent = text;
       lever.setAttribute('aria-valuetext', text);
       const place = Math.sqrt(throttle) * 100;

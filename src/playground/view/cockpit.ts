@@ -37,7 +37,8 @@ export interface CockpitContext {
 
 /** All displays, from one view per frame. */
 export interface Cockpit {
-  readonly paint: (view: WorldView) => void;
+  /** `isFast`: the display's rate is so high that half the displays may wait for the next frame. */
+  readonly paint: (view: WorldView, isFast: boolean) => void;
   /** Another world: clears everything remembered of the old one. */
   readonly forget: () => void;
   readonly landing: () => LandingReadout;
@@ -47,6 +48,16 @@ export interface Cockpit {
   readonly toggleAids: () => boolean;
 }
 
+/** Which displays a frame paints: all, or while frames come fast each in every other one. */
+export function createTurns(): (isFast: boolean) => 'all' | 'landing' | 'flight' {
+  let isFlights = false;
+  return (isFast) => {
+    isFlights = !isFlights;
+    if (!isFast) return 'all';
+    return isFlights ? 'flight' : 'landing';
+  };
+}
+
 export function createCockpit(document: Document, context: CockpitContext): Cockpit {
   let landing = createLandingReadout();
   const flight = createFlightReadout();
@@ -54,6 +65,7 @@ export function createCockpit(document: Document, context: CockpitContext): Cock
   const target = createTargetReadout();
   const fleet = createFleetReadout();
   let aidsOn = true;
+  const nextTurn = createTurns();
   const { keyLabel, turnKeys } = context;
   const landingHud = createCockpitLandingHud(document, context.host, { theme: 'system', keyLabel, turnKeys });
   const fleetHud = createFleetHud(document, context.host, { theme: 'system' });
@@ -70,11 +82,15 @@ export function createCockpit(document: Document, context: CockpitContext): Cock
     forget() {
       landing = createLandingReadout();
     },
-    paint(view) {
-      landingHud.paint(updateLandingReadout(landing, view));
-      fleetHud.paint(updateFleetReadout(fleet, view));
+    paint(view, isFast) {
       updateFlightReadout(flight, view);
       if (aidsOn) updateLandingAids(aids, view);
+      const turn = nextTurn(isFast);
+      if (turn !== 'flight') {
+        landingHud.paint(updateLandingReadout(landing, view));
+        fleetHud.paint(updateFleetReadout(fleet, view));
+      }
+      if (turn === 'landing') return;
       updateTargetReadout(target, view, context.target(), context.screen(), aids);
       flightHud.paint({ flight, aids, target, autopilot: context.isAutopilotOn(), aidsOn });
     },

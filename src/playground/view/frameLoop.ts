@@ -8,8 +8,8 @@ export interface FrameContext {
   readonly sceneView: SceneView | null;
   /** The view to show now; `milliseconds` of the frame. */
   readonly look: (milliseconds: number) => { readonly view: WorldView; readonly now: number };
-  /** Shows everything but the picture. */
-  readonly paint: (view: WorldView, now: number) => void;
+  /** Shows everything but the picture; `isFast`: the frame before was less than SLOW_FRAME ago. */
+  readonly paint: (view: WorldView, now: number, isFast: boolean) => void;
   /** The view as the picture has it, with what else flies in it. */
   readonly dress: (view: WorldView) => WorldView;
   /** The first picture is drawn. */
@@ -26,6 +26,9 @@ export interface FrameLoop {
   readonly isWarm: () => boolean;
 }
 
+/** ms */
+const SLOW_FRAME = 25;
+
 /** Draws as often as the browser asks. The first picture builds the ground and compiles its programs, a second or more. */
 export function createFrameLoop(window: Window, root: HTMLElement, context: FrameContext): FrameLoop {
   const { sceneView } = context;
@@ -34,11 +37,14 @@ export function createFrameLoop(window: Window, root: HTMLElement, context: Fram
   let isBuilding = false;
   let isResized = false;
   let isMarked = false;
+  let isFrozen = false;
+  let before = NaN;
 
   function frame(milliseconds: number): void {
-    if (root.dataset['frozen'] !== 'true') window.requestAnimationFrame(frame);
+    if (!isFrozen) window.requestAnimationFrame(frame);
     const { view, now } = context.look(milliseconds);
-    context.paint(view, now);
+    context.paint(view, now, milliseconds - before < SLOW_FRAME);
+    before = milliseconds;
     // Before the picture: a canvas that changes size is blank until it is drawn again.
     // Frames in which nothing is drawn are no measurement of the machine.
     const isMeasured = view.ready && Number.isNaN(freezeAt);
@@ -60,8 +66,9 @@ export function createFrameLoop(window: Window, root: HTMLElement, context: Fram
   /** On the root element, for tests and screenshots. */
   function markReady(view: WorldView): void {
     const seconds = gameSeconds(view);
-    if (seconds >= freezeAt) root.dataset['frozen'] = 'true';
-    isMarked = Number.isNaN(freezeAt) || seconds >= freezeAt;
+    isFrozen = seconds >= freezeAt;
+    if (isFrozen) root.dataset['frozen'] = 'true';
+    isMarked = Number.isNaN(freezeAt) || isFrozen;
     if (isMarked) root.dataset['ready'] = 'true';
   }
 

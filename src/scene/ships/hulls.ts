@@ -35,6 +35,9 @@ interface Level {
   compression: InstancedBufferAttribute;
   /** Share of the sun that reaches each ship, 0 … 1. */
   sunlit: InstancedBufferAttribute;
+  /** Whether they differ from what the GPU has. */
+  hasNewCompression: boolean;
+  hasNewSunlit: boolean;
   count: number;
 }
 
@@ -72,19 +75,24 @@ export function createHulls(material: ShipMaterial): Hulls {
       if (level.count === level.mesh.instanceMatrix.count) enlarge(level, group, material);
       turn.set(actor.turn[0]!, actor.turn[1]!, actor.turn[2]!, actor.turn[3]!);
       level.mesh.setMatrixAt(level.count, matrix.compose(place, turn, ONE));
-      if (level.isWhole) level.compression.set(actor.compression, level.count * 4);
-      level.sunlit.setX(level.count, actor.sunlit);
+      if (level.isWhole)
+        for (let leg = 0; leg < 4; leg++)
+          if (change(level.compression, 4 * level.count + leg, actor.compression[leg]!))
+            level.hasNewCompression = true;
+      if (change(level.sunlit, level.count, actor.sunlit)) level.hasNewSunlit = true;
       level.count++;
     },
     finish() {
       for (const levels of classes.values()) {
-        for (const { mesh, compression, sunlit, count, isWhole } of levels) {
+        for (const level of levels) {
+          const { mesh, count } = level;
           mesh.count = count;
           mesh.visible = count > 0;
           if (count === 0) continue;
           upload(mesh.instanceMatrix, count);
-          upload(sunlit, count);
-          if (isWhole) upload(compression, count);
+          if (level.hasNewSunlit) upload(level.sunlit, count);
+          if (level.hasNewCompression) upload(level.compression, count);
+          level.hasNewSunlit = level.hasNewCompression = false;
         }
       }
     },
@@ -92,6 +100,14 @@ export function createHulls(material: ShipMaterial): Hulls {
       for (const levels of classes.values()) for (const { mesh } of levels) mesh.dispose();
     },
   };
+}
+
+/** Writes one number; whether it was another. */
+function change({ array }: InstancedBufferAttribute, at: number, value: number): boolean {
+  const rounded = Math.fround(value);
+  if (array[at] === rounded) return false;
+  array[at] = rounded;
+  return true;
 }
 
 /** Sends the first `count` instances to the GPU. */
@@ -102,7 +118,8 @@ function upload(attribute: InstancedBufferAttribute, count: number): void {
 }
 
 function createLevel(geometry: BufferGeometry, isWhole: boolean, material: ShipMaterial): Level {
-  return { geometry, isWhole, count: 0, ...createMesh(geometry, FIRST_ROOM, isWhole, material) };
+  const isNew = { hasNewCompression: false, hasNewSunlit: false };
+  return { geometry, isWhole, count: 0, ...isNew, ...createMesh(geometry, FIRST_ROOM, isWhole, material) };
 }
 
 /** Makes room for twice as many ships, and keeps those already there. */

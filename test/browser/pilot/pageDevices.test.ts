@@ -46,6 +46,7 @@ describeInBrowser('a gamepad on the built page', () => {
     await page.evaluate(() => {
       const { pads, pad } = window as unknown as PadWindow;
       pads.push(pad);
+      window.dispatchEvent(new Event('gamepadconnected'));
     });
     await untilBanner(page, 'Gamepad: Test pad');
     await expect

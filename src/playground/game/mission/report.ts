@@ -3,8 +3,10 @@ import type { Parts } from '../parts';
 
 /** The page's state as attributes of the root element, for tests and screenshots. */
 export function createReport(root: HTMLElement, parts: Parts): (view: WorldView) => void {
+  // Not compared with the attributes: a page reads them slowly.
+  const shown: Record<string, string> = {};
   const set = (name: string, text: string) => {
-    if (root.dataset[name] !== text) root.dataset[name] = text;
+    if (shown[name] !== text) root.dataset[name] = shown[name] = text;
   };
   let run = '';
   return ({ own }) => {

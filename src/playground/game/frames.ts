@@ -3,6 +3,7 @@ import { createFrameLoop, type FrameLoop } from '../view/frameLoop';
 import { NIGHT_ELEVATION, type SceneView } from '../../scene';
 import { pixelRatioOf } from '../view/pageSize';
 import type { Notice } from '../panels/notice';
+import { createTurns } from '../view/cockpit';
 import type { Page } from './pageParts';
 import { createReport } from './mission/report';
 import { createTextAlternative } from './texts/textAlternative';
@@ -15,6 +16,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
   const textAlternative = createTextAlternative(page.part('textAlternative'));
   const report = createReport(root, parts);
   const autopilotEnd = createAutopilotEnd(page.notice);
+  const nextTurn = createTurns();
   let before = NaN;
   let generation = 0;
   const loop = createFrameLoop(window, root, {
@@ -38,14 +40,14 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       const replay = parts.scene.deck.replay();
       if (replay === null) parts.game.watch(view);
       autopilotEnd(parts.live.flightControls.autopilot.reason());
-      parts.cockpit.paint(view, isFast);
+      const hasDrawnDock = parts.dock.follow(view, now);
+      parts.cockpit.paint(view, nextTurn(isFast, hasDrawnDock));
       const { flight, aids } = parts.cockpit;
       parts.game.advise(view, parts.cockpit.aidsOn() && replay === null ? aids : null);
       parts.devices.thumbs.show(flight.known ? flight.throttle : 0, flight.hover);
       parts.sound?.follow(view.own, flight, aids);
       textAlternative.update(view, parts.cockpit.landing(), now);
       (replay?.baseline ?? parts.live.baseline).redraw(view, choices.mode, replay?.position() ?? now);
-      parts.dock.follow(view, now);
       if (sceneView !== null) updateScene(sceneView, parts);
       if (parts.loop.isWarm()) report(view);
     },

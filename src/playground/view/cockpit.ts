@@ -37,8 +37,7 @@ export interface CockpitContext {
 
 /** All displays, from one view per frame. */
 export interface Cockpit {
-  /** `isFast`: the display's rate is so high that half the displays may wait for the next frame. */
-  readonly paint: (view: WorldView, isFast: boolean) => void;
+  readonly paint: (view: WorldView, turn: Turn) => void;
   /** Another world: clears everything remembered of the old one. */
   readonly forget: () => void;
   readonly landing: () => LandingReadout;
@@ -48,12 +47,16 @@ export interface Cockpit {
   readonly toggleAids: () => boolean;
 }
 
-/** Which displays a frame paints: all, or while frames come fast each in every other one. */
-export function createTurns(): (isFast: boolean) => 'all' | 'landing' | 'flight' {
+/** Which displays a frame paints. */
+export type Turn = 'all' | 'landing' | 'flight' | 'none';
+
+/** All displays, or while frames come fast each in every other one and none in one that is busy otherwise. */
+export function createTurns(): (isFast: boolean, isBusy: boolean) => Turn {
   let isFlights = false;
-  return (isFast) => {
-    isFlights = !isFlights;
+  return (isFast, isBusy) => {
     if (!isFast) return 'all';
+    if (isBusy) return 'none';
+    isFlights = !isFlights;
     return isFlights ? 'flight' : 'landing';
   };
 }
@@ -65,7 +68,6 @@ export function createCockpit(document: Document, context: CockpitContext): Cock
   const target = createTargetReadout();
   const fleet = createFleetReadout();
   let aidsOn = true;
-  const nextTurn = createTurns();
   const { keyLabel, turnKeys } = context;
   const landingHud = createCockpitLandingHud(document, context.host, { theme: 'system', keyLabel, turnKeys });
   const fleetHud = createFleetHud(document, context.host, { theme: 'system' });
@@ -82,15 +84,14 @@ export function createCockpit(document: Document, context: CockpitContext): Cock
     forget() {
       landing = createLandingReadout();
     },
-    paint(view, isFast) {
+    paint(view, turn) {
       updateFlightReadout(flight, view);
       if (aidsOn) updateLandingAids(aids, view);
-      const turn = nextTurn(isFast);
-      if (turn !== 'flight') {
+      if (turn === 'all' || turn === 'landing') {
         landingHud.paint(updateLandingReadout(landing, view));
         fleetHud.paint(updateFleetReadout(fleet, view));
       }
-      if (turn === 'landing') return;
+      if (turn !== 'all' && turn !== 'flight') return;
       updateTargetReadout(target, view, context.target(), context.screen(), aids);
       flightHud.paint({ flight, aids, target, autopilot: context.isAutopilotOn(), aidsOn });
     },

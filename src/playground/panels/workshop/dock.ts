@@ -14,8 +14,8 @@ import { createSamples } from '../../game/samples';
 /** The dock along the bottom: frames by class, figures, plots, recording. */
 export interface Dock {
   readonly recording: RecordingPanel;
-  /** Called once per frame; paints ten times per second. */
-  readonly follow: (view: WorldView, now: number) => void;
+  /** Called once per frame; paints ten times per second, and returns whether it has. */
+  readonly follow: (view: WorldView, now: number) => boolean;
   readonly clear: () => void;
 }
 
@@ -33,10 +33,11 @@ export function createDock(host: Element, listeners: RecordingListeners): Dock {
     recording,
     follow({ diagnosis }, now) {
       strip.watch(diagnosis, now);
-      if (!samples.take(diagnosis, now)) return;
+      if (!samples.take(diagnosis, now)) return false;
       strip.paint(diagnosis, now);
       if (figuresPart.open) paintFigures(samples);
       if (plotsPart.open) paintPlots(samples);
+      return true;
     },
     clear() {
       strip.clear();

@@ -35,7 +35,7 @@ export function createLazyDock(host: Element, listeners: RecordingListeners, fai
       showPosition: (at, isPlaying, where) => dock?.recording.showPosition(at, isPlaying, where),
       showProgress: (share) => dock?.recording.showProgress(share),
     },
-    follow: (view, now) => dock?.follow(view, now),
+    follow: (view, now) => dock?.follow(view, now) ?? false,
     clear: () => dock?.clear(),
   };
 }

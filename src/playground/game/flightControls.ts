@@ -41,8 +41,8 @@ interface FlightControlsState {
   readonly view: () => WorldView;
   isPaused: boolean;
   screen: (() => Float64Array | null) | null;
-  /** The autopilot flew at the last sample. */
-  autopilotFlew: boolean;
+  /** What the autopilot commands, until the pilot has taken over from it; the view's controls are those of a moment ago. */
+  commanded: Controls | null;
 }
 
 export function createFlightControls(
@@ -57,7 +57,7 @@ export function createFlightControls(
     view,
     isPaused: false,
     screen: null,
-    autopilotFlew: false,
+    commanded: null,
   };
   return {
     stick,
@@ -92,13 +92,13 @@ export function createFlightControls(
     reset() {
       resetStick(stick);
       autopilot.set(false);
-      state.autopilotFlew = false;
+      state.commanded = null;
       state.isPaused = false;
     },
     steerInScreenAxes: (screen) => (state.screen = screen),
     sample(seen, now, seconds) {
-      if (autopilot.isOn()) return autopilot.fly(seen, now);
-      if (state.autopilotFlew) takeOverFromAutopilot(state);
+      if (autopilot.isOn()) return (state.commanded = autopilot.fly(seen, now));
+      if (state.commanded !== null) takeOverFromAutopilot(state);
       if (stick.held.size === 0) alignSteering(state);
       const byHand = sampleStick(stick, state.isPaused ? 0 : seconds);
       return stick.touched ? byHand : null;
@@ -121,7 +121,7 @@ function toggleAutopilot(state: FlightControlsState): void {
   else {
     releaseAll(state.stick);
     state.autopilot.set(true);
-    state.autopilotFlew = true;
+    state.commanded = currentControls(state);
   }
 }
 
@@ -129,9 +129,10 @@ function toggleAutopilot(state: FlightControlsState): void {
 function takeOverFromAutopilot(state: FlightControlsState): void {
   const { stick, autopilot } = state;
   autopilot.set(false);
-  state.autopilotFlew = false;
+  const from = state.commanded ?? currentControls(state);
+  state.commanded = null;
   stick.touched = false;
-  takeOver(stick, { ...currentControls(state), attitudeMode: 'none', attitudeHold: true });
+  takeOver(stick, { ...from, attitudeMode: 'none', attitudeHold: true });
 }
 
 function alignSteering({ stick, view, screen }: FlightControlsState): void {

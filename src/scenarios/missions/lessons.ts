@@ -64,7 +64,7 @@ export const LESSONS: readonly Mission[] = [
       initial: { ...STILL, height: 3, velocity: [0, 0, -1], tilt: 42, leanTo: 90 },
     }),
     goal: 'Right the ship until the display says LANDED.',
-    how: 'Hold the key shown on the display. Release it below the angle shown, then press {rateDamping}.',
+    how: 'Hold the key shown on the display. Release it below the angle shown.',
     done: { kind: 'land' },
     pads: [{ east: 0, north: 0, radius: 60 }],
   },

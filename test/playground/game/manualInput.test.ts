@@ -32,6 +32,8 @@ describe('the autopilot', () => {
     play(60, 2);
     expect(live.flightControls.autopilot.isOn()).toBe(false);
     expect(live.flightControls.autopilot.reason()).toMatch(/^hit Luna at 2\d\.\d m\/s$/);
+    // Not at the thrust that braked.
+    expect(live.view().own!.controls.thrustLevel).toBe(0);
   });
 });
 

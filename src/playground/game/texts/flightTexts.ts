@@ -65,10 +65,9 @@ const LATER: Readonly<Record<Device, string>> = {
   thumbs: 'Tilt and Push are under your thumbs · Engine is the lever · Upright levels the ship',
 };
 const FALLEN: Readonly<Record<Device, string>> = {
-  keys: 'Hold the key that the display names. Release it below the angle shown, then press {rateDamping}.',
-  gamepad:
-    'Hold the control that the display names. Release it below the angle shown, then press {rateDamping}.',
-  thumbs: 'Hold Tilt as the display says. Release it below the angle shown, then press {rateDamping}.',
+  keys: 'Hold the key that the display names. Release it below the angle shown.',
+  gamepad: 'Hold the control that the display names. Release it below the angle shown.',
+  thumbs: 'Hold Tilt as the display says. Release it below the angle shown.',
 };
 
 /** How to fly a mission, in the words of the device, its controls in braces. */

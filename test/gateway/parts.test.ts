@@ -43,6 +43,7 @@ it('sends the own ship first, then the nearest within the radius', () => {
   const ships = [at(5000, 'far'), at(0, 'own'), at(10, 'near'), at(300, 'next')];
   expect(shipsInSight(ships, 1, { radius: 1000, maxShips: 10 })).toEqual([1, 2, 3]);
   expect(shipsInSight(ships, 1, { radius: 1000, maxShips: 2 })).toEqual([1, 2]);
+  expect(shipsInSight(ships, 1, { radius: 5000, maxShips: 10 })).toEqual([1, 2, 3, 0]);
   expect(shipsInSight(ships, -1, { radius: 1, maxShips: 3 })).toEqual([0, 1, 2]);
   expect(shipsInSight(ships, 1, { radius: 300, maxShips: 10 })).toEqual([1, 2, 3]);
   expect(shipsInSight(ships, 1, { radius: 299, maxShips: 10 })).toEqual([1, 2]);

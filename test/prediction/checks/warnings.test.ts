@@ -2,7 +2,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { createPredictor } from '../../../src/prediction';
+import { createPredictor, type Predictor } from '../../../src/prediction';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import { frame, LUNA, made, played, received, ticks, warningsOf } from './mistakes/given';
 import { CALLS } from './mistakes/calls';
@@ -79,6 +79,39 @@ it('advance counts as missing at the tenth frame', () => {
       for (const one of ticks(frames)) p.receive(one, one.tick);
     }).filter(({ code }) => code === 'advance-never').length;
   expect([after(9), after(10)]).toEqual([0, 1]);
+});
+
+/** The call at which a mistake is reported that begins with call `from`. */
+function reportedAt(from: number, code: string, call: (p: Predictor, n: number, wrong: object) => void) {
+  const reported: number[] = [];
+  let n = 0;
+  const onWarning = (found: string) => found === code && reported.push(n);
+  warningsOf(
+    (p) => {
+      while (n < 150) call(p, ++n, n >= from ? { misspelt: 1 } : {});
+    },
+    { onWarning },
+  );
+  return reported[0];
+}
+
+describe.each([
+  [
+    'a frame',
+    'unknown-field',
+    (p: Predictor, n: number, wrong: object) =>
+      p.receive({ ...frame, ...wrong, tick: n, tickRate: 50 }, n / 50),
+  ],
+  [
+    'controls',
+    'unknown-control',
+    (p: Predictor, n: number, wrong: object) => p.advance({ ...NEUTRAL_CONTROLS, ...wrong }, n / 100),
+  ],
+] as const)('a mistake in %s', (_, code, call) => {
+  it('is reported at once among the first 50, and later at the next multiple of 50', () => {
+    const found = [1, 50, 51, 99, 100, 101].map((from) => reportedAt(from, code, call));
+    expect(found).toEqual([1, 50, 100, 100, 100, 150]);
+  });
 });
 
 describe('an invalid option', () => {

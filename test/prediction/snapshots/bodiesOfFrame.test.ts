@@ -107,6 +107,29 @@ describe('bodies that are not sent', () => {
   });
 });
 
+it('a body is drawn as it is sent: moved by its velocity and turned by its spin up to the instant', () => {
+  const sent = {
+    ...LUNA,
+    ...({ position: [1e7, -2e7, 3e7], velocity: [100, -200, 300], attitude: [0, 0, 0, 1] } as const),
+    angularVelocity: [1e-3, -2e-3, 2e-3] as const,
+  };
+  const predictor = createPredictor(OWN);
+  predictor.receive(frameAt(5, 1, { bodies: [sent], ships: [] }), 0);
+  predictor.advance(null, 0.7);
+  const { tick, sinceTick, bodies } = predictor.view(0.7);
+  const seconds = tick - 5 + sinceTick;
+  expect(seconds).toBeGreaterThan(0.5);
+  const [body] = bodies;
+  expect([...body!.velocity]).toEqual(sent.velocity);
+  expect([...body!.angularVelocity]).toEqual(sent.angularVelocity);
+  expect(body!.attitude[3]).toBeCloseTo(Math.cos((3e-3 * seconds) / 2), 12);
+  for (let k = 0; k < 3; k++) {
+    expect(body!.position[k]).toBeCloseTo(sent.position[k]! + sent.velocity[k]! * seconds, 6);
+    const part = sent.angularVelocity[k]! / 3e-3;
+    expect(body!.attitude[k]).toBeCloseTo(part * Math.sin((3e-3 * seconds) / 2), 9);
+  }
+});
+
 describe('the bodies at the ticks', () => {
   const timeline = createTimeline(0.01);
   setTempo(timeline, 0, { tickRate: 50, timeScale: 1, paused: false }, 0);

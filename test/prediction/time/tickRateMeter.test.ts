@@ -105,6 +105,8 @@ describe('the tick rate', () => {
   it.each([
     [20, 10],
     [10, 20],
+    [20, 15],
+    [15, 20],
     [1, 50],
     [50, 1],
   ])('follows a change from %d to %d Hz after four sends', (from, to) => {

@@ -23,13 +23,20 @@ const LONG_TESTS = 'test/**/*.long.test.ts';
 /** Those that measure in real time what a busy machine would change. */
 const ALONE = ['test/live/**/*.long.test.ts', 'test/prediction/harness/inChromium.long.test.ts'];
 
-/** ms. For hangs alone: ten times what the slowest test takes on two cores, so that no test fails on a busy machine. */
-const HANGS = { testTimeout: 300_000, hookTimeout: 300_000, expect: { poll: { timeout: 120_000 } } };
-
 const cores = availableParallelism();
 
 /** Whether this is a runner of test/mutants: one of several, and killed at its end. */
 const isOfMutants = process.env.TOUCHDOWN_MUTANT !== undefined;
+
+/**
+ * ms. For hangs alone: ten times what the slowest test takes on two cores, so that no test fails on a busy machine. With a change by
+ * test/mutants what is polled for often never comes.
+ */
+const HANGS = {
+  testTimeout: 300_000,
+  hookTimeout: 300_000,
+  expect: { poll: { timeout: isOfMutants ? 15_000 : 120_000 } },
+};
 
 /** Puts what tests, and the programs that they start, leave in the temporary folder into one that goes with the run. */
 function ownTemporaryFolder() {

@@ -141,7 +141,7 @@ function measureMotion(out: Surface, ship: ShipView, body: BodyMotion): void {
   out.vertical = Math.sqrt(off * off + STIFFNESS * stored * stored);
 }
 
-/** Sine of a tilt below which it has no axis. */
+/** Sine of a tilt below which its axis, and so the rate about it, fades into round-off. */
 const MIN_SINE = 1e-9;
 
 function measureLean(out: Surface, ship: ShipView, body: BodyMotion): void {
@@ -162,6 +162,6 @@ function measureLean(out: Surface, ship: ShipView, body: BodyMotion): void {
   writeDot(product, 0, spinAgainstGround, spinAgainstGround);
   writeDot(product, 1, spinAgainstGround, tiltAxis);
   out.spin = Math.sqrt(product[0]!);
-  out.tiltRate = sine > MIN_SINE ? product[1]! / sine : 0;
+  out.tiltRate = product[1]! / Math.max(sine, MIN_SINE);
   out.noReturn = Math.atan2(ship.shipClass.legRadius, ship.groundContactOffset);
 }

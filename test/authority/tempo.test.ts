@@ -163,4 +163,14 @@ describe('the loop', () => {
     expect(authority.tickNumber()).toBe(3);
     expect(loop.slipped).toBe(0);
   });
+
+  it('keeps its schedule where it is told to freeze twice, or to go on while it runs', () => {
+    const authority = moonWith('opening');
+    const loop = startLoop(authority, 0);
+    setFrozen(loop, authority, false, 0.5);
+    expect(loop.nextAt).toBe(1);
+    setFrozen(loop, authority, true, 0.5);
+    setFrozen(loop, authority, true, 0.7);
+    expect(loop.nextAt).toBe(1);
+  });
 });

@@ -2,12 +2,15 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import {
   ANGLE,
+  BEARING,
   COUNT,
+  DELTA_V,
   DISTANCE,
   DURATION,
   FINE_SPEED,
   type Format,
   MASS,
+  PERCENT,
   SPEED,
   SPIN,
   TORQUE,
@@ -36,10 +39,17 @@ describe('formats', () => {
     expect(shown(MASS, 39.14)).toBe('39.1 kg');
     expect(shown(MASS, 7200)).toBe('7\u202f200 kg');
     expect(shown(COUNT, 2)).toBe('2');
+    expect(shown(PERCENT, 0.424)).toBe('42 %');
+    expect(shown(DELTA_V, 1540.4)).toBe('1\u202f540 m/s');
+    expect(shown(DELTA_V, -3)).toBe('−3 m/s');
+    expect([7.4, 47.5, 359.5].map((degrees) => shown(BEARING, degrees))).toEqual(['007°', '048°', '000°']);
+    expect(shown(DURATION, 5999.4)).toBe('99 min 59 s');
+    expect(shown(DURATION, 5999.5)).toBe('> 99 min');
   });
 
   it('print a dash for unknown values', () => {
-    for (const format of [VERTICAL_SPEED, SPEED, DISTANCE, DURATION, ANGLE, SPIN, FINE_SPEED, TORQUE, MASS]) {
+    const lengths = [VERTICAL_SPEED, SPEED, DISTANCE, DURATION, FINE_SPEED, DELTA_V];
+    for (const format of [...lengths, ANGLE, BEARING, SPIN, TORQUE, MASS, PERCENT, COUNT]) {
       expect(shown(format, NaN)).toBe('--');
     }
   });

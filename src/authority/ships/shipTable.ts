@@ -3,11 +3,9 @@ import {
   BODY_ATTITUDE,
   BODY_STRIDE,
   CONTACT,
-  type Controls,
   FLYING,
   IMPACT_SPEED,
   LANDED,
-  loadControls,
   POSITION,
   type Quat,
   REFERENCE_BODY,
@@ -18,7 +16,6 @@ import {
   type Vec3,
   VELOCITY,
   type World,
-  writeControls,
 } from '../../dynamics';
 import { textComplaint } from '../../wire';
 import type { ScheduledInput } from './scheduledInput';
@@ -28,8 +25,6 @@ import type { ShipIdentity } from './shipState';
 /** A ship to spawn. */
 export interface SpawnOrder extends ShipIdentity {
   readonly ship: ShipInit;
-  /** Neutral by default. */
-  readonly controls?: Controls;
   /** Inputs it applies by itself until its player's first input acts; ascending in time. */
   readonly plan?: readonly ScheduledInput[];
 }
@@ -77,7 +72,7 @@ export function spawn(
   const at = table.rows.length;
   const rows = new Float64Array(at + SHIP_STRIDE);
   rows.set(table.rows);
-  const reason = spawnShip(rows, at, ship, world) ?? command(rows, at, order.controls);
+  const reason = spawnShip(rows, at, ship, world);
   if (reason !== null) return reason;
   table.rows = rows;
   table.events = new Uint8Array(rows.length / SHIP_STRIDE);
@@ -163,14 +158,6 @@ function aboveSameGround(table: ShipTable, at: number, bodies: Float64Array, wor
     attitude: compose(turn, ship.attitude),
     angularVelocity: rotate(turn, ship.angularVelocity),
   };
-}
-
-function command(rows: Float64Array, at: number, controls: Controls | undefined): string | null {
-  if (controls === undefined) return null;
-  const checked = loadControls(controls);
-  if (!checked.ok) return `controls.${checked.reason}`;
-  writeControls(rows, at, checked.value);
-  return null;
 }
 
 function attitudeOf(bodies: Float64Array, index: number): Quat {

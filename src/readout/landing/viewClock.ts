@@ -25,7 +25,7 @@ export function createViewClock(): ViewClock {
 export function followView(out: ViewClock, view: WorldView, ship: ShipView): boolean {
   const ticks = view.tick - out.tick;
   const passed = (ticks * view.timeScale) / view.tickRate + view.sinceTick - out.sinceTick;
-  out.elapsed = passed > 0 && out.body >= 0 ? passed : 0;
+  out.elapsed = out.body < 0 ? 0 : Math.max(0, passed);
   out.now += out.elapsed;
   const same = out.shipId === ship.shipId && out.body === ship.body && inReach(out, ship);
   out.shipId = ship.shipId;

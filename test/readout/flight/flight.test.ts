@@ -39,6 +39,20 @@ describe('the instruments of flying', () => {
     expect((a - b + 360) % 360).toBeCloseTo(50, 6);
   });
 
+  it('give no heading of a +Y that points straight up', () => {
+    /** Over a body that turns about y, as the azimuth of a pose has it. */
+    const heading = (pose: Pose) => {
+      const view = makeView({ clearance: 80, ...pose });
+      const bodies = view.bodies.map((body) => ({ ...body, angularVelocity: [0, 1e-6, 0] as const }));
+      return updateFlightReadout(createFlightReadout(), { ...view, bodies }).heading;
+    };
+    const upright = heading({});
+    // Leaning away from where +Y points raises it.
+    const raised = (tilt: number) => heading({ tilt, leanTo: upright + 180 });
+    expect(raised(89.9)).toBeCloseTo(upright, 6);
+    expect(raised(90)).toBeNaN();
+  });
+
   it('give the wheels’ momentum as a share of their capacity', () => {
     const view = makeView({ clearance: 80 });
     const capacity = view.own.shipClass.reactionWheelCapacity!;

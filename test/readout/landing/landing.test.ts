@@ -84,6 +84,10 @@ describe('time to impact', () => {
     const fast = read({ clearance: 1000, up: -1, north: 0.9 * orbital }).descent;
     expect(fast.timeToImpact / fall(1000, 1, (1 - 0.81) * MOON_GRAVITY)).toBeCloseTo(1, 1);
     expect(read({ clearance: 1000, up: -1, north: 1.1 * orbital }).descent.timeToImpact).toBeNaN();
+    // Straight down, however fast, there is none. Gravity at the start holds all the way.
+    const gravity = MOON_GRAVITY * (1737400 / (1737400 + 4.56 + 40_000)) ** 2;
+    const steep = read({ clearance: 40_000, up: -1500 }).descent;
+    expect(steep.timeToImpact).toBeCloseTo(fall(40_000, 1500, gravity), 2);
   });
 
   it('is unknown when ascending or on the ground', () => {

@@ -51,6 +51,11 @@ export function rotateBack(out: Float64Array, q: Float64Array, v: Float64Array):
   out[2] = z + qw * tz + (qx * ty - qy * tx);
 }
 
+/** out += share v */
+export function add(out: Float64Array, v: Float64Array, share: number): void {
+  for (let k = 0; k < v.length; k++) out[k] = out[k]! + share * v[k]!;
+}
+
 /** a · b */
 export function dot(a: Float64Array, b: Float64Array): number {
   return a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;

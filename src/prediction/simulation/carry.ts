@@ -13,7 +13,18 @@ import {
   VELOCITY,
   type World,
 } from '../../dynamics';
-import { compose, cross, dot, fromRotationVector, quaternion, take, vector } from '../drawn/rotation';
+import {
+  add,
+  compose,
+  cross,
+  dot,
+  fromRotationVector,
+  lengthOf,
+  put,
+  quaternion,
+  take,
+  vector,
+} from '../drawn/rotation';
 import type { Simulation } from './simulation';
 import type { RowStep, Track } from './track';
 
@@ -47,47 +58,44 @@ export function carryRow(
   const { gravityParameter } = world.bodies[index]!;
   if (rows[at + SURFACE_STATE] === FLYING) fall(gravityParameter, dt);
   else slideAlong(dt);
-  for (let k = 0; k < 3; k++) {
-    rows[at + POSITION + k] = place[k]!;
-    rows[at + VELOCITY + k] = velocity[k]!;
-  }
-  for (let k = 0; k < 3; k++) turn[k] = rows[at + ANGULAR_VELOCITY + k]! * dt;
+  put(rows, at + POSITION, place);
+  put(rows, at + VELOCITY, velocity);
+  turn.fill(0);
+  take(spin, rows, at + ANGULAR_VELOCITY);
+  add(turn, spin, dt);
   fromRotationVector(turned, turn);
   take(attitude, rows, at + ATTITUDE);
   compose(attitude, turned, attitude);
-  for (let k = 0; k < 4; k++) rows[at + ATTITUDE + k] = attitude[k]!;
+  put(rows, at + ATTITUDE, attitude);
 }
 
 /** Velocity Verlet, like flight in the dynamics. */
 function fall(gravityParameter: number, dt: number): void {
   const before = pull(gravityParameter);
-  for (let k = 0; k < 3; k++) place[k] = place[k]! + velocity[k]! * dt + 0.5 * before * place[k]! * dt * dt;
+  add(place, place, 0.5 * before * dt * dt);
+  add(place, velocity, dt);
   // The direction of gravity turns by no more than dt · speed / radius.
-  const after = pull(gravityParameter);
-  for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! + 0.5 * (before + after) * place[k]! * dt;
+  add(velocity, place, 0.5 * (before + pull(gravityParameter)) * dt);
 }
 
 /** Acceleration over position, 1/s². */
 function pull(gravityParameter: number): number {
-  const squared = place[0]! * place[0]! + place[1]! * place[1]! + place[2]! * place[2]!;
-  return -gravityParameter / (squared * Math.sqrt(squared));
+  const distance = lengthOf(place);
+  return -gravityParameter / (distance * distance * distance);
 }
 
 /** Moves at constant velocity relative to the turning ground; a descent steeper than MAX_SLOPE is removed. */
 function slideAlong(dt: number): void {
   cross(ground, spin, place);
-  const distance = Math.hypot(place[0]!, place[1]!, place[2]!);
-  let climb = 0;
-  for (let k = 0; k < 3; k++) {
-    velocity[k] = velocity[k]! - ground[k]!;
-    climb += (velocity[k]! * place[k]!) / distance;
-  }
+  add(velocity, ground, -1);
+  const distance = lengthOf(place);
+  const climb = dot(velocity, place) / distance;
   const speed = Math.sqrt(Math.max(0, dot(velocity, velocity) - climb * climb));
-  if (climb < -MAX_SLOPE * speed)
-    for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! - (climb * place[k]!) / distance;
-  for (let k = 0; k < 3; k++) place[k] = place[k]! + (velocity[k]! + ground[k]!) * dt;
+  if (climb < -MAX_SLOPE * speed) add(velocity, place, -climb / distance);
+  add(place, velocity, dt);
+  add(place, ground, dt);
   cross(ground, spin, place);
-  for (let k = 0; k < 3; k++) velocity[k] = velocity[k]! + ground[k]!;
+  add(velocity, ground, 1);
 }
 
 /** m/m. Steeper descents are impacts, not slopes. */

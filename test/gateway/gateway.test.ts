@@ -1,50 +1,28 @@
 /** A running gateway with a real Redis and real sockets; the test writes the world. */
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { createClient, type RedisClientType } from 'redis';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import type { RedisClientType } from 'redis';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { WebSocket } from 'ws';
-import { redisServer } from '../../.ci/python.mjs';
-import { freePort } from '../../.ci/ports.mjs';
-import { createProcess, type Process } from '../../.ci/stack.mjs';
 import { createGateway, type Gateway } from '../../src/gateway/gateway';
 import { encodeFrameJson, encodeHelloJson } from '../../src/wire';
 import { isMissing } from '../service/pythonTests';
 import { HELLO } from '../wire/messages';
 import { shipOf, worldOf } from './fakeGateway';
+import { startRedis } from './redisServer';
 
 const ACCOUNT = { username: 'one', playerId: 'p1', password: 'x' };
 
 describe.skipIf(isMissing('redis'))('a gateway', () => {
   const logged: string[] = [];
-  let folder: string;
-  let server: Process;
   let redis: RedisClientType;
   let gateway: Gateway;
   let closing: Promise<void> | undefined;
   let url: string;
+  let end: () => Promise<void>;
 
   beforeAll(async () => {
-    folder = mkdtempSync(join(tmpdir(), 'touchdown-gateway-'));
-    const port = await freePort();
-    server = createProcess({
-      name: 'redis',
-      command: redisServer(),
-      args: ['--bind', '127.0.0.1', '--port', String(port), '--dir', folder, '--save', ''],
-      env: process.env,
-      upWhen: /Ready to accept connections/,
-    });
-    await server.start();
-    url = `redis://127.0.0.1:${port}/0`;
-    redis = createClient({ url });
-    await redis.connect();
+    ({ url, redis, end } = await startRedis());
   });
-  afterAll(async () => {
-    redis.destroy();
-    await server.end('SIGTERM');
-    rmSync(folder, { recursive: true });
-  });
+  afterAll(() => end());
   beforeEach(async () => {
     await redis.flushAll();
     logged.length = 0;
@@ -217,6 +195,32 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     const client = connect('/stream?x=1');
     await client.opened;
     client.socket.close();
+  });
+
+  it('runs as a process with options from its environment, prints its address, and ends with 0 at SIGTERM', async () => {
+    const [printed, exits] = [vi.fn(), vi.fn()];
+    vi.spyOn(console, 'log').mockImplementation(printed);
+    vi.spyOn(process, 'exit').mockImplementation(exits as never);
+    vi.stubEnv('TOUCHDOWN_REDIS', url);
+    vi.stubEnv('TOUCHDOWN_PORT', '0');
+    vi.stubEnv('TOUCHDOWN_SECRET', options().secret);
+    const signals = ['SIGTERM', 'SIGINT'] as const;
+    const before = signals.flatMap((signal) => process.listeners(signal));
+    const added = (signal: (typeof signals)[number]) =>
+      process.listeners(signal).filter((listener) => !before.includes(listener));
+    onTestFinished(() => {
+      for (const signal of signals) for (const listener of added(signal)) process.off(signal, listener);
+      vi.restoreAllMocks();
+      vi.unstubAllEnvs();
+    });
+    await import('../../src/gateway/main');
+    const [line] = printed.mock.calls[0] as [string];
+    const address = /^gateway: listening on (http:\/\/127\.0\.0\.1:\d+)$/.exec(line)![1]!;
+    expect(await (await fetch(`${address}/healthz`)).json()).toMatchObject({ clients: 0, redis: true });
+    expect(signals.map((signal) => added(signal).length)).toEqual([1, 1]);
+    added('SIGTERM')[0]!('SIGTERM');
+    await expect.poll(() => exits.mock.calls).toEqual([[0]]);
+    await expect(fetch(`${address}/healthz`)).rejects.toThrow();
   });
 
   it('accepts at most 64 connections from one address, and closes them with 1001 when it stops', async () => {

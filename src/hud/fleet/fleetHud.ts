@@ -38,7 +38,7 @@ export function createFleetHud(
   const list = append(scroller, 'ul', 'td-rows');
   const rows: FleetRowElement[] = [];
   let newest: FleetReadout | null = null;
-  let length = -1;
+  let length = NaN;
   let sight = 0;
   /** px */
   let rowHeight = 28;
@@ -103,7 +103,7 @@ function createCount(header: Element, status: StatusId): (count: number) => void
   const paintText = showText(part);
   const paintShown = showPart(part);
   const word = STATUS_LOOKS[status].word.toLowerCase();
-  let shown = -1;
+  let shown = NaN;
   return (count) => {
     if (count === shown) return;
     shown = count;

@@ -24,8 +24,8 @@ export function createFleetRow(list: Element, height: number): FleetRowElement {
   const paintOwn = showAttribute(element, 'data-own');
   const paintPosition = showAttribute(element, 'aria-posinset');
   const paintSize = showAttribute(element, 'aria-setsize');
-  let at = -1;
-  let size = -1;
+  let at = NaN;
+  let size = NaN;
   return {
     element,
     paint: (row, index, count) => {

@@ -108,5 +108,5 @@ function createValueText(gauge: Element): (drift: Drift) => void {
 }
 
 function clamp(value: number): number {
-  return value > RADIUS ? RADIUS : value < -RADIUS ? -RADIUS : value;
+  return Math.max(-RADIUS, Math.min(RADIUS, value));
 }

@@ -195,7 +195,7 @@ export function layOutLevel(level: TerrainLevel): void {
       normals[to * 3 + 1] = perLength;
       normals[to * 3 + 2] = -slopeZ * perLength;
       const above = (points[p + 1]! - shade[at]!) / spacing;
-      sunlit[to] = above > 4 ? 4 : above < -4 ? -4 : above;
+      sunlit[to] = Math.max(-4, Math.min(4, above));
     }
   }
   stitchEdges(positions);

@@ -1,6 +1,7 @@
 /** The landing HUD in a real browser: its DOM changes, and its output for screen readers. */
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
+import { createLandingReadout, type TipMargin } from '../../../src/readout';
 import { describeInBrowser, openTestPage, problemsOf } from '../pages';
 
 interface HudWindow {
@@ -8,7 +9,7 @@ interface HudWindow {
     show: (state: string) => void;
     again: (times: number) => void;
     rebind: (action: string, label: string) => void;
-    landing: { dispose: () => void };
+    landing: { dispose: () => void; paint: (readout: object) => void };
     fleet: { dispose: () => void };
   };
 }
@@ -125,6 +126,30 @@ describeInBrowser('the landing HUD', () => {
     expect(await page.locator('.td-righting kbd:visible').allTextContents()).toEqual(['T']);
     expect(await page.locator('.td-hold').first().innerText()).toContain('pitch −');
     await page.evaluate(() => (window as unknown as HudWindow).hud.rebind('pitchMinus', 'W'));
+  });
+
+  it('words the tip margin by its outlook, also where that alone changes', async () => {
+    const readout = { ...createLandingReadout(), memory: null };
+    const margins: readonly Partial<TipMargin>[] = [
+      { shown: false },
+      { shown: true, outlook: 'steady', degrees: 24.46 },
+      { shown: true, outlook: 'holds', degrees: -3 },
+      { shown: true, outlook: 'working', degrees: -3 },
+      { shown: true, outlook: 'tips', degrees: -3, timeToTipped: 4.2 },
+      { shown: false, degrees: -3 },
+    ];
+    const seen = await page.evaluate(
+      ([given, all]) =>
+        all.map((margin) => {
+          const { hud } = window as unknown as HudWindow;
+          hud.landing.paint({ ...given, margin: { ...given.margin, ...margin } });
+          const { dataset, textContent } = document.querySelector<HTMLElement>('.td-margin')!;
+          return `${dataset['outlook']!}: ${textContent}`;
+        }),
+      [readout, margins] as const,
+    );
+    const past = ['holds: past, but held', 'working: past the point of no return', 'tips: tips in 4.2 s'];
+    expect(seen).toEqual(['none: ', 'steady: 24.5° to tip', ...past, 'none: ']);
   });
 
   it('says when a ship cannot be righted', async () => {

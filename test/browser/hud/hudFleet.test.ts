@@ -58,6 +58,16 @@ describeInBrowser('the fleet HUD', () => {
     }
     // Every ship came into view, each at one position.
     expect(seen.size).toBe(1000);
+    // Rows of 1.75 rem: of text twice as large the hundredth ends twice as far down.
+    const atTop = await page.locator('.td-scroller').evaluate(async (scroller) => {
+      document.documentElement.style.fontSize = '32px';
+      scroller.scrollTop = 100 * 56;
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+      const { top } = scroller.getBoundingClientRect();
+      const rows = [...scroller.querySelectorAll('.td-row')];
+      return rows.find((row) => row.getBoundingClientRect().bottom > top + 1)!.getAttribute('aria-posinset');
+    });
+    expect(atTop).toBe('101');
   });
 
   it('has at most 30 row elements and never a gap while it scrolls by key, by wheel or in jumps', async () => {

@@ -3,7 +3,7 @@ import type { RedisClientType } from 'redis';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { WebSocket } from 'ws';
 import { createGateway, type Gateway } from '../../src/gateway/gateway';
-import { encodeFrameJson, encodeHelloJson } from '../../src/wire';
+import { decodeServerMessage, encodeClientMessage, encodeFrameJson, encodeHelloJson } from '../../src/wire';
 import { isMissing } from '../service/pythonTests';
 import { HELLO } from '../wire/messages';
 import { shipOf, worldOf } from './fakeGateway';
@@ -57,9 +57,10 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
       origin === undefined ? {} : { origin },
     );
     const received: Record<string, unknown>[] = [];
-    socket.on('message', (data: Buffer) =>
-      received.push(JSON.parse(data.toString()) as Record<string, unknown>),
-    );
+    socket.on('message', (data: Buffer, isBinary) => {
+      const message: unknown = isBinary ? decodeServerMessage(data) : JSON.parse(data.toString());
+      received.push(message as Record<string, unknown>);
+    });
     const failed = new Promise<string>((resolve) => socket.on('error', ({ message }) => resolve(message)));
     const closed = new Promise<[number, string]>((resolve) =>
       socket.on('close', (code, reason) => resolve([code, reason.toString()])),
@@ -110,6 +111,19 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     client.socket.close();
     await expect.poll(() => gateway.health()['clients']).toBe(0);
     expect(logged).toEqual([]);
+  });
+
+  it('answers a ping on /stream by the time since the newest tick was due, on Redis’s clock', async () => {
+    await writeFrame(7);
+    await expect.poll(() => gateway.health()['tick']).toBe(7);
+    const client = connect('/stream');
+    await client.opened;
+    client.socket.send(JSON.stringify({ type: 'auth', token: (await login())['token'] }));
+    client.socket.send(encodeClientMessage({ kind: 'ping', id: 3 }));
+    await expect.poll(() => client.received).toMatchObject([{ value: { kind: 'pong', id: 3, tick: 7 } }]);
+    // Both run on this machine's clock: another one is off by decades.
+    const { sinceTick } = client.received[0]!['value'] as { sinceTick: number };
+    expect(Math.abs(sinceTick)).toBeLessThan(3600);
   });
 
   it('counts and logs invalid frames and an invalid world definition', async () => {

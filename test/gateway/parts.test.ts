@@ -31,6 +31,8 @@ it('encodes the game’s state message in at most 64 KB', () => {
   if (!decoded.ok) throw new Error(decoded.reason);
   expect(decoded.value.refusals).toEqual([]);
   expect(decoded.value.ships.length).toBeGreaterThan(30);
+  const { kind, tick, tickRate, timeScale, gameTime, paused, bodies } = FRAME;
+  expect(decoded.value).toMatchObject({ kind, tick, tickRate, timeScale, gameTime, paused, bodies });
   expect(decoded.value.ships[0]).toMatchObject({
     shipId: 'ship-0',
     position: SHIP.position,
@@ -143,9 +145,10 @@ it('reads the valid parts of the service’s frame', () => {
     { ship_id: 'broken' },
   ];
   const world = readWorldFrame(JSON.stringify(sent), (reason) => told.push(reason));
+  const { tick, tickRate, timeScale, gameTime, paused, bodies, events } = FRAME;
   expect(world).toMatchObject({
     due: 12.5,
-    frame: { tick: 42 },
+    frame: { tick, tickRate, timeScale, gameTime, paused, bodies, events },
     removed: [{ shipId: 'gone', reason: 'collision' }],
   });
   expect(world!.frame.ships).toHaveLength(2);
@@ -157,6 +160,16 @@ it('reads the valid parts of the service’s frame', () => {
     margin: 0.1,
   });
   expect(told).toEqual(['frame.ships[2].position: missing']);
+  const bare = readWorldFrame('{"tick":1,"ships":[]}', (reason) => told.push(reason));
+  expect(bare).toEqual({
+    frame: {
+      ...{ kind: 'frame', tick: 1, tickRate: 1, timeScale: 1, paused: false },
+      ...{ bodies: [], ships: [], events: [], lastInput: null },
+    },
+    due: 0,
+    lastInputs: new Map(),
+    removed: [],
+  });
   expect(readWorldFrame('{', (reason) => told.push(reason))).toBeNull();
 });
 

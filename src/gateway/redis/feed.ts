@@ -121,8 +121,8 @@ type StreamReply = { messages: { id: string; message: Record<string, string> }[]
 
 /** Compares stream IDs, "milliseconds-count". */
 function isBefore(a: string, b: string): boolean {
-  const [aTime = 0, aCount = 0] = a.split('-').map(Number);
-  const [bTime = 0, bCount = 0] = b.split('-').map(Number);
+  const [aTime, aCount] = a.split('-').map(Number) as [number, number];
+  const [bTime, bCount] = b.split('-').map(Number) as [number, number];
   return aTime < bTime || (aTime === bTime && aCount < bCount);
 }
 
@@ -144,12 +144,11 @@ export function readWorldFrame(text: string, onRefused: (reason: string) => void
     onRefused(`frame.${decoded.reason}`);
     return null;
   }
-  const { refusals, kind, tick, ships, gameTime, ...given } = decoded.value;
+  const { refusals, ...given } = decoded.value;
   for (const refusal of refusals) onRefused(`frame.${refusal}`);
   const defaults = { tickRate: 1, timeScale: 1, paused: false, bodies: [], events: [], lastInput: null };
-  const time = gameTime === undefined ? {} : { gameTime };
   return {
-    frame: { ...defaults, ...given, kind, tick, ships, ...time },
+    frame: { ...defaults, ...given },
     due: typeof sent['due'] === 'number' ? sent['due'] : 0,
     lastInputs: lastInputsOf(sent['ships']),
     removed: removedOf(sent['removed'], given.events ?? []),

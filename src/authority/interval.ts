@@ -20,7 +20,7 @@ export function simulateInterval(server: ServerState): void {
 
 function applyInputs(server: ServerState, substep: number): void {
   const { ships, plans, pilots, counters, tick } = server;
-  if (plans.size > 0) flyPlans(plans, ships, tick, substep);
+  flyPlans(plans, ships, tick, substep);
   for (const pilot of pilots.values()) {
     if (pilot.queue.length === 0) continue;
     const at = rowOf(ships, pilot.shipId);

@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { frameOf, moonWith, runTo, shipOf } from './moon';
+import { createServerState } from '../../src/authority/serverState';
+import { spawn } from '../../src/authority/ships/shipTable';
+import { frameOf, MOON, moonWith, runTo, shipOf, valueOf } from './moon';
 
 describe('ships', () => {
   it('refuses an invalid spawn by name and leaves the world unchanged', () => {
@@ -22,6 +24,16 @@ describe('ships', () => {
     const own = frameOf(authority).ships[0]!;
     expect(authority.spawn(order)).toBeNull();
     expect(frameOf(authority).ships).toEqual([own, expect.objectContaining({ shipId: 'two' })]);
+  });
+
+  it('are at most 10,000', () => {
+    const { ships, bodies, world } = valueOf(createServerState(MOON));
+    const add = (shipId: string) =>
+      spawn(ships, { shipId, playerId: 'bob', name: shipId, ship: shipOf('settle') }, bodies, world);
+    expect(add('first')).toBeNull();
+    ships.entries.push(...Array.from({ length: 9998 }, () => ships.entries[0]!));
+    expect(add('last')).toBeNull();
+    expect(add('one more')).toBe('ships: the limit of 10000 is reached');
   });
 
   it('removes one ship without changing the others', () => {
@@ -69,6 +81,7 @@ describe('ships', () => {
   it('kicks a ship, waking it from the ground, and refuses an invalid kick', () => {
     const authority = moonWith('launch');
     expect(authority.kick('own', [0, 0, Number.NaN], [0, 0, 0])).toContain('dv');
+    expect(authority.kick('own', [0, -10_001, 0], [0, 0, 0])).toContain('dv');
     expect(authority.kick('own', [0, 0, 0], [1e9, 0, 0])).toContain('spin');
     expect(authority.kick('nobody', [0, 0, 0], [0, 0, 0])).toContain('nobody');
     expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('landed');

@@ -1,75 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { GRAVITATIONAL_CONSTANT, NEUTRAL_CONTROLS, STANDARD_GRAVITY } from '../../../src/dynamics';
-import {
-  createFlightReadout,
-  createLandingAids,
-  updateFlightReadout,
-  updateLandingAids,
-} from '../../../src/readout';
+import { GRAVITATIONAL_CONSTANT, NEUTRAL_CONTROLS } from '../../../src/dynamics';
+import { createLandingAids, updateLandingAids } from '../../../src/readout';
 import { crossed, later, makeView, multiplied, NORMAL, type Pose } from '../views';
 
 const controls = (thrustLevel: number) => ({ controls: { ...NEUTRAL_CONTROLS, thrustLevel } });
-
-describe('the instruments of flying', () => {
-  const read = (pose: Pose, changes = {}) =>
-    updateFlightReadout(createFlightReadout(), makeView({ clearance: 80, ...pose }, changes));
-
-  it('mark the hover throttle, and give fuel time and remaining Δv', () => {
-    const view = makeView({ clearance: 80, fuel: 2000 }, controls(0.1));
-    const { own } = view;
-    const out = updateFlightReadout(createFlightReadout(), view);
-    const body = view.bodies[own.body]!;
-    const mass = own.shipClass.dryMass + 2000;
-    const distance = Math.hypot(...own.position);
-    const weight = (mass * GRAVITATIONAL_CONSTANT * body.mass) / distance ** 2;
-    expect(out.hover).toBeCloseTo(weight / own.shipClass.mainEngineThrust, 9);
-    const exhaust = own.shipClass.mainEngineIsp * STANDARD_GRAVITY;
-    const flow = (0.1 * own.shipClass.mainEngineThrust) / exhaust;
-    expect(out.burnSeconds).toBeCloseTo(2000 / flow, 6);
-    expect(out.deltaV).toBeCloseTo(exhaust * Math.log(mass / own.shipClass.dryMass), 6);
-    expect([out.fuel, out.fuelShare, out.throttle]).toEqual([2000, 0.25, 0.1]);
-  });
-
-  it('give attitude: pitch, lean, and the heading of the ship’s +Y from north to east', () => {
-    expect(read({}).pitch).toBeCloseTo(90, 6);
-    expect(read({ tilt: 30, leanTo: 90 }).pitch).toBeCloseTo(60, 6);
-    const out = read({ tilt: 30, leanTo: 90 });
-    expect(Math.hypot(out.leanX, out.leanY)).toBeCloseTo(30, 6);
-    const [a, b] = [read({ heading: 0 }).heading, read({ heading: 50 }).heading];
-    expect((a - b + 360) % 360).toBeCloseTo(50, 6);
-  });
-
-  it('give no heading of a +Y that points straight up', () => {
-    /** Over a body that turns about y, as the azimuth of a pose has it. */
-    const heading = (pose: Pose) => {
-      const view = makeView({ clearance: 80, ...pose });
-      const bodies = view.bodies.map((body) => ({ ...body, angularVelocity: [0, 1e-6, 0] as const }));
-      return updateFlightReadout(createFlightReadout(), { ...view, bodies }).heading;
-    };
-    const upright = heading({});
-    // Leaning away from where +Y points raises it.
-    const raised = (tilt: number) => heading({ tilt, leanTo: upright + 180 });
-    expect(raised(89.9)).toBeCloseTo(upright, 6);
-    expect(raised(90)).toBeNaN();
-  });
-
-  it('give the wheels’ momentum as a share of their capacity', () => {
-    const view = makeView({ clearance: 80 });
-    const capacity = view.own.shipClass.reactionWheelCapacity!;
-    view.own.wheelMomentum[1] = -capacity[1] / 4;
-    expect(updateFlightReadout(createFlightReadout(), view).wheels[1]).toBeCloseTo(-0.25, 12);
-  });
-
-  it('are blank for a ship that is gone', () => {
-    const out = read({}, { crashed: true, shownState: 'crashed' });
-    expect(out.known).toBe(false);
-    expect([out.throttle, out.fuel, out.pitch, out.heading]).toEqual([NaN, NaN, NaN, NaN]);
-    const left = updateFlightReadout(createFlightReadout(), makeView({ clearance: 80 }));
-    expect(left.wheels[0]).toBe(0);
-    updateFlightReadout(left, makeView({ clearance: 80 }, { crashed: true, shownState: 'crashed' }));
-    expect([...left.wheels]).toEqual([NaN, NaN, NaN]);
-  });
-});
 
 describe('landing aids', () => {
   const settle = (pose: Pose, changes = {}) => {

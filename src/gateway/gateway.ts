@@ -1,22 +1,14 @@
 import { createServer, type IncomingMessage, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
-import { createClient as createRedis, type RedisClientType } from 'redis';
 import { type WebSocket, WebSocketServer } from 'ws';
 import { createAccounts } from './accounts';
-import { type Client, createClient, disconnect } from './clients/client';
+import { type Client, createClient, disconnect, isFull } from './clients/client';
+import { connectRedis, measureClock } from './redis/connection';
 import { createFeed, type Feed } from './redis/feed';
 import { createHttpHandler } from './http';
 import { createInbox } from './redis/inbox';
 import { createWorldReader } from './redis/world';
-import {
-  AUTH_TIMEOUT,
-  CLOSE,
-  MAX_CLIENT_MESSAGE,
-  MAX_CONNECTIONS,
-  MAX_PER_ADDRESS,
-  MAX_UNAUTHENTICATED,
-  REQUEST_TIMEOUT,
-} from './clients/limits';
+import { AUTH_TIMEOUT, CLOSE, MAX_CLIENT_MESSAGE, MAX_CONNECTIONS, REQUEST_TIMEOUT } from './clients/limits';
 import type { GatewayOptions } from './options';
 import { type GatewayState, shipOf } from './state';
 import { receive, receivePing } from './clients/receive';
@@ -91,24 +83,6 @@ export async function createGateway(options: GatewayOptions): Promise<Gateway> {
   };
 }
 
-/** A Redis client that reconnects automatically and rejects commands while it is disconnected. */
-function connectRedis({ redis: url, log }: GatewayOptions): RedisClientType {
-  const client = createRedis({
-    url,
-    disableOfflineQueue: true,
-    socket: { reconnectStrategy: (tries) => Math.min(1000, 50 * 2 ** tries), connectTimeout: 2000 },
-  });
-  client.on('error', (error: Error) => log(`redis: ${error.message === '' ? error.name : error.message}`));
-  return client;
-}
-
-/** Redis clock minus local clock, s; assumes a symmetric round trip. */
-async function measureClock(redis: RedisClientType, now: () => number): Promise<number> {
-  const before = now();
-  const [seconds, micros] = (await redis.sendCommand(['TIME'])) as unknown as [string, string];
-  return Number(seconds) + Number(micros) / 1e6 - (before + now()) / 2;
-}
-
 async function listen(gateway: GatewayState): Promise<Server> {
   const { options, accounts } = gateway;
   const server = createServer(
@@ -166,9 +140,7 @@ function acceptSocket(
     disconnect(client, CLOSE.origin, 'Origin not allowed');
     return;
   }
-  const sameAddress = [...clients].filter((other) => other.address === address).length;
-  const unauthenticated = [...clients].filter((other) => other.player === null).length;
-  if (sameAddress >= MAX_PER_ADDRESS || unauthenticated >= MAX_UNAUTHENTICATED) {
+  if (isFull([...clients], address)) {
     disconnect(client, CLOSE.tryLater, 'Too many connections');
     return;
   }

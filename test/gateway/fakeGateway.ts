@@ -4,7 +4,14 @@ import type { Hangar } from '../../src/gateway/options';
 import type { GatewayState } from '../../src/gateway/state';
 import type { WorldFrame } from '../../src/gateway/redis/feed';
 import type { OwnInput } from '../../src/gateway/redis/inbox';
-import { decodeServerMessage, type ServerMessage, type ShipState, type WorldEvent } from '../../src/wire';
+import { receive } from '../../src/gateway/clients/receive';
+import {
+  decodeServerMessage,
+  encodeClientMessage,
+  type ServerMessage,
+  type ShipState,
+  type WorldEvent,
+} from '../../src/wire';
 import { FRAME, HELLO, SHIP } from '../wire/messages';
 
 export interface Closed {
@@ -18,6 +25,8 @@ export interface Connected {
   readonly sent: (Record<string, unknown> | ServerMessage)[];
   readonly closed: Closed[];
   readonly socket: { bufferedAmount: number; readyState: number };
+  /** Answers to ping frames. */
+  readonly pongs: readonly string[];
 }
 
 function decoded(message: string | Uint8Array): Record<string, unknown> | ServerMessage {
@@ -64,6 +73,7 @@ export function createFakeGateway(hangar?: Hangar) {
   function connect(protocol: Client['protocol']): Connected {
     const sent: Connected['sent'] = [];
     const closed: Closed[] = [];
+    const pongs: string[] = [];
     const socket = {
       readyState: 1,
       OPEN: 1,
@@ -76,10 +86,11 @@ export function createFakeGateway(hangar?: Hangar) {
       once: (_event: string, act: () => void) => act(),
       terminate: () => undefined,
       pause: () => undefined,
+      pong: (data: Buffer) => pongs.push(data.toString()),
     };
     const client = createClient(socket as never, protocol, '127.0.0.1', state.now);
     gateway.clients.add(client);
-    return { client, sent, closed, socket };
+    return { client, sent, closed, socket, pongs };
   }
 
   /** Connects a client that is already signed in. */
@@ -101,3 +112,24 @@ export function worldOf(ships: readonly ShipState[], changes: Partial<WorldFrame
   const frame = { ...FRAME, paused: false, events: [], lastInput: null, ...changes, ships };
   return { frame, due: 1000, lastInputs: new Map(), removed: [] };
 }
+
+export const sendJson = (gateway: GatewayState, { client }: Connected, message: object) =>
+  receive(gateway, client, Buffer.from(JSON.stringify(message)), false);
+export const sendBytes = (
+  gateway: GatewayState,
+  { client }: Connected,
+  message: Parameters<typeof encodeClientMessage>[0],
+) => receive(gateway, client, Buffer.from(encodeClientMessage(message)), true);
+
+/** A gateway whose world has a ship of p1, and its pilot's connection. */
+export function piloted(protocol: 'json' | 'stream') {
+  const made = createFakeGateway();
+  made.state.newest = worldOf([shipOf('p2'), shipOf('p1')], { tick: 50 });
+  return { ...made, pilot: made.signedIn('p1', protocol) };
+}
+
+export const refusalOf = (message: unknown) => (message as { error: { message: string } }).error.message;
+
+/** Number of excess and refused messages counted against the client. */
+export const excessOf = ({ client: { excess } }: ReturnType<typeof piloted>['pilot']) =>
+  excess.burst - excess.level;

@@ -1,8 +1,10 @@
 /** A running gateway with a real Redis and real sockets; the test writes the world. */
+import { EventEmitter } from 'node:events';
 import type { RedisClientType } from 'redis';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
 import { WebSocket } from 'ws';
 import { createGateway, type Gateway } from '../../src/gateway/gateway';
+import { runProcess } from '../../src/gateway/process';
 import { decodeServerMessage, encodeClientMessage, encodeFrameJson, encodeHelloJson } from '../../src/wire';
 import { isMissing } from '../service/pythonTests';
 import { HELLO } from '../wire/messages';
@@ -211,31 +213,22 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     client.socket.close();
   });
 
-  it('runs as a process with options from its environment, prints its address, and ends with 0 at SIGTERM', async () => {
-    const [printed, exits] = [vi.fn(), vi.fn()];
-    vi.spyOn(console, 'log').mockImplementation(printed);
-    vi.spyOn(process, 'exit').mockImplementation(exits as never);
-    vi.stubEnv('TOUCHDOWN_REDIS', url);
-    vi.stubEnv('TOUCHDOWN_PORT', '0');
-    vi.stubEnv('TOUCHDOWN_SECRET', options().secret);
-    const signals = ['SIGTERM', 'SIGINT'] as const;
-    const before = signals.flatMap((signal) => process.listeners(signal));
-    const added = (signal: (typeof signals)[number]) =>
-      process.listeners(signal).filter((listener) => !before.includes(listener));
-    onTestFinished(() => {
-      for (const signal of signals) for (const listener of added(signal)) process.off(signal, listener);
-      vi.restoreAllMocks();
-      vi.unstubAllEnvs();
-    });
-    await import('../../src/gateway/main');
-    const [line] = printed.mock.calls[0] as [string];
-    const address = /^gateway: listening on (http:\/\/127\.0\.0\.1:\d+)$/.exec(line)![1]!;
-    expect(await (await fetch(`${address}/healthz`)).json()).toMatchObject({ clients: 0, redis: true });
-    expect(signals.map((signal) => added(signal).length)).toEqual([1, 1]);
-    added('SIGTERM')[0]!('SIGTERM');
-    await expect.poll(() => exits.mock.calls).toEqual([[0]]);
-    await expect(fetch(`${address}/healthz`)).rejects.toThrow();
-  });
+  it.each(['SIGTERM', 'SIGINT'])(
+    'runs as a process: prints its address, and ends with 0 at %s',
+    async (signal) => {
+      const env = { TOUCHDOWN_REDIS: url, TOUCHDOWN_PORT: '0', TOUCHDOWN_SECRET: options().secret };
+      const [log, error, exit] = [vi.fn(), vi.fn(), vi.fn()];
+      const host = Object.assign(new EventEmitter(), { env, exit });
+      await runProcess(host as never, { log, error });
+      const [line] = log.mock.calls[0] as [string];
+      const address = /^gateway: listening on (http:\/\/127\.0\.0\.1:\d+)$/.exec(line)![1]!;
+      expect(await (await fetch(`${address}/healthz`)).json()).toMatchObject({ clients: 0, redis: true });
+      host.emit(signal);
+      await expect.poll(() => exit.mock.calls).toEqual([[0]]);
+      await expect(fetch(`${address}/healthz`)).rejects.toThrow();
+      expect(error).not.toHaveBeenCalled();
+    },
+  );
 
   it('accepts at most 64 connections from one address, and closes them with 1001 when it stops', async () => {
     const clients = Array.from({ length: 64 }, () => connect());

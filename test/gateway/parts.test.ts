@@ -1,6 +1,8 @@
 import { SignJWT, UnsecuredJWT } from 'jose';
 import { expect, it } from 'vitest';
 import { createAccounts } from '../../src/gateway/accounts';
+import { isFull } from '../../src/gateway/clients/client';
+import { reconnectDelay } from '../../src/gateway/redis/connection';
 import { shareFrame } from '../../src/gateway/redis/sharedFrame';
 import { readWorldFrame } from '../../src/gateway/redis/feed';
 import { shipsInSight } from '../../src/gateway/clients/interest';
@@ -59,6 +61,22 @@ it('sends the own ship first, then the nearest within the radius', () => {
   ];
   expect(shipsInSight(around, 0, { radius: 7, maxShips: 10 })).toEqual([0, 1, 2, 3]);
   expect(shipsInSight(around, 0, { radius: 6.99, maxShips: 10 })).toEqual([0]);
+});
+
+it('has room for 64 connections of one address, and for 256 of all that have not signed in', () => {
+  const player = { playerId: 'p', username: 'p', expires: 0 };
+  const signedIn = (count: number, address: string) =>
+    Array.from({ length: count }, () => ({ address, player }));
+  const strangers = (count: number) =>
+    Array.from({ length: count }, (_, i) => ({ address: `stranger ${i}`, player: null }));
+  expect(isFull([...signedIn(63, 'here'), ...signedIn(500, 'there')], 'here')).toBe(false);
+  expect(isFull(signedIn(64, 'here'), 'here')).toBe(true);
+  expect(isFull([...strangers(255), ...signedIn(500, 'there')], 'here')).toBe(false);
+  expect(isFull(strangers(256), 'here')).toBe(true);
+});
+
+it('waits longer before each attempt to reach Redis, a second at most', () => {
+  expect([0, 1, 2, 3, 4, 5, 50].map(reconnectDelay)).toEqual([50, 100, 200, 400, 800, 1000, 1000]);
 });
 
 it('allows a burst, then a steady rate', () => {

@@ -1,6 +1,7 @@
 /** A gateway's options from its environment. */
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import type { WorldFrame } from '../../src/gateway/redis/feed';
+import { runProcess } from '../../src/gateway/process';
 import { loadSetup } from '../../src/gateway/setup';
 import { BODY, FRAME } from '../wire/messages';
 
@@ -69,6 +70,13 @@ it.each([
   [{ TOUCHDOWN_HANGAR: '{"body":"Luna"}' }, HANGAR],
 ])('refuses %o by name', (given: Record<string, string>, reason) => {
   expect(load(given)).toMatchObject({ ok: false, reason });
+});
+
+it('is refused by the process with the reason, and 2 as its exit code', async () => {
+  const [log, error, exit] = [vi.fn(), vi.fn(), vi.fn()];
+  await runProcess({ env: {}, exit } as never, { log, error });
+  expect(error.mock.calls).toEqual([['gateway: TOUCHDOWN_SECRET: expected at least 32 characters']]);
+  expect([exit.mock.calls, log.mock.calls]).toEqual([[[2]], []]);
 });
 
 it('accepts a secret of 32 characters', () => {

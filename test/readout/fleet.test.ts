@@ -31,6 +31,15 @@ describe('updateFleetReadout', () => {
     expect(out.counts).toEqual({ tipped: 2, contact: 1, crashed: 1, flight: 2, landed: 2, none: 0 });
   });
 
+  it('gives each ship’s row its name, and how it is known', () => {
+    const view = fleet(['']);
+    const given = { name: 'Heron', own: true, provenance: 'predicted', withdrawn: 'landed' } as const;
+    const ships = [{ ...view.ships[0]!, ...given }];
+    const { rows, timeScale } = updateFleetReadout(createFleetReadout(), { ...view, ships, timeScale: 4 });
+    expect(rows[0]).toMatchObject({ shipId: 's0', status: 'flight', ...given });
+    expect(timeScale).toBe(4);
+  });
+
   it('follows a fleet that shrinks and grows, and reuses its rows', () => {
     const out = createFleetReadout();
     updateFleetReadout(out, fleet(STATES));
@@ -57,6 +66,10 @@ describe('updateFleetReadout', () => {
     expect(high).toBeCloseTo(10, 6);
     const out = updateFleetReadout(createFleetReadout(), fleet(['']));
     expect(updateFleetReadout(out, fleet([''], { provenance: 'stale' })).rows[0]!.height).toBeNaN();
+    const overUnknown = { carried: 'ground', feetHeight: 30 } as const;
+    expect(heights(fleet([''], overUnknown))).toEqual([NaN]);
+    expect(heights(fleet(['landed'], { ...overUnknown, surfaceContactState: 'landed' }))).toEqual([0]);
+    expect(heights(fleet([''], { feetHeight: -0.1 }))).toEqual([0]);
   });
 
   it('has no ships before the view is ready', () => {

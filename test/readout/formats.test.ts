@@ -89,6 +89,19 @@ describe('formats', () => {
     expect(DISTANCE.key(432.6)).toBe(DISTANCE.key(433.4));
     expect(DURATION.key(124.6)).toBe(DURATION.key(125.4));
     expect(TORQUE.key(716_400)).toBe(TORQUE.key(715_600));
+    // From where the digits become fewer.
+    for (const format of [DISTANCE, DURATION, MASS]) expect(format.key(100.3)).toBe(format.key(99.95));
+    expect(DISTANCE.key(10_040)).toBe(DISTANCE.key(9999.5));
+    expect(TORQUE.key(100_400)).toBe(TORQUE.key(99_950));
+  });
+
+  it('have fewer digits from where the last would be the fourth', () => {
+    expect([99.94, 99.95, 9999.4, 9999.5].map((metres) => shown(DISTANCE, metres))).toEqual([
+      ...['99.9 m', '100 m', '9\u202f999 m', '10.0 km'],
+    ]);
+    expect([99.94, 99.95].map((seconds) => shown(DURATION, seconds))).toEqual(['99.9 s', '1 min 40 s']);
+    expect([99.94, 99.95].map((kg) => shown(MASS, kg))).toEqual(['99.9 kg', '100 kg']);
+    expect([99_940, 99_950].map((torque) => shown(TORQUE, torque))).toEqual(['99.9 kN m', '100 kN m']);
   });
 
   it('never show a gap in a rising value', () => {

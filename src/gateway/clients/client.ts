@@ -10,7 +10,9 @@ import {
   EXCESS,
   INPUTS,
   MAX_BUFFERED,
+  MAX_PER_ADDRESS,
   MAX_QUEUED_EVENTS,
+  MAX_UNAUTHENTICATED,
   MESSAGES,
   SLOW_TIMEOUT,
   consume,
@@ -79,6 +81,14 @@ export function createClient(
     shiplessSince: Infinity,
     timers: new Set(),
   };
+}
+
+/** Whether the limits of connections, from one address and without a sign-in, leave no room for another one from `address`. */
+export function isFull(clients: readonly Pick<Client, 'address' | 'player'>[], address: string): boolean {
+  return (
+    clients.filter((client) => client.address === address).length >= MAX_PER_ADDRESS ||
+    clients.filter(({ player }) => player === null).length >= MAX_UNAUTHENTICATED
+  );
 }
 
 /** Closes a connection with a reason; terminates it if the close takes over 2 s. */

@@ -173,8 +173,8 @@ function measureCorridor(out: LandingAids, ship: ShipView): void {
   }
   const spare = falling * falling - 2 * braking * height;
   const discriminant = falling * falling - (gravity * spare) / full;
-  out.burnSeconds =
-    falling <= 0 || discriminant < 0 ? NaN : spare >= 0 ? 0 : (Math.sqrt(discriminant) - falling) / gravity;
+  // Below 0 it is too late; the discriminant is not below 0 while something falls, since full > gravity.
+  out.burnSeconds = falling > 0 ? Math.max(0, (Math.sqrt(discriminant) - falling) / gravity) : NaN;
   out.aimSpeed = speedToAimAt(height, gravity, braking);
   out.corridor =
     falling > FASTEST * out.aimSpeed + SLACK

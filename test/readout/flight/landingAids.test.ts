@@ -41,6 +41,12 @@ describe('landing aids', () => {
     expect(off).toBeCloseTo(2 * seconds, 0);
   });
 
+  it('predict the touch on terrain as on the body’s radius', () => {
+    const over = (terrain: number) => settle({ clearance: 80, up: -3, east: 2, terrain }).out;
+    // 1,200 m down the Moon's gravity is 0.14 % more: less than the last substep of 8.3 s.
+    expect(Math.abs(over(-1200).touchSeconds - over(0).touchSeconds)).toBeLessThan(0.021);
+  });
+
   it('predict the tilt at the touch, which a server may align', () => {
     for (const tilt of [0, 25, 70]) {
       const at = (touchdownAttitude: 'kept' | 'aligned') =>
@@ -102,6 +108,8 @@ describe('landing aids', () => {
     const stop = speed ** 2 / (2 * (view.own.shipClass.mainEngineThrust / mass - g));
     expect(t).toBeGreaterThan(0);
     expect(height).toBeCloseTo(stop, 6);
+    // Too late is now.
+    expect(settle({ clearance: 20, up: -40 }).out.burnSeconds).toBe(0);
   });
 
   it('keep to a corridor that ends below two metres per second', () => {
@@ -156,6 +164,13 @@ describe('landing aids', () => {
     const blank = { corridor: 'none', advice: 'none', aimSpeed: NaN };
     expect(settle({ clearance: 80, up: -1, fuel: 0 }).out).toMatchObject({ ...blank, burnSeconds: 0 });
     expect(settle({ clearance: 80, up: 1, fuel: 0 }).out).toMatchObject({ ...blank, burnSeconds: NaN });
+  });
+
+  it('forget a predicted touch when the ship is put elsewhere', () => {
+    const { out } = settle({ clearance: 80, up: -3 });
+    expect(out.outcome).toBe('touch');
+    updateLandingAids(out, makeView({ clearance: 3000, up: -3 }));
+    expect(out).toMatchObject({ outcome: 'working', touchSeconds: NaN, touchVertical: NaN, touchTilt: NaN });
   });
 
   it('forget a run ahead when the ship lands', () => {

@@ -154,10 +154,16 @@ describe('on a slope', () => {
     expect(steep.onSlope).toBe(true);
     expect(steep.slope.limit).toBeCloseTo(38.66, 2);
     expect([steep.slope.met, steep.balance.met]).toEqual([false, false]);
+    expect([steep.slope.value, steep.balance.value]).toEqual([
+      expect.closeTo(38.9, 9),
+      expect.closeTo(38.9, 9),
+    ]);
+    expect(steep.balance.limit).toBeCloseTo((Math.atan(0.75) * 180) / Math.PI, 9);
     const less = onSlope(38).gates;
     expect([less.slope.met, less.balance.met]).toEqual([true, false]);
     const safe = onSlope(30).gates;
     expect([safe.slope.met, safe.balance.met]).toEqual([true, true]);
-    expect(onSlope(0).gates.onSlope).toBe(false);
+    // A degree is level to a pilot.
+    expect([0, 1, 1.01].map((degrees) => onSlope(degrees).gates.onSlope)).toEqual([false, false, true]);
   });
 });

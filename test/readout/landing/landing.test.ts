@@ -10,6 +10,20 @@ const read = (pose: Pose, changes: Partial<ShipView> = {}): LandingReadout =>
 const MOON_GRAVITY = (6.6743e-11 * 7.342e22) / 1737400 ** 2;
 const LANDER = { h: 4.56, legRadius: 3.42 };
 
+it('the readout names the ship, its body, its state and how it is known; without a ship it has none', () => {
+  const view = makeView(
+    { state: 'contact', body: 'Mars' },
+    { name: 'Heron', provenance: 'predicted', age: 0.7, withdrawn: 'landed' },
+  );
+  const out = updateLandingReadout(createLandingReadout(), { ...view, timeScale: 4 });
+  const how = { provenance: 'predicted', age: 0.7, withdrawn: 'landed', known: true, timeScale: 4 };
+  expect(out).toMatchObject({ shipName: 'Heron', bodyName: 'Mars', status: 'contact', ...how });
+  updateLandingReadout(out, { ...view, own: null, timeScale: 2 });
+  const none = { provenance: 'stale', withdrawn: '', known: false, timeScale: 2 };
+  expect(out).toMatchObject({ shipName: '', bodyName: '', status: 'none', ...none });
+  expect(out.gates.shown || out.margin.shown || out.righting.shown || out.touchdownShown).toBe(false);
+});
+
 describe('descent data', () => {
   it('counts descending as positive and measures against the turning ground', () => {
     // Earth's ground moves at up to 465 m/s here, which must not show.
@@ -44,8 +58,8 @@ describe('descent data', () => {
   });
 
   it('is shown below 50 km', () => {
-    expect(read({ clearance: 49_990 }).descent.shown).toBe(true);
-    expect(read({ clearance: 50_010 }).descent.shown).toBe(false);
+    const shown = (feetHeight: number) => read({ clearance: 49_990 }, { feetHeight }).descent.shown;
+    expect([49_999.9, 50_000].map(shown)).toEqual([true, false]);
   });
 });
 

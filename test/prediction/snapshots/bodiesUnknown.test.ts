@@ -79,6 +79,19 @@ describe('bodies that are not sent', () => {
     expect(seen.slice(2)).toEqual(Array(4).fill('predicted'));
   });
 
+  it('are known after a restart whose hello has them', () => {
+    const predictor = createPredictor(OWN);
+    const helloOf = (at: number) => ({
+      ...helloAt(0, 5),
+      bodies: [{ ...BODY, position: [SPEED * at, 0, 0] as const }],
+    });
+    predictor.receive(helloOf(0), 0);
+    provenances(predictor, USUAL);
+    predictor.receive(helloOf(20), 14);
+    const anew = range(0, 6).map((k) => ({ tick: 5 * k, at: 20 + k }));
+    expect(provenances(predictor, anew, 14).slice(2)).toEqual(Array(4).fill('confirmed'));
+  });
+
   it('do not matter to a ship whose relative state is sent', () => {
     const predictor = created();
     provenances(predictor, USUAL);

@@ -20,7 +20,7 @@ export function createHistory(length: number): History {
   return {
     length,
     rows: new Float64Array(length * SHIP_STRIDE),
-    ticks: new Float64Array(length).fill(-1),
+    ticks: new Float64Array(length).fill(Number.NEGATIVE_INFINITY),
   };
 }
 
@@ -52,7 +52,7 @@ export function offsetOf(history: History, tick: number): number {
 /** Forgets every state after `tick`. */
 export function forgetAfter(history: History, tick: number): void {
   for (let slot = 0; slot < history.length; slot++) {
-    if (history.ticks[slot]! > tick) history.ticks[slot] = -1;
+    if (history.ticks[slot]! > tick) history.ticks[slot] = Number.NEGATIVE_INFINITY;
   }
 }
 

@@ -53,7 +53,7 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     fresh: true,
     firstTick: 0,
     jump: { tick: -1, at: 0, count: 0 },
-    seen: new Float64Array(1024).fill(-1),
+    seen: new Float64Array(1024).fill(Number.NEGATIVE_INFINITY),
     newest: -1,
     acceptedAt: Number.NEGATIVE_INFINITY,
     policies: new Map(),
@@ -80,7 +80,7 @@ export function forgetPast(receiver: Receiver): void {
   receiver.jump.count = 0;
   receiver.fresh = true;
   receiver.firstTick = 0;
-  receiver.seen.fill(-1);
+  receiver.seen.fill(Number.NEGATIVE_INFINITY);
   receiver.newest = -1;
   receiver.acceptedAt = Number.NEGATIVE_INFINITY;
   receiver.rest = null;

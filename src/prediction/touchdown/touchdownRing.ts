@@ -25,7 +25,7 @@ export function createTouchdownRing(length: number): TouchdownRing {
     front: new Float64Array(LOG_STRIDE),
     replayed: new Float64Array(LOG_STRIDE),
     kept: emptyLogs(length),
-    ticks: new Float64Array(length).fill(-1),
+    ticks: new Float64Array(length).fill(Number.NEGATIVE_INFINITY),
   };
 }
 
@@ -44,14 +44,15 @@ export function logAt({ kept, ticks }: TouchdownRing, tick: number): Float64Arra
 
 /** Forgets every log after `tick`. */
 export function forgetLogsAfter({ ticks }: TouchdownRing, tick: number): void {
-  for (let slot = 0; slot < ticks.length; slot++) if (ticks[slot]! > tick) ticks[slot] = -1;
+  for (let slot = 0; slot < ticks.length; slot++)
+    if (ticks[slot]! > tick) ticks[slot] = Number.NEGATIVE_INFINITY;
 }
 
 /** The same logs in a ring of another length; the newest win a slot. */
 export function resizeLogs(ring: TouchdownRing, length: number): void {
   const { kept, ticks } = ring;
   ring.kept = emptyLogs(length);
-  ring.ticks = new Float64Array(length).fill(-1);
+  ring.ticks = new Float64Array(length).fill(Number.NEGATIVE_INFINITY);
   for (const [slot, tick] of ticks.entries())
     if (tick >= 0 && tick > ring.ticks[tick % length]!) keepLog(ring, tick, kept[slot]!);
 }

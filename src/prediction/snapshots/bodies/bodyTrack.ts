@@ -49,7 +49,7 @@ export function createBodyTrack(start: Float64Array, length: number, substeps: n
     count,
     length,
     boundaries: Array.from({ length }, () => new Float64Array(size)),
-    ticks: new Float64Array(length).fill(-1),
+    ticks: new Float64Array(length).fill(Number.NEGATIVE_INFINITY),
     cuts: Array.from({ length: keptTicks(substeps) }, () => ({ tick: -1, made: 0, rows: [] })),
     start,
     replaced: new Float64Array(size),
@@ -198,13 +198,14 @@ const NO_ERROR: Readonly<BodyError> = Object.freeze({ attitude: 0, spin: 0 });
 /** Before the first frame: sets the bodies to their start at `tick`. */
 export function startBodiesAt(track: BodyTrack, tick: number): void {
   track.boundaries[tick % track.length]!.set(track.start);
-  track.ticks.fill(-1);
+  track.ticks.fill(Number.NEGATIVE_INFINITY);
   track.ticks[tick % track.length] = tick;
 }
 
 /** Forgets everything after boundary `tick`, which is then computed again, e.g. at another tempo. */
 export function forgetAfter(track: BodyTrack, tick: number): void {
-  for (let slot = 0; slot < track.length; slot++) if (track.ticks[slot]! > tick) track.ticks[slot] = -1;
+  for (let slot = 0; slot < track.length; slot++)
+    if (track.ticks[slot]! > tick) track.ticks[slot] = Number.NEGATIVE_INFINITY;
   for (const cut of track.cuts) if (cut.tick >= tick) cut.tick = -1;
 }
 

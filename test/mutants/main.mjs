@@ -1,6 +1,7 @@
 // npm run mutants: changes the source in one place at a time and looks whether the room's tests notice.
-//   npm run mutants -- [ROOM …] [--count 24] [--seed 1] [--workers 2]
+//   npm run mutants -- [ROOM …] [--count 24] [--seed 1] [--workers 2] [--no-pages]
 //   npm run mutants -- --at src/wire/messages/frame.ts:41    all changes of one line; without :41 of the file
+// --no-pages leaves out the tests in a browser, which take minutes: the score is then at least what is printed.
 // Prints the survivors by file and line, and "killed/tried" of each room. The changes are drawn by the seed: the same ones each time.
 // Nothing is written to the source: the change is made while the tests' bundles and the page are built (plugins.mjs).
 import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
@@ -46,7 +47,9 @@ const isOnPages = (test) => test.startsWith('test/browser/');
 /** Which source files of a room stand behind each test file: [[test, Set of sources], …]. A page may load any of them. */
 async function sourcesBehind(room) {
   const all = new Set(filesUnder(`src/${room}`, /\.ts$/));
-  const tests = ROOMS[room].flatMap((folder) => filesUnder(`test/${folder}`, /(?<!\.long)\.test\.ts$/));
+  const tests = ROOMS[room]
+    .flatMap((folder) => filesUnder(`test/${folder}`, /(?<!\.long)\.test\.ts$/))
+    .filter((test) => values.pages || !isOnPages(test));
   const behind = [];
   for (const test of tests) {
     if (isOnPages(test)) behind.push([test, all]);
@@ -164,7 +167,9 @@ async function tryRoom(room, choose) {
 
 const { values, positionals } = parseArgs({
   allowPositionals: true,
+  allowNegative: true,
   options: {
+    pages: { type: 'boolean', default: true },
     count: { type: 'string', default: '24' },
     seed: { type: 'string', default: '1' },
     at: { type: 'string' },

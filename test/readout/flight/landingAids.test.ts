@@ -166,6 +166,20 @@ describe('landing aids', () => {
     expect(settle({ clearance: 80, up: 1, fuel: 0 }).out).toMatchObject({ ...blank, burnSeconds: NaN });
   });
 
+  it('spend at most 400 substeps a view, and look two minutes ahead', () => {
+    const out = createLandingAids();
+    const view = makeView({ clearance: 3000, up: 100 });
+    const { projection } = out.memory;
+    updateLandingAids(out, view);
+    // Substeps of 0.01 s.
+    expect(projection.elapsed).toBeCloseTo(4, 9);
+    for (let i = 2; i < 30; i++) updateLandingAids(out, view);
+    expect(out.outcome).toBe('working');
+    // One more than thirty times 400 where the sum of the substeps is a little short.
+    for (let i = 0; i < 2; i++) updateLandingAids(out, view);
+    expect(out.outcome).toBe('none');
+  });
+
   it('forget a predicted touch when the ship is put elsewhere', () => {
     const { out } = settle({ clearance: 80, up: -3 });
     expect(out.outcome).toBe('touch');

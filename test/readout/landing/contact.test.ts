@@ -98,6 +98,18 @@ describe('the tip margin', () => {
     expect(predicted).toBeCloseTo(truth, 2);
   });
 
+  it('spends at most 200 substeps a view, and none once it has its answer', () => {
+    const out = createLandingReadout();
+    const view = makeView({ ...AT_REST, tilt: 38 });
+    const { projection } = out.memory.ahead!.tipping;
+    updateLandingReadout(out, view);
+    // Substeps of 0.01 s.
+    expect(projection.elapsed).toBeCloseTo(2, 9);
+    for (let i = 0; i < 40; i++) updateLandingReadout(out, view);
+    expect(out.margin).toMatchObject({ outlook: 'tips', timeToTipped: projection.elapsed });
+    expect(projection.running).toBe(false);
+  });
+
   it('counts down with game time', () => {
     const out = createLandingReadout();
     // The readout's clock has run for a while when the ship begins to topple.

@@ -137,4 +137,24 @@ describe('righting help', () => {
       expect(out.memory.ahead!.righting.run.projection).toMatchObject({ elapsed: done, running: false });
     }
   });
+
+  it.each([
+    ['fuel', { fuel: 3990.1 }, { fuel: 3990 }],
+    ['tilt', { tilt: 91.6 }, { tilt: 91.7 }],
+  ] as const)('keeps its answer until the %s differs by 10 kg or 2°', (_, near, far) => {
+    const out = createLandingReadout();
+    const show = (pose: Pose) => {
+      const view = makeView(pose);
+      for (let i = 0; i < 60; i++) updateLandingReadout(out, view);
+      return out.righting.holdSeconds;
+    };
+    const first = show(ON_SIDE);
+    expect(show({ ...ON_SIDE, ...near })).toBe(first);
+    expect(show({ ...ON_SIDE, ...far })).toBe(read({ ...ON_SIDE, ...far }).righting.holdSeconds);
+    expect(out.memory.ahead!.righting.run.startFuel).toBe({ ...ON_SIDE, ...far }.fuel);
+    expect(out.memory.ahead!.righting.run.startTilt).toBeCloseTo(
+      ({ ...ON_SIDE, ...far }.tilt * Math.PI) / 180,
+      9,
+    );
+  });
 });

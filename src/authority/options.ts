@@ -83,5 +83,5 @@ function invalidList(field: string, items: readonly { name: string }[], most: nu
   if (items.length === 0 || items.length > most)
     return `${field}: expected 1 to ${most}, got ${items.length}`;
   const twice = items.findIndex(({ name }, i) => items.findIndex((other) => other.name === name) < i);
-  return twice < 0 ? null : `${field}[${twice}]: name: ${items[twice]!.name} appears twice`;
+  return twice === -1 ? null : `${field}[${twice}]: name: ${items[twice]!.name} appears twice`;
 }

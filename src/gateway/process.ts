@@ -1,5 +1,5 @@
-import { randomUUID } from 'node:crypto';
 import { createGateway } from './gateway';
+import type { GatewayOptions } from './options';
 import { loadSetup } from './setup';
 
 /**
@@ -8,8 +8,9 @@ import { loadSetup } from './setup';
 export async function runProcess(
   host: Pick<NodeJS.Process, 'env' | 'exit' | 'once'>,
   { log, error }: Pick<Console, 'log' | 'error'>,
+  machine: Pick<GatewayOptions, 'clock' | 'nonce'>,
 ): Promise<void> {
-  const setup = loadSetup(host.env, { clock: () => Date.now() / 1000, nonce: randomUUID, log: error });
+  const setup = loadSetup(host.env, { ...machine, log: error });
   if (!setup.ok) {
     error(`gateway: ${setup.reason}`);
     host.exit(2);

@@ -106,6 +106,14 @@ describe('inputs', () => {
     expect(authority.counters.inputsWithoutShip).toBe(2);
   });
 
+  it('are accepted up to ten seconds and a tick ahead', () => {
+    const authority = moonWith('opening');
+    expect(send(authority, [input(1, 11, 0, { thrustLevel: 1 })], 0).ok).toBe(true);
+    expect(send(authority, [input(2, 12, 0, { thrustLevel: 1 })], 0)).toMatchObject({
+      reason: 'inputs[0].tick: expected at most 11, got 12',
+    });
+  });
+
   it.each([
     ['inputs[0].seq', input(0, 0, 0, {})],
     ['inputs[0].tick', input(1, 0.5, 0, {})],

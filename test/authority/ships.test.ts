@@ -97,6 +97,19 @@ describe('ships', () => {
     expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('contact');
   });
 
+  it('adds a kick’s velocity and spin along each axis', () => {
+    const authority = moonWith('opening');
+    const before = frameOf(authority).ships[0]!;
+    expect(authority.kick('own', [1, -2, 4], [0.125, -0.25, 0.5])).toBeNull();
+    const after = frameOf(authority).ships[0]!;
+    const added = (name: 'relativeVelocity' | 'angularVelocity') =>
+      after[name]!.map((value, k) => value - before[name]![k]!);
+    expect(added('relativeVelocity')).toEqual([1, -2, 4].map((value) => expect.closeTo(value, 9) as number));
+    expect(added('angularVelocity')).toEqual(
+      [0.125, -0.25, 0.5].map((value) => expect.closeTo(value, 12) as number),
+    );
+  });
+
   it.each([
     [0, 1],
     [1, 2],

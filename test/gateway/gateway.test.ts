@@ -219,7 +219,7 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
       const env = { TOUCHDOWN_REDIS: url, TOUCHDOWN_PORT: '0', TOUCHDOWN_SECRET: options().secret };
       const [log, error, exit] = [vi.fn(), vi.fn(), vi.fn()];
       const host = Object.assign(new EventEmitter(), { env, exit });
-      await runProcess(host as never, { log, error });
+      await runProcess(host as never, { log, error }, options());
       const [line] = log.mock.calls[0] as [string];
       const address = /^gateway: listening on (http:\/\/127\.0\.0\.1:\d+)$/.exec(line)![1]!;
       expect(await (await fetch(`${address}/healthz`)).json()).toMatchObject({ clients: 0, redis: true });

@@ -74,7 +74,7 @@ it.each([
 
 it('is refused by the process with the reason, and 2 as its exit code', async () => {
   const [log, error, exit] = [vi.fn(), vi.fn(), vi.fn()];
-  await runProcess({ env: {}, exit } as never, { log, error });
+  await runProcess({ env: {}, exit } as never, { log, error }, machine);
   expect(error.mock.calls).toEqual([['gateway: TOUCHDOWN_SECRET: expected at least 32 characters']]);
   expect([exit.mock.calls, log.mock.calls]).toEqual([[[2]], []]);
 });

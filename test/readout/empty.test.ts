@@ -37,6 +37,7 @@ it('a new readout has no numbers', () => {
     withdrawn: '',
     drift: { x: NaN, y: NaN, scale: 1 },
     tilt: { degrees: NaN, trend: 0, leanX: 0, leanY: 0, settle: NaN, prominent: false },
+    gates: { shown: false, tilt: { met: false, value: NaN, limit: NaN } },
     descent: { shown: false },
     righting: { shown: false, torqueAvailable: 0 },
     touchdown: NO_TOUCHDOWN,

@@ -40,6 +40,10 @@ describe('the event ledger of one ship', () => {
     expect(reported(0).filter((notice) => notice !== null)).toHaveLength(64);
     expect(reported(1).filter((notice) => notice !== null)).toEqual([]);
     expect(ledger.entries).toHaveLength(64);
+    // One that the server has sent takes the place of the oldest.
+    expect(confirm(ledger, EVENT_LANDED, at(500, 0), timeline)).toMatchObject({ tick: 500 });
+    expect(ledger.entries).toHaveLength(64);
+    expect(ledger.entries[0]).toMatchObject({ tick: 1 });
   });
 
   it('confirms the nearest event of the type once, and moves it to the server’s substep', () => {

@@ -37,6 +37,15 @@ describe('the four gates', () => {
     expect(met(read({ ...AT_REST, east: 0.3, north: -0.41 }))).toEqual([true, true, true, false]);
   });
 
+  it('are met below the limit, not at it', () => {
+    const pose = { ...AT_REST, yawRate: 0.004 };
+    const { value } = read(pose).gates.spin;
+    const gate = (limit: number) =>
+      read({ ...pose, settings: { contactSettleAngularVel: limit } }).gates.spin;
+    expect(gate(value)).toEqual({ value, limit: value, met: false });
+    expect(gate(value + 1e-9).met).toBe(true);
+  });
+
   it('count the legs’ stored energy as vertical speed', () => {
     // At the bottom of a bounce the radial speed is 0; 0.3 m below the sag the legs hold √(100 · 0.3²) = 3 m/s.
     const { vertical } = read({ ...AT_REST, clearance: SAG - 0.3 }).gates;

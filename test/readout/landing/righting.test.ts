@@ -50,6 +50,8 @@ describe('righting help', () => {
     expect(dry.torqueAvailable).toBeGreaterThanOrEqual(2000 * 0.92);
     expect(dry.torqueAvailable).toBeLessThanOrEqual(2000 * Math.SQRT2);
     expect(dry.possible).toBe(false);
+    const { torqueAvailable } = read({ ...ON_SIDE, fuel: 0.5 }).righting;
+    expect(torqueAvailable).toBe(righting.torqueAvailable);
   });
 
   it('names keys that right the ship, whichever side it is on', () => {

@@ -25,4 +25,16 @@ describe('the readout’s own clock', () => {
     followView(clock, view, view.own);
     expect([clock.elapsed, clock.now]).toEqual([2, 2]);
   });
+
+  it.each([0, 1, 2])('follows a ship that a correction moves by less than 100 m along axis %i', (axis) => {
+    const followed = (metres: number) => {
+      const clock = createViewClock();
+      const view = makeView();
+      view.own.velocity.fill(0);
+      followView(clock, view, view.own);
+      view.own.position[axis]! += metres;
+      return followView(clock, view, view.own);
+    };
+    expect([99, -99, 101, -101].map(followed)).toEqual([true, true, false, false]);
+  });
 });

@@ -128,7 +128,13 @@ describe('the world loop', () => {
     expect(authority.spawn({ shipId: 'far', playerId: 'bob', name: 'Far', ship })).toBeNull();
     runTo(authority, 1);
     expect(frameOf(authority).ships.map(({ referenceBody }) => referenceBody)).toEqual(['Luna', 'Earth']);
-    expect(Math.hypot(...frameOf(authority).ships[1]!.relativePosition!)).toBeCloseTo(1.6e7, -5);
+    const { ships, bodies: moved } = frameOf(authority);
+    const far = ships[1]!;
+    expect(Math.hypot(...far.relativePosition!)).toBeCloseTo(1.6e7, -5);
+    // In ICRF beside the body that it is relative to.
+    const { position, velocity } = moved.find(({ name }) => name === 'Earth')!;
+    expect(far.position).toEqual(position.map((value, k) => value + far.relativePosition![k]!));
+    expect(far.velocity).toEqual(velocity.map((value, k) => value + far.relativeVelocity![k]!));
   });
 
   it('has no frame for a client that has not joined, and refuses a ship that is already flown', () => {

@@ -161,6 +161,11 @@ it('reads the valid parts of the service’s frame', () => {
       last_input: { session: 's', seq: 3, tick: 41, substep: 2, margin: 0.1 },
     })),
     { ship_id: 'broken' },
+    ...[{ session: 5 }, { margin: 'much' }].map((wrong, i) => ({
+      ship_id: `unread ${i}`,
+      last_input: { session: 's', seq: 3, tick: 41, substep: 2, margin: 0.1, ...wrong },
+    })),
+    { ship_id: 'unread', last_input: 5 },
   ];
   const world = readWorldFrame(JSON.stringify(sent), (reason) => told.push(reason));
   const { tick, tickRate, timeScale, gameTime, paused, bodies, events } = FRAME;
@@ -177,7 +182,8 @@ it('reads the valid parts of the service’s frame', () => {
     substep: 2,
     margin: 0.1,
   });
-  expect(told).toEqual(['frame.ships[2].position: missing']);
+  expect([...world!.lastInputs.keys()]).toEqual(['ship-1', 'ship-2']);
+  expect(told).toEqual([2, 3, 4, 5].map((i) => `frame.ships[${i}].position: missing`));
   const bare = readWorldFrame('{"tick":1,"ships":[]}', (reason) => told.push(reason));
   expect(bare).toEqual({
     frame: {

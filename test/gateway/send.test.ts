@@ -1,5 +1,6 @@
 /** Messages from the gateway to its clients. */
 import { describe, expect, it } from 'vitest';
+import { disconnect } from '../../src/gateway/clients/client';
 import { broadcastFrame, resendToBehind, sendNewest } from '../../src/gateway/clients/send';
 import type { Hangar } from '../../src/gateway/options';
 import { EVENT } from '../wire/messages';
@@ -174,6 +175,17 @@ describe('a client with a full socket', () => {
     }
     expect(closed).toEqual([]);
   });
+});
+
+it('a connection is closed once, and not where its socket has closed by itself', () => {
+  const { connect } = createFakeGateway();
+  const [pilot, gone] = [connect('json'), connect('json')];
+  disconnect(pilot.client, 4001, 'first');
+  disconnect(pilot.client, 4008, 'second');
+  expect(pilot.closed).toEqual([{ code: 4001, reason: 'first' }]);
+  gone.socket.readyState = 3;
+  disconnect(gone.client, 4001, 'late');
+  expect([gone.closed, gone.client.isClosing]).toEqual([[], false]);
 });
 
 describe('a hangar', () => {

@@ -158,6 +158,10 @@ describe('the world loop', () => {
     ['tick', { tick: -1 }],
     ['bodies[0]', { bodies: [{ ...MOON.bodies[0]!, radius: 0 }] }],
     ['bodies[1]', { bodies: [MOON.bodies[0]!, MOON.bodies[0]!] }],
+    ['bodies: expected 1 to 256, got 257', { bodies: Array(257).fill(MOON.bodies[0]!) }],
+    ['bodies[1]', { bodies: Array(256).fill(MOON.bodies[0]!) }],
+    ['shipClasses: expected 1 to 256, got 257', { shipClasses: Array(257).fill(MOON.shipClasses[0]!) }],
+    ['shipClasses[1]', { shipClasses: Array(256).fill(MOON.shipClasses[0]!) }],
     ['bodies', { bodies: [] }],
     ['shipClasses[0]', { shipClasses: [{ ...SHIP_CLASSES[0]!, dryMass: -1 }] }],
   ])('refuses %s by name', (field, options) => {

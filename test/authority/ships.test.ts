@@ -92,9 +92,14 @@ describe('ships', () => {
     expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('');
     runTo(authority, 6);
     expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('landed');
-    // Downward it slides.
+    expect(frameOf(authority).ships[0]!.contactImpactSpeed).toBeGreaterThan(1);
+    // Downward it slides, and so it does by spin alone. That contact began without an impact.
+    const contact = { surfaceContactState: 'contact', contactImpactSpeed: 0 };
     expect(authority.kick('own', [-up[0]!, -up[1]!, -up[2]!], [0, 0, 0])).toBeNull();
-    expect(frameOf(authority).ships[0]!.surfaceContactState).toBe('contact');
+    expect(frameOf(authority).ships[0]).toMatchObject(contact);
+    const other = moonWith('launch');
+    expect(other.kick('own', [0, 0, 0], [0, 0, 0.001])).toBeNull();
+    expect(frameOf(other).ships[0]).toMatchObject(contact);
   });
 
   it('adds a kick’s velocity and spin along each axis', () => {

@@ -152,11 +152,9 @@ describe('righting help', () => {
     };
     const first = show(ON_SIDE);
     expect(show({ ...ON_SIDE, ...near })).toBe(first);
-    expect(show({ ...ON_SIDE, ...far })).toBe(read({ ...ON_SIDE, ...far }).righting.holdSeconds);
-    expect(out.memory.ahead!.righting.run.startFuel).toBe({ ...ON_SIDE, ...far }.fuel);
-    expect(out.memory.ahead!.righting.run.startTilt).toBeCloseTo(
-      ({ ...ON_SIDE, ...far }.tilt * Math.PI) / 180,
-      9,
-    );
+    const other = { fuel: 4000, tilt: 89.6, ...far };
+    expect(show({ ...ON_SIDE, ...other })).toBe(read({ ...ON_SIDE, ...other }).righting.holdSeconds);
+    const { startFuel, startTilt } = out.memory.ahead!.righting.run;
+    expect([startFuel, (startTilt * 180) / Math.PI]).toEqual([other.fuel, expect.closeTo(other.tilt, 9)]);
   });
 });

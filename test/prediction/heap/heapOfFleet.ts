@@ -10,7 +10,7 @@ const FEW = 8;
 const POINT_BY_POINT = 32;
 const MANY = 250;
 /** Rounds of each scenario, enough with compilation in the foreground. */
-const ROUNDS = 4;
+const ROUNDS = 2;
 
 const overHills: Scenario = { ...LONG_SLIDE, terrain: 'hills' };
 const damped: Scenario = { ...LONG_SLIDE, settings: { ...LONG_SLIDE.settings, contactDampingRatio: 1 } };

@@ -162,6 +162,15 @@ describe('a client with a full socket', () => {
     expect(late.closed).toEqual([]);
     broadcastFrame(gateway, state.newest);
     expect(late.closed).toEqual([{ code: 4009, reason: 'Too slow: too many events waiting' }]);
+    const both = signedIn('p3', 'stream');
+    both.socket.bufferedAmount = FULL;
+    const gone = { shipId: 's1', playerId: 'p1', name: 'Kestrel', reason: 'collision', body: 'Luna' };
+    state.newest = {
+      ...worldOf([shipOf('p3')], { events }),
+      removed: Array.from({ length: 501 }, () => gone),
+    };
+    broadcastFrame(gateway, state.newest);
+    expect(both.closed).toHaveLength(1);
   });
 
   it('has its 10 s restarted when it has room', () => {

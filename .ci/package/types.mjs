@@ -24,6 +24,8 @@ function emit(root, folder, doors) {
       noEmit: false,
       declaration: true,
       emitDeclarationOnly: true,
+      // What is marked @internal is no part of the package, and production shortens its names (code/shortNames.mjs).
+      stripInternal: true,
       noCheck: true,
       types: [],
       lib: ['es2023', 'dom'],

@@ -8,7 +8,6 @@ import { knowsGround, withoutGround } from './ground/unknownGround';
 import { GAME_CATALOGUE } from './options';
 import { announce, type SessionFeatures } from './session';
 import { carry } from './simulation/carry';
-import { checkRollback } from './simulation/rollbackCheck';
 import {
   holdSleeping,
   placeAsleep,
@@ -21,8 +20,8 @@ import {
 } from './simulation/sleep';
 import { acknowledgementOf, applyAcknowledgement } from './snapshots/acknowledgements';
 import { completeBodies } from './snapshots/bodies/completeBodies';
-import { measureByShip, spunMotion } from './snapshots/bodies/bodySpin';
-import { measureGameTime } from './snapshots/gameTimeMeter';
+import { createBodySpin, measureByShip, spunMotion } from './snapshots/bodies/bodySpin';
+import { gameTimeScale } from './snapshots/gameTimeMeter';
 import { learnFrom } from './snapshots/learnFrom';
 import { describeDifference } from './snapshots/reconcile/compare';
 import { keepServerState } from './snapshots/reconcile/keepStates';
@@ -70,7 +69,7 @@ const touchdown = {
   resizeLogs,
   logLanded,
 };
-const spin = { spunMotion, measureByShip };
+const spin = { createBodySpin, spunMotion, measureByShip };
 const events = { recordPredicted, confirmEvents, settleEvents, confirmEnd };
 const acknowledgements = { acknowledgementOf, applyAcknowledgement };
 const tickRates = { measureUnsentRate, sentUntimed };
@@ -132,7 +131,7 @@ export const checkedRecords: Feature = feature('checkedRecords', { shipFault });
 export const mismatchValues: Feature = feature('mismatchValues', { describeDifference });
 
 /** Measures the game time per tick of a server that does not send it, or another (PREDICTION, Timeline). */
-export const measuredGameTime: Feature = feature('measuredGameTime', { measureGameTime });
+export const measuredGameTime: Feature = feature('measuredGameTime', { gameTimeScale });
 
 /** Measures the tick rate of a server that does not send it (PREDICTION, Timeline). */
 export const measuredTickRate: Feature = feature('measuredTickRate', { tickRates });
@@ -166,7 +165,7 @@ export const ALL_FEATURES: SessionFeatures = Object.freeze({
   parts,
   shipFault,
   describeDifference,
-  measureGameTime,
+  gameTimeScale,
   tickRates,
   spin,
   receiveHello,
@@ -176,7 +175,6 @@ export const ALL_FEATURES: SessionFeatures = Object.freeze({
   terrains: TERRAINS,
   catalogue: GAME_CATALOGUE,
   terrainNormals: TERRAIN_NORMALS,
-  checkRollback,
   keepServerState,
   rowOfPolicy,
 });

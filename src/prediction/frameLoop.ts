@@ -35,11 +35,10 @@ export function advanceFrame(session: Session, controls: Controls | null, now: n
   const due = substepsTo(sim, target);
   if (due > 0) session.features.keepPace?.(sim, pace, due);
   const replayed = runReplays(sim, pace.budget);
-  const check = boundaryCheckOf(session);
-  if (due > BACKDATED) stepFront(sim, later(sim, due - BACKDATED), check);
+  if (due > BACKDATED) stepFront(sim, later(sim, due - BACKDATED));
   if (controls !== null && areControls(session, controls))
     sampleControls(sim, pilot, controls, { now, steer: clock.steer, granularity: session.granularity });
-  if (due > 0) stepFront(sim, target, check);
+  if (due > 0) stepFront(sim, target);
   if (replayed < pace.budget) runReplays(sim, pace.budget - replayed);
   place(sim, clock.present);
   session.features.announce?.(session);
@@ -86,14 +85,6 @@ export function place(sim: Simulation, present: number): void {
   writeMoment(moment, sim.timeline, present);
   placePresent(sim, moment);
 }
-
-/** What is called at each tick boundary: the rollback check in the test mode of that name. Allocates nothing without it. */
-function boundaryCheckOf({ sim, options }: Session): (tick: number) => void {
-  const ticks = options.forcedRollback ?? 0;
-  return ticks > 0 ? (tick) => sim.features.checkRollback?.(sim, tick, ticks) : checksNothing;
-}
-
-const checksNothing = (): void => undefined;
 
 const moment: Moment = { tick: 0, substeps: 0 };
 const located: Position = { tick: 0, substep: 0 };

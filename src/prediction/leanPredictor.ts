@@ -1,7 +1,7 @@
 import type { LeanPredictor } from './calls/api';
 import { commonCalls } from './calls/commonCalls';
 import { checkFeatures } from './checks/features';
-import { requireOptions } from './checks/options';
+import { requireLeanOptions } from './checks/options';
 import type { Feature } from './features';
 import type { PredictorOptions } from './options';
 import { createSession, type Session, type SessionFeatures } from './session';
@@ -30,10 +30,8 @@ export interface LeanOptions extends Omit<PredictorOptions, 'forcedRollback'> {
  * ```
  */
 export function createLeanPredictor(given: LeanOptions = {}): LeanPredictor {
-  requireOptions(given);
+  requireLeanOptions(given);
   const { features = [], ...options } = given;
-  if ('forcedRollback' in options)
-    throw new RangeError('options.forcedRollback: only createPredictor has this test mode');
   const session = createSession(
     options,
     Object.freeze(Object.assign({}, PLAIN, ...features) as SessionFeatures),

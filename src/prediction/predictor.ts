@@ -10,7 +10,9 @@ import { copyOwned, type Owned } from './lifecycle/fork';
 import { changePolicy } from './lifecycle/policy';
 import { createLatestMessages, receiveAndKeep, restoreSnapshot, snapshotOf } from './lifecycle/snapshot';
 import type { PredictorOptions } from './options';
-import { createSession } from './session';
+import { createSession, type SessionFeatures } from './session';
+import { checkRollback } from './simulation/rollbackCheck';
+import type { Simulation } from './simulation/simulation';
 import { decodePending, receivePending } from './snapshots/pending';
 
 /**
@@ -28,7 +30,17 @@ import { decodePending, receivePending } from './snapshots/pending';
  */
 export function createPredictor(options: PredictorOptions = {}): Predictor {
   requireOptions(options);
-  return predictorOf({ session: createSession(options, ALL_FEATURES), kept: createLatestMessages() });
+  const features = (options.forcedRollback ?? 0) > 0 ? rollingBack(options.forcedRollback!) : ALL_FEATURES;
+  return predictorOf({ session: createSession(options, features), kept: createLatestMessages() });
+}
+
+/** The features of the test mode: ships do not sleep, since each goes back by `ticks` ticks at every boundary. */
+function rollingBack(ticks: number): SessionFeatures {
+  const { sleep: _, ...awake } = ALL_FEATURES;
+  return Object.freeze({
+    ...awake,
+    checkRollback: (sim: Simulation, tick: number) => checkRollback(sim, tick, ticks),
+  });
 }
 
 const owners = new WeakMap<Predictor, Owned>();

@@ -129,8 +129,7 @@ function newSimulation(
   bodies: readonly BodyMotion[],
   { options, features, counters, warn }: Pick<Session, 'options' | 'features' | 'counters' | 'warn'>,
 ): Simulation {
-  const sleep = (options.forcedRollback ?? 0) > 0 ? null : (features.sleep ?? null);
-  return createSimulation(world, bodies, { features, counters, warn, sleep, plan: options.plan ?? [] });
+  return createSimulation(world, bodies, { features, counters, warn, plan: options.plan ?? [] });
 }
 
 /** Clears all ships and the timeline of the previous world; listeners stay. */

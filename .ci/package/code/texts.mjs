@@ -39,10 +39,18 @@ function shortReason(node, code) {
   return got < 0 ? [from, node.end - 1, 'refused'] : [from, got, ''];
 }
 
+/** `[start, end, '']` to leave out the unit, the last member of a range, which only such texts say; null for anything else. */
+function withoutUnit({ type, properties }) {
+  const [before, last] = type === 'ObjectExpression' ? properties.slice(-2) : [];
+  return last?.key?.name === 'unit' && isText(last.value) ? [before.end, last.end, ''] : null;
+}
+
 /** The code with short texts; no line is added. */
 export function shortenTexts(code) {
   const changes = [];
-  walk(parseAst(code), (node) => changes.push(shortWarning(node, code) ?? shortReason(node, code)));
+  walk(parseAst(code), (node) =>
+    changes.push(shortWarning(node, code) ?? shortReason(node, code) ?? withoutUnit(node)),
+  );
   const found = changes.filter((change) => change !== null);
   const isInside = ([start, end], other) => start > other[0] && end <= other[1];
   return found

@@ -55,10 +55,13 @@ const UNIT_WITHIN = 1e-3;
 /** Why a finite number is out of a range, or null. */
 export function outside(field: string, value: number, range: Range): string | null {
   const { least, most, isOpen = false } = range;
-  const unit = range.unit === '' ? '' : ` ${range.unit}`;
-  if (value > most) return `${field}: expected ≤ ${most}${unit}, got ${value}`;
+  if (value > most) return `${field}: expected ≤ ${most}${inUnit(range)}, got ${value}`;
   if (value > least || (value === least && !isOpen)) return null;
-  return `${field}: expected ${isOpen ? '>' : '≥'} ${least}${unit}, got ${value}`;
+  return `${field}: expected ${isOpen ? '>' : '≥'} ${least}${inUnit(range)}, got ${value}`;
+}
+
+function inUnit({ unit }: Range): string {
+  return unit === '' ? '' : ` ${unit}`;
 }
 
 /** Why one of several finite numbers is out of a range, or null. */

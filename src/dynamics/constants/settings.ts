@@ -51,9 +51,9 @@ const MAX_SUBSTEP = 0.022;
 
 /** Checked settings with derived constants: angles as cosines. */
 export interface LoadedSettings extends Settings {
-  /** Cosine of contactSettleTiltDeg. */
+  /** Cosine of contactSettleTiltDeg. @internal */
   readonly cosSettleTilt: number;
-  /** Cosine of contactTippedAngleDeg. */
+  /** Cosine of contactTippedAngleDeg. @internal */
   readonly cosTippedAngle: number;
   /** Values that a substep reads; columns in constantRows.ts. */
   readonly constants: Float64Array;

@@ -55,29 +55,29 @@ export interface ShipClass {
 export interface LoadedShipClass extends ShipClass {
   /** kg: dry mass + fuel capacity. */
   readonly fullMass: number;
-  /** kg m², row by row, with full tanks. */
+  /** kg m², row by row, with full tanks. @internal */
   readonly inertia: Float64Array;
-  /** Its inverse, row by row. */
+  /** Its inverse, row by row. @internal */
   readonly inverseInertia: Float64Array;
-  /** Factor on the tensor: inertiaAtDry + inertiaPerFuel · fuel. */
+  /** Factor on the tensor: inertiaAtDry + inertiaPerFuel · fuel. @internal */
   readonly inertiaAtDry: number;
-  /** 1/kg */
+  /** 1/kg @internal */
   readonly inertiaPerFuel: number;
-  /** J: the least moment of inertia against tilting, with full tanks, kg m²; used for leg support. */
+  /** J: the least moment of inertia against tilting, with full tanks, kg m²; used for leg support. @internal */
   readonly supportInertia: number;
-  /** J': a lower bound of the least moment of inertia, with full tanks, kg m²; used for foot scrub. */
+  /** J': a lower bound of the least moment of inertia, with full tanks, kg m²; used for foot scrub. @internal */
   readonly scrubInertia: number;
-  /** ω_n², s⁻². */
+  /** ω_n², s⁻². @internal */
   readonly attitudeStiffness: number;
-  /** 2 ω_n, s⁻¹. */
+  /** 2 ω_n, s⁻¹. @internal */
   readonly attitudeDamping: number;
-  /** N m s about body x, y, z; Infinity: never full. */
+  /** N m s about body x, y, z; Infinity: never full. @internal */
   readonly wheelCapacity: Vec3;
   /** kg/s per newton of main engine thrust. */
   readonly mainEngineFlow: number;
-  /** kg/s per newton of RCS force. */
+  /** kg/s per newton of RCS force. @internal */
   readonly rcsFlow: number;
-  /** RCS force per newton metre of torque, 1/m. */
+  /** RCS force per newton metre of torque, 1/m. @internal */
   readonly forcePerTorque: number;
   /** Values that a substep reads; columns in constantRows.ts. */
   readonly constants: Float64Array;

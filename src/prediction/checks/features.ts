@@ -37,7 +37,7 @@ const NEEDS: readonly Need[] = [
   {
     of: 'frame.timeScale, which is missing,',
     feature: 'measuredGameTime',
-    part: 'measureGameTime',
+    part: 'gameTimeScale',
     isNeeded: ({ timeScale }) => timeScale === undefined,
     effect: 'the last one is used, or 1',
   },

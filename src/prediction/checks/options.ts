@@ -89,6 +89,13 @@ export function requireOptions(given: PredictorOptions): void {
   if (fault !== null) throw new RangeError(`defaults: ${fault}`);
 }
 
+/** @throws RangeError that names the invalid option of a lean predictor */
+export function requireLeanOptions(given: PredictorOptions): void {
+  requireOptions(given);
+  if ('forcedRollback' in given)
+    throw new RangeError('options.forcedRollback: only createPredictor has this test mode');
+}
+
 function requireMembers(path: string, members: Expected, given: object): void {
   const fault = faultIn(members, given);
   if (fault !== null) throw new RangeError(`${path}.${fault}`);

@@ -29,8 +29,8 @@ export interface Status {
   since: number;
   /** CONTACT stays shown until this client wall s. */
   contactUntil: number;
-  /** Event of the last retracted prediction, and until when it is shown, client wall s. */
-  withdrawn: number;
+  /** The last retracted prediction, and until when it is shown, client wall s. */
+  withdrawn: ShipView['withdrawn'];
   withdrawnUntil: number;
   /** Tick of the server's state that the view shows, and server wall s then. */
   serverTick: number;
@@ -53,7 +53,7 @@ export function createPicture(): Picture {
       state: -1,
       since: 0,
       contactUntil: Number.NEGATIVE_INFINITY,
-      withdrawn: 0,
+      withdrawn: '',
       withdrawnUntil: Number.NEGATIVE_INFINITY,
       serverTick: -1,
       serverWall: Number.NaN,

@@ -1,7 +1,6 @@
 import {
   CONTACT,
   CRASHED,
-  EVENT_NAMES,
   FLYING,
   IMPACT_SPEED,
   POSITION,
@@ -43,8 +42,6 @@ export interface Instant {
 const CONTACT_DWELL = 0.3;
 /** m/s: a slower rebound is no bounce. */
 const HOP = 0.3;
-/** How long a withdrawn prediction is shown, s. */
-export const WITHDRAWN_SHOWN = 2;
 /** Consecutive sends without a ship after which its state is stale. */
 const STALE_SENDS = 2;
 
@@ -65,7 +62,7 @@ export function fillStatus(out: ShipView, track: Track, rows: Float64Array, from
   out.provenance = provenanceOf(out, track, crashes, at);
   const age = at.present - (out.provenance === 'predicted' ? status.since : status.serverWall);
   out.age = age > 0 ? age : 0;
-  out.withdrawn = at.now < status.withdrawnUntil ? WITHDRAWN[status.withdrawn]! : '';
+  out.withdrawn = at.now < status.withdrawnUntil ? status.withdrawn : '';
 }
 
 /**
@@ -91,8 +88,6 @@ export function fillServerState(out: ShipView, track: Track, at: Instant): boole
   take(out.serverAttitude, track.serverRow, ATTITUDE);
   return true;
 }
-
-const WITHDRAWN = EVENT_NAMES.map((name) => name.slice('ship.'.length) as ShipView['withdrawn']);
 
 /** CONTACT dwells only in the shown state, never in the simulated one. A crash is final once the server confirms it. */
 function shownState(track: Track, state: number, crashes: boolean, at: Instant): ShipView['shownState'] {

@@ -10,8 +10,8 @@ import { copyRow, type RowStep, type Track } from './track';
 
 /** The frame loop: every ship in step, substep by substep, up to the present. */
 
-/** Steps every ship in step to `target`, which is not before the front. Calls `boundary` at each tick boundary passed. */
-export function stepFront(sim: Simulation, target: Position, boundary: (tick: number) => void): void {
+/** Steps every ship in step to `target`, which is not before the front. */
+export function stepFront(sim: Simulation, target: Position): void {
   const { front, fleet } = sim;
   const step = sim.steps.front;
   placeStep(step, sim, front.tick, front.substep);
@@ -26,7 +26,7 @@ export function stepFront(sim: Simulation, target: Position, boundary: (tick: nu
     front.substep = step.substep;
     if (!isBoundary) continue;
     keepBoundary(sim);
-    boundary(front.tick);
+    sim.features.checkRollback?.(sim, front.tick);
   }
 }
 

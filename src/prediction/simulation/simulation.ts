@@ -11,9 +11,9 @@ import type { GroundNews } from '../ground/lastState';
 import type * as unknownGround from '../ground/unknownGround';
 import { createInputs, type InputOutcome, type Inputs, type ScheduledInput } from '../inputs/inputs';
 import type * as bodySpin from '../snapshots/bodies/bodySpin';
-import { type BodySpin, createBodySpin } from '../snapshots/bodies/bodySpin';
+import type { BodySpin } from '../snapshots/bodies/bodySpin';
 import { type BodyTrack, createBodyTrack } from '../snapshots/bodies/bodyTrack';
-import type { measureGameTime } from '../snapshots/gameTimeMeter';
+import type { gameTimeScale } from '../snapshots/gameTimeMeter';
 import type { Receiver } from '../snapshots/receiver';
 import type { describeDifference, Place } from '../snapshots/reconcile/compare';
 import type { holdLaw, Judged } from '../snapshots/reconcile/lawErrors';
@@ -98,13 +98,14 @@ export interface Features {
   };
   /** Both values of a field that differed. */
   readonly describeDifference?: typeof describeDifference;
-  readonly measureGameTime?: typeof measureGameTime;
+  readonly gameTimeScale?: typeof gameTimeScale;
   /** Ticks of a server that does not send its rate. */
   readonly tickRates?: {
     readonly measureUnsentRate: TimeFrame<PartialFrame>;
     readonly sentUntimed: TimeFrame<ServerFrame>;
   };
   readonly spin?: {
+    readonly createBodySpin: typeof bodySpin.createBodySpin;
     readonly spunMotion: typeof bodySpin.spunMotion;
     readonly measureByShip: typeof bodySpin.measureByShip;
   };
@@ -117,7 +118,8 @@ export interface Features {
   ) => void;
   /** By the name in the hello; flat ground alone without. */
   readonly terrains?: Readonly<Record<string, TerrainHeight>>;
-  readonly checkRollback?: (sim: Simulation, tick: number, ticks: number) => void;
+  /** The test mode, at each tick boundary that the front passes. */
+  readonly checkRollback?: (sim: Simulation, tick: number) => void;
 }
 
 /**
@@ -159,7 +161,7 @@ export interface Simulation {
   readonly counters: Diagnosis;
   /** Reports mistakes of the caller or the server; nothing stops. */
   readonly warn: Warn;
-  /** Landed ships that agree with the server sleep; null while rollbacks are forced, which compare bits. */
+  /** Landed ships that agree with the server sleep; null without the feature, as while rollbacks are forced. */
   readonly sleep: Sleep | null;
 }
 
@@ -192,7 +194,6 @@ export interface SimulationOptions {
   readonly features: Features;
   readonly counters: Diagnosis;
   readonly warn: Warn;
-  readonly sleep: Sleep | null;
   /** Scheduled inputs of the own ship. */
   readonly plan: readonly ScheduledInput[];
 }
@@ -201,7 +202,7 @@ export interface SimulationOptions {
 export function createSimulation(
   world: World,
   bodies: readonly BodyMotion[],
-  { features, counters, warn, sleep, plan }: SimulationOptions,
+  { features, counters, warn, plan }: SimulationOptions,
 ): Simulation {
   const start = new Float64Array(bodies.length * BODY_STRIDE);
   for (const [i, motion] of bodies.entries()) writeBodyMotion(start, i * BODY_STRIDE, motion);
@@ -211,7 +212,7 @@ export function createSimulation(
     timeline: createTimeline(world.settings.contactLongestSubstep),
     bodies: createBodyTrack(start, ringLength(1), 100),
     bodiesKnown: true,
-    spins: world.bodies.map(createBodySpin),
+    spins: features.spin ? world.bodies.map(features.spin.createBodySpin) : [],
     fleet: createFleet(),
     steps: { front: createRowStep(), replay: createRowStep() },
     inputs: createInputs(plan),
@@ -227,6 +228,6 @@ export function createSimulation(
     features,
     counters,
     warn,
-    sleep,
+    sleep: features.sleep ?? null,
   };
 }

@@ -61,7 +61,7 @@ export function tempoOf(
   const tickRate =
     frame.tickRate ?? sentTempo.tickRate ?? unsent ?? held ?? assumed(sim, receiver, 'tickRate');
   const sent = frame.timeScale ?? sentTempo.timeScale;
-  const measured = features.measureGameTime?.(receiver.gameTime, { ...frame, tickRate }, sent) ?? null;
+  const measured = features.gameTimeScale?.(receiver, { ...frame, tickRate }, sent) ?? null;
   // Of ticks of unknown length no scale can be measured.
   const known = (isTimed(receiver) ? measured : null) ?? sent;
   return { tickRate, timeScale: known ?? assumed(sim, receiver, 'timeScale') };

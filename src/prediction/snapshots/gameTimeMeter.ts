@@ -43,6 +43,16 @@ type Measured = Pick<PartialFrame, 'tick' | 'gameTime' | 'ships'> & {
   readonly bodies: readonly BodyState[];
 };
 
+/** Measures a received frame; the first one begins the measurement. */
+export function gameTimeScale(
+  receiver: { gameTime: GameTimeMeter | null },
+  frame: Measured,
+  sent: number | null,
+): number | null {
+  receiver.gameTime ??= createGameTimeMeter();
+  return measureGameTime(receiver.gameTime, frame, sent);
+}
+
 /**
  * Measures a frame.
  * @param sent the frame's own time scale, or null

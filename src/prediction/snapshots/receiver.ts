@@ -2,7 +2,7 @@ import type { BodyState, ServerFrame } from '../../wire';
 import type { Policy } from '../simulation/track';
 import type { Clock } from '../time/clock';
 import type { TickRateMeter } from '../time/tickRateMeter';
-import { createGameTimeMeter, type GameTimeMeter } from './gameTimeMeter';
+import type { GameTimeMeter } from './gameTimeMeter';
 import { createSnapshotContext, type SnapshotContext } from './snapshotContext';
 
 /** State by which one connection's frames are classified. */
@@ -34,7 +34,8 @@ export interface Receiver {
   eventsTick: number;
   /** New ships of the newest frame that are still to be taken, and its arrival, client wall s. */
   rest: { readonly frame: ServerFrame; readonly now: number } | null;
-  readonly gameTime: GameTimeMeter;
+  /** Null until a frame has been measured. */
+  gameTime: GameTimeMeter | null;
   /** What the frames sent last, valid until another is sent; null if none has been. */
   readonly sentTempo: { tickRate: number | null; timeScale: number | null };
   /** Assumed while nothing is sent or measured: 1 Hz and 1, or the hello's. */
@@ -60,7 +61,7 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     removed: new Map(),
     startsBodies: true,
     lastBodies: { tick: -1, bodies: [] },
-    gameTime: createGameTimeMeter(),
+    gameTime: null,
     sentTempo: { tickRate: null, timeScale: null },
     defaultTempo: { tickRate: 1, timeScale: 1 },
     tickRate: null,
@@ -89,7 +90,7 @@ export function forgetPast(receiver: Receiver): void {
   receiver.startsBodies = true;
   receiver.lastBodies.bodies = [];
   receiver.lastBodies.tick = -1;
-  Object.assign(receiver.gameTime, createGameTimeMeter());
+  receiver.gameTime = null;
   receiver.sentTempo.tickRate = null;
   receiver.sentTempo.timeScale = null;
   receiver.tickRate = null;

@@ -1,7 +1,6 @@
-import { EVENT_DESTROYED, EVENT_NAMES } from '../../dynamics';
+import { EVENT_DESTROYED } from '../../dynamics';
 import type { ServerFrame } from '../../wire';
-import { WITHDRAWN_SHOWN } from '../drawn/status';
-import type { EventNotice } from '../drawn/view';
+import type { EventNotice, ShipView } from '../drawn/view';
 import {
   confirm,
   confirmByState,
@@ -15,6 +14,9 @@ import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import type { Position } from '../time/timeline';
 import type { Receiver } from './receiver';
+
+/** How long a withdrawn prediction is shown, s. */
+const WITHDRAWN_SHOWN = 2;
 
 /** Handles an event that the dynamics reported in the substep that begins at `at`, in simulation pass `pass` of this ship. */
 export function recordPredicted(
@@ -87,7 +89,7 @@ function notifyAll(sim: Simulation, { picture }: Track, now: number, next: () =>
   for (let notice = next(); notice !== null; notice = next()) {
     sim.notices.push(notice);
     if (notice.kind !== 'retracted') continue;
-    picture.status.withdrawn = EVENT_NAMES.indexOf(notice.type);
+    picture.status.withdrawn = notice.type.slice('ship.'.length) as ShipView['withdrawn'];
     picture.status.withdrawnUntil = now + WITHDRAWN_SHOWN;
   }
 }

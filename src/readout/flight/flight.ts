@@ -30,6 +30,7 @@ export interface FlightReadout {
   leanY: number;
   /** Momentum of the reaction wheels as a share of their capacity, −1 … 1 about x, y, z; NaN where the class has no limit. */
   readonly wheels: Float64Array;
+  /** Kept from view to view; not shown. @internal */
   readonly memory: Surface;
 }
 

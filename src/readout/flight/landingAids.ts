@@ -35,6 +35,7 @@ export interface LandingAids {
   corridor: 'slow' | 'good' | 'fast' | 'none';
   /** What the throttle should do, from the corridor a moment ahead: a pilot acts late, and would overshoot the one of now. */
   advice: 'more' | 'hold' | 'less' | 'none';
+  /** Kept from view to view; not shown. @internal */
   readonly memory: AidsMemory;
 }
 

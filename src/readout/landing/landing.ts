@@ -35,7 +35,7 @@ export interface LandingReadout {
   readonly touchdown: Touchdown;
   /** Whether the card belongs to the status shown. */
   touchdownShown: boolean;
-  /** Kept from view to view; not shown. */
+  /** Kept from view to view; not shown. @internal */
   readonly memory: LandingMemory;
 }
 

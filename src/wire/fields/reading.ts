@@ -105,8 +105,12 @@ export function numberIn(r: Reading, from: Fields, name: string, bound: Bound, a
     return NaN;
   }
   if (value >= bound.low && value <= bound.high) return value;
-  refuse(r, name, `expected ${bound.low} to ${bound.high} ${bound.unit}`.trimEnd() + `, got ${value}`);
+  refuse(r, name, `expected ${bound.low} to ${bound.high}${inUnit(bound)}, got ${value}`);
   return NaN;
+}
+
+function inUnit({ unit }: Bound): string {
+  return unit === '' ? '' : ` ${unit}`;
 }
 
 /** A whole number from `low` to `high`, at most 2⁵³ − 1; 0 when it is not sent. Converts 64-bit integers of the codec. */

@@ -143,11 +143,11 @@ function replayOfHundred(): Figure {
   const loaded = value(loadScenario(LONG_SLIDE));
   const told = { settings: {}, shipClasses: [loaded.shipClass], bodies: [loaded.body], terrain: 'flat' };
   const world = value(loadConfig(told, { terrains: { flat: loaded.terrainHeight }, features: {} }));
+  const { sleep: _, ...awake } = ALL_FEATURES;
   const sim = createSimulation(world, [loaded.body], {
-    features: ALL_FEATURES,
+    features: awake,
     counters: createDiagnosis(),
     warn: () => undefined,
-    sleep: null,
     plan: [],
   });
   setTempo(sim.timeline, 0, { tickRate: 1, timeScale: 1, paused: false }, null);

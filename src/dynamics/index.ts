@@ -21,6 +21,7 @@ export {
   turnBodies,
   settleBodies,
   moveBodies,
+  setBodyMotion,
   writeBodyMotion,
 } from './constants/body';
 /** The game's ship classes and bodies. */

@@ -1,5 +1,5 @@
 /** What only some clients need of a predictor: a page loads the features that it hands to createLeanPredictor. */
-import { faultOfConstants, TERRAIN_NORMALS, TERRAINS } from '../dynamics';
+import { faultOfConstants, TERRAIN_NORMALS, TERRAINS, writeBodyMotion } from '../dynamics';
 import { groundGhost } from './drawn/ghost';
 import { rowOfPolicy } from './drawn/interpolate';
 import { snapToLevel } from './drawn/snap/levelSnap';
@@ -29,10 +29,12 @@ import { holdLaw } from './snapshots/reconcile/lawErrors';
 import { chooseMotion } from './snapshots/reconcile/lawFit';
 import { replayImpact } from './snapshots/reconcile/recall';
 import { confirmEnd, confirmEvents, recordPredicted, settleEvents } from './snapshots/settleEvents';
+import { isPlaced, recordsOf, tickFault } from './snapshots/checkedRecords';
 import { shipFault } from './snapshots/shipFault';
 import { receiveHello } from './snapshots/receiveHello';
 import { receiveRest, takeOlder, takePart, takeShips } from './snapshots/takeParts';
 import { receivePong } from './snapshots/receivePong';
+import { loadUntrusted } from './snapshots/worldConfig';
 import { measureUnsentRate, sentUntimed } from './snapshots/unsentTickRate';
 import { keepPace } from './time/pace';
 import { pingIfDue } from './time/pings';
@@ -73,6 +75,7 @@ const spin = { createBodySpin, spunMotion, measureByShip };
 const events = { recordPredicted, confirmEvents, settleEvents, confirmEnd };
 const acknowledgements = { acknowledgementOf, applyAcknowledgement };
 const tickRates = { measureUnsentRate, sentUntimed };
+const records = { tickFault, recordsOf, isPlaced, shipFault, loadUntrusted, writeBodyMotion };
 const parts = { takeShips, takeOlder, takePart, receiveRest };
 
 /** The game's ship classes and bodies, for a page whose `defaults` have none of their own. */
@@ -124,8 +127,8 @@ export const completedBodies: Feature = feature('completedBodies', { completeBod
 /** Takes snapshots in several messages or out of order, and new ships by the thousand without blocking. */
 export const snapshotParts: Feature = feature('snapshotParts', { parts });
 
-/** Checks each ship's record, for a caller that makes records itself instead of decoding them. */
-export const checkedRecords: Feature = feature('checkedRecords', { shipFault });
+/** Checks each frame's records, for a caller that makes them itself instead of decoding them. */
+export const checkedRecords: Feature = feature('checkedRecords', { records });
 
 /** Both values of a field that differed, in `lastMismatch` of the diagnosis. */
 export const mismatchValues: Feature = feature('mismatchValues', { describeDifference });
@@ -163,7 +166,7 @@ export const ALL_FEATURES: SessionFeatures = Object.freeze({
   acknowledgements,
   completeBodies,
   parts,
-  shipFault,
+  records,
   describeDifference,
   gameTimeScale,
   tickRates,

@@ -59,19 +59,23 @@ function read(path) {
   return { path, code, names, texts: texts.filter(isWord) };
 }
 
-/** a … z, aa … */
-function* letters() {
-  for (let i = 0; ; i++) {
-    const tail = String.fromCharCode(97 + (i % 26));
-    yield i < 26 ? tail : String.fromCharCode(96 + Math.floor(i / 26)) + tail;
-  }
+/** The letters in the order in which minifiers give them to variables: what these already repeat costs least in a compressed bundle. */
+const ALPHABET = 'tneosiraculfdpgybmhvwkxjqz';
+
+/** One letter, then two: those of common letters first. */
+function* names() {
+  for (const a of ALPHABET) yield a;
+  const letters = [...ALPHABET];
+  const pairs = letters.flatMap((a, i) => letters.map((b, j) => ({ name: a + b, rank: (i + 1) * (j + 1) })));
+  for (const { name } of pairs.sort((p, q) => p.rank - q.rank)) yield name;
+  throw new Error('more names than two letters can tell apart');
 }
 
 /** A short name for each name that may change, the most used first. */
 function shortNames(files, kept) {
   const counts = new Map();
   for (const { name } of files.flatMap(({ names }) => names)) counts.set(name, (counts.get(name) ?? 0) + 1);
-  const free = letters();
+  const free = names();
   const next = () => {
     let name = free.next().value;
     while (kept.has(name) || counts.has(name)) name = free.next().value;

@@ -1,5 +1,5 @@
 // Shortens the texts of the production build: a warning's message is its code, and a refusal says `field: got value`.
-// ERRORS.md has the sentences by code, and the development build says in full what was expected.
+// ERRORS.md has the sentences by code, and the development build says in full what was expected. Warnings of a caller's mistakes are left out.
 import { parseAst } from 'vite';
 
 /** Calls `visit` with each node below `node`. */
@@ -12,6 +12,16 @@ function walk(node, visit) {
 const isText = (node) =>
   node?.type === 'TemplateLiteral' || (node?.type === 'Literal' && typeof node.value === 'string');
 
+/** Codes of mistakes that a caller makes with the first call, not with data: found in development. */
+const OF_DEVELOPMENT = new Set([
+  'message-kind',
+  'tempo-missing',
+  'listener-not-function',
+  'ship-id',
+  'removal-unknown',
+  'disposed',
+]);
+
 const nameOf = ({ callee }) => (callee.type === 'MemberExpression' ? callee.property : callee).name;
 
 /** `warn(code, message, details)` with the code as its message; null for any other call. */
@@ -20,6 +30,15 @@ function shortWarning(node, code) {
   const [first, message] = node.arguments;
   if (!isText(first) || !isText(message)) return null;
   return [message.start, message.end, code.slice(first.start, first.end)];
+}
+
+/** `[start, end, text]` to leave out a warning of development, with the condition that it alone has; null for any other statement. */
+function withoutWarning({ type, start, end, expression, consequent, alternate }) {
+  if (type === 'IfStatement' && !alternate && consequent.type === 'ExpressionStatement')
+    return withoutWarning({ ...consequent, start, end });
+  if (type !== 'ExpressionStatement' || expression.type !== 'CallExpression') return null;
+  const isLeftOut = nameOf(expression) === 'warn' && OF_DEVELOPMENT.has(expression.arguments[0].value);
+  return isLeftOut ? [start, end, ';'] : null;
 }
 
 /** `[start, end, text]` to leave out what a text says was expected; null if it does not say so. */
@@ -49,10 +68,13 @@ function withoutUnit({ type, properties }) {
 export function shortenTexts(code) {
   const changes = [];
   walk(parseAst(code), (node) =>
-    changes.push(shortWarning(node, code) ?? shortReason(node, code) ?? withoutUnit(node)),
+    changes.push(
+      withoutWarning(node) ?? shortWarning(node, code) ?? shortReason(node, code) ?? withoutUnit(node),
+    ),
   );
   const found = changes.filter((change) => change !== null);
-  const isInside = ([start, end], other) => start > other[0] && end <= other[1];
+  const isInside = ([start, end], other) =>
+    start >= other[0] && end <= other[1] && end - start < other[1] - other[0];
   return found
     .filter((change) => !found.some((other) => isInside(change, other)))
     .sort(([a], [b]) => b - a)

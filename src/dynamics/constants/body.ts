@@ -65,12 +65,17 @@ export function writeBodyMotion(rows: Float64Array, at: number, motion: BodyMoti
     notUnit('attitude', motion.attitude) ??
     anyOutside('angularVelocity', motion.angularVelocity, SPIN);
   if (reason !== null) return reason;
+  setBodyMotion(rows, at, motion);
+  return null;
+}
+
+/** The same for a motion that has been checked. */
+export function setBodyMotion(rows: Float64Array, at: number, motion: BodyMotion): void {
   rows.set(motion.position, at + BODY_POSITION);
   rows.set(motion.velocity, at + BODY_VELOCITY);
   rows.set(motion.attitude, at + BODY_ATTITUDE);
   rows.set(motion.angularVelocity, at + BODY_ANGULAR_VELOCITY);
   rows.set(motion.attitude, at + BODY_END_ATTITUDE);
-  return null;
 }
 
 export function readBodyMotion(rows: Float64Array, at: number): BodyMotion {

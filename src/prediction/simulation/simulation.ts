@@ -3,7 +3,8 @@ import {
   type BodyMotion,
   type TerrainHeight,
   type World,
-  writeBodyMotion,
+  setBodyMotion,
+  type writeBodyMotion,
 } from '../../dynamics';
 import type { InputAcknowledgement, PartialFrame, ServerFrame, StateControls } from '../../wire';
 import type { Diagnosis, EventNotice } from '../drawn/view';
@@ -13,11 +14,13 @@ import { createInputs, type InputOutcome, type Inputs, type ScheduledInput } fro
 import type * as bodySpin from '../snapshots/bodies/bodySpin';
 import type { BodySpin } from '../snapshots/bodies/bodySpin';
 import { type BodyTrack, createBodyTrack } from '../snapshots/bodies/bodyTrack';
+import type * as checkedRecords from '../snapshots/checkedRecords';
 import type { gameTimeScale } from '../snapshots/gameTimeMeter';
 import type { Receiver } from '../snapshots/receiver';
 import type { describeDifference, Place } from '../snapshots/reconcile/compare';
 import type { holdLaw, Judged } from '../snapshots/reconcile/lawErrors';
 import type { Lesson } from '../snapshots/snapshotContext';
+import type { loadUntrusted } from '../snapshots/worldConfig';
 import { type Cadence, createCadence } from '../time/cadence';
 import { createTimeline, type Position, type Timeline } from '../time/timeline';
 import type * as touchdownLog from '../touchdown/touchdownLog';
@@ -79,7 +82,14 @@ export interface Features {
     frame: ServerFrame,
   ) => readonly BodyMotion[] | null;
   /** Checks records that no decoder of this library made. */
-  readonly shipFault?: (given: unknown) => string | null;
+  readonly records?: {
+    readonly tickFault: typeof checkedRecords.tickFault;
+    readonly recordsOf: typeof checkedRecords.recordsOf;
+    readonly isPlaced: typeof checkedRecords.isPlaced;
+    readonly shipFault: (given: unknown) => string | null;
+    readonly loadUntrusted: typeof loadUntrusted;
+    readonly writeBodyMotion: typeof writeBodyMotion;
+  };
   /** Snapshots in parts. */
   readonly parts?: {
     readonly takeShips: TakeFrame;
@@ -205,7 +215,8 @@ export function createSimulation(
   { features, counters, warn, plan }: SimulationOptions,
 ): Simulation {
   const start = new Float64Array(bodies.length * BODY_STRIDE);
-  for (const [i, motion] of bodies.entries()) writeBodyMotion(start, i * BODY_STRIDE, motion);
+  const write = features.records?.writeBodyMotion ?? setBodyMotion;
+  for (const [i, motion] of bodies.entries()) write(start, i * BODY_STRIDE, motion);
   return {
     world,
     groundless: features.unknownGround?.withoutGround(world) ?? world,

@@ -2,7 +2,7 @@ import type { Hello, PartialFrame, Pong, ServerFrame, ServerMessage } from '../.
 import { beginWorld, type Session } from '../session';
 import { completeFrame, tempoOf } from './completeFrame';
 import { receiveSnapshot, refuse } from './receiveSnapshot';
-import { loadUntrusted } from './worldConfig';
+import { loadConfig } from './worldConfig';
 
 /**
  * Receives a message of the server at client wall second `now`. Never throws: an invalid message is refused with a reason, and the last
@@ -43,7 +43,8 @@ function takeFrame(session: Session, given: PartialFrame, now: number): void {
 /** Without a hello the bodies of the frames replace the defaults. */
 function beginWithBodies(session: Session, given: PartialFrame, frame: ServerFrame, now: number): void {
   const config = { ...session.config, bodies: frame.bodies };
-  const loaded = loadUntrusted(config, session);
+  const load = session.features.records?.loadUntrusted ?? loadConfig;
+  const loaded = load(config, session);
   if (loaded.ok) {
     session.config = config;
     beginWorld(session, loaded.value, config.bodies);

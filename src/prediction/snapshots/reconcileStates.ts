@@ -33,7 +33,7 @@ function reconcileAll(sim: Simulation, receiver: Receiver, { ships }: ServerFram
 /** Takes one ship's state in the frame of the receiver's context. */
 export function reconcileShip(sim: Simulation, receiver: Receiver, state: ShipState): void {
   const { context } = receiver;
-  const fault = sim.features.shipFault?.(state) ?? null;
+  const fault = sim.features.records?.shipFault(state) ?? null;
   if (fault !== null) {
     refuseShip(sim, state, fault);
     return;

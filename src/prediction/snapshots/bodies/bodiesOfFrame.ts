@@ -5,7 +5,6 @@ import { spanOf } from '../../time/timeline';
 import { boundaryAt, startBodiesAt, updateBodies } from './bodyTrack';
 import { isExact } from '../reconcile/adopt';
 import type { Receiver } from '../receiver';
-import { areNumbers } from '../shipFault';
 import type { BodiesOfFrame } from '../snapshotContext';
 import { sameBodies } from '../worldConfig';
 
@@ -33,7 +32,12 @@ export function writeBodiesOfFrame(
   }
   // The predicted bodies at this tick, for the comparison.
   if (tick - lastTick <= MAX_CARRIED && lastTick >= 0) boundaryAt(sim.bodies, sim.timeline, tick);
-  const error = updateBodies(sim.bodies, tick, spun(sim, tick, motions));
+  const error = updateBodies(
+    sim.bodies,
+    tick,
+    spun(sim, tick, motions),
+    sim.features.records?.writeBodyMotion,
+  );
   if (error.attitude > 0 || error.spin > 0) {
     sim.counters.correctionsBody += 1;
     sim.counters.errorBodyAttitude = error.attitude;
@@ -47,8 +51,9 @@ export function writeBodiesOfFrame(
 /** Whether the frame says where the bodies are, if that was unknown. */
 function noteKnown(sim: Simulation, { tick, bodies, ships }: ServerFrame): void {
   if (sim.bodiesKnown) return;
+  const isPlaced = sim.features.records?.isPlaced ?? (() => true);
   const isSent = ({ name }: { readonly name: string }) =>
-    bodies.some((body) => body.name === name && areNumbers(body.position, 3));
+    bodies.some((body) => body.name === name && isPlaced(body));
   sim.bodiesKnown = sim.world.bodies.every(isSent);
   if (!sim.bodiesKnown && !ships.every(isExact))
     sim.warn('bodies-unknown', 'Bodies are not sent, nor the time that passed: no ship is confirmed.', {

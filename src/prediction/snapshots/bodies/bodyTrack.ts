@@ -8,7 +8,8 @@ import {
   moveBodies,
   settleBodies,
   turnBodies,
-  writeBodyMotion,
+  setBodyMotion,
+  type writeBodyMotion,
 } from '../../../dynamics';
 import { spanOf, type Timeline } from '../../time/timeline';
 
@@ -177,16 +178,22 @@ export interface BodyError {
 /**
  * Takes the server's bodies at `tick`. The prediction stays in `replaced`; later boundaries are computed again.
  * @param sent one motion for each body, in the world's order
+ * @param write writes one; the checked one leaves a body that cannot be as it was
  * @returns the error of the predicted ones: 0 if they agreed to the bit, or nothing was predicted
  */
-export function updateBodies(track: BodyTrack, tick: number, sent: readonly BodyMotion[]): BodyError {
+export function updateBodies(
+  track: BodyTrack,
+  tick: number,
+  sent: readonly BodyMotion[],
+  write: typeof writeBodyMotion | typeof setBodyMotion = setBodyMotion,
+): BodyError {
   const known = knowsBoundary(track, tick);
   const boundary = track.boundaries[tick % track.length]!;
   if (known) {
     track.replaced.set(boundary);
     if (sent.every((motion, i) => agrees(boundary, i * BODY_STRIDE, motion))) return NO_ERROR;
   }
-  for (let i = 0; i < sent.length; i++) writeBodyMotion(boundary, i * BODY_STRIDE, sent[i]!);
+  for (let i = 0; i < sent.length; i++) write(boundary, i * BODY_STRIDE, sent[i]!);
   if (!known) track.replaced.set(boundary);
   track.ticks[tick % track.length] = tick;
   forgetAfter(track, tick);

@@ -4,9 +4,8 @@ import { checkFeatures } from './checks/features';
 import { requireLeanOptions } from './checks/options';
 import type { Feature } from './features';
 import type { PredictorOptions } from './options';
-import { createSession, type Session, type SessionFeatures } from './session';
+import { createSession, type SessionFeatures } from './session';
 import { receiveMessage } from './snapshots/receiveMessage';
-import { refuse } from './snapshots/receiveSnapshot';
 
 /** Options of a lean predictor: those of createPredictor without the test mode, and the features that the page loads. */
 export interface LeanOptions extends Omit<PredictorOptions, 'forcedRollback'> {
@@ -34,15 +33,7 @@ export function createLeanPredictor(given: LeanOptions = {}): LeanPredictor {
   const { features = [], ...options } = given;
   const session = createSession(
     options,
-    Object.freeze(Object.assign({}, PLAIN, ...features) as SessionFeatures),
+    Object.freeze(Object.assign({ checkFeatures }, ...features) as SessionFeatures),
   );
   return commonCalls(session, { take: (message, at) => receiveMessage(session, message, at) }).calls;
 }
-
-const lacks =
-  (kind: string) =>
-  ({ sim }: Session): void =>
-    refuse(sim, `message.kind: a lean predictor takes a ${kind} only with its feature`);
-
-/** The game's server sends no hello and no pong. */
-const PLAIN: SessionFeatures = { receiveHello: lacks('hello'), receivePong: lacks('pong'), checkFeatures };

@@ -27,8 +27,9 @@ import { createWarn, type Warn } from './warnings';
 
 /** What only some clients need of a predictor, with what the session calls for it. */
 export interface SessionFeatures extends Features, SceneFeatures {
-  readonly receiveHello: (session: Session, hello: Hello, now: number) => void;
-  readonly receivePong: (session: Session, pong: Pong, now: number) => void;
+  /** Takes the hello of a server that sends one. */
+  readonly receiveHello?: (session: Session, hello: Hello, now: number) => void;
+  readonly receivePong?: (session: Session, pong: Pong, now: number) => void;
   readonly catalogue?: Catalogue;
   readonly terrainNormals?: TerrainNormals;
   /** Warns of what a frame has that needs a feature which the predictor does not have. */

@@ -58,6 +58,13 @@ function shortReason(node, code) {
   return got < 0 ? [from, node.end - 1, 'refused'] : [from, got, ''];
 }
 
+/** `[start, end, text]` to shorten `field: no terrain named ${name}`; null for any other text. */
+function shortUnknown({ type, quasis }, code) {
+  const first = type === 'TemplateLiteral' ? quasis[0] : undefined;
+  const found = first && /no \w+ named $/.exec(code.slice(first.start, first.end));
+  return found ? [first.start + found.index, first.end, 'got '] : null;
+}
+
 /** `[start, end, '']` to leave out the unit, the last member of a range, which only such texts say; null for anything else. */
 function withoutUnit({ type, properties }) {
   const [before, last] = type === 'ObjectExpression' ? properties.slice(-2) : [];
@@ -69,7 +76,11 @@ export function shortenTexts(code) {
   const changes = [];
   walk(parseAst(code), (node) =>
     changes.push(
-      withoutWarning(node) ?? shortWarning(node, code) ?? shortReason(node, code) ?? withoutUnit(node),
+      withoutWarning(node) ??
+        shortWarning(node, code) ??
+        shortReason(node, code) ??
+        shortUnknown(node, code) ??
+        withoutUnit(node),
     ),
   );
   const found = changes.filter((change) => change !== null);

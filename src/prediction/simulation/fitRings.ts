@@ -10,7 +10,7 @@ import type { Track } from './track';
 const HISTORY_BYTES = 32 * 2 ** 20;
 /** Rows that every ship keeps, however many there are. */
 const MIN_ROWS = 12;
-const ROW_BYTES = SHIP_STRIDE * Float64Array.BYTES_PER_ELEMENT;
+const ROW_BYTES = SHIP_STRIDE * 8;
 
 /** Rows that each of `ships` ships may keep. `ships` is rounded up to a power of two, so that a growing fleet seldom changes it. */
 function rowsWithin(ships: number, ringOfRate: number): number {

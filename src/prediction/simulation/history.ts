@@ -43,7 +43,7 @@ export function offsetOf(history: History, tick: number): number {
   const held = history.ticks[slot]!;
   if (held !== tick) {
     throw new RangeError(
-      `no state of tick ${tick} is kept: its slot holds ${held < 0 ? 'none' : `tick ${held}`}`,
+      `history: expected tick ${tick} in its slot, got ${held < 0 ? 'none' : `tick ${held}`}`,
     );
   }
   return slot * SHIP_STRIDE;

@@ -1,4 +1,4 @@
-import type { Hello, PartialFrame, Pong, ServerFrame, ServerMessage } from '../../wire';
+import type { PartialFrame, ServerFrame, ServerMessage } from '../../wire';
 import { beginWorld, type Session } from '../session';
 import { completeFrame, tempoOf } from './completeFrame';
 import { receiveSnapshot, refuse } from './receiveSnapshot';
@@ -10,20 +10,10 @@ import { loadConfig } from './worldConfig';
  */
 export function receiveMessage(session: Session, message: ServerMessage | PartialFrame, now: number): void {
   const kind = (message as { kind?: unknown } | null | undefined)?.kind;
-  switch (kind) {
-    case 'hello':
-      session.features.receiveHello(session, message as Hello, now);
-      break;
-    case 'frame':
-      takeFrame(session, message as PartialFrame, now);
-      break;
-    case 'pong':
-      session.features.receivePong(session, message as Pong, now);
-      break;
-    default:
-      refuse(session.sim, `message.kind: expected hello, frame or pong, got ${String(kind)}`);
-      session.warn('message-kind', 'A message is neither hello, frame nor pong: set its kind.', { message });
-  }
+  const { receiveHello, receivePong } = session.features;
+  const take = kind === 'frame' ? takeFrame : kind === 'hello' ? receiveHello : kind === 'pong' && receivePong;
+  if (take) take(session, message as never, now);
+  else refuse(session.sim, `message.kind: expected one that this predictor takes, got ${String(kind)}`);
 }
 
 function takeFrame(session: Session, given: PartialFrame, now: number): void {

@@ -61,7 +61,7 @@ describe('a lean predictor', () => {
     const create = (...features: readonly Feature[]) =>
       createLeanPredictor({ defaults, features: [gameCatalogue, ...features] });
     expect(() => create()).toThrow(
-      /^defaults: settings\.surfaceNormal: terrain needs the feature terrainNormals/,
+      /^defaults: settings\.surfaceNormal: expected radial without the feature terrainNormals/,
     );
     // A slope of one in ten toward X.
     const terrains = { slope: (_name: string, nx: number) => nx * LUNA.radius * 0.1 };

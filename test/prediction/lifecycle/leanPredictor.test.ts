@@ -104,7 +104,7 @@ describe('a lean predictor', () => {
     for (const kind of ['hello', 'pong'] as const) {
       lacking.receive({ kind } as never, 0);
       expect(lacking.view(0).diagnosis.lastRefusal).toBe(
-        `message.kind: a lean predictor takes a ${kind} only with its feature`,
+        `message.kind: expected one that this predictor takes, got ${kind}`,
       );
     }
     expect(lacking.view(0).diagnosis.framesRefused).toBe(2);

@@ -66,7 +66,7 @@ describe('the ring of predicted states', () => {
     expect(has(history, 101)).toBe(true);
     expect(has(history, 100)).toBe(false);
     expect(history.rows[offsetOf(history, 107)]).toBe(107);
-    expect(() => offsetOf(history, 90)).toThrow('no state of tick 90 is kept: its slot holds tick 102');
+    expect(() => offsetOf(history, 90)).toThrow('history: expected tick 90 in its slot, got tick 102');
     expect(() => offsetOf(createHistory(12), 3)).toThrow('its slot holds none');
   });
 

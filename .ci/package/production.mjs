@@ -7,7 +7,12 @@ import { join } from 'node:path';
 const CHECKS = {
   'prediction/checks/checks.ts': ['createChecks'],
   'prediction/checks/features.ts': ['checkFeatures'],
-  'prediction/checks/options.ts': ['requireOptions', 'requireLeanOptions', 'checkDefaults', 'faultOfDefaults'],
+  'prediction/checks/options.ts': [
+    'requireOptions',
+    'requireLeanOptions',
+    'checkDefaults',
+    'faultOfDefaults',
+  ],
   // What to do with a value that is no message; the message is refused all the same, by the field that it lacks.
   'wire/fields/sentObject.ts': ['notPlain', 'wrapped'],
 };

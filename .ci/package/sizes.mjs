@@ -27,13 +27,13 @@ const FEATURES = [
 export const USES = [
   {
     name: 'lean predictor, JSON, readouts',
-    most: 38,
+    most: 36,
     code: LEAN,
     without: [...FEATURES, 'createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },
   {
     name: 'predictor, JSON, readouts',
-    most: 63,
+    most: 62,
     code: WHOLE,
     without: ['createElement', 'discardUnknown', 'WebGL', 'now-in-milliseconds'],
   },

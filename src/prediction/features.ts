@@ -1,6 +1,7 @@
 /** What only some clients need of a predictor: a page loads the features that it hands to createLeanPredictor. */
 import { faultOfConstants, TERRAIN_NORMALS, TERRAINS, writeBodyMotion } from '../dynamics';
 import { groundGhost } from './drawn/ghost';
+import { slopeBelow } from './drawn/slopeBelow';
 import { rowOfPolicy } from './drawn/interpolate';
 import { snapToLevel } from './drawn/snap/levelSnap';
 import { learnGround } from './ground/learn';
@@ -8,6 +9,7 @@ import { knowsGround, withoutGround } from './ground/unknownGround';
 import { GAME_CATALOGUE } from './options';
 import { announce, type SessionFeatures } from './session';
 import { carry } from './simulation/carry';
+import { rowsWithin } from './simulation/rowsWithin';
 import {
   holdSleeping,
   placeAsleep,
@@ -82,7 +84,10 @@ const parts = { takeShips, takeOlder, takePart, receiveRest };
 export const gameCatalogue: Feature = feature('gameCatalogue', { catalogue: GAME_CATALOGUE });
 
 /** The ground's own normals, for a server whose setting `surfaceNormal` is 'terrain' (DYNAMICS, "The ground's own normal"). */
-export const terrainNormals: Feature = feature('terrainNormals', { terrainNormals: TERRAIN_NORMALS });
+export const terrainNormals: Feature = feature('terrainNormals', {
+  terrainNormals: TERRAIN_NORMALS,
+  slopeBelow,
+});
 
 /** Learns where the server's ground differs from the client's (PREDICTION, Learned ground). */
 export const learnedGround: Feature = feature('learnedGround', { learning, learnGround });
@@ -101,10 +106,10 @@ export const unloadedGround: Feature = feature('unloadedGround', { learning, unk
 export const sleepingShips: Feature = feature('sleepingShips', { sleep });
 
 /**
- * Keeps frames short with many ships: within `maxSubstepsPerFrame` distant ones are not predicted (PREDICTION, Timeline), and beyond 32 the
- * ground below a ship is drawn as level.
+ * Keeps frames short with many ships, and their memory bounded: within `maxSubstepsPerFrame` distant ones are not predicted (PREDICTION,
+ * Timeline), beyond 32 the ground below a ship is drawn as level, and the predicted states of all others than the own take 32 MB at most.
  */
-export const frameBudget: Feature = feature('frameBudget', { keepPace, snapToLevel });
+export const frameBudget: Feature = feature('frameBudget', { keepPace, snapToLevel, rowsWithin });
 
 /** The impact speed of a contact that the prediction does not have, from a server that does not send it. */
 export const replayedImpacts: Feature = feature('replayedImpacts', { replayImpact });
@@ -148,17 +153,17 @@ export const serverHello: Feature = feature('serverHello', { receiveHello, fault
 /** Pings a server that answers with a pong: the clock then knows the round trip (PREDICTION, Clock). */
 export const roundTripPings: Feature = feature('roundTripPings', { receivePong, pingIfDue });
 
-/** What createPredictor has. */
-export const ALL_FEATURES: SessionFeatures = Object.freeze({
+/** What createPredictor has while rollbacks are forced. */
+export const AWAKE_FEATURES: SessionFeatures = Object.freeze({
   learning,
   learnGround,
   chooseMotion,
   carry,
   unknownGround,
   replayImpact,
-  sleep,
   keepPace,
   snapToLevel,
+  rowsWithin,
   groundGhost,
   touchdown,
   events,
@@ -178,6 +183,10 @@ export const ALL_FEATURES: SessionFeatures = Object.freeze({
   terrains: TERRAINS,
   catalogue: GAME_CATALOGUE,
   terrainNormals: TERRAIN_NORMALS,
+  slopeBelow,
   keepServerState,
   rowOfPolicy,
 });
+
+/** What createPredictor has. */
+export const ALL_FEATURES: SessionFeatures = Object.freeze({ ...AWAKE_FEATURES, sleep });

@@ -4,7 +4,7 @@ import { wallAt } from './calls/callTime';
 import { commonCalls } from './calls/commonCalls';
 import { isShipId } from './calls/shipCalls';
 import { requireOptions } from './checks/options';
-import { ALL_FEATURES } from './features';
+import { ALL_FEATURES, AWAKE_FEATURES } from './features';
 import { configure } from './lifecycle/configure';
 import { copyOwned, type Owned } from './lifecycle/fork';
 import { changePolicy } from './lifecycle/policy';
@@ -36,9 +36,8 @@ export function createPredictor(options: PredictorOptions = {}): Predictor {
 
 /** The features of the test mode: ships do not sleep, since each goes back by `ticks` ticks at every boundary. */
 function rollingBack(ticks: number): SessionFeatures {
-  const { sleep: _, ...awake } = ALL_FEATURES;
   return Object.freeze({
-    ...awake,
+    ...AWAKE_FEATURES,
     checkRollback: (sim: Simulation, tick: number) => checkRollback(sim, tick, ticks),
   });
 }

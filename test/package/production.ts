@@ -67,7 +67,7 @@ const REFUSED: readonly (readonly [(core: typeof Core) => string, field: string,
   [(core) => reasonOf(core.decodeHelloJson({ settings: { contact_crash_speed: -7 } })), 'crash', '-7'],
   [
     (core) => {
-      const predictor = core.createLeanPredictor({ features: [core.gameCatalogue] });
+      const predictor = core.createLeanPredictor({ features: [core.gameCatalogue, core.checkedRecords] });
       predictor.receive({ kind: 'frame', tick: 1.5, ships: [] }, 0);
       return predictor.view(0).diagnosis.lastRefusal;
     },

@@ -1,5 +1,6 @@
 // Inlines a module's numeric constants: the users' minifiers inline imported constants only, and every constant that
-// stays costs a name, a line and a look-up. Infinities become divisions, which are shorter. The results are the same, bit for bit.
+// stays costs a name, a line and a look-up. Indices are added up: `rows[at + 3 + 1]` becomes `rows[at + 4]`. Infinities become
+// divisions, which are shorter. The results are the same, bit for bit.
 import { parseAst } from 'vite';
 
 const isNumber = (node) =>
@@ -53,9 +54,42 @@ export function inlineNumbers(code) {
     const isShorthand = parent.type === 'Property' && parent.shorthand;
     uses.push([node, isShorthand ? `${node.name}: ${text}` : text]);
   });
-  return uses
+  return withTexts(code, uses);
+}
+
+/** The code with `[node, text]` in place of each node. */
+const withTexts = (code, uses) =>
+  uses
     .sort(([a], [b]) => b.start - a.start)
     .reduce((text, [{ start, end }, use]) => text.slice(0, start) + use + text.slice(end), code);
+
+/** The terms of a sum. */
+const termsOf = (node) =>
+  node.type === 'BinaryExpression' && node.operator === '+'
+    ? [...termsOf(node.left), ...termsOf(node.right)]
+    : [node];
+
+const isWhole = ({ type, value }) => type === 'Literal' && Number.isSafeInteger(value);
+
+/** `[index, text]` for each index with several whole numbers, or with 0. */
+function sumsIn(node, code) {
+  if (node === null || typeof node !== 'object') return [];
+  const inside = (Array.isArray(node) ? node : Object.values(node)).flatMap((value) => sumsIn(value, code));
+  if (node.type !== 'MemberExpression' || !node.computed) return inside;
+  const terms = termsOf(node.property);
+  const numbers = terms.filter(isWhole).map(({ value }) => value);
+  if (terms.length === 1 || !(numbers.length > 1 || numbers[0] === 0)) return inside;
+  const sum = numbers.reduce((a, b) => a + b);
+  const others = terms.filter((term) => !isWhole(term)).map(({ start, end }) => code.slice(start, end));
+  return [
+    ...inside,
+    [node.property, [...others, ...(sum === 0 && others.length > 0 ? [] : [sum])].join(' + ')],
+  ];
+}
+
+/** The code with the whole numbers of each index added up: exact, since indices are whole. No line moves. */
+export function addIndices(code) {
+  return withTexts(code, sumsIn(parseAst(code), code));
 }
 
 /** The vite plugin, for modules of the folder `src` alone. */
@@ -65,4 +99,6 @@ export const numbers = (src) => ({
   transform: (code, id) =>
     // No line moves, so the source map stays valid to the line.
     id.startsWith(src) && id.endsWith('.ts') ? { code: inlineNumbers(code), map: null } : null,
+  // Here the bundler has inlined the constants of other modules too.
+  renderChunk: (code) => ({ code: addIndices(code), map: null }),
 });

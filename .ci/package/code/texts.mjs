@@ -14,7 +14,6 @@ const isText = (node) =>
 
 /** Codes of mistakes that a caller makes with the first call, not with data: found in development. */
 const OF_DEVELOPMENT = new Set([
-  'message-kind',
   'tempo-missing',
   'listener-not-function',
   'ship-id',
@@ -24,10 +23,12 @@ const OF_DEVELOPMENT = new Set([
 
 const nameOf = ({ callee }) => (callee.type === 'MemberExpression' ? callee.property : callee).name;
 
-/** `warn(code, message, details)` with the code as its message; null for any other call. */
+/** `warn(code, message, details)` with the code as its message, `carriesOut()` without the call's name; null for any other call. */
 function shortWarning(node, code) {
-  if (node.type !== 'CallExpression' || nameOf(node) !== 'warn') return null;
+  if (node.type !== 'CallExpression') return null;
   const [first, message] = node.arguments;
+  if (nameOf(node) === 'carriesOut' && isText(first)) return [first.start, first.end, ''];
+  if (nameOf(node) !== 'warn') return null;
   if (!isText(first) || !isText(message)) return null;
   return [message.start, message.end, code.slice(first.start, first.end)];
 }

@@ -36,7 +36,10 @@ export function checkKind(warn: Warn, message: unknown): boolean {
     warn('message-not-decoded', `receive was given ${describe(message)}: ${undecoded}.`, { value: message });
     return false;
   }
-  if (typeof message !== 'object' || message === null) return false;
+  if (typeof message !== 'object' || message === null) {
+    warn('message-kind', `receive was given ${describe(message)}, which has no kind: pass a decoded message.`, { message });
+    return false;
+  }
   const { kind, ok, value } = message as { kind?: unknown; ok?: unknown; value?: unknown };
   if (kind === undefined && typeof ok === 'boolean') {
     warn('message-in-result', 'receive was given a Result: check .ok, then pass .value.', { ok, value });

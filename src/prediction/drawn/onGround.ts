@@ -1,10 +1,10 @@
-import { flatTerrain, HEIGHT, LEG_RADIUS } from '../../dynamics';
+import { HEIGHT, LEG_RADIUS } from '../../dynamics';
 import type { Track } from '../simulation/track';
 import { groundDirection, writeGroundRadius } from './snap/drawnGround';
 import { createGroundedPose, type GroundedPose, snapToGround } from './snap/groundSnap';
 import { hullOfShip, LEGS } from './snap/hull';
 import type { LevelGround } from './snap/levelSnap';
-import { lengthOf, rotate, vector } from './rotation';
+import { lengthOf, rotate } from './rotation';
 import type { Scene } from './scene';
 import type { ShipView } from './view';
 
@@ -39,29 +39,11 @@ const up = groundDirection();
 /** 1/s */
 const OFFSET_RATE = 10;
 
-/** The slope is computed if the ship's feet are closer to the ground than this, m. */
-const SLOPE_HEIGHT = 100;
-
 /** The surface normal below its feet, as the settings define it. */
-function fillGroundNormal(out: ShipView, { world, normal, seen, bodyAttitudes }: Scene): void {
-  const attitude = bodyAttitudes[out.body]!;
-  const feet = lengthOf(seen.position) - out.groundRadius - out.groundContactOffset;
-  const { terrainNormals, settings } = world;
-  if (terrainNormals === null || settings.surfaceNormal !== 'terrain' || feet > SLOPE_HEIGHT) {
-    rotate(out.groundNormal, attitude, normal);
-    return;
-  }
-  const { name, radius } = world.bodies[out.body]!;
-  under.bodyName = name;
-  under.radius = radius;
-  under.legRadius = out.shipClass.constants[LEG_RADIUS]!;
-  under.terrainHeight = world.terrainHeight;
-  terrainNormals.writeGroundNormal(slope, normal, under);
-  rotate(out.groundNormal, attitude, slope);
+function fillGroundNormal(out: ShipView, scene: Scene): void {
+  const normal = scene.features.slopeBelow?.(out, scene) ?? scene.normal;
+  rotate(out.groundNormal, scene.bodyAttitudes[out.body]!, normal);
 }
-
-const slope = vector();
-const under = { bodyName: '', radius: 1, legRadius: 1, terrainHeight: flatTerrain };
 
 /**
  * Puts the mesh on the drawn ground if the ground is near.

@@ -17,6 +17,8 @@ export interface SceneFeatures {
   readonly snapToLevel?: typeof snapToLevel;
   /** Puts the server's state on the drawn ground. */
   readonly groundGhost?: (out: ShipView, track: Track, scene: Scene, exactly: boolean) => void;
+  /** The ground's own normal, where the settings say so. */
+  readonly slopeBelow?: (out: ShipView, scene: Scene) => Float64Array | null;
   /** The row of a ship that the caller chose not to predict. */
   readonly rowOfPolicy?: (sim: Simulation, track: Track, turned: TurnedBodies) => Float64Array;
 }

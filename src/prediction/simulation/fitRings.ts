@@ -4,19 +4,10 @@ import { resized, ringLength } from './history';
 import type { Simulation } from './simulation';
 import type { Track } from './track';
 
-/** Sizes the rings of predicted states so that together they stay within a memory limit. */
+/** Sizes the rings of predicted states: of ten seconds, or fewer if that exceeds the limit of rowsWithin.ts. */
 
-/** Bytes that the histories of all ships but the own one may take. */
-const HISTORY_BYTES = 32 * 2 ** 20;
-/** Rows that every ship keeps, however many there are. */
-const MIN_ROWS = 12;
-const ROW_BYTES = SHIP_STRIDE * 8;
-
-/** Rows that each of `ships` ships may keep. `ships` is rounded up to a power of two, so that a growing fleet seldom changes it. */
-function rowsWithin(ships: number, ringOfRate: number): number {
-  const rounded = 2 ** Math.ceil(Math.log2(Math.max(1, ships)));
-  return Math.max(MIN_ROWS, Math.min(ringOfRate, Math.floor(HISTORY_BYTES / (rounded * ROW_BYTES))));
-}
+/** Bytes of a predicted state. */
+export const ROW_BYTES = SHIP_STRIDE * 8;
 
 /** What determines the length of the rings. */
 export interface RingNeeds {
@@ -32,7 +23,7 @@ export interface RingNeeds {
 export function fitRings(sim: Simulation, { tickRate, substeps, ships }: RingNeeds): void {
   const { tracks } = sim.fleet;
   sim.ringLength = ringLength(tickRate);
-  const most = rowsWithin(ships, Number.POSITIVE_INFINITY);
+  const most = sim.features.rowsWithin?.(ships) ?? Number.POSITIVE_INFINITY;
   const wanted = Math.min(sim.ringLength, most);
   if (wanted > sim.historyRows || sim.historyRows > most) sim.historyRows = wanted;
   for (const track of tracks) fitTrack(sim, track);

@@ -27,6 +27,7 @@ import type * as touchdownLog from '../touchdown/touchdownLog';
 import type * as touchdownRing from '../touchdown/touchdownRing';
 import type { Warn } from '../warnings';
 import { ringLength } from './history';
+import type { rowsWithin } from './rowsWithin';
 import { createFleet, createRowStep, type Fleet, type RowStep, type Track } from './track';
 
 /** Takes something of a frame; received at client wall second `now`. */
@@ -75,6 +76,8 @@ export interface Features {
     readonly settleEvents: TakeFrameAt;
     readonly confirmEnd: (sim: Simulation, track: Track) => void;
   };
+  /** Bounds the memory of many ships' predicted states. */
+  readonly rowsWithin?: typeof rowsWithin;
   /** Bodies that a frame does not have whole. */
   readonly completeBodies?: (
     sim: Simulation,

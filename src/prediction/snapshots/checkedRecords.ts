@@ -3,7 +3,6 @@ import { areNumbers } from './shipFault';
 
 /** Checks of a frame that no decoder of this library made; those of a ship are in shipFault.ts. */
 
-
 /** Highest tick that the wire accepts: sums of two are still exact. */
 const MAX_TICK = 2 ** 52;
 

@@ -11,7 +11,8 @@ import { loadConfig } from './worldConfig';
 export function receiveMessage(session: Session, message: ServerMessage | PartialFrame, now: number): void {
   const kind = (message as { kind?: unknown } | null | undefined)?.kind;
   const { receiveHello, receivePong } = session.features;
-  const take = kind === 'frame' ? takeFrame : kind === 'hello' ? receiveHello : kind === 'pong' && receivePong;
+  const take =
+    kind === 'frame' ? takeFrame : kind === 'hello' ? receiveHello : kind === 'pong' && receivePong;
   if (take) take(session, message as never, now);
   else refuse(session.sim, `message.kind: expected one that this predictor takes, got ${String(kind)}`);
 }

@@ -7,7 +7,7 @@ import { type Figure, spread } from './figure';
 import { createAuthority } from '../../../src/authority';
 import { createPredictor } from '../../../src/prediction';
 import { createDiagnosis } from '../../../src/prediction/diagnosis';
-import { ALL_FEATURES } from '../../../src/prediction/features';
+import { AWAKE_FEATURES } from '../../../src/prediction/features';
 import { createSimulation } from '../../../src/prediction/simulation/simulation';
 import { runReplays, startReplay } from '../../../src/prediction/simulation/replay';
 import { addTrack } from '../../../src/prediction/simulation/track';
@@ -143,9 +143,8 @@ function replayOfHundred(): Figure {
   const loaded = value(loadScenario(LONG_SLIDE));
   const told = { settings: {}, shipClasses: [loaded.shipClass], bodies: [loaded.body], terrain: 'flat' };
   const world = value(loadConfig(told, { terrains: { flat: loaded.terrainHeight }, features: {} }));
-  const { sleep: _, ...awake } = ALL_FEATURES;
   const sim = createSimulation(world, [loaded.body], {
-    features: awake,
+    features: AWAKE_FEATURES,
     counters: createDiagnosis(),
     warn: () => undefined,
     plan: [],

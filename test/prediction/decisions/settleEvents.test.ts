@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { EVENT_CONTACT, EVENT_NAMES } from '../../../src/dynamics';
+import { EVENT_CONTACT } from '../../../src/dynamics';
 import { confirmEvents, recordPredicted, settleEvents } from '../../../src/prediction/snapshots/settleEvents';
 import type { ServerFrame } from '../../../src/wire';
 import { frameAt, STILL } from '../faults/restingShip';
@@ -68,7 +68,7 @@ describe('a predicted event that the server does not send', () => {
     const { track, settle } = touching(TICK - COVER);
     expect(settle({}, 7)).toEqual(['retracted']);
     expect(track.picture.status).toMatchObject({
-      withdrawn: EVENT_NAMES.indexOf('ship.contact'),
+      withdrawn: 'contact',
       withdrawnUntil: 9,
     });
   });

@@ -67,7 +67,7 @@ describe('the ring of predicted states', () => {
     expect(has(history, 100)).toBe(false);
     expect(history.rows[offsetOf(history, 107)]).toBe(107);
     expect(() => offsetOf(history, 90)).toThrow('history: expected tick 90 in its slot, got tick 102');
-    expect(() => offsetOf(createHistory(12), 3)).toThrow('its slot holds none');
+    expect(() => offsetOf(createHistory(12), 3)).toThrow('in its slot, got none');
   });
 
   it('keeps the newest states when its length changes', () => {

@@ -9,7 +9,7 @@ import { knowsGround, withoutGround } from './ground/unknownGround';
 import { GAME_CATALOGUE } from './options';
 import { announce, type SessionFeatures } from './session';
 import { carry } from './simulation/carry';
-import { rowsWithin } from './simulation/rowsWithin';
+import { rowsWithin } from './simulation/history';
 import {
   holdSleeping,
   placeAsleep,

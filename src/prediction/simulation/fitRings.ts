@@ -1,13 +1,9 @@
-import { SHIP_STRIDE } from '../../dynamics';
 import { keptTicks, resizedBodies } from '../snapshots/bodies/bodyTrack';
-import { resized, ringLength } from './history';
+import { resized, ringLength, ROW_BYTES } from './history';
 import type { Simulation } from './simulation';
 import type { Track } from './track';
 
-/** Sizes the rings of predicted states: of ten seconds, or fewer if that exceeds the limit of rowsWithin.ts. */
-
-/** Bytes of a predicted state. */
-export const ROW_BYTES = SHIP_STRIDE * 8;
+/** Sizes the rings of predicted states: of ten seconds, or fewer if that exceeds the limit of rowsWithin. */
 
 /** What determines the length of the rings. */
 export interface RingNeeds {

@@ -26,8 +26,7 @@ import { createTimeline, type Position, type Timeline } from '../time/timeline';
 import type * as touchdownLog from '../touchdown/touchdownLog';
 import type * as touchdownRing from '../touchdown/touchdownRing';
 import type { Warn } from '../warnings';
-import { ringLength } from './history';
-import type { rowsWithin } from './rowsWithin';
+import { ringLength, type rowsWithin } from './history';
 import { createFleet, createRowStep, type Fleet, type RowStep, type Track } from './track';
 
 /** Takes something of a frame; received at client wall second `now`. */

@@ -1,4 +1,4 @@
-import type { Simulation } from '../simulation/simulation';
+import type { Diagnosis } from '../drawn/view';
 import { areNumbers } from './shipFault';
 
 /** Checks of a frame that no decoder of this library made; those of a ship are in shipFault.ts. */
@@ -14,15 +14,15 @@ export function tickFault(tick: number): string | null {
 
 /** A list of records; anything else is dropped and counted. */
 export function recordsOf<T>(
-  sim: Simulation,
+  counters: Diagnosis,
   name: string,
   value: readonly T[] | undefined | null,
 ): readonly T[] {
   if (!Array.isArray(value)) return [];
   const list = value as readonly T[];
   if (list.every(isRecord)) return list;
-  sim.counters.shipsRefused += 1;
-  sim.counters.lastRefusal = `frame.${name}: expected records`;
+  counters.shipsRefused += 1;
+  counters.lastRefusal = `frame.${name}: expected records`;
   return list.filter(isRecord);
 }
 

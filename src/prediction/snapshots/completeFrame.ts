@@ -1,5 +1,6 @@
 import { err, loadTiming, ok, type Result } from '../../dynamics';
 import type { BodyState, PartialFrame, ServerFrame } from '../../wire';
+import type { Diagnosis } from '../drawn/view';
 import type { Simulation } from '../simulation/simulation';
 import { spanOf, type Tempo } from '../time/timeline';
 import { isTimed, type Receiver } from './receiver';
@@ -22,8 +23,8 @@ export function completeFrame(
   const listOf = records?.recordsOf ?? asSent;
   const known = {
     ...given,
-    ships: listOf(sim, 'ships', given.ships),
-    bodies: listOf(sim, 'bodies', given.bodies),
+    ships: listOf(sim.counters, 'ships', given.ships),
+    bodies: listOf(sim.counters, 'bodies', given.bodies),
   };
   const { tickRate, timeScale } = tempoOf(sim, receiver, known, now);
   const timing = loadTiming(tickRate, timeScale, sim.world.settings);
@@ -38,7 +39,7 @@ export function completeFrame(
     ships: known.ships,
     bodies: known.bodies,
     paused: given.paused ?? false,
-    events: listOf(sim, 'events', given.events),
+    events: listOf(sim.counters, 'events', given.events),
     lastInput: sim.features.acknowledgements?.acknowledgementOf(sim, given) ?? null,
   });
 }
@@ -86,6 +87,10 @@ function assumed(
 }
 
 /** A list of a decoder. */
-function asSent<T>(_sim: Simulation, _name: string, value: readonly T[] | undefined | null): readonly T[] {
+function asSent<T>(
+  _counters: Diagnosis,
+  _name: string,
+  value: readonly T[] | undefined | null,
+): readonly T[] {
   return value ?? [];
 }

@@ -4,7 +4,6 @@ import { forgetAfter } from './simulation/history';
 import type { Simulation } from './simulation/simulation';
 import { startReplay } from './simulation/replay';
 import { copyRow, removeTrack, type Track } from './simulation/track';
-import { forgetPending } from './snapshots/pendingFrames';
 import { loadConfig } from './snapshots/worldConfig';
 import { forgetPings } from './time/pings';
 
@@ -61,9 +60,9 @@ export function expectTeleport({ sim }: Session, shipId: string): void {
 
 /** Clears ships, time, inputs and the clock; the world of the hello, the own ship and listeners stay. */
 export function resetSession(session: Session): void {
-  const { config, pilot, pings, pending } = session;
+  const { config, pilot, pings } = session;
   const world = loadConfig(config, session);
-  forgetPending(pending);
+  session.pending = null;
   if (world.ok) beginWorld(session, world.value, config.bodies);
   forgetPings(pings);
   pilot.last = null;

@@ -17,7 +17,7 @@ import { createPilot, type Pilot } from './inputs/pilot';
 import { createSending, type Sending } from './inputs/sending';
 import { BUDGET, type Catalogue, defaultWorld, type PredictorOptions } from './options';
 import { createSimulation, type Features, type Simulation } from './simulation/simulation';
-import { createPendingFrames, type PendingFrames } from './snapshots/pendingFrames';
+import type { PendingFrames } from './snapshots/pendingFrames';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
 import { loadConfig, type WorldConfig } from './snapshots/worldConfig';
 import { type Clock, createClock, forgetSchedule } from './time/clock';
@@ -56,7 +56,8 @@ export interface Session {
   readonly pilot: Pilot;
   readonly pings: Pings;
   readonly sending: Sending;
-  readonly pending: PendingFrames;
+  /** Null until a message waits undecoded. */
+  pending: PendingFrames | null;
   readonly pace: Pace;
   readonly listeners: Set<(notice: EventNotice) => void>;
   sim: Simulation;
@@ -99,7 +100,7 @@ export function createSession(options: PredictorOptions, features: SessionFeatur
     pilot: createPilot(),
     pings: createPings(),
     sending: createSending(),
-    pending: createPendingFrames(),
+    pending: null,
     pace: createPace(options.maxSubstepsPerFrame ?? BUDGET),
     listeners: new Set(),
     sim,

@@ -2,11 +2,15 @@ import type { PendingMessage } from '../../wire';
 import { wallAt } from '../calls/callTime';
 import type { Receive } from '../calls/frameCalls';
 import type { Session } from '../session';
-import { MAX_KEPT_EVENTS, type Waiting } from './pendingFrames';
+import { MAX_KEPT_EVENTS, type PendingFrames, type Waiting } from './pendingFrames';
 import { refuse } from './receiveSnapshot';
 
 /** Frames that wait undecoded: more than arrive between two display frames of a visible page. */
 const MAX_QUEUED = 4;
+
+function pendingOf(session: Session): PendingFrames {
+  return (session.pending ??= { queue: [], events: [] });
+}
 
 /** Receives a message at the caller's `now`. Frames wait for `decodePending`; other messages are decoded at once. */
 export function receivePending(
@@ -17,7 +21,7 @@ export function receivePending(
 ): void {
   const at = wallAt(session, now);
   if (Number.isNaN(at)) return;
-  const { queue, events } = session.pending;
+  const { queue, events } = pendingOf(session);
   if (!message.isFrame) {
     decodePending(session, receive);
     decodeOne(session, { message, now, at }, receive);
@@ -32,7 +36,7 @@ export function receivePending(
 
 /** Decodes and receives the waiting messages. */
 export function decodePending(session: Session, receive: Receive): void {
-  const { queue } = session.pending;
+  const { queue } = pendingOf(session);
   if (queue.length === 0) return;
   for (const one of queue.splice(0)) decodeOne(session, one, receive);
 }
@@ -43,7 +47,7 @@ function decodeOne(session: Session, { message, now, at }: Waiting, receive: Rec
     refuse(session.sim, decoded.reason);
     return;
   }
-  const events = decoded.value.kind === 'frame' ? session.pending.events.splice(0) : [];
+  const events = decoded.value.kind === 'frame' ? pendingOf(session).events.splice(0) : [];
   const { value } = decoded;
   if (value.kind === 'frame' && events.length > 0)
     receive({ ...value, events: [...events, ...value.events] }, now, at);

@@ -19,13 +19,3 @@ export interface Waiting {
 
 /** Events of superseded frames that are kept; the oldest go first. */
 export const MAX_KEPT_EVENTS = 1000;
-
-export function createPendingFrames(): PendingFrames {
-  return { queue: [], events: [] };
-}
-
-/** Drops waiting messages: they are of another session. */
-export function forgetPending({ queue, events }: PendingFrames): void {
-  queue.length = 0;
-  events.length = 0;
-}

@@ -35,9 +35,7 @@ export function loadConfig(config: WorldConfig, { terrains, features }: WorldLoa
   if (!Object.hasOwn(terrains, config.terrain)) return err(`terrain: no terrain named ${config.terrain}`);
   const { terrainNormals = null } = features;
   if (config.settings.surfaceNormal === 'terrain' && terrainNormals === null)
-    return err(
-      'settings.surfaceNormal: expected radial without the feature terrainNormals of createLeanPredictor',
-    );
+    return err('settings.surfaceNormal: expected radial without the feature terrainNormals');
   const reason = features.faultOfConstants?.(config) ?? null;
   if (reason !== null) return err(reason);
   return deriveWorld({ ...config, terrainHeight: terrains[config.terrain]! }, terrainNormals);

@@ -37,7 +37,11 @@ export function checkKind(warn: Warn, message: unknown): boolean {
     return false;
   }
   if (typeof message !== 'object' || message === null) {
-    warn('message-kind', `receive was given ${describe(message)}, which has no kind: pass a decoded message.`, { message });
+    warn(
+      'message-kind',
+      `receive was given ${describe(message)}, which has no kind: pass a decoded message.`,
+      { message },
+    );
     return false;
   }
   const { kind, ok, value } = message as { kind?: unknown; ok?: unknown; value?: unknown };

@@ -27,17 +27,24 @@ export function createGoalPanel(element: HTMLElement): GoalPanel {
   };
 }
 
-/** Text with its keys in braces, set only where it changes. */
+/** Text with its keys in braces, set only where it changes. Lines break between its parts first: a word and its keys stay together. */
 function createKeyedText(element: HTMLElement): (text: string) => void {
   let shown = '';
   return (text) => {
     if (text === shown) return;
     shown = text;
     element.replaceChildren();
-    for (const [i, part] of text.split(/[{}]/).entries()) {
-      if (part === '') continue;
-      if (i % 2 === 1) append(element, 'kbd', '', part);
-      else element.append(part);
+    const groups = text.split(' · ');
+    for (const [n, group] of groups.entries()) {
+      const words = append(element, 'span');
+      for (const [i, part] of group.split(/[{}]/).entries()) {
+        if (part === '') continue;
+        if (i % 2 === 1) append(words, 'kbd', '', part);
+        else words.append(part);
+      }
+      if (n === groups.length - 1) continue;
+      words.append(' ·');
+      element.append(' ');
     }
   };
 }

@@ -11,11 +11,11 @@ export const LESSONS: readonly Mission[] = [
     scenario: missionStart('school-hover', 'Lesson 1: hover', {
       about: 'At the hover mark, thrust equals weight.',
       initial: { ...PILOTED, height: 60, velocity: [0, 0, -4] },
-      inputs: [{ at: 0, controls: { thrustLevel: 0.1, attitudeHold: true } }],
+      inputs: [{ at: 0, controls: { thrustLevel: 0.07, attitudeHold: true } }],
     }),
-    goal: 'Stay between 20 and 60 m for five seconds.',
+    goal: 'Stay between 20 and 60 m for ten seconds.',
     how: 'Set the lever to the hover mark: {throttleUp} for more thrust, {throttleDown} for less.',
-    done: { kind: 'hover', low: 20, high: 60, seconds: 5 },
+    done: { kind: 'hover', low: 20, high: 60, seconds: 10 },
     pads: [{ east: 0, north: 0, radius: 15 }],
   },
   {

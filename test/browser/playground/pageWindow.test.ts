@@ -56,6 +56,18 @@ describeInBrowser('the built page in any window', () => {
     },
   );
 
+  it('the goal’s lines break between a control and the next, not between a word and its keys', async () => {
+    const page = await openBuiltPage('?scenario=night', SMALL);
+    await page.waitForSelector('html[data-ready=true]');
+    const keyRows = await page.locator('.goal-how').evaluate((how) => {
+      const rows = (part: Element) =>
+        new Set([...part.querySelectorAll('kbd')].map((key) => Math.round(key.getBoundingClientRect().top)));
+      return { parts: [...how.children].map((part) => rows(part).size), whole: rows(how).size };
+    });
+    expect(keyRows.parts).toEqual([1, 1, 1, 1, 1, 1]);
+    expect(keyRows.whole).toBeGreaterThan(1);
+  });
+
   it.each([1440, 768])('%i px: the beacon’s dial shares its row with the landing aids', async (width) => {
     const page = await openBuiltPage('', { ...SMALL, viewport: { width, height: 900 } });
     await page.waitForSelector('html[data-ready=true]');

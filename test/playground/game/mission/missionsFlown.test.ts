@@ -13,7 +13,7 @@ const FPS = 10;
 const EVERY = 2;
 
 /** Flies a mission through server, network and predictor until it is done or `limit` seconds have passed. */
-function fly(mission: Mission, limit: number) {
+function fly(mission: Mission, limit: number, flies = true) {
   const session = createSession();
   const predictor = createPredictor({ ownShipId: 'own' });
   const tracker = createMissionTracker();
@@ -41,7 +41,7 @@ function fly(mission: Mission, limit: number) {
       const decoded = decodeServerMessage(bytes);
       if (decoded.ok) predictor.receive(decoded.value, at);
     }
-    predictor.advance(controls, at);
+    predictor.advance(flies ? controls : null, at);
     const view = predictor.view(at);
     tracker.watch(view);
     if (phases.at(-1) !== tracker.phase()) phases.push(tracker.phase());
@@ -85,6 +85,13 @@ describe('a mission flown by a pilot who sees only the displays', () => {
     { timeout: 120_000 },
     (_, mission) => {
       expect(fly(mission, 300).phase).toBe('done');
+    },
+  );
+
+  it.each(LESSONS.map((mission) => [mission.scenario.name, mission] as const))(
+    'lesson %s is not completed in half a minute by a pilot who does nothing',
+    (_, mission) => {
+      expect(fly(mission, 30, false).phase).not.toBe('done');
     },
   );
 });

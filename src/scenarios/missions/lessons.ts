@@ -23,7 +23,7 @@ export const LESSONS: readonly Mission[] = [
     scenario: missionStart('school-translate', 'Lesson 2: translate', {
       about: 'Thrusters push the ship sideways while it stays upright.',
       initial: { ...PILOTED, height: 40 },
-      inputs: [{ at: 0, controls: { thrustLevel: 0.105, attitudeMode: 'radial', attitudeHold: true } }],
+      inputs: [{ at: 0, controls: { thrustLevel: 0.08, attitudeMode: 'radial', attitudeHold: true } }],
     }),
     goal: 'Fly over the beacon at less than 3 m/s.',
     how: 'Move away with {translateYPlus}, towards you with {translateYMinus}, left with {translateXMinus} and right with {translateXPlus}. Use the opposite key to stop.',
@@ -35,7 +35,7 @@ export const LESSONS: readonly Mission[] = [
     scenario: missionStart('school-land', 'Lesson 3: land', {
       about: 'Slow down, touch down softly, cut the engine.',
       initial: { ...PILOTED, height: 50, velocity: [0, 0, -3] },
-      inputs: [{ at: 0, controls: { thrustLevel: 0.1, attitudeMode: 'radial', attitudeHold: true } }],
+      inputs: [{ at: 0, controls: { thrustLevel: 0.09, attitudeMode: 'radial', attitudeHold: true } }],
     }),
     goal: 'Land by the beacon, softer than 2 m/s.',
     how: 'Follow AIM: {throttleUp} when too fast, {throttleDown} when too slow. Press {throttleCut} to cut the engine at touchdown.',
@@ -49,7 +49,7 @@ export const LESSONS: readonly Mission[] = [
       settings: { surfaceNormal: 'terrain' },
       site: { latitude: 28.64978, longitude: 42.70355 },
       initial: { ...PILOTED, height: 25, velocity: [0, 0, -2] },
-      inputs: [{ at: 0, controls: { thrustLevel: 0.1, attitudeMode: 'radial', attitudeHold: true } }],
+      inputs: [{ at: 0, controls: { thrustLevel: 0.086, attitudeMode: 'radial', attitudeHold: true } }],
     }),
     goal: 'Land on the slope and stay there.',
     how: 'Descend at less than 1 m/s without drift, then press {throttleCut} to cut the engine.',

@@ -35,6 +35,7 @@ function fly(mission: Mission, limit: number, flies = true) {
   expect(reason).toBeNull();
   let controls = NEUTRAL_CONTROLS;
   const phases: string[] = [];
+  let highest = 0;
   for (let n = 0; n < limit * FPS && !['done', 'crashed'].includes(tracker.phase()); n++) {
     const at = n / FPS;
     for (const { bytes } of session.run(at)) {
@@ -44,12 +45,13 @@ function fly(mission: Mission, limit: number, flies = true) {
     predictor.advance(flies ? controls : null, at);
     const view = predictor.view(at);
     tracker.watch(view);
+    highest = Math.max(highest, view.own?.feetHeight ?? 0);
     if (phases.at(-1) !== tracker.phase()) phases.push(tracker.phase());
     const target = tracker.target();
     if (target !== null && n % EVERY === 0) controls = pilot(view, target, mission);
     for (const message of predictor.takeOutgoing()) session.send(encodeClientMessage(message), at);
   }
-  return { phase: tracker.phase(), phases, inputs: session.applied(), off: tracker.off() };
+  return { phase: tracker.phase(), phases, inputs: session.applied(), off: tracker.off(), highest };
 }
 
 /** Every score is the sum of its lines, each with its rule, and a link carries the same flight. */
@@ -89,9 +91,11 @@ describe('a mission flown by a pilot who sees only the displays', () => {
   );
 
   it.each(LESSONS.map((mission) => [mission.scenario.name, mission] as const))(
-    'lesson %s is not completed in half a minute by a pilot who does nothing',
+    'lesson %s neither ends nor climbs away in half a minute from a pilot who does nothing',
     (_, mission) => {
-      expect(fly(mission, 30, false).phase).not.toBe('done');
+      const { phase, highest } = fly(mission, 30, false);
+      expect(phase).not.toBe('done');
+      expect(highest).toBeLessThan(mission.scenario.initial.height! + 3);
     },
   );
 });

@@ -95,7 +95,7 @@ describe('a mission flown by a pilot who sees only the displays', () => {
     (_, mission) => {
       const { phase, highest } = fly(mission, 30, false);
       expect(phase).not.toBe('done');
-      expect(highest).toBeLessThan(mission.scenario.initial.height! + 3);
+      expect(highest).toBeLessThan(mission.scenario.initial.height + 3);
     },
   );
 });

@@ -89,7 +89,9 @@ function notifyAll(sim: Simulation, { picture }: Track, now: number, next: () =>
   for (let notice = next(); notice !== null; notice = next()) {
     sim.notices.push(notice);
     if (notice.kind !== 'retracted') continue;
-    picture.status.withdrawn = notice.type.slice('ship.'.length) as ShipView['withdrawn'];
+    const word = notice.type.slice('ship.'.length);
+    // The pilot's word for it.
+    picture.status.withdrawn = (word === 'destroyed' ? 'crashed' : word) as ShipView['withdrawn'];
     picture.status.withdrawnUntil = now + WITHDRAWN_SHOWN;
   }
 }

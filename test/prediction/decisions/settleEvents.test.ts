@@ -1,5 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { EVENT_CONTACT } from '../../../src/dynamics';
+import {
+  EVENT_CONTACT,
+  EVENT_DESTROYED,
+  EVENT_LANDED,
+  EVENT_RIGHTED,
+  EVENT_TIPPED,
+} from '../../../src/dynamics';
 import { confirmEvents, recordPredicted, settleEvents } from '../../../src/prediction/snapshots/settleEvents';
 import type { ServerFrame } from '../../../src/wire';
 import { frameAt, STILL } from '../faults/restingShip';
@@ -10,12 +16,12 @@ const TICK = 100;
 const COVER = 5;
 const contact = (tick: number, substep = 0) => ({ type: 'ship.contact', shipId: 'own', tick, substep });
 
-/** A ship whose touch is predicted at `tick`, in the pass that is simulated now. */
-function touching(tick: number) {
+/** A ship whose touch, or another event, is predicted at `tick`, in the pass that is simulated now. */
+function touching(tick: number, event = EVENT_CONTACT) {
   const { sim, receiver } = sessionAt(TICK);
   const track = shipAt(sim, 'own', 'contact');
   receiver.sendsEvents = true;
-  recordPredicted(sim, track, EVENT_CONTACT, { tick, substep: 0 }, track.pass);
+  recordPredicted(sim, track, event, { tick, substep: 0 }, track.pass);
   sim.notices.length = 0;
   const settle = (more: Partial<ServerFrame> = {}, now = 7) => {
     settleEvents(sim, receiver, frameAt(TICK, RATE, more), now);
@@ -71,6 +77,18 @@ describe('a predicted event that the server does not send', () => {
       withdrawn: 'contact',
       withdrawnUntil: 9,
     });
+  });
+
+  it.each([
+    [EVENT_CONTACT, 'contact'],
+    [EVENT_LANDED, 'landed'],
+    [EVENT_TIPPED, 'tipped'],
+    [EVENT_RIGHTED, 'righted'],
+    [EVENT_DESTROYED, 'crashed'],
+  ])("event %i is shown by the pilot's word for it: %s", (event, word) => {
+    const { track, settle } = touching(TICK - COVER, event);
+    expect(settle()).toEqual(['retracted']);
+    expect(track.picture.status.withdrawn).toBe(word);
   });
 
   it('is confirmed where the state agrees: the server sends no such events', () => {

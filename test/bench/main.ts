@@ -94,7 +94,8 @@ function print(figure: Figure): void {
 }
 
 if (!asJson) console.log(`${''.padEnd(32)} ${'median'.padStart(14)}        (min … max)`);
-for (const figure of [...contactFigures(), ...hillsFigures()]) print(figure);
+contactFigures().forEach(print);
+hillsFigures().forEach(print);
 print(perSubstep('flying-substep', flying()));
 print(perSubstep('tipped-substep', tipped()));
 print(perSubstep('landed-substep', landed()));

@@ -40,10 +40,10 @@ export function classifySnapshot(
   if (newestTick < 0) return 'newest';
   if (tick > newestTick) {
     if (isPlausible(sim, receiver, frame, now)) return 'newest';
-    return receiver.fresh || isConfirmed(receiver, frame, now) ? 'jump' : 'future';
+    return receiver.fresh || isConfirmed(sim, receiver, frame, now) ? 'jump' : 'future';
   }
   if (tick === newestTick) return sameTick(sim, frame);
-  if (receiver.fresh || isConfirmed(receiver, frame, now)) return 'jump';
+  if (receiver.fresh || isConfirmed(sim, receiver, frame, now)) return 'jump';
   if (tick <= newestTick - sim.ringLength) return 'tooOld';
   return receiver.seen[tick % receiver.seen.length] === tick ? 'duplicate' : 'older';
 }
@@ -66,14 +66,14 @@ function isPlausible(sim: Simulation, receiver: Receiver, frame: ServerFrame, no
  * A jump is accepted when the next frame follows it at the pace of the wall clock: late copies of old frames arrive together, or
  * between newer ones.
  */
-function isConfirmed(receiver: Receiver, frame: ServerFrame, now: number): boolean {
+function isConfirmed(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): boolean {
   const { jump } = receiver;
   const { tick } = frame;
   const span = (tick - jump.tick) / fastestRate(receiver, frame);
   const follows = jump.count > 0 && tick > jump.tick && span <= Math.max(FUTURE, 2 * (now - jump.at));
   jump.count = follows ? jump.count + 1 : 1;
   const paced = follows && now - jump.at >= span / 2;
-  const forward = tick > receiver.newest && jump.count >= BURST;
+  const forward = tick > sim.newestTick && jump.count >= BURST;
   jump.tick = tick;
   jump.at = now;
   if (!paced && !forward) return false;

@@ -36,7 +36,6 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
     noteSend(sim.cadence, isSpaced ? frame.tick - sim.newestTick : 0);
     followTempo(sim, receiver, frame, now);
     receiver.acceptedAt = now;
-    receiver.newest = frame.tick;
     receiver.fresh = false;
     const { substeps } = spanOf(sim.timeline, frame.tick).timing;
     const ships = Math.max(sim.fleet.tracks.length, frame.ships.length);

@@ -19,8 +19,7 @@ export interface Receiver {
   readonly jump: { tick: number; at: number; count: number };
   /** Ticks of received frames, slot = tick mod length. */
   readonly seen: Float64Array;
-  /** The newest received tick, and its arrival, client wall s. */
-  newest: number;
+  /** Arrival of the newest frame, client wall s. */
   acceptedAt: number;
   /** Ships that are not to be predicted, present or not. */
   readonly policies: Map<string, Policy>;
@@ -55,7 +54,6 @@ export function createReceiver(clock: Clock, ownShipId: string): Receiver {
     firstTick: 0,
     jump: { tick: -1, at: 0, count: 0 },
     seen: new Float64Array(1024).fill(Number.NEGATIVE_INFINITY),
-    newest: -1,
     acceptedAt: Number.NEGATIVE_INFINITY,
     policies: new Map(),
     removed: new Map(),
@@ -82,7 +80,6 @@ export function forgetPast(receiver: Receiver): void {
   receiver.fresh = true;
   receiver.firstTick = 0;
   receiver.seen.fill(Number.NEGATIVE_INFINITY);
-  receiver.newest = -1;
   receiver.acceptedAt = Number.NEGATIVE_INFINITY;
   receiver.rest = null;
   receiver.eventsTick = 0;

@@ -28,7 +28,6 @@ export function sessionAt(tick: number, rate = RATE): Session {
   updateBodies(sim.bodies, tick, [loaded.body]);
   sim.newestTick = tick;
   sim.front.tick = tick;
-  receiver.newest = tick;
   receiver.fresh = false;
   receiver.acceptedAt = 0;
   receiver.seen[tick % receiver.seen.length] = tick;

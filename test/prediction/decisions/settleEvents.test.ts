@@ -6,6 +6,7 @@ import {
   EVENT_RIGHTED,
   EVENT_TIPPED,
 } from '../../../src/dynamics';
+import { abandonReplay, startReplay } from '../../../src/prediction/simulation/replay';
 import { confirmEvents, recordPredicted, settleEvents } from '../../../src/prediction/snapshots/settleEvents';
 import type { ServerFrame } from '../../../src/wire';
 import { frameAt, STILL } from '../faults/restingShip';
@@ -110,6 +111,16 @@ describe('a predicted event that the server does not send', () => {
     track.agreedTick = TICK;
     track.replaying = true;
     expect(settle()).toEqual(['retracted']);
+  });
+
+  it('of before the state that the last replay began at is not judged by agreement', () => {
+    const { sim, track, receiver, settle } = touching(TICK - COVER);
+    receiver.sendsEvents = false;
+    startReplay(track, sim, TICK - 2, track.serverRow, 0);
+    abandonReplay(track);
+    track.pass = track.replayPass;
+    track.agreedTick = TICK;
+    expect(settle()).toEqual([]);
   });
 
   it('stays open for a ship that the frame has not', () => {

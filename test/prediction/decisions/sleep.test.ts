@@ -9,7 +9,8 @@ import {
   TRANSLATION_INPUT,
 } from '../../../src/dynamics';
 import { has } from '../../../src/prediction/simulation/history';
-import { isAtRest, sleepIfAtRest, wake } from '../../../src/prediction/simulation/sleep';
+import { isAtRest, sleepAtFirst, sleepIfAtRest, wake } from '../../../src/prediction/simulation/sleep';
+import type { Mode } from '../../../src/prediction/simulation/track';
 import { boundaryAt } from '../../../src/prediction/snapshots/bodies/bodyTrack';
 import { sessionAt, shipAt } from './sessionAt';
 
@@ -68,5 +69,32 @@ describe('sleep', () => {
     const moved = Math.abs(sim.fleet.front[track.at + POSITION]! - before);
     expect(moved).toBeGreaterThan(0.1);
     expect(moved).toBeLessThan(10);
+  });
+});
+
+interface FirstSeen {
+  readonly thrust?: number;
+  readonly mode?: Mode;
+  readonly hasHeld?: boolean;
+  readonly isForced?: boolean;
+}
+
+describe('a ship first seen', () => {
+  it.each<readonly [string, FirstSeen, Mode]>([
+    ['landed', {}, 'sleeping'],
+    ['at thrust', { thrust: 1 }, 'waiting'],
+    ['stepped already', { mode: 'stepping' }, 'stepping'],
+    ['drawn where it is held', { hasHeld: true }, 'waiting'],
+    ['while rollbacks are forced', { isForced: true }, 'waiting'],
+  ])('%s: it sleeps at once only if nothing is known of it but that it rests', (_, given, after) => {
+    const { thrust = 0, mode = 'waiting', hasHeld = false, isForced = false } = given;
+    const { sim, track, bodies } = landed();
+    track.mode = mode;
+    track.picture.hasHeld = hasHeld;
+    track.serverRow[THRUST_LEVEL] = thrust;
+    sim.fleet.front[track.at + POSITION] = 0;
+    sleepAtFirst(isForced ? { ...sim, sleep: null } : sim, track, bodies);
+    expect(track.mode).toBe(after);
+    expect(sim.fleet.front[track.at + POSITION] === track.serverRow[POSITION]).toBe(after === 'sleeping');
   });
 });

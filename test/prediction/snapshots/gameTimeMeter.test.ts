@@ -42,6 +42,13 @@ describe('game time per tick', () => {
     expect(scales[2]).toBeCloseTo(2, 6);
   });
 
+  it('is the median of the bodies: two of five that move by another clock do not matter', () => {
+    const five = (s: number) =>
+      [s / 4, s / 4, s, s, s].map((seconds, i) => ({ ...at(seconds)[0]!, name: `body-${String(i)}` }));
+    const scales = scalesOf(4, (s) => ({ bodies: five(s) }), { perTick: () => 0.2, sent: 1 });
+    expect(scales[2]).toBeCloseTo(2, 6);
+  });
+
   it('is not believed of one frame', () => {
     const perTick = (tick: number) => (tick === 2 ? 0.4 : 0.1);
     const scales = scalesOf(6, (s) => ({ bodies: at(s) }), { perTick, sent: 1 });

@@ -17,11 +17,11 @@ const WARM_UP = 600;
  * @param each number of units per run, e.g. substeps: the figure is per unit
  */
 export function timed(name: string, times: number, each: number, run: (times: number) => void): Figure {
-  warmUp(times, run);
+  const rounds = timerOf(times, run)(ROUNDS);
   return figure(
     name,
     'ns',
-    roundsOf(ROUNDS, times, run).map((ns) => ns / each),
+    rounds.map((ns) => ns / each),
   );
 }
 
@@ -35,7 +35,12 @@ export type Timer = (rounds: number) => readonly number[];
 /** A timer of `run(times)`, ns per unit, once it is fully compiled. */
 export function timerOf(times: number, run: (times: number) => void): Timer {
   warmUp(times, run);
-  return (rounds) => roundsOf(rounds, times, run);
+  return (rounds) =>
+    Array.from({ length: rounds }, () => {
+      const from = process.hrtime.bigint();
+      run(times);
+      return Number(process.hrtime.bigint() - from) / times;
+    });
 }
 
 /**
@@ -57,14 +62,6 @@ export function ratioInTurn(name: string, one: readonly number[], other: readonl
     '×',
     one.map((time, i) => time / other[i]!),
   );
-}
-
-function roundsOf(rounds: number, times: number, run: (times: number) => void): number[] {
-  return Array.from({ length: rounds }, () => {
-    const from = process.hrtime.bigint();
-    run(times);
-    return Number(process.hrtime.bigint() - from) / times;
-  });
 }
 
 /** Parts that the runs of a heap figure are cut into. */

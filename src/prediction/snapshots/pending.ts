@@ -36,9 +36,9 @@ export function receivePending(
 
 /** Decodes and receives the waiting messages. */
 export function decodePending(session: Session, receive: Receive): void {
-  const { queue } = pendingOf(session);
-  if (queue.length === 0) return;
-  for (const one of queue.splice(0)) decodeOne(session, one, receive);
+  const { pending } = session;
+  if (pending === null || pending.queue.length === 0) return;
+  for (const one of pending.queue.splice(0)) decodeOne(session, one, receive);
 }
 
 function decodeOne(session: Session, { message, now, at }: Waiting, receive: Receive): void {

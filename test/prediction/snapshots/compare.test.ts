@@ -15,6 +15,7 @@ import {
   SHIP_CLASS,
   SHIP_STRIDE,
   SURFACE_STATE,
+  type Vec3,
   VELOCITY,
   WHEEL_MOMENTUM,
 } from '../../../src/dynamics';
@@ -26,7 +27,7 @@ import {
   writeError,
   writeInexact,
 } from '../../../src/prediction/snapshots/reconcile/compare';
-import { product, turnAbout, unit } from '../../dynamics/vectors';
+import { rotate, turnAbout, unit } from '../../dynamics/vectors';
 
 const AXIS = unit([1, -2, 2]);
 
@@ -47,31 +48,31 @@ function stateWith(
   return { rows, at, bodies };
 }
 
-/** Half-way components of a vector of this length: 2, −3, 6 → 7. */
+/** `from` and a vector of this length, along (2, −3, 6), whose length is 7. */
 const vectorOf = (length: number, from: readonly number[] = [0, 0, 0]) =>
   [2, -3, 6].map((part, k) => from[k]! + (part * length) / 7);
 
-const HIGHER = (column: number, by: number) => ({ [column]: [by] });
+const higher = (column: number, by: number) => ({ [column]: [by] });
 
 describe('the first difference', () => {
   it.each([
-    ['shipClass', HIGHER(SHIP_CLASS, 1)],
-    ['crashed', HIGHER(CRASHED, 1)],
-    ['surfaceContactState', HIGHER(SURFACE_STATE, 1)],
-    ['groundContactOffset', HIGHER(GROUND_CONTACT_OFFSET, 1e-9)],
+    ['shipClass', higher(SHIP_CLASS, 1)],
+    ['crashed', higher(CRASHED, 1)],
+    ['surfaceContactState', higher(SURFACE_STATE, 1)],
+    ['groundContactOffset', higher(GROUND_CONTACT_OFFSET, 1e-9)],
     ['position', { [POSITION]: vectorOf(1.01e-6, [3000, -4000, 12_000]) }],
     ['velocity', { [VELOCITY]: vectorOf(1.01e-6, [10, 20, -30]) }],
     ['angularVelocity', { [ANGULAR_VELOCITY]: vectorOf(1.01e-6) }],
-    ['fuel', HIGHER(FUEL, 1.01e-6)],
-    ['wheelMomentum', HIGHER(WHEEL_MOMENTUM, 1.01e-4)],
-    ['wheelMomentum', HIGHER(WHEEL_MOMENTUM + 2, 1.01e-4)],
+    ['fuel', higher(FUEL, 1.01e-6)],
+    ['wheelMomentum', higher(WHEEL_MOMENTUM, 1.01e-4)],
+    ['wheelMomentum', higher(WHEEL_MOMENTUM + 2, 1.01e-4)],
     ['attitude', { [ATTITUDE]: [1.01e-7, 0, 0, 1] }],
     ['attitude', { [ATTITUDE]: [0, 0, -1.01e-7, 1] }],
     ['none', { [POSITION]: vectorOf(0.99e-6, [3000, -4000, 12_000]) }],
     ['none', { [VELOCITY]: vectorOf(0.99e-6, [10, 20, -30]) }],
     ['none', { [ANGULAR_VELOCITY]: vectorOf(0.99e-6) }],
-    ['none', HIGHER(FUEL, 0.99e-6)],
-    ['none', HIGHER(WHEEL_MOMENTUM + 1, 0.99e-4)],
+    ['none', higher(FUEL, 0.99e-6)],
+    ['none', higher(WHEEL_MOMENTUM + 1, 0.99e-4)],
     ['none', { [ATTITUDE]: [0, 0.99e-7, 0, 1] }],
     ['none', { [ATTITUDE]: [0, 0, 0, -1] }],
   ] as const)('is %s, either way round: %o', (field, changes) => {
@@ -84,7 +85,7 @@ describe('the first difference', () => {
     expect(firstDifference(stateWith(other), stateWith(), EXACT)).toBe('referenceBody');
   });
 
-  it('is none where NaN would be compared', () => {
+  it('is the field that is NaN', () => {
     expect(firstDifference(stateWith({ [FUEL]: [NaN] }), stateWith(), EXACT)).toBe('fuel');
     expect(firstDifference(stateWith({ [WHEEL_MOMENTUM]: [NaN] }), stateWith(), EXACT)).toBe('wheelMomentum');
     expect(firstDifference(stateWith({ [ATTITUDE]: [NaN] }), stateWith(), EXACT)).toBe('attitude');
@@ -96,11 +97,8 @@ describe('the first difference', () => {
     expect(firstDifference(turned, stateWith(), EXACT)).toBe('position');
     const { rows, at } = stateWith();
     for (const column of [POSITION, VELOCITY, ANGULAR_VELOCITY]) {
-      const [x, y, z] = product(
-        product(turn, [rows[at + column]!, rows[at + column + 1]!, rows[at + column + 2]!, 0]),
-        [-turn[0], -turn[1], -turn[2], turn[3]],
-      );
-      turned.rows.set([x, y, z], at + column);
+      const level = [...rows.subarray(at + column, at + column + 3)] as unknown as Vec3;
+      turned.rows.set(rotate(turn, level), at + column);
     }
     turned.rows.set(turn, at + ATTITUDE);
     expect(firstDifference(turned, stateWith(), EXACT)).toBe('none');

@@ -83,10 +83,9 @@ export function createFleetHud(
   return checked(hud, options.onWarning);
 }
 
-/** px of a rem. */
+/** px of a rem; browsers' default where the document is not displayed. */
 function rootFontSize(document: Document): number {
-  const size = document.defaultView?.getComputedStyle(document.documentElement).fontSize ?? '16px';
-  return parseFloat(size) || 16;
+  return parseFloat(document.defaultView?.getComputedStyle(document.documentElement).fontSize ?? '') || 16;
 }
 
 /** `2 tipped`, `1 contact`, …: only statuses that some ship has. */

@@ -1,10 +1,5 @@
 /** Paints HUD states on a test's request. */
-import {
-  createCockpitLandingHud,
-  createFleetHud,
-  createFlightHud,
-  type FlightPanels,
-} from '../../../src/hud';
+import { createCockpitLandingHud, createFleetHud } from '../../../src/hud';
 import {
   createFleetReadout,
   createLandingReadout,
@@ -37,16 +32,6 @@ function again(times: number): void {
 
 function showFleet(size: number): void {
   fleet.paint(updateFleetReadout(createFleetReadout(), makeFleet(size)));
-}
-
-let flight: ReturnType<typeof createFlightHud> | undefined;
-
-/** The instruments of flying stand below the rest from their first painting on. */
-function showFlight(panels: FlightPanels): void {
-  flight ??= createFlightHud(document, document.querySelector('main')!, {
-    keyLabel: (key) => (key === 'modeHold' ? '' : key.slice(0, 5)),
-  });
-  flight.paint(panels);
 }
 
 /** Subjects of the benchmark: `frames` frames of a ship that slides and turns, and of 1,000 ships of which some change. */
@@ -113,5 +98,5 @@ function rebind(action: string, label: string): void {
   KEYS[action] = label;
 }
 
-Object.assign(window, { hud: { show, showFleet, showFlight, again, time, rebind, landing, fleet } });
+Object.assign(window, { hud: { show, showFleet, again, time, rebind, landing, fleet } });
 document.documentElement.dataset['ready'] = 'true';

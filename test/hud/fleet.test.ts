@@ -2,7 +2,16 @@
 import { describe, expect, it } from 'vitest';
 import { createCockpitLandingHud, createFleetHud, createFlightHud, type HudAppearance } from '../../src/hud';
 import { createFleetReadout, type FleetReadout, type FleetRow } from '../../src/readout';
-import { all, attributes, changesBy, createPage, createView, one, type PageElement, shownText } from './pageInNode';
+import {
+  all,
+  attributes,
+  changesBy,
+  createPage,
+  createView,
+  one,
+  type PageElement,
+  shownText,
+} from './pageInNode';
 
 const ROW: FleetRow = {
   shipId: 'a',

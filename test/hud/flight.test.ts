@@ -191,6 +191,15 @@ it.each([
   expect(attributes('td-pad', 'r')).toEqual([radius === 3 ? '3' : String(Math.round(radius * 0.8) / 2)]);
 });
 
+it.each([
+  [1, 1, 'ahead right'],
+  [-1, -1, 'behind left'],
+])('a beacon at %d m right, %d m up is %s also where that is near', (x, y, way) => {
+  const { show, text } = createHud();
+  show({ target: { shown: true, x, y, distance: 1.4, radius: 0.5, scale: 10, driftX: 0, driftY: 0 } });
+  expect(text('td-way')).toBe(way);
+});
+
 it('words the beacon anew where its distance or its direction changes, and else leaves the page alone', () => {
   const { show, attributes } = createHud();
   const target = { shown: true, x: 0, y: 50, distance: 50, radius: 3, scale: 100, driftX: 0, driftY: 0 };

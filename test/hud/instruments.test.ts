@@ -68,6 +68,8 @@ describe('the cross-pointer', () => {
     [Math.sin(0.36), Math.cos(0.36), 21, 'none'],
     [1, 0, 90, 'X'],
     [Math.cos(0.36), Math.sin(0.36), 69, 'none'],
+    [0.94, 0.34, 70, 'none'],
+    [0.34, 0.94, 20, 'none'],
     [-1, 0, -90, 'none'],
     [0, -1, 180, 'none'],
   ])('a ship whose lowest side is (%d, %d) has the wedge at %s°, over %s', (leanX, leanY, degrees, over) => {
@@ -115,6 +117,7 @@ describe('the gates', () => {
       'Vertical 0.30 m/s 0.50 m/s ✓ (met, true)',
       'Horizontal 0.75 m/s 0.50 m/s ✗ (not met, false)',
     ];
+    expect(text('td-gates')).toMatch(/^To count as landed.* Tilt 7.5° 5.0° ✗ .* 0.50 m\/s ✗$/);
     expect(rows()).toEqual(four);
     show({ gates: { ...level, onSlope: true } });
     expect(rows()).toEqual([

@@ -42,7 +42,7 @@ function createFleet(height: number, given = createView()) {
   const places = () => all(root, 'td-row').map((row) => Number(row.attributes['aria-posinset']));
   const scrollTo = (top: number) => {
     scroller.scrollTop = top;
-    scroller.listeners['scroll']![0]!();
+    scroller.listeners['scroll']![0]!({});
   };
   return { ...hud, root, places, scrollTo, resized: given.resized, observed: given.observed, scroller };
 }
@@ -148,7 +148,7 @@ describe('the fleet', () => {
     hud.paint(fleetOf([ROW]));
     const scroller = one(root, 'td-scroller');
     scroller.clientHeight = 280;
-    scroller.listeners['scroll']![0]!();
+    scroller.listeners['scroll']![0]!({});
     hud.paint(fleetOf(Array.from({ length: 50 }, () => ROW)));
     expect(all(root, 'td-row')).toHaveLength(11);
     hud.dispose();

@@ -189,6 +189,7 @@ it.each([
   const descent = { shown: true, horizontalSpeed: 4, timeToImpact: 5.2, feetHeight: 85.8 };
   show({ descent: { ...descent, ...change } });
   expect(attributes('td-arrow', 'data-arrow')).toEqual([arrow]);
+  expect(text('td-arrow')).toBe({ down: '↓', up: '↑', none: '' }[arrow]);
   expect(parts('td-value').slice(0, 4).map(shownText).join(' ')).toBe(words);
   expect(attributes('td-descent', 'data-shown')).toEqual(['shown' in change ? 'false' : 'true']);
 });

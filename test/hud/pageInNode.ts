@@ -4,7 +4,7 @@ class PageElement {
   readonly childNodes: (PageElement | PageText)[] = [];
   readonly style: Record<string, string> = {};
   readonly attributes: Record<string, string> = {};
-  readonly listeners: Record<string, (() => void)[]> = {};
+  readonly listeners: Record<string, ((event: object) => void)[]> = {};
   readonly nodeType = 1;
   parent: PageElement | null = null;
   private isHidden = false;
@@ -61,7 +61,7 @@ class PageElement {
   removeAttribute(name: string): void {
     Reflect.deleteProperty(this.attributes, name);
   }
-  addEventListener(type: string, listener: () => void): void {
+  addEventListener(type: string, listener: (event: object) => void): void {
     (this.listeners[type] ??= []).push(listener);
   }
 }

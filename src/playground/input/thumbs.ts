@@ -63,7 +63,7 @@ export function createThumbs(host: HTMLElement, listeners: ThumbListeners): Thum
       words.textContent = text;
       lever.setAttribute('aria-valuetext', text);
       const place = Math.sqrt(throttle) * 100;
-      if (document.activeElement !== lever || Math.abs(lever.valueAsNumber - place) > 1)
+      if (host.ownerDocument.activeElement !== lever || Math.abs(lever.valueAsNumber - place) > 1)
         lever.value = String(place);
     },
   };

@@ -4,10 +4,17 @@
  */
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { delimiter, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { chromium } from 'playwright-core';
+import type * as Playwright from 'playwright-core';
 import type { Browser, BrowserServer, LaunchOptions } from 'playwright-core';
+
+/**
+ * Required: before node imports a package that is not of modules it reads all of it for the names that it exports, which takes as long as
+ * the package itself.
+ */
+const { chromium } = createRequire(import.meta.url)('playwright-core') as typeof Playwright;
 
 /** A browser to start: its program and additional environment variables. */
 export interface ChromiumProgram {
@@ -160,6 +167,11 @@ function launchOptions(program: ChromiumProgram, args: readonly string[] = []): 
 /** Starts the browser, headless, drawing in software; `args`: further arguments of its command line. */
 export function launchChromium(program: ChromiumProgram, args?: readonly string[]): Promise<Browser> {
   return chromium.launch(launchOptions(program, args));
+}
+
+/** Connects to one that serveChromium started. */
+export function connectToChromium(address: string): Promise<Browser> {
+  return chromium.connect(address);
 }
 
 /** Starts it for other processes, which connect to its `wsEndpoint()`. */

@@ -3,9 +3,9 @@
  *   describeInBrowser('…', () => { it('…', async () => { const page = await openBuiltPage('?scenario=settle'); … }) })
  * A page opened inside a test closes with the test, one opened in beforeAll with its file.
  */
-import { chromium } from 'playwright-core';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, describe, inject, onTestFailed, onTestFinished, TestRunner } from 'vitest';
+import { connectToChromium } from './chromium';
 import { leaveOutTriangles } from './leaveOutTriangles';
 
 export interface PageOptions {
@@ -47,7 +47,7 @@ export const describeInBrowser = describe.skipIf(address === undefined);
 /** A browser shared with other test files; what a file opens in it is its own, and goes with it. */
 function theBrowser(): Promise<Browser> {
   if (address === undefined) throw new Error('there is no Chromium: put the test into describeInBrowser');
-  browser ??= chromium.connect(address);
+  browser ??= connectToChromium(address);
   return browser;
 }
 

@@ -1,6 +1,6 @@
 /** The fleet HUD in a real browser: its order, its rows while scrolling, names as text. */
 import type { Page } from 'playwright-core';
-import { beforeEach, expect, it } from 'vitest';
+import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
 import { describeInBrowser, openTestPage, problemsOf } from '../pages';
 
 interface HudWindow {
@@ -13,10 +13,15 @@ const showFleet = (size: number) =>
   page.evaluate((count) => (window as unknown as HudWindow).hud.showFleet(count), size);
 
 describeInBrowser('the fleet HUD', () => {
-  beforeEach(async () => {
+  beforeAll(async () => {
     page = await openTestPage('hud.html', { reducedMotion: 'reduce' });
     await page.waitForSelector('html[data-ready=true]');
   });
+  beforeEach(async () => {
+    await showFleet(0);
+    await page.waitForSelector('.td-row', { state: 'detached' });
+  });
+  afterAll(() => page.context().close());
 
   it('shows counts in its header and puts TIPPED first, then CONTACT', async () => {
     await showFleet(20);
@@ -65,7 +70,9 @@ describeInBrowser('the fleet HUD', () => {
       await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
       const { top } = scroller.getBoundingClientRect();
       const rows = [...scroller.querySelectorAll('.td-row')];
-      return rows.find((row) => row.getBoundingClientRect().bottom > top + 1)!.getAttribute('aria-posinset');
+      const first = rows.find((row) => row.getBoundingClientRect().bottom > top + 1)!;
+      document.documentElement.style.fontSize = '';
+      return first.getAttribute('aria-posinset');
     });
     expect(atTop).toBe('101');
   });

@@ -30,7 +30,7 @@ async function coloursOf(page: Page): Promise<number> {
 
 describeInBrowser('the built page', () => {
   it('opens under the strict policy, below the root of its host, and draws a scene', async () => {
-    const page = await openBuiltPage('', { framesPerSecond: 1 });
+    const page = await openBuiltPage('', { framesPerSecond: 1, deviceScaleFactor: 0.5 });
     expect(await page.title()).toBe('Touchdown');
     // A cleared canvas has one colour, a sky without ground few.
     await expect.poll(() => coloursOf(page)).toBeGreaterThan(50);

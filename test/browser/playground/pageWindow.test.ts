@@ -4,12 +4,12 @@ import { expect, it } from 'vitest';
 import { misfits } from '../hud/misfits';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
 import { CONTENT_SECURITY_POLICY } from '../staticServer';
-import { SMALL, untilStatus } from '../waits';
+import { SMALL, untilDrawn, untilStatus } from '../waits';
 import { WINDOW_SIZES, windowOf } from '../windowSizes';
 
 /** Pixels across of a picture that nobody looks at. */
 const PIXELS = 240;
-/** Chromium's own size is 16 px. */
+const USUAL_LETTERS = { fontSizes: { standard: 16, fixed: 13 } };
 const LARGE_LETTERS = { fontSizes: { standard: 32, fixed: 26 } };
 
 /** What of the page's own parts is cut off, wider than the window, or covers what must be seen. */
@@ -37,24 +37,42 @@ function pageMisfits(page: Page): Promise<string[]> {
 }
 
 describeInBrowser('the built page in any window', () => {
-  it.each(WINDOW_SIZES)(
+  /** Faults of the page as it is, and with letters of 200 %. */
+  async function faultsOf(page: Page): Promise<string[]> {
+    const faults = async () => [...(await misfits(page)), ...(await pageMisfits(page))];
+    const found = await faults();
+    const cdp = await page.context().newCDPSession(page);
+    await cdp.send('Page.setFontSizes', LARGE_LETTERS);
+    await expect
+      .poll(() => page.evaluate(() => getComputedStyle(document.documentElement).fontSize))
+      .toBe('32px');
+    await untilDrawn(page);
+    found.push(...(await faults()).map((fault) => `200 %: ${fault}`));
+    await cdp.send('Page.setFontSizes', USUAL_LETTERS);
+    return found;
+  }
+
+  it.each(WINDOW_SIZES.filter(({ isTouch }) => isTouch))(
     '$width × $height: nothing is cut off, with letters of 100 % and of 200 %',
     async (size) => {
       const page = await openBuiltPage('', { ...SMALL, ...windowOf(size, PIXELS) });
       await page.waitForSelector('html[data-ready=true]');
-      const found = [...(await misfits(page)), ...(await pageMisfits(page))];
-      const cdp = await page.context().newCDPSession(page);
-      await cdp.send('Page.setFontSizes', LARGE_LETTERS);
-      await page.reload();
-      await page.waitForSelector('html[data-ready=true]');
-      const letters = await page.evaluate(() => getComputedStyle(document.documentElement).fontSize);
-      expect(letters).toBe('32px');
-      found.push(
-        ...[...(await misfits(page)), ...(await pageMisfits(page))].map((fault) => `200 %: ${fault}`),
-      );
-      expect(found).toEqual([]);
+      expect(await faultsOf(page)).toEqual([]);
     },
   );
+
+  it('a window that grows: nothing is cut off at any size, with letters of 100 % and of 200 %', async () => {
+    const sizes = WINDOW_SIZES.filter(({ isTouch }) => !isTouch);
+    const page = await openBuiltPage('', { ...SMALL, ...windowOf(sizes[0]!, PIXELS) });
+    await page.waitForSelector('html[data-ready=true]');
+    const found: string[] = [];
+    for (const { width, height } of sizes) {
+      await page.setViewportSize({ width, height });
+      await untilDrawn(page);
+      found.push(...(await faultsOf(page)).map((fault) => `${width} × ${height}: ${fault}`));
+    }
+    expect(found).toEqual([]);
+  });
 
   it('the goal’s lines break between a control and the next, not between a word and its keys', async () => {
     const page = await openBuiltPage('?scenario=night', SMALL);
@@ -68,25 +86,27 @@ describeInBrowser('the built page in any window', () => {
     expect(keyRows.whole).toBeGreaterThan(1);
   });
 
-  it.each([1440, 768])('%i px: the beacon’s dial shares its row with the landing aids', async (width) => {
-    const page = await openBuiltPage('', { ...SMALL, viewport: { width, height: 900 } });
+  it('the beacon’s dial shares its row with the landing aids, without them with the attitude', async () => {
+    const page = await openBuiltPage('', { ...SMALL, viewport: { width: 1440, height: 900 } });
     await page.waitForSelector('html[data-ready=true]');
-    const aids = (await page.locator('.td-aids').boundingBox())!;
-    const dial = (await page.locator('.td-approach').boundingBox())!;
-    const panel = (await page.locator('.td-flight > .td-panel').boundingBox())!;
-    expect(dial.y).toBeLessThan(aids.y + aids.height);
-    // Up to the panel's padding.
-    expect(panel.x + panel.width - (dial.x + dial.width)).toBeLessThan(16);
-  });
-
-  it('1280 px: without the landing aids the dial shares its row with the attitude', async () => {
-    const page = await openBuiltPage('', { ...SMALL, viewport: { width: 1280, height: 800 } });
-    await page.waitForSelector('html[data-ready=true]');
+    const boxOf = async (part: string) => (await page.locator(part).boundingBox())!;
+    for (const width of [1440, 768]) {
+      await page.setViewportSize({ width, height: 900 });
+      await untilDrawn(page);
+      const aids = await boxOf('.td-aids');
+      const dial = await boxOf('.td-approach');
+      const panel = await boxOf('.td-flight > .td-panel');
+      expect(dial.y, `${width} px`).toBeLessThan(aids.y + aids.height);
+      // Up to the panel's padding.
+      expect(panel.x + panel.width - (dial.x + dial.width), `${width} px`).toBeLessThan(16);
+    }
+    await page.setViewportSize({ width: 1280, height: 800 });
     await page.keyboard.press('1');
     await page.waitForSelector('.td-aids', { state: 'hidden' });
-    const dial = (await page.locator('.td-approach').boundingBox())!;
-    const attitude = (await page.locator('.td-attitude').boundingBox())!;
-    const modes = (await page.locator('.td-modes').boundingBox())!;
+    await untilDrawn(page);
+    const dial = await boxOf('.td-approach');
+    const attitude = await boxOf('.td-attitude');
+    const modes = await boxOf('.td-modes');
     expect(dial.y).toBeGreaterThan(modes.y + modes.height);
     expect(attitude.y).toBeLessThan(dial.y + dial.height);
     expect(attitude.y + attitude.height).toBeGreaterThan(dial.y);

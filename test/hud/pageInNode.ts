@@ -46,10 +46,15 @@ class PageElement {
     changes += 1;
     this.childNodes.splice(0, Infinity, new PageText(text));
   }
-  append(...nodes: (PageElement | PageText)[]): void {
+  append(...given: (PageElement | PageText | string)[]): void {
     changes += 1;
+    const nodes = given.map((node) => (typeof node === 'string' ? new PageText(node) : node));
     for (const node of nodes) node.parent = this;
     this.childNodes.push(...nodes);
+  }
+  replaceChildren(): void {
+    changes += 1;
+    this.childNodes.length = 0;
   }
   remove(): void {
     this.parent?.childNodes.splice(this.parent.childNodes.indexOf(this), 1);
@@ -90,21 +95,21 @@ export function changesBy(work: () => void): number {
   return changes - before;
 }
 
-/** A document, and a host in it. `view` are members of its window; null for none. */
-export function createPage(view: object | null = null): {
-  document: Document;
-  host: Element;
-  root: PageElement;
-} {
+/** A document, and a host in it. `view` are members of its window, null for none; `members` are of every element beside those above. */
+export function createPage(
+  view: object | null = null,
+  members: object = {},
+): { document: Document; host: HTMLElement; root: PageElement } {
   const page = { defaultView: view } as unknown as Document;
+  const create = (name: string) => Object.assign(new PageElement(page, name), members);
   Object.assign(page, {
-    createElement: (name: string) => new PageElement(page, name),
-    createElementNS: (_space: string, name: string) => new PageElement(page, name),
+    createElement: create,
+    createElementNS: (_space: string, name: string) => create(name),
     createTextNode: (text: string) => new PageText(text),
-    documentElement: new PageElement(page, 'html'),
+    documentElement: create('html'),
   });
-  const root = new PageElement(page, 'main');
-  return { document: page, host: root as unknown as Element, root };
+  const root = create('main');
+  return { document: page, host: root as unknown as HTMLElement, root };
 }
 
 /** A window in which nothing is laid out: sizes are set by the test, and `resized` tells the observers. */

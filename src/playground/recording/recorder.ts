@@ -2,9 +2,7 @@ import type { Controls } from '../../dynamics';
 import type { Recording, RecordingEntry, ScheduledInput } from '../../scenarios';
 import { decodeServerMessage, encodeServerMessage, type PartialFrame, type ServerFrame } from '../../wire';
 
-/** Entries that a recording holds at most: the last hour of one ship. */
-const MAX_ENTRIES = 250_000;
-/** Bytes of memory that it takes at most: the last four minutes of 200 ships at 1 Hz. */
+/** Bytes of memory that a recording takes at most: the last hour of one ship, or the last four minutes of 200 ships at 1 Hz. */
 const MAX_BYTES = 14_000_000;
 /** Bytes of an entry, of a set of controls, and of each ship in a frame that is not packed. */
 const ENTRY_BYTES = 60;
@@ -13,10 +11,10 @@ const SHIP_BYTES = 1000;
 /** Of a packed frame, beside its own: the array and what holds it. */
 const PACKED_BYTES = 200;
 
-/** Of either bound: what is left when the oldest goes, so that it goes seldom. */
+/** Of the bound: what is left when the oldest goes, so that it goes seldom. */
 const LEFT = 0.9;
 
-/** Keeps what goes through the predictor, bounded by entries and bytes: the oldest gives way to the newest. */
+/** Keeps what goes through the predictor, bounded in bytes: the oldest gives way to the newest. */
 export interface Recorder {
   readonly take: (entry: RecordingEntry) => void;
   /** A new world, and what its own ship does by itself. */
@@ -51,13 +49,12 @@ export function createRecorder(): Recorder {
     entries.push(entry);
     weights.push(weight);
     bytes += weight;
-    if (entries.length > MAX_ENTRIES || bytes > MAX_BYTES) dropOldest();
+    if (bytes > MAX_BYTES) dropOldest();
   };
   /** What is left begins with a frame: a replay has a picture from its first moment. */
   const dropOldest = () => {
     let count = 0;
-    const isOver = () => bytes > LEFT * MAX_BYTES || entries.length - count > LEFT * MAX_ENTRIES;
-    while (count < entries.length - 1 && (isOver() || entries[count]!.kind !== 'packed')) {
+    while (count < entries.length - 1 && (bytes > LEFT * MAX_BYTES || entries[count]!.kind !== 'packed')) {
       const entry = entries[count]!;
       if (entry.kind === 'received' && entry.message.kind === 'hello') hello = entry;
       bytes -= weights[count++]!;

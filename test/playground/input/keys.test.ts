@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import { actionOf, type KeyStroke } from '../../../src/playground/input/keyboard';
 import {
   type Action,
@@ -12,7 +11,6 @@ import {
   saveKeys,
 } from '../../../src/playground/input/keyTable';
 import { capOf, type Layout, placesOf } from '../../../src/playground/input/layout';
-import { createStick, press, release, resetStick, sampleStick } from '../../../src/playground/input/stick';
 
 /** A store in memory. */
 function storeWith(text: string | null): Storage {
@@ -145,40 +143,5 @@ describe('letters and modifiers', () => {
       actionOf(keys, layout, stroke('KeyR', 'r', held)),
     ];
     expect(wanted).toEqual([null, null]);
-  });
-});
-
-describe('stick', () => {
-  it('returns the same controls object while nothing changes', () => {
-    const stick = createStick();
-    press(stick, 'pitchPlus', NEUTRAL_CONTROLS);
-    const first = sampleStick(stick, 0.016);
-    expect(first.rotationInput).toEqual([1, 0, 0]);
-    expect(sampleStick(stick, 0.016)).toBe(first);
-    release(stick, 'pitchPlus');
-    expect(sampleStick(stick, 0.016).rotationInput).toEqual([0, 0, 0]);
-  });
-
-  it('moves the throttle by 1 % per tap, slowly and then fast while held, and stops at its ends', () => {
-    const stick = createStick();
-    press(stick, 'throttleUp', NEUTRAL_CONTROLS);
-    expect(sampleStick(stick, 0).thrustLevel).toBeCloseTo(0.01, 12);
-    expect(sampleStick(stick, 0.5).thrustLevel).toBeCloseTo(0.04, 12);
-    expect(sampleStick(stick, 5).thrustLevel).toBe(1);
-    release(stick, 'throttleUp');
-    press(stick, 'throttleCut', NEUTRAL_CONTROLS);
-    expect(sampleStick(stick, 0.016).thrustLevel).toBe(0);
-  });
-
-  it('takes over from the scenario’s own pilot, and forgets the pilot’s input at a restart', () => {
-    const stick = createStick();
-    press(stick, 'yawMinus', { ...NEUTRAL_CONTROLS, thrustLevel: 0.7, attitudeHold: true });
-    const taken = sampleStick(stick, 0.016);
-    expect(taken.thrustLevel).toBeCloseTo(0.7, 12);
-    expect([taken.attitudeHold, taken.rotationInput]).toEqual([true, [0, -1, 0]]);
-    press(stick, 'yawPlus', NEUTRAL_CONTROLS);
-    expect(sampleStick(stick, 0.016).rotationInput).toEqual([0, 0, 0]);
-    resetStick(stick);
-    expect([stick.touched, stick.controls]).toEqual([false, NEUTRAL_CONTROLS]);
   });
 });

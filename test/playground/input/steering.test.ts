@@ -4,6 +4,7 @@ import { readPad, withDeadZone } from '../../../src/playground/input/gamepad';
 import {
   createSteeringAxes,
   pushInput,
+  pushKeyFor,
   alignSteeringAxes,
   turnInput,
   turnKeysFor,
@@ -11,8 +12,8 @@ import {
 import {
   createDeflection,
   createStick,
-  releaseAll,
   press,
+  releaseAll,
   sampleStick,
 } from '../../../src/playground/input/stick';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
@@ -143,5 +144,61 @@ describe('a gamepad', () => {
     expect(sampleStick(stick, 0.02).rotationInput).toEqual([1, 0, 0]);
     releaseAll(stick);
     expect(sampleStick(stick, 0.02).rotationInput).toEqual([0, 0, 0]);
+  });
+});
+
+describe('the size of what a stick commands', () => {
+  const level = () => aimOf(headed(0), false);
+
+  it('is the deflection’s, full at 1, in hundredths, in its direction', () => {
+    expect(turnInput(level(), 0.3, 0, 0)).toEqual([0.3, 0, 0]);
+    // Yaw + tips to the left: about the axis that points at the eye.
+    expect(turnInput(level(), 0.6, -0.8, 0)).toEqual([0.75, 1, 0]);
+    expect(turnInput(level(), 1, 1, 0)).toEqual([1, -1, 0]);
+    expect(turnInput(level(), 0, 0, 0.123)).toEqual([0, 0, 0.12]);
+    expect(turnInput(level(), 0, 0, -3)).toEqual([0, 0, -1]);
+    expect(turnInput(level(), 0, 0, 3)).toEqual([0, 0, 1]);
+    expect(turnInput(aimOf(headed(0)), 0, 0, 1)).toEqual([0, 0, 0.35]);
+    expect(pushInput(level(), 0.6, 0, 0.8)).toEqual([0.75, 0, 1]);
+    expect(pushInput(level(), 0, -1, 0)).toEqual([0, -1, 0]);
+    expect(pushInput(level(), 0, 0, 0)).toEqual([0, 0, 0]);
+    expect(pushInput(level(), 1, 1, 1)).toEqual([1, 1, 1]);
+  });
+
+  it('is nothing about an axis of the screen within 6° of the thrust axis', () => {
+    /** A ship leaning over to the north by `degrees`: tilting it left or right is about north. */
+    const leaning = (degrees: number) => {
+      const half = (-degrees * Math.PI) / 360;
+      return aimOf(Float64Array.of(Math.sin(half), 0, 0, Math.cos(half)), false);
+    };
+    expect(turnInput(leaning(84), 0, 1, 0)).toEqual([0, -1, 0]);
+    expect(turnInput(leaning(84.5), 0, 1, 0)).toEqual([0, 0, 0]);
+    expect(turnInput(leaning(84.5), 1, 0, 0)).toEqual([1, 0, 0]);
+  });
+
+  it('has the ship’s own axes without a picture', () => {
+    const aim = aimOf(headed(90));
+    alignSteeringAxes(aim, null, headed(90), false);
+    expect(aim).toEqual(createSteeringAxes());
+    expect([turnInput(aim, 1, 0, 0), turnInput(aim, 0, 1, 0)]).toEqual([
+      [1, 0, 0],
+      [0, 1, 0],
+    ]);
+    expect(pushInput(aim, 0, -0.6, 0.8)).toEqual([0, -0.75, 1]);
+  });
+
+  it.each([
+    [0, 'translateXPlus', 'translateXPlus'],
+    [0, 'translateYMinus', 'translateYMinus'],
+    // Of a ship that heads west, +X points north: away.
+    [90, 'translateXPlus', 'translateYPlus'],
+    [90, 'translateXMinus', 'translateYMinus'],
+    [90, 'translateYPlus', 'translateXMinus'],
+    [90, 'translateYMinus', 'translateXPlus'],
+    [180, 'translateXPlus', 'translateXMinus'],
+    [200, 'translateZPlus', 'translateZPlus'],
+    [200, 'translateZMinus', 'translateZMinus'],
+  ] as const)('turned by %d°, %s is the key %s', (degrees, action, key) => {
+    expect(pushKeyFor(aimOf(headed(degrees)), action)).toBe(key);
   });
 });

@@ -1,0 +1,128 @@
+/** What the page's panels print: notices, the goal, cards and the legend. */
+import { describe, expect, it } from 'vitest';
+import { createGoalPanel } from '../../../src/playground/panels/goal';
+import { createMissionCard } from '../../../src/playground/panels/missionCard';
+import { createNotice } from '../../../src/playground/panels/notice';
+import { createOverlayLegend } from '../../../src/playground/panels/overlayLegend';
+import { all, attributes, createPage, one, type PageElement, shownText } from '../../hud/pageInNode';
+
+const click = (button: PageElement) => button.listeners['click']![0]!({});
+
+/** An element that a panel fills. */
+function createPart(members = {}) {
+  const { root, host } = createPage(null, members);
+  return { root, part: host };
+}
+
+describe('notices', () => {
+  const createNotices = (members = {}) => {
+    const { root, part } = createPart(members);
+    root.hidden = true;
+    return { root, notice: createNotice(part), rows: () => all(root, 'notice-row').map(shownText) };
+  };
+
+  it('stay until they are closed or no longer true, each once, the last three', () => {
+    const { root, notice, rows } = createNotices();
+    notice.show('A');
+    notice.show('A');
+    expect([root.hidden, rows()]).toEqual([false, ['A Close']]);
+    for (const text of ['B', 'C']) notice.show(text);
+    expect(rows()).toEqual(['A Close', 'B Close', 'C Close']);
+    notice.show('D');
+    expect(rows()).toEqual(['B Close', 'C Close', 'D Close']);
+    click(all(root, 'button')[1]!);
+    expect([root.hidden, rows()]).toEqual([false, ['B Close', 'D Close']]);
+    notice.withdraw('B');
+    notice.withdraw('not shown');
+    expect([root.hidden, rows()]).toEqual([false, ['D Close']]);
+    notice.withdraw('D');
+    expect([root.hidden, rows()]).toEqual([true, []]);
+    notice.show('E');
+    notice.show('F');
+    notice.clear();
+    expect([root.hidden, rows()]).toEqual([true, []]);
+  });
+
+  it('with a link have it selected in a field, to be copied by hand', () => {
+    const done: string[] = [];
+    const { root, notice, rows } = createNotices({
+      focus: () => done.push('focus'),
+      select: () => done.push('select'),
+    });
+    for (const link of ['https://one', 'https://two']) notice.showLink('The link is', link);
+    const field = one(root, 'notice-link');
+    expect(field).toMatchObject({ type: 'text', readOnly: true, value: 'https://two' });
+    expect(attributes(field, 'aria-label')).toEqual(['Link']);
+    expect([rows(), done]).toEqual([['The link is Close'], ['focus', 'select', 'focus', 'select']]);
+    click(one(root, 'button'));
+    expect(rows()).toEqual([]);
+  });
+});
+
+it('the goal has keys in its words, and breaks lines between its parts', () => {
+  const { root, part } = createPart();
+  const goal = createGoalPanel(part);
+  goal.show('Hover', 'Stay at 20 m.');
+  expect([one(root, 'goal-title'), one(root, 'goal-words')].map(shownText)).toEqual([
+    'Hover',
+    'Stay at 20 m.',
+  ]);
+  goal.how('{F} {V} engine · tilt {W}');
+  const how = one(root, 'goal-how');
+  expect(shownText(how)).toBe('F V engine · tilt W');
+  expect(all(how, 'kbd').map(shownText)).toEqual(['F', 'V', 'W']);
+  expect(how.children.map(({ textContent }) => textContent)).toEqual(['F V engine ·', 'tilt W']);
+  expect(how.textContent).toBe('F V engine · tilt W');
+  goal.advise('More thrust');
+  expect(shownText(one(root, 'goal-advice'))).toBe('More thrust');
+  goal.advise('');
+  expect(shownText(one(root, 'goal-advice'))).toBe('');
+  goal.hide();
+  expect(root.hidden).toBe(true);
+  goal.show('Land', 'On the pad.');
+  expect(root.hidden).toBe(false);
+});
+
+it('a card has a title, buttons with their keys, and a score line by line', () => {
+  const { root, part } = createPart();
+  const card = createMissionCard(part);
+  const done: string[] = [];
+  const actions = [
+    { text: 'Next', cap: 'Enter', act: () => done.push('next') },
+    { text: 'Copy', cap: '', act: () => done.push('copy') },
+  ];
+  const line = { what: 'Fuel' as const, measured: '12 kg', points: 80, most: 100, rule: 'less is more' };
+  card.show({ title: 'Landed', words: 'Soft.', lines: [line, { ...line, points: -30, most: 0 }], actions });
+  expect(shownText(root)).toBe(
+    'Landed Soft. Next Enter Copy Score, line by line Fuel 12 kg 80 of 100 less is more Fuel 12 kg −30 less is more',
+  );
+  all(root, 'button').forEach(click);
+  expect(done).toEqual(['next', 'copy']);
+  expect(all(root, 'kbd').map(shownText)).toEqual(['Enter']);
+  expect(all(root, 'th').map((head) => (head as unknown as { scope: string }).scope)).toEqual(['row', 'row']);
+  root.scrollTop = 40;
+  card.show({ title: 'Crashed', words: '', lines: [], actions: [] });
+  expect([shownText(root), root.scrollTop, all(root, 'p'), all(root, 'table')]).toEqual([
+    'Crashed',
+    0,
+    [],
+    [],
+  ]);
+  card.hide();
+  expect([root.hidden, root.children]).toEqual([true, []]);
+});
+
+it('the legend names the overlays that are on, each colour with its meaning', () => {
+  const { root, part } = createPart({ style: { setProperty: () => undefined } });
+  const show = createOverlayLegend(part);
+  show(['ghost', 'forces']);
+  expect(all(root, 'li').map((row) => shownText(row).split(':')[0])).toEqual([
+    'Hull',
+    'Arrow',
+    'Arrow',
+    'Arrow',
+  ]);
+  expect(one(root, 'ul').hidden).toBe(false);
+  show([]);
+  expect([one(root, 'ul').hidden, all(root, 'li')]).toEqual([true, []]);
+});

@@ -1,10 +1,17 @@
-import { describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
+import { createLive } from '../../src/playground/game/live';
+import { DEFAULT_CHOICES } from '../../src/playground/panels/choices';
 import { createSession } from '../../src/playground/server/session';
 import { createTabHost, openTab, type TabChannel, type ToGuest } from '../../src/playground/server/tabLink';
 import { createPredictor, type Predictor } from '../../src/prediction';
 import { NETWORK_PRESETS } from '../../src/scenarios';
 import { decodeServerMessage, encodeClientMessage } from '../../src/wire';
+
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
 
 /** Tabs that receive each other's messages at once, instead of shortly after like a BroadcastChannel's. */
 function createRoom() {
@@ -118,6 +125,69 @@ describe('two tabs on one world', () => {
     for (let n = 0; n < 40; n++) views = step(null);
     expect(views.guest.own?.name).toBe('Bob');
     connection.dispose();
+  });
+
+  it('begin the scenario for a guest when it comes: the engine hovers until the guest flies', async () => {
+    vi.useFakeTimers();
+    const channelOf = createRoom();
+    vi.stubGlobal('BroadcastChannel', function () {
+      return channelOf();
+    });
+    const session = createSession();
+    const now = () => performance.now() / 1000;
+    expect(session.operate({ ...LOAD, terrain: '' }, now())).toBeNull();
+    const host = createTabHost(channelOf(), {
+      join: (guest, name) => session.join(guest, name, now()),
+      leave: session.leave,
+      send: (guest, bytes) => session.sendFrom(guest, bytes, now()),
+      world: session.world,
+    });
+    const nothing = () => undefined;
+    const live = createLive('main.js', {
+      ...{ onState: nothing, onWorld: nothing, onRefused: nothing, onEvent: nothing, onEntry: nothing },
+      ...{ onLost: nothing, onRun: nothing, onScenario: nothing },
+    });
+    const play = async (seconds: number) => {
+      for (let n = 0; n < seconds * 20; n++) {
+        await vi.advanceTimersByTimeAsync(50);
+        session.run(now());
+        for (const id of host.guests())
+          for (const { bytes } of session.deliverTo(id, now())) host.deliver(id, bytes);
+        live.frame();
+      }
+    };
+    await play(5);
+    live.begin({ ...DEFAULT_CHOICES, server: 'tab:test' });
+    // The page loads the tab's code when it is asked for.
+    await vi.waitFor(() => expect(host.guests()).toHaveLength(1));
+    await play(4);
+    const { own, diagnosis } = live.frame();
+    expect(own!.controls).toMatchObject({ thrustLevel: 0.078, attitudeHold: true });
+    expect(diagnosis.correctionsMismatch).toBe(0);
+    live.flightControls.press('throttleCut');
+    live.steer();
+    await play(1);
+    expect(live.frame().own!.controls.thrustLevel).toBe(0);
+    live.dispose();
+  });
+
+  it('fly a plan from the tick at which the guest came', () => {
+    const session = createSession();
+    expect(session.operate({ ...LOAD, scenario: 'launch' }, 0)).toBeNull();
+    const runTo = (end: number, from: number) => {
+      for (let now = from; now <= end; now += 0.1) session.run(now);
+    };
+    runTo(8, 0);
+    expect(session.join('guest-1', 'Bob', 8)).toBeNull();
+    runTo(12, 8);
+    const states = session.deliverTo('guest-1', 12).flatMap(({ bytes }) => {
+      const message = decodeServerMessage(bytes);
+      return message.ok && message.value.kind === 'frame' ? message.value.ships : [];
+    });
+    const own = states.filter(({ shipId }) => shipId === 'guest-1');
+    expect(new Set(own.map(({ surfaceContactState }) => surfaceContactState))).toEqual(
+      new Set(['landed', '']),
+    );
   });
 
   it('are not affected by other messages on the channel', () => {

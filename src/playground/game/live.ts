@@ -1,4 +1,4 @@
-import { type Controls, NEUTRAL_CONTROLS } from '../../dynamics';
+import type { Controls } from '../../dynamics';
 import type { WorldView } from '../../prediction';
 import type { PendingMessage } from '../../wire';
 import { findScenario, NETWORK_PRESETS, type NetworkNumbers } from '../../scenarios';
@@ -107,12 +107,11 @@ function takeFrame(state: LiveState, now: number): WorldView {
   return state.view;
 }
 
-/** The pilot's controls; null while a scenario's plan flies and the pilot has not touched anything. */
+/** The pilot's controls; null until the pilot touches anything: a scenario's plan flies, or another server's ship as it does. */
 function fly(state: LiveState, now: number): Controls | null {
   const seconds = Number.isNaN(state.sampledAt) ? 0 : now - state.sampledAt;
   state.sampledAt = now;
-  const commanded = state.flightControls.sample(state.view, now, seconds / state.clock.speed());
-  return commanded === null && state.script === null ? NEUTRAL_CONTROLS : commanded;
+  return state.flightControls.sample(state.view, now, seconds / state.clock.speed());
 }
 
 function advance(state: LiveState, now: number): void {

@@ -103,7 +103,10 @@ export function addGuest(world: LoadedWorld, playerId: string, name: string, now
   }
   const place = guests.size + 1;
   const order = fleetOrders(loaded, place, place).at(-1)!;
-  const guest = { ...order, shipId: playerId, playerId, name, plan: loaded.inputs };
+  // The scenario begins for a guest when it comes: a ship with neutral controls would fall before its pilot has read how to fly.
+  const came = link.authority.tickNumber();
+  const plan = loaded.inputs.map((input) => ({ ...input, tick: input.tick + came }));
+  const guest = { ...order, shipId: playerId, playerId, name, plan };
   const reason = link.authority.spawn(guest);
   if (reason !== null) return reason;
   guests.add(playerId);

@@ -117,11 +117,11 @@ const MIN_LEVEL = 1e-3;
 
 /** @param spin of the body, ICRF: north is where its axis points */
 function measureAttitude(out: FlightReadout, ship: ShipView, spin: readonly number[]): void {
-  const { normal, normalInShip, tilt } = out.memory;
-  out.pitch = 90 - tilt * DEGREES;
+  const { normal, normalInShip, lean } = out.memory;
+  out.pitch = 90 - lean * DEGREES;
   const level = Math.sqrt(normalInShip[0]! ** 2 + normalInShip[1]! ** 2);
-  out.leanX = level > 0 ? (-normalInShip[0]! / level) * tilt * DEGREES : 0;
-  out.leanY = level > 0 ? (-normalInShip[1]! / level) * tilt * DEGREES : 0;
+  out.leanX = level > 0 ? (-normalInShip[0]! / level) * lean * DEGREES : 0;
+  out.leanY = level > 0 ? (-normalInShip[1]! / level) * lean * DEGREES : 0;
   for (let k = 0; k < 3; k++) pole[k] = spin[k]!;
   cross(east, pole, normal);
   writeDot(product, 0, east, east);

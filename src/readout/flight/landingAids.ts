@@ -52,6 +52,8 @@ interface AidsMemory {
 
 /** Game s the run goes ahead. */
 const HORIZON = 120;
+/** Game s by which a touch may be later in the next run without being another one. */
+const SAME_TOUCH = 1;
 /** Some 80 µs a call. */
 const SUBSTEPS_A_CALL = 400;
 /** m AGL, as the descent data. */
@@ -217,9 +219,16 @@ function runAhead(out: LandingAids, view: WorldView, ship: ShipView): void {
     out.outcome = touched ? 'touch' : 'none';
     if (touched) readTouch(out, view, ship);
   }
-  out.touchSeconds = out.outcome === 'touch' ? Math.max(0, out.memory.touchAt - clock.now) : NaN;
-  if (out.outcome === 'touch') writePlaceNow(out.touchPlace, out.memory.touched, view.bodies[ship.body]!);
-  if (out.outcome !== 'none') return;
+  const { startedAt, touchAt, touched } = out.memory;
+  // The controls have changed since that touch was predicted: this run has flown past it.
+  if (out.outcome === 'touch' && projection.running && startedAt + projection.elapsed > touchAt + SAME_TOUCH)
+    out.outcome = 'working';
+  if (out.outcome === 'touch') {
+    out.touchSeconds = Math.max(0, touchAt - clock.now);
+    writePlaceNow(out.touchPlace, touched, view.bodies[ship.body]!);
+    return;
+  }
+  out.touchSeconds = NaN;
   out.touchVertical = NaN;
   out.touchHorizontal = NaN;
   out.touchTilt = NaN;

@@ -35,6 +35,19 @@ describe('the instruments of flying', () => {
     expect((a - b + 360) % 360).toBeCloseTo(50, 6);
   });
 
+  it('give pitch and lean over the horizon, not over the slope below', () => {
+    const slope = makeView({ tilt: 15 }).own.attitude;
+    const [x, y, z, w] = slope as unknown as [number, number, number, number];
+    const groundNormal = Float64Array.of(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y));
+    const upright = read({}, { groundNormal });
+    expect([upright.pitch, upright.leanX, upright.leanY]).toEqual([
+      expect.closeTo(90, 6),
+      expect.closeTo(0, 6),
+      expect.closeTo(0, 6),
+    ]);
+    expect(read({ tilt: 15 }, { groundNormal }).pitch).toBeCloseTo(75, 6);
+  });
+
   it('give no heading of a +Y that points straight up', () => {
     /** Over a body that turns about y, as the azimuth of a pose has it. */
     const heading = (pose: Pose) => {

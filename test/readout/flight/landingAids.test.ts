@@ -180,6 +180,15 @@ describe('landing aids', () => {
     expect(out.outcome).toBe('none');
   });
 
+  it('forget a predicted touch once a run ahead with other controls has flown past it', () => {
+    const { out, view } = settle({ clearance: 8, up: -2 });
+    expect(out.touchSeconds).toBeLessThan(3);
+    // Full thrust: it climbs for longer than the run looks ahead.
+    const climbing = { ...view.own, ...controls(1) };
+    for (let i = 0; i < 3; i++) updateLandingAids(out, later(view, 0.05 * i, climbing));
+    expect(out).toMatchObject({ outcome: 'working', touchSeconds: NaN, touchVertical: NaN, touchTilt: NaN });
+  });
+
   it('forget a predicted touch when the ship is put elsewhere', () => {
     const { out } = settle({ clearance: 80, up: -3 });
     expect(out.outcome).toBe('touch');

@@ -65,7 +65,10 @@ export function createRightingPanel(
   const paintHoldShown = showPart(hold);
   const paintThenShown = showPart(then);
   // If they are held longer, the swing carries the ship over to its other side.
-  const paintUntil = showNumber(append(then, 'span', 'td-until', 'below '), ANGLE);
+  const until = append(then, 'span', 'td-until', 'below ');
+  const paintUntil = showNumber(until, ANGLE);
+  const paintUntilShown = showPart(until);
+  const paintNow = showPart(append(then, 'strong', '', 'now'));
   const press = append(then, 'span', '', 'then press');
   const paintPressShown = showPart(press);
   const paintDamping = createKey(then, keyLabel);
@@ -84,6 +87,8 @@ export function createRightingPanel(
     paintTime(righting.holdSeconds);
     paintTimeShown(righting.outcome === 'lands');
     paintUntil(righting.holdUntil);
+    paintUntilShown(!righting.release);
+    paintNow(righting.release);
     paintPressShown(!righting.damped);
     paintDamping(righting.damped ? '' : 'rateDamping');
     paintTorque(righting);

@@ -14,7 +14,11 @@ const BUTTONS: readonly (readonly [number, Action | 'confirm'])[] = [
   [14, 'modeRetrograde'],
   [15, 'modeHold'],
 ];
-const [LEFT_SHOULDER, RIGHT_SHOULDER, LEFT_TRIGGER, RIGHT_TRIGGER] = [4, 5, 6, 7] as const;
+const [LEFT_SHOULDER, RIGHT_SHOULDER, LEFT_TRIGGER, RIGHT_TRIGGER, LEFT_STICK, RIGHT_STICK] = [
+  4, 5, 6, 7, 10, 11,
+] as const;
+/** Buttons that deflect while they are held. */
+const HELD = [LEFT_SHOULDER, RIGHT_SHOULDER, LEFT_TRIGGER, RIGHT_TRIGGER, LEFT_STICK, RIGHT_STICK];
 
 /** Deflection below which a stick is at rest: worn sticks do not return to 0. */
 const DEAD = 0.16;
@@ -45,7 +49,7 @@ export function readPad(out: Deflection, pad: PadState): boolean {
   out.tiltAway = -axis(1) + 0;
   out.pushRight = axis(2);
   out.pushAway = -axis(3) + 0;
-  out.pushUp = 0;
+  out.pushUp = button(RIGHT_STICK) - button(LEFT_STICK);
   out.turnLeft = button(LEFT_SHOULDER) - button(RIGHT_SHOULDER);
   out.lever = button(RIGHT_TRIGGER) - button(LEFT_TRIGGER);
   return true;
@@ -100,8 +104,7 @@ export function createGamepads(
 
 function isDeflected(pad: PadState): boolean {
   if (pad.axes.slice(0, 4).some((raw) => withDeadZone(raw) !== 0)) return true;
-  const held = [LEFT_SHOULDER, RIGHT_SHOULDER, LEFT_TRIGGER, RIGHT_TRIGGER];
-  return held.some((i) => withDeadZone(pad.buttons[i]?.value ?? 0) !== 0);
+  return HELD.some((i) => withDeadZone(pad.buttons[i]?.value ?? 0) !== 0);
 }
 
 /** A page may be forbidden to read pads. */

@@ -28,7 +28,7 @@ const BUTTONS: readonly (readonly [Action, string])[] = [
   ['autopilot', 'Auto'],
 ];
 
-/** Two thumb sticks and a lever, with words; shown where fingers are the pointer. The lever and the buttons are native controls. */
+/** Three thumb sticks and a lever, with words; shown where fingers are the pointer. The lever and the buttons are native controls. */
 export function createThumbs(host: HTMLElement, listeners: ThumbListeners): Thumbs {
   const { deflection, moved } = listeners;
   createStickPad(host, 'Tilt', (right, away) => {
@@ -46,7 +46,12 @@ export function createThumbs(host: HTMLElement, listeners: ThumbListeners): Thum
   lever.addEventListener('input', () => listeners.lever((lever.valueAsNumber / 100) ** 2));
   const buttons = append(middle, 'div', 'thumb-buttons');
   for (const [action, text] of BUTTONS) appendButton(buttons, text, () => listeners.pressed(action));
-  createStickPad(host, 'Push', (right, away) => {
+  const right = append(host, 'div', 'thumb-column');
+  createStickPad(right, 'Lift', (_, up) => {
+    deflection().pushUp = up;
+    moved();
+  });
+  createStickPad(right, 'Push', (right, away) => {
     Object.assign(deflection(), { pushRight: right, pushAway: away });
     moved();
   });

@@ -41,6 +41,7 @@ export const KEY_TEXT: Readonly<Record<Action, string>> = {
 export const GAMEPAD_TEXT: readonly (readonly [string, string])[] = [
   ['Left stick', 'Tilt'],
   ['Right stick', 'Push'],
+  ['Press left, right stick', 'Push down, up'],
   ['LB, RB', 'Turn left, right'],
   ['LT, RT', 'Less, more thrust'],
   ['A', 'Continue'],

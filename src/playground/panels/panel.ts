@@ -1,31 +1,8 @@
 import { findScenario, LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
 import type { Choices } from './choices';
-import { append, appendButton, appendDetails, appendLicences, createSelect } from './elements';
-import { createForm, type Form } from './form';
-
-/** Buttons of the panel. */
-export type PanelAction =
-  | 'restart'
-  | 'pause'
-  | 'stepSubstep'
-  | 'kick'
-  | 'spike'
-  | 'freeze'
-  | 'drop'
-  | 'away'
-  | 'snapshot'
-  | 'restore'
-  | 'drag'
-  | 'copyLink'
-  | 'copyFlight'
-  | 'invite'
-  | 'help'
-  | 'sound'
-  | 'resetCamera'
-  | 'nextCamera'
-  | 'tryHop'
-  | 'tryTopple'
-  | 'tryLastState';
+import { append, appendButton, appendDetails, createSelect } from './elements';
+import { createForm } from './form';
+import type { ButtonRow, PanelAction, WorkshopParts } from './panelActions';
 
 export interface PanelListeners {
   /** A field was changed. Returns why it is invalid, or null. */
@@ -62,39 +39,12 @@ const BUILT_IN_ONLY: readonly PanelAction[] = [
   'invite',
 ];
 
-type ButtonRow = readonly (readonly [action: PanelAction, text: string])[];
-
 const RUN: ButtonRow = [
   ['restart', 'Restart'],
   ['pause', 'Pause'],
   ['help', 'Keys'],
   ['sound', 'Sound'],
 ];
-const TRIES: ButtonRow = [
-  ['tryHop', 'Hop: full throttle for a second, then land again'],
-  ['tryTopple', 'Tip over, then right the ship with the key shown'],
-  ['tryLastState', 'See the same without prediction'],
-];
-const TROUBLES: ButtonRow = [
-  ['kick', 'Kick the ship'],
-  ['spike', 'Lag spike'],
-  ['freeze', 'Freeze the server'],
-  ['drop', 'Drop the connection'],
-  ['away', 'Hide for a minute'],
-];
-const EXPERIMENTS: ButtonRow = [
-  ['stepSubstep', 'Step'],
-  ['snapshot', 'Snapshot'],
-  ['restore', 'Restore'],
-  ['drag', 'Move the ship'],
-];
-const SHARE: ButtonRow = [
-  ['copyLink', 'Copy link'],
-  ['copyFlight', 'Copy flight link'],
-  ['resetCamera', 'Reset view'],
-  ['nextCamera', 'Next camera'],
-];
-
 /** The playground's form: native controls, each with its label. Missions on top, the workshop folded below. */
 export function createPanel(
   host: HTMLElement,
@@ -102,11 +52,12 @@ export function createPanel(
   listeners: PanelListeners,
 ): Panel {
   const buttons = new Map<PanelAction, HTMLButtonElement>();
-  const addButton = (parent: Element, action: PanelAction, text: string) =>
-    buttons.set(
-      action,
-      appendButton(parent, text, () => listeners.action(action)),
-    );
+  const pressed = new Map<PanelAction, boolean>();
+  const addButton = (parent: Element, action: PanelAction, text: string) => {
+    const button = appendButton(parent, text, () => listeners.action(action));
+    if (pressed.has(action)) button.setAttribute('aria-pressed', String(pressed.get(action)));
+    buttons.set(action, button);
+  };
   const addRow = (parent: Element, row: ButtonRow) => {
     const element = append(parent, 'div', 'row');
     for (const [action, text] of row) addButton(element, action, text);
@@ -127,48 +78,46 @@ export function createPanel(
     if (workshop.open) loadSettings();
     listeners.workshop(workshop.open);
   });
-  append(workshop, 'h3', '', 'Three things to try');
-  const tries = append(workshop, 'ul', 'tries');
-  for (const [action, text] of TRIES) addButton(append(tries, 'li'), action, text);
-  const settings = append(workshop, 'div');
-  const loadSettings = createSettingsLoader(settings, form, listeners.failed);
+  const loadSettings = createSettingsLoader(workshop, { form, addButton, addRow }, listeners.failed);
   if (workshopOpen) loadSettings();
-  append(workshop, 'h3', '', 'Experiment');
-  addRow(workshop, EXPERIMENTS);
-  append(workshop, 'h3', '', 'Disturb');
-  addRow(workshop, TROUBLES);
-  append(workshop, 'h3', '', 'Share and view');
-  addRow(workshop, SHARE);
-  const run = append(workshop, 'p', 'quiet');
-  appendLicences(append(workshop, 'p', 'quiet'));
+  let run = '';
+  const paintRun = () => {
+    const line = workshop.querySelector('.run');
+    if (line !== null) line.textContent = run;
+  };
+  form.also(paintRun);
   form.also(({ server, mode }) => {
-    for (const action of BUILT_IN_ONLY) buttons.get(action)!.disabled = server !== '';
-    buttons.get('tryLastState')!.setAttribute('aria-pressed', String(mode === 'last'));
+    for (const action of BUILT_IN_ONLY) buttons.get(action)?.toggleAttribute('disabled', server !== '');
+    buttons.get('tryLastState')?.setAttribute('aria-pressed', String(mode === 'last'));
   });
 
   return {
     show: form.show,
-    press: (action, pressed) => buttons.get(action)?.setAttribute('aria-pressed', String(pressed)),
+    press(action, isPressed) {
+      pressed.set(action, isPressed);
+      buttons.get(action)?.setAttribute('aria-pressed', String(isPressed));
+    },
     label(action, text) {
       const known = buttons.get(action);
       if (known !== undefined && known.textContent !== text) known.textContent = text;
     },
     showRun(text) {
-      if (run.textContent !== text) run.textContent = text;
+      run = text;
+      paintRun();
     },
   };
 }
 
-/** The settings' code is loaded when the workshop opens for the first time. */
-function createSettingsLoader(host: Element, form: Form, failed: () => void): () => void {
+/** The workshop's code is loaded when it opens for the first time. */
+function createSettingsLoader(host: Element, parts: WorkshopParts, failed: () => void): () => void {
   let isLoading = false;
   return () => {
     if (isLoading) return;
     isLoading = true;
     import('./settings').then(
-      ({ appendSettings }) => {
-        appendSettings(host, form);
-        form.showAgain();
+      ({ appendWorkshop }) => {
+        appendWorkshop(host, parts);
+        parts.form.showAgain();
       },
       () => {
         isLoading = false;

@@ -1,8 +1,34 @@
 import { BODIES, SHIP_CLASSES, TERRAINS } from '../../dynamics';
 import { type Choices, NETWORKS, OVERLAY_NAMES, type OverlayName } from './choices';
-import { append, appendDetails, createNumber, createSelect } from './elements';
+import { append, appendDetails, appendLicences, createNumber, createSelect } from './elements';
 import type { Form } from './form';
 import { createOverlayLegend } from './overlayLegend';
+import type { ButtonRow, WorkshopParts } from './panelActions';
+
+const TRIES: ButtonRow = [
+  ['tryHop', 'Hop: full throttle for a second, then land again'],
+  ['tryTopple', 'Tip over, then right the ship with the key shown'],
+  ['tryLastState', 'See the same without prediction'],
+];
+const TROUBLES: ButtonRow = [
+  ['kick', 'Kick the ship'],
+  ['spike', 'Lag spike'],
+  ['freeze', 'Freeze the server'],
+  ['drop', 'Drop the connection'],
+  ['away', 'Hide for a minute'],
+];
+const EXPERIMENTS: ButtonRow = [
+  ['stepSubstep', 'Step'],
+  ['snapshot', 'Snapshot'],
+  ['restore', 'Restore'],
+  ['drag', 'Move the ship'],
+];
+const SHARE: ButtonRow = [
+  ['copyLink', 'Copy link'],
+  ['copyFlight', 'Copy flight link'],
+  ['resetCamera', 'Reset view'],
+  ['nextCamera', 'Next camera'],
+];
 
 const NETWORK_WORDS: Readonly<Record<(typeof NETWORKS)[number], string>> = {
   lan: 'LAN, 2 ms',
@@ -26,8 +52,24 @@ function nameOf(id: string): string {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
+/** The workshop beside the game: things to try, settings, experiments. */
+export function appendWorkshop(host: Element, { form, addButton, addRow }: WorkshopParts): void {
+  append(host, 'h3', '', 'Three things to try');
+  const tries = append(host, 'ul', 'tries');
+  for (const [action, text] of TRIES) addButton(append(tries, 'li'), action, text);
+  appendSettings(append(host, 'div'), form);
+  append(host, 'h3', '', 'Experiment');
+  addRow(host, EXPERIMENTS);
+  append(host, 'h3', '', 'Disturb');
+  addRow(host, TROUBLES);
+  append(host, 'h3', '', 'Share and view');
+  addRow(host, SHARE);
+  append(host, 'p', 'quiet run');
+  appendLicences(append(host, 'p', 'quiet'));
+}
+
 /** Settings of client, network and world. */
-export function appendSettings(host: Element, form: Form): void {
+function appendSettings(host: Element, form: Form): void {
   const document = host.ownerDocument;
   const modes = [
     ['predicted', 'Predicted'],

@@ -2,6 +2,7 @@ import { EVENT_CONTACT, EVENT_DESTROYED, IMPACT_SPEED, POSITION, VELOCITY } from
 import type { ShipView, WorldView } from '../../prediction';
 import { cross, writeDot } from '../axes';
 import { createViewClock, followView, type ViewClock } from '../landing/viewClock';
+import { measureCorridor } from './corridor';
 import {
   createProjection,
   type Projection,
@@ -33,8 +34,11 @@ export interface LandingAids {
   /** The approach corridor: speed down that leaves half of the engine in reserve, and how the ship keeps it. */
   aimSpeed: number;
   corridor: 'slow' | 'good' | 'fast' | 'none';
-  /** What the throttle should do, from the corridor a moment ahead: a pilot acts late, and would overshoot the one of now. */
-  advice: 'more' | 'hold' | 'less' | 'none';
+  /**
+   * What the throttle should do, from the corridor a moment ahead: a pilot acts late, and would overshoot the one of now. 'push': the
+   * engine is off, there is next to no gravity, and thrusters must push the ship down.
+   */
+  advice: 'more' | 'hold' | 'less' | 'push' | 'none';
   /** Kept from view to view; not shown. @internal */
   readonly memory: AidsMemory;
 }
@@ -58,28 +62,6 @@ const SAME_TOUCH = 1;
 const SUBSTEPS_A_CALL = 400;
 /** m AGL, as the descent data. */
 const CEILING = 50_000;
-/** m/s over the last metres; the goal of a landing is below 2. */
-const TOUCH_SPEED = 1.2;
-/** Highest speed to aim at, m/s. */
-const MAX_SPEED = 30;
-const LAST_METRES = 2;
-/** Of what the engine brakes beyond gravity: the rest is left for who brakes late. */
-const BRAKING_SHARE = 0.5;
-/** m/s²: a body with next to no gravity is still to be reached. */
-const MIN_BRAKING = 0.3;
-/** Of that braking, on the way down: at a quarter of it the speed changes slowly enough to be followed by hand. */
-const FLOWN_SHARE = 0.25;
-/** Shares of the speed to aim at that bound the corridor. */
-const SLOWEST = 0.5;
-const FASTEST = 1.35;
-/** m/s: close to the ground a share alone would be too narrow. */
-const SLACK = 0.5;
-
-/** Game s between a look at the display and what the hand makes of it. */
-const LEAD = 1.5;
-/** Shares of the speed to aim at, and m/s, within which the throttle stays: narrower above, where the ground is hard. */
-const ADVISED = { slowest: 0.45, fastest: 1.1, slack: 0.3 };
-
 /**
  * Empty landing aids, filled by updateLandingAids.
  *
@@ -137,7 +119,7 @@ export function updateLandingAids(out: LandingAids, given: WorldView | null): La
   if (!followView(clock, view, ship)) forgetAids(out);
   out.shown = surface.clearance < CEILING;
   if (!out.shown) return out;
-  measureCorridor(out, ship);
+  measureCorridor(out, surface, ship);
   if (!projection.running) {
     out.memory.startedAt = clock.now;
     startProjection(projection, ship, body, view.settings, ship.controls);
@@ -158,50 +140,6 @@ function forgetAids(out: LandingAids): void {
   out.corridor = 'none';
   out.advice = 'none';
   out.memory.projection.running = false;
-}
-
-/** Stopping from v at full thrust takes v² / (2 a): the fall until then is solved for its time, upright and over level ground. */
-function measureCorridor(out: LandingAids, ship: ShipView): void {
-  const { gravity, mass, radialSpeed, clearance } = out.memory.surface;
-  const falling = -radialSpeed;
-  const height = Math.max(0, clearance);
-  const full = ship.fuel > 0 ? ship.shipClass.mainEngineThrust / mass : 0;
-  const braking = full - gravity;
-  if (braking <= 0) {
-    out.burnSeconds = falling > 0 ? 0 : NaN;
-    out.aimSpeed = NaN;
-    out.corridor = 'none';
-    out.advice = 'none';
-    return;
-  }
-  const spare = falling * falling - 2 * braking * height;
-  const discriminant = falling * falling - (gravity * spare) / full;
-  // Below 0 it is too late; the discriminant is not below 0 while something falls, since full > gravity.
-  out.burnSeconds = falling > 0 ? Math.max(0, (Math.sqrt(discriminant) - falling) / gravity) : NaN;
-  out.aimSpeed = speedToAimAt(height, gravity, braking);
-  out.corridor =
-    falling > FASTEST * out.aimSpeed + SLACK
-      ? 'fast'
-      : falling < SLOWEST * out.aimSpeed - SLACK
-        ? 'slow'
-        : 'good';
-  const soon = falling + (gravity - ship.controls.thrustLevel * full) * LEAD;
-  const aimSoon = speedToAimAt(height - (LEAD * (falling + soon)) / 2, gravity, braking);
-  out.advice =
-    soon > ADVISED.fastest * aimSoon + ADVISED.slack
-      ? 'more'
-      : soon < ADVISED.slowest * aimSoon - ADVISED.slack
-        ? 'less'
-        : 'hold';
-}
-
-/** m/s down at `height` m that a quarter of a gentle braking slows to the speed of the touch. */
-function speedToAimAt(height: number, gravity: number, braking: number): number {
-  const toBrake = Math.max(0, height - LAST_METRES);
-  const gentle = Math.min(BRAKING_SHARE * braking, Math.max(gravity, MIN_BRAKING));
-  // v² = v₀² + 2 a s
-  const square = TOUCH_SPEED * TOUCH_SPEED + 2 * FLOWN_SHARE * gentle * toBrake;
-  return Math.min(Math.sqrt(square), MAX_SPEED);
 }
 
 const groundVelocity = new Float64Array(3);

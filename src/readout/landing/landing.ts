@@ -146,13 +146,15 @@ function readNumbers(out: LandingReadout, view: WorldView, ship: ShipView): void
   else measureDrift(out.drift, surface, ship.attitude);
   out.touchdownShown =
     out.touchdown.known && (out.status === 'landed' || out.status === 'tipped' || out.status === 'crashed');
-  if (out.status === 'contact') {
+  const isContact = out.status === 'contact';
+  const isRighted = isContact && ahead?.followRighting(out.righting, ahead.righting, surface, ship) === true;
+  if (isContact && !isRighted) {
     measureGates(out.gates, surface, view.settings);
     measureTipMargin(out.margin, surface);
     ahead?.forecastTipping(out.margin, ahead.tipping, view, clock);
   } else ahead?.forgetTipping(ahead.tipping);
   if (out.status === 'tipped') ahead?.measureRighting(out.righting, ahead.righting, surface, view, ship);
-  else ahead?.forgetRightingRun(ahead.righting.run);
+  else if (!isContact) ahead?.forgetRightingRun(ahead.righting.run);
 }
 
 /** Simulations ahead of another ship, or of this one elsewhere, no longer apply. */

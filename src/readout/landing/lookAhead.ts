@@ -1,4 +1,4 @@
-import { createRightingMemory, measureRighting, type RightingMemory } from './righting';
+import { createRightingMemory, followRighting, measureRighting, type RightingMemory } from './righting';
 import { forgetRightingRun } from './rightingRun';
 import { createTippingMemory, forecastTipping, forgetTipping, type TippingMemory } from './tipping';
 
@@ -9,6 +9,7 @@ export interface LookAhead {
   readonly forecastTipping: typeof forecastTipping;
   readonly forgetTipping: typeof forgetTipping;
   readonly measureRighting: typeof measureRighting;
+  readonly followRighting: typeof followRighting;
   readonly forgetRightingRun: typeof forgetRightingRun;
 }
 
@@ -19,6 +20,7 @@ export function createLookAhead(): LookAhead {
     forecastTipping,
     forgetTipping,
     measureRighting,
+    followRighting,
     forgetRightingRun,
   };
 }

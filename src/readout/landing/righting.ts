@@ -11,8 +11,10 @@ import { toppleTilt } from './tilt';
 
 /** How a tipped ship gets up again, or why it cannot (HUD, righting help; DYNAMICS, "What this gives"). */
 export interface Righting {
-  /** While tipped. */
+  /** While tipped, and while the ship comes up under the actions named, until they are let go. */
   shown: boolean;
+  /** It leans less than `holdUntil`: let go now. */
+  release: boolean;
   /** One action, or two when the ship lies across its axes. */
   readonly actions: RotationAction[];
   /** Wheel + RCS about the righting axis with those actions held, N m. */
@@ -24,14 +26,14 @@ export interface Righting {
   /** kg aboard. */
   fuel: number;
   /**
-   * Result of simulating ahead: those actions held until the ship leans less than its point of no return, then rate damping.
+   * Result of simulating ahead: those actions held until the tilt is below `holdUntil`, then rate damping.
    * 'fails': the ship does not land within a minute (fuel ran out, or it falls over again).
    */
   outcome: 'working' | 'lands' | 'fails';
   /** Game s to hold, and kg until landed; NaN unless outcome is 'lands'. */
   holdSeconds: number;
   fuelNeeded: number;
-  /** The point of no return, degrees of tilt from the ground: hold until the tilt is below it. */
+  /** Degrees of tilt from the ground: hold until the tilt is below it. Once worked out, as much above the point of no return as a hand is late. */
   holdUntil: number;
   /** Rate damping is on already: releasing the keys suffices. */
   damped: boolean;
@@ -55,6 +57,7 @@ const SECOND_KEY = 0.414;
 export function createRighting(): Righting {
   return {
     shown: false,
+    release: false,
     actions: [],
     torqueAvailable: 0,
     torqueNeeded: 0,
@@ -84,6 +87,7 @@ export function measureRighting(
   ship: ShipView,
 ): void {
   out.shown = true;
+  out.release = false;
   out.fuel = ship.fuel;
   out.torqueNeeded = surface.weight * ship.groundContactOffset;
   out.damped = ship.controls.attitudeHold && ship.controls.attitudeMode === 'none';
@@ -94,8 +98,29 @@ export function measureRighting(
   else forgetRightingRun(memory.run);
   out.outcome = memory.run.outcome;
   out.holdSeconds = memory.run.holdSeconds;
-  out.holdUntil = toppleTilt(surface);
+  writeHoldUntil(out, memory, surface);
   out.fuelNeeded = memory.run.fuelNeeded;
+}
+
+function writeHoldUntil(out: Righting, { run }: RightingMemory, surface: Surface): void {
+  const earlier = Number.isNaN(run.holdLean) ? 0 : run.holdLean - surface.noReturn;
+  out.holdUntil = toppleTilt(surface) + (earlier * 180) / Math.PI;
+}
+
+/** For a ship that was tipped and is in contact: whether it is being righted. What is shown stays until the keys are let go. */
+export function followRighting(
+  out: Righting,
+  memory: RightingMemory,
+  surface: Surface,
+  { controls }: ShipView,
+): boolean {
+  const { inputs, run } = memory;
+  const isHeld = inputs[0]! * controls.rotationInput[0] + inputs[1]! * controls.rotationInput[1] > 0;
+  out.shown = isHeld && run.outcome === 'lands';
+  if (!out.shown) return false;
+  writeHoldUntil(out, memory, surface);
+  out.release = (surface.tilt * 180) / Math.PI < out.holdUntil;
+  return true;
 }
 
 /** Level part of s in ship axes below which the ship is upside down, and any axis will do. */

@@ -19,16 +19,20 @@ import {
 import type { Surface } from '../surface';
 
 /**
- * Simulates a tipped ship ahead, flown as the hint says: the righting keys held until it leans less than its
- * point of no return, then rate damping alone until it has landed. Without damping the swing that lifts a ship usually
- * carries it over to its other side.
+ * Simulates a tipped ship ahead, flown as the hint says: the righting keys held until it leans little enough, then rate damping alone until
+ * it has landed. Without damping the swing that lifts a ship usually carries it over to its other side. A first run finds how fast the ship
+ * passes its point of no return: a hand lets go later than the eye sees the angle, so the angle to let go at is as much larger. The second
+ * run lets go there.
  */
 export interface RightingRun {
   readonly projection: Projection;
   outcome: 'working' | 'lands' | 'fails';
   /** Game s of holding, in this run; NaN while the keys are held. */
   released: number;
-  /** Game s to hold the keys; NaN unless it lands. */
+  /** Lean at which the second run lets go, rad; NaN in the first. */
+  releaseLean: number;
+  /** The answer: lean at which to let go, rad, and game s to hold the keys; NaN unless it lands. */
+  holdLean: number;
   holdSeconds: number;
   /** kg until it has landed; NaN unless it does. */
   fuelNeeded: number;
@@ -45,6 +49,8 @@ export interface RightingRun {
 const HORIZON = 60;
 /** Some 40 µs a call. */
 const SUBSTEPS_A_CALL = 200;
+/** Game s by which a hand lets go after the angle is read. */
+const HAND = 0.2;
 const DAMPED: Controls = { ...NEUTRAL_CONTROLS, attitudeHold: true };
 /** Differences that would hardly show in the answer, kg and rad. */
 const SAME_FUEL = 10;
@@ -55,6 +61,8 @@ export function createRightingRun(): RightingRun {
     projection: createProjection(),
     outcome: 'working',
     released: NaN,
+    releaseLean: NaN,
+    holdLean: NaN,
     holdSeconds: NaN,
     fuelNeeded: NaN,
     startInputX: NaN,
@@ -67,6 +75,8 @@ export function createRightingRun(): RightingRun {
 export function forgetRightingRun(run: RightingRun): void {
   run.projection.running = false;
   run.outcome = 'working';
+  run.releaseLean = NaN;
+  run.holdLean = NaN;
   run.holdSeconds = NaN;
   run.fuelNeeded = NaN;
   run.startInputX = NaN;
@@ -80,16 +90,25 @@ export function runRighting(
   view: WorldView,
   ship: ShipView,
 ): void {
-  if (!run.projection.running && differs(run, inputs, surface, ship)) {
-    run.startInputX = inputs[0]!;
-    run.startInputY = inputs[1]!;
-    run.startFuel = ship.fuel;
-    run.startTilt = surface.tilt;
-    const controls: Controls = { ...NEUTRAL_CONTROLS, rotationInput: [inputs[0]!, inputs[1]!, 0] };
-    run.released = NaN;
-    startProjection(run.projection, ship, view.bodies[ship.body]!, view.settings, controls);
+  const { projection } = run;
+  if (!projection.running) {
+    const isNew = differs(run, inputs, surface, ship);
+    if (isNew) {
+      run.startInputX = inputs[0]!;
+      run.startInputY = inputs[1]!;
+      run.startFuel = ship.fuel;
+      run.startTilt = surface.tilt;
+      run.releaseLean = NaN;
+    }
+    // NaN after a second run, and where the first did not come up.
+    if (isNew || !Number.isNaN(run.releaseLean)) {
+      run.released = NaN;
+      const controls: Controls = { ...NEUTRAL_CONTROLS, rotationInput: [inputs[0]!, inputs[1]!, 0] };
+      startProjection(projection, ship, view.bodies[ship.body]!, view.settings, controls);
+    }
   }
-  if (run.projection.running) runAhead(run, Math.cos(surface.noReturn));
+  if (projection.running && Number.isNaN(run.releaseLean)) findRelease(run, surface.noReturn);
+  else if (projection.running) runAhead(run, Math.cos(run.releaseLean));
 }
 
 function differs(run: RightingRun, inputs: Float64Array, { tilt }: Surface, { fuel }: ShipView): boolean {
@@ -101,21 +120,43 @@ function differs(run: RightingRun, inputs: Float64Array, { tilt }: Surface, { fu
   );
 }
 
-function runAhead(run: RightingRun, cosStanding: number): void {
+/** The first run: ends at the point of no return. */
+function findRelease(run: RightingRun, noReturn: number): void {
+  const { projection } = run;
+  const cosStanding = Math.cos(noReturn);
+  for (let i = 0; i < SUBSTEPS_A_CALL && projection.running; i++) {
+    const before = projectedCosTilt(projection);
+    const began = projection.elapsed;
+    stepProjection(projection);
+    const cos = projectedCosTilt(projection);
+    if (cos > cosStanding) {
+      projection.running = false;
+      run.releaseLean =
+        noReturn + (HAND * (Math.acos(before) - Math.acos(cos))) / (projection.elapsed - began);
+    } else if (projection.ships[CRASHED] !== 0 || projection.elapsed >= HORIZON) endRun(run, false);
+  }
+}
+
+function runAhead(run: RightingRun, cosRelease: number): void {
   const { projection } = run;
   const { ships } = projection;
   for (let i = 0; i < SUBSTEPS_A_CALL && projection.running; i++) {
     stepProjection(projection);
-    if (Number.isNaN(run.released) && projectedCosTilt(projection) > cosStanding) {
+    if (Number.isNaN(run.released) && projectedCosTilt(projection) > cosRelease) {
       run.released = projection.elapsed;
       writeControls(ships, 0, DAMPED);
     }
     const landed = ships[SURFACE_STATE] === LANDED;
     const fallen = ships[SURFACE_STATE] === TIPPED && !Number.isNaN(run.released);
-    if (!landed && !fallen && ships[CRASHED] === 0 && projection.elapsed < HORIZON) continue;
-    projection.running = false;
-    run.outcome = landed ? 'lands' : 'fails';
-    run.holdSeconds = landed ? run.released : NaN;
-    run.fuelNeeded = landed ? run.startFuel - ships[FUEL]! : NaN;
+    if (landed || fallen || ships[CRASHED] !== 0 || projection.elapsed >= HORIZON) endRun(run, landed);
   }
+}
+
+function endRun(run: RightingRun, lands: boolean): void {
+  run.projection.running = false;
+  run.outcome = lands ? 'lands' : 'fails';
+  run.holdLean = lands ? run.releaseLean : NaN;
+  run.holdSeconds = lands ? run.released : NaN;
+  run.fuelNeeded = lands ? run.startFuel - run.projection.ships[FUEL]! : NaN;
+  run.releaseLean = NaN;
 }

@@ -82,7 +82,7 @@ interface Point {
 }
 
 describeInBrowser('fingers on the built page', () => {
-  it('tilt and push at once, move the lever, let go, and scroll what is below the picture', async () => {
+  it('tilt, push and lift at once, move the lever, let go, and scroll what is below the picture', async () => {
     const page = await openBuiltPage('', {
       ...FLUENT,
       viewport: { width: 390, height: 844 },
@@ -99,12 +99,22 @@ describeInBrowser('fingers on the built page', () => {
       const { x, y, width, height } = (await page.locator(selector).boundingBox())!;
       return { x: x + width / 2, y: y + height / 2 };
     };
-    const [tilt, push] = [await middleOf('.thumb >> nth=0'), await middleOf('.thumb >> nth=1')];
-    await touch('touchStart', { ...tilt, id: 0 }, { ...push, id: 1 });
-    await touch('touchMove', { x: tilt.x + 40, y: tilt.y, id: 0 }, { x: push.x, y: push.y - 40, id: 1 });
+    const stick = (name: string) => middleOf(`.thumb:has-text("${name}")`);
+    const [tilt, push, lift] = [await stick('Tilt'), await stick('Push'), await stick('Lift')];
+    const descent = async () =>
+      parseFloat((await page.textContent('.td-reading-vspd .td-value'))!.replace(/^\D+/, ''));
+    const fell = await descent();
+    await touch('touchStart', { ...tilt, id: 0 }, { ...push, id: 1 }, { ...lift, id: 2 });
+    await touch(
+      'touchMove',
+      { x: tilt.x + 40, y: tilt.y, id: 0 },
+      { x: push.x, y: push.y - 40, id: 1 },
+      { x: lift.x, y: lift.y - 40, id: 2 },
+    );
     await expect.poll(() => tiltOf(page)).toBeGreaterThan(2);
     const speed = () => page.locator('.td-reading-hspd .td-value').textContent();
     await expect.poll(speed).not.toMatch(/^0\.0/);
+    await expect.poll(descent).toBeLessThan(fell - 0.3);
     const knobs = () => page.locator('.knob').evaluateAll((all) => all.map((knob) => knob.style.translate));
     expect((await knobs()).every((place) => place !== '' && !place.startsWith('0px 0px'))).toBe(true);
     await touch('touchEnd');

@@ -123,12 +123,17 @@ describe('a gamepad', () => {
     expect(withDeadZone(NaN)).toBe(0);
   });
 
-  it('tilts with the left stick, pushes with the right, throttles with the triggers', () => {
+  it('tilts with the left stick, pushes with the right, throttles with the triggers, lifts with pressed sticks', () => {
     const out = createDeflection();
     expect(readPad(out, pad([1, -1, 0, 0], { 7: 1 }))).toBe(true);
     expect(out).toMatchObject({ tiltRight: 1, tiltAway: 1, pushRight: 0, lever: 1 });
     readPad(out, pad([0, 0, -1, 1], { 6: 1, 4: 1 }));
     expect(out).toMatchObject({ tiltRight: 0, pushRight: -1, pushAway: -1, lever: -1, turnLeft: 1 });
+    const lifted = [10, 11].map((button) => {
+      readPad(out, pad([0, 0, 0, 0], { [button]: 1 }));
+      return out.pushUp;
+    });
+    expect(lifted).toEqual([-1, 1]);
   });
 
   it('of another mapping is ignored', () => {

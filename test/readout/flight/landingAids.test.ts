@@ -156,7 +156,8 @@ describe('landing aids', () => {
         };
         const [fastest, slowest] = [bound(1.1, 0.3), bound(0.45, -0.3)];
         expect([fastest + 0.02, fastest - 0.02].map(at)).toEqual(['more', 'hold']);
-        expect([slowest + 0.02, slowest - 0.02].map(at)).toEqual(['hold', 'less']);
+        // An engine that is off cannot give less.
+        expect([slowest + 0.02, slowest - 0.02].map(at)).toEqual(['hold', throttle > 0 ? 'less' : 'hold']);
       }
   });
 
@@ -220,7 +221,12 @@ describe('landing aids', () => {
     // In free fall a moment ahead: 5.5 m/s at 4 m are on no corridor, whatever the speed of now.
     expect(advice({ clearance: 8, up: -3 })).toBe('more');
     expect(settle({ clearance: 8, up: -3 }).out.corridor).toBe('good');
-    expect(advice({ clearance: 60, up: 5 })).toBe('less');
+    const at = (pose: Pose, throttle: number) => settle(pose, controls(throttle)).out.advice;
+    expect(at({ clearance: 60, up: 5 }, 0.1)).toBe('less');
+    expect(at({ clearance: 60, up: 5 }, 0)).toBe('hold');
+    expect(at({ clearance: 20, up: 0, body: 'Phobos' }, 0)).toBe('push');
+    expect(at({ clearance: 20, up: 0, body: 'Phobos' }, 0.005)).toBe('less');
+    expect(at({ clearance: 20, up: -1, body: 'Phobos' }, 0)).toBe('hold');
     expect(advice({ clearance: -0.016, state: 'landed' })).toBe('none');
   });
 

@@ -34,10 +34,48 @@ function inputOf(actions: readonly HintAction[]): [number, number, number] {
 }
 
 describe('righting help', () => {
-  it('is shown while tipped only', () => {
+  it('is shown while tipped', () => {
     expect(read(ON_SIDE).righting.shown).toBe(true);
     for (const state of ['', 'contact', 'landed'] as const) {
       expect(read({ ...ON_SIDE, state, tilt: 0 }).righting.shown).toBe(false);
+    }
+  });
+
+  it('stays while its keys bring the ship up, says when to let go, and then gives way to the gates', () => {
+    const out = read(ON_SIDE);
+    const { actions, holdUntil } = out.righting;
+    const show = (tilt: number, rotationInput: [number, number, number], state: 'contact' | '' = 'contact') =>
+      updateLandingReadout(
+        out,
+        makeView({ ...ON_SIDE, state, tilt }, { controls: { ...NEUTRAL_CONTROLS, rotationInput } }),
+      );
+    const held = inputOf(actions);
+    expect(show(holdUntil + 1, held).righting).toMatchObject({ shown: true, release: false, actions });
+    expect(out.righting.holdUntil).toBeCloseTo(holdUntil, 9);
+    expect([out.gates.shown, out.margin.shown]).toEqual([false, false]);
+    expect(show(holdUntil - 1, held).righting).toMatchObject({ shown: true, release: true });
+    expect(show(20, [0, 0, 0]).righting.shown).toBe(false);
+    expect(out.gates.shown).toBe(true);
+    // Not of another fall: what was found out holds for this one.
+    show(20, held, '');
+    expect(show(20, held).righting.shown).toBe(false);
+  });
+
+  it('names an angle that leaves time for a hand: let go at once or a third of a second late, the ship lands', () => {
+    for (let heading = 0; heading < 360; heading += 45) {
+      const pose = { ...ON_SIDE, heading };
+      const { righting } = read(pose);
+      for (const late of [0, 0.33]) {
+        const run = runLaw(pose);
+        run.command({ ...NEUTRAL_CONTROLS, rotationInput: inputOf(righting.actions) });
+        while (run.cosTilt() < Math.cos((righting.holdUntil * Math.PI) / 180)) run.step();
+        const seen = run.seconds();
+        while (run.seconds() < seen + late) run.step();
+        run.command({ ...NEUTRAL_CONTROLS, attitudeHold: true });
+        let event = '';
+        while (event !== 'ship.landed' && run.seconds() < 60) event = run.step();
+        expect([heading, late, event]).toEqual([heading, late, 'ship.landed']);
+      }
     }
   });
 
@@ -120,11 +158,15 @@ describe('righting help', () => {
   it('spends at most 200 substeps a view', () => {
     const out = createLandingReadout();
     const view = makeView(ON_SIDE);
+    const { run } = out.memory.ahead!.righting;
+    // To the point of no return, in less.
+    updateLandingReadout(out, view);
+    expect(run).toMatchObject({ outcome: 'working', projection: { running: false } });
     updateLandingReadout(out, view);
     // Substeps of 0.01 s.
-    expect(out.memory.ahead!.righting.run.projection.elapsed).toBeCloseTo(2, 9);
+    expect(run.projection.elapsed).toBeCloseTo(2, 9);
     expect(out.righting.outcome).toBe('working');
-    updateLandingReadout(out, view);
+    for (let i = 0; i < 3; i++) updateLandingReadout(out, view);
     expect(out.righting.outcome).toBe('lands');
   });
 

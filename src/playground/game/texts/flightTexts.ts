@@ -27,6 +27,8 @@ const GAMEPAD: Partial<Record<Action, string>> = {
   translateYMinus: 'Right stick down',
   translateXMinus: 'Right stick left',
   translateXPlus: 'Right stick right',
+  translateZPlus: 'Right stick press',
+  translateZMinus: 'Left stick press',
   restart: 'Back',
   pause: 'Start',
 };
@@ -45,6 +47,8 @@ const THUMBS: Partial<Record<Action, string>> = {
   translateYMinus: 'Push down',
   translateXMinus: 'Push left',
   translateXPlus: 'Push right',
+  translateZPlus: 'Lift up',
+  translateZMinus: 'Lift down',
 };
 
 /** What to press for an action on a device; '' if it has no control for it. */
@@ -62,7 +66,7 @@ const LATER: Readonly<Record<Device, string>> = {
   keys: 'Tilt {pitchMinus}{yawPlus}{pitchPlus}{yawMinus} · push {translateYPlus}{translateXMinus}{translateYMinus}{translateXPlus} · thrust {throttleUp} {throttleDown} · cut {throttleCut} · upright {modeUpright} · autopilot {autopilot}',
   gamepad:
     'Left stick tilts, right stick pushes · thrust {throttleUp} {throttleDown} · cut {throttleCut} · upright {modeUpright} · autopilot {autopilot}',
-  thumbs: 'Tilt and Push are under your thumbs · Engine is the lever · Upright levels the ship',
+  thumbs: 'Tilt, Push and Lift are under your thumbs · Engine is the lever · Upright levels the ship',
 };
 const FALLEN: Readonly<Record<Device, string>> = {
   keys: 'Hold the key that the display names. Release it below the angle shown.',
@@ -100,6 +104,7 @@ const ADVICE: Readonly<Record<LandingAids['advice'], string>> = {
   more: 'Too fast: more thrust {throttleUp}',
   hold: 'Good speed',
   less: 'Too slow: less thrust {throttleDown}',
+  push: 'Too slow: push down {translateZMinus}',
   none: '',
 };
 

@@ -1,0 +1,38 @@
+/** What the page tells the pilot to press exists on the pilot's device. */
+import { describe, expect, it } from 'vitest';
+import { adviceText, controlName, howToFly } from '../../../src/playground/game/texts/flightTexts';
+import { defaultKeys, KEY_TABLE } from '../../../src/playground/input/keyTable';
+import { createLandingAids } from '../../../src/readout';
+import { LESSONS, MISSIONS } from '../../../src/scenarios';
+import { makeView } from '../../readout/views';
+
+const { map } = defaultKeys();
+
+describe.each(['keys', 'gamepad', 'thumbs'] as const)('a pilot with %s', (device) => {
+  const cap = (action: keyof typeof map) => map[action];
+
+  it('is named a control for every one that a mission’s words name', () => {
+    for (const mission of [...MISSIONS, ...LESSONS]) {
+      const wanted = [...mission.how.matchAll(/\{(\w+)\}/g)].map(([, action]) => action as keyof typeof map);
+      for (const action of wanted) expect([action, controlName(device, action, cap)]).not.toContain('');
+      // A name left out leaves its braces out too.
+      const text = howToFly(mission, device, cap);
+      expect(text).not.toMatch(/ [,.]| {2}/);
+      if (mission.how !== '' && mission.scenario.name !== 'school-right')
+        expect(text.match(/\{[^}]+\}/g) ?? []).toHaveLength(wanted.length);
+    }
+  });
+
+  it('is named a control for every advice', () => {
+    const view = makeView({ clearance: 20 });
+    for (const advice of ['more', 'less', 'push'] as const) {
+      const text = adviceText({ ...createLandingAids(), advice }, view, device, cap);
+      expect([advice, text]).toEqual([advice, expect.stringMatching(/\{.+\}$/)]);
+    }
+  });
+
+  it('has a control for all flight actions that keys push and turn with', () => {
+    const flown = KEY_TABLE.filter(({ group }) => group === 'Push');
+    expect(flown.map(({ action }) => controlName(device, action, cap))).not.toContain('');
+  });
+});

@@ -13,7 +13,7 @@ import { toppleTilt } from './tilt';
 export interface Righting {
   /** While tipped, and while the ship comes up under the actions named, until they are let go. */
   shown: boolean;
-  /** It leans less than `holdUntil`: let go now. */
+  /** Let go now: it leans less than `holdUntil`, or over to its other side. */
   release: boolean;
   /** One action, or two when the ship lies across its axes. */
   readonly actions: RotationAction[];
@@ -119,7 +119,8 @@ export function followRighting(
   out.shown = isHeld && run.outcome === 'lands';
   if (!out.shown) return false;
   writeHoldUntil(out, memory, surface);
-  out.release = (surface.tilt * 180) / Math.PI < out.holdUntil;
+  // Leaning over further, it has swung past upright.
+  out.release = surface.tiltRate > 0 || (surface.tilt * 180) / Math.PI < out.holdUntil;
   return true;
 }
 

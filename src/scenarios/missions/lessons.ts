@@ -52,7 +52,7 @@ export const LESSONS: readonly Mission[] = [
       inputs: [{ at: 0, controls: { thrustLevel: 0.086, attitudeMode: 'radial', attitudeHold: true } }],
     }),
     goal: 'Land on the slope and stay there.',
-    how: 'Descend at less than 1 m/s without drift, then press {throttleCut} to cut the engine.',
+    how: 'Follow AIM without drifting. Press {throttleCut} to cut the engine at touchdown.',
     done: { kind: 'land' },
     pads: [{ east: 0, north: 0, radius: 30 }],
   },

@@ -44,16 +44,22 @@ describe('righting help', () => {
   it('stays while its keys bring the ship up, says when to let go, and then gives way to the gates', () => {
     const out = read(ON_SIDE);
     const { actions, holdUntil } = out.righting;
-    const show = (tilt: number, rotationInput: [number, number, number], state: 'contact' | '' = 'contact') =>
+    const show = (
+      tilt: number,
+      rotationInput: [number, number, number],
+      state: 'contact' | '' = 'contact',
+      tiltRate = -1,
+    ) =>
       updateLandingReadout(
         out,
-        makeView({ ...ON_SIDE, state, tilt }, { controls: { ...NEUTRAL_CONTROLS, rotationInput } }),
+        makeView({ ...ON_SIDE, state, tilt, tiltRate }, { controls: { ...NEUTRAL_CONTROLS, rotationInput } }),
       );
     const held = inputOf(actions);
     expect(show(holdUntil + 1, held).righting).toMatchObject({ shown: true, release: false, actions });
     expect(out.righting.holdUntil).toBeCloseTo(holdUntil, 9);
     expect([out.gates.shown, out.margin.shown]).toEqual([false, false]);
     expect(show(holdUntil - 1, held).righting).toMatchObject({ shown: true, release: true });
+    expect(show(holdUntil + 1, held, 'contact', 0.5).righting).toMatchObject({ shown: true, release: true });
     expect(show(20, [0, 0, 0]).righting.shown).toBe(false);
     expect(out.gates.shown).toBe(true);
     // Not of another fall: what was found out holds for this one.

@@ -59,7 +59,7 @@ export const LESSONS: readonly Mission[] = [
   {
     ...LESSON,
     scenario: missionStart('school-right', 'Lesson 5: right a fallen ship', {
-      about: 'The ship has tipped over: turn it back onto its legs.',
+      about: 'RCS rotation turns a fallen ship back onto its legs.',
       settings: { touchdownAttitude: 'kept' },
       initial: { ...STILL, height: 3, velocity: [0, 0, -1], tilt: 42, leanTo: 90 },
     }),

@@ -39,7 +39,7 @@ export const USES = [
   },
   {
     name: 'with the checks of development',
-    most: 73,
+    most: 74,
     code: WHOLE,
     conditions: ['development'],
     without: ['createElement', 'discardUnknown', 'WebGL'],

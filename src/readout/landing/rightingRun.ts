@@ -49,8 +49,8 @@ export interface RightingRun {
 const HORIZON = 60;
 /** Some 40 µs a call. */
 const SUBSTEPS_A_CALL = 200;
-/** Game s by which a hand lets go after the angle is read. */
-const HAND = 0.2;
+/** By which a hand lets go after the angle is read: 0.2 game s. */
+const HAND_SUBSTEPS = 20;
 const DAMPED: Controls = { ...NEUTRAL_CONTROLS, attitudeHold: true };
 /** Differences that would hardly show in the answer, kg and rad. */
 const SAME_FUEL = 10;
@@ -107,8 +107,7 @@ export function runRighting(
       startProjection(projection, ship, view.bodies[ship.body]!, view.settings, controls);
     }
   }
-  if (projection.running && Number.isNaN(run.releaseLean)) findRelease(run, surface.noReturn);
-  else if (projection.running) runAhead(run, Math.cos(run.releaseLean));
+  if (projection.running) runAhead(run, surface.noReturn);
 }
 
 function differs(run: RightingRun, inputs: Float64Array, { tilt }: Surface, { fuel }: ShipView): boolean {
@@ -120,43 +119,32 @@ function differs(run: RightingRun, inputs: Float64Array, { tilt }: Surface, { fu
   );
 }
 
-/** The first run: ends at the point of no return. */
-function findRelease(run: RightingRun, noReturn: number): void {
-  const { projection } = run;
-  const cosStanding = Math.cos(noReturn);
-  for (let i = 0; i < SUBSTEPS_A_CALL && projection.running; i++) {
-    const before = projectedCosTilt(projection);
-    const began = projection.elapsed;
-    stepProjection(projection);
-    const cos = projectedCosTilt(projection);
-    if (cos > cosStanding) {
-      projection.running = false;
-      run.releaseLean =
-        noReturn + (HAND * (Math.acos(before) - Math.acos(cos))) / (projection.elapsed - began);
-    } else if (projection.ships[CRASHED] !== 0 || projection.elapsed >= HORIZON) endRun(run, false);
-  }
-}
-
-function runAhead(run: RightingRun, cosRelease: number): void {
+function runAhead(run: RightingRun, noReturn: number): void {
   const { projection } = run;
   const { ships } = projection;
+  const isFirst = Number.isNaN(run.releaseLean);
+  const cosRelease = Math.cos(isFirst ? noReturn : run.releaseLean);
   for (let i = 0; i < SUBSTEPS_A_CALL && projection.running; i++) {
+    const before = projectedCosTilt(projection);
     stepProjection(projection);
-    if (Number.isNaN(run.released) && projectedCosTilt(projection) > cosRelease) {
+    const cos = projectedCosTilt(projection);
+    if (Number.isNaN(run.released) && cos > cosRelease) {
+      if (isFirst) {
+        projection.running = false;
+        run.releaseLean = noReturn + HAND_SUBSTEPS * (Math.acos(before) - Math.acos(cos));
+        return;
+      }
       run.released = projection.elapsed;
       writeControls(ships, 0, DAMPED);
     }
-    const landed = ships[SURFACE_STATE] === LANDED;
-    const fallen = ships[SURFACE_STATE] === TIPPED && !Number.isNaN(run.released);
-    if (landed || fallen || ships[CRASHED] !== 0 || projection.elapsed >= HORIZON) endRun(run, landed);
+    const lands = ships[SURFACE_STATE] === LANDED;
+    const falls = ships[SURFACE_STATE] === TIPPED && !Number.isNaN(run.released);
+    if (!lands && !falls && ships[CRASHED] === 0 && projection.elapsed < HORIZON) continue;
+    projection.running = false;
+    run.outcome = lands ? 'lands' : 'fails';
+    run.holdLean = lands ? run.releaseLean : NaN;
+    run.holdSeconds = lands ? run.released : NaN;
+    run.fuelNeeded = lands ? run.startFuel - ships[FUEL]! : NaN;
+    run.releaseLean = NaN;
   }
-}
-
-function endRun(run: RightingRun, lands: boolean): void {
-  run.projection.running = false;
-  run.outcome = lands ? 'lands' : 'fails';
-  run.holdLean = lands ? run.releaseLean : NaN;
-  run.holdSeconds = lands ? run.released : NaN;
-  run.fuelNeeded = lands ? run.startFuel - run.projection.ships[FUEL]! : NaN;
-  run.releaseLean = NaN;
 }

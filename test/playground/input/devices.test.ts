@@ -100,6 +100,8 @@ describe('a gamepad in the page', () => {
     [{ buttons: analog(5) }, { turnLeft: -1 }],
     [{ buttons: analog(6) }, { lever: -1 }],
     [{ buttons: analog(7) }, { lever: 1 }],
+    [{ buttons: analog(10) }, { pushUp: -1 }],
+    [{ buttons: analog(11) }, { pushUp: 1 }],
   ])('of %o deflects %o, and leaves other sticks alone at rest', (moved, deflected) => {
     const { read, deflection, connect, plug } = createPads();
     connect();
@@ -126,7 +128,7 @@ describe('the thumb sticks', () => {
       lever: (throttle) => done.push(throttle),
       pressed: (action) => done.push(action),
     });
-    const [tilt, push] = all(root, 'thumb');
+    const [tilt, lift, push] = all(root, 'thumb');
     const lever = one(root, 'input') as PageElement &
       Record<'min' | 'max' | 'step' | 'type' | 'value', string> & { valueAsNumber: number };
     return {
@@ -135,6 +137,7 @@ describe('the thumb sticks', () => {
       deflection,
       thumbs,
       tilt: tilt!,
+      lift: lift!,
       push: push!,
       lever,
       take: () => done.splice(0),
@@ -148,7 +151,7 @@ describe('the thumb sticks', () => {
   };
 
   it('deflect by where the thumb is from where it came down, full at 44 px, in tenths', () => {
-    const { tilt, push, deflection, take } = createPads();
+    const { tilt, lift, push, deflection, take } = createPads();
     touch(tilt, 'pointermove', 1, 44, 0);
     expect(take()).toEqual([]);
     touch(tilt, 'pointerdown', 1, 100, 100);
@@ -174,6 +177,11 @@ describe('the thumb sticks', () => {
     touch(push, 'pointermove', 1, 44, -44);
     expect([deflection.pushRight, deflection.pushAway, deflection.tiltRight]).toEqual([0.7, 0.7, 0]);
     touch(push, 'lostpointercapture', 1, 0, 0);
+    expect(deflection).toEqual(createDeflection());
+    touch(lift, 'pointerdown', 1, 0, 0);
+    touch(lift, 'pointermove', 1, 0, 22);
+    expect(deflection).toEqual({ ...createDeflection(), pushUp: -0.5 });
+    touch(lift, 'pointercancel', 1, 0, 0);
     expect(deflection).toEqual(createDeflection());
   });
 

@@ -1,14 +1,6 @@
-import {
-  ATTITUDE,
-  CRASHED,
-  POSITION,
-  SHIP_STRIDE,
-  SURFACE_STATE,
-  SURFACE_STATES,
-  VELOCITY,
-} from '../../src/dynamics';
+import { ATTITUDE, CRASHED, POSITION, SURFACE_STATE, SURFACE_STATES, VELOCITY } from '../../src/dynamics';
 import type { WorldView } from '../../src/prediction';
-import type { Truth } from './truth';
+import { rowAt, type Truth } from './truth';
 
 /** What was drawn at one frame, kept until the server has simulated it. */
 export interface Sample {
@@ -63,13 +55,13 @@ export function truthAt(
   // A label at a boundary may be an ulp below it.
   const whole = Math.min(interval.timing.substeps - 1, Math.floor(substeps + 1e-9));
   const share = Math.max(0, substeps - whole);
-  const before = interval.rows[whole]!.subarray(i * SHIP_STRIDE, (i + 1) * SHIP_STRIDE);
-  const after = interval.rows[whole + 1]!.subarray(i * SHIP_STRIDE, (i + 1) * SHIP_STRIDE);
-  const between = (column: number, count: number) =>
-    Array.from({ length: count }, (_, k) => {
-      const from = before[column + k]!;
-      return from + (after[column + k]! - from) * share;
-    });
+  const before = rowAt(interval, whole, i);
+  const after = rowAt(interval, whole + 1, i);
+  const between = (column: number, count: number) => {
+    const values: number[] = [];
+    for (let k = column; k < column + count; k++) values.push(before[k]! + (after[k]! - before[k]!) * share);
+    return values;
+  };
   return {
     position: between(POSITION, 3),
     velocity: between(VELOCITY, 3),

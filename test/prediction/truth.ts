@@ -38,10 +38,16 @@ export interface Truth {
 export interface Interval {
   readonly timing: Timing;
   readonly shipIds: readonly string[];
-  /** substeps + 1 arrays of rows. */
-  readonly rows: readonly Float64Array[];
+  /** Rows of all ships at each of the substeps + 1 boundaries, one after the other; rowAt reads them. */
+  readonly rows: Float64Array;
   /** Wall s at which the interval's end was due. */
   readonly at: number;
+}
+
+/** The row of the ship at `index` at a substep boundary of the interval. */
+export function rowAt({ rows, shipIds }: Interval, boundary: number, index: number): Float64Array {
+  const at = (boundary * shipIds.length + index) * SHIP_STRIDE;
+  return rows.subarray(at, at + SHIP_STRIDE);
 }
 
 const PROBE = 'truth-probe';
@@ -77,18 +83,21 @@ export function watch(
     const bodies = new Float64Array(world.bodies.length * BODY_STRIDE);
     for (const [i, body] of frame.bodies.entries()) writeBodyMotion(bodies, i * BODY_STRIDE, body);
     const happened = new Uint8Array(shipIds.length);
-    const boundaries = [rows.slice()];
+    const boundaries = new Float64Array((timing.substeps + 1) * rows.length);
+    boundaries.set(rows);
     beginTick(rows, bodies, world);
     for (let substep = 0; substep < timing.substeps; substep++) {
-      for (const [i, controls] of due(frame.tick, substep, shipIds))
-        writeControls(rows, i * SHIP_STRIDE, controls);
+      if (pending.length > 0)
+        for (const [i, controls] of due(frame.tick, substep, shipIds))
+          writeControls(rows, i * SHIP_STRIDE, controls);
       stepWorld(rows, bodies, happened, world, timing.dt);
-      for (const [i, event] of happened.entries()) {
+      for (let i = 0; i < happened.length; i++) {
+        const event = happened[i]!;
         if (event === NO_EVENT) continue;
         const type = EVENT_NAMES[event] as WorldEvent['type'];
         events.push({ type, shipId: shipIds[i]!, tick: frame.tick, substep });
       }
-      boundaries.push(rows.slice());
+      boundaries.set(rows, (substep + 1) * rows.length);
     }
     endTick(bodies, world, timing);
     state.expected = rows;

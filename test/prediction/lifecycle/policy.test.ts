@@ -1,9 +1,10 @@
 /** Ships that are not predicted: interpolated, or held at the newest server state. */
 import { describe, expect, it } from 'vitest';
-import { POSITION, SHIP_STRIDE } from '../../../src/dynamics';
+import { POSITION } from '../../../src/dynamics';
 import type { ShipView } from '../../../src/prediction';
 import { NETWORK_PRESETS } from '../../../src/scenarios';
 import { createRig } from '../rig';
+import { rowAt } from '../truth';
 
 const SHIP = 'ship-1';
 const distance = (a: ArrayLike<number>, b: ArrayLike<number>) =>
@@ -126,11 +127,11 @@ function truthRadius(rig: ReturnType<typeof createRig>, game: number): number {
   const tick = Math.floor(game * tickRate + 1e-9);
   const interval = rig.truth.interval(tick);
   if (interval === undefined) return Number.NaN;
-  const { timing, rows, shipIds } = interval;
-  const at = shipIds.indexOf(SHIP) * SHIP_STRIDE + POSITION;
+  const { timing, shipIds } = interval;
   const substeps = Math.min(timing.substeps, (game - tick / tickRate) / timing.dt);
   const before = Math.min(timing.substeps - 1, Math.floor(substeps));
-  const radiusOf = (row: Float64Array) => Math.hypot(row[at]!, row[at + 1]!, row[at + 2]!);
-  const [a, b] = [radiusOf(rows[before]!), radiusOf(rows[before + 1]!)];
+  const radiusAt = (boundary: number) =>
+    Math.hypot(...rowAt(interval, boundary, shipIds.indexOf(SHIP)).subarray(POSITION, POSITION + 3));
+  const [a, b] = [radiusAt(before), radiusAt(before + 1)];
   return a + (b - a) * (substeps - before);
 }

@@ -7,12 +7,11 @@ import {
   IMPACT_SPEED,
   LANDED,
   POSITION,
-  SHIP_STRIDE,
   SURFACE_STATE,
   TIPPED,
   VELOCITY,
 } from '../../../src/dynamics';
-import type { Truth } from '../../prediction/truth';
+import { rowAt, type Truth } from '../../prediction/truth';
 
 export interface Card {
   verticalSpeed: number;
@@ -40,8 +39,8 @@ export function follow(track: Track, truth: Truth): void {
     const interval = truth.interval(track.tick);
     if (interval === undefined) return;
     track.dt = interval.timing.dt;
-    const fresh = interval.rows.map((all) => all.slice(0, SHIP_STRIDE));
-    track.rows.push(...(track.tick === 0 ? fresh : fresh.slice(1)));
+    for (let boundary = track.tick === 0 ? 0 : 1; boundary <= interval.timing.substeps; boundary++)
+      track.rows.push(rowAt(interval, boundary, 0));
     track.tick += 1;
   }
 }

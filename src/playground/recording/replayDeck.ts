@@ -64,8 +64,9 @@ export function createReplayDeck(panel: () => RecordingPanel): ReplayDeck {
   };
 }
 
-/** The position of a view in its tick, in words. */
-function placeOf({ tick, sinceTick, tickRate, timeScale, settings }: WorldView): string {
-  const { dt } = timingOfTick(timeScale / tickRate, settings.contactLongestSubstep);
-  return `tick ${tick}, substep ${Math.round(sinceTick / dt)}`;
+/** The position of a view in its tick, in words: the end of a tick is the beginning of the next. */
+export function placeOf({ tick, sinceTick, tickRate, timeScale, settings }: WorldView): string {
+  const { dt, substeps } = timingOfTick(timeScale / tickRate, settings.contactLongestSubstep);
+  const substep = Math.round(sinceTick / dt);
+  return substep === substeps ? `tick ${tick + 1}, substep 0` : `tick ${tick}, substep ${substep}`;
 }

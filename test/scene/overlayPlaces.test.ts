@@ -2,11 +2,18 @@ import { Mesh, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { ShipView, WorldView } from '../../src/prediction';
 import { NETWORK_PRESETS } from '../../src/scenarios';
-import { createTurn, createLocalFrame, toLocalPoint, turnOfFrame } from '../../src/scene/localFrame';
+import {
+  createTurn,
+  createLocalFrame,
+  toBodyAxes,
+  toLocalPoint,
+  turnOfFrame,
+} from '../../src/scene/localFrame';
 import { createPlaces, placeOverlays } from '../../src/scene/overlays/overlayPlaces';
 import { createOverlays } from '../../src/scene/overlays/overlays';
 import type { ShipActor } from '../../src/scene/ships/shipActor';
 import { createRig } from '../prediction/rig';
+import { makeView, type Pose } from '../readout/views';
 
 const SUN = { elevation: 15, azimuth: 60 };
 const ALL = { ghost: true, errorSegment: true, contactNormal: true, footprint: true, forces: true };
@@ -30,6 +37,13 @@ function laidOver(view: WorldView, ship: ShipView) {
     actor: { mesh, place } as unknown as ShipActor,
   });
   return places;
+}
+
+/** A view with its ghost, which is in body axes, where the ship is. */
+function viewOf(pose: Pose) {
+  const view = makeView(pose);
+  toBodyAxes(view.own.ghostPosition, view.bodies[view.own.body]!.attitude, view.own.position);
+  return view;
 }
 
 describe('overlays', () => {
@@ -92,5 +106,47 @@ describe('overlays', () => {
     const end = new Vector3(0, 0, 1).applyMatrix4((segment.updateMatrix(), segment.matrix));
     expect(end.distanceTo(places.ship.clone().add(places.error))).toBeLessThan(1e-6);
     overlays.dispose();
+  });
+
+  it.each([0, 20, 300])(
+    'puts the footprint of a ship %d m above a slope no further aside than from its own height',
+    (clearance) => {
+      const view = viewOf({ clearance });
+      const ship = view.own;
+      const { groundContactOffset } = ship;
+      const up = new Vector3(...ship.position).normalize();
+      const across = new Vector3(0.3, 0.5, -0.8).cross(up).normalize();
+      const slope = Math.PI / 9;
+      ship.groundNormal.set(up.clone().applyAxisAngle(across, slope).toArray());
+      const { footprint, foot } = laidOver(view, ship);
+      // Along the normal from the centre of mass to the plane through the foot; from no higher than a flush ship's.
+      const height = clearance + groundContactOffset;
+      const share = Math.min(1, groundContactOffset / (height * Math.cos(slope)));
+      expect(footprint.distanceTo(foot)).toBeCloseTo(height * Math.sin(slope) * share, 3);
+    },
+  );
+
+  it('draws thrust, weight, and what of it the ground carries, per kilogram', () => {
+    const forces = (state: '' | 'landed', lift: number) => {
+      const view = viewOf({ clearance: 0, state, lift });
+      const { up, thrust, weight, support } = laidOver(view, view.own);
+      expect(up.length()).toBeCloseTo(1, 9);
+      const [pull, push, carried] = [weight, thrust, support].map((force) => {
+        expect(force.clone().cross(up).length()).toBeLessThan(1e-6);
+        return force.dot(up);
+      });
+      return { pull: pull!, push: push!, carried: carried! };
+    };
+    const { own, bodies } = makeView({ clearance: 0 });
+    const mass = own.shipClass.dryMass + own.fuel;
+    const gravity = (6.6743e-11 * bodies[own.body]!.mass) / Math.hypot(...own.position) ** 2;
+    const near = (value: number): unknown => expect.closeTo(value, 4);
+    expect(forces('landed', 0.25 * gravity * mass)).toEqual({
+      pull: near(-gravity),
+      push: near(0.25 * gravity),
+      carried: near(0.75 * gravity),
+    });
+    expect(forces('landed', 2 * gravity * mass).carried).toBeCloseTo(0, 9);
+    expect(forces('', 0).carried).toBeCloseTo(0, 9);
   });
 });

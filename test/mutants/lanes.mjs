@@ -1,5 +1,5 @@
 // Starts the processes of lane.mjs, and ends one that hangs.
-import { fork } from 'node:child_process';
+import { execFileSync, fork } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 
 const LANE = fileURLToPath(new URL('lane.mjs', import.meta.url));
@@ -10,12 +10,26 @@ const START_LIMIT = 120_000;
 const running = new Set();
 function end(pid) {
   if (!running.delete(pid)) return;
+  const started = startedBy(pid);
+  // The whole group: a worker in an endless loop outlives the runner. What tests start is in groups of its own, a Redis and a browser.
+  kill(-pid);
+  started.forEach(kill);
+}
+
+function kill(pid) {
   try {
-    // The whole group: a worker in an endless loop outlives the runner.
-    process.kill(-pid, 'SIGKILL');
+    process.kill(pid, 'SIGKILL');
   } catch (error) {
     if (error.code !== 'ESRCH') throw error;
   }
+}
+
+/** What a process has started, and what that has. */
+function startedBy(pid) {
+  const table = execFileSync('ps', ['-eo', 'pid=,ppid='], { encoding: 'utf8' }).trim().split('\n');
+  const pairs = table.map((line) => line.trim().split(/\s+/).map(Number));
+  const below = (parent) => pairs.flatMap(([own, by]) => (by === parent ? [own, ...below(own)] : []));
+  return below(pid);
 }
 process.on('exit', () => [...running].forEach(end));
 for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, () => process.exit(1));

@@ -1,11 +1,5 @@
 /** The scene's axes, and its sun. */
-import {
-  type DirectionalLight,
-  type HemisphereLight,
-  type OrthographicCamera,
-  Quaternion,
-  Vector3,
-} from 'three';
+import { type DirectionalLight, type HemisphereLight, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { BODIES, type Quat } from '../../src/dynamics';
 import {

@@ -19,7 +19,7 @@ const SUN = { elevation: 15, azimuth: 60 };
 const ALL = { ghost: true, errorSegment: true, contactNormal: true, footprint: true, forces: true };
 
 /** The overlays of a view, as the scene view places them; the eye is at the frame's origin. */
-function laidOver(view: WorldView, ship: ShipView) {
+function laidOver(view: WorldView, ship: ShipView, eye = new Float64Array(3)) {
   const body = view.bodies[ship.body]!;
   const frame = createLocalFrame(body, ship.ghostPosition, SUN);
   const turn = turnOfFrame(createTurn(), frame, body.attitude);
@@ -32,7 +32,7 @@ function laidOver(view: WorldView, ship: ShipView) {
     ship,
     frame,
     turn,
-    eye: new Float64Array(3),
+    eye,
     groundY: () => 0,
     actor: { mesh, place } as unknown as ShipActor,
   });
@@ -148,5 +148,62 @@ describe('overlays', () => {
     });
     expect(forces('landed', 2 * gravity * mass).carried).toBeCloseTo(0, 9);
     expect(forces('', 0).carried).toBeCloseTo(0, 9);
+  });
+
+  it('are relative to the eye, and have the thrust’s own direction', () => {
+    const view = viewOf({ clearance: 0, state: 'landed' });
+    view.own.thrust.set([3e3, -4e3, 5e3]);
+    const eye = new Vector3(7, -11, 13);
+    const at = laidOver(view, view.own);
+    const from = laidOver(view, view.own, Float64Array.from(eye));
+    for (const name of ['ship', 'ghost', 'foot', 'footprint'] as const)
+      expect(from[name].clone().add(eye).distanceTo(at[name]), name).toBeLessThan(1e-6);
+    for (const name of ['error', 'ground', 'up', 'thrust', 'weight', 'support'] as const)
+      expect(from[name].distanceTo(at[name]), name).toBe(0);
+    const mass = view.own.shipClass.dryMass + view.own.fuel;
+    expect(at.thrust.length()).toBeCloseTo(Math.hypot(3, 4, 5) * (1e3 / mass), 9);
+    // Which way it points does not depend on how the axes lie.
+    const along = new Vector3(3, -4, 5).normalize().dot(new Vector3(...view.own.position).normalize());
+    expect(at.thrust.clone().normalize().dot(at.up)).toBeCloseTo(along, 9);
+    expect(at.legRadius).toBe(view.own.shipClass.legRadius);
+  });
+
+  it('are shown where they are chosen and there is something to see', () => {
+    const view = viewOf({ clearance: 0, state: 'landed', lift: 2e3 });
+    for (let k = 0; k < 3; k++) view.own.easedPosition[k] = view.own.position[k]! * (1 + 1e-6);
+    const places = laidOver(view, view.own);
+    const overlays = createOverlays();
+    const shown = (choice: Partial<typeof ALL>, changes: object = {}) => {
+      const none = {
+        ghost: false,
+        errorSegment: false,
+        contactNormal: false,
+        footprint: false,
+        forces: false,
+      };
+      overlays.update({ ...none, ...choice }, { ...places, ...changes });
+      return overlays.group.children.map(({ visible }) => (visible ? 1 : 0)).join('');
+    };
+    // Ghost, segment and ring, then the arrows of the normal, thrust, weight and support.
+    expect(shown({})).toBe('0000000');
+    expect(shown({ ghost: true })).toBe('1000000');
+    expect(shown({ ghost: true }, { ghostKnown: false })).toBe('0000000');
+    expect(shown({ errorSegment: true })).toBe('0100000');
+    expect(shown({ errorSegment: true }, { error: new Vector3(0.01, 0, 0) })).toBe('0000000');
+    expect(shown({ errorSegment: true }, { error: new Vector3(0.011, 0, 0) })).toBe('0100000');
+    expect(shown({ footprint: true })).toBe('0010000');
+    expect(shown({ contactNormal: true })).toBe('0001000');
+    expect(shown({ forces: true })).toBe('0000111');
+    expect(shown({ forces: true }, { thrust: new Vector3() })).toBe('0000011');
+    const [, , ring, normal] = overlays.group.children;
+    expect(ring!.scale.x).toBe(places.legRadius);
+    shown({ contactNormal: true });
+    expect(normal!.position.distanceTo(places.foot)).toBe(0);
+    // 4 m long: its shaft ends in the head's last half metre.
+    expect([normal!.children[0]!.scale.z, normal!.children[1]!.position.z]).toEqual([
+      expect.closeTo(3.6, 9),
+      expect.closeTo(3.5, 9),
+    ]);
+    overlays.dispose();
   });
 });

@@ -1,5 +1,5 @@
 /** Where stones lie, and which of them are drawn. */
-import { Matrix4, type Mesh, Vector3 } from 'three';
+import { Matrix4, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { BODIES, flatTerrain } from '../../src/dynamics';
 import { createCone, type ViewCone } from '../../src/scene/camera/viewCone';

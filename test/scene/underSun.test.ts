@@ -55,3 +55,19 @@ describe.each(NAMES)('the light over %s', (name) => {
     for (let k = 0; k < 3; k++) expect(after[k]).toBeCloseTo(by[k]!, 9);
   });
 });
+
+it('the neighbour’s light at night has its tint: its brightest colour is full, the others no brighter', () => {
+  for (const name of NAMES) {
+    const look = lookOf(name);
+    const { sunColour } = underSun(look, NIGHT_ELEVATION);
+    if (look.neighbour === null) continue;
+    const { day, spots } = look.neighbour;
+    const mixed = day.map((value, k) => (value + spots[k]!) / 2);
+    const brightest = mixed.indexOf(Math.max(...mixed));
+    expect(Math.max(...sunColour)).toBeCloseTo(1, 9);
+    expect(sunColour[brightest]).toBeCloseTo(1, 9);
+    const byTint = [0, 1, 2].sort((a, b) => mixed[a]! - mixed[b]!);
+    expect([0, 1, 2].sort((a, b) => sunColour[a]! - sunColour[b]!)).toEqual(byTint);
+    expect(Math.min(...sunColour)).toBeGreaterThan(0.3);
+  }
+});

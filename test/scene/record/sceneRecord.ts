@@ -1,4 +1,12 @@
-import { BufferAttribute, type BufferGeometry, Color, type Material, Object3D, Texture } from 'three';
+import {
+  BufferAttribute,
+  type BufferGeometry,
+  Color,
+  InstancedMesh,
+  type Material,
+  Object3D,
+  Texture,
+} from 'three';
 
 /** Rounded to five digits, so that another engine's sine writes the same. */
 const short = (value: number) => (Math.abs(value) < 1e-9 ? '0' : String(Number(value.toPrecision(5))));
@@ -74,6 +82,9 @@ export function recordOf(object: Object3D, indent = ''): string[] {
   const inside = [
     ...(material === undefined ? [] : [material].flat().flatMap(materialLines)),
     ...(geometry === undefined ? [] : geometryLines(geometry)),
+    ...(object instanceof InstancedMesh && object.count > 0
+      ? [`places of ${object.count}: ${numbersOf(object.instanceMatrix.array.slice(0, 16 * object.count))}`]
+      : []),
   ];
   return [
     `${indent}${object.type}: ${membersOf(object, new Object3D()).join(', ')}`,

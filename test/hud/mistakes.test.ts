@@ -105,3 +105,22 @@ it.each([
   for (let n = 60; n < 130; n++) paint(createLandingReadout());
   expect(found()).toEqual(codes);
 });
+
+it('a HUD that was disposed is disposed once, paints no more and says so once', () => {
+  let disposed = 0;
+  const warnings: string[] = [];
+  const painted: unknown[] = [];
+  const hud = {
+    root: { isConnected: true, clientWidth: 1, ownerDocument: {} },
+    members: landing,
+    madeBy: 'x',
+    paint: (readout: unknown) => painted.push(readout),
+    dispose: () => (disposed += 1),
+  };
+  const { paint, dispose } = checked(hud as never, (code) => warnings.push(code));
+  dispose();
+  dispose();
+  paint(createLandingReadout());
+  paint(createLandingReadout());
+  expect([disposed, painted, warnings]).toEqual([1, [], ['hud-disposed']]);
+});

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { createPredictor, type Predictor } from '../../../src/prediction';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
+import { BOUNDS, reordered, takenForAnotherOrder } from './mistakes/bounds';
 import { frame, LUNA, made, played, received, ticks, warningsOf } from './mistakes/given';
 import { CALLS } from './mistakes/calls';
 import { CONTROLS } from './mistakes/controls';
@@ -24,6 +25,22 @@ describe('a caller’s mistake is reported once, by its code', () => {
   it('no warning is given where nothing is wrong', () => {
     expect(played(30).filter(({ code }) => code !== 'bodies-old')).toEqual([]);
     expect(made({ defaults: { settings: { contactCrashSpeed: 60 } } })).toEqual([]);
+  });
+});
+
+describe('a value is reported from its bound on', () => {
+  it.each(BOUNDS)('%s: %s', (_what, code, within, beyond, run) => {
+    const count = (value: number) => run(value).filter((warning) => warning.code === code).length;
+    expect([count(within), count(beyond)]).toEqual([0, 1]);
+  });
+
+  it('an attitude is in another order where that of no turn would be, and where a landed ship would stand', () => {
+    // [0, 0, 1, 0] is [0, 0, 0, 1] of JSON, which begins with w.
+    expect(takenForAnotherOrder()).toEqual({ attitude: ['0010', '1000'], target: ['1000'] });
+    const states = ['landed', '', 'contact', 'tipped'].map(
+      (surfaceContactState) => reordered(0, { surfaceContactState }).length,
+    );
+    expect(states).toEqual([1, 1, 0, 0]);
   });
 });
 

@@ -5,6 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { createPredictor, type Predictor } from '../../../src/prediction';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import { BOUNDS, reordered, takenForAnotherOrder } from './mistakes/bounds';
+import { CALL_BOUNDS, measuredRates } from './mistakes/callBounds';
 import { frame, LUNA, made, played, received, ticks, warningsOf } from './mistakes/given';
 import { CALLS } from './mistakes/calls';
 import { CONTROLS } from './mistakes/controls';
@@ -29,9 +30,15 @@ describe('a caller’s mistake is reported once, by its code', () => {
 });
 
 describe('a value is reported from its bound on', () => {
-  it.each(BOUNDS)('%s: %s', (_what, code, within, beyond, run) => {
+  it.each([...BOUNDS, ...CALL_BOUNDS])('%s: %s', (_what, code, within, beyond, run) => {
     const count = (value: number) => run(value).filter((warning) => warning.code === code).length;
     expect([count(within), count(beyond)]).toEqual([0, 1]);
+  });
+
+  it('a tempo is reported with the one that is measured', () => {
+    const [slow, fast] = measuredRates();
+    expect(slow).toBeCloseTo(1 / 6, 6);
+    expect(fast).toBeCloseTo(10, 6);
   });
 
   it('an attitude is in another order where that of no turn would be, and where a landed ship would stand', () => {

@@ -2,7 +2,7 @@
 import { NEUTRAL_CONTROLS, type Vec3 } from '../../../../src/dynamics';
 import { flown, LUNA, made, received, type Warning, withBody, withShip } from './given';
 
-type Bound = readonly [
+export type Bound = readonly [
   what: string,
   code: string,
   within: number,

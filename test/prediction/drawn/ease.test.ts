@@ -45,6 +45,58 @@ function shifted(frame: ServerFrame): ServerFrame {
 const size = (v: readonly number[]) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
 
 describe('the drawn offset', () => {
+  it.each([1, 0.5, 3])(
+    'follows a critically damped spring while it is slow, settling in %d times the usual',
+    (times) => {
+      const springs = springsOf({ alongGround: 0.3 * times, alongNormal: 0.15 * times, angle: 0.25 * times });
+      const ease = corrected([1e-3, -2e-3, 3e-3], [2e-3, 0, -1e-3]);
+      for (const share of [0.2, 0.5, 1]) {
+        const before = share === 0.2 ? 0 : share === 0.5 ? 0.2 : 0.5;
+        advanceEase(ease, UP, 0.15 * times * (share - before), springs);
+        const t = 0.15 * share;
+        // x (1 + w t) e^(−w t), and its rate −x w² t e^(−w t), in units of the usual time.
+        const left = (w: number) => (1 + w * t) * Math.exp(-w * t);
+        const rate = (w: number) => (-w * w * t * Math.exp(-w * t)) / times;
+        const along = (of: (w: number) => number) => [1e-3 * of(20), -2e-3 * of(20), 3e-3 * of(60)];
+        for (const [k, x] of along(left).entries()) expect(ease.offset[k]).toBeCloseTo(x, 12);
+        for (const [k, x] of along(rate).entries()) expect(ease.rate[k]).toBeCloseTo(x, 12);
+        for (const [k, x] of [2e-3, 0, -1e-3].entries()) {
+          expect(ease.turn[k]).toBeCloseTo(x * left(30), 12);
+          expect(ease.turnRate[k]).toBeCloseTo(x * rate(30), 12);
+        }
+      }
+    },
+  );
+
+  it.each([
+    { what: 'a small offset', offset: [0, 0, 0.2], fastest: 1.15 },
+    { what: 'a large one', offset: [0, 5, 0], fastest: 22 },
+    { what: 'a small turn', turn: [0.08, 0, 0], fastest: 0.47 },
+    { what: 'a large one', turn: [0, 0, 0.8], fastest: 3.52 },
+    { what: 'an offset in half the time', offset: [5, 0, 0], given: { alongGround: 0.15 }, fastest: 46.2 },
+    { what: 'in a third of the time', offset: [0, 0, 5], given: { alongNormal: 0.05 }, fastest: 69.3 },
+    { what: 'a turn in half the time', turn: [0, 0.8, 0], given: { angle: 0.125 }, fastest: 7.392 },
+  ])('is no faster than its cap: $what', ({ offset = [0, 0, 0], turn, given, fastest }) => {
+    const path = run(corrected(offset, turn), 0.3, 960, springsOf(given));
+    const speeds = path.slice(1).map((p, i) => size(p.map((x, k) => x - path[i]![k]!)) * 960);
+    expect(Math.max(...speeds)).toBeCloseTo(fastest, 6);
+  });
+
+  it('is left alone while no time passes, and forgotten after more than 2 s or once nothing is left', () => {
+    const after = (seconds: number, offset: number, given = {}) => {
+      const ease = corrected([offset, 0, 0], [0, 0, offset]);
+      advanceEase(ease, UP, seconds, springsOf(given));
+      return [ease.offset[0], ease.turn[2], ease.active, ease.size];
+    };
+    for (const seconds of [0, -1, Number.NaN]) expect(after(seconds, 1e-3)).toEqual([1e-3, 1e-3, true, 1e-3]);
+    const slow = { alongGround: 2, angle: 2 };
+    expect(after(2, 1e-3, slow).slice(2)).toEqual([true, 1e-3]);
+    expect(after(2.001, 1e-3, slow)).toEqual([0, 0, false, 0]);
+    // At 3 s⁻¹ (1 + 3) e^−3 = 0.2 of each is left after 1 s, and rates of 3² e^−3 = 0.45 and, at 3.75 s⁻¹, 0.33.
+    expect(after(1, 1.1e-9, slow)[2]).toBe(true);
+    expect(after(1, 0.8e-9, slow)[2]).toBe(false);
+  });
+
   it('is within 5 % after 300 ms along the ground and 250 ms in angle', () => {
     for (const metres of [0.01, 0.3, 2, 20]) {
       const ease = corrected([metres, 0, 0]);

@@ -8,6 +8,8 @@ import {
   LEGS,
   snapToGround,
 } from '../../../src/prediction';
+import { rotate } from '../../../src/prediction/drawn/rotation';
+import { drawnClearance } from '../../../src/prediction/drawn/snap/groundSnap';
 import { snapToLevel } from '../../../src/prediction/drawn/snap/levelSnap';
 import { flyAndMeasure } from '../measure';
 import { createRig, value } from '../rig';
@@ -87,24 +89,6 @@ describe('a ship flush on a slope', () => {
   });
 });
 
-describe('the hull of a ship with its own contact offset', () => {
-  it.each([0, 2.5, 7])('of %f m has its feet there and keeps the class’s shape', (own) => {
-    const moved = hullOf(shipClass, own);
-    for (let leg = 0; leg < LEGS; leg++) expect(moved.feet[leg * 3 + 2]).toBe(-own);
-    for (let i = 2; i < hull.outline.length; i += 3)
-      expect(moved.outline[i]! - hull.outline[i]!).toBeCloseTo(h - own, 12);
-    const out = createGroundedPose(LEGS);
-    snapToGround(out, pose(own, 0, true), moved, level);
-    expect(out.lift).toBeCloseTo(0, 3);
-    expect(hullOf(shipClass, own)).toBe(moved);
-  });
-
-  it('differs from the class’s hull', () => {
-    expect(hullOf(shipClass, h)).toBe(hull);
-    expect(hullOf(shipClass, h + 1)).not.toBe(hull);
-  });
-});
-
 describe('snapToGround', () => {
   const tilts = [0, 5, 20, 36, 60, 80, 90, 120, 180];
 
@@ -132,6 +116,53 @@ describe('snapToGround', () => {
     for (const pressed of out.legCompression) expect(pressed).toBe(hull.stroke);
     expect(out.lift).toBeCloseTo(3.4 - hull.stroke, 3);
     expect(out.feetHeight).toBeCloseTo(-3.4, 3);
+  });
+
+  it.each([
+    [1, [0.48, 0.6, 0.64]],
+    [-1, [-0.6, 0.64, -0.48]],
+  ] as const)('lifts along the local up in any attitude at any place: %d', (sign, up) => {
+    const attitude = Float64Array.of(0.1, -0.5 * sign, 0.7, sign * 0.5);
+    const position = Float64Array.from(up, (x) => x * (RADIUS + h - 1));
+    const given: GroundPose = { position, attitude, grounded: true, groundOffset: 0 };
+    const out = createGroundedPose(LEGS);
+    snapToGround(out, given, hull, level);
+    for (const [k, x] of up.entries()) expect(out.position[k]! - position[k]!).toBeCloseTo(x * out.lift, 8);
+    const points: Float64Array[] = [];
+    for (let i = 0; i < hull.outline.length; i += 3) points.push(hull.outline.slice(i, i + 3));
+    for (let leg = 0; leg < LEGS; leg++) {
+      points.push(hull.feet.slice(leg * 3, leg * 3 + 3));
+      points.at(-1)![2] = points.at(-1)![2]! + out.legCompression[leg]!;
+    }
+    const far = points.map((p) => {
+      rotate(p, attitude, p);
+      return Math.sqrt(p.reduce((sum, x, k) => sum + (x + out.position[k]!) ** 2, 0));
+    });
+    expect(Math.abs(Math.min(...far) - RADIUS)).toBeLessThan(1e-4);
+    const quick = createGroundedPose(LEGS);
+    snapToLevel(quick, given, hull, { radius: RADIUS });
+    expect(quick.lift).toBeCloseTo(out.lift, 3);
+    expect(quick.feetHeight).toBeCloseTo(out.feetHeight, 4);
+    for (let k = 0; k < 3; k++) expect(quick.position[k]).toBeCloseTo(out.position[k]!, 3);
+  });
+
+  it.each([
+    { what: 'is 0 below the ground', clearance: -0.1, height: -0.1, offset: 0, drawn: 0 },
+    { what: 'is its own upright', clearance: 0.3, height: 0.3, offset: 0, drawn: 0.3 },
+    { what: 'is its own above a metre', clearance: 2.5, height: 1, offset: 0, drawn: 2.5 },
+    { what: 'grows from 0 to that', clearance: 2, height: 0.25, offset: 0, drawn: 2 - 1.75 * 0.75 },
+    { what: 'is 0 while the centre is lower', clearance: 2, height: -0.25, offset: 0, drawn: 0 },
+    { what: 'is 0 on higher ground', clearance: 0.5, height: 0.5, offset: 0.5, drawn: 0 },
+    // At a quarter of eight offsets the smoothstep is 5/32, at half of them 1/2.
+    { what: 'fades to its own', clearance: 1.5, height: 1.5, offset: 0.5, drawn: 1 + (0.5 * 5) / 32 },
+    { what: 'has faded at eight offsets', clearance: 4.5, height: 4.5, offset: 0.5, drawn: 4.5 },
+    { what: 'fades over a metre at least', clearance: 0.6, height: 0.6, offset: 0.1, drawn: 0.55 },
+    { what: 'is above lower ground', clearance: 1.5, height: 1.5, offset: -0.5, drawn: 2 - 0.25 },
+    // Over 2.5 m of 4 the smoothstep is 175/256.
+    { what: 'nears lower ground', clearance: 0.2, height: 2, offset: -0.5, drawn: 0.7 - (0.5 * 175) / 256 },
+    { what: 'is never below the ground', clearance: -0.4, height: 3.5, offset: -0.5, drawn: 0 },
+  ])('a flying ship’s clearance $what', ({ clearance, height, offset, drawn }) => {
+    expect(drawnClearance(clearance, height, offset)).toBeCloseTo(drawn, 12);
   });
 
   it('rises smoothly when a tipped ship leaves the ground', () => {

@@ -14,6 +14,7 @@ import {
   SHIP_STRIDE,
   SURFACE_STATE,
   THRUST_LEVEL,
+  TIPPED,
   VELOCITY,
   type Vec3,
   type World,
@@ -112,6 +113,54 @@ describe('a touch', () => {
     const card = cardAfter(flying, { ...touching, times: 51 }, { state: LANDED, times: 20 });
     expect(card).toMatchObject({ outcome: 'landed' });
     expect(card.settleSeconds).toBeCloseTo(0.51, 9);
+  });
+});
+
+describe('the card after a touch', () => {
+  const tipped = { state: TIPPED, tilt: 1.5 };
+
+  it('is closed while the ship is tipped, and open again once it is righted, timed from the touch', () => {
+    const down = cardAfter(flying, touching, { ...tipped, times: 30 });
+    expect(down).toMatchObject({ outcome: 'tipped', bounces: 0 });
+    expect(down.settleSeconds).toBeCloseTo(0.01, 9);
+    const righted = cardAfter(flying, touching, { ...tipped, times: 30 }, { times: 5 });
+    expect(righted.outcome).toBe('open');
+    expect(righted.settleSeconds).toBeCloseTo(0.35, 9);
+    const landed = cardAfter(
+      flying,
+      touching,
+      { ...tipped, times: 30 },
+      { times: 5 },
+      { state: LANDED, times: 9 },
+    );
+    expect(landed.outcome).toBe('landed');
+    expect(landed.settleSeconds).toBeCloseTo(0.36, 9);
+  });
+
+  it('is a new one for the touch after rest', () => {
+    const again = { ...touching, impact: 1.5, east: 1 };
+    const card = cardAfter(flying, touching, { state: LANDED, times: 9 }, flying, again);
+    expect(card).toMatchObject({
+      known: true,
+      outcome: 'open',
+      verticalSpeed: 1.5,
+      bounces: 0,
+      slideMetres: 0,
+    });
+    expect(card.largestTilt).toBe(0);
+  });
+
+  it('of a crash on the ground has the speed of the touch', () => {
+    const card = cardAfter(flying, touching, touching, { ...touching, crashed: true, times: 5 });
+    expect(card).toMatchObject({ outcome: 'crashed', verticalSpeed: 2, bounces: 0 });
+    expect(card.settleSeconds).toBeCloseTo(0.02, 9);
+    expect(card.slideMetres).toBeCloseTo(0.06, 9);
+  });
+
+  it('is not known of a ship first seen on the ground', () => {
+    expect(cardAfter({ tilt: 0.5 }, { ...touching, times: 9 }, { state: LANDED })).toMatchObject({
+      known: false,
+    });
   });
 });
 

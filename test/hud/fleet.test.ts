@@ -8,8 +8,9 @@ import {
   changesBy,
   createPage,
   createView,
+  fire,
+  layOut,
   one,
-  type PageElement,
   shownText,
 } from './pageInNode';
 
@@ -34,15 +35,15 @@ function fleetOf(
 
 /** A fleet HUD whose list is `height` px tall. */
 function createFleet(height: number, given = createView()) {
-  const { document, host, root } = createPage(given.view);
-  const hud = createFleetHud(document, host);
+  const { document, root } = createPage(given.view);
+  const hud = createFleetHud(document, root);
   const scroller = one(root, 'td-scroller');
-  scroller.clientHeight = height;
+  layOut(scroller, { clientHeight: height });
   given.resized();
-  const places = () => all(root, 'td-row').map((row) => Number(row.attributes['aria-posinset']));
+  const places = () => all(root, 'td-row').map((row) => Number(row.getAttribute('aria-posinset')));
   const scrollTo = (top: number) => {
     scroller.scrollTop = top;
-    scroller.listeners['scroll']![0]!({});
+    fire(scroller, 'scroll');
   };
   return { ...hud, root, places, scrollTo, resized: given.resized, observed: given.observed, scroller };
 }
@@ -66,7 +67,7 @@ describe('the fleet', () => {
       '◇ FLIGHT Kestrel 1\u202f200 m PRED OFF',
       '▲ CONTACT Kestrel 0.0 m WITHDRAWN',
     ]);
-    const marks = (name: string) => all(root, 'td-row').map((row) => row.attributes[name]);
+    const marks = (name: string) => all(root, 'td-row').map((row) => row.getAttribute(name));
     expect(marks('data-own')).toEqual(['false', 'true', 'false', 'false', 'false']);
     expect(marks('data-colour')).toEqual(['red', 'yellow', 'neutral', 'neutral', 'yellow']);
     expect(marks('data-provenance')).toEqual(['confirmed', 'predicted', 'stale', 'off', 'predicted']);
@@ -79,7 +80,7 @@ describe('the fleet', () => {
     expect(header()).toBe('Fleet');
     paint(fleetOf([ROW], { tipped: 2, flight: 1, landed: 3 }));
     expect(header()).toBe('Fleet 2 tipped 1 flight 3 landed');
-    const colours = all(root, 'td-count').map((count) => count.attributes['data-colour']);
+    const colours = all(root, 'td-count').map((count) => count.getAttribute('data-colour'));
     expect(colours).toEqual(['red', 'yellow', 'red', 'neutral', 'cyan', 'quiet']);
     paint(fleetOf([ROW], { contact: 1, landed: 1 }));
     expect(header()).toBe('Fleet 1 contact 1 landed');
@@ -96,9 +97,9 @@ describe('the fleet', () => {
     const { root, paint, places, scrollTo, resized, scroller } = createFleet(280);
     const thousand = fleetOf(Array.from({ length: 1000 }, (_, i) => ({ name: `ship ${String(i)}` })));
     paint(thousand);
-    expect(one(root, 'td-rows').style['height']).toBe('1750rem');
+    expect(one(root, 'td-rows').style.height).toBe('1750rem');
     expect(places()).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
-    const transforms = all(root, 'td-row').map(({ style }) => style['transform']);
+    const transforms = all(root, 'td-row').map(({ style }) => style.transform);
     expect(transforms.slice(0, 3)).toEqual([0, 1.75, 3.5].map((y) => `translateY(${String(y)}rem)`));
     scrollTo(27);
     expect(places()[0]).toBe(1);
@@ -109,14 +110,14 @@ describe('the fleet', () => {
     expect([places()[0], places().at(-1)]).toEqual([990, 1000]);
     scrollTo(-40);
     expect(places()[0]).toBe(1);
-    scroller.clientHeight = 281;
+    layOut(scroller, { clientHeight: 281 });
     resized();
     expect(places()).toHaveLength(12);
-    scroller.clientHeight = 4000;
+    layOut(scroller, { clientHeight: 4000 });
     resized();
     expect(places()).toHaveLength(30);
     paint(fleetOf([ROW, ROW]));
-    expect([places(), one(root, 'td-rows').style['height']]).toEqual([[1, 2], '3.5rem']);
+    expect([places(), one(root, 'td-rows').style.height]).toEqual([[1, 2], '3.5rem']);
     paint(fleetOf([]));
     expect(places()).toEqual([]);
   });
@@ -132,8 +133,8 @@ describe('the fleet', () => {
   });
 
   it('shows a row before its height is known, and stops watching at its end', () => {
-    const { document, host, root } = createPage(createView().view);
-    const hud = createFleetHud(document, host);
+    const { document, root } = createPage(createView().view);
+    const hud = createFleetHud(document, root);
     hud.paint(fleetOf([ROW, ROW, ROW]));
     expect(all(root, 'td-row')).toHaveLength(1);
     const { dispose, observed, root: other } = createFleet(280);
@@ -143,12 +144,12 @@ describe('the fleet', () => {
   });
 
   it('is painted in a document without a window, too', () => {
-    const { document, host, root } = createPage();
-    const hud = createFleetHud(document, host);
+    const { document, root } = createPage();
+    const hud = createFleetHud(document, root);
     hud.paint(fleetOf([ROW]));
     const scroller = one(root, 'td-scroller');
-    scroller.clientHeight = 280;
-    scroller.listeners['scroll']![0]!({});
+    layOut(scroller, { clientHeight: 280 });
+    fire(scroller, 'scroll');
     hud.paint(fleetOf(Array.from({ length: 50 }, () => ROW)));
     expect(all(root, 'td-row')).toHaveLength(11);
     hud.dispose();
@@ -164,17 +165,17 @@ const HUDS = [
 
 describe.each(HUDS)('the HUD %s', (label, create) => {
   const shownIn = (given = createView(), options: HudAppearance = {}) => {
-    const { document, host, root } = createPage(given.view);
-    const { dispose } = create(document, host, options);
+    const { document, root } = createPage(given.view);
+    const { dispose } = create(document, root, options);
     return { section: one(root, 'td-hud'), root, dispose };
   };
-  const look = (section: PageElement) => attributes(section, 'data-theme', 'data-layout');
+  const look = (section: HTMLElement) => attributes(section, 'data-theme', 'data-layout');
 
   it('is a section with its name and a panel, dark unless asked', () => {
     const { section } = shownIn();
     expect([section.localName, section.className]).toEqual(['section', `td-hud td-${label.toLowerCase()}`]);
     expect(attributes(section, 'aria-label')).toEqual([label]);
-    expect(section.children.map(({ className }) => className)).toEqual(['td-panel']);
+    expect([...section.children].map(({ className }) => className)).toEqual(['td-panel']);
     expect(look(section)).toEqual(['dark', 'full']);
     expect(look(shownIn(createView(), { theme: 'light' }).section)).toEqual(['light', 'full']);
   });
@@ -206,21 +207,21 @@ describe.each(HUDS)('the HUD %s', (label, create) => {
 
 it('the landing HUD’s parts can be scrolled by keyboard where they are too short, and only there', () => {
   const given = createView();
-  const { document, host, root } = createPage(given.view);
-  createCockpitLandingHud(document, host);
+  const { document, root } = createPage(given.view);
+  createCockpitLandingHud(document, root);
   const parts = one(root, 'td-parts');
   const stop = () => attributes(parts, 'tabindex', 'role', 'aria-label');
   // The parts and each of them: what grows inside is seen too.
   expect(given.observed()).toBe(1 + parts.children.length);
   expect(stop()).toEqual([null, null, null]);
-  [parts.scrollHeight, parts.clientHeight] = [200, 200];
+  layOut(parts, { scrollHeight: 200, clientHeight: 200 });
   given.resized();
   expect(stop()).toEqual([null, null, null]);
-  parts.scrollHeight = 201;
+  layOut(parts, { scrollHeight: 201 });
   given.resized();
   expect(stop()).toEqual(['0', 'group', 'Landing, further down']);
   expect(changesBy(given.resized)).toBe(0);
-  parts.scrollHeight = 200;
+  layOut(parts, { scrollHeight: 200 });
   given.resized();
   expect(stop()).toEqual([null, null, null]);
 });

@@ -27,8 +27,8 @@ const panelsOf = ({ flight, aids, target, autopilot = false, aidsOn = true }: Nu
 
 /** The HUD and readers of what it shows. */
 function createHud(keyLabel?: (key: string) => string) {
-  const { document, host, root } = createPage();
-  const hud = createFlightHud(document, host, keyLabel ? { keyLabel } : {});
+  const { document, root } = createPage();
+  const hud = createFlightHud(document, root, keyLabel ? { keyLabel } : {});
   return {
     show: (numbers: Numbers) => hud.paint(panelsOf(numbers)),
     text: (name: string) => shownText(one(root, name)),
@@ -85,7 +85,7 @@ it('shows attitude: the zenith away from the lean, heading, pitch and the fulles
   expect(text('td-attitude-words')).toBe('HDG 047° PITCH 60.0° WHEELS 75 %');
   // 90° of lean is the rim: rings at 15° and 45°.
   const ringsAndRim = [...parts('td-ring'), one(parts('td-attitude')[0]!, 'td-rim')];
-  expect(ringsAndRim.map((ring) => Number(ring.attributes['r']).toFixed(9))).toEqual(
+  expect(ringsAndRim.map((ring) => Number(ring.getAttribute('r')).toFixed(9))).toEqual(
     [15, 45, 90].map((degrees) => ((40 * degrees) / 90).toFixed(9)),
   );
   for (const k of [0, 1, 2]) {
@@ -99,7 +99,7 @@ it('shows the modes with their keys, on or off in a word', () => {
   const rows = () => parts('td-mode').map(shownText);
   const on = () =>
     parts('td-mode')
-      .filter((row) => row.attributes['data-on'] === 'true')
+      .filter((row) => row.getAttribute('data-on') === 'true')
       .map((row) => shownText(one(row, 'td-mode-word')));
   const damped = { ...FLYING, damping: true };
   show({ flight: { ...damped, mode: 'radial' } });
@@ -124,7 +124,7 @@ it('shows the landing aids, late braking marked', () => {
   const aids = { aimSpeed: 5, touchSeconds: 12, touchVertical: 3, touchHorizontal: 1 };
   const late = [1, 0.9, NaN].map((burnSeconds) => {
     show({ aids: { ...aids, corridor: 'fast', burnSeconds } });
-    return one(parts('td-reading-brake')[0]!, 'td-value').attributes['data-late'];
+    return one(parts('td-reading-brake')[0]!, 'td-value').getAttribute('data-late');
   });
   expect(late).toEqual(['false', 'true', 'false']);
   show({ aids: { ...aids, corridor: 'fast', burnSeconds: 0.9 } });
@@ -133,7 +133,7 @@ it('shows the landing aids, late braking marked', () => {
   );
   const words = (['slow', 'good', 'fast', 'none'] as const).map((corridor) => {
     show({ aids: { ...aids, corridor } });
-    return `${parts('td-corridor')[0]!.attributes['data-corridor']!}: ${text('td-corridor')}`;
+    return `${parts('td-corridor')[0]!.getAttribute('data-corridor')!}: ${text('td-corridor')}`;
   });
   expect(words).toEqual(['slow: slow', 'good: on it', 'fast: TOO FAST', 'none: ']);
   show({ aids, aidsOn: false });
@@ -157,7 +157,7 @@ it('shows the beacon, the drift of five seconds and the predicted touch', () => 
     '51',
     '50.6 m, behind right',
   ]);
-  expect(one(parts('td-approach')[0]!, 'td-rim').attributes['r']).toBe('40');
+  expect(one(parts('td-approach')[0]!, 'td-rim').getAttribute('r')).toBe('40');
   show({ target: { ...beacon, ...moving, missX: NaN } });
   expect(attributes('td-touch-cross', 'data-shown')).toEqual(['false']);
   show({ target: { ...beacon, ...moving }, aidsOn: false });

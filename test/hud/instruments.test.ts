@@ -8,7 +8,7 @@ describe('the cross-pointer', () => {
   const drawn = (x: number, y: number, scale: number) => {
     const hud = createLandingHud();
     hud.show({ drift: { x, y, scale } });
-    const [across, along, way] = all(one(hud.root, 'td-cross'), 'path').map((path) => path.attributes['d']);
+    const [across, along, way] = all(one(hud.root, 'td-cross'), 'path').map((path) => path.getAttribute('d'));
     return { across, along, way, dot: hud.attributes('td-cross-dot', 'transform')[0], ...hud };
   };
 
@@ -29,7 +29,7 @@ describe('the cross-pointer', () => {
   it('has rings at full and half deflection, and the letters of the axes on its rim', () => {
     const { root } = createLandingHud();
     const dial = one(one(root, 'td-drift'), 'td-dial');
-    expect(['td-rim', 'td-ring'].map((name) => one(dial, name).attributes['r'])).toEqual(['50', '25']);
+    expect(['td-rim', 'td-ring'].map((name) => one(dial, name).getAttribute('r'))).toEqual(['50', '25']);
     const letters = all(dial, 'td-axis-text').map((letter) => [
       shownText(letter),
       ...attributes(letter, 'x', 'y').map(Number),
@@ -39,7 +39,7 @@ describe('the cross-pointer', () => {
       ['X', 58, 4],
       ['Y', 0, -55],
     ]);
-    expect(one(one(root, 'td-cross'), 'td-cross-dot').attributes['r']).toBe('4');
+    expect(one(one(root, 'td-cross'), 'td-cross-dot').getAttribute('r')).toBe('4');
   });
 
   it('is a meter of the speed, with a sentence in whole metres per second', () => {
@@ -80,7 +80,7 @@ describe('the cross-pointer', () => {
       degrees === null ? 'false' : 'true',
       turn,
     ]);
-    const covered = parts('td-axis-text').filter((letter) => letter.attributes['data-covered'] === 'true');
+    const covered = parts('td-axis-text').filter((letter) => letter.getAttribute('data-covered') === 'true');
     expect(covered.map(shownText).join('') || 'none').toBe(over);
   });
 });
@@ -104,7 +104,7 @@ describe('the gates', () => {
       const [, ...found] = all(one(root, 'td-gates'), 'tr').filter((row) => !row.hidden);
       return found.map((row) => {
         const [label] = attributes(one(row, 'td-tick'), 'aria-label');
-        return `${shownText(row)} (${label!}, ${row.attributes['data-met']!})`;
+        return `${shownText(row)} (${label!}, ${row.getAttribute('data-met')!})`;
       });
     };
     expect(text('td-gates')).toBe('');
@@ -140,7 +140,7 @@ describe('the gates', () => {
       (head) => (head as unknown as { scope: string }).scope,
     );
     expect(scopes).toEqual([...Array<string>(4).fill('col'), ...Array<string>(6).fill('row')]);
-    expect(all(root, 'td-tick').every((mark) => mark.attributes['role'] === 'img')).toBe(true);
+    expect(all(root, 'td-tick').every((mark) => mark.getAttribute('role') === 'img')).toBe(true);
   });
 });
 
@@ -209,8 +209,8 @@ describe('the righting help', () => {
     const marks = (change: Partial<Righting>) => {
       show({ righting: { ...able, ...change } });
       return parts('td-need').map((line) => {
-        const { attributes: mark } = one(line, 'td-tick');
-        return `${line.attributes['data-met']!}, ${mark['role']!}: ${mark['aria-label']!}`;
+        const mark = attributes(one(line, 'td-tick'), 'role', 'aria-label').join(': ');
+        return `${line.getAttribute('data-met')!}, ${mark}`;
       });
     };
     const [enough, not] = ['true, img: enough', 'false, img: not enough'];

@@ -49,7 +49,7 @@ describe('the status', () => {
   it('is announced once when the server has confirmed it, TIPPED and CRASHED as alerts', () => {
     const { root, show } = createLandingHud();
     const regions = all(root, 'td-unseen').filter(({ localName }) => localName === 'p');
-    expect(regions.map((region) => region.attributes['role'])).toEqual(['status', 'alert']);
+    expect(regions.map((region) => region.getAttribute('role'))).toEqual(['status', 'alert']);
     const told = (status: LandingReadout['status'], provenance: LandingReadout['provenance']) => {
       show({ shipName: 'Kestrel', status, provenance });
       return regions.map((region) => region.textContent).join('|');
@@ -108,8 +108,11 @@ describe('the tilt', () => {
       const radians = (degrees * Math.PI) / 180;
       return [28 + radius * Math.sin(radians), 100 - radius * Math.cos(radians)];
     };
-    const places = (element: { attributes: Record<string, string> }, name: string) =>
-      element.attributes[name]!.match(/-?[\d.]+/g)!.map(Number);
+    const places = (element: Element, name: string) =>
+      element
+        .getAttribute(name)!
+        .match(/-?[\d.]+/g)!
+        .map(Number);
     parts('td-mark').forEach((mark, i) => {
       const angle = [5, 37, 80][i]!;
       const ends = [...at(angle, 71), ...at(angle, 85)];
@@ -118,7 +121,7 @@ describe('the tilt', () => {
       expect(places(parts('td-mark-text')[i]!, 'transform'), `label at ${String(angle)}°`).toEqual(label);
     });
     const zones = parts('td-zone').slice(1);
-    expect(zones.map(({ className }) => className)).toEqual(
+    expect(zones.map((zone) => zone.getAttribute('class'))).toEqual(
       ['settled', 'leaning', 'toppling', 'tipped'].map((zone) => `td-zone td-zone-${zone}`),
     );
     const arcs = (ends: readonly (readonly [number, number])[]) =>

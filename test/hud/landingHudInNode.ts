@@ -35,8 +35,8 @@ function readoutOf(numbers: Numbers): LandingReadout {
 
 /** The HUD and readers of what it shows. */
 export function createLandingHud(options: LandingHudOptions = {}, view: object | null = null) {
-  const { document, host, root } = createPage(view);
-  const hud = createCockpitLandingHud(document, host, options);
+  const { document, root } = createPage(view);
+  const hud = createCockpitLandingHud(document, root, options);
   return {
     root,
     dispose: () => hud.dispose(),

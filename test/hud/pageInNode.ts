@@ -1,115 +1,31 @@
-/** A document in node with the members that HUDs and panels use: their texts and attributes can be read where nothing is laid out. */
+/** A document in node, for texts and attributes of HUDs and panels where nothing need be laid out. */
+import { Event, parseHTML } from 'linkedom';
 
-class PageElement {
-  readonly childNodes: (PageElement | PageText)[] = [];
-  readonly style: Record<string, string> = {};
-  readonly attributes: Record<string, string> = {};
-  readonly listeners: Record<string, ((event: object) => void)[]> = {};
-  readonly nodeType = 1;
-  parent: PageElement | null = null;
-  private isHidden = false;
-  clientHeight = 0;
-  scrollHeight = 0;
-  scrollTop = 0;
+/** Of an element that is not laid out; the library has none of them. */
+const SIZES = { clientHeight: 0, scrollHeight: 0, scrollTop: 0 };
 
-  constructor(
-    readonly ownerDocument: Document,
-    readonly localName: string,
-  ) {}
+let observer: MutationObserver;
 
-  get hidden(): boolean {
-    return this.isHidden;
-  }
-  set hidden(hidden: boolean) {
-    changes += 1;
-    this.isHidden = hidden;
-  }
-  get children(): PageElement[] {
-    return this.childNodes.filter((node) => node instanceof PageElement);
-  }
-  get lastElementChild(): PageElement | undefined {
-    return this.children.at(-1);
-  }
-  get className(): string {
-    return this.attributes['class'] ?? '';
-  }
-  set className(names: string) {
-    this.attributes['class'] = names;
-  }
-  set tabIndex(index: number) {
-    this.attributes['tabindex'] = String(index);
-  }
-  get textContent(): string {
-    return this.childNodes.map((node) => (node instanceof PageText ? node.data : node.textContent)).join('');
-  }
-  set textContent(text: string) {
-    changes += 1;
-    this.childNodes.splice(0, Infinity, new PageText(text));
-  }
-  append(...given: (PageElement | PageText | string)[]): void {
-    changes += 1;
-    const nodes = given.map((node) => (typeof node === 'string' ? new PageText(node) : node));
-    for (const node of nodes) node.parent = this;
-    this.childNodes.push(...nodes);
-  }
-  replaceChildren(): void {
-    changes += 1;
-    this.childNodes.length = 0;
-  }
-  remove(): void {
-    this.parent?.childNodes.splice(this.parent.childNodes.indexOf(this), 1);
-  }
-  setAttribute(name: string, value: unknown): void {
-    changes += 1;
-    this.attributes[name] = String(value);
-  }
-  removeAttribute(name: string): void {
-    Reflect.deleteProperty(this.attributes, name);
-  }
-  addEventListener(type: string, listener: (event: object) => void): void {
-    (this.listeners[type] ??= []).push(listener);
-  }
-}
-
-class PageText {
-  parent: PageElement | null = null;
-  constructor(private text: string) {}
-  get data(): string {
-    return this.text;
-  }
-  set data(text: string) {
-    changes += 1;
-    this.text = text;
-  }
-}
-
-export type { PageElement };
-
-/** Texts, attributes and elements that were set, added or hidden so far. */
-let changes = 0;
-
-/** How many of these `work` does. */
+/** Changes to the texts, attributes and elements of the newest page that `work` makes. */
 export function changesBy(work: () => void): number {
-  const before = changes;
+  observer.takeRecords();
   work();
-  return changes - before;
+  return observer.takeRecords().length;
 }
 
-/** A document, and a host in it. `view` are members of its window, null for none; `members` are of every element beside those above. */
+/** A document, and a host in it. `view` are members of its window, null for none; `members` are of every element made in it. */
 export function createPage(
   view: object | null = null,
   members: object = {},
-): { document: Document; host: HTMLElement; root: PageElement } {
-  const page = { defaultView: view } as unknown as Document;
-  const create = (name: string) => Object.assign(new PageElement(page, name), members);
-  Object.assign(page, {
-    createElement: create,
-    createElementNS: (_space: string, name: string) => create(name),
-    createTextNode: (text: string) => new PageText(text),
-    documentElement: create('html'),
-  });
-  const root = create('main');
-  return { document: page, host: root as unknown as HTMLElement, root };
+): { document: Document; root: HTMLElement } {
+  const { document, MutationObserver } = parseHTML('<html><body><main></main></body></html>');
+  Object.defineProperty(document, 'defaultView', { value: view });
+  const maker: { createElement: (name: string) => HTMLElement } = document;
+  const create = maker.createElement.bind(document);
+  maker.createElement = (name) => Object.assign(create(name), SIZES, members);
+  observer = new MutationObserver(() => undefined);
+  observer.observe(document, { subtree: true, attributes: true, childList: true, characterData: true });
+  return { document, root: Object.assign(document.querySelector('main')!, SIZES, members) };
 }
 
 /** A window in which nothing is laid out: sizes are set by the test, and `resized` tells the observers. */
@@ -148,30 +64,38 @@ export function createView({ fontSize = '16px', matches = false } = {}) {
   };
 }
 
+/** Sets what layout gives an element, px. */
+export function layOut(element: Element, sizes: Partial<typeof SIZES>): void {
+  Object.assign(element, sizes);
+}
+
+/** Sends the element an event with these members. */
+export function fire(element: Element, type: string, members: object = {}): void {
+  element.dispatchEvent(Object.assign(new Event(type), members) as unknown as globalThis.Event);
+}
+
 /** Elements with the class, or else the name, inside `root` in the order of the document. */
-export function all(root: PageElement, name: string): PageElement[] {
-  const isMeant = ({ className, localName }: PageElement) =>
-    localName === name || className.split(' ').includes(name);
-  return root.children.flatMap((child) => [...(isMeant(child) ? [child] : []), ...all(child, name)]);
+export function all(root: Element, name: string): HTMLElement[] {
+  return [...root.querySelectorAll<HTMLElement>(`.${name}, ${name}`)];
 }
 
 /** The one such element. */
-export function one(root: PageElement, name: string): PageElement {
+export function one(root: Element, name: string): HTMLElement {
   const found = all(root, name);
   if (found.length !== 1) throw new Error(`${String(found.length)} elements ${name}, expected one`);
   return found[0]!;
 }
 
 /** The text that is not hidden, parts separated by one space. */
-export function shownText(element: PageElement): string {
-  const texts = (node: PageElement | PageText): string[] => {
-    if (node instanceof PageText) return [node.data];
-    return node.hidden ? [] : node.childNodes.flatMap(texts);
+export function shownText(element: Element): string {
+  const texts = (node: Node): string[] => {
+    if (node.nodeType === 3) return [node.textContent ?? ''];
+    return (node as HTMLElement).hidden ? [] : [...node.childNodes].flatMap(texts);
   };
   return texts(element).join(' ').replace(/ +/g, ' ').trim();
 }
 
 /** Attributes by name; null for one that is not set. */
-export function attributes(element: PageElement, ...names: string[]): (string | null)[] {
-  return names.map((name) => element.attributes[name] ?? null);
+export function attributes(element: Element, ...names: string[]): (string | null)[] {
+  return names.map((name) => element.getAttribute(name));
 }

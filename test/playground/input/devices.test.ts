@@ -1,6 +1,6 @@
 /** Gamepads and thumbs: which of their movements count, and what they do. */
 import { describe, expect, it, vi } from 'vitest';
-import { all, createPage, one, type PageElement } from '../../hud/pageInNode';
+import { all, createPage, fire, one } from '../../hud/pageInNode';
 import { createGamepads } from '../../../src/playground/input/gamepad';
 import { createDeflection } from '../../../src/playground/input/stick';
 import { createThumbs } from '../../../src/playground/input/thumbs';
@@ -119,17 +119,17 @@ describe('a gamepad in the page', () => {
 
 describe('the thumb sticks', () => {
   function createPads() {
-    const { document, host, root } = createPage();
+    const { document, root } = createPage();
     const deflection = createDeflection();
     const done: unknown[] = [];
-    const thumbs = createThumbs(host as HTMLElement, {
+    const thumbs = createThumbs(root, {
       deflection: () => deflection,
       moved: () => done.push('moved'),
       lever: (throttle) => done.push(throttle),
       pressed: (action) => done.push(action),
     });
     const [tilt, lift, push] = all(root, 'thumb');
-    const lever = one(root, 'input') as PageElement &
+    const lever = one(root, 'input') as HTMLElement &
       Record<'min' | 'max' | 'step' | 'type' | 'value', string> & { valueAsNumber: number };
     return {
       document,
@@ -143,11 +143,9 @@ describe('the thumb sticks', () => {
       take: () => done.splice(0),
     };
   }
-  const touch = (pad: PageElement, type: string, pointerId: number, clientX: number, clientY: number) => {
-    const setPointerCapture = () => undefined;
-    Object.assign(pad, { setPointerCapture });
-    for (const listener of pad.listeners[type]!)
-      listener({ pointerId, clientX, clientY, preventDefault: () => undefined });
+  const touch = (pad: HTMLElement, type: string, pointerId: number, clientX: number, clientY: number) => {
+    Object.assign(pad, { setPointerCapture: () => undefined });
+    fire(pad, type, { pointerId, clientX, clientY });
   };
 
   it('deflect by where the thumb is from where it came down, full at 44 px, in tenths', () => {
@@ -158,7 +156,7 @@ describe('the thumb sticks', () => {
     touch(tilt, 'pointermove', 1, 100 + 22, 100 - 11);
     // 11 px are 0.25.
     expect([deflection.tiltRight, deflection.tiltAway, take()]).toEqual([0.5, 0.3, ['moved']]);
-    expect(one(tilt, 'knob').style['translate']).toBe('22px -11px');
+    expect(one(tilt, 'knob').style.translate).toBe('22px -11px');
     touch(tilt, 'pointermove', 1, 100 + 22.1, 100 - 11.1);
     expect(take()).toEqual([]);
     touch(tilt, 'pointermove', 2, 0, 0);
@@ -167,7 +165,7 @@ describe('the thumb sticks', () => {
     // Beyond the reach the direction counts: 3, 4 and 5.
     touch(tilt, 'pointermove', 1, 100 - 300, 100 + 400);
     expect([deflection.tiltRight, deflection.tiltAway]).toEqual([-0.6, -0.8]);
-    const place = one(tilt, 'knob').style['translate']!.split('px');
+    const place = one(tilt, 'knob').style.translate.split('px');
     expect(place.map((part) => Number(part).toFixed(3))).toEqual(['-26.400', '35.200', '0.000']);
     touch(tilt, 'pointerup', 2, 0, 0);
     expect(deflection.tiltRight).toBe(-0.6);
@@ -189,11 +187,11 @@ describe('the thumb sticks', () => {
     const { document, root, lever, thumbs, take } = createPads();
     expect([lever.min, lever.max, lever.step, lever.type]).toEqual(['0', '100', '0.5', 'range']);
     lever.valueAsNumber = 50;
-    lever.listeners['input']![0]!({});
+    fire(lever, 'input');
     expect(take()).toEqual([0.25]);
     const words = () => one(one(root, 'thumb-lever'), 'span').textContent;
     thumbs.show(0.25, 0.1);
-    expect([words(), lever.attributes['aria-valuetext'], lever.value]).toEqual([
+    expect([words(), lever.getAttribute('aria-valuetext'), lever.value]).toEqual([
       ...['Engine 25 %, hover 10 %', 'Engine 25 %, hover 10 %', '50'],
     ]);
     thumbs.show(0.25, NaN);
@@ -214,7 +212,7 @@ describe('the thumb sticks', () => {
   it('have buttons for the engine and the modes', () => {
     const { root, take } = createPads();
     const buttons = all(root, 'button').map((button) => {
-      button.listeners['click']![0]!({});
+      fire(button, 'click');
       return [button.textContent, take()];
     });
     expect(buttons).toEqual([

@@ -4,14 +4,14 @@ import { createGoalPanel } from '../../../src/playground/panels/goal';
 import { createMissionCard } from '../../../src/playground/panels/missionCard';
 import { createNotice } from '../../../src/playground/panels/notice';
 import { createOverlayLegend } from '../../../src/playground/panels/overlayLegend';
-import { all, attributes, createPage, one, type PageElement, shownText } from '../../hud/pageInNode';
+import { all, attributes, createPage, fire, one, shownText } from '../../hud/pageInNode';
 
-const click = (button: PageElement) => button.listeners['click']![0]!({});
+const click = (button: HTMLElement) => fire(button, 'click');
 
 /** An element that a panel fills. */
 function createPart(members = {}) {
-  const { root, host } = createPage(null, members);
-  return { root, part: host };
+  const { root } = createPage(null, members);
+  return { root, part: root };
 }
 
 describe('notices', () => {
@@ -71,7 +71,7 @@ it('the goal has keys in its words, and breaks lines between its parts', () => {
   const how = one(root, 'goal-how');
   expect(shownText(how)).toBe('F V engine · tilt W');
   expect(all(how, 'kbd').map(shownText)).toEqual(['F', 'V', 'W']);
-  expect(how.children.map(({ textContent }) => textContent)).toEqual(['F V engine ·', 'tilt W']);
+  expect([...how.children].map(({ textContent }) => textContent)).toEqual(['F V engine ·', 'tilt W']);
   expect(how.textContent).toBe('F V engine · tilt W');
   goal.advise('More thrust');
   expect(shownText(one(root, 'goal-advice'))).toBe('More thrust');
@@ -113,7 +113,7 @@ it('a card has a title, buttons with their keys, and a score line by line', () =
 });
 
 it('the legend names the overlays that are on, each colour with its meaning', () => {
-  const { root, part } = createPart({ style: { setProperty: () => undefined } });
+  const { root, part } = createPart();
   const show = createOverlayLegend(part);
   show(['ghost', 'forces']);
   expect(all(root, 'li').map((row) => shownText(row).split(':')[0])).toEqual([

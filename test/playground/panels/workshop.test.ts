@@ -5,11 +5,11 @@ import { createNetStrip } from '../../../src/playground/panels/workshop/netStrip
 import { axisRange } from '../../../src/playground/panels/workshop/plots';
 import type { Samples } from '../../../src/playground/game/samples';
 import type { Diagnosis } from '../../../src/prediction';
-import { all, attributes, createPage, one, shownText } from '../../hud/pageInNode';
+import { all, attributes, createPage, layOut, one, shownText } from '../../hud/pageInNode';
 
 it('figures have each gauge’s digits, and a dash for what is unknown', () => {
-  const { root, host } = createPage();
-  const show = createFigures(host);
+  const { root } = createPage();
+  const show = createFigures(root);
   const values = [1.236, 3.456];
   show({ values: (gauge: number) => (gauge === 1 ? [] : values) } as unknown as Samples);
   const [head, ...rows] = all(root, 'tr').map(shownText);
@@ -70,7 +70,7 @@ describe('the strip of frames', () => {
       fillRect: (...box: number[]) =>
         drawn.push([pen.fillStyle, ...box.map((x) => Math.round(x * 100) / 100)]),
     };
-    const { root, host } = createPage(null, { getContext: () => pen, clientWidth: 403 });
+    const { root } = createPage(null, { getContext: () => pen, clientWidth: 403 });
     let look = () => undefined as unknown;
     class ResizeObserver {
       observe = () => undefined;
@@ -79,10 +79,10 @@ describe('the strip of frames', () => {
       }
     }
     vi.stubGlobal('ResizeObserver', ResizeObserver);
-    const strip = createNetStrip(host);
-    one(root, 'canvas').clientHeight = 20;
+    const strip = createNetStrip(root);
+    layOut(one(root, 'canvas'), { clientHeight: 20 });
     look();
-    return { strip, drawn, words: () => one(root, 'legend').children.map(shownText), root };
+    return { strip, drawn, words: () => [...one(root, 'legend').children].map(shownText), root };
   }
   const none = {
     ...{ framesAccepted: 0, framesDuplicate: 0, framesOutOfOrder: 0, framesTooOld: 0 },

@@ -34,7 +34,9 @@ export function verdict(
   const parts: string[] = [];
   if (rival?.mission === run.mission) {
     const ahead = run.score.total - rival.score.total;
-    parts.push(ahead > 0 ? `${ahead} points ahead of ${rival.by}.` : `${-ahead} points behind ${rival.by}.`);
+    const points = Math.abs(ahead) === 1 ? '1 point' : `${Math.abs(ahead)} points`;
+    const compared = ahead === 0 ? 'Level with' : `${points} ${ahead > 0 ? 'ahead of' : 'behind'}`;
+    parts.push(`${compared} ${rival.by}.`);
   }
   if (isBest) parts.push(best === null ? 'Your first score here.' : `Your best: ${best.score.total} before.`);
   else if (best !== null) parts.push(`Your best is ${best.score.total}.`);

@@ -166,7 +166,8 @@ describe('the cards', () => {
     [null, null, false, ''],
     [null, scored(750, 'Ada'), true, '50 points ahead of Ada. Your first score here.'],
     [scored(900), scored(850, 'Ada'), false, '50 points behind Ada. Your best is 900.'],
-    [null, scored(800, 'Ada'), false, '0 points behind Ada.'],
+    [null, scored(800, 'Ada'), false, 'Level with Ada.'],
+    [null, scored(801, 'Ada'), false, '1 point behind Ada.'],
     [null, scored(750, 'Ada', second), true, 'Your first score here.'],
   ])('compare 800 points with the best and the rival, %#', (best, rival, isBest, words) => {
     expect(verdict(scored(800), best, rival, isBest)).toBe(words);

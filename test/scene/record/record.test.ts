@@ -124,5 +124,5 @@ const PLACED: Readonly<Record<string, () => Object3D>> = {
 };
 
 it.each(Object.entries(PLACED))('%s, painted and placed', async (name, create) => {
-  await kept(`placed/${name}`, recordOf(create()));
+  await kept(`placed/${name.replaceAll(' ', '-')}`, recordOf(create()));
 });

@@ -1,6 +1,7 @@
 /** The file of a recording. */
 import { expect, it } from 'vitest';
-import { fileName } from '../../../src/playground/recording/recordingFile';
+import { writeRecording } from '../../../src/scenarios';
+import { fileName, readFile, refusalText } from '../../../src/playground/recording/recordingFile';
 
 const NOON = new Date('2031-05-06T12:00:09.5Z');
 const nameOf = (note: string) => fileName({ header: { note, shipId: 'own' }, entries: [] }, NOON);
@@ -12,4 +13,23 @@ it('a recording’s file is named after its scenario and the time', () => {
 
 it('a note from a file puts no path into the name', () => {
   expect(nameOf('?scenario=../../a%2Fb.html')).toBe('touchdown-abhtml-2031-05-06-12-00-09.jsonl');
+});
+
+const fileOf = (text: string | Error, size = 10) => {
+  const read = () => (typeof text === 'string' ? Promise.resolve(text) : Promise.reject(text));
+  return { size, text: read } as unknown as File;
+};
+const EMPTY = writeRecording({ header: { note: '', shipId: 'own' }, entries: [] });
+
+it.each([
+  ['of more than 200 MB', fileOf('', 200_600_000), 'it is 201 MB, and at most 200 MB are read'],
+  ['without entries', fileOf(EMPTY, 200_000_000), 'it holds no entries'],
+  ['that has gone', fileOf(new Error('not found')), 'the browser could not read it (not found)'],
+  ['of something else', fileOf('<b>'), 'line 1: not JSON'],
+])('a file %s is refused with the reason', async (_what, file, reason) => {
+  const read = await readFile(file);
+  expect(read).toEqual({ ok: false, reason: expect.stringContaining(reason) as string });
+  expect(refusalText('a.jsonl', read as Extract<typeof read, { ok: false }>)).toMatch(
+    /^a\.jsonl cannot be played: .*\. It has to be a file that/,
+  );
 });

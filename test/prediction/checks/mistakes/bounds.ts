@@ -1,5 +1,5 @@
 /** Values on either side of the bound from which they are reported: the bound, the code, one within it, one beyond, what is done with it. */
-import { NEUTRAL_CONTROLS, type Vec3 } from '../../../../src/dynamics';
+import { NEUTRAL_CONTROLS, SHIP_CLASSES, type Vec3 } from '../../../../src/dynamics';
 import { flown, LUNA, made, received, type Warning, withBody, withShip } from './given';
 
 export type Bound = readonly [
@@ -169,7 +169,25 @@ const OF_SETTINGS: readonly Bound[] = [
   ],
 ];
 
-export const BOUNDS = [...OF_SHIPS, ...OF_BODIES, ...OF_CONTROLS, ...OF_SETTINGS];
+/** A class whose engine moves its 10 t by `acceleration` m/s². */
+const accelerated = (acceleration: number) =>
+  made({
+    defaults: {
+      shipClasses: [
+        {
+          ...SHIP_CLASSES[2]!,
+          ...{ dryMass: 8000, fuelCapacity: 2000, mainEngineThrust: 1e4 * acceleration },
+        },
+      ],
+    },
+  });
+const OF_CLASSES: readonly Bound[] = [
+  ['weak thrust', 'class-units', 0.05, 0.0499, accelerated],
+  ['strong thrust', 'class-units', 2000, 2000.1, accelerated],
+  ['a class without an engine', 'class-units', 0, 0.001, accelerated],
+];
+
+export const BOUNDS = [...OF_SHIPS, ...OF_BODIES, ...OF_CONTROLS, ...OF_SETTINGS, ...OF_CLASSES];
 
 const attitudes = [0, 1].flatMap((x) =>
   [0, 1].flatMap((y) => [0, 1].flatMap((z) => [0, 1].map((w) => [x, y, z, w] as const))),

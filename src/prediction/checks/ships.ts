@@ -115,7 +115,7 @@ function checkPlace(warn: Warn, ship: ShipState, body: BodyState): void {
 /** A ship beside a fast body that has next to none of its velocity: the velocity is relative to the body. */
 function checkFrame(warn: Warn, { shipId, velocity }: ShipState, body: BodyState, speed: number): void {
   const own = lengthOf(body.velocity);
-  if (own < FAST || lengthOf(velocity) > 0.3 * own || speed < 0.7 * own) return;
+  if (own < FAST || lengthOf(velocity) > 0.3 * own) return;
   const message = `${shipId} moves at ${speed} m/s relative to ${body.name}: velocity is ICRF; one relative to the body goes into relativeVelocity.`;
   warn('velocity-frame', message, { shipId, value: velocity, speed });
 }

@@ -58,7 +58,7 @@ describe('a flight’s link', () => {
       choices: () => choices,
       address: {
         write: () => undefined,
-        copy: (query, words) => copied.push({ query, words: words ?? '' }),
+        copy: (query, words) => copied.push({ query, words }),
       },
       notice: {
         show: (text) => done.push(text),

@@ -32,8 +32,8 @@ const SHOWS: readonly Show[] = [
   { name: 'ships-200-drawn', query: '?scenario=opening&fleet=199', drawn: true },
 ];
 /** Wall seconds: of running before the trace, so that the page is compiled, and of the trace, from the top of the show. */
-const WARM_UP = 20;
-const TRACED = 20;
+const WARM_UP = 12;
+const TRACED = 12;
 const WINDOW = { width: 1280, height: 720 };
 const asJson = process.argv.includes('--json');
 

@@ -1,8 +1,8 @@
-/** The first minute of somebody who has never seen the page: real time, real frames, at the sizes of phone, laptop and wide screen. */
+/** The first minute of somebody who has never seen the page: real time, real frames. */
 import { describe, expect, it } from 'vitest';
 import { flyAsNewcomer } from './newcomer';
-import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
-import { WINDOW_SIZES, windowOf } from '../windowSizes';
+import { openBuiltPage, problemsOf } from '../pages';
+import { type WINDOW_SIZES, windowOf } from '../windowSizes';
 
 const TRIES = 2;
 /** Fewer frames than a graphics card draws: what counts is that time is real. */
@@ -11,8 +11,9 @@ const FRAMES = { framesPerSecond: 6 };
 /** Pixels across of the picture: enough for a pilot who reads the HUDs alone. */
 const PIXELS = 400;
 
-describeInBrowser('a newcomer who follows the words on the screen', () => {
-  describe.each(WINDOW_SIZES)('at $width × $height', (size) => {
+/** Tests in windows of some sizes: those by touch and those by keyboard are files of their own, which run side by side. */
+export function testNewcomer(sizes: readonly (typeof WINDOW_SIZES)[number][]): void {
+  describe.each(sizes)('a newcomer who follows the words on the screen at $width × $height', (size) => {
     it('lands by the beacon, softer than 2 m/s, within two tries', async () => {
       const { isTouch } = size;
       const page = await openBuiltPage('', { ...FRAMES, ...windowOf(size, PIXELS) });
@@ -33,4 +34,4 @@ describeInBrowser('a newcomer who follows the words on the screen', () => {
       expect(problemsOf(page)).toEqual([]);
     });
   });
-});
+}

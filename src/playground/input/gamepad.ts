@@ -14,11 +14,9 @@ const BUTTONS: readonly (readonly [number, Action | 'confirm'])[] = [
   [14, 'modeRetrograde'],
   [15, 'modeHold'],
 ];
-const [LEFT_SHOULDER, RIGHT_SHOULDER, LEFT_TRIGGER, RIGHT_TRIGGER, LEFT_STICK, RIGHT_STICK] = [
-  4, 5, 6, 7, 10, 11,
-] as const;
 /** Buttons that deflect while they are held. */
-const HELD = [LEFT_SHOULDER, RIGHT_SHOULDER, LEFT_TRIGGER, RIGHT_TRIGGER, LEFT_STICK, RIGHT_STICK];
+const HELD = [4, 5, 6, 7, 10, 11] as const;
+const [LEFT_SHOULDER, RIGHT_SHOULDER, LEFT_TRIGGER, RIGHT_TRIGGER, LEFT_STICK, RIGHT_STICK] = HELD;
 
 /** Deflection below which a stick is at rest: worn sticks do not return to 0. */
 const DEAD = 0.16;

@@ -46,12 +46,12 @@ export function createThumbs(host: HTMLElement, listeners: ThumbListeners): Thum
   lever.addEventListener('input', () => listeners.lever((lever.valueAsNumber / 100) ** 2));
   const buttons = append(middle, 'div', 'thumb-buttons');
   for (const [action, text] of BUTTONS) appendButton(buttons, text, () => listeners.pressed(action));
-  const right = append(host, 'div', 'thumb-column');
-  createStickPad(right, 'Lift', (_, up) => {
+  const column = append(host, 'div', 'thumb-column');
+  createStickPad(column, 'Lift', (_, up) => {
     deflection().pushUp = up;
     moved();
   });
-  createStickPad(right, 'Push', (right, away) => {
+  createStickPad(column, 'Push', (right, away) => {
     Object.assign(deflection(), { pushRight: right, pushAway: away });
     moved();
   });

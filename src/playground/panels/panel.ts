@@ -45,6 +45,7 @@ const RUN: ButtonRow = [
   ['help', 'Keys'],
   ['sound', 'Sound'],
 ];
+
 /** The playground's form: native controls, each with its label. Missions on top, the workshop folded below. */
 export function createPanel(
   host: HTMLElement,

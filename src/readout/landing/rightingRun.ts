@@ -124,10 +124,11 @@ function runAhead(run: RightingRun, noReturn: number): void {
   const { ships } = projection;
   const isFirst = Number.isNaN(run.releaseLean);
   const cosRelease = Math.cos(isFirst ? noReturn : run.releaseLean);
+  let cos = projectedCosTilt(projection);
   for (let i = 0; i < SUBSTEPS_A_CALL && projection.running; i++) {
-    const before = projectedCosTilt(projection);
+    const before = cos;
     stepProjection(projection);
-    const cos = projectedCosTilt(projection);
+    cos = projectedCosTilt(projection);
     if (Number.isNaN(run.released) && cos > cosRelease) {
       if (isFirst) {
         projection.running = false;

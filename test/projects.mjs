@@ -21,7 +21,10 @@ const PROGRAM_TESTS = [
 /** Minutes each: run by `npm run test:long` and by .ci/run, not by `npm test`. */
 const LONG_TESTS = 'test/**/*.long.test.ts';
 /** Those that measure in real time what a busy machine would change. */
-const ALONE = ['test/live/**/*.long.test.ts', 'test/prediction/harness/inChromium.long.test.ts'];
+const ALONE = [
+  'test/live/{bounce,hostile,pages}.long.test.ts',
+  'test/prediction/harness/inChromium.long.test.ts',
+];
 
 const cores = availableParallelism();
 

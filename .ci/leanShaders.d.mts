@@ -1,0 +1,1 @@
+export function leanShader(text: string): string;

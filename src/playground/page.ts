@@ -72,7 +72,7 @@ async function joinRace(query: URLSearchParams, { runs, notice }: Page, { game }
   }
   game.race(race);
   const seconds = race.outcome.seconds.toFixed(0);
-  notice.show(`Race ${race.by}: ${race.score.total} points in ${seconds} s. Their ship flies beside yours.`);
+  notice.tell(`Race ${race.by}: ${race.score.total} points in ${seconds} s. Their ship flies beside yours.`);
 }
 
 /** The page's storage; a browser may forbid even access to it. */

@@ -79,11 +79,11 @@ describe('the fleet', () => {
     const header = () => shownText(one(root, 'td-fleet-header'));
     expect(header()).toBe('Fleet');
     paint(fleetOf([ROW], { tipped: 2, flight: 1, landed: 3 }));
-    expect(header()).toBe('Fleet 2 tipped 1 flight 3 landed');
+    expect(header()).toBe('Fleet 2 tipped 1 in flight 3 landed');
     const colours = all(root, 'td-count').map((count) => count.getAttribute('data-colour'));
     expect(colours).toEqual(['red', 'yellow', 'red', 'neutral', 'cyan', 'quiet']);
     paint(fleetOf([ROW], { contact: 1, landed: 1 }));
-    expect(header()).toBe('Fleet 1 contact 1 landed');
+    expect(header()).toBe('Fleet 1 in contact 1 landed');
     expect(changesBy(() => paint(fleetOf([ROW], { contact: 1, landed: 1 })))).toBe(0);
   });
 

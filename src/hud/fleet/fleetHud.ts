@@ -88,7 +88,7 @@ function rootFontSize(document: Document): number {
   return parseFloat(document.defaultView?.getComputedStyle(document.documentElement).fontSize ?? '') || 16;
 }
 
-/** `2 tipped`, `1 contact`, …: only statuses that some ship has. */
+/** `2 tipped`, `1 in contact`, …: only statuses that some ship has. */
 function createCounts(header: Element): (readout: FleetReadout) => void {
   const paints = FLEET_ORDER.map((status) => createCount(header, status));
   return ({ counts }) => {
@@ -96,12 +96,19 @@ function createCounts(header: Element): (readout: FleetReadout) => void {
   };
 }
 
+/** After a number, where that is not the status itself. */
+const COUNTED: Partial<Record<StatusId, string>> = {
+  flight: 'in flight',
+  contact: 'in contact',
+  none: 'without data',
+};
+
 function createCount(header: Element, status: StatusId): (count: number) => void {
   const part = append(header, 'span', 'td-count');
   part.setAttribute('data-colour', STATUS_LOOKS[status].colour);
   const paintText = showText(part);
   const paintShown = showPart(part);
-  const word = STATUS_LOOKS[status].word.toLowerCase();
+  const word = COUNTED[status] ?? status;
   let shown = NaN;
   return (count) => {
     if (count === shown) return;

@@ -1,5 +1,5 @@
 import type { Action, KeySettings } from './keyTable';
-import { createGamepads } from './gamepad';
+import { createGamepads, padName } from './gamepad';
 import { restoreFocus, listenToKeys } from './keyboard';
 import { createLayout, type Layout } from './layout';
 import type { Stick } from './stick';
@@ -56,7 +56,7 @@ export function connectDevices(window: Window, listeners: DeviceListeners): Devi
     confirmed: listeners.confirmed,
     changed(name) {
       use(name === null ? 'keys' : 'gamepad');
-      listeners.notify(name === null ? 'Gamepad disconnected.' : `Gamepad: ${name.slice(0, 40)}`);
+      listeners.notify(name === null ? 'Gamepad disconnected.' : `Gamepad: ${padName(name)}`);
     },
   });
   const thumbs = createThumbs(document.getElementById('pads')!, {

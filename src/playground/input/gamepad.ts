@@ -105,6 +105,11 @@ function isDeflected(pad: PadState): boolean {
   return HELD.some((i) => withDeadZone(pad.buttons[i]?.value ?? 0) !== 0);
 }
 
+/** Browsers add the maker's numbers: `Xbox 360 Controller (XInput STANDARD GAMEPAD)`, `045e-028e-Xbox 360 Controller`. */
+export function padName(id: string): string {
+  return id.replace(/^([\da-f]{1,4}-){2}| *\(.*/g, '').slice(0, 40) || 'connected';
+}
+
 /** A page may be forbidden to read pads. */
 function padsOf(navigator: Pick<Navigator, 'getGamepads'>): readonly (Gamepad | null)[] {
   try {

@@ -32,6 +32,8 @@ export function appendDetails(parent: Element, title: string, open: boolean): HT
 export function appendLicences(parent: Element): void {
   const link = append(parent, 'a', '', 'Licences of the bundled libraries');
   link.href = './notices.txt';
+  // Beside the page: in its place it would end the flight.
+  link.target = '_blank';
 }
 
 let fields = 0;

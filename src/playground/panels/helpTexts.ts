@@ -48,6 +48,7 @@ export const GAMEPAD_TEXT: readonly (readonly [string, string])[] = [
   ['B', 'Cut the engine'],
   ['X', 'Rate damping'],
   ['Y', 'Autopilot'],
-  ['Pad up, down', 'Upright, stop turning'],
+  ['D-pad up, down', 'Upright, stop turning'],
+  ['D-pad left, right', 'Surface retrograde, hold attitude'],
   ['Back, Start', 'Restart, pause'],
 ];

@@ -1,8 +1,11 @@
 import { append, appendButton } from './elements';
 
-/** Error messages with advice, one below the other: each stays until it is closed or no longer true. */
+/** Messages that stay until they are closed or no longer true, one below the other. */
 export interface Notice {
+  /** A fault, with advice. */
   readonly show: (text: string) => void;
+  /** What is no fault: an invitation. */
+  readonly tell: (text: string) => void;
   readonly clear: () => void;
   /** Removes a message that is no longer true; the others stay. */
   readonly withdraw: (text: string) => void;
@@ -20,9 +23,9 @@ export function createNotice(element: HTMLElement): Notice {
     notices.delete(text);
     element.hidden = notices.size === 0;
   };
-  const add = (text: string): HTMLElement => {
+  const add = (text: string, kind = ''): HTMLElement => {
     withdraw(text);
-    const row = append(element, 'div', 'notice-row');
+    const row = append(element, 'div', `notice-row ${kind}`);
     append(row, 'span', '', text);
     notices.set(text, row);
     const [oldest] = notices.keys();
@@ -36,7 +39,10 @@ export function createNotice(element: HTMLElement): Notice {
   };
   return {
     show(text) {
-      if (!notices.has(text)) close(add(text), text);
+      if (!notices.has(text)) close(add(text, 'fault'), text);
+    },
+    tell(text) {
+      close(add(text), text);
     },
     showLink(text, link) {
       const row = add(text);

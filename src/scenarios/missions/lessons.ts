@@ -26,7 +26,7 @@ export const LESSONS: readonly Mission[] = [
       inputs: [{ at: 0, controls: { thrustLevel: 0.08, attitudeMode: 'radial', attitudeHold: true } }],
     }),
     goal: 'Fly over the beacon at less than 3 m/s.',
-    how: 'Move away with {translateYPlus}, towards you with {translateYMinus}, left with {translateXMinus} and right with {translateXPlus}. Use the opposite key to stop.',
+    how: 'Move away with {translateYPlus}, towards you with {translateYMinus}, left with {translateXMinus} and right with {translateXPlus}. Push the other way to stop.',
     done: { kind: 'reach', below: 120, speed: 3 },
     pads: [{ east: 30, north: 10, radius: 12 }],
   },

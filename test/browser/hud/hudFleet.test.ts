@@ -27,9 +27,9 @@ describeInBrowser('the fleet HUD', () => {
     await showFleet(20);
     expect(await page.locator('.td-count:visible').allTextContents()).toEqual([
       '2 tipped',
-      '2 contact',
+      '2 in contact',
       '2 crashed',
-      '6 flight',
+      '6 in flight',
       '8 landed',
     ]);
     await page.waitForSelector('.td-row:nth-child(5)');

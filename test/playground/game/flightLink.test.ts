@@ -62,6 +62,7 @@ describe('a flight’s link', () => {
       },
       notice: {
         show: (text) => done.push(text),
+        tell: () => undefined,
         ...{ clear: () => undefined, withdraw: () => undefined, showLink: () => undefined },
       },
     });

@@ -138,6 +138,7 @@ describe('a link to a flight', () => {
         show: () => undefined,
         clear: () => undefined,
         withdraw: () => undefined,
+        tell: () => undefined,
         showLink: () => undefined,
       },
     });

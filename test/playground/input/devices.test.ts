@@ -1,7 +1,7 @@
 /** Gamepads and thumbs: which of their movements count, and what they do. */
 import { describe, expect, it, vi } from 'vitest';
 import { all, createPage, fire, one } from '../../hud/pageInNode';
-import { createGamepads } from '../../../src/playground/input/gamepad';
+import { createGamepads, padName } from '../../../src/playground/input/gamepad';
 import { createDeflection } from '../../../src/playground/input/stick';
 import { createThumbs } from '../../../src/playground/input/thumbs';
 import { send } from './events';
@@ -38,6 +38,16 @@ describe('a gamepad in the page', () => {
       take: () => done.splice(0),
     };
   }
+
+  it.each([
+    ['Xbox 360 Controller (XInput STANDARD GAMEPAD)', 'Xbox 360 Controller'],
+    ['045e-028e-Xbox 360 Controller', 'Xbox 360 Controller'],
+    ['Pro Controller', 'Pro Controller'],
+    ['(STANDARD GAMEPAD)', 'connected'],
+    ['a'.repeat(50), 'a'.repeat(40)],
+  ])('%s is %s by name', (id, name) => {
+    expect(padName(id)).toBe(name);
+  });
 
   it('is looked for only once one connects, and no more when it has gone', () => {
     const { read, reads, connect, plug, take } = createPads();

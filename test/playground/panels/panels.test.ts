@@ -43,6 +43,15 @@ describe('notices', () => {
     expect([root.hidden, rows()]).toEqual([true, []]);
   });
 
+  it('are marked where they are faults, not where they invite', () => {
+    const { root, notice } = createNotices({ focus: () => undefined, select: () => undefined });
+    notice.tell('Race');
+    notice.showLink('The link is', 'https://one');
+    expect(all(root, 'fault')).toEqual([]);
+    notice.show('Refused');
+    expect(all(root, 'fault').map(shownText)).toEqual(['Refused Close']);
+  });
+
   it('with a link have it selected in a field, to be copied by hand', () => {
     const done: string[] = [];
     const { root, notice, rows } = createNotices({

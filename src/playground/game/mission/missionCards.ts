@@ -14,7 +14,7 @@ export interface CardContext {
 }
 
 /** The key that takes a card's first action. */
-function confirmCap({ device }: CardContext): string {
+export function confirmCap({ device }: CardContext): string {
   return { keys: 'Enter', gamepad: 'A', thumbs: '' }[device()];
 }
 
@@ -53,7 +53,7 @@ export function phaseCard(tracker: MissionTracker, mission: Mission, context: Ca
     case 'crashed':
       return crashCard(context, [{ ...nextAction(mission, context), cap: '' }]);
     case 'tipped':
-      return card('Tipped over', 'Right the ship with the key the display names, or try again.', [retry]);
+      return card('Tipped over', 'Right the ship as the display says, or try again.', [retry]);
     case 'beside':
       return card(
         isLanding ? `Landed ${tracker.off().toFixed(0)} m from the beacon` : 'Landed',

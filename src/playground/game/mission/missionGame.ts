@@ -13,7 +13,7 @@ import { createGhostFlight, type GhostFlight } from './ghost';
 import type { Live } from '../live';
 import type { Runs } from './runs';
 import { MAX_LINK_LENGTH } from './runText';
-import { crashCard, landedCard, nextAction, phaseCard } from './missionCards';
+import { confirmCap, crashCard, landedCard, nextAction, phaseCard } from './missionCards';
 import { createMissionTracker, type MissionTracker } from './missionTracker';
 
 /** Missions as a game: the goal, the result of a flight, the next step. */
@@ -68,7 +68,11 @@ export function createMissionGame(context: MissionContext): MissionGame {
     if (card === null) context.card.hide();
     else context.card.show(card);
   };
-  const reword = () => context.goal.how(howToFly(tracker.mission(), context.device(), context.cap));
+  const reword = () => {
+    const mission = tracker.mission();
+    if (mission !== null) context.goal.show(titleOf(mission, context), mission.goal);
+    context.goal.how(howToFly(mission, context.device(), context.cap));
+  };
   const showPhase = (mission: Mission) => {
     show(phaseCard(tracker, mission, context));
     if (tracker.phase() !== 'done' || mission.isLesson) return;
@@ -85,10 +89,7 @@ export function createMissionGame(context: MissionContext): MissionGame {
       show(null);
       void raceGhost(mission, flight.rival, { tracker, ghost, runs: context.runs });
       if (mission === null) context.goal.hide();
-      else {
-        context.resetCamera();
-        context.goal.show(mission.scenario.title, mission.goal);
-      }
+      else context.resetCamera();
       reword();
     },
     watch(view) {
@@ -119,6 +120,12 @@ export function createMissionGame(context: MissionContext): MissionGame {
   };
 }
 
+/** A lesson can be skipped; on a touch screen by the list of missions alone. */
+function titleOf({ scenario, isLesson }: Mission, context: MissionContext): string {
+  const cap = isLesson ? confirmCap(context) : '';
+  return cap === '' ? scenario.title : `${scenario.title} · ${cap} to skip`;
+}
+
 /** Without a mission a crash is an end too; a real server gives a new ship by itself. */
 function isWrecked({ own }: WorldView, { choices }: MissionContext): boolean {
   return own?.shownState === 'crashed' && choices().server === '';
@@ -131,7 +138,11 @@ function adviceFor(
   aids: LandingAids | null,
   { device, cap }: MissionContext,
 ): string {
-  if (aids === null || tracker.mission()?.done.kind !== 'land' || tracker.phase() === 'done') return '';
+  const done = tracker.mission()?.done;
+  if (tracker.phase() === 'done') return '';
+  if (done?.kind === 'hover')
+    return tracker.held() > 0 ? `${Math.ceil(done.seconds - tracker.held())} s to go` : '';
+  if (aids === null || done?.kind !== 'land') return '';
   return tracker.isOverPad() || aids.advice === 'more' ? adviceText(aids, view, device(), cap) : '';
 }
 

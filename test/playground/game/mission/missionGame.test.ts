@@ -1,0 +1,58 @@
+/** What the goal says besides its words: how to skip a lesson, and how long is to go. */
+import { describe, expect, it } from 'vitest';
+import { createMissionGame, type MissionContext } from '../../../../src/playground/game/mission/missionGame';
+import type { Device } from '../../../../src/playground/game/texts/flightTexts';
+import { makeView } from '../../../readout/views';
+
+function createGame(scenario: string) {
+  const shown = { title: '', advice: '', device: 'keys' as Device };
+  const nothing = () => undefined;
+  const game = createMissionGame({
+    choices: () => ({ scenario, server: '' }),
+    device: () => shown.device,
+    cap: () => '',
+    resetCamera: nothing,
+    goal: {
+      show: (title: string) => (shown.title = title),
+      how: nothing,
+      advise: (text: string) => (shown.advice = text),
+      hide: nothing,
+    },
+    card: { show: nothing, hide: nothing },
+    runs: { isKept: () => false },
+  } as unknown as MissionContext);
+  game.begin();
+  return { game, shown };
+}
+
+describe('the goal', () => {
+  it('of a lesson names the key that skips it, on a device that has one', () => {
+    const { game, shown } = createGame('school-hover');
+    expect(shown.title).toBe('Lesson 1: hover · Enter to skip');
+    shown.device = 'gamepad';
+    game.reword();
+    expect(shown.title).toBe('Lesson 1: hover · A to skip');
+    shown.device = 'thumbs';
+    game.reword();
+    expect(shown.title).toBe('Lesson 1: hover');
+    expect(createGame('sidestep').shown.title).toBe('Sidestep');
+  });
+
+  it('of a hover counts down while the ship is between its heights', () => {
+    const { game, shown } = createGame('school-hover');
+    const at = (seconds: number, feetHeight: number) => {
+      const view = { ...makeView({}, { feetHeight, shownState: '' }), tick: 0, sinceTick: seconds };
+      game.watch(view);
+      game.advise(view, null);
+      return shown.advice;
+    };
+    expect(at(0, 40)).toBe('');
+    expect([at(0.5, 40), at(2.5, 40), at(3, 70), at(4, 40)]).toEqual([
+      '10 s to go',
+      '8 s to go',
+      '',
+      '9 s to go',
+    ]);
+    expect(at(13.5, 40)).toBe('');
+  });
+});

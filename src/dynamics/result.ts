@@ -41,8 +41,7 @@ export function notFiniteTuple(field: string, value: unknown, length: number): s
  */
 export function requireKnown(path: string, known: readonly string[], given: object): void {
   const unknown = Object.keys(given).find((name) => !known.includes(name));
-  if (unknown !== undefined)
-    throw new RangeError(`${path}.${unknown}: unknown. Known are ${known.join(', ')}.`);
+  if (unknown !== undefined) throw new RangeError(`${path}.${unknown}: unknown. Known: ${known.join(', ')}.`);
 }
 
 /** What was found instead of a number or a list, for a reason. */

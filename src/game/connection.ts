@@ -115,7 +115,7 @@ function jsonOf(message: unknown): string | null {
 function textOf({ handlers }: Link, message: unknown): string | null {
   const text = jsonOf(message);
   if (text === null) {
-    handlers.onRefused?.(`message: expected what JSON can hold, got ${typeof message}`);
+    handlers.onRefused?.(`message: expected a JSON value, got ${typeof message}`);
     return null;
   }
   if (!isTooLarge(text)) return text;

@@ -44,7 +44,7 @@ function textOf(state: LinkState, address: string, now: number): string {
 
 function liveText({ silence, returned }: LinkState, address: string): string {
   if (silence === 'answered') return 'The server answers but sends no states: the game is paused.';
-  if (silence === 'asked') return 'No states from the server; asking whether it is still there…';
+  if (silence === 'asked') return 'No states from the server; pinging it…';
   return returned ? `Connected to ${address} again.` : '';
 }
 
@@ -58,7 +58,7 @@ function endingText(ended: Ending | null, address: string): string {
     case 'unreachable':
       return `Nothing answers at ${address}${code}. Is the server running?`;
     case 'noWelcome':
-      return `${address} accepted the connection but did not welcome us within 10 s.`;
+      return `${address} accepted the connection but sent no welcome within 10 s.`;
     case 'noPong':
       return `${address} did not answer a ping within 10 s.`;
     case 'auth':

@@ -40,7 +40,7 @@ export function createHttpHandler(
     }
     const { username, password } = await readFields(request);
     if (typeof username !== 'string' || typeof password !== 'string') {
-      fail(response, 400, 'E001', 'username and password: expected texts');
+      fail(response, 400, 'E001', 'username and password: expected strings');
       return;
     }
     const found = await context.accounts.login(username, password);
@@ -89,7 +89,7 @@ async function readFields(request: IncomingMessage): Promise<Record<string, unkn
     chunks.push(chunk);
   }
   const fields: unknown = JSON.parse(Buffer.concat(chunks).toString());
-  if (typeof fields !== 'object' || fields === null) throw new TypeError('no object');
+  if (typeof fields !== 'object' || fields === null) throw new TypeError('not an object');
   return fields as Record<string, unknown>;
 }
 

@@ -32,7 +32,7 @@ export function requireHost(document: Document, host: Element | ShadowRoot, give
   if (unknown.length > 0)
     (options['onWarning'] as HudWarn | undefined)?.(
       'hud-option',
-      `options.${unknown.join(', ')}: unknown, without effect. Known are ${known.join(', ')}.`,
+      `options.${unknown.join(', ')}: unknown and ignored. Known: ${known.join(', ')}.`,
     );
 }
 
@@ -82,7 +82,7 @@ export function checked<Readout>(
       }
       const lacks = isRecord(readout) ? members.find((name) => !(name in readout)) : members.join(', ');
       if (lacks !== undefined) {
-        warn('hud-readout', `paint was given no readout, without ${lacks}: pass what ${madeBy} returns.`);
+        warn('hud-readout', `paint was given a readout without ${lacks}: pass what ${madeBy} returns.`);
         return;
       }
       paint(readout);

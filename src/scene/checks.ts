@@ -163,5 +163,5 @@ function cameraCalls(scene: SceneView, { allows, isOpen }: Guard) {
 function checkOverlays({ overlays }: SceneView, warn: SceneWarn): void {
   const unknown = Object.keys(overlays).filter((name) => !(OVERLAYS as readonly string[]).includes(name));
   if (unknown.length > 0)
-    warn('scene-overlay', `overlays.${unknown.join(', ')}: unknown. Known are ${OVERLAYS.join(', ')}.`);
+    warn('scene-overlay', `overlays.${unknown.join(', ')}: unknown. Known: ${OVERLAYS.join(', ')}.`);
 }

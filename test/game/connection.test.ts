@@ -193,7 +193,7 @@ it('gives up when no welcome comes in 10 s', async () => {
   say(STATE);
   await until(() => told.includes('refused state: came before the welcome'));
   clock.pass(10);
-  expect(told.at(-1)).toContain('did not welcome us within 10 s');
+  expect(told.at(-1)).toContain('sent no welcome within 10 s');
 });
 
 it('reports an invalid address like a server that does not answer', () => {

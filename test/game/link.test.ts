@@ -44,7 +44,7 @@ describe('a link', () => {
     const step = stepLink(waiting.state, TIME, 10.1, 0.5);
     expect(step.effects).toEqual(['close']);
     expect(words(step.state, 10.1)).toBe(
-      'wss://game.example/ws accepted the connection but did not welcome us within 10 s. Retrying in 1 s.',
+      'wss://game.example/ws accepted the connection but sent no welcome within 10 s. Retrying in 1 s.',
     );
   });
 
@@ -65,7 +65,7 @@ describe('a link', () => {
   it('distinguishes a paused server, which answers, from one that is gone', () => {
     const asked = play(...LIVE, [1, { kind: 'state', interval: 1 }], [4, TIME]);
     expect(asked.effects).toEqual(['ping']);
-    expect(words(asked.state, 4)).toContain('asking whether it is still there');
+    expect(words(asked.state, 4)).toContain('pinging it');
     const paused = stepLink(asked.state, { kind: 'pong' }, 4.1, 0.5);
     expect(words(paused.state, 4.1)).toBe('The server answers but sends no states: the game is paused.');
     const again = stepLink(paused.state, { kind: 'state', interval: 1 }, 60, 0.5);

@@ -86,6 +86,6 @@ it.each([
   opened.onmessage?.({ data: '{"type":"welcome","ship_id":"a"}' } as never);
   expect(connection.sendControls(NEUTRAL_CONTROLS)).toBe(true);
   expect(connection.send(message)).toBe(false);
-  expect(reasons).toEqual([`message: expected what JSON can hold, got ${typeof message}`]);
+  expect(reasons).toEqual([`message: expected a JSON value, got ${typeof message}`]);
   connection.dispose();
 });

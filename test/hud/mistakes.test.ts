@@ -45,7 +45,7 @@ it('an option of another library is warned of, with those that exist', () => {
   const onWarning = (code: string, message: string) => found.push(`${code}: ${message}`);
   requireHost(page as never, host as never, { darkMode: true, lang: 'en', onWarning });
   expect(found).toEqual([
-    'hud-option: options.darkMode, lang: unknown, without effect. Known are theme, layout, keyLabel, turnKeys, onWarning.',
+    'hud-option: options.darkMode, lang: unknown and ignored. Known: theme, layout, keyLabel, turnKeys, onWarning.',
   ]);
 });
 

@@ -6,10 +6,10 @@ export interface Calls {
   advances: number;
   views: number;
   frames: number;
-  /** Consecutive frames without the own ship; 0 for one that was seen once, as `ownSeen`: it may have crashed. */
+  /** Consecutive frames without the own ship; 0 once it was seen (`ownSeen`): it may have crashed. */
   unseen: number;
   ownSeen: string;
-  /** Calls of `advance` with the `now` of the call before, and calls with another since: two in a row clear the count. */
+  /** Calls of `advance` with the `now` of the previous call, and later calls with another `now`: two in a row clear the count. */
   repeated: number;
   fresh: number;
   /** Consecutive calls of `advance` with `now` in milliseconds by its gaps, and from a slow loop. */
@@ -108,7 +108,7 @@ export function noteAdvance(warn: Warn, calls: Calls, now: number): void {
   if (calls.slowGaps === PATTERN)
     warn('advance-seldom', `advance is called every ${gap} s: call it once per display frame.`, { now, gap });
   if (now > UNIX_TIME) {
-    const message = `now is ${now}, as Date.now() gives it: that clock is set back and forth. Pass performance.now() / 1000.`;
+    const message = `now is ${now}, like Date.now(): that clock can be set. Pass performance.now() / 1000.`;
     warn('now-of-calendar', message, { now });
   }
   if (gap < 0) warn('now-went-back', `now went back by ${-gap} s: pass a monotonic clock.`, { now, gap });
@@ -116,7 +116,7 @@ export function noteAdvance(warn: Warn, calls: Calls, now: number): void {
     const details = { now, receivedAt: calls.receivedAt };
     warn(
       'two-clocks',
-      `receive is given ${calls.receivedAt} s, advance ${now} s: use one for both.`,
+      `receive is given ${calls.receivedAt} s, advance ${now} s: use one clock for both.`,
       details,
     );
   }
@@ -129,7 +129,7 @@ export function noteFrame(warn: Warn, calls: Calls, frame: PartialFrame, now: nu
   if (calls.frames >= PATTERN && calls.advances === 0)
     warn(
       'advance-never',
-      `${calls.frames} frames came and advance was never called: call it once per display frame.`,
+      `${calls.frames} frames have arrived, but advance was never called: call it once per display frame.`,
       {
         frames: calls.frames,
       },
@@ -159,7 +159,7 @@ function noteOwnShip(warn: Warn, calls: Calls, frame: PartialFrame, own: string)
 const MEASURED = 3;
 const OTHER_RATE = 5;
 
-/** Warns of a tempo other than that of the ticks: a period for a rate, milliseconds for seconds. A pause or a stall is no fault. */
+/** Warns of a tempo that contradicts the ticks: a period for a rate, milliseconds for seconds. A pause or a stall is not a mistake. */
 function notePace(warn: Warn, pace: Pace, frame: PartialFrame, now: number): void {
   const { tick, gameTime = Number.NaN } = frame;
   if (typeof tick !== 'number') return;
@@ -194,15 +194,15 @@ function checkTickRate(
   const isFast = seconds >= MEASURED && pace.wallDue > seconds * OTHER_RATE;
   if (!isSlow && !isFast) return;
   const come = isSlow ? (tick - pace.tick) / gap : (tick - pace.firstTick) / seconds;
-  const message = `tickRate is ${tickRate} Hz, and ${come.toPrecision(3)} ticks arrive per second: pass ticks per second, not their length.`;
+  const message = `tickRate is ${tickRate} Hz, but ${come.toPrecision(3)} ticks arrive per second: pass ticks per second, not the length of a tick.`;
   warn('tick-rate', message, { tickRate, measured: come });
 }
 
-/** Game time that grows by more than a hundred times more or less than the tempo says is in another unit. */
+/** Game time that grows over a hundred times faster or slower than the tempo is in another unit. */
 function checkGameTime(warn: Warn, grown: number, expected: number): void {
   const ratio = grown / expected;
   if (!(ratio > 100 || ratio < 0.01)) return;
-  const message = `gameTime grew by ${grown}, in ticks of timeScale / tickRate by ${expected} s: pass seconds.`;
+  const message = `gameTime grew by ${grown}, but timeScale / tickRate gives ${expected} s: pass seconds.`;
   warn('game-time', message, { grown, expected });
 }
 
@@ -210,7 +210,7 @@ function checkGameTime(warn: Warn, grown: number, expected: number): void {
 export function noteView(warn: Warn, calls: Calls, now: number): void {
   if (calls.advances > 0 && Math.abs(now - calls.advancedAt) > CLOCKS_APART) {
     const details = { now, advancedAt: calls.advancedAt };
-    const message = `advance is given ${calls.advancedAt} s, view ${now} s: use one for both.`;
+    const message = `advance is given ${calls.advancedAt} s, view ${now} s: use one clock for both.`;
     warn('two-clocks', message, details);
   }
   calls.views += 1;

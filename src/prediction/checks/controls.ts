@@ -38,14 +38,14 @@ function checkAttitude(warn: Warn, { attitudeMode, targetAttitude }: Controls): 
   const modes: readonly string[] = ATTITUDE_MODES;
   if (!modes.includes(attitudeMode)) {
     const nearest = nearestName(attitudeMode, modes);
-    const hint = nearest === '' ? `Known are ${modes.join(', ')}.` : `Did you mean ${nearest}?`;
+    const hint = nearest === '' ? `Known: ${modes.join(', ')}.` : `Did you mean ${nearest}?`;
     const message = `controls.attitudeMode is ${describe(attitudeMode)}, which is unknown: the ship does not turn. ${hint}`;
     warn('attitude-mode', message, { value: attitudeMode, nearest });
   }
   const [x, y, z, w] = targetAttitude;
   if (x === 1 && y === 0 && z === 0 && w === 0) {
     const message =
-      'controls.targetAttitude is [1, 0, 0, 0]: no turn is [0, 0, 0, 1], in the order [x, y, z, w].';
+      'controls.targetAttitude is [1, 0, 0, 0]: the identity is [0, 0, 0, 1], in the order [x, y, z, w].';
     warn('quaternion-order', message, { field: 'controls.targetAttitude', value: targetAttitude });
   }
   const length = Math.hypot(...targetAttitude);

@@ -3,7 +3,7 @@ import { knowsGround } from '../ground/unknownGround';
 import type { Session, SessionFeatures } from '../session';
 import { sameBodies } from '../snapshots/worldConfig';
 
-/** What of a frame needs a feature, that feature, what it has, and what happens without it. */
+/** Data or a call that needs a feature, the part of the session that the feature provides, and what happens without it. */
 interface Need {
   readonly of: string;
   readonly feature: string;
@@ -35,28 +35,28 @@ const NEEDS: readonly Need[] = [
     effect: 'the controls in the states show which inputs were applied',
   },
   {
-    of: 'frame.timeScale, which is missing,',
+    of: 'a frame without timeScale',
     feature: 'measuredGameTime',
     part: 'gameTimeScale',
     isNeeded: ({ timeScale }) => timeScale === undefined,
     effect: 'the last one is used, or 1',
   },
   {
-    of: 'frame.tickRate, which is missing,',
+    of: 'a frame without tickRate',
     feature: 'measuredTickRate',
     part: 'tickRates',
     isNeeded: ({ tickRate }) => tickRate === undefined,
     effect: 'the last one is used, or 1 Hz',
   },
   {
-    of: 'frame.bodies, of which some are missing, incomplete or in another order,',
+    of: 'a frame with missing, incomplete or reordered bodies',
     feature: 'completedBodies',
     part: 'completeBodies',
     isNeeded: ({ bodies }, { sim }) => lacksBodies(bodies, sim.newestTick < 0 ? null : sim.world),
     effect: 'all bodies are extrapolated',
   },
   {
-    of: 'frame.ships, of which the snapshot has others in another message,',
+    of: 'a snapshot with ships in several messages',
     feature: 'snapshotParts',
     part: 'parts',
     isNeeded: ({ tick, ships }, { sim }) =>
@@ -64,10 +64,10 @@ const NEEDS: readonly Need[] = [
       (listOf(ships) as readonly ShipState[]).some(
         ({ shipId }) => (sim.fleet.byId.get(shipId)?.serverTick ?? -1) < tick,
       ),
-    effect: 'they are ignored',
+    effect: 'the later ones are ignored',
   },
   {
-    of: 'frame.ships, of which one in contact has no contactImpactSpeed,',
+    of: 'a ship in contact without contactImpactSpeed',
     feature: 'replayedImpacts',
     part: 'replayImpact',
     isNeeded: ({ ships }) =>
@@ -81,7 +81,7 @@ const NEEDS: readonly Need[] = [
     feature: 'frameBudget',
     part: 'keepPace',
     isNeeded: (_frame, { options }) => options.maxSubstepsPerFrame !== undefined,
-    effect: 'replays alone keep to it',
+    effect: 'it limits replays only',
   },
   {
     of: 'a terrain that returns null',
@@ -113,7 +113,7 @@ function lacksBodies(
   );
 }
 
-/** Warns of what a frame has that needs a feature which this predictor was not given (createLeanPredictor). */
+/** Warns of data or calls that need a feature which this predictor does not have (createLeanPredictor). */
 export function checkFeatures(session: Session, frame: PartialFrame): void {
   for (const { of, feature, part, isNeeded, effect } of NEEDS) {
     if (session.features[part] !== undefined || !isNeeded(frame, session)) continue;

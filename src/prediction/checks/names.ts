@@ -25,7 +25,7 @@ export function warnOfUnknown(warn: Warn, { code, path, known }: Naming, given: 
   for (const field of Object.keys(given)) {
     if (known.includes(field)) continue;
     const nearest = nearestName(field, known);
-    const hint = nearest === '' ? `Known are ${known.join(', ')}.` : `Did you mean ${nearest}?`;
+    const hint = nearest === '' ? `Known: ${known.join(', ')}.` : `Did you mean ${nearest}?`;
     const value = (given as Readonly<Record<string, unknown>>)[field];
     warn(code, `${path}.${field} is unknown and has no effect. ${hint}`, { field, value, nearest });
   }

@@ -56,9 +56,13 @@ function noteKnown(sim: Simulation, { tick, bodies, ships }: ServerFrame): void 
     bodies.some((body) => body.name === name && isPlaced(body));
   sim.bodiesKnown = sim.world.bodies.every(isSent);
   if (!sim.bodiesKnown && !ships.every(isExact))
-    sim.warn('bodies-unknown', 'Bodies are not sent, nor the time that passed: no ship is confirmed.', {
-      tick,
-    });
+    sim.warn(
+      'bodies-unknown',
+      'Neither the bodies nor the elapsed game time were sent: no ship is confirmed.',
+      {
+        tick,
+      },
+    );
 }
 
 /** The motions with the measured spins; the same list if all spins are as sent. */

@@ -51,7 +51,7 @@ export const CALLS: readonly Mistake[] = [
     () => received(...ticks(12).map((one) => ({ ...one, gameTime: one.tick * 1000 }))),
   ],
   ['now goes back', 'now-went-back', /monotonic/, () => played(1, { now: (s) => (s < 0.5 ? s : s - 0.4) })],
-  ['two clocks', 'two-clocks', /one for both/, () => played(1, { receiveAt: (s) => 1.7e9 + s })],
+  ['two clocks', 'two-clocks', /one clock for both/, () => played(1, { receiveAt: (s) => 1.7e9 + s })],
   [
     'advance never',
     'advance-never',

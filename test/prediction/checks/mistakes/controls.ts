@@ -12,12 +12,7 @@ export const CONTROLS: readonly Mistake[] = [
   ['part of the controls', 'controls-ignored', /translationInput/, () => flown({ thrustLevel: 1 })],
   ['a number as controls', 'controls-ignored', /object/, () => flown(1)],
   ['percent', 'controls-clamped', /Percent/, () => flown({ ...NEUTRAL_CONTROLS, thrustLevel: 50 })],
-  [
-    'throttle',
-    'unknown-control',
-    /Known are.*thrustLevel/,
-    () => flown({ ...NEUTRAL_CONTROLS, throttle: 1 }),
-  ],
+  ['throttle', 'unknown-control', /Known:.*thrustLevel/, () => flown({ ...NEUTRAL_CONTROLS, throttle: 1 })],
   [
     'pitch, yaw and roll',
     'controls-ignored',
@@ -53,7 +48,7 @@ export const CONTROLS: readonly Mistake[] = [
   [
     'an attitude mode of another name',
     'attitude-mode',
-    /mean|Known are/,
+    /mean|Known:/,
     () => flown({ ...NEUTRAL_CONTROLS, attitudeMode: 'autopilot' }),
   ],
   [

@@ -10,7 +10,7 @@ export const OPTIONS: readonly Mistake[] = [
   ['ownShipID', 'unknown-option', /mean ownShipId/, () => made({ ownShipID: 'a' })],
   ['shipId for ownShipId', 'unknown-option', /mean ownShipId/, () => made({ shipId: 'a' })],
   ['on_warning', 'unknown-option', /mean onWarning/, () => made({ on_warning: () => undefined })],
-  ['budget', 'unknown-option', /Known are/, () => made({ budget: 1 })],
+  ['budget', 'unknown-option', /Known:/, () => made({ budget: 1 })],
   [
     'smoothing.alongground',
     'unknown-option',
@@ -64,12 +64,7 @@ export const OPTIONS: readonly Mistake[] = [
     /radius in m/,
     () => made({ defaults: { bodies: [{ ...LUNA, radius: 1737.4 }] } }),
   ],
-  [
-    'a setting in the options themselves',
-    'unknown-option',
-    /Known are/,
-    () => made({ contactCrashSpeed: 60 }),
-  ],
+  ['a setting in the options themselves', 'unknown-option', /Known:/, () => made({ contactCrashSpeed: 60 })],
   [
     'a made-up setting in configure',
     'unknown-setting',

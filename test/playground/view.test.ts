@@ -157,7 +157,7 @@ it('the camera’s key goes through all views in turn, and names each', () => {
     'follow',
     'chase',
   ]);
-  expect(done[1]).toBe('Camera: behind the ship, along its way.');
+  expect(done[1]).toBe('Camera: behind the ship.');
   createCameraSwitch(null, banner as never)();
-  expect(done.at(-1)).toBe('Camera: behind the ship, along its way.');
+  expect(done.at(-1)).toBe('Camera: behind the ship.');
 });

@@ -80,7 +80,7 @@ export function createChooser(page: Page, parts: Parts): Chooser {
     },
     invite() {
       room ||= `tab:${Math.random().toString(36).slice(2, 8)}`;
-      parts.game.markIntervention('another pilot was let in');
+      parts.game.markIntervention('another pilot joined');
       parts.live.operate({ kind: 'invite', address: room });
       address.copy(`?server=${room}`, 'Link copied: open it in another tab of this browser.');
     },

@@ -30,9 +30,7 @@ export function createFlightLink({ live, choices, address, notice }: FlightLinkC
     const flown = continued(world.flight, inputs, substeps);
     const query = writeChoices({ ...world, flight: writeFlight(flown, substeps) });
     if (query.length > MAX_LINK_LENGTH)
-      notice.show(
-        `This flight makes a link of ${query.length} characters; some programs cut links that long.`,
-      );
+      notice.show(`This link has ${query.length} characters; some programs cut off links that long.`);
     address.copy(
       query,
       flown.length === 0 ? 'Link copied: nothing was flown by hand.' : 'Flight link copied.',

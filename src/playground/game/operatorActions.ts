@@ -41,7 +41,7 @@ export function createOperatorActions(targets: OperatorTargets): OperatorActions
     name,
     () => {
       if (targets.deck.replay() === null) action();
-      else targets.banner.flash('A recording plays: go back to the game first.');
+      else targets.banner.flash('A recording is playing: go back to the game first.');
     },
   ]);
   return { ...(Object.fromEntries(guarded) as typeof actions), reset, tick };

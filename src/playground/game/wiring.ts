@@ -51,7 +51,7 @@ function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
   return createLive(program, {
     onState: banner.state,
     onRefused: (reason) => notice.show(`The server refused: ${reason}.`),
-    onLost: ({ name, body }) => notice.show(`Your ship ${name} was destroyed at ${body}.`),
+    onLost: ({ name, body }) => notice.show(`Your ship ${name} was destroyed on ${body}.`),
     onEvent: () => undefined,
     onWorld(plan) {
       parts.scene.recorder.begin(plan);

@@ -115,7 +115,7 @@ const orOwn = (field: { expects: string; read: (text: string) => unknown }) => (
   read: (text: string) => (text === '0' ? 0 : field.read(text)),
 });
 const orSame = (field: { expects: string; read: (text: string) => unknown }) => ({
-  expects: `${field.expects}, or nothing: as the link from the server`,
+  expects: `${field.expects}, or empty: as the link from the server`,
   read: (text: string) => (text.trim() === '' ? '' : field.read(text)),
 });
 const names = (given: readonly { readonly name: string }[]) => ['', ...given.map(({ name }) => name)];
@@ -171,7 +171,7 @@ const FIELDS: readonly Field[] = [
   {
     name: 'flight',
     key: 'flight',
-    expects: 'a flight as this page writes it',
+    expects: 'a flight from this page',
     read: (text) => (text === '' || readFlight(text, ANY_SUBSTEPS).ok ? text : undefined),
   },
   { name: 'fleet', key: 'fleet', ...whole(0, 999) },

@@ -23,7 +23,7 @@ export const KEY_TEXT: Readonly<Record<Action, string>> = {
   modeUpright: 'Upright (radial)',
   modeRetrograde: 'Surface retrograde',
   killRates: 'Stop turning',
-  autopilot: 'Autopilot: land, or give back',
+  autopilot: 'Autopilot on or off',
   restart: 'Restart',
   pause: 'Pause or resume',
   stepSubstep: 'Step one substep',

@@ -4,14 +4,14 @@ import { append } from './elements';
 
 /** The meaning of each colour over the picture: colour as 0xrrggbb, and words. */
 const LEGEND: Readonly<Record<OverlayName, readonly (readonly [number, string])[]>> = {
-  ghost: [[OVERLAY_COLOURS.ghost, 'Hull: where the newest server state has the ship']],
-  errorSegment: [[OVERLAY_COLOURS.error, 'Line: from the drawn ship to the predicted one']],
-  contactNormal: [[OVERLAY_COLOURS.normal, 'Arrow: normal of the ground under the ship']],
-  footprint: [[OVERLAY_COLOURS.footprint, 'Ring: circle of the legs on the ground']],
+  ghost: [[OVERLAY_COLOURS.ghost, 'Hull: newest server state']],
+  errorSegment: [[OVERLAY_COLOURS.error, 'Line: from the drawn to the predicted ship']],
+  contactNormal: [[OVERLAY_COLOURS.normal, 'Arrow: ground normal under the ship']],
+  footprint: [[OVERLAY_COLOURS.footprint, 'Ring: footprint of the legs']],
   forces: [
     [OVERLAY_COLOURS.thrust, 'Arrow: thrust'],
     [OVERLAY_COLOURS.weight, 'Arrow: weight'],
-    [OVERLAY_COLOURS.support, 'Arrow: force of the ground'],
+    [OVERLAY_COLOURS.support, 'Arrow: ground force'],
   ],
 };
 

@@ -34,11 +34,11 @@ export function fileName({ header }: Recording, now: Date): string {
 /** Reads a recording from a file, or returns why it is none. */
 export async function readFile(file: File): Promise<Result<Recording>> {
   if (file.size > MAX_FILE_SIZE)
-    return err(`it is ${Math.round(file.size / 1e6)} MB, and at most ${MAX_FILE_SIZE / 1e6} MB are read`);
+    return err(`it is ${Math.round(file.size / 1e6)} MB; the limit is ${MAX_FILE_SIZE / 1e6} MB`);
   try {
     const checked = readRecording(await file.text());
     if (!checked.ok) return checked;
-    return checked.value.entries.length === 0 ? err('it holds no entries') : ok(checked.value);
+    return checked.value.entries.length === 0 ? err('it has no entries') : ok(checked.value);
   } catch (error) {
     return err(`the browser could not read it (${error instanceof Error ? error.message : String(error)})`);
   }
@@ -48,6 +48,6 @@ export async function readFile(file: File): Promise<Result<Recording>> {
 export function refusalText(name: string, checked: Result<Recording> & { ok: false }): string {
   return (
     `${name} cannot be played: ${checked.reason}. ` +
-    'It has to be a file that this page or a predictor’s recorder wrote, complete and unmodified.'
+    'It must be an unmodified file from this page or a predictor’s recorder.'
   );
 }

@@ -54,7 +54,7 @@ export function createTabHost(channel: TabChannel, door: GuestDoor): TabHost {
   const admit = (from: string, name: string) => {
     const reason =
       names.size >= MAX_GUESTS && !names.has(from)
-        ? `${MAX_GUESTS} guests are here already`
+        ? `it has ${MAX_GUESTS} guests already`
         : door.join(from, name);
     if (reason !== null) {
       channel.postMessage({ kind: 'refused', to: from, reason });

@@ -4,10 +4,10 @@ import type { Banner } from '../panels/banner';
 /** The page's message for each camera. */
 const WORDS: Readonly<Record<CameraView, string>> = {
   follow: 'Camera: around the ship. Drag to turn it.',
-  chase: 'Camera: behind the ship, along its way.',
+  chase: 'Camera: behind the ship.',
   cockpit: 'Camera: from the cockpit.',
   above: 'Camera: from above.',
-  free: 'Camera: stays where it is.',
+  free: 'Camera: fixed.',
 };
 
 /** Each call selects the next camera and shows its name. */

@@ -34,7 +34,7 @@ export function createPageView(context: PageViewContext): PageView {
 
   const open = async (recording: Recording) => {
     if (recording.entries.length === 0) {
-      context.notify('Nothing is recorded yet: let the game run for a moment first.');
+      context.notify('Nothing is recorded yet: let the game run first.');
       return;
     }
     const mine = ++request;
@@ -102,7 +102,7 @@ async function fetchPart({ notify: tell }: PageViewContext): Promise<typeof Repl
   try {
     return await import('../recording/replaying');
   } catch {
-    tell('Part of the page did not load; reload it with the network on.');
+    tell('Part of the page did not load. Check the network and reload.');
     return null;
   }
 }

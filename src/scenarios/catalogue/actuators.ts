@@ -52,9 +52,9 @@ export const ACTUATORS: readonly Scenario[] = [
   {
     ...START,
     name: 'wheels-fill',
-    title: 'Wheels fill',
+    title: 'Wheels saturate',
     about:
-      'A frigate at constant stick: its wheels are full after ten seconds, and RCS alone keeps turning it.',
+      'A frigate at constant stick: its wheels saturate after ten seconds, and RCS alone keeps turning it.',
     shipClass: 'fast_frigate',
     initial: { ...STILL, height: 3000, velocity: [0, 0, 0] },
     inputs: [

@@ -90,7 +90,7 @@ export const FLAT_GROUND: readonly Scenario[] = [
   {
     ...START,
     name: 'kept-tilt',
-    title: 'Crooked but safe',
+    title: 'Tilted but stable',
     about: 'Keeps its touchdown attitude: at a tilt of 25° it rocks back onto its legs.',
     settings: KEPT,
     initial: { ...STILL, height: 4, velocity: [0.5, 0, -2], tilt: 25, leanTo: 135 },

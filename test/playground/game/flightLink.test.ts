@@ -129,10 +129,7 @@ describe('a flight’s link', () => {
     const short = lengthOf(least);
     expect([short <= MAX_LINK_LENGTH, done]).toEqual([true, ['run']]);
     const long = lengthOf(most);
-    expect(done).toEqual([
-      'run',
-      `This flight makes a link of ${long} characters; some programs cut links that long.`,
-    ]);
+    expect(done).toEqual(['run', `This link has ${long} characters; some programs cut off links that long.`]);
   });
 
   it('of a recording has each input that was sent once, in the world that its note names', () => {

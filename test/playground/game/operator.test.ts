@@ -99,7 +99,7 @@ describe('the operator', () => {
     const refused = ['flash "Only available with the built-in server."'];
     expect([remote.does('pause'), remote.does('stepSubstep')]).toEqual([refused, refused]);
     const replaying = createOperator({ replay: {} });
-    const plays = ['flash "A recording plays: go back to the game first."'];
+    const plays = ['flash "A recording is playing: go back to the game first."'];
     expect([replaying.does('kick'), replaying.does('pause'), replaying.does('away')]).toEqual([
       plays,
       plays,

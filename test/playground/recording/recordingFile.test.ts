@@ -22,14 +22,14 @@ const fileOf = (text: string | Error, size = 10) => {
 const EMPTY = writeRecording({ header: { note: '', shipId: 'own' }, entries: [] });
 
 it.each([
-  ['of more than 200 MB', fileOf('', 200_600_000), 'it is 201 MB, and at most 200 MB are read'],
-  ['without entries', fileOf(EMPTY, 200_000_000), 'it holds no entries'],
+  ['of more than 200 MB', fileOf('', 200_600_000), 'it is 201 MB; the limit is 200 MB'],
+  ['without entries', fileOf(EMPTY, 200_000_000), 'it has no entries'],
   ['that has gone', fileOf(new Error('not found')), 'the browser could not read it (not found)'],
   ['of something else', fileOf('<b>'), 'line 1: not JSON'],
 ])('a file %s is refused with the reason', async (_what, file, reason) => {
   const read = await readFile(file);
   expect(read).toEqual({ ok: false, reason: expect.stringContaining(reason) as string });
   expect(refusalText('a.jsonl', read as Extract<typeof read, { ok: false }>)).toMatch(
-    /^a\.jsonl cannot be played: .*\. It has to be a file that/,
+    /^a\.jsonl cannot be played: .*\. It must be an unmodified file/,
   );
 });

@@ -96,11 +96,11 @@ export function readRace(query: URLSearchParams): VerifiedRun | string | null {
   const text = query.get('run');
   if (text === null) return null;
   const mission = findMission(query.get('scenario') ?? '');
-  if (mission === null) return 'run: expected with scenario= and a mission';
+  if (mission === null) return 'run: needs scenario= with a mission';
   const bytes = bytesOf(text);
   const run =
     bytes === null
       ? null
       : verifyBytes(mission, bytes, (query.get('by') ?? 'a friend').slice(0, MAX_NAME_LENGTH));
-  return run ?? 'run: these inputs cannot be flown';
+  return run ?? 'run: invalid inputs';
 }

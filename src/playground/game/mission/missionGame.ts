@@ -170,7 +170,7 @@ async function judge(
     const { module, best } = await context.runs.load();
     const run = module.verifyRun(mission, inputs);
     if (run?.outcome.outcome !== 'landed')
-      return landedCard(mission, 'Not scored: flown again from its inputs, it does not land.', context);
+      return landedCard(mission, 'Not scored: the replay of its inputs does not land.', context);
     const before = best.of(mission);
     const isBest = best.keep(run);
     const copyRace = () => share(context, module.raceQuery(run, ''));
@@ -183,7 +183,7 @@ async function judge(
 /** Replayed from its inputs: a friend who opens the link sees the same flight, and the score is computed there again. */
 function share({ address, notice }: MissionContext, query: string): void {
   if (query.length > MAX_LINK_LENGTH)
-    notice.show(`This flight makes a link of ${query.length} characters; some programs cut links that long.`);
+    notice.show(`This link has ${query.length} characters; some programs cut off links that long.`);
   address.copy(query, 'Race link copied.');
 }
 

@@ -69,8 +69,8 @@ const LATER: Readonly<Record<Device, string>> = {
   thumbs: 'Tilt, Push and Lift are under your thumbs · Engine is the lever · Upright levels the ship',
 };
 const FALLEN: Readonly<Record<Device, string>> = {
-  keys: 'Hold the key that the display names. Release it below the angle shown.',
-  gamepad: 'Hold the control that the display names. Release it below the angle shown.',
+  keys: 'Hold the key shown. Release it below the angle shown.',
+  gamepad: 'Hold the control shown. Release it below the angle shown.',
   thumbs: 'Hold Tilt as the display says. Release it below the angle shown.',
 };
 
@@ -116,6 +116,6 @@ export function adviceText(
   keyCap: (action: Action) => string,
 ): string {
   if (own?.shownState === 'contact' && own.controls.thrustLevel > 0)
-    return named('Down: cut the engine now {throttleCut}', device, keyCap);
+    return named('Cut the engine now {throttleCut}', device, keyCap);
   return named(ADVICE[advice], device, keyCap);
 }

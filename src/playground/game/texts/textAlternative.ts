@@ -11,7 +11,7 @@ const EVERY = 2;
 const STATES: Readonly<Record<string, string>> = {
   '': 'is in flight',
   contact: 'is in contact with the ground',
-  landed: 'stands on the ground, landed',
+  landed: 'has landed',
   tipped: 'lies on its side',
   crashed: 'has crashed',
 };

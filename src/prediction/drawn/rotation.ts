@@ -19,27 +19,19 @@ export function put(rows: Float64Array, at: number, value: Float64Array): void {
 
 /** out = q v q⁻¹ */
 export function rotate(out: Float64Array, q: Float64Array, v: Float64Array): void {
-  const qx = q[0]!;
-  const qy = q[1]!;
-  const qz = q[2]!;
-  const qw = q[3]!;
-  const x = v[0]!;
-  const y = v[1]!;
-  const z = v[2]!;
-  const tx = 2 * (qy * z - qz * y);
-  const ty = 2 * (qz * x - qx * z);
-  const tz = 2 * (qx * y - qy * x);
-  out[0] = x + qw * tx + (qy * tz - qz * ty);
-  out[1] = y + qw * ty + (qz * tx - qx * tz);
-  out[2] = z + qw * tz + (qx * ty - qy * tx);
+  turn(out, q, q[3]!, v);
 }
 
 /** out = q⁻¹ v q */
 export function rotateBack(out: Float64Array, q: Float64Array, v: Float64Array): void {
+  turn(out, q, -q[3]!, v);
+}
+
+/** Rotates by the quaternion of q's vector part and `qw`. */
+function turn(out: Float64Array, q: Float64Array, qw: number, v: Float64Array): void {
   const qx = q[0]!;
   const qy = q[1]!;
   const qz = q[2]!;
-  const qw = -q[3]!;
   const x = v[0]!;
   const y = v[1]!;
   const z = v[2]!;

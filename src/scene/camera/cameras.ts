@@ -1,6 +1,7 @@
 import type { PerspectiveCamera } from 'three';
+import { vec3 } from 'gl-matrix';
 import { type MovingRig, placeEye, turnRig, updateRig } from './cameraRig';
-import { rotateByQuat, type ShipActor } from '../ships/shipActor';
+import type { ShipActor } from '../ships/shipActor';
 
 /** The camera positions. */
 export const CAMERA_VIEWS = ['follow', 'chase', 'cockpit', 'above', 'free'] as const;
@@ -114,8 +115,8 @@ const upward = new Float64Array(3);
 
 /** Body axes: x right, y ahead of a pilot whose ship stands on the ground, z up. */
 function placeInCockpit(camera: PerspectiveCamera, rig: MovingRig, { actor }: CameraPlace): void {
-  rotateByQuat(forward, actor.turn, [0, Math.cos(COCKPIT_DIP), -Math.sin(COCKPIT_DIP)]);
-  rotateByQuat(upward, actor.turn, [0, 0, 1]);
+  vec3.transformQuat(forward, [0, Math.cos(COCKPIT_DIP), -Math.sin(COCKPIT_DIP)], actor.turn);
+  vec3.transformQuat(upward, [0, 0, 1], actor.turn);
   for (let k = 0; k < 3; k++) {
     rig.eye[k] = actor.place[k]! + upward[k]! * COCKPIT_HEIGHT * actor.height;
     rig.focus[k] = rig.eye[k]! + forward[k]! * 10;

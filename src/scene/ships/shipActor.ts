@@ -1,5 +1,5 @@
 import { type BufferGeometry, type Group, Mesh, type ShaderMaterial, Vector3 } from 'three';
-import { quat } from 'gl-matrix';
+import { quat, vec3 } from 'gl-matrix';
 import type { ShipView, WorldView } from '../../prediction';
 import { createDustState, type DustState } from '../effects/dustSources';
 import { commandedTurn, commandsPower, buildJets, canBurn, showPower, writePower } from '../effects/jets';
@@ -159,7 +159,7 @@ export function poseActor(
   for (let leg = 0; leg < 4; leg++) actor.compression[leg] = ship.legCompression[leg]!;
   actor.blows.fill(0);
   actor.blows[2] = -1;
-  rotateByQuat(actor.blows, actor.turn, actor.blows);
+  vec3.transformQuat(actor.blows, actor.blows, actor.turn);
   // The model is the class's, moved along its axis until its feet are the ship's.
   const raised = ship.shipClass.groundContactOffset - ship.groundContactOffset;
   for (let k = 0; k < 3; k++) actor.place[k] = actor.place[k]! - raised * actor.blows[k]!;
@@ -170,25 +170,8 @@ export function poseActor(
   actor.jets.visible = burns;
   if (!burns) return;
   quat.conjugate(inverse, ship.attitude);
-  rotateByQuat(rates, inverse, ship.angularVelocity);
+  vec3.transformQuat(rates, ship.angularVelocity, inverse);
   commandedTurn(asked, ship.controls, rates);
   if (ship.surfaceContactState === 'landed') asked.fill(0);
   actor.jets.visible = writePower(actor.power, actor.model, ship.controls, asked);
-}
-
-/** out = q · v · q⁻¹; `out` may be `v`. */
-export function rotateByQuat(out: Float64Array, q: Float64Array, v: ArrayLike<number>): void {
-  const qx = q[0]!;
-  const qy = q[1]!;
-  const qz = q[2]!;
-  const qw = q[3]!;
-  const x = v[0]!;
-  const y = v[1]!;
-  const z = v[2]!;
-  const tx = 2 * (qy * z - qz * y);
-  const ty = 2 * (qz * x - qx * z);
-  const tz = 2 * (qx * y - qy * x);
-  out[0] = x + qw * tx + (qy * tz - qz * ty);
-  out[1] = y + qw * ty + (qz * tx - qx * tz);
-  out[2] = z + qw * tz + (qx * ty - qy * tx);
 }

@@ -44,7 +44,7 @@ export function requireKnown(path: string, known: readonly string[], given: obje
   if (unknown !== undefined) throw new RangeError(`${path}.${unknown}: unknown. Known: ${known.join(', ')}.`);
 }
 
-/** What was found instead of a number or a list, for a reason. */
+/** Describes a value that is no number or list, for a refusal's reason. */
 export function describe(value: unknown): string {
   if (value === null) return 'null';
   if (typeof value === 'number') return String(value);

@@ -120,7 +120,7 @@ function begin(ships: Float64Array, at: number, bodies: Float64Array, world: Wor
   q[GROUND_SPIN + 2] = bodies[spin + 2]!;
 }
 
-/** Fills `step` with what a ship of this class over this body reads of a world. It is kept until one of the three changes. */
+/** Fills `step` with the constants of the world for a ship of this class over this body; kept until one of the three changes. */
 function readWorld(world: World): void {
   const q = quantities;
   const { ships, at } = step;

@@ -50,7 +50,7 @@ const CONTINUES = 0x80;
 
 /**
  * False for a frame without events. It runs over each frame that a page missed, twelve thousand in ten minutes at 20 Hz, and so steps
- * from field to field by hand; what it does not know counts as true, for `withoutShips` to read.
+ * from field to field by hand; unknown fields count as true, for `withoutShips` to read.
  */
 function mayHaveEvents(bytes: Uint8Array): boolean {
   let at = afterVarint(bytes, 1);

@@ -4,7 +4,7 @@ import type { ExactCase } from './cases/exactCase';
 import { AFTER_TICK, caseTerrain, playCase, type TakeRow } from './cases/playCase';
 import { type PythonResult, type PythonRow, rowsInPython, SERVER_HOME } from './python';
 
-/** Names of a ship row's doubles, in the order of dynamics/layout.ts, and of the event behind them. */
+/** Names of a ship row's doubles, in the order of dynamics/state/layout.ts, then the event. */
 const SHIP_FIELDS = [
   ...named('relative_position', 'xyz'),
   ...named('relative_velocity', 'xyz'),

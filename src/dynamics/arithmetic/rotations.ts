@@ -95,7 +95,7 @@ export function shortestRotation(): void {
   q[ROTATION + 3] = w * perLength;
 }
 
-/** |a_x| from which a × y is used as the axis, since a × x is too short near x. */
+/** |a_x| from which the axis is a × y, since a × x is too short near x. */
 const NEAR_X = 0.9;
 
 /** AXIS = unit(a × x) for the unit vector a at the slot `from`, with x = (1,0,0), or (0,1,0) if |a_x| ≥ 0.9. */

@@ -34,7 +34,7 @@ export interface TerrainNormals {
   readonly writeGroundNormal: (out: Float64Array, normal: Float64Array, ground: GroundUnderShip) => void;
 }
 
-/** Everything a substep reads of the world. A world does not change: another setting, class or terrain is another world. */
+/** Everything a substep reads of the world. A world is immutable: another setting, class or terrain makes another world. */
 export interface World {
   readonly settings: LoadedSettings;
   readonly shipClasses: readonly LoadedShipClass[];

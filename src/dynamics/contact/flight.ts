@@ -49,7 +49,7 @@ export function fly(): void {
   ships[at + VELOCITY + 2] = uz + (az + (pz - h * q[NORMAL + 2]!)) * half;
 }
 
-/** Exchanges POSITION and START_POSITION: what is read of the ship then is at the other end of the substep. */
+/** Exchanges POSITION and START_POSITION: later reads of the ship see the other end of the substep. */
 export function exchangePositions(): void {
   const q = quantities;
   const { ships, at } = step;

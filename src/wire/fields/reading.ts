@@ -7,7 +7,7 @@ import { type Bound, MAX_TEXT } from '../limits';
  * type. The first invalid field leaves its reason here, and the whole message is refused.
  */
 export interface Reading {
-  /** Protobuf omits what is 0, false or empty; JSON omits what is not sent. */
+  /** Protobuf omits values that are 0, false or empty; JSON omits unsent ones. */
   readonly source: 'protobuf' | 'json';
   /** Path of the pass: names, and indices into lists. */
   readonly path: Step[];

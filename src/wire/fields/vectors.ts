@@ -7,7 +7,7 @@ const UNIT_WITHIN = 1e-3;
 /** A quaternion whose length is this close to 1 keeps its bits, so that a sent state replays to the same bits. */
 const KEPT_WITHIN = 1e-12;
 
-/** In place of what is missing; its message is refused. */
+/** In place of a missing vector, whose message is refused. */
 const NO_VECTOR: Vec3 = [NaN, NaN, NaN];
 const NO_QUATERNION: Quat = [NaN, NaN, NaN, NaN];
 

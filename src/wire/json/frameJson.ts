@@ -32,7 +32,7 @@ import { notPlain, wrapped } from '../fields/sentObject';
 import { gameTimeIn } from './gameTime';
 import { SPIN_READER } from './spin';
 
-/** A frame from JSON, and what was left out of it. */
+/** A frame from JSON, and its refused parts. */
 export interface DecodedFrame extends PartialFrame {
   /** Path and reason of each invalid ship, body, event or other part; the rest of the frame is valid. */
   readonly refusals: readonly string[];
@@ -77,7 +77,7 @@ export function decodeLeanFrameJson(value: unknown, options: FrameJsonOptions = 
   return decodeWith(value, { known: options.bodies ?? [] });
 }
 
-/** What a frame is completed and read with. */
+/** Readers and defaults of a frame. */
 interface Readers extends Pick<BodyDefaults, 'known' | 'spins'> {
   /** Reads game time that may be ISO 8601. */
   readonly gameTimeIn?: typeof gameTimeIn;

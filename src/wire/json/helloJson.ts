@@ -20,7 +20,7 @@ import { SPIN_READER } from './spin';
 import { entriesIn, type Partial } from './entries';
 import { notPlain } from '../fields/sentObject';
 
-/** A hello from JSON, and what was left out of it. */
+/** A hello from JSON, and its refused parts. */
 export interface DecodedHello extends Hello {
   /** Path and reason of each invalid ship class and body; the rest of the hello is valid. */
   readonly refusals: readonly string[];
@@ -100,7 +100,7 @@ export function encodeHelloJson(hello: Hello): Readonly<Record<string, unknown>>
   return { ...helloFields(hello) };
 }
 
-/** As sent; where one of UNTOLD is not, as it is there. */
+/** The sent fields; absent ones are taken from DEFAULT_FIELDS. */
 function completed(sent: Fields): Fields {
   const r = beginReading('json');
   const fields: Record<string, unknown> = { ...sent };

@@ -1,4 +1,4 @@
-/** Who may import whom, and the check of it over one file. */
+/** The table of permitted imports, and its check over one file. */
 import { dirname, join, normalize } from 'node:path/posix';
 import { placeOf, visitTree } from '../source';
 import type { Node, SourceFile } from '../source';

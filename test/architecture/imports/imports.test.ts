@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { importFaults, importsOf } from './importTable';
 import { filesUnder } from '../source';
 
-/** What the check says of one line of code in a file. */
+/** The faults of one line of code in a file. */
 function faultsOf(path: string, text: string): string[] {
   return importFaults({ path, text });
 }

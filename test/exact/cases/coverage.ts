@@ -27,7 +27,7 @@ export interface Coverage {
   readonly follow: (exact: ExactCase) => TakeRow;
 }
 
-/** What must occur, by the prefix of its key. */
+/** Kinds that must occur, by the prefix of their keys. */
 const KINDS = {
   state: SURFACE_STATES.flatMap((state) => [...ATTITUDE_MODES, 'unknown'].map((mode) => `${state}/${mode}`)),
   event: EVENT_NAMES.slice(1),

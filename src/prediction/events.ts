@@ -160,7 +160,7 @@ export function settleByAgreement(
   return null;
 }
 
-/** Forgets what was settled before `tick`. */
+/** Forgets entries that were settled before `tick`. */
 export function pruneLedger(ledger: Ledger, tick: number): void {
   const { entries } = ledger;
   while (entries.length > 0 && entries[0]!.tick < tick && entries[0]!.status !== 'predicted') entries.shift();

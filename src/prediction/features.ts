@@ -1,4 +1,4 @@
-/** What only some clients need of a predictor: a page loads the features that it hands to createLeanPredictor. */
+/** Optional parts of a predictor: a page loads only the features that it passes to createLeanPredictor. */
 import { faultOfConstants, TERRAIN_NORMALS, TERRAINS, writeBodyMotion } from '../dynamics';
 import { groundGhost } from './drawn/ghost';
 import { slopeBelow } from './drawn/slopeBelow';
@@ -107,11 +107,11 @@ export const sleepingShips: Feature = feature('sleepingShips', { sleep });
 
 /**
  * Keeps frames short with many ships, and their memory bounded: within `maxSubstepsPerFrame` distant ones are not predicted (PREDICTION,
- * Timeline), beyond 32 the ground below a ship is drawn as level, and the predicted states of all others than the own take 32 MB at most.
+ * Timeline), beyond 32 the ground below a ship counts as level for drawing, and the predicted states of all ships but the own one take 32 MB at most.
  */
 export const frameBudget: Feature = feature('frameBudget', { keepPace, snapToLevel, rowsWithin });
 
-/** The impact speed of a contact that the prediction does not have, from a server that does not send it. */
+/** Finds the impact speed of a contact that was not predicted, from a server that does not send it. */
 export const replayedImpacts: Feature = feature('replayedImpacts', { replayImpact });
 
 /** Puts the ghost of a view, the server's newest state, on the drawn ground like the ship itself. */
@@ -129,7 +129,7 @@ export const inputAcknowledgements: Feature = feature('inputAcknowledgements', {
 /** Completes bodies that a frame sends in part, without attitude or spin, in another order, or outdated. */
 export const completedBodies: Feature = feature('completedBodies', { completeBodies });
 
-/** Takes snapshots in several messages or out of order, and new ships by the thousand without blocking. */
+/** Takes snapshots in several messages or out of order, and thousands of new ships without blocking. */
 export const snapshotParts: Feature = feature('snapshotParts', { parts });
 
 /** Checks each frame's records, for a caller that makes them itself instead of decoding them. */
@@ -138,13 +138,13 @@ export const checkedRecords: Feature = feature('checkedRecords', { records });
 /** Both values of a field that differed, in `lastMismatch` of the diagnosis. */
 export const mismatchValues: Feature = feature('mismatchValues', { describeDifference });
 
-/** Measures the game time per tick of a server that does not send it, or another (PREDICTION, Timeline). */
+/** Measures the game time per tick of a server that does not send it, or sends a wrong one (PREDICTION, Timeline). */
 export const measuredGameTime: Feature = feature('measuredGameTime', { gameTimeScale });
 
 /** Measures the tick rate of a server that does not send it (PREDICTION, Timeline). */
 export const measuredTickRate: Feature = feature('measuredTickRate', { tickRates });
 
-/** Measures the spin of bodies that turn otherwise than sent. */
+/** Measures the spin of bodies whose sent spin is wrong. */
 export const measuredSpin: Feature = feature('measuredSpin', { learning, spin });
 
 /** Takes the hello of a server that sends one: its world, settings, classes, own ship and protocol version. */
@@ -153,7 +153,7 @@ export const serverHello: Feature = feature('serverHello', { receiveHello, fault
 /** Pings a server that answers with a pong: the clock then knows the round trip (PREDICTION, Clock). */
 export const roundTripPings: Feature = feature('roundTripPings', { receivePong, pingIfDue });
 
-/** What createPredictor has while rollbacks are forced. */
+/** The features of createPredictor while rollbacks are forced. */
 export const AWAKE_FEATURES: SessionFeatures = Object.freeze({
   learning,
   learnGround,
@@ -188,5 +188,5 @@ export const AWAKE_FEATURES: SessionFeatures = Object.freeze({
   rowOfPolicy,
 });
 
-/** What createPredictor has. */
+/** The features of createPredictor. */
 export const ALL_FEATURES: SessionFeatures = Object.freeze({ ...AWAKE_FEATURES, sleep });

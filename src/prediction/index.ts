@@ -4,7 +4,7 @@
 export { createPredictor, forkPredictor } from './predictor';
 export { createLeanPredictor, type LeanOptions } from './leanPredictor';
 export type { LeanPredictor, Predictor } from './calls/api';
-/** What a lean predictor loads in addition. */
+/** The lean predictor and its features. */
 export {
   type Feature,
   foreignDynamics,
@@ -30,15 +30,15 @@ export {
   unloadedGround,
 } from './features';
 export type { ClientTerrain, Defaults, PredictorOptions } from './options';
-/** Why a ship is removed, and warnings to the caller. */
+/** Reasons for removing a ship, and warnings to the caller. */
 export type { Removal } from './ownership';
 export type { Warn } from './warnings';
-/** The own ship's scheduled inputs. */
+/** Drawing policies of ships, and the own ship's scheduled inputs. */
 export type { Policy } from './simulation/track';
 export type { ScheduledInput } from './inputs/inputs';
 /** Its view. */
 export type * from './drawn/view';
-/** How fast a correction fades. */
+/** Settle times of corrections, and the state of the connection. */
 export type { Smoothing } from './drawn/ease';
 export type { Connection } from './time/connection';
 /** A drawn pose on the drawn ground. */
@@ -61,7 +61,7 @@ export {
   servePredictor,
   type ToWorker,
 } from './lifecycle/remote';
-/** Recording and replaying what goes through a predictor. */
+/** Recording and replaying a predictor's input. */
 export {
   type PredictorEntry,
   recordPredictor,

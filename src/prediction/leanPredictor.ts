@@ -7,18 +7,18 @@ import type { PredictorOptions } from './options';
 import { createSession, type SessionFeatures } from './session';
 import { receiveMessage } from './snapshots/receiveMessage';
 
-/** Options of a lean predictor: those of createPredictor without the test mode, and the features that the page loads. */
+/** Options of a lean predictor: those of createPredictor except the test mode, and the features to load. */
 export interface LeanOptions extends Omit<PredictorOptions, 'forcedRollback'> {
   /** None by default. */
   readonly features?: readonly Feature[];
 }
 
 /**
- * Creates a predictor that loads less: the same dynamics, reconciliation and drawing, bit for bit, as long as the server says what it
- * simulates. What createPredictor can do in addition is handed in (`features`) or missing: snapshot and restore, configure, policies,
- * undecoded messages, and all terrains but flat (`terrains: TERRAINS` has the others). `defaults` must have ship classes and bodies; the
- * game's are in `gameCatalogue`. `receive` takes what a decoder of this library
- * returned; only with `checkedRecords` may it be given records of the caller's own making.
+ * Creates a smaller predictor: the same dynamics, reconciliation and drawing, bit for bit, as long as the server sends its whole state.
+ * Further abilities of createPredictor are passed as `features` or missing: snapshot and restore, configure, policies, undecoded
+ * messages, and all terrains but flat (`terrains: TERRAINS` has the others). `defaults` must have ship classes and bodies; the game's are
+ * in `gameCatalogue`. `receive` accepts only messages from this library's decoders;
+ * records that the caller builds need `checkedRecords`.
  * @throws RangeError that names the invalid option
  *
  * @example

@@ -25,14 +25,14 @@ import { createPace, type keepPace, type Pace } from './time/pace';
 import { createPings, type Pings } from './time/pings';
 import { createWarn, type Warn } from './warnings';
 
-/** What only some clients need of a predictor, with what the session calls for it. */
+/** The optional parts of a predictor, as the session calls them. */
 export interface SessionFeatures extends Features, SceneFeatures {
   /** Takes the hello of a server that sends one. */
   readonly receiveHello?: (session: Session, hello: Hello, now: number) => void;
   readonly receivePong?: (session: Session, pong: Pong, now: number) => void;
   readonly catalogue?: Catalogue;
   readonly terrainNormals?: TerrainNormals;
-  /** Warns of what a frame has that needs a feature which the predictor does not have. */
+  /** Warns of data that needs a feature which the predictor does not have. */
   readonly checkFeatures?: (session: Session, frame: PartialFrame) => void;
   /** Calls the listeners with the events. */
   readonly announce?: (session: Session) => void;

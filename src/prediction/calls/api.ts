@@ -40,7 +40,7 @@ export interface LeanPredictor {
   dispose: () => void;
 }
 
-/** A predictor with all that this library has for one; `createLeanPredictor` makes one that loads less. */
+/** A predictor with all features; `createLeanPredictor` creates a smaller one. */
 export interface Predictor extends LeanPredictor {
   /**
    * Receives an undecoded message of the server (pendingServerMessage of wire): the next `advance` decodes it, unless newer frames

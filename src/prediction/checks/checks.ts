@@ -59,7 +59,7 @@ function lookAtMessage(
     if (calls.frames === FRAMES_BEFORE) checkTerrains(session);
   }
   if (calls.frames > FIRST && calls.frames % SAMPLED !== 0) return;
-  // Told with their motion at the first frame's tick.
+  // Their motion is known for the first frame's tick only.
   const bodies =
     sim.newestTick < 0 ? config.bodies : config.bodies.map((body) => ({ ...body, position: undefined }));
   checkMessage(warn, message, bodies);

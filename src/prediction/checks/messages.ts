@@ -119,7 +119,7 @@ function isSnake(ship: unknown): boolean {
   return typeof ship === 'object' && ship !== null && 'ship_id' in ship;
 }
 
-/** Malformed ones are reported where they are refused. */
+/** Whether a ship is well-formed; malformed ones are reported where they are refused. */
 function isWhole(ship: ShipState | null): boolean {
   const lists: unknown[] = [ship?.position, ship?.velocity, ship?.attitude, ship?.angularVelocity];
   return lists.every((list) => Array.isArray(list) && list.every(Number.isFinite));

@@ -61,7 +61,7 @@ const EXPECTED: Expected = {
 const isVector = (value: unknown, count: number): boolean =>
   value === undefined || (Array.isArray(value) && value.length === count && value.every(Number.isFinite));
 
-/** Of what is absent the loaded world says so. */
+/** Absent members are refused when the world is loaded. */
 const areBodies: Check = (value) =>
   Array.isArray(value) &&
   value.every((body: unknown) => {

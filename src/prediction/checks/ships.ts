@@ -1,7 +1,7 @@
 import type { BodyState, ShipState } from '../../wire';
 import type { Warn } from '../warnings';
 
-/** A body as far as it is known: one that no frame carries has moved on since it was told, so that its place is not. */
+/** A known body. One that frames do not carry has no position: it has moved since it was passed. */
 export type KnownBody = Omit<BodyState, 'position'> & {
   readonly position?: BodyState['position'] | undefined;
 };

@@ -169,7 +169,7 @@ function moveTurn(ease: Ease, dt: number, { angle: stiff, turnCapFactor }: Sprin
   move(turn, turnRate, wanted, dt, turnCapFactor * Math.max(TURN_CAP, SHARE_CAP * ease.turnSize));
 }
 
-/** What the uncapped spring does in a slice. */
+/** The uncapped spring's motion in a slice. */
 interface Move {
   /** m or rad */
   readonly step: Float64Array;

@@ -11,7 +11,7 @@ import type { Springs } from './ease';
 import type { Instant } from './status';
 import type { ShipView } from './view';
 
-/** What only some clients need of drawing. */
+/** The optional parts of drawing. */
 export interface SceneFeatures {
   /** Puts ships on level ground; without, all are put on the ground point by point. */
   readonly snapToLevel?: typeof snapToLevel;
@@ -42,7 +42,7 @@ export interface Playback {
   readonly timeScale: number;
 }
 
-/** What all ships of one view share. */
+/** Shared by all ships of one view. */
 export interface Scene extends TurnedBodies {
   world: World;
   /** Of the current ship's body. */

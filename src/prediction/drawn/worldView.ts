@@ -74,7 +74,7 @@ export function showWorld({ view, scene }: ViewBuilder, { world }: Simulation): 
   }
 }
 
-/** s for which a state still confirms after the next one is due, which is in flight. */
+/** s for which a state still confirms after the next one is due: that one is on its way. */
 const GRACE = 0.04;
 /** Ships put on the ground point by point in one view, besides the own ship. */
 const MAX_EXACT_SNAPS = 32;
@@ -94,7 +94,7 @@ export interface ViewInstant {
   /** Server wall s of the present, and how far it is ahead of the server. */
   present: number;
   lead: number;
-  /** Server wall s at which a message was sent that arrives now with at most the delay of 19 in 20. */
+  /** Server wall s at which a message that arrives now was sent, by the delay that 19 in 20 do not exceed. */
   heard: number;
 }
 

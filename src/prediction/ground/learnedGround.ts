@@ -11,7 +11,7 @@ export interface LearnedGround {
   world: World | null;
   /** The world it was made from. */
   base: World | null;
-  /** How the places are read; null while none was sought, so that a page without `learnedGround` does not load this. */
+  /** Functions that read the places; null until `beginReading`, so that a page without `learnedGround` does not load them. */
   reading: GroundReading | null;
 }
 

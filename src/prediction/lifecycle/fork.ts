@@ -8,7 +8,7 @@ export interface Owned {
 }
 
 /**
- * A second copy of what a predictor owns, which continues independently with the same bits. Constants (options, worlds, messages) and
+ * A copy of a predictor's state, which continues independently with the same bits. Constants (options, worlds, messages) and
  * functions are shared; listeners are not copied.
  */
 export function copyOwned({ session, kept }: Owned): Owned {

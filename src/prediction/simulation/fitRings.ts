@@ -5,7 +5,7 @@ import type { Track } from './track';
 
 /** Sizes the rings of predicted states: of ten seconds, or fewer if that exceeds the limit of rowsWithin. */
 
-/** What determines the length of the rings. */
+/** The inputs to the length of the rings. */
 export interface RingNeeds {
   /** Hz */
   readonly tickRate: number;

@@ -29,14 +29,14 @@ import type { Warn } from '../warnings';
 import { ringLength, type rowsWithin } from './history';
 import { createFleet, createRowStep, type Fleet, type RowStep, type Track } from './track';
 
-/** Takes something of a frame; received at client wall second `now`. */
+/** Takes a part of a frame that was received at client wall second `now`. */
 type TakeFrame = (sim: Simulation, receiver: Receiver, frame: ServerFrame) => void;
 type TakeFrameAt = (sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number) => void;
 type TimeFrame<Frame> = (sim: Simulation, receiver: Receiver, frame: Frame, now: number) => number | null;
 
-/** What only some clients need of a predictor, each with the functions that the simulation calls for it. */
+/** The optional parts of a predictor, as the simulation calls them. */
 export interface Features {
-  /** What each of the next three, and `spin`, learns by. */
+  /** Learns from states; the next three and `spin` need it. */
   readonly learning?: {
     readonly learnFrom: (sim: Simulation, track: Track, lesson: Lesson) => boolean;
     readonly holdLaw: typeof holdLaw;
@@ -50,7 +50,7 @@ export interface Features {
   };
   /** Extrapolates a ship. */
   readonly carry?: (step: RowStep, sim: Simulation, track: Track) => void;
-  /** The impact speed of a contact that the prediction does not have. */
+  /** The impact speed of a contact that was not predicted. */
   readonly replayImpact?: (sim: Simulation, track: Track, state: TickedRow) => number;
   readonly sleep?: Sleep;
   readonly touchdown?: {
@@ -77,7 +77,7 @@ export interface Features {
   };
   /** Bounds the memory of many ships' predicted states. */
   readonly rowsWithin?: typeof rowsWithin;
-  /** Bodies that a frame does not have whole. */
+  /** Completes a frame's bodies. */
   readonly completeBodies?: (
     sim: Simulation,
     receiver: Receiver,
@@ -111,7 +111,7 @@ export interface Features {
   /** Both values of a field that differed. */
   readonly describeDifference?: typeof describeDifference;
   readonly gameTimeScale?: typeof gameTimeScale;
-  /** Ticks of a server that does not send its rate. */
+  /** The tick rate of a server that does not send it. */
   readonly tickRates?: {
     readonly measureUnsentRate: TimeFrame<PartialFrame>;
     readonly sentUntimed: TimeFrame<ServerFrame>;

@@ -67,7 +67,7 @@ export function tempoOf(
   return { tickRate, timeScale: known ?? assumed(sim, receiver, 'timeScale') };
 }
 
-/** What a frame has of its tempo is valid for later ones that lack it. */
+/** Keeps the frame's tick rate and time scale for later frames that lack them. */
 function keepSentTempo({ sentTempo }: Receiver, { tickRate, timeScale }: PartialFrame): void {
   sentTempo.tickRate = tickRate ?? sentTempo.tickRate;
   sentTempo.timeScale = timeScale ?? sentTempo.timeScale;

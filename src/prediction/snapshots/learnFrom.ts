@@ -31,7 +31,7 @@ export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolea
   return changes || isWeighed;
 }
 
-/** Measures the body's spin by a ship at rest whose position was mispredicted. */
+/** Measures the body's spin from a ship at rest whose position was mispredicted. */
 function measureSpin(sim: Simulation, { evidence }: Track, { row, context }: Lesson): void {
   const { tick, bodies } = context;
   if (evidence.tick < 0 || evidence.tick >= tick) return;

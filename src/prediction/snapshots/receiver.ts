@@ -35,7 +35,7 @@ export interface Receiver {
   rest: { readonly frame: ServerFrame; readonly now: number } | null;
   /** Null until a frame has been measured. */
   gameTime: GameTimeMeter | null;
-  /** What the frames sent last, valid until another is sent; null if none has been. */
+  /** The last values that frames sent, valid until the next; null before the first. */
   readonly sentTempo: { tickRate: number | null; timeScale: number | null };
   /** Assumed while nothing is sent or measured: 1 Hz and 1, or the hello's. */
   defaultTempo: { readonly tickRate: number; readonly timeScale: number };

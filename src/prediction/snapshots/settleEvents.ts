@@ -39,7 +39,7 @@ export function confirmEnd(sim: Simulation, { ledger }: Track): void {
 
 /** Each event of the server confirms a predicted one or is reported by itself. Unknown types and unknown ships are ignored. */
 export function confirmEvents(sim: Simulation, receiver: Receiver, { events }: ServerFrame): void {
-  // The ledgers know the newest events from repeated ones; after an outage, all since the frame before it are new.
+  // The ledgers recognise repeated events among the newest; after an outage, all since the frame before it are new.
   const oldest = Math.max(receiver.firstTick, Math.min(receiver.eventsTick, sim.newestTick - sim.ringLength));
   for (const event of events) {
     const known = knownEvent(event);
@@ -90,7 +90,7 @@ function notifyAll(sim: Simulation, { picture }: Track, now: number, next: () =>
     sim.notices.push(notice);
     if (notice.kind !== 'retracted') continue;
     const word = notice.type.slice('ship.'.length);
-    // The pilot's word for it.
+    // Shown as 'crashed'.
     picture.status.withdrawn = (word === 'destroyed' ? 'crashed' : word) as ShipView['withdrawn'];
     picture.status.withdrawnUntil = now + WITHDRAWN_SHOWN;
   }

@@ -30,8 +30,8 @@ export function measureUnsentRate(
 }
 
 /**
- * The server wall second at which a newer frame was sent, if the ticks since the newest one do not tell: their rate is assumed, or
- * another one was measured since. Otherwise null.
+ * The server wall second at which a newer frame was sent, if the ticks since the newest one do not give it: their rate is assumed,
+ * or another one was measured since. Otherwise null.
  */
 export function sentUntimed(
   { timeline, inputs }: Simulation,

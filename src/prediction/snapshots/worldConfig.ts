@@ -21,7 +21,7 @@ export interface WorldConfig {
   readonly terrain: string;
 }
 
-/** What a world is loaded with: the terrains that it may name, and the check of its settings and classes if the page loads it. */
+/** The inputs to loading a world: the terrains that it may name, and the check of its settings and classes if the page loads it. */
 export interface WorldLoader {
   readonly terrains: Readonly<Record<string, TerrainHeight>>;
   readonly features: {

@@ -25,8 +25,8 @@ export function noteSend(cadence: Cadence, ticks: number): void {
 }
 
 /**
- * The server ticks at `after` Hz instead of `before`: whether it sends as often as before, or every so many ticks, the next send tells; the
- * longer of the two is used until then.
+ * The tick rate changes from `before` to `after` Hz. Until the next send shows whether the interval stays the same in seconds or in ticks,
+ * the longer of the two is used.
  */
 export function followTickRate(cadence: Cadence, before: number, after: number): void {
   if (before === after) return;
@@ -34,7 +34,7 @@ export function followTickRate(cadence: Cadence, before: number, after: number):
   cadence.ticks = Math.max(cadence.ticks, Math.round((cadence.ticks * after) / before));
 }
 
-/** A new timeline: its sends are spaced as the last one's until the second one tells. */
+/** A new timeline: the spacing of the last one's sends is used until its second send. */
 export function forgetCadence(cadence: Cadence): void {
   cadence.recent.length = 0;
 }

@@ -7,7 +7,7 @@ export interface Delays {
   readonly sorted: Float64Array;
   /** Samples ever taken; slot = count mod length. */
   count: number;
-  /** What `spreadOf` came to, and for which limit; NaN since a delay was added: every frame asks, and few bring a delay. */
+  /** The last result of `spreadOf`, and its limit; NaN after a new delay: every frame asks, and few add a delay. */
   spread: number;
   spreadLimit: number;
 }
@@ -54,8 +54,8 @@ export function leastOf({ values, count }: Delays): number {
 }
 
 /**
- * The spread above the smallest delay that 19 of 20 do not exceed, s; delays more than `most` above it are not counted. 0 without samples. Of a few
- * dozen delays two or three resent packets are one in twenty, and come and go: they count at most LIMIT times what usual delays
+ * The spread above the smallest delay that 19 of 20 do not exceed, s; delays more than `most` above it are not counted. 0 without samples. Among a
+ * few dozen delays, two or three resent packets are one in twenty and come and go: they count at most LIMIT times the usual
  * spread.
  */
 export function spreadOf(delays: Delays, most: number): number {

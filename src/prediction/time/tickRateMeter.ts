@@ -35,7 +35,7 @@ const CHANGED_FOR = 1;
 /** How late arrivals of one schedule may be: a share of the time they span, at most JITTER, s. */
 const SHARE = 0.05;
 const JITTER = 0.1;
-/** A measurement is never taken to be better than for delays that vary by this, s. */
+/** Delays count as varying by at least this, s, so that no measurement counts as more accurate than it can be. */
 const FINEST = 0.005;
 /** Steps towards the line under the arrivals; a few suffice. */
 const MAX_STEPS = 8;
@@ -144,8 +144,8 @@ function earliest(arrivals: readonly Arrival[], perTick: number): Arrival {
 }
 
 /**
- * Takes over the rate of a line whose ends are known to `doubt` s, unless the known one is within its uncertainty. Returns false for a rate
- * that the game does not have.
+ * Accepts the rate of a line whose ends are known within `doubt` s, unless the known rate is within that uncertainty. Returns false for a
+ * rate that the game cannot have.
  */
 function accept(meter: TickRateMeter, { perTick, apart, delays }: Line, doubt: number): boolean {
   const rate = 1 / perTick;

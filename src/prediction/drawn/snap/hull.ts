@@ -19,7 +19,7 @@ const TOP = 1;
 /** In units of h: the hull's lower edge, above the feet by more than the stroke. */
 const BOTTOM = -0.6;
 
-/** What a ship's hull is derived from. */
+/** The data that a ship's hull is derived from. */
 export interface HullOwner {
   readonly shipClass: LoadedShipClass;
   /** The ship's own, m. */

@@ -47,7 +47,7 @@ export function chooseMotion(sim: Simulation, track: Track, judged: Judged): boo
   return true;
 }
 
-/** What fits the last states better: '' for the dynamics, `law` for extrapolation. Near a tie the ship stays with what it has. */
+/** The motion that fits the last states better: '' for the dynamics, `law` for extrapolation. Near a tie the ship keeps its present one. */
 function chosenMotion(fit: LawFit): LawFit['carried'] {
   const states = Math.min(fit.count, WINDOW);
   if (states < NEEDED) return fit.carried;

@@ -6,7 +6,7 @@ export interface HudAppearance {
   readonly theme?: 'dark' | 'light' | 'system';
   /** Full height, about half of it, or (default) compact where the window is at most 520 px wide. */
   readonly layout?: 'auto' | 'full' | 'compact';
-  /** Called once for each thing that keeps the HUD from being seen: no style sheet, no room, calls after dispose. */
+  /** Called once per mistake that keeps the HUD from being seen: no style sheet, no room, calls after dispose. */
   readonly onWarning?: HudWarn;
 }
 

@@ -1,4 +1,4 @@
-/** Called with what keeps a HUD from being seen, once per code, and with what to do. */
+/** Called once per code with the reason why a HUD cannot be seen, and with advice. */
 export type HudWarn = (code: string, message: string) => void;
 
 const CHOICES = { theme: ['dark', 'light', 'system'], layout: ['auto', 'full', 'compact'] } as const;
@@ -59,8 +59,8 @@ interface Painted<Readout> {
 const PAINTS = 60;
 
 /**
- * Wraps a painter: anything but a readout, and calls after `dispose`, are ignored with a warning. Also warns of what keeps the HUD from
- * being seen.
+ * Wraps a painter: anything but a readout, and calls after `dispose`, are ignored with a warning. Also warns if something keeps the HUD
+ * from being seen.
  */
 export function checked<Readout>(
   { root, paint, dispose, members, madeBy }: Painted<Readout>,

@@ -1,4 +1,4 @@
-/** The HUDs: painting only. What they show is decided in readout; their style sheet is hud.css. */
+/** The HUDs: painting only. Readouts decide the contents; the style sheet is hud.css. */
 
 export { createCockpitLandingHud, type Hud, type LandingHudOptions } from './landing/landingHud';
 export { createFleetHud } from './fleet/fleetHud';
@@ -6,7 +6,7 @@ export { createFlightHud, type FlightHudOptions, type FlightPanels } from './fli
 export type { FlightKey } from './flight/modesPanel';
 /** Theme and layout. */
 export type { HudAppearance } from './appearance';
-/** What keeps a HUD from being seen. */
+/** Warnings of a HUD that cannot be seen. */
 export type { HudWarn } from './checks';
 /** Names keys in hints. */
 export type { KeyLabel, TurnKey, TurnKeys } from './landing/rightingPanel';

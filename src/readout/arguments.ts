@@ -1,6 +1,6 @@
 import type { WorldView } from '../prediction';
 
-/** The view that is read before there is one. */
+/** Stands in until there is a view. */
 const NO_VIEW = { ready: false, own: null, ships: [], timeScale: 1 } as unknown as WorldView;
 
 /**

@@ -30,7 +30,7 @@ export type { Righting } from './landing/righting';
 export type { Tilt } from './landing/tilt';
 export type { TipMargin } from './landing/tipMargin';
 export type { Touchdown } from './landing/touchdown';
-/** What keys are bound to, for hints that name them. */
+/** Actions of keys, for hints that name them. */
 export {
   type HintAction,
   ROTATION_ACTIONS,

@@ -1,6 +1,6 @@
 import type { ShipView } from '../prediction';
 
-/** What the one status slot can show (HUD, The design). 'none': no ship or no data yet. */
+/** Statuses of the one slot (HUD, The design). 'none': no ship or no data yet. */
 export type StatusId = 'none' | 'flight' | 'contact' | 'landed' | 'tipped' | 'crashed';
 
 /** Word, shape and colour together, so that none of them alone carries the meaning. */

@@ -3,7 +3,7 @@ import { CAMERA_VIEWS } from './camera/cameras';
 import type { Quality } from './quality';
 import type { SceneView } from './sceneView';
 
-/** Called with what a caller of the scene got wrong, once per code, and with what to do. */
+/** Called once per code with a caller's mistake and advice. */
 export type SceneWarn = (code: string, message: string) => void;
 
 /** Options of a scene view. */

@@ -50,7 +50,7 @@ export function createParts(canvas: HTMLCanvasElement, quality: Quality) {
     plumbLine: createPlumbLine(),
   };
   const { scene, sky, ground, light, rocks, hulls, jets, dust } = parts;
-  // These stay at the origin: their matrices, and those of what stays in them, are computed once.
+  // These stay at the origin: their matrices, and those of their fixed children, are computed once.
   const { overlays, markers } = parts;
   for (const fixed of [sky, ground, light, hulls, overlays, markers]) fixed.group.matrixAutoUpdate = false;
   jets.matrixAutoUpdate = false;

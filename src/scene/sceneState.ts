@@ -38,7 +38,7 @@ export interface SceneState {
   before: number;
 }
 
-/** The current frame: every step after `rebuildIfNeeded` (laying.ts) has one. */
+/** The current frame: set by `rebuildIfNeeded` (surroundings.ts) before any other step. */
 export const frameOf = (state: SceneState) => state.frame!;
 
 export function createState(parts: SceneParts): SceneState {

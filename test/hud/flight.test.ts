@@ -1,4 +1,4 @@
-/** The instruments of flying: what they print and draw for given numbers (HUD, The instruments of flying). */
+/** The flight instruments: texts and pictures for given numbers (HUD, Flight instruments). */
 import { expect, it } from 'vitest';
 import { createFlightHud, type FlightPanels } from '../../src/hud';
 import {

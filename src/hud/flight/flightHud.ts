@@ -9,7 +9,7 @@ import { createEngineLever } from './engineLever';
 import { createFuelPanel } from './fuelPanel';
 import { createModesPanel, type FlightKey } from './modesPanel';
 
-/** What the instruments of flying show. */
+/** The readouts that the flight instruments show. */
 export interface FlightPanels {
   readonly flight: FlightReadout;
   readonly aids: LandingAids;
@@ -25,7 +25,7 @@ export interface FlightHudOptions extends HudAppearance {
 }
 
 /**
- * The instruments of flying, appended to `host` (HUD, The instruments of flying): lever with the hover mark, fuel, attitude ball, modes
+ * Creates the flight instruments and appends them to `host` (HUD, Flight instruments): lever with the hover mark, fuel, attitude ball, modes
  * with their keys, and the landing aids.
  *
  * @example

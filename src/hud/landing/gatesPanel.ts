@@ -31,7 +31,7 @@ export function createGatesPanel(parent: Element): (gates: Gates) => void {
   };
 }
 
-/** A gate that is shown only on a slope, and says what missing it leads to: "38.9° of 38.7°: it slides". */
+/** A gate that is shown only on a slope, with the consequence of missing it: "38.9° of 38.7°: it slides". */
 function createSlopeGate(body: Element, label: string, miss: string): (shown: boolean, gate: Gate) => void {
   const paintGate = createGate(body, label, ANGLE, miss);
   const paintShown = showPart(body.lastElementChild as HTMLElement);

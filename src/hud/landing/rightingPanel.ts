@@ -44,7 +44,7 @@ const ACTION_WORDS: Readonly<Record<HintAction, string>> = {
   rateDamping: 'rate damping',
 };
 
-/** What to press, whether it suffices, and if not what else may help (HUD, Righting help). */
+/** The control to press, whether it suffices, and otherwise what may help (HUD, Righting help). */
 export function createRightingPanel(
   parent: Element,
   keyLabel: KeyLabel,

@@ -1,7 +1,7 @@
 import type { ShipView } from '../../prediction';
 import type { Surface } from '../surface';
 
-/** Members of the landing aids, which say what they are. */
+/** Members of LandingAids, where they are documented. */
 interface Corridor {
   burnSeconds: number;
   aimSpeed: number;
@@ -14,11 +14,11 @@ const TOUCH_SPEED = 1.2;
 /** Highest speed to aim at, m/s. */
 const MAX_SPEED = 30;
 const LAST_METRES = 2;
-/** Of what the engine brakes beyond gravity: the rest is left for who brakes late. */
+/** Share of the engine's braking beyond gravity; the rest is a reserve for braking late. */
 const BRAKING_SHARE = 0.5;
-/** m/s²: a body with next to no gravity is still to be reached. */
+/** m/s²: so that a ship still descends where there is next to no gravity. */
 const MIN_BRAKING = 0.3;
-/** Of that braking, on the way down: at a quarter of it the speed changes slowly enough to be followed by hand. */
+/** Share of that braking on the way down: slow enough to be followed by hand. */
 const FLOWN_SHARE = 0.25;
 /** Shares of the speed to aim at that bound the corridor. */
 const SLOWEST = 0.5;
@@ -26,9 +26,9 @@ const FASTEST = 1.35;
 /** m/s: close to the ground a share alone would be too narrow. */
 const SLACK = 0.5;
 
-/** Game s between a look at the display and what the hand makes of it. */
+/** Game s from a look at the display to the hand's reaction. */
 const LEAD = 1.5;
-/** Shares of the speed to aim at, and m/s, within which the throttle stays: narrower above, where the ground is hard. */
+/** Shares of the speed to aim at, and m/s, within which the throttle stays: narrower on the fast side, which ends in a hard touch. */
 const ADVISED = { slowest: 0.45, fastest: 1.1, slack: 0.3 };
 
 /** Stopping from v at full thrust takes v² / (2 a): the fall until then is solved for its time, upright and over level ground. */
@@ -69,13 +69,13 @@ export function measureCorridor(
         : 'hold';
 }
 
-/** With the engine off a ship falls by itself, if there is enough to fall by. */
+/** With the engine off a ship falls by itself, if gravity is strong enough. */
 function toDescend(throttle: number, gravity: number): 'less' | 'push' | 'hold' {
   if (throttle > 0) return 'less';
   return gravity < MIN_BRAKING ? 'push' : 'hold';
 }
 
-/** m/s down at `height` m that a quarter of a gentle braking slows to the speed of the touch. */
+/** The descent speed, m/s, that a quarter of gentle braking reduces to TOUCH_SPEED over `height` m. */
 function speedToAimAt(height: number, gravity: number, braking: number): number {
   const toBrake = Math.max(0, height - LAST_METRES);
   const gentle = Math.min(BRAKING_SHARE * braking, Math.max(gravity, MIN_BRAKING));

@@ -4,7 +4,7 @@ import { cross, toInertial, writeDot } from '../axes';
 import { createSurface, measureSurface, type Surface } from '../surface';
 import { viewOf } from '../arguments';
 
-/** The instruments of flying: engine, fuel, attitude control, heading. SI units, degrees where said; NaN where not known. */
+/** Flight instruments: engine, fuel, attitude control, heading. SI units, degrees where said; NaN where not known. */
 export interface FlightReadout {
   known: boolean;
   /** 0 … 1. */
@@ -64,7 +64,7 @@ export function createFlightReadout(): FlightReadout {
 }
 
 /**
- * What the instruments show now. Reuses `out` and returns it; allocates nothing. A ship that is gone has no numbers.
+ * Fills `out` with the instruments' present values and returns it; allocates nothing. A ship that is gone has no numbers.
  *
  * @example
  * ```ts
@@ -112,7 +112,7 @@ const east = new Float64Array(3);
 const north = new Float64Array(3);
 const product = new Float64Array(2);
 const DEGREES = 180 / Math.PI;
-/** Level part of the ship's y axis below which it points straight up or down, and its heading is round-off. */
+/** Level part of the ship's y axis below which it points straight up or down, and its heading is rounding error. */
 const MIN_LEVEL = 1e-3;
 
 /** @param spin of the body, ICRF: north is where its axis points */

@@ -14,28 +14,28 @@ import { createSurface, measureSurface, type Surface } from '../surface';
 import { viewOf } from '../arguments';
 import { writeGroundPlace, writePlaceNow } from './touchPlace';
 
-/** What helps to land: the touchdown that the law predicts, when to brake at the latest, how fast to come down. SI units. */
+/** Landing aids: the predicted touchdown, the latest time to brake, the descent speed to aim for. SI units. */
 export interface LandingAids {
   /** In flight, below the ceiling of the descent data. */
   shown: boolean;
-  /** The law run ahead under the controls held now: 'touch' once it has touched, 'none' if it does not within two minutes. */
+  /** Result of simulating ahead under the present controls: 'touch' once the ship has touched, 'none' if it does not within two minutes. */
   outcome: 'working' | 'touch' | 'none';
   /** Game s until that touch. */
   touchSeconds: number;
-  /** m/s at the touch, against the ground. */
+  /** m/s at the touch, relative to the ground. */
   touchVertical: number;
   touchHorizontal: number;
   /** Degrees. */
   touchTilt: number;
-  /** Relative to the body's centre, ICRF axes, over the ground as it is turned now, m. */
+  /** Relative to the body's centre, ICRF axes, at the ground's present rotation, m. */
   readonly touchPlace: Float64Array;
-  /** Game s until full thrust must begin to stop just above the ground; ≤ 0 is now, NaN while nothing falls. */
+  /** Game s until full thrust must begin to stop just above the ground; ≤ 0: now; NaN while the ship does not fall. */
   burnSeconds: number;
-  /** The approach corridor: speed down that leaves half of the engine in reserve, and how the ship keeps it. */
+  /** The approach corridor: the descent speed that leaves half of the engine in reserve, and how well the ship keeps it. */
   aimSpeed: number;
   corridor: 'slow' | 'good' | 'fast' | 'none';
   /**
-   * What the throttle should do, from the corridor a moment ahead: a pilot acts late, and would overshoot the one of now. 'push': the
+   * What the throttle should do, from the corridor a moment ahead: a pilot reacts late and would overshoot the present one. 'push': the
    * engine is off, there is next to no gravity, and thrusters must push the ship down.
    */
   advice: 'more' | 'hold' | 'less' | 'push' | 'none';
@@ -54,11 +54,11 @@ interface AidsMemory {
   readonly touched: Float64Array;
 }
 
-/** Game s the run goes ahead. */
+/** Game s simulated ahead. */
 const HORIZON = 120;
-/** Game s by which a touch may be later in the next run without being another one. */
+/** Game s by which the same touch may be later in the next run. */
 const SAME_TOUCH = 1;
-/** Some 80 µs a call. */
+/** About 80 µs per call. */
 const SUBSTEPS_A_CALL = 400;
 /** m AGL, as the descent data. */
 const CEILING = 50_000;

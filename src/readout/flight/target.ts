@@ -27,7 +27,7 @@ export interface Target {
 }
 
 const SCALES = [10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 50_000] as const;
-/** The target stays off the map's rim. */
+/** Keeps the target off the dial's rim. */
 const MARGIN = 1.1;
 
 /**

@@ -26,7 +26,7 @@ export function createDescent(): Descent {
 export function measureDescent(out: Descent, surface: Surface, ship: ShipView): void {
   out.shown = !(ship.feetHeight >= DESCENT_CEILING);
   if (ship.shownState === 'crashed') {
-    // What is left of it moves no more; the speeds of the impact are the touchdown's.
+    // A wreck does not move; the touchdown has the speeds of the impact.
     forgetDescent(out);
     return;
   }
@@ -58,7 +58,7 @@ export function forgetDescent(out: Descent): void {
 
 /**
  * Time until the law's contact (‖r‖ = surface_r) over level ground: clearance = v t + ½ a t², a the downward acceleration of
- * gravity, less what thrust and the speed along the curved ground hold against it, all as they are now.
+ * gravity, less thrust and the centrifugal effect of the speed along the curved ground, at their present values.
  */
 function measureTimeToImpact(out: Descent, surface: Surface, ship: ShipView): void {
   const falling = -surface.radialSpeed;

@@ -39,7 +39,7 @@ export function measureDrift(out: Drift, surface: Surface, attitude: Float64Arra
   rescale(out, surface);
 }
 
-/** Of 1 + n · up: upside down the shortest rotation has no axis, and what is divided by it must stay finite. */
+/** Of 1 + n · up: upside down the shortest rotation has no axis, and quotients must stay finite. */
 const MIN_SHARE = 1e-12;
 
 /** v turned by the shortest rotation n → up: v − 2 (v·half) up' in closed form for v ⟂ n. */

@@ -96,8 +96,8 @@ function readoutWith(ahead: LookAhead | null): LandingReadout {
 }
 
 /**
- * Updates what the pilot of `view.own` reads (HUD, The landing HUD). Depends on the view and on what `out` keeps of the views
- * before it, not on a clock. Reuses `out` and returns it; allocates only when a simulation ahead begins.
+ * Updates the readout of `view.own`'s pilot (HUD, The landing HUD). Depends on the view and on the memory in `out`, not on a
+ * clock. Reuses `out` and returns it; allocates only when a simulation ahead begins.
  *
  * @example
  * ```ts

@@ -2,7 +2,7 @@ import { createRightingMemory, followRighting, measureRighting, type RightingMem
 import { forgetRightingRun } from './rightingRun';
 import { createTippingMemory, forecastTipping, forgetTipping, type TippingMemory } from './tipping';
 
-/** What a landing readout simulates ahead, with the functions that do: a lean one has none and does not load them. */
+/** A landing readout's simulations ahead, and their functions: a lean one has none and does not load them. */
 export interface LookAhead {
   readonly tipping: TippingMemory;
   readonly righting: RightingMemory;

@@ -33,11 +33,11 @@ export interface Righting {
   /** Game s to hold, and kg until landed; NaN unless outcome is 'lands'. */
   holdSeconds: number;
   fuelNeeded: number;
-  /** Degrees of tilt from the ground: hold until the tilt is below it. Once worked out, as much above the point of no return as a hand is late. */
+  /** Degrees of tilt from the ground: hold until the tilt is below it. Once computed, it is above the point of no return by the turn in the hand's reaction time. */
   holdUntil: number;
   /** Rate damping is on already: releasing the keys suffices. */
   damped: boolean;
-  /** What else may help when the torque does not suffice. */
+  /** Other help when the torque does not suffice. */
   help: 'none' | 'translation' | 'lighter';
   /** For help 'translation': the thruster that takes the most weight off the feet. */
   helpAction: TranslationAction | '';
@@ -107,7 +107,7 @@ function writeHoldUntil(out: Righting, { run }: RightingMemory, surface: Surface
   out.holdUntil = toppleTilt(surface) + (earlier * 180) / Math.PI;
 }
 
-/** For a ship that was tipped and is in contact: whether it is being righted. What is shown stays until the keys are let go. */
+/** For a ship that was tipped and is in contact: whether it is being righted. The help stays until the keys are let go. */
 export function followRighting(
   out: Righting,
   memory: RightingMemory,

@@ -21,8 +21,8 @@ import type { Surface } from '../surface';
 /**
  * Simulates a tipped ship ahead, flown as the hint says: the righting keys held until it leans little enough, then rate damping alone until
  * it has landed. Without damping the swing that lifts a ship usually carries it over to its other side. A first run finds how fast the ship
- * passes its point of no return: a hand lets go later than the eye sees the angle, so the angle to let go at is as much larger. The second
- * run lets go there.
+ * passes its point of no return: the hand lets go after the eye has seen the angle, so the angle to let go at is larger by the turn in that
+ * time. The second run lets go there.
  */
 export interface RightingRun {
   readonly projection: Projection;
@@ -36,7 +36,7 @@ export interface RightingRun {
   holdSeconds: number;
   /** kg until it has landed; NaN unless it does. */
   fuelNeeded: number;
-  /** What the run was started for; a new one starts only where these differ. */
+  /** The run's initial values; a new one starts only where these differ. */
   startInputX: number;
   startInputY: number;
   /** kg */
@@ -47,9 +47,9 @@ export interface RightingRun {
 
 /** Game s; a ship that needs longer than this is not being righted. */
 const HORIZON = 60;
-/** Some 40 µs a call. */
+/** About 40 µs per call. */
 const SUBSTEPS_A_CALL = 200;
-/** By which a hand lets go after the angle is read: 0.2 game s. */
+/** Reaction time from reading the angle to letting go: 0.2 game s. */
 const HAND_SUBSTEPS = 20;
 const DAMPED: Controls = { ...NEUTRAL_CONTROLS, attitudeHold: true };
 /** Differences that would hardly show in the answer, kg and rad. */

@@ -14,7 +14,7 @@ export interface TippingMemory {
 
 /** Game s: a lander past the point of no return on the Moon takes 7 s to tip, on Phobos minutes; later does not matter. */
 const HORIZON = 30;
-/** Some 40 µs: a fleet's substep costs about 0.2 µs a ship. */
+/** About 40 µs: a fleet's substep costs about 0.2 µs per ship. */
 const SUBSTEPS_A_CALL = 200;
 
 export function createTippingMemory(): TippingMemory {

@@ -14,7 +14,7 @@ export interface ViewClock {
   readonly position: Float64Array;
 }
 
-/** m: what a correction may move a ship; more is a respawn. */
+/** m: largest move by a correction; more is a respawn. */
 const MAX_CORRECTION = 100;
 
 export function createViewClock(): ViewClock {

@@ -64,7 +64,7 @@ const PAD_BELOW = 0.18;
 /** m of the feet over the pad: from the upper one down the view sinks, and from the lower one on the ship is seen from the side. */
 const PAD_HIGH = 18;
 const PAD_LOW = 4;
-/** m: closer to the pad's centre the direction to it says nothing. */
+/** m: closer to the pad's centre the direction to it is meaningless. */
 const OVER_PAD = 2;
 /** rad: smaller turns wait, so that the picture does not swim. */
 const PAD_STEP = 0.02;

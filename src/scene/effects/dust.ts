@@ -58,8 +58,8 @@ void main() {
   vec2 off = gl_PointCoord * 2.0 - 1.0;
   float round = 1.0 - dot(off, off);
   if (round <= 0.0) discard;
-  // A puff and no disc: ragged by the ground's own texture, lit from the sun's side of the picture.
-  // Of its blurred levels: on a puff as large as the picture the finest grain would show as squares.
+  // A puff, not a disc: its edge follows the ground's texture, and it is lit from the sun's side of
+  // the picture. From the texture's blurred levels: on a puff as large as the picture the finest grain would show as squares.
   float lump = texture2D(detail, vPatch + gl_PointCoord * grit, 3.0).b;
   float thick = round * round * smoothstep(0.2, 0.75, lump);
   vec3 toSun = (viewMatrix * vec4(sunDirection, 0.0)).xyz;

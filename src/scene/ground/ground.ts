@@ -35,7 +35,7 @@ export interface Ground {
   rebuild(frame: LocalFrame, terrainHeight: TerrainHeight): void;
   /** Follows a local point: a few levels a call move, coarsest first. */
   follow(x: number, z: number, levelsAtOnce: number): void;
-  /** Places the meshes relative to the eye (local, m) and leaves out what it cannot see. */
+  /** Places the meshes relative to the eye (local, m) and leaves out those that it cannot see. */
   place(eye: Float64Array, cone: ViewCone): void;
   /** Local y below which a point over (x, z) is in the terrain's own shadow, m. */
   readonly shadowY: (x: number, z: number) => number;
@@ -163,7 +163,7 @@ function upload(geometry: BufferGeometry): void {
   for (const name of ['position', 'normal', 'sunlit']) geometry.getAttribute(name).needsUpdate = true;
 }
 
-/** Leaves out what the finer level covers, if that has changed. */
+/** Leaves out the area that the finer level covers, if that has changed. */
 function cutHole(ring: Ring, finer: Ring | null): void {
   const { level } = ring;
   const key =

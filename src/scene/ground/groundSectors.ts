@@ -2,7 +2,7 @@ import { CELLS, type TerrainLevel, VERTICES } from './terrainLevel';
 import type { ViewCone } from '../camera/viewCone';
 
 /**
- * A level's triangles ordered by sectors around its centre, so that one draw leaves out what is behind the eye. They are
+ * A level's triangles ordered by sectors around its centre, so that one draw leaves out those behind the eye. They are
  * there twice in a row: any run of neighbouring sectors, across the last too, is one range.
  */
 export interface GroundSectors {

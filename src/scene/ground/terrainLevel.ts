@@ -27,7 +27,7 @@ export interface TerrainLevel {
   spare: Float64Array;
   /** Height of the terrain's own shadow over each point's column, m, local y. */
   readonly shade: Float64Array;
-  /** What is drawn: VERTICES² relative to `origin`. */
+  /** The drawn points: VERTICES² relative to `origin`. */
   readonly origin: Float64Array;
   readonly positions: Float32Array;
   readonly normals: Float32Array;
@@ -140,7 +140,7 @@ export function groundPoint(out: Float64Array, at: number, x: number, z: number,
   out[at + 2] = lz * r;
 }
 
-/** Sweeps each row away from the sun; at the sunward edge the coarser level supplies the shadow of what is beyond. */
+/** Sweeps each row away from the sun; at the sunward edge the coarser level supplies the shadow of the ground beyond. */
 export function shadeLevel(level: TerrainLevel, coarser: TerrainLevel | null, frame: LocalFrame): void {
   const { points, shade } = level;
   const drop = level.spacing * frame.sunSlope;

@@ -54,7 +54,7 @@ export function placeOverlays(out: Places, scene: OverlayScene): void {
   rotate(point, turn.matrix, ship.position);
   out.up.set(point[0]!, point[1]!, point[2]).normalize();
   out.weight.copy(out.up).multiplyScalar(-gravity);
-  // At rest the ground carries what the thrust does not; a bounce's peak is not known to the view.
+  // At rest the ground carries the weight that the thrust does not; the view does not know a bounce's peak.
   const carried = ship.surfaceContactState === '' ? 0 : Math.max(0, gravity - out.thrust.dot(out.up));
   out.support.copy(out.up).multiplyScalar(carried);
 }

@@ -51,7 +51,7 @@ export function createShipMaterial(): ShipMaterial {
         .replace('#include <metalnessmap_fragment>', 'float metalnessFactor = vSurface.y;')
         .replace(
           '#include <emissivemap_fragment>',
-          // What a metal mirrors, from two colours: ground below, sky above.
+          // Reflections of a metal, from two colours: ground below, sky above.
           `totalEmissiveRadiance = diffuseColor.rgb * vSurface.z;
           vec3 mirrored = inverseTransformDirection(reflect(-normalize(vViewPosition), normal), viewMatrix);
           totalEmissiveRadiance += diffuseColor.rgb * vSurface.y * (1.0 - 0.6 * vSurface.x)

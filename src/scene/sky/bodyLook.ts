@@ -2,7 +2,7 @@ import type { SunPlace } from '../localFrame';
 
 /** The look of a body's ground and sky. Colours are linear RGB, 0 … 1. */
 export interface BodyLook {
-  /** Dust between stones, what covers it in patches some hundred metres wide, and the stones. */
+  /** Dust between stones, its patches some hundred metres wide, and the stones. */
   readonly dust: readonly [number, number, number];
   readonly cover: readonly [number, number, number];
   readonly stone: readonly [number, number, number];

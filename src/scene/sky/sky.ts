@@ -48,7 +48,7 @@ void main() {
     float cloud = smoothstep(0.38, 0.66, cover) * smoothstep(0.0, 0.16, way.y) * clouds * air;
     colour = mix(colour, cloudColour * (0.82 + 0.5 * pow(max(toSun, 0.0), 6.0)), cloud);
   }
-  // The disc is drawn wider than the sun's half degree: what a lens makes of it.
+  // The disc is drawn wider than the sun's half degree, as a lens shows it.
   float disc = smoothstep(0.99988, 0.99995, toSun);
   colour += sunColour * (6.0 * disc + 0.5 * pow(max(toSun, 0.0), 2600.0) + 0.06 * pow(max(toSun, 0.0), 260.0));
 

@@ -9,8 +9,8 @@ export interface Sunlight {
   readonly direction: Vector3;
   paint(look: BodyLook, frame: LocalFrame): void;
   /**
-   * How much of the sun reaches the watched ship, 0 … 1. Gives how far the camera is open, 1 in the sun, `seconds` after the call
-   * before: it opens as an eye adapts to the dark.
+   * Sets the share of the sun that reaches the watched ship, 0 … 1. Returns the camera's exposure, 1 in the sun, `seconds` after
+   * the previous call: it adapts like an eye to the dark.
    */
   shade(share: number, seconds: number): number;
   /** Centres the shadow map on a local point, `reach` m to each side; `depth` m down-sun to the ground. */
@@ -19,7 +19,7 @@ export interface Sunlight {
 }
 
 const MAP = 1024;
-/** How much more than in the sun the camera opens for a ship in the dark, and how fast, 1/s. */
+/** Additional exposure for a ship in the dark, and how fast it adapts, 1/s. */
 const OPENS = 1.7;
 const ADAPTS = 1.5;
 

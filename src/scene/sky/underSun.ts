@@ -11,7 +11,7 @@ export interface SceneLook extends BodyLook {
 export const NIGHT_ELEVATION = -14;
 /** A sun at the horizon would throw shadows without end, degrees. */
 const LOWEST_SUN = 2;
-/** Of the day's sun. The real ratios are 1 : 10,000 and less; the camera is open as wide as the eye after a while in the dark. */
+/** Of the day's sun. The real ratios are 1 : 10,000 and less; the exposure is that of an eye adapted to the dark. */
 const NIGHT_STRENGTH = 0.22;
 const NIGHT_FILL = 0.4;
 const NIGHT_AIR = 0.018;

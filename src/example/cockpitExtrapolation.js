@@ -31,7 +31,7 @@ export function createCockpitExtrapolation({ address, token, shipId, onStatus })
     },
   );
 
-  /** Once a display frame: own controls in, what the server has to know out, the world at the present back. */
+  /** Once per display frame: takes own controls, sends changes to the server, returns the world at the present. */
   function frame(controls) {
     const now = seconds();
     predictor.advance(controls, now);

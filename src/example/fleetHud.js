@@ -1,7 +1,7 @@
 import { createFleetReadout, updateFleetReadout } from 'galaxy-touchdown';
 import { createFleetHud } from 'galaxy-touchdown/hud';
 
-/** The fleet HUD in `host`; call what it returns with each frame's view. */
+/** Creates the fleet HUD in `host`; call the returned function with each frame's view. */
 export function createFleet(host) {
   const readout = createFleetReadout();
   const hud = createFleetHud(document, host);

@@ -166,7 +166,7 @@ function handle(link: Link, message: GameMessage): void {
   }
 }
 
-/** The first one of a connection, or a later one with what changed, such as another ship. */
+/** The first welcome of a connection, or a later one with changes, such as another ship. */
 function handleWelcome(
   { driver, handlers, unconfirmed }: Link,
   about: Readonly<Record<string, unknown>>,

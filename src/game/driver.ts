@@ -150,7 +150,7 @@ function schedule(options: DriverOptions, held: Held): void {
     due === Infinity ? null : timer(clock, wait, () => dispatch(options, held, { kind: 'time' }));
 }
 
-/** A timer; returns what cancels it. The constructor sets the first one, and opens the first socket: it names a wrong clock or opener. */
+/** Sets a timer; returns its cancel function. The constructor sets the first one and opens the first socket, so it detects a wrong clock or opener. */
 function timer({ after }: GameClock, wait: number, act: () => void): () => void {
   const cancel: unknown = after(wait, act);
   if (typeof cancel === 'function') return cancel as () => void;

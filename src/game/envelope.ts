@@ -3,7 +3,7 @@ import { encodeControlsJson } from '../wire';
 
 /** The content of a message of the game's server, whatever its envelope. The parts are unchecked. */
 export type GameMessage =
-  /** The player is signed in; `about`: what the welcome says of player, ship and world. */
+  /** The player is signed in; `about`: the welcome's data about player, ship and world. */
   | { readonly kind: 'welcome'; readonly about: unknown }
   /** `frame`: the object that holds tick and ships. */
   | { readonly kind: 'state'; readonly frame: unknown }

@@ -1,4 +1,4 @@
-/** The game's WebSocket: connect, authenticate, read its JSON, send controls. GAME.md describes what the game publishes. */
+/** The game's WebSocket: connect, authenticate, read its JSON, send controls. GAME.md describes the published protocol. */
 
 /** The connection itself. */
 export { createGameConnection, type GameConnection } from './connection';

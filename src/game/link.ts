@@ -22,7 +22,7 @@ export interface LinkState {
   /** A state is expected before this. */
   readonly stateBy: number;
   readonly retryAt: number;
-  /** In 'waiting' and 'refused': what ended the attempt. */
+  /** In 'waiting' and 'refused': how the attempt ended. */
   readonly ended: Ending | null;
 }
 
@@ -81,7 +81,7 @@ const NOTHING_DUE = {
  * @example
  * ```ts
  * const { state, effects } = beginLink(now);
- * console.log(state.phase, effects); // 'connecting', what the caller does now
+ * console.log(state.phase, effects); // 'connecting', the caller's next actions
  * ```
  */
 export function beginLink(now: number): Step {

@@ -8,7 +8,7 @@ export interface UnconfirmedControls {
   readonly welcomed: (shipId: string) => void;
   /** A ping is being sent. */
   readonly pinged: () => void;
-  /** A ping was answered: messages arrive in order, so what was sent before that ping has arrived. */
+  /** A ping was answered: messages arrive in order, so everything sent before that ping has arrived. */
   readonly ponged: () => void;
   /** The message to send again on a new connection, or null. */
   readonly text: () => string | null;

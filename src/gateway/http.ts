@@ -2,7 +2,7 @@ import type { IncomingMessage, ServerResponse } from 'node:http';
 import type { Accounts } from './accounts';
 import { type Bucket, consume, createBucket } from './clients/limits';
 
-/** What the HTTP handler needs of the gateway. */
+/** The parts of the gateway that the HTTP handler uses. */
 export interface HttpContext {
   readonly accounts: Accounts;
   readonly isAllowedOrigin: (origin: string | undefined) => boolean;

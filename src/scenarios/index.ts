@@ -50,7 +50,7 @@ export {
 export { createLoopbackLink, type LoopbackLink, type LoopbackCounters } from './network/loopbackLink';
 /** Other players' ships around a scenario. */
 export { fleetOrders } from './fleet';
-/** What a client received, sent and simulated, as JSON lines; and how a recorded server compares with the dynamics. */
+/** Recordings of a client as JSON lines, and comparison of a recorded server with the dynamics. */
 export {
   createRecordingWriter,
   readRecording,

@@ -26,7 +26,7 @@ export interface ScheduledInput {
 /** The controls that come into force at a substep, or null. Asked once for each substep, in order. */
 export type Schedule = (tick: number, substep: number) => Controls | null;
 
-/** How a tick is run, and what sees it. */
+/** How a tick is run, and its callbacks. */
 export interface TickRun {
   readonly timing: Timing;
   readonly schedule: Schedule;

@@ -3,7 +3,7 @@ import { createDriver } from '../../src/game';
 import type { GameSocket } from '../../src/game/socket';
 import { createVirtualClock } from './virtualClock';
 
-/** A driver on a clock that stands, whose socket has opened, and all that it sent. */
+/** A driver on a stopped clock with an open socket, and everything that it sent. */
 function openedDriver() {
   const sent: unknown[] = [];
   const socket: GameSocket = {

@@ -27,7 +27,7 @@ export let heard: unknown[] = [];
 let connection: GameConnection | null = null;
 let waiting: (() => void)[] = [];
 
-/** Something was heard, told or closed: who waits looks again. */
+/** A message was received or sent, or the socket closed: waiting tests check again. */
 function notice(): void {
   for (const check of waiting) check();
 }

@@ -1,4 +1,4 @@
-/** What the gateway answers beside its sockets. */
+/** The gateway's HTTP answers. */
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { expect, it, onTestFinished } from 'vitest';
@@ -13,7 +13,7 @@ const accounts: Accounts = {
   renew: () => Promise.resolve(''),
 };
 
-/** A server whose clock stands until it is set. */
+/** A server whose clock is set by the test. */
 async function serve() {
   const clock = { now: 100 };
   const server = createServer(

@@ -1,4 +1,4 @@
-/** What the synthesised sounds do at each moment of a flight, in an audio context that writes down what it is told. */
+/** The synthesised sounds at each moment of a flight, in an audio context that records its calls. */
 import { expect, it, vi } from 'vitest';
 import { createSound } from '../../src/playground/sound/sound';
 import {
@@ -25,7 +25,7 @@ interface Noted {
   readonly stop: (at: number) => void;
 }
 
-/** A window whose audio notes its nodes and what becomes of their parameters. */
+/** A window whose audio records its nodes and the changes of their parameters. */
 function createAudio() {
   const told: string[] = [];
   const param = (name: string) => ({
@@ -74,7 +74,7 @@ function createAudio() {
 const PUSHING = { ...NEUTRAL_CONTROLS, translationInput: [0, 0, 0.1] as const };
 const TURNING = { ...NEUTRAL_CONTROLS, rotationInput: [0, -1, 0] as const };
 
-/** Sound switched on, and what a frame tells it. */
+/** Sound switched on, and a function that passes it a frame. */
 function createOn() {
   const audio = createAudio();
   const sound = createSound(audio.window);

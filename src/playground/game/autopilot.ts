@@ -39,7 +39,7 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
     isOn: () => isOn,
     reason: () => reason,
     set(on) {
-      // Off already: it gave back by itself, and its reason stands.
+      // Already off: it disengaged by itself, and its reason stays.
       if (on !== isOn) reason = '';
       isOn = on;
       begin();

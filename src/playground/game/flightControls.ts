@@ -22,7 +22,7 @@ export interface FlightControls {
   /** While true, presses are ignored: the game is paused. */
   readonly setPaused: (paused: boolean) => void;
   readonly isPaused: () => boolean;
-  /** A stick was moved: the pilot takes over, in the axes of the moment. */
+  /** A stick was moved: the pilot takes over, in the present axes. */
   readonly takeOver: () => void;
   readonly press: (action: Action) => void;
   readonly release: (action: Action) => void;
@@ -41,7 +41,7 @@ interface FlightControlsState {
   readonly view: () => WorldView;
   isPaused: boolean;
   screen: (() => Float64Array | null) | null;
-  /** What the autopilot commands, until the pilot has taken over from it; the view's controls are those of a moment ago. */
+  /** The autopilot's commands until the pilot takes over; the view's controls are a moment old. */
   commanded: Controls | null;
 }
 
@@ -110,7 +110,7 @@ function currentControls({ view }: FlightControlsState): Controls {
   return view().own?.controls ?? NEUTRAL_CONTROLS;
 }
 
-/** The pilot flies from here on, in the axes of the moment. */
+/** The pilot flies from here on, in the present axes. */
 function takeStick(state: FlightControlsState): void {
   if (state.autopilot.isOn()) takeOverFromAutopilot(state);
   alignSteering(state);

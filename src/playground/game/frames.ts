@@ -81,7 +81,7 @@ function updateScene(sceneView: SceneView, { game, cockpit }: Parts): void {
   sceneView.markers.touch = marksTouch ? cockpit.aids.touchPlace : null;
 }
 
-/** Says why the autopilot gave back by itself, until it is taken again. */
+/** Shows why the autopilot disengaged, until it is switched on again. */
 function createAutopilotEnd(notice: Notice): (reason: string) => void {
   let shown = '';
   const textOf = (reason: string) => `Autopilot off: ${reason}.`;

@@ -107,7 +107,7 @@ function takeFrame(state: LiveState, now: number): WorldView {
   return state.view;
 }
 
-/** The pilot's controls; null until the pilot touches anything: a scenario's plan flies, or another server's ship as it does. */
+/** The pilot's controls; null until the pilot touches anything: a scenario's plan flies, or the server's own controls apply. */
 function fly(state: LiveState, now: number): Controls | null {
   const seconds = Number.isNaN(state.sampledAt) ? 0 : now - state.sampledAt;
   state.sampledAt = now;

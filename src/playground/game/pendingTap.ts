@@ -3,7 +3,7 @@ import type { PendingMessage, ServerMessage, WorldEvent } from '../../wire';
 /** Events of superseded frames that are kept for the recording, as many as the predictor keeps. */
 const MAX_EVENTS = 1000;
 
-/** Wraps pending messages so that what the predictor decodes is also recorded, hashed and drawn from. */
+/** Wraps pending messages so that those which the predictor decodes are also recorded, hashed and drawn from. */
 export interface PendingTap {
   /** `took` a decoded message; `passed` over a superseded frame. */
   readonly wrap: (

@@ -82,7 +82,7 @@ export function createGamepads(
       isConnected = false;
       return false;
     }
-    // Sticks first: what a button sets is not moved on by a trigger that is up again. At rest the pad leaves thumb sticks alone.
+    // Sticks first, so that a released trigger does not change the value that a button sets. At rest the pad leaves thumb sticks alone.
     const isActive = isDeflected(pad);
     if (isActive || wasActive) readPad(deflection(), pad);
     wasActive = isActive;

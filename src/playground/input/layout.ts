@@ -84,13 +84,13 @@ interface KeyboardWithLayout {
 /** The layout as far as the browser reports it, completed by pressed keys. */
 export interface LayoutSource {
   readonly layout: () => Layout;
-  /** A key went down without modifiers: it shows what is printed on it. */
+  /** A key went down without modifiers: this reveals its printed character. */
   readonly learn: (code: string, key: string) => void;
 }
 
 /** @param changed called when a key turns out to print another character */
 export function createLayout(navigator: Navigator, changed: () => void): LayoutSource {
-  // Replaced and never changed: what is derived from a layout is kept for as long as it is the same one.
+  // Replaced and never changed: data derived from a layout is cached while it is the same object.
   let known: Layout = new Map();
   const keyboard = (navigator as Navigator & KeyboardWithLayout).keyboard;
   keyboard?.getLayoutMap?.().then(

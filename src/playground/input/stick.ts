@@ -5,7 +5,7 @@ import { type SteeringAxes, createSteeringAxes, pushInput, turnInput } from './s
 
 /** Throttle per tap. */
 const STEP = 0.005;
-/** Throttle a second of holding its key: fine at first, a tap's hover needs it, then fast. */
+/** Throttle per second of holding its key: slow at first, for hovering, then fast. */
 const FINE_RATE = 0.06;
 const FAST_RATE = 0.6;
 /** Seconds of holding after which the lever moves fast. */

@@ -11,7 +11,7 @@ export interface ThumbListeners {
 }
 
 export interface Thumbs {
-  /** Throttle, 0 … 1, and what hovers, 0 … 1 or NaN. */
+  /** Throttle, 0 … 1, and the one that hovers, 0 … 1 or NaN. */
   readonly show: (throttle: number, hover: number) => void;
 }
 

@@ -28,7 +28,7 @@ export function appendDetails(parent: Element, title: string, open: boolean): HT
   return details;
 }
 
-/** Where the licences of what the page bundles are. */
+/** A link to the licences of the bundled libraries. */
 export function appendLicences(parent: Element): void {
   const link = append(parent, 'a', '', 'Licences of the bundled libraries');
   link.href = './notices.txt';
@@ -38,7 +38,7 @@ export function appendLicences(parent: Element): void {
 
 let fields = 0;
 
-/** A label and its control side by side; `complain` says below what is wrong with it, '' when nothing is. */
+/** A label and its control side by side; `complain` shows a fault below it, '' for none. */
 export function appendField<Control extends HTMLInputElement | HTMLSelectElement>(
   parent: Element,
   title: string,

@@ -1,6 +1,6 @@
 import { append } from './elements';
 
-/** The goal over the picture, and how to fly with what the pilot uses. */
+/** The goal over the picture, and how to fly with the pilot's device. */
 export interface GoalPanel {
   readonly show: (title: string, goal: string) => void;
   /** Pieces of text; those in braces are keys. */

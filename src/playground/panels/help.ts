@@ -72,7 +72,7 @@ export function createHelp(
 const INTRODUCTION =
   'Press a key’s button, then the new key. Flight keys go by their position on the keyboard, the others by letter. With the picture focused, arrows turn the view, + and − zoom, Home resets it.';
 
-/** The keys by group; a key's button waits for the new key. Returns what shows the present ones. */
+/** The keys by group; a key's button waits for the new key. Returns a function that shows the present keys. */
 function appendKeys(dialog: HTMLDialogElement, context: HelpContext): () => void {
   const status = append(dialog, 'p');
   status.setAttribute('role', 'status');

@@ -23,7 +23,7 @@ export interface Panel {
   readonly showRun: (text: string) => void;
 }
 
-/** Disables what does not apply to a real server. */
+/** Buttons that are disabled with a real server. */
 const BUILT_IN_ONLY: readonly PanelAction[] = [
   'restart',
   'pause',

@@ -13,7 +13,7 @@ export interface Fed {
   controls: Controls | null;
 }
 
-/** Wall seconds between two keyframes: feeding them again is what a step back costs. */
+/** Wall seconds between two keyframes: the cost of a step back is to feed them again. */
 const INTERVAL = 2;
 /** Bytes that all keyframes take at most, and one ship's share of a keyframe. */
 const MAX_BYTES = 200e6;
@@ -44,7 +44,7 @@ export function createKeyframes({ entries, header }: Recording): Keyframes {
     const isDrawn = entries[scout.next]!.kind === 'advanced';
     feed(scout, entries);
     if (!isDrawn || scout.shownAt - kept.at(-1)!.shownAt < interval) return;
-    // Goes on with the copy: what reads ahead is compiled for the records that a step back begins with.
+    // Continues with the copy: the code that reads ahead is then compiled for the same records as a step back.
     kept.push(scout);
     scout = copyFed(scout);
   };

@@ -8,24 +8,24 @@ const MAX_BYTES = 14_000_000;
 const ENTRY_BYTES = 60;
 const CONTROLS_BYTES = 250;
 const SHIP_BYTES = 1000;
-/** Of a packed frame, beside its own: the array and what holds it. */
+/** Bytes of a packed frame beside its contents: the array and its record. */
 const PACKED_BYTES = 200;
 
-/** Of the bound: what is left when the oldest goes, so that it goes seldom. */
+/** Share of the bound that remains after dropping the oldest entries, so that drops are rare. */
 const LEFT = 0.9;
 
-/** Keeps what goes through the predictor, bounded in bytes: the oldest gives way to the newest. */
+/** Records the predictor's input, bounded in bytes: the oldest entries are dropped first. */
 export interface Recorder {
   readonly take: (entry: RecordingEntry) => void;
-  /** A new world, and what its own ship does by itself. */
+  /** A new world, and its own ship's scheduled inputs. */
   readonly begin: (plan: readonly ScheduledInput[]) => void;
   readonly seconds: () => number;
-  /** It no longer begins with its world. */
+  /** Entries were dropped: the recording no longer begins with its world. */
   readonly hasDropped: () => boolean;
   readonly recording: (note: string) => Recording;
 }
 
-/** A whole frame as the protocol's bytes: a fifth of what its records take. */
+/** A whole frame as the protocol's bytes: a fifth of the size of its records. */
 interface PackedFrame {
   readonly kind: 'packed';
   readonly at: number;
@@ -41,7 +41,7 @@ export function createRecorder(): Recorder {
   let plan: readonly ScheduledInput[] = [];
   let bytes = 0;
   let controls: Controls | null | undefined;
-  /** The last of those dropped: without it the frames after it cannot be read. */
+  /** The last hello dropped: the frames after it cannot be read without it. */
   let hello: (RecordingEntry & { kind: 'received' }) | null = null;
   let dropped = 0;
 
@@ -51,7 +51,7 @@ export function createRecorder(): Recorder {
     bytes += weight;
     if (bytes > MAX_BYTES) dropOldest();
   };
-  /** What is left begins with a frame: a replay has a picture from its first moment. */
+  /** The rest begins with a frame, so that a replay has a picture from its first moment. */
   const dropOldest = () => {
     let count = 0;
     while (count < entries.length - 1 && (bytes > LEFT * MAX_BYTES || entries[count]!.kind !== 'packed')) {
@@ -63,7 +63,7 @@ export function createRecorder(): Recorder {
     weights = weights.slice(count);
     dropped += count;
   };
-  /** Controls are held for many frames: those of one hold are kept once. */
+  /** Controls are held for many frames: equal ones share one record. */
   const takeControls = (entry: RecordingEntry & { kind: 'advanced' }) => {
     const isHeld = controls !== undefined && areSame(controls, entry.controls);
     if (!isHeld) controls = entry.controls;
@@ -107,7 +107,7 @@ function withHello(
   return hello === null || entries.length === 0 ? entries : [{ ...hello, at: entries[0]!.at }, ...entries];
 }
 
-/** Only a frame with all its fields comes back from bytes as it was. */
+/** Only a frame with all its fields is restored exactly from bytes. */
 function isWhole(frame: PartialFrame): frame is ServerFrame {
   const { tickRate, timeScale, paused, bodies, events, lastInput } = frame;
   return [tickRate, timeScale, paused, bodies, events, lastInput].every((field) => field !== undefined);

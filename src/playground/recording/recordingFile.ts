@@ -24,7 +24,7 @@ export async function writeSlowly(recording: Recording, progress: (share: number
   return new Blob(parts, { type: 'application/jsonl' });
 }
 
-/** What to save a recording as: its scenario and the time, so that two files differ. */
+/** A recording's file name: its scenario and the time, so that two files differ. */
 export function fileName({ header }: Recording, now: Date): string {
   const scenario = new URLSearchParams(header.note).get('scenario') ?? DEFAULT_CHOICES.scenario;
   const stamp = now.toISOString().slice(0, 19).replaceAll(/[:T]/g, '-');

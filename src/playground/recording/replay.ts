@@ -32,7 +32,7 @@ export interface Divergence {
   readonly words: string;
 }
 
-/** Wall seconds: what lies further ahead than a frame of playing is found from its keyframe. */
+/** Wall seconds: a longer move ahead than a frame of playing starts from a keyframe. */
 const JUMP = 1;
 
 export function createReplay(recording: Recording): Replay {
@@ -93,7 +93,7 @@ export function createReplay(recording: Recording): Replay {
   };
 }
 
-/** A step's first try is off by what the clock was steered in between, a share of a per cent. */
+/** A step's first try is off by the clock's steering in between, a fraction of a per cent. */
 const MAX_TRIES = 2;
 /** s of wall time that are not visible. */
 const CLOSE = 1e-5;
@@ -139,7 +139,7 @@ function secondsTo(view: WorldView, unit: StepUnit, direction: -1 | 0 | 1): numb
   return paused ? direction / tickRate : wall / (diagnosis.clockRate || 1);
 }
 
-/** Of a span: nearer is on the boundary. */
+/** Share of a span within which a position counts as on the boundary. */
 const ON_BOUNDARY = 0.02;
 
 /** The first tick at which the recorded server left the dynamics. */

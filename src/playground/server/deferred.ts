@@ -1,6 +1,6 @@
 import type { Connection } from './connection';
 
-/** A connection whose code is fetched first. What is sent before it stands is dropped, as while one is closed. */
+/** A connection whose code is fetched first. Messages sent before it is open are dropped, as with a closed one. */
 export function deferConnection(loading: Promise<Connection>, failed: () => void): Connection {
   let inner: Connection | null = null;
   let isDisposed = false;

@@ -52,7 +52,7 @@ export interface LoadOperation {
   readonly network: NetworkNumbers;
   /** Of the messages to the server, where they differ. */
   readonly upNetwork?: NetworkNumbers;
-  /** What the own ship does by itself, instead of the scenario's own inputs. */
+  /** Scheduled inputs of the own ship, in place of the scenario's. */
   readonly plan?: readonly ScheduledInput[];
   /** A whole number ≥ 0. */
   readonly seed: number;

@@ -16,9 +16,9 @@ export interface Session {
   readonly run: (now: number) => Delivery[];
   /** When something happens next, wall seconds; Infinity when nothing will. */
   readonly nextAt: () => number;
-  /** What the pilot's inputs did to the own ship since the load, at the substeps where they acted. */
+  /** The pilot's inputs since the load, at the substeps where they acted. */
   readonly applied: () => readonly RunInput[];
-  /** Another player comes to fly beside the own ship; the reason why not, or null. */
+  /** Another player joins beside the own ship; returns the reason why it cannot, or null. */
   readonly join: (playerId: string, name: string, now: number) => string | null;
   readonly leave: (playerId: string) => void;
   readonly sendFrom: (playerId: string, bytes: Uint8Array, now: number) => void;

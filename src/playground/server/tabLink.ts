@@ -26,13 +26,13 @@ export function openChannel(address: string): TabChannel {
   return new BroadcastChannel(`touchdown ${address}`) as unknown as TabChannel;
 }
 
-/** What a host allows its guests. */
+/** The host's calls for its guests. */
 export interface GuestDoor {
-  /** A guest comes, or comes again; the reason why not, or null. */
+  /** A guest joins or rejoins; returns the reason why it cannot, or null. */
   readonly join: (guest: string, name: string) => string | null;
   readonly leave: (guest: string) => void;
   readonly send: (guest: string, bytes: Uint8Array) => void;
-  /** What the present world is. */
+  /** The present world. */
   readonly world: () => { readonly scenario: string; readonly terrain: string };
 }
 
@@ -142,7 +142,7 @@ export function openTab(
     isIn = false;
     channel.postMessage({ kind: 'leave', from: guest });
   };
-  // A tab that is closed takes its ship along; one that comes back knocks again.
+  // Closing a tab removes its ship; a tab that returns knocks again.
   const { window } = globalThis as { readonly window?: Window };
   window?.addEventListener('pagehide', leave);
   knock();

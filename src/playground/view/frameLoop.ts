@@ -10,7 +10,7 @@ export interface FrameContext {
   readonly look: (milliseconds: number) => { readonly view: WorldView; readonly now: number };
   /** Shows everything but the picture; `isFast`: the frame before was less than SLOW_FRAME ago. */
   readonly paint: (view: WorldView, now: number, isFast: boolean) => void;
-  /** The view as the picture has it, with what else flies in it. */
+  /** The view for the picture, including a ghost ship. */
   readonly dress: (view: WorldView) => WorldView;
   /** The first picture is drawn. */
   readonly opened: () => void;

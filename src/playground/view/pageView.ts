@@ -5,7 +5,7 @@ import type { RecordingListeners, RecordingPanel } from '../recording/recordingP
 import { createReplayDeck, type ReplayDeck } from '../recording/replayDeck';
 import type * as Replaying from '../recording/replaying';
 
-/** Recording and replaying: what the page shows instead of the game while a recording plays. */
+/** Recording and replaying: the page's view in place of the game while a recording plays. */
 export interface PageView {
   readonly recorder: Recorder;
   readonly listeners: RecordingListeners;

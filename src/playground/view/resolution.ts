@@ -4,7 +4,7 @@ const FAST = 50;
 /** Wall seconds between two frames that mean that the tab was hidden. */
 const HIDDEN = 4;
 const LEVELS = [1, 0.8, 0.62, 0.5] as const;
-/** A coarser picture that is not so many times as fast is not worth it: the machine is held up by something else. */
+/** A coarser picture must be at least this many times as fast; otherwise the picture is not the bottleneck. */
 const WORTH = 1.15;
 /** Frames that a measurement takes at least; the one that follows a change is not counted: buffers are made anew in it. */
 const FRAMES = 6;

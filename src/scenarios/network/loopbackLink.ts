@@ -24,7 +24,7 @@ export interface LoopbackLink {
   readonly run: (now: number) => void;
   /** When the next arrival, at either end, or tick is due. */
   readonly nextAt: () => number;
-  /** A frozen server neither ticks, sends nor answers. It reads what arrived meanwhile when it resumes. */
+  /** A frozen server neither ticks, sends nor answers. On resuming it reads the messages that arrived meanwhile. */
   readonly setFrozen: (frozen: boolean, now: number) => void;
   /** While paused: runs one tick or one substep, and sends the frames before and after it. */
   readonly step: (unit: 'substep' | 'tick', now: number) => string | null;

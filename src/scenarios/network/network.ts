@@ -73,7 +73,7 @@ export interface LinkCounters {
 
 export interface Link {
   readonly send: (bytes: Uint8Array, now: number) => void;
-  /** What has arrived by `now`, in the order of arrival. */
+  /** The messages that have arrived by `now`, in the order of arrival. */
   readonly deliver: (now: number) => Delivery[];
   /** When the next message arrives, or null. */
   readonly nextAt: () => number | null;

@@ -1,4 +1,4 @@
-/** What the page tells the pilot to press exists on the pilot's device. */
+/** Each control that the page names exists on the pilot's device. */
 import { describe, expect, it } from 'vitest';
 import { adviceText, controlName, howToFly } from '../../../src/playground/game/texts/flightTexts';
 import { defaultKeys, KEY_TABLE } from '../../../src/playground/input/keyTable';

@@ -1,4 +1,4 @@
-/** What the page's panels print: notices, the goal, cards and the legend. */
+/** The texts of the page's panels: notices, the goal, cards and the legend. */
 import { describe, expect, it } from 'vitest';
 import { createGoalPanel } from '../../../src/playground/panels/goal';
 import { createMissionCard } from '../../../src/playground/panels/missionCard';

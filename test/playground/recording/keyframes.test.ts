@@ -13,7 +13,7 @@ const { entries } = recording;
 /** Spread over the recording, the first near its end. */
 const TIMES = Array.from({ length: 30 }, (_, n) => 39.9 - ((n * 7.3) % 39));
 
-/** What must be computed to get to a time of the recording. */
+/** The computation that seeking a time of the recording takes. */
 function workTo(keyframes: Keyframes, at: number) {
   const fed = keyframes.before(at);
   const counted = () => fed.predictor.view(fed.shownAt).diagnosis;

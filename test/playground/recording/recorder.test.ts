@@ -1,4 +1,4 @@
-/** What a recording keeps: each entry as it was, up to its bounds, the oldest given up first. */
+/** A recording's contents: each entry unchanged, up to its bounds; the oldest entries are dropped first. */
 import { expect, it } from 'vitest';
 import { type Controls, NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import { createRecorder } from '../../../src/playground/recording/recorder';

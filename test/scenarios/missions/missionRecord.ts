@@ -11,7 +11,7 @@ import { valueOf } from '../../authority/moon';
 /** Seconds of the flight without a pilot that the record covers. */
 const FLOWN = 3;
 
-/** What a race link relies on: it carries inputs alone, and is worth nothing if another flight or another score follows from them. */
+/** The data that a race link relies on: it carries only inputs, and is invalid if they lead to another flight or score. */
 export interface MissionRecord {
   /** Hash of the flight's start without a pilot. */
   readonly start: string;

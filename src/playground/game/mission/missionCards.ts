@@ -5,7 +5,7 @@ import type { CardAction, CardText } from '../../panels/missionCard';
 import { controlName, type Device } from '../texts/flightTexts';
 import type { MissionTracker } from './missionTracker';
 
-/** What the buttons of a card do, and which keys they name. */
+/** The actions of a card's buttons, and the keys that they name. */
 export interface CardContext {
   readonly choose: (name: keyof Choices, text: string) => void;
   readonly restart: () => void;

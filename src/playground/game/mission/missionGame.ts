@@ -29,7 +29,7 @@ export interface MissionGame {
   readonly confirm: () => void;
   /** The pilot changed the device, or the keys. */
   readonly reword: () => void;
-  /** The flight is no longer the pilot's alone: it is not scored. */
+  /** Marks that the flight no longer depends on the pilot alone, so that it is not scored. */
   readonly markIntervention: (how: string) => void;
   readonly onRun: (inputs: readonly RunInput[]) => void;
   /** A friend's run to race. */
@@ -131,7 +131,7 @@ function isWrecked({ own }: WorldView, { choices }: MissionContext): boolean {
   return own?.shownState === 'crashed' && choices().server === '';
 }
 
-/** Beside the pad nobody is told to come down, and after the landing nobody is told anything. */
+/** No advice to descend beside the pad, and none at all after the landing. */
 function adviceFor(
   tracker: MissionTracker,
   view: WorldView,
@@ -146,7 +146,7 @@ function adviceFor(
   return tracker.isOverPad() || aids.advice === 'more' ? adviceText(aids, view, device(), cap) : '';
 }
 
-/** Beside the pilot flies the rival's run in its mission, one's own best in the others. */
+/** Shows the rival's run in its mission, the pilot's own best run in the others. */
 async function raceGhost(
   mission: Mission | null,
   rival: VerifiedRun | null,

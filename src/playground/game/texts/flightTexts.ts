@@ -6,7 +6,7 @@ import type { Action } from '../../input/keyTable';
 /** The pilot's device, which hints name. */
 export type Device = 'keys' | 'gamepad' | 'thumbs';
 
-/** What each control is called on a device without keys; keys are named by what is printed on them. */
+/** Names of the controls on devices without keys; keys are named by their printed character. */
 const GAMEPAD: Partial<Record<Action, string>> = {
   throttleUp: 'RT',
   throttleDown: 'LT',
@@ -51,7 +51,7 @@ const THUMBS: Partial<Record<Action, string>> = {
   translateZMinus: 'Lift down',
 };
 
-/** What to press for an action on a device; '' if it has no control for it. */
+/** The control for an action on a device; '' if there is none. */
 export function controlName(device: Device, action: Action, keyCap: (action: Action) => string): string {
   if (device === 'keys') return keyCap(action);
   return (device === 'gamepad' ? GAMEPAD : THUMBS)[action] ?? '';
@@ -92,7 +92,7 @@ export function howToFly(
   return named(text, device, keyCap);
 }
 
-/** Actions in braces become what they are called on a device. */
+/** Replaces actions in braces by their names on a device. */
 function named(text: string, device: Device, keyCap: (action: Action) => string): string {
   return text.replace(/\{(\w+)\}/g, (_, action: string) => {
     const control = controlName(device, action as Action, keyCap);
@@ -108,7 +108,7 @@ const ADVICE: Readonly<Record<LandingAids['advice'], string>> = {
   none: '',
 };
 
-/** What to do now to land, in the words of the device. */
+/** Advice for the landing now, in the words of the device. */
 export function adviceText(
   { advice }: LandingAids,
   { own }: WorldView,

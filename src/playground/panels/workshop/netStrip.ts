@@ -1,7 +1,7 @@
 import type { Diagnosis } from '../../../prediction';
 import { append } from '../elements';
 
-/** What becomes of a frame: counter in the diagnosis, word, colour and height of its mark (shape tells it too). */
+/** Kinds of frames: counter in the diagnosis, word, colour and height of the mark (so that colour is not the only sign). */
 const FATES = [
   { counter: 'framesAccepted', word: 'accepted', colour: '#58b8ff', height: 0.55 },
   { counter: 'framesDuplicate', word: 'duplicate', colour: '#b3c0cd', height: 0.3 },
@@ -27,9 +27,9 @@ interface Mark {
   readonly fate: number;
 }
 
-/** The network of the last seconds: a mark a frame, by fate, the newest at the right; counts in words below. */
+/** The network of the last seconds: one mark per frame, by its kind, the newest at the right; counts in words below. */
 export interface NetStrip {
-  /** Looks what the counters did since the last call. */
+  /** Reads the counters' changes since the last call. */
   readonly watch: (diagnosis: Diagnosis, now: number) => void;
   readonly paint: (diagnosis: Diagnosis, now: number) => void;
   readonly clear: () => void;

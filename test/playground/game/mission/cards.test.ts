@@ -1,4 +1,4 @@
-/** A run flown beside the pilot, and what the cards after a flight say. */
+/** A run flown beside the pilot, and the texts of the cards after a flight. */
 import { Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { scoreCard, verdict } from '../../../../src/playground/game/mission/scoreCard';

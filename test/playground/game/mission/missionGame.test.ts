@@ -1,4 +1,4 @@
-/** What the goal says besides its words: how to skip a lesson, and how long is to go. */
+/** Additions to the goal's text: how to skip a lesson, and the remaining time. */
 import { describe, expect, it } from 'vitest';
 import { createMissionGame, type MissionContext } from '../../../../src/playground/game/mission/missionGame';
 import type { Device } from '../../../../src/playground/game/texts/flightTexts';

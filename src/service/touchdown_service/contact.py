@@ -13,10 +13,10 @@ from .models import FLYING, LANDED, TIPPED, BodyStep, Ship, World
 
 NO_AXES: Mat3 = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 
-# What the actuators do in a substep: place at its start, the ship's axes, torque (body axes), thrust (ICRF), mass and
+# The actuators' results in a substep: place at its start, the ship's axes, torque (body axes), thrust (ICRF), mass and
 # the factor of inertia from before the burn.
 Acting = tuple[Place, Mat3, Vec3, Vec3, float, float]
-# Where a ship is over which ground, and its velocity over it.
+# A ship's place, the ground below it, and its velocity over the ground.
 Where = tuple[Place, Ground, OverGround]
 
 

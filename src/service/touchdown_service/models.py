@@ -130,8 +130,9 @@ class Ship:
     name: str = ""
     # The next touch is not the initial one but follows a bounce (REDIS.md, Initial touch).
     touched: bool = False
-    # What the last substep ended on, and the next one starts with: the position it holds for and the place; of a
-    # grounded ship also the velocity and the body's axes it holds for, the ground, and the velocity over it.
+    # Quantities at the last substep's end, with which the next one starts: the position that they are valid for, and the
+    # place; for a grounded ship also the velocity and the body's axes that they are valid for, the ground, and the
+    # velocity over it.
     ended: tuple | None = field(default=None, repr=False, compare=False)
     # In order of their due time.
     pending: list[Input] = field(default_factory=list)

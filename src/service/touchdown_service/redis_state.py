@@ -25,7 +25,7 @@ INBOX = "touchdown:inbox"
 COMPLETED = "tick_completed"
 REQUESTS = ("game:tick_rate", "game:time_scale", "game:paused", "game:time_sync")
 
-# As landing_values has them.
+# The fields of landing_values.
 LANDING_FIELDS = ("type", "phase", "reason", "started_tick", "updated_tick", "touch_speed")
 
 # Ticks between writes of the body hashes, as in the game (REDIS_WRITE_INTERVAL).
@@ -94,7 +94,7 @@ class RedisState:
         return galaxy
 
     def load_ships(self, galaxy: Galaxy) -> None:
-        """Leaves an invalid ship out of the simulation, but in Redis; the others continue."""
+        """Leaves an invalid ship out of the simulation but keeps it in Redis; the others continue."""
         key = f"system:{galaxy.system_id}:ships"
         count = self.client.scard(key)
         if count > MAX_SHIPS:
@@ -118,7 +118,7 @@ class RedisState:
     def read_requests(self, cursor: str) -> Requests:
         pipe = self.client.pipeline(transaction=False)
         for key in REQUESTS:
-            # One byte more than a request may have: whatever else the key holds is not read.
+            # One byte more than a request may have: the rest of the key is not read.
             pipe.exists(key).getrange(key, 0, MAX_REQUEST)
         pipe.xrange(INBOX, f"({cursor}", "+", INBOX_COUNT)
         answers = pipe.execute(raise_on_error=False)

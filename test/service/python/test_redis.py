@@ -63,7 +63,7 @@ class Ships(WithService):
 
     def test_commands_are_refused_by_name_and_change_nothing(self) -> None:
         self.send("spawn", **lander())
-        self.assertIn("is there already", self.send("spawn", **lander())["reason"])
+        self.assertIn("exists already", self.send("spawn", **lander())["reason"])
         self.assertIn("no ship named", self.send("remove", ship_id="s2")["reason"])
         self.assertIn("type: expected one of", self.send("dock", ship_id="s1")["reason"])
         self.assertIn("maneuver: expected one of", self.send("maneuver", ship_id="s1", maneuver="orbit")["reason"])

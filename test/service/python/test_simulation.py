@@ -134,7 +134,7 @@ class Spawning(unittest.TestCase):
     def test_orders_that_cannot_be_used_are_refused_by_name(self) -> None:
         galaxy = galaxy_with(lander())
         for order, words in (
-            (lander("s1"), "ship_id: s1 is there already"),
+            (lander("s1"), "ship_id: s1 exists already"),
             (lander("s2", body="Moon"), "body: expected one of"),
             (lander("s2", direction=[0, 0, 0]), "direction: expected a length > 0"),
             (lander("s2", hight=3), "hight: no such field"),

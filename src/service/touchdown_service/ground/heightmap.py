@@ -34,7 +34,7 @@ class Heightmap:
     """Heights of a whole body on a grid of latitude and longitude.
 
     Sample row * columns + column is at latitude 90 - row * 180 / rows and longitude column * 360 / columns degrees; the last row
-    lies one step before the south pole. `reference_radius`, m: where a sample of 0 is; `body_radius`, m: what heights come out above.
+    lies one step before the south pole. `reference_radius`, m: where a sample of 0 is; `body_radius`, m: heights are above it.
     """
 
     samples: array
@@ -88,7 +88,7 @@ def read_samples(data: bytes) -> array:
 def load_heightmap(data: Any, path: str, body_radius: float) -> Heightmap:
     """A heightmap as a world file describes it, its samples read from the file at `path` in it.
 
-    `body_radius`, m: what heights come out above. Raises Refusal with the field that cannot be used.
+    `body_radius`, m: heights are above it. Raises Refusal with the invalid field.
     """
     mapping(data, path)
     known_fields(data, FIELDS, path)

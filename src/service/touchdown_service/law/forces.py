@@ -52,7 +52,8 @@ def friction(
     forces: tuple[float, Vec3],
     where: tuple[Place, Ground, OverGround],
 ) -> Vec3:
-    """Static friction if it holds against slide, thrust, slope and the ground's rotation; else kinetic, at most what ends the slide.
+    """Static friction if it holds against slide, thrust, slope and the ground's rotation; else kinetic, at most
+    the force that ends the slide.
 
     `per_speed`: mass / dt and mass / 2; `forces`: normal force and `along`, N.
     """

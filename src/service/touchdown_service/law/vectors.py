@@ -6,7 +6,7 @@ Vec3 = tuple[float, float, float]
 Quat = tuple[float, float, float, float]
 Mat3 = tuple[float, float, float, float, float, float, float, float, float]
 
-# No force or torque. Told by identity from one that happens to be zero.
+# No force or torque; distinguished by identity from one that happens to be zero.
 NOTHING: Vec3 = (0.0, 0.0, 0.0)
 
 

@@ -82,7 +82,7 @@ def is_known(ship: Ship, session: str, seq: int) -> bool:
 def spawn(galaxy: Galaxy, entry_id: str, entry: dict[str, str], changes: Changes) -> None:
     ship = ship_of_order(parsed(entry, "data"), galaxy.classes, galaxy.world.bodies, galaxy.world.terrain_height)
     if ship.ship_id in galaxy.ships:
-        raise Refusal(f"ship_id: {ship.ship_id} is there already")
+        raise Refusal(f"ship_id: {ship.ship_id} exists already")
     add_ship(galaxy, ship)
 
 
@@ -98,7 +98,7 @@ def respawn(galaxy: Galaxy, entry_id: str, entry: dict[str, str], changes: Chang
 
 def add_ship(galaxy: Galaxy, ship: Ship) -> None:
     if len(galaxy.ships) >= MAX_SHIPS and ship.ship_id not in galaxy.ships:
-        raise Refusal(f"ships: {MAX_SHIPS} are there already")
+        raise Refusal(f"ships: the limit of {MAX_SHIPS} is reached")
     galaxy.ships[ship.ship_id] = ship
 
 

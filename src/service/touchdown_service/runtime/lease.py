@@ -44,8 +44,8 @@ class Lease:
         self.stopped = threading.Event()
 
     def acquire(self) -> None:
-        """Takes the lease, or waits for a dead holder's to run out. Raises LeaseHeld once a living holder renews it,
-        Refusal where the key is none that a service could have written."""
+        """Takes the lease, or waits until a dead holder's expires. Raises LeaseHeld once a living holder renews it,
+        Refusal if the key cannot have been written by a service."""
         self.take_over()
         self.stopped.set()
         self.stopped = threading.Event()

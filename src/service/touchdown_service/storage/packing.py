@@ -1,4 +1,4 @@
-"""Redis's protocol for what the service sends: a tick writes 70 texts per ship, on which redis-py spends more time than the law.
+"""Encodes the service's commands for Redis: a tick writes 70 strings per ship, on which redis-py spends more time than the law.
 
 A connection takes it as `command_packer`.
 """
@@ -20,7 +20,7 @@ class CommandPacker:
                 texts = [f"${len(part)}\r\n{part}\r\n" for part in parts]
                 return [f"*{len(parts)}\r\n{''.join(texts)}".encode()]
         except TypeError:
-            pass  # not texts alone
+            pass # not only strings
         return [b"*%d\r\n" % len(parts), *(b"$%d\r\n%b\r\n" % (len(part), part) for part in map(encoded, parts))]
 
 
@@ -30,5 +30,5 @@ def encoded(part: Argument) -> bytes:
     if isinstance(part, str):
         return part.encode("utf-8", "replace")
     if isinstance(part, bool) or not isinstance(part, int | float):
-        raise DataError(f"expected a text, bytes or a number, got {type(part).__name__}")
+        raise DataError(f"expected a string, bytes or a number, got {type(part).__name__}")
     return repr(part).encode()

@@ -36,7 +36,7 @@ def load_clock(galaxy: Galaxy, clock: dict[str, str]) -> None:
     galaxy.game_time = number(required(data, "game_time", CLOCK), f"{CLOCK}.game_time")
     galaxy.cursor = required(clock, "cursor", CLOCK)
     if not ENTRY_ID.fullmatch(galaxy.cursor):
-        raise Refusal(f"{CLOCK}.cursor: expected an id of a stream, got {shown(galaxy.cursor)}")
+        raise Refusal(f"{CLOCK}.cursor: expected a stream ID, got {shown(galaxy.cursor)}")
     galaxy.tempo = Tempo(
         number(required(data, "tick_rate", CLOCK), f"{CLOCK}.tick_rate", TICK_RATE),
         number(required(data, "time_scale", CLOCK), f"{CLOCK}.time_scale", TIME_SCALE),

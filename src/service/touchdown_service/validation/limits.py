@@ -54,7 +54,7 @@ TEXT = 128
 def parse_json(given: Any, field: str) -> Any:
     """Parses a JSON text; raises Refusal if it is invalid."""
     if not isinstance(given, str):
-        raise Refusal(f"{field}: expected a text, got {shown(given)}")
+        raise Refusal(f"{field}: expected a string, got {shown(given)}")
     try:
         return json.loads(given)
     except (ValueError, RecursionError):

@@ -1,4 +1,4 @@
-"""Plain data (JSON, Redis) turned into what the simulation holds; everything is checked, and refused by the path of its field.
+"""Plain data (JSON, Redis) converted to the simulation's objects; everything is checked, and refused by the path of its field.
 
 Quaternions are given here as (x, y, z, w); redis_state turns them about.
 """

@@ -30,11 +30,11 @@ async function check(address) {
   const html = await page.text();
   const script = /<script type="module" src="([^"]+)"/g;
   const scripts = [...html.matchAll(script)].map((match) => new URL(match[1], address).href);
-  if (page.status !== 200 || scripts.length === 0) stop(1, `${NAME}: ${address} gave no page`);
+  if (page.status !== 200 || scripts.length === 0) stop(1, `${NAME}: ${address} returned no page`);
   for (const url of scripts) {
     const { status, headers } = await fetch(url);
     const type = headers.get('content-type') ?? '';
-    if (status !== 200 || !type.includes('javascript')) stop(1, `${NAME}: ${url} gave ${status} ${type}`);
+    if (status !== 200 || !type.includes('javascript')) stop(1, `${NAME}: ${url} returned ${status} ${type}`);
   }
   const sheets = [...html.matchAll(/<link rel="stylesheet" href="([^"]+)"/g)];
   const styles = await Promise.all(

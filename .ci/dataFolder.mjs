@@ -7,8 +7,8 @@ import { join, resolve } from 'node:path';
 const OWNER = 'redis.pid';
 
 /**
- * A folder of its own, removed when it is given back; or `kept`, which stays.
- * @throws Error where a Redis runs on `kept`: two on the same files would spoil them
+ * A temporary folder, removed on release; or `kept`, which stays. @throws Error
+ * where a Redis runs on `kept`: two on the same files would corrupt them
  */
 export function openDataFolder(kept) {
   const path = kept === undefined ? mkdtempSync(join(tmpdir(), 'touchdown-live-')) : resolve(kept);

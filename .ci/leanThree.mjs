@@ -1,4 +1,4 @@
-// Leaves out of the built page what three brings and the page does not use: 20 kB of every download.
+// Leaves out of the built page the parts of three that the page does not use: 20 kB of every download.
 import { leanShader } from './leanShaders.mjs';
 
 /** three's separate modules: its bundle is one file, from which nothing can be left out. */
@@ -26,7 +26,7 @@ const NO_ENVIRONMENTS = `export function WebGLEnvironments() {
   };
 }`;
 
-/** CSS names of colours: the page gives numbers. */
+/** CSS names of colours: the page uses numbers. */
 const COLOUR_NAMES = /const _colorKeywords = \{[^}]*\}/;
 
 /** Throws if three has changed and nothing is left out any more. */

@@ -116,10 +116,10 @@ async function end(code) {
   console.log('\nlive: stopping …');
   await page?.close();
   await stack.stop();
-  console.log(`live: stopped; Redis's data ${folder.isKept ? `are in ${folder.path}` : 'are removed'}`);
+  console.log(`live: stopped; the Redis data is ${folder.isKept ? `in ${folder.path}` : 'removed'}`);
   process.exit(code);
 }
-// A terminal that is closed, too: the processes are in groups of their own and would stay.
+// Also when the terminal is closed: the processes are in groups of their own and would keep running.
 for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.on(signal, () => end(0));
 
 async function startStack() {
@@ -144,7 +144,7 @@ async function startPage() {
 async function printAddresses(address) {
   const gateway = `127.0.0.1:${stack.gatewayPort}`;
   console.log(`\nlive: Redis ${stack.redisUrl}, gateway http://${gateway}, ${rate} Hz`);
-  console.log(`live: Redis's data in ${folder.path} (${folder.isKept ? 'kept' : 'removed at the end'})\n`);
+  console.log(`live: Redis data in ${folder.path} (${folder.isKept ? 'kept' : 'removed at the end'})\n`);
   for (const { username, password } of accounts) {
     const token = await signIn(stack.gatewayPort, username, password);
     const server = `ws://${gateway}/stream?token=${token}`;
@@ -169,7 +169,7 @@ try {
   }
   console.log('Open each in its own window. Ctrl-C stops everything.');
 } catch (error) {
-  // What is being ended fails to start.
+  // A process that is being stopped fails to start.
   if (!isEnding) {
     console.error(`live: ${error.message}`);
     await end(1);

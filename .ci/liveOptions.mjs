@@ -1,13 +1,13 @@
-// What `npm run live -- …` is told.
+// Options of `npm run live -- …`.
 import { parseArgs } from 'node:util';
 
 export const USAGE = `npm run live -- [options]
-  --rate HZ            ticks a second, 0.1 to 100 (default: 1, the game's own)
+  --rate HZ            ticks per second, 0.1 to 100 (default: 1, the game's own)
   --page-port PORT     of the page (default: 5173, or the next that is free)
   --gateway-port PORT  of the gateway (default: any that is free)
   --redis-port PORT    of Redis (default: any that is free)
-  --data FOLDER        keeps Redis's data there, and goes on from them (default: a folder of its own, removed at the end)
-  --check              starts it all, looks that page and gateway answer, and ends
+  --data FOLDER        keeps the Redis data there, and continues from it (default: a temporary folder, removed at the end)
+  --check              starts everything, checks that page and gateway answer, and ends
   --help               prints this`;
 
 const OPTIONS = {

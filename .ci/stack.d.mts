@@ -4,7 +4,7 @@ export interface Process {
   /** Ends it with a signal; resolves when it is gone. */
   readonly end: (signal: string) => Promise<void>;
   readonly pid: () => number;
-  /** The last it wrote. */
+  /** Its latest output. */
   readonly said: () => string;
   readonly whenItDies: (act: (how: string | number | null) => void) => void;
 }

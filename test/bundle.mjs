@@ -8,7 +8,7 @@ import { rolldown } from 'rolldown';
 import { mutation } from './mutants/plugins.mjs';
 import { reportingTest } from './mutants/probes.mjs';
 
-/** What a module asks of `import.meta`, and the constant that tells it of its source's place, e.g. to read the files beside it. */
+/** Members of `import.meta`, and the constants in their place, which refer to the source's folder, e.g. to read the files beside it. */
 const PLACES = {
   'import.meta.url': 'sourceUrl',
   'import.meta.dirname': 'sourceDirname',
@@ -120,7 +120,7 @@ function isRunning(pid) {
   }
 }
 
-/** Of the test runner: what works on its own module graph. */
+/** Calls of the test runner that work on its own module graph. */
 const REFUSED = /\bvi\.(mock|doMock|resetModules)\b/;
 const TESTS = dirname(fileURLToPath(import.meta.url));
 /** Of the test runner, at the top of a module. */
@@ -133,8 +133,8 @@ let together = Promise.resolve(new Map());
 /** Bundles the test files (absolute paths) of a run, each group together: call before the run loads them. */
 export function bundleRun(groups) {
   folder ??= bundlesFolder();
-  // A folder of its own: a process that goes on from the run before must not take its files for these.
-  // Where one of a group cannot be bundled each is by itself: its own error is told, and the others run.
+  // A folder of its own: a process that continues from the previous run must not use that run's files.
+  // If a group cannot be bundled, each file is bundled by itself: the faulty one reports its error, and the others run.
   const made = groups.map((tests) =>
     bundleTogether(tests, join(folder, String(count++))).catch(() => new Map()),
   );

@@ -20,7 +20,7 @@ const PROGRAM_TESTS = [
 ];
 /** Minutes each: run by `npm run test:long` and by .ci/run, not by `npm test`. */
 const LONG_TESTS = 'test/**/*.long.test.ts';
-/** Those that measure in real time what a busy machine would change. */
+/** Those that measure in real time, which a busy machine would change. */
 const ALONE = [
   'test/live/{bounce,hostile,pages}.long.test.ts',
   'test/prediction/harness/inChromium.long.test.ts',
@@ -32,8 +32,8 @@ const cores = availableParallelism();
 const isOfMutants = process.env.TOUCHDOWN_MUTANT !== undefined;
 
 /**
- * ms. For hangs alone: ten times what the slowest test takes on two cores, so that no test fails on a busy machine. With a change by
- * test/mutants what is polled for often never comes.
+ * ms, for hangs only: ten times the slowest test's time on two cores, so that no test fails on a busy machine. With a change by
+ * test/mutants, polled conditions often never occur.
  */
 const HANGS = {
   testTimeout: 300_000,
@@ -65,7 +65,7 @@ class Bundled extends BaseSequencer {
   }
 }
 
-/** Those that wait for half a minute, or compute for seconds, the longest first: what starts last ends last. */
+/** Those that wait for half a minute, or compute for seconds, the longest first, so that none ends long after the others. */
 const FIRST = [
   ...[
     'service/service',

@@ -1,4 +1,4 @@
-/** The whole law in scalar C, where a compiler is installed: what the law's speed is compared with, in two versions. */
+/** The whole law in scalar C, where a compiler is installed: the baseline of the law's speed, in two versions. */
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync } from 'node:fs';
@@ -25,8 +25,8 @@ const FLAGS = [
 const COMPILERS = [process.env['CC'] ?? 'cc', 'cc', 'gcc', 'clang'];
 
 /**
- * How the law is written in C: `straightforward`, as DYNAMICS.md tells it, every quantity anew at each end of a substep; or `tuned`, put
- * together as the TypeScript is, with what a state does not need left out and what two steps need found once.
+ * Two versions of the law in C: `straightforward` follows the text of DYNAMICS.md and computes every quantity anew at each end of a substep;
+ * `tuned` is structured like the TypeScript: it skips quantities that a state does not need and computes shared ones once.
  */
 export const REFERENCES = ['straightforward', 'tuned'] as const;
 export type Reference = (typeof REFERENCES)[number];

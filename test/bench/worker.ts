@@ -2,7 +2,7 @@ import { serialize } from 'node:v8';
 import { createRig } from '../prediction/rig';
 import { type Figure, timed } from './measure';
 
-/** What a predictor in a worker costs the page beside the waiting: the copy of each view and its size, with one ship and with 200. */
+/** The page's cost of a predictor in a worker, besides the latency: the copy of each view and its size, with one ship and with 200. */
 export function workerFigures(): Figure[] {
   return [1, 200].flatMap((ships) => {
     const rig = createRig({ scenario: 'settle', tickRate: 5, others: ships - 1 });

@@ -1,4 +1,4 @@
-/** What axe objects to on a page, in a real browser. */
+/** The faults that axe finds on a page, in a real browser. */
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import type { AxeResults, RunOptions } from 'axe-core';
@@ -10,7 +10,7 @@ interface AxeWindow {
   axe?: { run: (context: unknown, options: RunOptions) => Promise<AxeResults> };
 }
 
-/** One line for each element: the rule and where. Brought in by the debugger: a page's policy forbids scripts from elsewhere. */
+/** One line per element: the rule and the place. Injected through the debugger, since a page's policy forbids foreign scripts. */
 export async function axeFaults(page: Page): Promise<string[]> {
   if (await page.evaluate(() => (window as unknown as AxeWindow).axe === undefined)) await page.evaluate(AXE);
   return page.evaluate(async () => {

@@ -11,8 +11,8 @@ import type * as Playwright from 'playwright-core';
 import type { Browser, BrowserServer, LaunchOptions } from 'playwright-core';
 
 /**
- * Required: before node imports a package that is not of modules it reads all of it for the names that it exports, which takes as long as
- * the package itself.
+ * Required, not imported: before node imports a CommonJS package it parses all of it for its exports, which takes as long as loading the
+ * package.
  */
 const { chromium } = createRequire(import.meta.url)('playwright-core') as typeof Playwright;
 
@@ -98,9 +98,9 @@ async function withEnv<T>(changes: Record<string, string>, work: () => Promise<T
 }
 
 /**
- * Unpacks the npm Chromium into `dir`. The package unpacks into os.tmpdir() and takes whatever lies there for
- * whole, so this unpacks aside and renames. Told that it is on Amazon's system, the package also unpacks nss,
- * nspr and expat, for systems without them.
+ * Unpacks the npm Chromium into `dir`. The package unpacks into os.tmpdir() and takes any files there for
+ * complete, so this unpacks elsewhere and renames. With the environment of Amazon's system, the package also
+ * unpacks nss, nspr and expat, for systems without them.
  */
 async function unpack(dir: string): Promise<void> {
   const aside = `${dir}.${process.pid}`;

@@ -9,28 +9,28 @@ import { connectToChromium } from './chromium';
 import { leaveOutTriangles } from './leaveOutTriangles';
 
 export interface PageOptions {
-  /** Size of the window in CSS pixels; 1280 × 720 unless told. */
+  /** Size of the window in CSS pixels; 1280 × 720 by default. */
   readonly viewport?: { readonly width: number; readonly height: number };
-  /** 'light' unless told. */
+  /** 'light' by default. */
   readonly colorScheme?: 'light' | 'dark';
   readonly reducedMotion?: 'reduce' | 'no-preference';
-  /** 'allow' unless told. */
+  /** 'allow' by default. */
   readonly serviceWorkers?: 'allow' | 'block';
-  /** Device pixels per CSS pixel; 1 unless told. */
+  /** Device pixels per CSS pixel; 1 by default. */
   readonly deviceScaleFactor?: number;
   /** Fingers in place of a mouse, as on a phone; a phone's window follows its document's viewport. */
   readonly hasTouch?: boolean;
   readonly isMobile?: boolean;
-  /** The most frames that the page may draw in a second, as on a slow display; as many as it can unless told. */
+  /** Most frames per second that the page may draw, as on a slow display; no limit by default. */
   readonly framesPerSecond?: number;
-  /** Whether the page's triangles are drawn, in software: all but a test's own seconds. They are unless told. */
+  /** Whether the page's triangles are drawn, in software, which takes most of a test's time; true by default. */
   readonly drawn?: boolean;
   /** Done to the page before its address is opened. */
   readonly prepare?: (page: Page) => Promise<unknown>;
 }
 
 /**
- * ms for a hang alone, less than a test's own limit, so that what was waited for is what is said. A page with a change by test/mutants
+ * ms, for hangs only: less than a test's own limit, so that the error names what was waited for. A page with a change by test/mutants
  * often hangs.
  */
 const HANG = process.env['TOUCHDOWN_MUTANT'] ? 30_000 : 120_000;
@@ -56,7 +56,7 @@ afterAll(async () => {
   browser = undefined;
 });
 
-/** What went wrong on the page so far: uncaught errors, console errors (policy violations too), failed requests. */
+/** Problems of the page so far: uncaught errors, console errors (policy violations too), failed requests. */
 export function problemsOf(page: Page): readonly string[] {
   return problems.get(page) ?? [];
 }
@@ -74,7 +74,7 @@ function watchForProblems(page: Page): void {
   });
 }
 
-// Told, since a machine without a language makes Chromium's "en-US@posix", which Intl refuses.
+// Set here, since on a machine without a language Chromium uses "en-US@posix", which Intl refuses.
 const EVERYWHERE_THE_SAME = { locale: 'en-US', timezoneId: 'UTC' };
 
 /** Closes the page after the running test, and shows its problems beside the test's failure. */
@@ -85,7 +85,7 @@ function endWithTest(page: Page): void {
   });
 }
 
-/** Its pages draw no more often than this: the software renderer's frames are what a test's time goes into. */
+/** Limits the frame rate of its pages: most of a test's time goes into the software renderer's frames. */
 async function limitFrames(context: BrowserContext, framesPerSecond: number): Promise<void> {
   await context.addInitScript((gap) => {
     const soon = window.requestAnimationFrame.bind(window);

@@ -1,4 +1,4 @@
-/** What a page drew, from its recording, held against the service's states. */
+/** A page's drawn ships, from its recording, compared with the service's states. */
 import { createPredictor, type Diagnosis } from '../../src/prediction';
 import type { RecordingEntry } from '../../src/scenarios';
 import type { ServiceStates } from './serviceStates';
@@ -57,8 +57,8 @@ export function looksOf(entries: readonly RecordingEntry[], ownShipId: string): 
 }
 
 /**
- * The looks at which nothing is eased after a step of the present. A service that stands, for want of CPU time beside other load, makes
- * the present wait; as soon as it goes on, the present steps to it, 0.2 s at 10 m/s being 2 m, and the drawn ships ease after it.
+ * The looks at which nothing is eased after a step of the present. A service that stalls for lack of CPU time makes the present wait;
+ * when it resumes, the present steps to it (0.2 s at 10 m/s is 2 m), and the drawn ships ease after it.
  */
 function withoutSteps(looks: readonly Look[], rate: number): Look[] {
   const presentOf = ({ tick, sinceTick }: Look) => tick / rate + sinceTick;

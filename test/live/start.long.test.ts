@@ -54,7 +54,7 @@ const DATA = /data in (\S+) \(/;
 const PAGE = /pilot one: (http:\/\/[^/]+\/)/;
 
 /**
- * Processes of this machine that `live` started, itself included, where there is a /proc: told by a mark in their environment, and Redis,
+ * Processes of this machine that `live` started, itself included, where there is a /proc: found by a mark in their environment, and Redis,
  * which overwrites its own, by its port.
  */
 function processesOf(mark: string, redisPort: number): string[] {
@@ -132,7 +132,7 @@ it.each(['SIGINT', 'SIGHUP'] as const)(
     expect(one.processes(port)).toEqual([]);
     for (const address of addresses) expect(await answers(address), address).toBe(false);
     expect(existsSync(folder)).toBe(false);
-    expect(one.output()).toContain('data are removed');
+    expect(one.output()).toContain('data is removed');
   },
 );
 
@@ -143,7 +143,7 @@ it('leaves no process behind when it is ended while it starts', async () => {
     await new Promise((resolve) => setTimeout(resolve, wait));
     one.signal('SIGTERM');
     await one.ended;
-    // What it asks of Python before it starts anything may take a moment to end.
+    // Its first calls of Python may take a moment to end.
     await expect.poll(() => one.processes(port), { ...PATIENCE, message: `after ${wait} ms` }).toEqual([]);
   }
 });

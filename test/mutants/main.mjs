@@ -1,4 +1,4 @@
-// npm run mutants: changes the source in one place at a time and looks whether the room's tests notice.
+// npm run mutants: changes the source in one place at a time and checks whether the room's tests fail.
 //   npm run mutants -- [ROOM …] [--count 24] [--seed 1] [--workers 2] [--no-pages]
 //   npm run mutants -- --at src/wire/messages/frame.ts:41    all changes of one line; without :41 of the file
 // --no-pages leaves out the tests in a browser, which take minutes: the score is then at least what is printed.
@@ -44,7 +44,7 @@ function filesUnder(folder, matching) {
 
 const isOnPages = (test) => test.startsWith('test/browser/');
 
-/** Which source files of a room stand behind each test file: [[test, Set of sources], …]. A page may load any of them. */
+/** The room's source files that each test file loads: [[test, Set of sources], …]. A page may load any of them. */
 async function sourcesBehind(room) {
   const all = new Set(filesUnder(`src/${room}`, /\.ts$/));
   const tests = ROOMS[room]
@@ -75,7 +75,7 @@ async function forEach(items, work) {
 const projectOf = (test) => (isOnPages(test) ? 'browser' : 'node');
 
 /**
- * Runs the room's tests without any change. Those that pass can tell of one: { passing: [{ test, sources, took, running }], loading },
+ * Runs the room's tests without any change. Those that pass can detect one: { passing: [{ test, sources, took, running }], loading },
  * the quickest first, with the blocks that the tests of each reach and those that loading the source does.
  */
 async function withoutChange(behind) {

@@ -1,4 +1,4 @@
-// Small changes to a TypeScript source that its tests should notice.
+// Small changes to a TypeScript source that its tests should detect.
 import { parseSync } from 'vite';
 
 const SWAPS = {
@@ -28,7 +28,7 @@ const SWAPS = {
 
 const TYPED_ARRAY = /^(Float|Int|Uint|BigInt|BigUint)\d+(Clamped)?Array$/;
 
-/** Nodes whose inside is left alone: types, what errors say, and where modules come from. */
+/** Nodes whose contents are not changed: types, error texts, and module paths. */
 const LEFT_ALONE =
   /^(TS(Type|Interface|Enum|Declare)|Import|TemplateLiteral$|ThrowStatement$|ExportAll)|TypeAnnotation$|TypeParameter/;
 

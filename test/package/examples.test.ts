@@ -1,4 +1,4 @@
-/** What the package exports shows how it is used: each function has an example, and each example compiles. */
+/** Each exported function has an example, and each example compiles. */
 import { dirname, join } from 'node:path';
 import ts from 'typescript';
 import { describe, expect, it } from 'vitest';
@@ -7,7 +7,7 @@ const ROOT = join(import.meta.dirname, '../..');
 const DOORS = ['index', 'protobuf', 'hud/index', 'scene/index', 'game/index'].map((door) => `src/${door}.ts`);
 const SANDBOX = join(ROOT, 'src', 'examples.sandbox.ts');
 
-/** What an example may use without a word: a frame loop's time, a message as it comes, the page, and a predictor that runs. */
+/** Names that an example may use undeclared: a frame loop's time, a received message, the page, and a running predictor. */
 const GIVEN = `
 declare global {
   const now: number; const text: string; const bytes: Uint8Array; const message: unknown;
@@ -116,7 +116,7 @@ describe('the package’s examples', () => {
   });
 });
 
-/** Where a quaternion is handed in or out, its documentation says in which order. */
+/** The documentation of each quaternion passed in or out states its order. */
 describe('quaternions', () => {
   const ATTITUDE = /attitude$|^targetAttitude$/i;
 
@@ -144,7 +144,7 @@ describe('quaternions', () => {
     return ts.displayPartsToString(symbol.getDocumentationComment(checker));
   }
 
-  /** Of the type that the member is declared with: Quat says it once for all. */
+  /** Of the member's declared type: Quat states it once for all. */
   function typeWords(member: ts.Symbol): string {
     const declared = member.valueDeclaration as ts.PropertySignature | undefined;
     if (declared?.type === undefined || !ts.isTypeReferenceNode(declared.type)) return '';

@@ -33,7 +33,7 @@ function shortWarning(node, code) {
   return [message.start, message.end, code.slice(first.start, first.end)];
 }
 
-/** `[start, end, text]` to leave out a warning of development, with the condition that it alone has; null for any other statement. */
+/** `[start, end, text]` to leave out a warning of development, with a condition that serves only it; null for any other statement. */
 function withoutWarning({ type, start, end, expression, consequent, alternate }) {
   if (type === 'IfStatement' && !alternate && consequent.type === 'ExpressionStatement')
     return withoutWarning({ ...consequent, start, end });

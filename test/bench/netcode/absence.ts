@@ -10,14 +10,14 @@ import type { Figure } from './figure';
 const SHIPS = 1000;
 const TICK_RATE = 20;
 const HIDDEN = 600;
-/** Of the first frames that every run needs to get going. */
+/** First frames, in which every run warms up. */
 const WARM_UP = 60;
 const BYTES_PER_MEGABYTE = 2 ** 20;
 /** The most ships in a frame of the wire. */
 const MOST_SHIPS = 10_000;
 const ROUNDS = 5;
 
-/** A page that was hidden, and the most ships that a frame can have: how long one call holds the page up. */
+/** How long one call blocks a page that was hidden, and one whose frame has the most ships. */
 export function* absenceFigures(): Generator<Figure> {
   yield* hiddenPage();
   yield firstFrames();

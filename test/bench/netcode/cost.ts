@@ -98,8 +98,8 @@ function* thousandShips(): Generator<Figure> {
 }
 
 /**
- * What a display frame and a received state leave on the heap, once all is compiled. A server frame has a cost of its own, whatever it
- * holds; that of a state is what the frame of the larger fleet takes more.
+ * Heap that a display frame and a received state allocate, once all is compiled. A server frame has a fixed cost; that of a state is
+ * the additional cost of the larger fleet's frame.
  */
 function* heapOfFleet(): Generator<Figure> {
   compileFleet(LONG_SLIDE);

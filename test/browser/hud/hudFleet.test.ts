@@ -63,7 +63,7 @@ describeInBrowser('the fleet HUD', () => {
     }
     // Every ship came into view, each at one position.
     expect(seen.size).toBe(1000);
-    // Rows of 1.75 rem: of text twice as large the hundredth ends twice as far down.
+    // Rows of 1.75 rem: with text twice as large the hundredth ends twice as far down.
     const atTop = await page.locator('.td-scroller').evaluate(async (scroller) => {
       document.documentElement.style.fontSize = '32px';
       scroller.scrollTop = 100 * 56;

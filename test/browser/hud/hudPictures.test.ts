@@ -105,7 +105,7 @@ describeInBrowser('HUD pictures', () => {
   });
 
   it('the kept pictures differ between all states by more than the tolerance', () => {
-    // Those that differ by a few letters alone are told apart by the text of the slot.
+    // Those that differ only by a few letters are distinguished by the text of the slot.
     const alike = new Set(['flight confirmed', 'predicted withdrawn', 'flight off', 'confirmed off']);
     const pictures = STATES.map(([state]) => [state, kept(`landing-${state}-dark-1280`)!] as const);
     for (const [a, first] of pictures) {
@@ -129,7 +129,7 @@ function markupOf(page: Page, selector: string): Promise<string> {
     const lines: string[] = [];
     const write = (node: Node, indent: string) => {
       if (node.nodeType === 3 && node.nodeValue !== '') lines.push(`${indent}“${node.nodeValue ?? ''}”`);
-      // What is hidden, and what was announced, is of an earlier state.
+      // Hidden and announced texts belong to an earlier state.
       if (!(node instanceof Element) || node.matches('[hidden], [role=status], [role=alert]')) return;
       const attributes = [...node.attributes]
         .filter(({ name }) => name !== 'data-pulse' && !(name !== 'class' && node.matches('.td-parts')))

@@ -1,23 +1,23 @@
 /**
- * A newcomer who knows what stands on the screen and nothing else: finds the controls in the goal's sentence, follows the words
- * beside it, and looks no more often than people do. Only text inside the window counts, and nothing is scrolled.
+ * A newcomer who knows only the texts on the screen: finds the controls in the goal's sentence, follows the words beside it, and
+ * looks no more often than people do. Only text inside the window counts, and nothing is scrolled.
  */
 import type { Page } from 'playwright-core';
 
 /** ms between two looks at the screen: nobody is faster. */
 const REACTION = 500;
 
-/** What the screen says at one look. */
+/** The texts on the screen at one look. */
 interface Screen {
   /** Text of the goal over the picture. */
   readonly goal: string;
   /** The large word of the status slot. */
   readonly status: string;
-  /** What the card says; '' while there is none. */
+  /** The card's text; '' while there is none. */
   readonly card: string;
 }
 
-/** How the newcomer moves what the goal names. */
+/** How the newcomer moves the controls that the goal names. */
 interface Controls {
   more(): Promise<void>;
   less(): Promise<void>;
@@ -106,7 +106,7 @@ async function padsOf(page: Page, goal: string): Promise<Controls> {
   };
 }
 
-/** What one try came to, and what was read and done, for the first line of a failure. */
+/** The outcome of one try, and the newcomer's readings and actions, for the first line of a failure. */
 export interface Try {
   readonly card: string;
   readonly log: readonly string[];

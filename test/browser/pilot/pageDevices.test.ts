@@ -58,7 +58,7 @@ describeInBrowser('a gamepad on the built page', () => {
     await button(page, B, 1);
     await expect.poll(() => throttleOf(page)).toBe(0);
     await button(page, B, 0);
-    // A worn stick does not come back to 0, and this is nothing.
+    // A worn stick does not return to 0: this must count as no input.
     await axis(page, 0, 0.1);
     expect(await tiltOf(page)).toBeLessThan(0.5);
     await axis(page, 0, 1);
@@ -143,7 +143,7 @@ interface SoundWindow {
   contexts: AudioContext[];
 }
 
-/** Keeps what the page opens of sound; runs before its own scripts. */
+/** Keeps the page's audio contexts; runs before its own scripts. */
 function listenIn(): void {
   const contexts: AudioContext[] = [];
   const Given = window.AudioContext;

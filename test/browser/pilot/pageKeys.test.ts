@@ -13,7 +13,7 @@ const stroke = (page: Page, code: string, key: string, type = 'keydown') =>
     [type, code, key],
   );
 
-/** Until the lever has stood for some frames: were its key still held, it would reach its end. */
+/** Waits until the lever has not moved for some frames: if its key were still held, it would reach its end. */
 async function untilLeverRests(page: Page): Promise<number> {
   let before = NaN;
   await expect
@@ -30,7 +30,7 @@ async function untilLeverRests(page: Page): Promise<number> {
   return before;
 }
 
-/** How a page stops hearing of a key that is down. */
+/** Ways in which a page misses a key's release. */
 const LOSSES: Readonly<Record<string, () => void>> = {
   'Command goes down': () =>
     void document.body.dispatchEvent(

@@ -19,7 +19,7 @@ interface Listening {
   said: Set<string>;
 }
 
-/** Keeps everything that the fleet display says; runs before the page's own scripts. */
+/** Keeps every text of the fleet display; runs before the page's own scripts. */
 function listen(): void {
   const said = new Set<string>();
   Object.assign(window, { said });
@@ -71,7 +71,7 @@ describeInBrowser('two tabs on one world', () => {
     await hop(guest, 'Bob', host);
     expect(await host.getAttribute('html', 'data-status')).toBe('landed');
     await hop(host, 'Ann', guest);
-    // A tab that closes takes its ship along.
+    // Closing a tab removes its ship.
     await guest.close({ runBeforeUnload: true });
     await expect.poll(() => fleetOf(host)).toEqual([expect.stringMatching(/^Ann /)]);
   });

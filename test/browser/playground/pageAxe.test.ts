@@ -71,7 +71,7 @@ describeInBrowser('axe finds nothing on the built page', () => {
     const page = await openBuiltPage('?server=ws://127.0.0.1:9/', phone);
     await untilBanner(page, 'Nothing answers');
     expect(await axeFaults(page)).toEqual([]);
-    // What a server does not take is not offered.
+    // Commands that a server does not take are not offered.
     for (const name of ['Restart', 'Pause', 'Fly together'])
       expect(await page.getByRole('button', { name, exact: true }).isDisabled(), name).toBe(true);
     await page.locator('summary', { hasText: 'Workshop' }).click();

@@ -1,4 +1,4 @@
-/** The built page in windows that people have: another screen, large letters, forced colours, a host with Trusted Types. */
+/** The built page in unusual windows: another screen, large letters, forced colours, a host with Trusted Types. */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { misfits } from '../hud/misfits';
@@ -12,7 +12,7 @@ const PIXELS = 240;
 const USUAL_LETTERS = { fontSizes: { standard: 16, fixed: 13 } };
 const LARGE_LETTERS = { fontSizes: { standard: 32, fixed: 26 } };
 
-/** What of the page's own parts is cut off, wider than the window, or covers what must be seen. */
+/** Parts of the page that are cut off, wider than the window, or cover something that must be visible. */
 function pageMisfits(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const out: string[] = [];
@@ -174,7 +174,7 @@ describeInBrowser('the built page in any window', () => {
     await page.keyboard.press('z');
     await read('flight');
     expect(signs.size).toBe(3);
-    // What says on or off, too: lever, ball and pressed modes.
+    // Also where a fill means on or off: lever, ball and pressed modes.
     const fills = await page
       .locator('.td-lever-fill, .td-zenith')
       .evaluateAll((parts) => parts.map((part) => getComputedStyle(part).fill));

@@ -1,4 +1,4 @@
-/** What a low sun makes of hull and ground, in pixels: no shadow acne, no black blotches, no streaks. */
+/** Hull and ground under a low sun, in pixels: no shadow acne, no black blotches, no streaks. */
 import type { Page } from 'playwright-core';
 import { beforeAll, expect, it } from 'vitest';
 import { FINE } from '../../../src/scene/quality';

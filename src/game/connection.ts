@@ -21,7 +21,7 @@ export interface GameConnection {
   readonly sendControls: (controls: Controls) => boolean;
   /** Any other message of the game's: service, attitude modes. */
   readonly send: (message: unknown) => boolean;
-  /** Tries again at once, after a refusal too, with the newest token it has: for another, dispose and connect anew. */
+  /** Tries again at once, after a refusal too, with the newest token it has: for another, dispose and create a new one. */
   readonly retry: () => void;
   /** Closes the socket for good; no handler is called afterwards. */
   readonly dispose: () => void;

@@ -23,7 +23,7 @@ import {
 const LONG_GAP = 1;
 /** s: keys held before a longer absence count as released. A slow page keeps them. */
 const KEYS_HELD = 2;
-/** A gap of up to this many usual gaps is no absence. */
+/** A gap of up to this many usual gaps does not count as an absence. */
 const USUAL = 3;
 /** Own controls act from at most this many substeps before the present: the span of a 60 Hz frame. */
 const BACKDATED = 2;

@@ -81,7 +81,7 @@ function afterVarint(bytes: Uint8Array, from: number): number {
   return at + 1;
 }
 
-/** Behind a field that begins with its length. The length is not below 0, so that every step goes on. */
+/** The offset after a length-delimited field. The length is not negative, so every step advances. */
 function afterDelimited(bytes: Uint8Array, from: number): number {
   let length = 0;
   let at = from;

@@ -137,7 +137,7 @@ describe.skipIf(isMissing('redis'))('a gateway', () => {
     expect(gateway.health()).toMatchObject({ tick: null, ships: 0 });
   });
 
-  it('names a key of another type in one line, keeps the last world, and goes on once it is mended', async () => {
+  it('names a key of another type in one line, keeps the last world, and continues once it is fixed', async () => {
     await redis.set('touchdown:world', JSON.stringify(encodeHelloJson(HELLO)));
     const client = connect();
     await client.opened;

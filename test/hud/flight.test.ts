@@ -135,7 +135,7 @@ it('shows the landing aids, late braking marked', () => {
     show({ aids: { ...aids, corridor } });
     return `${parts('td-corridor')[0]!.getAttribute('data-corridor')!}: ${text('td-corridor')}`;
   });
-  expect(words).toEqual(['slow: slow', 'good: on it', 'fast: TOO FAST', 'none: ']);
+  expect(words).toEqual(['slow: slow', 'good: on speed', 'fast: TOO FAST', 'none: ']);
   show({ aids, aidsOn: false });
   expect(text('td-aids')).toBe('');
 });
@@ -200,7 +200,7 @@ it.each([
   expect(text('td-way')).toBe(way);
 });
 
-it('words the beacon anew where its distance or its direction changes, and else leaves the page alone', () => {
+it('rewrites the beacon’s text only where its distance or its direction changes', () => {
   const { show, attributes } = createHud();
   const target = { shown: true, x: 0, y: 50, distance: 50, radius: 3, scale: 100, driftX: 0, driftY: 0 };
   const spoken = [target, { ...target, y: -50 }, { ...target, y: -50, distance: 51 }].map((each) => {

@@ -82,7 +82,7 @@ const answers = (url: string) =>
     () => false,
   );
 
-it('says the one line that installs Redis where there is none, and starts nothing', async () => {
+it('prints the line that installs Redis if it is missing, and starts nothing', async () => {
   const { ended, output } = live([], newFolder());
   expect(await ended).toBe(1);
   expect(output()).toMatch(
@@ -148,7 +148,7 @@ it('leaves no process behind when it is ended while it starts', async () => {
   }
 });
 
-it('goes on from the data that it kept, and refuses to run twice on them', async () => {
+it('continues from the data that it kept, and refuses to run twice on it', async () => {
   const folder = newFolder();
   const first = live(['--data', folder, '--rate', '10']);
   await first.isUp();
@@ -174,7 +174,7 @@ it('goes on from the data that it kept, and refuses to run twice on them', async
   expect(await third.ended).toBe(0);
 });
 
-it('runs twice beside each other, each on ports of its own', async () => {
+it('runs twice at once, each on its own ports', async () => {
   const both = [live(), live()];
   for (const one of both) await one.isUp();
   const addresses = both.map((one) => one.found(PAGE));

@@ -76,7 +76,7 @@ export function anyOutside(field: string, values: readonly number[], range: Rang
   return null;
 }
 
-/** Why four finite numbers are no attitude, or null. */
+/** Why four finite numbers are not an attitude, or null. */
 export function notUnit(field: string, attitude: Quat): string | null {
   const x = attitude[0];
   const y = attitude[1];

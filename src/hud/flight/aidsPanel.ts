@@ -2,7 +2,7 @@ import { DURATION, type LandingAids, SPEED, VERTICAL_SPEED } from '../../readout
 import { append, appendReading } from '../elements';
 import { showAttribute, showNumber, showPart, showText } from '../shown';
 
-const CORRIDOR = { slow: 'slow', good: 'on it', fast: 'TOO FAST', none: '' } as const;
+const CORRIDOR = { slow: 'slow', good: 'on speed', fast: 'TOO FAST', none: '' } as const;
 
 /** Landing aids: the speed to come down at, when to brake at the latest, and the predicted touchdown. */
 export function createAidsPanel(parent: Element): (aids: LandingAids, on: boolean) => void {

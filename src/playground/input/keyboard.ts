@@ -22,8 +22,8 @@ export interface KeyStroke {
 }
 
 /**
- * Turns key events into actions. Works with any focus but a text field's and a dialog's. A browser that loses sight of a key never
- * tells that it came up, so that blur, a hidden or frozen page and Command (macOS sends no keyup under it) let go of everything.
+ * Turns key events into actions. Works with any focus but a text field's and a dialog's. A browser that misses a key's release never
+ * reports it, so blur, a hidden or frozen page and Command (macOS sends no keyup under it) release everything.
  */
 export function listenToKeys(
   window: Window,

@@ -50,7 +50,7 @@ export function alignSteeringAxes(
 
 type Triple = [number, number, number];
 
-/** Sine of the angle below which an axis of the screen lies along the thrust axis, and a tilt about it is none. */
+/** Sine of the angle below which an axis of the screen lies along the thrust axis, so that a tilt about it has no effect. */
 const BESIDE = 0.1;
 
 /** Hundredths: finer steps cannot be felt and need not be in a link. */

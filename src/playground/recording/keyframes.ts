@@ -25,7 +25,7 @@ export interface Keyframes {
   readonly before: (at: number) => Fed;
   /** Whether a keyframe lies between two times. */
   readonly hasBetween: (from: number, to: number) => boolean;
-  /** Reads on until `isOver` says so or the recording ends. */
+  /** Reads on until `isOver` returns true or the recording ends. */
   readonly prepare: (isOver: () => boolean) => void;
 }
 

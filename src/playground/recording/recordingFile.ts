@@ -31,7 +31,7 @@ export function fileName({ header }: Recording, now: Date): string {
   return `touchdown-${scenario.replaceAll(/[^\w-]/g, '')}-${stamp}.jsonl`;
 }
 
-/** Reads a recording from a file, or returns why it is none. */
+/** Reads a recording from a file, or returns the reason why it cannot. */
 export async function readFile(file: File): Promise<Result<Recording>> {
   if (file.size > MAX_FILE_SIZE)
     return err(`it is ${Math.round(file.size / 1e6)} MB; the limit is ${MAX_FILE_SIZE / 1e6} MB`);
@@ -44,7 +44,7 @@ export async function readFile(file: File): Promise<Result<Recording>> {
   }
 }
 
-/** The message for a file that is no recording. */
+/** The message for a file that is not a recording. */
 export function refusalText(name: string, checked: Result<Recording> & { ok: false }): string {
   return (
     `${name} cannot be played: ${checked.reason}. ` +

@@ -46,7 +46,7 @@ export function createFrameLoop(window: Window, root: HTMLElement, context: Fram
     context.paint(view, now, milliseconds - before < SLOW_FRAME);
     before = milliseconds;
     // Before the picture: a canvas that changes size is blank until it is drawn again.
-    // Frames in which nothing is drawn are no measurement of the machine.
+    // Frames in which nothing is drawn do not measure the machine.
     const isMeasured = view.ready && Number.isNaN(freezeAt);
     const hasChanged = isMeasured && (context.resolution?.measure(milliseconds / 1000) ?? false);
     if (hasChanged || isResized) {

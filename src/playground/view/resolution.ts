@@ -6,7 +6,7 @@ const HIDDEN = 4;
 const LEVELS = [1, 0.8, 0.62, 0.5] as const;
 /** A coarser picture must be at least this many times as fast; otherwise the picture is not the bottleneck. */
 const WORTH = 1.15;
-/** Frames that a measurement takes at least; the one that follows a change is not counted: buffers are made anew in it. */
+/** Frames that a measurement takes at least; the one after a change is not counted, since buffers are created in it. */
 const FRAMES = 6;
 /** Wall seconds of a measurement, and how many of them to wait after a step that was not worth it. */
 const SPAN = 1.5;

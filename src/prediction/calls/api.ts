@@ -55,7 +55,7 @@ export interface Predictor extends LeanPredictor {
   setPolicy: (shipId: string, policy: Policy) => void;
   /**
    * Changes settings (member by member), ship classes, terrain or bodies while running. Ships, time, inputs and listeners stay, and each
-   * ship goes on from its newest server state; only another list of body names begins a new world. A hello with other values does the
+   * ship continues from its newest server state; only another list of body names begins a new world. A hello with other values does the
    * same. An error names the invalid field, and nothing changes.
    */
   configure: (changes: Partial<Defaults>) => Result<null>;

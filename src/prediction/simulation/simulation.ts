@@ -149,7 +149,7 @@ export interface Simulation {
   /** The measured spin of each body, in the world's order. */
   readonly spins: readonly BodySpin[];
   readonly fleet: Fleet;
-  /** Of the ships in step with the front, and of the ship that is replayed: placed anew by each pass. */
+  /** Of the ships in step with the front, and of the ship that is replayed: each pass places it again. */
   readonly steps: { readonly front: RowStep; readonly replay: RowStep };
   readonly inputs: Inputs;
   readonly front: Position;

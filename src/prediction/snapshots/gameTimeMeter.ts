@@ -136,7 +136,7 @@ function coasts(ship: ShipState): boolean {
   );
 }
 
-/** Distance divided by mean velocity; NaN without motion, or if either is no vector. */
+/** Distance divided by mean velocity; NaN without motion, or if either is not a vector. */
 function secondsBetween(
   a: Pick<ShipState, 'position' | 'velocity'>,
   b: Pick<ShipState, 'position' | 'velocity'>,

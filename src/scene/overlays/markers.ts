@@ -155,7 +155,7 @@ function flat(color: number, opacity: number): MeshBasicMaterial {
     opacity,
     transparent: true,
     side: DoubleSide,
-    // Both sides have one colour: three's second pass would show the same, and prepares the program anew twice a frame.
+    // Both sides have one colour: three's second pass would show the same, and prepares the program again twice per frame.
     forceSinglePass: true,
     depthWrite: false,
     toneMapped: false,

@@ -51,7 +51,7 @@ export function valueIn(r: Reading, from: Fields, name: string): unknown {
   return Object.hasOwn(from, spelled) ? (from[spelled] ?? undefined) : undefined;
 }
 
-/** `value` as fields. If it is no object, the message is refused and there are none. */
+/** `value` as fields. If it is not an object, the message is refused and there are none. */
 export function fieldsOf(r: Reading, value: unknown): Fields {
   if (typeof value === 'object' && value !== null && !Array.isArray(value)) return value as Fields;
   refuse(r, '', value === undefined ? 'missing' : `expected an object, got ${describe(value)}`);

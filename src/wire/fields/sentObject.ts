@@ -1,6 +1,6 @@
 /** Values that callers pass by mistake instead of a parsed message, and what to do about each. */
 
-/** What a value that is no plain object is, and what to do with it first; null for anything else. */
+/** The kind of a value that is not a plain object, with advice; null for a plain object. */
 export function notPlain(value: unknown): string | null {
   if (typeof value === 'string') return 'a string: parse it with JSON.parse first';
   if (typeof value !== 'object' || value === null || Array.isArray(value)) return null;

@@ -141,7 +141,7 @@ describeInBrowser('the built page in any window', () => {
     expect(problemsOf(page)).toEqual([]);
   });
 
-  it('keeps every sign in forced colours: each state has its shape, and is told from the others without colour', async () => {
+  it('keeps every sign in forced colours: each state has its shape, and is distinguished from the others without colour', async () => {
     const page = await openBuiltPage('?scenario=topple&slow=4', SMALL);
     await page.emulateMedia({ forcedColors: 'active' });
     const signs = new Set<string>();

@@ -39,7 +39,7 @@ describe('bytes as text', () => {
     expect(bytesOf('A'.repeat(200_001))).toBeNull();
   });
 
-  it('that are no run are refused for what is wrong with them', () => {
+  it('that are not a run are refused with the fault', () => {
     const cut = textOf(Uint8Array.of(4, 1));
     expect(readFlight(cut, SUBSTEPS)).toEqual({
       ok: false,
@@ -94,7 +94,7 @@ describe('a flight’s link', () => {
     expect(done).toEqual(['run', 'run']);
   });
 
-  it('goes on from the flight that a link brought, from the pilot’s first input on', () => {
+  it('continues from the flight that a link brought, from the pilot’s first input on', () => {
     const brought = writeFlight([input(1, 0.2), input(4, 0.4), input(9, 0.9)], SUBSTEPS);
     const { link, flown } = open({ ...DEFAULT_CHOICES, flight: brought });
     link.copy();
@@ -112,7 +112,7 @@ describe('a flight’s link', () => {
     ]);
   });
 
-  it('is said to be long from the length on that mail and chat break', () => {
+  it('is reported as long from the length that mail and chat cut off', () => {
     const { link, done, copied } = open();
     const lengthOf = (count: number) => {
       done.length = 0;

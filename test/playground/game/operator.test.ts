@@ -80,7 +80,7 @@ describe('the operator', () => {
     expect(does('away')).toEqual(back);
   });
 
-  it('kicks, saves, restores and moves the ship, which is no score of the pilot’s', () => {
+  it('kicks, saves, restores and moves the ship, and such a flight is not scored', () => {
     const { does } = createOperator();
     expect(does('kick')).toEqual([
       ...[

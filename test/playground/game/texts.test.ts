@@ -11,7 +11,7 @@ const { map } = defaultKeys();
 describe.each(['keys', 'gamepad', 'thumbs'] as const)('a pilot with %s', (device) => {
   const cap = (action: keyof typeof map) => map[action];
 
-  it('is named a control for every one that a mission’s words name', () => {
+  it('has a name for every control in a mission’s texts', () => {
     for (const mission of [...MISSIONS, ...LESSONS]) {
       const wanted = [...mission.how.matchAll(/\{(\w+)\}/g)].map(([, action]) => action as keyof typeof map);
       for (const action of wanted) expect([action, controlName(device, action, cap)]).not.toContain('');

@@ -49,7 +49,7 @@ describe('a gamepad in the page', () => {
     expect(padName(id)).toBe(name);
   });
 
-  it('is looked for only once one connects, and no more when it has gone', () => {
+  it('is read only from its connection to its disconnection', () => {
     const { read, reads, connect, plug, take } = createPads();
     plug([rest]);
     expect([read(), reads.mock.calls.length]).toEqual([false, 0]);
@@ -158,7 +158,7 @@ describe('the thumb sticks', () => {
     fire(pad, type, { pointerId, clientX, clientY });
   };
 
-  it('deflect by where the thumb is from where it came down, full at 44 px, in tenths', () => {
+  it('deflect by the thumb’s distance from its first touch, full at 44 px, in tenths', () => {
     const { tilt, lift, push, deflection, take } = createPads();
     touch(tilt, 'pointermove', 1, 44, 0);
     expect(take()).toEqual([]);

@@ -30,7 +30,7 @@ function createCanvas(isOn = false) {
 }
 
 describe('the camera', () => {
-  it('turns by 0.006 rad a pixel of one finger’s way, captured, and no more once it is lifted', () => {
+  it('turns by 0.006 rad per pixel of one finger’s drag, captured, until it is lifted', () => {
     const { canvas, pointer } = createCanvas();
     expect(canvas.tabIndex).toBe(0);
     expect(pointer('move', 1, 50, 50)).toEqual([]);
@@ -45,7 +45,7 @@ describe('the camera', () => {
     expect(pointer('move', 1, 0, 0)).toEqual([]);
   });
 
-  it('zooms by how far two fingers spread, and turns again with the one that is left', () => {
+  it('zooms by the spread of two fingers, and turns again with the remaining one', () => {
     const { pointer } = createCanvas();
     pointer('down', 1, 0, 0);
     pointer('down', 2, 30, 40);

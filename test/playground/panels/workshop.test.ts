@@ -7,7 +7,7 @@ import type { Samples } from '../../../src/playground/game/samples';
 import type { Diagnosis } from '../../../src/prediction';
 import { all, attributes, createPage, layOut, one, shownText } from '../../hud/pageInNode';
 
-it('figures have each gauge’s digits, and a dash for what is unknown', () => {
+it('figures have each gauge’s digits, and dashes for unknown values', () => {
   const { root } = createPage();
   const show = createFigures(root);
   const values = [1.236, 3.456];

@@ -70,7 +70,7 @@ it('packs whole frames, and gives them back as they were', () => {
   expect(entry).not.toBe(recorder.recording('').entries[0]);
 });
 
-it('gives the oldest up beyond 14 MB, down to nine tenths, and begins with a frame and its hello', () => {
+it('drops the oldest entries beyond 14 MB, down to nine tenths, and begins with a frame and its hello', () => {
   const recorder = createRecorder();
   const hello = received(0, { kind: 'hello', tickRate: 1 });
   // B: an entry has 60, of other kinds than held controls also 250, and 1000 a ship; a packed frame has 200 beside its own.

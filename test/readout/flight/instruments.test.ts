@@ -3,7 +3,7 @@ import { GRAVITATIONAL_CONSTANT, NEUTRAL_CONTROLS, STANDARD_GRAVITY } from '../.
 import { createFlightReadout, updateFlightReadout } from '../../../src/readout';
 import { makeView, type Pose } from '../views';
 
-describe('the instruments of flying', () => {
+describe('the flight instruments', () => {
   const read = (pose: Pose, changes = {}) =>
     updateFlightReadout(createFlightReadout(), makeView({ clearance: 80, ...pose }, changes));
 

@@ -14,7 +14,7 @@ import {
 import { BEST_RUN_KEY, bytesOf, textOf } from './runText';
 import type { VerifiedRun } from './verifiedRun';
 
-/** Replays the inputs; null if they are no run. Stored are the inputs as in a link, encoded and decoded. */
+/** Replays the inputs, encoded and decoded as in a link; null if they are not a run. */
 export function verifyRun(mission: Mission, inputs: readonly RunInput[], by = ''): VerifiedRun | null {
   return verifyBytes(mission, writeRun(inputs, substepsOf(mission)), by);
 }

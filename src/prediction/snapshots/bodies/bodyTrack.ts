@@ -110,8 +110,8 @@ function skipTo(track: BodyTrack, timeline: Timeline, tick: number): void {
 }
 
 /**
- * The ring has gone on beyond `tick`, as after an absence: the bodies go back from the oldest boundary after it. They are not kept: their
- * slot is a newer tick's.
+ * The ring has advanced beyond `tick`, as after an absence: the bodies are moved back from the oldest boundary after it. They are not kept:
+ * their slot is a newer tick's.
  */
 function pastAt(
   { ticks, boundaries, past, count }: BodyTrack,

@@ -98,7 +98,7 @@ function createHeap(): Heap {
 function pushPart(out: Heap, given: BufferGeometry, finish: Finish, placement: Placement): void {
   const geometry = given.index === null ? given.clone() : given.toNonIndexed();
   pushFlex(out.flexes, geometry, placement.flex);
-  // Else three.js computes the bounds anew, which took half of the time of building a ship.
+  // Otherwise three.js computes the bounds again, which took half of the time of building a ship.
   geometry.boundingBox = null;
   geometry.applyMatrix4(matrixOf(placement));
   const { array: positions, count } = geometry.getAttribute('position');

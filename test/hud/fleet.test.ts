@@ -219,7 +219,7 @@ it('the landing HUD’s parts can be scrolled by keyboard where they are too sho
   expect(stop()).toEqual([null, null, null]);
   layOut(parts, { scrollHeight: 201 });
   given.resized();
-  expect(stop()).toEqual(['0', 'group', 'Landing, further down']);
+  expect(stop()).toEqual(['0', 'group', 'Landing details']);
   expect(changesBy(given.resized)).toBe(0);
   layOut(parts, { scrollHeight: 200 });
   given.resized();

@@ -61,7 +61,7 @@ export function createCockpitLandingHud(
   const paintCard = createTouchdownCard(parts);
   const announce = createAnnouncer(panel);
   host.append(root);
-  const unwatch = scrollWhereShort(parts, 'Landing, further down');
+  const unwatch = scrollWhereShort(parts, 'Landing details');
   const hud = {
     ...({ root, members: ['status', 'descent', 'touchdown'], madeBy: 'updateLandingReadout' } as const),
     paint: (readout: LandingReadout) => {

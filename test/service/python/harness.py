@@ -1,6 +1,7 @@
 """A real Redis and a real service for the tests, as separate processes that can be killed."""
 
 import json
+import multiprocessing
 import os
 import shutil
 import signal
@@ -18,6 +19,7 @@ from redis.exceptions import RedisError
 
 SERVICE_HOME = Path(__file__).resolve().parents[3] / "src" / "service"
 sys.path.insert(0, str(SERVICE_HOME))
+import touchdown_service.__main__  # noqa: E402
 
 SITE = [0.6, 0.48, 0.64]
 # Seconds after which a condition counts as failed: for hangs alone, a busy machine takes a minute for what takes a second.
@@ -54,44 +56,68 @@ class RedisServer:
             return False
 
     def kill(self) -> None:
-        kill(self.process)
+        """kill -9: no output, no clean-up."""
+        if self.process is not None and self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
 
     def close(self) -> None:
         self.kill()
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
-class ServiceProcess:
-    """`python -m touchdown_service`, with its output in a file."""
+class Program:
+    """A program of the service in a process of its own, with its output in a file.
 
-    def __init__(self, redis: RedisServer, *arguments: str) -> None:
+    A fork of this process: to start Python and to import the Redis client anew costs more than most tests. By their commands the
+    programs are started in record_landing.py, by the gateway's tests and by package.long.test.ts.
+    """
+
+    def __init__(self, main: Callable[[], None], *command: str) -> None:
         # Without a name: it goes with this process, however that ends.
         self.log = tempfile.TemporaryFile()
-        command = [sys.executable, "-m", "touchdown_service", "--redis", redis.url]
-        command += ["--lease-ms", "400", *arguments]
-        self.process = subprocess.Popen(command, cwd=SERVICE_HOME, stdout=self.log, stderr=self.log)
+        self.process = multiprocessing.get_context("fork").Process(target=run, args=(main, command, self.log.fileno()))
+        self.process.start()
 
     def words(self) -> str:
-        # Not by the file's own position, at which the service writes.
+        # Not by the file's own position, at which the program writes.
         return os.pread(self.log.fileno(), os.fstat(self.log.fileno()).st_size, 0).decode()
 
+    def signal(self, number: int) -> None:
+        os.kill(self.process.pid, number)
+
+    def wait(self) -> int:
+        """Its exit code once it has ended."""
+        self.process.join(PATIENCE)
+        if self.process.exitcode is None:
+            raise AssertionError(f"never: it ends\n{self.words()}")
+        return self.process.exitcode
+
     def kill(self) -> None:
-        kill(self.process)
+        """kill -9: no output, no clean-up."""
+        self.process.kill()
+        self.process.join()
 
     def terminate(self) -> int:
-        self.process.send_signal(signal.SIGTERM)
-        return self.process.wait(PATIENCE)
+        self.signal(signal.SIGTERM)
+        return self.wait()
 
     def close(self) -> None:
         self.kill()
         self.log.close()
 
 
-def kill(process: subprocess.Popen | None) -> None:
-    """kill -9: no output, no clean-up."""
-    if process is not None and process.poll() is None:
-        process.kill()
-        process.wait()
+def run(main: Callable[[], None], command: tuple[str, ...], log: int) -> None:
+    os.dup2(log, 1)
+    os.dup2(log, 2)
+    sys.argv = list(command)
+    main()
+
+
+class ServiceProcess(Program):
+    def __init__(self, redis: RedisServer, *arguments: str) -> None:
+        command = ["touchdown-service", "--redis", redis.url, "--lease-ms", "400", *arguments]
+        super().__init__(touchdown_service.__main__.main, *command)
 
 
 def free_port() -> int:
@@ -128,13 +154,15 @@ def lander(ship_id: str = "s1", **order: Any) -> dict[str, Any]:
     return {"ship_id": ship_id, "player_id": f"pilot of {ship_id}", "ship_class": "planetary_lander"} | place | order
 
 
-def frames(client: Redis) -> list[dict[str, Any]]:
-    return [json.loads(entry["frame"]) for _, entry in client.xrange("touchdown:frames")]
+def frames(client: Redis, having: str = "") -> list[dict[str, Any]]:
+    """The frames whose text has the given one."""
+    texts = [entry["frame"] for _, entry in client.xrange("touchdown:frames")]
+    return [json.loads(text) for text in texts if having in text]
 
 
 def result_of(client: Redis, entry_id: str) -> dict[str, Any] | None:
     """The result of an inbox entry, once a frame reports it."""
-    told = [result for frame in frames(client) for result in frame["results"] if result["id"] == entry_id]
+    told = [result for frame in frames(client, entry_id) for result in frame["results"] if result["id"] == entry_id]
     return told[0] if told else None
 
 

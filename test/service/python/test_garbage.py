@@ -6,7 +6,7 @@ import random
 import time
 import unittest
 
-from harness import PATIENCE, SERVICE_HOME, RedisServer, ServiceProcess, control, lander, send, until
+from harness import SERVICE_HOME, RedisServer, ServiceProcess, control, lander, send, until
 from redis import Redis
 from touchdown_service.runtime.connection import connect
 from touchdown_service.runtime.galaxy import Changes
@@ -216,7 +216,7 @@ class Running(unittest.TestCase):
             pipe.delete(key).rpush(key, "x").execute()
             # The next events: galaxy:ships is written only where there are some.
             send(self.client, "respawn", **lander(height=0.1))
-            self.assertEqual(service.process.wait(PATIENCE), 2, service.words())
+            self.assertEqual(service.wait(), 2, service.words())
             said = service.words().splitlines()[-1]
             self.assertRegex(said, f"^touchdown-service: {key}: expected a (stream|hash), got a list$")
             self.assertNotIn("Traceback", service.words())
@@ -231,7 +231,7 @@ class Running(unittest.TestCase):
             self.client.delete("touchdown:lease")
             put()
             service = self.run_service()
-            self.assertEqual(service.process.wait(PATIENCE), 2)
+            self.assertEqual(service.wait(), 2)
             self.assertIn("touchdown-service: touchdown:lease: expected a", service.words())
 
 

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from harness import PATIENCE, ServiceProcess, frames, lander
+from harness import ServiceProcess, frames, lander
 from with_service import WithService
 
 
@@ -11,20 +11,20 @@ class Lease(WithService):
     def test_a_second_service_refuses_to_run(self) -> None:
         second = ServiceProcess(self.redis)
         self.addCleanup(second.close)
-        self.assertEqual(second.process.wait(PATIENCE), 3)
+        self.assertEqual(second.wait(), 3)
         self.assertIn("another service runs", second.words())
         before = self.tick()
         self.until(lambda: self.tick() > before + 3, "the first goes on")
 
     def test_one_that_lost_its_lease_writes_nothing_more(self) -> None:
-        self.service.process.send_signal(19)  # SIGSTOP: it stands for longer than its lease
+        self.service.signal(19)  # SIGSTOP: it stands for longer than its lease
         self.until(lambda: not self.client.exists("touchdown:lease"), "the lease runs out")
         second = ServiceProcess(self.redis)
         self.addCleanup(second.close)
         at = self.tick()
         self.until(lambda: self.tick() > at + 5, "the second ticks")
-        self.service.process.send_signal(18)  # SIGCONT
-        self.assertEqual(self.service.process.wait(PATIENCE), 3)
+        self.service.signal(18)  # SIGCONT
+        self.assertEqual(self.service.wait(), 3)
         self.assertIn("lease lost", self.service.words())
         ticks = [frame["tick"] for frame in frames(self.client)]
         self.assertEqual(ticks, list(range(ticks[0], ticks[-1] + 1)))

@@ -1,13 +1,12 @@
 """A running service's ship becomes a trajectory; test/service/recorder.test.ts replays such a file on the browser's law."""
 
 import json
-import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from harness import PATIENCE, SERVICE_HOME, RedisServer, ServiceProcess, control, lander, result_of, send, until
+from harness import Program, RedisServer, ServiceProcess, control, lander, result_of, send, until
+from touchdown_service.recorder import main
 
 
 class Recorder(unittest.TestCase):
@@ -16,22 +15,28 @@ class Recorder(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.file = Path(folder.name) / "recorded.json"
 
-    def record(self, redis: RedisServer, *options: str) -> tuple[int, str, str]:
-        command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, *options, str(self.file)]
-        run = subprocess.run(command, cwd=SERVICE_HOME, capture_output=True, text=True, timeout=PATIENCE)
-        return run.returncode, run.stdout, run.stderr
+    def start(self, redis: RedisServer, *options: str) -> Program:
+        program = Program(main, "recorder", "--redis", redis.url, *options, str(self.file))
+        self.addCleanup(program.close)
+        return program
+
+    def refused(self, redis: RedisServer, *options: str) -> str:
+        """What it says, where it fails."""
+        program = self.start(redis, *options)
+        self.assertEqual(program.wait(), 1)
+        return program.words()
 
     def test_a_landing_is_recorded_tick_by_tick(self) -> None:
         redis = RedisServer()
         self.addCleanup(redis.close)
         client = redis.client()
         client.mset({"game:tick_rate": "50"})
-        self.assertIn("no service has written here", self.record(redis, "--ship", "s1")[2])
+        self.assertIn("no service has written here", self.refused(redis, "--ship", "s1"))
         service = ServiceProcess(redis)
         self.addCleanup(service.close)
         entry = send(client, "spawn", **lander(height=50, velocity=[3, 0, -12]))
         until(lambda: result_of(client, entry), "it is there", service)
-        self.assertIn("ship: no ship named s2", self.record(redis, "--ship", "s2")[2])
+        self.assertIn("ship: no ship named s2", self.refused(redis, "--ship", "s2"))
         client.set("game:paused", "true")
         until(lambda: client.hget("touchdown:clock", "paused") == "true", "it is paused", service)
         now = int(client.get("game:tick"))
@@ -39,11 +44,10 @@ class Recorder(unittest.TestCase):
             control(
                 client, seq, {"thrust_level": 0.01 * seq, "attitude_mode": "hold"}, tick=now + 90 + 7 * seq, substep=1
             )
-        command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
-        child = subprocess.Popen([*command, "--ticks", "250", str(self.file)], cwd=SERVICE_HOME, stdout=subprocess.DEVNULL)
+        recorder = self.start(redis, "--ship", "s1", "--ticks", "250")
         until(lambda: client.info("clients")["blocked_clients"] == 1, "the recorder listens", service)
         client.set("game:paused", "false")
-        self.assertEqual(child.wait(PATIENCE), 0)
+        self.assertEqual(recorder.wait(), 0)
         data = json.loads(self.file.read_text(encoding="utf-8"))
         self.assertEqual([s["tick"] for s in data["states"]], [data["initial"]["tick"] + i for i in range(1, 251)])
         self.assertEqual([i["substep"] for i in data["inputs"]], [0, 1, 1, 1, 1])
@@ -62,8 +66,8 @@ class Recorder(unittest.TestCase):
             client.set("touchdown:world", "{}")
             client.delete(key)
             spoil()
-            code, _, said = self.record(redis, "--ship", "s1")
-            self.assertEqual((code, said.count("\n")), (1, 1), said)
+            said = self.refused(redis, "--ship", "s1")
+            self.assertEqual(said.count("\n"), 1, said)
             self.assertIn(f"recorder: {key}: {words}", said)
 
     def test_it_ends_where_the_tick_changes(self) -> None:
@@ -76,14 +80,11 @@ class Recorder(unittest.TestCase):
         entry = send(client, "spawn", **lander(height=3000))
         until(lambda: result_of(client, entry), "it is there", service)
         before = int(client.get("game:tick"))
-        command = [sys.executable, "-m", "touchdown_service.recorder", "--redis", redis.url, "--ship", "s1"]
-        child = subprocess.Popen(
-            [*command, "--ticks", "10000", str(self.file)], cwd=SERVICE_HOME, stdout=subprocess.PIPE, text=True
-        )
+        recorder = self.start(redis, "--ship", "s1", "--ticks", "10000")
         until(lambda: int(client.get("game:tick")) > before + 100, "it has recorded a while", service)
         client.set("game:tick_rate", "20")
-        said, _ = child.communicate(timeout=PATIENCE)
-        self.assertIn("ended: another tick", said)
+        recorder.wait()
+        self.assertIn("ended: another tick", recorder.words())
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import {
   loadBody,
   loadSettings,
   loadShipClass,
+  NEUTRAL_CONTROLS,
   type World,
   TERRAIN_NORMALS,
 } from '../../src/dynamics';
@@ -148,8 +149,16 @@ export function createRig(options: RigOptions): Rig {
   predictor.onEvent((notice) => notices.push(notice));
   exchange.connect(ME, SHIP, 0);
   const pilot = options.pilot ?? ((game: number) => pilotAt(loaded, game));
+  /** To look at the predictor costs as much as to advance it, and no scenario without inputs needs its time. */
+  const isPiloted = options.pilot !== undefined || scenario.inputs.length > 0;
   const waiting: { bytes: Uint8Array; leaves: number }[] = [];
   let frames = 0;
+
+  function piloted(): Controls {
+    if (!isPiloted) return NEUTRAL_CONTROLS;
+    const { tick, sinceTick, timeScale, tickRate, ready } = rig.view();
+    return pilot(ready ? (tick * timeScale) / tickRate + sinceTick : 0);
+  }
 
   const rig: Rig = {
     loaded,
@@ -176,9 +185,7 @@ export function createRig(options: RigOptions): Rig {
     },
     frame(controls) {
       rig.receiveOnly();
-      const { tick, sinceTick, timeScale, tickRate, ready } = rig.view();
-      const game = ready ? (tick * timeScale) / tickRate + sinceTick : 0;
-      rig.predictor.advance(controls === undefined ? pilot(game) : controls, rig.now);
+      rig.predictor.advance(controls === undefined ? piloted() : controls, rig.now);
       for (const message of rig.predictor.takeOutgoing()) {
         if (message.kind === 'inputs') rig.sentInputs.push(...message.inputs);
         const leaves = Math.max(options.holdBack?.(message, rig.now) ?? rig.now, waiting.at(-1)?.leaves ?? 0);

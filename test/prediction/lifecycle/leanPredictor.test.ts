@@ -28,6 +28,14 @@ import type { ServerFrame } from '../../../src/wire';
 import { LUNA, ship, ticks } from '../checks/mistakes/given';
 import { recordFlight } from '../recordFlight';
 
+/** The record without what `hidden` names, at any depth. */
+function without(hidden: readonly string[], value: unknown): unknown {
+  if (Array.isArray(value)) return value.map((each) => without(hidden, each));
+  if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value)) return value;
+  const kept = Object.entries(value).filter(([key]) => !hidden.includes(key));
+  return Object.fromEntries(kept.map(([key, each]) => [key, without(hidden, each)]));
+}
+
 /** Each view and message of a flight as text; without what `hidden` names. */
 function shown(
   predictor: LeanPredictor,
@@ -35,14 +43,14 @@ function shown(
   hidden: readonly string[],
 ): string[] {
   const lines: string[] = [];
-  const hide = (key: string, value: unknown) => (hidden.includes(key) ? undefined : value);
+  const show = (line: unknown) => JSON.stringify(hidden.length > 0 ? without(hidden, line) : line);
   predictor.onEvent((notice) => lines.push(JSON.stringify(notice)));
   for (const entry of entries) {
     if (entry.kind === 'received') predictor.receive(entry.message, entry.at);
     if (entry.kind !== 'advanced') continue;
     predictor.advance(entry.controls, entry.at);
     const sent = predictor.takeOutgoing().filter((message) => !hidden.includes(message.kind));
-    lines.push(JSON.stringify([sent, predictor.view(entry.at)], hide));
+    lines.push(show([sent, predictor.view(entry.at)]));
   }
   return lines;
 }

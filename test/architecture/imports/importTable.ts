@@ -83,11 +83,17 @@ function importsAt(node: Node): Import[] {
 }
 
 /** Every import of a file, in whichever form. */
-export function importsOf(file: SourceFile): Import[] {
-  const found: Import[] = [];
-  visitTree(file, (node) => found.push(...importsAt(node)));
-  return found;
+export function importsOf(file: SourceFile): readonly Import[] {
+  const before = read.get(file.path);
+  if (before?.text === file.text) return before.imports;
+  const imports: Import[] = [];
+  visitTree(file, (node) => imports.push(...importsAt(node)));
+  read.set(file.path, { text: file.text, imports });
+  return imports;
 }
+
+/** By path: several tests ask for the imports of every file, and to parse them all takes a second. */
+const read = new Map<string, { readonly text: string; readonly imports: readonly Import[] }>();
 
 function packageName(request: string): string {
   return request

@@ -30,10 +30,14 @@ const MESSAGES = [
   ['inputs', encodeClientMessage(INPUTS), decodeClientMessage],
 ] as const;
 
-/** Refused with a reason, or valid; an exception fails the test. */
+/** Refused with a reason, or valid; an exception fails the test. For thousands of messages: `expect` takes longer than to decode one. */
 function expectChecked(decoded: Result<unknown>): void {
-  if (decoded.ok) expect(faultsOf(decoded.value)).toEqual([]);
-  else expect(decoded.reason).toMatch(/^[a-z_]+[a-z_.[\]\d]*: ./);
+  const faults = decoded.ok
+    ? faultsOf(decoded.value)
+    : /^[a-z_]+[a-z_.[\]\d]*: ./.test(decoded.reason)
+      ? []
+      : [decoded.reason];
+  if (faults.length > 0) expect(faults).toEqual([]);
 }
 
 function reasonOf(bytes: Uint8Array): string {

@@ -29,7 +29,7 @@ const SCRUB_DAMPING = 20;
 
 /**
  * Step 6: angular velocity and attitude by semi-implicit Euler, without sine or cosine; updates `up`.
- * @param inGround whether the ground's moments act beside TORQUE: gravity about the feet, leg support and foot scrub. They are summed in
+ * @param inGround whether the ground's moments act in addition to TORQUE: gravity about the feet, leg support and foot scrub. They are summed in
  *   ICRF axes with scalar moments of inertia, then rotated into body axes once.
  */
 // eslint-disable-next-line max-lines-per-function -- A substep takes a tenth less time if intermediate values stay in registers.

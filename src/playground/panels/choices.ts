@@ -37,7 +37,7 @@ export interface Choices {
   pilot: string;
   /** Inputs that the own ship applies by itself, as writeFlight writes them; '' = the scenario's own. */
   flight: string;
-  /** Ships beside one's own. */
+  /** Number of other ships. */
   fleet: number;
   /** 1: the worker speaks like the game's current server: no hello, no fields 31–34, whole-tick inputs. */
   legacy: number;

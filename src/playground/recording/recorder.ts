@@ -8,7 +8,7 @@ const MAX_BYTES = 14_000_000;
 const ENTRY_BYTES = 60;
 const CONTROLS_BYTES = 250;
 const SHIP_BYTES = 1000;
-/** Bytes of a packed frame beside its contents: the array and its record. */
+/** Bytes of a packed frame besides its contents: the array and its record. */
 const PACKED_BYTES = 200;
 
 /** Share of the bound that remains after dropping the oldest entries, so that drops are rare. */

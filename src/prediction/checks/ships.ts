@@ -112,7 +112,7 @@ function checkPlace(warn: Warn, ship: ShipState, body: BodyState): void {
   if (ship.landedBodyName === body.name) checkLanded(warn, ship, { body, from, distance });
 }
 
-/** A ship beside a fast body that has next to none of its velocity: the velocity is relative to the body. */
+/** A ship near a fast body that has almost none of its velocity: the velocity is relative to the body. */
 function checkFrame(warn: Warn, { shipId, velocity }: ShipState, body: BodyState, speed: number): void {
   const own = lengthOf(body.velocity);
   if (own < FAST || lengthOf(velocity) > 0.3 * own) return;

@@ -23,7 +23,7 @@ export interface Righting {
   torqueNeeded: number;
   /** The torque suffices. */
   possible: boolean;
-  /** kg aboard. */
+  /** kg on board. */
   fuel: number;
   /**
    * Result of simulating ahead: those actions held until the tilt is below `holdUntil`, then rate damping.

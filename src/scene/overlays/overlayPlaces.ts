@@ -63,7 +63,7 @@ const way = new Vector3();
 
 /**
  * The footprint's centre: below the ship along the surface normal, where the feet of a ship that stands flush are. High above a slope
- * it is no further aside than from the ship's own height.
+ * it is no further to the side than from the ship's own height.
  */
 function placeFootprint(out: Places, ship: ShipView): void {
   way.subVectors(out.ship, out.foot);

@@ -37,7 +37,7 @@ function card(title: string, words: string, actions: readonly CardAction[]): Car
   return { title, words, lines: [], actions };
 }
 
-/** What went wrong and what to do next; beside "Try again", what a mission offers. */
+/** The cause of the crash and the next actions: "Try again" and those of the mission. */
 export function crashCard(context: CardContext, others: readonly CardAction[]): CardText {
   const retry = { ...retryAction(context), cap: confirmCap(context) };
   return card('Crashed', 'Too fast: a touch above 50 m/s breaks the ship.', [retry, ...others]);

@@ -126,7 +126,7 @@ function titleOf({ scenario, isLesson }: Mission, context: MissionContext): stri
   return cap === '' ? scenario.title : `${scenario.title} · ${cap} to skip`;
 }
 
-/** Without a mission a crash is an end too; a real server gives a new ship by itself. */
+/** Without a mission a crash also ends the flight; a real server spawns a new ship by itself. */
 function isWrecked({ own }: WorldView, { choices }: MissionContext): boolean {
   return own?.shownState === 'crashed' && choices().server === '';
 }

@@ -24,7 +24,7 @@ export function scoreCard(
   };
 }
 
-/** How a run compares with the rival's and with one's own best before. */
+/** Compares a run with the rival's and with the pilot's previous best. */
 export function verdict(
   run: VerifiedRun,
   best: VerifiedRun | null,

@@ -8,6 +8,6 @@ export interface VerifiedRun {
   readonly score: Score;
   /** Whether it meets the goal. */
   readonly meetsGoal: boolean;
-  /** Name of its pilot; '' = one's own. */
+  /** Name of its pilot; '' for this browser's. */
   readonly by: string;
 }

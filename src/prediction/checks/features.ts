@@ -35,28 +35,28 @@ const NEEDS: readonly Need[] = [
     effect: 'the controls in the states show which inputs were applied',
   },
   {
-    of: 'a frame without timeScale',
+    of: 'a missing frame.timeScale',
     feature: 'measuredGameTime',
     part: 'gameTimeScale',
     isNeeded: ({ timeScale }) => timeScale === undefined,
     effect: 'the last one is used, or 1',
   },
   {
-    of: 'a frame without tickRate',
+    of: 'a missing frame.tickRate',
     feature: 'measuredTickRate',
     part: 'tickRates',
     isNeeded: ({ tickRate }) => tickRate === undefined,
     effect: 'the last one is used, or 1 Hz',
   },
   {
-    of: 'a frame with missing, incomplete or reordered bodies',
+    of: 'frame.bodies with missing, incomplete or reordered entries',
     feature: 'completedBodies',
     part: 'completeBodies',
     isNeeded: ({ bodies }, { sim }) => lacksBodies(bodies, sim.newestTick < 0 ? null : sim.world),
     effect: 'all bodies are extrapolated',
   },
   {
-    of: 'a snapshot with ships in several messages',
+    of: 'frame.ships split over several messages',
     feature: 'snapshotParts',
     part: 'parts',
     isNeeded: ({ tick, ships }, { sim }) =>
@@ -67,7 +67,7 @@ const NEEDS: readonly Need[] = [
     effect: 'the later ones are ignored',
   },
   {
-    of: 'a ship in contact without contactImpactSpeed',
+    of: 'frame.ships with a contact without contactImpactSpeed',
     feature: 'replayedImpacts',
     part: 'replayImpact',
     isNeeded: ({ ships }) =>

@@ -65,7 +65,7 @@ export { compareRecording, type RecordingComparison } from './recordings/compare
 export { type Approach, type LandingSite } from './autopilot/descent';
 export { BEGIN_LANDING, continueLanding, type LandingManeuver, type LandingPhase } from './autopilot/landing';
 /** Missions as data; a run replayed from its inputs, its score, and its bytes for a link. */
-export { findMission, findScenario, MISSIONS } from './missions/missions';
+export { findMission, findScenario, FREE_FLIGHT, MISSIONS } from './missions/missions';
 export { LESSONS } from './missions/lessons';
 export type { Mission, MissionGoal, Pad } from './missions/mission';
 export { flyRun, type RunInput, type RunOutcome } from './missions/flyRun';

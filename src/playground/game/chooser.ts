@@ -1,5 +1,5 @@
 import { TERRAINS } from '../../dynamics';
-import { findMission, findScenario } from '../../scenarios';
+import { findMission, findScenario, FREE_FLIGHT } from '../../scenarios';
 import { saveKeys } from '../input/keyTable';
 import { type Choices, OVERLAY_NAMES, setChoice } from '../panels/choices';
 import type { Help } from '../panels/help';
@@ -71,7 +71,7 @@ export function createChooser(page: Page, parts: Parts): Chooser {
     choose: (name, text) => void change(name, text),
     beginAnew,
     beginWorld,
-    isMission: (scenario) => findMission(scenario) !== null,
+    isGame: (scenario) => scenario === FREE_FLIGHT.name || findMission(scenario) !== null,
     openHelp: createHelpOpener(page, parts),
     follow(scenario, terrain) {
       if (setChoice(choices, 'scenario', scenario) !== null || !Object.hasOwn(TERRAINS, terrain)) return;

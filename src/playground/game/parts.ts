@@ -38,7 +38,7 @@ export interface Chooser {
   readonly choose: (name: keyof Choices, text: string) => void;
   readonly beginAnew: () => void;
   readonly beginWorld: () => void;
-  readonly isMission: (scenario: string) => boolean;
+  readonly isGame: (scenario: string) => boolean;
   readonly openHelp: () => void;
   /** The host of a shared world has begun a scenario. */
   readonly follow: (scenario: string, terrain: string) => void;

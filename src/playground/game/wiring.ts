@@ -86,11 +86,11 @@ function wirePanel({ part, document, choices, notice }: Page, parts: Parts): Pan
     document.body.classList.toggle('workshop', open);
     if (open) parts.dock.load();
   };
-  const isMission = parts.chooser.isMission(choices.scenario);
-  showDock(!isMission);
+  const isGame = parts.chooser.isGame(choices.scenario);
+  showDock(!isGame);
   const panel = createPanel(
     part('panel'),
-    { workshopOpen: !isMission },
+    { workshopOpen: !isGame },
     {
       change: (name, text) => parts.chooser.change(name, text),
       action: (action) => parts.actions.runPanelAction(action),

@@ -1,7 +1,7 @@
 import { BODIES, SHIP_CLASSES, TERRAINS } from '../../dynamics';
 import { readFlight } from '../game/mission/runText';
 import { TAB_ADDRESS } from '../server/tabAddress';
-import { LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
+import { FREE_FLIGHT, LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
 
 /** The choices of the page, all of them in the URL. */
 export interface Choices {
@@ -124,6 +124,7 @@ const names = (given: readonly { readonly name: string }[]) => ['', ...given.map
 export const SCENARIO_NAMES: readonly string[] = [
   ...MISSIONS.map(({ scenario }) => scenario.name),
   ...LESSONS.map(({ scenario }) => scenario.name),
+  FREE_FLIGHT.name,
   ...SCENARIOS.map(({ name }) => name),
 ];
 

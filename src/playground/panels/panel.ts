@@ -1,4 +1,4 @@
-import { findScenario, LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
+import { findScenario, FREE_FLIGHT, LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
 import type { Choices } from './choices';
 import { append, appendButton, appendDetails, createSelect } from './elements';
 import { createForm } from './form';
@@ -71,7 +71,7 @@ export function createPanel(
   addRow(host, RUN);
   const starts = append(host, 'div', 'row');
   appendButton(starts, 'Flight school', () => listeners.change('scenario', LESSONS[0]!.scenario.name));
-  appendButton(starts, 'Free flight', () => listeners.change('scenario', 'launch'));
+  appendButton(starts, 'Free flight', () => listeners.change('scenario', FREE_FLIGHT.name));
   addButton(starts, 'invite', 'Fly together');
 
   const workshop = appendDetails(host, 'Workshop', workshopOpen);
@@ -133,6 +133,7 @@ function createScenarioList(document: Document): HTMLSelectElement {
   const groups = [
     ['Missions', MISSIONS.map(({ scenario }) => scenario)],
     ['Flight school', LESSONS.map(({ scenario }) => scenario)],
+    ['Without a goal', [FREE_FLIGHT]],
     ['Demonstrations', SCENARIOS],
   ] as const;
   for (const [title, scenarios] of groups) {

@@ -2,6 +2,7 @@ import { LESSONS } from './lessons';
 import type { Scenario } from '../scenario';
 import { SCENARIOS } from '../catalogue';
 import type { Mission } from './mission';
+import { STILL } from '../start';
 import { missionStart, PILOTED } from './starts';
 
 const SCORED = { isLesson: false, night: false, how: '', done: { kind: 'land' } } as const;
@@ -204,12 +205,22 @@ export const MISSIONS: readonly Mission[] = [
   },
 ];
 
+/** No goal and no score: a full tank, and the ship waits for its pilot. */
+export const FREE_FLIGHT: Scenario = missionStart('free-flight', 'Free flight', {
+  about: 'No goal: fly where you like.',
+  initial: { ...STILL, fuelFraction: 1, surfaceContactState: 'landed' },
+});
+
 /** The mission or lesson with this scenario name, or null. */
 export function findMission(scenario: string): Mission | null {
   return [...MISSIONS, ...LESSONS].find((mission) => mission.scenario.name === scenario) ?? null;
 }
 
-/** The scenario with this name, of the catalogue or of a mission, or null. */
+/** The scenario with this name, of the catalogue, of a mission or of free flight, or null. */
 export function findScenario(name: string): Scenario | null {
-  return SCENARIOS.find((scenario) => scenario.name === name) ?? findMission(name)?.scenario ?? null;
+  return (
+    [...SCENARIOS, FREE_FLIGHT].find((scenario) => scenario.name === name) ??
+    findMission(name)?.scenario ??
+    null
+  );
 }

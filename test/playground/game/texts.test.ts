@@ -1,6 +1,12 @@
 /** Each control that the page names exists on the pilot's device. */
 import { describe, expect, it } from 'vitest';
-import { adviceText, controlName, howToFly } from '../../../src/playground/game/texts/flightTexts';
+import {
+  adviceText,
+  controlName,
+  type Device,
+  howToFly,
+} from '../../../src/playground/game/texts/flightTexts';
+import { modeLabelOf } from '../../../src/playground/game/texts/controlTexts';
 import { defaultKeys, KEY_TABLE } from '../../../src/playground/input/keyTable';
 import { createLandingAids } from '../../../src/readout';
 import { LESSONS, MISSIONS } from '../../../src/scenarios';
@@ -35,4 +41,12 @@ describe.each(['keys', 'gamepad', 'thumbs'] as const)('a pilot with %s', (device
     const flown = KEY_TABLE.filter(({ group }) => group === 'Push');
     expect(flown.map(({ action }) => controlName(device, action, cap))).not.toContain('');
   });
+});
+
+it('modes are labelled with keys as printed, with buttons of a gamepad, and with nothing beside buttons on the screen', () => {
+  const modes = ['rateDamping', 'modeHold', 'modeUpright', 'modeRetrograde', 'autopilot'] as const;
+  const labels = (device: Device) => modes.map((mode) => modeLabelOf(device, mode, (action) => map[action]));
+  expect(labels('keys')).toEqual(['KeyT', 'KeyC', 'KeyN', 'KeyB', 'KeyY']);
+  expect(labels('gamepad')).toEqual(['X', '→', '↑', '←', 'Y']);
+  expect(labels('thumbs')).toEqual(['', '', '', '', '']);
 });

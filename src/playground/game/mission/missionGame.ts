@@ -1,6 +1,6 @@
 import type { WorldView } from '../../../prediction';
 import type { LandingAids } from '../../../readout';
-import { findMission, type Mission, type RunInput } from '../../../scenarios';
+import { findMission, FREE_FLIGHT, type Mission, type RunInput } from '../../../scenarios';
 import type { Action } from '../../input/keyTable';
 import type { Choices } from '../../panels/choices';
 import type { GoalPanel } from '../../panels/goal';
@@ -71,6 +71,9 @@ export function createMissionGame(context: MissionContext): MissionGame {
   const reword = () => {
     const mission = tracker.mission();
     if (mission !== null) context.goal.show(titleOf(mission, context), mission.goal);
+    else if (context.choices().scenario === FREE_FLIGHT.name)
+      context.goal.show(FREE_FLIGHT.title, FREE_FLIGHT.about);
+    else context.goal.hide();
     context.goal.how(howToFly(mission, context.device(), context.cap));
   };
   const showPhase = (mission: Mission) => {
@@ -88,8 +91,7 @@ export function createMissionGame(context: MissionContext): MissionGame {
       tracker.begin(mission);
       show(null);
       void raceGhost(mission, flight.rival, { tracker, ghost, runs: context.runs });
-      if (mission === null) context.goal.hide();
-      else context.resetCamera();
+      if (mission !== null) context.resetCamera();
       reword();
     },
     watch(view) {

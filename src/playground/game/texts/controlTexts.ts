@@ -4,7 +4,7 @@ import type { Action, KeyMap } from '../../input/keyTable';
 import { capOf, type Layout } from '../../input/layout';
 import { pushKeyFor, turnKeysFor } from '../../input/steering';
 import { type Cockpit, createCockpit } from '../../view/cockpit';
-import { controlName } from './flightTexts';
+import { controlName, type Device } from './flightTexts';
 import type { Page } from '../pageParts';
 import type { Parts } from '../parts';
 
@@ -61,9 +61,18 @@ export function wireCockpit(page: Page, parts: Parts): Cockpit {
     keyLabel: (action) =>
       name(action.startsWith('translate') ? pushKeyFor(stick.steering, action as TranslationAction) : action),
     turnKeys,
-    modeLabel: (key) => (parts.devices.device() === 'keys' ? cap(key) : ''),
+    modeLabel: (key) => modeLabelOf(parts.devices.device(), key, cap),
     target: () => parts.game.tracker.target(),
     screen: () => (seen() ? screen : SHIP_AXES),
     isAutopilotOn: autopilot.isOn,
   });
+}
+
+/** The D-pad's directions, which are too long in words for a list. */
+const ARROWS: Partial<Record<Action, string>> = { modeUpright: '↑', modeRetrograde: '←', modeHold: '→' };
+
+/** The key of a mode, short; a touch screen has its name on a button. */
+export function modeLabelOf(device: Device, action: Action, cap: (action: Action) => string): string {
+  if (device === 'thumbs') return '';
+  return (device === 'gamepad' ? ARROWS[action] : undefined) ?? controlName(device, action, cap);
 }

@@ -1,22 +1,23 @@
 /** Additions to the goal's text: how to skip a lesson, and the remaining time. */
 import { describe, expect, it } from 'vitest';
 import { createMissionGame, type MissionContext } from '../../../../src/playground/game/mission/missionGame';
+import type { Action } from '../../../../src/playground/input/keyTable';
 import type { Device } from '../../../../src/playground/game/texts/flightTexts';
 import { makeView } from '../../../readout/views';
 
 function createGame(scenario: string) {
-  const shown = { title: '', advice: '', device: 'keys' as Device };
+  const shown = { title: '', words: '', how: '', advice: '', device: 'keys' as Device };
   const nothing = () => undefined;
   const game = createMissionGame({
     choices: () => ({ scenario, server: '' }),
     device: () => shown.device,
-    cap: () => '',
+    cap: (action: Action) => (action === 'modeUpright' ? 'N' : ''),
     resetCamera: nothing,
     goal: {
-      show: (title: string) => (shown.title = title),
-      how: nothing,
+      show: (title: string, words: string) => Object.assign(shown, { title, words }),
+      how: (text: string) => (shown.how = text),
       advise: (text: string) => (shown.advice = text),
-      hide: nothing,
+      hide: () => (shown.title = ''),
     },
     card: { show: nothing, hide: nothing },
     runs: { isKept: () => false },
@@ -36,6 +37,13 @@ describe('the goal', () => {
     game.reword();
     expect(shown.title).toBe('Lesson 1: hover');
     expect(createGame('sidestep').shown.title).toBe('Sidestep');
+  });
+
+  it('of free flight is none, but its keys are named', () => {
+    const { shown } = createGame('free-flight');
+    expect([shown.title, shown.words]).toEqual(['Free flight', 'No goal: fly where you like.']);
+    expect(shown.how).toContain('upright {N}');
+    expect(createGame('bounce').shown.title).toBe('');
   });
 
   it('of a hover counts down while the ship is between its heights', () => {

@@ -128,8 +128,8 @@ export async function flyAsNewcomer(page: Page, isTouch: boolean): Promise<Try> 
     if (/cut the engine now/i.test(screen.goal) && !hasCut) {
       await controls.cut();
       hasCut = true;
-    } else if (/too fast/i.test(screen.goal)) await controls.more();
-    else if (/too slow/i.test(screen.goal)) await controls.less();
+    } else if (/Too fast|More thrust/.test(screen.goal)) await controls.more();
+    else if (/Too slow|Less thrust/.test(screen.goal)) await controls.less();
     await page.waitForTimeout(REACTION);
   }
 }

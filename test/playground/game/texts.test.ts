@@ -8,7 +8,7 @@ import {
 } from '../../../src/playground/game/texts/flightTexts';
 import { modeLabelOf } from '../../../src/playground/game/texts/controlTexts';
 import { defaultKeys, KEY_TABLE } from '../../../src/playground/input/keyTable';
-import { createLandingAids } from '../../../src/readout';
+import { createLandingAids, type LandingAids } from '../../../src/readout';
 import { LESSONS, MISSIONS } from '../../../src/scenarios';
 import { makeView } from '../../readout/views';
 
@@ -35,6 +35,18 @@ describe.each(['keys', 'gamepad', 'thumbs'] as const)('a pilot with %s', (device
       const text = adviceText({ ...createLandingAids(), advice }, view, device, cap);
       expect([advice, text]).toEqual([advice, expect.stringMatching(/\{.+\}$/)]);
     }
+  });
+
+  it('is told of a speed only what the display says of it, and otherwise what to do', () => {
+    const told = (advice: LandingAids['advice'], corridor: LandingAids['corridor']) =>
+      adviceText({ ...createLandingAids(), advice, corridor }, makeView(), device, cap)
+        .split(/[:{]/)[0]!
+        .trim();
+    expect([told('more', 'fast'), told('more', 'good')]).toEqual(['Too fast', 'More thrust']);
+    expect([told('hold', 'good'), told('hold', 'slow')]).toEqual(['Good speed', 'Keep this thrust']);
+    expect([told('less', 'slow'), told('less', 'good')]).toEqual(['Too slow', 'Less thrust']);
+    expect([told('push', 'slow'), told('push', 'good')]).toEqual(['Too slow', 'Push down']);
+    expect(told('none', 'good')).toBe('');
   });
 
   it('has a control for all flight actions that keys push and turn with', () => {

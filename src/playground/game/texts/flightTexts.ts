@@ -100,22 +100,26 @@ function named(text: string, device: Device, keyCap: (action: Action) => string)
   });
 }
 
-const ADVICE: Readonly<Record<LandingAids['advice'], string>> = {
-  more: 'Too fast: more thrust {throttleUp}',
-  hold: 'Good speed',
-  less: 'Too slow: less thrust {throttleDown}',
-  push: 'Too slow: push down {translateZMinus}',
-  none: '',
+/** The corridor with which an advice's words agree, those words, and the words in another: advice is about the speed in a moment. */
+const ADVICE: Readonly<
+  Record<LandingAids['advice'], readonly [LandingAids['corridor'], same: string, other: string]>
+> = {
+  more: ['fast', 'Too fast: more thrust {throttleUp}', 'More thrust {throttleUp}'],
+  hold: ['good', 'Good speed', 'Keep this thrust'],
+  less: ['slow', 'Too slow: less thrust {throttleDown}', 'Less thrust {throttleDown}'],
+  push: ['slow', 'Too slow: push down {translateZMinus}', 'Push down {translateZMinus}'],
+  none: ['none', '', ''],
 };
 
 /** Advice for the landing now, in the words of the device. */
 export function adviceText(
-  { advice }: LandingAids,
+  { advice, corridor }: LandingAids,
   { own }: WorldView,
   device: Device,
   keyCap: (action: Action) => string,
 ): string {
   if (own?.shownState === 'contact' && own.controls.thrustLevel > 0)
     return named('Cut the engine now {throttleCut}', device, keyCap);
-  return named(ADVICE[advice], device, keyCap);
+  const [agreeing, same, other] = ADVICE[advice];
+  return named(corridor === agreeing ? same : other, device, keyCap);
 }

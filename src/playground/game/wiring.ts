@@ -209,5 +209,6 @@ function wireGame(page: Page, parts: Parts): MissionGame {
     device: parts.devices.device,
     cap: keyCapOf(page, parts),
     resetCamera: () => page.sceneView?.resetCamera(),
+    flash: page.banner.flash,
   });
 }

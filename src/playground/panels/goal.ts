@@ -34,17 +34,14 @@ function createKeyedText(element: HTMLElement): (text: string) => void {
     if (text === shown) return;
     shown = text;
     element.replaceChildren();
-    const groups = text.split(' · ');
-    for (const [n, group] of groups.entries()) {
+    for (const group of text.replaceAll(' · ', ' ·\n').replaceAll(', {', ',\n{').split('\n')) {
+      if (element.hasChildNodes()) element.append(' ');
       const words = append(element, 'span');
       for (const [i, part] of group.split(/[{}]/).entries()) {
         if (part === '') continue;
         if (i % 2 === 1) append(words, 'kbd', '', part);
         else words.append(part);
       }
-      if (n === groups.length - 1) continue;
-      words.append(' ·');
-      element.append(' ');
     }
   };
 }

@@ -52,7 +52,9 @@ describeInBrowser('a gamepad on the built page', () => {
     await expect
       .poll(() => page.textContent('#goal'))
       .toContain('You fly: RT more thrust, LT less, B cut the engine.');
-    await expect.poll(() => page.locator('.td-modes kbd').allTextContents()).toEqual([...'X→↑←Y']);
+    await expect
+      .poll(() => page.locator('.td-modes kbd').allTextContents())
+      .toEqual(['X', '→', '↑', '←', 'Y']);
     await button(page, RIGHT_TRIGGER, 1);
     await expect.poll(() => throttleOf(page)).toBeGreaterThan(20);
     await button(page, RIGHT_TRIGGER, 0);

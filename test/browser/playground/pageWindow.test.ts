@@ -125,6 +125,33 @@ describeInBrowser('the built page in any window', () => {
     expect(foot.y - (top.y + top.height)).toBeGreaterThan(0.3 * 650);
   });
 
+  it.each([
+    ['a small laptop', 960, 540, USUAL_LETTERS],
+    ['a tablet', 1024, 768, USUAL_LETTERS],
+    ['a desk’s screen with letters of 200 %', 1920, 1080, LARGE_LETTERS],
+  ])('leaves the ship in sight in the window of %s', async (_window, width, height, letters) => {
+    const page = await openBuiltPage('', { ...SMALL, viewport: { width, height } });
+    const cdp = await page.context().newCDPSession(page);
+    await cdp.send('Page.setFontSizes', letters);
+    await page.waitForSelector('html[data-ready=true]');
+    await untilDrawn(page);
+    const covered = await page.evaluate(() => {
+      const {
+        left,
+        top,
+        width: across,
+        height: down,
+      } = document.getElementById('picture')!.getBoundingClientRect();
+      const [x, y] = [left + across / 2, top + down / 2];
+      return [0, 0.1].map((share) => document.elementFromPoint(x, y + share * down)?.id);
+    });
+    expect(covered).toEqual(['scene-view', 'scene-view']);
+    const [panel, foot] = await Promise.all(
+      ['#panel', '#foot'].map((part) => page.locator(part).boundingBox()),
+    );
+    expect(panel!.y + panel!.height).toBeLessThanOrEqual(foot!.y);
+  });
+
   it('draws as finely as the screen that it is moved to', async () => {
     const page = await openBuiltPage('?scenario=settle', { ...SMALL, deviceScaleFactor: 1 });
     await page.waitForSelector('html[data-ready=true]');

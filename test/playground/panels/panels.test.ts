@@ -82,6 +82,9 @@ it('the goal has keys in its words, and breaks lines between its parts', () => {
   expect(all(how, 'kbd').map(shownText)).toEqual(['F', 'V', 'W']);
   expect([...how.children].map(({ textContent }) => textContent)).toEqual(['F V engine ·', 'tilt W']);
   expect(how.textContent).toBe('F V engine · tilt W');
+  goal.how('You fly: {F} more, {V} less.');
+  expect([...how.children].map(({ textContent }) => textContent)).toEqual(['You fly: F more,', 'V less.']);
+  expect(how.textContent).toBe('You fly: F more, V less.');
   goal.advise('More thrust');
   expect(shownText(one(root, 'goal-advice'))).toBe('More thrust');
   goal.advise('');

@@ -49,6 +49,8 @@ export interface MissionContext {
   readonly device: () => Device;
   readonly cap: (action: Action) => string;
   readonly resetCamera: () => void;
+  /** Says something for a few seconds. */
+  readonly flash: (text: string) => void;
 }
 
 /** State of the present flight. */
@@ -68,14 +70,7 @@ export function createMissionGame(context: MissionContext): MissionGame {
     if (card === null) context.card.hide();
     else context.card.show(card);
   };
-  const reword = () => {
-    const mission = tracker.mission();
-    if (mission !== null) context.goal.show(titleOf(mission, context), mission.goal);
-    else if (context.choices().scenario === FREE_FLIGHT.name)
-      context.goal.show(FREE_FLIGHT.title, FREE_FLIGHT.about);
-    else context.goal.hide();
-    context.goal.how(howToFly(mission, context.device(), context.cap));
-  };
+  const reword = () => showGoal(tracker.mission(), context);
   const showPhase = (mission: Mission) => {
     show(phaseCard(tracker, mission, context));
     if (tracker.phase() !== 'done' || mission.isLesson) return;
@@ -90,7 +85,7 @@ export function createMissionGame(context: MissionContext): MissionGame {
       flight.intervention = unrankedReason(context.choices());
       tracker.begin(mission);
       show(null);
-      void raceGhost(mission, flight.rival, { tracker, ghost, runs: context.runs });
+      void raceGhost(mission, flight.rival, { tracker, ghost, ...context });
       if (mission !== null) context.resetCamera();
       reword();
     },
@@ -120,6 +115,15 @@ export function createMissionGame(context: MissionContext): MissionGame {
       if (tracker.mission() === run.mission) ghost.race(run);
     },
   };
+}
+
+/** The goal and how to fly to it; free flight has none, a demonstration is not flown. */
+function showGoal(mission: Mission | null, context: MissionContext): void {
+  const { goal, choices, device, cap } = context;
+  if (mission !== null) goal.show(titleOf(mission, context), mission.goal);
+  else if (choices().scenario === FREE_FLIGHT.name) goal.show(FREE_FLIGHT.title, FREE_FLIGHT.about);
+  else goal.hide();
+  goal.how(howToFly(mission, device(), cap));
 }
 
 /** A lesson can be skipped; on a touch screen by the list of missions alone. */
@@ -152,13 +156,16 @@ function adviceFor(
 async function raceGhost(
   mission: Mission | null,
   rival: VerifiedRun | null,
-  { tracker, ghost, runs }: Pick<MissionGame, 'tracker' | 'ghost'> & Pick<MissionContext, 'runs'>,
+  { tracker, ghost, runs, flash }: Pick<MissionGame, 'tracker' | 'ghost'> & MissionContext,
 ): Promise<void> {
   const isRace = rival !== null && rival.mission === mission;
   ghost.race(isRace ? rival : null);
   if (mission === null || isRace || !runs.isKept(mission)) return;
   const loaded = await runs.load().catch(() => null);
-  if (loaded !== null && tracker.mission() === mission) ghost.race(loaded.best.of(mission));
+  const best = loaded?.best.of(mission) ?? null;
+  if (best === null || tracker.mission() !== mission) return;
+  ghost.race(best);
+  flash(`Your best flies beside you: ${best.score.total} of 1000.`);
 }
 
 /** Replays the run, stores it if it is the best, and shows its score. */

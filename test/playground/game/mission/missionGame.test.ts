@@ -5,8 +5,8 @@ import type { Action } from '../../../../src/playground/input/keyTable';
 import type { Device } from '../../../../src/playground/game/texts/flightTexts';
 import { makeView } from '../../../readout/views';
 
-function createGame(scenario: string) {
-  const shown = { title: '', words: '', how: '', advice: '', device: 'keys' as Device };
+function createGame(scenario: string, runs: object = { isKept: () => false }) {
+  const shown = { title: '', words: '', how: '', advice: '', flash: '', device: 'keys' as Device };
   const nothing = () => undefined;
   const game = createMissionGame({
     choices: () => ({ scenario, server: '' }),
@@ -20,11 +20,28 @@ function createGame(scenario: string) {
       hide: () => (shown.title = ''),
     },
     card: { show: nothing, hide: nothing },
-    runs: { isKept: () => false },
+    runs,
+    flash: (text: string) => (shown.flash = text),
   } as unknown as MissionContext);
   game.begin();
   return { game, shown };
 }
+
+describe('a best run', () => {
+  it('flies beside the pilot and is named, in its own mission alone', async () => {
+    const best = { score: { total: 967 }, outcome: { track: new Float64Array(0) } };
+    const load = () => Promise.resolve({ best: { of: () => best } });
+    const { game, shown } = createGame('sidestep', { isKept: () => true, load });
+    await expect.poll(() => shown.flash).toBe('Your best flies beside you: 967 of 1000.');
+    expect(game.ghost.run()).toBe(best);
+    const other = createGame('sidestep', {
+      isKept: () => true,
+      load: () => Promise.resolve({ best: { of: () => null } }),
+    });
+    await Promise.resolve();
+    expect([other.shown.flash, other.game.ghost.run()]).toEqual(['', null]);
+  });
+});
 
 describe('the goal', () => {
   it('of a lesson names the key that skips it, on a device that has one', () => {

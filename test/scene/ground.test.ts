@@ -99,6 +99,23 @@ describe('drawn ground', () => {
     expect(calls).toBe((CELLS + 3) * (CELLS + 3) - (CELLS + 3 - 6) * (CELLS + 3 - 4));
   });
 
+  it('takes the vertices that the coarser level has from it: the same as computed', () => {
+    const frame = frameAt(3000);
+    const coarse = levelAt(0.8, 30, -17, frame);
+    const [fine, fresh] = [createLevel(0.4), createLevel(0.4)];
+    const corner = [cornerFor(fine, 30), cornerFor(fine, -17)] as const;
+    let calls = 0;
+    const counted: typeof hills = (...place) => {
+      calls++;
+      return hills(...place);
+    };
+    moveLevel(fine, corner, frame, counted, coarse);
+    moveLevel(fresh, corner, frame, hills);
+    expect(fine.points).toEqual(fresh.points);
+    // Every second one of either direction; the first is outside of the corner, which is even.
+    expect(calls).toBe((CELLS + 3) * (CELLS + 3) - (CELLS / 2 + 1) * (CELLS / 2 + 1));
+  });
+
   it('meets the coarser level without a crack, and leaves out exactly what the finer covers', () => {
     const frame = frameAt(3000);
     const fine = levelAt(0.8, 37, 11, frame);

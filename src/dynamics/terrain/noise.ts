@@ -103,8 +103,10 @@ export function crater(cell: number, seed: number, known: KnownCell): void {
 
 /** Fills the crater's centre and radius, m. */
 function placeCrater(known: KnownCell, cell: number): void {
-  const [ix, iy, iz, seed] = known as unknown as readonly [number, number, number, number];
-  const h = hash(ix, iy, iz, seed);
+  const ix = known[0]!;
+  const iy = known[1]!;
+  const iz = known[2]!;
+  const h = hash(ix, iy, iz, known[CELL_SEED]!);
   const radius = cell * (MIN_RADIUS + RADIUS_SPREAD * unsigned(h));
   const play = cell - 2 * radius;
   known[HASHED] = ix * cell + radius + play * unsigned(remix(h + 1));

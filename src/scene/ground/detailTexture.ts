@@ -1,5 +1,5 @@
 import { DataTexture, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, RGBAFormat } from 'three';
-import { cellNoise, tiledNoise } from './noise';
+import { cellNoise, fillTile } from './noise';
 
 const SIZE = 256;
 
@@ -25,17 +25,13 @@ export function createDetailTexture(anisotropy: number): DataTexture {
 }
 
 function grain(heights: Float32Array): void {
-  for (let k = 0; k < SIZE; k++) {
-    for (let i = 0; i < SIZE; i++) {
-      let sum = 0;
-      let size = 1;
-      for (let period = 4; period <= 128; period *= 2) {
-        sum += size * (tiledNoise((i / SIZE) * period, (k / SIZE) * period, period, period) - 0.5);
-        size *= 0.53;
-      }
-      heights[k * SIZE + i] = sum * 9;
-    }
+  const sums = new Float64Array(heights.length);
+  const tile = new Float64Array(heights.length);
+  for (let period = 4, size = 1; period <= 128; period *= 2, size *= 0.53) {
+    fillTile(tile, SIZE, period, period);
+    for (let at = 0; at < sums.length; at++) sums[at]! += size * (tile[at]! - 0.5);
   }
+  for (let at = 0; at < sums.length; at++) heights[at] = sums[at]! * 9;
 }
 
 interface Pits {
@@ -93,18 +89,21 @@ function stamp(field: Float32Array, { x, y, reach }: Spot, height: (distance: nu
 
 function toBytes(heights: Float32Array, stones: Float32Array): Uint8Array {
   const bytes = new Uint8Array(SIZE * SIZE * 4);
+  const patches = new Float64Array(SIZE * SIZE);
+  const fine = new Float64Array(SIZE * SIZE);
+  fillTile(patches, SIZE, 8, 41);
+  fillTile(fine, SIZE, 64, 43);
   const at = (i: number, k: number) => heights[((k + SIZE) % SIZE) * SIZE + ((i + SIZE) % SIZE)]!;
   for (let k = 0; k < SIZE; k++) {
     for (let i = 0; i < SIZE; i++) {
       const slopeX = (at(i + 1, k) - at(i - 1, k)) / 2;
       const slopeY = (at(i, k + 1) - at(i, k - 1)) / 2;
-      const patch = tiledNoise((i / SIZE) * 8, (k / SIZE) * 8, 8, 41) * 0.6;
-      const fine = tiledNoise((i / SIZE) * 64, (k / SIZE) * 64, 64, 43) * 0.4;
-      const to = (k * SIZE + i) * 4;
+      const from = k * SIZE + i;
+      const to = from * 4;
       bytes[to] = toByte(0.5 + slopeX * 0.35);
       bytes[to + 1] = toByte(0.5 + slopeY * 0.35);
-      bytes[to + 2] = toByte(patch + fine);
-      bytes[to + 3] = toByte(stones[k * SIZE + i]!);
+      bytes[to + 2] = toByte(patches[from]! * 0.6 + fine[from]! * 0.4);
+      bytes[to + 3] = toByte(stones[from]!);
     }
   }
   return bytes;

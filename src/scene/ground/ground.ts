@@ -95,8 +95,9 @@ export function createGround(material: ShaderMaterial): Ground {
       const { level, mesh } = rings[n]!;
       if (level.filled && offCentre(level, x, z) <= SLACK) continue;
       const corner = [cornerFor(level, x), cornerFor(level, z)] as const;
-      moveLevel(level, corner, place.frame, place.terrainHeight);
-      shadeLevel(level, rings[n + 1]?.level ?? null, place.frame);
+      const coarser = rings[n + 1]?.level ?? null;
+      moveLevel(level, corner, place.frame, place.terrainHeight, coarser);
+      shadeLevel(level, coarser, place.frame);
       layOutLevel(level);
       upload(mesh.geometry);
       left--;

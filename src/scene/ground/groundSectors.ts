@@ -24,12 +24,18 @@ export function createSectors(): GroundSectors {
   };
 }
 
-/** The sector of each cell's centre. */
-const SECTOR_OF = Uint8Array.from({ length: CELLS * CELLS }, (_, cell) => {
-  const x = (cell % CELLS) + 0.5 - CELLS / 2;
-  const z = Math.floor(cell / CELLS) + 0.5 - CELLS / 2;
-  return Math.floor(((Math.atan2(z, x) + WHOLE) / WHOLE) * SECTORS) % SECTORS;
-});
+/** The cells whose centre is in a sector, for each sector. */
+const CELLS_OF: readonly (readonly number[])[] = cellsOfSectors();
+
+function cellsOfSectors(): number[][] {
+  const cells = Array.from({ length: SECTORS }, (): number[] => []);
+  for (let cell = 0; cell < CELLS * CELLS; cell++) {
+    const x = (cell % CELLS) + 0.5 - CELLS / 2;
+    const z = Math.floor(cell / CELLS) + 0.5 - CELLS / 2;
+    cells[Math.floor(((Math.atan2(z, x) + WHOLE) / WHOLE) * SECTORS) % SECTORS]!.push(cell);
+  }
+  return cells;
+}
 
 /** Writes a level's triangles without the square that the finer level covers. */
 export function writeSectors(out: GroundSectors, level: TerrainLevel, finer: TerrainLevel | null): void {
@@ -42,8 +48,7 @@ export function writeSectors(out: GroundSectors, level: TerrainLevel, finer: Ter
   let count = 0;
   for (let sector = 0; sector < SECTORS; sector++) {
     starts[sector] = count;
-    for (let cell = 0; cell < CELLS * CELLS; cell++) {
-      if (SECTOR_OF[cell] !== sector) continue;
+    for (const cell of CELLS_OF[sector]!) {
       const i = cell % CELLS;
       const k = (cell - i) / CELLS;
       if (i >= holeX && i < holeX + hole && k >= holeZ && k < holeZ + hole) continue;

@@ -6,23 +6,29 @@ export function cellNoise(i: number, k: number, seed: number): number {
   return ((h ^ (h >>> 16)) >>> 0) / 0x100000000;
 }
 
-/** Smooth noise in [0, 1) that repeats every `period` cells. */
-export function tiledNoise(x: number, y: number, period: number, seed: number): number {
-  const i = Math.floor(x);
-  const k = Math.floor(y);
-  const u = smooth(x - i);
-  const v = smooth(y - k);
-  const [i0, i1] = [wrap(i, period), wrap(i + 1, period)];
-  const [k0, k1] = [wrap(k, period), wrap(k + 1, period)];
-  const low = cellNoise(i0, k0, seed) * (1 - u) + cellNoise(i1, k0, seed) * u;
-  const high = cellNoise(i0, k1, seed) * (1 - u) + cellNoise(i1, k1, seed) * u;
-  return low * (1 - v) + high * v;
+/** Fills a square of `size` texels a side with smooth noise in [0, 1), of `period` cells a side: as a tile it repeats without a seam. */
+export function fillTile(out: Float64Array, size: number, period: number, seed: number): void {
+  const corners = Float64Array.from({ length: period * period }, (_, n) =>
+    cellNoise(n % period, Math.floor(n / period), seed),
+  );
+  const near = Uint16Array.from({ length: size }, (_, n) => Math.floor((n / size) * period));
+  const far = near.map((cell) => (cell + 1) % period);
+  const share = Float64Array.from(near, (cell, n) => smooth((n / size) * period - cell));
+  for (let k = 0, at = 0; k < size; k++) {
+    const k0 = near[k]! * period;
+    const k1 = far[k]! * period;
+    const v = share[k]!;
+    for (let i = 0; i < size; i++, at++) {
+      const i0 = near[i]!;
+      const i1 = far[i]!;
+      const u = share[i]!;
+      const low = corners[k0 + i0]! * (1 - u) + corners[k0 + i1]! * u;
+      const high = corners[k1 + i0]! * (1 - u) + corners[k1 + i1]! * u;
+      out[at] = low * (1 - v) + high * v;
+    }
+  }
 }
 
 function smooth(t: number): number {
   return t * t * (3 - 2 * t);
-}
-
-function wrap(i: number, period: number): number {
-  return ((i % period) + period) % period;
 }

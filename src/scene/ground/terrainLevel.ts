@@ -60,12 +60,13 @@ export function cornerFor(level: TerrainLevel, along: number): number {
   return 2 * Math.round(along / level.spacing / 2) - CELLS / 2;
 }
 
-/** Moves a level to a corner; computes only the points it did not have. */
+/** Moves a level to a corner; computes only the points that neither it nor the next coarser level, of the same ground, has. */
 export function moveLevel(
   level: TerrainLevel,
   corner: readonly [number, number],
   frame: LocalFrame,
   terrainHeight: TerrainHeight,
+  coarser: TerrainLevel | null = null,
 ): void {
   const [cornerX, cornerZ] = corner;
   const { points: old, spare: fresh } = level;
@@ -77,16 +78,13 @@ export function moveLevel(
       const oldI = i + shiftX;
       const at = (k * SIDE + i) * 3;
       if (level.filled && oldK >= 0 && oldK < SIDE && oldI >= 0 && oldI < SIDE) {
-        const from = (oldK * SIDE + oldI) * 3;
-        fresh[at] = old[from]!;
-        fresh[at + 1] = old[from + 1]!;
-        fresh[at + 2] = old[from + 2]!;
-      } else {
-        groundPoint(fresh, at, (cornerX + i - 1) * level.spacing, (cornerZ + k - 1) * level.spacing, {
-          frame,
-          terrainHeight,
-        });
+        copyPoint(fresh, at, old, (oldK * SIDE + oldI) * 3);
+        continue;
       }
+      const [x, z] = [cornerX + i - 1, cornerZ + k - 1];
+      const shared = coarser === null ? -1 : pointAt(coarser, x / 2, z / 2);
+      if (shared >= 0) copyPoint(fresh, at, coarser!.points, shared);
+      else groundPoint(fresh, at, x * level.spacing, z * level.spacing, { frame, terrainHeight });
     }
   }
   level.points = fresh;
@@ -96,6 +94,20 @@ export function moveLevel(
   level.cornerX = cornerX;
   level.cornerZ = cornerZ;
   level.filled = true;
+}
+
+function copyPoint(out: Float64Array, to: number, points: Float64Array, from: number): void {
+  out[to] = points[from]!;
+  out[to + 1] = points[from + 1]!;
+  out[to + 2] = points[from + 2]!;
+}
+
+/** Where `points` has the vertex of a grid index (in spacings from the frame's origin), or −1: the level has none there. */
+function pointAt({ filled, cornerX, cornerZ }: TerrainLevel, x: number, z: number): number {
+  const i = x - cornerX + 1;
+  const k = z - cornerZ + 1;
+  if (!filled || !Number.isInteger(i) || !Number.isInteger(k)) return -1;
+  return i >= 0 && i < SIDE && k >= 0 && k < SIDE ? (k * SIDE + i) * 3 : -1;
 }
 
 function measureHeights(level: TerrainLevel): void {

@@ -43,35 +43,36 @@ interface Level {
 
 export function createHulls(material: ShipMaterial): Hulls {
   const group = new Group();
-  const classes = new Map<ShipModel, readonly Level[]>();
+  /** By model and detail, the levels that were needed so far. */
+  const classes = new Map<ShipModel, Map<number, Level>>();
   const matrix = new Matrix4();
   const place = new Vector3();
   const turn = new Quaternion();
   const ONE = new Vector3(1, 1, 1);
 
-  const levelsOf = (model: ShipModel) => {
-    const known = classes.get(model);
+  const levelOf = (model: ShipModel, detail: number) => {
+    const levels = classes.get(model) ?? new Map<number, Level>();
+    classes.set(model, levels);
+    const known = levels.get(detail);
     if (known !== undefined) return known;
-    const made = [model.geometry, ...model.coarser].map((geometry, n) =>
-      createLevel(geometry, n === 0, material),
-    );
-    for (const { mesh } of made) group.add(mesh);
-    classes.set(model, made);
+    const geometry = detail === 0 ? model.geometry : model.coarser()[detail - 1]!;
+    const made = createLevel(geometry, detail === 0, material);
+    group.add(made.mesh);
+    levels.set(detail, made);
     return made;
   };
 
   return {
     group,
     clear() {
-      for (const levels of classes.values()) for (const level of levels) level.count = 0;
+      for (const levels of classes.values()) for (const level of levels.values()) level.count = 0;
     },
     put(actor, eye, isWatched) {
-      const levels = levelsOf(actor.model);
       place.set(actor.place[0]! - eye[0]!, actor.place[1]! - eye[1]!, actor.place[2]! - eye[2]!);
       const heights = place.length() / (2 * actor.model.geometry.boundingSphere!.radius);
       let detail = 0;
       if (!isWatched) while (detail < COARSER_FROM.length && heights > COARSER_FROM[detail]!) detail++;
-      const level = levels[detail]!;
+      const level = levelOf(actor.model, detail);
       if (level.count === level.mesh.instanceMatrix.count) enlarge(level, group, material);
       turn.set(actor.turn[0]!, actor.turn[1]!, actor.turn[2]!, actor.turn[3]!);
       level.mesh.setMatrixAt(level.count, matrix.compose(place, turn, ONE));
@@ -84,7 +85,7 @@ export function createHulls(material: ShipMaterial): Hulls {
     },
     finish() {
       for (const levels of classes.values()) {
-        for (const level of levels) {
+        for (const level of levels.values()) {
           const { mesh, count } = level;
           mesh.count = count;
           mesh.visible = count > 0;
@@ -97,7 +98,7 @@ export function createHulls(material: ShipMaterial): Hulls {
       }
     },
     dispose() {
-      for (const levels of classes.values()) for (const { mesh } of levels) mesh.dispose();
+      for (const levels of classes.values()) for (const { mesh } of levels.values()) mesh.dispose();
     },
   };
 }

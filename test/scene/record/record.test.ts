@@ -26,13 +26,13 @@ const kept = (name: string, lines: readonly string[]) =>
 it.each(SHIP_CLASSES.map((shipClass) => [shipClass.name, shipClass] as const))(
   'the model of %s',
   async (name, shipClass) => {
-    const { engines, thrusters, ...geometries } = buildShip(shipClass);
+    const { engines, thrusters, geometry: whole, coarser } = buildShip(shipClass);
     const nozzles = [...engines, ...thrusters].map((nozzle) =>
       JSON.stringify(nozzle, (_, value: unknown) =>
         typeof value === 'number' ? Number(value.toFixed(4)) + 0 : value,
       ),
     );
-    const shapes = Object.entries(geometries).flatMap(([part, geometry]) => [
+    const shapes = Object.entries({ geometry: whole, coarser: coarser() }).flatMap(([part, geometry]) => [
       part,
       ...[geometry].flat().flatMap(geometryLines),
     ]);

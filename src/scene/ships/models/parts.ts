@@ -49,7 +49,8 @@ export interface Flex {
 /** A model's geometries: full, and with decreasing detail for distant ships. */
 export interface ShipGeometries {
   readonly geometry: BufferGeometry;
-  readonly coarser: readonly BufferGeometry[];
+  /** Made when first asked for: most flights never show a ship from far away. */
+  readonly coarser: () => readonly BufferGeometry[];
 }
 
 /** Collects parts into one geometry: a ship is one draw call instead of a hundred. */
@@ -69,17 +70,35 @@ const Z = new Vector3(0, 0, 1);
 
 export function createParts(): Parts {
   const whole = createHeap();
-  const coarser = COARSER.map(createHeap);
-  return {
-    add(given, finish, placement) {
-      COARSER.forEach((coarseness, n) => {
-        const coarse = coarsen(given, coarseness);
-        if (coarse !== null) pushPart(coarser[n]!, coarse, finish, placement);
-      });
-      pushPart(whole, given, finish, placement);
-    },
-    build: () => ({ geometry: geometryOf(whole), coarser: coarser.map(geometryOf) }),
+  let parts: Part[] = [];
+  let made: readonly BufferGeometry[] | null = null;
+  const coarser = () => {
+    made ??= COARSER.map((coarseness) => coarseGeometry(parts, coarseness));
+    parts = [];
+    return made;
   };
+  return {
+    add(geometry, finish, placement) {
+      parts.push({ geometry, finish, placement });
+      pushPart(whole, geometry, finish, placement);
+    },
+    build: () => ({ geometry: geometryOf(whole), coarser }),
+  };
+}
+
+interface Part {
+  readonly geometry: BufferGeometry;
+  readonly finish: Finish;
+  readonly placement: Placement;
+}
+
+function coarseGeometry(parts: readonly Part[], coarseness: Coarseness): BufferGeometry {
+  const heap = createHeap();
+  for (const { geometry, finish, placement } of parts) {
+    const coarse = coarsen(geometry, coarseness);
+    if (coarse !== null) pushPart(heap, coarse, finish, placement);
+  }
+  return geometryOf(heap);
 }
 
 /** Attributes of all vertices so far, three to a triangle. */

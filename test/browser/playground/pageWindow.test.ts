@@ -152,6 +152,29 @@ describeInBrowser('the built page in any window', () => {
     expect(panel!.y + panel!.height).toBeLessThanOrEqual(foot!.y);
   });
 
+  it.each([
+    [1024, 768],
+    [1366, 1024],
+  ])('covers no thumb stick on a tablet of %i × %i, with the workshop open either', async (width, height) => {
+    const page = await openBuiltPage('', { ...SMALL, ...windowOf({ width, height, isTouch: true }, PIXELS) });
+    await page.waitForSelector('html[data-ready=true]');
+    const covered = () =>
+      page.locator('.thumb, .thumb-lever').evaluateAll((all) =>
+        all
+          .filter((thumb) => {
+            const { left, top, width: across, height: down } = thumb.getBoundingClientRect();
+            return !thumb.contains(document.elementFromPoint(left + across / 2, top + down / 2));
+          })
+          .map(({ textContent }) => textContent),
+      );
+    await untilDrawn(page);
+    expect(await covered()).toEqual([]);
+    await page.locator('summary', { hasText: 'Workshop' }).click();
+    await page.waitForSelector('#dock .strip');
+    await untilDrawn(page);
+    expect(await covered()).toEqual([]);
+  });
+
   it('draws as finely as the screen that it is moved to', async () => {
     const page = await openBuiltPage('?scenario=settle', { ...SMALL, deviceScaleFactor: 1 });
     await page.waitForSelector('html[data-ready=true]');

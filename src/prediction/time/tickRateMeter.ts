@@ -56,7 +56,7 @@ export function isTickRate(rate = Number.NaN): boolean {
 export function measureTickRate(meter: TickRateMeter, tick: number, now: number): number | null {
   const { arrivals } = meter;
   // A restarted server, or an overtaken frame.
-  while ((arrivals.at(-1)?.tick ?? -1) > tick) arrivals.pop();
+  while ((arrivals.at(-1)?.tick ?? tick) > tick) arrivals.pop();
   if (arrivals.at(-1)?.tick !== tick) {
     if (now - (arrivals.at(-2)?.at ?? Number.NEGATIVE_INFINITY) < TOGETHER) arrivals.pop();
     arrivals.push({ tick, at: now });
@@ -119,13 +119,14 @@ function medianOf(delays: readonly number[]): number {
 function lineUnder(arrivals: readonly Arrival[], from: number): Line {
   const used = arrivals.slice(from);
   const half = Math.ceil(used.length / 2);
-  let [before, after] = [used[0]!, used.at(-1)!];
-  let perTick = slopeOf(before, after);
-  for (let step = 0; step < MAX_STEPS; step++) {
-    before = earliest(used.slice(0, half), perTick);
-    after = earliest(used.slice(half), perTick);
-    perTick = slopeOf(before, after);
-  }
+  const earlier = used.slice(0, half);
+  const later = used.slice(half);
+  // Not known yet: begins with the first of either half.
+  let perTick = Number.NaN;
+  for (let step = 0; step < MAX_STEPS; step++)
+    perTick = slopeOf(earliest(earlier, perTick), earliest(later, perTick));
+  const before = earliest(earlier, perTick);
+  const after = earliest(later, perTick);
   const tolerance = Math.min(JITTER, SHARE * (used.at(-1)!.at - used[0]!.at));
   const delays = used.map(({ tick, at }) => at - before.at - (tick - before.tick) * perTick);
   return { perTick, apart: after.at - before.at, tolerance, delays };
@@ -159,11 +160,9 @@ function accept(meter: TickRateMeter, { perTick, apart, delays }: Line, doubt: n
 
 /** The number with the fewest digits within `uncertainty` of `rate`: servers are set to such rates. */
 function roundest(rate: number, uncertainty: number): number {
-  for (let digits = 1; digits < MAX_DIGITS; digits++) {
+  for (let digits = 1; Number.isFinite(rate); digits++) {
     const rounded = Number(rate.toPrecision(digits));
     if (Math.abs(rounded - rate) <= uncertainty) return rounded;
   }
   return rate;
 }
-
-const MAX_DIGITS = 7;

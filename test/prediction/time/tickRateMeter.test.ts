@@ -138,3 +138,82 @@ describe('the tick rate', () => {
     expect(ratesOf(sends(40, 0.02, 1)).every((rate) => rate === null)).toBe(true);
   });
 });
+
+/** A meter after the arrivals of these ticks. */
+function meterAfter(arrivals: readonly Sent[]) {
+  const meter = createTickRateMeter();
+  for (const { tick, at } of arrivals) measureTickRate(meter, tick, at);
+  return meter;
+}
+const ticksKept = (arrivals: readonly Sent[]) => meterAfter(arrivals).arrivals.map(({ tick }) => tick);
+
+describe('the arrivals kept', () => {
+  it('are the newest 64', () => {
+    const ticks = ticksKept(sends(70, 1, 1));
+    expect(ticks).toHaveLength(64);
+    expect(ticks[0]).toBe(1007);
+  });
+
+  it('are at most two in an eighth of a second', () => {
+    const every = (seconds: number) => [0, 1, 2].map((k) => ({ tick: k, at: k * seconds }));
+    expect(ticksKept(every(0.0625))).toEqual([0, 1, 2]);
+    expect(ticksKept(every(0.0624))).toEqual([0, 2]);
+  });
+
+  it('end with an overtaken frame, and have each tick once, as it first arrived', () => {
+    const sent = sends(6, 20, 10);
+    const overtaken = { tick: 1045, at: sent[5]!.at + 0.2 };
+    expect(ticksKept([...sent, overtaken])).toEqual([1010, 1020, 1030, 1040, 1045]);
+    const twice = meterAfter([...sent, { ...sent[5]!, at: overtaken.at }]);
+    expect(twice.arrivals).toEqual(sent);
+  });
+
+  it('are all kept where the newest are of a rate that the game has not', () => {
+    const before = sends(20, 20, 10);
+    expect(ticksKept([...before, ...sends(6, 400, 200, before.at(-1))]).length).toBeGreaterThan(6);
+  });
+});
+
+describe('how late the newest frame is', () => {
+  const onTime = sends(12, 20, 10);
+  const next = sends(2, 20, 10, onTime.at(-1));
+
+  it('is told against the least delayed ones', () => {
+    expect(meterAfter(onTime).late).toBeCloseTo(0, 9);
+    const late = { ...next[0]!, at: next[0]!.at + 0.03 };
+    expect(meterAfter([...onTime, late]).late).toBeCloseTo(0.03, 9);
+    expect(meterAfter([...onTime, late, next[1]!]).late).toBeCloseTo(0, 9);
+  });
+
+  it('is 0 while the arrivals are on no schedule', () => {
+    expect(createTickRateMeter().late).toBe(0);
+    const late = { ...next[0]!, at: next[0]!.at + 0.03 };
+    const paused = sends(3, 20, 10, { ...next[1]!, at: next[1]!.at + 5 });
+    const meter = meterAfter([...onTime, late, ...paused]);
+    expect([meter.late, meter.rate]).toEqual([0, 20]);
+  });
+});
+
+describe('three frames', () => {
+  it('tell no rate where one is later than a twentieth of their time', () => {
+    const third = (late: number) => ratesOf(sends(3, 20, 3), (_, i) => (i === 1 ? late : 0))[2];
+    expect(third(0.014)).toBe(20);
+    expect(third(0.016)).toBe(null);
+  });
+});
+
+it('a rate is kept while a rounder one is within the doubt of later arrivals', () => {
+  const exact = sends(20, 10.02, 5);
+  const noise = jitter(0.03);
+  const rates = ratesOf([...exact, ...sends(20, 10.02, 5, exact.at(-1))], (_, i) =>
+    i < 20 ? 0.02 : noise(),
+  );
+  expect(new Set(rates.slice(19))).toEqual(new Set([10.02]));
+});
+
+it('another rate counts from the fourth frame on it', () => {
+  const before = sends(20, 2, 1);
+  const rates = ratesOf([...before, ...sends(6, 1, 1, before.at(-1))]).slice(19);
+  // The first of the four is the last of the old rate.
+  expect(rates).toEqual([2, 2, 2, 1, 1, 1, 1]);
+});

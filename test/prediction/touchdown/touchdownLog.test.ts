@@ -24,6 +24,7 @@ import {
   createTouchdownView,
   fillTouchdown,
   LOG_STRIDE,
+  LOGGED_STATE,
   logSubstep,
 } from '../../../src/prediction/touchdown/touchdownLog';
 import { cross, plus, product, times, turnAbout, unit } from '../../dynamics/vectors';
@@ -184,6 +185,33 @@ describe('a hop', () => {
   it('without thrust is a bounce however long it takes', () => {
     expect(hop(longest + 5, 0)).toMatchObject({ bounces: 1, verticalSpeed: 2 });
   });
+});
+
+describe('a second hop', () => {
+  const LONG = 4;
+  const up = (seconds: number, thrust: number) =>
+    ({ state: FLYING, up: 1, times: Math.round(seconds / DT), thrust }) as const;
+  const ground = { ...touching, impact: 1, tilt: 0.1 };
+
+  it('is timed by itself, and its engine is its own', () => {
+    // A hop may last 8.9 s under thrust.
+    const twice = cardAfter(flying, ground, up(6, 0.1), ground, up(6, 0.1), ground);
+    expect(twice).toMatchObject({ known: true, bounces: 2 });
+    const coasting = cardAfter(flying, ground, up(LONG, 0.1), ground, up(12, 0), ground);
+    expect(coasting).toMatchObject({ known: true, bounces: 2 });
+  });
+
+  it('keeps the largest tilt of the touches before', () => {
+    const card = cardAfter(flying, { ...ground, tilt: 0.3 }, up(LONG, 0), ground);
+    expect(card.largestTilt).toBeCloseTo(0.3, 9);
+  });
+});
+
+it('a log begins in the state in which the ship is first seen', () => {
+  const log = new Float64Array(LOG_STRIDE).fill(7);
+  beginLog(log, TIPPED);
+  expect(log[LOGGED_STATE]).toBe(TIPPED);
+  expect(log.reduce((sum, x) => sum + x, 0)).toBe(TIPPED);
 });
 
 describe('a crash from flight', () => {

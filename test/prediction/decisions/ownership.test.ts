@@ -1,0 +1,146 @@
+import { describe, expect, it } from 'vitest';
+import { NEUTRAL_CONTROLS, SHIP_STRIDE } from '../../../src/dynamics';
+import { store } from '../../../src/prediction/inputs/inputs';
+import { changeOwnShip, dropShip, expectTeleport, resetSession } from '../../../src/prediction/ownership';
+import { has, keep } from '../../../src/prediction/simulation/history';
+import { createServerStates } from '../../../src/prediction/simulation/serverStates';
+import type { Mode } from '../../../src/prediction/simulation/track';
+import { createTouchdownRing } from '../../../src/prediction/touchdown/touchdownRing';
+import { sessionAt, shipAt } from './sessionAt';
+
+const TICK = 100;
+
+/** A pilot's ship with an input and keys held, beside another one. */
+function flown(mode: Mode = 'stepping') {
+  const session = sessionAt(TICK);
+  const { sim, pilot } = session;
+  const track = shipAt(sim, 'own', 'landed');
+  const other = shipAt(sim, 'other', 'landed', 10);
+  Object.assign(track, { own: true, mode, log: createTouchdownRing(track.history.length) });
+  sim.fleet.own = track;
+  store(sim.inputs, NEUTRAL_CONTROLS, { tick: TICK, substep: 0 }, 0, 0);
+  Object.assign(pilot, { last: NEUTRAL_CONTROLS, released: NEUTRAL_CONTROLS });
+  // What was predicted differs from what the server sent.
+  sim.fleet.front.fill(7, track.at, track.at + SHIP_STRIDE);
+  sim.fleet.previous.fill(7, track.at, track.at + SHIP_STRIDE);
+  return { ...session, session, track, other };
+}
+
+describe('another own ship', () => {
+  it('takes no inputs of the one before', () => {
+    const { session, sim, pilot, receiver, track, other } = flown();
+    changeOwnShip(session, 'other');
+    expect([sim.inputs.records.length, pilot.last, pilot.released]).toEqual([0, null, null]);
+    expect(receiver.ownShipId).toBe('other');
+    expect(sim.fleet.own).toBe(other);
+    expect([track.own, track.log, other.own]).toEqual([false, null, true]);
+  });
+
+  it('leaves all as it is where it is the same one', () => {
+    const { session, sim, pilot, track } = flown();
+    changeOwnShip(session, 'own');
+    expect([sim.inputs.records.length, pilot.last, track.own]).toEqual([1, NEUTRAL_CONTROLS, true]);
+  });
+
+  it('may be one that is not there, or none', () => {
+    for (const shipId of ['unseen', '']) {
+      const { session, sim, track } = flown();
+      changeOwnShip(session, shipId);
+      expect([sim.fleet.own, track.own]).toEqual([null, false]);
+    }
+  });
+
+  it.each<[Mode, number, boolean, boolean]>([
+    ['stepping', TICK, true, false],
+    ['waiting', TICK, true, false],
+    ['sleeping', TICK, false, true],
+    ['held', TICK, false, false],
+    ['stepping', -1, false, false],
+  ])(
+    'returns the one before, %s since tick %i, to the server’s state',
+    (mode, serverTick, replays, rests) => {
+      const { session, sim, track } = flown(mode);
+      track.serverTick = serverTick;
+      changeOwnShip(session, '');
+      expect([track.replaying, track.mode]).toEqual([replays, mode]);
+      for (const rows of [sim.fleet.front, sim.fleet.previous])
+        expect([...rows.subarray(track.at, track.at + SHIP_STRIDE)]).toEqual(
+          rests ? [...track.serverRow] : Array<number>(SHIP_STRIDE).fill(7),
+        );
+      if (replays)
+        expect([...sim.fleet.replayed.subarray(track.at, track.at + SHIP_STRIDE)]).toEqual([
+          ...track.serverRow,
+        ]);
+    },
+  );
+});
+
+describe('a ship that is removed', () => {
+  it('is gone at once, with the inputs for it', () => {
+    const { session, sim, receiver } = flown();
+    dropShip(session, 'own', 'gone');
+    expect([sim.fleet.byId.has('own'), sim.fleet.own, sim.inputs.records.length]).toEqual([false, null, 0]);
+    expect(receiver.removed.get('own')).toBe(TICK);
+  });
+
+  it('of another pilot leaves the inputs', () => {
+    const { session, sim } = flown();
+    dropShip(session, 'other', 'docked');
+    expect([sim.fleet.tracks.length, sim.inputs.records.length]).toEqual([1, 1]);
+  });
+
+  it('that is not there is remembered', () => {
+    const { session, sim, receiver } = flown();
+    dropShip(session, 'unseen', 'gone');
+    expect([sim.fleet.tracks.length, receiver.removed.get('unseen')]).toEqual([2, TICK]);
+  });
+
+  it.each([
+    ['destroyed', 1],
+    ['docked', 0],
+    ['gone', 0],
+  ] as const)('as %s tells %i events', (reason, count) => {
+    const { session, sim } = flown();
+    dropShip(session, 'own', reason);
+    expect(sim.notices.filter(({ type }) => type === 'ship.destroyed')).toHaveLength(count);
+  });
+});
+
+describe('a ship that will be moved', () => {
+  it('has no past, and its next state is shown at once', () => {
+    const { session, sim, track } = flown();
+    keep(track.history, TICK, sim.fleet.front, track.at);
+    track.states = createServerStates();
+    expectTeleport(session, 'own');
+    expect([has(track.history, TICK), track.states, track.replaySnaps]).toEqual([false, null, true]);
+  });
+
+  it('wakes', () => {
+    const { session, track } = flown('sleeping');
+    expectTeleport(session, 'own');
+    expect([track.mode, track.picture.hasHeld]).toEqual(['waiting', true]);
+  });
+
+  it('may be one that is not there', () => {
+    const { session, track } = flown();
+    expectTeleport(session, 'unseen');
+    expect(track.replaySnaps).toBe(false);
+  });
+});
+
+it('a reset forgets ships, time, inputs, pings and what waits undecoded, and keeps who the pilot is', () => {
+  const { session, pilot, pings, receiver } = flown();
+  session.pending = { queue: [] } as never;
+  session.advancedAt = 5;
+  pings.sentAt[1] = 5;
+  resetSession(session);
+  expect(session.sim.fleet.tracks).toEqual([]);
+  expect([session.sim.newestTick, session.sim.inputs.records.length]).toEqual([-1, 0]);
+  expect([session.pending, pilot.last, pilot.released, receiver.ownShipId]).toEqual([
+    null,
+    null,
+    null,
+    'own',
+  ]);
+  expect([session.advancedAt, pings.sentAt[1]]).toEqual([Number.NaN, Number.NaN]);
+});

@@ -14,7 +14,7 @@ import { setTempo } from '../../../src/prediction/time/timeline';
 import { LOGGED_STATE, logLiftOff, logState } from '../../../src/prediction/touchdown/touchdownLog';
 import { keepLog } from '../../../src/prediction/touchdown/touchdownRing';
 import { rewindLog } from '../../../src/prediction/touchdown/touchdownRewind';
-import { RATE } from './sessionAt';
+import { RATE } from '../decisions/sessionAt';
 
 import { cardWhere, climbAt, falling, inState, logOf, TICK } from './rewinding';
 

@@ -8,16 +8,16 @@ import {
   SHIP_STRIDE,
   SURFACE_STATE,
   WHEEL_MOMENTUM,
-} from '../../../src/dynamics';
-import { keepState } from '../../../src/prediction/ground/lastState';
-import { replayTo } from '../../../src/prediction/ground/trial';
+} from '../../../../src/dynamics';
+import { keepState } from '../../../../src/prediction/ground/lastState';
+import { replayTo } from '../../../../src/prediction/ground/trial';
 import {
   recalledImpact,
   recallWheels,
   replayImpact,
-} from '../../../src/prediction/snapshots/reconcile/recall';
-import { setTempo } from '../../../src/prediction/time/timeline';
-import { RATE, sessionAt, shipAt } from './sessionAt';
+} from '../../../../src/prediction/snapshots/reconcile/recall';
+import { setTempo } from '../../../../src/prediction/time/timeline';
+import { RATE, sessionAt, shipAt } from '../../decisions/sessionAt';
 
 const TICK = 100;
 /** Ticks until a ship that is 6 m above the ground and sinks at 2.5 m/s has touched it. */

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { receivePong } from '../../../src/prediction/snapshots/receivePong';
 import { pingIfDue } from '../../../src/prediction/time/pings';
 import { setTempo } from '../../../src/prediction/time/timeline';
-import { RATE, sessionAt } from './sessionAt';
+import { RATE, sessionAt } from '../decisions/sessionAt';
 
 const TICK = 100;
 /** The server's clock reads 0 at TICK. */

@@ -15,7 +15,7 @@ import {
 } from '../../../src/prediction/touchdown/touchdownLog';
 import { createTouchdownRing, keepLog, logAt } from '../../../src/prediction/touchdown/touchdownRing';
 import { rewindLog } from '../../../src/prediction/touchdown/touchdownRewind';
-import { sessionAt, shipAt } from './sessionAt';
+import { sessionAt, shipAt } from '../decisions/sessionAt';
 
 export const TICK = 100;
 /** Ticks until a ship that is 6 m above the ground and sinks at 2.5 m/s has touched it. */

@@ -6,7 +6,7 @@ import { has, keep } from '../../../src/prediction/simulation/history';
 import { createServerStates } from '../../../src/prediction/simulation/serverStates';
 import type { Mode } from '../../../src/prediction/simulation/track';
 import { createTouchdownRing } from '../../../src/prediction/touchdown/touchdownRing';
-import { sessionAt, shipAt } from './sessionAt';
+import { sessionAt, shipAt } from '../decisions/sessionAt';
 
 const TICK = 100;
 

@@ -5,8 +5,7 @@ import { frameAt, helloAt } from '../faults/restingShip';
 import { RATE, sessionAt } from '../decisions/sessionAt';
 
 const TICK = 100;
-const event = (tick: number): WorldEvent =>
-  ({ type: 'ship.contact', shipId: 'own', tick, substep: 0 });
+const event = (tick: number): WorldEvent => ({ type: 'ship.contact', shipId: 'own', tick, substep: 0 });
 
 const waitingFrame = (tick: number, events: readonly WorldEvent[] = []): PendingMessage =>
   ({

@@ -1,4 +1,14 @@
-import { ok, type Result, notFinite, notFiniteTuple, type Quat, err, type Vec3 } from '../result';
+import {
+  ok,
+  type Result,
+  notFinite,
+  notFiniteTuple,
+  type Quat,
+  err,
+  readQuat,
+  readVec3,
+  type Vec3,
+} from '../result';
 import {
   BODY_ANGULAR_VELOCITY,
   BODY_ATTITUDE,
@@ -79,12 +89,11 @@ export function setBodyMotion(rows: Float64Array, at: number, motion: BodyMotion
 }
 
 export function readBodyMotion(rows: Float64Array, at: number): BodyMotion {
-  const tuple = (from: number, length: number) => Array.from(rows.subarray(at + from, at + from + length));
   return {
-    position: tuple(BODY_POSITION, 3) as unknown as Vec3,
-    velocity: tuple(BODY_VELOCITY, 3) as unknown as Vec3,
-    attitude: tuple(BODY_ATTITUDE, 4) as unknown as Quat,
-    angularVelocity: tuple(BODY_ANGULAR_VELOCITY, 3) as unknown as Vec3,
+    position: readVec3(rows, at + BODY_POSITION),
+    velocity: readVec3(rows, at + BODY_VELOCITY),
+    attitude: readQuat(rows, at + BODY_ATTITUDE),
+    angularVelocity: readVec3(rows, at + BODY_ANGULAR_VELOCITY),
   };
 }
 

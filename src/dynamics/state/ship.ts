@@ -1,4 +1,14 @@
-import { ok, type Result, notFinite, notFiniteTuple, type Quat, err, type Vec3 } from '../result';
+import {
+  ok,
+  type Result,
+  notFinite,
+  notFiniteTuple,
+  type Quat,
+  err,
+  readQuat,
+  readVec3,
+  type Vec3,
+} from '../result';
 import { NEUTRAL_CONTROLS, writeControls } from './controls';
 import {
   ANGULAR_VELOCITY,
@@ -89,16 +99,15 @@ export function spawnShip(ships: Float64Array, at: number, ship: ShipInit, world
 }
 
 export function readShip(ships: Float64Array, at: number, world: World): ShipRecord {
-  const tuple = (from: number, length: number) => Array.from(ships.subarray(at + from, at + from + length));
   return {
     shipClass: world.shipClasses[ships[at + SHIP_CLASS]!]!.name,
     referenceBody: world.bodies[ships[at + REFERENCE_BODY]!]!.name,
-    relativePosition: tuple(POSITION, 3) as unknown as Vec3,
-    relativeVelocity: tuple(VELOCITY, 3) as unknown as Vec3,
-    attitude: tuple(ATTITUDE, 4) as unknown as Quat,
-    angularVelocity: tuple(ANGULAR_VELOCITY, 3) as unknown as Vec3,
+    relativePosition: readVec3(ships, at + POSITION),
+    relativeVelocity: readVec3(ships, at + VELOCITY),
+    attitude: readQuat(ships, at + ATTITUDE),
+    angularVelocity: readVec3(ships, at + ANGULAR_VELOCITY),
     fuel: ships[at + FUEL]!,
-    wheelMomentum: tuple(WHEEL_MOMENTUM, 3) as unknown as Vec3,
+    wheelMomentum: readVec3(ships, at + WHEEL_MOMENTUM),
     groundContactOffset: ships[at + GROUND_CONTACT_OFFSET]!,
     surfaceContactState: SURFACE_STATES[ships[at + SURFACE_STATE]!]!,
     contactImpactSpeed: ships[at + IMPACT_SPEED]!,

@@ -121,7 +121,8 @@ export async function flyAsNewcomer(page: Page, isTouch: boolean): Promise<Try> 
   for (;;) {
     const screen = await look(page);
     log.push(`${screen.status} | ${screen.goal.slice(-60)}`);
-    if (screen.card !== '') {
+    // The score comes once the flight is checked.
+    if (screen.card !== '' && !screen.card.includes('Checking')) {
       await controls.rest();
       return { card: screen.card, log };
     }

@@ -2,7 +2,7 @@ import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import type { GroundPlace, LearnedGround } from './learnedGround';
 import type { Observation } from './observe';
-import { costOf, type Evidence, type Misfit, replayBetween } from './trial';
+import { costOf, createMisfit, type Evidence, replayBetween } from './trial';
 
 /** The ground that explains two states best: the best of several guesses, refined. */
 
@@ -103,4 +103,4 @@ function clamp(x: number, most: number): number {
   return Math.max(-most, Math.min(most, x));
 }
 
-const misfit: Misfit = { height: 0, climb: 0, along: 0, sameState: false };
+const misfit = createMisfit();

@@ -19,7 +19,7 @@ import {
 } from './learnedGround';
 import type { GroundNews } from './lastState';
 import { createObservation, type Observation, observe } from './observe';
-import { costOf, type Evidence, type Misfit, replayBetween } from './trial';
+import { costOf, createMisfit, type Evidence, replayBetween } from './trial';
 
 /** m: a grounded ship with its feet this far above the ground, or a flying one with its feet this far below, contradicts the ground. */
 const ABOVE = 0.1;
@@ -172,4 +172,4 @@ function confirmPlace(place: GroundPlace, now: number): void {
 }
 
 const observed = createObservation();
-const misfit: Misfit = { height: 0, climb: 0, along: 0, sameState: false };
+const misfit = createMisfit();

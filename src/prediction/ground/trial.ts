@@ -23,6 +23,13 @@ export interface Misfit {
   sameState: boolean;
 }
 
+export const createMisfit = (): Misfit => ({
+  height: Number.NaN,
+  climb: Number.NaN,
+  along: Number.NaN,
+  sameState: false,
+});
+
 /** Errors of cost 1: m, m/s, m. */
 const HEIGHT = 0.05;
 const CLIMB = 0.25;

@@ -1,4 +1,5 @@
 import type { Session } from '../session';
+import { createCut } from '../snapshots/bodies/bodyTrack';
 import type { LatestMessages } from './snapshot';
 
 /** Everything a predictor owns: its session, and the messages of its next snapshot. */
@@ -19,10 +20,7 @@ export function copyOwned({ session, kept }: Owned): Owned {
   copies.set(session.listeners, new Set());
   // The cuts are most of the memory and are recomputed from the boundaries.
   const { cuts } = session.sim.bodies;
-  copies.set(
-    cuts,
-    cuts.map(() => ({ tick: -1, made: 0, rows: [] })),
-  );
+  copies.set(cuts, cuts.map(createCut));
   return { session: copyOf(session, copying), kept: { ...kept } };
 }
 

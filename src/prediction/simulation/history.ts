@@ -61,7 +61,7 @@ export function resized(history: History, length: number): History {
   const next = createHistory(length);
   for (let slot = 0; slot < history.length; slot++) {
     const tick = history.ticks[slot]!;
-    if (tick >= 0 && tick > next.ticks[tick % length]!) keep(next, tick, history.rows, slot * SHIP_STRIDE);
+    if (tick > next.ticks[tick % length]!) keep(next, tick, history.rows, slot * SHIP_STRIDE);
   }
   return next;
 }

@@ -54,7 +54,7 @@ export function resizeLogs(ring: TouchdownRing, length: number): void {
   ring.kept = emptyLogs(length);
   ring.ticks = new Float64Array(length).fill(Number.NEGATIVE_INFINITY);
   for (const [slot, tick] of ticks.entries())
-    if (tick >= 0 && tick > ring.ticks[tick % length]!) keepLog(ring, tick, kept[slot]!);
+    if (tick > ring.ticks[tick % length]!) keepLog(ring, tick, kept[slot]!);
 }
 
 /** A ship first seen landed has no touchdown. */

@@ -39,6 +39,8 @@ interface TickCut {
   rows: Float64Array[];
 }
 
+export const createCut = (): TickCut => ({ tick: -1, made: 0, rows: [] });
+
 /** A tick of more substeps is too long to follow: its rows alone would take 16 MB with four bodies. */
 export const MAX_SUBSTEPS_PER_TICK = 12_800;
 
@@ -51,7 +53,7 @@ export function createBodyTrack(start: Float64Array, length: number, substeps: n
     length,
     boundaries: Array.from({ length }, () => new Float64Array(size)),
     ticks: new Float64Array(length).fill(Number.NEGATIVE_INFINITY),
-    cuts: Array.from({ length: keptTicks(substeps) }, () => ({ tick: -1, made: 0, rows: [] })),
+    cuts: Array.from({ length: keptTicks(substeps) }, createCut),
     start,
     replaced: new Float64Array(size),
     past: new Float64Array(size),
@@ -68,7 +70,7 @@ export function resizedBodies(track: BodyTrack, length: number, substeps: number
   const next = createBodyTrack(track.start, length, substeps);
   for (let slot = 0; slot < track.length; slot++) {
     const tick = track.ticks[slot]!;
-    if (tick < 0 || tick <= next.ticks[tick % length]!) continue;
+    if (!(tick > next.ticks[tick % length]!)) continue;
     next.boundaries[tick % length]!.set(track.boundaries[slot]!);
     next.ticks[tick % length] = tick;
   }

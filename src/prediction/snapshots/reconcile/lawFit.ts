@@ -8,7 +8,7 @@ import {
   SHIP_STRIDE,
 } from '../../../dynamics';
 import { angleOf, quaternion, rotateBack, take, turnBetween, vector } from '../../drawn/rotation';
-import { type Misfit, replayBetween } from '../../ground/trial';
+import { createMisfit, replayBetween } from '../../ground/trial';
 import { actsBetween } from '../../inputs/scheduledInput';
 import { carryRow } from '../../simulation/carry';
 import type { Simulation } from '../../simulation/simulation';
@@ -122,7 +122,7 @@ function sumOf(errors: Float64Array): number {
   return sum;
 }
 
-const misfit: Misfit = { height: 0, climb: 0, along: 0, sameState: false };
+const misfit = createMisfit();
 const carried = new Float64Array(SHIP_STRIDE);
 const made: Place = { rows: carried, at: 0, bodies: carried };
 const place = vector();

@@ -1,0 +1,108 @@
+import { describe, expect, it } from 'vitest';
+import type { BodyState } from '../../../../src/wire';
+import { completeBodies } from '../../../../src/prediction/snapshots/bodies/completeBodies';
+import { boundaryAt } from '../../../../src/prediction/snapshots/bodies/bodyTrack';
+import { readBodyMotion } from '../../../../src/dynamics';
+import { frameAt } from '../../faults/restingShip';
+import { RATE, sessionAt } from '../../decisions/sessionAt';
+
+const TICK = 100;
+type Sent = Partial<Record<keyof BodyState, unknown>>;
+
+/** What is made of the bodies of frame 101, after those of frame `before` were sent. */
+function completed(change: Sent | null, before: Sent | null = {}, beforeTick = TICK) {
+  const { sim, receiver } = sessionAt(TICK);
+  const [body] = sim.world.bodies;
+  const motion = readBodyMotion(boundaryAt(sim.bodies, sim.timeline, TICK), 0);
+  const sent = { ...body!, ...motion, velocity: [10, 20, -30] } as unknown as BodyState;
+  const bodyOf = (more: Sent | null) => (more === null ? [] : [{ ...sent, ...more } as BodyState]);
+  Object.assign(receiver.lastBodies, { tick: beforeTick, bodies: bodyOf(before) });
+  const bodies = bodyOf(change);
+  const made = completeBodies(sim, receiver, frameAt(TICK + 1, RATE, { bodies }));
+  const predicted = readBodyMotion(boundaryAt(sim.bodies, sim.timeline, TICK + 1), 0);
+  return { made, bodies, predicted, sent, last: receiver.lastBodies };
+}
+const MOVED = { position: [1, 2, 3], attitude: [0, 0, 0.6, 0.8] };
+
+describe('bodies that a frame has whole', () => {
+  it('are taken as sent, and remembered', () => {
+    const { made, bodies, last } = completed(MOVED);
+    expect(made).toBe(bodies);
+    expect(last).toEqual({ tick: TICK + 1, bodies });
+  });
+
+  it('none are none, and the ones before stay remembered', () => {
+    const { made, last } = completed(null);
+    expect([made, last.tick, last.bodies.length]).toEqual([null, TICK, 1]);
+  });
+});
+
+describe('a body that a frame has in part', () => {
+  it.each([
+    ['attitude', [0, 0, Number.NaN, 1]],
+    ['attitude', undefined],
+    ['angularVelocity', [0, 0]],
+    ['angularVelocity', [Number.NaN, 0, 0]],
+  ] as const)('without %s (%o) has the predicted one', (field, value) => {
+    const { made, predicted } = completed({ ...MOVED, [field]: value });
+    const [body] = made!;
+    expect(body![field]).toEqual(predicted[field]);
+    expect(body!.position).toEqual(MOVED.position);
+    expect(body!.velocity).toEqual([10, 20, -30]);
+  });
+
+  it.each(['position', 'velocity'] as const)('without %s has the predicted place and velocity', (field) => {
+    const { made, predicted } = completed({ ...MOVED, [field]: [1, 2, Number.POSITIVE_INFINITY] });
+    expect(made![0]).toMatchObject({
+      position: predicted.position,
+      velocity: predicted.velocity,
+      attitude: MOVED.attitude,
+    });
+  });
+
+  it('of another name is left out: the world’s is predicted', () => {
+    const { made, predicted } = completed({ ...MOVED, name: 'Vulcan' });
+    expect(made).toEqual([predicted]);
+  });
+});
+
+describe('a body whose attitude stands still', () => {
+  const turning = { angularVelocity: [0, 0, 1e-5], position: [1, 2, 3] };
+
+  it('while it spins has the predicted one', () => {
+    const { made, predicted } = completed(turning);
+    expect(made![0]!.attitude).toEqual(predicted.attitude);
+    expect(made![0]!.position).toEqual([1, 2, 3]);
+  });
+
+  it('is as sent where it has no spin, where it turned at all, or is of another body or tick', () => {
+    const isSent = ({ made, bodies }: ReturnType<typeof completed>) => made === bodies;
+    expect(isSent(completed({ ...turning, angularVelocity: [0, 0, 0] }))).toBe(true);
+    for (let k = 0; k < 4; k++) {
+      const { sent } = completed(turning);
+      const attitude = sent.attitude.map((x, i) => (i === k ? x + 1e-12 : x));
+      expect(isSent(completed({ ...turning, attitude }))).toBe(true);
+    }
+    expect(isSent(completed(turning, { name: 'Vulcan' }))).toBe(true);
+    expect(isSent(completed(turning, {}, TICK + 1))).toBe(true);
+    expect(isSent(completed(turning, null))).toBe(true);
+  });
+});
+
+describe('bodies that did not move since the last frame', () => {
+  it('are outdated where they have a velocity: none is taken', () => {
+    expect(completed({}).made).toBeNull();
+    expect(completed({ velocity: [0, 0, 2e-6] }).made).toBeNull();
+  });
+
+  it('are not where they have none, or moved at all, or are of the same tick', () => {
+    expect(completed({ velocity: [0, 0, 0.9e-6] }).made).not.toBeNull();
+    for (let k = 0; k < 3; k++) {
+      const { sent } = completed({});
+      const position = sent.position.map((x, i) => (i === k ? x + 1 : x));
+      expect(completed({ position }).made).not.toBeNull();
+    }
+    expect(completed({}, {}, TICK + 1).made).not.toBeNull();
+    expect(completed({}, null).made).not.toBeNull();
+  });
+});

@@ -19,19 +19,20 @@ export function put(rows: Float64Array, at: number, value: Float64Array): void {
 
 /** out = q v q⁻¹ */
 export function rotate(out: Float64Array, q: Float64Array, v: Float64Array): void {
-  turn(out, q, q[3]!, v);
+  turn(out, q, 1, v);
 }
 
 /** out = q⁻¹ v q */
 export function rotateBack(out: Float64Array, q: Float64Array, v: Float64Array): void {
-  turn(out, q, -q[3]!, v);
+  turn(out, q, -1, v);
 }
 
-/** Rotates by the quaternion of q's vector part and `qw`. */
-function turn(out: Float64Array, q: Float64Array, qw: number, v: Float64Array): void {
+/** Rotates by q, or back. Told by a whole number: a double would be boxed for the call. */
+function turn(out: Float64Array, q: Float64Array, sense: 1 | -1, v: Float64Array): void {
   const qx = q[0]!;
   const qy = q[1]!;
   const qz = q[2]!;
+  const qw = sense * q[3]!;
   const x = v[0]!;
   const y = v[1]!;
   const z = v[2]!;

@@ -59,7 +59,7 @@ export const USES = [
   },
   {
     name: 'scene (without three)',
-    most: 32,
+    most: 33,
     code: `export { createSceneView } from 'galaxy-touchdown/scene';`,
     without: ['discardUnknown'],
   },

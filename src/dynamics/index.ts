@@ -3,7 +3,18 @@
 /** Columns of a ship's and a body's row, states, modes, events. */
 export * from './state/layout';
 /** Validation results and tuples. */
-export { describe, ok, requireKnown, type Result, type Mat3, type Quat, err, type Vec3 } from './result';
+export {
+  describe,
+  ok,
+  requireKnown,
+  type Result,
+  type Mat3,
+  type Quat,
+  err,
+  readQuat,
+  readVec3,
+  type Vec3,
+} from './result';
 /** The server's contact settings. */
 export { DEFAULT_SETTINGS, loadSettings, type LoadedSettings, type Settings } from './constants/settings';
 /** Ship classes: plain data in, constants out. */

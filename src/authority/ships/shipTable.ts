@@ -8,6 +8,7 @@ import {
   LANDED,
   POSITION,
   type Quat,
+  readQuat,
   REFERENCE_BODY,
   SHIP_STRIDE,
   type ShipInit,
@@ -161,6 +162,5 @@ function aboveSameGround(table: ShipTable, at: number, bodies: Float64Array, wor
 }
 
 function attitudeOf(bodies: Float64Array, index: number): Quat {
-  const at = index * BODY_STRIDE + BODY_ATTITUDE;
-  return [bodies[at]!, bodies[at + 1]!, bodies[at + 2]!, bodies[at + 3]!];
+  return readQuat(bodies, index * BODY_STRIDE + BODY_ATTITUDE);
 }

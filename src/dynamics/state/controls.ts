@@ -1,4 +1,14 @@
-import { type Result, ok, notFinite, notFiniteTuple, type Quat, err, type Vec3 } from '../result';
+import {
+  type Result,
+  ok,
+  notFinite,
+  notFiniteTuple,
+  type Quat,
+  err,
+  readQuat,
+  readVec3,
+  type Vec3,
+} from '../result';
 import {
   ATTITUDE_HOLD,
   ATTITUDE_MODE,
@@ -100,21 +110,12 @@ export function writeControls(ships: Float64Array, at: number, controls: Control
 export function readControls(ships: Float64Array, at: number): Controls {
   return {
     thrustLevel: ships[at + THRUST_LEVEL]!,
-    translationInput: triple(ships, at + TRANSLATION_INPUT),
-    rotationInput: triple(ships, at + ROTATION_INPUT),
+    translationInput: readVec3(ships, at + TRANSLATION_INPUT),
+    rotationInput: readVec3(ships, at + ROTATION_INPUT),
     attitudeHold: ships[at + ATTITUDE_HOLD] === 1,
     attitudeMode: modeName(ships[at + ATTITUDE_MODE]!),
-    targetAttitude: [
-      ships[at + TARGET_ATTITUDE]!,
-      ships[at + TARGET_ATTITUDE + 1]!,
-      ships[at + TARGET_ATTITUDE + 2]!,
-      ships[at + TARGET_ATTITUDE + 3]!,
-    ],
+    targetAttitude: readQuat(ships, at + TARGET_ATTITUDE),
   };
-}
-
-function triple(rows: Float64Array, at: number): Vec3 {
-  return [rows[at]!, rows[at + 1]!, rows[at + 2]!];
 }
 
 function clamp(value: number, low: number, high: number): number {

@@ -10,6 +10,8 @@ import {
   LANDED,
   POSITION,
   type Quat,
+  readQuat,
+  readVec3,
   type Result,
   ok,
   SURFACE_STATE,
@@ -158,7 +160,7 @@ function recordTouch(flight: Flight, event: number): void {
 function recordPad(flight: Flight, pads: readonly Vec3[], mission: Mission): void {
   const { ship, bodies } = flight;
   if (ship[SURFACE_STATE] !== LANDED || flight.touching === null) return;
-  const at = rotate(inverse(bodyAttitude(bodies)), vectorAt(ship, POSITION));
+  const at = rotate(inverse(bodyAttitude(bodies)), readVec3(ship, POSITION));
   const pad = pads[flight.padsReached]!;
   const off = lengthOf([at[0] - pad[0], at[1] - pad[1], at[2] - pad[2]], at);
   if (off > mission.pads[flight.padsReached]!.radius) {
@@ -181,8 +183,8 @@ function lengthOf(offset: Vec3, at: Vec3): number {
 }
 
 function tiltOf(ship: Float64Array): number {
-  const top = rotate(quatAt(ship, ATTITUDE), [0, 0, 1]);
-  const position = vectorAt(ship, POSITION);
+  const top = rotate(readQuat(ship, ATTITUDE), [0, 0, 1]);
+  const position = readVec3(ship, POSITION);
   const cosine =
     (top[0] * position[0] + top[1] * position[1] + top[2] * position[2]) / Math.hypot(...position);
   return (Math.acos(Math.min(1, Math.max(-1, cosine))) * 180) / Math.PI;
@@ -190,18 +192,10 @@ function tiltOf(ship: Float64Array): number {
 
 function record({ ship, bodies, track }: Flight): void {
   const back = inverse(bodyAttitude(bodies));
-  const [x, y, z] = rotate(back, vectorAt(ship, POSITION));
-  track.push(x, y, z, ...compose(back, quatAt(ship, ATTITUDE)));
+  const [x, y, z] = rotate(back, readVec3(ship, POSITION));
+  track.push(x, y, z, ...compose(back, readQuat(ship, ATTITUDE)));
 }
 
 function bodyAttitude(bodies: Float64Array): Quat {
-  return quatAt(bodies, BODY_ATTITUDE);
-}
-
-function quatAt(row: Float64Array, at: number): Quat {
-  return [row[at]!, row[at + 1]!, row[at + 2]!, row[at + 3]!];
-}
-
-function vectorAt(row: Float64Array, at: number): Vec3 {
-  return [row[at]!, row[at + 1]!, row[at + 2]!];
+  return readQuat(bodies, BODY_ATTITUDE);
 }

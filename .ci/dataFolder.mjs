@@ -7,8 +7,8 @@ import { join, resolve } from 'node:path';
 const OWNER = 'redis.pid';
 
 /**
- * A temporary folder, removed on release; or `kept`, which stays. @throws Error
- * where a Redis runs on `kept`: two on the same files would corrupt them
+ * A temporary folder, removed on release; or `kept`, which stays.
+ * @throws Error if a Redis runs on `kept`: two on the same files would corrupt them
  */
 export function openDataFolder(kept) {
   const path = kept === undefined ? mkdtempSync(join(tmpdir(), 'touchdown-live-')) : resolve(kept);

@@ -166,7 +166,7 @@ it('continues from the data that it kept, and refuses to run twice on it', async
   const before = await tick(first.found(REDIS));
   first.signal('SIGINT');
   expect(await first.ended).toBe(0);
-  expect(first.output()).toContain(`data are in ${folder}`);
+  expect(first.output()).toContain(`data is in ${folder}`);
   const third = live(['--data', folder, '--rate', '10']);
   await third.isUp();
   expect(await tick(third.found(REDIS))).toBeGreaterThanOrEqual(before);

@@ -158,9 +158,12 @@ function accept(meter: TickRateMeter, { perTick, apart, delays }: Line, doubt: n
   return true;
 }
 
+/** With as many, every double is itself. */
+const DIGITS_OF_DOUBLE = 17;
+
 /** The number with the fewest digits within `uncertainty` of `rate`: servers are set to such rates. */
 function roundest(rate: number, uncertainty: number): number {
-  for (let digits = 1; Number.isFinite(rate); digits++) {
+  for (let digits = 1; digits < DIGITS_OF_DOUBLE; digits++) {
     const rounded = Number(rate.toPrecision(digits));
     if (Math.abs(rounded - rate) <= uncertainty) return rounded;
   }

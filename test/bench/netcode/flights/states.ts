@@ -1,3 +1,4 @@
+import { NEUTRAL_CONTROLS } from '../../../../src/dynamics';
 import type { EventNotice } from '../../../../src/prediction';
 import { type Figure, spread } from '../figure';
 import { type Flight, flyMeasured } from './flights';
@@ -75,16 +76,15 @@ function stickToScreen(): Figure {
     const moved = 6 + i * 0.0137;
     let seen = Number.NaN;
     const poses: number[][] = [];
-    const neutral = flyMeasured({ scenario: 'bounce', seed: i + 1 }, moved + 0.5, (_, view) => {
+    const flight = { scenario: 'bounce', seed: i + 1 };
+    flyMeasured({ ...flight, pilot: () => NEUTRAL_CONTROLS }, moved + 0.5, (_, view) => {
       if (view.own !== null) poses.push([...view.own.easedPosition]);
     });
-    const { controls } = neutral.rig.view().own!;
     let frame = 0;
     flyMeasured(
       {
-        scenario: 'bounce',
-        seed: i + 1,
-        pilot: () => (frame / 60 >= moved ? { ...controls, thrustLevel: 0.5 } : controls),
+        ...flight,
+        pilot: () => ({ ...NEUTRAL_CONTROLS, thrustLevel: frame / 60 >= moved ? 0.5 : 0 }),
       },
       moved + 0.5,
       (rig, view) => {

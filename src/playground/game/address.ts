@@ -1,5 +1,6 @@
 import type { Notice } from '../panels/notice';
 import type { Banner } from '../panels/banner';
+import { MAX_LINK_LENGTH } from './mission/runText';
 
 /** ms between two changes of the address: Safari throws after 100 in 30 s. */
 const EVERY = 400;
@@ -46,4 +47,15 @@ export function createAddress(window: Window, banner: Banner, notice: Notice): A
       else clipboard.writeText(link).then(() => banner.flash(done), show);
     },
   };
+}
+
+/** Copies a link that carries a flight's inputs: it replays the same flight. Says so if the link is too long for some programs. */
+export function copyFlight(
+  { address, notice }: { readonly address: Address; readonly notice: Notice },
+  query: string,
+  done: string,
+): void {
+  if (query.length > MAX_LINK_LENGTH)
+    notice.show(`This link has ${query.length} characters; some programs cut off links that long.`);
+  address.copy(query, done);
 }

@@ -1,9 +1,9 @@
 import type { Recording, RunInput } from '../../scenarios';
 import { type Choices, readChoices, writeChoices } from '../panels/choices';
 import type { Notice } from '../panels/notice';
-import type { Address } from './address';
+import { type Address, copyFlight } from './address';
 import type { Live } from './live';
-import { MAX_LINK_LENGTH, readFlight, writeFlight } from './mission/runText';
+import { readFlight, writeFlight } from './mission/runText';
 import { scriptOf } from './script';
 
 export interface FlightLinkContext {
@@ -29,9 +29,8 @@ export function createFlightLink({ live, choices, address, notice }: FlightLinkC
     const { substeps } = scriptOf(world);
     const flown = continued(world.flight, inputs, substeps);
     const query = writeChoices({ ...world, flight: writeFlight(flown, substeps) });
-    if (query.length > MAX_LINK_LENGTH)
-      notice.show(`This link has ${query.length} characters; some programs cut off links that long.`);
-    address.copy(
+    copyFlight(
+      { address, notice },
       query,
       flown.length === 0 ? 'Link copied: nothing was flown by hand.' : 'Flight link copied.',
     );

@@ -52,13 +52,12 @@ export function createHulls(material: ShipMaterial): Hulls {
 
   const levelOf = (model: ShipModel, detail: number) => {
     const levels = classes.get(model) ?? new Map<number, Level>();
-    classes.set(model, levels);
     const known = levels.get(detail);
     if (known !== undefined) return known;
     const geometry = detail === 0 ? model.geometry : model.coarser()[detail - 1]!;
     const made = createLevel(geometry, detail === 0, material);
     group.add(made.mesh);
-    levels.set(detail, made);
+    classes.set(model, levels.set(detail, made));
     return made;
   };
 

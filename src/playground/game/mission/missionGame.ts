@@ -6,13 +6,12 @@ import type { Choices } from '../../panels/choices';
 import type { GoalPanel } from '../../panels/goal';
 import type { CardAction, CardText, MissionCard } from '../../panels/missionCard';
 import type { Notice } from '../../panels/notice';
-import type { Address } from '../address';
+import { type Address, copyFlight } from '../address';
 import type { VerifiedRun } from './bestRuns';
 import { adviceText, type Device, howToFly } from '../texts/flightTexts';
 import { createGhostFlight, type GhostFlight } from './ghost';
 import type { Live } from '../live';
 import type { Runs } from './runs';
-import { MAX_LINK_LENGTH } from './runText';
 import { confirmCap, crashCard, landedCard, nextAction, phaseCard } from './missionCards';
 import { createMissionTracker, type MissionTracker } from './missionTracker';
 
@@ -182,18 +181,11 @@ async function judge(
       return landedCard(mission, 'Not scored: the replay of its inputs does not land.', context);
     const before = best.of(mission);
     const isBest = best.keep(run);
-    const copyRace = () => share(context, module.raceQuery(run, ''));
+    const copyRace = () => copyFlight(context, module.raceQuery(run, ''), 'Race link copied.');
     return module.scoreCard(run, module.verdict(run, before, rival, isBest), copyRace, context);
   } catch {
     return landedCard(mission, 'Not scored: part of the page did not load.', context);
   }
-}
-
-/** Replayed from its inputs: a friend who opens the link sees the same flight, and the score is computed there again. */
-function share({ address, notice }: MissionContext, query: string): void {
-  if (query.length > MAX_LINK_LENGTH)
-    notice.show(`This link has ${query.length} characters; some programs cut off links that long.`);
-  address.copy(query, 'Race link copied.');
 }
 
 /** Why a changed world is not scored; '' if it is the mission's. */

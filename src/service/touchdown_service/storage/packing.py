@@ -20,7 +20,7 @@ class CommandPacker:
                 texts = [f"${len(part)}\r\n{part}\r\n" for part in parts]
                 return [f"*{len(parts)}\r\n{''.join(texts)}".encode()]
         except TypeError:
-            pass # not only strings
+            pass  # not only strings
         return [b"*%d\r\n" % len(parts), *(b"$%d\r\n%b\r\n" % (len(part), part) for part in map(encoded, parts))]
 
 

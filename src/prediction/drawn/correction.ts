@@ -3,6 +3,7 @@ import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import { spanOf, wallOfTick } from '../time/timeline';
 import { type Ease, restartEase, snap } from './ease';
+import { LONG_AGO } from './picture';
 import { type Pose, pose, writeBodyAttitude, writePredicted, writeSeen } from './pose';
 import {
   angleOf,
@@ -11,6 +12,7 @@ import {
   lengthOf,
   normalize,
   quaternion,
+  take,
   toRotationVector,
   turnBetween,
   vector,
@@ -67,7 +69,7 @@ export function easeCorrection(
   const unseen = Math.max(track.silence, picture.skipped) + ageOf(sim, track);
   picture.skipped = 0;
   picture.hasHeld = false;
-  picture.uprighted = style.uprights;
+  picture.sinceUprighting = style.uprights ? 0 : LONG_AGO;
   if (!before.known) {
     snap(picture.ease);
     return;
@@ -149,9 +151,8 @@ function isEasable(old: Pose, next: Pose, covered: number): boolean {
 }
 
 function speedOf(rows: Float64Array, at: number): number {
-  let speed = 0;
-  for (let k = 0; k < 3; k++) speed += rows[at + VELOCITY + k]! * rows[at + VELOCITY + k]!;
-  return Math.sqrt(speed);
+  take(velocity, rows, at + VELOCITY);
+  return lengthOf(velocity);
 }
 
 const now = pose();
@@ -159,3 +160,4 @@ const body = quaternion();
 const turn = quaternion();
 const eased = quaternion();
 const jump = vector();
+const velocity = vector();

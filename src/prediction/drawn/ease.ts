@@ -1,4 +1,4 @@
-import { dot } from './rotation';
+import { dot, lengthOf } from './rotation';
 
 /**
  * The drawn offset of one ship (PREDICTION, Drawing): drawn = predicted + offset, and the offset goes to zero as a
@@ -115,13 +115,23 @@ export function snap(ease: Ease): void {
 
 /** A correction changed `offset` and `turn`; their rates continue, so that the drawn velocity does not jump. */
 export function restartEase(ease: Ease): void {
-  ease.size = length(ease.offset);
-  ease.turnSize = length(ease.turn);
+  ease.size = lengthOf(ease.offset);
+  ease.turnSize = lengthOf(ease.turn);
   ease.active = true;
 }
 
-/** Lets `elapsed` s pass. `normal` is the local up at the ship, unit, in the body's axes. */
-export function advanceEase(ease: Ease, normal: Float64Array, elapsed: number, springs: Springs): void {
+/**
+ * Lets `elapsed` s pass.
+ * @param normal the local up at the ship, unit, in the body's axes
+ * @param turning s of these since the turn began
+ */
+export function advanceEase(
+  ease: Ease,
+  normal: Float64Array,
+  elapsed: number,
+  springs: Springs,
+  turning = elapsed,
+): void {
   if (!ease.active || !(elapsed > 0)) return;
   if (elapsed > FORGOTTEN) {
     snap(ease);
@@ -131,9 +141,9 @@ export function advanceEase(ease: Ease, normal: Float64Array, elapsed: number, s
   const dt = elapsed / slices;
   for (let i = 0; i < slices; i++) {
     moveOffset(ease, normal, dt, springs);
-    moveTurn(ease, dt, springs);
+    moveTurn(ease, turning / slices, springs);
   }
-  if (length(ease.offset) + length(ease.turn) + length(ease.rate) + length(ease.turnRate) < NOTHING)
+  if (lengthOf(ease.offset) + lengthOf(ease.turn) + lengthOf(ease.rate) + lengthOf(ease.turnRate) < NOTHING)
     snap(ease);
 }
 
@@ -179,8 +189,8 @@ interface Move {
 
 /** value += step, rate = speed, both no faster than `cap`. */
 function move(value: Float64Array, rate: Float64Array, { step, speed }: Move, dt: number, cap: number): void {
-  const stepped = length(step) / dt;
-  const moving = length(speed);
+  const stepped = lengthOf(step) / dt;
+  const moving = lengthOf(speed);
   const stepShare = stepped > cap ? cap / stepped : 1;
   const speedShare = moving > cap ? cap / moving : 1;
   for (let k = 0; k < 3; k++) {
@@ -190,7 +200,3 @@ function move(value: Float64Array, rate: Float64Array, { step, speed }: Move, dt
 }
 
 const wanted: Move = { step: new Float64Array(3), speed: new Float64Array(3) };
-
-function length(v: Float64Array): number {
-  return Math.sqrt(dot(v, v));
-}

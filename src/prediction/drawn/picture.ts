@@ -7,8 +7,8 @@ export interface Picture {
   readonly ease: Ease;
   /** Index of the body in whose axes `ease` is; -1 before the first view. */
   body: number;
-  /** The front's last substep turned it upright; within that substep the offset keeps the attitude before it. */
-  uprighted: boolean;
+  /** Substeps from its last uprighting to the front; 0: the front's last substep turned it upright. */
+  sinceUprighting: number;
   /** The last predicted pose, in the body's axes, to ease from after a resynchronisation or a change of tempo. */
   hasHeld: boolean;
   readonly heldPlace: Float64Array;
@@ -39,11 +39,14 @@ export interface Status {
   readonly commands: Float64Array;
 }
 
+/** Substeps: longer than any frame. */
+export const LONG_AGO = 1e6;
+
 export function createPicture(): Picture {
   return {
     ease: createEase(),
     body: -1,
-    uprighted: false,
+    sinceUprighting: LONG_AGO,
     hasHeld: false,
     heldPlace: new Float64Array(3),
     heldAttitude: Float64Array.of(0, 0, 0, 1),

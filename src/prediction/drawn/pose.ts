@@ -29,12 +29,8 @@ export function writePredicted(out: Pose, sim: Simulation, track: Track): void {
 export function writeAttitude(out: Float64Array, sim: Simulation, track: Track): void {
   const { previous, front } = sim.fleet;
   take(after, front, track.at + ATTITUDE);
-  if (track.picture.uprighted) {
-    // The dynamics turned it instantly at the substep's end; the offset restores the attitude before.
-    for (let k = 0; k < 4; k++) out[k] = after[k]!;
-    return;
-  }
-  take(before, previous, track.at + ATTITUDE);
+  // If the dynamics turned it instantly at the substep's end, the offset restores the attitude before.
+  take(before, track.picture.sinceUprighting === 0 ? front : previous, track.at + ATTITUDE);
   blend(out, before, after, sim.alpha);
 }
 

@@ -125,7 +125,7 @@ export function blend(out: Float64Array, a: Float64Array, b: Float64Array, share
 
 /** q = the rotation by |v| rad about v. */
 export function fromRotationVector(q: Float64Array, v: Float64Array): void {
-  const angle = Math.sqrt(v[0]! * v[0]! + v[1]! * v[1]! + v[2]! * v[2]!);
+  const angle = lengthOf(v);
   const scale = angle < 1e-6 ? 0.5 : Math.sin(angle / 2) / angle;
   for (let k = 0; k < 3; k++) q[k] = v[k]! * scale;
   q[3] = Math.cos(angle / 2);
@@ -133,19 +133,18 @@ export function fromRotationVector(q: Float64Array, v: Float64Array): void {
 
 /** v = the rotation vector, at most π long, of unit q. */
 export function toRotationVector(v: Float64Array, q: Float64Array): void {
-  const sine = Math.sqrt(q[0]! * q[0]! + q[1]! * q[1]! + q[2]! * q[2]!);
-  const w = q[3]! < 0 ? -q[3]! : q[3]!;
+  const sine = lengthOf(q);
   const sign = q[3]! < 0 ? -1 : 1;
-  const scale = sine < 1e-9 ? 2 : (2 * Math.atan2(sine, w)) / sine;
+  const scale = sine < 1e-9 ? 2 : angleOf(q) / sine;
   for (let k = 0; k < 3; k++) v[k] = q[k]! * scale * sign;
 }
 
 /** The angle of unit q, rad, 0 … π. */
 export function angleOf(q: Float64Array): number {
-  const sine = Math.sqrt(q[0]! * q[0]! + q[1]! * q[1]! + q[2]! * q[2]!);
-  return 2 * Math.atan2(sine, Math.abs(q[3]!));
+  return 2 * Math.atan2(lengthOf(q), Math.abs(q[3]!));
 }
 
+/** Of a quaternion, the length of its vector part. */
 export function lengthOf(v: Float64Array): number {
-  return Math.sqrt(v[0]! * v[0]! + v[1]! * v[1]! + v[2]! * v[2]!);
+  return Math.sqrt(dot(v, v));
 }

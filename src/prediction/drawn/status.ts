@@ -117,7 +117,7 @@ export function fillControls(out: ShipView, commands: Float64Array, rows: Float6
   const at = from + THRUST_LEVEL;
   for (let k = 0; k < commands.length; k++) {
     if (commands[k] === rows[at + k]) continue;
-    for (let i = 0; i < commands.length; i++) commands[i] = rows[at + i]!;
+    take(commands, rows, at);
     out.controls = readControls(rows, from);
     return;
   }

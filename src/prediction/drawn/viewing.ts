@@ -20,6 +20,7 @@ import {
 } from '../../dynamics';
 import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
+import { spanOf } from '../time/timeline';
 import { createTouchdownView } from '../touchdown/touchdownLog';
 import { advanceEase } from './ease';
 import { fillGhost } from './ghost';
@@ -112,7 +113,13 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   const attitude = scene.bodyAttitudes[out.body]!;
   seeFromBody(out, scene, attitude);
   if (track.picture.ease.active)
-    advanceEase(track.picture.ease, scene.normal, scene.at.elapsed, scene.springs);
+    advanceEase(
+      track.picture.ease,
+      scene.normal,
+      scene.at.elapsed,
+      scene.springs,
+      stepping ? Math.min(scene.at.elapsed, sinceUprighting(sim, track)) : scene.at.elapsed,
+    );
   fillDrawn(out, track, scene, attitude);
   fillGround(out, track, scene);
   const exactly = fillGrounded(out, scene, attitude);
@@ -129,6 +136,12 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
       track.log.front,
       stepping || track.mode === 'sleeping' || track.picture.hasHeld,
     );
+}
+
+/** Wall s from its last uprighting to the present. */
+function sinceUprighting({ timeline, front, alpha }: Simulation, { picture }: Track): number {
+  const { timing, timeScale } = spanOf(timeline, front.tick);
+  return (Math.max(0, picture.sinceUprighting - 1 + alpha) * timing.dt) / timeScale;
 }
 
 /** The predicted state between the substep boundaries around the present. */

@@ -42,7 +42,7 @@ function stepShips(sim: Simulation, step: RowStep): void {
     stepped += 1;
     const body = step.rows[step.at + REFERENCE_BODY]!;
     if (track.picture.body !== body) turnPicture(track.picture, step.bodies, body);
-    track.picture.uprighted = false;
+    track.picture.sinceUprighting += 1;
     if (step.event !== NO_EVENT) report(sim, track, step);
     if (track.log !== null) sim.features.touchdown?.logSubstep(track.log.front, sim.world, step);
   }

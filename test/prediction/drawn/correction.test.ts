@@ -7,6 +7,7 @@ import {
   holdDrawn,
   POLICY_STALL,
 } from '../../../src/prediction/drawn/correction';
+import { LONG_AGO } from '../../../src/prediction/drawn/picture';
 import { pose } from '../../../src/prediction/drawn/pose';
 import { setTempo } from '../../../src/prediction/time/timeline';
 import { turnAbout } from '../../dynamics/vectors';
@@ -155,8 +156,10 @@ describe('a correction', () => {
     expect(track.picture.hasHeld).toBe(true);
     track.picture.skipped = 3;
     easeCorrection(sim, track, captureDrawn(sim, track), { snaps: false, uprights: true });
-    expect(track.picture).toMatchObject({ hasHeld: false, skipped: 0, uprighted: true });
+    expect(track.picture).toMatchObject({ hasHeld: false, skipped: 0, sinceUprighting: 0 });
     expect(track.picture.body).toBe(sim.fleet.front[track.at + REFERENCE_BODY]);
+    easeCorrection(sim, track, captureDrawn(sim, track), STYLE);
+    expect(track.picture.sinceUprighting).toBe(LONG_AGO);
   });
 
   it('of a ship that was held begins from where it was held', () => {

@@ -77,8 +77,7 @@ export function snapToGround(
 
 /** Presses each leg in as far as its foot is below the ground, up to the stroke; writes the lowest foot's height. */
 function pressLegs(out: GroundedPose, pose: GroundPose, hull: Hull, ground: DrawnGround): void {
-  axis.set(ALONG);
-  rotate(axis, pose.attitude, axis);
+  rotate(axis, pose.attitude, ALONG);
   // Share of a leg's travel that changes the height: 0 for a ship on its side.
   const upright = axis[0]! * up[0]! + axis[1]! * up[1]! + axis[2]! * up[2]!;
   let lowestFoot = Number.POSITIVE_INFINITY;

@@ -36,7 +36,7 @@ export function easeUprighting(sim: Simulation, track: Track, step: RowStep): vo
   unturned.position.fill(0);
   turned.position.fill(0);
   addToOffset(track.picture.ease, unturned, turned);
-  track.picture.uprighted = true;
+  track.picture.sinceUprighting = 0;
 }
 
 const body = quaternion();

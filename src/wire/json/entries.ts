@@ -12,7 +12,7 @@ import {
 } from '../fields/reading';
 
 /** One pass over a JSON message whose parts are accepted or refused individually. */
-export interface Partial {
+export interface JsonPass {
   /** Path and reason of each part left out, in the order of the message. */
   readonly refusals: string[];
 }
@@ -29,7 +29,7 @@ export interface EntryList<T> {
 /**
  * The valid entries; each invalid one leaves a refusal. Undefined if the list is absent or no list.
  */
-export function entriesIn<T>(pass: Partial, from: Fields, list: EntryList<T>): T[] | undefined {
+export function entriesIn<T>(pass: JsonPass, from: Fields, list: EntryList<T>): T[] | undefined {
   const root = beginReading('json');
   const sent = valueIn(root, from, list.name);
   if (sent === undefined) return undefined;
@@ -54,7 +54,12 @@ export function entriesIn<T>(pass: Partial, from: Fields, list: EntryList<T>): T
 }
 
 /** Reads a single part of the message: undefined if it is absent or refused. */
-export function partIn<T>(pass: Partial, from: Fields, name: string, read: (r: Reading) => T): T | undefined {
+export function partIn<T>(
+  pass: JsonPass,
+  from: Fields,
+  name: string,
+  read: (r: Reading) => T,
+): T | undefined {
   const r = beginReading('json');
   if (valueIn(r, from, name) === undefined) return undefined;
   const part: Result<T> = endReading(r, read(r));

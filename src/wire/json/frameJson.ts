@@ -27,7 +27,7 @@ import { refuseLoaded } from '../loaders';
 import { readShipState } from '../fields/shipState';
 import { readEvent } from '../fields/worldEvent';
 import { type BodyDefaults, readBodyJson } from './bodyJson';
-import { entriesIn, type Partial, partIn } from './entries';
+import { entriesIn, type JsonPass, partIn } from './entries';
 import { notPlain, wrapped } from '../fields/sentObject';
 import { gameTimeIn } from './gameTime';
 import { SPIN_READER } from './spin';
@@ -96,7 +96,7 @@ function decodeWith(value: unknown, readers: Readers): Result<DecodedFrame> {
   if (r.reason === null && valueIn(r, from, 'ships') === undefined) refuse(r, 'ships', 'missing');
   if (r.reason !== null) return endReading<DecodedFrame>(r, { kind: 'frame', tick, ships: [], refusals: [] });
 
-  const pass: Partial = { refusals: [] };
+  const pass: JsonPass = { refusals: [] };
   const ships = entriesIn(pass, from, {
     name: 'ships',
     most: MAX_SHIPS,
@@ -112,7 +112,7 @@ function decodeWith(value: unknown, readers: Readers): Result<DecodedFrame> {
 
 type Tempo = Pick<PartialFrame, 'tickRate' | 'timeScale' | 'gameTime' | 'paused'>;
 
-function readBodies(pass: Partial, from: Fields, defaults: BodyDefaults): Pick<PartialFrame, 'bodies'> {
+function readBodies(pass: JsonPass, from: Fields, defaults: BodyDefaults): Pick<PartialFrame, 'bodies'> {
   const bodies = entriesIn(pass, from, {
     name: 'bodies',
     most: MAX_BODIES,
@@ -122,7 +122,7 @@ function readBodies(pass: Partial, from: Fields, defaults: BodyDefaults): Pick<P
   return bodies === undefined ? {} : { bodies };
 }
 
-function readTempo(pass: Partial, from: Fields, readers: Readers): Tempo {
+function readTempo(pass: JsonPass, from: Fields, readers: Readers): Tempo {
   const tickRate = partIn(pass, from, 'tick_rate', (r) => timing(r, from, 'tick_rate'));
   const timeScale = partIn(pass, from, 'time_scale', (r) => timing(r, from, 'time_scale'));
   const gameTime = partIn(pass, from, 'game_time', (r) =>
@@ -159,7 +159,7 @@ function timeOf(tick: number, { gameTime, timeScale = 1, tickRate = 1 }: Tempo):
 
 type News = Pick<PartialFrame, 'events' | 'lastInput'>;
 
-function readNews(pass: Partial, from: Fields, tick: number): News {
+function readNews(pass: JsonPass, from: Fields, tick: number): News {
   const events = entriesIn(pass, from, {
     name: 'events',
     most: MAX_EVENTS,
@@ -174,7 +174,7 @@ function readNews(pass: Partial, from: Fields, tick: number): News {
     from['last_input'] === null || from['lastInput'] === null
       ? null
       : partIn(pass, from, 'last_input', (r) =>
-          messageIn(r, from, 'last_input', (own, value) => readAcknowledgement(own, value, tick)),
+          messageIn(r, from, 'last_input', (reading, value) => readAcknowledgement(reading, value, tick)),
         );
   return {
     ...(events !== undefined && { events }),

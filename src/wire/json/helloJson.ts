@@ -17,7 +17,7 @@ import { readSettings } from '../fields/settings';
 import { readShipClass } from '../fields/shipClass';
 import { readBodyJson } from './bodyJson';
 import { SPIN_READER } from './spin';
-import { entriesIn, type Partial } from './entries';
+import { entriesIn, type JsonPass } from './entries';
 import { notPlain } from '../fields/sentObject';
 
 /** A hello from JSON, and its refused parts. */
@@ -64,7 +64,7 @@ export function decodeHelloJson(value: unknown): Result<DecodedHello> {
     );
   const from = completed(sent);
   const protocolVersion = readProtocolVersion(r, from);
-  const pass: Partial = { refusals: [] };
+  const pass: JsonPass = { refusals: [] };
   const shipClasses = entriesIn(pass, from, {
     name: 'ship_classes',
     most: MAX_SHIP_CLASSES,
@@ -76,7 +76,7 @@ export function decodeHelloJson(value: unknown): Result<DecodedHello> {
     name: 'bodies',
     most: MAX_BODIES,
     key: 'name',
-    read: (own, body) => readBodyJson(own, body, defaults),
+    read: (reading, body) => readBodyJson(reading, body, defaults),
   });
   const hello: DecodedHello = {
     kind: 'hello',

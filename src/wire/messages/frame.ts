@@ -39,11 +39,11 @@ export function readFrame(r: Reading, from: Fields): ServerFrame {
     paused: flagIn(r, from, 'paused'),
     bodies: listIn(r, from, 'bodies', MAX_BODIES, readBodyState),
     ships: listIn(r, from, 'ships', MAX_SHIPS, readShipState),
-    events: listIn(r, from, 'events', MAX_EVENTS, (own, event) => readEvent(own, event, tick)),
+    events: listIn(r, from, 'events', MAX_EVENTS, (reading, event) => readEvent(reading, event, tick)),
     lastInput:
       valueIn(r, from, 'last_input') === undefined
         ? null
-        : messageIn(r, from, 'last_input', (own, value) => readAcknowledgement(own, value, tick)),
+        : messageIn(r, from, 'last_input', (reading, value) => readAcknowledgement(reading, value, tick)),
   };
   const bodyNames = frame.bodies.map(({ name }) => name);
   const shipIds = frame.ships.map(({ shipId }) => shipId);

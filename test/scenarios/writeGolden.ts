@@ -1,5 +1,6 @@
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { format, resolveConfig } from 'prettier';
 import { LESSONS, MISSIONS, runScenario, SCENARIOS } from '../../src/scenarios';
 import { recordOf } from './missions/missionRecord';
 
@@ -12,12 +13,18 @@ for (const scenario of SCENARIOS) {
   if (!run.ok) throw new Error(`${scenario.name}: ${run.reason}`);
   hashes[scenario.name] = run.value.hash.toString(16);
 }
-writeFileSync(join(import.meta.dirname, 'golden.json'), `${JSON.stringify(hashes, null, 2)}\n`);
+await write('golden.json', hashes);
 
 const missions = [...MISSIONS, ...LESSONS].map(
   (mission) => [mission.scenario.name, recordOf(mission)] as const,
 );
-writeFileSync(
-  join(import.meta.dirname, 'missions/goldenMissions.json'),
-  `${JSON.stringify(Object.fromEntries(missions), null, 2)}\n`,
-);
+await write('missions/goldenMissions.json', Object.fromEntries(missions));
+
+/** Formatted as the linter wants it, so that only what changed differs. */
+async function write(name: string, value: object): Promise<void> {
+  const path = join(import.meta.dirname, name);
+  writeFileSync(
+    path,
+    await format(JSON.stringify(value, null, 2), { ...(await resolveConfig(path)), filepath: path }),
+  );
+}

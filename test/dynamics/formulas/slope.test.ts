@@ -165,7 +165,7 @@ describe('energy on the ground without engines', () => {
 
   // Target 0, except for the spring's discretisation; bound 1 % of weight · leg_radius at 2 ms.
   it.each([0, 15, 30])(
-    'does not rise by 1 %% of weight · leg_radius after aligned touchdowns on %d°',
+    'does not rise by one per cent of weight · leg_radius after aligned touchdowns on %d°',
     (degrees) => {
       for (const touch of touches) {
         const trial = standOn(degrees, { contactLongestSubstep: 0.002 }, touch);

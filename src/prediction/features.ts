@@ -9,6 +9,7 @@ import { knowsGround, withoutGround } from './ground/unknownGround';
 import { GAME_CATALOGUE } from './options';
 import { announce, type SessionFeatures } from './session';
 import { carry } from './simulation/carry';
+import { keepWithinBudget } from './frameBudget';
 import { rowsWithin } from './simulation/history';
 import {
   holdSleeping,
@@ -38,7 +39,6 @@ import { receiveRest, takeOlder, takePart, takeShips } from './snapshots/takePar
 import { receivePong } from './snapshots/receivePong';
 import { loadUntrusted } from './snapshots/worldConfig';
 import { measureUnsentRate, sentUntimed } from './snapshots/unsentTickRate';
-import { keepPace } from './time/pace';
 import { pingIfDue } from './time/pings';
 import { fillTouchdown, logSubstep } from './touchdown/touchdownLog';
 import { rewindLog } from './touchdown/touchdownRewind';
@@ -109,7 +109,7 @@ export const sleepingShips: Feature = feature('sleepingShips', { sleep });
  * Keeps frames short with many ships, and their memory bounded: within `maxSubstepsPerFrame` distant ones are not predicted (PREDICTION,
  * Timeline), beyond 32 the ground below a ship counts as level for drawing, and the predicted states of all ships but the own one take 32 MB at most.
  */
-export const frameBudget: Feature = feature('frameBudget', { keepPace, snapToLevel, rowsWithin });
+export const frameBudget: Feature = feature('frameBudget', { keepWithinBudget, snapToLevel, rowsWithin });
 
 /** Finds the impact speed of a contact that was not predicted, from a server that does not send it. */
 export const replayedImpacts: Feature = feature('replayedImpacts', { replayImpact });
@@ -161,7 +161,7 @@ export const AWAKE_FEATURES: SessionFeatures = Object.freeze({
   carry,
   unknownGround,
   replayImpact,
-  keepPace,
+  keepWithinBudget,
   snapToLevel,
   rowsWithin,
   groundGhost,

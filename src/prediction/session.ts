@@ -16,12 +16,12 @@ import { createViewBuilder, type ViewBuilder } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
 import { createSending, type Sending } from './inputs/sending';
 import { BUDGET, type Catalogue, defaultWorld, type PredictorOptions } from './options';
+import { createFrameBudget, type FrameBudget, type keepWithinBudget } from './frameBudget';
 import { createSimulation, type Features, type Simulation } from './simulation/simulation';
 import type { PendingFrames } from './snapshots/pendingFrames';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
 import { loadConfig, type WorldConfig } from './snapshots/worldConfig';
 import { type Clock, createClock, forgetSchedule } from './time/clock';
-import { createPace, type keepPace, type Pace } from './time/pace';
 import { createPings, type Pings } from './time/pings';
 import { createWarn, type Warn } from './warnings';
 
@@ -39,7 +39,7 @@ export interface SessionFeatures extends Features, SceneFeatures {
   /** Checks the settings and classes of a world. */
   readonly faultOfConstants?: typeof faultOfConstants;
   /** Keeps frames within the budget of substeps. */
-  readonly keepPace?: typeof keepPace;
+  readonly keepWithinBudget?: typeof keepWithinBudget;
   readonly pingIfDue?: (pings: Pings, now: number) => void;
 }
 
@@ -58,7 +58,7 @@ export interface Session {
   readonly sending: Sending;
   /** Null until a message waits undecoded. */
   pending: PendingFrames | null;
-  readonly pace: Pace;
+  readonly budget: FrameBudget;
   readonly listeners: Set<(notice: EventNotice) => void>;
   sim: Simulation;
   viewBuilder: ViewBuilder;
@@ -101,7 +101,7 @@ export function createSession(options: PredictorOptions, features: SessionFeatur
     pings: createPings(),
     sending: createSending(),
     pending: null,
-    pace: createPace(options.maxSubstepsPerFrame ?? BUDGET),
+    budget: createFrameBudget(options.maxSubstepsPerFrame ?? BUDGET),
     listeners: new Set(),
     sim,
     viewBuilder: createViewBuilder(sim, springsOf(options.smoothing), features),

@@ -1,6 +1,6 @@
 import type { WorldView } from './drawn/view';
 import { fillView } from './drawn/worldView';
-import { place } from './frameLoop';
+import { place } from './advance';
 import type { Session } from './session';
 import { jitterOf, sentAt, serverTime } from './time/clock';
 import { connectionOf } from './time/connection';

@@ -1,6 +1,6 @@
 import type { ClientMessage, PartialFrame, ServerMessage } from '../../wire';
 import { createChecks } from '../checks/checks';
-import { advanceFrame } from '../frameLoop';
+import { advanceFrame } from '../advance';
 import { lastControls, takeInputs } from '../inputs/sending';
 import type { Session } from '../session';
 import { viewAt } from '../viewAt';

@@ -79,7 +79,7 @@ const NEEDS: readonly Need[] = [
   {
     of: 'options.maxSubstepsPerFrame',
     feature: 'frameBudget',
-    part: 'keepPace',
+    part: 'keepWithinBudget',
     isNeeded: (_frame, { options }) => options.maxSubstepsPerFrame !== undefined,
     effect: 'it limits replays only',
   },

@@ -8,7 +8,7 @@ import type { Simulation } from './simulation';
 import { enterSubstep, leaveSubstep, placeStep, stepRow } from './stepRow';
 import { copyRow, type RowStep, type Track } from './track';
 
-/** The frame loop: every ship in step, substep by substep, up to the present. */
+/** Moves the front: every ship in step, substep by substep, up to the present. */
 
 /** Steps every ship in step to `target`, which is not before the front. */
 export function stepFront(sim: Simulation, target: Position): void {

@@ -7,7 +7,7 @@ import { changeOwnShip } from '../ownership';
 import { beginWorld, type Session } from '../session';
 import { serverTime } from '../time/clock';
 import { wallOfTick } from '../time/timeline';
-import { refuse, startAnew } from './receiveSnapshot';
+import { beginTimeline, refuse } from './receiveSnapshot';
 import { loadUntrusted, sameWorld } from './worldConfig';
 
 /** A new connection starts a new timeline, unless the world is the same and its time continues. */
@@ -23,7 +23,7 @@ export function receiveHello(session: Session, hello: Hello, now: number): void 
   changeOwnShip(session, ownShipId);
   const { sim } = session;
   if (sim.newestTick >= 0 && counters.helloReceived && !continuesTimeline(session, hello, now)) {
-    startAnew(sim, receiver);
+    beginTimeline(sim, receiver);
     // The hello has them.
     sim.bodiesKnown = true;
   }

@@ -12,15 +12,15 @@ import { forgetPast, isTimed, type Receiver } from './receiver';
 import { reconcileStates } from './reconcileStates';
 import { followTempo } from './tempo';
 
-/** Sends without a ship after which it is removed, if it has also been silent for FADE_SECONDS. */
-const FADE_SENDS = 3;
-const FADE_SECONDS = 1;
+/** Sends without a ship after which it is removed, if it has also been silent for SILENT_SECONDS. */
+const SILENT_SENDS = 3;
+const SILENT_SECONDS = 1;
 
 /** Receives a complete frame: classifies and counts it and, if it is used, compares it with the prediction. */
 export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: ServerFrame, now: number): void {
   const kind = classifySnapshot(sim, receiver, frame, now);
   if (!count(sim, kind)) return;
-  if (kind === 'jump') startAnew(sim, receiver);
+  if (kind === 'jump') beginTimeline(sim, receiver);
   receiver.seen[frame.tick % receiver.seen.length] = frame.tick;
   if (kind === 'older') {
     sim.features.events?.confirmEvents(sim, receiver, frame);
@@ -43,7 +43,7 @@ export function receiveSnapshot(sim: Simulation, receiver: Receiver, frame: Serv
     reconcileStates(sim, receiver, frame, now);
   }
   sim.features.events?.settleEvents(sim, receiver, frame, now);
-  if (kind !== 'part') fade(sim, now);
+  if (kind !== 'part') removeSilent(sim, now);
 }
 
 /** Counts a frame by its kind. Returns whether it is used. */
@@ -75,7 +75,7 @@ export function refuse({ counters, warn }: Simulation, reason: string): void {
 }
 
 /** Starts a new timeline: earlier predictions cannot be compared with later states. */
-export function startAnew(sim: Simulation, receiver: Receiver): void {
+export function beginTimeline(sim: Simulation, receiver: Receiver): void {
   sim.counters.resyncs += 1;
   sim.bodiesKnown = false;
   sim.timeline.spans.length = 0;
@@ -89,12 +89,12 @@ export function startAnew(sim: Simulation, receiver: Receiver): void {
   sim.frontIsStale = true;
 }
 
-/** Removes ships that have not been sent for 3 sends and FADE_SECONDS; a ship that is sent seldom stays. */
-function fade(sim: Simulation, now: number): void {
+/** Removes ships that have not been sent for 3 sends and SILENT_SECONDS; a ship that is sent seldom stays. */
+function removeSilent(sim: Simulation, now: number): void {
   const { tracks } = sim.fleet;
   for (let i = tracks.length - 1; i >= 0; i--) {
     const track = tracks[i]!;
-    if (sim.cadence.sends - track.lastSend >= FADE_SENDS && now - track.seenAt >= FADE_SECONDS)
+    if (sim.cadence.sends - track.lastSend >= SILENT_SENDS && now - track.seenAt >= SILENT_SECONDS)
       removeTrack(sim.fleet, track);
   }
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { receiveSnapshot, startAnew } from '../../../src/prediction/snapshots/receiveSnapshot';
+import { receiveSnapshot, beginTimeline } from '../../../src/prediction/snapshots/receiveSnapshot';
 import type { ServerFrame } from '../../../src/wire';
 import { frameAt, STILL } from '../faults/restingShip';
 import { RATE, sessionAt } from '../decisions/sessionAt';
@@ -100,7 +100,7 @@ describe('a ship that is no longer sent', () => {
 it('another timeline forgets ships, spans, inputs and what was seen, and is counted', () => {
   const { sim, receiver, counters, receive } = receiving();
   receive(101);
-  startAnew(sim, receiver);
+  beginTimeline(sim, receiver);
   expect(counters.resyncs).toBe(1);
   expect([sim.fleet.tracks, sim.timeline.spans, sim.inputs.records]).toEqual([[], [], []]);
   expect([sim.newestTick, sim.frontIsStale, sim.bodiesKnown, receiver.fresh]).toEqual([

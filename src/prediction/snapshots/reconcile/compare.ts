@@ -90,12 +90,12 @@ export function firstDifference(server: Place, predicted: Place, tolerance: Tole
   if (s[i + REFERENCE_BODY] !== p[j + REFERENCE_BODY]) return 'referenceBody';
   if (s[i + CRASHED] !== p[j + CRASHED]) return 'crashed';
   if (s[i + SURFACE_STATE] !== p[j + SURFACE_STATE]) return 'surfaceContactState';
-  seeFromBody(ours, server);
-  seeFromBody(theirs, predicted);
-  if (!near(ours.place, theirs.place, tolerance, PLACE)) return 'position';
-  if (!near(ours.velocity, theirs.velocity, tolerance, SPEED)) return 'velocity';
-  if (!sameAttitude(ours.attitude, theirs.attitude)) return 'attitude';
-  if (!near(ours.spin, theirs.spin, tolerance, SPIN)) return 'angularVelocity';
+  seeFromBody(serverSeen, server);
+  seeFromBody(predictedSeen, predicted);
+  if (!near(serverSeen.place, predictedSeen.place, tolerance, PLACE)) return 'position';
+  if (!near(serverSeen.velocity, predictedSeen.velocity, tolerance, SPEED)) return 'velocity';
+  if (!sameAttitude(serverSeen.attitude, predictedSeen.attitude)) return 'attitude';
+  if (!near(serverSeen.spin, predictedSeen.spin, tolerance, SPIN)) return 'angularVelocity';
   if (!(Math.abs(s[i + FUEL]! - p[j + FUEL]!) <= FUEL_TOLERANCE)) return 'fuel';
   for (let k = WHEEL_MOMENTUM; k < WHEEL_MOMENTUM + 3; k++)
     if (!(Math.abs(s[i + k]! - p[j + k]!) <= WHEEL_TOLERANCE)) return 'wheelMomentum';
@@ -119,11 +119,11 @@ export function writeError(out: PredictionError, server: Place, predicted: Place
     out.errorAngle = Number.NaN;
     return;
   }
-  seeFromBody(ours, server);
-  seeFromBody(theirs, predicted);
-  for (let k = 0; k < 3; k++) ours.place[k] = ours.place[k]! - theirs.place[k]!;
-  out.errorPosition = lengthOf(ours.place);
-  turnBetween(turn, ours.attitude, theirs.attitude);
+  seeFromBody(serverSeen, server);
+  seeFromBody(predictedSeen, predicted);
+  for (let k = 0; k < 3; k++) serverSeen.place[k] = serverSeen.place[k]! - predictedSeen.place[k]!;
+  out.errorPosition = lengthOf(serverSeen.place);
+  turnBetween(turn, serverSeen.attitude, predictedSeen.attitude);
   out.errorAngle = angleOf(turn);
 }
 
@@ -131,12 +131,13 @@ const turn = quaternion();
 
 /** The field in words, with both values, in the body's axes where it is a vector. */
 export function describeDifference(field: Field, server: Place, predicted: Place): string {
-  seeFromBody(ours, server);
-  seeFromBody(theirs, predicted);
+  seeFromBody(serverSeen, server);
+  seeFromBody(predictedSeen, predicted);
   const [serverValue, predictedValue] = valuesOf(field, server, predicted);
   return `${field}: server ${serverValue}, predicted ${predictedValue}`;
 }
 
+/** A state in the axes of its body. */
 interface Seen {
   readonly place: Float64Array;
   readonly velocity: Float64Array;
@@ -145,8 +146,8 @@ interface Seen {
 }
 
 const seen = (): Seen => ({ place: vector(), velocity: vector(), attitude: quaternion(), spin: vector() });
-const ours = seen();
-const theirs = seen();
+const serverSeen = seen();
+const predictedSeen = seen();
 const body = quaternion();
 
 function seeFromBody(out: Seen, { rows, at, bodies }: Place): void {
@@ -190,13 +191,13 @@ function valuesOf(field: Field, server: Place, predicted: Place): [string, strin
   ];
   switch (field) {
     case 'position':
-      return list(ours.place, theirs.place);
+      return list(serverSeen.place, predictedSeen.place);
     case 'velocity':
-      return list(ours.velocity, theirs.velocity);
+      return list(serverSeen.velocity, predictedSeen.velocity);
     case 'attitude':
-      return list(ours.attitude, theirs.attitude);
+      return list(serverSeen.attitude, predictedSeen.attitude);
     case 'angularVelocity':
-      return list(ours.spin, theirs.spin);
+      return list(serverSeen.spin, predictedSeen.spin);
     case 'surfaceContactState':
       return [
         `'${SURFACE_STATES[server.rows[server.at + SURFACE_STATE]!]}'`,

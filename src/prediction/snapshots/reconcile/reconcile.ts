@@ -56,13 +56,13 @@ export function reconcile(
   const field = predicted === null ? null : differenceFrom(track, context.compared, predicted);
   const agrees = field === 'none';
   const { learning } = sim.features;
-  const goesOver =
+  const lawChanges =
     agrees && nothingToLearn(track)
       ? learning?.holdLaw(track.fit)
       : learning?.learnFrom(sim, track, { row: sent, context, predicted, agrees, hasImpact });
   remember(track, state, context, known);
-  settle(sim, track, context, predicted, field);
-  if (goesOver === true && !track.off) startReplay(track, sim, context.tick, sent, 0);
+  confirmOrCorrect(sim, track, context, predicted, field);
+  if (lawChanges === true && !track.off) startReplay(track, sim, context.tick, sent, 0);
   keepState(track.evidence, sent, context.tick);
   if (!track.own) holdControls(sim, track);
   return null;
@@ -105,10 +105,10 @@ function differenceFrom(track: Track, { server, inexact }: Compared, predicted: 
 }
 
 /**
- * Confirms or adopts the state.
+ * Keeps the prediction if the state confirms it; otherwise adopts the state.
  * @param predicted the prediction for its tick, null for none; `field` is the first in which the state differs
  */
-function settle(
+function confirmOrCorrect(
   sim: Simulation,
   track: Track,
   context: SnapshotContext,
@@ -148,8 +148,8 @@ function keepPrediction(sim: Simulation, track: Track, context: SnapshotContext)
     abandonReplay(track);
   if (track.replaying) return;
   if (sim.sleep?.sleepIfAtRest(sim, track, context.bodies)) return;
-  const letGo = isBefore(track.releaseTick, track.releaseSubstep, front.tick, front.substep);
-  const wasReleased = !track.own && track.releaseTick >= 0 && letGo && commandsAnything(sent, 0);
+  const isDue = isBefore(track.releaseTick, track.releaseSubstep, front.tick, front.substep);
+  const wasReleased = !track.own && track.releaseTick >= 0 && isDue && commandsAnything(sent, 0);
   if (wasReleased || context.turned > SAME_BODIES) startReplay(track, sim, context.tick, sent, 0);
 }
 

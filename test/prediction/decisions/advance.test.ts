@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import { placePresent } from '../../../src/prediction/drawn/worldView';
-import { advanceFrame } from '../../../src/prediction/frameLoop';
+import { advanceFrame } from '../../../src/prediction/advance';
 import { sampleDown } from '../../../src/prediction/time/clock';
 import { setTempo } from '../../../src/prediction/time/timeline';
 import { viewAt } from '../../../src/prediction/viewAt';

@@ -1,56 +1,56 @@
 import { describe, expect, it } from 'vitest';
-import { keepPace } from '../../../src/prediction/time/pace';
+import { keepWithinBudget } from '../../../src/prediction/frameBudget';
 import { sessionAt, shipAt } from './sessionAt';
 
 /** Own ship and `others`, each 100 m farther than the one before, with a budget of 1,000 substeps a frame. */
 function fleetOf(others: number) {
   const session = sessionAt(100);
-  const { sim, pace } = session;
+  const { sim, budget } = session;
   const far = Array.from({ length: others }, (_, i) => shipAt(sim, `other-${i}`, '', 100 * (others - i)));
   const own = shipAt(sim, 'own', '');
   own.own = true;
   sim.fleet.own = own;
-  return { sim, pace, own, near: far.reverse() };
+  return { sim, budget, own, near: far.reverse() };
 }
 
 describe('ships whose substeps exceed three quarters of the budget', () => {
   it('are switched off, the farthest first, the own ship last', () => {
-    const { sim, pace, own, near } = fleetOf(9);
-    keepPace(sim, pace, 150);
+    const { sim, budget, own, near } = fleetOf(9);
+    keepWithinBudget(sim, budget, 150);
     expect(near.map(({ off }) => off)).toEqual([false, false, false, false, true, true, true, true, true]);
     expect(own).toMatchObject({ off: false, mode: 'stepping' });
     expect(sim.counters.budgetOverruns).toBe(1);
-    keepPace(sim, pace, 800);
+    keepWithinBudget(sim, budget, 800);
     expect(own.off || own.mode !== 'stepping').toBe(true);
   });
 
   it('stay on where only this frame is long, and catch up by replay', () => {
-    const { sim, pace, own, near } = fleetOf(9);
-    for (let i = 0; i < 10; i++) keepPace(sim, pace, 10);
-    keepPace(sim, pace, 700);
+    const { sim, budget, own, near } = fleetOf(9);
+    for (let i = 0; i < 10; i++) keepWithinBudget(sim, budget, 10);
+    keepWithinBudget(sim, budget, 700);
     expect(near.every(({ off }) => !off)).toBe(true);
     expect(near.every(({ replaying, mode }) => replaying && mode !== 'stepping')).toBe(true);
     expect(own.mode).toBe('stepping');
   });
 
   it('come back, the nearest first, once four fifths of it are enough', () => {
-    const { sim, pace, near } = fleetOf(9);
-    keepPace(sim, pace, 150);
+    const { sim, budget, near } = fleetOf(9);
+    keepWithinBudget(sim, budget, 150);
     // 750 / 100 = 7.5 ships could step; 0.8 of them may be on.
-    pace.due = 100;
-    keepPace(sim, pace, 100);
+    budget.due = 100;
+    keepWithinBudget(sim, budget, 100);
     expect(near.map(({ off }) => off)).toEqual([
       ...Array<boolean>(4).fill(false),
       ...Array<boolean>(5).fill(true),
     ]);
-    pace.due = 75;
-    keepPace(sim, pace, 75);
+    budget.due = 75;
+    keepWithinBudget(sim, budget, 75);
     expect(near.map(({ off }) => off)).toEqual([...Array<boolean>(7).fill(false), true, true]);
   });
 
   it('all stay where they fit', () => {
-    const { sim, pace, near } = fleetOf(9);
-    keepPace(sim, pace, 75);
+    const { sim, budget, near } = fleetOf(9);
+    keepWithinBudget(sim, budget, 75);
     expect(near.every(({ off, mode }) => !off && mode === 'stepping')).toBe(true);
     expect(sim.counters.budgetOverruns).toBe(0);
   });

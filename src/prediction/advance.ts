@@ -30,16 +30,16 @@ const BACKDATED = 2;
 
 /** One display frame: own controls are sampled, and everything is simulated up to the present (PREDICTION, Timeline). */
 export function advanceFrame(session: Session, controls: Controls | null, now: number): void {
-  const { sim, clock, pilot, pace } = session;
+  const { sim, clock, pilot, budget } = session;
   const target = alignFront(session, now);
   const due = substepsTo(sim, target);
-  if (due > 0) session.features.keepPace?.(sim, pace, due);
-  const replayed = runReplays(sim, pace.budget);
+  if (due > 0) session.features.keepWithinBudget?.(sim, budget, due);
+  const replayed = runReplays(sim, budget.shipSubsteps);
   if (due > BACKDATED) stepFront(sim, later(sim, due - BACKDATED));
   if (controls !== null && areControls(session, controls))
     sampleControls(sim, pilot, controls, { now, steer: clock.steer, granularity: session.granularity });
   if (due > 0) stepFront(sim, target);
-  if (replayed < pace.budget) runReplays(sim, pace.budget - replayed);
+  if (replayed < budget.shipSubsteps) runReplays(sim, budget.shipSubsteps - replayed);
   place(sim, clock.present);
   session.features.announce?.(session);
 }

@@ -1,17 +1,17 @@
-import { POSITION, REFERENCE_BODY } from '../../dynamics';
-import { MAX_SUBSTEPS_PER_TICK } from '../snapshots/bodies/bodyTrack';
-import { abandonReplay, hold, startReplay } from '../simulation/replay';
-import type { Simulation } from '../simulation/simulation';
-import { spanOf } from './timeline';
-import { copyRow, type Track } from '../simulation/track';
+import { POSITION, REFERENCE_BODY } from '../dynamics';
+import { MAX_SUBSTEPS_PER_TICK } from './snapshots/bodies/bodyTrack';
+import { spanOf } from './time/timeline';
+import { abandonReplay, hold, startReplay } from './simulation/replay';
+import type { Simulation } from './simulation/simulation';
+import { copyRow, type Track } from './simulation/track';
 
 /**
- * Budget of substeps (PREDICTION, Timeline): when the due substeps exceed it, prediction is switched off for distant
+ * Budget of substeps per display frame (PREDICTION, Other ships): when the due substeps exceed it, prediction is switched off for distant
  * ships first, then for all, so that no frame stalls.
  */
-export interface Pace {
-  /** Ship substeps per frame. */
-  readonly budget: number;
+export interface FrameBudget {
+  /** Substeps of single ships, stepped and replayed, per frame. */
+  readonly shipSubsteps: number;
   /** Smoothed number of substeps due per ship and frame: a single long frame switches no ship off. */
   due: number;
 }
@@ -25,22 +25,22 @@ const SMOOTHING = 0.1;
 /** A frame with this many times the usual substeps is a hitch. */
 const HITCH = 3;
 
-export function createPace(budget: number): Pace {
-  return { budget, due: Number.NaN };
+export function createFrameBudget(shipSubsteps: number): FrameBudget {
+  return { shipSubsteps, due: Number.NaN };
 }
 
 /**
  * Decides, before the front moves by `due` substeps, which ships can follow. The others are switched off or, if only this frame is too
  * long, taken out of step to catch up by replay.
  */
-export function keepPace(sim: Simulation, pace: Pace, due: number): void {
-  const hitch = due > HITCH * pace.due;
-  pace.due =
-    Number.isNaN(pace.due) || hitch
-      ? Math.max(1, Math.min(due, pace.due * HITCH || due))
-      : pace.due + (due - pace.due) * SMOOTHING;
-  const room = Math.floor((pace.budget * STEPPING_SHARE) / Math.max(due, 1));
-  const usual = Math.floor((pace.budget * STEPPING_SHARE) / Math.max(pace.due, 1));
+export function keepWithinBudget(sim: Simulation, budget: FrameBudget, due: number): void {
+  const hitch = due > HITCH * budget.due;
+  budget.due =
+    Number.isNaN(budget.due) || hitch
+      ? Math.max(1, Math.min(due, budget.due * HITCH || due))
+      : budget.due + (due - budget.due) * SMOOTHING;
+  const room = Math.floor((budget.shipSubsteps * STEPPING_SHARE) / Math.max(due, 1));
+  const usual = Math.floor((budget.shipSubsteps * STEPPING_SHARE) / Math.max(budget.due, 1));
   const tooFine = spanOf(sim.timeline, sim.front.tick).timing.substeps > MAX_SUBSTEPS_PER_TICK;
   if (tooFine || moving(sim) > room) {
     sim.counters.budgetOverruns += 1;

@@ -52,11 +52,11 @@ export function createParts(canvas: HTMLCanvasElement, quality: Quality) {
   const { scene, sky, ground, light, rocks, hulls, jets, dust } = parts;
   // These stay at the origin: their matrices, and those of their fixed children, are computed once.
   const { overlays, markers } = parts;
-  for (const fixed of [sky, ground, light, hulls, overlays, markers]) fixed.group.matrixAutoUpdate = false;
+  for (const fixed of [sky, light, hulls, overlays, markers]) fixed.group.matrixAutoUpdate = false;
   jets.matrixAutoUpdate = false;
   // drawWatched updates the parts in sight.
   scene.matrixWorldAutoUpdate = false;
-  scene.add(sky.group, ground.group, light.group, rocks.mesh, parts.shadows.mesh, hulls.group, jets);
+  scene.add(sky.group, ground.mesh, light.group, rocks.mesh, parts.shadows.mesh, hulls.group, jets);
   scene.add(
     flame.light,
     dust.points,

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { BODIES, LANDING_SITE, TERRAINS } from '../../src/dynamics';
 import { createLocalFrame } from '../../src/scene/localFrame';
+import { CELLS } from '../../src/scene/ground/levels';
 import {
-  CELLS,
   cornerFor,
   createLevel,
   groundPoint,

@@ -1,9 +1,9 @@
-import { Mesh, ShaderMaterial, Vector3 } from 'three';
+import { Group, PerspectiveCamera, Scene, ShaderMaterial, type WebGLRenderer } from 'three';
 import { describe, expect, it } from 'vitest';
 import { LESSONS, loadScenario, MISSIONS, type Scenario, SCENARIOS } from '../../src/scenarios';
 import { createCone } from '../../src/scene/camera/viewCone';
 import { createGround, type Ground } from '../../src/scene/ground/ground';
-import { CELLS, VERTICES } from '../../src/scene/ground/terrainLevel';
+import { CELLS, FINEST, MAX_LEVELS, VERTICES } from '../../src/scene/ground/levels';
 import { createLocalFrame, toBodyAxes } from '../../src/scene/localFrame';
 import { lookOf } from '../../src/scene/sky/bodyLook';
 
@@ -12,9 +12,6 @@ const ALL: readonly Scenario[] = [
   ...MISSIONS.map(({ scenario }) => scenario),
   ...LESSONS.map(({ scenario }) => scenario),
 ];
-/** m: as in ground.ts. */
-const FINEST = 0.4;
-
 /** The ground as the scene builds it around a scenario's ship, before its first picture. */
 function groundOf(scenario: Scenario): Ground {
   const loaded = loadScenario(scenario);
@@ -27,27 +24,42 @@ function groundOf(scenario: Scenario): Ground {
   return ground;
 }
 
+/** Every range of the index that is drawn: the first by three, the others by the mesh after it. */
+function drawnRanges({ mesh }: Ground): (readonly [start: number, count: number])[] {
+  if (!mesh.visible) return [];
+  const { start, count } = mesh.geometry.drawRange;
+  const ranges: (readonly [number, number])[] = [[start, count]];
+  const gl = {
+    drawElements: (_mode: number, drawn: number, _type: number, bytes: number) =>
+      ranges.push([bytes / Uint16Array.BYTES_PER_ELEMENT, drawn]),
+  };
+  const renderer = { getContext: () => gl } as unknown as WebGLRenderer;
+  const { geometry, material } = mesh;
+  mesh.onAfterRender(renderer, new Scene(), new PerspectiveCamera(), geometry, material, new Group());
+  return ranges;
+}
+
 /** The cells that each level draws around the eye, as "x z" in its own spacing. */
 function drawnCells(ground: Ground): ReadonlySet<string>[] {
-  const everywhere = createCone();
-  ground.place(new Float64Array(3), everywhere);
-  return ground.group.children.map((child, n) => {
-    if (!(child instanceof Mesh)) throw new Error('a level is no mesh');
-    const { geometry, matrixWorld } = child as Mesh;
-    const position = new Vector3().setFromMatrixPosition(matrixWorld);
+  ground.place(new Float64Array(3), createCone());
+  const index = ground.mesh.geometry.index!.array;
+  const places = ground.mesh.material.uniforms['levelPlaces']!.value as Float32Array;
+  const levels = Array.from({ length: MAX_LEVELS }, () => new Set<string>());
+  for (const [start, count] of drawnRanges(ground)) {
+    const n = Math.floor(index[start]! / (VERTICES * VERTICES));
+    const firstVertex = n * VERTICES * VERTICES;
     const spacing = FINEST * 2 ** n;
-    const [cornerX, cornerZ] = [position.x, position.z].map((at) => Math.round(at / spacing) - CELLS / 2);
-    const index = geometry.index!.array;
-    const { start, count } = geometry.drawRange;
-    const cells = new Set<string>();
+    const [cornerX, cornerZ] = [places[3 * n]!, places[3 * n + 2]!].map(
+      (at) => Math.round(at / spacing) - CELLS / 2,
+    );
     for (let at = start; at < start + count; at += 3) {
-      const vertex = Math.min(index[at]!, index[at + 1]!, index[at + 2]!);
+      const vertex = Math.min(index[at]!, index[at + 1]!, index[at + 2]!) - firstVertex;
       // A cell's second triangle begins one vertex further along.
       const first = (at - start) % 6 === 0 ? vertex : vertex - 1;
-      cells.add(`${cornerX! + (first % VERTICES)} ${cornerZ! + Math.floor(first / VERTICES)}`);
+      levels[n]!.add(`${cornerX! + (first % VERTICES)} ${cornerZ! + Math.floor(first / VERTICES)}`);
     }
-    return cells;
-  });
+  }
+  return levels;
 }
 
 /** How many levels draw the ground at each of a few hundred places up to `reach` m around (x, z). */

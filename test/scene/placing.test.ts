@@ -52,24 +52,45 @@ describe('drawn ships', () => {
     return { actors, jets, pose };
   }
 
+  const { controls } = makeShip({ clearance: 100 });
+  const burning = { fuel: 100, controls: { ...controls, thrustLevel: 1 } };
+  const idle = { fuel: 100, controls: { ...controls, thrustLevel: 0, attitudeHold: false } };
+
   it('are those of the watched ship’s body, as long as they are in the view', () => {
     const { actors, jets, pose } = createScene();
     const far = { shipId: 'far', body: body + 1 };
-    expect(pose({ shipId: 'a' }, far, { shipId: 'b' })).toEqual({
+    expect(pose({ shipId: 'a', ...burning }, far, { shipId: 'b', ...burning })).toEqual({
       posed: ['a', 'b'],
       kept: ['a', 'b'],
       jets: 2,
     });
     const [first] = actors.byId.values();
-    expect(pose({ shipId: 'a' }, { shipId: 'c' })).toEqual({ posed: ['a', 'c'], kept: ['a', 'c'], jets: 2 });
+    expect(pose({ shipId: 'a', ...burning }, { shipId: 'c', ...burning })).toEqual({
+      posed: ['a', 'c'],
+      kept: ['a', 'c'],
+      jets: 2,
+    });
     expect(actors.byId.get('a')).toBe(first);
     expect([first!.posed, actors.byId.get('c')!.posed, actors.count]).toEqual([2, 1, 2]);
     const hauler = makeShip({ shipClass: 'cargo_hauler' }).shipClass;
-    expect(pose({ shipId: 'a', shipClass: hauler })).toEqual({ posed: ['a'], kept: ['a'], jets: 1 });
+    expect(pose({ shipId: 'a', shipClass: hauler, ...burning })).toEqual({
+      posed: ['a'],
+      kept: ['a'],
+      jets: 1,
+    });
     expect(actors.byId.get('a')!.className).toBe('cargo_hauler');
     expect(jets.children).toEqual([actors.byId.get('a')!.jets]);
     clearActors(actors, jets);
     expect([actors.byId.size, jets.children.length]).toEqual([0, 0]);
+  });
+
+  it('have jets in the scene while they burn', () => {
+    const { actors, jets, pose } = createScene();
+    expect(pose({ shipId: 'a', ...idle }, { shipId: 'b', ...burning }).jets).toBe(1);
+    expect(jets.children).toEqual([actors.byId.get('b')!.jets]);
+    expect(pose({ shipId: 'a', ...burning }, { shipId: 'b', ...idle }).jets).toBe(1);
+    expect(jets.children).toEqual([actors.byId.get('a')!.jets]);
+    expect(pose({ shipId: 'a', ...idle }, { shipId: 'b', ...idle }).jets).toBe(0);
   });
 
   it('are where the view has them, and move over the ground', () => {

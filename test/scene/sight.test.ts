@@ -5,8 +5,8 @@ import { createRandom } from '../../src/scenarios';
 import { createSectors, visibleRange, writeSectors } from '../../src/scene/ground/groundSectors';
 import { isOverHorizon } from '../../src/scene/sky/horizon';
 import { createLocalFrame, type LocalFrame } from '../../src/scene/localFrame';
+import { CELLS } from '../../src/scene/ground/levels';
 import {
-  CELLS,
   cornerFor,
   createLevel,
   layOutLevel,

@@ -1,19 +1,11 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DynamicDrawUsage,
-  Group,
-  Mesh,
-  type ShaderMaterial,
-  Sphere,
-  Vector3,
-} from 'three';
+import type { BufferGeometry, Mesh, ShaderMaterial } from 'three';
 import type { TerrainHeight } from '../../dynamics';
-import { createSectors, type GroundSectors, visibleRange, writeSectors } from './groundSectors';
+import { createGroundMesh, type GroundMesh } from './groundMesh';
+import { type GroundSectors, visibleRange, writeSectors } from './groundSectors';
 import { isOverHorizon } from '../sky/horizon';
 import type { LocalFrame } from '../localFrame';
+import { CELLS, FINEST, levelCount } from './levels';
 import {
-  CELLS,
   cornerFor,
   createLevel,
   layOutLevel,
@@ -24,18 +16,16 @@ import {
 } from './terrainLevel';
 import type { ViewCone } from '../camera/viewCone';
 
-/** Spacing of the finest level, m: between its vertices the drawn ground is within a millimetre of smooth terrain. */
-const FINEST = 0.4;
 /** A level moves when the ship is this many cells from its centre. */
 const SLACK = 6;
 
 export interface Ground {
-  readonly group: Group;
+  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   /** The ground of another frame or terrain; `follow` fills it. */
   rebuild(frame: LocalFrame, terrainHeight: TerrainHeight): void;
   /** Follows a local point: a few levels a call move, coarsest first. */
   follow(x: number, z: number, levelsAtOnce: number): void;
-  /** Places the meshes relative to the eye (local, m) and leaves out those that it cannot see. */
+  /** Places the levels relative to the eye (local, m) and leaves out those that it cannot see. */
   place(eye: Float64Array, cone: ViewCone): void;
   /** Local y below which a point over (x, z) is in the terrain's own shadow, m. */
   readonly shadowY: (x: number, z: number) => number;
@@ -44,15 +34,8 @@ export interface Ground {
 
 interface Ring {
   readonly level: TerrainLevel;
-  readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   readonly sectors: GroundSectors;
   holeKey: number;
-}
-
-/** How many levels reach the horizon of a body as seen from some kilometres above it. */
-function levelCount(radius: number): number {
-  const reach = Math.min(3 * radius, 260_000);
-  return Math.ceil(Math.log2(reach / ((CELLS / 2) * FINEST))) + 1;
 }
 
 const range = { start: 0, count: 0 };
@@ -74,17 +57,9 @@ function isUnder(level: TerrainLevel, x: number, z: number): boolean {
 }
 
 export function createGround(material: ShaderMaterial): Ground {
-  const group = new Group();
+  const drawn = createGroundMesh(material);
   let rings: Ring[] = [];
   let place: { frame: LocalFrame; terrainHeight: TerrainHeight } | null = null;
-
-  const drop = () => {
-    for (const ring of rings) {
-      group.remove(ring.mesh);
-      ring.mesh.geometry.dispose();
-    }
-    rings = [];
-  };
 
   const follow = (x: number, z: number, levelsAtOnce: number) => {
     if (place === null) return;
@@ -92,43 +67,43 @@ export function createGround(material: ShaderMaterial): Ground {
     let left = isUnder(rings[0]!.level, x, z) ? levelsAtOnce : Infinity;
     let changed = false;
     for (let n = rings.length - 1; n >= 0 && left > 0; n--) {
-      const { level, mesh } = rings[n]!;
+      const { level } = rings[n]!;
       if (level.filled && offCentre(level, x, z) <= SLACK) continue;
       const corner = [cornerFor(level, x), cornerFor(level, z)] as const;
       const coarser = rings[n + 1]?.level ?? null;
       moveLevel(level, corner, place.frame, place.terrainHeight, coarser);
       shadeLevel(level, coarser, place.frame);
       layOutLevel(level);
-      upload(mesh.geometry);
+      drawn.uploadPoints(n);
       left--;
       changed = true;
     }
-    if (changed) rings.forEach((ring, n) => cutHole(ring, rings[n - 1] ?? null));
+    if (!changed) return;
+    rings.forEach((ring, n) => {
+      if (cutHole(ring, rings[n - 1] ?? null)) drawn.uploadSectors(n);
+    });
   };
 
   return {
-    group,
+    mesh: drawn.mesh,
     rebuild(frame, terrainHeight) {
-      drop();
       place = { frame, terrainHeight };
-      rings = Array.from({ length: levelCount(frame.radius) }, (_, n) =>
-        createRing(FINEST * 2 ** n, material),
-      );
-      for (const ring of rings) group.add(ring.mesh);
+      rings = Array.from({ length: levelCount(frame.radius) }, (_, n) => createRing(n, drawn));
     },
     follow,
     place(eye, cone) {
       const lowest = lowestOf(rings);
-      for (const { level, mesh, sectors } of rings) {
-        const { origin } = level;
+      drawn.clear();
+      for (let n = 0; n < rings.length; n++) {
+        const { level, sectors } = rings[n]!;
         visibleRange(range, sectors, level, cone);
-        mesh.visible = range.count > 0 && !isOverHorizon(level, sectors.innerCells, eye, lowest);
-        mesh.geometry.setDrawRange(range.start, range.count);
-        mesh.matrixWorld.setPosition(origin[0]! - eye[0]!, origin[1]! - eye[1]!, origin[2]! - eye[2]!);
+        if (range.count === 0 || isOverHorizon(level, sectors.innerCells, eye, lowest)) continue;
+        const { origin } = level;
+        drawn.show(n, range, origin[0]! - eye[0]!, origin[1]! - eye[1]!, origin[2]! - eye[2]!);
       }
     },
     shadowY: (x, z) => shadowOver(rings, x, z),
-    dispose: drop,
+    dispose: () => drawn.dispose(),
   };
 }
 
@@ -141,39 +116,19 @@ function shadowOver(rings: readonly Ring[], x: number, z: number): number {
   return -Infinity;
 }
 
-function createRing(spacing: number, material: ShaderMaterial): Ring {
-  const level = createLevel(spacing);
-  const geometry = new BufferGeometry();
-  const sectors = createSectors();
-  const dynamic = (array: Float32Array | Uint16Array, size: number) =>
-    new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
-  geometry.setAttribute('position', dynamic(level.positions, 3));
-  geometry.setAttribute('normal', dynamic(level.normals, 3));
-  geometry.setAttribute('sunlit', dynamic(level.sunlit, 1));
-  geometry.setIndex(dynamic(sectors.indices, 1));
-  geometry.boundingSphere = new Sphere(new Vector3(), CELLS * spacing);
-  const mesh = new Mesh(geometry, material);
-  mesh.receiveShadow = true;
-  mesh.frustumCulled = false;
-  // `place` writes it: it only shifts.
-  mesh.matrixWorldAutoUpdate = false;
-  return { level, mesh, sectors, holeKey: NaN };
+function createRing(n: number, { points, sectors }: GroundMesh): Ring {
+  return { level: createLevel(FINEST * 2 ** n, points[n]), sectors: sectors[n]!, holeKey: NaN };
 }
 
-function upload(geometry: BufferGeometry): void {
-  for (const name of ['position', 'normal', 'sunlit']) geometry.getAttribute(name).needsUpdate = true;
-}
-
-/** Leaves out the area that the finer level covers, if that has changed. */
-function cutHole(ring: Ring, finer: Ring | null): void {
+/** Leaves out the area that the finer level covers; whether that has changed. */
+function cutHole(ring: Ring, finer: Ring | null): boolean {
   const { level } = ring;
   const key =
     finer === null
       ? 0
       : (finer.level.cornerX / 2 - level.cornerX) * 4096 + (finer.level.cornerZ / 2 - level.cornerZ);
-  if (key === ring.holeKey) return;
+  if (key === ring.holeKey) return false;
   ring.holeKey = key;
-  const { geometry } = ring.mesh;
   writeSectors(ring.sectors, level, finer?.level ?? null);
-  geometry.index!.needsUpdate = true;
+  return true;
 }

@@ -1,18 +1,21 @@
 import { Color, type DataTexture, ShaderMaterial, UniformsLib, UniformsUtils, Vector3 } from 'three';
 import type { FlameUniforms } from '../effects/flame';
 import type { BodyLook } from '../sky/bodyLook';
+import { MAX_LEVELS, VERTICES } from './levels';
 
+/** A vertex is relative to its level's place (groundMesh.ts). */
 const VERTEX = /* glsl */ `
 #include <common>
 #include <shadowmap_pars_vertex>
 attribute float sunlit;
 uniform vec4 eyeGrain;
+uniform vec3 levelPlaces[${MAX_LEVELS}];
 varying vec4 vPlane;
 varying vec3 vNormal;
 varying vec3 vPosition;
 varying float vSunlit;
 void main() {
-  vec4 worldPosition = modelMatrix * vec4(position, 1.0);
+  vec4 worldPosition = vec4(position + levelPlaces[gl_VertexID / ${VERTICES * VERTICES}], 1.0);
   vec4 mvPosition = viewMatrix * worldPosition;
   vec3 transformedNormal = normalMatrix * normal;
   gl_Position = projectionMatrix * mvPosition;

@@ -1,4 +1,5 @@
-import { CELLS, type TerrainLevel, VERTICES } from './terrainLevel';
+import { CELLS, VERTICES } from './levels';
+import { type TerrainLevel } from './terrainLevel';
 import type { ViewCone } from '../camera/viewCone';
 
 /**
@@ -6,7 +7,9 @@ import type { ViewCone } from '../camera/viewCone';
  * there twice in a row: any run of neighbouring sectors, across the last too, is one range.
  */
 export interface GroundSectors {
+  /** SECTOR_INDICES of them; the level's vertex 0 is `firstVertex`. */
   readonly indices: Uint16Array;
+  readonly firstVertex: number;
   /** Where each sector begins in `indices`; twice round, and the end. */
   readonly starts: Uint32Array;
   /** No triangle is nearer to the level's centre, in cells. */
@@ -15,10 +18,15 @@ export interface GroundSectors {
 
 const SECTORS = 8;
 const WHOLE = 2 * Math.PI;
+export const SECTOR_INDICES = CELLS * CELLS * 6 * 2;
 
-export function createSectors(): GroundSectors {
+export function createSectors(
+  indices: Uint16Array = new Uint16Array(SECTOR_INDICES),
+  firstVertex = 0,
+): GroundSectors {
   return {
-    indices: new Uint16Array(CELLS * CELLS * 6 * 2),
+    indices,
+    firstVertex,
     starts: new Uint32Array(2 * SECTORS + 1),
     innerCells: 0,
   };
@@ -39,7 +47,7 @@ function cellsOfSectors(): number[][] {
 
 /** Writes a level's triangles without the square that the finer level covers. */
 export function writeSectors(out: GroundSectors, level: TerrainLevel, finer: TerrainLevel | null): void {
-  const { indices, starts } = out;
+  const { indices, starts, firstVertex } = out;
   const holeX = finer === null ? -1 : finer.cornerX / 2 - level.cornerX;
   const holeZ = finer === null ? -1 : finer.cornerZ / 2 - level.cornerZ;
   const hole = finer === null ? 0 : CELLS / 2;
@@ -52,7 +60,7 @@ export function writeSectors(out: GroundSectors, level: TerrainLevel, finer: Ter
       const i = cell % CELLS;
       const k = (cell - i) / CELLS;
       if (i >= holeX && i < holeX + hole && k >= holeZ && k < holeZ + hole) continue;
-      const a = k * VERTICES + i;
+      const a = firstVertex + k * VERTICES + i;
       const b = a + VERTICES;
       indices[count] = a;
       indices[count + 1] = b;

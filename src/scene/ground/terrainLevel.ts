@@ -1,18 +1,15 @@
 import type { TerrainHeight } from '../../dynamics';
 import type { LocalFrame } from '../localFrame';
+import { CELLS, type DrawnPoints, newPoints, VERTICES } from './levels';
 
-/** Cells along a side of a level; a multiple of 4, so that its edges lie on vertices of the next coarser level. */
-export const CELLS = 48;
 /** Vertices along a side, with one more all around for the slopes at the edge. */
 const SIDE = CELLS + 3;
-export const VERTICES = CELLS + 1;
-
 /**
  * One ring of the ground: a square grid of `spacing` metres on the plane y = 0 of the local frame, each point pushed along
  * its radius to body radius + terrain height, in doubles. Points are kept while the grid moves, so that a step of the ship
  * costs a row of terrain calls and not a square of them.
  */
-export interface TerrainLevel {
+export interface TerrainLevel extends DrawnPoints {
   readonly spacing: number;
   /** Grid index (in spacings from the frame's origin) of vertex (0, 0). */
   cornerX: number;
@@ -27,16 +24,14 @@ export interface TerrainLevel {
   spare: Float64Array;
   /** Height of the terrain's own shadow over each point's column, m, local y. */
   readonly shade: Float64Array;
-  /** The drawn points: VERTICES² relative to `origin`. */
+  /** Of the drawn points, local, m. */
   readonly origin: Float64Array;
-  readonly positions: Float32Array;
-  readonly normals: Float32Array;
-  /** How far above the terrain's shadow, in spacings, −4 … 4: sunlit where positive. */
-  readonly sunlit: Float32Array;
 }
 
-export function createLevel(spacing: number): TerrainLevel {
-  const drawn = VERTICES * VERTICES;
+export function createLevel(
+  spacing: number,
+  { positions, normals, sunlit }: DrawnPoints = newPoints(),
+): TerrainLevel {
   return {
     spacing,
     cornerX: 0,
@@ -49,9 +44,9 @@ export function createLevel(spacing: number): TerrainLevel {
     spare: new Float64Array(SIDE * SIDE * 3),
     shade: new Float64Array(SIDE * SIDE),
     origin: new Float64Array(3),
-    positions: new Float32Array(drawn * 3),
-    normals: new Float32Array(drawn * 3),
-    sunlit: new Float32Array(drawn),
+    positions,
+    normals,
+    sunlit,
   };
 }
 

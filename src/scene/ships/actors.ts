@@ -14,7 +14,7 @@ export interface Actors {
 export interface ActorPlace {
   readonly frame: LocalFrame;
   readonly turn: Turn;
-  /** The group that holds the jets. */
+  /** The group that holds the jets that burn. */
   readonly jets: Group;
   readonly shipResources: ShipResources;
   readonly inAir: boolean;
@@ -40,10 +40,18 @@ export function poseActors(
     present += 1;
     actor.seen = actors.count;
     poseActor(actor, ship, view, place.frame, place.turn);
+    showJets(actor, place.jets);
     posed(actor, ship);
   }
   if (present === actors.byId.size) return;
   for (const [id, actor] of actors.byId) if (actor.seen !== actors.count) leave(actors, id, place.jets);
+}
+
+/** Most of a fleet is at rest: three would go through the jets of each ship several times per frame. */
+function showJets({ jets }: ShipActor, group: Group): void {
+  if (jets.visible === (jets.parent !== null)) return;
+  if (jets.visible) group.add(jets);
+  else group.remove(jets);
 }
 
 function actorOf(actors: Actors, ship: ShipView, { shipResources, inAir, jets }: ActorPlace): ShipActor {
@@ -52,7 +60,6 @@ function actorOf(actors: Actors, ship: ShipView, { shipResources, inAir, jets }:
   if (known !== undefined) removeActor(known, jets);
   const made = createActor(ship, shipResources, inAir);
   actors.byId.set(ship.shipId, made);
-  jets.add(made.jets);
   return made;
 }
 

@@ -1,4 +1,5 @@
-import { CELLS, type TerrainLevel } from '../ground/terrainLevel';
+import { CELLS } from '../ground/levels';
+import { type TerrainLevel } from '../ground/terrainLevel';
 
 /**
  * Whether all of a level is behind the body's bulge: farther round the body than eye and ground together can look over a

@@ -110,7 +110,7 @@ function ground(elevation: number, height: number, away: number, anisotropy: num
   land.rebuild(frame, flatTerrain);
   land.follow(0, 0, Infinity);
   land.place(eye, createCone());
-  scene.add(land.group);
+  scene.add(land.mesh);
   const camera = new PerspectiveCamera(20, 1, 0.4, 600_000);
   // The eye is the origin.
   camera.lookAt(0, -height, away);

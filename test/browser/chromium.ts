@@ -53,7 +53,7 @@ const ARGS = [
   '--no-first-run',
 ];
 /** Text and boxes are painted directly: through SwiftShader, which WebGL still takes, they cost several times as much. */
-const PAINT_DIRECTLY = ['--disable-gpu-rasterization', '--disable-gpu-compositing'];
+export const PAINT_DIRECTLY = ['--disable-gpu-rasterization', '--disable-gpu-compositing'];
 
 function installedCandidates(): string[] {
   const env = process.env;

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { SHIP_STRIDE } from '../../../src/dynamics';
 import { keepWithinBudget } from '../../../src/prediction/frameBudget';
 import { sessionAt, shipAt } from './sessionAt';
 
@@ -31,6 +32,20 @@ describe('ships whose substeps exceed three quarters of the budget', () => {
     expect(near.every(({ off }) => !off)).toBe(true);
     expect(near.every(({ replaying, mode }) => replaying && mode !== 'stepping')).toBe(true);
     expect(own.mode).toBe('stepping');
+    for (const { at, replayTick, replaySubstep } of near) {
+      expect([replayTick, replaySubstep]).toEqual([100, 0]);
+      expect(sim.fleet.replayed.subarray(at, at + SHIP_STRIDE)).toEqual(
+        sim.fleet.front.subarray(at, at + SHIP_STRIDE),
+      );
+    }
+  });
+
+  it('keep the replay of a correction that is under way', () => {
+    const { sim, budget, near } = fleetOf(9);
+    for (let i = 0; i < 10; i++) keepWithinBudget(sim, budget, 10);
+    Object.assign(near[8]!, { replaying: true, replayTick: 97, replaySubstep: 4 });
+    keepWithinBudget(sim, budget, 700);
+    expect(near[8]).toMatchObject({ mode: 'stepping', replaying: true, replayTick: 97, replaySubstep: 4 });
   });
 
   it('come back, the nearest first, once four fifths of it are enough', () => {

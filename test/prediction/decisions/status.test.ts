@@ -7,6 +7,7 @@ import {
   IMPACT_SPEED,
   LANDED,
   NEUTRAL_CONTROLS,
+  SHIP_STRIDE,
   SURFACE_STATE,
   THRUST_LEVEL,
   TIPPED,
@@ -153,12 +154,20 @@ it('a view has each server state once, with the wall time of its tick', () => {
 it('a view has new controls where a command changes, and the same record otherwise', () => {
   const { out, row } = given();
   const commands = new Float64Array(row.length - THRUST_LEVEL).fill(Number.NaN);
-  fillControls(out, commands, row, 0);
-  const first = out.controls;
+  // The ships before and after it in the fleet's rows do not matter.
+  const rows = new Float64Array(3 * SHIP_STRIDE);
+  rows.set(row, SHIP_STRIDE);
+  const after = (column: number, value: number) => {
+    rows[column] = value;
+    fillControls(out, commands, rows, SHIP_STRIDE);
+    return out.controls;
+  };
+  const first = after(0, 0);
   expect(first).not.toBe(NEUTRAL_CONTROLS);
-  fillControls(out, commands, row, 0);
-  expect(out.controls).toBe(first);
-  row[THRUST_LEVEL] = 0.5;
-  fillControls(out, commands, row, 0);
-  expect(out.controls).toEqual({ ...first, thrustLevel: 0.5 });
+  expect(after(0, 7)).toBe(first);
+  expect(after(2 * SHIP_STRIDE, 7)).toBe(first);
+  expect(after(SHIP_STRIDE + THRUST_LEVEL, 0.5)).toEqual({ ...first, thrustLevel: 0.5 });
+  const { controls } = out;
+  expect(after(2 * SHIP_STRIDE - 1, 0.25)).not.toBe(controls);
+  expect(commands).toEqual(rows.slice(SHIP_STRIDE + THRUST_LEVEL, 2 * SHIP_STRIDE));
 });

@@ -1,6 +1,10 @@
 import { describe, expect, it } from 'vitest';
+import { POSITION, REFERENCE_BODY } from '../../../src/dynamics';
 import type { ShipView, WorldView } from '../../../src/prediction';
+import { groundGhost } from '../../../src/prediction/drawn/ghost';
 import { rotate, rotateBack } from '../../../src/prediction/drawn/rotation';
+import { createShipView } from '../../../src/prediction/drawn/viewing';
+import { sessionAt, shipAt } from '../decisions/sessionAt';
 import { createRig, scenarioNamed } from '../rig';
 
 /** The ship's drawn position in its body's axes, m. */
@@ -50,4 +54,21 @@ describe('ghost of the server’s state', () => {
     expect(flying.serverKnown).toBe(true);
     expect(Math.hypot(...flying.ghostPosition)).toBeCloseTo(Math.hypot(...flying.serverPosition), 6);
   });
+});
+
+it('the ghost of a tipped ship is put on the ground of the body that its state names', () => {
+  const { sim, viewBuilder } = sessionAt(100);
+  const track = shipAt(sim, 'own', 'tipped');
+  const [moon] = sim.world.bodies;
+  const hill = (body: string) => (body === 'hilly' ? 5 : 0);
+  const world = { ...sim.world, bodies: [moon!, { ...moon!, name: 'hilly' }], terrainHeight: hill };
+  const scene = { ...viewBuilder.scene, world, ground: { ...viewBuilder.scene.ground, terrainHeight: hill } };
+  const out = createShipView(track, world);
+  const height = (body: number) => {
+    track.serverRow[REFERENCE_BODY] = body;
+    out.ghostPosition.set(track.serverRow.subarray(POSITION, POSITION + 3));
+    groundGhost(out, track, scene, true);
+    return Math.hypot(...out.ghostPosition);
+  };
+  expect(height(1) - height(0)).toBeCloseTo(5, 3);
 });

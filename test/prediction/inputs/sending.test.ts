@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import { store } from '../../../src/prediction/inputs/inputs';
-import { createSending, takeInputs } from '../../../src/prediction/inputs/sending';
+import { createSending, lastControls, takeInputs } from '../../../src/prediction/inputs/sending';
+import type { ClientMessage } from '../../../src/wire';
 import { sessionAt } from '../decisions/sessionAt';
 
 /** Tick of the front; ticks are 0.1 s of ten substeps. */
@@ -37,5 +38,23 @@ describe('a record', () => {
   it('never waits where its stamp is due within two display frames', () => {
     expect(sent([0, 100, 3], [0.001, 100, 3])).toEqual(['100:3', '100:3']);
     expect(sent([0, 100, 4], [0.001, 100, 4])).toEqual(['100:4', '']);
+  });
+});
+
+describe('the last controls of messages', () => {
+  const inputs = (...levels: number[]): ClientMessage => ({
+    kind: 'inputs',
+    inputs: levels.map((thrustLevel, seq) => {
+      return { seq, tick: 1, substep: 0, controls: { ...NEUTRAL_CONTROLS, thrustLevel } };
+    }),
+  });
+  const ping: ClientMessage = { kind: 'ping', id: 1 };
+
+  it('are those of the last record', () => {
+    expect(lastControls([inputs(0.1), inputs(0.2, 0.4, 0.3), ping])?.thrustLevel).toBe(0.3);
+  });
+
+  it('are null without a record', () => {
+    expect([lastControls([]), lastControls([ping]), lastControls([inputs()])]).toEqual([null, null, null]);
   });
 });

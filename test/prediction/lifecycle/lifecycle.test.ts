@@ -50,6 +50,12 @@ describe('a snapshot', () => {
     next.restore(JSON.parse(JSON.stringify(snapshot)), rig.now);
     const again = next.takeOutgoing().flatMap((message) => (message.kind === 'inputs' ? message.inputs : []));
     expect(again).toEqual(sent);
+    const numbered = (nextSeq: number) => {
+      next.restore({ ...snapshot, nextSeq }, rig.now);
+      return next.snapshot(rig.now).nextSeq;
+    };
+    // Whichever is later: the snapshot's number, or the one after its last input.
+    expect([numbered(900), numbered(1)]).toEqual([900, sent.at(-1)!.seq + 1]);
   });
 
   it('keeps the bodies and the time scale that the newest frame left out', () => {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import {
+  BODY_ATTITUDE,
   NEUTRAL_CONTROLS,
   POSITION,
   REFERENCE_BODY,
@@ -7,6 +8,7 @@ import {
   THRUST_LEVEL,
   VELOCITY,
 } from '../../../../src/dynamics';
+import { rotate } from '../../../../src/prediction/drawn/rotation';
 import { keepState } from '../../../../src/prediction/ground/lastState';
 import { replayTo } from '../../../../src/prediction/ground/trial';
 import { store } from '../../../../src/prediction/inputs/inputs';
@@ -14,6 +16,7 @@ import { boundaryAt } from '../../../../src/prediction/snapshots/bodies/bodyTrac
 import { learnFrom } from '../../../../src/prediction/snapshots/learnFrom';
 import { chooseMotion } from '../../../../src/prediction/snapshots/reconcile/lawFit';
 import { setTempo } from '../../../../src/prediction/time/timeline';
+import { product, turnAbout } from '../../../dynamics/vectors';
 import { RATE, sessionAt, shipAt } from '../../decisions/sessionAt';
 
 const TICK = 100;
@@ -106,6 +109,20 @@ describe('the errors of a state', () => {
     of.choose();
     expect(of.fit.law[0]).toBeCloseTo(7, 6);
     expect(of.fit.carry[0]).toBeCloseTo(7, 1);
+  });
+
+  it('are measured in the body’s axes: a body predicted as turned too far is no error', () => {
+    const of = flown();
+    of.agrees = false;
+    const turn = turnAbout([0, 0, 1], 0.01);
+    const turned = of.predicted.rows.slice(POSITION, POSITION + 3);
+    rotate(turned, Float64Array.from(turn), turned);
+    of.predicted.rows.set(turned, POSITION);
+    of.predicted.bodies = of.bodies.slice();
+    const [x, y, z, w] = of.bodies.slice(BODY_ATTITUDE, BODY_ATTITUDE + 4);
+    of.predicted.bodies.set(product(turn, [x!, y!, z!, w!]), BODY_ATTITUDE);
+    of.choose();
+    expect(of.fit.law[0]).toBeLessThan(1e-6);
   });
 
   it('are none of the dynamics without a prediction', () => {

@@ -73,7 +73,7 @@ export interface RigOptions {
   readonly orders?: readonly SpawnOrder[];
   /** Frames a second. */
   readonly hz?: number;
-  readonly pilot?: (game: number) => Controls;
+  readonly pilot?: Pilot;
   readonly predictor?: PredictorOptions;
   /** Settings of the server that differ from those it sends. */
   readonly secretSettings?: Scenario['settings'];
@@ -94,6 +94,27 @@ export function value<T>(checked: { ok: true; value: T } | { ok: false; reason: 
   if (!checked.ok) throw new Error(checked.reason);
   return checked.value;
 }
+
+export type Pilot = (game: number) => Controls;
+
+/** The pilot of a scenario with inputs. */
+export function pilotOf(loaded: LoadedScenario): Pilot | null {
+  return loaded.inputs.length > 0 ? (game) => pilotAt(loaded, game) : null;
+}
+
+/** The pilot's controls at the present. Without a pilot no view is made: it costs as much as an advance. */
+export function commanded(
+  pilot: Pilot | null,
+  view: () => WorldView,
+  gameTime: (view: WorldView) => number,
+): Controls {
+  if (pilot === null) return NEUTRAL_CONTROLS;
+  const present = view();
+  return pilot(present.ready ? gameTime(present) : 0);
+}
+
+const gameTimeOf = ({ tick, sinceTick, timeScale, tickRate }: WorldView) =>
+  (tick * timeScale) / tickRate + sinceTick;
 
 export function createRig(options: RigOptions): Rig {
   const given = typeof options.scenario === 'string' ? scenarioNamed(options.scenario) : options.scenario;
@@ -148,17 +169,9 @@ export function createRig(options: RigOptions): Rig {
   const notices: EventNotice[] = [];
   predictor.onEvent((notice) => notices.push(notice));
   exchange.connect(ME, SHIP, 0);
-  const pilot = options.pilot ?? ((game: number) => pilotAt(loaded, game));
-  /** To look at the predictor costs as much as to advance it, and no scenario without inputs needs its time. */
-  const isPiloted = options.pilot !== undefined || scenario.inputs.length > 0;
+  const pilot = options.pilot ?? pilotOf(loaded);
   const waiting: { bytes: Uint8Array; leaves: number }[] = [];
   let frames = 0;
-
-  function piloted(): Controls {
-    if (!isPiloted) return NEUTRAL_CONTROLS;
-    const { tick, sinceTick, timeScale, tickRate, ready } = rig.view();
-    return pilot(ready ? (tick * timeScale) / tickRate + sinceTick : 0);
-  }
 
   const rig: Rig = {
     loaded,
@@ -185,7 +198,10 @@ export function createRig(options: RigOptions): Rig {
     },
     frame(controls) {
       rig.receiveOnly();
-      rig.predictor.advance(controls === undefined ? piloted() : controls, rig.now);
+      rig.predictor.advance(
+        controls === undefined ? commanded(pilot, rig.view, gameTimeOf) : controls,
+        rig.now,
+      );
       for (const message of rig.predictor.takeOutgoing()) {
         if (message.kind === 'inputs') rig.sentInputs.push(...message.inputs);
         const leaves = Math.max(options.holdBack?.(message, rig.now) ?? rig.now, waiting.at(-1)?.leaves ?? 0);

@@ -41,9 +41,9 @@ const SETTLED = 7;
 /** rad; and its cosine, which is cheaper to compare. */
 const LARGEST_TILT = 8;
 const LEAST_COS = 9;
-/** Since it last left the ground: game s in the air, thrust times game s, and game s up to which that is still a hop. */
+/** Since it last left the ground: game s in the air, 1 if under thrust meanwhile, and game s up to which that is still a hop. */
 const IN_AIR = 10;
-const THRUST = 11;
+const POWERED = 11;
 const HOP_ALLOWANCE = 12;
 /** The ship's SURFACE_STATE at the row's instant. */
 export const LOGGED_STATE = 13;
@@ -81,7 +81,7 @@ export function logSubstep(log: Float64Array, world: World, step: LoggedSubstep)
   const to = after[at + SURFACE_STATE]!;
   if (from === FLYING) {
     log[IN_AIR]! += dt;
-    log[THRUST]! += after[at + THRUST_LEVEL]! * dt;
+    if (after[at + THRUST_LEVEL]! > 0) log[POWERED] = 1;
   }
   if (log[KNOWN] === 1 && (log[OUTCOME] === OPEN || from === TIPPED)) log[SINCE]! += dt;
   if (from === FLYING && to !== FLYING) touch(log, step);
@@ -108,7 +108,7 @@ export function logLiftOff(log: Float64Array, world: World, rows: Float64Array, 
   const gravity = body.gravityParameter / (distance * distance);
   const rising = radialSpeed(rows, at, distance);
   log[IN_AIR] = 0;
-  log[THRUST] = 0;
+  log[POWERED] = 0;
   log[HOP_ALLOWANCE] = (HOP_PATIENCE * (rising + Math.sqrt(rising * rising + 2 * gravity * drop))) / gravity;
 }
 
@@ -123,7 +123,7 @@ export function logTouch(
   at: number,
   bodies: Float64Array,
 ): void {
-  const hopped = log[THRUST] === 0 || log[IN_AIR]! <= log[HOP_ALLOWANCE]!;
+  const hopped = log[POWERED] === 0 || log[IN_AIR]! <= log[HOP_ALLOWANCE]!;
   if (log[KNOWN] === 1 && log[OUTCOME] === OPEN && hopped) {
     log[BOUNCES]! += 1;
     return;

@@ -1,4 +1,4 @@
-import { type Controls, flatTerrain, NEUTRAL_CONTROLS, type TerrainHeight } from '../../../src/dynamics';
+import { flatTerrain, type TerrainHeight } from '../../../src/dynamics';
 import {
   createPredictor,
   type Predictor,
@@ -10,13 +10,12 @@ import {
   createRandom,
   type NetworkNumbers,
   NETWORK_PRESETS,
-  pilotAt,
   type Scenario,
   loadScenario,
   type LoadedScenario,
 } from '../../../src/scenarios';
 import type { PartialFrame, ServerFrame } from '../../../src/wire';
-import { scenarioNamed, SHIP, value } from '../rig';
+import { commanded, pilotOf, scenarioNamed, SHIP, value } from '../rig';
 import { FAITHFUL, groundOf, type LiteralCase } from './cases';
 import { createLiteralServer, FIRST_TICK, type LiteralServer, type LiteralTruth } from './literalServer';
 import { plus, scale } from './vectors';
@@ -90,12 +89,9 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
     for (const part of parts) waiting.push({ frame: part, at: lastAt });
   }
 
-  /** To look at the predictor costs as much as to advance it, and no scenario without inputs needs its time. */
-  function piloted(): Controls {
-    if (scenario.inputs.length === 0) return NEUTRAL_CONTROLS;
-    const view = predictor.view(rig.now);
-    return pilotAt(loaded, view.ready ? (view.tick - FIRST_TICK) / flight.hz + view.sinceTick : 0);
-  }
+  const pilot = pilotOf(loaded);
+  const gameTime = ({ tick, sinceTick }: WorldView) => (tick - FIRST_TICK) / flight.hz + sinceTick;
+  const view = () => predictor.view(rig.now);
 
   send(server.frame(), 0);
   const rig: LiteralRig = {
@@ -117,11 +113,11 @@ export function createLiteralRig(flight: LiteralFlight): LiteralRig {
         each?.(frame);
         predictor.receive(difference.omitsTickRate === true ? withoutTickRate(frame) : frame, rig.now);
       }
-      predictor.advance(piloted(), rig.now);
+      predictor.advance(commanded(pilot, view, gameTime), rig.now);
       for (const message of predictor.takeOutgoing())
         if (message.kind === 'inputs')
           for (const { controls } of message.inputs) server.control(SHIP, controls);
-      return predictor.view(rig.now);
+      return view();
     },
   };
   return rig;

@@ -18,7 +18,7 @@ export function createScene(canvas) {
   const sun = new THREE.DirectionalLight(0xffffff, 3);
   scene.add(ship, ghost, ground, sun, new THREE.AmbientLight(0x334455, 2));
 
-  /** All places are relative to the own ship, subtracted in doubles: a planet's radius does not fit into a float. */
+  /** All places are relative to the player's ship, subtracted in doubles: a planet's radius does not fit into a float. */
   return (view) => {
     const own = view.own;
     if (own === null) return;

@@ -117,7 +117,7 @@ export const replayedImpacts: Feature = feature('replayedImpacts', { replayImpac
 /** Puts the ghost of a view, the server's newest state, on the drawn ground like the ship itself. */
 export const groundedGhost: Feature = feature('groundedGhost', { groundGhost });
 
-/** Records the own ship's last touchdown: `touchdown` of its view, for the HUD's touchdown card. */
+/** Records the last touchdown of the player's ship: `touchdown` of its view, for the HUD's touchdown card. */
 export const touchdownRecord: Feature = feature('touchdownRecord', { touchdown });
 
 /** Predicted, confirmed and retracted events: `onEvent`, and `withdrawn` of a view (PREDICTION, Events). */
@@ -147,7 +147,7 @@ export const measuredTickRate: Feature = feature('measuredTickRate', { tickRates
 /** Measures the spin of bodies whose sent spin is wrong. */
 export const measuredSpin: Feature = feature('measuredSpin', { learning, spin });
 
-/** Takes the hello of a server that sends one: its world, settings, classes, own ship and protocol version. */
+/** Takes the hello of a server that sends one: its world, settings, classes, the player's ship and protocol version. */
 export const serverHello: Feature = feature('serverHello', { receiveHello, faultOfConstants });
 
 /** Pings a server that answers with a pong: the clock then knows the round trip (PREDICTION, Clock). */

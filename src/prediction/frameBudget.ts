@@ -101,7 +101,7 @@ function switchOn(sim: Simulation, room: number): void {
   }
 }
 
-/** Sorts the own ship first, then by distance from it; ships of other bodies last. */
+/** Sorts the player's ship first, then by distance from it; ships of other bodies last. */
 function byDistance(sim: Simulation, tracks: Track[]): void {
   const { own } = sim.fleet;
   const distances = new Map(tracks.map((track) => [track, own === null ? 0 : distance(own, track)]));

@@ -33,7 +33,7 @@ export type { ClientTerrain, Defaults, PredictorOptions } from './options';
 /** Reasons for removing a ship, and warnings to the caller. */
 export type { Removal } from './ownership';
 export type { Warn } from './warnings';
-/** Drawing policies of ships, and the own ship's scheduled inputs. */
+/** Drawing policies of ships, and the scheduled inputs of the player's ship. */
 export type { Policy } from './simulation/track';
 export type { ScheduledInput } from './inputs/inputs';
 /** Its view. */

@@ -25,10 +25,10 @@ export interface PredictorOptions {
   readonly maxSubstepsPerFrame?: number;
   /** Settle times of the drawn pose after a correction, s; absent ones have their defaults. The prediction is not affected. */
   readonly smoothing?: Partial<Smoothing>;
-  /** The own ship of a client whose server sends no hello. */
+  /** The player's ship, for a client whose server sends no hello. */
   readonly ownShipId?: string;
   /**
-   * Scheduled inputs of the own ship until its pilot's first input acts, equal to the server's; ascending in time. Until then pass null
+   * Scheduled inputs of the player's ship until its pilot's first input acts, equal to the server's; ascending in time. Until then pass null
    * to `advance`.
    */
   readonly plan?: readonly ScheduledInput[];

@@ -12,7 +12,7 @@ import { forgetPings } from './time/pings';
 /** Why a ship was removed. */
 export type Removal = 'destroyed' | 'docked' | 'gone';
 
-/** Makes `shipId` the own ship ('' for none). Inputs belong to the ship they were made for: the old ship's are dropped. */
+/** Makes `shipId` the player's ship ('' for none). Inputs belong to the ship they were made for: the old ship's are dropped. */
 export function changeOwnShip(session: Session, shipId: string): void {
   const { receiver, sim, pilot } = session;
   if (receiver.ownShipId === shipId) return;
@@ -58,7 +58,7 @@ export function expectTeleport({ sim }: Session, shipId: string): void {
   track.replaySnaps = true;
 }
 
-/** Clears ships, time, inputs and the clock; the world of the hello, the own ship and listeners stay. */
+/** Clears ships, time, inputs and the clock; the world of the hello, the player's ship and listeners stay. */
 export function resetSession(session: Session): void {
   const { config, pilot, pings } = session;
   const world = loadConfig(config, session);

@@ -1,6 +1,6 @@
 /** Numbers a pilot reads, computed from a view by pure functions: painting decides nothing. */
 
-/** The own ship's landing. */
+/** The landing of the player's ship. */
 export {
   createLandingReadout,
   createLeanLandingReadout,

@@ -85,7 +85,7 @@ export interface Hello {
   /** "major.minor" of the messages that the server speaks (PROTOCOL_VERSION); absent: "1.0". Another major is refused. */
   readonly protocolVersion?: string;
   readonly playerId: string;
-  /** The client's own ship; empty for a spectator. */
+  /** The player's ship; empty for a spectator. */
   readonly shipId: string;
   readonly settings: Settings;
   readonly shipClasses: readonly ShipClass[];

@@ -50,7 +50,7 @@ async function explain(page: Page, wanted: string, waiting: Promise<unknown>): P
   }
 }
 
-/** Waits until the own ship is shown in a state; under load the software renderer may take seconds per frame. */
+/** Waits until the player's ship is shown in a state; under load the software renderer may take seconds per frame. */
 export function untilStatus(page: Page, ...wanted: string[]): Promise<void> {
   const waiting = page.waitForFunction(
     (states) => states.includes(document.documentElement.dataset['status'] ?? ''),

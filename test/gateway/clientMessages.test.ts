@@ -6,7 +6,7 @@ import { INPUT } from '../wire/messages';
 import { excessOf, piloted, refusalOf, sendBytes, sendJson } from './fakeGateway';
 
 describe('controls', () => {
-  it('on /ws apply to the own ship at the next tick, with the gateway’s sequence numbers', () => {
+  it('on /ws apply to the player’s ship at the next tick, with the gateway’s sequence numbers', () => {
     const { gateway, inputs, pilot } = piloted('json');
     sendJson(gateway, pilot, { type: 'control', thrust_level: 0.5 });
     sendJson(gateway, pilot, { type: 'control', controls: { thrust_level: 0.25 } });

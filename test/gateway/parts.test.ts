@@ -42,7 +42,7 @@ it('encodes the game’s state message in at most 64 KB', () => {
   });
 });
 
-it('sends the own ship first, then the nearest within the radius', () => {
+it('sends the player’s ship first, then the nearest within the radius', () => {
   const at = (x: number, shipId: string) => ({ ...SHIP, shipId, position: [x, 0, 0] as const });
   const ships = [at(5000, 'far'), at(0, 'own'), at(10, 'near'), at(300, 'next')];
   expect(shipsInSight(ships, 1, { radius: 1000, maxShips: 10 })).toEqual([1, 2, 3]);

@@ -9,7 +9,7 @@ import { createFakeGateway, shipOf, worldOf } from './fakeGateway';
 const idsOf = (message: unknown) => (message as { ships: { shipId: string }[] }).ships.map((s) => s.shipId);
 
 describe('a state', () => {
-  it('follows the hello, which has the player’s own ship and the current world', () => {
+  it('follows the hello, which has the player’s ship and the current world', () => {
     const { gateway, state, signedIn } = createFakeGateway();
     const { client, sent } = signedIn('p1', 'stream');
     state.newest = worldOf([shipOf('p2'), shipOf('p1')], { tick: 50, tickRate: 20, timeScale: 2 });

@@ -148,7 +148,7 @@ export function makeShip(pose: Pose = {}, changes: Partial<ShipView> = {}): Ship
   };
 }
 
-/** The same view `seconds` of game time later, its own ship changed. */
+/** The same view `seconds` of game time later, the player's ship changed. */
 export function later(view: WorldView, seconds: number, own: ShipView): WorldView & { own: ShipView } {
   const since = view.sinceTick + seconds;
   const ticks = Math.floor((since * view.tickRate) / view.timeScale);

@@ -18,7 +18,7 @@ const near = (values: Iterable<number>, digits = 9) =>
 const shipResources = { cache: createModelCache(), hull: createShipMaterial(), jet: createJetMaterial() };
 const bodyOf = ({ bodies, own }: WorldView) => bodies[own!.body]!;
 
-/** A view of ships by id, all of the own ship's body unless said. */
+/** A view of ships by id, all at the body of the player's ship unless said. */
 function viewOf(ships: readonly Partial<ShipView>[]): WorldView {
   const view = makeView({ clearance: 100 });
   return {

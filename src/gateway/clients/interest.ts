@@ -2,7 +2,7 @@ import type { ShipState } from '../../wire';
 
 /** Area of interest: the part of the world that one client receives. */
 export interface Interest {
-  /** Distance from the own ship, m. A spectator has no radius. */
+  /** Distance from the player's ship, m. A spectator has no radius. */
   readonly radius: number;
   /** Maximum number of ships, the own one included. */
   readonly maxShips: number;
@@ -11,8 +11,8 @@ export interface Interest {
 export const DEFAULT_INTEREST: Interest = { radius: 200_000, maxShips: 200 };
 
 /**
- * Indices of the ships in a client's area of interest: the own ship, then the others within the radius, nearest first.
- * @param own index of the own ship, −1 for a spectator
+ * Indices of the ships in a client's area of interest: the player's ship, then the others within the radius, nearest first.
+ * @param own index of the player's ship, −1 for a spectator
  */
 export function shipsInSight(
   ships: readonly ShipState[],

@@ -145,7 +145,7 @@ function forwardInputs(gateway: GatewayState, client: Client, inputs: readonly I
     forward(gateway, client, { seq, controls, stamp: { tick, substep } });
 }
 
-/** Forwards controls to the service, always for the player's own ship. */
+/** Forwards controls to the service, always for the player's ship. */
 function forward(
   gateway: GatewayState,
   { player, session }: Client,

@@ -33,7 +33,7 @@ export interface Live {
   readonly view: () => WorldView;
   /** A world has been requested and has not arrived yet. */
   readonly isLoading: () => boolean;
-  /** Tick and bits of the own ship's last state up to the scenario's end; '' before the first. */
+  /** Tick and bits of the last state of the player's ship up to the scenario's end; '' before the first. */
   readonly hash: () => string;
   readonly ended: () => boolean;
   readonly dispose: () => void;

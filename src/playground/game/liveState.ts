@@ -13,15 +13,15 @@ import type { Script } from './script';
 /** Reports of a live game to the page. */
 export interface LiveListeners {
   readonly onState: (text: string) => void;
-  /** A new world begins; the old one is gone. `plan`: scheduled inputs of the own ship in it. */
+  /** A new world begins; the old one is gone. `plan`: scheduled inputs of the player's ship in it. */
   readonly onWorld: (plan: readonly ScheduledInput[]) => void;
   readonly onRefused: (reason: string) => void;
   readonly onEvent: (notice: EventNotice) => void;
   /** Everything that goes through the predictor, in its order. */
   readonly onEntry: (entry: RecordingEntry) => void;
-  /** A real server reports that the own ship was destroyed. */
+  /** A real server reports that the player's ship was destroyed. */
   readonly onLost: (ship: ShipLoss) => void;
-  /** The inputs that acted on the own ship, as requested by { kind: 'run' }. */
+  /** The inputs that acted on the player's ship, as requested by { kind: 'run' }. */
   readonly onRun: (inputs: readonly RunInput[]) => void;
   /** The host of a shared world has begun a scenario. */
   readonly onScenario: (scenario: string, terrain: string) => void;

@@ -35,7 +35,7 @@ export interface Choices {
   server: string;
   /** The pilot's name, for others; '' = none. */
   pilot: string;
-  /** Inputs that the own ship applies by itself, as writeFlight writes them; '' = the scenario's own. */
+  /** Inputs that the player's ship applies by itself, as writeFlight writes them; '' = the scenario's own. */
   flight: string;
   /** Number of other ships. */
   fleet: number;

@@ -17,7 +17,7 @@ const LEFT = 0.9;
 /** Records the predictor's input, bounded in bytes: the oldest entries are dropped first. */
 export interface Recorder {
   readonly take: (entry: RecordingEntry) => void;
-  /** A new world, and its own ship's scheduled inputs. */
+  /** A new world, and the scheduled inputs of the player's ship in it. */
   readonly begin: (plan: readonly ScheduledInput[]) => void;
   readonly seconds: () => number;
   /** Entries were dropped: the recording no longer begins with its world. */

@@ -29,7 +29,7 @@ export interface LoadedWorld {
   isConnected: boolean;
   /** All ships as the operator saved them; null before. */
   saved: readonly SavedShip[] | null;
-  /** The own ship at the start of a drag; null while it is not dragged. */
+  /** The player's ship at the start of a drag; null while it is not dragged. */
   dragged: SavedShip | null;
 }
 

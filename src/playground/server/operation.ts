@@ -16,20 +16,20 @@ export type Operation =
   | { readonly kind: 'network'; readonly numbers: NetworkNumbers; readonly up?: NetworkNumbers }
   /** Nothing arrives for some wall seconds, in either direction; then everything does. */
   | { readonly kind: 'spike'; readonly seconds: number }
-  /** The own ship as it was at the start. */
+  /** The player's ship as it was at the start. */
   | { readonly kind: 'restart' }
-  /** Pushes the own ship: [east, north, up] at the scenario's site, m/s and rad/s. */
+  /** Pushes the player's ship: [east, north, up] at the scenario's site, m/s and rad/s. */
   | { readonly kind: 'kick'; readonly velocity: Triple; readonly spin: Triple }
   /** Keeps the state of all ships, and puts them back into it, over the same ground. */
   | { readonly kind: 'snapshot' }
   | { readonly kind: 'restore' }
-  /** Puts the own ship at rest, `offset` (ICRF axes, m) from where it was when the carrying began. */
+  /** Puts the player's ship at rest, `offset` (ICRF axes, m) from where it was when the carrying began. */
   | { readonly kind: 'drag'; readonly offset: Triple; readonly begins: boolean }
   | { readonly kind: 'freeze'; readonly frozen: boolean }
   | { readonly kind: 'drop' }
   /** Lets other tabs of this browser in, by an address of the form tab:…. */
   | { readonly kind: 'invite'; readonly address: string }
-  /** Asks for the inputs that have acted on the own ship since the load. */
+  /** Asks for the inputs that have acted on the player's ship since the load. */
   | { readonly kind: 'run' }
   | { readonly kind: 'reconnect' };
 
@@ -52,7 +52,7 @@ export interface LoadOperation {
   readonly network: NetworkNumbers;
   /** Of the messages to the server, where they differ. */
   readonly upNetwork?: NetworkNumbers;
-  /** Scheduled inputs of the own ship, in place of the scenario's. */
+  /** Scheduled inputs of the player's ship, in place of the scenario's. */
   readonly plan?: readonly ScheduledInput[];
   /** A whole number ≥ 0. */
   readonly seed: number;
@@ -60,7 +60,7 @@ export interface LoadOperation {
   readonly legacy: boolean;
   /** Ships of other players, 0 … 1000. */
   readonly others: number;
-  /** Name of the own ship's pilot; '' or absent: the page's. */
+  /** Name of the pilot of the player's ship; '' or absent: the page's. */
   readonly pilot?: string;
 }
 

@@ -18,7 +18,7 @@ export interface Session {
   readonly nextAt: () => number;
   /** The pilot's inputs since the load, at the substeps where they acted. */
   readonly applied: () => readonly RunInput[];
-  /** Another player joins beside the own ship; returns the reason why it cannot, or null. */
+  /** Another player joins beside the player's ship; returns the reason why it cannot, or null. */
   readonly join: (playerId: string, name: string, now: number) => string | null;
   readonly leave: (playerId: string) => void;
   readonly sendFrom: (playerId: string, bytes: Uint8Array, now: number) => void;

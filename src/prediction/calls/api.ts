@@ -34,7 +34,7 @@ export interface LeanPredictor {
   removeShip: (shipId: string, reason: Removal) => void;
   /** Announces that the server moves the ship elsewhere: its next state is shown at once and counts as no error. */
   teleported: (shipId: string) => void;
-  /** Clears ships, time, inputs and the clock, as for another server of the same world. The own ship and listeners stay. */
+  /** Clears ships, time, inputs and the clock, as for another server of the same world. The player's ship and listeners stay. */
   reset: () => void;
   /** Releases everything, listeners too; later calls do nothing. */
   dispose: () => void;

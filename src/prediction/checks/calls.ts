@@ -6,7 +6,7 @@ export interface Calls {
   advances: number;
   views: number;
   frames: number;
-  /** Consecutive frames without the own ship; 0 once it was seen (`ownSeen`): it may have crashed. */
+  /** Consecutive frames without the player's ship; 0 once it was seen (`ownSeen`): it may have crashed. */
   unseen: number;
   ownSeen: string;
   /** Calls of `advance` with the `now` of the previous call, and later calls with another `now`: two in a row clear the count. */
@@ -122,7 +122,7 @@ export function noteAdvance(warn: Warn, calls: Calls, now: number): void {
   }
 }
 
-/** A frame arrived at `now`; `own` is the own ship's id, '' for a spectator. */
+/** A frame arrived at `now`; `own` is the id of the player's ship, '' for a spectator. */
 export function noteFrame(warn: Warn, calls: Calls, frame: PartialFrame, now: number, own: string): void {
   calls.frames += 1;
   calls.receivedAt = now;
@@ -147,7 +147,7 @@ function noteOwnShip(warn: Warn, calls: Calls, frame: PartialFrame, own: string)
   const help = leftOut === undefined ? '' : ` It left out ${leftOut}.`;
   warn(
     'own-ship-never-seen',
-    `No frame has the own ship ${own}. Check ownShipId, or call setOwnShip.${help}`,
+    `No frame has the player's ship ${own}. Check ownShipId, or call setOwnShip.${help}`,
     {
       ownShipId: own,
       ships: ships.slice(0, 10).map((ship) => (ship as ShipState | null)?.shipId),

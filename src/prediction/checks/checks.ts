@@ -35,7 +35,7 @@ export function createChecks(session: Session): Checks | null {
       noteUntaken(warn, calls, inputs.records.length - inputs.unsent);
       if (controls !== null && session.receiver.ownShipId === '' && calls.frames > 0) {
         const message =
-          'Controls are passed, but there is no own ship: set ownShipId, or pass null as a spectator.';
+          'Controls are passed, but the player has no ship: set ownShipId, or pass null as a spectator.';
         warn('controls-without-ship', message, { controls });
       }
     },

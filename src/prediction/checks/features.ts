@@ -92,7 +92,7 @@ const NEEDS: readonly Need[] = [
   },
 ];
 
-/** Whether the ground below the own ship's newest state is not loaded. */
+/** Whether the ground below the newest state of the player's ship is not loaded. */
 function isAboveUnknownGround({ sim, receiver }: Session): boolean {
   const { own } = sim.fleet;
   const { tick, bodies } = receiver.context;

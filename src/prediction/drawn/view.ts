@@ -23,7 +23,7 @@ export type Provenance =
   /** The time scale exceeds the budget: the server's last state, not extrapolated. */
   | 'off';
 
-/** The own ship's last touchdown, from the first touch to rest, substep by substep. Speeds relative to the turning ground. */
+/** The last touchdown of the player's ship, from the first touch to rest, substep by substep. Speeds relative to the turning ground. */
 export interface TouchdownView {
   /** A touch was simulated. False for a ship first seen on the ground, or one that touched while the page was away. */
   known: boolean;
@@ -120,7 +120,7 @@ export interface ShipView {
   /** A predicted state that the server did not confirm, for 2 s; otherwise ''. */
   withdrawn: '' | 'contact' | 'landed' | 'tipped' | 'righted' | 'crashed';
 
-  /** The own ship's; `known` is false for others. */
+  /** Of the player's ship; `known` is false for others. */
   readonly touchdown: TouchdownView;
 
   /** The server's newest state of this ship: m, relative to the body's centre at that tick, ICRF axes. */
@@ -169,7 +169,7 @@ export interface WorldView {
   settings: LoadedSettings;
   readonly bodies: (Body & BodyMotion)[];
   readonly ships: ShipView[];
-  /** The client's own ship in `ships`, or null. */
+  /** The player's ship in `ships`, or null. */
   own: ShipView | null;
   /** Counters and gauges. */
   diagnosis: Diagnosis;
@@ -227,7 +227,7 @@ export interface Diagnosis {
   /** Arrival margin of the last acknowledged input, wall s; negative: late. */
   margin: number;
   /**
-   * Error of the own ship's prediction at the server's newest state, m and rad, in the body's axes; NaN without a prediction
+   * Error of the prediction of the player's ship at the server's newest state, m and rad, in the body's axes; NaN without a prediction
    * for its tick.
    */
   errorPosition: number;
@@ -235,10 +235,10 @@ export interface Diagnosis {
   /** Ships extrapolated at present, not predicted by the dynamics, and states received while one was. */
   shipsCarried: number;
   statesCarried: number;
-  /** The server's ground above the drawn terrain under the own ship, m, and the confidence, 0 … 1. */
+  /** The server's ground above the drawn terrain under the player's ship, m, and the confidence, 0 … 1. */
   groundOffset: number;
   groundConfidence: number;
-  /** Size of the offset being eased on the own ship, m and rad. */
+  /** Size of the offset being eased on the player's ship, m and rad. */
   offsetPosition: number;
   offsetAngle: number;
 }

@@ -76,7 +76,7 @@ export function showWorld({ view, scene }: ViewBuilder, { world }: Simulation): 
 
 /** s for which a state still confirms after the next one is due: that one is on its way. */
 const GRACE = 0.04;
-/** Ships put on the ground point by point in one view, besides the own ship. */
+/** Ships put on the ground point by point in one view, besides the player's ship. */
 const MAX_EXACT_SNAPS = 32;
 
 /** Where the present lies between the substep boundary before the front and the front. */

@@ -8,7 +8,7 @@ import { sameControls } from './command';
  * the same substep. The server's acknowledgements override them.
  */
 export interface Inputs {
-  /** Scheduled inputs of the own ship until the first record acts; ascending in time, cleared once they are long past. */
+  /** Scheduled inputs of the player's ship until the first record acts; ascending in time, cleared once they are long past. */
   plan: readonly ScheduledInput[];
   readonly records: StoredInput[];
   /** Index of the first record that has not been sent. */

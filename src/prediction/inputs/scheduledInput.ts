@@ -3,7 +3,7 @@ import type { Inputs, ScheduledInput } from './inputs';
 import { isBefore, type Position } from '../time/timeline';
 
 /**
- * Inputs of the own ship in order: its plan until the pilot's first input acts, then the pilot's inputs (PREDICTION, Timeline). A cursor
+ * Inputs of the player's ship in order: its plan until the pilot's first input acts, then the pilot's inputs (PREDICTION, Timeline). A cursor
  * indexes both.
  */
 
@@ -51,7 +51,7 @@ function isDue({ tick, substep }: Position | ScheduledInput, due: Position): boo
   return !isBefore(due.tick, due.substep, tick, substep);
 }
 
-/** Whether an input acts on the own ship from tick boundary `from` to before tick boundary `to`. */
+/** Whether an input acts on the player's ship from tick boundary `from` to before tick boundary `to`. */
 export function actsBetween({ plan, records }: Inputs, from: number, to: number): boolean {
   const isBetween = ({ tick, substep }: Position): boolean =>
     !isBefore(tick, substep, from, 0) && isBefore(tick, substep, to, 0);

@@ -54,7 +54,7 @@ function report(sim: Simulation, track: Track, step: RowStep): void {
   easeUprighting(sim, track, step);
 }
 
-/** Applies inputs to the own ship while it is out of step: its row still shows its pilot's controls, and an input that burns wakes it. */
+/** Applies inputs to the player's ship while it is out of step: its row still shows its pilot's controls, and an input that burns wakes it. */
 function commandIdle(sim: Simulation, own: Track, step: RowStep): void {
   const { fleet, front, inputs } = sim;
   const cursor = seek(inputs, front.tick, front.substep);

@@ -38,7 +38,7 @@ export function abandonReplay(track: Track): void {
   track.replaySnaps = false;
 }
 
-/** Runs replays, the own ship's first, for at most `budget` substeps. Returns how many it took. */
+/** Runs replays, that of the player's ship first, for at most `budget` substeps. Returns how many it took. */
 export function runReplays(sim: Simulation, budget: number): number {
   let used = 0;
   for (const track of sim.fleet.tracks)

@@ -206,7 +206,7 @@ export interface SimulationOptions {
   readonly features: Features;
   readonly counters: Diagnosis;
   readonly warn: Warn;
-  /** Scheduled inputs of the own ship. */
+  /** Scheduled inputs of the player's ship. */
   readonly plan: readonly ScheduledInput[];
 }
 

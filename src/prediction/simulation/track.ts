@@ -90,7 +90,7 @@ export interface Track {
   readonly evidence: LastState;
   /** Decides whether it is simulated by the dynamics or extrapolated. */
   readonly fit: LawFit;
-  /** The own ship's; null for others. */
+  /** Of the player's ship; null for others. */
   log: TouchdownRing | null;
   /** Its drawn and shown state. The simulation does not read it. */
   readonly picture: Picture;
@@ -98,7 +98,7 @@ export interface Track {
 
 /** All ships: their tracks, and one row per ship in each of three arrays. */
 export interface Fleet {
-  /** The client's own ship, once it is present. */
+  /** The player's ship, once it is present. */
   own: Track | null;
   readonly tracks: Track[];
   readonly byId: Map<string, Track>;
@@ -217,7 +217,7 @@ export interface RowStep extends Position {
   beforeAt: number;
   /** False if nothing reads `before`: it is then not written. */
   keepsBefore: boolean;
-  /** Cursor into the inputs that act on the own ship. */
+  /** Cursor into the inputs that act on the player's ship. */
   inputs: number;
   /** Rows of the bodies, turned for the substep just taken, and its game s (Span.step). */
   bodies: Float64Array;

@@ -19,7 +19,7 @@ export interface SnapshotContext extends BodiesOfFrame {
   tick: number;
   /** Client wall s. */
   now: number;
-  /** The frame's acknowledgement of the own ship's inputs. */
+  /** The frame's acknowledgement of the inputs of the player's ship. */
   lastInput: InputAcknowledgement | null;
   inputs: InputOutcome;
   /** Of the ship whose state is reconciled. */

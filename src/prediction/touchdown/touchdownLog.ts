@@ -19,7 +19,7 @@ import {
 import type { TouchdownView } from '../drawn/view';
 
 /**
- * The own ship's touchdown so far (HUD, touchdown card): a row of doubles, written substep by substep with the ship's row and rewound
+ * The touchdown of the player's ship so far (HUD, touchdown card): a row of doubles, written substep by substep with the ship's row and rewound
  * with it (touchdownRewind). So no touch is lost between two display frames, and a retracted touch leaves no trace.
  */
 

@@ -27,7 +27,7 @@ const MAX_CORRECTION = 100;
 const MAX_CARRIED = 12_000;
 
 /**
- * Resets the log together with the own ship to a server state, so that the log agrees with that state. Must be called while history and
+ * Resets the log together with the player's ship to a server state, so that the log agrees with that state. Must be called while history and
  * replay are unchanged. Without a prediction for that tick a touch may have been missed: then there is no card, unless the ship is
  * still landed in the same place.
  */

@@ -1,7 +1,7 @@
 import { LANDED } from '../../dynamics';
 import { beginLog, LOG_STRIDE, LOGGED_STATE } from './touchdownLog';
 
-/** The own ship's touchdown logs, one for each of its rows. */
+/** The touchdown logs of the player's ship, one for each of its rows. */
 export interface TouchdownRing {
   /** At the front. */
   readonly front: Float64Array;
@@ -13,7 +13,7 @@ export interface TouchdownRing {
   ticks: Float64Array;
 }
 
-/** The state to which the own ship is reset: the row at `from` in `rows`, at tick boundary `tick`. */
+/** The state to which the player's ship is reset: the row at `from` in `rows`, at tick boundary `tick`. */
 export interface Adopted {
   tick: number;
   rows: Float64Array;

@@ -12,7 +12,7 @@ import { createTipMargin, measureTipMargin, type TipMargin } from './tipMargin';
 import { createTouchdown, readTouchdown, type Touchdown } from './touchdown';
 import { viewOf } from '../arguments';
 
-/** Everything the cockpit's landing HUD shows of the own ship: numbers in named units, decisions made. */
+/** Everything the cockpit's landing HUD shows of the player's ship: numbers in named units, decisions made. */
 export interface LandingReadout {
   status: StatusId;
   provenance: Provenance;

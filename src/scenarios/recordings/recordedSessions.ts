@@ -8,7 +8,7 @@ export interface RecordedSession {
   readonly hello: Hello | null;
   /** The last frame of each tick: while paused a tick is repeated, and its last frame counts. */
   readonly frames: ReadonlyMap<number, ServerFrame>;
-  /** Inputs that acted on the recording's own ship, by tick. */
+  /** Inputs that acted on the ship of the recording's player, by tick. */
   readonly inputs: ReadonlyMap<number, readonly ScheduledInput[]>;
 }
 

@@ -29,7 +29,7 @@ export interface Recording {
 export interface RecordingHeader {
   /** The recording's origin, for readers. */
   readonly note: string;
-  /** The client's own ship. */
+  /** The player's ship. */
   readonly shipId: string;
   /** Inputs scheduled in advance, which apply until the first one sent. */
   readonly plan?: readonly ScheduledInput[];
@@ -41,7 +41,7 @@ export type RecordingEntry =
   | { readonly kind: 'sent'; readonly at: number; readonly message: ClientMessage }
   /** A frame of the page, with the controls held then; null for a spectator. */
   | { readonly kind: 'advanced'; readonly at: number; readonly controls: Controls | null }
-  /** A call that changed the prediction, for instance another own ship. */
+  /** A call that changed the prediction, for instance a change of the player's ship. */
   | { readonly kind: 'called'; readonly at: number; readonly call: RecordedCall };
 
 const FORMAT = 'touchdown-recording';

@@ -7,7 +7,7 @@ import { describeInBrowser, openBuiltPage, openUrl, problemsOf } from '../pages'
 import { FLUENT, PATIENT, SLOW, SMALL, untilStatus, untilTiltBelow } from '../waits';
 
 /**
- * Tick and bits of the own ship at the scenario's end. Not sped up: of more than four states between two frames of a slow display the
+ * Tick and bits of the player's ship at the scenario's end. Not sped up: of more than four states between two frames of a slow display the
  * page reads only the newest, which may not be the expected one.
  */
 async function endOfRun(page: Page, lastTick: number): Promise<string> {

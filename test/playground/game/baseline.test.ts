@@ -21,7 +21,7 @@ describe('the picture of another client', () => {
     attitude: [0.1, 0.2, 0.3, 0.9],
   } as unknown as ShipState;
 
-  /** Where the own ship is drawn `seconds` after the frame, from its centre. */
+  /** Where the player's ship is drawn `seconds` after the frame, from its centre. */
   function drawn(
     mode: 'gravity' | 'last' | 'predicted',
     seconds: number,

@@ -3,7 +3,7 @@ import { createTextAlternative } from '../../../src/playground/game/texts/textAl
 import { createLandingReadout } from '../../../src/readout';
 import { makeShip, makeView } from '../../readout/views';
 
-/** The text beside the picture, for the own ship and `others` more. */
+/** The text beside the picture, for the player's ship and `others` more. */
 function textWith(others: number): string {
   const element = { textContent: '' };
   const view = makeView({ clearance: 86 });

@@ -98,7 +98,7 @@ describe('the server in the page', () => {
     expect(runTo(session, 22, 23).some(({ kind }) => kind === 'hello')).toBe(true);
   });
 
-  it('restarts the own ship, and kicks it upward', () => {
+  it('restarts the player’s ship, and kicks it upward', () => {
     const session = loaded({ network: NETWORK_PRESETS.lan });
     const state = (from: number, until: number) => frames(runTo(session, from, until)).at(-1)!.ships[0]!;
     expect(state(10, 25.5).surfaceContactState).toBe('landed');

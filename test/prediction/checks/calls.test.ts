@@ -147,7 +147,7 @@ describe('messages to send', () => {
   });
 });
 
-describe('the own ship', () => {
+describe('the player’s ship', () => {
   const received = (count: number, own: string, ships: readonly unknown[]) => {
     const made = caller();
     made.advance(1, 0);

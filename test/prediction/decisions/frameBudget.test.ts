@@ -15,7 +15,7 @@ function fleetOf(others: number) {
 }
 
 describe('ships whose substeps exceed three quarters of the budget', () => {
-  it('are switched off, the farthest first, the own ship last', () => {
+  it('are switched off, the farthest first, the player’s ship last', () => {
     const { sim, budget, own, near } = fleetOf(9);
     keepWithinBudget(sim, budget, 150);
     expect(near.map(({ off }) => off)).toEqual([false, false, false, false, true, true, true, true, true]);

@@ -166,7 +166,7 @@ describe('a frame of thousands of new ships', () => {
   const ships = Array.from({ length: 2500 }, (_, i) => named(`ship-${i + 1}`));
   const last = { shipId: 'ship-2500', tick: 4, substep: 2 };
 
-  it('is taken over several calls, the own ship in the first, and each event is reported once', () => {
+  it('is taken over several calls, the player’s ship in the first, and each event is reported once', () => {
     const predictor = createPredictor({ ...OWN, ownShipId: 'ship-2400' });
     const heard: string[] = [];
     predictor.onEvent(({ shipId }) => heard.push(shipId));

@@ -113,7 +113,7 @@ export const FAULTS: readonly Fault[] = [
     },
   },
   {
-    name: 'another own ship',
+    name: 'the player changes ship',
     happen: (page) => {
       page.ownShip = page.ownShip === OWN ? OTHER : OWN;
       page.predictor.setOwnShip(page.ownShip);

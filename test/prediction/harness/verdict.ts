@@ -49,7 +49,7 @@ function* ofTime(run: Run): Generator<string> {
   if (off.value > RIGHT + grain)
     yield `${off.value.toFixed(3)} s off the instant that was drawn before the fault, ${(Number(off.at) - over).toFixed(2)} s after it`;
   if (after.length === 0 && page.ownShip !== null && page.setup.server.ships.has(page.ownShip))
-    yield `0 frames have the own ship, from ${allowed(run)} s after the fault on`;
+    yield `0 frames have the player’s ship, from ${allowed(run)} s after the fault on`;
   const confirmed = worst(
     watch.samples.filter(({ provenance }) => provenance === 'confirmed'),
     ({ beyond }) => beyond,

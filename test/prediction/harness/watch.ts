@@ -4,7 +4,7 @@ import type { Page } from './page';
 import { aboveGround } from './setup';
 import { dot, length, minus, plus, type Turn, turned, unit, type Vec } from './design/vectors';
 
-/** One display frame of the own ship, to be compared once the server has come as far. */
+/** One display frame of the player's ship, to be compared once the server has come as far. */
 export interface Sample {
   /** True s: of the frame, and of the instant that it draws. */
   readonly t: number;

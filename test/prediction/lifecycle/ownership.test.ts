@@ -26,7 +26,7 @@ function flown(mode: Mode = 'stepping') {
   return { ...session, session, track, other };
 }
 
-describe('another own ship', () => {
+describe('the player changes ship', () => {
   it('takes no inputs of the one before', () => {
     const { session, sim, pilot, receiver, track, other } = flown();
     changeOwnShip(session, 'other');

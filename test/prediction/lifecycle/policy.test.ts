@@ -114,7 +114,7 @@ describe('a change of policy', () => {
     expect(rig.predictor.snapshot(rig.now).policies).toEqual({ [SHIP]: 'hold' });
   });
 
-  it('keeps the own ship’s pending inputs', () => {
+  it('keeps the pending inputs of the player’s ship', () => {
     const rig = flown('interpolate', 5);
     rig.fly(2);
     expect(rig.sentInputs.length).toBeGreaterThan(0);

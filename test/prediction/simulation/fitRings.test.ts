@@ -30,7 +30,7 @@ describe('the rings of predicted states', () => {
     expect(track.history).toBe(before);
   });
 
-  it('shrink to twelve rows of each ship within 32 MB, and that of the own ship never', () => {
+  it('shrink to twelve rows of each ship within 32 MB, and that of the player’s ship never', () => {
     const { sim, track } = fleet();
     fitRings(sim, { tickRate: 100, substeps: 1, ships: 100_000 });
     expect(track.history.length).toBe(12);

@@ -3,7 +3,7 @@ import { rotateBack } from '../../../src/prediction/drawn/rotation';
 import type { WorldView } from '../../../src/prediction';
 import { createRig, scenarioNamed } from '../rig';
 
-/** The own ship's position in its body's axes, m. */
+/** Position of the player's ship in its body's axes, m. */
 function inBody(view: WorldView): Float64Array {
   const place = new Float64Array(3);
   const own = view.own!;

@@ -54,7 +54,7 @@ describe('a replay', () => {
     expect(moved).toBeLessThan(0.1);
   });
 
-  it('goes on in the next frame where the budget ends, the own ship’s first', () => {
+  it('goes on in the next frame where the budget ends, that of the player’s ship first', () => {
     const { sim, own, other } = replayed();
     expect(runReplays(sim, 15)).toBe(15);
     expect([own.replayTick, own.replaySubstep, own.replaying]).toEqual([TICK + 1, 5, true]);

@@ -1,7 +1,7 @@
 import { hashRows } from '../../../dynamics';
 import type { PartialFrame } from '../../../wire';
 
-/** Tick and bits of the own ship's last state that belongs to the scenario: a landed ship continues to turn with the ground. */
+/** Tick and bits of the last state of the player's ship that belongs to the scenario: a landed ship continues to turn with the ground. */
 export interface RunHash {
   readonly begin: (lastTick: number) => void;
   readonly take: (frame: PartialFrame) => void;

@@ -87,7 +87,7 @@ const steer = (p: Predictor, calls: number, from: number) => {
 const COUNTS: readonly Bound[] = [
   ['views', 'advance-never', 9, 10, (n) => viewed(n, (p) => p.receive(frame, 0))],
   ['frames before views', 'advance-never', 0, 1, (n) => viewed(12, (p) => n && p.receive(frame, 0))],
-  ['frames without the own ship', 'own-ship-never-seen', 9, 10, (n) => seenLast(n, 0)],
+  ['frames without the player’s ship', 'own-ship-never-seen', 9, 10, (n) => seenLast(n, 0)],
   ['frames after one with it', 'own-ship-never-seen', 1, 0, (n) => seenLast(12, n)],
   [
     'calls while inputs wait',

@@ -61,9 +61,9 @@ export const CALLS: readonly Mistake[] = [
   ['advance twelve times', 'advance-twice', /once is enough/, () => played(1, { times: 12 })],
   ['advance twice', 'advance-twice', /same now \(\d/, () => played(1, { times: 2 })],
   ['advance seldom', 'advance-seldom', /display frame/, () => played(4, { hz: 5 })],
-  ['own ship never', 'own-ship-never-seen', /setOwnShip/, () => played(12, { id: 'b' })],
+  ['player’s ship never sent', 'own-ship-never-seen', /setOwnShip/, () => played(12, { id: 'b' })],
   [
-    'own ship left out by the decoder',
+    'player’s ship left out by the decoder',
     'own-ship-never-seen',
     /ships\[0\]\.fuel: missing/,
     () => received(...ticks(12, { ships: [], refusals: ['ships[0].fuel: missing'] })),
@@ -132,13 +132,13 @@ export const CALLS: readonly Mistake[] = [
   ],
   ['advance in a timer of one second', 'advance-seldom', /display frame/, () => played(14, { hz: 1 })],
   [
-    'a number for the own ship',
+    'a number for the player’s ship',
     'ship-id',
     /setOwnShip.*7/,
     () => warningsOf((p) => p.setOwnShip(7 as unknown as string)),
   ],
   [
-    'nothing for the own ship',
+    'nothing for the player’s ship',
     'ship-id',
     /setOwnShip.*undefined/,
     () => warningsOf((p) => p.setOwnShip(undefined as unknown as string)),

@@ -57,7 +57,7 @@ describe('another pilot’s controls', () => {
     expect(released(({ track }) => (track.releaseTick = -1))).toBe(false);
   });
 
-  it('of the own ship are never released', () => {
+  it('of the player’s ship are never released', () => {
     const { track, take } = predicted();
     take();
     expect(track.releaseTick).toBe(-1);

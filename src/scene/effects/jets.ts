@@ -67,41 +67,20 @@ export function createJetMaterial(): ShaderMaterial {
 
 /** Cones at every nozzle; without air the gas spreads wide. */
 export function buildJets(model: ShipModel, inAir: boolean): BufferGeometry {
-  const out = {
-    positions: [] as number[],
-    normals: [] as number[],
-    mouths: [] as number[],
-    jets: [] as number[],
+  const cones = conesOf(model, inAir ? 0.1 : 0.42, inAir ? 13 : 11);
+  const total = cones.length * CONE_CORNERS;
+  const out: Corners = {
+    positions: new Float32Array(3 * total),
+    normals: new Float32Array(3 * total),
+    mouths: new Float32Array(3 * total),
+    jets: new Float32Array(2 * total),
   };
-  const spread = inAir ? 0.1 : 0.42;
-  model.engines.forEach(({ at, radius }, n) => {
-    const down = new Vector3(0, 0, -1);
-    addCone(out, { at, blows: down, radius, length: radius * (inAir ? 13 : 11), spread, nozzle: n });
-    addCone(out, {
-      at,
-      blows: down,
-      radius: radius * 0.6,
-      length: radius * 6,
-      spread: spread * 0.15,
-      nozzle: n,
-    });
-  });
-  model.thrusters.forEach(({ at, blows }, n) => {
-    const way = new Vector3(...blows);
-    addCone(out, {
-      at,
-      blows: way,
-      radius: 0.09,
-      length: 2.1,
-      spread: 0.3,
-      nozzle: model.engines.length + n,
-    });
-  });
+  cones.forEach((cone, n) => writeCone(out, n * CONE_CORNERS, cone));
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(out.positions), 3));
-  geometry.setAttribute('normal', new BufferAttribute(new Float32Array(out.normals), 3));
-  geometry.setAttribute('mouth', new BufferAttribute(new Float32Array(out.mouths), 3));
-  geometry.setAttribute('jet', new BufferAttribute(new Float32Array(out.jets), 2));
+  geometry.setAttribute('position', new BufferAttribute(out.positions, 3));
+  geometry.setAttribute('normal', new BufferAttribute(out.normals, 3));
+  geometry.setAttribute('mouth', new BufferAttribute(out.mouths, 3));
+  geometry.setAttribute('jet', new BufferAttribute(out.jets, 2));
   return geometry;
 }
 
@@ -115,41 +94,75 @@ interface Cone {
   readonly nozzle: number;
 }
 
-interface Arrays {
-  readonly positions: number[];
-  readonly normals: number[];
-  readonly mouths: number[];
-  readonly jets: number[];
+/** Of an engine two, one in the other; `lengths`: of the outer one in radii. */
+function conesOf({ engines, thrusters }: ShipModel, spread: number, lengths: number): Cone[] {
+  const down = new Vector3(0, 0, -1);
+  const ofEngines = engines.flatMap(({ at, radius }, nozzle): Cone[] => [
+    { at, blows: down, radius, length: radius * lengths, spread, nozzle },
+    { at, blows: down, radius: radius * 0.6, length: radius * 6, spread: spread * 0.15, nozzle },
+  ]);
+  const ofThrusters = thrusters.map(({ at, blows }, n): Cone => {
+    const nozzle = engines.length + n;
+    return { at, blows: new Vector3(...blows), radius: 0.09, length: 2.1, spread: 0.3, nozzle };
+  });
+  return [...ofEngines, ...ofThrusters];
+}
+
+/** Attributes of all corners, three to a triangle; two numbers of each in `jets`, three in the others. */
+interface Corners {
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+  readonly mouths: Float32Array;
+  readonly jets: Float32Array;
 }
 
 const SIDES = 14;
 const STEPS = 5;
+const CONE_CORNERS = STEPS * SIDES * 6;
+/** Points of a cone, a row per step; the last of a row is the first again. */
+const ROW = SIDES + 1;
+const points = new Float64Array((STEPS + 1) * ROW * 3);
+const outwards = new Float64Array(ROW * 3);
 
-function addCone(out: Arrays, { at, blows, radius, length, spread, nozzle }: Cone): void {
-  const across = new Vector3(blows.z, blows.x, blows.y).cross(blows).normalize();
-  const other = blows.clone().cross(across);
-  const vertex = (step: number, side: number) => {
-    const along = step / STEPS;
-    const angle = (side / SIDES) * 2 * Math.PI;
-    const r = radius + spread * length * along;
-    const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
-    for (const axis of ['x', 'y', 'z'] as const) {
-      const outward = across[axis] * cos + other[axis] * sin;
-      const i = axis === 'x' ? 0 : axis === 'y' ? 1 : 2;
-      out.positions.push(at[i] + blows[axis] * length * along + outward * r);
-      out.normals.push(outward);
-      out.mouths.push(at[i]);
+function writeCone(out: Corners, first: number, cone: Cone): void {
+  placePoints(cone);
+  let to = first;
+  const corner = (step: number, side: number) => {
+    for (let k = 0; k < 3; k++) {
+      out.positions[3 * to + k] = points[3 * (step * ROW + side) + k]!;
+      out.normals[3 * to + k] = outwards[3 * side + k]!;
+      out.mouths[3 * to + k] = cone.at[k]!;
     }
-    out.jets.push(nozzle, along);
+    out.jets[2 * to] = cone.nozzle;
+    out.jets[2 * to + 1] = step / STEPS;
+    to++;
   };
   for (let step = 0; step < STEPS; step++) {
     for (let side = 0; side < SIDES; side++) {
-      vertex(step, side);
-      vertex(step + 1, side);
-      vertex(step, side + 1);
-      vertex(step, side + 1);
-      vertex(step + 1, side);
-      vertex(step + 1, side + 1);
+      corner(step, side);
+      corner(step + 1, side);
+      corner(step, side + 1);
+      corner(step, side + 1);
+      corner(step + 1, side);
+      corner(step + 1, side + 1);
+    }
+  }
+}
+
+function placePoints({ at, blows, radius, length, spread }: Cone): void {
+  const across = new Vector3(blows.z, blows.x, blows.y).cross(blows).normalize();
+  const other = blows.clone().cross(across);
+  for (let side = 0; side < ROW; side++) {
+    const angle = (side / SIDES) * 2 * Math.PI;
+    const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+    for (let k = 0; k < 3; k++) {
+      const outward = across.getComponent(k) * cos + other.getComponent(k) * sin;
+      outwards[3 * side + k] = outward;
+      for (let step = 0; step <= STEPS; step++) {
+        const along = step / STEPS;
+        const r = radius + spread * length * along;
+        points[3 * (step * ROW + side) + k] = at[k]! + blows.getComponent(k) * length * along + outward * r;
+      }
     }
   }
 }

@@ -76,7 +76,8 @@ export function moveLevel(
         copyPoint(fresh, at, old, (oldK * SIDE + oldI) * 3);
         continue;
       }
-      const [x, z] = [cornerX + i - 1, cornerZ + k - 1];
+      const x = cornerX + i - 1;
+      const z = cornerZ + k - 1;
       const shared = coarser === null ? -1 : pointAt(coarser, x / 2, z / 2);
       if (shared >= 0) copyPoint(fresh, at, coarser!.points, shared);
       else groundPoint(fresh, at, x * level.spacing, z * level.spacing, { frame, terrainHeight });
@@ -110,7 +111,9 @@ function measureHeights(level: TerrainLevel): void {
   let lowest = Infinity;
   let highest = -Infinity;
   for (let i = 0; i < points.length; i += 3) {
-    const [x, y, z] = [points[i]!, points[i + 1]!, points[i + 2]!];
+    const x = points[i]!;
+    const y = points[i + 1]!;
+    const z = points[i + 2]!;
     // |r| − R without the difference of two planet radii.
     const over = x * x + y * y + z * z + 2 * y * radius;
     const height = over / (Math.sqrt(radius * radius + over) + radius);
@@ -195,7 +198,8 @@ export function layOutLevel(level: TerrainLevel): void {
       positions[to * 3 + 1] = points[p + 1]! - oy;
       positions[to * 3 + 2] = points[p + 2]! - oz;
       const slopeX = (points[p + 4]! - points[p - 2]!) / (points[p + 3]! - points[p - 3]!);
-      const [down, next] = [p - SIDE * 3, p + SIDE * 3];
+      const down = p - SIDE * 3;
+      const next = p + SIDE * 3;
       const slopeZ = (points[next + 1]! - points[down + 1]!) / (points[next + 2]! - points[down + 2]!);
       const perLength = 1 / Math.sqrt(slopeX * slopeX + slopeZ * slopeZ + 1);
       normals[to * 3] = -slopeX * perLength;

@@ -50,6 +50,8 @@ export {
 } from './state/controls';
 /** Between a row and a plain record. */
 export { landedBodyName, readShip, type ShipInit, type ShipRecord, spawnShip, writeShip } from './state/ship';
+/** k / m of the contact spring, s⁻². */
+export { CONTACT_STIFFNESS } from './contact/forces';
 /** The step of one ship. */
 export { substep } from './substep';
 /** The step of a world, and the division of ticks into substeps. */

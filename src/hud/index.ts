@@ -1,6 +1,7 @@
 /** The HUDs: painting only. Readouts decide the contents; the style sheet is hud.css. */
 
-export { createCockpitLandingHud, type Hud, type LandingHudOptions } from './landing/landingHud';
+export type { Hud } from './hud';
+export { createCockpitLandingHud, type LandingHudOptions } from './landing/landingHud';
 export { createFleetHud } from './fleet/fleetHud';
 export { createFlightHud, type FlightHudOptions, type FlightPanels } from './flight/flightHud';
 export type { FlightKey } from './flight/modesPanel';

@@ -26,7 +26,7 @@ export { STATUS_LOOKS, type StatusId, type StatusLook } from './status';
 export { type Descent } from './landing/descent';
 export type { Drift } from './landing/drift';
 export type { Gate, Gates } from './landing/gates';
-export type { Righting } from './landing/righting';
+export type { Righting } from './landing/ahead/righting';
 export type { Tilt } from './landing/tilt';
 export type { TipMargin } from './landing/tipMargin';
 export type { Touchdown } from './landing/touchdown';

@@ -1,4 +1,4 @@
-import { type Body, type BodyMotion, GRAVITATIONAL_CONSTANT } from '../dynamics';
+import { type Body, type BodyMotion, CONTACT_STIFFNESS, GRAVITATIONAL_CONSTANT } from '../dynamics';
 import type { ShipView } from '../prediction';
 import { cross, toBodyAxes, toInertial, writeDot } from './axes';
 
@@ -119,9 +119,6 @@ function measurePlace(out: Surface, ship: ShipView, body: Body): void {
   out.slope = Math.atan2(Math.sqrt(product[0]!), product[1]!);
 }
 
-/** k / m of the contact spring, s⁻²: the law's. */
-const STIFFNESS = 100;
-
 function measureMotion(out: Surface, ship: ShipView, body: BodyMotion): void {
   for (let k = 0; k < 3; k++) bodySpin[k] = body.angularVelocity[k]!;
   cross(groundVelocity, bodySpin, ship.position);
@@ -137,8 +134,8 @@ function measureMotion(out: Surface, ship: ShipView, body: BodyMotion): void {
   out.tangentialSpeed = Math.sqrt(product[0]!);
   writeDot(product, 0, ship.thrust, out.ground);
   const load = Math.max(0, out.weight * out.cosSlope - product[0]!);
-  const stored = out.penetration * out.cosSlope - load / (STIFFNESS * out.mass);
-  out.vertical = Math.sqrt(off * off + STIFFNESS * stored * stored);
+  const stored = out.penetration * out.cosSlope - load / (CONTACT_STIFFNESS * out.mass);
+  out.vertical = Math.sqrt(off * off + CONTACT_STIFFNESS * stored * stored);
 }
 
 /** Sine of a tilt below which its axis, and so the rate about it, fades into round-off. */

@@ -27,7 +27,7 @@ export {
   type ShipStateJson,
 } from './json/shipStateJson';
 /** Why a string cannot be a name or an id on the wire. */
-export { textFault as textComplaint } from './fields/reading';
+export { textFault } from './fields/reading';
 /** Limits of a message. */
 export {
   MAX_BODIES,

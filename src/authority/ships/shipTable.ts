@@ -18,7 +18,7 @@ import {
   VELOCITY,
   type World,
 } from '../../dynamics';
-import { textComplaint } from '../../wire';
+import { textFault } from '../../wire';
 import type { ScheduledInput } from './scheduledInput';
 import { compose, inverse, rotate } from './rotation';
 import type { ShipIdentity } from './shipState';
@@ -86,7 +86,7 @@ export function spawn(
 function invalidName({ shipId, playerId, name }: ShipIdentity): string | null {
   if (shipId === '') return 'shipId: expected a non-empty string';
   for (const [field, text] of Object.entries({ shipId, playerId, name })) {
-    const complaint = textComplaint(text);
+    const complaint = textFault(text);
     if (complaint !== null) return `${field}: ${complaint}`;
   }
   return null;

@@ -93,8 +93,8 @@ function allocateTorque(): void {
     const size = asked < 0 ? -asked : asked;
     const left = (asked < 0 ? capacity + momentum : capacity - momentum) / dt;
     const torque = shipClass[WHEEL_TORQUE + k]!;
-    const mostByWheel = left < torque ? (left > 0 ? left : 0) : torque;
-    const byWheel = size < mostByWheel ? size : mostByWheel;
+    const wheelLimit = left < torque ? (left > 0 ? left : 0) : torque;
+    const byWheel = size < wheelLimit ? size : wheelLimit;
     const wheel = asked < 0 ? -byWheel : byWheel;
     ships[at + WHEEL_MOMENTUM + k] = momentum + wheel * dt;
     if (!hasFuel) {
@@ -102,8 +102,8 @@ function allocateTorque(): void {
       continue;
     }
     const rest = size - byWheel;
-    const mostByRcs = shipClass[RCS_TORQUE + k]!;
-    const byRcs = rest < mostByRcs ? rest : mostByRcs;
+    const rcsLimit = shipClass[RCS_TORQUE + k]!;
+    const byRcs = rest < rcsLimit ? rest : rcsLimit;
     q[TORQUE + k] = asked < 0 ? wheel - byRcs : wheel + byRcs;
     q[RCS_TORQUE_SUM] = q[RCS_TORQUE_SUM]! + byRcs;
   }

@@ -27,7 +27,7 @@ import {
 } from '../constants/constantRows';
 
 /** k / m of the contact spring, s⁻² (DYNAMICS, Normal force). */
-export const STIFFNESS = 100;
+export const CONTACT_STIFFNESS = 100;
 /** c / m at critical damping, 2 √(k/m), s⁻¹. */
 const CRITICAL_DAMPING = 20;
 /** Square of the speed, 1 cm/s, above which only kinetic friction acts, m²/s²: static friction must not stop a slide. */
@@ -78,20 +78,24 @@ export function moveOnGround(): boolean {
     const slideSquared = tx * tx + ty * ty + tz * tz;
 
     // 3. Settling
-    const thrustOff = q[THRUST]! * sx + q[THRUST + 1]! * sy + q[THRUST + 2]! * sz;
-    const net = weight * q[COS_SLOPE]! - thrustOff;
+    const thrustNormal = q[THRUST]! * sx + q[THRUST + 1]! * sy + q[THRUST + 2]! * sz;
+    const net = weight * q[COS_SLOPE]! - thrustNormal;
     load = net > 0 ? net : 0;
-    const alongX = weight * q[SLOPE]! - (q[THRUST]! - thrustOff * sx);
-    const alongY = weight * q[SLOPE + 1]! - (q[THRUST + 1]! - thrustOff * sy);
-    const alongZ = weight * q[SLOPE + 2]! - (q[THRUST + 2]! - thrustOff * sz);
+    const alongX = weight * q[SLOPE]! - (q[THRUST]! - thrustNormal * sx);
+    const alongY = weight * q[SLOPE + 1]! - (q[THRUST + 1]! - thrustNormal * sy);
+    const alongZ = weight * q[SLOPE + 2]! - (q[THRUST + 2]! - thrustNormal * sz);
     const isTipped = ships[at + SURFACE_STATE] === TIPPED;
     if (isTipped) {
       const limit = settings[SETTLE_LINEAR_VEL]!;
-      const beyond = sunk - load / (STIFFNESS * q[MASS]!);
-      const vertical = speed * speed + STIFFNESS * (beyond * beyond);
-      const most = settings[FRICTION_STATIC]! * load;
+      const excessDepth = sunk - load / (CONTACT_STIFFNESS * q[MASS]!);
+      const vertical = speed * speed + CONTACT_STIFFNESS * (excessDepth * excessDepth);
+      const maxFriction = settings[FRICTION_STATIC]! * load;
       const alongSquared = alongX * alongX + alongY * alongY + alongZ * alongZ;
-      if (vertical < limit * limit && slideSquared < limit * limit && alongSquared <= most * most) {
+      if (
+        vertical < limit * limit &&
+        slideSquared < limit * limit &&
+        alongSquared <= maxFriction * maxFriction
+      ) {
         q[NORMAL_FORCE] = load;
         return true;
       }
@@ -100,11 +104,11 @@ export function moveOnGround(): boolean {
     // 4. Normal force: c = 2 ζ √(k m) with k = 100 m.
     settles = isTipped || ships[at + IMPACT_SPEED]! <= settings[BOUNCE_SPEED]!;
     const ratio = settles ? 1 : settings[DAMPING_RATIO]!;
-    const pressed = q[MASS]! * (STIFFNESS * sunk - CRITICAL_DAMPING * ratio * speed);
+    const springForce = q[MASS]! * (CONTACT_STIFFNESS * sunk - CRITICAL_DAMPING * ratio * speed);
 
     // 5. Friction demanded to keep the ship in place: against its slide, thrust, weight on the slope, and the ground's rotation.
-    if (pressed > 0) {
-      force = pressed;
+    if (springForce > 0) {
+      force = springForce;
       const perSpeed = q[MASS]! / q[DT]!;
       const half = 0.5 * q[MASS]!;
       const demandX = tx * perSpeed - (alongX + half * (oy * uz - oz * uy));
@@ -115,10 +119,11 @@ export function moveOnGround(): boolean {
       const dy = demandY - off * sy;
       const dz = demandZ - off * sz;
       const demandSquared = dx * dx + dy * dy + dz * dz;
-      const held = settings[FRICTION_STATIC]! * pressed;
-      const kinetic = settings[FRICTION_KINETIC]! * pressed;
-      const holds = slideSquared <= HELD_SPEED_SQUARED && demandSquared <= held * held;
-      const share = holds || demandSquared <= kinetic * kinetic ? 1 : kinetic / Math.sqrt(demandSquared);
+      const maxStatic = settings[FRICTION_STATIC]! * springForce;
+      const maxKinetic = settings[FRICTION_KINETIC]! * springForce;
+      const holds = slideSquared <= HELD_SPEED_SQUARED && demandSquared <= maxStatic * maxStatic;
+      const share =
+        holds || demandSquared <= maxKinetic * maxKinetic ? 1 : maxKinetic / Math.sqrt(demandSquared);
       frictionX = -dx * share;
       frictionY = -dy * share;
       frictionZ = -dz * share;
@@ -134,7 +139,7 @@ export function moveOnGround(): boolean {
   const rise = (ux - groundX) * sx + (uy - groundY) * sy + (uz - groundZ) * sz;
   if (rise > 0 && settles && q[LIFT]! <= weight) {
     // At most the rise that ends at the static depth, ≥ 0.
-    const toRest = (sunk - load / (STIFFNESS * q[MASS]!)) / q[DT]!;
+    const toRest = (sunk - load / (CONTACT_STIFFNESS * q[MASS]!)) / q[DT]!;
     const excess = rise - (toRest > 0 ? toRest : 0);
     if (excess > 0) {
       ux -= excess * sx;

@@ -1,4 +1,4 @@
-import { STIFFNESS } from './forces';
+import { CONTACT_STIFFNESS } from './forces';
 import {
   ANGULAR_VELOCITY,
   CONTACT,
@@ -118,8 +118,8 @@ export function makeTransition(): number {
   const ty = vy - speed * sy;
   const tz = vz - speed * sz;
   const slideSquared = tx * tx + ty * ty + tz * tz;
-  const mostSpeed = settings[SETTLE_LINEAR_VEL]!;
-  if (!(slideSquared < mostSpeed * mostSpeed)) return NO_EVENT;
+  const maxSpeed = settings[SETTLE_LINEAR_VEL]!;
+  if (!(slideSquared < maxSpeed * maxSpeed)) return NO_EVENT;
   q[NORMAL_SPEED] = speed;
   if (!isSettled()) return NO_EVENT;
   ships[at + SURFACE_STATE] = LANDED;
@@ -161,22 +161,22 @@ function isRighting(): boolean {
 function isSettled(): boolean {
   const q = quantities;
   const { ships, at } = step;
-  const mostSpin = step.settings[SETTLE_ANGULAR_VEL]!;
-  const mostSpeed = step.settings[SETTLE_LINEAR_VEL]!;
+  const maxSpin = step.settings[SETTLE_ANGULAR_VEL]!;
+  const maxSpeed = step.settings[SETTLE_LINEAR_VEL]!;
   const wx = ships[at + ANGULAR_VELOCITY]! - q[GROUND_SPIN]!;
   const wy = ships[at + ANGULAR_VELOCITY + 1]! - q[GROUND_SPIN + 1]!;
   const wz = ships[at + ANGULAR_VELOCITY + 2]! - q[GROUND_SPIN + 2]!;
-  if (!(wx * wx + wy * wy + wz * wz < mostSpin * mostSpin)) return false;
+  if (!(wx * wx + wy * wy + wz * wz < maxSpin * maxSpin)) return false;
   const net =
     q[MASS]! * (q[GRAVITY_PARAMETER]! / q[DISTANCE_SQUARED]!) * q[COS_SLOPE]! -
     (q[THRUST]! * q[SURFACE_NORMAL]! +
       q[THRUST + 1]! * q[SURFACE_NORMAL + 1]! +
       q[THRUST + 2]! * q[SURFACE_NORMAL + 2]!);
-  const depth = (net > 0 ? net : 0) / (STIFFNESS * q[MASS]!);
+  const depth = (net > 0 ? net : 0) / (CONTACT_STIFFNESS * q[MASS]!);
   // The spring's stored energy counts: √(v_s² + 100 (penetration c_s − depth)²).
   const sunk = q[PENETRATION]! * q[COS_SLOPE]! - depth;
-  const vertical = q[NORMAL_SPEED]! * q[NORMAL_SPEED]! + STIFFNESS * (sunk * sunk);
-  return vertical < mostSpeed * mostSpeed && isHeldByGround();
+  const vertical = q[NORMAL_SPEED]! * q[NORMAL_SPEED]! + CONTACT_STIFFNESS * (sunk * sunk);
+  return vertical < maxSpeed * maxSpeed && isHeldByGround();
 }
 
 /** Whether static friction holds the ship on the slope, and its weight acts within its footprint. */

@@ -3,7 +3,7 @@ import { createFrame, type HudAppearance } from '../appearance';
 import { checked, requireHost } from '../checks';
 import { append } from '../elements';
 import { createFleetRow, type FleetRowElement } from './fleetRow';
-import type { Hud } from '../landing/landingHud';
+import type { Hud } from '../hud';
 import { showPart, showText } from '../shown';
 
 /** rem; fleet.css gives the rows this height. */

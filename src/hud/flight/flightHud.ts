@@ -1,7 +1,7 @@
 import { createFrame, type HudAppearance } from '../appearance';
 import { checked, requireHost } from '../checks';
 import type { FlightReadout, LandingAids, TargetReadout } from '../../readout';
-import type { Hud } from '../landing/landingHud';
+import type { Hud } from '../hud';
 import { createAidsPanel } from './aidsPanel';
 import { createApproachDial } from './approachDial';
 import { createAttitudeBall } from './attitudeBall';

@@ -5,21 +5,14 @@ import { checked, requireHost } from '../checks';
 import { createCrossPointer } from './crossPointer';
 import { createDescentPanel } from './descentPanel';
 import { append } from '../elements';
+import type { Hud } from '../hud';
 import { createGatesPanel } from './gatesPanel';
 import { createRightingPanel, type KeyLabel, type TurnKeys } from './rightingPanel';
-import { scrollWhereShort } from '../fleet/scrolling';
+import { scrollWhereShort } from '../scrolling';
 import { showPart } from '../shown';
 import { createStatusSlot } from './statusSlot';
 import { createTiltPanel } from './tiltPanel';
 import { createTouchdownCard } from './touchdownCard';
-
-/** Paints one readout after the other; holds DOM until disposed. */
-export interface Hud<Readout> {
-  /** Touches the DOM only where what is shown changed. */
-  readonly paint: (readout: Readout) => void;
-  /** Takes everything out of the host again. */
-  readonly dispose: () => void;
-}
 
 /** Options of the landing HUD. */
 export interface LandingHudOptions extends HudAppearance {

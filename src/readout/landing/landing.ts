@@ -3,8 +3,8 @@ import { createDescent, type Descent, forgetDescent, measureDescent } from './de
 import { createDrift, type Drift, forgetDrift, measureDrift } from './drift';
 import { createGates, type Gates, measureGates } from './gates';
 import { createViewClock, followView, type ViewClock } from './viewClock';
-import { createLookAhead, type LookAhead } from './lookAhead';
-import { createRighting, type Righting } from './righting';
+import { createLookAhead, type LookAhead } from './ahead/lookAhead';
+import { createRighting, type Righting } from './ahead/righting';
 import { type StatusId, statusOf } from '../status';
 import { createSurface, measureSurface, type Surface } from '../surface';
 import { createTilt, forgetTilt, measureTilt, type Tilt } from './tilt';

@@ -10,7 +10,7 @@ const ALL = 'all';
 
 /** By folder of src: the folders and packages that it may import. */
 export const IMPORT_TABLE: Readonly<Record<string, typeof ALL | Readonly<Record<string, Allowance>>>> = {
-  dynamics: { 'gl-matrix': 'values' },
+  dynamics: {},
   protocol: {},
   wire: { dynamics: 'values', protocol: 'values', protobufjs: 'values' },
   prediction: { dynamics: 'values', protocol: 'values', wire: 'types' },

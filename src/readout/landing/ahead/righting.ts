@@ -1,13 +1,13 @@
-import type { ShipView, WorldView } from '../../prediction';
+import type { ShipView, WorldView } from '../../../prediction';
 import {
   ROTATION_ACTIONS,
   type RotationAction,
   TRANSLATION_ACTIONS,
   type TranslationAction,
-} from '../actions';
+} from '../../actions';
 import { createRightingRun, forgetRightingRun, type RightingRun, runRighting } from './rightingRun';
-import type { Surface } from '../surface';
-import { toppleTilt } from './tilt';
+import type { Surface } from '../../surface';
+import { toppleTilt } from '../tilt';
 
 /** How a tipped ship gets up again, or why it cannot (HUD, righting help; DYNAMICS, "What this gives"). */
 export interface Righting {

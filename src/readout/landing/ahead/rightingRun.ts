@@ -7,16 +7,16 @@ import {
   SURFACE_STATE,
   TIPPED,
   writeControls,
-} from '../../dynamics';
-import type { ShipView, WorldView } from '../../prediction';
+} from '../../../dynamics';
+import type { ShipView, WorldView } from '../../../prediction';
 import {
   createProjection,
   type Projection,
   projectedCosTilt,
   startProjection,
   stepProjection,
-} from '../flight/projection';
-import type { Surface } from '../surface';
+} from '../../flight/projection';
+import type { Surface } from '../../surface';
 
 /**
  * Simulates a tipped ship ahead, flown as the hint says: the righting keys held until it leans little enough, then rate damping alone until

@@ -1,8 +1,8 @@
-import { EVENT_DESTROYED, EVENT_LANDED, EVENT_TIPPED } from '../../dynamics';
-import type { WorldView } from '../../prediction';
-import { createProjection, type Projection, startProjection, stepProjection } from '../flight/projection';
-import type { TipMargin } from './tipMargin';
-import type { ViewClock } from './viewClock';
+import { EVENT_DESTROYED, EVENT_LANDED, EVENT_TIPPED } from '../../../dynamics';
+import type { WorldView } from '../../../prediction';
+import { createProjection, type Projection, startProjection, stepProjection } from '../../flight/projection';
+import type { TipMargin } from '../tipMargin';
+import type { ViewClock } from '../viewClock';
 
 /** Kept from call to call: one simulation ahead at a time, and the last one's answer. */
 export interface TippingMemory {

@@ -1,6 +1,6 @@
 import { SCENARIO_NAMES } from '../panels/choices';
 import type { Action } from '../input/keyTable';
-import { isFlight } from '../input/stick';
+import { isFlightAction } from '../input/stick';
 import type { PanelAction } from '../panels/panelActions';
 import type { ActionTargets } from './actionTargets';
 import { createOperatorActions, isRemote, type OperatorActions } from './operatorActions';
@@ -52,7 +52,7 @@ export function createActions(targets: ActionTargets): Actions {
     },
     press(action) {
       const isReplaying = targets.deck.replay() !== null;
-      if (!isReplaying && (isFlight(action) || action === 'autopilot')) {
+      if (!isReplaying && (isFlightAction(action) || action === 'autopilot')) {
         hop.endsAt = NaN;
         live.flightControls.press(action);
         live.steer();
@@ -60,7 +60,7 @@ export function createActions(targets: ActionTargets): Actions {
     },
     release(action) {
       live.flightControls.release(action);
-      if (isFlight(action)) live.steer();
+      if (isFlightAction(action)) live.steer();
     },
     runPanelAction: (action) => buttons[action](),
     tick(wall) {

@@ -94,8 +94,8 @@ export function isBoundByPlace(action: Action): boolean {
   return FLIGHT_KEYS.has(action);
 }
 
-/** The second edition's: the first kept letters for everything. */
-const PLACE = 'touchdown.keys.2';
+/** Of localStorage. Its first version had letters for flight keys too. */
+const STORAGE_KEY = 'touchdown.keys.2';
 
 export function defaultKeys(): KeySettings {
   const map = Object.fromEntries(KEY_TABLE.map(({ action, key }) => [action, key])) as KeyMap;
@@ -122,7 +122,7 @@ export function loadKeys(store: Storage | null): KeySettings {
 
 export function saveKeys(store: Storage | null, settings: KeySettings): void {
   try {
-    store?.setItem(PLACE, JSON.stringify(settings));
+    store?.setItem(STORAGE_KEY, JSON.stringify(settings));
   } catch {
     // The store is full or forbidden: the keys last until the page closes.
   }
@@ -158,7 +158,7 @@ export function firstDuplicate(map: KeyMap): string | null {
 
 function readSaved(store: Storage | null): Record<string, unknown> | null {
   try {
-    const value: unknown = JSON.parse(store?.getItem(PLACE) ?? 'null');
+    const value: unknown = JSON.parse(store?.getItem(STORAGE_KEY) ?? 'null');
     return typeof value === 'object' && value !== null ? (value as Record<string, unknown>) : null;
   } catch {
     return null;

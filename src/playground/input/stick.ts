@@ -3,13 +3,14 @@ import { ROTATION_ACTIONS, TRANSLATION_ACTIONS } from '../../readout';
 import type { Action } from './keyTable';
 import { type SteeringAxes, createSteeringAxes, pushInput, turnInput } from './steering';
 
-/** Throttle per tap. */
-const STEP = 0.005;
+/** The throttle is rounded to multiples of this. */
+const THROTTLE_STEP = 0.005;
 /** Throttle per second of holding its key: slow at first, for hovering, then fast. */
 const FINE_RATE = 0.06;
 const FAST_RATE = 0.6;
 /** Seconds of holding after which the lever moves fast. */
 const FINE_SECONDS = 0.6;
+/** Throttle per tap of its key. */
 const TAP = 0.01;
 
 /** Deflections of a gamepad or of thumb sticks, −1 … 1, as seen on the screen; the lever's rate −1 … 1. */
@@ -84,7 +85,7 @@ const MODES: Partial<Record<Action, AttitudeMode>> = {
   modeRetrograde: 'surface_retrograde',
 };
 
-const FLIGHT = new Set<Action>([
+const FLIGHT_ACTIONS = new Set<Action>([
   ...ROTATION_ACTIONS.flat(),
   ...TRANSLATION_ACTIONS.flat(),
   'throttleUp',
@@ -98,8 +99,8 @@ const FLIGHT = new Set<Action>([
   'killRates',
 ]);
 
-export function isFlight(action: Action): boolean {
-  return FLIGHT.has(action);
+export function isFlightAction(action: Action): boolean {
+  return FLIGHT_ACTIONS.has(action);
 }
 
 /** The pilot takes over from the scenario or the autopilot. */
@@ -179,7 +180,7 @@ export function sampleStick(stick: Stick, seconds: number): Controls {
 /** The last sample while nothing changed, so that nothing is sent. */
 function keep(stick: Stick, turn: Vec3, push: Vec3): Controls {
   const last = stick.controls;
-  const thrustLevel = Math.round(stick.throttle / STEP) * STEP;
+  const thrustLevel = Math.round(stick.throttle / THROTTLE_STEP) * THROTTLE_STEP;
   const same =
     last.thrustLevel === thrustLevel &&
     last.attitudeHold === stick.damping &&

@@ -6,25 +6,25 @@
 import { openDocument } from './documents';
 import { keptBuild } from './keptBuild';
 
-/** The members of a service worker's scope that are used; TypeScript's library for it conflicts with the document's. */
-interface Scope {
+/** The members of ServiceWorkerGlobalScope that are used; TypeScript's library for it conflicts with the document's. */
+interface WorkerScope {
   readonly registration: { readonly scope: string; readonly unregister: () => Promise<boolean> };
   readonly clients: { readonly claim: () => Promise<void> };
   readonly skipWaiting: () => Promise<void>;
-  addEventListener: ((type: 'install' | 'activate', listener: (event: Lasting) => void) => void) &
-    ((type: 'fetch', listener: (event: Asked) => void) => void);
+  addEventListener: ((type: 'install' | 'activate', listener: (event: ExtendableEvent) => void) => void) &
+    ((type: 'fetch', listener: (event: FetchEvent) => void) => void);
 }
 
-interface Lasting {
+interface ExtendableEvent {
   readonly waitUntil: (work: Promise<unknown>) => void;
 }
 
-interface Asked extends Lasting {
+interface FetchEvent extends ExtendableEvent {
   readonly request: Request;
   readonly respondWith: (response: Promise<Response>) => void;
 }
 
-const scope = self as unknown as Scope;
+const scope = self as unknown as WorkerScope;
 /** Of the document, and so of the folder it is in. */
 const address = scope.registration.scope;
 const build = keptBuild(address, caches);

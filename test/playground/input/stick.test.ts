@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import {
   createStick,
-  isFlight,
+  isFlightAction,
   press,
   release,
   releaseAll,
@@ -109,7 +109,7 @@ describe('the stick, by device and by key', () => {
 
   it('is what flight keys move, and commands are not', () => {
     const flight = ['pitchPlus', 'translateZMinus', 'throttleFull', 'killRates', 'modeHold'] as const;
-    expect(flight.every(isFlight)).toBe(true);
-    expect((['autopilot', 'restart', 'mute', 'help'] as const).some(isFlight)).toBe(false);
+    expect(flight.every(isFlightAction)).toBe(true);
+    expect((['autopilot', 'restart', 'mute', 'help'] as const).some(isFlightAction)).toBe(false);
   });
 });

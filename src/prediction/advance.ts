@@ -59,8 +59,8 @@ function alignFront(session: Session, now: number): Position {
   const { timing, timeScale, tickRate, paused } = spanOf(sim.timeline, sim.newestTick);
   const answers = answersPings(clock);
   const horizon = paused ? Number.POSITIVE_INFINITY : horizonOf(sim.cadence, tickRate, answers);
-  const limit = wallOfTick(sim.timeline, sim.newestTick) + horizon + (answers ? 0 : leadOf(clock));
-  const jumped = advanceClock(clock, now, { deadZone: timing.dt / timeScale / 2, limit });
+  const latest = wallOfTick(sim.timeline, sim.newestTick) + horizon + (answers ? 0 : leadOf(clock));
+  const jumped = advanceClock(clock, now, { deadZone: timing.dt / timeScale / 2, latest });
   const absent = wasAbsent(session, now);
   const target = locate(sim, clock.present);
   if (absent && now - advancedBefore > KEYS_HELD) pilot.released = pilot.last;

@@ -29,20 +29,20 @@ export interface Pacing {
   /** Error that is tolerated, wall s: half a substep. */
   readonly deadZone: number;
   /** Server wall s that the present never passes: the newest frame plus the prediction horizon. */
-  readonly limit: number;
+  readonly latest: number;
 }
 
 /**
  * Moves the present to `now`.
  * @returns whether it jumped: after a clock jump, or because it has just started
  */
-export function advanceClock(clock: Clock, now: number, { deadZone, limit: horizon }: Pacing): boolean {
+export function advanceClock(clock: Clock, now: number, { deadZone, latest }: Pacing): boolean {
   const elapsed = Number.isNaN(clock.updatedAt) ? 0 : Math.max(0, now - clock.updatedAt);
   clock.updatedAt = now;
   measureClockStep(clock, elapsed);
   clock.steer = Math.max(0, clock.steer - elapsed * STEER_DECAY);
   const aim = serverTime(clock, now) + leadOf(clock);
-  const limit = Math.min(horizon, clock.stoppedAt + leadOf(clock));
+  const limit = Math.min(latest, clock.stoppedAt + leadOf(clock));
   const target = Math.min(aim, limit);
   const step = stepOf(clock);
   if (aim > limit || Math.abs(clock.offset - clock.settledOffset) > step) clock.stepped = true;

@@ -13,7 +13,7 @@ import { advanceClock } from '../../../src/prediction/time/present';
 import { createRandom } from '../../../src/scenarios';
 
 const SUBSTEP = 0.01;
-const PACING = { deadZone: SUBSTEP, limit: Number.POSITIVE_INFINITY };
+const PACING = { deadZone: SUBSTEP, latest: Number.POSITIVE_INFINITY };
 
 /** Pings every 0.2 s over a link, the server's clock `offset` s behind the client's. */
 function run(

@@ -6,7 +6,7 @@ import { advanceClock, type Pacing } from '../../../src/prediction/time/present'
 const NOW = 1000;
 const OFFSET = 100;
 const FRAME = 1 / 64;
-const PACING: Pacing = { deadZone: 0.005, limit: Number.POSITIVE_INFINITY };
+const PACING: Pacing = { deadZone: 0.005, latest: Number.POSITIVE_INFINITY };
 
 /** A clock whose last frame was at NOW, with a present that is `error` s behind where it should be (negative: ahead). */
 function clockBehind(error: number, more: Partial<Clock> = {}): Clock {
@@ -173,17 +173,17 @@ describe('an offset that was uncertain', () => {
 describe('the limit of the present', () => {
   it('is the horizon after the newest frame', () => {
     const clock = clockBehind(0);
-    const limit = clock.present + FRAME / 2;
-    expect(advance(clock, FRAME, { limit }).moved).toBeCloseTo(FRAME / 2, 9);
-    expect(advance(clock, FRAME, { limit }).moved).toBe(0);
+    const latest = clock.present + FRAME / 2;
+    expect(advance(clock, FRAME, { latest }).moved).toBeCloseTo(FRAME / 2, 9);
+    expect(advance(clock, FRAME, { latest }).moved).toBe(0);
     // Frames come again: at once where it should be.
-    expect(advance(clock, 0.5, { limit }).moved).toBe(0);
+    expect(advance(clock, 0.5, { latest }).moved).toBe(0);
     expect(advance(clock).jumped).toBe(true);
   });
 
   it('does not move it back', () => {
     const clock = clockBehind(0);
-    expect(advance(clock, FRAME, { limit: clock.present - 0.05 }).moved).toBe(0);
+    expect(advance(clock, FRAME, { latest: clock.present - 0.05 }).moved).toBe(0);
   });
 
   it('is where a server that has stopped stood, and the lead', () => {

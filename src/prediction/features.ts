@@ -9,7 +9,6 @@ import { knowsGround, withoutGround } from './ground/unknownGround';
 import { GAME_CATALOGUE } from './options';
 import { announce, type SessionFeatures } from './session';
 import { carry } from './simulation/carry';
-import { keepWithinBudget } from './frameBudget';
 import { rowsWithin } from './simulation/history';
 import {
   holdSleeping,
@@ -39,6 +38,7 @@ import { receiveRest, takeOlder, takePart, takeShips } from './snapshots/takePar
 import { receivePong } from './snapshots/receivePong';
 import { loadUntrusted } from './snapshots/worldConfig';
 import { measureUnsentRate, sentUntimed } from './snapshots/unsentTickRate';
+import { keepWithinBudget } from './frameBudget';
 import { pingIfDue } from './time/pings';
 import { fillTouchdown, logSubstep } from './touchdown/touchdownLog';
 import { rewindLog } from './touchdown/touchdownRewind';

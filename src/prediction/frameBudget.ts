@@ -12,7 +12,7 @@ import { copyRow, type Track } from './simulation/track';
 export interface FrameBudget {
   /** Substeps of single ships, stepped and replayed, per frame. */
   readonly shipSubsteps: number;
-  /** Smoothed number of substeps due per ship and frame: a single long frame switches no ship off. */
+  /** Smoothed number of substeps due per ship and frame, NaN at first: a single long frame switches no ship off. */
   due: number;
 }
 
@@ -24,10 +24,6 @@ const RETURN_SHARE = 0.8;
 const SMOOTHING = 0.1;
 /** A frame with this many times the usual substeps is a hitch. */
 const HITCH = 3;
-
-export function createFrameBudget(shipSubsteps: number): FrameBudget {
-  return { shipSubsteps, due: Number.NaN };
-}
 
 /**
  * Decides, before the front moves by `due` substeps, which ships can follow. The others are switched off or, if only this frame is too

@@ -16,12 +16,12 @@ import { createViewBuilder, type ViewBuilder } from './drawn/worldView';
 import { createPilot, type Pilot } from './inputs/pilot';
 import { createSending, type Sending } from './inputs/sending';
 import { BUDGET, type Catalogue, defaultWorld, type PredictorOptions } from './options';
-import { createFrameBudget, type FrameBudget, type keepWithinBudget } from './frameBudget';
 import { createSimulation, type Features, type Simulation } from './simulation/simulation';
 import type { PendingFrames } from './snapshots/pendingFrames';
 import { createReceiver, forgetPast, type Receiver } from './snapshots/receiver';
 import { loadConfig, type WorldConfig } from './snapshots/worldConfig';
 import { type Clock, createClock, forgetSchedule } from './time/clock';
+import type { FrameBudget, keepWithinBudget } from './frameBudget';
 import { createPings, type Pings } from './time/pings';
 import { createWarn, type Warn } from './warnings';
 
@@ -101,7 +101,7 @@ export function createSession(options: PredictorOptions, features: SessionFeatur
     pings: createPings(),
     sending: createSending(),
     pending: null,
-    budget: createFrameBudget(options.maxSubstepsPerFrame ?? BUDGET),
+    budget: { shipSubsteps: options.maxSubstepsPerFrame ?? BUDGET, due: Number.NaN },
     listeners: new Set(),
     sim,
     viewBuilder: createViewBuilder(sim, springsOf(options.smoothing), features),

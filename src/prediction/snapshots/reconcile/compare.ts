@@ -90,8 +90,7 @@ export function firstDifference(server: Place, predicted: Place, tolerance: Tole
   if (s[i + REFERENCE_BODY] !== p[j + REFERENCE_BODY]) return 'referenceBody';
   if (s[i + CRASHED] !== p[j + CRASHED]) return 'crashed';
   if (s[i + SURFACE_STATE] !== p[j + SURFACE_STATE]) return 'surfaceContactState';
-  seeFromBody(serverSeen, server);
-  seeFromBody(predictedSeen, predicted);
+  seeBoth(server, predicted);
   if (!near(serverSeen.place, predictedSeen.place, tolerance, PLACE)) return 'position';
   if (!near(serverSeen.velocity, predictedSeen.velocity, tolerance, SPEED)) return 'velocity';
   if (!sameAttitude(serverSeen.attitude, predictedSeen.attitude)) return 'attitude';
@@ -119,8 +118,7 @@ export function writeError(out: PredictionError, server: Place, predicted: Place
     out.errorAngle = Number.NaN;
     return;
   }
-  seeFromBody(serverSeen, server);
-  seeFromBody(predictedSeen, predicted);
+  seeBoth(server, predicted);
   for (let k = 0; k < 3; k++) serverSeen.place[k] = serverSeen.place[k]! - predictedSeen.place[k]!;
   out.errorPosition = lengthOf(serverSeen.place);
   turnBetween(turn, serverSeen.attitude, predictedSeen.attitude);
@@ -131,8 +129,7 @@ const turn = quaternion();
 
 /** The field in words, with both values, in the body's axes where it is a vector. */
 export function describeDifference(field: Field, server: Place, predicted: Place): string {
-  seeFromBody(serverSeen, server);
-  seeFromBody(predictedSeen, predicted);
+  seeBoth(server, predicted);
   const [serverValue, predictedValue] = valuesOf(field, server, predicted);
   return `${field}: server ${serverValue}, predicted ${predictedValue}`;
 }
@@ -149,6 +146,11 @@ const seen = (): Seen => ({ place: vector(), velocity: vector(), attitude: quate
 const serverSeen = seen();
 const predictedSeen = seen();
 const body = quaternion();
+
+function seeBoth(server: Place, predicted: Place): void {
+  seeFromBody(serverSeen, server);
+  seeFromBody(predictedSeen, predicted);
+}
 
 function seeFromBody(out: Seen, { rows, at, bodies }: Place): void {
   take(body, bodies, rows[at + REFERENCE_BODY]! * BODY_STRIDE + BODY_ATTITUDE);

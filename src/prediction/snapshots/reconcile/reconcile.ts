@@ -116,21 +116,16 @@ function confirmOrCorrect(
   field: Field | null,
 ): void {
   const sent = context.compared.server.rows;
-  if (track.off) {
+  if (track.off || predicted === null || field === null) {
+    if (!track.off) startReplay(track, sim, context.tick, sent, 0);
     sim.sleep?.sleepAtFirst(sim, track, context.bodies);
     return;
   }
-  if (predicted === null || field === null) {
-    startReplay(track, sim, context.tick, sent, 0);
-    sim.sleep?.sleepAtFirst(sim, track, context.bodies);
-    return;
-  }
-  const commanded = sameCommand(sent, 0, predicted.rows, predicted.at);
-  if (field !== 'none' || !(commanded || sim.sleep?.sleepsThrough(track, sent))) {
-    correct(sim, track, field, predicted, context);
-    return;
-  }
-  if (track.own && context.inputs !== 'asPredicted' && track.mode !== 'sleeping') {
+  const agrees =
+    field === 'none' &&
+    (sameCommand(sent, 0, predicted.rows, predicted.at) || sim.sleep?.sleepsThrough(track, sent));
+  const isApplied = !track.own || context.inputs === 'asPredicted' || track.mode === 'sleeping';
+  if (!agrees || !isApplied) {
     correct(sim, track, field, predicted, context);
     return;
   }

@@ -45,14 +45,14 @@ describe('a gap between two frames', () => {
     expect([flying().advance(0.9), flying().advance(1.1)]).toEqual([0, 1]);
   });
 
-  it('is none on a page whose frames always take as long', () => {
+  it('is no absence on a page whose frames always take that long', () => {
     const slow = flying(1);
     expect(slow.session.usualGap).toBeCloseTo(1, 9);
     expect(slow.advance(2.9)).toBe(0);
     expect(flying(1).advance(3.1)).toBe(1);
   });
 
-  it('that is usual is the mean of the last, by a fifth each', () => {
+  it('is compared with a running mean, to which each gap adds a fifth', () => {
     const { session, advance } = flying();
     advance(0.5);
     expect(session.usualGap).toBeCloseTo(0.8 * FRAME + 0.2 * 0.5, 9);
@@ -61,7 +61,7 @@ describe('a gap between two frames', () => {
     expect(session.usualGap).toBe(before);
   });
 
-  it('of more than two seconds lets go of the keys that were held', () => {
+  it('of more than two seconds releases held keys', () => {
     for (const [seconds, released] of [
       [1.9, null],
       [2.1, NEUTRAL_CONTROLS],
@@ -106,7 +106,7 @@ describe('a frame', () => {
     expect(sim.inputs.records).toEqual([]);
   });
 
-  it('tells the listeners what happened in it', () => {
+  it('notifies listeners of its events', () => {
     const { session, sim, advance } = flying();
     const heard: unknown[] = [];
     session.listeners.add((notice) => heard.push(notice));
@@ -116,7 +116,7 @@ describe('a frame', () => {
     expect(heard).toContain(notice);
   });
 
-  it('does not go beyond what the history holds', () => {
+  it('simulates no further than the history reaches', () => {
     const { session, sim } = flying();
     sim.ringLength = 12;
     session.clock.present = 1e6;
@@ -142,7 +142,7 @@ describe('the present', () => {
 });
 
 describe('a view', () => {
-  it('between two frames goes on at the rate of the present', () => {
+  it('between two frames advances at the rate of the present', () => {
     const { session, clock, sim, at } = flying();
     clock.rate = 0.5;
     const present = ({ tick, sinceTick }: { tick: number; sinceTick: number }) =>
@@ -163,7 +163,7 @@ describe('a view', () => {
     expect(counters.lead).toBeCloseTo(clock.present - (at() - clock.offset), 9);
   });
 
-  it('tells for how long nothing was heard', () => {
+  it('reports how long the server has been silent', () => {
     const { session, at } = flying();
     expect(viewAt(session, at() + 2).silence).toBeCloseTo(2, 9);
     expect(viewAt(session, at() - 2).silence).toBe(0);

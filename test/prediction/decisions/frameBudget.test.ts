@@ -63,7 +63,7 @@ describe('ships whose substeps exceed three quarters of the budget', () => {
     expect(near.map(({ off }) => off)).toEqual([...Array<boolean>(7).fill(false), true, true]);
   });
 
-  it('all stay where they fit', () => {
+  it('all stay in step if they fit', () => {
     const { sim, budget, near } = fleetOf(9);
     keepWithinBudget(sim, budget, 75);
     expect(near.every(({ off, mode }) => !off && mode === 'stepping')).toBe(true);

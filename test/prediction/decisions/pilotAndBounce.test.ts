@@ -36,7 +36,7 @@ function seated(substep = 3) {
 }
 
 describe('a sample of the controls', () => {
-  it('that are in force is no input', () => {
+  it('makes no input if they are already in force', () => {
     const { pilot, inForce, sample } = seated();
     expect(sample({})).toEqual([]);
     expect(pilot.last).toEqual(inForce);
@@ -55,7 +55,7 @@ describe('a sample of the controls', () => {
     });
   });
 
-  it('is compared with the input that is still to act', () => {
+  it('is compared with the newest pending input', () => {
     const { sim, sample } = seated();
     sample({ thrustLevel: 0.5 }, 'tick');
     expect(sample({ thrustLevel: 0.5 }, 'tick')).toHaveLength(1);
@@ -68,7 +68,7 @@ describe('a sample of the controls', () => {
     ]);
   });
 
-  it('that is not finite changes nothing', () => {
+  it('is ignored if it is not finite', () => {
     const { pilot, sample } = seated();
     expect(sample({ thrustLevel: NaN })).toEqual([]);
     expect(pilot.last).toBeNull();
@@ -91,7 +91,7 @@ describe('a sample of the controls', () => {
     expect(sample({})).toEqual([[TICK, 3, 0]]);
   });
 
-  it('of a spectator is none', () => {
+  it('of a spectator is ignored', () => {
     const { sim, sample } = seated();
     sim.fleet.own = null;
     expect(sample({ thrustLevel: 1 })).toEqual([]);
@@ -179,7 +179,7 @@ describe('a ship predicted on the ground', () => {
     });
   });
 
-  it('teaches nothing without a prediction', () => {
+  it('is not judged without a prediction', () => {
     expect(predictedDown().learn(null).groundedWrongly).toBe(0);
   });
 });

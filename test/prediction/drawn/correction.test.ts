@@ -141,7 +141,7 @@ describe('a correction', () => {
     expect(elsewhere(drawn())).toBe(false);
   });
 
-  it('of a ship that was not drawn is none', () => {
+  it('of a ship that was not drawn is not eased', () => {
     const { sim, track, place, ease } = drawn();
     track.mode = 'waiting';
     const before = captureDrawn(sim, track);
@@ -150,7 +150,7 @@ describe('a correction', () => {
     expect([ease.active, sim.counters.snaps]).toEqual([false, 0]);
   });
 
-  it('ends what was held and skipped, and tells whether the ship was turned upright', () => {
+  it('clears the held pose and the skipped time, and notes an uprighting', () => {
     const { sim, track } = drawn();
     holdDrawn(sim, track);
     expect(track.picture.hasHeld).toBe(true);
@@ -162,7 +162,7 @@ describe('a correction', () => {
     expect(track.picture.sinceUprighting).toBe(LONG_AGO);
   });
 
-  it('of a ship that was held begins from where it was held', () => {
+  it('of a held ship is eased from the held pose', () => {
     const { sim, track, place, ease } = drawn();
     holdDrawn(sim, track);
     const held = [...track.picture.heldPlace];
@@ -197,7 +197,7 @@ describe('another policy', () => {
     expect([faded(24.9), faded(25.1)]).toEqual([true, false]);
   });
 
-  it('fades over the way of two seconds more', () => {
+  it('may fade over the distance of two more seconds', () => {
     const moving = ({ track }: Drawn) => track.serverRow.set(along(10), VELOCITY);
     const most = 25 + 10 * POLICY_STALL;
     expect([faded(most - 0.1, moving), faded(most + 0.1, moving)]).toEqual([true, false]);

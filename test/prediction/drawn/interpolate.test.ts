@@ -119,7 +119,7 @@ describe('an interpolated ship', () => {
     expectNear(last.attitude, turnAbout(AXIS, 0.8));
   });
 
-  it('is in the later of two states of one instant', () => {
+  it('takes the later of two states at one instant', () => {
     expectNear(drawnAt(0, { ticks: [TICK, TICK] }).position, TO.position);
   });
 });

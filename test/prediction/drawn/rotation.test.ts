@@ -63,7 +63,7 @@ describe('a rotation', () => {
     near(own, V);
   });
 
-  it('follows another, is seen from it, and leads on from it', () => {
+  it('is composed with another, converted to its axes, and recovered as the difference', () => {
     near(
       effect((out) => rotation.compose(out, a, b)),
       turned(A, turned(B, V)),

@@ -167,7 +167,7 @@ describe('a ship in a view', () => {
     expect([own.groundOffset, own.groundConfidence, track.picture.groundOffset]).toEqual([0, 0, 0]);
   });
 
-  it('stands on the learned ground, which is drawn at once on the ground and by and by in flight', () => {
+  it('stands on the learned ground, which is drawn at once on the ground and gradually in flight', () => {
     const learned = (state: number) => {
       const of = seen();
       const { sim, track, view } = of;

@@ -39,7 +39,7 @@ const placeBeside = (metres: number, more: Partial<GroundPlace> = {}) =>
   placeOf({ direction: Float64Array.from(aside(metres)), ...more });
 
 describe('the learned offset', () => {
-  it('is whole up to 150 m from its place, gone at 1 km, and half in the middle', () => {
+  it('applies fully within 150 m of its place, by half midway, and not at all from 1 km on', () => {
     for (const [metres, share] of [
       [0, 1],
       [149, 1],
@@ -59,13 +59,13 @@ describe('the learned offset', () => {
     expect(offsetBeside([placeOf({ slope })], -100)).toBeCloseTo(2 - 5, 6);
   });
 
-  it('is of its own body', () => {
+  it('applies to its own body only', () => {
     expect(offsetBeside([placeOf()], 0, 'Terra')).toBe(0);
     const other = placeOf({ bodyName: 'Terra', offset: 9 });
     expect(offsetBeside([placeOf(), other], 0)).toBe(2);
   });
 
-  it('is the newer one’s where places overlap, as far as that reaches', () => {
+  it('comes from the newer place where two overlap', () => {
     const [older, newer] = [placeOf({ offset: 2 }), placeBeside(500, { offset: 4 })];
     expect(offsetBeside([older, newer], 500)).toBe(4);
     // 425 m from the newer one: half of it, and the older one's for the rest.
@@ -89,7 +89,7 @@ describe('a place', () => {
     expect(metresFrom(older, Float64Array.from(aside(120)))).toBeCloseTo(120, 3);
   });
 
-  it('takes the place of one nearby, and of the oldest of eight', () => {
+  it('replaces a nearby place, or the oldest of eight', () => {
     const ground = createLearnedGround();
     const kept = () => ground.places.map(({ offset }) => offset);
     for (let i = 0; i < 8; i++) keepPlace(ground, placeBeside(1000 * i, { offset: i }));
@@ -100,7 +100,7 @@ describe('a place', () => {
     expect(kept()).toEqual([1, 2, 4, 5, 6, 7, 30, 9]);
   });
 
-  it('fades from five minutes after it was confirmed, and is gone after twenty', () => {
+  it('fades from 5 to 20 minutes after its last confirmation', () => {
     const weights = (...ages: number[]) =>
       ages.map((age) => {
         const ground = createLearnedGround();
@@ -121,7 +121,7 @@ describe('the ground that a ship reads', () => {
     return { ground, reading: ground.reading!, world: sessionAt(1).sim.world };
   };
 
-  it('is the world itself without a place, and raised by one', () => {
+  it('is the terrain itself without a place, and raised by a place’s offset', () => {
     const { ground, reading, world } = read();
     expect(reading.worldOf(ground, world)).toBe(world);
     ground.places.push(placeOf());
@@ -129,7 +129,7 @@ describe('the ground that a ship reads', () => {
     expect(raised.terrainHeight('Luna', ...AT)).toBeCloseTo(2, 9);
   });
 
-  it('is made once for each world', () => {
+  it('is created once per world', () => {
     const { ground, reading, world } = read();
     ground.places.push(placeOf());
     const raised = reading.worldOf(ground, world);
@@ -137,7 +137,7 @@ describe('the ground that a ship reads', () => {
     expect(reading.worldOf(ground, { ...world })).not.toBe(raised);
   });
 
-  it('is trusted by half after one state, by three quarters after three, less as it fades', () => {
+  it('has confidence 0.5 after one state, 0.75 after three, and less as it fades', () => {
     const { ground, reading } = read();
     const trust = (states: number, weight = 1) => {
       ground.places.splice(0, 9, placeOf({ states, weight }));

@@ -26,8 +26,8 @@ function flown(mode: Mode = 'stepping') {
   return { ...session, session, track, other };
 }
 
-describe('the player changes ship', () => {
-  it('takes no inputs of the one before', () => {
+describe('a change of the player’s ship', () => {
+  it('drops the inputs of the previous ship', () => {
     const { session, sim, pilot, receiver, track, other } = flown();
     changeOwnShip(session, 'other');
     expect([sim.inputs.records.length, pilot.last, pilot.released]).toEqual([0, null, null]);
@@ -36,13 +36,13 @@ describe('the player changes ship', () => {
     expect([track.own, track.log, other.own]).toEqual([false, null, true]);
   });
 
-  it('leaves all as it is where it is the same one', () => {
+  it('to the same ship changes nothing', () => {
     const { session, sim, pilot, track } = flown();
     changeOwnShip(session, 'own');
     expect([sim.inputs.records.length, pilot.last, track.own]).toEqual([1, NEUTRAL_CONTROLS, true]);
   });
 
-  it('may be one that is not there, or none', () => {
+  it('to a ship that is not present, or to none, is accepted', () => {
     for (const shipId of ['unseen', '']) {
       const { session, sim, track } = flown();
       changeOwnShip(session, shipId);
@@ -75,21 +75,21 @@ describe('the player changes ship', () => {
   );
 });
 
-describe('a ship that is removed', () => {
-  it('is gone at once, with the inputs for it', () => {
+describe('a removed ship', () => {
+  it('disappears at once, with its inputs', () => {
     const { session, sim, receiver } = flown();
     dropShip(session, 'own', 'gone');
     expect([sim.fleet.byId.has('own'), sim.fleet.own, sim.inputs.records.length]).toEqual([false, null, 0]);
     expect(receiver.removed.get('own')).toBe(TICK);
   });
 
-  it('of another pilot leaves the inputs', () => {
+  it('of another player does not affect the inputs', () => {
     const { session, sim } = flown();
     dropShip(session, 'other', 'docked');
     expect([sim.fleet.tracks.length, sim.inputs.records.length]).toEqual([1, 1]);
   });
 
-  it('that is not there is remembered', () => {
+  it('stays removed if it was not present', () => {
     const { session, sim, receiver } = flown();
     dropShip(session, 'unseen', 'gone');
     expect([sim.fleet.tracks.length, receiver.removed.get('unseen')]).toEqual([2, TICK]);
@@ -106,8 +106,8 @@ describe('a ship that is removed', () => {
   });
 });
 
-describe('a ship that will be moved', () => {
-  it('has no past, and its next state is shown at once', () => {
+describe('a teleported ship', () => {
+  it('loses its history and shows its next state at once', () => {
     const { session, sim, track } = flown();
     keep(track.history, TICK, sim.fleet.front, track.at);
     track.states = createServerStates();
@@ -115,20 +115,20 @@ describe('a ship that will be moved', () => {
     expect([has(track.history, TICK), track.states, track.replaySnaps]).toEqual([false, null, true]);
   });
 
-  it('wakes', () => {
+  it('wakes up', () => {
     const { session, track } = flown('sleeping');
     expectTeleport(session, 'own');
     expect([track.mode, track.picture.hasHeld]).toEqual(['waiting', true]);
   });
 
-  it('may be one that is not there', () => {
+  it('need not be present', () => {
     const { session, track } = flown();
     expectTeleport(session, 'unseen');
     expect(track.replaySnaps).toBe(false);
   });
 });
 
-it('a reset forgets ships, time, inputs, pings and what waits undecoded, and keeps who the pilot is', () => {
+it('a reset clears ships, time, inputs, pings and undecoded frames, and keeps the player’s ship', () => {
   const { session, pilot, pings, receiver } = flown();
   session.pending = { queue: [] } as never;
   session.advancedAt = 5;

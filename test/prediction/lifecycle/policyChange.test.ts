@@ -39,7 +39,7 @@ describe('a ship that is no longer predicted', () => {
     ]);
   });
 
-  it('that was not drawn holds none', () => {
+  it('holds no pose if it was not drawn', () => {
     const { track, change } = stepped('predict', { mode: 'waiting' });
     change('hold');
     expect([track.mode, track.picture.hasHeld]).toEqual(['held', false]);
@@ -47,7 +47,7 @@ describe('a ship that is no longer predicted', () => {
 });
 
 describe('a ship that is predicted again', () => {
-  it.each([true, false])('is replayed from its server state, and fades if it was seen: %s', (isSeen) => {
+  it.each([true, false])('is replayed from its server state, and eased if it was drawn: %s', (isSeen) => {
     const { session, sim, track, rowOf, change } = stepped('interpolate', { mode: 'held', replaying: false });
     session.receiver.policies.set('own', 'interpolate');
     if (isSeen) track.picture.view = createShipView(track, sim.world);
@@ -59,13 +59,16 @@ describe('a ship that is predicted again', () => {
       expect(rowOf(rows)).toEqual([...track.serverRow]);
   });
 
-  it.each([{ unpredictable: true }, { serverTick: -1 }])('is not where it cannot be: %o', (more) => {
-    const { track, change } = stepped('hold', { mode: 'held', replaying: false, ...more });
-    change('predict');
-    expect([track.policy, track.replaying]).toEqual(['predict', false]);
-  });
+  it.each([{ unpredictable: true }, { serverTick: -1 }])(
+    'stays as it is if it cannot be predicted: %o',
+    (more) => {
+      const { track, change } = stepped('hold', { mode: 'held', replaying: false, ...more });
+      change('predict');
+      expect([track.policy, track.replaying]).toEqual(['predict', false]);
+    },
+  );
 
-  it('of the first tick is', () => {
+  it('is predicted from the first tick too', () => {
     const { track, change } = stepped('hold', { mode: 'held', replaying: false, serverTick: 0 });
     change('predict');
     expect(track.replaying).toBe(true);
@@ -73,25 +76,25 @@ describe('a ship that is predicted again', () => {
 });
 
 describe('a policy', () => {
-  it('may change between interpolated and held: its states are others', () => {
+  it('changes between interpolated and held', () => {
     const { track, change } = stepped('interpolate', { mode: 'held' });
     change('hold');
     expect([track.policy, track.states, track.replaying]).toEqual(['hold', null, true]);
   });
 
-  it('that is the same changes nothing', () => {
+  it('changes nothing if it is the same', () => {
     const { track, change } = stepped();
     change('predict');
     expect([track.states === null, track.replaying]).toEqual([false, true]);
   });
 
-  it('that there is none of is ignored', () => {
+  it('is ignored if it does not exist', () => {
     const { session, track, change } = stepped();
     change('fade');
     expect([track.policy, session.receiver.policies.size]).toEqual(['predict', 0]);
   });
 
-  it('of a ship that is not there is kept for it', () => {
+  it('is kept for a ship that is not present yet', () => {
     const { session } = stepped();
     changePolicy(session, 'unseen', 'hold');
     expect(session.receiver.policies.get('unseen')).toBe('hold');

@@ -29,7 +29,7 @@ describe('the page’s end of a predictor in a worker', () => {
     return { remote, channel, posted, hand, advances };
   };
 
-  it('has one advance under way; of those meanwhile the newest follows its answer', () => {
+  it('sends one advance at a time, and after its answer only the newest one', () => {
     const { remote, hand, advances } = connected();
     for (const now of [1, 2, 3]) remote.advance(NEUTRAL_CONTROLS, now);
     expect(advances()).toEqual([1]);
@@ -44,7 +44,7 @@ describe('the page’s end of a predictor in a worker', () => {
     expect(advances()).toEqual([1, 3, 4, 5]);
   });
 
-  it('has the newest view, none before the first', () => {
+  it('returns the newest view, or null before the first', () => {
     const { remote, hand } = connected();
     expect(remote.view()).toBeNull();
     const view = { tick: 7 };
@@ -53,7 +53,7 @@ describe('the page’s end of a predictor in a worker', () => {
     expect(remote.view()).toBe(view);
   });
 
-  it('hands over what is to be sent once, in order', () => {
+  it('returns outgoing messages once, in order', () => {
     const { remote, hand } = connected();
     hand(advanced({ outgoing: ['a'] }));
     hand(advanced({ outgoing: ['b', 'c'] }));
@@ -61,7 +61,7 @@ describe('the page’s end of a predictor in a worker', () => {
     expect(remote.takeOutgoing()).toEqual([]);
   });
 
-  it('tells its listeners, until they leave', () => {
+  it('notifies listeners until they unsubscribe', () => {
     const { remote, hand } = connected();
     const heard: unknown[] = [];
     const leave = remote.onEvent((notice) => heard.push(notice));
@@ -71,7 +71,7 @@ describe('the page’s end of a predictor in a worker', () => {
     expect(heard).toEqual([1, 2]);
   });
 
-  it('resolves the snapshots in the order in which they were asked for', async () => {
+  it('resolves snapshots in the order of the requests', async () => {
     const { remote, hand, posted } = connected();
     const both = Promise.all([remote.snapshot(1), remote.snapshot(2)]);
     expect(posted).toEqual([1, 2].map((now) => ({ kind: 'snapshot', now })));
@@ -80,7 +80,7 @@ describe('the page’s end of a predictor in a worker', () => {
     expect(() => hand({ kind: 'snapshot', snapshot: 'nobody asked for' })).not.toThrow();
   });
 
-  it('passes on the other calls', () => {
+  it('forwards all other calls', () => {
     const { remote, posted } = connected();
     remote.receive(frameAt(1, 10), 5);
     remote.refused('why');
@@ -104,7 +104,7 @@ describe('the page’s end of a predictor in a worker', () => {
     ]);
   });
 
-  it('lets go of its channel and its listeners when disposed', () => {
+  it('closes its channel and removes its listeners when disposed', () => {
     const { remote, channel, posted, hand } = connected();
     const heard: unknown[] = [];
     remote.onEvent((notice) => heard.push(notice));
@@ -137,7 +137,7 @@ describe('the worker’s end', () => {
     expect(posted).toHaveLength(1);
   });
 
-  it('hands over what is to be sent, and each event once', () => {
+  it('sends outgoing messages and each event once', () => {
     const { predictor, posted, hand } = serving();
     hand({ kind: 'receive', message: helloAt(100, 10), now: 1 });
     hand({ kind: 'receive', message: frameAt(100, 10), now: 1 });
@@ -150,7 +150,7 @@ describe('the worker’s end', () => {
     expect(predictor.takeOutgoing()).toEqual([]);
   });
 
-  it('answers a request for a snapshot, and continues from one', () => {
+  it('returns a snapshot on request, and restores one', () => {
     const { posted, hand } = serving();
     hand({ kind: 'snapshot', now: 1 });
     expect(posted.map(({ kind }) => kind)).toEqual(['snapshot']);
@@ -167,7 +167,7 @@ describe('the worker’s end', () => {
     expect([framesRefused, lastRefusal === '']).toEqual([1, false]);
   });
 
-  it('lets go of its channel when disposed', () => {
+  it('closes its channel when disposed', () => {
     const { channel, hand } = serving();
     hand({ kind: 'reset' });
     expect(channel.onmessage).not.toBeNull();

@@ -119,7 +119,7 @@ describe('a front that is moved', () => {
   };
   const RESYNC = { resync: true, stepped: false };
 
-  it('is at the present, and its ships are replayed from the server’s state', () => {
+  it('stands at the present, and its ships are replayed from the server’s state', () => {
     const { sim, own } = moved(RESYNC);
     expect([sim.front, sim.frontIsStale, sim.alpha]).toEqual([{ tick: TICK + 3, substep: 4 }, false, 1]);
     expect(own).toMatchObject({ mode: 'waiting', replaying: true, replayTick: TICK });

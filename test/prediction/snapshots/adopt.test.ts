@@ -202,7 +202,7 @@ describe('a malformed state is refused by its field', () => {
       );
   });
 
-  it('and a whole one is not', () => {
+  it('a complete one is accepted', () => {
     expect(shipFault(STATE)).toBeNull();
     for (const given of [null, undefined, 7]) expect(shipFault(given)).toBe('expected an object');
     for (const shipId of ['', 7]) expect(shipFault({ ...STATE, shipId })).toBe('shipId: expected a string');

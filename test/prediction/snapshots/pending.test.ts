@@ -53,7 +53,7 @@ describe('frames that wait undecoded', () => {
     expect(received).toEqual(both);
   });
 
-  it('are the newest four; of those before them the events are told with the next', () => {
+  it('are at most the newest four; the events of older ones are reported with the next', () => {
     const { session, received, receive, decode } = waiting();
     for (const tick of [101, 102, 103, 104, 105, 106]) receive(waitingFrame(tick, [event(tick)]), 5);
     decode();
@@ -79,7 +79,7 @@ describe('frames that wait undecoded', () => {
     expect([events.length, events[0], events.at(-1)]).toEqual([1000, 3, 1002]);
   });
 
-  it('that cannot be decoded are refused', () => {
+  it('are refused if they cannot be decoded', () => {
     const { session, received, receive, decode } = waiting();
     const broken = { ...waitingFrame(101), decode: () => ({ ok: false, reason: 'frame: broken' }) };
     receive(broken as never, 5);
@@ -91,7 +91,7 @@ describe('frames that wait undecoded', () => {
     ]);
   });
 
-  it('at no time are ignored', () => {
+  it('are ignored without an arrival time', () => {
     const { session, receive } = waiting();
     receive(waitingFrame(101), Number.NaN);
     expect(session.pending?.queue ?? []).toEqual([]);

@@ -29,7 +29,7 @@ describe('a pong', () => {
     expect(clock.stoppedAt).toBe(Number.POSITIVE_INFINITY);
   });
 
-  it('of an overdue tick tells that the server stands at its end', () => {
+  it('of an overdue tick shows that the server waits at its end', () => {
     expect(answered({ sinceTick: 0.109 }).clock.stoppedAt).toBe(Number.POSITIVE_INFINITY);
     const { clock } = answered({ sinceTick: 0.111 });
     expect(clock.stoppedAt).toBeCloseTo(0.1, 9);

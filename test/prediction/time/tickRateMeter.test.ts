@@ -92,7 +92,7 @@ describe('the tick rate', () => {
       }
   });
 
-  it('does not change with a pause without a word', () => {
+  it('does not change during an unannounced pause', () => {
     const before = sends(30, 20, 10);
     const last = before.at(-1)!;
     for (const pause of [0.7, 5, 300]) {
@@ -123,7 +123,7 @@ describe('the tick rate', () => {
     }
   });
 
-  it('starts anew with a counter that goes back', () => {
+  it('restarts when the tick counter goes back', () => {
     const rates = ratesOf([...sends(20, 20, 10), ...sends(20, 5, 5, { tick: 0, at: 20 })], jitter(0.002));
     expect(rates[19]).toBe(20);
     expect(rates.at(-1)).toBe(5);
@@ -133,7 +133,7 @@ describe('the tick rate', () => {
     expect(ratesOf(sends(12, 20, 10, { tick: 2 ** 52 - 1000, at: 5 })).at(-1)).toBe(20);
   });
 
-  it('is never one that the game has not', () => {
+  it('is always within the game’s range', () => {
     expect(ratesOf(sends(40, 400, 200)).every((rate) => rate === null)).toBe(true);
     expect(ratesOf(sends(40, 0.02, 1)).every((rate) => rate === null)).toBe(true);
   });
@@ -178,7 +178,7 @@ describe('how late the newest frame is', () => {
   const onTime = sends(12, 20, 10);
   const next = sends(2, 20, 10, onTime.at(-1));
 
-  it('is told against the least delayed ones', () => {
+  it('is measured from the least delayed arrivals', () => {
     expect(meterAfter(onTime).late).toBeCloseTo(0, 9);
     const late = { ...next[0]!, at: next[0]!.at + 0.03 };
     expect(meterAfter([...onTime, late]).late).toBeCloseTo(0.03, 9);
@@ -195,7 +195,7 @@ describe('how late the newest frame is', () => {
 });
 
 describe('three frames', () => {
-  it('tell no rate where one is later than a twentieth of their time', () => {
+  it('give no rate if one is late by more than a twentieth of their span', () => {
     const third = (late: number) => ratesOf(sends(3, 20, 3), (_, i) => (i === 1 ? late : 0))[2];
     expect(third(0.014)).toBe(20);
     expect(third(0.016)).toBe(null);

@@ -98,12 +98,12 @@ def ground_substep(ship: Ship, world: World, step: BodyStep, acting: Acting, dt:
     """Steps 3 to 9 in contact or tipped."""
     place, axes, torque, thrust, mass, factor = acting
     _, body_end_axes, body_turn = step
-    where = where_stands(ship, world, step[0], place)
+    where = ground_at_start(ship, world, step[0], place)
     penetration = where[1][0]
     weight = mass * place[4]
     pinned = False
     if penetration > 0:
-        pinned, force = press(ship, world, (mass, weight, dt), thrust, where)  # 3, 4, 5
+        pinned, force = move_on_ground(ship, world, (mass, weight, dt), thrust, where)  # 3, 4, 5
         moment = ground_torque(ship, world.config, axes, where, (force, weight, factor))
         torque = moment if torque is NOTHING else add(torque, moment)  # 6
     else:
@@ -125,7 +125,7 @@ def ground_substep(ship: Ship, world: World, step: BodyStep, acting: Acting, dt:
     return leave_or_change(ship, world.config, end, (end_penetration - penetration, dt))  # 9
 
 
-def where_stands(ship: Ship, world: World, body_axes: Mat3, place: Place) -> Where:
+def ground_at_start(ship: Ship, world: World, body_axes: Mat3, place: Place) -> Where:
     """A substep begins with the numbers on which the last one ended, unless something else has moved the ship."""
     ended = ship.ended
     if ended and len(ended) > 2 and ended[0] is ship.position and ended[2] is ship.velocity and ended[3] == body_axes:
@@ -134,7 +134,7 @@ def where_stands(ship: Ship, world: World, body_axes: Mat3, place: Place) -> Whe
     return place, ground, over_ground(ship, ground)
 
 
-def press(
+def move_on_ground(
     ship: Ship, world: World, masses: tuple[float, float, float], thrust: Vec3, where: Where
 ) -> tuple[bool, float]:
     """Steps 3 to 5 of a ship in the ground: whether it is pinned, and the normal force."""
@@ -144,13 +144,13 @@ def press(
     tipped = ship.surface_contact_state == TIPPED
     load, depth, along = load_of(mass, weight, thrust, ground)
     if tipped and is_nearly_at_rest(config, ground, over, depth):
-        most = config.contact_friction_static * load
-        if dot(along, along) <= most * most:
+        max_friction = config.contact_friction_static * load
+        if dot(along, along) <= max_friction * max_friction:
             return True, load
     settles = tipped or ship.impact_speed <= config.contact_bounce_speed
     force = spring_force(config, mass, ground, over[0], settles)
-    rubbing = friction(ship, config, (mass / dt, 0.5 * mass), (force, along), where) if force > 0 else NOTHING
-    accelerate(ship, weight, dt / mass, (force, rubbing, thrust), where)
+    friction_force = friction(ship, config, (mass / dt, 0.5 * mass), (force, along), where) if force > 0 else NOTHING
+    accelerate(ship, weight, dt / mass, (force, friction_force, thrust), where)
     if settles and (thrust is NOTHING or dot(thrust, place[:3]) <= weight):
         cap_rise(ship, ground, depth, dt)
     move(ship, dt)

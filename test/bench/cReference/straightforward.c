@@ -3,8 +3,11 @@
 // tuned.c, since both keep the order of ORDER.md.
 #include "actuators.h"
 
-#define STIFFNESS 100
-#define CRITICAL 20
+#define CONTACT_STIFFNESS 100
+#define CRITICAL_DAMPING 20
+#define SUPPORT_STIFFNESS 100
+#define SUPPORT_DAMPING 20
+#define SCRUB_DAMPING 20
 
 // Quantities of the table in DYNAMICS.md: m, N, rad/s, ICRF axes.
 typedef struct {
@@ -75,9 +78,9 @@ static quantities find_quantities(const ship *s, const world *in, const load *l,
   double off = dot(l->thrust, to.surface_normal), pressing = to.weight * to.cos_slope - off;
   to.load = pressing > 0 ? pressing : 0;
   to.along = sub(scale(to.slope, to.weight), sub(l->thrust, scale(to.surface_normal, off)));
-  to.depth = to.load / (STIFFNESS * l->mass);
+  to.depth = to.load / (CONTACT_STIFFNESS * l->mass);
   double sunk = to.penetration * to.cos_slope - to.depth;
-  to.vertical_squared = to.normal_speed * to.normal_speed + STIFFNESS * (sunk * sunk);
+  to.vertical_squared = to.normal_speed * to.normal_speed + CONTACT_STIFFNESS * (sunk * sunk);
   return to;
 }
 
@@ -117,8 +120,8 @@ static int is_settling(const ship *s, const world *in) {
 static double normal_force(const ship *s, const world *in, const load *l, const quantities *start, int pinned) {
   if (pinned) return start->load;
   if (!(start->penetration > 0)) return 0;
-  double damping = is_settling(s, in) ? CRITICAL : CRITICAL * in->settings.damping_ratio;
-  double force = l->mass * (STIFFNESS * (start->penetration * start->cos_slope) - damping * start->normal_speed);
+  double damping = is_settling(s, in) ? CRITICAL_DAMPING : CRITICAL_DAMPING * in->settings.damping_ratio;
+  double force = l->mass * (CONTACT_STIFFNESS * (start->penetration * start->cos_slope) - damping * start->normal_speed);
   return force > 0 ? force : 0;
 }
 
@@ -171,8 +174,8 @@ static vec3 ground_moment(const ship *s, const world *in, const load *l, const q
   vec3 turning = scale(start->surface_normal, yaw), tilting = sub(start->spin, turning);
   vec3 gravity = scale(cross(start->normal, start->up), carried * s->ground_contact_offset);
   double j = c->support_inertia * l->factor, j2 = c->scrub_inertia * l->factor;
-  vec3 support = sub(scale(cross(start->surface_normal, start->up), -100 * j), scale(tilting, 20 * j));
-  vec3 scrub = scale(add(turning, scale(start->up, roll)), -20 * j2);
+  vec3 support = sub(scale(cross(start->surface_normal, start->up), -SUPPORT_STIFFNESS * j), scale(tilting, SUPPORT_DAMPING * j));
+  vec3 scrub = scale(add(turning, scale(start->up, roll)), -SCRUB_DAMPING * j2);
   support = capped(support, level > 0 ? carried * c->leg_radius * level : 0);
   scrub = capped(scrub, in->settings.friction_kinetic * held * c->leg_radius);
   return add(add(gravity, support), scrub);

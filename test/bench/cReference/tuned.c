@@ -1,7 +1,10 @@
 #include "actuators.h"
 
-#define STIFFNESS 100
-#define CRITICAL 20
+#define CONTACT_STIFFNESS 100
+#define CRITICAL_DAMPING 20
+#define SUPPORT_STIFFNESS 100
+#define SUPPORT_DAMPING 20
+#define SCRUB_DAMPING 20
 
 // Quantities at a substep's start or end, in order of computation: n, s, v_s, v_tangential and intermediate values.
 typedef struct {
@@ -76,12 +79,12 @@ static void turn_place_with_ground(ship *s, const body *b) {
 static void read_load(load *l, const surface *at) {
   double pressing = l->mass * at->gravity * at->cos_slope - dot(l->thrust, at->surface_normal);
   l->pressing = pressing > 0 ? pressing : 0;
-  l->depth = l->pressing / (STIFFNESS * l->mass);
+  l->depth = l->pressing / (CONTACT_STIFFNESS * l->mass);
 }
 
 static int is_nearly_at_rest(const load *l, const world *in, const surface *at) {
   double settle = in->settings.settle_linear_vel, sunk = at->penetration * at->cos_slope - l->depth;
-  return at->normal_speed * at->normal_speed + STIFFNESS * (sunk * sunk) < settle * settle &&
+  return at->normal_speed * at->normal_speed + CONTACT_STIFFNESS * (sunk * sunk) < settle * settle &&
          at->slide_squared < settle * settle;
 }
 
@@ -100,8 +103,8 @@ static int settles_without_bounce(const ship *s, const world *in) {
 
 static double normal_force(const load *l, const ship *s, const world *in, const surface *start, int pinned) {
   if (pinned) return l->pressing;
-  double damping = settles_without_bounce(s, in) ? CRITICAL : CRITICAL * in->settings.damping_ratio;
-  double force = l->mass * (STIFFNESS * (start->penetration * start->cos_slope) - damping * start->normal_speed);
+  double damping = settles_without_bounce(s, in) ? CRITICAL_DAMPING : CRITICAL_DAMPING * in->settings.damping_ratio;
+  double force = l->mass * (CONTACT_STIFFNESS * (start->penetration * start->cos_slope) - damping * start->normal_speed);
   return force > 0 ? force : 0;
 }
 
@@ -153,9 +156,10 @@ static void add_ground_moments(load *l, const ship *s, const world *in, const su
   double most = l->weight * start->cos_slope, held = l->normal_force < most ? l->normal_force : most;
   double carried = held / start->cos_slope, level = dot(start->normal, up);
   double support = c->support_inertia * l->factor, scrub = c->scrub_inertia * l->factor;
-  vec3 by_legs = sub(scale(cross(start->surface_normal, up), -100 * support), scale(sub(spin, yaw), 20 * support));
+  vec3 by_legs = sub(scale(cross(start->surface_normal, up), -SUPPORT_STIFFNESS * support),
+                     scale(sub(spin, yaw), SUPPORT_DAMPING * support));
   by_legs = capped(by_legs, level > 0 ? carried * c->leg_radius * level : 0);
-  vec3 by_feet = scale(add(yaw, scale(up, s->state == TIPPED ? dot(spin, up) : 0)), -20 * scrub);
+  vec3 by_feet = scale(add(yaw, scale(up, s->state == TIPPED ? dot(spin, up) : 0)), -SCRUB_DAMPING * scrub);
   by_feet = capped(by_feet, in->settings.friction_kinetic * held * c->leg_radius);
   vec3 toppling = scale(cross(start->normal, up), carried * s->ground_contact_offset);
   l->torque = add(l->torque, rotate_back(&l->axes, add(add(toppling, by_legs), by_feet)));

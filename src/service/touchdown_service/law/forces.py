@@ -8,9 +8,9 @@ from .surface import Ground, OverGround, Place
 from .vectors import NOTHING, Vec3
 
 # k / m of the contact spring, s^-2.
-STIFFNESS = 100
+CONTACT_STIFFNESS = 100
 # c / m at critical damping, 1/s.
-CRITICAL = 20
+CRITICAL_DAMPING = 20
 # Square of the speed, 1 cm/s, above which only kinetic friction acts, (m/s)^2.
 HELD_SPEED_SQUARED = 1e-4
 
@@ -20,14 +20,14 @@ def load_of(mass: float, weight: float, thrust: Vec3, ground: Ground) -> tuple[f
     _, sx, sy, sz, cos, lx, ly, lz = ground
     if thrust is NOTHING:
         load = weight * cos
-        return load, load / (STIFFNESS * mass), (weight * lx, weight * ly, weight * lz)
+        return load, load / (CONTACT_STIFFNESS * mass), (weight * lx, weight * ly, weight * lz)
     tx, ty, tz = thrust
     off = tx * sx + ty * sy + tz * sz
     load = weight * cos - off
     if not load > 0:
         load = 0.0
     along = (weight * lx - (tx - off * sx), weight * ly - (ty - off * sy), weight * lz - (tz - off * sz))
-    return load, load / (STIFFNESS * mass), along
+    return load, load / (CONTACT_STIFFNESS * mass), along
 
 
 def is_nearly_at_rest(config: Config, ground: Ground, over: OverGround, depth: float) -> bool:
@@ -35,13 +35,13 @@ def is_nearly_at_rest(config: Config, ground: Ground, over: OverGround, depth: f
     most = config.settle_squared
     speed = over[0]
     sunk = ground[0] * ground[4] - depth
-    return speed * speed + STIFFNESS * (sunk * sunk) < most and over[4] < most
+    return speed * speed + CONTACT_STIFFNESS * (sunk * sunk) < most and over[4] < most
 
 
 def spring_force(config: Config, mass: float, ground: Ground, speed: float, settles: bool) -> float:
     """Step 4: spring and damper, N; critically damped where the contact settles without a bounce."""
-    damping = CRITICAL if settles else CRITICAL * config.contact_damping_ratio
-    force = mass * (STIFFNESS * (ground[0] * ground[4]) - damping * speed)
+    damping = CRITICAL_DAMPING if settles else CRITICAL_DAMPING * config.contact_damping_ratio
+    force = mass * (CONTACT_STIFFNESS * (ground[0] * ground[4]) - damping * speed)
     return force if force > 0 else 0.0
 
 

@@ -2,6 +2,8 @@ import { DataTexture, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping, RG
 import { cellNoise, fillTile } from './noise';
 
 const SIZE = 256;
+/** A power of two less one: a row or column beyond either edge is the one at `& LAST`. */
+const LAST = SIZE - 1;
 
 /**
  * Detail below the terrain callback's scale: grain, pebbles and small pits, as slopes (R, G; 0.5 = level), brightness (B) and
@@ -29,9 +31,14 @@ function grain(heights: Float32Array): void {
   const tile = new Float64Array(heights.length);
   for (let period = 4, size = 1; period <= 128; period *= 2, size *= 0.53) {
     fillTile(tile, SIZE, period, period);
-    for (let at = 0; at < sums.length; at++) sums[at]! += size * (tile[at]! - 0.5);
+    addOctave(sums, tile, size);
   }
   for (let at = 0; at < sums.length; at++) heights[at] = sums[at]! * 9;
+}
+
+/** Called once per octave: a loop of the caller's own would mostly run before it is compiled. */
+function addOctave(sums: Float64Array, tile: Float64Array, size: number): void {
+  for (let at = 0; at < sums.length; at++) sums[at]! += size * (tile[at]! - 0.5);
 }
 
 interface Pits {
@@ -75,13 +82,16 @@ interface Spot {
 
 function stamp(field: Float32Array, { x, y, reach }: Spot, height: (distance: number) => number): void {
   const from = Math.ceil(-reach);
+  const firstI = Math.round(x);
+  const firstK = Math.round(y);
   for (let dk = from; dk <= reach; dk++) {
+    const k = firstK + dk;
+    const row = (k & LAST) * SIZE;
     for (let di = from; di <= reach; di++) {
-      const i = Math.round(x) + di;
-      const k = Math.round(y) + dk;
+      const i = firstI + di;
       const d = Math.hypot(i - x, k - y);
       if (d > reach) continue;
-      const at = ((k + SIZE) % SIZE) * SIZE + ((i + SIZE) % SIZE);
+      const at = row + (i & LAST);
       field[at] = field[at]! + height(d);
     }
   }
@@ -93,20 +103,31 @@ function toBytes(heights: Float32Array, stones: Float32Array): Uint8Array {
   const fine = new Float64Array(SIZE * SIZE);
   fillTile(patches, SIZE, 8, 41);
   fillTile(fine, SIZE, 64, 43);
-  const at = (i: number, k: number) => heights[((k + SIZE) % SIZE) * SIZE + ((i + SIZE) % SIZE)]!;
-  for (let k = 0; k < SIZE; k++) {
-    for (let i = 0; i < SIZE; i++) {
-      const slopeX = (at(i + 1, k) - at(i - 1, k)) / 2;
-      const slopeY = (at(i, k + 1) - at(i, k - 1)) / 2;
-      const from = k * SIZE + i;
-      const to = from * 4;
-      bytes[to] = toByte(0.5 + slopeX * 0.35);
-      bytes[to + 1] = toByte(0.5 + slopeY * 0.35);
-      bytes[to + 2] = toByte(patches[from]! * 0.6 + fine[from]! * 0.4);
-      bytes[to + 3] = toByte(stones[from]!);
-    }
-  }
+  for (let k = 0; k < SIZE; k++) writeRow(bytes, k, { heights, patches, fine, stones });
   return bytes;
+}
+
+interface Fields {
+  readonly heights: Float32Array;
+  readonly patches: Float64Array;
+  readonly fine: Float64Array;
+  readonly stones: Float32Array;
+}
+
+function writeRow(bytes: Uint8Array, k: number, { heights, patches, fine, stones }: Fields): void {
+  const row = k * SIZE;
+  const above = ((k + 1) & LAST) * SIZE;
+  const below = ((k - 1) & LAST) * SIZE;
+  for (let i = 0; i < SIZE; i++) {
+    const slopeX = (heights[row + ((i + 1) & LAST)]! - heights[row + ((i - 1) & LAST)]!) / 2;
+    const slopeY = (heights[above + i]! - heights[below + i]!) / 2;
+    const from = row + i;
+    const to = from * 4;
+    bytes[to] = toByte(0.5 + slopeX * 0.35);
+    bytes[to + 1] = toByte(0.5 + slopeY * 0.35);
+    bytes[to + 2] = toByte(patches[from]! * 0.6 + fine[from]! * 0.4);
+    bytes[to + 3] = toByte(stones[from]!);
+  }
 }
 
 function toByte(value: number): number {

@@ -65,6 +65,7 @@ export function moveLevel(
 ): void {
   const [cornerX, cornerZ] = corner;
   const { points: old, spare: fresh } = level;
+  const place = { frame, terrainHeight };
   const shiftX = cornerX - level.cornerX;
   const shiftZ = cornerZ - level.cornerZ;
   for (let k = 0; k < SIDE; k++) {
@@ -78,9 +79,10 @@ export function moveLevel(
       }
       const x = cornerX + i - 1;
       const z = cornerZ + k - 1;
-      const shared = coarser === null ? -1 : pointAt(coarser, x / 2, z / 2);
+      // Every second row and column is the coarser level's too.
+      const shared = coarser === null || ((x | z) & 1) === 1 ? -1 : pointAt(coarser, x / 2, z / 2);
       if (shared >= 0) copyPoint(fresh, at, coarser!.points, shared);
-      else groundPoint(fresh, at, x * level.spacing, z * level.spacing, { frame, terrainHeight });
+      else groundPoint(fresh, at, x * level.spacing, z * level.spacing, place);
     }
   }
   level.points = fresh;
@@ -98,11 +100,11 @@ function copyPoint(out: Float64Array, to: number, points: Float64Array, from: nu
   out[to + 2] = points[from + 2]!;
 }
 
-/** Where `points` has the vertex of a grid index (in spacings from the frame's origin), or −1: the level has none there. */
+/** Where `points` has the vertex of a grid index (whole spacings from the frame's origin), or −1: the level has none there. */
 function pointAt({ filled, cornerX, cornerZ }: TerrainLevel, x: number, z: number): number {
+  if (!filled) return -1;
   const i = x - cornerX + 1;
   const k = z - cornerZ + 1;
-  if (!filled || !Number.isInteger(i) || !Number.isInteger(k)) return -1;
   return i >= 0 && i < SIDE && k >= 0 && k < SIDE ? (k * SIDE + i) * 3 : -1;
 }
 

@@ -29,7 +29,7 @@ const turned = (seconds: number, factor: number): BodyMotion => {
   };
 };
 
-describe('the spin of a body that turns otherwise than sent', () => {
+describe('the spin of a body that turns differently than sent', () => {
   /** The motions in use, of frames each 10 ticks and 0.5 s. */
   const motions = (factorAt: (frame: number) => number, frames = 6) => {
     const spin = createBodySpin();
@@ -51,12 +51,12 @@ describe('the spin of a body that turns otherwise than sent', () => {
       expect(attitude[2]).toBeCloseTo(turned(i / 2, 1.01).attitude[2], 15);
   });
 
-  it('is as sent while that fits, and not that of one attitude', () => {
+  it('stays as sent while that fits, and needs more than one attitude', () => {
     expect(spins(() => 1)).toEqual([1, 1, 1, 1, 1, 1]);
     expect(spins((i) => (i === 3 ? 1.01 : 1)).every((factor) => factor === 1)).toBe(true);
   });
 
-  it('is not measured twice from one tick, nor of a body that stands', () => {
+  it('is measured once per tick, and not for a body at rest', () => {
     const spin = createBodySpin();
     for (const tick of [5, 5, 5, 4]) spunMotion(spin, turned(tick / 2, 1.01), tick, 0.5);
     expect(spin.byAttitude.last).toBeNaN();
@@ -103,7 +103,7 @@ describe('the spin about an axis in general position', () => {
     near(made[3]!.attitude, sent(4, factor).attitude, 15);
   });
 
-  it('is not where it is half as fast again, or the body turns in two years', () => {
+  it('is not measured if it is half as fast again, or if the body turns in two years', () => {
     const fast = createBodySpin();
     for (const at of [0, 1, 2, 3]) spunMotion(fast, sent(at, 1.51), at, 1);
     expect([fast.factor, fast.byAttitude.last]).toEqual([1, NaN]);
@@ -112,14 +112,14 @@ describe('the spin about an axis in general position', () => {
     expect(slow.byAttitude.last).toBeNaN();
   });
 
-  it('is that of one ship which moves exactly along the ground’s path', () => {
+  it('is measured from one ship that moves exactly with the ground', () => {
     expect(measured(resting(0, 1.01), resting(2, 1.01))).toBeCloseTo(1.01, 6);
     // The path is 47 m long: a thousandth of it aside is too much.
     expect(measured(resting(0, 1.01), resting(2, 1.01, { aside: 0.04 }))).toBeCloseTo(1.01, 6);
     expect(measured(resting(0, 1.01), resting(2, 1.01, { aside: 0.06 }))).toBe(1);
   });
 
-  it('is that of two measurements aside of it which agree', () => {
+  it('is measured from two readings beside that path if they agree', () => {
     const spin = createBodySpin();
     for (const at of [2, 4]) {
       measureByShip(spin, resting(at - 2, 1.01), resting(at, 1.01, { aside: 1 }), bodies, 2);

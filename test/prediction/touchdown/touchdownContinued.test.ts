@@ -49,7 +49,7 @@ describe('a state beyond the simulation', () => {
     });
   });
 
-  it('is followed over 12 000 substeps at most', () => {
+  it('is computed over at most 12,000 substeps', () => {
     for (const [ticks, known] of [
       [1200, true],
       [1201, false],
@@ -113,7 +113,7 @@ describe('a state of a tick that was predicted', () => {
   });
 });
 
-describe('a ship of which nothing is known', () => {
+describe('a ship without history', () => {
   const landedAt = (metres: number, front = LANDED, state = LANDED) => {
     const { sim, track, ring } = falling();
     for (const rows of [track.serverRow, sim.fleet.front]) rows[SURFACE_STATE] = LANDED;
@@ -125,24 +125,24 @@ describe('a ship of which nothing is known', () => {
     return cardAfter(sim, track, row, TICK);
   };
 
-  it('keeps its card where it still rests in its place', () => {
+  it('keeps its card if it still rests in the same place', () => {
     expect(landedAt(0)).toMatchObject({ known: true, verticalSpeed: 3, state: LANDED });
     expect([landedAt(99.9).known, landedAt(100.1).known]).toEqual([true, false]);
   });
 
-  it('has none where it did not rest, or does not', () => {
+  it('has no card if it did not rest, or no longer rests', () => {
     expect(landedAt(0, CONTACT)).toMatchObject({ known: false, state: LANDED });
     expect(landedAt(0, LANDED, CONTACT)).toMatchObject({ known: false, state: CONTACT });
   });
 
-  it('that is another pilot’s has no log', () => {
+  it('has no log if it is another player’s', () => {
     const { sim, track } = falling();
     Object.assign(track, { own: false, log: null });
     rewindLog(track, sim, { tick: TICK, rows: track.serverRow, from: 0 });
     expect(track.log).toBeNull();
   });
 
-  it('that is the own one gets a log as long as its history', () => {
+  it('has a log as long as its history if it is the player’s', () => {
     const { sim, track } = falling();
     track.log = null;
     expect(cardAfter(sim, track, track.serverRow, TICK)).toMatchObject({ known: false, state: FLYING });

@@ -138,7 +138,7 @@ describe('the card after a touch', () => {
     expect(landed.settleSeconds).toBeCloseTo(0.36, 9);
   });
 
-  it('is a new one for the touch after rest', () => {
+  it('is replaced by that of a touch after rest', () => {
     const again = { ...touching, impact: 1.5, east: 1 };
     const card = cardAfter(flying, touching, { state: LANDED, times: 9 }, flying, again);
     expect(card).toMatchObject({
@@ -158,7 +158,7 @@ describe('the card after a touch', () => {
     expect(card.slideMetres).toBeCloseTo(0.06, 9);
   });
 
-  it('is not known of a ship first seen on the ground', () => {
+  it('is unknown for a ship first seen on the ground', () => {
     expect(cardAfter({ tilt: 0.5 }, { ...touching, times: 9 }, { state: LANDED })).toMatchObject({
       known: false,
     });
@@ -193,7 +193,7 @@ describe('a second hop', () => {
     ({ state: FLYING, up: 1, times: Math.round(seconds / DT), thrust }) as const;
   const ground = { ...touching, impact: 1, tilt: 0.1 };
 
-  it('is timed by itself, and its engine is its own', () => {
+  it('is timed separately, with thrust of its own', () => {
     // A hop may last 8.9 s under thrust.
     const twice = cardAfter(flying, ground, up(6, 0.1), ground, up(6, 0.1), ground);
     expect(twice).toMatchObject({ known: true, bounces: 2 });
@@ -221,7 +221,7 @@ describe('a crash from flight', () => {
     expect([card.verticalSpeed, card.horizontalSpeed]).toEqual([expect.closeTo(2, 9), expect.closeTo(3, 9)]);
   });
 
-  it('has none from a ship that rises', () => {
+  it('has speed 0 if the ship was rising', () => {
     expect(cardAfter({ ...flying, up: 2 }, { ...flying, up: 2, crashed: true }).verticalSpeed).toBe(0);
   });
 });

@@ -19,13 +19,13 @@ import { RATE } from '../decisions/sessionAt';
 import { cardWhere, climbAt, falling, inState, logOf, TICK } from './rewinding';
 
 describe('a state on the ground where flight was predicted', () => {
-  it('is a touch at the impact speed that the server sends', () => {
+  it('is logged as a touch at the impact speed that the server sends', () => {
     const card = cardWhere(logOf(FLYING), inState(CONTACT, 2.5));
     expect(card).toMatchObject({ known: true, outcome: 'open', verticalSpeed: 2.5, state: CONTACT });
     expect(cardWhere(logOf(FLYING), inState(LANDED, 2.5))).toMatchObject({ known: true, outcome: 'landed' });
   });
 
-  it('is a touch along the ground at the speed predicted', () => {
+  it('has the predicted speed along the ground', () => {
     const card = cardWhere(logOf(FLYING), (row, { track }) => {
       inState(CONTACT, 2.5)(row);
       const predicted = track.history.rows;
@@ -38,11 +38,11 @@ describe('a state on the ground where flight was predicted', () => {
     expect(card.horizontalSpeed).toBeLessThan(10);
   });
 
-  it('leaves no card where the server does not send the speed', () => {
+  it('leaves no card if the server does not send the speed', () => {
     expect(cardWhere(logOf(FLYING), inState(CONTACT, 0))).toMatchObject({ known: false, state: CONTACT });
   });
 
-  it('is a bounce on the card of a touch before', () => {
+  it('is logged as a bounce if a card is open', () => {
     const log = logOf(CONTACT, 3);
     log[LOGGED_STATE] = FLYING;
     expect(cardWhere(log, inState(CONTACT, 1))).toMatchObject({ known: true, verticalSpeed: 3, bounces: 1 });
@@ -84,7 +84,7 @@ describe('a state in flight where the ground was predicted', () => {
   });
 });
 
-it('a state as predicted, and a crash, leave the log as it is', () => {
+it('a state that agrees, and a crash, leave the log unchanged', () => {
   expect(cardWhere(logOf(CONTACT, 3), inState(CONTACT, 9))).toMatchObject({ verticalSpeed: 3, bounces: 0 });
   const crashed = cardWhere(logOf(FLYING), (row) => {
     inState(CONTACT, 2.5)(row);
@@ -109,7 +109,7 @@ describe('a ship that was moved', () => {
     expect([moved(99.9), moved(100.1)]).toEqual([true, false]);
   });
 
-  it('may have flown on while the server was silent, at the scale of time', () => {
+  it('may have moved during the server’s silence, at the time scale', () => {
     const silent = ({ track }: ReturnType<typeof falling>) => (track.silence = 2);
     expect([moved(159.9, silent), moved(160.1, silent)]).toEqual([true, false]);
     const fast = (all: ReturnType<typeof falling>) => {

@@ -24,20 +24,20 @@ function completed(change: Sent | null, before: Sent | null = {}, beforeTick = T
 }
 const MOVED = { position: [1, 2, 3], attitude: [0, 0, 0.6, 0.8] };
 
-describe('bodies that a frame has whole', () => {
-  it('are taken as sent, and remembered', () => {
+describe('bodies sent in full', () => {
+  it('are used as sent, and stored', () => {
     const { made, bodies, last } = completed(MOVED);
     expect(made).toBe(bodies);
     expect(last).toEqual({ tick: TICK + 1, bodies });
   });
 
-  it('none are none, and the ones before stay remembered', () => {
+  it('stay stored when a frame has none', () => {
     const { made, last } = completed(null);
     expect([made, last.tick, last.bodies.length]).toEqual([null, TICK, 1]);
   });
 });
 
-describe('a body that a frame has in part', () => {
+describe('a body sent in part', () => {
   it.each([
     ['attitude', [0, 0, Number.NaN, 1]],
     ['attitude', undefined],
@@ -60,16 +60,16 @@ describe('a body that a frame has in part', () => {
     });
   });
 
-  it('of another name is left out: the world’s is predicted', () => {
+  it('is ignored if the world does not have it', () => {
     const { made, predicted } = completed({ ...MOVED, name: 'Vulcan' });
     expect(made).toEqual([predicted]);
   });
 });
 
-describe('a body whose attitude stands still', () => {
+describe('a body with a constant attitude', () => {
   const turning = { angularVelocity: [0, 0, 1e-5], position: [1, 2, 3] };
 
-  it('while it spins has the predicted one', () => {
+  it('gets the predicted attitude if it has spin', () => {
     const { made, predicted } = completed(turning);
     expect(made![0]!.attitude).toEqual(predicted.attitude);
     expect(made![0]!.position).toEqual([1, 2, 3]);
@@ -90,12 +90,12 @@ describe('a body whose attitude stands still', () => {
 });
 
 describe('bodies that did not move since the last frame', () => {
-  it('are outdated where they have a velocity: none is taken', () => {
+  it('are outdated if they have a velocity, and ignored', () => {
     expect(completed({}).made).toBeNull();
     expect(completed({ velocity: [0, 0, 2e-6] }).made).toBeNull();
   });
 
-  it('are not where they have none, or moved at all, or are of the same tick', () => {
+  it('are current if they have no velocity, moved at all, or have the same tick', () => {
     expect(completed({ velocity: [0, 0, 0.9e-6] }).made).not.toBeNull();
     for (let k = 0; k < 3; k++) {
       const { sent } = completed({});

@@ -75,7 +75,7 @@ describe('the bodies at a tick', () => {
     expectAt(boundaryAt(track, timeline, TICK + ticks), ticks / RATE);
   });
 
-  it('before those of the ring go back, and are not kept', () => {
+  it('before the ring are computed backwards, and not stored', () => {
     const { track, timeline } = tracked();
     boundaryAt(track, timeline, TICK + 40);
     expectAt(boundaryAt(track, timeline, TICK + 2), 0.2);
@@ -83,7 +83,7 @@ describe('the bodies at a tick', () => {
     expectAt(boundaryAt(track, timeline, TICK + 40), 4);
   });
 
-  it('are those of the start where one is set', () => {
+  it('are those of the given start', () => {
     const { track, timeline, start } = tracked();
     startBodiesAt(track, TICK + 3);
     expect([...boundaryAt(track, timeline, TICK + 3)]).toEqual([...start]);
@@ -103,7 +103,7 @@ describe('the bodies in a substep', () => {
     }
   });
 
-  it('are made anew where the tick before was sent otherwise', () => {
+  it('are computed again if the tick before was sent differently', () => {
     const { track, timeline } = tracked();
     const before = rowsAt(track, timeline, TICK + 1, 4)[BODY_POSITION];
     updateBodies(track, TICK, [at(5)]);
@@ -139,7 +139,7 @@ describe('bodies that are sent', () => {
     }
   });
 
-  it('otherwise are told by the largest error of attitude and spin; later ones are computed again', () => {
+  it('differently are reported with the largest error of attitude and spin, and later ones computed again', () => {
     const { track, timeline } = tracked();
     const before = [...boundaryAt(track, timeline, TICK + 2)];
     boundaryAt(track, timeline, TICK + 5);

@@ -125,7 +125,7 @@ describe('the states kept for interpolation', () => {
     expectNear(kept(states.rows[1]!), seenFrom(1));
   });
 
-  it('of ticks whose bodies are forgotten are dropped at another body, and only then', () => {
+  it('are dropped at a change of body if the bodies of their tick are no longer known', () => {
     for (const [body, ticks] of [
       [0, [TICK, TICK + 1, TICK + 2]],
       [1, [TICK + 1, TICK + 2]],

@@ -62,7 +62,7 @@ describe('a simulated ship', () => {
     expect([chosen(7, 0.121, 0), chosen(7, 0.119, 0)]).toEqual(['law', '']);
   });
 
-  it('is not before three states', () => {
+  it('stays simulated before the third state', () => {
     expect([chosen(1, 9, 0), chosen(2, 0.091, 0), chosen(2, 0.089, 0)]).toEqual(['', 'law', '']);
   });
 });
@@ -74,7 +74,7 @@ describe('an extrapolated ship', () => {
     expect([chosen(3, 1.079, 1, carriedBefore), chosen(3, 1.081, 1, carriedBefore)]).toEqual(['', 'law']);
   });
 
-  it('is weighed by a replay of the dynamics and by the fall without thrust since its last state', () => {
+  it('is compared with a replay of the dynamics and with a fall without thrust since its last state', () => {
     const of = flown(10);
     carriedBefore(of);
     for (const rows of [of.track.evidence.row, of.row]) rows[THRUST_LEVEL] = 0;
@@ -85,7 +85,7 @@ describe('an extrapolated ship', () => {
     expect(of.fit.count).toBe(1);
   });
 
-  it('whose ground is unknown is not weighed', () => {
+  it('above unknown ground is not compared', () => {
     const of = flown();
     of.fit.carried = 'ground';
     expect([of.choose(), of.fit.count]).toEqual([false, 0]);
@@ -93,7 +93,7 @@ describe('an extrapolated ship', () => {
 });
 
 describe('the errors of a state', () => {
-  it('are none where it agrees', () => {
+  it('are 0 if it agrees', () => {
     const of = flown();
     of.fit.law.fill(9);
     of.fit.carry.fill(9);
@@ -101,7 +101,7 @@ describe('the errors of a state', () => {
     expect([of.fit.law[0], of.fit.carry[0], of.fit.law[1]]).toEqual([0, 0, 9]);
   });
 
-  it('are the distance of the prediction, and of the fall, from it', () => {
+  it('are its distances from the prediction and from the fall', () => {
     const of = flown(10);
     of.agrees = false;
     // (2, −3, 6) is 7 long.
@@ -125,7 +125,7 @@ describe('the errors of a state', () => {
     expect(of.fit.law[0]).toBeLessThan(1e-6);
   });
 
-  it('are none of the dynamics without a prediction', () => {
+  it('are 0 for the dynamics without a prediction', () => {
     const of = flown();
     Object.assign(of, { agrees: false, predicted: null });
     of.row[POSITION]! += 5;
@@ -133,7 +133,7 @@ describe('the errors of a state', () => {
     expect([of.fit.law[0], of.fit.carry[0]]).toEqual([0, expect.closeTo(5, 3)]);
   });
 
-  it('have the angle, times the ship’s height', () => {
+  it('include the angle, times the ship’s height', () => {
     const of = flown();
     of.agrees = false;
     const [x, y, z, w] = of.row.slice(6, 10) as unknown as [number, number, number, number];
@@ -146,7 +146,7 @@ describe('the errors of a state', () => {
   });
 });
 
-describe('a state tells nothing of the dynamics', () => {
+describe('a state is not compared', () => {
   it.each<[string, (of: Flown) => void]>([
     ['with another command than predicted', ({ row }) => (row[THRUST_LEVEL] = 0.5)],
     [
@@ -175,7 +175,7 @@ describe('a state tells nothing of the dynamics', () => {
     expect([of.choose(), of.fit.count]).toEqual([false, 0]);
   });
 
-  it('but does 400 substeps after it', () => {
+  it('but is compared up to 400 substeps after it', () => {
     const of = flown();
     of.tick = TICK + 40;
     of.choose();
@@ -203,7 +203,7 @@ describe('a ship above ground that is not loaded', () => {
     expect(learned(true, 'law').slice(2)).toEqual([1, 1]);
   });
 
-  it('is flown by its own speed', () => {
+  it('moves at its own speed', () => {
     const of = flown();
     expect(Math.hypot(...of.row.slice(VELOCITY, VELOCITY + 3))).toBeGreaterThan(1);
     expect(of.row[SURFACE_STATE]).toBe(0);

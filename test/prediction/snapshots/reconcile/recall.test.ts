@@ -34,7 +34,7 @@ function touched() {
 }
 type Touched = ReturnType<typeof touched>;
 
-describe('the impact speed of a contact, from a server that does not send it', () => {
+describe('an impact speed that the server does not send', () => {
   const predicted = (state: number, body = 0) => {
     const rows = new Float64Array(2 * SHIP_STRIDE);
     rows[SHIP_STRIDE + SURFACE_STATE] = state;
@@ -48,11 +48,11 @@ describe('the impact speed of a contact, from a server that does not send it', (
     return recalledImpact(sim, track, { row, tick }, place);
   };
 
-  it('is the one predicted, where the ground was', () => {
+  it('is the predicted one if contact was predicted', () => {
     expect(recalled(predicted(CONTACT))).toBe(4);
   });
 
-  it('is by the dynamics since the last state where it was not', () => {
+  it('is otherwise computed by the dynamics from the last state', () => {
     const { speed } = touched();
     expect(speed).toBeCloseTo(Math.sqrt(2.5 ** 2 + 2 * 1.62 * 6), 1);
     for (const place of [predicted(FLYING), predicted(CONTACT, 1), null]) expect(recalled(place)).toBe(speed);
@@ -88,13 +88,13 @@ describe('the dynamics since the last state', () => {
     ['they are more than 400 substeps', (of) => (of.tick = TICK + 41)],
   ])('tell nothing where %s', (_, prepare) => expect(impact(prepare)).toBe(0));
 
-  it('are followed over 400 substeps', () => {
+  it('are computed over at most 400 substeps', () => {
     expect(impact((of) => (of.tick = TICK + 40))).toBe(touched().speed);
   });
 });
 
 describe('the momentum of the wheels', () => {
-  it('is the one predicted, 0 without a prediction; nothing else changes', () => {
+  it('is the predicted one, or 0 without a prediction; nothing else changes', () => {
     const rows = Float64Array.from({ length: 2 * SHIP_STRIDE }, (_, k) => k + 1);
     const filled = (predicted: Parameters<typeof recallWheels>[1]) => {
       const row = new Float64Array(SHIP_STRIDE).fill(-1);

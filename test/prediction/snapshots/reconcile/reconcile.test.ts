@@ -6,8 +6,8 @@ import { boundaryAt } from '../../../../src/prediction/snapshots/bodies/bodyTrac
 
 import { corrected, NONE, predicted, type Predicted, TICK } from './predicted';
 
-describe('a state as predicted', () => {
-  it('is remembered, and nothing is replayed', () => {
+describe('a state that agrees with the prediction', () => {
+  it('is stored, and nothing is replayed', () => {
     const of = predicted();
     expect(of.take()).toBeNull();
     const { track, sim, counters } = of;
@@ -23,14 +23,14 @@ describe('a state as predicted', () => {
     expect(track.evidence.tick).toBe(TICK);
   });
 
-  it('of another ship tells no error of the own one', () => {
+  it('of another ship does not change the reported error', () => {
     const of = predicted('', { own: false });
     of.counters.errorPosition = 7;
     of.take({ relativePosition: [1, 2, 3] });
     expect(of.counters.errorPosition).toBe(7);
   });
 
-  it('ends a replay that began before it, and a ship’s sudden change', () => {
+  it('ends an earlier replay and a pending snap', () => {
     for (const [tick, left] of [
       [TICK - 1, false],
       [TICK, true],
@@ -66,7 +66,7 @@ describe('a state as predicted', () => {
   });
 });
 
-describe('a state that was predicted otherwise', () => {
+describe('a state that differs from the prediction', () => {
   const away = (metres: number) => (of: Predicted) =>
     of.sent.relativePosition!.map((x, k) => (k === 1 ? x + metres : x)) as [number, number, number];
 
@@ -93,14 +93,14 @@ describe('a state that was predicted otherwise', () => {
     expect(corrected(of)).toEqual({ ...NONE, [cause]: 1 });
   });
 
-  it('by another command counts as its pilot’s', () => {
+  it('in its command counts as a correction of another pilot', () => {
     const of = predicted('', { own: false });
     of.take({ thrustLevel: 0.7 });
     expect(corrected(of)).toEqual({ ...NONE, other: 1 });
     expect(of.track.replaying).toBe(true);
   });
 
-  it('only by its inputs is corrected too, except asleep', () => {
+  it('only in its inputs is corrected too, except asleep', () => {
     for (const inputs of ['late', 'lost'] as const) {
       const of = predicted();
       of.context.inputs = inputs;

@@ -13,7 +13,7 @@ import type { ShipState } from '../../../../src/wire';
 
 import { predicted, type Predicted, SUBSTEPS, TICK } from './predicted';
 
-describe('a state that is not taken', () => {
+describe('an ignored state', () => {
   it('is older than the newest one', () => {
     const of = predicted();
     of.track.serverTick = TICK + 1;
@@ -23,7 +23,7 @@ describe('a state that is not taken', () => {
     expect(of.track.name).toBe('');
   });
 
-  it('is of a body that the world has not: with the reason, as it was', () => {
+  it('names a body that is not in the world; the reason is kept', () => {
     const of = predicted();
     expect(of.take({ referenceBody: 'Vulcan' })).toContain('Vulcan');
     expect([of.track.serverTick, of.track.seenAt]).toEqual([TICK - 1, 3]);
@@ -43,7 +43,7 @@ describe('another pilot’s controls', () => {
     expect((track.releaseTick - sim.front.tick) * SUBSTEPS + track.releaseSubstep - 3).toBe(substeps);
   });
 
-  it('that were released are taken again where they still hold', () => {
+  it('are restored after their release if they still apply', () => {
     const released = (prepare: (of: Predicted) => void) => {
       const of = predicted('', { own: false });
       Object.assign(of.track, { releaseTick: TICK + 1, releaseSubstep: 9 });
@@ -64,7 +64,7 @@ describe('another pilot’s controls', () => {
   });
 });
 
-describe('a ship that is not to be predicted', () => {
+describe('a ship that is not predicted', () => {
   const show = (prepare: (of: Predicted) => void, more: Partial<ShipState> = {}) => {
     const of = predicted();
     Object.assign(of.track, { replaying: true, policy: 'hold' });
@@ -86,12 +86,12 @@ describe('a ship that is not to be predicted', () => {
     expect(show((of) => (of.track.policy = 'predict')).picture.hasHeld).toBe(false);
   });
 
-  it('that is interpolated has its states kept', () => {
+  it('keeps its states if it is interpolated', () => {
     const track = show((of) => (of.track.policy = 'interpolate'));
     expect(track.states!.ticks).toEqual([TICK]);
   });
 
-  it('has no momentum of wheels and no impact where the server sends none', () => {
+  it('has no wheel momentum and no impact speed if the server sends none', () => {
     const { serverRow } = show(() => undefined, {
       wheelMomentum: null,
       contactImpactSpeed: null,

@@ -97,7 +97,7 @@ export function createHulls(material: ShipMaterial): Hulls {
       }
     },
     dispose() {
-      for (const levels of classes.values()) for (const { mesh } of levels.values()) mesh.dispose();
+      for (const levels of classes.values()) for (const { mesh } of levels.values()) release(mesh);
     },
   };
 }
@@ -131,11 +131,15 @@ function enlarge(level: Level, group: Group, material: ShipMaterial): void {
   made.sunlit.set(sunlit.array, 0);
   group.remove(old);
   group.add(made.mesh);
-  old.dispose();
-  old.geometry.dispose();
+  release(old);
   level.mesh = made.mesh;
   level.compression = made.compression;
   level.sunlit = made.sunlit;
+}
+
+function release(mesh: InstancedMesh): void {
+  mesh.dispose();
+  mesh.geometry.dispose();
 }
 
 function createMesh(

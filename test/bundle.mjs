@@ -42,7 +42,8 @@ function inputOf(entries, inside) {
     external: (id, _, isResolved) => !isResolved && isPackage(id) && !inside.test(id),
     plugins: [...mutation(), declareSourcePlace],
     optimization: { inlineConst: { mode: 'all', pass: 3 } },
-    transform: { define: PLACES },
+    // As in the built page.
+    transform: { define: { ...PLACES, 'import.meta.env.PROD': 'true' } },
     moduleTypes: { '.css': 'empty' },
   };
 }

@@ -1,5 +1,5 @@
 /** How long a reader waits for a host; counted, since a clock would include other work of this machine. */
-import { afterEach, expect, it, vi } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import { openDocument } from '../../src/playground/offline/documents';
 import type { KeptBuild } from '../../src/playground/offline/keptBuild';
 
@@ -54,4 +54,58 @@ it('the stored document comes within 3 s when the host answers with a document, 
   const answer = await openDocument(new Request(ADDRESS), ADDRESS, build);
   expect(await answer.text()).toBe(KEPT);
   expect(Math.max(...limits)).toBeLessThanOrEqual(3000);
+});
+
+describe('a host that answers in time', () => {
+  const SCRIPT = { 'content-type': 'text/javascript' };
+  const page = (file: string) => `<script type="module" src="./${file}"></script>`;
+  /** A host of these answers by path; everything else is not found. */
+  const answers = (files: Readonly<Record<string, readonly [text: string, type: string]>>) => {
+    const asked: string[] = [];
+    vi.stubGlobal('fetch', (wanted: string | Request) => {
+      const path = (typeof wanted === 'string' ? wanted : wanted.url).replace(ADDRESS, '');
+      asked.push(path);
+      const [text, type] = files[path] ?? ['not found', 'text/html'];
+      const status = path in files ? 200 : 404;
+      return Promise.resolve(new Response(text, { status, headers: { 'content-type': type } }));
+    });
+    return asked;
+  };
+  const open = async (kept: KeptBuild = build) =>
+    (await openDocument(new Request(ADDRESS), ADDRESS, kept)).text();
+  const [HTML, JS, CSS] = ['text/html; charset=utf-8', 'text/javascript', 'text/css'] as const;
+
+  it('gives its document once all that it loads can be had, the scripts’ imports too', async () => {
+    const asked = answers({
+      '': [page('new.js'), HTML],
+      'new.js': ['import("./part.js"); import("./new.js")', JS],
+      'part.js': ['"./part.css"', JS],
+      'part.css': ['"./missing.js"', CSS],
+    });
+    expect(await open()).toBe(page('new.js'));
+    expect(asked).toEqual(['', 'new.js', 'part.js', 'part.css']);
+  });
+
+  it.each<[string, Readonly<Record<string, readonly [string, string]>>]>([
+    ['that is not found', {}],
+    ['that is no page', { '': [page('new.js'), 'application/json'], 'new.js': ['', JS] }],
+    ['without scripts', { '': ['<title>sign in</title>', HTML] }],
+    ['whose script is not found', { '': [page('new.js'), HTML] }],
+    ['whose script is a page', { '': [page('new.js'), HTML], 'new.js': ['', HTML] }],
+    ['with an import that is not found', { '': [page('new.js'), HTML], 'new.js': ['"./part.js"', JS] }],
+  ])('gives way to what is stored with a document %s', async (_what, files) => {
+    answers(files);
+    expect(await open()).toBe(KEPT);
+  });
+
+  it('need not send scripts that are stored, and is alone where nothing is stored', async () => {
+    const stored = (files: Readonly<Record<string, Response>>) =>
+      ({ find: (url: string) => Promise.resolve(files[url.replace(ADDRESS, '')]) }) as KeptBuild;
+    answers({ '': [page('new.js'), HTML] });
+    const kept = { '': new Response(KEPT), 'new.js': new Response('', { headers: SCRIPT }) };
+    expect(await open(stored(kept))).toBe(page('new.js'));
+    const asked = answers({ '': ['the host’s', 'text/plain'] });
+    expect(await open(stored({}))).toBe('the host’s');
+    expect(asked).toEqual(['']);
+  });
 });

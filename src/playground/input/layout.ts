@@ -26,8 +26,8 @@ function usCharacter(code: string): string {
 
 const US_CODES = new Map(
   [
-    ...Array.from({ length: 26 }, (_, i) => `Key${String.fromCharCode(65 + i)}`),
-    ...Array.from({ length: 10 }, (_, i) => `Digit${i}`),
+    ...Array.from('ABCDEFGHIJKLMNOPQRSTUVWXYZ', (letter) => `Key${letter}`),
+    ...Array.from('0123456789', (digit) => `Digit${digit}`),
     ...Object.keys(SIGNS),
   ].map((code) => [usCharacter(code), code] as const),
 );

@@ -32,7 +32,8 @@ export function useGameClock(): void {
   });
 }
 
-export function open(asked: Partial<Choices>): Game {
+/** Starts the built-in server whenever the page asks for its worker. */
+export function serveInNode(): void {
   const scope = { onmessage: () => undefined, postMessage: () => undefined } as Scope;
   vi.stubGlobal('self', scope);
   vi.stubGlobal(
@@ -55,6 +56,10 @@ export function open(asked: Partial<Choices>): Game {
     },
   );
   serve([]);
+}
+
+export function open(asked: Partial<Choices>): Game {
+  serveInNode();
   const entries: RecordingEntry[] = [];
   const runs: (readonly RunInput[])[] = [];
   const live = createLive('main.js', {

@@ -1,7 +1,12 @@
 /** The file of a recording. */
 import { expect, it } from 'vitest';
 import { writeRecording } from '../../../src/scenarios';
-import { fileName, readFile, refusalText } from '../../../src/playground/recording/recordingFile';
+import {
+  fileName,
+  readFile,
+  refusalText,
+  writeSlowly,
+} from '../../../src/playground/recording/recordingFile';
 
 const NOON = new Date('2031-05-06T12:00:09.5Z');
 const nameOf = (note: string) => fileName({ header: { note, shipId: 'own' }, entries: [] }, NOON);
@@ -32,4 +37,13 @@ it.each([
   expect(refusalText('a.jsonl', read as Extract<typeof read, { ok: false }>)).toMatch(
     /^a\.jsonl cannot be played: .*\. It must be an unmodified file/,
   );
+});
+
+it('a file is written in slices, with the share that is done', async () => {
+  const entry = { kind: 'advanced', at: 1, controls: null } as const;
+  const recording = { header: { note: '', shipId: 'own' }, entries: Array<typeof entry>(4500).fill(entry) };
+  const shares: number[] = [];
+  const blob = await writeSlowly(recording, (share) => shares.push(share));
+  expect(shares).toEqual([2000 / 4500, 4000 / 4500, 1]);
+  expect(await blob.text()).toBe(writeRecording(recording));
 });

@@ -84,7 +84,7 @@ export function createCountedCanvas(width = 300, height = 150): CountedCanvas {
     if (verb === 'delete') return (given: unknown) => given && count(kind!, -1);
     return calls[name] ?? (() => undefined);
   };
-  const context = new Proxy(
+  const context = new Proxy<Record<string, unknown>>(
     {},
     {
       get(made, name) {

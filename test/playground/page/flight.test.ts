@@ -1,0 +1,196 @@
+/** The page in flight: its picture, keys, recordings, and what the browser keeps of it. */
+import { Scene } from 'three';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { all, attributes, fire, one, shownText } from '../../hud/pageInNode';
+import { type Drawn, frameOf } from '../../scene/drawn/frame';
+import { useGameClock } from '../game/openGame';
+import { openPage } from './openPage';
+
+useGameClock();
+
+let drawn: Drawn | null = null;
+const { prototype } = Scene;
+beforeAll(() => {
+  prototype.onBeforeRender = (renderer, scene, camera) => (drawn = { renderer, scene, camera });
+});
+// The one of all objects is again in place.
+afterAll(() => void Reflect.deleteProperty(prototype, 'onBeforeRender'));
+
+it('shows its picture once it is drawn, of what is chosen and from the camera that is', async () => {
+  const page = await openPage('?terrain=flat&show=footprint', { hasPicture: true });
+  const { dataset } = page.document.documentElement;
+  const canvas = page.part('scene-view');
+  const footprints = () => frameOf(drawn!).filter((line) => /scaled (\d\S*) \1 \1$/.test(line)).length;
+  expect(page.text('banner')).toBe('Building the ground …');
+  page.play(1, 250);
+  expect([dataset['ready'], drawn === null]).toEqual([undefined, false]);
+  page.gpu.isDone = true;
+  page.play(1.5, 250);
+  expect([page.text('banner'), dataset['ready'], dataset['status']]).toEqual(['', 'true', 'flight']);
+
+  const turned = new Set<string>();
+  for (const words of ['behind the ship', 'from the cockpit', 'from above', 'fixed', 'around the ship']) {
+    page.key('Digit3', '3');
+    expect(page.text('banner')).toContain(`Camera: ${words}`);
+    page.play(0.1);
+    turned.add(frameOf(drawn!)[0]!);
+  }
+  // From behind it is seen as from around at first, and fixed as from above.
+  expect(turned.size).toBe(3);
+
+  fire(canvas, 'webglcontextlost');
+  expect(page.text('notice')).toContain('The browser lost the 3D view.');
+  fire(canvas, 'webglcontextrestored');
+  expect(page.text('notice')).toBe('');
+  expect(footprints()).toBeGreaterThan(0);
+});
+
+it('plays what it has recorded, by its buttons and by keys, and goes back to the game', async () => {
+  const page = await openPage('?scenario=settle');
+  const dock = page.part('dock');
+  page.play(4);
+  expect(page.text('dock')).toContain('Recorded 4 s');
+  page.click('Replay', dock);
+  await page.until(() => page.text('banner') === 'Replay');
+  const deck = one(dock, 'scrubber').parentElement!.parentElement!;
+  const [position] = all(deck, 'quiet');
+  const place = () => shownText(position!);
+  const press = (label: string) => fire(deck.querySelector(`[aria-label="${label}"]`)!, 'click');
+  const disabled = () => all(dock, 'button').filter((each) => (each as HTMLButtonElement).disabled);
+  expect([deck.hidden, disabled().map(shownText)]).toEqual([false, ['Replay', 'Save']]);
+  page.play(1);
+  expect(place()).toMatch(/^1\.\d\d \/ 4\.\d s · tick \d, substep \d+$/);
+  page.click('Pause', deck);
+  const paused = place();
+  page.play(1);
+  expect([place(), shownText(page.button('Play', deck))]).toEqual([paused, 'Play']);
+  press('One substep forward');
+  page.play(0.1);
+  const after = place();
+  expect(after).not.toBe(paused);
+  press('One substep back');
+  page.play(0.1);
+  const back = place();
+  page.key('KeyO', 'o');
+  page.play(0.1);
+  expect(place()).toBe(after);
+  page.key('Comma', ',');
+  page.play(0.1);
+  expect(place()).toBe(back);
+  const range = one(deck, 'input') as HTMLInputElement;
+  fire(Object.assign(range, { valueAsNumber: 2.5 }), 'input');
+  page.play(0.1);
+  expect(place()).toMatch(/^2\.50 /);
+  page.key('KeyP', 'p');
+  page.play(0.5);
+  expect(place()).toMatch(/^(2\.9|3\.0)/);
+  page.click('Kick the ship');
+  expect(page.text('banner')).toBe('A recording is playing: go back to the game first.');
+  page.play(4.5);
+  page.click('Play', deck);
+  page.play(0.2);
+  expect(place()).toMatch(/^0\.[12]/);
+  page.click('Back to the game', deck);
+  page.play(1);
+  expect([page.text('banner'), deck.hidden, disabled()]).toEqual(['', true, []]);
+});
+
+it('plays a file that is chosen or dropped, and says what is wrong with another', async () => {
+  const page = await openPage('?scenario=settle');
+  const { body } = page.document;
+  const file = (text: string) => ({ name: 'a.jsonl', size: 10, text: () => Promise.resolve(text) });
+  const field = page.part('dock').querySelector('input[type=file]')!;
+  fire(Object.assign(field, { files: [file('<b>')] }), 'change');
+  expect(page.text('banner')).toBe('Reading a.jsonl …');
+  await page.until(() => page.text('notice') !== '' && page.text('banner') === '');
+  await page.until(() => page.text('notice').includes('a.jsonl cannot be played: line 1: not JSON'));
+  fire(body, 'dragover');
+  expect(body.classList.contains('dropping')).toBe(true);
+  fire(body, 'dragleave');
+  expect(body.classList.contains('dropping')).toBe(false);
+  fire(body, 'dragover');
+  const header = '{"touchdown":"recording"}';
+  fire(body, 'drop', { dataTransfer: { files: [{ ...file(header), name: 'b.jsonl' }] } });
+  expect([body.classList.contains('dropping'), page.text('banner')]).toEqual([false, 'Reading b.jsonl …']);
+  await page.until(() => page.text('notice').includes('b.jsonl cannot be played'));
+});
+
+it('has keys for what is around the flight', async () => {
+  const page = await openPage('?scenario=settle');
+  const { body } = page.document;
+  page.key('Digit1', '1');
+  expect(page.text('banner')).toBe('Landing aids off.');
+  page.key('Digit1', '1');
+  expect(page.text('banner')).toBe('Landing aids on.');
+  page.key('KeyH', 'h');
+  expect(body.classList.contains('bare')).toBe(true);
+  page.key('KeyH', 'h');
+  expect(body.classList.contains('bare')).toBe(false);
+  page.key('BracketRight', ']');
+  page.play(0.5);
+  expect(page.query()).toBe('?scenario=bounce');
+  for (let n = 0; n < 2; n++) page.key('BracketLeft', '[');
+  page.play(0.5);
+  expect(page.query()).toBe('?scenario=opening');
+  // Node has no sound.
+  page.key('Digit2', '2');
+  await page.until(() => page.text('banner') === 'Sound off.');
+  expect(attributes(page.button('Sound'), 'aria-pressed')).toEqual(['false']);
+
+  page.click('Tip over, then right the ship with the key shown');
+  page.play(0.5);
+  expect(page.query()).toBe('?scenario=topple');
+  const last = () => page.button('See the same without prediction');
+  page.click('See the same without prediction');
+  page.play(0.5);
+  expect([page.query(), attributes(last(), 'aria-pressed')]).toEqual([
+    '?scenario=topple&mode=last',
+    ['true'],
+  ]);
+  page.click('See the same without prediction');
+  page.play(0.5);
+  expect([page.query(), attributes(last(), 'aria-pressed')]).toEqual(['?scenario=topple', ['false']]);
+});
+
+it('hops: full throttle for a second', async () => {
+  const page = await openPage('?scenario=settle');
+  page.play(4);
+  const { dataset } = page.document.documentElement;
+  expect(dataset['status']).toBe('landed');
+  page.click('Hop: full throttle for a second, then land again');
+  page.play(0.9);
+  expect([page.text('flight').includes('100 %'), dataset['status']]).toEqual([true, 'flight']);
+  page.play(0.2);
+  expect(page.text('flight').includes('100 %')).toBe(false);
+});
+
+it('stops at the time that a link names, for a picture', async () => {
+  const page = await openPage('?scenario=settle&freeze=2');
+  const { dataset } = page.document.documentElement;
+  page.play(1.5);
+  expect([dataset['ready'], dataset['frozen']]).toEqual([undefined, undefined]);
+  page.play(3);
+  expect([dataset['ready'], dataset['frozen']]).toEqual(['true', 'true']);
+  const shown = page.text('hud');
+  page.play(3);
+  expect(page.text('hud')).toBe(shown);
+});
+
+it('is kept by the browser once it is idle, and says so when it is complete', async () => {
+  const registered: unknown[] = [];
+  let complete = () => undefined as unknown;
+  const serviceWorker = {
+    register: (script: unknown) => Promise.resolve(registered.push(script)),
+    ready: new Promise((resolve) => (complete = () => resolve(null))),
+  };
+  const page = await openPage('', { navigator: { serviceWorker } });
+  const { dataset } = page.document.documentElement;
+  page.play(2);
+  expect([dataset['ready'], registered]).toEqual(['true', []]);
+  page.play(5, 500);
+  await page.until(() => registered.length === 1);
+  await page.until(() => true);
+  expect([String(registered[0]), dataset['offline']]).toEqual(['https://page.test/offline.js', undefined]);
+  complete();
+  await page.until(() => dataset['offline'] === 'kept');
+});

@@ -57,6 +57,20 @@ describe('choices in the URL', () => {
     expect(choices).toEqual({ ...DEFAULT_CHOICES, mode: 'gravity' });
   });
 
+  it('have these ranges', async () => {
+    const keys = Object.keys(DEFAULT_CHOICES) as (keyof typeof DEFAULT_CHOICES)[];
+    // Nothing allows a long text that ends in half a character.
+    const wrong = `${'x'.repeat(30)}\uD800`;
+    const lines = keys.map((name) => `${name}: ${String(setChoice({ ...DEFAULT_CHOICES }, name, wrong))}`);
+    await expect(`${lines.join('\n')}\n`).toMatchFileSnapshot('kept/choices.txt');
+  });
+
+  it.each([
+    ['delay', 'upDelay', 'jitter', 'upJitter', 'stalled', 'upStalled', 'stall', 'seed', 'fleet', 'legacy'],
+  ] as const)('may be 0: %s', (...names) => {
+    for (const name of names) expect(setChoice({ ...DEFAULT_CHOICES }, name, '0'), name).toBeNull();
+  });
+
   it('set one by one are checked the same way', () => {
     const choices = { ...DEFAULT_CHOICES };
     expect(setChoice(choices, 'tickRate', '200')).toMatch(/0.1 to 100/);

@@ -8,11 +8,7 @@ import { networkOf, upNetworkOf } from './live';
 import type { Page } from './pageParts';
 import type { Chooser, Parts } from './parts';
 
-/** Choices that change a running world; the others begin a new one. */
-const LIVE_CHOICES: readonly (keyof Choices)[] = [
-  'mode',
-  'overlays',
-  'slow',
+const NETWORK_CHOICES: readonly (keyof Choices)[] = [
   'network',
   'delay',
   'jitter',
@@ -21,8 +17,9 @@ const LIVE_CHOICES: readonly (keyof Choices)[] = [
   'upDelay',
   'upJitter',
   'upStalled',
-  'pilot',
 ];
+/** Choices that change a running world; the others begin a new one. */
+const LIVE_CHOICES: readonly (keyof Choices)[] = ['mode', 'overlays', 'slow', 'pilot', ...NETWORK_CHOICES];
 
 export function createChooser(page: Page, parts: Parts): Chooser {
   const { choices, sceneView, notice, address, query } = page;
@@ -39,7 +36,7 @@ export function createChooser(page: Page, parts: Parts): Chooser {
     if (name === 'slow') {
       parts.live.setSpeed(choices.slow);
       if (choices.slow < 1) parts.game.markIntervention('it was flown in slow motion');
-    } else if (name !== 'mode' && name !== 'overlays' && name !== 'pilot') operateNetwork();
+    } else if (NETWORK_CHOICES.includes(name)) operateNetwork();
     showOverlays();
   };
   const beginWorld = () => {

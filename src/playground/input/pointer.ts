@@ -27,7 +27,6 @@ function listenToPointers(canvas: HTMLCanvasElement, scene: SceneView, shipDrag:
   canvas.addEventListener('pointerdown', (event) => {
     canvas.setPointerCapture(event.pointerId);
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    spread = 0;
     if (shipDrag.isOn() && fingers.size === 1) shipDrag.begin();
   });
   canvas.addEventListener('pointermove', (event) => {

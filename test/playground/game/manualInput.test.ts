@@ -1,8 +1,22 @@
 /** The pilot's input against a plan and the autopilot. */
+import { Quaternion, Vector3 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
+import { flatTerrain } from '../../../src/dynamics';
+import { createFlightControls } from '../../../src/playground/game/flightControls';
+import { makeView } from '../../readout/views';
 import { open, useGameClock } from './openGame';
 
 useGameClock();
+
+/** Turn and push of each key, in the ship's own axes and as seen by an eye that looks along its x. */
+const KEYS = new Map([
+  ['pitchPlus', ['1 0 0 0 0 0', '0 -1 0 0 0 0']],
+  ['yawPlus', ['0 1 0 0 0 0', '-1 0 0 0 0 0']],
+  ['rollPlus', ['0 0 1 0 0 0', '0 0 1 0 0 0']],
+  ['translateXPlus', ['0 0 0 1 0 0', '0 0 0 0 -1 0']],
+  ['translateYPlus', ['0 0 0 0 1 0', '0 0 0 1 0 0']],
+  ['translateZPlus', ['0 0 0 0 0 1', '0 0 0 0 0 1']],
+] as const);
 
 describe('the autopilot', () => {
   it('lands softly from the mission’s start, and is switched off by the key that switched it on', () => {
@@ -119,4 +133,28 @@ describe('manual input', () => {
     play(60, 8, (view) => expect(view.own!.surfaceContactState).toBe('landed'));
     expect(live.frame().diagnosis).toMatchObject({ correctionsMismatch: 0, correctionsOtherPilot: 0 });
   });
+});
+
+it('keys turn about and push along the screen’s axes, where there is one, and the ship’s own otherwise', () => {
+  const view = makeView({ clearance: 50, heading: 30 });
+  const inShip = (x: number, y: number, z: number) =>
+    new Vector3(x, y, z).applyQuaternion(new Quaternion(...view.own.attitude)).toArray();
+  const byKeys = (screen: Float64Array | null) => {
+    const controls = createFlightControls(
+      () => view,
+      () => flatTerrain,
+    );
+    controls.steerInScreenAxes(() => screen);
+    const signs = ([...KEYS.keys()] as const).map((action) => {
+      controls.press(action);
+      const { rotationInput, translationInput } = controls.sample(view, 0, 0.02)!;
+      controls.release(action);
+      return [...rotationInput, ...translationInput].map((x) => Math.sign(Math.round(100 * x)) + 0).join(' ');
+    });
+    return signs;
+  };
+  expect(byKeys(null)).toEqual([...KEYS.values()].map(([own]) => own));
+  // The eye looks along the ship's x: what is right on the screen is −y.
+  const screen = Float64Array.of(...inShip(0, -1, 0), ...inShip(1, 0, 0), ...inShip(0, 0, 1));
+  expect(byKeys(screen)).toEqual([...KEYS.values()].map(([, seen]) => seen));
 });

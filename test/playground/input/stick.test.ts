@@ -33,6 +33,27 @@ describe('stick', () => {
     expect(sampleStick(stick, 0.016).thrustLevel).toBe(0);
   });
 
+  it('moves the throttle slowly again after each press of its keys, and of no other', () => {
+    const stick = createStick();
+    const held = (action: 'throttleUp' | 'throttleDown') => {
+      const before = stick.throttle;
+      press(stick, action, NEUTRAL_CONTROLS);
+      sampleStick(stick, 0.5);
+      release(stick, action);
+      return Math.round(100 * (stick.throttle - before));
+    };
+    setThrottle(stick, 0.5, NEUTRAL_CONTROLS);
+    expect([held('throttleUp'), held('throttleUp'), held('throttleDown'), held('throttleDown')]).toEqual([
+      ...[4, 4, -4, -4],
+    ]);
+    press(stick, 'throttleUp', NEUTRAL_CONTROLS);
+    sampleStick(stick, 1);
+    const before = stick.throttle;
+    press(stick, 'yawPlus', NEUTRAL_CONTROLS);
+    sampleStick(stick, 0.2);
+    expect(stick.throttle - before).toBeGreaterThan(0.05);
+  });
+
   it('takes over from the scenario’s own pilot, and forgets the pilot’s input at a restart', () => {
     const stick = createStick();
     press(stick, 'yawMinus', { ...NEUTRAL_CONTROLS, thrustLevel: 0.7, attitudeHold: true });
@@ -41,8 +62,12 @@ describe('stick', () => {
     expect([taken.attitudeHold, taken.rotationInput]).toEqual([true, [0, -1, 0]]);
     press(stick, 'yawPlus', NEUTRAL_CONTROLS);
     expect(sampleStick(stick, 0.016).rotationInput).toEqual([0, 0, 0]);
+    press(stick, 'modeUpright', NEUTRAL_CONTROLS);
+    press(stick, 'throttleFull', NEUTRAL_CONTROLS);
+    expect(sampleStick(stick, 0.016)).toMatchObject({ attitudeMode: 'radial', thrustLevel: 1 });
     resetStick(stick);
     expect([stick.touched, stick.controls]).toEqual([false, NEUTRAL_CONTROLS]);
+    expect(sampleStick(stick, 0.016)).toEqual(NEUTRAL_CONTROLS);
   });
 });
 

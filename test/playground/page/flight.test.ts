@@ -38,6 +38,16 @@ it('shows its picture once it is drawn, of what is chosen and from the camera th
   // From behind it is seen as from around at first, and fixed as from above.
   expect(turned.size).toBe(3);
 
+  // A finger turns the camera.
+  page.key('Digit3', '3');
+  page.play(0.1);
+  const before = frameOf(drawn!)[0];
+  fire(canvas, 'pointerdown', { pointerId: 1, clientX: 0, clientY: 0 });
+  fire(canvas, 'pointermove', { pointerId: 1, clientX: 100, clientY: 0 });
+  fire(canvas, 'pointerup', { pointerId: 1 });
+  page.play(0.5, 250);
+  expect(frameOf(drawn!)[0]).not.toBe(before);
+
   fire(canvas, 'webglcontextlost');
   expect(page.text('notice')).toContain('The browser lost the 3D view.');
   fire(canvas, 'webglcontextrestored');
@@ -93,6 +103,10 @@ it('plays what it has recorded, by its buttons and by keys, and goes back to the
   page.click('Back to the game', deck);
   page.play(1);
   expect([page.text('banner'), deck.hidden, disabled()]).toEqual(['', true, []]);
+  const received = () => /(\d+) accepted/.exec(page.text('dock'))?.[1];
+  const count = received();
+  page.play(3);
+  expect(Number(received()) - Number(count)).toBeGreaterThan(1);
 });
 
 it('plays a file that is chosen or dropped, and says what is wrong with another', async () => {
@@ -193,4 +207,13 @@ it('is kept by the browser once it is idle, and says so when it is complete', as
   expect([String(registered[0]), dataset['offline']]).toEqual(['https://page.test/offline.js', undefined]);
   complete();
   await page.until(() => dataset['offline'] === 'kept');
+});
+
+it.each([
+  ['on-its-side', 'HOLD S tilt towards you'],
+  ['topple', 'HOLD D tilt right'],
+])('names the keys that right the tipped ship of %s', async (scenario, words) => {
+  const page = await openPage(`?scenario=${scenario}`);
+  page.play(14, 250);
+  expect(page.text('hud')).toContain(words);
 });

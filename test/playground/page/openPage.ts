@@ -13,7 +13,7 @@ const HTML = readFileSync('src/playground/index.html', 'utf8');
 /** What linkedom lacks of an element that is not laid out. */
 const MEMBERS = {
   ...{ clientWidth: 800, clientHeight: 600, scrollHeight: 0, scrollTop: 0 },
-  ...{ focus: () => undefined, select: () => undefined },
+  ...{ focus: () => undefined, select: () => undefined, setPointerCapture: () => undefined },
   showModal(this: HTMLDialogElement) {
     this.open = true;
   },
@@ -153,7 +153,7 @@ export async function openPage(
     field,
     text: (id) => shownText(part(id)),
     query: () => location.search,
-    play(seconds, step = 50) {
+    play(seconds, step = 100) {
       for (let passed = 0; passed < seconds * 1000; passed += step) {
         vi.advanceTimersByTime(step);
         const due = frames;
@@ -176,3 +176,10 @@ export async function openPage(
     },
   };
 }
+
+/** A page on a demonstration, which begins with the workshop open. */
+export const openWorkshop = async (query = '?scenario=settle') => {
+  const page = await openPage(query);
+  page.play(0.5);
+  return page;
+};

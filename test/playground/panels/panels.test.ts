@@ -122,6 +122,8 @@ it('a card has a title, buttons with their keys, and a score line by line', () =
   ]);
   card.hide();
   expect([root.hidden, root.children]).toEqual([true, []]);
+  card.show({ title: 'Landed', words: '', lines: [line], actions: [] });
+  expect([root.hidden, all(root, 'tr').length]).toEqual([false, 1]);
 });
 
 it('the legend names the overlays that are on, each colour with its meaning', () => {

@@ -1,3 +1,4 @@
+import { quat } from 'gl-matrix';
 import type { ShipView, WorldView } from '../../../prediction';
 import { NEUTRAL_CONTROLS } from '../../../dynamics';
 import { toInertial } from '../../../readout';
@@ -7,6 +8,7 @@ import { gameSeconds } from './missionTracker';
 
 const place = new Float64Array(3);
 const bodyAttitude = new Float64Array(4);
+const turn = new Float64Array(4);
 
 /** Shows a verified run beside the pilot: a ship in the picture without effect. */
 export interface GhostFlight {
@@ -77,12 +79,8 @@ function pose(ship: ShipView, view: WorldView, track: Float64Array): void {
   toInertial(ship.meshPosition, bodyAttitude, place);
   ship.position.set(ship.meshPosition);
   ship.easedPosition.set(ship.meshPosition);
-  const [bx, by, bz, bw] = body.attitude;
-  const [x, y, z, w] = [value(3), value(4), value(5), value(6)];
-  const length = Math.hypot(x, y, z, w) || 1;
-  ship.meshAttitude[0] = (bw * x + bx * w + by * z - bz * y) / length;
-  ship.meshAttitude[1] = (bw * y - bx * z + by * w + bz * x) / length;
-  ship.meshAttitude[2] = (bw * z + bx * y - by * x + bz * w) / length;
-  ship.meshAttitude[3] = (bw * w - bx * x - by * y - bz * z) / length;
+  for (let k = 0; k < 4; k++) turn[k] = value(3 + k);
+  quat.multiply(turn, bodyAttitude, turn);
+  quat.normalize(ship.meshAttitude, turn);
   ship.attitude.set(ship.meshAttitude);
 }

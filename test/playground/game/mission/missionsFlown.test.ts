@@ -1,11 +1,27 @@
+import { Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../../../src/dynamics';
-import { raceQuery, readRace, verifyRun } from '../../../../src/playground/game/mission/bestRuns';
-import { createMissionTracker } from '../../../../src/playground/game/mission/missionTracker';
+import {
+  createBestRuns,
+  raceQuery,
+  readRace,
+  verifyRun,
+} from '../../../../src/playground/game/mission/bestRuns';
+import { createGhostFlight } from '../../../../src/playground/game/mission/ghost';
+import { createMissionTracker, gameSeconds } from '../../../../src/playground/game/mission/missionTracker';
 import { createSession } from '../../../../src/playground/server/session';
 import { createPredictor } from '../../../../src/prediction';
-import { LESSONS, type Mission, MISSIONS, NETWORK_PRESETS, type RunInput } from '../../../../src/scenarios';
+import {
+  LESSONS,
+  type Mission,
+  MISSIONS,
+  NETWORK_PRESETS,
+  type RunInput,
+  TRACK_RATE,
+  TRACK_STRIDE,
+} from '../../../../src/scenarios';
 import { decodeServerMessage, encodeClientMessage } from '../../../../src/wire';
+import { makeView } from '../../../readout/views';
 import { pilot } from './missionPilot';
 
 /** Frames a second, and frames between two inputs of the pilot. */
@@ -54,6 +70,13 @@ function fly(mission: Mission, limit: number, flies = true) {
   return { phase: tracker.phase(), phases, inputs: session.applied(), off: tracker.off(), highest };
 }
 
+const flown = new Map<Mission, ReturnType<typeof fly>>();
+function flight(mission: Mission) {
+  const known = flown.get(mission) ?? fly(mission, 500);
+  flown.set(mission, known);
+  return known;
+}
+
 /** Every score is the sum of its lines, each with its rule, and a link carries the same flight. */
 function expectProof(mission: Mission, inputs: readonly RunInput[], off: number): void {
   const run = verifyRun(mission, inputs)!;
@@ -76,11 +99,62 @@ describe('a mission flown by a pilot who sees only the displays', () => {
     '%s is won, its score is explained, and its race link proves it',
     { timeout: 120_000 },
     (_, mission) => {
-      const { phase, inputs, off } = fly(mission, 500);
+      const { phase, inputs, off } = flight(mission);
       expect(phase).toBe('done');
       expectProof(mission, inputs, off);
     },
   );
+
+  it('is kept while it is the best, and raced by a ship that flies it again', () => {
+    const mission = MISSIONS[0]!;
+    const run = verifyRun(mission, flight(mission).inputs)!;
+    const scored = (more: number, outcome = run.outcome.outcome) => ({
+      ...run,
+      outcome: { ...run.outcome, outcome },
+      score: { ...run.score, total: run.score.total + more },
+    });
+    const kept = new Map<string, string>();
+    const store = {
+      getItem: (name: string) => kept.get(name) ?? null,
+      setItem: (name: string, text: string) => void kept.set(name, text),
+    } as Storage;
+    const best = createBestRuns(store);
+    expect(best.of(mission)).toBeNull();
+    expect([scored(1, 'crashed'), scored(-1), scored(-1), run].map(best.keep)).toEqual([
+      ...[false, true, false, true],
+    ]);
+    expect(best.of(mission)).toBe(run);
+    expect(createBestRuns(store).of(mission)).toEqual(run);
+    expect(createBestRuns(store).keep(run)).toBe(false);
+    const forbidden = new Proxy({} as Storage, {
+      get: () => () => {
+        throw new Error('forbidden');
+      },
+    });
+    const unkept = createBestRuns(forbidden);
+    expect([unkept.of(mission), unkept.keep(run), unkept.of(mission)]).toEqual([null, true, run]);
+
+    const view = makeView({ body: 'Luna' });
+    const turned = new Quaternion(0.1, -0.2, 0.3, 0.9).normalize();
+    view.bodies[view.own.body]!.attitude = turned.toArray();
+    const racer = createGhostFlight();
+    expect(racer.join(view)).toBe(view);
+    racer.race(run);
+    const at = 3.25 / TRACK_RATE - gameSeconds({ ...view, tick: 0, sinceTick: 0 });
+    const ship = racer.join({ ...view, tick: 0, sinceTick: at }).ships.at(-1)!;
+    const [from, to] = [3, 4].map((row) =>
+      run.outcome.track.slice(row * TRACK_STRIDE, (row + 1) * TRACK_STRIDE),
+    );
+    const between = Array.from(from!, (value, k) => value * 0.75 + to![k]! * 0.25);
+    const place = new Vector3(...between.slice(0, 3)).applyQuaternion(turned);
+    expect(place.distanceTo(new Vector3(...ship.meshPosition))).toBeLessThan(1e-6);
+    const attitude = turned.clone().multiply(new Quaternion(...between.slice(3, 7)).normalize());
+    expect(attitude.angleTo(new Quaternion(...ship.meshAttitude))).toBeLessThan(1e-6);
+    expect(Math.hypot(...ship.meshAttitude)).toBeCloseTo(1, 12);
+    expect([ship.name, ship.own]).toEqual(['Your best', false]);
+    racer.race(null);
+    expect(racer.join(view)).toBe(view);
+  });
 
   it.each(LESSONS.map((mission) => [mission.scenario.name, mission] as const))(
     'lesson %s can be completed',

@@ -1,18 +1,10 @@
-/** The page's form, buttons and keys, against the real server. */
+/** The page's form, against the real server. */
 import { describe, expect, it } from 'vitest';
-import { DEFAULT_CHOICES } from '../../../src/playground/panels/choices';
 import { all, attributes, fire, shownText } from '../../hud/pageInNode';
 import { useGameClock } from '../game/openGame';
-import { openPage, type OpenPage } from './openPage';
+import { openPage, type OpenPage, openWorkshop } from './openPage';
 
 useGameClock();
-
-/** A page on a demonstration, which begins with the workshop open. */
-const openWorkshop = async (query = '?scenario=settle') => {
-  const page = await openPage(query);
-  page.play(0.5);
-  return page;
-};
 
 const fieldsOf = (page: OpenPage) => all(page.part('panel'), 'field');
 const labelOf = (field: Element) => shownText(field.querySelector('label')!);
@@ -184,102 +176,8 @@ describe('the form', () => {
     expect(page.text('notice')).toContain('Some values in this link are invalid and were ignored.');
     expect(page.text('notice')).toContain('scenario: expected one of first-landing, ');
     expect(page.text('notice')).toContain('seed: expected a whole number from 0 to 4294967295, got “-1”');
-    expect(DEFAULT_CHOICES.scenario).toBe('first-landing');
     page.play(1);
     page.choose('Mission', 'settle');
     expect(page.text('notice')).not.toContain('invalid');
-  });
-});
-
-describe('the buttons', () => {
-  it('pause, step and restart the server', async () => {
-    const page = await openWorkshop();
-    const run = () => page.document.documentElement.dataset['run'];
-    page.click('Pause');
-    expect(page.text('banner')).toBe('Paused: the server stops at its next tick. O steps one substep.');
-    expect(attributes(page.button('Resume'), 'aria-pressed')).toEqual(['true']);
-    page.play(3);
-    const paused = run();
-    page.play(3);
-    expect(run()).toBe(paused);
-    page.click('Resume');
-    expect([page.text('banner'), attributes(page.button('Pause'), 'aria-pressed')]).toEqual(['', ['false']]);
-    page.play(3);
-    expect(run()).not.toBe(paused);
-    page.click('Step');
-    expect(attributes(page.button('Resume'), 'aria-pressed')).toEqual(['true']);
-    page.click('Restart');
-    expect(attributes(page.button('Pause'), 'aria-pressed')).toEqual(['false']);
-    page.play(2);
-    expect(page.text('panel')).toMatch(/State hash at tick [12]: \d+/);
-  });
-
-  it('disturb the connection, and end the disturbance', async () => {
-    const page = await openWorkshop();
-    page.click('Lag spike');
-    expect(page.text('banner')).toBe('Lag spike: nothing arrives for 1.5 s.');
-    page.click('Freeze the server');
-    expect(attributes(page.button('Freeze the server'), 'aria-pressed')).toEqual(['true']);
-    page.click('Freeze the server');
-    expect(attributes(page.button('Freeze the server'), 'aria-pressed')).toEqual(['false']);
-    page.click('Drop the connection');
-    page.play(5);
-    expect(attributes(page.button('Reconnect'), 'aria-pressed')).toEqual(['true']);
-    expect(page.text('banner')).toContain('Connection lost');
-    page.click('Reconnect');
-    page.play(2);
-    expect([page.text('banner'), attributes(page.button('Drop the connection'), 'aria-pressed')]).toEqual([
-      '',
-      ['false'],
-    ]);
-    page.click('Hide for a minute');
-    page.play(10.5);
-    expect(page.text('banner')).toBe('Simulating a hidden tab: nothing received or drawn for 50 s.');
-    expect(attributes(page.button('Back now (50 s)'), 'aria-pressed')).toEqual(['true']);
-    page.play(50);
-    expect([page.text('banner'), attributes(page.button('Hide for a minute'), 'aria-pressed')]).toEqual([
-      '',
-      ['false'],
-    ]);
-    page.click('Hide for a minute');
-    page.play(2);
-    page.click('Back now (58 s)');
-    expect(page.text('banner')).toBe('');
-  });
-
-  it('copy links', async () => {
-    const page = await openWorkshop();
-    page.play(1);
-    page.click('Copy link');
-    await page.until(() => page.text('banner') === 'Link copied.');
-    page.click('Fly together');
-    await page.until(() => page.copied.length === 2);
-    expect(page.copied[0]).toBe('https://page.test/?scenario=settle');
-    expect(page.copied[1]).toMatch(/^https:\/\/page\.test\/\?server=tab:[a-z0-9]{4,6}$/);
-    page.click('Fly together');
-    await page.until(() => page.copied.length === 3);
-    expect(page.copied[2]).toBe(page.copied[1]);
-  });
-
-  it('open the keys, where one is changed', async () => {
-    const page = await openPage('');
-    page.click('Keys');
-    await page.until(() => page.document.querySelector('dialog'));
-    const dialog = page.document.querySelector('dialog')!;
-    expect(dialog.open).toBe(true);
-    const cap = all(dialog, 'button').find((button) =>
-      attributes(button, 'aria-label')[0]?.startsWith('Pause'),
-    )!;
-    expect(shownText(cap)).toBe('P');
-    fire(cap, 'click');
-    fire(dialog, 'keydown', { key: 'Escape' });
-    expect(shownText(cap)).toBe('P');
-    fire(cap, 'click');
-    fire(dialog, 'keydown', { key: '0', code: 'Digit0' });
-    expect(shownText(cap)).toBe('0');
-    page.click('Close', dialog);
-    expect(dialog.open).toBe(false);
-    page.key('Digit0', '0');
-    expect(page.text('banner')).toContain('Paused');
   });
 });

@@ -200,6 +200,24 @@ describe('a pause', () => {
   });
 });
 
+it('a page that is hidden holds no key when it comes back', () => {
+  const { live, play } = open({ scenario: 'first-landing' });
+  play(30, 1);
+  live.flightControls.press('throttleUp');
+  play(30, 0.1);
+  const tapped = live.view().own!.controls.thrustLevel;
+  play(30, 0.4);
+  expect(live.view().own!.controls.thrustLevel - tapped).toBeGreaterThan(0.02);
+  live.suspend(true);
+  play(30, 0.5);
+  live.suspend(false);
+  play(30, 0.5);
+  const { thrustLevel } = live.view().own!.controls;
+  play(30, 1);
+  expect(live.view().own!.controls.thrustLevel).toBe(thrustLevel);
+  expect(thrustLevel).toBeLessThan(0.3);
+});
+
 describe('the network of the choices', () => {
   const custom = { ...DEFAULT_CHOICES, network: 'custom', delay: 100, jitter: 20, stalled: 4, stall: 300 };
   const link = { delay: 0.1, jitter: 0.02, stallShare: 0.04, stallSeconds: 0.3, stallRun: 1.5 };

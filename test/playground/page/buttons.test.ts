@@ -81,7 +81,9 @@ describe('the buttons', () => {
     page.click('Keys');
     await page.until(() => page.document.querySelector('dialog'));
     const dialog = page.document.querySelector('dialog')!;
-    expect(dialog.open).toBe(true);
+    const title = dialog.querySelector('h2')! as HTMLElement;
+    expect([dialog.open, title.id, title.tabIndex]).toEqual([true, 'help-title', -1]);
+    expect(attributes(dialog, 'aria-labelledby')).toEqual(['help-title']);
     const cap = all(dialog, 'button').find((button) =>
       attributes(button, 'aria-label')[0]?.startsWith('Pause'),
     )!;

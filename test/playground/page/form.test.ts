@@ -85,6 +85,17 @@ describe('the form', () => {
     expect(speeds()).toHaveLength(7);
   });
 
+  it('slows the world down, and brings it back to its speed', async () => {
+    const page = await openWorkshop();
+    const recorded = () => Number(/Recorded (\d+) s/.exec(page.text('dock'))![1]);
+    page.choose('Speed', '0.1');
+    page.play(5);
+    expect(recorded()).toBe(1);
+    page.choose('Speed', '4');
+    page.play(1);
+    expect(recorded()).toBe(5);
+  });
+
   it('leaves to a real server what is a real server’s', async () => {
     const page = await openWorkshop();
     const disabled = () => [

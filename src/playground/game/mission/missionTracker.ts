@@ -70,6 +70,7 @@ export function createMissionTracker(): MissionTracker {
   return {
     begin(mission) {
       Object.assign(tracked, AT_FIRST, { mission, places: placesOf(mission) });
+      tracked.target.radius = 0;
       markPads(tracked);
     },
     mission: () => tracked.mission,
@@ -87,10 +88,8 @@ export function createMissionTracker(): MissionTracker {
     phase: () => tracked.phase,
     reached: () => tracked.reached,
     off: () => tracked.off,
-    target: () =>
-      tracked.mission === null || tracked.places.length === 0 || tracked.target.radius === 0
-        ? null
-        : tracked.target,
+    // Known from the first view on.
+    target: () => (tracked.target.radius === 0 ? null : tracked.target),
     isOverPad: () => tracked.isOverPad,
     pads: () => tracked.marks,
     held: () => tracked.held,

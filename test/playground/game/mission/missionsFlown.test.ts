@@ -136,7 +136,7 @@ describe('a mission flown by a pilot who sees only the displays', () => {
 
     const view = makeView({ body: 'Luna' });
     const turned = new Quaternion(0.1, -0.2, 0.3, 0.9).normalize();
-    view.bodies[view.own.body]!.attitude = turned.toArray();
+    Object.assign(view.bodies[view.own.body]!, { attitude: turned.toArray() });
     const racer = createGhostFlight();
     expect(racer.join(view)).toBe(view);
     racer.race(run);

@@ -96,7 +96,7 @@ describe('a kept build', () => {
   it('answers with its own file before one of the build before it, and never with another page’s', async () => {
     const { caches, all } = createCaches();
     const put = (name: string, path: string, text: string) =>
-      all.set(name, (all.get(name) ?? new Map()).set(ADDRESS + path, new Response(text)));
+      all.set(name, (all.get(name) ?? new Map<string, Response>()).set(ADDRESS + path, new Response(text)));
     put(`${NAME}v1`, 'app.js', 'old');
     put(`${NAME}v1`, 'old.js', 'old');
     put(`touchdown ${ADDRESS}elsewhere/ v9`, 'other.js', 'other');

@@ -40,7 +40,7 @@ export function createChooser(page: Page, parts: Parts): Chooser {
     showOverlays();
   };
   const beginWorld = () => {
-    parts.scene.leave();
+    parts.recording.leave();
     parts.actions.reset();
     const terrain = choices.terrain === '' ? findScenario(choices.scenario)!.terrain : choices.terrain;
     sceneView?.setTerrain(TERRAINS[terrain]!);

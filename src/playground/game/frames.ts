@@ -28,8 +28,8 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       const now = parts.live.clock.now();
       const passed = Number.isNaN(before) ? 0 : now - before;
       before = now;
-      const replayed = parts.scene.frame(passed);
-      const replay = parts.scene.deck.replay();
+      const replayed = parts.recording.frame(passed);
+      const replay = parts.recording.deck.replay();
       if (replay !== null && replay.generation() !== generation) {
         generation = replay.generation();
         parts.cockpit.forget();
@@ -37,7 +37,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       return { view: replayed ?? parts.live.frame(), now };
     },
     paint(view, now, isFast) {
-      const replay = parts.scene.deck.replay();
+      const replay = parts.recording.deck.replay();
       if (replay === null) parts.game.watch(view);
       autopilotEnd(parts.live.flightControls.autopilot.reason());
       const hasDrawnDock = parts.dock.follow(view, now);
@@ -52,7 +52,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
       if (parts.loop.isWarm()) report(view);
     },
     isLoading: parts.live.isLoading,
-    dress: (view) => (parts.scene.deck.replay() === null ? parts.game.ghost.join(view) : view),
+    dress: (view) => (parts.recording.deck.replay() === null ? parts.game.ghost.join(view) : view),
     opened() {
       banner.rest('');
       keepForOffline(window, () => (root.dataset['offline'] = 'kept'));

@@ -6,7 +6,7 @@ import type { LazyDock } from '../panels/workshop/lazyDock';
 import type { Sound } from '../sound/sound';
 import type { Cockpit } from '../view/cockpit';
 import type { FrameLoop } from '../view/frameLoop';
-import type { PageView } from '../view/pageView';
+import type { RecordingView } from '../recording/recordingView';
 import type { Actions } from './actions';
 import type { FlightLink } from './flightLink';
 import type { Live } from './live';
@@ -15,7 +15,7 @@ import type { MissionGame } from './mission/missionGame';
 /** All running parts, each created after those that it needs at creation. Parts that it calls later may be created after it. */
 export interface Parts {
   live: Live;
-  scene: PageView;
+  recording: RecordingView;
   dock: LazyDock;
   panel: Panel;
   chooser: Chooser;

@@ -4,7 +4,7 @@ import { createMissionCard } from '../panels/missionCard';
 import { createPanel, type Panel } from '../panels/panel';
 import { createShipDrag } from '../input/shipDrag';
 import { connectDevices, type Devices } from '../input/devices';
-import { createPageView, type PageView, takeDrops } from '../view/pageView';
+import { createRecordingView, type RecordingView, takeDrops } from '../recording/recordingView';
 import { watchSize } from '../view/pageSize';
 import { type Actions, createActions } from './actions';
 import { createCameraSwitch } from '../view/cameraSwitch';
@@ -23,8 +23,8 @@ const WORKSHOP_FAILED = 'The workshop did not load. Check the network and open i
 export function wirePage(page: Page): Parts {
   const parts = {} as Parts;
   parts.live = wireLive(page, parts);
-  parts.scene = wireScene(page, parts);
-  parts.dock = createLazyDock(page.part('dock'), parts.scene.listeners, () =>
+  parts.recording = wireRecording(page, parts);
+  parts.dock = createLazyDock(page.part('dock'), parts.recording.listeners, () =>
     page.notice.show(WORKSHOP_FAILED),
   );
   parts.chooser = createChooser(page, parts);
@@ -42,7 +42,7 @@ export function wirePage(page: Page): Parts {
   parts.game = wireGame(page, parts);
   parts.cockpit = wireCockpit(page, parts);
   parts.loop = wireFrames(page, parts);
-  takeDrops(page.document.body, parts.scene.load);
+  takeDrops(page.document.body, parts.recording.load);
   watchSize(page.window, page.canvas, () => parts.loop.resized());
   return parts;
 }
@@ -54,12 +54,12 @@ function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
     onLost: ({ name, body }) => notice.show(`Your ship ${name} was destroyed on ${body}.`),
     onEvent: () => undefined,
     onWorld(plan) {
-      parts.scene.recorder.begin(plan);
+      parts.recording.recorder.begin(plan);
       parts.dock.clear();
       parts.cockpit.forget();
       parts.game.begin();
     },
-    onEntry: (entry) => parts.scene.recorder.take(entry),
+    onEntry: (entry) => parts.recording.recorder.take(entry),
     onRun(inputs) {
       if (!parts.flightLink.take(inputs)) parts.game.onRun(inputs);
     },
@@ -67,8 +67,8 @@ function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
   });
 }
 
-function wireScene({ query, notice, banner }: Page, parts: Parts): PageView {
-  return createPageView({
+function wireRecording({ query, notice, banner }: Page, parts: Parts): RecordingView {
+  return createRecordingView({
     panel: () => parts.dock.recording,
     note: query,
     notify: notice.show,
@@ -116,13 +116,13 @@ function wireActions(page: Page, parts: Parts): Actions {
     nextCamera: createCameraSwitch(sceneView, banner),
     copyLink: () => copyLink(page, parts),
     copyFlight: () =>
-      parts.scene.deck.recording() === null ? parts.flightLink.copy() : copyLink(page, parts),
+      parts.recording.deck.recording() === null ? parts.flightLink.copy() : copyLink(page, parts),
     toggleDrag: () => parts.shipDrag?.toggle() ?? false,
     invite: parts.chooser.invite,
     toggleBare: () => document.body.classList.toggle('bare'),
     toggleAids: () => banner.flash(`Landing aids ${parts.cockpit.toggleAids() ? 'on' : 'off'}.`),
     toggleSound: () => void toggleSound(page, parts),
-    deck: parts.scene.deck,
+    deck: parts.recording.deck,
     markIntervention: (how) => parts.game.markIntervention(how),
   });
 }
@@ -148,7 +148,7 @@ function wireFlightLink({ choices, address, notice }: Page, parts: Parts): Fligh
 
 /** The world as it is chosen; while a recording plays, the flight that it holds. */
 function copyLink({ address, query }: Page, parts: Parts): void {
-  const recording = parts.scene.deck.recording();
+  const recording = parts.recording.deck.recording();
   if (recording === null) address.copy(query(), 'Link copied.');
   else parts.flightLink.copyOf(recording);
 }
@@ -167,7 +167,7 @@ async function toggleSound({ window, banner, notice }: Page, parts: Parts): Prom
 
 function wireDevices(page: Page, parts: Parts): Devices {
   const { flightControls, steer } = parts.live;
-  const isReplaying = () => parts.scene.deck.replay() !== null;
+  const isReplaying = () => parts.recording.deck.replay() !== null;
   return connectDevices(page.window, {
     settings: () => page.keys,
     stick: flightControls.stick,

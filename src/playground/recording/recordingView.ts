@@ -1,12 +1,12 @@
 import type { WorldView } from '../../prediction';
 import type { Recording } from '../../scenarios';
-import { createRecorder, type Recorder } from '../recording/recorder';
-import type { RecordingListeners, RecordingPanel } from '../recording/recordingPanel';
-import { createReplayDeck, type ReplayDeck } from '../recording/replayDeck';
-import type * as Replaying from '../recording/replaying';
+import { createRecorder, type Recorder } from './recorder';
+import type { RecordingListeners, RecordingPanel } from './recordingPanel';
+import { createReplayDeck, type ReplayDeck } from './replayDeck';
+import type * as Replaying from './replaying';
 
 /** Recording and replaying: the page's view in place of the game while a recording plays. */
-export interface PageView {
+export interface RecordingView {
   readonly recorder: Recorder;
   readonly listeners: RecordingListeners;
   /** The replay, if one plays. */
@@ -17,7 +17,7 @@ export interface PageView {
   readonly leave: () => void;
 }
 
-export interface PageViewContext {
+export interface RecordingViewContext {
   readonly panel: () => RecordingPanel;
   readonly note: () => string;
   readonly notify: (text: string) => void;
@@ -26,7 +26,7 @@ export interface PageViewContext {
   readonly changed: (on: boolean) => void;
 }
 
-export function createPageView(context: PageViewContext): PageView {
+export function createRecordingView(context: RecordingViewContext): RecordingView {
   const recorder = createRecorder();
   const deck = createReplayDeck(context.panel);
   /** Counts requests: one that comes back from a fetch is dropped if another came after it. */
@@ -84,7 +84,7 @@ export function createPageView(context: PageViewContext): PageView {
   };
 }
 
-async function save(context: PageViewContext, recording: Recording): Promise<void> {
+async function save(context: RecordingViewContext, recording: Recording): Promise<void> {
   const panel = context.panel();
   const part = await fetchPart(context);
   if (part === null) return;
@@ -98,9 +98,9 @@ async function save(context: PageViewContext, recording: Recording): Promise<voi
 }
 
 /** The code that plays, reads and writes recordings; says so where it does not load. */
-async function fetchPart({ notify: tell }: PageViewContext): Promise<typeof Replaying | null> {
+async function fetchPart({ notify: tell }: RecordingViewContext): Promise<typeof Replaying | null> {
   try {
-    return await import('../recording/replaying');
+    return await import('./replaying');
   } catch {
     tell('Part of the page did not load. Check the network and reload.');
     return null;

@@ -69,6 +69,9 @@ describe('choices in the URL', () => {
     ['delay', 'upDelay', 'jitter', 'upJitter', 'stalled', 'upStalled', 'stall', 'seed', 'fleet', 'legacy'],
   ] as const)('may be 0: %s', (...names) => {
     for (const name of names) expect(setChoice({ ...DEFAULT_CHOICES }, name, '0'), name).toBeNull();
+    const choices = { ...DEFAULT_CHOICES, tickRate: 5, timeScale: 5 };
+    for (const name of ['tickRate', 'timeScale'] as const) setChoice(choices, name, '0');
+    expect(choices).toEqual(DEFAULT_CHOICES);
   });
 
   it('set one by one are checked the same way', () => {

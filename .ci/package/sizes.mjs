@@ -59,7 +59,7 @@ export const USES = [
   },
   {
     name: 'scene (without three)',
-    most: 33,
+    most: 34,
     code: `export { createSceneView } from 'galaxy-touchdown/scene';`,
     without: ['discardUnknown'],
   },

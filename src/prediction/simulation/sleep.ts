@@ -16,6 +16,7 @@ import {
   VELOCITY,
 } from '../../dynamics';
 import { boundaryAt, knowsBoundary } from '../snapshots/bodies/bodyTrack';
+import { actsBetween } from '../inputs/scheduledInput';
 import { keep } from './history';
 import { writeBodyAttitude } from '../drawn/pose';
 import {
@@ -112,8 +113,18 @@ export function writeSleeping(
   put(rows, at + ANGULAR_VELOCITY, spin);
 }
 
-/** A sleeping ship's row at the tick boundary of `bodies`, at `place`. */
-export function placeAsleep(place: Place, sim: Simulation, track: Track, bodies: Float64Array): Place {
+/**
+ * A sleeping ship's row at the boundary of `tick`, where `bodies` are, at `place`; null if the front, on a display that has drawn nothing
+ * since, has yet to reach an own input before `tick`.
+ */
+export function placeAsleep(
+  place: Place,
+  sim: Simulation,
+  track: Track,
+  tick: number,
+  bodies: Float64Array,
+): Place | null {
+  if (track.own && actsBetween(sim.inputs, sim.front.tick, tick)) return null;
   copyRow(place.rows, 0, sim.fleet.front, track.at);
   writeSleepingAt(place.rows, 0, track, bodies);
   place.bodies = bodies;

@@ -72,6 +72,19 @@ describe('a scenario with planned inputs', () => {
   });
 });
 
+describe('a display that draws nothing for seconds', () => {
+  it('counts no correction of a landed ship whose planned launch came and went meanwhile', () => {
+    const { live, play } = open({ scenario: 'launch', network: 'lan' });
+    // Frames and messages arrive, as in a tab that is building its first picture.
+    vi.advanceTimersByTime(3300);
+    play(60, 19);
+    expect(live.hash()).toBe(truth('launch', 1).run);
+    const { diagnosis } = live.frame();
+    expect(diagnosis.framesAccepted).toBeGreaterThan(10);
+    expect(diagnosis).toMatchObject({ correctionsOtherPilot: 0, correctionsMismatch: 0 });
+  });
+});
+
 describe('a recording of it', () => {
   it('keeps the plan: every interval agrees with the law, and the replay corrects nothing', () => {
     const game = open({ scenario: 'freighter-hold' });

@@ -117,7 +117,10 @@ function confirmOrCorrect(
 ): void {
   const sent = context.compared.server.rows;
   if (track.off || predicted === null || field === null) {
-    if (!track.off) startReplay(track, sim, context.tick, sent, 0);
+    if (!track.off) {
+      sim.sleep?.holdSleeping(track);
+      startReplay(track, sim, context.tick, sent, 0);
+    }
     sim.sleep?.sleepAtFirst(sim, track, context.bodies);
     return;
   }
@@ -173,7 +176,7 @@ function correct(
 function findPredicted(sim: Simulation, track: Track, context: SnapshotContext): Place | null {
   const { asleep, kept } = context.compared;
   if (track.mode === 'sleeping' && sim.sleep !== null)
-    return sim.sleep.placeAsleep(asleep, sim, track, context.bodies);
+    return sim.sleep.placeAsleep(asleep, sim, track, context.tick, context.bodies);
   if (track.mode === 'held' || !has(track.history, context.tick)) return null;
   kept.rows = track.history.rows;
   kept.at = offsetOf(track.history, context.tick);

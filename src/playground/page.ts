@@ -72,7 +72,7 @@ async function joinRace(query: URLSearchParams, { runs, notice }: Page, { game }
   }
   game.race(race);
   const seconds = race.outcome.seconds.toFixed(0);
-  notice.tell(`Race ${race.by}: ${race.score.total} points in ${seconds} s. Their ship flies beside yours.`);
+  notice.tell(`Race ${race.by}: ${race.score.total} points in ${seconds} s. Their ghost flies beside you.`);
 }
 
 /** The page's storage; a browser may forbid even access to it. */

@@ -105,6 +105,7 @@ export function checkedScene(scene: SceneView, onWarning: SceneWarn | undefined)
   return {
     overlays: scene.overlays,
     markers: scene.markers,
+    translucent: scene.translucent,
     ...cameraCalls(scene, guard),
     hasDrawn: () => isOpen('hasDrawn') && scene.hasDrawn(),
     draw(view, seconds) {

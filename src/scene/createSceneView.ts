@@ -46,6 +46,7 @@ function sceneIn(canvas: HTMLCanvasElement, quality: Quality): SceneView {
   return {
     overlays: state.choice,
     markers: state.markers,
+    translucent: state.translucent,
     screenAxes(out) {
       if (state.frame === null) return false;
       writeScreenAxes(out, state.turn, rig.eye, rig.focus);

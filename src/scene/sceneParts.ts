@@ -15,6 +15,7 @@ import type { Quality } from './quality';
 import { createHulls } from './ships/hulls';
 import { createModelCache } from './ships/shipActor';
 import { createShipMaterial } from './ships/shipMaterial';
+import { createTranslucentShips } from './ships/translucentShips';
 import { createSky } from './sky/sky';
 import { createSunlight } from './sky/sunlight';
 
@@ -44,6 +45,7 @@ export function createParts(canvas: HTMLCanvasElement, quality: Quality) {
     crash: createCrash(),
     hulls: createHulls(shipResources.hull),
     shadows: createBlobShadows(),
+    translucent: createTranslucentShips(),
     jets: new Group(),
     overlays: createOverlays(),
     markers: createMarkers(),
@@ -51,8 +53,9 @@ export function createParts(canvas: HTMLCanvasElement, quality: Quality) {
   };
   const { scene, sky, ground, light, rocks, hulls, jets, dust } = parts;
   // These stay at the origin: their matrices, and those of their fixed children, are computed once.
-  const { overlays, markers } = parts;
-  for (const fixed of [sky, light, hulls, overlays, markers]) fixed.group.matrixAutoUpdate = false;
+  const { overlays, markers, translucent } = parts;
+  for (const fixed of [sky, light, hulls, overlays, markers, translucent])
+    fixed.group.matrixAutoUpdate = false;
   jets.matrixAutoUpdate = false;
   // drawWatched updates the parts in sight.
   scene.matrixWorldAutoUpdate = false;
@@ -61,6 +64,7 @@ export function createParts(canvas: HTMLCanvasElement, quality: Quality) {
     flame.light,
     dust.points,
     parts.crash.group,
+    translucent.group,
     parts.overlays.group,
     parts.markers.group,
     parts.plumbLine.group,
@@ -85,7 +89,15 @@ export function disposeParts(parts: SceneParts): void {
   const { shipResources, renderer } = parts;
   const owned = [
     ...[parts.ground, parts.sky, parts.light, parts.flame, parts.rocks, parts.dust, parts.crash, parts.hulls],
-    ...[parts.shadows, parts.overlays, parts.markers, parts.plumbLine, parts.groundMaterial, parts.detail],
+    ...[
+      parts.shadows,
+      parts.translucent,
+      parts.overlays,
+      parts.markers,
+      parts.plumbLine,
+      parts.groundMaterial,
+      parts.detail,
+    ],
     ...[shipResources.cache, shipResources.hull, shipResources.jet],
   ];
   for (const each of owned) each.dispose();

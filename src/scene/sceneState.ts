@@ -19,6 +19,7 @@ export interface SceneState {
   readonly rig: MovingRig;
   readonly choice: OverlayChoice;
   readonly markers: Markers;
+  readonly translucent: Set<string>;
   readonly turn: Turn;
   readonly places: ReturnType<typeof createPlaces>;
   readonly cone: ViewCone;
@@ -51,6 +52,7 @@ export function createState(parts: SceneParts): SceneState {
     rig: createRig(FIRST_AZIMUTH, FIRST_ELEVATION, 24),
     choice: { ghost: false, errorSegment: false, contactNormal: false, footprint: false, forces: false },
     markers: { pads: [], touch: null },
+    translucent: new Set(),
     turn: createTurn(),
     places: createPlaces(),
     cone: createCone(),

@@ -10,6 +10,11 @@ export interface SceneView {
   readonly overlays: OverlayChoice;
   /** Pads and the predicted touch; may be changed at any time. */
   readonly markers: Markers;
+  /**
+   * IDs of ships that are drawn see-through, without shadow, dust or flames, such as the ghost of an earlier flight; may be changed at any
+   * time.
+   */
+  readonly translucent: Set<string>;
   /** Right, away along the ground and up on the screen, ICRF axes, nine numbers; false before the first picture. */
   screenAxes(out: Float64Array): boolean;
   /** Metres that a CSS pixel spans at the ship's distance. */

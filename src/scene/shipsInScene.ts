@@ -20,6 +20,11 @@ export function poseShips(state: SceneState, view: WorldView, watched: ShipView,
   const place = { frame: frameOf(state), turn, jets, shipResources, inAir: state.look.air !== null };
   const isFew = view.ships.length < MAX_DUSTY;
   poseActors(state.actors, view, watched.body, place, (actor, ship) => {
+    actor.isTranslucent = state.translucent.has(ship.shipId);
+    if (actor.isTranslucent) {
+      actor.jets.visible = false;
+      return;
+    }
     if (ship.own || isFew) raise(state, actor, ship, seconds);
     const isWreck = ship.shownState === 'crashed';
     // A ship first seen as a wreck crashed earlier.
@@ -51,14 +56,16 @@ function raise(state: SceneState, actor: ShipActor, ship: ShipView, seconds: num
 
 /** Hulls and jets of the ships in sight, and the shadows of those that the shadow map does not reach. */
 export function placeShips(state: SceneState, watched: ShipActor): void {
-  const { hulls, shadows, ground } = state.parts;
+  const { hulls, shadows, translucent, ground } = state.parts;
   const { eye } = state.rig;
   hulls.clear();
   shadows.clear();
+  translucent.clear();
   for (const actor of state.actors.byId.values()) {
     const { place } = actor;
     const isWatched = actor === watched;
-    if (isWatched || coneMeets(state.cone, place[0]!, place[2]!, SHIP_REACH)) {
+    if (actor.isTranslucent) translucent.put(actor, eye);
+    else if (isWatched || coneMeets(state.cone, place[0]!, place[2]!, SHIP_REACH)) {
       actor.sunlit = sunlitShare(place[1]! - ground.shadowY(place[0]!, place[2]!), actor.height);
       hulls.put(actor, eye, isWatched);
       if (!isWatched && actor.sunlit > 0) throwShadow(state, actor);

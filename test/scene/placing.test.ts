@@ -1,6 +1,7 @@
 /** Where ships, their shadows and wrecks are placed in the scene. */
 import { Group, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
+import { NEUTRAL_CONTROLS } from '../../src/dynamics';
 import type { ShipView, WorldView } from '../../src/prediction';
 import { createCone } from '../../src/scene/camera/viewCone';
 import { createJetMaterial } from '../../src/scene/effects/jets';
@@ -108,6 +109,7 @@ describe('drawn ships', () => {
     const done: unknown[] = [];
     const put: Record<string, { sunlit: number; watched: boolean }> = {};
     const shadows: { at: Vector3; normal: Vector3; height: number }[] = [];
+    const seenThrough: string[] = [];
     const actors = createActors();
     const nameOf = (actor: ShipActor) => [...actors.byId].find(([, each]) => each === actor)![0];
     const state = {
@@ -117,6 +119,7 @@ describe('drawn ships', () => {
         actors,
         groundY,
         look: { air: null },
+        translucent: new Set<string>(),
         cone: createCone(),
         rig: { eye: new Float64Array(3) },
       },
@@ -129,6 +132,10 @@ describe('drawn ships', () => {
           ...{ clear: () => done.push('clear'), finish: () => done.push('finish') },
           put: (actor: ShipActor, _eye: unknown, watched: boolean) =>
             (put[nameOf(actor)] = { sunlit: actor.sunlit, watched }),
+        },
+        translucent: {
+          clear: () => undefined,
+          put: (actor: ShipActor) => seenThrough.push(nameOf(actor)),
         },
         shadows: {
           ...{ clear: () => undefined, finish: () => undefined },
@@ -148,6 +155,7 @@ describe('drawn ships', () => {
       state: given,
       pose,
       put,
+      seenThrough,
       shadows,
       actor,
       place: (watched: string) => placeShips(given, actor(watched)),
@@ -167,6 +175,21 @@ describe('drawn ships', () => {
     expect(pose({ ...wreck, shipId: 'b' })).toEqual([]);
     pose({ shipId: 'a' });
     expect(pose(wreck).filter((what) => what !== 'grain')).toHaveLength(1);
+  });
+
+  it('see-through have no hull, shadow, flames, dust or crash, at any place', () => {
+    const { state, pose, place, put, seenThrough, shadows, actor } = createState(undefined, () => -1000);
+    state.translucent.add('b');
+    const burning = { controls: { ...NEUTRAL_CONTROLS, thrustLevel: 1 }, fuel: 100 };
+    pose({ shipId: 'a' }, { shipId: 'b', ...burning });
+    expect(actor('b').jets.visible).toBe(false);
+    const wreck = { shownState: 'crashed' as const, crashed: true };
+    expect(pose({ shipId: 'a' }, { shipId: 'b', ...wreck })).toEqual([]);
+    place('a');
+    expect([Object.keys(put), seenThrough, shadows]).toEqual([['a'], ['b'], []]);
+    state.translucent.clear();
+    pose({ shipId: 'a' }, { shipId: 'b', ...burning });
+    expect(actor('b').jets.visible).toBe(true);
   });
 
   it('raise dust when they touch: all of a dozen, of more only the own', () => {

@@ -31,6 +31,8 @@ export interface ShipActor {
   seen: number;
   posed: number;
   wasWreck: boolean;
+  /** Drawn see-through, without shadow, dust or flames. */
+  isTranslucent: boolean;
   /** Share of the sun that reaches it, 0 … 1. */
   sunlit: number;
   readonly shadow: ThrownShadow;
@@ -108,6 +110,7 @@ export function createActor(ship: ShipView, shipResources: ShipResources, inAir:
     seen: 0,
     posed: 0,
     wasWreck: false,
+    isTranslucent: false,
     sunlit: 1,
     shadow: {
       from: new Float64Array(3).fill(NaN),

@@ -6,6 +6,7 @@ import {
   BODY_ANGULAR_VELOCITY,
   BODY_ATTITUDE,
   BODY_STRIDE,
+  NEUTRAL_CONTROLS,
   FUEL,
   IMPACT_SPEED,
   POSITION,
@@ -80,10 +81,26 @@ describe('a sleeping ship', () => {
   it('is compared in that pose with the server’s', () => {
     const { sim, track, bodies } = asleep();
     const place = { rows: new Float64Array(SHIP_STRIDE), at: 0, bodies: new Float64Array(0) };
-    expect(placeAsleep(place, sim, track, bodies)).toBe(place);
+    expect(placeAsleep(place, sim, track, TICK, bodies)).toBe(place);
     expect(place.bodies).toBe(bodies);
     expectNear(vectorAt(place.rows, POSITION), vectorAt(track.serverRow, POSITION));
     expect(place.rows[FUEL]).toBe(sim.fleet.front[track.at + FUEL]);
+  });
+
+  it('is not compared where an own input acts before the tick that its front has yet to reach', () => {
+    const { sim, track, bodies } = asleep();
+    sim.inputs.plan = [{ tick: TICK + 1, substep: 0, controls: NEUTRAL_CONTROLS }];
+    const compared = (tick: number) =>
+      placeAsleep(
+        { rows: new Float64Array(SHIP_STRIDE), at: 0, bodies: new Float64Array(0) },
+        sim,
+        track,
+        tick,
+        bodies,
+      ) !== null;
+    expect([compared(TICK + 1), compared(TICK + 2)]).toEqual([true, false]);
+    track.own = false;
+    expect(compared(TICK + 2)).toBe(true);
   });
 
   it('sleeps on at the server’s state: another pilot’s has its row, the own one keeps its own', () => {

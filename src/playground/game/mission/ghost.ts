@@ -10,6 +10,9 @@ const place = new Float64Array(3);
 const bodyAttitude = new Float64Array(4);
 const turn = new Float64Array(4);
 
+/** ID of the ghost in the picture, which no ship of a server has. */
+export const GHOST_SHIP = 'ghost of a run';
+
 /** Shows a verified run beside the pilot: a ship in the picture without effect. */
 export interface GhostFlight {
   /** The view with the ghost in it; the same view without a run. */
@@ -41,7 +44,7 @@ function ghostOf(own: ShipView, run: VerifiedRun): ShipView {
   const copy = (row: Float64Array) => new Float64Array(row.length);
   return {
     ...own,
-    shipId: 'ghost of a run',
+    shipId: GHOST_SHIP,
     name: run.by === '' ? 'Your best' : run.by,
     own: false,
     controls: NEUTRAL_CONTROLS,

@@ -164,7 +164,7 @@ async function raceGhost(
   const best = loaded?.best.of(mission) ?? null;
   if (best === null || tracker.mission() !== mission) return;
   ghost.race(best);
-  flash(`Your best flies beside you: ${best.score.total} of 1000.`);
+  flash(`The ghost beside you is your best flight: ${best.score.total} of 1000.`);
 }
 
 /** Replays the run, stores it if it is the best, and shows its score. */

@@ -32,7 +32,7 @@ describe('a best run', () => {
     const best = { score: { total: 967 }, outcome: { track: new Float64Array(0) } };
     const load = () => Promise.resolve({ best: { of: () => best } });
     const { game, shown } = createGame('sidestep', { isKept: () => true, load });
-    await expect.poll(() => shown.flash).toBe('Your best flies beside you: 967 of 1000.');
+    await expect.poll(() => shown.flash).toBe('The ghost beside you is your best flight: 967 of 1000.');
     expect(game.ghost.run()).toBe(best);
     const other = createGame('sidestep', {
       isKept: () => true,

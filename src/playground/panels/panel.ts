@@ -1,4 +1,5 @@
 import { findScenario, FREE_FLIGHT, LESSONS, MISSIONS, SCENARIOS } from '../../scenarios';
+import { isRealServer } from '../server/tabAddress';
 import type { Choices } from './choices';
 import { append, appendButton, appendDetails, createSelect } from './elements';
 import { createForm } from './form';
@@ -23,7 +24,7 @@ export interface Panel {
   readonly showRun: (text: string) => void;
 }
 
-/** Buttons that are disabled with a real server. */
+/** Buttons that are disabled where another page or a real server has the world. */
 const BUILT_IN_ONLY: readonly PanelAction[] = [
   'restart',
   'pause',
@@ -37,6 +38,7 @@ const BUILT_IN_ONLY: readonly PanelAction[] = [
   'drag',
   'copyFlight',
   'invite',
+  'tryTopple',
 ];
 
 const RUN: ButtonRow = [
@@ -67,11 +69,15 @@ export function createPanel(
   const form = createForm(listeners.change);
   form.field(host, 'Mission', 'scenario', createScenarioList(host.ownerDocument));
   const about = append(host, 'p', 'quiet');
-  form.also(({ scenario }) => (about.textContent = findScenario(scenario)?.about ?? ''));
+  form.also(({ scenario, server }) => {
+    about.textContent = isRealServer(server) ? '' : (findScenario(scenario)?.about ?? '');
+  });
   addRow(host, RUN);
   const starts = append(host, 'div', 'row');
-  appendButton(starts, 'Flight school', () => listeners.change('scenario', LESSONS[0]!.scenario.name));
-  appendButton(starts, 'Free flight', () => listeners.change('scenario', FREE_FLIGHT.name));
+  const worlds = [
+    appendButton(starts, 'Flight school', () => listeners.change('scenario', LESSONS[0]!.scenario.name)),
+    appendButton(starts, 'Free flight', () => listeners.change('scenario', FREE_FLIGHT.name)),
+  ];
   addButton(starts, 'invite', 'Fly together');
 
   const workshop = appendDetails(host, 'Workshop', workshopOpen);
@@ -88,7 +94,8 @@ export function createPanel(
   };
   form.also(paintRun);
   form.also(({ server, mode }) => {
-    for (const action of BUILT_IN_ONLY) buttons.get(action)?.toggleAttribute('disabled', server !== '');
+    for (const button of [...worlds, ...BUILT_IN_ONLY.map((action) => buttons.get(action))])
+      button?.toggleAttribute('disabled', server !== '');
     buttons.get('tryLastState')?.setAttribute('aria-pressed', String(mode === 'last'));
   });
 

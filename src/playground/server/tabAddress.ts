@@ -1,2 +1,5 @@
 /** The address of a room in this browser, where a socket's begins with ws:. */
 export const TAB_ADDRESS = /^tab:[\w-]{1,32}$/;
+
+/** Whether an address is of a server whose world is no scenario of the page; '' is the built-in one. */
+export const isRealServer = (address: string): boolean => address !== '' && !TAB_ADDRESS.test(address);

@@ -3,6 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { createGoalPanel } from '../../../src/playground/panels/goal';
 import { createMissionCard } from '../../../src/playground/panels/missionCard';
 import { createNotice } from '../../../src/playground/panels/notice';
+import { DEFAULT_CHOICES } from '../../../src/playground/panels/choices';
+import { createPanel } from '../../../src/playground/panels/panel';
 import { createOverlayLegend } from '../../../src/playground/panels/overlayLegend';
 import { all, attributes, createPage, fire, one, shownText } from '../../hud/pageInNode';
 
@@ -139,4 +141,28 @@ it('the legend names the overlays that are on, each colour with its meaning', ()
   expect(one(root, 'ul').hidden).toBe(false);
   show([]);
   expect([one(root, 'ul').hidden, all(root, 'li')]).toEqual([true, []]);
+});
+
+describe('the panel', () => {
+  it('offers nothing that a server of another page does not take, and says nothing of its world', () => {
+    const { root, part } = createPart();
+    const listeners = { change: () => null, action: () => undefined, workshop: () => undefined };
+    const panel = createPanel(part, { workshopOpen: false }, { ...listeners, failed: () => undefined });
+    // linkedom's lists cannot be set.
+    Object.defineProperty(all(root, 'select')[0]!, 'value', { value: '', writable: true });
+    const offered = (server: string) => {
+      panel.show({ ...DEFAULT_CHOICES, server });
+      return all(root, 'button')
+        .filter((button) => !button.hasAttribute('disabled'))
+        .map(shownText);
+    };
+    const own = ['Restart', 'Pause', 'Keys', 'Sound', 'Flight school', 'Free flight', 'Fly together'];
+    expect(offered('')).toEqual(own);
+    expect(shownText(all(root, 'quiet')[0]!)).toMatch(/^Two hundred metres above/);
+    for (const server of ['ws://127.0.0.1:8787', 'tab:abc'])
+      expect(offered(server), server).toEqual(['Keys', 'Sound']);
+    expect(shownText(all(root, 'quiet')[0]!)).toMatch(/^Two hundred metres above/);
+    offered('wss://host');
+    expect(shownText(all(root, 'quiet')[0]!)).toBe('');
+  });
 });

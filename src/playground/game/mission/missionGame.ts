@@ -9,6 +9,7 @@ import type { Notice } from '../../panels/notice';
 import { type Address, copyFlight } from '../address';
 import type { VerifiedRun } from './bestRuns';
 import { adviceText, type Device, howToFly } from '../texts/flightTexts';
+import { isRealServer } from '../../server/tabAddress';
 import { createGhostFlight, type GhostFlight } from './ghost';
 import type { Live } from '../live';
 import type { Runs } from './runs';
@@ -65,9 +66,10 @@ export function createMissionGame(context: MissionContext): MissionGame {
   const ghost = createGhostFlight();
   const flight: Flight = { intervention: '', rival: null, actions: [] };
   const show = (card: CardText | null) => {
-    flight.actions = card?.actions ?? [];
-    if (card === null) context.card.hide();
-    else context.card.show(card);
+    const offered = card === null || context.choices().server === '' ? card : asGuest(card);
+    flight.actions = offered?.actions ?? [];
+    if (offered === null) context.card.hide();
+    else context.card.show(offered);
   };
   const reword = () => showGoal(tracker.mission(), context);
   const showPhase = (mission: Mission) => {
@@ -80,7 +82,8 @@ export function createMissionGame(context: MissionContext): MissionGame {
     tracker,
     ghost,
     begin() {
-      const mission = findMission(context.choices().scenario);
+      const { scenario, server } = context.choices();
+      const mission = isRealServer(server) ? null : findMission(scenario);
       flight.intervention = unrankedReason(context.choices());
       tracker.begin(mission);
       show(null);
@@ -98,7 +101,7 @@ export function createMissionGame(context: MissionContext): MissionGame {
     confirm() {
       const mission = tracker.mission();
       if (flight.actions.length > 0) flight.actions[0]!.act();
-      else if (mission?.isLesson === true) nextAction(mission, context).act();
+      else if (mission !== null && isSkippable(mission, context)) nextAction(mission, context).act();
     },
     reword,
     markIntervention: (how) => (flight.intervention = how),
@@ -120,15 +123,27 @@ export function createMissionGame(context: MissionContext): MissionGame {
 function showGoal(mission: Mission | null, context: MissionContext): void {
   const { goal, choices, device, cap } = context;
   if (mission !== null) goal.show(titleOf(mission, context), mission.goal);
-  else if (choices().scenario === FREE_FLIGHT.name) goal.show(FREE_FLIGHT.title, FREE_FLIGHT.about);
+  else if (choices().scenario === FREE_FLIGHT.name || isRealServer(choices().server))
+    goal.show(FREE_FLIGHT.title, FREE_FLIGHT.about);
   else goal.hide();
   goal.how(howToFly(mission, device(), cap));
 }
 
-/** A lesson can be skipped; on a touch screen by the list of missions alone. */
-function titleOf({ scenario, isLesson }: Mission, context: MissionContext): string {
-  const cap = isLesson ? confirmCap(context) : '';
-  return cap === '' ? scenario.title : `${scenario.title} · ${cap} to skip`;
+/** A lesson can be skipped, but not by a guest; on a touch screen by the list of missions alone. */
+function titleOf(mission: Mission, context: MissionContext): string {
+  const cap = isSkippable(mission, context) ? confirmCap(context) : '';
+  const { title } = mission.scenario;
+  return cap === '' ? title : `${title} · ${cap} to skip`;
+}
+
+function isSkippable({ isLesson }: Mission, { choices }: MissionContext): boolean {
+  return isLesson && choices().server === '';
+}
+
+/** A guest cannot begin another world. */
+function asGuest({ actions, words, ...card }: CardText): CardText {
+  const hint = actions.length > 0 ? 'Only the host can restart or go on.' : '';
+  return { ...card, words: `${words} ${hint}`.trim(), actions: [] };
 }
 
 /** Without a mission a crash also ends the flight; a real server spawns a new ship by itself. */
@@ -181,7 +196,8 @@ async function judge(
       return landedCard(mission, 'Not scored: the replay of its inputs does not land.', context);
     const before = best.of(mission);
     const isBest = best.keep(run);
-    const copyRace = () => copyFlight(context, module.raceQuery(run, ''), 'Race link copied.');
+    const copyRace = () =>
+      copyFlight(context, module.raceQuery(run, context.choices().pilot), 'Race link copied.');
     return module.scoreCard(run, module.verdict(run, before, rival, isBest), copyRace, context);
   } catch {
     return landedCard(mission, 'Not scored: part of the page did not load.', context);
@@ -201,7 +217,7 @@ function unrankedReason({
   flight,
 }: Choices): string {
   if (flight !== '') return 'it was flown from a link';
-  if (server !== '') return 'a real server keeps no inputs';
+  if (server !== '') return 'it was flown as a guest';
   if (body !== '' || shipClass !== '' || (terrain !== '' && terrain !== 'hills'))
     return 'the world was changed';
   if (tickRate !== 0 || timeScale !== 0 || legacy !== 0) return 'the server was changed';

@@ -3,13 +3,23 @@ import { describe, expect, it } from 'vitest';
 import { createMissionGame, type MissionContext } from '../../../../src/playground/game/mission/missionGame';
 import type { Action } from '../../../../src/playground/input/keyTable';
 import type { Device } from '../../../../src/playground/game/texts/flightTexts';
+import type { CardText } from '../../../../src/playground/panels/missionCard';
 import { makeView } from '../../../readout/views';
 
-function createGame(scenario: string, runs: object = { isKept: () => false }) {
-  const shown = { title: '', words: '', how: '', advice: '', flash: '', device: 'keys' as Device };
+function createGame(scenario: string, runs: object = { isKept: () => false }, server = '') {
+  const shown = {
+    title: '',
+    words: '',
+    how: '',
+    advice: '',
+    flash: '',
+    device: 'keys' as Device,
+    card: null as CardText | null,
+    chosen: '',
+  };
   const nothing = () => undefined;
   const game = createMissionGame({
-    choices: () => ({ scenario, server: '' }),
+    choices: () => ({ scenario, server }),
     device: () => shown.device,
     cap: (action: Action) => (action === 'modeUpright' ? 'N' : ''),
     resetCamera: nothing,
@@ -19,7 +29,8 @@ function createGame(scenario: string, runs: object = { isKept: () => false }) {
       advise: (text: string) => (shown.advice = text),
       hide: () => (shown.title = ''),
     },
-    card: { show: nothing, hide: nothing },
+    card: { show: (card: CardText) => (shown.card = card), hide: nothing },
+    choose: (_name: string, text: string) => (shown.chosen = text),
     runs,
     flash: (text: string) => (shown.flash = text),
   } as unknown as MissionContext);
@@ -40,6 +51,33 @@ describe('a best run', () => {
     });
     await Promise.resolve();
     expect([other.shown.flash, other.game.ghost.run()]).toEqual(['', null]);
+  });
+});
+
+describe('where another has the world', () => {
+  const crashed = () => makeView({}, { shownState: 'crashed', provenance: 'confirmed' });
+
+  it('a real server’s is flown without a mission, however the page’s address names one', () => {
+    const { game, shown } = createGame('first-landing', undefined, 'ws://127.0.0.1:8787');
+    expect([shown.title, shown.words]).toEqual(['Free flight', 'No goal: fly where you like.']);
+    expect([game.tracker.mission(), game.tracker.pads()]).toEqual([null, []]);
+  });
+
+  it('a guest has the host’s mission, but can neither skip, restart nor choose', () => {
+    const { game, shown } = createGame('school-land', undefined, 'tab:abc');
+    expect(shown.title).toBe('Lesson 3: land');
+    game.confirm();
+    game.watch(crashed());
+    expect(shown.card).toMatchObject({ title: 'Crashed', actions: [] });
+    expect(shown.card!.words).toMatch(/Only the host can restart or go on\.$/);
+    game.confirm();
+    expect(shown.chosen).toBe('');
+    const host = createGame('school-land');
+    host.game.watch(crashed());
+    expect(host.shown.card!.actions.map(({ text }) => text)).toEqual([
+      'Try again',
+      'Next: Lesson 4: stand on a slope',
+    ]);
   });
 });
 

@@ -1,5 +1,6 @@
 import { FINE, qualityFor } from '../scene';
 import { createAddress } from './game/address';
+import { GHOST_SHIP } from './game/mission/ghost';
 import { createRuns } from './game/mission/runs';
 import { readChoices, writeChoices } from './panels/choices';
 import { createBanner } from './panels/banner';
@@ -28,6 +29,7 @@ export function begin(document: Document, program: string): void {
   const store = storeOf(window);
   const isFine = choices.picture === 'fine';
   const sceneView = openSceneView(canvas, isFine ? FINE : qualityFor(document), notice.show);
+  sceneView?.translucent.add(GHOST_SHIP);
   const page: Page = {
     document,
     window,

@@ -5,7 +5,6 @@ import { pixelRatioOf } from '../view/pageSize';
 import type { Notice } from '../panels/notice';
 import { createTurns } from '../view/cockpit';
 import type { Page } from './pageParts';
-import { GHOST_SHIP } from './mission/ghost';
 import { createReport } from './mission/report';
 import { createTextAlternative } from './texts/textAlternative';
 import type { Parts } from './parts';
@@ -18,7 +17,6 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
   const report = createReport(root, parts);
   const autopilotEnd = createAutopilotEnd(page.notice);
   const nextTurn = createTurns();
-  sceneView?.translucent.add(GHOST_SHIP);
   let before = NaN;
   let generation = 0;
   const loop = createFrameLoop(window, root, {

@@ -69,15 +69,10 @@ export function createPanel(
   const form = createForm(listeners.change);
   form.field(host, 'Mission', 'scenario', createScenarioList(host.ownerDocument));
   const about = append(host, 'p', 'quiet');
-  form.also(({ scenario, server }) => {
-    about.textContent = isRealServer(server) ? '' : (findScenario(scenario)?.about ?? '');
-  });
+  form.also((choices) => (about.textContent = aboutOf(choices)));
   addRow(host, RUN);
   const starts = append(host, 'div', 'row');
-  const worlds = [
-    appendButton(starts, 'Flight school', () => listeners.change('scenario', LESSONS[0]!.scenario.name)),
-    appendButton(starts, 'Free flight', () => listeners.change('scenario', FREE_FLIGHT.name)),
-  ];
+  const worlds = appendWorlds(starts, listeners.change);
   addButton(starts, 'invite', 'Fly together');
 
   const workshop = appendDetails(host, 'Workshop', workshopOpen);
@@ -114,6 +109,18 @@ export function createPanel(
       paintRun();
     },
   };
+}
+
+/** The world of a real server is no scenario of the page. */
+function aboutOf({ scenario, server }: Choices): string {
+  return isRealServer(server) ? '' : (findScenario(scenario)?.about ?? '');
+}
+
+function appendWorlds(row: Element, change: PanelListeners['change']): readonly HTMLButtonElement[] {
+  return [
+    appendButton(row, 'Flight school', () => change('scenario', LESSONS[0]!.scenario.name)),
+    appendButton(row, 'Free flight', () => change('scenario', FREE_FLIGHT.name)),
+  ];
 }
 
 /** The workshop's code is loaded when it opens for the first time. */

@@ -183,13 +183,7 @@ export interface Sleep {
   readonly sleepAtFirst: (sim: Simulation, track: Track, bodies: Float64Array) => void;
   readonly sleepsOn: (sim: Simulation, track: Track, bodies: Float64Array) => boolean;
   readonly sleepsThrough: (track: Track, sent: Float64Array) => boolean;
-  readonly placeAsleep: (
-    place: Place,
-    sim: Simulation,
-    track: Track,
-    tick: number,
-    bodies: Float64Array,
-  ) => Place | null;
+  readonly placeAsleep: (p: Place, s: Simulation, of: Track, tick: number, at: Float64Array) => Place | null;
   readonly holdSleeping: (track: Track) => void;
   readonly wakeIfBurning: (sim: Simulation, track: Track, commanded: Float64Array) => boolean;
   readonly writeSleeping: (

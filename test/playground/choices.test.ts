@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { networkOf, upNetworkOf } from '../../src/playground/game/live';
 import { DEFAULT_CHOICES, readChoices, setChoice, writeChoices } from '../../src/playground/panels/choices';
+import { NETWORK_PRESETS } from '../../src/scenarios';
 
 const read = (query: string) => readChoices(new URLSearchParams(query));
 
@@ -80,5 +82,25 @@ describe('choices in the URL', () => {
     expect(choices.tickRate).toBe(0);
     expect(setChoice(choices, 'tickRate', '20')).toBeNull();
     expect(choices.tickRate).toBe(20);
+  });
+});
+
+describe('the network of the choices', () => {
+  const custom = { ...DEFAULT_CHOICES, network: 'custom', delay: 100, jitter: 20, stalled: 4, stall: 300 };
+  const link = { delay: 0.1, jitter: 0.02, stallShare: 0.04, stallSeconds: 0.3, stallRun: 1.5 };
+
+  it('is a named one, or of the numbers beside it', () => {
+    expect(networkOf(DEFAULT_CHOICES)).toBe(NETWORK_PRESETS.broadband);
+    expect(networkOf(custom)).toEqual(link);
+  });
+
+  it.each([
+    [{}, undefined],
+    [{ upDelay: 7 }, { ...link, delay: 0.007 }],
+    [{ upJitter: 0 }, { ...link, jitter: 0 }],
+    [{ upStalled: 50 }, { ...link, stallShare: 0.5 }],
+  ] as const)('has with %j another link to the server: %j', (up, expected) => {
+    expect(upNetworkOf({ ...custom, ...up })).toEqual(expected);
+    expect(upNetworkOf({ ...DEFAULT_CHOICES, ...up })).toBeUndefined();
   });
 });

@@ -2,45 +2,15 @@
 import { Group, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { NEUTRAL_CONTROLS } from '../../src/dynamics';
-import type { ShipView, WorldView } from '../../src/prediction';
-import { createCone } from '../../src/scene/camera/viewCone';
-import { createJetMaterial } from '../../src/scene/effects/jets';
-import { createLocalFrame, createTurn, toBodyAxes, turnOfFrame } from '../../src/scene/localFrame';
-import type { SceneState } from '../../src/scene/sceneState';
-import { placeShips, poseShips } from '../../src/scene/shipsInScene';
+import type { ShipView } from '../../src/prediction';
 import { clearActors, createActors, poseActors } from '../../src/scene/ships/actors';
-import { createModelCache, type ShipActor } from '../../src/scene/ships/shipActor';
-import { createShipMaterial } from '../../src/scene/ships/shipMaterial';
-import { makeShip, makeView, NORMAL } from '../readout/views';
+import { makeShip } from '../readout/views';
+import { body, createState, frame, shipResources, turn, viewOf } from './shipsAtLuna';
 
 const near = (values: Iterable<number>, digits = 9) =>
   [...values].map((value): unknown => expect.closeTo(value, digits));
 
-const shipResources = { cache: createModelCache(), hull: createShipMaterial(), jet: createJetMaterial() };
-const bodyOf = ({ bodies, own }: WorldView) => bodies[own!.body]!;
-
-/** A view of ships by id, all at the body of the player's ship unless said. */
-function viewOf(ships: readonly Partial<ShipView>[]): WorldView {
-  const view = makeView({ clearance: 100 });
-  return {
-    ...view,
-    ships: ships.map((ship) => ({
-      ...makeShip({ clearance: 100 }),
-      own: false,
-      body: view.own.body,
-      ...ship,
-    })),
-  };
-}
-
 describe('drawn ships', () => {
-  const view = viewOf([{ shipId: 'a' }]);
-  const under = new Float64Array(3);
-  toBodyAxes(under, bodyOf(view).attitude, Float64Array.from(NORMAL));
-  const frame = createLocalFrame(bodyOf(view), under, { azimuth: 60, elevation: 15 });
-  const turn = turnOfFrame(createTurn(), frame, bodyOf(view).attitude);
-  const body = view.own!.body;
-
   function createScene() {
     const actors = createActors();
     const jets = new Group();
@@ -103,64 +73,6 @@ describe('drawn ships', () => {
     expect(height).toBe(Math.max(2, moving.shipClass.groundContactOffset));
     expect([velocity[1], Math.hypot(velocity[0]!, velocity[2]!)]).toEqual(near([-12, 5], 6));
   });
-
-  /** Only what posing and placing ships read of the scene. */
-  function createState(groundY: (x: number, z: number) => number = () => 0, shadowY = () => 0) {
-    const done: unknown[] = [];
-    const put: Record<string, { sunlit: number; watched: boolean }> = {};
-    const shadows: { at: Vector3; normal: Vector3; height: number }[] = [];
-    const seenThrough: string[] = [];
-    const actors = createActors();
-    const nameOf = (actor: ShipActor) => [...actors.byId].find(([, each]) => each === actor)![0];
-    const state = {
-      ...{
-        turn,
-        frame,
-        actors,
-        groundY,
-        look: { air: null },
-        translucent: new Set<string>(),
-        cone: createCone(),
-        rig: { eye: new Float64Array(3) },
-      },
-      parts: {
-        ...{ jets: new Group(), shipResources, ground: { shadowY } },
-        light: { direction: new Vector3(0.8, 0.6, 0) },
-        crash: { begin: (_place: unknown, size: number) => done.push(['crash', size]) },
-        dust: { throwGrain: () => done.push('grain') },
-        hulls: {
-          ...{ clear: () => done.push('clear'), finish: () => done.push('finish') },
-          put: (actor: ShipActor, _eye: unknown, watched: boolean) =>
-            (put[nameOf(actor)] = { sunlit: actor.sunlit, watched }),
-        },
-        translucent: {
-          clear: () => undefined,
-          put: (actor: ShipActor) => seenThrough.push(nameOf(actor)),
-        },
-        shadows: {
-          ...{ clear: () => undefined, finish: () => undefined },
-          put: (_place: unknown, at: Vector3, normal: Vector3, _eye: unknown, height: number) =>
-            shadows.push({ at: at.clone(), normal: normal.clone(), height }),
-        },
-      },
-    };
-    const given = state as unknown as SceneState;
-    const pose = (...ships: Partial<ShipView>[]) => {
-      const seen = viewOf(ships);
-      poseShips(given, seen, seen.own!, 0.02);
-      return done.splice(0);
-    };
-    const actor = (name: string) => actors.byId.get(name)!;
-    return {
-      state: given,
-      pose,
-      put,
-      seenThrough,
-      shadows,
-      actor,
-      place: (watched: string) => placeShips(given, actor(watched)),
-    };
-  }
 
   it('crash once, unless they are wrecks when they are first seen', () => {
     const { pose } = createState();

@@ -137,14 +137,10 @@ describeInBrowser('the built page in any window', () => {
     await page.waitForSelector('html[data-ready=true]');
     await untilDrawn(page);
     const covered = await page.evaluate(() => {
-      const {
-        left,
-        top,
-        width: across,
-        height: down,
-      } = document.getElementById('picture')!.getBoundingClientRect();
-      const [x, y] = [left + across / 2, top + down / 2];
-      return [-0.1, 0, 0.1].map((share) => document.elementFromPoint(x, y + share * down)?.id);
+      const { left, top, width, height } = document.getElementById('picture')!.getBoundingClientRect();
+      return [0.4, 0.5, 0.6].map(
+        (down) => document.elementFromPoint(left + width / 2, top + down * height)?.id,
+      );
     });
     expect(covered).toEqual(['scene-view', 'scene-view', 'scene-view']);
     const [panel, foot] = await Promise.all(

@@ -1,13 +1,11 @@
 import { describe, expect, it, vi } from 'vitest';
 import { hashRows, NEUTRAL_CONTROLS, readShip, SHIP_STRIDE } from '../../../src/dynamics';
 import { createFlightLink } from '../../../src/playground/game/flightLink';
-import { networkOf, upNetworkOf } from '../../../src/playground/game/live';
 import { type Choices, DEFAULT_CHOICES, readChoices } from '../../../src/playground/panels/choices';
 import { createReplay } from '../../../src/playground/recording/replay';
 import { scriptOf } from '../../../src/playground/game/script';
 import {
   compareRecording,
-  NETWORK_PRESETS,
   readRecording,
   runScenario,
   SCENARIOS,
@@ -229,24 +227,4 @@ it('a page that is hidden holds no key when it comes back', () => {
   play(30, 1);
   expect(live.view().own!.controls.thrustLevel).toBe(thrustLevel);
   expect(thrustLevel).toBeLessThan(0.3);
-});
-
-describe('the network of the choices', () => {
-  const custom = { ...DEFAULT_CHOICES, network: 'custom', delay: 100, jitter: 20, stalled: 4, stall: 300 };
-  const link = { delay: 0.1, jitter: 0.02, stallShare: 0.04, stallSeconds: 0.3, stallRun: 1.5 };
-
-  it('is a named one, or of the numbers beside it', () => {
-    expect(networkOf(DEFAULT_CHOICES)).toBe(NETWORK_PRESETS.broadband);
-    expect(networkOf(custom)).toEqual(link);
-  });
-
-  it.each([
-    [{}, undefined],
-    [{ upDelay: 7 }, { ...link, delay: 0.007 }],
-    [{ upJitter: 0 }, { ...link, jitter: 0 }],
-    [{ upStalled: 50 }, { ...link, stallShare: 0.5 }],
-  ] as const)('has with %j another link to the server: %j', (up, expected) => {
-    expect(upNetworkOf({ ...custom, ...up })).toEqual(expected);
-    expect(upNetworkOf({ ...DEFAULT_CHOICES, ...up })).toBeUndefined();
-  });
 });

@@ -122,12 +122,7 @@ export interface Features {
     readonly measureByShip: typeof bodySpin.measureByShip;
   };
   /** Keeps a state of a ship that is interpolated. */
-  readonly keepServerState?: (
-    sim: Simulation,
-    track: Track,
-    row: Float64Array,
-    of: { readonly tick: number; readonly bodies: Float64Array },
-  ) => void;
+  readonly keepServerState?: (sim: Simulation, track: Track, row: Float64Array, at: Boundary) => void;
   /** By the name in the hello; flat ground alone without. */
   readonly terrains?: Readonly<Record<string, TerrainHeight>>;
   /** The test mode, at each tick boundary that the front passes. */
@@ -183,7 +178,7 @@ export interface Sleep {
   readonly sleepAtFirst: (sim: Simulation, track: Track, bodies: Float64Array) => void;
   readonly sleepsOn: (sim: Simulation, track: Track, bodies: Float64Array) => boolean;
   readonly sleepsThrough: (track: Track, sent: Float64Array) => boolean;
-  readonly placeAsleep: (p: Place, s: Simulation, of: Track, tick: number, at: Float64Array) => Place | null;
+  readonly placeAsleep: (place: Place, sim: Simulation, track: Track, at: Boundary) => Place | null;
   readonly holdSleeping: (track: Track) => void;
   readonly wakeIfBurning: (sim: Simulation, track: Track, commanded: Float64Array) => boolean;
   readonly writeSleeping: (
@@ -193,6 +188,12 @@ export interface Sleep {
     attitude: Float64Array,
     spin: Float64Array,
   ) => void;
+}
+
+/** The boundary of a tick, and where the bodies are at it. */
+export interface Boundary {
+  readonly tick: number;
+  readonly bodies: Float64Array;
 }
 
 /** A ship's state at a tick. */

@@ -32,7 +32,7 @@ import {
 } from '../drawn/rotation';
 import type { Place } from '../snapshots/reconcile/compare';
 import { abandonReplay } from './replay';
-import type { Simulation } from './simulation';
+import type { Boundary, Simulation } from './simulation';
 import { copyRow, type Track } from './track';
 
 /**
@@ -114,15 +114,14 @@ export function writeSleeping(
 }
 
 /**
- * A sleeping ship's row at the boundary of `tick`, where `bodies` are, at `place`; null if the front, on a display that has drawn nothing
- * since, has yet to reach an own input before `tick`.
+ * A sleeping ship's row at the boundary, at `place`; null if the front, on a display that has drawn nothing since, has yet to reach an
+ * own input before that tick.
  */
 export function placeAsleep(
   place: Place,
   sim: Simulation,
   track: Track,
-  tick: number,
-  bodies: Float64Array,
+  { tick, bodies }: Boundary,
 ): Place | null {
   if (track.own && actsBetween(sim.inputs, sim.front.tick, tick)) return null;
   copyRow(place.rows, 0, sim.fleet.front, track.at);

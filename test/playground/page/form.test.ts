@@ -125,7 +125,10 @@ describe('the form', () => {
         ...[
           'Restart',
           'Pause',
+          'Flight school',
+          'Free flight',
           'Fly together',
+          'Tip over, then right the ship with the key shown',
           'Step',
           'Snapshot',
           'Restore',

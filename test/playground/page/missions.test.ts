@@ -11,7 +11,7 @@ it('races the run of a link, and says where it is none', async () => {
   const run = verifyRun(MISSIONS[0]!, [])!;
   const invited = await openPage(raceQuery(run, 'Ann'));
   await invited.until(() => invited.text('notice').includes('Race Ann: '));
-  expect(invited.text('notice')).toContain('Their ship flies beside yours.');
+  expect(invited.text('notice')).toContain('Their ghost flies beside you.');
   invited.play(3);
   const wrong = await openPage('?run=none');
   await wrong.until(() => wrong.text('notice').includes('run: '));

@@ -81,7 +81,7 @@ describe('a sleeping ship', () => {
   it('is compared in that pose with the server’s', () => {
     const { sim, track, bodies } = asleep();
     const place = { rows: new Float64Array(SHIP_STRIDE), at: 0, bodies: new Float64Array(0) };
-    expect(placeAsleep(place, sim, track, TICK, bodies)).toBe(place);
+    expect(placeAsleep(place, sim, track, { tick: TICK, bodies })).toBe(place);
     expect(place.bodies).toBe(bodies);
     expectNear(vectorAt(place.rows, POSITION), vectorAt(track.serverRow, POSITION));
     expect(place.rows[FUEL]).toBe(sim.fleet.front[track.at + FUEL]);
@@ -90,14 +90,8 @@ describe('a sleeping ship', () => {
   it('is not compared where an own input acts before the tick that its front has yet to reach', () => {
     const { sim, track, bodies } = asleep();
     sim.inputs.plan = [{ tick: TICK + 1, substep: 0, controls: NEUTRAL_CONTROLS }];
-    const compared = (tick: number) =>
-      placeAsleep(
-        { rows: new Float64Array(SHIP_STRIDE), at: 0, bodies: new Float64Array(0) },
-        sim,
-        track,
-        tick,
-        bodies,
-      ) !== null;
+    const place = { rows: new Float64Array(SHIP_STRIDE), at: 0, bodies: new Float64Array(0) };
+    const compared = (tick: number) => placeAsleep(place, sim, track, { tick, bodies }) !== null;
     expect([compared(TICK + 1), compared(TICK + 2)]).toEqual([true, false]);
     track.own = false;
     expect(compared(TICK + 2)).toBe(true);

@@ -13,7 +13,7 @@ import { turnWithBody } from '../../drawn/interpolate';
 import { quaternion, take, vector } from '../../drawn/rotation';
 import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
 import { createServerStates, seeFromBody, type ServerStates } from '../../simulation/serverStates';
-import type { Simulation } from '../../simulation/simulation';
+import type { Boundary, Simulation } from '../../simulation/simulation';
 import type { Track } from '../../simulation/track';
 
 /** States kept: a burst after a stall brings several at once. */
@@ -24,7 +24,7 @@ export function keepServerState(
   sim: Simulation,
   track: Track,
   row: Float64Array,
-  { tick, bodies }: { readonly tick: number; readonly bodies: Float64Array },
+  { tick, bodies }: Boundary,
 ): void {
   const states = (track.states ??= createServerStates());
   rebaseStates(states, sim, row[REFERENCE_BODY]!);

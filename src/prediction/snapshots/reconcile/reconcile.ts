@@ -176,7 +176,7 @@ function correct(
 function findPredicted(sim: Simulation, track: Track, context: SnapshotContext): Place | null {
   const { asleep, kept } = context.compared;
   if (track.mode === 'sleeping' && sim.sleep !== null)
-    return sim.sleep.placeAsleep(asleep, sim, track, context.tick, context.bodies);
+    return sim.sleep.placeAsleep(asleep, sim, track, context);
   if (track.mode === 'held' || !has(track.history, context.tick)) return null;
   kept.rows = track.history.rows;
   kept.at = offsetOf(track.history, context.tick);

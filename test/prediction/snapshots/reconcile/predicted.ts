@@ -38,7 +38,7 @@ export function predicted(state: '' | 'landed' = '', { own = true } = {}) {
   if (state === 'landed') {
     // At rest on the turning ground.
     sleepIfAtRest(sim, track, bodies);
-    placeAsleep({ rows: row, at: 0, bodies }, sim, track, TICK, bodies);
+    placeAsleep({ rows: row, at: 0, bodies }, sim, track, { tick: TICK, bodies });
     track.mode = 'stepping';
     track.serverRow.set(row);
   }

@@ -37,7 +37,7 @@ export function scoreRun(mission: Mission, run: RunOutcome): Score {
       most: 300,
       full: SOFT,
       none: HARD,
-      rule: `hardest touch: full points up to ${SOFT} m/s, none from ${HARD} m/s`,
+      rule: `full points up to ${SOFT} m/s, none from ${HARD} m/s`,
     }),
     line('Distance', distance, `${distance.toFixed(1)} m`, {
       most: 250,

@@ -4,7 +4,6 @@ import { createLocalFrame } from '../../src/scene/localFrame';
 import { CELLS } from '../../src/scene/ground/levels';
 import {
   cornerFor,
-  createLevel,
   groundPoint,
   layOutLevel,
   moveLevel,
@@ -12,7 +11,8 @@ import {
   shadeOver,
   type TerrainLevel,
 } from '../../src/scene/ground/terrainLevel';
-import { createSectors, writeSectors } from '../../src/scene/ground/groundSectors';
+import { writeSectors } from '../../src/scene/ground/groundSectors';
+import { ownLevel, ownSectors } from './ownLevel';
 
 const MOON = BODIES.find(({ name }) => name === 'Luna')!;
 const hills = TERRAINS['hills']!;
@@ -30,7 +30,7 @@ function frameAt(metresOff: number) {
 }
 
 function levelAt(spacing: number, x: number, z: number, frame = frameAt(3000)): TerrainLevel {
-  const level = createLevel(spacing);
+  const level = ownLevel(spacing);
   moveLevel(level, [cornerFor(level, x), cornerFor(level, z)], frame, hills);
   shadeLevel(level, null, frame);
   layOutLevel(level);
@@ -39,7 +39,7 @@ function levelAt(spacing: number, x: number, z: number, frame = frameAt(3000)): 
 
 /** Height of the drawn triangles over a place inside the level, in the local frame. */
 function drawnHeight(level: TerrainLevel, x: number, z: number): number {
-  const sectors = createSectors();
+  const sectors = ownSectors();
   writeSectors(sectors, level, null);
   const { indices } = sectors;
   const count = CELLS * CELLS * 6;
@@ -93,7 +93,7 @@ describe('drawn ground', () => {
       calls++;
       return hills(...place);
     });
-    const fresh = createLevel(0.4);
+    const fresh = ownLevel(0.4);
     moveLevel(fresh, [moved.cornerX, moved.cornerZ], frame, hills);
     expect(moved.points).toEqual(fresh.points);
     expect(calls).toBe((CELLS + 3) * (CELLS + 3) - (CELLS + 3 - 6) * (CELLS + 3 - 4));
@@ -102,7 +102,7 @@ describe('drawn ground', () => {
   it('takes the vertices that the coarser level has from it: the same as computed', () => {
     const frame = frameAt(3000);
     const coarse = levelAt(0.8, 30, -17, frame);
-    const [fine, fresh] = [createLevel(0.4), createLevel(0.4)];
+    const [fine, fresh] = [ownLevel(0.4), ownLevel(0.4)];
     const corner = [cornerFor(fine, 30), cornerFor(fine, -17)] as const;
     let calls = 0;
     const counted: typeof hills = (...place) => {
@@ -133,7 +133,7 @@ describe('drawn ground', () => {
         expect(Math.abs(fineAt(i + 1, axis) - middle)).toBeLessThan(2e-5);
       }
     }
-    const sectors = createSectors();
+    const sectors = ownSectors();
     writeSectors(sectors, coarse, fine);
     const once = (CELLS * CELLS - (CELLS / 2) ** 2) * 6;
     expect(sectors.starts.at(-1)).toBe(2 * once);
@@ -147,7 +147,7 @@ describe('drawn ground', () => {
 
   it('casts a shadow of the length that the sun’s elevation gives', () => {
     const frame = frameAt(0);
-    const level = createLevel(1);
+    const level = ownLevel(1);
     const wall = 6;
     // A ridge along z at x = 10 m, on level ground: cell corners are whole metres.
     const ridge = (_: string, nx: number, ny: number, nz: number) => {

@@ -2,18 +2,13 @@ import { Frustum, Matrix4, PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { BODIES, LANDING_SITE, TERRAINS } from '../../src/dynamics';
 import { createRandom } from '../../src/scenarios';
-import { createSectors, visibleRange, writeSectors } from '../../src/scene/ground/groundSectors';
+import { visibleRange, writeSectors } from '../../src/scene/ground/groundSectors';
 import { isOverHorizon } from '../../src/scene/sky/horizon';
 import { createLocalFrame, type LocalFrame } from '../../src/scene/localFrame';
 import { CELLS } from '../../src/scene/ground/levels';
-import {
-  cornerFor,
-  createLevel,
-  layOutLevel,
-  moveLevel,
-  type TerrainLevel,
-} from '../../src/scene/ground/terrainLevel';
+import { cornerFor, layOutLevel, moveLevel, type TerrainLevel } from '../../src/scene/ground/terrainLevel';
 import { aimCone, coneMeets, createCone, type ViewCone } from '../../src/scene/camera/viewCone';
+import { ownLevel, ownSectors } from './ownLevel';
 
 const hills = TERRAINS['hills']!;
 const SUN = { elevation: 13, azimuth: 58 };
@@ -25,7 +20,7 @@ function frameOn(bodyName: string): LocalFrame {
 }
 
 function levelOf(frame: LocalFrame, spacing: number, x: number, z: number): TerrainLevel {
-  const level = createLevel(spacing);
+  const level = ownLevel(spacing);
   moveLevel(level, [cornerFor(level, x), cornerFor(level, z)], frame, hills);
   layOutLevel(level);
   return level;
@@ -63,7 +58,7 @@ function pointOf(level: TerrainLevel, vertex: number, out: Vector3): Vector3 {
 
 /** Vertices of omitted triangles that are inside three's frustum, and the number of omitted triangles. */
 function hiddenButSeen(level: TerrainLevel, finer: TerrainLevel, cone: ViewCone, frustum: Frustum) {
-  const sectors = createSectors();
+  const sectors = ownSectors();
   writeSectors(sectors, level, finer);
   const range = { start: 0, count: 0 };
   visibleRange(range, sectors, level, cone);

@@ -86,8 +86,8 @@ export function spawn(
 function invalidName({ shipId, playerId, name }: ShipIdentity): string | null {
   if (shipId === '') return 'shipId: expected a non-empty string';
   for (const [field, text] of Object.entries({ shipId, playerId, name })) {
-    const complaint = textFault(text);
-    if (complaint !== null) return `${field}: ${complaint}`;
+    const fault = textFault(text);
+    if (fault !== null) return `${field}: ${fault}`;
   }
   return null;
 }

@@ -6,7 +6,7 @@ import type { Choices } from '../panels/choices';
 import { type Connection, type ConnectionHandlers, openWorker } from '../server/connection';
 import { deferConnection } from '../server/deferred';
 import type { LoadOperation, Operation } from '../server/operation';
-import { TAB_ADDRESS } from '../server/tabAddress';
+import { isRealServer } from '../server/tabAddress';
 import type { Baseline } from './baseline';
 import type { FlightControls } from './flightControls';
 import { createLiveState, forgetWorld, type LiveListeners, type LiveState, noteMessage } from './liveState';
@@ -184,7 +184,7 @@ function connect(state: LiveState, name: string): Connection {
 
 /** Another tab's world or a real server: their code is loaded then. */
 async function openRemote(address: string, name: string, handlers: ConnectionHandlers): Promise<Connection> {
-  if (!TAB_ADDRESS.test(address)) return (await import('../server/realServer')).openServer(address, handlers);
+  if (isRealServer(address)) return (await import('../server/realServer')).openServer(address, handlers);
   const { openTab } = await import('../server/tabLink');
   const guest = `guest-${Math.random().toString(36).slice(2, 8)}`;
   return openTab(address, { guest, name }, handlers);

@@ -117,7 +117,7 @@ function shadowOver(rings: readonly Ring[], x: number, z: number): number {
 }
 
 function createRing(n: number, { points, sectors }: GroundMesh): Ring {
-  return { level: createLevel(FINEST * 2 ** n, points[n]), sectors: sectors[n]!, holeKey: NaN };
+  return { level: createLevel(FINEST * 2 ** n, points[n]!), sectors: sectors[n]!, holeKey: NaN };
 }
 
 /** Leaves out the area that the finer level covers; whether that has changed. */

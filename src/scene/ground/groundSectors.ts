@@ -20,10 +20,7 @@ const SECTORS = 8;
 const WHOLE = 2 * Math.PI;
 export const SECTOR_INDICES = CELLS * CELLS * 6 * 2;
 
-export function createSectors(
-  indices: Uint16Array = new Uint16Array(SECTOR_INDICES),
-  firstVertex = 0,
-): GroundSectors {
+export function createSectors(indices: Uint16Array, firstVertex: number): GroundSectors {
   return {
     indices,
     firstVertex,

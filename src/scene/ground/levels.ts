@@ -21,10 +21,3 @@ export interface DrawnPoints {
   /** How far above the terrain's shadow, in spacings, −4 … 4: sunlit where positive. */
   readonly sunlit: Float32Array;
 }
-
-const DRAWN = VERTICES * VERTICES;
-export const newPoints = (): DrawnPoints => ({
-  positions: new Float32Array(DRAWN * 3),
-  normals: new Float32Array(DRAWN * 3),
-  sunlit: new Float32Array(DRAWN),
-});

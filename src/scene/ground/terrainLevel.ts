@@ -1,6 +1,6 @@
 import type { TerrainHeight } from '../../dynamics';
 import type { LocalFrame } from '../localFrame';
-import { CELLS, type DrawnPoints, newPoints, VERTICES } from './levels';
+import { CELLS, type DrawnPoints, VERTICES } from './levels';
 
 /** Vertices along a side, with one more all around for the slopes at the edge. */
 const SIDE = CELLS + 3;
@@ -28,10 +28,7 @@ export interface TerrainLevel extends DrawnPoints {
   readonly origin: Float64Array;
 }
 
-export function createLevel(
-  spacing: number,
-  { positions, normals, sunlit }: DrawnPoints = newPoints(),
-): TerrainLevel {
+export function createLevel(spacing: number, { positions, normals, sunlit }: DrawnPoints): TerrainLevel {
   return {
     spacing,
     cornerX: 0,

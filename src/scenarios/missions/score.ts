@@ -3,7 +3,7 @@ import type { Mission } from './mission';
 
 /** One line of a score: what was measured, the points it earned, and the rule for full points. */
 export interface ScoreLine {
-  readonly what: 'Touch' | 'Distance' | 'Tilt' | 'Fuel' | 'Time' | 'Tipped over' | 'Goal missed';
+  readonly what: 'Hardest touch' | 'Distance' | 'Tilt' | 'Fuel' | 'Time' | 'Tipped over' | 'Goal missed';
   readonly measured: string;
   readonly points: number;
   readonly most: number;
@@ -33,7 +33,7 @@ export function scoreRun(mission: Mission, run: RunOutcome): Score {
   const radius = Math.min(...mission.pads.map((pad) => pad.radius));
   const kg = (value: number) => `${value.toFixed(0)} kg`;
   const lines: ScoreLine[] = [
-    line('Touch', touchSpeed, `${touchSpeed.toFixed(1)} m/s`, {
+    line('Hardest touch', touchSpeed, `${touchSpeed.toFixed(1)} m/s`, {
       most: 300,
       full: SOFT,
       none: HARD,

@@ -47,23 +47,23 @@ describe('advance', () => {
     ['advance-seldom', 3.9],
     ['now-in-milliseconds', 5],
     ['now-in-milliseconds', 300],
-  ])('has the mistake %s at the tenth gap of %d s', (code, gap) => {
+  ])('warns %s at the tenth gap of %d s', (code, gap) => {
     expect([9, 10].map((times) => advanced(times, gap))).toEqual([[], [code]]);
   });
 
-  it('between 4 and 5 s a gap may be of either', () => {
+  it('warns of both codes at gaps between 4 and 5 s', () => {
     expect(advanced(10, 4).toSorted()).toEqual(['advance-seldom', 'now-in-milliseconds']);
     expect(advanced(10, 4.99).toSorted()).toEqual(['advance-seldom', 'now-in-milliseconds']);
   });
 
-  it.each([0.15, 300.1])('has none at gaps of %d s: a fast display, a hidden page', (gap) => {
+  it.each([0.15, 300.1])('does not warn at gaps of %d s: a slow display, a hidden page', (gap) => {
     const made = caller();
     made.advance(1, 0);
     made.advance(20, gap);
     expect(made.codes()).toEqual([]);
   });
 
-  it('has no pattern where one other gap is between', () => {
+  it('does not warn if another gap interrupts the series', () => {
     for (const gap of [0.2, 5, 0]) {
       const made = caller();
       made.advance(1, 0.01);
@@ -74,7 +74,7 @@ describe('advance', () => {
     }
   });
 
-  it('is twice per frame also where every second call has the same now', () => {
+  it('warns of two calls per frame if every second call repeats `now`', () => {
     const made = caller();
     for (let i = 0; i < 10; i++) {
       made.advance(1, 0.01);
@@ -83,7 +83,7 @@ describe('advance', () => {
     expect(made.codes()).toEqual(['advance-twice']);
   });
 
-  it('is of another clock beyond 1e9 s, where it goes back, or 100 s from that of receive', () => {
+  it('warns of another clock beyond 1e9 s, if it goes back, or more than 100 s from that of receive', () => {
     expect(advanced(1, 1e9)).toEqual([]);
     expect(advanced(1, 1e9 + 1)).toEqual(['now-of-calendar']);
     expect(advanced(1, -0.001)).toEqual(['now-went-back']);
@@ -100,7 +100,7 @@ describe('advance', () => {
 });
 
 describe('view', () => {
-  it('is of another clock 100 s from that of advance', () => {
+  it('warns of another clock more than 100 s from that of advance', () => {
     for (const [apart, codes] of [
       [100, []],
       [-100.1, ['two-clocks']],
@@ -112,7 +112,7 @@ describe('view', () => {
     }
   });
 
-  it('is called without advance at the tenth time, with a frame to show', () => {
+  it('warns at its tenth call without advance, once there is a frame to show', () => {
     const viewed = (times: number, frames: number) => {
       const made = caller();
       for (let i = 0; i < frames; i++) made.receive({}, 0);
@@ -123,8 +123,8 @@ describe('view', () => {
   });
 });
 
-describe('messages to send', () => {
-  it('are not taken from the 300th call of advance on', () => {
+describe('outgoing messages', () => {
+  it('are reported as not taken from the 300th call of advance on', () => {
     const made = caller();
     made.advance(5, 0.01);
     made.taken('takeControls');
@@ -138,7 +138,7 @@ describe('messages to send', () => {
     expect(made.codes()).toEqual(['outgoing-not-taken']);
   });
 
-  it('are taken by one call alone', () => {
+  it('are reported as taken twice if two different calls take them', () => {
     const made = caller();
     for (const call of ['takeControls', 'takeControls']) made.taken(call);
     expect(made.codes()).toEqual([]);
@@ -155,14 +155,14 @@ describe('the player’s ship', () => {
     return made.codes();
   };
 
-  it('was never seen at the tenth frame without it; a spectator has none', () => {
+  it('is reported as never seen at the tenth frame without it; a spectator has none', () => {
     expect([9, 10].map((count) => received(count, 'b', [ship]))).toEqual([[], ['own-ship-never-seen']]);
     expect([received(10, 'a', [ship]), received(10, '', [ship])]).toEqual([[], []]);
     expect(received(10, 'a', [null, ship])).toEqual([]);
   });
 });
 
-describe('the pace of ticks', () => {
+describe('tick rate and game time', () => {
   /** Frames of `rate` Hz by their own account, each tick `gap` s after the last. */
   const paced = (count: number, tickRate: number, gap: number) => {
     const made = caller();
@@ -171,20 +171,20 @@ describe('the pace of ticks', () => {
     return made.codes();
   };
 
-  it('is not that of the rate where ticks come five times too fast for three seconds', () => {
+  it('are reported if ticks come five times too fast for three seconds', () => {
     expect(paced(40, 1, 0.21)).toEqual([]);
     expect(paced(40, 1, 0.19)).toEqual(['tick-rate']);
     // At 0.19 s per tick 3 s have passed with the 16th gap.
     expect([16, 17].map((count) => paced(count, 1, 0.19))).toEqual([[], ['tick-rate']]);
   });
 
-  it('nor where ten in a row come five times too late, for three seconds', () => {
+  it('are reported if ten ticks in a row come five times too late, over three seconds', () => {
     expect(paced(40, 10, 0.49)).toEqual([]);
     expect([10, 11].map((count) => paced(count, 10, 0.51))).toEqual([[], ['tick-rate']]);
     expect([30, 31].map((count) => paced(count, 100, 0.1001))).toEqual([[], ['tick-rate']]);
   });
 
-  it('nor where game time grows by a hundred times more or less', () => {
+  it('are reported if game time grows a hundred times too fast or too slowly', () => {
     const grown = (perTick: number) => {
       const made = caller();
       made.advance(1, 0);

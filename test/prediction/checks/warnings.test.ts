@@ -35,13 +35,13 @@ describe('a value is reported from its bound on', () => {
     expect([count(within), count(beyond)]).toEqual([0, 1]);
   });
 
-  it('a tempo is reported with the one that is measured', () => {
+  it('a tempo is reported together with the measured one', () => {
     const [slow, fast] = measuredRates();
     expect(slow).toBeCloseTo(1 / 6, 6);
     expect(fast).toBeCloseTo(10, 6);
   });
 
-  it('an attitude is in another order where that of no turn would be, and where a landed ship would stand', () => {
+  it('an attitude’s order is reported if another order gives no rotation, or lets a landed ship stand', () => {
     // [0, 0, 1, 0] is [0, 0, 0, 1] of JSON, which begins with w.
     expect(takenForAnotherOrder()).toEqual({ attitude: ['0010', '1000'], target: ['1000'] });
     const states = ['landed', '', 'contact', 'tipped'].map(
@@ -67,7 +67,7 @@ const atTempo = (...tempo: readonly { ticks: number; tickRate: number; silence?:
     }
   }).filter(({ code }) => code === 'tick-rate');
 
-describe('a tempo is no mistake', () => {
+describe('a tempo is not reported', () => {
   it('when it changes', () => {
     const changes = [
       { ticks: 30, tickRate: 1 },
@@ -77,13 +77,13 @@ describe('a tempo is no mistake', () => {
     expect(atTempo(...changes, { ticks: 300, tickRate: 10 })).toEqual([]);
   });
 
-  it('when the server pauses without a word', () => {
+  it('when the server pauses without saying so', () => {
     const running = { ticks: 20, tickRate: 2 };
     expect(atTempo(running, { ...running, silence: 300 }, { ...running, silence: 60 })).toEqual([]);
   });
 });
 
-it('a ship that was seen and is gone is no mistake of its id', () => {
+it('the id of a ship that was seen before is not reported', () => {
   const found = received(
     ...ticks(3),
     ...ticks(20, { ships: [] }).map((one) => ({ ...one, tick: one.tick + 3 })),
@@ -93,7 +93,7 @@ it('a ship that was seen and is gone is no mistake of its id', () => {
 
 const planned = (tick: number) => ({ tick, substep: 0, controls: NEUTRAL_CONTROLS });
 
-it('a plan in order is no mistake', () => {
+it('a plan in order is not reported', () => {
   expect(() => createPredictor({ plan: [planned(4), planned(5), planned(5)] })).not.toThrow();
 });
 

@@ -80,7 +80,7 @@ describe('a correction', () => {
     expect([turned(59), turned(61)]).toEqual([true, false]);
   });
 
-  it('may be as large as the way flown since the server’s last state', () => {
+  it('is eased up to 25 m plus the distance flown since the last server state', () => {
     const silent = (of: Drawn) => {
       of.speed(10);
       of.track.silence = 3;
@@ -108,7 +108,7 @@ describe('a correction', () => {
     expect([isEased(84.9, fast), isEased(85.1, fast)]).toEqual([true, false]);
   });
 
-  it('may be as large as the way from that state to the present', () => {
+  it('is eased up to 25 m plus the distance from that state to the present', () => {
     const ahead = (of: Drawn) => {
       of.speed(10);
       of.sim.front.tick = TICK + 20;
@@ -177,7 +177,7 @@ describe('a correction', () => {
   });
 });
 
-describe('another policy', () => {
+describe('a change of policy', () => {
   const faded = (metres: number, prepare: (of: Drawn) => void = () => {}) => {
     const of = drawn();
     const { sim, track } = of;
@@ -193,11 +193,11 @@ describe('another policy', () => {
     return track.picture.ease.active;
   };
 
-  it('fades from the pose drawn before, up to 25 m', () => {
+  it('fades from the pose drawn before it, up to 25 m', () => {
     expect([faded(24.9), faded(25.1)]).toEqual([true, false]);
   });
 
-  it('may fade over the distance of two more seconds', () => {
+  it('fades over up to two seconds of flight more', () => {
     const moving = ({ track }: Drawn) => track.serverRow.set(along(10), VELOCITY);
     const most = 25 + 10 * POLICY_STALL;
     expect([faded(most - 0.1, moving), faded(most + 0.1, moving)]).toEqual([true, false]);

@@ -82,7 +82,7 @@ describe('the drawn offset', () => {
     expect(Math.max(...speeds)).toBeCloseTo(fastest, 6);
   });
 
-  it('is left alone while no time passes, and forgotten after more than 2 s or once nothing is left', () => {
+  it('does not change while no time passes, and is cleared after more than 2 s or once negligible', () => {
     const after = (seconds: number, offset: number, given = {}) => {
       const ease = corrected([offset, 0, 0], [0, 0, offset]);
       advanceEase(ease, UP, seconds, springsOf(given));

@@ -19,7 +19,7 @@ function apart(a: ArrayLike<number>, b: ArrayLike<number>): number {
   return Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!, a[2]! - b[2]!);
 }
 
-describe('ghost of the server’s state', () => {
+describe('the ghost of the server’s state', () => {
   for (const { name, seconds, state } of [
     { name: 'topple', seconds: 11, state: 'tipped' },
     { name: 'settle-earth', seconds: 5.5, state: 'landed' },

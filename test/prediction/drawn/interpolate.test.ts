@@ -67,7 +67,7 @@ const between = (a: readonly number[], b: readonly number[], share: number) =>
   a.map((x, k) => x + (b[k]! - x) * share);
 
 describe('an interpolated ship', () => {
-  it('has velocity, spin and attitude in the same proportion as the time', () => {
+  it('has velocity, spin and attitude in proportion to time', () => {
     for (const share of [0.25, 0.5, 0.9]) {
       const drawn = drawnAt(0.4 * share);
       expectNear(drawn.velocity, between(FROM.velocity, TO.velocity, share));
@@ -77,7 +77,7 @@ describe('an interpolated ship', () => {
     }
   });
 
-  it('flies the cubic through both positions and velocities', () => {
+  it('follows the cubic through both positions and velocities', () => {
     const step = 1e-5;
     // At its ends it is there, at that velocity.
     expectNear(drawnAt(0).position, FROM.position);

@@ -4,7 +4,7 @@ import { fillView } from '../../../src/prediction/drawn/worldView';
 import { beginReading } from '../../../src/prediction/ground/learnedGround';
 import { sessionAt, shipAt } from '../decisions/sessionAt';
 
-it('ground that one ship has learned does not move the next one', () => {
+it('ground learned from one ship does not move the next one', () => {
   const { sim, viewBuilder } = sessionAt(100);
   const learning = shipAt(sim, 'own', 'landed');
   const { name, radius } = sim.world.bodies[0]!;

@@ -95,21 +95,21 @@ function expectMotion(row: Float64Array, { place, velocity, attitude, spin }: Re
   );
 }
 
-describe('a ship drawn between the server’s states', () => {
+describe('a ship drawn between two server states', () => {
   const path = [stateAt(0), stateAt(0.4), stateAt(0.8)];
 
   it.each([0, 0.025, 0.07, 0.1, 0.13, 0.2])(
-    'follows their fall and turn on the turning body: after %d s',
+    'follows its fall and rotation on the turning body: after %d s',
     (wall) => {
       expectMotion(drawn(wall, path).row, falling(4 * wall));
     },
   );
 
-  it('turns the shorter way where an attitude has the other sign', () => {
+  it('turns the short way if the attitudes have opposite signs', () => {
     expectMotion(drawn(0.05, [stateAt(0), stateAt(0.4, FLYING, -1)]).row, falling(0.2));
   });
 
-  it('stays at the first state before it, and at the last one after it', () => {
+  it('stays at the first state before it, and at the last state after it', () => {
     expectMotion(drawn(-0.5, path).row, falling(0));
     expectMotion(drawn(5, path).row, falling(0.8));
   });
@@ -117,13 +117,13 @@ describe('a ship drawn between the server’s states', () => {
   it.each([
     [CONTACT, FLYING],
     [FLYING, CONTACT],
-  ])('moves on a straight line where one of them (%i, %i) is on the ground', (first, second) => {
+  ])('moves on a straight line if one of them is on the ground: surface states %i, %i', (first, second) => {
     const [from, to] = [falling(0), falling(0.4)];
     const { row } = drawn(0.025, [stateAt(0, first), stateAt(0.4, second)]);
     near(read(row, POSITION), rotate(BODY, plus(times(from.place, 0.75), to.place, 0.25)), 5);
   });
 
-  it('fades from the pose drawn before, and keeps its own for the next change', () => {
+  it('fades from the held pose, and holds its own for the next change', () => {
     const { picture } = drawn(0.05, path, plus(PLACE!, [3, 4, -5]));
     const { place } = falling(0.2);
     near(read(picture.ease.offset, 0), plus(plus(PLACE!, [3, 4, -5]), place, -1), 5);
@@ -132,7 +132,7 @@ describe('a ship drawn between the server’s states', () => {
     expect([picture.hasHeld, picture.ease.active]).toEqual([false, true]);
   });
 
-  it('a state is the same in the body’s axes and back', () => {
+  it('is converted to the body’s axes and back without change', () => {
     const bodies = new Float64Array(BODY_STRIDE);
     bodies.set(BODY, BODY_ATTITUDE);
     bodies.set(SPIN, BODY_ANGULAR_VELOCITY);
@@ -178,7 +178,7 @@ interface Correction {
 }
 
 describe('a correction', () => {
-  it('is taken up by the offset, in the body’s axes', () => {
+  it('goes into the drawn offset, in the body’s axes', () => {
     const { ease, body, snaps } = corrected([3, -4, 12], { angle: 0.5 });
     near(read(ease.offset, 0), rotate(conjugate(body), [-3, 4, -12]), 5);
     near(read(ease.turn, 0), rotate(conjugate(body), times(AXIS, -0.5)), 6);
@@ -215,7 +215,7 @@ describe('a correction', () => {
   it.each([
     [44.9, true],
     [45.1, false],
-  ])('of a policy over %d m, with 2 s at 10 m/s', (metres, isEased) => {
+  ])('by a change of policy over %d m, 2 s at 10 m/s included, is eased: %s', (metres, isEased) => {
     const { sim } = sessionAt(TICK);
     const track = shipAt(sim, 'own', 'landed');
     track.serverRow.set([0, 10, 0], VELOCITY);

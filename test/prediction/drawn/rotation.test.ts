@@ -48,7 +48,7 @@ const effect = (write: (out: Float64Array) => void) =>
 describe('a rotation', () => {
   const [a, b, v] = [of(quaternionOf(A)), of(quaternionOf(B)), of(V)];
 
-  it('turns a vector, and back, in place too', () => {
+  it('rotates a vector and back, also in place', () => {
     near(
       written(3, (out) => rotation.rotate(out, a, v)),
       turned(A, V),
@@ -63,7 +63,7 @@ describe('a rotation', () => {
     near(own, V);
   });
 
-  it('is composed with another, converted to its axes, and recovered as the difference', () => {
+  it('is composed with another, expressed in its axes, and recovered as the difference', () => {
     near(
       effect((out) => rotation.compose(out, a, b)),
       turned(A, turned(B, V)),
@@ -98,7 +98,7 @@ describe('a rotation', () => {
     }
   });
 
-  it('by more than π is the shorter one to the other side', () => {
+  it('by more than π becomes the shorter one in the other direction', () => {
     const q = of(quaternionOf({ ...A, angle: 4 }));
     const vector = A.axis.map((n) => n * (4 - 2 * Math.PI));
     near(
@@ -108,7 +108,7 @@ describe('a rotation', () => {
     near([rotation.angleOf(q)], [2 * Math.PI - 4]);
   });
 
-  it.each([1, -1])('is blended on the short way and stays a unit, from %d q', (sign) => {
+  it.each([1, -1])('is blended along the short way and stays of unit length, from %d q', (sign) => {
     const small = (angle: number) => quaternionOf({ ...A, angle });
     const [from, to] = [small(0.7).map((x) => x * sign), small(0.708)];
     const blended = written(4, (out) => rotation.blend(out, of(from), of(to), 0.25));
@@ -118,7 +118,7 @@ describe('a rotation', () => {
   });
 });
 
-it('vectors are added by shares, multiplied, measured, and taken out of rows and put back', () => {
+it('vectors are blended, multiplied, measured, read from rows and written back', () => {
   const [a, b] = [V, [-2, 11, 0.5] as const];
   const sum = of(a);
   rotation.add(sum, of(b), 0.5);

@@ -63,7 +63,7 @@ function seen({ alpha = ALPHA, substep = 5 } = {}) {
 type Seen = ReturnType<typeof seen>;
 
 describe('a ship in a view', () => {
-  it('is between the substep boundaries around the present', () => {
+  it('is interpolated between the substep boundaries around the present', () => {
     const { sim, view, rows } = seen();
     const own = view().own!;
     for (const [column, shown] of [
@@ -92,7 +92,7 @@ describe('a ship in a view', () => {
     expect([...own.wheelMomentum]).toEqual(rows(sim.fleet[of], WHEEL_MOMENTUM));
   });
 
-  it('has its name, its pilot, how long it was extrapolated, and the sends without it', () => {
+  it('has its name, whether it is the player’s, its extrapolated states and its missed sends', () => {
     const { sim, track, view } = seen();
     Object.assign(track, { name: 'Eagle', lastSend: 3 });
     Object.assign(track.fit, { carried: 'law', states: 7 });
@@ -107,7 +107,7 @@ describe('a ship in a view', () => {
     expect([view().ships[0]!.own, sim.counters.shipsCarried]).toEqual([false, 0]);
   });
 
-  it('is drawn where it is predicted, or off by the offset in the axes of its body', () => {
+  it('is drawn at its predicted pose plus the offset, which is in the axes of its body', () => {
     const { sim, track, view } = seen();
     const own = view().own!;
     expect([...own.easedPosition]).toEqual([...own.position]);
@@ -129,7 +129,7 @@ describe('a ship in a view', () => {
     expect(sim.counters.offsetAngle).toBeLessThan(0.3);
   });
 
-  it('has the thrust of thrusters and engine, in its axes: none without fuel, none as a wreck', () => {
+  it('has the thrust of thrusters and engine in its own axes, none without fuel or as a wreck', () => {
     const thrust = (prepare: (of: Seen) => void) => {
       const of = seen();
       const { sim, track, view } = of;
@@ -155,7 +155,7 @@ describe('a ship in a view', () => {
     ]);
   });
 
-  it('is as high as its feet are above the ground, which is level below it', () => {
+  it('has the height of its feet above the ground', () => {
     const { track, view, sim } = seen();
     const own = view().own!;
     const { radius } = sim.world.bodies[0]!;
@@ -198,7 +198,7 @@ describe('a ship in a view', () => {
   });
 });
 
-describe('the label of a view', () => {
+describe('the time of a view', () => {
   const label = (substep: number, alpha: number) => {
     const { tick, sinceTick } = seen({ substep, alpha }).view();
     return [tick, Math.round(sinceTick * 1e6) / 1e6];
@@ -222,7 +222,7 @@ describe('the label of a view', () => {
 });
 
 describe('a body in a view', () => {
-  it('has moved since its tick, and has its velocity and spin', () => {
+  it('has moved since its tick by its velocity, and has its spin', () => {
     for (const substep of [5, 0]) {
       const { sim, view } = seen({ substep });
       const rows = boundaryAt(sim.bodies, sim.timeline, TICK);

@@ -94,7 +94,7 @@ describe('a ship that is extrapolated on the ground', () => {
   const moving = (east: number, up: number, seconds = 10) =>
     carried({ velocity: plus(ground, plus(times(EAST, east), UP, up)), state: CONTACT }, seconds * 100, 0.01);
 
-  it('that stands moves with the turning ground', () => {
+  it('moves with the turning ground while it stands', () => {
     const { place, velocity, state } = moving(0, 0);
     const rate = lengthOf(SPIN);
     const there = rotate(turnAbout(unit(SPIN), rate * 10), PLACE);
@@ -104,7 +104,7 @@ describe('a ship that is extrapolated on the ground', () => {
     expect(state).toBe(CONTACT);
   });
 
-  it('that slides keeps its velocity relative to the ground', () => {
+  it('keeps its velocity relative to the ground while it slides', () => {
     const { velocity, place } = moving(5, 0, 1);
     expect(apart(plus(velocity, cross(SPIN, place), -1), times(EAST, 5))).toBeLessThan(1e-6);
     expect(apart(place, moving(0, 0, 1).place)).toBeCloseTo(5, 2);
@@ -122,7 +122,7 @@ describe('a ship that is extrapolated on the ground', () => {
   });
 });
 
-it('a wreck stays', () => {
+it('a wreck does not move', () => {
   const { place, attitude } = carried({ velocity: times(EAST, 5), crashed: 1 }, 100, 0.01);
   expect([place, attitude]).toEqual([PLACE, ATTITUDE_THERE]);
 });

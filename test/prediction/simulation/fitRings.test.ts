@@ -14,7 +14,7 @@ function fleet() {
 }
 
 describe('the rings of predicted states', () => {
-  it('grow with the tick rate, and keep what they hold', () => {
+  it('grow with the tick rate, and keep their contents', () => {
     const { sim, track } = fleet();
     fitRings(sim, { tickRate: 50, substeps: 2, ships: 10 });
     expect(sim.ringLength).toBe(ringLength(50));
@@ -23,14 +23,14 @@ describe('the rings of predicted states', () => {
     for (let tick = TICK - 9; tick <= TICK; tick++) expect(has(track.history, tick)).toBe(true);
   });
 
-  it('stay as long as they are at a lower rate', () => {
+  it('do not shrink at a lower rate', () => {
     const { sim, track } = fleet();
     const before = track.history;
     fitRings(sim, { tickRate: 1, substeps: 100, ships: 10 });
     expect(track.history).toBe(before);
   });
 
-  it('shrink to twelve rows of each ship within 32 MB, and that of the player’s ship never', () => {
+  it('shrink to as few as twelve rows per ship to fit into 32 MB, except that of the player’s ship', () => {
     const { sim, track } = fleet();
     fitRings(sim, { tickRate: 100, substeps: 1, ships: 100_000 });
     expect(track.history.length).toBe(12);

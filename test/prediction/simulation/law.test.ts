@@ -5,7 +5,7 @@ import { createRig } from '../rig';
 
 const COASTING = ['settle', 'bounce', 'slide', 'topple', 'crash'];
 
-describe('the law at one instant', () => {
+describe('prediction by the server’s law', () => {
   it.each(SCENARIOS.map(({ name }) => name))('%s is drawn as the server simulates it', (scenario) => {
     const rig = createRig({ scenario });
     const measured = flyAndMeasure(rig, Math.min(24, rig.loaded.scenario.duration + 2));
@@ -24,7 +24,7 @@ describe('the law at one instant', () => {
     [20, 10],
     [1, 100],
     [100, 100],
-  ])('holds at %i Hz and time scale %i', (tickRate, timeScale) => {
+  ])('needs no correction at %i Hz and time scale %i', (tickRate, timeScale) => {
     for (const scenario of COASTING) {
       const rig = createRig({ scenario, tickRate, timeScale });
       const measured = flyAndMeasure(rig, 24 / timeScale + 3);

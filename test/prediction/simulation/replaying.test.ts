@@ -26,7 +26,7 @@ function replayed(ticks = 2) {
 }
 
 describe('a replay', () => {
-  it('begins at the state, in a pass of its own', () => {
+  it('starts at the server’s state, as a new pass', () => {
     const { sim, own, rowOf } = replayed();
     expect(own).toMatchObject({ replaying: true, replayTick: TICK, replaySubstep: 0, adoptedTick: TICK });
     expect([own.passes, own.replayPass, own.pass]).toEqual([1, 1, 0]);
@@ -39,7 +39,7 @@ describe('a replay', () => {
     expect(own.mode).toBe('waiting');
   });
 
-  it('arrives at the front as the dynamics lead there, with its past and the row before', () => {
+  it('reaches the front with the row, the previous row and the history that the dynamics give', () => {
     const { sim, counters, own, rowOf } = replayed();
     const to = { from: own.serverRow, fromTick: TICK, toTick: TICK + 2 };
     expect(runReplays(sim, 1000)).toBe(2 * 2 * SUBSTEPS);
@@ -54,7 +54,7 @@ describe('a replay', () => {
     expect(moved).toBeLessThan(0.1);
   });
 
-  it('goes on in the next frame where the budget ends, that of the player’s ship first', () => {
+  it('continues in the next frame when the budget is spent; the player’s ship comes first', () => {
     const { sim, own, other } = replayed();
     expect(runReplays(sim, 15)).toBe(15);
     expect([own.replayTick, own.replaySubstep, own.replaying]).toEqual([TICK + 1, 5, true]);
@@ -65,7 +65,7 @@ describe('a replay', () => {
     expect(other.replaying).toBe(false);
   });
 
-  it('of a state at the front has arrived; of one beyond it waits', () => {
+  it('is complete at once for a state at the front, and waits for one beyond it', () => {
     const at = replayed(0);
     expect(runReplays(at.sim, 1000)).toBe(0);
     expect([at.own.replaying, at.own.mode]).toEqual([false, 'stepping']);
@@ -75,7 +75,7 @@ describe('a replay', () => {
     expect(beyond.own.replaying).toBe(true);
   });
 
-  it('of a ship that respawned snaps', () => {
+  it('of a respawned ship snaps', () => {
     for (const [crashed, snaps] of [
       [1, 1],
       [0, 0],
@@ -87,14 +87,14 @@ describe('a replay', () => {
     }
   });
 
-  it('may be abandoned', () => {
+  it('can be abandoned', () => {
     const { own } = replayed();
     own.replaySnaps = true;
     abandonReplay(own);
     expect([own.replaying, own.replaySnaps]).toEqual([false, false]);
   });
 
-  it('holds the drawn pose of a ship in step until it arrives', () => {
+  it('holds the drawn pose of a stepping ship until it completes', () => {
     const { sim, own, other } = replayed();
     hold(sim, own);
     expect([own.mode, own.picture.hasHeld]).toEqual(['waiting', true]);
@@ -104,7 +104,7 @@ describe('a replay', () => {
   });
 });
 
-describe('a front that is moved', () => {
+describe('a realigned front', () => {
   const moved = (
     how: Parameters<typeof realign>[2],
     ticks = 3,
@@ -119,7 +119,7 @@ describe('a front that is moved', () => {
   };
   const RESYNC = { resync: true, stepped: false };
 
-  it('stands at the present, and its ships are replayed from the server’s state', () => {
+  it('is at the present, and its ships are replayed from the server’s state', () => {
     const { sim, own } = moved(RESYNC);
     expect([sim.front, sim.frontIsStale, sim.alpha]).toEqual([{ tick: TICK + 3, substep: 4 }, false, 1]);
     expect(own).toMatchObject({ mode: 'waiting', replaying: true, replayTick: TICK });
@@ -130,11 +130,11 @@ describe('a front that is moved', () => {
     [TICK + 3, true],
     [TICK + 4, false],
     [-1, false],
-  ])('with a server state of tick %i: %s', (serverTick, replays) => {
+  ])('replays a ship whose server state is of tick %i: %s', (serverTick, replays) => {
     expect(moved(RESYNC, 3, ({ own }) => (own.serverTick = serverTick)).own.replaying).toBe(replays);
   });
 
-  it('leaves sleeping ships alone, and a replay that still is of the same time', () => {
+  it('leaves sleeping ships alone, and a running replay unless the time changed', () => {
     const asleep = moved(RESYNC, 3, ({ own }) => (own.mode = 'sleeping'));
     expect([asleep.own.mode, asleep.own.replaying]).toEqual(['sleeping', false]);
     const replaying = (resync: boolean) =>
@@ -144,7 +144,7 @@ describe('a front that is moved', () => {
     expect([replaying(true), replaying(false)]).toEqual([TICK, TICK + 1]);
   });
 
-  it('by a corrected clock lets the pose fade over what was skipped, up to 2 s', () => {
+  it('after a clock correction fades the pose over the skipped time, up to 2 s', () => {
     const skipped = (ticks: number) => moved({ resync: true, stepped: true }, ticks).own.picture.skipped;
     expect([skipped(3), skipped(19), skipped(-4), skipped(20)]).toEqual([
       expect.closeTo(0.34, 9),
@@ -154,7 +154,7 @@ describe('a front that is moved', () => {
     ]);
   });
 
-  it('is too far ahead by more than a quarter of a second of the wall', () => {
+  it('is too far ahead beyond a quarter of a wall second', () => {
     const far = (substeps: number, timeScale = 1) => {
       const { sim } = replayed(3);
       setTempo(sim.timeline, TICK, { tickRate: RATE, timeScale, paused: false }, 0);

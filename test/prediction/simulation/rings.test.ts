@@ -36,7 +36,7 @@ describe('a ship’s predicted states', () => {
   const ticksOf = (history: ReturnType<typeof kept>) =>
     Array.from({ length: 60 }, (_, tick) => tick).filter((tick) => has(history, tick));
 
-  it('are those of the newest ticks, each whole', () => {
+  it('are kept for the newest ticks, each complete', () => {
     const history = kept(4, 0, 1, 2, 3, 4);
     expect(ticksOf(history)).toEqual([1, 2, 3, 4]);
     for (const tick of [1, 4]) {
@@ -47,7 +47,7 @@ describe('a ship’s predicted states', () => {
     expect(() => offsetOf(createHistory(4), 0)).toThrow('got none');
   });
 
-  it('are forgotten after a tick', () => {
+  it('can be forgotten after a tick', () => {
     const history = kept(4, 1, 2, 3, 4);
     forgetAfter(history, 2);
     expect(ticksOf(history)).toEqual([1, 2]);
@@ -56,7 +56,7 @@ describe('a ship’s predicted states', () => {
   it.each([
     [8, [0, 1, 2, 3]],
     [2, [2, 3]],
-  ])('are the newest in a ring of %i', (length, ticks) => {
+  ])('are the newest ones after the ring is resized to %i', (length, ticks) => {
     const next = resized(kept(4, 0, 1, 2, 3), length);
     expect([next.length, ticksOf(next)]).toEqual([length, ticks]);
     for (const tick of ticks) expect(next.rows[offsetOf(next, tick)]).toBe(tick);
@@ -65,11 +65,11 @@ describe('a ship’s predicted states', () => {
     expect(ticksOf(turned)).toEqual([12, 13]);
   });
 
-  it('span 10 s, and 12 ticks at least', () => {
+  it('span 10 s and at least 12 ticks', () => {
     expect([0.1, 1, 1.05, 20, 50].map(ringLength)).toEqual([12, 12, 13, 202, 502]);
   });
 
-  it('of all ships take 32 MB at most, by the power of two of their number, and 12 rows each', () => {
+  it('take at most 32 MB for all ships, rounded up to a power of two, but at least 12 rows each', () => {
     const bytes = (ships: number) => rowsWithin(ships) * SHIP_STRIDE * 8;
     for (const ships of [1, 2, 64, 1024]) {
       expect(ships * bytes(ships)).toBeLessThanOrEqual(32 * 2 ** 20);
@@ -90,7 +90,7 @@ describe('the touchdown logs of a ship', () => {
   const ticksOf = (ring: ReturnType<typeof kept>) =>
     Array.from({ length: 60 }, (_, tick) => tick).filter((tick) => logAt(ring, tick) !== null);
 
-  it('are those of the newest ticks', () => {
+  it('are kept for the newest ticks', () => {
     const ring = kept(4, 0, 1, 2, 3, 4);
     expect(ticksOf(ring)).toEqual([1, 2, 3, 4]);
     expect(logAt(ring, 3)![LOGGED_STATE]).toBe(3);
@@ -101,7 +101,7 @@ describe('the touchdown logs of a ship', () => {
   it.each([
     [8, [0, 1, 2, 3]],
     [2, [2, 3]],
-  ])('are the newest in a ring of %i', (length, ticks) => {
+  ])('are the newest ones after the ring is resized to %i', (length, ticks) => {
     const ring = kept(4, 0, 1, 2, 3);
     resizeLogs(ring, length);
     expect([ring.kept.length, ring.ticks.length, ticksOf(ring)]).toEqual([length, length, ticks]);
@@ -111,7 +111,7 @@ describe('the touchdown logs of a ship', () => {
     expect(ticksOf(turned)).toEqual([12, 13]);
   });
 
-  it('begin anew for a ship first seen landed, unless it is known to be', () => {
+  it('start anew for a ship that is first seen landed, unless it was landed before', () => {
     const ring = kept(4);
     ring.front.set(logOf(1));
     ring.front[0] = 1;

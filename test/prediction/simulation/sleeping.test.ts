@@ -57,14 +57,14 @@ function expectNear(actual: readonly number[], expected: readonly number[], digi
 }
 
 describe('a sleeping ship', () => {
-  it('is where the server has it, in the axes of its body', () => {
+  it('keeps the server’s pose, in the axes of its body', () => {
     const { track } = asleep();
     expectNear(rotate(TURN, vectorAt(track.sleepPlace, 0)), vectorAt(track.serverRow, POSITION));
     const attitude = [...track.sleepAttitude] as unknown as Quat;
     expectNear(product(TURN, attitude), attitudeAt(track.serverRow), 9);
   });
 
-  it('turns and moves with its body, and nothing else of it changes', () => {
+  it('turns and moves with its body, and no other column changes', () => {
     const { track } = asleep();
     const later = turnAbout(unit([1, -2, 2]), 1.3);
     const rows = new Float64Array(2 * SHIP_STRIDE).fill(7);
@@ -78,7 +78,7 @@ describe('a sleeping ship', () => {
     expect(rows.filter((x) => x === 7)).toHaveLength(2 * SHIP_STRIDE - 13);
   });
 
-  it('is compared in that pose with the server’s', () => {
+  it('is compared with the server’s state in that pose', () => {
     const { sim, track, bodies } = asleep();
     const place = { rows: new Float64Array(SHIP_STRIDE), at: 0, bodies: new Float64Array(0) };
     expect(placeAsleep(place, sim, track, { tick: TICK, bodies })).toBe(place);
@@ -87,7 +87,7 @@ describe('a sleeping ship', () => {
     expect(place.rows[FUEL]).toBe(sim.fleet.front[track.at + FUEL]);
   });
 
-  it('is not compared where an own input acts before the tick that its front has yet to reach', () => {
+  it('is not compared if an own input takes effect between the front and the compared tick', () => {
     const { sim, track, bodies } = asleep();
     sim.inputs.plan = [{ tick: TICK + 1, substep: 0, controls: NEUTRAL_CONTROLS }];
     const place = { rows: new Float64Array(SHIP_STRIDE), at: 0, bodies: new Float64Array(0) };
@@ -97,7 +97,7 @@ describe('a sleeping ship', () => {
     expect(compared(TICK + 2)).toBe(true);
   });
 
-  it('sleeps on at the server’s state: another pilot’s has its row, the own one keeps its own', () => {
+  it('stays asleep at a new server state: another pilot’s ship takes its row, the player’s only its pose', () => {
     for (const own of [true, false]) {
       const { sim, track, bodies } = asleep();
       track.own = own;
@@ -116,7 +116,7 @@ describe('a sleeping ship', () => {
     ).toBeGreaterThan(4);
   });
 
-  it('sleeps through a state at rest, not through one that burns, and only asleep', () => {
+  it('sleeps through a state without thrust, but not through one with thrust', () => {
     const { track } = asleep();
     const burning = track.serverRow.slice();
     burning[THRUST_LEVEL] = 1;
@@ -125,7 +125,7 @@ describe('a sleeping ship', () => {
     expect(sleepsThrough(track, track.serverRow)).toBe(false);
   });
 
-  it('that must be replayed is held in its pose until then', () => {
+  it('holds its pose until its replay', () => {
     const { track } = asleep();
     holdSleeping(track);
     expect([track.mode, track.picture.hasHeld]).toEqual(['waiting', true]);
@@ -144,7 +144,7 @@ describe('a sleeping ship wakes', () => {
     [TRANSLATION_INPUT, -0.1],
     [TRANSLATION_INPUT + 1, 0.1],
     [TRANSLATION_INPUT + 2, 0.1],
-  ])('with column %i at %f, if it has fuel', (column, set) => {
+  ])('when column %i is %f, if it has fuel', (column, set) => {
     const { sim, track, commanded } = asleep();
     expect(wakeIfBurning(sim, track, commanded)).toBe(false);
     commanded[column] = set;
@@ -159,7 +159,7 @@ describe('a sleeping ship wakes', () => {
     ]);
   });
 
-  it('with a history and a log since the server’s state, each tick in the pose of its time', () => {
+  it('with history and log since the server’s state, in the pose of each tick', () => {
     const { sim, track } = asleep();
     track.log = createTouchdownRing(track.history.length);
     track.log.front[0] = 1;

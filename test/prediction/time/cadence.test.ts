@@ -15,15 +15,15 @@ function known() {
   return cadence;
 }
 
-describe('how often a server sends', () => {
-  it('is the median of the last sends: one that is missed does not count', () => {
+describe('the send interval', () => {
+  it('is the median of the last intervals: one missed send does not change it', () => {
     const cadence = known();
     noteSend(cadence, 400);
     expect(sendSeconds(cadence, 20)).toBe(10);
     expect(horizonOf(cadence, 20, true)).toBe(30);
   });
 
-  it('bounds the prediction of a server that answers no pings by the longest of the last intervals', () => {
+  it('limits prediction to the longest recent interval while the server answers no pings', () => {
     const cadence = known();
     expect(horizonOf(cadence, 20, false)).toBe(10.75);
     noteSend(cadence, 400);
@@ -37,7 +37,7 @@ describe('how often a server sends', () => {
     expect(sendSeconds(createCadence(), 4)).toBe(0.25);
   });
 
-  it('stays at a faster tick rate, for a server that sends by the clock', () => {
+  it('does not change with the tick rate of a server that sends by the clock', () => {
     const cadence = known();
     followTickRate(cadence, 20, 100);
     expect(sendSeconds(cadence, 100)).toBe(10);
@@ -45,7 +45,7 @@ describe('how often a server sends', () => {
     expect(sendSeconds(cadence, 100)).toBe(10);
   });
 
-  it('is the next send’s after a change, for one that sends every so many ticks', () => {
+  it('changes at the next send of a server that sends every n ticks', () => {
     const cadence = known();
     followTickRate(cadence, 20, 10);
     expect(sendSeconds(cadence, 10)).toBe(20);
@@ -53,7 +53,7 @@ describe('how often a server sends', () => {
     expect(sendSeconds(cadence, 10)).toBe(10);
   });
 
-  it('is the old one after a restart, until the second send', () => {
+  it('keeps its value after a restart until the second send', () => {
     const cadence = known();
     forgetCadence(cadence);
     noteSend(cadence, 0);

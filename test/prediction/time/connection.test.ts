@@ -26,19 +26,19 @@ describe('the connection', () => {
     expect(after(frame, pong)).toBe(expected);
   });
 
-  it('is that of a paused server once a frame has said so, whatever comes after', () => {
+  it('is serverPaused after a frame of a paused server, until pings go unanswered', () => {
     expect(after(1, never, true)).toBe('serverPaused');
     expect(after(1000, never, true)).toBe('serverPaused');
     expect(after(1000, 5, true)).toBe('stalled');
     expect(after(1000, 11, true)).toBe('gone');
   });
 
-  it('waits for five sends of a slow server', () => {
+  it('of a slow server is gone only after five missed sends', () => {
     expect(connectionOf({ frame: 51, pong: 50 }, cadence, { tickRate: 0.1, paused: false })).toBe('stalled');
     expect(connectionOf({ frame: 51, pong: 50.1 }, cadence, { tickRate: 0.1, paused: false })).toBe('gone');
   });
 
-  it('is stale after two sends, 0.3 s at least, and 1.5 s before the interval is known', () => {
+  it('is stale after two missed sends and at least 0.3 s, or after 1.5 s while the interval is unknown', () => {
     expect(staleAfter(cadence, 1)).toBe(2);
     expect(staleAfter(cadence, 20)).toBe(0.3);
     expect(staleAfter(createCadence(), 20)).toBe(1.5);

@@ -13,13 +13,13 @@ function momentAt(timeline: ReturnType<typeof createTimeline>, wall: number) {
 }
 
 describe('the moment of a wall time', () => {
-  it('before the first tick rate is extrapolated backwards with it', () => {
+  it('is extrapolated back at the first tick rate', () => {
     const timeline = createTimeline(0.01);
     setTempo(timeline, 5, tempo(1), 100);
     expect(momentAt(timeline, 98.25)).toEqual({ tick: 3, substeps: 25 });
   });
 
-  it('stays at the next rate’s first tick until that begins', () => {
+  it('stays at the first tick of a later rate until that rate begins', () => {
     const timeline = createTimeline(0.01);
     setTempo(timeline, 5, tempo(1), 100);
     setTempo(timeline, 8, tempo(2), 200);
@@ -42,7 +42,7 @@ describe('the nearest event of the same type', () => {
     return { timeline, ledger };
   }
 
-  it('is confirmed: before, after, and the older of two at equal distance', () => {
+  it('is confirmed whether earlier or later, the earlier of two at equal distance', () => {
     for (const [substep, found] of [
       [25, 0],
       [55, 1],
@@ -57,7 +57,7 @@ describe('the nearest event of the same type', () => {
     }
   });
 
-  it('is the same event up to 50 substeps away, and another beyond', () => {
+  it('counts as the same event up to 50 substeps away, and as another beyond', () => {
     const { timeline, ledger } = twoTouches();
     confirm(ledger, EVENT_CONTACT, at(4, 10), timeline);
     expect(ledger.entries).toHaveLength(2);

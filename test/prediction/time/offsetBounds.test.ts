@@ -25,14 +25,14 @@ function known(): OffsetBounds {
 const arrive = (bounds: OffsetBounds, now: number, delay: number, more: Partial<Sampling> = {}) =>
   boundAbove(bounds, now - delay - OFFSET, now, { ...QUIET, ...more });
 
-describe('an answer', () => {
-  it('bounds the offset from both sides by when the ping left and the answer came', () => {
+describe('a pong', () => {
+  it('bounds the offset from both sides by the send time of its ping and its own arrival', () => {
     const bounds = known();
     expect(bounds.lower).toBeCloseTo(OFFSET - 0.05, 9);
     expect(bounds.upper).toBeCloseTo(OFFSET + 0.05, 9);
   });
 
-  it('narrows the bounds, and does not widen them', () => {
+  it('narrows the bounds and never widens them', () => {
     const bounds = known();
     expect(boundBothSides(bounds, { pinged: 50.1, answered: 50.12 - OFFSET, now: 50.14 }, 0)).toBe(false);
     expect([bounds.lower, bounds.upper]).toEqual([
@@ -49,7 +49,7 @@ describe('an answer', () => {
   it.each([
     [-1, 'lower'],
     [1, 'upper'],
-  ] as const)('of a schedule moved by %i s drops the %s bound', (seconds, side) => {
+  ] as const)('of a schedule shifted by %i s drops the %s bound', (seconds, side) => {
     const bounds = known();
     const answer = { pinged: 50.1, answered: 50.15 - OFFSET - seconds, now: 50.2 };
     expect(boundBothSides(bounds, answer, 0)).toBe(true);
@@ -58,7 +58,7 @@ describe('an answer', () => {
     expect(boundBothSides(known(), answer, 1)).toBe(false);
   });
 
-  it('of a server that has stopped bounds it from below alone', () => {
+  it('of a stopped server bounds the offset only from below', () => {
     const bounds = known();
     boundBelow(bounds, { pinged: 51, stood: 50.5 - OFFSET, now: 51.1 });
     expect(bounds.lower).toBeCloseTo(OFFSET + 0.5, 4);
@@ -70,7 +70,7 @@ describe('an answer', () => {
 });
 
 describe('an arrival', () => {
-  it('lowers the upper bound to its delay, and leaves it where it is later', () => {
+  it('lowers the upper bound to its delay, and never raises it', () => {
     const bounds = known();
     expect(arrive(bounds, 50.1, 0.03)).toBe(false);
     expect(bounds.upper).toBeCloseTo(OFFSET + 0.03, 9);
@@ -79,7 +79,7 @@ describe('an arrival', () => {
     expect(bounds.lower).toBeCloseTo(OFFSET - 0.05, 3);
   });
 
-  it('that is much earlier than any before contradicts them', () => {
+  it('much earlier than all before it contradicts the bounds', () => {
     expect(arrive(known(), 50.1, -0.04)).toBe(false);
     const early = known();
     Object.assign(early, { lower: OFFSET - 5 });
@@ -88,7 +88,7 @@ describe('an arrival', () => {
     expect(arrive(known(), 50.1, -0.06, { clockStep: 0.1 })).toBe(false);
   });
 
-  it('before the lower bound drops it: the offset is within a round trip of it', () => {
+  it('earlier than the lower bound replaces both: the offset is within a round trip below it', () => {
     const bounds = known();
     expect(arrive(bounds, 50.1, -1)).toBe(true);
     expect([bounds.lower, bounds.upper]).toEqual([
@@ -97,14 +97,14 @@ describe('an arrival', () => {
     ]);
   });
 
-  it('first of all contradicts nothing', () => {
+  it('that is the first contradicts nothing', () => {
     const bounds = createOffsetBounds();
     expect(arrive(bounds, 50, 0.2)).toBe(false);
     expect([bounds.upper, bounds.lower]).toEqual([expect.closeTo(OFFSET + 0.2, 9), Number.NEGATIVE_INFINITY]);
   });
 });
 
-describe('arrivals that are all late', () => {
+describe('late arrivals', () => {
   /** Which of these arrivals, each `gap` s after the one before and `delays` late, moves the bounds. */
   const moved = (delays: readonly number[], more: Partial<Sampling> = {}, gap = 0.1, sent = gap) => {
     const bounds = known();
@@ -115,35 +115,35 @@ describe('arrivals that are all late', () => {
     return { first: all.indexOf(true), bounds };
   };
 
-  it('by the same time are a shifted schedule from the third on, from the second if by more than resent packets are', () => {
+  it('with the same delay shift the schedule at the third, or at the second if a resend cannot explain the delay', () => {
     const { first, bounds } = moved([0.2, 0.2, 0.2]);
     expect(first).toBe(2);
     expect([bounds.upper, bounds.lower]).toEqual([expect.closeTo(OFFSET + 0.2, 6), Number.NEGATIVE_INFINITY]);
     expect(moved([0.5, 0.5, 0.5]).first).toBe(1);
   });
 
-  it('by up to 50 ms more than the least, or the clock’s step, are jitter', () => {
+  it('count as jitter up to 50 ms above the least delay, or up to the clock’s resolution', () => {
     expect(moved([0.09, 0.09, 0.09, 0.09]).first).toBe(-1);
     expect(moved([0.11, 0.11, 0.11]).first).toBe(2);
     expect(moved([0.2, 0.2, 0.2], { clockStep: 0.2 }).first).toBe(-1);
   });
 
-  it('between on-time ones are none', () => {
+  it('between timely ones do not shift the schedule', () => {
     expect(moved([0.2, 0.2, 0.05, 0.2, 0.2]).first).toBe(-1);
   });
 
-  it('in a queue that drains are none', () => {
+  it('from a draining queue do not shift the schedule', () => {
     // They were sent 0.1 s apart and arrive almost together.
     expect(moved([0.6, 0.52, 0.44, 0.36], {}).first).toBe(-1);
   });
 
-  it('are one at once after a silence, none while pings are answered', () => {
+  it('shift the schedule at once after a silence, and never while pings are answered', () => {
     expect(moved([0.2], { isOverdue: true }).first).toBe(0);
     expect(moved([0.5, 0.5, 0.5, 0.5], { hearsPongs: true }).first).toBe(-1);
   });
 });
 
-describe('bounds', () => {
+describe('the bounds', () => {
   it('widen with the drift of the two clocks', () => {
     const bounds = known();
     const { upper, lower } = bounds;
@@ -157,7 +157,7 @@ describe('bounds', () => {
     expect(bounds.agedTo).toBe(1050.1);
   });
 
-  it('are forgotten, or the lower one alone', () => {
+  it('are reset together, or the lower one alone', () => {
     const bounds = known();
     bounds.late = 2;
     forgetLower(bounds);

@@ -8,17 +8,17 @@ function delaysOf(values: readonly number[], length = values.length) {
   return delays;
 }
 
-describe('the last delays', () => {
-  it('have no least and no spread before the first', () => {
+describe('recent delays', () => {
+  it('have no minimum and no spread before the first sample', () => {
     expect(leastOf(createDelays(4))).toBeNaN();
     expect(spreadOf(createDelays(4), 0.3)).toBe(0);
   });
 
-  it('are the last few: an older, smaller one is forgotten', () => {
+  it('forget old samples, even the smallest', () => {
     expect(leastOf(delaysOf([0.01, 0.05, 0.06, 0.07], 3))).toBe(0.05);
   });
 
-  it('of one queue count with the smallest of them', () => {
+  it('of one queue count once, as the smallest', () => {
     const delays = delaysOf([0.05, 0.9]);
     lessenDelay(delays, 0.4);
     lessenDelay(delays, 0.6);
@@ -26,12 +26,12 @@ describe('the last delays', () => {
     expect([...delays.values]).toEqual([0.05, 0.4]);
   });
 
-  it('spread by 19 in 20 above the least', () => {
+  it('have a spread that covers 19 of 20 samples above the minimum', () => {
     const even = Array.from({ length: 100 }, (_, i) => 0.1 + i / 1000);
     expect(spreadOf(delaysOf(even), 0.3)).toBeCloseTo(0.095, 6);
   });
 
-  it('do not spread by a stall, nor by a few packets that were sent again', () => {
+  it('have a spread that ignores a stall and a few resent packets', () => {
     const usual = Array.from({ length: 40 }, (_, i) => 0.05 + (i % 10) / 1000);
     expect(spreadOf(delaysOf([...usual, 5, 6]), 0.3)).toBeLessThanOrEqual(0.02);
     expect(spreadOf(delaysOf([...usual, 0.25, 0.25, 0.25]), 0.3)).toBeLessThanOrEqual(0.02);
@@ -39,7 +39,7 @@ describe('the last delays', () => {
 });
 
 describe('pings', () => {
-  it('are close together at first, then five a second', () => {
+  it('are frequent at first, then sent five times per second', () => {
     const pings = createPings();
     const at: number[] = [];
     for (let ms = 0; ms <= 2000; ms++) {
@@ -52,21 +52,21 @@ describe('pings', () => {
     for (const gap of gaps.slice(8)) expect(gap).toBeCloseTo(200, -1);
   });
 
-  it('wait for a host that does not take them, the newest four, and the others are counted', () => {
+  it('wait until the host takes them: the newest four are kept, the others counted as dropped', () => {
     const pings = createPings();
     for (let k = 0; k < 100; k++) pingIfDue(pings, k);
     expect(pings.queued.map(({ id }) => id)).toEqual([97, 98, 99, 100]);
     expect(pings.dropped).toBe(96);
   });
 
-  it('are sent on after the clock was set back', () => {
+  it('are still sent after the clock is set back', () => {
     const pings = createPings();
     pingIfDue(pings, 100);
     pingIfDue(pings, 3);
     expect(pings.queued).toHaveLength(2);
   });
 
-  it('are answered once, and not by an id that was never sent', () => {
+  it('accept one answer each, and none for an id that was never sent', () => {
     const pings = createPings();
     pingIfDue(pings, 7);
     expect(answeredPing(pings, 1)).toBe(7);
@@ -74,7 +74,7 @@ describe('pings', () => {
     for (const id of [0, 2, -1, 0.5, Number.NaN]) expect(answeredPing(pings, id)).toBeNaN();
   });
 
-  it('in flight over an absence are not answered', () => {
+  it('in flight during an absence are dropped', () => {
     const pings = createPings();
     pingIfDue(pings, 7);
     forgetPings(pings);

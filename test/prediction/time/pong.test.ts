@@ -20,7 +20,7 @@ function answered(pong: { id?: number; tick?: number; sinceTick?: number }, prep
 type Session = ReturnType<typeof sessionAt>;
 
 describe('a pong', () => {
-  it('bounds the server’s clock by when it was sent', () => {
+  it('bounds the server’s clock by its send time', () => {
     const { clock, pings } = answered({ tick: TICK + 3, sinceTick: 0.04 });
     // Sent at 0.34 s of the server, between the client's seconds 5 and 5.1.
     expect(clock.bounds.lower).toBeCloseTo(5 - 0.34, 9);
@@ -29,7 +29,7 @@ describe('a pong', () => {
     expect(clock.stoppedAt).toBe(Number.POSITIVE_INFINITY);
   });
 
-  it('of an overdue tick shows that the server waits at its end', () => {
+  it('after its tick should have ended shows that the server stands at that end', () => {
     expect(answered({ sinceTick: 0.109 }).clock.stoppedAt).toBe(Number.POSITIVE_INFINITY);
     const { clock } = answered({ sinceTick: 0.111 });
     expect(clock.stoppedAt).toBeCloseTo(0.1, 9);
@@ -46,7 +46,7 @@ describe('a pong', () => {
       {},
       ({ sim }) => setTempo(sim.timeline, TICK, { tickRate: RATE, timeScale: 1, paused: true }, WALL),
     ],
-  ])('%s tells the round trip alone', (_, pong, prepare) => {
+  ])('%s gives only the round trip', (_, pong, prepare) => {
     const { clock } = answered(pong, prepare);
     expect([clock.pongAt, clock.timedPongAt]).toEqual([5.1, Number.NEGATIVE_INFINITY]);
     expect(clock.roundTrip).toBeCloseTo(0.1, 9);
@@ -61,11 +61,11 @@ describe('a pong', () => {
     expect(counters.framesRefused).toBe(0);
   });
 
-  it('may be of the first frame, tick 0', () => {
+  it('of the first frame, tick 0, counts', () => {
     expect(answered({ tick: 0 }, ({ sim }) => (sim.newestTick = 0)).clock.pongAt).toBe(5.1);
   });
 
-  it.each(['id', 'tick', 'sinceTick'])('whose %s is no finite number is refused', (field) => {
+  it.each(['id', 'tick', 'sinceTick'])('whose %s is not finite is refused', (field) => {
     const { clock, counters } = answered({ [field]: Number.NaN });
     expect([clock.pongAt, counters.framesRefused]).toEqual([Number.NEGATIVE_INFINITY, 1]);
     expect(counters.lastRefusal).toContain(`${field} NaN`);

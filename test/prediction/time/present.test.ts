@@ -27,7 +27,7 @@ function advance(clock: Clock, elapsed = FRAME, pacing: Partial<Pacing> = {}) {
 }
 
 describe('the present', () => {
-  it('begins ahead of the server’s time by the lead', () => {
+  it('starts ahead of the server’s time by the lead', () => {
     const clock = clockBehind(0, { updatedAt: Number.NaN });
     const { present } = clock;
     clock.present = Number.NaN;
@@ -36,7 +36,7 @@ describe('the present', () => {
     expect(clock).toMatchObject({ rate: 1, slewing: false, stepped: false, settledOffset: OFFSET });
   });
 
-  it('moves with the wall where the error is within the dead zone', () => {
+  it('advances at the rate of the wall clock while the error is within the dead zone', () => {
     for (const error of [0.0049, -0.0049]) {
       const clock = clockBehind(error);
       expect(advance(clock).moved).toBeCloseTo(FRAME, 9);
@@ -51,14 +51,14 @@ describe('the present', () => {
     [-0.2, 0.9],
     [1.9, 1.1],
     [-1.9, 0.9],
-  ])('that is %f s behind runs at %f of the wall, from the next frame on', (error, rate) => {
+  ])('%f s behind, runs at %f times the rate of the wall clock from the next frame on', (error, rate) => {
     const clock = clockBehind(error);
     expect(advance(clock).moved).toBeCloseTo(FRAME, 9);
     expect(clock.rate).toBeCloseTo(rate, 6);
     expect(advance(clock).moved).toBeCloseTo(rate * FRAME, 9);
   });
 
-  it('is corrected down to a millisecond once it is corrected at all', () => {
+  it('slews until the error is below a millisecond', () => {
     const slewing = clockBehind(0.0012, { slewing: true });
     advance(slewing);
     expect(slewing.rate).toBeCloseTo(1 + 0.0012 / 0.5, 6);
@@ -71,7 +71,7 @@ describe('the present', () => {
     expect(short.slewing).toBe(true);
   });
 
-  it.each([2.01, -2.01])('that is %f s behind jumps', (error) => {
+  it.each([2.01, -2.01])('%f s behind, jumps', (error) => {
     const clock = clockBehind(error, { rate: 1.1, slewing: true });
     const { present } = clockBehind(0);
     expect(advance(clock).jumped).toBe(true);
@@ -79,17 +79,17 @@ describe('the present', () => {
     expect(clock).toMatchObject({ rate: 1, slewing: false });
   });
 
-  it('gains for a quarter of a second at most in one frame', () => {
+  it('catches up for at most a quarter of a second in one frame', () => {
     expect(advance(clockBehind(0.5, { rate: 1.1 }), 3).moved).toBeCloseTo(3 + 0.025, 9);
     expect(advance(clockBehind(0.5, { rate: 1.1 }), 0.2).moved).toBeCloseTo(0.22, 9);
   });
 
-  it('stands while the caller’s clock does, or goes back', () => {
+  it('does not move while the caller’s clock stands still or goes back', () => {
     expect(advance(clockBehind(0), 0).moved).toBe(0);
     expect(advance(clockBehind(0), -0.01).moved).toBe(0);
   });
 
-  it('loses the steering of its lead by 4 ms a second', () => {
+  it('reduces a raised lead by 4 ms per second', () => {
     const clock = clockBehind(0, { steer: 0.1 });
     advance(clock, 2);
     expect(clock.steer).toBeCloseTo(0.092, 9);
@@ -98,7 +98,7 @@ describe('the present', () => {
   });
 });
 
-describe('after the server’s clock jumped', () => {
+describe('the present, after the server’s clock jumped,', () => {
   /** A clock whose offset has changed so that the present is `error` behind. */
   const jumped = (error: number, more: Partial<Clock> = {}) => {
     const clock = clockBehind(0, { ...more });
@@ -106,14 +106,14 @@ describe('after the server’s clock jumped', () => {
     return clock;
   };
 
-  it('the present jumps ahead by more than 0.1 s; by less it slews', () => {
+  it('jumps ahead by more than 0.1 s, and slews by less', () => {
     expect(advance(jumped(0.11)).jumped).toBe(true);
     expect(advance(jumped(0.09)).jumped).toBe(false);
     // The error was there before: the clock has not jumped.
     expect(advance(clockBehind(0.11)).jumped).toBe(false);
   });
 
-  it('it waits for a server that is behind by up to 0.8 s, and goes back further', () => {
+  it('waits for a server that is up to 0.8 s behind, and jumps back for one that is further behind', () => {
     const waiting = jumped(-0.5);
     expect(advance(waiting)).toEqual({ moved: 0, jumped: false });
     expect(waiting.rate).toBe(0);
@@ -122,7 +122,7 @@ describe('after the server’s clock jumped', () => {
     expect(advance(jumped(-0.09)).moved).toBeCloseTo(FRAME, 9);
   });
 
-  it('it waits until the server has caught up to half a substep', () => {
+  it('waits until the server has caught up to within half a substep', () => {
     const clock = jumped(-0.15);
     let waited = 0;
     while (advance(clock).moved === 0) waited += FRAME;
@@ -132,7 +132,7 @@ describe('after the server’s clock jumped', () => {
   });
 });
 
-describe('an offset that was uncertain', () => {
+describe('an uncertain clock offset', () => {
   const certain = (more: Partial<Clock>, wide = 0.1) => {
     const clock = clockBehind(0, more);
     Object.assign(clock.bounds, { lower: OFFSET - wide / 2, upper: OFFSET + wide / 2 });
@@ -140,7 +140,7 @@ describe('an offset that was uncertain', () => {
     return clock;
   };
 
-  it('is taken at once when it is certain again, from 8 ms on', () => {
+  it('is adopted at once when it becomes certain, if the error is at least 8 ms', () => {
     expect(advance(certain({ wasLoose: true })).jumped).toBe(true);
     expect(advance(certain({ wasLoose: false })).jumped).toBe(false);
     const small = certain({ wasLoose: true });
@@ -149,7 +149,7 @@ describe('an offset that was uncertain', () => {
     expect(small.wasLoose).toBe(false);
   });
 
-  it('is certain with bounds 30 ms wider than the round trip, uncertain with 60', () => {
+  it('becomes certain with bounds up to 30 ms wider than the round trip, and uncertain beyond 60 ms', () => {
     expect(advance(certain({ wasLoose: true }, 0.129)).jumped).toBe(true);
     expect(advance(certain({ wasLoose: true }, 0.131)).jumped).toBe(false);
     const wide = (width: number) => {
@@ -160,7 +160,7 @@ describe('an offset that was uncertain', () => {
     expect([wide(0.159), wide(0.161), wide(Number.POSITIVE_INFINITY)]).toEqual([false, true, false]);
   });
 
-  it('is one after an absence of more than a quarter of a second', () => {
+  it('is assumed after a gap of more than a quarter of a second', () => {
     const after = (elapsed: number) => {
       const clock = clockBehind(0);
       advance(clock, elapsed);
@@ -171,7 +171,7 @@ describe('an offset that was uncertain', () => {
 });
 
 describe('the limit of the present', () => {
-  it('is the horizon after the newest frame', () => {
+  it('is the horizon beyond the newest frame', () => {
     const clock = clockBehind(0);
     const latest = clock.present + FRAME / 2;
     expect(advance(clock, FRAME, { latest }).moved).toBeCloseTo(FRAME / 2, 9);
@@ -181,26 +181,26 @@ describe('the limit of the present', () => {
     expect(advance(clock).jumped).toBe(true);
   });
 
-  it('does not move it back', () => {
+  it('never moves the present back', () => {
     const clock = clockBehind(0);
     expect(advance(clock, FRAME, { latest: clock.present - 0.05 }).moved).toBe(0);
   });
 
-  it('is where a server that has stopped stood, and the lead', () => {
+  it('is the instant at which a stopped server stands, plus the lead', () => {
     const clock = clockBehind(0);
     clock.stoppedAt = clock.present - leadOf(clock);
     expect(advance(clock, 0.05).moved).toBe(0);
   });
 });
 
-describe('the step of a coarse clock', () => {
+describe('the resolution of a coarse clock', () => {
   const after = (...elapsed: number[]) => {
     const clock = clockBehind(0);
     for (const seconds of elapsed) advance(clock, seconds);
     return clock.clockStep;
   };
 
-  it('is the shortest change after calls in which it stood', () => {
+  it('is the shortest change that followed a call without one', () => {
     expect(after(0.1, 0.1)).toBe(0);
     expect(after(0, 0.1)).toBeCloseTo(0.1, 9);
     expect(after(0, 0.1, 0, 0.2)).toBeCloseTo(0.1, 9);
@@ -209,7 +209,7 @@ describe('the step of a coarse clock', () => {
     expect(after(0, 0.25)).toBe(0.25);
   });
 
-  it('is none once the clock moves by less', () => {
+  it('is reset once the clock moves by less', () => {
     expect(after(0, 0.1, 0.08)).toBe(0);
     expect(after(0, 0.1, 0.095)).toBeCloseTo(0.1, 9);
     expect(after(0, 0.1, -1)).toBeCloseTo(0.1, 9);

@@ -47,7 +47,7 @@ describe('the tick rate', () => {
     if (spacing >= 0.125) expect(rates[2]).toBe(hz);
   });
 
-  it('is the roundest one that the arrivals allow, and no rounder', () => {
+  it('is the roundest rate that fits the arrivals', () => {
     expect(ratesOf(sends(8, 20, 10), jitter(0.003)).at(-1)).toBe(20);
     expect(ratesOf(sends(60, 19.7, 10), jitter(0.003)).at(-1)).toBe(19.7);
     expect(ratesOf(sends(60, 1000 / 30, 10)).at(-1)).toBeCloseTo(1000 / 30, 1);
@@ -147,7 +147,7 @@ function meterAfter(arrivals: readonly Sent[]) {
 }
 const ticksKept = (arrivals: readonly Sent[]) => meterAfter(arrivals).arrivals.map(({ tick }) => tick);
 
-describe('the arrivals kept', () => {
+describe('the stored arrivals', () => {
   it('are the newest 64', () => {
     const ticks = ticksKept(sends(70, 1, 1));
     expect(ticks).toHaveLength(64);
@@ -160,7 +160,7 @@ describe('the arrivals kept', () => {
     expect(ticksKept(every(0.0624))).toEqual([0, 2]);
   });
 
-  it('end with an overtaken frame, and have each tick once, as it first arrived', () => {
+  it('end at an overtaken frame, and have each tick once, at its first arrival', () => {
     const sent = sends(6, 20, 10);
     const overtaken = { tick: 1045, at: sent[5]!.at + 0.2 };
     expect(ticksKept([...sent, overtaken])).toEqual([1010, 1020, 1030, 1040, 1045]);
@@ -168,13 +168,13 @@ describe('the arrivals kept', () => {
     expect(twice.arrivals).toEqual(sent);
   });
 
-  it('are all kept where the newest are of a rate that the game has not', () => {
+  it('are all kept if the newest ones give a rate outside the game’s range', () => {
     const before = sends(20, 20, 10);
     expect(ticksKept([...before, ...sends(6, 400, 200, before.at(-1))]).length).toBeGreaterThan(6);
   });
 });
 
-describe('how late the newest frame is', () => {
+describe('the lateness of the newest frame', () => {
   const onTime = sends(12, 20, 10);
   const next = sends(2, 20, 10, onTime.at(-1));
 
@@ -202,7 +202,7 @@ describe('three frames', () => {
   });
 });
 
-it('a rate is kept while a rounder one is within the doubt of later arrivals', () => {
+it('a rate is kept although a rounder one also fits later, less certain arrivals', () => {
   const exact = sends(20, 10.02, 5);
   const noise = jitter(0.03);
   const rates = ratesOf([...exact, ...sends(20, 10.02, 5, exact.at(-1))], (_, i) =>
@@ -211,7 +211,7 @@ it('a rate is kept while a rounder one is within the doubt of later arrivals', (
   expect(new Set(rates.slice(19))).toEqual(new Set([10.02]));
 });
 
-it('another rate counts from the fourth frame on it', () => {
+it('a new rate is adopted at its fourth frame', () => {
   const before = sends(20, 2, 1);
   const rates = ratesOf([...before, ...sends(6, 1, 1, before.at(-1))]).slice(19);
   // The first of the four is the last of the old rate.

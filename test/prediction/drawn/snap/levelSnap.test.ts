@@ -12,7 +12,7 @@ import { value } from '../../rig';
 const RADIUS = 1_737_400;
 
 describe('level ground', () => {
-  it('puts a ship of any attitude anywhere where the ground point by point does', () => {
+  it('lifts a ship of any attitude at any place as the point-by-point snap does', () => {
     const random = createRandom(3);
     const between = (from: number, to: number) => from + (to - from) * random();
     const vector = () => [between(-1, 1), between(-1, 1), between(-1, 1)] as [number, number, number];
@@ -53,7 +53,7 @@ describe('level ground', () => {
   });
 });
 
-describe('a ship at another body', () => {
+describe('a ship that changes to another body', () => {
   const TURNS = [turnAbout(unit([1, 2, 2]), 0.7), turnAbout(unit([2, -3, 6]), -1.1)] as const;
   const bodies = new Float64Array(2 * BODY_STRIDE);
   for (const [i, turn] of TURNS.entries()) bodies.set(turn, i * BODY_STRIDE + BODY_ATTITUDE);
@@ -80,7 +80,7 @@ describe('a ship at another body', () => {
     return { ease, before };
   };
 
-  it('is drawn off by the same vectors of the sky', () => {
+  it('keeps its drawn offset in inertial axes', () => {
     const { ease, before } = turned(0, true);
     for (const part of ['offset', 'rate', 'turn', 'turnRate'] as const) {
       const old = before[part] as [number, number, number];
@@ -89,7 +89,7 @@ describe('a ship at another body', () => {
     }
   });
 
-  it('has no offset of before where it was at none, or had none', () => {
+  it('has no earlier offset if it was at no body, or had none', () => {
     expect([...turned(-1, true).ease.offset]).toEqual([2, -3, 6]);
     expect([...turned(0, false).ease.offset]).toEqual([2, -3, 6]);
   });

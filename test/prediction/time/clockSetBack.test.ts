@@ -33,8 +33,8 @@ function stay(predictor: Predictor, from: number, seconds: number): number {
   return from + seconds;
 }
 
-describe('a caller whose clock is set back by an hour', () => {
-  it('sees that the server is silent as soon as otherwise', () => {
+describe('after the caller’s clock is set back by an hour', () => {
+  it('a silent server is noticed as soon as before', () => {
     const predictor = createPredictor(OWN);
     const now = stay(predictor, setBack(predictor), 12);
     const view = predictor.view(now);
@@ -44,25 +44,25 @@ describe('a caller whose clock is set back by an hour', () => {
     expect(view.silence).toBeLessThan(13);
   });
 
-  it('sees no ship for longer that the server has ceased to send', () => {
+  it('a ship that is no longer sent disappears as soon as before', () => {
     const predictor = createPredictor(OWN);
     const now = goOn(predictor, setBack(predictor), 101, 3);
     expect(predictor.view(now).ships.map(({ shipId }) => shipId)).toEqual(['ship-1']);
   });
 
-  it('sees CONTACT for no longer than it dwells', () => {
+  it('CONTACT is shown no longer than its dwell time', () => {
     const predictor = createPredictor(OWN);
     const now = goOn(predictor, setBack(predictor, 'contact'), 101, 2);
     expect(predictor.view(now).own!.shownState).toBe('landed');
   });
 
-  it('has the age of its snapshots right', () => {
+  it('a snapshot has its true age', () => {
     const predictor = createPredictor(OWN);
     const now = stay(predictor, setBack(predictor), 2);
     expect(predictor.snapshot(now).age).toBeCloseTo(2, 1);
   });
 
-  it('is drawn at the same instant if messages are stamped before the frame after which they are handled', () => {
+  it('the present is the same if messages are stamped before the frame after which they are handled', () => {
     const ahead = [0, 0.02, 0.1].map((early) => {
       const predictor = createPredictor(OWN);
       for (const tick of range(0, 300)) {
@@ -77,7 +77,7 @@ describe('a caller whose clock is set back by an hour', () => {
     for (const seconds of ahead) expect(seconds).toBeCloseTo(ahead[0]!, 1);
   });
 
-  it('reads the clock’s offset in its own time', () => {
+  it('the clock offset is relative to the new time', () => {
     const predictor = createPredictor(OWN);
     const before = 5010;
     const now = goOn(predictor, setBack(predictor), 101, 2);
@@ -87,8 +87,8 @@ describe('a caller whose clock is set back by an hour', () => {
   });
 });
 
-describe('a snapshot at a time that is none', () => {
-  it('has no age, and restores nothing', () => {
+describe('a snapshot at a time that is not a number', () => {
+  it('has age 0, and is not restored', () => {
     const predictor = createPredictor(OWN);
     goOn(predictor, 5000, 0, 1);
     const snapshot = predictor.snapshot(Number.NaN);

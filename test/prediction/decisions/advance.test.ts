@@ -41,7 +41,7 @@ function flying(hz = 60) {
 }
 
 describe('a gap between two frames', () => {
-  it('of more than a second is an absence: one resynchronisation', () => {
+  it('of more than a second is an absence, which causes one resynchronisation', () => {
     expect([flying().advance(0.9), flying().advance(1.1)]).toEqual([0, 1]);
   });
 

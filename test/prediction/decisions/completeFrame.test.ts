@@ -13,7 +13,7 @@ function completed(given: PartialFrame, session = sessionAt(TICK)) {
   return { session, result: completeFrame(session.sim, session.receiver, given, 0) };
 }
 
-describe('a frame without its other members', () => {
+describe('a frame without its optional members', () => {
   it('has the last tempo, no pause, and empty lists', () => {
     const { result } = completed(bare);
     expect(value(result)).toMatchObject({ tickRate: 10, timeScale: 1, paused: false });
@@ -70,7 +70,7 @@ describe('an acknowledgement', () => {
   const input = { seq: 3, tick: TICK, substep: 4, margin: 0.1 };
 
   it.each([input, { ...input, tick: TICK + 1, substep: 0 }])(
-    'up to the frame’s tick is taken: %o',
+    'is accepted up to the frame’s tick: %o',
     (given) => {
       expect(value(completed({ ...bare, lastInput: given }).result).lastInput).toEqual(given);
     },

@@ -62,7 +62,7 @@ describe('the ground between two states', () => {
     expect(place!.states).toBe(1);
   });
 
-  it('is not learned where ours explains them, nor from a crash', () => {
+  it('is not learned if our ground explains them, nor from a crash', () => {
     expect(fallen(0).learn()).toEqual([]);
     const crashed = fallen(0.4);
     crashed.row[CRASHED] = 1;
@@ -80,7 +80,7 @@ describe('the ground between two states', () => {
     expect(track.ground.places.map(({ states }) => states)).toEqual([2]);
   });
 
-  it('of other pilots’ ships is sought within the budget of a frame', () => {
+  it('is fitted for other pilots’ ships within a frame’s budget', () => {
     const { sim, learn } = fallen(0.4, FALL, 'other');
     expect(learn()).toHaveLength(1);
     expect(sim.learning).toEqual({ tick: TICK + FALL, spent: 10 * FALL * 20 });
@@ -159,7 +159,7 @@ describe('the fit', () => {
     expect(left).toBe(0);
   });
 
-  it('scans other grounds where no guess is near', () => {
+  it('scans other offsets if no guess is near', () => {
     const scanned = fit(1.1, -2, true);
     expect(scanned.cost).toBeLessThan(0.1);
     expect(scanned.offset).toBeCloseTo(1.1, 2);

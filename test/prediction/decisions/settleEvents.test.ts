@@ -86,7 +86,7 @@ describe('a predicted event that the server does not send', () => {
     [EVENT_TIPPED, 'tipped'],
     [EVENT_RIGHTED, 'righted'],
     [EVENT_DESTROYED, 'crashed'],
-  ])("event %i is shown by the pilot's word for it: %s", (event, word) => {
+  ])('event %i is shown as %s', (event, word) => {
     const { track, settle } = touching(TICK - COVER, event);
     expect(settle()).toEqual(['retracted']);
     expect(track.picture.status.withdrawn).toBe(word);

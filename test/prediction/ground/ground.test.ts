@@ -38,7 +38,7 @@ describe('terrain that differs slightly from the server’s', () => {
     expect(spread(ours.errors).p95).toBeLessThan(0.5);
   });
 
-  it('is told from the first bounce on it, between two states in flight', () => {
+  it('is detected from the first bounce on, between two states in flight', () => {
     const difference = caseNamed('ground +0.5 m');
     const rig = createLiteralRig({ scenario: 'opening', hz: 20, sends: 1, difference });
     const states: string[] = [];

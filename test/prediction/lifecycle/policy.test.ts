@@ -106,7 +106,7 @@ describe('a change of policy', () => {
     expect(rig.view().diagnosis.correctionsMismatch).toBe(0);
   });
 
-  it('before the ship is there applies when it comes, and after a reset too', () => {
+  it('before the ship exists applies once it appears, also after a reset', () => {
     const rig = flown('hold', 5);
     rig.predictor.reset();
     rig.fly(3);

@@ -40,7 +40,7 @@ function fly(
   return { shown, resumed: stopped + interval + pause, stopped, interval };
 }
 
-describe('a server that pauses without a word', () => {
+describe('a server that pauses without saying so', () => {
   it.each([
     [1, 1, 4],
     [1, 1, 30],

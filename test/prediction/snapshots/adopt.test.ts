@@ -104,7 +104,7 @@ describe('a state', () => {
     expect([...at(ATTITUDE_HOLD), ...at(ATTITUDE_MODE)]).toEqual([1, modeNumber('prograde')]);
   });
 
-  it('without a relative one is that of ICRF, less the body’s', () => {
+  it('without a relative state is computed from ICRF and the body', () => {
     const { at } = rowOf({ relativePosition: null, relativeVelocity: null });
     expect([at(POSITION, 3), at(VELOCITY, 3)]).toEqual([
       [-100, -50, 70],
@@ -117,7 +117,7 @@ describe('a state', () => {
     expect(isExact({ ...STATE, relativeVelocity: null })).toBe(false);
   });
 
-  it('has no momentum or impact speed but the ship’s own where none is sent, and its class’s offset', () => {
+  it('without momentum and impact speed keeps the ship’s own, and has its class’s offset', () => {
     const { at } = rowOf({ wheelMomentum: null, contactImpactSpeed: null, groundContactOffset: null });
     expect([...at(WHEEL_MOMENTUM, 3), ...at(IMPACT_SPEED)]).toEqual([NaN, NaN, NaN, NaN]);
     expect(at(GROUND_CONTACT_OFFSET)).toEqual([5]);

@@ -144,7 +144,7 @@ describe('the bodies at the ticks', () => {
     expect(zAt(1000)).toBeCloseTo((SPEED * 1000) / 50, 6);
   });
 
-  it('are told of a tick before the ring too, and the ring stays as it is', () => {
+  it('are also known before the ring, which does not change', () => {
     expect(zAt(880)).toBeCloseTo((SPEED * 880) / 50, 6);
     expect(zAt(1001)).toBeCloseTo((SPEED * 1001) / 50, 6);
     expect(zAt(950)).toBeCloseTo((SPEED * 950) / 50, 6);

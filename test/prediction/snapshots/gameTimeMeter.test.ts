@@ -31,12 +31,12 @@ function scalesOf(
 }
 
 describe('game time per tick', () => {
-  it('is as sent while the bodies move by it: nothing is measured', () => {
+  it('stays as sent while the bodies move by it', () => {
     const scales = scalesOf(5, (s) => ({ bodies: at(s) }), { perTick: () => 0.1, sent: 1 });
     expect(scales).toEqual([null, null, null, null, null]);
   });
 
-  it('is the bodies’ after two frames that agree, where another one was sent', () => {
+  it('is measured from the bodies once two frames agree that the sent value is wrong', () => {
     const scales = scalesOf(4, (s) => ({ bodies: at(s) }), { perTick: () => 0.2, sent: 1 });
     expect(scales.slice(0, 2)).toEqual([null, null]);
     expect(scales[2]).toBeCloseTo(2, 6);
@@ -49,18 +49,18 @@ describe('game time per tick', () => {
     expect(scales[2]).toBeCloseTo(2, 6);
   });
 
-  it('is not believed of one frame', () => {
+  it('is not measured from a single frame', () => {
     const perTick = (tick: number) => (tick === 2 ? 0.4 : 0.1);
     const scales = scalesOf(6, (s) => ({ bodies: at(s) }), { perTick, sent: 1 });
     expect(scales).toEqual([null, null, null, null, null, null]);
   });
 
-  it('is that of `gameTime` before that of bodies', () => {
+  it('is taken from `gameTime` rather than from the bodies', () => {
     const scales = scalesOf(4, (s) => ({ gameTime: s, bodies: at(s * 3) }), { perTick: () => 0.5, sent: 1 });
     expect(scales[3]).toBeCloseTo(5, 6);
   });
 
-  it('is a coasting ship’s after three frames, where neither is sent', () => {
+  it('is measured from a coasting ship after three frames if neither is sent', () => {
     const scales = scalesOf(5, (s) => ({ ships: flying(s) }), { perTick: () => 1, sent: null });
     expect(scales.slice(0, 3)).toEqual([null, null, null]);
     expect(scales[3]).toBeCloseTo(10, 6);
@@ -73,7 +73,7 @@ describe('game time per tick', () => {
     }
   });
 
-  it('is as sent again once it fits', () => {
+  it('returns to the sent value once that fits', () => {
     const perTick = (tick: number) => (tick < 4 ? 0.2 : 0.1);
     const scales = scalesOf(8, (s) => ({ bodies: at(s) }), { perTick, sent: 1 });
     expect(scales[3]).toBeCloseTo(2, 6);

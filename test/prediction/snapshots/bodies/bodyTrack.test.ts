@@ -70,7 +70,7 @@ describe('the bodies at a tick', () => {
     expect(knowsBoundary(track, TICK + ticks)).toBe(true);
   });
 
-  it.each([16, 17, 40, 1000])('%i after it, beyond the ring, too', (ticks) => {
+  it.each([16, 17, 40, 1000])('%i after it, beyond the ring, have moved and turned too', (ticks) => {
     const { track, timeline } = tracked();
     expectAt(boundaryAt(track, timeline, TICK + ticks), ticks / RATE);
   });

@@ -56,7 +56,7 @@ function chosen(states: number, law: number, carry: number, prepare: (of: Flown)
 const carriedBefore = ({ fit }: Flown) => (fit.carried = 'law');
 
 describe('a simulated ship', () => {
-  it('is extrapolated where the dynamics are worse by a quarter and 3 cm a state, over four states', () => {
+  it('is extrapolated if the dynamics are worse by a quarter and 3 cm per state, over four states', () => {
     expect([chosen(3, 0.121, 0), chosen(3, 0.119, 0)]).toEqual(['law', '']);
     expect([chosen(3, 1.371, 1), chosen(3, 1.369, 1)]).toEqual(['law', '']);
     expect([chosen(7, 0.121, 0), chosen(7, 0.119, 0)]).toEqual(['law', '']);
@@ -68,7 +68,7 @@ describe('a simulated ship', () => {
 });
 
 describe('an extrapolated ship', () => {
-  it('is simulated again once the dynamics are worse by 2 cm a state at most', () => {
+  it('is simulated again once the dynamics are worse by at most 2 cm per state', () => {
     // The state itself is as the dynamics have it; falling without thrust is the same.
     expect([chosen(3, 0.079, 0, carriedBefore), chosen(3, 0.081, 0, carriedBefore)]).toEqual(['', 'law']);
     expect([chosen(3, 1.079, 1, carriedBefore), chosen(3, 1.081, 1, carriedBefore)]).toEqual(['', 'law']);

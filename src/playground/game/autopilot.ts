@@ -2,6 +2,7 @@ import { type Controls, NEUTRAL_CONTROLS, type Quat, type TerrainHeight, type Ve
 import type { ShipView, WorldView } from '../../prediction';
 import { BEGIN_LANDING, continueLanding, type LandingManeuver } from '../../scenarios';
 import type { ShipState } from '../../wire';
+import { placeName } from './texts/placeName';
 
 /** The landing autopilot, switched on and off by one key. */
 export interface Autopilot {
@@ -15,6 +16,8 @@ export interface Autopilot {
 
 /** Samples per second; each is an input that is sent. */
 const RATE = 5;
+/** Game seconds: samples of a page that hardly runs are not planned further apart than this. */
+const LONGEST = 3;
 /** Steps of its commands, those of lever and sticks, so that links can carry its flights too. */
 const LEVER_STEP = 0.005;
 const STICK_STEPS = 100;
@@ -26,10 +29,13 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
   let landing: LandingManeuver = BEGIN_LANDING;
   let controls = NEUTRAL_CONTROLS;
   let sampledAt = -Infinity;
+  /** Of the view: the time of the call before. */
+  let seenAt = -Infinity;
 
   const begin = () => {
     landing = BEGIN_LANDING;
     sampledAt = -Infinity;
+    seenAt = -Infinity;
   };
   const end = (why: string) => {
     isOn = false;
@@ -47,10 +53,13 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
     fly(view, now) {
       const ship = view.own;
       const body = ship === null ? undefined : view.bodies[ship.body];
+      const age = sinceOf(seenAt, now);
+      seenAt = now;
       if (ship === null || body === undefined) return controls;
       if (now - sampledAt < 1 / RATE && now >= sampledAt) return controls;
+      const delay = age + sinceOf(sampledAt, now) / 2;
       sampledAt = now;
-      const site = { body, shipClass: ship.shipClass, terrainHeight: terrainHeight(), delay: 0.2 };
+      const site = { body, shipClass: ship.shipClass, terrainHeight: terrainHeight(), delay };
       const next = continueLanding(landing, stateOf(ship, body.name), site);
       if (!next.ok) {
         end(next.reason);
@@ -59,10 +68,15 @@ export function createAutopilot(terrainHeight: () => TerrainHeight): Autopilot {
       landing = next.value;
       controls = onGrid(landing.controls);
       if (landing.phase === 'complete') end('');
-      else if (landing.phase === 'failed') end(landing.reason);
+      else if (landing.phase === 'failed') end(landing.reason.replace(body.name, placeName(body.name)));
       return controls;
     },
   };
+}
+
+/** Game seconds from `then`; at first those of one sample. */
+function sinceOf(then: number, now: number): number {
+  return now > then && then > -Infinity ? Math.min(now - then, LONGEST) : 1 / RATE;
 }
 
 /** The ship state for the landing, from the predicted state. */

@@ -13,6 +13,9 @@ import { createLiveState, forgetWorld, type LiveListeners, type LiveState, noteM
 import type { PageClock } from './pageClock';
 import { type Script, scriptOf } from './script';
 
+/** Wall ms between two samples of the autopilot without a frame. */
+const SAMPLE_GAP = 200;
+
 /** A game against a server: connection, predictor, flight controls. */
 export interface Live {
   readonly clock: PageClock;
@@ -88,6 +91,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     },
     suspend(held) {
       state.isHeld = held;
+      state.pace.stop();
       if (held) flightControls.releaseAll();
     },
     view: () => state.view,
@@ -95,6 +99,7 @@ export function createLive(program: string, listeners: LiveListeners): Live {
     hash: runHash.text,
     ended: runHash.ended,
     dispose() {
+      state.pace.stop();
       state.connection?.dispose();
     },
   };
@@ -104,6 +109,10 @@ function takeFrame(state: LiveState, now: number): WorldView {
   advance(state, now);
   state.view = state.predictor.view(now);
   send(state, now);
+  // The autopilot flies on where the next frame comes late.
+  if (state.flightControls.autopilot.isOn())
+    state.pace.within(SAMPLE_GAP, () => takeFrame(state, state.clock.now()));
+  else state.pace.stop();
   return state.view;
 }
 

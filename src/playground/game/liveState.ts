@@ -7,6 +7,7 @@ import { type Baseline, createBaseline } from './baseline';
 import { createFlightControls, type FlightControls } from './flightControls';
 import { createRunHash, type RunHash } from './mission/runHash';
 import { createPageClock, type PageClock } from './pageClock';
+import { createPace, type Pace } from './pace';
 import { createPendingTap, type PendingTap } from './pendingTap';
 import type { Script } from './script';
 
@@ -37,6 +38,7 @@ export interface LiveState {
   readonly baseline: Baseline;
   readonly runHash: RunHash;
   readonly tap: PendingTap;
+  readonly pace: Pace;
   predictor: Predictor;
   connection: Connection | null;
   /** Of the present connection; '' is the built-in server. */
@@ -70,6 +72,7 @@ export function createLiveState(program: string, listeners: LiveListeners): Live
     baseline: createBaseline(),
     runHash: createRunHash(),
     tap: createPendingTap(),
+    pace: createPace(),
     predictor,
     connection: null,
     address: '',

@@ -10,6 +10,7 @@ import { type Actions, createActions } from './actions';
 import { createCameraSwitch } from '../view/cameraSwitch';
 import { createChooser } from './chooser';
 import { keyCapOf, wireCockpit } from './texts/controlTexts';
+import { placeName } from './texts/placeName';
 import type { FlightLink } from './flightLink';
 import { createLive, type Live } from './live';
 import { createMissionGame, type MissionGame } from './mission/missionGame';
@@ -51,7 +52,7 @@ function wireLive({ program, banner, notice }: Page, parts: Parts): Live {
   return createLive(program, {
     onState: banner.state,
     onRefused: (reason) => notice.show(`The server refused: ${reason}.`),
-    onLost: ({ name, body }) => notice.show(`Your ship ${name} was destroyed on ${body}.`),
+    onLost: ({ name, body }) => notice.show(`Your ship ${name} was destroyed on ${placeName(body)}.`),
     onEvent: () => undefined,
     onWorld(plan) {
       parts.recording.recorder.begin(plan);

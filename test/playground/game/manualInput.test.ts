@@ -38,6 +38,17 @@ describe('the autopilot', () => {
     expect(own!.touchdown.verticalSpeed).toBeLessThan(2);
   });
 
+  it.each([0.4, 1])('lands as softly on a display that draws %s pictures per second', (fps) => {
+    const { live, play } = open({ scenario: 'first-landing', network: 'broadband' });
+    play(fps, 4);
+    live.flightControls.press('autopilot');
+    play(fps, 60);
+    const { own } = live.frame();
+    expect(own!.shownState).toBe('landed');
+    expect(own!.impactSpeed).toBeLessThan(2);
+    expect(live.flightControls.autopilot.reason()).toBe('');
+  });
+
   it('disengages after a touch that is hard enough to bounce, and says how hard it was', () => {
     const { live, play } = open({ scenario: 'bounce', network: 'broadband' });
     // 20 m up at 24 m/s: too late to brake.
@@ -45,7 +56,7 @@ describe('the autopilot', () => {
     live.flightControls.press('autopilot');
     play(60, 2);
     expect(live.flightControls.autopilot.isOn()).toBe(false);
-    expect(live.flightControls.autopilot.reason()).toMatch(/^hit Luna at 2\d\.\d m\/s$/);
+    expect(live.flightControls.autopilot.reason()).toMatch(/^hit the Moon at 2\d\.\d m\/s$/);
     // Not at the thrust that braked.
     expect(live.view().own!.controls.thrustLevel).toBe(0);
   });

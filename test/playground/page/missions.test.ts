@@ -37,3 +37,16 @@ it('says that a ship has crashed where nothing else is at stake, and of free fli
   page.play(1);
   expect(page.query()).toBe('?scenario=school-translate');
 });
+
+it('advises the pilot, and nobody while the autopilot flies', async () => {
+  const page = await openPage('?scenario=first-landing');
+  page.play(3);
+  const advice = /(speed|thrust F|thrust V)$/;
+  expect(page.text('goal')).toMatch(advice);
+  page.key('KeyY');
+  page.play(0.5);
+  expect(page.text('goal')).not.toMatch(advice);
+  page.key('KeyY');
+  page.play(0.5);
+  expect(page.text('goal')).toMatch(advice);
+});

@@ -65,13 +65,14 @@ export function createMissionGame(context: MissionContext): MissionGame {
   const tracker = createMissionTracker();
   const ghost = createGhostFlight();
   const flight: Flight = { intervention: '', rival: null, actions: [] };
+  const reword = () => showGoal(tracker.mission(), flight, context);
   const show = (card: CardText | null) => {
     const offered = card === null || context.choices().server === '' ? card : asGuest(card);
     flight.actions = offered?.actions ?? [];
     if (offered === null) context.card.hide();
     else context.card.show(offered);
+    reword();
   };
-  const reword = () => showGoal(tracker.mission(), context);
   const showPhase = (mission: Mission) => {
     show(phaseCard(tracker, mission, context));
     if (tracker.phase() !== 'done' || mission.isLesson) return;
@@ -89,7 +90,6 @@ export function createMissionGame(context: MissionContext): MissionGame {
       show(null);
       void raceGhost(mission, flight.rival, { tracker, ghost, ...context });
       if (mission !== null) context.resetCamera();
-      reword();
     },
     watch(view) {
       const mission = tracker.mission();
@@ -100,8 +100,8 @@ export function createMissionGame(context: MissionContext): MissionGame {
     advise: (view, aids) => context.goal.advise(adviceFor(tracker, view, aids, context)),
     confirm() {
       const mission = tracker.mission();
-      if (flight.actions.length > 0) flight.actions[0]!.act();
-      else if (mission !== null && isSkippable(mission, context)) nextAction(mission, context).act();
+      if (mission !== null && isSkippable(mission, flight, context)) nextAction(mission, context).act();
+      else flight.actions[0]?.act();
     },
     reword,
     markIntervention: (how) => (flight.intervention = how),
@@ -120,24 +120,25 @@ export function createMissionGame(context: MissionContext): MissionGame {
 }
 
 /** The goal and how to fly to it; free flight has none, a demonstration is not flown. */
-function showGoal(mission: Mission | null, context: MissionContext): void {
+function showGoal(mission: Mission | null, flight: Flight, context: MissionContext): void {
   const { goal, choices, device, cap } = context;
-  if (mission !== null) goal.show(titleOf(mission, context), mission.goal);
+  if (mission !== null) goal.show(titleOf(mission, flight, context), mission.goal);
   else if (choices().scenario === FREE_FLIGHT.name || isRealServer(choices().server))
     goal.show(FREE_FLIGHT.title, FREE_FLIGHT.about);
   else goal.hide();
   goal.how(howToFly(mission, device(), cap));
 }
 
-/** A lesson can be skipped, but not by a guest; on a touch screen by the list of missions alone. */
-function titleOf(mission: Mission, context: MissionContext): string {
-  const cap = isSkippable(mission, context) ? confirmCap(context) : '';
+/** On a touch screen a lesson is skipped by the list of missions alone. */
+function titleOf(mission: Mission, flight: Flight, context: MissionContext): string {
+  const cap = isSkippable(mission, flight, context) ? confirmCap(context) : '';
   const { title } = mission.scenario;
   return cap === '' ? title : `${title} · ${cap} to skip`;
 }
 
-function isSkippable({ isLesson }: Mission, { choices }: MissionContext): boolean {
-  return isLesson && choices().server === '';
+/** A lesson can be skipped, but not by a guest, nor while the card names the same key for something else. */
+function isSkippable({ isLesson }: Mission, { actions }: Flight, context: MissionContext): boolean {
+  return isLesson && context.choices().server === '' && actions[0]?.cap !== confirmCap(context);
 }
 
 /** A guest cannot begin another world. */
@@ -151,18 +152,18 @@ function isWrecked({ own }: WorldView, { choices }: MissionContext): boolean {
   return own?.shownState === 'crashed' && choices().server === '';
 }
 
-/** No advice to descend beside the pad, and none at all after the landing. */
+/** No advice to descend beside the pad, and none at all after the landing or for the autopilot. */
 function adviceFor(
   tracker: MissionTracker,
   view: WorldView,
   aids: LandingAids | null,
-  { device, cap }: MissionContext,
+  { device, cap, live }: MissionContext,
 ): string {
   const done = tracker.mission()?.done;
   if (tracker.phase() === 'done') return '';
   if (done?.kind === 'hover')
     return tracker.held() > 0 ? `${Math.ceil(done.seconds - tracker.held())} s to go` : '';
-  if (aids === null || done?.kind !== 'land') return '';
+  if (aids === null || done?.kind !== 'land' || live.flightControls.autopilot.isOn()) return '';
   return tracker.isOverPad() || aids.advice === 'more' ? adviceText(aids, view, device(), cap) : '';
 }
 

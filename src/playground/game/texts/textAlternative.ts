@@ -1,5 +1,6 @@
 import type { WorldView } from '../../../prediction';
 import type { LandingReadout } from '../../../readout';
+import { placeName } from './placeName';
 
 /** A text description of the picture for screen readers. Updated every two seconds, never announced. */
 export interface TextAlternative {
@@ -36,10 +37,8 @@ function words(view: WorldView, readout: LandingReadout): string {
     `${ship.name}, a ${ship.shipClass.name.replaceAll('_', ' ')}, ${STATES[ship.shownState] ?? ''}`,
   ];
   if (ship.shownState === '')
-    parts.push(
-      `${height < 10 ? height.toFixed(1) : height.toFixed(0)} m above ${body.name === 'Luna' ? 'the Moon' : body.name}`,
-    );
-  else parts.push(`on ${body.name === 'Luna' ? 'the Moon' : body.name}`);
+    parts.push(`${height < 10 ? height.toFixed(1) : height.toFixed(0)} m above ${placeName(body.name)}`);
+  else parts.push(`on ${placeName(body.name)}`);
   const engine = ship.controls.thrustLevel;
   if (engine > 0) parts.push(`engine at ${Math.round(engine * 100)} %`);
   const others = view.ships.length - 1;

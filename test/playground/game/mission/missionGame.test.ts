@@ -94,6 +94,21 @@ describe('the goal', () => {
     expect(createGame('sidestep').shown.title).toBe('Sidestep');
   });
 
+  it('of a lesson names no skipping while the card has the key, and skips where it has another', () => {
+    const { game, shown } = createGame('school-right');
+    game.watch(makeView({}, { shownState: 'tipped', provenance: 'confirmed' }));
+    expect([shown.card!.title, shown.title]).toEqual([
+      'Tipped over',
+      'Lesson 5: right a fallen ship · Enter to skip',
+    ]);
+    game.confirm();
+    expect(shown.chosen).toBe('school-phobos');
+    const crashed = createGame('school-land', undefined, '');
+    crashed.game.watch(makeView({}, { shownState: 'crashed', provenance: 'confirmed' }));
+    expect(crashed.shown.card!.actions[0]).toMatchObject({ text: 'Try again', cap: 'Enter' });
+    expect(crashed.shown.title).toBe('Lesson 3: land');
+  });
+
   it('of free flight is none, but its keys are named', () => {
     const { shown } = createGame('free-flight');
     expect([shown.title, shown.words]).toEqual(['Free flight', 'No goal: fly where you like.']);

@@ -64,7 +64,7 @@ describe('choices in the URL', () => {
     // Nothing allows a long text that ends in half a character.
     const wrong = `${'x'.repeat(30)}\uD800`;
     const lines = keys.map((name) => `${name}: ${String(setChoice({ ...DEFAULT_CHOICES }, name, wrong))}`);
-    await expect(`${lines.join('\n')}\n`).toMatchFileSnapshot('kept/choices.txt');
+    await expect(`${lines.join('\n')}\n`).toMatchFileSnapshot('golden/choices.txt');
   });
 
   it.each([

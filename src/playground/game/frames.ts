@@ -1,4 +1,4 @@
-import { keepForOffline } from '../offline/keep';
+import { registerServiceWorker } from '../offline/registerServiceWorker';
 import { createFrameLoop, type FrameLoop } from '../view/frameLoop';
 import { NIGHT_ELEVATION, type SceneView } from '../../scene';
 import { pixelRatioOf } from '../view/pageSize';
@@ -55,7 +55,7 @@ export function wireFrames(page: Page, parts: Parts): FrameLoop {
     dress: (view) => (parts.recording.deck.replay() === null ? parts.game.ghost.join(view) : view),
     opened() {
       banner.rest('');
-      keepForOffline(window, () => (root.dataset['offline'] = 'kept'));
+      registerServiceWorker(window, () => (root.dataset['offline'] = 'ready'));
       // Creating the scene took seconds of the flight, so the world begins again.
       if (sceneView !== null && choices.server === '') parts.chooser.beginWorld();
     },

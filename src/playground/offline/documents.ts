@@ -1,4 +1,4 @@
-import type { KeptBuild } from './keptBuild';
+import type { BuildCache } from './buildCache';
 
 /**
  * The document that a reader gets: the host's if it answers in time and its scripts are available, so that a new deployment is seen
@@ -11,20 +11,20 @@ const HOST_LIMIT = 2000;
 /** The scripts and style sheets of a document, and those that they import. */
 const NEEDED = /["'`](\.\/[\w./-]+\.(?:js|css))["'`]/g;
 
-export async function openDocument(request: Request, address: string, build: KeptBuild): Promise<Response> {
-  const kept = await build.find(address);
-  if (kept === undefined) return fetch(request);
+export async function openDocument(request: Request, address: string, build: BuildCache): Promise<Response> {
+  const stored = await build.match(address);
+  if (stored === undefined) return fetch(request);
   try {
     const limit = AbortSignal.timeout(HOST_LIMIT);
     const host = await fetch(request.url, { signal: limit, cache: 'no-cache' });
     const isPage = host.ok && (host.headers.get('content-type') ?? '').startsWith('text/html');
-    if (!isPage) return kept;
+    if (!isPage) return stored;
     const text = await host.text();
-    if (text === (await kept.clone().text()) || !(await canBeOpened(text, address, build, limit)))
-      return kept;
+    if (text === (await stored.clone().text()) || !(await canBeOpened(text, address, build, limit)))
+      return stored;
     return new Response(text, { headers: host.headers });
   } catch {
-    return kept;
+    return stored;
   }
 }
 
@@ -32,7 +32,7 @@ export async function openDocument(request: Request, address: string, build: Kep
 async function canBeOpened(
   text: string,
   address: string,
-  build: KeptBuild,
+  build: BuildCache,
   signal: AbortSignal,
 ): Promise<boolean> {
   const seen = new Set<string>();
@@ -41,7 +41,7 @@ async function canBeOpened(
   const answers = async (url: string): Promise<boolean> => {
     if (seen.has(url)) return true;
     seen.add(url);
-    const response = (await build.find(url)) ?? (await fetch(url, { signal }));
+    const response = (await build.match(url)) ?? (await fetch(url, { signal }));
     const type = response.headers.get('content-type') ?? '';
     if (!response.ok || !/javascript|text\/css/.test(type)) return false;
     const further = type.includes('javascript') ? filesIn(await response.text(), url) : [];

@@ -4,7 +4,7 @@
  * A host turns it off for good by no longer serving offline.js: stored files are then removed.
  */
 import { openDocument } from './documents';
-import { keptBuild } from './keptBuild';
+import { createBuildCache } from './buildCache';
 
 /** The members of ServiceWorkerGlobalScope that are used; TypeScript's library for it conflicts with the document's. */
 interface WorkerScope {
@@ -27,14 +27,14 @@ interface FetchEvent extends ExtendableEvent {
 const scope = self as unknown as WorkerScope;
 /** Of the document, and so of the folder it is in. */
 const address = scope.registration.scope;
-const build = keptBuild(address, caches);
+const build = createBuildCache(address, caches);
 
 scope.addEventListener('install', (event) =>
-  event.waitUntil(build.keep().then(scope.skipWaiting.bind(scope))),
+  event.waitUntil(build.store().then(scope.skipWaiting.bind(scope))),
 );
 scope.addEventListener('activate', (event) =>
   // The page that is open already is served from here too.
-  event.waitUntil(build.sweep().then(() => scope.clients.claim())),
+  event.waitUntil(build.removeOutdated().then(() => scope.clients.claim())),
 );
 scope.addEventListener('fetch', (event) => {
   const { request } = event;
@@ -43,7 +43,7 @@ scope.addEventListener('fetch', (event) => {
   else if (isDocument(request.url)) {
     event.respondWith(openDocument(request, address, build));
     // Without a network it does not change.
-    event.waitUntil(healOrUnregister().catch(() => undefined));
+    event.waitUntil(restoreOrUnregister().catch(() => undefined));
   }
 });
 
@@ -53,16 +53,16 @@ function isDocument(url: string): boolean {
 }
 
 async function fromCache(request: Request): Promise<Response> {
-  return (await build.find(request.url)) ?? fetch(request);
+  return (await build.match(request.url)) ?? fetch(request);
 }
 
 /** Status codes for a file that is gone. */
 const GONE = [404, 410];
 
 /** Fetches evicted files again, or removes everything if the host no longer has offline.js. */
-async function healOrUnregister(): Promise<void> {
+async function restoreOrUnregister(): Promise<void> {
   const script = await fetch(new URL('offline.js', address), { cache: 'no-store' });
-  if (!GONE.includes(script.status)) return build.heal();
-  await build.drop();
+  if (!GONE.includes(script.status)) return build.restoreEvicted();
+  await build.clear();
   await scope.registration.unregister();
 }

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import pixelmatch from 'pixelmatch';
 import { PNG } from 'pngjs';
 
-const KEPT = fileURLToPath(new URL('screenshots/', import.meta.url));
+const GOLDEN = fileURLToPath(new URL('screenshots/', import.meta.url));
 const DIFFERENCES = fileURLToPath(new URL('../../../.vitest-attachments/', import.meta.url));
 /**
  * Share of pixels that may differ clearly. Measured: none between runs, nor between a machine with fonts and one
@@ -26,28 +26,28 @@ export function difference(a: PNG, b: PNG, picture?: PNG): number {
   );
 }
 
-export function kept(name: string): PNG | null {
-  const file = `${KEPT}${name}.png`;
+export function goldenPicture(name: string): PNG | null {
+  const file = `${GOLDEN}${name}.png`;
   return existsSync(file) ? PNG.sync.read(readFileSync(file)) : null;
 }
 
 /** '' if the picture equals the stored one, otherwise what differs. */
-export function compareWithKept(name: string, bytes: Buffer): string {
+export function compareWithGolden(name: string, bytes: Buffer): string {
   if (process.env['TOUCHDOWN_UPDATE_PICTURES']) {
-    mkdirSync(KEPT, { recursive: true });
-    writeFileSync(`${KEPT}${name}.png`, smallest(PNG.sync.read(bytes)));
+    mkdirSync(GOLDEN, { recursive: true });
+    writeFileSync(`${GOLDEN}${name}.png`, smallest(PNG.sync.read(bytes)));
     return '';
   }
   const now = PNG.sync.read(bytes);
-  const before = kept(name);
-  if (before === null) return `${name}: no picture is kept of it (TOUCHDOWN_UPDATE_PICTURES=1 keeps one)`;
+  const before = goldenPicture(name);
+  if (before === null) return `${name}: no golden picture (TOUCHDOWN_UPDATE_PICTURES=1 stores one)`;
   const marked = new PNG({ width: now.width, height: now.height });
   const share = difference(now, before, marked);
   if (share <= TOLERANCE) return '';
   mkdirSync(DIFFERENCES, { recursive: true });
   writeFileSync(`${DIFFERENCES}${name}.now.png`, PNG.sync.write(now));
   if (share < 1) writeFileSync(`${DIFFERENCES}${name}.differs.png`, PNG.sync.write(marked));
-  const size = `${String(now.width)} × ${String(now.height)}, kept ${String(before.width)} × ${String(before.height)}`;
+  const size = `${String(now.width)} × ${String(now.height)}, golden ${String(before.width)} × ${String(before.height)}`;
   return `${name}: ${(share * 100).toFixed(2)} % of pixels differ, at most ${String(TOLERANCE * 100)} % may (${size})`;
 }
 

@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import type { HudAppearance } from '../../../src/hud';
-import { compareWithKept } from './golden';
+import { compareWithGolden } from './golden';
 import { misfits } from './misfits';
 import { describeInBrowser, openTestPage, problemsOf } from '../pages';
 import { useTestFont } from './testFont';
@@ -56,15 +56,16 @@ describeInBrowser('the HUDs on a host’s page', () => {
   afterAll(() => page.context().close());
 
   it.each(['tipped', 'contact', 'landed', 'flight'])(
-    'match the kept pictures whatever the host’s styles are, in the page and in a shadow root: %s',
+    'match the golden pictures whatever the host’s styles are, in the page and in a shadow root: %s',
     async (state) => {
       for (const shadow of [false, true]) {
         await mount(state, 360, shadow);
         // Dark although the system is light: the default is for a dark background.
         const picture = await page.locator('#box').screenshot();
-        expect(compareWithKept(`landing-${state}-dark-1280`, picture), shadow ? 'shadow root' : 'page').toBe(
-          '',
-        );
+        expect(
+          compareWithGolden(`landing-${state}-dark-1280`, picture),
+          shadow ? 'shadow root' : 'page',
+        ).toBe('');
       }
     },
   );

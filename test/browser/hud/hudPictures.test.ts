@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { axeFaults } from '../axe';
-import { compareWithKept, difference, kept, TOLERANCE } from './golden';
+import { compareWithGolden, difference, goldenPicture, TOLERANCE } from './golden';
 import { describeInBrowser, openTestPage, problemsOf } from '../pages';
 import { useTestFont } from './testFont';
 import { untilDrawn } from '../waits';
@@ -66,7 +66,7 @@ describeInBrowser('HUD pictures', () => {
           expect(await overflowing(page)).toEqual([]);
           expect(await axeFaults(page)).toEqual([]);
           const picture = await page.locator('#landing').screenshot();
-          expect(compareWithKept(`landing-${state}-${combination}`, picture)).toBe('');
+          expect(compareWithGolden(`landing-${state}-${combination}`, picture)).toBe('');
         });
 
         it('fleet', async () => {
@@ -74,14 +74,14 @@ describeInBrowser('HUD pictures', () => {
           await page.waitForSelector('.td-row:nth-child(12)');
           expect(await axeFaults(page)).toEqual([]);
           const picture = await page.locator('#fleet').screenshot();
-          expect(compareWithKept(`fleet-${combination}`, picture)).toBe('');
+          expect(compareWithGolden(`fleet-${combination}`, picture)).toBe('');
           expect(problemsOf(page)).toEqual([]);
         });
       });
     }
   }
 
-  describe('the markup is the kept one, also where a picture’s tolerance hides a difference', () => {
+  describe('the markup equals the golden one, even where a picture’s tolerance hides a difference', () => {
     beforeAll(() => page.setViewportSize(SIZES[0]));
 
     it.each(['flight', 'contact', 'landed', 'tipped', 'crashed'])('%s', async (state) => {
@@ -104,10 +104,10 @@ describeInBrowser('HUD pictures', () => {
     await style.evaluate((element) => (element as HTMLStyleElement).remove());
   });
 
-  it('the kept pictures differ between all states by more than the tolerance', () => {
+  it('the golden pictures differ between all states by more than the tolerance', () => {
     // Those that differ only by a few letters are distinguished by the text of the slot.
     const alike = new Set(['flight confirmed', 'predicted withdrawn', 'flight off', 'confirmed off']);
-    const pictures = STATES.map(([state]) => [state, kept(`landing-${state}-dark-1280`)!] as const);
+    const pictures = STATES.map(([state]) => [state, goldenPicture(`landing-${state}-dark-1280`)!] as const);
     for (const [a, first] of pictures) {
       for (const [b, second] of pictures) {
         if (a === b || alike.has(`${a} ${b}`) || alike.has(`${b} ${a}`)) continue;

@@ -48,8 +48,8 @@ async function deploy(fault: Fault = () => false): Promise<Deployment> {
   });
 }
 
-async function untilKept(page: Page): Promise<void> {
-  await page.waitForSelector('html[data-offline=kept]');
+async function untilStored(page: Page): Promise<void> {
+  await page.waitForSelector('html[data-offline=ready]');
 }
 
 async function openPlots(page: Page): Promise<void> {
@@ -60,7 +60,7 @@ async function openPlots(page: Page): Promise<void> {
 /** Opens the page and waits until the browser has stored all of it. */
 async function openAndKeep(server: Deployment): Promise<Page> {
   const page = await openUrl(`${server.url}?scenario=settle&slow=4`, KEPT);
-  await untilKept(page);
+  await untilStored(page);
   return page;
 }
 
@@ -157,22 +157,22 @@ describeInBrowser('the built page with a failing host', () => {
     expect(await cachesOf(page)).toEqual([]);
     server.fault = () => false;
     await page.reload();
-    await untilKept(page);
+    await untilStored(page);
   });
 
   it('fetches again what the browser evicted', async () => {
     const server = await deploy();
     const page = await openAndKeep(server);
-    const keptFiles = () =>
+    const storedFiles = () =>
       page.evaluate(async () => (await (await caches.open((await caches.keys())[0]!)).keys()).length);
-    const all = await keptFiles();
+    const all = await storedFiles();
     await page.evaluate(async () => {
       const cache = await caches.open((await caches.keys())[0]!);
       for (const request of await cache.keys()) if (request.url.endsWith('.js')) await cache.delete(request);
     });
-    expect(await keptFiles()).toBeLessThan(all);
+    expect(await storedFiles()).toBeLessThan(all);
     await page.reload();
-    await expect.poll(keptFiles).toBe(all);
+    await expect.poll(storedFiles).toBe(all);
   });
 
   it('lets the host switch it off for good: without offline.js nothing stays stored', async () => {

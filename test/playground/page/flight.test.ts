@@ -201,7 +201,7 @@ it('stops at the time that a link names, for a picture', async () => {
   expect(page.text('hud')).toBe(shown);
 });
 
-it('is kept by the browser once it is idle, and says so when it is complete', async () => {
+it('is stored by the browser once it is idle, and marked when complete', async () => {
   const registered: unknown[] = [];
   let complete = () => undefined as unknown;
   const serviceWorker = {
@@ -217,7 +217,7 @@ it('is kept by the browser once it is idle, and says so when it is complete', as
   await page.until(() => true);
   expect([String(registered[0]), dataset['offline']]).toEqual(['https://page.test/offline.js', undefined]);
   complete();
-  await page.until(() => dataset['offline'] === 'kept');
+  await page.until(() => dataset['offline'] === 'ready');
 });
 
 it.each([

@@ -26,7 +26,7 @@ describe('the form', () => {
           : '';
       return `${labelOf(field)}: ${options.join(' ')}${numbers}${text}, shows ${control.value}`;
     });
-    await expect(`${lines.join('\n')}\n`).toMatchFileSnapshot('kept/fields.txt');
+    await expect(`${lines.join('\n')}\n`).toMatchFileSnapshot('golden/fields.txt');
     const [first] = fieldsOf(page);
     expect(all(first!, 'wrong').map(({ hidden }) => hidden)).toEqual([true]);
 

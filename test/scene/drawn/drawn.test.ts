@@ -102,7 +102,7 @@ it.each(Object.entries(FLIGHTS))('%s, and all of it released', async (name, fly)
   gpu.isLost = true;
   expect(scene.hasDrawn()).toBe(true);
   await expect(`${frameOf(drawn).join('\n')}\n`).toMatchFileSnapshot(
-    `kept/${name.replaceAll(/\W+/g, '-')}.txt`,
+    `golden/${name.replaceAll(/\W+/g, '-')}.txt`,
   );
   const left = resourcesOf(drawn);
   expect(left.size).toBeGreaterThan(30);

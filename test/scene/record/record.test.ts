@@ -1,4 +1,4 @@
-/** What the scene is built of, held against what is kept: no page draws each of its parts, and a picture's tolerance hides many. */
+/** What the scene is built of, compared with golden files: no page draws each of its parts, and a picture's tolerance hides many. */
 import { type Object3D, Vector3 } from 'three';
 import { expect, it } from 'vitest';
 import { BODIES, SHIP_CLASSES } from '../../../src/dynamics';
@@ -20,8 +20,8 @@ import { createSky } from '../../../src/scene/sky/sky';
 import { createSunlight } from '../../../src/scene/sky/sunlight';
 import { geometryLines, recordOf } from './sceneRecord';
 
-const kept = (name: string, lines: readonly string[]) =>
-  expect(`${lines.join('\n')}\n`).toMatchFileSnapshot(`kept/${name}.txt`);
+const matchesGolden = (name: string, lines: readonly string[]) =>
+  expect(`${lines.join('\n')}\n`).toMatchFileSnapshot(`golden/${name}.txt`);
 
 it.each(SHIP_CLASSES.map((shipClass) => [shipClass.name, shipClass] as const))(
   'the model of %s',
@@ -37,7 +37,7 @@ it.each(SHIP_CLASSES.map((shipClass) => [shipClass.name, shipClass] as const))(
       ...[geometry].flat().flatMap(geometryLines),
     ]);
     const jets = [true, false].flatMap((inAir) => geometryLines(buildJets(buildShip(shipClass), inAir)));
-    await kept(name, [...shapes, ...nozzles, 'jets', ...jets]);
+    await matchesGolden(name, [...shapes, ...nozzles, 'jets', ...jets]);
   },
 );
 
@@ -57,14 +57,14 @@ const PARTS: Readonly<Record<string, () => Object3D>> = {
 };
 
 it.each(Object.entries(PARTS))('the part %s, before its first update', async (name, create) => {
-  await kept(name, recordOf(create()));
+  await matchesGolden(name, recordOf(create()));
 });
 
 it('the look of each body', async () => {
   const looks = ['Luna', 'Earth', 'Mars', 'Phobos', 'Unknown'].map((body) =>
     JSON.stringify([body, lookOf(body)]),
   );
-  await kept('looks', looks);
+  await matchesGolden('looks', looks);
 });
 
 const EYE = Float64Array.of(3, 40, -7);
@@ -124,5 +124,5 @@ const PLACED: Readonly<Record<string, () => Object3D>> = {
 };
 
 it.each(Object.entries(PLACED))('%s, painted and placed', async (name, create) => {
-  await kept(`placed/${name.replaceAll(' ', '-')}`, recordOf(create()));
+  await matchesGolden(`placed/${name.replaceAll(' ', '-')}`, recordOf(create()));
 });

@@ -1,15 +1,15 @@
 /** How long a reader waits for a host; counted, since a clock would include other work of this machine. */
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { openDocument } from '../../src/playground/offline/documents';
-import type { KeptBuild } from '../../src/playground/offline/keptBuild';
+import { openDocument } from '../../../src/playground/offline/documents';
+import type { BuildCache } from '../../../src/playground/offline/buildCache';
 
 const ADDRESS = 'https://host.example/touchdown/';
-const KEPT = '<title>kept</title>';
+const STORED = '<title>stored</title>';
 
 /** The members of a stored build that are used here. */
 const build = {
-  find: (url: string) => Promise.resolve(url === ADDRESS ? new Response(KEPT) : undefined),
-} as KeptBuild;
+  match: (url: string) => Promise.resolve(url === ADDRESS ? new Response(STORED) : undefined),
+} as BuildCache;
 
 afterEach(() => {
   vi.restoreAllMocks();
@@ -38,7 +38,7 @@ it('the stored document comes within 3 s when the host accepts and never answers
   const limits = endLimitsAtOnce();
   vi.stubGlobal('fetch', neverAnswers);
   const answer = await openDocument(new Request(ADDRESS), ADDRESS, build);
-  expect(await answer.text()).toBe(KEPT);
+  expect(await answer.text()).toBe(STORED);
   expect(limits).toHaveLength(1);
   expect(limits[0]).toBeLessThanOrEqual(3000);
 });
@@ -52,7 +52,7 @@ it('the stored document comes within 3 s when the host answers with a document, 
       : neverAnswers(url, init),
   );
   const answer = await openDocument(new Request(ADDRESS), ADDRESS, build);
-  expect(await answer.text()).toBe(KEPT);
+  expect(await answer.text()).toBe(STORED);
   expect(Math.max(...limits)).toBeLessThanOrEqual(3000);
 });
 
@@ -71,11 +71,11 @@ describe('a host that answers in time', () => {
     });
     return asked;
   };
-  const open = async (kept: KeptBuild = build) =>
-    (await openDocument(new Request(ADDRESS), ADDRESS, kept)).text();
+  const open = async (cache: BuildCache = build) =>
+    (await openDocument(new Request(ADDRESS), ADDRESS, cache)).text();
   const [HTML, JS, CSS] = ['text/html; charset=utf-8', 'text/javascript', 'text/css'] as const;
 
-  it('gives its document once all that it loads can be had, the scripts’ imports too', async () => {
+  it('provides its document once all that it loads is available, including the scripts’ imports', async () => {
     const asked = answers({
       '': [page('new.js'), HTML],
       'new.js': ['import("./part.js"); import("./new.js")', JS],
@@ -93,17 +93,17 @@ describe('a host that answers in time', () => {
     ['whose script is not found', { '': [page('new.js'), HTML] }],
     ['whose script is a page', { '': [page('new.js'), HTML], 'new.js': ['', HTML] }],
     ['with an import that is not found', { '': [page('new.js'), HTML], 'new.js': ['"./part.js"', JS] }],
-  ])('gives way to what is stored with a document %s', async (_what, files) => {
+  ])('is overruled by the stored document if its own is one %s', async (_what, files) => {
     answers(files);
-    expect(await open()).toBe(KEPT);
+    expect(await open()).toBe(STORED);
   });
 
-  it('need not send scripts that are stored, and is alone where nothing is stored', async () => {
+  it('need not send stored scripts, and is used directly if nothing is stored', async () => {
     const stored = (files: Readonly<Record<string, Response>>) =>
-      ({ find: (url: string) => Promise.resolve(files[url.replace(ADDRESS, '')]) }) as KeptBuild;
+      ({ match: (url: string) => Promise.resolve(files[url.replace(ADDRESS, '')]) }) as BuildCache;
     answers({ '': [page('new.js'), HTML] });
-    const kept = { '': new Response(KEPT), 'new.js': new Response('', { headers: SCRIPT }) };
-    expect(await open(stored(kept))).toBe(page('new.js'));
+    const files = { '': new Response(STORED), 'new.js': new Response('', { headers: SCRIPT }) };
+    expect(await open(stored(files))).toBe(page('new.js'));
     const asked = answers({ '': ['the host’s', 'text/plain'] });
     expect(await open(stored({}))).toBe('the host’s');
     expect(asked).toEqual(['']);

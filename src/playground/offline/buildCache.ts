@@ -8,7 +8,7 @@ declare const OFFLINE_FILES: Readonly<Record<string, string>>;
 /** Changes with any of them. */
 declare const OFFLINE_VERSION: string;
 
-/** ms for one file while keeping: a host that accepts and never answers must not hold the worker for ever. */
+/** ms for one file while storing: a host that accepts and never answers must not hold the worker for ever. */
 const FILE_LIMIT = 60_000;
 /** Marks a cache whose build was replaced: the pages still open may need it, those of the next replacement do not. */
 const SUPERSEDED = '?superseded';
@@ -22,26 +22,26 @@ const TYPES: readonly (readonly [ending: RegExp, type: RegExp])[] = [
 ];
 
 /** Of the page at `address`, a folder's URL. Caches belong to the whole origin: this page's names begin with its address. */
-export interface KeptBuild {
+export interface BuildCache {
   /** Fetches all files. Rejects and stores nothing if one is missing or not the build's. */
-  keep(): Promise<void>;
+  store(): Promise<void>;
   /** The stored answer to a request of this build or of the previous one, which open pages may still show. */
-  find(url: string): Promise<Response | undefined>;
+  match(url: string): Promise<Response | undefined>;
   /** Fetches files again that the browser has evicted. */
-  heal(): Promise<void>;
+  restoreEvicted(): Promise<void>;
   /** Removes builds that no open page can show. */
-  sweep(): Promise<void>;
+  removeOutdated(): Promise<void>;
   /** Removes everything. */
-  drop(): Promise<void>;
+  clear(): Promise<void>;
 }
 
-export function keptBuild(address: string, caches: CacheStorage): KeptBuild {
+export function createBuildCache(address: string, caches: CacheStorage): BuildCache {
   const mine = `touchdown ${address} `;
   const current = mine + OFFLINE_VERSION;
   const urlOf = (file: string) => new URL(file, address).href;
   const namesOfMine = async () => (await caches.keys()).filter((name) => name.startsWith(mine));
 
-  async function keepFile(cache: Cache, file: string): Promise<void> {
+  async function storeFile(cache: Cache, file: string): Promise<void> {
     const response = await fetch(urlOf(file), {
       cache: 'reload',
       integrity: OFFLINE_FILES[file]!,
@@ -56,16 +56,16 @@ export function keptBuild(address: string, caches: CacheStorage): KeptBuild {
   }
 
   return {
-    async keep() {
+    async store() {
       const cache = await caches.open(current);
       try {
-        await Promise.all(Object.keys(OFFLINE_FILES).map((file) => keepFile(cache, file)));
+        await Promise.all(Object.keys(OFFLINE_FILES).map((file) => storeFile(cache, file)));
       } catch (error) {
         await caches.delete(current);
         throw error;
       }
     },
-    async find(url) {
+    async match(url) {
       const names = await namesOfMine();
       for (const name of [current, ...names.filter((each) => each !== current)]) {
         if (!names.includes(name)) continue;
@@ -74,12 +74,12 @@ export function keptBuild(address: string, caches: CacheStorage): KeptBuild {
       }
       return undefined;
     },
-    async heal() {
+    async restoreEvicted() {
       const cache = await caches.open(current);
       for (const file of Object.keys(OFFLINE_FILES))
-        if ((await cache.match(urlOf(file))) === undefined) await keepFile(cache, file);
+        if ((await cache.match(urlOf(file))) === undefined) await storeFile(cache, file);
     },
-    async sweep() {
+    async removeOutdated() {
       for (const name of await namesOfMine()) {
         if (name === current) continue;
         const cache = await caches.open(name);
@@ -88,7 +88,7 @@ export function keptBuild(address: string, caches: CacheStorage): KeptBuild {
         else await caches.delete(name);
       }
     },
-    async drop() {
+    async clear() {
       for (const name of await namesOfMine()) await caches.delete(name);
     },
   };

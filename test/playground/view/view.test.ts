@@ -1,10 +1,10 @@
 /** Frames and sizes of the page: when it draws, when it says that it is ready, and how fine. */
 import { describe, expect, it } from 'vitest';
-import { createFrameLoop } from '../../src/playground/view/frameLoop';
-import { createCameraSwitch } from '../../src/playground/view/cameraSwitch';
-import { pixelRatioOf, watchSize } from '../../src/playground/view/pageSize';
-import type { SceneView } from '../../src/scene';
-import { makeView } from '../readout/views';
+import { createFrameLoop } from '../../../src/playground/view/frameLoop';
+import { createCameraSwitch } from '../../../src/playground/view/cameraSwitch';
+import { pixelRatioOf, watchSize } from '../../../src/playground/view/pageSize';
+import type { SceneView } from '../../../src/scene';
+import { makeView } from '../../readout/views';
 
 describe('the size of the picture', () => {
   it.each([

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createResolution, type Resolution } from '../../src/playground/view/resolution';
+import { createResolution, type Resolution } from '../../../src/playground/view/resolution';
 
 /** Runs frames for some wall seconds at the rate that a machine reaches with the share of pixels; the shares it went through. */
 function play(resolution: Resolution, seconds: number, rateAt: (share: number) => number): number[] {

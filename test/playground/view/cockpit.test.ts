@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { createTurns } from '../../src/playground/view/cockpit';
+import { createTurns } from '../../../src/playground/view/cockpit';
 
 it('paints all displays in a slow frame, in fast ones each in every other, and none in a busy one', () => {
   const next = createTurns();

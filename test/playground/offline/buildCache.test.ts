@@ -1,6 +1,6 @@
-/** The build that the browser keeps, and the service worker that answers from it. */
+/** The build's files in the browser's cache, and the service worker that answers from it. */
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { keptBuild } from '../../src/playground/offline/keptBuild';
+import { createBuildCache } from '../../../src/playground/offline/buildCache';
 
 const ADDRESS = 'https://host.example/touchdown/';
 const NAME = `touchdown ${ADDRESS} `;
@@ -55,12 +55,12 @@ beforeEach(() => {
 });
 afterEach(() => void vi.unstubAllGlobals());
 
-describe('a kept build', () => {
-  it('has all files of the build, each fetched anew and by its hash', async () => {
+describe('the cache of a build', () => {
+  it('stores all files of the build, each fetched anew and checked by its hash', async () => {
     const { caches, stored } = createCaches();
     const asked = createHost();
-    const build = keptBuild(ADDRESS, caches);
-    await build.keep();
+    const build = createBuildCache(ADDRESS, caches);
+    await build.store();
     expect(asked).toEqual([
       'sha-page reload',
       'app.js sha-app reload',
@@ -68,12 +68,12 @@ describe('a kept build', () => {
       'icon.svg sha-icon reload',
     ]);
     expect(stored()).toEqual(['v2:  app.js page.css icon.svg']);
-    const found = (await build.find(`${ADDRESS}app.js`))!;
+    const found = (await build.match(`${ADDRESS}app.js`))!;
     expect([await found.text(), found.headers.get('content-type')]).toEqual([
       'run()',
       'application/javascript',
     ]);
-    expect(await build.find(`${ADDRESS}other.js`)).toBeUndefined();
+    expect(await build.match(`${ADDRESS}other.js`)).toBeUndefined();
   });
 
   it.each([
@@ -82,26 +82,30 @@ describe('a kept build', () => {
       { 'app.js': ['', 'text/javascript', 404] },
       'app.js: the host answered 404 text/javascript',
     ],
-    ['is a page of errors', { 'app.js': ['', 'text/html'] }, 'app.js: the host answered 200 text/html'],
-    ['is no style sheet', { 'page.css': ['', 'text/plain'] }, 'page.css: the host answered 200 text/plain'],
-    ['is no picture', { 'icon.svg': ['', 'image/png'] }, 'icon.svg: the host answered 200 image/png'],
-    ['is no document', { '': ['', 'text/htmlx'] }, 'the document: the host answered 200 text/htmlx'],
-  ] as [string, Host, string][])('is nothing at all where a file %s', async (_what, changes, reason) => {
+    ['is an error page', { 'app.js': ['', 'text/html'] }, 'app.js: the host answered 200 text/html'],
+    [
+      'is not a style sheet',
+      { 'page.css': ['', 'text/plain'] },
+      'page.css: the host answered 200 text/plain',
+    ],
+    ['is not a picture', { 'icon.svg': ['', 'image/png'] }, 'icon.svg: the host answered 200 image/png'],
+    ['is not a document', { '': ['', 'text/htmlx'] }, 'the document: the host answered 200 text/htmlx'],
+  ] as [string, Host, string][])('stores nothing if a file %s', async (_what, changes, reason) => {
     const { caches, stored } = createCaches();
     createHost(changes);
-    await expect(keptBuild(ADDRESS, caches).keep()).rejects.toThrow(reason);
+    await expect(createBuildCache(ADDRESS, caches).store()).rejects.toThrow(reason);
     expect(stored()).toEqual([]);
   });
 
-  it('answers with its own file before one of the build before it, and never with another page’s', async () => {
+  it('prefers its own file to one of the previous build, and never has another page’s', async () => {
     const { caches, all } = createCaches();
     const put = (name: string, path: string, text: string) =>
       all.set(name, (all.get(name) ?? new Map<string, Response>()).set(ADDRESS + path, new Response(text)));
     put(`${NAME}v1`, 'app.js', 'old');
     put(`${NAME}v1`, 'old.js', 'old');
     put(`touchdown ${ADDRESS}elsewhere/ v9`, 'other.js', 'other');
-    const build = keptBuild(ADDRESS, caches);
-    const textOf = async (path: string) => (await build.find(ADDRESS + path))?.text();
+    const build = createBuildCache(ADDRESS, caches);
+    const textOf = async (path: string) => (await build.match(ADDRESS + path))?.text();
     expect(await textOf('app.js')).toBe('old');
     expect(all.has(`${NAME}v2`)).toBe(false);
     put(`${NAME}v2`, 'app.js', 'new');
@@ -112,27 +116,27 @@ describe('a kept build', () => {
     ]);
   });
 
-  it('fetches what was evicted, and goes two builds later', async () => {
+  it('fetches evicted files again, and is removed two builds later', async () => {
     const { caches, all, stored } = createCaches();
     const asked = createHost();
-    const build = keptBuild(ADDRESS, caches);
+    const build = createBuildCache(ADDRESS, caches);
     all.set('touchdown other v1', new Map());
     all.set(`${NAME}v1`, new Map());
-    await build.keep();
+    await build.store();
     all.get(`${NAME}v2`)!.delete(`${ADDRESS}page.css`);
     asked.length = 0;
-    await build.heal();
+    await build.restoreEvicted();
     expect(asked).toEqual(['page.css sha-css reload']);
-    await build.sweep();
+    await build.removeOutdated();
     expect(stored()).toEqual(['touchdown other v1: ', 'v1: ?superseded', 'v2:  app.js icon.svg page.css']);
-    await build.sweep();
+    await build.removeOutdated();
     expect(stored()).toEqual(['touchdown other v1: ', 'v2:  app.js icon.svg page.css']);
-    await build.drop();
+    await build.clear();
     expect(stored()).toEqual(['touchdown other v1: ']);
   });
 });
 
-it('the service worker answers from it, and goes with its script', async () => {
+it('the service worker answers from the cache, and unregisters once its script is gone', async () => {
   const { caches, all, stored } = createCaches();
   const done: string[] = [];
   const listeners = new Map<string, (event: object) => void>();
@@ -145,7 +149,7 @@ it('the service worker answers from it, and goes with its script', async () => {
     addEventListener: (type: string, listener: (event: object) => void) => listeners.set(type, listener),
   });
   const asked = createHost();
-  await import('../../src/playground/offline/serviceWorker');
+  await import('../../../src/playground/offline/serviceWorker');
   const send = async (type: string, members: object = {}) => {
     const work: Promise<unknown>[] = [];
     const answers: Promise<Response>[] = [];

@@ -49,6 +49,22 @@ describe.each(['keys', 'gamepad', 'thumbs'] as const)('a pilot with %s', (device
     expect(told('none', 'good')).toBe('');
   });
 
+  it('is told to turn upright first, until the ship turns by itself or the engine pushes more up than sideways', () => {
+    const told = (tilt: number, shownState = '', attitudeMode = 'none') => {
+      const { own } = makeView();
+      const controls = { ...own.controls, attitudeMode: attitudeMode as 'none' };
+      const view = makeView({ tilt }, { controls, shownState: shownState as '' });
+      return adviceText({ ...createLandingAids(), advice: 'hold', corridor: 'slow' }, view, device, cap);
+    };
+    expect([told(61), told(150)].map((text) => text.split(' {')[0])).toEqual([
+      'Turn upright',
+      'Turn upright',
+    ]);
+    expect(told(61)).toMatch(/\{.+\}$/);
+    expect([told(59), told(61, 'contact')]).toEqual(['Keep this thrust', 'Keep this thrust']);
+    expect(told(61, '', 'radial')).toBe('');
+  });
+
   it('has a control for all flight actions that keys push and turn with', () => {
     const flown = KEY_TABLE.filter(({ group }) => group === 'Push');
     expect(flown.map(({ action }) => controlName(device, action, cap))).not.toContain('');

@@ -1,4 +1,4 @@
-import type { WorldView } from '../../../prediction';
+import type { ShipView, WorldView } from '../../../prediction';
 import type { LandingAids } from '../../../readout';
 import type { Mission } from '../../../scenarios';
 import type { Action } from '../../input/keyTable';
@@ -111,6 +111,16 @@ const ADVICE: Readonly<
   none: ['none', '', ''],
 };
 
+/** Cosine of the tilt past which the engine pushes more sideways than up: it is no time for thrust. */
+const MIN_UPRIGHT = 0.5;
+
+/** Cosine of the angle between the thrust axis and straight up. */
+function uprightness({ attitude, position }: ShipView): number {
+  const [x, y, z, w] = attitude as unknown as [number, number, number, number];
+  const top = [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
+  return top.reduce((sum, part, k) => sum + part * position[k]!, 0) / Math.hypot(...position);
+}
+
 /** Advice for the landing now, in the words of the device. */
 export function adviceText(
   { advice, corridor }: LandingAids,
@@ -120,6 +130,8 @@ export function adviceText(
 ): string {
   if (own?.shownState === 'contact' && own.controls.thrustLevel > 0)
     return named('Cut the engine now {throttleCut}', device, keyCap);
+  if (own?.shownState === '' && uprightness(own) < MIN_UPRIGHT)
+    return own.controls.attitudeMode === 'radial' ? '' : named('Turn upright {modeUpright}', device, keyCap);
   const [agreeing, same, other] = ADVICE[advice];
   return named(corridor === agreeing ? same : other, device, keyCap);
 }

@@ -74,6 +74,7 @@ const FIRST = [
     'pageReturns',
     'pageGame',
     'offline',
+    'pageFits',
     'pageWindow',
     'page',
   ],

@@ -221,6 +221,9 @@ describeInBrowser('the landing HUD', () => {
 });
 
 describeInBrowser('the pulse', () => {
+  beforeAll(() => open('no-preference'));
+  afterAll(() => page.context().close());
+
   const animation = () =>
     page.locator('.td-status').evaluate((slot) => {
       const { animationName, animationDuration, animationIterationCount } = getComputedStyle(slot);
@@ -228,7 +231,6 @@ describeInBrowser('the pulse', () => {
     });
 
   it('lasts 300 ms when a ground state begins', async () => {
-    await open('no-preference');
     await show('flight');
     expect(await animation()).toMatch(/^none/);
     await show('contact');
@@ -238,7 +240,7 @@ describeInBrowser('the pulse', () => {
   });
 
   it('is absent for users who prefer reduced motion', async () => {
-    await open('reduce');
+    await page.emulateMedia({ reducedMotion: 'reduce' });
     await show('flight', 'contact');
     expect(await animation()).toMatch(/^none/);
   });

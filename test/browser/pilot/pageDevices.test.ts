@@ -1,6 +1,6 @@
 /** The built page by gamepad, by fingers and by ear. */
 import type { Page } from 'playwright-core';
-import { expect, it } from 'vitest';
+import { afterAll, beforeAll, expect, it } from 'vitest';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
 import { FLUENT, untilBanner, untilPhase } from '../waits';
 
@@ -38,11 +38,38 @@ const axis = (page: Page, number: number, value: number) =>
   );
 const [A, B, Y, RIGHT_TRIGGER] = [0, 1, 3, 7];
 
-describeInBrowser('a gamepad on the built page', () => {
-  it('is named, flies by triggers and sticks, lands by its autopilot button, and goes on with A', async () => {
-    const prepare = (page: Page) => page.addInitScript(plugIn);
-    const page = await openBuiltPage('', { ...FLUENT, prepare });
+interface SoundWindow {
+  contexts: AudioContext[];
+}
+
+/** Keeps the page's audio contexts; runs before its own scripts. */
+function listenIn(): void {
+  const contexts: AudioContext[] = [];
+  const Given = window.AudioContext;
+  Object.assign(window, {
+    contexts,
+    AudioContext: class extends Given {
+      constructor() {
+        super();
+        contexts.push(this);
+      }
+    },
+  });
+}
+
+describeInBrowser('on the built page', () => {
+  let page: Page;
+  beforeAll(async () => {
+    const prepare = async (opened: Page) => {
+      await opened.addInitScript(plugIn);
+      await opened.addInitScript(listenIn);
+    };
+    page = await openBuiltPage('', { ...FLUENT, prepare });
     await page.waitForSelector('html[data-ready=true]');
+  });
+  afterAll(() => page.context().close());
+
+  it('a gamepad is named, flies by triggers and sticks, lands by its autopilot button, and goes on with A', async () => {
     await page.evaluate(() => {
       const { pads, pad } = window as unknown as PadWindow;
       pads.push(pad);
@@ -75,6 +102,24 @@ describeInBrowser('a gamepad on the built page', () => {
     await page.evaluate(() => (window as unknown as PadWindow).pads.splice(0));
     await untilBanner(page, 'Gamepad disconnected.');
     await expect.poll(() => page.textContent('#goal')).toContain('W');
+    expect(problemsOf(page)).toEqual([]);
+  });
+
+  it('sound is off until asked for, and the mute key and the button switch it on and off', async () => {
+    const states = () =>
+      page.evaluate(() => (window as unknown as SoundWindow).contexts.map(({ state }) => state));
+    await page.keyboard.press('z');
+    expect(await states()).toEqual([]);
+    const soundButton = page.getByRole('button', { name: 'Sound' });
+    expect(await soundButton.getAttribute('aria-pressed')).toBe('false');
+    await page.keyboard.press('2');
+    await expect.poll(states).toEqual(['running']);
+    await untilBanner(page, 'Sound on.');
+    expect(await soundButton.getAttribute('aria-pressed')).toBe('true');
+    await page.keyboard.press('2');
+    await expect.poll(states).toEqual(['suspended']);
+    await soundButton.click();
+    await expect.poll(states).toEqual(['running']);
     expect(problemsOf(page)).toEqual([]);
   });
 });
@@ -138,48 +183,6 @@ describeInBrowser('fingers on the built page', () => {
     for (let n = 1; n <= 6; n++) await touch('touchMove', { x: hud.x, y: hud.y - 40 * n, id: 0 });
     await touch('touchEnd');
     await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(50);
-    expect(problemsOf(page)).toEqual([]);
-  });
-});
-
-interface SoundWindow {
-  contexts: AudioContext[];
-}
-
-/** Keeps the page's audio contexts; runs before its own scripts. */
-function listenIn(): void {
-  const contexts: AudioContext[] = [];
-  const Given = window.AudioContext;
-  Object.assign(window, {
-    contexts,
-    AudioContext: class extends Given {
-      constructor() {
-        super();
-        contexts.push(this);
-      }
-    },
-  });
-}
-
-describeInBrowser('sound on the built page', () => {
-  it('is off until asked for, and the mute key and the button switch it on and off', async () => {
-    const prepare = (page: Page) => page.addInitScript(listenIn);
-    const page = await openBuiltPage('', { ...FLUENT, prepare });
-    await page.waitForSelector('html[data-ready=true]');
-    const states = () =>
-      page.evaluate(() => (window as unknown as SoundWindow).contexts.map(({ state }) => state));
-    await page.keyboard.press('z');
-    expect(await states()).toEqual([]);
-    const soundButton = page.getByRole('button', { name: 'Sound' });
-    expect(await soundButton.getAttribute('aria-pressed')).toBe('false');
-    await page.keyboard.press('2');
-    await expect.poll(states).toEqual(['running']);
-    await untilBanner(page, 'Sound on.');
-    expect(await soundButton.getAttribute('aria-pressed')).toBe('true');
-    await page.keyboard.press('2');
-    await expect.poll(states).toEqual(['suspended']);
-    await soundButton.click();
-    await expect.poll(states).toEqual(['running']);
     expect(problemsOf(page)).toEqual([]);
   });
 });

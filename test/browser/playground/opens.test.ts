@@ -4,9 +4,8 @@ import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { PNG } from 'pngjs';
-import { expect, inject, it } from 'vitest';
+import { afterAll, beforeAll, expect, inject, it } from 'vitest';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
-import { KEPT } from '../waits';
 
 /** Largest size of an opened page's code, bytes with gzip, without terrain and models. */
 const HEAVIEST = 300_000;
@@ -29,8 +28,13 @@ async function coloursOf(page: Page): Promise<number> {
 }
 
 describeInBrowser('the built page', () => {
+  let page: Page;
+  beforeAll(async () => {
+    page = await openBuiltPage('', { framesPerSecond: 1, deviceScaleFactor: 0.5 });
+  });
+  afterAll(() => page.context().close());
+
   it('opens under the strict policy, below the root of its host, and draws a scene', async () => {
-    const page = await openBuiltPage('', { framesPerSecond: 1, deviceScaleFactor: 0.5 });
     expect(await page.title()).toBe('Touchdown');
     // A cleared canvas has one colour, a sky without ground few.
     await expect.poll(() => coloursOf(page)).toBeGreaterThan(50);
@@ -44,7 +48,6 @@ describeInBrowser('the built page', () => {
   // Once the page has its first picture and time to spare, its service worker fetches all of it again, plots too, to have it
   // without a network: twice the size, but nobody waits for it. It is not counted here.
   it(`weighs at most ${HEAVIEST / 1000} kB, apart from plots, replays and help, which load on demand`, async () => {
-    const page = await openBuiltPage('', KEPT);
     await page.waitForSelector('html[data-ready=true]');
     const fetched = await page.evaluate(() =>
       performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname.split('/').at(-1)!),

@@ -1,4 +1,5 @@
-import { expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from 'vitest';
 import { axeFaults } from '../axe';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
 import { shadesOf, SMALL, untilDrawn, untilStatus } from '../waits';
@@ -22,28 +23,33 @@ describeInBrowser('the built page', () => {
     );
     expect(problemsOf(page)).toEqual([]);
   });
+});
 
-  it('passes axe, dark and wide, light and narrow', async () => {
-    const page = await openBuiltPage('?scenario=settle', SMALL);
-    await page.waitForSelector('html[data-ready=true]');
-    for (const title of ['Figures', 'Recording', 'World'])
-      await page.locator('summary', { hasText: title }).click();
-    for (const [colorScheme, width, height] of [
-      ['dark', 1280, 720],
-      ['light', 390, 844],
-    ] as const) {
-      await page.emulateMedia({ colorScheme });
-      await page.setViewportSize({ width, height });
-      await untilDrawn(page);
-      const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
-      expect(wide, colorScheme).toBeLessThanOrEqual(0);
-      expect(await axeFaults(page), colorScheme).toEqual([]);
-    }
+describeInBrowser('the built page with a ship at rest', () => {
+  let page: Page;
+  beforeAll(async () => {
+    page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
+  });
+  beforeEach(() => untilStatus(page, 'landed'));
+  afterEach(async () => {
+    await page.context().setOffline(false);
+    await page.getByLabel('Mission', { exact: true }).selectOption('settle');
+  });
+  afterAll(() => page.context().close());
+
+  // First: nothing may be loaded later.
+  it('works without network once loaded', async () => {
+    await page.context().setOffline(true);
+    const settled = await page.evaluate(() => document.documentElement.dataset['run']);
+    await page.keyboard.press(']');
+    await page.waitForFunction(() => location.search.includes('scenario=bounce'));
+    // Not by its flight, which a slow display may not show: the ship has states of the new world.
+    await page.waitForFunction((before) => document.documentElement.dataset['run'] !== before, settled);
+    await untilStatus(page, 'landed');
+    expect(problemsOf(page)).toEqual([]);
   });
 
   it('flies by keyboard alone', async () => {
-    const page = await openBuiltPage('?scenario=settle&slow=2', SMALL);
-    await untilStatus(page, 'landed');
     await page.keyboard.press('z');
     await untilStatus(page, 'flight');
     await page.keyboard.press('x');
@@ -60,16 +66,19 @@ describeInBrowser('the built page', () => {
     expect(problemsOf(page)).toEqual([]);
   });
 
-  it('works without network once loaded', async () => {
-    const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
-    await untilStatus(page, 'landed');
-    await page.context().setOffline(true);
-    const settled = await page.evaluate(() => document.documentElement.dataset['run']);
-    await page.keyboard.press(']');
-    await page.waitForFunction(() => location.search.includes('scenario=bounce'));
-    // Not by its flight, which a slow display may not show: the ship has states of the new world.
-    await page.waitForFunction((before) => document.documentElement.dataset['run'] !== before, settled);
-    await untilStatus(page, 'landed');
-    expect(problemsOf(page)).toEqual([]);
+  it('passes axe, dark and wide, light and narrow', async () => {
+    for (const title of ['Figures', 'Recording', 'World'])
+      await page.locator('summary', { hasText: title }).click();
+    for (const [colorScheme, width, height] of [
+      ['dark', 1280, 720],
+      ['light', 390, 844],
+    ] as const) {
+      await page.emulateMedia({ colorScheme });
+      await page.setViewportSize({ width, height });
+      await untilDrawn(page);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+      expect(wide, colorScheme).toBeLessThanOrEqual(0);
+      expect(await axeFaults(page), colorScheme).toEqual([]);
+    }
   });
 });

@@ -1,5 +1,6 @@
 /** The built page after interruptions: replaying a recording, after a hidden tab, after a lost connection. */
-import { expect, it } from 'vitest';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
 import { FLUENT, SMALL, untilBanner, untilProvenance, untilStatus } from '../waits';
 
@@ -33,10 +34,21 @@ describeInBrowser('the built page', () => {
     await untilProvenance(page, 'confirmed');
     expect(problemsOf(page)).toEqual([]);
   });
+});
+
+describeInBrowser('the built page with a ship at rest', () => {
+  let page: Page;
+  beforeAll(async () => {
+    // Four times the speed: a quarter of a minute is a minute for server and predictor.
+    page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
+  });
+  beforeEach(async () => {
+    await page.getByLabel('Speed').selectOption('4');
+    await untilStatus(page, 'landed');
+  });
+  afterAll(() => page.context().close());
 
   it('leaves the game alone while a recording plays: flight keys do nothing, and P pauses the replay', async () => {
-    const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
-    await untilStatus(page, 'landed');
     await page.locator('summary', { hasText: 'Recording' }).click();
     await page.getByRole('button', { name: 'Replay' }).click();
     await untilBanner(page, 'Replay');
@@ -59,8 +71,6 @@ describeInBrowser('the built page', () => {
   });
 
   it('shows the same flight without prediction, also to a ship at rest, until it is asked again', async () => {
-    const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
-    await untilStatus(page, 'landed');
     await page.getByLabel('Speed').selectOption('0.25');
     const compare = page.getByRole('button', { name: 'See the same without prediction' });
     expect(await compare.getAttribute('aria-pressed')).toBe('false');
@@ -76,9 +86,6 @@ describeInBrowser('the built page', () => {
   });
 
   it('survives a minute hidden and a lost connection', async () => {
-    // At four times the speed a quarter of a minute is a minute for server and predictor.
-    const page = await openBuiltPage('?scenario=settle&slow=4', SMALL);
-    await untilStatus(page, 'landed');
     await page.getByRole('button', { name: 'Hide for a minute' }).click();
     await page.getByRole('button', { name: /Back now \((4[0-5]|[1-3]?\d) s\)/ }).click();
     await untilProvenance(page, 'confirmed');

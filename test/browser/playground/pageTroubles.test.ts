@@ -1,5 +1,5 @@
 import type { Page } from 'playwright-core';
-import { expect, it } from 'vitest';
+import { afterAll, beforeAll, expect, it } from 'vitest';
 import { describeInBrowser, openBuiltPage } from '../pages';
 import type { PageOptions } from '../pages';
 import { shadesOf, SMALL, untilBanner, untilStatus } from '../waits';
@@ -20,28 +20,33 @@ function without(files: RegExp): PageOptions {
   return { ...SMALL, prepare };
 }
 
-describeInBrowser('the built page, when something is wrong', () => {
-  it('says that it builds the ground until there is a picture', async () => {
-    // Everything the banner shows, in order.
-    const listen = () => {
-      const said: string[] = [];
-      Object.assign(window, { said });
-      document.addEventListener('DOMContentLoaded', () => {
-        const banner = document.getElementById('banner')!;
-        const note = () => said.push(banner.textContent);
-        note();
-        new MutationObserver(note).observe(banner, { childList: true, characterData: true, subtree: true });
-      });
-    };
-    const prepare = (page: Page) => page.addInitScript(listen);
-    const page = await openBuiltPage('?scenario=settle&slow=4', { ...SMALL, prepare });
+/** Keeps everything that the banner shows, in order; runs before the page's own scripts. */
+function listen(): void {
+  const said: string[] = [];
+  Object.assign(window, { said });
+  document.addEventListener('DOMContentLoaded', () => {
+    const banner = document.getElementById('banner')!;
+    const note = () => said.push(banner.textContent);
+    note();
+    new MutationObserver(note).observe(banner, { childList: true, characterData: true, subtree: true });
+  });
+}
+
+describeInBrowser('the built page of a link with invalid values', () => {
+  let page: Page;
+  beforeAll(async () => {
+    const prepare = (opened: Page) => opened.addInitScript(listen);
+    page = await openBuiltPage('?scenario=settle&slow=4&rate=9000&body=Vulcan', { ...SMALL, prepare });
     await untilStatus(page, 'landed');
+  });
+  afterAll(() => page.context().close());
+
+  it('says that it builds the ground until there is a picture', async () => {
     const said = await page.evaluate(() => (window as unknown as { said: string[] }).said);
     expect(said).toEqual(['Loading …', 'Building the ground …', '']);
   });
 
-  it('says which values of a link are invalid', async () => {
-    const page = await openBuiltPage('?scenario=settle&rate=9000&body=Vulcan', SMALL);
+  it('says which values are invalid', async () => {
     await page.waitForSelector('#notice:not([hidden])');
     const words = (await page.textContent('#notice')) ?? '';
     expect(words).toContain('rate: expected a number from 0.1 to 100');
@@ -49,18 +54,17 @@ describeInBrowser('the built page, when something is wrong', () => {
   });
 
   it('says why a file is not a recording, and what a recording is', async () => {
-    const page = await openBuiltPage('?scenario=settle', SMALL);
-    await page.waitForSelector('html[data-ready=true]');
     const file = {
       name: 'poem.jsonl',
       mimeType: 'text/plain',
       buffer: Buffer.from('<b>not</b> a recording\n'),
     };
     await page.setInputFiles('input[type=file]', file);
-    await page.waitForSelector('#notice:not([hidden])');
-    expect(await page.textContent('#notice')).toContain('poem.jsonl cannot be played: line 1: not JSON');
+    await page.locator('#notice', { hasText: 'poem.jsonl cannot be played: line 1: not JSON' }).waitFor();
   });
+});
 
+describeInBrowser('the built page, when something is wrong', () => {
   it('says which server cannot be reached', async () => {
     const page = await openBuiltPage('?server=ws://127.0.0.1:9/', SMALL);
     await untilBanner(page, 'Nothing answers at ws://127.0.0.1:9', 'Is the server running? Retrying in');

@@ -116,17 +116,18 @@ function geometryOf(parts: readonly Part[]): BufferGeometry {
     flexes: new Float32Array(2 * total),
   };
   let first = 0;
-  for (const part of parts) {
-    writePart(corners, first, part);
+  const placed = parts.map((part) => {
+    const positions = writePart(corners, first, part);
     first += cornerCount(part.geometry);
-  }
+    return positions;
+  });
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(corners.positions, 3));
   geometry.setAttribute('normal', new BufferAttribute(corners.normals, 3));
   geometry.setAttribute('color', new BufferAttribute(corners.colours, 3));
   geometry.setAttribute('surface', new BufferAttribute(corners.surfaces, 3));
   geometry.setAttribute('flex', new BufferAttribute(corners.flexes, 2));
-  geometry.boundingSphere = sphereAround(corners.positions);
+  geometry.boundingSphere = sphereAround(placed);
   return geometry;
 }
 
@@ -134,24 +135,26 @@ function cornerCount(geometry: BufferGeometry): number {
   return (geometry.index ?? geometry.getAttribute('position')).count;
 }
 
-/** Each vertex is placed once, and then copied to the corners of its triangles. */
-function writePart(out: Corners, first: number, { geometry, finish, placement }: Part): void {
+/** Each vertex is placed once, and then copied to the corners of its triangles. Returns the placed vertices. */
+function writePart(out: Corners, first: number, { geometry, finish, placement }: Part): Numbers {
   const matrix = matrixOf(placement);
   const position = geometry.getAttribute('position') as BufferAttribute;
   const normal = geometry.getAttribute('normal') as BufferAttribute;
   const turn = new Matrix3().getNormalMatrix(matrix);
   const count = cornerCount(geometry);
   const vertices = geometry.index?.array ?? null;
-  copyCorners(out.positions, first, position.clone().applyMatrix4(matrix).array, vertices);
+  const placed = position.clone().applyMatrix4(matrix).array;
+  copyCorners(out.positions, first, placed, vertices);
   copyCorners(out.normals, first, normal.clone().applyNormalMatrix(turn).array, vertices);
   fillCorners(out.colours, first, count, finish.colour);
   fillCorners(out.surfaces, first, count, [finish.roughness, finish.metalness, finish.glow ?? 0]);
-  if (placement.flex === undefined) return;
+  if (placement.flex === undefined) return placed;
   const shares = flexShares(position, placement.flex);
   for (let n = 0; n < count; n++) {
     out.flexes[2 * (first + n)] = placement.flex.leg;
     out.flexes[2 * (first + n) + 1] = shares[vertices === null ? n : vertices[n]!]!;
   }
+  return placed;
 }
 
 type Numbers = ArrayLike<number>;
@@ -177,25 +180,30 @@ function fillCorners(out: Float32Array, first: number, count: number, three: Num
   }
 }
 
-/** As three.js computes it, which takes six times as long: the middle of the box, out to the farthest corner. */
-function sphereAround(positions: Float32Array): Sphere {
+/** As three.js computes it, which takes many times as long: the middle of the box around all vertices, out to the farthest. */
+function sphereAround(parts: readonly Numbers[]): Sphere {
   const middle = [0, 1, 2].map((axis) => {
-    let [low, high] = [Infinity, -Infinity];
-    for (let at = axis; at < positions.length; at += 3) {
-      const value = positions[at]!;
-      if (value < low) low = value;
-      if (value > high) high = value;
+    let low = Infinity;
+    let high = -Infinity;
+    for (const vertices of parts) {
+      for (let at = axis; at < vertices.length; at += 3) {
+        const value = vertices[at]!;
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
     }
     return (low + high) * 0.5;
   });
   const [x, y, z] = [middle[0]!, middle[1]!, middle[2]!];
   let farthest = 0;
-  for (let at = 0; at < positions.length; at += 3) {
-    const dx = x - positions[at]!;
-    const dy = y - positions[at + 1]!;
-    const dz = z - positions[at + 2]!;
-    const square = dx * dx + dy * dy + dz * dz;
-    if (square > farthest) farthest = square;
+  for (const vertices of parts) {
+    for (let at = 0; at < vertices.length; at += 3) {
+      const dx = x - vertices[at]!;
+      const dy = y - vertices[at + 1]!;
+      const dz = z - vertices[at + 2]!;
+      const square = dx * dx + dy * dy + dz * dz;
+      if (square > farthest) farthest = square;
+    }
   }
   return new Sphere(new Vector3(x, y, z), Math.sqrt(farthest));
 }

@@ -8,6 +8,7 @@ import { placeGrain } from './ground/groundMaterial';
 import { rebuildIfNeeded, showWatchedClass } from './surroundings';
 import { rotate, writeScreenAxes } from './localFrame';
 import { anyChosen, placeOverlays } from './overlays/overlayPlaces';
+import { beginPrograms } from './programs';
 import type { Quality } from './quality';
 import { createParts, disposeParts } from './sceneParts';
 import { createState, frameOf, type SceneState } from './sceneState';
@@ -42,6 +43,7 @@ export function createSceneView(
 function sceneIn(canvas: HTMLCanvasElement, quality: Quality): SceneView {
   const state = createState(createParts(canvas, quality));
   const { parts, rig } = state;
+  beginPrograms(parts);
   const fence = createFence(parts.renderer.getContext() as WebGL2RenderingContext);
   return {
     overlays: state.choice,

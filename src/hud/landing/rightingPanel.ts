@@ -1,6 +1,7 @@
 import {
   ANGLE,
   DURATION,
+  type Format,
   type HintAction,
   MASS,
   type Righting,
@@ -132,13 +133,7 @@ function createKey(parent: Element, keyLabel: KeyLabel): (action: HintAction | '
 
 /** `55 kN m of 142 kN m`: needed of available, as in every line. */
 function createTorque(parent: Element): (righting: Righting) => void {
-  const line = append(parent, 'p', 'td-need');
-  append(line, 'span', 'td-label', 'TORQUE');
-  const values = append(line, 'span', 'td-value');
-  const paintNeeded = showNumber(values, TORQUE);
-  append(values, 'span', 'td-of', ' of ');
-  const paintAvailable = showNumber(values, TORQUE);
-  const paintMark = createMark(line);
+  const { paintNeeded, paintAvailable, paintMark } = createNeed(parent, 'TORQUE', TORQUE);
   return (righting) => {
     paintAvailable(righting.torqueAvailable);
     paintNeeded(righting.torqueNeeded);
@@ -148,20 +143,25 @@ function createTorque(parent: Element): (righting: Righting) => void {
 
 /** `39 kg of 7 200 kg`, from simulating ahead. */
 function createFuel(parent: Element): (righting: Righting) => void {
-  const line = append(parent, 'p', 'td-need');
-  append(line, 'span', 'td-label', 'FUEL');
-  const values = append(line, 'span', 'td-value');
-  const paintNeeded = showNumber(values, MASS);
-  append(values, 'span', 'td-of', ' of ');
-  const paintAboard = showNumber(values, MASS);
-  const paintMark = createMark(line);
+  const { line, paintNeeded, paintAvailable, paintMark } = createNeed(parent, 'FUEL', MASS);
   const paintShown = showPart(line);
   return (righting) => {
     paintShown(righting.possible);
     paintNeeded(righting.fuelNeeded);
-    paintAboard(righting.fuel);
+    paintAvailable(righting.fuel);
     paintMark(righting.outcome === 'working' ? 'unknown' : righting.outcome === 'lands' ? 'true' : 'false');
   };
+}
+
+/** A line with two numbers, needed and available, and a mark that says whether it suffices. */
+function createNeed(parent: Element, label: string, format: Format) {
+  const line = append(parent, 'p', 'td-need');
+  append(line, 'span', 'td-label', label);
+  const values = append(line, 'span', 'td-value');
+  const paintNeeded = showNumber(values, format);
+  append(values, 'span', 'td-of', ' of ');
+  const paintAvailable = showNumber(values, format);
+  return { line, paintNeeded, paintAvailable, paintMark: createMark(line) };
 }
 
 function createMark(line: Element): (met: 'true' | 'false' | 'unknown') => void {

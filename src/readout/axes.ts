@@ -5,12 +5,12 @@
 
 /** out = q v q⁻¹: body axes → ICRF. */
 export function toInertial(out: Float64Array, q: Float64Array, v: Float64Array): void {
-  turn(out, q, v, 1);
+  turn(out, q, 1, v);
 }
 
 /** out = q⁻¹ v q: ICRF → body axes. */
 export function toBodyAxes(out: Float64Array, q: Float64Array, v: Float64Array): void {
-  turn(out, q, v, -1);
+  turn(out, q, -1, v);
 }
 
 /** out[at] = a · b */
@@ -25,18 +25,19 @@ export function cross(out: Float64Array, a: Float64Array, b: Float64Array): void
   out[2] = a[0]! * b[1]! - a[1]! * b[0]!;
 }
 
-/** v + 2 w (p × v) + 2 p × (p × v), with p the vector part times `sense`. */
-function turn(out: Float64Array, q: Float64Array, v: Float64Array, sense: 1 | -1): void {
-  const px = sense * q[0]!;
-  const py = sense * q[1]!;
-  const pz = sense * q[2]!;
+/** v + 2 w (p × v) + 2 p × (p × v), with p the vector part and w the scalar part times `sense`. */
+function turn(out: Float64Array, q: Float64Array, sense: 1 | -1, v: Float64Array): void {
+  const qx = q[0]!;
+  const qy = q[1]!;
+  const qz = q[2]!;
+  const qw = sense * q[3]!;
   const x = v[0]!;
   const y = v[1]!;
   const z = v[2]!;
-  const tx = 2 * (py * z - pz * y);
-  const ty = 2 * (pz * x - px * z);
-  const tz = 2 * (px * y - py * x);
-  out[0] = x + q[3]! * tx + (py * tz - pz * ty);
-  out[1] = y + q[3]! * ty + (pz * tx - px * tz);
-  out[2] = z + q[3]! * tz + (px * ty - py * tx);
+  const tx = 2 * (qy * z - qz * y);
+  const ty = 2 * (qz * x - qx * z);
+  const tz = 2 * (qx * y - qy * x);
+  out[0] = x + qw * tx + (qy * tz - qz * ty);
+  out[1] = y + qw * ty + (qz * tx - qx * tz);
+  out[2] = z + qw * tz + (qx * ty - qy * tx);
 }

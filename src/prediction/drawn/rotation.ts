@@ -27,7 +27,7 @@ export function rotateBack(out: Float64Array, q: Float64Array, v: Float64Array):
   turn(out, q, -1, v);
 }
 
-/** Rotates by q, or back. Told by a whole number: a double would be boxed for the call. */
+/** Rotates by q, or by its inverse if `sense` is −1: an integer, since a double would be boxed for the call. */
 function turn(out: Float64Array, q: Float64Array, sense: 1 | -1, v: Float64Array): void {
   const qx = q[0]!;
   const qy = q[1]!;
@@ -63,45 +63,28 @@ export function cross(out: Float64Array, a: Float64Array, b: Float64Array): void
 
 /** out = a b: first b, then a. */
 export function compose(out: Float64Array, a: Float64Array, b: Float64Array): void {
-  const ax = a[0]!;
-  const ay = a[1]!;
-  const az = a[2]!;
-  const aw = a[3]!;
-  const bx = b[0]!;
-  const by = b[1]!;
-  const bz = b[2]!;
-  const bw = b[3]!;
-  out[0] = aw * bx + ax * bw + ay * bz - az * by;
-  out[1] = aw * by + ay * bw + az * bx - ax * bz;
-  out[2] = aw * bz + az * bw + ax * by - ay * bx;
-  out[3] = aw * bw - ax * bx - ay * by - az * bz;
+  multiply(out, a, 1, b, 1);
 }
 
 /** out = a⁻¹ b: b in a's axes. */
 export function seenFrom(out: Float64Array, a: Float64Array, b: Float64Array): void {
-  const ax = -a[0]!;
-  const ay = -a[1]!;
-  const az = -a[2]!;
-  const aw = a[3]!;
-  const bx = b[0]!;
-  const by = b[1]!;
-  const bz = b[2]!;
-  const bw = b[3]!;
-  out[0] = aw * bx + ax * bw + ay * bz - az * by;
-  out[1] = aw * by + ay * bw + az * bx - ax * bz;
-  out[2] = aw * bz + az * bw + ax * by - ay * bx;
-  out[3] = aw * bw - ax * bx - ay * by - az * bz;
+  multiply(out, a, -1, b, 1);
 }
 
 /** out = a b⁻¹: the rotation from b to a, in the axes in which both are given. */
 export function turnBetween(out: Float64Array, a: Float64Array, b: Float64Array): void {
-  const ax = a[0]!;
-  const ay = a[1]!;
-  const az = a[2]!;
+  multiply(out, a, 1, b, -1);
+}
+
+/** The product of two rotations or their inverses, for which the sense is −1. */
+function multiply(out: Float64Array, a: Float64Array, senseA: 1 | -1, b: Float64Array, senseB: 1 | -1): void {
+  const ax = senseA * a[0]!;
+  const ay = senseA * a[1]!;
+  const az = senseA * a[2]!;
   const aw = a[3]!;
-  const bx = -b[0]!;
-  const by = -b[1]!;
-  const bz = -b[2]!;
+  const bx = senseB * b[0]!;
+  const by = senseB * b[1]!;
+  const bz = senseB * b[2]!;
   const bw = b[3]!;
   out[0] = aw * bx + ax * bw + ay * bz - az * by;
   out[1] = aw * by + ay * bw + az * bx - ax * bz;

@@ -8,7 +8,7 @@ import { learnGround } from './ground/learn';
 import { knowsGround, withoutGround } from './ground/unknownGround';
 import { GAME_CATALOGUE } from './options';
 import { announce, type SessionFeatures } from './session';
-import { carry } from './simulation/carry';
+import { extrapolate } from './simulation/extrapolate';
 import { rowsWithin } from './simulation/history';
 import {
   holdSleeping,
@@ -96,11 +96,11 @@ export const learnedGround: Feature = feature('learnedGround', { learning, learn
 export const foreignDynamics: Feature = feature('foreignDynamics', {
   learning,
   chooseMotion,
-  carry,
+  extrapolate,
 });
 
 /** Extrapolates ships above ground that the client has not loaded: where its terrain returns null (PREDICTION, Learned ground). */
-export const unloadedGround: Feature = feature('unloadedGround', { learning, unknownGround, carry });
+export const unloadedGround: Feature = feature('unloadedGround', { learning, unknownGround, extrapolate });
 
 /** Lets landed ships sleep: they cost no substep while the server agrees (PREDICTION, Reconciliation). */
 export const sleepingShips: Feature = feature('sleepingShips', { sleep });
@@ -158,7 +158,7 @@ export const AWAKE_FEATURES: SessionFeatures = Object.freeze({
   learning,
   learnGround,
   chooseMotion,
-  carry,
+  extrapolate,
   unknownGround,
   replayImpact,
   keepWithinBudget,

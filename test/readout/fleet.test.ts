@@ -66,7 +66,7 @@ describe('updateFleetReadout', () => {
     expect(high).toBeCloseTo(10, 6);
     const out = updateFleetReadout(createFleetReadout(), fleet(['']));
     expect(updateFleetReadout(out, fleet([''], { provenance: 'stale' })).rows[0]!.height).toBeNaN();
-    const overUnknown = { carried: 'ground', feetHeight: 30 } as const;
+    const overUnknown = { extrapolated: 'ground', feetHeight: 30 } as const;
     expect(heights(fleet([''], overUnknown))).toEqual([NaN]);
     expect(heights(fleet(['landed'], { ...overUnknown, surfaceContactState: 'landed' }))).toEqual([0]);
     expect(heights(fleet([''], { feetHeight: -0.1 }))).toEqual([0]);

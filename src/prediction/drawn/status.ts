@@ -108,7 +108,7 @@ function provenanceOf(out: ShipView, track: Track, crashes: boolean, at: Instant
   const { state, serverWall } = track.picture.status;
   if (!at.paused && at.present - serverWall > at.confirms) return 'predicted';
   const { fit, serverRow } = track;
-  const agrees = serverRow[SURFACE_STATE] === state && !crashes && fit.carried === '' && !fit.bounces;
+  const agrees = serverRow[SURFACE_STATE] === state && !crashes && fit.extrapolated === '' && !fit.bounces;
   return agrees ? 'confirmed' : 'predicted';
 }
 

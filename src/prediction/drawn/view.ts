@@ -96,9 +96,9 @@ export interface ShipView {
    * '' if the ship is predicted by the dynamics. Otherwise it is extrapolated from the server's states, and never confirmed: 'law' if the
    * dynamics were worse than that over the last few states, 'ground' if the ground below it is unknown.
    */
-  carried: '' | 'law' | 'ground';
+  extrapolated: '' | 'law' | 'ground';
   /** Server states received while it was extrapolated. */
-  carriedStates: number;
+  extrapolatedStates: number;
 
   /** The drawn pose: predicted + fading offset; m, relative to the body's centre, ICRF axes. The simulation does not read it. */
   readonly easedPosition: Float64Array;
@@ -233,8 +233,8 @@ export interface Diagnosis {
   errorPosition: number;
   errorAngle: number;
   /** Ships extrapolated at present, not predicted by the dynamics, and states received while one was. */
-  shipsCarried: number;
-  statesCarried: number;
+  shipsExtrapolated: number;
+  statesExtrapolated: number;
   /** The server's ground above the drawn terrain under the player's ship, m, and the confidence, 0 … 1. */
   groundOffset: number;
   groundConfidence: number;

@@ -67,8 +67,8 @@ export function createShipView(track: Track, world: World): ShipView {
     groundContactOffset: 0,
     groundOffset: 0,
     groundConfidence: 0,
-    carried: '',
-    carriedStates: 0,
+    extrapolated: '',
+    extrapolatedStates: 0,
     easedPosition: vectors(),
     meshAttitude: Float64Array.of(0, 0, 0, 1),
     meshPosition: vectors(),
@@ -106,8 +106,8 @@ export function fillShipView(out: ShipView, sim: Simulation, track: Track, scene
   out.shipClass = scene.world.shipClasses[rows[from + SHIP_CLASS]!]!;
   out.groundContactOffset = rows[from + GROUND_CONTACT_OFFSET]!;
   out.name = track.name;
-  out.carried = track.fit.carried;
-  out.carriedStates = track.fit.states;
+  out.extrapolated = track.fit.extrapolated;
+  out.extrapolatedStates = track.fit.states;
   out.own = track.own;
   out.missingSends = sim.cadence.sends - track.lastSend;
   const attitude = scene.bodyAttitudes[out.body]!;

@@ -159,10 +159,10 @@ function fillShips({ view, scene }: ViewBuilder, sim: Simulation): void {
   const { tracks } = sim.fleet;
   view.own = null;
   view.ships.length = tracks.length;
-  sim.counters.shipsCarried = 0;
+  sim.counters.shipsExtrapolated = 0;
   for (let i = 0; i < tracks.length; i++) {
     const track = tracks[i]!;
-    if (track.fit.carried !== '') sim.counters.shipsCarried += 1;
+    if (track.fit.extrapolated !== '') sim.counters.shipsExtrapolated += 1;
     track.picture.view ??= createShipView(track, sim.world);
     fillShipView(track.picture.view, sim, track, scene);
     view.ships[i] = track.picture.view;

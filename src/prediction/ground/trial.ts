@@ -53,10 +53,10 @@ export function replayTo(
   copyRow(row, 0, from, 0);
   placeStep(step, sim, fromTick, 0);
   const { fit } = track;
-  const { carried } = fit;
-  fit.carried = '';
+  const { extrapolated } = fit;
+  fit.extrapolated = '';
   while (step.tick < toTick) advanceRow(step, sim, track);
-  fit.carried = carried;
+  fit.extrapolated = extrapolated;
   return row;
 }
 

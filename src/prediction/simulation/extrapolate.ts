@@ -29,13 +29,13 @@ import type { Simulation } from './simulation';
 import type { RowStep, Track } from './track';
 
 /** Extrapolates a ship by a substep or, above unknown ground, flies it by the dynamics. */
-export function carry(step: RowStep, sim: Simulation, track: Track): void {
+export function extrapolate(step: RowStep, sim: Simulation, track: Track): void {
   const { rows, at } = step;
   const [dt] = step.dt;
   step.event = NO_EVENT;
-  if (track.fit.carried === 'ground' && rows[at + SURFACE_STATE] === FLYING)
+  if (track.fit.extrapolated === 'ground' && rows[at + SURFACE_STATE] === FLYING)
     substep(rows, at, step.bodies, sim.groundless, dt);
-  else carryRow(rows, at, step.bodies, sim.world, dt);
+  else extrapolateRow(rows, at, step.bodies, sim.world, dt);
 }
 
 /**
@@ -43,7 +43,7 @@ export function carry(step: RowStep, sim: Simulation, track: Track): void {
  * it and turns with the body. Its surface state and its spin stay.
  * @param bodies rows turned for the next `dt` game s
  */
-export function carryRow(
+export function extrapolateRow(
   rows: Float64Array,
   at: number,
   bodies: Float64Array,

@@ -49,7 +49,7 @@ export interface Features {
     readonly withoutGround: typeof unknownGround.withoutGround;
   };
   /** Extrapolates a ship. */
-  readonly carry?: (step: RowStep, sim: Simulation, track: Track) => void;
+  readonly extrapolate?: (step: RowStep, sim: Simulation, track: Track) => void;
   /** The impact speed of a contact that was not predicted. */
   readonly replayImpact?: (sim: Simulation, track: Track, state: TickedRow) => number;
   readonly sleep?: Sleep;

@@ -32,8 +32,8 @@ export function stepRow(step: RowStep, sim: Simulation, track: Track): void {
   if (track.own) step.inputs = applyDue(sim.inputs, step.inputs, step, rows, at);
   const { ground } = track;
   const world = ground.reading === null ? sim.world : ground.reading.worldOf(ground, sim.world);
-  if (track.fit.carried === '') step.event = substep(rows, at, step.bodies, world, step.dt[0]);
-  else sim.features.carry?.(step, sim, track);
+  if (track.fit.extrapolated === '') step.event = substep(rows, at, step.bodies, world, step.dt[0]);
+  else sim.features.extrapolate?.(step, sim, track);
 }
 
 /** Moves to the next substep. Returns whether a tick boundary was reached. */

@@ -15,14 +15,14 @@ export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolea
   const { fit, ground } = track;
   const { features } = sim;
   const isKnown = features.unknownGround?.knowsGround(row, bodies, sim.world) ?? true;
-  const changes = isKnown === (fit.carried === 'ground');
-  if (changes) fit.carried = isKnown ? '' : 'ground';
-  if (fit.carried !== '') {
+  const changes = isKnown === (fit.extrapolated === 'ground');
+  if (changes) fit.extrapolated = isKnown ? '' : 'ground';
+  if (fit.extrapolated !== '') {
     fit.states += 1;
-    sim.counters.statesCarried += 1;
+    sim.counters.statesExtrapolated += 1;
   }
   if (!isKnown) return changes;
-  if (!agrees || ground.places.length > 0 || fit.carried !== '')
+  if (!agrees || ground.places.length > 0 || fit.extrapolated !== '')
     features.learnGround?.(sim, track, { row, tick, bodies, now, hasImpact });
   if (!agrees) measureSpin(sim, track, lesson);
   state.rows = row;

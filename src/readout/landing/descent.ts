@@ -40,7 +40,7 @@ export function measureDescent(out: Descent, surface: Surface, ship: ShipView): 
 
 /** Whether the ground under the ship is known; where its terrain is not loaded, no height above it is. */
 export function isGroundKnown(ship: ShipView): boolean {
-  return ship.carried !== 'ground';
+  return ship.extrapolated !== 'ground';
 }
 
 /** On the ground the drawn legs stand on it, whatever depth the law has (PREDICTION, "nothing is drawn underground"). */

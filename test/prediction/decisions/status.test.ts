@@ -71,7 +71,7 @@ describe('what a view shows of a ship', () => {
     ['not predicted at all', 'confirmed', (of) => ((of.at.present = 60), (of.track.policy = 'hold'))],
     ['in another state', 'predicted', ({ row }) => (row[SURFACE_STATE] = TIPPED)],
     ['crashed here alone', 'predicted', ({ row }) => (row[CRASHED] = 1)],
-    ['extrapolated', 'predicted', ({ track }) => (track.fit.carried = 'ground')],
+    ['extrapolated', 'predicted', ({ track }) => (track.fit.extrapolated = 'ground')],
     ['bouncing on the server alone', 'predicted', ({ track }) => (track.fit.bounces = true)],
   ])('%s: it is %s', (_, provenance, change) => {
     expect(shown(change).provenance).toBe(provenance);

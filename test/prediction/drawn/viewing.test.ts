@@ -95,16 +95,16 @@ describe('a ship in a view', () => {
   it('has its name, whether it is the player’s, its extrapolated states and its missed sends', () => {
     const { sim, track, view } = seen();
     Object.assign(track, { name: 'Eagle', lastSend: 3 });
-    Object.assign(track.fit, { carried: 'law', states: 7 });
+    Object.assign(track.fit, { extrapolated: 'law', states: 7 });
     sim.cadence.sends = 5;
     expect(view().own).toMatchObject({
-      ...{ name: 'Eagle', own: true, carried: 'law', carriedStates: 7, missingSends: 2 },
+      ...{ name: 'Eagle', own: true, extrapolated: 'law', extrapolatedStates: 7, missingSends: 2 },
     });
-    expect(sim.counters.shipsCarried).toBe(1);
+    expect(sim.counters.shipsExtrapolated).toBe(1);
     track.own = false;
-    track.fit.carried = '';
+    track.fit.extrapolated = '';
     expect(view().own).toBeNull();
-    expect([view().ships[0]!.own, sim.counters.shipsCarried]).toEqual([false, 0]);
+    expect([view().ships[0]!.own, sim.counters.shipsExtrapolated]).toEqual([false, 0]);
   });
 
   it('is drawn at its predicted pose plus the offset, which is in the axes of its body', () => {

@@ -28,18 +28,18 @@ describe('a ship that the law does not fit', () => {
     rig.fly(4);
     let confirmed = 0;
     rig.fly(1, ({ own }) => {
-      expect(own!.carried).toBe('law');
+      expect(own!.extrapolated).toBe('law');
       if (own!.provenance === 'confirmed') confirmed += 1;
     });
     expect(confirmed).toBe(0);
-    expect(rig.view().diagnosis.shipsCarried).toBe(1);
-    expect(rig.view().own!.carriedStates).toBeGreaterThan(4);
-    expect(rig.view().diagnosis.statesCarried).toBe(rig.view().own!.carriedStates);
+    expect(rig.view().diagnosis.shipsExtrapolated).toBe(1);
+    expect(rig.view().own!.extrapolatedStates).toBeGreaterThan(4);
+    expect(rig.view().diagnosis.statesExtrapolated).toBe(rig.view().own!.extrapolatedStates);
     // Extrapolation is off by the ship's acceleration over an interval and the lead; the law by forty times that.
     expect(Math.max(...errorsOf(rig, 1))).toBeLessThan(1.5);
     cut = true;
     rig.fly(3);
-    expect(rig.view().own!.carried).toBe('');
+    expect(rig.view().own!.extrapolated).toBe('');
   });
 
   it('applies to no ship that the law fits', () => {
@@ -47,7 +47,8 @@ describe('a ship that the law does not fit', () => {
     let looked = 0;
     rig.fly(20, ({ ships }) => {
       looked += ships.length;
-      for (const { carried, carriedStates } of ships) expect([carried, carriedStates]).toEqual(['', 0]);
+      for (const { extrapolated, extrapolatedStates } of ships)
+        expect([extrapolated, extrapolatedStates]).toEqual(['', 0]);
     });
     expect(looked).toBeGreaterThan(500);
   });
@@ -69,15 +70,15 @@ describe('terrain that is not loaded', () => {
     const rig = createRig({ scenario: 'slide', tickRate: 5, predictor: { terrains: { hills: terrain } } });
     rig.fly(3, ({ ready, own, diagnosis }) => {
       if (!ready || own === null) return;
-      expect(own.carried).toBe('ground');
+      expect(own.extrapolated).toBe('ground');
       expect(own.provenance).not.toBe('confirmed');
-      expect(diagnosis.shipsCarried).toBe(1);
+      expect(diagnosis.shipsExtrapolated).toBe(1);
       for (const x of [...own.meshPosition, own.groundRadius, own.feetHeight]) expect(x).not.toBeNaN();
     });
     expect(Math.max(...errorsOf(rig, 2))).toBeLessThan(0.3);
     loaded = true;
     rig.fly(1);
-    expect(rig.view().ships.find(({ shipId }) => shipId === SHIP)!.carried).toBe('');
+    expect(rig.view().ships.find(({ shipId }) => shipId === SHIP)!.extrapolated).toBe('');
     expect(Math.max(...errorsOf(rig, 2))).toBeLessThan(1e-6);
   });
 });

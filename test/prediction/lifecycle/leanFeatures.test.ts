@@ -98,10 +98,10 @@ describe('a lean predictor', () => {
     const terrains = { site: () => null };
     const options = { terrains, defaults: { bodies: [LUNA], terrain: 'site' } };
     const known = flown(RESTING, [unloadedGround], options);
-    expect(known.view.own!.carried).toBe('ground');
+    expect(known.view.own!.extrapolated).toBe('ground');
     expect(of(known.warned, unloadedGround)).toEqual([]);
     const unknown = flown(RESTING, [], options);
-    expect(unknown.view.own!.carried).toBe('');
+    expect(unknown.view.own!.extrapolated).toBe('');
     expect(of(unknown.warned, unloadedGround)).toHaveLength(1);
   });
 

@@ -17,7 +17,7 @@ import {
   VELOCITY,
   type World,
 } from '../../../src/dynamics';
-import { carryRow } from '../../../src/prediction/simulation/carry';
+import { extrapolateRow } from '../../../src/prediction/simulation/extrapolate';
 import { cross, dot, lengthOf, plus, product, rotate, times, turnAbout, unit } from '../../dynamics/vectors';
 
 const RADIUS = 200_000;
@@ -36,7 +36,7 @@ interface Given {
 }
 
 /** The second ship of two, on the second body of two; `steps` of `dt` s later. */
-function carried({ velocity, state = FLYING, crashed = 0 }: Given, steps: number, dt: number) {
+function extrapolated({ velocity, state = FLYING, crashed = 0 }: Given, steps: number, dt: number) {
   const bodies = new Float64Array(2 * BODY_STRIDE);
   bodies.set(SPIN, BODY_STRIDE + BODY_ANGULAR_VELOCITY);
   const world = {
@@ -51,7 +51,7 @@ function carried({ velocity, state = FLYING, crashed = 0 }: Given, steps: number
   rows[at + REFERENCE_BODY] = 1;
   rows[at + SURFACE_STATE] = state;
   rows[at + CRASHED] = crashed;
-  for (let i = 0; i < steps; i++) carryRow(rows, at, bodies, world, dt);
+  for (let i = 0; i < steps; i++) extrapolateRow(rows, at, bodies, world, dt);
   const three = (column: number) => [...rows.subarray(at + column, at + column + 3)] as unknown as Vec3;
   expect(rows.subarray(0, SHIP_STRIDE).every((value) => value === 0)).toBe(true);
   return {
@@ -70,20 +70,20 @@ describe('a ship that is extrapolated in flight', () => {
     const speed = Math.sqrt(GRAVITY * RADIUS);
     const quarter = (Math.PI * RADIUS) / (2 * speed);
     const steps = 2000;
-    const { place, velocity, state } = carried({ velocity: times(EAST, speed) }, steps, quarter / steps);
+    const { place, velocity, state } = extrapolated({ velocity: times(EAST, speed) }, steps, quarter / steps);
     expect(apart(place, times(EAST, RADIUS)) / RADIUS).toBeLessThan(2e-3);
     expect(apart(velocity, times(UP, -speed)) / speed).toBeLessThan(2e-3);
     expect(state).toBe(FLYING);
   });
 
   it('falls by g t² / 2 from rest', () => {
-    const { place, velocity } = carried({ velocity: [0, 0, 0] }, 100, 0.01);
+    const { place, velocity } = extrapolated({ velocity: [0, 0, 0] }, 100, 0.01);
     expect(apart(place, times(UP, RADIUS - GRAVITY / 2))).toBeLessThan(1e-4);
     expect(apart(velocity, times(UP, -GRAVITY))).toBeLessThan(1e-4);
   });
 
   it('turns at its spin', () => {
-    const { attitude, spin } = carried({ velocity: [0, 0, 0] }, 100, 0.01);
+    const { attitude, spin } = extrapolated({ velocity: [0, 0, 0] }, 100, 0.01);
     expect(apart(attitude, product(turnAbout(AXIS, 0.2), ATTITUDE_THERE))).toBeLessThan(1e-12);
     expect(spin).toEqual(times(AXIS, 0.2));
   });
@@ -92,7 +92,11 @@ describe('a ship that is extrapolated in flight', () => {
 describe('a ship that is extrapolated on the ground', () => {
   const ground = cross(SPIN, PLACE);
   const moving = (east: number, up: number, seconds = 10) =>
-    carried({ velocity: plus(ground, plus(times(EAST, east), UP, up)), state: CONTACT }, seconds * 100, 0.01);
+    extrapolated(
+      { velocity: plus(ground, plus(times(EAST, east), UP, up)), state: CONTACT },
+      seconds * 100,
+      0.01,
+    );
 
   it('moves with the turning ground while it stands', () => {
     const { place, velocity, state } = moving(0, 0);
@@ -123,6 +127,6 @@ describe('a ship that is extrapolated on the ground', () => {
 });
 
 it('a wreck does not move', () => {
-  const { place, attitude } = carried({ velocity: times(EAST, 5), crashed: 1 }, 100, 0.01);
+  const { place, attitude } = extrapolated({ velocity: times(EAST, 5), crashed: 1 }, 100, 0.01);
   expect([place, attitude]).toEqual([PLACE, ATTITUDE_THERE]);
 });

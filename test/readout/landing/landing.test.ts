@@ -50,11 +50,11 @@ describe('descent data', () => {
   });
 
   it('gives no height and no time to impact over terrain that is not loaded', () => {
-    const { descent } = read({ clearance: 86, up: -12.3 }, { carried: 'ground' });
+    const { descent } = read({ clearance: 86, up: -12.3 }, { extrapolated: 'ground' });
     expect(descent.feetHeight).toBeNaN();
     expect(descent.timeToImpact).toBeNaN();
     expect(descent.verticalSpeed).toBeCloseTo(12.3, 6);
-    expect(read({ state: 'landed' }, { carried: 'ground' }).descent.feetHeight).toBe(0);
+    expect(read({ state: 'landed' }, { extrapolated: 'ground' }).descent.feetHeight).toBe(0);
   });
 
   it('is shown below 50 km', () => {

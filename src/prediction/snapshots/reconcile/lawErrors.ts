@@ -6,10 +6,10 @@ import type { Place } from './compare';
  */
 export interface LawFit {
   /** '': simulated. 'law': the dynamics do not fit. 'ground': the ground below it is unknown. */
-  carried: '' | 'law' | 'ground';
+  extrapolated: '' | 'law' | 'ground';
   /** Errors of the last states, m, slot = count mod length. */
   readonly law: Float64Array;
-  readonly carry: Float64Array;
+  readonly extrapolation: Float64Array;
   count: number;
   /** How long touches were predicted wrongly and rightly to stay on the ground, s, and whether the ship is shown to bounce instead. */
   groundedWrongly: number;
@@ -34,9 +34,9 @@ export const WINDOW = 4;
 
 export function createLawFit(): LawFit {
   return {
-    carried: '',
+    extrapolated: '',
     law: new Float64Array(WINDOW),
-    carry: new Float64Array(WINDOW),
+    extrapolation: new Float64Array(WINDOW),
     count: 0,
     states: 0,
     groundedWrongly: 0,
@@ -51,6 +51,6 @@ export function holdLaw(fit: LawFit): boolean {
   const slot = fit.count % WINDOW;
   fit.count += 1;
   fit.law[slot] = 0;
-  fit.carry[slot] = 0;
+  fit.extrapolation[slot] = 0;
   return false;
 }

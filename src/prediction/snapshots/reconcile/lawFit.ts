@@ -10,7 +10,7 @@ import {
 import { angleOf, quaternion, rotateBack, take, turnBetween, vector } from '../../drawn/rotation';
 import { createMisfit, replayBetween } from '../../ground/trial';
 import { actsBetween } from '../../inputs/scheduledInput';
-import { carryRow } from '../../simulation/carry';
+import { extrapolateRow } from '../../simulation/extrapolate';
 import type { Simulation } from '../../simulation/simulation';
 import { copyRow, type Track } from '../../simulation/track';
 import { spanOf } from '../../time/timeline';
@@ -33,28 +33,28 @@ const PIECES = 10;
 /** Compares the errors of the dynamics and of extrapolation at the last state. Returns whether the ship changes between them. */
 export function chooseMotion(sim: Simulation, track: Track, judged: Judged): boolean {
   const { fit } = track;
-  if (fit.carried === 'ground') return false;
+  if (fit.extrapolated === 'ground') return false;
   if (!isComparable(sim, track, judged)) return false;
   learnBounce(sim, track, judged, spanOf(sim.timeline, judged.tick).tickRate);
   const slot = fit.count % WINDOW;
   fit.count += 1;
-  const isCarried = fit.carried !== '';
-  fit.law[slot] = judged.agrees && !isCarried ? 0 : lawError(sim, track, judged);
-  fit.carry[slot] = judged.agrees && !isCarried ? 0 : carryError(sim, track, judged);
+  const isExtrapolated = fit.extrapolated !== '';
+  fit.law[slot] = judged.agrees && !isExtrapolated ? 0 : lawError(sim, track, judged);
+  fit.extrapolation[slot] = judged.agrees && !isExtrapolated ? 0 : extrapolationError(sim, track, judged);
   const next = chosenMotion(fit);
-  if (next === fit.carried) return false;
-  fit.carried = next;
+  if (next === fit.extrapolated) return false;
+  fit.extrapolated = next;
   return true;
 }
 
 /** The motion that fits the last states better: '' for the dynamics, `law` for extrapolation. Near a tie the ship keeps its present one. */
-function chosenMotion(fit: LawFit): LawFit['carried'] {
+function chosenMotion(fit: LawFit): LawFit['extrapolated'] {
   const states = Math.min(fit.count, WINDOW);
-  if (states < NEEDED) return fit.carried;
+  if (states < NEEDED) return fit.extrapolated;
   const law = sumOf(fit.law);
-  const carry = sumOf(fit.carry);
-  if (fit.carried === '') return law > WORSE * carry + NOTABLE * states ? 'law' : '';
-  return law <= carry + TAKEN_UP * states ? '' : 'law';
+  const extrapolation = sumOf(fit.extrapolation);
+  if (fit.extrapolated === '') return law > WORSE * extrapolation + NOTABLE * states ? 'law' : '';
+  return law <= extrapolation + TAKEN_UP * states ? '' : 'law';
 }
 
 /** Whether nothing but dynamics and ground determined the motion between the last state and this one. */
@@ -76,7 +76,7 @@ function isComparable(sim: Simulation, track: Track, { state, tick, predicted }:
 }
 
 function lawError(sim: Simulation, track: Track, { state, tick, predicted }: Judged): number {
-  if (track.fit.carried === '') return predicted === null ? 0 : errorOf(predicted, state);
+  if (track.fit.extrapolated === '') return predicted === null ? 0 : errorOf(predicted, state);
   const { evidence } = track;
   made.rows = replayBetween(misfit, sim, track, {
     from: evidence.row,
@@ -88,13 +88,13 @@ function lawError(sim: Simulation, track: Track, { state, tick, predicted }: Jud
   return errorOf(made, state);
 }
 
-function carryError(sim: Simulation, { evidence }: Track, { state, tick }: Judged): number {
+function extrapolationError(sim: Simulation, { evidence }: Track, { state, tick }: Judged): number {
   const { tickSeconds } = spanOf(sim.timeline, tick).timing;
   const dt = ((tick - evidence.tick) * tickSeconds) / PIECES;
   const bodies = boundaryAt(sim.bodies, sim.timeline, evidence.tick);
-  copyRow(carried, 0, evidence.row, 0);
-  for (let i = 0; i < PIECES; i++) carryRow(carried, 0, bodies, sim.world, dt);
-  made.rows = carried;
+  copyRow(extrapolated, 0, evidence.row, 0);
+  for (let i = 0; i < PIECES; i++) extrapolateRow(extrapolated, 0, bodies, sim.world, dt);
+  made.rows = extrapolated;
   made.bodies = state.bodies;
   return errorOf(made, state);
 }
@@ -123,8 +123,8 @@ function sumOf(errors: Float64Array): number {
 }
 
 const misfit = createMisfit();
-const carried = new Float64Array(SHIP_STRIDE);
-const made: Place = { rows: carried, at: 0, bodies: carried };
+const extrapolated = new Float64Array(SHIP_STRIDE);
+const made: Place = { rows: extrapolated, at: 0, bodies: extrapolated };
 const place = vector();
 const other = vector();
 const body = quaternion();

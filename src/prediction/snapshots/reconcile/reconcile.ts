@@ -96,7 +96,7 @@ export function showServerState(
 
 /** Whether there is nothing to learn from a state that was predicted correctly: no learned ground, and the dynamics fit. */
 function nothingToLearn({ ground, fit }: Track): boolean {
-  return ground.places.length === 0 && fit.carried === '' && !fit.bounces;
+  return ground.places.length === 0 && fit.extrapolated === '' && !fit.bounces;
 }
 
 function differenceFrom(track: Track, { server, inexact }: Compared, predicted: Place): Field {

@@ -41,19 +41,24 @@ function flown(ticks = 1) {
 type Flown = ReturnType<typeof flown>;
 
 /** What the ship has after this state, with the errors of the states before it: their number and sums, m. */
-function chosen(states: number, law: number, carry: number, prepare: (of: Flown) => void = () => undefined) {
+function chosen(
+  states: number,
+  law: number,
+  extrapolation: number,
+  prepare: (of: Flown) => void = () => undefined,
+) {
   const of = flown();
   of.fit.count = states;
   // In a slot that this state leaves alone.
   const slot = (states + 1) % 4;
   of.fit.law[slot] = law;
-  of.fit.carry[slot] = carry;
+  of.fit.extrapolation[slot] = extrapolation;
   prepare(of);
-  const { carried } = of.fit;
-  expect(of.choose()).toBe(of.fit.carried !== carried);
-  return of.fit.carried;
+  const { extrapolated } = of.fit;
+  expect(of.choose()).toBe(of.fit.extrapolated !== extrapolated);
+  return of.fit.extrapolated;
 }
-const carriedBefore = ({ fit }: Flown) => (fit.carried = 'law');
+const extrapolatedBefore = ({ fit }: Flown) => (fit.extrapolated = 'law');
 
 describe('a simulated ship', () => {
   it('is extrapolated if the dynamics are worse by a quarter and 3 cm per state, over four states', () => {
@@ -70,24 +75,30 @@ describe('a simulated ship', () => {
 describe('an extrapolated ship', () => {
   it('is simulated again once the dynamics are worse by at most 2 cm per state', () => {
     // The state itself is as the dynamics have it; falling without thrust is the same.
-    expect([chosen(3, 0.079, 0, carriedBefore), chosen(3, 0.081, 0, carriedBefore)]).toEqual(['', 'law']);
-    expect([chosen(3, 1.079, 1, carriedBefore), chosen(3, 1.081, 1, carriedBefore)]).toEqual(['', 'law']);
+    expect([chosen(3, 0.079, 0, extrapolatedBefore), chosen(3, 0.081, 0, extrapolatedBefore)]).toEqual([
+      '',
+      'law',
+    ]);
+    expect([chosen(3, 1.079, 1, extrapolatedBefore), chosen(3, 1.081, 1, extrapolatedBefore)]).toEqual([
+      '',
+      'law',
+    ]);
   });
 
   it('is compared with a replay of the dynamics and with a fall without thrust since its last state', () => {
     const of = flown(10);
-    carriedBefore(of);
+    extrapolatedBefore(of);
     for (const rows of [of.track.evidence.row, of.row]) rows[THRUST_LEVEL] = 0;
     of.row[POSITION]! += 4;
     of.choose();
     expect(of.fit.law[0]).toBeCloseTo(4, 3);
-    expect(of.fit.carry[0]).toBeCloseTo(4, 2);
+    expect(of.fit.extrapolation[0]).toBeCloseTo(4, 2);
     expect(of.fit.count).toBe(1);
   });
 
   it('above unknown ground is not compared', () => {
     const of = flown();
-    of.fit.carried = 'ground';
+    of.fit.extrapolated = 'ground';
     expect([of.choose(), of.fit.count]).toEqual([false, 0]);
   });
 });
@@ -96,9 +107,9 @@ describe('the errors of a state', () => {
   it('are 0 if it agrees', () => {
     const of = flown();
     of.fit.law.fill(9);
-    of.fit.carry.fill(9);
+    of.fit.extrapolation.fill(9);
     of.choose();
-    expect([of.fit.law[0], of.fit.carry[0], of.fit.law[1]]).toEqual([0, 0, 9]);
+    expect([of.fit.law[0], of.fit.extrapolation[0], of.fit.law[1]]).toEqual([0, 0, 9]);
   });
 
   it('are its distances from the prediction and from the fall', () => {
@@ -108,7 +119,7 @@ describe('the errors of a state', () => {
     for (const [k, x] of [2, -3, 6].entries()) of.row[POSITION + k]! += x;
     of.choose();
     expect(of.fit.law[0]).toBeCloseTo(7, 6);
-    expect(of.fit.carry[0]).toBeCloseTo(7, 1);
+    expect(of.fit.extrapolation[0]).toBeCloseTo(7, 1);
   });
 
   it('are measured in the body’s axes: a body predicted as turned too far is no error', () => {
@@ -130,7 +141,7 @@ describe('the errors of a state', () => {
     Object.assign(of, { agrees: false, predicted: null });
     of.row[POSITION]! += 5;
     of.choose();
-    expect([of.fit.law[0], of.fit.carry[0]]).toEqual([0, expect.closeTo(5, 3)]);
+    expect([of.fit.law[0], of.fit.extrapolation[0]]).toEqual([0, expect.closeTo(5, 3)]);
   });
 
   it('include the angle, times the ship’s height', () => {
@@ -184,14 +195,14 @@ describe('a state is not compared', () => {
 });
 
 describe('a ship above ground that is not loaded', () => {
-  const learned = (isLoaded: boolean, carried: '' | 'law' | 'ground') => {
+  const learned = (isLoaded: boolean, extrapolated: '' | 'law' | 'ground') => {
     const of = flown();
-    of.fit.carried = carried;
+    of.fit.extrapolated = extrapolated;
     const world = { ...of.sim.world, terrainHeight: () => (isLoaded ? 0 : null) as never };
     const context = Object.assign(of.receiver.context, { tick: of.tick, now: 5, bodies: of.bodies });
     const lesson = { row: of.row, context, predicted: of.predicted, agrees: true, hasImpact: true };
     const changes = learnFrom({ ...of.sim, world }, of.track, lesson);
-    return [changes, of.fit.carried, of.fit.states, of.sim.counters.statesCarried];
+    return [changes, of.fit.extrapolated, of.fit.states, of.sim.counters.statesExtrapolated];
   };
 
   it('is extrapolated, and simulated again once it is loaded; each state meanwhile is counted', () => {

@@ -2,28 +2,7 @@ import type { Page } from 'playwright-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from 'vitest';
 import { axeFaults } from '../axe';
 import { describeInBrowser, openBuiltPage, problemsOf } from '../pages';
-import { shadesOf, SMALL, untilDrawn, untilStatus } from '../waits';
-
-describeInBrowser('the built page', () => {
-  it('shows a landing: picture, displays, no error', async () => {
-    const page = await openBuiltPage('?scenario=opening&slow=4', {
-      framesPerSecond: 1,
-      deviceScaleFactor: 0.5,
-    });
-    await page.waitForSelector('html[data-ready=true]');
-    await untilStatus(page, 'landed');
-    expect(await page.textContent('.td-landing')).toContain('LANDED');
-    expect(await page.textContent('.td-fleet')).toContain('LANDED');
-    expect(await page.evaluate(() => document.querySelector('canvas')?.getContext('webgl2') !== null)).toBe(
-      true,
-    );
-    expect(await shadesOf(page)).toBeGreaterThan(500);
-    await page.waitForFunction(() =>
-      document.getElementById('textAlternative')?.textContent.includes('landed'),
-    );
-    expect(problemsOf(page)).toEqual([]);
-  });
-});
+import { SMALL, untilDrawn, untilStatus } from '../waits';
 
 describeInBrowser('the built page with a ship at rest', () => {
   let page: Page;

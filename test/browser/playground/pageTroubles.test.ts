@@ -88,7 +88,11 @@ describeInBrowser('the built page, when something is wrong', () => {
   });
 
   it('says that the picture was lost, and restores it', async () => {
-    const page = await openBuiltPage('?scenario=settle', { ...SMALL, drawn: true });
+    const page = await openBuiltPage('?scenario=settle&slow=4', {
+      ...SMALL,
+      drawn: true,
+      framesPerSecond: 1,
+    });
     await untilStatus(page, 'landed');
     const before = await shadesOf(page);
     await page.evaluate(() => {
@@ -100,10 +104,12 @@ describeInBrowser('the built page, when something is wrong', () => {
     await page.waitForSelector('#notice:not([hidden])');
     expect(await page.textContent('#notice')).toContain('The browser lost the 3D view');
     expect(await shadesOf(page)).toBeLessThan(before / 3);
-    // Controls and displays work without it.
+    // Controls and displays work without it. In slow motion: until a frame shows it, the ship flies at full thrust.
+    await page.getByLabel('Speed').selectOption('0.25');
     await page.keyboard.press('z');
     await untilStatus(page, 'flight');
     await page.keyboard.press('x');
+    await page.getByLabel('Speed').selectOption('4');
     await untilStatus(page, 'landed');
     await page.evaluate(() => (window as unknown as { giveBack: () => void }).giveBack());
     await page.waitForSelector('#notice', { state: 'hidden' });

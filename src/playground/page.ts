@@ -10,6 +10,7 @@ import type { Page } from './game/pageParts';
 import type { Parts } from './game/parts';
 import { wirePage } from './game/wiring';
 import { openSceneView, watchContext } from './view/graphics';
+import { watchMargins } from './view/margins';
 import { createResolution } from './view/resolution';
 import { steerCamera } from './input/pointer';
 
@@ -51,6 +52,7 @@ export function begin(document: Document, program: string): void {
   if (sceneView !== null) {
     steerCamera(canvas, sceneView, parts.shipDrag!);
     watchContext(canvas, notice, parts.loop.resized);
+    watchMargins(window, part, sceneView);
     banner.rest(BUILDING);
   }
   parts.panel.show(choices);

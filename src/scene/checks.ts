@@ -157,6 +157,13 @@ function cameraCalls(scene: SceneView, { allows, isOpen }: Guard) {
       if (allows('setCamera', CAMERA_VIEWS.includes(camera), 'scene-camera', expected))
         scene.setCamera(camera);
     },
+    setMargins(top, bottom) {
+      const expected = `two numbers ≥ 0, CSS pixels, got ${shown(top)}, ${shown(bottom)}`;
+      if (
+        allows('setMargins', areFinite(top, bottom) && Math.min(top, bottom) >= 0, 'scene-margins', expected)
+      )
+        scene.setMargins(top, bottom);
+    },
     resetCamera: () => (isOpen('resetCamera') ? scene.resetCamera() : undefined),
   } satisfies Partial<SceneView>;
 }

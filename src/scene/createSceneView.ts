@@ -15,7 +15,8 @@ import { createState, frameOf, type SceneState } from './sceneState';
 import { poseShips, placeShips } from './shipsInScene';
 import type { ShipActor } from './ships/shipActor';
 import type { SceneView } from './sceneView';
-import { aimCone, fieldOfView } from './camera/viewCone';
+import { aimCone } from './camera/viewCone';
+import { frameShip, halfTangent } from './camera/framing';
 
 /** s: a longer pause between two frames raises no more dust than this. */
 const LONGEST_STEP = 0.25;
@@ -58,7 +59,7 @@ function sceneIn(canvas: HTMLCanvasElement, quality: Quality): SceneView {
       const { eye, focus } = rig;
       const distance = Math.hypot(eye[0]! - focus[0]!, eye[1]! - focus[1]!, eye[2]! - focus[2]!);
       const height = parts.renderer.domElement.height / parts.renderer.getPixelRatio();
-      return (2 * distance * state.opening.upright) / Math.max(height, 1);
+      return (2 * distance * halfTangent(parts.camera)) / Math.max(height, 1);
     },
     setTerrain(terrainHeight) {
       state.terrain = terrainHeight;
@@ -76,7 +77,7 @@ function sceneIn(canvas: HTMLCanvasElement, quality: Quality): SceneView {
       if (state.actors.count === 1) fence.set();
     },
     hasDrawn: fence.isPassed,
-    resize: (width, height, pixelRatio) => resize(state, width, height, pixelRatio),
+    ...framingCalls(state),
     turnCamera: (azimuth, elevation) => turnRig(rig, azimuth, elevation),
     zoomCamera: (factor) => zoomRig(rig, factor, 8),
     setCamera(view) {
@@ -92,6 +93,23 @@ function sceneIn(canvas: HTMLCanvasElement, quality: Quality): SceneView {
       state.watchedClass = '';
     },
     dispose: () => disposeParts(parts),
+  };
+}
+
+function framingCalls(state: SceneState): Pick<SceneView, 'resize' | 'setMargins'> {
+  const { parts, rig, framing } = state;
+  return {
+    resize(width, height, pixelRatio) {
+      parts.renderer.setPixelRatio(pixelRatio);
+      parts.renderer.setSize(width, height, false);
+      Object.assign(framing, { width, height });
+      frameShip(parts.camera, rig, state);
+    },
+    setMargins(top, bottom) {
+      if (top === framing.top && bottom === framing.bottom) return;
+      Object.assign(framing, { top, bottom });
+      frameShip(parts.camera, rig, state);
+    },
   };
 }
 
@@ -186,15 +204,4 @@ function placeMarks(state: SceneState, view: WorldView, ship: ShipView, actor: S
 function gravityOf(view: WorldView, ship: ShipView): number {
   const body = view.bodies[ship.body]!;
   return (GRAVITATIONAL_CONSTANT * body.mass) / body.radius ** 2;
-}
-
-function resize({ parts, opening }: SceneState, width: number, height: number, pixelRatio: number): void {
-  const { renderer, camera } = parts;
-  renderer.setPixelRatio(pixelRatio);
-  renderer.setSize(width, height, false);
-  camera.aspect = width / height;
-  camera.fov = fieldOfView(camera.aspect);
-  camera.updateProjectionMatrix();
-  opening.upright = Math.tan((camera.fov * Math.PI) / 360);
-  opening.across = opening.upright * camera.aspect;
 }

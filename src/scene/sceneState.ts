@@ -1,5 +1,6 @@
 import { flatTerrain, type TerrainHeight } from '../dynamics';
 import { createRig, type MovingRig } from './camera/cameraRig';
+import { createFraming, type Framing } from './camera/framing';
 import { type CameraView, FIRST_AZIMUTH, FIRST_ELEVATION } from './camera/cameras';
 import { groundPoint } from './ground/terrainLevel';
 import { createTurn, type LocalFrame, type Turn } from './localFrame';
@@ -24,6 +25,7 @@ export interface SceneState {
   readonly places: ReturnType<typeof createPlaces>;
   readonly cone: ViewCone;
   readonly opening: { across: number; upright: number };
+  readonly framing: Framing;
   readonly point: Float64Array;
   /** The pad to land on next, local, m. */
   readonly pad: Float64Array;
@@ -57,6 +59,7 @@ export function createState(parts: SceneParts): SceneState {
     places: createPlaces(),
     cone: createCone(),
     opening: { across: 1, upright: 1 },
+    framing: createFraming(),
     groundY(x, z) {
       groundPoint(point, 0, x, z, { frame: frameOf(state), terrainHeight: state.terrain });
       return point[1]!;

@@ -32,6 +32,11 @@ export interface SceneView {
   hasDrawn(): boolean;
   /** Size in CSS pixels, and device pixels per CSS pixel. */
   resize(width: number, height: number, pixelRatio: number): void;
+  /**
+   * CSS pixels that panels cover at the picture's upper and lower edge: the ship is drawn in the middle of the rest, from far enough away to
+   * fit into it. 0 and 0 at first.
+   */
+  setMargins(top: number, bottom: number): void;
   /** rad; positive turns the eye to the right and up. */
   turnCamera(azimuth: number, elevation: number): void;
   /** Multiplies the distance. */

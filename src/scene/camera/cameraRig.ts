@@ -5,6 +5,10 @@ export interface CameraRig {
   distance: number;
   /** Part of the elevation that the camera itself has added, rad. */
   raised: number;
+  /** Multiple of the distance from which the ship fits between the picture's margins. */
+  reach: number;
+  /** Tangent of the angle below the ship at which the pad is kept. */
+  padBelow: number;
   /** The camera has turned to the pad, once. */
   facesPad: boolean;
   /** Local, doubles. */
@@ -34,6 +38,9 @@ const SOFT = 1.2;
 /** m: a larger move is a teleport. */
 const JUMP = 60;
 
+/** Of a whole picture: above the panels at its lower edge. */
+export const PAD_BELOW = 0.18;
+
 export type MovingRig = CameraRig & { readonly motion: Motion };
 
 export function createRig(azimuth: number, elevation: number, distance: number): MovingRig {
@@ -42,6 +49,8 @@ export function createRig(azimuth: number, elevation: number, distance: number):
     elevation,
     distance,
     raised: 0,
+    reach: 1,
+    padBelow: PAD_BELOW,
     facesPad: false,
     focus: new Float64Array(3),
     eye: new Float64Array(3),
@@ -115,9 +124,10 @@ export function updateRig(
 export function placeEye(rig: MovingRig, ground: (x: number, z: number) => number): void {
   const { focus, eye, motion } = rig;
   const cos = Math.cos(motion.elevation);
-  eye[0] = focus[0]! + motion.distance * cos * Math.cos(motion.azimuth);
-  eye[1] = focus[1]! + motion.distance * Math.sin(motion.elevation);
-  eye[2] = focus[2]! + motion.distance * cos * Math.sin(motion.azimuth);
+  const distance = motion.distance * rig.reach;
+  eye[0] = focus[0]! + distance * cos * Math.cos(motion.azimuth);
+  eye[1] = focus[1]! + distance * Math.sin(motion.elevation);
+  eye[2] = focus[2]! + distance * cos * Math.sin(motion.azimuth);
   const lowest = ground(eye[0], eye[2]) + 1;
   const above = (eye[1] - lowest) / SOFT;
   // A soft maximum: the eye slides up a hill and does not bump into it.

@@ -59,8 +59,6 @@ export function aimCamera(
   camera.lookAt(focus[0]! - eye[0]!, focus[1]! - eye[1]!, focus[2]! - eye[2]!);
 }
 
-/** Tangent of the angle below the picture's centre at which the pad is kept: above the panels at the lower edge. */
-const PAD_BELOW = 0.18;
 /** m of the feet over the pad: from the upper one down the view sinks, and from the lower one on the ship is seen from the side. */
 const PAD_HIGH = 18;
 const PAD_LOW = 4;
@@ -79,7 +77,7 @@ function showPad(rig: MovingRig, { actor, pad }: CameraPlace): void {
     if (!rig.facesPad && away > OVER_PAD) rig.azimuth = Math.atan2(-south, -east);
     rig.facesPad = true;
     const share = (up - actor.height - PAD_LOW) / (PAD_HIGH - PAD_LOW);
-    const elevation = elevationOver(away, up, rig.distance);
+    const elevation = elevationOver(away, up, rig);
     wanted = Math.max(elevation - FIRST_ELEVATION, 0) * Math.min(Math.max(share, 0), 1);
   }
   if (Math.abs(wanted - rig.raised) < PAD_STEP && wanted !== 0) return;
@@ -88,14 +86,14 @@ function showPad(rig: MovingRig, { actor, pad }: CameraPlace): void {
 }
 
 /**
- * rad: the lowest view of a ship from `distance` m that has a pad `away` m ahead of the ship and `up` m below it in the picture.
+ * rad: the lowest view of a ship from distance · reach m that has a pad `away` m ahead of the ship and `up` m below it in the picture.
  * With r, φ the pad's range and depression from the ship, the pad is r·sin(φ − e) below the line of sight and
- * r·cos(φ − e) + distance along it.
+ * r·cos(φ − e) + distance · reach along it.
  */
-function elevationOver(away: number, up: number, distance: number): number {
+function elevationOver(away: number, up: number, { distance, reach, padBelow }: MovingRig): number {
   const range = Math.hypot(away, up);
-  const sine = (PAD_BELOW * distance) / (range * Math.hypot(1, PAD_BELOW));
-  return Math.atan2(up, away) - Math.atan(PAD_BELOW) - Math.asin(Math.min(sine, 1));
+  const sine = (padBelow * distance * reach) / (range * Math.hypot(1, padBelow));
+  return Math.atan2(up, away) - Math.atan(padBelow) - Math.asin(Math.min(sine, 1));
 }
 
 function turnBehind(rig: MovingRig, velocity: Float64Array, seconds: number): void {
@@ -126,7 +124,7 @@ function placeInCockpit(camera: PerspectiveCamera, rig: MovingRig, { actor }: Ca
 
 function lookDown(rig: MovingRig, actor: ShipActor): void {
   const { eye, focus, motion } = rig;
-  const distance = motion.distance * ABOVE_DISTANCE;
+  const distance = motion.distance * rig.reach * ABOVE_DISTANCE;
   focus.set(actor.place);
   eye[0] = focus[0]! + distance * Math.cos(ABOVE_ELEVATION) * Math.cos(motion.azimuth);
   eye[1] = focus[1]! + distance * Math.sin(ABOVE_ELEVATION);

@@ -48,7 +48,7 @@ function watched() {
   const reached: string[] = [];
   const warnings: string[] = [];
   const names = ['screenAxes', 'pixelSize', 'setTerrain', 'setSunElevation', 'draw', 'hasDrawn', 'resize'];
-  const all = [...names, 'turnCamera', 'zoomCamera', 'setCamera', 'resetCamera', 'dispose'];
+  const all = [...names, 'turnCamera', 'zoomCamera', 'setCamera', 'setMargins', 'resetCamera', 'dispose'];
   const calls = Object.fromEntries(all.map((name) => [name, () => reached.push(name) > 0]));
   const overlays = {
     ghost: false,
@@ -83,6 +83,8 @@ const WRONG: readonly (readonly [call: string, given: readonly unknown[], help: 
   ['resize', [0, 600, 1], /^scene-size: .*0, 600, 1/],
   ['turnCamera', [0.1], /^scene-camera-turn: .*rad.*Undefined/],
   ['zoomCamera', [0], /^scene-camera-zoom: .*got 0/],
+  ['setMargins', [10], /^scene-margins: .*≥ 0.*10, Undefined/],
+  ['setMargins', [-1, 0], /^scene-margins: .*-1, 0/],
   ['setCamera', ['orbit'], /^scene-camera: .*follow, chase.*"orbit"/],
   ['screenAxes', [[]], /^scene-axes: .*nine/],
 ];

@@ -1,5 +1,5 @@
 /** The whole scene, drawn in node: three's renderer draws into a context that only counts. */
-import { type BufferGeometry, Scene } from 'three';
+import { type BufferGeometry, Scene, Vector3 } from 'three';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { hillsTerrain, NEUTRAL_CONTROLS } from '../../../src/dynamics';
 import type { ShipView } from '../../../src/prediction';
@@ -152,4 +152,28 @@ it('before its first picture, in it and after it', () => {
   scene.resetCamera();
   scene.draw(view, 12.06);
   expect(shipIn(drawn)).toEqual(first.map(near));
+});
+
+it('keeps the ship in the middle between the margins, small enough to fit', () => {
+  const { scene, warnings } = openScene();
+  const view = flight({ clearance: 30 });
+  const draw = (seconds: number) => {
+    scene.draw(view, seconds);
+    const { camera } = drawn;
+    const place = new Vector3(...shipIn(drawn)).applyMatrix4(camera.matrixWorldInverse);
+    return { y: 300 * (1 - place.clone().applyMatrix4(camera.projectionMatrix).y), distance: place.length() };
+  };
+  const whole = draw(1);
+  expect(whole.y).toBeCloseTo(300, 3);
+  scene.setMargins(60, 240);
+  const between = draw(1.1);
+  expect(between.y).toBeCloseTo((60 + 360) / 2, 3);
+  // Half of the height is free, of which a ship and its ground need six tenths.
+  expect(between.distance / whole.distance).toBeCloseTo(1.2, 3);
+  // However much is covered, the ship stays in sight.
+  scene.setMargins(300, 300);
+  expect(draw(1.2).distance / whole.distance).toBeCloseTo(3, 3);
+  scene.setMargins(0, 0);
+  expect(draw(1.3)).toEqual({ y: expect.closeTo(300, 3) as unknown, distance: near(whole.distance) });
+  expect(warnings).toEqual([]);
 });

@@ -1,0 +1,33 @@
+import type { SceneView } from '../../scene';
+
+/** The elements over the picture, by ID. */
+type Part = (id: string) => HTMLElement;
+
+/** What panels cover of the picture's middle, CSS pixels. The advice below the goal comes and goes: the picture does not follow it. */
+export function coveredBy(window: Window, part: Part): { readonly top: number; readonly bottom: number } {
+  const picture = part('picture').getBoundingClientRect();
+  const middle = (picture.left + picture.right) / 2;
+  const rectOf = (element: Element | null) => {
+    const rect = element?.getBoundingClientRect();
+    return rect !== undefined && rect.left < middle && rect.right > middle ? rect : null;
+  };
+  const foot = part('foot');
+  // In a narrow window the instruments scroll below the picture.
+  const isOver = window.getComputedStyle(foot).position === 'absolute';
+  const lowest = [isOver ? foot : null, part('pads').querySelector('.thumb-middle')].map(
+    (element) => rectOf(element)?.top ?? picture.bottom,
+  );
+  return {
+    top: Math.max(0, (rectOf(part('goal').querySelector('.goal-how'))?.bottom ?? picture.top) - picture.top),
+    bottom: Math.max(0, picture.bottom - Math.min(...lowest)),
+  };
+}
+
+/** Keeps the ship between the panels over the picture. */
+export function watchMargins(window: Window & typeof globalThis, part: Part, sceneView: SceneView): void {
+  const observer = new window.ResizeObserver(() => {
+    const { top, bottom } = coveredBy(window, part);
+    sceneView.setMargins(top, bottom);
+  });
+  for (const id of ['picture', 'goal', 'foot', 'flight', 'pads']) observer.observe(part(id));
+}

@@ -119,15 +119,15 @@ export function turnKeysFor({ axes }: SteeringAxes, aboutX: number, aboutY: numb
 /** The push key whose direction is nearest to a ship axis. */
 export function pushKeyFor({ axes }: SteeringAxes, action: TranslationAction): TranslationAction {
   const axis = { X: 0, Y: 1, Z: 2 }[action.charAt(9) as 'X' | 'Y' | 'Z'];
-  const sign = action.endsWith('Plus') ? 1 : -1;
+  const isPlus = action.endsWith('Plus');
   const keys = ['translateX', 'translateY', 'translateZ'] as const;
   let best: TranslationAction = action;
   let most = 0;
   keys.forEach((key, i) => {
-    const share = sign * axes[6 + 3 * i + axis]!;
+    const share = axes[6 + 3 * i + axis]!;
     if (Math.abs(share) <= most) return;
     most = Math.abs(share);
-    best = `${key}${share > 0 ? 'Plus' : 'Minus'}`;
+    best = `${key}${share > 0 === isPlus ? 'Plus' : 'Minus'}`;
   });
   return best;
 }

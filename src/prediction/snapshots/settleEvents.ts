@@ -32,7 +32,6 @@ export function recordPredicted(
 
 /** The caller says that the ship was destroyed. That has no stamp: it counts as of the newest tick. */
 export function confirmEnd(sim: Simulation, { ledger }: Track): void {
-  if (sim.newestTick < 0) return;
   const notice = confirm(ledger, EVENT_DESTROYED, { tick: sim.newestTick, substep: 0 }, sim.timeline);
   if (notice !== null) sim.notices.push(notice);
 }

@@ -52,9 +52,9 @@ export function createSnapshotContext(): SnapshotContext {
   return {
     bodies: none,
     predictedBodies: none,
-    turned: 0,
-    tick: -1,
-    now: 0,
+    turned: NaN,
+    tick: NaN,
+    now: NaN,
     lastInput: null,
     inputs: 'asPredicted',
     compared: {

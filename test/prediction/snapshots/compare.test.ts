@@ -166,13 +166,11 @@ it.each([
   ['angularVelocity', { [ANGULAR_VELOCITY]: [1, 2, 3] }, '[1, 2, 3], predicted [0, 0, 0]'],
   ['surfaceContactState', { [SURFACE_STATE]: [2] }, "'landed', predicted ''"],
   ['fuel', { [FUEL]: [5] }, '5, predicted 0'],
-  ['wheelMomentum', { [WHEEL_MOMENTUM]: [1, 2, 3] }, '1,2,3'],
+  ['wheelMomentum', { [WHEEL_MOMENTUM]: [1, 2, 3] }, '[1, 2, 3], predicted [0, 0, 0]'],
   ['groundContactOffset', { [GROUND_CONTACT_OFFSET]: [4.5] }, '4.5, predicted 0'],
   ['crashed', { [CRASHED]: [1] }, '1, predicted 0'],
   ['referenceBody', { [REFERENCE_BODY]: [0] }, '0, predicted 1'],
   ['shipClass', { [SHIP_CLASS]: [2] }, '2, predicted 0'],
 ] as const)('the difference in %s is described with both values', (field, changes, text) => {
-  const said = describeDifference(field, stateWith(changes), stateWith());
-  expect(said.startsWith(`${field}: server `)).toBe(true);
-  expect(said.replaceAll(', ', field === 'wheelMomentum' ? ',' : ', ')).toContain(text);
+  expect(describeDifference(field, stateWith(changes), stateWith())).toBe(`${field}: server ${text}`);
 });

@@ -30,6 +30,11 @@ describe('a frame after the newest one', () => {
     expect(kindOf(frame(TICK + 5000), 1)).toBe('future');
   });
 
+  it('may be two sends early where a send takes seconds', () => {
+    const kind = (tick: number) => kindOf(frame(tick), 0, ({ sim }) => (sim.cadence.ticks = 40));
+    expect([kind(TICK + 80), kind(TICK + 90)]).toEqual(['newest', 'future']);
+  });
+
   it('is a jump on a new connection', () => {
     const isFresh = kindOf(frame(TICK + 5000), 1, ({ receiver }) => (receiver.fresh = true));
     expect(isFresh).toBe('jump');

@@ -3,9 +3,8 @@ import { CRASHED, POSITION, SHIP_STRIDE } from '../../../src/dynamics';
 import { replayTo } from '../../../src/prediction/ground/trial';
 import { has } from '../../../src/prediction/simulation/history';
 import { abandonReplay, hold, runReplays, startReplay } from '../../../src/prediction/simulation/replay';
-import { isFarBehind, realign } from '../../../src/prediction/snapshots/reconcile/realign';
-import { setTempo } from '../../../src/prediction/time/timeline';
-import { RATE, sessionAt, shipAt } from '../decisions/sessionAt';
+import { realign } from '../../../src/prediction/snapshots/reconcile/realign';
+import { sessionAt, shipAt } from '../decisions/sessionAt';
 
 const TICK = 100;
 /** Substeps of a tick. */
@@ -152,17 +151,5 @@ describe('a realigned front', () => {
       expect.closeTo(0.36, 9),
       0,
     ]);
-  });
-
-  it('is too far ahead beyond a quarter of a wall second', () => {
-    const far = (substeps: number, timeScale = 1) => {
-      const { sim } = replayed(3);
-      setTempo(sim.timeline, TICK, { tickRate: RATE, timeScale, paused: false }, 0);
-      return isFarBehind(sim, {
-        tick: TICK + 3 - Math.ceil(substeps / SUBSTEPS),
-        substep: (1000 - substeps) % SUBSTEPS,
-      });
-    };
-    expect([far(25), far(26), far(-30)]).toEqual([false, true, false]);
   });
 });

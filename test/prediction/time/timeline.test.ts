@@ -9,6 +9,7 @@ import {
   ringLength,
 } from '../../../src/prediction/simulation/history';
 import {
+  changeLongestSubstep,
   createTimeline,
   indexOf,
   setTempo,
@@ -35,6 +36,16 @@ describe('the timeline', () => {
     const later = { tick: 0, substep: 0 };
     addSubsteps(later, timeline, 12, 98, 2 + 50 + 3);
     expect(later).toEqual({ tick: 14, substep: 3 });
+  });
+
+  it('divides all its ticks anew by another longest substep', () => {
+    const timeline = createTimeline(0.01);
+    setTempo(timeline, 10, tempo(1), 0);
+    setTempo(timeline, 13, tempo(20, 10), null);
+    changeLongestSubstep(timeline, 0.005);
+    expect([12, 13].map((tick) => spanOf(timeline, tick).timing.substeps)).toEqual([200, 100]);
+    expect([10, 13, 14].map((tick) => indexOf(timeline, tick, 0))).toEqual([0, 600, 700]);
+    expect(wallOfTick(timeline, 13)).toBe(3);
   });
 
   it('finds the moment of a wall time, which does not advance in a pause', () => {

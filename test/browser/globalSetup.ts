@@ -2,11 +2,12 @@
  * Before the browser tests: finds a Chromium and starts one per core (all pages of one draw in a single thread), builds the page
  * and serves it, and starts a development server for the pages of test/browser/pages. Without a Chromium the tests are skipped and counted.
  */
-import { spawnSync } from 'node:child_process';
+import { execFile } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { availableParallelism, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
 import { createServer } from 'vite';
 import type { ViteDevServer } from 'vite';
 import type { TestProject } from 'vitest/node';
@@ -32,15 +33,19 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const OPENS_BUILT_PAGE = /\b(openBuiltPage|builtPage|builtFolder)\b/;
 
 /** Builds the page as `npm run build` does, in a separate process: vitest's NODE_ENV would make it a test build. */
-function buildPage(...args: string[]): void {
+async function buildPage(...args: string[]): Promise<void> {
   const env = { ...process.env };
   for (const key of Object.keys(env)) if (/^(NODE_ENV|VITEST.*)$/.test(key)) Reflect.deleteProperty(env, key);
-  const run = spawnSync(process.execPath, args, { cwd: ROOT, env, encoding: 'utf8' });
-  if (run.status !== 0) throw new Error(`the page does not build:\n${run.stdout}${run.stderr}`);
+  try {
+    await promisify(execFile)(process.execPath, args, { cwd: ROOT, env });
+  } catch (error) {
+    const { stdout, stderr } = error as { stdout: string; stderr: string };
+    throw new Error(`the page does not build:\n${stdout}${stderr}`, { cause: error });
+  }
 }
 
 /** Where the page is built to, and how. Each runner of test/mutants has a folder of its own. */
-function builtPage(): { folder: string; build: () => void; remove: () => void } {
+function builtPage(): { folder: string; build: () => Promise<void>; remove: () => void } {
   if (process.env['TOUCHDOWN_MUTANT'] === undefined) {
     const build = () => buildPage('.ci/build.mjs', 'page');
     return { folder: `${ROOT}dist/page`, build, remove: () => undefined };
@@ -89,9 +94,8 @@ export default async function setup(project: TestProject): Promise<() => void | 
     return skipped(project);
   }
   const page = builtPage();
-  page.build();
   const [built, dev, ...browsers] = await Promise.all([
-    serveFolder(page.folder),
+    page.build().then(() => serveFolder(page.folder)),
     startDevServer(),
     ...Array.from({ length: availableParallelism() }, () => serveChromium(program)),
   ]);
@@ -103,9 +107,10 @@ export default async function setup(project: TestProject): Promise<() => void | 
   project.provide('builtFolder', page.folder);
   project.provide('devServer', dev.resolvedUrls?.local[0] ?? '');
   // The source may have changed since the last run.
-  project.onTestsRerun((files) => {
+  project.onTestsRerun(async (files) => {
     for (const { moduleGraph } of Object.values(dev.environments)) moduleGraph.invalidateAll();
-    if (files.some(({ moduleId }) => OPENS_BUILT_PAGE.test(readFileSync(moduleId, 'utf8')))) page.build();
+    if (files.some(({ moduleId }) => OPENS_BUILT_PAGE.test(readFileSync(moduleId, 'utf8'))))
+      await page.build();
   });
   return async () => {
     await Promise.all([built, dev, ...browsers].map((running) => running.close()));

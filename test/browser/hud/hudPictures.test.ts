@@ -108,9 +108,9 @@ describeInBrowser('HUD pictures', () => {
     // Those that differ only by a few letters are distinguished by the text of the slot.
     const alike = new Set(['flight confirmed', 'predicted withdrawn', 'flight off', 'confirmed off']);
     const pictures = STATES.map(([state]) => [state, goldenPicture(`landing-${state}-dark-1280`)!] as const);
-    for (const [a, first] of pictures) {
-      for (const [b, second] of pictures) {
-        if (a === b || alike.has(`${a} ${b}`) || alike.has(`${b} ${a}`)) continue;
+    for (const [i, [a, first]] of pictures.entries()) {
+      for (const [b, second] of pictures.slice(i + 1)) {
+        if (alike.has(`${a} ${b}`) || alike.has(`${b} ${a}`)) continue;
         expect(difference(first, second), `${a} and ${b}`).toBeGreaterThan(TOLERANCE);
       }
     }

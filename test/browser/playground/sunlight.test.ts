@@ -7,10 +7,13 @@ import { describeInBrowser, openTestPage } from '../pages';
 interface SunlightWindow {
   readonly sunlight: {
     readonly size: number;
-    readonly ball: (elevation: number) => { shaded: number[]; plain: number[] };
-    readonly ground: (elevation: number, height: number, away: number, anisotropy: number) => number[];
+    readonly ball: (elevation: number) => { shaded: string; plain: string };
+    readonly ground: (elevation: number, height: number, away: number, anisotropy: number) => string;
   };
 }
+
+/** The pixels' brightness, 0 … 255. */
+const brightness = (picture: string): number[] => Array.from(picture, (pixel) => pixel.charCodeAt(0) / 3);
 
 describeInBrowser('a low sun', () => {
   let page: Page;
@@ -20,10 +23,11 @@ describeInBrowser('a low sun', () => {
   });
 
   it.each([3, 10, 30])('%i° up: a hull throws no shadow on its own lit side', async (elevation) => {
-    const { shaded, plain } = await page.evaluate(
+    const taken = await page.evaluate(
       (degrees) => (window as unknown as SunlightWindow).sunlight.ball(degrees),
       elevation,
     );
+    const [shaded, plain] = [brightness(taken.shaded), brightness(taken.plain)];
     // Of 0 … 96: the sun is most of such a pixel's light.
     const lit = [...plain.keys()].filter((i) => plain[i]! > 60);
     const darkened = lit.filter((i) => shaded[i]! < 0.85 * plain[i]!);
@@ -32,13 +36,12 @@ describeInBrowser('a low sun', () => {
   });
 
   /** Flat ground from `height` m up. */
-  const groundFrom = (elevation: number, height: number, away: number, anisotropy: number) =>
-    page.evaluate((given) => (window as unknown as SunlightWindow).sunlight.ground(...given), [
-      elevation,
-      height,
-      away,
-      anisotropy,
-    ] as [number, number, number, number]);
+  const groundFrom = async (
+    ...given: [elevation: number, height: number, away: number, anisotropy: number]
+  ) =>
+    brightness(
+      await page.evaluate((all) => (window as unknown as SunlightWindow).sunlight.ground(...all), given),
+    );
 
   it.each([3, 8])(
     '%i° up: the grain of level ground does not run together into black blotches',

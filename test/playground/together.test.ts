@@ -168,6 +168,10 @@ describe('two tabs on one world', () => {
     live.steer();
     await play(1);
     expect(live.frame().own!.controls.thrustLevel).toBe(0);
+    // A new name is a new guest: the one before has left.
+    live.begin({ ...DEFAULT_CHOICES, server: 'tab:test', pilot: 'Cleo' });
+    await play(4);
+    expect([live.frame().own!.name, host.guests().length]).toEqual(['Cleo', 1]);
     live.dispose();
   });
 

@@ -5,6 +5,7 @@ import { type Choices, OVERLAY_NAMES, setChoice } from '../panels/choices';
 import type { Help } from '../panels/help';
 import { keyCapOf } from './texts/controlTexts';
 import { networkOf, upNetworkOf } from './live';
+import { TAB_ADDRESS } from '../server/tabAddress';
 import type { Page } from './pageParts';
 import type { Chooser, Parts } from './parts';
 
@@ -57,7 +58,7 @@ export function createChooser(page: Page, parts: Parts): Chooser {
     if (reason !== null) return reason;
     // A flight belongs to one world: another begins without it.
     if (name !== 'flight' && !LIVE_CHOICES.includes(name)) choices.flight = '';
-    if (LIVE_CHOICES.includes(name)) applyLive(name);
+    if (LIVE_CHOICES.includes(name) && !isSeen(name, room, choices)) applyLive(name);
     else beginAnew();
     address.write(query());
     parts.panel.show(choices);
@@ -82,6 +83,11 @@ export function createChooser(page: Page, parts: Parts): Chooser {
       address.copy(`?server=${room}`, 'Link copied: open it in another tab of this browser.');
     },
   };
+}
+
+/** Others see a new name from the next world on. */
+function isSeen(name: keyof Choices, room: string, { server }: Choices): boolean {
+  return name === 'pilot' && (room !== '' || TAB_ADDRESS.test(server));
 }
 
 /** The dialog is loaded when first opened. */

@@ -6,15 +6,12 @@ import type { Choices } from '../panels/choices';
 import { type Connection, type ConnectionHandlers, openWorker } from '../server/connection';
 import { deferConnection } from '../server/deferred';
 import type { LoadOperation, Operation } from '../server/operation';
-import { isRealServer } from '../server/tabAddress';
+import { isRealServer, TAB_ADDRESS } from '../server/tabAddress';
 import type { Baseline } from './baseline';
 import type { FlightControls } from './flightControls';
 import { createLiveState, forgetWorld, type LiveListeners, type LiveState, noteMessage } from './liveState';
 import type { PageClock } from './pageClock';
 import { type Script, scriptOf } from './script';
-
-/** Wall ms between two samples of the autopilot without a frame. */
-const SAMPLE_GAP = 200;
 
 /** A game against a server: connection, predictor, flight controls. */
 export interface Live {
@@ -110,8 +107,7 @@ function takeFrame(state: LiveState, now: number): WorldView {
   state.view = state.predictor.view(now);
   send(state, now);
   // The autopilot flies on where the next frame comes late.
-  if (state.flightControls.autopilot.isOn())
-    state.pace.within(SAMPLE_GAP, () => takeFrame(state, state.clock.now()));
+  if (state.flightControls.autopilot.isOn()) state.pace.expect(() => takeFrame(state, state.clock.now()));
   else state.pace.stop();
   return state.view;
 }
@@ -143,9 +139,12 @@ function beginWorld(state: LiveState, choices: Choices): void {
   const script = scriptOf(choices);
   state.script = script;
   state.ground = choices.terrain === '' ? (findScenario(choices.scenario)?.terrain ?? '') : choices.terrain;
-  if (state.connection === null || choices.server !== state.address) {
+  // A guest joins under its new name.
+  const isRenamed = TAB_ADDRESS.test(choices.server) && choices.pilot !== state.pilot;
+  if (state.connection === null || choices.server !== state.address || isRenamed) {
     state.connection?.dispose();
     state.address = choices.server;
+    state.pilot = choices.pilot;
     forgetWorld(state);
     state.connection = connect(state, choices.pilot);
   }

@@ -43,6 +43,8 @@ export interface LiveState {
   connection: Connection | null;
   /** Of the present connection; '' is the built-in server. */
   address: string;
+  /** The pilot's name when it connected. */
+  pilot: string;
   /** null: the ship has no scheduled inputs. */
   script: Script | null;
   /** Name of the present terrain. */
@@ -76,6 +78,7 @@ export function createLiveState(program: string, listeners: LiveListeners): Live
     predictor,
     connection: null,
     address: '',
+    pilot: '',
     script: null,
     ground: '',
     sampledAt: NaN,

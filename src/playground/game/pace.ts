@@ -1,17 +1,20 @@
 /** Runs something on where frames come too rarely: those of a slow display are seconds apart, and a hidden tab has none. */
 export interface Pace {
-  /** `next` runs after `milliseconds` of wall time, unless this is called again before. */
-  readonly within: (milliseconds: number, next: () => void) => void;
+  /** `next` runs in a moment, unless this is called again before. */
+  readonly expect: (next: () => void) => void;
   readonly stop: () => void;
 }
+
+/** Wall ms: the autopilot samples as often. */
+const GAP = 200;
 
 export function createPace(): Pace {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const stop = () => clearTimeout(timer);
   return {
-    within(milliseconds, next) {
+    expect(next) {
       stop();
-      timer = setTimeout(next, milliseconds);
+      timer = setTimeout(next, GAP);
     },
     stop,
   };

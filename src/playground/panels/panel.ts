@@ -74,6 +74,7 @@ export function createPanel(
   const starts = append(host, 'div', 'row');
   const worlds = appendWorlds(starts, listeners.change);
   addButton(starts, 'invite', 'Fly together');
+  form.field(append(host, 'div'), 'Your name', 'pilot', createNameField(host.ownerDocument));
 
   const workshop = appendDetails(host, 'Workshop', workshopOpen);
   workshop.addEventListener('toggle', () => {
@@ -121,6 +122,18 @@ function appendWorlds(row: Element, change: PanelListeners['change']): readonly 
     appendButton(row, 'Flight school', () => change('scenario', LESSONS[0]!.scenario.name)),
     appendButton(row, 'Free flight', () => change('scenario', FREE_FLIGHT.name)),
   ];
+}
+
+/** For those who fly together or race a link. Enter ends it, so that the keys fly again. */
+function createNameField(document: Document): HTMLInputElement {
+  const field = document.createElement('input');
+  field.type = 'text';
+  field.maxLength = 24;
+  field.placeholder = 'as others see it';
+  field.addEventListener('keydown', ({ key }) => {
+    if (key === 'Enter') field.blur();
+  });
+  return field;
 }
 
 /** The workshop's code is loaded when it opens for the first time. */

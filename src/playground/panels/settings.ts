@@ -129,10 +129,6 @@ function appendWorld(world: Element, form: Form): void {
   server.type = 'text';
   server.placeholder = 'built-in, or ws://…';
   form.field(world, 'Server', 'server', server);
-  const pilot = document.createElement('input');
-  pilot.type = 'text';
-  pilot.maxLength = 24;
-  form.field(world, 'Your name', 'pilot', pilot);
 }
 
 /** Check boxes for the overlays, and a legend of those that are on. */

@@ -49,6 +49,14 @@ describe.each(['keys', 'gamepad', 'thumbs'] as const)('a pilot with %s', (device
     expect(told('none', 'good')).toBe('');
   });
 
+  it('is told that the tank is empty, and how to begin again', () => {
+    const view = makeView({ clearance: 20 }, { fuel: 0, shownState: '' });
+    const text = adviceText({ ...createLandingAids(), advice: 'more' }, view, device, cap);
+    expect(text).toMatch(
+      device === 'thumbs' ? /^Out of fuel: try again$/ : /^Out of fuel: try again \{.+\}$/,
+    );
+  });
+
   it('is told to turn upright first, until the ship turns by itself or the engine pushes more up than sideways', () => {
     const told = (tilt: number, shownState = '', attitudeMode = 'none') => {
       const { own } = makeView();

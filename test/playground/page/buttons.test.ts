@@ -76,6 +76,21 @@ describe('the buttons', () => {
     expect(page.copied[2]).toBe(page.copied[1]);
   });
 
+  it('fly together under a name that is asked for beside them: alone it begins nothing anew', async () => {
+    const page = await openPage('?scenario=sidestep');
+    page.play(3);
+    const height = () => Number(/AGL ([\d.]+)/.exec(page.text('hud'))![1]);
+    const before = height();
+    page.choose('Your name', 'Ann');
+    page.play(1);
+    expect([height() < before, page.text('hud').includes('Ann')]).toEqual([true, false]);
+    page.click('Fly together');
+    await page.until(() => page.copied.length === 1);
+    page.choose('Your name', 'Ada');
+    page.play(1);
+    expect([height() > before, page.text('hud').includes('Ada')]).toEqual([true, true]);
+  });
+
   it('open the keys, where one is changed', async () => {
     const page = await openPage('');
     page.click('Keys');

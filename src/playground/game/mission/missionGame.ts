@@ -152,19 +152,22 @@ function isWrecked({ own }: WorldView, { choices }: MissionContext): boolean {
   return own?.shownState === 'crashed' && choices().server === '';
 }
 
-/** No advice to descend beside the pad, and none at all after the landing or for the autopilot. */
+/** No advice to descend beside the pad, though a word where the tank is empty, and none at all after the landing or for the autopilot. */
 function adviceFor(
   tracker: MissionTracker,
   view: WorldView,
   aids: LandingAids | null,
   { device, cap, live }: MissionContext,
 ): string {
+  const isEmpty = view.own !== null && view.own.fuel <= 0;
   const done = tracker.mission()?.done;
   if (tracker.phase() === 'done') return '';
   if (done?.kind === 'hover')
     return tracker.held() > 0 ? `${Math.ceil(done.seconds - tracker.held())} s to go` : '';
   if (aids === null || done?.kind !== 'land' || live.flightControls.autopilot.isOn()) return '';
-  return tracker.isOverPad() || aids.advice === 'more' ? adviceText(aids, view, device(), cap) : '';
+  return tracker.isOverPad() || aids.advice === 'more' || isEmpty
+    ? adviceText(aids, view, device(), cap)
+    : '';
 }
 
 /** Shows the rival's run in its mission, the pilot's own best run in the others. */

@@ -130,6 +130,8 @@ export function adviceText(
 ): string {
   if (own?.shownState === 'contact' && own.controls.thrustLevel > 0)
     return named('Cut the engine now {throttleCut}', device, keyCap);
+  if (own?.shownState === '' && own.fuel <= 0)
+    return named('Out of fuel: try again {restart}', device, keyCap).trim();
   if (own?.shownState === '' && uprightness(own) < MIN_UPRIGHT)
     return own.controls.attitudeMode === 'radial' ? '' : named('Turn upright {modeUpright}', device, keyCap);
   const [agreeing, same, other] = ADVICE[advice];

@@ -18,8 +18,8 @@ async function buildPackage() {
 }
 
 const BUILDS = { page: [buildPage], package: [buildPackage] };
-const wished = process.argv[2];
-const builds = wished === undefined ? [buildPage, buildPackage] : BUILDS[wished];
+const requested = process.argv[2];
+const builds = requested === undefined ? [buildPage, buildPackage] : BUILDS[requested];
 if (!builds) {
   console.error('usage: node .ci/build.mjs [page | package]');
   process.exit(2);

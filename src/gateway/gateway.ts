@@ -12,7 +12,7 @@ import { AUTH_TIMEOUT, CLOSE, MAX_CLIENT_MESSAGE, MAX_CONNECTIONS, REQUEST_TIMEO
 import type { GatewayOptions } from './options';
 import { type GatewayState, shipOf } from './state';
 import { receive, receivePing } from './clients/receive';
-import { broadcastFrame, resendToBehind } from './clients/send';
+import { broadcastFrame, resendToSlow } from './clients/send';
 
 export interface Gateway {
   readonly port: number;
@@ -52,7 +52,7 @@ export async function createGateway(options: GatewayOptions): Promise<Gateway> {
   gateway.world = await readWorld();
   const reading = gateway.feed.run();
   const pump = setInterval(() => {
-    resendToBehind(gateway);
+    resendToSlow(gateway);
     gateway.inbox.flush();
     if (gateway.world !== null) return;
     readWorld().then(

@@ -30,8 +30,8 @@ function fillConnection({ viewBuilder, receiver, pings, sim }: Session, now: num
     view.connection = 'waiting';
     return;
   }
-  const heard = { frame: view.silence, pong: Math.max(0, now - pings.answeredAt) };
-  view.connection = connectionOf(heard, sim.cadence, spanOf(sim.timeline, sim.newestTick));
+  const since = { frame: view.silence, pong: Math.max(0, now - pings.answeredAt) };
+  view.connection = connectionOf(since, sim.cadence, spanOf(sim.timeline, sim.newestTick));
 }
 
 function fillDiagnosis({ counters, clock, setBack }: Session): void {

@@ -1,7 +1,7 @@
 /** Messages from the gateway to its clients. */
 import { describe, expect, it } from 'vitest';
 import { disconnect } from '../../src/gateway/clients/client';
-import { broadcastFrame, resendToBehind, sendNewest } from '../../src/gateway/clients/send';
+import { broadcastFrame, resendToSlow, sendNewest } from '../../src/gateway/clients/send';
 import type { Hangar } from '../../src/gateway/options';
 import { EVENT } from '../wire/messages';
 import { createFakeGateway, shipOf, worldOf } from './fakeGateway';
@@ -49,7 +49,7 @@ describe('a state', () => {
     const stranger = connect('json');
     const pilot = signedIn('p1', 'json');
     sendNewest(gateway, pilot.client);
-    resendToBehind(gateway);
+    resendToSlow(gateway);
     expect(pilot.sent).toEqual([]);
     state.newest = worldOf([shipOf('p1')]);
     broadcastFrame(gateway, state.newest);
@@ -94,7 +94,7 @@ describe('an event', () => {
     const idsOfEvents = (message: unknown) =>
       (message as { events: { shipId: string }[] }).events.map((e) => e.shipId);
     expect(idsOfEvents(sent[1])).toEqual(['ship of p2', 'gone']);
-    resendToBehind(gateway);
+    resendToSlow(gateway);
     state.newest = worldOf([own, near, far], { tick: 43 });
     broadcastFrame(gateway, state.newest);
     expect(idsOfEvents(sent.at(-1))).toEqual([]);
@@ -131,13 +131,13 @@ describe('a client with a full socket', () => {
     socket.bufferedAmount = FULL;
     send(2);
     send(3);
-    resendToBehind(gateway);
+    resendToSlow(gateway);
     expect([sent.length, client.isBehind]).toEqual([2, true]);
     socket.bufferedAmount = FULL - 1;
-    resendToBehind(gateway);
+    resendToSlow(gateway);
     expect(sent.at(-1)).toMatchObject({ tick: 3, events: [{ tick: 2 }, { tick: 3 }] });
     expect(client.isBehind).toBe(false);
-    resendToBehind(gateway);
+    resendToSlow(gateway);
     expect(sent).toHaveLength(3);
   });
 

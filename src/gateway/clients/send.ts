@@ -22,7 +22,7 @@ export function broadcastFrame(gateway: GatewayState, world: WorldFrame): void {
 }
 
 /** Sends the newest state to skipped clients whose socket has room again. */
-export function resendToBehind(gateway: GatewayState): void {
+export function resendToSlow(gateway: GatewayState): void {
   const newest = gateway.feed.newest();
   if (newest === null) return;
   for (const client of gateway.clients)

@@ -2,8 +2,8 @@ import { createPredictor, forkPredictor, type Predictor } from '../../prediction
 import type { Recording, RecordingEntry } from '../../scenarios';
 import type { Controls } from '../../dynamics';
 
-/** A predictor that has been fed the entries before `next`. */
-export interface Fed {
+/** A predictor that has read the entries before `next`. */
+export interface Playhead {
   readonly predictor: Predictor;
   /** Index of the next entry. */
   next: number;
@@ -13,7 +13,7 @@ export interface Fed {
   controls: Controls | null;
 }
 
-/** Wall seconds between two keyframes: the cost of a step back is to feed them again. */
+/** Wall seconds between two keyframes: the cost of a step back is to read that much again. */
 const INTERVAL = 2;
 /** Bytes that all keyframes take at most, and one ship's share of a keyframe. */
 const MAX_BYTES = 200e6;
@@ -21,8 +21,8 @@ const SHIP_BYTES = 22_000;
 
 /** Copies of the predictor along a recording, so that any moment of it is found from the nearest one before. */
 export interface Keyframes {
-  /** A copy fed up to the nearest keyframe at or before `at`; whatever lies before it is read first. */
-  readonly before: (at: number) => Fed;
+  /** A copy at the nearest keyframe at or before `at`; whatever lies before it is read first. */
+  readonly before: (at: number) => Playhead;
   /** Whether a keyframe lies between two times. */
   readonly hasBetween: (from: number, to: number) => boolean;
   /** Reads on until `isOver` returns true or the recording ends. */
@@ -33,30 +33,30 @@ export function createKeyframes({ entries, header }: Recording): Keyframes {
   const from = entries[0]?.at ?? 0;
   const to = entries.at(-1)?.at ?? from;
   const interval = Math.max(INTERVAL, (to - from) / mostKeyframes(entries));
-  let scout: Fed = {
+  let ahead: Playhead = {
     predictor: createPredictor({ ownShipId: header.shipId, plan: header.plan ?? [] }),
     next: 0,
     shownAt: from,
     controls: null,
   };
-  const kept: Fed[] = [copyFed(scout)];
+  const keyframes: Playhead[] = [copyPlayhead(ahead)];
   const readOne = () => {
-    const isDrawn = entries[scout.next]!.kind === 'advanced';
-    feed(scout, entries);
-    if (!isDrawn || scout.shownAt - kept.at(-1)!.shownAt < interval) return;
+    const isDrawn = entries[ahead.next]!.kind === 'advanced';
+    readEntry(ahead, entries);
+    if (!isDrawn || ahead.shownAt - keyframes.at(-1)!.shownAt < interval) return;
     // Continues with the copy: the code that reads ahead is then compiled for the same records as a step back.
-    kept.push(scout);
-    scout = copyFed(scout);
+    keyframes.push(ahead);
+    ahead = copyPlayhead(ahead);
   };
   return {
     prepare(isOver) {
-      while (scout.next < entries.length && !isOver()) readOne();
+      while (ahead.next < entries.length && !isOver()) readOne();
     },
     before(at) {
-      while (scout.next < entries.length && entries[scout.next]!.at <= at) readOne();
-      return copyFed(kept.findLast(({ shownAt }) => shownAt <= at) ?? kept[0]!);
+      while (ahead.next < entries.length && entries[ahead.next]!.at <= at) readOne();
+      return copyPlayhead(keyframes.findLast(({ shownAt }) => shownAt <= at) ?? keyframes[0]!);
     },
-    hasBetween: (after, at) => kept.some(({ shownAt }) => shownAt > after && shownAt <= at),
+    hasBetween: (after, at) => keyframes.some(({ shownAt }) => shownAt > after && shownAt <= at),
   };
 }
 
@@ -69,19 +69,19 @@ function mostKeyframes(entries: readonly RecordingEntry[]): number {
   return Math.max(1, MAX_BYTES / (ships * SHIP_BYTES));
 }
 
-export function copyFed(fed: Fed): Fed {
-  return { ...fed, predictor: forkPredictor(fed.predictor) };
+export function copyPlayhead(playhead: Playhead): Playhead {
+  return { ...playhead, predictor: forkPredictor(playhead.predictor) };
 }
 
 /** Feeds the next entry, exactly as it went through the predictor when it was recorded. */
-export function feed(fed: Fed, entries: readonly RecordingEntry[]): void {
-  const entry = entries[fed.next++]!;
-  const { predictor } = fed;
+export function readEntry(playhead: Playhead, entries: readonly RecordingEntry[]): void {
+  const entry = entries[playhead.next++]!;
+  const { predictor } = playhead;
   if (entry.kind === 'received') predictor.receive(entry.message, entry.at);
   if (entry.kind !== 'advanced') return;
   predictor.advance(entry.controls, entry.at);
   predictor.view(entry.at);
   predictor.takeOutgoing();
-  fed.shownAt = entry.at;
-  fed.controls = entry.controls;
+  playhead.shownAt = entry.at;
+  playhead.controls = entry.controls;
 }

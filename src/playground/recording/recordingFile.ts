@@ -6,7 +6,7 @@ import { createRecordingWriter, readRecording, type Recording } from '../../scen
 const MAX_FILE_SIZE = 200_000_000;
 
 /** Writes a recording in slices and reports its progress (0 … 1), so that the page stays responsive. */
-export async function writeSlowly(recording: Recording, progress: (share: number) => void): Promise<Blob> {
+export async function writeInSlices(recording: Recording, progress: (share: number) => void): Promise<Blob> {
   const writer = createRecordingWriter();
   const parts = [writer.header(recording.header)];
   const { entries } = recording;

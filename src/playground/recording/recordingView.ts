@@ -88,7 +88,7 @@ async function save(context: RecordingViewContext, recording: Recording): Promis
   const panel = context.panel();
   const part = await fetchPart(context);
   if (part === null) return;
-  const blob = await part.writeSlowly(recording, panel.showProgress);
+  const blob = await part.writeInSlices(recording, panel.showProgress);
   panel.showProgress(null);
   const link = document.createElement('a');
   link.href = URL.createObjectURL(blob);

@@ -2,11 +2,11 @@ import { timingOfTick } from '../../dynamics';
 import type { WorldView } from '../../prediction';
 import { compareRecording, type Recording, type RecordingEntry } from '../../scenarios';
 import { type Baseline, createBaseline } from '../game/baseline';
-import { copyFed, createKeyframes, type Fed, feed } from './keyframes';
+import { copyPlayhead, createKeyframes, type Playhead, readEntry } from './keyframes';
 
 export type StepUnit = 'substep' | 'tick';
 
-/** A recording being played: predictors are fed the recorded input again, so that every moment is the same. */
+/** A recording being played: predictors read the recorded input again, so that every moment is the same. */
 export interface Replay {
   /** Wall seconds of the recording. */
   readonly from: number;
@@ -42,28 +42,28 @@ export function createReplay(recording: Recording): Replay {
   const to = entries.at(-1)?.at ?? from;
   const baseline = createBaseline();
   let generation = 1;
-  let fed = keyframes.before(from);
+  let playhead = keyframes.before(from);
   let position = from;
-  let view = fed.predictor.view(from);
+  let view = playhead.predictor.view(from);
 
   const moveTo = (at: number) => {
     const wanted = Math.min(Math.max(at, from), to);
-    const isUndone = fed.next > 0 && entries[fed.next - 1]!.at > wanted;
-    const isSkip = isUndone || keyframes.hasBetween(fed.shownAt + JUMP, wanted);
+    const isUndone = playhead.next > 0 && entries[playhead.next - 1]!.at > wanted;
+    const isSkip = isUndone || keyframes.hasBetween(playhead.shownAt + JUMP, wanted);
     if (isSkip || wanted < position) generation++;
     position = wanted;
-    // Between two entries nothing that was fed has to be undone: the predictor stays.
+    // Between two entries nothing that was read has to be undone: the predictor stays.
     if (isSkip) goFrom(keyframes.before(wanted));
-    while (fed.next < entries.length && entries[fed.next]!.at <= wanted) {
-      const entry = entries[fed.next]!;
-      feed(fed, entries);
+    while (playhead.next < entries.length && entries[playhead.next]!.at <= wanted) {
+      const entry = entries[playhead.next]!;
+      readEntry(playhead, entries);
       if (isFrame(entry)) baseline.take(entry.message, entry.at);
     }
   };
-  const goFrom = (keyframe: Fed) => {
-    fed = keyframe;
+  const goFrom = (keyframe: Playhead) => {
+    playhead = keyframe;
     baseline.forget();
-    const frame = lastFrameBefore(entries, fed.next);
+    const frame = lastFrameBefore(entries, playhead.next);
     if (frame !== null) baseline.take(frame.message, frame.at);
   };
   return {
@@ -78,7 +78,7 @@ export function createReplay(recording: Recording): Replay {
     seek(at) {
       moveTo(at);
       // Between two frames there was no picture: the earlier one's stays.
-      view = fed.predictor.view(fed.shownAt);
+      view = playhead.predictor.view(playhead.shownAt);
       return view;
     },
     step(unit, direction) {
@@ -86,7 +86,7 @@ export function createReplay(recording: Recording): Replay {
         const off = secondsTo(view, unit, tries === 0 ? direction : 0);
         if (Math.abs(off) < CLOSE) break;
         moveTo(position + off);
-        view = viewBetween(fed, position);
+        view = viewBetween(playhead, position);
       }
       return view;
     },
@@ -115,9 +115,9 @@ function lastFrameBefore(entries: readonly RecordingEntry[], next: number): Fram
 }
 
 /** The view at a time between two recorded frames: of a copy, so that the recorded ones stay as they were. */
-function viewBetween(fed: Fed, at: number): WorldView {
-  if (at <= fed.shownAt) return fed.predictor.view(fed.shownAt);
-  const { predictor, controls } = copyFed(fed);
+function viewBetween(playhead: Playhead, at: number): WorldView {
+  if (at <= playhead.shownAt) return playhead.predictor.view(playhead.shownAt);
+  const { predictor, controls } = copyPlayhead(playhead);
   predictor.advance(controls, at);
   return predictor.view(at);
 }

@@ -1,3 +1,3 @@
 /** Plays, reads and writes recordings, in a separate chunk that is loaded on demand. */
-export { fileName, readFile, refusalText as refusalWords, writeSlowly } from './recordingFile';
+export { fileName, readFile, refusalText as refusalWords, writeInSlices } from './recordingFile';
 export { createReplay } from './replay';

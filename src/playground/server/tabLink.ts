@@ -27,7 +27,7 @@ export function openChannel(address: string): TabChannel {
 }
 
 /** The host's calls for its guests. */
-export interface GuestDoor {
+export interface GuestCalls {
   /** A guest joins or rejoins; returns the reason why it cannot, or null. */
   readonly join: (guest: string, name: string) => string | null;
   readonly leave: (guest: string) => void;
@@ -49,29 +49,29 @@ const MAX_NAME = 24;
 const MAX_BYTES = 65_536;
 
 /** Listens for guests. Messages on the channel are from other pages, so they are checked. */
-export function createTabHost(channel: TabChannel, door: GuestDoor): TabHost {
+export function createTabHost(channel: TabChannel, calls: GuestCalls): TabHost {
   const names = new Map<string, string>();
   const admit = (from: string, name: string) => {
     const reason =
       names.size >= MAX_GUESTS && !names.has(from)
         ? `it has ${MAX_GUESTS} guests already`
-        : door.join(from, name);
+        : calls.join(from, name);
     if (reason !== null) {
       channel.postMessage({ kind: 'refused', to: from, reason });
       return;
     }
     names.set(from, name);
-    channel.postMessage({ kind: 'world', to: from, ...door.world() });
+    channel.postMessage({ kind: 'world', to: from, ...calls.world() });
   };
   channel.onmessage = ({ data }) => {
     const message = readToHost(data);
     if (message === null) return;
     if (message.kind === 'join') admit(message.from, message.name);
     else if (!names.has(message.from)) return;
-    else if (message.kind === 'bytes') door.send(message.from, message.bytes);
+    else if (message.kind === 'bytes') calls.send(message.from, message.bytes);
     else {
       names.delete(message.from);
-      door.leave(message.from);
+      calls.leave(message.from);
     }
   };
   return {

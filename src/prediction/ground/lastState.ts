@@ -18,7 +18,7 @@ export function keepState(state: LastState, row: Float64Array, tick: number): vo
 }
 
 /** A server state of one ship, and the bodies of its tick. */
-export interface GroundNews {
+export interface ReceivedState {
   readonly row: Float64Array;
   readonly tick: number;
   readonly bodies: Float64Array;

@@ -17,7 +17,7 @@ import {
   offsetAt,
   placeAt,
 } from './learnedGround';
-import type { GroundNews } from './lastState';
+import type { ReceivedState } from './lastState';
 import { createObservation, type Observation, observe } from './observe';
 import { costOf, createMisfit, type Evidence, replayBetween } from './trial';
 
@@ -42,9 +42,9 @@ const STEEPEST = 0.6;
  * Learns the ground from a state that was mispredicted, or is on learned ground: by a replay between the ship's last two states if only the
  * ground can explain them, otherwise from the state alone (PREDICTION, Learned ground). If the grounds agree, nothing is learned.
  */
-export function learnGround(sim: Simulation, track: Track, news: GroundNews): void {
+export function learnGround(sim: Simulation, track: Track, received: ReceivedState): void {
   const { ground } = track;
-  const { row, bodies, now } = news;
+  const { row, bodies, now } = received;
   beginReading(ground);
   agePlaces(ground, now);
   const seen = observed;
@@ -54,10 +54,10 @@ export function learnGround(sim: Simulation, track: Track, news: GroundNews): vo
   const [nx, ny, nz] = seen.direction as unknown as [number, number, number];
   const known = offsetAt(ground.places, body.name, nx, ny, nz);
   const old = placeAt(ground, body.name, seen.direction);
-  const guess = offsetOfState(seen, news, known);
-  const evidence = evidenceOf(sim, track, news);
+  const guess = offsetOfState(seen, received, known);
+  const evidence = evidenceOf(sim, track, received);
   if (evidence === null) {
-    if (guess !== null) keepPlace(ground, placeOf(seen, news, body, { old, offset: guess }));
+    if (guess !== null) keepPlace(ground, placeOf(seen, received, body, { old, offset: guess }));
     return;
   }
   replayBetween(misfit, sim, track, evidence);
@@ -66,21 +66,21 @@ export function learnGround(sim: Simulation, track: Track, news: GroundNews): vo
     if (old !== null) confirmPlace(old, now);
     return;
   }
-  const place = placeOf(seen, news, body, { old, offset: known });
-  const guesses = guessesOf(seen, news, known, old);
+  const place = placeOf(seen, received, body, { old, offset: known });
+  const guesses = guessesOf(seen, received, known, old);
   const cost = fitGround({ sim, track, evidence, seen, place }, ground, guesses, !isResting(seen, row));
   const explains =
     cost < before * BETTER && (seen.grounded ? !isAbove(seen, place) : cost < EXPLAINED_IN_FLIGHT);
   if (explains) keepPlace(ground, place);
   else {
     const offset = guess ?? groundOfBounce(sim, evidence, known);
-    if (offset !== null) keepPlace(ground, placeOf(seen, news, body, { old, offset }));
+    if (offset !== null) keepPlace(ground, placeOf(seen, received, body, { old, offset }));
   }
-  if (!news.hasImpact && seen.grounded) recallImpact(sim, track, evidence, row);
+  if (!received.hasImpact && seen.grounded) recallImpact(sim, track, evidence, row);
 }
 
 /** The server's ground above ours, m, from a state alone; null for nothing new. */
-function offsetOfState(seen: Observation, { row }: GroundNews, known: number): number | null {
+function offsetOfState(seen: Observation, { row }: ReceivedState, known: number): number | null {
   const above = seen.feet - known;
   const depth = seen.gravity / 100;
   if (isResting(seen, row)) return Math.abs(above + depth) > RESTING ? seen.feet + depth : null;
@@ -98,7 +98,12 @@ function isResting(seen: Observation, row: Float64Array): boolean {
 }
 
 /** Guesses: the known ground, the ship's static depth, the slope of its climb or of the last place. */
-function guessesOf(seen: Observation, { row }: GroundNews, known: number, old: GroundPlace | null): Guess[] {
+function guessesOf(
+  seen: Observation,
+  { row }: ReceivedState,
+  known: number,
+  old: GroundPlace | null,
+): Guess[] {
   const slope = old === null ? 0 : dot(old.slope, seen.way);
   const guesses: Guess[] = [{ offset: known, slope }];
   if (!seen.grounded) return guesses;
@@ -114,7 +119,7 @@ function guessesOf(seen: Observation, { row }: GroundNews, known: number, old: G
 }
 
 /** The last state and this one, if only the ground between them is unknown; otherwise null. */
-function evidenceOf(sim: Simulation, track: Track, { row, tick }: GroundNews): Evidence | null {
+function evidenceOf(sim: Simulation, track: Track, { row, tick }: ReceivedState): Evidence | null {
   const { evidence } = track;
   const { timeline, bodies } = sim;
   if (evidence.tick < 0 || evidence.tick >= tick || !knowsBoundary(bodies, evidence.tick)) return null;
@@ -149,7 +154,7 @@ function recallImpact(sim: Simulation, track: Track, evidence: Evidence, row: Fl
 
 function placeOf(
   { direction }: Observation,
-  { now }: GroundNews,
+  { now }: ReceivedState,
   body: { readonly name: string; readonly radius: number },
   { old, offset }: { readonly old: GroundPlace | null; readonly offset: number },
 ): GroundPlace {

@@ -1,5 +1,5 @@
 import type { Session } from '../session';
-import { createCut } from '../snapshots/bodies/bodyTrack';
+import { createSubstepRows } from '../snapshots/bodies/bodyTrack';
 import type { LatestMessages } from './snapshot';
 
 /** Everything a predictor owns: its session, and the messages of its next snapshot. */
@@ -18,9 +18,9 @@ export function copyOwned({ session, kept }: Owned): Owned {
   const { copies } = copying;
   for (const shared of [options, terrains, defaults, config, warn]) copies.set(shared, shared);
   copies.set(session.listeners, new Set());
-  // The cuts are most of the memory and are recomputed from the boundaries.
-  const { cuts } = session.sim.bodies;
-  copies.set(cuts, cuts.map(createCut));
+  // They are most of the memory and are recomputed from the boundaries.
+  const { substepRows } = session.sim.bodies;
+  copies.set(substepRows, substepRows.map(createSubstepRows));
   return { session: copyOf(session, copying), kept: { ...kept } };
 }
 

@@ -24,7 +24,7 @@ export function fitRings(sim: Simulation, { tickRate, substeps, ships }: RingNee
   if (wanted > sim.historyRows || sim.historyRows > most) sim.historyRows = wanted;
   for (const track of tracks) fitTrack(sim, track);
   const bodyRing = Math.max(sim.ringLength, sim.bodies.length);
-  if (bodyRing !== sim.bodies.length || sim.bodies.cuts.length !== keptTicks(substeps))
+  if (bodyRing !== sim.bodies.length || sim.bodies.substepRows.length !== keptTicks(substeps))
     sim.bodies = resizedBodies(sim.bodies, bodyRing, substeps);
   sim.counters.historyBytes = historyBytes(sim, ships);
 }

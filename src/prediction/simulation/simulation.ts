@@ -8,7 +8,7 @@ import {
 } from '../../dynamics';
 import type { InputAcknowledgement, PartialFrame, ServerFrame, StateControls } from '../../wire';
 import type { Diagnosis, EventNotice } from '../drawn/view';
-import type { GroundNews } from '../ground/lastState';
+import type { ReceivedState } from '../ground/lastState';
 import type * as unknownGround from '../ground/unknownGround';
 import { createInputs, type InputOutcome, type Inputs, type ScheduledInput } from '../inputs/inputs';
 import type * as bodySpin from '../snapshots/bodies/bodySpin';
@@ -18,8 +18,8 @@ import type * as checkedRecords from '../snapshots/checkedRecords';
 import type { gameTimeScale } from '../snapshots/gameTimeMeter';
 import type { Receiver } from '../snapshots/receiver';
 import type { describeDifference, Place } from '../snapshots/reconcile/compare';
-import type { holdLaw, Judged } from '../snapshots/reconcile/lawErrors';
-import type { Lesson } from '../snapshots/snapshotContext';
+import type { holdLaw, ComparedState } from '../snapshots/reconcile/lawErrors';
+import type { NewestState } from '../snapshots/snapshotContext';
 import type { loadUntrusted } from '../snapshots/worldConfig';
 import { type Cadence, createCadence } from '../time/cadence';
 import { createTimeline, type Position, type Timeline } from '../time/timeline';
@@ -38,11 +38,11 @@ type TimeFrame<Frame> = (sim: Simulation, receiver: Receiver, frame: Frame, now:
 export interface Features {
   /** Learns from states; the next three and `spin` need it. */
   readonly learning?: {
-    readonly learnFrom: (sim: Simulation, track: Track, lesson: Lesson) => boolean;
+    readonly learnFrom: (sim: Simulation, track: Track, newest: NewestState) => boolean;
     readonly holdLaw: typeof holdLaw;
   };
-  readonly learnGround?: (sim: Simulation, track: Track, news: GroundNews) => void;
-  readonly chooseMotion?: (sim: Simulation, track: Track, judged: Judged) => boolean;
+  readonly learnGround?: (sim: Simulation, track: Track, received: ReceivedState) => void;
+  readonly chooseMotion?: (sim: Simulation, track: Track, compared: ComparedState) => boolean;
   /** Ground that the client has not loaded. */
   readonly unknownGround?: {
     readonly knowsGround: typeof unknownGround.knowsGround;

@@ -3,14 +3,14 @@ import type { Simulation } from '../simulation/simulation';
 import type { Track } from '../simulation/track';
 import { spanOf } from '../time/timeline';
 import type { Place } from './reconcile/compare';
-import type { Lesson } from './snapshotContext';
+import type { NewestState } from './snapshotContext';
 
 /**
  * Learns the ground, the body's spin and the fit of the dynamics from a state (PREDICTION, Learned ground).
  * @returns whether the ship changes between simulation and extrapolation
  */
-export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolean {
-  const { row, context, predicted, agrees, hasImpact } = lesson;
+export function learnFrom(sim: Simulation, track: Track, newest: NewestState): boolean {
+  const { row, context, predicted, agrees, hasImpact } = newest;
   const { tick, bodies, now } = context;
   const { fit, ground } = track;
   const { features } = sim;
@@ -24,7 +24,7 @@ export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolea
   if (!isKnown) return changes;
   if (!agrees || ground.places.length > 0 || fit.extrapolated !== '')
     features.learnGround?.(sim, track, { row, tick, bodies, now, hasImpact });
-  if (!agrees) measureSpin(sim, track, lesson);
+  if (!agrees) measureSpin(sim, track, newest);
   state.rows = row;
   state.bodies = bodies;
   const isWeighed = features.chooseMotion?.(sim, track, { state, tick, predicted, agrees }) ?? false;
@@ -32,7 +32,7 @@ export function learnFrom(sim: Simulation, track: Track, lesson: Lesson): boolea
 }
 
 /** Measures the body's spin from a ship at rest whose position was mispredicted. */
-function measureSpin(sim: Simulation, { evidence }: Track, { row, context }: Lesson): void {
+function measureSpin(sim: Simulation, { evidence }: Track, { row, context }: NewestState): void {
   const { tick, bodies } = context;
   if (evidence.tick < 0 || evidence.tick >= tick) return;
   const seconds = (tick - evidence.tick) * spanOf(sim.timeline, tick).timing.tickSeconds;

@@ -38,7 +38,7 @@ export interface Compared {
 }
 
 /** A ship's newest state, and the prediction for its tick. */
-export interface Lesson {
+export interface NewestState {
   /** The state; its impact speed is filled in if the server does not send it. */
   readonly row: Float64Array;
   readonly context: SnapshotContext;

@@ -1,4 +1,4 @@
-import { addDelay, createDelays, type Delays, leastOf, lessenDelay, spreadOf } from './delays';
+import { addDelay, createDelays, type Delays, leastOf, lowerDelay, spreadOf } from './delays';
 import {
   boundAbove,
   boundBelow,
@@ -138,7 +138,7 @@ export function samplePong(clock: Clock, pinged: number, answer: Answer | null, 
   const roundTrip = now - pinged;
   if (!(roundTrip >= 0)) return;
   const ofOneQueue = now - clock.pongAt < ONE_QUEUE && clock.roundTrips.count > 0;
-  if (ofOneQueue) lessenDelay(clock.roundTrips, roundTrip);
+  if (ofOneQueue) lowerDelay(clock.roundTrips, roundTrip);
   else addDelay(clock.roundTrips, roundTrip);
   clock.pongAt = now;
   clock.roundTrip = Number.isNaN(clock.roundTrip) ? roundTrip : clock.roundTrip * 0.8 + roundTrip * 0.2;

@@ -33,21 +33,21 @@ export function staleAfter(cadence: Cadence, tickRate: number): number {
 }
 
 /** Client wall s since the last message of each kind. */
-export interface Heard {
+export interface SinceLast {
   readonly frame: number;
   readonly pong: number;
 }
 
 export function connectionOf(
-  heard: Heard,
+  since: SinceLast,
   cadence: Cadence,
   { tickRate, paused }: { readonly tickRate: number; readonly paused: boolean },
 ): Connection {
-  if (heard.frame === Number.POSITIVE_INFINITY) return 'waiting';
-  const isLive = heard.frame <= staleAfter(cadence, tickRate);
+  if (since.frame === Number.POSITIVE_INFINITY) return 'waiting';
+  const isLive = since.frame <= staleAfter(cadence, tickRate);
   if (isLive) return paused ? 'serverPaused' : 'live';
-  if (heard.pong <= ANSWERED) return 'serverPaused';
-  if (heard.pong === Number.POSITIVE_INFINITY) return paused ? 'serverPaused' : 'silent';
-  const silence = Math.min(heard.frame, heard.pong);
+  if (since.pong <= ANSWERED) return 'serverPaused';
+  if (since.pong === Number.POSITIVE_INFINITY) return paused ? 'serverPaused' : 'silent';
+  const silence = Math.min(since.frame, since.pong);
   return silence > Math.max(GONE, GONE_SENDS * sendSeconds(cadence, tickRate)) ? 'gone' : 'stalled';
 }

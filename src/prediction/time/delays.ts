@@ -37,7 +37,7 @@ export function addDelay(delays: Delays, value: number): void {
 }
 
 /** Lowers the last delay to `value` if that is smaller: both waited in one queue, of which the smallest delay counts. */
-export function lessenDelay(delays: Delays, value: number): void {
+export function lowerDelay(delays: Delays, value: number): void {
   const { values, count } = delays;
   const slot = (count - 1) % values.length;
   values[slot] = Math.min(values[slot]!, value);

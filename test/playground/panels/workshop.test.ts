@@ -91,7 +91,7 @@ describe('the strip of frames', () => {
   };
   const diagnosis = (changes: Partial<Diagnosis>) => ({ ...none, ...changes }) as unknown as Diagnosis;
 
-  it('draws one mark per frame by its fate, the newest at the right, for twenty seconds', () => {
+  it('draws one mark per frame by its outcome, the newest at the right, for twenty seconds', () => {
     const { strip, drawn, root } = createStrip();
     expect(attributes(one(root, 'canvas'), 'aria-hidden')).toEqual(['true']);
     strip.watch(diagnosis({ framesAccepted: 1 }), 100);
@@ -120,7 +120,7 @@ describe('the strip of frames', () => {
     expect(drawn).toEqual([line]);
   });
 
-  it('has a shape and a colour of its own for every fate, and counts in words', () => {
+  it('has a shape and a colour of its own for every outcome, and counts in words', () => {
     const { strip, drawn, words } = createStrip();
     const counters = ['Accepted', 'Duplicate', 'OutOfOrder', 'TooOld', 'FromFuture', 'Refused'] as const;
     const every = diagnosis(Object.fromEntries(counters.map((name, i) => [`frames${name}`, i + 1])));

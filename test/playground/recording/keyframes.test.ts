@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { createKeyframes, feed, type Keyframes } from '../../../src/playground/recording/keyframes';
+import { createKeyframes, readEntry, type Keyframes } from '../../../src/playground/recording/keyframes';
 import { createReplay } from '../../../src/playground/recording/replay';
 import { recordPlay } from '../game/recordPlay';
 
@@ -15,13 +15,13 @@ const TIMES = Array.from({ length: 30 }, (_, n) => 39.9 - ((n * 7.3) % 39));
 
 /** The computation that seeking a time of the recording takes. */
 function workTo(keyframes: Keyframes, at: number) {
-  const fed = keyframes.before(at);
-  const counted = () => fed.predictor.view(fed.shownAt).diagnosis;
+  const playhead = keyframes.before(at);
+  const counted = () => playhead.predictor.view(playhead.shownAt).diagnosis;
   const { steppedSubsteps, replayedSubsteps } = counted();
   let frames = 0;
-  while (fed.next < entries.length && entries[fed.next]!.at <= at) {
-    if (entries[fed.next]!.kind === 'advanced') frames++;
-    feed(fed, entries);
+  while (playhead.next < entries.length && entries[playhead.next]!.at <= at) {
+    if (entries[playhead.next]!.kind === 'advanced') frames++;
+    readEntry(playhead, entries);
   }
   const after = counted();
   return {

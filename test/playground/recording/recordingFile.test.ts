@@ -5,7 +5,7 @@ import {
   fileName,
   readFile,
   refusalText,
-  writeSlowly,
+  writeInSlices,
 } from '../../../src/playground/recording/recordingFile';
 
 const NOON = new Date('2031-05-06T12:00:09.5Z');
@@ -43,7 +43,7 @@ it('a file is written in slices, with the share that is done', async () => {
   const entry = { kind: 'advanced', at: 1, controls: null } as const;
   const recording = { header: { note: '', shipId: 'own' }, entries: Array<typeof entry>(4500).fill(entry) };
   const shares: number[] = [];
-  const blob = await writeSlowly(recording, (share) => shares.push(share));
+  const blob = await writeInSlices(recording, (share) => shares.push(share));
   expect(shares).toEqual([2000 / 4500, 4000 / 4500, 1]);
   expect(await blob.text()).toBe(writeRecording(recording));
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { addDelay, createDelays, leastOf, lessenDelay, spreadOf } from '../../../src/prediction/time/delays';
+import { addDelay, createDelays, leastOf, lowerDelay, spreadOf } from '../../../src/prediction/time/delays';
 import { answeredPing, createPings, forgetPings, pingIfDue } from '../../../src/prediction/time/pings';
 
 function delaysOf(values: readonly number[], length = values.length) {
@@ -20,8 +20,8 @@ describe('recent delays', () => {
 
   it('of one queue count once, as the smallest', () => {
     const delays = delaysOf([0.05, 0.9]);
-    lessenDelay(delays, 0.4);
-    lessenDelay(delays, 0.6);
+    lowerDelay(delays, 0.4);
+    lowerDelay(delays, 0.6);
     expect(delays.count).toBe(2);
     expect([...delays.values]).toEqual([0.05, 0.4]);
   });

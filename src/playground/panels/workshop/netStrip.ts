@@ -2,7 +2,7 @@ import type { Diagnosis } from '../../../prediction';
 import { append } from '../elements';
 
 /** Kinds of frames: counter in the diagnosis, word, colour and height of the mark (so that colour is not the only sign). */
-const FATES = [
+const OUTCOMES = [
   { counter: 'framesAccepted', word: 'accepted', colour: '#58b8ff', height: 0.55 },
   { counter: 'framesDuplicate', word: 'duplicate', colour: '#b3c0cd', height: 0.3 },
   { counter: 'framesOutOfOrder', word: 'out of order', colour: '#ffd24a', height: 0.8 },
@@ -23,8 +23,8 @@ const SPAN = 20;
 
 interface Mark {
   readonly at: number;
-  /** Index into FATES. */
-  readonly fate: number;
+  /** Index into OUTCOMES. */
+  readonly outcome: number;
 }
 
 /** The network of the last seconds: one mark per frame, by its kind, the newest at the right; counts in words below. */
@@ -49,23 +49,23 @@ export function createNetStrip(host: Element): NetStrip {
     canvas.width = canvas.clientWidth;
     canvas.height = canvas.clientHeight;
   }).observe(canvas);
-  const before: number[] = FATES.map(() => 0);
+  const before: number[] = OUTCOMES.map(() => 0);
   let marks: Mark[] = [];
 
   return {
     watch(diagnosis, now) {
-      FATES.forEach(({ counter }, fate) => {
+      OUTCOMES.forEach(({ counter }, outcome) => {
         const count = diagnosis[counter];
-        const come = Math.min(count - before[fate]!, 50);
-        for (let i = 0; i < come; i++) marks.push({ at: now, fate });
-        before[fate] = count;
+        const come = Math.min(count - before[outcome]!, 50);
+        for (let i = 0; i < come; i++) marks.push({ at: now, outcome });
+        before[outcome] = count;
       });
     },
     paint(diagnosis, now) {
       marks = marks.filter(({ at }) => at > now - SPAN && at <= now);
       if (context !== null) drawMarks(context, canvas, marks, now);
-      const told = FATES.filter(({ counter }, i) => i === 0 || diagnosis[counter] > 0);
-      showText(counts, told.map(({ counter, word }) => `${diagnosis[counter]} ${word}`).join(' · '));
+      const counted = OUTCOMES.filter(({ counter }, i) => i === 0 || diagnosis[counter] > 0);
+      showText(counts, counted.map(({ counter, word }) => `${diagnosis[counter]} ${word}`).join(' · '));
       const made = CORRECTIONS.filter(([counter]) => diagnosis[counter] > 0);
       const words = made.map(([counter, word]) => `${diagnosis[counter]} ${word}`).join(', ');
       const mismatch = diagnosis.lastMismatch === '' ? '' : ` (${diagnosis.lastMismatch})`;
@@ -88,8 +88,8 @@ function drawMarks(
   context.clearRect(0, 0, width, height);
   context.fillStyle = 'rgba(128,144,160,0.35)';
   context.fillRect(0, height - 1, width, 1);
-  for (const { at, fate } of marks) {
-    const { colour, height: share } = FATES[fate]!;
+  for (const { at, outcome } of marks) {
+    const { colour, height: share } = OUTCOMES[outcome]!;
     context.fillStyle = colour;
     context.fillRect(width * (1 - (now - at) / SPAN) - 3, height * (1 - share), 3, height * share);
   }

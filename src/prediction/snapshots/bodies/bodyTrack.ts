@@ -23,7 +23,7 @@ export interface BodyTrack {
   /** Rows at tick boundaries: slot = tick mod length. */
   readonly boundaries: Float64Array[];
   readonly ticks: Float64Array;
-  readonly cuts: TickCut[];
+  readonly substepRows: SubstepRows[];
   /** The bodies as long as no boundary is known. */
   readonly start: Float64Array;
   /** The predicted rows of the boundary that a frame replaced. */
@@ -33,13 +33,13 @@ export interface BodyTrack {
 }
 
 /** One tick's rows, substep by substep, each turned for its substep. */
-interface TickCut {
+interface SubstepRows {
   tick: number;
   made: number;
   rows: Float64Array[];
 }
 
-export const createCut = (): TickCut => ({ tick: -1, made: 0, rows: [] });
+export const createSubstepRows = (): SubstepRows => ({ tick: -1, made: 0, rows: [] });
 
 /** A tick of more substeps is too long to follow: its rows alone would take 16 MB with four bodies. */
 export const MAX_SUBSTEPS_PER_TICK = 12_800;
@@ -53,7 +53,7 @@ export function createBodyTrack(start: Float64Array, length: number, substeps: n
     length,
     boundaries: Array.from({ length }, () => new Float64Array(size)),
     ticks: new Float64Array(length).fill(Number.NEGATIVE_INFINITY),
-    cuts: Array.from({ length: keptTicks(substeps) }, createCut),
+    substepRows: Array.from({ length: keptTicks(substeps) }, createSubstepRows),
     start,
     replaced: new Float64Array(size),
     past: new Float64Array(size),
@@ -141,34 +141,34 @@ function makeNext(track: BodyTrack, timeline: Timeline, tick: number): void {
 
 /** Rows turned for substep `substep` of the interval that begins at `tick` (DYNAMICS, step 7). */
 export function rowsAt(track: BodyTrack, timeline: Timeline, tick: number, substep: number): Float64Array {
-  const cut = track.cuts[tick % track.cuts.length]!;
-  if (cut.tick === tick && substep < cut.made) return cut.rows[substep]!;
-  return makeRows(track, timeline, cut, { tick, substep });
+  const cached = track.substepRows[tick % track.substepRows.length]!;
+  if (cached.tick === tick && substep < cached.made) return cached.rows[substep]!;
+  return makeRows(track, timeline, cached, { tick, substep });
 }
 
 function makeRows(
   track: BodyTrack,
   timeline: Timeline,
-  cut: TickCut,
+  cached: SubstepRows,
   to: { tick: number; substep: number },
 ): Float64Array {
   const { dt, substeps } = spanOf(timeline, to.tick).timing;
-  if (cut.tick !== to.tick) {
+  if (cached.tick !== to.tick) {
     const start = boundaryAt(track, timeline, to.tick);
-    cut.tick = to.tick;
-    cut.made = 0;
-    while (cut.rows.length < substeps) cut.rows.push(new Float64Array(track.count * BODY_STRIDE));
-    cut.rows[0]!.set(start);
+    cached.tick = to.tick;
+    cached.made = 0;
+    while (cached.rows.length < substeps) cached.rows.push(new Float64Array(track.count * BODY_STRIDE));
+    cached.rows[0]!.set(start);
   }
-  for (; cut.made <= to.substep; cut.made++) {
-    const rows = cut.rows[cut.made]!;
-    if (cut.made > 0) {
-      rows.set(cut.rows[cut.made - 1]!);
+  for (; cached.made <= to.substep; cached.made++) {
+    const rows = cached.rows[cached.made]!;
+    if (cached.made > 0) {
+      rows.set(cached.rows[cached.made - 1]!);
       settleBodies(rows, track.count);
     }
     turnBodies(rows, track.count, dt);
   }
-  return cut.rows[to.substep]!;
+  return cached.rows[to.substep]!;
 }
 
 /** Largest error of predicted bodies: of an attitude's component, and of a spin's, rad/s. */
@@ -215,7 +215,7 @@ export function startBodiesAt(track: BodyTrack, tick: number): void {
 export function forgetAfter(track: BodyTrack, tick: number): void {
   for (let slot = 0; slot < track.length; slot++)
     if (track.ticks[slot]! > tick) track.ticks[slot] = Number.NEGATIVE_INFINITY;
-  for (const cut of track.cuts) if (cut.tick >= tick) cut.tick = -1;
+  for (const cached of track.substepRows) if (cached.tick >= tick) cached.tick = -1;
 }
 
 function agrees(rows: Float64Array, at: number, motion: BodyMotion): boolean {

@@ -11,7 +11,7 @@ import { has, offsetOf } from '../../simulation/history';
 import type { Simulation } from '../../simulation/simulation';
 import type { Track } from '../../simulation/track';
 import type { Place } from './compare';
-import type { Judged } from './lawErrors';
+import type { ComparedState } from './lawErrors';
 
 /** Weight of the earlier touches at the next one. */
 const KEPT = 0.8;
@@ -25,7 +25,7 @@ const WORSE = 0.02;
 export function learnBounce(
   { world }: Simulation,
   track: Track,
-  { state, tick, predicted }: Judged,
+  { state, tick, predicted }: ComparedState,
   tickRate: number,
 ): void {
   const { fit, evidence } = track;

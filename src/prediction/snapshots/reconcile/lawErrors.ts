@@ -22,7 +22,7 @@ export interface LawFit {
 }
 
 /** A state, the prediction for its tick, and whether the two agree. */
-export interface Judged {
+export interface ComparedState {
   readonly state: Place;
   readonly tick: number;
   readonly predicted: Place | null;

@@ -18,7 +18,7 @@ import { boundaryAt, knowsBoundary } from '../bodies/bodyTrack';
 import { sameCommand } from '../../inputs/command';
 import { learnBounce } from './bounceFit';
 import type { Place } from './compare';
-import { type Judged, type LawFit, WINDOW } from './lawErrors';
+import { type ComparedState, type LawFit, WINDOW } from './lawErrors';
 
 /** States needed for a decision. */
 const NEEDED = 3;
@@ -31,16 +31,16 @@ const MAX_INTERVAL = 400;
 const PIECES = 10;
 
 /** Compares the errors of the dynamics and of extrapolation at the last state. Returns whether the ship changes between them. */
-export function chooseMotion(sim: Simulation, track: Track, judged: Judged): boolean {
+export function chooseMotion(sim: Simulation, track: Track, compared: ComparedState): boolean {
   const { fit } = track;
   if (fit.extrapolated === 'ground') return false;
-  if (!isComparable(sim, track, judged)) return false;
-  learnBounce(sim, track, judged, spanOf(sim.timeline, judged.tick).tickRate);
+  if (!isComparable(sim, track, compared)) return false;
+  learnBounce(sim, track, compared, spanOf(sim.timeline, compared.tick).tickRate);
   const slot = fit.count % WINDOW;
   fit.count += 1;
   const isExtrapolated = fit.extrapolated !== '';
-  fit.law[slot] = judged.agrees && !isExtrapolated ? 0 : lawError(sim, track, judged);
-  fit.extrapolation[slot] = judged.agrees && !isExtrapolated ? 0 : extrapolationError(sim, track, judged);
+  fit.law[slot] = compared.agrees && !isExtrapolated ? 0 : lawError(sim, track, compared);
+  fit.extrapolation[slot] = compared.agrees && !isExtrapolated ? 0 : extrapolationError(sim, track, compared);
   const next = chosenMotion(fit);
   if (next === fit.extrapolated) return false;
   fit.extrapolated = next;
@@ -58,7 +58,7 @@ function chosenMotion(fit: LawFit): LawFit['extrapolated'] {
 }
 
 /** Whether nothing but dynamics and ground determined the motion between the last state and this one. */
-function isComparable(sim: Simulation, track: Track, { state, tick, predicted }: Judged): boolean {
+function isComparable(sim: Simulation, track: Track, { state, tick, predicted }: ComparedState): boolean {
   const { evidence } = track;
   // A late or lost input is no fault of the dynamics.
   if (predicted !== null && !sameCommand(predicted.rows, predicted.at, state.rows, 0)) return false;
@@ -75,7 +75,7 @@ function isComparable(sim: Simulation, track: Track, { state, tick, predicted }:
   );
 }
 
-function lawError(sim: Simulation, track: Track, { state, tick, predicted }: Judged): number {
+function lawError(sim: Simulation, track: Track, { state, tick, predicted }: ComparedState): number {
   if (track.fit.extrapolated === '') return predicted === null ? 0 : errorOf(predicted, state);
   const { evidence } = track;
   made.rows = replayBetween(misfit, sim, track, {
@@ -88,7 +88,7 @@ function lawError(sim: Simulation, track: Track, { state, tick, predicted }: Jud
   return errorOf(made, state);
 }
 
-function extrapolationError(sim: Simulation, { evidence }: Track, { state, tick }: Judged): number {
+function extrapolationError(sim: Simulation, { evidence }: Track, { state, tick }: ComparedState): number {
   const { tickSeconds } = spanOf(sim.timeline, tick).timing;
   const dt = ((tick - evidence.tick) * tickSeconds) / PIECES;
   const bodies = boundaryAt(sim.bodies, sim.timeline, evidence.tick);
